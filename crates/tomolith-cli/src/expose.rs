@@ -361,7 +361,7 @@ fn show(
     let least = windows.iter().map(|(_, pw)| *pw).reduce(f64::min);
     if let Some(pw) = least {
         answer.set("pw_percent", 100.0 * pw);
-        answer.set("pw_s", pw * plan.time_s);
+        answer.set("pw_s", (pw >= 0.0).then_some(pw * plan.time_s));
     }
     if plan.rpm > 60.0 {
         answer.warn(format!(

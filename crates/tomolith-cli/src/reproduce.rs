@@ -4,10 +4,13 @@ use crate::arguments::Manner;
 use crate::screen::{mutter, say};
 use crate::sweep::Board;
 use clap::Args;
+use rustix::process::{Pid, Signal, kill_process};
 use serde_json::{Value, json};
+use std::io::Read;
 use std::path::{Path, PathBuf};
-use std::process::Command;
-use std::thread::available_parallelism;
+use std::process::{Child, Command, Output, Stdio};
+use std::thread::{self, available_parallelism};
+use std::time::Duration;
 use tomolith::models::Run;
 use tomolith::{Error, Result};
 use tomolith_sweep::{Host, Study, StudyCost, SweepPlan, Watch, duration, reproduce};
@@ -46,6 +49,7 @@ pub(crate) fn run(given: &ReproduceArguments, cancel: &Run) -> Result<bool> {
     let threads = given.manner.threads.map_or_else(own, usize::from);
     let mut typed = Typed {
         manner: given.manner,
+        cancel,
     };
     if given.check {
         typed.begins(&study.costs(&output, threads, cancel)?);
@@ -63,11 +67,12 @@ pub(crate) fn run(given: &ReproduceArguments, cancel: &Run) -> Result<bool> {
 }
 
 /// A study that was typed.
-struct Typed {
+struct Typed<'r> {
     manner: Manner,
+    cancel: &'r Run,
 }
 
-impl Host for Typed {
+impl Host for Typed<'_> {
     fn begins(&mut self, costs: &[StudyCost]) {
         let seconds: f64 = costs.iter().map(|cost| cost.seconds).sum();
         if self.manner.json {
@@ -99,7 +104,12 @@ impl Host for Typed {
         if let Some(threads) = self.manner.threads {
             command.args(["--threads", &threads.to_string()]);
         }
-        let done = command.output().map_err(|e| Error::io(folder, e))?;
+        let child = (command.stdin(Stdio::null()))
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn();
+        let done = child.and_then(|child| ended(child, self.cancel));
+        let done = done.map_err(|e| Error::io(folder, e))?;
         let text = String::from_utf8_lossy(&done.stdout);
         let answer = text
             .lines()
@@ -115,5 +125,44 @@ impl Host for Typed {
                     .unwrap_or_else(|| String::from_utf8_lossy(&done.stderr).trim().to_owned()),
             }),
         }
+    }
+}
+
+/// How often a request to stop is looked for while a command works.
+const PAUSE: Duration = Duration::from_millis(50);
+
+/// What a command said until it ended; a request to stop is passed on to it once.
+fn ended(mut child: Child, cancel: &Run) -> std::io::Result<Output> {
+    let (out, err) = (child.stdout.take(), child.stderr.take());
+    thread::scope(|scope| {
+        let out = scope.spawn(|| all_of(out));
+        let err = scope.spawn(|| all_of(err));
+        let mut was_told = false;
+        let status = loop {
+            if let Some(status) = child.try_wait()? {
+                break status;
+            }
+            if cancel.is_stop_asked() && !was_told {
+                was_told = true;
+                kill_process(Pid::from_child(&child), Signal::TERM)?;
+            }
+            thread::sleep(PAUSE);
+        };
+        let of = |said: thread::ScopedJoinHandle<'_, std::io::Result<Vec<u8>>>| {
+            said.join().unwrap_or_else(|_| Ok(Vec::new()))
+        };
+        Ok(Output {
+            status,
+            stdout: of(out)?,
+            stderr: of(err)?,
+        })
+    })
+}
+
+fn all_of(pipe: Option<impl Read>) -> std::io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    match pipe {
+        Some(mut pipe) => pipe.read_to_end(&mut bytes).map(|_| bytes),
+        None => Ok(bytes),
     }
 }

@@ -23,8 +23,8 @@ Examples:
   tomolith sweep sweep.toml --list | parallel -j 4   the runs as ordinary commands
   mpirun -n 4 tomolith sweep sweep.toml              a share each, where this was built with MPI
 
-The same command again goes on with what is left. Exit codes: 0 done, 1 a run failed or none meets
-best.where, 2 could not run, 130 canceled";
+The same command again goes on with what is left. Exit codes: 0 done, 1 a run failed or is missing, or
+none meets best.where, 2 could not run, 130 canceled";
 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]

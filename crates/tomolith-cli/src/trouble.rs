@@ -5,6 +5,7 @@ use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, S
 use std::fmt;
 use std::io::{IsTerminal, Write};
 use tomolith::Error;
+use tomolith::error::key_or_file;
 
 /// Columns of a terminal that does not say.
 const WIDTH: usize = 110;
@@ -84,7 +85,7 @@ impl fmt::Display for Trouble<'_> {
             Error::Config {
                 key, found, place, ..
             } => {
-                f.write_str(if key.is_empty() { "job" } else { key })?;
+                f.write_str(key_or_file(key, place.as_ref()))?;
                 write!(f, ": {found}")?;
                 match place {
                     Some(place) => write!(f, " ({}, line {})", place.file.display(), place.line),

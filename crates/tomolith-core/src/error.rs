@@ -21,7 +21,7 @@ pub struct Place {
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// A key of the job (or a parameter of the API) has a value that cannot be used.
-    #[error("{}: {found}; accepted: {accepted}{}{}", if key.is_empty() { "job" } else { key.as_str() },
+    #[error("{}: {found}; accepted: {accepted}{}{}", key_or_file(key, place.as_ref()),
         nearest.as_ref().map(|n| format!("; did you mean `{n}`?")).unwrap_or_default(),
         place.as_ref().map(|p| format!(" ({}, line {})", p.file.display(), p.line)).unwrap_or_default())]
     Config {
@@ -161,6 +161,16 @@ impl Error {
             };
         }
         self
+    }
+}
+
+/// The key, or what a message without one is about: the whole file, or the job where there is none.
+#[must_use]
+pub fn key_or_file<'a>(key: &'a str, place: Option<&Place>) -> &'a str {
+    match (key, place) {
+        ("", Some(_)) => "file",
+        ("", None) => "job",
+        (key, _) => key,
     }
 }
 

@@ -66,13 +66,16 @@ impl Section {
             match error {
                 Error::Config {
                     key,
-                    found,
+                    mut found,
                     mut accepted,
                     nearest,
                     place,
                 } => {
                     if CHOICES.iter().any(|words| message.ends_with(words)) {
                         accepted = choices::<T>(&self.value, e.path()).unwrap_or(accepted);
+                        if let Some(table) = value_at(&self.value, e.path()) {
+                            (found, accepted) = of_table(table, found, accepted);
+                        }
                     } else if let Some(line) = self.example_of(&key).filter(|_| found == MISSING) {
                         accepted = format!("a value, for example `{line}`");
                     }
@@ -203,6 +206,19 @@ fn choices<T: DeserializeOwned>(value: &Value, path: &serde_path_to_error::Path)
     let names = message.strip_prefix("unknown variant `?`, expected ")?;
     let names: Vec<&str> = names.split('`').skip(1).step_by(2).collect();
     Some(names.join(", "))
+}
+
+/// Where one of several names was expected: what a table holds in its place, and how many of them it may.
+fn of_table(value: &Value, found: String, accepted: String) -> (String, String) {
+    let Value::Object(table) = value else {
+        return (found, accepted);
+    };
+    let keys: Vec<&str> = table.keys().map(String::as_str).collect();
+    let found = match keys.is_empty() {
+        true => "found an empty table".to_owned(),
+        false => format!("found a table with {}", keys.join(" and ")),
+    };
+    (found, format!("exactly one of {accepted}"))
 }
 
 /// What is found where a key is missing.
@@ -520,7 +536,11 @@ mod tests {
             ),
             (
                 serde_json::json!({ "ways": [{}] }),
-                "walk.ways[0]: found a table; accepted: up, down",
+                "walk.ways[0]: found an empty table; accepted: exactly one of up, down",
+            ),
+            (
+                serde_json::json!({ "ways": [{ "up": 1, "down": 2 }] }),
+                "walk.ways[0]: found a table with down and up; accepted: exactly one of up, down",
             ),
             (
                 serde_json::json!({ "ways": 1e30 }),

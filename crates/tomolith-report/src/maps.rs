@@ -584,10 +584,12 @@ fn upright(body: &mut String, frame: &Frame, labels: &[String]) {
     }
 }
 
-/// Ticks as parts of an edge.
+/// Ticks as parts of an edge, two at least: a single one says nothing of the scale.
 fn placed(axis: &Axis, wanted: usize) -> Vec<(f64, String)> {
     let part = |(value, label): (f64, String)| (axis.place(value), label);
-    axis.ticks(wanted.max(2)).into_iter().map(part).collect()
+    let finer = (wanted.max(2)..wanted + 5).map(|wanted| axis.ticks(wanted));
+    let ticks = finer.into_iter().find(|ticks| ticks.len() > 1);
+    ticks.into_iter().flatten().map(part).collect()
 }
 
 /// Width of a letter of a caption, about.

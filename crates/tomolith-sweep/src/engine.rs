@@ -4,7 +4,7 @@
 //! depends on which slot takes it or when. A request to stop is passed on to every run at work.
 
 use crate::pictures;
-use crate::plan::{SweepPlan, firsts};
+use crate::plan::{RUNS, SweepPlan, firsts};
 use crate::table::{State, Table, failure, report, state};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
@@ -127,10 +127,10 @@ pub struct BestRun {
 }
 
 impl SweepOutcome {
-    /// Whether nothing failed, and something meets what is asked.
+    /// Whether no run failed or is missing, and something meets what is asked; of a share, whether none failed.
     #[must_use]
     pub fn is_met(&self) -> bool {
-        self.failed == 0 && (self.is_share || self.best.is_some())
+        self.failed == 0 && (self.is_share || self.missing == 0 && self.best.is_some())
     }
 }
 
@@ -198,7 +198,8 @@ enum Told {
 /// Runs a sweep, or a share of it; what was finished before stays. Without a share all is collected at the end.
 ///
 /// # Errors
-/// [`Error::Canceled`], with checkpoints of the runs at work; [`Error::Io`]; [`Error::Format`] for a metric that no report has. A run that
+/// [`Error::Canceled`], with checkpoints of the runs at work; [`Error::Io`]; [`Error::Config`] where the folder holds another sweep's
+/// results; [`Error::Format`] for a metric that no report has. A run that
 /// fails is noted, and the others go on.
 pub fn run(
     plan: &SweepPlan,
@@ -206,12 +207,7 @@ pub fn run(
     watch: &mut dyn Watch,
     cancel: &Run,
 ) -> Result<SweepOutcome> {
-    let folder = plan
-        .run_folder(0)
-        .parent()
-        .map(Path::to_owned)
-        .unwrap_or_default();
-    fs::create_dir_all(&folder).map_err(|e| Error::io(&folder, e))?;
+    begin(plan)?;
     let mut turns = vec![RunState::Elsewhere; plan.runs.len()];
     let firsts = firsts(&plan.runs);
     // A run comes after those that it may start from
@@ -251,26 +247,42 @@ pub fn run(
     }
 }
 
+/// The folder of the results, which are this sweep's.
+fn begin(plan: &SweepPlan) -> Result<()> {
+    let folder = plan.folder();
+    let runs = folder.join(RUNS);
+    fs::create_dir_all(&runs).map_err(|e| Error::io(&runs, e))?;
+    plan.sweep.own(&folder)
+}
+
 /// Collects what is there, runs of other folders of the same sweep first, and writes table, pictures and best job.
 ///
 /// # Errors
-/// [`Error::Io`]; [`Error::Config`] for a folder without runs.
+/// [`Error::Io`]; [`Error::Config`] for a folder without runs of the sweep, and for results that are another sweep's.
 pub fn merge(plan: &SweepPlan, others: &[PathBuf]) -> Result<SweepOutcome> {
+    begin(plan)?;
     for other in others {
-        let runs = other.join(crate::plan::RUNS);
-        if !runs.is_dir() {
+        let runs = other.join(RUNS);
+        let folder = |i: usize| runs.join(&plan.runs[i].id);
+        let note = |i: usize| runs.join(format!("{}.failed.json", plan.runs[i].id));
+        let is_there = |i: usize| folder(i).is_dir() || note(i).is_file();
+        if !(0..plan.runs.len()).any(is_there) {
+            let runs = if runs.is_dir() {
+                "no run of this sweep"
+            } else {
+                "no runs"
+            };
             return Err(Error::config(
                 "--merge",
-                format!("`{}` holds no runs", other.display()),
-                "the folder of a sweep",
+                format!("`{}` holds {runs}", other.display()),
+                "a folder in which a share of this sweep was run, with the same files beside it",
             ));
         }
         for i in firsts(&plan.runs) {
-            let (from, to) = (runs.join(&plan.runs[i].id), plan.run_folder(i));
+            let (from, to, note) = (folder(i), plan.run_folder(i), note(i));
             if RunFolder::finished(&to).is_none() && RunFolder::finished(&from).is_some() {
                 copy_whole(&from, &to)?;
             }
-            let note = runs.join(format!("{}.failed.json", plan.runs[i].id));
             if matches!(state(plan, i)?, State::Missing) && note.is_file() {
                 fs::copy(&note, failure(plan, i)).map_err(|e| Error::io(&note, e))?;
             }
@@ -307,7 +319,6 @@ fn copy(from: &Path, to: &Path) -> std::io::Result<()> {
 fn collect(plan: &SweepPlan) -> Result<SweepOutcome> {
     let table = Table::collect(plan)?;
     let folder = plan.folder();
-    fs::create_dir_all(&folder).map_err(|e| Error::io(&folder, e))?;
     let mut outcome = counted_up(plan, &table);
     pictures::remove_outdated(plan, &folder);
     outcome.files = table.write(&folder)?;

@@ -2,7 +2,7 @@
 //!
 //! | step | file |
 //! |---|---|
-//! | the sweep file, typed | `spec` |
+//! | the sweep file, typed, read and checked | `spec`, `file` |
 //! | axes → points | `axes`, with conditions of `expression` |
 //! | points → jobs that are checked, their identities, where each starts | `plan` |
 //! | runs side by side, shares, merging | `engine` |
@@ -30,6 +30,7 @@
 mod axes;
 mod engine;
 mod expression;
+mod file;
 mod metric;
 mod pictures;
 mod plan;
@@ -40,6 +41,7 @@ mod table;
 
 pub use axes::{MOST_RUNS, SweepPoint};
 pub use engine::{BestRun, Shard, SweepEvent, SweepOutcome, Watch, merge, run};
-pub use plan::{Planned, Sweep, SweepPlan, duration};
+pub use file::Sweep;
+pub use plan::{Planned, SweepPlan, duration};
 pub use reproduce::{Host, Reproduction, StudyCost, StudyRow, Verdict, reproduce};
 pub use study::Study;

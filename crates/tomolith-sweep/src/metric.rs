@@ -26,6 +26,56 @@ const TABLES: [&str; 17] = [
     "part",
 ];
 const MORE: [&str; 3] = ["gel_threshold", "band_half_width", "sub_angles"];
+/// What stands in tables that every report has with the same names, or not at all.
+const FIELDS: [(&str, &[&str]); 5] = [
+    (
+        "history",
+        &[
+            "iterations",
+            "loss",
+            "projected_gradient",
+            "forward_calls",
+            "adjoint_calls",
+            "kept",
+            "lower_bound",
+            "gap",
+        ],
+    ),
+    (
+        "exposure",
+        &[
+            "measure",
+            "best",
+            "tolerance",
+            "threshold",
+            "dose",
+            "percent",
+            "time_s",
+            "reported_percent",
+        ],
+    ),
+    (
+        "levels",
+        &["rounded_loss", "loss", "scale", "steps", "calls"],
+    ),
+    (
+        "scenarios",
+        &["of", "threshold", "rows", "window", "worst_iou"],
+    ),
+    (
+        "process_window",
+        &[
+            "outliers",
+            "thresholds",
+            "part_above",
+            "part_below",
+            "void_below",
+            "window",
+            "range",
+            "ipdr",
+        ],
+    ),
+];
 
 /// Refuses, before any run, what no report has; `key` is where it is asked for.
 ///
@@ -36,17 +86,24 @@ pub(crate) fn must_exist(path: &str, key: &str) -> Result<()> {
     if !TABLES.contains(&steps[0]) {
         return Err(unknown(path, key, steps[0], TABLES.iter().copied(), ""));
     }
+    let Some(&name) = steps.get(1) else {
+        let found = format!("`{path}` is a whole table of report.json");
+        return Err(Error::config(
+            key,
+            found,
+            "a number in it, such as evaluation.iou",
+        ));
+    };
+    let table = format!("{}.", steps[0]);
     if ["evaluation", "optimization"].contains(&steps[0]) && steps.len() == 2 {
         let names = || METRICS.iter().map(|metric| metric.name).chain(MORE);
-        if !names().any(|name| name == steps[1]) {
-            return Err(unknown(
-                path,
-                key,
-                steps[1],
-                names(),
-                &format!("{}.", steps[0]),
-            ));
+        if !names().any(|known| known == name) {
+            return Err(unknown(path, key, name, names(), &table));
         }
+    }
+    let fields = FIELDS.iter().find(|(table, _)| *table == steps[0]);
+    if let Some((_, fields)) = fields.filter(|(_, fields)| !fields.contains(&name)) {
+        return Err(unknown(path, key, name, fields.iter().copied(), &table));
     }
     Ok(())
 }
@@ -170,5 +227,47 @@ mod tests {
             .unwrap_err()
             .to_string();
         assert!(message.contains("did you mean `evaluation`"), "{message}");
+        must_exist("scenarios.rows[1].iou", "").unwrap();
+        for (path, part) in [
+            ("history.iteration", "did you mean `history.iterations`"),
+            ("scenarios.worst", "scenarios. with one of of, threshold"),
+            ("evaluation", "is a whole table"),
+        ] {
+            let message = must_exist(path, "metrics[0]").unwrap_err().to_string();
+            assert!(message.contains(part), "{path}: {message}");
+        }
+    }
+
+    #[test]
+    fn the_names_are_those_that_reports_have() {
+        use tomolith::report::latitude::{Bracket, ExposureWindow};
+        let percent = Bracket {
+            low: None,
+            best: Some(100.0),
+            high: None,
+        };
+        let exposure = ExposureWindow {
+            measure: "iou",
+            best: 1.0,
+            tolerance: 0.01,
+            threshold: None,
+            dose: None,
+            percent,
+            time_s: None,
+            reported_percent: None,
+        };
+        let scenarios = tomolith::report::ScenarioTable::new("mean", None, Vec::new());
+        for (table, value) in [
+            ("exposure", serde_json::to_value(exposure).unwrap()),
+            ("scenarios", serde_json::to_value(scenarios).unwrap()),
+        ] {
+            let (_, fields) = FIELDS.iter().find(|(name, _)| *name == table).unwrap();
+            let there: Vec<&String> = value.as_object().unwrap().keys().collect();
+            assert_eq!(there.len(), fields.len(), "{table}: {there:?}");
+            assert!(
+                there.iter().all(|key| fields.contains(&key.as_str())),
+                "{there:?}"
+            );
+        }
     }
 }

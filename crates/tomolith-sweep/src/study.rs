@@ -1,8 +1,8 @@
 //! A study of a paper, typed: what is run, and the published numbers that it is compared with; docs/papers/README.md is its page for people.
 
 use crate::expression::{Condition, Expression};
+use crate::file::Sweep;
 use crate::metric;
-use crate::plan::Sweep;
 use crate::spec::{AxisSpec, KeepSpec, SweepSpec};
 use serde::Deserialize;
 use serde_json::{Map, Value};
@@ -317,18 +317,40 @@ impl Study {
         }
         let is_axis =
             |path: &String, spec: &SweepSpec| spec.axes.iter().any(|axis| axis.is_named(path));
-        let rows = self.spec.rows.iter();
-        let rows = rows.filter(|row| row.of.as_deref() == Some(name));
-        let tables = self.spec.tables.iter().filter(|table| table.of == name);
-        let columns = tables.flat_map(|table| &table.columns);
-        let columns = columns.map(|column| column.metric.clone());
-        for path in rows.flat_map(metrics).chain(columns) {
+        for (key, path) in self.numbers_of(name) {
             if !spec.metrics.contains(&path) && !is_axis(&path, spec) {
-                metric::must_exist(&path, &format!("runs.{name}"))?;
+                metric::must_exist(&path, &key).map_err(|e| self.document.locate(e))?;
                 spec.metrics.push(path);
             }
         }
         Ok(())
+    }
+
+    /// The numbers of reports that rows and tables take from a run, each with the key that asks for it.
+    fn numbers_of(&self, name: &str) -> Vec<(String, String)> {
+        let mut numbers = Vec::new();
+        for (i, row) in self.spec.rows.iter().enumerate() {
+            if row.of.as_deref() != Some(name) {
+                continue;
+            }
+            let metric = row.metric.iter().map(|path| ("metric", path.clone()));
+            let share = row.share_of.as_ref();
+            let share = share.and_then(|text| text.parse::<Condition>().ok());
+            let names = share.iter().flat_map(Condition::names);
+            let names = names.map(|path| ("share_of", path.to_owned()));
+            let named = |(key, path): (&str, String)| (format!("rows[{i}].{key}"), path);
+            numbers.extend(metric.chain(names).map(named));
+        }
+        for (i, table) in self.spec.tables.iter().enumerate() {
+            let columns = table
+                .columns
+                .iter()
+                .enumerate()
+                .filter(|_| table.of == name);
+            let key = |k: usize| format!("tables[{i}].columns[{k}].metric");
+            numbers.extend(columns.map(|(k, column)| (key(k), column.metric.clone())));
+        }
+        numbers
     }
 }
 
@@ -345,16 +367,6 @@ impl Study {
             .into_iter()
             .any(|word| names.iter().any(|name| word.contains(name)))
     }
-}
-
-/// The numbers of reports that a row needs: its metric, and names of its share.
-fn metrics(row: &RowSpec) -> Vec<String> {
-    let share = row
-        .share_of
-        .as_ref()
-        .and_then(|text| text.parse::<Condition>().ok());
-    let names = share.iter().flat_map(Condition::names).map(str::to_owned);
-    row.metric.iter().cloned().chain(names).collect()
 }
 
 fn check(spec: &StudySpec) -> Result<()> {

@@ -158,6 +158,7 @@ fn side_by_side_gives_the_bits_of_one_after_the_other_and_of_a_single_run() {
             "history.loss.svg",
             "optimization.pw.svg",
             "runs",
+            "sweep.json",
             "table.csv",
             "table.parquet"
         ]
@@ -236,17 +237,65 @@ fn shares_of_other_machines_merged_are_the_whole() {
     }
     let others = names.map(|name| bench.path(name));
     let half = merge(&bench.plan("merged"), &others[..2]).unwrap();
-    assert_eq!((half.done, half.missing), (3, 3));
+    assert_eq!((half.done, half.missing, half.is_met()), (3, 3, false));
     let all = merge(&bench.plan("merged"), &others).unwrap();
-    assert_eq!((all.done, all.missing), (6, 0));
+    assert_eq!((all.done, all.missing, all.is_met()), (6, 0, true));
     assert_eq!(bench.table("merged"), bench.table("whole"));
-    let message = merge(&bench.plan("merged"), &[bench.path("nowhere")])
-        .unwrap_err()
-        .to_string();
-    assert!(
-        message.starts_with("--merge: ") && message.contains("holds no runs"),
-        "{message}"
-    );
+    fs::create_dir_all(bench.path("stranger/runs/0123456789abcdef")).unwrap();
+    for (name, found) in [
+        ("nowhere", "holds no runs"),
+        ("stranger", "holds no run of this sweep"),
+    ] {
+        let message = merge(&bench.plan("merged"), &[bench.path(name)])
+            .unwrap_err()
+            .to_string();
+        assert!(
+            message.starts_with("--merge: ") && message.contains(found),
+            "{message}"
+        );
+    }
+}
+
+#[test]
+fn two_sweep_files_have_two_folders_and_a_file_that_moved_keeps_its_own() {
+    let bench = Bench::new(SWEEP);
+    bench.whole("out", 2);
+    fs::copy(bench.path("sweep.toml"), bench.path("other.toml")).unwrap();
+    let whole = |file: &str| {
+        let sweep = Sweep::read(&bench.path(file)).unwrap();
+        let plan = sweep.with_folder(&bench.path("out")).plan(2, &Run::new());
+        run(&plan.unwrap(), None, &mut Told::default(), &Run::new()).map(|_| ())
+    };
+    let message = whole("other.toml").unwrap_err().to_string();
+    for part in [
+        "folder: ",
+        "holds the sweep of",
+        "sweep.toml",
+        "--output DIR",
+    ] {
+        assert!(message.contains(part), "{part} is not in: {message}");
+    }
+    whole("sweep.toml").unwrap();
+    fs::remove_file(bench.path("sweep.toml")).unwrap();
+    whole("other.toml").unwrap();
+}
+
+#[test]
+fn a_share_of_the_memory_that_holds_no_run_is_told_at_its_own_key() {
+    let bench = Bench::new(SWEEP);
+    let of = |gb: f64, side_by_side: usize| {
+        format!("{SWEEP}[resources]\nmemory_gb = {gb}\nside_by_side = {side_by_side}\n")
+    };
+    // One run needs 1 to 50 MB
+    let message = bench.refusal(&of(0.05, 1000));
+    for part in [
+        "resources.side_by_side: 0 MB are left for each run, and one needs about",
+        "at a time in 50 MB; or a larger resources.memory_gb",
+    ] {
+        assert!(message.contains(part), "{part} is not in: {message}");
+    }
+    fs::write(bench.path("sweep.toml"), of(0.05, 1)).unwrap();
+    bench.plan("out");
 }
 
 #[test]
@@ -592,6 +641,17 @@ fn a_sweep_that_cannot_be_is_refused_before_any_run() {
         (
             SWEEP.replace("job.toml", "jb.toml"),
             vec!["job: ", "jb.toml"],
+        ),
+        (
+            SWEEP.replace("\"history.loss\"", "\"history.lost\""),
+            vec![
+                "metrics[2]: `history.lost` is in no report.json",
+                "did you mean `history.loss`?",
+            ],
+        ),
+        (
+            format!("{SWEEP}[best]\n"),
+            vec!["file: duplicate key", "bad.toml, line 13"],
         ),
         (
             format!("{SWEEP}[warm_start]\n"),

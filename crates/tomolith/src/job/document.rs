@@ -15,11 +15,17 @@
 
 use super::kinds::kinds_at;
 use crate::error::{Error, Place, Result};
-use crate::units::counted;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+
+use json_places::JsonPlaces;
+use key_path::{at, insert, parent, steps};
+pub(crate) use key_path::{is_within, join};
+
+mod json_places;
+mod key_path;
 
 /// Deepest nesting of an override's key; far more than any job has.
 const DEEPEST: usize = 32;
@@ -75,7 +81,7 @@ impl Document {
             Error::Config {
                 key: String::new(),
                 found: "bytes that are not UTF-8 text".to_owned(),
-                accepted: "a job file in TOML or JSON, encoded in UTF-8".to_owned(),
+                accepted: "TOML or JSON, encoded in UTF-8".to_owned(),
                 nearest: None,
                 place: Some(Place {
                     file: file.to_owned(),
@@ -102,7 +108,11 @@ impl Document {
         let mut document = Document::empty(file.into(), text.into());
         let text = document.text.clone();
         let table = toml::de::DeTable::parse(&text).map_err(|e| {
-            document.syntax(e.span().unwrap_or(0..0), e.message(), "a job file in TOML")
+            document.syntax(
+                e.span().unwrap_or(0..0),
+                e.message(),
+                "TOML, with each key once",
+            )
         })?;
         document.root = document.toml_table(table.get_ref(), "")?;
         Ok(document)
@@ -116,7 +126,7 @@ impl Document {
         let mut document = Document::empty(file.into(), text.into());
         document.root = serde_json::from_str(&document.text).map_err(|e| {
             let at = document.offset(e.line(), e.column());
-            document.syntax(at..at, &e.to_string(), "a job file in JSON")
+            document.syntax(at..at, &e.to_string(), "JSON, with each key once")
         })?;
         if !document.root.is_object() {
             return Err(document.syntax(
@@ -431,234 +441,6 @@ enum Misread {
     Value { found: String, accepted: String },
 }
 
-/// `a`, `b` → `a.b`
-pub(crate) fn join(path: &str, key: &str) -> String {
-    if path.is_empty() {
-        key.to_owned()
-    } else {
-        format!("{path}.{key}")
-    }
-}
-
-/// Whether a key path is `outer` or leads into it.
-pub(super) fn is_within(path: &str, outer: &str) -> bool {
-    let rest = path.strip_prefix(outer);
-    rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
-}
-
-/// The path without its last key or index.
-fn parent(path: &str) -> &str {
-    &path[..path.rfind(['.', '[']).unwrap_or(0)]
-}
-
-/// One step of a key path.
-#[derive(Clone, Debug, PartialEq, Eq)]
-enum Step {
-    Key(String),
-    Index(usize),
-}
-
-/// `light[0].angles` and `light.0.angles` → the steps; None when it cannot be read.
-fn steps(path: &str) -> Option<Vec<Step>> {
-    let mut steps = Vec::new();
-    for part in path.split('.') {
-        let (name, indices) = part.split_at(part.find('[').unwrap_or(part.len()));
-        match name.parse() {
-            Ok(index) => steps.push(Step::Index(index)),
-            Err(_) if name.is_empty() || name.contains(char::is_whitespace) => return None,
-            Err(_) => steps.push(Step::Key(name.to_owned())),
-        }
-        for index in indices.split_inclusive(']') {
-            let index = index.strip_prefix('[')?.strip_suffix(']')?;
-            steps.push(Step::Index(index.parse().ok()?));
-        }
-    }
-    Some(steps)
-}
-
-/// The value at a path.
-fn at<'v>(root: &'v mut Value, path: &str) -> Option<&'v mut Value> {
-    steps(path)?.iter().try_fold(root, |node, step| match step {
-        Step::Key(key) => node.get_mut(key),
-        Step::Index(index) => node.get_mut(index),
-    })
-}
-
-/// Steps as they are written.
-fn dotted(steps: &[Step]) -> String {
-    steps.iter().fold(String::new(), |path, step| match step {
-        Step::Key(key) => join(&path, key),
-        Step::Index(index) => format!("{path}[{index}]"),
-    })
-}
-
-/// Puts `value` where the steps lead, making tables on the way; returns the path, or what was found instead and is accepted.
-fn insert(
-    node: &mut Value,
-    steps: &[Step],
-    value: Value,
-    path: &str,
-) -> Result<String, [String; 2]> {
-    let Some((step, rest)) = steps.split_first() else {
-        *node = value;
-        return Ok(path.to_owned());
-    };
-    if node.is_null() {
-        *node = match step {
-            Step::Key(_) => Value::Object(Map::new()),
-            Step::Index(_) => Value::Array(Vec::new()),
-        };
-    }
-    // A kind without parameters may be written as text: `response = "identity"`
-    if let (Value::String(kind), Step::Key(key)) = (&*node, step)
-        && (kind == key || rest.is_empty() && kinds_at(path).contains(&key.as_str()))
-    {
-        let mut map = Map::new();
-        map.insert(key.clone(), Value::Object(Map::new()));
-        *node = Value::Object(map);
-    }
-    // A key with dots in it, as scenarios have: "motion.offset_mm" = [0.1, 0]
-    if let Value::Object(map) = node
-        && !rest.is_empty()
-        && let Some(child) = map.get_mut(&dotted(steps))
-    {
-        *child = value;
-        return Ok(join(path, &dotted(steps)));
-    }
-    match (node, step) {
-        (Value::Object(map), Step::Key(key)) => {
-            let child = map.entry(key.clone()).or_insert(Value::Null);
-            insert(child, rest, value, &join(path, key))
-        }
-        (Value::Array(list), Step::Key(_)) if list.len() == 1 => {
-            insert(&mut list[0], steps, value, &format!("{path}[0]"))
-        }
-        (Value::Array(list), Step::Index(index)) => {
-            let length = list.len();
-            match list.get_mut(*index) {
-                Some(child) => insert(child, rest, value, &format!("{path}[{index}]")),
-                None => Err([
-                    format!("`{path}` has {}", counted(length, "element")),
-                    match length {
-                        0 => format!("a whole list: {path}=[…]"),
-                        1 => format!("`{path}[0]`, the first one"),
-                        n => format!("`{path}[0]`, the first one, to `{path}[{}]`", n - 1),
-                    },
-                ]),
-            }
-        }
-        (Value::Array(list), Step::Key(key)) => Err([
-            format!("`{path}` has {}", counted(list.len(), "element")),
-            format!("one of them, as in `{path}[0].{key}`"),
-        ]),
-        (other, _) => Err([
-            format!("`{path}` is {other}, not a table"),
-            "a key of a table".to_owned(),
-        ]),
-    }
-}
-
-/// Walks a JSON text that is known to be well-formed, to learn where its keys stand.
-struct JsonPlaces<'t> {
-    text: &'t str,
-    at: usize,
-    document: &'t mut Document,
-}
-
-impl JsonPlaces<'_> {
-    fn peek(&mut self) -> u8 {
-        let bytes = self.text.as_bytes();
-        while bytes.get(self.at).is_some_and(u8::is_ascii_whitespace) {
-            self.at += 1;
-        }
-        bytes.get(self.at).copied().unwrap_or(0)
-    }
-
-    /// Passes `,`, `:` and brackets.
-    fn pass(&mut self) {
-        self.peek();
-        self.at += 1;
-    }
-
-    fn string(&mut self) -> Range<usize> {
-        self.peek();
-        let start = self.at;
-        let mut escaped = false;
-        for byte in &self.text.as_bytes()[(start + 1).min(self.text.len())..] {
-            self.at += 1;
-            match byte {
-                b'"' if !escaped => break,
-                b'\\' => escaped = !escaped,
-                _ => escaped = false,
-            }
-        }
-        self.at += 1;
-        start..self.at.min(self.text.len())
-    }
-
-    fn value(&mut self, path: &str) -> Result<Range<usize>> {
-        let first = self.peek();
-        let start = self.at;
-        match first {
-            b'{' => self.object(path)?,
-            b'[' => self.array(path)?,
-            b'"' => {
-                self.string();
-            }
-            _ => {
-                let rest = &self.text[start..];
-                self.at += rest
-                    .find([',', '}', ']', ' ', '\n', '\r', '\t'])
-                    .unwrap_or(rest.len());
-            }
-        }
-        Ok(start..self.at)
-    }
-
-    fn object(&mut self, path: &str) -> Result<()> {
-        let mut seen = std::collections::BTreeSet::new();
-        self.pass();
-        while self.peek() == b'"' {
-            let key = self.string();
-            let name: String = serde_json::from_str(&self.text[key.clone()]).unwrap_or_default();
-            let inner = join(path, &name);
-            if !seen.insert(name) {
-                return Err(Error::Config {
-                    key: inner,
-                    found: "the key appears here a second time".to_owned(),
-                    accepted: "each key once".to_owned(),
-                    nearest: None,
-                    place: Some(self.document.place(key)),
-                });
-            }
-            self.pass();
-            let value = self.value(&inner)?;
-            self.document.remember(&inner, key, value);
-            if self.peek() == b',' {
-                self.pass();
-            }
-        }
-        self.pass();
-        Ok(())
-    }
-
-    fn array(&mut self, path: &str) -> Result<()> {
-        self.pass();
-        let mut index = 0;
-        while !matches!(self.peek(), b']' | 0) {
-            let inner = format!("{path}[{index}]");
-            let value = self.value(&inner)?;
-            self.document.remember(&inner, value.clone(), value);
-            index += 1;
-            if self.peek() == b',' {
-                self.pass();
-            }
-        }
-        self.pass();
-        Ok(())
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -740,8 +522,8 @@ mod tests {
                 "a: found 1e999; accepted: a finite number (j.toml, line 1)",
             ),
             ("a = 2026-11-21", "a: found the date 2026-11-21"),
-            ("a = 1\na = 2", "job: duplicate key"),
-            ("a = ", "job: "),
+            ("a = 1\na = 2", "file: duplicate key"),
+            ("a = ", "file: "),
         ] {
             let message = Document::toml("j.toml", text).unwrap_err().to_string();
             assert!(message.starts_with(start), "{text:?}: {message}");

@@ -26,8 +26,11 @@
 //! assert!(job.text.contains("radius_mm = 2.9"));
 //! ```
 
-use crate::error::{Error, Result, nearest_name};
-use serde_json::{Map, Value, json};
+use crate::error::{Error, Result};
+use keys::Keys;
+use serde_json::{Value, json};
+
+mod keys;
 
 /// A job of another program, translated.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,158 +39,6 @@ pub struct Imported {
     pub text: String,
     /// What people should know: keys that have no meaning here, conventions that differ.
     pub notes: Vec<String>,
-}
-
-/// Keys of a table that are still to be mapped.
-struct Keys {
-    path: String,
-    left: Map<String, Value>,
-    known: Vec<&'static str>,
-}
-
-impl Keys {
-    fn new(path: &str, value: Value) -> Result<Self> {
-        match value {
-            Value::Object(mut left) => {
-                // `null` is what a key is there when it is left out
-                left.retain(|_, value| !value.is_null());
-                Ok(Keys {
-                    path: path.to_owned(),
-                    left,
-                    known: Vec::new(),
-                })
-            }
-            other => Err(Error::config(path, format!("found {other}"), "a table")),
-        }
-    }
-
-    fn key(&self, key: &str) -> String {
-        if self.path.is_empty() {
-            key.to_owned()
-        } else {
-            format!("{}.{key}", self.path)
-        }
-    }
-
-    fn take(&mut self, key: &'static str) -> Option<Value> {
-        self.known.push(key);
-        self.left.remove(key)
-    }
-
-    fn wrong<T>(&self, key: &str, found: impl std::fmt::Display, accepted: &str) -> Result<T> {
-        Err(Error::config(
-            self.key(key),
-            format!("found {found}"),
-            accepted,
-        ))
-    }
-
-    fn needed<T>(&self, key: &str, found: Option<T>) -> Result<T> {
-        match found {
-            Some(value) => Ok(value),
-            None => Err(Error::config(
-                self.key(key),
-                "the key is missing",
-                "a job of Dr.TVAM, in which this key has a value",
-            )),
-        }
-    }
-
-    fn number(&mut self, key: &'static str) -> Result<Option<f64>> {
-        match self.take(key) {
-            None => Ok(None),
-            Some(value) => match value.as_f64() {
-                Some(number) => Ok(Some(number)),
-                None => self.wrong(key, value, "a number"),
-            },
-        }
-    }
-
-    fn number_or(&mut self, key: &'static str, default: f64) -> Result<f64> {
-        Ok(self.number(key)?.unwrap_or(default))
-    }
-
-    fn need_number(&mut self, key: &'static str) -> Result<f64> {
-        let number = self.number(key)?;
-        self.needed(key, number)
-    }
-
-    fn count(&mut self, key: &'static str, default: u64) -> Result<u64> {
-        match self.take(key) {
-            None => Ok(default),
-            Some(value) => match value.as_u64() {
-                Some(count) => Ok(count),
-                None => self.wrong(key, value, "a whole number"),
-            },
-        }
-    }
-
-    fn flag(&mut self, key: &'static str, default: bool) -> Result<bool> {
-        match self.take(key) {
-            None => Ok(default),
-            Some(Value::Bool(flag)) => Ok(flag),
-            Some(other) => self.wrong(key, other, "true or false"),
-        }
-    }
-
-    fn text(&mut self, key: &'static str) -> Result<Option<String>> {
-        match self.take(key) {
-            None => Ok(None),
-            Some(Value::String(text)) => Ok(Some(text)),
-            Some(other) => self.wrong(key, other, "a text"),
-        }
-    }
-
-    fn need_text(&mut self, key: &'static str) -> Result<String> {
-        let text = self.text(key)?;
-        self.needed(key, text)
-    }
-
-    fn table(&mut self, key: &'static str) -> Result<Option<Keys>> {
-        let path = self.key(key);
-        self.take(key).map(|v| Keys::new(&path, v)).transpose()
-    }
-
-    fn need_table(&mut self, key: &'static str) -> Result<Keys> {
-        let table = self.table(key)?;
-        self.needed(key, table)
-    }
-
-    /// Keys that mean nothing here; nothing need be said of a switch that is off.
-    fn leave_out(&mut self, keys: &[&'static str], why: &str, notes: &mut Vec<String>) {
-        for key in keys {
-            if self.take(key).is_some_and(|value| value != false) {
-                notes.push(format!("{} is left out: {why}", self.key(key)));
-            }
-        }
-    }
-
-    /// Switches that must be off, as they are when they are left out.
-    fn must_be_off(&mut self, keys: &[&'static str]) -> Result<()> {
-        for key in keys {
-            if let Some(value) = self.take(key).filter(|value| *value != false) {
-                return self.wrong(key, value, "false, as when it is left out");
-            }
-        }
-        Ok(())
-    }
-
-    /// Refuses what is left.
-    fn finish(self) -> Result<()> {
-        let Some((key, value)) = self.left.iter().next() else {
-            return Ok(());
-        };
-        let hint = nearest_name(key, self.known.iter().copied())
-            .map_or_else(String::new, |name| format!("; did you mean `{name}`?"));
-        Err(Error::config(
-            self.key(key),
-            format!("found {value}"),
-            format!(
-                "a key that can be imported: {}{hint}",
-                self.known.join(", ")
-            ),
-        ))
-    }
 }
 
 /// Sections of our job, in the order in which people read them.

@@ -1,9 +1,7 @@
 //! The command under `mpirun`. Needs `--features mpi`, an MPI library, and Linux to find a rank among the processes.
 #![cfg(all(feature = "mpi", target_os = "linux"))]
 
-mod bench;
-
-use bench::Bench;
+use crate::bench::Bench;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};

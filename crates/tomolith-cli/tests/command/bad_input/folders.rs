@@ -4,7 +4,7 @@ use super::*;
 
 #[test]
 fn a_folder_that_is_not_ours_is_left_alone() {
-    let bench = Bench::new();
+    let bench = Bench::beside_a_run();
     let foreign = bench.path("thesis");
     fs::create_dir(&foreign).unwrap();
     fs::write(foreign.join("chapter.tex"), "mine").unwrap();
@@ -20,7 +20,7 @@ fn a_folder_that_is_not_ours_is_left_alone() {
 
 #[test]
 fn an_error_after_the_folder_was_taken_leaves_it_as_it_was() {
-    let bench = Bench::new();
+    let bench = Bench::beside_a_run();
     let before = bench.earlier();
     // One voxel of 2.5 mm is in the grid's middle, and less than half of it in the gear: known only when it is voxelized
     let late = ["--set", "grid.pitch_mm=2.5"];
@@ -43,7 +43,7 @@ fn an_error_after_the_folder_was_taken_leaves_it_as_it_was() {
 
 #[test]
 fn a_finished_run_of_another_job_is_replaced_only_when_asked() {
-    let bench = Bench::new();
+    let bench = Bench::beside_a_run();
     let before = bench.earlier();
     let file = bench.path("job.toml");
     fs::write(
@@ -92,7 +92,7 @@ fn a_finished_run_of_another_job_is_replaced_only_when_asked() {
 
 #[test]
 fn too_little_memory_is_said_with_the_estimate() {
-    let bench = Bench::new();
+    let bench = Bench::beside_a_run();
     let before = bench.earlier();
     let output = bench.tomolith(JOB, &["--set", "grid.shape=[9000, 9000, 9000]"]);
     let message = String::from_utf8_lossy(&output.stderr);
@@ -106,7 +106,7 @@ fn too_little_memory_is_said_with_the_estimate() {
 
 #[test]
 fn an_override_names_itself_and_json_errors_are_one_line() {
-    let bench = Bench::new();
+    let bench = Bench::beside_a_run();
     let output = bench.tomolith(JOB, &["--set", "light.angles=0", "--json"]);
     assert_eq!(output.status.code(), Some(2));
     let line: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
@@ -128,7 +128,7 @@ fn an_override_names_itself_and_json_errors_are_one_line() {
 
 #[test]
 fn what_an_option_set_is_not_blamed_on_the_file() {
-    let bench = Bench::new();
+    let bench = Bench::beside_a_run();
     for (option, key) in [
         ("light.pixels=[0,0]", "light[0].pixels[0]"),
         ("light.angles={list_deg=[]}", "light[0].angles.list_deg"),
@@ -152,7 +152,7 @@ fn what_an_option_set_is_not_blamed_on_the_file() {
 
 #[test]
 fn resuming_notices_that_a_file_of_the_job_has_other_content() {
-    let bench = Bench::new();
+    let bench = Bench::beside_a_run();
     let job = JOB.replace("[stop]", "[response.table]\nfile = \"curve.csv\"\n[stop]");
     fs::write(bench.path("curve.csv"), "0 0\n0.5 0.4\n1 1\n").unwrap();
     assert!(bench.tomolith(&job, &["--quiet"]).status.success());
@@ -170,7 +170,7 @@ fn resuming_notices_that_a_file_of_the_job_has_other_content() {
 
 #[test]
 fn resuming_says_what_to_do_and_what_has_changed() {
-    let bench = Bench::new();
+    let bench = Bench::beside_a_run();
     assert!(bench.tomolith(JOB, &["--quiet"]).status.success());
     let refused = |more: &[&str], parts: &[&str]| {
         let output = bench.tomolith(JOB, &[&["--resume"], more].concat());
@@ -223,7 +223,7 @@ fn resuming_says_what_to_do_and_what_has_changed() {
 
 #[test]
 fn a_simulation_never_mixes_with_a_run() {
-    let bench = Bench::new();
+    let bench = Bench::beside_a_run();
     assert!(bench.tomolith(JOB, &["--quiet"]).status.success());
     let before = bench.earlier();
     let run = bench.run_folder();
@@ -255,7 +255,7 @@ fn a_simulation_never_mixes_with_a_run() {
 #[test]
 #[cfg(unix)]
 fn a_full_disk_ends_with_one_message() {
-    let bench = Bench::new();
+    let bench = Bench::beside_a_run();
     assert!(bench.tomolith(JOB, &["--quiet"]).status.success());
     let before = bench.earlier();
     // Patterns take 277 kB, the checkpoint of the patterns alone less than 150 kB (blocks of 512 or 1024 bytes)
@@ -306,7 +306,7 @@ fn a_full_disk_ends_with_one_message() {
 #[test]
 #[cfg(unix)]
 fn a_disk_that_is_full_during_the_optimization_is_a_warning() {
-    let bench = Bench::new();
+    let bench = Bench::beside_a_run();
     let file = bench.path("job.toml");
     fs::write(
         &file,
@@ -344,7 +344,7 @@ fn a_disk_that_is_full_during_the_optimization_is_a_warning() {
 
 #[test]
 fn dead_pixels_that_leave_the_part_in_the_dark_are_blamed() {
-    let bench = Bench::new();
+    let bench = Bench::beside_a_run();
     let header = "{'descr': '<f4', 'fortran_order': False, 'shape': (24, 48), }";
     let header = format!("{header:<117}\n");
     let mut bytes = b"\x93NUMPY\x01\x00".to_vec();

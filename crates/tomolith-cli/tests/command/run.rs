@@ -1,8 +1,6 @@
 //! Whole runs of the command, on a job that takes a moment.
 
-mod bench;
-
-use bench::{Bench, json};
+use crate::bench::{Bench, json};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,8 +1,6 @@
 //! `tomolith sweep` as it is typed: killed and called again, as a list of commands, and what it says.
 
-mod bench;
-
-use bench::Bench;
+use crate::bench::Bench;
 use serde_json::Value;
 use std::fs;
 use std::io::{BufRead, BufReader};
@@ -77,7 +75,7 @@ fn the_commands_of_the_list_make_the_runs_that_merging_collects() {
     assert_eq!(bench.table("out"), bench.table("whole"));
     // No run has been made in the third share of another folder
     bench.ended(0, "sweep sweep.toml --output share --shard 1/3 --quiet");
-    let text = bench.stdout(0, "sweep sweep.toml --output share --merge");
+    let text = bench.stdout(1, "sweep sweep.toml --output share --merge");
     assert!(text.starts_with("1 of 5 runs done, 4 missing"), "{text}");
     bench.ended(0, "run share/best.toml --quiet --keep metrics");
     assert!(

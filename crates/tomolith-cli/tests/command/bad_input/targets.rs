@@ -29,7 +29,7 @@ fn stl_box([low, high]: [[f64; 3]; 2]) -> String {
 
 #[test]
 fn bodies_that_contradict_each_other_are_refused() {
-    let bench = Bench::new();
+    let bench = Bench::beside_a_run();
     let solid = |name: &str, boxes: &[[[f64; 3]; 2]]| {
         let facets: String = boxes.iter().copied().map(stl_box).collect();
         fs::write(bench.path(name), format!("solid a\n{facets}endsolid a\n")).unwrap();
@@ -82,7 +82,7 @@ fn bodies_that_contradict_each_other_are_refused() {
 
 #[test]
 fn images_of_different_sizes_are_no_stack() {
-    let bench = Bench::new();
+    let bench = Bench::beside_a_run();
     fs::create_dir(bench.path("slices")).unwrap();
     for (i, width) in [8u32, 8, 9].into_iter().enumerate() {
         let file = fs::File::create(bench.path(&format!("slices/{i}.png"))).unwrap();
@@ -107,7 +107,7 @@ fn images_of_different_sizes_are_no_stack() {
 
 #[test]
 fn a_dose_that_is_zero_everywhere_stops_osmo_and_keeps_its_patterns() {
-    let bench = Bench::new();
+    let bench = Bench::beside_a_run();
     let job = JOB
         .replace(
             "[objective.threshold]",
@@ -132,7 +132,7 @@ fn a_dose_that_is_zero_everywhere_stops_osmo_and_keeps_its_patterns() {
 
 #[test]
 fn meshes_that_cannot_be_printed_are_refused() {
-    let bench = Bench::new();
+    let bench = Bench::beside_a_run();
     let before = bench.earlier();
     let facet = |points: [[f32; 3]; 3]| {
         let vertices: String = points
@@ -172,7 +172,7 @@ fn meshes_that_cannot_be_printed_are_refused() {
 
 #[test]
 fn a_gray_image_has_an_objective_of_its_own_and_refuses_that_of_part_and_void() {
-    let bench = Bench::new();
+    let bench = Bench::beside_a_run();
     let image = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/images/rings.png");
     let phantom = "phantom = \"gear\"";
     let gray = JOB.replace(
@@ -215,7 +215,7 @@ fn gray_job() -> String {
 
 #[test]
 fn goals_of_part_and_void_are_refused_for_gray_values() {
-    let bench = Bench::new();
+    let bench = Bench::beside_a_run();
     let gray = gray_job();
     for (from, to, mark, parts) in [
         (

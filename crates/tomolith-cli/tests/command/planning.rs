@@ -1,8 +1,6 @@
 //! `calibrate` fits, `expose` and `analyze`: what they find, what they write, and bad input with one message.
 
-mod bench;
-
-use bench::{Bench, JOB};
+use crate::bench::{Bench, JOB};
 use serde_json::Value;
 use std::fs;
 

@@ -1,8 +1,6 @@
 //! Files that other programs made: movies, frames, arrays, meshes.
 
-mod bench;
-
-use bench::{Bench, JOB, said};
+use crate::bench::{Bench, JOB, said};
 use serde_json::Value;
 use std::fs;
 use std::process::Command;

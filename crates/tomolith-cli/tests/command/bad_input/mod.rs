@@ -5,10 +5,10 @@ mod folders;
 mod slips;
 mod targets;
 
+use crate::bench::Bench;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
-use tempfile::TempDir;
 
 /// A job that works, small.
 const JOB: &str = concat!(
@@ -25,16 +25,10 @@ folder = "FOLDER"
 "#
 );
 
-/// A folder with a job and an earlier run.
-struct Bench {
-    temp: TempDir,
-}
-
+/// A folder with an earlier run beside the job.
 impl Bench {
-    fn new() -> Self {
-        let bench = Bench {
-            temp: tempfile::tempdir().unwrap(),
-        };
+    fn beside_a_run() -> Self {
+        let bench = Bench::with(&[]);
         let run = bench.run_folder();
         fs::create_dir_all(run.join("frames")).unwrap();
         let mark = "# A Tomolith run folder; this is its job with every default written out.\n";
@@ -42,10 +36,6 @@ impl Bench {
         fs::write(run.join("report.json"), "{\"earlier\": true}").unwrap();
         fs::write(run.join("frames/0000.png"), "earlier").unwrap();
         bench
-    }
-
-    fn path(&self, name: &str) -> PathBuf {
-        self.temp.path().join(name)
     }
 
     fn run_folder(&self) -> PathBuf {
@@ -92,7 +82,7 @@ fn tomolith(job: &Path, more: &[&str]) -> Output {
 
 #[test]
 fn every_slip_is_named_with_key_line_and_what_is_accepted() {
-    let bench = Bench::new();
+    let bench = Bench::beside_a_run();
     let before = bench.earlier();
     for (from, to, mark, parts) in slips::WRONG.iter().chain(combinations::WRONG) {
         assert!(JOB.contains(from), "{from:?} is not in the job");

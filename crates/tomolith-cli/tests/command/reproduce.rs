@@ -1,8 +1,6 @@
 //! `tomolith reproduce` as it is typed: a study of two runs and a command, done again, and slips in its file.
 
-mod bench;
-
-use bench::Bench;
+use crate::bench::Bench;
 use serde_json::Value;
 
 /// A disc of 24 × 24 voxels, 24 frames.

@@ -5,9 +5,7 @@
 //! the picture out of the canvas, turns and mirrors it back by moving pixels, and lays the light down by a plain back
 //! projection. Of the library it uses the decoder of movies, nothing else.
 
-mod bench;
-
-use bench::{Bench, json};
+use crate::bench::{Bench, json};
 use serde_json::Value;
 use std::fs::{self, File};
 use std::io::BufReader;

@@ -1,7 +1,5 @@
 //! A folder in which commands are typed.
 
-#![allow(dead_code, reason = "no test types all of it")]
-
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};

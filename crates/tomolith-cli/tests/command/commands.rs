@@ -1,8 +1,6 @@
 //! The commands beside `run`: each does its work, says it as JSON, and refuses bad input with exit code 2.
 
-mod bench;
-
-use bench::{Bench, JOB};
+use crate::bench::{Bench, JOB};
 use serde_json::Value;
 use std::fs;
 use std::process::Command;

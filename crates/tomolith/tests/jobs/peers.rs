@@ -1,4 +1,4 @@
-//! Dose volumes of another program, when they are at hand: `TOMOLITH_REFERENCE=folder cargo test --release --test peers --
+//! Dose volumes of another program, when they are at hand: `TOMOLITH_REFERENCE=folder cargo test --release --test jobs peers --
 //! --ignored`. The numbers of a run are in docs/measured/validation.md.
 
 #![expect(

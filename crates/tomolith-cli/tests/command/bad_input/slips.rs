@@ -483,6 +483,6 @@ pub(super) const WRONG: &[Wrong] = &[
         "iterations = 2",
         "iterations = ",
         "iterations =",
-        &["a job file in TOML"],
+        &["TOML, with each key once"],
     ),
 ];

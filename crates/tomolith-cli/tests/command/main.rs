@@ -1,0 +1,13 @@
+//! The command as it is typed: its folders, files and exit codes. One program, so that it is linked once.
+
+mod bad_input;
+mod bench;
+mod commands;
+mod files;
+mod handedness;
+mod planning;
+mod printer;
+mod ranks;
+mod reproduce;
+mod run;
+mod sweep;

@@ -1,0 +1,10 @@
+//! Whole jobs, as another program runs them: stopped and resumed, on several ranks, in time, in two colors. One program, so that it is linked once.
+
+mod bclp_orderings;
+mod in_time;
+mod light_in_time;
+mod peers;
+mod ranks;
+mod resume;
+mod two_colors;
+mod two_machines;
