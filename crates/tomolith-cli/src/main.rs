@@ -129,7 +129,7 @@ fn arguments() -> Result<Arguments, ExitCode> {
 
 /// Standard output that cannot be written to: what was asked for has not arrived.
 fn refused_output(error: &std::io::Error) -> ExitCode {
-    screen::mutter(&format!("  × standard output: {error}"));
+    screen::mutter(&format!("error: standard output: {error}"));
     ExitCode::from(REFUSED)
 }
 

@@ -1,14 +1,11 @@
 //! Errors as text: the line of the job underlined, what is accepted, the nearest name.
 
 use crate::screen::say;
-use miette::{GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, SourceCode};
-use std::fmt;
+use annotate_snippets::renderer::DecorStyle;
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use std::io::{IsTerminal, Write};
 use tomolith::Error;
-use tomolith::error::key_or_file;
-
-/// Columns of a terminal that does not say.
-const WIDTH: usize = 110;
+use tomolith::error::{Place, key_or_file};
 
 /// Shows an error on standard error, or as a JSON line on standard output.
 pub(crate) fn show(error: &Error, json: bool) {
@@ -16,21 +13,12 @@ pub(crate) fn show(error: &Error, json: bool) {
         say(&as_json(error).to_string());
         return;
     }
-    let theme = if std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none() {
-        GraphicalTheme::unicode()
-    } else {
-        GraphicalTheme::unicode_nocolor()
+    let is_colored = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
+    let renderer = match is_colored {
+        true => Renderer::styled(),
+        false => Renderer::plain(),
     };
-    let handler = GraphicalReportHandler::new_themed(theme)
-        .with_width(WIDTH)
-        .with_context_lines(1);
-    let mut text = String::new();
-    if handler
-        .render_report(&mut text, &Trouble::new(error))
-        .is_err()
-    {
-        text = error.to_string();
-    }
+    let text = rendered(error, &renderer.decor_style(DecorStyle::Unicode));
     let _ = writeln!(std::io::stderr(), "{}", text.trim_end());
 }
 
@@ -57,84 +45,42 @@ fn as_json(error: &Error) -> serde_json::Value {
     line
 }
 
-/// An error with the text it points into.
-#[derive(Debug)]
-struct Trouble<'e> {
-    error: &'e Error,
-    source: Option<NamedSource<String>>,
+/// What is wrong, the line where it stands, and what helps.
+fn rendered(error: &Error, renderer: &Renderer) -> String {
+    let Error::Config {
+        key,
+        found,
+        accepted,
+        nearest,
+        place,
+    } = error
+    else {
+        let title = error.to_string();
+        return renderer.render(&[Group::with_title(Level::ERROR.primary_title(title))]);
+    };
+    let place = place.as_ref();
+    let shown = place.and_then(|place| Some((place, text_of(place)?)));
+    let mut title = format!("{}: {found}", key_or_file(key, place));
+    if let (Some(place), None) = (place, &shown) {
+        title.push_str(&format!(" ({}, line {})", place.file.display(), place.line));
+    }
+    let mut group = Group::with_title(Level::ERROR.primary_title(title));
+    let mut guess = nearest.as_ref().map(|n| format!("did you mean `{n}`?"));
+    if let Some((place, text)) = shown {
+        let label = guess.take().unwrap_or_else(|| "here".to_owned());
+        let mark = AnnotationKind::Primary
+            .span(place.span.clone())
+            .label(label);
+        let file = place.file.display().to_string();
+        group = group.element(Snippet::source(text).path(file).annotation(mark));
+    }
+    let guess = guess.map_or_else(String::new, |guess| format!("{guess} "));
+    let help = Level::HELP.message(format!("{guess}accepted: {accepted}"));
+    renderer.render(&[group.element(help)])
 }
 
-impl<'e> Trouble<'e> {
-    fn new(error: &'e Error) -> Self {
-        let source = match error {
-            Error::Config {
-                place: Some(place), ..
-            } => std::fs::read_to_string(&place.file)
-                .ok()
-                .filter(|text| place.span.end <= text.len())
-                .map(|text| NamedSource::new(place.file.display().to_string(), text)),
-            _ => None,
-        };
-        Trouble { error, source }
-    }
-}
-
-impl fmt::Display for Trouble<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.error {
-            Error::Config {
-                key, found, place, ..
-            } => {
-                f.write_str(key_or_file(key, place.as_ref()))?;
-                write!(f, ": {found}")?;
-                match place {
-                    Some(place) => write!(f, " ({}, line {})", place.file.display(), place.line),
-                    None => Ok(()),
-                }
-            }
-            other => other.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for Trouble<'_> {}
-
-impl miette::Diagnostic for Trouble<'_> {
-    fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        match self.error {
-            Error::Config {
-                accepted, nearest, ..
-            } => {
-                let guess = nearest
-                    .as_ref()
-                    .map(|n| format!("did you mean `{n}`? "))
-                    .unwrap_or_default();
-                Some(Box::new(format!("{guess}accepted: {accepted}")))
-            }
-            _ => None,
-        }
-    }
-
-    fn source_code(&self) -> Option<&dyn SourceCode> {
-        self.source.as_ref().map(|source| source as &dyn SourceCode)
-    }
-
-    fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let Error::Config {
-            place: Some(place),
-            nearest,
-            ..
-        } = self.error
-        else {
-            return None;
-        };
-        let text = nearest
-            .as_ref()
-            .map_or("here".to_owned(), |name| format!("did you mean `{name}`?"));
-        let span = (place.span.start, place.span.len());
-        Some(Box::new(std::iter::once(LabeledSpan::new_with_span(
-            Some(text),
-            span,
-        ))))
-    }
+/// The file that a place points into, where it still is as long as it was.
+fn text_of(place: &Place) -> Option<String> {
+    let text = std::fs::read_to_string(&place.file).ok()?;
+    text.get(place.span.clone()).is_some().then_some(text)
 }

@@ -1,7 +1,7 @@
 //! Numbers of many runs as pictures: heat maps over two axes, curves and dots over one, each a whole SVG file.
 //!
 //! Several panels share one scale of values. A heat map has equal cells, labeled by their values; the feasible region is outlined, the
-//! best cell ringed, and a run that failed is a gray cell with a cross. Colors are viridis; they are logarithmic where positive values span more
+//! best cell ringed, guide lines dashed, and a run that failed is a gray cell with a cross. Colors are viridis; they are logarithmic where positive values span more
 //! than three decades, with 0 at the lowest color, and the picture says so. The paper is white: the files are for articles, too.
 //!
 //! ```
@@ -9,7 +9,7 @@
 //! let axis = |name: &str| ColorScale { name: name.to_owned(), labels: vec!["0.1".to_owned(), "0.2".to_owned()] };
 //! let cell = |value| Some(Cell { value: Some(value), is_feasible: value > 1.5, is_best: value == 3.0, has_failed: false });
 //! let panel = Panel { title: String::new(), cells: vec![cell(1.0), cell(2.0), None, cell(3.0)] };
-//! let svg = heat_maps("PW", &axis("lower"), &axis("upper"), &[panel], "");
+//! let svg = heat_maps("PW", [&axis("lower"), &axis("upper")], &[panel], &[], "");
 //! assert_eq!(svg.matches("class=\"cell\"").count(), 3);
 //! assert_eq!(svg.matches("class=\"best\"").count(), 1);
 //! ```
@@ -44,6 +44,7 @@ const STYLE: &str = "<style>text{font:13px Inter,'Segoe UI',Roboto,'Helvetica Ne
     .title{font-size:16px;font-weight:600}.small{font-size:11.5px}.muted{fill:#5a6775}.frame{fill:none;stroke:#8b96a2}\
     .grid{stroke:#e1e6eb}.line{fill:none;stroke:#0f6f7c;stroke-width:1.8}.dot{fill:#0f6f7c}.out{fill:#fff;stroke:#0f6f7c;stroke-width:1.4}\
     .halo{fill:none;stroke:#fff;stroke-width:4.5;stroke-linecap:square}.edge{fill:none;stroke:#d64550;stroke-width:2;stroke-linecap:square}\
+    .under{fill:none;stroke:#fff;stroke-width:3;stroke-opacity:.65}.guide{fill:none;stroke:#16202b;stroke-width:1.8}\
     .best{fill:none;stroke:#fff;stroke-width:5}.ring{fill:none;stroke:#16202b;stroke-width:2.2}.failed{fill:#c9d0d7}\
     .cross{stroke:#5a6775;stroke-width:1.4}</style>";
 
@@ -76,6 +77,15 @@ pub struct Panel {
     pub title: String,
     /// `[y][x]`, y upwards; none where there is no run.
     pub cells: Vec<Option<Cell>>,
+}
+
+/// A line drawn over every map.
+#[derive(Clone, Debug)]
+pub struct Guide {
+    /// What it is, for the line of the marks.
+    pub name: String,
+    /// Its points, along x and y: 0 in the middle of the first cell, 1 in that of the second.
+    pub points: Vec<[f64; 2]>,
 }
 
 /// Values along a curve.
@@ -149,9 +159,9 @@ impl Values {
 #[must_use]
 pub fn heat_maps(
     title: &str,
-    x: &ColorScale,
-    y: &ColorScale,
+    [x, y]: [&ColorScale; 2],
     panels: &[Panel],
+    guides: &[Guide],
     caption: &str,
 ) -> String {
     let cells = || panels.iter().flat_map(|p| p.cells.iter().flatten());
@@ -166,16 +176,62 @@ pub fn heat_maps(
     for (i, panel) in panels.iter().enumerate() {
         let frame = sheet.frame(i);
         map(&mut sheet.body, &frame, (x, y), panel, &values);
+        let sizes = [x, y].map(|scale| scale.labels.len());
+        draw_guides(&mut sheet.body, &frame, sizes, guides);
     }
     sheet.bar(&values);
-    let marks = [
+    let mut marks = vec![
         (cells().any(|c| c.is_feasible) && cells().any(|c| !c.is_feasible))
-            .then_some("outlined: feasible"),
-        cells().any(|c| c.is_best).then_some("ring: best"),
-        cells().any(|c| c.has_failed).then_some("×: failed"),
+            .then_some("outlined: feasible".to_owned()),
+        cells()
+            .any(|c| c.is_best)
+            .then_some("ring: best".to_owned()),
+        cells()
+            .any(|c| c.has_failed)
+            .then_some("×: failed".to_owned()),
     ];
+    let strokes = STROKES.iter().cycle();
+    marks.extend(
+        guides
+            .iter()
+            .zip(strokes)
+            .map(|(guide, (stroke, _))| Some(format!("{stroke}: {}", escape(&guide.name)))),
+    );
     sheet.marks(&marks);
     sheet.svg(&title)
+}
+
+/// How guides are told apart: in words, and as SVG has it.
+const STROKES: [(&str, &str); 3] = [
+    ("dashed", "7 5"),
+    ("dotted", "1.5 4"),
+    ("dash-dotted", "9 4 1.5 4"),
+];
+
+/// Guides within the frame of a map of so many columns and rows.
+fn draw_guides(body: &mut String, frame: &Frame, [columns, rows]: [usize; 2], guides: &[Guide]) {
+    let part = |place: f64, cells: usize| (place + 0.5) / cells.max(1) as f64;
+    for (guide, (_, dashes)) in guides.iter().zip(STROKES.iter().cycle()) {
+        let mut path = String::new();
+        let mut letter = 'M';
+        for [x, y] in &guide.points {
+            let (x, y) = (part(*x, columns), part(*y, rows));
+            let is_inside = (0.0..=1.0).contains(&x) && (0.0..=1.0).contains(&y);
+            if is_inside {
+                add(
+                    &mut path,
+                    format_args!("{letter}{:.1} {:.1}", frame.x(x), frame.y(y)),
+                );
+            }
+            letter = if is_inside { 'L' } else { 'M' };
+        }
+        add(
+            body,
+            format_args!(
+                "<path class=\"under\" d=\"{path}\"/><path class=\"guide\" stroke-dasharray=\"{dashes}\" d=\"{path}\"/>"
+            ),
+        );
+    }
 }
 
 /// Curves or dots side by side over one scale of values, as one SVG file; `caption` stands below them.
@@ -205,9 +261,13 @@ pub fn curves(title: &str, curves: &[PlotCurve], caption: &str) -> String {
     let marks = [
         points()
             .any(|c| !c.is_feasible)
-            .then_some("hollow: not feasible"),
-        points().any(|c| c.is_best).then_some("ring: best"),
-        points().any(|c| c.has_failed).then_some("×: failed"),
+            .then_some("hollow: not feasible".to_owned()),
+        points()
+            .any(|c| c.is_best)
+            .then_some("ring: best".to_owned()),
+        points()
+            .any(|c| c.has_failed)
+            .then_some("×: failed".to_owned()),
     ];
     sheet.marks(&marks);
     sheet.svg(title)
@@ -683,12 +743,12 @@ impl Sheet {
     }
 
     /// What the marks mean, in one line below all.
-    fn marks(&mut self, marks: &[Option<&str>]) {
+    fn marks(&mut self, marks: &[Option<String>]) {
         let [_, height] = self.size();
         let text = marks
             .iter()
             .flatten()
-            .copied()
+            .cloned()
             .collect::<Vec<_>>()
             .join(" · ");
         add(

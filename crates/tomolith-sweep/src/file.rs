@@ -20,6 +20,8 @@ pub struct Sweep {
     pub(crate) when: Vec<Condition>,
     pub(crate) derived: Vec<(String, Expression)>,
     pub(crate) best: Best,
+    /// Lines over the maps, as they are written, with both sides of their equations.
+    pub(crate) guides: Vec<(String, [Expression; 2])>,
     /// All that is collected: those that are asked for, then what the best needs.
     pub(crate) metrics: Vec<String>,
     pub(crate) base: Document,
@@ -125,6 +127,7 @@ impl Sweep {
             })
             .collect::<Result<_>>()?;
         let best = best(&spec, &axes)?;
+        let guides = guides(&spec, &axes)?;
         let mut metrics = spec.metrics.clone();
         for (i, path) in metrics.iter().enumerate() {
             metric::must_exist(path, &format!("metrics[{i}]"))?;
@@ -152,6 +155,7 @@ impl Sweep {
             when,
             derived,
             best,
+            guides,
             metrics,
             base,
         })
@@ -250,6 +254,7 @@ impl Sweep {
 }
 
 const ARITHMETIC: &str = "arithmetic on numbers and names of axes, such as \"1 - upper\"";
+const EQUATION: &str = "an equation in names of the first two axes, such as \"lower = 0.75*upper\"";
 const COMPARISON: &str = "a comparison, such as \"lower < upper\"";
 
 /// A whole number without a point, for keys that count.
@@ -338,6 +343,27 @@ fn best(spec: &SweepSpec, axes: &[Axis]) -> Result<Best> {
         is_highest,
         conditions,
     })
+}
+
+/// The lines over the maps, which lie in the plane of the first two axes.
+fn guides(spec: &SweepSpec, axes: &[Axis]) -> Result<Vec<(String, [Expression; 2])>> {
+    let guide = |(i, text): (usize, &String)| {
+        let at = format!("guides[{i}]");
+        if axes.len() < 2 || spec.sample.is_some() {
+            let found = "no map: it needs two axes that are crossed";
+            return Err(Error::config(
+                at,
+                found,
+                "a sweep of two axes or more, without [sample]",
+            ));
+        }
+        let Some((left, right)) = text.split_once('=') else {
+            return Err(Error::config(at, format!("no `=` in {text:?}"), EQUATION));
+        };
+        let side = |text: &str| expression(text, &at, &axes[..2]);
+        Ok((text.clone(), [side(left)?, side(right)?]))
+    };
+    spec.guides.iter().enumerate().map(guide).collect()
 }
 
 /// Refuses shares of nothing, and warm starts without patterns.

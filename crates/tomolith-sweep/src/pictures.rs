@@ -2,6 +2,7 @@
 //! points that were drawn.
 
 use crate::axes::{Axis, label};
+use crate::expression::Expression;
 use crate::plan::SweepPlan;
 use crate::table::{State, Table};
 use serde_json::Value;
@@ -9,7 +10,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use tomolith::Result;
 use tomolith::io::write_whole;
-use tomolith::report::maps::{Cell, ColorScale, Panel, PlotCurve, curves, heat_maps};
+use tomolith::report::maps::{Cell, ColorScale, Guide, Panel, PlotCurve, curves, heat_maps};
 use tomolith::report::number::significant;
 
 /// Small multiples in a picture, at most.
@@ -83,11 +84,78 @@ fn picture(plan: &SweepPlan, table: &Table<'_>, metric: &str) -> String {
     };
     heat_maps(
         metric,
-        &scale(&axes[0]),
-        &scale(&axes[1]),
+        [&scale(&axes[0]), &scale(&axes[1])],
         &panels,
+        &guides(plan),
         &caption,
     )
+}
+
+/// Steps along an axis in which a guide is looked for.
+const STEPS: usize = 200;
+
+/// Where the equations of the guides hold, between the cells of the first two axes.
+fn guides(plan: &SweepPlan) -> Vec<Guide> {
+    let axes = &plan.sweep.axes;
+    let guide = |(name, [left, right]): &(String, [Expression; 2])| {
+        let values = [0, 1].map(|a| {
+            let numbers = axes[a]
+                .values()
+                .into_iter()
+                .filter_map(|value| value.as_f64());
+            numbers.collect::<Vec<f64>>()
+        });
+        let off = |[x, y]: [f64; 2]| {
+            let of = |name: &str| {
+                let a = usize::from(axes[0].name != name);
+                Some(between(&values[a], [x, y][a]))
+            };
+            Some(left.value(&of)? - right.value(&of)?)
+        };
+        let last = values.each_ref().map(|values| (values.len() - 1) as f64);
+        // A line that is steep is found along x, a flat one along y
+        let along = [0, 1].map(|a| zeros(a, last, &off));
+        let [of_rows, of_columns] = along;
+        Guide {
+            name: name.clone(),
+            points: if of_rows.len() >= of_columns.len() {
+                of_rows
+            } else {
+                of_columns
+            },
+        }
+    };
+    plan.sweep.guides.iter().map(guide).collect()
+}
+
+/// The value at a place between two cells.
+fn between(values: &[f64], place: f64) -> f64 {
+    let i = (place.max(0.0) as usize).min(values.len().saturating_sub(2));
+    let next = values[(i + 1).min(values.len() - 1)];
+    values[i] + (place - i as f64) * (next - values[i])
+}
+
+/// Places where a function of both axes changes its sign along axis `a`, one for each of many places on the other; half a cell beyond the outer ones counts.
+fn zeros(a: usize, last: [f64; 2], off: &dyn Fn([f64; 2]) -> Option<f64>) -> Vec<[f64; 2]> {
+    let place = |a: usize, i: usize| -0.5 + (last[a] + 1.0) * i as f64 / STEPS as f64;
+    let at = |along: f64, across: f64| {
+        if a == 0 {
+            [along, across]
+        } else {
+            [across, along]
+        }
+    };
+    let zero = |k: usize| {
+        let across = place(1 - a, k);
+        let value = |i: usize| off(at(place(a, i), across)).filter(|value| value.is_finite());
+        (1..=STEPS).find_map(|i| {
+            let (before, after) = (value(i - 1)?, value(i)?);
+            let is_between = before != after && before * after <= 0.0;
+            let step = place(a, i) - place(a, i - 1);
+            is_between.then(|| at(place(a, i - 1) + step * before / (before - after), across))
+        })
+    };
+    (0..=STEPS).filter_map(zero).collect()
 }
 
 fn caption(plan: &SweepPlan, table: &Table<'_>, metric: &str) -> String {
@@ -172,4 +240,27 @@ fn panels(plan: &SweepPlan, cell: &dyn Fn(usize) -> Cell) -> (Vec<Panel>, usize)
             .collect(),
         left_out,
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_guide_runs_where_its_equation_holds() {
+        // Cells at 0, 0.5, 1 and 0, 0.25, 0.5, 0.75, 1: x = 0.75·y goes from the corner to (0.75, 1), half a cell further on both sides
+        let [x, y] = [vec![0.0, 0.5, 1.0], vec![0.0, 0.25, 0.5, 0.75, 1.0]];
+        let off = |[i, j]: [f64; 2]| Some(between(&x, i) - 0.75 * between(&y, j));
+        let points = zeros(0, [2.0, 4.0], &off);
+        assert_eq!(points.len(), STEPS + 1);
+        for [i, j] in points {
+            assert!((i - 2.0 * 0.75 * 0.25 * j).abs() < 1e-9, "{i} {j}");
+        }
+        // A level line is found from column to column
+        let level = |[_, j]: [f64; 2]| Some(between(&y, j) - 0.6);
+        assert!(zeros(0, [2.0, 4.0], &level).is_empty());
+        let points = zeros(1, [2.0, 4.0], &level);
+        assert_eq!(points.len(), STEPS + 1);
+        assert!(points.iter().all(|[_, j]| (j - 2.4).abs() < 1e-9));
+    }
 }

@@ -37,6 +37,9 @@ pub(crate) struct SweepSpec {
     /// Which run is the best.
     #[serde(default)]
     pub(crate) best: BestSpec,
+    /// Lines over the maps: equations in names of the first two axes.
+    #[serde(default)]
+    pub(crate) guides: Vec<String>,
     /// Runs start from their neighbors' patterns.
     pub(crate) warm_start: Option<WarmSpec>,
     /// What all runs together may use.
@@ -58,6 +61,7 @@ impl SweepSpec {
             axes: Vec::new(),
             sample: None,
             best: BestSpec::default(),
+            guides: Vec::new(),
             warm_start: None,
             resources: ResourcesSpec::default(),
         }

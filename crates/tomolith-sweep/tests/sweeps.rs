@@ -639,6 +639,14 @@ fn a_sweep_that_cannot_be_is_refused_before_any_run() {
             ],
         ),
         (
+            format!("guides = [\"lower 0.5\"]\n{SWEEP}"),
+            vec!["guides[0]: no `=` in \"lower 0.5\"", "lower = 0.75*upper"],
+        ),
+        (
+            format!("guides = [\"lower = above\"]\n{SWEEP}"),
+            vec!["guides[0]: `above` is no axis", "lower, upper"],
+        ),
+        (
             SWEEP.replace("job.toml", "jb.toml"),
             vec!["job: ", "jb.toml"],
         ),

@@ -193,12 +193,12 @@ fn slips_are_refused_with_file_and_line_before_any_work() {
         (
             "where = \"S1\"",
             "were = \"S1\"",
-            ["rows[3].were", "study.toml, line 36", "where"],
+            ["rows[3].were", "study.toml:36:", "where"],
         ),
         (
             "of = \"voxel\"",
             "of = \"voxels\"",
-            ["rows[3].of", "study.toml, line 37", "map, voxel"],
+            ["rows[3].of", "study.toml:37:", "map, voxel"],
         ),
         (
             "holds = \"wide < 1\"",
@@ -271,7 +271,7 @@ fn slips_are_refused_with_file_and_line_before_any_work() {
         let message = bench.stdout(2, "reproduce disc --quick --json");
         let error: Value = serde_json::from_str(message.trim()).unwrap();
         let said = format!(
-            "{error} {}, line {}",
+            "{error} {}:{}:",
             error["file"].as_str().unwrap_or(""),
             error["line"]
         );

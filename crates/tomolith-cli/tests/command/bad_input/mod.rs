@@ -91,7 +91,7 @@ fn every_slip_is_named_with_key_line_and_what_is_accepted() {
         let output = bench.tomolith(&job, &[]);
         let message = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{to:?}: {message}");
-        let place = format!("job.toml, line {line})");
+        let place = format!("job.toml:{line}:");
         for part in parts.iter().copied().chain([place.as_str()]) {
             assert!(
                 flat(&message).contains(part),

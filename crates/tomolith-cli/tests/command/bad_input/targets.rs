@@ -51,7 +51,7 @@ fn bodies_that_contradict_each_other_are_refused() {
         &[
             "target.body[1]: this body (keep-dark) and body[0] (print) share",
             "a printed body that overlaps no insert and no keep-dark body",
-            "job.toml, line 5)",
+            "job.toml:5:",
         ],
     );
     for (components, line, parts) in [
@@ -75,7 +75,7 @@ fn bodies_that_contradict_each_other_are_refused() {
         let bodies = format!(
             "mesh = \"two.stl\"\nsize_mm = 2.0\n[[target.body]]\ncomponents = {a}\n[[target.body]]\ncomponents = {b}\n{keep_dark}"
         );
-        let place = format!("job.toml, line {line})");
+        let place = format!("job.toml:{line}:");
         refused(&bench, &job(&bodies), &[parts[0], parts[1], &place]);
     }
 }
@@ -100,7 +100,7 @@ fn images_of_different_sizes_are_no_stack() {
             "target.stack: ",
             "2.png: slice 3 has 9 × 8 pixels, the first one",
             "images of one size",
-            "job.toml, line 2)",
+            "job.toml:2:",
         ],
     );
 }
@@ -121,7 +121,7 @@ fn a_dose_that_is_zero_everywhere_stops_osmo_and_keeps_its_patterns() {
     for part in [
         "optimizer: normalizing by the largest dose, but the dose became zero everywhere",
         "accepted: use thresholds closer to 1",
-        "job.toml, line ",
+        "job.toml:",
     ] {
         assert!(flat(&message).contains(part), "{part}: {message}");
     }
@@ -189,7 +189,7 @@ fn a_gray_image_has_an_objective_of_its_own_and_refuses_that_of_part_and_void() 
         "objective.threshold: ",
         "the target is gray",
         "l2, l1, dose_matching and bclp",
-        &format!("job.toml, line {line})"),
+        &format!("job.toml:{line}:"),
     ] {
         assert!(flat(&message).contains(part), "{part}: {message}");
     }
@@ -236,7 +236,7 @@ fn goals_of_part_and_void_are_refused_for_gray_values() {
     ] {
         let job = gray.replace(from, to);
         let line = 1 + job[..job.find(mark).unwrap()].matches('\n').count();
-        let place = format!("job.toml, line {line})");
+        let place = format!("job.toml:{line}:");
         refused(&bench, &job, &[parts[0], parts[1], &place]);
     }
     // What the start asks for is known with the voxels only: the brightest rings are above 0.7
@@ -250,7 +250,7 @@ fn goals_of_part_and_void_are_refused_for_gray_values() {
     for part in [
         "response: the start needs a dose",
         "from 0 to 0.7",
-        "job.toml, line 25)",
+        "job.toml:25:",
     ] {
         assert!(flat(&message).contains(part), "{part}: {message}");
     }
