@@ -855,14 +855,22 @@ mod tests {
         ];
         let svg = heat_maps(
             "m",
-            &scale("x", 3),
-            &scale("y", 1),
+            [&scale("x", 3), &scale("y", 1)],
             &[Panel {
                 title: "a < b".to_owned(),
                 cells,
             }],
+            &[Guide {
+                name: "x < 2".to_owned(),
+                points: vec![[-1.0, 0.0], [0.0, 0.0], [2.0, 0.25], [3.0, 0.5]],
+            }],
             "",
         );
+        // What is beyond the cells is left out of a guide: two of four points are left
+        let guide = svg.split("class=\"guide\"").nth(1).unwrap();
+        let guide = guide.split("d=\"").nth(1).unwrap().split('"').next();
+        assert_eq!(guide.unwrap().matches(['M', 'L']).count(), 2);
+        assert!(svg.contains("dashed: x &lt; 2"));
         let edge = svg
             .split("class=\"edge\" d=\"")
             .nth(1)
@@ -901,9 +909,9 @@ mod tests {
         };
         let svg = heat_maps(
             "m",
-            &scale("x", 2),
-            &scale("y", 1),
+            [&scale("x", 2), &scale("y", 1)],
             &panel(vec![None, cell(None, false)]),
+            &[],
             "none",
         );
         assert!(

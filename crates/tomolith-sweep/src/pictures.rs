@@ -99,10 +99,7 @@ fn guides(plan: &SweepPlan) -> Vec<Guide> {
     let axes = &plan.sweep.axes;
     let guide = |(name, [left, right]): &(String, [Expression; 2])| {
         let values = [0, 1].map(|a| {
-            let numbers = axes[a]
-                .values()
-                .into_iter()
-                .filter_map(|value| value.as_f64());
+            let numbers = axes[a].values().iter().filter_map(Value::as_f64);
             numbers.collect::<Vec<f64>>()
         });
         let off = |[x, y]: [f64; 2]| {

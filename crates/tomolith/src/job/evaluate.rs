@@ -158,118 +158,37 @@ pub(crate) fn evaluate_patterns(
     let in_time_share = schedule.map_or(0.0, |_| share::IN_TIME);
     let printing = cancel.part(in_time_share);
     let cancel = &cancel.part(1.0 - in_time_share);
-    let sub_angles = judged_angles(scene);
-    let grid = scene.fine_grid();
-    let own = Exposed::new(&scene.grid, scene.optics.lights.clone());
-    let [still, turning] =
-        [1, sub_angles].map(|n| Exposed::new(&grid, scene.optics.lights_turning(n)));
-    let mut doses = Doses::by(judge, scene);
-    let mut others = Others::new(scene);
-    let own_of_others = match raw {
-        None => Vec::new(),
-        Some(_) => others::voxels(scene, &scene.grid, cancel)?,
-    };
-    let optimization = match raw {
-        None => None,
-        Some(raw) => {
-            doses.will_show(&[raw, shown]);
-            let (dose, of_others, _) = doses.of(&own, raw, &cancel.part(share::OWN_DOSE))?;
-            others.optimized(&own_of_others, of_others, cancel)?;
-            let response = scene.responses(dose)?;
-            let run = cancel.part(share::OWN_NUMBERS);
-            let evaluation = measure(scene, voxels, &response, raw, run)?;
-            doses.give_back(response);
-            let sub_angles = scene.optics.lights.iter().map(|light| light.sub_angles);
-            Some(evaluation.with_sub_angles(sub_angles.max().unwrap_or(1)))
-        }
-    };
-    let is_looked_at = own == still || own == turning;
-    let on_own_grid = match &optimization {
-        Some(_) if !is_looked_at => {
-            let (dose, of_others, _) = doses.of(&own, shown, &cancel.part(share::OWN_DOSE))?;
-            others.written(&own_of_others, of_others, cancel)?;
-            headline_of(scene, voxels, dose, cancel.part(share::OWN_NUMBERS))?
-        }
-        _ => None,
-    };
-    let [nz, ny, nx] = grid.shape;
-    let text = match sub_angles {
-        1 => format!(
-            "evaluating on {nx} × {ny} × {nz} voxels: the vial stands still during each frame"
-        ),
-        _ => format!(
-            "evaluating on {nx} × {ny} × {nz} voxels: standing still, and turning ({sub_angles} angles per frame)"
-        ),
-    };
+    let mut steps = EvaluationSteps::new(scene, shown, judge, cancel);
+    let optimization = steps.on_own_voxels(voxels, raw)?;
+    let text = steps.words();
     progress.event(&Event::Note { text });
-    let fine = if grid == scene.grid {
-        voxels.clone()
-    } else {
-        scene.voxels_under(&grid, &cancel.part(share::SAMPLING))?
-    };
-    let fine_of_others = others::voxels(scene, &grid, cancel)?;
-    if raw.is_none() || !is_looked_at {
-        doses.will_show(&[shown]);
+    let fine = steps.fine_voxels(voxels)?;
+    let fine_of_others = others::voxels(scene, &steps.grid, cancel)?;
+    if raw.is_none() || !steps.looks_at_own() {
+        steps.doses.will_show(&[shown]);
     }
-    // Where frames have no arc, the turning vial stands still
-    let standing = if still == turning {
-        None
-    } else {
-        let (dose, of_others, _) = doses.of(&still, shown, &cancel.part(share::STANDING))?;
-        if own == still {
-            others.written(&own_of_others, of_others.clone(), cancel)?;
-        }
-        others.standing(&fine_of_others, of_others, cancel)?;
-        let response = scene.responses(dose)?;
-        let run = cancel.part(share::NUMBERS);
-        let standing = measure(scene, &fine, &response, shown, run)?;
-        doses.give_back(response);
-        Some(standing)
-    };
-    let (dose, of_others, model) = doses.of(&turning, shown, &cancel.part(share::TURNING))?;
-    drop(doses);
-    if own == turning {
-        others.written(&own_of_others, of_others.clone(), cancel)?;
-    }
-    if still == turning {
-        others.standing(&fine_of_others, of_others.clone(), cancel)?;
-    }
-    let species = others.turning(fine_of_others, of_others, shown, cancel)?;
+    let standing = steps.standing_still(&fine, &fine_of_others)?;
+    let written = steps.written;
+    let (grid, sub_angles) = (steps.grid.clone(), steps.sub_angles);
+    let [is_own_still, is_own_turning] =
+        [&steps.still, &steps.turning].map(|exposed| steps.own == *exposed);
+    let (dose, model, others) = steps.while_turning(fine_of_others)?;
     let mean = averaged(&dose, &scene.grid);
     cancel.check()?;
-    let material = scene.response();
-    let options = published::Options {
-        response: material.as_ref(),
-        gray: fine.target.gray,
-        patterns: shown,
-        trim_percent: scene.spec.evaluate.trim_percent,
-        epsilon: scene.band_half_width(),
-    };
-    let stats = PatternStats::of(shown);
-    let (published, slices, response, evaluation) = if material.is_identity() {
-        // The dose is the response: what was counted of one serves the other
-        let run = cancel.part(share::PUBLISHED);
-        let print = print_under(scene, &fine, &dose, run)?.with_patterns(stats);
-        let (published, slices) = published::of_print(&print, &fine.target.inside, &options)?;
-        let evaluation = evaluate(&print);
-        drop(print);
-        (published, slices, dose, evaluation)
-    } else {
-        let (published, slices) =
-            published::by_slices(&dose, &fine.target.inside, &fine.labels, &options)?;
-        let response = scene.responses(dose)?;
-        let run = cancel.part(share::PUBLISHED);
-        let evaluation = measure(scene, &fine, &response, shown, run)?;
-        (published, slices, response, evaluation)
-    };
+    let numbers = Numbers::of(scene, &fine, dose, shown, cancel)?;
     cancel.check()?;
-    let evaluation = evaluation.with_sub_angles(sub_angles);
+    let Numbers {
+        published,
+        slices,
+        response,
+        evaluation,
+    } = numbers;
     let standing = standing.unwrap_or_else(|| evaluation.clone());
     let head = |print: &Evaluation| print.measures.get(headline(voxels.target.gray).name);
     let written = match &optimization {
-        Some(_) if own == turning => head(&evaluation),
-        Some(_) if own == still => head(&standing),
-        _ => on_own_grid,
+        Some(_) if is_own_turning => head(&evaluation),
+        Some(_) if is_own_still => head(&standing),
+        _ => written,
     };
     let shares = scene.keep_dark(&grid)?;
     let of_shares = |shares: &Volume<f32>| KeepDark::of(shares, &fine.labels, &response);
@@ -289,37 +208,9 @@ pub(crate) fn evaluate_patterns(
     })?;
     let in_time = in_time(scene, voxels, shown, progress, &printing)?;
     let noise = Noise::of(scene, voxels, shown, cancel)?;
-    if let Some(noise) = &noise {
-        let text = format!("Monte Carlo paths: {noise}");
-        progress.event(&Event::Note { text });
-    }
     let agreement = CrossCheck::of(scene, voxels, shown, cross_check::PATHS, cancel)?;
-    if let Some(agreement) = &agreement {
-        let text = format!("scattering by orders: {agreement}");
-        progress.event(&Event::Note { text });
-    }
-    let warnings: Vec<String> = noise
-        .and_then(|noise| noise.warning())
-        .into_iter()
-        .chain(agreement.and_then(|agreement| agreement.warning()))
-        .chain(doubts::of_light(shown))
-        .chain(doubts::of_dose(&evaluation, shown))
-        .chain(doubts::of_bound(&scene.spec, shown))
-        .chain(doubts::of_threshold(&scene.spec, &evaluation))
-        .chain(too_bright(&scene.spec, shown)?)
-        .collect();
-    for text in warnings.iter().cloned() {
-        progress.event(&Event::Warning { text });
-    }
-    let all: Vec<&Evaluation> = std::iter::once(&evaluation)
-        .chain(species.iter().map(|own| &own.evaluation))
-        .collect();
-    let one_exposure = one_exposure(scene, &all);
-    if let Some(together) = &one_exposure {
-        for text in of_each_species(scene, &all, together) {
-            progress.event(&Event::Note { text });
-        }
-    }
+    let warnings = doubts_of(scene, shown, &evaluation, (&noise, &agreement), progress)?;
+    let one_exposure = together(scene, &evaluation, &others, progress);
     Ok(Evaluated {
         evaluation,
         standing,
@@ -336,11 +227,247 @@ pub(crate) fn evaluate_patterns(
         agreement,
         model,
         in_time,
-        others: species,
+        others,
         one_exposure,
         scenarios,
         warnings,
     })
+}
+
+/// The doses of an evaluation, one after the other, each measured before the next takes its memory: on the optimization's voxels, then on finer ones standing
+/// still, then turning.
+struct EvaluationSteps<'a> {
+    scene: &'a Scene,
+    shown: &'a [Patterns],
+    cancel: &'a Run,
+    /// The finer voxels.
+    grid: VolumeGrid,
+    own: Exposed,
+    still: Exposed,
+    turning: Exposed,
+    sub_angles: usize,
+    doses: Doses<'a>,
+    others: Others<'a>,
+    own_of_others: Vec<Voxels>,
+    /// The headline number of the written patterns on the optimization's voxels, where it is measured apart.
+    written: Measure,
+}
+
+impl<'a> EvaluationSteps<'a> {
+    fn new(
+        scene: &'a Scene,
+        shown: &'a [Patterns],
+        judge: Option<&'a Judge>,
+        cancel: &'a Run,
+    ) -> Self {
+        let sub_angles = judged_angles(scene);
+        let grid = scene.fine_grid();
+        let [still, turning] =
+            [1, sub_angles].map(|n| Exposed::new(&grid, scene.optics.lights_turning(n)));
+        EvaluationSteps {
+            scene,
+            shown,
+            cancel,
+            own: Exposed::new(&scene.grid, scene.optics.lights.clone()),
+            grid,
+            still,
+            turning,
+            sub_angles,
+            doses: Doses::by(judge, scene),
+            others: Others::new(scene),
+            own_of_others: Vec::new(),
+            written: None,
+        }
+    }
+
+    /// Whether the finer voxels are the optimization's, so that one dose serves both.
+    fn looks_at_own(&self) -> bool {
+        self.own == self.still || self.own == self.turning
+    }
+
+    fn words(&self) -> String {
+        let [nz, ny, nx] = self.grid.shape;
+        let how = match self.sub_angles {
+            1 => "the vial stands still during each frame".to_owned(),
+            n => format!("standing still, and turning ({n} angles per frame)"),
+        };
+        format!("evaluating on {nx} × {ny} × {nz} voxels: {how}")
+    }
+
+    /// The raw patterns on the optimization's voxels, where there are raw ones; and the written ones, where no later step looks at these.
+    fn on_own_voxels(
+        &mut self,
+        voxels: &Voxels,
+        raw: Option<&[Patterns]>,
+    ) -> Result<Option<Evaluation>> {
+        let Some(raw) = raw else {
+            return Ok(None);
+        };
+        let (scene, cancel) = (self.scene, self.cancel);
+        self.own_of_others = others::voxels(scene, &scene.grid, cancel)?;
+        self.doses.will_show(&[raw, self.shown]);
+        let (dose, of_others, _) =
+            (self.doses).of(&self.own, raw, &cancel.part(share::OWN_DOSE))?;
+        (self.others).optimized(&self.own_of_others, of_others, cancel)?;
+        let response = scene.responses(dose)?;
+        let run = cancel.part(share::OWN_NUMBERS);
+        let evaluation = measure(scene, voxels, &response, raw, run)?;
+        self.doses.give_back(response);
+        if !self.looks_at_own() {
+            let (dose, of_others, _) =
+                (self.doses).of(&self.own, self.shown, &cancel.part(share::OWN_DOSE))?;
+            (self.others).written(&self.own_of_others, of_others, cancel)?;
+            self.written = headline_of(scene, voxels, dose, cancel.part(share::OWN_NUMBERS))?;
+        }
+        let sub_angles = scene.optics.lights.iter().map(|light| light.sub_angles);
+        Ok(Some(
+            evaluation.with_sub_angles(sub_angles.max().unwrap_or(1)),
+        ))
+    }
+
+    fn fine_voxels(&self, own: &Voxels) -> Result<Voxels> {
+        if self.grid == self.scene.grid {
+            return Ok(own.clone());
+        }
+        (self.scene).voxels_under(&self.grid, &self.cancel.part(share::SAMPLING))
+    }
+
+    /// The written patterns while the vial stands still; None where frames have no arc, so that it turns in none.
+    fn standing_still(
+        &mut self,
+        fine: &Voxels,
+        of_others: &[Voxels],
+    ) -> Result<Option<Evaluation>> {
+        if self.still == self.turning {
+            return Ok(None);
+        }
+        let (scene, cancel) = (self.scene, self.cancel);
+        let (dose, doses_of_others, _) =
+            (self.doses).of(&self.still, self.shown, &cancel.part(share::STANDING))?;
+        if self.own == self.still {
+            (self.others).written(&self.own_of_others, doses_of_others.clone(), cancel)?;
+        }
+        self.others.standing(of_others, doses_of_others, cancel)?;
+        let response = scene.responses(dose)?;
+        let run = cancel.part(share::NUMBERS);
+        let standing = measure(scene, fine, &response, self.shown, run)?;
+        self.doses.give_back(response);
+        Ok(Some(standing))
+    }
+
+    /// The dose of the written patterns while the vial turns, the model that gave it, and the prints of further species.
+    fn while_turning(
+        mut self,
+        of_others: Vec<Voxels>,
+    ) -> Result<(Volume<f32>, String, Vec<others::Species>)> {
+        let cancel = self.cancel;
+        let (dose, doses_of_others, model) =
+            (self.doses).of(&self.turning, self.shown, &cancel.part(share::TURNING))?;
+        drop(self.doses);
+        if self.own == self.turning {
+            (self.others).written(&self.own_of_others, doses_of_others.clone(), cancel)?;
+        }
+        if self.still == self.turning {
+            (self.others).standing(&of_others, doses_of_others.clone(), cancel)?;
+        }
+        let others = (self.others).turning(of_others, doses_of_others, self.shown, cancel)?;
+        Ok((dose, model, others))
+    }
+}
+
+/// The numbers of the headline.
+struct Numbers {
+    published: Vec<Published>,
+    slices: Vec<Slice>,
+    response: Volume<f32>,
+    evaluation: Evaluation,
+}
+
+impl Numbers {
+    fn of(
+        scene: &Scene,
+        fine: &Voxels,
+        dose: Volume<f32>,
+        shown: &[Patterns],
+        cancel: &Run,
+    ) -> Result<Self> {
+        let material = scene.response();
+        let options = published::Options {
+            response: material.as_ref(),
+            gray: fine.target.gray,
+            patterns: shown,
+            trim_percent: scene.spec.evaluate.trim_percent,
+            epsilon: scene.band_half_width(),
+        };
+        let inside = &fine.target.inside;
+        let run = cancel.part(share::PUBLISHED);
+        let (published, slices, response, evaluation) = if material.is_identity() {
+            // The dose is the response: what was counted of one serves the other
+            let stats = PatternStats::of(shown);
+            let print = print_under(scene, fine, &dose, run)?.with_patterns(stats);
+            let (published, slices) = published::of_print(&print, inside, &options)?;
+            let evaluation = evaluate(&print);
+            drop(print);
+            (published, slices, dose, evaluation)
+        } else {
+            let (published, slices) = published::by_slices(&dose, inside, &fine.labels, &options)?;
+            let response = scene.responses(dose)?;
+            let evaluation = measure(scene, fine, &response, shown, run)?;
+            (published, slices, response, evaluation)
+        };
+        Ok(Numbers {
+            published,
+            slices,
+            response,
+            evaluation: evaluation.with_sub_angles(judged_angles(scene)),
+        })
+    }
+}
+
+/// What people should know of a print, told at once: how sure its model is, and what of its patterns and its job looks wrong.
+fn doubts_of(
+    scene: &Scene,
+    shown: &[Patterns],
+    evaluation: &Evaluation,
+    (noise, agreement): (&Option<Noise>, &Option<CrossCheck>),
+    progress: &mut dyn Progress,
+) -> Result<Vec<String>> {
+    let of_paths = noise.map(|noise| format!("Monte Carlo paths: {noise}"));
+    let of_orders = agreement.map(|agreement| format!("scattering by orders: {agreement}"));
+    for text in of_paths.into_iter().chain(of_orders) {
+        progress.event(&Event::Note { text });
+    }
+    let warnings: Vec<String> = noise
+        .and_then(|noise| noise.warning())
+        .into_iter()
+        .chain(agreement.and_then(|agreement| agreement.warning()))
+        .chain(doubts::of_light(shown))
+        .chain(doubts::of_dose(evaluation, shown))
+        .chain(doubts::of_bound(&scene.spec, shown))
+        .chain(doubts::of_threshold(&scene.spec, evaluation))
+        .chain(too_bright(&scene.spec, shown)?)
+        .collect();
+    for text in warnings.iter().cloned() {
+        progress.event(&Event::Warning { text });
+    }
+    Ok(warnings)
+}
+
+/// All species at one exposure, and what each prints then, told at once.
+fn together(
+    scene: &Scene,
+    evaluation: &Evaluation,
+    others: &[others::Species],
+    progress: &mut dyn Progress,
+) -> Option<OneExposure> {
+    let all: Vec<&Evaluation> = std::iter::once(evaluation)
+        .chain(others.iter().map(|own| &own.evaluation))
+        .collect();
+    let together = one_exposure(scene, &all)?;
+    for text in of_each_species(scene, &all, &together) {
+        progress.event(&Event::Note { text });
+    }
+    Some(together)
 }
 
 /// The prints of several species at one exposure.

@@ -17,7 +17,6 @@ use crate::optimize::start::given::Given;
 use crate::optimize::{Checkpoints, Outcome, StopReason};
 use stage::SoFar;
 pub(super) use stage::Stage;
-use start::clip;
 use std::path::Path;
 use std::time::Instant;
 use watch::idle;
@@ -89,8 +88,6 @@ pub(crate) fn optimize(
     }
     let key = kept::key(scene, voxels)?;
     let mut judge = kept.take(key);
-    let job_start = scene.kinds.start.as_ref();
-    let files = job_start.files();
     let mut carried: Option<Vec<Patterns>> = None;
     let mut bounds = Vec::new();
     let mut pixels: Option<Vec<&PatternGrid>> = None;
@@ -109,22 +106,9 @@ pub(crate) fn optimize(
         let own = level.lights.iter().map(|light| &light.pixels).collect();
         if pixels.as_ref() != Some(&own) {
             let given = scene.own_start(level)?;
-            let own_start = given.as_ref().map_or(job_start, |given| given as _);
-            let mut x = stage.start(scene, own_start, cancel)?;
-            bounds = match files.and_then(|files| files.bounds_as.as_deref()) {
-                None => stage.limits(scene, &x),
-                Some(own) => {
-                    let own = stage.start(scene, own, cancel)?;
-                    let bounds = stage.limits(scene, &own);
-                    sofar.first_loss = stage.first_loss(scene, &own, cancel)?;
-                    clip(&mut x, stage.model.patterns(), &bounds)?;
-                    bounds
-                }
-            };
-            if let Some(files) = files.filter(|files| files.scaled && resumed.is_none()) {
-                stage.brighten(scene, &files.or, &mut x, &bounds, cancel)?;
-            }
-            (start, pixels) = (Some(x), Some(own));
+            let first = stage.first_patterns(scene, given.as_ref(), resumed.is_none(), cancel)?;
+            (bounds, sofar.first_loss) = (first.bounds, first.loss);
+            (start, pixels) = (Some(first.patterns), Some(own));
         }
         if resumed.is_some_and(|at| i < at) {
             continue;
@@ -158,17 +142,6 @@ pub(crate) fn optimize(
                 return Err(at_section("optimizer", Error::Canceled));
             }
             Ok(outcome) if is_last => {
-                let normalizes = scene.kinds.normalizes;
-                let mut warnings = sofar.warnings;
-                if let Some(text) = idle(&outcome.history, normalizes, scene.spec.bounds.bits) {
-                    warnings.push(text.clone());
-                    progress.event(&Event::Warning { text });
-                }
-                let window = stage.window(scene, &x, cancel)?;
-                if let Some(text) = window.and_then(|window| window.warning()) {
-                    warnings.push(text.clone());
-                    progress.event(&Event::Warning { text });
-                }
                 let begin = Instant::now();
                 let levels = match stage.improve(scene, &x, &bounds, progress, cancel) {
                     Ok(levels) => levels,
@@ -178,11 +151,19 @@ pub(crate) fn optimize(
                     }
                 };
                 let raw = stage.levelled(scene, raw, progress, cancel)?;
+                let levels_s = begin.elapsed().as_secs_f64();
+                let window = stage.window(scene, &x, cancel)?;
+                let mut warnings = sofar.warnings;
+                let of_end = of_end(scene, &outcome, window.as_ref());
+                for text in of_end {
+                    warnings.push(text.clone());
+                    progress.event(&Event::Warning { text });
+                }
                 kept.put(key, &stage);
                 return Ok(Optimized {
                     raw,
                     levels,
-                    levels_s: begin.elapsed().as_secs_f64(),
+                    levels_s,
                     outcome,
                     updates: stage.model.updates(),
                     model: stage.reason,
@@ -205,6 +186,14 @@ pub(crate) fn optimize(
         }
     }
     unreachable!("a job has a level")
+}
+
+/// What people should know of how an optimization ended: that it did nothing, and what its process window falls short of.
+fn of_end(scene: &Scene, outcome: &Outcome, window: Option<&FoundWindow>) -> Vec<String> {
+    let (normalizes, bits) = (scene.kinds.normalizes, scene.spec.bounds.bits);
+    let idle = idle(&outcome.history, normalizes, bits);
+    let of_window = window.and_then(FoundWindow::warning);
+    idle.into_iter().chain(of_window).collect()
 }
 
 impl Scene {

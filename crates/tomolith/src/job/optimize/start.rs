@@ -10,7 +10,7 @@ use crate::models::{DoseModel, PatternLayout, Quantity, Run};
 use crate::objective::{Objective, Sum};
 use crate::optimize;
 use crate::optimize::Limits;
-use crate::optimize::start::given::OfFile;
+use crate::optimize::start::given::{Given, OfFile};
 use crate::optimize::start::{InitialPatterns, StartInput};
 use crate::response::Response;
 
@@ -73,7 +73,7 @@ pub(super) fn starting_patterns(
 }
 
 /// Brings patterns into bounds.
-pub(super) fn clip(x: &mut HostField, lights: &[PatternLayout], bounds: &[Limits]) -> Result<()> {
+fn clip(x: &mut HostField, lights: &[PatternLayout], bounds: &[Limits]) -> Result<()> {
     let bounds = x.compile_bounds(&optimize::problem::bounds(lights, bounds)?);
     let step = x.zeros_like();
     x.move_along(&step, 0.0, &bounds);
@@ -165,14 +165,50 @@ pub(super) fn limits(
     limits.collect()
 }
 
+/// Where a run begins.
+pub(super) struct FirstPatterns {
+    pub(super) patterns: HostField,
+    pub(super) bounds: Vec<Limits>,
+    /// The loss of the start that bounds the pixels, where that is another one and the run ends at a part of it.
+    pub(super) loss: Option<f64>,
+}
+
 impl Stage<'_> {
-    /// The loss of the start that bounds the pixels, where a run ends at a part of it.
-    pub(super) fn first_loss(
+    /// The start that the job asks for (`given`: as this rank has it), within bounds that follow from it, or from the start that its files are to be bounded as; of
+    /// several files the best, `brightens`: scaled to suit the objective.
+    pub(super) fn first_patterns(
         &self,
         scene: &Scene,
-        own: &HostField,
+        given: Option<&Given>,
+        brightens: bool,
         cancel: &Run,
-    ) -> Result<Option<f64>> {
+    ) -> Result<FirstPatterns> {
+        let of_job = scene.kinds.start.as_ref();
+        let files = of_job.files();
+        let start = given.map_or(of_job, |given| given as _);
+        let mut patterns = self.start(scene, start, cancel)?;
+        let (bounds, loss) = match files.and_then(|files| files.bounds_as.as_deref()) {
+            None => (self.limits(scene, &patterns), None),
+            Some(own) => {
+                let own = self.start(scene, own, cancel)?;
+                let bounds = self.limits(scene, &own);
+                let loss = self.first_loss(scene, &own, cancel)?;
+                clip(&mut patterns, self.model.patterns(), &bounds)?;
+                (bounds, loss)
+            }
+        };
+        if let Some(files) = files.filter(|files| files.scaled && brightens) {
+            self.brighten(scene, &files.or, &mut patterns, &bounds, cancel)?;
+        }
+        Ok(FirstPatterns {
+            patterns,
+            bounds,
+            loss,
+        })
+    }
+
+    /// The loss of a start, where a run ends at a part of it.
+    fn first_loss(&self, scene: &Scene, own: &HostField, cancel: &Run) -> Result<Option<f64>> {
         if scene.spec.stop.relative_loss.is_none() {
             return Ok(None);
         }
@@ -183,7 +219,7 @@ impl Stage<'_> {
 
     /// Takes the patterns with the lowest loss, of those given and further files, each as bright as suits the objective best; for doses that are linear in
     /// them. One dose call each, two where the bounds hold what would be brighter.
-    pub(super) fn brighten(
+    fn brighten(
         &self,
         scene: &Scene,
         or: &[OfFile],
