@@ -264,6 +264,12 @@ fn voxel(given: &VoxelArguments) -> Result<()> {
     answer.set("voxel_mm", size.voxel_mm());
     answer.set("crossing_mm", crossing);
     answer.set("crossing_as_published_mm", setup.crossing_mm());
+    let files = voxel_files(given, &setup);
+    answer.finish(given.files.manner, given.files.output.as_deref(), &files)
+}
+
+/// Sizes against the radius of the vial, as a table and a plot.
+fn voxel_files(given: &VoxelArguments, setup: &Setup) -> [(&'static str, String); 2] {
     let most = (2.0 * given.radius_mm).max(1.3 * setup.crossing_mm().unwrap_or(0.0));
     let rows: Vec<Vec<f64>> = steps(0.0, most)
         .skip(1)
@@ -299,20 +305,15 @@ fn voxel(given: &VoxelArguments) -> Result<()> {
     plot.line(&column(3), "still", "angle step, as published");
     plot.line(&column(2), "void", "angle step");
     plot.line(&column(1), "part", "pixel");
-    if let Some(crossing) = crossing {
+    if let Some(crossing) = setup.corrected_crossing_mm() {
         plot.line_at(crossing, "gel", "R*");
     }
-    let files = [
-        ("voxel.csv", csv(&names, &rows)),
-        (
-            "voxel.svg",
-            plot.file("Pixel and angle step against the radius"),
-        ),
-    ];
-    answer.finish(given.files.manner, given.files.output.as_deref(), &files)
+    let plot = plot.file("Pixel and angle step against the radius");
+    [("voxel.csv", csv(&names, &rows)), ("voxel.svg", plot)]
 }
 
-fn buildup(given: &BuildupArguments) -> Result<()> {
+/// Refuses numbers of a turning vial that cannot be.
+fn must_turn(given: &BuildupArguments) -> Result<()> {
     for (key, value) in [
         ("--radius-mm", Some(given.radius_mm)),
         ("--penetration-mm", Some(given.penetration_mm)),
@@ -334,9 +335,14 @@ fn buildup(given: &BuildupArguments) -> Result<()> {
     if !(-360.0..=360.0).contains(&given.phase_deg) {
         return refuse("--phase-deg", given.phase_deg, "-360 to 360 degrees");
     }
-    if let Some(r) = given.at.iter().find(|r| !(0.0..=1.0).contains(*r)) {
-        return refuse("--at", *r, "radii in units of the vial's, 0 to 1");
+    match given.at.iter().find(|r| !(0.0..=1.0).contains(*r)) {
+        Some(r) => refuse("--at", *r, "radii in units of the vial's, 0 to 1"),
+        None => Ok(()),
     }
+}
+
+fn buildup(given: &BuildupArguments) -> Result<()> {
+    must_turn(given)?;
     let vial = TurningVial {
         radius_mm: given.radius_mm,
         penetration_mm: given.penetration_mm,
@@ -366,17 +372,30 @@ fn buildup(given: &BuildupArguments) -> Result<()> {
             json!({ "r": r, "mean_rate": rate, "dose_s": dose, "curing_s": cured.flatten() }),
         );
     }
-    let kappa = given.radius_mm / given.penetration_mm;
-    let ratio = wall_rate(kappa) / (-kappa).exp();
-    let turns = given.turn_deg_per_s > 0.0;
     answer.set("points", found);
-    if turns {
+    if given.turn_deg_per_s > 0.0 {
+        let kappa = given.radius_mm / given.penetration_mm;
+        let ratio = wall_rate(kappa) / (-kappa).exp();
         answer.line(
             "wall over axis",
             format!("{} (in closed form)", significant(ratio, 4)),
         );
         answer.set("wall_over_axis", ratio);
     }
+    let [dose, dose_plot] = over_time(given, &vial);
+    let [rate, rate_plot] = over_radius(given, &vial);
+    let files = [
+        ("buildup.csv", dose),
+        ("buildup.svg", dose_plot),
+        ("radial.csv", rate),
+        ("radial.svg", rate_plot),
+    ];
+    answer.finish(given.files.manner, given.files.output.as_deref(), &files)
+}
+
+/// Doses at the radii that are asked for against time, as a table and a plot.
+fn over_time(given: &BuildupArguments, vial: &TurningVial) -> [String; 2] {
+    let phase = given.phase_deg.to_radians();
     let mut rows: Vec<Vec<f64>> = Vec::new();
     for t in steps(0.0, given.seconds) {
         let doses = given.at.iter().map(|r| vial.dose(*r, phase, t));
@@ -402,6 +421,12 @@ fn buildup(given: &BuildupArguments) -> Result<()> {
             &format!("r/R = {r}"),
         );
     }
+    [csv(&names, &rows), plot.file("Dose against time")]
+}
+
+/// Mean rate and curing time against the radius, as a table and a plot.
+fn over_radius(given: &BuildupArguments, vial: &TurningVial) -> [String; 2] {
+    let phase = given.phase_deg.to_radians();
     let across: Vec<Vec<f64>> = steps(0.0, 1.0)
         .map(|r| {
             let cured = given
@@ -418,20 +443,16 @@ fn buildup(given: &BuildupArguments) -> Result<()> {
         Axis::log("mean rate", low, high),
     );
     let line: Vec<[f64; 2]> = across.iter().map(|row| [row[0], row[1]]).collect();
-    if turns {
+    if given.turn_deg_per_s > 0.0 {
         radial.line(&line, "accent", "mean over a turn");
+        let kappa = given.radius_mm / given.penetration_mm;
         let closed = [[0.0, (-kappa).exp()], [1.0, wall_rate(kappa)]];
         radial.dots(&closed, "gel", "closed forms");
     } else {
         radial.line(&line, "accent", "at rest");
     }
-    let files = [
-        ("buildup.csv", csv(&names, &rows)),
-        ("buildup.svg", plot.file("Dose against time")),
-        ("radial.csv", csv(&["r", "mean_rate", "curing_s"], &across)),
-        ("radial.svg", radial.file("Mean rate against the radius")),
-    ];
-    answer.finish(given.files.manner, given.files.output.as_deref(), &files)
+    let table = csv(&["r", "mean_rate", "curing_s"], &across);
+    [table, radial.file("Mean rate against the radius")]
 }
 
 fn impulse(given: &ImpulseArguments) -> Result<()> {

@@ -3,16 +3,51 @@
 use super::Scene;
 use super::remarks::grid_key;
 use crate::error::Result;
+use crate::exposure::Printer;
 use crate::grid::VolumeGrid;
 use crate::job::build::Optics;
-use crate::job::estimate::{self, FIELDS_PER_SCENARIO};
+use crate::job::estimate::{self, Extent, FIELDS_PER_SCENARIO};
 use crate::job::resolve::JobKinds;
 use crate::job::resources::{free_memory_mb, memory_budget_mb, require};
 use crate::job::spec::JobSpec;
-use crate::models::{OpticalScene, Purpose};
+use crate::job::{cells, refinement};
+use crate::models::{Family, OpticalScene, Purpose};
 
 /// Least memory of a quasi-Newton method that is still worth having.
 const LEAST_MEMORY: usize = 3;
+
+/// What a scene takes, with all that its levels, its model and its outputs add to what it counts for itself.
+pub(super) fn extent(scene: &Scene, family: &Family) -> Result<Extent> {
+    let (spec, grid, own) = (&scene.spec, &scene.grid, &scene.extent);
+    let lit = scene.optimizing();
+    let last = &scene.levels[scene.levels.len() - 1];
+    let finest = OpticalScene {
+        lights: &last.lights,
+        ..lit
+    };
+    let kept = family.cost(&finest, &last.grid).unwrap_or_default();
+    let kept_of_the_job = family.cost(&lit, grid)?;
+    let entries = [&kept, &kept_of_the_job].map(|cost| cost.cached_bytes.unwrap_or_default());
+    let of_the_job = (grid, &scene.optics.lights[..], spec.stop.iterations);
+    let effort = refinement::effort(&scene.levels, of_the_job, entries);
+    let canvases = scene.printers.iter().flatten().map(Printer::canvas_grid);
+    let cells = if scene.has_cells { cells::FIELDS } else { 0 };
+    Ok(Extent {
+        effort: effort * (1 + spec.scenario.len()) as f64,
+        cached_entries: kept.cached_entries,
+        cached_bytes: kept.cached_bytes,
+        finest: last.grid.clone(),
+        fields: with_fields(spec, &scene.kinds, scene.shape.is_gray()) + cells,
+        canvas: canvases.map(|canvas| canvas.len()).sum(),
+        stacked: bytes_stacked(spec),
+        scenarios: spec.scenario.len(),
+        working_mb: [
+            kept_of_the_job.working_bytes as f64 / 1e6,
+            judged_mb(&scene.optics, grid, own.refine)?,
+        ],
+        ..own.clone()
+    })
+}
 
 impl Scene {
     /// Lowers the optimizer's memory and the refinement of the evaluation until both fit, and says so.

@@ -29,7 +29,6 @@ use crate::ranks::Communicator;
 use crate::response::{Response, dose_for};
 use crate::target::{self, Shape, label};
 use grid::{bounds_of, grid_of, moved};
-use memory::{bytes_stacked, judged_mb, with_fields};
 use remarks::{
     ask_for_unit, asking, at_target, chosen, given_patterns, must_be_seen, narrow_arc,
     on_its_own_grid,
@@ -171,35 +170,7 @@ impl Scene {
         let chosen = || refinement::judged(&grid, &levels);
         let refine = spec.evaluate.refine.unwrap_or_else(chosen);
         let memory = kinds.pairs().unwrap_or(0);
-        let canvases = printers.iter().flatten().map(Printer::canvas_grid);
-        let plain = Extent::new(&optics, &grid, shape.bounds_mm(), refine, memory);
-        let last = &levels[levels.len() - 1];
-        let finest = last.grid.clone();
-        let turned = OpticalScene {
-            lights: &last.lights,
-            ..lit
-        };
-        let kept = family.cost(&turned, &finest).unwrap_or_default();
-        let kept_of_the_job = family.cost(&lit, &grid)?;
-        let entries = [&kept, &kept_of_the_job].map(|cost| cost.cached_bytes.unwrap_or_default());
-        let of_the_job = (&grid, &optics.lights[..], spec.stop.iterations);
-        let effort = refinement::effort(&levels, of_the_job, entries);
-        let extent = Extent {
-            effort: effort * (1 + spec.scenario.len()) as f64,
-            cached_entries: kept.cached_entries,
-            cached_bytes: kept.cached_bytes,
-            finest,
-            fields: with_fields(&spec, &kinds, shape.is_gray())
-                + if has_cells { cells::FIELDS } else { 0 },
-            canvas: canvases.map(|canvas| canvas.len()).sum(),
-            stacked: bytes_stacked(&spec),
-            scenarios: spec.scenario.len(),
-            working_mb: [
-                kept_of_the_job.working_bytes as f64 / 1e6,
-                judged_mb(&optics, &grid, refine)?,
-            ],
-            ..plain
-        };
+        let extent = Extent::new(&optics, &grid, shape.bounds_mm(), refine, memory);
         let mut scene = Scene {
             base: job.base(),
             name: spec.target.name(),
@@ -238,6 +209,7 @@ impl Scene {
         let notes = scene.printers.iter().flatten().flat_map(Printer::notes);
         scene.warnings.extend(notes.cloned());
         scene.warnings.extend(multiresolution::left_out(&scene));
+        scene.extent = memory::extent(&scene, &family)?;
         scene.bound_by_time()?;
         if scene.spec.resin.pure_radon
             && scene.spec.resin.absorption_per_mm.is_some_and(|a| a > 0.0)
