@@ -256,6 +256,9 @@ fn voxel(given: &VoxelArguments) -> Result<()> {
                 "none: the angle step decides at every radius (as published: R* = {} mm)",
                 significant(radius, 4)
             ),
+            (None, None) if size.step_mm > size.pixel_mm => {
+                "none: the angle step decides at every radius".to_owned()
+            }
             (None, None) => "none: the pixel decides at every radius".to_owned(),
         },
     );

@@ -155,20 +155,21 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
     Ok(())
 }
 
-/// Process windows as shares of the dose that gels, of each species where there are several.
+/// Process windows as shares of the dose that gels, of each species where there are several; none of a response that is no dose, whose window gives
+/// no time.
 fn windows(report: &Value, gel_dose: f64) -> Vec<(String, f64)> {
-    let of = |name: &Value, evaluation: &Value| {
-        let pw = evaluation["pw"].as_f64()? / gel_dose;
-        Some((name.as_str().unwrap_or_default().to_owned(), pw))
+    let of = |name: &Value, one: &Value| {
+        let exposure = &one["exposure"];
+        let is_dose = exposure["threshold"]["best"] == exposure["dose"]["best"];
+        let pw = one["evaluation"]["pw"].as_f64().filter(|_| is_dose)?;
+        Some((name.as_str().unwrap_or_default().to_owned(), pw / gel_dose))
     };
     match report["species"].as_array() {
         Some(species) if species.len() > 1 => species
             .iter()
-            .filter_map(|one| of(&one["name"], &one["evaluation"]))
+            .filter_map(|one| of(&one["name"], one))
             .collect(),
-        _ => of(&Value::Null, &report["evaluation"])
-            .into_iter()
-            .collect(),
+        _ => of(&Value::Null, report).into_iter().collect(),
     }
 }
 

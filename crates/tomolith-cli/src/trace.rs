@@ -60,6 +60,10 @@ pub(crate) fn run(given: &TraceArguments, job: &Job, cancel: &Run) -> Result<()>
             row,
         })
         .collect();
+    if let Some(path) = given.output.as_ref().filter(|path| path.exists()) {
+        let found = format!("`{}` is there already", path.display());
+        return Err(Error::config("--output", found, "a new file"));
+    }
     let (traced, mut dose) = trace(job, &pixels, cancel).map_err(|e| job.locate(e))?;
     for one in &traced {
         if given.manner.json {
@@ -69,13 +73,6 @@ pub(crate) fn run(given: &TraceArguments, job: &Job, cancel: &Run) -> Result<()>
         }
     }
     if let (Some(kind), Some(path)) = (kind, &given.output) {
-        if path.exists() {
-            return Err(Error::config(
-                "--output",
-                format!("`{}` is there already", path.display()),
-                "a new file",
-            ));
-        }
         if matches!(kind, Kind::Png) {
             let largest = dose.values.iter().copied().fold(0.0, f32::max);
             let scale = if largest > 0.0 { 1.0 / largest } else { 1.0 };

@@ -58,19 +58,27 @@ const MOST_PIXELS_OF_A_STACK: u64 = 1 << 32;
 /// one cannot be used as in [`read_gray`].
 pub fn read_stack(path: impl AsRef<Path>) -> Result<Vec<GrayPixels>> {
     let path = path.as_ref();
-    let name = path
-        .file_name()
-        .and_then(|n| n.to_str())
-        .unwrap_or_default();
-    let slices = if path.is_dir() {
-        read_all(&images_in(path, "*")?, path)?
+    match path.is_file() {
+        true => read_pages(path),
+        false => read_all(&stack_files(path)?, path),
+    }
+}
+
+/// The files of a stack, as [`read_stack`] takes it, the first slice first.
+///
+/// # Errors
+/// [`Error::Io`] when a folder cannot be read.
+pub fn stack_files(path: &Path) -> Result<Vec<PathBuf>> {
+    let name = path.file_name().and_then(|n| n.to_str());
+    let name = name.unwrap_or_default();
+    if path.is_dir() {
+        images_in(path, "*")
     } else if name.contains('*') {
         let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
-        read_all(&images_in(folder.unwrap_or(Path::new(".")), name)?, path)?
+        images_in(folder.unwrap_or(Path::new(".")), name)
     } else {
-        read_pages(path)?
-    };
-    Ok(slices)
+        Ok(vec![path.to_owned()])
+    }
 }
 
 /// The images of a folder whose names match a pattern, in their order.

@@ -20,6 +20,7 @@ use crate::diffusion::{
 };
 use crate::domain::Domain;
 use crate::mixing::Mixing;
+use crate::print::rounded_down;
 use crate::reaction::{Stage, smooth_step};
 use crate::{Absorption, Material, Readout, Requirement, State};
 pub use params::{Curing, Inhibitor, Initial, Network, Params, Shading};
@@ -390,7 +391,8 @@ impl Photopolymer {
             "step_s",
             format!("found {} s", exact(seconds)),
             format!(
-                "at most {limit:.4} s, the stability limit of diffusion through voxel faces; or diffusion = \"spectral\""
+                "at most {} s, the stability limit of diffusion through voxel faces; or diffusion = \"spectral\"",
+                rounded_down(limit)
             ),
         ))
     }

@@ -209,6 +209,15 @@ pub(crate) fn default_step_s(material: &dyn Material, schedule: &Schedule) -> f6
     plain.min(material.longest_step_s())
 }
 
+/// A limit with four digits, none of them rounded up: what is said is accepted.
+#[must_use]
+pub fn rounded_down(limit: f64) -> f64 {
+    let unit = 10f64.powi(limit.log10().floor() as i32 - 3);
+    // 16.67 milliseconds and not 16.670000000000002
+    let text = format!("{:.3e}", (limit / unit).floor() * unit);
+    text.parse().unwrap_or(limit)
+}
+
 pub(crate) fn check_step(material: &dyn Material, step_s: f64) -> Result<()> {
     let limit = material.longest_step_s();
     if step_s > 0.0 && step_s <= limit {
@@ -216,7 +225,8 @@ pub(crate) fn check_step(material: &dyn Material, step_s: f64) -> Result<()> {
     }
     let most = if limit.is_finite() {
         format!(
-            " and at most {limit:.4} s, the stability limit of diffusion through voxel faces (or diffusion = \"spectral\")"
+            " and at most {} s, the stability limit of diffusion through voxel faces (or diffusion = \"spectral\")",
+            rounded_down(limit)
         )
     } else {
         String::new()

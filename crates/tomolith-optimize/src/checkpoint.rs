@@ -188,7 +188,9 @@ impl Checkpoints {
             folder: folder.into(),
             fingerprint: format!("{fingerprint:016x}"),
             job: Value::Null,
-            every: params.every_s.map(Duration::from_secs_f64),
+            every: params
+                .every_s
+                .map(|s| Duration::try_from_secs_f64(s).unwrap_or(Duration::MAX)),
             contents: params.contents,
             level: 0,
             resumes: true,

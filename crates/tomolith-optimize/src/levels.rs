@@ -126,12 +126,18 @@ impl Pass<'_, '_, '_, '_> {
         Ok(x)
     }
 
+    /// Brings pixels between dark and a share of the brightest, and within their bounds; `any` is a field of pixels.
+    fn cut(&self, asked: &mut HostField, scale: f32, any: &HostField) {
+        self.brightest.cut(asked, scale);
+        asked.move_along(any, 0.0, self.problem.bounds(any));
+    }
+
     /// The scale at which plain rounding has the least loss.
     fn scale(&mut self, x: &HostField, rounded_loss: f64) -> Result<f32> {
         let (mut best, mut least) = (1.0, rounded_loss);
         for scale in SCALES {
             let mut asked = x.clone();
-            self.brightest.cut(&mut asked, scale);
+            self.cut(&mut asked, scale, x);
             self.show(&asked)?;
             if self.at.loss < least {
                 (best, least) = (scale, self.at.loss);
@@ -144,7 +150,7 @@ impl Pass<'_, '_, '_, '_> {
     #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
     fn descend(&mut self, scale: f32, best: &mut HostField, gain: &mut Gain) -> Result<()> {
         let mut asked = best.clone();
-        self.brightest.cut(&mut asked, scale);
+        self.cut(&mut asked, scale, best);
         let mut shown = self.show(&asked)?;
         let (mut gradient, mut velocity) = (best.zeros_like(), best.zeros_like());
         let mut length = None;
@@ -181,7 +187,7 @@ impl Pass<'_, '_, '_, '_> {
             velocity.scale(MOMENTUM);
             velocity.axpy(1.0, &gradient);
             asked.move_along(&velocity, -t, self.problem.bounds(&velocity));
-            self.brightest.cut(&mut asked, scale);
+            self.cut(&mut asked, scale, &velocity);
             shown = self.show(&asked)?;
             length = Some(t * if self.at.loss > loss { SHORTER } else { LONGER });
             gain.steps = step + 1;
@@ -328,10 +334,14 @@ mod tests {
     #[test]
     fn bounds_hold_for_what_is_asked() {
         let case = Case::of(SmallModel::new(16, 24, 1), 16, 24);
-        let limits = Limits { min: 0.1, max: 0.6 };
-        let (asked, _, gain) = improved(&case, 2, limits);
-        assert!(gain.loss <= gain.rounded_loss, "{gain:?}");
-        assert!(asked.as_slice().iter().all(|v| (0.1..=0.6).contains(v)));
+        // The second has scales at which white is below the darkest that is allowed
+        for min in [0.1, 0.35] {
+            let limits = Limits { min, max: 0.6 };
+            let (asked, _, gain) = improved(&case, 2, limits);
+            assert!(gain.loss <= gain.rounded_loss, "{gain:?}");
+            let range = min as f32..=0.6;
+            assert!(asked.as_slice().iter().all(|v| range.contains(v)));
+        }
     }
 
     #[test]

@@ -151,6 +151,23 @@ pub struct Row {
     pub print: Option<MeasuredPrint>,
 }
 
+impl Row {
+    /// After so many steps, of which nothing else is known.
+    #[must_use]
+    pub fn at(iteration: usize) -> Self {
+        Row {
+            iteration,
+            loss: f64::NAN,
+            projected_gradient: None,
+            step: None,
+            forward: 0,
+            adjoint: 0,
+            seconds: 0.0,
+            print: None,
+        }
+    }
+}
+
 /// What an observer measured of a print.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
 pub struct MeasuredPrint {

@@ -65,6 +65,9 @@ pub struct Disc {
     pub dose: f64,
 }
 
+/// Pixels of all images together, at most: 2 GB of levels.
+const MOST_PIXELS: usize = 1_000_000_000;
+
 impl Discs {
     /// Checks every number.
     ///
@@ -85,6 +88,16 @@ impl Discs {
                 "--canvas",
                 format!("{columns} × {rows} pixels for {nx} × {ny} discs"),
                 "8 pixels or more for each disc, 16384 at most",
+            ));
+        }
+        // All images are held at once
+        if columns * rows * nx * ny > MOST_PIXELS {
+            return Err(Error::config(
+                "--canvas",
+                format!("{columns} × {rows} pixels, {} times", nx * ny),
+                format!(
+                    "{MOST_PIXELS} pixels in all images at most: a smaller canvas, or fewer discs"
+                ),
             ));
         }
         if !(self.pitch_mm > 0.0 && self.pitch_mm <= 100.0) {

@@ -90,6 +90,16 @@ impl Post {
                 "0 or more, with the whole post in the disc",
             );
         }
+        if Field::new(*self).target().iter().sum::<f64>() <= 0.0 {
+            return refuse(
+                "--radius",
+                format!(
+                    "found {}: no voxel of the disc holds a part of the post",
+                    self.radius
+                ),
+                "a post further in",
+            );
+        }
         Ok(())
     }
 

@@ -132,21 +132,33 @@ impl ExposurePlan {
             // A hair over a whole number is that number
             None => ((exact - 1e-9).ceil().max(1.0), machine.rpm),
         };
-        let time_s = turns * arc * 60.0 / rpm;
+        let pass_s = arc * 60.0 / rpm;
+        let time_s = turns * pass_s;
         let duty = continuous_s / time_s;
         if let Some(within) = machine.within_s.filter(|within| *within < time_s) {
+            let whole = (within / pass_s + 1e-9).floor();
+            let other = if machine.turns.is_some() || whole < 1.0 {
+                "a faster vial (--rpm)".to_owned()
+            } else {
+                // Rounded up, so that what is advised is enough
+                let needed = machine.irradiance * continuous_s / (whole * pass_s);
+                format!(
+                    "an irradiance from {} mW/cm²",
+                    concise((100.0 * needed).ceil() / 100.0)
+                )
+            };
             return Err(Error::config(
                 "--within-s",
                 format!(
-                    "{} s give {:.1} % of the dose at which the resin gels, at most",
+                    "{} s hold {} whole turns, which give {:.1} % of the dose at which the resin gels",
                     concise(within),
-                    100.0 * within / continuous_s
+                    concise(whole),
+                    100.0 * whole * pass_s / continuous_s
                 ),
                 format!(
-                    "{} s or more ({} whole turns), or an irradiance from {} mW/cm²",
+                    "{} s or more ({} whole turns), or {other}",
                     concise(time_s),
-                    concise(turns),
-                    concise(machine.irradiance * continuous_s / within)
+                    concise(turns)
                 ),
             ));
         }

@@ -510,8 +510,25 @@ fn of_sweep(
     };
     if let Some(over) = &row.over {
         let conditions: Vec<Condition> = over.iter().filter_map(|text| text.parse().ok()).collect();
+        let is_there = |i: &usize| row.at.as_ref().is_none_or(|at| is_at(plan, *i, at));
+        // A run without numbers counts where its axes alone do not leave it out
+        let of_axes =
+            |i: usize, name: &str| crate::axes::named(&plan.sweep.axes, &plan.runs[i].point, name);
+        let leaves_out = |i: usize| {
+            conditions.iter().any(|c| {
+                c.names().iter().all(|name| of_axes(i, name).is_some())
+                    && !c.is_met(&|name| of_axes(i, name))
+            })
+        };
+        let failed = (0..plan.runs.len())
+            .filter(is_there)
+            .filter(|&i| !matches!(table.states[i], State::Done(_)) && !leaves_out(i));
+        let failed = failed.count();
+        if failed > 0 {
+            return missing(&format!("{} failed", counted(failed, "run")));
+        }
         let meets = |i: &usize| {
-            row.at.as_ref().is_none_or(|at| is_at(plan, *i, at))
+            is_there(i)
                 && conditions
                     .iter()
                     .all(|c| c.is_met(&|name| number(*i, name)))

@@ -91,10 +91,7 @@ impl Optics {
             });
         }
         let bath = bath_of(spec, vial.as_ref())?;
-        let scattered = spec.resin.scattering_per_mm;
-        let map = spec.resin.absorption_map.as_ref();
-        let map = map.map(|map| map_of(map, scattered, base)).transpose()?;
-        let map = map.map(Arc::new);
+        let maps = maps_of(spec, base)?;
         let mut lights: Vec<Light> = spec
             .light
             .iter()
@@ -103,7 +100,7 @@ impl Optics {
             .map(|(i, (light, path))| {
                 let mut light = Light {
                     bath,
-                    map: map.clone(),
+                    map: maps.get(i).cloned(),
                     ..light_of(spec, (i, light), path.projector.pixel_pitch_mm())
                 };
                 light.resin.gradient = gradient;
@@ -310,7 +307,25 @@ fn bath_of(spec: &JobSpec, vial: &dyn Vial) -> Result<Option<Bath>> {
     }))
 }
 
-/// The absorption map of a job whose resin scatters so much per mm.
+/// The absorption map of each light, whose resin may scatter in its own way; none where the job has none.
+fn maps_of(spec: &JobSpec, base: &Path) -> Result<Vec<Arc<AbsorptionMap>>> {
+    let Some(map) = &spec.resin.absorption_map else {
+        return Ok(Vec::new());
+    };
+    let mut maps: Vec<(f64, Arc<AbsorptionMap>)> = Vec::new();
+    for i in 0..spec.light.len() {
+        let scattered = spec.resin_of(i).scattering_per_mm;
+        let same = maps.iter().find(|(of, _)| *of == scattered);
+        let own = match same {
+            Some((_, map)) => Arc::clone(map),
+            None => Arc::new(map_of(map, scattered, base)?),
+        };
+        maps.push((scattered, own));
+    }
+    Ok(maps.into_iter().map(|(_, map)| map).collect())
+}
+
+/// The absorption map in a resin that scatters so much per mm.
 fn map_of(map: &MapSpec, scattered: f64, base: &Path) -> Result<AbsorptionMap> {
     let (shape, active) = read_levels(&base.join(&map.absorption))?;
     let total = match &map.attenuation {

@@ -397,7 +397,7 @@ impl Numbers {
             gray: fine.target.gray,
             patterns: shown,
             trim_percent: scene.spec.evaluate.trim_percent,
-            epsilon: scene.band_half_width(),
+            epsilon: scene.half_width(),
         };
         let inside = &fine.target.inside;
         let run = cancel.part(share::PUBLISHED);
@@ -534,11 +534,14 @@ pub(super) fn measure_at(
     threshold: f64,
     patterns: &[Patterns],
 ) -> Result<Evaluation> {
-    let print = Print::under(&voxels.labels, response, Run::new())?
+    let mut print = Print::under(&voxels.labels, response, Run::new())?
         .with_inside(&voxels.target.inside)?
         .with_threshold(threshold)?
         .with_patterns(PatternStats::of(patterns));
-    Ok(evaluate(&print).with_sub_angles(scene.spec.evaluate.sub_angles))
+    if !scene.spec.evaluate.surfaces {
+        print = print.without_distance();
+    }
+    Ok(evaluate(&print).with_sub_angles(judged_angles(scene)))
 }
 
 /// Shares of an evaluation, as an index-matched job on voxels half as large takes them.
@@ -647,17 +650,9 @@ pub(super) fn averaged(fine: &Volume<f32>, grid: &VolumeGrid) -> Volume<f32> {
     }
 }
 
-/// Half width of the band round gray values, where the objective has none.
-const HALF_WIDTH: f64 = 0.05;
-
 impl Scene {
-    /// Half width of the band round gray values: ε of the first objective that has one.
+    /// Half width of the band round gray values: ε of the first objective that has one, or the BCLP paper's own where there is none.
     fn half_width(&self) -> f64 {
-        self.kinds.epsilon().unwrap_or(HALF_WIDTH)
-    }
-
-    /// ε of the job's BCLP objective, or the paper's own where there is none.
-    fn band_half_width(&self) -> f64 {
         let given = self.kinds.epsilon();
         given.unwrap_or(published::Options::default().epsilon)
     }

@@ -7,7 +7,9 @@
 //! checkpoint, which `--resume` goes on from, with the job that it belongs to.
 
 use crate::error::{Error, Result};
+use serde_json::Value;
 use std::fs;
+use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 
 /// Why a folder is refused in which another process works.
@@ -22,6 +24,26 @@ const JOB: &str = "job.toml";
 const NEW: &str = ".new";
 const OLD: &str = ".old-";
 const LOCK: &str = ".lock";
+/// What a run may leave beside them and its properties, by name or by its first letters and its extension.
+const OUTPUTS: [&str; 10] = [
+    "patterns.npz",
+    "frames",
+    "frames.npz",
+    "dose.npy",
+    "dose.vti",
+    "print.stl",
+    "print.ply",
+    "history.csv",
+    "report.html",
+    "exposure.json",
+];
+const OUTPUTS_NAMED: [(&str, &str); 5] = [
+    ("", ".mp4"),
+    ("", ".mov"),
+    ("dose_", ".npy"),
+    ("cure_time", ".npy"),
+    ("time", ".csv"),
+];
 /// What names the folder.
 const KEY: &str = "output.folder";
 
@@ -45,6 +67,33 @@ pub(super) fn unusable(key: &str, path: &Path, what: &str, source: std::io::Erro
     }
     let accepted = "a folder that can be made and written to";
     Error::config(key, found, accepted)
+}
+
+/// The lock of a folder, held by this process.
+fn locked(path: &Path) -> Result<fs::File> {
+    let file = path.join(LOCK);
+    let not_lockable = |e| unusable(KEY, path, "holds a `.lock` that cannot be locked", e);
+    loop {
+        let lock =
+            fs::File::create(&file).map_err(|e| unusable(KEY, path, "cannot be written to", e))?;
+        match lock.try_lock() {
+            Ok(()) => {}
+            Err(fs::TryLockError::WouldBlock) => {
+                return Err(Error::Unsupported {
+                    what: format!("output.folder `{}`", path.display()),
+                    reason: TAKEN.to_owned(),
+                });
+            }
+            Err(fs::TryLockError::Error(e)) => return Err(not_lockable(e)),
+        }
+        let of_handle = lock.metadata().map_err(not_lockable)?;
+        // One that ended meanwhile took its file with it: what is locked is no longer there
+        let is_same =
+            |now: fs::Metadata| (now.dev(), now.ino()) == (of_handle.dev(), of_handle.ino());
+        if fs::metadata(&file).is_ok_and(is_same) {
+            return Ok(lock);
+        }
+    }
 }
 
 impl RunFolder {
@@ -101,26 +150,8 @@ impl RunFolder {
         Self::check(path)?;
         let is_made = !path.exists();
         fs::create_dir_all(path).map_err(|e| unusable(KEY, path, "cannot be made", e))?;
-        let lock_path = path.join(LOCK);
         let not_writable = |e| unusable(KEY, path, "cannot be written to", e);
-        let lock = fs::File::create(&lock_path).map_err(not_writable)?;
-        match lock.try_lock() {
-            Ok(()) => {}
-            Err(fs::TryLockError::WouldBlock) => {
-                return Err(Error::Unsupported {
-                    what: format!("output.folder `{}`", path.display()),
-                    reason: TAKEN.to_owned(),
-                });
-            }
-            Err(fs::TryLockError::Error(e)) => {
-                return Err(unusable(
-                    KEY,
-                    path,
-                    "holds a `.lock` that cannot be locked",
-                    e,
-                ));
-            }
-        }
+        let lock = locked(path)?;
         let mut folder = RunFolder {
             path: path.to_owned(),
             is_made,
@@ -162,8 +193,8 @@ impl RunFolder {
         path.join("checkpoint")
     }
 
-    /// Moves all new files to their names, in the place of earlier ones. Movies of other names are removed: they are
-    /// from an earlier job.
+    /// Moves all new files to their names, in the place of earlier ones. What an earlier run left and this one does not is removed: it would
+    /// pass for this one's. The earlier report goes first, so that a folder that is left half-way is no finished run.
     ///
     /// # Errors
     /// [`Error::Io`].
@@ -181,18 +212,42 @@ impl RunFolder {
                 name.clone(),
             )
         });
-        for old in fs::read_dir(&self.path)
-            .map_err(|e| Error::io(&self.path, e))?
-            .flatten()
-        {
-            let name = old.file_name().to_string_lossy().into_owned();
-            if name.ends_with(".mp4") && !names.contains(&name) {
-                fs::remove_file(old.path()).map_err(|e| Error::io(old.path(), e))?;
-            }
+        let outdated = self.outputs(&names)?;
+        let report = self.path.join(LAST[0]);
+        if report.exists() {
+            fs::remove_file(&report).map_err(|e| Error::io(&report, e))?;
+        }
+        for old in outdated {
+            let removed = match old.is_dir() {
+                true => fs::remove_dir_all(&old),
+                false => fs::remove_file(&old),
+            };
+            removed.map_err(|e| Error::io(&old, e))?;
         }
         // From here on there are outputs, which the mark belongs to
         self.is_marked = false;
         names.iter().try_for_each(|name| self.move_in(name))
+    }
+
+    /// Outputs of an earlier run that are not among these names.
+    fn outputs(&self, names: &[String]) -> Result<Vec<PathBuf>> {
+        let report = fs::read(self.path.join(LAST[0])).unwrap_or_default();
+        let report: Value = serde_json::from_slice(&report).unwrap_or_default();
+        let properties = report["properties"].as_array().into_iter().flatten();
+        let properties: Vec<String> = properties
+            .filter_map(|property| Some(format!("{}.npy", property["name"].as_str()?)))
+            .collect();
+        let is_named = |name: &str| {
+            let mut all = OUTPUTS_NAMED.iter();
+            all.any(|(begin, end)| name.starts_with(begin) && name.ends_with(end))
+        };
+        let entries = fs::read_dir(&self.path).map_err(|e| Error::io(&self.path, e))?;
+        let outdated = entries.flatten().filter(|entry| {
+            let name = entry.file_name().to_string_lossy().into_owned();
+            let is_output = OUTPUTS.contains(&name.as_str()) || is_named(&name);
+            (is_output || properties.contains(&name)) && !names.contains(&name)
+        });
+        Ok(outdated.map(|entry| entry.path()).collect())
     }
 
     /// What a killed run left behind.
@@ -375,6 +430,23 @@ mod tests {
             (read("one.mp4"), read("two.mp4").as_deref()),
             (None, Some("2"))
         );
+        // What the next run does not leave would pass for its own; somebody's notes stay
+        for name in [
+            "patterns.npz",
+            "dose_b.npy",
+            "strength.npy",
+            "notes.txt",
+            "mine.npy",
+        ] {
+            fs::write(path.join(name), "old").unwrap();
+        }
+        let report = r#"{"properties": [{"name": "strength"}]}"#;
+        fs::write(path.join("report.json"), report).unwrap();
+        RunFolder::open(&path, "three").unwrap().publish().unwrap();
+        let entries = fs::read_dir(&path).unwrap();
+        let mut left: Vec<_> = entries.map(|e| e.unwrap().file_name()).collect();
+        left.sort();
+        assert_eq!(left, ["job.toml", "mine.npy", "notes.txt"]);
         assert!(!path.join(".new").exists() && !path.join(".lock").exists());
     }
 }

@@ -6,6 +6,7 @@ use super::read::{Job, with_every_default};
 use super::resume::{as_floats, content, contents, hash};
 use super::scene::Scene;
 use crate::error::{Error, Result};
+use crate::io::image::stack_files;
 use crate::models::Run;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -71,11 +72,12 @@ impl Job {
         let mut parts = Vec::new();
         for file in spec.target.files_mut() {
             let path = base.join(&*file);
-            // A stack is a pattern of names
-            if path.is_file() {
-                parts.push(content(&path)?);
-                *file = file.file_name().map(Into::into).unwrap_or_default();
+            // A stack is a folder, or a pattern of names; what is missing is told where it is read
+            let files = stack_files(&path).unwrap_or_default();
+            for file in files.iter().filter(|file| file.is_file()) {
+                parts.push(content(file)?);
             }
+            *file = file.file_name().map(Into::into).unwrap_or_default();
         }
         let mut tables = spec.to_value()?;
         as_floats(&mut tables);
@@ -166,6 +168,36 @@ mod tests {
         };
         assert_eq!(of("a", "solid"), of("b", "solid"));
         assert_ne!(of("a", "solid"), of("c", "other"));
+
+        // The slices of a stack, and files that a scenario or a list of starts names
+        let folder = temp.path().join("d");
+        std::fs::create_dir_all(&folder).unwrap();
+        let of = |file: &str, content: &str, target: &str, more: &str| {
+            std::fs::write(folder.join(file), content).unwrap();
+            let text = FULL.replacen("phantom = \"gear\"", target, 1) + more;
+            let document = Document::toml(folder.join("a.toml"), text).unwrap();
+            Job::from_document(document).unwrap().identity().unwrap()
+        };
+        let stack = "stack = \"slice*.png\"";
+        assert_ne!(
+            of("slice1.png", "1", stack, ""),
+            of("slice1.png", "2", stack, "")
+        );
+        let gear = "phantom = \"gear\"";
+        let scenario = "\n[[scenario]]\nset = { \"light[0].selection.mask\" = \"mask.npy\" }\n";
+        assert_ne!(
+            of("mask.npy", "1", gear, scenario),
+            of("mask.npy", "2", gear, scenario)
+        );
+        let mut job = job(&[]).with_folder(&folder, "test");
+        let of_starts = |job: &mut Job, content: &str| {
+            let (first, other) = (folder.join("1.npz"), folder.join("2.npz"));
+            std::fs::write(&first, "1").unwrap();
+            std::fs::write(&other, content).unwrap();
+            job.spec.start = json!({ "patterns": { "file": first, "or": [other] } });
+            job.identity().unwrap()
+        };
+        assert_ne!(of_starts(&mut job, "2"), of_starts(&mut job, "3"));
     }
 
     #[test]

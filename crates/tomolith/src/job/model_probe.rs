@@ -32,20 +32,25 @@ pub(crate) fn try_orders(
     if !scene.optics.scene().scatters() || scene.optics.model.is_some() {
         return Ok(());
     }
-    let text = match trial(scene, cancel) {
-        Err(Error::Config { key, found, .. }) if key == "model.successive_orders.cell_mm" => {
-            scene.optics.trial_failed = Some("successive orders would need too many cells");
-            format!("scattered light by Monte Carlo paths: successive orders would take {found}")
-        }
+    let (why, text) = match trial(scene, cancel) {
+        Err(Error::Config { key, found, .. }) if key == "model.successive_orders.cell_mm" => (
+            "successive orders would need too many cells",
+            format!("scattered light by Monte Carlo paths: successive orders would take {found}"),
+        ),
         Err(error) => return Err(error),
-        Ok(Some(found)) if found.is_far_off() => {
-            scene.optics.trial_failed = Some("a test of successive orders was too far off");
+        Ok(Some(found)) if found.is_far_off() => (
+            "a test of successive orders was too far off",
             format!(
                 "scattered light by Monte Carlo paths: in a test of successive orders it was {found}"
-            )
-        }
+            ),
+        ),
         Ok(_) => return Ok(()),
     };
+    scene.optics.trial_failed = Some(why);
+    // Their windows are compared with the job's: one model for all
+    for scenario in &mut scene.scenarios {
+        scenario.scene.optics.trial_failed = Some(why);
+    }
     progress.event(&Event::Note { text });
     Ok(())
 }

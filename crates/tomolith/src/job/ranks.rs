@@ -48,7 +48,7 @@ pub fn run_among(
 }
 
 /// Refuses what cannot be shared.
-fn must_fit(scene: &Scene, ranks: &dyn Communicator) -> Result<()> {
+pub(super) fn must_fit(scene: &Scene, ranks: &dyn Communicator) -> Result<()> {
     let (spec, size) = (&scene.spec, ranks.size());
     for (i, light) in scene.optics.lights.iter().enumerate() {
         let fewest = scene

@@ -13,7 +13,7 @@ use serde_json::Value;
 const NAMED: usize = 3;
 
 /// Refuses to replace a finished run of another job, unless the user asks for it or goes on from its checkpoint. Jobs are the same
-/// when their resolved tables are, but for `[output]`.
+/// when their resolved tables are, but for `[output]` and `[resources]`.
 ///
 /// # Errors
 /// [`Error::Config`] at `output.folder`, with the keys that differ.

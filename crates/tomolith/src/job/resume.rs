@@ -197,9 +197,11 @@ pub(super) fn of_voxels(voxels: &Voxels) -> [u64; 2] {
     [labels, inside].map(|hashes| hash(bytemuck::cast_slice(&hashes)))
 }
 
-/// Keys that name a file: fields, curves, maps, a matrix, the walls of a vial, bodies in the light, pixels that stay dark.
-const FILES: [&str; 11] = [
+/// Keys that name a file, or a list of files: fields, curves, maps, a matrix, the walls of a vial, bodies in the light, pixels that stay dark, other
+/// starts.
+const FILES: [&str; 12] = [
     "file",
+    "or",
     "image",
     "absorption",
     "attenuation",
@@ -217,14 +219,25 @@ pub(super) fn contents(tables: &Value, base: &Path, found: &mut Vec<u64>) -> Res
     match tables {
         Value::Array(list) => list.iter().try_for_each(|v| contents(v, base, found)),
         Value::Object(map) => map.iter().try_for_each(|(key, value)| {
-            match value.as_str().filter(|_| FILES.contains(&key.as_str())) {
-                Some(file) => found.push(content(&base.join(file))?),
-                None => contents(value, base, found)?,
+            // Those of a scenario are whole paths: "vial.mesh.outer"
+            let name = key.rsplit('.').next().unwrap_or(key);
+            match FILES.contains(&name) {
+                true => files(value, base, found),
+                false => contents(value, base, found),
             }
-            Ok(())
         }),
         _ => Ok(()),
     }
+}
+
+/// Hashes of the files that the value of a key names; of a table, of those that it names in turn.
+fn files(value: &Value, base: &Path, found: &mut Vec<u64>) -> Result<()> {
+    match value {
+        Value::String(file) => found.push(content(&base.join(file))?),
+        Value::Array(list) => list.iter().try_for_each(|v| files(v, base, found))?,
+        table => contents(table, base, found)?,
+    }
+    Ok(())
 }
 
 /// Hash of a file's content.

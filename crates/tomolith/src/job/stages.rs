@@ -14,6 +14,7 @@ use super::model_probe::try_orders;
 use super::optimize::{Optimized, optimize};
 use super::outcome::{GrayQuality, Plan, Quality, SpeciesSummary, Summary};
 use super::progress::{Event, Progress, watched};
+use super::ranks::must_fit;
 use super::read::Job;
 use super::replace::must_be_same;
 use super::resume::keep;
@@ -97,7 +98,12 @@ pub(super) fn run_shared(
     };
     let folder = scene.agreed(folder)?;
     let sampled = sample(job, &mut scene, &mut clock);
-    let sampled = scene.agreed(sampled)?;
+    // The scene's trial may have taken another model
+    let still_fits = |sampled| match must_fit(&scene, ranks.as_ref()) {
+        Ok(()) => Ok(sampled),
+        Err(error) => Err(job.locate(error)),
+    };
+    let sampled = scene.agreed(sampled.and_then(still_fits))?;
     let kept = &mut KeptModel::default();
     let optimized = optimized(job, &scene, &sampled.0, resume, kept, &mut clock)?;
     let of = (scene, sampled);

@@ -10,6 +10,7 @@ use crate::units::exact;
 use tomolith_material::Material;
 use tomolith_material::domain::Domain;
 use tomolith_material::photopolymer::{Inhibitor, Network, Photopolymer};
+use tomolith_material::print::rounded_down;
 use tomolith_material::schedule::Schedule;
 
 /// Checks material and schedule before any work.
@@ -349,7 +350,8 @@ pub(super) fn must_be_stable(spec: &JobSpec, grid: &VolumeGrid) -> Result<()> {
     Err(Error::config(
         "schedule.step_s",
         format!(
-            "found {step_s} s, but diffusion through the faces of voxels is stable up to {limit:.4} s only"
+            "found {step_s} s, but diffusion through the faces of voxels is stable up to {} s only",
+            rounded_down(limit)
         ),
         "a shorter step, larger voxels (grid.pitch_mm), or material.photopolymer.diffusion = \"spectral\"",
     ))

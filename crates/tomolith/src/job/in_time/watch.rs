@@ -12,6 +12,8 @@ use tomolith_material::curves::Curves;
 use tomolith_material::photopolymer::Photopolymer;
 use tomolith_material::print::Moment;
 
+/// Slices of a movie: at least so many, and less than twice as many, of a print with so many moments.
+const SLICES: usize = 240;
 /// Level of resin that is about to become solid; that of solid resin is 255.
 const LIQUID: f32 = 190.0;
 
@@ -20,7 +22,11 @@ pub(super) struct Watched {
     pub(super) curves: Curves,
     pub(super) best: f64,
     pub(super) readout: HostField,
+    /// The middle slice at moments that are equally many apart.
     pub(super) slices: Vec<Vec<u16>>,
+    /// How many moments apart they are, and how many there were.
+    stride: usize,
+    moments: usize,
     pub(super) middle: usize,
 }
 
@@ -39,13 +45,23 @@ impl Watched {
             best: 0.0,
             readout: material.domain().zeros(),
             slices: Vec::new(),
+            stride: 1,
+            moments: 0,
             middle: middle_of(&voxels.labels),
         })
     }
 
     pub(super) fn look(&mut self, moment: &Moment) {
         self.curves.watch(moment);
-        self.slices.push(self.slice(moment));
+        if self.moments.is_multiple_of(self.stride) {
+            self.slices.push(self.slice(moment));
+        }
+        self.moments += 1;
+        if self.slices.len() == 2 * SLICES {
+            let mut is_kept = [false, true].into_iter().cycle();
+            self.slices.retain(|_| is_kept.next() == Some(false));
+            self.stride *= 2;
+        }
         let jaccard = self.curves.points().last().map_or(0.0, |p| p.jaccard);
         if jaccard > self.best {
             self.best = jaccard;

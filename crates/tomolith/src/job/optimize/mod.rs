@@ -14,7 +14,7 @@ use crate::grid::{PatternGrid, Patterns};
 use crate::models::Run;
 use crate::objective::FoundWindow;
 use crate::optimize::start::given::Given;
-use crate::optimize::{Checkpoints, Outcome, StopReason};
+use crate::optimize::{Checkpoints, Outcome, Row, StopReason};
 use stage::SoFar;
 pub(super) use stage::Stage;
 use std::path::Path;
@@ -111,6 +111,8 @@ pub(crate) fn optimize(
             (start, pixels) = (Some(first.patterns), Some(own));
         }
         if resumed.is_some_and(|at| i < at) {
+            // Its rows stand in the checkpoint, or, with patterns alone, nowhere: the next level still begins where this one ended
+            sofar.rows = vec![Row::at(level.until)];
             continue;
         }
         let mut x = match (carried.take(), start) {
@@ -143,16 +145,19 @@ pub(crate) fn optimize(
             }
             Ok(outcome) if is_last => {
                 let begin = Instant::now();
-                let levels = match stage.improve(scene, &x, &bounds, progress, cancel) {
-                    Ok(levels) => levels,
+                let improved = stage.improve(scene, &x, &bounds, progress, cancel);
+                let improved = improved.and_then(|levels| {
+                    let levelled = stage.levelled(scene, &raw, progress, cancel)?;
+                    let seconds = begin.elapsed().as_secs_f64();
+                    Ok((levels, levelled, seconds, stage.window(scene, &x, cancel)?))
+                });
+                let (levels, levelled, levels_s, window) = match improved {
+                    Ok(improved) => improved,
                     Err(error) => {
                         keep(scene, &raw, place, progress, cancel)?;
                         return Err(at_section("optimizer", error));
                     }
                 };
-                let raw = stage.levelled(scene, raw, progress, cancel)?;
-                let levels_s = begin.elapsed().as_secs_f64();
-                let window = stage.window(scene, &x, cancel)?;
                 let mut warnings = sofar.warnings;
                 let of_end = of_end(scene, &outcome, window.as_ref());
                 for text in of_end {
@@ -161,7 +166,7 @@ pub(crate) fn optimize(
                 }
                 kept.put(key, &stage);
                 return Ok(Optimized {
-                    raw,
+                    raw: levelled.unwrap_or(raw),
                     levels,
                     levels_s,
                     outcome,

@@ -205,26 +205,26 @@ impl<'a> Stage<'a> {
         levels::patterns(self.model.patterns(), x)
     }
 
-    /// The patterns with rows rescaled so that all heights are done at once, where the job asks for it.
+    /// The patterns with rows rescaled so that all heights are done at once; None where the job does not ask for it.
     pub(super) fn levelled(
         &self,
         scene: &Scene,
-        raw: Vec<Patterns>,
+        raw: &[Patterns],
         progress: &mut dyn Progress,
         cancel: &Run,
-    ) -> Result<Vec<Patterns>> {
+    ) -> Result<Option<Vec<Patterns>>> {
         let asked = scene
             .spec
             .schedule
             .as_ref()
             .is_some_and(|s| s.level_heights);
         if !asked {
-            return Ok(raw);
+            return Ok(None);
         }
         let own = scene.species().map(|species| species.voxels(&scene.grid));
         let own = own.collect::<Result<Vec<_>>>()?;
         let voxels: Vec<&Voxels> = own.iter().collect();
-        heights::level(scene, &voxels, raw, progress, cancel)
+        heights::level(scene, &voxels, raw.to_vec(), progress, cancel).map(Some)
     }
 
     /// The patterns on few levels of the machine, where the job has few.

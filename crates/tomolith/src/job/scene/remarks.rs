@@ -46,7 +46,7 @@ pub(super) fn at_grid(spec: &JobSpec, error: Error) -> Error {
     }
 }
 
-/// Finds the key of the first setting that this target does not support.
+/// What cannot be used together, as an error of the section that asks for it.
 pub(crate) fn at_section(path: &str, error: Error) -> Error {
     match error {
         Error::Unsupported { what, reason } => {
