@@ -109,14 +109,18 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
     let report = json_of(&given.run, "report.json")?;
     // Several species have one exposure, where a dose makes all of them solid
     let together = &report["one_exposure"];
+    let reported_percent = report["exposure"]["reported_percent"].as_f64();
+    // A gray target has no threshold of its own: that of its report belongs to the exposure that is reported
+    let of_gray = report["evaluation"]["gel_threshold"].as_f64();
+    let of_gray = of_gray.map(|dose| dose * reported_percent.unwrap_or(100.0) / 100.0);
     let gel_doses = [
-        &together["gel_dose"],
-        &report["exposure"]["dose"]["best"],
-        &report["evaluation"]["gel_threshold"],
+        together["gel_dose"].as_f64(),
+        report["exposure"]["dose"]["best"].as_f64(),
+        of_gray,
     ];
     let gel_dose = gel_doses
         .into_iter()
-        .find_map(Value::as_f64)
+        .find_map(|dose| dose)
         .filter(|dose| *dose > 0.0)
         .ok_or_else(|| {
             let found = "its report names no dose at which the part gels: nothing prints, or the target is gray";
@@ -150,17 +154,35 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
         &machine,
         &shown,
         &plan,
-        (&windows(&report, gel_dose), in_time),
+        Beside {
+            windows: windows(&report, gel_dose),
+            is_in_time: in_time,
+            reported_percent: reported_percent.filter(|_| !together.is_object()),
+            arc_deg: arc.to_degrees() * shown.sums.len() as f64,
+        },
     );
     Ok(())
 }
 
+/// What a plan says beside its numbers.
+struct Beside {
+    /// Process windows over the dose that gels, by the names of species.
+    windows: Vec<(String, f64)>,
+    /// Whether the job has a schedule or a material in time.
+    is_in_time: bool,
+    /// The exposure of the report's numbers, % of the best one.
+    reported_percent: Option<f64>,
+    /// What one pass of the frames covers.
+    arc_deg: f64,
+}
+
 /// Process windows as shares of the dose that gels, of each species where there are several; none of a response that is no dose, whose window gives
-/// no time.
+/// no time, and of a gray target, which has none.
 fn windows(report: &Value, gel_dose: f64) -> Vec<(String, f64)> {
     let of = |name: &Value, one: &Value| {
         let exposure = &one["exposure"];
-        let is_dose = exposure["threshold"]["best"] == exposure["dose"]["best"];
+        let dose = &exposure["dose"]["best"];
+        let is_dose = dose.is_number() && exposure["threshold"]["best"] == *dose;
         let pw = one["evaluation"]["pw"].as_f64().filter(|_| is_dose)?;
         Some((name.as_str().unwrap_or_default().to_owned(), pw / gel_dose))
     };
@@ -272,10 +294,11 @@ fn show(
     machine: &Machine,
     shown: &ShownFrames,
     plan: &ExposurePlan,
-    (windows, in_time): (&[(String, f64)], bool),
+    beside: Beside,
 ) {
     let mut answer = Answer::default();
-    if in_time {
+    let windows = &beside.windows;
+    if beside.is_in_time {
         answer.warn(
             "the job has a schedule and a material in time, and this plan counts dose alone: what an inhibitor takes and where dose diffuses is left out. \
              Take times and energies from the job's print in time (tomolith run or print)",
@@ -296,14 +319,28 @@ fn show(
         "time to print",
         format!("{} s", significant(plan.time_s, 4)),
     );
-    answer.line(
-        "turns",
-        format!(
-            "{} at {} a minute",
+    let rpm = significant(plan.rpm, 4);
+    let is_whole = beside.arc_deg > 360.0 - 1e-6;
+    let turns = match is_whole {
+        true => format!("{} at {rpm} a minute", concise(plan.turns)),
+        false => format!(
+            "{} passes of {}°, one after the other, at the speed of {rpm} turns a minute",
             concise(plan.turns),
-            significant(plan.rpm, 4)
+            significant(beside.arc_deg, 4)
         ),
-    );
+    };
+    answer.line("turns", turns);
+    if !is_whole {
+        answer.warn("the frames cover a part of a turn: each pass must begin at the same side of the vial. On a stage that turns on, the next pass comes from other sides;              give light.angles a whole turn for it, or bring the vial back in the dark, which takes longer than is counted here");
+    }
+    if let Some(percent) = (beside.reported_percent).filter(|percent| (percent - 100.0).abs() > 0.5)
+    {
+        let percent = significant(percent, 4);
+        answer.line(
+            "report",
+            format!("its numbers are of {percent} % of this exposure, which is the best one"),
+        );
+    }
     answer.line(
         "light on for",
         format!("{} of each frame", percent(plan.duty)),

@@ -120,7 +120,16 @@ fn main() -> ExitCode {
 
 /// What was typed, or the end of the command: help and version are printed here, and slips of the keyboard.
 fn arguments() -> Result<Arguments, ExitCode> {
+    let is_json = std::env::args_os().any(|word| word == "--json");
     Arguments::try_parse().map_err(|said| match said.print() {
+        _ if said.use_stderr() && is_json => {
+            let text = said.to_string();
+            let message = text.lines().next().unwrap_or_default();
+            let message = message.strip_prefix("error: ").unwrap_or(message);
+            let line = serde_json::json!({ "event": "error", "message": message });
+            screen::say(&line.to_string());
+            ExitCode::from(REFUSED)
+        }
         Err(error) if error.kind() != ErrorKind::BrokenPipe => refused_output(&error),
         _ if said.use_stderr() => ExitCode::from(REFUSED),
         _ => ExitCode::SUCCESS,
@@ -235,7 +244,9 @@ fn check(given: &arguments::CheckArguments) -> Result<bool> {
     };
     let plan = job::check(&job, &mut screen, &cancel)?;
     if given.manner.json {
-        say(&serde_json::to_string(&plan).unwrap_or_default());
+        let mut line = serde_json::to_value(&plan).unwrap_or_default();
+        line["event"] = "done".into();
+        say(&line.to_string());
     } else if !given.manner.quiet {
         say(plan.to_string().trim_end());
     }

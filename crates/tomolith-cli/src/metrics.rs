@@ -107,7 +107,7 @@ pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
         trim_percent: given.trim_percent,
         ..Options::default()
     };
-    let (numbers, slices) = of_print(&print, &target, &options)?;
+    let (numbers, slices) = of_print(&print, &target, &options).map_err(as_dashed)?;
     let systems = units.and_then(|units| units.systems(&numbers));
     if given.manner.json {
         let line = json!({
@@ -201,6 +201,14 @@ fn read_finite(source: &str) -> Result<([usize; 3], Vec<f32>)> {
 fn as_option(mut error: Error) -> Error {
     if let Error::Config { key, .. } = &mut error {
         "--threshold".clone_into(key);
+    }
+    error
+}
+
+/// An error of a parameter as one of the option that gives it: `trim_percent` → `--trim-percent`.
+fn as_dashed(mut error: Error) -> Error {
+    if let Error::Config { key, .. } = &mut error {
+        *key = format!("--{}", key.replace('_', "-"));
     }
     error
 }

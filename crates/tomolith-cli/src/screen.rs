@@ -35,7 +35,7 @@ pub(crate) fn mutter(line: &str) {
 
 enum Style {
     Quiet,
-    Json,
+    Json { is_quiet: bool },
     Plain { last: Option<Instant> },
     Bar { bar: Option<ProgressBar> },
 }
@@ -49,7 +49,9 @@ pub(crate) struct Screen {
 impl Screen {
     pub(crate) fn new(manner: Manner) -> Self {
         let style = match manner {
-            Manner { json: true, .. } => Style::Json,
+            Manner { json: true, .. } => Style::Json {
+                is_quiet: manner.quiet,
+            },
             Manner { quiet: true, .. } => Style::Quiet,
             _ if std::io::stderr().is_terminal() => Style::Bar { bar: None },
             _ => Style::Plain { last: None },
@@ -72,7 +74,7 @@ impl Screen {
     pub(crate) fn finish(&mut self, summary: &Summary) {
         self.clear();
         match self.style {
-            Style::Json => {
+            Style::Json { .. } => {
                 let mut line = serde_json::to_value(summary).unwrap_or_default();
                 line["event"] = "done".into();
                 say(&line.to_string());
@@ -107,8 +109,8 @@ impl Progress for Screen {
             *last = None;
         }
         match (&mut self.style, event) {
-            (Style::Quiet, _) => {}
-            (Style::Json, event) => say(&serde_json::to_string(event).unwrap_or_default()),
+            (Style::Quiet | Style::Json { is_quiet: true }, _) => {}
+            (Style::Json { .. }, event) => say(&serde_json::to_string(event).unwrap_or_default()),
             (_, Event::Stage { name }) => mutter(&format!(
                 "{:>12} {:.1} s  {name}",
                 "",

@@ -121,11 +121,11 @@ impl Board {
 
 impl Watch for Board {
     fn event(&mut self, event: &SweepEvent) {
-        if self.manner.json {
-            say(&serde_json::to_string(event).unwrap_or_default());
+        if self.manner.quiet {
             return;
         }
-        if self.manner.quiet {
+        if self.manner.json {
+            say(&serde_json::to_string(event).unwrap_or_default());
             return;
         }
         match event {

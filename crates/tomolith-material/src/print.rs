@@ -209,12 +209,12 @@ pub(crate) fn default_step_s(material: &dyn Material, schedule: &Schedule) -> f6
     plain.min(material.longest_step_s())
 }
 
-/// A limit with four digits, none of them rounded up: what is said is accepted.
+/// A limit with five digits, none of them rounded up: what is said is accepted.
 #[must_use]
 pub fn rounded_down(limit: f64) -> f64 {
-    let unit = 10f64.powi(limit.log10().floor() as i32 - 3);
-    // 16.67 milliseconds and not 16.670000000000002
-    let text = format!("{:.3e}", (limit / unit).floor() * unit);
+    let unit = 10f64.powi(limit.log10().floor() as i32 - 4);
+    // 0.016667 and not 0.016667000000000001
+    let text = format!("{:.4e}", (limit / unit).floor() * unit);
     text.parse().unwrap_or(limit)
 }
 

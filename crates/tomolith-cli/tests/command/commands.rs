@@ -179,12 +179,12 @@ fn anybodys_arrays_are_measured() {
     assert!(
         bench
             .expect(2, "metrics dose.npy target.npy --trim-percent -1")
-            .contains("trim_percent: found -1")
+            .contains("--trim-percent: found -1")
     );
     assert!(
         bench
             .expect(2, "metrics dose.npy target.npy --threshold NaN")
-            .contains("× --threshold: found NaN")
+            .contains("error: --threshold: found NaN")
     );
 }
 

@@ -219,7 +219,7 @@ fn slips_are_refused_with_file_and_line_before_any_work() {
             "metric = \"optimization.pww\"",
             [
                 "optimization.pww",
-                "runs.map",
+                "rows[1].metric",
                 "did you mean `optimization.pw`",
             ],
         ),

@@ -223,7 +223,7 @@ fn a_step_above_the_limit_is_refused_and_the_limit_named() {
         panic!("it was accepted")
     };
     assert!(
-        key == "step_s" && accepted.contains("4.1667 s"),
+        key == "step_s" && accepted.contains("4.1666 s"),
         "{accepted}"
     );
 }

@@ -29,13 +29,6 @@ impl ToneCurve {
             return refuse(format!("point {} is {:?}", i + 1, points[i]));
         }
         let (first, last) = (points[0], points[points.len() - 1]);
-        if first[0] != 0.0 || last[0] != 1.0 {
-            return refuse(format!(
-                "values from {} to {}",
-                exact(first[0]),
-                exact(last[0])
-            ));
-        }
         let refuse_but = |found: String| refuse(format!("{found}; {}", usable(points)));
         if first[1] < 0.0 {
             return refuse_but(format!("an intensity of {}", first[1]));
@@ -52,6 +45,13 @@ impl ToneCurve {
                     ));
                 }
             }
+        }
+        if first[0] != 0.0 || last[0] != 1.0 {
+            return refuse(format!(
+                "values from {} to {}",
+                exact(first[0]),
+                exact(last[0])
+            ));
         }
         let white = last[1];
         Ok(ToneCurve {

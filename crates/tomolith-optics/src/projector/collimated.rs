@@ -38,7 +38,7 @@ impl Projector for Collimated {
     }
 }
 
-/// Keys of `[projector.collimated]`.
+/// Keys of `[light.projector.collimated]`.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Params {
@@ -50,7 +50,7 @@ pub struct Params {
 pub const KIND: Kind<BuildProjector> = Kind {
     name: "collimated",
     summary: "Parallel rays.",
-    example: "[projector.collimated]\npixel_pitch_mm = 0.02\n",
+    example: "[light.projector.collimated]\npixel_pitch_mm = 0.02\n",
     schema: || schemars::schema_for!(Params),
     build: |section| {
         let params: Params = section.parse()?;

@@ -45,7 +45,7 @@ impl Projector for Diverging {
     }
 }
 
-/// Keys of `[projector.diverging]`.
+/// Keys of `[light.projector.diverging]`.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Params {
@@ -59,7 +59,7 @@ pub struct Params {
 pub const KIND: Kind<BuildProjector> = Kind {
     name: "diverging",
     summary: "A cone of light from a point.",
-    example: "[projector.diverging]\npixel_pitch_mm = 0.02\ndistance_mm = 150.0\n",
+    example: "[light.projector.diverging]\npixel_pitch_mm = 0.02\ndistance_mm = 150.0\n",
     schema: || schemars::schema_for!(Params),
     build: |section| {
         let params: Params = section.parse()?;

@@ -49,7 +49,7 @@ impl Projector for Lens {
     }
 }
 
-/// Keys of `[projector.lens]`.
+/// Keys of `[light.projector.lens]`.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Params {
@@ -68,7 +68,7 @@ pub struct Params {
 pub const KIND: Kind<BuildProjector> = Kind {
     name: "lens",
     summary: "A lens of finite aperture that images the pixels at a distance.",
-    example: "[projector.lens]\npixel_pitch_mm = 0.02\naperture_radius_mm = 4.0\ndistance_mm = 150.0\nfocus_distance_mm = 152.0\n",
+    example: "[light.projector.lens]\npixel_pitch_mm = 0.02\naperture_radius_mm = 4.0\ndistance_mm = 150.0\nfocus_distance_mm = 152.0\n",
     schema: || schemars::schema_for!(Params),
     build: |section| {
         let params: Params = section.parse()?;

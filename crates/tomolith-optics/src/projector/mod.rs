@@ -106,7 +106,7 @@ mod tests {
     fn every_example_builds_and_images_its_points() {
         for kind in PROJECTORS {
             let document: serde_json::Value = toml::from_str(kind.example).unwrap();
-            let section = Section::new("projector", document["projector"].clone());
+            let section = Section::new("projector", document["light"]["projector"].clone());
             let (row, inner) = section.kind(PROJECTORS).unwrap();
             let projector = (row.build)(&inner).unwrap();
             let aim = [0.7, -0.4];

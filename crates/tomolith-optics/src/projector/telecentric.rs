@@ -58,7 +58,7 @@ impl Projector for Telecentric {
     }
 }
 
-/// Keys of `[projector.telecentric]`.
+/// Keys of `[light.projector.telecentric]`.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Params {
@@ -77,7 +77,7 @@ pub struct Params {
 pub const KIND: Kind<BuildProjector> = Kind {
     name: "telecentric",
     summary: "Cones of light with parallel axes: a pitch that does not depend on the distance, and a depth of focus.",
-    example: "[projector.telecentric]\npixel_pitch_mm = 0.02\naperture_radius_mm = 1.0\nworking_distance_mm = 100.0\n",
+    example: "[light.projector.telecentric]\npixel_pitch_mm = 0.02\naperture_radius_mm = 1.0\nworking_distance_mm = 100.0\n",
     schema: || schemars::schema_for!(Params),
     build: |section| {
         let params: Params = section.parse()?;

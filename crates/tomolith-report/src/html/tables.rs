@@ -35,7 +35,11 @@ pub(super) fn machine(light: &LightReport<'_>) -> String {
     let rows: String = [
         ("Device", canvas),
         (
-            "Time to print",
+            match light.irradiance {
+                // A schedule is what it is, whenever the print is done
+                Some(_) => "Length of the schedule",
+                None => "Time to print",
+            },
             budget.time_s.map_or_else(|| "–".to_owned(), clock),
         ),
         ("Turns of the vial", number(budget.turns, "")),
@@ -59,6 +63,8 @@ pub(super) fn machine(light: &LightReport<'_>) -> String {
     .collect();
     let missing = if light.irradiance.is_some() {
         "<p class=\"note\">The job's schedule says how long and how bright the light is.</p>"
+    } else if light.patterns.grid.frame_arc == 0.0 {
+        "<p class=\"note\">Frames of a list of angles (light.angles.list_deg) have no times.</p>"
     } else if budget.time_s.is_none() {
         "<p class=\"note\">Times need resin.critical_dose_mj_per_mm3 and printer.peak_irradiance_mw_per_cm2.</p>"
     } else {

@@ -285,7 +285,14 @@ impl Document {
     fn beside(&self, key: &str, path: &str) -> String {
         let is_table = self.places.keys().any(|k| k != path && is_within(k, path));
         let options = self.overrides.iter();
-        let options = options.filter(|(k, _)| is_table && (key == path || is_within(k, path)));
+        // Where results go and what they may take is no reason
+        let is_aside = |k: &str| {
+            ["output", "resources", "checkpoint"]
+                .iter()
+                .any(|t| is_within(k, t))
+        };
+        let options = options.filter(|(k, _)| is_table && !is_aside(k));
+        let options = options.filter(|(k, _)| key == path || is_within(k, path));
         let options: Vec<&str> = options.map(|(_, option)| option.as_str()).collect();
         if options.is_empty() {
             return String::new();

@@ -138,6 +138,9 @@ pub fn export(
     let (shown, raw) = device::wanted_of(&run.join("patterns.npz"), &optics, &names, cancel)?;
     let (wanted, bits) = (raw.unwrap_or(shown), spec.evaluate.bit_depth);
     cancel.check()?;
+    if let Some(text) = rounded_anew(run, bits) {
+        progress.event(&Event::Warning { text });
+    }
     let frames: Vec<Quantized> = match &printers {
         Some(printers) => device::exposed(printers, &wanted, bits)?,
         None => wanted
@@ -184,6 +187,18 @@ pub fn export(
     Ok(Exported {
         lights: lights.collect(),
         folder: folder.to_owned(),
+    })
+}
+
+/// What to say of frames with fewer levels than the run was judged with.
+fn rounded_anew(run: &Path, bits: u32) -> Option<String> {
+    let judged = super::Document::read(&run.join("job.toml")).ok()?;
+    let judged = judged.root.pointer("/evaluate/bit_depth")?.as_u64()?;
+    (u64::from(bits) < judged).then(|| {
+        format!(
+            "the patterns are rounded anew, to {bits} bits, where the run was judged with {judged}: these frames print something else than its report says, in another time. \
+             `tomolith simulate JOB --patterns FRAMES --set evaluate.bit_depth={bits}` tells what; `tomolith run` with that key improves patterns on few levels"
+        )
     })
 }
 

@@ -495,9 +495,14 @@ fn evaluate_and_output(spec: &JobSpec) -> Result<()> {
     })?;
     positive("output.rpm", spec.output.rpm, "turns per minute")?;
     if spec.output.rpm > MOST_RPM {
+        let schedule = spec.schedule.as_ref();
+        let key = match schedule.and_then(|own| own.seconds_per_turn) {
+            Some(_) => "schedule.seconds_per_turn",
+            None => "output.rpm",
+        };
         return Err(Error::config(
-            "output.rpm",
-            format!("found {}", exact(spec.output.rpm)),
+            key,
+            format!("found {} turns per minute", exact(spec.output.rpm)),
             format!("at most {MOST_RPM} turns per minute"),
         ));
     }

@@ -307,7 +307,7 @@ pub(super) const WRONG: &[Wrong] = &[
         &[
             "schedule.step_s",
             "found 30 s",
-            "stable up to 16.6667 s only",
+            "stable up to 16.666 s only",
             "\"spectral\"",
         ],
     ),

@@ -142,7 +142,7 @@ fn what_an_option_set_is_not_blamed_on_the_file() {
         let output = bench.tomolith(JOB, &["--set", option]);
         let message = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{option}: {message}");
-        let parts = [format!("× {key}: "), format!("(from --set {option})")];
+        let parts = [format!("error: {key}: "), format!("(from --set {option})")];
         for part in parts {
             assert!(flat(&message).contains(&part), "{part}: {message}");
         }
@@ -176,7 +176,7 @@ fn resuming_says_what_to_do_and_what_has_changed() {
         let output = bench.tomolith(JOB, &[&["--resume"], more].concat());
         let message = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{message}");
-        for part in ["× --resume: leave it out to begin anew"]
+        for part in ["error: --resume: leave it out to begin anew"]
             .iter()
             .chain(parts)
         {
@@ -354,7 +354,7 @@ fn dead_pixels_that_leave_the_part_in_the_dark_are_blamed() {
     fs::write(bench.path("dead.npy"), bytes).unwrap();
     let job = JOB.replace("[stop]", "[printer]\ndead_pixels = \"dead.npy\"\n[stop]");
     let parts = [
-        "× printer.dead_pixels: the field reaches 0 mm sideways",
+        "error: printer.dead_pixels: the field reaches 0 mm sideways",
         "another map",
     ];
     refused(&bench, &job, &parts);

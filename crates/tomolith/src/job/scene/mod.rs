@@ -31,7 +31,7 @@ use crate::target::{self, Shape, label};
 use grid::{bounds_of, grid_of, moved};
 use remarks::{
     ask_for_unit, asking, at_target, chosen, given_patterns, must_be_seen, narrow_arc,
-    on_its_own_grid,
+    on_its_own_grid, part_of_a_turn, two_critical_doses,
 };
 pub(super) use remarks::{at_section, few_angles};
 use std::path::PathBuf;
@@ -180,6 +180,8 @@ impl Scene {
                 few_angles(&spec).into_iter().collect(),
                 on_its_own_grid(&spec).into_iter().collect(),
                 narrow_arc(&spec).into_iter().collect(),
+                part_of_a_turn(&spec).into_iter().collect(),
+                two_critical_doses(&spec).into_iter().collect(),
                 optics.dark_inside(),
                 optics.leaning(shape.as_ref()),
                 optics.moved_away(shape.as_ref()),

@@ -6,13 +6,14 @@ use crate::io::npy::read_patterns;
 use crate::job::build::Optics;
 use crate::job::resolve::JobKinds;
 use crate::job::resources::compared;
-use crate::job::spec::JobSpec;
+use crate::job::spec::{Angles, JobSpec, LightSpec};
 use crate::optics::light::Light;
 use crate::optimize::Keep;
 use crate::report::number::significant;
 use crate::target::Shape;
 use crate::units::concise;
 use std::collections::BTreeSet;
+use tomolith_material::photopolymer::Curing;
 
 /// The key that says how many voxels there are.
 pub(super) fn grid_key(spec: &JobSpec) -> String {
@@ -181,6 +182,44 @@ pub(super) fn narrow_arc(spec: &JobSpec) -> Option<String> {
             significant(arc as f64 / 1e3, 3)
         )
     })
+}
+
+/// Frames for a machine that cover a part of a turn, which its time to print and its movie count as one pass.
+pub(super) fn part_of_a_turn(spec: &JobSpec) -> Option<String> {
+    let is_shown = |i: usize| spec.printer_of(i).is_some();
+    let arc = |(i, light): (usize, &LightSpec)| match light.angles {
+        Angles::Even { arc_deg, .. } if arc_deg < 360.0 && is_shown(i) => Some(arc_deg),
+        _ => None,
+    };
+    let arc = spec.light.iter().enumerate().find_map(arc)?;
+    let arc = significant(arc, 4);
+    Some(format!(
+        "light.angles: the frames cover {arc}° of a turn. Times and turns count passes of {arc}°, one after the other, and so does the movie; \
+         where the vial turns on, the next pass comes from other sides. Give it a whole turn, or bring the vial back in the dark"
+    ))
+}
+
+/// Two doses at which resin gels: that of plans by dose alone, and that of the print in time.
+pub(super) fn two_critical_doses(spec: &JobSpec) -> Option<String> {
+    let own = spec.resin.critical_dose_mj_per_mm3?;
+    let photopolymer = spec.material.as_ref()?.photopolymer.as_ref()?;
+    let of_networks = photopolymer
+        .networks
+        .iter()
+        .filter_map(|network| match network.curing {
+            Curing::Threshold {
+                critical_dose_mj_per_mm3,
+            } => Some(critical_dose_mj_per_mm3),
+            Curing::RateLaw { .. } => None,
+        });
+    let doses: Vec<f64> = of_networks.collect();
+    let other = *doses.first().filter(|_| !doses.contains(&own))?;
+    Some(format!(
+        "resin.critical_dose_mj_per_mm3 = {} counts where dose alone is looked at (time to print, `tomolith expose`), and the print in time gels at {} mJ/mm³: \
+         give both the same, or leave the first out",
+        concise(own),
+        concise(other)
+    ))
 }
 
 /// What a job chooses of its method that no line of the screen shows.
