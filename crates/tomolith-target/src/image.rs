@@ -179,6 +179,11 @@ impl Shape for GrayImage {
         [self.low, std::array::from_fn(|i| self.low[i] + extent[i])]
     }
 
+    fn upright_mm(&self) -> Option<[f64; 2]> {
+        let [low, high] = self.bounds_mm().map(|corner| corner[2]);
+        (self.slices.len() == 1).then_some([low, high])
+    }
+
     fn sample_under(&self, grid: &VolumeGrid, run: &Run) -> Result<Volume<f32>> {
         let mut values = zeros(grid)?;
         let [_, ny, nx] = grid.shape;

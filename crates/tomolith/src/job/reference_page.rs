@@ -107,7 +107,36 @@ fn collect(table: &Value, root: &Value, before: &str, rows: &mut Vec<Parameter>)
                 let before = format!("{}{}.", one.name, if list { "[]" } else { "" });
                 collect(inner, root, &before, rows);
             }
-            None => rows.push(one),
+            None => {
+                let name = one.name.clone();
+                rows.push(one);
+                choices(property, root, &name, rows);
+            }
+        }
+    }
+}
+
+/// The keys of which a table holds one, and what is in them.
+fn choices(property: &Value, root: &Value, name: &str, rows: &mut Vec<Parameter>) {
+    if let Some(target) = property["$ref"].as_str() {
+        let target = target.strip_prefix('#').and_then(|path| root.pointer(path));
+        return choices(target.unwrap_or(&Value::Null), root, name, rows);
+    }
+    let either = property["anyOf"].as_array().into_iter().flatten();
+    either.for_each(|one| choices(one, root, name, rows));
+    for one in property["oneOf"].as_array().into_iter().flatten() {
+        for mut key in parameters_of(one, root) {
+            let inner = &one["properties"][&key.name];
+            key.name = format!("{name}.{}", key.name);
+            key.required = false;
+            let meaning = one["description"].as_str().unwrap_or_default();
+            key.meaning = format!("One of these. {}", meaning.replace('\n', " "));
+            let before = format!("{}.", key.name);
+            let table = table_of(inner, root);
+            rows.push(key);
+            if let Some((table, _)) = table {
+                collect(table, root, &before, rows);
+            }
         }
     }
 }
@@ -157,6 +186,8 @@ mod tests {
         for key in keys {
             assert!(page.contains(&format!("| `{key}` |")), "{key} is missing");
         }
+        let curing = "material.photopolymer.networks[].curing.threshold.critical_dose_mj_per_mm3";
+        assert!(page.contains(&format!("| `{curing}` |")));
         for kind in families().iter().flat_map(|f| &f.kinds) {
             assert!(page.contains(&format!("**`{}`** ", kind.name)));
         }

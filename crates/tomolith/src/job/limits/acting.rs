@@ -86,10 +86,12 @@ impl Ends {
     pub(super) fn of(part_mm: [f64; 2], pixels: &PatternGrid, light: Option<&str>) -> Self {
         let top = pixels.field_mm()[1][1];
         let pitch = pixels.pitch_mm[1];
-        let nearest = |z: f64| top - ((top - z) / pitch).round() * pitch;
+        // In the middle of a row light goes on to its end: beyond the part
+        let outward = [1e-6, -1e-6];
+        let nearest = |i: usize| top - ((top - part_mm[i]) / pitch + outward[i]).round() * pitch;
         Ends {
             part_mm,
-            rows_mm: part_mm.map(nearest),
+            rows_mm: [nearest(0), nearest(1)],
             light: light.map(str::to_owned),
         }
     }
