@@ -177,12 +177,6 @@ impl<M: DoseModel<Field = HostField> + ?Sized> Diffused<M> {
         })
     }
 
-    /// The dose that does not diffuse.
-    #[must_use]
-    pub fn inner(&self) -> &M {
-        &self.model
-    }
-
     fn multiply(&self, arc: &Arc, dose: &mut HostField) {
         let outputs = self.model.outputs().iter().zip(&self.spectral);
         for ((output, spectral), modes) in outputs.zip(&arc.modes) {

@@ -310,17 +310,20 @@ impl Optics {
         let mm3 = |voxels: u64| concise(voxels as f64 * grid.voxel_mm3());
         if part == 0 {
             // Some of it is in the grid, or none
-            let key = match inside.values.iter().any(|&inside| inside > 0.0) {
-                true => "grid.pitch_mm",
-                false => "target",
-            };
+            let is_there = inside.values.iter().any(|&inside| inside > 0.0);
+            let key = if is_there { "grid.pitch_mm" } else { "target" };
             return Err(Error::config(
                 key,
                 format!(
-                    "no voxel of the grid is in the target: their edge is {} mm",
-                    concise(grid.pitch_mm)
+                    "no voxel of the grid is in the target: their edge is {} mm{}",
+                    concise(grid.pitch_mm),
+                    if is_there {
+                        ""
+                    } else {
+                        ", and nothing of it is solid there"
+                    }
                 ),
-                "a target that lies in the grid and is larger than a voxel",
+                "a target (of an image, bright pixels) that lies in the grid and is larger than a voxel",
             ));
         }
         let mut warnings = Vec::new();

@@ -221,7 +221,9 @@ impl Document {
         if !kinds.contains(&chosen) {
             return;
         }
-        let others = |key: &str| key != chosen && kinds.contains(&key);
+        // Bodies may be of the target's own mesh
+        let goes_with = |key: &str| (family, chosen, key) == ("target", "body", "mesh");
+        let others = |key: &str| key != chosen && kinds.contains(&key) && !goes_with(key);
         let Some(Value::Object(table)) = at(&mut self.root, family) else {
             return;
         };

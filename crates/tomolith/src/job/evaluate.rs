@@ -119,13 +119,13 @@ impl std::fmt::Display for KeepDark {
 
 impl Evaluated {
     /// Dose at which the print is solid: that of all species together where they have one, else of the headline; None when nothing is.
-    pub(crate) fn gel_dose(&self, scene: &Scene) -> Result<Option<f64>> {
+    pub(crate) fn gel_dose(&self, scene: &Scene) -> Option<f64> {
         if let Some(together) = &self.one_exposure {
-            return Ok(Some(together.gel_dose));
+            return Some(together.gel_dose);
         }
         let response = scene.response();
         let dose = |threshold: f64| f64::from(response.inverse(threshold as f32));
-        Ok(self.evaluation.gel_threshold.map(dose))
+        self.evaluation.gel_threshold.map(dose)
     }
 }
 
@@ -204,7 +204,7 @@ pub(crate) fn evaluate_patterns(
         let mut doses = Doses::new(other);
         doses.will_show(&[shown]);
         let (dose, ..) = doses.of(&turning, shown, &cancel.aside())?;
-        other.responses(dose)
+        Ok(other.responses(dose))
     })?;
     let in_time = in_time(scene, voxels, shown, progress, &printing)?;
     let noise = Noise::of(scene, voxels, shown, cancel)?;
@@ -309,7 +309,7 @@ impl<'a> EvaluationSteps<'a> {
         let (dose, of_others, _) =
             (self.doses).of(&self.own, raw, &cancel.part(share::OWN_DOSE))?;
         (self.others).optimized(&self.own_of_others, of_others, cancel)?;
-        let response = scene.responses(dose)?;
+        let response = scene.responses(dose);
         let run = cancel.part(share::OWN_NUMBERS);
         let evaluation = measure(scene, voxels, &response, raw, run)?;
         self.doses.give_back(response);
@@ -348,7 +348,7 @@ impl<'a> EvaluationSteps<'a> {
             (self.others).written(&self.own_of_others, doses_of_others.clone(), cancel)?;
         }
         self.others.standing(of_others, doses_of_others, cancel)?;
-        let response = scene.responses(dose)?;
+        let response = scene.responses(dose);
         let run = cancel.part(share::NUMBERS);
         let standing = measure(scene, fine, &response, self.shown, run)?;
         self.doses.give_back(response);
@@ -411,7 +411,7 @@ impl Numbers {
             (published, slices, dose, evaluation)
         } else {
             let (published, slices) = published::by_slices(&dose, inside, &fine.labels, &options)?;
-            let response = scene.responses(dose)?;
+            let response = scene.responses(dose);
             let evaluation = measure(scene, fine, &response, shown, run)?;
             (published, slices, response, evaluation)
         };
@@ -603,7 +603,7 @@ pub(super) fn headline_of(
     dose: Volume<f32>,
     run: Run,
 ) -> Result<Measure> {
-    let response = scene.responses(dose)?;
+    let response = scene.responses(dose);
     let print = print_under(scene, voxels, &response, run)?;
     Ok(headline(voxels.target.gray).metric.measure(&print))
 }
@@ -658,10 +658,7 @@ impl Scene {
     }
 
     /// What the material makes of a dose.
-    ///
-    /// # Errors
-    /// As [`response`](Scene::response).
-    pub(crate) fn responses(&self, mut dose: Volume<f32>) -> Result<Volume<f32>> {
+    pub(crate) fn responses(&self, mut dose: Volume<f32>) -> Volume<f32> {
         let response = self.response();
         if !response.is_identity() {
             dose.values.par_chunks_mut(BLOCK).for_each(|block| {
@@ -670,7 +667,7 @@ impl Scene {
                     .for_each(|value| *value = response.value(*value))
             });
         }
-        Ok(dose)
+        dose
     }
 }
 

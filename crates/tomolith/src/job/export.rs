@@ -3,7 +3,7 @@
 use super::build::Optics;
 use super::device::{self, Shown};
 use super::document::is_within;
-use super::folder::unusable;
+use super::folder::{RunFolder, unusable};
 use super::progress::{Event, Progress, watched};
 use super::read::Job;
 use super::resolve::response;
@@ -87,6 +87,13 @@ pub fn job_of_run(run: &Path, printer: Option<&Path>, overrides: &[String]) -> R
             "the folder of a run of Tomolith",
         ));
     }
+    if RunFolder::finished(run).is_none() {
+        return Err(Error::config(
+            "RUN",
+            format!("no run has ended in `{}`", run.display()),
+            "a finished run; `tomolith run JOB --resume` goes on with one that was stopped",
+        ));
+    }
     let mut document = super::Document::read(&file)?;
     if let Some(machine) = printer {
         let other = super::Document::read(machine)?;
@@ -135,6 +142,16 @@ pub fn export(
     let printers =
         device::printers(spec, &job.base(), &optics.lights).map_err(|e| job.locate(e))?;
     let names = device::names(spec);
+    if !run.join("patterns.npz").is_file() {
+        return Err(Error::config(
+            "RUN",
+            format!(
+                "`{}` has no patterns: it was run with --keep metrics",
+                run.display()
+            ),
+            "a run that kept them",
+        ));
+    }
     let (shown, raw) = device::wanted_of(&run.join("patterns.npz"), &optics, &names, cancel)?;
     let (wanted, bits) = (raw.unwrap_or(shown), spec.evaluate.bit_depth);
     cancel.check()?;

@@ -60,7 +60,7 @@ impl Noise {
         };
         let response = |family: &Family, purpose: Purpose| -> Result<Volume<f32>> {
             let dose = standing_by((Some(family), purpose), scene, patterns, cancel)?;
-            scene.responses(dose)
+            Ok(scene.responses(dose))
         };
         let measures = |response: &Volume<f32>| -> Result<[Measure; 2]> {
             let print = print(scene, voxels, response)?;

@@ -106,7 +106,7 @@ impl<'a> Others<'a> {
         let scenes = self.scene.others.iter().zip(fine).zip(doses);
         let judged = |(steps, ((scene, fine), dose)): (Steps, ((&Scene, Voxels), Volume<f32>))| {
             let mean = averaged(&dose, &scene.grid);
-            let response = scene.responses(dose)?;
+            let response = scene.responses(dose);
             let evaluation = measure(scene, &fine, &response, shown, run.aside())?;
             Ok(Species {
                 evaluation: evaluation.with_sub_angles(judged_angles(scene)),

@@ -68,7 +68,7 @@ pub(super) fn properties(scene: &Scene, judged: &Evaluated) -> Result<Vec<Proper
     let mut responses = Vec::new();
     for (scene, (dose, gel)) in scene.species().zip(doses.chain(others)) {
         let gel = gel.map_or(f32::INFINITY, |gel| gel as f32);
-        responses.push((scene.responses(dose.clone())?, gel));
+        responses.push((scene.responses(dose.clone()), gel));
     }
     let number = |name: &Option<String>| {
         let name = name.as_deref();

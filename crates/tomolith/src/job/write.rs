@@ -88,7 +88,7 @@ pub(crate) fn all(
         .enumerate()
         .map(|(i, levels)| levels.frames(scene.light_name(i)))
         .collect();
-    let gel_dose = judged.gel_dose(scene)?;
+    let gel_dose = judged.gel_dose(scene);
     let names: Vec<Option<&str>> = (0..frames.len()).map(|i| scene.light_name(i)).collect();
     let shown = device::Shown::new(
         &scene.spec,
@@ -203,7 +203,7 @@ impl Headline {
         let times = shown.lights().iter().map(|light| light.budget.time_s);
         let times = times.sum::<Option<f64>>();
         let own_s = times.filter(|_| scene.spec.schedule.is_none());
-        let gel_dose = judged.gel_dose(scene)?;
+        let gel_dose = judged.gel_dose(scene);
         let rate = gel_dose.zip(own_s);
         let others = judged.others.iter().map(|other| &other.evaluation);
         let all = scene
@@ -467,7 +467,7 @@ fn published(
 fn unit_systems(done: &Done<'_>, exposures: &[device::ShownLight]) -> Result<Vec<Converted>> {
     let resin = &done.scene.spec.resin;
     let critical = resin.critical_dose_mj_per_mm3.filter(|_| !resin.pure_radon);
-    let (Some(critical), Some(gel_dose)) = (critical, done.judged.gel_dose(&done.scene)?) else {
+    let (Some(critical), Some(gel_dose)) = (critical, done.judged.gel_dose(&done.scene)) else {
         return Ok(Vec::new());
     };
     let of_light = |(shown, exposure): (_, &device::ShownLight)| {
