@@ -442,6 +442,17 @@ fn a_run_is_planned_for_a_machine_and_a_resin() {
             "whole turns",
         ],
     );
+    // The irradiance that is advised is enough
+    let plan = &bench.json("expose a --irradiance 25 --critical-dose 0.8")["plan"];
+    let (time, pass) = (
+        plan["time_s"].as_f64().unwrap(),
+        60.0 / plan["rpm"].as_f64().unwrap(),
+    );
+    let within = format!("--critical-dose 0.8 --within-s {}", time - 0.5 * pass);
+    let said = bench.expect(2, &format!("expose a --irradiance 25 {within}"));
+    let advised = said.split("irradiance from ").nth(1).unwrap();
+    let advised = advised.split_whitespace().next().unwrap();
+    bench.expect(0, &format!("expose a --irradiance {advised} {within}"));
     bench.refuse(
         "expose b --rpm 1000",
         &["--rpm", "400 frames a second", "the device shows 60"],
@@ -470,6 +481,17 @@ fn designs_are_analyzed() {
     );
     let slow = bench.expect(0, &format!("{voxel} --dose-time-s 4 --turn-deg-per-s 2"));
     assert!(slow.contains("not every angle is shown"), "{slow}");
+    // 3° a frame at 8 mm are 419 µm, a pixel is 16
+    let fast = "analyze voxel --pixels 1000 --fps 60 --penetration-mm 10 --dose-time-s 100 --turn-deg-per-s 180";
+    let fast = bench.expect(0, fast);
+    assert!(
+        fast.contains("none: the angle step decides at every radius"),
+        "{fast}"
+    );
+    bench.refuse(
+        "analyze impulse --pixels 16 --width 0.5 --radius 0.99",
+        &["--radius", "no voxel of the disc holds a part of the post"],
+    );
     bench.refuse(&format!("{voxel} --dose-time-s 0"), &["--dose-time-s"]);
     bench.refuse(
         &format!("{voxel} --critical-dose 1~mJ/cm2 --irradiance 2"),

@@ -102,8 +102,15 @@ mod tests {
         let mut scene = Scene::new(&Job::read(&file, &[]).unwrap(), &Run::new()).unwrap();
         let mut said = Said(Vec::new());
         try_orders(&mut scene, &mut said, &Run::new()).unwrap();
-        let family = scene.optics.family(&scene.grid).unwrap();
-        (said.0, family.random_paths().is_some())
+        let by_paths = |scene: &Scene| {
+            let family = scene.optics.family(&scene.grid).unwrap();
+            family.random_paths().is_some()
+        };
+        // A scenario is compared with the job: by one model
+        let found = by_paths(&scene);
+        let of_scenarios = scene.scenarios.iter().map(|s| by_paths(&s.scene));
+        assert!(of_scenarios.into_iter().all(|own| own == found));
+        (said.0, found)
     }
 
     struct Said(Vec<String>);
@@ -126,6 +133,8 @@ mod tests {
             by_paths && said.len() == 1 && said[0].contains("800 × 800 cells of 0.01 mm"),
             "{said:?}"
         );
+        let scenario = "scenario = [{ set = { \"resin.absorption_per_mm\" = 0.11 } }]";
+        assert!(tried("20", scenario).1);
         // Whoever names a model is not second-guessed
         assert_eq!(
             tried("0.2", "model = { successive_orders = {} }"),

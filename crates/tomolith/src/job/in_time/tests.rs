@@ -61,6 +61,21 @@ fn a_job_with_a_schedule_prints_in_time() {
 }
 
 #[test]
+fn a_movie_has_a_few_hundred_slices_however_many_steps_a_print_takes() {
+    let keys = ["schedule.step_s=0.02", "stop.iterations=1"];
+    let (report, folder) = report(&keys);
+    let movie = report["movies"].as_array().unwrap();
+    assert!(!movie.is_empty());
+    // 2000 moments: every fourth one, 500, is too many, so every eighth
+    let rows = std::fs::read_to_string(folder.path().join("run/time.csv")).unwrap();
+    assert!(rows.lines().count() > 1000, "{}", rows.lines().count());
+    let movie = std::fs::read(folder.path().join("run/print.mp4")).unwrap();
+    let stsz = movie.windows(4).position(|w| w == b"stsz").unwrap();
+    let count = u32::from_be_bytes(movie[stsz + 12..stsz + 16].try_into().unwrap());
+    assert!((240..480).contains(&count), "{count} slices");
+}
+
+#[test]
 fn a_print_that_ends_too_soon_says_how_far_it_came() {
     let share = |turns: &str, who: &str| {
         let folder = tempfile::tempdir().unwrap();
