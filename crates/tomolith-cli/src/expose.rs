@@ -331,7 +331,8 @@ fn show(
     };
     answer.line("turns", turns);
     if !is_whole {
-        answer.warn("the frames cover a part of a turn: each pass must begin at the same side of the vial. On a stage that turns on, the next pass comes from other sides;              give light.angles a whole turn for it, or bring the vial back in the dark, which takes longer than is counted here");
+        answer.warn("the frames cover a part of a turn: each pass must begin at the same side of the vial. On a stage that turns on, the next pass comes from other sides; \
+             give light.angles a whole turn for it, or bring the vial back in the dark, which takes longer than is counted here");
     }
     if let Some(percent) = (beside.reported_percent).filter(|percent| (percent - 100.0).abs() > 0.5)
     {
@@ -348,8 +349,9 @@ fn show(
     answer.line(
         "frames",
         format!(
-            "{} a turn, {} a second, {} ms each",
+            "{} a {}, {} a second, {} ms each",
             shown.sums.len(),
+            if is_whole { "turn" } else { "pass" },
             significant(plan.frame_rate_hz, 4),
             significant(1e3 * plan.frame_s, 4)
         ),

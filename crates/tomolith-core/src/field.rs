@@ -355,8 +355,8 @@ impl HostField {
         &mut self.lanes
     }
 
-    /// Σ over blocks of `f(block of self, block of other)`, in a fixed order.
-    fn sum_blocks(&self, other: &Self, f: impl Fn(&[f32], &[f32]) -> f64 + Sync) -> f64 {
+    /// Σ over blocks of `f(block of self, block of other)`, in a fixed order. One function for all: what splits the work is compiled once.
+    fn sum_blocks(&self, other: &Self, f: &(dyn Fn(&[f32], &[f32]) -> f64 + Sync)) -> f64 {
         assert_eq!(self.len, other.len, "fields of different length");
         let partial: Vec<f64> = self
             .as_slice()
@@ -367,7 +367,7 @@ impl HostField {
         self.total(partial.iter().sum())
     }
 
-    fn update_blocks(&mut self, other: &Self, f: impl Fn(&mut [f32], &[f32]) + Sync) {
+    fn update_blocks(&mut self, other: &Self, f: &(dyn Fn(&mut [f32], &[f32]) + Sync)) {
         assert_eq!(self.len, other.len, "fields of different length");
         self.as_mut_slice()
             .par_chunks_mut(BLOCK)
@@ -377,15 +377,18 @@ impl HostField {
 
     /// selfᵢ ← f(selfᵢ, otherᵢ): for what works on the host alone.
     pub fn zip_blocks(&mut self, other: &Self, f: impl Fn(f32, f32) -> f32 + Sync) {
-        self.update_blocks(other, |a, b| {
+        self.update_blocks(other, &|a, b| {
             a.iter_mut().zip(b).for_each(|(a, &b)| *a = f(*a, b));
         });
     }
 
-    fn map_blocks(&mut self, f: impl Fn(f32) -> f32 + Sync) {
-        self.as_mut_slice()
-            .par_chunks_mut(BLOCK)
-            .for_each(|block| block.iter_mut().for_each(|v| *v = f(*v)));
+    /// selfᵢ ← f(selfᵢ)
+    fn map(&mut self, f: impl Fn(f32) -> f32 + Sync) {
+        self.map_blocks(&|block| block.iter_mut().for_each(|v| *v = f(*v)));
+    }
+
+    fn map_blocks(&mut self, f: &(dyn Fn(&mut [f32]) + Sync)) {
+        self.as_mut_slice().par_chunks_mut(BLOCK).for_each(f);
     }
 }
 
@@ -449,31 +452,29 @@ impl Field for HostField {
     }
 
     fn copy_from(&mut self, other: &Self) {
-        self.update_blocks(other, |a, b| a.copy_from_slice(b));
+        self.update_blocks(other, &|a, b| a.copy_from_slice(b));
     }
 
     fn fill(&mut self, value: f32) {
-        self.as_mut_slice()
-            .par_chunks_mut(BLOCK)
-            .for_each(|block| block.fill(value));
+        self.map_blocks(&|block| block.fill(value));
     }
 
     fn dot(&self, other: &Self) -> f64 {
-        self.sum_blocks(other, dot_block)
+        self.sum_blocks(other, &dot_block)
     }
 
     fn axpy(&mut self, a: f32, x: &Self) {
-        self.update_blocks(x, |y, x| {
+        self.update_blocks(x, &|y, x| {
             y.iter_mut().zip(x).for_each(|(y, &x)| *y += a * x)
         });
     }
 
     fn scale(&mut self, a: f32) {
-        self.map_blocks(|v| v * a);
+        self.map(|v| v * a);
     }
 
     fn clamp(&mut self, lower: f32, upper: f32) {
-        self.map_blocks(|v| v.max(lower).min(upper));
+        self.map(|v| v.max(lower).min(upper));
     }
 
     fn move_along(&mut self, step: &Self, a: f32, bounds: &Bounds) {
@@ -606,7 +607,7 @@ impl Field for HostField {
     }
 
     fn shift(&mut self, a: f32) {
-        self.map_blocks(|v| v + a);
+        self.map(|v| v + a);
     }
 
     fn multiply(&mut self, other: &Self) {

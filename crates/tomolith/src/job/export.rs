@@ -16,6 +16,7 @@ use crate::io::frames::{FrameSet, write_frames};
 use crate::io::write_folder_whole;
 use crate::kind::Section;
 use crate::models::{DoseModel, Family, Run, matrix, planner};
+use crate::units::counted;
 use serde::Serialize;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -213,8 +214,9 @@ fn rounded_anew(run: &Path, bits: u32) -> Option<String> {
     let judged = judged.root.pointer("/evaluate/bit_depth")?.as_u64()?;
     (u64::from(bits) < judged).then(|| {
         format!(
-            "the patterns are rounded anew, to {bits} bits, where the run was judged with {judged}: these frames print something else than its report says, in another time. \
-             `tomolith simulate JOB --patterns FRAMES --set evaluate.bit_depth={bits}` tells what; `tomolith run` with that key improves patterns on few levels"
+            "the patterns are rounded anew, to {}, where the run was judged with {judged}: these frames print something else than its report says, in another time. \
+             `tomolith simulate JOB --patterns FRAMES --set evaluate.bit_depth={bits}` tells what; `tomolith run` with that key improves patterns on few levels",
+            counted(bits as usize, "bit")
         )
     })
 }
