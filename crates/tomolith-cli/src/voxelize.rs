@@ -146,7 +146,7 @@ fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>, run: &Run
     let question = spec.ask_for_unit(shape.bounds_mm(), EXPECTED_MM);
     let question =
         question.map(|text| text.replace("set target.mesh_unit = ", "give --mesh-unit "));
-    let grid = grid_of(given, shape.bounds_mm()).map_err(|e| asking(e, question.as_deref()))?;
+    let grid = grid_of(given, shape.bounds_mm()).map_err(|e| e.asking(question.as_deref()))?;
     let mut target = voxelize_under(shape.as_ref(), &spec.name(), &grid, run)?;
     let volume_mm3 = target
         .inside
@@ -282,15 +282,6 @@ fn lost_share(shape: &dyn Shape, kept_mm3: f64, run: &Run) -> Result<f64> {
         }
     };
     Ok((1.0 - kept_mm3 / whole_mm3).clamp(0.0, 1.0))
-}
-
-/// Adds a question to what would be accepted.
-fn asking(mut error: Error, question: Option<&str>) -> Error {
-    if let (Error::Config { accepted, .. }, Some(question)) = (&mut error, question) {
-        accepted.push_str("; ");
-        accepted.push_str(question);
-    }
-    error
 }
 
 /// An error about the unit of a mesh, as one about the option.

@@ -148,6 +148,16 @@ impl Error {
         matches!(self, Error::Io { source, .. } if kinds.contains(&source.kind()))
     }
 
+    /// Adds a question to what an [`Error::Config`] would accept; other errors pass unchanged.
+    #[must_use]
+    pub fn asking(mut self, question: Option<&str>) -> Self {
+        if let (Error::Config { accepted, .. }, Some(question)) = (&mut self, question) {
+            accepted.push_str("; ");
+            accepted.push_str(question);
+        }
+        self
+    }
+
     /// Puts `prefix` before the key of a [`Error::Config`]; other errors pass unchanged.
     #[must_use]
     pub fn under(mut self, prefix: &str) -> Self {

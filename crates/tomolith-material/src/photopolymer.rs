@@ -23,7 +23,7 @@ use crate::mixing::Mixing;
 use crate::print::rounded_down;
 use crate::reaction::{Stage, smooth_step};
 use crate::{Absorption, Material, Readout, Requirement, State};
-pub use params::{Curing, Inhibitor, Initial, Network, Params, Shading};
+pub use params::{Curing, Inhibitor, Initial, Network, Params, Shading, at_height};
 use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};

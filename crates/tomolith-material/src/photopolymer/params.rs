@@ -47,6 +47,17 @@ pub enum Initial {
     Axial(Vec<[f64; 2]>),
 }
 
+/// A value at a height from points `[z, value]`, heights ascending: linear between them, even beyond.
+#[must_use]
+pub fn at_height(points: &[[f64; 2]], z: f64) -> f64 {
+    let above = points.partition_point(|p| p[0] <= z);
+    match (above.checked_sub(1).map(|i| points[i]), points.get(above)) {
+        (Some(a), Some(b)) => a[1] + (b[1] - a[1]) * (z - a[0]) / (b[0] - a[0]),
+        (Some(a), None) => a[1],
+        (None, b) => b.map_or(0.0, |b| b[1]),
+    }
+}
+
 impl Initial {
     /// Whether there is none of it anywhere.
     #[must_use]
@@ -60,14 +71,7 @@ impl Initial {
     pub(super) fn at(&self, z: f64) -> f64 {
         match self {
             Initial::Even(value) => *value,
-            Initial::Axial(points) => {
-                let above = points.partition_point(|p| p[0] <= z);
-                match (above.checked_sub(1).map(|i| points[i]), points.get(above)) {
-                    (Some(a), Some(b)) => a[1] + (b[1] - a[1]) * (z - a[0]) / (b[0] - a[0]),
-                    (Some(a), None) => a[1],
-                    (None, b) => b.map_or(0.0, |b| b[1]),
-                }
-            }
+            Initial::Axial(points) => at_height(points, z),
         }
     }
 

@@ -25,7 +25,7 @@ const NEW: &str = ".new";
 const OLD: &str = ".old-";
 const LOCK: &str = ".lock";
 /// What a run may leave beside them and its properties, by name or by its first letters and its extension.
-const OUTPUTS: [&str; 10] = [
+const OUTPUTS: [&str; 12] = [
     "patterns.npz",
     "frames",
     "frames.npz",
@@ -36,13 +36,15 @@ const OUTPUTS: [&str; 10] = [
     "history.csv",
     "report.html",
     "exposure.json",
+    "time.csv",
+    "cure_time.npy",
 ];
 const OUTPUTS_NAMED: [(&str, &str); 5] = [
     ("", ".mp4"),
     ("", ".mov"),
     ("dose_", ".npy"),
-    ("cure_time", ".npy"),
-    ("time", ".csv"),
+    ("cure_time_", ".npy"),
+    ("time_", ".csv"),
 ];
 /// What names the folder.
 const KEY: &str = "output.folder";

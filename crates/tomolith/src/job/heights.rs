@@ -19,6 +19,7 @@ use crate::models::Run;
 use crate::report::number::told_apart;
 use tomolith_material::curves::IdealExposure;
 use tomolith_material::heights::Heights;
+use tomolith_material::photopolymer::at_height;
 
 /// Rounds of showing and rescaling.
 const ROUNDS: usize = 5;
@@ -129,21 +130,11 @@ fn rescale(patterns: &mut Patterns, times: &Times, end_s: f64) {
     let reference = mean(times).min(end_s);
     let grid = &patterns.grid;
     let gains: Vec<f32> = (0..grid.rows)
-        .map(|row| (at(times, grid.row_z(row)) / reference).clamp(1.0 / MOST, MOST) as f32)
+        .map(|row| (at_height(times, grid.row_z(row)) / reference).clamp(1.0 / MOST, MOST) as f32)
         .collect();
     let rows = patterns.values.chunks_mut(grid.columns.max(1));
     for (row, gain) in rows.zip(gains.iter().cycle()) {
         row.iter_mut().for_each(|v| *v *= gain);
-    }
-}
-
-/// The time at a height: linear between heights, even beyond.
-fn at(times: &Times, z: f64) -> f64 {
-    let above = times.partition_point(|[height, _]| *height <= z);
-    match (above.checked_sub(1).map(|i| times[i]), times.get(above)) {
-        (Some(a), Some(b)) => a[1] + (b[1] - a[1]) * (z - a[0]) / (b[0] - a[0]),
-        (Some(a), None) => a[1],
-        (None, b) => b.map_or(0.0, |b| b[1]),
     }
 }
 

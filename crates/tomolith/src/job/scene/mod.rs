@@ -30,8 +30,8 @@ use crate::response::{Response, dose_for};
 use crate::target::{self, Shape, label};
 use grid::{bounds_of, grid_of, moved};
 use remarks::{
-    ask_for_unit, asking, at_target, chosen, given_patterns, must_be_seen, narrow_arc,
-    on_its_own_grid, part_of_a_turn, two_critical_doses,
+    ask_for_unit, at_target, chosen, given_patterns, must_be_seen, narrow_arc, on_its_own_grid,
+    part_of_a_turn, two_critical_doses,
 };
 pub(super) use remarks::{at_section, few_angles};
 use std::path::PathBuf;
@@ -142,7 +142,7 @@ impl Scene {
             wall_tolerance_mm(&spec, placed.as_ref().ok().map(|(grid, _)| grid))?;
         let touching = optics
             .must_hold(&spec, shape.as_ref())
-            .map_err(|e| asking(e, unit.as_deref()))?;
+            .map_err(|e| e.asking(unit.as_deref()))?;
         if spec.target.insert_shadow.unwrap_or(true) {
             optics.add_inserts(shape.as_ref())?;
         }

@@ -96,15 +96,6 @@ pub(super) fn ask_for_unit(spec: &JobSpec, optics: &Optics, shape: &dyn Shape) -
     spec.target.ask_for_unit(shape.bounds_mm(), expected)
 }
 
-/// Adds a question to what would be accepted.
-pub(super) fn asking(mut error: Error, question: Option<&str>) -> Error {
-    if let (Error::Config { accepted, .. }, Some(question)) = (&mut error, question) {
-        accepted.push_str("; ");
-        accepted.push_str(question);
-    }
-    error
-}
-
 /// Refuses a part smaller than a voxel, where its file may be in another unit.
 pub(super) fn must_be_seen(
     shape: &dyn Shape,
@@ -121,7 +112,7 @@ pub(super) fn must_be_seen(
                 concise(grid.pitch_mm)
             );
             let error = Error::config("target", found, "a target larger than a voxel");
-            Err(asking(error, question))
+            Err(error.asking(question))
         }
         _ => Ok(()),
     }
