@@ -1,5 +1,6 @@
 //! What limits a print: the headline number from the optimization's view to the print's, one step after the other.
 
+use super::doubts::of_bound;
 use super::evaluate::{Evaluated, headline};
 use super::optimize::Optimized;
 use super::others::Steps;
@@ -112,6 +113,7 @@ impl Asked<'_> {
             is_simulated: self.optimized.is_none(),
             is_toy: self.is_toy,
             has_few_angles: few_angles(spec).is_some(),
+            is_held: (self.optimized).is_some_and(|own| of_bound(&scene.spec, &own.raw).is_some()),
             best: spec.evaluate.threshold.and(best.reduce(f64::max)),
             ends: own
                 .shape
@@ -166,6 +168,8 @@ struct Found {
     is_toy: bool,
     /// Whether light comes from too few sides for any part.
     has_few_angles: bool,
+    /// Whether an upper bound holds nearly all pixels that shine.
+    is_held: bool,
     /// The best number over all thresholds, where the job names one.
     best: Measure,
     /// Of an upright prism in level light, where its ends are.
@@ -384,6 +388,10 @@ impl Found {
                 let action = "Light comes from too few sides: raise";
                 return Some(self.limit(Cause::Optics, loss, "light.angles", found, action));
             }
+            if self.is_held {
+                let action = "Nearly all pixels that shine are at their bound: raise";
+                return Some(self.limit(Cause::Optics, loss, "bounds.max", found, action));
+            }
             let of = self.pixel_light.as_ref();
             let of = of.map_or_else(String::new, |name| format!(" of {name}"));
             let action = format!("Finer pixels{of} may bring more: lower");
@@ -516,6 +524,7 @@ mod tests {
             is_simulated: false,
             is_toy: false,
             has_few_angles: false,
+            is_held: false,
             best: None,
             ends: None,
             falling: None,
@@ -768,6 +777,16 @@ mod tests {
             few.limits()
                 .sentence
                 .ends_with("To improve, raise `light.angles`.")
+        );
+        let held = Found {
+            has_few_angles: false,
+            is_held: true,
+            ..few
+        };
+        assert!(
+            held.limits()
+                .sentence
+                .ends_with("To improve, raise `bounds.max`.")
         );
         // What was given is not improved by a key of the job
         let given = Found {
