@@ -11,6 +11,7 @@ use tomolith::io::mesh::write_stl_binary;
 use tomolith::io::npy::write_volume;
 use tomolith::io::vti::{VtiValues, write_vti};
 use tomolith::job::Document;
+use tomolith::job::resources::{memory_budget_mb, require};
 use tomolith::kind::Section;
 use tomolith::models::Run;
 use tomolith::target::{
@@ -147,6 +148,17 @@ fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>, run: &Run
     let question =
         question.map(|text| text.replace("set target.mesh_unit = ", "give --mesh-unit "));
     let grid = grid_of(given, shape.bounds_mm()).map_err(|e| e.asking(question.as_deref()))?;
+    // The inside fraction, what is written of it, labels
+    let needed_mb = (grid.len() as u64).saturating_mul(9) / 1_000_000;
+    let fewer = "fewer voxels: a larger --pitch-mm, a smaller --shape";
+    require(
+        "--pitch-mm",
+        "memory for the voxels",
+        needed_mb,
+        memory_budget_mb(None),
+        fewer,
+    )
+    .map_err(|e| e.asking(question.as_deref()))?;
     let mut target = voxelize_under(shape.as_ref(), &spec.name(), &grid, run)?;
     let volume_mm3 = target
         .inside
