@@ -202,6 +202,25 @@ fn what_cannot_be_shared_is_refused_before_any_work() {
 }
 
 #[test]
+fn random_paths_that_only_a_trial_takes_are_refused_too() {
+    let folder = tempfile::tempdir().unwrap();
+    // So many cells that successive orders give way to Monte Carlo paths
+    let keys = [
+        "resin.scattering_per_mm=30",
+        "vial={index_matched={radius_mm=4.0}}",
+        "resin.refractive_index=1.5",
+    ];
+    let job = job(folder.path(), &keys);
+    let found = on_ranks(2, |_| job.clone(), false, usize::MAX);
+    let text = found[0].as_ref().unwrap_err().to_string();
+    assert!(
+        text.contains("random paths, which would be others in a share"),
+        "{text}"
+    );
+    assert!(found[1].is_err());
+}
+
+#[test]
 fn a_rank_with_another_job_ends_all_of_them() {
     let folder = tempfile::tempdir().unwrap();
     let own = |rank| match rank {
