@@ -99,6 +99,13 @@ fn finish(outcome: &SweepOutcome, manner: Manner) {
         say(&line.to_string());
     } else if !manner.quiet {
         say(outcome.to_string().trim_end());
+    } else if !outcome.is_met() {
+        let text = outcome.to_string();
+        let why = text.lines().next().unwrap_or_default();
+        mutter(&format!(
+            "error: {why}; {} has the table",
+            outcome.folder.display()
+        ));
     }
 }
 

@@ -438,16 +438,42 @@ fn map(
         );
     }
     frame.title(body, &panel.title);
-    let [across, up] = [
-        fitting(&x.labels, frame.width),
-        ((frame.height / 16.0) as usize).min(LABELS),
-    ];
+    let across = match are_words(&x.labels) {
+        true => columns,
+        false => fitting(&x.labels, frame.width),
+    };
+    let up = match are_words(&y.labels) {
+        true => rows,
+        false => ((frame.height / 16.0) as usize).min(LABELS),
+    };
+    let x_labels = shortened(&x.labels, width - 6.0);
+    let y_labels = shortened(&y.labels, LEFT - 12.0);
     frame.axes(
         body,
         [&x.name, &y.name],
-        &middles(&x.labels, across),
-        &middles(&y.labels, up),
+        &middles(&x_labels, across),
+        &middles(&y_labels, up),
     );
+}
+
+/// Whether labels are names, of which none may be left out, and not numbers along a scale.
+fn are_words(labels: &[String]) -> bool {
+    let is_number =
+        |label: &String| label.starts_with(|c: char| c.is_ascii_digit() || "-−.".contains(c));
+    !labels.iter().all(is_number)
+}
+
+/// Names cut to so much room, with an ellipsis; numbers as they are.
+fn shortened(labels: &[String], room: f64) -> Vec<String> {
+    let most = ((room / 7.0) as usize).max(3);
+    let cut = |label: &String| match label.chars().count() > most {
+        true => label.chars().take(most - 1).chain(['…']).collect(),
+        false => label.clone(),
+    };
+    match are_words(labels) {
+        true => labels.iter().map(cut).collect(),
+        false => labels.to_vec(),
+    }
 }
 
 /// A colored cell with its number where that has room; a gray one with a cross where there is none.
@@ -884,6 +910,25 @@ mod tests {
             (2, 4)
         );
         assert!(svg.contains("a &lt; b") && svg.contains("outlined: feasible · ring: best"));
+    }
+
+    #[test]
+    fn names_of_cells_are_cut_and_none_is_left_out() {
+        let names = ["as it is", "fista with twenty iterations", "osmo"].map(str::to_owned);
+        assert!(are_words(&names) && !are_words(&["0.1".to_owned(), "−2".to_owned()]));
+        assert_eq!(shortened(&names, 70.0), ["as it is", "fista wit…", "osmo"]);
+        let cells = vec![cell(Some(1.0), false); 3];
+        let panel = Panel {
+            title: String::new(),
+            cells,
+        };
+        let x = ColorScale {
+            name: "method".to_owned(),
+            labels: names.to_vec(),
+        };
+        let panels = vec![panel; 4];
+        let svg = heat_maps("m", [&x, &scale("y", 1)], &panels, &[], "");
+        assert_eq!(svg.matches(">fista").count(), 4);
     }
 
     #[test]

@@ -253,6 +253,13 @@ fn of_range(range: &RangeSpec, at: &str, is_log: bool, is_drawn: bool) -> Result
                 "1 or more",
             );
         }
+        (None, Some(1)) if range.from != range.to => {
+            return refuse(
+                ".count",
+                format!("found 1, between {} and {}", range.from, range.to),
+                "2 or more: both ends are included",
+            );
+        }
         (None, Some(count)) => count as f64,
         (Some(step), None) if !is_log => {
             let steps = (range.to - range.from) / step;

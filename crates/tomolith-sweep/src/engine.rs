@@ -5,6 +5,7 @@
 
 use crate::pictures;
 use crate::plan::{RUNS, SweepPlan, firsts};
+use crate::spec::KeepSpec;
 use crate::table::{State, Table, failure, report, state};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
@@ -110,6 +111,8 @@ pub struct SweepOutcome {
     pub best: Option<BestRun>,
     /// Table, pictures, best job; empty for a share.
     pub files: Vec<PathBuf>,
+    /// Metrics that no run has, one sentence each.
+    pub warnings: Vec<String>,
     /// Whether this was a share of the runs.
     #[serde(skip)]
     is_share: bool,
@@ -162,6 +165,9 @@ impl fmt::Display for SweepOutcome {
         for file in &self.files {
             writeln!(f, "{:>12} {}", "wrote", file.display())?;
         }
+        for text in &self.warnings {
+            writeln!(f, "{:>12} {text}", "warning")?;
+        }
         Ok(())
     }
 }
@@ -199,7 +205,7 @@ enum Told {
 ///
 /// # Errors
 /// [`Error::Canceled`], with checkpoints of the runs at work; [`Error::Io`]; [`Error::Config`] where the folder holds another sweep's
-/// results; [`Error::Format`] for a metric that no report has. A run that
+/// results. A run that
 /// fails is noted, and the others go on.
 pub fn run(
     plan: &SweepPlan,
@@ -358,6 +364,7 @@ fn counted_up(plan: &SweepPlan, table: &Table<'_>) -> SweepOutcome {
         missing,
         best: table.best.map(best),
         files: Vec::new(),
+        warnings: table.doubts(),
         is_share: false,
     }
 }
@@ -432,8 +439,14 @@ fn is_ready(plan: &SweepPlan, i: usize, from: &[usize]) -> bool {
     if RunFolder::finished(&folder).is_none() || report(&folder).is_err() {
         return false;
     }
-    plan.sweep.spec.warm_start.is_none()
-        || folder.join(PATTERNS).is_file() && started_from(&folder) == Some(ids(plan, from))
+    let has = |name: &str| folder.join(name).exists();
+    let has_all = match plan.sweep.spec.keep {
+        KeepSpec::Metrics => true,
+        KeepSpec::Patterns => has(PATTERNS),
+        KeepSpec::All => has(PATTERNS) && has("report.html"),
+    };
+    let is_cold = plan.sweep.spec.warm_start.is_none();
+    has_all && (is_cold || started_from(&folder) == Some(ids(plan, from)))
 }
 
 fn ids(plan: &SweepPlan, runs: &[usize]) -> Vec<String> {
@@ -746,12 +759,6 @@ impl Slot<'_> {
                 })
             }
             Err(Error::Canceled) => None,
-            // What is wrong with its report is wrong with all
-            Err(error @ Error::Format { .. })
-                if RunFolder::finished(&self.plan.run_folder(run)).is_some() =>
-            {
-                Some(Told::Broken(error))
-            }
             Err(error) => {
                 let text = json!({ "values": self.plan.words(run), "message": error.to_string() })
                     .to_string();

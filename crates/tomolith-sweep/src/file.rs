@@ -126,6 +126,7 @@ impl Sweep {
                 Ok((key.clone(), expression))
             })
             .collect::<Result<_>>()?;
+        must_be_of_the_job(&spec, &axes)?;
         let best = best(&spec, &axes)?;
         let guides = guides(&spec, &axes)?;
         let mut metrics = spec.metrics.clone();
@@ -345,6 +346,41 @@ fn best(spec: &SweepSpec, axes: &[Axis]) -> Result<Best> {
     })
 }
 
+/// Refuses keys that the sweep itself gives each run, and keys that are set twice.
+fn must_be_of_the_job(spec: &SweepSpec, axes: &[Axis]) -> Result<()> {
+    let of_axes = axes.iter().enumerate().flat_map(|(i, axis)| {
+        let keys = axis.keys().into_iter();
+        keys.map(move |key| (format!("axes[{i}]"), key))
+    });
+    let of_set = spec
+        .set
+        .keys()
+        .map(|key| (format!("set.{key}"), key.as_str()));
+    let of_derived = spec.derived.keys();
+    let of_derived = of_derived.map(|key| (format!("derived.{key}"), key.as_str()));
+    for (at, key) in of_axes.chain(of_set).chain(of_derived) {
+        if [
+            "output.folder",
+            "resources.memory_gb",
+            "output",
+            "resources",
+        ]
+        .contains(&key)
+        {
+            return Err(Error::config(
+                at,
+                format!("`{key}`: the sweep gives each run its folder and its share of the memory"),
+                "a key that changes results; `folder`, `keep` and [resources] of the sweep file",
+            ));
+        }
+        if at.starts_with("derived.") && spec.set.contains_key(key) {
+            let found = format!("`set` has `{key}`, too");
+            return Err(Error::config(at, found, "one of them"));
+        }
+    }
+    Ok(())
+}
+
 /// The lines over the maps, which lie in the plane of the first two axes.
 fn guides(spec: &SweepSpec, axes: &[Axis]) -> Result<Vec<(String, [Expression; 2])>> {
     let guide = |(i, text): (usize, &String)| {
@@ -361,7 +397,11 @@ fn guides(spec: &SweepSpec, axes: &[Axis]) -> Result<Vec<(String, [Expression; 2
             return Err(Error::config(at, format!("no `=` in {text:?}"), EQUATION));
         };
         let side = |text: &str| expression(text, &at, &axes[..2]);
-        Ok((text.clone(), [side(left)?, side(right)?]))
+        let sides = [side(left)?, side(right)?];
+        if sides.iter().all(|side| side.names().is_empty()) {
+            return Err(Error::config(at, format!("no axis in {text:?}"), EQUATION));
+        }
+        Ok((text.clone(), sides))
     };
     spec.guides.iter().enumerate().map(guide).collect()
 }

@@ -122,7 +122,9 @@ fn guides(plan: &SweepPlan) -> Vec<Guide> {
             },
         }
     };
-    plan.sweep.guides.iter().map(guide).collect()
+    let guides = plan.sweep.guides.iter().map(guide);
+    // One that lies beside the map is no line in its legend
+    guides.filter(|guide| !guide.points.is_empty()).collect()
 }
 
 /// The value at a place between two cells.

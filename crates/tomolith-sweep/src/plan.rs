@@ -231,6 +231,10 @@ impl Sweep {
 
     /// Says which jobs cannot run, and why the first cannot; at the key of the sweep that is at fault.
     fn refused(&self, points: &[SweepPoint], first: usize, error: Error, count: usize) -> Error {
+        // It names its run, and the key of the sweep
+        if matches!(&error, Error::Config { key, .. } if key.starts_with("derived.")) {
+            return error;
+        }
         let text = error.to_string();
         let (key, detail) = match &error {
             Error::Config { key, found, .. } => (

@@ -267,6 +267,14 @@ impl Study {
                     .is_some_and(|at| at.contains_key(&axis.name));
                 !is_named && axis.values().len() > 1
             };
+            let is_named = row.at.is_some() || row.over.is_some() || row.best;
+            if !is_named && sweep.axes.iter().any(|axis| axis.values().len() > 1) {
+                return Err(self.document.locate(Error::config(
+                    format!("rows[{i}]"),
+                    "a number of a sweep, and not of which run",
+                    "at with a value for every axis, best = true, or over with take or share_of",
+                )));
+            }
             if row.at.is_some()
                 && row.over.is_none()
                 && let Some(axis) = sweep.axes.iter().find(open)

@@ -98,6 +98,24 @@ impl<'p> Table<'p> {
             && sweep.best.conditions.iter().all(|c| c.is_met(&of))
     }
 
+    /// Metrics that no run has of those that are done, and why the first of them has not.
+    pub(crate) fn doubts(&self) -> Vec<String> {
+        let done: Vec<usize> = (0..self.states.len())
+            .filter(|&i| matches!(self.states[i], State::Done(_)))
+            .collect();
+        let Some(&first) = done.first() else {
+            return Vec::new();
+        };
+        let report = report(&self.plan.run_folder(first)).unwrap_or_default();
+        let is_empty = |path: &&String| done.iter().all(|&i| self.metric(i, path).is_none());
+        let doubt = |path: &String| match metric::number(&report, path) {
+            Err(why) => format!("{why}: its column is empty"),
+            Ok(_) => format!("`{path}` is not defined in any run: its column is empty"),
+        };
+        let metrics = self.plan.sweep.metrics.iter();
+        metrics.filter(is_empty).map(doubt).collect()
+    }
+
     /// How many runs are done, failed, missing.
     pub(crate) fn counts(&self) -> [usize; 3] {
         let count =
@@ -204,26 +222,14 @@ pub(crate) fn state(plan: &SweepPlan, i: usize) -> Result<State> {
         let message = noted.and_then(|value| value["message"].as_str().map(str::to_owned));
         return Ok(message.map_or(State::Missing, State::Failed));
     }
-    let path = folder.join("report.json");
-    let refused = |found: String| Error::Format {
-        path: path.clone(),
-        found,
-        accepted: "a report of a run with the metrics of the sweep".to_owned(),
-    };
     let report = match report(&folder) {
         Ok(report) => report,
         // The next call makes it anew
         Err(error) => return Ok(State::Failed(error.to_string())),
     };
-    let values = plan
-        .sweep
-        .metrics
-        .iter()
-        .map(|metric| metric::number(&report, metric));
-    values
-        .collect::<Result<_, _>>()
-        .map(State::Done)
-        .map_err(refused)
+    // A number that there is not is empty, as one that is not defined; Table::doubts tells of it
+    let number = |path: &String| metric::number(&report, path).ok().flatten();
+    Ok(State::Done(plan.sweep.metrics.iter().map(number).collect()))
 }
 
 fn csv(columns: &[(String, Column)]) -> String {

@@ -639,6 +639,14 @@ fn a_sweep_that_cannot_be_is_refused_before_any_run() {
             ],
         ),
         (
+            format!("{SWEEP}[set]\n\"resources.memory_gb\" = 1\n"),
+            vec!["set.resources.memory_gb: ", "its share of the memory"],
+        ),
+        (
+            format!("guides = [\"5 = 5\"]\n{SWEEP}"),
+            vec!["guides[0]: no axis in \"5 = 5\""],
+        ),
+        (
             format!("guides = [\"lower 0.5\"]\n{SWEEP}"),
             vec!["guides[0]: no `=` in \"lower 0.5\"", "lower = 0.75*upper"],
         ),

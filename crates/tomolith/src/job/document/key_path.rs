@@ -91,12 +91,13 @@ pub(super) fn insert(
         *node = Value::Object(map);
     }
     // A key with dots in it, as scenarios have: "motion.offset_mm" = [0.1, 0]
-    if let Value::Object(map) = node
-        && !rest.is_empty()
-        && let Some(child) = map.get_mut(&dotted(steps))
-    {
-        *child = value;
-        return Ok(join(path, &dotted(steps)));
+    if let Value::Object(map) = node {
+        let is_key = |n: &usize| map.contains_key(&dotted(&steps[..*n]));
+        if let Some(n) = (2..=steps.len()).rev().find(is_key) {
+            let key = dotted(&steps[..n]);
+            let child = map.entry(key.clone()).or_insert(Value::Null);
+            return insert(child, &steps[n..], value, &join(path, &key));
+        }
     }
     match (node, step) {
         (Value::Object(map), Step::Key(key)) => {
