@@ -94,7 +94,7 @@ impl Host for Typed<'_> {
         if !self.manner.json && !self.manner.quiet {
             mutter(&format!("{:>12} {name}", "Run"));
         }
-        Box::new(Board::new(self.manner, plan))
+        Box::new(Board::new(self.manner, plan).named(name))
     }
 
     fn command(&mut self, words: &[String], folder: &Path) -> Result<Value> {

@@ -114,6 +114,8 @@ pub(crate) struct Board {
     manner: Manner,
     bar: Option<ProgressBar>,
     about: String,
+    /// The name in its study.
+    name: Option<String>,
 }
 
 impl Board {
@@ -122,7 +124,14 @@ impl Board {
             manner,
             bar: None,
             about: plan.to_string(),
+            name: None,
         }
+    }
+
+    /// The same for a run of a study, whose JSON lines name it.
+    pub(crate) fn named(mut self, name: &str) -> Self {
+        self.name = Some(name.to_owned());
+        self
     }
 }
 
@@ -132,7 +141,11 @@ impl Watch for Board {
             return;
         }
         if self.manner.json {
-            say(&serde_json::to_string(event).unwrap_or_default());
+            let mut line = serde_json::to_value(event).unwrap_or_default();
+            if let Some(name) = &self.name {
+                line["of"] = name.as_str().into();
+            }
+            say(&line.to_string());
             return;
         }
         match event {

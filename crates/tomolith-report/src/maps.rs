@@ -202,10 +202,13 @@ pub fn heat_maps(
 }
 
 /// How guides are told apart: in words, and as SVG has it.
-const STROKES: [(&str, &str); 3] = [
+const STROKES: [(&str, &str); 6] = [
     ("dashed", "7 5"),
     ("dotted", "1.5 4"),
     ("dash-dotted", "9 4 1.5 4"),
+    ("long dashes", "16 6"),
+    ("dash and two dots", "9 4 1.5 4 1.5 4"),
+    ("full", "1 0"),
 ];
 
 /// Guides within the frame of a map of so many columns and rows.

@@ -1,7 +1,7 @@
 //! Arithmetic on named numbers: conditions that runs must meet, and keys that follow from others.
 //!
 //! Numbers, names (with dots and indices, as in `limits[0].loss_in_iou`), `+ - * / ( )`; a condition compares two of them by one of
-//! `< <= > >= == !=`. A name without a number makes a value undefined, and a condition false.
+//! `< <= > >= == !=`. A name without a number makes a value undefined, and a condition false; so does a value that is not finite.
 
 use std::str::FromStr;
 
@@ -72,6 +72,10 @@ impl Condition {
         let (Some(left), Some(right)) = (self.left.value(of), self.right.value(of)) else {
             return false;
         };
+        // What was divided by 0 is no number to compare
+        if !(left.is_finite() && right.is_finite()) {
+            return false;
+        }
         match self.sign.as_str() {
             "<" => left < right,
             "<=" => left <= right,

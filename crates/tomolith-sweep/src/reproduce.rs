@@ -296,7 +296,11 @@ fn plans(
         let found = match study.left_out(run) {
             Some(why) => Found::Nothing(Verdict::NotCompared(why)),
             None => match study.sweep(name, run, output)? {
-                Some(sweep) => Found::Sweep(Box::new(sweep.plan(threads, cancel)?)),
+                Some(sweep) => {
+                    let plan = sweep.plan(threads, cancel);
+                    let plan = plan.map_err(|e| study.at_own_key(name, run, e))?;
+                    Found::Sweep(Box::new(plan))
+                }
                 None => Found::Nothing(Verdict::Missing("not run yet".to_owned())),
             },
         };

@@ -233,6 +233,23 @@ impl Study {
         Ok(Some(sweep.with_folder(&output.join(name))))
     }
 
+    /// An error about a key that the study sets, at its place in the study.
+    pub(crate) fn at_own_key(&self, name: &str, run: &RunSpec, mut error: Error) -> Error {
+        let Error::Config { key, place, .. } = &mut error else {
+            return error;
+        };
+        let Some(set) = key.strip_prefix("set.") else {
+            return error;
+        };
+        let own = match self.is_quick && run.quick.set.contains_key(set) {
+            true => format!("runs.{name}.quick.set.{set}"),
+            false if run.set.contains_key(set) => format!("runs.{name}.set.{set}"),
+            false => return error,
+        };
+        (*key, *place) = (own, None);
+        self.document.locate(error)
+    }
+
     /// Refuses rows that name what is no axis of their sweep, before any work.
     ///
     /// # Errors

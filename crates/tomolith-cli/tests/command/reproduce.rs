@@ -258,6 +258,11 @@ fn slips_are_refused_with_file_and_line_before_any_work() {
             ],
         ),
         (
+            "sweep = \"sweep.toml\"",
+            "sweep = \"sweep.toml\"\nset = { \"objective.ospw.uper\" = 1 }",
+            ["runs.map.set.objective.ospw.uper", "study.toml", "upper"],
+        ),
+        (
             "within = 1e-9",
             "",
             [
