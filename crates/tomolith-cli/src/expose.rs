@@ -120,7 +120,8 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
     ];
     let gel_dose = gel_doses
         .into_iter()
-        .find_map(|dose| dose)
+        .flatten()
+        .next()
         .filter(|dose| *dose > 0.0)
         .ok_or_else(|| {
             let found = "its report names no dose at which the part gels: nothing prints, or the target is gray";

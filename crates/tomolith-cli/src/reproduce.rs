@@ -7,6 +7,7 @@ use clap::Args;
 use rustix::process::{Pid, Signal, kill_process};
 use serde_json::{Value, json};
 use std::io::Read;
+use std::os::unix::process::CommandExt;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::thread::{self, available_parallelism};
@@ -104,7 +105,8 @@ impl Host for Typed<'_> {
         if let Some(threads) = self.manner.threads {
             command.args(["--threads", &threads.to_string()]);
         }
-        let child = (command.stdin(Stdio::null()))
+        // In a group of its own: Ctrl-C at a terminal is passed on once, and not told twice
+        let child = (command.process_group(0).stdin(Stdio::null()))
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
             .spawn();
