@@ -228,7 +228,7 @@ fn corners([x, y, z]: [f64; 3]) -> Vec<[f64; 3]> {
 /// Signed distance to a rectangle with half edges `half` about `center`.
 fn rectangle(p: [f64; 2], center: [f64; 2], half: [f64; 2]) -> f64 {
     let d = [0, 1].map(|i| (p[i] - center[i]).abs() - half[i]);
-    let outside = d[0].max(0.0).hypot(d[1].max(0.0));
+    let outside = d.iter().map(|v| v.max(0.0).powi(2)).sum::<f64>().sqrt();
     outside + d[0].max(d[1]).min(0.0)
 }
 
