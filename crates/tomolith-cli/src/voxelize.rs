@@ -14,8 +14,9 @@ use tomolith::job::Document;
 use tomolith::job::resources::{memory_budget_mb, require};
 use tomolith::kind::Section;
 use tomolith::models::Run;
+use tomolith::target::clip::{cut_off, cuts};
 use tomolith::target::{
-    MeshUnit, PHANTOMS, Repair, Resolution, Shape, Target, TargetSpec, build_under, default_grid,
+    MeshUnit, PHANTOMS, Repair, Resolution, Target, TargetSpec, build_under, default_grid,
     voxelize_under,
 };
 use tomolith::units::concise;
@@ -185,11 +186,7 @@ fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>, run: &Run
         let text = "no voxel is at least half inside: the voxels are too large for this part";
         warnings.insert(0, text.to_owned());
     }
-    let lost = if is_cut(&grid, shape.bounds_mm()) {
-        Some(lost_share(shape.as_ref(), volume_mm3, run)?)
-    } else {
-        None
-    };
+    let lost = cut_off(&grid, shape.as_ref(), run)?;
     warnings.extend(lost.map(|lost| {
         let percent = (1000.0 * lost).round() / 10.0;
         format!("the grid cuts the part: {percent} % of its volume is lost")
@@ -242,7 +239,7 @@ fn grid_of(given: &Sampling, bounds: [[f64; 3]; 2]) -> Result<VolumeGrid> {
                 shape: [n[2], n[1], n[0]],
                 ..from_pitch(pitch_mm)?
             };
-            if is_cut(&grid, bounds) && !given.clip {
+            if cuts(&grid, bounds) && !given.clip {
                 let box_of = |[low, high]: [[f64; 3]; 2]| {
                     let [x, y, z] = [0, 1, 2].map(|i| concise(high[i] - low[i]));
                     format!("{x} × {y} × {z} mm")
@@ -269,32 +266,6 @@ fn grid_of(given: &Sampling, bounds: [[f64; 3]; 2]) -> Result<VolumeGrid> {
 
 /// Longest edges of parts for which nobody asks whether the file has another unit, mm.
 const EXPECTED_MM: [f64; 2] = [0.05, 1000.0];
-
-/// Parts of a voxel that are rounding of lengths.
-const ROUNDING: f64 = 1e-6;
-
-/// Whether some of a box lies outside a grid.
-fn is_cut(grid: &VolumeGrid, [low, high]: [[f64; 3]; 2]) -> bool {
-    let [first, last] = grid.bounds_mm();
-    let slack = ROUNDING * grid.pitch_mm;
-    (0..3).any(|i| low[i] < first[i] - slack || high[i] > last[i] + slack)
-}
-
-/// Voxels along each axis of the grid on which a volume is measured that no formula gives.
-const MEASURED: usize = 128;
-
-/// Share of a shape's volume that is not among these mm³.
-fn lost_share(shape: &dyn Shape, kept_mm3: f64, run: &Run) -> Result<f64> {
-    let whole_mm3 = match shape.volume_mm3() {
-        Some(exact) => exact,
-        None => {
-            let grid = default_grid(shape.bounds_mm(), Resolution::Shape([MEASURED; 3]))?;
-            let inside = shape.sample_under(&grid, run)?.values;
-            inside.iter().map(|&v| f64::from(v)).sum::<f64>() * grid.voxel_mm3()
-        }
-    };
-    Ok((1.0 - kept_mm3 / whole_mm3).clamp(0.0, 1.0))
-}
 
 /// An error about the unit of a mesh, as one about the option.
 fn as_target_option(mut error: Error) -> Error {

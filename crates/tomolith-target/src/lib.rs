@@ -25,6 +25,7 @@
 
 pub mod bodies;
 mod boxes;
+pub mod clip;
 pub mod diagnosis;
 mod image;
 mod lines;

@@ -3,15 +3,13 @@
 use super::spec::GridSpec;
 use crate::error::{Error, Result};
 use crate::grid::VolumeGrid;
-use crate::target::{Resolution, Shape, default_grid};
+use crate::models::Run;
+use crate::target::Shape;
+use crate::target::clip::{ROUNDING, cut_off};
 use crate::units::concise;
 
 /// Share of the part's volume that a grid may cut off without being refused: what rounding to voxels cuts.
 const STRAY: f64 = 1e-3;
-/// Parts of a voxel that are rounding of the job's lengths.
-const ROUNDING: f64 = 1e-6;
-/// Voxels along the longest edge of the part, on which the volume is measured.
-const ACROSS: f64 = 96.0;
 
 /// Refuses a grid that cuts the part, unless the job asks for it; says how much is cut off.
 ///
@@ -21,17 +19,14 @@ pub(super) fn must_hold(
     spec: &GridSpec,
     grid: &VolumeGrid,
     shape: &dyn Shape,
+    run: &Run,
 ) -> Result<Option<String>> {
     let Some(counts) = spec.shape else {
         return Ok(None);
     };
-    let (part, own) = (shape.bounds_mm(), grid.bounds_mm());
-    let slack = ROUNDING * grid.pitch_mm;
-    let holds = (0..3).all(|i| own[0][i] <= part[0][i] + slack && own[1][i] >= part[1][i] - slack);
-    if holds {
+    let Some(cut_off) = cut_off(grid, shape, run)? else {
         return Ok(None);
-    }
-    let cut_off = 1.0 - share_within(own, shape)?;
+    };
     let percent = concise(format!("{:.2}", 100.0 * cut_off).parse().unwrap_or(0.0));
     if spec.clip || cut_off <= STRAY {
         return Ok(Some(format!(
@@ -39,6 +34,7 @@ pub(super) fn must_hold(
              use more voxels in grid.shape or a larger grid.pitch_mm"
         )));
     }
+    let (part, own) = (shape.bounds_mm(), grid.bounds_mm());
     let times = |sizes: [String; 3]| sizes.join(" × ");
     let sizes = |of: [[f64; 3]; 2]| times([0, 1, 2].map(|i| concise(of[1][i] - of[0][i])));
     let needed = [0, 1, 2].map(|i| {
@@ -60,33 +56,6 @@ pub(super) fn must_hold(
             "at least {needed:?} voxels, a larger grid.pitch_mm, or grid.clip = true to print what is left"
         ),
     ))
-}
-
-/// Share of the part's volume in a box (mm).
-fn share_within(bounds: [[f64; 3]; 2], shape: &dyn Shape) -> Result<f64> {
-    let part = shape.bounds_mm();
-    let longest = (0..3).map(|i| part[1][i] - part[0][i]).fold(0.0, f64::max);
-    let grid = default_grid(part, Resolution::Pitch(longest / ACROSS))?;
-    let values = shape.sample(&grid)?.values;
-    // Share of voxel i along an axis that lies in the box
-    let within = |axis: usize, middle: f64| {
-        let half = grid.pitch_mm / 2.0;
-        let low = (middle - half).max(bounds[0][axis]);
-        let high = (middle + half).min(bounds[1][axis]);
-        ((high - low) / grid.pitch_mm).max(0.0)
-    };
-    let [_, ny, nx] = grid.shape;
-    let (mut all, mut kept) = (0.0, 0.0);
-    for (i, &value) in values.iter().enumerate().filter(|(_, value)| **value > 0.0) {
-        let value = f64::from(value);
-        let middle = [grid.x(i % nx), grid.y(i / nx % ny), grid.z(i / (nx * ny))];
-        all += value;
-        kept += value
-            * (0..3)
-                .map(|axis| within(axis, middle[axis]))
-                .product::<f64>();
-    }
-    Ok(if all > 0.0 { kept / all } else { 1.0 })
 }
 
 #[cfg(test)]
@@ -114,6 +83,7 @@ mod tests {
             &spec,
             &VolumeGrid::centered([z, y, x], 0.1),
             cylinder().as_ref(),
+            &Run::new(),
         )
     }
 

@@ -151,7 +151,7 @@ impl Scene {
         notes.extend(chosen(&spec, &kinds));
         must_be_seen(shape.as_ref(), &grid, unit.as_deref())?;
         time_refusals::must_be_stable(&spec, &grid)?;
-        let cut_off = clip::must_hold(&spec.grid, &grid, shape.as_ref())?;
+        let cut_off = clip::must_hold(&spec.grid, &grid, shape.as_ref(), run)?;
         // A file that is missing is told before numbers that do not suit it
         let covered = optics.family(&grid)?.check(&optics.scene(), &grid)?;
         optics.must_be_judged(&spec)?;
