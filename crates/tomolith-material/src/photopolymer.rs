@@ -20,7 +20,7 @@ use crate::diffusion::{
 };
 use crate::domain::Domain;
 use crate::mixing::Mixing;
-use crate::print::rounded_down;
+use crate::print::exceeded_limit_s;
 use crate::reaction::{Stage, smooth_step};
 use crate::{Absorption, Material, Readout, Requirement, State};
 pub use params::{Curing, Inhibitor, Initial, Network, Params, Shading, at_height};
@@ -34,6 +34,9 @@ use tomolith_core::units::exact;
 
 /// Voxels that a thread takes through all stages at a time: they stay in the second cache.
 const CHUNK: usize = 4096;
+
+/// Share of a step that is rounding of the times that cut it.
+const ROUNDING: f64 = 1e-6;
 
 /// A volume of the state.
 #[derive(Clone, Debug)]
@@ -383,18 +386,16 @@ impl Photopolymer {
     }
 
     fn check_step(&self, seconds: f64) -> Result<()> {
-        let limit = self.longest_step_s();
-        if seconds <= limit * (1.0 + 1e-6) {
-            return Ok(());
+        match exceeded_limit_s(self, seconds * (1.0 - ROUNDING)) {
+            None => Ok(()),
+            Some(limit) => Err(Error::config(
+                "step_s",
+                format!("found {} s", exact(seconds)),
+                format!(
+                    "at most {limit} s, the stability limit of diffusion through voxel faces; or diffusion = \"spectral\""
+                ),
+            )),
         }
-        Err(Error::config(
-            "step_s",
-            format!("found {} s", exact(seconds)),
-            format!(
-                "at most {} s, the stability limit of diffusion through voxel faces; or diffusion = \"spectral\"",
-                rounded_down(limit)
-            ),
-        ))
     }
 }
 

@@ -209,28 +209,28 @@ pub(crate) fn default_step_s(material: &dyn Material, schedule: &Schedule) -> f6
     plain.min(material.longest_step_s())
 }
 
-/// A limit with five digits, none of them rounded up: what is said is accepted.
+/// The longest stable step where a step is longer, s: with five digits, none of them rounded up, so that what is said is accepted.
 #[must_use]
-pub fn rounded_down(limit: f64) -> f64 {
+pub fn exceeded_limit_s(material: &dyn Material, step_s: f64) -> Option<f64> {
+    let limit = material.longest_step_s();
+    if step_s <= limit {
+        return None;
+    }
     let unit = 10f64.powi(limit.log10().floor() as i32 - 4);
     // 0.016667 and not 0.016667000000000001
     let text = format!("{:.4e}", (limit / unit).floor() * unit);
-    text.parse().unwrap_or(limit)
+    Some(text.parse().unwrap_or(limit))
 }
 
 pub(crate) fn check_step(material: &dyn Material, step_s: f64) -> Result<()> {
-    let limit = material.longest_step_s();
-    if step_s > 0.0 && step_s <= limit {
+    if step_s > 0.0 && exceeded_limit_s(material, step_s).is_none() {
         return Ok(());
     }
-    let most = if limit.is_finite() {
+    let most = exceeded_limit_s(material, f64::INFINITY).map_or_else(String::new, |limit| {
         format!(
-            " and at most {} s, the stability limit of diffusion through voxel faces (or diffusion = \"spectral\")",
-            rounded_down(limit)
+            " and at most {limit} s, the stability limit of diffusion through voxel faces (or diffusion = \"spectral\")"
         )
-    } else {
-        String::new()
-    };
+    });
     Err(Error::config(
         "step_s",
         format!("found {} s", exact(step_s)),

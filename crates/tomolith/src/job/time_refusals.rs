@@ -10,7 +10,7 @@ use crate::units::exact;
 use tomolith_material::Material;
 use tomolith_material::domain::Domain;
 use tomolith_material::photopolymer::{Inhibitor, Network, Photopolymer};
-use tomolith_material::print::rounded_down;
+use tomolith_material::print::exceeded_limit_s;
 use tomolith_material::schedule::Schedule;
 
 /// Checks material and schedule before any work.
@@ -343,16 +343,14 @@ pub(super) fn must_be_stable(spec: &JobSpec, grid: &VolumeGrid) -> Result<()> {
         domain = domain.with_air_on_top();
     }
     let material = material(spec, spec.mixing()?.as_deref(), domain)?;
-    let limit = material.longest_step_s();
-    if step_s <= limit {
-        return Ok(());
+    match exceeded_limit_s(&material, step_s) {
+        None => Ok(()),
+        Some(limit) => Err(Error::config(
+            "schedule.step_s",
+            format!(
+                "found {step_s} s, but diffusion through the faces of voxels is stable up to {limit} s only"
+            ),
+            "a shorter step, larger voxels (grid.pitch_mm), or material.photopolymer.diffusion = \"spectral\"",
+        )),
     }
-    Err(Error::config(
-        "schedule.step_s",
-        format!(
-            "found {step_s} s, but diffusion through the faces of voxels is stable up to {} s only",
-            rounded_down(limit)
-        ),
-        "a shorter step, larger voxels (grid.pitch_mm), or material.photopolymer.diffusion = \"spectral\"",
-    ))
 }
