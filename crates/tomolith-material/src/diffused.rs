@@ -72,31 +72,10 @@ pub struct Diffused<M: ?Sized> {
 }
 
 impl<M: DoseModel<Field = HostField> + ?Sized> Diffused<M> {
-    /// Light that is even over `seconds`, with a diffusion coefficient in mm²/s.
-    ///
-    /// # Errors
-    /// [`Error::Config`] for numbers that are negative or not finite; [`Error::Unsupported`] for doses with cells.
-    pub fn even(model: Box<M>, diffusion: f64, seconds: f64) -> Result<Self> {
-        if !(seconds >= 0.0 && seconds.is_finite()) {
-            return Err(Error::config(
-                "seconds",
-                format!("found {}", exact(seconds)),
-                "a finite time, 0 or more",
-            ));
-        }
-        let span = Span {
-            before_s: 0.0,
-            seconds,
-            share: 1.0,
-        };
-        let frames = frames_of(model.patterns());
-        Self::of_spans(model, diffusion, &[(0..frames, vec![span])])
-    }
-
     /// All lights of a schedule until its end, the frames of each in so many arcs; neighbors with the same times are one.
     ///
     /// # Errors
-    /// As [`even`](Self::even); [`Error::Config`] where the schedule is of other frames, or shows some never.
+    /// As [`of_spans`](Self::of_spans); [`Error::Config`] where the schedule is of other frames, or shows some never.
     pub fn of_schedule(
         model: Box<M>,
         diffusion: f64,
@@ -125,7 +104,8 @@ impl<M: DoseModel<Field = HostField> + ?Sized> Diffused<M> {
     /// Any spans of time for arcs of neighboring frames, which cover all frames.
     ///
     /// # Errors
-    /// As [`even`](Self::even); [`Error::Config`] at `arcs` where frames are left out.
+    /// [`Error::Config`] for a diffusion coefficient (mm²/s) that is negative or not finite, and at `arcs` where frames are left out;
+    /// [`Error::Unsupported`] for doses with cells.
     pub fn of_spans(
         model: Box<M>,
         diffusion: f64,

@@ -3,7 +3,7 @@
 //! State volumes have the layout of the dose, so that light, state and readout need no copies: rows of lanes along z.
 
 use std::sync::Arc;
-use tomolith_core::dose::{DoseLayout, DoseModel};
+use tomolith_core::dose::DoseLayout;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
 use tomolith_core::grid::{Volume, VolumeGrid};
@@ -26,27 +26,6 @@ impl Domain {
             resin: None,
             air: false,
         }
-    }
-
-    /// The box of a dose model.
-    ///
-    /// # Errors
-    /// [`Error::Unsupported`] for a model with several outputs, or with two doses in some voxels.
-    pub fn of(model: &dyn DoseModel<Field = HostField>) -> Result<Self> {
-        let [output] = model.outputs() else {
-            return Err(Error::Unsupported {
-                what: "a dose model with several outputs".to_owned(),
-                reason: "a material takes one dose model per light, each with one output"
-                    .to_owned(),
-            });
-        };
-        if output.cells.is_some() {
-            return Err(Error::Unsupported {
-                what: "a dose with surface-aware cells".to_owned(),
-                reason: "matter flows between voxels, not between the halves of one".to_owned(),
-            });
-        }
-        Ok(Domain::new(output.grid.clone()))
     }
 
     /// Walls: glass and bodies are where `resin` (file order) is false; nothing flows through their faces.

@@ -164,3 +164,9 @@ pub(crate) fn apart(a: &HostField, b: &HostField) -> f32 {
     let pairs = a.as_slice().iter().zip(b.as_slice());
     pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f32::max)
 }
+
+/// The voxels of a model.
+#[cfg(test)]
+pub(crate) fn domain_of(model: &Model) -> Domain {
+    Domain::new(model.outputs()[0].grid.clone())
+}

@@ -69,8 +69,6 @@ pub struct Photopolymer {
     domain: Domain,
     slots: Vec<Slot>,
     chains: Vec<Chain>,
-    /// Volumes of inhibitors that begin as they were given.
-    given: Vec<(usize, HostField)>,
     spectral: Option<Spectral>,
     spare: Mutex<Vec<HostField>>,
 }
@@ -91,7 +89,6 @@ impl Photopolymer {
             domain,
             slots,
             chains,
-            given: Vec::new(),
             spectral: None,
             spare: Mutex::default(),
             params,
@@ -101,49 +98,6 @@ impl Photopolymer {
             material.spectral = Some(Spectral::new(material.domain.layout()));
         }
         Ok(material)
-    }
-
-    /// Starts an inhibitor as it was measured or left by an earlier print (file order, 0 or above), instead of its `initial`.
-    ///
-    /// # Errors
-    /// [`Error::Config`] for an inhibitor that there is not, or a value that is negative or not finite; [`Error::Shape`].
-    pub fn with_initial(
-        mut self,
-        network: usize,
-        inhibitor: usize,
-        values: &Volume<f32>,
-    ) -> Result<Self> {
-        let key = format!("networks[{network}].inhibitors[{inhibitor}]");
-        let all = self.params.networks.get(network);
-        let count = all.map_or(0, |network| network.inhibitors.len());
-        if inhibitor >= count {
-            return Err(Error::config(
-                key,
-                format!("there are {count} inhibitors"),
-                "one of them",
-            ));
-        }
-        let grid = self.domain.grid();
-        if values.grid.shape != grid.shape {
-            return Err(Error::Shape {
-                what: format!("{key}.initial"),
-                expected: grid.shape.to_vec(),
-                found: values.grid.shape.to_vec(),
-            });
-        }
-        let is_amount = |v: &f32| v.is_finite() && *v >= 0.0;
-        if let Some(bad) = values.values.iter().find(|v| !is_amount(v)) {
-            return Err(Error::config(
-                format!("{key}.initial"),
-                format!("found {}", exact(*bad)),
-                "finite numbers, 0 or above",
-            ));
-        }
-        let slot = self.chains[network].cure - count + inhibitor;
-        let mut field = HostField::from_slice(&self.domain.layout().field_of(values));
-        self.domain.only_resin(&mut field);
-        self.given.push((slot, field));
-        Ok(self)
     }
 
     /// Its parameters.
@@ -572,9 +526,6 @@ impl Material for Photopolymer {
                 volumes.push(self.domain.filled(|z| inhibitor.initial.at(z) as f32));
             }
             volumes.push(self.domain.zeros());
-        }
-        for (slot, field) in &self.given {
-            volumes[*slot].copy_from(field);
         }
         Ok(State {
             seconds: 0.0,

@@ -265,18 +265,6 @@ impl MatrixModel {
         }
     }
 
-    /// The matrix of any linear model, by lighting its pixels: for small jobs.
-    ///
-    /// Pixels of one column that are too far apart to light the same slice are lit together.
-    ///
-    /// # Errors
-    /// [`Error::Unsupported`] when the model is not linear or has several species; [`Error::Canceled`].
-    pub fn from_model(model: &dyn DoseModel<Field = HostField>, run: &Run) -> Result<Self> {
-        let csr = matrix_of(model, run)?;
-        let pixels = model.patterns().iter().map(|p| p.grid.clone()).collect();
-        Self::new(&csr, pixels, model.outputs()[0].grid.clone())
-    }
-
     /// Number of stored entries.
     #[must_use]
     pub fn entries(&self) -> usize {
@@ -308,8 +296,10 @@ fn depth(matrix: &Csr, pixels: &[PatternGrid], grid: &VolumeGrid) -> Result<usiz
 /// The matrix of a linear model in array order: rows `[z, y, x]`, columns `[angle, row, column]` of one light after the
 /// other. Pixels that are not active have no entries.
 ///
+/// Pixels are lit one by one, those of a column together that are too far apart to light the same slice: for small jobs.
+///
 /// # Errors
-/// As [`MatrixModel::from_model`].
+/// [`Error::Unsupported`] when the model is not linear or has several species; [`Error::Canceled`].
 pub fn matrix_of(model: &dyn DoseModel<Field = HostField>, run: &Run) -> Result<Csr> {
     let refused = |reason: &str| {
         Err(Error::Unsupported {
@@ -695,8 +685,11 @@ mod tests {
             )
         };
         let lights = vec![light(3, 9, 20, 0.17), light(2, 3, 9, 0.5)];
-        let model = Parallel::new(&vial, lights, VolumeGrid::centered([5, 9, 8], 0.3)).unwrap();
-        let matrix = MatrixModel::from_model(&model, &Run::new()).unwrap();
+        let grid = VolumeGrid::centered([5, 9, 8], 0.3);
+        let pixels = lights.iter().map(|light| light.pixels.clone()).collect();
+        let model = Parallel::new(&vial, lights, grid.clone()).unwrap();
+        let matrix = matrix_of(&model, &Run::new()).unwrap();
+        let matrix = MatrixModel::new(&matrix, pixels, grid).unwrap();
         must_equal(&matrix, &model);
         check::model::model(&matrix, 5).unwrap();
         assert!(LinearOperator::updates(&matrix) <= LinearOperator::updates(&model));

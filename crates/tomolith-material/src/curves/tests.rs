@@ -1,5 +1,5 @@
 use super::*;
-use crate::domain::Domain;
+use crate::domain_of;
 use crate::memoryless::Memoryless;
 use crate::mixing::Mixing;
 use crate::photopolymer::{Curing, Inhibitor, Network, Params, Photopolymer};
@@ -71,7 +71,7 @@ fn a_checkerboard_goes_through_three_phases_with_one_best_moment() {
         inhibitors: vec![oxygen],
         ..Network::new("a", Curing::threshold(0.5))
     };
-    let domain = Domain::of(&model).unwrap();
+    let domain = domain_of(&model);
     let material =
         Photopolymer::new(Params::new(vec![network]), Mixing::identity(1), domain).unwrap();
     // One turn of 72 s leaves what the patterns are made for; ten cure everything
@@ -175,7 +175,7 @@ fn contrast_repeats_with_every_turn_until_something_cures() {
     let model = SmallModel::new(24, 36, 1);
     let labels = checkerboard(&model, 4);
     let x = patterns(&model, &labels);
-    let domain = Domain::of(&model).unwrap();
+    let domain = domain_of(&model);
     let material =
         Memoryless::new(Mixing::identity(1), domain, vec![Box::new(Identity)], 1e6).unwrap();
     let schedule = Schedule::of_turns(&[Turns::new(36, 36.0, 3.0)]).unwrap();
@@ -217,7 +217,7 @@ fn contrast_repeats_with_every_turn_until_something_cures() {
 #[test]
 fn cure_times_are_interpolated_within_a_block() {
     let model = SmallModel::new(5, 4, 1);
-    let domain = Domain::of(&model).unwrap();
+    let domain = domain_of(&model);
     let material = Photopolymer::new(
         Params::new(vec![Network::new("a", Curing::threshold(1.0))]),
         Mixing::identity(1),
@@ -255,7 +255,7 @@ fn cure_times_are_interpolated_within_a_block() {
 #[test]
 fn antagonists_do_not_count_as_imbued() {
     let model = SmallModel::new(5, 4, 1);
-    let domain = Domain::of(&model).unwrap();
+    let domain = domain_of(&model);
     let mixing = Mixing::new(vec![vec![1.0, -2.0]]).unwrap();
     let network = Network::new("a", Curing::threshold(1.0));
     let material = Photopolymer::new(Params::new(vec![network]), mixing, domain).unwrap();
@@ -283,7 +283,7 @@ fn antagonists_do_not_count_as_imbued() {
 #[test]
 fn what_cannot_be_watched_is_named() {
     let model = SmallModel::new(5, 4, 1);
-    let domain = Domain::of(&model).unwrap();
+    let domain = domain_of(&model);
     let material =
         Memoryless::new(Mixing::identity(1), domain, vec![Box::new(Identity)], 1.0).unwrap();
     let labels = Volume::filled(model.layout().grid.clone(), label::VOID);

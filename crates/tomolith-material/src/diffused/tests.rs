@@ -1,5 +1,6 @@
 use super::*;
 use crate::domain::Domain;
+use crate::domain_of;
 use crate::mixing::Mixing;
 use crate::photopolymer::{Curing, Network, Params, Photopolymer};
 use crate::schedule::Turns;
@@ -91,11 +92,21 @@ fn a_point_lit_evenly_has_variance_dt() {
     );
 }
 
+/// Light that is even over 40 s; the small model's voxels are 1 mm, and this D matters there.
+fn even<M: DoseModel<Field = HostField> + ?Sized>(model: Box<M>) -> Diffused<M> {
+    let span = Span {
+        before_s: 0.0,
+        seconds: 40.0,
+        share: 1.0,
+    };
+    let frames = frames_of(model.patterns());
+    Diffused::of_spans(model, 0.02, &[(0..frames, vec![span])]).unwrap()
+}
+
 #[test]
 fn it_is_an_exact_pair_with_one_arc_and_with_many() {
     let small = || Box::new(SmallModel::new(9, 12, 3));
-    // The small model's voxels are 1 mm: D that matters there
-    check::model::model(&Diffused::even(small(), 0.02, 40.0).unwrap(), 1).unwrap();
+    check::model::model(&even(small()), 1).unwrap();
     let schedule = Schedule::of_turns(&[Turns::new(12, 10.0, 3.5)]).unwrap();
     for arcs in [1, 5, 12] {
         let model = Diffused::of_schedule(small(), 0.02, &schedule, arcs).unwrap();
@@ -111,7 +122,7 @@ fn it_is_an_exact_pair_with_one_arc_and_with_many() {
         assert!(terms.len() == 1 && off < 1e-5, "{off}");
     }
     let boxed: Box<dyn DoseModel<Field = HostField>> = small();
-    check::model::model(&Diffused::even(boxed, 0.02, 40.0).unwrap(), 5).unwrap();
+    check::model::model(&even(boxed), 5).unwrap();
 }
 
 #[test]
@@ -133,7 +144,7 @@ fn arcs_of_single_frames_are_the_print_of_a_dose_that_wanders() {
         diffusion: Scheme::Spectral,
         ..Params::new(vec![wandering])
     };
-    let domain = Domain::of(&model).unwrap();
+    let domain = domain_of(&model);
     let material = Photopolymer::new(params, Mixing::identity(1), domain).unwrap();
     let light = print::LightSource {
         model: &model,

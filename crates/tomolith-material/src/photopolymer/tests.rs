@@ -252,26 +252,6 @@ fn oxygen_may_change_along_the_axis_and_walls_hold_none() {
 }
 
 #[test]
-fn a_print_may_begin_where_another_ended() {
-    let params = threshold(vec![oxygen(1.0, 0.0), oxygen(1.0, 0.0)], 1.0);
-    let values = vec![0.25, 0.0, 1.5];
-    let grid = VolumeGrid::centered([1, 1, 3], 0.05);
-    let left = Volume { grid, values };
-    let material = build(params.clone(), [1, 1, 3]);
-    let material = material.with_initial(0, 1, &left).unwrap();
-    let state = material.start().unwrap();
-    assert_eq!(state.volumes[0].as_slice(), [1.0; 3]);
-    assert_eq!(state.volumes[1].as_slice(), left.values);
-    let again = |network, inhibitor, values: &Volume<f32>| {
-        key_of(build(params.clone(), [1, 1, 3]).with_initial(network, inhibitor, values)).0
-    };
-    assert_eq!(again(0, 2, &left), "networks[0].inhibitors[2]");
-    let mut bad = left.clone();
-    bad.values[0] = -1.0;
-    assert_eq!(again(0, 0, &bad), "networks[0].inhibitors[0].initial");
-}
-
-#[test]
 fn strang_splitting_converges_with_the_square_of_the_step() {
     let smooth = Inhibitor {
         half_saturation: Some(0.2),

@@ -1,6 +1,6 @@
 use super::*;
 use crate::curves::Curves;
-use crate::domain::Domain;
+use crate::domain_of;
 use crate::mixing::Mixing;
 use crate::photopolymer::{Curing, Inhibitor, Network, Params, Photopolymer, Shading};
 use crate::schedule::{Power, Turns};
@@ -132,7 +132,7 @@ fn material(cured: f64, diffusion: f64) -> Photopolymer {
         shading: vec![shading],
         ..Params::new(vec![network])
     };
-    let domain = Domain::of(&Cross::even()).unwrap();
+    let domain = domain_of(&Cross::even());
     Photopolymer::new(params, Mixing::identity(1), domain).unwrap()
 }
 

@@ -1,6 +1,6 @@
 use super::*;
 use crate::diffusion::Scheme;
-use crate::domain::Domain;
+use crate::domain_of;
 use crate::memoryless::Memoryless;
 use crate::mixing::Mixing;
 use crate::photopolymer::{Curing, Inhibitor, Network, Params, Photopolymer};
@@ -22,7 +22,7 @@ fn logistic() -> Box<dyn Response> {
 }
 
 fn memoryless(mixing: Mixing, turns: &[Turns]) -> Printing {
-    let domain = Domain::of(&small()).unwrap();
+    let domain = domain_of(&small());
     let responses = (0..mixing.species()).map(|_| logistic()).collect();
     let lights = mixing.lights();
     let material = Memoryless::new(mixing, domain, responses, 0.5).unwrap();
@@ -137,7 +137,7 @@ fn in_time(lights: usize) -> Printing {
         diffusion: scheme,
         ..Params::new(networks)
     };
-    let domain = Domain::of(&small()).unwrap();
+    let domain = domain_of(&small());
     let material = Photopolymer::new(params, mixing, domain).unwrap();
     let all = [
         Turns {
@@ -262,7 +262,7 @@ fn the_way_back_asks_for_the_frames_that_shine_and_no_others() {
         inhibitors: vec![Inhibitor::default()],
         ..Network::new("a", Curing::threshold(0.4))
     };
-    let domain = Domain::of(&small()).unwrap();
+    let domain = domain_of(&small());
     let params = Params::new(vec![network]);
     let material = Photopolymer::new(params, Mixing::identity(1), domain).unwrap();
     let optics: Vec<Box<Model>> = vec![Box::new(Counting(small(), Arc::clone(&counted)))];
@@ -316,7 +316,7 @@ fn what_needs_a_sum_over_frames_is_refused_with_memory() {
 #[test]
 fn lights_that_do_not_fit_are_named() {
     let schedule = Schedule::of_turns(&[Turns::new(11, 1.0, 1.0)]).unwrap();
-    let domain = Domain::of(&small()).unwrap();
+    let domain = domain_of(&small());
     let material = Memoryless::new(Mixing::identity(1), domain, vec![logistic()], 0.5).unwrap();
     let optics: Vec<Box<Model>> = vec![Box::new(small())];
     let Err(Error::Config { key, found, .. }) =
@@ -341,7 +341,7 @@ fn the_derivative_through_an_inhibitor_of_zeroth_order_is_that_of_differences() 
         inhibitors: vec![oxygen],
         ..Network::new("resin", Curing::threshold(0.3))
     };
-    let domain = Domain::of(&small()).unwrap();
+    let domain = domain_of(&small());
     let material =
         Photopolymer::new(Params::new(vec![network]), Mixing::identity(1), domain).unwrap();
     let schedule = Schedule::of_turns(&[Turns::new(12, 10.0, 3.0)]).unwrap();

@@ -268,9 +268,9 @@ impl Parallel {
         })
     }
 
-    /// Uses a given instruction set; for tests and benches.
-    #[must_use]
-    pub fn with_isa(mut self, isa: Isa) -> Self {
+    /// Uses a given instruction set.
+    #[cfg(test)]
+    pub(crate) fn with_isa(mut self, isa: Isa) -> Self {
         self.path = KernelPath::of(isa);
         self
     }
