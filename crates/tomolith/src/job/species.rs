@@ -197,7 +197,7 @@ pub(super) fn planned(
 ) -> Result<ModelPlan> {
     let mut plan = match scene.mixing.as_deref() {
         Some(rows) => {
-            let mix = |models| SpectralMixing::new(models, rows).map(|m| Box::new(m) as HostModel);
+            let mix = |models| mixed(models, rows);
             joined(rows, (asked, optics), grid, voxels, run, mix)?
         }
         None => {
@@ -212,6 +212,10 @@ pub(super) fn planned(
     let surrogate = plan.surrogate.take();
     plan.surrogate = surrogate.map(|m| in_time::diffused(scene, m)).transpose()?;
     Ok(plan)
+}
+
+fn mixed(lights: Vec<HostModel>, rows: &[Row]) -> Result<HostModel> {
+    Ok(Box::new(SpectralMixing::new(lights, rows)?))
 }
 
 /// Models of one light each, joined by `join`; their surrogates are mixed.
@@ -235,8 +239,6 @@ pub(super) fn joined(
         let part = run.part(1.0 / count as f64);
         plans.push(planner::plan(asked, own, grid, wanted.as_ref(), &part)?);
     }
-    let mixed =
-        |models| SpectralMixing::new(models, rows).map(|model| Box::new(model) as HostModel);
     let dark = if plans.iter().all(|plan| plan.dark.is_empty()) {
         Vec::new()
     } else {
@@ -261,7 +263,7 @@ pub(super) fn joined(
         ),
         model: MaskedModel::new(model, Vec::new(), 1.0),
         dark,
-        surrogate: surrogates.map(mixed).transpose()?,
+        surrogate: surrogates.map(|own| mixed(own, rows)).transpose()?,
     })
 }
 
