@@ -16,7 +16,7 @@ Examples:
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct CompareArguments {
-    /// Run folders
+    /// Folders of `run` and `simulate`; the page says under each name whether it is an optimization or a simulation
     #[arg(required = true)]
     runs: Vec<PathBuf>,
     /// The page

@@ -223,6 +223,8 @@ fn runs_are_compared_and_exported() {
         0,
         "simulate job.toml --patterns plain --output again --quiet",
     );
+    let kinds = &bench.json("compare a again")["kinds"];
+    assert_eq!(*kinds, serde_json::json!(["optimization", "simulation"]));
     assert!(
         bench
             .expect(2, "export job.toml --output c")

@@ -69,6 +69,7 @@ pub fn compare_json(runs: &[ComparedRun]) -> Value {
     json!({
         "schema": "tomolith.compare/1",
         "runs": runs.iter().map(|run| &run.name).collect::<Vec<_>>(),
+        "kinds": runs.iter().map(ComparedRun::kind).collect::<Vec<_>>(),
         "numbers": rows,
         "differing_keys": differing,
     })

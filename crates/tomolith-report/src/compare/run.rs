@@ -66,6 +66,16 @@ impl ComparedRun {
         })
     }
 
+    /// `optimization`, or `simulation` of patterns that were given: what gave the patterns of this run.
+    #[must_use]
+    pub fn kind(&self) -> &'static str {
+        if self.report["history"].is_null() {
+            "simulation"
+        } else {
+            "optimization"
+        }
+    }
+
     pub(super) fn number(&self, pointer: &str) -> Option<f64> {
         self.report.pointer(pointer)?.as_f64()
     }

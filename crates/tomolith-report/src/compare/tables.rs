@@ -63,14 +63,11 @@ fn judge_of(run: &ComparedRun) -> Option<&str> {
     model.split([' ', ',', ':']).next()
 }
 
-/// The same under a run's name.
-fn judge(run: &ComparedRun) -> String {
-    judge_of(run).map_or_else(String::new, |name| {
-        format!(
-            "<br><span class=\"muted\">judged by {}</span>",
-            escape(name)
-        )
-    })
+/// What a run is and who judged it, under its name.
+fn origin(run: &ComparedRun) -> String {
+    let judge =
+        judge_of(run).map_or_else(String::new, |name| format!(", judged by {}", escape(name)));
+    format!("<br><span class=\"muted\">{}{judge}</span>", run.kind())
 }
 
 /// Whether some of the part turns solid in a run; of gray targets, which have no IoU, and earlier reports it is not asked.
@@ -87,7 +84,7 @@ pub(super) fn numbers(runs: &[ComparedRun]) -> String {
                 "<th><i class=\"dot c-{}\"></i>{}{}</th>",
                 class(i),
                 escape(&run.name),
-                judge(run)
+                origin(run)
             )
         })
         .collect();

@@ -72,12 +72,27 @@ fn the_page_names_the_model_that_judged() {
     runs[1].report["run"] = json!({ "models": { "evaluation": "wave (4 depths): as asked" } });
     let page = compare_html(&runs);
     assert_eq!(page.matches("judged by").count(), 1);
-    assert!(page.contains("waves<br><span class=\"muted\">judged by wave</span>"));
+    assert!(page.contains("waves<br><span class=\"muted\">optimization, judged by wave</span>"));
     // What one model says is no better than what another says
     assert!(page.contains("the best is not marked") && !page.contains("<td class=\"head\">"));
     let alone = "2 species by 2 lights, each alone: parallel (distance-driven kernel)";
     runs[1].report["run"]["models"]["evaluation"] = alone.into();
     assert!(compare_html(&runs).contains("judged by parallel"));
+}
+
+#[test]
+fn simulations_are_told_from_optimizations() {
+    let mut runs = [run("made", 0.99, "10"), run("given", 0.9, "10")];
+    runs[1].report["history"] = Value::Null;
+    assert_eq!(
+        compare_json(&runs)["kinds"],
+        json!(["optimization", "simulation"])
+    );
+    let page = compare_html(&runs);
+    for (name, kind) in [("made", "optimization"), ("given", "simulation")] {
+        let head = format!("{name}<br><span class=\"muted\">{kind}</span>");
+        assert!(page.contains(&head), "{page}");
+    }
 }
 
 #[test]
