@@ -18,13 +18,6 @@ pub(super) struct Row {
 
 /// Every number that the page lists.
 pub(super) fn rows(runs: &[ComparedRun]) -> Vec<Row> {
-    let pointer = |key: &str, name: &str, unit, better, pointer: &'static str| Row {
-        key: key.to_owned(),
-        name: name.to_owned(),
-        unit,
-        better,
-        value: Box::new(move |run| run.number(pointer)),
-    };
     let mut rows: Vec<Row> = METRICS
         .iter()
         .map(|kind| {
@@ -38,24 +31,38 @@ pub(super) fn rows(runs: &[ComparedRun]) -> Vec<Row> {
             }
         })
         .collect();
-    let last = |column: &'static str| {
-        move |run: &ComparedRun| {
-            run.history
-                .get(column)?
-                .iter()
-                .rev()
-                .copied()
-                .find(|v| v.is_finite())
-        }
-    };
-    rows.extend([
-        pointer(
-            "evaluation_pitch_mm",
-            "Edge of the evaluation's voxels",
-            "mm",
-            Better::Neutral,
-            "/evaluation/grid/pitch_mm",
-        ),
+    rows.push(pointer(
+        "evaluation_pitch_mm",
+        "Edge of the evaluation's voxels",
+        "mm",
+        Better::Neutral,
+        "/evaluation/grid/pitch_mm",
+    ));
+    rows.extend(of_optimization());
+    rows.extend(of_print());
+    rows.extend(scenarios(runs).into_iter().map(of_scenario));
+    rows
+}
+
+/// A number of the report.
+fn pointer(
+    key: &str,
+    name: &str,
+    unit: &'static str,
+    better: Better,
+    pointer: &'static str,
+) -> Row {
+    Row {
+        key: key.to_owned(),
+        name: name.to_owned(),
+        unit,
+        better,
+        value: Box::new(move |run| run.number(pointer)),
+    }
+}
+
+fn of_optimization() -> [Row; 4] {
+    [
         pointer(
             "loss",
             "Loss, at the end",
@@ -84,8 +91,16 @@ pub(super) fn rows(runs: &[ComparedRun]) -> Vec<Row> {
             name: "Time of the optimization".to_owned(),
             unit: "s",
             better: Better::Lower,
-            value: Box::new(last("seconds")),
+            value: Box::new(|run| {
+                let seconds = run.history.get("seconds")?.iter().rev();
+                seconds.copied().find(|v| v.is_finite())
+            }),
         },
+    ]
+}
+
+fn of_print() -> [Row; 8] {
+    [
         pointer(
             "time_to_print_s",
             "Time to print",
@@ -145,9 +160,7 @@ pub(super) fn rows(runs: &[ComparedRun]) -> Vec<Row> {
             Better::Higher,
             "/scenarios/window",
         ),
-    ]);
-    rows.extend(scenarios(runs).into_iter().map(of_scenario));
-    rows
+    ]
 }
 
 /// The scenarios of all runs, each name once.
