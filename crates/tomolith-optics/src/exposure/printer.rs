@@ -164,127 +164,26 @@ impl Default for PrinterSpec {
     }
 }
 
+fn within(key: &str, value: f64, [least, most]: [f64; 2], accepted: &str) -> Result<()> {
+    if value >= least && value <= most {
+        return Ok(());
+    }
+    Err(Error::config(
+        format!("printer.{key}"),
+        format!("found {}", exact(value)),
+        accepted,
+    ))
+}
+
 impl PrinterSpec {
     /// Checks every number, without reading files.
     ///
     /// # Errors
     /// [`Error::Config`] with the key below `printer`.
     pub fn ranges(&self) -> Result<()> {
-        let finite = |key: &str, value: f64, least: f64, most: f64, accepted: &str| {
-            if value >= least && value <= most {
-                return Ok(());
-            }
-            Err(Error::config(
-                format!("printer.{key}"),
-                format!("found {}", exact(value)),
-                accepted,
-            ))
-        };
-        for (i, n) in self.canvas.iter().flatten().enumerate() {
-            let accepted = format!("a whole number from 1 to {LARGEST_EDGE}");
-            finite(
-                &format!("canvas[{i}]"),
-                *n as f64,
-                1.0,
-                LARGEST_EDGE as f64,
-                &accepted,
-            )?;
-        }
-        for pitch in self.pixel_pitch_mm.iter().flat_map(|pitch| pitch.0) {
-            finite(
-                "pixel_pitch_mm",
-                pitch,
-                f64::MIN_POSITIVE,
-                100.0,
-                "a length > 0, at most 100 mm",
-            )?;
-        }
-        let most = LARGEST_EDGE as f64;
-        for (i, value) in self.offset_px.into_iter().enumerate() {
-            finite(
-                &format!("offset_px[{i}]"),
-                value,
-                -most,
-                most,
-                "pixels, -16384 to 16384",
-            )?;
-        }
-        if self.copies_px.is_empty() || self.copies_px.len() > MOST_COPIES {
-            return Err(Error::config(
-                "printer.copies_px",
-                format!("{} places", self.copies_px.len()),
-                format!("1 to {MOST_COPIES} places [right, up]"),
-            ));
-        }
-        for (i, value) in self.copies_px.iter().flatten().enumerate() {
-            let key = format!("copies_px[{}][{}]", i / 2, i % 2);
-            finite(&key, *value, -most, most, "pixels, -16384 to 16384")?;
-        }
-        finite(
-            "quarter_turns",
-            f64::from(self.quarter_turns),
-            0.0,
-            3.0,
-            "0, 1, 2 or 3",
-        )?;
-        finite(
-            "rotation_deg",
-            self.rotation_deg,
-            -45.0,
-            45.0,
-            "degrees, -45 to 45 (and printer.quarter_turns)",
-        )?;
-        finite(
-            "axis_offset_mm",
-            self.axis_offset_mm.0,
-            -1000.0,
-            1000.0,
-            "mm, -1000 to 1000",
-        )?;
-        finite(
-            "eccentricity_mm",
-            self.eccentricity_mm.0,
-            0.0,
-            1000.0,
-            "mm, 0 or more",
-        )?;
-        finite(
-            "eccentricity_deg",
-            self.eccentricity_deg,
-            -360.0,
-            360.0,
-            "degrees, -360 to 360",
-        )?;
-        if let Some(start) = self.start_deg {
-            finite("start_deg", start, -360.0, 360.0, "degrees, -360 to 360")?;
-        }
-        finite(
-            "refresh_hz",
-            self.refresh_hz,
-            1.0,
-            100_000.0,
-            "images a second, 1 to 100000",
-        )?;
-        let least = f64::MIN_POSITIVE;
-        if let Some(peak) = self.peak_irradiance_mw_per_cm2 {
-            finite(
-                "peak_irradiance_mw_per_cm2",
-                peak,
-                least,
-                1e9,
-                "a number > 0, mW/cm²",
-            )?;
-        }
-        if let Some(time) = self.time_s {
-            finite("time_s", time, least, 1e9, "a number > 0, s")?;
-            if self.peak_irradiance_mw_per_cm2.is_none() {
-                return Err(Error::config(
-                    "printer.time_s",
-                    format!("{} s without a peak irradiance", exact(time)),
-                    "also printer.peak_irradiance_mw_per_cm2, or leave this key out",
-                ));
-            }
-        }
+        self.ranges_of_pixels()?;
+        self.ranges_of_motion()?;
+        self.ranges_of_light()?;
         if self.gray_curve.is_some() && self.gray_curve_file.is_some() {
             return Err(Error::config(
                 "printer.gray_curve",
@@ -296,6 +195,93 @@ impl PrinterSpec {
             Some(points) => ToneCurve::new(points, "printer.gray_curve").map(drop),
             None => Ok(()),
         }
+    }
+
+    /// Canvas, pixels and where patterns stand.
+    fn ranges_of_pixels(&self) -> Result<()> {
+        let most = LARGEST_EDGE as f64;
+        for (i, n) in self.canvas.iter().flatten().enumerate() {
+            let accepted = format!("a whole number from 1 to {LARGEST_EDGE}");
+            within(&format!("canvas[{i}]"), *n as f64, [1.0, most], &accepted)?;
+        }
+        for pitch in self.pixel_pitch_mm.iter().flat_map(|pitch| pitch.0) {
+            let range = [f64::MIN_POSITIVE, 100.0];
+            within(
+                "pixel_pitch_mm",
+                pitch,
+                range,
+                "a length > 0, at most 100 mm",
+            )?;
+        }
+        let pixels =
+            |key: &str, value| within(key, value, [-most, most], "pixels, -16384 to 16384");
+        for (i, value) in self.offset_px.into_iter().enumerate() {
+            pixels(&format!("offset_px[{i}]"), value)?;
+        }
+        if self.copies_px.is_empty() || self.copies_px.len() > MOST_COPIES {
+            return Err(Error::config(
+                "printer.copies_px",
+                format!("{} places", self.copies_px.len()),
+                format!("1 to {MOST_COPIES} places [right, up]"),
+            ));
+        }
+        for (i, value) in self.copies_px.iter().flatten().enumerate() {
+            pixels(&format!("copies_px[{}][{}]", i / 2, i % 2), *value)?;
+        }
+        Ok(())
+    }
+
+    /// Turns of the image, and the way of the vial.
+    fn ranges_of_motion(&self) -> Result<()> {
+        let turns = f64::from(self.quarter_turns);
+        within("quarter_turns", turns, [0.0, 3.0], "0, 1, 2 or 3")?;
+        let accepted = "degrees, -45 to 45 (and printer.quarter_turns)";
+        within("rotation_deg", self.rotation_deg, [-45.0, 45.0], accepted)?;
+        let offset = self.axis_offset_mm.0;
+        within(
+            "axis_offset_mm",
+            offset,
+            [-1000.0, 1000.0],
+            "mm, -1000 to 1000",
+        )?;
+        let eccentricity = self.eccentricity_mm.0;
+        within(
+            "eccentricity_mm",
+            eccentricity,
+            [0.0, 1000.0],
+            "mm, 0 or more",
+        )?;
+        let angle = |key: &str, deg| within(key, deg, [-360.0, 360.0], "degrees, -360 to 360");
+        angle("eccentricity_deg", self.eccentricity_deg)?;
+        self.start_deg
+            .map_or(Ok(()), |start| angle("start_deg", start))
+    }
+
+    /// How fast images follow one another, how bright they are and how long.
+    fn ranges_of_light(&self) -> Result<()> {
+        let accepted = "images a second, 1 to 100000";
+        within("refresh_hz", self.refresh_hz, [1.0, 100_000.0], accepted)?;
+        let range = [f64::MIN_POSITIVE, 1e9];
+        if let Some(peak) = self.peak_irradiance_mw_per_cm2 {
+            within(
+                "peak_irradiance_mw_per_cm2",
+                peak,
+                range,
+                "a number > 0, mW/cm²",
+            )?;
+        }
+        let Some(time) = self.time_s else {
+            return Ok(());
+        };
+        within("time_s", time, range, "a number > 0, s")?;
+        if self.peak_irradiance_mw_per_cm2.is_none() {
+            return Err(Error::config(
+                "printer.time_s",
+                format!("{} s without a peak irradiance", exact(time)),
+                "also printer.peak_irradiance_mw_per_cm2, or leave this key out",
+            ));
+        }
+        Ok(())
     }
 
     /// Files that the table names, to be made absolute.
