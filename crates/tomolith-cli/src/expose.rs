@@ -298,7 +298,6 @@ fn show(
     beside: Beside,
 ) {
     let mut answer = Answer::default();
-    let windows = &beside.windows;
     if beside.is_in_time {
         answer.warn(
             "the job has a schedule and a material in time, and this plan counts dose alone: what an inhibitor takes and where dose diffuses is left out. \
@@ -320,21 +319,7 @@ fn show(
         "time to print",
         format!("{} s", significant(plan.time_s, 4)),
     );
-    let rpm = significant(plan.rpm, 4);
-    let is_whole = beside.arc_deg > 360.0 - 1e-6;
-    let turns = match is_whole {
-        true => format!("{} at {rpm} a minute", concise(plan.turns)),
-        false => format!(
-            "{} passes of {}°, one after the other, at the speed of {rpm} turns a minute",
-            concise(plan.turns),
-            significant(beside.arc_deg, 4)
-        ),
-    };
-    answer.line("turns", turns);
-    if !is_whole {
-        answer.warn("the frames cover a part of a turn: each pass must begin at the same side of the vial. On a stage that turns on, the next pass comes from other sides; \
-             give light.angles a whole turn for it, or bring the vial back in the dark, which takes longer than is counted here");
-    }
+    tell_turns(&mut answer, plan, beside.arc_deg);
     if let Some(percent) = (beside.reported_percent).filter(|percent| (percent - 100.0).abs() > 0.5)
     {
         let percent = significant(percent, 4);
@@ -343,6 +328,47 @@ fn show(
             format!("its numbers are of {percent} % of this exposure, which is the best one"),
         );
     }
+    tell_frames(&mut answer, shown, plan, beside.arc_deg);
+    tell_windows(&mut answer, plan, &beside.windows);
+    if plan.rpm > 60.0 {
+        answer.warn(format!(
+            "{} turns a minute throw resin about: more turns take longer",
+            significant(plan.rpm, 3)
+        ));
+    }
+    if plan.turns < 3.0 && plan.time_s < 20.0 {
+        answer.warn("in fewer than three turns the resin begins to gel from one side; a lower irradiance takes more turns");
+    }
+    answer.set("plan", plan);
+    answer.set("irradiance_mw_per_cm2", machine.irradiance);
+    answer.tell(given.manner);
+}
+
+/// Whether frames cover a whole turn.
+fn is_whole(arc_deg: f64) -> bool {
+    arc_deg > 360.0 - 1e-6
+}
+
+/// How often and how fast the vial turns.
+fn tell_turns(answer: &mut Answer, plan: &ExposurePlan, arc_deg: f64) {
+    let rpm = significant(plan.rpm, 4);
+    let turns = match is_whole(arc_deg) {
+        true => format!("{} at {rpm} a minute", concise(plan.turns)),
+        false => format!(
+            "{} passes of {}°, one after the other, at the speed of {rpm} turns a minute",
+            concise(plan.turns),
+            significant(arc_deg, 4)
+        ),
+    };
+    answer.line("turns", turns);
+    if !is_whole(arc_deg) {
+        answer.warn("the frames cover a part of a turn: each pass must begin at the same side of the vial. On a stage that turns on, the next pass comes from other sides; \
+             give light.angles a whole turn for it, or bring the vial back in the dark, which takes longer than is counted here");
+    }
+}
+
+/// What a frame gets, and all of them.
+fn tell_frames(answer: &mut Answer, shown: &ShownFrames, plan: &ExposurePlan, arc_deg: f64) {
     answer.line(
         "light on for",
         format!("{} of each frame", percent(plan.duty)),
@@ -352,7 +378,7 @@ fn show(
         format!(
             "{} a {}, {} a second, {} ms each",
             shown.sums.len(),
-            if is_whole { "turn" } else { "pass" },
+            if is_whole(arc_deg) { "turn" } else { "pass" },
             significant(plan.frame_rate_hz, 4),
             significant(1e3 * plan.frame_s, 4)
         ),
@@ -374,6 +400,10 @@ fn show(
             percent(plan.light_used)
         ),
     );
+}
+
+/// Exposures nearly as good as the best, and process windows.
+fn tell_windows(answer: &mut Answer, plan: &ExposurePlan, windows: &[(String, f64)]) {
     if let (Some(in_percent), Some(seconds)) = (plan.window_percent, plan.window_s) {
         answer.line(
             "nearly as good",
@@ -404,16 +434,4 @@ fn show(
         answer.set("pw_percent", 100.0 * pw);
         answer.set("pw_s", (pw >= 0.0).then_some(pw * plan.time_s));
     }
-    if plan.rpm > 60.0 {
-        answer.warn(format!(
-            "{} turns a minute throw resin about: more turns take longer",
-            significant(plan.rpm, 3)
-        ));
-    }
-    if plan.turns < 3.0 && plan.time_s < 20.0 {
-        answer.warn("in fewer than three turns the resin begins to gel from one side; a lower irradiance takes more turns");
-    }
-    answer.set("plan", plan);
-    answer.set("irradiance_mw_per_cm2", machine.irradiance);
-    answer.tell(given.manner);
 }
