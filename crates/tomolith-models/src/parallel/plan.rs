@@ -18,7 +18,7 @@ use crate::{PatternLayout, Run};
 use rayon::prelude::*;
 use std::ops::Range;
 use tomolith_core::field::LANES;
-use tomolith_core::grid::VolumeGrid;
+use tomolith_core::grid::{PatternGrid, VolumeGrid};
 use tomolith_optics::light::Light;
 use tomolith_optics::trace::Tracer;
 use tomolith_optics::vial::Vial;
@@ -65,6 +65,55 @@ pub(super) struct LightPlan {
     pub(super) columns: usize,
 }
 
+/// The beams of a light, as the kernel wants them.
+fn beams(
+    vial: &dyn Vial,
+    (light, kernel): (&Light, Kernel),
+    pixels: &PatternGrid,
+    grid: &VolumeGrid,
+    deposit: &Deposit,
+) -> Vec<Beam> {
+    let sub_angles = light.sub_angles.max(1);
+    if kernel == Kernel::DistanceDriven {
+        let tracer = Tracer::new(
+            vial,
+            light.resin,
+            light.surrounding_index,
+            light.polarization,
+        )
+        .in_bath(light.bath);
+        strips::beams(&tracer, vial.is_round(), pixels, sub_angles, grid, deposit)
+    } else {
+        let radius = vial.resin_wall().inscribed_radius();
+        radon::beams(kernel, radius, pixels, sub_angles, grid)
+    }
+}
+
+/// The beams of each view.
+fn of_views(beams: &[Beam], count: usize) -> Vec<Range<usize>> {
+    let mut of_view = vec![0..0; count];
+    for (i, beam) in beams.iter().enumerate() {
+        let range = &mut of_view[beam.frame as usize];
+        *range = if range.start == range.end {
+            i..i + 1
+        } else {
+            range.start..i + 1
+        };
+    }
+    of_view
+}
+
+/// Vectors of lanes that each (view, column) lights, of those that each (frame, column) lights.
+fn lit(views: &Views, columns: usize, by_frame: &[(u16, u16)]) -> Vec<(u16, u16)> {
+    let of_slot = |slot| {
+        let of_side = |side| by_frame[views.pixel_column(slot, side)];
+        let lit = views.sides().map(of_side).filter(|lit| lit.1 > lit.0);
+        lit.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+            .unwrap_or_default()
+    };
+    (0..views.count() * columns).map(of_slot).collect()
+}
+
 impl LightPlan {
     pub(super) fn new(
         vial: &dyn Vial,
@@ -74,44 +123,15 @@ impl LightPlan {
         tiles: &[Tile],
         run: &Run,
     ) -> Self {
-        let tracer = Tracer::new(
-            vial,
-            light.resin,
-            light.surrounding_index,
-            light.polarization,
-        )
-        .in_bath(light.bath);
         let resin = light.resin;
         let deposit = Deposit {
             attenuation: resin.attenuation_per_mm,
             active_share: resin.absorption_per_mm / resin.attenuation_per_mm,
             pure_radon: resin.pure_radon,
         };
-        let sub_angles = light.sub_angles.max(1);
         let views = Views::of(vial, light);
         let pixels = views.pixels(&light.pixels);
-        let beams = if kernel == Kernel::DistanceDriven {
-            strips::beams(
-                &tracer,
-                vial.is_round(),
-                &pixels,
-                sub_angles,
-                grid,
-                &deposit,
-            )
-        } else {
-            let radius = vial.resin_wall().inscribed_radius();
-            radon::beams(kernel, radius, &pixels, sub_angles, grid)
-        };
-        let mut of_view = vec![0..0; views.count()];
-        for (i, beam) in beams.iter().enumerate() {
-            let range = &mut of_view[beam.frame as usize];
-            *range = if range.start == range.end {
-                i..i + 1
-            } else {
-                range.start..i + 1
-            };
-        }
+        let beams = beams(vial, (light, kernel), &pixels, grid, &deposit);
         let walls = Walls::new(vial, grid);
         let mapped = light
             .map
@@ -168,20 +188,12 @@ impl LightPlan {
             };
             layout.runs.iter().map(vectors).collect()
         };
-        let lanes_by_frame = lit_by(&levels.heights);
-        let lit = (0..views.count() * pixels.columns)
-            .map(|slot| {
-                let of_side = |side| lanes_by_frame[views.pixel_column(slot, side)];
-                let lit = views.sides().map(of_side).filter(|lit| lit.1 > lit.0);
-                lit.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
-                    .unwrap_or_default()
-            })
-            .collect();
+        let lit = lit(&views, pixels.columns, &lit_by(&levels.heights));
         LightPlan {
+            of_view: of_views(&beams, views.count()),
             beams,
             turned: Turned::of(vial, light, grid, &views),
             views,
-            of_view,
             combs,
             rakes,
             meetings,
