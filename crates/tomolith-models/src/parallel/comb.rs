@@ -60,18 +60,7 @@ impl Comb {
         grid: &VolumeGrid,
         deposit: &Deposit,
     ) -> Option<Self> {
-        let (along, across) = if beam.major == Major::X {
-            (0, 1)
-        } else {
-            (1, 0)
-        };
-        let (sin, cos) = beam.azimuth.sin_cos();
-        let (direction, sideways) = ([-cos, -sin], [-sin, cos]);
-        let (low, h) = (grid.bounds_mm()[0], grid.pitch_mm);
-        let slope = direction[across] / direction[along];
-        // Minor coordinate of the ray at u in row 0: offset + u·per_mm, voxels
-        let offset = (slope * low[along] - low[across]) / h;
-        let per_mm = (sideways[across] - slope * sideways[along]) / h;
+        let [offset, per_mm, slope] = beam.minor(grid);
         let pitch = pixels.pitch_mm[0];
         let per_voxel = 1.0 / (per_mm.abs() * pitch);
         // Strip coordinate of the ray through the axis
@@ -173,7 +162,7 @@ impl Comb {
 
     /// The rows of a tile.
     fn rows(&self, tile: &Tile, major: Major) -> Rows {
-        let (along, across) = if major == Major::X { (0, 1) } else { (1, 0) };
+        let (along, across) = major.axes();
         let [row, voxel] = [tile.start[along], tile.start[across]];
         let start = self.first + self.per_row * row as f64 + self.per_voxel * voxel as f64;
         let of_tile = self.tile_rows[row / TILE];

@@ -133,7 +133,7 @@ impl Rays {
         if half_chord == 0.0 {
             return None;
         }
-        let (along, across) = if major == Major::X { (0, 1) } else { (1, 0) };
+        let (along, across) = major.axes();
         let (foot, direction) = ([-u * sin, u * cos], [-cos, -sin]);
         let (low, h) = (grid.bounds_mm()[0], grid.pitch_mm);
         let slope = direction[across] / direction[along];

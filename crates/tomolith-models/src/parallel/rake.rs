@@ -49,18 +49,7 @@ impl Rake {
     /// Of a beam of the kernel `line`; None without any rays.
     pub(super) fn new(beam: &Beam, pixels: &PatternGrid, grid: &VolumeGrid) -> Option<Self> {
         let strip = beam.strips.first()?;
-        let (along, across) = if beam.major == Major::X {
-            (0, 1)
-        } else {
-            (1, 0)
-        };
-        let (sin, cos) = beam.azimuth.sin_cos();
-        let (direction, sideways) = ([-cos, -sin], [-sin, cos]);
-        let (low, h) = (grid.bounds_mm()[0], grid.pitch_mm);
-        let slope = direction[across] / direction[along];
-        // Minor coordinate of the ray at u in row 0: offset + u·per_mm, voxels
-        let offset = (slope * low[along] - low[across]) / h;
-        let per_mm = (sideways[across] - slope * sideways[along]) / h;
+        let [offset, per_mm, slope] = beam.minor(grid);
         let column = strip.column as usize;
         Some(Rake {
             first: offset + pixels.column_u(column) * per_mm,
@@ -84,7 +73,7 @@ impl Rake {
 
     /// Rays `strips` of the beam, as a tile sees them.
     pub(super) fn rays(&self, strips: Range<usize>, tile: &Tile, major: Major) -> Rays {
-        let (along, across) = if major == Major::X { (0, 1) } else { (1, 0) };
+        let (along, across) = major.axes();
         let [row, voxel] = [tile.start[along], tile.start[across]];
         let start = self.first + self.slope * row as f64 - voxel as f64;
         let mut places = [NOWHERE; MOST];

@@ -47,6 +47,16 @@ pub(super) enum Major {
     Y,
 }
 
+impl Major {
+    /// Numbers of the axis along strips and of the one across them.
+    pub(super) fn axes(self) -> (usize, usize) {
+        match self {
+            Major::X => (0, 1),
+            Major::Y => (1, 0),
+        }
+    }
+}
+
 /// A strip on a grid. Along the major axis, row r covers [r, r + 1); across it, voxel i covers [i, i + 1).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Strip {
@@ -260,6 +270,18 @@ fn push(
 }
 
 impl Beam {
+    /// `[offset, per_mm, slope]`: the minor coordinate of the ray at u in row r is offset + u·per_mm + r·slope, voxels.
+    pub(super) fn minor(&self, grid: &VolumeGrid) -> [f64; 3] {
+        let (along, across) = self.major.axes();
+        let (sin, cos) = self.azimuth.sin_cos();
+        let (direction, sideways) = ([-cos, -sin], [-sin, cos]);
+        let (low, h) = (grid.bounds_mm()[0], grid.pitch_mm);
+        let slope = direction[across] / direction[along];
+        let offset = (slope * low[along] - low[across]) / h;
+        let per_mm = (sideways[across] - slope * sideways[along]) / h;
+        [offset, per_mm, slope]
+    }
+
     /// Orders the strips, joins edges that neighbors share, and fills [`Columns`].
     fn finish(&mut self, deposit: &Deposit) {
         let strips = &mut self.strips;
@@ -365,7 +387,7 @@ fn strip(
     weight: f64,
     grid: &VolumeGrid,
 ) -> Option<Strip> {
-    let (along, across) = if major == Major::X { (0, 1) } else { (1, 0) };
+    let (along, across) = major.axes();
     let low = grid.bounds_mm()[0];
     let h = grid.pitch_mm;
     let edges = edges.map(|line| {

@@ -152,7 +152,7 @@ pub(super) struct Local {
 
 impl Local {
     pub(super) fn new(tile: &Tile, major: Major, slots: Slots) -> Self {
-        let (along, across) = if major == Major::X { (0, 1) } else { (1, 0) };
+        let (along, across) = major.axes();
         let step = [1, slots.per_y];
         Local {
             rows: tile.size[along],

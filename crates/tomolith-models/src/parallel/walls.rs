@@ -83,7 +83,7 @@ impl Walls {
 
     /// The resin in a row, counted along the major axis; it may lie beyond the grid.
     pub(super) fn room(&self, major: Major, row: i64) -> Room {
-        let (along, across) = if major == Major::X { (0, 1) } else { (1, 0) };
+        let (along, across) = major.axes();
         let faces = [row, row + 1].map(|face| self.low[along] + face as f64 * self.pitch_mm);
         let ends = |half: f64| {
             let place = |at: f64| ((at - self.low[across]) / self.pitch_mm) as f32;
