@@ -52,6 +52,17 @@ impl Section {
         self.base.join(path)
     }
 
+    /// The error of a value that a key of this section may not have.
+    pub fn refused(
+        &self,
+        key: &str,
+        found: impl std::fmt::Display,
+        accepted: impl Into<String>,
+    ) -> Error {
+        let key = format!("{}.{key}", self.path);
+        Error::config(key, format!("found {found}"), accepted)
+    }
+
     /// Reads the section into a parameter struct (use `#[serde(deny_unknown_fields)]` on it).
     ///
     /// # Errors

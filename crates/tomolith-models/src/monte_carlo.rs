@@ -72,7 +72,7 @@ use super::{
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::Result;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::kind::Section;
 use tomolith_core::units::exact;
@@ -152,29 +152,20 @@ pub const KIND: ModelKind = ModelKind {
 
 fn params_of(section: &Section) -> Result<Params> {
     let params: Params = section.parse()?;
-    let refuse = |key: &str, found: String, accepted: &str| {
-        Err(Error::config(
-            format!("{}.{key}", section.path),
-            found,
-            accepted,
-        ))
-    };
     if !(1..=4096).contains(&params.paths_per_pixel) {
-        let found = format!("found {}", params.paths_per_pixel);
-        return refuse("paths_per_pixel", found, "1 to 4096");
+        return Err(section.refused("paths_per_pixel", params.paths_per_pixel, "1 to 4096"));
     }
     if !(1e-6..=0.5).contains(&params.least_power) {
-        let found = format!("found {}", exact(params.least_power));
-        return refuse("least_power", found, "1e-6 to 0.5");
+        return Err(section.refused("least_power", exact(params.least_power), "1e-6 to 0.5"));
     }
     if params.renew > 10_000 {
-        return refuse("renew", format!("found {}", params.renew), "0 to 10000");
+        return Err(section.refused("renew", params.renew, "0 to 10000"));
     }
     if params.orders > 1000 {
-        return refuse("orders", format!("found {}", params.orders), "0 to 1000");
+        return Err(section.refused("orders", params.orders, "0 to 1000"));
     }
     if !(1..=32).contains(&params.smooth) {
-        return refuse("smooth", format!("found {}", params.smooth), "1 to 32");
+        return Err(section.refused("smooth", params.smooth, "1 to 32"));
     }
     Ok(params)
 }

@@ -138,20 +138,11 @@ pub const KIND: ModelKind = ModelKind {
 
 fn params_of(section: &Section) -> Result<Params> {
     let params: Params = section.parse()?;
-    let range = |key: &str, found: String, accepted: &str| {
-        Err(Error::config(
-            format!("{}.{key}", section.path),
-            found,
-            accepted,
-        ))
-    };
     if !(1..=4096).contains(&params.rays_per_pixel) {
-        let found = format!("found {}", params.rays_per_pixel);
-        return range("rays_per_pixel", found, "1 to 4096");
+        return Err(section.refused("rays_per_pixel", params.rays_per_pixel, "1 to 4096"));
     }
     if !(0.0..=0.1).contains(&params.least_power) {
-        let found = format!("found {}", exact(params.least_power));
-        return range("least_power", found, "0 to 0.1");
+        return Err(section.refused("least_power", exact(params.least_power), "0 to 0.1"));
     }
     Ok(params)
 }

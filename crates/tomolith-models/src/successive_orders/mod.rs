@@ -124,16 +124,12 @@ pub const KIND: ModelKind = ModelKind {
 
 fn params_of(section: &Section) -> Result<Params> {
     let params: Params = section.parse()?;
-    let refused = |key: &str, found: String, accepted: &str| {
-        let key = format!("{}.{key}", section.path);
-        Err(Error::config(key, format!("found {found}"), accepted))
-    };
     match params.cell_mm {
         Some(edge) if !(edge.is_finite() && edge > 0.0) => {
-            refused("cell_mm", exact(edge), "a finite number > 0")
+            Err(section.refused("cell_mm", exact(edge), "a finite number > 0"))
         }
         _ if !(1..=4096).contains(&params.rays()) => {
-            refused("rays_per_pixel", params.rays().to_string(), "1 to 4096")
+            Err(section.refused("rays_per_pixel", params.rays(), "1 to 4096"))
         }
         _ => Ok(params),
     }

@@ -65,7 +65,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::Arc;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::Result;
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::host_fields;
@@ -217,12 +217,7 @@ fn params_of(section: &Section) -> Result<Params> {
         ),
     ] {
         if !range.contains(&value) {
-            let key = format!("{}.{key}", section.path);
-            return Err(Error::config(
-                key,
-                format!("found {}", exact(value)),
-                accepted,
-            ));
+            return Err(section.refused(key, exact(value), accepted));
         }
     }
     Ok(params)

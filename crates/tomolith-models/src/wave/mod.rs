@@ -234,13 +234,8 @@ impl ModelFamily for Params {
 
 fn params_of(section: &Section) -> Result<Params> {
     let params: Params = section.parse()?;
-    let refused = |key: &str, value: f64, accepted: &str| {
-        Err(Error::config(
-            format!("{}.{key}", section.path),
-            format!("found {}", exact(value)),
-            accepted,
-        ))
-    };
+    let refused =
+        |key: &str, value: f64, accepted: &str| Err(section.refused(key, exact(value), accepted));
     let (depth, turn) = (params.relative_error, params.rotation_error);
     if !(1e-6..=0.1).contains(&depth) {
         return refused("relative_error", depth, "1e-6 to 0.1");

@@ -15,7 +15,6 @@ use super::{BuildPhase, Phase};
 use crate::random::Stream;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::error::Error;
 use tomolith_core::kind::Kind;
 use tomolith_core::units::exact;
 
@@ -55,11 +54,7 @@ pub const KIND: Kind<BuildPhase> = Kind {
     build: |section| {
         let phase: HenyeyGreenstein = section.parse()?;
         if !(-0.999..=0.999).contains(&phase.g) {
-            return Err(Error::config(
-                format!("{}.g", section.path),
-                format!("found {}", exact(phase.g)),
-                "-0.999 to 0.999",
-            ));
+            return Err(section.refused("g", exact(phase.g), "-0.999 to 0.999"));
         }
         Ok(Box::new(phase))
     },

@@ -70,11 +70,7 @@ fn build(section: &Section) -> Result<Box<dyn Phase>> {
     let params: Params = section.parse()?;
     let key = |i: usize| format!("{}.parts[{i}]", section.path);
     if params.parts.is_empty() {
-        return Err(Error::config(
-            format!("{}.parts", section.path),
-            "found none",
-            "one or more",
-        ));
+        return Err(section.refused("parts", "none", "one or more"));
     }
     let total: f64 = params.parts.iter().map(|part| part.share).sum();
     let mut parts = Vec::with_capacity(params.parts.len());

@@ -103,26 +103,16 @@ pub const KIND: Kind<BuildPhase> = Kind {
 
 fn build(section: &Section) -> Result<Box<dyn Phase>> {
     let params: Params = section.parse()?;
-    let refuse = |key: &str, found: String, accepted: &str| {
-        Err(Error::config(
-            format!("{}.{key}", section.path),
-            found,
-            accepted,
-        ))
-    };
     let angles = &params.angles_deg;
     let grows = angles.windows(2).all(|pair| pair[0] < pair[1]);
     if angles.len() < 2 || !grows || angles[0] != 0.0 || angles[angles.len() - 1] != 180.0 {
-        return refuse(
-            "angles_deg",
-            format!("found {angles:?}"),
-            "growing numbers, the first 0, the last 180",
-        );
+        let accepted = "growing numbers, the first 0, the last 180";
+        return Err(section.refused("angles_deg", format!("{angles:?}"), accepted));
     }
     let sound = params.values.iter().all(|v| v.is_finite() && *v >= 0.0);
     if params.values.len() != angles.len() || !sound || params.values.iter().all(|&v| v == 0.0) {
         let accepted = format!("{} numbers >= 0, not all 0", angles.len());
-        return refuse("values", format!("found {:?}", params.values), &accepted);
+        return Err(section.refused("values", format!("{:?}", params.values), accepted));
     }
     let cosines = angles.iter().rev().map(|a| a.to_radians().cos()).collect();
     let (table, integral) = PhaseTable::new(cosines, params.values.iter().rev().copied().collect());
@@ -131,11 +121,11 @@ fn build(section: &Section) -> Result<Box<dyn Phase>> {
             "the values integrate to {:.4} over the sphere",
             TAU * integral
         );
-        return refuse(
-            "values",
+        return Err(Error::config(
+            format!("{}.values", section.path),
             found,
             "an integral of 1 within 1 %, or normalized = false",
-        );
+        ));
     }
     Ok(Box::new(table))
 }

@@ -11,7 +11,7 @@ pub mod lens;
 pub mod telecentric;
 
 use crate::vial::positive;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section};
 use tomolith_core::units::{Pitch, exact};
 
@@ -91,11 +91,7 @@ fn not_negative(section: &Section, key: &str, value: f64) -> Result<f64> {
     if value.is_finite() && value >= 0.0 {
         return Ok(value);
     }
-    Err(Error::config(
-        format!("{}.{key}", section.path),
-        format!("found {}", exact(value)),
-        "a finite number >= 0",
-    ))
+    Err(section.refused(key, exact(value), "a finite number >= 0"))
 }
 
 #[cfg(test)]

@@ -18,7 +18,7 @@ use super::{BuildProjector, Projector, Ray, not_negative, pixel_pitch};
 use crate::vial::positive;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section};
 use tomolith_core::units::{Mm, Pitch, exact};
 
@@ -102,9 +102,5 @@ fn finite(section: &Section, key: &str, value: f64) -> Result<f64> {
     if value.is_finite() {
         return Ok(value);
     }
-    Err(Error::config(
-        format!("{}.{key}", section.path),
-        format!("found {}", exact(value)),
-        "a finite number",
-    ))
+    Err(section.refused(key, exact(value), "a finite number"))
 }

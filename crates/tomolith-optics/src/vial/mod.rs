@@ -12,7 +12,7 @@ pub mod mesh;
 pub mod square;
 
 use crate::surface::Surface;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section};
 use tomolith_core::units::{Mm, exact};
 
@@ -149,11 +149,7 @@ pub(crate) fn positive(section: &Section, key: &str, value: f64) -> Result<f64> 
     if value.is_finite() && value > 0.0 {
         return Ok(value);
     }
-    Err(Error::config(
-        format!("{}.{key}", section.path),
-        format!("found {}", exact(value)),
-        "a finite number > 0",
-    ))
+    Err(section.refused(key, exact(value), "a finite number > 0"))
 }
 
 /// Refuses anything but a refractive index of something transparent.
@@ -161,11 +157,7 @@ pub(crate) fn index(section: &Section, key: &str, value: f64) -> Result<f64> {
     if (1.0..=4.0).contains(&value) {
         return Ok(value);
     }
-    Err(Error::config(
-        format!("{}.{key}", section.path),
-        format!("found {}", exact(value)),
-        "a refractive index, 1 to 4",
-    ))
+    Err(section.refused(key, exact(value), "a refractive index, 1 to 4"))
 }
 
 /// Refuses an inner measure that is not smaller than the outer one.
@@ -177,14 +169,11 @@ pub(crate) fn inner_below_outer(
     if inner < outer {
         return Ok(());
     }
-    Err(Error::config(
-        format!("{}.{inner_key}", section.path),
-        format!(
-            "found {}, not smaller than {outer_key} = {}",
-            Mm(inner),
-            Mm(outer)
-        ),
-        format!("a length below {}", Mm(outer)),
+    let (inner, outer) = (Mm(inner), Mm(outer));
+    Err(section.refused(
+        inner_key,
+        format!("{inner}, not smaller than {outer_key} = {outer}"),
+        format!("a length below {outer}"),
     ))
 }
 

@@ -17,7 +17,7 @@ use super::{BuildStart, InitialPatterns, StartInput};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::dose::Run;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::Result;
 use tomolith_core::field::Field;
 use tomolith_core::grid::Volume;
 use tomolith_core::kind::Kind;
@@ -57,26 +57,13 @@ pub const fn kind<F: Field>() -> Kind<BuildStart<F>> {
         schema: || schemars::schema_for!(Params),
         build: |section| {
             let params: Params = section.parse()?;
-            let refused = |key: &str, found: String, accepted: &str| {
-                Err(Error::config(
-                    format!("{}.{key}", section.path),
-                    format!("found {found}"),
-                    accepted,
-                ))
-            };
             if !(1..=1000).contains(&params.iterations) {
-                return refused(
-                    "iterations",
-                    params.iterations.to_string(),
-                    "a whole number, 1 to 1000",
-                );
+                let accepted = "a whole number, 1 to 1000";
+                return Err(section.refused("iterations", params.iterations, accepted));
             }
             if !(params.damping >= 0.0 && params.damping.is_finite()) {
-                return refused(
-                    "damping",
-                    exact(params.damping),
-                    "a finite number, 0 or more",
-                );
+                let accepted = "a finite number, 0 or more";
+                return Err(section.refused("damping", exact(params.damping), accepted));
             }
             Ok(Box::new(Lsqr(params)))
         },
