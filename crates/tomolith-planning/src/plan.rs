@@ -135,52 +135,9 @@ impl ExposurePlan {
         let pass_s = arc * 60.0 / rpm;
         let time_s = turns * pass_s;
         let duty = continuous_s / time_s;
-        if let Some(within) = machine.within_s.filter(|within| *within < time_s) {
-            let whole = (within / pass_s + 1e-9).floor();
-            let other = if machine.turns.is_some() || whole < 1.0 {
-                "a faster vial (--rpm)".to_owned()
-            } else {
-                // Rounded up, so that what is advised is enough
-                let needed = machine.irradiance * continuous_s / (whole * pass_s);
-                format!(
-                    "an irradiance from {} mW/cm²",
-                    concise((100.0 * needed).ceil() / 100.0)
-                )
-            };
-            return Err(Error::config(
-                "--within-s",
-                format!(
-                    "{} s hold {} whole turns, which give {:.1} % of the dose at which the resin gels",
-                    concise(within),
-                    concise(whole),
-                    100.0 * whole * pass_s / continuous_s
-                ),
-                format!(
-                    "{} s or more ({} whole turns), or {other}",
-                    concise(time_s),
-                    concise(turns)
-                ),
-            ));
-        }
+        must_end_in_time(machine, [turns, time_s], pass_s, continuous_s)?;
         let frame_s = frame_arc.to_degrees() / (6.0 * rpm);
-        if 1.0 / frame_s > machine.refresh_hz * (1.0 + 1e-9) {
-            return Err(Error::config(
-                if machine.turns.is_some() {
-                    "--turns"
-                } else {
-                    "--rpm"
-                },
-                format!(
-                    "{} frames a second, and the device shows {}",
-                    concise(1.0 / frame_s),
-                    concise(machine.refresh_hz)
-                ),
-                format!(
-                    "at most {} turns a minute with {frames} frames",
-                    concise(machine.refresh_hz * frame_arc.to_degrees() / 6.0)
-                ),
-            ));
-        }
+        must_be_shown(machine, frames, frame_arc, frame_s)?;
         let lit = machine.irradiance / 100.0 * frame_s * duty * shown.pixel_mm2;
         let largest = shown.sums.iter().copied().fold(0.0, f64::max);
         let scale = |value: Option<f64>| value.map(|percent| time_s * percent / 100.0);
@@ -203,4 +160,64 @@ impl ExposurePlan {
             }),
         })
     }
+}
+
+/// Refuses a time that is too short, with the share of the dose that it gives.
+fn must_end_in_time(
+    machine: &Machine,
+    [turns, time_s]: [f64; 2],
+    pass_s: f64,
+    continuous_s: f64,
+) -> Result<()> {
+    let Some(within) = machine.within_s.filter(|within| *within < time_s) else {
+        return Ok(());
+    };
+    let whole = (within / pass_s + 1e-9).floor();
+    let other = if machine.turns.is_some() || whole < 1.0 {
+        "a faster vial (--rpm)".to_owned()
+    } else {
+        // Rounded up, so that what is advised is enough
+        let needed = machine.irradiance * continuous_s / (whole * pass_s);
+        format!(
+            "an irradiance from {} mW/cm²",
+            concise((100.0 * needed).ceil() / 100.0)
+        )
+    };
+    Err(Error::config(
+        "--within-s",
+        format!(
+            "{} s hold {} whole turns, which give {:.1} % of the dose at which the resin gels",
+            concise(within),
+            concise(whole),
+            100.0 * whole * pass_s / continuous_s
+        ),
+        format!(
+            "{} s or more ({} whole turns), or {other}",
+            concise(time_s),
+            concise(turns)
+        ),
+    ))
+}
+
+/// Refuses frames that follow one another faster than the device shows them.
+fn must_be_shown(machine: &Machine, frames: usize, frame_arc: f64, frame_s: f64) -> Result<()> {
+    if 1.0 / frame_s > machine.refresh_hz * (1.0 + 1e-9) {
+        return Err(Error::config(
+            if machine.turns.is_some() {
+                "--turns"
+            } else {
+                "--rpm"
+            },
+            format!(
+                "{} frames a second, and the device shows {}",
+                concise(1.0 / frame_s),
+                concise(machine.refresh_hz)
+            ),
+            format!(
+                "at most {} turns a minute with {frames} frames",
+                concise(machine.refresh_hz * frame_arc.to_degrees() / 6.0)
+            ),
+        ));
+    }
+    Ok(())
 }
