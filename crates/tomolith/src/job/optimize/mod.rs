@@ -138,10 +138,13 @@ pub(crate) fn optimize(
         let goes_on = matches!(&ran, Ok(outcome) if outcome.reason != StopReason::Canceled);
         let raw = stage.patterns(&mut x);
         let raw = scene.whole_patterns(level, raw, goes_on && !is_last);
+        let stopped = |error, progress: &mut dyn Progress| {
+            keep(scene, &raw, place, progress, cancel)?;
+            Err(at_section("optimizer", error))
+        };
         match ran {
             Ok(outcome) if outcome.reason == StopReason::Canceled => {
-                keep(scene, &raw, place, progress, cancel)?;
-                return Err(at_section("optimizer", Error::Canceled));
+                return stopped(Error::Canceled, progress);
             }
             Ok(outcome) if is_last => {
                 let begin = Instant::now();
@@ -153,10 +156,7 @@ pub(crate) fn optimize(
                 });
                 let (levels, levelled, levels_s, window) = match improved {
                     Ok(improved) => improved,
-                    Err(error) => {
-                        keep(scene, &raw, place, progress, cancel)?;
-                        return Err(at_section("optimizer", error));
-                    }
+                    Err(error) => return stopped(error, progress),
                 };
                 let mut warnings = sofar.warnings;
                 let of_end = of_end(scene, &outcome, window.as_ref());
@@ -184,10 +184,7 @@ pub(crate) fn optimize(
             }
             // A checkpoint that does not fit: nothing was done
             Err(error @ Error::Format { .. }) => return Err(begin_anew(error)),
-            Err(error) => {
-                keep(scene, &raw, place, progress, cancel)?;
-                return Err(at_section("optimizer", error));
-            }
+            Err(error) => return stopped(error, progress),
         }
     }
     unreachable!("a job has a level")
