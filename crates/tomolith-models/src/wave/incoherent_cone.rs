@@ -250,7 +250,8 @@ impl IncoherentCone {
     /// The model of an index-matched vial, its lights and the voxels where dose is wanted.
     ///
     /// # Errors
-    /// [`Error::Config`] where rows of pixels and of voxels do not fit; [`Error::Unsupported`] where [`beyond`] says why.
+    /// [`Error::Config`](tomolith_core::Error::Config) where rows of pixels and of voxels do not fit;
+    /// [`Error::Unsupported`](tomolith_core::Error::Unsupported) where [`beyond`] says why.
     pub fn new(
         vial: &dyn Vial,
         lights: Vec<Light>,
