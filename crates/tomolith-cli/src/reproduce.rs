@@ -1,9 +1,9 @@
 //! `tomolith reproduce`: the numbers of a paper beside ours.
 
-use crate::arguments::Manner;
+use crate::arguments::{Arguments, Manner};
 use crate::screen::{mutter, say};
 use crate::sweep::Board;
-use clap::Args;
+use clap::{ArgMatches, Args, CommandFactory};
 use rustix::process::{Pid, Signal, kill_process};
 use serde_json::{Value, json};
 use std::io::Read;
@@ -53,7 +53,8 @@ pub(crate) fn run(given: &ReproduceArguments, cancel: &Run) -> Result<bool> {
         cancel,
     };
     if given.check {
-        typed.begins(&study.costs(&output, threads, cancel)?);
+        let costs = study.costs(&output, threads, &typed, cancel)?;
+        typed.begins(&costs);
         return Ok(true);
     }
     let found = reproduce(&study, &output, threads, &mut typed, cancel)?;
@@ -67,10 +68,47 @@ pub(crate) fn run(given: &ReproduceArguments, cancel: &Run) -> Result<bool> {
     Ok(found.is_met())
 }
 
+/// Commands that leave a folder of files whether they are given `--output` or not.
+const ALWAYS: [&str; 4] = ["run", "simulate", "print", "sweep"];
+const WRITES: &str =
+    "writes = true and no --output among its words: then its files are among the results";
+const HELP: &str = "what can be typed after `tomolith`: see `tomolith --help`";
+
+/// What is wrong with words, without how to use the command.
+fn first_words(said: &clap::Error) -> String {
+    let text = said.to_string();
+    let parts = text
+        .split("\n\n")
+        .take_while(|part| !part.contains("Usage:"));
+    let parts = parts.map(|part| part.split_whitespace().collect::<Vec<_>>().join(" "));
+    let text = parts.collect::<Vec<_>>().join("; ");
+    text.strip_prefix("error: ").unwrap_or(&text).to_owned()
+}
+
+/// The command that was typed, of commands in commands, and what it was given.
+fn innermost<'a>(
+    mut command: &'a clap::Command,
+    mut given: &'a ArgMatches,
+) -> (&'a clap::Command, &'a ArgMatches) {
+    while let Some((name, inner)) = given.subcommand() {
+        command = command.find_subcommand(name).unwrap_or(command);
+        given = inner;
+    }
+    (command, given)
+}
+
 /// A study that was typed.
 struct Typed<'r> {
     manner: Manner,
     cancel: &'r Run,
+}
+
+impl Typed<'_> {
+    /// How a command speaks and works.
+    fn manner_words(&self) -> Vec<String> {
+        let threads = self.manner.threads.map(|n| format!("--threads={n}"));
+        ["--json".to_owned()].into_iter().chain(threads).collect()
+    }
 }
 
 impl Host for Typed<'_> {
@@ -98,13 +136,41 @@ impl Host for Typed<'_> {
         Box::new(Board::new(self.manner, plan).named(name))
     }
 
+    fn must_be_command(&self, words: &[String], writes: bool) -> Result<()> {
+        let mut all = Arguments::command();
+        let output = ["--output", "DIR"].into_iter().filter(|_| writes);
+        let line = ["tomolith"].into_iter();
+        let line = line.chain(words.iter().map(String::as_str)).chain(output);
+        let line = line.map(str::to_owned).chain(self.manner_words());
+        let typed = all.try_get_matches_from_mut(line);
+        let typed = typed.map_err(|said| Error::config("command", first_words(&said), HELP))?;
+        let (command, given) = innermost(&all, &typed);
+        let refuse = |found: &str, accepted| {
+            let found = format!("`tomolith {}` {found}", words.join(" "));
+            Err(Error::config("writes", found, accepted))
+        };
+        let output = command.get_arguments().find(|arg| arg.get_id() == "output");
+        let is_folder = |arg: &clap::Arg| {
+            let names = arg.get_value_names().unwrap_or_default();
+            names.iter().any(|name| name == "DIR")
+        };
+        let has_output = || matches!(given.try_get_raw("output"), Ok(Some(_)));
+        match writes {
+            true if !output.is_some_and(is_folder) => {
+                refuse("writes a file", "a command whose --output is a folder")
+            }
+            false if has_output() || ALWAYS.contains(&command.get_name()) => {
+                refuse("leaves files in the folder of the study", WRITES)
+            }
+            _ => Ok(()),
+        }
+    }
+
     fn command(&mut self, words: &[String], folder: &Path) -> Result<Value> {
         let own = std::env::current_exe().map_err(|e| Error::io(Path::new("tomolith"), e))?;
         let mut command = Command::new(own);
-        command.current_dir(folder).args(words).arg("--json");
-        if let Some(threads) = self.manner.threads {
-            command.args(["--threads", &threads.to_string()]);
-        }
+        command.current_dir(folder).args(words);
+        command.args(self.manner_words());
         // In a group of its own: Ctrl-C at a terminal is passed on once, and not told twice
         let child = (command.process_group(0).stdin(Stdio::null()))
             .stdout(Stdio::piped())

@@ -4,6 +4,7 @@
 //! published ones. A verdict is computed where the study states a tolerance or a comparison; elsewhere the study says why.
 
 use crate::axes::label;
+use crate::commands::filled_in;
 use crate::engine::{self, Watch};
 use crate::expression::{Condition, Expression};
 use crate::metric;
@@ -28,6 +29,12 @@ pub trait Host {
     fn begins(&mut self, costs: &[StudyCost]);
     /// Who watches a sweep.
     fn watch(&mut self, name: &str, plan: &SweepPlan) -> Box<dyn Watch>;
+    /// Refuses words that cannot be typed after `tomolith`, and files that they would leave where `writes` does not say so: at the key `command`
+    /// or `writes`.
+    ///
+    /// # Errors
+    /// [`Error::Config`].
+    fn must_be_command(&self, words: &[String], writes: bool) -> Result<()>;
     /// Runs what would be typed after `tomolith` in a folder; its answer as JSON.
     ///
     /// # Errors
@@ -245,7 +252,7 @@ pub fn reproduce(
     host: &mut dyn Host,
     cancel: &Run,
 ) -> Result<Reproduction> {
-    let mut found = plans(study, output, threads, cancel)?;
+    let mut found = plans(study, output, threads, host, cancel)?;
     host.begins(&costs(study, &found, cancel)?);
     let mut figures = Vec::new();
     for (name, plan) in &found {
@@ -259,7 +266,7 @@ pub fn reproduce(
         let (Some(words), None) = (&run.command, study.left_out(run)) else {
             continue;
         };
-        let words = filled_in(words, &found);
+        let words = filled_in(words, &planned(&found));
         let (answer, files) = command(study, run, &words, &output.join(name), host)?;
         found.insert(name.clone(), answer);
         figures.extend(files);
@@ -285,13 +292,20 @@ pub fn reproduce(
     Ok(all)
 }
 
-/// Every sweep and job, read and checked.
+/// Every sweep and job, read and checked, and every command.
 fn plans(
     study: &Study,
     output: &Path,
     threads: usize,
+    host: &dyn Host,
     cancel: &Run,
 ) -> Result<BTreeMap<String, Found>> {
+    for (name, run) in &study.spec.runs {
+        if let Some(words) = &run.command {
+            let is_one = host.must_be_command(words, run.writes);
+            is_one.map_err(|e| study.at_command(name, e))?;
+        }
+    }
     let plan = |(name, run): (&String, &RunSpec)| {
         let found = match study.left_out(run) {
             Some(why) => Found::Nothing(Verdict::NotCompared(why)),
@@ -312,12 +326,18 @@ fn plans(
         .iter()
         .map(plan)
         .collect::<Result<BTreeMap<_, _>>>()?;
-    let sweeps = found.iter().filter_map(|(name, found)| match found {
-        Found::Sweep(plan) => Some((name.as_str(), &plan.sweep)),
+    study.must_have_axes(&planned(&found))?;
+    study.must_have_runs(&planned(&found))?;
+    Ok(found)
+}
+
+/// The plans of sweeps and jobs, by the names of their runs.
+fn planned(found: &BTreeMap<String, Found>) -> BTreeMap<&str, &SweepPlan> {
+    let of_sweeps = found.iter().filter_map(|(name, found)| match found {
+        Found::Sweep(plan) => Some((name.as_str(), plan.as_ref())),
         _ => None,
     });
-    study.must_have_axes(&sweeps.collect())?;
-    Ok(found)
+    of_sweeps.collect()
 }
 
 impl Study {
@@ -325,8 +345,14 @@ impl Study {
     ///
     /// # Errors
     /// As [`reproduce`], before any work.
-    pub fn costs(&self, output: &Path, threads: usize, cancel: &Run) -> Result<Vec<StudyCost>> {
-        costs(self, &plans(self, output, threads, cancel)?, cancel)
+    pub fn costs(
+        &self,
+        output: &Path,
+        threads: usize,
+        host: &dyn Host,
+        cancel: &Run,
+    ) -> Result<Vec<StudyCost>> {
+        costs(self, &plans(self, output, threads, host, cancel)?, cancel)
     }
 }
 
@@ -344,28 +370,6 @@ fn costs(study: &Study, found: &BTreeMap<String, Found>, cancel: &Run) -> Result
         })
     };
     found.iter().map(cost).collect()
-}
-
-/// `{name}` stands for the folder of a job's run, `{name[2]}` for that of a sweep's third.
-fn filled_in(words: &[String], found: &BTreeMap<String, Found>) -> Vec<String> {
-    let mut words = words.to_vec();
-    for (name, found) in found {
-        let Found::Sweep(plan) = found else { continue };
-        for i in 0..plan.runs.len() {
-            let folder = plan.run_folder(i);
-            let folder = std::path::absolute(&folder)
-                .unwrap_or(folder)
-                .display()
-                .to_string();
-            for word in &mut words {
-                *word = word.replace(&format!("{{{name}[{i}]}}"), &folder);
-                if i == 0 {
-                    *word = word.replace(&format!("{{{name}}}"), &folder);
-                }
-            }
-        }
-    }
-    words
 }
 
 /// In a folder that a command wrote: its words.
@@ -440,10 +444,8 @@ fn tables(study: &Study, found: &BTreeMap<String, Found>) -> Result<Vec<String>>
 
 fn rows(study: &Study, found: &BTreeMap<String, Found>) -> Result<Vec<StudyRow>> {
     let mut tables = BTreeMap::new();
-    for (name, found) in found {
-        if let Found::Sweep(plan) = found {
-            tables.insert(name.as_str(), Table::collect(plan)?);
-        }
+    for (name, plan) in planned(found) {
+        tables.insert(name, Table::collect(plan)?);
     }
     let mut named: BTreeMap<&str, f64> = BTreeMap::new();
     let mut rows = Vec::new();

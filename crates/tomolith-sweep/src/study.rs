@@ -1,8 +1,10 @@
 //! A study of a paper, typed: what is run, and the published numbers that it is compared with; docs/papers/README.md is its page for people.
 
+use crate::commands;
 use crate::expression::{Condition, Expression};
 use crate::file::Sweep;
 use crate::metric;
+use crate::plan::SweepPlan;
 use crate::spec::{AxisSpec, KeepSpec, SweepSpec};
 use serde::Deserialize;
 use serde_json::{Map, Value};
@@ -159,7 +161,7 @@ pub struct Study {
     pub(crate) folder: PathBuf,
     pub(crate) spec: StudySpec,
     pub(crate) is_quick: bool,
-    document: Document,
+    pub(crate) document: Document,
 }
 
 impl Study {
@@ -213,13 +215,15 @@ impl Study {
         let missing = run
             .needs
             .iter()
-            .find(|file| !self.folder.join(file).is_file())?;
-        let place = self.folder.join(missing);
-        Some(format!(
-            "needs `{}`: {}",
-            place.display(),
-            run.needs_from.trim()
-        ))
+            .find(|file| !self.folder.join(file).is_file());
+        if let Some(file) = missing {
+            let (place, from) = (self.folder.join(file), run.needs_from.trim());
+            return Some(format!("needs `{}`: {from}", place.display()));
+        }
+        run.reads().find_map(|name| {
+            let why = self.left_out(self.spec.runs.get(name)?)?;
+            Some(format!("needs run `{name}`: {why}"))
+        })
     }
 
     /// The sweep of a run that is no command, with the numbers that rows take from it.
@@ -254,11 +258,12 @@ impl Study {
     ///
     /// # Errors
     /// [`Error::Config`] with file and line.
-    pub(crate) fn must_have_axes(&self, sweeps: &BTreeMap<&str, &Sweep>) -> Result<()> {
+    pub(crate) fn must_have_axes(&self, plans: &BTreeMap<&str, &SweepPlan>) -> Result<()> {
         for (i, row) in self.spec.rows.iter().enumerate() {
-            let Some(sweep) = row.of.as_deref().and_then(|of| sweeps.get(of)) else {
+            let Some(plan) = row.of.as_deref().and_then(|of| plans.get(of)) else {
                 continue;
             };
+            let sweep = &plan.sweep;
             let names: Vec<&str> = sweep.axes.iter().map(|axis| axis.name.as_str()).collect();
             let refuse = |key: &str, name: &str| {
                 let key = format!("rows[{i}].{key}");
@@ -337,7 +342,9 @@ impl Study {
                 ..axis.clone()
             };
         }
-        if self.is_read_by_a_command(name) {
+        let mut runs = self.spec.runs.values();
+        let is_read = runs.any(|run| run.reads().any(|read| read == name));
+        if is_read && spec.keep == KeepSpec::Metrics {
             spec.keep = KeepSpec::Patterns;
         }
         let is_axis =
@@ -379,21 +386,6 @@ impl Study {
     }
 }
 
-impl Study {
-    /// Whether a command names the folder of a run.
-    fn is_read_by_a_command(&self, name: &str) -> bool {
-        let names = [format!("{{{name}}}"), format!("{{{name}[")];
-        let words = self
-            .spec
-            .runs
-            .values()
-            .flat_map(|run| run.command.iter().flatten());
-        words
-            .into_iter()
-            .any(|word| names.iter().any(|name| word.contains(name)))
-    }
-}
-
 fn check(spec: &StudySpec) -> Result<()> {
     for (name, run) in &spec.runs {
         let is_plain = |c: char| c.is_alphanumeric() || "_-".contains(c);
@@ -429,6 +421,7 @@ fn check(spec: &StudySpec) -> Result<()> {
             ));
         }
     }
+    commands::check(spec)?;
     let mut named = BTreeSet::new();
     for (i, row) in spec.rows.iter().enumerate() {
         check_row(spec, row, &format!("rows[{i}]"), &named)?;

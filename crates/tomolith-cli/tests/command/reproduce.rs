@@ -187,6 +187,90 @@ fn a_difference_that_nobody_explains_and_a_command_that_fails_are_exit_code_1() 
     );
 }
 
+/// A study is refused with these words, before any work and when only its cost is asked for.
+fn refused(study: &str, parts: &[&str]) {
+    assert_ne!(study, STUDY);
+    for line in ["reproduce disc --quick", "reproduce disc --quick --check"] {
+        let bench = bench_of(study);
+        let message = bench.stdout(2, &format!("{line} --json"));
+        let error: Value = serde_json::from_str(message.trim()).unwrap();
+        let said = format!(
+            "{error} {}:{}:",
+            error["file"].as_str().unwrap_or(""),
+            error["line"]
+        );
+        for part in parts {
+            assert!(said.contains(part), "{part} is not in: {said}");
+        }
+        assert!(!bench.path("out").exists(), "{study}");
+    }
+}
+
+/// The study with another command.
+fn with_command(words: &str, writes: bool) -> String {
+    let (before, rest) = STUDY.split_once("command = [").unwrap();
+    let (_, after) = rest.split_once("writes = true").unwrap();
+    format!("{before}command = [{words}]\nwrites = {writes}{after}")
+}
+
+#[test]
+fn commands_that_cannot_work_are_refused_before_any_work() {
+    let simulate = |folder: &str| {
+        format!("\"simulate\", \"job.toml\", \"--patterns\", \"{folder}/patterns.npz\"")
+    };
+    for (words, part) in [
+        ("\"analyse\", \"voxel\"", "'analyse'"),
+        (
+            "\"analyze\", \"voxel\", \"--pixles\", \"100\"",
+            "'--pixles' found; tip:",
+        ),
+        ("\"run\", \"job.toml\", \"--output\", \"a\"", "'--output"),
+        (&simulate("{mapp[0]}"), "no run has this name"),
+        (&simulate("{voxel}"), "`voxel` is a command"),
+        (&simulate("{map[last]}"), "the index is no whole number"),
+        (&simulate("{map}"), "a sweep of 2 runs"),
+        (&simulate("{map[2]}"), "the last run is {map[1]}"),
+    ] {
+        let parts = ["runs.voxel.command", "study.toml:8:", part];
+        refused(&with_command(words, true), &parts);
+    }
+}
+
+#[test]
+fn a_command_leaves_no_files_in_the_folder_of_the_study() {
+    let in_place = "leaves files in the folder of the study";
+    for (words, writes, part) in [
+        ("\"run\", \"job.toml\"", false, in_place),
+        ("\"compare\", \"a\", \"b\"", false, in_place),
+        (
+            "\"analyze\", \"impulse\", \"--output\", \"a\"",
+            false,
+            in_place,
+        ),
+        ("\"compare\", \"a\", \"b\"", true, "writes a file"),
+        ("\"kinds\"", true, "'--output'"),
+    ] {
+        refused(
+            &with_command(words, writes),
+            &["runs.voxel.", "study.toml:", part],
+        );
+    }
+}
+
+#[test]
+fn a_command_is_left_out_with_the_run_whose_folder_it_reads() {
+    let study = with_command(
+        r#""simulate", "job.toml", "--patterns", "{map[0]}/patterns.npz""#,
+        true,
+    );
+    let bench = bench_of(&study.replace("quick = { axes", "quick = { skip = true, axes"));
+    let said = events(&bench, "reproduce disc --quick --check --json");
+    assert_eq!(
+        said[0]["runs"][1]["left_out"],
+        "needs run `map`: full size only"
+    );
+}
+
 #[test]
 fn slips_are_refused_with_file_and_line_before_any_work() {
     for (from, to, parts) in [
@@ -272,18 +356,7 @@ fn slips_are_refused_with_file_and_line_before_any_work() {
             ],
         ),
     ] {
-        let bench = bench_of(&STUDY.replace(from, to));
-        let message = bench.stdout(2, "reproduce disc --quick --json");
-        let error: Value = serde_json::from_str(message.trim()).unwrap();
-        let said = format!(
-            "{error} {}:{}:",
-            error["file"].as_str().unwrap_or(""),
-            error["line"]
-        );
-        for part in parts {
-            assert!(said.contains(part), "{part} is not in: {said}");
-        }
-        assert!(!bench.path("out").exists(), "{to}");
+        refused(&STUDY.replace(from, to), &parts);
     }
     bench_of(STUDY).ended(2, "reproduce nowhere");
 }
