@@ -84,6 +84,27 @@ pub(crate) struct RunSpec {
     pub(crate) needs_from: String,
 }
 
+impl RunSpec {
+    /// A key that says nothing of what is run, what is found, and what is accepted.
+    fn unheard(&self) -> Option<(&'static str, &'static str, &'static str)> {
+        let quick = &self.quick;
+        let keys = [
+            ("set", !self.set.is_empty()),
+            ("quick.set", !quick.set.is_empty()),
+            ("quick.axes", !quick.axes.is_empty()),
+        ];
+        if self.command.is_none() {
+            let accepted = "the key of a command; sweeps and jobs have their folder";
+            return self
+                .writes
+                .then_some(("writes", "without command", accepted));
+        }
+        let (key, _) = keys.into_iter().find(|(_, is_given)| *is_given)?;
+        let accepted = "keys of a job among the words, \"--set\", \"KEY=VALUE\"; or a run with a job or a sweep";
+        Some((key, "beside command", accepted))
+    }
+}
+
 /// What `--quick` changes.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
@@ -141,6 +162,89 @@ pub(crate) struct RowSpec {
     /// Says nothing about the published number at the quick size.
     #[serde(default)]
     pub(crate) full_size: bool,
+}
+
+/// Keys of a row of which one would go unheard, and what is accepted.
+const APART: [(&str, &str, &str); 11] = [
+    ("value", "of", "one source: of, value or holds"),
+    ("holds", "of", "one source: of, value or holds"),
+    ("holds", "value", "one source: of, value or holds"),
+    (
+        "holds",
+        "published",
+        "holds with says; or value with published and a tolerance",
+    ),
+    ("says", "published", "published, a number; or says, words"),
+    (
+        "metric",
+        "share_of",
+        "metric with take; or share_of alone, whose comparison names its numbers",
+    ),
+    (
+        "take",
+        "share_of",
+        "take of a metric; or share_of, the share of runs",
+    ),
+    ("best", "at", "one of best and at"),
+    (
+        "best",
+        "over",
+        "best for one run; or over with take or share_of",
+    ),
+    ("within", "within_percent", "one of them"),
+    (
+        "differs",
+        "under_specified",
+        "differs where ours is another number; or under_specified where the paper leaves something open",
+    ),
+];
+
+/// Keys of a row that say nothing without another one, and what is accepted.
+const TOGETHER: [(&str, &str, &str); 8] = [
+    ("metric", "of", "of = \"NAME\", a run"),
+    ("at", "of", "of = \"NAME\", a run"),
+    ("best", "of", "of = \"NAME\", a run"),
+    ("over", "of", "of = \"NAME\", a run"),
+    ("take", "over", "over = [conditions], or [] for all"),
+    ("share_of", "over", "over = [conditions], or [] for all"),
+    ("within", "published", "published = a number"),
+    ("within_percent", "published", "published = a number"),
+];
+
+impl RowSpec {
+    fn has(&self, key: &str) -> bool {
+        match key {
+            "published" => self.published.is_some(),
+            "says" => self.says.is_some(),
+            "of" => self.of.is_some(),
+            "metric" => self.metric.is_some(),
+            "at" => self.at.is_some(),
+            "best" => self.best,
+            "over" => self.over.is_some(),
+            "take" => self.take.is_some(),
+            "share_of" => self.share_of.is_some(),
+            "value" => self.value.is_some(),
+            "holds" => self.holds.is_some(),
+            "within" => self.within.is_some(),
+            "within_percent" => self.within_percent.is_some(),
+            "differs" => self.differs.is_some(),
+            _ => self.under_specified.is_some(),
+        }
+    }
+
+    /// A key that contradicts another one or lacks it, what is found, and what is accepted.
+    fn at_odds(&self) -> Option<(&'static str, String, &'static str)> {
+        let beside = |&(key, other, accepted): &(&'static str, &'static str, &'static str)| {
+            let are_both = self.has(key) && self.has(other);
+            are_both.then(|| (key, format!("beside {other}"), accepted))
+        };
+        let without = |&(key, other, accepted): &(&'static str, &'static str, &'static str)| {
+            let is_alone = self.has(key) && !self.has(other);
+            is_alone.then(|| (key, format!("without {other}"), accepted))
+        };
+        let apart = APART.iter().find_map(beside);
+        apart.or_else(|| TOGETHER.iter().find_map(without))
+    }
 }
 
 /// What is taken of many runs.
@@ -420,6 +524,9 @@ fn check(spec: &StudySpec) -> Result<()> {
                 accepted,
             ));
         }
+        if let Some((key, found, accepted)) = run.unheard() {
+            return Err(Error::config(format!("runs.{name}.{key}"), found, accepted));
+        }
     }
     commands::check(spec)?;
     let mut named = BTreeSet::new();
@@ -453,13 +560,8 @@ fn check_row(spec: &StudySpec, row: &RowSpec, at: &str, named: &BTreeSet<&str>) 
         };
         Err(Error::config(at, found, accepted))
     };
-    let sources = [row.of.is_some(), row.value.is_some(), row.holds.is_some()];
-    if sources.into_iter().filter(|is| *is).count() > 1 {
-        return refuse(
-            "",
-            "several of of, value and holds".to_owned(),
-            "one of them",
-        );
+    if let Some((key, found, accepted)) = row.at_odds() {
+        return refuse(key, found, accepted);
     }
     if let Some(of) = &row.of {
         if !spec.runs.contains_key(of) {
@@ -468,6 +570,11 @@ fn check_row(spec: &StudySpec, row: &RowSpec, at: &str, named: &BTreeSet<&str>) 
         }
         if row.metric.is_none() && row.share_of.is_none() {
             return refuse("metric", "none".to_owned(), "a number of the run's report");
+        }
+        let of_many = ["at", "best", "over"].into_iter().find(|key| row.has(key));
+        if let (Some(key), None) = (of_many, &spec.runs[of].sweep) {
+            let found = format!("beside of = \"{of}\", which is no sweep");
+            return refuse(key, found, "a run with a sweep; without it the only run");
         }
     }
     let mut names = Vec::new();
@@ -497,19 +604,6 @@ fn check_row(spec: &StudySpec, row: &RowSpec, at: &str, named: &BTreeSet<&str>) 
         if let Err(found) = text.parse::<Condition>() {
             return refuse(key, found, "a comparison, such as \"lower >= 0.75*upper\"");
         }
-    }
-    if row.best && row.at.is_some() {
-        return refuse("best", "beside at".to_owned(), "one of best and at");
-    }
-    if row.take.is_some() && row.over.is_none() {
-        return refuse(
-            "take",
-            "without over".to_owned(),
-            "over = [conditions], or [] for all",
-        );
-    }
-    if row.within.is_some() && row.within_percent.is_some() {
-        return refuse("within", "beside within_percent".to_owned(), "one of them");
     }
     for (key, most) in [
         ("within", row.within),

@@ -237,6 +237,81 @@ fn commands_that_cannot_work_are_refused_before_any_work() {
 }
 
 #[test]
+fn keys_of_a_row_that_contradict_each_other_are_refused_with_both() {
+    let odd = [
+        (
+            "take = \"max\"",
+            "share_of = \"lower < 0.5\"",
+            "rows[1].metric",
+            "beside share_of",
+        ),
+        (
+            "metric = \"optimization.pw\"",
+            "share_of = \"lower < 0.5\"",
+            "rows[1].take",
+            "beside share_of",
+        ),
+        (
+            "over = [\"lower < 0.6\"]",
+            "over = []\nbest = true",
+            "rows[1].best",
+            "beside over",
+        ),
+        (
+            "says = \"yes\"",
+            "published = 1",
+            "rows[2].holds",
+            "beside published",
+        ),
+        (
+            "says = \"fair\"",
+            "says = \"fair\"\nbest = true",
+            "rows[5].best",
+            "without of",
+        ),
+        (
+            "says = \"fair\"",
+            "says = \"fair\"\nwithin = 1",
+            "rows[5].within",
+            "without published",
+        ),
+        (
+            "says = \"fair\"",
+            "says = \"fair\"\npublished = 1",
+            "rows[5].says",
+            "beside published",
+        ),
+        (
+            "says = \"fair\"",
+            "differs = \"it rained\"",
+            "rows[5].differs",
+            "beside under_specified",
+        ),
+        (
+            "sweep = \"sweep.toml\"",
+            "sweep = \"sweep.toml\"\nwrites = true",
+            "runs.map.writes",
+            "without command",
+        ),
+        (
+            "writes = true",
+            "writes = true\nset = { a = 1 }",
+            "runs.voxel.set",
+            "beside command",
+        ),
+        (
+            "of = \"voxel\"",
+            "of = \"voxel\"\nbest = true",
+            "rows[3].best",
+            "beside of = \\\"voxel\\\", which is no sweep",
+        ),
+    ];
+    for (from, to, key, found) in odd {
+        refused(&STUDY.replacen(from, to, 1), &[key, found, "study.toml:"]);
+    }
+}
+
+#[test]
 fn a_command_leaves_no_files_in_the_folder_of_the_study() {
     let in_place = "leaves files in the folder of the study";
     for (words, writes, part) in [
