@@ -328,6 +328,7 @@ fn plans(
         .collect::<Result<BTreeMap<_, _>>>()?;
     study.must_have_axes(&planned(&found))?;
     study.must_have_runs(&planned(&found))?;
+    study.must_spare_its_files(output, &planned(&found))?;
     Ok(found)
 }
 

@@ -247,6 +247,22 @@ impl RowSpec {
     }
 }
 
+/// A path without links and `..`, as far as it exists.
+fn resolved(path: &Path) -> PathBuf {
+    let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    let real = |there: &Path| {
+        Some(
+            there
+                .canonicalize()
+                .ok()?
+                .join(path.strip_prefix(there).ok()?),
+        )
+    };
+    path.ancestors()
+        .find_map(real)
+        .unwrap_or_else(|| path.clone())
+}
+
 /// What is taken of many runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -309,6 +325,40 @@ impl Study {
             name.push_str("-quick");
         }
         Path::new("out").join("papers").join(name)
+    }
+
+    /// Refuses a folder of results that would replace files of the study: one that holds such a file, or whose folders of runs do.
+    ///
+    /// # Errors
+    /// [`Error::Config`].
+    pub(crate) fn must_spare_its_files(
+        &self,
+        output: &Path,
+        plans: &BTreeMap<&str, &SweepPlan>,
+    ) -> Result<()> {
+        let runs = self.spec.runs.values();
+        let of_runs = runs.flat_map(|run| run.sweep.iter().chain(&run.job).chain(&run.needs));
+        let own = std::iter::once(Path::new(FILE)).chain(of_runs.map(PathBuf::as_path));
+        let own = own.map(|file| self.folder.join(file));
+        let jobs = plans.values().map(|plan| plan.sweep.base.file.clone());
+        let results = resolved(output);
+        let is_hit = |file: &PathBuf| {
+            let file = resolved(file);
+            let of_run = |name: &String| file.starts_with(results.join(name));
+            file.parent() == Some(results.as_path()) || self.spec.runs.keys().any(of_run)
+        };
+        let Some(file) = own.chain(jobs).find(is_hit) else {
+            return Ok(());
+        };
+        Err(Error::config(
+            "--output",
+            format!(
+                "results in `{}` would lie among files of the study: `{}`",
+                output.display(),
+                file.display()
+            ),
+            "a folder of its own, such as out/papers/NAME",
+        ))
     }
 
     /// Why a thing is not run, where it is not.

@@ -312,6 +312,25 @@ fn keys_of_a_row_that_contradict_each_other_are_refused_with_both() {
 }
 
 #[test]
+fn results_do_not_lie_among_files_of_the_study() {
+    let bench = bench_of(STUDY);
+    std::fs::create_dir(bench.path("map")).unwrap();
+    std::fs::rename(bench.path("disc"), bench.path("map/disc")).unwrap();
+    std::os::unix::fs::symlink(bench.path("map/disc"), bench.path("link")).unwrap();
+    // The folder itself under other names; one whose folder for the run `map` holds the study
+    for output in ["map/disc", "map/../map/disc/", "link", "."] {
+        let line = format!("reproduce map/disc --quick --output {output}");
+        for line in [format!("{line} --check"), line] {
+            let said = bench.expect(2, &line);
+            assert!(said.contains("--output: results in `"), "{said}");
+            assert!(said.contains("map/disc/study.toml`"), "{said}");
+        }
+        assert!(!bench.path("map/disc/map").exists());
+    }
+    bench.ended(0, "reproduce map/disc --quick --output map/disc/results");
+}
+
+#[test]
 fn a_command_leaves_no_files_in_the_folder_of_the_study() {
     let in_place = "leaves files in the folder of the study";
     for (words, writes, part) in [
