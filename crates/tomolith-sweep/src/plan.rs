@@ -102,7 +102,8 @@ impl Sweep {
     fn must_be_a_folder(&self) -> Result<()> {
         let folder = self.folder();
         let refuse = |found, accepted| Err(Error::config("folder", found, accepted));
-        if let Some(file) = folder.ancestors().find(|path| path.is_file()) {
+        let runs = folder.join(RUNS);
+        if let Some(file) = runs.ancestors().find(|path| path.is_file()) {
             let found = format!("`{}` is a file", file.display());
             return refuse(found, "a folder, or a name where none is yet");
         }
@@ -230,22 +231,40 @@ impl Sweep {
     }
 
     /// Says which jobs cannot run, and why the first cannot; at the key of the sweep that is at fault.
-    fn refused(&self, points: &[SweepPoint], first: usize, error: Error, count: usize) -> Error {
+    fn refused(
+        &self,
+        points: &[SweepPoint],
+        first: usize,
+        mut error: Error,
+        count: usize,
+    ) -> Error {
         // It names its run, and the key of the sweep
         if matches!(&error, Error::Config { key, .. } if key.starts_with("derived.")) {
             return error;
         }
+        // No axis is at fault where the folder of a run is
+        if let Error::Config {
+            key,
+            found,
+            accepted,
+            ..
+        } = &error
+            && key == "output.folder"
+        {
+            let found = without_option(found);
+            return Error::config("folder", found, format!("for a run {accepted}"));
+        }
         let text = error.to_string();
-        let (key, detail) = match &error {
-            Error::Config { key, found, .. } => (
-                self.at_fault(key, found),
-                text.split(" (from --set ")
-                    .next()
-                    .unwrap_or(&text)
-                    .to_owned(),
-            ),
-            _ => (None, text.clone()),
+        let key = match &error {
+            Error::Config { key, found, .. } => self.at_fault(key, found),
+            _ => None,
         };
+        if let (Error::Config { accepted, .. }, Some(key)) = (&mut error, &key)
+            && accepted.starts_with(WHOLE)
+            && self.is_of_range(key, &points[first])
+        {
+            accepted.push_str(" (a range with whole = true rounds its values)");
+        }
         let is_all = count == points.len();
         match (error, key) {
             // The job file itself is at fault
@@ -260,11 +279,7 @@ impl Sweep {
                 },
                 Some(key),
             ) if is_all => {
-                let found = found
-                    .split(" (from --set ")
-                    .next()
-                    .unwrap_or(&found)
-                    .to_owned();
+                let found = without_option(&found).to_owned();
                 let found = match own.starts_with("--set ") {
                     true => found,
                     false => format!("`{own}`: {found}"),
@@ -292,11 +307,20 @@ impl Sweep {
                 );
                 Error::config(
                     key.unwrap_or_else(|| "axes".to_owned()),
-                    format!("{runs}: {detail}"),
+                    format!("{runs}: {}", without_option(&text)),
                     accepted,
                 )
             }
         }
+    }
+
+    /// Whether a key is that of an axis with a range, which has no whole number at a point.
+    fn is_of_range(&self, key: &str, point: &SweepPoint) -> bool {
+        let values = self.spec.axes.iter().zip(&point.values).enumerate();
+        let mut ranges = values.filter(|(_, (axis, value))| {
+            value.is_f64() && (axis.linear.is_some() || axis.log.is_some())
+        });
+        ranges.any(|(i, _)| key == format!("axes[{i}].key"))
     }
 
     /// The key of the sweep that set a key of the job which is at fault.
@@ -444,6 +468,16 @@ impl SweepPlan {
         };
         Ok((0..self.runs.len()).map(command).collect())
     }
+}
+
+/// How what is accepted begins where a key takes whole numbers.
+const WHOLE: &str = "a whole number";
+
+/// What was found, without the option that it is from: one of an axis, or the folder of a run.
+fn without_option(found: &str) -> &str {
+    let starts = [" (from --set ", " (from sweep "].into_iter();
+    let start = starts.filter_map(|from| found.find(from)).min();
+    &found[..start.unwrap_or(found.len())]
 }
 
 /// Runs whose starts were not scaled have other identities.

@@ -609,6 +609,19 @@ fn a_sweep_that_cannot_be_is_refused_before_any_run() {
             vec!["axes[0].values: an empty list", "line 4"],
         ),
         (
+            axis("key = \"stop.iterations\"\nlog = { from = 10, to = 90, count = 4 }"),
+            vec![
+                "axes[0].key: `stop.iterations`: found 10.0",
+                "accepted: a whole number, 0 or more (a range with whole = true rounds its values)",
+            ],
+        ),
+        (
+            axis(
+                "key = \"stop.iterations\"\nlinear = { from = 0, to = 9 }\n[sample.random]\ncount = 2",
+            ),
+            vec!["(a range with whole = true rounds its values)"],
+        ),
+        (
             axis("kee = \"a\""),
             vec!["axes[0].kee", "did you mean `key`?", "line 3"],
         ),
@@ -713,6 +726,29 @@ fn results_that_would_go_into_a_file_are_refused_before_work() {
             "{refused}"
         );
     }
+}
+
+#[test]
+fn a_folder_of_a_run_that_is_taken_is_blamed_and_no_axis() {
+    let bench = Bench::new(SWEEP);
+    let folder = bench.plan("out").run_folder(2);
+    fs::create_dir_all(folder.parent().unwrap()).unwrap();
+    fs::write(&folder, "mine").unwrap();
+    let refused = |folder: &str| {
+        let sweep = Sweep::read(&bench.path("sweep.toml")).unwrap();
+        let plan = sweep.with_folder(&bench.path(folder)).plan(2, &Run::new());
+        plan.unwrap_err().to_string()
+    };
+    let message = refused("out");
+    let start = format!(
+        "folder: `{}` is no folder; accepted: for a run a new",
+        folder.display()
+    );
+    assert!(message.starts_with(&start), "{message}");
+    fs::create_dir(bench.path("other")).unwrap();
+    fs::write(bench.path("other/runs"), "mine").unwrap();
+    let message = refused("other");
+    assert!(message.contains("other/runs` is a file"), "{message}");
 }
 
 #[test]
