@@ -44,5 +44,5 @@ pub use axes::{MOST_RUNS, SweepPoint};
 pub use engine::{BestRun, Shard, SweepEvent, SweepOutcome, Watch, merge, run};
 pub use file::Sweep;
 pub use plan::{Planned, SweepPlan, duration};
-pub use reproduce::{Host, Reproduction, StudyCost, StudyRow, Verdict, reproduce};
+pub use reproduce::{Host, Published, Reproduction, StudyCost, StudyRow, Verdict, reproduce};
 pub use study::Study;

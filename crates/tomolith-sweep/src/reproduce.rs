@@ -115,16 +115,35 @@ impl fmt::Display for Verdict {
     }
 }
 
+/// What a paper says; in JSON a number, words or null.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Published {
+    /// A number.
+    Number(f64),
+    /// Words.
+    Words(String),
+    /// Nothing: a row that later ones compare.
+    Nothing,
+}
+
+impl fmt::Display for Published {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Published::Number(number) => f.write_str(&significant(*number, 4)),
+            Published::Words(words) => f.write_str(words),
+            Published::Nothing => f.write_str("–"),
+        }
+    }
+}
+
 /// A row of the table.
 #[derive(Clone, Debug, Serialize)]
 pub struct StudyRow {
     /// What it is.
     pub quantity: String,
-    /// What is published, for people.
-    pub published: String,
-    /// The same as a number.
-    #[serde(skip)]
-    published_number: Option<f64>,
+    /// What is published.
+    pub published: Published,
     /// Ours.
     pub ours: Option<f64>,
     /// Ours over the published number, where that is not 0.
@@ -614,14 +633,11 @@ fn is_at(plan: &SweepPlan, i: usize, at: &Map<String, Value>) -> bool {
 fn compared(row: &RowSpec, ours: Result<f64, Verdict>, is_quick: bool) -> StudyRow {
     let ours_number = ours.as_ref().ok().copied();
     let pair = ours_number.zip(row.published);
-    let text = row
-        .published
-        .map(|p| significant(p, 4))
-        .or_else(|| row.says.clone());
+    let words = || row.says.clone().map(Published::Words);
+    let published = row.published.map(Published::Number).or_else(words);
     StudyRow {
         quantity: row.quantity.clone(),
-        published: text.unwrap_or_else(|| "–".to_owned()),
-        published_number: row.published,
+        published: published.unwrap_or(Published::Nothing),
         ours: ours_number,
         ratio: pair
             .filter(|(_, published)| *published != 0.0)
@@ -710,7 +726,7 @@ fn markdown(study: &Study, all: &Reproduction) -> String {
         let verdict = row.verdict.to_string();
         let cells = [
             &row.quantity,
-            &row.published,
+            &row.published.to_string(),
             &row.ours_text(),
             &row.compared_text(),
             &verdict,
@@ -740,10 +756,10 @@ fn csv(rows: &[StudyRow]) -> String {
     let number = |value: Option<f64>| value.map(|v| v.to_string()).unwrap_or_default();
     for row in rows {
         let (verdict, because) = row.verdict.parts();
-        let published = match (row.published_number, row.published.as_str()) {
-            (Some(published), _) => published.to_string(),
-            (None, "–") => String::new(),
-            (None, words) => field(words),
+        let published = match &row.published {
+            Published::Number(number) => number.to_string(),
+            Published::Words(words) => field(words),
+            Published::Nothing => String::new(),
         };
         let cells = [
             field(&row.quantity),

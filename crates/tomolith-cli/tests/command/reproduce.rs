@@ -108,9 +108,10 @@ fn a_study_lays_published_numbers_beside_ours_and_goes_on_where_it_was() {
     );
     assert!(!bench.path("out").exists());
     let said = events(&bench, "reproduce disc --quick --json");
-    let verdicts: Vec<&str> = said[said.len() - 1]["rows"]
-        .as_array()
-        .unwrap()
+    let rows = said[said.len() - 1]["rows"].as_array().unwrap();
+    assert_eq!(rows[1]["published"], 7.0);
+    assert_eq!(rows[5]["published"], "fair");
+    let verdicts: Vec<&str> = rows
         .iter()
         .map(|row| row["verdict"].as_str().unwrap())
         .collect();
