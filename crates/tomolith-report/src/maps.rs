@@ -17,10 +17,11 @@
 use super::number::{escape, significant};
 use super::picture::{hex, viridis};
 use super::plot::Axis;
+use std::collections::BTreeSet;
 
 mod sheet;
 
-use sheet::{Frame, LEFT, Sheet, add};
+use sheet::{Frame, GLYPH, Room, Sheet, Ticks, add, panel_size, shortened};
 
 /// Height of a curve, of its width.
 const FLAT: f64 = 0.66;
@@ -29,6 +30,8 @@ const BAR: f64 = 110.0;
 /// Labels along an axis, at most; a cell that wide holds its value.
 const LABELS: usize = 11;
 const WRITTEN: f64 = 44.0;
+/// Width of a name that stands upright.
+const LINE: f64 = 14.0;
 /// Values that span more than this have logarithmic colors.
 const DECADES: f64 = 1e3;
 
@@ -150,7 +153,18 @@ pub fn heat_maps(
 ) -> String {
     let cells = || panels.iter().flat_map(|p| p.cells.iter().flatten());
     let values = Values::of(cells().filter_map(|cell| cell.value));
-    let mut sheet = Sheet::new(panels.len(), 1.0, BAR);
+    let most = longest_name(panels.len());
+    let [width, _] = panel_size(panels.len());
+    let left = match are_words(&y.labels) {
+        true => longest(&all_shortened(&y.labels, most)),
+        false => 0,
+    };
+    let below = match are_words(&x.labels) {
+        true => upright_letters(&x.labels, width, most),
+        false => 0,
+    };
+    let room = Room::new(left, below);
+    let mut sheet = Sheet::new(panels.len(), 1.0, BAR, room);
     let title = if values.is_log {
         format!("{title} (logarithmic colors)")
     } else {
@@ -159,7 +173,7 @@ pub fn heat_maps(
     sheet.head(&title, caption);
     for (i, panel) in panels.iter().enumerate() {
         let frame = sheet.frame(i);
-        map(&mut sheet.body, &frame, (x, y), panel, &values);
+        map(&mut sheet.body, &frame, ([x, y], most), panel, &values);
         let sizes = [x, y].map(|scale| scale.labels.len());
         draw_guides(&mut sheet.body, &frame, sizes, guides);
     }
@@ -239,11 +253,15 @@ pub fn curves(title: &str, curves: &[PlotCurve], caption: &str) -> String {
             Axis::linear("", values.low - room, values.high + room)
         }
     };
-    let mut sheet = Sheet::new(curves.len(), FLAT, 20.0);
+    let most = longest_name(curves.len());
+    let [width, _] = panel_size(curves.len());
+    let names = curves.iter().filter_map(|curve| curve.labels.as_ref());
+    let below = names.map(|names| upright_letters(names, width, most)).max();
+    let mut sheet = Sheet::new(curves.len(), FLAT, 20.0, Room::new(0, below.unwrap_or(0)));
     sheet.head(title, caption);
     for (i, curve) in curves.iter().enumerate() {
         let frame = sheet.frame(i);
-        draw_curve(&mut sheet.body, &frame, curve, &values);
+        draw_curve(&mut sheet.body, &frame, (curve, most), &values);
     }
     let marks = [
         points()
@@ -275,14 +293,13 @@ fn middles(labels: &[String], most: usize) -> Vec<(f64, String)> {
 
 /// How many labels of so many letters fit along an edge.
 fn fitting(labels: &[String], width: f64) -> usize {
-    let longest = labels.iter().map(|l| l.chars().count()).max().unwrap_or(1);
-    ((width / (7.0 * longest as f64 + 10.0)) as usize).clamp(1, LABELS)
+    ((width / (GLYPH * longest(labels) as f64 + 10.0)) as usize).clamp(1, LABELS)
 }
 
 fn map(
     body: &mut String,
     frame: &Frame,
-    (x, y): (&ColorScale, &ColorScale),
+    ([x, y], most): ([&ColorScale; 2], usize),
     panel: &Panel,
     values: &Values,
 ) {
@@ -341,22 +358,16 @@ fn map(
         );
     }
     frame.title(body, &panel.title);
-    let across = match are_words(&x.labels) {
-        true => columns,
-        false => fitting(&x.labels, frame.width),
-    };
     let up = match are_words(&y.labels) {
         true => rows,
         false => ((frame.height / 16.0) as usize).min(LABELS),
     };
-    let x_labels = shortened(&x.labels, width - 6.0);
-    let y_labels = shortened(&y.labels, LEFT - 12.0);
-    frame.axes(
-        body,
-        [&x.name, &y.name],
-        &middles(&x_labels, across),
-        &middles(&y_labels, up),
-    );
+    let across = match are_words(&x.labels) {
+        true => name_ticks(&x.labels, frame.width, most),
+        false => Ticks::level(middles(&x.labels, fitting(&x.labels, frame.width))),
+    };
+    let beside = middles(&all_shortened(&y.labels, most), up);
+    frame.axes(body, [&x.name, &y.name], &across, &beside);
 }
 
 /// Whether labels are names, of which none may be left out, and not numbers along a scale.
@@ -366,17 +377,42 @@ fn are_words(labels: &[String]) -> bool {
     !labels.iter().all(is_number)
 }
 
-/// Names cut to so much room, with an ellipsis; numbers as they are.
-fn shortened(labels: &[String], room: f64) -> Vec<String> {
-    let most = ((room / 7.0) as usize).max(3);
-    let cut = |label: &String| match label.chars().count() > most {
-        true => label.chars().take(most - 1).chain(['…']).collect(),
-        false => label.clone(),
+/// Letters of a name along an axis, at most, in a picture of so many panels.
+fn longest_name(panels: usize) -> usize {
+    if panels == 1 { 32 } else { 18 }
+}
+
+fn longest(labels: &[String]) -> usize {
+    labels.iter().map(|l| l.chars().count()).max().unwrap_or(1)
+}
+
+/// Letters of the longest of the names that stand upright below a panel; 0 where labels lie side by side.
+fn upright_letters(labels: &[String], width: f64, most: usize) -> usize {
+    let letters = longest(&all_shortened(labels, most));
+    let fit = labels.len() as f64 * (GLYPH * letters as f64 + 10.0) <= width;
+    if fit { 0 } else { letters }
+}
+
+/// Names below a panel so wide, upright where they do not fit side by side: as many as have room, cut to so many letters.
+fn name_ticks(labels: &[String], width: f64, most: usize) -> Ticks {
+    let are_upright = upright_letters(labels, width, most) > 0;
+    let count = match are_upright {
+        true => (width / LINE) as usize,
+        false => labels.len(),
     };
-    match are_words(labels) {
-        true => labels.iter().map(cut).collect(),
-        false => labels.to_vec(),
+    Ticks {
+        labels: middles(&all_shortened(labels, most), count),
+        are_upright,
     }
+}
+
+/// Labels cut to so many letters, or as many more as tell them apart.
+fn all_shortened(labels: &[String], most: usize) -> Vec<String> {
+    let cut = |most: usize| labels.iter().map(move |label| shortened(label, most));
+    let count = labels.iter().collect::<BTreeSet<_>>().len();
+    let differ = |most: &usize| cut(*most).collect::<BTreeSet<_>>().len() == count;
+    let most = (most..longest(labels)).find(differ);
+    cut(most.unwrap_or(usize::MAX)).collect()
 }
 
 /// A colored cell with its number where that has room; a gray one with a cross where there is none.
@@ -477,7 +513,7 @@ fn outline(
     path
 }
 
-fn draw_curve(body: &mut String, frame: &Frame, curve: &PlotCurve, values: &Axis) {
+fn draw_curve(body: &mut String, frame: &Frame, (curve, most): (&PlotCurve, usize), values: &Axis) {
     let places = || curve.points.iter().map(|(place, _)| *place);
     let (low, high) = (
         places().fold(f64::INFINITY, f64::min),
@@ -492,12 +528,8 @@ fn draw_curve(body: &mut String, frame: &Frame, curve: &PlotCurve, values: &Axis
         }
     };
     let ticks = match &curve.labels {
-        Some(labels) if labels.len() > fitting(labels, frame.width) => {
-            upright(body, frame, labels);
-            Vec::new()
-        }
-        Some(labels) => middles(labels, labels.len()),
-        None => placed(&across, (frame.width / 60.0) as usize),
+        Some(labels) => name_ticks(labels, frame.width, most),
+        None => Ticks::level(placed(&across, (frame.width / 60.0) as usize)),
     };
     let heights = placed(values, (frame.height / 45.0) as usize);
     for (part, _) in &heights {
@@ -555,21 +587,6 @@ fn draw_curve(body: &mut String, frame: &Frame, curve: &PlotCurve, values: &Axis
                 format_args!("<circle class=\"ring\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"8\"/>"),
             );
         }
-    }
-}
-
-/// Names that do not fit below the frame, upright in it, each left of its place.
-fn upright(body: &mut String, frame: &Frame, labels: &[String]) {
-    let bottom = frame.y(0.0) - 6.0;
-    for (part, label) in middles(labels, (frame.width / 14.0) as usize) {
-        let x = frame.x(part) - 7.0;
-        add(
-            body,
-            format_args!(
-                "<text class=\"small\" transform=\"translate({x:.1} {bottom:.1}) rotate(-90)\">{}</text>",
-                escape(&label)
-            ),
-        );
     }
 }
 
@@ -634,11 +651,11 @@ mod tests {
     }
 
     #[test]
-    fn names_too_long_for_the_axis_stand_upright_in_the_frame() {
-        let named = |names: &[&str]| {
+    fn names_too_long_for_the_axis_stand_upright_below_the_frame() {
+        let named = |names: &[String]| {
             let curve = PlotCurve {
                 name: "method".to_owned(),
-                labels: Some(names.iter().map(|&name| name.to_owned()).collect()),
+                labels: Some(names.to_vec()),
                 is_log: false,
                 is_joined: false,
                 points: (0..names.len())
@@ -647,14 +664,29 @@ mod tests {
             };
             curves("m", &[curve], "")
         };
-        let few = named(&["a", "b"]);
-        assert!(few.contains(">a<") && !few.contains("rotate(-90)\">a"));
+        let few = named(&["a", "b"].map(str::to_owned));
+        assert!(few.contains(">a<") && !few.contains("text-anchor=\"end\">a<"));
         let names: Vec<String> = (0..12).map(|i| format!("gradient of step {i}")).collect();
-        let all: Vec<&str> = names.iter().map(String::as_str).collect();
-        let many = named(&all);
+        let many = named(&names);
+        // The frame is as high as that of short names, and the names hang below it
+        let after = |svg: &str, text: &str| svg.split(text).nth(1).unwrap().to_owned();
+        let bottom = 34.0 + 34.0 + 0.66 * 400.0;
         for name in &names {
-            assert!(many.contains(&format!("rotate(-90)\">{name}<")), "{many}");
+            let place = many.split(&format!(" text-anchor=\"end\">{name}<")).next();
+            let place = place.unwrap().rsplit("translate(").next().unwrap();
+            let y = place.split([' ', ')']).nth(1).unwrap();
+            assert!(y.parse::<f64>().unwrap() > bottom, "{name}: {place}");
         }
+        let height = |svg: &str| {
+            after(svg, "height=\"")
+                .split('"')
+                .next()
+                .unwrap()
+                .parse::<f64>()
+        };
+        // 19 letters
+        let more = height(&many).unwrap() - height(&few).unwrap();
+        assert_eq!(more, 42.0 + 7.0 * 19.0 - 62.0);
     }
 
     #[test]
@@ -699,22 +731,28 @@ mod tests {
     }
 
     #[test]
-    fn names_of_cells_are_cut_and_none_is_left_out() {
+    fn names_of_cells_are_cut_in_the_middle_and_none_is_left_out() {
         let names = ["as it is", "fista with twenty iterations", "osmo"].map(str::to_owned);
         assert!(are_words(&names) && !are_words(&["0.1".to_owned(), "−2".to_owned()]));
-        assert_eq!(shortened(&names, 70.0), ["as it is", "fista wit…", "osmo"]);
-        let cells = vec![cell(Some(1.0), false); 3];
-        let panel = Panel {
-            title: String::new(),
-            cells,
-        };
-        let x = ColorScale {
+        let cut = ["as it is", "fista wit…erations", "osmo"];
+        assert_eq!(all_shortened(&names, 18), cut);
+        let alike = ["step 1 of all", "step 2 of all"].map(str::to_owned);
+        assert_eq!(all_shortened(&alike, 5), ["step 1…f all", "step 2…f all"]);
+        let scale_of = |names: &[String]| ColorScale {
             name: "method".to_owned(),
             labels: names.to_vec(),
         };
+        let panel = Panel {
+            title: String::new(),
+            cells: vec![cell(Some(1.0), false); 3],
+        };
         let panels = vec![panel; 4];
-        let svg = heat_maps("m", [&x, &scale("y", 1)], &panels, &[], "");
-        assert_eq!(svg.matches(">fista").count(), 4);
+        let (names, one) = (scale_of(&names), scale("y", 1));
+        let across = heat_maps("m", [&names, &one], &panels, &[], "");
+        let up = heat_maps("m", [&one, &names], &panels, &[], "");
+        for svg in [across, up] {
+            assert_eq!(svg.matches(">fista wit…erations<").count(), 4, "{svg}");
+        }
     }
 
     #[test]

@@ -6,7 +6,7 @@
 
 use crate::expression::Condition;
 use crate::spec::{AxisSpec, CaseSpec, DrawSpec, RangeSpec, SampleSpec};
-use serde_json::Value;
+use serde_json::{Map, Value};
 use std::collections::BTreeSet;
 use tomolith::units::concise;
 use tomolith::{Error, Result};
@@ -126,6 +126,17 @@ impl Axis {
             AxisKind::Range(_) => &[],
             AxisKind::Cases { names, .. } => names,
         }
+    }
+
+    /// A value of it as people read it: kinds of one name with what tells them apart.
+    pub(crate) fn label(&self, value: &Value) -> String {
+        let name = label(value);
+        let alike = self.values().iter().filter(|other| label(other) == name);
+        let others: Vec<_> = alike.map(leaves).collect();
+        let mut words = vec![name];
+        let apart = |leaf: &String| !others.iter().all(|leaves| leaves.contains(leaf));
+        words.extend(leaves(value).into_iter().filter(apart));
+        words.join(" ")
     }
 
     /// The keys of the job that it sets.
@@ -531,15 +542,37 @@ pub(crate) fn mixed(state: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// A value as people read it.
+/// A value as people read it; a kind by its name, without its parameters.
 #[must_use]
 pub(crate) fn label(value: &Value) -> String {
     match value {
         Value::String(text) => text.clone(),
         Value::Number(number) => number.as_f64().map_or_else(|| number.to_string(), concise),
-        Value::Object(map) if map.len() == 1 => map.keys().next().cloned().unwrap_or_default(),
+        Value::Object(table) if table.is_empty() => "{}".to_owned(),
+        Value::Object(table) => match kind(table) {
+            Some(name) => name.to_owned(),
+            None => leaves(value).join(" "),
+        },
         other => other.to_string(),
     }
+}
+
+/// The name of a table that is a kind with its parameters.
+fn kind(table: &Map<String, Value>) -> Option<&str> {
+    let (name, parameters) = table.iter().next()?;
+    (table.len() == 1 && parameters.is_object()).then_some(name)
+}
+
+/// What a table and those within it hold: `KEY=VALUE`.
+fn leaves(table: &Value) -> Vec<String> {
+    let mut all = Vec::new();
+    for (key, value) in table.as_object().into_iter().flatten() {
+        match value {
+            Value::Object(_) => all.extend(leaves(value)),
+            _ => all.push(format!("{key}={}", label(value))),
+        }
+    }
+    all
 }
 
 #[cfg(test)]
@@ -652,6 +685,30 @@ mod tests {
             let message = axis(text.clone(), false).unwrap_err().to_string();
             assert!(message.starts_with(start), "{text}: {message}");
         }
+    }
+
+    #[test]
+    fn tables_that_are_alike_are_told_apart() {
+        let labels = |values: serde_json::Value| {
+            let axis = axis(serde_json::json!({ "key": "k", "values": values }), false).unwrap();
+            let labels = axis.values().iter().map(|value| axis.label(value));
+            labels.collect::<Vec<_>>()
+        };
+        let ospw = |lower: f64| serde_json::json!({ "ospw": { "lower": lower, "upper": 0.9 } });
+        let osmo = serde_json::json!({ "osmo": { "lower": 0.5 } });
+        assert_eq!(
+            labels(serde_json::json!([ospw(0.5), osmo])),
+            ["ospw", "osmo"]
+        );
+        assert_eq!(
+            labels(serde_json::json!([ospw(0.4), ospw(0.5), osmo])),
+            ["ospw lower=0.4", "ospw lower=0.5", "osmo"]
+        );
+        let pair = |lower: f64| serde_json::json!({ "lower": lower, "upper": "8 mm" });
+        assert_eq!(
+            labels(serde_json::json!([pair(0.4), pair(0.5), {}, 2])),
+            ["lower=0.4 upper=8 mm", "lower=0.5 upper=8 mm", "{}", "2"]
+        );
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! A sweep file: read, its axes, conditions and metrics checked, and the job at each point.
 
-use crate::axes::{Axis, SweepPoint, label, named};
+use crate::axes::{Axis, SweepPoint, named};
 use crate::expression::{Condition, Expression};
 use crate::metric;
 use crate::spec::{KeepSpec, SweepSpec};
@@ -248,7 +248,7 @@ impl Sweep {
     pub fn words(&self, point: &SweepPoint) -> String {
         let words = self.axes.iter().zip(&point.values);
         words
-            .map(|(axis, value)| format!("{} = {}", axis.name, label(value)))
+            .map(|(axis, value)| format!("{} = {}", axis.name, axis.label(value)))
             .collect::<Vec<_>>()
             .join(", ")
     }

@@ -1,7 +1,7 @@
 //! The pictures of a sweep, one file per metric: a curve over one axis, a map over two, small multiples over more; dots over each axis of
 //! points that were drawn.
 
-use crate::axes::{Axis, label};
+use crate::axes::Axis;
 use crate::expression::Expression;
 use crate::plan::SweepPlan;
 use crate::table::{State, Table};
@@ -75,7 +75,7 @@ fn picture(plan: &SweepPlan, table: &Table<'_>, metric: &str) -> String {
     }
     let scale = |axis: &Axis| ColorScale {
         name: axis.name.clone(),
-        labels: axis.values().iter().map(label).collect(),
+        labels: labels(axis),
     };
     let (panels, left_out) = panels(plan, &cell);
     let caption = match left_out {
@@ -89,6 +89,11 @@ fn picture(plan: &SweepPlan, table: &Table<'_>, metric: &str) -> String {
         &guides(plan),
         &caption,
     )
+}
+
+fn labels(axis: &Axis) -> Vec<String> {
+    let labels = axis.values().iter().map(|value| axis.label(value));
+    labels.collect()
 }
 
 /// Steps along an axis in which a guide is looked for.
@@ -195,7 +200,7 @@ fn curve(plan: &SweepPlan, a: usize, is_joined: bool, cell: &dyn Fn(usize) -> Ce
     }
     PlotCurve {
         name: axis.name.clone(),
-        labels: (!are_numbers).then(|| axis.values().iter().map(label).collect()),
+        labels: (!are_numbers).then(|| labels(axis)),
         is_log: axis.is_log && are_numbers,
         is_joined: is_joined && are_numbers,
         points,
@@ -219,7 +224,7 @@ fn panels(plan: &SweepPlan, cell: &dyn Fn(usize) -> Cell) -> (Vec<Panel>, usize)
                 let words = axes[2..]
                     .iter()
                     .zip(rest)
-                    .map(|(axis, &k)| format!("{} = {}", axis.name, label(&axis.values()[k])));
+                    .map(|(axis, &k)| format!("{} = {}", axis.name, axis.label(&axis.values()[k])));
                 let panel = Panel {
                     title: words.collect::<Vec<_>>().join(", "),
                     cells: vec![None; columns * rows],

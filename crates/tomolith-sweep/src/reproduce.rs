@@ -453,7 +453,8 @@ fn tables(study: &Study, found: &BTreeMap<String, Found>) -> Result<Vec<String>>
                 let number = table.metric(i, &column.metric);
                 number.map_or_else(|| "–".to_owned(), |number| significant(number, 3))
             };
-            let values = run.point.values.iter().map(label);
+            let values = plan.sweep.axes.iter().zip(&run.point.values);
+            let values = values.map(|(axis, value)| axis.label(value));
             let cells: Vec<String> = values.chain(spec.columns.iter().map(number)).collect();
             let _ = writeln!(text, "| {} |", cells.join(" | "));
         }

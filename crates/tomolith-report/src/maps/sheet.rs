@@ -6,10 +6,14 @@ use std::fmt::Write as _;
 /// Width and height of a panel's drawing, alone and among others.
 const ALONE: [f64; 2] = [460.0, 400.0];
 const AMONG: [f64; 2] = [230.0, 200.0];
-/// Room round a panel: left, above, below.
-pub(super) const LEFT: f64 = 76.0;
-const ABOVE: f64 = 34.0;
+/// Room round a panel: left and below, where labels are short; above.
+const LEFT: f64 = 76.0;
 const BELOW: f64 = 62.0;
+const ABOVE: f64 = 34.0;
+/// Room of a label's letter; between a panel and its name, beside labels on the left and below it.
+pub(super) const GLYPH: f64 = 7.0;
+const NAME_LEFT: f64 = 36.0;
+const NAME_BELOW: f64 = 42.0;
 /// Room above all, and for a line below.
 const HEAD: f64 = 34.0;
 const FOOT: f64 = 30.0;
@@ -30,6 +34,41 @@ pub(super) struct Frame {
     pub(super) top: f64,
     pub(super) width: f64,
     pub(super) height: f64,
+    room: Room,
+}
+
+/// Room for labels left of panels and below them.
+#[derive(Clone, Copy)]
+pub(super) struct Room {
+    pub(super) left: f64,
+    pub(super) below: f64,
+}
+
+impl Room {
+    /// For labels of so many letters on the left, and so many that stand upright below.
+    pub(super) fn new(left: usize, below: usize) -> Self {
+        Room {
+            left: LEFT.max(NAME_LEFT + GLYPH * left as f64),
+            below: BELOW.max(NAME_BELOW + GLYPH * below as f64),
+        }
+    }
+}
+
+/// Labels at parts of the lower edge of a panel.
+pub(super) struct Ticks {
+    pub(super) labels: Vec<(f64, String)>,
+    /// Whether they are written upwards, for they are long.
+    pub(super) are_upright: bool,
+}
+
+impl Ticks {
+    pub(super) fn level(labels: Vec<(f64, String)>) -> Self {
+        let are_upright = false;
+        Ticks {
+            labels,
+            are_upright,
+        }
+    }
 }
 
 impl Frame {
@@ -42,23 +81,34 @@ impl Frame {
     }
 
     /// Its outline, ticks at parts of its edges, and the names of both.
-    pub(super) fn axes(
-        &self,
-        body: &mut String,
-        names: [&str; 2],
-        x: &[(f64, String)],
-        y: &[(f64, String)],
-    ) {
+    pub(super) fn axes(&self, body: &mut String, names: [&str; 2], x: &Ticks, y: &[(f64, String)]) {
         let (bottom, right) = (self.top + self.height, self.left + self.width);
-        for (part, label) in x {
-            let at = self.x(*part);
+        let name_below = bottom
+            + if x.are_upright {
+                self.room.below - 25.0
+            } else {
+                37.0
+            };
+        for (part, label) in &x.labels {
+            let (at, label) = (self.x(*part), escape(label));
             add(
                 body,
-                format_args!(
-                    "<path class=\"frame\" d=\"M{at:.1} {bottom:.1}v4\"/><text class=\"small\" x=\"{at:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text>",
-                    bottom + 17.0,
-                    escape(label)
+                format_args!("<path class=\"frame\" d=\"M{at:.1} {bottom:.1}v4\"/>"),
+            );
+            let place = match x.are_upright {
+                true => format!(
+                    "transform=\"translate({:.1} {:.1}) rotate(-90)\" text-anchor=\"end\"",
+                    at + 4.0,
+                    bottom + 8.0
                 ),
+                false => format!(
+                    "x=\"{at:.1}\" y=\"{:.1}\" text-anchor=\"middle\"",
+                    bottom + 17.0
+                ),
+            };
+            add(
+                body,
+                format_args!("<text class=\"small\" {place}>{label}</text>"),
             );
         }
         for (part, label) in y {
@@ -88,9 +138,9 @@ impl Frame {
                 self.top,
                 self.width,
                 self.height,
-                bottom + 37.0,
+                name_below,
                 escape(names[0]),
-                self.left - 56.0,
+                self.left - self.room.left + 20.0,
                 escape(names[1])
             ),
         );
@@ -98,12 +148,13 @@ impl Frame {
 
     pub(super) fn title(&self, body: &mut String, title: &str) {
         let x = self.left + 0.5 * self.width;
+        let title = shortened(title, ((self.width + LEFT - 10.0) / GLYPH) as usize);
         add(
             body,
             format_args!(
                 "<text class=\"small\" x=\"{x:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text>",
                 self.top - 8.0,
-                escape(title)
+                escape(&title)
             ),
         );
     }
@@ -112,6 +163,23 @@ impl Frame {
 pub(super) fn add(body: &mut String, element: std::fmt::Arguments<'_>) {
     // Writing into a string cannot fail
     let _ = body.write_fmt(element);
+}
+
+/// A text of at most so many letters: what is left out is in the middle, since many names begin alike.
+pub(super) fn shortened(text: &str, most: usize) -> String {
+    let letters: Vec<char> = text.chars().collect();
+    if letters.len() <= most {
+        return text.to_owned();
+    }
+    let kept = most.saturating_sub(1);
+    let (head, tail) = (kept.div_ceil(2), kept / 2);
+    let tail = &letters[letters.len() - tail..];
+    letters[..head].iter().chain(&['…']).chain(tail).collect()
+}
+
+/// Width and height of one of so many panels.
+pub(super) fn panel_size(panels: usize) -> [f64; 2] {
+    if panels == 1 { ALONE } else { AMONG }
 }
 
 /// Width of a letter of a caption, about.
@@ -137,6 +205,7 @@ pub(super) struct Sheet {
     pub(super) columns: usize,
     rows: usize,
     panel: [f64; 2],
+    room: Room,
     /// Room on the right.
     right: f64,
     pub(super) body: String,
@@ -145,13 +214,14 @@ pub(super) struct Sheet {
 }
 
 impl Sheet {
-    pub(super) fn new(panels: usize, flat: f64, right: f64) -> Self {
+    pub(super) fn new(panels: usize, flat: f64, right: f64, room: Room) -> Self {
         let columns = panels.clamp(1, ROW);
-        let [width, height] = if panels == 1 { ALONE } else { AMONG };
+        let [width, height] = panel_size(panels);
         Sheet {
             columns,
             rows: panels.div_ceil(columns).max(1),
             panel: [width, flat * height],
+            room,
             right,
             body: String::new(),
             lines: 0,
@@ -159,7 +229,7 @@ impl Sheet {
     }
 
     fn width(&self) -> f64 {
-        self.columns as f64 * (LEFT + self.panel[0]) + self.right
+        self.columns as f64 * (self.room.left + self.panel[0]) + self.right
     }
 
     fn size(&self) -> [f64; 2] {
@@ -167,17 +237,19 @@ impl Sheet {
         let foot = (1 + self.lines) as f64 * FOOT;
         [
             self.width(),
-            HEAD + self.rows as f64 * (ABOVE + height + BELOW) + foot,
+            HEAD + self.rows as f64 * (ABOVE + height + self.room.below) + foot,
         ]
     }
 
     pub(super) fn frame(&self, i: usize) -> Frame {
         let ([width, height], column, row) = (self.panel, i % self.columns, i / self.columns);
+        let Room { left, below } = self.room;
         Frame {
-            left: LEFT + column as f64 * (LEFT + width),
-            top: HEAD + ABOVE + row as f64 * (ABOVE + height + BELOW),
+            left: left + column as f64 * (left + width),
+            top: HEAD + ABOVE + row as f64 * (ABOVE + height + below),
             width,
             height,
+            room: self.room,
         }
     }
 
