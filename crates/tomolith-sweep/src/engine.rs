@@ -733,7 +733,9 @@ impl Slot<'_> {
         let Some((first, others)) = files.split_first() else {
             return Ok(job);
         };
-        let mut job = job.starting_from(first, others)?;
+        let wanted = || parents(self.plan, &lock(self.board).firsts, i);
+        let continued = self.plan.runs[i].continues && from == wanted();
+        let mut job = job.starting_from(first, others, continued)?;
         if let Some(iterations) = self
             .plan
             .sweep

@@ -25,6 +25,8 @@ pub struct Planned {
     pub id: String,
     /// The runs that it may start from, nearest first.
     pub parents: Vec<usize>,
+    /// Whether the last of them is there for the step from it to the one before, which leads from the nearest to this run.
+    pub continues: bool,
 }
 
 /// All runs of a sweep, checked.
@@ -356,12 +358,17 @@ impl Sweep {
     fn settle(&self, points: Vec<SweepPoint>, ids: Vec<String>) -> Vec<Planned> {
         let parents = match self.spec.warm_start {
             Some(_) => parents(&points, self.axes.len()),
-            None => vec![Vec::new(); points.len()],
+            None => vec![(Vec::new(), false); points.len()],
         };
         let mut runs: Vec<Planned> = Vec::with_capacity(points.len());
-        for ((point, id), parents) in points.into_iter().zip(ids).zip(parents) {
+        for ((point, id), (parents, continues)) in points.into_iter().zip(ids).zip(parents) {
             let id = (parents.iter()).fold(id, |id, &from| self.warm_id(&id, &runs[from].id));
-            runs.push(Planned { point, id, parents });
+            runs.push(Planned {
+                point,
+                id,
+                parents,
+                continues,
+            });
         }
         runs
     }
@@ -376,7 +383,7 @@ impl Sweep {
             .map_or(u64::MAX, |n| n as u64);
         format!(
             "{:016x}",
-            mixed(number(own) ^ mixed(number(from) ^ mixed(iterations ^ SCALED)))
+            mixed(number(own) ^ mixed(number(from) ^ mixed(iterations ^ STARTS)))
         )
     }
 }
@@ -480,8 +487,8 @@ fn without_option(found: &str) -> &str {
     &found[..start.unwrap_or(found.len())]
 }
 
-/// Runs whose starts were not scaled have other identities.
-const SCALED: u64 = 1 << 63;
+/// Runs whose starts were chosen otherwise have other identities: scaled (1 << 63), continued.
+const STARTS: u64 = 3 << 62;
 
 /// Says whose results a folder holds.
 const OWNER: &str = "sweep.json";
@@ -502,26 +509,54 @@ fn too_many_at_a_time(share_mb: u64, budget_mb: u64, needs_mb: u64) -> Error {
         format!("up to {most} at a time in {budget_mb} MB; or a larger resources.memory_gb"),
     )
 }
-/// For each point so many of those before it, the nearest first; of equally near ones the first.
-fn parents(points: &[SweepPoint], count: usize) -> Vec<Vec<usize>> {
-    let apart = |a: &SweepPoint, b: &SweepPoint| {
-        let squares = a.place.iter().zip(&b.place).map(|(a, b)| (a - b).powi(2));
-        // Rounding of places must not choose among equals
-        (squares.sum::<f64>() * 1e9).round()
-    };
+/// Runs that another may start from, and whether the last of them is only there for a step; see [`Planned`].
+type Parents = (Vec<usize>, bool);
+
+/// For each point so many of those before it, the nearest first; of equally near ones the first. One more follows where a point before it lies as far from
+/// the last of them as this one lies from the nearest, in the same direction.
+fn parents(points: &[SweepPoint], count: usize) -> Vec<Parents> {
     let nearest = |i: usize| {
         let mut nearest: Vec<(f64, usize)> = Vec::with_capacity(count + 1);
         for j in 0..i {
-            let distance = apart(&points[i], &points[j]);
+            let distance = apart(&points[i].place, &points[j].place);
             let at = nearest.partition_point(|(other, _)| *other <= distance);
             if at < count {
                 nearest.insert(at, (distance, j));
                 nearest.truncate(count);
             }
         }
-        nearest.into_iter().map(|(_, j)| j).collect()
+        let mut parents: Vec<usize> = nearest.into_iter().map(|(_, j)| j).collect();
+        let step = step_to(points, i, &parents);
+        if let Some([from, to]) = step {
+            parents.retain(|&parent| parent != to);
+            parents.extend([to, from]);
+        }
+        (parents, step.is_some())
     };
     (0..points.len()).into_par_iter().map(nearest).collect()
+}
+
+/// A parent other than the nearest, where there is one, and the point from which the step to it is that from the nearest to the point.
+fn step_to(points: &[SweepPoint], i: usize, parents: &[usize]) -> Option<[usize; 2]> {
+    let place = |j: usize| points[j].place.as_slice();
+    let (&nearest, others) = parents.split_first()?;
+    let step = |&to: &usize| {
+        let places = place(to).iter().zip(place(nearest)).zip(place(i));
+        let begin: Vec<f64> = places.map(|((to, near), own)| to - (own - near)).collect();
+        let from = (0..i).find(|&from| apart(place(from), &begin) == 0.0)?;
+        Some([from, to])
+    };
+    let ends = if others.is_empty() { parents } else { others };
+    let length = |&[from, _]: &[usize; 2]| apart(place(from), place(i));
+    let steps = ends.iter().filter_map(step);
+    steps.min_by(|a, b| length(a).total_cmp(&length(b)))
+}
+
+/// The square of a distance.
+fn apart(a: &[f64], b: &[f64]) -> f64 {
+    let squares = a.iter().zip(b).map(|(a, b)| (a - b).powi(2));
+    // Rounding of places must not choose among equals
+    (squares.sum::<f64>() * 1e9).round()
 }
 
 /// For each run the first one with the same job.
@@ -580,21 +615,25 @@ mod tests {
         ]
         .map(|p| at(&p));
         // (⅓, ⅓) is as far from (0, ⅓) as from (⅓, 0): the first of both
-        assert_eq!(
-            parents(&points, 1),
-            [vec![], vec![0], vec![0], vec![1], vec![2], vec![3]]
-        );
-        assert_eq!(
-            parents(&points, 2),
-            [
-                vec![],
-                vec![0],
-                vec![0, 1],
-                vec![1, 2],
-                vec![2, 3],
-                vec![3, 2]
-            ]
-        );
+        let alone = |runs: &[usize]| (runs.to_vec(), false);
+        let begun = [&[][..], &[0], &[0], &[1], &[2]].map(alone);
+        assert_eq!(parents(&points, 1)[..5], begun);
+        let steps = [
+            alone(&[]),
+            alone(&[0]),
+            alone(&[0, 1]),
+            // From (⅓, 0) by the step from (0, 0) to (0, ⅓)
+            (vec![1, 2, 0], true),
+            alone(&[2, 3]),
+            // From (⅓, ⅓) on, as far as from (0, 0) to (⅓, 0)
+            (vec![3, 2, 0], true),
+        ];
+        assert_eq!(parents(&points, 2), steps);
+        // Along one axis a step like the last one
+        let line = [0.0, 0.25, 0.5, 1.0].map(|place| at(&[place]));
+        let ahead = |to, from| (vec![to, from], true);
+        let along = [alone(&[]), alone(&[0]), ahead(1, 0), ahead(2, 0)];
+        assert_eq!(parents(&line, 1), along);
     }
 
     #[test]

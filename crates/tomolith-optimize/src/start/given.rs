@@ -52,6 +52,9 @@ pub struct Params {
     /// With `scaled`, further files: the start is the one with the lowest loss
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub or: Vec<PathBuf>,
+    /// With `scaled`, whether the last of `or` is no start by itself: the patterns of the file before it, plus those of `file`, minus its own, dark where that is negative, are one (default false)
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub continued: bool,
 }
 
 /// The row of the table.
@@ -76,6 +79,8 @@ pub struct Files<F: Field = HostField> {
     pub scaled: bool,
     /// Further ones, of which it takes the best.
     pub or: Vec<OfFile>,
+    /// What the first ones become when the step between two others is added.
+    pub step: Option<[OfFile; 2]>,
 }
 
 impl<F: Field> fmt::Debug for Files<F> {
@@ -89,11 +94,23 @@ impl<F: Field> Files<F> {
         let params: Params = section.parse()?;
         let bounds_as = |own| section.within("bounds_as", own).read(starts::<F>());
         let at = |file: PathBuf| OfFile(section.file(&file));
+        let first = at(params.file);
+        let mut or: Vec<OfFile> = params.or.into_iter().map(at).collect();
+        let from = or.pop_if(|_| params.continued);
+        if params.continued && from.is_none() {
+            return Err(Error::config(
+                format!("{}.or", section.path),
+                "no file, where `continued` needs one",
+                "at least one file, or no `continued`",
+            ));
+        }
+        let to = or.last().unwrap_or(&first).clone();
         Ok(Files {
-            first: at(params.file),
+            first,
             bounds_as: params.bounds_as.map(bounds_as).transpose()?,
             scaled: params.scaled,
-            or: params.or.into_iter().map(at).collect(),
+            or,
+            step: from.map(|from| [from, to]),
         })
     }
 }

@@ -93,11 +93,16 @@ impl Job {
     }
 
     /// The same job from the patterns of an earlier run, as bright as suits its objective best, with the bounds that its own start gives it, so
-    /// that it stays the same problem.
+    /// that it stays the same problem. `or`, `continued`: those of `start.patterns`.
     ///
     /// # Errors
     /// [`Error::Io`] for a path that cannot be made absolute.
-    pub fn starting_from(mut self, patterns: &Path, or: &[PathBuf]) -> Result<Self> {
+    pub fn starting_from(
+        mut self,
+        patterns: &Path,
+        or: &[PathBuf],
+        continued: bool,
+    ) -> Result<Self> {
         let absolute = |file: &Path| std::path::absolute(file).map_err(|e| Error::io(file, e));
         let mut own = with_every_default(self.spec.clone()).start;
         if let Some(Value::String(file)) = own.pointer_mut("/patterns/file") {
@@ -113,6 +118,9 @@ impl Job {
         let mut patterns = json!({ "file": file, "bounds_as": own, "scaled": true });
         if !or.is_empty() {
             patterns["or"] = json!(or);
+        }
+        if continued {
+            patterns["continued"] = json!(true);
         }
         self.spec.start = json!({ "patterns": patterns });
         Ok(self)
@@ -237,7 +245,7 @@ mod tests {
         };
         write_patterns(&file, &[pair], &Run::new()).unwrap();
         let job = own.clone();
-        let given = at(own.starting_from(&file, &[]).unwrap(), "given");
+        let given = at(own.starting_from(&file, &[], false).unwrap(), "given");
         let bound = brightest(&start);
         let found = brightest(&raw(&given));
         assert!(found <= bound && found > 0.1 * bound, "{found} of {bound}");
@@ -259,7 +267,10 @@ mod tests {
             raw: None,
         };
         write_patterns(&worse, &[pair], &Run::new()).unwrap();
-        let chosen = raw(&at(job.starting_from(&worse, &[good]).unwrap(), "chosen"));
+        let chosen = raw(&at(
+            job.starting_from(&worse, &[good], false).unwrap(),
+            "chosen",
+        ));
         let factor = brightest(&chosen) / brightest(&optimized);
         let pairs = chosen.iter().zip(&optimized);
         let farthest = pairs

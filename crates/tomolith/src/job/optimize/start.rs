@@ -10,7 +10,7 @@ use crate::models::{DoseModel, PatternLayout, Quantity, Run};
 use crate::objective::{Objective, Sum};
 use crate::optimize;
 use crate::optimize::Limits;
-use crate::optimize::start::given::{Given, OfFile};
+use crate::optimize::start::given::{Files, Given, OfFile};
 use crate::optimize::start::{InitialPatterns, StartInput};
 use crate::response::Response;
 
@@ -198,7 +198,7 @@ impl Stage<'_> {
             }
         };
         if let Some(files) = files.filter(|files| files.scaled && brightens) {
-            self.brighten(scene, &files.or, &mut patterns, &bounds, cancel)?;
+            self.brighten(scene, files, &mut patterns, &bounds, cancel)?;
         }
         Ok(FirstPatterns {
             patterns,
@@ -217,12 +217,12 @@ impl Stage<'_> {
         Ok(Some(self.objective(scene, 0)?.value(&dose)))
     }
 
-    /// Takes the patterns with the lowest loss, of those given and further files, each as bright as suits the objective best; for doses that are linear in
-    /// them. One dose call each, two where the bounds hold what would be brighter.
+    /// Takes the patterns with the lowest loss, of those given, further files, and those given with the step between two files added; each as bright as
+    /// suits the objective best; for doses that are linear in them. One dose call each, two where the bounds hold what would be brighter.
     fn brighten(
         &self,
         scene: &Scene,
-        or: &[OfFile],
+        files: &Files,
         x: &mut HostField,
         bounds: &[Limits],
         cancel: &Run,
@@ -233,18 +233,25 @@ impl Stage<'_> {
         let objective = self.objective(scene, 0)?;
         let mut dose = self.model.new_dose()?;
         let mut lowest = f64::INFINITY;
-        let further = or.iter().filter(|_| scene.ranks.is_none());
-        let mut candidate = x.clone();
-        for next in std::iter::once(None).chain(further.map(Some)) {
-            if let Some(file) = next {
-                candidate = self.start(scene, file, cancel)?;
-                clip(&mut candidate, self.model.patterns(), bounds)?;
-            }
+        let given = x.clone();
+        let ahead = |[from, to]: &[OfFile; 2]| {
+            let mut ahead = self.start(scene, to, cancel)?;
+            ahead.axpy(-1.0, &self.start(scene, from, cancel)?);
+            ahead.axpy(1.0, &given);
+            Ok(ahead)
+        };
+        let own = || Ok(given.clone());
+        let of_files = (files.or.iter()).map(|file| self.start(scene, file, cancel));
+        let further = of_files.chain(files.step.iter().map(ahead));
+        let further = further.filter(|_| scene.ranks.is_none());
+        for candidate in std::iter::once_with(own).chain(further) {
+            let mut candidate = candidate?;
+            clip(&mut candidate, self.model.patterns(), bounds)?;
             let both = (&mut candidate, &mut dose);
             let loss = self.scale(&objective, both, bounds, cancel)?;
             if loss < lowest {
                 lowest = loss;
-                x.clone_from(&candidate);
+                *x = candidate;
             }
             if lowest == 0.0 {
                 break;
