@@ -20,7 +20,7 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 use tomolith::io::write_whole;
-use tomolith::job::{self, Document, Job, KeptModel, RunFolder, Silent, folder::TAKEN};
+use tomolith::job::{self, Document, Job, KeptParts, RunFolder, Silent, folder::TAKEN};
 use tomolith::models::Run;
 use tomolith::units::counted;
 use tomolith::{Error, Result};
@@ -625,7 +625,7 @@ impl Slot<'_> {
                 return;
             }
         };
-        let mut kept = KeptModel::default();
+        let mut kept = KeptParts::default();
         while let Some((i, from)) = self.next() {
             let begin = Instant::now();
             let run = || pool.install(|| self.run_one(i, &from, &mut kept));
@@ -701,7 +701,7 @@ impl Slot<'_> {
         Some(from)
     }
 
-    fn run_one(&self, i: usize, from: &[usize], kept: &mut KeptModel) -> Result<State> {
+    fn run_one(&self, i: usize, from: &[usize], kept: &mut KeptParts) -> Result<State> {
         let cancel = Arc::clone(&lock(self.run));
         loop {
             // Another process may have finished it meanwhile

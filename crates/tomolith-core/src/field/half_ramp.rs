@@ -148,14 +148,17 @@ impl Batch {
             scratch.clear();
             scratch.resize(self.columns.len(), [0.0; LANES]);
             for (column, [element, lane, count]) in self.overlaps(row) {
-                scratch[column][lane..lane + count].copy_from_slice(&x[element..element + count]);
+                copy(
+                    &x[element..][..count],
+                    &mut scratch[column][lane..][..count],
+                );
             }
             recur(scratch.iter_mut());
             self.end_rows(scratch);
             recur(scratch.iter_mut().rev());
             for (column, [element, lane, count]) in self.overlaps(row) {
-                out[element - self.elements.start..][..count]
-                    .copy_from_slice(&scratch[column][lane..lane + count]);
+                let out = &mut out[element - self.elements.start..][..count];
+                copy(&scratch[column][lane..][..count], out);
             }
         }
     }
@@ -208,6 +211,15 @@ impl HalfRampKernel<HostField> for HostHalfRamp {
             .for_each_init(Vec::new, |scratch, (batch, out)| {
                 batch.apply(x, out, scratch);
             });
+    }
+}
+
+/// Copies a run; one of a slice is a single pixel, for which a call is long.
+fn copy(from: &[f32], to: &mut [f32]) {
+    if let ([from], [to]) = (from, &mut *to) {
+        *to = *from;
+    } else {
+        to.copy_from_slice(from);
     }
 }
 

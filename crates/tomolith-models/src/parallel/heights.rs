@@ -207,6 +207,13 @@ impl Taps {
         (source, source_first): (&[f32], usize),
         (out, out_first): (&mut [f32], usize),
     ) {
+        // Slices: one row of pixels, one row of voxels
+        if let ([weights], [s], [o]) = (self.weights.as_slice(), source, &mut *out) {
+            if start + out_first == source_first {
+                *o += weights[out_first] * s;
+            }
+            return;
+        }
         for (tap, weights) in self.weights.iter().enumerate() {
             let wanted = start + tap + out_first;
             let skipped = source_first.saturating_sub(wanted).min(out.len());

@@ -242,8 +242,8 @@ impl LightPlan {
             .for_each_init(
                 || vec![0.0; self.levels.heights.buffer()],
                 |buffer, (lanes, view)| {
+                    lanes.fill(0.0);
                     for (column, lanes) in lanes.chunks_mut(row).enumerate() {
-                        lanes.fill(0.0);
                         for side in sides.clone() {
                             let slot = view * self.columns + column;
                             let run = layout.runs[self.views.pixel_column(slot, side)];

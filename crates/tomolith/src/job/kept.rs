@@ -1,23 +1,25 @@
-//! A model that optimizes and judges: it is built once, and left to the next run.
+//! What a run leaves to the next one in the same process: its target on voxels, and its model where that optimizes and judges.
 //!
 //! Where patterns are judged on the voxels and at the angles at which they are optimized, and the family has the same doses for both purposes
 //! ([`judges_alike`](crate::models::ModelFamily::judges_alike)), one model does both. A later run in the same process takes it over where
 //! its job differs in nothing that a model reads. Results are the same to the bit.
 //!
 //! **Memory.** Such a model keeps no more between calls than one that judges, and it stands in place of that one. It is let go before
-//! another is built.
+//! another is built. Targets of more than [`MOST_VOXELS`] are sampled anew: beside them sampling takes little of a run.
 
 use super::doses::{Exposed, LitRows};
 use super::evaluate::judged_angles;
 use super::in_time;
+use super::many::take_files;
 use super::optimize::Stage;
 use super::read::with_every_default;
 use super::resume::{as_floats, contents, hash, of_voxels};
 use super::scene::{Scene, Voxels};
 use crate::error::Result;
 use crate::models::scenarios::SharedModel;
-use crate::models::{OpticalScene, PatternLayout};
+use crate::models::{OpticalScene, PatternLayout, Run};
 use crate::optics::light::Light;
+use crate::target::Target;
 
 /// Tables that no model reads.
 const UNREAD: [&str; 8] = [
@@ -31,9 +33,15 @@ const UNREAD: [&str; 8] = [
     "resources",
 ];
 
-/// What a run leaves to the next one in the same process: its model, where that may serve others, or nothing.
+/// Voxels of the largest target that is kept: 4 MB of shares.
+const MOST_VOXELS: usize = 1 << 20;
+
+/// What a run leaves to the next one in the same process: its model, where that may serve others, and its target; or nothing.
 #[derive(Default)]
-pub struct KeptModel(Option<(u64, Judge)>);
+pub struct KeptParts {
+    model: Option<(u64, Judge)>,
+    target: Option<(u64, Target)>,
+}
 
 /// A model that gives the doses of an optimization and those that judge it.
 #[derive(Clone)]
@@ -44,16 +52,16 @@ pub(crate) struct Judge {
     pub(super) reason: String,
 }
 
-impl KeptModel {
+impl KeptParts {
     /// Takes out the model that this key stands for; another one is let go.
     pub(super) fn take(&mut self, key: Option<u64>) -> Option<Judge> {
-        let (own, judge) = self.0.take()?;
+        let (own, judge) = self.model.take()?;
         (Some(own) == key).then_some(judge)
     }
 
     /// Keeps the model of a stage under its job's key; none where it leaves pixels dark.
     pub(super) fn put(&mut self, key: Option<u64>, stage: &Stage<'_>) {
-        self.0 = key.filter(|_| stage.dark.is_empty()).map(|key| {
+        self.model = key.filter(|_| stage.dark.is_empty()).map(|key| {
             let judge = Judge {
                 exposed: Exposed::new(&stage.level.grid, stage.level.lights.clone()),
                 model: SharedModel::clone(&stage.model),
@@ -63,9 +71,24 @@ impl KeptModel {
         });
     }
 
+    /// The target of a job on its grid: the one that is kept, where that is the same, else sampled, and kept.
+    ///
+    /// # Errors
+    /// As [`Scene::sampled`]; [`Error::Io`](crate::Error::Io) for a file that cannot be read.
+    pub(super) fn target(&mut self, scene: &Scene, run: &Run) -> Result<Target> {
+        let key = target_key(scene)?;
+        let kept = self.target.take_if(|(own, _)| *own == key);
+        let (_, target) = match kept {
+            Some(kept) => kept,
+            None => (key, scene.sampled(&scene.grid, run)?),
+        };
+        self.target = (target.inside.values.len() <= MOST_VOXELS).then(|| (key, target.clone()));
+        Ok(target)
+    }
+
     /// The model that is kept.
     pub(super) fn judge(&self) -> Option<&Judge> {
-        self.0.as_ref().map(|(_, judge)| judge)
+        self.model.as_ref().map(|(_, judge)| judge)
     }
 }
 
@@ -99,6 +122,16 @@ pub(super) fn key(scene: &Scene, voxels: &Voxels) -> Result<Option<u64>> {
     parts.extend(of_voxels(voxels));
     contents(&tables, &scene.base, &mut parts)?;
     Ok(Some(hash(bytemuck::cast_slice(&parts))))
+}
+
+/// What a job's target on its grid is known by.
+fn target_key(scene: &Scene) -> Result<u64> {
+    let mut target = with_every_default(scene.spec.clone()).target;
+    let mut parts = Vec::new();
+    take_files(&mut target, &scene.base, &mut parts)?;
+    let grid = &scene.grid;
+    parts.push(hash(format!("{target:?} {grid:?}").as_bytes()));
+    Ok(hash(bytemuck::cast_slice(&parts)))
 }
 
 /// Whether one model optimizes and judges.
@@ -138,7 +171,6 @@ fn is_judged_alike(scene: &Scene) -> Result<bool> {
 mod tests {
     use super::*;
     use crate::job::{Job, Leaves, RunFolder, Silent, run_here};
-    use crate::models::Run;
     use std::path::Path;
 
     /// A disc of one slice, judged as it is optimized.
@@ -155,7 +187,7 @@ mod tests {
     "#;
 
     /// Runs the job with changes by what is kept; its report without what is of the time, and its patterns.
-    fn ran(kept: &mut KeptModel, changes: &[&str], folder: &Path) -> (serde_json::Value, Vec<u8>) {
+    fn ran(kept: &mut KeptParts, changes: &[&str], folder: &Path) -> (serde_json::Value, Vec<u8>) {
         let file = folder.join("job.toml");
         std::fs::write(&file, PLANE).unwrap();
         let changes: Vec<String> = changes.iter().map(|&change| change.to_owned()).collect();
@@ -181,17 +213,21 @@ mod tests {
     #[test]
     fn a_run_by_the_model_of_another_is_the_same_run() {
         let folder = tempfile::tempdir().unwrap();
-        let mut kept = KeptModel::default();
+        let mut kept = KeptParts::default();
         let changes = ["objective.ospw.lower=0.4", "optimizer={ fista = {} }"];
         ran(&mut kept, &changes, folder.path());
-        let model = |kept: &KeptModel| kept.judge().map(|judge| SharedModel::clone(&judge.model));
+        let model = |kept: &KeptParts| kept.judge().map(|judge| SharedModel::clone(&judge.model));
         let first = model(&kept).unwrap();
         let again = ran(&mut kept, &[], folder.path());
         let second = model(&kept).unwrap();
         assert!(std::sync::Arc::ptr_eq(&first, &second));
-        let alone = ran(&mut KeptModel::default(), &[], folder.path());
+        let alone = ran(&mut KeptParts::default(), &[], folder.path());
         assert!(again == alone, "a report or patterns differ");
-        // A vial that absorbs more has another
+        // Another part, and a vial that absorbs more
+        let smaller = ["target.phantom.cylinder.size_mm=1.4"];
+        let alone = ran(&mut KeptParts::default(), &smaller, folder.path());
+        let after = ran(&mut kept, &smaller, folder.path());
+        assert!(after == alone, "a report or patterns differ");
         ran(&mut kept, &["resin.absorption_per_mm=0.2"], folder.path());
         assert!(!std::sync::Arc::ptr_eq(&first, &model(&kept).unwrap()));
     }
@@ -205,7 +241,7 @@ mod tests {
             "grid.shape=[24, 24, 2]",
             "light[0].selection={ columns = [2, 20] }",
         ] {
-            let mut kept = KeptModel::default();
+            let mut kept = KeptParts::default();
             ran(&mut kept, &[change], folder.path());
             assert!(kept.judge().is_none(), "{change}");
         }

@@ -1,6 +1,6 @@
 //! What whoever runs many jobs asks of each: what identifies it, what it needs, how little a run may leave, and what it starts from.
 
-use super::kept::KeptModel;
+use super::kept::KeptParts;
 use super::progress::Progress;
 use super::read::{Job, with_every_default};
 use super::resume::{as_floats, content, contents, hash};
@@ -8,6 +8,7 @@ use super::scene::Scene;
 use crate::error::{Error, Result};
 use crate::io::image::stack_files;
 use crate::models::Run;
+use crate::target::TargetSpec;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -50,7 +51,7 @@ pub fn run_here(
     job: &Job,
     resume: bool,
     leaves: Leaves,
-    kept: &mut KeptModel,
+    kept: &mut KeptParts,
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<super::Summary> {
@@ -70,15 +71,7 @@ impl Job {
         let base = self.base();
         let mut spec = with_every_default(self.spec.clone());
         let mut parts = Vec::new();
-        for file in spec.target.files_mut() {
-            let path = base.join(&*file);
-            // A stack is a folder, or a pattern of names; what is missing is told where it is read
-            let files = stack_files(&path).unwrap_or_default();
-            for file in files.iter().filter(|file| file.is_file()) {
-                parts.push(content(file)?);
-            }
-            *file = file.file_name().map(Into::into).unwrap_or_default();
-        }
+        take_files(&mut spec.target, &base, &mut parts)?;
         let mut tables = spec.to_value()?;
         as_floats(&mut tables);
         if let Some(map) = tables.as_object_mut() {
@@ -125,6 +118,20 @@ impl Job {
         self.spec.start = json!({ "patterns": patterns });
         Ok(self)
     }
+}
+
+/// Hashes of the contents of all files that a target names, which then go by their names alone.
+pub(super) fn take_files(target: &mut TargetSpec, base: &Path, found: &mut Vec<u64>) -> Result<()> {
+    for file in target.files_mut() {
+        let path = base.join(&*file);
+        // A stack is a folder, or a pattern of names; what is missing is told where it is read
+        let files = stack_files(&path).unwrap_or_default();
+        for file in files.iter().filter(|file| file.is_file()) {
+            found.push(content(file)?);
+        }
+        *file = file.file_name().map(Into::into).unwrap_or_default();
+    }
+    Ok(())
 }
 
 #[cfg(test)]

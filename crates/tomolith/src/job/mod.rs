@@ -72,7 +72,7 @@ mod write;
 pub use document::Document;
 pub use folder::RunFolder;
 pub use import::{Imported, import};
-pub use kept::KeptModel;
+pub use kept::KeptParts;
 pub use many::{Leaves, Needs, needs, run_here};
 pub use outcome::{Plan, Quality, Summary, TimeSummary};
 pub use progress::{Event, Progress, Silent};

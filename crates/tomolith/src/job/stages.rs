@@ -6,7 +6,7 @@ use super::estimate::{Work, mean_sub_angles};
 use super::evaluate::evaluate_patterns;
 use super::folder::RunFolder;
 use super::in_time::InTime;
-use super::kept::KeptModel;
+use super::kept::KeptParts;
 use super::levels;
 use super::limits::Fall;
 use super::many::Leaves;
@@ -57,7 +57,7 @@ pub fn run_leaving(
     cancel: &Run,
 ) -> Result<Summary> {
     watched(progress, cancel, |progress| {
-        let kept = &mut KeptModel::default();
+        let kept = &mut KeptParts::default();
         run_stages(job, resume, leaves, kept, progress, cancel)
     })
 }
@@ -66,14 +66,14 @@ pub(super) fn run_stages(
     job: &Job,
     resume: bool,
     leaves: Leaves,
-    kept: &mut KeptModel,
+    kept: &mut KeptParts,
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Summary> {
     let mut clock = Clock::new(progress, cancel);
     let mut scene = begin(job, resume, &mut clock)?;
     let folder = open(job, &scene, clock.progress)?;
-    let sampled = sample(job, &mut scene, &mut clock)?;
+    let sampled = sample(job, &mut scene, kept, &mut clock)?;
     let optimized = optimized(job, &scene, &sampled.0, resume, kept, &mut clock)?;
     let of = (scene, sampled);
     judge(job, of, (optimized, kept), leaves, folder, clock)
@@ -97,14 +97,14 @@ pub(super) fn run_shared(
         false => Ok(None),
     };
     let folder = scene.agreed(folder)?;
-    let sampled = sample(job, &mut scene, &mut clock);
+    let kept = &mut KeptParts::default();
+    let sampled = sample(job, &mut scene, kept, &mut clock);
     // The scene's trial may have taken another model
     let still_fits = |sampled| match must_fit(&scene, ranks.as_ref()) {
         Ok(()) => Ok(sampled),
         Err(error) => Err(job.locate(error)),
     };
     let sampled = scene.agreed(sampled.and_then(still_fits))?;
-    let kept = &mut KeptModel::default();
     let optimized = optimized(job, &scene, &sampled.0, resume, kept, &mut clock)?;
     let of = (scene, sampled);
     let judged = |folder| judge(job, of, (optimized, kept), leaves, folder, clock);
@@ -122,9 +122,14 @@ fn begin(job: &Job, resume: bool, clock: &mut Clock<'_>) -> Result<Scene> {
 }
 
 /// The voxels, and what people should be warned of.
-fn sample(job: &Job, scene: &mut Scene, clock: &mut Clock<'_>) -> Result<(Voxels, Vec<String>)> {
+fn sample(
+    job: &Job,
+    scene: &mut Scene,
+    kept: &mut KeptParts,
+    clock: &mut Clock<'_>,
+) -> Result<(Voxels, Vec<String>)> {
     let stage = clock.stage("sampling the target");
-    let sampled = voxels(job, scene, clock.progress, &stage)?;
+    let sampled = voxels(job, scene, kept, clock.progress, &stage)?;
     scene.must_start(&sampled.0).map_err(|e| job.locate(e))?;
     try_orders(scene, clock.progress, &stage).map_err(|e| job.locate(e))?;
     Ok(sampled)
@@ -136,7 +141,7 @@ fn optimized(
     scene: &Scene,
     voxels: &Voxels,
     resume: bool,
-    kept: &mut KeptModel,
+    kept: &mut KeptParts,
     clock: &mut Clock<'_>,
 ) -> Result<Optimized> {
     let stage = clock.stage(OPTIMIZING);
@@ -150,7 +155,7 @@ fn optimized(
 fn judge(
     job: &Job,
     (scene, (voxels, mut warnings)): (Scene, (Voxels, Vec<String>)),
-    (optimized, kept): (Optimized, &KeptModel),
+    (optimized, kept): (Optimized, &KeptParts),
     leaves: Leaves,
     folder: RunFolder,
     mut clock: Clock<'_>,
@@ -223,7 +228,8 @@ fn simulate_stages(
     cancel.check()?;
     let folder = open(job, &scene, clock.progress)?;
     let stage = clock.stage("sampling the target");
-    let (voxels, warnings) = voxels(job, &scene, clock.progress, &stage)?;
+    let kept = &mut KeptParts::default();
+    let (voxels, warnings) = voxels(job, &scene, kept, clock.progress, &stage)?;
     try_orders(&mut scene, clock.progress, &stage).map_err(|e| job.locate(e))?;
     let stage = clock.stage("evaluating the patterns");
     let judged = evaluate_patterns(
@@ -508,10 +514,13 @@ fn open(job: &Job, scene: &Scene, progress: &mut dyn Progress) -> Result<RunFold
 fn voxels(
     job: &Job,
     scene: &Scene,
+    kept: &mut KeptParts,
     progress: &mut dyn Progress,
     run: &Run,
 ) -> Result<(Voxels, Vec<String>)> {
-    let voxels = (scene.voxels_under(&scene.grid, &run.part(0.8))).map_err(|e| job.locate(e))?;
+    let target = kept.target(scene, &run.part(0.72));
+    let voxels = target.and_then(|target| scene.voxels_of(target, &scene.grid, &run.part(0.08)));
+    let voxels = voxels.map_err(|e| job.locate(e))?;
     let (inside, labels) = (&voxels.target.inside, &voxels.labels);
     let found = scene
         .optics

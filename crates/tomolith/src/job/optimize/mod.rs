@@ -4,7 +4,7 @@ mod stage;
 mod start;
 mod watch;
 
-use super::kept::{self, KeptModel};
+use super::kept::{self, KeptParts};
 use super::levels::Levelled;
 use super::progress::{Event, Progress};
 use super::resume::{begin_anew, fingerprint, keep, resumes, tables};
@@ -68,7 +68,7 @@ pub(crate) fn optimize(
     voxels: &Voxels,
     place: &Path,
     resume: bool,
-    kept: &mut KeptModel,
+    kept: &mut KeptParts,
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Optimized> {

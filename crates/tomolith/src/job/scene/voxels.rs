@@ -34,9 +34,25 @@ impl Scene {
     /// # Errors
     /// As [`voxels`](Self::voxels); [`Error::Canceled`].
     pub(crate) fn voxels_under(&self, grid: &VolumeGrid, run: &Run) -> Result<Voxels> {
+        let target = self.sampled(grid, &run.part(0.9))?;
+        self.voxels_of(target, grid, run)
+    }
+
+    /// The inside fractions of the target.
+    ///
+    /// # Errors
+    /// As [`voxels_under`](Self::voxels_under).
+    pub(crate) fn sampled(&self, grid: &VolumeGrid, run: &Run) -> Result<Target> {
         let shape = self.shape.as_ref();
-        let target = target::voxelize_under(shape, &self.name, grid, &run.part(0.9))
-            .map_err(|e| at_grid(&self.spec, e))?;
+        let target = target::voxelize_under(shape, &self.name, grid, run);
+        target.map_err(|e| at_grid(&self.spec, e))
+    }
+
+    /// What counts, for a target on a grid.
+    ///
+    /// # Errors
+    /// As [`voxels_under`](Self::voxels_under).
+    pub(crate) fn voxels_of(&self, target: Target, grid: &VolumeGrid, run: &Run) -> Result<Voxels> {
         let counts = self.optics.counts(self.spec.grid.region, &self.grid);
         let mut labels = if self.optics.vial.is_invariant() {
             label_columns(&target, |[x, y]| counts([x, y, 0.0]))
