@@ -111,6 +111,8 @@ pub struct Checkpoints {
     level: usize,
     /// Whether a run goes on from what it finds in the folder.
     resumes: bool,
+    /// Whether the end of a run is kept, for one with more iterations.
+    keeps_end: bool,
     last: Instant,
     /// Of the last one written.
     cost: Option<Duration>,
@@ -194,6 +196,7 @@ impl Checkpoints {
             contents: params.contents,
             level: 0,
             resumes: true,
+            keeps_end: true,
             last: Instant::now(),
             cost: None,
             is_without_room: false,
@@ -230,6 +233,16 @@ impl Checkpoints {
     /// The run begins anew: a checkpoint that the folder holds stays there until the first one of this run takes its place.
     pub fn begin_anew(&mut self) {
         self.resumes = false;
+    }
+
+    /// Nobody will go on from the end of the run: only what comes before it is kept.
+    pub fn leave_out_end(&mut self) {
+        self.keeps_end = false;
+    }
+
+    /// Whether a run that is not asked to stop keeps its end.
+    pub(super) fn keeps_end(&self) -> bool {
+        self.keeps_end
     }
 
     /// The checkpoint to go on from: one of the level at hand.

@@ -326,7 +326,10 @@ pub fn run_after<F: Field>(
             Err(error) => break Err(error),
         }
         if let Some(reason) = state.reason_to_stop(problem, x, stop, observers) {
-            if let Some(checkpoints) = checkpoints.as_deref_mut() {
+            let goes_on = |checkpoints: &Checkpoints| {
+                reason == StopReason::Canceled || checkpoints.keeps_end()
+            };
+            if let Some(checkpoints) = checkpoints.as_deref_mut().filter(|own| goes_on(own)) {
                 let memory = problem.model().memory();
                 let saved = state.saved(problem, optimizer, x, memory.as_ref());
                 keep(checkpoints, saved, problem.run(), observers)?;

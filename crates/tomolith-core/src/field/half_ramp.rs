@@ -147,19 +147,19 @@ impl Batch {
         for row in (0..height.unwrap_or(0)).step_by(LANES) {
             scratch.clear();
             scratch.resize(self.columns.len(), [0.0; LANES]);
-            for (column, [element, lane, count]) in self.overlaps(row) {
-                copy(
-                    &x[element..][..count],
-                    &mut scratch[column][lane..][..count],
-                );
-            }
+            self.overlaps(row)
+                .for_each(|(column, [element, lane, count])| {
+                    let lanes = &mut scratch[column][lane..][..count];
+                    copy(&x[element..][..count], lanes);
+                });
             recur(scratch.iter_mut());
             self.end_rows(scratch);
             recur(scratch.iter_mut().rev());
-            for (column, [element, lane, count]) in self.overlaps(row) {
-                let out = &mut out[element - self.elements.start..][..count];
-                copy(&scratch[column][lane..][..count], out);
-            }
+            self.overlaps(row)
+                .for_each(|(column, [element, lane, count])| {
+                    let out = &mut out[element - self.elements.start..][..count];
+                    copy(&scratch[column][lane..][..count], out);
+                });
         }
     }
 

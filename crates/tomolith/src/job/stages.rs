@@ -11,7 +11,7 @@ use super::levels;
 use super::limits::Fall;
 use super::many::Leaves;
 use super::model_probe::try_orders;
-use super::optimize::{Optimized, optimize};
+use super::optimize::{CheckpointPlan, Optimized, optimize};
 use super::outcome::{GrayQuality, Plan, Quality, SpeciesSummary, Summary};
 use super::progress::{Event, Progress, watched};
 use super::ranks::must_fit;
@@ -74,7 +74,7 @@ pub(super) fn run_stages(
     let mut scene = begin(job, resume, &mut clock)?;
     let folder = open(job, &scene, clock.progress)?;
     let sampled = sample(job, &mut scene, kept, &mut clock)?;
-    let optimized = optimized(job, &scene, &sampled.0, resume, kept, &mut clock)?;
+    let optimized = optimized(job, &scene, &sampled.0, (resume, leaves), kept, &mut clock)?;
     let of = (scene, sampled);
     judge(job, of, (optimized, kept), leaves, folder, clock)
 }
@@ -105,7 +105,7 @@ pub(super) fn run_shared(
         Err(error) => Err(job.locate(error)),
     };
     let sampled = scene.agreed(sampled.and_then(still_fits))?;
-    let optimized = optimized(job, &scene, &sampled.0, resume, kept, &mut clock)?;
+    let optimized = optimized(job, &scene, &sampled.0, (resume, leaves), kept, &mut clock)?;
     let of = (scene, sampled);
     let judged = |folder| judge(job, of, (optimized, kept), leaves, folder, clock);
     folder.map(judged).transpose()
@@ -140,14 +140,18 @@ fn optimized(
     job: &Job,
     scene: &Scene,
     voxels: &Voxels,
-    resume: bool,
+    (resume, leaves): (bool, Leaves),
     kept: &mut KeptParts,
     clock: &mut Clock<'_>,
 ) -> Result<Optimized> {
     let stage = clock.stage(OPTIMIZING);
-    let place = RunFolder::checkpoint_in(&job.folder());
+    let checkpoints = CheckpointPlan {
+        folder: &RunFolder::checkpoint_in(&job.folder()),
+        resume,
+        keeps_end: leaves == Leaves::All,
+    };
     let progress = &mut *clock.progress;
-    let optimized = optimize(scene, voxels, &place, resume, kept, progress, &stage);
+    let optimized = optimize(scene, voxels, checkpoints, kept, progress, &stage);
     optimized.map_err(|e| job.locate(e))
 }
 

@@ -59,6 +59,16 @@ impl Optimized {
     }
 }
 
+/// Where a run has its checkpoints, and which.
+#[derive(Clone, Copy)]
+pub(crate) struct CheckpointPlan<'a> {
+    pub(crate) folder: &'a Path,
+    /// Whether it goes on from the one that is there.
+    pub(crate) resume: bool,
+    /// Whether its end is kept, for a run with more iterations.
+    pub(crate) keeps_end: bool,
+}
+
 /// Runs the optimizer of a job, or goes on from the checkpoint in its folder; by a kept model that suits it, and leaves its own if that can judge.
 ///
 /// # Errors
@@ -66,8 +76,11 @@ impl Optimized {
 pub(crate) fn optimize(
     scene: &Scene,
     voxels: &Voxels,
-    place: &Path,
-    resume: bool,
+    CheckpointPlan {
+        folder: place,
+        resume,
+        keeps_end,
+    }: CheckpointPlan<'_>,
     kept: &mut KeptParts,
     progress: &mut dyn Progress,
     cancel: &Run,
@@ -85,6 +98,9 @@ pub(crate) fn optimize(
     let resumed = scene.agreed(resumed)?;
     if resumed.is_none() {
         checkpoints.begin_anew();
+    }
+    if !keeps_end {
+        checkpoints.leave_out_end();
     }
     let key = kept::key(scene, voxels)?;
     let mut judge = kept.take(key);
