@@ -15,11 +15,14 @@ use super::optimize::Stage;
 use super::read::with_every_default;
 use super::resume::{as_floats, contents, hash, of_voxels};
 use super::scene::{Scene, Voxels};
+use super::spec::JobSpec;
 use crate::error::Result;
+use crate::field::{Field, HostField};
 use crate::models::scenarios::SharedModel;
 use crate::models::{OpticalScene, PatternLayout, Run};
 use crate::optics::light::Light;
 use crate::target::Target;
+use serde_json::json;
 
 /// Tables that no model reads.
 const UNREAD: [&str; 8] = [
@@ -41,6 +44,13 @@ const MOST_VOXELS: usize = 1 << 20;
 pub struct KeptParts {
     model: Option<(u64, Judge)>,
     target: Option<(u64, Target)>,
+    start: Option<(u64, BoundingStart)>,
+}
+
+/// The start whose largest pixel bounds those of a run that begins elsewhere, and its dose where the run ends at a part of its loss.
+pub(super) struct BoundingStart {
+    pub(super) patterns: HostField,
+    pub(super) dose: Option<HostField>,
 }
 
 /// A model that gives the doses of an optimization and those that judge it.
@@ -84,6 +94,19 @@ impl KeptParts {
         };
         self.target = (target.inside.values.len() <= MOST_VOXELS).then(|| (key, target.clone()));
         Ok(target)
+    }
+
+    /// Takes out the start that this key stands for.
+    pub(super) fn take_start(&mut self, key: Option<u64>) -> Option<BoundingStart> {
+        let (own, start) = self.start.take()?;
+        (Some(own) == key).then_some(start)
+    }
+
+    /// Keeps a start under its key, where it is no larger than a target that is kept.
+    pub(super) fn put_start(&mut self, key: Option<u64>, start: BoundingStart) {
+        let dose = start.dose.as_ref().map_or(0, Field::len);
+        let is_small = start.patterns.len().max(dose) <= MOST_VOXELS;
+        self.start = key.filter(|_| is_small).map(|key| (key, start));
     }
 
     /// The model that is kept.
@@ -132,6 +155,13 @@ fn target_key(scene: &Scene) -> Result<u64> {
     let grid = &scene.grid;
     parts.push(hash(format!("{target:?} {grid:?}").as_bytes()));
     Ok(hash(bytemuck::cast_slice(&parts)))
+}
+
+/// What the start that bounds a run's pixels is known by, with the key of its model.
+pub(super) fn start_key(model: u64, spec: &JobSpec) -> u64 {
+    let own = spec.start.pointer("/patterns/bounds_as");
+    let read = json!([own, spec.bounds, spec.stop.relative_loss.is_some()]).to_string();
+    hash(bytemuck::cast_slice(&[model, hash(read.as_bytes())]))
 }
 
 /// Whether one model optimizes and judges.
@@ -230,6 +260,32 @@ mod tests {
         assert!(after == alone, "a report or patterns differ");
         ran(&mut kept, &["resin.absorption_per_mm=0.2"], folder.path());
         assert!(!std::sync::Arc::ptr_eq(&first, &model(&kept).unwrap()));
+    }
+
+    #[test]
+    fn a_run_bounded_by_the_start_of_another_is_the_same_run() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut kept = KeptParts::default();
+        ran(&mut kept, &[], folder.path());
+        let first = folder.path().join("first.npz");
+        std::fs::copy(folder.path().join("run/patterns.npz"), &first).unwrap();
+        let start = |own: &str| {
+            let file = first.display();
+            format!(
+                "start={{ patterns = {{ file = \"{file}\", scaled = true, bounds_as = {own} }} }}"
+            )
+        };
+        let fbp = start("{ fbp = {} }");
+        let changes = ["stop.relative_loss=1e-6", &fbp, "objective.ospw.lower=0.6"];
+        let alone = ran(&mut KeptParts::default(), &changes, folder.path());
+        ran(&mut kept, &changes[..2], folder.path());
+        assert!(kept.start.is_some());
+        assert!(ran(&mut kept, &changes, folder.path()) == alone);
+        // Another start bounds otherwise
+        let clipped = start("{ fbp = { negative = \"offset\" } }");
+        let changes = [changes[0], &clipped];
+        let alone = ran(&mut KeptParts::default(), &changes, folder.path());
+        assert!(ran(&mut kept, &changes, folder.path()) == alone);
     }
 
     #[test]

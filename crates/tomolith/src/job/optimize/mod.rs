@@ -122,7 +122,9 @@ pub(crate) fn optimize(
         let own = level.lights.iter().map(|light| &light.pixels).collect();
         if pixels.as_ref() != Some(&own) {
             let given = scene.own_start(level)?;
-            let first = stage.first_patterns(scene, given.as_ref(), resumed.is_none(), cancel)?;
+            let parts = (&mut *kept, key);
+            let brightens = resumed.is_none();
+            let first = stage.first_patterns(scene, given.as_ref(), brightens, parts, cancel)?;
             (bounds, sofar.first_loss) = (first.bounds, first.loss);
             (start, pixels) = (Some(first.patterns), Some(own));
         }

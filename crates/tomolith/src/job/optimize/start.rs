@@ -3,6 +3,7 @@
 use super::stage::Stage;
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
+use crate::job::kept::{BoundingStart, KeptParts, start_key};
 use crate::job::scene::{Scene, Voxels};
 use crate::job::spec::JobSpec;
 use crate::job::species::{Row as SpeciesRow, beginnings};
@@ -181,6 +182,7 @@ impl Stage<'_> {
         scene: &Scene,
         given: Option<&Given>,
         brightens: bool,
+        (kept, model): (&mut KeptParts, Option<u64>),
         cancel: &Run,
     ) -> Result<FirstPatterns> {
         let of_job = scene.kinds.start.as_ref();
@@ -190,9 +192,16 @@ impl Stage<'_> {
         let (bounds, loss) = match files.and_then(|files| files.bounds_as.as_deref()) {
             None => (self.limits(scene, &patterns), None),
             Some(own) => {
-                let own = self.start(scene, own, cancel)?;
-                let bounds = self.limits(scene, &own);
-                let loss = self.first_loss(scene, &own, cancel)?;
+                let model = model.filter(|_| !own.is_given());
+                let key = model.map(|model| start_key(model, &scene.spec));
+                let own = match kept.take_start(key) {
+                    Some(own) => own,
+                    None => self.bounding(scene, own, cancel)?,
+                };
+                let bounds = self.limits(scene, &own.patterns);
+                let of_dose = |dose| Ok(self.objective(scene, 0)?.value(dose));
+                let loss = own.dose.as_ref().map(of_dose).transpose()?;
+                kept.put_start(key, own);
                 clip(&mut patterns, self.model.patterns(), &bounds)?;
                 (bounds, loss)
             }
@@ -207,14 +216,19 @@ impl Stage<'_> {
         })
     }
 
-    /// The loss of a start, where a run ends at a part of it.
-    fn first_loss(&self, scene: &Scene, own: &HostField, cancel: &Run) -> Result<Option<f64>> {
-        if scene.spec.stop.relative_loss.is_none() {
-            return Ok(None);
+    fn bounding(
+        &self,
+        scene: &Scene,
+        start: &dyn InitialPatterns,
+        cancel: &Run,
+    ) -> Result<BoundingStart> {
+        let patterns = self.start(scene, start, cancel)?;
+        let is_asked = scene.spec.stop.relative_loss.is_some();
+        let mut dose = is_asked.then(|| self.model.new_dose()).transpose()?;
+        if let Some(dose) = &mut dose {
+            self.model.dose(&patterns, dose, cancel)?;
         }
-        let mut dose = self.model.new_dose()?;
-        self.model.dose(own, &mut dose, cancel)?;
-        Ok(Some(self.objective(scene, 0)?.value(&dose)))
+        Ok(BoundingStart { patterns, dose })
     }
 
     /// Takes the patterns with the lowest loss, of those given, further files, and those given with the step between two files added; each as bright as
