@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tomolith::Error;
-use tomolith::job::{self, Silent};
+use tomolith::job::{self, Job, Leaves, Silent, run_leaving};
 use tomolith::models::Run;
 use tomolith_sweep::{Shard, Sweep, SweepEvent, SweepOutcome, SweepPlan, Watch, merge, run};
 
@@ -431,6 +431,17 @@ fn warm_starts_reach_what_cold_ones_do_in_fewer_iterations_whatever_the_timing()
         warm_steps < 0.6 * cold_steps,
         "{warm_steps} of {cold_steps} iterations"
     );
+    // A run a step ahead of its neighbors is its job, as any other
+    let plan = bench.plan("warm");
+    let ahead = plan.runs.iter().position(|run| run.continues).unwrap();
+    let (folder, alone) = (plan.run_folder(ahead), bench.path("alone"));
+    let job = Job::read(&folder.join("job.toml"), &[]).unwrap();
+    let continued = job.document.root.pointer("/start/patterns/continued");
+    assert_eq!(continued, Some(&Value::Bool(true)));
+    let job = job.with_folder(&alone, "test");
+    run_leaving(&job, false, Leaves::Patterns, &mut Silent, &Run::new()).unwrap();
+    let patterns = |folder: &Path| fs::read(folder.join("patterns.npz")).unwrap();
+    assert!(patterns(&folder) == patterns(&alone), "patterns differ");
 }
 
 #[test]
