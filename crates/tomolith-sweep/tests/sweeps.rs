@@ -389,7 +389,7 @@ fn warm_starts_reach_what_cold_ones_do_in_fewer_iterations_whatever_the_timing()
     bench.whole("cold", 2);
     fs::write(
         bench.path("sweep.toml"),
-        format!("{sweep}\n[warm_start]\niterations = 60\n"),
+        format!("{sweep}\n[warm_start]\niterations = 70\n"),
     )
     .unwrap();
     bench.whole("warm", 2);
