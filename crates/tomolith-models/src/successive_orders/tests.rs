@@ -102,7 +102,7 @@ fn every_vial_and_phase_is_an_exact_pair() {
         ];
         for (j, scattering) in phases.into_iter().enumerate() {
             let grid = VolumeGrid::centered([9, 14, 13], 0.3);
-            let params = cells(Some(0.4));
+            let params = cells(Some(0.6));
             // In turn, so that each vial and each phase meets both optics
             let scatters = match (i + j) % 2 {
                 0 => telecentric(&scattering, 0.2),

@@ -195,7 +195,7 @@ fn a_resin_that_differs_from_place_to_place_is_an_exact_pair() {
         .chain(ended())
     {
         for (name, optics) in optics() {
-            let mut light = light(5, 7, 11, 0.2);
+            let mut light = light(3, 5, 7, 0.3);
             light.map = Some(Arc::new(map.clone()));
             light.resin.gradient = Some(IndexGradient {
                 quadratic_per_mm2: -0.05,

@@ -128,7 +128,7 @@ fn a_resin_that_scatters_and_differs_from_place_to_place_is_an_exact_pair() {
                 ([1, 4, 5], 0.6, patches[..20].to_vec()),
             ] {
                 let map = Some((shape, pitch_mm, values));
-                let (mut light, mut optics, mut params) = milk(&light(4, 5, 9, 0.2), map, smooth);
+                let (mut light, mut optics, mut params) = milk(&light(3, 3, 7, 0.25), map, smooth);
                 params.reflections = smooth == 1;
                 params.is_sharp = shape[0] > 1;
                 optics.motion.tilt_rad = 0.1;
