@@ -54,6 +54,7 @@ fn main() -> ExitCode {
         Command::Sweep(_) => ranks::started(false),
         _ => None,
     };
+    remark_on_launcher(&arguments.command);
     let (manner, done) = match &arguments.command {
         Command::Run(given) => (given.manner, run(given, ranks.as_ref())),
         Command::Simulate(given) => (given.manner, simulate(given)),
@@ -169,6 +170,18 @@ fn end_here(manner: Manner) -> ! {
 }
 
 /// `tomolith run`: whether the asked quality was met.
+/// Tells processes of a launcher that cannot share a run or a sweep; a share by hand is what it says.
+fn remark_on_launcher(command: &Command) {
+    let is_quiet = match command {
+        Command::Run(given) => given.manner.quiet || given.manner.json,
+        Command::Sweep(given) => given.manner.quiet || given.manner.json || given.is_part(),
+        _ => true,
+    };
+    if let Some(text) = ranks::remark().filter(|_| !is_quiet) {
+        screen::mutter(&text);
+    }
+}
+
 fn run(given: &RunArguments, ranks: Option<&Ranks>) -> Result<bool> {
     prepare(given.manner)?;
     let job = read(&given.job, given.output.as_deref());

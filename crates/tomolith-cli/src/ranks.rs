@@ -16,6 +16,27 @@ pub(crate) fn started(_panic_ends_all: bool) -> Option<Ranks> {
     None
 }
 
+/// What a launcher's processes should know that cannot share their work.
+#[cfg(not(feature = "mpi"))]
+pub(crate) fn remark() -> Option<String> {
+    let size = |name: &&str| std::env::var(name).ok()?.parse::<u32>().ok();
+    let count = LAUNCHERS.iter().find_map(size).filter(|&size| size > 1)?;
+    Some(format!(
+        "warning: this is one of {count} processes of a launcher, and does the whole work: the program was built without MPI; build it with --features mpi \
+         (docs/ranks.md), or start it once"
+    ))
+}
+
+/// How launchers tell a process how many they started: OpenMPI, MPICH.
+#[cfg(not(feature = "mpi"))]
+const LAUNCHERS: [&str; 2] = ["OMPI_COMM_WORLD_SIZE", "PMI_SIZE"];
+
+/// Ranks share the work.
+#[cfg(feature = "mpi")]
+pub(crate) fn remark() -> Option<String> {
+    None
+}
+
 #[cfg(feature = "mpi")]
 pub(crate) use world::started;
 

@@ -73,10 +73,16 @@ pub(crate) fn sweep(given: &SweepArguments, ranks: Option<&Ranks>, cancel: &Run)
     Ok(outcome.is_met())
 }
 
+impl SweepArguments {
+    /// Whether it is a share by hand, or only collects or lists.
+    pub(crate) fn is_part(&self) -> bool {
+        self.list || self.shard.is_some() || self.merge.is_some()
+    }
+}
+
 /// The runs of the sweep.
 fn planned(given: &SweepArguments, ranks: Option<&Ranks>, cancel: &Run) -> Result<SweepPlan> {
-    let is_part = given.list || given.shard.is_some() || given.merge.is_some();
-    if let Some(ranks) = ranks.filter(|_| is_part) {
+    if let Some(ranks) = ranks.filter(|_| given.is_part()) {
         return Err(Error::config(
             "--list, --shard, --merge",
             format!("{} ranks, which take the shares themselves", ranks.size()),

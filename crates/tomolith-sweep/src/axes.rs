@@ -287,12 +287,10 @@ fn of_range(range: &RangeSpec, at: &str, is_log: bool, is_drawn: bool) -> Result
             (steps + 1e-9).floor() + 1.0
         }
         _ if is_log => return refuse("", "no count alone".to_owned(), "{ from, to, count }"),
-        _ => {
-            return refuse(
-                "",
-                "both step and count, or neither".to_owned(),
-                "{ from, to, step } or { from, to, count }",
-            );
+        (step, _) => {
+            let found = step.map_or("neither step nor count", |_| "both step and count");
+            let accepted = "{ from, to, step } or { from, to, count }";
+            return refuse("", found.to_owned(), accepted);
         }
     };
     if count > MOST_COMBINATIONS {
@@ -639,6 +637,10 @@ mod tests {
             ),
             (
                 serde_json::json!({ "key": "k", "linear": { "from": 0, "to": 1 } }),
+                "axes[0].linear: neither step nor count",
+            ),
+            (
+                serde_json::json!({ "key": "k", "linear": { "from": 0, "to": 1, "step": 0.1, "count": 2 } }),
                 "axes[0].linear: both step and count",
             ),
             (

@@ -266,6 +266,13 @@ fn begin(plan: &SweepPlan) -> Result<()> {
 /// # Errors
 /// [`Error::Io`]; [`Error::Config`] for a folder without runs of the sweep, and for results that are another sweep's.
 pub fn merge(plan: &SweepPlan, others: &[PathBuf]) -> Result<SweepOutcome> {
+    if others.is_empty() && !plan.folder().join(RUNS).is_dir() {
+        return Err(Error::config(
+            "--merge",
+            format!("`{}` holds no runs", plan.folder().display()),
+            "the folder of a sweep that was run, or shares of it: --merge DIR …",
+        ));
+    }
     begin(plan)?;
     for other in others {
         let runs = other.join(RUNS);
@@ -398,7 +405,10 @@ fn best_job(plan: &SweepPlan, table: &Table<'_>, i: usize) -> Result<String> {
         text.push_str(&format!("# {metric} = {value}\n"));
     }
     if !plan.runs[i].parents.is_empty() {
-        text.push_str("# These are from a warm start. This job starts as the job file says: its numbers will differ a little.\n");
+        text.push_str(&format!(
+            "# These are from a warm start, which {RUNS}/{}/job.toml makes again. This job starts as the job file says, and may end elsewhere.\n",
+            plan.runs[i].id
+        ));
     }
     Ok(text + &spec.to_toml()?)
 }

@@ -285,11 +285,17 @@ pub struct Study {
 }
 
 impl Study {
-    /// Reads `study.toml` of a folder.
+    /// Reads `study.toml` of a folder; the path of the file itself will do, too.
     ///
     /// # Errors
     /// [`Error::Config`] with key path, file and line; [`Error::Io`].
     pub fn read(folder: &Path, is_quick: bool) -> Result<Self> {
+        let is_its_file = folder.is_file() && folder.file_name().is_some_and(|name| name == FILE);
+        let folder = match folder.parent().filter(|_| is_its_file) {
+            Some(parent) if parent.as_os_str().is_empty() => Path::new("."),
+            Some(parent) => parent,
+            None => folder,
+        };
         let file = folder.join(FILE);
         if !file.is_file() {
             let found = format!("there is no `{}`", file.display());

@@ -242,6 +242,9 @@ fn shares_of_other_machines_merged_are_the_whole() {
     assert_eq!((all.done, all.missing, all.is_met()), (6, 0, true));
     assert_eq!(bench.table("merged"), bench.table("whole"));
     fs::create_dir_all(bench.path("stranger/runs/0123456789abcdef")).unwrap();
+    let never = merge(&bench.plan("never"), &[]).unwrap_err().to_string();
+    assert!(never.starts_with("--merge: ") && never.contains("holds no runs"));
+    assert!(!bench.path("never").exists());
     for (name, found) in [
         ("nowhere", "holds no runs"),
         ("stranger", "holds no run of this sweep"),

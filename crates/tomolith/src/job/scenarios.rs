@@ -59,10 +59,17 @@ pub(super) fn of_job(job: &Job, scene: &Scene, run: &Run) -> Result<Vec<Scenario
     Ok(scenarios)
 }
 
-/// Refuses names that say nothing.
+/// Refuses scenarios that change nothing, and names that say nothing.
 fn must_be_told_apart(spec: &JobSpec) -> Result<()> {
     let mut names = vec!["", "the job"];
     for (i, scenario) in spec.scenario.iter().enumerate() {
+        if scenario.set.is_empty() {
+            return Err(Error::config(
+                format!("scenario[{i}].set"),
+                "no key: the job once more",
+                format!("keys of {}, and their values here", TABLES.join(", ")),
+            ));
+        }
         let Some(name) = scenario.name.as_deref() else {
             continue;
         };
@@ -79,7 +86,7 @@ fn must_be_told_apart(spec: &JobSpec) -> Result<()> {
 }
 
 /// Blames the key of a scenario for what is wrong with its job: the one that leads to what is wrong or is the only one, else all it sets.
-fn at_scenario(i: usize, scenario: &ScenarioSpec, error: Error) -> Error {
+pub(super) fn at_scenario(i: usize, scenario: &ScenarioSpec, error: Error) -> Error {
     let Error::Config {
         key,
         found,
@@ -412,6 +419,18 @@ mod tests {
     }
 
     #[test]
+    fn light_that_misses_the_part_in_a_scenario_is_a_warning_with_its_name() {
+        let found = |scenario: &str| {
+            let job = resolved(&[scenario], &[]).unwrap();
+            job.scene.warnings_of(&job.voxels).unwrap()
+        };
+        let aside = found("\"motion.offset_mm\" = [1.5, 0.0]");
+        let named = |text: &String| text.starts_with("scenario 1: ");
+        assert!(!aside.is_empty() && aside.iter().all(named), "{aside:?}");
+        assert!(found("resin.absorption_per_mm = 0.2").is_empty());
+    }
+
+    #[test]
     fn what_is_wrong_with_a_scenario_names_file_line_name_and_key() {
         let refused = |set: &str| {
             let text = format!("{JOB}\n[[scenario]]\nname = \"wide\"\nset = {{ {set} }}\n");
@@ -437,6 +456,7 @@ mod tests {
                 "\"stop.iterations\" = 3",
                 "scenario[0].set.stop.iterations: in \"wide\", no key",
             ),
+            ("", "scenario[0].set: no key: the job once more"),
         ] {
             let (text, line) = refused(set);
             assert!(text.starts_with(begin) && text.contains(&line), "{text}");

@@ -426,12 +426,7 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
     scene.must_start(&voxels).map_err(|e| job.locate(e))?;
     try_orders(&mut scene, progress, &sampling).map_err(|e| job.locate(e))?;
     let mut warnings = scene.warnings.clone();
-    warnings.extend(
-        scene
-            .optics
-            .warnings(&voxels.target.inside, &voxels.labels, voxels.target.gray)
-            .map_err(|e| job.locate(e))?,
-    );
+    warnings.extend(scene.warnings_of(&voxels).map_err(|e| job.locate(e))?);
     // How much there is to time is not known beforehand
     let timing = stage(progress, cancel, "timing a few frames on this machine").aside();
     let rates =
@@ -525,11 +520,7 @@ fn voxels(
     let target = kept.target(scene, &run.part(0.72));
     let voxels = target.and_then(|target| scene.voxels_of(target, &scene.grid, &run.part(0.08)));
     let voxels = voxels.map_err(|e| job.locate(e))?;
-    let (inside, labels) = (&voxels.target.inside, &voxels.labels);
-    let found = scene
-        .optics
-        .warnings(inside, labels, voxels.target.gray)
-        .map_err(|e| job.locate(e))?;
+    let found = scene.warnings_of(&voxels).map_err(|e| job.locate(e))?;
     for text in found.iter().cloned() {
         progress.event(&Event::Warning { text });
     }

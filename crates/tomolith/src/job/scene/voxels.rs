@@ -4,6 +4,7 @@ use super::Scene;
 use super::remarks::at_grid;
 use crate::error::Result;
 use crate::grid::{Volume, VolumeGrid};
+use crate::job::scenarios::at_scenario;
 use crate::models::Run;
 use crate::report;
 use crate::target::{self, Role, Target, label, label_columns, label_voxels};
@@ -80,6 +81,25 @@ impl Scene {
             labels,
             least,
         })
+    }
+
+    /// What people should know of voxels beyond the reach of light, and of scenarios in which the job would warn them otherwise.
+    ///
+    /// # Errors
+    /// [`Error::Config`](crate::Error::Config) where nothing can be printed, or a part of it cannot.
+    pub(crate) fn warnings_of(&self, voxels: &Voxels) -> Result<Vec<String>> {
+        let (inside, labels, gray) = (&voxels.target.inside, &voxels.labels, voxels.target.gray);
+        let mut found = self.optics.warnings(inside, labels, gray)?;
+        for (i, scenario) in self.scenarios.iter().enumerate() {
+            let at = |error| at_scenario(i, &self.spec.scenario[i], error);
+            let own = scenario.scene.optics.warnings(inside, labels, gray);
+            let of_scene = scenario.scene.warnings.iter().cloned();
+            let all = own.map_err(at)?.into_iter().chain(of_scene);
+            let is_new = |text: &String| !found.contains(text) && !self.warnings.contains(text);
+            let new: Vec<String> = all.filter(is_new).collect();
+            found.extend(new.iter().map(|text| format!("{}: {text}", scenario.name)));
+        }
+        Ok(found)
     }
 
     /// Share of each voxel that no light may pass, when the target has such bodies.
