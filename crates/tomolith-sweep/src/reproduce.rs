@@ -615,7 +615,7 @@ fn of_many(
 }
 
 /// Whether a run has these values, numbers to 9 digits.
-fn is_at(plan: &SweepPlan, i: usize, at: &Map<String, Value>) -> bool {
+pub(crate) fn is_at(plan: &SweepPlan, i: usize, at: &Map<String, Value>) -> bool {
     let axes = &plan.sweep.axes;
     at.iter().all(|(name, wanted)| {
         let place = axes.iter().position(|axis| axis.name == *name);

@@ -5,6 +5,7 @@ use crate::expression::{Condition, Expression};
 use crate::file::Sweep;
 use crate::metric;
 use crate::plan::SweepPlan;
+use crate::reproduce::is_at;
 use crate::spec::{AxisSpec, KeepSpec, SweepSpec};
 use serde::Deserialize;
 use serde_json::{Map, Value};
@@ -414,7 +415,7 @@ impl Study {
         self.document.locate(error)
     }
 
-    /// Refuses rows that name what is no axis of their sweep, before any work.
+    /// Refuses rows that name what is no axis of their sweep, or values that no run of the full size has, before any work.
     ///
     /// # Errors
     /// [`Error::Config`] with file and line.
@@ -465,6 +466,15 @@ impl Study {
                     format!("rows[{i}].at"),
                     format!("several runs have these values: it says nothing of `{}`", axis.name),
                     "a value for every axis; or over = [] with take, for all that have these values",
+                )));
+            }
+            // A quick size may leave values out
+            let has = |at: &&Map<String, Value>| (0..plan.runs.len()).any(|r| is_at(plan, r, at));
+            if !self.is_quick && row.at.as_ref().is_some_and(|at| !has(&at)) {
+                return Err(self.document.locate(Error::config(
+                    format!("rows[{i}].at"),
+                    "no run has these values",
+                    "values of the axes, as they stand in the table of the sweep",
                 )));
             }
             for text in row.over.iter().flatten() {

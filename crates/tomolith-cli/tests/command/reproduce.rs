@@ -188,6 +188,17 @@ fn a_difference_that_nobody_explains_and_a_command_that_fails_are_exit_code_1() 
     );
 }
 
+#[test]
+fn values_that_no_run_of_the_full_size_has_are_refused_and_a_quick_size_may_lack_them() {
+    let slip = STUDY.replace("at = { lower = 0.7 }", "at = { lower = 0.77 }");
+    let bench = bench_of(&slip);
+    let message = bench.expect(2, "reproduce disc --check");
+    for part in ["rows[4].at", "no run has these values"] {
+        assert!(message.contains(part), "{message}");
+    }
+    bench.stdout(0, "reproduce disc --quick --check --json");
+}
+
 /// A study is refused with these words, before any work and when only its cost is asked for.
 fn refused(study: &str, parts: &[&str]) {
     assert_ne!(study, STUDY);

@@ -347,7 +347,7 @@ fn error_against_rays(vial: &dyn Vial, n: usize) -> f64 {
         for ray in 0..columns * rays {
             let u = ((ray as f64 + 0.5) / rays as f64 - columns as f64 / 2.0) * h;
             for leg in tracer.trace(u, azimuth).legs {
-                let steps = (leg.length / (h / 100.0)).ceil().max(1.0);
+                let steps = (leg.length / (h / 40.0)).ceil().max(1.0);
                 let step = leg.length / steps;
                 for s in 0..steps as usize {
                     let way = (s as f64 + 0.5) * step;

@@ -15,7 +15,7 @@ fn every_vial_with_every_optics_is_an_exact_pair_with_cells_too() {
                     least_power: 0.02,
                     ..Params::default()
                 };
-                let light = light(5, 7, 11, 0.2);
+                let light = light(3, 5, 7, 0.3);
                 let model = rays(vial.as_ref(), light, &optics, &params, grid.clone())
                     .with_cells(Arc::clone(&solid));
                 let found = check::model::model(&model, 3)

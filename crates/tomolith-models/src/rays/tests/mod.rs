@@ -176,7 +176,7 @@ fn every_vial_with_every_optics_is_an_exact_pair() {
                     ..Params::default()
                 };
                 let grid = VolumeGrid::centered([9, 14, 13], 0.2);
-                let model = rays(vial.as_ref(), light(5, 7, 11, 0.2), &optics, &params, grid);
+                let model = rays(vial.as_ref(), light(3, 5, 7, 0.3), &optics, &params, grid);
                 let found = check::model::model(&model, 3)
                     .unwrap_or_else(|e| panic!("{vial:?} {name} {reflections}: {e}"));
                 assert!(found.adjoint_error < 1e-6, "{vial:?} {name}: {found:?}");
