@@ -576,7 +576,7 @@ fn no_light_reaches_a_body_that_is_to_stay_dark() {
     let meshes = example.parent().unwrap().join("meshes");
     let job = job.replace("\"meshes", &format!("\"{}", meshes.display()));
     fs::write(bench.path("bodies.toml"), job).unwrap();
-    let settings = "--quiet --set grid.pitch_mm=0.1 --set stop.iterations=8 --set light[0].angles=60 \
+    let settings = "--quiet --set grid.pitch_mm=0.1 --set stop.iterations=4 --set light[0].angles=36 \
                     --set evaluate.sub_angles=1 --set evaluate.refine=2";
     bench.stdout(
         0,
@@ -650,7 +650,7 @@ fn the_job_of_a_run_whose_window_widened_makes_the_same_patterns() {
 fn scattered_light_of_cones_is_held_against_random_paths() {
     let bench = bench();
     let cone = "light.projector={telecentric={pixel_pitch_mm=0.1,aperture_radius_mm=4.0,working_distance_mm=40.0}}";
-    let line = format!("run job.toml -o cone --set resin.scattering_per_mm=0.2 --set {cone}");
+    let line = format!("run job.toml -o cone --set resin.scattering_per_mm=0.2 --set stop.iterations=3 --set {cone}");
     bench.stdout(0, &line);
     let report = json(&bench.path("cone/report.json"));
     let models = report["run"]["models"].to_string();
