@@ -235,7 +235,13 @@ fn print(given: &SimulateArguments) -> Result<bool> {
 fn sweep(given: &sweep::SweepArguments, ranks: Option<&Ranks>) -> Result<bool> {
     prepare(given.manner)?;
     let manner = given.manner.of_rank(ranks);
-    sweep::sweep(given, ranks, &cancel_on_ctrl_c(manner))
+    let done = sweep::sweep(given, ranks, &cancel_on_ctrl_c(manner));
+    if matches!(done, Err(Error::Canceled)) && !manner.quiet && !manner.json {
+        screen::mutter(
+            "the same command goes on with what is left; with --merge it makes the table of what is there",
+        );
+    }
+    done
 }
 
 /// `tomolith reproduce`: whether every number is there and every difference explained.

@@ -120,6 +120,8 @@ pub(crate) struct Board {
     manner: Manner,
     bar: Option<ProgressBar>,
     about: String,
+    /// The metric by which runs are ranked.
+    ranked_by: String,
     /// The name in its study.
     name: Option<String>,
 }
@@ -130,6 +132,7 @@ impl Board {
             manner,
             bar: None,
             about: plan.to_string(),
+            ranked_by: plan.ranked_by().to_owned(),
             name: None,
         }
     }
@@ -180,7 +183,8 @@ impl Watch for Board {
                 left_s,
             } => {
                 let left = duration(*left_s);
-                let failed = (*state == "failed").then(|| format!("{result}"));
+                let message = || result.as_str().map_or(result.to_string(), str::to_owned);
+                let failed = (*state == "failed").then(message);
                 match (&self.bar, failed) {
                     (Some(bar), failed) => {
                         if let Some(message) = failed {
@@ -196,7 +200,7 @@ impl Watch for Board {
                     }
                     (None, failed) => mutter(&format!(
                         "{ended:>7}/{runs}  run {run}: {values}  {}  {seconds:.1} s, {left} left",
-                        failed.unwrap_or_else(|| first_number(result))
+                        failed.map_or_else(|| self.number(result), |why| format!("failed: {why}"))
                     )),
                 }
             }
@@ -204,15 +208,17 @@ impl Watch for Board {
     }
 }
 
-/// The first of a run's metrics, for its line.
-fn first_number(result: &serde_json::Value) -> String {
-    let first = result.as_object().and_then(|map| map.iter().next());
-    let Some((name, value)) = first else {
-        return String::new();
-    };
-    match value.as_f64() {
-        Some(number) => format!("{name} {}", significant(number, 4)),
-        None => format!("{name} {value}"),
+impl Board {
+    /// The number by which runs are ranked, for the line of a run.
+    fn number(&self, result: &serde_json::Value) -> String {
+        let name = &self.ranked_by;
+        match &result[name] {
+            serde_json::Value::Null => format!("{name} not defined"),
+            value => match value.as_f64() {
+                Some(number) => format!("{name} {}", significant(number, 4)),
+                None => format!("{name} {value}"),
+            },
+        }
     }
 }
 

@@ -406,6 +406,12 @@ impl SweepPlan {
         Ok(seconds * left.len() as f64)
     }
 
+    /// The metric by which the best run is chosen.
+    #[must_use]
+    pub fn ranked_by(&self) -> &str {
+        &self.sweep.best.metric
+    }
+
     /// Where results go.
     #[must_use]
     pub fn folder(&self) -> PathBuf {

@@ -650,7 +650,9 @@ fn the_job_of_a_run_whose_window_widened_makes_the_same_patterns() {
 fn scattered_light_of_cones_is_held_against_random_paths() {
     let bench = bench();
     let cone = "light.projector={telecentric={pixel_pitch_mm=0.1,aperture_radius_mm=4.0,working_distance_mm=40.0}}";
-    let line = format!("run job.toml -o cone --set resin.scattering_per_mm=0.2 --set stop.iterations=3 --set {cone}");
+    let line = format!(
+        "run job.toml -o cone --set resin.scattering_per_mm=0.2 --set stop.iterations=3 --set {cone}"
+    );
     bench.stdout(0, &line);
     let report = json(&bench.path("cone/report.json"));
     let models = report["run"]["models"].to_string();
