@@ -362,13 +362,17 @@ impl Optics {
             ));
         }
         if beyond > 0 {
+            let times = (100.0 * farthest / reach - 1e-6).ceil() / 100.0;
+            let advice = match reach > 0.0 {
+                true => format!("use {} times as many columns in `pixels`", significant(times, 3)),
+                false => "what it lights lies beside the axis: use a smaller `offset_mm`, or more columns in `pixels` or `selection`".to_owned(),
+            };
             warnings.push(format!(
                 "after refraction, light[{light}] reaches only {} mm from the axis on every side, the part {} mm: {:.1} % of the \
-                 part lies outside and is not lit from all sides; use {} times as many columns in `pixels`",
+                 part lies outside and is not lit from all sides; {advice}",
                 concise(reach),
                 concise(farthest),
                 100.0 * beyond as f64 / part as f64,
-                significant((100.0 * farthest / reach - 1e-6).ceil() / 100.0, 3)
             ));
         }
         Ok(warnings)
