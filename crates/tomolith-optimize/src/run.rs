@@ -326,10 +326,8 @@ pub fn run_after<F: Field>(
             Err(error) => break Err(error),
         }
         if let Some(reason) = state.reason_to_stop(problem, x, stop, observers) {
-            let goes_on = |checkpoints: &Checkpoints| {
-                reason == StopReason::Canceled || checkpoints.keeps_end()
-            };
-            if let Some(checkpoints) = checkpoints.as_deref_mut().filter(|own| goes_on(own)) {
+            let keeps = |own: &&mut Checkpoints| reason == StopReason::Canceled || own.keeps_end();
+            if let Some(checkpoints) = checkpoints.as_deref_mut().filter(keeps) {
                 let memory = problem.model().memory();
                 let saved = state.saved(problem, optimizer, x, memory.as_ref());
                 keep(checkpoints, saved, problem.run(), observers)?;

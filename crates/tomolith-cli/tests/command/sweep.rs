@@ -113,3 +113,24 @@ fn slips_are_refused_with_their_place_and_nothing_is_written() {
     );
     assert!(bench.path("out/table.csv").is_file() && !bench.path("out/best.toml").exists());
 }
+
+#[cfg(not(feature = "mpi"))]
+#[test]
+fn processes_of_a_launcher_are_told_that_each_does_all_and_shares_by_hand_are_not() {
+    let bench = Bench::with(&[("job.toml", JOB), ("sweep.toml", SWEEP)]);
+    let said = |line: &str| {
+        let mut command = bench.command(line);
+        let output = command.env("OMPI_COMM_WORLD_SIZE", "2").output().unwrap();
+        assert!(output.status.success(), "{line}");
+        String::from_utf8(output.stderr).unwrap()
+    };
+    let told = "one of 2 processes of a launcher";
+    assert!(said("run job.toml --toy").contains(told));
+    let whole = said("sweep sweep.toml");
+    // Runs are told by what ranks them
+    assert!(
+        whole.contains(told) && whole.contains("  evaluation.iou "),
+        "{whole}"
+    );
+    assert!(!said("sweep sweep.toml --shard 1/2").contains(told));
+}

@@ -52,7 +52,7 @@ pub struct Params {
     /// With `scaled`, further files: the start is the one with the lowest loss
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub or: Vec<PathBuf>,
-    /// With `scaled`, whether the last of `or` is no start by itself: the patterns of the file before it, plus those of `file`, minus its own, dark where that is negative, are one (default false)
+    /// With `scaled`, one more start, a step ahead: `file` + (the last file but one − the last), dark where negative; the last file is then no start by itself (default false)
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub continued: bool,
 }
@@ -96,6 +96,14 @@ impl<F: Field> Files<F> {
         let at = |file: PathBuf| OfFile(section.file(&file));
         let first = at(params.file);
         let mut or: Vec<OfFile> = params.or.into_iter().map(at).collect();
+        if !params.scaled && (params.continued || !or.is_empty()) {
+            let key = if params.continued { "continued" } else { "or" };
+            return Err(Error::config(
+                format!("{}.{key}", section.path),
+                "starts to choose among, without `scaled`",
+                "scaled = true, with which the start of the lowest loss is taken; or `file` alone",
+            ));
+        }
         let from = or.pop_if(|_| params.continued);
         if params.continued && from.is_none() {
             return Err(Error::config(
@@ -332,6 +340,29 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn starts_to_choose_among_need_what_chooses_and_a_step_needs_two_files() {
+        let read = |table: serde_json::Value| {
+            let found = Files::<HostField>::read(&Section::new("start.patterns", table));
+            found.map(|files| files.step.map(|step| step.map(|of| of.0)))
+        };
+        let refusal = |table| read(table).unwrap_err().to_string();
+        let json = serde_json::json!({ "file": "a", "or": ["b"] });
+        assert!(refusal(json).starts_with("start.patterns.or: "));
+        let json = serde_json::json!({ "file": "a", "continued": true });
+        assert!(refusal(json).starts_with("start.patterns.continued: "));
+        let json = serde_json::json!({ "file": "a", "scaled": true, "continued": true });
+        assert!(refusal(json).starts_with("start.patterns.or: no file"));
+        let step = |or: &[&str]| {
+            let json =
+                serde_json::json!({ "file": "a", "or": or, "scaled": true, "continued": true });
+            read(json).unwrap().unwrap()
+        };
+        // From the last to the one before it, which is the first of all where there are two
+        assert_eq!(step(&["b", "c"]), ["c", "b"].map(PathBuf::from));
+        assert_eq!(step(&["c"]), ["c", "a"].map(PathBuf::from));
     }
 
     #[test]

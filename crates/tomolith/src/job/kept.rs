@@ -1,4 +1,5 @@
-//! What a run leaves to the next one in the same process: its target on voxels, and its model where that optimizes and judges.
+//! What a run leaves to the next one in the same process: its target on voxels, its model where that optimizes and judges, and with it the
+//! start that bounds its pixels.
 //!
 //! Where patterns are judged on the voxels and at the angles at which they are optimized, and the family has the same doses for both purposes
 //! ([`judges_alike`](crate::models::ModelFamily::judges_alike)), one model does both. A later run in the same process takes it over where
@@ -39,7 +40,7 @@ const UNREAD: [&str; 8] = [
 /// Voxels of the largest target that is kept: 4 MB of shares.
 const MOST_VOXELS: usize = 1 << 20;
 
-/// What a run leaves to the next one in the same process: its model, where that may serve others, and its target; or nothing.
+/// What a run leaves to the next one in the same process: its model, where that may serve others, its target, and the start that bounds its pixels; or nothing.
 #[derive(Default)]
 pub struct KeptParts {
     model: Option<(u64, Judge)>,
@@ -86,13 +87,16 @@ impl KeptParts {
     /// # Errors
     /// As [`Scene::sampled`]; [`Error::Io`](crate::Error::Io) for a file that cannot be read.
     pub(super) fn target(&mut self, scene: &Scene, run: &Run) -> Result<Target> {
+        if scene.grid.len() > MOST_VOXELS {
+            self.target = None;
+            return scene.sampled(&scene.grid, run);
+        }
         let key = target_key(scene)?;
-        let kept = self.target.take_if(|(own, _)| *own == key);
-        let (_, target) = match kept {
-            Some(kept) => kept,
-            None => (key, scene.sampled(&scene.grid, run)?),
+        let target = match self.target.take_if(|(own, _)| *own == key) {
+            Some((_, target)) => target,
+            None => scene.sampled(&scene.grid, run)?,
         };
-        self.target = (target.inside.values.len() <= MOST_VOXELS).then(|| (key, target.clone()));
+        self.target = Some((key, target.clone()));
         Ok(target)
     }
 

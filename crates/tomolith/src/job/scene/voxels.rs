@@ -90,8 +90,9 @@ impl Scene {
     pub(crate) fn warnings_of(&self, voxels: &Voxels) -> Result<Vec<String>> {
         let (inside, labels, gray) = (&voxels.target.inside, &voxels.labels, voxels.target.gray);
         let mut found = self.optics.warnings(inside, labels, gray)?;
-        for (i, scenario) in self.scenarios.iter().enumerate() {
-            let at = |error| at_scenario(i, &self.spec.scenario[i], error);
+        let given = self.scenarios.iter().zip(&self.spec.scenario);
+        for (i, (scenario, spec)) in given.enumerate() {
+            let at = |error| at_scenario(i, spec, error);
             let own = scenario.scene.optics.warnings(inside, labels, gray);
             let of_scene = scenario.scene.warnings.iter().cloned();
             let all = own.map_err(at)?.into_iter().chain(of_scene);
