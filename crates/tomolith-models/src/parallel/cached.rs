@@ -213,10 +213,12 @@ pub(super) struct Bench {
 
 impl Group {
     fn of(patches: Patches) -> Self {
-        let mut lit_by = patches.slots().to_vec();
-        lit_by.sort_unstable();
-        lit_by.dedup();
-        lit_by.shrink_to_fit();
+        let mut is_lit = vec![false; patches.rows()];
+        for &slot in patches.slots() {
+            is_lit[slot as usize] = true;
+        }
+        let lit_by = (0..).zip(is_lit).filter_map(|(slot, is_lit)| is_lit.then_some(slot));
+        let lit_by = lit_by.collect();
         Group { patches, lit_by }
     }
 

@@ -145,6 +145,14 @@ impl BandLanes {
     #[inline(always)]
     fn penalize(&self, m: Group, sums: &mut [f64; 8], penalty: impl Penalty) -> Group {
         let zero = f32x8::ZERO;
+        // Most voxels keep their bands; a NaN keeps none
+        let is_kept = |half: usize| {
+            let m = m.0[half];
+            m.simd_ge(self.lower.0[half]) & m.simd_le(self.upper.0[half])
+        };
+        if (is_kept(0) & is_kept(1)).all() {
+            return Group::default();
+        }
         let of_half = |half: usize| {
             let m = m.0[half];
             let above = (m - self.upper.0[half]).fast_max(zero);
