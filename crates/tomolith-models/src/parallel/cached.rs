@@ -217,7 +217,9 @@ impl Group {
         for &slot in patches.slots() {
             is_lit[slot as usize] = true;
         }
-        let lit_by = (0..).zip(is_lit).filter_map(|(slot, is_lit)| is_lit.then_some(slot));
+        let lit_by = (0..)
+            .zip(is_lit)
+            .filter_map(|(slot, is_lit)| is_lit.then_some(slot));
         let lit_by = lit_by.collect();
         Group { patches, lit_by }
     }

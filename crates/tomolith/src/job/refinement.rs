@@ -12,6 +12,9 @@
 //! **Fourth powers.** On such voxels [`threshold`] counts deviations to the power of [`EXPONENT`] unless the job names one: the largest decide what prints
 //! wrong. On voxels as wide as a pixel that prints less well (docs/measured/powers.md).
 //!
+//! **No higher than the light.** Light stays at its height, so rows of pixels that reach no part stay dark, and slices that only these rows light have no dose:
+//! such slices are left out.
+//!
 //! **Coarse first** only where the job's own voxels cost more than the budget: half of the iterations run on half as many frames,
 //! pixels and voxels along every axis. Elsewhere coarse iterations would save a third of the time and print less well (docs/fidelity.md).
 //!
@@ -154,8 +157,48 @@ pub(super) fn levels(
         let lights = coarser_lights(lights, 2);
         levels.push(Level::new(coarser_grid(grid, 2), &lights, half));
     }
+    let is_chosen = spec.grid.refine.is_none() && fine != *grid;
+    let fine = if is_chosen && is_dark_beyond((spec, kinds), lights) {
+        within_lit_rows(fine, lights, bounds_mm)
+    } else {
+        fine
+    };
     levels.push(Level::new(fine, &turned(lights, &sub_angles), iterations));
     levels
+}
+
+/// Whether rows of pixels that do not reach the part stay dark, and nothing counts the voxels that they light.
+fn is_dark_beyond((spec, kinds): (&JobSpec, &JobKinds), lights: &[Light]) -> bool {
+    let spreads = lights.iter().any(|light| light.point_spread.is_some());
+    let has_one_part = spec.species.is_empty() && spec.scenario.is_empty();
+    let starts_dark = kinds.start.files().is_none() && spec.bounds.min == 0.0;
+    has_one_part && starts_dark && !spreads && !kinds.seeks_window()
+}
+
+/// The slices of a grid that are lit by rows of pixels which reach the part.
+fn within_lit_rows(grid: VolumeGrid, lights: &[Light], [low, high]: [[f64; 3]; 2]) -> VolumeGrid {
+    let (mut lit_low, mut lit_high) = (low[2], high[2]);
+    for light in lights {
+        let pitch = light.pixels.pitch_mm[1];
+        let edge = light.pixels.field_mm()[0][1];
+        let row = |z: f64| (z - edge) / pitch;
+        lit_low = lit_low.min(edge + pitch * (row(low[2]) + ROUNDING).floor());
+        lit_high = lit_high.max(edge + pitch * (row(high[2]) - ROUNDING).ceil());
+    }
+    let bottom = grid.bounds_mm()[0][2];
+    let slice = |z: f64| (z - bottom) / grid.height_mm;
+    let first = (slice(lit_low) + ROUNDING).floor().max(0.0) as usize;
+    let end = ((slice(lit_high) - ROUNDING).ceil() as usize).min(grid.shape[0]);
+    if end <= first {
+        return grid;
+    }
+    let moved = (first + end) as f64 / 2.0 - grid.shape[0] as f64 / 2.0;
+    let [x, y, z] = grid.center_mm;
+    VolumeGrid {
+        shape: [end - first, grid.shape[1], grid.shape[2]],
+        center_mm: [x, y, z + moved * grid.height_mm],
+        ..grid
+    }
 }
 
 /// How much finer than a job's voxels those of an evaluation are at least.
@@ -444,6 +487,27 @@ mod tests {
         );
         assert!(levels(&[1, 1]).ends_with("mm wide"));
         assert!(levels(&[2, 4]).ends_with(", 2 and 4 angles a frame, light by light"));
+    }
+
+    #[test]
+    fn slices_that_no_row_of_the_part_lights_are_left_out() {
+        let shape = |more: &[&str]| {
+            let (levels, _) = levels_of("fraction", more);
+            let grid = &levels.last().unwrap().grid;
+            (grid.shape[0], grid.bounds_mm().map(|corner| corner[2]))
+        };
+        let (slices, [low, high]) = shape(&[]);
+        // The sphere ends 0.4 mm from its middle, with a row of pixels; the job's grid 0.5 mm
+        assert_eq!(slices, 8);
+        assert!((low + 0.4).abs() < 1e-9 && (high - 0.4).abs() < 1e-9);
+        // Rows half a pixel higher: the lowest and the highest reach 0.05 mm beyond it
+        let (slices, [low, high]) = shape(&["light[0].offset_mm=[0,0.05]"]);
+        assert_eq!(slices, 10);
+        assert!((low + 0.5).abs() < 1e-9 && (high - 0.5).abs() < 1e-9);
+        for asked in ["grid.refine=4", "bounds.min=0.1", "bounds.max=2"] {
+            let is_whole = asked != "bounds.max=2";
+            assert_eq!(shape(&[asked]).0, if is_whole { 10 } else { 8 }, "{asked}");
+        }
     }
 
     #[test]
