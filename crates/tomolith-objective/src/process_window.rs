@@ -26,8 +26,8 @@
 //! [`FoundWindow::range`].
 //!
 //! `measure = "gamma"` counts the outliers of the void in voxels of the part (νN in place of νN'): an error of
-//! ν in the IoU is then the same at either threshold, and u − l is the range of thresholds whose IoU stays within about ν of the best
-//! one (Γ at ν = 0.05).
+//! ν in the IoU is then the same at either threshold, and u − l is the range of thresholds whose IoU is about 1 − ν or more. Γ asks for 0.95 of the
+//! best IoU, which is 1 − ν with ν = 1 − 0.95·IoU: 0.05 for a perfect print, 0.1 for one of IoU 0.95.
 //!
 //! **Source** tail means by an extra unknown: Rockafellar and Uryasev, Journal of Risk 2 (2000) 21, eqs. 4 and 5; a margin whose outliers
 //! are a share ν: Schölkopf, Smola, Williamson and Bartlett, Neural Computation 12 (2000) 1207; process window and dose range, trimmed:
@@ -77,8 +77,9 @@ pub enum WindowMeasure {
 pub struct Params {
     /// What outliers are counted in: "pw" (default), a share of either region, or "gamma", a share of the part in both
     pub measure: WindowMeasure,
-    /// Share ν of voxels that may lie on the wrong side, above 0 and at most 0.25 (default 0.05)
-    pub outliers: f64,
+    /// Share ν of voxels that may lie on the wrong side, above 0 and at most 0.25 (default 0.05; 0.1 with `measure = "gamma"`)
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub outliers: Option<f64>,
     /// Bound of the dose range in the part without the outliers at either end, above 0 and at most 1 (default: none)
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ipdr: Option<f64>,
@@ -92,7 +93,7 @@ impl Default for Params {
     fn default() -> Self {
         Params {
             measure: WindowMeasure::Pw,
-            outliers: 0.05,
+            outliers: None,
             ipdr: None,
             softness: 0.2,
             surface: SurfaceHandling::Fraction,
@@ -101,6 +102,14 @@ impl Default for Params {
 }
 
 impl Params {
+    /// ν
+    fn outliers(&self) -> f64 {
+        self.outliers.unwrap_or(match self.measure {
+            WindowMeasure::Pw => 0.05,
+            WindowMeasure::Gamma => 0.1,
+        })
+    }
+
     fn validate(&self) -> Result<()> {
         let refuse = |key: &str, value: f64, accepted: &str| {
             Err(Error::config(
@@ -109,10 +118,11 @@ impl Params {
                 accepted,
             ))
         };
-        if !(self.outliers > 0.0 && self.outliers <= MOST_OUTLIERS) {
+        let outliers = self.outliers();
+        if !(outliers > 0.0 && outliers <= MOST_OUTLIERS) {
             return refuse(
                 "outliers",
-                self.outliers,
+                outliers,
                 "a share above 0 and at most 0.25; 0.02 is two voxels in a hundred",
             );
         }
@@ -417,7 +427,7 @@ impl ProcessWindow {
                 });
             }
         }
-        let outliers = self.params.outliers;
+        let outliers = self.params.outliers();
         // Less than a voxel has no tail
         let at_least_one = |voxels: f64, of: f64| voxels.max(1.0).min(0.5 * of);
         let of_part = at_least_one(outliers * part, part);
@@ -646,7 +656,7 @@ impl<F: Field> Objective<F> for ProcessWindow {
         let part_below = -self.end(LOW, |i| -response(i));
         let void_below = -self.end(VOID, |i| -response(i));
         Some(FoundWindow {
-            outliers: self.params.outliers,
+            outliers: self.params.outliers(),
             thresholds: [-found.thresholds[VOID], found.thresholds[LOW]],
             part_above,
             part_below,
@@ -704,7 +714,7 @@ mod tests {
         ] {
             let params = Params {
                 measure,
-                outliers: 0.033,
+                outliers: Some(0.033),
                 softness: 0.001,
                 ..Params::default()
             };
@@ -747,7 +757,7 @@ mod tests {
         assert!((doubled - PRICE * 0.4).abs() < 0.03, "{doubled}");
         // 0.1 above the ceiling costs 0.1/ν and widens the window by 0.1; the hinge's corner takes half its softness, 0.01 in all
         let above = of(1.1, 1.1, None) - of(1.0, 1.0, None);
-        let wanted = (0.1 - 0.0005) / Params::default().outliers - 0.1;
+        let wanted = (0.1 - 0.0005) / Params::default().outliers() - 0.1;
         assert!((above - wanted).abs() < 1e-6, "{above}");
     }
 
@@ -768,7 +778,7 @@ mod tests {
                 let params = Params {
                     measure,
                     ipdr,
-                    outliers: 0.05,
+                    outliers: Some(0.05),
                     softness: 0.2,
                     ..Params::default()
                 };
@@ -792,7 +802,7 @@ mod tests {
         let dose: Vec<f32> = (0..20).map(|i| 0.05 * i as f32).collect();
         let told = |outliers, ipdr| {
             let params = Params {
-                outliers,
+                outliers: Some(outliers),
                 ipdr,
                 softness: 0.001,
                 ..Params::default()
@@ -840,7 +850,7 @@ mod tests {
         for (params, key) in [
             (
                 Params {
-                    outliers: 0.0,
+                    outliers: Some(0.0),
                     ..Params::default()
                 },
                 "outliers",
