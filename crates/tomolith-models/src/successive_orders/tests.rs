@@ -267,7 +267,7 @@ fn scattered_light_of_cones_and_tilted_light_is_that_of_random_paths_where_it_is
         // The straight light of either has its own graininess: 4 rays a pixel by orders, as many as paths by these
         let by_paths = |seed: u64| {
             let params = monte_carlo::Params {
-                paths_per_pixel: 128,
+                paths_per_pixel: 64,
                 smooth: 1,
                 seed,
                 ..Default::default()
