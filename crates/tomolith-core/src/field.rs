@@ -45,12 +45,13 @@ pub(crate) mod group;
 pub mod half_ramp;
 mod pairs;
 
+use crate::parallel::InParallel;
 use crate::ranks::Communicator;
 pub use bands::{Band, BandKernel, BandLoss, Bands, HostBands};
 pub use costs::{CostKernel, HostCosts, PatternCost};
 pub use half_ramp::{ColumnRun, HalfRamp, HalfRampKernel, HostHalfRamp};
 pub use pairs::{Direction, DirectionSums, HostPairs, Latest, Pairs, Products};
-use rayon::prelude::*;
+use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -360,19 +361,18 @@ impl HostField {
         assert_eq!(self.len, other.len, "fields of different length");
         let partial: Vec<f64> = self
             .as_slice()
-            .par_chunks(BLOCK)
-            .zip(other.as_slice().par_chunks(BLOCK))
-            .map(|(a, b)| f(a, b))
-            .collect();
+            .chunks(BLOCK)
+            .zip(other.as_slice().chunks(BLOCK))
+            .par_map(|(a, b)| f(a, b));
         self.total(partial.iter().sum())
     }
 
     fn update_blocks(&mut self, other: &Self, f: &(dyn Fn(&mut [f32], &[f32]) + Sync)) {
         assert_eq!(self.len, other.len, "fields of different length");
         self.as_mut_slice()
-            .par_chunks_mut(BLOCK)
-            .zip(other.as_slice().par_chunks(BLOCK))
-            .for_each(|(a, b)| f(a, b));
+            .chunks_mut(BLOCK)
+            .zip(other.as_slice().chunks(BLOCK))
+            .par_each(|(a, b)| f(a, b));
     }
 
     /// selfᵢ ← f(selfᵢ, otherᵢ): for what works on the host alone.
@@ -388,7 +388,7 @@ impl HostField {
     }
 
     fn map_blocks(&mut self, f: &(dyn Fn(&mut [f32]) + Sync)) {
-        self.as_mut_slice().par_chunks_mut(BLOCK).for_each(f);
+        self.as_mut_slice().chunks_mut(BLOCK).par_each(f);
     }
 }
 
@@ -478,11 +478,11 @@ impl Field for HostField {
     }
 
     fn move_along(&mut self, step: &Self, a: f32, bounds: &Bounds) {
-        let blocks = bounds.split_mut(self.as_mut_slice()).into_par_iter();
+        let blocks = bounds.split_mut(self.as_mut_slice()).into_iter();
         blocks
             .zip(bounds.split(step.as_slice()))
             .zip(&bounds.blocks)
-            .for_each(|((x, step), b)| {
+            .par_each(|((x, step), b)| {
                 for (x, step) in x.iter_mut().zip(step) {
                     *x = clamp(*x + a * step, b.lower, b.upper);
                 }
@@ -492,11 +492,11 @@ impl Field for HostField {
     fn project_step(&mut self, x: &Self, gradient: &Self, t: f32, bounds: &Bounds) -> StepSums {
         let sums: Vec<StepSums> = bounds
             .split_mut(self.as_mut_slice())
-            .into_par_iter()
+            .into_iter()
             .zip(bounds.split(x.as_slice()))
             .zip(bounds.split(gradient.as_slice()))
             .zip(&bounds.blocks)
-            .map(|(((step, x), gradient), b)| {
+            .par_map(|(((step, x), gradient), b)| {
                 for ((step, x), gradient) in step.iter_mut().zip(x).zip(gradient) {
                     *step = clamp(x - t * gradient, b.lower, b.upper) - x;
                 }
@@ -504,8 +504,7 @@ impl Field for HostField {
                     slope: dot_block(gradient, step),
                     square: dot_block(step, step),
                 }
-            })
-            .collect();
+            });
         let mut all = sums.iter().fold([0.0; 2], |[slope, square], sums| {
             [slope + sums.slope, square + sums.square]
         });
@@ -517,11 +516,11 @@ impl Field for HostField {
     fn free_gradient(&mut self, x: &Self, gradient: &Self, bounds: &Bounds) {
         bounds
             .split_mut(self.as_mut_slice())
-            .into_par_iter()
+            .into_iter()
             .zip(bounds.split(x.as_slice()))
             .zip(bounds.split(gradient.as_slice()))
             .zip(&bounds.blocks)
-            .for_each(|(((free, x), gradient), b)| {
+            .par_each(|(((free, x), gradient), b)| {
                 for ((free, &x), &g) in free.iter_mut().zip(x).zip(gradient) {
                     let held = (x <= b.lower && g >= 0.0) || (x >= b.upper && g <= 0.0);
                     *free = if held { 0.0 } else { g };
@@ -534,11 +533,11 @@ impl Field for HostField {
         assert_eq!(self.len, before.len, "fields of different length");
         assert_eq!(self.len, after.len, "fields of different length");
         self.as_mut_slice()
-            .par_chunks_mut(BLOCK)
-            .zip(step.as_slice().par_chunks(BLOCK))
-            .zip(before.as_slice().par_chunks(BLOCK))
-            .zip(after.as_slice().par_chunks(BLOCK))
-            .for_each(|(((change, step), before), after)| {
+            .chunks_mut(BLOCK)
+            .zip(step.as_slice().chunks(BLOCK))
+            .zip(before.as_slice().chunks(BLOCK))
+            .zip(after.as_slice().chunks(BLOCK))
+            .par_each(|(((change, step), before), after)| {
                 let gradients = before.iter().zip(after);
                 for ((change, &step), (before, after)) in change.iter_mut().zip(step).zip(gradients)
                 {
@@ -552,10 +551,10 @@ impl Field for HostField {
         assert_eq!(self.len, after.len, "fields of different length");
         let sums: Vec<Secant> = self
             .as_slice()
-            .par_chunks(BLOCK)
-            .zip(before.as_slice().par_chunks(BLOCK))
-            .zip(after.as_slice().par_chunks(BLOCK))
-            .map(|((step, before), after)| {
+            .chunks(BLOCK)
+            .zip(before.as_slice().chunks(BLOCK))
+            .zip(after.as_slice().chunks(BLOCK))
+            .par_map(|((step, before), after)| {
                 let mut sums = Secant::default();
                 for ((&p, &before), &after) in step.iter().zip(before).zip(after) {
                     let y = if p == 0.0 {
@@ -569,8 +568,7 @@ impl Field for HostField {
                     sums.yy += y * y;
                 }
                 sums
-            })
-            .collect();
+            });
         let mut all = sums.iter().fold([0.0; 3], |[pp, py, yy], sums| {
             [pp + sums.pp, py + sums.py, yy + sums.yy]
         });
@@ -580,30 +578,30 @@ impl Field for HostField {
     }
 
     fn max_abs(&self) -> f32 {
-        let blocks = self.as_slice().par_chunks(BLOCK);
+        let blocks = self.as_slice().chunks(BLOCK);
         let largest = |block: &[f32]| block.iter().map(|v| v.abs()).fold(0.0, larger);
-        self.largest(blocks.map(largest).reduce(|| 0.0, larger))
+        self.largest(blocks.par_map(largest).into_iter().fold(0.0, larger))
     }
 
     fn max_marked(&self, marks: &Self) -> f32 {
         assert_eq!(self.len, marks.len, "fields of different length");
         let marked = |value: f32, mark: f32| if mark < 0.0 { 0.0 } else { value };
         let largest = (self.as_slice())
-            .par_chunks(BLOCK)
-            .zip(marks.as_slice().par_chunks(BLOCK))
-            .map(|(a, b)| {
+            .chunks(BLOCK)
+            .zip(marks.as_slice().chunks(BLOCK))
+            .par_map(|(a, b)| {
                 a.iter()
                     .zip(b)
                     .map(|(&a, &b)| marked(a, b))
                     .fold(0.0, larger)
-            })
-            .reduce(|| 0.0, larger);
-        self.largest(largest)
+            });
+        self.largest(largest.into_iter().fold(0.0, larger))
     }
 
     fn lowest(&self) -> f32 {
-        let elements = self.as_slice().par_iter().copied();
-        -self.largest(-elements.reduce(|| 0.0, f32::min))
+        let lowest = |block: &[f32]| block.iter().copied().fold(0.0, f32::min);
+        let blocks = self.as_slice().chunks(BLOCK).par_map(lowest);
+        -self.largest(-blocks.into_iter().fold(0.0, f32::min))
     }
 
     fn shift(&mut self, a: f32) {
@@ -652,9 +650,9 @@ impl Field for HostField {
         let steps = levels.saturating_sub(1).max(1) as f32;
         bounds
             .split_mut(self.as_mut_slice())
-            .into_par_iter()
+            .into_iter()
             .zip(&bounds.blocks)
-            .for_each(|(values, b)| {
+            .par_each(|(values, b)| {
                 let upper = if b.upper.is_finite() { b.upper } else { top };
                 let width = upper - b.lower;
                 if width > 0.0 {

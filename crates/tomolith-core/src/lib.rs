@@ -9,6 +9,7 @@ pub mod field;
 pub mod grid;
 pub mod kind;
 pub mod least_squares;
+pub mod parallel;
 pub mod ranks;
 pub mod response;
 pub mod run;

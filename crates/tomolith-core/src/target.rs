@@ -1,7 +1,7 @@
 //! What should be printed, on voxels: the share of each that is inside, and which are part, void or uncounted.
 
 use crate::grid::Volume;
-use rayon::prelude::*;
+use crate::parallel::{InParallel, table};
 
 /// A shape sampled on a grid.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,10 +46,7 @@ pub fn label_voxels(target: &Target, counts: impl Fn([f64; 3]) -> bool + Sync) -
 pub fn label_columns(target: &Target, counts: impl Fn([f64; 2]) -> bool + Sync) -> Volume<u8> {
     let grid = &target.inside.grid;
     let [_, ny, nx] = grid.shape;
-    let plane: Vec<bool> = (0..nx * ny)
-        .into_par_iter()
-        .map(|i| counts([grid.x(i % nx), grid.y(i / nx)]))
-        .collect();
+    let plane = table(nx * ny, |i| counts([grid.x(i % nx), grid.y(i / nx)]));
     label_slices(target, |_, i| plane[i])
 }
 
@@ -60,9 +57,9 @@ fn label_slices(target: &Target, counts: impl Fn(usize, usize) -> bool + Sync) -
     let mut values = vec![label::OUTSIDE; grid.len()];
     if !values.is_empty() {
         values
-            .par_chunks_mut(nx * ny)
+            .chunks_mut(nx * ny)
             .enumerate()
-            .for_each(|(iz, slice)| {
+            .par_each(|(iz, slice)| {
                 for (i, value) in slice.iter_mut().enumerate() {
                     if counts(iz, i) {
                         *value = if target.is_part(iz * nx * ny + i) {

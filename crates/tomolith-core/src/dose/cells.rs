@@ -25,9 +25,10 @@
 //! ```
 
 use super::layout::DoseLayout;
+use crate::field::BLOCK;
 use crate::grid::Volume;
+use crate::parallel::InParallel;
 use crate::target::label;
-use rayon::prelude::*;
 
 /// Share of a voxel below which a cell is merged into the other.
 pub const LEAST: f32 = 1e-3;
@@ -126,17 +127,12 @@ impl Cells {
     pub fn add(&self, [outside, inside]: [&[f32]; 2], dose: &mut [f32]) {
         let (voxels, cells) = dose.split_at_mut(outside.len());
         let mut lit = outside.to_vec();
-        lit.par_iter_mut()
-            .zip(inside)
-            .for_each(|(sum, inside)| *sum += inside);
+        add(&mut lit, inside);
         for ((voxel, s), cell) in self.iter().zip(cells) {
             lit[voxel] = outside[voxel] / (1.0 - s);
             *cell += inside[voxel] / s;
         }
-        voxels
-            .par_iter_mut()
-            .zip(&lit)
-            .for_each(|(dose, lit)| *dose += lit);
+        add(voxels, &lit);
     }
 
     /// The transpose of [`add`](Self::add): what a unit of energy outside and inside of every voxel is worth.
@@ -153,9 +149,7 @@ impl Cells {
     /// dose += a dose that is the same in both cells of a voxel.
     pub fn add_even(&self, voxels: &[f32], dose: &mut [f32]) {
         let (own, cells) = dose.split_at_mut(voxels.len());
-        own.par_iter_mut()
-            .zip(voxels)
-            .for_each(|(dose, even)| *dose += even);
+        add(own, voxels);
         for ((voxel, _), cell) in self.iter().zip(cells) {
             *cell += voxels[voxel];
         }
@@ -170,6 +164,16 @@ impl Cells {
         }
         sums
     }
+}
+
+/// sums += terms
+fn add(sums: &mut [f32], terms: &[f32]) {
+    let blocks = sums.chunks_mut(BLOCK).zip(terms.chunks(BLOCK));
+    blocks.par_each(|(sums, terms)| {
+        sums.iter_mut()
+            .zip(terms)
+            .for_each(|(sum, term)| *sum += term)
+    });
 }
 
 #[cfg(test)]

@@ -20,7 +20,7 @@
 use crate::dose::cells::Cells;
 use crate::field::LANES;
 use crate::grid::{PatternGrid, Patterns, Volume, VolumeGrid};
-use rayon::prelude::*;
+use crate::parallel::InParallel;
 use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::Arc;
@@ -196,9 +196,9 @@ impl DoseLayout {
         }
         // Sixteen slices at a time, so that a cache line of the field is used whole
         values
-            .par_chunks_mut(nx * ny * LANES)
+            .chunks_mut(nx * ny * LANES)
             .enumerate()
-            .for_each(|(slab, out)| {
+            .par_each(|(slab, out)| {
                 let depth = out.len() / (nx * ny);
                 for pixel in 0..nx * ny {
                     let lanes = &field[pixel * self.row + slab * LANES..][..depth];
@@ -230,9 +230,9 @@ impl DoseLayout {
             return field;
         }
         field
-            .par_chunks_mut(self.row * nx)
+            .chunks_mut(self.row * nx)
             .enumerate()
-            .for_each(|(iy, rows)| {
+            .par_each(|(iy, rows)| {
                 for iz in 0..nz {
                     let line = &volume.values[(iz * ny + iy) * nx..][..nx];
                     for (ix, &value) in line.iter().enumerate() {
@@ -359,9 +359,9 @@ impl PatternLayout {
         }
         patterns
             .values
-            .par_chunks_mut(rows * columns)
-            .zip(self.runs.par_chunks(columns))
-            .for_each(|(image, runs)| {
+            .chunks_mut(rows * columns)
+            .zip(self.runs.chunks(columns))
+            .par_each(|(image, runs)| {
                 for (column, run) in runs.iter().enumerate() {
                     let values = &field[run.offset..][..run.count as usize];
                     for (i, &value) in values.iter().enumerate() {

@@ -23,11 +23,12 @@
 //! **Cost** one pass over dose and bands. Sixteen neighbors along z that share a label skip the table; for p = 1, 2 and the
 //! identity response the pass is bound by memory (about 5 bytes read per voxel).
 
+use super::BLOCK;
 use super::LANES;
 use crate::error::{Error, Result};
+use crate::parallel::InParallel;
 use crate::response::{Response, is_reached};
 use crate::units::exact;
-use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -198,9 +199,16 @@ impl Bands {
                         });
                     }
                 }
-                (0..lower.len())
-                    .into_par_iter()
-                    .try_for_each(|i| Band::new(lower[i], upper[i], weight[i]).validate())
+                let bands = lower
+                    .chunks(BLOCK)
+                    .zip(upper.chunks(BLOCK))
+                    .zip(weight.chunks(BLOCK));
+                let blocks = bands.par_map(|((lower, upper), weight)| {
+                    let mut band =
+                        (0..lower.len()).map(|i| Band::new(lower[i], upper[i], weight[i]));
+                    band.try_for_each(|band| band.validate())
+                });
+                blocks.into_iter().collect()
             }
         }
     }

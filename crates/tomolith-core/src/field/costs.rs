@@ -17,7 +17,7 @@
 
 use super::bands::CHORD;
 use super::{BLOCK, Field as _, HostField};
-use rayon::prelude::*;
+use crate::parallel::InParallel;
 use std::sync::Arc;
 
 /// A penalty on patterns as plain data; see the [module](self).
@@ -133,7 +133,7 @@ impl CostKernel<HostField> for HostCosts {
         x.total(match &*self.0 {
             PatternCost::Power { exponent } => {
                 let term = |b: &[f32]| b.iter().map(|&x| power(*exponent, x).0).sum();
-                let sums: Vec<f64> = values.par_chunks(BLOCK).map(term).collect();
+                let sums: Vec<f64> = values.chunks(BLOCK).par_map(term);
                 sums.iter().sum()
             }
             PatternCost::Differences { frames, edge } => {
@@ -161,17 +161,15 @@ impl CostKernel<HostField> for HostCosts {
         let (x, step) = (x.as_slice(), step.as_slice());
         let (sum, along) = match &*self.0 {
             PatternCost::Power { exponent } => {
-                let blocks = x.par_chunks(BLOCK).zip(step.par_chunks(BLOCK));
-                let sums: Vec<(f64, f64)> = blocks
-                    .map(|(x, step)| {
-                        x.iter()
-                            .zip(step)
-                            .fold((0.0, 0.0), |(sum, along), (&x, &p)| {
-                                let (term, slope) = power(*exponent, x + alpha * p);
-                                (sum + term, along + slope * f64::from(p))
-                            })
-                    })
-                    .collect();
+                let blocks = x.chunks(BLOCK).zip(step.chunks(BLOCK));
+                let sums: Vec<(f64, f64)> = blocks.par_map(|(x, step)| {
+                    x.iter()
+                        .zip(step)
+                        .fold((0.0, 0.0), |(sum, along), (&x, &p)| {
+                            let (term, slope) = power(*exponent, x + alpha * p);
+                            (sum + term, along + slope * f64::from(p))
+                        })
+                });
                 sums.iter().fold((0.0, 0.0), |a, b| (a.0 + b.0, a.1 + b.1))
             }
             PatternCost::Differences { frames, edge } => {
@@ -195,19 +193,17 @@ impl CostKernel<HostField> for HostCosts {
 fn add_power(exponent: f64, x: &HostField, scale: f64, gradient: &mut HostField) -> f64 {
     let blocks = x
         .as_slice()
-        .par_chunks(BLOCK)
-        .zip(gradient.as_mut_slice().par_chunks_mut(BLOCK));
-    let sums: Vec<f64> = blocks
-        .map(|(x, gradient)| {
-            let mut sum = 0.0;
-            for (&x, g) in x.iter().zip(gradient) {
-                let (term, slope) = power(exponent, x);
-                sum += term;
-                *g += (scale * slope) as f32;
-            }
-            sum
-        })
-        .collect();
+        .chunks(BLOCK)
+        .zip(gradient.as_mut_slice().chunks_mut(BLOCK));
+    let sums: Vec<f64> = blocks.par_map(|(x, gradient)| {
+        let mut sum = 0.0;
+        for (&x, g) in x.iter().zip(gradient) {
+            let (term, slope) = power(exponent, x);
+            sum += term;
+            *g += (scale * slope) as f32;
+        }
+        sum
+    });
     sums.iter().sum()
 }
 
@@ -216,19 +212,16 @@ fn sum_pairs(
     frames: &[FramePairs],
     each: impl Fn(usize, usize, f64) -> (f64, f64) + Sync,
 ) -> (f64, f64) {
-    let sums: Vec<(f64, f64)> = frames
-        .par_iter()
-        .map(|frame| {
-            let mut sum = (0.0, 0.0);
-            for p in frame.inside.iter().chain(&frame.onward) {
-                for i in 0..p.count {
-                    let term = each(p.first + i, p.second + i, p.weight);
-                    sum = (sum.0 + term.0, sum.1 + term.1);
-                }
+    let sums: Vec<(f64, f64)> = frames.iter().par_map(|frame| {
+        let mut sum = (0.0, 0.0);
+        for p in frame.inside.iter().chain(&frame.onward) {
+            for i in 0..p.count {
+                let term = each(p.first + i, p.second + i, p.weight);
+                sum = (sum.0 + term.0, sum.1 + term.1);
             }
-            sum
-        })
-        .collect();
+        }
+        sum
+    });
     sums.iter().fold((0.0, 0.0), |a, b| (a.0 + b.0, a.1 + b.1))
 }
 
@@ -252,7 +245,7 @@ fn add_differences(
         begin += frame.len;
     }
     // Each frame gathers what its own pairs and those of the one before push on it
-    pieces.par_iter_mut().for_each(|(begin, gradient, frame)| {
+    pieces.iter_mut().par_each(|(begin, gradient, frame)| {
         for p in &frame.inside {
             for i in 0..p.count {
                 let push = push(p, i);

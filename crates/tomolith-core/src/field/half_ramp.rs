@@ -18,7 +18,7 @@
 
 use super::group::Group;
 use super::{Field as _, HostField, LANES};
-use rayon::prelude::*;
+use crate::parallel::InParallel;
 use std::ops::Range;
 use std::sync::Arc;
 use wide::f32x8;
@@ -207,8 +207,8 @@ impl HalfRampKernel<HostField> for HostHalfRamp {
             parts.push((batch, out.unwrap_or_default()));
         }
         parts
-            .into_par_iter()
-            .for_each_init(Vec::new, |scratch, (batch, out)| {
+            .into_iter()
+            .par_each_with(Vec::new, |scratch, (batch, out)| {
                 batch.apply(x, out, scratch);
             });
     }

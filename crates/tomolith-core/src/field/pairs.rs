@@ -16,7 +16,7 @@
 use super::group::{Group, total};
 use super::{Bounds, Field, HostField, LANES};
 use crate::error::Result;
-use rayon::prelude::*;
+use crate::parallel::InParallel;
 use std::borrow::Cow;
 use wide::{f32x8, u32x8};
 
@@ -500,14 +500,14 @@ impl Pairs<HostField> for HostPairs {
         let slots = self.slots;
         let products: Vec<Products> = self
             .blocks_mut()
-            .into_par_iter()
+            .into_iter()
             .zip(&bounds.blocks)
             .zip(bounds.split(latest.x.as_slice()))
             .zip(bounds.split(latest.step.as_slice()))
             .zip(bounds.split(latest.gradient.as_slice()))
             .zip(bounds.split(latest.change.as_slice()))
             .zip(bounds.split(latest.image.as_slice()))
-            .map(
+            .par_map(
                 |((((((block, bounds), x), step), gradient), change), image)| {
                     let (alpha, bounds) = (
                         f32x8::splat(latest.alpha),
@@ -530,8 +530,7 @@ impl Pairs<HostField> for HostPairs {
                         },
                     )
                 },
-            )
-            .collect();
+            );
         let mut sum = Products::zeros(slots);
         products.iter().for_each(|block| sum.add(block));
         sum.of_all_ranks(latest.x)
@@ -548,13 +547,13 @@ impl Pairs<HostField> for HostPairs {
     ) -> DirectionSums {
         let sums: Vec<DirectionSums> = self
             .blocks()
-            .into_par_iter()
+            .into_iter()
             .zip(&bounds.blocks)
             .zip(bounds.split(x.as_slice()))
             .zip(bounds.split(gradient.as_slice()))
             .zip(bounds.split(image.as_slice()))
             .zip(bounds.split_mut(out.as_mut_slice()))
-            .map(|(((((block, bounds), x), gradient), image), out)| {
+            .par_map(|(((((block, bounds), x), gradient), image), out)| {
                 let [x, gradient, image] = [x, gradient, image].map(Groups::of);
                 let bounds = Limits::new(bounds.lower, bounds.upper);
                 block.direction(
@@ -567,8 +566,7 @@ impl Pairs<HostField> for HostPairs {
                     },
                     out,
                 )
-            })
-            .collect();
+            });
         let mut all = [0.0; 4];
         for of_block in &sums {
             all[0] += of_block.slope;

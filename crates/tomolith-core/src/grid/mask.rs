@@ -10,7 +10,7 @@
 //! ```
 
 use super::PatternGrid;
-use rayon::prelude::*;
+use crate::parallel::table;
 
 /// Pixels that may be lit, `[frame, row, column]`; an axis of length 1 stands for all frames, rows or columns.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,10 +30,7 @@ impl PixelMask {
         let at = |i: usize| open(i / (rows * columns), i / columns % rows, i % columns);
         PixelMask {
             shape,
-            open: (0..frames * rows * columns)
-                .into_par_iter()
-                .map(at)
-                .collect(),
+            open: table(frames * rows * columns, at),
         }
     }
 

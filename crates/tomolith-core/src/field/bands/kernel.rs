@@ -3,7 +3,7 @@
 use super::super::group::Group;
 use super::super::{BLOCK, Field, HostField, LANES, Lanes};
 use super::{Band, BandKernel, BandLoss, Bands, CHORD};
-use rayon::prelude::*;
+use crate::parallel::InParallel;
 use std::sync::Arc;
 use wide::f32x8;
 
@@ -265,11 +265,6 @@ impl Bands {
 /// A 1 in every byte: times a byte, it is sixteen of them.
 const EVERY_BYTE: u128 = u128::MAX / 255;
 
-/// Sums of blocks, added in order: the result does not depend on how many threads there are.
-fn in_order(partial: impl IndexedParallelIterator<Item = f64>) -> f64 {
-    partial.collect::<Vec<f64>>().iter().sum()
-}
-
 /// dose ← dose + α·step
 #[inline]
 fn move_by(dose: &mut [Lanes], step: &[Lanes], alpha: f32) {
@@ -287,8 +282,8 @@ impl BandKernel<HostField> for HostBands {
     }
 
     fn value(&self, dose: &HostField) -> f64 {
-        let blocks = dose.lanes()[self.0.groups()].par_chunks(GROUPS).enumerate();
-        self.0.loss(in_order(blocks.map(|(b, block)| {
+        let blocks = dose.lanes()[self.0.groups()].chunks(GROUPS).enumerate();
+        let sums = blocks.par_map(|(b, block)| {
             let mut slopes = [Lanes::default(); CHUNK];
             let mut sum = 0.0;
             for (c, dose) in block.chunks(CHUNK).enumerate() {
@@ -297,7 +292,8 @@ impl BandKernel<HostField> for HostBands {
                     .chunk(b * GROUPS + c * CHUNK, dose, &mut slopes[..dose.len()]);
             }
             sum
-        })))
+        });
+        self.0.loss(sums.iter().sum())
     }
 
     fn value_and_gradient(&self, dose: &HostField, grad: &mut HostField) -> f64 {
@@ -306,25 +302,25 @@ impl BandKernel<HostField> for HostBands {
             grad.fill(0.0);
         }
         let blocks = dose.lanes()[self.0.groups()]
-            .par_chunks(GROUPS)
-            .zip(grad.lanes_mut()[self.0.groups()].par_chunks_mut(GROUPS))
+            .chunks(GROUPS)
+            .zip(grad.lanes_mut()[self.0.groups()].chunks_mut(GROUPS))
             .enumerate();
-        let sum = in_order(blocks.map(|(b, (dose, grad))| {
+        let sums = blocks.par_map(|(b, (dose, grad))| {
             let chunks = dose.chunks(CHUNK).zip(grad.chunks_mut(CHUNK)).enumerate();
             let sum =
                 chunks.map(|(c, (dose, grad))| self.0.chunk(b * GROUPS + c * CHUNK, dose, grad));
             sum.sum()
-        }));
-        self.0.finish(sum, grad)
+        });
+        self.0.finish(sums.iter().sum(), grad)
     }
 
     fn slope_along(&self, dose: &HostField, step: &HostField, alpha: f32) -> (f64, f64) {
         assert_eq!(dose.len(), step.len(), "fields of different length");
         let sums: Vec<(f64, f64)> = dose.lanes()[self.0.groups()]
-            .par_chunks(GROUPS)
-            .zip(step.lanes()[self.0.groups()].par_chunks(GROUPS))
+            .chunks(GROUPS)
+            .zip(step.lanes()[self.0.groups()].chunks(GROUPS))
             .enumerate()
-            .map(|(b, (dose, step))| {
+            .par_map(|(b, (dose, step))| {
                 let (mut m, mut slopes) = ([Lanes::default(); CHUNK], [Lanes::default(); CHUNK]);
                 let (mut sum, mut slope) = (0.0, 0.0);
                 for (c, (dose, step)) in dose.chunks(CHUNK).zip(step.chunks(CHUNK)).enumerate() {
@@ -337,8 +333,7 @@ impl BandKernel<HostField> for HostBands {
                     slope += dot(&slopes[..n], step);
                 }
                 (sum, slope)
-            })
-            .collect();
+            });
         let (sum, slope) = sums.iter().fold((0.0, 0.0), |a, b| (a.0 + b.0, a.1 + b.1));
         (self.0.loss(sum), self.0.loss_slope(sum) * slope)
     }
@@ -350,10 +345,10 @@ impl BandKernel<HostField> for HostBands {
         }
         assert_eq!(dose.len(), step.len(), "fields of different length");
         let blocks = dose.lanes_mut()[self.0.groups()]
-            .par_chunks_mut(GROUPS)
-            .zip(step.lanes_mut()[self.0.groups()].par_chunks_mut(GROUPS))
+            .chunks_mut(GROUPS)
+            .zip(step.lanes_mut()[self.0.groups()].chunks_mut(GROUPS))
             .enumerate();
-        let sum = in_order(blocks.map(|(b, (dose, step))| {
+        let sums = blocks.par_map(|(b, (dose, step))| {
             let chunks = dose
                 .chunks_mut(CHUNK)
                 .zip(step.chunks_mut(CHUNK))
@@ -363,8 +358,8 @@ impl BandKernel<HostField> for HostBands {
                 self.0.chunk(b * GROUPS + c * CHUNK, dose, step)
             });
             sum.sum()
-        }));
-        self.0.finish(sum, step)
+        });
+        self.0.finish(sums.iter().sum(), step)
     }
 }
 
