@@ -29,8 +29,8 @@
 
 use super::print::Print;
 use super::{Better, Measure, Metric, MetricKind};
-use rayon::prelude::*;
 use tomolith_core::field::BLOCK;
+use tomolith_core::parallel::InParallel;
 use tomolith_core::target::label;
 
 /// Parts of the half width by which a voxel may leave the band through rounding to f32.
@@ -113,11 +113,10 @@ pub(super) fn gray_errors(
     half_width: f64,
 ) -> Option<GrayErrors> {
     let blocks: Vec<Sums> = labels
-        .par_chunks(BLOCK)
-        .zip(response.par_chunks(BLOCK))
-        .zip(wanted.par_chunks(BLOCK))
-        .map(|((labels, response), wanted)| Sums::of(labels, response, wanted, half_width))
-        .collect();
+        .chunks(BLOCK)
+        .zip(response.chunks(BLOCK))
+        .zip(wanted.chunks(BLOCK))
+        .par_map(|((labels, response), wanted)| Sums::of(labels, response, wanted, half_width));
     let sums = blocks.iter().fold(Sums::default(), Sums::join);
     let count = (sums.counts[0] + sums.counts[1]) as f64;
     (count > 0.0).then(|| GrayErrors {

@@ -28,11 +28,11 @@
 //! assert!((surface.volume_mm3() - 4.0 / 3.0).abs() < 1e-6);
 //! ```
 
-use rayon::prelude::*;
 use std::sync::LazyLock;
 use tomolith_core::dose::Run;
 use tomolith_core::error::Error;
 use tomolith_core::grid::{Volume, VolumeGrid};
+use tomolith_core::parallel::InParallel;
 
 /// Layers of cells that are done one after the other, with shared planes between them.
 const SLAB: usize = 8;
@@ -141,16 +141,13 @@ pub fn isosurface_of(
         passes.add(1);
         !passes.is_canceled()
     };
-    let counts: Vec<usize> = slabs
-        .par_iter()
-        .map(|slab| {
-            if go_on() {
-                march.count(slab.clone())
-            } else {
-                0
-            }
-        })
-        .collect();
+    let counts: Vec<usize> = slabs.iter().par_map(|slab| {
+        if go_on() {
+            march.count(slab.clone())
+        } else {
+            0
+        }
+    });
     let firsts: Vec<u32> = counts
         .iter()
         .scan(0, |next, count| {
@@ -158,12 +155,13 @@ pub fn isosurface_of(
             Some((*next - count) as u32)
         })
         .collect();
-    let parts: Vec<Isosurface> = slabs
-        .into_par_iter()
-        .zip(firsts)
-        .filter(|_| go_on())
-        .map(|(slab, first)| march.triangulate(slab, first, Last::Next))
-        .collect();
+    let parts: Vec<Isosurface> = slabs.into_iter().zip(firsts).par_map(|(slab, first)| {
+        if go_on() {
+            march.triangulate(slab, first, Last::Next)
+        } else {
+            Isosurface::default()
+        }
+    });
     if run.is_canceled() {
         return Isosurface::default();
     }
@@ -200,9 +198,8 @@ pub fn isosurface_pieces<E: From<Error>>(
         run.check()?;
         steps.add(some.len());
         let pieces: Vec<Isosurface> = some
-            .par_iter()
-            .map(|slab| march.triangulate(slab.clone(), 0, Last::Own))
-            .collect();
+            .iter()
+            .par_map(|slab| march.triangulate(slab.clone(), 0, Last::Own));
         for piece in pieces.iter().filter(|piece| !piece.is_empty()) {
             take(piece)?;
         }

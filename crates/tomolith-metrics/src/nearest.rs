@@ -15,14 +15,16 @@
 //! ```
 
 use super::isosurface::Isosurface;
-use rayon::prelude::*;
 use tomolith_core::dose::Run;
+use tomolith_core::parallel::{InParallel, table};
 use wide::f32x4;
 
 /// Triangles in a leaf, at most: one in each lane.
 const LEAF: usize = 4;
 /// Children of a node, as many.
 const SPLIT: usize = 4;
+/// Leaves that a thread fills in a row.
+const LEAVES_AT_ONCE: usize = 1024;
 /// Triangles from which on a split is done by two threads.
 const PARALLEL: usize = 1 << 14;
 
@@ -120,10 +122,7 @@ impl TriangleTree {
     pub fn under(surface: &Isosurface, run: &Run) -> Self {
         let corners = |i: usize| surface.triangles[i].map(|c| surface.corners[c as usize]);
         let n = surface.triangles.len();
-        let mut keys: Vec<Key> = (0..n)
-            .into_par_iter()
-            .map(|i| (centroid(corners(i)), i as u32))
-            .collect();
+        let mut keys: Vec<Key> = table(n, |i| (centroid(corners(i)), i as u32));
         // Splits in two: an even number
         let levels = n
             .div_ceil(LEAF)
@@ -134,8 +133,7 @@ impl TriangleTree {
         let first = ((1usize << levels) - 1) / (SPLIT - 1);
         let mut boxes = vec![Aabb::EMPTY; first + (1 << levels)];
         let cut = |leaf: usize| (leaf * n) >> levels;
-        let filled = boxes[first..].par_iter_mut().enumerate();
-        let leaves = filled.filter(|_| n > 0).map(|(leaf, bounds)| {
+        let leaf = |leaf: usize, bounds: &mut Aabb| {
             let keys = &keys[cut(leaf)..cut(leaf + 1)];
             let mut triangles = [[[0.0; 3]; 3]; LEAF];
             for (triangle, key) in triangles.iter_mut().zip(keys) {
@@ -143,8 +141,14 @@ impl TriangleTree {
                 triangle.iter().for_each(|&corner| bounds.add(corner));
             }
             Leaf::new(&triangles[..keys.len()])
+        };
+        let bounds = boxes[first..].chunks_mut(LEAVES_AT_ONCE).enumerate();
+        let leaves = bounds.filter(|_| n > 0).par_map(|(chunk, bounds)| {
+            let all = (chunk * LEAVES_AT_ONCE..).zip(bounds);
+            all.map(|(i, bounds)| leaf(i, bounds))
+                .collect::<Vec<Leaf>>()
         });
-        let leaves = leaves.collect();
+        let leaves = leaves.concat();
         let mut nodes = vec![Children::new(&[Aabb::EMPTY; SPLIT]); first];
         for node in (0..first).rev() {
             let children: [Aabb; SPLIT] = std::array::from_fn(|i| boxes[SPLIT * node + 1 + i]);
@@ -213,10 +217,9 @@ fn sort(keys: &mut [Key], levels: u32, run: &Run) {
     keys.select_nth_unstable_by(middle, |a, b| a.0[axis].total_cmp(&b.0[axis]));
     let (low, high) = keys.split_at_mut(middle);
     if n > PARALLEL {
-        rayon::join(
-            || sort(low, levels - 1, run),
-            || sort(high, levels - 1, run),
-        );
+        [low, high]
+            .into_iter()
+            .par_each(|half| sort(half, levels - 1, run));
     } else {
         sort(low, levels - 1, run);
         sort(high, levels - 1, run);

@@ -20,12 +20,12 @@ use super::gray::{GrayErrors, gray_errors};
 use super::isosurface::{Isosurface, beyond, isosurface_of, isosurface_pieces};
 use super::scan::{Plateau, Scan};
 use super::surface::{Deviation, SurfaceDistance, deviation, surface_distance};
-use rayon::prelude::*;
 use std::sync::OnceLock;
 use tomolith_core::dose::Run;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::BLOCK;
 use tomolith_core::grid::{Patterns, Volume, VolumeGrid};
+use tomolith_core::parallel::InParallel;
 use tomolith_core::target::label;
 use tomolith_core::units::exact;
 
@@ -49,15 +49,11 @@ impl PatternStats {
             max: 0.0,
         };
         for patterns in lights {
-            let blocks: Vec<(f64, f32)> = patterns
-                .values
-                .par_chunks(BLOCK)
-                .map(|block| {
-                    block.iter().fold((0.0, 0.0f32), |(sum, max), &v| {
-                        (sum + f64::from(v), max.max(v))
-                    })
+            let blocks: Vec<(f64, f32)> = patterns.values.chunks(BLOCK).par_map(|block| {
+                block.iter().fold((0.0, 0.0f32), |(sum, max), &v| {
+                    (sum + f64::from(v), max.max(v))
                 })
-                .collect();
+            });
             stats.pixels += patterns.values.len() as u64;
             stats.sum += blocks.iter().map(|b| b.0).sum::<f64>();
             stats.max = blocks.iter().fold(stats.max, |max, b| max.max(b.1));

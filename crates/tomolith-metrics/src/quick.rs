@@ -13,9 +13,9 @@
 //! assert!((window.unwrap() + 0.1).abs() < 1e-6); // 0.7 − 0.8
 //! ```
 
-use super::buckets::class;
-use rayon::prelude::*;
+use super::buckets::{class, shares};
 use tomolith_core::field::BLOCK;
+use tomolith_core::parallel::InParallel;
 
 /// Thresholds.
 const BINS: usize = 1024;
@@ -47,10 +47,10 @@ pub fn quick(labels: &[u8], response: &[f32]) -> Option<(f64, Option<f64>)> {
 
 fn ranges(labels: &[u8], response: &[f32]) -> Ranges {
     let empty = [[f32::INFINITY, f32::NEG_INFINITY]; 2];
-    labels
-        .par_chunks(BLOCK)
-        .zip(response.par_chunks(BLOCK))
-        .map(|(labels, values)| {
+    let blocks = labels
+        .chunks(BLOCK)
+        .zip(response.chunks(BLOCK))
+        .par_map(|(labels, values)| {
             let mut ranges = empty;
             for (&label, &value) in labels.iter().zip(values) {
                 if let Some(class) = class(label) {
@@ -60,11 +60,10 @@ fn ranges(labels: &[u8], response: &[f32]) -> Ranges {
                 }
             }
             ranges
-        })
-        .reduce(
-            || empty,
-            |a, b| [0, 1].map(|c| [a[c][0].min(b[c][0]), a[c][1].max(b[c][1])]),
-        )
+        });
+    blocks.into_iter().fold(empty, |a, b| {
+        [0, 1].map(|c| [a[c][0].min(b[c][0]), a[c][1].max(b[c][1])])
+    })
 }
 
 fn counts(labels: &[u8], response: &[f32], low: f32, high: f32) -> Table {
@@ -74,25 +73,23 @@ fn counts(labels: &[u8], response: &[f32], low: f32, high: f32) -> Table {
         0.0
     };
     let empty = || vec![[0; 2]; BINS];
-    labels
-        .par_chunks(BLOCK)
-        .zip(response.par_chunks(BLOCK))
-        .fold(empty, |mut table, (labels, values)| {
-            for (&label, &value) in labels.iter().zip(values) {
-                if let Some(class) = class(label) {
-                    // Rising with the value, so that the bins from one up are all above a threshold
-                    let bin = ((value - low) * scale) as usize;
-                    table[bin.min(BINS - 1)][class] += 1;
-                }
+    let tables = shares(labels.len()).into_iter().par_map(|share| {
+        let mut table: Table = empty();
+        for (&label, &value) in labels[share.clone()].iter().zip(&response[share]) {
+            if let Some(class) = class(label) {
+                // Rising with the value, so that the bins from one up are all above a threshold
+                let bin = ((value - low) * scale) as usize;
+                table[bin.min(BINS - 1)][class] += 1;
             }
-            table
-        })
-        .reduce(empty, |mut a, b| {
-            for (a, b) in a.iter_mut().zip(b) {
-                *a = [a[0] + b[0], a[1] + b[1]];
-            }
-            a
-        })
+        }
+        table
+    });
+    tables.into_iter().fold(empty(), |mut a, b| {
+        for (a, b) in a.iter_mut().zip(b) {
+            *a = [a[0] + b[0], a[1] + b[1]];
+        }
+        a
+    })
 }
 
 #[cfg(test)]

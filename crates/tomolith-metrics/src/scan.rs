@@ -46,12 +46,12 @@ use super::buckets::{
 use super::spread::{Spread, Sums, spread};
 use iou::Fraction;
 pub use iou::Plateau;
-use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 use tomolith_core::dose::Run;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::BLOCK;
+use tomolith_core::parallel::InParallel;
 
 /// Open buckets that are counted in one pass, at most: 32 MB per thread.
 const OPEN_AT_ONCE: usize = 4096;
@@ -98,9 +98,8 @@ impl<'a> Scan<'a> {
         let pass = run.part(PASS);
         let steps = pass.steps(labels.len().div_ceil(BLOCK));
         let parts: Vec<Share> = shares(labels.len())
-            .into_par_iter()
-            .map(|share| count_share(&labels[share.clone()], &response[share], &steps))
-            .collect();
+            .into_iter()
+            .par_map(|share| count_share(&labels[share.clone()], &response[share], &steps));
         run.check()?;
         drop(pass);
         let blocks: Vec<[Sums; 2]> = parts.iter().flat_map(|p| p.1.iter().copied()).collect();
@@ -257,9 +256,8 @@ impl<'a> Scan<'a> {
             }
             let pass = self.run.part(PASS);
             let steps = pass.steps(self.labels.len().div_ceil(BLOCK));
-            let tables: Vec<Vec<[u32; 2]>> = shares(self.labels.len())
-                .into_par_iter()
-                .map(|share| {
+            let tables: Vec<Vec<[u32; 2]>> =
+                shares(self.labels.len()).into_iter().par_map(|share| {
                     let mut table = vec![[0u32; 2]; wanted.len() * FINE];
                     let blocks = self.labels[share.clone()]
                         .chunks(BLOCK)
@@ -276,8 +274,7 @@ impl<'a> Scan<'a> {
                         }
                     }
                     table
-                })
-                .collect();
+                });
             for (slot, &i) in wanted.iter().enumerate() {
                 let top = self.buckets[i].top << FINE_BITS;
                 let values = (0..FINE)

@@ -36,10 +36,11 @@
 use super::isosurface::{Isosurface, isosurface_of, rows_of};
 use super::nearest::TriangleTree;
 use super::print::Print;
-use rayon::prelude::*;
+use rayon::slice::ParallelSliceMut;
 use serde::Serialize;
 use tomolith_core::dose::Run;
 use tomolith_core::grid::VolumeGrid;
+use tomolith_core::parallel::{InParallel, table};
 
 /// Voxels up to which surfaces are taken on the print's own grid.
 const FULL_RESOLUTION: usize = 200_000_000;
@@ -125,17 +126,12 @@ pub(super) fn deviation(print: &Print<'_>) -> Option<Deviation> {
     if run.is_canceled() {
         return None;
     }
-    let signed = |(corner, (distance, _)): (&[f32; 3], (f32, f64))| {
-        let at_mm = corner.map(f64::from);
+    let signed = |i: usize| {
+        let (at_mm, distance) = (printed.corners[i].map(f64::from), distances[i].0);
         let share = value_at(print.grid(), at_mm, |i, row| print.target_row(i, row));
         1e3 * if share < 0.5 { distance } else { -distance }
     };
-    let off_um = printed
-        .corners
-        .par_iter()
-        .zip(distances)
-        .map(signed)
-        .collect();
+    let off_um = table(distances.len(), signed);
     Some(Deviation {
         surface: printed,
         off_um,
@@ -306,9 +302,9 @@ fn averaged(
     let mut values = vec![0.0; coarse.len()];
     let planes = run.steps(shape[0]);
     values
-        .par_chunks_mut(shape[1] * shape[2])
+        .chunks_mut(shape[1] * shape[2])
         .enumerate()
-        .for_each_init(
+        .par_each_with(
             || (vec![0.0f32; grid.shape[2]], vec![0.0f64; shape[2]]),
             |(row, sums), (z, plane)| {
                 if planes.is_canceled() {
@@ -337,10 +333,7 @@ fn averaged(
 fn distances(from: &Isosurface, to: &Isosurface, run: &Run) -> Vec<(f32, f64)> {
     let tree = TriangleTree::under(to, run);
     let runs = run.steps(from.corners.len().div_ceil(RUN));
-    let areas: Vec<f64> = (0..from.triangles.len())
-        .into_par_iter()
-        .map(|i| from.area_of(i) / 3.0)
-        .collect();
+    let areas = table(from.triangles.len(), |i| from.area_of(i) / 3.0);
     let mut weights = vec![0.0; from.corners.len()];
     for (triangle, area) in from.triangles.iter().zip(areas) {
         for &corner in triangle {
@@ -348,32 +341,27 @@ fn distances(from: &Isosurface, to: &Isosurface, run: &Run) -> Vec<(f32, f64)> {
         }
     }
     from.corners
-        .par_chunks(RUN)
-        .zip(weights.par_chunks(RUN))
-        .filter(|_| {
+        .chunks(RUN)
+        .zip(weights.chunks(RUN))
+        .par_map(|(corners, weights)| {
             runs.add(1);
-            !runs.is_canceled()
-        })
-        .flat_map_iter(|(corners, weights)| {
+            let mut found = Vec::new();
+            if runs.is_canceled() {
+                return found;
+            }
             let mut before: Option<([f32; 3], f32)> = None;
-            corners
-                .iter()
-                .zip(weights)
-                .map(move |(&p, &weight)| (p, weight))
-                .map({
-                    let tree = &tree;
-                    move |(p, weight)| {
-                        let bound = before.map_or(f32::INFINITY, |(q, d)| {
-                            let step: f32 = (0..3).map(|i| (p[i] - q[i]).powi(2)).sum();
-                            d + step.sqrt()
-                        });
-                        let distance = tree.distance(p, bound);
-                        before = Some((p, distance));
-                        (distance, weight)
-                    }
-                })
+            for (&p, &weight) in corners.iter().zip(weights) {
+                let bound = before.map_or(f32::INFINITY, |(q, d)| {
+                    let step: f32 = (0..3).map(|i| (p[i] - q[i]).powi(2)).sum();
+                    d + step.sqrt()
+                });
+                let distance = tree.distance(p, bound);
+                before = Some((p, distance));
+                found.push((distance, weight));
+            }
+            found
         })
-        .collect()
+        .concat()
 }
 
 #[cfg(test)]

@@ -5,9 +5,9 @@
 //! elsewhere. Doses are those of the active species; with pure Radon (a sum of fluences) the shares mean nothing.
 
 use super::{List, TOMOLITH};
-use rayon::prelude::*;
 use tomolith_core::field::BLOCK;
 use tomolith_core::grid::{Patterns, Volume};
+use tomolith_core::parallel::InParallel;
 use tomolith_core::target::label;
 
 /// Energies of a print, in the unit of its doses times mm³.
@@ -28,9 +28,9 @@ pub struct LightBudget {
 pub fn light_budget(dose: &Volume<f32>, labels: &Volume<u8>, patterns: &[Patterns]) -> LightBudget {
     let sums: Vec<[f64; 3]> = dose
         .values
-        .par_chunks(BLOCK)
-        .zip(labels.values.par_chunks(BLOCK))
-        .map(|(dose, labels)| {
+        .chunks(BLOCK)
+        .zip(labels.values.chunks(BLOCK))
+        .par_map(|(dose, labels)| {
             let mut sums = [0.0; 3];
             for (&d, &l) in dose.iter().zip(labels) {
                 let at = match l {
@@ -41,16 +41,14 @@ pub fn light_budget(dose: &Volume<f32>, labels: &Volume<u8>, patterns: &[Pattern
                 sums[at] += f64::from(d);
             }
             sums
-        })
-        .collect();
+        });
     let voxel = dose.grid.voxel_mm3();
     let of = |at: usize| voxel * sums.iter().map(|s| s[at]).sum::<f64>();
     let sent = patterns.iter().map(|light| {
         let sums: Vec<f64> = light
             .values
-            .par_chunks(BLOCK)
-            .map(|b| b.iter().map(|&x| f64::from(x)).sum())
-            .collect();
+            .chunks(BLOCK)
+            .par_map(|b| b.iter().map(|&x| f64::from(x)).sum());
         sums.iter().sum::<f64>() * light.grid.pixel_mm2()
     });
     LightBudget {

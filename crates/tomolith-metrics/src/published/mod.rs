@@ -64,11 +64,11 @@ use super::Measure;
 use super::print::{PatternStats, Print};
 use super::scan::Scan;
 use norms::TargetBand;
-use rayon::prelude::*;
 use serde::Serialize;
 use slices::Slice;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Patterns, Volume};
+use tomolith_core::parallel::table;
 use tomolith_core::response::{Identity, Response};
 use tomolith_core::units::exact;
 
@@ -455,11 +455,9 @@ fn thresholds_of(
             return Some(best.iou);
         }
         // All that happens in [0, 1] happens at a dose in it; rare, so it may cost a copy
-        let inside: Vec<f32> = dose
-            .values
-            .par_iter()
-            .map(|d| d.clamp(0.0, 1.0f32.next_up()))
-            .collect();
+        let inside = table(dose.values.len(), |i| {
+            dose.values[i].clamp(0.0, 1.0f32.next_up())
+        });
         let scan = Scan::new(&labels.values, &inside).ok()?;
         Some(scan.best_plateau()?.iou)
     });

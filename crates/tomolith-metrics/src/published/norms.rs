@@ -12,9 +12,9 @@
 //! objective, `bclp`.
 
 use super::super::buckets::{key, value_of};
-use rayon::prelude::*;
 use tomolith_core::field::BLOCK;
 use tomolith_core::grid::Volume;
+use tomolith_core::parallel::InParallel;
 use tomolith_core::response::Response;
 use tomolith_core::target::label;
 
@@ -88,11 +88,8 @@ pub(super) fn band_errors(
 ) -> [[BandError; 3]; 2] {
     let labels = &band.labels.values;
     let is_identity = response.is_identity();
-    let blocks: Vec<[[BandError; 3]; 2]> = dose
-        .values
-        .par_chunks(BLOCK)
-        .enumerate()
-        .map(|(b, block)| {
+    let blocks: Vec<[[BandError; 3]; 2]> =
+        dose.values.chunks(BLOCK).enumerate().par_map(|(b, block)| {
             let mut sums = [[BandError::default(); 3]; 2];
             for (k, &d) in block.iter().enumerate() {
                 let i = b * BLOCK + k;
@@ -109,8 +106,7 @@ pub(super) fn band_errors(
                 }
             }
             sums
-        })
-        .collect();
+        });
     std::array::from_fn(|tolerance| {
         std::array::from_fn(|region| {
             BandError::joined(blocks.iter().map(|b| &b[tolerance][region]))
@@ -131,26 +127,23 @@ pub(super) fn largest_index(
     let thresholds: Vec<f64> = thresholds.collect();
     let passed = Passed::new(&thresholds);
     // Voxels whose dose lies between two thresholds, of the part and of the rest
-    let cells = dose
+    let blocks = dose
         .values
-        .par_chunks(BLOCK)
-        .zip(labels.values.par_chunks(BLOCK))
-        .map(|(dose, labels)| {
+        .chunks(BLOCK)
+        .zip(labels.values.chunks(BLOCK))
+        .par_map(|(dose, labels)| {
             let mut cells = vec![[0u64; 2]; thresholds.len() + 1];
             for (&d, &l) in dose.iter().zip(labels) {
                 cells[passed.by(d)][usize::from(l != label::PART)] += 1;
             }
             cells
-        })
-        .reduce(
-            || vec![[0; 2]; thresholds.len() + 1],
-            |a, b| {
-                a.iter()
-                    .zip(&b)
-                    .map(|(a, b)| [a[0] + b[0], a[1] + b[1]])
-                    .collect()
-            },
-        );
+        });
+    let mut cells = vec![[0u64; 2]; thresholds.len() + 1];
+    for block in blocks {
+        for (cell, more) in cells.iter_mut().zip(block) {
+            *cell = [cell[0] + more[0], cell[1] + more[1]];
+        }
+    }
     let part: u64 = cells.iter().map(|c| c[0]).sum();
     let (mut above, mut best) = ([0u64; 2], 0.0f64);
     for cell in cells[1..].iter().rev() {

@@ -6,9 +6,9 @@
 //! used for the Jaccard index of Kelly et al. 2019 (Li et al. 2024, supplement S.8).
 
 use super::super::scan::Scan;
-use rayon::prelude::*;
 use tomolith_core::field::BLOCK;
 use tomolith_core::grid::Volume;
+use tomolith_core::parallel::InParallel;
 use tomolith_core::target::label;
 
 const BINS: usize = 256;
@@ -47,9 +47,9 @@ pub fn otsu(dose: &Volume<f32>, labels: &Volume<u8>, scan: &Scan<'_>) -> Option<
 fn histogram(dose: &Volume<f32>, labels: &Volume<u8>, low: f64, width: f64) -> Vec<(f64, f64)> {
     let blocks: Vec<Vec<(f64, f64)>> = dose
         .values
-        .par_chunks(BLOCK)
-        .zip(labels.values.par_chunks(BLOCK))
-        .map(|(dose, labels)| {
+        .chunks(BLOCK)
+        .zip(labels.values.chunks(BLOCK))
+        .par_map(|(dose, labels)| {
             let mut bins = vec![(0.0, 0.0); BINS];
             for (&d, _) in dose
                 .iter()
@@ -61,8 +61,7 @@ fn histogram(dose: &Volume<f32>, labels: &Volume<u8>, low: f64, width: f64) -> V
                 *bin = (bin.0 + 1.0, bin.1 + d);
             }
             bins
-        })
-        .collect();
+        });
     let mut bins = vec![(0.0, 0.0); BINS];
     for block in blocks {
         bins.iter_mut()

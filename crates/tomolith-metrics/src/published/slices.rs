@@ -1,10 +1,10 @@
 //! The same numbers slice by slice: how even a print is along the axis (Pellizzon et al., figure 15).
 
 use super::{List, Measure};
-use rayon::prelude::*;
 use serde::Serialize;
 use tomolith_core::dose::Run;
 use tomolith_core::grid::Volume;
+use tomolith_core::parallel::InParallel;
 use tomolith_core::target::label;
 
 /// Numbers of one slice perpendicular to the axis; not defined without part, or without void.
@@ -54,17 +54,16 @@ pub(super) fn slices_under(
         let (part, void) = (of(label::PART), of(label::VOID));
         slice(dose.grid.z(iz), part, void, trim_percent)
     };
-    let slices = dose.values.par_chunks(size);
+    let slices = dose.values.chunks(size);
     let steps = run.steps(dose.grid.shape[0]);
-    slices
-        .zip(labels.values.par_chunks(size))
+    let slices = slices
+        .zip(labels.values.chunks(size))
         .enumerate()
-        .filter(|_| {
+        .par_map(|slice| {
             steps.add(1);
-            !steps.is_canceled()
-        })
-        .map(each)
-        .collect()
+            (!steps.is_canceled()).then(|| each(slice))
+        });
+    slices.into_iter().flatten().collect()
 }
 
 fn slice(z_mm: f64, mut part: Vec<f32>, mut void: Vec<f32>, alpha: f64) -> Slice {
