@@ -8,12 +8,12 @@
 //! **Cost** of a frame: its active pixels times those of the spread, as sums along z.
 
 use super::{DoseModel, HostModel, PatternLayout, Run, ZCoupling, frames_of, own_frames};
-use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::error::Result;
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::forward;
+use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
 use tomolith_optics::point_spread::PointSpread;
 
@@ -110,7 +110,7 @@ impl Blurred {
                 (image, rest) = rest.split_at_mut(sink.elements_of(frame..frame + 1).len());
                 images.push((frame, image));
             }
-            images.into_par_iter().for_each(|(frame, image)| {
+            images.into_iter().par_each(|(frame, image)| {
                 let carried = Carried {
                     source,
                     sink,

@@ -18,9 +18,9 @@
 //! Waves shorter than three cells stay smeared, and edges of light within a cell are rounded: docs/scattering.md.
 
 use crate::DoseLayout;
-use rayon::prelude::*;
 use std::ops::Add;
 use std::sync::Arc;
+use tomolith_core::parallel::lines;
 
 /// Second moments along x, y, z, mm².
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,8 +93,7 @@ pub(super) fn full_cells(
         })
     };
     let mut all = vec![false; layout.len()];
-    let lines = all.par_chunks_mut(layout.row).enumerate();
-    lines.for_each(|(i, line)| {
+    lines(&mut all, layout.row, |i, line| {
         let (x, y) = (layout.grid.x(i % nx), layout.grid.y(i / nx));
         for (z, full) in line[..nz].iter_mut().enumerate() {
             *full = is_full([x, y, layout.grid.z(z)]);
@@ -120,8 +119,7 @@ impl Sharpen {
         let row = self.layout.row;
         let [along_x, along_y, along_z] = self.strength;
         let mut sharp = field.to_vec();
-        let lines = sharp[self.layout.range()].par_chunks_mut(row).enumerate();
-        lines.for_each(|(i, line)| {
+        lines(&mut sharp[self.layout.range()], row, |i, line| {
             let (y, x) = (i / nx, i % nx);
             let (own, is_full) = (&field[i * row..][..nz], &self.is_full[i * row..][..nz]);
             let mut take = |from: Option<usize>, strength: f32| {

@@ -5,9 +5,9 @@
 //! that part of its dose ([`Coarse::with_shares`]) where cells hold what resin would get.
 
 use crate::layout::DoseLayout;
-use rayon::prelude::*;
 use std::sync::Arc;
 use tomolith_core::grid::VolumeGrid;
+use tomolith_core::parallel::InParallel;
 
 /// The coarse cells of a grid of voxels.
 #[derive(Clone, Debug)]
@@ -91,10 +91,10 @@ impl Coarse {
         let [of_x, of_y, of_z] = &self.places;
         let fine_row = self.fine.row;
         fine[self.fine.range()]
-            .par_chunks_mut(fine_row * self.fine.grid.shape[2])
+            .chunks_mut(fine_row * self.fine.grid.shape[2])
             .zip(of_y)
             .enumerate()
-            .for_each_init(
+            .par_each_with(
                 || vec![0.0; row],
                 |line, (of_voxels, (voxels, &(y, next_y)))| {
                     let planes = [
@@ -128,9 +128,9 @@ impl Coarse {
         let fine_row = self.fine.row;
         // Along z and x within every y of voxels, then along y
         let planes: Vec<Vec<f32>> = fine[self.fine.range()]
-            .par_chunks(fine_row * self.fine.grid.shape[2])
+            .chunks(fine_row * self.fine.grid.shape[2])
             .enumerate()
-            .map(|(of_voxels, voxels)| {
+            .par_map(|(of_voxels, voxels)| {
                 let (mut sums, mut line) = (vec![0.0; plane], vec![0.0; row]);
                 let voxels = voxels.chunks_exact(fine_row).zip(of_x).enumerate();
                 for (i, (voxels, &(x, next_x))) in voxels {
@@ -147,24 +147,20 @@ impl Coarse {
                     }
                 }
                 sums
-            })
-            .collect();
-        cells
-            .par_chunks_mut(plane)
-            .enumerate()
-            .for_each(|(y, cells)| {
-                cells.fill(0.0);
-                for (sums, &(below, next)) in planes.iter().zip(of_y) {
-                    let weight = match y.checked_sub(below) {
-                        Some(0) => 1.0 - next,
-                        Some(1) => next,
-                        _ => continue,
-                    };
-                    for (cell, sum) in cells.iter_mut().zip(sums) {
-                        *cell += weight * sum;
-                    }
-                }
             });
+        cells.chunks_mut(plane).enumerate().par_each(|(y, cells)| {
+            cells.fill(0.0);
+            for (sums, &(below, next)) in planes.iter().zip(of_y) {
+                let weight = match y.checked_sub(below) {
+                    Some(0) => 1.0 - next,
+                    Some(1) => next,
+                    _ => continue,
+                };
+                for (cell, sum) in cells.iter_mut().zip(sums) {
+                    *cell += weight * sum;
+                }
+            }
+        });
     }
 }
 

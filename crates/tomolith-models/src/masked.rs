@@ -8,13 +8,13 @@
 //! **Cost** a copy of the patterns per call, none where no pixel is dark and the factor is 1.
 
 use super::{DoseModel, HostModel, PatternLayout, Quantity, Run, elements_of};
-use rayon::prelude::*;
 use std::borrow::Cow;
 use std::ops::Range;
 use tomolith_core::error::Result;
-use tomolith_core::field::{Field, HostField};
+use tomolith_core::field::{BLOCK, Field, HostField};
 use tomolith_core::forward;
 use tomolith_core::grid::Volume;
+use tomolith_core::parallel::{InParallel, table};
 
 /// A model with dark pixels, a factor, both or none: the one place for either.
 pub struct MaskedModel {
@@ -52,7 +52,7 @@ pub fn pixels_through(
     }
     let mut light = model.new_patterns()?;
     model.pullback(&light.zeros_like(), &marked, &mut light, run)?;
-    Ok(light.as_slice().par_iter().map(|&v| v > 0.0).collect())
+    Ok(table(light.len(), |i| light.as_slice()[i] > 0.0))
 }
 
 impl MaskedModel {
@@ -113,15 +113,19 @@ impl MaskedModel {
             darken(x, &self.dark[elements]);
         }
         if self.factor != 1.0 {
-            x.par_iter_mut().for_each(|x| *x *= self.factor);
+            let blocks = x.chunks_mut(BLOCK);
+            blocks.par_each(|x| x.iter_mut().for_each(|x| *x *= self.factor));
         }
     }
 }
 
 /// Sets dark pixels to 0; none are where `dark` is empty.
 pub fn darken(x: &mut [f32], dark: &[bool]) {
-    let pairs = x.par_iter_mut().zip(dark);
-    pairs.for_each(|(x, &dark)| *x = if dark { 0.0 } else { *x });
+    let blocks = x.chunks_mut(BLOCK).zip(dark.chunks(BLOCK));
+    blocks.par_each(|(x, dark)| {
+        let pixels = x.iter_mut().zip(dark);
+        pixels.for_each(|(x, &dark)| *x = if dark { 0.0 } else { *x });
+    });
 }
 
 impl DoseModel for MaskedModel {

@@ -45,7 +45,6 @@ use super::{
     Capabilities, DoseLayout, DoseModel, HostModel, LinearOperator, MakeFamily, ModelFamily,
     ModelInput, ModelKind, OpticalScene, PatternLayout, Quantity, Run, ZCoupling,
 };
-use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
@@ -55,6 +54,7 @@ use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
 use tomolith_core::host_fields;
+use tomolith_core::parallel::{InParallel, lines};
 use tomolith_io::csr::Csr;
 
 /// Keys of `[model.matrix]`.
@@ -526,17 +526,15 @@ impl LinearOperator for MatrixModel {
         let layout = &self.outputs[0];
         let items = layout.grid.shape[0] / self.depth;
         let x = x.as_slice();
-        dose.as_mut_slice()[layout.range()]
-            .par_chunks_mut(layout.row)
-            .enumerate()
-            .for_each(|(place, lanes)| {
-                if run.is_canceled() {
-                    return;
-                }
-                for (i, out) in lanes.chunks_mut(self.depth).take(items).enumerate() {
-                    self.forward.add(place * items + i, x, &range, out);
-                }
-            });
+        let dose = &mut dose.as_mut_slice()[layout.range()];
+        lines(dose, layout.row, |place, lanes| {
+            if run.is_canceled() {
+                return;
+            }
+            for (i, out) in lanes.chunks_mut(self.depth).take(items).enumerate() {
+                self.forward.add(place * items + i, x, &range, out);
+            }
+        });
         canceled(run)
     }
 
@@ -552,9 +550,9 @@ impl LinearOperator for MatrixModel {
         let elements = self.elements_of(frames);
         let first = elements.start / self.depth;
         grad.as_mut_slice()[elements]
-            .par_chunks_mut(ranks * self.depth)
+            .chunks_mut(ranks * self.depth)
             .enumerate()
-            .for_each(|(chunk, grad)| {
+            .par_each(|(chunk, grad)| {
                 if run.is_canceled() {
                     return;
                 }

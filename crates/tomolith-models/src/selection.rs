@@ -11,10 +11,10 @@
 
 use super::layout::{PatternLayout, PixelRun};
 use super::{DoseModel, Run};
-use rayon::prelude::*;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::Volume;
+use tomolith_core::parallel::{InParallel, elements};
 use tomolith_optics::light::{Light, Selection};
 
 /// What pixels bring to the wanted voxels (file order `[z, y, x]`, any value but 0): the adjoint of an indicator. Of cut voxels the
@@ -67,17 +67,27 @@ pub fn chosen(
                 brought(first + i) > 0.0 && selection.allows(at)
             })
         };
-        chosen.par_extend(layout.runs.par_iter().enumerate().flat_map_iter(of_run));
+        let frames = layout
+            .runs
+            .chunks(columns)
+            .enumerate()
+            .par_map(|(frame, runs)| {
+                let runs = (frame * columns..).zip(runs);
+                runs.flat_map(of_run).collect::<Vec<bool>>()
+            });
+        chosen.extend(frames.iter().flatten());
         // Of the pixels that may be lit the best one is the measure
         let own = layout.range();
-        let light = chosen[own.clone()].par_iter().zip(own.clone());
+        let light = chosen[own.clone()].iter().zip(own.clone());
         let best = light
             .map(|(&chosen, i)| if chosen { brought(i) } else { 0.0 })
-            .reduce(|| 0.0, f32::max);
+            .fold(0.0, f32::max);
         let least = (f64::from(best) * selection.min_contribution) as f32;
         if least > 0.0 {
-            let light = chosen[own.clone()].par_iter_mut().zip(own);
-            light.for_each(|(chosen, i)| *chosen &= brought(i) >= least);
+            let first = own.start;
+            elements(&mut chosen[own], |i, chosen| {
+                *chosen &= brought(first + i) >= least
+            });
         }
     }
     chosen

@@ -26,10 +26,10 @@
 
 use crate::several::{Joint, Several, SharedModel};
 use crate::{DoseLayout, DoseModel, HostModel, PatternLayout, own_frames};
-use rayon::prelude::*;
 use std::ops::Range;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{BLOCK, Field, HostField};
+use tomolith_core::parallel::InParallel;
 
 /// Models of single lights, and the matrix M.
 pub type SpectralMixing = Several<Mixing>;
@@ -115,8 +115,8 @@ impl SpectralMixing {
 
 /// sum += m·v
 fn add_scaled(sum: &mut [f32], m: f32, v: &[f32]) {
-    let blocks = sum.par_chunks_mut(BLOCK).zip(v.par_chunks(BLOCK));
-    blocks.for_each(|(sum, v)| sum.iter_mut().zip(v).for_each(|(s, &v)| *s += m * v));
+    let blocks = sum.chunks_mut(BLOCK).zip(v.chunks(BLOCK));
+    blocks.par_each(|(sum, v)| sum.iter_mut().zip(v).for_each(|(s, &v)| *s += m * v));
 }
 
 impl Joint for Mixing {

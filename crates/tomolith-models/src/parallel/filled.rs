@@ -4,12 +4,13 @@
 //! voxels and two in three pixels are exactly 0. Both kernels ask this page before they multiply. What is left out would
 //! have added 0, so results are the same to the bit.
 
+use super::TOGETHER;
 use super::kernel::{Block, Entries, MAX_BLOCK};
 use super::strips::Major;
 use super::tiles::{TILE, Tile, TileEntries};
-use rayon::prelude::*;
 use std::ops::Range;
 use tomolith_core::field::LANES;
+use tomolith_core::parallel::{InParallel, table};
 
 /// Vectors of 16 lanes in a short block at most. Longer blocks, up to [`MAX_BLOCK`], are faster where little is 0 (their
 /// weights are read less often), shorter ones are more often empty.
@@ -41,8 +42,11 @@ fn cut(row: usize, vectors: Range<usize>, longest: usize) -> impl Iterator<Item 
 fn held(lanes: &[f32], row: usize, used: usize) -> Range<usize> {
     let is_held = |&vector: &usize| {
         let own = vector * LANES..(vector + 1) * LANES;
-        let rows = lanes.par_chunks_exact(row * LANES);
-        rows.any(|lanes| is_filled(&lanes[own.clone()]))
+        let parts = lanes.chunks(TOGETHER * row * LANES).par_map(|rows| {
+            let mut rows = rows.chunks_exact(row * LANES);
+            rows.any(|lanes| is_filled(&lanes[own.clone()]))
+        });
+        parts.contains(&true)
     };
     let Some(first) = (0..used).find(is_held) else {
         return 0..0;
@@ -66,10 +70,9 @@ impl Filled {
         let long: Vec<Block> = cut(row, held(lanes, row, used), MAX_BLOCK).collect();
         let parts = |block: &Block| cut(row, block.first..block.first + block.count, SHORT);
         let short: Vec<Block> = long.iter().flat_map(parts).collect();
-        let rows: Vec<u64> = lanes
-            .par_chunks_exact(row * LANES)
-            .map(|lanes| bits_of(lanes, &short))
-            .collect();
+        let rows = table(lanes.len() / (row * LANES), |i| {
+            bits_of(&lanes[i * row * LANES..][..row * LANES], &short)
+        });
         // Which bits of short blocks make one of a long one
         let masks: Vec<u64> = long
             .iter()
@@ -80,14 +83,14 @@ impl Filled {
                 within.fold(0, |bits, (i, _)| bits | bit(i))
             })
             .collect();
-        let of_long = |bits: &u64| {
+        let of_long = |bits: u64| {
             let filled = masks
                 .iter()
                 .enumerate()
                 .filter(|(_, mask)| bits & **mask != 0);
             filled.fold(0, |bits, (i, _)| bits | bit(i))
         };
-        let rows_of_long: Vec<u64> = rows.par_iter().map(of_long).collect();
+        let rows_of_long = table(rows.len(), |i| of_long(rows[i]));
         let [short, long] =
             [(short, rows), (long, rows_of_long)].map(|(blocks, rows)| Filled { blocks, rows });
         if COST_IN_SHORT * short.share() < long.share() {
@@ -99,7 +102,7 @@ impl Filled {
 
     /// Share of the blocks of all rows that hold anything.
     fn share(&self) -> f64 {
-        let filled: u64 = (self.rows.par_iter())
+        let filled: u64 = (self.rows.iter())
             .map(|bits| u64::from(bits.count_ones()))
             .sum();
         filled as f64 / (self.rows.len() * self.blocks.len()).max(1) as f64

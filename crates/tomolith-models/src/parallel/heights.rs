@@ -3,12 +3,13 @@
 //! A pixel is a box, so a voxel receives the mean over its height: Σ overlap(row, voxel)/pitch · value. Exact for any ratio
 //! of the two pitches and any offset.
 
+use super::TOGETHER;
 use super::chains::{Avx512, LOOKED_UP};
 use super::filled::is_filled;
 use crate::layout::{PixelRun, row_of};
-use rayon::prelude::*;
 use tomolith_core::field::{HostField, LANES};
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
+use tomolith_core::parallel::InParallel;
 
 /// Intervals of equal height, one above the other: rows of pixels or slices of voxels.
 #[derive(Clone, Debug)]
@@ -143,15 +144,18 @@ impl Spread {
         let buffers = || [(); 2].map(|()| vec![0.0; self.heights.buffer()]);
         lanes
             .as_mut_slice()
-            .par_chunks_exact_mut(self.row)
-            .zip(slices.par_chunks_exact(self.row_of_slices))
-            .for_each_init(buffers, |[buffer, rows], (lanes, slices)| {
-                let (values, padding) = lanes.split_at_mut(self.heights.rows);
-                padding.fill(0.0);
-                if is_filled(slices) {
-                    (self.heights).collect(slices, self.all_rows(), values, buffer, rows);
-                } else {
-                    values.fill(0.0);
+            .chunks_mut(TOGETHER * self.row)
+            .zip(slices.chunks(TOGETHER * self.row_of_slices))
+            .par_each_with(buffers, |[buffer, rows], (lanes, slices)| {
+                let lanes = lanes.chunks_exact_mut(self.row);
+                for (lanes, slices) in lanes.zip(slices.chunks_exact(self.row_of_slices)) {
+                    let (values, padding) = lanes.split_at_mut(self.heights.rows);
+                    padding.fill(0.0);
+                    if is_filled(slices) {
+                        (self.heights).collect(slices, self.all_rows(), values, buffer, rows);
+                    } else {
+                        values.fill(0.0);
+                    }
                 }
             });
     }

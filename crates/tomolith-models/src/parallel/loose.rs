@@ -9,8 +9,8 @@ use super::Parallel;
 use super::plan::LightPlan;
 use super::tiles::{Local, Meeting, Slots, TILE, TileEntries};
 use crate::Run;
-use rayon::prelude::*;
 use tomolith_core::error::{Error, Result};
+use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
 
 /// Bytes that are kept of a light at most, by [`OF_MEETING`].
@@ -57,7 +57,7 @@ impl Loose {
             }
             found
         };
-        let found = places.par_iter().map(find).collect();
+        let found = places.iter().par_map(find);
         if run.is_canceled() {
             return Err(Error::Canceled);
         }

@@ -13,9 +13,9 @@
 use super::strips::{Beam, Major, Strip};
 use super::tiles::{Local, TILE, TileEntries};
 use super::walls::Walls;
-use rayon::prelude::*;
 use std::sync::Arc;
 use tomolith_core::grid::VolumeGrid;
+use tomolith_core::parallel::InParallel;
 use tomolith_optics::absorption_map::AbsorptionMap;
 use tomolith_optics::resin::Resin;
 
@@ -59,10 +59,7 @@ impl Mapped {
             .map(|i| mapped.sampled((i % nx) as i64, (i / nx) as i64))
             .map(|both| both.map(|v| v as f32))
             .collect();
-        mapped.depths = beams
-            .par_iter()
-            .map(|beam| mapped.depths_of(beam))
-            .collect();
+        mapped.depths = beams.iter().par_map(|beam| mapped.depths_of(beam));
         mapped
     }
 

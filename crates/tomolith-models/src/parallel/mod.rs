@@ -86,14 +86,13 @@ use crate::{
 };
 use cached::{Bench, CachedEntries};
 use chains::GUARD;
-use filled::{Filled, FilledTile, NeededEntries};
+use filled::{Filled, NeededEntries};
 use gather::Gatherer;
 use heights::Spread;
 use kernel::Isa;
 use loose::Loose;
 use plan::{KernelPath, LightPlan};
 pub use radon::Kernel;
-use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
@@ -103,6 +102,7 @@ use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField, LANES};
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::host_fields;
+use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 
@@ -207,6 +207,8 @@ pub struct Parallel {
 
 /// Views whose entries are sorted together: more need more cache, fewer more passes over the dose.
 const GROUP: usize = 8;
+/// Rows of lanes that one thread does in a row.
+const TOGETHER: usize = 256;
 
 /// Floats of dose that stay in a second-level cache of 2 MB beside the columns that light them.
 const CACHED: usize = 320 << 10;
@@ -360,9 +362,9 @@ impl Parallel {
         let neighbors = neighbors(row);
         let DoseLayout { row, grid, .. } = &self.outputs[0];
         tile_rows(&self.tiles, dose, *row, grid.shape[2])
-            .par_chunks_mut(neighbors)
+            .chunks_mut(neighbors)
             .enumerate()
-            .for_each_init(Default::default, |desk: &mut Desk, (i, tiles)| {
+            .par_each_with(Default::default, |desk: &mut Desk, (i, tiles)| {
                 let first = i * neighbors;
                 match &plan.levels.spread {
                     None => self.gather(
@@ -480,8 +482,7 @@ impl Parallel {
         let chunks = chunks(views.clone(), period, chunk);
         let neighbors = neighbors(row);
         let filled = Filled::of(cotangent, row / LANES, plan.levels.used);
-        let of_tiles = self.tiles.par_iter().map(|tile| filled.of_tile(tile, nx));
-        let of_tiles: Vec<FilledTile> = of_tiles.collect();
+        let of_tiles = self.tiles.iter().par_map(|tile| filled.of_tile(tile, nx));
         let per_view = plan.columns * row;
         let used = GUARD * row..(plan.lit.len() + GUARD) * row;
         let mut rest = &mut lanes.as_mut_slice()[used.clone()];
@@ -491,7 +492,7 @@ impl Parallel {
             (views, own.unwrap_or_default())
         });
         let of_chunks: Vec<(Range<usize>, &mut [f32])> = of_chunks.collect();
-        of_chunks.into_par_iter().for_each_init(
+        of_chunks.into_iter().par_each_with(
             Default::default,
             |(entries, bench): &mut ((TileEntries, NeededEntries), Bench), (views, lanes)| {
                 lanes.fill(0.0);
@@ -770,14 +771,14 @@ impl Parallel {
         self.lights
             .iter()
             .map(|plan| {
-                let tiles = self.tiles.par_iter().enumerate();
-                tiles
-                    .map_init(TileEntries::default, |entries, (index, tile)| {
+                let tiles = self.tiles.iter().enumerate();
+                let of_tiles =
+                    tiles.par_map_with(TileEntries::default, |entries, (index, tile)| {
                         (0..plan.turned.period)
                             .map(|view| plan.updates_in(view, index, tile, nz, entries))
                             .sum::<u64>()
-                    })
-                    .sum::<u64>()
+                    });
+                of_tiles.into_iter().sum::<u64>()
             })
             .sum()
     }

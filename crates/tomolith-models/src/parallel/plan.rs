@@ -15,10 +15,10 @@ use super::turned::Turned;
 use super::views::Views;
 use super::walls::Walls;
 use crate::{PatternLayout, Run};
-use rayon::prelude::*;
 use std::ops::Range;
 use tomolith_core::field::LANES;
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
+use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
 use tomolith_optics::trace::Tracer;
 use tomolith_optics::vial::Vial;
@@ -142,17 +142,14 @@ impl LightPlan {
             && is_even
             && kernel == Kernel::DistanceDriven
             && is_straight(vial, light);
-        let combs: Vec<Option<Comb>> = beams
-            .par_iter()
-            .map(|beam| {
-                let comb = || Comb::new(beam, &pixels, grid, &deposit);
-                is_comb.then(comb).flatten()
-            })
-            .collect();
+        let combs: Vec<Option<Comb>> = beams.iter().par_map(|beam| {
+            let comb = || Comb::new(beam, &pixels, grid, &deposit);
+            is_comb.then(comb).flatten()
+        });
         let is_rake = grid.shape[0] == 1 && kernel == Kernel::Line;
         let rake = |beam| is_rake.then(|| Rake::new(beam, &pixels, grid)).flatten();
         let rakes: Vec<Option<Rake>> = beams.iter().map(rake).collect();
-        let bounds: Vec<Vec<Bounds>> = beams.par_iter().map(Bounds::of_beam).collect();
+        let bounds: Vec<Vec<Bounds>> = beams.iter().par_map(Bounds::of_beam);
         let meeting = |tile, ((beam, comb), bounds): ((&Beam, &Option<Comb>), &Vec<Bounds>)| {
             let meeting = tiles::meeting(beam, bounds, comb.as_ref(), &walls, tile);
             let strips = &beam.strips[meeting.first as usize..meeting.end as usize];
@@ -163,20 +160,13 @@ impl LightPlan {
             }
         };
         let steps = run.steps(tiles.len());
-        let meetings = tiles
-            .par_iter()
-            .filter(|_| {
-                steps.add(1);
-                !steps.is_canceled()
-            })
-            .flat_map_iter(|tile| {
-                beams
-                    .iter()
-                    .zip(&combs)
-                    .zip(&bounds)
-                    .map(move |beam| meeting(tile, beam))
-            })
-            .collect();
+        let of_tile = |tile| -> Vec<Meeting> {
+            steps.add(1);
+            let beams = beams.iter().zip(&combs).zip(&bounds);
+            let until_canceled = beams.take_while(|_| !steps.is_canceled());
+            until_canceled.map(|beam| meeting(tile, beam)).collect()
+        };
+        let meetings = tiles.iter().par_map(of_tile).concat();
         let wide = KernelPath::of(Isa::in_use()).wide;
         let (rows, slices) = (Intervals::of_rows(&pixels), Intervals::of_slices(grid));
         let heights = Heights::new(&rows, &slices, wide);
@@ -237,9 +227,9 @@ impl LightPlan {
     ) {
         let per_view = self.columns * row;
         lanes[views.start * per_view..views.end * per_view]
-            .par_chunks_mut(per_view)
+            .chunks_mut(per_view)
             .zip(views)
-            .for_each_init(
+            .par_each_with(
                 || vec![0.0; self.levels.heights.buffer()],
                 |buffer, (lanes, view)| {
                     lanes.fill(0.0);
@@ -275,10 +265,10 @@ impl LightPlan {
             rest = tail;
         }
         pieces
-            .into_par_iter()
-            .zip(of_frames.par_chunks(self.columns))
+            .into_iter()
+            .zip(of_frames.chunks(self.columns))
             .zip(frames)
-            .for_each_init(
+            .par_each_with(
                 || {
                     [
                         vec![0.0; self.levels.heights.buffer()],

@@ -13,9 +13,9 @@ use super::strips::Major;
 use super::tiles::{Local, Meeting, Slots, TILE, Tile, TileEntries};
 use super::{Parallel, tile_rows};
 use crate::Run;
-use rayon::prelude::*;
 use std::ops::Range;
 use tomolith_core::error::{Error, Result};
+use tomolith_core::parallel::InParallel;
 
 /// What one task of the dose needs.
 #[derive(Default)]
@@ -69,9 +69,9 @@ impl Parallel {
         let mut sources = self.borrow_scratch(beams.len() * stride);
         sources
             .as_mut_slice()
-            .par_chunks_mut(stride)
+            .chunks_mut(stride)
             .zip(beams.clone())
-            .for_each(|(source, beam)| {
+            .par_each(|(source, beam)| {
                 if let Some(comb) = &plan.combs[beam] {
                     comb.fill(plan.frame(values, beam), source);
                 }
@@ -80,9 +80,9 @@ impl Parallel {
         let loose = (plan, self.loose(light, run)?);
         let nx = self.outputs[0].grid.shape[2];
         tile_rows(&self.tiles, dose, 1, nx)
-            .into_par_iter()
-            .zip(self.tiles.par_iter().enumerate())
-            .for_each_init(Bench::default, |bench, (mut rows, (index, tile))| {
+            .into_iter()
+            .zip(self.tiles.iter().enumerate())
+            .par_each_with(Bench::default, |bench, (mut rows, (index, tile))| {
                 // Dose of the tile: lanes along x, and along y
                 let mut along: [Square; 2] = [[0.0; TILE * TILE]; 2];
                 for beam in beams.clone() {
@@ -147,9 +147,9 @@ impl Parallel {
             .max(1);
         let loose = self.loose(light, run)?;
         pixels.as_mut_slice()[views.start * plan.columns..views.end * plan.columns]
-            .par_chunks_mut(chunk * plan.columns)
+            .chunks_mut(chunk * plan.columns)
             .enumerate()
-            .for_each_init(Gathering::default, |gathering, (i, pixels)| {
+            .par_each_with(Gathering::default, |gathering, (i, pixels)| {
                 pixels.fill(0.0);
                 let first = views.start + i * chunk;
                 gathering.begin(plan, first..(first + chunk).min(views.end));

@@ -7,9 +7,9 @@
 //! A column that meets a corner or the rim of an inner tube is cut there into several strips.
 
 use super::tiles::Deposit;
-use rayon::prelude::*;
 use std::f64::consts::TAU;
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
+use tomolith_core::parallel::InParallel;
 use tomolith_optics::trace::{PlanarPath, Tracer};
 
 /// A straight line in the resin frame, mm.
@@ -120,9 +120,9 @@ pub(super) fn beams(
     let weight = 1.0 / sub_angles as f64;
     pixels
         .azimuths
-        .par_iter()
+        .iter()
         .enumerate()
-        .flat_map_iter(|(frame, &azimuth)| {
+        .par_map(|(frame, &azimuth)| {
             let mut beams = Vec::with_capacity(2 * sub_angles);
             for sub in 0..sub_angles {
                 let within = (sub as f64 + 0.5) / sub_angles as f64 - 0.5;
@@ -140,7 +140,7 @@ pub(super) fn beams(
             }
             beams
         })
-        .collect()
+        .concat()
 }
 
 /// Traces every column of a frame and cuts it into smooth bundles.

@@ -6,9 +6,9 @@ use super::segment::{Lattice, Segment};
 use super::solid::Pieces;
 use super::traversal::{self, Ways};
 use crate::Run;
-use rayon::prelude::*;
 use std::ops::Range;
 use tomolith_core::error::{Error, Result};
+use tomolith_core::parallel::{InParallel, table};
 use tomolith_optics::space::PathSegment;
 
 /// Rays whose segments are made and used together: they stay in the second-level cache.
@@ -149,8 +149,7 @@ impl Rays {
             }
             found
         };
-        let by_pair: Vec<Vec<(Place, usize, Segment)>> =
-            pairs.into_par_iter().map(of_pair).collect();
+        let by_pair: Vec<Vec<(Place, usize, Segment)>> = pairs.into_iter().par_map(of_pair);
         let mut lit = RayBatch::default();
         for (place, axis, segment) in by_pair.into_iter().flatten() {
             let bundles = match place {
@@ -180,11 +179,8 @@ impl Rays {
     ) {
         for (axis, segments) in bundles.iter().enumerate() {
             let ways = Ways::new(lattice, axis);
-            let sums: Vec<f32> = segments
-                .par_iter()
-                .with_min_len(64)
-                .map(|segment| traversal::collect(self.gait, ways, segment, c))
-                .collect();
+            let sum = |i: usize| traversal::collect(self.gait, ways, &segments[i], c);
+            let sums = table(segments.len(), sum);
             for (segment, sum) in segments.iter().zip(sums) {
                 grad[segment.pixel as usize] += sum;
             }

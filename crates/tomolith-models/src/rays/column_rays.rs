@@ -20,10 +20,10 @@
 use super::{Rays, traversal};
 use crate::parallel::kernel::{Block, Entries, Isa, MAX_BLOCK, accumulate};
 use crate::{DoseLayout, Run};
-use rayon::prelude::*;
 use std::ops::Range;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::LANES;
+use tomolith_core::parallel::{InParallel, lines, table};
 use traversal::Ways;
 
 /// The rays that one sample sends from all rows of a column.
@@ -145,7 +145,7 @@ impl Rays {
             );
             found
         };
-        let by_pair: Vec<Vec<ColumnRay>> = pairs.into_par_iter().map(of_pair).collect();
+        let by_pair: Vec<Vec<ColumnRay>> = pairs.into_iter().par_map(of_pair);
         by_pair.into_iter().flatten().collect()
     }
 }
@@ -171,20 +171,19 @@ pub(super) fn add(column_rays: &[ColumnRay], layout: &DoseLayout, x: &[f32], dos
     let (isa, row) = (Isa::in_use(), layout.row);
     let blocks = blocks(column_rays, layout);
     let mut lanes = vec![0.0; column_rays.len() * row];
-    let is_lit: Vec<bool> = lanes
-        .par_chunks_mut(row)
-        .zip(column_rays)
-        .map(|(lane, column_ray)| {
-            column_ray.rows().for_each(|(pixel, z)| lane[z] += x[pixel]);
-            column_ray.rows().any(|(pixel, _)| x[pixel] != 0.0)
-        })
-        .collect();
+    lines(&mut lanes, row, |i, lane| {
+        let rows = column_rays[i].rows();
+        rows.for_each(|(pixel, z)| lane[z] += x[pixel]);
+    });
+    let is_lit = table(column_rays.len(), |i| {
+        column_rays[i].rows().any(|(pixel, _)| x[pixel] != 0.0)
+    });
     let [_, ny, nx] = layout.grid.shape;
     let tasks = TASKS * rayon::current_num_threads();
     let rows = ny.div_ceil(tasks) * nx;
-    dose.par_chunks_mut(rows * row)
+    dose.chunks_mut(rows * row)
         .enumerate()
-        .for_each(|(task, dose)| {
+        .par_each(|(task, dose)| {
             let own = (task * rows) as u32..((task + 1) * rows) as u32;
             for (i, column_ray) in column_rays.iter().enumerate().filter(|&(i, _)| is_lit[i]) {
                 let entries = column_ray.places.iter().zip(&column_ray.deposits);
@@ -219,7 +218,7 @@ pub(super) fn collect(column_rays: &[ColumnRay], layout: &DoseLayout, c: &[f32],
         }
         lane
     };
-    let lanes: Vec<Vec<f32>> = column_rays.par_iter().map(of_column_ray).collect();
+    let lanes: Vec<Vec<f32>> = column_rays.iter().par_map(of_column_ray);
     for (column_ray, lane) in column_rays.iter().zip(lanes) {
         column_ray
             .rows()

@@ -15,9 +15,9 @@ use super::segment::Segment;
 use super::traversal::{self, Ways};
 use crate::matrix::Rows;
 use crate::{PatternLayout, Run};
-use rayon::prelude::*;
 use std::ops::Range;
 use tomolith_core::error::{Error, Result};
+use tomolith_core::parallel::{InParallel, elements};
 use tomolith_io::csr::Csr;
 
 /// Largest number of cached entries.
@@ -114,27 +114,18 @@ impl RayMatrixCache {
 
     /// sums[place] += what the pixels of a range leave there, for the places from `first` on.
     pub(super) fn add(&self, first: usize, x: &[f32], pixels: &Range<usize>, sums: &mut [f32]) {
-        let each = |(i, sum): (usize, &mut f32)| {
+        elements(sums, |i, sum| {
             (self.places).add(first + i, x, pixels, std::slice::from_mut(sum));
-        };
-        sums.par_iter_mut()
-            .with_min_len(256)
-            .enumerate()
-            .for_each(each);
+        });
     }
 
     /// grad[pixel] = Σ entries · c[place], for the pixels of a range
     pub(super) fn collect(&self, c: &[f32], pixels: &Range<usize>, grad: &mut [f32]) {
-        let each = |(pixel, sum): (usize, &mut f32)| {
+        elements(&mut grad[pixels.clone()], |pixel, sum| {
             *sum = 0.0;
             let pixel = pixels.start + pixel;
             (self.pixels).add(pixel, c, &(0..usize::MAX), std::slice::from_mut(sum));
-        };
-        grad[pixels.clone()]
-            .par_iter_mut()
-            .with_min_len(256)
-            .enumerate()
-            .for_each(each);
+        });
     }
 }
 
@@ -177,12 +168,7 @@ impl Rays {
             }
             all
         };
-        let blocks: Vec<Vec<Entry>> = pixels
-            .clone()
-            .into_par_iter()
-            .step_by(BLOCK)
-            .map(of_block)
-            .collect();
+        let blocks: Vec<Vec<Entry>> = pixels.clone().step_by(BLOCK).par_map(of_block);
         blocks.into_iter().flatten()
     }
 }

@@ -11,11 +11,11 @@
 
 use crate::cells::Cells;
 use crate::layout::DoseLayout;
-use rayon::prelude::*;
 use std::collections::VecDeque;
 use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Volume, VolumeGrid};
+use tomolith_core::parallel::InParallel;
 use tomolith_io::mesh::Mesh;
 use tomolith_optics::projector::Ray;
 use tomolith_optics::surface::Net;
@@ -210,10 +210,8 @@ impl Solid {
                 let at = [grid.x(i % nx), grid.y(i / nx), middle];
                 slices.clone().any(cut).then(|| self.share(at, pieces))
             };
-            let columns: Vec<Option<f64>> = (0..nx * ny)
-                .into_par_iter()
-                .map_init(Pieces::default, |pieces, i| in_plane(i, pieces))
-                .collect();
+            let columns: Vec<Option<f64>> =
+                (0..nx * ny).par_map_with(Pieces::default, |pieces, i| in_plane(i, pieces));
             for (slice, height) in shares.values.chunks_mut(nx * ny).zip(heights) {
                 for (s, share) in slice.iter_mut().zip(&columns) {
                     *s = share.map_or(*s, |share| (share * height) as f32);
@@ -221,15 +219,13 @@ impl Solid {
             }
             return;
         }
-        shares
-            .values
-            .par_iter_mut()
-            .enumerate()
-            .filter(|(_, s)| cut(**s))
-            .for_each_init(Pieces::default, |pieces, (i, s)| {
-                let middle = [grid.x(i % nx), grid.y(i / nx % ny), grid.z(i / (nx * ny))];
+        let rows = shares.values.chunks_mut(nx.max(1)).enumerate();
+        rows.par_each_with(Pieces::default, |pieces, (row, shares)| {
+            for (x, s) in shares.iter_mut().enumerate().filter(|(_, s)| cut(**s)) {
+                let middle = [grid.x(x), grid.y(row % ny), grid.z(row / ny)];
                 *s = self.share(middle, pieces) as f32;
-            });
+            }
+        });
     }
 
     /// The share of a voxel about `middle` that is inside.

@@ -1,11 +1,11 @@
 //! Source of rays: pixels of frames → path segments in the resin.
 
 use super::Emission;
-use rayon::prelude::*;
 use std::f64::consts::{FRAC_PI_4, TAU};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use tomolith_core::grid::PatternGrid;
+use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
 use tomolith_optics::motion::{Motion, turned};
 use tomolith_optics::power_balance::PowerBalance;
@@ -109,14 +109,11 @@ impl Source {
     /// Traces the pixels of a frame at azimuth 0.
     fn trace_once(&self) -> Shared {
         let (columns, rows) = (self.pixels.columns, self.pixels.rows);
-        let by_pixel: Vec<Vec<PathSegment>> = (0..columns * rows)
-            .into_par_iter()
-            .map(|i| {
-                let mut legs = Vec::new();
-                self.trace(i / rows, i % rows, 0.0, |leg| legs.push(leg));
-                legs
-            })
-            .collect();
+        let by_pixel: Vec<Vec<PathSegment>> = (0..columns * rows).par_map(|i| {
+            let mut legs = Vec::new();
+            self.trace(i / rows, i % rows, 0.0, |leg| legs.push(leg));
+            legs
+        });
         let mut starts = vec![0];
         for legs in &by_pixel {
             starts.push(starts[starts.len() - 1] + legs.len() as u32);
@@ -249,7 +246,7 @@ impl Source {
         let rows = self.pixels.rows;
         let pixels = self.pixels.columns * rows;
         let of_pixel = |i: usize| self.balance_of(frame, i / rows, i % rows);
-        let all: Vec<PowerBalance> = (0..pixels).into_par_iter().map(of_pixel).collect();
+        let all: Vec<PowerBalance> = (0..pixels).par_map(of_pixel);
         let mut sum = PowerBalance::default();
         all.iter()
             .for_each(|balance| sum.add(balance, 1.0 / pixels as f64));

@@ -18,7 +18,7 @@
 )]
 
 use super::segment::{Lattice, Segment, others};
-use rayon::prelude::*;
+use tomolith_core::parallel::InParallel;
 
 /// Cells of the major axis that one vector holds: the width of a slab.
 pub(super) const SLAB: usize = 16;
@@ -93,7 +93,7 @@ pub(super) fn add(gait: Gait, ways: Ways, segments: &[Segment], x: &[f32], dose:
     assert!(fits(ways, dose.len()), "a dose of another shape");
     let shared = Shared(dose.as_mut_ptr());
     let shared = &shared;
-    (0..ways.slabs()).into_par_iter().for_each(|slab| {
+    (0..ways.slabs()).par_each(|slab| {
         // SAFETY: the voxels of the grid lie in `dose`, as just asserted, and this slab is this task's alone.
         unsafe { add_slab(gait, ways, slab, segments, x, shared) };
     });

@@ -2,9 +2,9 @@
 
 use crate::PatternLayout;
 use crate::cell_blur::CellBlur;
-use rayon::prelude::*;
 use std::ops::Range;
 use tomolith_core::grid::PatternGrid;
+use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
 
 /// Pixels of a light, and the larger ones that share out their energy.
@@ -127,9 +127,9 @@ impl Bins {
         let (frames, columns) = (self.pixels.grid.frames(), self.pixels.grid.columns);
         let scale = self.scale();
         let len = self.layout.len() / frames;
-        bins.par_chunks_mut(len.max(1))
+        bins.chunks_mut(len.max(1))
             .enumerate()
-            .for_each(|(frame, bins)| {
+            .par_each(|(frame, bins)| {
                 bins.fill(0.0);
                 let slots = frame * columns..(frame + 1) * columns;
                 for (slot, weight) in slots.clone().zip(&weights[slots]) {
@@ -160,7 +160,7 @@ impl Bins {
             by_frame.push((frame, runs[0].offset, own));
             x = rest;
         }
-        by_frame.into_par_iter().for_each(|(frame, first, own)| {
+        by_frame.into_iter().par_each(|(frame, first, own)| {
             let slots = frame * columns..(frame + 1) * columns;
             for (slot, weight) in slots.clone().zip(&weights[slots]) {
                 let weight = scale * weight;

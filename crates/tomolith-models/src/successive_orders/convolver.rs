@@ -4,8 +4,8 @@
 //! transforms lines that lie contiguous in memory and leaves out those that hold only zeros. Everything is summed in a fixed
 //! order, so the bits do not depend on the number of threads.
 
-use rayon::prelude::*;
 use std::sync::Arc;
+use tomolith_core::parallel::{InParallel, elements};
 use tomolith_fourier::{Complex, ComplexToReal, Fft, RealToComplex};
 
 /// Half the Fourier transform of a padded field.
@@ -69,7 +69,7 @@ impl Convolver {
         let nk = self.frequencies();
         let zero = Complex::new(0.0, 0.0);
         let mut planes = vec![zero; ny * nk * px];
-        planes.par_chunks_mut(nk * px).enumerate().for_each_init(
+        planes.chunks_mut(nk * px).enumerate().par_each_with(
             || (vec![0.0; pz], self.to_z.make_output_vec()),
             |(line, of_line), (y, plane)| {
                 for x in 0..nx {
@@ -86,9 +86,9 @@ impl Convolver {
         );
         let mut spectrum = vec![zero; nk * px * py];
         spectrum
-            .par_chunks_mut(px * py)
+            .chunks_mut(px * py)
             .enumerate()
-            .for_each(|(k, slab)| {
+            .par_each(|(k, slab)| {
                 for y in 0..ny {
                     let line = &planes[(y * nk + k) * px..][..px];
                     for (x, &value) in line.iter().enumerate() {
@@ -106,13 +106,13 @@ impl Convolver {
         let [nx, _, nz] = self.cells;
         let nk = self.frequencies();
         spectrum
-            .par_chunks_mut(px * py)
-            .for_each(|slab| self.along_y[1].process(slab));
+            .chunks_mut(px * py)
+            .par_each(|slab| self.along_y[1].process(slab));
         let spectrum = &spectrum;
         field
-            .par_chunks_mut(TOGETHER * nx * self.row)
+            .chunks_mut(TOGETHER * nx * self.row)
             .enumerate()
-            .for_each_init(
+            .par_each_with(
                 || {
                     (
                         vec![Complex::new(0.0, 0.0); TOGETHER * nk * px],
@@ -198,16 +198,13 @@ impl Kernel {
             (true, false) => Some(1.0),
             (true, true) => Some(-1.0),
         };
-        sum.par_iter_mut()
-            .with_min_len(1 << 12)
-            .zip(spectrum)
-            .zip(&self.values)
-            .for_each(|((sum, value), &kernel)| {
-                *sum += match quarter {
-                    None => value * kernel,
-                    Some(sign) => Complex::new(-value.im, value.re) * (sign * kernel),
-                };
-            });
+        elements(sum, |i, sum| {
+            let (value, kernel) = (spectrum[i], self.values[i]);
+            *sum += match quarter {
+                None => value * kernel,
+                Some(sign) => Complex::new(-value.im, value.re) * (sign * kernel),
+            };
+        });
     }
 }
 

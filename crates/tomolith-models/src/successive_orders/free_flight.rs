@@ -11,9 +11,9 @@
 
 use super::harmonics::Harmonic;
 use crate::Run;
-use rayon::prelude::*;
 use std::f64::consts::PI;
 use tomolith_core::error::Result;
+use tomolith_core::parallel::InParallel;
 
 /// A sum of products of harmonics with one parity: Σ weight · Y_a · Y_b.
 #[derive(Clone, Debug)]
@@ -64,24 +64,21 @@ impl FreeFlightKernel {
             self.mu * self.edge * (cells - 3.0f64.sqrt()) < DARK
         };
         // Of each line along z the cells that are lit, pattern by pattern
-        let lines: Vec<Vec<f32>> = (0..nx * ny)
-            .into_par_iter()
-            .map(|i| {
-                if run.is_canceled() {
-                    return Vec::new();
+        let lines: Vec<Vec<f32>> = (0..nx * ny).par_map(|i| {
+            if run.is_canceled() {
+                return Vec::new();
+            }
+            let place = |z: usize| [i % nx, i / nx, z];
+            let cells = (0..nz).map(place).take_while(|&n| lit(n));
+            let values = cells.flat_map(|n| {
+                if n.into_iter().max() <= Some(1) {
+                    sums.of(&self.near_pole(n, &polar))
+                } else {
+                    sums.of(&self.far_from_pole(n))
                 }
-                let place = |z: usize| [i % nx, i / nx, z];
-                let cells = (0..nz).map(place).take_while(|&n| lit(n));
-                let values = cells.flat_map(|n| {
-                    if n.into_iter().max() <= Some(1) {
-                        sums.of(&self.near_pole(n, &polar))
-                    } else {
-                        sums.of(&self.far_from_pole(n))
-                    }
-                });
-                values.collect()
-            })
-            .collect();
+            });
+            values.collect()
+        });
         run.check()?;
         let of_pattern = |p: usize| {
             let mut octant = vec![0.0; nx * ny * nz];

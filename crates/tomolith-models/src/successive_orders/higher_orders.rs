@@ -8,11 +8,11 @@ use super::unscattered_source::Channel;
 use crate::cell_blur::{CellBlur, Sharpen, full_cells};
 use crate::coarse::Coarse;
 use crate::{DoseLayout, Run};
-use rayon::prelude::*;
 use std::sync::Arc;
 use tomolith_core::error::Result;
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
+use tomolith_core::parallel::{lines, table};
 use tomolith_fourier::Complex;
 use tomolith_optics::vial::Vial;
 
@@ -175,10 +175,9 @@ impl HigherOrders {
 
     /// Calls `change` with the resin's part and the cells of each (y, x).
     fn for_each_line(&self, field: &mut [f32], change: impl Fn(f32, &mut [f32]) + Sync) {
-        field
-            .par_chunks_mut(self.coarse.layout.row)
-            .zip(&self.resin)
-            .for_each(|(line, &resin)| change(resin, line));
+        lines(field, self.coarse.layout.row, |i, line| {
+            change(self.resin[i], line)
+        });
     }
 
     fn no_spectrum(&self) -> Spectrum {
@@ -324,7 +323,7 @@ impl HigherOrders {
         let [nz, _, nx] = self.coarse.layout.grid.shape;
         let near_nx = self.near.grid.shape[2];
         let (k, share) = (self.factor, 1.0 / (self.factor.pow(3)) as f32);
-        field.par_chunks_mut(row).enumerate().for_each(|(i, line)| {
+        lines(&mut field, row, |i, line| {
             let (y, x) = (i / nx, i % nx);
             for dy in 0..k {
                 for dx in 0..k {
@@ -345,15 +344,13 @@ impl HigherOrders {
         let [nz, _, nx] = self.coarse.layout.grid.shape;
         let near_nx = self.near.grid.shape[2];
         let (k, share) = (self.factor, 1.0 / (self.factor.pow(3)) as f32);
-        near.par_chunks_mut(near_row)
-            .enumerate()
-            .for_each(|(i, near)| {
-                let (y, x) = (i / near_nx / k, i % near_nx / k);
-                let line = &field[(y * nx + x) * row..][..nz];
-                for (values, value) in near.chunks_exact_mut(k).zip(line) {
-                    values.iter_mut().for_each(|v| *v += share * value);
-                }
-            });
+        lines(near, near_row, |i, near| {
+            let (y, x) = (i / near_nx / k, i % near_nx / k);
+            let line = &field[(y * nx + x) * row..][..nz];
+            for (values, value) in near.chunks_exact_mut(k).zip(line) {
+                values.iter_mut().for_each(|v| *v += share * value);
+            }
+        });
     }
 }
 
@@ -388,18 +385,15 @@ pub(super) fn resin_of(vial: &dyn Vial, grid: &VolumeGrid) -> Vec<f32> {
     let [_, ny, nx] = grid.shape;
     let at = |i: usize| ((i as f64 + 0.5) / POINTS as f64 - 0.5) * grid.pitch_mm;
     let half = grid.pitch_mm / 2.0;
-    (0..ny * nx)
-        .into_par_iter()
-        .map(|i| {
-            let (x, y) = (grid.x(i % nx), grid.y(i / nx));
-            let corners = [(-half, -half), (-half, half), (half, -half), (half, half)];
-            if (corners.iter()).all(|(dx, dy)| vial.in_resin([x + dx, y + dy, 0.0])) {
-                return 1.0;
-            }
-            let inside = (0..POINTS * POINTS)
-                .filter(|j| vial.in_resin([x + at(j % POINTS), y + at(j / POINTS), 0.0]))
-                .count();
-            inside as f32 / (POINTS * POINTS) as f32
-        })
-        .collect()
+    table(ny * nx, |i| {
+        let (x, y) = (grid.x(i % nx), grid.y(i / nx));
+        let corners = [(-half, -half), (-half, half), (half, -half), (half, half)];
+        if (corners.iter()).all(|(dx, dy)| vial.in_resin([x + dx, y + dy, 0.0])) {
+            return 1.0;
+        }
+        let inside = (0..POINTS * POINTS)
+            .filter(|j| vial.in_resin([x + at(j % POINTS), y + at(j / POINTS), 0.0]))
+            .count();
+        inside as f32 / (POINTS * POINTS) as f32
+    })
 }

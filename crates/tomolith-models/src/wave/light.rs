@@ -7,10 +7,10 @@ use super::number::Number;
 use super::resample::Resample;
 use super::spectrum::{Scratch, Windows};
 use crate::{PatternLayout, Run};
-use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Mutex;
 use tomolith_core::error::{Error, Result};
+use tomolith_core::parallel::InParallel;
 use tomolith_fourier::Complex;
 
 /// Lanes of a row that are gathered at a time.
@@ -176,9 +176,9 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
                 return Err(Error::Canceled);
             }
             samples
-                .par_chunks_mut(N * size)
+                .chunks_mut(N * size)
                 .zip(frames)
-                .for_each(|(samples, &frame)| {
+                .par_each(|(samples, &frame)| {
                     samples.fill(T::zero());
                     light(frame, samples);
                 });
@@ -200,7 +200,7 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
         let [nx, ny] = self.plane;
         let of_dose = self.rows();
         let band = TILE * nx * self.row;
-        dose.par_chunks_mut(band).enumerate().for_each_init(
+        dose.chunks_mut(band).enumerate().par_each_with(
             TileEntries::default,
             |entries, (tile, rows)| {
                 let ys = tile * TILE..((tile + 1) * TILE).min(ny);
@@ -275,7 +275,7 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
             frames.push((frame, own));
             rest = others;
         }
-        frames.into_par_iter().for_each(|(frame, grad)| {
+        frames.into_iter().par_each(|(frame, grad)| {
             grad.fill(T::zero());
             // Dark patterns of waves are stationary: there F′ = 0
             if run.is_canceled() || !(W::IS_LINEAR || is_lit(layout, frame, x)) {
