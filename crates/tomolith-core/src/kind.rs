@@ -69,38 +69,42 @@ impl Section {
     /// [`Error::Config`] with the key path of the offending key, and the nearest accepted name for a misspelt one.
     pub fn parse<T: DeserializeOwned>(&self) -> Result<T> {
         serde_path_to_error::deserialize(self.value.clone()).map_err(|e| {
-            let inner = e.path().to_string();
-            let inner = if inner == "." { "" } else { &inner };
-            let in_table = value_at(&self.value, e.path()).is_none_or(Value::is_object);
             let message = e.inner().to_string();
-            let error = config_error(&self.path, inner, in_table, &message);
-            match error {
-                Error::Config {
-                    key,
-                    mut found,
-                    mut accepted,
-                    nearest,
-                    place,
-                } => {
-                    if CHOICES.iter().any(|words| message.ends_with(words)) {
-                        accepted = choices::<T>(&self.value, e.path()).unwrap_or(accepted);
-                        if let Some(table) = value_at(&self.value, e.path()) {
-                            (found, accepted) = of_table(table, found, accepted);
-                        }
-                    } else if let Some(line) = self.example_of(&key).filter(|_| found == MISSING) {
-                        accepted = format!("a value, for example `{line}`");
-                    }
-                    Error::Config {
-                        key,
-                        found,
-                        accepted,
-                        nearest,
-                        place,
-                    }
-                }
-                other => other,
-            }
+            self.unread(e.path(), &message, choices::<T>)
         })
+    }
+
+    /// The error of a value that could not be read. For all types alike: compiled once.
+    fn unread(
+        &self,
+        path: &serde_path_to_error::Path,
+        message: &str,
+        choices: fn(&Value, &serde_path_to_error::Path) -> Option<String>,
+    ) -> Error {
+        let inner = path.to_string();
+        let inner = if inner == "." { "" } else { &inner };
+        let in_table = value_at(&self.value, path).is_none_or(Value::is_object);
+        let mut error = config_error(&self.path, inner, in_table, message);
+        if let Error::Config {
+            key,
+            found,
+            accepted,
+            ..
+        } = &mut error
+        {
+            if CHOICES.iter().any(|words| message.ends_with(words)) {
+                if let Some(choices) = choices(&self.value, path) {
+                    *accepted = choices;
+                }
+                if let Some(table) = value_at(&self.value, path) {
+                    let words = (std::mem::take(found), std::mem::take(accepted));
+                    (*found, *accepted) = of_table(table, words.0, words.1);
+                }
+            } else if let Some(line) = self.example_of(key).filter(|_| found == MISSING) {
+                *accepted = format!("a value, for example `{line}`");
+            }
+        }
+        error
     }
 
     /// The line of the example that gives a key.
@@ -124,8 +128,16 @@ impl Section {
     /// # Errors
     /// [`Error::Config`] when the section does not hold exactly one table, or the kind is not in `table`.
     pub fn kind<'k, B>(&self, table: &'k [Kind<B>]) -> Result<(&'k Kind<B>, Section)> {
-        let names = || table.iter().map(|k| k.name);
-        let accepted = || names().collect::<Vec<_>>().join(", ");
+        let names: Vec<&str> = table.iter().map(|kind| kind.name).collect();
+        let (index, mut inner) = self.named(&names)?;
+        let row = &table[index];
+        inner.example = row.example;
+        Ok((row, inner))
+    }
+
+    /// Which of these names the section has, and its section. For all families alike: compiled once.
+    fn named(&self, names: &[&'static str]) -> Result<(usize, Section)> {
+        let accepted = || names.join(", ");
         let (name, value) = match &self.value {
             Value::String(name) => (name, Value::Object(serde_json::Map::new())),
             Value::Object(map) if map.len() == 1 => {
@@ -159,7 +171,8 @@ impl Section {
                 ));
             }
         };
-        let row = table.iter().find(|k| k.name == name).ok_or_else(|| {
+        let index = names.iter().position(|known| known == name);
+        let index = index.ok_or_else(|| {
             let key = format!("{}.{name}", self.path);
             let renamed = renamed(&key);
             Error::Config {
@@ -170,14 +183,12 @@ impl Section {
                 key,
                 accepted: accepted(),
                 nearest: renamed
-                    .or_else(|| nearest_name(name, names()))
+                    .or_else(|| nearest_name(name, names.iter().copied()))
                     .map(str::to_owned),
                 place: None,
             }
         })?;
-        let mut inner = self.within(name, value);
-        inner.example = row.example;
-        Ok((row, inner))
+        Ok((index, self.within(name, value)))
     }
 }
 
