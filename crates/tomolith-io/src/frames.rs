@@ -26,12 +26,12 @@
 //! ```
 
 use super::whole::{Refused, write_folder_whole};
-use rayon::prelude::*;
 use std::fs::{self, File};
 use std::io::{BufRead, BufReader, BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::PatternGrid;
+use tomolith_core::parallel::InParallel;
 use tomolith_core::run::Run;
 use tomolith_core::units::exact;
 
@@ -116,17 +116,14 @@ pub fn write_frames(folder: &Path, lights: &[FrameSet<'_>], run: &Run) -> Result
                 .light
                 .map_or_else(|| aside.to_owned(), |name| aside.join(name));
             fs::create_dir_all(&place)?;
-            (0..set.grid.frames()).into_par_iter().try_for_each(
-                |frame| -> Result<(), Refused> {
-                    run.check()?;
-                    frames.add(1);
-                    Ok(write_frame(
-                        &place.join(format!("frame_{frame:04}.png")),
-                        set,
-                        frame,
-                    )?)
-                },
-            )?;
+            let write = |frame: usize| -> Result<(), Refused> {
+                run.check()?;
+                frames.add(1);
+                let path = place.join(format!("frame_{frame:04}.png"));
+                Ok(write_frame(&path, set, frame)?)
+            };
+            let written = (0..set.grid.frames()).par_map(write);
+            written.into_iter().collect::<Result<(), Refused>>()?;
         }
         Ok(())
     })
@@ -184,8 +181,9 @@ pub fn read_frames(folder: &Path) -> Result<Frames> {
     paths.retain(|p| p.extension().is_some_and(|e| e.eq_ignore_ascii_case("png")));
     paths.sort();
     let images: Vec<Image> = paths
-        .par_iter()
-        .map(|path| read_frame(path))
+        .iter()
+        .par_map(|path| read_frame(path))
+        .into_iter()
         .collect::<Result<_>>()?;
     if images.is_empty() {
         return Err(format_error(folder, "no frame"));

@@ -51,9 +51,9 @@ use openh264::encoder::{
     RateControlMode, VuiConfig,
 };
 use openh264::formats::{YUVBuffer, YUVSource};
-use rayon::prelude::*;
 use std::path::Path;
 use tomolith_core::error::{Error, Result};
+use tomolith_core::parallel::InParallel;
 use tomolith_core::run::{Run, Steps};
 
 /// The lowest quantizer of OpenH264 (0 would be lossless, 51 is the coarsest).
@@ -95,8 +95,9 @@ pub fn write_movie(path: &Path, set: &FrameSet<'_>, frame_rate: f64, run: &Run) 
     let (width, height) = padded_size(set)?;
     let steps = run.steps(set.grid.frames());
     let groups: Vec<Vec<Vec<u8>>> = groups(set.grid.frames())
-        .into_par_iter()
-        .map(|group| encode(set, group, [width, height], frame_rate, &steps))
+        .into_iter()
+        .par_map(|group| encode(set, group, [width, height], frame_rate, &steps))
+        .into_iter()
         .collect::<Result<_, String>>()
         .map_err(|message| run.check().err().unwrap_or_else(|| refused(path, &message)))?;
     write_whole_under(path, (&run.aside(), 0), |file| {
@@ -242,8 +243,9 @@ pub fn check_movie(path: &Path, set: &FrameSet<'_>, run: &Run) -> Result<MovieCh
     let size = padded_size(set)?;
     let steps = run.steps(track.samples.len());
     let sums: Vec<(u8, u64)> = groups(track.samples.len())
-        .into_par_iter()
-        .map(|group| compare(&track, group, (set, size), &steps))
+        .into_iter()
+        .par_map(|group| compare(&track, group, (set, size), &steps))
+        .into_iter()
         .collect::<Result<_, String>>()
         .map_err(|message| run.check().err().unwrap_or_else(|| damaged(&message)))?;
     let squares: u64 = sums.iter().map(|s| s.1).sum();

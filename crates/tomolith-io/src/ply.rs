@@ -23,10 +23,10 @@
 //! ```
 
 use super::whole::write_whole;
-use rayon::prelude::*;
 use std::io::Write;
 use std::path::Path;
 use tomolith_core::error::{Error, Result};
+use tomolith_core::parallel::lines;
 
 /// Bytes of a corner and of a triangle.
 const CORNER: usize = 19;
@@ -111,10 +111,7 @@ fn write_records<const N: usize>(
     let mut bytes = vec![0u8; N * BATCH.min(count)];
     for first in (0..count).step_by(BATCH) {
         let bytes = &mut bytes[..N * BATCH.min(count - first)];
-        let records = bytes.par_chunks_exact_mut(N).enumerate();
-        records
-            .with_min_len(4096)
-            .for_each(|(i, out)| fill(first + i, out));
+        lines(bytes, N, |i, out| fill(first + i, out));
         file.write_all(bytes)?;
     }
     Ok(())

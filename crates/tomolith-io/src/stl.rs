@@ -16,10 +16,10 @@
 //! ```
 
 use super::whole::{Refused, write_whole_under};
-use rayon::prelude::*;
 use std::io::{Seek as _, SeekFrom, Write};
 use std::path::Path;
 use tomolith_core::error::{Error, Result};
+use tomolith_core::parallel::lines;
 use tomolith_core::run::Run;
 
 /// Triangles that are turned into bytes at a time: 50 MB.
@@ -62,7 +62,7 @@ pub fn write_stl_pieces(
         let mut count = 0;
         pieces(&mut |corners, triangles| {
             let known = |&i: &u32| (i as usize) < corners.len();
-            if !triangles.par_iter().flatten_iter().all(known) {
+            if !triangles.as_flattened().iter().all(known) {
                 return Err(refuse("a triangle refers to a vertex that does not exist").into());
             }
             count += triangles.len();
@@ -83,17 +83,13 @@ fn write_triangles(
     let mut bytes = vec![0u8; 50 * BATCH.min(triangles.len())];
     for batch in triangles.chunks(BATCH) {
         let bytes = &mut bytes[..50 * batch.len()];
-        bytes
-            .par_chunks_exact_mut(50)
-            .zip(batch)
-            .with_min_len(4096)
-            .for_each(|(out, triangle)| {
-                let [a, b, c] = triangle.map(|i| corners[i as usize]);
-                let numbers = [normal(a, b, c), a, b, c];
-                for (slot, number) in out.chunks_exact_mut(4).zip(numbers.as_flattened()) {
-                    slot.copy_from_slice(&number.to_le_bytes());
-                }
-            });
+        lines(bytes, 50, |i, out| {
+            let [a, b, c] = batch[i].map(|i| corners[i as usize]);
+            let numbers = [normal(a, b, c), a, b, c];
+            for (slot, number) in out.chunks_exact_mut(4).zip(numbers.as_flattened()) {
+                slot.copy_from_slice(&number.to_le_bytes());
+            }
+        });
         file.write_all(bytes)?;
     }
     Ok(())

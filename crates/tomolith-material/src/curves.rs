@@ -5,10 +5,10 @@
 
 use crate::print::Moment;
 use crate::{Material, Readout};
-use rayon::prelude::*;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{BLOCK, Field, HostField};
 use tomolith_core::grid::Volume;
+use tomolith_core::parallel::InParallel;
 use tomolith_core::target::label;
 
 /// All numbers of one moment.
@@ -178,11 +178,11 @@ impl Curves {
         let Some(cure) = &mut self.cure else { return };
         let gel = readout.gel / readout.scale;
         let (end, step) = (moment.seconds as f32, moment.block_s as f32);
-        let kept = cure.before.as_mut_slice().par_chunks_mut(BLOCK);
-        let times = cure.seconds.as_mut_slice().par_chunks_mut(BLOCK);
+        let kept = cure.before.as_mut_slice().chunks_mut(BLOCK);
+        let times = cure.seconds.as_mut_slice().chunks_mut(BLOCK);
         kept.zip(times)
-            .zip(values.par_chunks(BLOCK))
-            .for_each(|((before, times), now)| {
+            .zip(values.chunks(BLOCK))
+            .par_each(|((before, times), now)| {
                 for ((before, time), &now) in before.iter_mut().zip(times).zip(now) {
                     if now >= gel && *time == f32::INFINITY {
                         let rise = now - *before;
@@ -197,11 +197,10 @@ impl Curves {
     fn measure(&self, seconds: f64, readout: Readout, values: &[f32]) -> CurvePoint {
         let gel = readout.gel / readout.scale;
         let (doses, labels) = (self.absorbed.as_slice(), self.labels.as_slice());
-        let blocks = doses.par_chunks(BLOCK).zip(values.par_chunks(BLOCK));
-        let blocks = blocks.zip(labels.par_chunks(BLOCK));
-        let sums: Vec<Sums> = blocks
-            .map(|((doses, values), labels)| sums_of(doses, values, labels, gel))
-            .collect();
+        let blocks = doses.chunks(BLOCK).zip(values.chunks(BLOCK));
+        let blocks = blocks.zip(labels.chunks(BLOCK));
+        let sums: Vec<Sums> =
+            blocks.par_map(|((doses, values), labels)| sums_of(doses, values, labels, gel));
         let whole = sums.into_iter().reduce(Sums::and).unwrap_or(Sums::NONE);
         let (least, most) = (f64::from(whole.least), f64::from(whole.most));
         let middle = least + 0.5 * (most - least);
@@ -222,26 +221,26 @@ impl Curves {
     /// (Ē_hi − Ē_lo)/(Ē_hi + Ē_lo) for two splits; NaN where a class is empty.
     fn contrasts(&self, splits: [f64; 2]) -> [f64; 2] {
         let at = splits.map(|s| s as f32);
-        let blocks = self.absorbed.as_slice().par_chunks(BLOCK);
+        let blocks = self.absorbed.as_slice().chunks(BLOCK);
         // Per split: sum and count above, sum and count below
-        let sums: Vec<[[f64; 4]; 2]> = blocks
-            .zip(self.labels.par_chunks(BLOCK))
-            .map(|(doses, labels)| {
-                let mut sums = [[0.0; 4]; 2];
-                for (&dose, &label) in doses.iter().zip(labels) {
-                    let counted = f64::from(u8::from(label != label::OUTSIDE));
-                    for (sums, &at) in sums.iter_mut().zip(&at) {
-                        let above = counted * f64::from(u8::from(dose > at));
-                        let below = counted * f64::from(u8::from(dose < at));
-                        sums[0] += above * f64::from(dose);
-                        sums[1] += above;
-                        sums[2] += below * f64::from(dose);
-                        sums[3] += below;
+        let sums: Vec<[[f64; 4]; 2]> =
+            blocks
+                .zip(self.labels.chunks(BLOCK))
+                .par_map(|(doses, labels)| {
+                    let mut sums = [[0.0; 4]; 2];
+                    for (&dose, &label) in doses.iter().zip(labels) {
+                        let counted = f64::from(u8::from(label != label::OUTSIDE));
+                        for (sums, &at) in sums.iter_mut().zip(&at) {
+                            let above = counted * f64::from(u8::from(dose > at));
+                            let below = counted * f64::from(u8::from(dose < at));
+                            sums[0] += above * f64::from(dose);
+                            sums[1] += above;
+                            sums[2] += below * f64::from(dose);
+                            sums[3] += below;
+                        }
                     }
-                }
-                sums
-            })
-            .collect();
+                    sums
+                });
         [0, 1].map(|split| {
             let sum = |i: usize| sums.iter().map(|s| s[split][i]).sum::<f64>();
             let (high, low) = (sum(0) / sum(1), sum(2) / sum(3));
@@ -366,13 +365,13 @@ pub(crate) fn add_drive(row: &[f32], absorbed: &[&[f32]], sum: &mut HostField) {
         .filter(|(m, e)| **m != 0.0 && !e.is_empty())
         .map(|(m, e)| (*m, *e))
         .collect();
-    let blocks = sum.as_mut_slice().par_chunks_mut(BLOCK);
+    let blocks = sum.as_mut_slice().chunks_mut(BLOCK);
     match lit[..] {
         [] => {}
-        [(m, energy)] if m > 0.0 => blocks.zip(energy.par_chunks(BLOCK)).for_each(|(a, e)| {
+        [(m, energy)] if m > 0.0 => blocks.zip(energy.chunks(BLOCK)).par_each(|(a, e)| {
             a.iter_mut().zip(e).for_each(|(a, e)| *a += m * e);
         }),
-        _ => blocks.enumerate().for_each(|(i, block)| {
+        _ => blocks.enumerate().par_each(|(i, block)| {
             for (j, a) in block.iter_mut().enumerate() {
                 let at = i * BLOCK + j;
                 *a += lit.iter().map(|(m, e)| m * e[at]).sum::<f32>().max(0.0);

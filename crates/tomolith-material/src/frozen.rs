@@ -19,13 +19,13 @@ use crate::print::{LightSource, PrintRun};
 use crate::printing::Printing;
 use crate::schedule::Schedule;
 use crate::{Material, Model, State};
-use rayon::prelude::*;
 use std::ops::{ControlFlow, Range};
 use std::sync::{PoisonError, RwLock};
 use tomolith_core::dose::{DoseModel, Run, ZCoupling};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{BLOCK, Field, HostField};
 use tomolith_core::forward;
+use tomolith_core::parallel::InParallel;
 use tomolith_core::response::Identity;
 
 /// See the [module page](self).
@@ -159,9 +159,9 @@ impl DoseModel for Frozen {
         self.absorbed.dose(x, dose, run)?;
         let taken = self.taken.read().unwrap_or_else(PoisonError::into_inner);
         for (output, &per_dose) in self.outputs().iter().zip(&self.per_dose) {
-            let blocks = dose.as_mut_slice()[output.range()].par_chunks_mut(BLOCK);
-            let taken = taken.as_slice()[output.range()].par_chunks(BLOCK);
-            blocks.zip(taken).for_each(|(dose, taken)| {
+            let blocks = dose.as_mut_slice()[output.range()].chunks_mut(BLOCK);
+            let taken = taken.as_slice()[output.range()].chunks(BLOCK);
+            blocks.zip(taken).par_each(|(dose, taken)| {
                 let pairs = dose.iter_mut().zip(taken);
                 pairs.for_each(|(d, c)| *d = per_dose * (*d - c));
             });

@@ -11,10 +11,10 @@
 use crate::Material;
 use crate::curves::{IdealExposure, add_drive};
 use crate::print::Moment;
-use rayon::prelude::*;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
 use tomolith_core::grid::Volume;
+use tomolith_core::parallel::InParallel;
 use tomolith_core::target::label;
 
 /// Rows of lanes that are summed at once.
@@ -101,10 +101,10 @@ impl Heights {
         );
         let chunk = row * ROWS;
         let sums: Vec<Vec<f64>> = values
-            .par_chunks(chunk)
-            .zip(self.absorbed.as_slice().par_chunks(chunk))
-            .zip(self.counted.par_chunks(chunk))
-            .map(|((values, doses), counted)| {
+            .chunks(chunk)
+            .zip(self.absorbed.as_slice().chunks(chunk))
+            .zip(self.counted.chunks(chunk))
+            .par_map(|((values, doses), counted)| {
                 let mut sums = vec![0.0; nz];
                 for (i, ((&value, &dose), &counted)) in
                     values.iter().zip(doses).zip(counted).enumerate()
@@ -114,8 +114,7 @@ impl Heights {
                     }
                 }
                 sums
-            })
-            .collect();
+            });
         let whole = vec![0.0; nz];
         sums.into_iter().fold(whole, |mut whole, own| {
             whole.iter_mut().zip(own).for_each(|(w, o)| *w += o);

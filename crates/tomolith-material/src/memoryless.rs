@@ -19,9 +19,9 @@
 use crate::domain::Domain;
 use crate::mixing::Mixing;
 use crate::{Material, Readout, Requirement, State};
-use rayon::prelude::*;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{BLOCK, HostField};
+use tomolith_core::parallel::InParallel;
 use tomolith_core::response::Response;
 use tomolith_core::units::exact;
 
@@ -73,17 +73,15 @@ pub(crate) fn add_mixed(weights: &[f32], absorbed: &[&[f32]], sum: &mut HostFiel
         if weight == 0.0 || energy.is_empty() {
             continue;
         }
-        let chunks = sum.as_mut_slice().par_chunks_mut(BLOCK);
-        chunks
-            .zip(energy.par_chunks(BLOCK))
-            .for_each(|(sum, energy)| {
-                let pairs = sum.iter_mut().zip(energy);
-                if weight == 1.0 {
-                    pairs.for_each(|(sum, e)| *sum += e);
-                } else {
-                    pairs.for_each(|(sum, e)| *sum += weight * e);
-                }
-            });
+        let chunks = sum.as_mut_slice().chunks_mut(BLOCK);
+        chunks.zip(energy.chunks(BLOCK)).par_each(|(sum, energy)| {
+            let pairs = sum.iter_mut().zip(energy);
+            if weight == 1.0 {
+                pairs.for_each(|(sum, e)| *sum += e);
+            } else {
+                pairs.for_each(|(sum, e)| *sum += weight * e);
+            }
+        });
     }
 }
 

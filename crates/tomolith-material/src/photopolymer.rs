@@ -24,12 +24,12 @@ use crate::print::exceeded_limit_s;
 use crate::reaction::{Stage, smooth_step};
 use crate::{Absorption, Material, Readout, Requirement, State};
 pub use params::{Curing, Inhibitor, Initial, Network, Params, Shading, at_height};
-use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::Volume;
+use tomolith_core::parallel::{InParallel, elements, table};
 use tomolith_core::units::exact;
 
 /// Voxels that a thread takes through all stages at a time: they stay in the second cache.
@@ -179,8 +179,7 @@ impl Photopolymer {
             1.0 - fall * smooth_step(argument(cure)).0
         });
         if let Some(resin) = self.domain.resin() {
-            let values = share.as_mut_slice().par_iter_mut().zip(resin);
-            values.for_each(|(v, r)| *v *= r);
+            elements(share.as_mut_slice(), |i, v| *v *= resin[i]);
         }
         Some(share)
     }
@@ -281,7 +280,7 @@ impl Photopolymer {
         }
         for (s, chain) in self.chains.iter().enumerate() {
             let chunks = chunks_of(&mut state.volumes[chain.slots.clone()]);
-            chunks.into_par_iter().enumerate().for_each_init(
+            chunks.into_iter().enumerate().par_each_with(
                 || vec![0.0; CHUNK],
                 |u, (i, mut states)| {
                     let u = &mut u[..states[0].len()];
@@ -315,7 +314,7 @@ impl Photopolymer {
             let states = chunks_of(&mut cotangent.volumes[chain.slots.clone()]);
             let grads = chunks_of(grad);
             let both: Vec<_> = states.into_iter().zip(grads).collect();
-            both.into_par_iter().enumerate().for_each_init(
+            both.into_iter().enumerate().par_each_with(
                 Desk::default,
                 |desk, (i, (mut states, mut grads))| {
                     let from = i * CHUNK;
@@ -639,8 +638,8 @@ impl Material for Photopolymer {
             let active = unbleached * left;
             (active, (total - unbleached + active).max(active))
         };
-        let voxels = 0..cure.values.len();
-        let (active, total): (Vec<f32>, Vec<f32>) = voxels.into_par_iter().map(of_voxel).unzip();
+        let voxels = table(cure.values.len(), of_voxel);
+        let (active, total): (Vec<f32>, Vec<f32>) = voxels.into_iter().unzip();
         let volume = |values| Volume {
             grid: layout.grid.clone(),
             values,

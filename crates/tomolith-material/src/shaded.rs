@@ -14,13 +14,13 @@
 //! **Cost** per frame F's dose of that frame and one pass over the voxels with an exponential. Memory: two volumes, one spare one in a call.
 
 use crate::{Absorption, Model};
-use rayon::prelude::*;
 use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::dose::{DoseModel, Run};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::forward;
+use tomolith_core::parallel::{InParallel, elements, lines};
 
 /// Columns along z that a thread takes at least.
 const COLUMNS: usize = 16;
@@ -71,14 +71,8 @@ impl Shaded {
         let mut excess = HostField::from_slice(&output.field_of(changed));
         let mut share = HostField::from_slice(&output.field_of(&absorption.active_per_mm));
         let (active, attenuation) = (active as f32, attenuation as f32);
-        excess
-            .as_mut_slice()
-            .par_iter_mut()
-            .for_each(|mu| *mu -= attenuation);
-        share
-            .as_mut_slice()
-            .par_iter_mut()
-            .for_each(|mu| *mu /= active);
+        elements(excess.as_mut_slice(), |_, mu| *mu -= attenuation);
+        elements(share.as_mut_slice(), |_, mu| *mu /= active);
         Ok(Shaded {
             excess,
             share,
@@ -100,11 +94,12 @@ impl Shaded {
             // Rays between voxels j − 1 and j + 1, from the one before the first voxel on
             let first = (walk.most_shift - shift) as usize * row;
             let rays = &mut behind[first..first + middle.len()];
-            rays.par_chunks_mut(row)
-                .zip(middle.par_chunks_mut(row))
-                .with_min_len(COLUMNS)
-                .enumerate()
-                .for_each(|(i, (behind, middle))| {
+            let rays = rays
+                .chunks_mut(COLUMNS * row)
+                .zip(middle.chunks_mut(COLUMNS * row));
+            rays.enumerate().par_each(|(first, (behind, middle))| {
+                let rays = behind.chunks_mut(row).zip(middle.chunks_mut(row));
+                for (i, (behind, middle)) in (first * COLUMNS..).zip(rays) {
                     let half = 0.5 * walk.way_mm as f32;
                     let weights = [(1.0 - rest) * half, rest * half];
                     middle.copy_from_slice(behind);
@@ -118,7 +113,8 @@ impl Shaded {
                             *behind += 2.0 * weight * mu;
                         }
                     }
-                });
+                }
+            });
             let weigh = |j: usize, to: &mut [f32]| {
                 let at = walk.column(step, j) * row;
                 let from = &from[at..at + row];
@@ -136,17 +132,10 @@ impl Shaded {
             };
             if walk.is_along_x {
                 let at = walk.place(step) * row;
-                to.par_chunks_mut(nx * row)
-                    .with_min_len(COLUMNS)
-                    .enumerate()
-                    .for_each(|(j, plane)| weigh(j, &mut plane[at..at + row]));
+                lines(to, nx * row, |j, plane| weigh(j, &mut plane[at..at + row]));
             } else {
                 let plane = nx * row;
-                to[walk.place(step) * plane..][..plane]
-                    .par_chunks_mut(row)
-                    .with_min_len(COLUMNS)
-                    .enumerate()
-                    .for_each(|(j, to)| weigh(j, to));
+                lines(&mut to[walk.place(step) * plane..][..plane], row, weigh);
             }
         }
     }

@@ -14,7 +14,7 @@
 //! assert_eq!(near_the_other_kind(&target, 1.0), [false, true, true, true, true, false]);
 //! ```
 
-use rayon::prelude::*;
+use tomolith_core::parallel::{InParallel, elements, table};
 use tomolith_core::target::Target;
 
 /// Whether each voxel (array order) has a voxel of the other kind, part or void, within `distance_mm` of its center.
@@ -24,19 +24,13 @@ pub fn near_the_other_kind(target: &Target, distance_mm: f64) -> Vec<bool> {
     let grid = &target.inside.grid;
     let reach = (distance_mm / grid.pitch_mm).powi(2) * (1.0 + 1e-6);
     let tall = (grid.height_mm / grid.pitch_mm).powi(2) as f32;
-    let part: Vec<bool> = (0..grid.len())
-        .into_par_iter()
-        .map(|i| target.is_part(i))
-        .collect();
+    let part = table(grid.len(), |i| target.is_part(i));
     let mut near = vec![false; part.len()];
     for kind in [true, false] {
         let squared = squared_distances(grid.shape, tall, |i| part[i] == kind);
-        near.par_iter_mut()
-            .zip(&part)
-            .zip(&squared)
-            .for_each(|((near, &part), &d)| {
-                *near |= part != kind && f64::from(d) <= reach;
-            });
+        elements(&mut near, |i, near| {
+            *near |= part[i] != kind && f64::from(squared[i]) <= reach;
+        });
     }
     near
 }
@@ -49,15 +43,12 @@ fn squared_distances(
     seed: impl Fn(usize) -> bool + Sync,
 ) -> Vec<f32> {
     let [nz, ny, nx] = shape;
-    let mut d: Vec<f32> = (0..nz * ny * nx)
-        .into_par_iter()
-        .map(|i| if seed(i) { 0.0 } else { f32::INFINITY })
-        .collect();
+    let mut d = table(nz * ny * nx, |i| if seed(i) { 0.0 } else { f32::INFINITY });
     if d.is_empty() {
         return d;
     }
     // Along x and y, slice by slice
-    d.par_chunks_mut(nx * ny).for_each(|slice| {
+    d.chunks_mut(nx * ny).par_each(|slice| {
         let mut envelope = Envelope::default();
         for row in slice.chunks_mut(nx) {
             envelope.transform(row, 0, 1, nx);
@@ -71,7 +62,7 @@ fn squared_distances(
     for (i, row) in d.chunks_mut(nx).enumerate() {
         planes[i % ny].push(row);
     }
-    planes.par_iter_mut().for_each(|rows| {
+    planes.iter_mut().par_each(|rows| {
         let mut envelope = Envelope::default();
         let mut line = vec![0.0f32; nz];
         for ix in 0..nx {

@@ -18,13 +18,13 @@ use super::preset::{
     BuildBands, PartAndVoid, SurfaceHandling, below, finite, not_negative, positive,
 };
 use super::{BoxedObjective, BuildObjective, MakeObjective, ObjectiveInput, read};
-use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
 use tomolith_core::grid::Volume;
 use tomolith_core::kind::Kind;
+use tomolith_core::parallel::elements;
 use tomolith_core::target::label;
 use tomolith_core::units::Mm;
 
@@ -84,15 +84,11 @@ impl Params {
     fn eroded(&self, input: &ObjectiveInput) -> Volume<u8> {
         let mut labels = input.labels.clone();
         let buffer = super::buffer::near_the_other_kind(input.target, self.buffer_mm.0);
-        labels
-            .values
-            .par_iter_mut()
-            .zip(&buffer)
-            .for_each(|(l, &near)| {
-                if near {
-                    *l = label::OUTSIDE;
-                }
-            });
+        elements(&mut labels.values, |i, l| {
+            if buffer[i] {
+                *l = label::OUTSIDE;
+            }
+        });
         labels
     }
 }

@@ -2,7 +2,6 @@
 
 use super::band::{Band, BandObjective, Bands};
 use super::{BoxedObjective, Chosen, MakeObjective, ObjectiveInput};
-use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::fmt::Debug;
@@ -11,6 +10,7 @@ use tomolith_core::dose::DoseLayout;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::Field;
 use tomolith_core::grid::Volume;
+use tomolith_core::parallel::{elements, table};
 use tomolith_core::target::label;
 use tomolith_core::units::exact;
 
@@ -204,8 +204,8 @@ impl Shares {
         let mut labels = input.layout.field_of(labels);
         if surface == SurfaceHandling::Fraction {
             let mut inside = input.layout.field_of(&input.target.inside);
-            inside.par_iter_mut().zip(&labels).for_each(|(s, &label)| {
-                *s = if counts(label) {
+            elements(&mut inside, |i, s| {
+                *s = if counts(labels[i]) {
                     s.clamp(0.0, 1.0)
                 } else {
                     -1.0
@@ -219,12 +219,11 @@ impl Shares {
             cells.label(&mut labels);
             scale = cells.shares(labels.len());
         }
-        let inside = |&label: &u8| match label {
+        let inside = table(labels.len(), |i| match labels[i] {
             label::PART => 1.0,
             label::VOID => 0.0,
             _ => -1.0,
-        };
-        let inside = labels.par_iter().map(inside).collect();
+        });
         Ok(Shares { inside, scale })
     }
 

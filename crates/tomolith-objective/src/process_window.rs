@@ -44,7 +44,6 @@ use super::preset::{Shares, SurfaceHandling};
 use super::{
     BoxedObjective, BuildObjective, MakeObjective, Objective, ObjectiveInput, VoxelWeights, read,
 };
-use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
@@ -54,6 +53,7 @@ use std::sync::atomic::{AtomicI64, Ordering};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{BLOCK, Field};
 use tomolith_core::kind::Kind;
+use tomolith_core::parallel::{InParallel, elements};
 use tomolith_core::response::Response;
 use tomolith_core::units::exact;
 
@@ -458,8 +458,8 @@ impl ProcessWindow {
     ) -> [Tail; TAILS] {
         let [part, void, low, high] = thresholds.map(|k| k as f64 * GRID);
         let (softness, of_range) = (self.params.softness, self.softness_of_range());
-        let blocks = (0..self.elements.len()).into_par_iter().step_by(BLOCK);
-        let sums = blocks.map(|begin| {
+        let blocks = (0..self.elements.len()).step_by(BLOCK);
+        let sums = blocks.par_map(|begin| {
             let mut tails = [Tail::default(); TAILS];
             for i in begin..(begin + BLOCK).min(self.elements.len()) {
                 let Some([w_part, w_void]) = self.shares.weights(i) else {
@@ -480,7 +480,6 @@ impl ProcessWindow {
             }
             tails
         });
-        let sums: Vec<[Tail; TAILS]> = sums.collect();
         let none = [Tail::default(); TAILS];
         sums.iter().fold(none, |all, more| {
             std::array::from_fn(|i| all[i].plus(&more[i]))
@@ -571,20 +570,22 @@ impl ProcessWindow {
     /// The largest v below which lies at most the weight that is left out, of the part (0) or the void (1), where each element has `at`.
     fn end(&self, region: usize, at: impl Fn(usize) -> f64 + Sync) -> f64 {
         let weight = |i: usize| self.shares.weights(i).map_or(0.0, |w| w[region]);
-        let counted = (0..self.elements.len())
-            .into_par_iter()
-            .filter(|i| weight(*i) > 0.0);
+        let blocks = (0..self.elements.len()).step_by(BLOCK);
+        let own = |begin: usize| begin..(begin + BLOCK).min(self.elements.len());
         let ends = |a: [f64; 2], b: [f64; 2]| [a[0].min(b[0]), a[1].max(b[1])];
-        let none = || [f64::INFINITY, f64::NEG_INFINITY];
-        let [mut low, mut high] = counted.map(|i| [at(i); 2]).reduce(none, ends);
+        let none = [f64::INFINITY, f64::NEG_INFINITY];
+        let of_blocks = blocks.clone().par_map(|begin| {
+            let counted = own(begin).filter(|i| weight(*i) > 0.0);
+            counted.map(|i| [at(i); 2]).fold(none, ends)
+        });
+        let [mut low, mut high] = of_blocks.into_iter().fold(none, ends);
         // Blocks are added in one order
         let below = |middle: f64| -> f64 {
-            let blocks = (0..self.elements.len()).into_par_iter().step_by(BLOCK);
-            let sums = blocks.map(|begin| {
-                let own = begin..(begin + BLOCK).min(self.elements.len());
-                own.filter(|i| at(*i) < middle).map(weight).sum::<f64>()
+            let sums = blocks.clone().par_map(|begin| {
+                let below = own(begin).filter(|i| at(*i) < middle);
+                below.map(weight).sum::<f64>()
             });
-            sums.collect::<Vec<f64>>().iter().sum()
+            sums.iter().sum()
         };
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
@@ -619,11 +620,9 @@ impl<F: Field> Objective<F> for ProcessWindow {
         for begin in (0..self.elements.len()).step_by(PORTION) {
             let len = PORTION.min(self.elements.len() - begin);
             let place = self.elements.start + begin;
-            portion[..len]
-                .par_iter_mut()
-                .zip(&dose[place..place + len])
-                .enumerate()
-                .for_each(|(i, (g, &dose))| *g = self.gradient(&found, begin + i, dose));
+            elements(&mut portion[..len], |i, g| {
+                *g = self.gradient(&found, begin + i, dose[place + i]);
+            });
             grad.write(place, &portion[..len]);
         }
         found.loss

@@ -29,7 +29,6 @@
 
 use super::buffer::near_the_other_kind;
 use crate::preset::not_negative;
-use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -38,6 +37,7 @@ use tomolith_core::dose::DoseLayout;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Volume, VolumeGrid};
 use tomolith_core::kind::Section;
+use tomolith_core::parallel::{elements, table};
 use tomolith_core::target::{Target, label};
 use tomolith_core::units::{Mm, exact};
 use tomolith_io::npy::{place_of, read_volume};
@@ -334,11 +334,7 @@ impl Common {
         if let Some(region) = &self.region {
             let counts = region.mask(ground)?;
             let weight = weight.get_or_insert_with(|| vec![1.0; counts.len()]);
-            weight
-                .par_iter_mut()
-                .zip(&counts)
-                .filter(|(_, counts)| !**counts)
-                .for_each(|(w, _)| *w = 0.0);
+            elements(weight, |i, w| *w = if counts[i] { *w } else { 0.0 });
         }
         let tolerance = match &self.tolerance {
             None => None,
@@ -371,17 +367,17 @@ impl RegionSpec {
         let within = |range: Option<[Mm; 2]>, v: f64| {
             range.is_none_or(|[low, high]| v >= low.0 && v <= high.0)
         };
-        let mask = ground.labels.values.par_iter().enumerate().map(|(i, &l)| {
+        let labels = &ground.labels.values;
+        Ok(table(labels.len(), |i| {
             let of = match self.of {
                 Of::All => true,
-                Of::Part => l == label::PART,
-                Of::Void => l == label::VOID,
+                Of::Part => labels[i] == label::PART,
+                Of::Void => labels[i] == label::VOID,
             };
             of && within(self.radius_mm, grid.x(i % nx).hypot(grid.y(i / nx % ny)))
                 && within(self.z_mm, grid.z(i / (nx * ny)))
                 && file.as_ref().is_none_or(|f| f[i] != 0.0)
-        });
-        Ok(mask.collect())
+        }))
     }
 }
 
@@ -392,10 +388,7 @@ impl WeightsSpec {
         let mut field = by_role(labels, self.part as f32, self.void as f32);
         if let Some(file) = &self.file {
             let factors = read("weights.file", &ground.base.join(file), &ground.layout.grid)?;
-            field
-                .par_iter_mut()
-                .zip(&factors)
-                .for_each(|(w, f)| *w *= f);
+            elements(&mut field, |i, w| *w *= factors[i]);
         }
         for (role, distance) in [
             (label::PART, self.buffer_part_mm.0),
@@ -403,10 +396,11 @@ impl WeightsSpec {
         ] {
             if distance > 0.0 {
                 let near = near_the_other_kind(ground.target, distance);
-                let of_role = field.par_iter_mut().zip(labels).zip(&near);
-                of_role
-                    .filter(|((_, l), near)| **l == role && **near)
-                    .for_each(|((w, _), _)| *w = 0.0);
+                elements(&mut field, |i, w| {
+                    if labels[i] == role && near[i] {
+                        *w = 0.0;
+                    }
+                });
             }
         }
         if let Some(edge) = self.edge_per_mm {
@@ -418,8 +412,9 @@ impl WeightsSpec {
                 ));
             }
             let steepness = gradients(&ground.target.inside);
-            let pairs = field.par_iter_mut().zip(&steepness);
-            pairs.for_each(|(w, g)| *w *= (1.0 / (1.0 + (g / edge).powi(2))) as f32);
+            elements(&mut field, |i, w| {
+                *w *= (1.0 / (1.0 + (steepness[i] / edge).powi(2))) as f32;
+            });
         }
         Ok(field)
     }
@@ -435,10 +430,7 @@ impl ToleranceSpec {
                 &ground.base.join(file),
                 &ground.layout.grid,
             )?;
-            field
-                .par_iter_mut()
-                .zip(&more)
-                .for_each(|(e, more)| *e += more);
+            elements(&mut field, |i, e| *e += more[i]);
         }
         Ok(field)
     }
@@ -446,12 +438,11 @@ impl ToleranceSpec {
 
 /// A number per role, 0 for voxels that do not count.
 fn by_role(labels: &[u8], part: f32, void: f32) -> Vec<f32> {
-    let of = |&l: &u8| match l {
+    table(labels.len(), |i| match labels[i] {
         label::PART => part,
         label::VOID => void,
         _ => 0.0,
-    };
-    labels.par_iter().map(of).collect()
+    })
 }
 
 /// |∇f| of every voxel, 1/mm: central differences, one-sided at the faces of the grid.
@@ -466,15 +457,12 @@ fn gradients(volume: &Volume<f32>) -> Vec<f64> {
             f64::from(volume.values[i + on * stride]) - f64::from(volume.values[i - back * stride]);
         rise / ((back + on) as f64 * volume.grid.pitch_mm)
     };
-    (0..volume.values.len())
-        .into_par_iter()
-        .map(|i| {
-            let (x, y, z) = (i % nx, i / nx % ny, i / (nx * ny));
-            along(i, x, nx, 1)
-                .hypot(along(i, y, ny, nx))
-                .hypot(along(i, z, nz, nx * ny))
-        })
-        .collect()
+    table(volume.values.len(), |i| {
+        let (x, y, z) = (i % nx, i / nx % ny, i / (nx * ny));
+        along(i, x, nx, 1)
+            .hypot(along(i, y, ny, nx))
+            .hypot(along(i, z, nz, nx * ny))
+    })
 }
 
 /// Numbers per voxel from a file, 0 or above.

@@ -41,7 +41,6 @@
 //! ```
 
 use super::Problem;
-use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
@@ -50,6 +49,7 @@ use tomolith_core::dose::PatternLayout;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::Field;
 use tomolith_core::grid::Patterns;
+use tomolith_core::parallel::{InParallel, elements};
 use tomolith_fourier::{Complex, ComplexToReal, FftError, RealToComplex};
 
 /// The window of the ramp filter.
@@ -168,7 +168,7 @@ pub fn filter_patterns<F: Field>(
         filter_rows(&mut patterns, filter)?;
         let [p, q] = light.grid.pitch_mm;
         let factor = (voxel_mm3 / (p * p * q)) as f32;
-        patterns.values.par_iter_mut().for_each(|v| *v *= factor);
+        elements(&mut patterns.values, |_, v| *v *= factor);
         light.fill_field(&patterns, &mut values);
     }
     field.copy_from_host(&values);
@@ -185,16 +185,17 @@ pub fn filter_rows(patterns: &mut Patterns, filter: Filter) -> Result<()> {
         return Ok(());
     }
     let ramp = Ramp::new(columns, filter);
-    patterns.values.par_chunks_mut(columns).try_for_each_init(
+    let frames = patterns.values.chunks_mut(patterns.grid.rows * columns);
+    let filtered = frames.par_map_with(
         || ramp.buffers(),
-        |buffers, row| {
-            if row.iter().all(|&v| v == 0.0) {
-                Ok(())
-            } else {
-                ramp.apply(row, buffers)
-            }
+        |buffers, frame| {
+            let mut rows = frame
+                .chunks_mut(columns)
+                .filter(|row| row.iter().any(|&v| v != 0.0));
+            rows.try_for_each(|row| ramp.apply(row, buffers))
         },
-    )
+    );
+    filtered.into_iter().collect()
 }
 
 /// A filter for rows of one length.

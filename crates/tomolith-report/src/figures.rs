@@ -3,9 +3,9 @@
 use super::number::{escape, significant};
 use super::picture::{Color, Picture, hex, inferno, reduction, viridis};
 use super::{DARK, INSERT, MapReport, ReportData};
-use rayon::prelude::*;
 use std::fmt::Write as _;
 use tomolith_core::grid::{Patterns, Volume, VolumeGrid};
+use tomolith_core::parallel::InParallel;
 use tomolith_core::target::label;
 
 /// Pixels of a slice's longer edge, at most.
@@ -96,15 +96,13 @@ fn middle_of_box(grid: &VolumeGrid, is_wanted: impl Fn(usize) -> bool + Sync) ->
     let join = |a: [[usize; 2]; 3], b: [[usize; 2]; 3]| -> [[usize; 2]; 3] {
         std::array::from_fn(|i| [a[i][0].min(b[i][0]), a[i][1].max(b[i][1])])
     };
-    let found = (0..nz)
-        .into_par_iter()
-        .map(|z| {
-            (0..ny * nx)
-                .filter(|i| is_wanted(z * ny * nx + i))
-                .map(|i| [z, i / nx, i % nx].map(|at| [at, at]))
-                .fold(empty, join)
-        })
-        .reduce(|| empty, join);
+    let slices = (0..nz).par_map(|z| {
+        (0..ny * nx)
+            .filter(|i| is_wanted(z * ny * nx + i))
+            .map(|i| [z, i / nx, i % nx].map(|at| [at, at]))
+            .fold(empty, join)
+    });
+    let found = slices.into_iter().fold(empty, join);
     std::array::from_fn(|axis| match found[axis] {
         [low, high] if low <= high => usize::midpoint(low, high),
         _ => grid.shape[axis] / 2,

@@ -1,7 +1,7 @@
 //! Small pictures for the page: color maps, and PNG files inside of the HTML.
 
-use rayon::prelude::*;
 use std::fmt::Write as _;
+use tomolith_core::parallel::table;
 
 /// Red, green, blue, opacity.
 pub(super) type Color = [u8; 4];
@@ -69,11 +69,7 @@ impl Picture {
         height: usize,
         index: impl Fn(usize, usize) -> u8 + Sync,
     ) -> Self {
-        let pixels = (0..width * height)
-            .into_par_iter()
-            .with_min_len(4096)
-            .map(|i| index(i % width, i / width))
-            .collect();
+        let pixels = table(width * height, |i| index(i % width, i / width));
         Picture {
             width,
             height,

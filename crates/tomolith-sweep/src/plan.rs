@@ -2,7 +2,6 @@
 
 use crate::axes::{self, RUNS_TOO_MANY, SweepPoint, mixed, named};
 use crate::file::Sweep;
-use rayon::prelude::*;
 use serde_json::Value;
 use std::collections::HashMap;
 use std::io::Write;
@@ -11,6 +10,7 @@ use tomolith::io::write_whole;
 use tomolith::job::resources::memory_budget_mb;
 use tomolith::job::{self, Job, RunFolder, Silent};
 use tomolith::models::Run;
+use tomolith::parallel::InParallel;
 use tomolith::{Error, Result};
 
 /// Runs whose time is estimated, at most.
@@ -63,9 +63,8 @@ impl Sweep {
         let wanted = self.spec.resources.side_by_side;
         let first_mb = budget_mb.map(|mb| mb / wanted.unwrap_or(1) as u64);
         let checked: Vec<Result<(String, u64)>> = points
-            .par_iter()
-            .map(|point| self.check(point, first_mb, budget_mb, cancel))
-            .collect();
+            .iter()
+            .par_map(|point| self.check(point, first_mb, budget_mb, cancel));
         if checked
             .iter()
             .any(|one| matches!(one, Err(Error::Canceled)))
@@ -539,7 +538,7 @@ fn parents(points: &[SweepPoint], count: usize) -> Vec<Parents> {
         }
         (parents, step.is_some())
     };
-    (0..points.len()).into_par_iter().map(nearest).collect()
+    (0..points.len()).par_map(nearest)
 }
 
 /// A parent other than the nearest, where there is one, and the point from which the step to it is that from the nearest to the point.

@@ -34,12 +34,12 @@ use super::diagnosis::components;
 use super::placing::Placement;
 use super::voxels::zeros;
 use super::{MeshShape, MeshUnit, Shape, TargetSpec, mesh_unit};
-use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Volume, VolumeGrid};
+use tomolith_core::parallel::elements;
 use tomolith_core::run::Run;
 use tomolith_core::units::concise;
 use tomolith_io::mesh::Mesh;
@@ -375,10 +375,9 @@ impl Shape for Group {
         let mut values = zeros(grid)?;
         for shape in &self.0 {
             let more = shape.sample_under(grid, &run.part(1.0 / self.0.len() as f64))?;
-            values
-                .par_iter_mut()
-                .zip(&more.values)
-                .for_each(|(sum, more)| *sum = (*sum + more).min(1.0));
+            elements(&mut values, |i, sum| {
+                *sum = (*sum + more.values[i]).min(1.0)
+            });
         }
         Ok(Volume {
             grid: grid.clone(),

@@ -8,9 +8,9 @@
 use super::Shape;
 use super::placing::Placement;
 use super::voxels::zeros;
-use rayon::prelude::*;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Volume, VolumeGrid};
+use tomolith_core::parallel::InParallel;
 use tomolith_core::run::Run;
 use tomolith_core::units::Mm;
 use tomolith_io::image::GrayPixels;
@@ -210,9 +210,9 @@ impl Shape for GrayImage {
         if !values.is_empty() {
             let layers = run.steps(grid.shape[0]);
             values
-                .par_chunks_mut(nx * ny)
+                .chunks_mut(nx * ny)
                 .enumerate()
-                .for_each(|(iz, layer)| {
+                .par_each(|(iz, layer)| {
                     if layers.is_canceled() {
                         return;
                     }

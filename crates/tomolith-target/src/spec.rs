@@ -6,13 +6,13 @@ use super::diagnosis::Repair;
 use super::phantom::Phantom;
 use super::placing::Placement;
 use super::{Assembly, BodySpec, GrayImage, MeshShape, MeshUnit, PHANTOMS, Shape, mesh_unit};
-use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Volume, VolumeGrid};
 use tomolith_core::kind::Section;
+use tomolith_core::parallel::{InParallel, table};
 use tomolith_core::run::Run;
 use tomolith_core::target::Target;
 use tomolith_core::units::Mm;
@@ -227,7 +227,7 @@ pub fn build_under(
         Source::Stack(file) => {
             let slices = read_stack(base_folder.join(file))?;
             let shades = |slice: &GrayPixels| slice.values.iter().any(|v| *v > 0.0 && *v < 1.0);
-            let shaded = slices.par_iter().any(shades);
+            let shaded = slices.iter().par_map(shades).contains(&true);
             gray(spec, slices, shaded, &placement, section_path)
         }
     }
@@ -350,7 +350,7 @@ pub fn sampled(shape: &dyn Shape, grid: &VolumeGrid, run: &Run) -> Result<Volume
                 let sum: f32 = voxels.iter().skip(i).step_by(plane).sum();
                 sum / cubes as f32
             };
-            values.par_extend((0..plane).into_par_iter().map(mean));
+            values.extend(table(plane, mean));
         }
     }
     Ok(Volume {

@@ -14,9 +14,9 @@
 //! Results do not depend on the number of threads: a slice is one task, and sums run in the order of the triangles.
 
 use super::lines::{Crossing, Lines, Scaled};
-use rayon::prelude::*;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Volume, VolumeGrid};
+use tomolith_core::parallel::{InParallel, table};
 use tomolith_core::run::Run;
 use tomolith_io::mesh::Mesh;
 
@@ -39,10 +39,10 @@ pub(super) fn inside_fractions(mesh: &Mesh, grid: &VolumeGrid, run: &Run) -> Res
         let mut overlapped = vec![false; nz * ny];
         let blocks = run.steps(nz.div_ceil(SLICES));
         values
-            .par_chunks_mut(nx * ny * SLICES)
-            .zip(overlapped.par_chunks_mut(ny * SLICES))
+            .chunks_mut(nx * ny * SLICES)
+            .zip(overlapped.chunks_mut(ny * SLICES))
             .enumerate()
-            .for_each(|(block, (values, overlapped))| {
+            .par_each(|(block, (values, overlapped))| {
                 if blocks.is_canceled() {
                     return;
                 }
@@ -54,10 +54,10 @@ pub(super) fn inside_fractions(mesh: &Mesh, grid: &VolumeGrid, run: &Run) -> Res
         if overlapped.contains(&true) {
             let rows = with_neighbors(&overlapped, ny);
             values
-                .par_chunks_mut(nx * ny)
-                .zip(rows.par_chunks(ny))
+                .chunks_mut(nx * ny)
+                .zip(rows.chunks(ny))
                 .enumerate()
-                .for_each(|(iz, (slice, rows))| {
+                .par_each(|(iz, (slice, rows))| {
                     if rows.contains(&true) && !run.is_canceled() {
                         sample_rows(&scaled, iz, nx, rows, slice);
                     }
@@ -137,10 +137,9 @@ fn is_overlapped(crossings: &[Crossing], nx: f64) -> bool {
 fn with_neighbors(rows: &[bool], ny: usize) -> Vec<bool> {
     let nz = rows.len() / ny;
     let near = |i: usize, n: usize| i.saturating_sub(1)..(i + 2).min(n);
-    (0..rows.len())
-        .into_par_iter()
-        .map(|i| near(i / ny, nz).any(|z| near(i % ny, ny).any(|y| rows[z * ny + y])))
-        .collect()
+    table(rows.len(), |i| {
+        near(i / ny, nz).any(|z| near(i % ny, ny).any(|y| rows[z * ny + y]))
+    })
 }
 
 /// Lines per voxel row: 16 heights with 4 lines each, all 64 at different y.

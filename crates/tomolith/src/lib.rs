@@ -15,7 +15,7 @@
 pub mod job;
 
 pub use tomolith_core::{
-    Error, Place, Result, dose, error, field, grid, kind, ranks, response, run, units,
+    Error, Place, Result, dose, error, field, grid, kind, parallel, ranks, response, run, units,
 };
 pub use tomolith_io as io;
 pub use tomolith_metrics as metrics;

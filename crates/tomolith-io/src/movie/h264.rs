@@ -7,8 +7,8 @@ use super::track::{Codec, Track};
 use super::{CODING, GRAY};
 use openh264::decoder::{DecodedYUV, Decoder};
 use openh264::formats::YUVSource;
-use rayon::prelude::*;
 use std::ops::Range;
+use tomolith_core::parallel::InParallel;
 
 /// Frames that one encoder or decoder handles; fixed, so that results do not depend on the number of threads.
 const GROUP: usize = 16;
@@ -110,8 +110,9 @@ pub(super) fn luma(
         std::iter::once(0..frames).collect()
     };
     let (levels, colored): (Vec<Vec<u16>>, Vec<Option<usize>>) = groups
-        .into_par_iter()
-        .map(decode)
+        .into_iter()
+        .par_map(decode)
+        .into_iter()
         .collect::<Result<Vec<_>, String>>()?
         .into_iter()
         .unzip();

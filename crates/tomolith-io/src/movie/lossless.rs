@@ -9,10 +9,10 @@ use super::{damaged, must_fit};
 use crate::frames::{FrameSet, Frames, Trouble, decode, encode, together};
 use crate::mp4::MovieCheck;
 use crate::whole::write_whole;
-use rayon::prelude::*;
 use std::io::{Cursor, Seek, SeekFrom, Write};
 use std::path::Path;
 use tomolith_core::error::{Error, Result};
+use tomolith_core::parallel::InParallel;
 
 /// Units of time in a second, as in [`mp4`](crate::mp4).
 const TIMESCALE: f64 = 90_000.0;
@@ -48,11 +48,12 @@ pub fn write_lossless(path: &Path, set: &FrameSet<'_>, frame_rate: f64) -> Resul
         let frames: Vec<usize> = (0..set.grid.frames()).collect();
         for group in frames.chunks(GROUP) {
             let images: Vec<Vec<u8>> = group
-                .par_iter()
-                .map(|&frame| {
+                .iter()
+                .par_map(|&frame| {
                     let mut image = Vec::new();
                     encode(&mut image, set, frame).map(|()| image)
                 })
+                .into_iter()
                 .collect::<std::io::Result<_>>()?;
             for image in images {
                 file.write_all(&image)?;
@@ -148,13 +149,14 @@ fn index([columns, rows]: [u16; 2], starts: &[f64], sizes: &[u32], first: u64) -
 
 /// The frames of a track of PNG files.
 pub(super) fn read(track: &Track<'_>, path: &Path, size: [usize; 2]) -> Result<Frames> {
-    let images = (track.samples.par_iter().enumerate())
-        .map(|(i, sample)| {
+    let images = (track.samples.iter().enumerate())
+        .par_map(|(i, sample)| {
             decode(Cursor::new(sample)).map_err(|trouble| match trouble {
                 Trouble::Io(source) => Error::io(path, source),
                 Trouble::Said(found) => damaged(path, format!("frame {i}: {found}")),
             })
         })
+        .into_iter()
         .collect::<Result<_>>()?;
     let frames = together(images, |_| path.to_owned())?;
     must_fit([frames.shape[2], frames.shape[1]], size).map_err(|found| damaged(path, found))?;

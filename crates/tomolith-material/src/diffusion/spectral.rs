@@ -19,11 +19,11 @@
 //! assert!((v[0] / wave[0] - 0.0193).abs() < 1e-4);
 //! ```
 
-use rayon::prelude::*;
 use std::f64::consts::PI;
 use std::sync::Arc;
 use tomolith_core::dose::DoseLayout;
 use tomolith_core::field::{HostField, LANES};
+use tomolith_core::parallel::InParallel;
 use tomolith_fourier::TransformType2And3;
 
 /// Transforms for one layout.
@@ -64,8 +64,8 @@ impl Modes {
         let row = of.layout.row;
         let mut table = HostField::zeros(of.layout.voxels());
         if !table.as_slice().is_empty() {
-            let planes = table.as_mut_slice().par_chunks_mut(kx.len() * row).zip(&ky);
-            planes.for_each(|(plane, ky)| {
+            let planes = table.as_mut_slice().chunks_mut(kx.len() * row).zip(&ky);
+            planes.par_each(|(plane, ky)| {
                 for (row, kx) in plane.chunks_exact_mut(row).zip(&kx) {
                     for (value, kz) in row.iter_mut().zip(&kz) {
                         *value = (scale * g(kx + ky + kz)) as f32;
@@ -155,8 +155,8 @@ impl Spectral {
             };
         let start = || (Lines::of(of_z), Lines::of(of_x));
         volume
-            .par_chunks_mut(nx * row)
-            .for_each_init(start, |(z_lines, x_lines), plane| {
+            .chunks_mut(nx * row)
+            .par_each_with(start, |(z_lines, x_lines), plane| {
                 if let Some(plan) = of_z {
                     for line in plane.chunks_exact_mut(row) {
                         transform(plan.as_ref(), &mut line[..nz], &mut z_lines.scratch);
@@ -191,7 +191,7 @@ impl Spectral {
             columns[i % nx].push(line);
         }
         let plan = &self.plans[1];
-        columns.into_par_iter().enumerate().for_each_init(
+        columns.into_iter().enumerate().par_each_with(
             || Lines::of(plan),
             |lines, (x, mut rows)| {
                 let at = |y: usize, z: usize| match modes {

@@ -29,10 +29,10 @@
 use super::placing::{Placing, size_of, turn};
 use super::printer::{PrinterSpec, device_pitch};
 use super::quantize::Quantized;
-use rayon::prelude::*;
 use std::f64::consts::PI;
 use tomolith_core::error::{Error, Result, nearest_name};
 use tomolith_core::grid::PatternGrid;
+use tomolith_core::parallel::table;
 use tomolith_io::frames::top_level;
 
 /// Every calibration frame: its name and what it is for.
@@ -205,22 +205,19 @@ impl Calibration {
     fn fill(&self, light: &(dyn Fn(f64, f64) -> f64 + Sync)) -> Vec<f64> {
         let [columns, rows] = self.placing.canvas;
         let at = |i: usize| (i as f64 + 0.5) / SAMPLES as f64;
-        (0..rows * columns)
-            .into_par_iter()
-            .map(|i| {
-                let (x, y) = ((i % columns) as f64, (i / columns) as f64);
-                let mut sum = 0.0;
-                for dy in 0..SAMPLES {
-                    for dx in 0..SAMPLES {
-                        sum += light(
-                            x + at(dx) - columns as f64 / 2.0,
-                            rows as f64 / 2.0 - y - at(dy),
-                        );
-                    }
+        table(rows * columns, |i| {
+            let (x, y) = ((i % columns) as f64, (i / columns) as f64);
+            let mut sum = 0.0;
+            for dy in 0..SAMPLES {
+                for dx in 0..SAMPLES {
+                    sum += light(
+                        x + at(dx) - columns as f64 / 2.0,
+                        rows as f64 / 2.0 - y - at(dy),
+                    );
                 }
-                sum / (SAMPLES * SAMPLES) as f64
-            })
-            .collect()
+            }
+            sum / (SAMPLES * SAMPLES) as f64
+        })
     }
 }
 

@@ -49,7 +49,6 @@ use super::maps::read_map;
 use super::placing::{Overlaps, Placing, size_of, turn};
 use super::quantize::Quantized;
 use super::tone::{Tone, ToneCurve};
-use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
@@ -57,6 +56,7 @@ use std::f64::consts::{PI, TAU};
 use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{PatternGrid, Patterns, PixelMask};
+use tomolith_core::parallel::InParallel;
 use tomolith_core::units::{Mm, Pitch, exact};
 
 /// Dimmer pixels do not decide what white is.
@@ -450,7 +450,7 @@ impl Printer {
             });
             most
         };
-        let most: Vec<f64> = (0..self.order.len()).into_par_iter().map(largest).collect();
+        let most: Vec<f64> = (0..self.order.len()).par_map(largest);
         most.into_iter().fold(0.0, f64::max)
     }
 
@@ -470,9 +470,9 @@ impl Printer {
         let mut values = vec![0; grid.len()];
         if white > 0.0 {
             values
-                .par_chunks_mut(self.device_pixels())
+                .chunks_mut(self.device_pixels())
                 .zip(&self.order)
-                .for_each(|(levels, &frame)| {
+                .par_each(|(levels, &frame)| {
                     self.each_pixel(patterns, frame, |device, value| {
                         let bright = self.bright(device);
                         if bright > 0.0 {
@@ -499,19 +499,14 @@ impl Printer {
         let tone = Tone::new(self.curve.as_ref(), frames.bits);
         let white = f64::from(frames.full_scale);
         let pixels = self.pattern.rows * self.pattern.columns;
-        let shown: Vec<Vec<f32>> = self
-            .order
-            .par_iter()
-            .enumerate()
-            .map(|(j, &frame)| {
-                let levels = &frames.values[j * self.device_pixels()..][..self.device_pixels()];
-                let mut light = vec![0.0f64; pixels];
-                let value =
-                    |device: usize| tone.intensity(levels[device]) * white * self.bright(device);
-                self.overlaps(frame, 0).back(value, &mut light);
-                light.into_iter().map(|v| v as f32).collect()
-            })
-            .collect();
+        let shown: Vec<Vec<f32>> = self.order.iter().enumerate().par_map(|(j, &frame)| {
+            let levels = &frames.values[j * self.device_pixels()..][..self.device_pixels()];
+            let mut light = vec![0.0f64; pixels];
+            let value =
+                |device: usize| tone.intensity(levels[device]) * white * self.bright(device);
+            self.overlaps(frame, 0).back(value, &mut light);
+            light.into_iter().map(|v| v as f32).collect()
+        });
         let mut patterns = Patterns::dark(self.pattern.clone());
         for (&frame, light) in self.order.iter().zip(shown) {
             patterns.values[frame * pixels..][..pixels].copy_from_slice(&light);
@@ -538,7 +533,7 @@ impl Printer {
                 .back(|device| self.bright(device), &mut light);
             light
         };
-        let light: Vec<Vec<f64>> = (0..frames).into_par_iter().map(of_frame).collect();
+        let light: Vec<Vec<f64>> = (0..frames).par_map(of_frame);
         let mask = PixelMask::new([frames, rows, columns], |frame, row, column| {
             light[frame][row * columns + column] > 0.0
         });
@@ -551,13 +546,12 @@ impl Printer {
         let tone = Tone::new(self.curve.as_ref(), frames.bits);
         let sums: Vec<f64> = frames
             .values
-            .par_chunks(self.device_pixels().max(1))
-            .map(|levels| {
+            .chunks(self.device_pixels().max(1))
+            .par_map(|levels| {
                 let light =
                     |(device, &level): (usize, &u16)| tone.intensity(level) * self.bright(device);
                 levels.iter().enumerate().map(light).sum()
-            })
-            .collect();
+            });
         sums.into_iter().sum()
     }
 }

@@ -25,10 +25,10 @@
 //! assert_eq!(quantized.patterns().values, [0.0, 1.0, 2.0, 3.0]);
 //! ```
 
-use rayon::prelude::*;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::BLOCK;
 use tomolith_core::grid::{PatternGrid, Patterns};
+use tomolith_core::parallel::{InParallel, table};
 use tomolith_io::frames::{FrameSet, top_level};
 
 /// Patterns of one light as whole numbers 0…2^bits − 1, array order `[angle, row, column]`.
@@ -50,14 +50,16 @@ pub struct Quantized {
 /// [`Error::Config`] when `bits` is not 1…16; [`Error::NonFinite`] when a value is negative, infinite or not a number.
 pub fn quantize(patterns: &Patterns, bits: u32) -> Result<Quantized> {
     check(patterns, bits)?;
-    let full_scale = patterns.values.par_iter().copied().reduce(|| 0.0, f32::max);
+    let largest = |block: &[f32]| block.iter().copied().fold(0.0, f32::max);
+    let blocks = patterns.values.chunks(BLOCK).par_map(largest);
+    let full_scale = blocks.into_iter().fold(0.0, f32::max);
     let mut values = vec![0; patterns.values.len()];
     if full_scale > 0.0 {
         let top = f64::from(top_level(bits));
         values
-            .par_chunks_mut(BLOCK)
-            .zip(patterns.values.par_chunks(BLOCK))
-            .for_each(|(levels, block)| {
+            .chunks_mut(BLOCK)
+            .zip(patterns.values.chunks(BLOCK))
+            .par_each(|(levels, block)| {
                 for (level, &value) in levels.iter_mut().zip(block) {
                     let scaled = f64::from(value) / f64::from(full_scale) * top + 0.5;
                     *level = scaled.floor() as u16;
@@ -81,11 +83,14 @@ pub(super) fn check(patterns: &Patterns, bits: u32) -> Result<()> {
             "a whole number 1…16",
         ));
     }
-    if let Some(&value) = patterns
-        .values
-        .par_iter()
-        .find_first(|v| !(v.is_finite() && **v >= 0.0))
-    {
+    let wrong = |block: &[f32]| {
+        block
+            .iter()
+            .copied()
+            .find(|v| !(v.is_finite() && *v >= 0.0))
+    };
+    let blocks = patterns.values.chunks(BLOCK).par_map(wrong);
+    if let Some(value) = blocks.into_iter().flatten().next() {
         return Err(Error::NonFinite {
             what: "a pattern value to be quantized".to_owned(),
             value: f64::from(value),
@@ -103,11 +108,9 @@ impl Quantized {
         let scale = f64::from(self.full_scale);
         Patterns {
             grid: self.grid.clone(),
-            values: self
-                .values
-                .par_iter()
-                .map(|&q| (f64::from(q) / top * scale) as f32)
-                .collect(),
+            values: table(self.values.len(), |i| {
+                (f64::from(self.values[i]) / top * scale) as f32
+            }),
         }
     }
 
@@ -116,9 +119,8 @@ impl Quantized {
     pub fn sum(&self) -> f64 {
         let blocks: Vec<u64> = self
             .values
-            .par_chunks(BLOCK)
-            .map(|block| block.iter().map(|&q| u64::from(q)).sum())
-            .collect();
+            .chunks(BLOCK)
+            .par_map(|block| block.iter().map(|&q| u64::from(q)).sum());
         blocks.iter().sum::<u64>() as f64 / f64::from(top_level(self.bits))
     }
 

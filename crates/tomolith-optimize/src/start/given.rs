@@ -23,7 +23,6 @@
 //! ```
 
 use super::{BuildStart, InitialPatterns, StartInput, starts};
-use rayon::prelude::*;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -34,6 +33,7 @@ use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::{PatternGrid, Patterns};
 use tomolith_core::kind::{Kind, Section};
+use tomolith_core::parallel::InParallel;
 use tomolith_io::npy::read_patterns;
 
 /// The parameters of `patterns`.
@@ -260,9 +260,9 @@ pub fn resample(given: &Patterns, to: &PatternGrid) -> Patterns {
     let image = |k: usize| given.frame(k);
     patterns
         .values
-        .par_chunks_mut(to.rows * to.columns)
+        .chunks_mut(to.rows * to.columns)
         .zip(&frames)
-        .for_each(|(out, frame)| {
+        .par_each(|(out, frame)| {
             for (line, row) in out.chunks_mut(to.columns).zip(&rows) {
                 for (value, column) in line.iter_mut().zip(&columns) {
                     let mut sum = 0.0;

@@ -10,12 +10,12 @@ pub mod lsqr;
 
 use super::Limits;
 pub use given::Files;
-use rayon::prelude::*;
 use tomolith_core::dose::{DoseLayout, DoseModel, Quantity, Run};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Bounds, Field, HostField};
 use tomolith_core::grid::Volume;
 use tomolith_core::kind::{Kind, Read};
+use tomolith_core::parallel::elements;
 use tomolith_core::response::Response;
 use tomolith_core::target::{Target, label};
 use tomolith_objective::buffer::near_the_other_kind;
@@ -108,19 +108,14 @@ impl<F: Field> StartInput<'_, F> {
         let dose_of = |value: f32| self.response.inverse(value).clamp(0.0, 1.0);
         let (gray, part) = (self.target.gray, dose_of(1.0));
         let mut wanted = Volume::filled(layout.grid.clone(), 0.0f32);
-        wanted
-            .values
-            .par_iter_mut()
-            .zip(&self.target.inside.values)
-            .zip(&self.labels.values)
-            .for_each(|((wanted, &inside), &label)| {
-                *wanted = match label {
-                    label::OUTSIDE => 0.0,
-                    _ if gray => dose_of(inside),
-                    label::PART => part,
-                    _ => 0.0,
-                };
-            });
+        elements(&mut wanted.values, |i, wanted| {
+            *wanted = match self.labels.values[i] {
+                label::OUTSIDE => 0.0,
+                _ if gray => dose_of(self.target.inside.values[i]),
+                label::PART => part,
+                _ => 0.0,
+            };
+        });
         let mut field = layout.field_of(&wanted);
         if let Some(cells) = &layout.cells {
             let mut labels = layout.field_of(self.labels);
@@ -192,19 +187,14 @@ impl<F: Field> StartInput<'_, F> {
         let layout = self.layout()?;
         let gray = self.target.gray;
         let mut target = Volume::filled(layout.grid.clone(), 0.0f32);
-        target
-            .values
-            .par_iter_mut()
-            .zip(&self.target.inside.values)
-            .zip(&self.labels.values)
-            .for_each(|((target, &inside), &label)| {
-                *target = match label {
-                    label::OUTSIDE => -1.0,
-                    _ if gray => inside,
-                    label::PART => 1.0,
-                    _ => 0.0,
-                };
-            });
+        elements(&mut target.values, |i, target| {
+            *target = match self.labels.values[i] {
+                label::OUTSIDE => -1.0,
+                _ if gray => self.target.inside.values[i],
+                label::PART => 1.0,
+                _ => 0.0,
+            };
+        });
         let mut field = self.model.new_dose()?;
         field.write(layout.offset, &layout.field_of(&target));
         Ok(field)

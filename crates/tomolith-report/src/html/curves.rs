@@ -3,9 +3,9 @@
 use super::super::ReportData;
 use super::super::number::significant;
 use super::super::plot::{Axis, Plot};
-use rayon::prelude::*;
 use tomolith_core::field::BLOCK;
 use tomolith_core::grid::Volume;
+use tomolith_core::parallel::InParallel;
 use tomolith_core::target::label;
 use tomolith_io::csv::HistoryRow;
 
@@ -57,10 +57,10 @@ fn gray_curves(data: &ReportData<'_>, wanted: &Volume<f32>, half_width: f64) -> 
     let blocks: Vec<GrayCurves> = data
         .labels
         .values
-        .par_chunks(BLOCK)
-        .zip(data.response.values.par_chunks(BLOCK))
-        .zip(wanted.values.par_chunks(BLOCK))
-        .map(|((labels, response), wanted)| {
+        .chunks(BLOCK)
+        .zip(data.response.values.chunks(BLOCK))
+        .zip(wanted.values.chunks(BLOCK))
+        .par_map(|((labels, response), wanted)| {
             let mut curves = empty();
             for ((&label, &m), &f) in labels.iter().zip(response).zip(wanted) {
                 let class = match label {
@@ -75,8 +75,7 @@ fn gray_curves(data: &ReportData<'_>, wanted: &Volume<f32>, half_width: f64) -> 
                 *tone = [tone[0] + 1.0, tone[1] + m, tone[2] + m * m];
             }
             curves
-        })
-        .collect();
+        });
     blocks.iter().fold(empty(), |mut all, block| {
         for class in 0..2 {
             for (sum, count) in all.errors[class].iter_mut().zip(&block.errors[class]) {

@@ -12,8 +12,8 @@
 use super::edges::Edges;
 use super::shells::Groups;
 use crate::boxes::Tree;
-use rayon::prelude::*;
 use tomolith_core::error::Result;
+use tomolith_core::parallel::InParallel;
 use tomolith_core::run::Run;
 use tomolith_io::mesh::{Mesh, cross, dot, minus};
 
@@ -64,22 +64,19 @@ pub(super) fn find_crossings(mesh: &Mesh, run: &Run) -> Result<[Crossings; 2]> {
         .iter()
         .map(|sides| [sides[0].low, sides[0].high])
         .collect();
-    let blocks: Vec<[Crossings; 2]> = pairs
-        .par_chunks(1024)
-        .map(|pairs| {
-            let mut found = [Crossings::default(); 2];
-            if run.is_canceled() {
-                return found;
-            }
-            for &edge in pairs {
-                search.for_each_crossing(edge, |triangle, at, depth| {
-                    let other = shell[mesh.triangles[triangle as usize][0] as usize];
-                    found[usize::from(other != shell[edge[0] as usize])].add(at, depth);
-                });
-            }
-            found
-        })
-        .collect();
+    let blocks: Vec<[Crossings; 2]> = pairs.chunks(1024).par_map(|pairs| {
+        let mut found = [Crossings::default(); 2];
+        if run.is_canceled() {
+            return found;
+        }
+        for &edge in pairs {
+            search.for_each_crossing(edge, |triangle, at, depth| {
+                let other = shell[mesh.triangles[triangle as usize][0] as usize];
+                found[usize::from(other != shell[edge[0] as usize])].add(at, depth);
+            });
+        }
+        found
+    });
     let mut total = [Crossings::default(); 2];
     for block in &blocks {
         total[0].join(&block[0]);

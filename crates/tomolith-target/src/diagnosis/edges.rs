@@ -1,7 +1,7 @@
 //! The edges of a mesh: who shares them, and in which direction.
 
 use super::Diagnosis;
-use rayon::prelude::*;
+use rayon::slice::ParallelSliceMut;
 use tomolith_io::mesh::Mesh;
 
 pub(super) fn turn(triangle: &mut [u32; 3]) {
@@ -27,9 +27,9 @@ impl Edges {
     pub(super) fn new(mesh: &Mesh) -> Self {
         let mut sides: Vec<Side> = mesh
             .triangles
-            .par_iter()
+            .iter()
             .enumerate()
-            .flat_map_iter(|(t, &[a, b, c])| {
+            .flat_map(|(t, &[a, b, c])| {
                 [(a, b), (b, c), (c, a)].map(|(from, to)| Side {
                     low: from.min(to),
                     high: from.max(to),

@@ -2,8 +2,8 @@
 
 use super::Diagnosis;
 use crate::lines::{Lines, Scaled};
-use rayon::prelude::*;
 use tomolith_core::grid::VolumeGrid;
+use tomolith_core::parallel::InParallel;
 use tomolith_core::run::Run;
 use tomolith_io::mesh::Mesh;
 
@@ -47,32 +47,29 @@ pub(super) fn find_overlaps(mesh: &Mesh, found: &mut Diagnosis, run: &Run) {
     };
     let scaled = Scaled::new(mesh, &grid);
     let x0 = grid.bounds_mm()[0][0];
-    let slices: Vec<[Misfit; 2]> = (0..grid.shape[0])
-        .into_par_iter()
-        .map_init(Lines::default, |lines, iz| {
-            if run.is_canceled() {
-                return Default::default();
-            }
-            let z = iz as f64 + 0.5;
-            let active = scaled.between(z, z);
-            lines.cast(&scaled, &active, z, |j| j as f64 + 0.5, 0..grid.shape[1]);
-            let mut misfits = [Misfit::default(); 2];
-            lines.for_each_line(|iy, crossings| {
-                let mut winding = 0;
-                for pair in crossings.windows(2) {
-                    winding += pair[0].step;
-                    let length = (pair[1].x - pair[0].x) * pitch_mm;
-                    let x = x0 + (pair[0].x + pair[1].x) / 2.0 * pitch_mm;
-                    // A stretch shorter than a thousandth of the spacing is rounding, not overlap
-                    if !(0..=1).contains(&winding) && length > 1e-3 * pitch_mm {
-                        let kind = usize::from(winding < 0);
-                        misfits[kind].add(length, [x, grid.y(iy), grid.z(iz)]);
-                    }
+    let slices: Vec<[Misfit; 2]> = (0..grid.shape[0]).par_map_with(Lines::default, |lines, iz| {
+        if run.is_canceled() {
+            return Default::default();
+        }
+        let z = iz as f64 + 0.5;
+        let active = scaled.between(z, z);
+        lines.cast(&scaled, &active, z, |j| j as f64 + 0.5, 0..grid.shape[1]);
+        let mut misfits = [Misfit::default(); 2];
+        lines.for_each_line(|iy, crossings| {
+            let mut winding = 0;
+            for pair in crossings.windows(2) {
+                winding += pair[0].step;
+                let length = (pair[1].x - pair[0].x) * pitch_mm;
+                let x = x0 + (pair[0].x + pair[1].x) / 2.0 * pitch_mm;
+                // A stretch shorter than a thousandth of the spacing is rounding, not overlap
+                if !(0..=1).contains(&winding) && length > 1e-3 * pitch_mm {
+                    let kind = usize::from(winding < 0);
+                    misfits[kind].add(length, [x, grid.y(iy), grid.z(iz)]);
                 }
-            });
-            misfits
-        })
-        .collect();
+            }
+        });
+        misfits
+    });
     let mut total = [Misfit::default(); 2];
     for slice in &slices {
         for (total, misfit) in total.iter_mut().zip(slice) {

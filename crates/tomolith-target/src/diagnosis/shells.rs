@@ -2,7 +2,7 @@
 
 use super::Diagnosis;
 use super::edges::turn;
-use rayon::prelude::*;
+use tomolith_core::parallel::InParallel;
 use tomolith_io::mesh::{Mesh, cross, dot, minus};
 
 /// Sets that can be joined (union by path halving).
@@ -63,7 +63,7 @@ fn shells(mesh: &Mesh) -> Vec<Shell> {
         }
         shells[slot[group] as usize].triangles.push(t as u32);
     }
-    shells.par_iter_mut().for_each(|shell| shell.measure(mesh));
+    shells.iter_mut().par_each(|shell| shell.measure(mesh));
     shells
 }
 
@@ -110,10 +110,7 @@ impl Shell {
 /// any other one, also when it lies in a cavity, is a body. Shells that share a vertex are one.
 pub(crate) fn components(mesh: &Mesh) -> Vec<Mesh> {
     let shells = shells(mesh);
-    let owners: Vec<usize> = (0..shells.len())
-        .into_par_iter()
-        .map(|i| owner(mesh, &shells, i))
-        .collect();
+    let owners: Vec<usize> = (0..shells.len()).par_map(|i| owner(mesh, &shells, i));
     let mut bodies: Vec<usize> = (0..shells.len()).filter(|&i| owners[i] == i).collect();
     let size = |i: usize| shells[i].volume.abs();
     bodies.sort_by(|&a, &b| size(b).total_cmp(&size(a)).then(a.cmp(&b)));
@@ -158,21 +155,17 @@ fn owner(mesh: &Mesh, shells: &[Shell], i: usize) -> usize {
 /// Turns shells of negative volume that lie in no other shell; notes all volumes.
 pub(super) fn turn_lone_shells(mesh: &mut Mesh, found: &mut Diagnosis) {
     let mut shells = shells(mesh);
-    let lone: Vec<bool> = shells
-        .par_iter()
-        .enumerate()
-        .map(|(i, shell)| {
-            shell.volume < 0.0 && {
-                let point = mesh.corners(shell.triangles[0] as usize)[0];
-                let others = shells.iter().enumerate().filter(|(j, _)| *j != i);
-                let winding: f64 = others
-                    .filter(|(_, other)| other.box_holds(point))
-                    .map(|(_, other)| other.winding(mesh, point))
-                    .sum();
-                winding < 0.5
-            }
-        })
-        .collect();
+    let lone: Vec<bool> = shells.iter().enumerate().par_map(|(i, shell)| {
+        shell.volume < 0.0 && {
+            let point = mesh.corners(shell.triangles[0] as usize)[0];
+            let others = shells.iter().enumerate().filter(|(j, _)| *j != i);
+            let winding: f64 = others
+                .filter(|(_, other)| other.box_holds(point))
+                .map(|(_, other)| other.winding(mesh, point))
+                .sum();
+            winding < 0.5
+        }
+    });
     for (shell, lone) in shells.iter_mut().zip(lone) {
         if lone {
             for &t in &shell.triangles {

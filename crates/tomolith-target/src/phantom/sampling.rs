@@ -9,9 +9,9 @@
 use super::{Body, GrayForm, Prism};
 use crate::placing::Map;
 use crate::voxels::zeros;
-use rayon::prelude::*;
 use tomolith_core::error::Result;
 use tomolith_core::grid::{Volume, VolumeGrid, sample};
+use tomolith_core::parallel::InParallel;
 use tomolith_core::run::Run;
 
 /// Cells along the edge of a voxel of a solid, a power of two.
@@ -103,10 +103,10 @@ fn fill_upright(prisms: &[Prism], map: &Map, grid: &VolumeGrid, values: &mut [f3
         let outline = outline_fractions(prism, map, grid);
         let heights = height_shares(prism.z, map, grid);
         values
-            .par_chunks_mut(nx * ny)
+            .chunks_mut(nx * ny)
             .zip(&heights)
             .filter(|(_, height)| **height > 0.0)
-            .for_each(|(slice, height)| {
+            .par_each(|(slice, height)| {
                 for (value, share) in slice.iter_mut().zip(&outline) {
                     *value = value.max((share * height) as f32);
                 }
@@ -131,7 +131,7 @@ fn fill_gray(form: &GrayForm, map: &Map, grid: &VolumeGrid, values: &mut [f32]) 
     let [_, ny, nx] = grid.shape;
     let cell = grid.pitch_mm / GRAY_CELLS as f64;
     let mut layer = vec![0.0f64; nx * ny];
-    layer.par_chunks_mut(nx).enumerate().for_each(|(iy, row)| {
+    layer.chunks_mut(nx).enumerate().par_each(|(iy, row)| {
         for (ix, value) in row.iter_mut().enumerate() {
             let offset = |i| sample(i, GRAY_CELLS, cell);
             let sum: f64 = (0..GRAY_CELLS * GRAY_CELLS)
@@ -145,10 +145,10 @@ fn fill_gray(form: &GrayForm, map: &Map, grid: &VolumeGrid, values: &mut [f32]) 
         }
     });
     values
-        .par_chunks_mut(nx * ny)
+        .chunks_mut(nx * ny)
         .zip(height_shares(form.z, map, grid))
         .filter(|(_, height)| *height > 0.0)
-        .for_each(|(slice, height)| {
+        .par_each(|(slice, height)| {
             for (value, gray) in slice.iter_mut().zip(&layer) {
                 *value = (gray * height) as f32;
             }
@@ -165,16 +165,12 @@ fn outline_fractions(prism: &Prism, map: &Map, grid: &VolumeGrid) -> Vec<f64> {
         map.scale * (prism.outline)([p[0], p[1]])
     };
     let mut fractions = vec![0.0; nx * ny];
-    fractions
-        .par_chunks_mut(nx)
-        .enumerate()
-        .for_each(|(iy, row)| {
-            for (ix, value) in row.iter_mut().enumerate() {
-                let (x, y) = (grid.x(ix), grid.y(iy));
-                let middle = distance(x, y);
-                *value = if middle.abs()
-                    >= (pitch - cell) * std::f64::consts::FRAC_1_SQRT_2 + cell / 2.0
-                {
+    fractions.chunks_mut(nx).enumerate().par_each(|(iy, row)| {
+        for (ix, value) in row.iter_mut().enumerate() {
+            let (x, y) = (grid.x(ix), grid.y(iy));
+            let middle = distance(x, y);
+            *value =
+                if middle.abs() >= (pitch - cell) * std::f64::consts::FRAC_1_SQRT_2 + cell / 2.0 {
                     f64::from(middle < 0.0)
                 } else {
                     let offset = |i| sample(i, OUTLINE_CELLS, cell);
@@ -186,8 +182,8 @@ fn outline_fractions(prism: &Prism, map: &Map, grid: &VolumeGrid) -> Vec<f64> {
                         .sum();
                     sum / (OUTLINE_CELLS * OUTLINE_CELLS) as f64
                 };
-            }
-        });
+        }
+    });
     fractions
 }
 
@@ -201,9 +197,9 @@ fn fill_solid(
     let octree = Octree { surface, map, grid };
     let rows = run.steps(nz.div_ceil(BLOCK) * ny.div_ceil(BLOCK));
     values
-        .par_chunks_mut(nx * ny * BLOCK)
+        .chunks_mut(nx * ny * BLOCK)
         .enumerate()
-        .for_each(|(slab, values)| {
+        .par_each(|(slab, values)| {
             for iy in (0..ny).step_by(BLOCK) {
                 if rows.is_canceled() {
                     return;

@@ -21,8 +21,8 @@ use crate::models::rays::matrix_cache;
 use crate::models::{DoseModel, Family, OpticalScene, Purpose, Run};
 use crate::objective::Objective;
 use crate::optics::light::{Light, Selection};
-use rayon::prelude::*;
 use std::time::Instant;
+use tomolith_core::parallel::table;
 
 /// Updates of the calls that are timed, about; and neighboring frames, as many as the kernel does at once: they share what
 /// they light.
@@ -395,9 +395,10 @@ fn cotangent_of_a_good_dose(
     let response = scene.response();
     let wanted = Volume {
         grid: layout.grid.clone(),
-        values: (voxels.target.inside.values.par_iter())
-            .map(|&inside| response.inverse(GOOD[0] * inside + GOOD[1]).clamp(0.0, 1.0))
-            .collect(),
+        values: table(voxels.target.inside.values.len(), |i| {
+            let inside = voxels.target.inside.values[i];
+            response.inverse(GOOD[0] * inside + GOOD[1]).clamp(0.0, 1.0)
+        }),
     };
     run.check()?;
     let mut dose = plan.model.new_dose()?;

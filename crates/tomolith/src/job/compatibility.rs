@@ -9,8 +9,8 @@ use crate::optics::light::Light;
 use crate::report::number::significant;
 use crate::target::{Shape, label};
 use crate::units::{concise, exact};
-use rayon::prelude::*;
 use std::f64::consts::TAU;
+use tomolith_core::parallel::{InParallel, table};
 
 /// Part of the target's volume that may lie outside the resin: what rounding to voxels puts there.
 const STRAY: f64 = 1e-3;
@@ -300,12 +300,14 @@ impl Optics {
         };
         let slices = labels
             .values
-            .par_chunks(size)
-            .zip(inside.values.par_chunks(size))
+            .chunks(size)
+            .zip(inside.values.chunks(size))
             .enumerate();
-        let ([part, stray, cut, beyond], farthest) = slices.map(of_slice).reduce(
-            || ([0; 4], 0.0),
-            |(a, far), (b, other)| (std::array::from_fn(|i| a[i] + b[i]), far.max(other)),
+        let ([part, stray, cut, beyond], farthest) = slices.par_map(of_slice).into_iter().fold(
+            ([0; 4], 0.0),
+            |(a, far): ([u64; 4], f64), (b, other)| {
+                (std::array::from_fn(|i| a[i] + b[i]), far.max(other))
+            },
         );
         let mm3 = |voxels: u64| concise(voxels as f64 * grid.voxel_mm3());
         if part == 0 {
@@ -389,7 +391,7 @@ impl Optics {
         }
         let grid = &labels.grid;
         let [_, ny, nx] = grid.shape;
-        let hidden = |&i: &usize| {
+        let hidden = |i: usize| {
             let is_part = if gray {
                 inside.values[i] > 0.0
             } else {
@@ -398,7 +400,10 @@ impl Optics {
             let middle = [grid.x(i % nx), grid.y(i / nx % ny), grid.z(i / (nx * ny))];
             is_part && bodies.iter().any(|body| body.surface.contains(middle))
         };
-        (0..grid.len()).into_par_iter().filter(hidden).count() as u64
+        table(grid.len(), hidden)
+            .iter()
+            .filter(|hidden| **hidden)
+            .count() as u64
     }
 
     /// Distance from the axis up to which every light is tangent, mm, and the light that ends there.

@@ -12,8 +12,8 @@ use crate::models::masked::MaskedModel;
 use crate::models::scenarios::SharedModel;
 use crate::models::{DoseLayout, DoseModel, Family, OpticalScene, Purpose, Run};
 use crate::optics::light::{Light, Selection};
-use rayon::prelude::*;
 use std::sync::Arc;
+use tomolith_core::parallel::table;
 
 /// How patterns are exposed: on which voxels, and over how many angles of a frame.
 #[derive(Clone)]
@@ -214,19 +214,14 @@ fn simulated(
 /// Rows from the lowest to the highest that is not dark, per (frame, column): `(bottom, count)`.
 pub(super) fn lit_rows(patterns: &Patterns) -> LitRows {
     let (rows, columns) = (patterns.grid.rows, patterns.grid.columns);
-    (0..patterns.grid.frames())
-        .into_par_iter()
-        .flat_map_iter(|frame| {
-            let image = patterns.frame(frame);
-            (0..columns).map(move |column| {
-                let lit = |&up: &usize| image[(rows - 1 - up) * columns + column] != 0.0;
-                let (first, last) = ((0..rows).find(lit), (0..rows).rev().find(lit));
-                first
-                    .zip(last)
-                    .map_or((0, 0), |(a, b)| (a as u32, (b - a + 1) as u32))
-            })
-        })
-        .collect()
+    table(patterns.grid.frames() * columns, |i| {
+        let (image, column) = (patterns.frame(i / columns), i % columns);
+        let lit = |&up: &usize| image[(rows - 1 - up) * columns + column] != 0.0;
+        let (first, last) = ((0..rows).find(lit), (0..rows).rev().find(lit));
+        first
+            .zip(last)
+            .map_or((0, 0), |(a, b)| (a as u32, (b - a + 1) as u32))
+    })
 }
 
 /// Rows that are lit in one of two.

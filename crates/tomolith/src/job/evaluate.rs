@@ -25,8 +25,8 @@ use crate::models::Run;
 use crate::optics::light::Light;
 use crate::report::{OneExposure, ScenarioTable};
 use crate::target::label;
-use rayon::prelude::*;
 use serde::Serialize;
+use tomolith_core::parallel::InParallel;
 
 /// What patterns are worth.
 pub(crate) struct Evaluated {
@@ -629,9 +629,9 @@ pub(super) fn averaged(fine: &Volume<f32>, grid: &VolumeGrid) -> Volume<f32> {
     let factor = fine.grid.shape[0] / grid.shape[0].max(1);
     let mut values = vec![0.0f32; grid.len()];
     values
-        .par_chunks_mut((nx * ny).max(1))
+        .chunks_mut((nx * ny).max(1))
         .enumerate()
-        .for_each(|(iz, slice)| {
+        .par_each(|(iz, slice)| {
             for (i, value) in slice.iter_mut().enumerate() {
                 let (iy, ix) = (i / nx, i % nx);
                 let mut sum = 0.0f64;
@@ -661,7 +661,7 @@ impl Scene {
     pub(crate) fn responses(&self, mut dose: Volume<f32>) -> Volume<f32> {
         let response = self.response();
         if !response.is_identity() {
-            dose.values.par_chunks_mut(BLOCK).for_each(|block| {
+            dose.values.chunks_mut(BLOCK).par_each(|block| {
                 block
                     .iter_mut()
                     .for_each(|value| *value = response.value(*value))

@@ -12,11 +12,11 @@ use crate::io::npy::{PatternPair, write_patterns};
 use crate::models::Run;
 use crate::optimize::Checkpoints;
 use crate::optimize::checkpoint::{CHECKPOINT, Contents};
-use rayon::prelude::*;
 use serde_json::Value;
 use std::io::Read;
 use std::path::Path;
 use std::time::Duration;
+use tomolith_core::parallel::InParallel;
 
 /// The level of the checkpoint to go on from, if there is one. Where the run is not to be resumed, one of this job stays until the run
 /// writes its own, and one of another job is removed.
@@ -190,10 +190,9 @@ pub(super) fn fingerprint(tables: &Value, voxels: &Voxels, base: &Path) -> Resul
 
 /// Hashes of labels and of shares.
 pub(super) fn of_voxels(voxels: &Voxels) -> [u64; 2] {
-    let labels = voxels.labels.values.par_chunks(BLOCK).map(hash);
-    let inside = voxels.target.inside.values.par_chunks(BLOCK);
-    let inside = inside.map(|block| hash(bytemuck::cast_slice(block)));
-    let [labels, inside]: [Vec<u64>; 2] = [labels.collect(), inside.collect()];
+    let labels = voxels.labels.values.chunks(BLOCK).par_map(hash);
+    let inside = voxels.target.inside.values.chunks(BLOCK);
+    let inside = inside.par_map(|block| hash(bytemuck::cast_slice(block)));
     [labels, inside].map(|hashes| hash(bytemuck::cast_slice(&hashes)))
 }
 

@@ -6,7 +6,7 @@ use crate::job::scene::Scene;
 use crate::job::spec::JobSpec;
 use crate::job::species::Row;
 use crate::target::Role;
-use rayon::prelude::*;
+use tomolith_core::parallel::table;
 use tomolith_material::diffusion::Scheme;
 use tomolith_material::domain::Domain;
 use tomolith_material::mixing::Mixing;
@@ -89,7 +89,7 @@ pub(super) fn resin(scene: &Scene, grid: &VolumeGrid) -> Result<Volume<bool>> {
         let is_free = || !bodies.iter().any(|body| body.surface.contains(place));
         optics.vial.in_resin(place) && is_free()
     };
-    let mut values: Vec<bool> = (0..grid.len()).into_par_iter().map(holds).collect();
+    let mut values = table(grid.len(), holds);
     if let Some(insert) = scene.shape.body(Role::Insert) {
         let shares = insert.sample(grid)?.values;
         let pairs = values.iter_mut().zip(shares);

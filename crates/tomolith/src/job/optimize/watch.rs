@@ -7,10 +7,10 @@ use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
 use crate::models::DoseLayout;
 use crate::optimize::{MeasuredPrint, Observer, Room, Row, StepReport};
-use rayon::prelude::*;
 use std::borrow::Cow;
 use std::ops::ControlFlow;
 use std::time::Instant;
+use tomolith_core::parallel::table;
 
 /// What to say when no step was better than the start, whose patterns are then the result. A method that normalizes its doses
 /// begins with its first step, and is idle when its loss never changes.
@@ -87,7 +87,7 @@ impl Watch<'_> {
         let values: Cow<'_, [f32]> = if response.is_identity() {
             dose
         } else {
-            Cow::Owned(dose.par_iter().map(|&d| response.value(d)).collect())
+            Cow::Owned(table(dose.len(), |i| response.value(dose[i])))
         };
         if decides {
             return exact(&self.labels, &values);
