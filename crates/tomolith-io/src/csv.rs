@@ -4,7 +4,7 @@
 //!
 //! ```
 //! use tomolith_io::csv::{HistoryRow, history_text};
-//! let row = HistoryRow { iteration: 1, loss: 0.5, projected_gradient: Some(1e-3), step: Some(1.0), forward_calls: 2, adjoint_calls: 2, seconds: 0.25, iou: Some(0.875), process_window: None };
+//! let row = HistoryRow { iteration: 1, loss: 0.5, projected_gradient: Some(1e-3), step: Some(1.0), forward_calls: 2, adjoint_calls: 2, seconds: 0.25, iou: Some(0.875), process_window: None, response: Vec::new() };
 //! assert_eq!(
 //!     history_text(&[row]),
 //!     "iteration,loss,projected_gradient,step,forward_calls,adjoint_calls,seconds,iou,process_window\n1,0.5,0.001,1,2,2,0.25,0.875,\n"
@@ -18,7 +18,7 @@ use std::path::Path;
 use tomolith_core::error::Result;
 
 /// What is known after one iteration. Metrics are measured after some of them.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct HistoryRow {
     /// Iteration, 0 = the start.
     pub iteration: usize,
@@ -38,6 +38,9 @@ pub struct HistoryRow {
     pub iou: Option<f64>,
     /// Process window on the optimization's own grid, where it was measured.
     pub process_window: Option<f64>,
+    /// Parameters of the response that were found with the patterns; empty where none were unknowns. Each is a column `response.NAME`.
+    #[serde(default)]
+    pub response: Vec<(String, f64)>,
 }
 
 /// A number, or nothing where there is none.
@@ -49,11 +52,18 @@ fn text_of(value: Option<f64>) -> String {
 #[must_use]
 pub fn history_text(rows: &[HistoryRow]) -> String {
     let mut text = String::from(
-        "iteration,loss,projected_gradient,step,forward_calls,adjoint_calls,seconds,iou,process_window\n",
+        "iteration,loss,projected_gradient,step,forward_calls,adjoint_calls,seconds,iou,process_window",
     );
+    let names: Vec<&str> = rows.last().map_or_else(Vec::new, |row| {
+        row.response.iter().map(|(name, _)| name.as_str()).collect()
+    });
+    names
+        .iter()
+        .for_each(|name| text.extend([",response.", name]));
+    text.push('\n');
     for r in rows {
         // Writing into a string cannot fail
-        let _ = writeln!(
+        let _ = write!(
             text,
             "{},{},{},{},{},{},{},{},{}",
             r.iteration,
@@ -66,6 +76,11 @@ pub fn history_text(rows: &[HistoryRow]) -> String {
             text_of(r.iou),
             text_of(r.process_window),
         );
+        for i in 0..names.len() {
+            text.push(',');
+            text += &text_of(r.response.get(i).map(|(_, value)| *value));
+        }
+        text.push('\n');
     }
     text
 }

@@ -101,6 +101,13 @@ impl<F: Field> Objective<F> for BandObjective<F> {
             .set_voxel_weights(&voxel_weights.weight, &voxel_weights.tolerance)
     }
 
+    fn set_response(&mut self, response: &Arc<dyn Response>) -> Result<()> {
+        // Without its kernel nobody else holds the loss, and nothing is copied
+        self.kernel = OnceLock::new();
+        Arc::make_mut(&mut self.loss).set_response(Arc::clone(response));
+        Ok(())
+    }
+
     fn must_be_reached(&self) -> Result<()> {
         self.loss.must_be_reached()
     }

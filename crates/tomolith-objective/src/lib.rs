@@ -75,6 +75,16 @@ pub trait Objective<F: Field>: Send + Sync {
             reason: "this objective has no bands".to_owned(),
         })
     }
+    /// Takes another response of the material; bands stay as they are, in its units.
+    ///
+    /// # Errors
+    /// [`Error::Unsupported`] for an objective that knows no response.
+    fn set_response(&mut self, _response: &Arc<dyn Response>) -> Result<()> {
+        Err(Error::Unsupported {
+            what: "another response".to_owned(),
+            reason: "this objective knows none".to_owned(),
+        })
+    }
     /// Refuses what the material's response cannot reach; to be called before any work.
     ///
     /// # Errors

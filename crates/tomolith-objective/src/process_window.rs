@@ -666,6 +666,11 @@ impl<F: Field> Objective<F> for ProcessWindow {
         })
     }
 
+    fn set_response(&mut self, response: &Arc<dyn Response>) -> Result<()> {
+        self.response = Arc::clone(response);
+        Ok(())
+    }
+
     fn set_voxel_weights(&mut self, voxel_weights: &VoxelWeights) -> Result<()> {
         if !voxel_weights.tolerance.is_empty() {
             let found = "a tolerance beside process_window, which has no bands to widen";

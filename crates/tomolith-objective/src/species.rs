@@ -14,8 +14,11 @@
 
 use super::{FoundWindow, Objective};
 use std::ops::Range;
+use std::sync::Arc;
 use tomolith_core::dose::DoseLayout;
+use tomolith_core::error::Result;
 use tomolith_core::field::{Field, HostField};
+use tomolith_core::response::Response;
 
 /// How the losses of blocks become one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -121,6 +124,11 @@ impl Objective<HostField> for PerBlock {
         self.parts.iter().all(|(_, part)| part.is_convex())
     }
 
+    fn set_response(&mut self, response: &Arc<dyn Response>) -> Result<()> {
+        let mut parts = self.parts.iter_mut();
+        parts.try_for_each(|(_, part)| part.set_response(response))
+    }
+
     /// That of the first block: the first species, or the job as it is.
     fn window(&self, dose: &HostField) -> Option<FoundWindow> {
         let (range, part) = self.parts.first()?;
@@ -132,7 +140,6 @@ impl Objective<HostField> for PerBlock {
 mod tests {
     use super::*;
     use crate::{OBJECTIVES, ObjectiveInput, check};
-    use std::sync::Arc;
     use tomolith_core::check::example;
     use tomolith_core::check::small::SmallModel;
     use tomolith_core::response::Identity;

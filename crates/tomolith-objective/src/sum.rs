@@ -1,8 +1,10 @@
 //! A weighted sum of objectives.
 
 use super::{FoundWindow, Objective};
+use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::Field;
+use tomolith_core::response::Response;
 
 /// L = Σ_k weight_k·L_k. A gradient of more than one part needs a temporary field.
 pub struct Sum<F> {
@@ -69,6 +71,11 @@ impl<F: Field> Objective<F> for Sum<F> {
 
     fn is_convex(&self) -> bool {
         self.parts.iter().all(|(_, part)| part.is_convex())
+    }
+
+    fn set_response(&mut self, response: &Arc<dyn Response>) -> Result<()> {
+        let mut parts = self.parts.iter_mut();
+        parts.try_for_each(|(_, part)| part.set_response(response))
     }
 
     fn window(&self, dose: &F) -> Option<FoundWindow> {

@@ -620,7 +620,7 @@ impl Checkpoint {
     }
 
     pub(super) fn best(&self) -> Best {
-        self.header.best
+        self.header.best.clone()
     }
 
     /// Fills a field from an array of the file; of ranks that share the patterns each takes its own elements.
@@ -752,7 +752,19 @@ mod tests {
 
     /// Writes a checkpoint whose values are the number of its iteration; the last array does something when its turn comes.
     fn write(checkpoints: &mut Checkpoints, run: &Run, iteration: usize, at_last: impl Fn()) {
+        let history = [Row {
+            response: Vec::new(),
+            print: None,
+            iteration,
+            loss: 1.0,
+            projected_gradient: None,
+            step: None,
+            forward: 0,
+            adjoint: 0,
+            seconds: 0.0,
+        }];
         let values = vec![iteration as f32; VALUES];
+        let field = HostField::from_slice(&values);
         let bytes = || {
             at_last();
             bytemuck::cast_slice(&values).into()
@@ -766,18 +778,7 @@ mod tests {
             numbers: Value::Null,
             arrays: vec![("pairs".to_owned(), array)],
         };
-        let row = Row {
-            print: None,
-            iteration,
-            loss: 1.0,
-            projected_gradient: None,
-            step: None,
-            forward: 0,
-            adjoint: 0,
-            seconds: 0.0,
-        };
-        let field = HostField::from_slice(&values);
-        let written = checkpoints.try_write(of_field(&field, &[row], memory), run);
+        let written = checkpoints.try_write(of_field(&field, &history, memory), run);
         assert!(matches!(written, Ok(None)));
     }
 

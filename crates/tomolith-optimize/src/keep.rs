@@ -65,13 +65,16 @@ impl KeptBy {
 }
 
 /// The best iterate so far, as a checkpoint holds it.
-#[derive(Clone, Copy, Debug, Default, Deserialize, Serialize)]
+#[derive(Clone, Debug, Default, Deserialize, Serialize)]
 pub(super) struct Best {
     iteration: usize,
     /// Its loss.
     pub(super) loss: f64,
     /// What was measured of it; lower is better.
     score: f64,
+    /// Parameters of its response, where these are unknowns.
+    #[serde(default)]
+    pub(super) response: Vec<f64>,
 }
 
 /// What iterates are compared by.
@@ -155,6 +158,7 @@ impl<F: Field> Keeper<F> {
                 iteration: 0,
                 loss: at.loss,
                 score,
+                response: problem.response_values().to_vec(),
             },
             patterns: None,
         }
@@ -165,8 +169,8 @@ impl<F: Field> Keeper<F> {
         (self.best, self.patterns) = (best, patterns);
     }
 
-    pub(super) fn best(&self) -> Best {
-        self.best
+    pub(super) fn best(&self) -> &Best {
+        &self.best
     }
 
     /// The best patterns, when they are not the present ones.
@@ -181,6 +185,7 @@ impl<F: Field> Keeper<F> {
             iteration,
             loss: at.loss,
             score: self.measure.score(problem, at),
+            response: problem.response_values().to_vec(),
         };
     }
 
@@ -211,6 +216,7 @@ impl<F: Field> Keeper<F> {
                 iteration,
                 loss: at.loss,
                 score,
+                response: problem.response_values().to_vec(),
             };
         } else {
             self.go_back(before);

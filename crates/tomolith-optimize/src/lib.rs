@@ -13,6 +13,7 @@ pub mod check;
 pub mod checkpoint;
 pub mod filter;
 pub mod fista;
+pub mod free_response;
 pub mod gap;
 pub mod gradient;
 pub mod keep;
@@ -31,6 +32,7 @@ pub mod run;
 pub mod start;
 
 pub use checkpoint::{Checkpoints, Contents, Room};
+pub use free_response::{FreeParameter, FreeResponse, Respond};
 pub use gap::Gap;
 pub use keep::{Keep, Kept, KeptBy};
 pub use problem::{Counters, Limits, Position, Problem};

@@ -8,6 +8,7 @@
 //! clamping, so for a linear model the dose along it is F(x) + α·F(x̄ − x): one forward call serves the whole search, which
 //! then costs passes over the dose only; for waves it is a quadratic in α, whose three coefficients serve it. (Searching first and clamping afterwards promises losses that are not delivered.)
 
+use super::free_response::FreeResponse;
 use std::sync::OnceLock;
 use std::time::Instant;
 use tomolith_core::dose::{DoseModel, PatternLayout, Quantity, Run};
@@ -50,7 +51,7 @@ pub struct Counters {
 /// Model, objective and bounds; see the [module](self).
 pub struct Problem<'a, F: Field> {
     model: &'a dyn DoseModel<Field = F>,
-    objective: &'a dyn Objective<F>,
+    objective: Held<'a, F>,
     penalties: Penalties<F>,
     bounds: Bounds,
     /// The bounds where patterns live, from the first patterns on.
@@ -64,6 +65,22 @@ pub struct Problem<'a, F: Field> {
     run: &'a Run,
     /// What was done so far.
     pub counters: Counters,
+}
+
+/// The objective of a problem.
+enum Held<'a, F> {
+    Fixed(&'a dyn Objective<F>),
+    /// Its response has unknown parameters.
+    Free(FreeResponse<'a, F>),
+}
+
+impl<F: Field> Held<'_, F> {
+    fn get(&self) -> &dyn Objective<F> {
+        match self {
+            Held::Fixed(objective) => *objective,
+            Held::Free(free) => free.objective(),
+        }
+    }
 }
 
 /// Where the patterns are: their dose, and what an optimizer needs of it.
@@ -93,6 +110,28 @@ impl<'a, F: Field> Problem<'a, F> {
     pub fn new(
         model: &'a dyn DoseModel<Field = F>,
         objective: &'a dyn Objective<F>,
+        limits: &[Limits],
+        run: &'a Run,
+    ) -> Result<Self> {
+        Self::of(model, Held::Fixed(objective), limits, run)
+    }
+
+    /// A problem in which parameters of the response are unknowns, too.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn with_free_response(
+        model: &'a dyn DoseModel<Field = F>,
+        objective: FreeResponse<'a, F>,
+        limits: &[Limits],
+        run: &'a Run,
+    ) -> Result<Self> {
+        Self::of(model, Held::Free(objective), limits, run)
+    }
+
+    fn of(
+        model: &'a dyn DoseModel<Field = F>,
+        objective: Held<'a, F>,
         limits: &[Limits],
         run: &'a Run,
     ) -> Result<Self> {
@@ -167,8 +206,61 @@ impl<'a, F: Field> Problem<'a, F> {
 
     /// The objective.
     #[must_use]
-    pub fn objective(&self) -> &'a dyn Objective<F> {
-        self.objective
+    pub fn objective(&self) -> &dyn Objective<F> {
+        self.objective.get()
+    }
+
+    /// The parameters of the response at hand, where these are unknowns.
+    pub(super) fn response_values(&self) -> &[f64] {
+        match &self.objective {
+            Held::Fixed(_) => &[],
+            Held::Free(free) => free.values(),
+        }
+    }
+
+    /// Takes other parameters of the response, where there are any.
+    pub(super) fn set_response_values(&mut self, values: &[f64]) -> Result<()> {
+        match &mut self.objective {
+            Held::Free(free) if values.len() == free.values().len() => free.set(values),
+            _ => Ok(()),
+        }
+    }
+
+    /// Whether the parameters of the response moved by no more than their tolerance from these.
+    pub(super) fn is_response_settled(&self, before: &[f64]) -> bool {
+        match &self.objective {
+            Held::Fixed(_) => true,
+            Held::Free(free) => free.is_settled(before),
+        }
+    }
+
+    /// Minimizes the loss at a position over the parameters of the response, where these are unknowns; no model call. `before`: those that the
+    /// last time began with.
+    pub(super) fn fit_response(
+        &mut self,
+        x: &F,
+        at: &mut Position<F>,
+        before: &[f64],
+    ) -> Result<()> {
+        let Held::Free(free) = &mut self.objective else {
+            return Ok(());
+        };
+        let begin = Instant::now();
+        let was = free.values().to_vec();
+        free.fit(&at.dose, before)?;
+        let has_moved = free.values() != was;
+        self.counters.objective_s += begin.elapsed().as_secs_f64();
+        if has_moved {
+            let Position {
+                dose,
+                cotangent,
+                loss,
+            } = at;
+            *loss = self.timed(|objective, penalties| {
+                objective.value_and_gradient(dose, cotangent) + penalties.value(x)
+            });
+        }
+        Ok(())
     }
 
     /// The bounds of every pixel, where `x` lives.
@@ -270,7 +362,7 @@ impl<'a, F: Field> Problem<'a, F> {
     pub fn has_lower_bound(&self) -> bool {
         self.model.is_linear()
             && !self.model.is_renewed()
-            && self.objective.is_convex()
+            && self.objective().is_convex()
             && self.penalties.is_convex()
             && self.bounds.pieces().all(|(_, _, upper)| upper.is_finite())
     }
@@ -638,7 +730,7 @@ impl<'a, F: Field> Problem<'a, F> {
 
     fn timed<T>(&mut self, work: impl FnOnce(&dyn Objective<F>, &Penalties<F>) -> T) -> T {
         let begin = Instant::now();
-        let result = work(self.objective, &self.penalties);
+        let result = work(self.objective.get(), &self.penalties);
         self.counters.objective_s += begin.elapsed().as_secs_f64();
         result
     }

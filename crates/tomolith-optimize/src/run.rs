@@ -130,7 +130,7 @@ impl StopReason {
 }
 
 /// A row of the history; row 0 is the start.
-#[derive(Clone, Copy, Debug, PartialEq, Deserialize, Serialize)]
+#[derive(Clone, Debug, PartialEq, Deserialize, Serialize)]
 pub struct Row {
     /// Steps done.
     pub iteration: usize,
@@ -149,6 +149,9 @@ pub struct Row {
     /// The print after the step, where an observer measured it.
     #[serde(default)]
     pub print: Option<MeasuredPrint>,
+    /// Parameters of the response that the loss is of, where these are [unknowns](super::free_response).
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub response: Vec<f64>,
 }
 
 impl Row {
@@ -164,6 +167,7 @@ impl Row {
             adjoint: 0,
             seconds: 0.0,
             print: None,
+            response: Vec::new(),
         }
     }
 }
@@ -231,6 +235,8 @@ pub struct Outcome {
     pub reason: StopReason,
     /// A row per step, and one for the start.
     pub history: Vec<Row>,
+    /// Parameters of the response with the patterns that were kept, where these are [unknowns](super::free_response); else empty.
+    pub response: Vec<f64>,
     /// A loss that no patterns within the bounds go below, of the run's last voxels; None where there is no such [bound](super::Gap).
     pub bound: Option<f64>,
     /// Model calls and where the time went.
@@ -313,6 +319,7 @@ pub fn run_after<F: Field>(
             },
             reason: StopReason::Canceled,
             history,
+            response: Vec::new(),
             bound: None,
             counters: problem.counters,
         });
@@ -353,9 +360,11 @@ pub fn run_after<F: Field>(
         state.tighten(problem, x)?;
     }
     let loss = state.keeper.best().loss;
+    let response = state.keeper.best().response.clone();
     let kept = state.keeper.end(x);
     Ok(Outcome {
         loss,
+        response,
         kept,
         reason: result?,
         history: state.history,
@@ -420,6 +429,7 @@ fn begin<F: Field>(
                 }
                 None => drop(problem.renew(done.max(1), x)?),
             }
+            problem.set_response_values(history.last().map_or(&[], |row| &row.response))?;
             let at = problem.place_at(x, dose)?;
             optimizer.restore(&mut checkpoint, problem, x)?;
             problem.counters = checkpoint.counters();
@@ -446,10 +456,12 @@ fn begin<F: Field>(
             checkpoint.read_field("best", x)?;
         }
     }
-    let at = match problem.evaluate_at(x) {
+    problem.set_response_values(earlier.last().map_or(&[], |row| &row.response))?;
+    let mut at = match problem.evaluate_at(x) {
         Err(Error::Canceled) => return Ok(None),
         other => other?,
     };
+    problem.fit_response(x, &mut at, &[])?;
     if !at.loss.is_finite() {
         return Err(Error::NonFinite {
             what: "the loss".to_owned(),
@@ -467,7 +479,7 @@ fn begin<F: Field>(
         at,
         history: earlier,
         begin,
-        before_s: last.map_or(0.0, |row| row.seconds),
+        before_s: last.as_ref().map_or(0.0, |row| row.seconds),
         bound: None,
         bound_at: None,
     };
@@ -486,6 +498,7 @@ impl<F: Field> State<F> {
             adjoint: problem.counters.adjoint,
             seconds: self.before_s + self.begin.elapsed().as_secs_f64(),
             print: None,
+            response: problem.response_values().to_vec(),
         });
     }
 
@@ -546,6 +559,8 @@ impl<F: Field> State<F> {
             .first_loss
             .or_else(|| self.history.first().map(|row| row.loss));
         broken |= first_loss.is_some_and(|first| row.loss < stop.relative_loss * first);
+        // A method at rest goes on while the response moves
+        let is_settled = problem.is_response_settled(response_before(&self.history));
         // On other paths the loss may be above zero again
         let goes_on = problem.model().is_renewed();
         // Ranks have clocks and signals of their own
@@ -557,16 +572,17 @@ impl<F: Field> State<F> {
             Some(StopReason::Canceled)
         } else if row.loss == 0.0 && !goes_on {
             Some(StopReason::ZeroLoss)
-        } else if row.projected_gradient.is_some_and(small) {
+        } else if row.projected_gradient.is_some_and(small) && is_settled {
             Some(StopReason::ProjectedGradient)
         } else if stop.change > 0.0
             && row.iteration >= stop.change_after
             && self.change().is_some_and(|c| c <= stop.change * row.loss)
+            && is_settled
         {
             Some(StopReason::Steady)
         } else if stop.gap > 0.0 && self.gap().is_some_and(|gap| gap.relative() <= stop.gap) {
             Some(StopReason::Gap)
-        } else if row.step == Some(0.0) && !goes_on {
+        } else if row.step == Some(0.0) && !goes_on && is_settled {
             Some(StopReason::NoProgress)
         } else if broken {
             Some(StopReason::Observer)
@@ -611,6 +627,7 @@ impl<F: Field> State<F> {
                 return Err(error);
             }
         };
+        problem.fit_response(x, &mut self.at, response_before(&self.history))?;
         self.keeper.after(problem, &self.at, iteration, before);
         self.record(problem, iteration, Some(step));
         Ok(())
@@ -625,7 +642,7 @@ impl<F: Field> State<F> {
     ) -> Saved<'a, F> {
         Saved {
             patterns: x,
-            best: self.keeper.best(),
+            best: self.keeper.best().clone(),
             best_patterns: self.keeper.patterns(),
             dose: &self.at.dose,
             model,
@@ -634,6 +651,12 @@ impl<F: Field> State<F> {
             history: &self.history,
         }
     }
+}
+
+/// Parameters of the response before those of the last row; empty where there are none.
+fn response_before(history: &[Row]) -> &[f64] {
+    let before = history.len().checked_sub(2);
+    before.map_or(&[], |row| &history[row].response)
 }
 
 /// A step that led to numbers.

@@ -130,6 +130,9 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         .map(|(stage, model)| ((*stage).to_owned(), json!(model)))
         .collect();
     let species: Vec<Value> = data.species.iter().map(species_json).collect();
+    let found = data.found_response.iter();
+    let found: Map<String, Value> = found.map(|(name, v)| (name.clone(), json!(v))).collect();
+    let response = (!found.is_empty()).then_some(found);
     json!({
         "schema": "tomolith.report/1",
         "part": data.part,
@@ -148,6 +151,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         "levels": data.levels,
         "scenarios": data.scenarios,
         "process_window": data.found_window,
+        "response": response,
         "movies": movies,
         "notes": data.notes,
         "warnings": data.warnings,

@@ -200,6 +200,8 @@ pub struct ReportData<'a> {
     pub scenarios: Option<&'a ScenarioTable>,
     /// The process window that the optimization reached, where an objective looks for it.
     pub found_window: Option<FoundWindow>,
+    /// Parameters of the response that were found with the patterns; empty where none were unknowns.
+    pub found_response: &'a [(String, f64)],
     /// What was gained on few levels of the machine, where patterns were improved on them.
     pub levels: Option<Gain>,
     /// Movies.
@@ -250,6 +252,7 @@ impl<'a> ReportData<'a> {
             gap: None,
             scenarios: None,
             found_window: None,
+            found_response: &[],
             deviation: None,
             levels: None,
             movies: Vec::new(),
@@ -438,6 +441,7 @@ mod tests {
                 gap: None,
                 scenarios: None,
                 found_window: None,
+                found_response: &[],
                 deviation: None,
                 levels: None,
                 movies: Vec::new(),

@@ -6,7 +6,7 @@ use tomolith::metrics::METRICS;
 use tomolith::{Error, Result};
 
 /// Tables of a report, and numbers of an evaluation beside its metrics.
-const TABLES: [&str; 17] = [
+const TABLES: [&str; 18] = [
     "evaluation",
     "optimization",
     "exposure",
@@ -21,6 +21,7 @@ const TABLES: [&str; 17] = [
     "levels",
     "scenarios",
     "process_window",
+    "response",
     "movies",
     "run",
     "part",

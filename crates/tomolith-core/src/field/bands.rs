@@ -407,6 +407,11 @@ impl BandLoss {
         [self.p, self.q]
     }
 
+    /// The same bands for another response.
+    pub fn set_response(&mut self, response: Arc<dyn Response>) {
+        self.response = response;
+    }
+
     /// M, the response that the bands are for.
     #[must_use]
     pub fn response(&self) -> &dyn Response {

@@ -208,12 +208,14 @@ pub(super) fn history(rows: &[HistoryRow]) -> String {
             measured(rows, |r| r.process_window),
         ),
     ]
-    .iter()
+    .into_iter()
+    .map(|(title, label, points)| (title.to_owned(), label, points))
+    .chain(of_response(rows))
     .filter(|(_, _, points)| points.len() > 1)
     .map(|(title, label, points)| {
         format!(
             "<section><h2>{title}</h2>{}</section>",
-            history_plot(title, label, points)
+            history_plot(&title, label, &points)
         )
     })
     .collect();
@@ -232,6 +234,16 @@ pub(super) fn history(rows: &[HistoryRow]) -> String {
         last.adjoint_calls,
         significant(last.seconds, 3),
     )
+}
+
+/// Parameters of the response that were found with the patterns.
+fn of_response(rows: &[HistoryRow]) -> Vec<(String, &'static str, Vec<[f64; 2]>)> {
+    let names = rows.last().map_or(&[][..], |row| &row.response);
+    let curve = |(i, (name, _)): (usize, &(String, f64))| {
+        let points = measured(rows, |r| r.response.get(i).map(|(_, value)| *value));
+        (format!("Response: {name}"), "found so far", points)
+    };
+    names.iter().enumerate().map(curve).collect()
 }
 
 fn series(rows: &[HistoryRow], value: impl Fn(&HistoryRow) -> f64) -> Vec<[f64; 2]> {

@@ -19,6 +19,7 @@ mod benchmark;
 mod build;
 mod cells;
 mod clip;
+mod co_optimize;
 mod compatibility;
 mod cross_check;
 mod device;

@@ -152,6 +152,8 @@ pub struct Summary {
     pub gap: Option<Gap>,
     /// The process window that the optimization reached, before the patterns are written; None where no objective looks for it.
     pub found_window: Option<FoundWindow>,
+    /// Parameters of the response that were found with the patterns, in words.
+    pub found_response: Option<String>,
     /// The written patterns while the vial turns, on the finer grid: the headline.
     pub evaluation: Quality,
     /// The same with the vial standing still during each frame.
@@ -270,6 +272,9 @@ impl fmt::Display for Summary {
             }
             if let Some(window) = &self.found_window {
                 writeln!(f, "{:>28} {}", "optimized for", window.sentence())?;
+            }
+            if let Some(text) = &self.found_response {
+                writeln!(f, "{:>28} {text}", "response found")?;
             }
         }
         let heads = |f: &mut fmt::Formatter<'_>, name: &str, q: &Quality| {

@@ -1,5 +1,6 @@
 //! The kinds that a job names: read once, tried on a few voxels before any work, and refused where they do not go together.
 
+use super::co_optimize::{self, FreeParameters};
 use super::in_time;
 use super::scene::at_section;
 use super::spec::JobSpec;
@@ -27,6 +28,8 @@ use std::sync::Arc;
 pub(crate) struct JobKinds {
     /// What the material makes of a dose.
     pub(crate) response: Arc<dyn Response>,
+    /// Which of its parameters are unknowns.
+    pub(crate) free: Option<FreeParameters>,
     objectives: Vec<JobObjective>,
     /// Each with its weight.
     penalties: Vec<(f64, Arc<dyn MakePenalty>)>,
@@ -151,6 +154,7 @@ impl JobKinds {
             requirements: method.requirements(),
             normalizes: method.normalizes(),
             response,
+            free: FreeParameters::of(spec, base)?,
             objectives,
             penalties,
             optimizer,
@@ -178,6 +182,16 @@ impl JobKinds {
         if let Some(optimizer) = self.optimizer.with_pairs(pairs) {
             self.optimizer = optimizer;
         }
+    }
+
+    /// Takes another response in place of the job's.
+    pub(super) fn set_response(&mut self, response: &Arc<dyn Response>) {
+        for own in &mut self.objectives {
+            if own.common.response.is_none() {
+                own.response = Arc::clone(response);
+            }
+        }
+        self.response = Arc::clone(response);
     }
 
     /// The sum of the objectives; `on_grid` whether fields of voxels fit the input's grid.
@@ -295,6 +309,7 @@ pub(super) fn try_kinds(
         tolerant: gray || tolerates_dose(&objective, &layout, &labels),
     };
     fit_together(spec, &kinds.requirements, is)?;
+    co_optimize::must_be_minimized(kinds)?;
     // Of a gray target the values are not known yet
     if kinds.start.asks_for_doses() && !gray {
         dose_for(response.as_ref(), 1.0).map_err(|e| e.under("response"))?;

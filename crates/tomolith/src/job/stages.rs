@@ -75,6 +75,7 @@ pub(super) fn run_stages(
     let folder = open(job, &scene, clock.progress)?;
     let sampled = sample(job, &mut scene, kept, &mut clock)?;
     let optimized = optimized(job, &scene, &sampled.0, (resume, leaves), kept, &mut clock)?;
+    scene.respond_as(optimized.found.as_ref());
     let of = (scene, sampled);
     judge(job, of, (optimized, kept), leaves, folder, clock)
 }
@@ -106,6 +107,7 @@ pub(super) fn run_shared(
     };
     let sampled = scene.agreed(sampled.and_then(still_fits))?;
     let optimized = optimized(job, &scene, &sampled.0, (resume, leaves), kept, &mut clock)?;
+    scene.respond_as(optimized.found.as_ref());
     let of = (scene, sampled);
     let judged = |folder| judge(job, of, (optimized, kept), leaves, folder, clock);
     folder.map(judged).transpose()
@@ -229,6 +231,7 @@ fn simulate_stages(
     let mut scene = Scene::new(job, cancel)?;
     let (patterns, notes) = device::read(&scene, source, cancel)?;
     scene.notes.extend(notes);
+    respond_as_found(&mut scene, source)?;
     cancel.check()?;
     let folder = open(job, &scene, clock.progress)?;
     let stage = clock.stage("sampling the target");
@@ -257,6 +260,28 @@ fn simulate_stages(
         warnings,
     };
     finish(done, folder, clock)
+}
+
+/// Takes the response that the run found whose patterns these are, where its parameters were unknowns.
+fn respond_as_found(scene: &mut Scene, source: &Path) -> Result<()> {
+    let Some(free) = scene.kinds.free.clone() else {
+        return Ok(());
+    };
+    let folder = if source.is_dir() {
+        Some(source)
+    } else {
+        source.parent()
+    };
+    let report = folder.and_then(|folder| std::fs::read(folder.join("report.json")).ok());
+    let report = report.and_then(|bytes| serde_json::from_slice(&bytes).ok());
+    let found = report.map(|report| free.found_by(&report)).transpose()?;
+    let found = found.flatten();
+    scene.notes.push(match &found {
+        Some(found) => format!("the response is the one found with the patterns: {}", found.sentence()),
+        None => "no run with a response that was found lies beside the patterns: the response is that of the job, without [co_optimize]".to_owned(),
+    });
+    scene.respond_as(found.as_ref());
+    Ok(())
 }
 
 /// The job with a folder that holds no run.
@@ -542,6 +567,7 @@ fn summary(done: &Done<'_>, headline: Headline, folder: &Path, begin: Instant) -
         kept: optimized.map(|o| o.outcome.kept),
         gap: optimized.and_then(|o| o.outcome.gap()),
         found_window: optimized.and_then(|o| o.window),
+        found_response: optimized.and_then(|o| Some(o.found.as_ref()?.sentence())),
         evaluation: quality(&done.judged.evaluation),
         standing: quality(&done.judged.standing),
         optimization: done.judged.optimization.as_ref().map(quality),

@@ -1,5 +1,6 @@
 //! Ranges of every key, before any work.
 
+use super::co_optimize;
 use super::spec::{
     Angles, BoundsSpec, DoseConvention, JobSpec, LightPrinterSpec, LightSpec, OutputSpec,
     ResinSpec, SelectionSpec,
@@ -291,6 +292,7 @@ fn species(spec: &JobSpec) -> Result<()> {
         }
     }
     spec.mixing()?;
+    co_optimize::must_fit(spec)?;
     time_refusals::must_fit(spec)
 }
 

@@ -145,7 +145,7 @@ pub(crate) fn all(
         write_history(&new.join("history.csv"), &history)?;
     }
     let models = models(done);
-    folder.describe(&done.job.resolved().to_toml()?, &models)?;
+    folder.describe(&described(done)?, &models)?;
     run.check()?;
     let headline = Headline::of(done, &shown)?;
     let made = Made {
@@ -157,6 +157,14 @@ pub(crate) fn all(
     };
     report(done, &new, &history, made, &shown, &headline)?;
     Ok(headline)
+}
+
+/// The job with every default written out, after the parameters of the response that it found.
+fn described(done: &Done<'_>) -> Result<String> {
+    let found = done.optimized.as_ref().and_then(|o| o.found.as_ref());
+    let found = done.scene.kinds.free.as_ref().zip(found);
+    let found = found.map_or_else(String::new, |(free, found)| found.comments(free));
+    Ok(format!("{found}{}", done.job.resolved().to_toml()?))
 }
 
 /// The files of a run whose numbers alone are asked for.
@@ -172,7 +180,7 @@ fn numbers(
         write_history(&new.join("history.csv"), &history)?;
     }
     let models = models(done);
-    folder.describe(&done.job.resolved().to_toml()?, &models)?;
+    folder.describe(&described(done)?, &models)?;
     let headline = Headline::of(done, shown)?;
     let properties = properties(&done.scene, &done.judged)?;
     let made = Made {
@@ -280,6 +288,7 @@ fn report(
             irradiance: exposure.irradiance,
         })
         .collect();
+    let found = done.optimized.as_ref().and_then(|o| o.found.as_ref());
     let data = ReportData {
         part: &scene.name,
         program: concat!("Tomolith ", env!("CARGO_PKG_VERSION")),
@@ -307,6 +316,7 @@ fn report(
         kept: done.optimized.as_ref().map(|o| o.outcome.kept),
         scenarios: judged.scenarios.as_ref(),
         found_window: done.optimized.as_ref().and_then(|o| o.window),
+        found_response: found.map_or(&[], |found| found.values.as_slice()),
         gap: done.optimized.as_ref().and_then(|o| o.outcome.gap()),
         levels: done
             .optimized
@@ -530,6 +540,9 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
         if let Some(window) = optimized.window {
             facts.push(("Process window", window.sentence()));
         }
+        if let Some(found) = &optimized.found {
+            facts.push(("Response found", found.sentence()));
+        }
         if let Some(levels) = &optimized.levels {
             facts.push(("Levels", sentence(spec.evaluate.bit_depth, &levels.gain)));
         }
@@ -625,6 +638,12 @@ fn print(scene: &Scene, judged: &Evaluated, folder: &Path, run: Run) -> Result<O
 
 fn history(optimized: &Optimized) -> Vec<HistoryRow> {
     let rows = &optimized.outcome.history;
+    let names = optimized.found.iter().flat_map(|found| &found.values);
+    let names: Vec<&String> = names.map(|(name, _)| name).collect();
+    let response = |row: &Row| {
+        let own = names.iter().zip(&row.response);
+        own.map(|(name, value)| ((*name).clone(), *value)).collect()
+    };
     let line = |row: &Row| HistoryRow {
         iteration: row.iteration,
         loss: row.loss,
@@ -635,6 +654,7 @@ fn history(optimized: &Optimized) -> Vec<HistoryRow> {
         seconds: row.seconds,
         iou: row.print.and_then(|print| print.iou),
         process_window: row.print.and_then(|print| print.process_window),
+        response: response(row),
     };
     rows.iter().map(line).collect()
 }

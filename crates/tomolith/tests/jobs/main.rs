@@ -1,6 +1,7 @@
 //! Whole jobs, as another program runs them: stopped and resumed, on several ranks, in time, in two colors. One program, so that it is linked once.
 
 mod bclp_orderings;
+mod co_optimize;
 mod in_time;
 mod light_in_time;
 mod peers;

@@ -4,6 +4,7 @@ mod stage;
 mod start;
 mod watch;
 
+use super::co_optimize::FoundResponse;
 use super::kept::{self, KeptParts};
 use super::levels::Levelled;
 use super::progress::{Event, Progress};
@@ -39,6 +40,8 @@ pub(crate) struct Optimized {
     pub(crate) levels_s: f64,
     /// The process window of the patterns before they are written, where an objective looks for it.
     pub(crate) window: Option<FoundWindow>,
+    /// The response that was found, where its parameters are unknowns.
+    pub(crate) found: Option<FoundResponse>,
     /// That it did nothing, or could not be kept.
     pub(crate) warnings: Vec<String>,
 }
@@ -113,7 +116,7 @@ pub(crate) fn optimize(
         let is_last = i + 1 == scene.levels.len();
         let stage = Stage::new(scene, voxels, own_level, judge.take(), progress, cancel);
         let stage = scene.agreed(stage)?;
-        let stage = stage.shared(scene);
+        let mut stage = stage.shared(scene);
         if i == 0 {
             let text = stage.reason.clone();
             progress.event(&Event::Note { text });
@@ -165,6 +168,7 @@ pub(crate) fn optimize(
                 return stopped(Error::Canceled, progress);
             }
             Ok(outcome) if is_last => {
+                stage.find(scene, &outcome)?;
                 let begin = Instant::now();
                 let improved = stage.improve(scene, &x, &bounds, progress, cancel);
                 let improved = improved.and_then(|levels| {
@@ -177,7 +181,7 @@ pub(crate) fn optimize(
                     Err(error) => return stopped(error, progress),
                 };
                 let mut warnings = sofar.warnings;
-                let of_end = of_end(scene, &outcome, window.as_ref());
+                let of_end = of_end(scene, &outcome, window.as_ref(), stage.found.as_ref());
                 for text in of_end {
                     warnings.push(text.clone());
                     progress.event(&Event::Warning { text });
@@ -192,6 +196,7 @@ pub(crate) fn optimize(
                     model: stage.reason,
                     metrics_s: sofar.metrics_s,
                     window,
+                    found: stage.found,
                     warnings,
                 });
             }
@@ -208,12 +213,24 @@ pub(crate) fn optimize(
     unreachable!("a job has a level")
 }
 
-/// What people should know of how an optimization ended: that it did nothing, and what its process window falls short of.
-fn of_end(scene: &Scene, outcome: &Outcome, window: Option<&FoundWindow>) -> Vec<String> {
+/// What people should know of how an optimization ended: that it did nothing, what its process window falls short of, and that a parameter
+/// ended at an end of its range.
+fn of_end(
+    scene: &Scene,
+    outcome: &Outcome,
+    window: Option<&FoundWindow>,
+    found: Option<&FoundResponse>,
+) -> Vec<String> {
     let (normalizes, bits) = (scene.kinds.normalizes, scene.spec.bounds.bits);
     let idle = idle(&outcome.history, normalizes, bits);
     let of_window = window.and_then(FoundWindow::warning);
-    idle.into_iter().chain(of_window).collect()
+    let of_response = scene.kinds.free.as_ref().zip(found);
+    let of_response = of_response.map(|(free, found)| free.at_ends(found));
+    let of_response = of_response.into_iter().flatten();
+    idle.into_iter()
+        .chain(of_window)
+        .chain(of_response)
+        .collect()
 }
 
 impl Scene {

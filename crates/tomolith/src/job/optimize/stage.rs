@@ -5,6 +5,7 @@ use super::watch::Watch;
 use crate::error::{Error, Result};
 use crate::field::HostField;
 use crate::grid::{Patterns, Volume, VolumeGrid};
+use crate::job::co_optimize::FoundResponse;
 use crate::job::in_time::planned_in_time;
 use crate::job::kept::Judge;
 use crate::job::levels::{self, Levelled};
@@ -50,6 +51,8 @@ pub(crate) struct Stage<'a> {
     pub(in crate::job) dark: Vec<bool>,
     /// Which model, and why.
     pub(in crate::job) reason: String,
+    /// The response that was found, where its parameters are unknowns.
+    pub(super) found: Option<FoundResponse>,
 }
 
 impl<'a> Stage<'a> {
@@ -80,6 +83,7 @@ impl<'a> Stage<'a> {
                 nominal: None,
                 dark: Vec::new(),
                 reason,
+                found: None,
             });
         }
         let all: Vec<&Voxels> = std::iter::once(voxels.as_ref()).chain(&others).collect();
@@ -111,6 +115,7 @@ impl<'a> Stage<'a> {
             nominal,
             dark,
             reason: plan.reason,
+            found: None,
         })
     }
 
@@ -150,8 +155,24 @@ impl<'a> Stage<'a> {
             .collect()
     }
 
-    /// The loss of all species; with thresholds that lie so many steps further apart than those of the job.
+    /// Takes the response that an optimization found.
+    pub(super) fn find(&mut self, scene: &Scene, outcome: &Outcome) -> Result<()> {
+        if let Some(free) = &scene.kinds.free {
+            self.found = free.found(&outcome.response)?;
+        }
+        Ok(())
+    }
+
+    /// The loss of all species, with the response that was found; with thresholds that lie so many steps further apart than those of the job.
     pub(crate) fn objective(&self, scene: &Scene, wider: usize) -> Result<Sum<HostField>> {
+        let mut sum = self.objective_of_job(scene, wider)?;
+        if let Some(found) = &self.found {
+            sum.set_response(&found.response)?;
+        }
+        Ok(sum)
+    }
+
+    fn objective_of_job(&self, scene: &Scene, wider: usize) -> Result<Sum<HostField>> {
         let outputs = self.model.outputs();
         let own = |scene: &Scene, layout: &DoseLayout, voxels: &Voxels| {
             let wider = match wider {
@@ -293,7 +314,14 @@ impl<'a> Stage<'a> {
         let objective = self.objective(scene, wider)?;
         let spec = &scene.spec;
         let mut optimizer = scene.kinds.optimizer()?;
-        let mut problem = Problem::new(model, &objective, bounds, cancel)?
+        let fixed;
+        let problem = if let Some(free) = &scene.kinds.free {
+            Problem::with_free_response(model, free.objective(objective)?, bounds, cancel)?
+        } else {
+            fixed = objective;
+            Problem::new(model, &fixed, bounds, cancel)?
+        };
+        let mut problem = problem
             .with_penalties(scene.kinds.penalties(model.patterns())?)
             .with_bits(spec.bounds.bits)?;
         let response = scene.response();

@@ -6,6 +6,7 @@ mod remarks;
 mod voxels;
 
 use super::build::Optics;
+use super::co_optimize::FoundResponse;
 use super::compatibility::wall_tolerance_mm;
 use super::estimate::Extent;
 use super::folder::RunFolder;
@@ -297,6 +298,17 @@ impl Scene {
     /// The response of the material.
     pub(crate) fn response(&self) -> Arc<dyn Response> {
         Arc::clone(&self.kinds.response)
+    }
+
+    /// Takes the response that was found with the patterns, where one was.
+    pub(crate) fn respond_as(&mut self, found: Option<&FoundResponse>) {
+        let Some(FoundResponse { response, .. }) = found else {
+            return;
+        };
+        self.kinds.set_response(response);
+        for scenario in &mut self.scenarios {
+            scenario.scene.kinds.set_response(response);
+        }
     }
 
     /// The sum of the objectives of the job, or of kinds that differ from its own in these alone.

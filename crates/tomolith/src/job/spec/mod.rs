@@ -29,7 +29,9 @@ pub use material::{Against, DiffusionSpec, MaterialSpec, PropertySpec, ScheduleS
 pub use output::{EvaluateSpec, Levelling, MovieCoding, OutputSpec};
 pub use resin::{DoseConvention, MapSpec, ResinSpec};
 use schemars::JsonSchema;
-pub use search::{BoundsSpec, MultiresolutionSpec, RobustOf, RobustSpec, ScenarioSpec, StopSpec};
+pub use search::{
+    BoundsSpec, CoOptimizeSpec, MultiresolutionSpec, RobustOf, RobustSpec, ScenarioSpec, StopSpec,
+};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 pub use vial::{BathSpec, MotionSpec, ObstacleSpec, VialCommon, VialSpec};
@@ -93,6 +95,9 @@ pub struct JobSpec {
     /// The material's response to the dose, `[response.KIND]`.
     #[serde(default = "identity")]
     pub response: Value,
+    /// Parameters of the response that are found together with the patterns; none when left out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub co_optimize: Option<CoOptimizeSpec>,
     /// The method that minimizes the objective, `[optimizer.KIND]`.
     #[serde(default = "lbfgs")]
     pub optimizer: Value,

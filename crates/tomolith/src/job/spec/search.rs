@@ -1,9 +1,10 @@
-//! `[[scenario]]`, `[robust]`, `[multiresolution]`, `[bounds]` and `[stop]`: what the optimization looks for, where, and how long.
+//! `[[scenario]]`, `[robust]`, `[co_optimize]`, `[multiresolution]`, `[bounds]` and `[stop]`: what the optimization looks for, where, and how long.
 
 use crate::optimize::Keep;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
+use std::collections::BTreeMap;
 
 /// The job with some keys set otherwise: a vial that is wider, a resin that absorbs more, an axis that is off.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -41,6 +42,29 @@ impl RobustOf {
         match self {
             RobustOf::Mean => "mean",
             RobustOf::Worst => "worst",
+        }
+    }
+}
+
+/// Parameters of the response that are unknowns, too: found together with the patterns, within ranges.
+///
+/// Li et al. (2024), section 3.4.1, propose it; docs/material.md says how. It says what a resin of this form could do at best, and which one.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct CoOptimizeSpec {
+    /// Parameters of `[response.KIND]` and the range of each, [smallest, largest], as `{ steepness = [10.0, 150.0], midpoint = [0.3, 0.7] }`.
+    /// The search begins at the values of `[response.KIND]`, brought into the ranges. A range above 0 is searched along its logarithm.
+    pub response: BTreeMap<String, [f64; 2]>,
+    /// Part of its range to which a parameter is found, above 0, at most 0.25. The optimization does not end by `stop.change`,
+    /// `stop.projected_gradient` or for want of progress while a step moves one by more.
+    pub tolerance: f64,
+}
+
+impl Default for CoOptimizeSpec {
+    fn default() -> Self {
+        CoOptimizeSpec {
+            response: BTreeMap::new(),
+            tolerance: 1e-3,
         }
     }
 }

@@ -1,0 +1,305 @@
+use super::*;
+use crate::checkpoint::{self, Checkpoints};
+use crate::{Limits, OPTIMIZERS, Outcome, Problem, Stop, StopReason, run};
+use serde_json::json;
+use tomolith_core::check::{noise, small::SmallModel};
+use tomolith_core::dose::{DoseModel, Run};
+use tomolith_core::field::HostField;
+use tomolith_core::grid::Volume;
+use tomolith_core::kind::Section;
+use tomolith_core::response::{Logistic, logistic};
+use tomolith_core::target::Target;
+use tomolith_objective::{OBJECTIVES, ObjectiveInput};
+
+fn logistic_of(steepness: f64, midpoint: f64) -> Arc<dyn Response> {
+    let params = logistic::Params {
+        steepness,
+        midpoint,
+        ..Default::default()
+    };
+    Arc::new(Logistic::new(params).unwrap())
+}
+
+/// The model, patterns, their dose, and a gray target that a known response makes of it.
+struct Known {
+    model: SmallModel,
+    patterns: HostField,
+    dose: HostField,
+    target: Target,
+    labels: Volume<u8>,
+}
+
+/// Parameters of the response that made the target.
+const TRUE: [f64; 2] = [23.0, 0.42];
+
+impl Known {
+    fn new() -> Self {
+        let model = SmallModel::new(16, 24, 1);
+        let mut patterns = DoseModel::new_patterns(&model).unwrap();
+        let values: Vec<f32> = noise(7, patterns.len())
+            .iter()
+            .map(|v| v.max(0.0))
+            .collect();
+        patterns.copy_from_host(&values);
+        let mut dose = DoseModel::new_dose(&model).unwrap();
+        model.dose(&patterns, &mut dose, &Run::new()).unwrap();
+        let (mut target, labels) = model.ring();
+        target.gray = true;
+        let response = logistic_of(TRUE[0], TRUE[1]);
+        let doses = model.layout().volume_of(dose.as_slice()).values;
+        for (value, dose) in target.inside.values.iter_mut().zip(doses) {
+            *value = response.value(dose);
+        }
+        Known {
+            model,
+            patterns,
+            dose,
+            target,
+            labels,
+        }
+    }
+
+    fn objective(&self, params: serde_json::Value) -> Box<dyn Objective<HostField>> {
+        let input = ObjectiveInput {
+            layout: self.model.layout(),
+            labels: &self.labels,
+            target: &self.target,
+            response: logistic_of(10.0, 0.5),
+        };
+        let row = OBJECTIVES.iter().find(|row| row.name == "bclp").unwrap();
+        let made = (row.build)(&Section::new("objective.bclp", params)).unwrap();
+        made.make(&input).unwrap()
+    }
+
+    fn free(&self, ranges: [[f64; 2]; 2], start: [f64; 2]) -> FreeResponse<'_, HostField> {
+        let parameters = ["steepness", "midpoint"].into_iter().zip(ranges).zip(start);
+        let parameters = parameters.map(|((name, range), start)| FreeParameter {
+            name: name.to_owned(),
+            range,
+            start,
+        });
+        let respond = |values: &[f64]| Ok(logistic_of(values[0], values[1]));
+        let objective = self.objective(json!({ "epsilon": 0.0, "q": 2.0 }));
+        let parameters = parameters.collect();
+        FreeResponse::new(objective, parameters, Box::new(respond), 1e-3).unwrap()
+    }
+
+    /// A run from even patterns.
+    fn run(
+        &self,
+        free: FreeResponse<'_, HostField>,
+        method: &str,
+        iterations: usize,
+        checkpoints: Option<&mut Checkpoints>,
+    ) -> (HostField, Outcome) {
+        let flag = Run::new();
+        let limits = [Limits { min: 0.0, max: 1.0 }];
+        let mut problem = Problem::with_free_response(&self.model, free, &limits, &flag).unwrap();
+        let mut x = self.patterns.zeros_like();
+        x.fill(0.4);
+        let row = OPTIMIZERS.iter().find(|row| row.name == method).unwrap();
+        let made = (row.build)(&tomolith_core::check::example(row)).unwrap();
+        let mut method = made.make().unwrap();
+        let stop = Stop {
+            iterations,
+            ..Stop::default()
+        };
+        let outcome = run(
+            &mut problem,
+            method.as_mut(),
+            &mut x,
+            &stop,
+            checkpoints,
+            &mut [],
+        );
+        (x, outcome.unwrap())
+    }
+}
+
+const WIDE: [[f64; 2]; 2] = [[5.0, 100.0], [0.2, 0.8]];
+
+#[test]
+fn the_response_that_made_a_target_is_found_from_its_dose() {
+    let known = Known::new();
+    for start in [[10.0, 0.5], [90.0, 0.25], [5.0, 0.8]] {
+        let mut free = known.free(WIDE, start);
+        let mut before = Vec::new();
+        // Each search has a budget; the next goes on
+        for _ in 0..6 {
+            let was = free.values().to_vec();
+            free.fit(&known.dose, &before).unwrap();
+            before = was;
+        }
+        for (found, made) in free.values().iter().zip(TRUE) {
+            assert!((found / made - 1.0).abs() < 3e-3, "{:?}", free.values());
+        }
+        assert!(free.is_settled(&before));
+    }
+}
+
+#[test]
+fn a_search_never_raises_the_loss_and_leaves_the_objective_with_what_it_found() {
+    let known = Known::new();
+    let mut free = known.free(WIDE, [60.0, 0.3]);
+    let first = free.objective().value(&known.dose);
+    free.fit(&known.dose, &[]).unwrap();
+    let loss = free.objective().value(&known.dose);
+    assert!(loss < first, "{loss} {first}");
+    let mut own = known.objective(json!({ "epsilon": 0.0, "q": 2.0 }));
+    own.set_response(&logistic_of(free.values()[0], free.values()[1]))
+        .unwrap();
+    assert_eq!(own.value(&known.dose), loss);
+}
+
+#[test]
+fn ranges_hold_and_their_ends_are_met_exactly() {
+    let known = Known::new();
+    // The response that made the target lies beyond
+    let ranges = [[5.0, 12.0], [0.5, 0.8]];
+    let (_, outcome) = known.run(known.free(ranges, [100.0, 0.1]), "lbfgs", 10, None);
+    for row in &outcome.history {
+        for (value, [low, high]) in row.response.iter().zip(ranges) {
+            assert!((low..=high).contains(value), "{row:?}");
+        }
+    }
+    let mut free = known.free(ranges, [8.0, 0.7]);
+    free.fit(&known.dose, &[]).unwrap();
+    assert_eq!(free.values(), [12.0, 0.5]);
+}
+
+#[test]
+fn no_cell_of_a_sweep_does_better_by_one_percent() {
+    let known = Known::new();
+    let (_, found) = known.run(known.free(WIDE, [10.0, 0.5]), "lbfgs", 40, None);
+    let losses: Vec<f64> = found.history.iter().map(|row| row.loss).collect();
+    assert!(losses.windows(2).all(|w| w[1] <= w[0]), "{losses:?}");
+    let mut best = f64::INFINITY;
+    for steepness in [5.0, 10.0, 20.0, 40.0, 100.0] {
+        for midpoint in [0.2, 0.35, 0.5, 0.65, 0.8] {
+            let own = known.fixed(steepness, midpoint, 40);
+            best = best.min(own);
+        }
+    }
+    assert!(found.loss <= 1.01 * best, "{} {best}", found.loss);
+}
+
+impl Known {
+    /// The loss of a run whose response is given.
+    fn fixed(&self, steepness: f64, midpoint: f64, iterations: usize) -> f64 {
+        let mut own = self.objective(json!({ "epsilon": 0.0, "q": 2.0 }));
+        own.set_response(&logistic_of(steepness, midpoint)).unwrap();
+        let flag = Run::new();
+        let limits = [Limits { min: 0.0, max: 1.0 }];
+        let mut problem = Problem::new(&self.model, &*own, &limits, &flag).unwrap();
+        let mut x = self.patterns.zeros_like();
+        x.fill(0.4);
+        let mut method = crate::lbfgs::Lbfgs::new(Default::default()).unwrap();
+        let stop = Stop {
+            iterations,
+            ..Stop::default()
+        };
+        let outcome = run(&mut problem, &mut method, &mut x, &stop, None, &mut []);
+        let outcome = outcome.unwrap();
+        assert!(outcome.response.is_empty());
+        outcome.loss
+    }
+}
+
+#[test]
+fn a_resumed_run_has_the_bits_of_the_uninterrupted_one() {
+    let known = Known::new();
+    for method in ["lbfgs", "gradient", "adam", "bclp"] {
+        let (whole, outcome) = known.run(known.free(WIDE, [10.0, 0.5]), method, 9, None);
+        let folder = tempfile::tempdir().unwrap();
+        let own = || Checkpoints::new(folder.path(), 1, &checkpoint::Params::default()).unwrap();
+        for iterations in [1, 5, 9] {
+            let free = known.free(WIDE, [10.0, 0.5]);
+            let (x, resumed) = known.run(free, method, iterations, Some(&mut own()));
+            if iterations == 9 {
+                assert_eq!(x.as_slice(), whole.as_slice(), "{method}");
+                assert_eq!(resumed.response, outcome.response, "{method}");
+                let rows = resumed.history.iter().zip(&outcome.history);
+                for (a, b) in rows {
+                    assert_eq!((a.loss, &a.response), (b.loss, &b.response), "{method}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn the_response_of_the_patterns_that_are_kept_is_told() {
+    let known = Known::new();
+    for method in ["lbfgs", "adam"] {
+        let (x, outcome) = known.run(known.free(WIDE, [10.0, 0.5]), method, 12, None);
+        let mut dose = known.dose.zeros_like();
+        known.model.dose(&x, &mut dose, &Run::new()).unwrap();
+        let mut own = known.objective(json!({ "epsilon": 0.0, "q": 2.0 }));
+        own.set_response(&logistic_of(outcome.response[0], outcome.response[1]))
+            .unwrap();
+        let loss = own.value(&dose);
+        assert!(
+            (loss - outcome.loss).abs() <= 1e-5 * loss,
+            "{method}: {loss} {}",
+            outcome.loss
+        );
+    }
+}
+
+#[test]
+fn a_method_at_rest_goes_on_while_the_response_moves() {
+    let known = Known::new();
+    let flag = Run::new();
+    let limits = [Limits { min: 0.0, max: 1.0 }];
+    let free = known.free(WIDE, [10.0, 0.5]);
+    let mut problem = Problem::with_free_response(&known.model, free, &limits, &flag).unwrap();
+    let mut x = known.patterns.clone();
+    let mut method = crate::lbfgs::Lbfgs::new(Default::default()).unwrap();
+    // Any change is little enough
+    let stop = Stop {
+        iterations: 300,
+        change: 1e9,
+        ..Stop::default()
+    };
+    let outcome = run(&mut problem, &mut method, &mut x, &stop, None, &mut []).unwrap();
+    assert!(
+        [StopReason::Steady, StopReason::ZeroLoss].contains(&outcome.reason),
+        "{:?}",
+        outcome.reason
+    );
+    let [.., before, last] = outcome.history.as_slice() else {
+        panic!("no step")
+    };
+    assert!(problem.is_response_settled(&before.response), "{last:?}");
+}
+
+#[test]
+fn what_is_no_range_is_refused() {
+    let known = Known::new();
+    let make = |range: [f64; 2], tolerance: f64| {
+        let parameter = FreeParameter {
+            name: "steepness".to_owned(),
+            range,
+            start: 10.0,
+        };
+        let respond = |values: &[f64]| Ok(logistic_of(values[0], 0.5));
+        let objective = known.objective(json!({}));
+        FreeResponse::new(objective, vec![parameter], Box::new(respond), tolerance)
+            .map(drop)
+            .map_err(|e| e.to_string())
+    };
+    make([5.0, 6.0], 1e-3).unwrap();
+    for range in [
+        [6.0, 5.0],
+        [5.0, 5.0],
+        [f64::NAN, 5.0],
+        [5.0, f64::INFINITY],
+    ] {
+        let message = make(range, 1e-3).unwrap_err();
+        assert!(message.starts_with("steepness: found ["), "{message}");
+    }
+    for tolerance in [0.0, -1.0, 0.3, f64::NAN] {
+        let message = make([5.0, 6.0], tolerance).unwrap_err();
+        assert!(message.starts_with("tolerance: found"), "{message}");
+    }
+}
