@@ -266,6 +266,34 @@ mod tests {
     }
 
     #[test]
+    fn every_row_takes_another_response() {
+        let model = SmallModel::new(18, 2, 21);
+        let (target, labels) = model.ring();
+        let dose = some_dose(model.layout());
+        let [own, other]: [Arc<dyn Response>; 2] = [
+            Arc::new(Identity),
+            Arc::new(Logistic::new(Default::default()).unwrap()),
+        ];
+        for row in OBJECTIVES {
+            let make = |response: &Arc<dyn Response>| {
+                let input = input(model.layout(), &labels, &target, Arc::clone(response));
+                let made = (row.build)(&example(row)).unwrap().make(&input).unwrap();
+                Sum::new(vec![(2.0, made)]).unwrap()
+            };
+            let mut changed = make(&own);
+            let first = changed.value(&dose);
+            changed.set_response(&other).unwrap();
+            assert_eq!(
+                changed.value(&dose),
+                make(&other).value(&dose),
+                "{}",
+                row.name
+            );
+            assert_ne!(changed.value(&dose), first, "{}", row.name);
+        }
+    }
+
+    #[test]
     fn every_power_passes_the_check() {
         let model = SmallModel::new(18, 2, 21);
         let (target, labels) = model.ring();

@@ -179,7 +179,7 @@ impl<'a, F: Field> FreeResponse<'a, F> {
         let finest = 0.25 * self.tolerance;
         let mut step = self
             .distance(before)
-            .map_or(FIRST, |moved| (2.0 * moved).clamp(4.0 * finest, FIRST));
+            .map_or(FIRST, |moved| (2.0 * moved).clamp(2.0 * finest, FIRST));
         let places = self.parameters.iter().zip(&self.values);
         let begin = Best {
             place: places.map(|(p, value)| p.place(*value)).collect(),
