@@ -618,6 +618,7 @@ mod tests {
     #[test]
     fn what_remains_belongs_to_the_iterations_while_the_loss_falls() {
         let row = |iteration: usize, loss: f64| Row {
+            response: Vec::new(),
             print: None,
             iteration,
             loss,

@@ -10,6 +10,7 @@ use crate::optimize::Row;
 fn a_run_that_stayed_at_its_start_says_so() {
     let history = |losses: &[f64]| -> Vec<Row> {
         let row = |(iteration, &loss): (usize, &f64)| Row {
+            response: Vec::new(),
             print: None,
             iteration,
             loss,
