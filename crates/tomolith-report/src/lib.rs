@@ -362,6 +362,7 @@ mod tests {
                 seconds: i as f64,
                 iou: Some(1.0 - 0.5f64.powi(1 + i as i32)),
                 process_window: i.is_multiple_of(2).then_some(0.01 * i as f64),
+                response: vec![("steepness".to_owned(), 10.0 + i as f64)],
             };
             Sample {
                 labels: Volume {
