@@ -12,6 +12,7 @@
 //! assert_eq!(evaluation.measures.get("eta"), None); // no patterns were given
 //! ```
 
+use super::error_histogram::ErrorHistogram;
 use super::latitude::{Latitude, latitude};
 use super::print::Print;
 use super::spread::Spread;
@@ -73,6 +74,8 @@ pub struct Evaluation {
     pub farthest: Option<Farthest>,
     /// Half width of the band round the gray values, for a gray target.
     pub half_width: Measure,
+    /// Voxels over the error of their response, for a gray target.
+    pub errors: Option<ErrorHistogram>,
     /// Pairs of a threshold and the exact IoU there, ascending.
     pub curve: Vec<[f64; 2]>,
     /// Voxels of part and void over the response.
@@ -123,6 +126,7 @@ pub fn evaluate(print: &Print<'_>) -> Evaluation {
         latitude: latitude(print),
         farthest: print.distance().map(|distance| distance.farthest),
         half_width: print.half_width(),
+        errors: print.error_histogram(),
         curve: scan.curve(CURVE),
         histogram: Histogram {
             range,

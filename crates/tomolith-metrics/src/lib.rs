@@ -9,6 +9,7 @@ use print::Print;
 pub mod best_threshold;
 mod buckets;
 pub mod cv;
+pub mod error_histogram;
 pub mod eta;
 pub mod evaluation;
 pub mod gamma;

@@ -16,6 +16,7 @@
 //! assert!((print.gel_threshold().unwrap() - 0.65).abs() < 1e-7);
 //! ```
 
+use super::error_histogram::ErrorHistogram;
 use super::gray::{GrayErrors, gray_errors};
 use super::isosurface::{Isosurface, beyond, isosurface_of, isosurface_pieces};
 use super::scan::{Plateau, Scan};
@@ -243,6 +244,21 @@ impl<'a> Print<'a> {
             let (labels, response) = (&self.labels.values, &self.response.values);
             gray_errors(labels, response, &wanted.values, half_width)
         })
+    }
+
+    /// Voxels over the error against the gray values, `None` for a target of part and void, and without voxels that count.
+    #[must_use]
+    pub fn error_histogram(&self) -> Option<ErrorHistogram> {
+        let (wanted, _) = self.gray?;
+        let largest = self.gray_errors()?.largest.into_iter().flatten();
+        let (labels, response) = (&self.labels.values, &self.response.values);
+        let largest = largest.fold(0.0, f64::max);
+        Some(ErrorHistogram::of(
+            labels,
+            response,
+            &wanted.values,
+            largest,
+        ))
     }
 
     /// Counts over thresholds.

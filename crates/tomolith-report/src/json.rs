@@ -6,7 +6,9 @@
 //! evaluation    the numbers of metrics::METRICS on the finer grid, from the written patterns, vial turning;
 //!               with gel_threshold, farthest (the place of hausdorff_mm, and whether print or target is without the other there),
 //!               band_half_width (gray targets), sub_angles, grid, part and void (response: min, max, mean, deviation), notes,
-//!               and standing_still: the same without turning
+//!               iou_curve, histogram (voxels of part and void per bin of the response over a range), errors (gray targets, else null: bright
+//!               and dark voxels per bin of response − gray value, 800 bins from −1 to 1, or to the power of ten that holds all; band, the
+//!               objective's; band_edge_peak, how many times more voxels are at its edges than a little inside or outside), and standing_still: the same without turning
 //! optimization  the same on the optimization's grid
 //! exposure      over which exposures the print stays nearly as good as at the best one: measure (iou, or rms_error of gray targets), best (its value
 //!               there), tolerance (how much worse it may get), and low, best, high of each of: percent (exposures, % of the best one), time_s (null
@@ -53,6 +55,7 @@ use super::time::time_json;
 use super::{MapReport, ReportData, SpeciesReport};
 use serde_json::{Map, Value, json};
 use tomolith_metrics::Evaluation;
+use tomolith_metrics::error_histogram::ErrorHistogram;
 use tomolith_metrics::evaluation::Histogram;
 use tomolith_metrics::spread::Spread;
 
@@ -213,6 +216,10 @@ pub fn evaluation_json(evaluation: &Evaluation) -> Map<String, Value> {
         ("notes", json!(evaluation.notes)),
         ("iou_curve", json!(evaluation.curve)),
         ("histogram", histogram_json(&evaluation.histogram)),
+        (
+            "errors",
+            errors_json(evaluation.errors.as_ref(), evaluation.half_width),
+        ),
     ];
     map.extend(rest.map(|(name, value)| (name.to_owned(), value)));
     map
@@ -222,6 +229,21 @@ pub fn evaluation_json(evaluation: &Evaluation) -> Map<String, Value> {
 fn histogram_json(histogram: &Histogram) -> Value {
     let column = |i: usize| histogram.counts.iter().map(|n| n[i]).collect::<Vec<u64>>();
     json!({ "range": histogram.range, "part": column(0), "void": column(1) })
+}
+
+/// Voxels per bin of the error, bright and dark, and the band that the objective asks for.
+fn errors_json(errors: Option<&ErrorHistogram>, half_width: Option<f64>) -> Value {
+    let Some((errors, half_width)) = errors.zip(half_width) else {
+        return Value::Null;
+    };
+    let column = |i: usize| errors.counts.iter().map(|n| n[i]).collect::<Vec<u64>>();
+    json!({
+        "range": [-errors.reach, errors.reach],
+        "band": [-half_width, half_width],
+        "part": column(0),
+        "void": column(1),
+        "band_edge_peak": number(errors.band_edge_peak(half_width)),
+    })
 }
 
 fn spread_json(spread: Option<Spread>) -> Value {

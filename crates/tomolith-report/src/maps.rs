@@ -19,6 +19,7 @@ use super::picture::{hex, viridis};
 use super::plot::Axis;
 use std::collections::BTreeSet;
 
+pub mod histograms;
 mod sheet;
 
 use sheet::{Frame, GLYPH, Room, Sheet, Ticks, add, panel_size, shortened};
@@ -170,13 +171,22 @@ pub fn heat_maps(
     } else {
         title.to_owned()
     };
-    sheet.head(&title, caption);
+    let mut left_out = 0;
     for (i, panel) in panels.iter().enumerate() {
         let frame = sheet.frame(i);
         map(&mut sheet.body, &frame, ([x, y], most), panel, &values);
         let sizes = [x, y].map(|scale| scale.labels.len());
         draw_guides(&mut sheet.body, &frame, sizes, guides);
+        // Above the guides, which must not cover them
+        left_out += numbers(&mut sheet.body, &frame, sizes, panel, &values);
     }
+    let written = cells().filter(|cell| cell.value.is_some()).count() - left_out;
+    let room = match (written, left_out) {
+        (_, 0) => "",
+        (0, _) => " The cells are too small for numbers.",
+        _ => " Numbers stand where cells have room for them.",
+    };
+    sheet.head(&title, format!("{caption}{room}").trim());
     sheet.bar(&values);
     let mut marks = vec![
         (cells().any(|c| c.is_feasible) && cells().any(|c| !c.is_feasible))
@@ -415,7 +425,7 @@ fn all_shortened(labels: &[String], most: usize) -> Vec<String> {
     cut(most.unwrap_or(usize::MAX)).collect()
 }
 
-/// A colored cell with its number where that has room; a gray one with a cross where there is none.
+/// A colored cell; a gray one with a cross where there is no value.
 fn draw_cell(
     body: &mut String,
     [left, top, width, height]: [f64; 4],
@@ -456,24 +466,56 @@ fn draw_cell(
             hex(color)
         ),
     );
-    let text = significant(value, 3);
-    if width >= WRITTEN.max(7.0 * text.chars().count() as f64) && height >= 18.0 {
+}
+
+/// Writes the numbers of cells, with three digits or where these have no room with two, each on its color, which hides guides behind it; how many
+/// have no room.
+fn numbers(
+    body: &mut String,
+    frame: &Frame,
+    [columns, rows]: [usize; 2],
+    panel: &Panel,
+    values: &Values,
+) -> usize {
+    let [width, height] = [
+        frame.width / columns.max(1) as f64,
+        frame.height / rows.max(1) as f64,
+    ];
+    let mut left_out = 0;
+    for (i, cell) in panel.cells.iter().enumerate() {
+        let Some(value) = cell.and_then(|cell| cell.value) else {
+            continue;
+        };
+        let wide = |text: &String| width >= WRITTEN.max(GLYPH * text.chars().count() as f64);
+        let texts = [3, 2].map(|digits| significant(value, digits));
+        let Some(text) = texts.into_iter().find(wide).filter(|_| height >= 18.0) else {
+            left_out += 1;
+            continue;
+        };
+        let color = viridis(values.place(value));
         let light: u32 = color[..3]
             .iter()
             .zip([3, 6, 1])
             .map(|(&c, w)| u32::from(c) * w)
             .sum();
         let ink = if light > 1250 { "#16202b" } else { "#ffffff" };
+        let middle = frame.left + ((i % columns) as f64 + 0.5) * width;
+        let line = frame.top + ((rows - 1 - i / columns) as f64 + 0.5) * height;
+        let half = 0.5 * GLYPH * text.chars().count() as f64;
         add(
             body,
             format_args!(
-                "<text class=\"small\" style=\"fill:{ink}\" x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text>",
-                left + 0.5 * width,
-                top + 0.5 * height + 4.0,
-                text
+                "<rect class=\"plate\" fill=\"{}\" x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"13\"/>\
+                 <text class=\"small\" style=\"fill:{ink}\" x=\"{middle:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{text}</text>",
+                hex(color),
+                middle - half,
+                line - 6.5,
+                2.0 * half,
+                line + 4.0,
             ),
         );
     }
+    left_out
 }
 
 /// The edges between feasible cells and all others.
@@ -728,6 +770,37 @@ mod tests {
             (2, 4)
         );
         assert!(svg.contains("a &lt; b") && svg.contains("outlined: feasible · ring: best"));
+    }
+
+    #[test]
+    fn numbers_stand_above_guides_and_those_without_room_are_told() {
+        let guide = Guide {
+            name: "x = y".to_owned(),
+            points: vec![[0.0, 0.0], [1.0, 1.0]],
+        };
+        let map = |count: usize| {
+            let cells = (0..count * count).map(|i| cell(Some(0.125 + i as f64), true));
+            let panel = Panel {
+                title: String::new(),
+                cells: cells.collect(),
+            };
+            let scales = [scale("x", count), scale("y", count)];
+            heat_maps(
+                "m",
+                [&scales[0], &scales[1]],
+                &[panel],
+                std::slice::from_ref(&guide),
+                "",
+            )
+        };
+        let few = map(2);
+        let place = |text: &str| few.find(text).unwrap_or_else(|| panic!("{text}: {few}"));
+        assert!(place("class=\"guide\"") < place("class=\"plate\""));
+        assert!(place("class=\"plate\"") < place(">0.125<"));
+        assert!(!few.contains("too small") && !few.contains("have room"));
+        let many = map(20);
+        assert!(!many.contains("class=\"plate\""));
+        assert!(many.contains(">The cells are too small for numbers.<"));
     }
 
     #[test]

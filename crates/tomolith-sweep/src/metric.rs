@@ -27,6 +27,8 @@ const TABLES: [&str; 18] = [
     "part",
 ];
 const MORE: [&str; 3] = ["gel_threshold", "band_half_width", "sub_angles"];
+/// What stands in the errors of a gray target.
+const ERRORS: [&str; 5] = ["band_edge_peak", "range", "band", "part", "void"];
 /// What stands in tables that every report has with the same names, or not at all.
 const FIELDS: [(&str, &[&str]); 5] = [
     (
@@ -96,11 +98,18 @@ pub(crate) fn must_exist(path: &str, key: &str) -> Result<()> {
         ));
     };
     let table = format!("{}.", steps[0]);
-    if ["evaluation", "optimization"].contains(&steps[0]) && steps.len() == 2 {
+    let is_evaluation = ["evaluation", "optimization"].contains(&steps[0]);
+    if is_evaluation && steps.len() == 2 {
         let names = || METRICS.iter().map(|metric| metric.name).chain(MORE);
         if !names().any(|known| known == name) {
             return Err(unknown(path, key, name, names(), &table));
         }
+    }
+    if let (true, "errors", Some(word)) = (is_evaluation, name, steps.get(2))
+        && !ERRORS.contains(word)
+    {
+        let table = format!("{table}errors.");
+        return Err(unknown(path, key, word, ERRORS.iter().copied(), &table));
     }
     let fields = FIELDS.iter().find(|(table, _)| *table == steps[0]);
     if let Some((_, fields)) = fields.filter(|(_, fields)| !fields.contains(&name)) {
@@ -233,6 +242,10 @@ mod tests {
             ("history.iteration", "did you mean `history.iterations`"),
             ("scenarios.worst", "scenarios. with one of of, threshold"),
             ("evaluation", "is a whole table"),
+            (
+                "optimization.errors.band_edge_peek",
+                "did you mean `optimization.errors.band_edge_peak`",
+            ),
         ] {
             let message = must_exist(path, "metrics[0]").unwrap_err().to_string();
             assert!(message.contains(part), "{path}: {message}");

@@ -291,6 +291,7 @@ pub fn reproduce(
         figures.extend(files);
     }
     figures.retain(|file| file.extension().is_some_and(|e| e == "svg"));
+    figures.extend(crate::figures::write(study, &planned(&found), output)?);
     let rows = rows(study, &found)?;
     let mut all = Reproduction {
         folder: output.to_owned(),
@@ -579,9 +580,17 @@ fn of_sweep(
         };
     };
     match (&table.states[i], number(i, metric)) {
-        (State::Failed(why), _) => Err(Verdict::Missing(why.clone())),
+        (State::Failed(why), _) => Err(Verdict::Missing(failed_run(plan, i, why))),
         (_, Some(number)) => Ok(number),
         (_, None) => missing("not defined"),
+    }
+}
+
+/// Why a run of a sweep failed, and which it is; a job has only one.
+fn failed_run(plan: &SweepPlan, i: usize, why: &str) -> String {
+    match plan.words(i) {
+        values if values.is_empty() => why.to_owned(),
+        values => format!("run {} ({values}) failed: {why}", i + 1),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::commands;
 use crate::expression::{Condition, Expression};
+use crate::figures::{self, FigureSpec};
 use crate::file::Sweep;
 use crate::metric;
 use crate::plan::SweepPlan;
@@ -39,6 +40,9 @@ pub(crate) struct StudySpec {
     /// All runs of sweeps, below that table.
     #[serde(default)]
     pub(crate) tables: Vec<TableSpec>,
+    /// Histograms of several runs side by side.
+    #[serde(default)]
+    pub(crate) figures: Vec<FigureSpec>,
 }
 
 /// The runs of a sweep, one a line.
@@ -595,6 +599,7 @@ fn check(spec: &StudySpec) -> Result<()> {
         }
     }
     commands::check(spec)?;
+    figures::check(spec)?;
     let mut named = BTreeSet::new();
     for (i, row) in spec.rows.iter().enumerate() {
         check_row(spec, row, &format!("rows[{i}]"), &named)?;

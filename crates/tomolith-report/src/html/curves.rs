@@ -1,6 +1,7 @@
 //! Curves of the page: doses, errors and tones, IoU over the threshold, the history of the optimization.
 
 use super::super::ReportData;
+use super::super::maps::histograms::joined;
 use super::super::number::significant;
 use super::super::plot::{Axis, Plot};
 use tomolith_core::field::BLOCK;
@@ -11,13 +12,13 @@ use tomolith_io::csv::HistoryRow;
 
 pub(super) fn dose_plots(data: &ReportData<'_>) -> String {
     if let (Some(half_width), Some(wanted)) = (data.evaluation.half_width, data.inside) {
-        let curves = gray_curves(data, wanted, half_width);
+        let tones = gray_tones(data, wanted);
         return format!(
             "<div class=\"two\"><section><h2>How far the response is off</h2><p class=\"muted\">Voxels per error, on a logarithmic scale. The gray band is what the objective \
              asks for.</p>{}</section><section><h2>Response against gray value</h2><p class=\"muted\">Mean response of the voxels of each gray value, and one standard deviation \
              to either side. The dashed line is what was asked for.</p>{}</section></div>",
-            error_plot(&curves, half_width),
-            tone_plot(&curves),
+            error_plot(data, half_width),
+            tone_plot(&tones),
         );
     }
     format!(
@@ -29,86 +30,80 @@ pub(super) fn dose_plots(data: &ReportData<'_>) -> String {
     )
 }
 
-/// Bins of the error, and of the gray value.
-const ERRORS: usize = 81;
+/// Bins of the error, about, and of the gray value.
+const ERRORS: f64 = 80.0;
 const TONES: usize = 32;
 
-/// What a gray print does, counted.
-struct GrayCurves {
-    /// Largest error that is drawn.
-    reach: f64,
-    /// Bright (gray ≥ ½) and dark voxels per error from −reach to reach.
-    errors: [Vec<f64>; 2],
-    /// Per gray value from 0 to 1: voxels, sum of their responses and of the squares.
-    tones: Vec<[f64; 3]>,
-}
+/// Per gray value from 0 to 1: voxels, sum of their responses and of the squares.
+type Tones = Vec<[f64; 3]>;
 
-fn gray_curves(data: &ReportData<'_>, wanted: &Volume<f32>, half_width: f64) -> GrayCurves {
-    let largest = ["max_error_part", "max_error_void"]
-        .iter()
-        .filter_map(|name| data.evaluation.measures.get(name))
-        .fold(0.0, f64::max);
-    let reach = largest.max(2.0 * half_width).max(1e-6);
-    let empty = || GrayCurves {
-        reach,
-        errors: [vec![0.0; ERRORS], vec![0.0; ERRORS]],
-        tones: vec![[0.0; 3]; TONES],
-    };
-    let blocks: Vec<GrayCurves> = data
+fn gray_tones(data: &ReportData<'_>, wanted: &Volume<f32>) -> Tones {
+    let empty = || vec![[0.0; 3]; TONES];
+    let blocks: Vec<Tones> = data
         .labels
         .values
         .chunks(BLOCK)
         .zip(data.response.values.chunks(BLOCK))
         .zip(wanted.values.chunks(BLOCK))
         .par_map(|((labels, response), wanted)| {
-            let mut curves = empty();
+            let mut tones = empty();
             for ((&label, &m), &f) in labels.iter().zip(response).zip(wanted) {
-                let class = match label {
-                    label::PART => 0,
-                    label::VOID => 1,
-                    _ => continue,
-                };
+                if ![label::PART, label::VOID].contains(&label) {
+                    continue;
+                }
                 let (m, f) = (f64::from(m), f64::from(f));
-                let bin = (m - f + reach) / (2.0 * reach) * ERRORS as f64;
-                curves.errors[class][(bin.max(0.0) as usize).min(ERRORS - 1)] += 1.0;
-                let tone = &mut curves.tones[((f * TONES as f64) as usize).min(TONES - 1)];
+                let tone = &mut tones[((f * TONES as f64) as usize).min(TONES - 1)];
                 *tone = [tone[0] + 1.0, tone[1] + m, tone[2] + m * m];
             }
-            curves
+            tones
         });
     blocks.iter().fold(empty(), |mut all, block| {
-        for class in 0..2 {
-            for (sum, count) in all.errors[class].iter_mut().zip(&block.errors[class]) {
-                *sum += count;
-            }
-        }
-        for (sum, tone) in all.tones.iter_mut().zip(&block.tones) {
+        for (sum, tone) in all.iter_mut().zip(block) {
             *sum = std::array::from_fn(|i| sum[i] + tone[i]);
         }
         all
     })
 }
 
-fn error_plot(curves: &GrayCurves, half_width: f64) -> String {
-    let reach = curves.reach;
-    let most = curves.errors.iter().flatten().copied().fold(1.0, f64::max);
+fn error_plot(data: &ReportData<'_>, half_width: f64) -> String {
+    let Some(errors) = &data.evaluation.errors else {
+        return String::new();
+    };
+    let largest = ["max_error_part", "max_error_void"]
+        .iter()
+        .filter_map(|name| data.evaluation.measures.get(name))
+        .fold(0.0, f64::max);
+    // Not narrower than a few bins
+    let least = 8.0 * errors.reach / errors.counts.len() as f64;
+    let reach = largest.max(2.0 * half_width).max(least).min(errors.reach);
+    let column = |class: usize| {
+        let counts: Vec<f64> = errors.counts.iter().map(|n| n[class] as f64).collect();
+        joined(
+            [-errors.reach, errors.reach],
+            &counts,
+            [-reach, reach],
+            ERRORS,
+        )
+    };
+    let [(ends, bright), (_, dark)] = [column(0), column(1)];
+    let most = bright.iter().chain(&dark).copied().fold(1.0, f64::max);
     let mut plot = Plot::new(
-        Axis::linear("response − gray value", -reach, reach),
+        Axis::linear("response − gray value", ends[0], ends[1]),
         Axis::log_with_zero("voxels", 1.0, most),
     );
     plot.band(-half_width, half_width, "window", "objective's band");
-    plot.steps([-reach, reach], &curves.errors[1], "void", "dark (below ½)");
-    plot.steps([-reach, reach], &curves.errors[0], "part", "bright");
+    plot.steps(ends, &dark, "void", "dark (below ½)");
+    plot.steps(ends, &bright, "part", "bright");
     plot.svg("Histogram of the error of bright and dark voxels")
 }
 
-fn tone_plot(curves: &GrayCurves) -> String {
+fn tone_plot(tones: &Tones) -> String {
     let tone = |(i, [count, sum, squares]): (usize, &[f64; 3])| {
         let mean = sum / count;
         let deviation = (squares / count - mean * mean).max(0.0).sqrt();
         (*count > 0.0).then(|| ((i as f64 + 0.5) / TONES as f64, mean, deviation))
     };
-    let tones: Vec<(f64, f64, f64)> = curves.tones.iter().enumerate().filter_map(tone).collect();
+    let tones: Vec<(f64, f64, f64)> = tones.iter().enumerate().filter_map(tone).collect();
     let line =
         |sign: f64| -> Vec<[f64; 2]> { tones.iter().map(|(f, m, d)| [*f, m + sign * d]).collect() };
     let high = line(1.0).iter().map(|p| p[1]).fold(1.0, f64::max);

@@ -26,7 +26,9 @@ const STYLE: &str = "<style>text{font:13px Inter,'Segoe UI',Roboto,'Helvetica Ne
     .halo{fill:none;stroke:#fff;stroke-width:4.5;stroke-linecap:square}.edge{fill:none;stroke:#d64550;stroke-width:2;stroke-linecap:square}\
     .under{fill:none;stroke:#fff;stroke-width:3;stroke-opacity:.65}.guide{fill:none;stroke:#16202b;stroke-width:1.8}\
     .best{fill:none;stroke:#fff;stroke-width:5}.ring{fill:none;stroke:#16202b;stroke-width:2.2}.failed{fill:#c9d0d7}\
-    .cross{stroke:#5a6775;stroke-width:1.4}</style>";
+    .cross{stroke:#5a6775;stroke-width:1.4}\
+    .band{fill:#5a6775;fill-opacity:.18}.part,.void,.third,.fourth{fill-opacity:.3;stroke-width:1.2}.part{fill:#0f8b8d;stroke:#0f8b8d}\
+    .void{fill:#d9822b;stroke:#d9822b}.third{fill:#8457c9;stroke:#8457c9}.fourth{fill:#d64550;stroke:#d64550}</style>";
 
 /// Where a panel is drawn.
 pub(super) struct Frame {

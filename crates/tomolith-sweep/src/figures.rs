@@ -1,0 +1,192 @@
+//! Pictures of a study over several of its runs: histograms of their reports side by side.
+
+use crate::plan::SweepPlan;
+use crate::study::{Study, StudySpec};
+use crate::table::report;
+use serde::Deserialize;
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use tomolith::io::write_whole;
+use tomolith::report::maps::histograms::{HistogramPanel, histograms};
+use tomolith::{Error, Result};
+
+/// Tables of a report that hold a range and counts per bin.
+const HISTOGRAMS: [&str; 4] = [
+    "evaluation.errors",
+    "evaluation.histogram",
+    "optimization.errors",
+    "optimization.histogram",
+];
+/// Keys of such a table that are no counts.
+const NO_COUNTS: [&str; 2] = ["range", "band"];
+
+/// Histograms of several runs, side by side.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct FigureSpec {
+    /// Its file among the results, without `.svg`.
+    pub(crate) name: String,
+    /// What stands above it.
+    pub(crate) title: String,
+    /// What stands below it.
+    #[serde(default)]
+    pub(crate) caption: String,
+    /// The histogram of each run's report.
+    pub(crate) histogram: String,
+    /// Whose, from left to right.
+    pub(crate) panels: Vec<PanelSpec>,
+}
+
+/// The run of a job, or all runs of a sweep.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct PanelSpec {
+    /// A name of `runs`.
+    pub(crate) of: String,
+    /// What stands above a job's; those of a sweep have their values.
+    pub(crate) name: Option<String>,
+}
+
+/// Refuses figures of what no report has, of no run, and of one file.
+pub(crate) fn check(spec: &StudySpec) -> Result<()> {
+    for (i, figure) in spec.figures.iter().enumerate() {
+        let refuse = |key: &str, found: String, accepted: &str| {
+            Err(Error::config(
+                format!("figures[{i}].{key}"),
+                found,
+                accepted,
+            ))
+        };
+        let is_plain = |c: char| c.is_alphanumeric() || "_-".contains(c);
+        let is_taken = spec.figures[..i].iter().any(|f| f.name == figure.name);
+        if figure.name.is_empty() || !figure.name.chars().all(is_plain) || is_taken {
+            let accepted =
+                "letters, digits, `_` and `-`, each name once: it is the name of its file";
+            return refuse("name", format!("found {:?}", figure.name), accepted);
+        }
+        if !HISTOGRAMS.contains(&figure.histogram.as_str()) {
+            let found = format!("`{}` is no histogram of report.json", figure.histogram);
+            return refuse("histogram", found, &HISTOGRAMS.join(", "));
+        }
+        if figure.panels.is_empty() {
+            let accepted = "at least one { of = \"NAME\" }";
+            return refuse("panels", "an empty list".to_owned(), accepted);
+        }
+        for (k, panel) in figure.panels.iter().enumerate() {
+            let run = spec.runs.get(&panel.of);
+            if run.is_none_or(|run| run.command.is_some()) {
+                let found = format!("`{}` is no sweep or job of this study", panel.of);
+                return refuse(&format!("panels[{k}].of"), found, &jobs(spec));
+            }
+            if panel.name.is_some() && run.is_some_and(|run| run.sweep.is_some()) {
+                let found = format!("a name for all runs of the sweep `{}`", panel.of);
+                let accepted = "no name: each run of a sweep has its values";
+                return refuse(&format!("panels[{k}].name"), found, accepted);
+            }
+        }
+    }
+    Ok(())
+}
+
+fn jobs(spec: &StudySpec) -> String {
+    let jobs = spec.runs.iter().filter(|(_, run)| run.command.is_none());
+    let names: Vec<&str> = jobs.map(|(name, _)| name.as_str()).collect();
+    names.join(", ")
+}
+
+/// Draws all figures; one without any histogram is left out.
+///
+/// # Errors
+/// [`Error::Io`].
+pub(crate) fn write(
+    study: &Study,
+    plans: &BTreeMap<&str, &SweepPlan>,
+    output: &Path,
+) -> Result<Vec<PathBuf>> {
+    let mut files = Vec::new();
+    for figure in &study.spec.figures {
+        let of = |panel: &PanelSpec| of_run(panel, plans.get(panel.of.as_str()), figure);
+        let (panels, missing): (Vec<_>, Vec<_>) =
+            figure.panels.iter().flat_map(of).partition(Result::is_ok);
+        let panels: Vec<HistogramPanel> = panels.into_iter().flatten().collect();
+        if panels.is_empty() {
+            continue;
+        }
+        let missing: Vec<String> = missing.into_iter().filter_map(Result::err).collect();
+        let mut caption = figure.caption.trim().to_owned();
+        if !missing.is_empty() {
+            caption.push_str(&format!(" Without a histogram: {}.", missing.join(", ")));
+        }
+        let x = match figure.histogram.ends_with("errors") {
+            true => "response − gray value",
+            false => "response",
+        };
+        let svg = histograms(&figure.title, x, &panels, caption.trim());
+        let file = output.join(format!("{}.svg", figure.name));
+        write_whole(&file, |out| Ok(out.write_all(svg.as_bytes())?))?;
+        files.push(file);
+    }
+    Ok(files)
+}
+
+/// The histograms of a panel's runs, in the order of the sweep; the names of those that have none.
+fn of_run(
+    panel: &PanelSpec,
+    plan: Option<&&SweepPlan>,
+    figure: &FigureSpec,
+) -> Vec<Result<HistogramPanel, String>> {
+    let own = || panel.name.clone().unwrap_or_else(|| panel.of.clone());
+    let Some(plan) = plan else {
+        return vec![Err(own())];
+    };
+    let of_index = |i: usize| {
+        let title = match plan.words(i) {
+            words if words.is_empty() => own(),
+            words => words,
+        };
+        let report = report(&plan.run_folder(i)).unwrap_or_default();
+        histogram(&report, &figure.histogram, &title).ok_or(title)
+    };
+    (0..plan.runs.len()).map(of_index).collect()
+}
+
+/// A table of a report as a histogram.
+fn histogram(report: &Value, path: &str, title: &str) -> Option<HistogramPanel> {
+    let (of, name) = path.split_once('.')?;
+    let table = report[of][name].as_object()?;
+    let numbers = |value: &Value| {
+        let list = value.as_array()?.iter().map(Value::as_f64);
+        list.collect::<Option<Vec<f64>>>()
+    };
+    let pair = |key: &str| <[f64; 2]>::try_from(numbers(table.get(key)?)?).ok();
+    let counts = table
+        .iter()
+        .filter(|(key, _)| !NO_COUNTS.contains(&key.as_str()));
+    let counts = counts.filter_map(|(key, value)| Some((key.clone(), numbers(value)?)));
+    Some(HistogramPanel {
+        title: title.to_owned(),
+        range: pair("range")?,
+        band: pair("band"),
+        series: counts.collect(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_of_counts_are_series_and_the_band_is_shaded() {
+        let errors = serde_json::json!({ "range": [-1.0, 1.0], "band": [-0.1, 0.1], "part": [1, 2], "void": [3, 4], "band_edge_peak": 1.5 });
+        let report = serde_json::json!({ "optimization": { "errors": errors, "histogram": null } });
+        let found = histogram(&report, "optimization.errors", "a").unwrap();
+        assert_eq!((found.range, found.band), ([-1.0, 1.0], Some([-0.1, 0.1])));
+        let series = [("part", [1.0, 2.0]), ("void", [3.0, 4.0])];
+        let series = series.map(|(name, counts)| (name.to_owned(), counts.to_vec()));
+        assert_eq!(found.series, series);
+        assert!(histogram(&report, "optimization.histogram", "a").is_none());
+        assert!(histogram(&report, "evaluation.errors", "a").is_none());
+    }
+}
