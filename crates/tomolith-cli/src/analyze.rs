@@ -478,6 +478,8 @@ fn impulse(given: &ImpulseArguments) -> Result<()> {
     let mut answer = Answer::default();
     let mut rows = Vec::new();
     let mut profiles: Vec<(String, String)> = Vec::new();
+    // Names of as many digits each, so that sorted names are in order
+    let digits = posts.len().saturating_sub(1).to_string().len();
     for (i, post) in posts.iter().enumerate() {
         let (plain, corrected) = (post.plain(), post.corrected());
         let ([px, py], [cx, cy]) = (plain.fwhm(), corrected.fwhm());
@@ -494,7 +496,10 @@ fn impulse(given: &ImpulseArguments) -> Result<()> {
         rows.push(vec![post.width, post.radius, post.step_deg, px, py, cx, cy]);
         if given.files.output.is_some() {
             let (a, b) = (plain.profile(true), corrected.profile(true));
-            profiles.push((format!("profile_{i}.svg"), profile_plot(post, &a, &b)));
+            profiles.push((
+                format!("profile_{i:0digits$}.svg"),
+                profile_plot(post, &a, &b),
+            ));
         }
     }
     let names = [

@@ -10,6 +10,7 @@ use std::path::PathBuf;
 use std::thread::available_parallelism;
 use tomolith::models::Run;
 use tomolith::report::number::significant;
+use tomolith::units::counted;
 use tomolith::{Error, Result};
 use tomolith_sweep::{
     Shard, Sweep, SweepEvent, SweepOutcome, SweepPlan, Watch, duration, merge, run,
@@ -58,7 +59,10 @@ pub(crate) fn sweep(given: &SweepArguments, ranks: Option<&Ranks>, cancel: &Run)
     let mut board = Board::new(manner, &plan);
     let outcome = match (&given.merge, ranks) {
         (Some(others), _) => merge(&plan, others)?,
-        (None, None) => run(&plan, given.shard, &mut board, cancel)?,
+        (None, None) => {
+            tell_cost(&plan, given, cancel)?;
+            run(&plan, given.shard, &mut board, cancel)?
+        }
         (None, Some(ranks)) => {
             let (number, of) = (ranks.rank() + 1, ranks.size());
             let own = run(&plan, Some(Shard { number, of }), &mut board, cancel);
@@ -71,6 +75,39 @@ pub(crate) fn sweep(given: &SweepArguments, ranks: Option<&Ranks>, cancel: &Run)
     };
     finish(&outcome, manner);
     Ok(outcome.is_met())
+}
+
+/// Sweeps that take longer than this say so before they begin, s.
+const LONG_S: f64 = 3600.0;
+
+/// Says what a long sweep will take: its runs, and the time that `tomolith check` reckons for a few of them, times their number.
+fn tell_cost(plan: &SweepPlan, given: &SweepArguments, cancel: &Run) -> Result<()> {
+    if given.manner.quiet {
+        return Ok(());
+    }
+    let (runs, seconds) = (plan.runs.len(), plan.seconds(cancel)?);
+    match cost(runs, given.shard, seconds) {
+        Some((_, line)) if given.manner.json => say(&line.to_string()),
+        Some((words, _)) => mutter(&format!("{:>12} {words}", "Cost")),
+        None => {}
+    }
+    Ok(())
+}
+
+/// The cost of a long sweep or of a share of it, for people and as a line of JSON; none of a short one.
+fn cost(runs: usize, shard: Option<Shard>, seconds: f64) -> Option<(String, serde_json::Value)> {
+    let shares = shard.map_or(1.0, |shard| shard.of as f64);
+    let seconds = seconds / shares;
+    let of = shard.map_or_else(String::new, |shard| {
+        format!(", of which this is share {}/{}", shard.number, shard.of)
+    });
+    let words = format!(
+        "{}{of}: about {} for those that are not finished, where each takes all its iterations on this machine as busy as it is",
+        counted(runs, "run"),
+        duration(seconds)
+    );
+    let line = serde_json::json!({ "event": "cost", "runs": runs, "seconds": seconds });
+    (seconds >= LONG_S).then_some((words, line))
 }
 
 impl SweepArguments {
@@ -227,5 +264,28 @@ impl Drop for Board {
         if let Some(bar) = self.bar.take() {
             bar.finish_and_clear();
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sweep_of_hours_says_so_before_it_begins() {
+        let (words, line) = cost(325, None, 43_200.0).unwrap();
+        let expected = "325 runs: about 12.0 h for those that are not finished";
+        assert!(words.starts_with(expected), "{words}");
+        assert_eq!(
+            (line["event"].as_str(), line["runs"].as_u64()),
+            (Some("cost"), Some(325))
+        );
+        let shard = Some(Shard { number: 3, of: 4 });
+        let (words, _) = cost(325, shard, 43_200.0).unwrap();
+        assert!(
+            words.starts_with("325 runs, of which this is share 3/4: about 3.0 h"),
+            "{words}"
+        );
+        assert!(cost(325, None, 3599.0).is_none());
     }
 }

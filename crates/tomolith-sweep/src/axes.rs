@@ -150,6 +150,18 @@ impl Axis {
         }
     }
 
+    /// Those of them that every value sets.
+    pub(crate) fn keys_of_all_values(&self) -> Vec<&str> {
+        let keys = self.keys().into_iter();
+        match &self.kind {
+            AxisKind::Cases { cases, .. } => {
+                let is_of_all = |key: &&str| cases.iter().all(|case| case.set.contains_key(*key));
+                keys.filter(is_of_all).collect()
+            }
+            _ => keys.collect(),
+        }
+    }
+
     /// What a value of it sets in the job.
     pub(crate) fn settings<'a>(&'a self, value: &'a Value) -> Vec<(&'a str, &'a Value)> {
         match &self.kind {
@@ -274,7 +286,8 @@ fn of_range(range: &RangeSpec, at: &str, is_log: bool, is_drawn: bool) -> Result
         (None, Some(count)) => count as f64,
         (Some(step), None) if !is_log => {
             let steps = (range.to - range.from) / step;
-            if !(steps.is_finite() && steps >= 0.0) {
+            // So small a step that their number is infinite leads there, too
+            if step == 0.0 || steps.is_nan() || steps < 0.0 {
                 return refuse(
                     ".step",
                     format!(
@@ -296,8 +309,8 @@ fn of_range(range: &RangeSpec, at: &str, is_log: bool, is_drawn: bool) -> Result
     if count > MOST_COMBINATIONS {
         return refuse(
             "",
-            format!("{count:.0} values"),
-            &format!("{MOST_COMBINATIONS:.0} at most"),
+            format!("more than {MOST_COMBINATIONS:.0} values"),
+            &format!("{MOST_COMBINATIONS:.0} at most: a larger step, or a smaller count"),
         );
     }
     let value = |i: usize| match range.step {
@@ -349,30 +362,96 @@ pub(crate) fn points(
     when: &[Condition],
     sample: Option<SampleSpec>,
 ) -> Result<Vec<SweepPoint>> {
-    let meets = |point: &SweepPoint| {
-        let of = |name: &str| named(axes, point, name);
-        when.iter().all(|condition| condition.is_met(&of))
-    };
+    let mut sieve = Sieve::new(axes, when);
     let points = match sample {
-        None => grid(axes, &meets)?,
-        Some(SampleSpec::Random(draw)) => random(axes, draw, &meets)?,
+        None => grid(axes, &mut sieve)?,
+        Some(SampleSpec::Random(draw)) => random(axes, draw, &mut sieve)?,
         Some(SampleSpec::LatinHypercube(draw)) => {
-            let mut points = hypercube(axes, draw);
-            points.retain(meets);
+            let mut points = Vec::new();
+            for point in hypercube(axes, draw) {
+                if sieve.passes(&point)? {
+                    points.push(point);
+                }
+            }
             points
         }
     };
     if points.is_empty() {
+        let found = format!("all {} points are left out: {}", sieve.seen, sieve.words());
         return Err(Error::config(
             "when",
-            "no point of the axes meets the conditions",
-            "conditions that some of them meet",
+            found,
+            "conditions that some points of the axes meet",
         ));
     }
     if points.len() > MOST_RUNS {
         return Err(too_many(points.len() as f64));
     }
     Ok(points)
+}
+
+/// The conditions that points must meet, and how many broke which of them.
+struct Sieve<'a> {
+    axes: &'a [Axis],
+    when: &'a [Condition],
+    /// For each condition, the points that it was the first to leave out.
+    left_out: Vec<usize>,
+    seen: usize,
+}
+
+impl<'a> Sieve<'a> {
+    fn new(axes: &'a [Axis], when: &'a [Condition]) -> Self {
+        Sieve {
+            axes,
+            when,
+            left_out: vec![0; when.len()],
+            seen: 0,
+        }
+    }
+
+    /// Whether a point meets all conditions, in their order: one that follows may rely on those before it.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for a condition that divides by 0 at this point: it would leave the point out without a word.
+    fn passes(&mut self, point: &SweepPoint) -> Result<bool> {
+        self.seen += 1;
+        let of = |name: &str| named(self.axes, point, name);
+        for (i, condition) in self.when.iter().enumerate() {
+            if let Some(value) = condition.undefined(&of) {
+                let (text, at) = (&condition.text, words(self.axes, point));
+                let found = format!("a side of {text:?} is {value} at {at}: it divides by 0");
+                let accepted = "a comparison of finite numbers at every point; or a condition before it that leaves such points out";
+                return Err(Error::config(format!("when[{i}]"), found, accepted));
+            }
+            if !condition.is_met(&of) {
+                self.left_out[i] += 1;
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// Which conditions left how many points out, those that left out most first.
+    fn words(&self) -> String {
+        let mut counts: Vec<(usize, &str)> = (self.left_out.iter().zip(self.when))
+            .filter(|(count, _)| **count > 0)
+            .map(|(count, condition)| (*count, condition.text.as_str()))
+            .collect();
+        counts.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
+        let words = counts
+            .iter()
+            .map(|(count, text)| format!("{count} by {text:?}"));
+        words.collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// The values of a point, for people.
+pub(crate) fn words(axes: &[Axis], point: &SweepPoint) -> String {
+    let words = axes.iter().zip(&point.values);
+    words
+        .map(|(axis, value)| format!("{} = {}", axis.name, axis.label(value)))
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 /// How many combinations there are, before any condition.
@@ -413,8 +492,17 @@ fn too_many(count: f64) -> Error {
     let accepted = format!(
         "{MOST_RUNS} runs at most: fewer or shorter axes, conditions in `when`, or a [sample]"
     );
-    Error::config("axes", format!("{count:.0}{RUNS_TOO_MANY}"), accepted)
+    let found = match count > COUNTED {
+        true => format!("{MORE_THAN}{COUNTED:.0}{RUNS_TOO_MANY}"),
+        false => format!("{count:.0}{RUNS_TOO_MANY}"),
+    };
+    Error::config("axes", found, accepted)
 }
+
+/// Larger numbers of runs are not written out.
+const COUNTED: f64 = 1e12;
+/// How a refusal begins that does not write their number out.
+pub(crate) const MORE_THAN: &str = "more than ";
 
 /// The number of an axis at a point.
 pub(crate) fn named(axes: &[Axis], point: &SweepPoint, name: &str) -> Option<f64> {
@@ -423,7 +511,7 @@ pub(crate) fn named(axes: &[Axis], point: &SweepPoint, name: &str) -> Option<f64
 }
 
 /// All combinations, the last axis fastest.
-fn grid(axes: &[Axis], meets: &dyn Fn(&SweepPoint) -> bool) -> Result<Vec<SweepPoint>> {
+fn grid(axes: &[Axis], sieve: &mut Sieve<'_>) -> Result<Vec<SweepPoint>> {
     let counts: Vec<usize> = axes.iter().map(|axis| axis.values().len()).collect();
     let mut index = vec![0; axes.len()];
     let mut points = Vec::new();
@@ -441,7 +529,7 @@ fn grid(axes: &[Axis], meets: &dyn Fn(&SweepPoint) -> bool) -> Result<Vec<SweepP
             place: parts.collect(),
             index: Some(index.clone()),
         };
-        if meets(&point) {
+        if sieve.passes(&point)? {
             points.push(point);
         }
         if points.len() > MOST_RUNS {
@@ -467,11 +555,7 @@ fn drawn(axes: &[Axis], place: Vec<f64>) -> SweepPoint {
     }
 }
 
-fn random(
-    axes: &[Axis],
-    draw: DrawSpec,
-    meets: &dyn Fn(&SweepPoint) -> bool,
-) -> Result<Vec<SweepPoint>> {
+fn random(axes: &[Axis], draw: DrawSpec, sieve: &mut Sieve<'_>) -> Result<Vec<SweepPoint>> {
     let mut source = SplitMix(draw.seed);
     let mut points = Vec::with_capacity(draw.count);
     for _ in 0..draw.count.saturating_mul(TRIES) {
@@ -479,14 +563,16 @@ fn random(
             return Ok(points);
         }
         let point = drawn(axes, axes.iter().map(|_| source.part()).collect());
-        if meets(&point) {
+        if sieve.passes(&point)? {
             points.push(point);
         }
     }
     let found = format!(
-        "{} of {} random points meet the conditions",
+        "{} draws gave {} of {} points; left out: {}",
+        sieve.seen,
         points.len(),
-        draw.count
+        draw.count,
+        sieve.words()
     );
     if points.len() == draw.count {
         Ok(points)
@@ -494,7 +580,7 @@ fn random(
         Err(Error::config(
             "when",
             found,
-            "conditions that more of them meet",
+            "conditions that leave fewer points out, narrower axes, or a smaller sample.random.count",
         ))
     }
 }
@@ -657,7 +743,15 @@ mod tests {
             ),
             (
                 serde_json::json!({ "key": "k", "linear": { "from": 0, "to": 1, "step": 1e-300 } }),
-                "axes[0].linear: ",
+                "axes[0].linear: more than 10000000 values; accepted: 10000000 at most",
+            ),
+            (
+                serde_json::json!({ "key": "k", "linear": { "from": 0, "to": 1e300, "step": 1e-300 } }),
+                "axes[0].linear: more than 10000000 values",
+            ),
+            (
+                serde_json::json!({ "key": "k", "linear": { "from": 0, "to": 1, "step": 0 } }),
+                "axes[0].linear.step: found 0",
             ),
             (
                 serde_json::json!({ "key": "k.run", "values": [1] }),
@@ -751,7 +845,22 @@ mod tests {
         let message = points(&axes, &["lower > 1".parse().unwrap()], None)
             .unwrap_err()
             .to_string();
-        assert!(message.starts_with("when: no point"), "{message}");
+        let expected = "when: all 9 points are left out: 9 by \"lower > 1\"; ";
+        assert!(message.starts_with(expected), "{message}");
+    }
+
+    #[test]
+    fn a_condition_that_divides_by_zero_is_refused_with_the_point() {
+        let axes = [linear("x", 0.0, 2.0, 1.0), linear("y", 1.0, 2.0, 1.0)];
+        let refused = |when: &[&str]| {
+            let when: Vec<Condition> = when.iter().map(|text| text.parse().unwrap()).collect();
+            points(&axes, &when, None).map_err(|e| e.to_string())
+        };
+        let message = refused(&["y/x < 3"]).unwrap_err();
+        let expected = "when[0]: a side of \"y/x < 3\" is inf at x = 0, y = 1: it divides by 0";
+        assert!(message.starts_with(expected), "{message}");
+        // A condition before it may leave such points out
+        assert_eq!(refused(&["x > 0", "y/x < 3"]).unwrap().len(), 4);
     }
 
     #[test]
@@ -759,6 +868,10 @@ mod tests {
         let axes = vec![linear("x", 1.0, 1000.0, 1.0); 3];
         let message = combinations(&axes, None).unwrap_err().to_string();
         assert!(message.starts_with("axes: 1000000000 runs"), "{message}");
+        let axes = vec![linear("x", 1.0, 1000.0, 1.0); 100];
+        let message = combinations(&axes, None).unwrap_err().to_string();
+        let expected = "axes: more than 1000000000000 runs; accepted: ";
+        assert!(message.starts_with(expected), "{message}");
         assert!(points(&vec![linear("x", 1.0, 400.0, 1.0); 2], &[], None).is_err());
     }
 
@@ -811,10 +924,8 @@ mod tests {
             &["x > 2".parse().unwrap()],
             Some(SampleSpec::Random(draw)),
         );
-        assert!(
-            none.unwrap_err()
-                .to_string()
-                .starts_with("when: 0 of 20 random points")
-        );
+        let message = none.unwrap_err().to_string();
+        let expected = "when: 20000 draws gave 0 of 20 points; left out: 20000 by \"x > 2\"; ";
+        assert!(message.starts_with(expected), "{message}");
     }
 }

@@ -1,6 +1,7 @@
 //! Commands of a study: the folders of runs that their words name, checked before any work, and filled in after it.
 
 use crate::plan::SweepPlan;
+use crate::spec::KeepSpec;
 use crate::study::{RunSpec, Study, StudySpec};
 use std::collections::BTreeMap;
 use tomolith::{Error, Result};
@@ -11,13 +12,36 @@ struct Reference<'w> {
     text: &'w str,
     name: &'w str,
     index: Option<&'w str>,
+    /// What follows the folder, up to what no file's name has.
+    file: Option<&'w str>,
 }
 
 impl<'w> Reference<'w> {
-    fn new(text: &'w str) -> Self {
+    fn new(text: &'w str, after: &'w str) -> Self {
         let indexed = text.strip_suffix(']').and_then(|rest| rest.split_once('['));
         let (name, index) = indexed.map_or((text, None), |(name, index)| (name, Some(index)));
-        Reference { text, name, index }
+        let file = after.strip_prefix('/').map(|file| {
+            let ends = |c: char| c.is_whitespace() || "\"'{},;:=".contains(c);
+            file.split(ends).next().unwrap_or_default()
+        });
+        Reference {
+            text,
+            name,
+            index,
+            file: file.filter(|file| !file.is_empty()),
+        }
+    }
+
+    /// A file that the folder of a run which leaves so much never holds, and those that it holds.
+    fn missing(&self, keep: KeepSpec) -> Option<(&'w str, String)> {
+        let left: &[&str] = match keep {
+            KeepSpec::Metrics => &LEFT[..3],
+            KeepSpec::Patterns => &LEFT,
+            // What a whole run folder holds depends on its job
+            KeepSpec::All => return None,
+        };
+        let file = self.file.filter(|file| !left.contains(file))?;
+        Some((file, left.join(", ")))
     }
 
     /// Which run; none where the index is no number.
@@ -26,12 +50,15 @@ impl<'w> Reference<'w> {
     }
 }
 
+/// The files of a run that leaves numbers and patterns; without patterns all but the last.
+const LEFT: [&str; 4] = ["job.toml", "report.json", "history.csv", "patterns.npz"];
+
 /// The references of a word. Braces of inline tables, which are empty or hold `=`, are none.
 fn references(word: &str) -> impl Iterator<Item = Reference<'_>> {
     let within = word.split('{').skip(1);
-    let within = within.filter_map(|rest| Some(rest.split_once('}')?.0));
-    let named = within.filter(|text| !text.trim().is_empty() && !text.contains('='));
-    named.map(Reference::new)
+    let within = within.filter_map(|rest| rest.split_once('}'));
+    let named = within.filter(|(text, _)| !text.trim().is_empty() && !text.contains('='));
+    named.map(|(text, after)| Reference::new(text, after))
 }
 
 impl RunSpec {
@@ -70,9 +97,15 @@ impl Study {
     /// [`Error::Config`] with file and line.
     pub(crate) fn must_have_runs(&self, plans: &BTreeMap<&str, &SweepPlan>) -> Result<()> {
         each(&self.spec, |of| {
-            let Some(count) = plans.get(of.name).map(|plan| plan.runs.len()) else {
+            let Some(plan) = plans.get(of.name) else {
                 return Ok(());
             };
+            let count = plan.runs.len();
+            if let Some((file, left)) = of.missing(plan.sweep.spec.keep) {
+                return Err(format!(
+                    "its folder has no `{file}`, only {left} (keep = \"all\" in the sweep leaves more)"
+                ));
+            }
             match of.index {
                 None if count > 1 => Err(format!("a sweep of {count} runs, and not which of them")),
                 _ if of.run().is_some_and(|run| run < count) => Ok(()),
@@ -142,6 +175,17 @@ mod tests {
         assert_eq!(names("model={wave={error=1e-3,other=0.03}}"), []);
         assert_eq!(names("objective={l2={}}"), []);
         assert_eq!(names("{rays[2]}/job.toml"), [("rays", Some(2))]);
+        let files = |word: &'static str| {
+            let found = references(word).map(|of| of.missing(KeepSpec::Patterns));
+            found
+                .map(|missing| missing.map(|(file, _)| file))
+                .collect::<Vec<_>>()
+        };
+        assert_eq!(files("{a}/patterns.npz {b}"), [None, None]);
+        assert_eq!(
+            files("start={patterns={file=\"{a}/pattern.npz\"}}"),
+            [Some("pattern.npz")]
+        );
         assert_eq!(
             names("target={mesh=\"{a-b}/x.stl\"} {c[d]}"),
             [("a-b", Some(0)), ("c", None)]

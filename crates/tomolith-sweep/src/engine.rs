@@ -4,7 +4,7 @@
 //! depends on which slot takes it or when. A request to stop is passed on to every run at work.
 
 use crate::pictures;
-use crate::plan::{RUNS, SweepPlan, firsts};
+use crate::plan::{RUNS, SweepPlan, firsts, of_run};
 use crate::spec::KeepSpec;
 use crate::table::{State, Table, failure, report, state};
 use serde::Serialize;
@@ -772,6 +772,7 @@ impl Slot<'_> {
             }
             Err(Error::Canceled) => None,
             Err(error) => {
+                let error = of_run(error);
                 let text = json!({ "values": self.plan.words(run), "message": error.to_string() })
                     .to_string();
                 match write_whole(&note, |file| Ok(file.write_all(text.as_bytes())?)) {

@@ -61,6 +61,8 @@ impl FromStr for Expression {
 /// A comparison of two expressions.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Condition {
+    /// As it is written.
+    pub(crate) text: String,
     left: Expression,
     sign: String,
     right: Expression,
@@ -86,6 +88,13 @@ impl Condition {
         }
     }
 
+    /// The value of a side that is not finite though all its names have numbers: what was divided by 0.
+    pub(crate) fn undefined(&self, of: &dyn Fn(&str) -> Option<f64>) -> Option<f64> {
+        let sides = [&self.left, &self.right].into_iter();
+        let mut values = sides.filter_map(|side| side.value(of));
+        values.find(|value| !value.is_finite())
+    }
+
     /// The names in it.
     pub(crate) fn names(&self) -> Vec<&str> {
         [self.left.names(), self.right.names()].concat()
@@ -105,7 +114,12 @@ impl FromStr for Condition {
         };
         let right = reader.sum(0)?;
         reader.end()?;
-        Ok(Condition { left, sign, right })
+        Ok(Condition {
+            text: text.trim().to_owned(),
+            left,
+            sign,
+            right,
+        })
     }
 }
 
@@ -297,6 +311,14 @@ mod tests {
                 "{text}"
             );
         }
+    }
+
+    #[test]
+    fn a_division_by_zero_is_told_from_a_name_without_a_number() {
+        let undefined = |text: &str| text.parse::<Condition>().unwrap().undefined(&of);
+        assert_eq!(undefined("1/(a - 2) < 3"), Some(f64::INFINITY));
+        assert!(undefined("3 > (a - 2)/(a - 2)").unwrap().is_nan());
+        assert_eq!((undefined("1/b < 3"), undefined("a < 3")), (None, None));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! A sweep file: read, its axes, conditions and metrics checked, and the job at each point.
 
-use crate::axes::{Axis, SweepPoint, named};
+use crate::axes::{Axis, SweepPoint, named, words};
 use crate::expression::{Condition, Expression};
 use crate::metric;
 use crate::spec::{KeepSpec, SweepSpec};
@@ -60,6 +60,13 @@ impl Sweep {
                     "target",
                     "a job where a sweep is read",
                     "a sweep file: job = \"job.toml\" and at least one table [[axes]]; `tomolith run` runs a job",
+                ));
+            }
+            if !root.contains_key("job") {
+                return Err(Error::config(
+                    "job",
+                    "the key is missing: a sweep does not say what it runs",
+                    "job = \"job.toml\", the job whose keys the axes set, relative to the sweep file",
                 ));
             }
             let mut spec = Section::new("", Value::Object(root)).parse::<SweepSpec>()?;
@@ -127,6 +134,7 @@ impl Sweep {
             })
             .collect::<Result<_>>()?;
         must_be_of_the_job(&spec, &axes)?;
+        must_be_heard(&spec, &axes)?;
         let best = best(&spec, &axes)?;
         let guides = guides(&spec, &axes)?;
         let mut metrics = spec.metrics.clone();
@@ -246,11 +254,7 @@ impl Sweep {
     /// The values of a point, for people.
     #[must_use]
     pub fn words(&self, point: &SweepPoint) -> String {
-        let words = self.axes.iter().zip(&point.values);
-        words
-            .map(|(axis, value)| format!("{} = {}", axis.name, axis.label(value)))
-            .collect::<Vec<_>>()
-            .join(", ")
+        words(&self.axes, point)
     }
 }
 
@@ -376,6 +380,24 @@ fn must_be_of_the_job(spec: &SweepSpec, axes: &[Axis]) -> Result<()> {
         if at.starts_with("derived.") && spec.set.contains_key(key) {
             let found = format!("`set` has `{key}`, too");
             return Err(Error::config(at, found, "one of them"));
+        }
+    }
+    Ok(())
+}
+
+/// Refuses keys of `set` that an axis sets anew in every run.
+fn must_be_heard(spec: &SweepSpec, axes: &[Axis]) -> Result<()> {
+    for (i, axis) in axes.iter().enumerate() {
+        for own in axis.keys_of_all_values() {
+            let is_within = |key: &&String| {
+                let rest = key.strip_prefix(own);
+                rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+            };
+            if let Some(key) = spec.set.keys().find(is_within) {
+                let found = format!("`{own}` of this axis takes the place of `{key}` in [set]");
+                let accepted = "one of them: the axis, or the key in [set]";
+                return Err(Error::config(format!("axes[{i}]"), found, accepted));
+            }
         }
     }
     Ok(())

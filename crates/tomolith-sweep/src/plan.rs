@@ -1,6 +1,6 @@
 //! From a sweep file to its runs: every job read and checked, its identity, its share of the memory, where it starts.
 
-use crate::axes::{self, RUNS_TOO_MANY, SweepPoint, mixed, named};
+use crate::axes::{self, MORE_THAN, RUNS_TOO_MANY, SweepPoint, mixed, named};
 use crate::file::Sweep;
 use serde_json::Value;
 use std::collections::HashMap;
@@ -157,6 +157,7 @@ impl Sweep {
                 place,
             } if found.ends_with(RUNS_TOO_MANY) => {
                 let count: f64 = found
+                    .trim_start_matches(MORE_THAN)
                     .split(' ')
                     .next()
                     .and_then(|n| n.parse().ok())
@@ -269,7 +270,7 @@ impl Sweep {
         let is_all = count == points.len();
         match (error, key) {
             // The job file itself is at fault
-            (error, None) if is_all => error,
+            (error, None) if is_all => of_run(error),
             (
                 Error::Config {
                     key: own,
@@ -328,7 +329,10 @@ impl Sweep {
     fn at_fault(&self, key: &str, found: &str) -> Option<String> {
         let assignment = match key.strip_prefix("--set ") {
             Some(assignment) => assignment,
-            None => found.split_once(" (from --set ")?.1,
+            None => {
+                let mut parts = OPTIONS.iter().filter_map(|from| found.split_once(from));
+                parts.next()?.1
+            }
         };
         let set = assignment.split('=').next()?;
         let is_set = |value: &Value| {
@@ -392,7 +396,7 @@ impl SweepPlan {
     ///
     /// # Errors
     /// As [`job::check`].
-    pub(crate) fn seconds(&self, cancel: &Run) -> Result<f64> {
+    pub fn seconds(&self, cancel: &Run) -> Result<f64> {
         let left: Vec<usize> = (0..self.runs.len())
             .filter(|&i| RunFolder::finished(&self.run_folder(i)).is_none())
             .collect();
@@ -485,11 +489,25 @@ impl SweepPlan {
 /// How what is accepted begins where a key takes whole numbers.
 const WHOLE: &str = "a whole number";
 
+/// How an option of the command line is told that set a key, or something that the key does not go with.
+const OPTIONS: [&str; 2] = [" (from --set ", " (with --set "];
+
 /// What was found, without the option that it is from: one of an axis, or the folder of a run.
 fn without_option(found: &str) -> &str {
-    let starts = [" (from --set ", " (from sweep "].into_iter();
+    let starts = OPTIONS.into_iter().chain([" (from sweep "]);
     let start = starts.filter_map(|from| found.find(from)).min();
     &found[..start.unwrap_or(found.len())]
+}
+
+/// An error of a run's job without the options that set its keys: nobody typed them.
+pub(crate) fn of_run(mut error: Error) -> Error {
+    if let Error::Config { key, found, .. } = &mut error {
+        *found = without_option(found).to_owned();
+        if let Some(assignment) = key.strip_prefix("--set ") {
+            *key = assignment.split('=').next().unwrap_or_default().to_owned();
+        }
+    }
+    error
 }
 
 /// Runs whose starts were chosen otherwise have other identities: scaled (1 << 63), continued.
@@ -639,6 +657,23 @@ mod tests {
         let ahead = |to, from| (vec![to, from], true);
         let along = [alone(&[]), alone(&[0]), ahead(1, 0), ahead(2, 0)];
         assert_eq!(parents(&line, 1), along);
+    }
+
+    #[test]
+    fn an_error_of_a_run_tells_no_option_that_nobody_typed() {
+        let told = |key: &str, found: &str| of_run(Error::config(key, found, "3")).to_string();
+        assert_eq!(
+            told("grid.pitch_mm", "found 2 (from --set grid.pitch_mm=2)"),
+            "grid.pitch_mm: found 2; accepted: 3"
+        );
+        assert_eq!(
+            told("target", "too large (with --set grid.pitch_mm=50)"),
+            "target: too large; accepted: 3"
+        );
+        assert_eq!(
+            told("--set light[3].angles=12", "has 1 element"),
+            "light[3].angles: has 1 element; accepted: 3"
+        );
     }
 
     #[test]

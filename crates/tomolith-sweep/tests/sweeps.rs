@@ -641,7 +641,25 @@ fn a_sweep_that_cannot_be_is_refused_before_any_run() {
         ),
         (
             SWEEP.replace("lower < upper", "lower > upper + 1"),
-            vec!["when: no point of the axes meets the conditions"],
+            vec![
+                "when: all 9 points are left out: 9 by \"lower > upper + 1\"",
+                "line 4",
+            ],
+        ),
+        (
+            SWEEP.replace("lower < upper", "lower < 0.1/(upper - 0.4)"),
+            vec!["when[0]: a side of ", "is inf at lower = 0.3, upper = 0.4"],
+        ),
+        (
+            SWEEP.replace("job = ", "# job = "),
+            vec!["job: the key is missing", "job = \"job.toml\""],
+        ),
+        (
+            format!("{SWEEP}[set]\n\"objective.ospw.lower\" = 0.4\n"),
+            vec![
+                "axes[0]: `objective.ospw.lower` of this axis takes the place of `objective.ospw.lower` in [set]",
+                "bad.toml, line",
+            ],
         ),
         (
             SWEEP.replace("lower < upper", "lowr < upper"),

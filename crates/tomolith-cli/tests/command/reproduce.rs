@@ -242,10 +242,52 @@ fn commands_that_cannot_work_are_refused_before_any_work() {
         (&simulate("{map[last]}"), "the index is no whole number"),
         (&simulate("{map}"), "a sweep of 2 runs"),
         (&simulate("{map[2]}"), "the last run is {map[1]}"),
+        (
+            "\"simulate\", \"job.toml\", \"--patterns\", \"{map[0]}/pattern.npz\"",
+            "has no `pattern.npz`, only job.toml, report.json, history.csv, patterns.npz",
+        ),
     ] {
         let parts = ["runs.voxel.command", "study.toml:8:", part];
         refused(&with_command(words, true), &parts);
     }
+}
+
+#[test]
+fn figures_lay_the_histograms_of_runs_side_by_side() {
+    let figure = |histogram: &str, of: &str| {
+        format!(
+            "{STUDY}\n[[figures]]\nname = \"doses\"\ntitle = \"Doses\"\nhistogram = \"{histogram}\"\npanels = [{{ of = \"{of}\" }}]\n"
+        )
+    };
+    for (histogram, of, parts) in [
+        (
+            "optimization.iou",
+            "map",
+            ["figures[0].histogram", "is no histogram of report.json"],
+        ),
+        (
+            "optimization.histogram",
+            "voxel",
+            [
+                "figures[0].panels[0].of",
+                "is no sweep or job of this study",
+            ],
+        ),
+    ] {
+        refused(&figure(histogram, of), &parts);
+    }
+    let bench = bench_of(&figure("optimization.histogram", "map"));
+    bench.stdout(0, "reproduce disc --quick --json");
+    let picture = bench.read("out/papers/disc-quick/doses.svg");
+    for part in ["lower = 0.3", "teal: part · orange: void"] {
+        assert!(picture.contains(part), "{part} is not in: {picture}");
+    }
+    let table = bench.read("out/papers/disc-quick/table.md");
+    assert!(table.contains("![doses.svg](doses.svg)"), "{table}");
+    // No target of part and void has errors: no picture, and no fault
+    let bench = bench_of(&figure("optimization.errors", "map"));
+    bench.stdout(0, "reproduce disc --quick --json");
+    assert!(!bench.path("out/papers/disc-quick/doses.svg").exists());
 }
 
 #[test]

@@ -14,7 +14,7 @@ use super::scene::Scene;
 use super::spec::{JobSpec, RobustOf, ScenarioSpec};
 use super::species::planned;
 use crate::error::{Error, Result};
-use crate::grid::Volume;
+use crate::grid::{Volume, VolumeGrid};
 use crate::metrics::published::percentiles;
 use crate::metrics::scan::Scan;
 use crate::models::masked::MaskedModel;
@@ -22,6 +22,7 @@ use crate::models::scenarios::{Scenarios, SharedModel};
 use crate::models::{HostModel, OpticalScene, Run};
 use crate::objective::Join;
 use crate::report::{ScenarioRow, ScenarioTable};
+use crate::units::concise;
 use serde_json::Value;
 use std::sync::Arc;
 
@@ -174,6 +175,28 @@ fn each_leaf(
     }
 }
 
+/// What makes a job and its scenarios share their voxels.
+const OWN_VOXELS: &str = "grid.refine = 1, with which the job and its scenarios are optimized on the voxels of [grid]; or a scenario whose light the model of the job computes, too";
+
+/// What happens where a scenario needs voxels other than the job's, and what that means.
+fn other_voxels(its: Option<VolumeGrid>, jobs: Option<VolumeGrid>) -> String {
+    let words = |grid: Option<VolumeGrid>| {
+        grid.map_or_else(
+            || "none".to_owned(),
+            |grid| {
+                let [nz, ny, nx] = grid.shape;
+                let [pitch, height] = [grid.pitch_mm, grid.height_mm].map(concise);
+                format!("{nx} × {ny} × {nz} voxels of {pitch} × {pitch} × {height} mm")
+            },
+        )
+    };
+    format!(
+        "its dose model needs {}, that of the job {}; both are optimized together, which takes the same voxels",
+        words(its),
+        words(jobs)
+    )
+}
+
 /// Refuses a scenario that shows other images, or is computed on other voxels.
 fn must_show_the_same(scene: &Scene, own: &Scene) -> Result<()> {
     let images = |scene: &Scene| -> Vec<_> {
@@ -181,13 +204,10 @@ fn must_show_the_same(scene: &Scene, own: &Scene) -> Result<()> {
         lights.map(|light| light.pixels.shape()).collect()
     };
     let voxels = |scene: &Scene| scene.levels.last().map(|level| level.grid.clone());
-    if voxels(scene) != voxels(own) {
+    let (its, jobs) = (voxels(scene), voxels(own));
+    if its != jobs {
         // Rays want cubes, and parallel light does not
-        return Err(Error::config(
-            "",
-            "its light is computed by a model that wants other voxels than the job's",
-            "grid.refine = 1 for the job, which is then optimized on its own voxels",
-        ));
+        return Err(Error::config("", other_voxels(its, jobs), OWN_VOXELS));
     }
     if images(scene) == images(own) {
         return Ok(());
@@ -462,6 +482,14 @@ mod tests {
             assert!(text.starts_with(begin) && text.contains(&line), "{text}");
             assert!(!text.contains("--set"), "{text}");
         }
+    }
+
+    #[test]
+    fn voxels_that_a_scenario_does_not_share_are_told_with_both_sizes() {
+        let grid = |shape, pitch| Some(VolumeGrid::centered(shape, pitch));
+        let found = other_voxels(grid([40, 20, 10], 0.05), grid([10, 20, 10], 0.1));
+        let expected = "its dose model needs 10 × 20 × 40 voxels of 0.05 × 0.05 × 0.05 mm, that of the job 10 × 20 × 10 voxels of 0.1 × 0.1 × 0.1 mm; both";
+        assert!(found.starts_with(expected), "{found}");
     }
 
     #[test]
