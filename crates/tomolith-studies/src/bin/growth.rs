@@ -4,13 +4,16 @@
 //! (default 128); a model whose next size would take more than two minutes ends before it. Each size runs in a process of its own, which
 //! builds the job's model and calls dose and adjoint until half a second of processor time has gone. Prints a table, exponents fitted to the
 //! four largest sizes, and what 1024³ voxels with 1000 angles would take: the largest size times the larger power of the fitted one and the
-//! theory's (memory: N³). FOLDER gets two pictures. See docs/measured/growth.md.
+//! theory's (memory: N³). FOLDER gets four pictures. See docs/measured/growth.md.
+//!
+//! `growth -- from FILE [FOLDER]` takes the sizes from the table in a page in place of measuring them; `growth -- one MODEL N` measures one size
+//! and prints dose and adjoint, processor s, and peak, MB.
 //! Processor time is of all threads (Linux).
 #![expect(clippy::print_stdout, reason = "a study prints its table")]
 
 use std::env;
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 use tomolith::field::{Field, HostField};
 use tomolith::job::{Document, Job, ResolvedJob};
@@ -29,6 +32,8 @@ struct Case {
     /// Exponent of the dose's time in N.
     theory: f64,
     why: &'static str,
+    /// What the estimate at 1024 takes for granted, beside the powers.
+    assumes: &'static str,
 }
 
 const CLEAR: &str = "{ refractive_index = 1.5, absorption_per_mm = 0.05 }";
@@ -42,6 +47,7 @@ const CASES: [Case; 6] = [
         pitch_mm: 0.05,
         theory: 4.0,
         why: "voxels × frames",
+        assumes: "an update of a voxel reads from caches, as at the largest size",
     },
     Case {
         name: "rays",
@@ -49,6 +55,7 @@ const CASES: [Case; 6] = [
         pitch_mm: 0.05,
         theory: 4.0,
         why: "pixels × frames × voxels along a ray",
+        assumes: "segments are followed anew in every call: keeping them would take 10¹² entries",
     },
     Case {
         name: "successive_orders",
@@ -56,6 +63,7 @@ const CASES: [Case; 6] = [
         pitch_mm: 0.05,
         theory: 4.0,
         why: "voxels × frames",
+        assumes: "all light grows as unscattered light does, faster than measured: scattered light lies on coarser cells",
     },
     Case {
         name: "monte_carlo",
@@ -63,6 +71,7 @@ const CASES: [Case; 6] = [
         pitch_mm: 0.05,
         theory: 4.0,
         why: "pixels × frames × cells along a path",
+        assumes: "as many paths per pixel as at the largest size",
     },
     Case {
         name: "wave",
@@ -70,6 +79,7 @@ const CASES: [Case; 6] = [
         pitch_mm: 0.0016,
         theory: 4.0,
         why: "frames × depths × a plane's Fourier transform, N² log N",
+        assumes: "depths and the width of transforms grow as N",
     },
     Case {
         name: "incoherent_cone",
@@ -77,6 +87,7 @@ const CASES: [Case; 6] = [
         pitch_mm: 0.0016,
         theory: 4.0,
         why: "frames × depths × a plane's Fourier transform, N² log N",
+        assumes: "depths and the width of transforms grow as N",
     },
 ];
 
@@ -227,55 +238,117 @@ fn grown(case: &Case, largest: usize) -> Fallible<Vec<Size>> {
     Ok(sizes)
 }
 
-/// Dose times of three models, and the theory's slope through the largest size of each.
-fn picture(all: &[(&Case, Vec<Size>)]) -> String {
-    let times = || {
-        all.iter()
-            .flat_map(|(_, sizes)| sizes.iter().map(|s| s.dose_s))
-    };
-    let (low, high) = times().fold((f64::MAX, 0.0f64), |(a, b), t| (a.min(t), b.max(t)));
+/// What a picture shows of each size.
+#[derive(Clone, Copy)]
+struct Shown {
+    label: &'static str,
+    title: &'static str,
+    of: fn(&Size) -> f64,
+    /// The theory's exponent.
+    exponent: fn(&Case) -> f64,
+}
+
+const TIME: Shown = Shown {
+    label: "processor seconds a dose",
+    title: "Time of a dose: measured (dots) and theory (lines)",
+    of: |size| size.dose_s,
+    exponent: |case| case.theory,
+};
+const MEMORY: Shown = Shown {
+    label: "peak of the process, MB",
+    title: "Memory: measured (dots) and N³ (lines)",
+    of: |size| size.peak_mb,
+    exponent: |_| 3.0,
+};
+
+/// A number of three models over N, and the theory's slope through the largest size of each.
+fn picture(all: &[(&Case, Vec<Size>)], shown: Shown) -> String {
+    let numbers = || all.iter().flat_map(|(_, sizes)| sizes.iter().map(shown.of));
+    let (low, high) = numbers().fold((f64::MAX, 0.0f64), |(a, b), t| (a.min(t), b.max(t)));
     let largest = all
         .iter()
         .flat_map(|(_, sizes)| sizes.iter().map(|s| s.n))
         .max();
     let mut plot = Plot::new(
         Axis::log("N", 28.0, 1.2 * largest.unwrap_or(64) as f64),
-        Axis::log("processor seconds a dose", 0.5 * low, 2.0 * high),
+        Axis::log(shown.label, 0.5 * low, 2.0 * high),
     );
-    let classes = ["accent", "gel", "still"];
+    let classes = ["accent", "gel", "void"];
     for ((case, sizes), class) in all.iter().zip(classes) {
-        let points: Vec<[f64; 2]> = sizes.iter().map(|s| [s.n as f64, s.dose_s]).collect();
+        let points: Vec<[f64; 2]> = sizes.iter().map(|s| [s.n as f64, (shown.of)(s)]).collect();
         plot.dots(&points, class, case.name);
-        let (Some(first), Some(last)) = (sizes.first(), sizes.last()) else {
+        let Some(last) = sizes.last() else {
             continue;
         };
-        let theory = |n: f64| [n, last.dose_s * (n / last.n as f64).powf(case.theory)];
-        plot.line(&[theory(first.n as f64), theory(last.n as f64)], class, "");
+        let exponent = (shown.exponent)(case);
+        let theory = |n: f64| [n, (shown.of)(last) * (n / last.n as f64).powf(exponent)];
+        // No lower than the plot
+        let first = sizes.iter().map(|s| s.n as f64);
+        let first = first
+            .filter(|n| theory(*n)[1] >= 0.5 * low)
+            .reduce(f64::min);
+        let first = first.unwrap_or(last.n as f64);
+        plot.line(&[theory(first), theory(last.n as f64)], class, "");
     }
-    plot.file("Time of a dose: measured (dots) and theory (lines)")
+    plot.file(shown.title)
 }
 
-fn main() -> Fallible<()> {
-    let arguments: Vec<String> = env::args().skip(1).collect();
-    if let [one, name, n] = &arguments[..]
-        && one == "one"
-    {
-        let case = CASES
-            .iter()
-            .find(|case| case.name == name)
-            .ok_or("no such model")?;
-        return measure(case, n.parse()?);
+/// Cores of the machine that the sizes were measured on, and of a large one of the same kind.
+const CORES: f64 = 2.0;
+const MANY_CORES: f64 = 64.0;
+/// How many such cores a GPU counts as: its 67·10¹² operations a second over a core's 0.19·10¹² (32 lanes of multiply-add at 3 GHz); its 3.3·10¹²
+/// bytes a second over a core's 10¹⁰ say nearly the same.
+const GPU_CORES: f64 = 350.0;
+/// Memory of that GPU, GB.
+const GPU_GB: f64 = 80.0;
+
+const ASSUMED: &str = "Assumed: time grows from the largest size by the larger of the fitted and the theory's exponent, memory by N³. Work is shared \
+    evenly: two cores take half of the processor time, 64 a sixty-fourth, if memory keeps up. A GPU counts as 350 such cores: 67·10¹² operations a \
+    second over a core's 0.19·10¹², 3.3·10¹² bytes a second over a core's 10¹⁰, if its kernels come as near to both as ours on a core; there is none \
+    yet, and nothing was measured on one. 40 iterations are 80 calls; the memory holds the model, the target, patterns, gradient and dose, and not the pairs of L-BFGS, 4.3 GB each.";
+
+/// Seconds as people say them.
+fn duration(seconds: f64) -> String {
+    match seconds {
+        s if s < 100.0 => format!("{} s", significant(s, 2)),
+        s if s < 6e3 => format!("{} min", significant(s / 60.0, 2)),
+        s if s < 172_800.0 => format!("{} h", significant(s / 3600.0, 2)),
+        s => format!("{} days", significant(s / 86_400.0, 2)),
     }
-    let largest = arguments.first().map_or(Ok(128), |n| n.parse())?;
-    println!("| model | N | dose, processor s | adjoint, processor s | peak, MB |");
-    println!("|---|---|---|---|---|");
-    let grow = |case| grown(case, largest).map(|sizes| (case, sizes));
-    let all: Vec<(&Case, Vec<Size>)> = CASES.iter().map(grow).collect::<Result<_, _>>()?;
+}
+
+/// A row of what 1024³ voxels with 1000 angles would take.
+fn estimate(case: &Case, sizes: &[Size]) -> String {
+    let grown = |of: fn(&Size) -> f64| {
+        let power = exponent(sizes, of).max(case.theory);
+        at_1024(sizes, power, of) * 1000.0 / 1024.0
+    };
+    let pair_s = grown(|s| s.dose_s) + grown(|s| s.adjoint_s);
+    let peak_gb = at_1024(sizes, 3.0, |s| s.peak_mb) / 1024.0;
+    let fits = if peak_gb < GPU_GB {
+        ""
+    } else {
+        ", more than it has"
+    };
+    let largest = sizes.last().map_or(0, |size| size.n);
+    format!(
+        "| {} | {largest} | {} | {} | {}{fits} | {} | {peak_gb:.0} | {} |",
+        case.name,
+        duration(pair_s / CORES),
+        duration(pair_s / MANY_CORES),
+        duration(pair_s / GPU_CORES),
+        duration(40.0 * pair_s / MANY_CORES),
+        case.assumes
+    )
+}
+
+/// Exponents of all models, and what they come to.
+fn print_fits(all: &[(&Case, Vec<Size>)]) {
     println!(
         "\n| model | exponent of the dose | theory | of the adjoint | of the peak | a dose of 1024³ × 1000, processor h | its peak, GB |"
     );
     println!("|---|---|---|---|---|---|---|");
-    for (case, sizes) in &all {
+    for (case, sizes) in all {
         let dose = exponent(sizes, |s| s.dose_s);
         let hours = at_1024(sizes, dose.max(case.theory), |s| s.dose_s) * 1000.0 / 1024.0 / 3600.0;
         println!(
@@ -289,11 +362,135 @@ fn main() -> Fallible<()> {
             at_1024(sizes, 3.0, |s| s.peak_mb) / 1024.0
         );
     }
-    if let Some(folder) = arguments.get(1) {
-        let (light, others) = all.split_at(3);
-        let folder = PathBuf::from(folder);
-        std::fs::write(folder.join("growth-light.svg"), picture(light))?;
-        std::fs::write(folder.join("growth-paths-and-waves.svg"), picture(others))?;
+    println!(
+        "\n| model | from N | a dose and an adjoint of 1024³ × 1000: this machine | 64 such cores | a GPU | 40 iterations, 64 cores | memory, GB | assumes |"
+    );
+    println!("|---|---|---|---|---|---|---|---|");
+    for (case, sizes) in all {
+        println!("{}", estimate(case, sizes));
+    }
+    println!("\n{ASSUMED}");
+}
+
+/// The sizes in the table of a page, as this program prints them.
+fn read(file: &Path) -> Fallible<Vec<(&'static Case, Vec<Size>)>> {
+    let text = std::fs::read_to_string(file)?;
+    let of = |case: &'static Case| {
+        let start = format!("| {} | ", case.name);
+        let rows = text.lines().filter_map(|line| line.strip_prefix(&start));
+        let sizes: Vec<Size> = rows.filter_map(row).collect();
+        match sizes.is_empty() {
+            true => Err(format!("{}: no size of {}", file.display(), case.name).into()),
+            false => Ok((case, sizes)),
+        }
+    };
+    CASES.iter().map(of).collect()
+}
+
+/// A row without the name of its model; none where it is one of another table.
+fn row(line: &str) -> Option<Size> {
+    let cells: Vec<&str> = line.trim_end_matches([' ', '|']).split(" | ").collect();
+    let [n, dose, adjoint, peak] = cells[..] else {
+        return None;
+    };
+    Some(Size {
+        n: n.parse().ok()?,
+        dose_s: number(dose)?,
+        adjoint_s: number(adjoint)?,
+        peak_mb: number(peak)?,
+    })
+}
+
+/// A number as it is printed, such as 7.2·10⁻⁴ and 1,496.
+fn number(text: &str) -> Option<f64> {
+    let alone = text
+        .strip_prefix("10")
+        .filter(|rest| rest.starts_with(|c: char| !c.is_ascii()));
+    let split = text.split_once("·10").or(alone.map(|power| ("1", power)));
+    let Some((digits, power)) = split else {
+        return text.replace(',', "").parse().ok();
+    };
+    let plain = |c: char| match c {
+        '⁻' => Some('-'),
+        _ => "⁰¹²³⁴⁵⁶⁷⁸⁹"
+            .chars()
+            .position(|s| s == c)
+            .and_then(|i| char::from_digit(i as u32, 10)),
+    };
+    let power: String = power.chars().map(plain).collect::<Option<_>>()?;
+    Some(digits.parse::<f64>().ok()? * 10f64.powi(power.parse().ok()?))
+}
+
+fn write_pictures(all: &[(&Case, Vec<Size>)], folder: &Path) -> Fallible<()> {
+    let (light, others) = all.split_at(3);
+    for (name, cases, shown) in [
+        ("growth-light.svg", light, TIME),
+        ("growth-paths-and-waves.svg", others, TIME),
+        ("growth-light-memory.svg", light, MEMORY),
+        ("growth-paths-and-waves-memory.svg", others, MEMORY),
+    ] {
+        std::fs::write(folder.join(name), picture(cases, shown))?;
     }
     Ok(())
+}
+
+fn main() -> Fallible<()> {
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    if let [one, name, n] = &arguments[..]
+        && one == "one"
+    {
+        let case = CASES
+            .iter()
+            .find(|case| case.name == name)
+            .ok_or("no such model")?;
+        return measure(case, n.parse()?);
+    }
+    let (all, folder) = match &arguments[..] {
+        [from, file, folder @ ..] if from == "from" => (read(Path::new(file))?, folder.first()),
+        _ => {
+            let largest = arguments.first().map_or(Ok(128), |n| n.parse())?;
+            println!("| model | N | dose, processor s | adjoint, processor s | peak, MB |");
+            println!("|---|---|---|---|---|");
+            let grow = |case| grown(case, largest).map(|sizes| (case, sizes));
+            let all = CASES.iter().map(grow).collect::<Result<_, _>>()?;
+            (all, arguments.get(1))
+        }
+    };
+    print_fits(&all);
+    match folder {
+        Some(folder) => write_pictures(&all, Path::new(folder)),
+        None => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_read_as_they_are_printed() {
+        for value in [7.2e-4, 0.0018, 31.0, 1496.0, 1e-5, 2.5e-9] {
+            let read = number(&significant(value, 4)).unwrap();
+            assert!((read / value - 1.0).abs() < 1e-12, "{value}: {read}");
+        }
+        let size = row("32 | 7.2·10⁻⁴ | 9·10⁻⁴ | 13 |").unwrap();
+        assert_eq!((size.n, size.peak_mb), (32, 13.0));
+        assert!(row("4.10 | 4: voxels × frames | 3.99 | 2.57 | 0.031 | 28 |").is_none());
+    }
+
+    #[test]
+    fn an_estimate_is_the_power_law_of_its_sizes() {
+        // 2·N⁴·10⁻⁹ s a dose, the same an adjoint, 10⁻⁵·N³ MB
+        let size = |n: usize| Size {
+            n,
+            dose_s: 2e-9 * (n as f64).powi(4),
+            adjoint_s: 2e-9 * (n as f64).powi(4),
+            peak_mb: 1e-5 * (n as f64).powi(3),
+        };
+        let sizes: Vec<Size> = [64, 96, 128, 192].map(size).to_vec();
+        // 4·10⁻⁹·1024⁴·1000/1024 s of one core are 4295 s
+        let text = estimate(&CASES[0], &sizes);
+        let expected = "| parallel | 192 | 36 min | 67 s | 12 s | 45 min | 10 | ";
+        assert!(text.starts_with(expected), "{text}");
+    }
 }
