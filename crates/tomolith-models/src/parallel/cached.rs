@@ -20,12 +20,12 @@ use super::turned::Turned;
 use super::views::Views;
 use super::{GROUP, groups, is_straight, places};
 use crate::Run;
-use rayon::prelude::*;
 use std::f64::consts::PI;
 use std::ops::Range;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::LANES;
 use tomolith_core::grid::VolumeGrid;
+use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 
@@ -250,19 +250,19 @@ impl CachedEntries {
         run: &Run,
     ) -> Result<Self> {
         let (views, period) = (0..plan.of_view.len(), plan.turned.period);
-        let of_tiles = tiles.par_iter().enumerate();
-        let patches = of_tiles.map_init(Finder::default, |finder, tile| {
+        let of_tiles = tiles.iter().enumerate();
+        let patches = of_tiles.par_map_with(Finder::default, |finder, tile| {
             let groups = groups(0..period, period).take_while(|_| !run.is_canceled());
             let found = groups.map(|group| finder.find(path, plan, tile, group));
             found.collect::<Vec<_>>()
         });
-        let patches: Vec<Patches> = patches.flatten_iter().collect();
+        let patches: Vec<Patches> = patches.into_iter().flatten().collect();
         if run.is_canceled() {
             return Err(Error::Canceled);
         }
         let per_tile = groups(views.clone(), period).count();
         if period == views.len() {
-            let groups = patches.into_par_iter().map(Group::of).collect();
+            let groups = patches.into_iter().par_map(Group::of);
             return Ok(CachedEntries {
                 groups,
                 per_tile,
@@ -276,13 +276,13 @@ impl CachedEntries {
             places: places(tiles, nx),
             across: nx.div_ceil(TILE),
         };
-        let of_tiles = tiles.par_iter().map_init(Vec::new, |patches, tile| {
+        let of_tiles = tiles.iter().par_map_with(Vec::new, |patches, tile| {
             let groups = groups(views.clone(), period);
             let turned = groups.map(|group| first.group(plan, tile, &group, patches));
             turned.collect::<Vec<_>>()
         });
         Ok(CachedEntries {
-            groups: of_tiles.flatten_iter().collect(),
+            groups: of_tiles.into_iter().flatten().collect(),
             per_tile,
             period,
         })

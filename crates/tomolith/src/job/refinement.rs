@@ -167,12 +167,13 @@ pub(super) fn levels(
     levels
 }
 
-/// Whether rows of pixels that do not reach the part stay dark, and nothing counts the voxels that they light.
+/// Whether rows of pixels that do not reach the part stay dark, nothing counts the voxels that they light, and no dose diffuses there.
 fn is_dark_beyond((spec, kinds): (&JobSpec, &JobKinds), lights: &[Light]) -> bool {
     let spreads = lights.iter().any(|light| light.point_spread.is_some());
-    let has_one_part = spec.species.is_empty() && spec.scenario.is_empty();
+    let has_one_part = spec.species.len() <= 1 && spec.scenario.is_empty();
+    let stays = spec.material.is_none();
     let starts_dark = kinds.start.files().is_none() && spec.bounds.min == 0.0;
-    has_one_part && starts_dark && !spreads && !kinds.seeks_window()
+    has_one_part && stays && starts_dark && !spreads && !kinds.seeks_window()
 }
 
 /// The slices of a grid that are lit by rows of pixels which reach the part.
