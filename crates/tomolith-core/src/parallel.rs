@@ -10,7 +10,7 @@
 //! **Why not rayon's iterators.** Rayon compiles its splitting, stealing and joining anew for every closure and every chain of adaptors: about
 //! 2500 lines of LLVM IR each, a third of all that the crates of numbers gave to the compiler. Here it is compiled once, behind `dyn Fn`.
 //!
-//! **What it costs.** Per item one entry of a list, one lock that nobody else holds and one call through a pointer: some 20 ns, where a block of
+//! **What it costs.** Per item one entry of a list, one lock that nobody else holds and one call through a pointer: tens of nanoseconds, where a block of
 //! [`BLOCK`](crate::field::BLOCK) elements takes 10 µs or more. Where an item is one number, take chunks of them.
 //!
 //! ```
