@@ -124,6 +124,12 @@ impl Task {
         (grid.pitch_mm, grid.height_mm)
     }
 
+    /// Where they lie, `((x, y, z), (x, y, z))`, mm: the lowest corner and the highest. Slices that only light beside the part reaches are left out.
+    #[getter]
+    fn box_mm(&self) -> [(f64, f64, f64); 2] {
+        self.task.labels.grid.bounds_mm().map(Into::into)
+    }
+
     /// Lower and upper bound of each element of x.
     #[getter]
     fn bounds<'py>(&self, py: Python<'py>) -> PyResult<(Vector<'py>, Vector<'py>)> {

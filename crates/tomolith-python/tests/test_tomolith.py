@@ -93,7 +93,13 @@ class Tasks(unittest.TestCase):
         self.assertEqual(self.task.shape, self.task.target.shape)
         (across, along), pitch = self.task.voxel_mm, self.job.pitch_mm
         self.assertAlmostEqual(self.task.shape[2] * across, self.job.shape[2] * pitch)
-        self.assertAlmostEqual(self.task.shape[0] * along, self.job.shape[0] * pitch)
+        low, high = self.task.box_mm
+        for axis, edge, count in zip(range(3), [across, across, along], reversed(self.task.shape)):
+            self.assertAlmostEqual(high[axis] - low[axis], count * edge)
+        # Slices beside the part are left out
+        self.assertGreater(self.task.target[0].max(), 0)
+        self.assertGreater(self.task.target[-1].max(), 0)
+        self.assertLess(self.task.shape[0] * along, self.job.shape[0] * pitch)
 
     @unittest.skipUnless(hasattr(os, "fork"), "no forks here")
     def test_a_fork_is_refused(self):
