@@ -18,7 +18,7 @@
 //! e < δ = [`CHORD`], so that value and gradient stay an exact pair and finite.
 //!
 //! **Order of sums** of the host: distances and terms in f32, those of 16 neighbors added in pairs (i and i + 8), these in eight
-//! running sums of f64 over 512 elements; then all chunks of [`BLOCK`](super::BLOCK) elements, then all blocks.
+//! running sums of f64 over 512 elements; then all chunks of [`BLOCK`] elements, then all blocks.
 //!
 //! **Cost** one pass over dose and bands. Sixteen neighbors along z that share a label skip the table; for p = 1, 2 and the
 //! identity response the pass is bound by memory (about 5 bytes read per voxel).
