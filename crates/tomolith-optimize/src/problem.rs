@@ -251,14 +251,7 @@ impl<'a, F: Field> Problem<'a, F> {
         let has_moved = free.values() != was;
         self.counters.objective_s += begin.elapsed().as_secs_f64();
         if has_moved {
-            let Position {
-                dose,
-                cotangent,
-                loss,
-            } = at;
-            *loss = self.timed(|objective, penalties| {
-                objective.value_and_gradient(dose, cotangent) + penalties.value(x)
-            });
+            self.weigh(x, at);
         }
         Ok(())
     }
@@ -414,16 +407,21 @@ impl<'a, F: Field> Problem<'a, F> {
 
     /// Dose, loss and cotangent of patterns that need no bringing into the bounds.
     pub(super) fn measure(&mut self, x: &F, at: &mut Position<F>) -> Result<()> {
+        self.dose(x, &mut at.dose)?;
+        self.weigh(x, at);
+        Ok(())
+    }
+
+    /// Loss and cotangent of patterns whose dose is there.
+    fn weigh(&mut self, x: &F, at: &mut Position<F>) {
         let Position {
             dose,
             cotangent,
             loss,
         } = at;
-        self.dose(x, dose)?;
         *loss = self.timed(|objective, penalties| {
             objective.value_and_gradient(dose, cotangent) + penalties.value(x)
         });
-        Ok(())
     }
 
     /// Evaluates patterns of any scale after scaling them so that the largest dose of the voxels that count is 1; returns the
@@ -456,14 +454,7 @@ impl<'a, F: Field> Problem<'a, F> {
             x.move_along(scratch, 1.0, self.bounds(x));
             self.dose(x, &mut at.dose)?;
         }
-        let Position {
-            dose,
-            cotangent,
-            loss,
-        } = at;
-        *loss = self.timed(|objective, penalties| {
-            objective.value_and_gradient(dose, cotangent) + penalties.value(x)
-        });
+        self.weigh(x, at);
         Ok(largest)
     }
 
@@ -652,14 +643,7 @@ impl<'a, F: Field> Problem<'a, F> {
                 0.1 * alpha
             };
         }
-        let Position {
-            dose,
-            cotangent,
-            loss,
-        } = at;
-        *loss = self.timed(|objective, penalties| {
-            objective.value_and_gradient(dose, cotangent) + penalties.value(x)
-        });
+        self.weigh(x, at);
         Ok(found)
     }
 

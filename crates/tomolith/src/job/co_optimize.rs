@@ -94,32 +94,15 @@ impl FreeParameters {
     }
 
     /// Blames the range of a parameter that the response blames.
-    fn at_range(&self, error: Error) -> Error {
-        match error {
-            Error::Config {
-                key,
-                found,
-                accepted,
-                nearest,
-                place,
-            } => {
-                let name = key.rsplit('.').next().unwrap_or_default();
-                let own = self.parameters.iter().any(|p| p.name == name);
-                let name = if own {
-                    format!(".{name}")
-                } else {
-                    String::new()
-                };
-                Error::Config {
-                    key: format!("{TABLE}.response{name}"),
-                    found: format!("at an end of the ranges: {found}"),
-                    accepted,
-                    nearest,
-                    place,
-                }
-            }
-            other => other,
+    fn at_range(&self, mut error: Error) -> Error {
+        if let Error::Config { key, found, .. } = &mut error {
+            let name = key.rsplit('.').next().unwrap_or_default();
+            let own = self.parameters.iter().find(|p| p.name == name);
+            let name = own.map_or(String::new(), |p| format!(".{}", p.name));
+            *key = format!("{TABLE}.response{name}");
+            *found = format!("at an end of the ranges: {found}");
         }
+        error
     }
 
     /// The response with these parameters.
