@@ -314,6 +314,7 @@ impl CachedEntries {
         let group = self.group(tile, views);
         let first = self.first_of_group(views) * columns;
         let own = self.slots_of(views, columns);
+        let is_whole = is_whole(&own, group);
         for (i, &block) in filled.blocks.iter().enumerate() {
             let lit = group.light(&mut bench.lit, |slot| {
                 own.contains(&slot) && filled.any_in(first + slot as usize, i)
@@ -321,6 +322,9 @@ impl CachedEntries {
             if lit == 0 {
                 continue;
             }
+            // Looking at an entry takes as long as adding a register of zeros
+            let dark = group.lit_by.len() - lit;
+            let chooses = !is_whole || 4 * dark * block.count > 3 * group.lit_by.len();
             let source = &slots[first * block.row * LANES..];
             for (y, lines) in rows.chunks_mut(EDGE).enumerate() {
                 let across = lines[0].len() / (block.row * LANES);
@@ -328,7 +332,7 @@ impl CachedEntries {
                     let Some(mut entries) = group.patches.of(y * PATCHES + x, 0) else {
                         continue;
                     };
-                    if lit < group.lit_by.len() {
+                    if chooses {
                         let is_lit = |slot: u32| bench.lit[slot as usize];
                         entries = entries.choose(&mut bench.chosen, is_lit);
                     }
@@ -356,7 +360,7 @@ impl CachedEntries {
             return;
         }
         let own = self.slots_of(views, columns);
-        let is_whole = own.start == 0 && own.end as usize >= group.patches.rows();
+        let is_whole = is_whole(&own, group);
         let dark = [0.0; MAX_BLOCK * LANES];
         for (i, &block) in filled.blocks.iter().enumerate() {
             if !of_tile.any_in(i) {
@@ -403,6 +407,11 @@ impl CachedEntries {
         let slot = |view: usize| (view * columns) as u32;
         slot(first)..slot(first + views.len())
     }
+}
+
+/// Whether slots are all of a group.
+fn is_whole(slots: &Range<u32>, group: &Group) -> bool {
+    slots.start == 0 && slots.end as usize >= group.patches.rows()
 }
 
 /// The lanes of a patch's voxels; those outside the tile are `outside`'s.
