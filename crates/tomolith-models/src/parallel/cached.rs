@@ -3,13 +3,13 @@
 //! An optimization asks for doses again and again. Where the entries (column, voxel, weight) of all frames take at most [`MOST`] bytes, they are
 //! kept, by patches of 2 × 2 voxels ([`patches`]): what few rows of pixels bring takes less time to sum than to find. What all angles of a
 //! frame bring from a column to a voxel is one entry, so that a frame averaged over four angles costs little more than one that stands
-//! still. Views that repeat those of a quarter turn before have the same entries, turned ([`turned`](super::turned)): they are found once. Dose
-//! and adjoint are sums along the same entries. Whether they are kept depends on the job alone, so a resumed run has the bits of the
-//! uninterrupted one.
+//! still. Views that repeat those of a quarter turn before have the same entries, turned: only those of the first quarter are found and kept, and
+//! serve all ([`kept`](super::kept)). Dose and adjoint are sums along the same entries. Whether they are kept depends on the job alone, so a resumed
+//! run has the bits of the uninterrupted one.
 //!
 //! # Cost
-//! 20 bytes for each column of each frame that lights a patch, and the time of one dose that is not kept; a quarter of that
-//! time, and for its duration a quarter more memory, where quarters repeat.
+//! 20 bytes for each column of each frame that lights a patch, and the time of one dose that is not kept; a quarter of both where quarters
+//! repeat.
 
 use super::filled::{Filled, FilledTile};
 use super::kernel::{Block, Isa, MAX_BLOCK};
@@ -17,8 +17,7 @@ use super::patches::{self, ColumnEntry, Patches, VOXELS};
 use super::plan::{KernelPath, LightPlan};
 use super::tiles::{Local, Slots, TILE, Tile, TileEntries};
 use super::turned::Turned;
-use super::views::Views;
-use super::{GROUP, groups, is_straight, places};
+use super::{GROUP, groups, is_straight};
 use crate::Run;
 use std::f64::consts::PI;
 use std::ops::Range;
@@ -41,29 +40,19 @@ const PATCHES: usize = TILE / EDGE;
 
 /// Bytes that an optimization keeps of these lights; None where that would be too much, or rows have no lanes.
 pub(super) fn bytes(lights: &[Light], vial: &dyn Vial, grid: &VolumeGrid) -> Option<f64> {
-    let of_light = |light| expected(light, vial, grid);
-    let bytes = BYTES * lights.iter().map(of_light).sum::<f64>();
-    (grid.shape[0] > 1 && bytes <= MOST).then_some(bytes)
-}
-
-/// Bytes of those and, while they are made, of the first part of a turn that repeats itself.
-pub(super) fn bytes_at_first(lights: &[Light], vial: &dyn Vial, grid: &VolumeGrid) -> Option<f64> {
-    let of_light = |light| {
-        let views = Views::of(vial, light);
-        let period = Turned::of(vial, light, grid, &views).period;
-        let first = if period < views.count() { period } else { 0 };
-        expected(light, vial, grid) * (1.0 + first as f64 / views.count().max(1) as f64)
+    let turned = Turned::of_lights(vial, lights, grid);
+    let of_light = |(light, turned): (&Light, &Turned)| {
+        BYTES * expected(light, vial, grid) / turned.parts as f64
     };
-    bytes(lights, vial, grid)?;
-    Some(BYTES * lights.iter().map(of_light).sum::<f64>())
+    let bytes = lights.iter().zip(&turned).map(of_light).sum();
+    (grid.shape[0] > 1 && bytes <= MOST).then_some(bytes)
 }
 
 /// Whether entries of a part of the turn serve all of it, for all lights.
 pub(super) fn repeats(lights: &[Light], vial: &dyn Vial, grid: &VolumeGrid) -> bool {
-    lights.iter().all(|light| {
-        let views = Views::of(vial, light);
-        Turned::of(vial, light, grid, &views).period < views.count()
-    })
+    Turned::of_lights(vial, lights, grid)
+        .iter()
+        .all(Turned::repeats)
 }
 
 /// Entries of one light, of about that number: a patch has one in each frame, and as many more as columns cross it and the arc that it
@@ -85,13 +74,11 @@ fn expected(light: &Light, vial: &dyn Vial, grid: &VolumeGrid) -> f64 {
     nx * ny / VOXELS as f64 * pixels.frames() as f64 * (1.0 + wide_mm / column_mm)
 }
 
-/// Entries of a light, by tile and group of views.
+/// Entries of a light from the views of the first part of the turn, by tile and group of views.
 pub(super) struct CachedEntries {
     /// `[tile][group]`
     groups: Vec<Group>,
     per_tile: usize,
-    /// Views of a part of the turn; groups end with it.
-    period: usize,
 }
 
 /// What a group of views brings to a tile; slots are counted from the first one of the group on.
@@ -151,55 +138,6 @@ impl Finder {
     }
 }
 
-/// What the first part of the turn brings to all tiles, from which all parts are made.
-struct FirstPart {
-    /// `[tile][group]`
-    patches: Vec<Patches>,
-    per_tile: usize,
-    turned: Turned,
-    /// Tiles by their place, row by row, and how many a row has.
-    places: Vec<usize>,
-    across: usize,
-}
-
-impl FirstPart {
-    /// What views of a group, of any part, bring to a tile; `patches` is made once a thread.
-    fn group(
-        &self,
-        plan: &LightPlan,
-        tile: &Tile,
-        views: &Range<usize>,
-        patches: &mut Vec<Vec<ColumnEntry>>,
-    ) -> Group {
-        let right_angles = self.turned.right_angles(views);
-        let corners = Turned::corners(right_angles);
-        let group = views.start % self.turned.period / GROUP;
-        let is_lit = |slot: u32| plan.is_lit(views.start * plan.columns + slot as usize);
-        patches.resize(PATCHES * PATCHES, Vec::new());
-        patches.iter_mut().for_each(Vec::clear);
-        for y in 0..tile.size[1].div_ceil(EDGE) {
-            for x in 0..tile.size[0].div_ceil(EDGE) {
-                let at = [tile.start[0] / EDGE + x, tile.start[1] / EDGE + y];
-                let [u, v] = self.turned.origin(at, right_angles);
-                let from = self.places[v / PATCHES * self.across + u / PATCHES];
-                let patch = v % PATCHES * PATCHES + u % PATCHES;
-                let found = &self.patches[from * self.per_tile + group];
-                let own = &mut patches[y * PATCHES + x];
-                found.each(patch, |slot, weights| {
-                    if is_lit(slot) {
-                        let mut turned = [0.0; VOXELS];
-                        for (weight, corner) in weights.iter().zip(corners) {
-                            turned[corner] = *weight;
-                        }
-                        own.push((slot, turned));
-                    }
-                });
-            }
-        }
-        Group::of(Patches::new(patches))
-    }
-}
-
 /// What adding light to tiles needs, made once a thread.
 #[derive(Default)]
 pub(super) struct Bench {
@@ -246,45 +184,22 @@ impl CachedEntries {
     pub(super) fn of(
         plan: &LightPlan,
         path: KernelPath,
-        (tiles, nx): (&[Tile], usize),
+        tiles: &[Tile],
         run: &Run,
     ) -> Result<Self> {
-        let (views, period) = (0..plan.of_view.len(), plan.turned.period);
+        let period = plan.turned.period;
         let of_tiles = tiles.iter().enumerate();
-        let patches = of_tiles.par_map_with(Finder::default, |finder, tile| {
-            let groups = groups(0..period, period).take_while(|_| !run.is_canceled());
-            let found = groups.map(|group| finder.find(path, plan, tile, group));
+        let found = of_tiles.par_map_with(Finder::default, |finder, tile| {
+            let groups = groups(0..period).take_while(|_| !run.is_canceled());
+            let found = groups.map(|group| Group::of(finder.find(path, plan, tile, group)));
             found.collect::<Vec<_>>()
         });
-        let patches: Vec<Patches> = patches.into_iter().flatten().collect();
         if run.is_canceled() {
             return Err(Error::Canceled);
         }
-        let per_tile = groups(views.clone(), period).count();
-        if period == views.len() {
-            let groups = patches.into_iter().par_map(Group::of);
-            return Ok(CachedEntries {
-                groups,
-                per_tile,
-                period,
-            });
-        }
-        let first = FirstPart {
-            patches,
-            per_tile: groups(0..period, period).count(),
-            turned: plan.turned,
-            places: places(tiles, nx),
-            across: nx.div_ceil(TILE),
-        };
-        let of_tiles = tiles.iter().par_map_with(Vec::new, |patches, tile| {
-            let groups = groups(views.clone(), period);
-            let turned = groups.map(|group| first.group(plan, tile, &group, patches));
-            turned.collect::<Vec<_>>()
-        });
         Ok(CachedEntries {
-            groups: of_tiles.into_iter().flatten().collect(),
-            per_tile,
-            period,
+            groups: found.into_iter().flatten().collect(),
+            per_tile: groups(0..period).count(),
         })
     }
 
@@ -297,9 +212,7 @@ impl CachedEntries {
     }
 
     fn group(&self, tile: usize, views: &Range<usize>) -> &Group {
-        let (part, within) = (views.start / self.period, views.start % self.period);
-        let per_part = self.period.div_ceil(GROUP);
-        &self.groups[tile * self.per_tile + part * per_part + within / GROUP]
+        &self.groups[tile * self.per_tile + views.start / GROUP]
     }
 
     /// Adds to the voxels of a tile what views of a group bring; `slots` has the lanes of all slots of the light.
@@ -312,8 +225,8 @@ impl CachedEntries {
         bench: &mut Bench,
     ) {
         let group = self.group(tile, views);
-        let first = self.first_of_group(views) * columns;
-        let own = self.slots_of(views, columns);
+        let first = first_of_group(views) * columns;
+        let own = slots_of(views, columns);
         let is_whole = is_whole(&own, group);
         for (i, &block) in filled.blocks.iter().enumerate() {
             let lit = group.light(&mut bench.lit, |slot| {
@@ -359,7 +272,7 @@ impl CachedEntries {
         if group.lit_by.is_empty() || of_tile.is_empty() {
             return;
         }
-        let own = self.slots_of(views, columns);
+        let own = slots_of(views, columns);
         let is_whole = is_whole(&own, group);
         let dark = [0.0; MAX_BLOCK * LANES];
         for (i, &block) in filled.blocks.iter().enumerate() {
@@ -395,18 +308,18 @@ impl CachedEntries {
             }
         }
     }
+}
 
-    /// The first view of the group that views belong to.
-    fn first_of_group(&self, views: &Range<usize>) -> usize {
-        views.start - views.start % self.period % GROUP
-    }
+/// The first view of the group that views belong to.
+fn first_of_group(views: &Range<usize>) -> usize {
+    views.start - views.start % GROUP
+}
 
-    /// Slots of some views of a group, counted from its first one on.
-    fn slots_of(&self, views: &Range<usize>, columns: usize) -> Range<u32> {
-        let first = views.start - self.first_of_group(views);
-        let slot = |view: usize| (view * columns) as u32;
-        slot(first)..slot(first + views.len())
-    }
+/// Slots of some views of a group, counted from its first one on.
+fn slots_of(views: &Range<usize>, columns: usize) -> Range<u32> {
+    let first = views.start - first_of_group(views);
+    let slot = |view: usize| (view * columns) as u32;
+    slot(first)..slot(first + views.len())
 }
 
 /// Whether slots are all of a group.

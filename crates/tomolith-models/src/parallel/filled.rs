@@ -16,8 +16,9 @@ use tomolith_core::parallel::{InParallel, table};
 /// weights are read less often), shorter ones are more often empty.
 const SHORT: usize = 5;
 
-/// What a vector costs in a short block, if 1 in a long one: 1.2 to 1.7 measured.
-const COST_IN_SHORT: f64 = 1.3;
+/// What a block costs beside its vectors, if a vector costs 1: its weights and slots are read once. Vectors of a block of five cost 1.2 to 1.7 times as
+/// much as those of one of sixteen (measured).
+const COST_OF_BLOCK: f64 = 2.0;
 
 /// Bit of a block of lanes; those from the 64th on share one.
 fn bit(block: usize) -> u64 {
@@ -64,9 +65,14 @@ pub(super) struct Filled {
 }
 
 impl Filled {
-    /// Of rows of `row` vectors, of which `used` count; in short blocks where so many of them are empty that it pays. Vectors that are empty in all
-    /// rows, at either end, are in no block.
+    /// Of rows of `row` vectors, of which `used` count; in short blocks where so many of them are empty that it pays.
     pub(super) fn of(lanes: &[f32], row: usize, used: usize) -> Self {
+        let [short, long] = Self::in_blocks(lanes, row, used);
+        short.or(long)
+    }
+
+    /// The same in short and in long blocks. Vectors that are empty in all rows, at either end, are in no block.
+    pub(super) fn in_blocks(lanes: &[f32], row: usize, used: usize) -> [Self; 2] {
         let long: Vec<Block> = cut(row, held(lanes, row, used), MAX_BLOCK).collect();
         let parts = |block: &Block| cut(row, block.first..block.first + block.count, SHORT);
         let short: Vec<Block> = long.iter().flat_map(parts).collect();
@@ -91,21 +97,84 @@ impl Filled {
             filled.fold(0, |bits, (i, _)| bits | bit(i))
         };
         let rows_of_long = table(rows.len(), |i| of_long(rows[i]));
-        let [short, long] =
-            [(short, rows), (long, rows_of_long)].map(|(blocks, rows)| Filled { blocks, rows });
-        if COST_IN_SHORT * short.share() < long.share() {
-            short
+        [(short, rows), (long, rows_of_long)].map(|(blocks, rows)| Filled { blocks, rows })
+    }
+
+    /// The one that costs less.
+    pub(super) fn or(self, other: Self) -> Self {
+        if self.cost() < other.cost() {
+            self
         } else {
-            long
+            other
         }
     }
 
-    /// Share of the blocks of all rows that hold anything.
-    fn share(&self) -> f64 {
+    /// Of rows that hold `parts` of these rows, `part` vectors each, one after the other: which ones says `of_rows`, row by row. The cheapest of a
+    /// block or several for each part, and of blocks of several parts where such are short.
+    pub(super) fn side_by_side(
+        [short, long]: &[Self; 2],
+        row: usize,
+        (parts, part): (usize, usize),
+        of_rows: &[usize],
+    ) -> Self {
+        let apart = [short, long].map(|own| own.repeated(row, (parts, part), 1, of_rows));
+        let together = [4, 2]
+            .into_iter()
+            .find(|together| parts % together == 0 && together * part <= MAX_BLOCK);
+        let [short, longer] = apart;
+        let best = short.or(longer);
+        match (together, long.blocks.as_slice()) {
+            (
+                Some(together),
+                &[
+                    Block {
+                        first: 0, count, ..
+                    },
+                ],
+            ) if count == part => best.or(long.repeated(row, (parts, part), together, of_rows)),
+            _ => best,
+        }
+    }
+
+    /// The blocks of these rows again for every part, those of so many parts as one.
+    fn repeated(
+        &self,
+        row: usize,
+        (parts, part): (usize, usize),
+        together: usize,
+        of_rows: &[usize],
+    ) -> Self {
+        let own = self.blocks.len();
+        let of_part = |i: usize| {
+            self.blocks.iter().map(move |block| Block {
+                row,
+                first: block.first + i * part,
+                count: block.count + (together - 1) * part,
+            })
+        };
+        let blocks: Vec<Block> = (0..parts).step_by(together).flat_map(of_part).collect();
+        let shares_a_bit = blocks.len() > u64::BITS as usize;
+        let bits = |(i, &of_row): (usize, &usize)| match self.rows[of_row] {
+            0 => 0,
+            _ if shares_a_bit => u64::MAX,
+            bits => bits << (i / together * own),
+        };
+        let rows = of_rows.chunks_exact(parts);
+        let rows = rows.map(|rows| rows.iter().enumerate().map(bits).fold(0, |a, b| a | b));
+        Filled {
+            rows: rows.collect(),
+            blocks,
+        }
+    }
+
+    /// What reading all blocks that hold anything costs, if a vector costs 1.
+    fn cost(&self) -> f64 {
         let filled: u64 = (self.rows.iter())
             .map(|bits| u64::from(bits.count_ones()))
             .sum();
-        filled as f64 / (self.rows.len() * self.blocks.len()).max(1) as f64
+        let vectors: usize = self.blocks.iter().map(|block| block.count).sum();
+        let of_block = vectors as f64 / self.blocks.len().max(1) as f64 + COST_OF_BLOCK;
+        filled as f64 * of_block
     }
 
     /// Whether anything is in this row at all.

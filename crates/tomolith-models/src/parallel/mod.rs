@@ -66,6 +66,7 @@ mod comb;
 mod filled;
 mod gather;
 mod heights;
+mod kept;
 pub mod kernel;
 mod loose;
 mod mapped;
@@ -84,7 +85,7 @@ use crate::{
     Capabilities, Cost, DoseLayout, HostModel, LinearOperator, MakeFamily, ModelFamily, ModelInput,
     ModelKind, OpticalScene, PatternLayout, Purpose, Refines, Run, Steps, ZCoupling, own_frames,
 };
-use cached::{Bench, CachedEntries};
+use cached::CachedEntries;
 use chains::GUARD;
 use filled::{Filled, NeededEntries};
 use gather::Gatherer;
@@ -105,6 +106,7 @@ use tomolith_core::host_fields;
 use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
+use turned::Turned;
 
 /// Keys of `[model.parallel]`.
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
@@ -147,7 +149,7 @@ impl ModelFamily for Params {
     fn cost(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Result<Cost> {
         let kept = || match grid.shape {
             [1, ny, nx] => loose::bytes(scene.lights, nx * ny),
-            _ => cached::bytes_at_first(scene.lights, scene.vial, grid).unwrap_or_default(),
+            _ => cached::bytes(scene.lights, scene.vial, grid).unwrap_or_default(),
         };
         let is_optimized = scene.purpose == Purpose::Optimize;
         Ok(Cost {
@@ -194,6 +196,8 @@ pub struct Parallel {
     patterns: Vec<PatternLayout>,
     outputs: Vec<DoseLayout>,
     tiles: Vec<Tile>,
+    /// Tiles that the turn maps onto one another.
+    orbits: Vec<Vec<usize>>,
     kernel: Kernel,
     path: KernelPath,
     /// Lanes of pixels, kept between calls.
@@ -241,15 +245,18 @@ impl Parallel {
             ));
         }
         let [_, ny, nx] = grid.shape;
-        let tiles = Tile::cover(nx, ny);
+        let turned = Turned::of_lights(vial, &lights, &grid);
+        let repeats = turned.iter().all(Turned::repeats);
+        let tiles = Tile::cover([nx, ny], repeats && !turned.is_empty());
+        let orbits = (turned.first()).map_or_else(Vec::new, |turned| turned.orbits(&tiles));
         let (mut plans, mut patterns) = (Vec::new(), Vec::new());
         let mut offset = 0;
-        for light in lights {
+        for (light, turned) in lights.into_iter().zip(turned) {
             light.check()?;
             check_kernel(kernel, &light, vial)?;
             must_be_even(kernel, &light, vial)?;
             let layout = light.layout(offset);
-            let own = (&light, kernel);
+            let own = (&light, kernel, turned);
             plans.push(LightPlan::new(vial, own, &layout, &grid, &tiles, run));
             run.check()?;
             offset += layout.len();
@@ -263,6 +270,7 @@ impl Parallel {
             patterns,
             outputs: vec![DoseLayout::new("dose", grid, 0)],
             tiles,
+            orbits,
             kernel,
             path: KernelPath::of(Isa::in_use()),
             scratch: Mutex::new(Vec::new()),
@@ -290,8 +298,7 @@ impl Parallel {
         if self.caches && self.cache[light].get().is_none() {
             // Whoever comes first; all would find the same
             let plan = &self.lights[light];
-            let nx = self.outputs[0].grid.shape[2];
-            let found = CachedEntries::of(plan, self.path, (&self.tiles, nx), run)?;
+            let found = CachedEntries::of(plan, self.path, &self.tiles, run)?;
             let _ = self.cache[light].set(found);
         }
         Ok(self.cache[light].get())
@@ -336,9 +343,11 @@ impl Parallel {
         if self.is_plane() {
             return self.add_light_of_plane(light, (views, sides), x, dose, run);
         }
+        if let Some(cache) = self.cache(light, run)? {
+            return self.add_kept((light, cache), (views, sides), x, dose, run);
+        }
         let plan = &self.lights[light];
         let row = plan.levels.row;
-        let cache = self.cache(light, run)?;
         let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);
         plan.expand(
             &self.patterns[light],
@@ -349,16 +358,13 @@ impl Parallel {
         );
         let source = lanes.as_slice();
         let slots = &source[GUARD * row..][..plan.lit.len() * row];
-        let period = plan.period(cache.is_some());
         let lit = Lit {
             plan,
             views,
-            period,
             source,
             filled: Filled::of(slots, row / LANES, plan.levels.used),
-            cache,
         };
-        let steps = run.steps(self.tiles.len() * groups(lit.views.clone(), period).count());
+        let steps = run.steps(self.tiles.len() * groups(lit.views.clone()).count());
         let neighbors = neighbors(row);
         let DoseLayout { row, grid, .. } = &self.outputs[0];
         tile_rows(&self.tiles, dose, *row, grid.shape[2])
@@ -367,13 +373,7 @@ impl Parallel {
             .par_each_with(Default::default, |desk: &mut Desk, (i, tiles)| {
                 let first = i * neighbors;
                 match &plan.levels.spread {
-                    None => self.gather(
-                        &lit,
-                        first,
-                        tiles,
-                        (&mut desk.gatherer, &mut desk.bench),
-                        &steps,
-                    ),
+                    None => self.gather(&lit, first, tiles, &mut desk.gatherer, &steps),
                     Some(spread) => self.gather_rows(&lit, first, (tiles, spread), desk, &steps),
                 }
             });
@@ -392,22 +392,16 @@ impl Parallel {
         lit: &Lit,
         first: usize,
         tiles: &mut [Vec<&mut [f32]>],
-        (gatherer, bench): (&mut Gatherer, &mut Bench),
+        gatherer: &mut Gatherer,
         steps: &Steps<'_>,
     ) {
         let row = lit.plan.levels.row / LANES;
-        let of_slots = (&lit.source[GUARD * lit.plan.levels.row..], &lit.filled);
-        for group in groups(lit.views.clone(), lit.period) {
+        for group in groups(lit.views.clone()) {
             for (index, rows) in (first..).zip(tiles.iter_mut()) {
                 if steps.is_canceled() {
                     return;
                 }
                 steps.add(1);
-                if let Some(cache) = lit.cache {
-                    let own = (self.path.isa, lit.plan.columns);
-                    cache.add(own, (index, &group), of_slots, rows, bench);
-                    continue;
-                }
                 let tile = (index, &self.tiles[index]);
                 gatherer.load(self.path, lit.plan, group.clone(), tile, &lit.filled, row);
                 for block in 0..lit.filled.blocks.len() {
@@ -428,7 +422,6 @@ impl Parallel {
     ) {
         let Desk {
             gatherer,
-            bench,
             lanes,
             buffer,
         } = desk;
@@ -446,7 +439,7 @@ impl Parallel {
             of_lanes.push(of_tile.chunks_exact_mut(tile.size[0] * row).collect());
             rest = others;
         }
-        self.gather(lit, first, &mut of_lanes, (gatherer, bench), steps);
+        self.gather(lit, first, &mut of_lanes, gatherer, steps);
         for (slices, lanes) in tiles.iter_mut().flatten().zip(of_lanes.iter().flatten()) {
             spread.add_to(slices, lanes, buffer);
         }
@@ -464,22 +457,18 @@ impl Parallel {
         if self.is_plane() {
             return self.adjoint_light_of_plane(light, (views, sides), cotangent, grad, run);
         }
+        if let Some(cache) = self.cache(light, run)? {
+            return self.adjoint_kept((light, cache), (views, sides), cotangent, grad, run);
+        }
         let plan = &self.lights[light];
         let row = plan.levels.row;
-        let cache = self.cache(light, run)?;
         let nx = self.outputs[0].grid.shape[2];
-        let of_rows = plan.levels.spread.as_ref().map(|spread| {
-            let columns = cotangent.len() / self.outputs[0].row;
-            let mut of_rows = self.borrow_scratch(columns * row);
-            spread.collect(cotangent, &mut of_rows);
-            of_rows
-        });
+        let of_rows = self.of_rows(plan, cotangent);
         let cotangent = of_rows.as_ref().map_or(cotangent, HostField::as_slice);
         let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);
         // Few long chunks read the dose less often; the result does not depend on their length
         let chunk = views.len().div_ceil(4 * rayon::current_num_threads());
-        let period = plan.period(cache.is_some());
-        let chunks = chunks(views.clone(), period, chunk);
+        let chunks = chunks(views.clone(), chunk);
         let neighbors = neighbors(row);
         let filled = Filled::of(cotangent, row / LANES, plan.levels.used);
         let of_tiles = self.tiles.iter().par_map(|tile| filled.of_tile(tile, nx));
@@ -494,23 +483,16 @@ impl Parallel {
         let of_chunks: Vec<(Range<usize>, &mut [f32])> = of_chunks.collect();
         of_chunks.into_iter().par_each_with(
             Default::default,
-            |(entries, bench): &mut ((TileEntries, NeededEntries), Bench), (views, lanes)| {
+            |entries: &mut (TileEntries, NeededEntries), (views, lanes)| {
                 lanes.fill(0.0);
                 let first = views.start;
                 for (i, tiles) in self.tiles.chunks(neighbors).enumerate() {
-                    for group in groups(views.clone(), period) {
+                    for group in groups(views.clone()) {
                         let own = &mut lanes
                             [(group.start - first) * per_view..(group.end - first) * per_view];
                         for (index, tile) in (i * neighbors..).zip(tiles) {
                             if run.is_canceled() {
                                 return;
-                            }
-                            if let Some(cache) = cache {
-                                let at = (index, &group);
-                                let given = (cotangent, &filled, &of_tiles[index]);
-                                let isa = (self.path.isa, plan.columns);
-                                cache.collect(isa, at, (tile, nx), given, own, bench);
-                                continue;
                             }
                             plan.collect_tile(
                                 self.path,
@@ -527,7 +509,8 @@ impl Parallel {
         );
         let frames = plan.views.frames_of(&views, &sides);
         let lanes_of_views = &lanes.as_slice()[used];
-        plan.collect((&self.patterns[light], frames), lanes_of_views, grad, row);
+        let lanes_of = |slot: usize| &lanes_of_views[slot * row..][..row];
+        plan.collect((&self.patterns[light], frames), lanes_of, grad);
         self.return_scratch(lanes);
         if let Some(of_rows) = of_rows {
             self.return_scratch(of_rows);
@@ -538,24 +521,30 @@ impl Parallel {
             Ok(())
         }
     }
+
+    /// A cotangent as the lanes of the kernel, where these are not its slices.
+    fn of_rows(&self, plan: &LightPlan, cotangent: &[f32]) -> Option<HostField> {
+        plan.levels.spread.as_ref().map(|spread| {
+            let columns = cotangent.len() / self.outputs[0].row;
+            let mut of_rows = self.borrow_scratch(columns * plan.levels.row);
+            spread.collect(cotangent, &mut of_rows);
+            of_rows
+        })
+    }
 }
 
 /// Light of some views, brought to the lanes of the kernel.
 struct Lit<'a> {
     plan: &'a LightPlan,
     views: Range<usize>,
-    /// Groups of views are those of one part of the turn.
-    period: usize,
     source: &'a [f32],
     filled: Filled,
-    cache: Option<&'a CachedEntries>,
 }
 
 /// What a thread needs to add light to tiles.
 #[derive(Default)]
 struct Desk {
     gatherer: Gatherer,
-    bench: Bench,
     /// Tiles as rows of pixels, and what spreading one of them needs.
     lanes: HostField,
     buffer: Vec<f32>,
@@ -567,12 +556,11 @@ fn neighbors(row: usize) -> usize {
     (CACHED / (TILE * TILE * row)).clamp(1, BLOCK * BLOCK)
 }
 
-/// Views in groups, which begin at multiples of [`GROUP`] in each part of so many views.
-fn groups(views: Range<usize>, period: usize) -> impl Iterator<Item = Range<usize>> {
+/// Views in groups, which begin at multiples of [`GROUP`].
+fn groups(views: Range<usize>) -> impl Iterator<Item = Range<usize>> {
     let mut first = views.start;
     std::iter::from_fn(move || {
-        let (part, within) = (first / period * period, first % period);
-        let end = part + ((within / GROUP + 1) * GROUP).min(period);
+        let end = (first / GROUP + 1) * GROUP;
         let group = first..end.min(views.end);
         first = group.end;
         (!group.is_empty()).then_some(group)
@@ -580,14 +568,14 @@ fn groups(views: Range<usize>, period: usize) -> impl Iterator<Item = Range<usiz
 }
 
 /// The same views in chunks of about `len`: several whole groups, or pieces of one.
-fn chunks(views: Range<usize>, period: usize, len: usize) -> Vec<Range<usize>> {
+fn chunks(views: Range<usize>, len: usize) -> Vec<Range<usize>> {
     let most = if len > GROUP {
         len.next_multiple_of(GROUP)
     } else {
         0
     };
     let mut chunks: Vec<Range<usize>> = Vec::new();
-    for group in groups(views, period) {
+    for group in groups(views) {
         match chunks.last_mut() {
             Some(last) if last.len() + group.len() <= most => last.end = group.end,
             _ => {
@@ -680,16 +668,6 @@ pub(crate) fn is_straight(vial: &dyn Vial, light: &Light) -> bool {
     vial.walls().len() == 1 && vial.is_round() && (outside - index).abs() < 1e-12
 }
 
-/// Tiles by their place in the plane, row by row.
-fn places(tiles: &[Tile], nx: usize) -> Vec<usize> {
-    let across = nx.div_ceil(TILE);
-    let mut places = vec![0; tiles.len()];
-    for (i, tile) in tiles.iter().enumerate() {
-        places[tile.start[1] / TILE * across + tile.start[0] / TILE] = i;
-    }
-    places
-}
-
 /// The dose, cut into tiles: for each tile its rows of voxels.
 fn tile_rows<'a>(
     tiles: &[Tile],
@@ -697,12 +675,18 @@ fn tile_rows<'a>(
     row: usize,
     nx: usize,
 ) -> Vec<Vec<&'a mut [f32]>> {
-    let (at, across) = (places(tiles, nx), nx.div_ceil(TILE));
+    let mut by_place: Vec<usize> = (0..tiles.len()).collect();
+    by_place.sort_by_key(|&i| [tiles[i].start[1], tiles[i].start[0]]);
     let mut rows: Vec<Vec<&mut [f32]>> = tiles.iter().map(|_| Vec::with_capacity(TILE)).collect();
-    for (y, line) in dose.chunks_mut(nx * row).enumerate() {
-        let first = (y / TILE) * across;
-        for (&i, piece) in at[first..].iter().zip(line.chunks_mut(TILE * row)) {
-            rows[i].push(piece);
+    let mut lines = dose.chunks_mut(nx * row);
+    for band in by_place.chunk_by(|&a, &b| tiles[a].start[1] == tiles[b].start[1]) {
+        for line in lines.by_ref().take(tiles[band[0]].size[1]) {
+            let mut rest = line;
+            for &i in band {
+                let (own, others) = rest.split_at_mut(tiles[i].size[0] * row);
+                rows[i].push(own);
+                rest = others;
+            }
         }
     }
     rows

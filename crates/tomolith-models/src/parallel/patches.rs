@@ -71,13 +71,6 @@ impl Patches {
         &self.slots
     }
 
-    /// Slot and weights of all entries of a patch.
-    pub(super) fn each(&self, patch: usize, mut see: impl FnMut(u32, &[f32; VOXELS])) {
-        if let Some(entries) = self.of(patch, 0) {
-            entries.each(|slot, weights| see(slot as u32, weights));
-        }
-    }
-
     /// All entries of a patch, for rows that are counted from `first` on; None where there are none.
     pub(super) fn of(&self, patch: usize, first: u32) -> Option<PatchEntries<'_>> {
         let [start, end] = [0, 1].map(|i| self.starts.get(patch + i).map(|&start| start as usize));

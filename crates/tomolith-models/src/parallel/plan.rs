@@ -117,7 +117,7 @@ fn lit(views: &Views, columns: usize, by_frame: &[(u16, u16)]) -> Vec<(u16, u16)
 impl LightPlan {
     pub(super) fn new(
         vial: &dyn Vial,
-        (light, kernel): (&Light, Kernel),
+        (light, kernel, turned): (&Light, Kernel, Turned),
         layout: &PatternLayout,
         grid: &VolumeGrid,
         tiles: &[Tile],
@@ -182,7 +182,7 @@ impl LightPlan {
         LightPlan {
             of_view: of_views(&beams, views.count()),
             beams,
-            turned: Turned::of(vial, light, grid, &views),
+            turned,
             views,
             combs,
             rakes,
@@ -195,15 +195,6 @@ impl LightPlan {
             lit,
             lit_by_frame: lit_by(&heights),
             columns: light.pixels.columns,
-        }
-    }
-
-    /// Views of a part of the turn: those whose entries are kept, or all.
-    pub(super) fn period(&self, is_cached: bool) -> usize {
-        if is_cached {
-            self.turned.period
-        } else {
-            self.views.count().max(1)
         }
     }
 
@@ -234,26 +225,37 @@ impl LightPlan {
                 |buffer, (lanes, view)| {
                     lanes.fill(0.0);
                     for (column, lanes) in lanes.chunks_mut(row).enumerate() {
-                        for side in sides.clone() {
-                            let slot = view * self.columns + column;
-                            let run = layout.runs[self.views.pixel_column(slot, side)];
-                            if run.count > 0 {
-                                let values = &x[run.offset..][..run.count as usize];
-                                self.levels.heights.add_expanded(values, run, lanes, buffer);
-                            }
-                        }
+                        let slot = view * self.columns + column;
+                        self.add_expanded((layout, slot), sides.clone(), x, lanes, buffer);
                     }
                 },
             );
     }
 
-    /// Lanes → rows of pixels, of some frames. `lanes` and `grad` are those of all.
-    pub(super) fn collect(
+    /// Adds to the lanes of a slot its rows of pixels, as seen from some sides.
+    pub(super) fn add_expanded(
+        &self,
+        (layout, slot): (&PatternLayout, usize),
+        sides: Range<usize>,
+        x: &[f32],
+        lanes: &mut [f32],
+        buffer: &mut [f32],
+    ) {
+        for side in sides {
+            let run = layout.runs[self.views.pixel_column(slot, side)];
+            if run.count > 0 {
+                let values = &x[run.offset..][..run.count as usize];
+                self.levels.heights.add_expanded(values, run, lanes, buffer);
+            }
+        }
+    }
+
+    /// Lanes of slots → rows of pixels, of some frames. `grad` is that of all.
+    pub(super) fn collect<'a>(
         &self,
         (layout, frames): (&PatternLayout, Range<usize>),
-        lanes: &[f32],
+        lanes_of: impl Fn(usize) -> &'a [f32] + Sync,
         grad: &mut [f32],
-        row: usize,
     ) {
         let mut pieces = Vec::with_capacity(frames.len());
         let mut rest = &mut grad[layout.elements_of(frames.clone())];
@@ -279,7 +281,7 @@ impl LightPlan {
                     for (column, run) in runs.iter().enumerate() {
                         let (values, tail) = piece.split_at_mut(run.count as usize);
                         if run.count > 0 {
-                            let lanes = &lanes[self.views.slot(frame, column) * row..][..row];
+                            let lanes = lanes_of(self.views.slot(frame, column));
                             self.levels
                                 .heights
                                 .collect(lanes, *run, values, buffer, rows);
@@ -397,7 +399,7 @@ impl LightPlan {
         nz: usize,
         entries: &mut TileEntries,
     ) -> u64 {
-        let parts = self.views.count() / self.turned.period;
+        let parts = self.turned.parts;
         let mut total = 0;
         for i in self.of_view[view].clone() {
             entries.clear();

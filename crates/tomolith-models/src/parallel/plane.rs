@@ -163,7 +163,11 @@ impl Parallel {
             });
         let frames = plan.views.frames_of(&views, &sides);
         let layout = &self.patterns[light];
-        plan.collect((layout, frames), pixels.as_slice(), grad, 1);
+        plan.collect(
+            (layout, frames),
+            |slot| &pixels.as_slice()[slot..=slot],
+            grad,
+        );
         self.return_scratch(pixels);
         if run.is_canceled() {
             Err(Error::Canceled)

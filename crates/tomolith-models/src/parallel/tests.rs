@@ -699,7 +699,7 @@ fn frames_have_opposites_only_where_light_can_be_reversed() {
 
 #[test]
 fn strips_asked_together_meet_the_tiles_that_each_meets_alone() {
-    let tiles = Tile::cover(100, 70);
+    let tiles = Tile::cover([100, 70], false);
     let grid = VolumeGrid::centered([1, 70, 100], 0.1);
     let walls = Walls::new(&IndexMatched { radius_mm: 50.0 }, &grid);
     let noise = |i: usize| (i * 7919 % 1009) as f32 / 1009.0;

@@ -11,6 +11,7 @@ use super::comb::Comb;
 use super::kernel::Entries;
 use super::strips::{Beam, Major, Strip};
 use super::walls::{Room, Walls};
+use std::ops::Range;
 
 /// Edge of a tile of voxels in the plane.
 pub(super) const TILE: usize = 16;
@@ -28,22 +29,40 @@ pub(super) struct Tile {
 }
 
 impl Tile {
-    /// All tiles of a plane of `nx`·`ny` voxels, block by block, so that neighbors follow each other.
-    pub(super) fn cover(nx: usize, ny: usize) -> Vec<Tile> {
-        let place = |n: usize| 0..n.div_ceil(TILE);
-        let mut tiles: Vec<[usize; 2]> = place(ny)
-            .flat_map(|y| place(nx).map(move |x| [y, x]))
+    /// All tiles of a plane of `nx`·`ny` voxels, block by block, so that neighbors follow each other. `about_middle`: laid out from the middle, so
+    /// that a turn by right angles maps tiles onto tiles; both numbers are even then.
+    pub(super) fn cover([nx, ny]: [usize; 2], about_middle: bool) -> Vec<Tile> {
+        let [across, up] = [nx, ny].map(|n| spans(n, about_middle));
+        let mut tiles: Vec<[usize; 2]> = (0..up.len())
+            .flat_map(|y| (0..across.len()).map(move |x| [y, x]))
             .collect();
         tiles.sort_by_key(|at| (at.map(|i| i / BLOCK), *at));
-        let tile = |[y, x]: [usize; 2]| {
-            let start = [x * TILE, y * TILE];
-            Tile {
-                start,
-                size: [TILE.min(nx - start[0]), TILE.min(ny - start[1])],
-            }
+        let tile = |[y, x]: [usize; 2]| Tile {
+            start: [across[x].start, up[y].start],
+            size: [across[x].len(), up[y].len()],
         };
         tiles.into_iter().map(tile).collect()
     }
+
+    /// Whether a voxel `[x, y]` lies in it.
+    pub(super) fn holds(&self, [x, y]: [usize; 2]) -> bool {
+        let is_within = |i: usize, axis: usize| {
+            (self.start[axis]..self.start[axis] + self.size[axis]).contains(&i)
+        };
+        is_within(x, 0) && is_within(y, 1)
+    }
+}
+
+/// `n` voxels in spans of at most [`TILE`], from the first or from the middle on.
+fn spans(n: usize, about_middle: bool) -> Vec<Range<usize>> {
+    let first = if about_middle { n / 2 % TILE } else { 0 };
+    let starts = (first > 0).then_some(0).into_iter();
+    let starts = starts.chain((first..n).step_by(TILE));
+    let span = |start: usize| {
+        let end = if start < first { first } else { start + TILE };
+        start..end.min(n)
+    };
+    starts.map(span).collect()
 }
 
 /// How light becomes dose along a way through resin.

@@ -1,14 +1,13 @@
 //! Views that are those of an earlier part of the turn, turned by right angles.
 //!
 //! A round vial looks the same from everywhere, and a square grid about the axis looks the same after a quarter turn (a rectangular one after half a turn).
-//! Where the frames are those of the first quarter again and again, what a column brings to a voxel is what it brought to the voxel a quarter turn
-//! before: the matrix of a slice is that of the first part of the turn. [`cached`](super::cached) finds that part alone and copies
-//! it, turned.
+//! Where the frames of all lights are those of the first quarter again and again, what a column brings to a voxel is what it brought to the voxel a quarter turn
+//! before: the matrix of a slice is that of the first part of the turn. [`cached`](super::cached) finds that part alone, and [`kept`](super::kept)
+//! turns fields in place of entries.
 
-use super::cached::EDGE;
+use super::tiles::Tile;
 use super::views::{SAME, Views};
 use std::f64::consts::FRAC_PI_2;
-use std::ops::Range;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
@@ -18,22 +17,41 @@ use tomolith_optics::vial::Vial;
 pub(super) struct Turned {
     /// Views of the first part: all of them where nothing repeats.
     pub(super) period: usize,
+    /// How many parts there are.
+    pub(super) parts: usize,
     /// Right angles, counter-clockwise, from one part to the next.
     step: usize,
-    /// Patches of the plane `[x, y]`.
-    patches: [usize; 2],
+    /// Voxels of the plane `[x, y]`.
+    voxels: [usize; 2],
 }
 
 impl Turned {
-    pub(super) fn of(vial: &dyn Vial, light: &Light, grid: &VolumeGrid, views: &Views) -> Self {
+    /// Of each light: of all of them, or of none, because they share their tiles; of none in a single slice.
+    pub(super) fn of_lights(vial: &dyn Vial, lights: &[Light], grid: &VolumeGrid) -> Vec<Self> {
+        let of_light = |light| Self::of(vial, light, grid, &Views::of(vial, light));
+        let turned: Vec<Self> = lights.iter().map(of_light).collect();
+        if grid.shape[0] > 1 && turned.iter().all(Self::repeats) {
+            return turned;
+        }
+        let whole = |turned: Self| Turned {
+            period: turned.period * turned.parts,
+            parts: 1,
+            step: 0,
+            ..turned
+        };
+        turned.into_iter().map(whole).collect()
+    }
+
+    fn of(vial: &dyn Vial, light: &Light, grid: &VolumeGrid, views: &Views) -> Self {
         let [_, ny, nx] = grid.shape;
         let all = Turned {
             period: views.count().max(1),
+            parts: 1,
             step: 0,
-            patches: [nx, ny].map(|n| n.div_ceil(EDGE)),
+            voxels: [nx, ny],
         };
         let about_axis = |i: usize| grid.center_mm[i].abs() < SAME * grid.pitch_mm;
-        let is_even = |n: usize| n.is_multiple_of(EDGE);
+        let is_even = |n: usize| n.is_multiple_of(2);
         let looks_alike = vial.is_round() && light.map.is_none() && about_axis(0) && about_axis(1);
         if !looks_alike || !is_even(nx) || !is_even(ny) {
             return all;
@@ -54,8 +72,9 @@ impl Turned {
                         let turn = (next - first) / FRAC_PI_2 - step as f64;
                         (turn - 4.0 * (turn / 4.0).round()).abs() < SAME
                     });
-            repeats.then_some(Turned {
+            repeats.then(|| Turned {
                 period,
+                parts: views.count() / period,
                 step,
                 ..all
             })
@@ -63,24 +82,42 @@ impl Turned {
         steps.iter().find_map(part).unwrap_or(all)
     }
 
-    /// Right angles that views of one part are turned by.
-    pub(super) fn right_angles(&self, views: &Range<usize>) -> usize {
-        views.start / self.period * self.step % 4
+    /// Whether there are several parts.
+    pub(super) fn repeats(&self) -> bool {
+        self.parts > 1
     }
 
-    /// Where the patch came from that lies there after so many right angles.
-    pub(super) fn origin(&self, at: [usize; 2], right_angles: usize) -> [usize; 2] {
-        turn(at, self.patches, (4 - right_angles) % 4)
-    }
-
-    /// Where the voxels of a patch, its first to its fourth, lie after so many right angles.
-    pub(super) fn corners(right_angles: usize) -> [usize; EDGE * EDGE] {
-        match right_angles {
-            0 => [0, 1, 2, 3],
-            1 => [1, 3, 0, 2],
-            2 => [3, 2, 1, 0],
-            _ => [2, 0, 3, 1],
+    /// Tiles that right angles turn into one another, each once; each alone where nothing repeats.
+    pub(super) fn orbits(&self, tiles: &[Tile]) -> Vec<Vec<usize>> {
+        let turns: &[usize] = match self.voxels {
+            _ if !self.repeats() => &[0],
+            [nx, ny] if nx == ny => &[0, 1, 2, 3],
+            _ => &[0, 2],
+        };
+        let mut orbits: Vec<Vec<usize>> = Vec::new();
+        let mut is_done = vec![false; tiles.len()];
+        for (i, tile) in tiles.iter().enumerate() {
+            if !is_done[i] {
+                let turned = |&right_angles: &usize| {
+                    let corner = turn(tile.start, self.voxels, right_angles);
+                    tiles.iter().position(|tile| tile.holds(corner))
+                };
+                let orbit: Vec<usize> = turns.iter().filter_map(turned).collect();
+                orbit.iter().for_each(|&i| is_done[i] = true);
+                orbits.push(orbit);
+            }
         }
+        orbits
+    }
+
+    /// Where a voxel `[x, y]` of the first part lies in this one.
+    pub(super) fn place_in(&self, part: usize, at: [usize; 2]) -> [usize; 2] {
+        turn(at, self.voxels, part * self.step % 4)
+    }
+
+    /// Where a voxel `[x, y]` of this part lies in the first one.
+    pub(super) fn origin(&self, part: usize, at: [usize; 2]) -> [usize; 2] {
+        turn(at, self.voxels, (4 - part * self.step % 4) % 4)
     }
 }
 
@@ -97,6 +134,7 @@ fn turn([x, y]: [usize; 2], [nx, ny]: [usize; 2], right_angles: usize) -> [usize
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::TAU;
     use tomolith_core::grid::PatternGrid;
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::{index_matched::IndexMatched, square::Square};
@@ -126,11 +164,25 @@ mod tests {
     }
 
     #[test]
-    fn voxels_of_a_patch_turn_as_patches_do() {
-        for right_angles in 0..4 {
-            for (corner, now) in Turned::corners(right_angles).into_iter().enumerate() {
-                let [x, y] = turn([corner % EDGE, corner / EDGE], [EDGE; 2], right_angles);
-                assert_eq!(y * EDGE + x, now);
+    fn what_is_turned_comes_back() {
+        let round = IndexMatched { radius_mm: 2.0 };
+        for (frames, shape) in [(12, [4, 8, 8]), (12, [4, 6, 8])] {
+            let pixels = PatternGrid::full_turn(frames, 0.3, 4, 8, 0.1);
+            let light = Light::new(pixels, Resin::absorbing(1.5, 0.1));
+            let grid = VolumeGrid::centered(shape, 0.1);
+            let views = Views::of(&round, &light);
+            let turned = Turned::of(&round, &light, &grid, &views);
+            let step = TAU / turned.parts as f64;
+            for part in 0..turned.parts {
+                let at = [1, 3];
+                let there = turned.place_in(part, at);
+                assert_eq!(turned.origin(part, there), at);
+                // Counter-clockwise, as azimuths are counted
+                let [[x, y], [u, v]] = [at, there].map(|[x, y]| [grid.x(x), grid.y(y)]);
+                let (sin, cos) = (part as f64 * step).sin_cos();
+                assert!(
+                    (x * cos - y * sin - u).abs() < 1e-12 && (x * sin + y * cos - v).abs() < 1e-12
+                );
             }
         }
     }

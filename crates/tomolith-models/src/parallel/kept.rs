@@ -1,0 +1,374 @@
+//! Dose and adjoint along entries that are kept.
+//!
+//! Entries are those of the first part of the turn ([`turned`](super::turned)). They serve all parts at once: a slot holds the lanes of the pixels that
+//! its column stands for, part after part, and a voxel those of the voxels that it is turned to. What is read of an entry is so used for up to four
+//! columns and voxels. Such lanes of voxels are made for the tiles that the turn maps onto one another, and stay in the cache: the dose takes its own from
+//! them, the adjoint turns its cotangent into them.
+//!
+//! Some views alone are those of all, with lanes of the others dark; groups that hold none of them are left out.
+
+use super::cached::{Bench, CachedEntries};
+use super::filled::Filled;
+use super::plan::LightPlan;
+use super::{DoseLayout, Parallel, TILE, Tile, groups, tile_rows};
+use crate::Run;
+use std::ops::Range;
+use tomolith_core::dose::layout::row_of;
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::{HostField, LANES};
+use tomolith_core::parallel::InParallel;
+
+/// Bands of tiles whose adjoints are summed apart: on any number of cores, so that sums have the same order.
+const BANDS: usize = 4;
+
+/// Lanes of all parts of a turn, one after the other.
+#[derive(Clone, Copy)]
+struct Wide {
+    parts: usize,
+    /// Floats of a part, and of a row of all.
+    part: usize,
+    row: usize,
+    /// Slots of the first part.
+    slots: usize,
+}
+
+impl Wide {
+    fn of(plan: &LightPlan) -> Self {
+        let (parts, part) = (plan.turned.parts, plan.levels.used * LANES);
+        Wide {
+            parts,
+            part,
+            row: row_of(parts * part),
+            slots: plan.turned.period * plan.columns,
+        }
+    }
+
+    /// Where the lanes of a part lie within those of all.
+    fn lanes(self, part: usize) -> Range<usize> {
+        part * self.part..(part + 1) * self.part
+    }
+
+    /// Where those of a slot of any part lie.
+    fn of_slot(self, slot: usize) -> Range<usize> {
+        let first = slot % self.slots * self.row;
+        let own = self.lanes(slot / self.slots);
+        first + own.start..first + own.end
+    }
+
+    /// Floats of a tile.
+    fn of_tile(self) -> usize {
+        TILE * TILE * self.row
+    }
+}
+
+/// Of each group of views of the first part those that some views repeat: the first to the last of them.
+fn repeated(views: &Range<usize>, period: usize) -> Vec<Range<usize>> {
+    let mut is_wanted = vec![false; period];
+    let wanted = views.clone().map(|view| view % period);
+    wanted.for_each(|view| is_wanted[view] = true);
+    let of_group = |mut group: Range<usize>| {
+        let first = group.find(|&view| is_wanted[view])?;
+        let last = group.rev().find(|&view| is_wanted[view]);
+        Some(first..last.unwrap_or(first) + 1)
+    };
+    groups(0..period).filter_map(of_group).collect()
+}
+
+/// What a thread needs to add light to tiles.
+#[derive(Default)]
+struct Desk {
+    bench: Bench,
+    /// Lanes of all parts for the voxels of some tiles.
+    turned: HostField,
+    /// Those that a row of voxels takes, and what spreading them needs.
+    lanes: Vec<f32>,
+    buffer: Vec<f32>,
+}
+
+impl Desk {
+    /// Lanes of so many tiles, of any content.
+    fn turned(&mut self, len: usize) -> &mut [f32] {
+        if self.turned.as_slice().len() < len {
+            self.turned = HostField::zeros(len);
+        }
+        &mut self.turned.as_mut_slice()[..len]
+    }
+}
+
+impl Parallel {
+    /// dose += light of these views of one light, from these sides.
+    pub(super) fn add_kept(
+        &self,
+        (light, cache): (usize, &CachedEntries),
+        (views, sides): (Range<usize>, Range<usize>),
+        x: &[f32],
+        dose: &mut [f32],
+        run: &Run,
+    ) -> Result<()> {
+        let plan = &self.lights[light];
+        let wide = Wide::of(plan);
+        let groups = repeated(&views, plan.turned.period);
+        let mut lanes = self.borrow_scratch(wide.slots * wide.row);
+        self.expand_parts((light, wide), (views, sides), x, lanes.as_mut_slice());
+        let source = lanes.as_slice();
+        let filled = Filled::of(source, wide.row / LANES, wide.parts * wide.part / LANES);
+        let steps = run.steps(self.tiles.len() * groups.len());
+        let DoseLayout { row, grid, .. } = &self.outputs[0];
+        let mut rows: Vec<_> = tile_rows(&self.tiles, dose, *row, grid.shape[2]);
+        let of_orbit = |orbit: &Vec<usize>| {
+            let own = orbit.iter().map(|&i| (i, std::mem::take(&mut rows[i])));
+            own.collect::<Vec<_>>()
+        };
+        let orbits: Vec<_> = self.orbits.iter().map(of_orbit).collect();
+        orbits
+            .into_iter()
+            .par_each_with(Desk::default, |desk: &mut Desk, orbit| {
+                let _ = desk.turned(orbit.len() * wide.of_tile());
+                let of_tiles = desk.turned.as_mut_slice().chunks_mut(wide.of_tile());
+                for ((index, _), turned) in orbit.iter().zip(of_tiles) {
+                    let [nx, ny] = self.tiles[*index].size;
+                    let turned = &mut turned[..nx * ny * wide.row];
+                    turned.fill(0.0);
+                    let mut rows: Vec<&mut [f32]> = turned.chunks_mut(nx * wide.row).collect();
+                    for group in &groups {
+                        if steps.is_canceled() {
+                            return;
+                        }
+                        steps.add(1);
+                        let own = (self.path.isa, plan.columns);
+                        cache.add(
+                            own,
+                            (*index, group),
+                            (source, &filled),
+                            &mut rows,
+                            &mut desk.bench,
+                        );
+                    }
+                }
+                let tiles: Vec<usize> = orbit.iter().map(|(index, _)| *index).collect();
+                for (index, rows) in orbit {
+                    self.add_turned((plan, wide), &tiles, (index, rows), desk);
+                }
+            });
+        self.return_scratch(lanes);
+        if run.is_canceled() {
+            Err(Error::Canceled)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Rows of pixels → lanes of slots, of some views seen from some sides; others are dark.
+    fn expand_parts(
+        &self,
+        (light, wide): (usize, Wide),
+        (views, sides): (Range<usize>, Range<usize>),
+        x: &[f32],
+        lanes: &mut [f32],
+    ) {
+        let (plan, layout) = (&self.lights[light], &self.patterns[light]);
+        let buffer = || vec![0.0; plan.levels.heights.buffer()];
+        lanes
+            .chunks_mut(plan.columns * wide.row)
+            .enumerate()
+            .par_each_with(buffer, |buffer, (first_view, lanes)| {
+                lanes.fill(0.0);
+                for (column, lanes) in lanes.chunks_mut(wide.row).enumerate() {
+                    for part in 0..wide.parts {
+                        let view = part * plan.turned.period + first_view;
+                        if views.contains(&view) {
+                            let slot = view * plan.columns + column;
+                            let own = &mut lanes[wide.lanes(part)];
+                            plan.add_expanded((layout, slot), sides.clone(), x, own, buffer);
+                        }
+                    }
+                }
+            });
+    }
+
+    /// Adds to the dose of a tile its lanes of all parts, which lie in those of `tiles`.
+    fn add_turned(
+        &self,
+        (plan, wide): (&LightPlan, Wide),
+        tiles: &[usize],
+        (index, rows): (usize, Vec<&mut [f32]>),
+        desk: &mut Desk,
+    ) {
+        let (tile, row) = (&self.tiles[index], plan.levels.row);
+        desk.lanes.resize(TILE * row, 0.0);
+        for (y, dose) in (tile.start[1]..).zip(rows) {
+            let lanes = &mut desk.lanes[..tile.size[0] * row];
+            lanes.fill(0.0);
+            for part in 0..wide.parts {
+                // A turn maps tiles onto tiles, so that all of a row comes from one
+                let origin = |x: usize| plan.turned.origin(part, [x, y]);
+                let from = |i: &usize| self.tiles[*i].holds(origin(tile.start[0]));
+                let from = tiles.iter().position(from).unwrap_or_default();
+                let of_tile = &desk.turned.as_slice()[from * wide.of_tile()..];
+                let Tile { start, size } = self.tiles[tiles[from]];
+                for (x, lanes) in (tile.start[0]..).zip(lanes.chunks_mut(row)) {
+                    let [u, v] = origin(x);
+                    let voxel = (v - start[1]) * size[0] + u - start[0];
+                    let own = &of_tile[voxel * wide.row..][wide.lanes(part)];
+                    lanes.iter_mut().zip(own).for_each(|(sum, own)| *sum += own);
+                }
+            }
+            match &plan.levels.spread {
+                Some(spread) => spread.add_to(dose, lanes, &mut desk.buffer),
+                None => dose.iter_mut().zip(&*lanes).for_each(|(d, own)| *d += own),
+            }
+        }
+    }
+
+    /// grad = Aᵀ c for these views of one light, from these sides.
+    pub(super) fn adjoint_kept(
+        &self,
+        (light, cache): (usize, &CachedEntries),
+        (views, sides): (Range<usize>, Range<usize>),
+        cotangent: &[f32],
+        grad: &mut [f32],
+        run: &Run,
+    ) -> Result<()> {
+        let plan = &self.lights[light];
+        let wide = Wide::of(plan);
+        let of_rows = self.of_rows(plan, cotangent);
+        let cotangent = of_rows.as_ref().map_or(cotangent, HostField::as_slice);
+        let filled = Filled::in_blocks(cotangent, plan.levels.row / LANES, plan.levels.used);
+        let given = (&views, cotangent, &filled);
+        let groups = repeated(&views, plan.turned.period);
+        // Few long chunks turn the cotangent less often; the result does not depend on their length
+        let chunks = (4 * rayon::current_num_threads()).div_ceil(BANDS);
+        let chunk = groups.len().div_ceil(chunks).max(1);
+        let (len, per_view) = (wide.slots * wide.row, plan.columns * wide.row);
+        let mut lanes = self.borrow_scratch(BANDS * len);
+        let mut tasks = Vec::new();
+        for (band, mut rest) in lanes.as_mut_slice().chunks_mut(len).enumerate() {
+            let mut end = 0;
+            for groups in groups.chunks(chunk) {
+                let (first, last) = (groups[0].start, groups[groups.len() - 1].end);
+                let (_, from) = rest.split_at_mut((first - end) * per_view);
+                let (own, after) = from.split_at_mut((last - first) * per_view);
+                tasks.push((band, groups, own));
+                (rest, end) = (after, last);
+            }
+        }
+        let per_band = self.orbits.len().div_ceil(BANDS);
+        tasks
+            .into_iter()
+            .par_each_with(Desk::default, |desk: &mut Desk, (band, groups, lanes)| {
+                lanes.fill(0.0);
+                let orbits = self.orbits.iter().skip(band * per_band).take(per_band);
+                for &index in orbits.flatten() {
+                    if run.is_canceled() {
+                        return;
+                    }
+                    self.collect_kept((plan, wide, cache), (index, groups), given, lanes, desk);
+                }
+            });
+        let (sum, others) = lanes.as_mut_slice().split_at_mut(len);
+        let of_views = sum.chunks_mut(per_view).enumerate();
+        of_views.par_each(|(view, sum)| {
+            if groups.iter().any(|group| group.contains(&view)) {
+                for others in others.chunks(len) {
+                    let other = &others[view * per_view..][..per_view];
+                    sum.iter_mut()
+                        .zip(other)
+                        .for_each(|(sum, other)| *sum += other);
+                }
+            }
+        });
+        let frames = plan.views.frames_of(&views, &sides);
+        let lanes_of = |slot: usize| &sum[wide.of_slot(slot)];
+        plan.collect((&self.patterns[light], frames), lanes_of, grad);
+        self.return_scratch(lanes);
+        if let Some(of_rows) = of_rows {
+            self.return_scratch(of_rows);
+        }
+        if run.is_canceled() {
+            Err(Error::Canceled)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Adds to the lanes of groups of views, from the first to the last, what the cotangent that a tile is turned to gives.
+    fn collect_kept(
+        &self,
+        (plan, wide, cache): (&LightPlan, Wide, &CachedEntries),
+        (index, groups): (usize, &[Range<usize>]),
+        (views, cotangent, filled): (&Range<usize>, &[f32], &[Filled; 2]),
+        lanes: &mut [f32],
+        desk: &mut Desk,
+    ) {
+        let (tile, nx) = (&self.tiles[index], self.outputs[0].grid.shape[2]);
+        let row = plan.levels.row;
+        let places: Vec<usize> = (0..tile.size[0] * tile.size[1])
+            .map(|voxel| {
+                [
+                    tile.start[0] + voxel % tile.size[0],
+                    tile.start[1] + voxel / tile.size[0],
+                ]
+            })
+            .flat_map(|at| (0..wide.parts).map(move |part| plan.turned.place_in(part, at)))
+            .map(|[x, y]| y * nx + x)
+            .collect();
+        let sizes = (wide.parts, wide.part / LANES);
+        let filled_there = Filled::side_by_side(filled, wide.row / LANES, sizes, &places);
+        let local = Tile {
+            start: [0, 0],
+            ..*tile
+        };
+        let of_tile = filled_there.of_tile(&local, tile.size[0]);
+        if of_tile.is_empty() {
+            return;
+        }
+        let period = plan.turned.period;
+        let turned = desk.turned(wide.of_tile());
+        for (lanes, places) in turned
+            .chunks_mut(wide.row)
+            .zip(places.chunks_exact(wide.parts))
+        {
+            for (part, &place) in places.iter().enumerate() {
+                let own = &mut lanes[wide.lanes(part)];
+                if views.start < (part + 1) * period
+                    && part * period < views.end
+                    && filled[0].any(place)
+                {
+                    own.copy_from_slice(&cotangent[place * row..][..wide.part]);
+                } else {
+                    own.fill(0.0);
+                }
+            }
+        }
+        let per_view = plan.columns * wide.row;
+        let given = (desk.turned.as_slice(), &filled_there, &of_tile);
+        for group in groups {
+            let own = group.start - groups[0].start..group.end - groups[0].start;
+            let lanes = &mut lanes[own.start * per_view..own.end * per_view];
+            let at = (index, group);
+            cache.collect(
+                (self.path.isa, plan.columns),
+                at,
+                (&local, tile.size[0]),
+                given,
+                lanes,
+                &mut desk.bench,
+            );
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn views_of_any_part_ask_for_those_of_the_first() {
+        assert_eq!(repeated(&(0..40), 20), [0..8, 8..16, 16..20]);
+        assert_eq!(repeated(&(25..30), 20), [5..8, 8..10]);
+        // Around the end of a part: the first to the last of a group that are asked for
+        assert_eq!(repeated(&(18..27), 20), [0..7, 18..20]);
+        assert_eq!(repeated(&(5..22), 20), [0..8, 8..16, 16..20]);
+        assert!(repeated(&(3..3), 20).is_empty());
+    }
+}
