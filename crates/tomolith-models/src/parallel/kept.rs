@@ -334,7 +334,12 @@ impl Parallel {
                     && part * period < views.end
                     && filled[0].any(place)
                 {
-                    own.copy_from_slice(&cotangent[place * row..][..wide.part]);
+                    // Sixteen at a time: a call that copies would take longer than so few floats
+                    let lanes = cotangent[place * row..][..wide.part].as_chunks::<LANES>().0;
+                    let own = own.as_chunks_mut::<LANES>().0;
+                    own.iter_mut()
+                        .zip(lanes)
+                        .for_each(|(own, lanes)| *own = *lanes);
                 } else {
                     own.fill(0.0);
                 }

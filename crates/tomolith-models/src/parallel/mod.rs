@@ -169,10 +169,8 @@ impl ModelFamily for Params {
         let lights = scene.lights.to_vec();
         let is_kept = || grid.shape[0] == 1 || cached::bytes(&lights, scene.vial, &grid).is_some();
         let caches = scene.purpose == Purpose::Optimize && is_kept();
-        let mut model = Parallel::under(scene.vial, lights, self.kernel, grid, input.run)?;
-        if caches {
-            model = model.cached();
-        }
+        let of = (lights, self.kernel);
+        let model = Parallel::planned(scene.vial, of, grid, caches, input.run)?;
         Ok(Box::new(model))
     }
 
@@ -237,6 +235,18 @@ impl Parallel {
         grid: VolumeGrid,
         run: &Run,
     ) -> Result<Self> {
+        Self::planned(vial, (lights, kernel), grid, false, run)
+    }
+
+    /// The same; `caches` keeps the entries (column, voxel, weight) of all frames from the first call on, which is worth it where a dose is asked for
+    /// again and again, and their memory is there ([`cached`]). Of a slice it keeps those that its fast kernels do not find.
+    fn planned(
+        vial: &dyn Vial,
+        (lights, kernel): (Vec<Light>, Kernel),
+        grid: VolumeGrid,
+        caches: bool,
+        run: &Run,
+    ) -> Result<Self> {
         if grid.is_empty() {
             return Err(Error::config(
                 "grid",
@@ -256,7 +266,7 @@ impl Parallel {
             check_kernel(kernel, &light, vial)?;
             must_be_even(kernel, &light, vial)?;
             let layout = light.layout(offset);
-            let own = (&light, kernel, turned);
+            let own = (&light, kernel, turned, caches);
             plans.push(LightPlan::new(vial, own, &layout, &grid, &tiles, run));
             run.check()?;
             offset += layout.len();
@@ -265,7 +275,7 @@ impl Parallel {
         Ok(Parallel {
             cache: plans.iter().map(|_| OnceLock::new()).collect(),
             loose: plans.iter().map(|_| OnceLock::new()).collect(),
-            caches: false,
+            caches,
             lights: plans,
             patterns,
             outputs: vec![DoseLayout::new("dose", grid, 0)],
@@ -282,14 +292,6 @@ impl Parallel {
     #[cfg(test)]
     pub(crate) fn with_isa(mut self, isa: Isa) -> Self {
         self.path = KernelPath::of(isa);
-        self
-    }
-
-    /// Keeps the entries (column, voxel, weight) of all frames from the first call on: worth it where a dose is asked for again and
-    /// again, and their memory, 8 bytes an entry, is there. Of a slice those that its fast kernels do not find.
-    #[must_use]
-    pub fn cached(mut self) -> Self {
-        self.caches = true;
         self
     }
 

@@ -42,6 +42,7 @@ impl KernelPath {
 
 /// What is known of one light before any pattern.
 pub(super) struct LightPlan {
+    /// Of all views, or of the first part where entries are kept.
     pub(super) beams: Vec<Beam>,
     pub(super) views: Views,
     pub(super) turned: Turned,
@@ -115,9 +116,10 @@ fn lit(views: &Views, columns: usize, by_frame: &[(u16, u16)]) -> Vec<(u16, u16)
 }
 
 impl LightPlan {
+    /// For a light, whose entries the model keeps or not.
     pub(super) fn new(
         vial: &dyn Vial,
-        (light, kernel, turned): (&Light, Kernel, Turned),
+        (light, kernel, turned, keeps): (&Light, Kernel, Turned, bool),
         layout: &PatternLayout,
         grid: &VolumeGrid,
         tiles: &[Tile],
@@ -131,7 +133,12 @@ impl LightPlan {
         };
         let views = Views::of(vial, light);
         let pixels = views.pixels(&light.pixels);
-        let beams = beams(vial, (light, kernel), &pixels, grid, &deposit);
+        // Entries that are kept are found once, from the first part
+        let mut found_from = pixels.clone();
+        if keeps {
+            found_from.azimuths.truncate(turned.period);
+        }
+        let beams = beams(vial, (light, kernel), &found_from, grid, &deposit);
         let walls = Walls::new(vial, grid);
         let mapped = light
             .map

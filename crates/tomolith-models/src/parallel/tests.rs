@@ -562,13 +562,24 @@ fn difference(a: &[f32], b: &[f32]) -> f64 {
 
 /// A model of so many slices, with as many rows.
 fn slices(vial: &dyn Vial, nz: usize, resin: Resin, columns: usize, pitch: f64) -> Parallel {
+    let (light, grid) = light_of_slices(nz, resin, columns, pitch);
+    Parallel::new(vial, vec![light], grid).unwrap()
+}
+
+fn light_of_slices(nz: usize, resin: Resin, columns: usize, pitch: f64) -> (Light, VolumeGrid) {
     let mut light = Light::new(PatternGrid::full_turn(9, 0.2, nz, columns, pitch), resin);
     // Rows as high as slices whatever their pitch: one row for one slice
     light.pixels.rows = (nz as f64 * 0.1 / pitch).round().max(1.0) as usize;
     light.sub_angles = 2;
     let mut grid = VolumeGrid::centered([nz, 35, 37], 0.1);
     grid.center_mm = [0.13, -0.05, 0.0];
-    Parallel::new(vial, vec![light], grid).unwrap()
+    (light, grid)
+}
+
+/// A model that keeps its entries.
+fn keeping(vial: &dyn Vial, light: Light, grid: VolumeGrid) -> Parallel {
+    let of = (vec![light], Kernel::default());
+    Parallel::planned(vial, of, grid, true, &Run::new()).unwrap()
 }
 
 #[test]

@@ -145,12 +145,17 @@ impl BandLanes {
     #[inline(always)]
     fn penalize(&self, m: Group, sums: &mut [f64; 8], penalty: impl Penalty) -> Group {
         let zero = f32x8::ZERO;
-        // Most voxels keep their bands; a NaN keeps none
+        // Most voxels keep their bands or do not count; a NaN does neither
         let is_kept = |half: usize| {
             let m = m.0[half];
             m.simd_ge(self.lower.0[half]) & m.simd_le(self.upper.0[half])
         };
-        if (is_kept(0) & is_kept(1)).all() {
+        let is_left_out =
+            |half: usize| self.weight.0[half].simd_eq(zero) & m.0[half].simd_eq(m.0[half]);
+        let kept = [is_kept(0), is_kept(1)];
+        if (kept[0] & kept[1]).all()
+            || ((kept[0] | is_left_out(0)) & (kept[1] | is_left_out(1))).all()
+        {
             return Group::default();
         }
         let of_half = |half: usize| {

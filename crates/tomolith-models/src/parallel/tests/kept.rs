@@ -16,12 +16,9 @@ fn kept_entries_give_what_is_found_anew_and_pass_the_model_check() {
                 let run = |column: usize| (0, if column % 5 == 2 { 0 } else { 19 });
                 light.active = Some((0..11 * columns).map(run).collect());
                 let grid = VolumeGrid::centered([21, 35, 37], 0.1);
-                let model = || {
-                    Parallel::new(vial.as_ref(), vec![light.clone()], grid.clone())
-                        .unwrap()
-                        .with_isa(isa)
-                };
-                let (plain, kept) = (model(), model().cached());
+                let plain = Parallel::new(vial.as_ref(), vec![light.clone()], grid.clone());
+                let kept = keeping(vial.as_ref(), light, grid);
+                let (plain, kept) = (plain.unwrap().with_isa(isa), kept.with_isa(isa));
                 let what = format!("{vial:?} {isa:?} {columns}");
                 check::model::model(&kept, 7).unwrap_or_else(|e| panic!("{what}: {e}"));
                 // Two frames in three are dark, and so is most of the cotangent
@@ -79,8 +76,8 @@ fn entries_of_a_part_of_the_turn_serve_all_of_it() {
         let run = |slot: usize| (0, if slot % 7 == 2 { 0 } else { 6 });
         light.active = Some((0..frames * 45).map(run).collect());
         let grid = VolumeGrid::centered(shape, 0.1);
-        let model = || Parallel::new(vial.as_ref(), vec![light.clone()], grid.clone()).unwrap();
-        let (plain, kept) = (model(), model().cached());
+        let plain = Parallel::new(vial.as_ref(), vec![light.clone()], grid.clone()).unwrap();
+        let kept = keeping(vial.as_ref(), light.clone(), grid.clone());
         let parts = if shape[1] == shape[2] { 4 } else { 2 };
         assert_eq!(kept.lights[0].turned.period, frames / parts);
         check::model::model(&kept, 7).unwrap_or_else(|e| panic!("{vial:?} {shape:?}: {e}"));
@@ -116,9 +113,7 @@ fn what_is_kept_takes_the_memory_that_was_said() {
             light.sub_angles = sub_angles;
             let grid = VolumeGrid::centered([21, 48, 48], 0.05);
             let said = cached::bytes(&[light.clone()], vial.as_ref(), &grid).unwrap();
-            let model = Parallel::new(vial.as_ref(), vec![light], grid)
-                .unwrap()
-                .cached();
+            let model = keeping(vial.as_ref(), light, grid);
             let found = model.cache(0, &Run::new()).unwrap().unwrap();
             let ratio = found.bytes() as f64 / said;
             assert!(
@@ -136,9 +131,7 @@ fn a_stopped_run_keeps_no_half_of_the_entries() {
         Resin::absorbing(1.48, 0.2),
     );
     let grid = VolumeGrid::centered([21, 35, 37], 0.1);
-    let model = Parallel::new(vials()[0].as_ref(), vec![light], grid)
-        .unwrap()
-        .cached();
+    let model = keeping(vials()[0].as_ref(), light, grid);
     let (run, x) = (Run::new(), LinearOperator::new_patterns(&model).unwrap());
     run.cancel();
     let mut dose = LinearOperator::new_dose(&model).unwrap();
@@ -153,8 +146,10 @@ fn a_stopped_run_keeps_no_half_of_the_entries() {
 fn single_entries_of_a_slice_are_found_once_and_have_the_same_bits() {
     for vial in vials() {
         for isa in Isa::available() {
-            let slice = || slices(vial.as_ref(), 1, Resin::absorbing(1.48, 0.2), 45, 0.11);
-            let (plain, kept) = (slice().with_isa(isa), slice().cached().with_isa(isa));
+            let (light, grid) = light_of_slices(1, Resin::absorbing(1.48, 0.2), 45, 0.11);
+            let plain = Parallel::new(vial.as_ref(), vec![light.clone()], grid.clone());
+            let kept = keeping(vial.as_ref(), light, grid);
+            let (plain, kept) = (plain.unwrap().with_isa(isa), kept.with_isa(isa));
             let what = format!("{vial:?} {isa:?}");
             let x = check::noise(1, plain.patterns[0].len());
             // Once to find them, once to read them
