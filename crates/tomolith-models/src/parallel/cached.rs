@@ -92,6 +92,8 @@ struct Group {
 #[derive(Default)]
 struct Finder {
     found: TileEntries,
+    /// What columns bring to a patch, `[patch][column]`.
+    joined: Vec<[f32; VOXELS]>,
     patches: Vec<Vec<ColumnEntry>>,
 }
 
@@ -115,26 +117,36 @@ impl Finder {
                 let keep = |column| plan.is_lit_in_any_part(view, column);
                 plan.enumerate_columns(path, beam, meeting, &local, keep, &mut self.found);
             }
-            for run in &self.found.runs {
-                let entries = self.found.of(run);
-                for (&voxel, &weight) in entries.slots.iter().zip(entries.weights) {
-                    let [y, x] = [voxel as usize / TILE, voxel as usize % TILE];
-                    let own = &mut self.patches[y / EDGE * PATCHES + x / EDGE];
-                    let slot = first + run.column;
-                    let of_view = own.iter_mut().rev().take_while(|entry| entry.0 >= first);
-                    let corner = y % EDGE * EDGE + x % EDGE;
-                    match of_view.into_iter().find(|entry| entry.0 == slot) {
-                        Some((_, weights)) => weights[corner] += weight,
-                        None => {
-                            let mut weights = [0.0; VOXELS];
-                            weights[corner] = weight;
-                            own.push((slot, weights));
-                        }
-                    }
+            self.add_found(first);
+        }
+        Patches::new(&self.patches)
+    }
+
+    /// Joins what all angles of a view bring from a column to a patch; `first` is the slot of its first column.
+    fn add_found(&mut self, first: u32) {
+        let columns = self.found.runs.iter().map(|run| run.column);
+        let Some((least, most)) = columns.clone().min().zip(columns.max()) else {
+            return;
+        };
+        let span = (most - least + 1) as usize;
+        self.joined.clear();
+        self.joined.resize(PATCHES * PATCHES * span, [0.0; VOXELS]);
+        for run in &self.found.runs {
+            let entries = self.found.of(run);
+            for (&voxel, &weight) in entries.slots.iter().zip(entries.weights) {
+                let [y, x] = [voxel as usize / TILE, voxel as usize % TILE];
+                let patch = y / EDGE * PATCHES + x / EDGE;
+                let corner = y % EDGE * EDGE + x % EDGE;
+                self.joined[patch * span + (run.column - least) as usize][corner] += weight;
+            }
+        }
+        for (own, joined) in self.patches.iter_mut().zip(self.joined.chunks_exact(span)) {
+            for (slot, weights) in (first + least..).zip(joined) {
+                if *weights != [0.0; VOXELS] {
+                    own.push((slot, *weights));
                 }
             }
         }
-        Patches::new(&self.patches)
     }
 }
 
@@ -201,6 +213,31 @@ impl CachedEntries {
             groups: found.into_iter().flatten().collect(),
             per_tile: groups(0..period).count(),
         })
+    }
+
+    /// Pairs of frame and voxel that are lit, as [`LightPlan::pairs`] counts them.
+    pub(super) fn updates(&self, plan: &LightPlan, nz: usize) -> u64 {
+        let views: Vec<_> = groups(0..plan.turned.period).collect();
+        let of_groups = self.groups.iter().enumerate().par_map(|(i, group)| {
+            let of_view = |(within, view): (usize, usize)| {
+                let slots = (within * plan.columns) as u32..((within + 1) * plan.columns) as u32;
+                let of_patch = |patch| {
+                    let entries = group.patches.of_slots(patch, slots.clone());
+                    let lit = entries.flat_map(|(slot, weights)| {
+                        let column = slot - slots.start;
+                        let is_lit = move |&corner: &usize| weights[corner] != 0.0;
+                        (0..VOXELS)
+                            .filter(is_lit)
+                            .map(move |corner| (column, corner))
+                    });
+                    plan.pairs::<VOXELS>(view, nz, lit)
+                };
+                (0..PATCHES * PATCHES).map(of_patch).sum::<u64>()
+            };
+            let views = views[i % self.per_tile].clone().enumerate();
+            views.map(of_view).sum::<u64>()
+        });
+        of_groups.into_iter().sum()
     }
 
     /// Bytes of all entries.

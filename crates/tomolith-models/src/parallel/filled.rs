@@ -117,22 +117,19 @@ impl Filled {
         (parts, part): (usize, usize),
         of_rows: &[usize],
     ) -> Self {
-        let apart = [short, long].map(|own| own.repeated(row, (parts, part), 1, of_rows));
-        let together = [4, 2]
-            .into_iter()
-            .find(|together| parts % together == 0 && together * part <= MAX_BLOCK);
-        let [short, longer] = apart;
-        let best = short.or(longer);
-        match (together, long.blocks.as_slice()) {
-            (
-                Some(together),
-                &[
-                    Block {
-                        first: 0, count, ..
-                    },
-                ],
-            ) if count == part => best.or(long.repeated(row, (parts, part), together, of_rows)),
-            _ => best,
+        let repeated = |own: &Self, together| own.repeated(row, (parts, part), together, of_rows);
+        // A short block that is a long one is no choice
+        let apart = if short.blocks.len() == long.blocks.len() {
+            repeated(short, 1)
+        } else {
+            repeated(short, 1).or(repeated(long, 1))
+        };
+        let fits = |together: &usize| parts % together == 0 && together * part <= MAX_BLOCK;
+        match ([4, 2].into_iter().find(fits), long.blocks.as_slice()) {
+            (Some(together), [whole]) if whole.first == 0 && whole.count == part => {
+                apart.or(repeated(long, together))
+            }
+            _ => apart,
         }
     }
 

@@ -195,26 +195,43 @@ impl Parallel {
         desk: &mut Desk,
     ) {
         let (tile, row) = (&self.tiles[index], plan.levels.row);
-        desk.lanes.resize(TILE * row, 0.0);
+        let Desk {
+            turned,
+            lanes,
+            buffer,
+            ..
+        } = desk;
+        lanes.clear();
+        lanes.resize(TILE * row, 0.0);
         for (y, dose) in (tile.start[1]..).zip(rows) {
-            let lanes = &mut desk.lanes[..tile.size[0] * row];
-            lanes.fill(0.0);
-            for part in 0..wide.parts {
-                // A turn maps tiles onto tiles, so that all of a row comes from one
-                let origin = |x: usize| plan.turned.origin(part, [x, y]);
-                let from = |i: &usize| self.tiles[*i].holds(origin(tile.start[0]));
-                let from = tiles.iter().position(from).unwrap_or_default();
-                let of_tile = &desk.turned.as_slice()[from * wide.of_tile()..];
+            let lanes = &mut lanes[..tile.size[0] * row];
+            // A turn maps tiles onto tiles and rows onto lines: first float and step of those that a row takes from a part
+            let line = |part: usize| {
+                let [u, v] = plan.turned.origin(part, [tile.start[0], y]);
+                let from = tiles.iter().position(|&i| self.tiles[i].holds([u, v]));
+                let from = from.unwrap_or_default();
                 let Tile { start, size } = self.tiles[tiles[from]];
-                for (x, lanes) in (tile.start[0]..).zip(lanes.chunks_mut(row)) {
-                    let [u, v] = origin(x);
-                    let voxel = (v - start[1]) * size[0] + u - start[0];
-                    let own = &of_tile[voxel * wide.row..][wide.lanes(part)];
-                    lanes.iter_mut().zip(own).for_each(|(sum, own)| *sum += own);
+                let voxel = (v - start[1]) * size[0] + u - start[0];
+                let [along_x, along_y] = plan.turned.origin_step(part);
+                let step = along_y * size[0] as isize + along_x;
+                let first = from * wide.of_tile() + voxel * wide.row + wide.lanes(part).start;
+                (first, step * wide.row as isize)
+            };
+            let lines: [_; 4] = std::array::from_fn(|part| line(part % wide.parts));
+            for (x, lanes) in (0..).zip(lanes.chunks_mut(row)) {
+                let sums = lanes[..wide.part].as_chunks_mut::<LANES>().0;
+                for (i, sums) in sums.iter_mut().enumerate() {
+                    *sums = [0.0; LANES];
+                    for (first, step) in &lines[..wide.parts] {
+                        let from = first.wrapping_add_signed(step * x) + i * LANES;
+                        let own = turned.as_slice()[from..].first_chunk::<LANES>();
+                        let own = own.unwrap_or(&[0.0; LANES]);
+                        sums.iter_mut().zip(own).for_each(|(sum, own)| *sum += own);
+                    }
                 }
             }
             match &plan.levels.spread {
-                Some(spread) => spread.add_to(dose, lanes, &mut desk.buffer),
+                Some(spread) => spread.add_to(dose, lanes, buffer),
                 None => dose.iter_mut().zip(&*lanes).for_each(|(d, own)| *d += own),
             }
         }
@@ -302,13 +319,9 @@ impl Parallel {
     ) {
         let (tile, nx) = (&self.tiles[index], self.outputs[0].grid.shape[2]);
         let row = plan.levels.row;
-        let places: Vec<usize> = (0..tile.size[0] * tile.size[1])
-            .map(|voxel| {
-                [
-                    tile.start[0] + voxel % tile.size[0],
-                    tile.start[1] + voxel / tile.size[0],
-                ]
-            })
+        let at = |y: usize| (0..tile.size[0]).map(move |x| [tile.start[0] + x, y]);
+        let places: Vec<usize> = (tile.start[1]..tile.start[1] + tile.size[1])
+            .flat_map(at)
             .flat_map(|at| (0..wide.parts).map(move |part| plan.turned.place_in(part, at)))
             .map(|[x, y]| y * nx + x)
             .collect();

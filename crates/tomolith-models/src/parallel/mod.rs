@@ -751,23 +751,25 @@ impl LinearOperator for Parallel {
 }
 
 impl Parallel {
-    /// Pairs of voxel and frame (and sub-angle) of which at least one active pixel lights the voxel.
+    /// Pairs of voxel and frame of which at least one active pixel lights the voxel, times the angles of a frame.
     fn count_updates(&self) -> u64 {
         let nz = self.outputs[0].grid.shape[0];
-        self.lights
-            .iter()
-            .map(|plan| {
-                let tiles = self.tiles.iter().enumerate();
-                let of_tiles =
-                    tiles.par_map_with(TileEntries::default, |entries, (index, tile)| {
-                        (0..plan.turned.period)
-                            .map(|view| plan.updates_in(view, index, tile, nz, entries))
-                            .sum::<u64>()
-                    });
-                of_tiles.into_iter().sum::<u64>()
-            })
-            .sum()
+        let of_light = |(light, plan): (usize, &LightPlan)| {
+            let kept = (!self.is_plane()).then(|| self.cache(light, &Run::new()));
+            if let Some(Ok(Some(cache))) = kept {
+                return cache.updates(plan, nz);
+            }
+            let tiles = self.tiles.iter().enumerate();
+            let of_tiles = tiles.par_map_with(TileEntries::default, |entries, (index, tile)| {
+                (0..plan.turned.period)
+                    .map(|view| plan.updates_in(view, index, tile, nz, entries))
+                    .sum::<u64>()
+            });
+            of_tiles.into_iter().sum::<u64>()
+        };
+        self.lights.iter().enumerate().map(of_light).sum()
     }
 }
+
 #[cfg(test)]
 mod tests;

@@ -9,6 +9,7 @@
 )]
 
 use super::kernel::{Block, Isa};
+use std::ops::Range;
 use tomolith_core::field::LANES;
 
 /// Voxels of a patch, row by row.
@@ -69,6 +70,24 @@ impl Patches {
     /// Slots of all entries.
     pub(super) fn slots(&self) -> &[u32] {
         &self.slots
+    }
+
+    /// Slot and weights of those entries of a patch that are of a range of slots; slots of a patch rise.
+    pub(super) fn of_slots(
+        &self,
+        patch: usize,
+        slots: Range<u32>,
+    ) -> impl Iterator<Item = (u32, &[f32; VOXELS])> + Clone {
+        let own = match self.starts.get(patch..=patch + 1) {
+            Some(starts) => starts[0] as usize..starts[1] as usize,
+            None => 0..0,
+        };
+        let place = |slot: u32| own.start + self.slots[own.clone()].partition_point(|&s| s < slot);
+        let own = place(slots.start)..place(slots.end);
+        self.slots[own.clone()]
+            .iter()
+            .copied()
+            .zip(&self.weights[own])
     }
 
     /// All entries of a patch, for rows that are counted from `first` on; None where there are none.

@@ -397,7 +397,7 @@ impl LightPlan {
     }
 
     /// Pairs of frame and voxel, for the frames of a view of the first part of the turn and of those that repeat it, of which an active pixel
-    /// lights the voxel: voxels of a tile, and those that it is turned to.
+    /// lights the voxel at any angle, times the angles: voxels of a tile, and those that it is turned to.
     pub(super) fn updates_in(
         &self,
         view: usize,
@@ -406,37 +406,50 @@ impl LightPlan {
         nz: usize,
         entries: &mut TileEntries,
     ) -> u64 {
-        let parts = self.turned.parts;
-        let mut total = 0;
+        entries.clear();
+        let path = KernelPath::of(Isa::in_use());
         for i in self.of_view[view].clone() {
-            entries.clear();
             let meeting = self.meetings[index * self.beams.len() + i];
             let local = Local::new(tile, self.beams[i].major, Slots::WITHIN_TILE);
-            let path = KernelPath::of(Isa::in_use());
             let keep = |column| self.is_lit_in_any_part(view, column);
             self.enumerate_columns(path, i, meeting, &local, keep, entries);
-            for (part, side) in
-                (0..parts).flat_map(|part| self.views.sides().map(move |side| (part, side)))
-            {
-                let mut lanes = [(u16::MAX, 0u16); TILE * TILE];
-                for run in &entries.runs {
-                    let slot =
-                        (part * self.turned.period + view) * self.columns + run.column as usize;
-                    let lit = self.lit_by_frame[self.views.pixel_column(slot, side)];
-                    if lit.1 > lit.0 {
-                        for &voxel in entries.of(run).slots {
-                            let seen = &mut lanes[voxel as usize];
-                            *seen = (seen.0.min(lit.0), seen.1.max(lit.1));
-                        }
-                    }
-                }
-                total += lanes
-                    .iter()
-                    .filter(|l| l.1 > l.0)
-                    .map(|l| (l.1 as usize * LANES).min(nz) as u64 - (l.0 as usize * LANES) as u64)
-                    .sum::<u64>();
-            }
         }
-        total
+        let of_runs = entries.runs.iter().flat_map(|run| {
+            let voxels = entries.of(run).slots.iter();
+            voxels.map(|&voxel| (run.column, voxel as usize))
+        });
+        self.pairs::<{ TILE * TILE }>(view, nz, of_runs)
+    }
+
+    /// The same from columns and voxels that they light: of `N` voxels, each as often as it comes.
+    pub(super) fn pairs<const N: usize>(
+        &self,
+        view: usize,
+        nz: usize,
+        lit: impl Iterator<Item = (u32, usize)> + Clone,
+    ) -> u64 {
+        let sides = || self.views.sides();
+        let frames = (0..self.turned.parts).flat_map(|part| sides().map(move |side| (part, side)));
+        let of_frame = |(part, side)| {
+            let first = (part * self.turned.period + view) * self.columns;
+            let mut lanes = [(u16::MAX, 0u16); N];
+            for (column, voxel) in lit.clone() {
+                let slot = first + column as usize;
+                let lit = self.lit_by_frame[self.views.pixel_column(slot, side)];
+                if lit.1 > lit.0 {
+                    let seen = &mut lanes[voxel];
+                    *seen = (seen.0.min(lit.0), seen.1.max(lit.1));
+                }
+            }
+            let of_voxel = |lit: &(u16, u16)| {
+                (lit.1 as usize * LANES).min(nz) as u64 - (lit.0 as usize * LANES) as u64
+            };
+            lanes
+                .iter()
+                .filter(|lit| lit.1 > lit.0)
+                .map(of_voxel)
+                .sum::<u64>()
+        };
+        self.of_view[view].len() as u64 * frames.map(of_frame).sum::<u64>()
     }
 }

@@ -119,6 +119,16 @@ impl Turned {
     pub(super) fn origin(&self, part: usize, at: [usize; 2]) -> [usize; 2] {
         turn(at, self.voxels, (4 - part * self.step % 4) % 4)
     }
+
+    /// By how much [`origin`](Self::origin) moves with a step along x.
+    pub(super) fn origin_step(&self, part: usize) -> [isize; 2] {
+        match part * self.step % 4 {
+            0 => [1, 0],
+            1 => [0, -1],
+            2 => [-1, 0],
+            _ => [0, 1],
+        }
+    }
 }
 
 /// Turns a place `[x, y]` among so many counter-clockwise; a quarter turn of a square alone.
@@ -172,14 +182,18 @@ mod tests {
             let grid = VolumeGrid::centered(shape, 0.1);
             let views = Views::of(&round, &light);
             let turned = Turned::of(&round, &light, &grid, &views);
-            let step = TAU / turned.parts as f64;
+            let turn = TAU / turned.parts as f64;
             for part in 0..turned.parts {
                 let at = [1, 3];
                 let there = turned.place_in(part, at);
                 assert_eq!(turned.origin(part, there), at);
+                let [u, v] = turned.origin(part, [2, 3]);
+                let from = turned.origin(part, [1, 3]);
+                let step = [u as isize - from[0] as isize, v as isize - from[1] as isize];
+                assert_eq!(turned.origin_step(part), step);
                 // Counter-clockwise, as azimuths are counted
                 let [[x, y], [u, v]] = [at, there].map(|[x, y]| [grid.x(x), grid.y(y)]);
-                let (sin, cos) = (part as f64 * step).sin_cos();
+                let (sin, cos) = (part as f64 * turn).sin_cos();
                 assert!(
                     (x * cos - y * sin - u).abs() < 1e-12 && (x * sin + y * cos - v).abs() < 1e-12
                 );

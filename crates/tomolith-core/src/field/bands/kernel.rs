@@ -114,6 +114,16 @@ impl BandLanes {
         }
     }
 
+    /// One band for those that count.
+    #[inline(always)]
+    fn counted(band: &Band, counted: Group) -> Self {
+        let alike = Self::alike(band);
+        BandLanes {
+            weight: counted.zip(alike.weight, |counted, weight| counted & weight),
+            ..alike
+        }
+    }
+
     #[inline(always)]
     fn mixed(band: impl Fn(usize) -> Band) -> Self {
         let bands: [Band; LANES] = std::array::from_fn(band);
@@ -175,6 +185,17 @@ impl BandLanes {
     }
 }
 
+/// The share of sixteen voxels, 1 or at most 0, and a mask of those that count, where all that do have the same; a column's last lanes are often
+/// padding.
+#[inline(always)]
+fn whole(shares: &[f32; LANES]) -> Option<(f32, Group)> {
+    let (first, zero) = (f32x8::splat(shares[0]), f32x8::ZERO);
+    let counted = Group::of(shares).map(|s| s.simd_ge(zero));
+    let alike = Group::of(shares).map(|s| s.simd_eq(first) | s.simd_lt(zero));
+    let is_whole = shares[0] <= 0.0 || shares[0] == 1.0;
+    (is_whole && (alike.0[0] & alike.0[1]).all()).then_some((shares[0], counted))
+}
+
 impl Bands {
     /// Σ of the penalties of a chunk that begins at `group`; overwrites `slopes`.
     fn sum(
@@ -220,13 +241,10 @@ impl Bands {
                 let shares = inside[range].as_chunks::<LANES>().0;
                 let plain = scale.is_empty() && widen.is_empty();
                 for (k, ((m, slope), shares)) in lanes.zip(shares).enumerate() {
-                    let alike = plain && *shares == [shares[0]; LANES];
-                    let slopes = if alike && shares[0] < 0.0 {
-                        Group::default()
-                    } else if alike && shares[0] == 0.0 {
-                        BandLanes::alike(void).penalize(m, &mut sums, penalty)
-                    } else if alike && shares[0] == 1.0 {
-                        BandLanes::alike(part).penalize(m, &mut sums, penalty)
+                    let whole = if plain { whole(shares) } else { None };
+                    let slopes = if let Some((share, counted)) = whole {
+                        let band = if share == 1.0 { part } else { void };
+                        BandLanes::counted(band, counted).penalize(m, &mut sums, penalty)
                     } else {
                         let at = begin + k * LANES..begin + (k + 1) * LANES;
                         let [scale, widen] = [scale, widen].map(|field| field.get(at.clone()));
