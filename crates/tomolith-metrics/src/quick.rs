@@ -14,8 +14,9 @@
 //! ```
 
 use super::buckets::{class, shares};
-use tomolith_core::field::BLOCK;
+use tomolith_core::field::{BLOCK, LANES};
 use tomolith_core::parallel::InParallel;
+use tomolith_core::target::label;
 
 /// Thresholds.
 const BINS: usize = 1024;
@@ -51,19 +52,40 @@ fn ranges(labels: &[u8], response: &[f32]) -> Ranges {
         .chunks(BLOCK)
         .zip(response.chunks(BLOCK))
         .par_map(|(labels, values)| {
-            let mut ranges = empty;
-            for (&label, &value) in labels.iter().zip(values) {
-                if let Some(class) = class(label) {
-                    let [low, high] = &mut ranges[class];
-                    *low = low.min(value);
-                    *high = high.max(value);
-                }
+            // Sixteen at a time
+            let (labels, last_labels) = labels.as_chunks::<LANES>();
+            let (values, last_values) = values.as_chunks::<LANES>();
+            let mut lanes = empty.map(|class| class.map(|value| [value; LANES]));
+            for (labels, values) in labels.iter().zip(values) {
+                widen(&mut lanes, labels, values);
             }
-            ranges
+            widen(&mut lanes, last_labels, last_values);
+            let of_lane = |i: usize| [0, 1].map(|class: usize| lanes[class].map(|side| side[i]));
+            (0..LANES).map(of_lane).fold(empty, join)
         });
-    blocks.into_iter().fold(empty, |a, b| {
-        [0, 1].map(|c| [a[c][0].min(b[c][0]), a[c][1].max(b[c][1])])
-    })
+    blocks.into_iter().fold(empty, join)
+}
+
+fn join(a: Ranges, b: Ranges) -> Ranges {
+    [0, 1].map(|c| [a[c][0].min(b[c][0]), a[c][1].max(b[c][1])])
+}
+
+/// Widens the ranges of each lane by a voxel.
+#[inline(always)]
+fn widen(lanes: &mut [[[f32; LANES]; 2]; 2], labels: &[u8], values: &[f32]) {
+    for ([low, high], class) in lanes.iter_mut().zip([label::PART, label::VOID]) {
+        let lanes = low.iter_mut().zip(high).zip(labels.iter().zip(values));
+        for ((low, high), (&label, &value)) in lanes {
+            // No branches, and not `min` and `max`, which look for numbers that are none
+            let is_own = label == class;
+            *low = if is_own & (value < *low) { value } else { *low };
+            *high = if is_own & (value > *high) {
+                value
+            } else {
+                *high
+            };
+        }
+    }
 }
 
 fn counts(labels: &[u8], response: &[f32], low: f32, high: f32) -> Table {

@@ -250,8 +250,9 @@ impl LightPlan {
     ) {
         for side in sides {
             let run = layout.runs[self.views.pixel_column(slot, side)];
-            if run.count > 0 {
-                let values = &x[run.offset..][..run.count as usize];
+            let values = &x[run.offset..][..run.count as usize];
+            // Late in a run most pixels are dark
+            if values.iter().any(|value| *value != 0.0) {
                 self.levels.heights.add_expanded(values, run, lanes, buffer);
             }
         }
@@ -432,10 +433,17 @@ impl LightPlan {
         let frames = (0..self.turned.parts).flat_map(|part| sides().map(move |side| (part, side)));
         let of_frame = |(part, side)| {
             let first = (part * self.turned.period + view) * self.columns;
+            let first = self.views.pixel_column(first, side);
             let mut lanes = [(u16::MAX, 0u16); N];
             for (column, voxel) in lit.clone() {
-                let slot = first + column as usize;
-                let lit = self.lit_by_frame[self.views.pixel_column(slot, side)];
+                // From the far side columns are seen in reverse
+                let column = column as usize;
+                let at = if side == 0 {
+                    first + column
+                } else {
+                    first - column
+                };
+                let lit = self.lit_by_frame[at];
                 if lit.1 > lit.0 {
                     let seen = &mut lanes[voxel];
                     *seen = (seen.0.min(lit.0), seen.1.max(lit.1));
