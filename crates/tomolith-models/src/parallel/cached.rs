@@ -215,29 +215,26 @@ impl CachedEntries {
         })
     }
 
-    /// Pairs of frame and voxel that are lit, as [`LightPlan::pairs`] counts them.
+    /// Pairs of frame and voxel that are lit, as [`LightPlan::updates_in`] counts them.
     pub(super) fn updates(&self, plan: &LightPlan, nz: usize) -> u64 {
         let views: Vec<_> = groups(0..plan.turned.period).collect();
         let of_groups = self.groups.iter().enumerate().par_map(|(i, group)| {
-            let of_view = |(within, view): (usize, usize)| {
+            let mut lit = Vec::new();
+            let mut total = 0;
+            for (within, view) in views[i % self.per_tile].clone().enumerate() {
                 let slots = (within * plan.columns) as u32..((within + 1) * plan.columns) as u32;
-                let of_patch = |patch| {
+                for patch in 0..PATCHES * PATCHES {
+                    lit.clear();
                     let entries = group.patches.of_slots(patch, slots.clone());
-                    let lit = entries.flat_map(|(slot, weights)| {
-                        let column = slot - slots.start;
-                        let is_lit = move |&corner: &usize| weights[corner] != 0.0;
-                        (0..VOXELS)
-                            .filter(is_lit)
-                            .map(move |corner| (column, corner))
-                    });
-                    plan.pairs::<VOXELS>(view, nz, lit)
-                };
-                (0..PATCHES * PATCHES).map(of_patch).sum::<u64>()
-            };
-            let views = views[i % self.per_tile].clone().enumerate();
-            views.map(of_view).sum::<u64>()
+                    lit.extend(
+                        entries.map(|(slot, weights)| (slot - slots.start, lit_by(weights))),
+                    );
+                    total += plan.pairs_of_patch(view, nz, &lit);
+                }
+            }
+            total
         });
-        of_groups.into_iter().sum()
+        of_groups.into_iter().sum::<u64>()
     }
 
     /// Bytes of all entries.
@@ -345,6 +342,12 @@ impl CachedEntries {
             }
         }
     }
+}
+
+/// A bit for each voxel of a patch that a column lights.
+fn lit_by(weights: &[f32; VOXELS]) -> u8 {
+    let bit = |(i, weight): (usize, &f32)| u8::from(*weight != 0.0) << i;
+    weights.iter().enumerate().map(bit).sum()
 }
 
 /// The first view of the group that views belong to.

@@ -19,7 +19,7 @@ use tomolith_core::field::{HostField, LANES};
 use tomolith_core::parallel::InParallel;
 
 /// Bands of tiles whose adjoints are summed apart: on any number of cores, so that sums have the same order.
-const BANDS: usize = 4;
+const BANDS: usize = 8;
 
 /// Lanes of all parts of a turn, one after the other.
 #[derive(Clone, Copy)]

@@ -429,35 +429,73 @@ impl LightPlan {
         nz: usize,
         lit: impl Iterator<Item = (u32, usize)> + Clone,
     ) -> u64 {
-        let sides = || self.views.sides();
-        let frames = (0..self.turned.parts).flat_map(|part| sides().map(move |side| (part, side)));
-        let of_frame = |(part, side)| {
-            let first = (part * self.turned.period + view) * self.columns;
-            let first = self.views.pixel_column(first, side);
+        let of_frame = |frame| {
             let mut lanes = [(u16::MAX, 0u16); N];
             for (column, voxel) in lit.clone() {
-                // From the far side columns are seen in reverse
-                let column = column as usize;
-                let at = if side == 0 {
-                    first + column
-                } else {
-                    first - column
-                };
-                let lit = self.lit_by_frame[at];
+                let lit = self.lit_in(frame, column);
                 if lit.1 > lit.0 {
                     let seen = &mut lanes[voxel];
                     *seen = (seen.0.min(lit.0), seen.1.max(lit.1));
                 }
             }
-            let of_voxel = |lit: &(u16, u16)| {
-                (lit.1 as usize * LANES).min(nz) as u64 - (lit.0 as usize * LANES) as u64
-            };
-            lanes
-                .iter()
-                .filter(|lit| lit.1 > lit.0)
-                .map(of_voxel)
-                .sum::<u64>()
+            let lit = lanes.into_iter().filter(|lit| lit.1 > lit.0);
+            lit.map(|lit| slices(lit, nz)).sum::<u64>()
         };
-        self.of_view[view].len() as u64 * frames.map(of_frame).sum::<u64>()
+        self.of_view[view].len() as u64 * self.frames_of(view).map(of_frame).sum::<u64>()
     }
+
+    /// The same of a patch, from columns and a bit for each voxel that they light.
+    pub(super) fn pairs_of_patch(&self, view: usize, nz: usize, lit: &[(u32, u8)]) -> u64 {
+        let of_frame = |frame| {
+            let mut seen = (0, 0);
+            let mut voxels = 0u8;
+            for &(column, own) in lit {
+                let lit = self.lit_in(frame, column);
+                if lit.1 > lit.0 {
+                    if voxels != 0 && lit != seen {
+                        // Columns whose pixels end at different heights
+                        return None;
+                    }
+                    (seen, voxels) = (lit, voxels | own);
+                }
+            }
+            Some(u64::from(voxels.count_ones()) * slices(seen, nz))
+        };
+        let total: Option<u64> = self.frames_of(view).map(of_frame).sum();
+        total.map_or_else(
+            || {
+                let each = lit.iter().flat_map(|&(column, own)| {
+                    let is_lit = move |voxel: &usize| own >> voxel & 1 == 1;
+                    (0..8).filter(is_lit).map(move |voxel| (column, voxel))
+                });
+                self.pairs::<8>(view, nz, each)
+            },
+            |total| self.of_view[view].len() as u64 * total,
+        )
+    }
+
+    /// The frames that a view of the first part stands for: the pixel column of their first one, and whether columns are seen in reverse.
+    fn frames_of(&self, view: usize) -> impl Iterator<Item = (usize, bool)> {
+        let slot = move |part| (part * self.turned.period + view) * self.columns;
+        let parts = 0..self.turned.parts;
+        parts.flat_map(move |part| {
+            let sides = self.views.sides();
+            sides.map(move |side| (self.views.pixel_column(slot(part), side), side > 0))
+        })
+    }
+
+    /// Vectors of slices that a column of such a frame lights.
+    fn lit_in(&self, (first, in_reverse): (usize, bool), column: u32) -> (u16, u16) {
+        let column = column as usize;
+        self.lit_by_frame[if in_reverse {
+            first - column
+        } else {
+            first + column
+        }]
+    }
+}
+
+/// Slices of so many in a range of vectors.
+fn slices(lit: (u16, u16), nz: usize) -> u64 {
+    (lit.1 as usize * LANES).min(nz) as u64 - (lit.0 as usize * LANES) as u64
 }
