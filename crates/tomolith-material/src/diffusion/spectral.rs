@@ -3,7 +3,7 @@
 //! **Equation** v = Σ_k v̂_k cos(k_x(x + ½h)) cos … with k = π(i, j, l)/(n h) along x, y, z, so that no mode has flux through the walls;
 //! v̂_k ← g(|k|²)·v̂_k. Diffusion over t: g = e^(−D|k|²t). Any such map is symmetric: it is its own transpose.
 //!
-//! **Source** eigenfunctions of the Laplacian with Neumann walls; transforms (DCT-II and DCT-III) by `rustdct`.
+//! **Source** eigenfunctions of the Laplacian with Neumann walls; transforms (DCT-II and DCT-III) by [`tomolith_fourier::cosine`].
 //!
 //! **Cost** three passes over the volume, two transforms of length n per line and axis; the multiplier is applied within the middle pass.
 //!
@@ -20,18 +20,17 @@
 //! ```
 
 use std::f64::consts::PI;
-use std::sync::Arc;
 use tomolith_core::dose::DoseLayout;
 use tomolith_core::field::{HostField, LANES};
 use tomolith_core::parallel::InParallel;
-use tomolith_fourier::TransformType2And3;
+use tomolith_fourier::{Complex, Cosine};
 
 /// Transforms for one layout.
 #[derive(Clone)]
 pub struct Spectral {
     layout: DoseLayout,
     /// Along z, y, x; None for an axis of one voxel.
-    plans: [Option<Arc<dyn TransformType2And3<f32>>>; 3],
+    plans: [Option<Cosine>; 3],
 }
 
 /// What every mode is multiplied with.
@@ -80,17 +79,14 @@ impl Modes {
 /// Lines that are transformed side by side, so that a cache line is used whole.
 struct Lines {
     buffer: Vec<f32>,
-    scratch: Vec<f32>,
+    scratch: Vec<Complex<f32>>,
 }
 
 impl Lines {
-    fn of(plan: &Option<Arc<dyn TransformType2And3<f32>>>) -> Self {
-        let (len, scratch) = plan
-            .as_ref()
-            .map_or((0, 0), |p| (p.len(), p.get_scratch_len()));
+    fn of(plan: &Option<Cosine>) -> Self {
         Lines {
-            buffer: vec![0.0; len * LANES],
-            scratch: vec![0.0; scratch],
+            buffer: vec![0.0; plan.as_ref().map_or(0, Cosine::len) * LANES],
+            scratch: plan.as_ref().map_or(Vec::new(), Cosine::scratch),
         }
     }
 }
@@ -145,21 +141,18 @@ impl Spectral {
     fn along_z_and_x(&self, volume: &mut [f32], forward: bool) {
         let ([nz, _, nx], row) = (self.layout.grid.shape, self.layout.row);
         let [of_z, _, of_x] = &self.plans;
-        let transform =
-            |plan: &dyn TransformType2And3<f32>, line: &mut [f32], scratch: &mut [f32]| {
-                if forward {
-                    plan.process_dct2_with_scratch(line, scratch);
-                } else {
-                    plan.process_dct3_with_scratch(line, scratch);
-                }
-            };
+        let transform = if forward {
+            Cosine::forward
+        } else {
+            Cosine::inverse
+        };
         let start = || (Lines::of(of_z), Lines::of(of_x));
         volume
             .chunks_mut(nx * row)
             .par_each_with(start, |(z_lines, x_lines), plane| {
                 if let Some(plan) = of_z {
                     for line in plane.chunks_exact_mut(row) {
-                        transform(plan.as_ref(), &mut line[..nz], &mut z_lines.scratch);
+                        transform(plan, &mut line[..nz], &mut z_lines.scratch);
                     }
                 }
                 let Some(plan) = of_x else { return };
@@ -171,7 +164,7 @@ impl Spectral {
                         }
                     }
                     for line in x_lines.buffer.chunks_exact_mut(nx).take(lanes) {
-                        transform(plan.as_ref(), line, &mut x_lines.scratch);
+                        transform(plan, line, &mut x_lines.scratch);
                     }
                     for x in 0..nx {
                         for lane in 0..lanes {
@@ -212,11 +205,11 @@ impl Spectral {
                         }
                     }
                     for (lane, line) in lines.buffer.chunks_exact_mut(ny).take(lanes).enumerate() {
-                        plan.process_dct2_with_scratch(line, &mut lines.scratch);
+                        plan.forward(line, &mut lines.scratch);
                         for (y, value) in line.iter_mut().enumerate() {
                             *value *= at(y, from + lane);
                         }
-                        plan.process_dct3_with_scratch(line, &mut lines.scratch);
+                        plan.inverse(line, &mut lines.scratch);
                     }
                     for (y, row) in rows.iter_mut().enumerate() {
                         for lane in 0..lanes {
