@@ -118,7 +118,7 @@ mod tests {
     fn square(objectives: &str) -> (Scene, Voxels) {
         let text = format!(
             r#"
-            target = {{ phantom = {{ sphere = {{}} }}, size_mm = 2.0 }}
+            target = {{ phantom = {{ gratings = {{ size_mm = 2.0, height_mm = 1.0 }} }} }}
             grid = {{ pitch_mm = 1.0, shape = [4, 4, 1] }}
             resin = {{ refractive_index = 1.5, pure_radon = true }}
             vial = {{ index_matched = {{ radius_mm = 4.0 }} }}
