@@ -105,8 +105,9 @@ impl Sums {
     }
 }
 
-/// The errors of voxels that count, `None` when there are none.
-pub(super) fn gray_errors(
+/// The errors of voxels that count (part and void), `None` when there are none. Labels, responses and gray values of the same voxels.
+#[must_use]
+pub fn gray_errors(
     labels: &[u8],
     response: &[f32],
     wanted: &[f32],

@@ -10,12 +10,14 @@
 //! response = { logistic = { steepness = 25 } }       # M of this objective alone
 //! ```
 //!
-//! **Equation** w_v = w(role)·w(file)·b_v·g_v with b_v = 0 in the buffer and
+//! **Equation** w_v = w(role)·w(file)·Π w(region)·b_v·g_v with b_v = 0 in the buffer and
 //!
 //! ```text
-//! g_v = 1/(1 + (|∇f|_v/edge)²)        central differences, 1/mm; gray targets only
-//! ε_v = ε(role) + ε(file)             bands become [lower − ε, upper + ε]
+//! g_v = 1/(1 + (|∇f|_v/edge)²)            central differences, 1/mm; gray targets only
+//! ε_v = ε(role) + ε(file) + Σ ε(region)   bands become [lower − ε, upper + ε]
 //! ```
+//!
+//! Product and sum are over the entries of `regions` that hold the voxel; both ends of their ranges belong to them.
 //!
 //! A buffer of the part is its erosion: part voxels within that distance of a void voxel do not count. A buffer of the void
 //! is the dilation of the part. At an edge of a gray target no dose has the wanted step; g takes weight from there, half
@@ -127,6 +129,9 @@ pub struct WeightsSpec {
     /// Weights per voxel, 0 or above
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file: Option<PathBuf>,
+    /// Factors of the weight in regions
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub regions: Vec<RegionValue>,
     /// Part voxels this near to the void do not count, mm (default 0)
     pub buffer_part_mm: Mm,
     /// Void voxels this near to the part do not count, mm (default 0)
@@ -142,6 +147,7 @@ impl Default for WeightsSpec {
             part: 1.0,
             void: 1.0,
             file: None,
+            regions: Vec::new(),
             buffer_part_mm: Mm(0.0),
             buffer_void_mm: Mm(0.0),
             edge_per_mm: None,
@@ -160,6 +166,23 @@ pub struct ToleranceSpec {
     /// Added per voxel, 0 or above
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file: Option<PathBuf>,
+    /// Added in regions
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub regions: Vec<RegionValue>,
+}
+
+/// A number of the voxels in a region.
+#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RegionValue {
+    /// Distance from the axis, [from, to] mm (default: any)
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub radius_mm: Option<[Mm; 2]>,
+    /// Height, [from, to] mm (default: any)
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub z_mm: Option<[Mm; 2]>,
+    /// The factor of the weight there, or the tolerance that is added there; 0 or above
+    pub value: f64,
 }
 
 /// The voxels that weights are laid on.
@@ -198,18 +221,8 @@ impl Common {
     fn validate(&self) -> Result<()> {
         not_negative("weight", self.weight)?;
         if let Some(region) = &self.region {
-            for (key, range) in [
-                ("region.radius_mm", region.radius_mm),
-                ("region.z_mm", region.z_mm),
-            ] {
-                if let Some([low, high]) = range.filter(|[low, high]| low.0 >= high.0) {
-                    return Err(Error::config(
-                        key,
-                        format!("from {} to {}", exact(low.0), exact(high.0)),
-                        "[from, to] with from < to",
-                    ));
-                }
-            }
+            ascending("region.radius_mm", region.radius_mm)?;
+            ascending("region.z_mm", region.z_mm)?;
         }
         if let Some(weights) = &self.weights {
             for (key, value) in [
@@ -220,6 +233,7 @@ impl Common {
             ] {
                 not_negative(key, value)?;
             }
+            each_in_range("weights.regions", &weights.regions)?;
             if let Some(edge) = weights.edge_per_mm {
                 super::preset::positive("weights.edge_per_mm", edge)?;
             }
@@ -227,6 +241,7 @@ impl Common {
         if let Some(tolerance) = &self.tolerance {
             not_negative("tolerance.part", tolerance.part)?;
             not_negative("tolerance.void", tolerance.void)?;
+            each_in_range("tolerance.regions", &tolerance.regions)?;
         }
         Ok(())
     }
@@ -258,23 +273,28 @@ impl Common {
         Ok(())
     }
 
-    /// The same without what belongs to the grid or the target at hand: files, and edges of gray targets. For a trial on a
-    /// few voxels.
+    /// The same without what belongs to the grid or the target at hand: files, numbers of regions, and edges of gray targets. For a trial on
+    /// a few voxels.
     #[must_use]
     pub fn without_fields(mut self) -> Self {
         self.region.iter_mut().for_each(|r| r.file = None);
-        self.tolerance.iter_mut().for_each(|t| t.file = None);
+        if let Some(tolerance) = &mut self.tolerance {
+            tolerance.file = None;
+            tolerance.regions.clear();
+        }
         if let Some(weights) = &mut self.weights {
             weights.file = None;
+            weights.regions.clear();
             weights.edge_per_mm = None;
         }
         self
     }
 
-    /// Whether the tolerance of a voxel is known without a file.
+    /// Whether the tolerance of a voxel is known without a file and its place.
     #[must_use]
     pub fn knows_tolerance(&self) -> bool {
-        self.tolerance.as_ref().is_none_or(|t| t.file.is_none())
+        let is_known = |t: &ToleranceSpec| t.file.is_none() && t.regions.is_empty();
+        self.tolerance.as_ref().is_none_or(is_known)
     }
 
     /// Whether weights or bands differ from voxel to voxel.
@@ -358,15 +378,11 @@ impl Common {
 impl RegionSpec {
     fn mask(&self, ground: &Ground<'_>) -> Result<Vec<bool>> {
         let grid = &ground.layout.grid;
-        let [_, ny, nx] = grid.shape;
         let file = self
             .file
             .as_ref()
             .map(|f| read("region.file", &ground.base.join(f), grid))
             .transpose()?;
-        let within = |range: Option<[Mm; 2]>, v: f64| {
-            range.is_none_or(|[low, high]| v >= low.0 && v <= high.0)
-        };
         let labels = &ground.labels.values;
         Ok(table(labels.len(), |i| {
             let of = match self.of {
@@ -374,8 +390,7 @@ impl RegionSpec {
                 Of::Part => labels[i] == label::PART,
                 Of::Void => labels[i] == label::VOID,
             };
-            of && within(self.radius_mm, grid.x(i % nx).hypot(grid.y(i / nx % ny)))
-                && within(self.z_mm, grid.z(i / (nx * ny)))
+            of && holds([self.radius_mm, self.z_mm], grid, i)
                 && file.as_ref().is_none_or(|f| f[i] != 0.0)
         }))
     }
@@ -389,6 +404,9 @@ impl WeightsSpec {
         if let Some(file) = &self.file {
             let factors = read("weights.file", &ground.base.join(file), &ground.layout.grid)?;
             elements(&mut field, |i, w| *w *= factors[i]);
+        }
+        for region in &self.regions {
+            region.each_voxel(&ground.layout.grid, &mut field, |w, factor| *w *= factor);
         }
         for (role, distance) in [
             (label::PART, self.buffer_part_mm.0),
@@ -432,8 +450,59 @@ impl ToleranceSpec {
             )?;
             elements(&mut field, |i, e| *e += more[i]);
         }
+        for region in &self.regions {
+            region.each_voxel(&ground.layout.grid, &mut field, |e, more| *e += more);
+        }
         Ok(field)
     }
+}
+
+impl RegionValue {
+    /// Does `change` with the voxels of the region and its number.
+    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+    fn each_voxel(
+        &self,
+        grid: &VolumeGrid,
+        field: &mut [f32],
+        change: impl Fn(&mut f32, f32) + Sync,
+    ) {
+        let value = self.value as f32;
+        elements(field, |i, voxel| {
+            if holds([self.radius_mm, self.z_mm], grid, i) {
+                change(voxel, value);
+            }
+        });
+    }
+}
+
+/// Whether a voxel lies in ranges of the distance from the axis and of the height.
+fn holds([radius_mm, z_mm]: [Option<[Mm; 2]>; 2], grid: &VolumeGrid, i: usize) -> bool {
+    let [_, ny, nx] = grid.shape;
+    let within =
+        |range: Option<[Mm; 2]>, v: f64| range.is_none_or(|[low, high]| v >= low.0 && v <= high.0);
+    within(radius_mm, grid.x(i % nx).hypot(grid.y(i / nx % ny)))
+        && within(z_mm, grid.z(i / (nx * ny)))
+}
+
+/// Refuses a range whose ends are not in order.
+fn ascending(key: &str, range: Option<[Mm; 2]>) -> Result<()> {
+    match range.filter(|[low, high]| low.0 >= high.0) {
+        Some([low, high]) => Err(Error::config(
+            key,
+            format!("from {} to {}", exact(low.0), exact(high.0)),
+            "[from, to] with from < to",
+        )),
+        None => Ok(()),
+    }
+}
+
+/// Refuses numbers and ranges of regions that are out of range.
+fn each_in_range(key: &str, regions: &[RegionValue]) -> Result<()> {
+    regions.iter().enumerate().try_for_each(|(i, region)| {
+        not_negative(&format!("{key}[{i}].value"), region.value)?;
+        ascending(&format!("{key}[{i}].radius_mm"), region.radius_mm)?;
+        ascending(&format!("{key}[{i}].z_mm"), region.z_mm)
+    })
 }
 
 /// A number per role, 0 for voxels that do not count.
@@ -587,9 +656,17 @@ mod tests {
         let buffer =
             serde_json::json!({"weights": {"buffer_part_mm": 0.5, "buffer_void_mm": "1 mm"}});
         assert_eq!(weight(buffer), [1.0, 0.0, 0.0, 0.0, 1.0, 1.0]);
+        // Centers at ±0.25, ±0.75, ±1.25 mm; the second region lies in the first
+        let regions = serde_json::json!([{"radius_mm": [0.0, 1.0], "value": 2.0}, {"radius_mm": [0.0, 0.5], "value": 1.5}]);
+        assert_eq!(
+            weight(serde_json::json!({"weights": {"void": 0.5, "regions": regions}})),
+            [0.5, 1.0, 1.5, 3.0, 2.0, 1.0]
+        );
+        let tolerance = serde_json::json!({"tolerance": {"part": 0.25, "regions": regions}});
+        let tolerance = common(tolerance).voxel_weights(&ground).unwrap().tolerance;
+        assert_eq!(room.array(tolerance), [0.0, 2.0, 3.5, 3.75, 2.25, 0.25]);
         let file = serde_json::json!({"weights": {"file": "w.npy"}, "region": "void"});
         assert_eq!(weight(file), [1.0, 2.0, 3.0, 0.0, 0.0, 0.0]);
-        // Centers at ±0.25, ±0.75, ±1.25 mm
         assert_eq!(
             weight(serde_json::json!({"region": {"radius_mm": [0.5, 1.0]}})),
             [0.0, 1.0, 0.0, 0.0, 1.0, 0.0]
@@ -813,6 +890,14 @@ mod tests {
             (
                 serde_json::json!({"tolerance": {"void": -0.1}}),
                 "objectives[0].tolerance.void",
+            ),
+            (
+                serde_json::json!({"tolerance": {"regions": [{"value": 0.1}, {"value": -0.1}]}}),
+                "objectives[0].tolerance.regions[1].value",
+            ),
+            (
+                serde_json::json!({"weights": {"regions": [{"value": 2, "z_mm": [1, 1]}]}}),
+                "objectives[0].weights.regions[0].z_mm",
             ),
         ] {
             let Err(Error::Config { key: found, .. }) =

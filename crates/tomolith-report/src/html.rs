@@ -12,7 +12,8 @@ use super::figures::{BODIES, FATES, dose_bar, error_bar, property, sinogram, sli
 use super::number::{escape, significant, told_apart};
 use super::species::{drive, together};
 use super::{
-    MapReport, ReportData, ScenarioTable, SpeciesReport, growth, latitude, limits, relief, time,
+    MapReport, ReportData, ScenarioTable, SpeciesReport, growth, latitude, limits, objectives,
+    relief, time,
 };
 use std::fmt::Write as _;
 use tomolith_metrics::{Evaluation, METRICS, Measure, MetricKind, surface_deviation};
@@ -51,6 +52,7 @@ pub fn report_html(data: &ReportData<'_>) -> String {
         surface(data),
         slices_section(data),
         species(data),
+        objectives::section(data.objectives),
         data.scenarios
             .map(ScenarioTable::section)
             .unwrap_or_default(),

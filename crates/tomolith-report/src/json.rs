@@ -9,7 +9,10 @@
 //!               iou_curve, histogram (voxels of part and void per bin of the response over a range), errors (gray targets, else null: bright
 //!               and dark voxels per bin of response − gray value, 800 bins from −1 to 1, or to the power of ten that holds all; band, the
 //!               objective's; band_edge_peak, how many times more voxels are at its edges than a little inside or outside), and standing_still: the same without turning
-//! optimization  the same on the optimization's grid
+//! optimization  the same on the optimization's grid; and objectives, one for each entry of the job's `objectives` (none of a job with `objective`):
+//!               key, weight (its factor in the sum), loss (its own, without that factor; null for cells and for prints in time), voxels (those
+//!               that count: in its region, and with a weight above 0), rms_error and max_error (its response against the gray values over
+//!               these, each once whatever it weighs; null for a target of part and void)
 //! exposure      over which exposures the print stays nearly as good as at the best one: measure (iou, or rms_error of gray targets), best (its value
 //!               there), tolerance (how much worse it may get), and low, best, high of each of: percent (exposures, % of the best one), time_s (null
 //!               where the job gives no times), dose and threshold (what gels, in units of the job and of the response; null for gray targets; the
@@ -52,7 +55,7 @@
 //! What is not defined is null; no number is infinite or not a number.
 
 use super::time::time_json;
-use super::{MapReport, ReportData, SpeciesReport};
+use super::{MapReport, ObjectiveReport, ReportData, SpeciesReport};
 use serde_json::{Map, Value, json};
 use tomolith_metrics::Evaluation;
 use tomolith_metrics::error_histogram::ErrorHistogram;
@@ -140,7 +143,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         "schema": "tomolith.report/1",
         "part": data.part,
         "evaluation": evaluation,
-        "optimization": data.optimization.map(evaluation_json),
+        "optimization": data.optimization.map(|own| optimization_json(own, data.objectives)),
         "exposure": data.exposure,
         "limits": data.limits.causes,
         "published": data.published,
@@ -165,6 +168,13 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
             "timings_s": timings,
         },
     })
+}
+
+/// The numbers of the optimization's grid, with those of each objective.
+fn optimization_json(evaluation: &Evaluation, objectives: &[ObjectiveReport]) -> Value {
+    let mut map = evaluation_json(evaluation);
+    map.insert("objectives".to_owned(), json!(objectives));
+    Value::Object(map)
 }
 
 fn map_json(map: &MapReport<'_>) -> Value {

@@ -13,6 +13,7 @@ pub mod latitude;
 pub mod limits;
 pub mod maps;
 pub mod number;
+pub mod objectives;
 mod picture;
 pub mod plot;
 mod relief;
@@ -22,6 +23,7 @@ pub mod time;
 
 pub use latitude::ExposureWindow;
 pub use limits::{Cause, Limit, PrintLimits};
+pub use objectives::ObjectiveReport;
 pub use scenarios::{ScenarioRow, ScenarioTable};
 pub use species::{OneExposure, OneMoment};
 use std::io::Write;
@@ -176,6 +178,8 @@ pub struct ReportData<'a> {
     pub standing: Option<&'a Evaluation>,
     /// On the optimization's grid.
     pub optimization: Option<&'a Evaluation>,
+    /// Every one of `objectives` there; empty for a job with `objective`.
+    pub objectives: &'a [ObjectiveReport],
     /// Numbers with other authors' signs or normalizations.
     pub published: serde_json::Map<String, serde_json::Value>,
     /// Every species where a job names several, the first being that of the numbers above.
@@ -241,6 +245,7 @@ impl<'a> ReportData<'a> {
             evaluation: species.evaluation,
             standing: None,
             optimization: None,
+            objectives: &[],
             published: serde_json::Map::new(),
             species: Vec::new(),
             one_exposure: None,
@@ -431,6 +436,7 @@ mod tests {
                 evaluation,
                 standing: Some(evaluation),
                 optimization: None,
+                objectives: &[],
                 published: serde_json::Map::new(),
                 species: Vec::new(),
                 one_exposure: None,

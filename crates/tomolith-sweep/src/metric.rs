@@ -29,6 +29,8 @@ const TABLES: [&str; 18] = [
 const MORE: [&str; 3] = ["gel_threshold", "band_half_width", "sub_angles"];
 /// What stands in the errors of a gray target.
 const ERRORS: [&str; 5] = ["band_edge_peak", "range", "band", "part", "void"];
+/// What stands in each entry of `optimization.objectives`.
+const OBJECTIVE: [&str; 6] = ["key", "weight", "loss", "voxels", "rms_error", "max_error"];
 /// What stands in tables that every report has with the same names, or not at all.
 const FIELDS: [(&str, &[&str]); 5] = [
     (
@@ -110,6 +112,17 @@ pub(crate) fn must_exist(path: &str, key: &str) -> Result<()> {
     {
         let table = format!("{table}errors.");
         return Err(unknown(path, key, word, ERRORS.iter().copied(), &table));
+    }
+    if let ("optimization", "objectives", Some(word)) = (steps[0], name, steps.get(3))
+        && !OBJECTIVE.contains(word)
+    {
+        return Err(unknown(
+            path,
+            key,
+            word,
+            OBJECTIVE.iter().copied(),
+            "optimization.objectives[…].",
+        ));
     }
     let fields = FIELDS.iter().find(|(table, _)| *table == steps[0]);
     if let Some((_, fields)) = fields.filter(|(_, fields)| !fields.contains(&name)) {
@@ -238,10 +251,15 @@ mod tests {
             .to_string();
         assert!(message.contains("did you mean `evaluation`"), "{message}");
         must_exist("scenarios.rows[1].iou", "").unwrap();
+        must_exist("optimization.objectives[0].rms_error", "").unwrap();
         for (path, part) in [
             ("history.iteration", "did you mean `history.iterations`"),
             ("scenarios.worst", "scenarios. with one of of, threshold"),
             ("evaluation", "is a whole table"),
+            (
+                "optimization.objectives[0].rms_eror",
+                "did you mean `optimization.objectives[…].rms_error`",
+            ),
             (
                 "optimization.errors.band_edge_peek",
                 "did you mean `optimization.errors.band_edge_peak`",
@@ -270,6 +288,23 @@ mod tests {
             time_s: None,
             reported_percent: None,
         };
+        let objective = tomolith::report::ObjectiveReport {
+            key: String::new(),
+            weight: 1.0,
+            loss: None,
+            voxels: 0,
+            rms_error: None,
+            max_error: None,
+        };
+        let objective = serde_json::to_value(objective).unwrap();
+        assert!(
+            objective
+                .as_object()
+                .unwrap()
+                .keys()
+                .all(|key| OBJECTIVE.contains(&key.as_str())),
+            "{objective}"
+        );
         let scenarios = tomolith::report::ScenarioTable::new("mean", None, Vec::new());
         for (table, value) in [
             ("exposure", serde_json::to_value(exposure).unwrap()),

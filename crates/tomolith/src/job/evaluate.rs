@@ -9,6 +9,7 @@ use super::doubts;
 use super::in_time::{InTime, print_in_time};
 use super::kept::Judge;
 use super::noise::Noise;
+use super::objectives;
 use super::others::{self, Others};
 use super::progress::{Event, Progress};
 use super::scenarios;
@@ -23,7 +24,7 @@ use crate::metrics::published::{self, Published};
 use crate::metrics::{Evaluation, Measure, MetricKind, evaluate, gray, iou};
 use crate::models::Run;
 use crate::optics::light::Light;
-use crate::report::{OneExposure, ScenarioTable};
+use crate::report::{ObjectiveReport, OneExposure, ScenarioTable};
 use crate::target::label;
 use serde::Serialize;
 use tomolith_core::parallel::InParallel;
@@ -36,6 +37,8 @@ pub(crate) struct Evaluated {
     pub(crate) standing: Evaluation,
     /// Raw patterns on the optimization's own grid, when there are raw ones.
     pub(crate) optimization: Option<Evaluation>,
+    /// Every one of several objectives there.
+    pub(crate) objectives: Vec<ObjectiveReport>,
     /// The headline number of the written patterns on that grid, beside it.
     pub(crate) written: Measure,
     /// Numbers of the headline as they were published.
@@ -169,6 +172,7 @@ pub(crate) fn evaluate_patterns(
     }
     let standing = steps.standing_still(&fine, &fine_of_others)?;
     let written = steps.written;
+    let objectives = std::mem::take(&mut steps.objectives);
     let (grid, sub_angles) = (steps.grid.clone(), steps.sub_angles);
     let [is_own_still, is_own_turning] =
         [&steps.still, &steps.turning].map(|exposed| steps.own == *exposed);
@@ -215,6 +219,7 @@ pub(crate) fn evaluate_patterns(
         evaluation,
         standing,
         optimization,
+        objectives,
         written,
         published,
         slices,
@@ -249,6 +254,8 @@ struct EvaluationSteps<'a> {
     doses: Doses<'a>,
     others: Others<'a>,
     own_of_others: Vec<Voxels>,
+    /// Every one of several objectives on the optimization's voxels.
+    objectives: Vec<ObjectiveReport>,
     /// The headline number of the written patterns on the optimization's voxels, where it is measured apart.
     written: Measure,
 }
@@ -276,6 +283,7 @@ impl<'a> EvaluationSteps<'a> {
             doses: Doses::by(judge, scene),
             others: Others::new(scene),
             own_of_others: Vec::new(),
+            objectives: Vec::new(),
             written: None,
         }
     }
@@ -309,6 +317,8 @@ impl<'a> EvaluationSteps<'a> {
         let (dose, of_others, _) =
             (self.doses).of(&self.own, raw, &cancel.part(share::OWN_DOSE))?;
         (self.others).optimized(&self.own_of_others, of_others, cancel)?;
+        self.objectives = objectives::measured(scene, voxels, &dose)?;
+        cancel.check()?;
         let response = scene.responses(dose);
         let run = cancel.part(share::OWN_NUMBERS);
         let evaluation = measure(scene, voxels, &response, raw, run)?;

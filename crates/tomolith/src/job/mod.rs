@@ -42,6 +42,7 @@ mod many;
 mod model_probe;
 mod multiresolution;
 mod noise;
+mod objectives;
 mod optimize;
 mod others;
 pub mod outcome;

@@ -30,7 +30,7 @@ pub(crate) struct JobKinds {
     pub(crate) response: Arc<dyn Response>,
     /// Which of its parameters are unknowns.
     pub(crate) free: Option<FreeParameters>,
-    objectives: Vec<JobObjective>,
+    pub(super) objectives: Vec<JobObjective>,
     /// Each with its weight.
     penalties: Vec<(f64, Arc<dyn MakePenalty>)>,
     optimizer: Arc<dyn MakeOptimizer>,
@@ -46,13 +46,13 @@ pub(crate) struct JobKinds {
 
 /// One objective of a job.
 #[derive(Clone)]
-struct JobObjective {
+pub(super) struct JobObjective {
     /// Its key, without the kind's name.
     path: String,
     /// Its key.
-    key: String,
-    common: Common,
-    response: Arc<dyn Response>,
+    pub(super) key: String,
+    pub(super) common: Common,
+    pub(super) response: Arc<dyn Response>,
     of: Arc<dyn MakeObjective>,
 }
 
@@ -78,8 +78,13 @@ impl JobObjective {
         })
     }
 
+    /// Whether voxels that the surface cuts have two doses.
+    pub(super) fn has_cells(&self) -> bool {
+        self.of.surface() == SurfaceHandling::Cells
+    }
+
     /// The objective of a dose; `on_grid` whether fields of voxels fit the input's grid.
-    fn build(
+    pub(super) fn build(
         &self,
         input: &ObjectiveInput<'_>,
         base: &Path,
@@ -225,8 +230,7 @@ impl JobKinds {
 
     /// The key that asks for surface-aware cells, when there is one.
     pub(super) fn cells_key(&self) -> Option<String> {
-        let has_cells = |own: &&JobObjective| own.of.surface() == SurfaceHandling::Cells;
-        let own = self.objectives.iter().find(has_cells)?;
+        let own = self.objectives.iter().find(|own| own.has_cells())?;
         Some(format!("{}.surface", own.key))
     }
 

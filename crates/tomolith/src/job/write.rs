@@ -306,6 +306,7 @@ fn report(
         evaluation: &judged.evaluation,
         standing: Some(&judged.standing),
         optimization: judged.optimization.as_ref(),
+        objectives: &judged.objectives,
         published: published(done, exposures.lights())?,
         species: species(done, headline),
         one_exposure: headline.one_exposure.as_ref(),
