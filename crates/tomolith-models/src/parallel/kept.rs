@@ -16,10 +16,33 @@ use std::ops::Range;
 use tomolith_core::dose::layout::row_of;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{HostField, LANES};
+use tomolith_core::grid::VolumeGrid;
 use tomolith_core::parallel::InParallel;
+use tomolith_optics::light::Light;
 
-/// Bands of tiles whose adjoints are summed apart: on any number of cores, so that sums have the same order.
+/// Bands of tiles whose adjoints are summed apart, at most: as many on any number of cores, so that sums have the same order.
 const BANDS: usize = 8;
+/// Bytes that the lanes of all bands may take.
+const OF_BANDS: usize = 1 << 27;
+
+/// Tiles, with those that the turn maps onto them, that a band has at least.
+const IN_A_BAND: usize = 12;
+
+/// Bands for so many floats of lanes.
+fn bands(lanes: usize) -> usize {
+    (OF_BANDS / (lanes * size_of::<f32>()).max(1)).clamp(1, BANDS)
+}
+
+/// Bytes of the lanes of bands beside those of all pixels.
+pub(super) fn bytes_of_bands(lights: &[Light], grid: &VolumeGrid) -> f64 {
+    let of_light = |light: &Light| {
+        let pixels = &light.pixels;
+        let rows = grid.shape[0].min(pixels.rows).next_multiple_of(LANES);
+        let lanes = pixels.frames() * pixels.columns * rows;
+        (bands(lanes) - 1) * lanes * size_of::<f32>()
+    };
+    lights.iter().map(of_light).max().unwrap_or_default() as f64
+}
 
 /// Lanes of all parts of a turn, one after the other.
 #[derive(Clone, Copy)]
@@ -254,10 +277,11 @@ impl Parallel {
         let given = (&views, cotangent, &filled);
         let groups = repeated(&views, plan.turned.period);
         // Few long chunks turn the cotangent less often; the result does not depend on their length
-        let chunks = (4 * rayon::current_num_threads()).div_ceil(BANDS);
-        let chunk = groups.len().div_ceil(chunks).max(1);
         let (len, per_view) = (wide.slots * wide.row, plan.columns * wide.row);
-        let mut lanes = self.borrow_scratch(BANDS * len);
+        let bands = bands(len).min(self.orbits.len() / IN_A_BAND).max(1);
+        let chunks = (4 * rayon::current_num_threads()).div_ceil(bands);
+        let chunk = groups.len().div_ceil(chunks).max(1);
+        let mut lanes = self.borrow_scratch(bands * len);
         let mut tasks = Vec::new();
         for (band, mut rest) in lanes.as_mut_slice().chunks_mut(len).enumerate() {
             let mut end = 0;
@@ -269,7 +293,7 @@ impl Parallel {
                 (rest, end) = (after, last);
             }
         }
-        let per_band = self.orbits.len().div_ceil(BANDS);
+        let per_band = self.orbits.len().div_ceil(bands);
         tasks
             .into_iter()
             .par_each_with(Desk::default, |desk: &mut Desk, (band, groups, lanes)| {

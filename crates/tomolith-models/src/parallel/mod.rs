@@ -149,7 +149,9 @@ impl ModelFamily for Params {
     fn cost(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Result<Cost> {
         let kept = || match grid.shape {
             [1, ny, nx] => loose::bytes(scene.lights, nx * ny),
-            _ => cached::bytes(scene.lights, scene.vial, grid).unwrap_or_default(),
+            _ => cached::bytes(scene.lights, scene.vial, grid).map_or(0.0, |entries| {
+                entries + kept::bytes_of_bands(scene.lights, grid)
+            }),
         };
         let is_optimized = scene.purpose == Purpose::Optimize;
         Ok(Cost {

@@ -12,6 +12,9 @@ use tomolith_core::grid::VolumeGrid;
 use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 
+/// Rows of pixels or slices above which parts are not served together: an entry is used often enough, and turned lanes no longer stay in the cache.
+const MOST_ROWS: usize = 96;
+
 /// How the views of a light repeat those of its first part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Turned {
@@ -26,11 +29,13 @@ pub(super) struct Turned {
 }
 
 impl Turned {
-    /// Of each light: of all of them, or of none, because they share their tiles; of none in a single slice.
+    /// Of each light: of all of them, or of none, because they share their tiles; of none in a single slice, and where rows are long.
     pub(super) fn of_lights(vial: &dyn Vial, lights: &[Light], grid: &VolumeGrid) -> Vec<Self> {
         let of_light = |light| Self::of(vial, light, grid, &Views::of(vial, light));
         let turned: Vec<Self> = lights.iter().map(of_light).collect();
-        if grid.shape[0] > 1 && turned.iter().all(Self::repeats) {
+        let nz = grid.shape[0];
+        let is_short = |light: &Light| nz > 1 && nz.min(light.pixels.rows) <= MOST_ROWS;
+        if lights.iter().all(is_short) && turned.iter().all(Self::repeats) {
             return turned;
         }
         let whole = |turned: Self| Turned {
