@@ -204,14 +204,14 @@ pub struct SuccessiveOrders {
 
 /// Straight light on voxels.
 enum OnVoxels {
-    Collimated(Parallel),
+    Collimated(Box<Parallel>),
     Divergent(Box<Rays>),
 }
 
 impl OnVoxels {
     fn operator(&self) -> &dyn LinearOperator<Field = HostField> {
         match self {
-            OnVoxels::Collimated(parallel) => parallel,
+            OnVoxels::Collimated(parallel) => parallel.as_ref(),
             OnVoxels::Divergent(rays) => rays.as_ref(),
         }
     }
@@ -288,7 +288,7 @@ fn unscattered(
     grid: VolumeGrid,
 ) -> Result<HostModel> {
     Ok(match straight(vial, lights, optics, params, grid)? {
-        OnVoxels::Collimated(parallel) => Box::new(parallel),
+        OnVoxels::Collimated(parallel) => parallel,
         OnVoxels::Divergent(rays) => rays,
     })
 }
@@ -301,7 +301,9 @@ fn straight(
     grid: VolumeGrid,
 ) -> Result<OnVoxels> {
     if optics.iter().all(|o| o.beyond_level().is_none()) {
-        return Ok(OnVoxels::Collimated(Parallel::new(vial, lights, grid)?));
+        return Ok(OnVoxels::Collimated(Box::new(Parallel::new(
+            vial, lights, grid,
+        )?)));
     }
     let rays = by_rays(vial, lights, optics, params, &grid)?;
     Ok(OnVoxels::Divergent(Box::new(rays)))
