@@ -1,6 +1,7 @@
 //! Entries that are kept between calls.
 
 use super::*;
+use std::sync::Arc;
 
 #[test]
 fn kept_entries_give_what_is_found_anew_and_pass_the_model_check() {
@@ -55,15 +56,20 @@ fn kept_entries_give_what_is_found_anew_and_pass_the_model_check() {
 #[test]
 fn entries_of_a_part_of_the_turn_serve_all_of_it() {
     // Quarters of a square grid and halves of a rectangular one; tiles that a turn maps onto tiles, and some that it does not; columns that are
-    // dark from some sides alone; more views than a group has in each part
-    for (vial, (shape, frames, descends)) in vials().iter().take(2).flat_map(|vial| {
+    // dark from some sides alone; more views than a group has in each part; light that can be reversed, whose opposite frames are one view
+    let absorbing = Resin::absorbing(1.48, 0.2);
+    let cases = vials().into_iter().take(2).flat_map(|vial| {
+        let vial = Arc::<dyn Vial>::from(vial);
         [
-            ([5, 36, 36], 44, false),
-            ([5, 32, 32], 12, true),
-            ([5, 30, 40], 22, false),
+            ([5, 36, 36], 44, false, absorbing),
+            ([5, 32, 32], 12, true, absorbing),
+            ([5, 30, 40], 22, false, absorbing),
         ]
-        .map(|case| (vial, case))
-    }) {
+        .map(|case| (vial.clone(), case))
+    });
+    let matched: Arc<dyn Vial> = Arc::new(IndexMatched { radius_mm: 3.0 });
+    let reversible = (matched, ([20, 36, 36], 44, false, Resin::pure_radon(1.5)));
+    for (vial, (shape, frames, descends, resin)) in cases.chain([reversible]) {
         let mut pixels = PatternGrid::full_turn(frames, 0.2, 6, 45, 0.11);
         if descends {
             pixels
@@ -71,19 +77,46 @@ fn entries_of_a_part_of_the_turn_serve_all_of_it() {
                 .iter_mut()
                 .for_each(|azimuth| *azimuth = -*azimuth);
         }
-        let mut light = Light::new(pixels, Resin::absorbing(1.48, 0.2));
+        let mut light = Light::new(pixels, resin);
         light.sub_angles = 2;
         let run = |slot: usize| (0, if slot % 7 == 2 { 0 } else { 6 });
         light.active = Some((0..frames * 45).map(run).collect());
         let grid = VolumeGrid::centered(shape, 0.1);
         let plain = Parallel::new(vial.as_ref(), vec![light.clone()], grid.clone()).unwrap();
         let kept = keeping(vial.as_ref(), light.clone(), grid.clone());
-        let parts = if shape[1] == shape[2] { 4 } else { 2 };
-        assert_eq!(kept.lights[0].turned.period, frames / parts);
+        let quarters = if shape[1] == shape[2] { 4 } else { 2 };
+        assert_eq!(kept.lights[0].turned.period, frames / quarters);
+        assert!(kept.lights[0].turned.repeats());
         check::model::model(&kept, 7).unwrap_or_else(|e| panic!("{vial:?} {shape:?}: {e}"));
         let x = check::noise(1, plain.patterns[0].len());
         let [expected, dose] = [&plain, &kept].map(|model| dose_of(model, &x).values);
         let scale = expected.iter().fold(0.0f32, |m, v| m.max(v.abs()));
+        // Some frames alone, within a part and across its end
+        for some in [
+            1..3,
+            0..frames / 2 + 2,
+            frames / quarters - 2..frames / quarters + 3,
+        ] {
+            let own = [&plain, &kept].map(|model| {
+                let mut dose = LinearOperator::new_dose(model).unwrap();
+                let mut given = LinearOperator::new_patterns(model).unwrap();
+                given.as_mut_slice().copy_from_slice(&x);
+                (model.add_forward(some.clone(), &given, &mut dose, &Run::new())).unwrap();
+                let mut gradient = LinearOperator::new_patterns(model).unwrap();
+                (model.adjoint_of(some.clone(), &dose, &mut gradient, &Run::new())).unwrap();
+                [dose, gradient]
+            });
+            for (expected, found) in own[0].each_ref().iter().zip(own[1].each_ref()) {
+                let (expected, found) = (expected.as_slice(), found.as_slice());
+                let scale = expected.iter().fold(0.0f32, |m, v| m.max(v.abs()));
+                for (e, d) in expected.iter().zip(found) {
+                    assert!(
+                        (e - d).abs() < 2e-5 * scale,
+                        "{vial:?} {shape:?} {some:?}: {e} {d}"
+                    );
+                }
+            }
+        }
         // Angles that do not quite repeat have as many updates
         let mut apart = light.clone();
         let azimuths = apart.pixels.azimuths.iter_mut();
