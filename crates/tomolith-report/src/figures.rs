@@ -7,6 +7,7 @@ use std::fmt::Write as _;
 use tomolith_core::grid::{Patterns, Volume, VolumeGrid};
 use tomolith_core::parallel::InParallel;
 use tomolith_core::target::label;
+use tomolith_metrics::Evaluation;
 
 /// Pixels of a slice's longer edge, at most.
 const SLICE_PIXELS: usize = 480;
@@ -388,7 +389,7 @@ fn dose_picture(data: &ReportData<'_>, slice: &Slice<'_>, high: f64) -> Picture 
 }
 
 fn error_uri(data: &ReportData<'_>, slice: &Slice<'_>) -> String {
-    match (data.evaluation.half_width, data.inside) {
+    match (shown_half_width(data.evaluation), data.inside) {
         (Some(half_width), Some(wanted)) => {
             let palette: Vec<Color> = (0..=255u8)
                 .map(|i| match i {
@@ -404,6 +405,15 @@ fn error_uri(data: &ReportData<'_>, slice: &Slice<'_>) -> String {
 
 /// Differences are drawn up to this many half widths of the band.
 const DIFFERENCE_REACH: f64 = 4.0;
+
+/// Up to where differences are drawn gray: within the band, or within their root mean square where the band has no width.
+pub(super) fn shown_half_width(evaluation: &Evaluation) -> Option<f64> {
+    let own = evaluation.half_width?;
+    if own > 0.0 {
+        return Some(own);
+    }
+    Some(evaluation.measures.get("rms_error").unwrap_or(own))
+}
 
 /// From too little (0, blue) over none (½, gray) to too much (1, red); gray in the band.
 fn difference(at: f64) -> Color {

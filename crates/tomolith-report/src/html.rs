@@ -8,7 +8,9 @@
 mod curves;
 mod tables;
 
-use super::figures::{BODIES, FATES, dose_bar, error_bar, property, sinogram, slices, strip};
+use super::figures::{
+    BODIES, FATES, dose_bar, error_bar, property, shown_half_width, sinogram, slices, strip,
+};
 use super::number::{escape, significant, told_apart};
 use super::species::{drive, together};
 use super::{
@@ -426,7 +428,7 @@ fn turning_note(turning: &Evaluation, standing: &Evaluation) -> String {
 }
 
 fn slices_section(data: &ReportData<'_>) -> String {
-    if let Some(half_width) = data.evaluation.half_width {
+    if let Some(half_width) = shown_half_width(data.evaluation) {
         return format!(
             "<section><h2>Slices through the middle of the image</h2><p class=\"muted\">The gray values of the target, the response to the dose, and the difference. \
              Where a pixel stands for several voxels, it shows the largest difference.</p>{}<div class=\"legends\">{}{}</div></section>",

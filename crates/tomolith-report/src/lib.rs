@@ -602,8 +602,8 @@ mod tests {
         let sample = Sample::new();
         let mut wanted = sample.response.clone();
         wanted.values.iter_mut().for_each(|v| *v += 0.04);
-        let print = Print::new(&sample.labels, &sample.response).unwrap();
-        let evaluation = evaluate(&print.with_gray(&wanted, 0.05).unwrap());
+        let print = || Print::new(&sample.labels, &sample.response).unwrap();
+        let evaluation = evaluate(&print().with_gray(&wanted, 0.05).unwrap());
         let mut data = sample.data(&evaluation);
         data.inside = Some(&wanted);
         let page = html::report_html(&data);
@@ -617,6 +617,12 @@ mod tests {
         let rms = json["evaluation"]["rms_error"].as_f64().unwrap();
         assert!((rms - 0.04).abs() < 1e-6, "{rms}");
         assert_eq!(json["evaluation"]["band_half_width"], 0.05);
+        assert!(page.contains(">+0.2<"), "four half widths");
+        // A band of no width: differences are drawn up to four times their root mean square
+        let evaluation = evaluate(&print().with_gray(&wanted, 0.0).unwrap());
+        let mut data = sample.data(&evaluation);
+        data.inside = Some(&wanted);
+        assert!(html::report_html(&data).contains(">+0.16<"));
     }
 
     #[test]
