@@ -535,7 +535,7 @@ impl LinearOperator for MatrixModel {
                 self.forward.add(place * items + i, x, &range, out);
             }
         });
-        canceled(run)
+        run.check()
     }
 
     fn adjoint_of(
@@ -562,7 +562,7 @@ impl LinearOperator for MatrixModel {
                     self.adjoint.add(rank, cotangent, &all, out);
                 }
             });
-        canceled(run)
+        run.check()
     }
 
     fn z_coupling(&self) -> ZCoupling {
@@ -598,14 +598,6 @@ impl MatrixModel {
             self.patterns.iter().map(PatternLayout::len).sum()
         };
         offset(frames.start)..offset(frames.end)
-    }
-}
-
-fn canceled(run: &Run) -> Result<()> {
-    if run.is_canceled() {
-        Err(Error::Canceled)
-    } else {
-        Ok(())
     }
 }
 

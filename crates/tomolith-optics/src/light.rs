@@ -13,7 +13,8 @@ use crate::absorption_map::AbsorptionMap;
 use crate::interface::Polarization;
 use crate::point_spread::PointSpread;
 use crate::resin::Resin;
-use crate::trace::Bath;
+use crate::trace::{Bath, Tracer};
+use crate::vial::Vial;
 use std::sync::Arc;
 use tomolith_core::dose::{PatternLayout, Quantity};
 use tomolith_core::error::{Error, Result};
@@ -64,6 +65,12 @@ impl Light {
             active: None,
             selection: Selection::default(),
         }
+    }
+
+    /// Traces its level rays through a vial and its bath, with the resin's plain numbers.
+    #[must_use]
+    pub fn tracer(&self, vial: &dyn Vial) -> Tracer {
+        Tracer::new(vial, self.resin, self.surrounding_index, self.polarization).in_bath(self.bath)
     }
 
     /// Refuses a light without pixels, or a resin in which nothing absorbs.

@@ -21,7 +21,7 @@ use super::{GROUP, groups, is_straight};
 use crate::Run;
 use std::f64::consts::PI;
 use std::ops::Range;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::Result;
 use tomolith_core::field::LANES;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::parallel::InParallel;
@@ -192,7 +192,7 @@ impl CachedEntries {
     /// Finds all entries of a light.
     ///
     /// # Errors
-    /// [`Error::Canceled`].
+    /// [`Canceled`](tomolith_core::error::Error::Canceled).
     pub(super) fn of(
         plan: &LightPlan,
         path: KernelPath,
@@ -206,9 +206,7 @@ impl CachedEntries {
             let found = groups.map(|group| Group::of(finder.find(path, plan, tile, group)));
             found.collect::<Vec<_>>()
         });
-        if run.is_canceled() {
-            return Err(Error::Canceled);
-        }
+        run.check()?;
         Ok(CachedEntries {
             groups: found.into_iter().flatten().collect(),
             per_tile: groups(0..period).count(),

@@ -14,7 +14,7 @@ use super::{DoseLayout, Parallel, TILE, Tile, groups, tile_rows};
 use crate::Run;
 use std::ops::Range;
 use tomolith_core::dose::layout::row_of;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::Result;
 use tomolith_core::field::{HostField, LANES};
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::parallel::InParallel;
@@ -174,11 +174,7 @@ impl Parallel {
                 }
             });
         self.return_scratch(lanes);
-        if run.is_canceled() {
-            Err(Error::Canceled)
-        } else {
-            Ok(())
-        }
+        run.check()
     }
 
     /// Rows of pixels → lanes of slots, of some views seen from some sides; others are dark.
@@ -276,9 +272,9 @@ impl Parallel {
         let filled = Filled::in_blocks(cotangent, plan.levels.row / LANES, plan.levels.used);
         let given = (&views, cotangent, &filled);
         let groups = repeated(&views, plan.turned.period);
-        // Few long chunks turn the cotangent less often; the result does not depend on their length
         let (len, per_view) = (wide.slots * wide.row, plan.columns * wide.row);
         let bands = bands(len).min(self.orbits.len() / IN_A_BAND).max(1);
+        // Few long chunks turn the cotangent less often; the result does not depend on their length
         let chunks = (4 * rayon::current_num_threads()).div_ceil(bands);
         let chunk = groups.len().div_ceil(chunks).max(1);
         let mut lanes = self.borrow_scratch(bands * len);
@@ -325,11 +321,7 @@ impl Parallel {
         if let Some(of_rows) = of_rows {
             self.return_scratch(of_rows);
         }
-        if run.is_canceled() {
-            Err(Error::Canceled)
-        } else {
-            Ok(())
-        }
+        run.check()
     }
 
     /// Adds to the lanes of groups of views, from the first to the last, what the cotangent that a tile is turned to gives.

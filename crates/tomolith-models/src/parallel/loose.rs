@@ -9,7 +9,7 @@ use super::Parallel;
 use super::plan::LightPlan;
 use super::tiles::{Local, Meeting, Slots, TILE, TileEntries};
 use crate::Run;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::Result;
 use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
 
@@ -39,7 +39,7 @@ impl Loose {
     /// Finds them; empty where they are too many.
     ///
     /// # Errors
-    /// [`Error::Canceled`].
+    /// [`Canceled`](tomolith_core::error::Error::Canceled).
     pub(super) fn of(model: &Parallel, plan: &LightPlan, run: &Run) -> Result<Self> {
         let beams = plan.beams.len();
         let needed = |&at: &usize| model.is_loose(plan, at % beams, plan.meetings[at]);
@@ -58,9 +58,7 @@ impl Loose {
             found
         };
         let found = places.iter().par_map(find);
-        if run.is_canceled() {
-            return Err(Error::Canceled);
-        }
+        run.check()?;
         for (i, &place) in places.iter().enumerate() {
             at[place] = i as u32 + 1;
         }

@@ -383,11 +383,7 @@ impl Parallel {
             });
         drop(lit);
         self.return_scratch(lanes);
-        if run.is_canceled() {
-            Err(Error::Canceled)
-        } else {
-            Ok(())
-        }
+        run.check()
     }
 
     /// Adds to the tiles from `first` on, which are rows of lanes.
@@ -519,11 +515,7 @@ impl Parallel {
         if let Some(of_rows) = of_rows {
             self.return_scratch(of_rows);
         }
-        if run.is_canceled() {
-            Err(Error::Canceled)
-        } else {
-            Ok(())
-        }
+        run.check()
     }
 
     /// A cotangent as the lanes of the kernel, where these are not its slices.

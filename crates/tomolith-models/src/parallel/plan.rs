@@ -20,7 +20,6 @@ use tomolith_core::field::LANES;
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
 use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
-use tomolith_optics::trace::Tracer;
 use tomolith_optics::vial::Vial;
 
 /// Which kernels run.
@@ -76,13 +75,7 @@ fn beams(
 ) -> Vec<Beam> {
     let sub_angles = light.sub_angles.max(1);
     if kernel == Kernel::DistanceDriven {
-        let tracer = Tracer::new(
-            vial,
-            light.resin,
-            light.surrounding_index,
-            light.polarization,
-        )
-        .in_bath(light.bath);
+        let tracer = light.tracer(vial);
         strips::beams(&tracer, vial.is_round(), pixels, sub_angles, grid, deposit)
     } else {
         let radius = vial.resin_wall().inscribed_radius();

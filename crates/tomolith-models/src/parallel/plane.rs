@@ -14,7 +14,7 @@ use super::tiles::{Local, Meeting, Slots, TILE, Tile, TileEntries};
 use super::{Parallel, tile_rows};
 use crate::Run;
 use std::ops::Range;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::Result;
 use tomolith_core::parallel::InParallel;
 
 /// What one task of the dose needs.
@@ -122,11 +122,7 @@ impl Parallel {
             });
         self.return_scratch(sources);
         self.return_scratch(pixels);
-        if run.is_canceled() {
-            Err(Error::Canceled)
-        } else {
-            Ok(())
-        }
+        run.check()
     }
 
     /// grad = Aᵀ c for these views of one light, from these sides, for a single slice.
@@ -169,11 +165,7 @@ impl Parallel {
             grad,
         );
         self.return_scratch(pixels);
-        if run.is_canceled() {
-            Err(Error::Canceled)
-        } else {
-            Ok(())
-        }
+        run.check()
     }
 }
 

@@ -7,7 +7,7 @@ use super::solid::Pieces;
 use super::traversal::{self, Ways};
 use crate::Run;
 use std::ops::Range;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::Result;
 use tomolith_core::parallel::{InParallel, table};
 use tomolith_optics::space::PathSegment;
 
@@ -62,9 +62,7 @@ impl Rays {
         mut visit: impl FnMut(&RayBatch),
     ) -> Result<()> {
         for pairs in self.chunks(light, frames) {
-            if run.is_canceled() {
-                return Err(Error::Canceled);
-            }
+            run.check()?;
             visit(&self.bundles(light, pairs, &wants));
         }
         Ok(())
@@ -84,9 +82,7 @@ impl Rays {
             return Ok(());
         }
         for pairs in self.chunks(light, frames) {
-            if run.is_canceled() {
-                return Err(Error::Canceled);
-            }
+            run.check()?;
             visit(&self.column_rays(light, pairs, &wants));
         }
         Ok(())

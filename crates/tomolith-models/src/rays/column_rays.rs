@@ -21,7 +21,7 @@ use super::{Rays, traversal};
 use crate::parallel::kernel::{Block, Entries, Isa, MAX_BLOCK, accumulate};
 use crate::{DoseLayout, Run};
 use std::ops::Range;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::Result;
 use tomolith_core::field::LANES;
 use tomolith_core::parallel::{InParallel, lines, table};
 use traversal::Ways;
@@ -68,9 +68,7 @@ impl ColumnRaysCache {
         let (mut all, mut numbers) = (Vec::new(), 0);
         for (light, layout) in model.patterns.iter().enumerate() {
             for pairs in model.chunks(light, 0..layout.grid.frames()) {
-                if run.is_canceled() {
-                    return Err(Error::Canceled);
-                }
+                run.check()?;
                 let column_rays = model.column_rays(light, pairs, |_| true);
                 let of_column_ray =
                     |column_ray: &ColumnRay| column_ray.places.len() + column_ray.slices.len();

@@ -16,7 +16,7 @@ use super::traversal::{self, Ways};
 use crate::matrix::Rows;
 use crate::{PatternLayout, Run};
 use std::ops::Range;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::Result;
 use tomolith_core::parallel::{InParallel, elements};
 use tomolith_io::csr::Csr;
 
@@ -72,9 +72,7 @@ impl RayMatrixCache {
             let chunks = model.chunks(light, 0..layout.grid.frames());
             let count = chunks.len();
             for (i, pairs) in chunks.into_iter().enumerate() {
-                if run.is_canceled() {
-                    return Err(Error::Canceled);
-                }
+                run.check()?;
                 let lit = model.bundles(light, pairs.clone(), |_| true);
                 // A chunk has all rays of its pixels, and later ones have later pixels
                 for (place, pixel, deposit) in

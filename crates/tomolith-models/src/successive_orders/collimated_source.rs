@@ -15,7 +15,6 @@ use tomolith_core::error::Result;
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_optics::light::Light;
-use tomolith_optics::trace::Tracer;
 use tomolith_optics::vial::Vial;
 
 /// See the [module page](self).
@@ -132,13 +131,7 @@ fn level(harmonic: Harmonic) -> f64 {
 
 /// The azimuth of light in the resin, of each (frame, column); 0 where none arrives.
 fn azimuths(vial: &dyn Vial, light: &Light) -> Vec<f64> {
-    let tracer = Tracer::new(
-        vial,
-        light.resin,
-        light.surrounding_index,
-        light.polarization,
-    )
-    .in_bath(light.bath);
+    let tracer = light.tracer(vial);
     let pixels = &light.pixels;
     (0..pixels.frames() * pixels.columns)
         .map(|i| {

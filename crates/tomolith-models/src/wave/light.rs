@@ -9,7 +9,7 @@ use super::spectrum::{Scratch, Windows};
 use crate::{PatternLayout, Run};
 use std::ops::Range;
 use std::sync::Mutex;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::Result;
 use tomolith_core::parallel::InParallel;
 use tomolith_fourier::Complex;
 
@@ -172,9 +172,7 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
         let together = frames_together(bytes, rayon::current_num_threads());
         let mut samples = vec![T::zero(); N * size * together.min(frames.len())];
         for frames in frames.chunks(together) {
-            if run.is_canceled() {
-                return Err(Error::Canceled);
-            }
+            run.check()?;
             samples
                 .chunks_mut(N * size)
                 .zip(frames)
@@ -299,10 +297,7 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
                 scratch.samples = samples;
             });
         });
-        if run.is_canceled() {
-            return Err(Error::Canceled);
-        }
-        Ok(())
+        run.check()
     }
 }
 
