@@ -4,8 +4,8 @@
 //! the vial turns (4 angles a frame), under one job for all rows of a target. *Ceiling*: optimized on the judge's own voxels, 150 iterations,
 //! 4 angles a frame. Prints the tables of docs/fidelity.md.
 //!
-//!     cargo run --release -p tomolith-studies --bin fidelity -- boat.stl            # all targets, in glass and index-matched; an hour
-//!     cargo run --release -p tomolith-studies --bin fidelity -- boat.stl bones,star default,ceiling glass
+//!     cargo run --release -p tomolith-studies -- fidelity boat.stl            # all targets, in glass and index-matched; an hour
+//!     cargo run --release -p tomolith-studies -- fidelity boat.stl bones,star default,ceiling glass
 //!
 //! Run folders go to `out/fidelity/`.
 #![expect(clippy::print_stdout, reason = "a study prints its table")]
@@ -128,20 +128,17 @@ const ROWS: [(&str, &str, &[&str]); 10] = [
     ),
 ];
 
-fn main() -> Result<(), Error> {
-    let mut arguments = std::env::args().skip(1);
-    let boat = arguments
-        .next()
-        .unwrap_or_else(|| "3DBenchy.stl".to_owned());
+pub(crate) fn study(arguments: &[String]) -> Result<(), Box<dyn std::error::Error>> {
+    let mut arguments = arguments.iter();
+    let boat = arguments.next().map_or("3DBenchy.stl", String::as_str);
     let (cases, rows) = (arguments.next(), arguments.next());
-    let asked = |list: &Option<String>, name: &str| {
-        list.as_ref()
-            .is_none_or(|list| list.split(',').any(|part| part == name))
+    let asked = |list: Option<&String>, name: &str| {
+        list.is_none_or(|list| list.split(',').any(|part| part == name))
     };
     let vials = arguments.next();
-    let vial = |&matched: &bool| asked(&vials, if matched { "matched" } else { "glass" });
+    let vial = |&matched: &bool| asked(vials, if matched { "matched" } else { "glass" });
     for matched in [false, true].into_iter().filter(vial) {
-        for case in CASES.iter().filter(|case| asked(&cases, case.name)) {
+        for case in CASES.iter().filter(|case| asked(cases, case.name)) {
             let (columns, count, frames, pitch) = case.light;
             let vial = if matched { "index-matched" } else { "in glass" };
             println!(
@@ -152,8 +149,8 @@ fn main() -> Result<(), Error> {
                 "| patterns | IoU | VER | trimmed PW, IPDR | mean, 95 % deviation, µm | in pixels | s |"
             );
             println!("|---|---|---|---|---|---|---|");
-            for (row, title, keys) in ROWS.iter().filter(|row| asked(&rows, row.0)) {
-                let (run, report) = judged(case, matched, &boat, row, keys)?;
+            for (row, title, keys) in ROWS.iter().filter(|row| asked(rows, row.0)) {
+                let (run, report) = judged(case, matched, boat, row, keys)?;
                 println!("{}", line(title, &report, pitch, run.seconds));
             }
         }

@@ -1,4 +1,4 @@
-//! Doses of fixed patterns beside those of Dr.TVAM: `cargo run --release -p tomolith-studies --bin reference_doses -- FOLDER`.
+//! Doses of fixed patterns beside those of Dr.TVAM: `reference_doses FOLDER`.
 //!
 //! FOLDER holds `drtvam_patterns_36x64x96.npz` (`patterns` [angle, row, column]) and doses of them, `drtvam_CASE.npz` (`dose_zyx`): 64³
 //! voxels over 4 mm, pixels of 0.0625 mm, resin n 1.48 in an index-matched bath of radius 3.5 mm (`im`) or in a cylinder 3.5/4 mm, n
@@ -116,10 +116,8 @@ impl Bench {
     }
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let folder = std::env::args()
-        .nth(1)
-        .ok_or("give the folder of the arrays")?;
+pub(crate) fn study(arguments: &[String]) -> Result<(), Box<dyn Error>> {
+    let folder = arguments.first().ok_or("give the folder of the arrays")?;
     let file = |name: &str| Path::new(&folder).join(format!("drtvam_{name}.npz"));
     let patterns = read(&file("patterns_36x64x96"), "patterns")?;
     let bench = Bench {

@@ -1,4 +1,4 @@
-//! Compares the kernels of pure Radon with arrays of ASTRA: `cargo run --release -p tomolith-studies --bin astra_kernels -- FILE`.
+//! Compares the kernels of pure Radon with arrays of ASTRA: `astra_kernels FILE`.
 //!
 //! FILE is an `.npz` with `phantom` [row, column] (pixel size 1, rows fall with y), `angles_rad`, and for each kernel
 //! `sino_KIND` [angle, detector] and `bp_KIND` (the transpose applied to `sino_KIND`), detector coordinate
@@ -33,8 +33,8 @@ fn differences(found: &[f32], expected: &[f32]) -> [f64; 2] {
     [worst / largest, norm]
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let path = std::env::args().nth(1).ok_or("give the .npz")?;
+pub(crate) fn study(arguments: &[String]) -> Result<(), Box<dyn Error>> {
+    let path = arguments.first().ok_or("give the .npz")?;
     let mut npz = NpzReader::new(File::open(path)?)?;
     let phantom: Array2<f32> = npz.by_name("phantom")?;
     let angles: Array1<f64> = npz.by_name("angles_rad")?;

@@ -1,4 +1,4 @@
-//! How time and memory of every dose model grow: `cargo run --release -p tomolith-studies --bin growth -- [LARGEST] [FOLDER]`.
+//! How time and memory of every dose model grow: `growth [LARGEST] [FOLDER]`.
 //!
 //! A ball in the middle of N³ voxels, N × N pixels as wide as voxels, N frames of a full turn, for N = 32, 48, 64, 96, 128, … up to LARGEST
 //! (default 128); a model whose next size would take more than two minutes ends before it. Each size runs in a process of its own, which
@@ -6,7 +6,7 @@
 //! four largest sizes, and what 1024³ voxels with 1000 angles would take: the largest size times the larger power of the fitted one and the
 //! theory's (memory: N³). FOLDER gets four pictures. See docs/measured/growth.md.
 //!
-//! `growth -- from FILE [FOLDER]` takes the sizes from the table in a page in place of measuring them; `growth -- one MODEL N` measures one size
+//! `growth from FILE [FOLDER]` takes the sizes from the table in a page in place of measuring them; `growth one MODEL N` measures one size
 //! and prints dose and adjoint, processor s, and peak, MB.
 //! Processor time is of all threads (Linux).
 #![expect(clippy::print_stdout, reason = "a study prints its table")]
@@ -187,7 +187,7 @@ fn measure(case: &Case, n: usize) -> Fallible<()> {
 /// One size in a process of its own.
 fn in_a_process(case: &Case, n: usize) -> Fallible<Size> {
     let output = Command::new(env::current_exe()?)
-        .args(["one", case.name, &n.to_string()])
+        .args(["growth", "one", case.name, &n.to_string()])
         .output()?;
     let said = String::from_utf8(output.stdout)?;
     let numbers: Result<Vec<f64>, _> = said.split_whitespace().map(str::parse).collect();
@@ -444,9 +444,8 @@ fn write_pictures(all: &[(&Case, Vec<Size>)], folder: &Path) -> Fallible<()> {
     Ok(())
 }
 
-fn main() -> Fallible<()> {
-    let arguments: Vec<String> = env::args().skip(1).collect();
-    if let [one, name, n] = &arguments[..]
+pub(crate) fn study(arguments: &[String]) -> Fallible<()> {
+    if let [one, name, n] = arguments
         && one == "one"
     {
         let case = CASES
@@ -455,7 +454,7 @@ fn main() -> Fallible<()> {
             .ok_or("no such model")?;
         return measure(case, n.parse()?);
     }
-    let (all, folder) = match &arguments[..] {
+    let (all, folder) = match arguments {
         [from, file, folder @ ..] if from == "from" => (read(Path::new(file))?, folder.first()),
         _ => {
             let largest = arguments.first().map_or(Ok(128), |n| n.parse())?;

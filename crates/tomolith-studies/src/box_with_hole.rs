@@ -1,4 +1,4 @@
-//! A box with a hole in seven scenes, with and without scattering: `cargo run --release -p tomolith-studies --bin box_with_hole`.
+//! A box with a hole in seven scenes, with and without scattering.
 //!
 //! The box has 4 × 4 × 1 mm and a hole of radius 1 mm at x = −1; 200 frames of 200 × 20 pixels, 100 × 100 × 50 voxels of
 //! 0.05 mm. The scenes and their thresholds are those of the tests of Dr.TVAM. The score is the share of all voxels that are right
@@ -204,9 +204,8 @@ fn score(scene: &Scene, folder: &Path) -> Result<f64, Box<dyn Error>> {
     Ok(1.0 - wrong / ALL)
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let wanted: Vec<String> = std::env::args().skip(1).collect();
-    let with_paths = wanted.get(1).is_some_and(|word| word == "paths");
+pub(crate) fn study(arguments: &[String]) -> Result<(), Box<dyn Error>> {
+    let with_paths = arguments.get(1).is_some_and(|word| word == "paths");
     let folder = tempfile::tempdir()?;
     for (name, half) in [("outer", OUTER), ("inner", INNER), ("body", BODY)] {
         write_box(&folder.path().join(format!("{name}.stl")), half)?;
@@ -215,7 +214,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         "scene                  right %   IoU     s     without scattering in mind: right %   IoU    by paths: right %   IoU"
     );
     for scene in &SCENES {
-        if wanted
+        if arguments
             .first()
             .is_some_and(|name| name != scene.name && name != "all")
         {

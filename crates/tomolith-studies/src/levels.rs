@@ -5,15 +5,11 @@
 //! best; *optimized* is `evaluate.levels = "optimized"`.
 //!
 //! ```sh
-//! cargo run --release -p tomolith-studies --bin levels -- examples/01-gear.toml 1,2,3,4,5
+//! cargo run --release -p tomolith-studies -- levels examples/01-gear.toml 1,2,3,4,5
 //! ```
 //!
 //! Run folders go to `out/levels/`.
-#![expect(
-    clippy::print_stdout,
-    clippy::print_stderr,
-    reason = "a study prints its table and its use"
-)]
+#![expect(clippy::print_stdout, reason = "a study prints its table")]
 
 use std::path::{Path, PathBuf};
 use tomolith::Error;
@@ -27,11 +23,9 @@ use tomolith::models::Run;
 /// Full scales over the brightest pixel.
 const SCALES: [f32; 8] = [1.0, 0.85, 0.7, 0.55, 0.45, 0.35, 0.25, 0.18];
 
-fn main() -> Result<(), Error> {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let [file, bits] = arguments.as_slice() else {
-        eprintln!("levels JOB.toml 1,2,3");
-        return Ok(());
+pub(crate) fn study(arguments: &[String]) -> Result<(), Box<dyn std::error::Error>> {
+    let [file, bits] = arguments else {
+        return Err("give a job and numbers of bits: levels JOB.toml 1,2,3".into());
     };
     let case = Case {
         file: PathBuf::from(file),

@@ -1,7 +1,7 @@
 //! The gray flower of Li et al. (2024), section 3.4.2, with their settings, and what their text leaves open varied one by
 //! one: the tables of `docs/measured/objectives.md`.
 //!
-//! `cargo run --release -p tomolith-studies --bin flower -- [IMAGE | phantom] [published | varied | all] [voxels along an edge]
+//! `flower [IMAGE | phantom] [published | varied | all] [voxels along an edge]
 //! [EPSILON | all] [ROW]`, with the last two only the runs at that ε, and whose name contains ROW.
 //!
 //! IMAGE is a square gray picture whose inscribed circle holds the flower; `phantom` is Tomolith's own stand-in. Every row is
@@ -360,15 +360,25 @@ fn head() {
     println!("|---|---|---|---|---|---|---|---|---|---|");
 }
 
-fn row(image: &str, name: &str, setting: &Setting) -> Result<(), Error> {
-    let is_asked =
-        |n: usize, is: &dyn Fn(&str) -> bool| std::env::args().nth(n).is_none_or(|a| is(&a));
-    if !is_asked(4, &|a| a == "all" || a.parse() == Ok(setting.epsilon))
-        || !is_asked(5, &|a| name.contains(a))
-    {
+/// What is run: on which image, at which ε, and which rows.
+struct Wanted<'a> {
+    image: &'a str,
+    epsilon: Option<&'a String>,
+    row: Option<&'a String>,
+}
+
+impl Wanted<'_> {
+    fn holds(&self, name: &str, epsilon: f64) -> bool {
+        let at = |wanted: &String| wanted == "all" || wanted.parse() == Ok(epsilon);
+        self.epsilon.is_none_or(at) && self.row.is_none_or(|part| name.contains(part.as_str()))
+    }
+}
+
+fn row(wanted: &Wanted<'_>, name: &str, setting: &Setting) -> Result<(), Error> {
+    if !wanted.holds(name, setting.epsilon) {
         return Ok(());
     }
-    let solved = solve(image, setting)?;
+    let solved = solve(wanted.image, setting)?;
     let history = &solved.outcome.history;
     let at = |k: usize| history[k.min(history.len() - 1)].loss;
     passing(history, setting);
@@ -410,7 +420,7 @@ fn passing(history: &[Row], setting: &Setting) {
 }
 
 /// B = 10 and 25 at each ε, beside the published losses.
-fn published(image: &str, voxels: usize) -> Result<(), Error> {
+fn published(wanted: &Wanted<'_>, voxels: usize) -> Result<(), Error> {
     for steepness in [10.0, 25.0] {
         println!("\n**B = {steepness}**; published for B = 10: {PUBLISHED:?}\n");
         head();
@@ -420,7 +430,7 @@ fn published(image: &str, voxels: usize) -> Result<(), Error> {
                 steepness,
                 ..Setting::published(voxels)
             };
-            row(image, &format!("as published, B = {steepness}"), &setting)?;
+            row(wanted, &format!("as published, B = {steepness}"), &setting)?;
         }
         let setting = Setting {
             epsilon: 0.0,
@@ -428,13 +438,13 @@ fn published(image: &str, voxels: usize) -> Result<(), Error> {
             optimizer: ("bclp", json!({"step": 0.1 * STEP})),
             ..Setting::published(voxels)
         };
-        row(image, &format!("step ÷ 10, B = {steepness}"), &setting)?;
+        row(wanted, &format!("step ÷ 10, B = {steepness}"), &setting)?;
     }
     Ok(())
 }
 
 /// One thing changed at a time: all at ε = 0.05, and what moves the loss there at the other ε, too.
-fn varied(image: &str, voxels: usize) -> Result<(), Error> {
+fn varied(wanted: &Wanted<'_>, voxels: usize) -> Result<(), Error> {
     println!("\n**One change at a time**, B = 10\n");
     head();
     for (epsilon, all) in [(0.05, true), (0.1, false), (0.0, false)] {
@@ -443,9 +453,8 @@ fn varied(image: &str, voxels: usize) -> Result<(), Error> {
             ..Setting::published(voxels)
         };
         for (name, setting) in variations(&base) {
-            let asked = std::env::args().nth(5).is_some();
-            if all || asked || MOVING.contains(&name) {
-                row(image, name, &setting)?;
+            if all || wanted.row.is_some() || MOVING.contains(&name) {
+                row(wanted, name, &setting)?;
             }
         }
         corners(&base);
@@ -557,17 +566,22 @@ fn variations(base: &Setting) -> Vec<(&'static str, Setting)> {
     ]
 }
 
-fn main() -> Result<(), Error> {
-    let argument = |n: usize, or: &str| std::env::args().nth(n).unwrap_or_else(|| or.to_owned());
-    let (image, what) = (argument(1, "phantom"), argument(2, "all"));
-    let voxels = argument(3, "512")
+pub(crate) fn study(arguments: &[String]) -> Result<(), Box<dyn std::error::Error>> {
+    let argument = |n: usize, or: &str| arguments.get(n).cloned().unwrap_or_else(|| or.to_owned());
+    let (image, what) = (argument(0, "phantom"), argument(1, "all"));
+    let voxels = argument(2, "512")
         .parse()
-        .map_err(|_| Error::config("voxels", argument(3, ""), "a whole number"))?;
+        .map_err(|_| Error::config("voxels", argument(2, ""), "a whole number"))?;
+    let wanted = Wanted {
+        image: &image,
+        epsilon: arguments.get(3),
+        row: arguments.get(4),
+    };
     if what != "varied" {
-        published(&image, voxels)?;
+        published(&wanted, voxels)?;
     }
     if what != "published" {
-        varied(&image, voxels)?;
+        varied(&wanted, voxels)?;
     }
     Ok(())
 }

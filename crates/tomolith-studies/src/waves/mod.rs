@@ -1,6 +1,6 @@
 //! What the wave model saves against the published algorithm, and what that costs in accuracy: the tables of `docs/measured/wave.md`.
 //!
-//! `cargo run --release -p tomolith-studies --bin waves -- errors | rotation | savings [N …] | times [N …] | frame N [edge, mm …] | work | limit`
+//! `waves errors | rotation | savings [N …] | times [N …] | frame N [edge, mm …] | work | limit`
 //!
 //! The [`twin`] is the published algorithm. `errors` compares |ψ|² of random patterns of single pixels before rotation, `rotation` after it; `savings`
 //! gives what each saving alone costs in accuracy, `times` seconds per gradient (a dose and a pullback) for N³ voxels and one frame, `frame` those of
@@ -259,15 +259,14 @@ fn blurred(values: &[f32], n: usize) -> Vec<f32> {
     values
 }
 
-fn main() -> Result<(), Error> {
-    let arguments: Vec<String> = std::env::args().skip(1).collect();
+pub(crate) fn study(arguments: &[String]) -> Result<(), Box<dyn std::error::Error>> {
     let what = arguments.first().map_or("errors", String::as_str);
     let sizes: Vec<usize> = arguments
         .iter()
         .skip(1)
         .filter_map(|a| a.parse().ok())
         .collect();
-    match what {
+    let done = match what {
         "times" if sizes.is_empty() => times(&[64, 128]),
         "times" => times(&sizes),
         "frame" => frame(&arguments[1..]),
@@ -277,5 +276,6 @@ fn main() -> Result<(), Error> {
         "limit" => limit(),
         "work" => work(),
         _ => errors::errors(),
-    }
+    };
+    Ok(done?)
 }

@@ -1,4 +1,4 @@
-//! Noise and time of the dose by Monte Carlo paths: `cargo run --release -p tomolith-studies --bin scatter_noise`.
+//! Noise and time of the dose by Monte Carlo paths.
 //!
 //! A square vial (7/8 mm, n 1.24; resin 1.347, attenuation 0.09 per mm, albedo 0.9, Rayleigh), 200 frames of 200 × 20 pixels of
 //! 0.05 mm at value 1, 100 × 100 × 50 voxels of 0.05 mm. Five seeds; the noise of a voxel is its standard deviation over its mean,
@@ -20,7 +20,7 @@ use tomolith::optics::vial::square::Square;
 
 const SEEDS: u64 = 5;
 
-fn main() -> Result<(), Box<dyn Error>> {
+pub(crate) fn study(_: &[String]) -> Result<(), Box<dyn Error>> {
     println!("| paths | smooth | s per dose | noise, % | largest, % | s × %² |");
     println!("|---|---|---|---|---|---|");
     for (paths, smooth) in [(1, 1), (4, 1), (1, 4), (4, 4)] {

@@ -1,5 +1,4 @@
-//! The three accumulators of Nicolet et al. 2024, Fig. 4, in a resin that scatters: `cargo run --release -p tomolith-studies --bin
-//! accumulators`.
+//! The three accumulators of Nicolet et al. 2024, Fig. 4, in a resin that scatters.
 //!
 //! Even light of 24 frames of 32 × 16 pixels through a cylinder of glass, μ_a = μ_s = 0.15 per mm, Rayleigh; 32 × 32 × 16 voxels of
 //! 0.125 mm; 16 paths a pixel, scattered light summed on voxels. Each is run with eight seeds; the mean is compared with the
@@ -75,7 +74,7 @@ fn spread(doses: &[HostField]) -> (f64, f64) {
     (sum, (squares / lit).sqrt() / (sum / lit))
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
+pub(crate) fn study(_: &[String]) -> Result<(), Box<dyn Error>> {
     println!(
         "accumulator            mean / integral's − 1   noise %   s a dose   noise² × s, integral = 1"
     );
