@@ -27,7 +27,7 @@ const STUDIES: [(&str, &str, &str, Study); 10] = [
     (
         "accumulators",
         "",
-        "noise of dose by random paths, by how it is summed",
+        "noise of dose by Monte Carlo paths, by how it is summed",
         accumulators::study,
     ),
     (
@@ -75,7 +75,7 @@ const STUDIES: [(&str, &str, &str, Study); 10] = [
     (
         "scatter_noise",
         "",
-        "noise and time of the dose by random paths",
+        "noise and time of the dose by Monte Carlo paths",
         scatter_noise::study,
     ),
     (

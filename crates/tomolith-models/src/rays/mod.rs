@@ -732,7 +732,7 @@ impl LinearOperator for Rays {
         let (name, how) = match self.sources.iter().any(Source::is_scattering) {
             true => (
                 "monte_carlo",
-                "random scattered paths and exact line integrals",
+                "Monte Carlo paths of scattered light and exact line integrals",
             ),
             false => ("rays", "exact line integrals"),
         };

@@ -4,7 +4,7 @@
 //! ranks ([`Sharded`](crate::models::sharded::Sharded)) and whole on each, as is the objective. Rank 0 alone speaks, writes checkpoints and
 //! the run folder, and evaluates the written patterns.
 //!
-//! **Limits** models whose dose is a sum over frames that are computed alike wherever they are: no random paths, no stored matrix. No
+//! **Limits** models whose dose is a sum over frames that are computed alike wherever they are: no Monte Carlo paths, no stored matrix. No
 //! `[[species]]`, no `[[scenario]]`, no print optimized in time, no patterns improved on few levels; no penalty between frames and no
 //! `min_contribution`, which compares the pixels of all frames. At least as many frames of every light as ranks.
 //!
@@ -107,8 +107,8 @@ pub(super) fn must_fit(scene: &Scene, ranks: &dyn Communicator) -> Result<()> {
         (
             "model",
             family.random_paths().is_some(),
-            "random paths, which would be others in a share",
-            "a model without random paths",
+            "Monte Carlo paths, which would be others in a share",
+            "a model without Monte Carlo paths",
         ),
         (
             "model",

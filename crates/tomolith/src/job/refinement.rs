@@ -106,11 +106,11 @@ fn updates(grid: &VolumeGrid, lights: &[Light]) -> f64 {
     ((nz + COLUMN) * ny * nx) as f64 * lights.iter().map(angles).sum::<usize>() as f64
 }
 
-/// The levels of a job, the finest last.
+/// The levels of a job, the finest last. One that does not stand `alone` shares its voxels with the job that it is a part of.
 pub(super) fn levels(
     (spec, kinds): (&JobSpec, &JobKinds),
     (optics, family): (&Optics, &dyn ModelFamily),
-    grid: &VolumeGrid,
+    (grid, alone): (&VolumeGrid, bool),
     bounds_mm: [[f64; 3]; 2],
 ) -> Vec<Level> {
     let lights = &optics.lights;
@@ -158,7 +158,7 @@ pub(super) fn levels(
         levels.push(Level::new(coarser_grid(grid, 2), &lights, half));
     }
     let is_chosen = spec.grid.refine.is_none() && fine != *grid;
-    let fine = if is_chosen && is_dark_beyond((spec, kinds), lights) {
+    let fine = if alone && is_chosen && is_dark_beyond((spec, kinds), lights) {
         within_lit_rows(fine, lights, bounds_mm)
     } else {
         fine
@@ -412,7 +412,7 @@ mod tests {
         let family = planner::choose(optics.model.as_ref(), &scene, &grid).unwrap();
         let of = (&optics, family.as_ref());
         let kinds = JobKinds::read(&job.spec, &job.base()).unwrap();
-        let levels = levels((&job.spec, &kinds), of, &grid, bounds);
+        let levels = levels((&job.spec, &kinds), of, (&grid, true), bounds);
         let sharpened = sharpened((&job.spec, &kinds), family.as_ref(), &levels);
         (levels, sharpened)
     }

@@ -16,6 +16,7 @@ use crate::objective::voxel_weights::{Common, Ground};
 use crate::objective::{Chosen, MakeObjective, OBJECTIVES, Objective, ObjectiveInput, Sum};
 use crate::optimize::start::{InitialPatterns, STARTS};
 use crate::optimize::{BuildOptimizer, MakeOptimizer, OPTIMIZERS, Optimizer, Requirements};
+use crate::report::number::significant;
 use crate::response::{RESPONSES, Response, dose_for};
 use crate::target::{Target, label, label_voxels};
 use crate::units::exact;
@@ -76,6 +77,29 @@ impl JobObjective {
             common,
             response,
         })
+    }
+
+    /// What people should know of regions that change nothing.
+    pub(super) fn warnings(&self, ground: &Ground<'_>) -> Result<Vec<String>> {
+        let grid = &ground.layout.grid;
+        let [nz, ny, nx] = grid.shape;
+        let empty = self.common.empty_regions(ground)?;
+        let say = |key: String| {
+            format!(
+                "{}.{key} holds no voxel that counts, so it changes nothing{}; voxels of this grid lie from z = {} to {} mm, up to {} mm from \
+                 the axis: change its radius_mm or z_mm, or leave it out",
+                self.path,
+                if key == "region" {
+                    ", and no voxel has this objective"
+                } else {
+                    ""
+                },
+                significant(grid.z(0), 3),
+                significant(grid.z(nz - 1), 3),
+                significant(grid.x(nx - 1).hypot(grid.y(ny - 1)), 3),
+            )
+        };
+        Ok(empty.into_iter().map(say).collect())
     }
 
     /// Whether voxels that the surface cuts have two doses.

@@ -198,18 +198,18 @@ fn other_voxels(its: Option<VolumeGrid>, jobs: Option<VolumeGrid>) -> String {
 }
 
 /// Refuses a scenario that shows other images, or is computed on other voxels.
-fn must_show_the_same(scene: &Scene, own: &Scene) -> Result<()> {
+fn must_show_the_same(job: &Scene, scenario: &Scene) -> Result<()> {
     let images = |scene: &Scene| -> Vec<_> {
         let lights = scene.optics.lights.iter();
         lights.map(|light| light.pixels.shape()).collect()
     };
     let voxels = |scene: &Scene| scene.levels.last().map(|level| level.grid.clone());
-    let (its, jobs) = (voxels(scene), voxels(own));
+    let (its, jobs) = (voxels(scenario), voxels(job));
     if its != jobs {
         // Rays want cubes, and parallel light does not
         return Err(Error::config("", other_voxels(its, jobs), OWN_VOXELS));
     }
-    if images(scene) == images(own) {
+    if images(scenario) == images(job) {
         return Ok(());
     }
     Err(Error::config(
@@ -408,6 +408,22 @@ mod tests {
             (other - alone.1).abs() > 1e-3 * alone.1,
             "{other}, {alone:?}"
         );
+    }
+
+    #[test]
+    fn a_scenario_has_the_voxels_of_the_job_where_the_program_chooses_them() {
+        // Rows of pixels beside the part: alone, the job leaves out the slices that they light
+        let finest = |scenarios: &[&str]| {
+            let changes = ["grid={ pitch_mm = 0.1 }", "light[0].pixels=[28, 40]"];
+            let job = resolved(scenarios, &changes).unwrap();
+            let grid = |scene: &Scene| scene.levels.last().unwrap().grid.clone();
+            let others = job.scene.scenarios.iter().map(|own| grid(&own.scene));
+            (grid(&job.scene), others.collect::<Vec<_>>())
+        };
+        let (own, others) = finest(&["resin.absorption_per_mm = 0.3"]);
+        assert_eq!(others, [own.clone()]);
+        let alone = finest(&[]).0;
+        assert!(alone.shape[0] < own.shape[0] && alone.shape[1..] == own.shape[1..]);
     }
 
     #[test]

@@ -214,7 +214,7 @@ fn random_paths_that_only_a_trial_takes_are_refused_too() {
     let found = on_ranks(2, |_| job.clone(), false, usize::MAX);
     let text = found[0].as_ref().unwrap_err().to_string();
     assert!(
-        text.contains("random paths, which would be others in a share"),
+        text.contains("Monte Carlo paths, which would be others in a share"),
         "{text}"
     );
     assert!(found[1].is_err());

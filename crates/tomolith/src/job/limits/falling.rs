@@ -29,7 +29,9 @@ impl Fall {
             .find(|row| row.iteration == end.iteration - last)?;
         let share = 1.0 - end.loss / before.loss;
         let all = end.iteration;
-        (last > 0 && share >= 0.0).then_some(Fall { share, last, all })
+        // Where no step lowered the loss nothing can be said of more steps
+        let has_fallen = end.loss < history.first()?.loss;
+        (last > 0 && share >= 0.0 && has_fallen).then_some(Fall { share, last, all })
     }
 
     /// Whether more iterations would hardly lower the loss.

@@ -165,7 +165,8 @@ impl Scene {
         let lit = optimizing(&optics, &shape, has_cells);
         let family = planner::choose(optics.model.as_ref(), &lit, &grid)?;
         let of = (&optics, family.as_ref());
-        let levels = refinement::levels((&spec, &kinds), of, &grid, shape.bounds_mm());
+        let on_grid = (&grid, on.is_none());
+        let levels = refinement::levels((&spec, &kinds), of, on_grid, shape.bounds_mm());
         let sharpened = refinement::sharpened((&spec, &kinds), family.as_ref(), &levels);
         let kinds = sharpened.unwrap_or(kinds);
         let chosen = || refinement::judged(&grid, &levels);

@@ -5,7 +5,8 @@ use super::remarks::at_grid;
 use crate::error::Result;
 use crate::grid::{Volume, VolumeGrid};
 use crate::job::scenarios::at_scenario;
-use crate::models::Run;
+use crate::models::{DoseLayout, Run};
+use crate::objective::voxel_weights::Ground;
 use crate::report;
 use crate::target::{self, Role, Target, label, label_columns, label_voxels};
 
@@ -83,13 +84,23 @@ impl Scene {
         })
     }
 
-    /// What people should know of voxels beyond the reach of light, and of scenarios in which the job would warn them otherwise.
+    /// What people should know of voxels beyond the reach of light, of regions without voxels, and of scenarios in which the job would warn them otherwise.
     ///
     /// # Errors
     /// [`Error::Config`](crate::Error::Config) where nothing can be printed, or a part of it cannot.
     pub(crate) fn warnings_of(&self, voxels: &Voxels) -> Result<Vec<String>> {
         let (inside, labels, gray) = (&voxels.target.inside, &voxels.labels, voxels.target.gray);
         let mut found = self.optics.warnings(inside, labels, gray)?;
+        let layout = DoseLayout::new("dose", labels.grid.clone(), 0);
+        let ground = Ground {
+            layout: &layout,
+            labels,
+            target: &voxels.target,
+            base: &self.base,
+        };
+        for objective in &self.kinds.objectives {
+            found.extend(objective.warnings(&ground)?);
+        }
         let given = self.scenarios.iter().zip(&self.spec.scenario);
         for (i, (scenario, spec)) in given.enumerate() {
             let at = |error| at_scenario(i, spec, error);
