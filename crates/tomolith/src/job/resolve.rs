@@ -85,15 +85,15 @@ impl JobObjective {
         let [nz, ny, nx] = grid.shape;
         let empty = self.common.empty_regions(ground)?;
         let say = |key: String| {
+            let so = if key == "region" {
+                "no voxel has this objective"
+            } else {
+                "it changes nothing"
+            };
             format!(
-                "{}.{key} holds no voxel that counts, so it changes nothing{}; voxels of this grid lie from z = {} to {} mm, up to {} mm from \
-                 the axis: change its radius_mm or z_mm, or leave it out",
+                "{}.{key} holds no voxel that counts, so {so}; voxels of this grid lie from z = {} to {} mm, up to {} mm from the axis: \
+                 change its radius_mm or z_mm, or leave it out",
                 self.path,
-                if key == "region" {
-                    ", and no voxel has this objective"
-                } else {
-                    ""
-                },
                 significant(grid.z(0), 3),
                 significant(grid.z(nz - 1), 3),
                 significant(grid.x(nx - 1).hypot(grid.y(ny - 1)), 3),
