@@ -35,7 +35,7 @@ use remarks::{
     part_of_a_turn, two_critical_doses,
 };
 pub(super) use remarks::{at_section, few_angles};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 pub(super) use voxels::Voxels;
 
@@ -210,30 +210,36 @@ impl Scene {
             grid,
             extent,
         };
-        let notes = scene.printers.iter().flatten().flat_map(Printer::notes);
-        scene.warnings.extend(notes.cloned());
-        scene.warnings.extend(multiresolution::left_out(&scene));
         scene.extent = memory::extent(&scene, &family)?;
-        scene.bound_by_time()?;
-        if scene.spec.resin.pure_radon
-            && scene.spec.resin.absorption_per_mm.is_some_and(|a| a > 0.0)
-        {
-            scene
-                .warnings
-                .push("resin.pure_radon = true: the absorption is not used".to_owned());
+        scene.finish(&job.folder())?;
+        Ok(scene)
+    }
+
+    /// What follows from all of it: more remarks, and what it needs in time, memory and disk.
+    ///
+    /// # Errors
+    /// [`Error::Config`](crate::Error::Config) where there is too little of one.
+    fn finish(&mut self, folder: &Path) -> Result<()> {
+        let notes = self.printers.iter().flatten().flat_map(Printer::notes);
+        self.warnings.extend(notes.cloned());
+        self.warnings.extend(multiresolution::left_out(self));
+        self.bound_by_time()?;
+        let absorbs = self.spec.resin.absorption_per_mm.is_some_and(|a| a > 0.0);
+        if self.spec.resin.pure_radon && absorbs {
+            let text = "resin.pure_radon = true: the absorption is not used";
+            self.warnings.push(text.to_owned());
         }
-        scene.fit_memory()?;
+        self.fit_memory()?;
         // A checkpoint that is there gives its place to the next one
-        let held = bytes_in(&job.folder().join("checkpoint")) / 1_000_000;
-        let disk = available_disk_mb(&job.folder()).map(|free| free + held);
+        let held = bytes_in(&folder.join("checkpoint")) / 1_000_000;
+        let disk = available_disk_mb(folder).map(|free| free + held);
         require(
             "output.folder",
             "disk for the run folder",
-            scene.extent.disk_mb(),
+            self.extent.disk_mb(),
             disk,
             "a folder on a larger disk, or a smaller job",
-        )?;
-        Ok(scene)
+        )
     }
 
     /// Notes on which voxels the patterns will be optimized.
