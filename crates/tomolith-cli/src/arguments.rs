@@ -100,7 +100,7 @@ pub(crate) enum Command {
 pub(crate) struct JobArguments {
     /// Job file, TOML or JSON
     pub(crate) job: PathBuf,
-    /// Run a coarse version: a third of the resolution, few angles, few iterations. Its print is poor; the file's evaluate.require_iou and require_in_band do not count
+    /// Run a coarse version: a third of the resolution (down to a sixth, so that images have 80 pixels across), few angles, few iterations. Its print is poor; the file's evaluate.require_iou and require_in_band do not count
     #[arg(long)]
     pub(crate) toy: bool,
     /// Change a key: `--set stop.iterations=10 --set light.angles=360` (repeatable); a kind, `vial.square={…}`, takes the place of the job's

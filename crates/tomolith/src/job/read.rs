@@ -10,8 +10,10 @@ use crate::exposure::PrinterSpec;
 use crate::target::TargetSpec;
 use std::path::{Path, PathBuf};
 
-/// How much coarser a quick trial is, and its limits.
-const TOY: f64 = 3.0;
+/// How many times coarser a quick trial is: at least the first; more, up to the second, until images have `TOY_PIXELS` pixels across.
+const TOY: [usize; 2] = [3, 6];
+const TOY_PIXELS: usize = 80;
+/// Its limits.
 const TOY_EDGE: usize = 12;
 const TOY_FRAMES: usize = 36;
 const TOY_ITERATIONS: usize = 3;
@@ -165,25 +167,29 @@ impl Job {
         spec
     }
 
-    /// The same job as a quick trial: a third of the resolution, few angles, few iterations, and no quality that is asked for
-    /// (`evaluate.require_*`), but for those of these keys that the command line sets. What it prints is poor, but every stage runs.
+    /// The same job as a quick trial: a third of the resolution (down to a sixth, so that images have 80 pixels across), few angles, few iterations, and
+    /// no quality that is asked for (`evaluate.require_*`), but for those of these keys that the command line sets. What it prints is poor, but every
+    /// stage runs.
     #[must_use]
     pub fn toy(mut self) -> Self {
         self.is_toy = true;
         let is_set = |key: &str| self.document.option(key).is_some();
         let spec = &mut self.spec;
+        let across = spec.light.iter().flat_map(|light| light.pixels).max();
+        let [least, most] = TOY;
+        let coarser = across.unwrap_or(0).div_ceil(TOY_PIXELS).clamp(least, most);
         spec.grid
             .pitch_mm
             .iter_mut()
             // Without the last digits of a product: 0.3, not 0.30000000000000004
-            .for_each(|pitch| pitch.0 = (pitch.0 * TOY * 1e9).round() / 1e9);
+            .for_each(|pitch| pitch.0 = (pitch.0 * coarser as f64 * 1e9).round() / 1e9);
         for count in spec.grid.shape.iter_mut().flatten() {
-            *count = count.div_ceil(TOY as usize).max(TOY_EDGE);
+            *count = count.div_ceil(coarser).max(TOY_EDGE);
         }
         for (i, light) in spec.light.iter_mut().enumerate() {
-            light.pixels = light.pixels.map(|count| count.div_ceil(TOY as usize));
-            light.projector.coarsen(TOY);
-            light.selection.coarsen(TOY as usize);
+            light.pixels = light.pixels.map(|count| count.div_ceil(coarser));
+            light.projector.coarsen(coarser as f64);
+            light.selection.coarsen(coarser);
             // It is an image on the pixels of the whole job
             light.psf = None;
             match &mut light.angles {
@@ -194,7 +200,7 @@ impl Job {
         }
         spec.printer
             .iter_mut()
-            .for_each(|printer| printer.coarsen(TOY));
+            .for_each(|printer| printer.coarsen(coarser as f64));
         if !is_set("stop.iterations") {
             spec.stop.iterations = spec.stop.iterations.min(TOY_ITERATIONS);
         }
@@ -301,12 +307,15 @@ mod tests {
             stop = { iterations = 40 }
             evaluate = { require_iou = 0.9 }
         "#;
-        let counts = |assignments: &[&str]| {
+        let toy = |assignments: &[&str]| {
             let mut document = Document::toml("job.toml", text).unwrap();
             for assignment in assignments {
                 document.set(assignment).unwrap();
             }
-            let spec = Job::from_document(document).unwrap().toy().spec;
+            Job::from_document(document).unwrap().toy().spec
+        };
+        let counts = |assignments: &[&str]| {
+            let spec = toy(assignments);
             (
                 spec.stop.iterations,
                 spec.light[0].angles.count(),
@@ -320,6 +329,19 @@ mod tests {
             "evaluate.require_iou=0.5",
         ];
         assert_eq!(counts(&set), (12, 90, Some(0.5)));
+        // A third; down to 80 pixels; at most a sixth
+        for (pixels, coarse, pitch) in [
+            ("[60,30]", [20, 10], 0.3),
+            ("[400,90]", [80, 18], 0.5),
+            ("[4000,90]", [667, 15], 0.6),
+        ] {
+            let spec = toy(&[&format!("light.pixels={pixels}")]);
+            let found = (
+                spec.light[0].pixels,
+                spec.grid.pitch_mm.map(|pitch| pitch.0),
+            );
+            assert_eq!(found, (coarse, Some(pitch)));
+        }
     }
 
     #[test]
