@@ -421,7 +421,7 @@ mod tests {
             (grid(&job.scene), others.collect::<Vec<_>>())
         };
         let (own, others) = finest(&["resin.absorption_per_mm = 0.3"]);
-        assert_eq!(others, [own.clone()]);
+        assert_eq!(others, std::slice::from_ref(&own));
         let alone = finest(&[]).0;
         assert!(alone.shape[0] < own.shape[0] && alone.shape[1..] == own.shape[1..]);
     }
