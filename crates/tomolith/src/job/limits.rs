@@ -398,7 +398,7 @@ impl Found {
             return Some(self.limit(Cause::Optics, loss, &self.pixel_key, found, &action));
         };
         let found = format!(
-            "{reach}, and the loss function still fell by {} % in the last {} of {} iterations: a part of what is missing is theirs, the rest is the limit of this light.",
+            "{reach}, and the loss function still fell by {} % in the last {} of {} iterations: more of them mend a part of what is missing, the rest is the limit of this light.",
             significant(100.0 * fall.share, 2),
             fall.last,
             fall.all
@@ -665,7 +665,7 @@ mod tests {
         assert_eq!(
             limits.causes[0].advice,
             "Before they are written, the patterns reach IoU 0.900 on the job's own voxels, and the loss function still fell by 20 % in the \
-             last 10 of 40 iterations: a part of what is missing is theirs, the rest is the limit of this light. Raise `stop.iterations`."
+             last 10 of 40 iterations: more of them mend a part of what is missing, the rest is the limit of this light. Raise `stop.iterations`."
         );
         assert!(limits.causes.iter().all(|l| l.cause != Cause::Optics));
     }
