@@ -10,7 +10,7 @@
 //! Wechsler et al. 2024, eqs. 2 and 3, with λ = λ₀/n (their text prints k = 2π/(λ₀n)); Matsushima & Shimobaba 2009 for W.
 
 use super::beam::Beam;
-use super::between::Between;
+use super::depth_interpolation::DepthInterpolation;
 use super::light::Way;
 use super::number::Number;
 use super::spectrum::{Scratch, Windows, complex, zero};
@@ -57,8 +57,8 @@ pub(super) struct Coherent<T: Number> {
     steps: Vec<Vec<Complex<T>>>,
     /// P·H^(x₀/h) of each mode, x₀ the first depth.
     starts: Vec<Vec<Complex<T>>>,
-    /// Fields that are not transformed.
-    between: Option<Between<T>>,
+    /// Fields that are not transformed but interpolated.
+    interpolation: Option<DepthInterpolation<T>>,
     /// What fields are turned back by, 1/mm.
     middle: f64,
 }
@@ -69,14 +69,14 @@ impl<T: Number> Coherent<T> {
         (beam, limit): (Beam, BandLimit),
         modes: Vec<Mode>,
     ) -> Self {
-        let between = Between::new(&windows.sampling);
+        let interpolation = DepthInterpolation::new(&windows.sampling);
         let mut waves = Coherent {
             middle: windows
                 .sampling
                 .fields
                 .as_ref()
                 .map_or(0.0, |own| own.middle),
-            between,
+            interpolation,
             windows,
             limit,
             beam,
@@ -239,7 +239,7 @@ impl<T: Number> Coherent<T> {
                     let here = self.tapered((wave, depth), here, &mut tapered);
                     self.windows.field(here, parts);
                 }
-                let Some(between) = &self.between else {
+                let Some(interpolation) = &self.interpolation else {
                     see(
                         depth,
                         mode,
@@ -247,13 +247,19 @@ impl<T: Number> Coherent<T> {
                     );
                     continue;
                 };
-                let ready = between.ready(next, depth);
+                let ready = interpolation.ready(next, depth);
                 for scratch in &mut scratches {
-                    between.keep(depth, &scratch.field, &mut scratch.kept);
-                    between.forth(ready.clone(), scratch.field.len(), &mut scratch.kept);
+                    interpolation.keep(depth, &scratch.field, &mut scratch.interpolation);
+                    interpolation.forth(
+                        ready.clone(),
+                        scratch.field.len(),
+                        &mut scratch.interpolation,
+                    );
                 }
                 for (i, index) in ready.clone().enumerate() {
-                    let fields = scratches.each_ref().map(|s| s.kept.now[i].as_slice());
+                    let fields = scratches
+                        .each_ref()
+                        .map(|s| s.interpolation.now[i].as_slice());
                     see(index, mode, fields);
                 }
                 next = ready.end;
@@ -279,23 +285,23 @@ impl<T: Number> Coherent<T> {
             let mut next = 0;
             for depth in 0..self.windows.sampling.transformed().count {
                 self.field_of_image((wave, depth), scratch, &mut back.tapered);
-                let Some(between) = &self.between else {
+                let Some(interpolation) = &self.interpolation else {
                     cotangent(depth, mode, &mut scratch.field);
                     self.send((wave, depth), scratch, &mut back);
                     continue;
                 };
-                between.keep(depth, &scratch.field, &mut scratch.kept);
-                let (ready, len) = (between.ready(next, depth), scratch.field.len());
-                between.forth(ready.clone(), len, &mut scratch.kept);
-                for (index, field) in ready.clone().zip(&mut scratch.kept.now) {
+                interpolation.keep(depth, &scratch.field, &mut scratch.interpolation);
+                let (ready, len) = (interpolation.ready(next, depth), scratch.field.len());
+                interpolation.forth(ready.clone(), len, &mut scratch.interpolation);
+                for (index, field) in ready.clone().zip(&mut scratch.interpolation.now) {
                     cotangent(index, mode, field);
                 }
                 next = ready.end;
-                between.send(ready, &mut scratch.kept);
-                let done = between.done(back.sent, next);
-                between.back(done.clone(), len, &mut scratch.kept);
+                interpolation.send(ready, &mut scratch.interpolation);
+                let done = interpolation.done(back.sent, next);
+                interpolation.back(done.clone(), len, &mut scratch.interpolation);
                 for (i, depth) in done.enumerate() {
-                    std::mem::swap(&mut scratch.field, &mut scratch.kept.now[i]);
+                    std::mem::swap(&mut scratch.field, &mut scratch.interpolation.now[i]);
                     self.send((wave, depth), scratch, &mut back);
                 }
             }

@@ -64,9 +64,9 @@
 //! ```
 
 mod beam;
-mod between;
 mod coherent;
 mod cones;
+mod depth_interpolation;
 mod frame_rotation;
 pub mod incoherent_cone;
 mod lattice;

@@ -1,7 +1,7 @@
 //! How finely the wave of a light is sampled: window, depths, lateral samples.
 //!
 //! Distances of samples along and across the light follow from the [`Taps`] that interpolate them, for light that fills the band evenly: the fewest that
-//! keep to the errors asked for. Where that saves time, fields are interpolated from those at fewer depths ([`between`](super::between)), closer samples
+//! keep to the errors asked for. Where that saves time, fields are interpolated from those at fewer depths ([`depth_interpolation`](super::depth_interpolation)), closer samples
 //! from those that are computed, and voxels from few of them. Errors that have nothing to do with each other add up as squares: [`WINDOW`]² + [`FIELDS`]² + [`LIGHT`]² ≤ 1.
 
 use super::Settings;

@@ -4,7 +4,7 @@
 //! only: lateral samples lie closer than pixels, and fewer lines are as long. What happens to a spectrum on its way to a depth is not known here: [`coherent`](super::coherent),
 //! [`cones`](super::cones).
 
-use super::between::Kept;
+use super::depth_interpolation::InterpolationBuffers;
 use super::number::Number;
 use super::resample::Places;
 use super::sampling::Sampling;
@@ -58,7 +58,7 @@ pub(super) struct Scratch<T: Number> {
     pub(super) field: Vec<Complex<T>>,
     rest: Vec<Complex<T>>,
     /// Fields at the last depths, and those between them.
-    pub(super) kept: Kept<T>,
+    pub(super) interpolation: InterpolationBuffers<T>,
     /// Light at all depths and lateral samples that are computed.
     pub(super) computed: Vec<T>,
     /// The same at closer lateral samples.
@@ -84,7 +84,7 @@ impl<T: Number> Scratch<T> {
         let complex: usize = fields.iter().map(|all| all.capacity()).sum();
         let real = [&self.computed, &self.between, &self.samples];
         let real: usize = real.iter().map(|all| all.capacity()).sum();
-        (2 * complex + real) * std::mem::size_of::<T>() + self.kept.bytes()
+        (2 * complex + real) * std::mem::size_of::<T>() + self.interpolation.bytes()
     }
 }
 
@@ -247,7 +247,7 @@ impl<T: Number> Windows<T> {
             lines: vec![zero(); TOGETHER * longest],
             field: vec![zero(); self.width() * self.voxels],
             rest: vec![zero(); rest.unwrap_or(0)],
-            kept: Kept::default(),
+            interpolation: InterpolationBuffers::default(),
             computed: Vec::new(),
             between: Vec::new(),
             samples: Vec::new(),

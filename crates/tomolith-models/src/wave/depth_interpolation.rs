@@ -99,8 +99,8 @@ impl<T: Number> Ring<T> {
     }
 }
 
-/// How fields between are interpolated.
-pub(super) struct Between<T> {
+/// Interpolation of fields between the depths that are transformed.
+pub(super) struct DepthInterpolation<T> {
     /// What each is interpolated from.
     forth: Vec<Sum<T>>,
     /// What is asked of each that is transformed.
@@ -112,9 +112,9 @@ pub(super) struct Between<T> {
     kept: usize,
 }
 
-/// Fields of the last depths that were transformed, and what was sent back between them.
+/// Buffers: fields of the last depths that were transformed, and what was sent back between them.
 #[derive(Default)]
-pub(super) struct Kept<T> {
+pub(super) struct InterpolationBuffers<T> {
     fields: Ring<T>,
     sent: Ring<T>,
     /// Fields between, or what is asked of those that are transformed.
@@ -122,7 +122,7 @@ pub(super) struct Kept<T> {
 }
 
 #[cfg(test)]
-impl<T> Kept<T> {
+impl<T> InterpolationBuffers<T> {
     /// Of all arrays.
     pub(super) fn bytes(&self) -> usize {
         let now: usize = self.now.iter().map(Vec::capacity).sum();
@@ -131,12 +131,12 @@ impl<T> Kept<T> {
     }
 }
 
-impl<T: Number> Between<T> {
+impl<T: Number> DepthInterpolation<T> {
     /// None where fields are transformed at all depths that are wanted.
     pub(super) fn new(sampling: &Sampling) -> Option<Self> {
         let fields = sampling.fields.as_ref()?;
         let wanted = sampling.along.computed;
-        let mut own = Between {
+        let mut own = DepthInterpolation {
             forth: vec![Sum::default(); wanted.count],
             back: vec![Sum::default(); fields.depths.count],
             first: Vec::with_capacity(wanted.count),
@@ -188,27 +188,42 @@ impl<T: Number> Between<T> {
     }
 
     /// Keeps the field of a depth that was transformed.
-    pub(super) fn keep(&self, depth: usize, field: &[Complex<T>], kept: &mut Kept<T>) {
-        kept.fields.put(depth, self.taps + TOGETHER, field);
+    pub(super) fn keep(
+        &self,
+        depth: usize,
+        field: &[Complex<T>],
+        buffers: &mut InterpolationBuffers<T>,
+    ) {
+        buffers.fields.put(depth, self.taps + TOGETHER, field);
     }
 
-    /// `kept.now` = these fields, of `len` numbers
-    pub(super) fn forth(&self, which: Range<usize>, len: usize, kept: &mut Kept<T>) {
-        let Kept { fields, now, .. } = kept;
+    /// `buffers.now` = these fields, of `len` numbers
+    pub(super) fn forth(
+        &self,
+        which: Range<usize>,
+        len: usize,
+        buffers: &mut InterpolationBuffers<T>,
+    ) {
+        let InterpolationBuffers { fields, now, .. } = buffers;
         fields.sums(&self.forth[which], len, now);
     }
 
-    /// Keeps what `kept.now` sends back from these fields.
-    pub(super) fn send(&self, which: Range<usize>, kept: &mut Kept<T>) {
-        let Kept { sent, now, .. } = kept;
+    /// Keeps what `buffers.now` sends back from these fields.
+    pub(super) fn send(&self, which: Range<usize>, buffers: &mut InterpolationBuffers<T>) {
+        let InterpolationBuffers { sent, now, .. } = buffers;
         for (index, field) in which.zip(now) {
             sent.put(index, self.kept, field);
         }
     }
 
-    /// `kept.now` = what was sent back to these depths
-    pub(super) fn back(&self, which: Range<usize>, len: usize, kept: &mut Kept<T>) {
-        let Kept { sent, now, .. } = kept;
+    /// `buffers.now` = what was sent back to these depths
+    pub(super) fn back(
+        &self,
+        which: Range<usize>,
+        len: usize,
+        buffers: &mut InterpolationBuffers<T>,
+    ) {
+        let InterpolationBuffers { sent, now, .. } = buffers;
         sent.sums(&self.back[which], len, now);
     }
 }
@@ -253,28 +268,28 @@ mod tests {
 
     /// All fields between; then what is sent back to all depths when `cotangent` is asked of them.
     fn pass(
-        between: &Between<f64>,
+        interpolation: &DepthInterpolation<f64>,
         fields: &[Vec<Complex<f64>>],
         cotangent: impl Fn(usize, usize) -> Complex<f64>,
     ) -> [Vec<Vec<Complex<f64>>>; 2] {
-        let (mut kept, mut next, mut sent) = (Kept::default(), 0, 0);
+        let (mut buffers, mut next, mut sent) = (InterpolationBuffers::default(), 0, 0);
         let [mut all, mut back] = [Vec::new(), Vec::new()];
         for (depth, field) in fields.iter().enumerate() {
-            between.keep(depth, field, &mut kept);
-            let ready = between.ready(next, depth);
-            between.forth(ready.clone(), field.len(), &mut kept);
-            for (index, field) in ready.clone().zip(&mut kept.now) {
+            interpolation.keep(depth, field, &mut buffers);
+            let ready = interpolation.ready(next, depth);
+            interpolation.forth(ready.clone(), field.len(), &mut buffers);
+            for (index, field) in ready.clone().zip(&mut buffers.now) {
                 all.push(field.clone());
                 for (i, v) in field.iter_mut().enumerate() {
                     *v = cotangent(index, i);
                 }
             }
             next = ready.end;
-            between.send(ready, &mut kept);
-            let done = between.done(sent, next);
+            interpolation.send(ready, &mut buffers);
+            let done = interpolation.done(sent, next);
             sent = done.end;
-            between.back(done.clone(), field.len(), &mut kept);
-            back.extend_from_slice(&kept.now[..done.len()]);
+            interpolation.back(done.clone(), field.len(), &mut buffers);
+            back.extend_from_slice(&buffers.now[..done.len()]);
         }
         [all, back]
     }
@@ -282,7 +297,7 @@ mod tests {
     #[test]
     fn waves_of_real_patterns_are_met_and_what_is_sent_back_is_the_transpose() {
         let sampling = sampling();
-        let between = Between::<f64>::new(&sampling).unwrap();
+        let interpolation = DepthInterpolation::<f64>::new(&sampling).unwrap();
         // Field i at depth x: a wave of a frequency below 0.25, real at the focus, so that its image is its conjugate
         let wave = |i: usize, x: f64| {
             Complex::from_polar(1.0, TAU * x * 0.25 * (i as f64 / 299.0 - 0.5) * 2.0)
@@ -295,7 +310,7 @@ mod tests {
                 |j: usize| ((k * 7919 + i * 104_729 + j * 15_485_863) % 1009) as f64 / 504.0 - 1.0;
             Complex::new(at(0), at(1))
         };
-        let [all, back] = pass(&between, &fields, noise);
+        let [all, back] = pass(&interpolation, &fields, noise);
         assert_eq!((all.len(), back.len()), (50, 30));
         for (k, field) in all.iter().enumerate() {
             for (i, v) in field.iter().enumerate() {
