@@ -11,7 +11,7 @@
 //! 20 bytes for each column of each frame that lights a patch, and the time of one dose that is not kept; a quarter of both where quarters
 //! repeat.
 
-use super::filled::{Filled, FilledTile};
+use super::block_sparsity::{NonzeroBlocks, NonzeroTile};
 use super::kernel::{Block, Isa, MAX_BLOCK};
 use super::patches::{self, ColumnEntry, Patches, VOXELS};
 use super::plan::{KernelPath, LightPlan};
@@ -252,7 +252,7 @@ impl CachedEntries {
         &self,
         (isa, columns): (Isa, usize),
         (tile, views): (usize, &Range<usize>),
-        (slots, filled): (&[f32], &Filled),
+        (slots, nonzero): (&[f32], &NonzeroBlocks),
         rows: &mut [&mut [f32]],
         bench: &mut Bench,
     ) {
@@ -260,9 +260,9 @@ impl CachedEntries {
         let first = first_of_group(views) * columns;
         let own = slots_of(views, columns);
         let is_whole = is_whole(&own, group);
-        for (i, &block) in filled.blocks.iter().enumerate() {
+        for (i, &block) in nonzero.blocks.iter().enumerate() {
             let lit = group.light(&mut bench.lit, |slot| {
-                own.contains(&slot) && filled.any_in(first + slot as usize, i)
+                own.contains(&slot) && nonzero.any_in(first + slot as usize, i)
             });
             if lit == 0 {
                 continue;
@@ -296,7 +296,7 @@ impl CachedEntries {
         (isa, columns): (Isa, usize),
         (index, views): (usize, &Range<usize>),
         (tile, nx): (&Tile, usize),
-        (cotangent, filled, of_tile): (&[f32], &Filled, &FilledTile),
+        (cotangent, nonzero, of_tile): (&[f32], &NonzeroBlocks, &NonzeroTile),
         lanes: &mut [f32],
         bench: &mut Bench,
     ) {
@@ -307,7 +307,7 @@ impl CachedEntries {
         let own = slots_of(views, columns);
         let is_whole = is_whole(&own, group);
         let dark = [0.0; MAX_BLOCK * LANES];
-        for (i, &block) in filled.blocks.iter().enumerate() {
+        for (i, &block) in nonzero.blocks.iter().enumerate() {
             if !of_tile.any_in(i) {
                 continue;
             }
@@ -320,7 +320,7 @@ impl CachedEntries {
                     let y = patch / PATCHES * EDGE + corner / EDGE;
                     let voxel = (tile.start[1] + y) * nx + tile.start[0] + x;
                     let is_inside = x < tile.size[0] && y < tile.size[1];
-                    (is_inside && filled.any_in(voxel, i)).then_some(voxel)
+                    (is_inside && nonzero.any_in(voxel, i)).then_some(voxel)
                 };
                 let voxels = [0, 1, 2, 3].map(voxel);
                 if voxels == [None; VOXELS] {

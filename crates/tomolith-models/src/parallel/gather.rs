@@ -1,7 +1,7 @@
 //! The dose of a tile: what a group of views brings to its voxels, gathered voxel by voxel.
 
+use super::block_sparsity::{Chosen, NonzeroBlocks};
 use super::chains::{Avx512, Chain, GUARD, Taps};
-use super::filled::{Chosen, Filled};
 use super::kernel::{Entries, accumulate};
 use super::plan::{KernelPath, LightPlan};
 use super::strips::Major;
@@ -19,14 +19,14 @@ pub(super) struct Gatherer {
 }
 
 impl Gatherer {
-    /// Enumerates what a group of views lights in a tile; `filled` tells of slots, `row`: vectors of a row of lanes.
+    /// Enumerates what a group of views lights in a tile; `nonzero` tells of slots, `row`: vectors of a row of lanes.
     pub(super) fn load(
         &mut self,
         path: KernelPath,
         plan: &LightPlan,
         views: Range<usize>,
         (index, tile): (usize, &Tile),
-        filled: &Filled,
+        nonzero: &NonzeroBlocks,
         row: usize,
     ) {
         self.chain_count = 0;
@@ -36,7 +36,7 @@ impl Gatherer {
                 let meeting = plan.meetings[index * plan.beams.len() + i];
                 let strips = &plan.beams[i].strips[meeting.first as usize..meeting.end as usize];
                 let first = view * plan.columns;
-                if !(strips.iter()).any(|strip| filled.any(first + strip.column as usize)) {
+                if !(strips.iter()).any(|strip| nonzero.any(first + strip.column as usize)) {
                     continue;
                 }
                 if let Some(wide) = path.wide.filter(|_| meeting.chain) {
@@ -74,7 +74,7 @@ impl Gatherer {
     pub(super) fn add_block(
         &mut self,
         path: KernelPath,
-        filled: &Filled,
+        nonzero: &NonzeroBlocks,
         block: usize,
         source: &[f32],
         rows: &mut [&mut [f32]],
@@ -82,17 +82,17 @@ impl Gatherer {
         if let Some(wide) = path.wide {
             let used = self.chains[..self.chain_count].iter();
             let lit: Vec<&Taps> = used
-                .filter(|taps| taps.slots().any(|slot| filled.any_in(slot, block)))
+                .filter(|taps| taps.slots().any(|slot| nonzero.any_in(slot, block)))
                 .collect();
             if !lit.is_empty() {
-                wide.gather_tile(rows, source, &lit, filled.blocks[block]);
+                wide.gather_tile(rows, source, &lit, nonzero.blocks[block]);
             }
         }
         self.loose.add_block(
             path,
-            filled,
+            nonzero,
             block,
-            &source[GUARD * filled.blocks[block].row * LANES..],
+            &source[GUARD * nonzero.blocks[block].row * LANES..],
             rows,
         );
     }
@@ -161,18 +161,18 @@ impl Sorter {
     fn add_block(
         &mut self,
         path: KernelPath,
-        filled: &Filled,
+        nonzero: &NonzeroBlocks,
         block: usize,
         source: &[f32],
         rows: &mut [&mut [f32]],
     ) {
-        let is_lit = |slot: u32| filled.any_in(slot as usize, block);
+        let is_lit = |slot: u32| nonzero.any_in(slot as usize, block);
         let slots = self.found.runs.iter().map(|run| run.column);
         let dark = slots.filter(|&slot| !is_lit(slot)).count();
         if dark == self.found.runs.len() {
             return;
         }
-        let block = filled.blocks[block];
+        let block = nonzero.blocks[block];
         for (y, line) in rows.iter_mut().enumerate() {
             for (x, voxel) in line.chunks_exact_mut(block.row * LANES).enumerate() {
                 let v = y * TILE + x;

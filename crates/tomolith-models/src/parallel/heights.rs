@@ -4,8 +4,8 @@
 //! of the two pitches and any offset.
 
 use super::TOGETHER;
+use super::block_sparsity::is_nonzero;
 use super::chains::{Avx512, LOOKED_UP};
-use super::filled::is_filled;
 use crate::layout::{PixelRun, row_of};
 use tomolith_core::field::{HostField, LANES};
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
@@ -132,7 +132,7 @@ impl Spread {
         buffer.resize(self.heights.buffer(), 0.0);
         let slices = dose.chunks_exact_mut(self.row_of_slices);
         for (slices, lanes) in slices.zip(lanes.chunks_exact(self.row)) {
-            if is_filled(lanes) {
+            if is_nonzero(lanes) {
                 let rows = &lanes[..self.heights.rows];
                 (self.heights).add_expanded(rows, self.all_rows(), slices, buffer);
             }
@@ -151,7 +151,7 @@ impl Spread {
                 for (lanes, slices) in lanes.zip(slices.chunks_exact(self.row_of_slices)) {
                     let (values, padding) = lanes.split_at_mut(self.heights.rows);
                     padding.fill(0.0);
-                    if is_filled(slices) {
+                    if is_nonzero(slices) {
                         (self.heights).collect(slices, self.all_rows(), values, buffer, rows);
                     } else {
                         values.fill(0.0);

@@ -7,8 +7,8 @@
 //!
 //! Some views alone are those of all, with lanes of the others dark; groups that hold none of them are left out.
 
+use super::block_sparsity::NonzeroBlocks;
 use super::cached::{Bench, CachedEntries};
-use super::filled::Filled;
 use super::plan::LightPlan;
 use super::{DoseLayout, Parallel, TILE, Tile, groups, tile_rows};
 use crate::Run;
@@ -134,7 +134,7 @@ impl Parallel {
         let mut lanes = self.borrow_scratch(wide.slots * wide.row);
         self.expand_parts((light, wide), (views, sides), x, lanes.as_mut_slice());
         let source = lanes.as_slice();
-        let filled = Filled::of(source, wide.row / LANES, wide.parts * wide.part / LANES);
+        let nonzero = NonzeroBlocks::of(source, wide.row / LANES, wide.parts * wide.part / LANES);
         let steps = run.steps(self.tiles.len() * groups.len());
         let DoseLayout { row, grid, .. } = &self.outputs[0];
         let mut rows: Vec<_> = tile_rows(&self.tiles, dose, *row, grid.shape[2]);
@@ -162,7 +162,7 @@ impl Parallel {
                         cache.add(
                             own,
                             (*index, group),
-                            (source, &filled),
+                            (source, &nonzero),
                             &mut rows,
                             &mut desk.bench,
                         );
@@ -269,8 +269,9 @@ impl Parallel {
         let wide = Wide::of(plan);
         let of_rows = self.of_rows(plan, cotangent);
         let cotangent = of_rows.as_ref().map_or(cotangent, HostField::as_slice);
-        let filled = Filled::in_blocks(cotangent, plan.levels.row / LANES, plan.levels.used);
-        let given = (&views, cotangent, &filled);
+        let nonzero =
+            NonzeroBlocks::in_blocks(cotangent, plan.levels.row / LANES, plan.levels.used);
+        let given = (&views, cotangent, &nonzero);
         let groups = repeated(&views, plan.turned.period);
         let (len, per_view) = (wide.slots * wide.row, plan.columns * wide.row);
         let bands = bands(len).min(self.orbits.len() / IN_A_BAND).max(1);
@@ -329,7 +330,7 @@ impl Parallel {
         &self,
         (plan, wide, cache): (&LightPlan, Wide, &CachedEntries),
         (index, groups): (usize, &[Range<usize>]),
-        (views, cotangent, filled): (&Range<usize>, &[f32], &[Filled; 2]),
+        (views, cotangent, nonzero): (&Range<usize>, &[f32], &[NonzeroBlocks; 2]),
         lanes: &mut [f32],
         desk: &mut Desk,
     ) {
@@ -342,12 +343,12 @@ impl Parallel {
             .map(|[x, y]| y * nx + x)
             .collect();
         let sizes = (wide.parts, wide.part / LANES);
-        let filled_there = Filled::side_by_side(filled, wide.row / LANES, sizes, &places);
+        let nonzero_there = NonzeroBlocks::side_by_side(nonzero, wide.row / LANES, sizes, &places);
         let local = Tile {
             start: [0, 0],
             ..*tile
         };
-        let of_tile = filled_there.of_tile(&local, tile.size[0]);
+        let of_tile = nonzero_there.of_tile(&local, tile.size[0]);
         if of_tile.is_empty() {
             return;
         }
@@ -361,7 +362,7 @@ impl Parallel {
                 let own = &mut lanes[wide.lanes(part)];
                 if views.start < (part + 1) * period
                     && part * period < views.end
-                    && filled[0].any(place)
+                    && nonzero[0].any(place)
                 {
                     // Sixteen at a time: a call that copies would take longer than so few floats
                     let lanes = cotangent[place * row..][..wide.part].as_chunks::<LANES>().0;
@@ -375,7 +376,7 @@ impl Parallel {
             }
         }
         let per_view = plan.columns * wide.row;
-        let given = (desk.turned.as_slice(), &filled_there, &of_tile);
+        let given = (desk.turned.as_slice(), &nonzero_there, &of_tile);
         for group in groups {
             let own = group.start - groups[0].start..group.end - groups[0].start;
             let lanes = &mut lanes[own.start * per_view..own.end * per_view];

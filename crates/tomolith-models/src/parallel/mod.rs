@@ -60,10 +60,10 @@
 //! assert!((f64::from(*volume.at(2, 15, 15)) / expected - 1.0).abs() < 1e-4);
 //! ```
 
+mod block_sparsity;
 mod cached;
 pub(crate) mod chains;
 mod comb;
-mod filled;
 mod gather;
 mod heights;
 mod kept;
@@ -85,9 +85,9 @@ use crate::{
     Capabilities, Cost, DoseLayout, HostModel, LinearOperator, MakeFamily, ModelFamily, ModelInput,
     ModelKind, OpticalScene, PatternLayout, Purpose, Refines, Run, Steps, ZCoupling, own_frames,
 };
+use block_sparsity::{NeededEntries, NonzeroBlocks};
 use cached::CachedEntries;
 use chains::GUARD;
-use filled::{Filled, NeededEntries};
 use gather::Gatherer;
 use heights::Spread;
 use kernel::Isa;
@@ -366,7 +366,7 @@ impl Parallel {
             plan,
             views,
             source,
-            filled: Filled::of(slots, row / LANES, plan.levels.used),
+            nonzero: NonzeroBlocks::of(slots, row / LANES, plan.levels.used),
         };
         let steps = run.steps(self.tiles.len() * groups(lit.views.clone()).count());
         let neighbors = neighbors(row);
@@ -403,9 +403,9 @@ impl Parallel {
                 }
                 steps.add(1);
                 let tile = (index, &self.tiles[index]);
-                gatherer.load(self.path, lit.plan, group.clone(), tile, &lit.filled, row);
-                for block in 0..lit.filled.blocks.len() {
-                    gatherer.add_block(self.path, &lit.filled, block, lit.source, rows);
+                gatherer.load(self.path, lit.plan, group.clone(), tile, &lit.nonzero, row);
+                for block in 0..lit.nonzero.blocks.len() {
+                    gatherer.add_block(self.path, &lit.nonzero, block, lit.source, rows);
                 }
             }
         }
@@ -470,8 +470,8 @@ impl Parallel {
         let chunk = views.len().div_ceil(4 * rayon::current_num_threads());
         let chunks = chunks(views.clone(), chunk);
         let neighbors = neighbors(row);
-        let filled = Filled::of(cotangent, row / LANES, plan.levels.used);
-        let of_tiles = self.tiles.iter().par_map(|tile| filled.of_tile(tile, nx));
+        let nonzero = NonzeroBlocks::of(cotangent, row / LANES, plan.levels.used);
+        let of_tiles = self.tiles.iter().par_map(|tile| nonzero.of_tile(tile, nx));
         let per_view = plan.columns * row;
         let used = GUARD * row..(plan.lit.len() + GUARD) * row;
         let mut rest = &mut lanes.as_mut_slice()[used.clone()];
@@ -498,7 +498,7 @@ impl Parallel {
                                 self.path,
                                 group.clone(),
                                 (index, tile, nx),
-                                (cotangent, &filled, &of_tiles[index]),
+                                (cotangent, &nonzero, &of_tiles[index]),
                                 own,
                                 entries,
                             );
@@ -534,7 +534,7 @@ struct Lit<'a> {
     plan: &'a LightPlan,
     views: Range<usize>,
     source: &'a [f32],
-    filled: Filled,
+    nonzero: NonzeroBlocks,
 }
 
 /// What a thread needs to add light to tiles.

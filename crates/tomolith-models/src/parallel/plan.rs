@@ -1,8 +1,8 @@
 //! What is known of one light before any pattern: its beams, where they meet the tiles, which lanes are lit.
 
+use super::block_sparsity::{NeededEntries, NonzeroBlocks, NonzeroTile};
 use super::chains::{Avx512, Chain};
 use super::comb::Comb;
-use super::filled::{Filled, FilledTile, NeededEntries};
 use super::heights::{Heights, Intervals, Levels};
 use super::is_straight;
 use super::kernel::{Block, Isa, accumulate};
@@ -299,7 +299,7 @@ impl LightPlan {
         path: KernelPath,
         views: Range<usize>,
         (index, tile, nx): (usize, &Tile, usize),
-        (cotangent, filled, of_tile): (&[f32], &Filled, &FilledTile),
+        (cotangent, nonzero, of_tile): (&[f32], &NonzeroBlocks, &NonzeroTile),
         lanes: &mut [f32],
         (found, needed): &mut (TileEntries, NeededEntries),
     ) {
@@ -322,16 +322,16 @@ impl LightPlan {
             }
         }
         found.sort_by_place();
-        needed.load(found, filled);
+        needed.load(found, nonzero);
         let first_slot = views.start * self.columns;
         let some = |(block, _): &(usize, &Block)| of_tile.any_in(*block);
-        for (i_block, &block) in filled.blocks.iter().enumerate().filter(some) {
+        for (i_block, &block) in nonzero.blocks.iter().enumerate().filter(some) {
             for &i in &found.by_place {
                 let column = found.runs[i as usize].column as usize;
                 if !self.is_lit_in(first_slot + column, block) {
                     continue;
                 }
-                if let Some(entries) = needed.of(found, i as usize, (filled, i_block)) {
+                if let Some(entries) = needed.of(found, i as usize, (nonzero, i_block)) {
                     let from = (column * block.row + block.first) * LANES;
                     let out = &mut lanes[from..from + block.count * LANES];
                     accumulate(path.isa, out, cotangent, entries, block);

@@ -1,4 +1,4 @@
-//! What is zero costs nothing: which blocks of lanes hold anything else.
+//! Block sparsity: which blocks of lanes hold anything but zero. What is zero costs nothing.
 //!
 //! A band that a voxel keeps gives it no cotangent, and a pixel at its lower bound gives no light: late in a run nine in ten
 //! voxels and two in three pixels are exactly 0. Both kernels ask this page before they multiply. What is left out would
@@ -40,31 +40,31 @@ fn cut(row: usize, vectors: Range<usize>, longest: usize) -> impl Iterator<Item 
 }
 
 /// The first to the last of `used` vectors that hold anything in any row: rows of pixels above and below the part leave the others dark.
-fn held(lanes: &[f32], row: usize, used: usize) -> Range<usize> {
-    let is_held = |&vector: &usize| {
+fn nonzero_vectors(lanes: &[f32], row: usize, used: usize) -> Range<usize> {
+    let holds_any = |&vector: &usize| {
         let own = vector * LANES..(vector + 1) * LANES;
         let parts = lanes.chunks(TOGETHER * row * LANES).par_map(|rows| {
             let mut rows = rows.chunks_exact(row * LANES);
-            rows.any(|lanes| is_filled(&lanes[own.clone()]))
+            rows.any(|lanes| is_nonzero(&lanes[own.clone()]))
         });
         parts.contains(&true)
     };
-    let Some(first) = (0..used).find(is_held) else {
+    let Some(first) = (0..used).find(holds_any) else {
         return 0..0;
     };
-    let last = (first..used).rev().find(is_held).unwrap_or(first);
+    let last = (first..used).rev().find(holds_any).unwrap_or(first);
     first..last + 1
 }
 
-/// For each row of lanes, which blocks hold anything but 0.
-pub(super) struct Filled {
+/// Blocks of each row of lanes that hold anything but 0.
+pub(super) struct NonzeroBlocks {
     /// The blocks of a row.
     pub(super) blocks: Vec<Block>,
     /// Their [`bit`]s, row by row.
     rows: Vec<u64>,
 }
 
-impl Filled {
+impl NonzeroBlocks {
     /// Of rows of `row` vectors, of which `used` count; in short blocks where so many of them are empty that it pays.
     pub(super) fn of(lanes: &[f32], row: usize, used: usize) -> Self {
         let [short, long] = Self::in_blocks(lanes, row, used);
@@ -73,7 +73,7 @@ impl Filled {
 
     /// The same in short and in long blocks. Vectors that are empty in all rows, at either end, are in no block.
     pub(super) fn in_blocks(lanes: &[f32], row: usize, used: usize) -> [Self; 2] {
-        let long: Vec<Block> = cut(row, held(lanes, row, used), MAX_BLOCK).collect();
+        let long: Vec<Block> = cut(row, nonzero_vectors(lanes, row, used), MAX_BLOCK).collect();
         let parts = |block: &Block| cut(row, block.first..block.first + block.count, SHORT);
         let short: Vec<Block> = long.iter().flat_map(parts).collect();
         let rows = table(lanes.len() / (row * LANES), |i| {
@@ -90,14 +90,14 @@ impl Filled {
             })
             .collect();
         let of_long = |bits: u64| {
-            let filled = masks
+            let nonzero = masks
                 .iter()
                 .enumerate()
                 .filter(|(_, mask)| bits & **mask != 0);
-            filled.fold(0, |bits, (i, _)| bits | bit(i))
+            nonzero.fold(0, |bits, (i, _)| bits | bit(i))
         };
         let rows_of_long = table(rows.len(), |i| of_long(rows[i]));
-        [(short, rows), (long, rows_of_long)].map(|(blocks, rows)| Filled { blocks, rows })
+        [(short, rows), (long, rows_of_long)].map(|(blocks, rows)| NonzeroBlocks { blocks, rows })
     }
 
     /// The one that costs less.
@@ -158,7 +158,7 @@ impl Filled {
         };
         let rows = of_rows.chunks_exact(parts);
         let rows = rows.map(|rows| rows.iter().enumerate().map(bits).fold(0, |a, b| a | b));
-        Filled {
+        NonzeroBlocks {
             rows: rows.collect(),
             blocks,
         }
@@ -166,12 +166,12 @@ impl Filled {
 
     /// What reading all blocks that hold anything costs, if a vector costs 1.
     fn cost(&self) -> f64 {
-        let filled: u64 = (self.rows.iter())
+        let nonzero: u64 = (self.rows.iter())
             .map(|bits| u64::from(bits.count_ones()))
             .sum();
         let vectors: usize = self.blocks.iter().map(|block| block.count).sum();
         let of_block = vectors as f64 / self.blocks.len().max(1) as f64 + COST_OF_BLOCK;
-        filled as f64 * of_block
+        nonzero as f64 * of_block
     }
 
     /// Whether anything is in this row at all.
@@ -185,8 +185,8 @@ impl Filled {
     }
 
     /// Of the voxels of a tile, in a plane of `nx` voxels a row.
-    pub(super) fn of_tile(&self, tile: &Tile, nx: usize) -> FilledTile {
-        let mut found = FilledTile {
+    pub(super) fn of_tile(&self, tile: &Tile, nx: usize) -> NonzeroTile {
+        let mut found = NonzeroTile {
             blocks: 0,
             wanted: [[0; TILE]; 2],
         };
@@ -194,9 +194,9 @@ impl Filled {
             let first = (tile.start[1] + y) * nx + tile.start[0];
             for (x, &bits) in self.rows[first..first + tile.size[0]].iter().enumerate() {
                 found.blocks |= bits;
-                let filled = u32::from(bits != 0);
-                found.wanted[0][x] |= filled << y;
-                found.wanted[1][y] |= filled << x;
+                let nonzero = u32::from(bits != 0);
+                found.wanted[0][x] |= nonzero << y;
+                found.wanted[1][y] |= nonzero << x;
             }
         }
         found
@@ -212,30 +212,30 @@ impl Filled {
 }
 
 /// Whether whole vectors of lanes hold anything but 0.
-pub(super) fn is_filled(lanes: &[f32]) -> bool {
+pub(super) fn is_nonzero(lanes: &[f32]) -> bool {
     // Without a way out in the middle of a vector, so that it becomes one comparison
-    let is_filled = |vector: &[f32]| vector.iter().fold(false, |any, &v| any | (v != 0.0));
-    lanes.chunks_exact(LANES).any(is_filled)
+    let is_nonzero = |vector: &[f32]| vector.iter().fold(false, |any, &v| any | (v != 0.0));
+    lanes.chunks_exact(LANES).any(is_nonzero)
 }
 
 /// [`bit`]s of the blocks of a row that hold anything but 0.
 fn bits_of(lanes: &[f32], blocks: &[Block]) -> u64 {
-    let filled = blocks.iter().enumerate().filter(|(_, block)| {
+    let nonzero = blocks.iter().enumerate().filter(|(_, block)| {
         let own = block.first * LANES..(block.first + block.count) * LANES;
-        is_filled(&lanes[own])
+        is_nonzero(&lanes[own])
     });
-    filled.fold(0, |bits, (i, _)| bits | bit(i))
+    nonzero.fold(0, |bits, (i, _)| bits | bit(i))
 }
 
-/// Which voxels of a tile hold anything.
-pub(super) struct FilledTile {
+/// Voxels of a tile that hold anything but 0.
+pub(super) struct NonzeroTile {
     /// Bits of any of its voxels.
     blocks: u64,
     /// Its rows along x, then along y: bit i of a row for voxel i across.
     wanted: [[u32; TILE]; 2],
 }
 
-impl FilledTile {
+impl NonzeroTile {
     pub(super) fn is_empty(&self) -> bool {
         self.blocks == 0
     }
@@ -259,9 +259,9 @@ pub(super) struct NeededEntries {
 }
 
 impl NeededEntries {
-    /// Looks at all runs of `found`, whose slots are rows of `filled`.
-    pub(super) fn load(&mut self, found: &TileEntries, filled: &Filled) {
-        let of_run = |run| filled.all_and_any(found.of(run).slots);
+    /// Looks at all runs of `found`, whose slots are rows of `nonzero`.
+    pub(super) fn load(&mut self, found: &TileEntries, nonzero: &NonzeroBlocks) {
+        let of_run = |run| nonzero.all_and_any(found.of(run).slots);
         self.bits.clear();
         self.bits.extend(found.runs.iter().map(of_run));
     }
@@ -271,7 +271,7 @@ impl NeededEntries {
         &'a mut self,
         found: &'a TileEntries,
         i: usize,
-        (filled, block): (&Filled, usize),
+        (nonzero, block): (&NonzeroBlocks, usize),
     ) -> Option<Entries<'a>> {
         let [all, any] = self.bits[i];
         if any & bit(block) == 0 {
@@ -283,7 +283,7 @@ impl NeededEntries {
         }
         Some(
             self.chosen
-                .of(entries, |voxel| filled.any_in(voxel as usize, block)),
+                .of(entries, |voxel| nonzero.any_in(voxel as usize, block)),
         )
     }
 }
@@ -323,7 +323,7 @@ mod tests {
     fn little_light_takes_short_blocks_and_much_takes_long_ones() {
         // Rows of 21 vectors, of which 20 count: two blocks of 10, or four of 5
         let (row, used) = (21, 20);
-        let filled = |lit: &dyn Fn(usize, usize) -> bool| {
+        let nonzero = |lit: &dyn Fn(usize, usize) -> bool| {
             let mut lanes = vec![0.0; 50 * row * LANES];
             for i in 0..50 {
                 for vector in 0..used {
@@ -332,11 +332,12 @@ mod tests {
                     }
                 }
             }
-            Filled::of(&lanes, row, used)
+            NonzeroBlocks::of(&lanes, row, used)
         };
-        let counts =
-            |filled: &Filled| -> Vec<usize> { filled.blocks.iter().map(|b| b.count).collect() };
-        let all = filled(&|_, _| true);
+        let counts = |nonzero: &NonzeroBlocks| -> Vec<usize> {
+            nonzero.blocks.iter().map(|b| b.count).collect()
+        };
+        let all = nonzero(&|_, _| true);
         assert_eq!(counts(&all), [10, 10]);
         assert!(all.any_in(49, 0) && all.any_in(0, 1));
         // A row that is lit at both ends, and few that are lit between
@@ -344,7 +345,7 @@ mod tests {
             0 => vector == 0 || vector == 19,
             _ => i % 7 == 3 && vector == 12,
         };
-        let few = filled(&is_lit);
+        let few = nonzero(&is_lit);
         assert_eq!(counts(&few), [5; 4]);
         for i in 1..50 {
             for block in 0..4 {
@@ -366,9 +367,9 @@ mod tests {
             for [i, vector] in places {
                 lanes[(i * row + vector) * LANES + 15] = 1.0;
             }
-            let filled = Filled::of(&lanes, row, used);
-            let ranges = filled.blocks.iter().map(|b| b.first..b.first + b.count);
-            (ranges.collect::<Vec<_>>(), filled.any(1))
+            let nonzero = NonzeroBlocks::of(&lanes, row, used);
+            let ranges = nonzero.blocks.iter().map(|b| b.first..b.first + b.count);
+            (ranges.collect::<Vec<_>>(), nonzero.any(1))
         };
         let one = |range: Range<usize>| [range].to_vec();
         assert_eq!(lit(&[[0, 1], [2, 2]]), (one(1..3), false));
@@ -386,14 +387,14 @@ mod tests {
         lanes[351 * LANES] = 1.0;
         lanes[(row + 349) * LANES] = f32::NAN;
         lanes[2 * row * LANES] = 1.0;
-        let filled = Filled::of(&lanes, row, used);
+        let nonzero = NonzeroBlocks::of(&lanes, row, used);
         assert!(
-            !filled.any(0),
+            !nonzero.any(0),
             "what lies beyond the lanes in use does not count"
         );
-        let last = filled.blocks.len() - 1;
-        assert!(filled.any_in(1, last) && !filled.any_in(1, 0));
-        let covered: usize = filled.blocks.iter().map(|b| b.count).sum();
+        let last = nonzero.blocks.len() - 1;
+        assert!(nonzero.any_in(1, last) && !nonzero.any_in(1, 0));
+        let covered: usize = nonzero.blocks.iter().map(|b| b.count).sum();
         assert_eq!(covered, used);
     }
 }
