@@ -186,7 +186,7 @@ impl Parallel {
         lanes: &mut [f32],
     ) {
         let (plan, layout) = (&self.lights[light], &self.patterns[light]);
-        let buffer = || vec![0.0; plan.levels.heights.buffer()];
+        let buffer = || vec![0.0; plan.levels.overlaps.buffer()];
         lanes
             .chunks_mut(plan.columns * wide.row)
             .enumerate()

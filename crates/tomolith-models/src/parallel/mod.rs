@@ -17,7 +17,7 @@
 //!
 //! # Discretization
 //! `kernel = "distance-driven"` (the default): see `strips.rs` and `tiles.rs`. Along z pixels are boxes and the overlap with a voxel is
-//! exact; where rows of pixels are fewer than slices of voxels, the kernel runs along the rows (`heights.rs`). A pixel's absorbed energy is conserved to rounding, a uniform light gives a uniform fluence, and the error of a
+//! exact; where rows of pixels are fewer than slices of voxels, the kernel runs along the rows (`z_overlap.rs`). A pixel's absorbed energy is conserved to rounding, a uniform light gives a uniform fluence, and the error of a
 //! voxel falls with the square of the pitch. The published kernels of pure Radon, `"line"`, `"linear"` and `"strip"`, are
 //! other enumerators of the same (column, voxel, weight): see [`radon`].
 //!
@@ -65,7 +65,6 @@ mod cached;
 pub(crate) mod chains;
 mod comb;
 mod gather;
-mod heights;
 mod kept;
 pub mod kernel;
 mod loose;
@@ -80,6 +79,7 @@ mod tiles;
 mod turned;
 mod views;
 mod walls;
+mod z_overlap;
 
 use crate::{
     Capabilities, Cost, DoseLayout, HostModel, LinearOperator, MakeFamily, ModelFamily, ModelInput,
@@ -89,7 +89,6 @@ use block_sparsity::{NeededEntries, NonzeroBlocks};
 use cached::CachedEntries;
 use chains::GUARD;
 use gather::Gatherer;
-use heights::Spread;
 use kernel::Isa;
 use loose::Loose;
 use plan::{KernelPath, LightPlan};
@@ -107,6 +106,7 @@ use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 use turned::Turned;
+use z_overlap::Spread;
 
 /// Keys of `[model.parallel]`.
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]

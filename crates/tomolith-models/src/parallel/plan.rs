@@ -3,7 +3,6 @@
 use super::block_sparsity::{NeededEntries, NonzeroBlocks, NonzeroTile};
 use super::chains::{Avx512, Chain};
 use super::comb::Comb;
-use super::heights::{Heights, Intervals, Levels};
 use super::is_straight;
 use super::kernel::{Block, Isa, accumulate};
 use super::mapped::Mapped;
@@ -14,6 +13,7 @@ use super::tiles::{self, Bounds, Deposit, Local, Meeting, Slots, TILE, Tile, Til
 use super::turned::Turned;
 use super::views::Views;
 use super::walls::Walls;
+use super::z_overlap::{Intervals, Levels, ZOverlaps};
 use crate::{PatternLayout, Run};
 use std::ops::Range;
 use tomolith_core::field::LANES;
@@ -169,16 +169,16 @@ impl LightPlan {
         let meetings = tiles.iter().par_map(of_tile).concat();
         let wide = KernelPath::of(Isa::in_use()).wide;
         let (rows, slices) = (Intervals::of_rows(&pixels), Intervals::of_slices(grid));
-        let heights = Heights::new(&rows, &slices, wide);
-        let levels = Levels::new(&rows, &slices, &heights, wide);
-        let lit_by = |heights: &Heights| -> Vec<(u16, u16)> {
+        let overlaps = ZOverlaps::new(&rows, &slices, wide);
+        let levels = Levels::new(&rows, &slices, &overlaps, wide);
+        let lit_by = |overlaps: &ZOverlaps| -> Vec<(u16, u16)> {
             let vectors = |&run| {
-                let (first, end) = heights.lanes_of(run);
+                let (first, end) = overlaps.lanes_of(run);
                 ((first / LANES) as u16, end.div_ceil(LANES) as u16)
             };
             layout.runs.iter().map(vectors).collect()
         };
-        let lit = lit(&views, pixels.columns, &lit_by(&levels.heights));
+        let lit = lit(&views, pixels.columns, &lit_by(&levels.overlaps));
         LightPlan {
             of_view: of_views(&beams, views.count()),
             beams,
@@ -193,7 +193,7 @@ impl LightPlan {
             kernel,
             mapped,
             lit,
-            lit_by_frame: lit_by(&heights),
+            lit_by_frame: lit_by(&overlaps),
             columns: light.pixels.columns,
         }
     }
@@ -221,7 +221,7 @@ impl LightPlan {
             .chunks_mut(per_view)
             .zip(views)
             .par_each_with(
-                || vec![0.0; self.levels.heights.buffer()],
+                || vec![0.0; self.levels.overlaps.buffer()],
                 |buffer, (lanes, view)| {
                     lanes.fill(0.0);
                     for (column, lanes) in lanes.chunks_mut(row).enumerate() {
@@ -246,7 +246,9 @@ impl LightPlan {
             let values = &x[run.offset..][..run.count as usize];
             // Late in a run most pixels are dark
             if values.iter().any(|value| *value != 0.0) {
-                self.levels.heights.add_expanded(values, run, lanes, buffer);
+                self.levels
+                    .overlaps
+                    .add_expanded(values, run, lanes, buffer);
             }
         }
     }
@@ -274,8 +276,8 @@ impl LightPlan {
             .par_each_with(
                 || {
                     [
-                        vec![0.0; self.levels.heights.buffer()],
-                        vec![0.0; self.levels.heights.buffer()],
+                        vec![0.0; self.levels.overlaps.buffer()],
+                        vec![0.0; self.levels.overlaps.buffer()],
                     ]
                 },
                 |[buffer, rows], ((mut piece, runs), frame)| {
@@ -284,7 +286,7 @@ impl LightPlan {
                         if run.count > 0 {
                             let lanes = lanes_of(self.views.slot(frame, column));
                             self.levels
-                                .heights
+                                .overlaps
                                 .collect(lanes, *run, values, buffer, rows);
                         }
                         piece = tail;

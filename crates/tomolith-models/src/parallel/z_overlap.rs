@@ -1,4 +1,4 @@
-//! Along z: rows of pixels ↔ lanes of voxels.
+//! Overlap along z: rows of pixels ↔ lanes of voxels.
 //!
 //! A pixel is a box, so a voxel receives the mean over its height: Σ overlap(row, voxel)/pitch · value. Exact for any ratio
 //! of the two pitches and any offset.
@@ -64,7 +64,7 @@ pub(super) struct Levels {
     pub(super) row: usize,
     pub(super) used: usize,
     /// Rows of pixels → lanes of the kernel.
-    pub(super) heights: Heights,
+    pub(super) overlaps: ZOverlaps,
     /// Lanes of the kernel → slices; None where they are the slices.
     pub(super) spread: Option<Spread>,
 }
@@ -74,7 +74,7 @@ impl Levels {
     pub(super) fn new(
         rows: &Intervals,
         slices: &Intervals,
-        all: &Heights,
+        all: &ZOverlaps,
         wide: Option<Avx512>,
     ) -> Self {
         let row = row_of(slices.count());
@@ -88,7 +88,7 @@ impl Levels {
             return Levels {
                 row,
                 used: slices.count().div_ceil(LANES),
-                heights: all.clone(),
+                overlaps: all.clone(),
                 spread: None,
             };
         }
@@ -100,9 +100,9 @@ impl Levels {
         Levels {
             row,
             used: (end - first).div_ceil(LANES),
-            heights: Heights::new(rows, &lit, wide),
+            overlaps: ZOverlaps::new(rows, &lit, wide),
             spread: Some(Spread {
-                heights: Heights::new(&lit, slices, wide),
+                overlaps: ZOverlaps::new(&lit, slices, wide),
                 row,
                 row_of_slices: row_of(slices.count()),
             }),
@@ -112,7 +112,7 @@ impl Levels {
 
 /// Lanes of the kernel that are rows of pixels, and the slices of voxels.
 pub(super) struct Spread {
-    heights: Heights,
+    overlaps: ZOverlaps,
     /// Floats of a row of lanes, and of a row of slices.
     row: usize,
     row_of_slices: usize,
@@ -123,25 +123,25 @@ impl Spread {
         PixelRun {
             offset: 0,
             bottom: 0,
-            count: self.heights.rows as u32,
+            count: self.overlaps.rows as u32,
         }
     }
 
-    /// Adds rows of lanes to as many rows of slices; `buffer` has [`buffer`](Heights::buffer) floats.
+    /// Adds rows of lanes to as many rows of slices; `buffer` has [`buffer`](ZOverlaps::buffer) floats.
     pub(super) fn add_to(&self, dose: &mut [f32], lanes: &[f32], buffer: &mut Vec<f32>) {
-        buffer.resize(self.heights.buffer(), 0.0);
+        buffer.resize(self.overlaps.buffer(), 0.0);
         let slices = dose.chunks_exact_mut(self.row_of_slices);
         for (slices, lanes) in slices.zip(lanes.chunks_exact(self.row)) {
             if is_nonzero(lanes) {
-                let rows = &lanes[..self.heights.rows];
-                (self.heights).add_expanded(rows, self.all_rows(), slices, buffer);
+                let rows = &lanes[..self.overlaps.rows];
+                (self.overlaps).add_expanded(rows, self.all_rows(), slices, buffer);
             }
         }
     }
 
     /// Rows of slices → rows of lanes (transpose of [`add_to`](Self::add_to)); `lanes` are overwritten.
     pub(super) fn collect(&self, slices: &[f32], lanes: &mut HostField) {
-        let buffers = || [(); 2].map(|()| vec![0.0; self.heights.buffer()]);
+        let buffers = || [(); 2].map(|()| vec![0.0; self.overlaps.buffer()]);
         lanes
             .as_mut_slice()
             .chunks_mut(TOGETHER * self.row)
@@ -149,10 +149,10 @@ impl Spread {
             .par_each_with(buffers, |[buffer, rows], (lanes, slices)| {
                 let lanes = lanes.chunks_exact_mut(self.row);
                 for (lanes, slices) in lanes.zip(slices.chunks_exact(self.row_of_slices)) {
-                    let (values, padding) = lanes.split_at_mut(self.heights.rows);
+                    let (values, padding) = lanes.split_at_mut(self.overlaps.rows);
                     padding.fill(0.0);
                     if is_nonzero(slices) {
-                        (self.heights).collect(slices, self.all_rows(), values, buffer, rows);
+                        (self.overlaps).collect(slices, self.all_rows(), values, buffer, rows);
                     } else {
                         values.fill(0.0);
                     }
@@ -163,7 +163,7 @@ impl Spread {
 
 /// Overlaps of rows and lanes, in both directions.
 #[derive(Clone, Debug)]
-pub(super) struct Heights {
+pub(super) struct ZOverlaps {
     wide: Option<Avx512>,
     rows: usize,
     lanes: usize,
@@ -285,7 +285,7 @@ impl Taps {
     }
 }
 
-impl Heights {
+impl ZOverlaps {
     /// Overlaps of rows (lowest first) with lanes.
     pub(super) fn new(rows: &Intervals, lanes: &Intervals, wide: Option<Avx512>) -> Self {
         let overlap = |lane: usize, row: usize| lanes.overlap(lane, rows, row);
@@ -298,7 +298,7 @@ impl Heights {
                 (first, first + count as u32)
             })
             .collect();
-        Heights {
+        ZOverlaps {
             wide,
             rows: row_count,
             lanes: lane_count,
@@ -507,18 +507,18 @@ mod tests {
             (-20.0, 5.5, 19),
         ] {
             let lanes = of(low, pitch, count);
-            let [plain, fast] = [None, Some(wide)].map(|wide| Heights::new(&rows, &lanes, wide));
+            let [plain, fast] = [None, Some(wide)].map(|wide| ZOverlaps::new(&rows, &lanes, wide));
             let run = PixelRun {
                 offset: 0,
                 bottom: 0,
                 count: 53,
             };
-            let results = [plain, fast].map(|heights| {
-                let mut buffers = [(); 2].map(|()| vec![0.0; heights.buffer()]);
+            let results = [plain, fast].map(|overlaps| {
+                let mut buffers = [(); 2].map(|()| vec![0.0; overlaps.buffer()]);
                 let [buffer, others] = &mut buffers;
                 let (mut expanded, mut collected) = (vec![0.0; count], vec![0.0; 53]);
-                heights.add_expanded(&noise(1, 53), run, &mut expanded, buffer);
-                heights.collect(&noise(2, count), run, &mut collected, buffer, others);
+                overlaps.add_expanded(&noise(1, 53), run, &mut expanded, buffer);
+                overlaps.collect(&noise(2, count), run, &mut collected, buffer, others);
                 (expanded, collected)
             });
             assert_near(&results[1].0, &results[0].0, "rows to lanes");
