@@ -9,12 +9,12 @@
     reason = "kernel file: vector arithmetic needs intrinsics"
 )]
 
-use super::comb::{Integrals, Square};
 use super::kernel::Block;
 use super::strips::{Beam, Columns};
 #[cfg(doc)]
 use super::tiles::NARROWEST_IN_CHAIN;
 use super::tiles::{Local, TILE, TileEntries};
+use super::uniform_strips::{Integrals, Square};
 use tomolith_core::field::LANES;
 
 /// A chain of strips of one beam, seen from a tile.
@@ -251,9 +251,9 @@ impl Taps {
 
 #[cfg(target_arch = "x86_64")]
 pub(crate) mod avx512 {
-    use super::super::comb::{Integrals, Square};
     use super::super::kernel::Block;
     use super::super::tiles::{Local, MOST_IN_CHAIN, TILE, TileEntries};
+    use super::super::uniform_strips::{Integrals, Square};
     use super::{Chain, GUARD, LANES, LOOKED_UP, MOST_TAPS, PATCH, PATCHES, Taps, WINDOW};
     use std::arch::x86_64::*;
 

@@ -63,7 +63,6 @@
 mod block_sparsity;
 mod cached;
 pub(crate) mod chains;
-mod comb;
 mod gather;
 mod kept;
 pub mod kernel;
@@ -77,6 +76,7 @@ mod rake;
 mod strips;
 mod tiles;
 mod turned;
+mod uniform_strips;
 mod views;
 mod walls;
 mod z_overlap;

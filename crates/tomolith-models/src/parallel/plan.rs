@@ -2,7 +2,6 @@
 
 use super::block_sparsity::{NeededEntries, NonzeroBlocks, NonzeroTile};
 use super::chains::{Avx512, Chain};
-use super::comb::Comb;
 use super::is_straight;
 use super::kernel::{Block, Isa, accumulate};
 use super::mapped::Mapped;
@@ -11,6 +10,7 @@ use super::rake::Rake;
 use super::strips::{self, Beam};
 use super::tiles::{self, Bounds, Deposit, Local, Meeting, Slots, TILE, Tile, TileEntries};
 use super::turned::Turned;
+use super::uniform_strips::UniformStrips;
 use super::views::Views;
 use super::walls::Walls;
 use super::z_overlap::{Intervals, Levels, ZOverlaps};
@@ -47,8 +47,8 @@ pub(super) struct LightPlan {
     pub(super) turned: Turned,
     /// Beams of each view.
     pub(super) of_view: Vec<Range<usize>>,
-    /// Beams that are combs, for a single slice.
-    pub(super) combs: Vec<Option<Comb>>,
+    /// Beams of uniform strips, for a single slice.
+    pub(super) uniform_strips: Vec<Option<UniformStrips>>,
     /// Beams that are rakes, for a single slice.
     pub(super) rakes: Vec<Option<Rake>>,
     /// How tiles and beams meet: `[tile][beam]`.
@@ -138,31 +138,32 @@ impl LightPlan {
             .as_ref()
             .map(|map| Mapped::new(map, resin, (grid, &walls), &beams));
         let is_even = mapped.is_none();
-        let is_comb = grid.shape[0] == 1
+        let may_be_uniform = grid.shape[0] == 1
             && is_even
             && kernel == Kernel::DistanceDriven
             && is_straight(vial, light);
-        let combs: Vec<Option<Comb>> = beams.iter().par_map(|beam| {
-            let comb = || Comb::new(beam, &pixels, grid, &deposit);
-            is_comb.then(comb).flatten()
+        let uniform_strips: Vec<Option<UniformStrips>> = beams.iter().par_map(|beam| {
+            let strips = || UniformStrips::new(beam, &pixels, grid, &deposit);
+            may_be_uniform.then(strips).flatten()
         });
         let is_rake = grid.shape[0] == 1 && kernel == Kernel::Line;
         let rake = |beam| is_rake.then(|| Rake::new(beam, &pixels, grid)).flatten();
         let rakes: Vec<Option<Rake>> = beams.iter().map(rake).collect();
         let bounds: Vec<Vec<Bounds>> = beams.iter().par_map(Bounds::of_beam);
-        let meeting = |tile, ((beam, comb), bounds): ((&Beam, &Option<Comb>), &Vec<Bounds>)| {
-            let meeting = tiles::meeting(beam, bounds, comb.as_ref(), &walls, tile);
-            let strips = &beam.strips[meeting.first as usize..meeting.end as usize];
-            Meeting {
-                chain: meeting.chain && is_even,
-                rake: is_rake && Rake::holds(strips, tile, beam.major),
-                ..meeting
-            }
-        };
+        let meeting =
+            |tile, ((beam, uniform), bounds): ((&Beam, &Option<UniformStrips>), &Vec<Bounds>)| {
+                let meeting = tiles::meeting(beam, bounds, uniform.as_ref(), &walls, tile);
+                let strips = &beam.strips[meeting.first as usize..meeting.end as usize];
+                Meeting {
+                    chain: meeting.chain && is_even,
+                    rake: is_rake && Rake::holds(strips, tile, beam.major),
+                    ..meeting
+                }
+            };
         let steps = run.steps(tiles.len());
         let of_tile = |tile| -> Vec<Meeting> {
             steps.add(1);
-            let beams = beams.iter().zip(&combs).zip(&bounds);
+            let beams = beams.iter().zip(&uniform_strips).zip(&bounds);
             let until_canceled = beams.take_while(|_| !steps.is_canceled());
             until_canceled.map(|beam| meeting(tile, beam)).collect()
         };
@@ -184,7 +185,7 @@ impl LightPlan {
             beams,
             turned,
             views,
-            combs,
+            uniform_strips,
             rakes,
             meetings,
             levels,

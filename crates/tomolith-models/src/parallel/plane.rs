@@ -1,16 +1,16 @@
 //! A single slice: lanes over voxels and strips in place of z.
 //!
 //! Dose works tile by tile, all frames for one tile; the adjoint frame by frame, all tiles for a few frames. Straight
-//! evenly spaced strips are [`comb`](super::comb)s, the rays of the kernel `line` [`rake`](super::rake)s, other chains vectors over
+//! evenly spaced strips are [`uniform_strips`](super::uniform_strips), the rays of the kernel `line` [`rake`](super::rake)s, other chains vectors over
 //! strips, and what is left (tiles that a resin wall cuts, the kernels `linear` and `strip`) single entries of the common enumerator.
 
 use super::chains::{Avx512, Chain, Taps, WINDOW};
-use super::comb::{Comb, Integrals, Square};
 use super::loose::Loose;
 use super::plan::LightPlan;
 use super::rake::MOST;
 use super::strips::Major;
 use super::tiles::{Local, Meeting, Slots, TILE, Tile, TileEntries};
+use super::uniform_strips::{Integrals, Square, UniformStrips};
 use super::{Parallel, tile_rows};
 use crate::Run;
 use std::ops::Range;
@@ -65,15 +65,15 @@ impl Parallel {
         plan.expand(layout, (views.clone(), sides), x, pixels.as_mut_slice(), 1);
         let values = pixels.as_slice();
         let beams = plan.beams_of(views);
-        let stride = Comb::stride(plan.columns);
+        let stride = UniformStrips::stride(plan.columns);
         let mut sources = self.borrow_scratch(beams.len() * stride);
         sources
             .as_mut_slice()
             .chunks_mut(stride)
             .zip(beams.clone())
             .par_each(|(source, beam)| {
-                if let Some(comb) = &plan.combs[beam] {
-                    comb.fill(plan.frame(values, beam), source);
+                if let Some(uniform) = &plan.uniform_strips[beam] {
+                    uniform.fill(plan.frame(values, beam), source);
                 }
             });
         let all = sources.as_slice();
@@ -91,9 +91,17 @@ impl Parallel {
                     }
                     let meeting = plan.meeting(index, beam);
                     let square = &mut along[square_of(plan.beams[beam].major)];
-                    if let (true, Some(comb)) = (meeting.comb, &plan.combs[beam]) {
+                    if let (true, Some(uniform)) =
+                        (meeting.uniform_strips, &plan.uniform_strips[beam])
+                    {
                         let source = &all[(beam - beams.start) * stride..][..stride];
-                        comb.add_dose(self.path.isa, tile, plan.beams[beam].major, source, square);
+                        uniform.add_dose(
+                            self.path.isa,
+                            tile,
+                            plan.beams[beam].major,
+                            source,
+                            square,
+                        );
                     } else if let (true, Some(rake)) = (meeting.rake, &plan.rakes[beam]) {
                         let strips = meeting.first as usize..meeting.end as usize;
                         let rays = rake.rays(strips.clone(), tile, plan.beams[beam].major);
@@ -207,7 +215,7 @@ fn add_loose(found: &TileEntries, values: &[f32], square: &mut Square) {
 struct Gathering {
     frames: Range<usize>,
     beams: Range<usize>,
-    /// Strips of the beams that are combs.
+    /// Strips of the beams of uniform strips.
     sources: Vec<f32>,
     /// Cotangent of the tile: lanes along x, and along y.
     integrals: [Integrals; 2],
@@ -220,7 +228,7 @@ impl Gathering {
         self.frames = frames;
         self.sources.clear();
         self.sources
-            .resize(self.beams.len() * Comb::stride(plan.columns), 0.0);
+            .resize(self.beams.len() * UniformStrips::stride(plan.columns), 0.0);
     }
 
     /// Reads the cotangent of a tile; false when it is zero.
@@ -253,13 +261,13 @@ impl Gathering {
         if !self.load(tile, model.outputs[0].grid.shape[2], cotangent) {
             return;
         }
-        let stride = Comb::stride(plan.columns);
+        let stride = UniformStrips::stride(plan.columns);
         for i in self.beams.clone() {
             let (beam, meeting) = (&plan.beams[i], plan.meeting(index, i));
             let integrals = &self.integrals[square_of(beam.major)];
-            if let (true, Some(comb)) = (meeting.comb, &plan.combs[i]) {
+            if let (true, Some(uniform)) = (meeting.uniform_strips, &plan.uniform_strips[i]) {
                 let source = &mut self.sources[(i - self.beams.start) * stride..][..stride];
-                comb.add_adjoint(model.path.isa, tile, beam.major, integrals, source);
+                uniform.add_adjoint(model.path.isa, tile, beam.major, integrals, source);
                 continue;
             }
             if meeting.end == meeting.first {
@@ -297,11 +305,11 @@ impl Gathering {
     }
 
     fn end(&self, plan: &LightPlan, pixels: &mut [f32]) {
-        let stride = Comb::stride(plan.columns);
+        let stride = UniformStrips::stride(plan.columns);
         for (source, beam) in self.sources.chunks(stride).zip(self.beams.clone()) {
-            if let Some(comb) = &plan.combs[beam] {
+            if let Some(uniform) = &plan.uniform_strips[beam] {
                 let first = (plan.beams[beam].frame as usize - self.frames.start) * plan.columns;
-                comb.collect(source, &mut pixels[first..first + plan.columns]);
+                uniform.collect(source, &mut pixels[first..first + plan.columns]);
             }
         }
     }

@@ -15,10 +15,10 @@
     reason = "kernel file: registers and run-time dispatch need intrinsics"
 )]
 
-use super::comb::Square;
 use super::kernel::Isa;
 use super::strips::{Beam, Major, Strip};
 use super::tiles::{TILE, Tile};
+use super::uniform_strips::Square;
 use std::ops::Range;
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
 

@@ -589,7 +589,7 @@ fn a_plane_passes_the_model_check_in_every_vial_on_every_path() {
     for vial in vials().into_iter().chain([wide]) {
         for isa in Isa::available() {
             for resin in [Resin::absorbing(1.48, 0.2), Resin::pure_radon(1.48)] {
-                // Two taps, three, and pixels too fine for a comb
+                // Two taps, three, and pixels too fine for uniform strips
                 for (columns, pitch) in [(45, 0.11), (52, 0.09), (99, 0.05), (21, 0.23)] {
                     let model = slices(vial.as_ref(), 1, resin, columns, pitch).with_isa(isa);
                     check::model::model(&model, 7)
@@ -621,13 +621,16 @@ fn a_plane_is_a_slice_of_a_volume() {
 }
 
 #[test]
-fn straight_light_through_a_plane_is_a_comb() {
+fn straight_light_through_a_plane_is_uniform_strips() {
     let vial = IndexMatched { radius_mm: 9.0 };
     let model = slices(&vial, 1, Resin::absorbing(1.48, 0.3), 45, 0.1);
     let met = |m: &&tiles::Meeting| m.end > m.first;
     let meetings = || model.lights[0].meetings.iter().filter(met);
     assert!(meetings().count() > 0);
-    assert!(meetings().all(|m| m.comb), "tiles that are no combs");
+    assert!(
+        meetings().all(|m| m.uniform_strips),
+        "tiles without uniform strips"
+    );
 }
 
 /// A light of pure Radon from these azimuths, some of its pixels dark.

@@ -7,9 +7,9 @@
 //! (2004)), cut where the row's resin ends ([`walls`](super::walls)). Hence a pixel's energy is conserved, in the resin, and a uniform
 //! light gives a uniform dose, both without any tuning.
 
-use super::comb::Comb;
 use super::kernel::Entries;
 use super::strips::{Beam, Major, Strip};
+use super::uniform_strips::UniformStrips;
 use super::walls::{Room, Walls};
 use std::ops::Range;
 
@@ -230,9 +230,9 @@ pub(super) struct Meeting {
     pub(super) end: u16,
     /// Whether they form a chain, with no resin wall within the tile.
     pub(super) chain: bool,
-    /// Whether they are a [`Comb`](super::comb::Comb) there.
-    pub(super) comb: bool,
-    /// Whether they are a [`Rake`](super::rake::Rake) there.
+    /// Whether they are [`UniformStrips`](super::uniform_strips::UniformStrips) there.
+    pub(super) uniform_strips: bool,
+    /// Whether they are [`Rake`](super::rake::Rake) there.
     pub(super) rake: bool,
 }
 
@@ -276,7 +276,7 @@ impl Bounds {
 pub(super) fn meeting(
     beam: &Beam,
     bounds: &[Bounds],
-    comb: Option<&Comb>,
+    uniform: Option<&UniformStrips>,
     walls: &Walls,
     tile: &Tile,
 ) -> Meeting {
@@ -303,7 +303,7 @@ pub(super) fn meeting(
         first: first as u16,
         end: end as u16,
         chain,
-        comb: chain && comb.is_some_and(|comb| comb.holds(first..end)),
+        uniform_strips: chain && uniform.is_some_and(|uniform| uniform.holds(first..end)),
         rake: false,
     }
 }

@@ -1,7 +1,7 @@
-//! Combs: beams of evenly spaced straight strips, for a single slice.
+//! Uniform strips: beams of evenly spaced straight strips, for a single slice.
 //!
 //! A single slice has no z to walk along, so lanes run over sixteen voxels of a row (dose) or sixteen strips (adjoint).
-//! Where light is straight, strip edges are evenly spaced in every row of voxels, like the teeth of a comb, and both
+//! Where light is straight, strip edges are evenly spaced in every row of voxels, and both
 //! directions are a few instructions per sixteen lanes. With the strip coordinate τ (edges at integers), voxel i of a row
 //! covers [τ₀ + s·i, τ₀ + s·(i + 1)), and what a strip leaves in a row splits into a number per strip and one per row,
 //! E(j, r) = factor(j)·row(r), because the exponentials do:
@@ -36,7 +36,7 @@ pub(super) type Square = [f32; TILE * TILE];
 
 /// A beam of evenly spaced strips, numbered in growing order of the minor coordinate, missing ones included.
 #[derive(Clone, Debug)]
-pub(super) struct Comb {
+pub(super) struct UniformStrips {
     /// Strip coordinate at minor coordinate 0 in the middle of row 0, its growth per voxel, and per row.
     first: f64,
     per_voxel: f64,
@@ -48,11 +48,11 @@ pub(super) struct Comb {
     /// What the first row of each tile gets of that, and the rows behind it.
     tile_rows: Vec<f32>,
     powers: [f32; TILE],
-    /// Strips of the beam that are where the comb has them.
+    /// Strips of the beam that lie at their evenly spaced places.
     regular: Range<usize>,
 }
 
-impl Comb {
+impl UniformStrips {
     /// None where strips are too fine for two registers, or light too strongly absorbed for single precision.
     pub(super) fn new(
         beam: &Beam,
@@ -65,7 +65,7 @@ impl Comb {
         let per_voxel = 1.0 / (per_mm.abs() * pitch);
         // Strip coordinate of the ray through the axis
         let axis = pixels.columns as f64 / 2.0 - per_mm.signum() * pixels.offset_mm[0] / pitch;
-        let comb = Comb {
+        let uniform = UniformStrips {
             first: axis - (offset + 0.5 * slope) * per_voxel,
             per_voxel,
             per_row: -slope * per_voxel,
@@ -76,11 +76,11 @@ impl Comb {
             regular: 0..0,
         };
         let edge = TILE as f64;
-        if edge * per_voxel + (edge - 1.0) * comb.per_row.abs() + 2.0 > MOST {
+        if edge * per_voxel + (edge - 1.0) * uniform.per_row.abs() + 2.0 > MOST {
             return None;
         }
         let rows = grid.shape[if beam.major == Major::X { 2 } else { 1 }];
-        comb.with_strips(beam, rows, slope, deposit)
+        uniform.with_strips(beam, rows, slope, deposit)
     }
 
     fn with_strips(
@@ -127,12 +127,12 @@ impl Comb {
         Some(self)
     }
 
-    /// Whether these strips of the beam are where the comb has them.
+    /// Whether these strips of the beam lie at their evenly spaced places.
     pub(super) fn holds(&self, strips: Range<usize>) -> bool {
         self.regular.start <= strips.start && strips.end <= self.regular.end
     }
 
-    /// Floats of the source of a comb of so many columns, with the zeros on both sides.
+    /// Floats of the source of so many columns, with the zeros on both sides.
     pub(super) fn stride(columns: usize) -> usize {
         columns + 2 * PAD
     }
@@ -218,7 +218,7 @@ impl Comb {
     }
 }
 
-/// The rows of a tile, as a comb sees them.
+/// The rows of a tile, as uniform strips cross them.
 struct Rows {
     count: usize,
     /// Strip coordinate of the first voxel's lower face in the first row, its growth per row and per voxel.
@@ -262,7 +262,7 @@ fn window(source_len: usize, first: i32) -> usize {
     let at = first + PAD as i32;
     assert!(
         at >= 0 && at as usize + 32 <= source_len,
-        "tile outside the comb"
+        "tile outside the uniform strips"
     );
     at as usize
 }
@@ -593,7 +593,7 @@ mod tests {
     use super::*;
     use tomolith_core::check::noise;
 
-    /// Rows of a tile at some angle: every tap and both directions of the comb's slope occur.
+    /// Rows of a tile at some angle: every tap and both directions of the strips' slope occur.
     fn rows(per_voxel: f64, per_row: f64) -> Rows {
         Rows {
             count: 13,
