@@ -6,10 +6,10 @@ use super::is_straight;
 use super::kernel::{Block, Isa, accumulate};
 use super::mapped::Mapped;
 use super::radon::{self, Kernel};
-use super::rake::Rake;
 use super::strips::{self, Beam};
 use super::tiles::{self, Bounds, Deposit, Local, Meeting, Slots, TILE, Tile, TileEntries};
 use super::turned::Turned;
+use super::uniform_rays::UniformRays;
 use super::uniform_strips::UniformStrips;
 use super::views::Views;
 use super::walls::Walls;
@@ -49,8 +49,8 @@ pub(super) struct LightPlan {
     pub(super) of_view: Vec<Range<usize>>,
     /// Beams of uniform strips, for a single slice.
     pub(super) uniform_strips: Vec<Option<UniformStrips>>,
-    /// Beams that are rakes, for a single slice.
-    pub(super) rakes: Vec<Option<Rake>>,
+    /// Beams of uniform rays, for a single slice.
+    pub(super) uniform_rays: Vec<Option<UniformRays>>,
     /// How tiles and beams meet: `[tile][beam]`.
     pub(super) meetings: Vec<Meeting>,
     pub(super) levels: Levels,
@@ -146,9 +146,13 @@ impl LightPlan {
             let strips = || UniformStrips::new(beam, &pixels, grid, &deposit);
             may_be_uniform.then(strips).flatten()
         });
-        let is_rake = grid.shape[0] == 1 && kernel == Kernel::Line;
-        let rake = |beam| is_rake.then(|| Rake::new(beam, &pixels, grid)).flatten();
-        let rakes: Vec<Option<Rake>> = beams.iter().map(rake).collect();
+        let is_uniform_rays = grid.shape[0] == 1 && kernel == Kernel::Line;
+        let of_beam = |beam| {
+            is_uniform_rays
+                .then(|| UniformRays::new(beam, &pixels, grid))
+                .flatten()
+        };
+        let uniform_rays: Vec<Option<UniformRays>> = beams.iter().map(of_beam).collect();
         let bounds: Vec<Vec<Bounds>> = beams.iter().par_map(Bounds::of_beam);
         let meeting =
             |tile, ((beam, uniform), bounds): ((&Beam, &Option<UniformStrips>), &Vec<Bounds>)| {
@@ -156,7 +160,7 @@ impl LightPlan {
                 let strips = &beam.strips[meeting.first as usize..meeting.end as usize];
                 Meeting {
                     chain: meeting.chain && is_even,
-                    rake: is_rake && Rake::holds(strips, tile, beam.major),
+                    uniform_rays: is_uniform_rays && UniformRays::holds(strips, tile, beam.major),
                     ..meeting
                 }
             };
@@ -186,7 +190,7 @@ impl LightPlan {
             turned,
             views,
             uniform_strips,
-            rakes,
+            uniform_rays,
             meetings,
             levels,
             deposit,

@@ -459,7 +459,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ray_along_a_face_lights_one_of_its_voxels_and_rakes_are_the_common_enumerator() {
+    fn a_ray_along_a_face_lights_one_of_its_voxels_and_uniform_rays_are_the_common_enumerator() {
         // An odd number of columns and an even one of voxels: at multiples of 90° the middle ray runs between two tiles
         let azimuths = (0..8).map(|k| f64::from(k) * std::f64::consts::FRAC_PI_4);
         let pixels = |rows: usize| PatternGrid {

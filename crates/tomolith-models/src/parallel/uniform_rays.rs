@@ -1,4 +1,4 @@
-//! Rakes: beams of evenly spaced rays, for the kernel `line` on a single slice.
+//! Uniform rays: beams of evenly spaced rays, for the kernel `line` on a single slice.
 //!
 //! A ray crosses two voxels of a row at most, since rows run along the axis that it is closer to. With m its minor coordinate at the
 //! row's lower or upper face, whichever is less, and s = |slope| ≤ 1 what it moves across the row, voxel i gets of the ray's way
@@ -33,7 +33,7 @@ const SLACK: f32 = 0.01;
 
 /// A beam of evenly spaced rays.
 #[derive(Clone, Debug)]
-pub(super) struct Rake {
+pub(super) struct UniformRays {
     /// Minor coordinate of the first ray of the beam at row 0, its growth per row, and from ray to ray; voxels.
     first: f64,
     slope: f64,
@@ -45,13 +45,13 @@ pub(super) struct Rake {
     per_row: f32,
 }
 
-impl Rake {
+impl UniformRays {
     /// Of a beam of the kernel `line`; None without any rays.
     pub(super) fn new(beam: &Beam, pixels: &PatternGrid, grid: &VolumeGrid) -> Option<Self> {
         let strip = beam.strips.first()?;
         let [offset, per_mm, slope] = beam.minor(grid);
         let column = strip.column as usize;
-        Some(Rake {
+        Some(UniformRays {
             first: offset + pixels.column_u(column) * per_mm,
             slope,
             spacing: per_mm.abs() * pixels.pitch_mm[0],
@@ -301,7 +301,7 @@ mod tests {
 
     /// Some rays of a tile, with sentinels behind them.
     fn rays(slope: f64, spacing: f64, place: f64, count: usize) -> Rays {
-        let rake = Rake {
+        let uniform = UniformRays {
             first: place,
             slope,
             spacing,
@@ -313,7 +313,7 @@ mod tests {
             start: [0, 0],
             size: [13, TILE],
         };
-        rake.rays(0..count, &tile, Major::X)
+        uniform.rays(0..count, &tile, Major::X)
     }
 
     #[test]
