@@ -90,7 +90,7 @@ struct Fields<F> {
 
 /// The numbers of a checkpoint: steps done, under the method's name.
 #[derive(Deserialize, Serialize)]
-struct Kept {
+struct SavedNumbers {
     adam: i32,
 }
 
@@ -216,7 +216,7 @@ impl<F: Field> Optimizer<F> for Adam<F> {
     }
 
     fn restore(&mut self, memory: &mut dyn CheckpointReader, _: &Problem<F>, x: &F) -> Result<()> {
-        let Kept { adam } = read_saved_numbers(memory)?;
+        let SavedNumbers { adam } = read_saved_numbers(memory)?;
         self.steps = adam;
         if adam > 0 {
             let mut fields = Self::fields(x);

@@ -70,7 +70,7 @@ struct Fields<F> {
 
 /// The numbers of a checkpoint: steps done, under the method's name.
 #[derive(Deserialize, Serialize)]
-struct Kept {
+struct SavedNumbers {
     bclp: u64,
 }
 
@@ -182,7 +182,7 @@ impl<F: Field> Optimizer<F> for Bclp<F> {
     }
 
     fn restore(&mut self, memory: &mut dyn CheckpointReader, _: &Problem<F>, _: &F) -> Result<()> {
-        let Kept { bclp } = read_saved_numbers(memory)?;
+        let SavedNumbers { bclp } = read_saved_numbers(memory)?;
         self.steps = bclp;
         Ok(())
     }

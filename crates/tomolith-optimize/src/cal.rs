@@ -80,7 +80,7 @@ impl Default for Params {
 /// CAL; see the [module](self).
 pub struct Cal<F> {
     params: Params,
-    kept: Kept,
+    saved: SavedNumbers,
     fields: Option<Fields<F>>,
 }
 
@@ -103,7 +103,7 @@ impl<F: Field> Fields<F> {
 
 /// The numbers of a checkpoint.
 #[derive(Clone, Copy, Debug, Default, Deserialize, Serialize)]
-struct Kept {
+struct SavedNumbers {
     /// Steps done.
     cal: i32,
     /// Largest dose of b: the patterns are b divided by it.
@@ -158,7 +158,7 @@ impl<F: Field> Cal<F> {
         }
         Ok(Cal {
             params,
-            kept: Kept::default(),
+            saved: SavedNumbers::default(),
             fields: None,
         })
     }
@@ -173,11 +173,11 @@ impl<F: Field> Cal<F> {
     ) -> Result<Fields<F>> {
         let projection = target_projection(problem, self.params.filter, x)?;
         let mut fields = Fields::like(x);
-        self.kept.inverse = projection.inverse();
+        self.saved.inverse = projection.inverse();
         *x = projection.patterns;
         x.clamp(0.0, f32::INFINITY);
-        x.scale(self.kept.inverse as f32);
-        self.kept.largest = problem.evaluate_scaled(x, &mut fields.scratch, at)?;
+        x.scale(self.saved.inverse as f32);
+        self.saved.largest = problem.evaluate_scaled(x, &mut fields.scratch, at)?;
         Ok(fields)
     }
 
@@ -207,9 +207,9 @@ impl<F: Field> Optimizer<F> for Cal<F> {
         std::mem::swap(&mut fields.delta, &mut fields.before);
         self.error(problem, x, at, &mut fields.delta)?;
         let m = self.params.momentum;
-        let past = m / (1.0 - m.powi(self.kept.cal + 2));
-        let step = self.params.learning_rate * self.kept.inverse;
-        x.scale(self.kept.largest as f32);
+        let past = m / (1.0 - m.powi(self.saved.cal + 2));
+        let step = self.params.learning_rate * self.saved.inverse;
+        x.scale(self.saved.largest as f32);
         x.axpy((-step * (1.0 - m)) as f32, &fields.delta);
         if m > 0.0 {
             x.axpy((-step * past) as f32, &fields.before);
@@ -219,8 +219,8 @@ impl<F: Field> Optimizer<F> for Cal<F> {
             let open = x.compile_bounds(&Bounds::uniform(x.len(), 0.0, f32::INFINITY));
             x.quantize(levels, &open);
         }
-        self.kept.largest = problem.evaluate_scaled(x, &mut fields.scratch, at)?;
-        self.kept.cal += 1;
+        self.saved.largest = problem.evaluate_scaled(x, &mut fields.scratch, at)?;
+        self.saved.cal += 1;
         let projected_gradient = fields.delta.norm();
         self.fields = Some(fields);
         Ok(Step {
@@ -252,14 +252,14 @@ impl<F: Field> Optimizer<F> for Cal<F> {
             .iter()
             .map(|fields| ("delta".to_owned(), SavedArray::of_field(&fields.delta)));
         Memory {
-            numbers: serde_json::json!(self.kept),
+            numbers: serde_json::json!(self.saved),
             arrays: arrays.collect(),
         }
     }
 
     fn restore(&mut self, memory: &mut dyn CheckpointReader, _: &Problem<F>, x: &F) -> Result<()> {
-        self.kept = read_saved_numbers(memory)?;
-        if self.kept.cal > 0 {
+        self.saved = read_saved_numbers(memory)?;
+        if self.saved.cal > 0 {
             let mut fields = Fields::like(x);
             read_saved_field(memory, "delta", &mut fields.delta)?;
             self.fields = Some(fields);

@@ -95,7 +95,7 @@ const DOSE_ROUNDING: f64 = 1e-6;
 /// FISTA; see the [module](self).
 pub struct Fista<F> {
     params: Params,
-    kept: Kept,
+    saved: SavedNumbers,
     fields: Option<Fields<F>>,
 }
 
@@ -111,7 +111,7 @@ struct Fields<F> {
 
 /// The numbers of a checkpoint.
 #[derive(Clone, Copy, Debug, Deserialize, Serialize)]
-struct Kept {
+struct SavedNumbers {
     t: f64,
     /// L and what it was at first; 0 before the first step.
     lipschitz: [f64; 2],
@@ -155,7 +155,7 @@ impl<F: Field> Fista<F> {
         }
         Ok(Fista {
             params,
-            kept: Kept {
+            saved: SavedNumbers {
                 t: 1.0,
                 lipschitz: [0.0; 2],
             },
@@ -212,7 +212,7 @@ impl<F: Field> Fista<F> {
                 curvature => curvature,
             },
         };
-        self.kept.lipschitz = [lipschitz; 2];
+        self.saved.lipschitz = [lipschitz; 2];
         Ok(())
     }
 
@@ -225,9 +225,9 @@ impl<F: Field> Fista<F> {
         at: &mut Position<F>,
         fields: &mut Fields<F>,
     ) -> f64 {
-        let last = self.kept.t;
-        self.kept.t = 0.5 * (1.0 + (1.0 + 4.0 * last * last).sqrt());
-        let beta = ((last - 1.0) / self.kept.t) as f32;
+        let last = self.saved.t;
+        self.saved.t = 0.5 * (1.0 + (1.0 + 4.0 * last * last).sqrt());
+        let beta = ((last - 1.0) / self.saved.t) as f32;
         if beta == 0.0 {
             fields.before.copy_from(x);
             fields.dose.copy_from(&at.dose);
@@ -264,7 +264,7 @@ impl<F: Field> Optimizer<F> for Fista<F> {
         problem.gradient(x, at, gradient)?;
         std::mem::swap(&mut at.dose, dose);
         let checked = self.params.step.is_none() && problem.levels().is_none();
-        let [lipschitz, first] = self.kept.lipschitz;
+        let [lipschitz, first] = self.saved.lipschitz;
         let mut lipschitz = lipschitz;
         let sums = loop {
             let length = (1.0 / lipschitz) as f32;
@@ -281,7 +281,7 @@ impl<F: Field> Optimizer<F> for Fista<F> {
             }
             lipschitz *= 2.0;
         };
-        self.kept.lipschitz = [lipschitz, first];
+        self.saved.lipschitz = [lipschitz, first];
         let restart = match self.params.restart {
             // (y − x₊)·(x₊ − x) with y − x₊ = −step
             Restart::Gradient => step.dot(trial) - step.dot(x) < 0.0,
@@ -289,7 +289,7 @@ impl<F: Field> Optimizer<F> for Fista<F> {
             Restart::None => false,
         };
         if restart {
-            self.kept.t = 1.0;
+            self.saved.t = 1.0;
         }
         std::mem::swap(x, y);
         std::mem::swap(x, trial);
@@ -323,7 +323,7 @@ impl<F: Field> Optimizer<F> for Fista<F> {
                 .map(|(name, field)| (name.to_owned(), SavedArray::of_field(field)))
         });
         Memory {
-            numbers: serde_json::json!(self.kept),
+            numbers: serde_json::json!(self.saved),
             arrays: arrays.collect(),
         }
     }
@@ -334,8 +334,8 @@ impl<F: Field> Optimizer<F> for Fista<F> {
         problem: &Problem<F>,
         x: &F,
     ) -> Result<()> {
-        self.kept = read_saved_numbers(memory)?;
-        if self.kept.lipschitz[0] > 0.0 {
+        self.saved = read_saved_numbers(memory)?;
+        if self.saved.lipschitz[0] > 0.0 {
             let mut fields = Self::fields(problem, x)?;
             read_saved_field(memory, "before", &mut fields.before)?;
             read_saved_field(memory, "dose", &mut fields.dose)?;
@@ -462,7 +462,7 @@ mod tests {
         };
         let mut small = fista(params);
         let found = case.run(&*objective, &mut small, 30, None);
-        let [now, first] = small.kept.lipschitz;
+        let [now, first] = small.saved.lipschitz;
         assert!(now >= 8.0 * first, "L stayed at {now}");
         assert!(
             found.outcome.loss < 1.1 * good.outcome.loss,
@@ -483,7 +483,7 @@ mod tests {
         };
         let mut method = fista(params);
         let found = case.run(&*objective, &mut method, 4000, None);
-        let [now, first] = method.kept.lipschitz;
+        let [now, first] = method.saved.lipschitz;
         let last = found.outcome.history.last().unwrap().loss;
         assert_eq!(
             now,

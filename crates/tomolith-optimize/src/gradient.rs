@@ -70,7 +70,7 @@ impl<F: Field> Fields<F> {
 
 /// The numbers of a checkpoint.
 #[derive(Deserialize, Serialize)]
-struct Kept {
+struct SavedNumbers {
     length: f64,
     alpha: f64,
     steps: u64,
@@ -215,7 +215,7 @@ impl<F: Field> Optimizer<F> for Gradient<F> {
     }
 
     fn memory(&self) -> Memory<'_> {
-        let kept = Kept {
+        let saved = SavedNumbers {
             length: self.length,
             alpha: self.alpha,
             steps: self.steps,
@@ -225,14 +225,14 @@ impl<F: Field> Optimizer<F> for Gradient<F> {
                 .map(|(name, field)| (name.to_owned(), SavedArray::of_field(field)))
         });
         Memory {
-            numbers: serde_json::json!(kept),
+            numbers: serde_json::json!(saved),
             arrays: arrays.collect(),
         }
     }
 
     fn restore(&mut self, memory: &mut dyn CheckpointReader, _: &Problem<F>, x: &F) -> Result<()> {
-        let kept: Kept = read_saved_numbers(memory)?;
-        (self.length, self.alpha, self.steps) = (kept.length, kept.alpha, kept.steps);
+        let saved: SavedNumbers = read_saved_numbers(memory)?;
+        (self.length, self.alpha, self.steps) = (saved.length, saved.alpha, saved.steps);
         if self.steps > 0 {
             let mut fields = Fields::like(x);
             read_saved_field(memory, "gradient", &mut fields.gradient)?;

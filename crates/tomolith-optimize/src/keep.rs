@@ -45,7 +45,7 @@ pub enum KeptBy {
 
 /// The iterate that a run returned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub struct Kept {
+pub struct KeptIterate {
     /// Steps that led to it.
     pub iteration: usize,
     /// Why it was kept.
@@ -224,11 +224,11 @@ impl<F: Field> Keeper<F> {
     }
 
     /// Leaves the best patterns in `x`.
-    pub(super) fn end(self, x: &mut F) -> Kept {
+    pub(super) fn end(self, x: &mut F) -> KeptIterate {
         if let Some(best) = self.patterns {
             *x = best;
         }
-        Kept {
+        KeptIterate {
             iteration: self.best.iteration,
             by: match self.measure {
                 Measure::Loss => KeptBy::Loss,
@@ -383,7 +383,7 @@ mod tests {
         let outcome = outcome.unwrap();
         assert!(best > worst + 0.1, "{best} is not above {worst}");
         let by = KeptBy::Print;
-        assert_eq!(outcome.kept, Kept { iteration: 2, by });
+        assert_eq!(outcome.kept, KeptIterate { iteration: 2, by });
         assert_eq!(outcome.loss, 3.0);
         // Row 0 is not its own, however good its loss
         let (_, _, outcome) = go(
@@ -400,7 +400,7 @@ mod tests {
         let by = KeptBy::Last;
         for (keep, gray) in [(Keep::Last, false), (Keep::Best, true)] {
             let (x, _, outcome) = go(&mut scripted(&SCRIPT), steps(4, keep), gray, None);
-            assert_eq!(outcome.unwrap().kept, Kept { iteration: 4, by });
+            assert_eq!(outcome.unwrap().kept, KeptIterate { iteration: 4, by });
             assert!(x.as_slice().iter().all(|&v| v == 1.0), "even light");
         }
     }

@@ -34,7 +34,7 @@ pub mod start;
 pub use checkpoint::{Checkpoints, Contents, Room};
 pub use free_response::{FreeParameter, FreeResponse, Respond};
 pub use gap::Gap;
-pub use keep::{Keep, Kept, KeptBy};
+pub use keep::{Keep, KeptBy, KeptIterate};
 pub use problem::{Counters, Limits, Position, Problem};
 pub use published::PublishedScale;
 pub use requirements::Requirements;

@@ -104,7 +104,7 @@ type Half = (AlternatingHalf, bool);
 
 /// The numbers of a checkpoint: steps done, under the method's name.
 #[derive(Deserialize, Serialize)]
-struct Kept {
+struct SavedNumbers {
     osmo: u64,
 }
 
@@ -276,7 +276,7 @@ impl<F: Field> Optimizer<F> for Osmo<F> {
     }
 
     fn restore(&mut self, memory: &mut dyn CheckpointReader, _: &Problem<F>, x: &F) -> Result<()> {
-        let Kept { osmo } = read_saved_numbers(memory)?;
+        let SavedNumbers { osmo } = read_saved_numbers(memory)?;
         self.steps = osmo;
         if osmo > 0 {
             let mut model = x.zeros_like();

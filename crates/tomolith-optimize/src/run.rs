@@ -1,7 +1,7 @@
 //! The loop around an optimizer: stopping, history, observers, the best patterns, checkpoints.
 
 use super::checkpoint::{Checkpoints, Contents, Room, Saved};
-use super::keep::{Keep, Keeper, Kept, KeptBy};
+use super::keep::{Keep, Keeper, KeptBy, KeptIterate};
 use super::{Counters, Gap, Optimizer, Position, Problem};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -230,7 +230,7 @@ pub struct Outcome {
     /// Loss of the patterns that were kept.
     pub loss: f64,
     /// Which patterns these are.
-    pub kept: Kept,
+    pub kept: KeptIterate,
     /// Why it stopped.
     pub reason: StopReason,
     /// A row per step, and one for the start.
@@ -313,7 +313,7 @@ pub fn run_after<F: Field>(
         let history = Vec::new();
         return Ok(Outcome {
             loss: f64::NAN,
-            kept: Kept {
+            kept: KeptIterate {
                 iteration: 0,
                 by: KeptBy::Last,
             },

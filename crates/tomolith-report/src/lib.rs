@@ -39,7 +39,7 @@ use tomolith_metrics::surface::Deviation;
 use tomolith_objective::FoundWindow;
 use tomolith_optics::exposure::Budget;
 use tomolith_optimize::levels::Gain;
-use tomolith_optimize::{Gap, Kept};
+use tomolith_optimize::{Gap, KeptIterate};
 
 /// The patterns of one light.
 #[derive(Clone, Copy, Debug)]
@@ -195,7 +195,7 @@ pub struct ReportData<'a> {
     /// What happened in the optimization.
     pub history: &'a [HistoryRow],
     /// Which of its iterates the patterns are.
-    pub kept: Option<Kept>,
+    pub kept: Option<KeptIterate>,
     /// How far their loss is from the lowest, where that is known.
     pub gap: Option<Gap>,
     /// The print's surface and how far it is off, where there is one.

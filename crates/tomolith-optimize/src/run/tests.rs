@@ -247,7 +247,7 @@ fn the_best_is_kept_when_the_loss_rises_and_when_it_is_no_number() {
     let by = KeptBy::Loss;
     assert_eq!(
         (outcome.loss, outcome.kept),
-        (2.0, Kept { iteration: 2, by })
+        (2.0, KeptIterate { iteration: 2, by })
     );
     assert_eq!(x.as_slice()[0], 2.0);
     let mut straight = Straight {

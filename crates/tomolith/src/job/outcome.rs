@@ -3,7 +3,7 @@
 pub use super::limits::Fall;
 use crate::metrics::Measure;
 use crate::objective::FoundWindow;
-use crate::optimize::{Gap, Kept, StopReason};
+use crate::optimize::{Gap, KeptIterate, StopReason};
 use crate::report::number::significant;
 use crate::report::{ExposureWindow, OneExposure, OneMoment, PrintLimits, ScenarioTable};
 use crate::units::{concise, counted};
@@ -147,7 +147,7 @@ pub struct Summary {
     /// How the loss fell in the end; None for a simulation, and where the loss is not what the method lowers.
     pub fall: Option<Fall>,
     /// Which iterate the patterns are; None for a simulation.
-    pub kept: Option<Kept>,
+    pub kept: Option<KeptIterate>,
     /// How far their loss is from the lowest; None for a simulation, and where that is not known.
     pub gap: Option<Gap>,
     /// The process window that the optimization reached, before the patterns are written; None where no objective looks for it.
@@ -438,7 +438,7 @@ fn in_column(value: f64) -> String {
 }
 
 /// Which iterate was kept, and why, when it is not the last one.
-pub(crate) fn earlier(kept: Kept, iterations: usize) -> String {
+pub(crate) fn earlier(kept: KeptIterate, iterations: usize) -> String {
     let (iteration, why) = (kept.iteration, kept.by.words());
     format!("iteration {iteration} of {iterations} ({why})")
 }
