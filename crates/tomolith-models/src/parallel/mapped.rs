@@ -102,8 +102,8 @@ impl Mapped {
         let [a, b] = strip
             .edges
             .map(|[offset, slope]| f64::from(offset) + f64::from(slope) * middle);
-        let room = self.walls.room(major, row);
-        let [left, right] = room.within([a.min(b) as f32, a.max(b) as f32]);
+        let resin_row = self.walls.resin_row(major, row);
+        let [left, right] = resin_row.within([a.min(b) as f32, a.max(b) as f32]);
         Some(Piece {
             row,
             left: f64::from(left),

@@ -383,8 +383,8 @@ impl LightPlan {
         let strips = &beam.strips[first..end];
         match self.kernel {
             Kernel::DistanceDriven => {
-                let rooms = self.walls.rooms(local, beam.major);
-                found.add(strips, (local, &rooms), &self.deposit, keep);
+                let resin_rows = self.walls.resin_rows(local, beam.major);
+                found.add(strips, (local, &resin_rows), &self.deposit, keep);
             }
             kernel => found.add_radon(kernel, strips, local, keep),
         }

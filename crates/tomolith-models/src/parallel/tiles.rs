@@ -10,7 +10,7 @@
 use super::kernel::Entries;
 use super::strips::{Beam, Major, Strip};
 use super::uniform_strips::UniformStrips;
-use super::walls::{Room, Walls};
+use super::walls::{ResinRow, Walls};
 use std::ops::Range;
 
 /// Edge of a tile of voxels in the plane.
@@ -345,7 +345,7 @@ impl TileEntries {
     pub(super) fn add(
         &mut self,
         strips: &[Strip],
-        (local, rooms): (&Local, &[Room; TILE]),
+        (local, resin_rows): (&Local, &[ResinRow; TILE]),
         deposit: &Deposit,
         keep: impl Fn(u32) -> bool,
     ) {
@@ -354,7 +354,7 @@ impl TileEntries {
                 continue;
             }
             let begin = self.slots.len() as u32;
-            self.add_strip(strip, (local, rooms), deposit);
+            self.add_strip(strip, (local, resin_rows), deposit);
             self.end_run(strip.column, local.place(strip.edges[0]), begin);
         }
     }
@@ -375,7 +375,7 @@ impl TileEntries {
     fn add_strip(
         &mut self,
         strip: &Strip,
-        (local, rooms): (&Local, &[Room; TILE]),
+        (local, resin_rows): (&Local, &[ResinRow; TILE]),
         deposit: &Deposit,
     ) {
         let low = (strip.span[0] - local.origin[0]).max(0.0);
@@ -410,7 +410,7 @@ impl TileEntries {
             .edges
             .map(|[offset, slope]| [offset + slope * at_row - local.origin[1], slope]);
         let across = local.across as f32;
-        for (row, room) in (first..last).zip(&rooms[first..last]) {
+        for (row, resin_row) in (first..last).zip(&resin_rows[first..last]) {
             let (from, to) = ((row as f32).max(low), (row as f32 + 1.0).min(high));
             let short = to - from < 1.0;
             let deposited = if short {
@@ -421,7 +421,7 @@ impl TileEntries {
             energy *= ratio;
             let middle = 0.5 * (from + to);
             let (m1, m2) = (a[0] + a[1] * middle, b[0] + b[1] * middle);
-            let [left, right] = room.within([m1.min(m2), m1.max(m2)]);
+            let [left, right] = resin_row.within([m1.min(m2), m1.max(m2)]);
             let per_voxel = deposited / (right - left);
             let (left, right) = (left.max(0.0), right.min(across));
             if left >= right {

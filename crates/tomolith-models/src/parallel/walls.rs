@@ -12,7 +12,7 @@ use tomolith_optics::vial::{CrossSection, Medium, Vial};
 
 /// The resin in one row of voxels: minor coordinates, in voxels.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Room {
+pub(super) struct ResinRow {
     /// Between which numbers there is resin anywhere in the row.
     outer: [f32; 2],
     /// Between which numbers there is none, within an inner tube.
@@ -22,7 +22,7 @@ pub(super) struct Room {
 /// Narrower strips are spread over this width, in voxels: at a fold the edges cross.
 pub(super) const NARROWEST: f32 = 1e-4;
 
-impl Room {
+impl ResinRow {
     /// The part of a strip between these edges that is resin; at least [`NARROWEST`] wide.
     pub(super) fn within(&self, [low, high]: [f32; 2]) -> [f32; 2] {
         let [first, end] = self.outer;
@@ -51,7 +51,7 @@ impl Room {
     /// The same, counted from another voxel.
     fn seen_from(self, origin: f32) -> Self {
         let shifted = |ends: [f32; 2]| ends.map(|end| end - origin);
-        Room {
+        ResinRow {
             outer: shifted(self.outer),
             core: self.core.map(shifted),
         }
@@ -82,7 +82,7 @@ impl Walls {
     }
 
     /// The resin in a row, counted along the major axis; it may lie beyond the grid.
-    pub(super) fn room(&self, major: Major, row: i64) -> Room {
+    pub(super) fn resin_row(&self, major: Major, row: i64) -> ResinRow {
         let (along, across) = major.axes();
         let faces = [row, row + 1].map(|face| self.low[along] + face as f64 * self.pitch_mm);
         let ends = |half: f64| {
@@ -96,18 +96,18 @@ impl Walls {
         };
         let far = faces[0].abs().max(faces[1].abs());
         let core = self.core.and_then(|core| half_width(core, far));
-        Room {
+        ResinRow {
             outer: ends(half_width(self.outer, near).unwrap_or(0.0)),
             core: core.map(ends),
         }
     }
 
     /// The resin in the rows of a tile, as the tile counts.
-    pub(super) fn rooms(&self, local: &Local, major: Major) -> [Room; TILE] {
+    pub(super) fn resin_rows(&self, local: &Local, major: Major) -> [ResinRow; TILE] {
         let first = local.origin[0] as i64;
         std::array::from_fn(|row| {
-            let room = self.room(major, first + row as i64);
-            room.seen_from(local.origin[1])
+            let resin_row = self.resin_row(major, first + row as i64);
+            resin_row.seen_from(local.origin[1])
         })
     }
 
@@ -117,7 +117,7 @@ impl Walls {
         (0..local.rows).all(|row| {
             let middle = first + row as f32 + 0.5;
             let at = edges.map(|[offset, slope]| offset + slope * middle);
-            self.room(major, first as i64 + row as i64).holds(at)
+            self.resin_row(major, first as i64 + row as i64).holds(at)
         })
     }
 }
@@ -145,23 +145,23 @@ mod tests {
         };
         // Voxels of 1 mm from −8 mm on: the row from 3 to 4 mm has resin up to ±4 mm, and no inner tube
         let walls = Walls::new(&vial, &VolumeGrid::centered([1, 16, 16], 1.0));
-        let room = walls.room(Major::X, 11);
-        assert_eq!((room.outer, room.core), ([4.0, 12.0], None));
-        assert_eq!(room.within([3.0, 5.5]), [4.0, 5.5]);
-        assert_eq!(room.within([3.0, 13.0]), [4.0, 12.0]);
+        let resin_row = walls.resin_row(Major::X, 11);
+        assert_eq!((resin_row.outer, resin_row.core), ([4.0, 12.0], None));
+        assert_eq!(resin_row.within([3.0, 5.5]), [4.0, 5.5]);
+        assert_eq!(resin_row.within([3.0, 13.0]), [4.0, 12.0]);
         // From −1 to 0 mm the inner tube takes all between ±√8 mm
-        let room = walls.room(Major::Y, 7);
+        let resin_row = walls.resin_row(Major::Y, 7);
         let half = 8.0f64.sqrt();
         let [from, to] = [8.0 - half, 8.0 + half].map(|at| at as f32);
-        assert_eq!(room.outer, [3.0, 13.0]);
-        assert_eq!(room.within([3.5, 6.0]), [3.5, from]);
-        assert_eq!(room.within([10.0, 12.0]), [to, 12.0]);
+        assert_eq!(resin_row.outer, [3.0, 13.0]);
+        assert_eq!(resin_row.within([3.5, 6.0]), [3.5, from]);
+        assert_eq!(resin_row.within([10.0, 12.0]), [to, 12.0]);
         // What would be left of nothing lies at the wall
-        let [left, right] = room.within([14.0, 15.0]);
+        let [left, right] = resin_row.within([14.0, 15.0]);
         assert!(
             right < 13.001 && right - left < 2.0 * NARROWEST,
             "{left} {right}"
         );
-        assert!(!room.holds([7.0, 9.0]) && room.holds([11.0, 12.0]));
+        assert!(!resin_row.holds([7.0, 9.0]) && resin_row.holds([11.0, 12.0]));
     }
 }
