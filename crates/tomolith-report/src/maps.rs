@@ -22,7 +22,7 @@ use std::collections::BTreeSet;
 pub mod histograms;
 mod sheet;
 
-use sheet::{Frame, GLYPH, Room, Sheet, Ticks, add, panel_size, shortened};
+use sheet::{Frame, GLYPH, LabelMargins, Sheet, Ticks, add, panel_size, shortened};
 
 /// Height of a curve, of its width.
 const FLAT: f64 = 0.66;
@@ -164,8 +164,8 @@ pub fn heat_maps(
         true => upright_letters(&x.labels, width, most),
         false => 0,
     };
-    let room = Room::new(left, below);
-    let mut sheet = Sheet::new(panels.len(), 1.0, BAR, room);
+    let margins = LabelMargins::new(left, below);
+    let mut sheet = Sheet::new(panels.len(), 1.0, BAR, margins);
     let title = if values.is_log {
         format!("{title} (logarithmic colors)")
     } else {
@@ -267,7 +267,12 @@ pub fn curves(title: &str, curves: &[PlotCurve], caption: &str) -> String {
     let [width, _] = panel_size(curves.len());
     let names = curves.iter().filter_map(|curve| curve.labels.as_ref());
     let below = names.map(|names| upright_letters(names, width, most)).max();
-    let mut sheet = Sheet::new(curves.len(), FLAT, 20.0, Room::new(0, below.unwrap_or(0)));
+    let mut sheet = Sheet::new(
+        curves.len(),
+        FLAT,
+        20.0,
+        LabelMargins::new(0, below.unwrap_or(0)),
+    );
     sheet.head(title, caption);
     for (i, curve) in curves.iter().enumerate() {
         let frame = sheet.frame(i);

@@ -16,7 +16,7 @@
 //! ```
 
 use super::placed;
-use super::sheet::{Frame, Room, Sheet, Ticks, add};
+use super::sheet::{Frame, LabelMargins, Sheet, Ticks, add};
 use crate::number::escape;
 use crate::plot::Axis;
 
@@ -133,7 +133,7 @@ pub fn histograms(title: &str, x: &str, panels: &[HistogramPanel], caption: &str
         Axis::linear(x, shown[0], shown[1]),
         Axis::log_with_zero("", least, most),
     ];
-    let mut sheet = Sheet::new(panels.len(), FLAT, 20.0, Room::new(0, 0));
+    let mut sheet = Sheet::new(panels.len(), FLAT, 20.0, LabelMargins::new(0, 0));
     sheet.head(title, caption);
     for (i, (panel, drawn)) in panels.iter().zip(&drawn).enumerate() {
         let frame = sheet.frame(i);

@@ -36,20 +36,20 @@ pub(super) struct Frame {
     pub(super) top: f64,
     pub(super) width: f64,
     pub(super) height: f64,
-    room: Room,
+    margins: LabelMargins,
 }
 
-/// Room for labels left of panels and below them.
+/// Margins for labels left of panels and below them.
 #[derive(Clone, Copy)]
-pub(super) struct Room {
+pub(super) struct LabelMargins {
     pub(super) left: f64,
     pub(super) below: f64,
 }
 
-impl Room {
+impl LabelMargins {
     /// For labels of so many letters on the left, and so many that stand upright below.
     pub(super) fn new(left: usize, below: usize) -> Self {
-        Room {
+        LabelMargins {
             left: LEFT.max(NAME_LEFT + GLYPH * left as f64),
             below: BELOW.max(NAME_BELOW + GLYPH * below as f64),
         }
@@ -87,7 +87,7 @@ impl Frame {
         let (bottom, right) = (self.top + self.height, self.left + self.width);
         let name_below = bottom
             + if x.are_upright {
-                self.room.below - 25.0
+                self.margins.below - 25.0
             } else {
                 37.0
             };
@@ -142,7 +142,7 @@ impl Frame {
                 self.height,
                 name_below,
                 escape(names[0]),
-                self.left - self.room.left + 20.0,
+                self.left - self.margins.left + 20.0,
                 escape(names[1])
             ),
         );
@@ -207,7 +207,7 @@ pub(super) struct Sheet {
     pub(super) columns: usize,
     rows: usize,
     panel: [f64; 2],
-    room: Room,
+    margins: LabelMargins,
     /// Room on the right.
     right: f64,
     pub(super) body: String,
@@ -216,14 +216,14 @@ pub(super) struct Sheet {
 }
 
 impl Sheet {
-    pub(super) fn new(panels: usize, flat: f64, right: f64, room: Room) -> Self {
+    pub(super) fn new(panels: usize, flat: f64, right: f64, margins: LabelMargins) -> Self {
         let columns = panels.clamp(1, ROW);
         let [width, height] = panel_size(panels);
         Sheet {
             columns,
             rows: panels.div_ceil(columns).max(1),
             panel: [width, flat * height],
-            room,
+            margins,
             right,
             body: String::new(),
             lines: 0,
@@ -231,7 +231,7 @@ impl Sheet {
     }
 
     fn width(&self) -> f64 {
-        self.columns as f64 * (self.room.left + self.panel[0]) + self.right
+        self.columns as f64 * (self.margins.left + self.panel[0]) + self.right
     }
 
     fn size(&self) -> [f64; 2] {
@@ -239,19 +239,19 @@ impl Sheet {
         let foot = (1 + self.lines) as f64 * FOOT;
         [
             self.width(),
-            HEAD + self.rows as f64 * (ABOVE + height + self.room.below) + foot,
+            HEAD + self.rows as f64 * (ABOVE + height + self.margins.below) + foot,
         ]
     }
 
     pub(super) fn frame(&self, i: usize) -> Frame {
         let ([width, height], column, row) = (self.panel, i % self.columns, i / self.columns);
-        let Room { left, below } = self.room;
+        let LabelMargins { left, below } = self.margins;
         Frame {
             left: left + column as f64 * (left + width),
             top: HEAD + ABOVE + row as f64 * (ABOVE + height + below),
             width,
             height,
-            room: self.room,
+            margins: self.margins,
         }
     }
 
