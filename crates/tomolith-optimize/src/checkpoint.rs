@@ -117,7 +117,7 @@ pub struct Checkpoints {
     /// Of the last one written.
     cost: Option<Duration>,
     /// Whether the last one did not fit on the disk.
-    is_without_room: bool,
+    is_disk_full: bool,
     /// Where patterns are spread over ranks.
     shares: Option<Shares>,
 }
@@ -147,13 +147,13 @@ pub const CHECKPOINT: &str = "state.safetensors";
 /// The format of this file.
 const FORMAT: u32 = 3;
 
-/// What has become of the room for checkpoints.
+/// Disk space for checkpoints: what has become of it.
 #[derive(Debug)]
-pub enum Room {
+pub enum DiskSpace {
     /// The disk is full: the run goes on without them.
-    None(Error),
-    /// There is room again, and a checkpoint is written.
-    Again,
+    Full(Error),
+    /// There is space again, and a checkpoint is written.
+    FreeAgain,
 }
 
 /// What a run gives to a checkpoint.
@@ -199,7 +199,7 @@ impl Checkpoints {
             keeps_end: true,
             last: Instant::now(),
             cost: None,
-            is_without_room: false,
+            is_disk_full: false,
             shares: None,
         })
     }
@@ -313,7 +313,7 @@ impl Checkpoints {
         &mut self,
         saved: Saved<'_, F>,
         run: &Run,
-    ) -> Result<Option<Room>> {
+    ) -> Result<Option<DiskSpace>> {
         let contents = match run.is_stop_asked() {
             true => self.contents_within(run.patience_left(), &saved),
             false => Some(self.contents),
@@ -327,11 +327,11 @@ impl Checkpoints {
     }
 
     /// What a checkpoint that was or was not written means for the next ones.
-    fn settle(&mut self, written: Result<()>) -> Result<Option<Room>> {
+    fn settle(&mut self, written: Result<()>) -> Result<Option<DiskSpace>> {
         let error = match written {
             Ok(()) => {
-                let again = std::mem::take(&mut self.is_without_room);
-                return Ok(again.then_some(Room::Again));
+                let again = std::mem::take(&mut self.is_disk_full);
+                return Ok(again.then_some(DiskSpace::FreeAgain));
             }
             Err(error) if error.is_full_disk() => error,
             // The one before stays
@@ -339,8 +339,8 @@ impl Checkpoints {
             Err(error) => return Err(error),
         };
         self.last = Instant::now();
-        let before = std::mem::replace(&mut self.is_without_room, true);
-        Ok((!before).then_some(Room::None(error)))
+        let before = std::mem::replace(&mut self.is_disk_full, true);
+        Ok((!before).then_some(DiskSpace::Full(error)))
     }
 
     /// Writes a checkpoint.
@@ -718,10 +718,13 @@ mod tests {
         assert!(matches!(checkpoints.settle(Ok(())), Ok(None)));
         assert!(matches!(
             checkpoints.settle(full()),
-            Ok(Some(Room::None(_)))
+            Ok(Some(DiskSpace::Full(_)))
         ));
         assert!(matches!(checkpoints.settle(full()), Ok(None)));
-        assert!(matches!(checkpoints.settle(Ok(())), Ok(Some(Room::Again))));
+        assert!(matches!(
+            checkpoints.settle(Ok(())),
+            Ok(Some(DiskSpace::FreeAgain))
+        ));
         assert!(matches!(checkpoints.settle(Ok(())), Ok(None)));
         // Anything else ends the run
         assert!(

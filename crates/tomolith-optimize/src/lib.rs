@@ -31,7 +31,7 @@ pub mod requirements;
 pub mod run;
 pub mod start;
 
-pub use checkpoint::{Checkpoints, Contents, Room};
+pub use checkpoint::{Checkpoints, Contents, DiskSpace};
 pub use free_response::{FreeParameter, FreeResponse, Respond};
 pub use gap::Gap;
 pub use keep::{Keep, KeptBy, KeptIterate};

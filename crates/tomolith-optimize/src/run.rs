@@ -1,6 +1,6 @@
 //! The loop around an optimizer: stopping, history, observers, the best patterns, checkpoints.
 
-use super::checkpoint::{Checkpoints, Contents, Room, Saved};
+use super::checkpoint::{Checkpoints, Contents, DiskSpace, Saved};
 use super::keep::{Keep, Keeper, KeptBy, KeptIterate};
 use super::{Counters, Gap, Optimizer, Position, Problem};
 use schemars::JsonSchema;
@@ -215,7 +215,7 @@ pub trait Observer<F> {
         None
     }
     /// Called when checkpoints no longer fit on the disk, and when they do again.
-    fn on_room(&mut self, _room: &Room) {}
+    fn on_disk_space(&mut self, _space: &DiskSpace) {}
 }
 
 impl<F, O: FnMut(&StepReport<F>) -> ControlFlow<()>> Observer<F> for O {
@@ -380,10 +380,10 @@ fn keep<F: Field>(
     run: &Run,
     observers: &mut [&mut dyn Observer<F>],
 ) -> Result<()> {
-    if let Some(room) = checkpoints.try_write(saved, run)? {
+    if let Some(space) = checkpoints.try_write(saved, run)? {
         observers
             .iter_mut()
-            .for_each(|observer| observer.on_room(&room));
+            .for_each(|observer| observer.on_disk_space(&space));
     }
     Ok(())
 }

@@ -6,7 +6,7 @@ use crate::job::scene::Scene;
 use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
 use crate::models::DoseLayout;
-use crate::optimize::{MeasuredPrint, Observer, Room, Row, StepReport};
+use crate::optimize::{DiskSpace, MeasuredPrint, Observer, Row, StepReport};
 use std::borrow::Cow;
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -134,9 +134,9 @@ impl Observer<HostField> for Watch<'_> {
         self.print
     }
 
-    fn on_room(&mut self, room: &Room) {
-        match room {
-            Room::None(error) => {
+    fn on_disk_space(&mut self, space: &DiskSpace) {
+        match space {
+            DiskSpace::Full(error) => {
                 let text = format!(
                     "no checkpoint can be written ({error}): the run goes on, but a crash or Ctrl-C would lose its work; \
                      free some disk space, and checkpoints will be written again"
@@ -144,7 +144,7 @@ impl Observer<HostField> for Watch<'_> {
                 self.warnings.push(text.clone());
                 self.progress.event(&Event::Warning { text });
             }
-            Room::Again => {
+            DiskSpace::FreeAgain => {
                 let text = "disk space is free again: a checkpoint was written".to_owned();
                 self.progress.event(&Event::Note { text });
             }
