@@ -11,7 +11,7 @@
 
 use super::beam::Beam;
 use super::depth_interpolation::DepthInterpolation;
-use super::light::Way;
+use super::light::Propagation;
 use super::number::Number;
 use super::spectrum::{Scratch, Windows, complex, zero};
 use std::f64::consts::TAU;
@@ -376,7 +376,7 @@ impl<T: Number> Back<T> {
     }
 }
 
-impl<T: Number> Way<T> for Coherent<T> {
+impl<T: Number> Propagation<T> for Coherent<T> {
     const IS_LINEAR: bool = false;
 
     fn windows(&self) -> &Windows<T> {

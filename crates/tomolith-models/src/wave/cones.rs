@@ -12,7 +12,7 @@
 //! T: the Fourier transform of a uniform disc, any text on optics (Goodman, *Introduction to Fourier Optics*, eq. 2-35); J₁: Bessel's integral.
 
 use super::beam::{Spreading, fade, over_the_band};
-use super::light::Way;
+use super::light::Propagation;
 use super::number::Number;
 use super::spectrum::{Scratch, Windows, zero};
 use super::taps::Signal;
@@ -164,7 +164,7 @@ impl<T: Number> Cones<T> {
     }
 }
 
-impl<T: Number> Way<T> for Cones<T> {
+impl<T: Number> Propagation<T> for Cones<T> {
     const IS_LINEAR: bool = true;
 
     fn windows(&self) -> &Windows<T> {

@@ -262,8 +262,8 @@ impl IncoherentCone {
         let place = ((params.entrance, params.focus_mm), &settings);
         let build = |light: &Light, layout: &DoseLayout, _, first_frame| {
             let cone = params.cone(light);
-            let way = |windows| Cones::new(windows, &cone);
-            turning(vial, (light, &cone), place, layout, first_frame, way)
+            let propagate = |windows| Cones::new(windows, &cone);
+            turning(vial, (light, &cone), place, layout, first_frame, propagate)
         };
         Ok(IncoherentCone(Lights::new(
             settings.model,

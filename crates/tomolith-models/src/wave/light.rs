@@ -16,8 +16,8 @@ use tomolith_fourier::Complex;
 /// Lanes of a row that are gathered at a time.
 const LANES_AT_ONCE: usize = 256;
 
-/// How light goes from the plane of its pixels to the samples.
-pub(super) trait Way<T: Number>: Send + Sync {
+/// Propagation of light from the plane of its pixels to the samples.
+pub(super) trait Propagation<T: Number>: Send + Sync {
     /// Whether the light is linear in the pixels.
     const IS_LINEAR: bool;
     /// Its transforms.
@@ -37,8 +37,8 @@ pub(super) trait Way<T: Number>: Send + Sync {
 }
 
 /// Light and voxels of one light.
-pub(super) struct WaveLight<T: Number, W: Way<T>> {
-    pub(super) way: W,
+pub(super) struct WaveLight<T: Number, P: Propagation<T>> {
+    pub(super) propagation: P,
     pub(super) turn: FrameRotation,
     /// Voxels along x and y.
     pub(super) plane: [usize; 2],
@@ -50,17 +50,17 @@ pub(super) struct WaveLight<T: Number, W: Way<T>> {
     pool: Mutex<Vec<Scratch<T>>>,
 }
 
-impl<T: Number, W: Way<T>> WaveLight<T, W> {
+impl<T: Number, P: Propagation<T>> WaveLight<T, P> {
     pub(super) fn new(
-        (way, turn): (W, FrameRotation),
+        (propagation, turn): (P, FrameRotation),
         plane: [usize; 2],
         row: usize,
         first_frame: usize,
     ) -> Self {
-        let windows = way.windows();
+        let windows = propagation.windows();
         let resample = Resample::new(&windows.sampling, windows.computed(), windows.last);
         WaveLight {
-            way,
+            propagation,
             turn,
             resample,
             plane,
@@ -79,7 +79,8 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
 
     /// Samples of one frame that voxels are interpolated from: rows of them.
     fn rows(&self) -> usize {
-        self.way.windows().sampling.along.last().count * self.way.windows().last.count
+        self.propagation.windows().sampling.along.last().count
+            * self.propagation.windows().last.count
     }
 
     /// The same in numbers.
@@ -89,7 +90,9 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
 
     /// Numbers of one frame's samples that are computed.
     fn computed(&self) -> usize {
-        self.way.windows().sampling.along.computed.count * self.way.windows().width() * self.row
+        self.propagation.windows().sampling.along.computed.count
+            * self.propagation.windows().width()
+            * self.row
     }
 
     /// Bytes of the scratches that were needed so far.
@@ -106,7 +109,7 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
                 .unwrap_or_else(std::sync::PoisonError::into_inner)
         };
         let found = lock().pop();
-        let mut scratch = found.unwrap_or_else(|| self.way.windows().scratch());
+        let mut scratch = found.unwrap_or_else(|| self.propagation.windows().scratch());
         let result = work(&mut scratch);
         lock().push(scratch);
         result
@@ -120,7 +123,7 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
             let values = &x[run.offset..][..run.count as usize];
             (run.bottom as usize, values)
         });
-        self.way.windows().transform(scratch, columns);
+        self.propagation.windows().transform(scratch, columns);
     }
 
     /// Light of a frame, added to all samples.
@@ -128,10 +131,10 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
         self.with_scratch(|scratch| {
             self.load(layout, frame, x, scratch);
             if self.resample.is_idle() {
-                return self.way.shine(scratch, samples, self.row);
+                return self.propagation.shine(scratch, samples, self.row);
             }
             let mut computed = self.cleared(scratch, 1);
-            self.way.shine(scratch, &mut computed, self.row);
+            self.propagation.shine(scratch, &mut computed, self.row);
             (self.resample).forth(&computed, samples, &mut scratch.between, self.row);
             scratch.computed = computed;
         });
@@ -207,7 +210,7 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
                     for (i, &frame) in frames.iter().enumerate() {
                         let place = (frame, (i * of + which) * of_dose);
                         let area = (xs.clone(), ys.clone());
-                        let sampling = &self.way.windows().sampling;
+                        let sampling = &self.propagation.windows().sampling;
                         self.turn.enumerate(place, area, sampling, entries);
                         self.gather(entries, ys.start, samples, rows);
                     }
@@ -218,8 +221,8 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
 
     /// rows += what the entries of a tile bring; `rows` begin at voxel row `y`.
     fn gather(&self, entries: &TileEntries<T>, y: usize, samples: &[T], rows: &mut [T]) {
-        for first in (0..self.way.windows().voxels).step_by(LANES_AT_ONCE) {
-            let lanes = (self.way.windows().voxels - first).min(LANES_AT_ONCE);
+        for first in (0..self.propagation.windows().voxels).step_by(LANES_AT_ONCE) {
+            let lanes = (self.propagation.windows().voxels - first).min(LANES_AT_ONCE);
             for (i, &column) in entries.voxels.iter().enumerate() {
                 let own = entries.starts[i] as usize..entries.starts[i + 1] as usize;
                 let at = (column as usize - y * self.plane[0]) * self.row + first;
@@ -237,12 +240,12 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
         for y in (0..ny).step_by(TILE) {
             for x in (0..nx).step_by(TILE) {
                 let area = (x..(x + TILE).min(nx), y..(y + TILE).min(ny));
-                let sampling = &self.way.windows().sampling;
+                let sampling = &self.propagation.windows().sampling;
                 self.turn
                     .enumerate((frame, 0), area, sampling, &mut entries);
                 sorted.sort(&entries);
-                for first in (0..self.way.windows().voxels).step_by(LANES_AT_ONCE) {
-                    let lanes = (self.way.windows().voxels - first).min(LANES_AT_ONCE);
+                for first in (0..self.propagation.windows().voxels).step_by(LANES_AT_ONCE) {
+                    let lanes = (self.propagation.windows().voxels - first).min(LANES_AT_ONCE);
                     for (i, &sample) in sorted.samples.iter().enumerate() {
                         let own = sorted.starts[i] as usize..sorted.starts[i + 1] as usize;
                         let at = sample as usize * self.row + first;
@@ -276,7 +279,7 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
         frames.into_iter().par_each(|(frame, grad)| {
             grad.fill(T::zero());
             // Dark patterns of waves are stationary: there F′ = 0
-            if run.is_canceled() || !(W::IS_LINEAR || is_lit(layout, frame, x)) {
+            if run.is_canceled() || !(P::IS_LINEAR || is_lit(layout, frame, x)) {
                 return;
             }
             let runs = &layout.runs[frame * columns..][..columns];
@@ -301,7 +304,7 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
     }
 }
 
-impl<T: Number, W: Way<T>> WaveLight<T, W> {
+impl<T: Number, P: Propagation<T>> WaveLight<T, P> {
     /// What samples ask of the pixels of the frame whose spectrum lies in the scratch.
     fn send_back(
         &self,
@@ -310,11 +313,12 @@ impl<T: Number, W: Way<T>> WaveLight<T, W> {
         take: &mut dyn FnMut(usize, &[Complex<T>]),
     ) {
         if self.resample.is_idle() {
-            return self.way.send_back(samples, self.row, scratch, take);
+            return self.propagation.send_back(samples, self.row, scratch, take);
         }
         let mut computed = self.cleared(scratch, 1);
         (self.resample).back(samples, &mut computed, &mut scratch.between, self.row);
-        self.way.send_back(&computed, self.row, scratch, take);
+        self.propagation
+            .send_back(&computed, self.row, scratch, take);
         scratch.computed = computed;
     }
 }
@@ -349,11 +353,13 @@ impl<T: Number> WaveLight<T, Coherent<T>> {
             self.with_scratch(|of_d| {
                 self.load(layout, frame, d, of_d);
                 if self.resample.is_idle() {
-                    return self.way.shine_along([of_x, of_d], samples, self.row);
+                    return self
+                        .propagation
+                        .shine_along([of_x, of_d], samples, self.row);
                 }
                 let mut computed = self.cleared(of_x, 2);
                 let scratches = [&mut *of_x, of_d];
-                (self.way).shine_along(scratches, &mut computed, self.row);
+                (self.propagation).shine_along(scratches, &mut computed, self.row);
                 let parts = computed.chunks_exact(self.computed());
                 for (part, samples) in parts.zip(samples.chunks_exact_mut(self.samples())) {
                     (self.resample).forth(part, samples, &mut of_x.between, self.row);

@@ -2,9 +2,9 @@
 
 use super::beam::Spreading;
 use super::frame_rotation::{FrameRotation, Uptake};
-use super::light::{WaveLight, Way};
+use super::light::{Propagation, WaveLight};
 use super::number::Number;
-use super::sampling::{Needs, Sampling};
+use super::sampling::{Sampling, SamplingRequirements};
 use super::spectrum::{Heights, Windows};
 use super::window::{Side, Span};
 use super::{Entrance, Settings};
@@ -38,20 +38,20 @@ pub fn beyond(vial: &dyn Vial, lights: &[Light]) -> Option<&'static str> {
 }
 
 /// All lights of a model.
-pub(super) struct Lights<W: Way<f32>> {
-    pub(super) lights: Vec<WaveLight<f32, W>>,
+pub(super) struct Lights<P: Propagation<f32>> {
+    pub(super) lights: Vec<WaveLight<f32, P>>,
     pub(super) patterns: Vec<PatternLayout>,
     pub(super) outputs: Vec<DoseLayout>,
 }
 
-impl<W: Way<f32>> Lights<W> {
+impl<P: Propagation<f32>> Lights<P> {
     /// Lights that `build(light, layout of dose, which, first frame)` makes; `model`: key of the model.
     pub(super) fn new(
         model: &str,
         vial: &dyn Vial,
         lights: Vec<Light>,
         grid: VolumeGrid,
-        build: impl Fn(&Light, &DoseLayout, usize, usize) -> Result<WaveLight<f32, W>>,
+        build: impl Fn(&Light, &DoseLayout, usize, usize) -> Result<WaveLight<f32, P>>,
     ) -> Result<Self> {
         if let Some(reason) = beyond(vial, &lights) {
             return Err(Error::Unsupported {
@@ -81,7 +81,7 @@ impl<W: Way<f32>> Lights<W> {
         })
     }
 
-    fn each(&self) -> impl Iterator<Item = (&WaveLight<f32, W>, &PatternLayout)> {
+    fn each(&self) -> impl Iterator<Item = (&WaveLight<f32, P>, &PatternLayout)> {
         self.lights.iter().zip(&self.patterns)
     }
 
@@ -119,7 +119,7 @@ impl<W: Way<f32>> Lights<W> {
 
     /// How far along z light reaches from its row.
     pub(super) fn halo(&self) -> ZCoupling {
-        let reach = |light: &WaveLight<f32, W>| light.way.windows().sampling.guard[1];
+        let reach = |light: &WaveLight<f32, P>| light.propagation.windows().sampling.guard[1];
         ZCoupling::Halo(self.lights.iter().map(reach).fold(0.0, f64::max))
     }
 
@@ -134,14 +134,14 @@ impl<W: Way<f32>> Lights<W> {
     /// Operations of the Fourier transforms of a dose and a pullback.
     pub(super) fn operations(&self) -> f64 {
         self.each()
-            .map(|(light, p)| p.grid.frames() as f64 * light.way.operations())
+            .map(|(light, p)| p.grid.frames() as f64 * light.propagation.operations())
             .sum()
     }
 
     /// The sampling of the lights, and what `more` says of each, for people; lights that are alike are said once.
-    pub(super) fn described(&self, more: impl Fn(&W) -> String) -> String {
-        let of_light = |light: &WaveLight<f32, W>| {
-            let s = &light.way.windows().sampling;
+    pub(super) fn described(&self, more: impl Fn(&P) -> String) -> String {
+        let of_light = |light: &WaveLight<f32, P>| {
+            let s = &light.propagation.windows().sampling;
             let depths = s.transformed();
             format!(
                 "{} depths {} mm apart on either side of the focus, window of {} × {} pixels, {} lateral samples{}",
@@ -150,7 +150,7 @@ impl<W: Way<f32>> Lights<W> {
                 s.padded[0],
                 s.padded[1],
                 s.across.computed.count,
-                more(&light.way)
+                more(&light.propagation)
             )
         };
         let mut lights: Vec<String> = self.lights.iter().map(of_light).collect();
@@ -160,33 +160,33 @@ impl<W: Way<f32>> Lights<W> {
 }
 
 /// Columns of voxels in the resin.
-struct Lit {
+struct ResinColumns {
     in_resin: Vec<bool>,
     /// Distance of the farthest from the axis, mm.
     radius: f64,
 }
 
-impl Lit {
+impl ResinColumns {
     fn new(vial: &dyn Vial, grid: &VolumeGrid) -> Self {
         let [_, ny, nx] = grid.shape;
         let place = |i: usize| [grid.x(i % nx), grid.y(i / nx)];
         let in_resin: Vec<bool> = (0..nx * ny)
             .map(|i| vial.in_resin([place(i)[0], place(i)[1], 0.0]))
             .collect();
-        let lit = (0..nx * ny).filter(|&i| in_resin[i]).map(place);
-        let radius = lit.map(|[x, y]| x.hypot(y)).fold(0.0, f64::max);
-        Lit { in_resin, radius }
+        let columns = (0..nx * ny).filter(|&i| in_resin[i]).map(place);
+        let radius = columns.map(|[x, y]| x.hypot(y)).fold(0.0, f64::max);
+        ResinColumns { in_resin, radius }
     }
 }
 
 /// The transforms that a light needs for the voxels in the resin.
 fn windows_of<T: Number>(
     (light, beam): (&Light, &dyn Spreading),
-    lit: &Lit,
+    columns: &ResinColumns,
     (focus_mm, settings): (f64, &Settings),
     grid: &VolumeGrid,
 ) -> Result<Windows<T>> {
-    let (pixels, radius) = (&light.pixels, lit.radius);
+    let (pixels, radius) = (&light.pixels, columns.radius);
     let heights = heights_of(pixels.pitch_mm[1], grid)?;
     let nz = grid.shape[0];
     let u = Side {
@@ -204,20 +204,20 @@ fn windows_of<T: Number>(
         from: pixels.row_z(pixels.rows - 1),
         voxels: Span::Between(grid.z(0), grid.z(nz - 1)),
     };
-    let needs = Needs {
+    let requirements = SamplingRequirements {
         depths: [
             (focus_mm.abs() - radius).max(0.0),
             (radius + focus_mm.abs()).max(u.pitch),
         ],
-        voxels: [lit.in_resin.iter().filter(|lit| **lit).count(), nz],
+        voxels: [columns.in_resin.iter().filter(|is_in| **is_in).count(), nz],
         high: heights.finer as f64,
     };
-    let sampling = Sampling::new(beam, [&u, &z], &needs, settings).map_err(|found| {
+    let sampling = Sampling::new(beam, [&u, &z], &requirements, settings).map_err(|found| {
         Error::config(
             settings.model,
             format!(
                 "{found} up to {} mm from the focal plane, which would take too long",
-                concise(needs.depths[1])
+                concise(requirements.depths[1])
             ),
             "a focal plane closer to the axis, larger errors, another aperture or angle, fewer or larger pixels",
         )
@@ -241,7 +241,7 @@ pub(super) fn working_bytes(
     (doses, modes): (usize, usize),
     kernels: impl Fn(usize) -> usize,
 ) -> Result<usize> {
-    let windows = windows_of::<f32>(of, &Lit::new(vial, grid), focus, grid)?;
+    let windows = windows_of::<f32>(of, &ResinColumns::new(vial, grid), focus, grid)?;
     let threads = rayon::current_num_threads();
     let depths = windows.sampling.transformed().count;
     let [image, depth] = windows.operations();
@@ -262,18 +262,18 @@ pub(super) fn working_bytes(
 }
 
 /// A light whose samples turn with an index-matched vial.
-pub(super) fn turning<T: Number, W: Way<T>>(
+pub(super) fn turning<T: Number, P: Propagation<T>>(
     vial: &dyn Vial,
     (light, beam): (&Light, &dyn Spreading),
     ((entrance, focus_mm), settings): ((Entrance, f64), &Settings),
     layout: &DoseLayout,
     first_frame: usize,
-    way: impl FnOnce(Windows<T>) -> W,
-) -> Result<WaveLight<T, W>> {
+    propagate: impl FnOnce(Windows<T>) -> P,
+) -> Result<WaveLight<T, P>> {
     let grid = &layout.grid;
     let [_, ny, nx] = grid.shape;
-    let lit = Lit::new(vial, grid);
-    let windows = windows_of((light, beam), &lit, (focus_mm, settings), grid)?;
+    let columns = ResinColumns::new(vial, grid);
+    let windows = windows_of((light, beam), &columns, (focus_mm, settings), grid)?;
     let resin = light.resin.uptake();
     let wall = match vial.resin_wall() {
         CrossSection::Circle(radius) if entrance == Entrance::Wall => Some(radius),
@@ -288,12 +288,12 @@ pub(super) fn turning<T: Number, W: Way<T>>(
     let turn = FrameRotation::new(
         (&light.pixels, light.sub_angles),
         grid,
-        lit.in_resin,
+        columns.in_resin,
         (uptake, focus_mm),
         windows.last,
     );
     Ok(WaveLight::new(
-        (way(windows), turn),
+        (propagate(windows), turn),
         [nx, ny],
         layout.row,
         first_frame,

@@ -551,7 +551,7 @@ impl DoseModel for Wave {
     }
 
     fn describe(&self) -> String {
-        let modes = |way: &Coherent<f32>| match way.modes.len() {
+        let modes = |propagation: &Coherent<f32>| match propagation.modes.len() {
             1 => String::new(),
             n => format!(", {n} modes"),
         };

@@ -222,9 +222,9 @@ fn ways_across(signal: &Signal, [window, part]: [f64; 2], band: usize, error: f6
     ways
 }
 
-/// What a sampling has to serve.
+/// Requirements that a sampling has to meet.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Needs {
+pub(super) struct SamplingRequirements {
     /// Smallest and largest distance of a voxel from the focal plane, mm.
     pub(super) depths: [f64; 2],
     /// Columns of voxels, and voxels of a column.
@@ -243,11 +243,11 @@ impl Sampling {
     pub(super) fn new(
         beam: &dyn Spreading,
         sides: [&Side; 2],
-        needs: &Needs,
+        requirements: &SamplingRequirements,
         settings: &Settings,
     ) -> Result<Self, String> {
         let lost = settings.relative_error * WINDOW;
-        let wide = [0, 1].map(|i| wide(beam, i, sides[i], needs.depths, lost));
+        let wide = [0, 1].map(|i| wide(beam, i, sides[i], requirements.depths, lost));
         if wide.iter().any(|n| *n > MOST_PIXELS as f64) {
             let [u, z] = wide.map(concise);
             return Err(format!("light needs a window of {u} × {z} pixels"));
@@ -267,13 +267,13 @@ impl Sampling {
         let [low, high] = sides[0].voxels_at(0.0);
         let part = high - low;
         let ways = ways_across(&across, [width, part], band[0], settings.rotation_error);
-        let ways_along = ways_along(beam, needs.depths, settings.relative_error);
+        let ways_along = ways_along(beam, requirements.depths, settings.relative_error);
         let pairs = ways_along
             .iter()
             .flat_map(|a| ways.iter().map(move |b| (a, b)));
         let cost = |(a, b): &(&Rungs, &Rungs)| {
             let handicap = a.fields.map_or(1.0, |_| settings.fields_cost);
-            handicap * cost(a, b, part, band[0], padded[1], needs)
+            handicap * cost(a, b, part, band[0], padded[1], requirements)
         };
         let (a, b) = pairs
             .min_by(|a, b| cost(a).total_cmp(&cost(b)))
@@ -310,11 +310,11 @@ fn cost(
     part: f64,
     band: usize,
     padded_z: usize,
-    needs: &Needs,
+    requirements: &SamplingRequirements,
 ) -> f64 {
-    let [columns, heights] = needs.voxels;
+    let [columns, heights] = requirements.voxels;
     let lateral = across.computed.count as f64;
-    let of_depth = (2 * band + 1) as f64 * operations(needs.high * padded_z as f64)
+    let of_depth = (2 * band + 1) as f64 * operations(requirements.high * padded_z as f64)
         + heights as f64 * operations(lateral);
     let computed = part / across.computed.step;
     let ((last_depths, taps_along), (last, taps_across)) = (along.last(), across.last());

@@ -1,6 +1,6 @@
 //! The wave model against direct sums in f64, closed forms, and itself.
 
-use super::light::Way;
+use super::light::Propagation;
 use super::*;
 use crate::PatternLayout;
 use std::f64::consts::PI;
@@ -210,7 +210,7 @@ fn dose_is_the_direct_sum_over_frequencies() {
         let x = amplitudes(7, model.1.len());
         let dose = dose_of(&model, &x);
         let aperture = params.numerical_aperture.map(|na| na / 405e-6);
-        let padded = model.0.way.windows().sampling.padded;
+        let padded = model.0.propagation.windows().sampling.padded;
         let frames: Vec<Direct> = (0..3)
             .flat_map(|frame| {
                 let modes = modes_of_the_page(&light, &params).into_iter();
@@ -267,7 +267,7 @@ fn interpolating(settings: Settings) -> (Light, Precise) {
 #[test]
 fn light_of_interpolated_fields_is_the_direct_sum() {
     let (light, model) = interpolating(settings(1e-4));
-    let sampling = &model.0.way.windows().sampling;
+    let sampling = &model.0.propagation.windows().sampling;
     let fields = sampling.fields.as_ref().map(|own| own.depths.count);
     assert!(fields.is_some_and(|count| count < sampling.along.computed.count));
     let x = amplitudes(7, model.1.len());
@@ -288,7 +288,7 @@ fn light_of_interpolated_fields_is_the_direct_sum() {
 #[test]
 fn the_gradient_of_interpolated_fields_is_exact() {
     let (_, model) = interpolating(settings(1e-2));
-    assert!(model.0.way.windows().sampling.fields.is_some());
+    assert!(model.0.propagation.windows().sampling.fields.is_some());
     let error = derivative_error(&model);
     assert!(error < 1e-12, "{error}");
 }
@@ -345,7 +345,7 @@ fn what_frames_at_work_take_is_what_is_reckoned() {
                 .unwrap();
             built.kept_bytes()
         });
-        let windows = built.way.windows();
+        let windows = built.propagation.windows();
         // Kernels and samples that are gathered together are not the scratches'
         let reckoned = windows.of_frame(layout.row, 2);
         let ratio = reckoned as f64 / kept as f64;
@@ -596,13 +596,13 @@ fn dark_pixels_around_a_pattern_change_nothing() {
 #[test]
 fn what_is_deleted_lies_beyond_the_limits_of_matsushima_and_shimobaba() {
     let model = precise(&light(1), &Params::default(), settings(1e-2), grid());
-    let way = &model.0.way;
-    let windows = way.windows();
+    let propagation = &model.0.propagation;
+    let windows = propagation.windows();
     let guard = windows.sampling.guard;
     let [bu, bz] = windows.sampling.band.map(|b| b as i64);
     let depth = 10.0 * guard[0];
     let mut spectrum = vec![Complex::new(1.0, 0.0); ((2 * bu + 1) * (2 * bz + 1)) as usize];
-    way.limit_to(&way.modes[0], depth, &mut spectrum);
+    propagation.limit_to(&propagation.modes[0], depth, &mut spectrum);
     // Their f_lim = 1/(λ√((2Δf·d)² + 1)), with Δf of a window of twice the guard, and their two ellipses
     let k = 1.5 / 405e-6f64;
     let limits = guard.map(|g| k / ((2.0 * depth / (2.0 * g)).powi(2) + 1.0).sqrt());
