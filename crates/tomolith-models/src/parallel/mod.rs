@@ -362,13 +362,13 @@ impl Parallel {
         );
         let source = lanes.as_slice();
         let slots = &source[GUARD * row..][..plan.lit.len() * row];
-        let lit = Lit {
+        let expanded = ExpandedViews {
             plan,
             views,
             source,
             nonzero: NonzeroBlocks::of(slots, row / LANES, plan.levels.used),
         };
-        let steps = run.steps(self.tiles.len() * groups(lit.views.clone()).count());
+        let steps = run.steps(self.tiles.len() * groups(expanded.views.clone()).count());
         let neighbors = neighbors(row);
         let DoseLayout { row, grid, .. } = &self.outputs[0];
         tile_rows(&self.tiles, dose, *row, grid.shape[2])
@@ -377,11 +377,13 @@ impl Parallel {
             .par_each_with(Default::default, |desk: &mut Desk, (i, tiles)| {
                 let first = i * neighbors;
                 match &plan.levels.spread {
-                    None => self.gather(&lit, first, tiles, &mut desk.gatherer, &steps),
-                    Some(spread) => self.gather_rows(&lit, first, (tiles, spread), desk, &steps),
+                    None => self.gather(&expanded, first, tiles, &mut desk.gatherer, &steps),
+                    Some(spread) => {
+                        self.gather_rows(&expanded, first, (tiles, spread), desk, &steps)
+                    }
                 }
             });
-        drop(lit);
+        drop(expanded);
         self.return_scratch(lanes);
         run.check()
     }
@@ -389,23 +391,30 @@ impl Parallel {
     /// Adds to the tiles from `first` on, which are rows of lanes.
     fn gather(
         &self,
-        lit: &Lit,
+        expanded: &ExpandedViews,
         first: usize,
         tiles: &mut [Vec<&mut [f32]>],
         gatherer: &mut Gatherer,
         steps: &Steps<'_>,
     ) {
-        let row = lit.plan.levels.row / LANES;
-        for group in groups(lit.views.clone()) {
+        let row = expanded.plan.levels.row / LANES;
+        for group in groups(expanded.views.clone()) {
             for (index, rows) in (first..).zip(tiles.iter_mut()) {
                 if steps.is_canceled() {
                     return;
                 }
                 steps.add(1);
                 let tile = (index, &self.tiles[index]);
-                gatherer.load(self.path, lit.plan, group.clone(), tile, &lit.nonzero, row);
-                for block in 0..lit.nonzero.blocks.len() {
-                    gatherer.add_block(self.path, &lit.nonzero, block, lit.source, rows);
+                gatherer.load(
+                    self.path,
+                    expanded.plan,
+                    group.clone(),
+                    tile,
+                    &expanded.nonzero,
+                    row,
+                );
+                for block in 0..expanded.nonzero.blocks.len() {
+                    gatherer.add_block(self.path, &expanded.nonzero, block, expanded.source, rows);
                 }
             }
         }
@@ -414,7 +423,7 @@ impl Parallel {
     /// The same where tiles are rows of slices and lanes rows of pixels.
     fn gather_rows(
         &self,
-        lit: &Lit,
+        expanded: &ExpandedViews,
         first: usize,
         (tiles, spread): (&mut [Vec<&mut [f32]>], &Spread),
         desk: &mut Desk,
@@ -425,7 +434,7 @@ impl Parallel {
             lanes,
             buffer,
         } = desk;
-        let row = lit.plan.levels.row;
+        let row = expanded.plan.levels.row;
         let own = &self.tiles[first..first + tiles.len()];
         let len = own.iter().map(|t| t.size[0] * t.size[1] * row).sum();
         if lanes.len() < len {
@@ -439,7 +448,7 @@ impl Parallel {
             of_lanes.push(of_tile.chunks_exact_mut(tile.size[0] * row).collect());
             rest = others;
         }
-        self.gather(lit, first, &mut of_lanes, gatherer, steps);
+        self.gather(expanded, first, &mut of_lanes, gatherer, steps);
         for (slices, lanes) in tiles.iter_mut().flatten().zip(of_lanes.iter().flatten()) {
             spread.add_to(slices, lanes, buffer);
         }
@@ -529,8 +538,8 @@ impl Parallel {
     }
 }
 
-/// Light of some views, brought to the lanes of the kernel.
-struct Lit<'a> {
+/// Light of some views, expanded to the lanes of the kernel.
+struct ExpandedViews<'a> {
     plan: &'a LightPlan,
     views: Range<usize>,
     source: &'a [f32],
