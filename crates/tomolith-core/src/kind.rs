@@ -531,16 +531,16 @@ mod tests {
 
     #[derive(Debug, serde::Deserialize)]
     #[serde(rename_all = "lowercase")]
-    enum Way {
+    enum Direction {
         Up,
         Down,
     }
 
     #[derive(Debug, serde::Deserialize)]
     #[serde(deny_unknown_fields)]
-    struct Walk {
+    struct Route {
         #[serde(rename = "ways")]
-        _ways: Vec<Way>,
+        _ways: Vec<Direction>,
         #[serde(rename = "size", default)]
         _size: [f64; 2],
     }
@@ -548,33 +548,33 @@ mod tests {
     #[test]
     fn what_is_accepted_is_said_in_words_of_a_job() {
         let text = |value| {
-            let section = Section::new("walk", value);
-            section.parse::<Walk>().unwrap_err().to_string()
+            let section = Section::new("route", value);
+            section.parse::<Route>().unwrap_err().to_string()
         };
         for (value, expected) in [
             (
                 serde_json::json!({ "ways": ["up", 3] }),
-                "walk.ways[1]: found 3; accepted: up, down",
+                "route.ways[1]: found 3; accepted: up, down",
             ),
             (
                 serde_json::json!({ "ways": [{}] }),
-                "walk.ways[0]: found an empty table; accepted: exactly one of up, down",
+                "route.ways[0]: found an empty table; accepted: exactly one of up, down",
             ),
             (
                 serde_json::json!({ "ways": [{ "up": 1, "down": 2 }] }),
-                "walk.ways[0]: found a table with down and up; accepted: exactly one of up, down",
+                "route.ways[0]: found a table with down and up; accepted: exactly one of up, down",
             ),
             (
                 serde_json::json!({ "ways": 1e30 }),
-                "walk.ways: found 1e30; accepted: a list",
+                "route.ways: found 1e30; accepted: a list",
             ),
             (
                 serde_json::json!({ "ways": [], "size": [1.0, 2.0, 3.0] }),
-                "walk.size: found a list of 3; accepted: a list with fewer entries",
+                "route.size: found a list of 3; accepted: a list with fewer entries",
             ),
             (
                 serde_json::json!({ "ways": [], "size": [] }),
-                "walk.size: found an empty list; accepted: a list of 2",
+                "route.size: found an empty list; accepted: a list of 2",
             ),
         ] {
             assert_eq!(text(value), expected);

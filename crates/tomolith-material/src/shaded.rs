@@ -85,14 +85,14 @@ impl Shaded {
         let layout = &self.model.outputs()[0];
         let [_, ny, nx] = layout.grid.shape;
         let row = layout.row;
-        let walk = Walk::new(azimuth, [nx, ny], layout.grid.pitch_mm);
-        let mut behind = vec![0.0f32; walk.rays() * row];
-        let mut middle = vec![0.0f32; (walk.across + 1) * row];
+        let traversal = ColumnTraversal::new(azimuth, [nx, ny], layout.grid.pitch_mm);
+        let mut behind = vec![0.0f32; traversal.rays() * row];
+        let mut middle = vec![0.0f32; (traversal.across + 1) * row];
         let (excess, share) = (self.excess.as_slice(), self.share.as_slice());
-        for step in 0..walk.along {
-            let (shift, rest) = walk.shift(step);
+        for step in 0..traversal.along {
+            let (shift, rest) = traversal.shift(step);
             // Rays between voxels j − 1 and j + 1, from the one before the first voxel on
-            let first = (walk.most_shift - shift) as usize * row;
+            let first = (traversal.most_shift - shift) as usize * row;
             let rays = &mut behind[first..first + middle.len()];
             let rays = rays
                 .chunks_mut(COLUMNS * row)
@@ -100,14 +100,14 @@ impl Shaded {
             rays.enumerate().par_each(|(first, (behind, middle))| {
                 let rays = behind.chunks_mut(row).zip(middle.chunks_mut(row));
                 for (i, (behind, middle)) in (first * COLUMNS..).zip(rays) {
-                    let half = 0.5 * walk.way_mm as f32;
+                    let half = 0.5 * traversal.path_mm as f32;
                     let weights = [(1.0 - rest) * half, rest * half];
                     middle.copy_from_slice(behind);
                     for (j, weight) in [i.checked_sub(1), Some(i)].into_iter().zip(weights) {
-                        let Some(j) = j.filter(|j| *j < walk.across) else {
+                        let Some(j) = j.filter(|j| *j < traversal.across) else {
                             continue;
                         };
-                        let own = &excess[walk.column(step, j) * row..][..row];
+                        let own = &excess[traversal.column(step, j) * row..][..row];
                         for ((behind, middle), mu) in behind.iter_mut().zip(&mut *middle).zip(own) {
                             *middle += weight * mu;
                             *behind += 2.0 * weight * mu;
@@ -116,7 +116,7 @@ impl Shaded {
                 }
             });
             let weigh = |j: usize, to: &mut [f32]| {
-                let at = walk.column(step, j) * row;
+                let at = traversal.column(step, j) * row;
                 let from = &from[at..at + row];
                 if from.iter().all(|v| *v == 0.0) {
                     return;
@@ -130,12 +130,16 @@ impl Shaded {
                     *to += share * less(depth) * from;
                 }
             };
-            if walk.is_along_x {
-                let at = walk.place(step) * row;
+            if traversal.is_along_x {
+                let at = traversal.place(step) * row;
                 lines(to, nx * row, |j, plane| weigh(j, &mut plane[at..at + row]));
             } else {
                 let plane = nx * row;
-                lines(&mut to[walk.place(step) * plane..][..plane], row, weigh);
+                lines(
+                    &mut to[traversal.place(step) * plane..][..plane],
+                    row,
+                    weigh,
+                );
             }
         }
     }
@@ -148,8 +152,8 @@ impl Shaded {
     }
 }
 
-/// The way of a frame's light through the columns of the grid, step by step along the axis that it runs along most.
-struct Walk {
+/// Traversal of the grid's columns by a frame's light, step by step along the axis that it runs along most.
+struct ColumnTraversal {
     is_along_x: bool,
     /// Whether it runs toward lower numbers.
     backward: bool,
@@ -158,13 +162,13 @@ struct Walk {
     nx: usize,
     /// Voxels across that it moves in a step.
     slope: f64,
-    /// Its way in a step.
-    way_mm: f64,
+    /// Its path in a step.
+    path_mm: f64,
     most_shift: i64,
     least_shift: i64,
 }
 
-impl Walk {
+impl ColumnTraversal {
     fn new(azimuth: f64, [nx, ny]: [usize; 2], pitch_mm: f64) -> Self {
         // Light of azimuth α comes from there
         let (sin, cos) = azimuth.sin_cos();
@@ -176,14 +180,14 @@ impl Walk {
         };
         let slope = aside / forth.abs();
         let last = (slope * along.saturating_sub(1) as f64).floor() as i64;
-        Walk {
+        ColumnTraversal {
             is_along_x,
             backward: forth < 0.0,
             along,
             across,
             nx,
             slope,
-            way_mm: pitch_mm / forth.abs(),
+            path_mm: pitch_mm / forth.abs(),
             most_shift: last.max(0),
             least_shift: last.min(0),
         }

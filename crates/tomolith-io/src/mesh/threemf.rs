@@ -38,7 +38,7 @@ pub(super) fn parse(bytes: &[u8], path: &Path, sink: Sink) -> Result<()> {
         ThreemfPackage::from_reader_with_memory_optimized_deserializer(Cursor::new(bytes), true)
             .map_err(|e| refuse(format!("damaged 3MF: {e}")))?;
     compare(&package, &counted).map_err(refuse)?;
-    let mut walk = Walk {
+    let mut traversal = ComponentTraversal {
         models: Models::new(&package),
         path,
         placed: 0,
@@ -48,7 +48,7 @@ pub(super) fn parse(bytes: &[u8], path: &Path, sink: Sink) -> Result<()> {
     for item in &package.root.build.item {
         let place = Place::of(item.transform.as_ref()).then(&unit);
         let part = item.path.as_ref().map_or(ROOT, |p| p.as_str());
-        walk.object(part, item.objectid, &place, 0)?;
+        traversal.object(part, item.objectid, &place, 0)?;
     }
     Ok(())
 }
@@ -261,14 +261,14 @@ impl<'a> Models<'a> {
     }
 }
 
-struct Walk<'a, 'b> {
+struct ComponentTraversal<'a, 'b> {
     models: Models<'a>,
     path: &'b Path,
     placed: usize,
     sink: Sink<'b>,
 }
 
-impl<'a> Walk<'a, '_> {
+impl<'a> ComponentTraversal<'a, '_> {
     fn object(&mut self, part: &str, id: u32, place: &Place, depth: usize) -> Result<()> {
         self.placed += 1;
         if depth > DEEPEST || self.placed > MOST_PLACED {
