@@ -218,18 +218,22 @@ impl Sweep {
         let job = self.job(point)?;
         let id = job.identity()?;
         let mut job = job.with_folder(&self.folder().join(RUNS).join(&id), "sweep");
-        let mut needs_with = |mb: Option<u64>| {
+        let mut requirements_with = |mb: Option<u64>| {
             job.spec.resources.memory_gb = mb.map(gigabytes);
-            job::needs(&job)
+            job::requirements(&job)
         };
-        let needs = needs_with(share_mb).map_err(|error| {
+        let requirements = requirements_with(share_mb).map_err(|error| {
             let alone = share_mb.zip(budget_mb).filter(|(share, all)| share < all);
-            match alone.and_then(|(share, all)| Some((share, all, needs_with(Some(all)).ok()?))) {
-                Some((share, all, needs)) => too_many_at_a_time(share, all, needs.memory_mb),
+            match alone
+                .and_then(|(share, all)| Some((share, all, requirements_with(Some(all)).ok()?)))
+            {
+                Some((share, all, requirements)) => {
+                    too_many_at_a_time(share, all, requirements.memory_mb)
+                }
                 None => error,
             }
         })?;
-        Ok((id, needs.memory_mb))
+        Ok((id, requirements.memory_mb))
     }
 
     /// Says which jobs cannot run, and why the first cannot; at the key of the sweep that is at fault.

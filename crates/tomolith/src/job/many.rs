@@ -24,9 +24,9 @@ pub enum Leaves {
     All,
 }
 
-/// What a job takes, before any work.
+/// Requirements of a job, known before any work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Needs {
+pub struct JobRequirements {
     /// Memory of its largest stage, MB (10⁶ bytes).
     pub memory_mb: u64,
 }
@@ -35,9 +35,9 @@ pub struct Needs {
 ///
 /// # Errors
 /// As [`run`](super::run), for input that cannot be used.
-pub fn needs(job: &Job) -> Result<Needs> {
+pub fn requirements(job: &Job) -> Result<JobRequirements> {
     let extent = Scene::new(job, &Run::new())?.extent;
-    Ok(Needs {
+    Ok(JobRequirements {
         memory_mb: extent.optimization_mb().max(extent.evaluation_mb()),
     })
 }

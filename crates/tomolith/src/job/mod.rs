@@ -75,7 +75,7 @@ pub use document::Document;
 pub use folder::RunFolder;
 pub use import::{Imported, import};
 pub use kept::KeptParts;
-pub use many::{Leaves, Needs, needs, run_here};
+pub use many::{JobRequirements, Leaves, requirements, run_here};
 pub use outcome::{Plan, Quality, Summary, TimeSummary};
 pub use progress::{Event, Progress, Silent};
 pub use ranks::run_among;
