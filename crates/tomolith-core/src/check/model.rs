@@ -15,9 +15,9 @@ use crate::dose::{DoseModel, Run, elements_of, frames_of};
 use crate::error::Error;
 use crate::field::Field;
 
-/// What was measured.
+/// Adjoint errors that were measured.
 #[derive(Clone, Copy, Debug)]
-pub struct Found {
+pub struct AdjointCheck {
     /// |⟨F′d, c⟩ − ⟨d, F′ᵀc⟩| / (‖F′d‖·‖c‖)
     pub adjoint_error: f64,
     /// ⟨d, F′ᵀc⟩ / ⟨F′d, c⟩: 1 unless the adjoint is off by a factor.
@@ -28,7 +28,7 @@ pub struct Found {
 ///
 /// # Errors
 /// [`Error::Unsupported`] naming the property; the model's own errors.
-pub fn model<M: DoseModel + ?Sized>(model: &M, seed: u64) -> Result<Found, Error> {
+pub fn model<M: DoseModel + ?Sized>(model: &M, seed: u64) -> Result<AdjointCheck, Error> {
     let run = Run::new();
     let mut x = model.new_patterns()?;
     x.copy_from_host(
@@ -83,7 +83,7 @@ fn adjoint<M: DoseModel + ?Sized>(
     x: &M::Field,
     seed: u64,
     run: &Run,
-) -> Result<Found, Error> {
+) -> Result<AdjointCheck, Error> {
     let mut d = model.new_patterns()?;
     d.copy_from_host(&noise(seed, d.len()));
     let fd = derivative(model, x, &d, run)?;
@@ -96,7 +96,7 @@ fn adjoint<M: DoseModel + ?Sized>(
     let mut back = model.new_patterns()?;
     model.pullback(x, &c, &mut back, run)?;
     let (forward, backward) = (fd.dot(&c), d.dot(&back));
-    let found = Found {
+    let found = AdjointCheck {
         adjoint_error: (forward - backward).abs() / (norm * c.norm()),
         factor: backward / forward,
     };
