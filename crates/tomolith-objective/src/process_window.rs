@@ -333,8 +333,8 @@ struct Mean {
     change: f64,
 }
 
-/// L, its change, and what the gradient is made of.
-struct Found {
+/// Loss of the process window: L, its change, and what the gradient is made of.
+struct WindowLoss {
     loss: f64,
     change: f64,
     /// u and −l; those of the range, the upper one negative.
@@ -487,7 +487,7 @@ impl ProcessWindow {
     }
 
     /// L and its change where `at` says what the elements have.
-    fn find(&self, at: impl Fn(usize) -> [f64; 2] + Sync) -> Found {
+    fn find(&self, at: impl Fn(usize) -> [f64; 2] + Sync) -> WindowLoss {
         let [of_part, of_void] = self.prices.map(|price| 1.0 / price);
         let goals = [of_part, of_void, of_part, of_part];
         let mut searches: [Search; 4] =
@@ -517,7 +517,7 @@ impl ProcessWindow {
             let (cost, slope) = hinge(beyond, softness);
             (range, price_of_range) = (PRICE * cost, PRICE * slope);
         }
-        Found {
+        WindowLoss {
             loss: CEILING - part.value - void.value + price * above.excess + range,
             change: price * above.changes[0]
                 - part.change
@@ -541,14 +541,14 @@ impl ProcessWindow {
         [f64::from(value), f64::from(slope)]
     }
 
-    fn at(&self, dose: &[f32]) -> Found {
+    fn at(&self, dose: &[f32]) -> WindowLoss {
         let dose = &dose[self.elements.clone()];
         self.find(|i| [self.response(dose[i])[0], 0.0])
     }
 
     /// ∂L/∂dose of an element.
     #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
-    fn gradient(&self, found: &Found, i: usize, dose: f32) -> f32 {
+    fn gradient(&self, found: &WindowLoss, i: usize, dose: f32) -> f32 {
         let Some([w_part, w_void]) = self.shares.weights(i) else {
             return 0.0;
         };
