@@ -79,17 +79,23 @@ impl Asked<'_> {
                 causes: Vec::new(),
             };
         }
-        self.found(own, s, judged, steps).limits()
+        self.measurements(own, s, judged, steps).limits()
     }
 
-    fn found(&self, own: &Scene, s: usize, judged: &Evaluation, steps: Steps) -> Found {
+    fn measurements(
+        &self,
+        own: &Scene,
+        s: usize,
+        judged: &Evaluation,
+        steps: Steps,
+    ) -> Measurements {
         let (scene, spec) = (self.scene, &own.spec);
         let kind = kind_of(judged);
         let lights = acting_on(scene, s);
         let finest = scene.levels.last();
         let (pixel_key, pixel_light) = coarsest_pixels(&scene.optics.projector_kinds, &lights);
         let best = judged.curve.iter().map(|[_, iou]| *iou);
-        Found {
+        Measurements {
             kind,
             optimized: steps.optimized,
             written: steps.written,
@@ -137,8 +143,8 @@ impl Asked<'_> {
     }
 }
 
-/// What was measured.
-struct Found {
+/// Measurements that the limits of a print follow from.
+struct Measurements {
     kind: &'static MetricKind,
     /// Patterns as they were optimized, on the optimization's grid.
     optimized: Measure,
@@ -177,7 +183,7 @@ struct Found {
     falling: Option<Falling>,
 }
 
-impl Found {
+impl Measurements {
     fn limits(&self) -> PrintLimits {
         let mut causes: Vec<Limit> = [
             self.grid(),
@@ -503,8 +509,8 @@ mod tests {
     use crate::optimize::{Row, StopReason};
 
     /// The numbers of the first example.
-    fn found() -> Found {
-        Found {
+    fn measurements() -> Measurements {
+        Measurements {
             kind: &iou::KIND,
             optimized: Some(1.0),
             written: Some(1.0),
@@ -540,7 +546,7 @@ mod tests {
 
     #[test]
     fn the_largest_loss_comes_first_and_names_the_key() {
-        let limits = found().limits();
+        let limits = measurements().limits();
         assert_eq!(
             limits.sentence,
             "Predicted IoU 0.975 (the optimizer saw 1.000): finer grid −0.026, rotation +0.001. To improve, lower `grid.pitch_mm`."
@@ -559,9 +565,9 @@ mod tests {
             "On voxels of 28 µm instead of 56 µm the print has IoU 0.974 instead of 1.000: the optimizer resolves nothing below a voxel. \
              Lower `grid.pitch_mm`."
         );
-        let toy = Found {
+        let toy = Measurements {
             is_toy: true,
-            ..found()
+            ..measurements()
         };
         let said = toy.limits().sentence;
         assert!(
@@ -586,12 +592,12 @@ mod tests {
     #[test]
     fn voxels_are_called_coarser_only_where_they_are() {
         let said = |pitches_mm| {
-            let found = Found {
+            let measured = Measurements {
                 saw_finer: true,
                 pitches_mm,
-                ..found()
+                ..measurements()
             };
-            found.limits().sentence
+            measured.limits().sentence
         };
         assert!(said([0.056, 0.014]).contains("(on the job's own, coarser voxels 1.000)"));
         assert!(said([0.056, 0.056]).contains("(before the patterns are written 1.000)"));
@@ -599,12 +605,12 @@ mod tests {
 
     #[test]
     fn the_losses_of_a_run_add_up_to_what_is_missing() {
-        let found = Found {
+        let measured = Measurements {
             optimized: Some(0.95),
             written: Some(0.94),
-            ..found()
+            ..measurements()
         };
-        let limits = found.limits();
+        let limits = measured.limits();
         let sum: f64 = limits.causes.iter().map(|l| l.loss).sum();
         assert!((1.0 - sum - 0.975).abs() < 1e-12);
         assert_eq!(limits.causes[0].cause, Cause::Optics);
@@ -653,13 +659,13 @@ mod tests {
         );
         assert_eq!(said(101.0), None);
         assert_eq!(Fall::of(&history(80.0)[..1]), None);
-        let limits = Found {
+        let limits = Measurements {
             optimized: Some(0.9),
             written: Some(0.9),
             standing: Some(0.9),
             turning: Some(0.9),
             falling: Some(falling),
-            ..found()
+            ..measurements()
         }
         .limits();
         assert_eq!(
@@ -676,14 +682,14 @@ mod tests {
         let rows = PatternGrid::full_turn(180, 0.0, 64, 176, 0.056);
         let ends = Ends::of([-1.5, 1.5], &rows, None);
         assert!((ends.share() - 2.0 * (27.0 * 0.056 - 1.5) / 3.0).abs() < 1e-12);
-        let gear = Found {
+        let gear = Measurements {
             optimized: Some(0.995),
             written: Some(0.995),
             turning: Some(0.985),
             is_optimized_turning: true,
             saw_finer: true,
             ends: Some(ends),
-            ..found()
+            ..measurements()
         };
         let limits = gear.limits();
         assert_eq!(losses(&limits)[0], (Cause::Ends, 0.008));
@@ -695,7 +701,7 @@ mod tests {
             (limits.causes[1].loss - 0.007).abs() < 1e-9 && limits.causes[1].cause == Cause::Optics
         );
         let fits = Ends::of([-1.512, 1.512], &rows, None);
-        let gear = Found {
+        let gear = Measurements {
             ends: Some(fits),
             ..gear
         };
@@ -722,7 +728,7 @@ mod tests {
         let one = Arcs::of(&[acting(0, None)]).unwrap();
         assert_eq!((&one.said[..], &one.key[..]), ("3°", "light.angles"));
         let rows = &lights[1].pixels;
-        let found = Found {
+        let measured = Measurements {
             optimized: Some(0.9),
             written: Some(0.9),
             standing: Some(0.9),
@@ -731,9 +737,9 @@ mod tests {
             pixel_key: "light[1].projector.collimated.pixel_pitch_mm".to_owned(),
             pixel_light: Some("uv".to_owned()),
             ends: Some(Ends::of([-0.15, 0.2], rows, Some("uv"))),
-            ..found()
+            ..measurements()
         };
-        let limits = found.limits();
+        let limits = measured.limits();
         let said: String = limits
             .causes
             .iter()
@@ -753,12 +759,12 @@ mod tests {
 
     #[test]
     fn a_threshold_that_is_far_off_and_too_few_sides_are_named() {
-        let off = Found {
+        let off = Measurements {
             turning: Some(0.0),
             best: Some(0.98),
             saw_finer: true,
             is_optimized_turning: true,
-            ..found()
+            ..measurements()
         };
         assert!(
             off.limits()
@@ -767,19 +773,19 @@ mod tests {
             "{}",
             off.limits().sentence
         );
-        let few = Found {
+        let few = Measurements {
             turning: Some(0.5),
             saw_finer: true,
             is_optimized_turning: true,
             has_few_angles: true,
-            ..found()
+            ..measurements()
         };
         assert!(
             few.limits()
                 .sentence
                 .ends_with("To improve, raise `light.angles`.")
         );
-        let held = Found {
+        let held = Measurements {
             has_few_angles: false,
             is_held: true,
             ..few
@@ -790,13 +796,13 @@ mod tests {
                 .ends_with("To improve, raise `bounds.max`.")
         );
         // What was given is not improved by a key of the job
-        let given = Found {
+        let given = Measurements {
             turning: Some(0.5),
             standing: Some(0.5),
             written: Some(0.5),
             optimized: Some(0.5),
             is_simulated: true,
-            ..found()
+            ..measurements()
         };
         assert!(
             !given.limits().sentence.contains("To improve"),
@@ -808,9 +814,9 @@ mod tests {
     #[test]
     fn what_was_not_measured_is_not_said() {
         // A simulation of patterns optimizes nothing
-        let patterns = Found {
+        let patterns = Measurements {
             is_simulated: true,
-            ..found()
+            ..measurements()
         };
         let said = patterns.limits().sentence;
         assert!(
@@ -822,11 +828,11 @@ mod tests {
             "{said}"
         );
         // Of frames it is not known what was wanted
-        let frames = Found {
+        let frames = Measurements {
             is_simulated: true,
             optimized: None,
             written: None,
-            ..found()
+            ..measurements()
         };
         assert_eq!(losses(&frames.limits()), [(Cause::Turning, -0.0014)]);
         assert_eq!(
@@ -834,30 +840,30 @@ mod tests {
             "Predicted IoU 0.975: rotation +0.001."
         );
         // An optimization that averages its frames over their arcs
-        let turning = Found {
+        let turning = Measurements {
             is_optimized_turning: true,
-            ..found()
+            ..measurements()
         };
         assert_eq!(losses(&turning.limits())[0], (Cause::Grid, 0.025));
-        let empty = Found {
+        let empty = Measurements {
             optimized: Some(0.0),
             written: None,
             standing: None,
             turning: None,
-            ..found()
+            ..measurements()
         };
         assert_eq!(empty.limits().sentence, "");
     }
 
     #[test]
     fn the_error_of_a_gray_print_rises_where_an_iou_falls() {
-        let limits = Found {
+        let limits = Measurements {
             kind: &gray::RMS,
             optimized: Some(0.126),
             written: Some(0.13),
             standing: Some(0.128),
             turning: Some(0.128),
-            ..found()
+            ..measurements()
         }
         .limits();
         assert!(limits.sentence.starts_with(
