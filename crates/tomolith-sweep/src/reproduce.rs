@@ -251,8 +251,8 @@ impl fmt::Display for Reproduction {
     }
 }
 
-/// What a thing that was run came to.
-enum Found {
+/// Result of a thing that was run.
+enum RunResult {
     Sweep(Box<SweepPlan>),
     Answer(Value),
     /// Left out by choice, or not able to.
@@ -271,11 +271,11 @@ pub fn reproduce(
     host: &mut dyn Host,
     cancel: &Run,
 ) -> Result<Reproduction> {
-    let mut found = plans(study, output, threads, host, cancel)?;
-    host.begins(&costs(study, &found, cancel)?);
+    let mut results = plans(study, output, threads, host, cancel)?;
+    host.begins(&costs(study, &results, cancel)?);
     let mut figures = Vec::new();
-    for (name, plan) in &found {
-        if let Found::Sweep(plan) = plan {
+    for (name, plan) in &results {
+        if let RunResult::Sweep(plan) = plan {
             let mut watch = host.watch(name, plan);
             figures.extend(engine::run(plan, None, watch.as_mut(), cancel)?.files);
         }
@@ -285,18 +285,18 @@ pub fn reproduce(
         let (Some(words), None) = (&run.command, study.left_out(run)) else {
             continue;
         };
-        let words = filled_in(words, &planned(&found));
+        let words = filled_in(words, &planned(&results));
         let (answer, files) = command(study, run, &words, &output.join(name), host)?;
-        found.insert(name.clone(), answer);
+        results.insert(name.clone(), answer);
         figures.extend(files);
     }
     figures.retain(|file| file.extension().is_some_and(|e| e == "svg"));
-    figures.extend(crate::figures::write(study, &planned(&found), output)?);
-    let rows = rows(study, &found)?;
+    figures.extend(crate::figures::write(study, &planned(&results), output)?);
+    let rows = rows(study, &results)?;
     let mut all = Reproduction {
         folder: output.to_owned(),
         rows,
-        tables: tables(study, &found)?,
+        tables: tables(study, &results)?,
         figures,
         files: Vec::new(),
     };
@@ -319,7 +319,7 @@ fn plans(
     threads: usize,
     host: &dyn Host,
     cancel: &Run,
-) -> Result<BTreeMap<String, Found>> {
+) -> Result<BTreeMap<String, RunResult>> {
     for (name, run) in &study.spec.runs {
         if let Some(words) = &run.command {
             let is_one = host.must_be_command(words, run.writes);
@@ -327,35 +327,35 @@ fn plans(
         }
     }
     let plan = |(name, run): (&String, &RunSpec)| {
-        let found = match study.left_out(run) {
-            Some(why) => Found::Nothing(Verdict::NotCompared(why)),
+        let result = match study.left_out(run) {
+            Some(why) => RunResult::Nothing(Verdict::NotCompared(why)),
             None => match study.sweep(name, run, output)? {
                 Some(sweep) => {
                     let plan = sweep.plan(threads, cancel);
                     let plan = plan.map_err(|e| study.at_own_key(name, run, e))?;
-                    Found::Sweep(Box::new(plan))
+                    RunResult::Sweep(Box::new(plan))
                 }
-                None => Found::Nothing(Verdict::Missing("not run yet".to_owned())),
+                None => RunResult::Nothing(Verdict::Missing("not run yet".to_owned())),
             },
         };
-        Ok((name.clone(), found))
+        Ok((name.clone(), result))
     };
-    let found = study
+    let results = study
         .spec
         .runs
         .iter()
         .map(plan)
         .collect::<Result<BTreeMap<_, _>>>()?;
-    study.must_have_axes(&planned(&found))?;
-    study.must_have_runs(&planned(&found))?;
-    study.must_spare_its_files(output, &planned(&found))?;
-    Ok(found)
+    study.must_have_axes(&planned(&results))?;
+    study.must_have_runs(&planned(&results))?;
+    study.must_spare_its_files(output, &planned(&results))?;
+    Ok(results)
 }
 
 /// The plans of sweeps and jobs, by the names of their runs.
-fn planned(found: &BTreeMap<String, Found>) -> BTreeMap<&str, &SweepPlan> {
-    let of_sweeps = found.iter().filter_map(|(name, found)| match found {
-        Found::Sweep(plan) => Some((name.as_str(), plan.as_ref())),
+fn planned(results: &BTreeMap<String, RunResult>) -> BTreeMap<&str, &SweepPlan> {
+    let of_sweeps = results.iter().filter_map(|(name, result)| match result {
+        RunResult::Sweep(plan) => Some((name.as_str(), plan.as_ref())),
         _ => None,
     });
     of_sweeps.collect()
@@ -377,10 +377,14 @@ impl Study {
     }
 }
 
-fn costs(study: &Study, found: &BTreeMap<String, Found>, cancel: &Run) -> Result<Vec<StudyCost>> {
-    let cost = |(name, found): (&String, &Found)| {
-        let (runs, seconds) = match found {
-            Found::Sweep(plan) => (Some(plan.runs.len()), plan.seconds(cancel)?),
+fn costs(
+    study: &Study,
+    results: &BTreeMap<String, RunResult>,
+    cancel: &Run,
+) -> Result<Vec<StudyCost>> {
+    let cost = |(name, result): (&String, &RunResult)| {
+        let (runs, seconds) = match result {
+            RunResult::Sweep(plan) => (Some(plan.runs.len()), plan.seconds(cancel)?),
             _ => (None, 0.0),
         };
         Ok(StudyCost {
@@ -390,7 +394,7 @@ fn costs(study: &Study, found: &BTreeMap<String, Found>, cancel: &Run) -> Result
             left_out: study.left_out(&study.spec.runs[name]),
         })
     };
-    found.iter().map(cost).collect()
+    results.iter().map(cost).collect()
 }
 
 /// In a folder that a command wrote: its words.
@@ -403,7 +407,7 @@ fn command(
     words: &[String],
     folder: &Path,
     host: &mut dyn Host,
-) -> Result<(Found, Vec<PathBuf>)> {
+) -> Result<(RunResult, Vec<PathBuf>)> {
     let mut words = words.to_vec();
     if run.writes {
         let absolute = std::path::absolute(folder).map_err(|e| Error::io(folder, e))?;
@@ -417,13 +421,13 @@ fn command(
         Err(Error::Canceled) => return Err(Error::Canceled),
         Err(error) => {
             return Ok((
-                Found::Nothing(Verdict::Missing(error.to_string())),
+                RunResult::Nothing(Verdict::Missing(error.to_string())),
                 Vec::new(),
             ));
         }
     };
     if !run.writes {
-        return Ok((Found::Answer(answer), Vec::new()));
+        return Ok((RunResult::Answer(answer), Vec::new()));
     }
     // What a later call may replace
     let said = serde_json::to_vec(&words).unwrap_or_default();
@@ -435,14 +439,14 @@ fn command(
         .filter_map(|entry| Some(entry.ok()?.path()))
         .collect();
     files.sort();
-    Ok((Found::Answer(report.unwrap_or(answer)), files))
+    Ok((RunResult::Answer(report.unwrap_or(answer)), files))
 }
 
 /// The runs of the sweeps that the study lays out whole.
-fn tables(study: &Study, found: &BTreeMap<String, Found>) -> Result<Vec<String>> {
+fn tables(study: &Study, results: &BTreeMap<String, RunResult>) -> Result<Vec<String>> {
     let mut tables = Vec::new();
     for spec in &study.spec.tables {
-        let Found::Sweep(plan) = &found[&spec.of] else {
+        let RunResult::Sweep(plan) = &results[&spec.of] else {
             continue;
         };
         let table = Table::collect(plan)?;
@@ -464,15 +468,15 @@ fn tables(study: &Study, found: &BTreeMap<String, Found>) -> Result<Vec<String>>
     Ok(tables)
 }
 
-fn rows(study: &Study, found: &BTreeMap<String, Found>) -> Result<Vec<StudyRow>> {
+fn rows(study: &Study, results: &BTreeMap<String, RunResult>) -> Result<Vec<StudyRow>> {
     let mut tables = BTreeMap::new();
-    for (name, plan) in planned(found) {
+    for (name, plan) in planned(results) {
         tables.insert(name, Table::collect(plan)?);
     }
     let mut named: BTreeMap<&str, f64> = BTreeMap::new();
     let mut rows = Vec::new();
     for row in &study.spec.rows {
-        let ours = ours(row, study.is_quick, (found, &tables), &named);
+        let ours = ours(row, study.is_quick, (results, &tables), &named);
         if let (Some(name), Ok(ours)) = (&row.name, &ours) {
             named.insert(name, *ours);
         }
@@ -485,7 +489,7 @@ fn rows(study: &Study, found: &BTreeMap<String, Found>) -> Result<Vec<StudyRow>>
 fn ours(
     row: &RowSpec,
     is_quick: bool,
-    (found, tables): (&BTreeMap<String, Found>, &BTreeMap<&str, Table<'_>>),
+    (results, tables): (&BTreeMap<String, RunResult>, &BTreeMap<&str, Table<'_>>),
     named: &BTreeMap<&str, f64>,
 ) -> Result<f64, Verdict> {
     let of = |name: &str| named.get(name).copied();
@@ -515,13 +519,13 @@ fn ours(
         );
     };
     let metric = row.metric.as_deref().unwrap_or_default();
-    match &found[name] {
-        Found::Nothing(verdict) => Err(verdict.clone()),
-        Found::Answer(answer) => match metric::number(answer, metric) {
+    match &results[name] {
+        RunResult::Nothing(verdict) => Err(verdict.clone()),
+        RunResult::Answer(answer) => match metric::number(answer, metric) {
             Ok(number) => number.ok_or_else(|| missing("not defined")),
             Err(why) => Err(Verdict::Missing(why)),
         },
-        Found::Sweep(plan) => of_sweep(row, is_quick, (plan, &tables[name.as_str()]), metric),
+        RunResult::Sweep(plan) => of_sweep(row, is_quick, (plan, &tables[name.as_str()]), metric),
     }
 }
 
