@@ -92,9 +92,13 @@ fn in_words(traced: &Traced) -> String {
         "light {}, frame {}, column {}, row {}",
         pixel.light, pixel.frame, pixel.column, pixel.row
     );
-    for leg in &traced.legs {
-        let [a, b] = [leg.from_mm, leg.to_mm].map(|[x, y, z]| format!("({x:.3}, {y:.3}, {z:.3})"));
-        text += &format!("\n  in resin from {a} to {b} mm, power {:.4}", leg.power);
+    for segment in &traced.segments {
+        let [a, b] =
+            [segment.from_mm, segment.to_mm].map(|[x, y, z]| format!("({x:.3}, {y:.3}, {z:.3})"));
+        text += &format!(
+            "\n  in resin from {a} to {b} mm, power {:.4}",
+            segment.power
+        );
     }
     let account = &traced.account;
     for (what, share) in [

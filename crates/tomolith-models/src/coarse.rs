@@ -1,4 +1,4 @@
-//! Scattered light on coarser voxels: it is smooth, so a few random legs say more about it there.
+//! Scattered light on coarser voxels: it is smooth, so a few random segments say more about it there.
 //!
 //! Doses between the middles of cells are interpolated linearly along x, y and z; beyond the outermost middles they stay as
 //! they are there. [`Coarse::spread`] adds cells to voxels, [`Coarse::gather`] is its transpose. A voxel of which a part is resin gets

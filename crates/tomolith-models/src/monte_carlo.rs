@@ -1,18 +1,18 @@
 //! The `monte_carlo` dose model: rays in a resin that scatters, by frozen Monte Carlo paths.
 //!
 //! # Model
-//! Straight light is followed as by [`rays`](super::rays), exactly. Along each leg of it the part that is scattered goes on
-//! from one random point in a random direction, and so on ([`SpaceTracer`](tomolith_optics::space::SpaceTracer)); every leg
+//! Straight light is followed as by [`rays`](super::rays), exactly. Along each segment of it the part that is scattered goes on
+//! from one random point in a random direction, and so on ([`SpaceTracer`](tomolith_optics::space::SpaceTracer)); every segment
 //! leaves its expected absorption in all the voxels it passes. Points and directions are frozen by (seed, frame, pixel,
 //! path, event): a seed is one matrix, of which dose and adjoint are an exact pair. Another seed is another matrix.
 //!
 //! # Equation
-//! dose(v) = Σ x·A/(n·V) Σ_paths Σ_legs P·(μ_a/μ_t)·(e^(−μ_t·s_in) − e^(−μ_t·s_out)), μ_t = μ_a + μ_s + what else absorbs;
-//! a leg of length L hands on the power P·(μ_s/μ_t)·(1 − e^(−μ_t·L)). Its mean over seeds is the volume rendering equation.
+//! dose(v) = Σ x·A/(n·V) Σ_paths Σ_segments P·(μ_a/μ_t)·(e^(−μ_t·s_in) − e^(−μ_t·s_out)), μ_t = μ_a + μ_s + what else absorbs;
+//! a segment of length L hands on the power P·(μ_s/μ_t)·(1 − e^(−μ_t·L)). Its mean over seeds is the volume rendering equation.
 //!
 //! # Resin that differs from place to place
-//! With an absorption map the terms of a leg are those of its pieces in the cells, with their μ_a and μ_t; with an index that changes
-//! with the radius legs are the chords of curves ([`optics::space`](tomolith_optics::space)). μ_s is the same everywhere.
+//! With an absorption map the terms of a segment are those of its pieces in the cells, with their μ_a and μ_t; with an index that changes
+//! with the radius segments are the chords of curves ([`optics::space`](tomolith_optics::space)). μ_s is the same everywhere.
 //! Where there is a map and `smooth` > 1, cells hold fluence instead of energy, and a voxel takes the map's mean over it.
 //!
 //! # Source

@@ -11,7 +11,7 @@
 //!
 //! # Scattering
 //! With [`SpaceTracer::in_scattering`] and a stream of random numbers, light leaves its expected absorption all along its way from
-//! surface to surface, and what it loses to scattering goes on from one point of that way. A way is one leg, or the pieces of it in
+//! surface to surface, and what it loses to scattering goes on from one point of that way. A way is one segment, or the pieces of it in
 //! which the resin differs; a piece of length L scatters P·(μ_s/μ_t)·(1 − e^(−μ_t·L)) of its power P, exactly. The power that goes on is
 //! the sum, the piece is drawn by its part of it, the distance in it from the free paths below L, the direction from the phase function:
 //! the point has the density μ_s·e^(−∫μ_t) of the map as it is given, and no free path is followed in vain. So the unscattered light
@@ -19,8 +19,8 @@
 //! power/least_power (Russian roulette), and so does what is reflected. Scattered light is unpolarized; in a gradient it runs along curves.
 //!
 //! # Resin that differs from place to place
-//! Where absorption is a map ([`AbsorptionMap`]) a leg ends at every cell that takes another part; where the index changes
-//! ([`IndexGradient`](super::gradient::IndexGradient)) legs are the chords of a curve, along which the fields turn with the direction.
+//! Where absorption is a map ([`AbsorptionMap`]) a segment ends at every cell that takes another part; where the index changes
+//! ([`IndexGradient`](super::gradient::IndexGradient)) segments are the chords of a curve, along which the fields turn with the direction.
 //!
 //! # Equation
 //! T = (n₂ cos θ₂ / n₁ cos θ₁)·|t|² = 1 − R, so absorbed + reflected + transmitted + missed + blocked + bath + dropped + cut = 1.
@@ -101,7 +101,7 @@ impl Default for TraceLimits {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RayPath {
     /// Pieces in resin.
-    pub legs: Vec<PathSegment>,
+    pub segments: Vec<PathSegment>,
     /// Power balance.
     pub balance: PowerBalance,
 }
@@ -135,7 +135,7 @@ enum Extent {
     /// Where all of its power goes.
     Whole,
     /// Its pieces in resin.
-    Legs,
+    Segments,
 }
 
 /// A ray on its way.
@@ -326,8 +326,8 @@ impl SpaceTracer {
 
     /// The pieces in resin alone, with random numbers those of scattered light too: light is not followed where it cannot come back.
     #[must_use]
-    pub fn legs(&self, ray: Ray, random: Option<&mut Stream>) -> Vec<PathSegment> {
-        self.trace_with(ray, random, Extent::Legs).legs
+    pub fn segments(&self, ray: Ray, random: Option<&mut Stream>) -> Vec<PathSegment> {
+        self.trace_with(ray, random, Extent::Segments).segments
     }
 
     fn trace_with(&self, ray: Ray, mut random: Option<&mut Stream>, extent: Extent) -> RayPath {
@@ -370,7 +370,7 @@ impl SpaceTracer {
         mut random: Option<&mut Stream>,
     ) {
         loop {
-            let first = path.legs.len();
+            let first = path.segments.len();
             let ahead = self.next(&mut state, path);
             let distance = ahead.as_ref().map_or(0.0, |a| a.crossing().distance);
             self.cross_medium(&mut state, distance, path);
@@ -378,7 +378,7 @@ impl SpaceTracer {
                 self.scatter(&state, scattering, first, random, waiting, path);
             }
             let Some(ahead) = ahead else { break };
-            if extent == Extent::Legs && self.is_final(&state, &ahead) {
+            if extent == Extent::Segments && self.is_final(&state, &ahead) {
                 return;
             }
             state.ray.from = state.ray.at(distance);
@@ -428,7 +428,7 @@ impl SpaceTracer {
         after
     }
 
-    /// What goes on from a point of the way just gone, the legs from `first` on: its share moves from absorbed to scattered.
+    /// What goes on from a point of the way just gone, the segments from `first` on: its share moves from absorbed to scattered.
     fn scatter(
         &self,
         state: &State,
@@ -438,8 +438,9 @@ impl SpaceTracer {
         waiting: &mut Vec<State>,
         path: &mut RayPath,
     ) {
-        let of_leg = |leg: &PathSegment| scattered(leg, scattering.per_mm, leg.length);
-        let whole: f64 = path.legs[first..].iter().map(of_leg).sum();
+        let of_segment =
+            |segment: &PathSegment| scattered(segment, scattering.per_mm, segment.length);
+        let whole: f64 = path.segments[first..].iter().map(of_segment).sum();
         if whole == 0.0 {
             return;
         }
@@ -455,17 +456,17 @@ impl SpaceTracer {
         if power == 0.0 {
             return;
         }
-        let (legs, passed) = (&path.legs[first..], random.uniform() * whole);
-        let Some((leg, distance)) = point_of(legs, scattering.per_mm, passed) else {
+        let (segments, passed) = (&path.segments[first..], random.uniform() * whole);
+        let Some((segment, distance)) = point_of(segments, scattering.per_mm, passed) else {
             return;
         };
         let cosine = scattering.phase.draw(random);
-        let direction = deflected(leg.ray.direction, cosine, TAU * random.uniform());
+        let direction = deflected(segment.ray.direction, cosine, TAU * random.uniform());
         let mut fields = Fields::new(Polarization::Unpolarized, direction);
         fields.scale(power);
         waiting.push(State {
             ray: Ray {
-                from: leg.ray.at(distance),
+                from: segment.ray.at(distance),
                 direction,
             },
             fields,
@@ -481,7 +482,7 @@ impl SpaceTracer {
             state.met_resin = true;
             let mut left = power;
             let mut leave = |from: f64, to: f64, uptake: Uptake| {
-                path.legs.push(PathSegment {
+                path.segments.push(PathSegment {
                     ray: Ray {
                         from: state.ray.at(from),
                         ..state.ray
@@ -736,27 +737,27 @@ impl SpaceTracer {
     }
 }
 
-/// What of a leg's power is scattered on the first `length` mm of it, where scattering takes `per_mm`.
-fn scattered(leg: &PathSegment, per_mm: f64, length: f64) -> f64 {
-    let mu = leg.uptake.attenuation_per_mm;
-    -(-mu * length).exp_m1() * leg.power * per_mm / mu
+/// What of a segment's power is scattered on the first `length` mm of it, where scattering takes `per_mm`.
+fn scattered(segment: &PathSegment, per_mm: f64, length: f64) -> f64 {
+    let mu = segment.uptake.attenuation_per_mm;
+    -(-mu * length).exp_m1() * segment.power * per_mm / mu
 }
 
-/// Where legs, one after the other, have scattered this much: the leg, and the way along it, mm; None without legs.
-fn point_of(legs: &[PathSegment], per_mm: f64, mut power: f64) -> Option<(&PathSegment, f64)> {
+/// Where segments, one after the other, have scattered this much: the segment, and the way along it, mm; None without segments.
+fn point_of(segments: &[PathSegment], per_mm: f64, mut power: f64) -> Option<(&PathSegment, f64)> {
     let mut found = None;
-    for leg in legs {
-        found = Some((leg, power));
-        power -= scattered(leg, per_mm, leg.length);
+    for segment in segments {
+        found = Some((segment, power));
+        power -= scattered(segment, per_mm, segment.length);
         if power < 0.0 {
             break;
         }
     }
-    let (leg, power) = found?;
-    // The inverse of `scattered`; what rounding leaves too much of ends with the leg
-    let mu = leg.uptake.attenuation_per_mm;
-    let distance = -(-power * mu / (leg.power * per_mm)).ln_1p() / mu;
-    Some((leg, distance.min(leg.length)))
+    let (segment, power) = found?;
+    // The inverse of `scattered`; what rounding leaves too much of ends with the segment
+    let mu = segment.uptake.attenuation_per_mm;
+    let distance = -(-power * mu / (segment.power * per_mm)).ln_1p() / mu;
+    Some((segment, distance.min(segment.length)))
 }
 
 /// The nearer of two surfaces, the first of two at the same distance.

@@ -15,8 +15,8 @@
 //! use tomolith_optics::vial::index_matched::IndexMatched;
 //! let tracer = Tracer::new(&IndexMatched { radius_mm: 6.0 }, Resin::absorbing(1.5, 0.1), 1.0, Polarization::S);
 //! let path = tracer.trace(0.0, 0.0);
-//! assert_eq!(path.legs[0].from, [6.0, 0.0]); // azimuth 0: light comes from +x
-//! assert!((path.legs[0].length - 12.0).abs() < 1e-12);
+//! assert_eq!(path.segments[0].from, [6.0, 0.0]); // azimuth 0: light comes from +x
+//! assert!((path.segments[0].length - 12.0).abs() < 1e-12);
 //! assert!((path.balance.absorbed - (1.0 - (-1.2f64).exp())).abs() < 1e-12); // Beer–Lambert
 //! ```
 
@@ -60,7 +60,7 @@ impl Bath {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PlanarPath {
     /// Pieces in resin, in order of travel.
-    pub legs: Vec<PlanarSegment>,
+    pub segments: Vec<PlanarSegment>,
     /// Power balance.
     pub balance: PowerBalance,
     /// The walls and faces passed, in order: rays of equal class form one smooth bundle.
@@ -161,7 +161,7 @@ impl Tracer {
             path.class.push(hit.face);
         }
         let left = power.s + power.p;
-        if path.legs.is_empty() {
+        if path.segments.is_empty() {
             path.balance.missed += left;
         } else {
             path.balance.transmitted += left;
@@ -187,7 +187,7 @@ impl Tracer {
         power: &mut Transmittance,
         path: &mut PlanarPath,
     ) {
-        path.legs.push(PlanarSegment {
+        path.segments.push(PlanarSegment {
             from,
             direction,
             length,
@@ -375,8 +375,11 @@ mod tests {
                     CrossSection::Square(w) => w,
                 };
                 let way = (12.0f64.powi(2) - u * u).sqrt() - outer;
-                let expected = a.legs[0].power * (-0.15 * way).exp();
-                assert!((b.legs[0].power - expected).abs() < 1e-12, "{vial:?} {u}");
+                let expected = a.segments[0].power * (-0.15 * way).exp();
+                assert!(
+                    (b.segments[0].power - expected).abs() < 1e-12,
+                    "{vial:?} {u}"
+                );
             }
         }
     }
@@ -391,8 +394,8 @@ mod tests {
         };
         let tracer = Tracer::new(&vial, Resin::absorbing(n_r, 0.1), n_s, Polarization::S);
         for u in [-8.5, -5.0, -0.1, 0.0, 2.0, 7.9, 8.6] {
-            let leg = tracer.trace(u, 1.1).legs[0];
-            let b = leg.from[0] * leg.direction[1] - leg.from[1] * leg.direction[0];
+            let segment = tracer.trace(u, 1.1).segments[0];
+            let b = segment.from[0] * segment.direction[1] - segment.from[1] * segment.direction[0];
             assert!(
                 (n_r * b.abs() - n_s * f64::abs(u)).abs() < 1e-9,
                 "u = {u}: {b}"
@@ -410,15 +413,15 @@ mod tests {
             Polarization::S,
         );
         let path = tracer.trace(0.0, 0.0);
-        assert_eq!(path.legs.len(), 2);
-        for leg in &path.legs {
-            assert!((leg.length - (6.363 - 3.18)).abs() < 1e-9);
+        assert_eq!(path.segments.len(), 2);
+        for segment in &path.segments {
+            assert!((segment.length - (6.363 - 3.18)).abs() < 1e-9);
         }
-        // Between the legs: two glass walls and two faces of the core, all at normal incidence
+        // Between the segments: two glass walls and two faces of the core, all at normal incidence
         let fresnel = |a: f64, b: f64| 1.0 - ((a - b) / (a + b)).powi(2);
         let walls = fresnel(1.48, 1.5).powi(2) * fresnel(1.5, 1.33).powi(2);
-        let expected = path.legs[0].power * (-0.1 * path.legs[0].length).exp() * walls;
-        assert!((path.legs[1].power - expected).abs() < 1e-12);
+        let expected = path.segments[0].power * (-0.1 * path.segments[0].length).exp() * walls;
+        assert!((path.segments[1].power - expected).abs() < 1e-12);
     }
 
     #[test]

@@ -13,7 +13,7 @@
 //! ```
 //! T: transmittance of the walls; |du/dt|: what refraction focuses or spreads; s: way through resin. In pure Radon mode
 //! the factors μ_a and e^(−μ_t s) are 1. All rays that reach a point count (several branches beyond n_s·R_o/n_r, two
-//! legs in a double tube).
+//! segments in a double tube).
 //!
 //! # Discretization
 //! `kernel = "distance-driven"` (the default): see `strips.rs` and `tiles.rs`. Along z pixels are boxes and the overlap with a voxel is

@@ -226,7 +226,7 @@ const NODES: [(f64, f64); 8] = {
     rule
 };
 
-/// Adds one bundle per leg. Its power is such that its middle ray leaves what all rays between `low` and `high` leave
+/// Adds one bundle per segment. Its power is such that its middle ray leaves what all rays between `low` and `high` leave
 /// together: near the rim of the resin their ways differ much.
 fn push(
     tracer: &Tracer,
@@ -243,28 +243,28 @@ fn push(
             weight * half,
         )
     });
-    for (i, leg) in middle.legs.iter().enumerate() {
-        let (Some(la), Some(lb)) = (a.legs.get(i), b.legs.get(i)) else {
+    for (i, segment) in middle.segments.iter().enumerate() {
+        let (Some(at_a), Some(at_b)) = (a.segments.get(i), b.segments.get(i)) else {
             continue;
         };
-        let legs = samples
+        let segments = samples
             .iter()
-            .filter_map(|(path, weight)| path.legs.get(i).map(|leg| (leg, weight)));
-        let left: f64 = legs
-            .map(|(leg, weight)| leg.power * tracer.deposit(leg.length) * weight)
+            .filter_map(|(path, weight)| path.segments.get(i).map(|segment| (segment, weight)));
+        let left: f64 = segments
+            .map(|(segment, weight)| segment.power * tracer.deposit(segment.length) * weight)
             .sum();
         out.push(Bundle {
             column,
-            edges: [la, lb].map(|l| Line {
-                from: l.from,
-                direction: l.direction,
+            edges: [at_a, at_b].map(|edge| Line {
+                from: edge.from,
+                direction: edge.direction,
             }),
             middle: Line {
-                from: leg.from,
-                direction: leg.direction,
+                from: segment.from,
+                direction: segment.direction,
             },
-            length: leg.length,
-            power: left / tracer.deposit(leg.length),
+            length: segment.length,
+            power: left / tracer.deposit(segment.length),
         });
     }
 }

@@ -346,18 +346,19 @@ fn error_against_rays(vial: &dyn Vial, n: usize) -> f64 {
     for &azimuth in &light.pixels.azimuths {
         for ray in 0..columns * rays {
             let u = ((ray as f64 + 0.5) / rays as f64 - columns as f64 / 2.0) * h;
-            for leg in tracer.trace(u, azimuth).legs {
-                let steps = (leg.length / (h / 40.0)).ceil().max(1.0);
-                let step = leg.length / steps;
+            for segment in tracer.trace(u, azimuth).segments {
+                let steps = (segment.length / (h / 40.0)).ceil().max(1.0);
+                let step = segment.length / steps;
                 for s in 0..steps as usize {
                     let way = (s as f64 + 0.5) * step;
                     let at = [0, 1].map(|a| {
-                        ((leg.from[a] + way * leg.direction[a] - grid.bounds_mm()[0][a]) / h)
+                        ((segment.from[a] + way * segment.direction[a] - grid.bounds_mm()[0][a])
+                            / h)
                             .floor()
                     });
                     if at.iter().all(|&v| (0.0..n as f64).contains(&v)) {
                         let energy = values[ray / rays] as f64 * h / rays as f64
-                            * leg.power
+                            * segment.power
                             * mu
                             * step
                             * (-mu * way).exp();

@@ -3,12 +3,12 @@
 //! The random ones are those of Nicolet et al. 2024, § 4.3, with the weights that make their means right. They are there for
 //! comparison: the integral has their mean and no variance.
 //!
-//! | kind | points of a leg of power P | energy of a point |
+//! | kind | points of a segment of power P | energy of a point |
 //! |---|---|---|
 //! | `simple` | at most one, at a free path t of μ_t | P·μ_a/μ_t |
 //! | `ratio` | at steps of free paths of the majorant μ̄ | P·(μ_a/μ̄)·(1 − μ_t/μ̄)^(points before) |
 //!
-//! (The article's `accumulate_simple` leaves P·μ_a·e^(−μ_t·t): its mean along the leg is μ_a·μ_t·e^(−2μ_t·t) and not μ_a·e^(−μ_t·t), as it
+//! (The article's `accumulate_simple` leaves P·μ_a·e^(−μ_t·t): its mean along the segment is μ_a·μ_t·e^(−2μ_t·t) and not μ_a·e^(−μ_t·t), as it
 //! does not divide by the density of t.)
 
 use schemars::JsonSchema;
@@ -55,31 +55,31 @@ impl Accumulation {
         }
     }
 
-    /// Calls `visit` with the leg, or with a short one for every point.
+    /// Calls `visit` with the segment, or with a short one for every point.
     pub(super) fn for_each(
         self,
-        leg: PathSegment,
+        segment: PathSegment,
         random: impl FnOnce() -> Stream,
         mut visit: impl FnMut(PathSegment),
     ) {
-        let attenuation = leg.uptake.attenuation_per_mm;
-        // What a leg of the length of a point leaves of its power in the resin
+        let attenuation = segment.uptake.attenuation_per_mm;
+        // What a segment of the length of a point leaves of its power in the resin
         let taken = -(-attenuation * POINT_MM).exp_m1();
         let point = |at: f64, part: f64| PathSegment {
             ray: Ray {
-                from: leg.ray.at(at - POINT_MM / 2.0),
-                ..leg.ray
+                from: segment.ray.at(at - POINT_MM / 2.0),
+                ..segment.ray
             },
             length: POINT_MM,
-            power: part * leg.power / taken,
-            ..leg
+            power: part * segment.power / taken,
+            ..segment
         };
         let free = |random: &mut Stream, mu: f64| -(-random.uniform()).ln_1p() / mu;
         match self {
-            Accumulation::Integral => visit(leg),
+            Accumulation::Integral => visit(segment),
             Accumulation::Simple => {
                 let at = free(&mut random(), attenuation);
-                if at < leg.length {
+                if at < segment.length {
                     visit(point(at, 1.0));
                 }
             }
@@ -87,7 +87,7 @@ impl Accumulation {
                 let mut random = random();
                 let share = attenuation / majorant_per_mm;
                 let (mut at, mut left) = (free(&mut random, majorant_per_mm), 1.0);
-                while at < leg.length {
+                while at < segment.length {
                     visit(point(at, left * share));
                     left *= 1.0 - share;
                     at += free(&mut random, majorant_per_mm);
@@ -104,7 +104,7 @@ mod tests {
 
     #[test]
     fn points_take_on_average_what_the_integral_takes() {
-        let leg = PathSegment {
+        let segment = PathSegment {
             ray: Ray {
                 from: [0.0; 3],
                 direction: [1.0, 0.0, 0.0],
@@ -117,7 +117,7 @@ mod tests {
                 active_per_mm: 0.4,
             },
         };
-        let mu = leg.uptake.attenuation_per_mm;
+        let mu = segment.uptake.attenuation_per_mm;
         // Energy below and above 2 mm, of power 2: 2(1 − e^−0.8) and 2(e^−0.8 − e^−2)
         let exact = [
             2.0 * (1.0 - (-0.8f64).exp()),
@@ -130,7 +130,7 @@ mod tests {
             for i in 0..DRAWS {
                 let mut own = [0.0; 2];
                 kind.for_each(
-                    leg,
+                    segment,
                     || Stream::new([7, i, 0, 0]),
                     |piece| {
                         own[usize::from(piece.ray.from[0] > 2.0)] += piece.power * taken;

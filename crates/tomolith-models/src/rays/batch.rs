@@ -108,14 +108,17 @@ impl Rays {
                 }
                 let row = run.bottom as usize + i;
                 let mut count = 0;
-                let mut walk = |mut leg: PathSegment| {
-                    let scatter_grid = self.scatter_grid.as_ref().filter(|_| leg.order > 0);
+                let mut walk = |mut path_segment: PathSegment| {
+                    let scatter_grid = self
+                        .scatter_grid
+                        .as_ref()
+                        .filter(|_| path_segment.order > 0);
                     if scatter_grid.is_some_and(|scatter_grid| scatter_grid.is_fluence(light)) {
-                        leg.uptake.active_per_mm = 1.0;
+                        path_segment.uptake.active_per_mm = 1.0;
                     }
                     let lattice =
                         scatter_grid.map_or(&self.lattice, |scatter_grid| &scatter_grid.lattice);
-                    let segment = lattice.segment(&leg, area, pixel as u32);
+                    let segment = lattice.segment(&path_segment, area, pixel as u32);
                     let Some((axis, segment)) = segment else {
                         return;
                     };
@@ -124,8 +127,8 @@ impl Rays {
                         _ if scatter_grid.is_some() => push(Place::Scattered, segment),
                         None => push(Place::Straight, segment),
                         Some(solid) => {
-                            solid.inside(&leg.ray, leg.length, &mut pieces);
-                            let step = leg.ray.direction[axis] / lattice.pitch();
+                            solid.inside(&path_segment.ray, path_segment.length, &mut pieces);
+                            let step = path_segment.ray.direction[axis] / lattice.pitch();
                             segment.cut(step, pieces.found(), |is_inside, piece| {
                                 let place = if is_inside {
                                     Place::Inside
@@ -137,10 +140,10 @@ impl Rays {
                         }
                     }
                 };
-                source.for_each_path_segment(pair / columns, pair % columns, row, |leg| {
+                source.for_each_path_segment(pair / columns, pair % columns, row, |path_segment| {
                     count += 1;
                     let points = || source.points([pair, row, count]);
-                    self.accumulation.for_each(leg, points, &mut walk);
+                    self.accumulation.for_each(path_segment, points, &mut walk);
                 });
             }
             found

@@ -115,9 +115,9 @@ impl Rays {
                 pair / columns,
                 pair % columns,
                 run.bottom as usize,
-                |mut leg| {
-                    let lowest = self.lattice.to_first_slice(&mut leg.ray);
-                    let Some((axis, way)) = self.lattice.segment(&leg, area, 0) else {
+                |mut path_segment| {
+                    let lowest = self.lattice.to_first_slice(&mut path_segment.ray);
+                    let Some((axis, way)) = self.lattice.segment(&path_segment, area, 0) else {
                         return;
                     };
                     let heights = (0..pixels.len()).map(|i| (lowest + step * i as f64).floor());

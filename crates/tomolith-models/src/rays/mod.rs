@@ -6,13 +6,13 @@
 //! tilted axes, cones and obstacles differ only in the tracer; dose and adjoint are two visitors of the same walk.
 //!
 //! # Equation
-//! With n rays per pixel of area A, legs of power P (per emitted power) that enter the resin at 0:
+//! With n rays per pixel of area A, segments of power P (per emitted power) that enter the resin at 0:
 //!
 //! ```text
-//! forward   dose(v) = Σ_pixels x · A/(n·V) Σ_rays Σ_legs P · (μ_a/μ_t) · (e^(−μ_t·s_in) − e^(−μ_t·s_out))
+//! forward   dose(v) = Σ_pixels x · A/(n·V) Σ_rays Σ_segments P · (μ_a/μ_t) · (e^(−μ_t·s_in) − e^(−μ_t·s_out))
 //! adjoint   grad(pixel) = Σ_v (∂dose(v)/∂x(pixel)) · c(v)
 //! ```
-//! s_in, s_out: way in the resin at which the leg enters and leaves voxel v. In pure Radon mode μ_a (1 − …)/μ_t is s_out − s_in.
+//! s_in, s_out: way in the resin at which the segment enters and leaves voxel v. In pure Radon mode μ_a (1 − …)/μ_t is s_out − s_in.
 //!
 //! # Source
 //! Nicolet et al. 2024, § 4 (rays from the projector, deterministic absorption along them); voxel walk: `traversal.rs`.
@@ -524,7 +524,7 @@ impl Rays {
         self.sources[light].balance(frame)
     }
 
-    /// What becomes of one pixel's light (row counted from below): legs of its middle ray, and the mean balance of its rays.
+    /// What becomes of one pixel's light (row counted from below): segments of its middle ray, and the mean balance of its rays.
     #[must_use]
     pub fn trace(
         &self,

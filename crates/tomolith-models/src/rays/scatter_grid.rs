@@ -1,6 +1,6 @@
 //! Scattered light on cells larger than voxels, and from there to voxels.
 //!
-//! Cells hold what legs leave in them; doses of voxels are interpolated ([`Coarse`]), and what both smear out may be brought back
+//! Cells hold what segments leave in them; doses of voxels are interpolated ([`Coarse`]), and what both smear out may be brought back
 //! ([`Sharpen`]) in cells that are all resin: those of which all corners are, so a body smaller than a cell may be missed. Where
 //! absorption is a map, cells hold fluence, and a voxel takes its own part of it.
 

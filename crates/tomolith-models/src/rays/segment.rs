@@ -65,21 +65,21 @@ impl Lattice {
         height
     }
 
-    /// The part of a leg that lies in the grid, and its major axis; None when it passes beside.
+    /// The part of a path segment that lies in the grid, and its major axis; None when it passes beside.
     ///
-    /// `energy_mm2`: what a pixel of value 1 sends along this leg's ray, in mm² of area times its power.
+    /// `energy_mm2`: what a pixel of value 1 sends along this path segment's ray, in mm² of area times its power.
     pub(super) fn segment(
         &self,
-        leg: &PathSegment,
+        path_segment: &PathSegment,
         energy_mm2: f64,
         pixel: u32,
     ) -> Option<(usize, Segment)> {
-        let direction = leg.ray.direction;
+        let direction = path_segment.ray.direction;
         let axis = major(direction);
         let others = others(axis);
-        let place = |i: usize| (leg.ray.from[i] - self.low[i]) / self.pitch;
+        let place = |i: usize| (path_segment.ray.from[i] - self.low[i]) / self.pitch;
         let enter = place(axis);
-        let end = enter + leg.length * direction[axis] / self.pitch;
+        let end = enter + path_segment.length * direction[axis] / self.pitch;
         let slope = others.map(|i| direction[i] / direction[axis]);
         let offset: [f64; 2] = std::array::from_fn(|i| place(others[i]) - slope[i] * enter);
         let (mut low, mut high) = (
@@ -111,8 +111,9 @@ impl Lattice {
                 low: low as f32,
                 high: high as f32,
                 enter: enter as f32,
-                rate: (leg.uptake.attenuation_per_mm * step).copysign(direction[axis]) as f32,
-                energy: (leg.uptake.active_per_mm * step * leg.power * energy_mm2
+                rate: (path_segment.uptake.attenuation_per_mm * step).copysign(direction[axis])
+                    as f32,
+                energy: (path_segment.uptake.active_per_mm * step * path_segment.power * energy_mm2
                     / self.pitch.powi(3)) as f32,
                 pixel,
             },
@@ -141,7 +142,7 @@ impl Segment {
     }
 
     /// Cuts a segment into its pieces inside and outside, in the order of travel: `visit(is_inside, piece)`. `inside` are the
-    /// pieces `[from, to]` of the leg, mm; `step`: cells of the major axis per mm of the leg, with its sign.
+    /// pieces `[from, to]` of the path segment, mm; `step`: cells of the major axis per mm of the path segment, with its sign.
     pub(super) fn cut(self, step: f64, inside: &[[f64; 2]], mut visit: impl FnMut(bool, Segment)) {
         let place = |t: f64| {
             let a = (f64::from(self.enter) + t * step) as f32;

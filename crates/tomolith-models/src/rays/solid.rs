@@ -7,7 +7,7 @@
 //! missed; roots are found to 1e-9 of a voxel.
 //!
 //! # Cost
-//! A mesh about 1 µs a leg; a form some twenty distances per crossing.
+//! A mesh about 1 µs a segment; a form some twenty distances per crossing.
 
 use crate::cells::Cells;
 use crate::layout::DoseLayout;
@@ -428,7 +428,7 @@ mod tests {
             assert!((total - 2.5).abs() < 1e-9, "{y} {z}: {found:?}");
             assert!((found[0][0] - 4.0).abs() < 1e-9 && (found[0][1] - 4.25).abs() < 1e-9);
         }
-        // A leg that begins and ends inside
+        // A segment that begins and ends inside
         assert_pieces(
             &inside(&solid, [-0.1, 0.0, 0.1], [1.0, 0.0, 0.1], 0.7),
             &[[0.0, 0.7]],

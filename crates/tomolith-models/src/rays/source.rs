@@ -25,7 +25,7 @@ pub(super) struct Source {
     seed: Option<u64>,
     /// How often other paths have been drawn.
     round: AtomicU64,
-    /// Legs as seen at azimuth 0, where every frame has the same.
+    /// Segments as seen at azimuth 0, where every frame has the same.
     shared: Option<Shared>,
 }
 
@@ -45,11 +45,11 @@ const MIDDLE: Sample = Sample {
 /// The golden ratio − 1: its multiples leave the most even gaps.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// Legs of all pixels of one frame.
+/// Segments of all pixels of one frame.
 struct Shared {
-    /// First leg of each (column, row from below), and one more.
+    /// First segment of each (column, row from below), and one more.
     starts: Vec<u32>,
-    legs: Vec<PathSegment>,
+    segments: Vec<PathSegment>,
 }
 
 impl Source {
@@ -89,11 +89,11 @@ impl Source {
         self.seed.map(|seed| seed.wrapping_add(round))
     }
 
-    /// Random points of a leg: (frame, column), row and leg count.
-    pub(super) fn points(&self, [pair, row, leg]: [usize; 3]) -> Stream {
+    /// Random points of a segment: (frame, column), row and segment count.
+    pub(super) fn points(&self, [pair, row, segment]: [usize; 3]) -> Stream {
         // Other numbers than those of paths
         let seed = !self.seed().unwrap_or(1);
-        Stream::new([seed, pair as u64, row as u64, leg as u64])
+        Stream::new([seed, pair as u64, row as u64, segment as u64])
     }
 
     /// Whether paths of scattered light are drawn.
@@ -110,17 +110,17 @@ impl Source {
     fn trace_once(&self) -> Shared {
         let (columns, rows) = (self.pixels.columns, self.pixels.rows);
         let by_pixel: Vec<Vec<PathSegment>> = (0..columns * rows).par_map(|i| {
-            let mut legs = Vec::new();
-            self.trace(i / rows, i % rows, 0.0, |leg| legs.push(leg));
-            legs
+            let mut segments = Vec::new();
+            self.trace(i / rows, i % rows, 0.0, |segment| segments.push(segment));
+            segments
         });
         let mut starts = vec![0];
-        for legs in &by_pixel {
-            starts.push(starts[starts.len() - 1] + legs.len() as u32);
+        for segments in &by_pixel {
+            starts.push(starts[starts.len() - 1] + segments.len() as u32);
         }
         Shared {
             starts,
-            legs: by_pixel.into_iter().flatten().collect(),
+            segments: by_pixel.into_iter().flatten().collect(),
         }
     }
 
@@ -157,7 +157,10 @@ impl Source {
     fn trace(&self, column: usize, row: usize, azimuth: f64, mut visit: impl FnMut(PathSegment)) {
         for sample in self.samples_of(column) {
             let ray = self.ray(column, row, &sample, azimuth);
-            self.tracer.legs(ray, None).into_iter().for_each(&mut visit);
+            self.tracer
+                .segments(ray, None)
+                .into_iter()
+                .for_each(&mut visit);
         }
     }
 
@@ -172,12 +175,12 @@ impl Source {
         for (i, sample) in self.samples_of(column).enumerate() {
             let mut random = Stream::new([seed, exposure as u64, pixel, i as u64]);
             let ray = self.ray(column, row, &sample, azimuth);
-            let legs = self.tracer.legs(ray, Some(&mut random));
-            legs.into_iter().for_each(&mut visit);
+            let segments = self.tracer.segments(ray, Some(&mut random));
+            segments.into_iter().for_each(&mut visit);
         }
     }
 
-    /// Calls `visit` with every leg of the light of a pixel (row counted from below) in a frame.
+    /// Calls `visit` with every segment of the light of a pixel (row counted from below) in a frame.
     pub(super) fn for_each_path_segment(
         &self,
         frame: usize,
@@ -199,17 +202,17 @@ impl Source {
             };
             let pixel = column * self.pixels.rows + row;
             let own = shared.starts[pixel] as usize..shared.starts[pixel + 1] as usize;
-            for leg in &shared.legs[own] {
+            for segment in &shared.segments[own] {
                 let ray = Ray {
-                    from: turned(leg.ray.from, azimuth),
-                    direction: turned(leg.ray.direction, azimuth),
+                    from: turned(segment.ray.from, azimuth),
+                    direction: turned(segment.ray.direction, azimuth),
                 };
-                visit(PathSegment { ray, ..*leg });
+                visit(PathSegment { ray, ..*segment });
             }
         }
     }
 
-    /// Legs of a pixel's middle ray, and where the power of its rays goes.
+    /// Segments of a pixel's middle ray, and where the power of its rays goes.
     pub(super) fn trace_pixel(
         &self,
         frame: usize,
@@ -219,7 +222,7 @@ impl Source {
         let azimuth = self.pixels.azimuths[frame];
         let middle = self.ray(column, row, &MIDDLE, azimuth);
         (
-            self.tracer.trace(middle).legs,
+            self.tracer.trace(middle).segments,
             self.balance_of(frame, column, row),
         )
     }

@@ -86,8 +86,8 @@ impl Rays {
                         pair / columns,
                         pair % columns,
                         row as usize,
-                        |leg| {
-                            for z in [leg.ray.from[2], leg.ray.at(leg.length)[2]] {
+                        |segment| {
+                            for z in [segment.ray.from[2], segment.ray.at(segment.length)[2]] {
                                 heights = [heights[0].min(z), heights[1].max(z)];
                             }
                         },

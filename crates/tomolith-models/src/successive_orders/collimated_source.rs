@@ -137,9 +137,9 @@ fn azimuths(vial: &dyn Vial, light: &Light) -> Vec<f64> {
         .map(|i| {
             let (frame, column) = (i / pixels.columns, i % pixels.columns);
             let path = tracer.trace(pixels.column_u(column), pixels.azimuths[frame]);
-            path.legs
-                .first()
-                .map_or(0.0, |leg| leg.direction[1].atan2(leg.direction[0]))
+            path.segments.first().map_or(0.0, |segment| {
+                segment.direction[1].atan2(segment.direction[0])
+            })
         })
         .collect()
 }

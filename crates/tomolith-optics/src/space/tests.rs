@@ -51,8 +51,8 @@ fn level_rays_do_what_the_tracer_of_the_plane_says() {
             for i in 0..60 {
                 let (u, azimuth) = (0.13 * f64::from(i) - 3.9, 0.21 * f64::from(i));
                 let (a, b) = (plane.trace(u, azimuth), space.trace(level(u, azimuth)));
-                assert_eq!(a.legs.len(), b.legs.len(), "{vial:?} {u}");
-                for (a, b) in a.legs.iter().zip(&b.legs) {
+                assert_eq!(a.segments.len(), b.segments.len(), "{vial:?} {u}");
+                for (a, b) in a.segments.iter().zip(&b.segments) {
                     assert!((a.length - b.length).abs() < 1e-9, "{vial:?} {u}");
                     assert!((a.power - b.power).abs() < 1e-9, "{vial:?} {u}");
                     assert!((a.from[0] - b.ray.from[0]).abs() < 1e-9);
@@ -75,9 +75,9 @@ fn a_leaning_ray_keeps_bouguers_invariant_and_the_slope_that_snell_gives_along_t
         direction,
     };
     let moment = |ray: &Ray| ray.from[0] * ray.direction[1] - ray.from[1] * ray.direction[0];
-    let leg = space.trace(ray).legs[0];
-    assert!((leg.ray.direction[2] - direction[2] / 1.49).abs() < 1e-14);
-    assert!((moment(&leg.ray) - moment(&ray) / 1.49).abs() < 1e-12);
+    let segment = space.trace(ray).segments[0];
+    assert!((segment.ray.direction[2] - direction[2] / 1.49).abs() < 1e-14);
+    assert!((moment(&segment.ray) - moment(&ray) / 1.49).abs() < 1e-12);
 }
 
 #[test]
@@ -102,7 +102,7 @@ fn with_reflections_all_light_is_found_again() {
         2.0 * (r(1.0, 1.54) / (1.0 - r(1.0, 1.54)) + r(1.54, 1.49) / (1.0 - r(1.54, 1.49)));
     let transmitted: f64 = 1.0 / (1.0 + ratios);
     // The last ray of every order leaves the vial after resin, forwards or backwards: only the first reflections miss it
-    let sum: f64 = path.legs.iter().map(|leg| leg.power).sum();
+    let sum: f64 = path.segments.iter().map(|segment| segment.power).sum();
     assert!(sum > transmitted);
     let without_resin = path.balance.missed;
     assert!((path.balance.transmitted + without_resin + path.balance.dropped - 1.0).abs() < 1e-12);
@@ -131,7 +131,7 @@ fn scattered_light_is_accounted_for_and_its_first_order_is_where_quadrature_puts
         SpaceTracer::new(&vial, dull, 1.0, Polarization::Unpolarized, limits)
             .in_scattering(Some(scattering.clone()))
     };
-    // Mean power of the scattered leg: (μ_s/μ_t)(1 − e^(−μ_t·4)), whatever was drawn
+    // Mean power of the scattered segment: (μ_s/μ_t)(1 − e^(−μ_t·4)), whatever was drawn
     let expected = per_mm / 0.6 * (1.0 - (-2.4f64).exp());
     let ray = level(0.0, 0.0);
     let (mut depth, mut cosine) = (0.0, 0.0);
@@ -139,9 +139,9 @@ fn scattered_light_is_accounted_for_and_its_first_order_is_where_quadrature_puts
     for i in 0..paths {
         let path = run(1).trace_scattered(ray, &mut Stream::new([1, 0, u64::from(i), 0]));
         assert!((path.balance.total() - 1.0).abs() < 1e-12);
-        assert!((path.legs[1].power - expected).abs() < 1e-12);
-        depth += (2.0 - path.legs[1].ray.from[0]) / f64::from(paths);
-        cosine += path.legs[1].ray.direction[2] / f64::from(paths);
+        assert!((path.segments[1].power - expected).abs() < 1e-12);
+        depth += (2.0 - path.segments[1].ray.from[0]) / f64::from(paths);
+        cosine += path.segments[1].ray.direction[2] / f64::from(paths);
     }
     // Mean free path below 4 mm: 1/μ − 4/(e^(4μ) − 1), and no direction is preferred
     let mean = 1.0 / 0.6 - 4.0 / (2.4f64.exp() - 1.0);
@@ -149,7 +149,7 @@ fn scattered_light_is_accounted_for_and_its_first_order_is_where_quadrature_puts
     assert!(cosine.abs() < 0.02);
     // With all orders the power that is dropped is small, and the balance is whole
     let path = run(64).trace_scattered(ray, &mut Stream::new([2, 0, 0, 0]));
-    assert!((path.balance.total() - 1.0).abs() < 1e-12 && path.legs.len() > 20);
+    assert!((path.balance.total() - 1.0).abs() < 1e-12 && path.segments.len() > 20);
 }
 
 #[test]
@@ -169,19 +169,19 @@ fn black_bodies_take_the_light_behind_them_and_clear_ones_of_the_resin_s_index_d
     let ray = level(0.3, 0.0);
     let whole = plain.trace(ray);
     let shadow = with(BodyMaterial::Black).trace(ray);
-    assert!((shadow.legs[0].length - (whole.legs[0].length / 2.0 - 1.0)).abs() < 1e-2);
+    assert!((shadow.segments[0].length - (whole.segments[0].length / 2.0 - 1.0)).abs() < 1e-2);
     assert!((shadow.balance.total() - 1.0).abs() < 1e-12);
-    assert!(shadow.balance.blocked > 0.1 && shadow.legs.len() == 1);
+    assert!(shadow.balance.blocked > 0.1 && shadow.segments.len() == 1);
     let matched = with(BodyMaterial::Dielectric {
         refractive_index: 1.49,
     })
     .trace(ray);
-    let gap = 2.0 / -matched.legs[0].ray.direction[0];
-    let length: f64 = matched.legs.iter().map(|leg| leg.length).sum();
-    assert!((length - (whole.legs[0].length - gap)).abs() < 1e-9);
+    let gap = 2.0 / -matched.segments[0].ray.direction[0];
+    let length: f64 = matched.segments.iter().map(|segment| segment.length).sum();
+    assert!((length - (whole.segments[0].length - gap)).abs() < 1e-9);
     let mirror = with(BodyMaterial::Mirror).trace(ray);
-    assert_eq!(mirror.legs.len(), 2);
-    assert!(mirror.legs[1].ray.direction[0] > 0.9, "sent back");
+    assert_eq!(mirror.segments.len(), 2);
+    assert!(mirror.segments[1].ray.direction[0] > 0.9, "sent back");
     assert!((mirror.balance.total() - 1.0).abs() < 1e-12);
 }
 
@@ -208,7 +208,7 @@ fn luneburgs_lens_gathers_parallel_light_in_one_point_of_its_rim() {
     let miss = |height: f64, step: f64| {
         let path = lens(radius, step).trace(level(height, 0.0));
         assert!((path.balance.total() - 1.0).abs() < 1e-12);
-        let length: f64 = path.legs.iter().map(|leg| leg.length).sum();
+        let length: f64 = path.segments.iter().map(|segment| segment.length).sum();
         // Nothing is reflected where indices are equal: all that is missing was absorbed along the curve
         let lost = 1.0 - (-0.1 * length).exp();
         assert!(
@@ -216,7 +216,7 @@ fn luneburgs_lens_gathers_parallel_light_in_one_point_of_its_rim() {
             "{height}: {:?}",
             path.balance
         );
-        let last = path.legs[path.legs.len() - 1];
+        let last = path.segments[path.segments.len() - 1];
         let [x, y, _] = last.ray.at(last.length);
         (x + radius).hypot(y)
     };
@@ -241,7 +241,7 @@ fn the_error_of_a_curve_falls_with_the_square_of_its_chords() {
         });
         let tracer = SpaceTracer::new(&GLASS, resin, 1.0, Polarization::P, TraceLimits::default());
         let path = tracer.trace(level(3.0, 0.0));
-        let last = path.legs[path.legs.len() - 1];
+        let last = path.segments[path.segments.len() - 1];
         last.ray.at(last.length)
     };
     let exact = end(0.005);
@@ -261,10 +261,10 @@ fn along_a_curve_bouguers_invariant_is_kept_and_without_a_gradient_it_is_straigh
     let (radius, height) = (4.0, 2.3);
     let path = lens(radius, 0.02).trace(level(height, 0.0));
     // The last one is cut by the wall and has the direction of a whole step
-    for leg in &path.legs[..path.legs.len() - 1] {
-        let middle = leg.ray.at(leg.length / 2.0);
+    for segment in &path.segments[..path.segments.len() - 1] {
+        let middle = segment.ray.at(segment.length / 2.0);
         let index = (2.0 - (middle[0].powi(2) + middle[1].powi(2)) / radius.powi(2)).sqrt();
-        let [dx, dy, _] = leg.ray.direction;
+        let [dx, dy, _] = segment.ray.direction;
         let moment = index * (middle[0] * dy - middle[1] * dx);
         assert!((moment - height).abs() < 1e-4, "{moment}");
     }
@@ -279,7 +279,7 @@ fn along_a_curve_bouguers_invariant_is_kept_and_without_a_gradient_it_is_straigh
         tracer(&GLASS, Polarization::S, TraceLimits::default()).trace(level(3.0, 0.4))
     });
     assert!((bent.balance.absorbed - straight.balance.absorbed).abs() < 1e-12);
-    assert!(bent.legs.len() > 100 && straight.legs.len() == 1);
+    assert!(bent.segments.len() > 100 && straight.segments.len() == 1);
 }
 
 #[test]
@@ -297,13 +297,13 @@ fn light_through_the_ends_of_a_vial_is_bent_there_and_level_light_does_not_see_t
     let path = ended.trace(down);
     let sine = 0.3 / 1.09f64.sqrt() / 1.49;
     let length = 11.0 / (1.0 - sine * sine).sqrt();
-    assert_eq!(path.legs.len(), 1);
+    assert_eq!(path.segments.len(), 1);
     assert!(
-        (path.legs[0].length - length).abs() < 1e-9,
+        (path.segments[0].length - length).abs() < 1e-9,
         "{:?}",
-        path.legs
+        path.segments
     );
-    assert!((path.legs[0].ray.direction[0] - sine).abs() < 1e-12);
+    assert!((path.segments[0].ray.direction[0] - sine).abs() < 1e-12);
     assert!((path.balance.total() - 1.0).abs() < 1e-12);
     // Along the axis no wall is met but the ends: air to resin, resin to glass, glass to air
     let axis = ended.trace(Ray {
@@ -318,7 +318,7 @@ fn light_through_the_ends_of_a_vial_is_bent_there_and_level_light_does_not_see_t
         from: [0.0, 0.0, 6.5],
         direction: [-1.0, 0.0, 0.0],
     });
-    assert!((over.balance.missed - 1.0).abs() < 1e-12 && over.legs.is_empty());
+    assert!((over.balance.missed - 1.0).abs() < 1e-12 && over.segments.is_empty());
 }
 
 const TUBE: DoubleTube = DoubleTube {
@@ -359,7 +359,7 @@ fn along_the_axis_of_a_closed_double_tube_light_passes_plate_and_surface() {
             (8.5, [1.0, 1.5, 1.5, 1.0]),
         ] {
             let path = at(x);
-            assert!(path.legs.is_empty(), "{x} {up}");
+            assert!(path.segments.is_empty(), "{x} {up}");
             assert!(
                 (path.balance.missed - through(&media)).abs() < 1e-12,
                 "{x} {up}"
@@ -372,7 +372,7 @@ fn along_the_axis_of_a_closed_double_tube_light_passes_plate_and_surface() {
         let entered = if up > 0.0 { before } else { behind };
         assert!((path.balance.transmitted - before * behind * left).abs() < 1e-12);
         assert!((path.balance.absorbed - entered * (1.0 - left)).abs() < 1e-12);
-        assert!(path.legs.len() == 1 && (path.legs[0].length - 11.0).abs() < 1e-12);
+        assert!(path.segments.len() == 1 && (path.segments[0].length - 11.0).abs() < 1e-12);
     }
     // Level light does not see the ends
     let open = tracer(&TUBE, Polarization::Unpolarized, TraceLimits::default());
@@ -414,7 +414,7 @@ fn of_one_index_a_closed_double_tube_is_the_resin_that_a_straight_line_passes() 
             let core = within(&ray, 3.0, heights);
             let length = within(&ray, 8.0, heights) - core;
             let path = space.trace(ray);
-            let found: f64 = path.legs.iter().map(|leg| leg.length).sum();
+            let found: f64 = path.segments.iter().map(|segment| segment.length).sum();
             assert!((found - length).abs() < 1e-9, "{ray:?}: {found} {length}");
             let taken = 1.0 - (-0.1 * length).exp();
             assert!((path.balance.absorbed - taken).abs() < 1e-10, "{ray:?}");
@@ -496,15 +496,15 @@ fn a_closed_double_tube_is_what_meshes_of_it_are() {
             direction: [-sine, 0.0, (1.0 - sine * sine).sqrt()],
         };
         let (a, b) = (cans.trace(ray), nets.trace(ray));
-        assert_eq!(a.legs.len(), b.legs.len(), "{i}");
-        for (a, b) in a.legs.iter().zip(&b.legs) {
+        assert_eq!(a.segments.len(), b.segments.len(), "{i}");
+        for (a, b) in a.segments.iter().zip(&b.segments) {
             assert!((a.length - b.length).abs() < 1e-9, "{i}");
             assert!((a.power - b.power).abs() < 1e-12, "{i}");
             assert!((0..3).all(|k| (a.ray.from[k] - b.ray.from[k]).abs() < 1e-9));
         }
         assert!((a.balance.absorbed - b.balance.absorbed).abs() < 1e-12);
         assert!((a.balance.transmitted - b.balance.transmitted).abs() < 1e-12);
-        through += usize::from(a.legs.len() == 2 && a.legs[0].ray.from[2] == -5.0);
+        through += usize::from(a.segments.len() == 2 && a.segments[0].ray.from[2] == -5.0);
     }
     assert!(through > 20, "{through}");
 }
@@ -522,12 +522,17 @@ fn absorption_from_cell_to_cell_adds_up_along_a_ray() {
         let (a, b) = (mapped.trace(ray), open.trace(ray));
         assert!((a.balance.total() - 1.0).abs() < 1e-12);
         let depth = |path: &RayPath| {
-            let of = |leg: &PathSegment| leg.length * leg.uptake.attenuation_per_mm;
-            path.legs.iter().map(of).sum::<f64>()
+            let of = |segment: &PathSegment| segment.length * segment.uptake.attenuation_per_mm;
+            path.segments.iter().map(of).sum::<f64>()
         };
-        let length = |path: &RayPath| path.legs.iter().map(|leg| leg.length).sum::<f64>();
-        assert!((length(&a) - length(&b)).abs() < 1e-9 && a.legs.len() > 3);
-        let taken = b.legs[0].power * (1.0 - (-depth(&a)).exp());
+        let length = |path: &RayPath| {
+            path.segments
+                .iter()
+                .map(|segment| segment.length)
+                .sum::<f64>()
+        };
+        assert!((length(&a) - length(&b)).abs() < 1e-9 && a.segments.len() > 3);
+        let taken = b.segments[0].power * (1.0 - (-depth(&a)).exp());
         assert!((a.balance.absorbed - taken).abs() < 1e-12);
     }
 }
@@ -547,7 +552,7 @@ fn a_diffuse_body_sends_back_its_share_by_lamberts_law() {
     let tracer = tracer(&vial, Polarization::Unpolarized, limits).with_obstacles(vec![body]);
     let ray = level(0.3, 0.0);
     let straight = tracer.trace(ray);
-    let met = straight.legs[0].power * (-0.1 * straight.legs[0].length).exp();
+    let met = straight.segments[0].power * (-0.1 * straight.segments[0].length).exp();
     assert!((straight.balance.blocked - 0.3 * met).abs() < 1e-12);
     assert!((straight.balance.cut - 0.7 * met).abs() < 1e-12);
     let (mut cosine, mut square) = (0.0, 0.0);
@@ -555,7 +560,7 @@ fn a_diffuse_body_sends_back_its_share_by_lamberts_law() {
     for i in 0..paths {
         let path = tracer.trace_scattered(ray, &mut Stream::new([3, 0, u64::from(i), 0]));
         assert!((path.balance.total() - 1.0).abs() < 1e-12);
-        let sent = path.legs[1];
+        let sent = path.segments[1];
         assert!((sent.power - 0.7 * met).abs() < 1e-12 && sent.order == 1);
         cosine += sent.ray.direction[0] / f64::from(paths);
         square += sent.ray.direction[0].powi(2) / f64::from(paths);
@@ -573,7 +578,7 @@ fn a_diffuse_body_sends_back_its_share_by_lamberts_law() {
 }
 
 #[test]
-fn legs_alone_are_those_of_the_whole_path() {
+fn segments_alone_are_those_of_the_whole_path() {
     let tube = DoubleTube {
         radii_mm: [9.0, 8.0, 3.0, 2.5],
         outer_refractive_index: 1.5,
@@ -607,8 +612,8 @@ fn legs_alone_are_those_of_the_whole_path() {
                     let ray = level(0.1 * i as f64 - 5.0, 0.3 * i as f64);
                     let draws = || Stream::new([1, 2, i, 3]);
                     let whole = tracer.trace_scattered(ray, &mut draws());
-                    assert_eq!(tracer.legs(ray, Some(&mut draws())), whole.legs);
-                    assert_eq!(tracer.legs(ray, None), tracer.trace(ray).legs);
+                    assert_eq!(tracer.segments(ray, Some(&mut draws())), whole.segments);
+                    assert_eq!(tracer.segments(ray, None), tracer.trace(ray).segments);
                 }
             }
         }
@@ -709,7 +714,11 @@ fn light_scattered_in_two_unlike_halves_is_where_quadrature_puts_it() {
     for i in 0..paths {
         let path = tracer.trace_scattered(ray, &mut Stream::new([6, 0, u64::from(i), 0]));
         assert!((path.balance.total() - 1.0).abs() < 1e-12);
-        let again: Vec<&PathSegment> = path.legs.iter().filter(|leg| leg.order == 1).collect();
+        let again: Vec<&PathSegment> = path
+            .segments
+            .iter()
+            .filter(|segment| segment.order == 1)
+            .collect();
         assert!(
             (again[0].power - expected).abs() < 1e-7,
             "{}",
@@ -719,10 +728,10 @@ fn light_scattered_in_two_unlike_halves_is_where_quadrature_puts_it() {
         mean[0] += way / f64::from(paths);
         mean[1] += way * way / f64::from(paths);
         let mut own = [0.0; 2];
-        for leg in again {
-            let uptake = leg.uptake;
-            let lost = leg.power * -(-uptake.attenuation_per_mm * leg.length).exp_m1();
-            let side = usize::from(leg.ray.at(leg.length / 2.0)[0] > 0.0);
+        for segment in again {
+            let uptake = segment.uptake;
+            let lost = segment.power * -(-uptake.attenuation_per_mm * segment.length).exp_m1();
+            let side = usize::from(segment.ray.at(segment.length / 2.0)[0] > 0.0);
             own[side] += lost * uptake.active_per_mm / uptake.attenuation_per_mm;
         }
         for side in 0..2 {
@@ -764,11 +773,16 @@ fn an_even_map_and_an_even_gradient_leave_paths_as_they_are() {
         ..resin()
     };
     let chords = milk(&GLASS, straight, limits);
-    // Where light of every order begins; a curve ends where 1e-9 of its light is left, a straight leg at the wall
+    // Where light of every order begins; a curve ends where 1e-9 of its light is left, a straight segment at the wall
     let turns = |path: &RayPath| {
-        let orders = 0..=path.legs.iter().map(|leg| leg.order).max().unwrap_or(0);
-        let first = |order| path.legs.iter().find(|leg| leg.order == order);
-        let first = orders.filter_map(first).map(|leg| leg.ray.from);
+        let orders = 0..=path
+            .segments
+            .iter()
+            .map(|segment| segment.order)
+            .max()
+            .unwrap_or(0);
+        let first = |order| path.segments.iter().find(|segment| segment.order == order);
+        let first = orders.filter_map(first).map(|segment| segment.ray.from);
         first.collect::<Vec<_>>()
     };
     let mut scattered = 0;
@@ -811,36 +825,40 @@ fn scattered_light_runs_along_the_curves_of_a_gradient() {
     let tracer = milk(&GLASS, bent, limits);
     let index = |at: [f64; 3]| profile.index(1.49, at);
     let ray = level(2.0, 0.1);
-    let way = |legs: &[&PathSegment]| legs.iter().map(|leg| leg.length).sum::<f64>();
+    let way =
+        |segments: &[&PathSegment]| segments.iter().map(|segment| segment.length).sum::<f64>();
     let (mut guided, mut bends) = (0, 0.0f64);
     for i in 0..300 {
         let path = tracer.trace_scattered(ray, &mut Stream::new([2, 0, i, 0]));
         assert!((path.balance.total() - 1.0).abs() < 1e-12);
         let [direct, once] = [0, 1].map(|order| {
-            let own = path.legs.iter().filter(|leg| leg.order == order);
+            let own = path
+                .segments
+                .iter()
+                .filter(|segment| segment.order == order);
             own.collect::<Vec<_>>()
         });
         // What goes on is what the whole curve scattered, from a point of it
         let expected = direct[0].power * (1.0 - (-0.6 * way(&direct)).exp()) * MILK_PER_MM / 0.6;
         assert!((once[0].power - expected).abs() < 1e-12);
         let from = once[0].ray.from;
-        let beside = |leg: &&&PathSegment| {
-            let to: [f64; 3] = std::array::from_fn(|k| from[k] - leg.ray.from[k]);
-            let along = dot(to, leg.ray.direction);
-            let off = cross(to, leg.ray.direction);
-            (-1e-9..leg.length + 1e-9).contains(&along) && dot(off, off) < 1e-18
+        let beside = |segment: &&&PathSegment| {
+            let to: [f64; 3] = std::array::from_fn(|k| from[k] - segment.ray.from[k]);
+            let along = dot(to, segment.ray.direction);
+            let off = cross(to, segment.ray.direction);
+            (-1e-9..segment.length + 1e-9).contains(&along) && dot(off, off) < 1e-18
         };
-        assert!(direct.iter().any(|leg| beside(&leg)), "{i}");
+        assert!(direct.iter().any(|segment| beside(&segment)), "{i}");
         // Bouguer: n·(r × d)_z and n·d_z stay; the last chord is cut and has the direction of a whole step
-        let invariants = |leg: &PathSegment| {
-            let middle = leg.ray.at(leg.length / 2.0);
-            let ([x, y, _], [dx, dy, dz]) = (middle, leg.ray.direction);
+        let invariants = |segment: &PathSegment| {
+            let middle = segment.ray.at(segment.length / 2.0);
+            let ([x, y, _], [dx, dy, dz]) = (middle, segment.ray.direction);
             let n = index(middle);
             [n * (x * dy - y * dx), n * dz]
         };
         let begun = invariants(once[0]);
-        for leg in &once[..once.len() - 1] {
-            let found = invariants(leg);
+        for segment in &once[..once.len() - 1] {
+            let found = invariants(segment);
             assert!((found[0] - begun[0]).abs() < 2e-4 && (found[1] - begun[1]).abs() < 1e-4);
         }
         let (a, b) = (once[0].ray.direction, once[once.len() - 1].ray.direction);

@@ -622,8 +622,8 @@ mod tests {
             )
             .unwrap();
             // The middle of the last of 128 columns
-            let (legs, _) = rays.trace(0, 0, 127, 32);
-            let (from, along) = (legs[0].ray.from, legs[0].ray.direction);
+            let (segments, _) = rays.trace(0, 0, 127, 32);
+            let (from, along) = (segments[0].ray.from, segments[0].ray.direction);
             let passes = (from[0] * along[1] - from[1] * along[0]).abs() / along[0].hypot(along[1]);
             let (reach, light) = optics.reach_mm();
             assert!(

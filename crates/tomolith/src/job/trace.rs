@@ -29,14 +29,15 @@ pub struct Traced {
     /// The pixel.
     pub pixel: Pixel,
     /// Pieces of its middle ray in the resin, in order.
-    pub legs: Vec<TracedLeg>,
+    #[serde(rename = "legs")]
+    pub segments: Vec<TracedSegment>,
     /// Where its power went: mean of its rays, per emitted power.
     pub account: PowerBalance,
 }
 
 /// A straight piece in the resin.
 #[derive(Clone, Copy, Debug, Serialize)]
-pub struct TracedLeg {
+pub struct TracedSegment {
     /// Where it enters, mm.
     pub from_mm: [f64; 3],
     /// Where it ends, mm.
@@ -45,12 +46,12 @@ pub struct TracedLeg {
     pub power: f64,
 }
 
-impl From<PathSegment> for TracedLeg {
-    fn from(leg: PathSegment) -> Self {
-        TracedLeg {
-            from_mm: leg.ray.from,
-            to_mm: leg.ray.at(leg.length),
-            power: leg.power,
+impl From<PathSegment> for TracedSegment {
+    fn from(segment: PathSegment) -> Self {
+        TracedSegment {
+            from_mm: segment.ray.from,
+            to_mm: segment.ray.at(segment.length),
+            power: segment.power,
         }
     }
 }
@@ -106,10 +107,10 @@ pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, 
         let run = layout.runs[pixel.frame * layout.grid.columns + pixel.column];
         let from_below = layout.grid.rows - 1 - pixel.row;
         x.as_mut_slice()[run.offset + from_below - run.bottom as usize] = 1.0;
-        let (legs, account) = model.trace(pixel.light, pixel.frame, pixel.column, from_below);
+        let (segments, account) = model.trace(pixel.light, pixel.frame, pixel.column, from_below);
         traced.push(Traced {
             pixel,
-            legs: legs.into_iter().map(TracedLeg::from).collect(),
+            segments: segments.into_iter().map(TracedSegment::from).collect(),
             account,
         });
     }

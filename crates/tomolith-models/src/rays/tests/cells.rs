@@ -47,8 +47,9 @@ fn energies_of_cells_equal_a_brute_force_walk_and_add_up_to_the_plain_dose() {
                 let values = check::noise(1, x.len());
                 x.copy_from_host(&values.iter().map(|v| v.abs()).collect::<Vec<_>>());
                 let expected = dose(&whole, &x);
-                let inside = brute_force_where(&whole, x.as_slice(), |leg, t| {
-                    chord(leg.ray.from, leg.ray.direction).is_some_and(|[a, b]| a < t && t < b)
+                let inside = brute_force_where(&whole, x.as_slice(), |segment, t| {
+                    chord(segment.ray.from, segment.ray.direction)
+                        .is_some_and(|[a, b]| a < t && t < b)
                 });
                 let model = whole.with_cells(Arc::clone(&solid));
                 let mut field = LinearOperator::new_dose(&model).unwrap();

@@ -259,7 +259,7 @@ fn brute_force(model: &Rays, x: &[f32]) -> Vec<f64> {
     brute_force_where(model, x, |_, _| true)
 }
 
-/// The same of those pieces of legs whose middle (mm along the leg) counts; legs are cut where they cross the ball, too.
+/// The same of those pieces of segments whose middle (mm along the segment) counts; segments are cut where they cross the ball, too.
 fn brute_force_where(
     model: &Rays,
     x: &[f32],
@@ -276,42 +276,47 @@ fn brute_force_where(
         for i in 0..run.count as usize {
             let value = f64::from(x[run.offset + i]);
             let row = run.bottom as usize + i;
-            model.sources[0].for_each_path_segment(pair / columns, pair % columns, row, |leg| {
-                let mut cuts = vec![0.0, leg.length];
-                for axis in 0..3 {
-                    let planes = [grid.shape[2], grid.shape[1], grid.shape[0]][axis];
-                    for plane in 0..=planes {
-                        let at = low[axis] + plane as f64 * h;
-                        let t = (at - leg.ray.from[axis]) / leg.ray.direction[axis];
-                        if t > 0.0 && t < leg.length {
-                            cuts.push(t);
+            model.sources[0].for_each_path_segment(
+                pair / columns,
+                pair % columns,
+                row,
+                |segment| {
+                    let mut cuts = vec![0.0, segment.length];
+                    for axis in 0..3 {
+                        let planes = [grid.shape[2], grid.shape[1], grid.shape[0]][axis];
+                        for plane in 0..=planes {
+                            let at = low[axis] + plane as f64 * h;
+                            let t = (at - segment.ray.from[axis]) / segment.ray.direction[axis];
+                            if t > 0.0 && t < segment.length {
+                                cuts.push(t);
+                            }
                         }
                     }
-                }
-                let ball = chord(leg.ray.from, leg.ray.direction);
-                let within = ball.into_iter().flatten();
-                cuts.extend(within.filter(|t| (0.0..leg.length).contains(t)));
-                cuts.sort_by(f64::total_cmp);
-                for cut in cuts.windows(2) {
-                    let at = (cut[0] + cut[1]) / 2.0;
-                    let middle = leg.ray.at(at);
-                    let cell: [f64; 3] =
-                        std::array::from_fn(|i| ((middle[i] - low[i]) / h).floor());
-                    let inside = (0..3).all(|i| {
-                        let n = [grid.shape[2], grid.shape[1], grid.shape[0]][i];
-                        (0.0..n as f64).contains(&cell[i])
-                    });
-                    if inside && counts(&leg, at) {
-                        let left = |t: f64| (-leg.uptake.attenuation_per_mm * t).exp();
-                        let [x, y, z] = cell.map(|c| c as usize);
-                        dose[grid.index(z, y, x)] +=
-                            value * area * leg.power * leg.uptake.active_per_mm
-                                / leg.uptake.attenuation_per_mm
-                                * (left(cut[0]) - left(cut[1]))
-                                / h.powi(3);
+                    let ball = chord(segment.ray.from, segment.ray.direction);
+                    let within = ball.into_iter().flatten();
+                    cuts.extend(within.filter(|t| (0.0..segment.length).contains(t)));
+                    cuts.sort_by(f64::total_cmp);
+                    for cut in cuts.windows(2) {
+                        let at = (cut[0] + cut[1]) / 2.0;
+                        let middle = segment.ray.at(at);
+                        let cell: [f64; 3] =
+                            std::array::from_fn(|i| ((middle[i] - low[i]) / h).floor());
+                        let inside = (0..3).all(|i| {
+                            let n = [grid.shape[2], grid.shape[1], grid.shape[0]][i];
+                            (0.0..n as f64).contains(&cell[i])
+                        });
+                        if inside && counts(&segment, at) {
+                            let left = |t: f64| (-segment.uptake.attenuation_per_mm * t).exp();
+                            let [x, y, z] = cell.map(|c| c as usize);
+                            dose[grid.index(z, y, x)] +=
+                                value * area * segment.power * segment.uptake.active_per_mm
+                                    / segment.uptake.attenuation_per_mm
+                                    * (left(cut[0]) - left(cut[1]))
+                                    / h.powi(3);
+                        }
                     }
-                }
-            });
+                },
+            );
         }
     }
     dose
