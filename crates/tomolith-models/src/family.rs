@@ -118,7 +118,7 @@ pub struct Cost {
     pub runs_along_rows: bool,
 }
 
-/// Random paths of a family.
+/// Monte Carlo paths of a family.
 pub struct RandomPaths {
     /// Of a pixel in a frame, in the optimization.
     pub optimizing: usize,
@@ -245,7 +245,7 @@ pub trait ModelFamily: fmt::Debug + Send + Sync {
         None
     }
 
-    /// The random paths that its scattered light is compared with, so many of a pixel and drawn from a seed; None where it claims to be
+    /// The Monte Carlo paths that its scattered light is compared with, so many of a pixel and drawn from a seed; None where it claims to be
     /// exact.
     fn compared_with(&self) -> Option<fn(paths_per_pixel: usize, seed: u64) -> Family> {
         None

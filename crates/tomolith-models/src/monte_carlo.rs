@@ -1,7 +1,7 @@
 //! The `monte_carlo` dose model: rays in a resin that scatters, by frozen Monte Carlo paths.
 //!
 //! # Model
-//! Straight light is followed as by [`rays`](super::rays), exactly. Along each segment of it the part that is scattered goes on
+//! Unscattered light is followed as by [`rays`](super::rays), exactly. Along each segment of it the part that is scattered goes on
 //! from one random point in a random direction, and so on ([`SpaceTracer`](tomolith_optics::space::SpaceTracer)); every segment
 //! leaves its expected absorption in all the voxels it passes. Points and directions are frozen by (seed, frame, pixel,
 //! path, event): a seed is one matrix, of which dose and adjoint are an exact pair. Another seed is another matrix.

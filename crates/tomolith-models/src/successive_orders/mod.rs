@@ -1,7 +1,7 @@
 //! The `successive_orders` dose model: a resin that scatters, without random numbers.
 //!
 //! # Model
-//! Straight light is `parallel`, or `rays` where it is not collimated and normal to the axis, with the total attenuation. What is
+//! Unscattered light is `parallel`, or `rays` where it is not collimated and normal to the axis, with the total attenuation. What is
 //! scattered out of it is followed order by order as a convolution with the kernel of free flight, on cells much larger than voxels.
 //! Light that leaves the resin does not come back.
 //!
@@ -202,7 +202,7 @@ pub struct SuccessiveOrders {
     scattered_lights: Vec<ScatteredLight>,
 }
 
-/// Straight light on voxels.
+/// Unscattered light on voxels.
 enum OnVoxels {
     Collimated(Box<Parallel>),
     Divergent(Box<Rays>),
@@ -217,7 +217,7 @@ impl OnVoxels {
     }
 }
 
-/// Largest part of scattered light that may count as straight: above, the dose is more than 1 % off (docs/measured/scattering.md).
+/// Largest part of scattered light that may count as unscattered: above, the dose is more than 1 % off (docs/measured/scattering.md).
 const MAX_FORWARD_FRACTION: f64 = 0.03;
 
 /// The model of a vial, its lights with their optics, and the voxels where dose is wanted.

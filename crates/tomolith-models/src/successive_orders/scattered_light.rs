@@ -27,7 +27,7 @@ use tomolith_optics::vial::Vial;
 /// A phase function by harmonics, its forward lobe folded into the unscattered light.
 #[derive(Clone, Debug)]
 pub(super) struct DeltaScaledPhase {
-    /// Part of the scattered light that counts as straight.
+    /// Part of the scattered light that counts as unscattered.
     pub(super) forward_fraction: f64,
     /// Scattering that is left, 1/mm.
     pub(super) per_mm: f64,
@@ -76,7 +76,7 @@ pub(super) struct ScatteredLight {
     /// Where this light's pixels lie in a pattern field, and its frames among all.
     pixels: Range<usize>,
     frames: Range<usize>,
-    /// Straight light on cells.
+    /// Unscattered light on cells.
     straight: Box<dyn UnscatteredSource>,
     /// For unscattered light as a source, and what voxels see of order 1.
     given: Sharpen,

@@ -202,7 +202,7 @@ fn difference(a: &Volume<f32>, b: &Volume<f32>) -> (f64, f64) {
     size(a.iter().zip(&b).map(|(a, b)| (a - b) / mean))
 }
 
-/// How far blocks are off those of two runs of random paths, over the mean dose: root mean square, without the noise of the paths (it is not in the
+/// How far blocks are off those of two runs of Monte Carlo paths, over the mean dose: root mean square, without the noise of the paths (it is not in the
 /// mean of the product, since they are independent), and the largest, off the mean of both.
 fn off(found: &[f64], [one, two]: &[Vec<f64>; 2]) -> (f64, f64) {
     let mean = one.iter().sum::<f64>() / one.len() as f64;
@@ -275,7 +275,7 @@ fn scattered_light_of_cones_and_tilted_light_is_that_of_random_paths_where_it_is
     ];
     for (vial, optics) in cases {
         let (lights, x, optics) = ([light(24, 8, 32, 0.125, 0.3)], two_bars(), [optics]);
-        // The straight light of either has its own graininess: 4 rays a pixel by orders, as many as paths by these
+        // The unscattered light of either has its own graininess: 4 rays a pixel by orders, as many as paths by these
         let by_paths = |seed: u64| {
             let params = monte_carlo::Params {
                 paths_per_pixel: 64,

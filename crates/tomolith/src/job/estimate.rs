@@ -319,7 +319,7 @@ pub(crate) struct Work<'a> {
     pub(crate) iterations: usize,
     /// Angles at which a frame of the optimization and of the evaluation is averaged.
     pub(crate) sub_angles: [f64; 2],
-    /// Random paths of the evaluation for each of the optimization, where light is followed along such.
+    /// Monte Carlo paths of the evaluation for each of the optimization, where light is followed along such.
     pub(crate) random_paths: Option<usize>,
     /// Whether patterns are improved on few levels afterwards.
     pub(crate) levels: bool,
@@ -538,7 +538,7 @@ mod tests {
         let measures = 1000.0 * (1.2 * 8.0 + 2.4) + 1.8 * 2000.0;
         let rest = 256.0 + measures * 2e-3 + 9.0 * 1000.0 * 1e-3 + 4.0 * 6.5;
         assert!((cost.rest_s - rest).abs() < 1e-9, "{cost:?}");
-        // Random paths: sixteen times as many, six times on the job's voxels' worth of four and two finer ones
+        // Monte Carlo paths: sixteen times as many, six times on the job's voxels' worth of four and two finer ones
         let paths = Work {
             random_paths: Some(16),
             ..work
