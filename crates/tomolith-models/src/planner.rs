@@ -213,7 +213,7 @@ mod tests {
             solid,
             purpose: Purpose::Optimize,
             dose_factor: 1.0,
-            trial_failed: None,
+            probe_failed: None,
         }
     }
 
@@ -344,7 +344,7 @@ mod tests {
             }
             let scene = OpticalScene {
                 lights: &[light],
-                trial_failed: off,
+                probe_failed: off,
                 ..around(&optics, None)
             };
             let plan = plan(None, scene, &grid, Some(&wanted), &Run::new()).unwrap();

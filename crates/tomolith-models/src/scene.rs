@@ -26,8 +26,8 @@ pub struct OpticalScene<'a> {
     pub purpose: Purpose,
     /// What every dose is multiplied by: 1, or the factor of another program's doses.
     pub dose_factor: f64,
-    /// What a trial found against families that are only [compared with](crate::ModelFamily::compared_with) exact ones; None: nothing.
-    pub trial_failed: Option<&'static str>,
+    /// What a model probe found against families that are only [compared with](crate::ModelFamily::compared_with) exact ones; None: nothing.
+    pub probe_failed: Option<&'static str>,
 }
 
 /// Why whole voxels are not enough.

@@ -183,7 +183,7 @@ mod tests {
             solid: None,
             purpose: Purpose::Optimize,
             dose_factor: 1.0,
-            trial_failed: None,
+            probe_failed: None,
         }
     }
 

@@ -151,7 +151,7 @@ impl ModelFamily for Params {
         if scene.solid.is_some() {
             return Some(CUT);
         }
-        beyond(scene.vial, scene.lights, scene.optics, grid).or(scene.trial_failed)
+        beyond(scene.vial, scene.lights, scene.optics, grid).or(scene.probe_failed)
     }
 
     fn cost(&self, scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> Result<Cost> {

@@ -52,7 +52,7 @@ pub(crate) struct Optics {
     /// How far the target may reach into a wall, mm.
     pub(super) wall_tolerance_mm: f64,
     /// Why light that scatters does not go order by order though it could ([`model_probe`](super::model_probe)).
-    pub(crate) trial_failed: Option<&'static str>,
+    pub(crate) probe_failed: Option<&'static str>,
 }
 
 impl Optics {
@@ -125,7 +125,7 @@ impl Optics {
             model,
             dose_factor: 1.0,
             wall_tolerance_mm: 0.0,
-            trial_failed: None,
+            probe_failed: None,
         };
         if spec.resin.dose_convention == DoseConvention::Drtvam {
             optics.dose_factor = optics.refracted_factor();
@@ -142,7 +142,7 @@ impl Optics {
             solid: None,
             purpose: Purpose::Probe,
             dose_factor: self.dose_factor,
-            trial_failed: self.trial_failed,
+            probe_failed: self.probe_failed,
         }
     }
 

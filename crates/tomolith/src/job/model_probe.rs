@@ -1,9 +1,9 @@
 //! A test, before any work, of whether successive orders are accurate enough for a job.
 //!
-//! A job that names no model takes [`orders`](crate::models::orders) where it covers vial and lights. How near it comes to Monte Carlo paths is known for some scenes
+//! A job that names no model takes [`successive_orders`](crate::models::successive_orders) where it covers vial and lights. How near it comes to Monte Carlo paths is known for some scenes
 //! only (docs/scattering.md), so the job's own scene is tried: the part on a grid of at most 32 voxels along an edge, lit evenly through
-//! its silhouettes. Where an error of more than 1 % of the part's mean dose is seen, or cells would be too many for a machine, random
-//! paths are taken instead, and that is said. The trial knows nothing of patterns, so a run, its `check` and a later `simulate` decide
+//! its silhouettes. Where an error of more than 1 % of the part's mean dose is seen, or cells would be too many for a machine, Monte
+//! Carlo paths are taken instead, and that is said. The probe knows nothing of patterns, so a run, its `check` and a later `simulate` decide
 //! alike. Who names `[model.successive_orders]` gets it, and a warning from the patterns' own error.
 
 use super::cross_check::CrossCheck;
@@ -15,12 +15,12 @@ use crate::grid::Patterns;
 use crate::models::selection::contributions;
 use crate::models::{ModelInput, OpticalScene, Run};
 
-/// Voxels along the longest edge of a trial.
+/// Voxels along the longest edge of the probe.
 const VOXELS: usize = 32;
 /// Paths of each of its two estimates, about: half a second of a core.
 const PATHS: usize = 100_000;
 
-/// Takes Monte Carlo paths for a scene that names no model and whose trial by orders is far off; says so.
+/// Takes Monte Carlo paths for a scene that names no model and whose probe by orders is far off; says so.
 ///
 /// # Errors
 /// What the models and the target refuse; [`Error::Canceled`].
@@ -32,7 +32,7 @@ pub(crate) fn try_orders(
     if !scene.optics.scene().scatters() || scene.optics.model.is_some() {
         return Ok(());
     }
-    let (why, text) = match trial(scene, cancel) {
+    let (why, text) = match probe(scene, cancel) {
         Err(Error::Config { key, found, .. }) if key == "model.successive_orders.cell_mm" => (
             "successive orders would need too many cells",
             format!("scattered light by Monte Carlo paths: successive orders would take {found}"),
@@ -46,16 +46,16 @@ pub(crate) fn try_orders(
         ),
         Ok(_) => return Ok(()),
     };
-    scene.optics.trial_failed = Some(why);
+    scene.optics.probe_failed = Some(why);
     // Their windows are compared with the job's: one model for all
     for scenario in &mut scene.scenarios {
-        scenario.scene.optics.trial_failed = Some(why);
+        scenario.scene.optics.probe_failed = Some(why);
     }
     progress.event(&Event::Note { text });
     Ok(())
 }
 
-fn trial(scene: &Scene, cancel: &Run) -> Result<Option<CrossCheck>> {
+fn probe(scene: &Scene, cancel: &Run) -> Result<Option<CrossCheck>> {
     let longest = scene.grid.shape.iter().copied().max();
     let grid = coarser_grid(&scene.grid, longest.unwrap_or(1).div_ceil(VOXELS));
     let family = scene.optics.family(&grid)?;

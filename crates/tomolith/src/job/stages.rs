@@ -100,7 +100,7 @@ pub(super) fn run_shared(
     let folder = scene.agreed(folder)?;
     let kept = &mut KeptParts::default();
     let sampled = sample(job, &mut scene, kept, &mut clock);
-    // The scene's trial may have taken another model
+    // The scene's model probe may have taken another model
     let still_fits = |sampled| match must_fit(&scene, ranks.as_ref()) {
         Ok(()) => Ok(sampled),
         Err(error) => Err(job.locate(error)),
