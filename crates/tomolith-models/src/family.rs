@@ -221,7 +221,7 @@ pub trait ModelFamily: fmt::Debug + Send + Sync {
 
     /// Whether a model for [`Purpose::Optimize`] has the doses, to the bit, of one for [`Purpose::Evaluate`] on the same voxels, and keeps no more
     /// between calls, so that one model serves both.
-    fn judges_alike(&self, _scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> bool {
+    fn evaluates_alike(&self, _scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> bool {
         false
     }
 

@@ -126,7 +126,7 @@ impl ModelFamily for Params {
         })
     }
 
-    fn judges_alike(&self, _scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> bool {
+    fn evaluates_alike(&self, _scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> bool {
         true
     }
 

@@ -122,14 +122,14 @@ impl Default for Params {
 }
 
 /// Paths of the judgment for each of the optimization.
-const JUDGING: usize = 16;
+const EVALUATING: usize = 16;
 
 impl Params {
     /// What a result is judged by, on voxels `refine` times as fine: independent paths, sixteen times as many, on cells half as large that give
     /// back what they smear out, so that what the optimization's cells smooth away shows like noise does.
-    fn for_judging(&self, refine: usize) -> Self {
+    fn for_evaluation(&self, refine: usize) -> Self {
         Params {
-            paths_per_pixel: JUDGING * self.paths_per_pixel,
+            paths_per_pixel: EVALUATING * self.paths_per_pixel,
             seed: !self.seed,
             smooth: (self.smooth * refine).div_ceil(2),
             is_sharp: true,
@@ -189,7 +189,7 @@ impl ModelFamily for Params {
 
     fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
         let params = match input.scene.purpose {
-            Purpose::Evaluate { refine } => &self.for_judging(refine),
+            Purpose::Evaluate { refine } => &self.for_evaluation(refine),
             _ => self,
         };
         let scene = &input.scene;
@@ -218,7 +218,7 @@ impl ModelFamily for Params {
         });
         Some(RandomPaths {
             optimizing: self.paths_per_pixel,
-            evaluating: self.for_judging(1).paths_per_pixel,
+            evaluating: self.for_evaluation(1).paths_per_pixel,
             redrawn,
         })
     }

@@ -162,7 +162,7 @@ impl ModelFamily for Params {
     }
 
     /// Where no entries are kept: sums along these have another order.
-    fn judges_alike(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> bool {
+    fn evaluates_alike(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> bool {
         cached::bytes(scene.lights, scene.vial, grid).is_none()
     }
 

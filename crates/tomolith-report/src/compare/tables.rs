@@ -55,7 +55,7 @@ fn objective(run: &ComparedRun) -> String {
 }
 
 /// Name of the model that gave the dose that a run is judged by.
-fn judge_of(run: &ComparedRun) -> Option<&str> {
+fn evaluation_model_of(run: &ComparedRun) -> Option<&str> {
     let model = run.report.pointer("/run/models/evaluation");
     let model = model.and_then(Value::as_str)?;
     // "2 species by 2 lights, each alone: parallel (…"
@@ -65,9 +65,9 @@ fn judge_of(run: &ComparedRun) -> Option<&str> {
 
 /// What a run is and who judged it, under its name.
 fn origin(run: &ComparedRun) -> String {
-    let judge =
-        judge_of(run).map_or_else(String::new, |name| format!(", judged by {}", escape(name)));
-    format!("<br><span class=\"muted\">{}{judge}</span>", run.kind())
+    let judged_by = evaluation_model_of(run)
+        .map_or_else(String::new, |name| format!(", judged by {}", escape(name)));
+    format!("<br><span class=\"muted\">{}{judged_by}</span>", run.kind())
 }
 
 /// Whether some of the part turns solid in a run; of gray targets, which have no IoU, and earlier reports it is not asked.
@@ -91,7 +91,8 @@ pub(super) fn numbers(runs: &[ComparedRun]) -> String {
     let mut body = String::new();
     let prints: Vec<bool> = runs.iter().map(prints).collect();
     // What one model says of a print is no better than what another says
-    let is_fair = (runs.windows(2)).all(|pair| judge_of(&pair[0]) == judge_of(&pair[1]));
+    let is_fair = (runs.windows(2))
+        .all(|pair| evaluation_model_of(&pair[0]) == evaluation_model_of(&pair[1]));
     for row in rows(runs) {
         let values: Vec<Option<f64>> = runs.iter().map(|run| (row.value)(run)).collect();
         // Nothing is good of a print that is not there

@@ -53,9 +53,9 @@ pub(crate) struct Rates {
     /// Calls of the optimization's model.
     pub(crate) calls: CallRates,
     /// Calls of the model that judges.
-    pub(crate) judging: CallRates,
+    pub(crate) evaluating: CallRates,
     /// How many times finer than the job's the voxels of these are.
-    pub(crate) judging_refine: usize,
+    pub(crate) evaluating_refine: usize,
     /// Doses of one step: the coefficients of the dose along it.
     pub(crate) doses_per_step: f64,
     /// One pass of the objective, s.
@@ -138,16 +138,16 @@ pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) 
     drop(plan.model);
     let fine = scene.fine_grid();
     let is_small = fine.len() <= TRIAL_VOXELS && !scene.optics.scene().scatters();
-    let (judging_refine, grid) = if is_small {
+    let (evaluating_refine, grid) = if is_small {
         (scene.extent.refine, fine)
     } else {
         (1, scene.grid.clone())
     };
-    let judged = by_judge(scene, judging_refine, &grid, &trials, run)?;
+    let evaluated = by_evaluation(scene, evaluating_refine, &grid, &trials, run)?;
     Ok(Rates {
         calls: CallRates::of(&trials),
-        judging: CallRates::of(&judged),
-        judging_refine,
+        evaluating: CallRates::of(&evaluated),
+        evaluating_refine,
         doses_per_step,
         objective_s,
         vector_s,
@@ -200,7 +200,7 @@ fn by_optimizer(
 }
 
 /// Calls of the model that judges on a grid, with the same pixels lit; Monte Carlo paths as many as the optimizer's.
-fn by_judge(
+fn by_evaluation(
     scene: &Scene,
     refine: usize,
     grid: &VolumeGrid,

@@ -41,7 +41,7 @@ impl Optics {
     ///
     /// # Errors
     /// [`Error::Config`].
-    pub(crate) fn must_be_judged(&self, spec: &JobSpec) -> Result<()> {
+    pub(crate) fn must_be_evaluated(&self, spec: &JobSpec) -> Result<()> {
         let evaluate = &spec.evaluate;
         let model = self.model.as_ref();
         let Some(stored) = model.filter(|model| model.capabilities().is_stored) else {
@@ -740,10 +740,10 @@ mod tests {
         let optics = |spec: &JobSpec| Optics::new(spec, Path::new("/jobs")).unwrap();
         let (finer, own) = (spec(&own[2..]), spec(&own));
         assert_eq!(
-            key(optics(&finer).must_be_judged(&finer).unwrap_err()),
+            key(optics(&finer).must_be_evaluated(&finer).unwrap_err()),
             "evaluate"
         );
-        optics(&own).must_be_judged(&own).unwrap();
+        optics(&own).must_be_evaluated(&own).unwrap();
         // The file is looked for beside the job
         let grid = VolumeGrid::centered([2, 2, 2], 0.1);
         let found = optics(&own);

@@ -2,7 +2,7 @@
 //!
 //! The model of a dose serves the next one where light and voxels are the same, and so does its memory.
 
-use super::kept::Judge;
+use super::kept::EvaluationModel;
 use super::scene::Scene;
 use super::species::planned;
 use crate::error::Result;
@@ -53,7 +53,7 @@ pub(super) struct Doses<'a> {
     lit: Vec<LitRows>,
     last: Option<(Exposed, SharedModel, String)>,
     /// A model that is there already, for what it has the doses of.
-    judge: Option<&'a Judge>,
+    evaluation_model: Option<&'a EvaluationModel>,
 }
 
 /// Rows from the lowest to the highest that is not dark, per (frame, column): `(bottom, count)`.
@@ -67,13 +67,13 @@ impl<'a> Doses<'a> {
     }
 
     /// The same by a model that is there already, where it has the doses asked for.
-    pub(super) fn by(judge: Option<&'a Judge>, scene: &'a Scene) -> Self {
+    pub(super) fn by(evaluation_model: Option<&'a EvaluationModel>, scene: &'a Scene) -> Self {
         Doses {
             scene,
             workspace: Workspace::default(),
             lit: Vec::new(),
             last: None,
-            judge,
+            evaluation_model,
         }
     }
 
@@ -119,8 +119,14 @@ impl<'a> Doses<'a> {
     }
 
     fn made(&self, exposed: &Exposed, making: &Run) -> Result<(SharedModel, String)> {
-        if let Some(judge) = self.judge.filter(|own| own.gives(exposed, &self.lit)) {
-            return Ok((Arc::clone(&judge.model), judge.reason.clone()));
+        if let Some(evaluation_model) = self
+            .evaluation_model
+            .filter(|own| own.gives(exposed, &self.lit))
+        {
+            return Ok((
+                Arc::clone(&evaluation_model.model),
+                evaluation_model.reason.clone(),
+            ));
         }
         let refine = (self.scene.grid.pitch_mm / exposed.grid.pitch_mm).round();
         let purpose = Purpose::Evaluate {

@@ -353,7 +353,7 @@ impl Work<'_> {
             dose,
             updates_per_frame,
             ..
-        } = rates.judging;
+        } = rates.evaluating;
         let updates = updates_per_frame * self.extent.frames as f64;
         if let Some(more) = self.random_paths {
             // On the job's voxels raw, written, and twice for the noise; on finer ones, which a path crosses more of,
@@ -362,7 +362,7 @@ impl Work<'_> {
         }
         // Raw and written on the job's voxels, standing and turning on finer ones
         let [own, turning] = self.sub_angles;
-        let tried = self.extent.work(rates.judging_refine);
+        let tried = self.extent.work(rates.evaluating_refine);
         let calls = 2.0 * own * self.extent.work(1) + (1.0 + turning) * self.extent.work(refine);
         4.0 * dose.begin_s + calls / tried * updates * dose.per_update_s
     }
@@ -373,9 +373,10 @@ impl Work<'_> {
             dose,
             updates_per_frame,
             ..
-        } = rates.judging;
+        } = rates.evaluating;
         let updates = updates_per_frame * self.extent.frames as f64;
-        let share = self.extent.work(self.extent.refine) / self.extent.work(rates.judging_refine);
+        let share =
+            self.extent.work(self.extent.refine) / self.extent.work(rates.evaluating_refine);
         dose.begin_s + self.sub_angles[1] * share * updates * dose.per_update_s
     }
 
@@ -416,7 +417,7 @@ impl Work<'_> {
         let (voxels, finer) = (extent.grid.len() as f64, extent.refine.pow(3) as f64);
         let frames = extent.frames as f64;
         let [model_s, first_s, dose_s, adjoint_s] = seconds(&rates.calls, frames);
-        let [judge_s, ..] = seconds(&rates.judging, frames);
+        let [evaluate_s, ..] = seconds(&rates.evaluating, frames);
         let vectors = extent.active_pixels as f64 * rates.vector_s;
         // Finer voxels and more angles are more updates of a call; what begins it, and the pixels, are the same
         let of_levels =
@@ -439,7 +440,7 @@ impl Work<'_> {
             + extent.canvas as f64 * MEASURES_PER_CANVAS_PIXEL;
         Cost {
             optimization_s,
-            rest_s: (MODELS + extent.scenarios as f64) * judge_s
+            rest_s: (MODELS + extent.scenarios as f64) * evaluate_s
                 + self.judging_s(rates)
                 + extent.scenarios as f64 * self.turning_s(rates)
                 + measures * rates.measuring_s
@@ -496,7 +497,7 @@ mod tests {
                 dose: rate(0.5, 1e-3),
                 adjoint: rate(0.1, 5e-4),
             },
-            judging: CallRates {
+            evaluating: CallRates {
                 updates_per_frame: 200.0,
                 making: rate(0.5, 1e-3),
                 first: rate(7.0, 7.0),
@@ -504,7 +505,7 @@ mod tests {
                 adjoint: rate(7.0, 7.0),
             },
             doses_per_step: 1.0,
-            judging_refine: 1,
+            evaluating_refine: 1,
             objective_s: 0.01,
             vector_s: 1e-5,
             sampling_s: 1e-3,

@@ -7,7 +7,7 @@ use super::cross_check::{self, CrossCheck};
 use super::doses::{Doses, Exposed};
 use super::doubts;
 use super::in_time::{InTime, print_in_time};
-use super::kept::Judge;
+use super::kept::EvaluationModel;
 use super::noise::Noise;
 use super::objectives;
 use super::others::{self, Others};
@@ -133,7 +133,7 @@ impl Evaluated {
 }
 
 /// At how many angles of a frame patterns are judged: one where all vials stand still.
-pub(super) fn judged_angles(scene: &Scene) -> usize {
+pub(super) fn evaluated_angles(scene: &Scene) -> usize {
     let stands = |light: &Light| light.pixels.frame_arc == 0.0;
     if scene.optics.lights.iter().all(stands) {
         1
@@ -153,7 +153,7 @@ pub(crate) fn evaluate_patterns(
     voxels: &Voxels,
     shown: &[Patterns],
     raw: Option<&[Patterns]>,
-    judge: Option<&Judge>,
+    evaluation_model: Option<&EvaluationModel>,
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Evaluated> {
@@ -161,7 +161,7 @@ pub(crate) fn evaluate_patterns(
     let in_time_share = schedule.map_or(0.0, |_| share::IN_TIME);
     let printing = cancel.part(in_time_share);
     let cancel = &cancel.part(1.0 - in_time_share);
-    let mut steps = EvaluationSteps::new(scene, shown, judge, cancel);
+    let mut steps = EvaluationSteps::new(scene, shown, evaluation_model, cancel);
     let optimization = steps.on_own_voxels(voxels, raw)?;
     let text = steps.words();
     progress.event(&Event::Note { text });
@@ -264,10 +264,10 @@ impl<'a> EvaluationSteps<'a> {
     fn new(
         scene: &'a Scene,
         shown: &'a [Patterns],
-        judge: Option<&'a Judge>,
+        evaluation_model: Option<&'a EvaluationModel>,
         cancel: &'a Run,
     ) -> Self {
-        let sub_angles = judged_angles(scene);
+        let sub_angles = evaluated_angles(scene);
         let grid = scene.fine_grid();
         let [still, turning] =
             [1, sub_angles].map(|n| Exposed::new(&grid, scene.optics.lights_turning(n)));
@@ -280,7 +280,7 @@ impl<'a> EvaluationSteps<'a> {
             still,
             turning,
             sub_angles,
-            doses: Doses::by(judge, scene),
+            doses: Doses::by(evaluation_model, scene),
             others: Others::new(scene),
             own_of_others: Vec::new(),
             objectives: Vec::new(),
@@ -429,7 +429,7 @@ impl Numbers {
             published,
             slices,
             response,
-            evaluation: evaluation.with_sub_angles(judged_angles(scene)),
+            evaluation: evaluation.with_sub_angles(evaluated_angles(scene)),
         })
     }
 }
@@ -551,7 +551,7 @@ pub(super) fn measure_at(
     if !scene.spec.evaluate.surfaces {
         print = print.without_distance();
     }
-    Ok(evaluate(&print).with_sub_angles(judged_angles(scene)))
+    Ok(evaluate(&print).with_sub_angles(evaluated_angles(scene)))
 }
 
 /// Shares of an evaluation, as an index-matched job on voxels half as large takes them.

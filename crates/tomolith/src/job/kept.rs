@@ -2,14 +2,14 @@
 //! start that bounds its pixels.
 //!
 //! Where patterns are judged on the voxels and at the angles at which they are optimized, and the family has the same doses for both purposes
-//! ([`judges_alike`](crate::models::ModelFamily::judges_alike)), one model does both. A later run in the same process takes it over where
+//! ([`evaluates_alike`](crate::models::ModelFamily::evaluates_alike)), one model does both. A later run in the same process takes it over where
 //! its job differs in nothing that a model reads. Results are the same to the bit.
 //!
 //! **Memory.** Such a model keeps no more between calls than one that judges, and it stands in place of that one. It is let go before
 //! another is built. Targets of more than [`MOST_VOXELS`] are sampled anew: beside them sampling takes little of a run.
 
 use super::doses::{Exposed, LitRows};
-use super::evaluate::judged_angles;
+use super::evaluate::evaluated_angles;
 use super::in_time;
 use super::many::take_files;
 use super::optimize::Stage;
@@ -43,7 +43,7 @@ const MOST_VOXELS: usize = 1 << 20;
 /// What a run leaves to the next one in the same process: its model, where that may serve others, its target, and the start that bounds its pixels; or nothing.
 #[derive(Default)]
 pub struct KeptParts {
-    model: Option<(u64, Judge)>,
+    model: Option<(u64, EvaluationModel)>,
     target: Option<(u64, Target)>,
     start: Option<(u64, BoundingStart)>,
 }
@@ -54,9 +54,9 @@ pub(super) struct BoundingStart {
     pub(super) dose: Option<HostField>,
 }
 
-/// A model that gives the doses of an optimization and those that judge it.
+/// Model that gives the doses of an optimization and those that evaluate it.
 #[derive(Clone)]
-pub(crate) struct Judge {
+pub(crate) struct EvaluationModel {
     exposed: Exposed,
     pub(super) model: SharedModel,
     /// Which model, and why.
@@ -65,20 +65,20 @@ pub(crate) struct Judge {
 
 impl KeptParts {
     /// Takes out the model that this key stands for; another one is let go.
-    pub(super) fn take(&mut self, key: Option<u64>) -> Option<Judge> {
-        let (own, judge) = self.model.take()?;
-        (Some(own) == key).then_some(judge)
+    pub(super) fn take(&mut self, key: Option<u64>) -> Option<EvaluationModel> {
+        let (own, model) = self.model.take()?;
+        (Some(own) == key).then_some(model)
     }
 
     /// Keeps the model of a stage under its job's key; none where it leaves pixels dark.
     pub(super) fn put(&mut self, key: Option<u64>, stage: &Stage<'_>) {
         self.model = key.filter(|_| stage.dark.is_empty()).map(|key| {
-            let judge = Judge {
+            let evaluation_model = EvaluationModel {
                 exposed: Exposed::new(&stage.level.grid, stage.level.lights.clone()),
                 model: SharedModel::clone(&stage.model),
                 reason: stage.reason.clone(),
             };
-            (key, judge)
+            (key, evaluation_model)
         });
     }
 
@@ -114,12 +114,12 @@ impl KeptParts {
     }
 
     /// The model that is kept.
-    pub(super) fn judge(&self) -> Option<&Judge> {
-        self.model.as_ref().map(|(_, judge)| judge)
+    pub(super) fn evaluation_model(&self) -> Option<&EvaluationModel> {
+        self.model.as_ref().map(|(_, model)| model)
     }
 }
 
-impl Judge {
+impl EvaluationModel {
     /// Whether it has the doses of patterns that are lit in these rows.
     pub(super) fn gives(&self, exposed: &Exposed, lit: &[LitRows]) -> bool {
         let shows = |(own, lit): (&PatternLayout, &LitRows)| {
@@ -137,7 +137,7 @@ impl Judge {
 /// # Errors
 /// [`Error::Io`](crate::Error::Io) for a file that cannot be read.
 pub(super) fn key(scene: &Scene, voxels: &Voxels) -> Result<Option<u64>> {
-    if !is_judged_alike(scene)? {
+    if !is_evaluated_alike(scene)? {
         return Ok(None);
     }
     let mut tables = with_every_default(scene.spec.clone()).to_value()?;
@@ -169,7 +169,7 @@ pub(super) fn start_key(model: u64, spec: &JobSpec) -> u64 {
 }
 
 /// Whether one model optimizes and judges.
-fn is_judged_alike(scene: &Scene) -> Result<bool> {
+fn is_evaluated_alike(scene: &Scene) -> Result<bool> {
     let [level] = scene.levels.as_slice() else {
         return Ok(false);
     };
@@ -188,7 +188,7 @@ fn is_judged_alike(scene: &Scene) -> Result<bool> {
     let mut lights = level.lights.iter().zip(&scene.optics.lights);
     if is_joined
         || scene.grid != fine
-        || ![1, judged_angles(scene)].into_iter().all(is_own)
+        || ![1, evaluated_angles(scene)].into_iter().all(is_own)
         || !lights.all(is_plain)
     {
         return Ok(false);
@@ -198,7 +198,7 @@ fn is_judged_alike(scene: &Scene) -> Result<bool> {
         ..scene.optimizing()
     };
     let family = scene.optics.family(&level.grid)?;
-    Ok(family.judges_alike(&optics, &level.grid))
+    Ok(family.evaluates_alike(&optics, &level.grid))
 }
 
 #[cfg(test)]
@@ -250,7 +250,10 @@ mod tests {
         let mut kept = KeptParts::default();
         let changes = ["objective.ospw.lower=0.4", "optimizer={ fista = {} }"];
         ran(&mut kept, &changes, folder.path());
-        let model = |kept: &KeptParts| kept.judge().map(|judge| SharedModel::clone(&judge.model));
+        let model = |kept: &KeptParts| {
+            kept.evaluation_model()
+                .map(|own| SharedModel::clone(&own.model))
+        };
         let first = model(&kept).unwrap();
         let again = ran(&mut kept, &[], folder.path());
         let second = model(&kept).unwrap();
@@ -303,7 +306,7 @@ mod tests {
         ] {
             let mut kept = KeptParts::default();
             ran(&mut kept, &[change], folder.path());
-            assert!(kept.judge().is_none(), "{change}");
+            assert!(kept.evaluation_model().is_none(), "{change}");
         }
     }
 }

@@ -70,9 +70,9 @@ impl Noise {
             ])
         };
         let [training_iou, training_pw] = measures(&response(&family, Purpose::Probe)?)?;
-        let judging = Purpose::Evaluate { refine: 1 };
-        let first = response(&family, judging)?;
-        let second = response(&paths.redrawn, judging)?;
+        let evaluating = Purpose::Evaluate { refine: 1 };
+        let first = response(&family, evaluating)?;
+        let second = response(&paths.redrawn, evaluating)?;
         let [independent_iou, independent_pw] = measures(&first)?;
         let [part, void] = differences(&first, &second, &voxels.labels);
         Ok(Some(Noise {

@@ -1,6 +1,6 @@
 //! The species of a job beside the first: what each prints, and its headline number at every step on the way there.
 
-use super::evaluate::{averaged, headline_of, judged_angles, measure};
+use super::evaluate::{averaged, evaluated_angles, headline_of, measure};
 use super::scene::{Scene, Voxels};
 use crate::error::Result;
 use crate::grid::{Patterns, Volume, VolumeGrid};
@@ -109,7 +109,7 @@ impl<'a> Others<'a> {
             let response = scene.responses(dose);
             let evaluation = measure(scene, &fine, &response, shown, run.aside())?;
             Ok(Species {
-                evaluation: evaluation.with_sub_angles(judged_angles(scene)),
+                evaluation: evaluation.with_sub_angles(evaluated_angles(scene)),
                 steps,
                 dose: mean,
                 fine,

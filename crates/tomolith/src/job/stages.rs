@@ -77,7 +77,7 @@ pub(super) fn run_stages(
     let optimized = optimized(job, &scene, &sampled.0, (resume, leaves), kept, &mut clock)?;
     scene.respond_as(optimized.found.as_ref());
     let of = (scene, sampled);
-    judge(job, of, (optimized, kept), leaves, folder, clock)
+    evaluate(job, of, (optimized, kept), leaves, folder, clock)
 }
 
 /// The stages of one of several ranks; the first one goes on to the end.
@@ -109,8 +109,8 @@ pub(super) fn run_shared(
     let optimized = optimized(job, &scene, &sampled.0, (resume, leaves), kept, &mut clock)?;
     scene.respond_as(optimized.found.as_ref());
     let of = (scene, sampled);
-    let judged = |folder| judge(job, of, (optimized, kept), leaves, folder, clock);
-    folder.map(judged).transpose()
+    let evaluated = |folder| evaluate(job, of, (optimized, kept), leaves, folder, clock);
+    folder.map(evaluated).transpose()
 }
 
 /// Reads the job, and refuses a folder that holds another one's run.
@@ -158,7 +158,7 @@ fn optimized(
 }
 
 /// Evaluates the patterns, and writes everything.
-fn judge(
+fn evaluate(
     job: &Job,
     (scene, (voxels, mut warnings)): (Scene, (Voxels, Vec<String>)),
     (optimized, kept): (Optimized, &KeptParts),
@@ -176,7 +176,7 @@ fn judge(
         &voxels,
         &patterns.shown,
         Some(&optimized.raw),
-        kept.judge(),
+        kept.evaluation_model(),
         clock.progress,
         &stage,
     );

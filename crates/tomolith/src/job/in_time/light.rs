@@ -3,7 +3,7 @@
 use crate::error::{Error, Result};
 use crate::grid::Patterns;
 use crate::job::doses::lit_rows;
-use crate::job::evaluate::judged_angles;
+use crate::job::evaluate::evaluated_angles;
 use crate::job::scene::Scene;
 use crate::models::{Family, HostModel, OpticalScene, Purpose, Run, planner};
 use crate::optics::absorption_map::AbsorptionMap;
@@ -63,7 +63,7 @@ pub(super) struct Lights<'a> {
 
 impl<'a> Lights<'a> {
     pub(super) fn new(scene: &'a Scene, patterns: &[Patterns], run: &'a Run) -> Self {
-        let mut lights = scene.optics.lights_turning(judged_angles(scene));
+        let mut lights = scene.optics.lights_turning(evaluated_angles(scene));
         for (light, patterns) in lights.iter_mut().zip(patterns) {
             light.active = Some(lit_rows(patterns));
             light.selection = Selection::default();

@@ -106,7 +106,7 @@ pub(crate) fn optimize(
         checkpoints.leave_out_end();
     }
     let key = kept::key(scene, voxels)?;
-    let mut judge = kept.take(key);
+    let mut evaluation_model = kept.take(key);
     let mut carried: Option<Vec<Patterns>> = None;
     let mut bounds = Vec::new();
     let mut pixels: Option<Vec<&PatternGrid>> = None;
@@ -114,7 +114,14 @@ pub(crate) fn optimize(
     let own_levels = scene.own_levels();
     for (i, (level, own_level)) in scene.levels.iter().zip(own_levels.as_ref()).enumerate() {
         let is_last = i + 1 == scene.levels.len();
-        let stage = Stage::new(scene, voxels, own_level, judge.take(), progress, cancel);
+        let stage = Stage::new(
+            scene,
+            voxels,
+            own_level,
+            evaluation_model.take(),
+            progress,
+            cancel,
+        );
         let stage = scene.agreed(stage)?;
         let mut stage = stage.shared(scene);
         if i == 0 {

@@ -7,7 +7,7 @@ use crate::field::HostField;
 use crate::grid::{Patterns, Volume, VolumeGrid};
 use crate::job::co_optimize::FoundResponse;
 use crate::job::in_time::planned_in_time;
-use crate::job::kept::Judge;
+use crate::job::kept::EvaluationModel;
 use crate::job::levels::{self, Levelled};
 use crate::job::progress::{Event, Progress};
 use crate::job::refinement::{self, Level};
@@ -61,7 +61,7 @@ impl<'a> Stage<'a> {
         scene: &Scene,
         voxels: &'a Voxels,
         level: &'a Level,
-        judge: Option<Judge>,
+        evaluation_model: Option<EvaluationModel>,
         progress: &mut dyn Progress,
         cancel: &Run,
     ) -> Result<Self> {
@@ -73,7 +73,7 @@ impl<'a> Stage<'a> {
         let others = scene.others.iter();
         let others = others.map(|other| other.voxels_under(&level.grid, &cancel.aside()));
         let others = others.collect::<Result<Vec<_>>>()?;
-        if let Some(Judge { model, reason, .. }) = judge {
+        if let Some(EvaluationModel { model, reason, .. }) = evaluation_model {
             return Ok(Stage {
                 level,
                 voxels,

@@ -43,7 +43,7 @@ pub(super) fn extent(scene: &Scene, family: &Family) -> Result<Extent> {
         scenarios: spec.scenario.len(),
         working_mb: [
             kept_of_the_job.working_bytes as f64 / 1e6,
-            judged_mb(&scene.optics, grid, own.refine)?,
+            evaluated_mb(&scene.optics, grid, own.refine)?,
         ],
         ..own.clone()
     })
@@ -69,7 +69,7 @@ impl Scene {
         let asked = self.extent.refine;
         while !fits(self.extent.evaluation_mb()) && self.extent.refine > 1 {
             self.extent.refine -= 1;
-            self.extent.working_mb[1] = judged_mb(&self.optics, &self.grid, self.extent.refine)?;
+            self.extent.working_mb[1] = evaluated_mb(&self.optics, &self.grid, self.extent.refine)?;
         }
         if self.extent.refine < asked {
             let refine = self.extent.refine;
@@ -166,7 +166,7 @@ fn pixels_key(spec: &JobSpec) -> String {
 }
 
 /// Memory of the frames that are judged at a time, MB.
-pub(super) fn judged_mb(optics: &Optics, grid: &VolumeGrid, refine: usize) -> Result<f64> {
+pub(super) fn evaluated_mb(optics: &Optics, grid: &VolumeGrid, refine: usize) -> Result<f64> {
     let grid = grid.refined(refine);
     let scene = OpticalScene {
         purpose: Purpose::Evaluate { refine },

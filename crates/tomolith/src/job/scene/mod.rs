@@ -155,7 +155,7 @@ impl Scene {
         let cut_off = clip::must_hold(&spec.grid, &grid, shape.as_ref(), run)?;
         // A file that is missing is told before numbers that do not suit it
         let covered = optics.family(&grid)?.check(&optics.scene(), &grid)?;
-        optics.must_be_judged(&spec)?;
+        optics.must_be_evaluated(&spec)?;
         let light = light::must_arrive(&optics, &grid)?;
         for (path, common) in kinds.common() {
             common
