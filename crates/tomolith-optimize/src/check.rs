@@ -27,8 +27,8 @@ use tomolith_objective::{BandObjective, Bands};
 /// What is wrong, in one sentence.
 pub fn optimizer(method: &dyn MakeOptimizer) -> Result<(), String> {
     let normalizes = method.make().map_err(text)?.normalizes();
-    let trial = Trial::new(normalizes)?;
-    let whole = trial.run(method, 100, None)?;
+    let problem = TestProblem::new(normalizes)?;
+    let whole = problem.run(method, 100, None)?;
     let losses: Vec<f64> = whole.1.history.iter().map(|row| row.loss).collect();
     if !normalizes && whole.1.loss > 1e-3 * losses[0] {
         return Err(format!(
@@ -36,11 +36,11 @@ pub fn optimizer(method: &dyn MakeOptimizer) -> Result<(), String> {
             losses[0], whole.1.loss
         ));
     }
-    trial.resumes(method)?;
-    trial.ignores_threads(method)
+    problem.resumes(method)?;
+    problem.ignores_threads(method)
 }
 
-struct Trial {
+struct TestProblem {
     model: SmallModel,
     objective: BandObjective,
     /// The dose that is wanted.
@@ -51,7 +51,7 @@ const LIMITS: Limits = Limits { min: 0.0, max: 1.5 };
 
 type Done = (HostField, Outcome);
 
-impl Trial {
+impl TestProblem {
     fn new(normalizes: bool) -> Result<Self, String> {
         let model = SmallModel::new(14, 20, 3);
         let mut patterns = model.new_patterns().map_err(text)?;
@@ -76,7 +76,7 @@ impl Trial {
         let range = model.layout().range();
         let objective =
             BandObjective::new(range, bands, 2.0, 2.0, Arc::new(Identity)).map_err(text)?;
-        Ok(Trial {
+        Ok(TestProblem {
             model,
             objective,
             target: dose,

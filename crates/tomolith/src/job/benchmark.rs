@@ -26,12 +26,12 @@ use tomolith_core::parallel::table;
 
 /// Updates of the calls that are timed, about; and neighboring frames, as many as the kernel does at once: they share what
 /// they light.
-const TRIAL_UPDATES: usize = 50_000_000;
-const TRIAL_FRAMES: usize = 8;
+const TIMED_UPDATES: usize = 50_000_000;
+const TIMED_FRAMES: usize = 8;
 /// Groups of neighboring frames at least: one and the opposite one.
-const TRIAL_GROUPS: usize = 2;
+const TIMED_GROUPS: usize = 2;
 /// Seconds above which the least number of frames is enough to time, and above which a call is timed once.
-const TRIAL_S: f64 = 0.3;
+const TIMED_S: f64 = 0.3;
 const LONG_S: f64 = 1.0;
 /// The same as the first for frames that are taken alone, which are as few as threads.
 const ENOUGH_S: f64 = 10.0;
@@ -39,9 +39,9 @@ const ENOUGH_S: f64 = 10.0;
 const SOME_MORE: usize = 2;
 const MANY_MORE: usize = 4;
 /// Voxels along the longest edge of the larger of the copies whose metrics are timed, at most; the other one has half as many.
-const TRIAL_EDGE: usize = 160;
+const TIMED_EDGE: usize = 160;
 /// Voxels of the evaluation up to which its own grid is tried; beyond, the job's.
-const TRIAL_VOXELS: usize = 20_000_000;
+const TIMED_VOXELS: usize = 20_000_000;
 /// What the dose that the adjoint is timed with has of the wanted one, and what it has everywhere.
 const GOOD: [f32; 2] = [0.99, 0.005];
 
@@ -122,30 +122,30 @@ impl CallRate {
 /// As the planner; [`Error::Canceled`](crate::Error::Canceled).
 pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) -> Result<Rates> {
     let mut optics = scene.optimizing();
-    let (mut trials, mut plan) = by_optimizer(scene, optics, voxels, run)?;
-    let updates = trials[0].updates_per_frame() * scene.extent.frames as f64;
+    let (mut measured, mut plan) = by_optimizer(scene, optics, voxels, run)?;
+    let updates = measured[0].updates_per_frame() * scene.extent.frames as f64;
     let walks = scene.extent.cached_entries;
     if walks.is_some_and(|walks| updates * walks.per_update > matrix_cache::MOST as f64)
         || scene.extent.cached_bytes == Some(0.0)
     {
         // What few frames can keep is too much for all
         optics.purpose = Purpose::Probe;
-        (trials, plan) = by_optimizer(scene, optics, voxels, run)?;
+        (measured, plan) = by_optimizer(scene, optics, voxels, run)?;
     }
     // A line has one coefficient that is not known, a quadratic two
     let doses_per_step = if plan.model.is_linear() { 1.0 } else { 2.0 };
     let (objective_s, vector_s) = passes(&plan.model, scene, voxels, run)?;
     drop(plan.model);
     let fine = scene.fine_grid();
-    let is_small = fine.len() <= TRIAL_VOXELS && !scene.optics.scene().scatters();
+    let is_small = fine.len() <= TIMED_VOXELS && !scene.optics.scene().scatters();
     let (evaluating_refine, grid) = if is_small {
         (scene.extent.refine, fine)
     } else {
         (1, scene.grid.clone())
     };
-    let evaluated = by_evaluation(scene, evaluating_refine, &grid, &trials, run)?;
+    let evaluated = by_evaluation(scene, evaluating_refine, &grid, &measured, run)?;
     Ok(Rates {
-        calls: CallRates::of(&trials),
+        calls: CallRates::of(&measured),
         evaluating: CallRates::of(&evaluated),
         evaluating_refine,
         doses_per_step,
@@ -168,7 +168,7 @@ fn by_optimizer(
     let joins_frames = joins_frames(scene)?;
     // Doses of few frames are as long as those of many
     let mut cotangent: Option<HostField> = None;
-    let mut trial = |frames| -> Result<(Calls, ModelPlan)> {
+    let mut measure = |frames| -> Result<(Calls, ModelPlan)> {
         let lights = &some_frames(scene, frames, joins_frames);
         let optics = OpticalScene { lights, ..optics };
         let wanted = voxels.wanted();
@@ -182,20 +182,20 @@ fn by_optimizer(
         Ok((calls, plan))
     };
     let least = if joins_frames {
-        TRIAL_GROUPS * TRIAL_FRAMES
+        TIMED_GROUPS * TIMED_FRAMES
     } else {
         rayon::current_num_threads()
     };
-    let frames = TRIAL_UPDATES / scene.grid.len().max(1) / scene.optics.lights.len();
-    let (mut few, _) = trial(least)?;
+    let frames = TIMED_UPDATES / scene.grid.len().max(1) / scene.optics.lights.len();
+    let (mut few, _) = measure(least)?;
     let mut times = SOME_MORE;
-    if few.seconds() < TRIAL_S {
+    if few.seconds() < TIMED_S {
         times = MANY_MORE;
         if frames > least {
-            (few, _) = trial(frames.next_multiple_of(least))?;
+            (few, _) = measure(frames.next_multiple_of(least))?;
         }
     }
-    let (more, plan) = trial(few.asked * times)?;
+    let (more, plan) = measure(few.asked * times)?;
     Ok(([few, more], plan))
 }
 
@@ -213,7 +213,7 @@ fn by_evaluation(
         None => Purpose::Evaluate { refine },
     };
     let joins_frames = joins_frames(scene)?;
-    let trial = |calls: &Calls| -> Result<Calls> {
+    let measure = |calls: &Calls| -> Result<Calls> {
         let mut lights = some_frames(scene, calls.asked, joins_frames);
         for (light, layout) in lights.iter_mut().zip(&calls.layouts) {
             let lit = layout.runs.iter().map(|run| (run.bottom, run.count));
@@ -227,13 +227,13 @@ fn by_evaluation(
         let (making_s, plan) = timed(|| planner::plan(computed(scene), optics, grid, None, run));
         Calls::of(&plan?, calls.asked, making_s, None, run)
     };
-    let few = trial(few)?;
+    let few = measure(few)?;
     // Few frames that are taken alone say nothing of what making the model takes
-    let enough = if joins_frames { TRIAL_S } else { ENOUGH_S };
+    let enough = if joins_frames { TIMED_S } else { ENOUGH_S };
     if few.seconds() > enough {
         return Ok([few.clone(), few]);
     }
-    Ok([few, trial(more)?])
+    Ok([few, measure(more)?])
 }
 
 /// The model that the job names. A stored one is known for its own pixels only: what the geometry would take stands for it.
@@ -252,7 +252,7 @@ fn joins_frames(scene: &Scene) -> Result<bool> {
 /// The job's lights with about so many of their frames.
 fn some_frames(scene: &Scene, frames: usize, joins_frames: bool) -> Vec<Light> {
     let mut lights = scene.optics.lights_turning(1);
-    let together = if joins_frames { TRIAL_FRAMES } else { 1 };
+    let together = if joins_frames { TIMED_FRAMES } else { 1 };
     for light in &mut lights {
         let chosen = in_groups(light.pixels.frames(), (frames, together));
         let azimuths = &mut light.pixels.azimuths;
@@ -346,13 +346,13 @@ impl Calls {
 
 impl CallRates {
     /// From calls with few frames and with some more.
-    fn of(trials: &[Calls; 2]) -> Self {
+    fn of(calls: &[Calls; 2]) -> Self {
         let rate = |i: usize| {
-            let point = |calls: &Calls| (calls.updates as f64, calls.seconds[i]);
-            CallRate::through(trials.each_ref().map(point))
+            let point = |own: &Calls| (own.updates as f64, own.seconds[i]);
+            CallRate::through(calls.each_ref().map(point))
         };
         CallRates {
-            updates_per_frame: trials[0].updates_per_frame(),
+            updates_per_frame: calls[0].updates_per_frame(),
             making: rate(0),
             first: rate(1),
             dose: rate(2),
@@ -428,7 +428,7 @@ fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
 /// taken for its dose, so that surfaces are as long as a good print's, and as close to the part's.
 fn measuring(voxels: &Voxels, refine: usize, run: &Run) -> Result<f64> {
     let longest = voxels.labels.grid.shape.iter().copied().max().unwrap_or(1);
-    let edge = (longest * refine).min(TRIAL_EDGE);
+    let edge = (longest * refine).min(TIMED_EDGE);
     let mut found = [(0.0, 0.0); 2];
     for (found, edge) in found.iter_mut().zip([edge.div_ceil(2), edge]) {
         let labels = resampled(&voxels.labels, edge);
