@@ -29,7 +29,7 @@ const FALLING_FAST: f64 = 0.1;
 /// What the patterns of a run or a simulation lose, and where, of every species.
 pub(crate) fn limits(
     scene: &Scene,
-    judged: &Evaluated,
+    evaluated: &Evaluated,
     optimized: Option<&Optimized>,
     is_toy: bool,
 ) -> Vec<PrintLimits> {
@@ -41,18 +41,18 @@ pub(crate) fn limits(
     let of = |kind: &MetricKind| {
         let measured = |evaluation: &Evaluation| evaluation.measures.get(kind.name);
         Steps {
-            optimized: judged.optimization.as_ref().and_then(measured),
-            written: judged.written,
-            standing: measured(&judged.standing),
+            optimized: evaluated.optimization.as_ref().and_then(measured),
+            written: evaluated.written,
+            standing: measured(&evaluated.standing),
         }
     };
     let first = job.species(
         scene,
         0,
-        &judged.evaluation,
-        of(kind_of(&judged.evaluation)),
+        &evaluated.evaluation,
+        of(kind_of(&evaluated.evaluation)),
     );
-    let others = scene.others.iter().zip(&judged.others).enumerate();
+    let others = scene.others.iter().zip(&evaluated.others).enumerate();
     let others =
         others.map(|(s, (scene, print))| job.species(scene, s + 1, &print.evaluation, print.steps));
     std::iter::once(first).chain(others).collect()
@@ -71,37 +71,37 @@ struct Asked<'a> {
 
 impl Asked<'_> {
     /// Of species `s`, whose scene this is.
-    fn species(&self, own: &Scene, s: usize, judged: &Evaluation, steps: Steps) -> PrintLimits {
-        if judged.part.is_some_and(|part| part.max == 0.0) {
+    fn species(&self, own: &Scene, s: usize, evaluated: &Evaluation, steps: Steps) -> PrintLimits {
+        if evaluated.part.is_some_and(|part| part.max == 0.0) {
             let sentence = "The patterns leave no dose in the part: nothing prints.".to_owned();
             return PrintLimits {
                 sentence,
                 causes: Vec::new(),
             };
         }
-        self.measurements(own, s, judged, steps).limits()
+        self.measurements(own, s, evaluated, steps).limits()
     }
 
     fn measurements(
         &self,
         own: &Scene,
         s: usize,
-        judged: &Evaluation,
+        evaluated: &Evaluation,
         steps: Steps,
     ) -> Measurements {
         let (scene, spec) = (self.scene, &own.spec);
-        let kind = kind_of(judged);
+        let kind = kind_of(evaluated);
         let lights = acting_on(scene, s);
         let finest = scene.levels.last();
         let (pixel_key, pixel_light) = coarsest_pixels(&scene.optics.projector_kinds, &lights);
-        let best = judged.curve.iter().map(|[_, iou]| *iou);
+        let best = evaluated.curve.iter().map(|[_, iou]| *iou);
         Measurements {
             kind,
             optimized: steps.optimized,
             written: steps.written,
             standing: steps.standing,
-            turning: judged.measures.get(kind.name),
-            pitches_mm: [scene.grid.pitch_mm, judged.grid.pitch_mm],
+            turning: evaluated.measures.get(kind.name),
+            pitches_mm: [scene.grid.pitch_mm, evaluated.grid.pitch_mm],
             bits: spec.evaluate.bit_depth,
             has_machine: spec.printer.is_some(),
             arcs: Arcs::of(&lights),
@@ -112,7 +112,7 @@ impl Asked<'_> {
             }),
             saw_finer: finest.is_some_and(|level| {
                 level.grid.pitch_mm < scene.grid.pitch_mm
-                    && level.grid.pitch_mm <= judged.grid.pitch_mm
+                    && level.grid.pitch_mm <= evaluated.grid.pitch_mm
             }),
             pixel_key,
             pixel_light,

@@ -104,18 +104,19 @@ impl<'a> Others<'a> {
         run: &Run,
     ) -> Result<Vec<Species>> {
         let scenes = self.scene.others.iter().zip(fine).zip(doses);
-        let judged = |(steps, ((scene, fine), dose)): (Steps, ((&Scene, Voxels), Volume<f32>))| {
-            let mean = averaged(&dose, &scene.grid);
-            let response = scene.responses(dose);
-            let evaluation = measure(scene, &fine, &response, shown, run.aside())?;
-            Ok(Species {
-                evaluation: evaluation.with_sub_angles(evaluated_angles(scene)),
-                steps,
-                dose: mean,
-                fine,
-                response,
-            })
-        };
-        self.steps.into_iter().zip(scenes).map(judged).collect()
+        let evaluated =
+            |(steps, ((scene, fine), dose)): (Steps, ((&Scene, Voxels), Volume<f32>))| {
+                let mean = averaged(&dose, &scene.grid);
+                let response = scene.responses(dose);
+                let evaluation = measure(scene, &fine, &response, shown, run.aside())?;
+                Ok(Species {
+                    evaluation: evaluation.with_sub_angles(evaluated_angles(scene)),
+                    steps,
+                    dose: mean,
+                    fine,
+                    response,
+                })
+            };
+        self.steps.into_iter().zip(scenes).map(evaluated).collect()
     }
 }

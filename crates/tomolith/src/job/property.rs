@@ -56,12 +56,12 @@ pub(super) fn maps(spec: &JobSpec, base: &Path) -> Result<Vec<Arc<dyn Response>>
 ///
 /// # Errors
 /// As [`Scene::responses`].
-pub(super) fn properties(scene: &Scene, judged: &Evaluated) -> Result<Vec<Property>> {
+pub(super) fn properties(scene: &Scene, evaluated: &Evaluated) -> Result<Vec<Property>> {
     if scene.spec.property.is_empty() {
         return Ok(Vec::new());
     }
-    let doses = std::iter::once((&judged.dose, judged.evaluation.gel_threshold));
-    let others = judged
+    let doses = std::iter::once((&evaluated.dose, evaluated.evaluation.gel_threshold));
+    let others = evaluated
         .others
         .iter()
         .map(|o| (&o.dose, o.evaluation.gel_threshold));

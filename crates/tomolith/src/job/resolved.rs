@@ -201,21 +201,21 @@ impl ResolvedJob {
         let written = Written::of_raw(patterns.to_vec(), &self.scene)?;
         let shown = &written.shown;
         let (scene, own) = (&self.scene, &self.voxels);
-        let judged = evaluate_patterns(scene, own, shown, None, None, &mut Silent, run)?;
+        let evaluated = evaluate_patterns(scene, own, shown, None, None, &mut Silent, run)?;
         let name = |s: usize| scene.species_name(s).unwrap_or_default().to_owned();
-        let others = judged.others.into_iter().map(|other| other.evaluation);
+        let others = evaluated.others.into_iter().map(|other| other.evaluation);
         let mut species = Vec::new();
         for (i, other) in others.enumerate() {
             if i == 0 {
-                species.push((name(0), judged.evaluation.clone()));
+                species.push((name(0), evaluated.evaluation.clone()));
             }
             species.push((name(i + 1), other));
         }
-        let in_time = judged.in_time.as_ref().map(InTime::summary);
+        let in_time = evaluated.in_time.as_ref().map(InTime::summary);
         Ok(Prediction {
-            evaluation: judged.evaluation,
+            evaluation: evaluated.evaluation,
             species,
-            one_exposure: judged.one_exposure,
+            one_exposure: evaluated.one_exposure,
             in_time: in_time.unwrap_or_default(),
         })
     }

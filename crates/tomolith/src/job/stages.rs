@@ -171,7 +171,7 @@ fn evaluate(
     let levels = optimized.levels.as_ref();
     let asked = levels.map_or(&optimized.raw, |levels| &levels.asked);
     let patterns = Written::of_raw(asked.clone(), &scene)?;
-    let judged = evaluate_patterns(
+    let evaluated = evaluate_patterns(
         &scene,
         &voxels,
         &patterns.shown,
@@ -180,18 +180,18 @@ fn evaluate(
         clock.progress,
         &stage,
     );
-    if judged.is_err() {
+    if evaluated.is_err() {
         // The dearest part is done: nobody should lose it to a Ctrl-C that came too late
         let place = folder.checkpoint();
         keep(&scene, &optimized.raw, &place, clock.progress, &stage)?;
     }
-    let judged = judged?;
+    let evaluated = evaluated?;
     let done = Done {
         job,
         scene,
         voxels,
         patterns,
-        judged,
+        evaluated,
         optimized: Some(optimized),
         source: None,
         leaves,
@@ -239,7 +239,7 @@ fn simulate_stages(
     let (voxels, warnings) = voxels(job, &scene, kept, clock.progress, &stage)?;
     try_orders(&mut scene, clock.progress, &stage).map_err(|e| job.locate(e))?;
     let stage = clock.stage("evaluating the patterns");
-    let judged = evaluate_patterns(
+    let evaluated = evaluate_patterns(
         &scene,
         &voxels,
         &patterns.shown,
@@ -253,7 +253,7 @@ fn simulate_stages(
         scene,
         voxels,
         patterns,
-        judged,
+        evaluated,
         optimized: None,
         source: Some(source),
         leaves: Leaves::All,
@@ -568,25 +568,25 @@ fn summary(done: &Done<'_>, headline: Headline, folder: &Path, begin: Instant) -
         gap: optimized.and_then(|o| o.outcome.gap()),
         found_window: optimized.and_then(|o| o.window),
         found_response: optimized.and_then(|o| Some(o.found.as_ref()?.sentence())),
-        evaluation: quality(&done.judged.evaluation),
-        standing: quality(&done.judged.standing),
-        optimization: done.judged.optimization.as_ref().map(quality),
+        evaluation: quality(&done.evaluated.evaluation),
+        standing: quality(&done.evaluated.standing),
+        optimization: done.evaluated.optimization.as_ref().map(quality),
         exposure: headline.exposures.first().copied().flatten(),
         species: species(done, &headline),
         one_exposure: headline.one_exposure,
         in_time: done
-            .judged
+            .evaluated
             .in_time
             .iter()
             .flat_map(InTime::summary)
             .collect(),
-        one_moment: done.judged.in_time.as_ref().and_then(InTime::together),
-        scenarios: done.judged.scenarios.clone(),
+        one_moment: done.evaluated.in_time.as_ref().and_then(InTime::together),
+        scenarios: done.evaluated.scenarios.clone(),
         limits: headline.limits.into_iter().next().unwrap_or_default(),
         required_iou: done.scene.spec.evaluate.require_iou,
         required_in_band: done.scene.spec.evaluate.require_in_band,
-        evaluation_voxels: [2, 1, 0].map(|axis| done.judged.evaluation.grid.shape[axis]),
-        evaluation_pitch_mm: done.judged.evaluation.grid.pitch_mm,
+        evaluation_voxels: [2, 1, 0].map(|axis| done.evaluated.evaluation.grid.shape[axis]),
+        evaluation_pitch_mm: done.evaluated.evaluation.grid.pitch_mm,
         refine: done.scene.extent.refine,
         seconds: begin.elapsed().as_secs_f64(),
     }
@@ -594,11 +594,11 @@ fn summary(done: &Done<'_>, headline: Headline, folder: &Path, begin: Instant) -
 
 /// Every species, where the job names several.
 fn species(done: &Done<'_>, headline: &Headline) -> Vec<SpeciesSummary> {
-    if done.judged.others.is_empty() {
+    if done.evaluated.others.is_empty() {
         return Vec::new();
     }
-    let others = done.judged.others.iter().map(|other| &other.evaluation);
-    let all = std::iter::once(&done.judged.evaluation).chain(others);
+    let others = done.evaluated.others.iter().map(|other| &other.evaluation);
+    let all = std::iter::once(&done.evaluated.evaluation).chain(others);
     let of = |(s, evaluation): (usize, &Evaluation)| SpeciesSummary {
         name: done.scene.species_name(s).unwrap_or_default().to_owned(),
         evaluation: quality(evaluation),

@@ -43,7 +43,7 @@ pub(crate) struct Done<'a> {
     pub(crate) scene: Scene,
     pub(crate) voxels: Voxels,
     pub(crate) patterns: Written,
-    pub(crate) judged: Evaluated,
+    pub(crate) evaluated: Evaluated,
     /// None for a simulation.
     pub(crate) optimized: Option<Optimized>,
     /// Where the patterns of a simulation came from.
@@ -68,7 +68,7 @@ pub(crate) fn all(
         scene,
         voxels,
         patterns,
-        judged,
+        evaluated,
         ..
     } = done;
     let new = folder.new_files();
@@ -88,7 +88,7 @@ pub(crate) fn all(
         .enumerate()
         .map(|(i, levels)| levels.frames(scene.light_name(i)))
         .collect();
-    let gel_dose = judged.gel_dose(scene);
+    let gel_dose = evaluated.gel_dose(scene);
     let names: Vec<Option<&str>> = (0..frames.len()).map(|i| scene.light_name(i)).collect();
     let shown = device::Shown::new(
         &scene.spec,
@@ -103,11 +103,11 @@ pub(crate) fn all(
         }
         return numbers(done, folder, timings, &shown);
     }
-    let properties = properties(scene, judged)?;
+    let properties = properties(scene, evaluated)?;
     let arrays = || -> Result<()> {
         write_patterns(&new.join("patterns.npz"), &pairs, &run.part(0.2))?;
-        write_volume(&new.join("dose.npy"), &judged.dose, &run.part(0.05))?;
-        for (s, other) in judged.others.iter().enumerate() {
+        write_volume(&new.join("dose.npy"), &evaluated.dose, &run.part(0.05))?;
+        for (s, other) in evaluated.others.iter().enumerate() {
             let name = scene.species_name(s + 1).unwrap_or_default();
             let file = new.join(format!("dose_{name}.npy"));
             write_volume(&file, &other.dose, &run.aside())?;
@@ -118,9 +118,9 @@ pub(crate) fn all(
         }
         write_vti(
             &new.join("dose.vti"),
-            &judged.dose.grid,
+            &evaluated.dose.grid,
             &[
-                ("dose", VtiValues::F32(&judged.dose.values)),
+                ("dose", VtiValues::F32(&evaluated.dose.values)),
                 ("target", VtiValues::F32(&voxels.target.inside.values)),
                 ("label", VtiValues::U8(&voxels.labels.values)),
             ],
@@ -132,7 +132,7 @@ pub(crate) fn all(
         let arrays = scope.spawn(arrays);
         let movies = shown.write(&new, &scene.name, &sets, progress, &run.part(0.35));
         let movies = movies.and_then(|movies| {
-            let deviation = print(scene, judged, &new, run.part(0.15))?;
+            let deviation = print(scene, evaluated, &new, run.part(0.15))?;
             Ok((movies, deviation))
         });
         (arrays.join().unwrap_or_else(|p| resume_unwind(p)), movies)
@@ -182,7 +182,7 @@ fn numbers(
     let models = models(done);
     folder.describe(&described(done)?, &models)?;
     let headline = Headline::of(done, shown)?;
-    let properties = properties(&done.scene, &done.judged)?;
+    let properties = properties(&done.scene, &done.evaluated)?;
     let made = Made {
         movies: Vec::new(),
         deviation: None,
@@ -206,17 +206,17 @@ pub(crate) struct Headline {
 
 impl Headline {
     fn of(done: &Done<'_>, shown: &device::Shown<'_>) -> Result<Self> {
-        let (scene, judged) = (&done.scene, &done.judged);
+        let (scene, evaluated) = (&done.scene, &done.evaluated);
         // One light after the other. A schedule says itself how long it takes, and its print when to stop
         let times = shown.lights().iter().map(|light| light.budget.time_s);
         let times = times.sum::<Option<f64>>();
         let own_s = times.filter(|_| scene.spec.schedule.is_none());
-        let gel_dose = judged.gel_dose(scene);
+        let gel_dose = evaluated.gel_dose(scene);
         let rate = gel_dose.zip(own_s);
-        let others = judged.others.iter().map(|other| &other.evaluation);
+        let others = evaluated.others.iter().map(|other| &other.evaluation);
         let all = scene
             .species()
-            .zip(std::iter::once(&judged.evaluation).chain(others));
+            .zip(std::iter::once(&evaluated.evaluation).chain(others));
         let window = |(own, evaluation): (&Scene, &Evaluation)| {
             let response = own.response();
             let dose = |threshold: f64| f64::from(response.inverse(threshold as f32));
@@ -226,14 +226,14 @@ impl Headline {
                 .map(|((run, seconds), threshold)| seconds * (run / dose(threshold)));
             ExposureWindow::new(evaluation, response.as_ref(), time_s)
         };
-        let one_exposure = judged.one_exposure.clone();
+        let one_exposure = evaluated.one_exposure.clone();
         Ok(Headline {
             exposures: all.map(window).collect(),
             one_exposure: one_exposure.map(|one| match rate {
                 Some((dose, seconds)) => one.in_time(dose, seconds),
                 None => one,
             }),
-            limits: limits(scene, judged, done.optimized.as_ref(), done.job.is_toy),
+            limits: limits(scene, evaluated, done.optimized.as_ref(), done.job.is_toy),
         })
     }
 }
@@ -251,8 +251,8 @@ struct Made<'a> {
 fn models(done: &Done<'_>) -> Vec<(&'static str, String)> {
     let optimized = done.optimized.as_ref();
     let optimized = optimized.map(|optimized| ("optimization", optimized.model.clone()));
-    let judged = ("evaluation", done.judged.model.clone());
-    optimized.into_iter().chain([judged]).collect()
+    let evaluated = ("evaluation", done.evaluated.model.clone());
+    optimized.into_iter().chain([evaluated]).collect()
 }
 
 /// `report.json` and `report.html`.
@@ -268,7 +268,7 @@ fn report(
         job,
         scene,
         patterns,
-        judged,
+        evaluated,
         ..
     } = done;
     let resolved = job.resolved();
@@ -298,24 +298,24 @@ fn report(
         exposure: headline.exposures.first().and_then(Option::as_ref),
         limits: &headline.limits[0],
         lights,
-        labels: &judged.fine.labels,
-        response: &judged.response,
-        inside: Some(&judged.fine.target.inside),
-        bodies: judged.bodies.as_ref(),
+        labels: &evaluated.fine.labels,
+        response: &evaluated.response,
+        inside: Some(&evaluated.fine.target.inside),
+        bodies: evaluated.bodies.as_ref(),
         window: scene.kinds.thresholds(),
-        evaluation: &judged.evaluation,
-        standing: Some(&judged.standing),
-        optimization: judged.optimization.as_ref(),
-        objectives: &judged.objectives,
+        evaluation: &evaluated.evaluation,
+        standing: Some(&evaluated.standing),
+        optimization: evaluated.optimization.as_ref(),
+        objectives: &evaluated.objectives,
         published: published(done, exposures.lights())?,
         species: species(done, headline),
         one_exposure: headline.one_exposure.as_ref(),
         time: time(done),
-        one_moment: judged.in_time.as_ref().and_then(InTime::together),
+        one_moment: evaluated.in_time.as_ref().and_then(InTime::together),
         maps: made.properties.iter().map(map).collect(),
         history,
         kept: done.optimized.as_ref().map(|o| o.outcome.kept),
-        scenarios: judged.scenarios.as_ref(),
+        scenarios: evaluated.scenarios.as_ref(),
         found_window: done.optimized.as_ref().and_then(|o| o.window),
         found_response: found.map_or(&[], |found| found.values.as_slice()),
         gap: done.optimized.as_ref().and_then(|o| o.outcome.gap()),
@@ -328,7 +328,7 @@ fn report(
         movies: made.movies,
         job_text: &resolved.to_toml()?,
         notes: scene.notes.clone(),
-        warnings: [done.warnings.as_slice(), &judged.warnings].concat(),
+        warnings: [done.warnings.as_slice(), &evaluated.warnings].concat(),
         timings: made.timings,
     };
     write_json(&folder.join("report.json"), &data)?;
@@ -340,7 +340,11 @@ fn report(
 
 /// The print in time of every network.
 fn time<'a>(done: &'a Done<'_>) -> Vec<TimeReport<'a>> {
-    let networks = done.judged.in_time.iter().flat_map(|time| &time.networks);
+    let networks = done
+        .evaluated
+        .in_time
+        .iter()
+        .flat_map(|time| &time.networks);
     let of = |network: &'a NetworkInTime| {
         let (ideal_s, reached) = match network.ideal {
             IdealExposure::At(seconds) => (Some(seconds), None),
@@ -379,7 +383,7 @@ fn time_points(network: &NetworkInTime) -> Vec<TimePoint> {
 
 /// The files of the print in time: curves, when each voxel becomes solid, and a movie of the middle slice.
 fn write_time(done: &Done<'_>, new: &Path, run: &Run) -> Result<()> {
-    let Some(in_time) = &done.judged.in_time else {
+    let Some(in_time) = &done.evaluated.in_time else {
         return Ok(());
     };
     for network in &in_time.networks {
@@ -409,12 +413,14 @@ fn map(property: &Property) -> MapReport<'_> {
 
 /// What every species prints, where the job names some.
 fn species<'a>(done: &'a Done<'_>, headline: &'a Headline) -> Vec<SpeciesReport<'a>> {
-    let Done { scene, judged, .. } = done;
+    let Done {
+        scene, evaluated, ..
+    } = done;
     let Some(rows) = &scene.mixing else {
         return Vec::new();
     };
-    let first = (&judged.evaluation, &judged.fine, &judged.response);
-    let others = judged
+    let first = (&evaluated.evaluation, &evaluated.fine, &evaluated.response);
+    let others = evaluated
         .others
         .iter()
         .map(|other| (&other.evaluation, &other.fine, &other.response));
@@ -445,8 +451,8 @@ fn published(
     done: &Done<'_>,
     exposures: &[device::ShownLight],
 ) -> Result<serde_json::Map<String, serde_json::Value>> {
-    let judged = &done.judged;
-    let mut map: serde_json::Map<_, _> = judged
+    let evaluated = &done.evaluated;
+    let mut map: serde_json::Map<_, _> = evaluated
         .published
         .iter()
         .map(|p| {
@@ -456,14 +462,14 @@ fn published(
             (p.name.clone(), about)
         })
         .collect();
-    map.insert("slices".to_owned(), serde_json::json!(judged.slices));
-    if let Some(dark) = judged.keep_dark {
+    map.insert("slices".to_owned(), serde_json::json!(evaluated.slices));
+    if let Some(dark) = evaluated.keep_dark {
         map.insert("keep_dark".to_owned(), serde_json::json!(dark));
     }
-    if let Some(noise) = judged.noise {
+    if let Some(noise) = evaluated.noise {
         map.insert("paths".to_owned(), serde_json::json!(noise));
     }
-    if let Some(agreement) = judged.agreement {
+    if let Some(agreement) = evaluated.agreement {
         map.insert("orders".to_owned(), serde_json::json!(agreement));
     }
     let rows = unit_systems(done, exposures)?;
@@ -478,7 +484,7 @@ fn published(
 fn unit_systems(done: &Done<'_>, exposures: &[device::ShownLight]) -> Result<Vec<Converted>> {
     let resin = &done.scene.spec.resin;
     let critical = resin.critical_dose_mj_per_mm3.filter(|_| !resin.pure_radon);
-    let (Some(critical), Some(gel_dose)) = (critical, done.judged.gel_dose(&done.scene)) else {
+    let (Some(critical), Some(gel_dose)) = (critical, done.evaluated.gel_dose(&done.scene)) else {
         return Ok(Vec::new());
     };
     let of_light = |(shown, exposure): (_, &device::ShownLight)| {
@@ -501,7 +507,7 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
     let Done {
         scene,
         optimized,
-        judged,
+        evaluated,
         source,
         ..
     } = done;
@@ -552,18 +558,18 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
     }
     if let Some(source) = source {
         facts.push(("Patterns from", source.display().to_string()));
-        facts.push(("Model", judged.model.clone()));
+        facts.push(("Model", evaluated.model.clone()));
     }
-    if let Some(scenarios) = &judged.scenarios {
+    if let Some(scenarios) = &evaluated.scenarios {
         facts.push(("Scenarios", scenarios.sentence()));
     }
-    if let Some(dark) = &judged.keep_dark {
+    if let Some(dark) = &evaluated.keep_dark {
         facts.push(("Keep-dark body", format!("gets {dark}")));
     }
-    if let Some(noise) = &judged.noise {
+    if let Some(noise) = &evaluated.noise {
         facts.push(("Random paths", noise.to_string()));
     }
-    if let Some(agreement) = &judged.agreement {
+    if let Some(agreement) = &evaluated.agreement {
         facts.push(("Scattering by orders", agreement.to_string()));
     }
     facts
@@ -616,11 +622,16 @@ fn date(now: std::time::SystemTime) -> String {
 
 /// The predicted surface on all voxels of the evaluation, as `print.stl`; and the one that its distances are measured on, with how far it
 /// is off, as `print.ply`, where there is a target to compare it with.
-fn print(scene: &Scene, judged: &Evaluated, folder: &Path, run: Run) -> Result<Option<Deviation>> {
+fn print(
+    scene: &Scene,
+    evaluated: &Evaluated,
+    folder: &Path,
+    run: Run,
+) -> Result<Option<Deviation>> {
     let writing = run.aside();
-    let mut print = Print::under(&judged.fine.labels, &judged.response, run)?
-        .with_inside(&judged.fine.target.inside)?;
-    if let Some(threshold) = judged.evaluation.gel_threshold {
+    let mut print = Print::under(&evaluated.fine.labels, &evaluated.response, run)?
+        .with_inside(&evaluated.fine.target.inside)?;
+    if let Some(threshold) = evaluated.evaluation.gel_threshold {
         print = print.with_threshold(threshold)?;
     }
     let title = format!("{}, predicted print", scene.name);
