@@ -169,7 +169,6 @@ fn end_here(manner: Manner) -> ! {
     std::process::exit(i32::from(CANCELED))
 }
 
-/// `tomolith run`: whether the asked quality was met.
 /// Tells processes of a launcher that cannot share a run or a sweep; a share by hand is what it says.
 fn remark_on_launcher(command: &Command) {
     let is_quiet = match command {
@@ -182,6 +181,7 @@ fn remark_on_launcher(command: &Command) {
     }
 }
 
+/// `tomolith run`: whether the asked quality was met.
 fn run(given: &RunArguments, ranks: Option<&Ranks>) -> Result<bool> {
     prepare(given.manner)?;
     let job = read(&given.job, given.output.as_deref());
