@@ -326,8 +326,9 @@ impl HostField {
         }
     }
 
-    /// The largest of all ranks of a number that each has.
-    fn largest(&self, own: f32) -> f32 {
+    /// The largest of all ranks of a number that each has, where this field is one rank's share; else the number.
+    #[must_use]
+    pub fn largest(&self, own: f32) -> f32 {
         let ranks = self.ranks.as_ref();
         ranks.map_or(own, |ranks| ranks.largest(own))
     }

@@ -15,6 +15,7 @@ use crate::print::{check_step, default_step_s, must_fit};
 use crate::schedule::{Block, Schedule};
 use crate::{Material, Model, State};
 use std::ops::Range;
+use std::sync::Arc;
 use tomolith_core::dose::{
     DoseLayout, DoseModel, PatternLayout, Run, ZCoupling, elements_of, frames_of,
 };
@@ -25,7 +26,7 @@ use tomolith_core::units::concise;
 
 /// See the [module page](self).
 pub struct Printing {
-    optics: Vec<Box<Model>>,
+    optics: Vec<Arc<Model>>,
     schedule: Schedule,
     material: Box<dyn Material>,
     blocks: Vec<Block>,
@@ -74,7 +75,7 @@ impl Printing {
         };
         Ok(Printing {
             outputs: species.iter().enumerate().map(output).collect(),
-            optics,
+            optics: optics.into_iter().map(Arc::from).collect(),
             schedule,
             material,
             blocks,
@@ -434,8 +435,8 @@ impl DoseModel for Printing {
         Ok(Some(terms))
     }
 
-    fn of_light(&self, i: usize) -> Option<&dyn DoseModel<Field = HostField>> {
-        self.optics.get(i).map(AsRef::as_ref)
+    fn of_light(&self, i: usize) -> Option<Arc<Model>> {
+        self.optics.get(i).cloned()
     }
 
     fn z_coupling(&self) -> ZCoupling {

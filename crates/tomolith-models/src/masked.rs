@@ -35,7 +35,7 @@ pub fn pixels_through(
 ) -> Result<Vec<bool>> {
     if model.of_light(0).is_some() {
         let lights = (0..model.patterns().len()).filter_map(|i| model.of_light(i));
-        let through: Result<Vec<_>> = lights.map(|l| pixels_through(l, places, run)).collect();
+        let through: Result<Vec<_>> = lights.map(|l| pixels_through(&*l, places, run)).collect();
         return through.map(|lights| lights.concat());
     }
     let marks = Volume {

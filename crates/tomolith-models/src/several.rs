@@ -48,7 +48,7 @@ pub trait Joint: Send + Sync + Sized {
     );
 
     /// As [`DoseModel::of_light`].
-    fn of_light(_all: &Several<Self>, _i: usize) -> Option<&dyn DoseModel<Field = HostField>> {
+    fn of_light(_all: &Several<Self>, _i: usize) -> Option<SharedModel> {
         None
     }
 
@@ -169,7 +169,7 @@ impl<J: Joint> DoseModel for Several<J> {
         self.models.iter().map(|model| model.updates()).sum()
     }
 
-    fn of_light(&self, i: usize) -> Option<&dyn DoseModel<Field = HostField>> {
+    fn of_light(&self, i: usize) -> Option<SharedModel> {
         J::of_light(self, i)
     }
 

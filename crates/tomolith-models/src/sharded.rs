@@ -24,6 +24,8 @@ use tomolith_core::ranks::{Communicator, together};
 /// A model of this rank's frames, whose dose is that of all ranks' frames; see the [module](self).
 pub struct Sharded {
     model: SharedModel,
+    /// Shares of the model of each light, where it has them.
+    lights: Vec<SharedModel>,
     ranks: Arc<dyn Communicator>,
     /// Of all ranks.
     updates: u64,
@@ -35,8 +37,12 @@ impl Sharded {
     pub fn new(model: SharedModel, ranks: Arc<dyn Communicator>) -> Self {
         let mut updates = [model.updates() as f64];
         ranks.all_reduce(&mut updates);
+        let lights = (0..model.patterns().len()).map_while(|i| model.of_light(i));
+        let of_all = |light| Arc::new(Sharded::new(light, Arc::clone(&ranks))) as SharedModel;
+        let lights = lights.map(of_all).collect();
         Sharded {
             model,
+            lights,
             ranks,
             updates: updates[0] as u64,
         }
@@ -102,6 +108,10 @@ impl DoseModel for Sharded {
 
     fn updates(&self) -> u64 {
         self.updates
+    }
+
+    fn of_light(&self, i: usize) -> Option<SharedModel> {
+        self.lights.get(i).cloned()
     }
 
     fn describe(&self) -> String {

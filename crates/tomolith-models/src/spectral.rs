@@ -25,7 +25,7 @@
 //! time.
 
 use crate::several::{Joint, Several, SharedModel};
-use crate::{DoseLayout, DoseModel, HostModel, PatternLayout, own_frames};
+use crate::{DoseLayout, HostModel, PatternLayout, own_frames};
 use std::ops::Range;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{BLOCK, Field, HostField};
@@ -157,8 +157,8 @@ impl Joint for Mixing {
         grad.as_mut_slice()[range].copy_from_slice(own);
     }
 
-    fn of_light(all: &SpectralMixing, i: usize) -> Option<&dyn DoseModel<Field = HostField>> {
-        all.models.get(i).map(AsRef::as_ref)
+    fn of_light(all: &SpectralMixing, i: usize) -> Option<SharedModel> {
+        all.models.get(i).cloned()
     }
 
     fn describe(all: &SpectralMixing) -> String {
@@ -175,8 +175,8 @@ impl Joint for Mixing {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Run;
     use crate::parallel::Parallel;
+    use crate::{DoseModel, Run};
     use tomolith_core::check;
     use tomolith_core::grid::{PatternGrid, VolumeGrid};
     use tomolith_optics::light::Light;

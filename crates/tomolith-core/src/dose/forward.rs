@@ -39,7 +39,7 @@ macro_rules! forward {
     (@restore $($to:tt)+) => { $crate::forward!(@fn restore(memory: &Self::Field) -> (); $($to)+); };
     (@updates $($to:tt)+) => { $crate::forward!(@fn updates() -> u64; $($to)+); };
     (@describe $($to:tt)+) => { $crate::forward!(@fn describe() -> String; $($to)+); };
-    (@of_light $($to:tt)+) => { $crate::forward!(@fn of_light(i: usize) -> Option<&dyn $crate::dose::DoseModel<Field = Self::Field>>; $($to)+); };
+    (@of_light $($to:tt)+) => { $crate::forward!(@fn of_light(i: usize) -> Option<std::sync::Arc<dyn $crate::dose::DoseModel<Field = Self::Field>>>; $($to)+); };
     // What the model around writes is left out
     (@but [patterns $($own:ident)*] patterns $($to:tt)+) => {};
     (@but [outputs $($own:ident)*] outputs $($to:tt)+) => {};

@@ -13,6 +13,7 @@ use crate::field::Field;
 pub use crate::run::{Run, Steps};
 pub use layout::{DoseLayout, PatternLayout, Quantity, elements_of, frames_of, own_frames};
 use std::ops::Range;
+use std::sync::Arc;
 
 /// How far along z a pattern row reaches: whether a job may be cut into z slabs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -134,7 +135,7 @@ pub trait DoseModel: Send + Sync {
     /// Voxel-angle updates of one dose call after all masks: what throughput is counted in.
     fn updates(&self) -> u64;
     /// The model of light `i` alone, with one output, where the doses of the lights are computed one by one; None where they are not.
-    fn of_light(&self, _i: usize) -> Option<&dyn DoseModel<Field = Self::Field>> {
+    fn of_light(&self, _i: usize) -> Option<Arc<dyn DoseModel<Field = Self::Field>>> {
         None
     }
     /// One line for people: which model, which kernel.

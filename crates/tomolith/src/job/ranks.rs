@@ -5,8 +5,8 @@
 //! the run folder, and evaluates the written patterns.
 //!
 //! **Limits** models whose dose is a sum over frames that are computed alike wherever they are: no Monte Carlo paths, no stored matrix. No
-//! `[[species]]`, no `[[scenario]]`, no print optimized in time, no patterns improved on few levels; no penalty between frames and no
-//! `min_contribution`, which compares the pixels of all frames. At least as many frames of every light as ranks.
+//! print optimized in time, no patterns improved on few levels; no penalty between frames and no `min_contribution`, which compares the pixels of
+//! all frames. At least as many frames of every light as ranks.
 //!
 //! **Memory** doses, the target and what belongs to voxels are on every rank; what belongs to pixels is shared. Checkpoints and the end of a
 //! level need the whole patterns once, on rank 0.
@@ -64,22 +64,13 @@ pub(super) fn must_fit(scene: &Scene, ranks: &dyn Communicator) -> Result<()> {
             ));
         }
     }
-    let family = scene.optics.family(&scene.grid)?;
-    let has_contribution = |light: &Light| light.selection.min_contribution > 0.0;
+    let scenarios = scene.scenarios.iter().map(|scenario| &scenario.scene);
+    let all: Vec<&Scene> = std::iter::once(scene).chain(scenarios).collect();
+    let families = all.iter().map(|scene| scene.optics.family(&scene.grid));
+    let families = families.collect::<Result<Vec<_>>>()?;
+    let mut lights = all.iter().flat_map(|scene| &scene.optics.lights);
     let has_heights = spec.schedule.as_ref().is_some_and(|s| s.level_heights);
     for (key, is_there, found, accepted) in [
-        (
-            "species",
-            scene.mixing.is_some(),
-            "several species or lights of their own",
-            "no [[species]]",
-        ),
-        (
-            "scenario",
-            !scene.scenarios.is_empty(),
-            "scenarios",
-            "no [[scenario]]",
-        ),
         (
             "schedule",
             scene.is_optimized_in_time() || has_heights,
@@ -100,19 +91,23 @@ pub(super) fn must_fit(scene: &Scene, ranks: &dyn Communicator) -> Result<()> {
         ),
         (
             "light.selection.min_contribution",
-            scene.optics.lights.iter().any(has_contribution),
+            lights.any(|light| light.selection.min_contribution > 0.0),
             "a comparison of all pixels",
             "0",
         ),
         (
             "model",
-            family.random_paths().is_some(),
+            families
+                .iter()
+                .any(|family| family.random_paths().is_some()),
             "Monte Carlo paths, which would be others in a share",
             "a model without Monte Carlo paths",
         ),
         (
             "model",
-            family.capabilities().is_stored,
+            families
+                .iter()
+                .any(|family| family.capabilities().is_stored),
             "a stored matrix, which holds all frames",
             "another model",
         ),
@@ -182,18 +177,26 @@ impl Scene {
 
     /// The levels with this process's frames.
     pub(super) fn own_levels(&self) -> Cow<'_, [Level]> {
-        let Some(ranks) = &self.ranks else {
+        if self.ranks.is_none() {
             return Cow::Borrowed(&self.levels);
+        }
+        let levels = self.levels.iter().map(|level| Level {
+            lights: self.own_lights(&level.lights),
+            ..level.clone()
+        });
+        Cow::Owned(levels.collect())
+    }
+
+    /// Lights with this process's frames.
+    pub(super) fn own_lights(&self, lights: &[Light]) -> Vec<Light> {
+        let Some(ranks) = &self.ranks else {
+            return lights.to_vec();
         };
         let own = |light: &Light| {
             let frames = frames_of_rank(light.pixels.frames(), ranks.rank(), ranks.size());
             with_frames(light, &frames)
         };
-        let levels = self.levels.iter().map(|level| Level {
-            lights: level.lights.iter().map(own).collect(),
-            ..level.clone()
-        });
-        Cow::Owned(levels.collect())
+        lights.iter().map(own).collect()
     }
 
     /// Where the elements of every rank lie in the patterns of a level, whose layouts on this rank are `own`.

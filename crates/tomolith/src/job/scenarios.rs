@@ -282,9 +282,9 @@ pub(super) fn join(spec: &JobSpec) -> Join {
 }
 
 impl Scenario {
-    /// The dose of all pixels on the voxels of a level.
-    fn model(&self, level: &Level, cancel: &Run) -> Result<HostModel> {
-        let mut lights = self.scene.optics.lights.clone();
+    /// The dose of all pixels, in a process among ranks of its own frames, on the voxels of a level of `job`.
+    fn model(&self, job: &Scene, level: &Level, cancel: &Run) -> Result<HostModel> {
+        let mut lights = job.own_lights(&self.scene.optics.lights);
         for (light, own) in lights.iter_mut().zip(&level.lights) {
             light.sub_angles = own.sub_angles;
         }
@@ -312,7 +312,8 @@ pub(super) fn joined(
     if scene.scenarios.is_empty() {
         return Ok((Arc::new(model), None));
     }
-    let others = scene.scenarios.iter().map(|own| own.model(level, cancel));
+    let others = scene.scenarios.iter();
+    let others = others.map(|own| own.model(scene, level, cancel));
     let first: SharedModel = Arc::new(model);
     let all = Scenarios::new(first.clone(), others.collect::<Result<_>>()?)?;
     // What is dark in the job is so in all

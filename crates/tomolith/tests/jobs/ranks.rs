@@ -34,6 +34,20 @@ const WAVES: [&str; 8] = [
     "stop.iterations=1",
 ];
 
+/// Image, vial and resin as they might be.
+const SCENARIOS: [&str; 3] = [
+    "scenario=[{set={\"light[0].offset_mm\"=[0.05, 0]}}, {set={vial.cylinder.inner_radius_mm=3.05}}, {set={resin.absorption_per_mm=0.12}}]",
+    "robust.of=worst",
+    "optimizer={fista={}}",
+];
+
+/// Two species by two lights, of which the second inhibits one.
+const SPECIES: [&str; 3] = [
+    "light=[{name=\"violet\", pixels=[32, 16], angles=40, projector={collimated={pixel_pitch_mm=0.15}}}, {name=\"uv\", pixels=[28, 14], angles=31, projector={collimated={pixel_pitch_mm=0.15}}}]",
+    "species=[{name=\"soft\", driven_by={violet=1.0, uv=-0.2}}, {name=\"stiff\", driven_by={uv=2.0}, target={phantom=\"sphere\", size_mm=1.0}}]",
+    "optimizer={fista={}}",
+];
+
 const PENALTIES: &str = "penalties=[{smoothness={}, weight=1e-3}, {sparsity={}, weight=1e-3}]";
 
 /// A job with keys set otherwise, in a folder of its own.
@@ -151,6 +165,8 @@ fn ranks_make_the_patterns_of_a_process_alone() {
         ),
         (4, vec!["model={rays={}}", "light.angles=6"]),
         (2, WAVES.to_vec()),
+        (3, SCENARIOS.to_vec()),
+        (2, SPECIES.to_vec()),
     ] {
         let folders = [(); 2].map(|()| tempfile::tempdir().unwrap());
         let [alone, shared] = folders
@@ -183,10 +199,6 @@ fn what_cannot_be_shared_is_refused_before_any_work() {
         (
             vec!["light.selection.min_contribution=0.1"],
             "light.selection.min_contribution",
-        ),
-        (
-            vec!["scenario=[{set={resin.absorption_per_mm=0.2}}]"],
-            "scenario",
         ),
     ] {
         let folder = tempfile::tempdir().unwrap();

@@ -125,6 +125,7 @@ impl<'a> Stage<'a> {
             return self;
         };
         let of_all = |model| Sharded::new(model, Arc::clone(ranks));
+        self.nominal = (self.nominal).map(|model| Arc::new(of_all(model)) as SharedModel);
         self.straight = (self.straight).map(|model| Box::new(of_all(model.into())) as Box<_>);
         self.model = Arc::new(of_all(self.model));
         self.reason = format!(

@@ -96,7 +96,7 @@ fn starting_lights(
             continue;
         };
         let response = scenes[s].response();
-        let input = start_input(alone, voxels[s], response.as_ref(), &limits[i..=i]);
+        let input = start_input(&*alone, voxels[s], response.as_ref(), &limits[i..=i]);
         let mut own = start.patterns(&input, cancel)?;
         own.scale((factor * scene.dose_needed(s, i)?) as f32);
         x.as_mut_slice()[model.patterns()[i].range()].copy_from_slice(own.as_slice());
@@ -140,6 +140,7 @@ pub(super) fn limits(
     let alone = |layout: &PatternLayout| {
         let own = &start.as_slice()[layout.range()];
         let own = own.iter().fold(0.0f32, |most, v| most.max(v.abs()));
+        let own = start.largest(own);
         // A light that begins dark may become as bright as the others
         if own > 0.0 { own } else { of_all }
     };
