@@ -1,4 +1,4 @@
-//! What a print in time is judged by: curves over time, phases, the ideal exposure, cure times.
+//! What a print in time is evaluated by: curves over time, phases, the ideal exposure, cure times.
 //!
 //! Definitions are in `docs/material.md`; source: Wang et al. 2022, supplement, Note 4. All sums run over the voxels that count, in a fixed order.
 //! A [`Curves`] looks at one network; lights with several have one each.

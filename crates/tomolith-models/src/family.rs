@@ -119,7 +119,7 @@ pub struct Cost {
 }
 
 /// Monte Carlo paths of a family.
-pub struct RandomPaths {
+pub struct MonteCarloPaths {
     /// Of a pixel in a frame, in the optimization.
     pub optimizing: usize,
     /// The same in what is reported.
@@ -241,7 +241,7 @@ pub trait ModelFamily: fmt::Debug + Send + Sync {
     }
 
     /// What it draws at random; None: nothing.
-    fn random_paths(&self) -> Option<RandomPaths> {
+    fn monte_carlo_paths(&self) -> Option<MonteCarloPaths> {
         None
     }
 

@@ -26,8 +26,8 @@ pub mod successive_orders;
 pub mod wave;
 
 pub use family::{
-    Capabilities, Cost, Family, HostModel, MakeFamily, ModelFamily, ModelInput, ModelKind, Purpose,
-    RandomPaths, Refines,
+    Capabilities, Cost, Family, HostModel, MakeFamily, ModelFamily, ModelInput, ModelKind,
+    MonteCarloPaths, Purpose, Refines,
 };
 pub use scene::OpticalScene;
 pub use tomolith_core::dose::{

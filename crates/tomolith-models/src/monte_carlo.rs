@@ -66,8 +66,8 @@
 use super::rays::accumulation::Accumulation;
 use super::rays::{Emission, Optics, Rays, Scattered};
 use super::{
-    Capabilities, Family, HostModel, MakeFamily, ModelFamily, ModelInput, ModelKind, OpticalScene,
-    Purpose, RandomPaths,
+    Capabilities, Family, HostModel, MakeFamily, ModelFamily, ModelInput, ModelKind,
+    MonteCarloPaths, OpticalScene, Purpose,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -125,7 +125,7 @@ impl Default for Params {
 const EVALUATING: usize = 16;
 
 impl Params {
-    /// What a result is judged by, on voxels `refine` times as fine: independent paths, sixteen times as many, on cells half as large that give
+    /// What a result is evaluated by, on voxels `refine` times as fine: independent paths, sixteen times as many, on cells half as large that give
     /// back what they smear out, so that what the optimization's cells smooth away shows like noise does.
     fn for_evaluation(&self, refine: usize) -> Self {
         Params {
@@ -210,13 +210,13 @@ impl ModelFamily for Params {
         Some(model(scene.vial, lights, optics, self, grid.clone()))
     }
 
-    fn random_paths(&self) -> Option<RandomPaths> {
+    fn monte_carlo_paths(&self) -> Option<MonteCarloPaths> {
         // Seeds of evaluations count up where those of optimizations count down
         let redrawn: Family = Arc::new(Params {
             seed: self.seed.wrapping_sub(1),
             ..self.clone()
         });
-        Some(RandomPaths {
+        Some(MonteCarloPaths {
             optimizing: self.paths_per_pixel,
             evaluating: self.for_evaluation(1).paths_per_pixel,
             redrawn,

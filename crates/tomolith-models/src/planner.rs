@@ -381,7 +381,7 @@ mod tests {
     }
 
     #[test]
-    fn a_resin_that_scatters_and_differs_from_place_to_place_is_followed_by_random_paths() {
+    fn a_resin_that_scatters_and_differs_from_place_to_place_is_followed_by_monte_carlo_paths() {
         use tomolith_optics::absorption_map::AbsorptionMap;
         use tomolith_optics::gradient::IndexGradient;
         let mut milk = light();
@@ -461,7 +461,7 @@ mod tests {
             let found = of(Purpose::Evaluate { refine: 2 });
             assert!(found.starts_with(sharp), "{found}");
         }
-        let redrawn = scatter.random_paths().unwrap();
+        let redrawn = scatter.monte_carlo_paths().unwrap();
         assert_eq!((redrawn.optimizing, redrawn.evaluating), (4, 64));
     }
 

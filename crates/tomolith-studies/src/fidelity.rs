@@ -1,6 +1,6 @@
 //! Which patterns print best: starts, published methods, earlier defaults and today's default on six targets, all judged alike.
 //!
-//! Every row is a whole job of the program. Its written patterns (8 bits) are judged by `simulate` on voxels of a quarter of a pixel while
+//! Every row is a whole job of the program. Its written patterns (8 bits) are evaluated by `simulate` on voxels of a quarter of a pixel while
 //! the vial turns (4 angles a frame), under one job for all rows of a target. *Ceiling*: optimized on the judge's own voxels, 150 iterations,
 //! 4 angles a frame. Prints the tables of docs/fidelity.md.
 //!

@@ -431,7 +431,7 @@ fn light_that_is_scattered_is_traced() {
     let total: f64 = account.values().map(|v| v.as_f64().unwrap()).sum();
     assert!((total - 1.0).abs() < 1e-9, "{account:?}");
     assert!(account["absorbed"].as_f64().unwrap() > 0.1, "{account:?}");
-    assert!(!traced["result"]["legs"].as_array().unwrap().is_empty());
+    assert!(!traced["result"]["segments"].as_array().unwrap().is_empty());
 }
 
 #[test]

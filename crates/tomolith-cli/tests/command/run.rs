@@ -647,7 +647,7 @@ fn the_job_of_a_run_whose_window_widened_makes_the_same_patterns() {
 }
 
 #[test]
-fn scattered_light_of_cones_is_held_against_random_paths() {
+fn scattered_light_of_cones_is_held_against_monte_carlo_paths() {
     let bench = bench();
     let cone = "light.projector={telecentric={pixel_pitch_mm=0.1,aperture_radius_mm=4.0,working_distance_mm=40.0}}";
     let line = format!(

@@ -244,7 +244,8 @@ fn two_bars() -> Vec<f32> {
 }
 
 #[test]
-fn scattered_light_of_cones_and_tilted_light_is_that_of_random_paths_where_it_is_bright_and_dark() {
+fn scattered_light_of_cones_and_tilted_light_is_that_of_monte_carlo_paths_where_it_is_bright_and_dark()
+ {
     let glass = Cylinder {
         inner_radius_mm: 2.8,
         outer_radius_mm: 3.0,
@@ -321,7 +322,7 @@ fn scattered_light_of_cones_and_tilted_light_is_that_of_random_paths_where_it_is
 }
 
 #[test]
-fn it_agrees_with_random_paths_in_every_vial_and_phase() {
+fn it_agrees_with_monte_carlo_paths_in_every_vial_and_phase() {
     let vials: [&dyn Vial; 3] = [
         &BATH,
         &Cylinder {
@@ -513,7 +514,7 @@ fn pixels_three_times_as_high_beside_the_axis_are_three_equal_ones() {
 }
 
 #[test]
-fn far_from_a_narrow_beam_voxels_hold_what_random_paths_bring_them_at_the_wall_too() {
+fn far_from_a_narrow_beam_voxels_hold_what_monte_carlo_paths_bring_them_at_the_wall_too() {
     let grid = VolumeGrid::centered([16, 26, 26], 0.25);
     let mut narrow = light(3, 4, 2, 0.25, 0.3);
     narrow.pixels.azimuths.truncate(1);

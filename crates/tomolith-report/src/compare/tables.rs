@@ -54,7 +54,7 @@ fn objective(run: &ComparedRun) -> String {
     keys.map(|(key, value)| format!("{key}={value};")).collect()
 }
 
-/// Name of the model that gave the dose that a run is judged by.
+/// Name of the model that gave the dose that a run is evaluated by.
 fn evaluation_model_of(run: &ComparedRun) -> Option<&str> {
     let model = run.report.pointer("/run/models/evaluation");
     let model = model.and_then(Value::as_str)?;
@@ -65,8 +65,9 @@ fn evaluation_model_of(run: &ComparedRun) -> Option<&str> {
 
 /// What a run is and who judged it, under its name.
 fn origin(run: &ComparedRun) -> String {
-    let judged_by = evaluation_model_of(run)
-        .map_or_else(String::new, |name| format!(", judged by {}", escape(name)));
+    let judged_by = evaluation_model_of(run).map_or_else(String::new, |name| {
+        format!(", evaluated by {}", escape(name))
+    });
     format!("<br><span class=\"muted\">{}{judged_by}</span>", run.kind())
 }
 

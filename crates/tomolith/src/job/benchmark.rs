@@ -208,7 +208,7 @@ fn by_evaluation(
     run: &Run,
 ) -> Result<[Calls; 2]> {
     let family = scene.optics.family(grid)?;
-    let purpose = match family.random_paths() {
+    let purpose = match family.monte_carlo_paths() {
         Some(_) => Purpose::Probe,
         None => Purpose::Evaluate { refine },
     };

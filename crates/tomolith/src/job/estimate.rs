@@ -320,7 +320,7 @@ pub(crate) struct Work<'a> {
     /// Angles at which a frame of the optimization and of the evaluation is averaged.
     pub(crate) sub_angles: [f64; 2],
     /// Monte Carlo paths of the evaluation for each of the optimization, where light is followed along such.
-    pub(crate) random_paths: Option<usize>,
+    pub(crate) monte_carlo_paths: Option<usize>,
     /// Whether patterns are improved on few levels afterwards.
     pub(crate) levels: bool,
     /// Limit of the optimization's time, s.
@@ -347,7 +347,7 @@ pub(crate) fn mean_sub_angles(lights: &[Light]) -> f64 {
 
 impl Work<'_> {
     /// Dose calls of the evaluation.
-    fn judging_s(&self, rates: &Rates) -> f64 {
+    fn evaluation_s(&self, rates: &Rates) -> f64 {
         let refine = self.extent.refine;
         let CallRates {
             dose,
@@ -355,7 +355,7 @@ impl Work<'_> {
             ..
         } = rates.evaluating;
         let updates = updates_per_frame * self.extent.frames as f64;
-        if let Some(more) = self.random_paths {
+        if let Some(more) = self.monte_carlo_paths {
             // On the job's voxels raw, written, and twice for the noise; on finer ones, which a path crosses more of,
             // standing and turning
             return more as f64 * (4.0 + 2.0 * refine as f64) * dose.seconds(updates);
@@ -441,7 +441,7 @@ impl Work<'_> {
         Cost {
             optimization_s,
             rest_s: (MODELS + extent.scenarios as f64) * evaluate_s
-                + self.judging_s(rates)
+                + self.evaluation_s(rates)
                 + extent.scenarios as f64 * self.turning_s(rates)
                 + measures * rates.measuring_s
                 + voxels * (finer + 1.0) * rates.sampling_s,
@@ -520,7 +520,7 @@ mod tests {
             extent: &extent,
             iterations: 7,
             sub_angles: [1.0, 4.0],
-            random_paths: None,
+            monte_carlo_paths: None,
             levels: false,
             wall_s: None,
         };
@@ -541,7 +541,7 @@ mod tests {
         assert!((cost.rest_s - rest).abs() < 1e-9, "{cost:?}");
         // Monte Carlo paths: sixteen times as many, six times on the job's voxels' worth of four and two finer ones
         let paths = Work {
-            random_paths: Some(16),
+            monte_carlo_paths: Some(16),
             ..work
         }
         .cost(&rates());

@@ -104,7 +104,7 @@ mod tests {
         try_orders(&mut scene, &mut said, &Run::new()).unwrap();
         let by_paths = |scene: &Scene| {
             let family = scene.optics.family(&scene.grid).unwrap();
-            family.random_paths().is_some()
+            family.monte_carlo_paths().is_some()
         };
         // A scenario is compared with the job: by one model
         let found = by_paths(&scene);
@@ -124,8 +124,8 @@ mod tests {
     }
 
     #[test]
-    fn orders_are_taken_where_they_are_near_enough_and_random_paths_where_cells_would_be_too_many()
-    {
+    fn orders_are_taken_where_they_are_near_enough_and_monte_carlo_paths_where_cells_would_be_too_many()
+     {
         assert_eq!(tried("0.2", ""), (vec![], false));
         // 8 mm across in cells of 0.2/20 mm
         let (said, by_paths) = tried("20", "");

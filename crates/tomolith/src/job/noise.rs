@@ -1,6 +1,6 @@
 //! Noise that Monte Carlo paths leave in the dose of a resin that scatters.
 //!
-//! Patterns that were optimized on one set of paths may fit the noise of these paths. They are therefore judged by others, sixteen
+//! Patterns that were optimized on one set of paths may fit the noise of these paths. They are therefore evaluated by others, sixteen
 //! times as many, on smaller cells; here the two views stand side by side, with the noise that is left in the judgment: the root mean square
 //! difference of two such sets of paths, over √2, per voxel.
 
@@ -21,7 +21,7 @@ pub(crate) struct Noise {
     /// Paths of a pixel in a frame: in the optimization, and in the judgment.
     pub(crate) training_paths: usize,
     /// See `training_paths`.
-    pub(crate) judging_paths: usize,
+    pub(crate) evaluation_paths: usize,
     /// IoU on the paths of the optimization.
     pub(crate) training_iou: Measure,
     /// IoU on independent paths.
@@ -55,7 +55,7 @@ impl Noise {
         cancel: &Run,
     ) -> Result<Option<Self>> {
         let family = scene.optics.family(&scene.grid)?;
-        let Some(paths) = family.random_paths() else {
+        let Some(paths) = family.monte_carlo_paths() else {
             return Ok(None);
         };
         let response = |family: &Family, purpose: Purpose| -> Result<Volume<f32>> {
@@ -77,7 +77,7 @@ impl Noise {
         let [part, void] = differences(&first, &second, &voxels.labels);
         Ok(Some(Noise {
             training_paths: paths.optimizing,
-            judging_paths: paths.evaluating,
+            evaluation_paths: paths.evaluating,
             training_iou,
             independent_iou,
             training_pw,
@@ -136,7 +136,7 @@ impl fmt::Display for Noise {
             self.training_paths,
             number(self.independent_iou),
             number(self.independent_pw),
-            self.judging_paths,
+            self.evaluation_paths,
             100.0 * self.part,
             100.0 * self.void
         )
@@ -194,7 +194,7 @@ mod tests {
     fn a_gap_is_said() {
         let noise = |independent: f64| Noise {
             training_paths: 4,
-            judging_paths: 64,
+            evaluation_paths: 64,
             training_iou: Some(1.0),
             independent_iou: Some(independent),
             training_pw: Some(0.2),

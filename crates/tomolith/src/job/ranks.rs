@@ -99,7 +99,7 @@ pub(super) fn must_fit(scene: &Scene, ranks: &dyn Communicator) -> Result<()> {
             "model",
             families
                 .iter()
-                .any(|family| family.random_paths().is_some()),
+                .any(|family| family.monte_carlo_paths().is_some()),
             "Monte Carlo paths, which would be others in a share",
             "a model without Monte Carlo paths",
         ),

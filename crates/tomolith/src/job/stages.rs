@@ -456,7 +456,7 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
     let timing = stage(progress, cancel, "timing a few frames on this machine").aside();
     let rates =
         benchmark::rates(&scene, &voxels, sampling_s, &timing).map_err(|e| job.locate(e))?;
-    let paths = scene.optics.family(&scene.grid)?.random_paths();
+    let paths = scene.optics.family(&scene.grid)?.monte_carlo_paths();
     let work = Work {
         extent: &scene.extent,
         iterations: scene.spec.stop.iterations,
@@ -464,7 +464,7 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
             mean_sub_angles(&scene.optics.lights),
             scene.spec.evaluate.sub_angles as f64,
         ],
-        random_paths: paths.map(|paths| paths.evaluating / paths.optimizing),
+        monte_carlo_paths: paths.map(|paths| paths.evaluating / paths.optimizing),
         levels: levels::asked(&scene.spec.evaluate),
         wall_s: scene.spec.stop.wall_s,
     };

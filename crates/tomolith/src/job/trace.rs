@@ -29,7 +29,6 @@ pub struct Traced {
     /// The pixel.
     pub pixel: Pixel,
     /// Pieces of its middle ray in the resin, in order.
-    #[serde(rename = "legs")]
     pub segments: Vec<TracedSegment>,
     /// Where its power went: mean of its rays, per emitted power.
     pub account: PowerBalance,

@@ -567,7 +567,7 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
         facts.push(("Keep-dark body", format!("gets {dark}")));
     }
     if let Some(noise) = &evaluated.noise {
-        facts.push(("Random paths", noise.to_string()));
+        facts.push(("Monte Carlo paths", noise.to_string()));
     }
     if let Some(agreement) = &evaluated.agreement {
         facts.push(("Scattering by orders", agreement.to_string()));

@@ -214,7 +214,7 @@ fn what_cannot_be_shared_is_refused_before_any_work() {
 }
 
 #[test]
-fn random_paths_that_only_a_trial_takes_are_refused_too() {
+fn monte_carlo_paths_that_only_a_trial_takes_are_refused_too() {
     let folder = tempfile::tempdir().unwrap();
     // So many cells that successive orders give way to Monte Carlo paths
     let keys = [

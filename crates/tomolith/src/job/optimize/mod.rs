@@ -16,10 +16,9 @@ use crate::models::Run;
 use crate::objective::FoundWindow;
 use crate::optimize::start::given::Given;
 use crate::optimize::{Checkpoints, Outcome, Row, StopReason};
-use stage::SoFar;
 pub(super) use stage::Stage;
+use stage::{EndOfLevel, SoFar};
 use std::path::Path;
-use std::time::Instant;
 use watch::idle;
 
 /// What an optimization came to.
@@ -79,32 +78,12 @@ pub(crate) struct CheckpointPlan<'a> {
 pub(crate) fn optimize(
     scene: &Scene,
     voxels: &Voxels,
-    CheckpointPlan {
-        folder: place,
-        resume,
-        keeps_end,
-    }: CheckpointPlan<'_>,
+    plan: CheckpointPlan<'_>,
     kept: &mut KeptParts,
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Optimized> {
-    let tables = tables(&scene.spec, &scene.kinds)?;
-    let fingerprint = scene.agreed(fingerprint(&tables, voxels, &scene.base))?;
-    scene.must_agree(fingerprint)?;
-    let mut checkpoints =
-        Checkpoints::new(place, fingerprint, &scene.spec.checkpoint)?.describing(tables);
-    let resumed = if resume || scene.is_first() {
-        resumes(&checkpoints, resume, progress)
-    } else {
-        Ok(None)
-    };
-    let resumed = scene.agreed(resumed)?;
-    if resumed.is_none() {
-        checkpoints.begin_anew();
-    }
-    if !keeps_end {
-        checkpoints.leave_out_end();
-    }
+    let (mut checkpoints, resumed) = open_checkpoints(scene, voxels, plan, progress)?;
     let key = kept::key(scene, voxels)?;
     let mut evaluation_model = kept.take(key);
     let mut carried: Option<Vec<Patterns>> = None;
@@ -166,63 +145,99 @@ pub(crate) fn optimize(
         let goes_on = matches!(&ran, Ok(outcome) if outcome.reason != StopReason::Canceled);
         let raw = stage.patterns(&mut x);
         let raw = scene.whole_patterns(level, raw, goes_on && !is_last);
-        let stopped = |error, progress: &mut dyn Progress| {
-            keep(scene, &raw, place, progress, cancel)?;
-            Err(at_section("optimizer", error))
-        };
-        match ran {
-            Ok(outcome) if outcome.reason == StopReason::Canceled => {
-                return stopped(Error::Canceled, progress);
-            }
+        let ended = match ran {
+            Ok(outcome) if outcome.reason == StopReason::Canceled => Err(Error::Canceled),
             Ok(outcome) if is_last => {
-                stage.find(scene, &outcome)?;
-                let begin = Instant::now();
-                let improved = stage.improve(scene, &x, &bounds, progress, cancel);
-                let improved = improved.and_then(|levels| {
-                    let levelled = stage.levelled(scene, &raw, progress, cancel)?;
-                    let seconds = begin.elapsed().as_secs_f64();
-                    Ok((levels, levelled, seconds, stage.window(scene, &x, cancel)?))
-                });
-                let (levels, levelled, levels_s, window) = match improved {
-                    Ok(improved) => improved,
-                    Err(error) => return stopped(error, progress),
-                };
-                let mut warnings = sofar.warnings;
-                let of_end = of_end(scene, &outcome, window.as_ref(), stage.found.as_ref());
-                for text in of_end {
-                    warnings.push(text.clone());
-                    progress.event(&Event::Warning { text });
-                }
-                kept.put(key, &stage);
-                return Ok(Optimized {
-                    raw: levelled.unwrap_or(raw),
-                    levels,
-                    levels_s,
-                    outcome,
-                    updates: stage.model.updates(),
-                    model: stage.reason,
-                    metrics_s: sofar.metrics_s,
-                    window,
-                    found: stage.found,
-                    warnings,
-                });
+                let end = stage.end(scene, &outcome, (&x, &bounds), &raw, progress, cancel);
+                end.map(|end| (outcome, end))
             }
             Ok(outcome) => {
                 sofar.rows = outcome.history;
                 sofar.counters = outcome.counters;
                 carried = Some(raw);
+                continue;
             }
             // A checkpoint that does not fit: nothing was done
             Err(error @ Error::Format { .. }) => return Err(begin_anew(error)),
-            Err(error) => return stopped(error, progress),
-        }
+            Err(error) => Err(error),
+        };
+        return match ended {
+            Ok((outcome, end)) => {
+                kept.put(key, &stage);
+                Ok(optimized(
+                    scene,
+                    stage,
+                    (raw, outcome, end),
+                    sofar,
+                    progress,
+                ))
+            }
+            Err(error) => {
+                keep(scene, &raw, plan.folder, progress, cancel)?;
+                Err(at_section("optimizer", error))
+            }
+        };
     }
     unreachable!("a job has a level")
 }
 
+/// The checkpoints of a run, and the level that it goes on in.
+fn open_checkpoints(
+    scene: &Scene,
+    voxels: &Voxels,
+    plan: CheckpointPlan<'_>,
+    progress: &mut dyn Progress,
+) -> Result<(Checkpoints, Option<usize>)> {
+    let tables = tables(&scene.spec, &scene.kinds)?;
+    let fingerprint = scene.agreed(fingerprint(&tables, voxels, &scene.base))?;
+    scene.must_agree(fingerprint)?;
+    let checkpoints = Checkpoints::new(plan.folder, fingerprint, &scene.spec.checkpoint)?;
+    let mut checkpoints = checkpoints.describing(tables);
+    let resumed = if plan.resume || scene.is_first() {
+        resumes(&checkpoints, plan.resume, progress)
+    } else {
+        Ok(None)
+    };
+    let resumed = scene.agreed(resumed)?;
+    if resumed.is_none() {
+        checkpoints.begin_anew();
+    }
+    if !plan.keeps_end {
+        checkpoints.leave_out_end();
+    }
+    Ok((checkpoints, resumed))
+}
+
+/// What an optimization came to, whose warnings are told.
+fn optimized(
+    scene: &Scene,
+    stage: Stage<'_>,
+    (raw, outcome, end): (Vec<Patterns>, Outcome, EndOfLevel),
+    sofar: SoFar,
+    progress: &mut dyn Progress,
+) -> Optimized {
+    let mut warnings = sofar.warnings;
+    for text in warnings_at_end(scene, &outcome, end.window.as_ref(), stage.found.as_ref()) {
+        warnings.push(text.clone());
+        progress.event(&Event::Warning { text });
+    }
+    Optimized {
+        raw: end.levelled.unwrap_or(raw),
+        levels: end.levels,
+        levels_s: end.seconds,
+        outcome,
+        updates: stage.model.updates(),
+        model: stage.reason,
+        metrics_s: sofar.metrics_s,
+        window: end.window,
+        found: stage.found,
+        warnings,
+    }
+}
+
 /// What people should know of how an optimization ended: that it did nothing, what its process window falls short of, and that a parameter
 /// ended at an end of its range.
-fn of_end(
+fn warnings_at_end(
     scene: &Scene,
     outcome: &Outcome,
     window: Option<&FoundWindow>,

@@ -25,6 +25,7 @@ use crate::optimize::{Checkpoints, Counters, Limits, Outcome, Problem, Row, Stop
 use crate::units::concise;
 use std::borrow::Cow;
 use std::sync::Arc;
+use std::time::Instant;
 
 /// What the levels before have done.
 #[derive(Default)]
@@ -35,6 +36,18 @@ pub(super) struct SoFar {
     pub(super) warnings: Vec<String>,
     /// The loss that counts as the first one, where it is not that of the start.
     pub(super) first_loss: Option<f64>,
+}
+
+/// What is done with the patterns after the last iteration.
+pub(super) struct EndOfLevel {
+    /// On few levels of the machine, where they were improved on them.
+    pub(super) levels: Option<Levelled>,
+    /// With rows rescaled so that all heights are done at once, where the job asks for it.
+    pub(super) levelled: Option<Vec<Patterns>>,
+    /// How long that took, s.
+    pub(super) seconds: f64,
+    /// Their process window, where an objective looks for it.
+    pub(super) window: Option<FoundWindow>,
 }
 
 /// One level, ready to be optimized.
@@ -156,8 +169,30 @@ impl<'a> Stage<'a> {
             .collect()
     }
 
+    /// What follows the last iteration: the response that was found, few levels, heights, and the process window. `raw` are the patterns in `x`.
+    pub(super) fn end(
+        &mut self,
+        scene: &Scene,
+        outcome: &Outcome,
+        (x, bounds): (&HostField, &[Limits]),
+        raw: &[Patterns],
+        progress: &mut dyn Progress,
+        cancel: &Run,
+    ) -> Result<EndOfLevel> {
+        self.find(scene, outcome)?;
+        let begin = Instant::now();
+        let levels = self.improve(scene, x, bounds, progress, cancel)?;
+        let levelled = self.levelled(scene, raw, progress, cancel)?;
+        Ok(EndOfLevel {
+            levels,
+            levelled,
+            seconds: begin.elapsed().as_secs_f64(),
+            window: self.window(scene, x, cancel)?,
+        })
+    }
+
     /// Takes the response that an optimization found.
-    pub(super) fn find(&mut self, scene: &Scene, outcome: &Outcome) -> Result<()> {
+    fn find(&mut self, scene: &Scene, outcome: &Outcome) -> Result<()> {
         if let Some(free) = &scene.kinds.free {
             self.found = free.found(&outcome.response)?;
         }
@@ -207,12 +242,7 @@ impl<'a> Stage<'a> {
     }
 
     /// The process window of patterns, where an objective looks for it.
-    pub(super) fn window(
-        &self,
-        scene: &Scene,
-        x: &HostField,
-        cancel: &Run,
-    ) -> Result<Option<FoundWindow>> {
+    fn window(&self, scene: &Scene, x: &HostField, cancel: &Run) -> Result<Option<FoundWindow>> {
         if !scene.kinds.seeks_window() {
             return Ok(None);
         }
@@ -228,7 +258,7 @@ impl<'a> Stage<'a> {
     }
 
     /// The patterns with rows rescaled so that all heights are done at once; None where the job does not ask for it.
-    pub(super) fn levelled(
+    fn levelled(
         &self,
         scene: &Scene,
         raw: &[Patterns],
@@ -250,7 +280,7 @@ impl<'a> Stage<'a> {
     }
 
     /// The patterns on few levels of the machine, where the job has few.
-    pub(super) fn improve(
+    fn improve(
         &self,
         scene: &Scene,
         x: &HostField,
