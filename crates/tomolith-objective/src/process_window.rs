@@ -8,17 +8,18 @@
 //! are at least one voxel
 //!
 //! ```text
-//! A  = max over u  u − 1/(νN)·Σ s·h(u − m)              mean of the lowest doses of the part, ν of it
-//! B  = min over l  l + 1/(νN')·Σ (1 − s)·h(m − l)       mean of the highest doses of the void, ν of it
-//! R  = min over t  t + 1/(νN)·Σ s·h(m − t)  −  A        mean of the highest doses of the part − mean of its lowest, with ρ for τ
-//! L  = 1 − (A − B) + 1/(νN)·Σ s·h(m − 1) + 20·h(R − ipdr + ρ)                             ρ for τ in the last h
+//! A  = max over u  u − 1/(2νN)·Σ s·h(u − m)             mean of the lowest doses of the part, 2ν of it
+//! B  = min over l  l + 1/(2νN')·Σ (1 − s)·h(m − l)      mean of the highest doses of the void, 2ν of it
+//! R  = min over t  t + 1/(νN)·Σ s·h(m − t)  −  A'       mean of the highest doses of the part − mean A' of its lowest, ν of it each
+//! L  = 1 − (A − B) + 1/(2νN)·Σ s·h(m − 1) + 20·h(R − ipdr + ρ)                             ρ for τ in A', R and the last h
 //! h(e) = 0 for e ≤ 0,  e²/2τ for e < τ,  e − τ/2 beyond            τ is `softness`, ρ is ipdr/10, at most τ
 //! ```
 //!
-//! With τ → 0 the tail means A and B are the conditional values at risk of either region, whose optimal u and l are the quantiles: at
-//! most νN of the part lies below u and at most νN' of the void above l. So u − l is the process window min in − max out of trimmed
-//! regions, and 1 − L never promises more of it than there is. The third term lets at most the share ν of the part exceed 1. For doses of
-//! the identity response L is convex, so that a duality gap bounds every process window that any patterns reach.
+//! The process window of trimmed regions is the dose below which lies νN of the part, minus that above which lies νN' of the void. These quantiles are
+//! not convex. With τ → 0 A and B are conditional values at risk, which are: means of tails, of twice the share that is left out, since the mean of a tail
+//! whose doses are evenly spread is the quantile in its middle. Means of tails of ν alone follow their farthest doses, and the windows that they
+//! lead to are narrower. The third term lets at most the share 2ν of the part exceed 1. For doses of the identity response L is convex, so that a duality
+//! gap bounds every A − B that any patterns reach.
 //!
 //! The last term is an exact penalty, which makes `ipdr` a bound: from R = ipdr on it costs 20 for each unit, more than the window that a
 //! wider range brings, so that the optimum lies within (its cost begins ρ before the bound, where it takes the place of a multiplier up to
@@ -26,7 +27,7 @@
 //! [`FoundWindow::range`].
 //!
 //! `measure = "gamma"` counts the outliers of the void in voxels of the part (νN in place of νN'): an error of
-//! ν in the IoU is then the same at either threshold, and u − l is the range of thresholds whose IoU is about 1 − ν or more. Γ asks for 0.95 of the
+//! ν in the IoU is then the same at either threshold, and the window is the range of thresholds whose IoU is about 1 − ν or more. Γ asks for 0.95 of the
 //! best IoU, which is 1 − ν with ν = 1 − 0.95·IoU: 0.05 for a perfect print, 0.1 for one of IoU 0.95.
 //!
 //! **Source** tail means by an extra unknown: Rockafellar and Uryasev, Journal of Risk 2 (2000) 21, eqs. 4 and 5; a margin whose outliers
@@ -83,7 +84,7 @@ pub struct Params {
     /// Bound of the dose range in the part without the outliers at either end, above 0 and at most 1 (default: none)
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ipdr: Option<f64>,
-    /// Dose τ by which a voxel may be wrong before it costs in full, 0.001 to 1 (default 0.2)
+    /// Dose τ by which a voxel may be wrong before it costs in full, 0.001 to 1 (default 0.1)
     pub softness: f64,
     /// How voxels cut by the surface are weighed: "fraction" (default), "voxel", or "cells" with a dose on either side
     pub surface: SurfaceHandling,
@@ -95,7 +96,7 @@ impl Default for Params {
             measure: WindowMeasure::Pw,
             outliers: None,
             ipdr: None,
-            softness: 0.2,
+            softness: 0.1,
             surface: SurfaceHandling::Fraction,
         }
     }
@@ -179,6 +180,8 @@ const GRID: f64 = 1.0 / (1 << 20) as f64;
 const CEILING: f64 = 1.0;
 /// Price of a dose range above its bound, per unit of process window: more than any range is worth that was met.
 const PRICE: f64 = 20.0;
+/// Voxels in a tail, per voxel that is left out.
+const TAIL: f64 = 2.0;
 /// Softness of the dose range, of its bound.
 const SOFTNESS_OF_RANGE: f64 = 0.1;
 /// Halvings of a range of doses until its ends are one.
@@ -205,8 +208,10 @@ struct ProcessWindow {
     shares: Shares,
     params: Params,
     response: Arc<dyn Response>,
-    /// 1/(νN) and 1/(νN').
-    prices: [f64; 2],
+    /// νN and νN'.
+    left_out: [f64; 2],
+    /// 2νN and 2νN', less where that is half of a region.
+    tails: [f64; 2],
     /// Where the thresholds were last, on the grid: where the next search begins. What it finds does not depend on it.
     last: [AtomicI64; 4],
 }
@@ -407,7 +412,8 @@ impl ProcessWindow {
             shares,
             params,
             response,
-            prices: [0.0; 2],
+            left_out: [0.0; 2],
+            tails: [0.0; 2],
             last: [0.8, -0.6, 0.8, -0.9].map(|start: f64| AtomicI64::new((start / GRID) as i64)),
         };
         objective.count()?;
@@ -435,7 +441,8 @@ impl ProcessWindow {
             WindowMeasure::Pw => at_least_one(outliers * void, void),
             WindowMeasure::Gamma => at_least_one(outliers * part, void),
         };
-        self.prices = [1.0 / of_part, 1.0 / of_void];
+        self.left_out = [of_part, of_void];
+        self.tails = [(of_part, part), (of_void, void)].map(|(out, of)| (TAIL * out).min(0.5 * of));
         Ok(())
     }
 
@@ -488,8 +495,8 @@ impl ProcessWindow {
 
     /// L and its change where `at` says what the elements have.
     fn find(&self, at: impl Fn(usize) -> [f64; 2] + Sync) -> WindowLoss {
-        let [of_part, of_void] = self.prices.map(|price| 1.0 / price);
-        let goals = [of_part, of_void, of_part, of_part];
+        let ([of_part, of_void], [left_out, _]) = (self.tails, self.left_out);
+        let goals = [of_part, of_void, left_out, left_out];
         let mut searches: [Search; 4] =
             std::array::from_fn(|i| Search::new(goals[i], self.last[i].load(Ordering::Relaxed)));
         let count = self.searched();
@@ -509,7 +516,7 @@ impl ProcessWindow {
         }
         let means: [Mean; 4] = std::array::from_fn(|i| searches[i].mean(&tails[i]));
         let [part, void, low, high] = means;
-        let (above, price) = (&tails[ABOVE], self.prices[0]);
+        let (above, price) = (&tails[ABOVE], 1.0 / of_part);
         let (mut range, mut price_of_range) = (0.0, 0.0);
         if let Some((ipdr, softness)) = self.params.ipdr.zip(self.softness_of_range()) {
             // The mean of the lowest −m is less that of the highest m
@@ -554,17 +561,17 @@ impl ProcessWindow {
         };
         let ([m, slope], [part, void, low, high]) = (self.response(dose), found.thresholds);
         let count = |excess: f64| hinge(excess, self.params.softness).1;
-        let mut of_part = count(m - CEILING) - count(part - m);
+        let ([tail, tail_of_void], [left_out, _]) = (self.tails, self.left_out);
+        let mut of_part = (count(m - CEILING) - count(part - m)) / tail;
         if let Some(softness) = self
             .softness_of_range()
             .filter(|_| found.price_of_range > 0.0)
         {
             let count = |excess: f64| hinge(excess, softness).1;
-            of_part += found.price_of_range * (count(high + m) - count(low - m));
+            of_part += found.price_of_range * (count(high + m) - count(low - m)) / left_out;
         }
-        let of_void = count(void + m);
-        let [price, price_of_void] = self.prices;
-        (slope * (price * w_part * of_part + price_of_void * w_void * of_void)) as f32
+        let of_void = count(void + m) / tail_of_void;
+        (slope * (w_part * of_part + w_void * of_void)) as f32
     }
 
     /// The largest v below which lies at most the weight that is left out, of the part (0) or the void (1), where each element has `at`.
@@ -589,7 +596,7 @@ impl ProcessWindow {
         };
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
-            if below(middle) * self.prices[region] <= 1.0 {
+            if below(middle) <= self.left_out[region] {
                 low = middle;
             } else {
                 high = middle;
@@ -726,8 +733,8 @@ mod tests {
                 let own = dose.iter().zip(&inside).filter(|(_, own)| **own == s);
                 own.map(|(d, _)| sign * f64::from(*d)).collect()
             };
-            let a = lowest(region(1.0, 1.0), 3.3);
-            let b = -lowest(region(0.0, -1.0), of_void);
+            let a = lowest(region(1.0, 1.0), 2.0 * 3.3);
+            let b = -lowest(region(0.0, -1.0), 2.0 * of_void);
             let field = HostField::from_slice(&dose);
             let loss = Objective::<HostField>::value(&window(&inside, params), &field);
             // The softness rounds a tail's corner by half of itself
@@ -759,9 +766,9 @@ mod tests {
         // Twice the dose is twice the range, wherever it lies
         let doubled = of(1.4, 2.0, Some(0.2)) - of(1.4, 2.0, None);
         assert!((doubled - PRICE * 0.4).abs() < 0.03, "{doubled}");
-        // 0.1 above the ceiling costs 0.1/ν and widens the window by 0.1; the hinge's corner takes half its softness, 0.01 in all
+        // 0.1 above the ceiling costs 0.1/2ν and widens the window by 0.1; the hinge's corner takes half its softness, 0.01 in all
         let above = of(1.1, 1.1, None) - of(1.0, 1.0, None);
-        let wanted = (0.1 - 0.0005) / Params::default().outliers() - 0.1;
+        let wanted = (0.1 - 0.0005) / (2.0 * Params::default().outliers()) - 0.1;
         assert!((above - wanted).abs() < 1e-6, "{above}");
     }
 
@@ -835,7 +842,8 @@ mod tests {
             }
         }
         let found = told(0.1, Some(0.3));
-        assert!((found.thresholds[1] - 0.5).abs() < 2e-3, "{found:?}");
+        // Two voxels are in its tail
+        assert!((found.thresholds[1] - 0.55).abs() < 2e-3, "{found:?}");
         let text = found.sentence();
         assert!(
             text.contains("10 % of outliers") && text.contains("0.3500 (bound 0.3)"),
