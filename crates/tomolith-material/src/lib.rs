@@ -168,5 +168,5 @@ pub(crate) fn apart(a: &HostField, b: &HostField) -> f32 {
 /// The voxels of a model.
 #[cfg(test)]
 pub(crate) fn domain_of(model: &Model) -> Domain {
-    Domain::new(model.outputs()[0].grid.clone())
+    Domain::new(model.grid().clone())
 }

@@ -201,7 +201,7 @@ impl Rows {
 #[derive(Clone, Debug)]
 pub struct MatrixModel {
     patterns: Vec<PatternLayout>,
-    outputs: Vec<DoseLayout>,
+    output: DoseLayout,
     /// Slices that one entry serves: 1, or all of them.
     depth: usize,
     forward: Rows,
@@ -257,7 +257,7 @@ impl MatrixModel {
         let depth = places.depth as u32;
         MatrixModel {
             patterns: places.patterns.to_vec(),
-            outputs: vec![places.output.clone()],
+            output: places.output.clone(),
             depth: places.depth,
             updates: places.updates(&ordered),
             adjoint: Rows::of(ordered.transposed(), |rank| places.dose_offset(rank)),
@@ -513,7 +513,7 @@ const CHUNK: usize = 1024;
 impl LinearOperator for MatrixModel {
     type Field = HostField;
 
-    host_fields!(self => self.patterns, self.outputs);
+    host_fields!(self => self.patterns, std::slice::from_ref(&self.output));
 
     fn add_forward(
         &self,
@@ -523,7 +523,7 @@ impl LinearOperator for MatrixModel {
         run: &Run,
     ) -> Result<()> {
         let range = self.elements_of(frames);
-        let layout = &self.outputs[0];
+        let layout = &self.output;
         let items = layout.grid.shape[0] / self.depth;
         let x = x.as_slice();
         let dose = &mut dose.as_mut_slice()[layout.range()];

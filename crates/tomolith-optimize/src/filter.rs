@@ -143,8 +143,7 @@ pub(super) fn target_projection<F: Field>(
     let mut patterns = x.zeros_like();
     problem.project(x, &wanted, &mut patterns)?;
     let model = problem.model();
-    // All doses of a model are on one grid
-    let (lights, voxel_mm3) = (model.patterns(), model.outputs()[0].grid.voxel_mm3());
+    let (lights, voxel_mm3) = (model.patterns(), model.grid().voxel_mm3());
     Projection::new(patterns, lights, &wanted)?.filtered(lights, filter, voxel_mm3)
 }
 

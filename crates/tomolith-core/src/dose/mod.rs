@@ -10,6 +10,7 @@ pub mod layout;
 
 use crate::error::Result;
 use crate::field::Field;
+use crate::grid::VolumeGrid;
 pub use crate::run::{Run, Steps};
 pub use layout::{DoseLayout, PatternLayout, Quantity, elements_of, frames_of, own_frames};
 use std::ops::Range;
@@ -38,6 +39,14 @@ pub trait DoseModel: Send + Sync {
     fn patterns(&self) -> &[PatternLayout];
     /// One per species.
     fn outputs(&self) -> &[DoseLayout];
+    /// What the unknowns of all lights are.
+    fn quantity(&self) -> Quantity {
+        self.patterns()[0].quantity
+    }
+    /// The voxels that all doses are on.
+    fn grid(&self) -> &VolumeGrid {
+        &self.outputs()[0].grid
+    }
     /// Dark patterns.
     ///
     /// # Errors

@@ -136,7 +136,7 @@ impl Parallel {
         let source = lanes.as_slice();
         let nonzero = NonzeroBlocks::of(source, wide.row / LANES, wide.parts * wide.part / LANES);
         let steps = run.steps(self.tiles.len() * groups.len());
-        let DoseLayout { row, grid, .. } = &self.outputs[0];
+        let DoseLayout { row, grid, .. } = &self.output;
         let mut rows: Vec<_> = tile_rows(&self.tiles, dose, *row, grid.shape[2]);
         let of_orbit = |orbit: &Vec<usize>| {
             let own = orbit.iter().map(|&i| (i, std::mem::take(&mut rows[i])));
@@ -334,7 +334,7 @@ impl Parallel {
         lanes: &mut [f32],
         desk: &mut Desk,
     ) {
-        let (tile, nx) = (&self.tiles[index], self.outputs[0].grid.shape[2]);
+        let (tile, nx) = (&self.tiles[index], self.output.grid.shape[2]);
         let row = plan.levels.row;
         let at = |y: usize| (0..tile.size[0]).map(move |x| [tile.start[0] + x, y]);
         let places: Vec<usize> = (tile.start[1]..tile.start[1] + tile.size[1])

@@ -194,7 +194,7 @@ impl ModelFamily for Params {
 pub struct Parallel {
     lights: Vec<LightPlan>,
     patterns: Vec<PatternLayout>,
-    outputs: Vec<DoseLayout>,
+    output: DoseLayout,
     tiles: Vec<Tile>,
     /// Tiles that the turn maps onto one another.
     orbits: Vec<Vec<usize>>,
@@ -280,7 +280,7 @@ impl Parallel {
             caches,
             lights: plans,
             patterns,
-            outputs: vec![DoseLayout::new("dose", grid, 0)],
+            output: DoseLayout::new("dose", grid, 0),
             tiles,
             orbits,
             kernel,
@@ -319,7 +319,7 @@ impl Parallel {
 
     /// Whether there is a single slice, whose rows have no lanes.
     fn is_plane(&self) -> bool {
-        self.outputs[0].row == 1
+        self.output.row == 1
     }
 
     fn borrow_scratch(&self, len: usize) -> HostField {
@@ -370,7 +370,7 @@ impl Parallel {
         };
         let steps = run.steps(self.tiles.len() * groups(expanded.views.clone()).count());
         let neighbors = neighbors(row);
-        let DoseLayout { row, grid, .. } = &self.outputs[0];
+        let DoseLayout { row, grid, .. } = &self.output;
         tile_rows(&self.tiles, dose, *row, grid.shape[2])
             .chunks_mut(neighbors)
             .enumerate()
@@ -471,7 +471,7 @@ impl Parallel {
         }
         let plan = &self.lights[light];
         let row = plan.levels.row;
-        let nx = self.outputs[0].grid.shape[2];
+        let nx = self.output.grid.shape[2];
         let of_rows = self.of_rows(plan, cotangent);
         let cotangent = of_rows.as_ref().map_or(cotangent, HostField::as_slice);
         let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);
@@ -530,7 +530,7 @@ impl Parallel {
     /// A cotangent as the lanes of the kernel, where these are not its slices.
     fn of_rows(&self, plan: &LightPlan, cotangent: &[f32]) -> Option<HostField> {
         plan.levels.spread.as_ref().map(|spread| {
-            let columns = cotangent.len() / self.outputs[0].row;
+            let columns = cotangent.len() / self.output.row;
             let mut of_rows = self.borrow_scratch(columns * plan.levels.row);
             spread.collect(cotangent, &mut of_rows);
             of_rows
@@ -700,7 +700,7 @@ fn tile_rows<'a>(
 impl LinearOperator for Parallel {
     type Field = HostField;
 
-    host_fields!(self => self.patterns, self.outputs);
+    host_fields!(self => self.patterns, std::slice::from_ref(&self.output));
 
     fn add_forward(
         &self,
@@ -756,7 +756,7 @@ impl LinearOperator for Parallel {
 impl Parallel {
     /// Pairs of voxel and frame of which at least one active pixel lights the voxel, times the angles of a frame.
     fn count_updates(&self) -> u64 {
-        let nz = self.outputs[0].grid.shape[0];
+        let nz = self.output.grid.shape[0];
         let of_light = |(light, plan): (usize, &LightPlan)| {
             let kept = (!self.is_plane()).then(|| self.cache(light, &Run::new()));
             if let Some(Ok(Some(cache))) = kept {

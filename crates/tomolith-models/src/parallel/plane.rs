@@ -78,7 +78,7 @@ impl Parallel {
             });
         let all = sources.as_slice();
         let loose = (plan, self.loose(light, run)?);
-        let nx = self.outputs[0].grid.shape[2];
+        let nx = self.output.grid.shape[2];
         tile_rows(&self.tiles, dose, 1, nx)
             .into_iter()
             .zip(self.tiles.iter().enumerate())
@@ -260,7 +260,7 @@ impl Gathering {
         cotangent: &[f32],
         pixels: &mut [f32],
     ) {
-        if !self.load(tile, model.outputs[0].grid.shape[2], cotangent) {
+        if !self.load(tile, model.output.grid.shape[2], cotangent) {
             return;
         }
         let stride = UniformStrips::stride(plan.columns);

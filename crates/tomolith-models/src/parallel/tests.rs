@@ -48,7 +48,7 @@ fn dose_of(model: &Parallel, patterns: &[f32]) -> Volume<f32> {
             &Run::new(),
         )
         .unwrap();
-    model.outputs[0].volume_of(dose.as_slice())
+    model.output.volume_of(dose.as_slice())
 }
 
 #[test]
@@ -497,7 +497,7 @@ fn pure_radon_adjoint_of_a_disc_is_its_chord() {
     let mut grad = LinearOperator::new_patterns(&model).unwrap();
     model
         .adjoint(
-            &HostField::from_slice(&model.outputs[0].field_of(&disc)),
+            &HostField::from_slice(&model.output.field_of(&disc)),
             &mut grad,
             &Run::new(),
         )
@@ -682,7 +682,7 @@ fn opposite_frames_are_one_view_and_change_nothing() {
             let (a, b) = (dose_of(&paired, frames.clone()), dose_of(&single, frames));
             assert!(difference(a.as_slice(), b.as_slice()) < 1e-6);
         }
-        let noise = check::noise(6, paired.outputs[0].len());
+        let noise = check::noise(6, paired.output.len());
         let cotangent = HostField::from_slice(&noise);
         let [a, b] = [&paired, &single].map(|model| {
             let mut grad = LinearOperator::new_patterns(model).unwrap();

@@ -104,7 +104,7 @@ impl Rays {
         let columns = layout.grid.columns;
         let area = layout.grid.pixel_mm2() / source.rays() as f64;
         let step = layout.grid.pitch_mm[1] / self.lattice.pitch();
-        let (slices, row) = (self.lattice.counts[2] as f64, self.outputs[0].row);
+        let (slices, row) = (self.lattice.counts[2] as f64, self.output.row);
         let of_pair = |pair: usize| {
             let (run, mut found) = (layout.runs[pair], Vec::new());
             let pixels = run.offset..run.offset + run.count as usize;

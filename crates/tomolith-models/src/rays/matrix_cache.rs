@@ -61,7 +61,7 @@ pub(super) struct RayMatrixCache {
 impl RayMatrixCache {
     /// The walks of all rays of a model; None when they have more than `most` entries, or seem to have twice as many.
     pub(super) fn of(model: &Rays, most: usize, run: &Run) -> Result<Option<Self>> {
-        let places = model.outputs[0].voxels() * (1 + usize::from(model.solid.is_some()));
+        let places = model.output.voxels() * (1 + usize::from(model.solid.is_some()));
         let pixels: usize = model.patterns.iter().map(PatternLayout::len).sum();
         let mut by_pixel = Csr {
             columns: places,
@@ -130,7 +130,7 @@ impl RayMatrixCache {
 impl Rays {
     /// What the rays of some pixels leave, in the order of pixels and places; `lit` has all segments of these.
     fn entries(&self, lit: &RayBatch, pixels: Range<usize>) -> impl Iterator<Item = Entry> {
-        let inside = self.outputs[0].voxels() as u32;
+        let inside = self.output.voxels() as u32;
         let bundles: Vec<(Ways, &[Segment], u32)> = [(&lit.straight, 0), (&lit.inside, inside)]
             .into_iter()
             .flat_map(|(bundles, first)| (0..3).map(move |axis| (axis, &bundles[axis], first)))

@@ -291,7 +291,7 @@ pub(super) struct Scattered {
 pub struct Rays {
     sources: Vec<Source>,
     patterns: Vec<PatternLayout>,
-    outputs: Vec<DoseLayout>,
+    output: DoseLayout,
     lattice: Lattice,
     /// Where scattered light is summed.
     scatter_grid: Option<ScatterGrid>,
@@ -360,7 +360,7 @@ impl Rays {
                 "at least one voxel",
             ));
         }
-        let outputs = vec![DoseLayout::new("dose", grid, 0)];
+        let output = DoseLayout::new("dose", grid, 0);
         let (mut sources, mut patterns) = (Vec::new(), Vec::new());
         let mut offset = 0;
         for (light, optics) in lights.iter().zip(optics) {
@@ -399,27 +399,27 @@ impl Rays {
             ));
             patterns.push(layout);
         }
-        if u32::try_from(offset).is_err() || i32::try_from(outputs[0].len()).is_err() {
+        if u32::try_from(offset).is_err() || i32::try_from(output.len()).is_err() {
             return Err(Error::Unsupported {
                 what: "model.rays".into(),
                 reason: format!(
                     "{offset} pixels and {} voxels; at most 2^32 active pixels and 2^31 voxels",
-                    outputs[0].grid.len()
+                    output.grid.len()
                 ),
             });
         }
         let of_scattered =
-            |scattered: Scattered| ScatterGrid::new(vial, lights, optics, &outputs[0], &scattered);
+            |scattered: Scattered| ScatterGrid::new(vial, lights, optics, &output, &scattered);
         let scatter_grid = emission.scattered.map(of_scattered);
         Ok(Rays {
-            lattice: Lattice::new(&outputs[0]),
+            lattice: Lattice::new(&output),
             scatter_grid,
             solid: None,
             is_level: are_level(vial, lights, optics) && emission.scattered.is_none(),
             by_rows: true,
             sources,
             patterns,
-            outputs,
+            output,
             gait: Gait::best(),
             accumulation: emission.accumulation,
             renew: emission.scattered.map_or(0, |scattered| scattered.renew),
@@ -466,9 +466,9 @@ impl Rays {
     /// When the solid was made for another grid.
     #[must_use]
     pub fn with_cells(mut self, solid: Arc<Solid>) -> Self {
-        let layout = DoseLayout::new("dose", self.outputs[0].grid.clone(), 0);
+        let layout = DoseLayout::new("dose", self.output.grid.clone(), 0);
         assert!(solid.fits(&layout.grid), "a solid on another grid");
-        self.outputs[0] = layout.with_cells(Arc::clone(solid.cells()));
+        self.output = layout.with_cells(Arc::clone(solid.cells()));
         self.solid = Some(solid);
         self
     }
@@ -487,7 +487,7 @@ impl Rays {
             && self.by_rows
             && self.solid.is_none()
             && self.accumulation == Accumulation::Integral
-            && self.outputs[0].row.is_multiple_of(LANES)
+            && self.output.row.is_multiple_of(LANES)
     }
 
     /// What [`cached`](Self::cached) stores for such optics, if it stores anything.
@@ -557,7 +557,7 @@ fn refuse(light: &Light, optics: &Optics) -> Result<()> {
 impl LinearOperator for Rays {
     type Field = HostField;
 
-    host_fields!(self => self.patterns, self.outputs);
+    host_fields!(self => self.patterns, std::slice::from_ref(&self.output));
 
     fn add_forward(
         &self,
@@ -569,7 +569,7 @@ impl LinearOperator for Rays {
         let x = x.as_slice();
         let dose = dose.as_mut_slice();
         // Energies outside and inside of the solid, where there is one
-        let voxels = self.outputs[0].voxels();
+        let voxels = self.output.voxels();
         let mut split = self
             .solid
             .as_ref()
@@ -594,7 +594,7 @@ impl LinearOperator for Rays {
                     |pixel| x[pixel] != 0.0,
                     run,
                     |column_rays| {
-                        column_rays::add(column_rays, &self.outputs[0], x, dose);
+                        column_rays::add(column_rays, &self.output, x, dose);
                     },
                 )?;
                 continue;
@@ -647,7 +647,7 @@ impl LinearOperator for Rays {
                     |_| true,
                     run,
                     |column_rays| {
-                        column_rays::collect(column_rays, &self.outputs[0], c, grad);
+                        column_rays::collect(column_rays, &self.output, c, grad);
                     },
                 )?;
                 continue;

@@ -70,8 +70,8 @@ impl Rays {
 
     /// The same rays on another grid; without cells of a solid.
     pub(crate) fn on(mut self, grid: VolumeGrid) -> Self {
-        self.outputs = vec![DoseLayout::new("dose", grid, 0)];
-        self.lattice = Lattice::new(&self.outputs[0]);
+        self.output = DoseLayout::new("dose", grid, 0);
+        self.lattice = Lattice::new(&self.output);
         self
     }
 

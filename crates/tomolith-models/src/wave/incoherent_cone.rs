@@ -278,7 +278,7 @@ impl IncoherentCone {
 impl LinearOperator for IncoherentCone {
     type Field = HostField;
 
-    host_fields!(self => self.0.patterns, self.0.outputs);
+    host_fields!(self => self.0.patterns, std::slice::from_ref(&self.0.output));
 
     fn add_forward(
         &self,

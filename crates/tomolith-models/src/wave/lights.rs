@@ -41,7 +41,7 @@ pub fn beyond(vial: &dyn Vial, lights: &[Light]) -> Option<&'static str> {
 pub(super) struct Lights<P: Propagation<f32>> {
     pub(super) lights: Vec<WaveLight<f32, P>>,
     pub(super) patterns: Vec<PatternLayout>,
-    pub(super) outputs: Vec<DoseLayout>,
+    pub(super) output: DoseLayout,
 }
 
 impl<P: Propagation<f32>> Lights<P> {
@@ -77,7 +77,7 @@ impl<P: Propagation<f32>> Lights<P> {
         Ok(Lights {
             lights: built,
             patterns,
-            outputs: vec![layout],
+            output: layout,
         })
     }
 
@@ -125,7 +125,7 @@ impl<P: Propagation<f32>> Lights<P> {
 
     /// Voxels times frames.
     pub(super) fn updates(&self) -> u64 {
-        let heights = self.outputs[0].grid.shape[0];
+        let heights = self.output.grid.shape[0];
         self.each()
             .map(|(light, p)| (light.turn.columns() * heights * p.grid.frames()) as u64)
             .sum()

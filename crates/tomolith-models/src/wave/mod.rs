@@ -505,7 +505,7 @@ fn modes_of(beam: &Beam, params: &Params) -> Vec<Mode> {
 impl DoseModel for Wave {
     type Field = HostField;
 
-    host_fields!(self => self.0.patterns, self.0.outputs);
+    host_fields!(self => self.0.patterns, std::slice::from_ref(&self.0.output));
 
     fn pullback_of(
         &self,

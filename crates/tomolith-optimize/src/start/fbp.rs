@@ -91,8 +91,7 @@ impl<F: Field> InitialPatterns<F> for Fbp {
             .model
             .pullback(&x.zeros_like(), &input.weighed(&wanted), &mut x, run)?;
         let lights = input.model.patterns();
-        // All doses of a model are on one grid
-        let voxel_mm3 = input.model.outputs()[0].grid.voxel_mm3();
+        let voxel_mm3 = input.model.grid().voxel_mm3();
         let projection =
             Projection::new(x, lights, &wanted)?.filtered(lights, self.0.filter, voxel_mm3)?;
         if projection.patterns.any(run.is_canceled()) {

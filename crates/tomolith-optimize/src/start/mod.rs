@@ -152,8 +152,7 @@ impl<F: Field> StartInput<'_, F> {
         let (both, square) = (dose.dot(wanted), dose.dot(&dose));
         if both > 0.0 && square > 0.0 {
             let factor = both / square;
-            let quantity = self.model.patterns()[0].quantity;
-            x.scale(if quantity == Quantity::Amplitude {
+            x.scale(if self.model.quantity() == Quantity::Amplitude {
                 factor.sqrt()
             } else {
                 factor

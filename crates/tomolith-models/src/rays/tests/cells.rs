@@ -54,7 +54,7 @@ fn energies_of_cells_equal_a_brute_force_walk_and_add_up_to_the_plain_dose() {
                 let model = whole.with_cells(Arc::clone(&solid));
                 let mut field = LinearOperator::new_dose(&model).unwrap();
                 DoseModel::dose(&model, &x, &mut field, &Run::new()).unwrap();
-                let layout = &model.outputs[0];
+                let layout = &model.output;
                 let mean = layout.volume_of(field.as_slice());
                 let largest = f64::from(expected.values.iter().copied().fold(0.0, f32::max));
                 for (a, b) in expected.values.iter().zip(&mean.values) {
@@ -99,7 +99,7 @@ fn even_light_gives_both_cells_of_a_voxel_the_same_dose() {
         x.fill(1.0);
         let mut field = LinearOperator::new_dose(&model).unwrap();
         DoseModel::dose(&model, &x, &mut field, &Run::new()).unwrap();
-        let (voxels, cells) = field.as_slice().split_at(model.outputs[0].voxels());
+        let (voxels, cells) = field.as_slice().split_at(model.output.voxels());
         // Forty frames of fluence 1
         let mut worst = 0.0f32;
         for ((voxel, s), inside) in solid.cells().iter().zip(cells) {

@@ -265,7 +265,7 @@ fn brute_force_where(
     x: &[f32],
     counts: impl Fn(&PathSegment, f64) -> bool,
 ) -> Vec<f64> {
-    let layout = &model.outputs[0];
+    let layout = &model.output;
     let grid = &layout.grid;
     let low = grid.bounds_mm()[0];
     let mut dose = vec![0.0; grid.len()];

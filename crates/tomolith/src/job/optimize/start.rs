@@ -62,7 +62,7 @@ pub(super) fn starting_patterns(
         }
         _ => start.patterns(&input(known), cancel)?,
     };
-    if model.patterns()[0].quantity == Quantity::Energy {
+    if model.quantity() == Quantity::Energy {
         return Ok(x);
     }
     into_amplitudes(&mut x, GLIMMER)?;
@@ -135,7 +135,7 @@ pub(super) fn limits(
     start: &HostField,
     normalizes: bool,
 ) -> Vec<Limits> {
-    let quantity = model.patterns()[0].quantity;
+    let quantity = model.quantity();
     let of_all = start.max_abs();
     let alone = |layout: &PatternLayout| {
         let own = &start.as_slice()[layout.range()];
