@@ -11,7 +11,7 @@ use crate::optics::light::Light;
 use crate::report::number::significant;
 use crate::report::{Cause, Limit, PrintLimits};
 use crate::units::counted;
-use acting::{Arcs, Ends, acting_on, coarsest_pixels};
+use acting::{Arcs, Ends, acting_on, coarsest_pixels, step_in_pixels};
 
 mod acting;
 mod falling;
@@ -23,6 +23,8 @@ use falling::Falling;
 const ENOUGH_BITS: u32 = 8;
 /// Losses below this are not worth a change.
 const WORTH_CHANGING: f64 = 0.001;
+/// Pixels that a step from frame to frame may be long at the part's rim: with more, streaks are wider than what the pixels resolve.
+const WIDE_STEP: f64 = 4.0;
 /// One that fell by more than this share is far from its end, whatever the IoU on the optimizer's voxels did.
 const FALLING_FAST: f64 = 0.1;
 
@@ -101,6 +103,9 @@ impl Asked<'_> {
             written: steps.written,
             standing: steps.standing,
             turning: evaluated.measures.get(kind.name),
+            on_fine: (self.optimized)
+                .and_then(Optimized::last_iou)
+                .filter(|_| s == 0 && !own.shape.is_gray()),
             pitches_mm: [scene.grid.pitch_mm, evaluated.grid.pitch_mm],
             bits: spec.evaluate.bit_depth,
             has_machine: spec.printer.is_some(),
@@ -118,7 +123,8 @@ impl Asked<'_> {
             pixel_light,
             is_simulated: self.optimized.is_none(),
             is_toy: self.is_toy,
-            has_few_angles: few_angles(spec).is_some(),
+            has_few_angles: few_angles(spec).is_some()
+                || step_in_pixels(own.shape.bounds_mm(), &lights) > WIDE_STEP,
             is_held: (self.optimized).is_some_and(|own| of_bound(&scene.spec, &own.raw).is_some()),
             best: spec.evaluate.threshold.and(best.reduce(f64::max)),
             ends: own
@@ -154,6 +160,8 @@ struct Measurements {
     standing: Measure,
     /// While the vial turns.
     turning: Measure,
+    /// Patterns as they were optimized, on the optimizer's own, finer voxels: the IoU that was measured last.
+    on_fine: Measure,
     /// Voxels of the optimization and of the evaluation.
     pitches_mm: [f64; 2],
     bits: u32,
@@ -277,13 +285,25 @@ impl Measurements {
         Some(self.limit(Cause::Grid, loss, "grid.pitch_mm", found, "Lower"))
     }
 
+    /// What the patterns have before and after they are written, and where: the job's own voxels, where they are coarser than the optimizer's, do not see all.
+    fn writing(&self) -> Option<([f64; 2], &'static str)> {
+        let Some(seen) = self.on_fine.filter(|_| self.saw_finer) else {
+            let own = [self.optimized?, self.written?];
+            return Some((own, "the patterns have {} on the job's own voxels"));
+        };
+        let print = match self.is_optimized_turning {
+            true => self.best.or(self.turning),
+            false => self.standing,
+        };
+        Some(([seen, print?], "the print has {}"))
+    }
+
     fn levels(&self) -> Option<Limit> {
-        let loss = self.loss(self.optimized, self.written)?;
+        let ([before, after], what) = self.writing()?;
+        let loss = self.loss(Some(before), Some(after))?;
         let (bits, machine) = (counted(self.bits as usize, "bit"), self.machine());
-        let found = format!(
-            "Written with {bits}{machine} the patterns have {} on the job's own voxels.",
-            self.change(self.optimized?, self.written?),
-        );
+        let what = what.replace("{}", &self.change(before, after));
+        let found = format!("Written with {bits}{machine} {what}.");
         if self.has_machine && self.bits >= ENOUGH_BITS {
             let action = "Bring the pixels of machine and light together (pitch, offset, turn) in";
             return Some(self.limit(Cause::Levels, loss, "printer", found, action));
@@ -516,6 +536,7 @@ mod tests {
             written: Some(1.0),
             standing: Some(0.9736),
             turning: Some(0.975),
+            on_fine: None,
             pitches_mm: [0.056, 0.028],
             bits: 8,
             has_machine: false,
@@ -542,6 +563,35 @@ mod tests {
         losses
             .map(|l| (l.cause, (l.loss * 1e4).round() / 1e4))
             .collect()
+    }
+
+    #[test]
+    fn rounding_is_told_from_the_voxels_that_see_it() {
+        // Two bits: the job's own voxels see nothing of it, the optimizer's do
+        let limits = Measurements {
+            optimized: Some(0.990),
+            written: Some(0.990),
+            on_fine: Some(0.997),
+            turning: Some(0.987),
+            bits: 2,
+            is_optimized_turning: true,
+            saw_finer: true,
+            ..measurements()
+        };
+        let limits = limits.limits();
+        assert_eq!(
+            limits.sentence,
+            "Predicted IoU 0.987 (on the job's own, coarser voxels 0.990): 2 bits −0.010. To improve, raise `evaluate.bit_depth`."
+        );
+        let losses = losses(&limits);
+        assert_eq!(losses, [(Cause::Levels, 0.01), (Cause::Optics, 0.003)]);
+        assert!(
+            limits.causes[0]
+                .advice
+                .starts_with("Written with 2 bits the print has IoU 0.987 instead of 0.997."),
+            "{}",
+            limits.causes[0].advice
+        );
     }
 
     #[test]
