@@ -75,6 +75,8 @@ mod world {
         universe: Universe,
         rank: usize,
         size: usize,
+        /// Ranks on this machine.
+        beside: usize,
     }
 
     impl fmt::Debug for World {
@@ -99,10 +101,12 @@ mod world {
                 SimpleCommunicator::world().abort(i32::from(REFUSED));
             }));
         }
+        let beside = world.split_shared(0).size() as usize;
         Some(Arc::new(World {
             universe,
             rank,
             size,
+            beside,
         }))
     }
 
@@ -130,6 +134,10 @@ mod world {
 
         fn size(&self) -> usize {
             self.size
+        }
+
+        fn beside(&self) -> usize {
+            self.beside
         }
 
         fn all_reduce(&self, values: &mut [f64]) {

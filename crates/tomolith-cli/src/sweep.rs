@@ -132,7 +132,8 @@ fn planned(given: &SweepArguments, ranks: Option<&Ranks>, cancel: &Run) -> Resul
     }
     let own = || available_parallelism().map_or(1, usize::from);
     let threads = given.manner.threads.map_or_else(own, usize::from);
-    sweep.plan(threads, cancel)
+    let beside = ranks.map_or(1, |ranks| ranks.beside());
+    sweep.beside(beside).plan(threads, cancel)
 }
 
 fn finish(outcome: &SweepOutcome, manner: Manner) {
@@ -157,6 +158,8 @@ pub(crate) struct Board {
     manner: Manner,
     bar: Option<ProgressBar>,
     about: String,
+    /// Runs of the whole sweep.
+    all: usize,
     /// The metric by which runs are ranked.
     ranked_by: String,
     /// The name in its study.
@@ -169,6 +172,7 @@ impl Board {
             manner,
             bar: None,
             about: plan.to_string(),
+            all: plan.runs.len(),
             ranked_by: plan.ranked_by().to_owned(),
             name: None,
         }
@@ -196,8 +200,12 @@ impl Watch for Board {
         }
         match event {
             SweepEvent::Sweep { runs, finished, .. } => {
+                let own = match *runs == self.all {
+                    true => String::new(),
+                    false => format!(" of the {runs} of this process"),
+                };
                 mutter(&format!(
-                    "{:>12} {}; {finished} finished before",
+                    "{:>12} {}; {finished}{own} finished before",
                     "", self.about
                 ));
                 if std::io::stderr().is_terminal() {

@@ -56,6 +56,11 @@ pub trait Communicator: Debug + Send + Sync {
     /// Overwrites with what rank 0 has; as many numbers on every rank.
     fn broadcast(&self, values: &mut [f32]);
 
+    /// How many of the ranks run on this one's machine, itself included.
+    fn beside(&self) -> usize {
+        self.size()
+    }
+
     /// Whether this is the rank that speaks and writes.
     fn is_first(&self) -> bool {
         self.rank() == 0

@@ -25,6 +25,8 @@ pub struct Sweep {
     /// All that is collected: those that are asked for, then what the best needs.
     pub(crate) metrics: Vec<String>,
     pub(crate) base: Document,
+    /// Processes that share this machine's memory.
+    pub(crate) neighbors: usize,
 }
 
 /// Which run is the best.
@@ -36,6 +38,13 @@ pub(crate) struct Best {
 }
 
 impl Sweep {
+    /// The same as one of so many processes on this machine, which share its memory where nobody says how much each has.
+    #[must_use]
+    pub fn beside(mut self, processes: usize) -> Self {
+        self.neighbors = processes.max(1);
+        self
+    }
+
     /// Reads a sweep file and its job file.
     ///
     /// # Errors
@@ -167,6 +176,7 @@ impl Sweep {
             guides,
             metrics,
             base,
+            neighbors: 1,
         })
     }
 

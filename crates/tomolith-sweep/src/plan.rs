@@ -59,7 +59,10 @@ impl Sweep {
             .root
             .pointer("/resources/memory_gb")
             .and_then(Value::as_f64);
-        let budget_mb = memory_budget_mb(given.or(of_job));
+        let budget_mb = match given.or(of_job) {
+            None => memory_budget_mb(None).map(|mb| mb / self.neighbors as u64),
+            given => memory_budget_mb(given),
+        };
         let wanted = self.spec.resources.side_by_side;
         let first_mb = budget_mb.map(|mb| mb / wanted.unwrap_or(1) as u64);
         let checked: Vec<Result<(String, u64)>> = points

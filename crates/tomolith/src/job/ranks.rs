@@ -5,12 +5,13 @@
 //! the run folder, and evaluates the written patterns.
 //!
 //! **Limits** models whose dose is a sum over frames that are computed alike wherever they are: no Monte Carlo paths, no stored matrix. No
-//! print optimized in time, no patterns improved on few levels; no penalty between frames and no `min_contribution`, which compares the pixels of
+//! print optimized in time, no dose that diffuses, no patterns improved on few levels; no penalty between frames and no `min_contribution`, which compares the pixels of
 //! all frames. At least as many frames of every light as ranks.
 //!
 //! **Memory** doses, the target and what belongs to voxels are on every rank; what belongs to pixels is shared. Checkpoints and the end of a
 //! level need the whole patterns once, on rank 0.
 
+use super::in_time;
 use super::many::Leaves;
 use super::outcome::Summary;
 use super::progress::{Progress, watched};
@@ -76,6 +77,12 @@ pub(super) fn must_fit(scene: &Scene, ranks: &dyn Communicator) -> Result<()> {
             scene.is_optimized_in_time() || has_heights,
             "patterns optimized in time",
             "no [schedule], or one that only the evaluation follows",
+        ),
+        (
+            "material.diffusion",
+            in_time::diffuses(scene),
+            "a dose that diffuses from frame to frame, in the order of all frames",
+            "no [material.diffusion]",
         ),
         (
             "evaluate.levels",

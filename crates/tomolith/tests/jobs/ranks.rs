@@ -195,6 +195,14 @@ fn what_cannot_be_shared_is_refused_before_any_work() {
             vec!["penalties=[{smoothness={angles=1.0}, weight=1}]"],
             "penalties",
         ),
+        (
+            vec![
+                "material={diffusion={mm2_per_s=1e-4}}",
+                "schedule={seconds_per_turn=20.0, turns=1, power={energy_mj_per_mm2=1.0}}",
+                "resin.critical_dose_mj_per_mm3=0.8",
+            ],
+            "material.diffusion",
+        ),
         (vec!["evaluate.bit_depth=2"], "evaluate.levels"),
         (
             vec!["light.selection.min_contribution=0.1"],
