@@ -48,7 +48,7 @@ pub(super) fn resumes(
             match checkpoint.contents() {
                 Contents::All => after,
                 Contents::Patterns => format!(
-                    "{after}, from its patterns alone: the method begins anew with them, and the result is not that of an uninterrupted run"
+                    "{after}, from its patterns alone: the method begins anew with them and all its iterations, and the result is not that of an uninterrupted run"
                 ),
             }
         }
