@@ -4,7 +4,7 @@
 //! |---|---|
 //! | MP4 or QuickTime with H.264 (Baseline, Main or High, 4:2:0, 8 bits, no B-frames) | OpenH264 |
 //! | QuickTime with PNG frames ([`write_lossless`]) | the reader of PNG frames |
-//! | any other MP4, QuickTime, Matroska, WebM or AVI: B-frames, 4:4:4, HEVC, VP9, AV1, MJPEG, FFV1, … | the program `ffmpeg`, where it is on the path |
+//! | any other MP4, QuickTime, Matroska, WebM, AVI, MPEG, FLV, WMV, Ogg, GIF or Y4M: B-frames, 4:4:4, HEVC, VP9, AV1, MJPEG, FFV1, … | the program `ffmpeg`, where it is on the path |
 //!
 //! What a file is follows from its content, not from its name. Gray is the luma: full range 0…255, or 16…235 stretched to
 //! it where the stream says nothing else; colors do not count. A movie has as many frames as the job, each of the job's
@@ -41,7 +41,10 @@ use tomolith_core::error::{Error, Result};
 use track::{Codec, Track};
 
 /// Endings of files that are taken for movies.
-const ENDINGS: [&str; 6] = ["mp4", "m4v", "mov", "mkv", "webm", "avi"];
+const ENDINGS: [&str; 17] = [
+    "mp4", "m4v", "mov", "mkv", "webm", "avi", "ts", "mts", "m2ts", "mpg", "mpeg", "flv", "wmv",
+    "asf", "ogv", "gif", "y4m",
+];
 
 /// Whether a file is a movie by its name.
 #[must_use]
@@ -59,8 +62,7 @@ pub fn read_movie(path: &Path, shape: [usize; 3]) -> Result<Frames> {
     let file = std::fs::read(path).map_err(|e| Error::io(path, e))?;
     let what = match Container::of(&file) {
         None => return Err(no_movie(path, &file)),
-        Some(Container::Matroska) => "a Matroska or WebM file".to_owned(),
-        Some(Container::Avi) => "an AVI file".to_owned(),
+        Some(Container::Other(what)) => what.to_owned(),
         Some(Container::Mp4) => {
             if let Some(missing) = track::missing(&file) {
                 return Err(damaged(path, missing));
@@ -184,9 +186,30 @@ fn named(letters: [u8; 4]) -> String {
 /// What frames lie in.
 enum Container {
     Mp4,
-    Matroska,
-    Avi,
+    /// Read by `ffmpeg` alone: what the file is.
+    Other(&'static str),
 }
+
+/// Containers that only `ffmpeg` reads: what a file is that has all these bytes at these places.
+const OTHERS: [(&str, &[(usize, &[u8])]); 13] = [
+    ("a Matroska or WebM file", &[(0, b"\x1a\x45\xdf\xa3")]),
+    ("an AVI file", &[(0, b"RIFF"), (8, b"AVI ")]),
+    ("a Flash video", &[(0, b"FLV\x01")]),
+    (
+        "a Windows Media file",
+        &[(0, b"\x30\x26\xb2\x75\x8e\x66\xcf\x11")],
+    ),
+    ("an Ogg file", &[(0, b"OggS")]),
+    ("a GIF file", &[(0, b"GIF8")]),
+    ("a YUV4MPEG2 file", &[(0, b"YUV4MPEG2")]),
+    ("an MPEG program stream", &[(0, b"\0\0\x01\xba")]),
+    ("an MPEG video stream", &[(0, b"\0\0\x01\xb3")]),
+    ("an MPEG-4 video stream", &[(0, b"\0\0\x01\xb0")]),
+    ("an MPEG-4 video stream", &[(0, b"\0\0\x01\0")]),
+    // Packets of 188 bytes that begin with 0x47, on Blu-ray discs after four bytes each
+    ("an MPEG transport stream", &[(0, b"\x47"), (188, b"\x47")]),
+    ("an MPEG transport stream", &[(4, b"\x47"), (196, b"\x47")]),
+];
 
 impl Container {
     /// By the first bytes.
@@ -194,16 +217,14 @@ impl Container {
         const BOXES: [&[u8]; 7] = [
             b"ftyp", b"moov", b"mdat", b"free", b"skip", b"wide", b"pnot",
         ];
-        let at = |from: usize, to: usize| file.get(from..to);
-        if at(4, 8).is_some_and(|kind| BOXES.contains(&kind)) {
-            Some(Container::Mp4)
-        } else if at(0, 4) == Some(b"\x1a\x45\xdf\xa3") {
-            Some(Container::Matroska)
-        } else if at(0, 4) == Some(b"RIFF") && at(8, 12) == Some(b"AVI ") {
-            Some(Container::Avi)
-        } else {
-            None
+        let has = |at: usize, bytes: &[u8]| file.get(at..at + bytes.len()) == Some(bytes);
+        if BOXES.iter().any(|kind| has(4, kind)) {
+            return Some(Container::Mp4);
         }
+        let found = OTHERS
+            .iter()
+            .find(|(_, marks)| marks.iter().all(|(at, bytes)| has(*at, bytes)));
+        found.map(|(what, _)| Container::Other(what))
     }
 }
 
@@ -220,7 +241,8 @@ fn no_movie(path: &Path, file: &[u8]) -> Error {
     Error::Format {
         path: path.to_owned(),
         found,
-        accepted: "a movie: MP4, QuickTime, Matroska, WebM or AVI".to_owned(),
+        accepted: "a movie: MP4, QuickTime, Matroska, WebM, AVI, MPEG, FLV, WMV, Ogg, GIF or Y4M"
+            .to_owned(),
     }
 }
 

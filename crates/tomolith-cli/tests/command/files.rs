@@ -70,6 +70,21 @@ fn movies_that_need_ffmpeg_say_so_or_go_through_it() {
         &bench.expect(2, "simulate job.toml --patterns text.mp4 --output a"),
         &["text.mp4: no movie: it begins with `no movie`"],
     );
+    for (name, start, what) in [
+        ("a.flv", &b"FLV\x01\x01"[..], "a Flash video"),
+        ("a.ogv", b"OggS\0\x02", "an Ogg file"),
+        ("a.mpg", b"\0\0\x01\xba!", "an MPEG program stream"),
+        (
+            "a.wmv",
+            b"\x30\x26\xb2\x75\x8e\x66\xcf\x11",
+            "a Windows Media file",
+        ),
+        ("a.ts", &[0x47; 376], "an MPEG transport stream"),
+    ] {
+        bench.write(name, start);
+        let text = bench.expect(2, &format!("simulate job.toml --patterns {name}"));
+        contains(&text, &[what, "the program ffmpeg can read"]);
+    }
     if cfg!(not(unix)) {
         return;
     }

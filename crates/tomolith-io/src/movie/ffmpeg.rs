@@ -70,13 +70,13 @@ pub(super) fn read(path: &Path, shape: [usize; 3]) -> Result<Frames, Trouble> {
     }
 }
 
-/// `ffmpeg` before what it is to do with a movie.
+/// `ffmpeg` before what it is to do with a movie. A rate for the input gives frames even times and lengths.
 fn command(path: &Path) -> Command {
     let mut input = OsString::from("file:");
     input.push(path);
     let mut command = Command::new("ffmpeg");
     command
-        .args(["-nostdin", "-v", "error", "-i"])
+        .args(["-nostdin", "-v", "error", "-r", "25", "-i"])
         .arg(input)
         .stdin(Stdio::null());
     command
@@ -114,7 +114,8 @@ fn colored(path: &Path) -> Option<usize> {
 
 fn start(path: &Path) -> Result<Child, Trouble> {
     command(path)
-        // Even times, so that no frame is dropped or doubled to keep a rate
+        // The rate of the input and these times together: either alone has versions of ffmpeg that drop or double frames
+        // (4.2, 9.0), and the option that forbids it has a name before version 5.1 and another since
         .args(["-map", "0:v:0", "-vf", "settb=1/25,setpts=N", "-r", "25"])
         .args(["-f", "image2pipe", "-c:v", "pgm", "-"])
         .stdout(Stdio::piped())

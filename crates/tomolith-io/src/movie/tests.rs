@@ -1,6 +1,6 @@
 //! Movies that FFmpeg 5.1 made of six frames of 32 × 24 pixels (`odd_444`: 31 × 23) with the levels of [`level`], in
-//! `samples`: libx264 `-crf 4` with `keyint=4` (`-bf 0` but for `b_frames`), mjpeg `-q:v 2`, libvpx-vp9 `-crf 4`. `colored.avi`:
-//! mjpeg of the test source, whose frames are colored.
+//! `samples`: libx264 `-crf 4` with `keyint=4` (`-bf 0` but for `b_frames`), mjpeg `-q:v 2`, libvpx-vp9 `-crf 4`. `slow.gif`: 10
+//! frames per second, by 7.0. `colored.avi`: mjpeg of the test source, whose frames are colored.
 
 use super::*;
 use crate::frames::FrameSet;
@@ -68,6 +68,8 @@ fn other_movies_are_read_by_ffmpeg_or_named() {
         ),
         ("mjpeg.mp4", "MPEG-4 Visual or Motion JPEG (`mp4v`)"),
         ("vp9.webm", "a Matroska or WebM file"),
+        // Fewer frames per second than those that ffmpeg 9 doubled
+        ("slow.gif", "a GIF file"),
     ] {
         let shape = if name == "odd_444.mp4" {
             [6, 23, 31]
