@@ -190,8 +190,11 @@ enum Container {
     Other(&'static str),
 }
 
+/// Bytes at places of a file.
+type Marks = &'static [(usize, &'static [u8])];
+
 /// Containers that only `ffmpeg` reads: what a file is that has all these bytes at these places.
-const OTHERS: [(&str, &[(usize, &[u8])]); 13] = [
+const OTHERS: [(&str, Marks); 13] = [
     ("a Matroska or WebM file", &[(0, b"\x1a\x45\xdf\xa3")]),
     ("an AVI file", &[(0, b"RIFF"), (8, b"AVI ")]),
     ("a Flash video", &[(0, b"FLV\x01")]),
