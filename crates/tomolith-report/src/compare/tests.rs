@@ -71,7 +71,7 @@ fn the_page_names_the_model_that_judged() {
     let mut runs = [run("rays", 0.99, "10"), run("waves", 0.9, "10")];
     runs[1].report["run"] = json!({ "models": { "evaluation": "wave (4 depths): as asked" } });
     let page = compare_html(&runs);
-    assert_eq!(page.matches("evaluated by").count(), 1);
+    assert_eq!(page.matches(", evaluated by").count(), 1);
     assert!(page.contains("waves<br><span class=\"muted\">optimization, evaluated by wave</span>"));
     // What one model says is no better than what another says
     assert!(page.contains("the best is not marked") && !page.contains("<td class=\"head\">"));
