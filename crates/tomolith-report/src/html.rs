@@ -272,19 +272,12 @@ fn sentence(evaluation: &Evaluation) -> String {
             .collect::<Vec<_>>()
             .join(" ");
     };
-    let amount = |mm3: f64| {
-        if mm3 == 0.0 {
-            "nothing".to_owned()
-        } else {
-            format!("{} mm³", significant(mm3, 2))
-        }
-    };
     let mut text = format!(
-        "At a gel threshold of {} the predicted print and the part overlap with an IoU of <b>{}</b>: {} gels that should not, {} does not gel that should.",
+        "At a gel threshold of {} the predicted print and the part overlap with an IoU of <b>{}</b> on voxels of {} µm: {}.",
         significant(threshold, 3),
         significant(iou, 4),
-        amount(over),
-        amount(under),
+        significant(1e3 * evaluation.grid.pitch_mm, 3),
+        differences([over, under]),
     );
     if let Some(mean) = get("surface_mean_mm") {
         let _ = write!(
@@ -294,6 +287,24 @@ fn sentence(evaluation: &Evaluation) -> String {
         );
     }
     text
+}
+
+/// What gels that should not, and what does not gel that should, mm³.
+fn differences([over, under]: [f64; 2]) -> String {
+    let mm3 = |volume: f64| format!("{} mm³", significant(volume, 2));
+    match [over, under].map(|volume| volume > 0.0) {
+        [false, false] => "all of the part gels, and nothing else".to_owned(),
+        [true, false] => format!("all of the part gels, and {} besides", mm3(over)),
+        [false, true] => format!(
+            "{} of the part does not gel, and nothing gels that should not",
+            mm3(under)
+        ),
+        [true, true] => format!(
+            "{} gels that should not, {} does not gel that should",
+            mm3(over),
+            mm3(under)
+        ),
+    }
 }
 
 fn warnings(data: &ReportData<'_>) -> String {
@@ -473,4 +484,26 @@ fn patterns(data: &ReportData<'_>) -> String {
             ) + &tables::machine(light)
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_right_is_said_in_plain_words() {
+        assert_eq!(
+            differences([0.0; 2]),
+            "all of the part gels, and nothing else"
+        );
+        assert_eq!(
+            differences([0.5, 0.0]),
+            "all of the part gels, and 0.5 mm³ besides"
+        );
+        assert_eq!(
+            differences([0.0, 0.5]),
+            "0.5 mm³ of the part does not gel, and nothing gels that should not"
+        );
+        assert!(differences([0.5; 2]).starts_with("0.5 mm³ gels that should not, 0.5 mm³ does"));
+    }
 }

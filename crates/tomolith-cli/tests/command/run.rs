@@ -826,6 +826,9 @@ fn the_closing_lines_say_on_which_voxels() {
         said.contains("the job's own (evaluate.refine = 1)"),
         "{said}"
     );
+    assert!(said.contains("This is a toy of the job"), "{said}");
+    let page = fs::read_to_string(bench.path("b/report.html")).unwrap();
+    assert!(page.contains("</b> on voxels of 300 µm: ") && page.contains("<b>A toy</b>"));
     let lines = bench.stdout(0, "run job.toml --output c --json --toy");
     let done: Value = serde_json::from_str(lines.lines().last().unwrap()).unwrap();
     assert_eq!(done["refine"], 2);

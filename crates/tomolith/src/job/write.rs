@@ -214,9 +214,10 @@ impl Headline {
         let gel_dose = evaluated.gel_dose(scene);
         let rate = gel_dose.zip(own_s);
         let others = evaluated.others.iter().map(|other| &other.evaluation);
-        let all = scene
+        let all: Vec<_> = scene
             .species()
-            .zip(std::iter::once(&evaluated.evaluation).chain(others));
+            .zip(std::iter::once(&evaluated.evaluation).chain(others))
+            .collect();
         let window = |(own, evaluation): (&Scene, &Evaluation)| {
             let response = own.response();
             let dose = |threshold: f64| f64::from(response.inverse(threshold as f32));
@@ -227,16 +228,46 @@ impl Headline {
             ExposureWindow::new(evaluation, response.as_ref(), time_s)
         };
         let one_exposure = evaluated.one_exposure.clone();
+        let mut limits = limits(scene, evaluated, done.optimized.as_ref(), done.job.is_toy);
+        for (own, evaluation) in limits.iter_mut().zip(all.iter().map(|(_, print)| print)) {
+            own.sentence += &judged_on(evaluation, scene.extent.refine);
+            if done.job.is_toy && !own.sentence.contains(" toy ") {
+                own.sentence += &format!(" This is a toy of the job: {TOY}.");
+            }
+        }
         Ok(Headline {
-            exposures: all.map(window).collect(),
+            exposures: all.iter().copied().map(window).collect(),
             one_exposure: one_exposure.map(|one| match rate {
                 Some((dose, seconds)) => one.in_time(dose, seconds),
                 None => one,
             }),
-            limits: limits(scene, evaluated, done.optimized.as_ref(), done.job.is_toy),
+            limits,
         })
     }
 }
+
+/// On which voxels a print has no error: none is seen that is smaller than they are.
+fn judged_on(evaluation: &Evaluation, refine: usize) -> String {
+    if evaluation
+        .measures
+        .get("iou")
+        .is_none_or(|iou| iou < NO_ERROR)
+    {
+        return String::new();
+    }
+    let pitch = concise(evaluation.grid.pitch_mm);
+    match refine {
+        1 => format!(
+            " The IoU is that of the job's own voxels of {pitch} mm; finer ones may show errors (`evaluate.refine`)."
+        ),
+        _ => format!(" The IoU is that of voxels of {pitch} mm."),
+    }
+}
+
+/// IoU that is shown as 1.000.
+const NO_ERROR: f64 = 0.9995;
+/// What to think of the numbers of a toy.
+const TOY: &str = "what it prints says little of what the job prints";
 
 /// What was made on the way to the report.
 struct Made<'a> {
@@ -505,6 +536,7 @@ fn unit_systems(done: &Done<'_>, exposures: &[device::ShownLight]) -> Result<Vec
 /// Short facts for the head of the page.
 fn facts(done: &Done<'_>) -> Vec<(String, String)> {
     let Done {
+        job,
         scene,
         optimized,
         evaluated,
@@ -513,7 +545,11 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
     } = done;
     let spec = &scene.spec;
     let [nz, ny, nx] = scene.grid.shape;
-    let mut facts = vec![
+    let mut facts = Vec::new();
+    if job.is_toy {
+        facts.push(("A toy", TOY.to_owned()));
+    }
+    facts.extend([
         ("Vial", scene.optics.vial_kind.to_owned()),
         (
             "Resin",
@@ -530,7 +566,7 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
             ),
         ),
         ("Frames", scene.extent.frames.to_string()),
-    ];
+    ]);
     if let Some(optimized) = optimized {
         let seconds = optimized.outcome.counters.model_s.max(1e-9);
         let calls = optimized.outcome.counters.forward + optimized.outcome.counters.adjoint;
