@@ -166,7 +166,7 @@ impl ExposureWindow {
             && (reported - 100.0).abs() >= 0.05
         {
             text += &format!(
-                " The numbers on this page are for {} % of it.",
+                " All other numbers are for {} % of it.",
                 significant(reported, 3)
             );
         }
@@ -330,7 +330,7 @@ mod tests {
         assert!(
             window
                 .sentence()
-                .ends_with("The numbers on this page are for 125 % of it.")
+                .ends_with("All other numbers are for 125 % of it.")
         );
     }
 
@@ -385,7 +385,7 @@ mod tests {
         assert_eq!(
             window.sentence(),
             "The best exposure has an rms error of 0.1; the rms error is at most 0.01 worse from 80 % to 120 % of it. \
-             The numbers on this page are for 80 % of it."
+             All other numbers are for 80 % of it."
         );
     }
 }
