@@ -140,6 +140,9 @@ pub struct SpeciesSummary {
 pub struct Summary {
     /// The run folder.
     pub folder: PathBuf,
+    /// Its file to read first.
+    #[serde(skip)]
+    pub report: &'static str,
     /// Iterations done; None for a simulation.
     pub iterations: Option<usize>,
     /// Reason why the optimization ended; None for a simulation.
@@ -332,7 +335,7 @@ impl fmt::Display for Summary {
             f,
             "\n{:>28} {}",
             "report",
-            self.folder.join("report.html").display()
+            self.folder.join(self.report).display()
         )
     }
 }

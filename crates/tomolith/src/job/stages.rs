@@ -557,6 +557,10 @@ fn summary(done: &Done<'_>, headline: Headline, folder: &Path, begin: Instant) -
     let optimized = done.optimized.as_ref();
     Summary {
         folder: folder.to_owned(),
+        report: match done.leaves {
+            Leaves::All => "report.html",
+            Leaves::Metrics | Leaves::Patterns => "report.json",
+        },
         iterations: optimized
             .and_then(|o| o.outcome.history.last())
             .map(|row| row.iteration),
