@@ -60,7 +60,8 @@ fn picture(plan: &SweepPlan, table: &Table<'_>, metric: &str) -> String {
     let caption = caption(plan, table, metric);
     let cell = |i: usize| Cell {
         value: table.metric(i, metric),
-        is_feasible: table.is_feasible(i),
+        // Where nothing is asked of the best, there is nothing to outline
+        is_feasible: plan.sweep.best.conditions.is_empty() || table.is_feasible(i),
         is_best: table.best == Some(i),
         has_failed: matches!(table.states[i], State::Failed(_)),
     };

@@ -134,3 +134,24 @@ fn processes_of_a_launcher_are_told_that_each_does_all_and_shares_by_hand_are_no
     );
     assert!(!said("sweep sweep.toml --shard 1/2").contains(told));
 }
+
+#[test]
+fn a_map_outlines_nothing_where_nothing_is_asked_of_the_best() {
+    let bench = bench();
+    let sweep = "job = \"job.toml\"\nmetrics = [\"evaluation.iou\"]\n\
+                 [[axes]]\nkey = \"objective.ospw.lower\"\nvalues = [0.3, 0.5]\n\
+                 [[axes]]\nkey = \"stop.iterations\"\nvalues = [1, 2]\n";
+    let picture = |sweep: &str| {
+        bench.write("map.toml", sweep.as_bytes());
+        // Half of the runs are missing
+        bench.ended(0, "sweep map.toml --output map --quiet --shard 1/2");
+        bench.ended(1, "sweep map.toml --output map --quiet --merge");
+        bench.read("map/evaluation.iou.svg")
+    };
+    let svg = picture(sweep);
+    assert!(!svg.contains("outlined"), "{svg}");
+    let asked = format!(
+        "{sweep}[best]\nhighest = \"evaluation.iou\"\nwhere = [\"evaluation.iou > 0.1\"]\n"
+    );
+    assert!(picture(&asked).contains("outlined: feasible"));
+}
