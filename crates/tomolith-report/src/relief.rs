@@ -22,7 +22,9 @@ const PIXELS: usize = 620;
 /// Width of a view in its own units, the height follows.
 const UNITS: f64 = 500.0;
 /// Share of the corners whose deviation has a color of its own; those beyond have the color of the end.
-const WITHIN: f64 = 0.99;
+const WITHIN: f64 = 0.95;
+/// Ends of the colors within a power of ten.
+const ENDS: [f64; 11] = [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];
 /// From where the two views look: azimuth and elevation, degrees, and how that is called.
 const VIEWS: [(f64, f64, &str); 2] = [
     (-60.0, 30.0, "From above (azimuth −60°, elevation 30°)"),
@@ -33,7 +35,7 @@ const VIEWS: [(f64, f64, &str); 2] = [
     ),
 ];
 
-/// Deviations up to which colors differ, µm: 1, 2 or 5 times a power of ten, not smaller than 99 % of all.
+/// Deviations up to which colors differ, µm: one of [`ENDS`] times a power of ten, not smaller than [`WITHIN`] of all.
 fn reach_um(off_um: &[f32]) -> f64 {
     let mut sizes: Vec<f32> = off_um.iter().map(|off| off.abs()).collect();
     let rank = (sizes.len() as f64 * WITHIN) as usize;
@@ -44,8 +46,7 @@ fn reach_um(off_um: &[f32]) -> f64 {
     // Below a nanometer there is nothing to see
     let size = f64::from(*size).max(1e-3);
     let power = 10f64.powf(size.log10().floor());
-    let steps = [1.0, 2.0, 5.0, 10.0].into_iter();
-    steps
+    ENDS.into_iter()
         .map(|m| m * power)
         .find(|reach| *reach >= size * (1.0 - 1e-6))
         .unwrap_or(10.0 * power)
@@ -387,10 +388,11 @@ mod tests {
     #[test]
     fn the_scale_reaches_what_nearly_all_corners_have() {
         let mut off = vec![3.0f32; 1000];
-        off[..5].fill(-900.0);
-        assert_eq!(reach_um(&off), 5.0);
-        off[..20].fill(-900.0);
-        assert_eq!(reach_um(&off), 1000.0);
+        off[..45].fill(-900.0);
+        assert_eq!(reach_um(&off), 3.0);
+        // Not far beyond the largest, or all would be gray
+        off[..60].fill(-264.0);
+        assert_eq!(reach_um(&off), 300.0);
         assert_eq!(reach_um(&[0.0; 4]), 1e-3);
         assert_eq!(reach_um(&[]), 1.0);
     }
