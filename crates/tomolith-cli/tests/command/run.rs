@@ -814,6 +814,14 @@ fn numbers_that_mean_little_come_with_a_warning() {
 }
 
 #[test]
+fn a_worst_case_without_cases_is_told() {
+    let bench = bench();
+    let told = "robust.of = \"worst\" changes nothing without a [[scenario]]";
+    let of = |value: &str| bench.expect(0, &format!("check job.toml --set robust.of={value}"));
+    assert!(of("worst").contains(told) && !of("mean").contains("robust"));
+}
+
+#[test]
 fn the_closing_lines_say_on_which_voxels() {
     let bench = bench();
     let said = bench.stdout(0, "run job.toml --output a --set evaluate.refine=2");

@@ -272,6 +272,14 @@ fn must_fit(scene: &Scene) -> Result<()> {
     Ok(())
 }
 
+/// Warns of a worst case without cases.
+pub(crate) fn worst_of_one(spec: &JobSpec) -> Option<String> {
+    (spec.robust.of == RobustOf::Worst && spec.scenario.is_empty()).then(|| {
+        "robust.of = \"worst\" changes nothing without a [[scenario]]: add one, or leave it out"
+            .to_owned()
+    })
+}
+
 /// How the losses of the scenarios become one.
 pub(super) fn join(spec: &JobSpec) -> Join {
     match spec.robust.of {

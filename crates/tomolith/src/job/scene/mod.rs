@@ -184,6 +184,7 @@ impl Scene {
                 narrow_arc(&spec).into_iter().collect(),
                 part_of_a_turn(&spec).into_iter().collect(),
                 two_critical_doses(&spec).into_iter().collect(),
+                scenarios::worst_of_one(&spec).into_iter().collect(),
                 optics.dark_inside(),
                 optics.leaning(shape.as_ref()),
                 optics.moved_away(shape.as_ref()),
