@@ -3,7 +3,7 @@
 use crate::arguments::Manner;
 use crate::screen::say;
 use clap::Args;
-use serde_json::json;
+use serde_json::{Value, json};
 use tomolith::grid::{Volume, VolumeGrid};
 use tomolith::io::array::read_any;
 use tomolith::io::npy::place_of;
@@ -110,9 +110,17 @@ pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
     let (numbers, slices) = of_print(&print, &target, &options).map_err(as_dashed)?;
     let systems = units.and_then(|units| units.systems(&numbers));
     if given.manner.json {
-        let line = json!({
+        let mut line = json!({
             "event": "done", "evaluation": evaluation_json(&evaluation), "published": numbers, "slices": slices,
-            "unit_systems": systems, "lengths_in": if given.pitch_mm.is_some() { "mm" } else { "voxel" },
+        });
+        if given.pitch_mm.is_none() {
+            in_voxels(&mut line);
+        }
+        line["unit_systems"] = json!(systems);
+        line["lengths_in"] = json!(if given.pitch_mm.is_some() {
+            "mm"
+        } else {
+            "voxel"
         });
         say(&line.to_string());
     } else if !given.manner.quiet {
@@ -120,6 +128,30 @@ pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
         systems.iter().flatten().for_each(show_system);
     }
     Ok(())
+}
+
+/// Names lengths in voxels so: `surface_mean_voxel`, `over_voxel3`, `"unit": "voxel"`.
+fn in_voxels(value: &mut Value) {
+    match value {
+        Value::Object(map) => {
+            let entries = std::mem::take(map).into_iter();
+            map.extend(entries.map(|(key, mut value)| {
+                in_voxels(&mut value);
+                match (key.as_str(), value.as_str()) {
+                    ("unit", Some(unit @ ("mm" | "mm³"))) => {
+                        value = json!(unit.replace("mm", "voxel"));
+                    }
+                    _ if key.ends_with("_mm") || key.ends_with("_mm3") => {
+                        return (key.replace("_mm", "_voxel"), value);
+                    }
+                    _ => {}
+                }
+                (key, value)
+            }));
+        }
+        Value::Array(list) => list.iter_mut().for_each(in_voxels),
+        _ => {}
+    }
 }
 
 /// What the unit systems need besides the dose: mJ/mm², 1/mm, s.

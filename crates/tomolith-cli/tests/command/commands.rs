@@ -130,6 +130,12 @@ fn anybodys_arrays_are_measured() {
         "{said}"
     );
     assert_eq!(found["lengths_in"], "voxel");
+    let (text, evaluation) = (found.to_string(), &found["evaluation"]);
+    assert!(!text.contains("_mm") && !text.contains("\"mm"), "{text}");
+    near(&evaluation["over_voxel3"], 0.0);
+    near(&evaluation["grid"]["pitch_voxel"], 1.0);
+    let scaled = bench.json("metrics dose.npy target.npy --pitch-mm 0.1");
+    near(&scaled["evaluation"]["over_mm3"], 0.0);
     let said = bench.expect(0, "metrics dose.npy target.npy --pitch-mm 0.1");
     assert!(said.contains(" hausdorff_mm "), "{said}");
 
