@@ -435,6 +435,9 @@ impl Measurements {
     /// All in one line; None where nothing was measured.
     fn sentence(&self, causes: &[Limit]) -> Option<String> {
         let seen = match (self.optimized, self.is_simulated) {
+            _ if self.saw_finer && self.on_fine.is_some() => {
+                format!(" (the optimizer saw {:.3})", self.on_fine?)
+            }
             (Some(seen), _) if self.saw_finer => {
                 let [own, fine] = self.pitches_mm;
                 let place = match own > 1.001 * fine {
@@ -581,7 +584,7 @@ mod tests {
         let limits = limits.limits();
         assert_eq!(
             limits.sentence,
-            "Predicted IoU 0.987 (on the job's own, coarser voxels 0.990): 2 bits −0.010. To improve, raise `evaluate.bit_depth`."
+            "Predicted IoU 0.987 (the optimizer saw 0.997): 2 bits −0.010. To improve, raise `evaluate.bit_depth`."
         );
         let losses = losses(&limits);
         assert_eq!(losses, [(Cause::Levels, 0.01), (Cause::Optics, 0.003)]);
