@@ -103,9 +103,9 @@ impl Asked<'_> {
             written: steps.written,
             standing: steps.standing,
             turning: evaluated.measures.get(kind.name),
-            on_fine: (self.optimized)
-                .and_then(Optimized::last_iou)
-                .filter(|_| s == 0 && !own.shape.is_gray()),
+            on_fine: (self.optimized).and_then(Optimized::last_iou).filter(|_| {
+                s == 0 && !own.shape.is_gray() && spec.evaluate.bit_depth < ENOUGH_BITS
+            }),
             pitches_mm: [scene.grid.pitch_mm, evaluated.grid.pitch_mm],
             bits: spec.evaluate.bit_depth,
             has_machine: spec.printer.is_some(),
@@ -160,7 +160,7 @@ struct Measurements {
     standing: Measure,
     /// While the vial turns.
     turning: Measure,
-    /// Patterns as they were optimized, on the optimizer's own, finer voxels: the IoU that was measured last.
+    /// Patterns for few levels as they were optimized, on the optimizer's own, finer voxels: the IoU that was measured last.
     on_fine: Measure,
     /// Voxels of the optimization and of the evaluation.
     pitches_mm: [f64; 2],
@@ -295,10 +295,16 @@ impl Measurements {
             true => self.best.or(self.turning),
             false => self.standing,
         };
-        Some(([seen, print?], "the print has {}"))
+        // Slices that rows of pixels beside the part light are not on these voxels
+        let of_ends = self.row_ends().map_or(0.0, |limit| limit.loss);
+        Some(([seen - of_ends, print?], "the print has {}"))
     }
 
     fn levels(&self) -> Option<Limit> {
+        // Voxels that see little of the print do not see what is next to nothing
+        if self.saw_finer && self.bits >= ENOUGH_BITS && !self.has_machine {
+            return None;
+        }
         let ([before, after], what) = self.writing()?;
         let loss = self.loss(Some(before), Some(after))?;
         let (bits, machine) = (counted(self.bits as usize, "bit"), self.machine());
