@@ -16,9 +16,9 @@
 //! ```
 //!
 //! The process window of trimmed regions is the dose below which lies νN of the part, minus that above which lies νN' of the void. These quantiles are
-//! not convex. With τ → 0 A and B are conditional values at risk, which are: means of tails, of twice the share that is left out, since the mean of a tail
-//! whose doses are evenly spread is the quantile in its middle. Means of tails of ν alone follow their farthest doses, and the windows that they
-//! lead to are narrower. The third term lets at most the share 2ν of the part exceed 1. For doses of the identity response L is convex, so that a duality
+//! not convex. Means of tails are: with τ → 0 A and B are conditional values at risk. Their tails hold twice the share that is left out, because the
+//! mean of a tail whose doses are evenly spread is the quantile in its middle. Means of tails of ν alone follow the farthest doses, and lead to
+//! narrower windows. The third term lets at most the share 2ν of the part exceed 1. For doses of the identity response L is convex, so that a duality
 //! gap bounds every A − B that any patterns reach.
 //!
 //! The last term is an exact penalty, which makes `ipdr` a bound: from R = ipdr on it costs 20 for each unit, more than the window that a
