@@ -4,6 +4,7 @@ use super::doubts::of_bound;
 use super::evaluate::{Evaluated, headline};
 use super::optimize::Optimized;
 use super::others::Steps;
+use super::refinement::moved_pixels;
 use super::scene::{Scene, few_angles};
 use crate::metrics::{Better, Evaluation, Measure, MetricKind};
 use crate::optics::light::Light;
@@ -11,7 +12,7 @@ use crate::optics::light::Light;
 use crate::report::number::significant;
 use crate::report::{Cause, Limit, PrintLimits};
 use crate::units::counted;
-use acting::{Arcs, Ends, acting_on, coarsest_pixels, step_in_pixels};
+use acting::{Arcs, Ends, acting_on, coarsest_pixels};
 
 mod acting;
 mod falling;
@@ -124,7 +125,8 @@ impl Asked<'_> {
             is_simulated: self.optimized.is_none(),
             is_toy: self.is_toy,
             has_few_angles: few_angles(spec).is_some()
-                || step_in_pixels(own.shape.bounds_mm(), &lights) > WIDE_STEP,
+                || (lights.iter())
+                    .any(|acting| moved_pixels(acting.light, own.shape.bounds_mm()) > WIDE_STEP),
             is_held: (self.optimized).is_some_and(|own| of_bound(&scene.spec, &own.raw).is_some()),
             best: spec.evaluate.threshold.and(best.reduce(f64::max)),
             ends: own

@@ -329,13 +329,17 @@ fn finest(
     }
 }
 
+/// By how many pixels of a light the rim of a part in this box moves during a frame; 0 for lists of angles.
+pub(super) fn moved_pixels(light: &Light, [low, high]: [[f64; 3]; 2]) -> f64 {
+    let rim = f64::hypot(high[0].max(-low[0]), high[1].max(-low[1]));
+    rim * light.pixels.frame_arc / light.pixels.pitch_mm[0]
+}
+
 /// Angles at which the frames of each light are averaged: those of the job, or one for every half pixel that the rim of the part moves during a
 /// frame.
-fn turning_angles(spec: &JobSpec, lights: &[Light], [low, high]: [[f64; 3]; 2]) -> Vec<usize> {
-    let rim = f64::hypot(high[0].max(-low[0]), high[1].max(-low[1]));
+fn turning_angles(spec: &JobSpec, lights: &[Light], part_mm: [[f64; 3]; 2]) -> Vec<usize> {
     let wanted = |light: &Light| {
-        let moved = rim * light.pixels.frame_arc / light.pixels.pitch_mm[0];
-        (2.0 * moved - ROUNDING)
+        (2.0 * moved_pixels(light, part_mm) - ROUNDING)
             .ceil()
             .clamp(1.0, MOST_ANGLES as f64) as usize
     };

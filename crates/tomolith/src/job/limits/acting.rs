@@ -43,18 +43,6 @@ pub(super) fn coarsest_pixels(kinds: &[&str], lights: &[Acting<'_>]) -> (String,
     (key, name.map(str::to_owned))
 }
 
-/// The longest step from frame to frame at the rim of a part in this box, in pixels of its light; lights with lists of angles do not count.
-pub(super) fn step_in_pixels(bounds_mm: [[f64; 3]; 2], lights: &[Acting<'_>]) -> f64 {
-    let [low, high] = bounds_mm;
-    let half = |axis: usize| low[axis].abs().max(high[axis].abs());
-    let rim = half(0).max(half(1));
-    let step = |acting: &Acting<'_>| {
-        let pixels = &acting.light.pixels;
-        pixels.frame_arc * rim / pixels.pitch_mm[0]
-    };
-    lights.iter().map(step).fold(0.0, f64::max)
-}
-
 /// How far the vial turns during a frame of each light that has arcs.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Arcs {
