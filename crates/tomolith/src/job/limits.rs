@@ -24,8 +24,8 @@ use falling::Falling;
 const ENOUGH_BITS: u32 = 8;
 /// Losses below this are not worth a change.
 const WORTH_CHANGING: f64 = 0.001;
-/// Pixels that a step from frame to frame may be long at the part's rim: with more, streaks are wider than what the pixels resolve.
-const WIDE_STEP: f64 = 4.0;
+/// Pixels that a step from frame to frame may be long at the corners of the part's box: with more, streaks are wider than what the pixels resolve.
+const WIDE_STEP: f64 = 6.0;
 /// One that fell by more than this share is far from its end, whatever the IoU on the optimizer's voxels did.
 const FALLING_FAST: f64 = 0.1;
 
