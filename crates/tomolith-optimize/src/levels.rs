@@ -17,11 +17,14 @@
 //! shares of the brightest pixel (of each light), 1 to 0.18, are tried with plain rounding, and three quarters of the one with the least loss are
 //! taken: the steps win back what is cut off at the top. The largest y stays s, so that the levels stay where they are.
 //!
+//! **Error diffusion** is tried beside it, at the same full scales: a pixel carries what its level lacks to the same pixel of the next frame, whose
+//! light takes nearly the same path ([`diffused`]). Where the loss is least that way, its patterns are taken.
+//!
 //! **Source** The gradient at the rounded values moves values that are not rounded: the straight-through estimator of Bengio, Léonard and
 //! Courville, arXiv 1308.3432, § 4, without an estimate of Q′. Measured against plain rounding and error diffusion in
 //! docs/measured/levels.md.
 //!
-//! **Cost** At most 70 model calls of a linear model ([`CALLS`]): dose calls for plain rounding at eight scales, the start and the length, and one of each
+//! **Cost** At most 78 model calls of a linear model ([`CALLS`]): dose calls for plain rounding and error diffusion at eight scales each, the start and the length, and one of each
 //! kind for each of up to 30 steps; five pattern fields. It ends earlier where the loss is 0. **Limits** Q comes from the caller and
 //! may be a whole machine, with uneven levels and a blur, whose derivative is then left out.
 
@@ -31,6 +34,7 @@ use std::ops::Range;
 use tomolith_core::dose::PatternLayout;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
+use tomolith_core::grid::Patterns;
 
 /// Full scales that are tried with plain rounding beside that of the brightest pixel, over it.
 const SCALES: [f32; 7] = [0.85, 0.7, 0.55, 0.45, 0.35, 0.25, 0.18];
@@ -39,7 +43,7 @@ const LOWER: f32 = 0.75;
 /// Most steps.
 const STEPS: usize = 30;
 /// Most dose and adjoint calls of a linear model.
-pub const CALLS: [usize; 2] = [SCALES.len() + 3 + STEPS, STEPS];
+pub const CALLS: [usize; 2] = [2 * SCALES.len() + 4 + STEPS, STEPS];
 /// First length of a step, over the length to the least loss.
 const FIRST: f64 = 0.3;
 const MOMENTUM: f32 = 0.8;
@@ -52,6 +56,8 @@ const SHORTER: f32 = 0.6;
 pub struct Gain {
     /// Loss of the patterns before, plainly rounded.
     pub rounded_loss: f64,
+    /// Their least loss by error diffusion over neighboring frames, at any of eight full scales; None where rounding costs nothing.
+    pub diffused_loss: Option<f64>,
     /// Loss of what is shown now.
     pub loss: f64,
     /// Full scale over the brightest pixel before.
@@ -65,7 +71,7 @@ pub struct Gain {
 /// The light that a machine shows for given patterns.
 pub type ShownDose<'a> = dyn FnMut(&HostField) -> Result<HostField> + 'a;
 
-/// Improves patterns on the levels that a machine shows: what to ask of it, and what that brings.
+/// Improves patterns on the levels that a machine of so many bits shows: what to ask of it, and what that brings.
 ///
 /// # Errors
 /// [`Error::Canceled`], [`Error::NonFinite`], and those of `shown`.
@@ -73,6 +79,7 @@ pub fn improve(
     problem: &mut Problem<HostField>,
     x: &HostField,
     shown: &mut ShownDose<'_>,
+    bits: u32,
 ) -> Result<(HostField, Gain)> {
     let model = problem.model();
     let mut pass = Pass {
@@ -90,6 +97,7 @@ pub fn improve(
     let rounded_loss = pass.at.loss;
     let mut gain = Gain {
         rounded_loss,
+        diffused_loss: None,
         loss: rounded_loss,
         scale: 1.0,
         steps: 0,
@@ -99,6 +107,7 @@ pub fn improve(
     if rounded_loss > 0.0 {
         let scale = LOWER * pass.scale(x, rounded_loss)?;
         pass.descend(scale, &mut best, &mut gain)?;
+        pass.diffuse(x, bits, &mut best, &mut gain)?;
     }
     gain.calls = pass.calls();
     Ok((best, gain))
@@ -144,6 +153,34 @@ impl Pass<'_, '_, '_, '_> {
             }
         }
         Ok(best)
+    }
+
+    /// Tries error diffusion at all scales; `best` follows where it has the least loss.
+    fn diffuse(
+        &mut self,
+        x: &HostField,
+        bits: u32,
+        best: &mut HostField,
+        gain: &mut Gain,
+    ) -> Result<()> {
+        let lights = self.problem.model().patterns();
+        for scale in [&[1.0], &SCALES[..]].concat() {
+            let mut asked = x.clone();
+            self.cut(&mut asked, scale, x);
+            for light in lights {
+                let patterns = diffused(&light.patterns_of(asked.as_slice()), bits);
+                light.fill_field(&patterns, asked.as_mut_slice());
+            }
+            asked.move_along(x, 0.0, self.problem.bounds(x));
+            self.show(&asked)?;
+            let loss = self.at.loss;
+            gain.diffused_loss = Some(gain.diffused_loss.map_or(loss, |least| least.min(loss)));
+            if loss < gain.loss {
+                (gain.loss, gain.scale) = (loss, scale);
+                best.copy_from(&asked);
+            }
+        }
+        Ok(())
     }
 
     /// The steps from `best`, which follows.
@@ -196,6 +233,29 @@ impl Pass<'_, '_, '_, '_> {
     }
 }
 
+/// Patterns on the levels of their brightest pixel: what a pixel's level lacks is added to the same pixel of the next frame. Dark pixels stay dark.
+#[must_use]
+pub fn diffused(wanted: &Patterns, bits: u32) -> Patterns {
+    let full = wanted.values.iter().copied().fold(0.0, f32::max);
+    let top = ((1u32 << bits) - 1) as f32;
+    let size = wanted.grid.rows * wanted.grid.columns;
+    let mut lacking = vec![0.0f32; size];
+    let show = |(i, &value): (usize, &f32)| {
+        if value == 0.0 {
+            return 0.0;
+        }
+        let lacking = &mut lacking[i % size];
+        let wanted = value + *lacking;
+        let shown = (wanted / full * top).round().clamp(0.0, top) / top * full;
+        *lacking = (wanted - shown).clamp(-full, full);
+        shown
+    };
+    Patterns {
+        grid: wanted.grid.clone(),
+        values: wanted.values.iter().enumerate().map(show).collect(),
+    }
+}
+
 /// The brightest pixel of each light, and where the light lies in a field.
 struct Brightest(Vec<(Range<usize>, f32)>);
 
@@ -235,6 +295,7 @@ mod tests {
     use crate::{Limits, Stop, run};
     use tomolith_core::check::small::SmallModel;
     use tomolith_core::dose::{DoseModel, Run};
+    use tomolith_core::grid::PatternGrid;
     use tomolith_objective::Objective;
     use tomolith_optics::exposure::quantize;
 
@@ -271,7 +332,7 @@ mod tests {
         )
         .unwrap();
         let mut shown = projector(&case.model, bits);
-        let (asked, gain) = improve(&mut problem, &x, &mut shown).unwrap();
+        let (asked, gain) = improve(&mut problem, &x, &mut shown, bits).unwrap();
         let shown = shown(&asked).unwrap();
         // What is claimed is what the model says of what is shown
         let mut dose = DoseModel::new_dose(&case.model).unwrap();
@@ -332,6 +393,29 @@ mod tests {
     }
 
     #[test]
+    fn what_a_level_lacks_goes_to_the_next_frame() {
+        // One pixel of 0.3 in ten frames beside one that is white: at one bit it is white in three of them
+        let values = (0..20).map(|i| [0.3, 1.0][i % 2]).collect();
+        let grid = PatternGrid::full_turn(10, 0.0, 1, 2, 1.0);
+        let shown = diffused(&Patterns { grid, values }, 1);
+        let pixel = |i: usize| shown.values.iter().skip(i).step_by(2).copied();
+        assert_eq!(pixel(0).sum::<f32>(), 3.0);
+        assert!(pixel(0).all(|v| v == 0.0 || v == 1.0));
+        assert!(pixel(1).all(|v| v == 1.0));
+    }
+
+    #[test]
+    fn what_is_taken_is_no_worse_than_error_diffusion() {
+        let case = Case::of(SmallModel::new(24, 36, 1), 24, 36);
+        for bits in [1, 2, 3] {
+            let (.., gain) = improved(&case, bits, Limits::default());
+            let diffused = gain.diffused_loss.unwrap();
+            assert!(gain.loss <= diffused, "{bits}: {gain:?}");
+            assert!(bits > 1 || diffused < gain.rounded_loss, "{gain:?}");
+        }
+    }
+
+    #[test]
     fn bounds_hold_for_what_is_asked() {
         let case = Case::of(SmallModel::new(16, 24, 1), 16, 24);
         // The second has scales at which white is below the darkest that is allowed
@@ -371,7 +455,7 @@ mod tests {
             odd.for_each(|v| *v *= 2.0 / 3.0);
             Ok(x)
         };
-        let (_, gain) = improve(&mut problem, &x, &mut shown).unwrap();
+        let (_, gain) = improve(&mut problem, &x, &mut shown, 3).unwrap();
         assert!(gain.loss < gain.rounded_loss, "{gain:?}");
     }
 
@@ -396,7 +480,7 @@ mod tests {
         let objective = case.objective("threshold", wide);
         let mut problem =
             Problem::new(&case.model, &*objective, &[Limits::default()], &flag).unwrap();
-        let (asked, gain) = improve(&mut problem, &x, &mut |x| Ok(x.clone())).unwrap();
+        let (asked, gain) = improve(&mut problem, &x, &mut |x| Ok(x.clone()), 3).unwrap();
         assert_eq!((gain.calls, gain.steps, gain.scale), (1, 0, 1.0));
         assert_eq!(asked.as_slice(), x.as_slice());
     }

@@ -20,6 +20,7 @@ use super::plot::Axis;
 use std::collections::BTreeSet;
 
 pub mod histograms;
+pub mod profiles;
 mod sheet;
 
 use sheet::{Frame, GLYPH, LabelMargins, Sheet, Ticks, add, panel_size, shortened};

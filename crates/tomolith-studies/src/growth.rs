@@ -2,7 +2,7 @@
 //!
 //! A ball in the middle of N³ voxels, N × N pixels as wide as voxels, N frames of a full turn, for N = 32, 48, 64, 96, 128, … up to LARGEST
 //! (default 128); a model whose next size would take more than two minutes ends before it. Each size runs in a process of its own, which
-//! builds the job's model and calls dose and adjoint until half a second of processor time has gone, a call of more than a minute once. Prints a table, exponents fitted to the
+//! builds the job's model and calls dose and adjoint until half a second of processor time has gone, a call of more than a minute once. Prints a table, exponents fitted to N = 64 and above and to the
 //! four largest sizes, and what 1024³ voxels with 1000 angles would take: the largest size times the larger power of the fitted one and the
 //! theory's (memory: N³). FOLDER gets four pictures. See docs/measured/growth.md.
 //!
@@ -203,11 +203,25 @@ fn in_a_process(case: &Case, n: usize) -> Fallible<Size> {
     })
 }
 
-/// Exponent of a power law through the last four points: least squares of the logarithms.
+/// Exponent of a power law through the last four points, from which larger sizes are reckoned.
 fn exponent(sizes: &[Size], of: impl Fn(&Size) -> f64) -> f64 {
-    let last = &sizes[sizes.len().saturating_sub(4)..];
-    let points = || last.iter().map(|s| ((s.n as f64).ln(), of(s).ln()));
-    let count = last.len() as f64;
+    fitted(&sizes[sizes.len().saturating_sub(4)..], of)
+}
+
+/// The exponents through all points from N = 64 on, and through the last four.
+fn exponents(sizes: &[Size], of: impl Fn(&Size) -> f64) -> String {
+    let from = sizes.iter().position(|s| s.n >= 64).unwrap_or(0);
+    format!(
+        "{:.2}, {:.2}",
+        fitted(&sizes[from..], &of),
+        exponent(sizes, &of)
+    )
+}
+
+/// Exponent of a power law through points: least squares of the logarithms.
+fn fitted(sizes: &[Size], of: impl Fn(&Size) -> f64) -> f64 {
+    let points = || sizes.iter().map(|s| ((s.n as f64).ln(), of(s).ln()));
+    let count = sizes.len() as f64;
     let x = points().map(|p| p.0).sum::<f64>() / count;
     let y = points().map(|p| p.1).sum::<f64>() / count;
     let spread: f64 = points().map(|p| (p.0 - x).powi(2)).sum();
@@ -362,12 +376,13 @@ fn print_fits(all: &[(&Case, Vec<Size>)]) {
         let dose = exponent(sizes, |s| s.dose_s);
         let hours = at_1024(sizes, dose.max(case.theory), |s| s.dose_s) * 1000.0 / 1024.0 / 3600.0;
         println!(
-            "| {} | {dose:.2} | {:.0}: {} | {:.2} | {:.2} | {} | {:.0} |",
+            "| {} | {} | {:.0}: {} | {} | {} | {} | {:.0} |",
             case.name,
+            exponents(sizes, |s| s.dose_s),
             case.theory,
             case.why,
-            exponent(sizes, |s| s.adjoint_s),
-            exponent(sizes, |s| s.peak_mb),
+            exponents(sizes, |s| s.adjoint_s),
+            exponents(sizes, |s| s.peak_mb),
             significant(hours, 2),
             at_1024(sizes, 3.0, |s| s.peak_mb) / 1024.0
         );

@@ -108,25 +108,14 @@ fn wanted(file: &Path) -> Result<Patterns, Error> {
     })
 }
 
-/// Carries the error of a pixel to the same pixel of the next frame; dark pixels stay dark.
+/// Error diffusion at a share of the brightest pixel as the full scale.
 fn diffused(wanted: &Patterns, scale: f32, bits: u32) -> Patterns {
-    let size = wanted.grid.rows * wanted.grid.columns;
     let full = scale * wanted.values.iter().copied().fold(0.0, f32::max);
-    let top = ((1u32 << bits) - 1) as f32;
-    let mut carried = vec![0.0f32; size];
-    let show = |(i, &value): (usize, &f32)| {
-        if value == 0.0 {
-            return 0.0;
-        }
-        let wanted = value.min(full) + carried[i % size];
-        let shown = (wanted / full * top).round().clamp(0.0, top) / top * full;
-        carried[i % size] = (wanted - shown).clamp(-full, full);
-        shown
-    };
-    Patterns {
-        grid: wanted.grid.clone(),
-        values: wanted.values.iter().enumerate().map(show).collect(),
-    }
+    let mut cut = wanted.clone();
+    cut.values
+        .iter_mut()
+        .for_each(|value| *value = value.min(full));
+    tomolith::optimize::levels::diffused(&cut, bits)
 }
 
 /// IoU, VER and process window.

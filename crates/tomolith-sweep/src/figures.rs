@@ -1,4 +1,4 @@
-//! Pictures of a study over several of its runs: histograms of their reports side by side.
+//! Pictures of a study over several of its runs: histograms of their reports, or numbers of their slices, side by side.
 
 use crate::plan::SweepPlan;
 use crate::study::{Study, StudySpec};
@@ -10,6 +10,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use tomolith::io::write_whole;
 use tomolith::report::maps::histograms::{HistogramPanel, histograms};
+use tomolith::report::maps::profiles::{ProfilePanel, profiles};
 use tomolith::{Error, Result};
 
 /// Tables of a report that hold a range and counts per bin.
@@ -22,7 +23,10 @@ const HISTOGRAMS: [&str; 4] = [
 /// Keys of such a table that are no counts.
 const NO_COUNTS: [&str; 2] = ["range", "band"];
 
-/// Histograms of several runs, side by side.
+/// Numbers that a report has of every slice, on the voxels of the print.
+const OF_SLICES: [&str; 5] = ["pw", "ipdr", "ver", "pw_trimmed", "ipdr_trimmed"];
+
+/// Histograms or slices of several runs, side by side.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct FigureSpec {
@@ -34,7 +38,10 @@ pub(crate) struct FigureSpec {
     #[serde(default)]
     pub(crate) caption: String,
     /// The histogram of each run's report.
-    pub(crate) histogram: String,
+    pub(crate) histogram: Option<String>,
+    /// Or numbers of its slices, as curves over z.
+    #[serde(default)]
+    pub(crate) slices: Vec<String>,
     /// Whose, from left to right.
     pub(crate) panels: Vec<PanelSpec>,
 }
@@ -66,9 +73,22 @@ pub(crate) fn check(spec: &StudySpec) -> Result<()> {
                 "letters, digits, `_` and `-`, each name once: it is the name of its file";
             return refuse("name", format!("found {:?}", figure.name), accepted);
         }
-        if !HISTOGRAMS.contains(&figure.histogram.as_str()) {
-            let found = format!("`{}` is no histogram of report.json", figure.histogram);
+        let histogram = figure.histogram.as_deref();
+        if histogram.is_some() != figure.slices.is_empty() {
+            let found = match histogram {
+                Some(_) => "beside slices".to_owned(),
+                None => "neither it nor slices".to_owned(),
+            };
+            return refuse("histogram", found, "either a histogram or slices");
+        }
+        if let Some(path) = histogram.filter(|path| !HISTOGRAMS.contains(path)) {
+            let found = format!("`{path}` is no histogram of report.json");
             return refuse("histogram", found, &HISTOGRAMS.join(", "));
+        }
+        let is_unknown = |name: &&String| !OF_SLICES.contains(&name.as_str());
+        if let Some(name) = figure.slices.iter().find(is_unknown) {
+            let found = format!("`{name}` is no number of a slice");
+            return refuse("slices", found, &OF_SLICES.join(", "));
         }
         if figure.panels.is_empty() {
             let accepted = "at least one { of = \"NAME\" }";
@@ -96,7 +116,7 @@ fn jobs(spec: &StudySpec) -> String {
     names.join(", ")
 }
 
-/// Draws all figures; one without any histogram is left out.
+/// Draws all figures; one without any panel is left out.
 ///
 /// # Errors
 /// [`Error::Io`].
@@ -107,23 +127,15 @@ pub(crate) fn write(
 ) -> Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     for figure in &study.spec.figures {
-        let of = |panel: &PanelSpec| of_run(panel, plans.get(panel.of.as_str()), figure);
-        let (panels, missing): (Vec<_>, Vec<_>) =
-            figure.panels.iter().flat_map(of).partition(Result::is_ok);
-        let panels: Vec<HistogramPanel> = panels.into_iter().flatten().collect();
-        if panels.is_empty() {
-            continue;
-        }
-        let missing: Vec<String> = missing.into_iter().filter_map(Result::err).collect();
-        let mut caption = figure.caption.trim().to_owned();
-        if !missing.is_empty() {
-            caption.push_str(&format!(" Without a histogram: {}.", missing.join(", ")));
-        }
-        let x = match figure.histogram.ends_with("errors") {
-            true => "response − gray value",
-            false => "response",
+        let reports = || {
+            let of = |panel: &PanelSpec| of_run(panel, plans.get(panel.of.as_str()));
+            figure.panels.iter().flat_map(of)
         };
-        let svg = histograms(&figure.title, x, &panels, caption.trim());
+        let svg = match &figure.histogram {
+            Some(path) => of_histograms(figure, path, reports()),
+            None => of_slices(figure, reports()),
+        };
+        let Some(svg) = svg else { continue };
         let file = output.join(format!("{}.svg", figure.name));
         write_whole(&file, |out| Ok(out.write_all(svg.as_bytes())?))?;
         files.push(file);
@@ -131,25 +143,83 @@ pub(crate) fn write(
     Ok(files)
 }
 
-/// The histograms of a panel's runs, in the order of the sweep; the names of those that have none.
-fn of_run(
-    panel: &PanelSpec,
-    plan: Option<&&SweepPlan>,
+/// What stands above a panel, and the report of its run.
+type Titled = (String, Value);
+
+fn of_histograms(
     figure: &FigureSpec,
-) -> Vec<Result<HistogramPanel, String>> {
+    path: &str,
+    reports: impl Iterator<Item = Titled>,
+) -> Option<String> {
+    let (panels, missing) = panels(reports, |title, report| histogram(report, path, title));
+    let x = match path.ends_with("errors") {
+        true => "response − gray value",
+        false => "response",
+    };
+    let caption = caption(figure, "a histogram", &missing);
+    (!panels.is_empty()).then(|| histograms(&figure.title, x, &panels, &caption))
+}
+
+fn of_slices(figure: &FigureSpec, reports: impl Iterator<Item = Titled>) -> Option<String> {
+    let (panels, missing) = panels(reports, |title, report| {
+        slices(report, &figure.slices, title)
+    });
+    let caption = caption(figure, "slices", &missing);
+    let names = ["z, mm", "of the response"];
+    (!panels.is_empty()).then(|| profiles(&figure.title, names, &panels, &caption))
+}
+
+/// Panels, and the titles of reports that have none.
+fn panels<P>(
+    reports: impl Iterator<Item = Titled>,
+    of: impl Fn(&str, &Value) -> Option<P>,
+) -> (Vec<P>, Vec<String>) {
+    let (mut panels, mut missing) = (Vec::new(), Vec::new());
+    for (title, report) in reports {
+        match of(&title, &report) {
+            Some(panel) => panels.push(panel),
+            None => missing.push(title),
+        }
+    }
+    (panels, missing)
+}
+
+fn caption(figure: &FigureSpec, what: &str, missing: &[String]) -> String {
+    let own = figure.caption.trim();
+    let missing = match missing {
+        [] => String::new(),
+        all => format!(" Without {what}: {}.", all.join(", ")),
+    };
+    format!("{own}{missing}").trim().to_owned()
+}
+
+/// The reports of a panel's runs, in the order of the sweep.
+fn of_run(panel: &PanelSpec, plan: Option<&&SweepPlan>) -> Vec<Titled> {
     let own = || panel.name.clone().unwrap_or_else(|| panel.of.clone());
     let Some(plan) = plan else {
-        return vec![Err(own())];
+        return vec![(own(), Value::Null)];
     };
     let of_index = |i: usize| {
         let title = match plan.words(i) {
             words if words.is_empty() => own(),
             words => words,
         };
-        let report = report(&plan.run_folder(i)).unwrap_or_default();
-        histogram(&report, &figure.histogram, &title).ok_or(title)
+        (title, report(&plan.run_folder(i)).unwrap_or_default())
     };
     (0..plan.runs.len()).map(of_index).collect()
+}
+
+/// Numbers of a report's slices as curves; slices without part or void have none.
+fn slices(report: &Value, names: &[String], title: &str) -> Option<ProfilePanel> {
+    let slices = report["published"]["slices"].as_array()?;
+    let curve = |name: &String| {
+        let point = |slice: &Value| Some([slice["z_mm"].as_f64()?, slice[name].as_f64()?]);
+        (name.clone(), slices.iter().filter_map(point).collect())
+    };
+    Some(ProfilePanel {
+        title: title.to_owned(),
+        series: names.iter().map(curve).collect(),
+    })
 }
 
 /// A table of a report as a histogram.
@@ -188,5 +258,22 @@ mod tests {
         assert_eq!(found.series, series);
         assert!(histogram(&report, "optimization.histogram", "a").is_none());
         assert!(histogram(&report, "evaluation.errors", "a").is_none());
+    }
+
+    #[test]
+    fn slices_are_curves_over_their_heights() {
+        let slice = |z: f64, pw: Option<f64>| serde_json::json!({ "z_mm": z, "pw": pw });
+        let slices_of = [
+            slice(-0.1, Some(0.2)),
+            slice(0.0, None),
+            slice(0.1, Some(0.3)),
+        ];
+        let report = serde_json::json!({ "published": { "slices": slices_of } });
+        let found = slices(&report, &["pw".to_owned()], "a").unwrap();
+        assert_eq!(
+            found.series,
+            [("pw".to_owned(), vec![[-0.1, 0.2], [0.1, 0.3]])]
+        );
+        assert!(slices(&Value::Null, &[], "a").is_none());
     }
 }

@@ -1,4 +1,5 @@
-//! Numbers of `report.json` by their key paths, as in `evaluation.pw` and `limits[0].loss_in_iou`.
+//! Numbers of `report.json` by their key paths, as in `evaluation.pw` and `limits[0].loss_in_iou`; of a list, `[min]`, `[max]` and `[mean]` take
+//! one number of all entries that have it, as in `published.slices[max].pw`.
 
 use serde_json::Value;
 use tomolith::error::nearest_name;
@@ -61,7 +62,14 @@ const FIELDS: [(&str, &[&str]); 5] = [
     ),
     (
         "levels",
-        &["rounded_loss", "loss", "scale", "steps", "calls"],
+        &[
+            "rounded_loss",
+            "diffused_loss",
+            "loss",
+            "scale",
+            "steps",
+            "calls",
+        ],
     ),
     (
         "scenarios",
@@ -165,6 +173,12 @@ pub(crate) fn number(report: &Value, path: &str) -> Result<Option<f64>, String> 
             .or_else(|| rest.split_once(['.', '[']))
             .unwrap_or((rest, ""));
         let step = step.trim_end_matches(']');
+        if let (Value::Array(list), Some(take)) = (at, take(step)) {
+            let numbers = list.iter().map(|entry| number(entry, after));
+            let numbers = numbers.filter_map(Result::transpose);
+            let numbers = numbers.collect::<Result<Vec<f64>, _>>();
+            return numbers.map(take);
+        }
         let inner = match at {
             Value::Array(list) => step
                 .parse::<usize>()
@@ -190,6 +204,19 @@ pub(crate) fn number(report: &Value, path: &str) -> Result<Option<f64>, String> 
     }
 }
 
+/// What a word in brackets takes of many numbers.
+fn take(word: &str) -> Option<fn(Vec<f64>) -> Option<f64>> {
+    Some(match word {
+        "min" => |numbers| numbers.into_iter().reduce(f64::min),
+        "max" => |numbers| numbers.into_iter().reduce(f64::max),
+        "mean" => |numbers| {
+            let count = numbers.len() as f64;
+            (count > 0.0).then(|| numbers.iter().sum::<f64>() / count)
+        },
+        _ => return None,
+    })
+}
+
 fn kind(value: &Value) -> &'static str {
     match value {
         Value::String(_) => "a text",
@@ -208,7 +235,7 @@ mod tests {
             "evaluation": { "pw": 0.25, "iou": null, "notes": ["a"] },
             "optimization": null,
             "limits": [{ "loss_in_iou": 0.5 }],
-            "published": { "bclp.pw": 1, "ver": { "value": 0.125, "unit": "" } },
+            "published": { "slices": [{ "pw": 0.25, "ver": null }, { "pw": null, "ver": null }, { "pw": 0.75, "ver": null }], "bclp.pw": 1, "ver": { "value": 0.125, "unit": "" } },
             "met": true,
         });
         for (path, found) in [
@@ -219,6 +246,10 @@ mod tests {
             ("limits[3].loss_in_iou", Ok(None)),
             ("published.ver", Ok(Some(0.125))),
             ("met", Ok(Some(1.0))),
+            ("published.slices[min].pw", Ok(Some(0.25))),
+            ("published.slices[max].pw", Ok(Some(0.75))),
+            ("published.slices[mean].pw", Ok(Some(0.5))),
+            ("published.slices[max].ver", Ok(None)),
         ] {
             assert_eq!(number(&report, path), found, "{path}");
         }

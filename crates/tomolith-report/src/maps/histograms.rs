@@ -27,7 +27,7 @@ const FLAT: f64 = 0.9;
 /// Room beside what is shown, of its extent.
 const BESIDE: f64 = 0.04;
 /// How series are drawn and told apart.
-const SERIES: [(&str, &str); 4] = [
+pub(super) const SERIES: [(&str, &str); 4] = [
     ("part", "teal"),
     ("void", "orange"),
     ("third", "violet"),

@@ -8,7 +8,7 @@ use crate::grid::{PatternGrid, Volume, VolumeGrid};
 use crate::optics::light::Light;
 use crate::report::number::significant;
 use crate::target::{Shape, label};
-use crate::units::{concise, exact};
+use crate::units::{concise, counted, exact};
 use std::f64::consts::TAU;
 use tomolith_core::parallel::{InParallel, table};
 
@@ -16,6 +16,9 @@ use tomolith_core::parallel::{InParallel, table};
 const STRAY: f64 = 1e-3;
 /// Part of a voxel that a target may reach into a wall where a job does not say how far.
 const TOUCH: f64 = 0.01;
+
+/// Pixels across a voxel from which on a part that no voxel sees is a matter of the voxels.
+const COARSE: f64 = 2.0;
 
 /// Lengths of absorption from the wall to the middle of a vial, above which next to no light arrives there: e⁻⁷ is a thousandth.
 const DARK_INSIDE: f64 = 7.0;
@@ -275,58 +278,35 @@ impl Optics {
     ) -> Result<Vec<String>> {
         let grid = &labels.grid;
         let [_, ny, nx] = grid.shape;
-        let (reach, light) = self.reach_mm();
         let size = (nx * ny).max(1);
         let of_slice = |(iz, (labels, inside)): (usize, (&[u8], &[f32]))| {
-            let [mut part, mut stray, mut cut, mut beyond] = [0u64; 4];
-            let mut farthest = 0.0f64;
+            let [mut part, mut stray, mut cut] = [0u64; 3];
             for (i, (&label, &inside)) in labels.iter().zip(inside).enumerate() {
                 let is_part = if gray { inside > 0.0 } else { inside >= 0.5 };
                 if !is_part {
                     continue;
                 }
                 part += 1;
-                let (x, y) = (grid.x(i % nx), grid.y(i / nx));
                 if label == label::OUTSIDE {
-                    let touches = self.touches([x, y, grid.z(iz)]);
+                    let touches = self.touches([grid.x(i % nx), grid.y(i / nx), grid.z(iz)]);
                     cut += u64::from(touches);
                     stray += u64::from(!touches);
                 }
-                let radius = x.hypot(y);
-                farthest = farthest.max(radius);
-                beyond += u64::from(radius > reach);
             }
-            ([part, stray, cut, beyond], farthest)
+            [part, stray, cut]
         };
         let slices = labels
             .values
             .chunks(size)
             .zip(inside.values.chunks(size))
             .enumerate();
-        let ([part, stray, cut, beyond], farthest) = slices.par_map(of_slice).into_iter().fold(
-            ([0; 4], 0.0),
-            |(a, far): ([u64; 4], f64), (b, other)| {
-                (std::array::from_fn(|i| a[i] + b[i]), far.max(other))
-            },
-        );
+        let [part, stray, cut] = (slices.par_map(of_slice).into_iter())
+            .fold([0; 3], |a: [u64; 3], b| {
+                std::array::from_fn(|i| a[i] + b[i])
+            });
         let mm3 = |voxels: u64| concise(voxels as f64 * grid.voxel_mm3());
         if part == 0 {
-            // Some of it is in the grid, or none
-            let is_there = inside.values.iter().any(|&inside| inside > 0.0);
-            let key = if is_there { "grid.pitch_mm" } else { "target" };
-            return Err(Error::config(
-                key,
-                format!(
-                    "no voxel of the grid is in the target: their edge is {} mm{}",
-                    concise(grid.pitch_mm),
-                    if is_there {
-                        ""
-                    } else {
-                        ", and nothing of it is solid there"
-                    }
-                ),
-                "a target (of an image, bright pixels) that lies in the grid and is larger than a voxel",
-            ));
+            return Err(self.unseen(inside));
         }
         let mut warnings = Vec::new();
         if stray as f64 > STRAY * part as f64 {
@@ -363,21 +343,44 @@ impl Optics {
                 mm3(part)
             ));
         }
-        if beyond > 0 {
-            let times = (100.0 * farthest / reach - 1e-6).ceil() / 100.0;
-            let advice = match reach > 0.0 {
-                true => format!("use {} times as many columns in `pixels`", significant(times, 3)),
-                false => "what it lights lies beside the axis: use a smaller `offset_mm`, or more columns in `pixels` or `selection`".to_owned(),
-            };
-            warnings.push(format!(
-                "after refraction, light[{light}] reaches only {} mm from the axis on every side, the part {} mm: {:.1} % of the \
-                 part lies outside and is not lit from all sides; {advice}",
-                concise(reach),
-                concise(farthest),
-                100.0 * beyond as f64 / part as f64,
-            ));
-        }
+        warnings.extend(
+            self.unreached(inside, gray)
+                .map(|unreached| unreached.warning()),
+        );
         Ok(warnings)
+    }
+
+    /// Whether voxels, and not pixels, are too coarse for a part that none of them sees.
+    pub(crate) fn are_coarse(&self, grid: &VolumeGrid) -> bool {
+        let pixels = self.lights.iter().map(|light| light.pixels.pitch_mm[0]);
+        grid.pitch_mm > COARSE * pixels.fold(f64::INFINITY, f64::min)
+    }
+
+    /// The error of a target that fills half of no voxel.
+    fn unseen(&self, inside: &Volume<f32>) -> Error {
+        let pitch = inside.grid.pitch_mm;
+        let touched = inside.values.iter().filter(|inside| **inside > 0.0).count();
+        let key = match touched > 0 && self.are_coarse(&inside.grid) {
+            true => "grid.pitch_mm",
+            false => "target",
+        };
+        let found = match touched {
+            0 => format!(
+                "nothing of it is solid in the grid, whose voxels are {} mm wide",
+                concise(pitch)
+            ),
+            _ => format!(
+                "no voxel of the grid is half filled by it: it reaches into {} of {} mm",
+                counted(touched, "voxel"),
+                concise(pitch)
+            ),
+        };
+        Error::config(
+            key,
+            found,
+            "a target (of an image, bright pixels) that lies in the grid and is larger than a voxel: a larger target.size_mm, \
+             another target.mesh_unit, or a smaller grid.pitch_mm",
+        )
     }
 
     /// Voxels of the target whose middle is in a body of the job.
@@ -405,32 +408,28 @@ impl Optics {
             .filter(|hidden| **hidden)
             .count() as u64
     }
-
-    /// Distance from the axis up to which every light is tangent, mm, and the light that ends there.
-    ///
-    /// Seen along the axis, tilted light is bent as if both indices were those of their parts across it: n·sin of the angle
-    /// to the plane is the same outside and inside.
-    fn reach_mm(&self) -> (f64, usize) {
-        let reach = |(i, light): (usize, &Light)| {
-            let [low, high] = field_mm(light);
-            let half_field = high[0].min(-low[0]).max(0.0);
-            let resin = light.resin.refractive_index;
-            let surrounding = self.vial.surrounding_index(light.surrounding_index, resin);
-            let (sin, cos) = self.tilt_rad().sin_cos();
-            let across = (resin.powi(2) - (surrounding * sin).powi(2))
-                .max(0.0)
-                .sqrt();
-            let reach = self.vial.reach_mm(half_field, surrounding * cos, across);
-            (reach, i)
-        };
-        let reaches = self.lights.iter().enumerate().map(reach);
-        reaches.fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a })
-    }
 }
 
 /// Lowest and highest corner [u, z] of what a light may light, mm.
-fn field_mm(light: &Light) -> [[f64; 2]; 2] {
+pub(super) fn field_mm(light: &Light) -> [[f64; 2]; 2] {
     light.selection.field_mm(&light.pixels)
+}
+
+/// The key that moves the end of a light's field.
+pub(super) fn field_key(spec: &JobSpec, optics: &Optics, i: usize) -> String {
+    let light = &optics.lights[i];
+    let whole = PatternGrid {
+        offset_mm: [0.0; 2],
+        ..light.pixels.clone()
+    };
+    let key = match field_mm(light) == whole.field_mm() {
+        true => format!("light[{i}].pixels"),
+        false => narrowing(spec, i).0,
+    };
+    match optics.lights.len() {
+        1 => key.replacen("light[0]", "light", 1),
+        _ => key,
+    }
 }
 
 /// The key that makes the field of a light too small for a target, and what would make it larger. `is_cut`: all of its pixels
@@ -485,7 +484,6 @@ mod tests {
     use super::*;
     use crate::job::build::tests::{key, spec};
     use crate::kind::Section;
-    use crate::models::rays;
     use crate::optics::vial::{double_tube::DoubleTube, index_matched::IndexMatched};
     use std::path::Path;
 
@@ -605,33 +603,6 @@ mod tests {
         optics.wall_tolerance_mm = 0.002;
         let text = optics.must_hold(&job, gear.as_ref()).unwrap().join("");
         assert!(text.contains("0.001 mm into the wall"), "{text}");
-    }
-
-    #[test]
-    fn the_outermost_ray_of_a_leaning_vial_passes_the_axis_at_the_reach() {
-        for tilt in ["0", "25"] {
-            let spec = spec(&[&format!("motion.tilt_deg={tilt}")]);
-            let optics = Optics::new(&spec, Path::new("")).unwrap();
-            let scene = optics.scene();
-            let rays = rays::Rays::new(
-                scene.vial,
-                optics.lights.clone(),
-                scene.optics,
-                &rays::Params::default(),
-                VolumeGrid::centered([8, 8, 8], 1.0),
-            )
-            .unwrap();
-            // The middle of the last of 128 columns
-            let (segments, _) = rays.trace(0, 0, 127, 32);
-            let (from, along) = (segments[0].ray.from, segments[0].ray.direction);
-            let passes = (from[0] * along[1] - from[1] * along[0]).abs() / along[0].hypot(along[1]);
-            let (reach, light) = optics.reach_mm();
-            assert!(
-                (passes - reach * 127.0 / 128.0).abs() < 1e-9,
-                "{tilt}: {passes} {reach}"
-            );
-            assert_eq!(light, 0);
-        }
     }
 
     #[test]

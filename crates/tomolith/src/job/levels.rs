@@ -48,7 +48,7 @@ pub(super) fn improve(
         }
         Ok(x)
     };
-    let (asked, gain) = levels::improve(problem, x, &mut shown)?;
+    let (asked, gain) = levels::improve(problem, x, &mut shown, evaluate.bit_depth)?;
     progress.event(&Event::Note {
         text: sentence(evaluate.bit_depth, &gain),
     });
@@ -70,19 +70,27 @@ pub(super) fn patterns(lights: &[PatternLayout], x: &HostField) -> Vec<Patterns>
 pub(crate) fn sentence(bits: u32, gain: &Gain) -> String {
     let Gain {
         rounded_loss,
+        diffused_loss,
         loss,
         scale,
         steps,
         calls,
     } = gain;
+    let diffused = diffused_loss.map_or_else(String::new, |loss| {
+        format!(", {loss:.4e} by error diffusion over neighboring frames")
+    });
     if loss < rounded_loss {
+        let way = match diffused_loss.is_some_and(|diffused| diffused <= *loss) {
+            true => "the least, by error diffusion",
+            false => "on its levels",
+        };
         format!(
-            "bit depth {bits}: loss {loss:.4e} on its levels, {rounded_loss:.4e} by plain rounding ({steps} steps, {calls} model calls; full scale \
+            "bit depth {bits}: loss {loss:.4e} {way}; {rounded_loss:.4e} by plain rounding{diffused} ({steps} steps, {calls} model calls; full scale \
              {scale:.2} of the brightest pixel)"
         )
     } else {
         format!(
-            "bit depth {bits}: loss {loss:.4e} by plain rounding, which {steps} steps did not improve ({calls} model calls)"
+            "bit depth {bits}: loss {loss:.4e} by plain rounding, which {steps} steps did not improve{diffused} ({calls} model calls)"
         )
     }
 }

@@ -50,6 +50,7 @@ mod point_spread;
 pub mod progress;
 mod property;
 mod ranks;
+mod reach;
 pub mod read;
 pub mod reference_page;
 mod refinement;

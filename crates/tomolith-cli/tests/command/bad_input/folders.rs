@@ -30,7 +30,7 @@ fn an_error_after_the_folder_was_taken_leaves_it_as_it_was() {
         let message = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{message}");
         for part in [
-            "grid.pitch_mm: no voxel of the grid",
+            "grid.pitch_mm: no voxel of the grid is half filled",
             "(from --set grid.pitch_mm=2.5)",
         ] {
             assert!(flat(&message).contains(part), "{part}: {message}");

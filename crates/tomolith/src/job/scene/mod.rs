@@ -150,7 +150,8 @@ impl Scene {
         let (grid, moved_mm) = placed?;
         notes.extend(moved(moved_mm));
         notes.extend(chosen(&spec, &kinds));
-        must_be_seen(shape.as_ref(), &grid, unit.as_deref())?;
+        let is_coarse = optics.are_coarse(&grid);
+        must_be_seen(&spec, shape.as_ref(), &grid, unit.as_deref(), is_coarse)?;
         time_refusals::must_be_stable(&spec, &grid)?;
         let cut_off = clip::must_hold(&spec.grid, &grid, shape.as_ref(), run)?;
         // A file that is missing is told before numbers that do not suit it

@@ -96,26 +96,31 @@ pub(super) fn ask_for_unit(spec: &JobSpec, optics: &Optics, shape: &dyn Shape) -
     spec.target.ask_for_unit(shape.bounds_mm(), expected)
 }
 
-/// Refuses a part smaller than a voxel, where its file may be in another unit.
+/// Refuses a part smaller than a voxel: by the key that says how large it is, unless the voxels are coarse for these pixels.
 pub(super) fn must_be_seen(
+    spec: &JobSpec,
     shape: &dyn Shape,
     grid: &VolumeGrid,
     question: Option<&str>,
+    is_coarse: bool,
 ) -> Result<()> {
     let [low, high] = shape.bounds_mm();
     let longest = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
-    match question {
-        Some(_) if longest < grid.pitch_mm => {
-            let found = format!(
-                "the part is {} mm long, a voxel of the grid {} mm",
-                concise(longest),
-                concise(grid.pitch_mm)
-            );
-            let error = Error::config("target", found, "a target larger than a voxel");
-            Err(error.asking(question))
-        }
-        _ => Ok(()),
+    if longest >= grid.pitch_mm || (is_coarse && question.is_none()) {
+        return Ok(());
     }
+    let key = match &spec.target {
+        target if target.size_mm.is_some() => "target.size_mm",
+        target if target.mesh_unit.is_some() => "target.mesh_unit",
+        _ => "target",
+    };
+    let found = format!(
+        "the part is {} mm long, a voxel of the grid {} mm",
+        concise(longest),
+        concise(grid.pitch_mm)
+    );
+    let error = Error::config(key, found, "a target larger than a voxel");
+    Err(error.asking(question))
 }
 
 /// Says that no finer voxels will be looked at.

@@ -1,0 +1,117 @@
+//! Numbers along a length side by side, as one SVG file: those of the slices of several runs, over one scale.
+//!
+//! ```
+//! use tomolith_report::maps::profiles::{ProfilePanel, profiles};
+//! let panel = ProfilePanel {
+//!     title: "OSPW(0)".to_owned(),
+//!     series: vec![("pw".to_owned(), vec![[-1.0, 0.1], [0.0, 0.2], [1.0, 0.1]])],
+//! };
+//! let svg = profiles("slice by slice", ["z, mm", "of the response"], &[panel], "");
+//! assert_eq!(svg.matches("L").count() >= 2, true);
+//! ```
+
+use super::histograms::SERIES;
+use super::placed;
+use super::sheet::{Frame, LabelMargins, Sheet, Ticks, add};
+use crate::number::escape;
+use crate::plot::Axis;
+
+/// Height of a panel, of its width.
+const FLAT: f64 = 0.9;
+/// Room above and below what is shown, of its extent.
+const BESIDE: f64 = 0.04;
+
+/// The curves of one run.
+#[derive(Clone, Debug)]
+pub struct ProfilePanel {
+    /// What tells it from the others.
+    pub title: String,
+    /// Name, and points from left to right.
+    pub series: Vec<(String, Vec<[f64; 2]>)>,
+}
+
+/// Curves side by side over one scale, as one SVG file; `caption` stands below them.
+#[must_use]
+pub fn profiles(title: &str, names: [&str; 2], panels: &[ProfilePanel], caption: &str) -> String {
+    let axis = |i: usize, room: f64| {
+        let curves = panels.iter().flat_map(|panel| &panel.series);
+        let values = || curves.clone().flat_map(|(_, points)| points).map(|p| p[i]);
+        let low = values().reduce(f64::min).unwrap_or(0.0);
+        let high = values().reduce(f64::max).unwrap_or(1.0);
+        let room = room * (high - low).max(1e-9);
+        Axis::linear(names[i], low - room, high + room)
+    };
+    let axes = [axis(0, 0.0), axis(1, BESIDE)];
+    let mut sheet = Sheet::new(panels.len(), FLAT, 20.0, LabelMargins::new(0, 0));
+    sheet.head(title, caption);
+    for (i, panel) in panels.iter().enumerate() {
+        let frame = sheet.frame(i);
+        draw(&mut sheet.body, &frame, panel, &axes);
+    }
+    let longest = panels.iter().max_by_key(|panel| panel.series.len());
+    let series = longest.into_iter().flat_map(|panel| &panel.series);
+    let marks: Vec<_> = series
+        .zip(SERIES.iter().cycle())
+        .map(|((name, _), (_, color))| Some(format!("{color}: {}", escape(name))))
+        .collect();
+    sheet.marks(&marks);
+    sheet.svg(title)
+}
+
+fn draw(body: &mut String, frame: &Frame, panel: &ProfilePanel, [x, y]: &[Axis; 2]) {
+    for ((_, points), (class, _)) in panel.series.iter().zip(SERIES.iter().cycle()) {
+        let mut path = String::new();
+        for (i, &[at, value]) in points.iter().enumerate() {
+            let letter = if i == 0 { 'M' } else { 'L' };
+            let (left, top) = (frame.x(x.place(at)), frame.y(y.place(value)));
+            add(&mut path, format_args!("{letter}{left:.1} {top:.1}"));
+        }
+        add(
+            body,
+            format_args!("<path class=\"{class}\" style=\"fill:none\" d=\"{path}\"/>"),
+        );
+    }
+    frame.title(body, &panel.title);
+    let below = Ticks::level(placed(x, (frame.width / 60.0) as usize));
+    let beside = placed(y, (frame.height / 30.0) as usize);
+    frame.axes(body, [&x.label, &y.label], &below, &beside);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_run_has_its_curves_over_the_scale_of_all() {
+        let panel = |title: &str, high: f64| ProfilePanel {
+            title: title.to_owned(),
+            series: vec![
+                ("pw".to_owned(), vec![[0.0, 0.0], [1.0, high]]),
+                ("a < b".to_owned(), vec![[0.0, 0.5], [1.0, 0.5]]),
+            ],
+        };
+        let svg = profiles(
+            "t",
+            ["z, mm", "y"],
+            &[panel("low", 1.0), panel("high", 2.0)],
+            "",
+        );
+        assert_eq!(svg.matches("class=\"part\"").count(), 2);
+        assert_eq!(svg.matches("class=\"void\"").count(), 2);
+        assert!(svg.contains("teal: pw") && svg.contains("orange: a &lt; b"));
+        // The lower curve ends half as high: 1 and 2 of a scale from −0.08 to 2.08
+        let ends: Vec<f64> = svg
+            .split("class=\"part\"")
+            .skip(1)
+            .filter_map(|part| part.split("d=\"M").nth(1)?.split('"').next())
+            .filter_map(|path| {
+                let tops = path
+                    .split('L')
+                    .map(|p| p.split(' ').nth(1)?.parse::<f64>().ok());
+                let tops = tops.collect::<Option<Vec<_>>>()?;
+                Some(tops[0] - tops[1])
+            })
+            .collect();
+        assert!((ends[1] / ends[0] - 2.0).abs() < 0.01, "{ends:?}");
+    }
+}

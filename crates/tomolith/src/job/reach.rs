@@ -1,0 +1,166 @@
+//! How far from the axis light reaches on every side, and what of a part lies beyond.
+
+use super::build::Optics;
+use super::compatibility::field_mm;
+use crate::grid::Volume;
+use crate::optics::light::Light;
+use crate::report::number::significant;
+use crate::units::concise;
+use tomolith_core::parallel::InParallel;
+
+/// What of a part lies beyond the reach of a light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Unreached {
+    /// Which light.
+    pub(crate) light: usize,
+    /// Distance from the axis up to which it is tangent on every side, mm. 0: it lights one side of the axis.
+    pub(crate) reach_mm: f64,
+    /// That of the part's farthest voxel.
+    pub(crate) farthest_mm: f64,
+    /// Share of the part's voxels that lie beyond.
+    pub(crate) share: f64,
+}
+
+impl Unreached {
+    pub(crate) fn warning(self) -> String {
+        let Self {
+            light,
+            reach_mm,
+            farthest_mm,
+            share,
+        } = self;
+        let times = (100.0 * farthest_mm / reach_mm - 1e-6).ceil() / 100.0;
+        let advice = match reach_mm > 0.0 {
+            true => format!("use {} times as many columns in `pixels`", significant(times, 3)),
+            false => "what it lights lies beside the axis: use a smaller `offset_mm`, or more columns in `pixels` or `selection`".to_owned(),
+        };
+        format!(
+            "after refraction, light[{light}] reaches only {} mm from the axis on every side, the part {} mm: {:.1} % of the \
+             part lies outside and is not lit from all sides; {advice}",
+            concise(reach_mm),
+            concise(farthest_mm),
+            100.0 * share,
+        )
+    }
+}
+
+impl Optics {
+    /// What of a part on voxels no light that ends there reaches on every side; None where nothing.
+    pub(crate) fn unreached(&self, inside: &Volume<f32>, gray: bool) -> Option<Unreached> {
+        let grid = &inside.grid;
+        let [_, ny, nx] = grid.shape;
+        let (reach_mm, light) = self.reach_mm();
+        let of_slice = |inside: &[f32]| {
+            let [mut part, mut beyond] = [0u64; 2];
+            let mut farthest = 0.0f64;
+            for (i, &inside) in inside.iter().enumerate() {
+                if if gray { inside > 0.0 } else { inside >= 0.5 } {
+                    let radius = grid.x(i % nx).hypot(grid.y(i / nx));
+                    part += 1;
+                    beyond += u64::from(radius > reach_mm);
+                    farthest = farthest.max(radius);
+                }
+            }
+            (part, beyond, farthest)
+        };
+        let slices = inside.values.chunks((nx * ny).max(1)).par_map(of_slice);
+        let (part, beyond, farthest_mm) = slices
+            .into_iter()
+            .fold((0, 0, 0.0f64), |a, b| (a.0 + b.0, a.1 + b.1, a.2.max(b.2)));
+        (beyond > 0).then(|| Unreached {
+            light,
+            reach_mm,
+            farthest_mm,
+            share: beyond as f64 / part as f64,
+        })
+    }
+
+    /// Distance from the axis up to which every light is tangent, mm, and the light that ends there.
+    ///
+    /// Seen along the axis, tilted light is bent as if both indices were those of their parts across it: n·sin of the angle
+    /// to the plane is the same outside and inside.
+    pub(super) fn reach_mm(&self) -> (f64, usize) {
+        let reach = |(i, light): (usize, &Light)| {
+            let [low, high] = field_mm(light);
+            let half_field = high[0].min(-low[0]).max(0.0);
+            let resin = light.resin.refractive_index;
+            let surrounding = self.vial.surrounding_index(light.surrounding_index, resin);
+            let (sin, cos) = self.tilt_rad().sin_cos();
+            let across = (resin.powi(2) - (surrounding * sin).powi(2))
+                .max(0.0)
+                .sqrt();
+            let reach = self.vial.reach_mm(half_field, surrounding * cos, across);
+            (reach, i)
+        };
+        let reaches = self.lights.iter().enumerate().map(reach);
+        reaches.fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::VolumeGrid;
+    use crate::job::build::tests::spec;
+    use crate::models::rays;
+    use std::path::Path;
+
+    fn optics(changes: &[&str]) -> Optics {
+        Optics::new(&spec(changes), Path::new("")).unwrap()
+    }
+
+    #[test]
+    fn what_lies_beyond_the_reach_is_counted() {
+        // Middles at ±0.5, ±1.5 … ±3.5 mm; 128 columns of 0.05 mm reach 3.2 mm
+        let part = Volume::filled(VolumeGrid::centered([1, 8, 8], 1.0), 1.0f32);
+        let beyond = |changes: &[&str]| optics(changes).unreached(&part, false);
+        let vial = "vial={ index_matched = { radius_mm = 6.0 } }";
+        let found = beyond(&[vial]).unwrap();
+        assert!((found.reach_mm - 3.2).abs() < 1e-12 && found.light == 0);
+        let near = |i: usize, j: usize| (i as f64 - 3.5).hypot(j as f64 - 3.5) <= 3.2;
+        let within = (0..64).filter(|i| near(i / 8, i % 8)).count();
+        assert_eq!(found.share, 1.0 - within as f64 / 64.0);
+        assert!((found.farthest_mm - 3.5 * 2f64.sqrt()).abs() < 1e-12);
+        assert!(
+            found.warning().contains("use 1.55 times as many columns"),
+            "{}",
+            found.warning()
+        );
+        assert_eq!(beyond(&[vial, "light.pixels=[200, 64]"]), None);
+        // A field from 0.1 mm beside the axis on
+        let beside = beyond(&[vial, "light.offset_mm=[3.3, 0]"]).unwrap();
+        assert_eq!((beside.reach_mm, beside.share), (0.0, 1.0));
+        assert!(
+            beside.warning().contains("smaller `offset_mm`"),
+            "{}",
+            beside.warning()
+        );
+    }
+
+    #[test]
+    fn the_outermost_ray_of_a_leaning_vial_passes_the_axis_at_the_reach() {
+        for tilt in ["0", "25"] {
+            let spec = spec(&[&format!("motion.tilt_deg={tilt}")]);
+            let optics = Optics::new(&spec, Path::new("")).unwrap();
+            let scene = optics.scene();
+            let rays = rays::Rays::new(
+                scene.vial,
+                optics.lights.clone(),
+                scene.optics,
+                &rays::Params::default(),
+                VolumeGrid::centered([8, 8, 8], 1.0),
+            )
+            .unwrap();
+            // The middle of the last of 128 columns
+            let (segments, _) = rays.trace(0, 0, 127, 32);
+            let (from, along) = (segments[0].ray.from, segments[0].ray.direction);
+            let passes = (from[0] * along[1] - from[1] * along[0]).abs() / along[0].hypot(along[1]);
+            let (reach, light) = optics.reach_mm();
+            assert!(
+                (passes - reach * 127.0 / 128.0).abs() < 1e-9,
+                "{tilt}: {passes} {reach}"
+            );
+            assert_eq!(light, 0);
+        }
+    }
+}
