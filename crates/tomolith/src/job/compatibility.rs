@@ -232,40 +232,6 @@ impl Optics {
             .collect()
     }
 
-    /// Warns of a part that turns out of the field, because the vial stands beside the rotation axis or the axis runs out.
-    pub(crate) fn moved_away(&self, shape: &dyn Shape) -> Vec<String> {
-        let Some(motion) = self.paths.first().map(|path| path.motion) else {
-            return Vec::new();
-        };
-        let [low, high] = shape.bounds_mm();
-        // A shape touches every face of its box, so some of it goes round as far from the axis as that face
-        let out = |[x, y]: [f64; 2]| {
-            let faces = [(0, x), (1, y)].map(|(i, by)| (high[i] + by).max(-low[i] - by));
-            faces.into_iter().fold(0.0, f64::max)
-        };
-        let reach = out(motion.offset_mm) + motion.axis_runout_mm;
-        if reach <= out([0.0; 2]) {
-            return Vec::new();
-        }
-        let ends = |light: &Light| {
-            let field = field_mm(light);
-            field[1][0].max(-field[0][0])
-        };
-        let beyond = self.lights.iter().map(ends).enumerate();
-        let beyond = beyond.filter(|(_, end)| reach > end * (1.0 + 1e-9));
-        beyond
-            .map(|(i, end)| {
-                format!(
-                    "motion.offset_mm and motion.axis_runout_mm take the part up to {} mm from the rotation axis, but the \
-                     field of light[{i}] ends at {} mm: in some frames what lies beyond gets no light; use more columns in \
-                     light[{i}].pixels, or move the vial less",
-                    concise(reach),
-                    concise(end),
-                )
-            })
-            .collect()
-    }
-
     /// Checks the voxels: refuses a target that lies outside the resin or the grid, and tells what is beyond the reach.
     ///
     /// # Errors
@@ -415,16 +381,20 @@ pub(super) fn field_mm(light: &Light) -> [[f64; 2]; 2] {
     light.selection.field_mm(&light.pixels)
 }
 
-/// The key that moves the end of a light's field.
-pub(super) fn field_key(spec: &JobSpec, optics: &Optics, i: usize) -> String {
-    let light = &optics.lights[i];
+/// Whether an offset or a selection cuts the field of a light.
+pub(super) fn is_cut(light: &Light) -> bool {
     let whole = PatternGrid {
         offset_mm: [0.0; 2],
         ..light.pixels.clone()
     };
-    let key = match field_mm(light) == whole.field_mm() {
-        true => format!("light[{i}].pixels"),
-        false => narrowing(spec, i).0,
+    field_mm(light) != whole.field_mm()
+}
+
+/// The key that moves the end of a light's field.
+pub(super) fn field_key(spec: &JobSpec, optics: &Optics, i: usize) -> String {
+    let key = match is_cut(&optics.lights[i]) {
+        true => narrowing(spec, i).0,
+        false => format!("light[{i}].pixels"),
     };
     match optics.lights.len() {
         1 => key.replacen("light[0]", "light", 1),
@@ -644,38 +614,6 @@ mod tests {
             ("light.pixels=[128, 50]", "light[0].pixels"),
         ] {
             assert_eq!(key(held(&[change]).unwrap_err()), blamed, "{change}");
-        }
-    }
-
-    #[test]
-    fn a_part_that_turns_out_of_the_field_is_told() {
-        let gear: crate::target::TargetSpec = Section::new(
-            "target",
-            serde_json::json!({ "phantom": "gear", "size_mm": 5.0 }),
-        )
-        .parse()
-        .unwrap();
-        let gear = crate::target::build(&gear, Path::new(""), "target").unwrap();
-        let warned = |change: &str| {
-            let optics = Optics::new(&spec(&[change]), Path::new("")).unwrap();
-            optics.moved_away(gear.as_ref())
-        };
-        // The field ends at 3.2 mm, the gear reaches 2.5 mm
-        for within in [
-            "motion.offset_mm=[0, 0]",
-            "motion.offset_mm=[0.6, 0]",
-            "motion.axis_runout_mm=0.6",
-        ] {
-            assert_eq!(warned(within), [""; 0], "{within}");
-        }
-        for beyond in ["motion.offset_mm=[0, -0.8]", "motion.axis_runout_mm=0.8"] {
-            let [text] = &warned(beyond)[..] else {
-                panic!("{beyond}: one warning");
-            };
-            assert!(
-                text.contains("up to 3.3 mm") && text.contains("ends at 3.2 mm"),
-                "{text}"
-            );
         }
     }
 

@@ -28,6 +28,8 @@ const ENOUGH_BITS: u32 = 8;
 const WORTH_CHANGING: f64 = 0.001;
 /// Pixels that a step from frame to frame may be long at the corners of the part's box: with more, streaks are wider than what the pixels resolve.
 const WIDE_STEP: f64 = 6.0;
+/// What a print lacks where light that misses a part of it is to blame.
+const UNLIT: f64 = 0.02;
 /// One that fell by more than this share is far from its end, whatever the IoU on the optimizer's voxels did.
 const FALLING_FAST: f64 = 0.1;
 
@@ -133,14 +135,9 @@ impl Asked<'_> {
             has_few_angles: few_angles(spec).is_some()
                 || (lights.iter())
                     .any(|acting| moved_pixels(acting.light, own.shape.bounds_mm()) > WIDE_STEP),
-            unreached: (own.optics.unreached(&fine.target.inside, fine.target.gray)).map(
-                |unreached| {
-                    (
-                        unreached,
-                        field_key(&scene.spec, &scene.optics, unreached.light),
-                    )
-                },
-            ),
+            unreached: (own.optics.unreached(&fine.target.inside, fine.target.gray))
+                .or_else(|| own.optics.unreached_moving(own.shape.as_ref()))
+                .map(|found| (found, field_key(&scene.spec, &scene.optics, found.light))),
             is_held: (self.optimized).is_some_and(|own| of_bound(&scene.spec, &own.raw).is_some()),
             best: spec.evaluate.threshold.and(best.reduce(f64::max)),
             ends: own
@@ -223,6 +220,11 @@ impl Measurements {
         .flatten()
         .collect();
         causes.sort_by(|a, b| b.loss.total_cmp(&a.loss));
+        // What finer voxels or more angles lose of such a print comes back with the light
+        let of_light = causes.iter().position(|limit| limit.cause == Cause::Optics);
+        if let Some(i) = of_light.filter(|_| self.lacking().is_some()) {
+            causes[..=i].rotate_right(1);
+        }
         PrintLimits {
             sentence: self.sentence(&causes).unwrap_or_default(),
             causes,
@@ -391,10 +393,6 @@ impl Measurements {
 
     /// What the patterns leave before they are written: the light's share, or that of an optimization that was not at its end.
     fn what_remains(&self) -> Option<Limit> {
-        let perfect = match self.kind.better {
-            Better::Lower => 0.0,
-            _ => 1.0,
-        };
         let (reached, reach) = if self.saw_finer {
             let of_print = format!("The print has {}", self.value(self.turning?));
             (self.turning, of_print)
@@ -405,7 +403,7 @@ impl Measurements {
             );
             (self.optimized, reach)
         };
-        let loss = self.loss(Some(perfect), reached)?;
+        let loss = self.loss(Some(self.perfect()), reached)?;
         // What other causes of the same print take is not the light's. Without finer voxels `reached` is before the patterns are written, on
         // voxels that do not see rows' ends
         let of_print =
@@ -418,7 +416,7 @@ impl Measurements {
         } else {
             (loss - others).max(0.0)
         };
-        let is_lit = !self.has_few_angles && self.lacking(loss).is_none();
+        let is_lit = !self.has_few_angles && self.lacking().is_none();
         let Some(Falling { fall, key }) = self.falling.filter(|_| is_lit) else {
             let rest = match loss >= WORTH_CHANGING {
                 true if self.is_simulated => "; the rest is due to the given patterns.",
@@ -435,7 +433,7 @@ impl Measurements {
                     advice: found,
                 });
             }
-            let (key, action) = self.more_of_light(loss);
+            let (key, action) = self.more_of_light();
             return Some(self.limit(Cause::Optics, loss, &key, found, &action));
         };
         let found = format!(
@@ -447,16 +445,26 @@ impl Measurements {
         Some(self.limit(Cause::Iterations, loss, key, found, "Raise"))
     }
 
-    /// What of the part a light does not reach from all sides, where that may be most of a loss.
-    fn lacking(&self, loss: f64) -> Option<&(Unreached, String)> {
+    /// What of the part a light does not reach from all sides, where that may be most of what the print lacks. Half of all sides are enough for a
+    /// print that lacks little.
+    fn lacking(&self) -> Option<&(Unreached, String)> {
+        let loss = self.loss(Some(self.perfect()), self.turning)?;
         let lies_there = |(unreached, _): &&(Unreached, String)| unreached.share > loss / 2.0;
-        self.unreached.as_ref().filter(lies_there)
+        (self.unreached.as_ref())
+            .filter(|found| loss > UNLIT && !self.is_simulated && lies_there(found))
+    }
+
+    fn perfect(&self) -> f64 {
+        match self.kind.better {
+            Better::Lower => 0.0,
+            _ => 1.0,
+        }
     }
 
     /// The key that makes light print better, and what to do with it.
-    fn more_of_light(&self, loss: f64) -> (String, String) {
+    fn more_of_light(&self) -> (String, String) {
         let action = |what: &str| what.to_owned();
-        if let Some((unreached, key)) = self.lacking(loss) {
+        if let Some((unreached, key)) = self.lacking() {
             let share = significant(100.0 * unreached.share, 2);
             let verb = widen(key);
             let action =
@@ -532,13 +540,13 @@ impl Measurements {
             }
             let verb = match limit.cause {
                 Cause::Grid => "lower",
-                Cause::Optics if limit.key == self.pixel_key => "try a lower",
                 Cause::Ends => "place the part's ends between rows of pixels, or lower",
                 Cause::Exposure => "change",
                 Cause::Levels if limit.key == "printer" => {
                     "bring the pixels of machine and light together in"
                 }
-                Cause::Optics if self.lacking(limit.loss).is_some() => widen(&limit.key),
+                Cause::Optics if limit.key == self.pixel_key => "try a lower",
+                Cause::Optics if self.lacking().is_some() => widen(&limit.key),
                 _ => "raise",
             };
             let anew = match self.is_of_patterns(limit.cause) {

@@ -1,10 +1,11 @@
 //! How far from the axis light reaches on every side, and what of a part lies beyond.
 
 use super::build::Optics;
-use super::compatibility::field_mm;
+use super::compatibility::{field_mm, is_cut};
 use crate::grid::Volume;
 use crate::optics::light::Light;
 use crate::report::number::significant;
+use crate::target::Shape;
 use crate::units::concise;
 use tomolith_core::parallel::InParallel;
 
@@ -19,6 +20,8 @@ pub(crate) struct Unreached {
     pub(crate) farthest_mm: f64,
     /// Share of the part's voxels that lie beyond.
     pub(crate) share: f64,
+    /// Whether an offset or a selection cuts the field, and not the number of pixels.
+    pub(crate) is_cut: bool,
 }
 
 impl Unreached {
@@ -28,11 +31,13 @@ impl Unreached {
             reach_mm,
             farthest_mm,
             share,
+            is_cut,
         } = self;
         let times = (100.0 * farthest_mm / reach_mm - 1e-6).ceil() / 100.0;
-        let advice = match reach_mm > 0.0 {
-            true => format!("use {} times as many columns in `pixels`", significant(times, 3)),
-            false => "what it lights lies beside the axis: use a smaller `offset_mm`, or more columns in `pixels` or `selection`".to_owned(),
+        let advice = match (reach_mm > 0.0, is_cut) {
+            (false, _) => "what it lights lies beside the axis: use a smaller `offset_mm`, or more columns in `pixels` or `selection`".to_owned(),
+            (true, true) => "`offset_mm`, `selection` or a map of the printer cut its field: leave it wider".to_owned(),
+            (true, false) => format!("use {} times as many columns in `pixels`", significant(times, 3)),
         };
         format!(
             "after refraction, light[{light}] reaches only {} mm from the axis on every side, the part {} mm: {:.1} % of the \
@@ -72,7 +77,52 @@ impl Optics {
             reach_mm,
             farthest_mm,
             share: beyond as f64 / part as f64,
+            is_cut: is_cut(&self.lights[light]),
         })
+    }
+
+    /// A part that turns out of the field of a light, because the vial stands beside the rotation axis or the axis runs out: as a share, that of
+    /// the distance from the axis.
+    pub(crate) fn unreached_moving(&self, shape: &dyn Shape) -> Option<Unreached> {
+        let motion = self.paths.first()?.motion;
+        let [low, high] = shape.bounds_mm();
+        // A shape touches every face of its box, so some of it goes round as far from the axis as that face
+        let out = |[x, y]: [f64; 2]| {
+            let faces = [(0, x), (1, y)].map(|(i, by)| (high[i] + by).max(-low[i] - by));
+            faces.into_iter().fold(0.0, f64::max)
+        };
+        let farthest_mm = out(motion.offset_mm) + motion.axis_runout_mm;
+        let end = |light: &Light| {
+            let field = field_mm(light);
+            field[1][0].max(-field[0][0])
+        };
+        let ends = self.lights.iter().map(end).enumerate();
+        let (light, reach_mm) = ends.min_by(|a, b| a.1.total_cmp(&b.1))?;
+        let is_beyond = farthest_mm > out([0.0; 2]) && farthest_mm > reach_mm * (1.0 + 1e-9);
+        is_beyond.then(|| Unreached {
+            light,
+            reach_mm,
+            farthest_mm,
+            share: 1.0 - reach_mm.max(0.0) / farthest_mm,
+            is_cut: is_cut(&self.lights[light]),
+        })
+    }
+
+    /// Warns of it.
+    pub(crate) fn moved_away(&self, shape: &dyn Shape) -> Option<String> {
+        let Unreached {
+            light,
+            reach_mm,
+            farthest_mm,
+            ..
+        } = self.unreached_moving(shape)?;
+        Some(format!(
+            "motion.offset_mm and motion.axis_runout_mm take the part up to {} mm from the rotation axis, but the \
+             field of light[{light}] ends at {} mm: in some frames what lies beyond gets no light; use more columns in \
+             light[{light}].pixels, or move the vial less",
+            concise(farthest_mm),
+            concise(reach_mm),
+        ))
     }
 
     /// Distance from the axis up to which every light is tangent, mm, and the light that ends there.
@@ -102,6 +152,7 @@ mod tests {
     use super::*;
     use crate::grid::VolumeGrid;
     use crate::job::build::tests::spec;
+    use crate::kind::Section;
     use crate::models::rays;
     use std::path::Path;
 
@@ -127,6 +178,17 @@ mod tests {
             found.warning()
         );
         assert_eq!(beyond(&[vial, "light.pixels=[200, 64]"]), None);
+        let cut = beyond(&[
+            vial,
+            "light.pixels=[200, 64]",
+            "light.selection.columns=[50, 150]",
+        ])
+        .unwrap();
+        assert!(
+            cut.warning().contains("leave it wider"),
+            "{}",
+            cut.warning()
+        );
         // A field from 0.1 mm beside the axis on
         let beside = beyond(&[vial, "light.offset_mm=[3.3, 0]"]).unwrap();
         assert_eq!((beside.reach_mm, beside.share), (0.0, 1.0));
@@ -135,6 +197,33 @@ mod tests {
             "{}",
             beside.warning()
         );
+    }
+
+    #[test]
+    fn a_part_that_turns_out_of_the_field_is_told() {
+        let gear: crate::target::TargetSpec = Section::new(
+            "target",
+            serde_json::json!({ "phantom": "gear", "size_mm": 5.0 }),
+        )
+        .parse()
+        .unwrap();
+        let gear = crate::target::build(&gear, Path::new(""), "target").unwrap();
+        let warned = |change: &str| optics(&[change]).moved_away(gear.as_ref());
+        // The field ends at 3.2 mm, the gear reaches 2.5 mm
+        for within in [
+            "motion.offset_mm=[0, 0]",
+            "motion.offset_mm=[0.6, 0]",
+            "motion.axis_runout_mm=0.6",
+        ] {
+            assert_eq!(warned(within), None, "{within}");
+        }
+        for beyond in ["motion.offset_mm=[0, -0.8]", "motion.axis_runout_mm=0.8"] {
+            let text = warned(beyond).unwrap();
+            assert!(
+                text.contains("up to 3.3 mm") && text.contains("ends at 3.2 mm"),
+                "{text}"
+            );
+        }
     }
 
     #[test]

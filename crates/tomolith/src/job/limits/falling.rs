@@ -45,10 +45,13 @@ impl fmt::Display for Fall {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let not = if self.has_converged() { "" } else { "not " };
         let percent = significant(100.0 * self.share, 2);
+        let last = match self.last {
+            1 => "iteration".to_owned(),
+            many => counted(many, "iteration"),
+        };
         write!(
             f,
-            "{not}converged: the loss fell by {percent} % in the last {}",
-            counted(self.last, "iteration")
+            "{not}converged: the loss fell by {percent} % in the last {last}"
         )
     }
 }

@@ -125,6 +125,7 @@ fn a_part_beyond_the_light_needs_a_larger_field() {
         reach_mm: 2.0,
         farthest_mm: 3.0,
         share: 0.24,
+        is_cut: false,
     };
     let said = |optimized: f64, share: f64, key: &str| {
         let measured = Measurements {
@@ -157,6 +158,9 @@ fn a_part_beyond_the_light_needs_a_larger_field() {
         aside.ends_with("To improve, change `light.offset_mm`."),
         "{aside}"
     );
+    // Half of all sides are enough for a good print
+    let good = said(0.99, 1.0, "light.offset_mm").sentence;
+    assert!(good.ends_with("pixel_pitch_mm`."), "{good}");
     // A rim of the part is not what lacks most
     let rim = said(0.8, 0.02, "light.pixels").sentence;
     assert!(rim.ends_with("pixel_pitch_mm`."), "{rim}");

@@ -188,7 +188,7 @@ impl Scene {
                 scenarios::worst_of_one(&spec).into_iter().collect(),
                 optics.dark_inside(),
                 optics.leaning(shape.as_ref()),
-                optics.moved_away(shape.as_ref()),
+                optics.moved_away(shape.as_ref()).into_iter().collect(),
                 optics.coarse(shape.as_ref()),
                 touching,
                 light,
