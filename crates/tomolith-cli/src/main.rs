@@ -303,7 +303,7 @@ fn prepare(manner: Manner) -> Result<()> {
 const ECHO: Duration = Duration::from_millis(300);
 
 /// What is said when a stop is asked for, by people or by a launcher.
-const STOPPING: &str = "\nstopping: the iteration at hand is given half a second";
+const STOPPING: &str = "\nstopping: the iteration at hand is given 0.4 s";
 const STOPPING_RANKS: &str = "\nasked to stop: ranks stop after this iteration. Where one of them has died the launcher ends the others, and \
     `--resume` goes on from the last checkpoint";
 

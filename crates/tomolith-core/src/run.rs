@@ -56,7 +56,7 @@ impl Default for Run {
 
 impl Run {
     /// How long the first request waits for the end of what is done patiently.
-    pub const PATIENCE: Duration = Duration::from_millis(500);
+    pub const PATIENCE: Duration = Duration::from_millis(400);
 
     /// A run without a request to stop.
     #[must_use]

@@ -86,7 +86,7 @@ pub(super) fn begin_anew(error: Error) -> Error {
 const KEPT: &str = "patterns.npz";
 
 /// How long writing them may take after a request to stop, which has waited for the step at hand already.
-const PATIENCE: Duration = Duration::from_millis(300);
+const PATIENCE: Duration = Duration::from_millis(200);
 
 /// Writes the best patterns of a run that did not end well; of one that was asked to stop, where there is time for them.
 pub(super) fn keep(
