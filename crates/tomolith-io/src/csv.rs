@@ -16,6 +16,7 @@ use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
 use tomolith_core::error::Result;
+use tomolith_core::units::exact;
 
 /// What is known after one iteration. Metrics are measured after some of them.
 #[derive(Clone, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
@@ -45,7 +46,7 @@ pub struct HistoryRow {
 
 /// A number, or nothing where there is none.
 fn text_of(value: Option<f64>) -> String {
-    value.map(|v| v.to_string()).unwrap_or_default()
+    value.map(exact).unwrap_or_default()
 }
 
 /// The table as text.
@@ -67,12 +68,12 @@ pub fn history_text(rows: &[HistoryRow]) -> String {
             text,
             "{},{},{},{},{},{},{},{},{}",
             r.iteration,
-            r.loss,
+            exact(r.loss),
             text_of(r.projected_gradient),
             text_of(r.step),
             r.forward_calls,
             r.adjoint_calls,
-            r.seconds,
+            exact(r.seconds),
             text_of(r.iou),
             text_of(r.process_window),
         );
@@ -93,4 +94,30 @@ pub fn write_history(path: &Path, rows: &[HistoryRow]) -> Result<()> {
     write_whole(path, |file| {
         Ok(file.write_all(history_text(rows).as_bytes())?)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn small_losses_are_short_and_whole_numbers_have_no_point() {
+        let row = HistoryRow {
+            iteration: 3,
+            loss: 6.394_884_621_840_902e-10,
+            projected_gradient: None,
+            step: Some(1.0),
+            forward_calls: 4,
+            adjoint_calls: 3,
+            seconds: 0.5,
+            iou: None,
+            process_window: None,
+            response: Vec::new(),
+        };
+        let text = history_text(&[row]);
+        assert_eq!(
+            text.lines().nth(1).unwrap(),
+            "3,6.394884621840902e-10,,1,4,3,0.5,,"
+        );
+    }
 }

@@ -23,6 +23,7 @@ use std::path::Path;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::run::Run;
+use tomolith_core::units::exact;
 
 /// Values of one array, `[z, y, x]`, x fastest.
 #[derive(Clone, Copy, Debug)]
@@ -99,13 +100,18 @@ pub fn write_vti(
     })
 }
 
+/// A length in mm without the last digits that arithmetic leaves: twelve are a picometer of a meter.
+fn tidy(mm: f64) -> String {
+    exact(format!("{mm:.11e}").parse().unwrap_or(mm) + 0.0)
+}
+
 /// Everything up to the underscore after which the raw bytes start.
 fn header(grid: &VolumeGrid, arrays: &[(&str, VtiValues<'_>)]) -> String {
     let extent = [2, 1, 0]
         .map(|axis| format!("0 {}", grid.shape[axis].saturating_sub(1)))
         .join(" ");
-    let origin = format!("{} {} {}", grid.x(0), grid.y(0), grid.z(0));
-    let pitch = grid.pitch_mm;
+    let origin = [grid.x(0), grid.y(0), grid.z(0)].map(tidy).join(" ");
+    let pitch = tidy(grid.pitch_mm);
     let mut data = String::new();
     let mut offset = 0;
     for (name, values) in arrays {
@@ -142,6 +148,14 @@ fn escape(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn lengths_have_no_digits_of_arithmetic() {
+        assert_eq!(
+            [tidy(-1.7249999999999999), tidy(-0.0), tidy(0.1 + 0.2)],
+            ["-1.725", "0", "0.3"]
+        );
+    }
 
     #[test]
     fn the_bytes_are_where_the_header_says() {
