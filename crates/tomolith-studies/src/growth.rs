@@ -369,7 +369,7 @@ fn estimate(case: &Case, sizes: &[Size]) -> String {
 /// Exponents of all models, and what they come to.
 fn print_fits(all: &[(&Case, Vec<Size>)]) {
     println!(
-        "\n| model | exponent of the dose | theory | of the adjoint | of the peak | a dose of 1024³ × 1000, processor h | its peak, GB |"
+        "\n| model | exponent of the dose: from 64, of the four largest | theory | of the adjoint | of the peak | a dose of 1024³ × 1000, processor h | its peak, GB |"
     );
     println!("|---|---|---|---|---|---|---|");
     for (case, sizes) in all {

@@ -26,6 +26,9 @@ const NO_COUNTS: [&str; 2] = ["range", "band"];
 /// Numbers that a report has of every slice, on the voxels of the print.
 const OF_SLICES: [&str; 5] = ["pw", "ipdr", "ver", "pw_trimmed", "ipdr_trimmed"];
 
+/// Curves that a panel tells apart.
+const COLORS: usize = 4;
+
 /// Histograms or slices of several runs, side by side.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -84,6 +87,10 @@ pub(crate) fn check(spec: &StudySpec) -> Result<()> {
         if let Some(path) = histogram.filter(|path| !HISTOGRAMS.contains(path)) {
             let found = format!("`{path}` is no histogram of report.json");
             return refuse("histogram", found, &HISTOGRAMS.join(", "));
+        }
+        if figure.slices.len() > COLORS {
+            let found = format!("{} numbers", figure.slices.len());
+            return refuse("slices", found, "at most four: each has a color");
         }
         let is_unknown = |name: &&String| !OF_SLICES.contains(&name.as_str());
         if let Some(name) = figure.slices.iter().find(is_unknown) {
@@ -165,7 +172,7 @@ fn of_slices(figure: &FigureSpec, reports: impl Iterator<Item = Titled>) -> Opti
         slices(report, &figure.slices, title)
     });
     let caption = caption(figure, "slices", &missing);
-    let names = ["z, mm", "of the response"];
+    let names = ["z, mm", "number of the slice"];
     (!panels.is_empty()).then(|| profiles(&figure.title, names, &panels, &caption))
 }
 

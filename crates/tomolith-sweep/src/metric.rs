@@ -32,6 +32,17 @@ const MORE: [&str; 3] = ["gel_threshold", "band_half_width", "sub_angles"];
 const ERRORS: [&str; 5] = ["band_edge_peak", "range", "band", "part", "void"];
 /// What stands in each entry of `optimization.objectives`.
 const OBJECTIVE: [&str; 6] = ["key", "weight", "loss", "voxels", "rms_error", "max_error"];
+/// What stands in each entry of `published.slices`.
+const OF_A_SLICE: [&str; 8] = [
+    "z_mm",
+    "part",
+    "void",
+    "pw",
+    "ipdr",
+    "ver",
+    "pw_trimmed",
+    "ipdr_trimmed",
+];
 /// What stands in tables that every report has with the same names, or not at all.
 const FIELDS: [(&str, &[&str]); 5] = [
     (
@@ -95,6 +106,7 @@ const FIELDS: [(&str, &[&str]); 5] = [
 /// # Errors
 /// [`Error::Config`] with the nearest name.
 pub(crate) fn must_exist(path: &str, key: &str) -> Result<()> {
+    must_be_closed(path, key)?;
     let steps: Vec<&str> = path.split(['.', '[']).collect();
     if !TABLES.contains(&steps[0]) {
         return Err(unknown(path, key, steps[0], TABLES.iter().copied(), ""));
@@ -132,9 +144,32 @@ pub(crate) fn must_exist(path: &str, key: &str) -> Result<()> {
             "optimization.objectives[…].",
         ));
     }
+    if (steps[0], name) == ("published", "slices") {
+        let number = steps.get(3).copied().unwrap_or_default();
+        if !OF_A_SLICE.contains(&number) {
+            let names = OF_A_SLICE.iter().copied();
+            return Err(unknown(path, key, number, names, "published.slices[…]."));
+        }
+    }
     let fields = FIELDS.iter().find(|(table, _)| *table == steps[0]);
     if let Some((_, fields)) = fields.filter(|(_, fields)| !fields.contains(&name)) {
         return Err(unknown(path, key, name, fields.iter().copied(), &table));
+    }
+    Ok(())
+}
+
+/// Refuses brackets that hold neither an index nor what is taken of a list.
+fn must_be_closed(path: &str, key: &str) -> Result<()> {
+    for part in path.split('[').skip(1) {
+        let word = part.split_once(']').map(|(word, _)| word);
+        if word.is_none_or(|word| word.parse::<usize>().is_err() && take(word).is_none()) {
+            let found = format!("`{path}`: `[{part}`");
+            return Err(Error::config(
+                key,
+                found,
+                "an index from 0, [min], [max] or [mean]",
+            ));
+        }
     }
     Ok(())
 }
@@ -174,7 +209,8 @@ pub(crate) fn number(report: &Value, path: &str) -> Result<Option<f64>, String> 
             .unwrap_or((rest, ""));
         let step = step.trim_end_matches(']');
         if let (Value::Array(list), Some(take)) = (at, take(step)) {
-            let numbers = list.iter().map(|entry| number(entry, after));
+            let whole = |why: String| why.replace(&format!("`{after}`"), &format!("`{path}`"));
+            let numbers = list.iter().map(|entry| number(entry, after).map_err(whole));
             let numbers = numbers.filter_map(Result::transpose);
             let numbers = numbers.collect::<Result<Vec<f64>, _>>();
             return numbers.map(take);
@@ -258,6 +294,8 @@ mod tests {
                 .unwrap_err()
                 .contains("there is no `p`")
         );
+        let text = number(&report, "published.slices[max]").unwrap_err();
+        assert!(text.contains("`published.slices[max]`"), "{text}");
         assert!(
             number(&report, "evaluation.notes")
                 .unwrap_err()
@@ -282,6 +320,17 @@ mod tests {
             .to_string();
         assert!(message.contains("did you mean `evaluation`"), "{message}");
         must_exist("scenarios.rows[1].iou", "").unwrap();
+        must_exist("published.slices[max].pw", "").unwrap();
+        for wrong in [
+            "published.slices[maximum].pw",
+            "published.slices[max.pw",
+            "published.slices[max]",
+            "published.slices[max].pww",
+            "published.slices.pw",
+        ] {
+            let message = must_exist(wrong, "metrics[0]").unwrap_err().to_string();
+            assert!(message.contains(wrong), "{message}");
+        }
         must_exist("optimization.objectives[0].rms_error", "").unwrap();
         for (path, part) in [
             ("history.iteration", "did you mean `history.iterations`"),

@@ -6,7 +6,7 @@
 //!     title: "OSPW(0)".to_owned(),
 //!     series: vec![("pw".to_owned(), vec![[-1.0, 0.1], [0.0, 0.2], [1.0, 0.1]])],
 //! };
-//! let svg = profiles("slice by slice", ["z, mm", "of the response"], &[panel], "");
+//! let svg = profiles("slice by slice", ["z, mm", "number of the slice"], &[panel], "");
 //! assert_eq!(svg.matches("L").count() >= 2, true);
 //! ```
 
@@ -38,7 +38,11 @@ pub fn profiles(title: &str, names: [&str; 2], panels: &[ProfilePanel], caption:
         let values = || curves.clone().flat_map(|(_, points)| points).map(|p| p[i]);
         let low = values().reduce(f64::min).unwrap_or(0.0);
         let high = values().reduce(f64::max).unwrap_or(1.0);
-        let room = room * (high - low).max(1e-9);
+        // One slice is a point
+        let room = match high > low {
+            true => room * (high - low),
+            false => 0.1 * low.abs().max(1.0),
+        };
         Axis::linear(names[i], low - room, high + room)
     };
     let axes = [axis(0, 0.0), axis(1, BESIDE)];
@@ -70,6 +74,15 @@ fn draw(body: &mut String, frame: &Frame, panel: &ProfilePanel, [x, y]: &[Axis; 
             body,
             format_args!("<path class=\"{class}\" style=\"fill:none\" d=\"{path}\"/>"),
         );
+        if let &[[at, value]] = &points[..] {
+            let (left, top) = (frame.x(x.place(at)), frame.y(y.place(value)));
+            add(
+                body,
+                format_args!(
+                    "<circle class=\"{class}\" cx=\"{left:.1}\" cy=\"{top:.1}\" r=\"3\"/>"
+                ),
+            );
+        }
     }
     frame.title(body, &panel.title);
     let below = Ticks::level(placed(x, (frame.width / 60.0) as usize));
@@ -113,5 +126,10 @@ mod tests {
             })
             .collect();
         assert!((ends[1] / ends[0] - 2.0).abs() < 0.01, "{ends:?}");
+        let one = ProfilePanel {
+            title: "one slice".to_owned(),
+            series: vec![("pw".to_owned(), vec![[0.0, 0.1]])],
+        };
+        assert!(profiles("t", ["z, mm", "y"], &[one], "").contains("<circle class=\"part\""));
     }
 }

@@ -20,6 +20,9 @@ const TOUCH: f64 = 0.01;
 /// Pixels across a voxel from which on a part that no voxel sees is a matter of the voxels.
 const COARSE: f64 = 2.0;
 
+/// Pixels across a voxel from which on a prediction is rough.
+const TOO_COARSE: f64 = 6.0;
+
 /// Lengths of absorption from the wall to the middle of a vial, above which next to no light arrives there: e⁻⁷ is a thousandth.
 const DARK_INSIDE: f64 = 7.0;
 
@@ -164,33 +167,61 @@ impl Optics {
             }) || [-far, far].iter().any(|up| is_resin([x, y, z + up])))
     }
 
-    /// Warns of a target whose box looks larger than the field because the axis leans: its far edge is seen higher.
-    pub(crate) fn leaning(&self, shape: &dyn Shape) -> Vec<String> {
+    /// A target whose box looks larger than the field of a light because the axis leans, as its far edge is seen higher: the light, the way, how
+    /// far the target is seen there and where the field ends, mm.
+    fn leaning_out(&self, shape: &dyn Shape) -> Vec<(usize, &'static str, [f64; 2])> {
         let tilt = self.tilt_rad().abs();
         let [low, high] = shape.bounds_mm();
         let out = (0..2).map(|i| high[i].max(-low[i])).fold(0.0, f64::max);
-        let sides = |light: &Light| {
+        let of_light = |(i, light): (usize, &Light)| {
             let field = field_mm(light);
             let seen = |up: f64| up * tilt.cos() + out * tilt.sin();
-            [
-                ("up", seen(high[2]), field[1][1]),
-                ("down", seen(-low[2]), -field[0][1]),
-            ]
+            let sides = [
+                ("up", [seen(high[2]), field[1][1]]),
+                ("down", [seen(-low[2]), -field[0][1]]),
+            ];
+            let beyond = sides
+                .into_iter()
+                .find(|(_, [seen, end])| tilt > 0.0 && seen > end);
+            beyond.map(|(way, reach)| (i, way, reach))
         };
-        let mut warnings = Vec::new();
-        for (i, light) in self.lights.iter().enumerate() {
-            let beyond = |(_, seen, end): &(&str, f64, f64)| tilt > 0.0 && seen > end;
-            if let Some((way, seen, end)) = sides(light).into_iter().find(beyond) {
-                warnings.push(format!(
-                    "light[{i}]: the axis is tilted by {:.1}°, so the target reaches {way} to {} mm in the field, which ends at \
-                     {} mm: parts of it may not be lit from all sides",
-                    tilt.to_degrees(),
-                    concise(seen),
-                    concise(end),
-                ));
-            }
-        }
-        warnings
+        self.lights
+            .iter()
+            .enumerate()
+            .filter_map(of_light)
+            .collect()
+    }
+
+    /// The first light whose field such a target leaves.
+    pub(crate) fn leaning_light(&self, shape: &dyn Shape) -> Option<usize> {
+        self.leaning_out(shape).first().map(|(light, ..)| *light)
+    }
+
+    /// Warns of such targets.
+    pub(crate) fn leaning(&self, shape: &dyn Shape) -> Vec<String> {
+        let warning = |(i, way, [seen, end]): (usize, &str, [f64; 2])| {
+            format!(
+                "light[{i}]: the axis is tilted by {:.1}°, so the target reaches {way} to {} mm in the field, which ends at \
+                 {} mm: parts of it may not be lit from all sides; use more rows in light[{i}].pixels",
+                self.tilt_rad().abs().to_degrees(),
+                concise(seen),
+                concise(end),
+            )
+        };
+        self.leaning_out(shape).into_iter().map(warning).collect()
+    }
+
+    /// Warns of voxels many pixels wide.
+    pub(crate) fn coarse_voxels(&self, grid: &VolumeGrid) -> Option<String> {
+        let pixels = self.lights.iter().map(|light| light.pixels.pitch_mm[0]);
+        let finest = pixels.fold(f64::INFINITY, f64::min);
+        (grid.pitch_mm > TOO_COARSE * finest).then(|| {
+            format!(
+                "a voxel is {} mm wide, a pixel {} mm: the print is predicted on voxels that follow from the job's, and the prediction is rough; lower grid.pitch_mm",
+                concise(grid.pitch_mm),
+                concise(finest)
+            )
+        })
     }
 
     /// Warns of pixels that a part fits into.
@@ -214,15 +245,23 @@ impl Optics {
     /// Warns of a resin that takes nearly all light before it reaches the middle of the vial.
     pub(crate) fn dark_inside(&self) -> Vec<String> {
         let radius = self.vial.resin_wall().inscribed_radius();
-        let lengths = |light: &Light| match light.map {
-            None if !light.resin.pure_radon => light.resin.absorption_per_mm * radius,
-            _ => 0.0,
+        // Scattered light goes on
+        let scatters = |i: usize| {
+            self.paths
+                .get(i)
+                .is_some_and(|path| path.scattering.is_some())
         };
-        let deep = self.lights.iter().map(lengths).enumerate();
+        let lengths = |(i, light): (usize, &Light)| match light.map {
+            None if light.resin.pure_radon => (i, 0.0),
+            None if scatters(i) => (i, light.resin.absorption_per_mm * radius),
+            None => (i, light.resin.attenuation_per_mm * radius),
+            _ => (i, 0.0),
+        };
+        let deep = self.lights.iter().enumerate().map(lengths);
         deep.filter(|&(_, lengths)| lengths > DARK_INSIDE)
             .map(|(i, lengths)| {
                 format!(
-                    "light[{i}]: from the wall to the middle of the vial are {} mm, {} lengths of absorption (resin.absorption_per_mm): next to \
+                    "light[{i}]: from the wall to the middle of the vial are {} mm, {} lengths of attenuation (resin.absorption_per_mm, or attenuation_per_mm where it is given): next to \
                      no light arrives there, and the resin at the wall cures first; with {} per mm it is one length",
                     concise(radius),
                     significant(lengths, 2),
@@ -336,7 +375,7 @@ impl Optics {
                 concise(pitch)
             ),
             _ => format!(
-                "no voxel of the grid is half filled by it: it reaches into {} of {} mm",
+                "no voxel of the grid is half filled by the target, which reaches into {} of {} mm",
                 counted(touched, "voxel"),
                 concise(pitch)
             ),
@@ -392,13 +431,9 @@ pub(super) fn is_cut(light: &Light) -> bool {
 
 /// The key that moves the end of a light's field.
 pub(super) fn field_key(spec: &JobSpec, optics: &Optics, i: usize) -> String {
-    let key = match is_cut(&optics.lights[i]) {
+    match is_cut(&optics.lights[i]) {
         true => narrowing(spec, i).0,
         false => format!("light[{i}].pixels"),
-    };
-    match optics.lights.len() {
-        1 => key.replacen("light[0]", "light", 1),
-        _ => key,
     }
 }
 
@@ -466,10 +501,10 @@ mod tests {
         assert_eq!(warned(&[]), "");
         let vial = "vial={ index_matched = { radius_mm = 4.0 } }";
         // e^−16 of the light is left after 16 lengths
-        let dark = warned(&[vial, "resin.absorption_per_mm=4.0"]);
-        assert!(dark.contains("4 mm, 16 lengths of absorption"), "{dark}");
+        let dark = warned(&[vial, "resin.attenuation_per_mm=4.0"]);
+        assert!(dark.contains("4 mm, 16 lengths of attenuation"), "{dark}");
         assert!(dark.contains("with 0.25 per mm it is one length"), "{dark}");
-        assert_eq!(warned(&[vial, "resin.absorption_per_mm=0.8"]), "");
+        assert_eq!(warned(&[vial, "resin.attenuation_per_mm=0.8"]), "");
     }
 
     #[test]

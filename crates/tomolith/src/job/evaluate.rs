@@ -8,6 +8,7 @@ use super::doses::{Doses, Exposed};
 use super::doubts;
 use super::in_time::{InTime, print_in_time};
 use super::kept::EvaluationModel;
+use super::limits::ENOUGH_BITS;
 use super::noise::Noise;
 use super::objectives;
 use super::others::{self, Others};
@@ -41,6 +42,8 @@ pub(crate) struct Evaluated {
     pub(crate) objectives: Vec<ObjectiveReport>,
     /// The headline number of the written patterns on that grid, beside it.
     pub(crate) written: Measure,
+    /// That of the headline by patterns for few levels before they are rounded.
+    pub(crate) unrounded: Measure,
     /// Numbers of the headline as they were published.
     pub(crate) published: Vec<Published>,
     /// Numbers of each slice of the headline.
@@ -176,6 +179,12 @@ pub(crate) fn evaluate_patterns(
     let (grid, sub_angles) = (steps.grid.clone(), steps.sub_angles);
     let [is_own_still, is_own_turning] =
         [&steps.still, &steps.turning].map(|exposed| steps.own == *exposed);
+    let unrounded =
+        raw.filter(|_| scene.spec.evaluate.bit_depth < ENOUGH_BITS && !voxels.target.gray);
+    let unrounded = unrounded
+        .map(|raw| steps.unrounded(&fine, raw))
+        .transpose()?
+        .flatten();
     let (dose, model, others) = steps.while_turning(fine_of_others)?;
     let mean = averaged(&dose, &scene.grid);
     cancel.check()?;
@@ -221,6 +230,7 @@ pub(crate) fn evaluate_patterns(
         optimization,
         objectives,
         written,
+        unrounded,
         published,
         slices,
         dose: mean,
@@ -363,6 +373,16 @@ impl<'a> EvaluationSteps<'a> {
         let standing = measure(scene, fine, &response, self.shown, run)?;
         self.doses.give_back(response);
         Ok(Some(standing))
+    }
+
+    /// The headline number of raw patterns on the finer voxels, turning.
+    fn unrounded(&mut self, fine: &Voxels, raw: &[Patterns]) -> Result<Measure> {
+        let run = self.cancel.aside();
+        self.doses.will_show(&[raw, self.shown]);
+        let (dose, ..) = self.doses.of(&self.turning, raw, &run)?;
+        let found = headline_of(self.scene, fine, dose, run)?;
+        self.doses.will_show(&[self.shown]);
+        Ok(found)
     }
 
     /// The dose of the written patterns while the vial turns, the model that gave it, and the prints of further species.

@@ -1,11 +1,9 @@
 //! What limits a print: the headline number from the optimization's view to the print's, one step after the other.
 
-use super::compatibility::field_key;
 use super::doubts::of_bound;
 use super::evaluate::{Evaluated, headline};
 use super::optimize::Optimized;
 use super::others::Steps;
-use super::reach::Unreached;
 use super::refinement::moved_pixels;
 use super::scene::{Scene, Voxels, few_angles};
 use crate::metrics::{Better, Evaluation, Measure, MetricKind};
@@ -15,19 +13,23 @@ use crate::report::number::significant;
 use crate::report::{Cause, Limit, PrintLimits};
 use crate::units::counted;
 use acting::{Arcs, Ends, acting_on, coarsest_pixels};
+use lack::Lack;
 
 mod acting;
 mod falling;
+mod lack;
 
 pub use falling::Fall;
 use falling::Falling;
 
 /// Bits from which on rounding costs next to nothing: what a machine's patterns lose then is lost between its pixels and the light's.
-const ENOUGH_BITS: u32 = 8;
+pub(super) const ENOUGH_BITS: u32 = 8;
 /// Losses below this are not worth a change.
 const WORTH_CHANGING: f64 = 0.001;
 /// Pixels that a step from frame to frame may be long at the corners of the part's box: with more, streaks are wider than what the pixels resolve.
 const WIDE_STEP: f64 = 6.0;
+/// Losses below this are not worth other pixels.
+const WORTH_PIXELS: f64 = 0.005;
 /// What a print lacks where light that misses a part of it is to blame.
 const UNLIT: f64 = 0.02;
 /// One that fell by more than this share is far from its end, whatever the IoU on the optimizer's voxels did.
@@ -43,6 +45,7 @@ pub(crate) fn limits(
     let job = Asked {
         scene,
         optimized,
+        unrounded: evaluated.unrounded,
         is_toy,
     };
     let of = |kind: &MetricKind| {
@@ -71,6 +74,7 @@ fn kind_of(evaluation: &Evaluation) -> &'static MetricKind {
 struct Asked<'a> {
     scene: &'a Scene,
     optimized: Option<&'a Optimized>,
+    unrounded: Measure,
     is_toy: bool,
 }
 
@@ -112,9 +116,7 @@ impl Asked<'_> {
             written: steps.written,
             standing: steps.standing,
             turning: evaluated.measures.get(kind.name),
-            on_fine: (self.optimized).and_then(Optimized::last_iou).filter(|_| {
-                s == 0 && !own.shape.is_gray() && spec.evaluate.bit_depth < ENOUGH_BITS
-            }),
+            unrounded: self.unrounded.filter(|_| s == 0),
             pitches_mm: [scene.grid.pitch_mm, evaluated.grid.pitch_mm],
             bits: spec.evaluate.bit_depth,
             has_machine: spec.printer.is_some(),
@@ -135,9 +137,18 @@ impl Asked<'_> {
             has_few_angles: few_angles(spec).is_some()
                 || (lights.iter())
                     .any(|acting| moved_pixels(acting.light, own.shape.bounds_mm()) > WIDE_STEP),
-            unreached: (own.optics.unreached(&fine.target.inside, fine.target.gray))
-                .or_else(|| own.optics.unreached_moving(own.shape.as_ref()))
-                .map(|found| (found, field_key(&scene.spec, &scene.optics, found.light))),
+            lack: Lack::of(&scene.spec, own, fine, &lights),
+            has_no_iterations: (self.optimized).is_some_and(|own| {
+                own.outcome
+                    .history
+                    .last()
+                    .is_none_or(|row| row.iteration == 0)
+            }),
+            has_own_sub_angles: scene
+                .spec
+                .light
+                .iter()
+                .any(|light| light.sub_angles.is_some()),
             is_held: (self.optimized).is_some_and(|own| of_bound(&scene.spec, &own.raw).is_some()),
             best: spec.evaluate.threshold.and(best.reduce(f64::max)),
             ends: own
@@ -173,8 +184,8 @@ struct Measurements {
     standing: Measure,
     /// While the vial turns.
     turning: Measure,
-    /// Patterns for few levels as they were optimized, on the optimizer's own, finer voxels: the IoU that was measured last.
-    on_fine: Measure,
+    /// The print that is judged, by patterns for few levels as they were optimized.
+    unrounded: Measure,
     /// Voxels of the optimization and of the evaluation.
     pitches_mm: [f64; 2],
     bits: u32,
@@ -195,8 +206,12 @@ struct Measurements {
     is_toy: bool,
     /// Whether light comes from too few sides for any part.
     has_few_angles: bool,
-    /// What of the part lies beyond the reach of a light, and the key that moves its end.
-    unreached: Option<(Unreached, String)>,
+    /// Why light may leave a part of the part without what it needs.
+    lack: Option<Lack>,
+    /// Whether the patterns are those that the optimization would begin with.
+    has_no_iterations: bool,
+    /// Whether the job says at how many angles of a frame the optimization looks.
+    has_own_sub_angles: bool,
     /// Whether an upper bound holds nearly all pixels that shine.
     is_held: bool,
     /// The best number over all thresholds, where the job names one.
@@ -222,7 +237,11 @@ impl Measurements {
         causes.sort_by(|a, b| b.loss.total_cmp(&a.loss));
         // What finer voxels or more angles lose of such a print comes back with the light
         let of_light = causes.iter().position(|limit| limit.cause == Cause::Optics);
-        if let Some(i) = of_light.filter(|_| self.lacking().is_some()) {
+        let comes_first = |i: &usize| {
+            let is_worth = causes[*i].loss >= WORTH_CHANGING;
+            is_worth && self.lacking().is_some_and(|lack| lack.comes_first)
+        };
+        if let Some(i) = of_light.filter(comes_first) {
             causes[..=i].rotate_right(1);
         }
         PrintLimits {
@@ -307,17 +326,11 @@ impl Measurements {
 
     /// What the patterns have before and after they are written, and where: the job's own voxels, where they are coarser than the optimizer's, do not see all.
     fn writing(&self) -> Option<([f64; 2], &'static str)> {
-        let Some(seen) = self.on_fine.filter(|_| self.saw_finer) else {
-            let own = [self.optimized?, self.written?];
-            return Some((own, "the patterns have {} on the job's own voxels"));
-        };
-        let print = match self.is_optimized_turning {
-            true => self.best.or(self.turning),
-            false => self.standing,
-        };
-        // Slices that rows of pixels beside the part light are not on these voxels
-        let of_ends = self.row_ends().map_or(0.0, |limit| limit.loss);
-        Some(([seen - of_ends, print?], "the print has {}"))
+        if self.saw_finer && self.unrounded.is_some() {
+            return Some(([self.unrounded?, self.turning?], "the print has {}"));
+        }
+        let own = [self.optimized?, self.written?];
+        Some((own, "the patterns have {} on the job's own voxels"))
     }
 
     fn levels(&self) -> Option<Limit> {
@@ -353,6 +366,10 @@ impl Measurements {
         let (by, key) = match &self.arcs {
             Some(arcs) => (format!(" by {}", arcs.said), arcs.key.as_str()),
             None => (String::new(), "light.angles"),
+        };
+        let key = match self.has_own_sub_angles {
+            true => "light.sub_angles",
+            false => key,
         };
         let found = format!(
             "The vial turns{by} during each frame, which gives {}.",
@@ -406,8 +423,8 @@ impl Measurements {
         let loss = self.loss(Some(self.perfect()), reached)?;
         // What other causes of the same print take is not the light's. Without finer voxels `reached` is before the patterns are written, on
         // voxels that do not see rows' ends
-        let of_print =
-            [self.levels(), self.row_ends()].map(|limit| limit.filter(|_| self.saw_finer));
+        let of_print = [self.levels(), self.row_ends(), self.turning()]
+            .map(|limit| limit.filter(|limit| self.saw_finer && limit.loss > 0.0));
         let exposure = self.exposure();
         let others = of_print.iter().chain([&exposure]).flatten();
         let others: f64 = others.map(|limit| limit.loss).sum();
@@ -437,21 +454,19 @@ impl Measurements {
             return Some(self.limit(Cause::Optics, loss, &key, found, &action));
         };
         let found = format!(
-            "{reach}, and the loss function still fell by {} % in the last {} of {} iterations: more of them mend a part of what is missing, the rest is the limit of this light.",
+            "{reach}, and the loss function still fell by {} % in the last {} of {}: more of them mend a part of what is missing, the rest is the limit of this light.",
             significant(100.0 * fall.share, 2),
             fall.last,
-            fall.all
+            counted(fall.all, "iteration")
         );
         Some(self.limit(Cause::Iterations, loss, key, found, "Raise"))
     }
 
-    /// What of the part a light does not reach from all sides, where that may be most of what the print lacks. Half of all sides are enough for a
-    /// print that lacks little.
-    fn lacking(&self) -> Option<&(Unreached, String)> {
+    /// Why light leaves a part of the part without what it needs, where that may be most of what the print lacks.
+    fn lacking(&self) -> Option<&Lack> {
         let loss = self.loss(Some(self.perfect()), self.turning)?;
-        let lies_there = |(unreached, _): &&(Unreached, String)| unreached.share > loss / 2.0;
-        (self.unreached.as_ref())
-            .filter(|found| loss > UNLIT && !self.is_simulated && lies_there(found))
+        let lies_there = |lack: &&Lack| lack.share > loss / 2.0;
+        (self.lack.as_ref()).filter(|lack| loss > UNLIT && !self.is_simulated && lies_there(lack))
     }
 
     fn perfect(&self) -> f64 {
@@ -464,12 +479,13 @@ impl Measurements {
     /// The key that makes light print better, and what to do with it.
     fn more_of_light(&self) -> (String, String) {
         let action = |what: &str| what.to_owned();
-        if let Some((unreached, key)) = self.lacking() {
-            let share = significant(100.0 * unreached.share, 2);
-            let verb = widen(key);
-            let action =
-                format!("Light does not reach {share} % of the part from all sides: {verb}");
-            return (key.clone(), action);
+        if let Some(lack) = self.lacking() {
+            let action = format!("{}: {}", lack.found, lack.verb);
+            return (lack.key.clone(), action);
+        }
+        if self.has_no_iterations {
+            let action = action("These are the patterns to begin with: raise");
+            return ("stop.iterations".to_owned(), action);
         }
         if self.has_few_angles {
             let action = action("Light comes from too few sides: raise");
@@ -488,8 +504,8 @@ impl Measurements {
     /// All in one line; None where nothing was measured.
     fn sentence(&self, causes: &[Limit]) -> Option<String> {
         let seen = match (self.optimized, self.is_simulated) {
-            _ if self.saw_finer && self.on_fine.is_some() => {
-                format!(" (the optimizer saw {:.3})", self.on_fine?)
+            _ if self.saw_finer && self.unrounded.is_some() => {
+                format!(" (before rounding {:.3})", self.unrounded?)
             }
             (Some(seen), _) if self.saw_finer => {
                 let [own, fine] = self.pitches_mm;
@@ -530,7 +546,11 @@ impl Measurements {
         let is_certain =
             |limit: &Limit| limit.cause != Cause::Optics || self.kind.better != Better::Lower;
         let worth = |limit: &&Limit| {
-            limit.loss >= WORTH_CHANGING && is_certain(limit) && !limit.key.is_empty()
+            let least = match limit.cause == Cause::Optics && limit.key == self.pixel_key {
+                true => WORTH_PIXELS,
+                false => WORTH_CHANGING,
+            };
+            limit.loss >= least && is_certain(limit) && !limit.key.is_empty()
         };
         let improve = causes.first().filter(worth);
         let improve = improve.map_or_else(String::new, |limit| {
@@ -546,7 +566,7 @@ impl Measurements {
                     "bring the pixels of machine and light together in"
                 }
                 Cause::Optics if limit.key == self.pixel_key => "try a lower",
-                Cause::Optics if self.lacking().is_some() => widen(&limit.key),
+                Cause::Optics => self.lacking().map_or("raise", |lack| lack.verb),
                 _ => "raise",
             };
             let anew = match self.is_of_patterns(limit.cause) {
@@ -564,14 +584,6 @@ impl Measurements {
             steps => format!(": {steps}"),
         };
         Some(format!("Predicted {turning}{seen}{steps}.{improve}"))
-    }
-}
-
-/// What to do with the key of a field that is too small.
-fn widen(key: &str) -> &'static str {
-    match key.ends_with(".pixels") {
-        true => "raise",
-        false => "change",
     }
 }
 

@@ -376,20 +376,23 @@ impl<'p> Clock<'p> {
         stage(self.progress, self.cancel, name)
     }
 
-    /// The stages that are over, the optimization in its parts.
+    /// The stages that are over; behind the optimization its parts.
     fn timings(&self, optimized: Option<&Optimized>) -> Vec<Timing> {
         let ends = self.stages.iter().skip(1).map(|(_, begin)| *begin);
         let mut timings = Vec::new();
         for ((name, begin), end) in self.stages.iter().zip(ends) {
             let seconds = (end - *begin).as_secs_f64();
-            let parts = optimized.filter(|_| *name == OPTIMIZING);
-            match parts.and_then(|optimized| parts_of(seconds, optimized)) {
-                Some(parts) => timings.extend(parts),
-                None => timings.push(Timing {
-                    name: (*name).to_owned(),
-                    seconds,
-                }),
-            }
+            timings.push(Timing {
+                name: (*name).to_owned(),
+                seconds,
+            });
+            let of_it = optimized.filter(|_| *name == OPTIMIZING);
+            timings.extend(
+                of_it
+                    .and_then(|own| parts_of(seconds, own))
+                    .into_iter()
+                    .flatten(),
+            );
         }
         timings
     }

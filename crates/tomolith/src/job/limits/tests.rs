@@ -14,7 +14,7 @@ fn measurements() -> Measurements {
         written: Some(1.0),
         standing: Some(0.9736),
         turning: Some(0.975),
-        on_fine: None,
+        unrounded: None,
         pitches_mm: [0.056, 0.028],
         bits: 8,
         has_machine: false,
@@ -29,7 +29,9 @@ fn measurements() -> Measurements {
         is_simulated: false,
         is_toy: false,
         has_few_angles: false,
-        unreached: None,
+        lack: None,
+        has_no_iterations: false,
+        has_own_sub_angles: false,
         is_held: false,
         best: None,
         ends: None,
@@ -50,7 +52,7 @@ fn rounding_is_told_from_the_voxels_that_see_it() {
     let limits = Measurements {
         optimized: Some(0.990),
         written: Some(0.990),
-        on_fine: Some(0.997),
+        unrounded: Some(0.997),
         turning: Some(0.987),
         bits: 2,
         is_optimized_turning: true,
@@ -60,7 +62,7 @@ fn rounding_is_told_from_the_voxels_that_see_it() {
     let limits = limits.limits();
     assert_eq!(
         limits.sentence,
-        "Predicted IoU 0.987 (the optimizer saw 0.997): 2 bits −0.010. To improve, raise `evaluate.bit_depth`."
+        "Predicted IoU 0.987 (before rounding 0.997): 2 bits −0.010. To improve, raise `evaluate.bit_depth`."
     );
     let losses = losses(&limits);
     assert_eq!(losses, [(Cause::Levels, 0.01), (Cause::Optics, 0.003)]);
@@ -120,20 +122,20 @@ fn the_largest_loss_comes_first_and_names_the_key() {
 
 #[test]
 fn a_part_beyond_the_light_needs_a_larger_field() {
-    let unreached = Unreached {
-        light: 0,
-        reach_mm: 2.0,
-        farthest_mm: 3.0,
-        share: 0.24,
-        is_cut: false,
-    };
     let said = |optimized: f64, share: f64, key: &str| {
+        let lack = Lack {
+            share,
+            key: key.to_owned(),
+            verb: "raise",
+            found: "Light does not reach 24 % of the part from all sides".to_owned(),
+            comes_first: false,
+        };
         let measured = Measurements {
             optimized: Some(optimized),
             written: Some(optimized),
             standing: Some(optimized),
             turning: Some(optimized),
-            unreached: Some((Unreached { share, ..unreached }, key.to_owned())),
+            lack: Some(lack),
             ..measurements()
         };
         measured.limits()
@@ -153,17 +155,68 @@ fn a_part_beyond_the_light_needs_a_larger_field() {
         ),
         "{advice}"
     );
-    let aside = said(0.8, 1.0, "light.offset_mm").sentence;
-    assert!(
-        aside.ends_with("To improve, change `light.offset_mm`."),
-        "{aside}"
-    );
     // Half of all sides are enough for a good print
-    let good = said(0.99, 1.0, "light.offset_mm").sentence;
+    let good = said(0.985, 1.0, "light.offset_mm").sentence;
     assert!(good.ends_with("pixel_pitch_mm`."), "{good}");
     // A rim of the part is not what lacks most
     let rim = said(0.8, 0.02, "light.pixels").sentence;
     assert!(rim.ends_with("pixel_pitch_mm`."), "{rim}");
+}
+
+#[test]
+fn what_follows_from_the_light_comes_behind_it_where_the_part_turns_out_of_it() {
+    let said = |optimized: f64| {
+        let lack = Lack {
+            share: 0.3,
+            key: "light[0].pixels".to_owned(),
+            verb: "raise",
+            found: "In some frames the part turns out of the light's field".to_owned(),
+            comes_first: true,
+        };
+        let measured = Measurements {
+            optimized: Some(optimized),
+            written: Some(optimized),
+            standing: Some(0.77),
+            turning: Some(0.84),
+            lack: Some(lack),
+            ..measurements()
+        };
+        measured.limits().sentence
+    };
+    assert!(
+        said(0.91).ends_with("To improve, raise `light[0].pixels`."),
+        "{}",
+        said(0.91)
+    );
+    // Where the light lacks nothing, the grid does
+    assert!(
+        said(0.9995).ends_with("To improve, lower `grid.pitch_mm`."),
+        "{}",
+        said(0.9995)
+    );
+}
+
+#[test]
+fn turning_that_the_optimization_did_not_see_is_not_counted_twice() {
+    let measured = Measurements {
+        saw_finer: true,
+        standing: Some(0.998),
+        turning: Some(0.981),
+        has_own_sub_angles: true,
+        ..measurements()
+    };
+    let limits = measured.limits();
+    assert_eq!(
+        losses(&limits)[..2],
+        [(Cause::Turning, 0.017), (Cause::Optics, 0.002)]
+    );
+    assert!(
+        limits
+            .sentence
+            .ends_with("To improve, raise `light.sub_angles`."),
+        "{}",
+        limits.sentence
+    );
 }
 
 #[test]

@@ -46,12 +46,6 @@ pub(crate) struct Optimized {
 }
 
 impl Optimized {
-    /// The IoU on the last level's voxels that was measured last; None where none was.
-    pub(crate) fn last_iou(&self) -> Option<f64> {
-        let rows = self.outcome.history.iter().rev();
-        rows.filter_map(|row| row.print).next()?.iou
-    }
-
     /// By how much the IoU on the level's voxels rose over the last quarter of the iterations; None where it was not measured.
     pub(crate) fn gain_in_the_end(&self) -> Option<f64> {
         let measured = || {

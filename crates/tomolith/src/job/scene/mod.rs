@@ -190,6 +190,7 @@ impl Scene {
                 optics.leaning(shape.as_ref()),
                 optics.moved_away(shape.as_ref()).into_iter().collect(),
                 optics.coarse(shape.as_ref()),
+                optics.coarse_voxels(&grid).into_iter().collect(),
                 touching,
                 light,
                 covered,

@@ -82,7 +82,7 @@ pub(super) fn at_target(spec: &JobSpec, error: Error) -> Error {
 }
 
 /// A part of a mesh is expected to be no smaller than this share of what the resin holds.
-const SMALL: f64 = 0.01;
+const SMALL: f64 = 0.03;
 
 /// Asks for the unit of a mesh whose part is far too large or small for the vial.
 pub(super) fn ask_for_unit(spec: &JobSpec, optics: &Optics, shape: &dyn Shape) -> Option<String> {

@@ -1,0 +1,107 @@
+//! Why light leaves a part of the part without what it needs.
+
+use super::super::compatibility::field_key;
+use super::super::scene::{Scene, Voxels};
+use super::super::spec::JobSpec;
+use super::acting::Acting;
+use crate::report::number::significant;
+
+/// Shares of the brightest pixel's contribution from which on leaving out what is below is felt.
+const FELT: f64 = 0.1;
+
+/// Why light leaves a part of the part without what it needs, and the key that changes it.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Lack {
+    /// Share of the part, where it is known; else 1.
+    pub(super) share: f64,
+    pub(super) key: String,
+    pub(super) verb: &'static str,
+    /// As the beginning of a sentence.
+    pub(super) found: String,
+    /// Whether it comes before all other causes, which follow from it.
+    pub(super) comes_first: bool,
+}
+
+impl Lack {
+    /// Of a species on the voxels of its print, lit by these lights of a job.
+    pub(super) fn of(
+        job: &JobSpec,
+        own: &Scene,
+        fine: &Voxels,
+        lights: &[Acting<'_>],
+    ) -> Option<Self> {
+        Self::of_resin(own)
+            .or_else(|| Self::of_motion(job, own))
+            .or_else(|| Self::of_field(job, own, fine))
+            .or_else(|| Self::of_tilt(job, own))
+            .or_else(|| Self::of_selection(lights))
+    }
+
+    fn of_resin(own: &Scene) -> Option<Self> {
+        let is_dark = !own.optics.dark_inside().is_empty();
+        is_dark.then(|| Lack {
+            share: 1.0,
+            key: match own.spec.resin.attenuation_per_mm {
+                Some(_) => "resin.attenuation_per_mm".to_owned(),
+                None => "resin.absorption_per_mm".to_owned(),
+            },
+            verb: "lower",
+            found: "Next to no light arrives in the middle of the vial".to_owned(),
+            comes_first: true,
+        })
+    }
+
+    fn of_motion(job: &JobSpec, own: &Scene) -> Option<Self> {
+        let found = own.optics.unreached_moving(own.shape.as_ref())?;
+        Some(Lack {
+            share: found.share,
+            key: field_key(job, &own.optics, found.light),
+            verb: "raise",
+            found: "In some frames the part turns out of the light's field".to_owned(),
+            comes_first: true,
+        })
+    }
+
+    fn of_field(job: &JobSpec, own: &Scene, fine: &Voxels) -> Option<Self> {
+        let found = own
+            .optics
+            .unreached(&fine.target.inside, fine.target.gray)?;
+        let percent = significant(100.0 * found.share, 2);
+        Some(Lack {
+            share: found.share,
+            key: field_key(job, &own.optics, found.light),
+            verb: if found.is_cut { "change" } else { "raise" },
+            found: format!("Light does not reach {percent} % of the part from all sides"),
+            comes_first: false,
+        })
+    }
+
+    fn of_tilt(job: &JobSpec, own: &Scene) -> Option<Self> {
+        let light = own.optics.leaning_light(own.shape.as_ref())?;
+        Some(Lack {
+            share: 1.0,
+            key: field_key(job, &own.optics, light),
+            verb: "raise",
+            found:
+                "The axis leans, so that parts of the target lie above or below the light's field"
+                    .to_owned(),
+            comes_first: false,
+        })
+    }
+
+    fn of_selection(lights: &[Acting<'_>]) -> Option<Self> {
+        let least = |acting: &&Acting<'_>| acting.light.selection.min_contribution;
+        let acting = lights.iter().max_by(|a, b| least(a).total_cmp(&least(b)))?;
+        let least = least(&acting);
+        (least >= FELT).then(|| Lack {
+            share: 1.0,
+            key: format!("light[{}].selection.min_contribution", acting.index),
+            verb: "lower",
+            found: format!(
+                "Pixels stay dark that bring the part less than {} of what the best one brings",
+                significant(least, 2)
+            ),
+            comes_first: false,
+        })
+    }
+}
