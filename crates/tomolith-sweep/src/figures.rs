@@ -172,7 +172,7 @@ fn of_slices(figure: &FigureSpec, reports: impl Iterator<Item = Titled>) -> Opti
         slices(report, &figure.slices, title)
     });
     let caption = caption(figure, "slices", &missing);
-    let names = ["z, mm", "number of the slice"];
+    let names = ["z, mm", "value"];
     (!panels.is_empty()).then(|| profiles(&figure.title, names, &panels, &caption))
 }
 

@@ -6,7 +6,7 @@
 //!     title: "OSPW(0)".to_owned(),
 //!     series: vec![("pw".to_owned(), vec![[-1.0, 0.1], [0.0, 0.2], [1.0, 0.1]])],
 //! };
-//! let svg = profiles("slice by slice", ["z, mm", "number of the slice"], &[panel], "");
+//! let svg = profiles("slice by slice", ["z, mm", "value"], &[panel], "");
 //! assert_eq!(svg.matches("L").count() >= 2, true);
 //! ```
 
