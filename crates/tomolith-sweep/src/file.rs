@@ -149,6 +149,14 @@ impl Sweep {
         let mut metrics = spec.metrics.clone();
         for (i, path) in metrics.iter().enumerate() {
             metric::must_exist(path, &format!("metrics[{i}]"))?;
+            if metrics[..i].contains(path) {
+                let found = format!("`{path}` again");
+                return Err(Error::config(
+                    format!("metrics[{i}]"),
+                    found,
+                    "each metric once",
+                ));
+            }
         }
         let asked = best.conditions.iter().flat_map(Condition::names);
         for path in std::iter::once(best.metric.as_str()).chain(asked) {

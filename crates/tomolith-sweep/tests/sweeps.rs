@@ -677,6 +677,10 @@ fn a_sweep_that_cannot_be_is_refused_before_any_run() {
             ],
         ),
         (
+            SWEEP.replace("\"optimization.pw\"", "\"evaluation.pw\""),
+            vec!["metrics[1]: `evaluation.pw` again", "each metric once"],
+        ),
+        (
             SWEEP.replace("\"evaluation.pw\"", "\"evaluation.pww\""),
             vec![
                 "metrics[0]: `evaluation.pww` is in no report.json",
