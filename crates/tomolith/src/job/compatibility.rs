@@ -4,7 +4,7 @@ use super::build::Optics;
 use super::refinement::LEAST_REFINE;
 use super::spec::JobSpec;
 use crate::error::{Error, Result};
-use crate::grid::{PatternGrid, Volume, VolumeGrid};
+use crate::grid::{Volume, VolumeGrid};
 use crate::optics::light::Light;
 use crate::report::number::significant;
 use crate::target::{Shape, label};
@@ -16,6 +16,9 @@ use tomolith_core::parallel::{InParallel, table};
 const STRAY: f64 = 1e-3;
 /// Part of a voxel that a target may reach into a wall where a job does not say how far.
 const TOUCH: f64 = 0.01;
+
+/// What a voxel of a gray target holds at least: less is rounding of where its faces lie.
+const GRAY: f32 = 1e-6;
 
 /// Pixels across a voxel from which on a part that no voxel sees is a matter of the voxels.
 const COARSE: f64 = 2.0;
@@ -105,52 +108,7 @@ impl Optics {
                 concise(out - resin)
             )
         });
-        for (i, light) in self.lights.iter().enumerate() {
-            let field = field_mm(light);
-            // Seen by a projector that the axis leans toward or away from, it is at least this high
-            let seen = |up: f64| up * self.tilt_rad().cos();
-            for (name, axis, extent, field) in [
-                // A field on one side of the axis lights all of a part that turns
-                ("sideways", 0, out, field[1][0].max(-field[0][0])),
-                ("along the axis", 1, seen(high[2]), field[1][1]),
-                ("along the axis", 1, seen(-low[2]), -field[0][1]),
-            ] {
-                if extent > field * (1.0 + 1e-9) {
-                    let whole = PatternGrid {
-                        offset_mm: [0.0; 2],
-                        ..light.pixels.clone()
-                    };
-                    // Pixels that would do are cut down by something else
-                    let is_cut = extent <= whole.field_mm()[1][axis] * (1.0 + 1e-9);
-                    let middle = (low[2] + high[2]) / 2.0;
-                    let would_fit = axis == 1
-                        && seen((high[2] - low[2]) / 2.0) <= field * (1.0 + 1e-9)
-                        && middle.abs() > 1e-9;
-                    let (key, accepted) = if would_fit {
-                        let accepted = "a target whose middle lies nearer to that of the light, or a field that reaches to it";
-                        ("target.offset_mm".to_owned(), accepted.to_owned())
-                    } else if is_cut {
-                        narrowed(spec, i)
-                    } else {
-                        let (count, what) = match axis {
-                            0 => (light.pixels.columns, "columns"),
-                            _ => (light.pixels.rows, "rows"),
-                        };
-                        let key = format!("light[{i}].pixels");
-                        (key, larger_field(count, what, extent / field))
-                    };
-                    return Err(Error::config(
-                        key,
-                        format!(
-                            "the field reaches {} mm {name} from its middle, the target {} mm",
-                            concise(field.max(0.0)),
-                            concise(extent)
-                        ),
-                        accepted,
-                    ));
-                }
-            }
-        }
+        self.must_be_in_the_fields(spec, [low, high])?;
         Ok(touching.into_iter().collect())
     }
 
@@ -165,50 +123,6 @@ impl Optics {
                 let (sin, cos) = (TAU * i as f64 / AROUND as f64).sin_cos();
                 is_resin([x + far * cos, y + far * sin, z])
             }) || [-far, far].iter().any(|up| is_resin([x, y, z + up])))
-    }
-
-    /// A target whose box looks larger than the field of a light because the axis leans, as its far edge is seen higher: the light, the way, how
-    /// far the target is seen there and where the field ends, mm.
-    fn leaning_out(&self, shape: &dyn Shape) -> Vec<(usize, &'static str, [f64; 2])> {
-        let tilt = self.tilt_rad().abs();
-        let [low, high] = shape.bounds_mm();
-        let out = (0..2).map(|i| high[i].max(-low[i])).fold(0.0, f64::max);
-        let of_light = |(i, light): (usize, &Light)| {
-            let field = field_mm(light);
-            let seen = |up: f64| up * tilt.cos() + out * tilt.sin();
-            let sides = [
-                ("up", [seen(high[2]), field[1][1]]),
-                ("down", [seen(-low[2]), -field[0][1]]),
-            ];
-            let beyond = sides
-                .into_iter()
-                .find(|(_, [seen, end])| tilt > 0.0 && seen > end);
-            beyond.map(|(way, reach)| (i, way, reach))
-        };
-        self.lights
-            .iter()
-            .enumerate()
-            .filter_map(of_light)
-            .collect()
-    }
-
-    /// The first light whose field such a target leaves.
-    pub(crate) fn leaning_light(&self, shape: &dyn Shape) -> Option<usize> {
-        self.leaning_out(shape).first().map(|(light, ..)| *light)
-    }
-
-    /// Warns of such targets.
-    pub(crate) fn leaning(&self, shape: &dyn Shape) -> Vec<String> {
-        let warning = |(i, way, [seen, end]): (usize, &str, [f64; 2])| {
-            format!(
-                "light[{i}]: the axis is tilted by {:.1}°, so the target reaches {way} to {} mm in the field, which ends at \
-                 {} mm: parts of it may not be lit from all sides; use more rows in light[{i}].pixels",
-                self.tilt_rad().abs().to_degrees(),
-                concise(seen),
-                concise(end),
-            )
-        };
-        self.leaning_out(shape).into_iter().map(warning).collect()
     }
 
     /// Warns of voxels many pixels wide.
@@ -287,8 +201,7 @@ impl Optics {
         let of_slice = |(iz, (labels, inside)): (usize, (&[u8], &[f32]))| {
             let [mut part, mut stray, mut cut] = [0u64; 3];
             for (i, (&label, &inside)) in labels.iter().zip(inside).enumerate() {
-                let is_part = if gray { inside > 0.0 } else { inside >= 0.5 };
-                if !is_part {
+                if !is_part(inside, gray) {
                     continue;
                 }
                 part += 1;
@@ -352,6 +265,7 @@ impl Optics {
             self.unreached(inside, gray)
                 .map(|unreached| unreached.warning()),
         );
+        warnings.extend(self.missed(inside, gray).map(|missed| missed.warning()));
         Ok(warnings)
     }
 
@@ -400,13 +314,9 @@ impl Optics {
         let grid = &labels.grid;
         let [_, ny, nx] = grid.shape;
         let hidden = |i: usize| {
-            let is_part = if gray {
-                inside.values[i] > 0.0
-            } else {
-                inside.values[i] >= 0.5
-            };
             let middle = [grid.x(i % nx), grid.y(i / nx % ny), grid.z(i / (nx * ny))];
-            is_part && bodies.iter().any(|body| body.surface.contains(middle))
+            is_part(inside.values[i], gray)
+                && bodies.iter().any(|body| body.surface.contains(middle))
         };
         table(grid.len(), hidden)
             .iter()
@@ -415,73 +325,12 @@ impl Optics {
     }
 }
 
-/// Lowest and highest corner [u, z] of what a light may light, mm.
-pub(super) fn field_mm(light: &Light) -> [[f64; 2]; 2] {
-    light.selection.field_mm(&light.pixels)
-}
-
-/// Whether an offset or a selection cuts the field of a light.
-pub(super) fn is_cut(light: &Light) -> bool {
-    let whole = PatternGrid {
-        offset_mm: [0.0; 2],
-        ..light.pixels.clone()
-    };
-    field_mm(light) != whole.field_mm()
-}
-
-/// The key that moves the end of a light's field.
-pub(super) fn field_key(spec: &JobSpec, optics: &Optics, i: usize) -> String {
-    match is_cut(&optics.lights[i]) {
-        true => narrowing(spec, i).0,
-        false => format!("light[{i}].pixels"),
+/// Whether a voxel of so much inside belongs to the part: half of it, or, of a gray target, more than rounding.
+pub(super) fn is_part(inside: f32, gray: bool) -> bool {
+    match gray {
+        true => inside > GRAY,
+        false => inside >= 0.5,
     }
-}
-
-/// The key that makes the field of a light too small for a target, and what would make it larger. `is_cut`: all of its pixels
-/// would do.
-fn narrowed(spec: &JobSpec, i: usize) -> (String, String) {
-    let (key, accepted) = narrowing(spec, i);
-    (key, accepted.to_owned())
-}
-
-/// How many pixels make a field so many times as large.
-fn larger_field(count: usize, what: &str, times: f64) -> String {
-    let needed = count as f64 * times;
-    if !needed.is_finite() {
-        return "a field larger than the target: more pixels, a larger pitch, or a smaller target"
-            .to_owned();
-    }
-    format!(
-        "at least {} {what} of pixels of this pitch, a larger pitch, or a smaller target",
-        (needed - 1e-6).ceil()
-    )
-}
-
-fn narrowing(spec: &JobSpec, i: usize) -> (String, &'static str) {
-    let light = &spec.light[i];
-    let selection = &light.selection;
-    if selection.columns.is_some() || selection.rows.is_some() || selection.mask.is_some() {
-        let accepted = "pixels that may be lit up to the edge of the target";
-        return (format!("light[{i}].selection"), accepted);
-    }
-    if light.offset_mm.iter().any(|mm| mm.0 != 0.0) {
-        let accepted = "an image that still reaches the edge of the target: a smaller offset, or more light.pixels";
-        return (format!("light[{i}].offset_mm"), accepted);
-    }
-    let printer = spec.printer.as_ref();
-    let map = match printer.map(|printer| (&printer.dead_pixels, &printer.flat_field)) {
-        Some((Some(_), _)) => "dead_pixels",
-        Some((None, Some(_))) => "flat_field",
-        _ => {
-            return (
-                format!("light[{i}].selection"),
-                "pixels that may be lit up to the edge of the target",
-            );
-        }
-    };
-    let accepted =
-        "a device that can light the target up to its edge: another map, or printer.offset_px";
-    (format!("printer.{map}"), accepted)
 }
 
 #[cfg(test)]
@@ -650,31 +499,6 @@ mod tests {
         ] {
             assert_eq!(key(held(&[change]).unwrap_err()), blamed, "{change}");
         }
-    }
-
-    #[test]
-    fn a_leaning_axis_lifts_the_edge_of_the_target_in_the_field() {
-        let gear: crate::target::TargetSpec = Section::new(
-            "target",
-            serde_json::json!({ "phantom": { "gear": { "size_mm": 5.0 } } }),
-        )
-        .parse()
-        .unwrap();
-        let gear = crate::target::build(&gear, Path::new(""), "target").unwrap();
-        let warned = |tilt: &str| {
-            let spec = spec(&[&format!("motion.tilt_deg={tilt}")]);
-            let optics = Optics::new(&spec, Path::new("")).unwrap();
-            optics.leaning(gear.as_ref())
-        };
-        // 64 rows of 0.05 mm: 1.6 mm up. The edge, 2.5 mm out, is lifted by 2.5·sin
-        assert!(warned("0").is_empty());
-        let [text] = &warned("-70")[..] else {
-            panic!("one warning");
-        };
-        assert!(
-            text.contains("light[0]") && text.contains("ends at 1.6 mm"),
-            "{text}"
-        );
     }
 
     #[test]

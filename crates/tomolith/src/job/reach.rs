@@ -1,7 +1,13 @@
-//! How far from the axis light reaches on every side, and what of a part lies beyond.
+//! How far from the axis light reaches on every side, and what of a part lies beyond; [`along_axis`] has the same along the axis.
 
+mod along_axis;
+mod field;
+
+pub(super) use field::sides_key;
+
+use self::field::{field_mm, is_cut_sideways};
 use super::build::Optics;
-use super::compatibility::{field_mm, is_cut};
+use super::compatibility::is_part;
 use crate::grid::Volume;
 use crate::optics::light::Light;
 use crate::report::number::significant;
@@ -59,7 +65,7 @@ impl Optics {
             let [mut part, mut beyond] = [0u64; 2];
             let mut farthest = 0.0f64;
             for (i, &inside) in inside.iter().enumerate() {
-                if if gray { inside > 0.0 } else { inside >= 0.5 } {
+                if is_part(inside, gray) {
                     let radius = grid.x(i % nx).hypot(grid.y(i / nx));
                     part += 1;
                     beyond += u64::from(radius > reach_mm);
@@ -77,7 +83,7 @@ impl Optics {
             reach_mm,
             farthest_mm,
             share: beyond as f64 / part as f64,
-            is_cut: is_cut(&self.lights[light]),
+            is_cut: is_cut_sideways(&self.lights[light]),
         })
     }
 
@@ -104,7 +110,7 @@ impl Optics {
             reach_mm,
             farthest_mm,
             share: 1.0 - reach_mm.max(0.0) / farthest_mm,
-            is_cut: is_cut(&self.lights[light]),
+            is_cut: is_cut_sideways(&self.lights[light]),
         })
     }
 

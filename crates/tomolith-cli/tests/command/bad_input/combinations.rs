@@ -207,7 +207,7 @@ pub(super) const WRONG: &[Wrong] = &[
         "[48, 24]",
         "[48, 4]",
         "[48, 4]",
-        &["light[0].pixels", "along the axis"],
+        &["light[0].pixels", "heights of -0.2 to 0.2 mm", "10 rows"],
     ),
     // The machine
     (
@@ -430,8 +430,8 @@ pub(super) const WRONG: &[Wrong] = &[
         "offset_mm",
         &[
             "light[0].offset_mm",
-            "the field reaches 0.3 mm along the axis",
-            "a smaller offset",
+            "light passes the axis at heights of -2.1 to 0.3 mm",
+            "light[0].offset_mm = [0, 0]",
         ],
     ),
     (
@@ -449,13 +449,25 @@ pub(super) const WRONG: &[Wrong] = &[
             "found [40, 9], but there are 48",
         ],
     ),
+    // Light from above that the vial lifts over the part
+    (
+        "[stop]",
+        "[motion]\ntilt_deg = 50\n[stop]",
+        "[[light]]",
+        &[
+            "light[0].offset_mm",
+            "the axis is tilted by 50°, and light bends at the walls",
+            "light[0].offset_mm = [0, -",
+        ],
+    ),
     (
         "angles = 30",
         "angles = 30\nselection.rows = [0, 14]",
         "selection",
         &[
             "light[0].selection",
-            "the field reaches 0.2 mm along the axis",
+            "heights of -0.2 to 1.2 mm",
+            "may be lit up to the edge",
         ],
     ),
     (

@@ -185,7 +185,7 @@ pub(super) const WRONG: &[Wrong] = &[
         "size_mm = 2.0",
         "size_mm = 2.0\noffset_mm = [0, 0, 1.0]",
         "offset_mm",
-        &["target.offset_mm", "along the axis", "middle lies nearer"],
+        &["target.offset_mm", "passes the axis", "middle lies nearer"],
     ),
     (
         "[[light]]",

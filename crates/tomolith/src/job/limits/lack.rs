@@ -1,6 +1,6 @@
 //! Why light leaves a part of the part without what it needs.
 
-use super::super::compatibility::field_key;
+use super::super::reach::sides_key;
 use super::super::scene::{Scene, Voxels};
 use super::super::spec::JobSpec;
 use super::acting::Acting;
@@ -32,8 +32,7 @@ impl Lack {
     ) -> Option<Self> {
         Self::of_resin(own)
             .or_else(|| Self::of_motion(job, own))
-            .or_else(|| Self::of_field(job, own, fine))
-            .or_else(|| Self::of_tilt(job, own))
+            .or_else(|| Self::of_place(job, own, fine))
             .or_else(|| Self::of_selection(lights))
     }
 
@@ -55,11 +54,18 @@ impl Lack {
         let found = own.optics.unreached_moving(own.shape.as_ref())?;
         Some(Lack {
             share: found.share,
-            key: field_key(job, &own.optics, found.light),
-            verb: "raise",
+            key: sides_key(job, &own.optics, found.light),
+            verb: if found.is_cut { "change" } else { "raise" },
             found: "In some frames the part turns out of the light's field".to_owned(),
             comes_first: true,
         })
+    }
+
+    /// Of what lies too far from the axis, or above or below the light: whichever is more of the part.
+    fn of_place(job: &JobSpec, own: &Scene, fine: &Voxels) -> Option<Self> {
+        let both = [Self::of_field(job, own, fine), Self::of_heights(own, fine)];
+        let found = both.into_iter().flatten();
+        found.max_by(|a, b| a.share.total_cmp(&b.share))
     }
 
     fn of_field(job: &JobSpec, own: &Scene, fine: &Voxels) -> Option<Self> {
@@ -69,22 +75,21 @@ impl Lack {
         let percent = significant(100.0 * found.share, 2);
         Some(Lack {
             share: found.share,
-            key: field_key(job, &own.optics, found.light),
+            key: sides_key(job, &own.optics, found.light),
             verb: if found.is_cut { "change" } else { "raise" },
             found: format!("Light does not reach {percent} % of the part from all sides"),
             comes_first: false,
         })
     }
 
-    fn of_tilt(job: &JobSpec, own: &Scene) -> Option<Self> {
-        let light = own.optics.leaning_light(own.shape.as_ref())?;
+    fn of_heights(own: &Scene, fine: &Voxels) -> Option<Self> {
+        let found = own.optics.missed(&fine.target.inside, fine.target.gray)?;
+        let percent = significant(100.0 * found.share, 2);
         Some(Lack {
-            share: 1.0,
-            key: field_key(job, &own.optics, light),
-            verb: "raise",
-            found:
-                "The axis leans, so that parts of the target lie above or below the light's field"
-                    .to_owned(),
+            share: found.share,
+            key: format!("light[{}].{}", found.light, found.remedy.key),
+            verb: found.remedy.verb,
+            found: format!("Light passes above or below {percent} % of the part in some frames"),
             comes_first: false,
         })
     }

@@ -187,7 +187,6 @@ impl Scene {
                 two_critical_doses(&spec).into_iter().collect(),
                 scenarios::worst_of_one(&spec).into_iter().collect(),
                 optics.dark_inside(),
-                optics.leaning(shape.as_ref()),
                 optics.moved_away(shape.as_ref()).into_iter().collect(),
                 optics.coarse(shape.as_ref()),
                 optics.coarse_voxels(&grid).into_iter().collect(),
