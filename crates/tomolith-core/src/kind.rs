@@ -4,6 +4,9 @@
 //! files, in `tomolith kinds`, in the JSON schema and in the family's tests. In a job a kind is an externally tagged
 //! table, `[family.kind]`, so that an error can name the very key.
 
+mod located;
+
+use self::located::{Failure, Fault};
 use crate::error::{Error, Result, nearest_name};
 use serde::de::DeserializeOwned;
 use serde_json::Value;
@@ -68,41 +71,23 @@ impl Section {
     /// # Errors
     /// [`Error::Config`] with the key path of the offending key, and the nearest accepted name for a misspelt one.
     pub fn parse<T: DeserializeOwned>(&self) -> Result<T> {
-        serde_path_to_error::deserialize(self.value.clone()).map_err(|e| {
-            let message = e.inner().to_string();
-            self.unread(e.path(), &message, choices::<T>)
-        })
+        located::read(&self.value).map_err(|failure| self.unread(&failure))
     }
 
     /// The error of a value that could not be read. For all types alike: compiled once.
-    fn unread(
-        &self,
-        path: &serde_path_to_error::Path,
-        message: &str,
-        choices: fn(&Value, &serde_path_to_error::Path) -> Option<String>,
-    ) -> Error {
-        let inner = path.to_string();
-        let inner = if inner == "." { "" } else { &inner };
-        let in_table = value_at(&self.value, path).is_none_or(Value::is_object);
-        let mut error = config_error(&self.path, inner, in_table, message);
+    fn unread(&self, failure: &Failure) -> Error {
+        let value = failure.value(&self.value);
+        let mut error = config_error(&self.path, failure, value);
         if let Error::Config {
             key,
             found,
             accepted,
             ..
         } = &mut error
+            && found == MISSING
+            && let Some(line) = self.example_of(key)
         {
-            if CHOICES.iter().any(|words| message.ends_with(words)) {
-                if let Some(choices) = choices(&self.value, path) {
-                    *accepted = choices;
-                }
-                if let Some(table) = value_at(&self.value, path) {
-                    let words = (std::mem::take(found), std::mem::take(accepted));
-                    (*found, *accepted) = of_table(table, words.0, words.1);
-                }
-            } else if let Some(line) = self.example_of(key).filter(|_| found == MISSING) {
-                *accepted = format!("a value, for example `{line}`");
-            }
+            *accepted = format!("a value, for example `{line}`");
         }
         error
     }
@@ -192,55 +177,24 @@ impl Section {
     }
 }
 
-/// The value a path leads to; None when it ends before.
-fn value_at<'v>(root: &'v Value, path: &serde_path_to_error::Path) -> Option<&'v Value> {
-    use serde_path_to_error::Segment;
-    path.iter().try_fold(root, |value, segment| match segment {
-        Segment::Map { key } | Segment::Enum { variant: key } => value.get(key),
-        Segment::Seq { index } => value.get(index),
-        Segment::Unknown => None,
-    })
-}
-
-/// The same, to be changed.
-fn value_at_mut<'v>(
-    root: &'v mut Value,
-    path: &serde_path_to_error::Path,
-) -> Option<&'v mut Value> {
-    use serde_path_to_error::Segment;
-    path.iter().try_fold(root, |value, segment| match segment {
-        Segment::Map { key } | Segment::Enum { variant: key } => value.get_mut(key),
-        Segment::Seq { index } => value.get_mut(index),
-        Segment::Unknown => None,
-    })
-}
-
-/// How serde's messages end where one of several names was expected, but not which.
-const CHOICES: [&str; 2] = ["string or map", "map with a single key"];
-
-/// The names that are accepted at a path: serde tells them only to a name that is none of them.
-fn choices<T: DeserializeOwned>(value: &Value, path: &serde_path_to_error::Path) -> Option<String> {
-    let mut value = value.clone();
-    *value_at_mut(&mut value, path)? = Value::String("?".to_owned());
-    // Read as the section was: what is derived for `T` is compiled once
-    let error = serde_path_to_error::deserialize::<_, T>(value).err()?;
-    let message = error.inner().to_string();
-    let names = message.strip_prefix("unknown variant `?`, expected ")?;
-    let names: Vec<&str> = names.split('`').skip(1).step_by(2).collect();
-    Some(names.join(", "))
-}
-
-/// Where one of several names was expected: what a table holds in its place, and how many of them it may.
-fn of_table(value: &Value, found: String, accepted: String) -> (String, String) {
-    let Value::Object(table) = value else {
-        return (found, accepted);
+/// What stands in the place of one of several names: what a table holds, and how many of the names it may.
+fn unnamed(value: Option<&Value>, names: &[&str]) -> (String, String) {
+    let names = names.join(", ");
+    let (found, accepted) = match value {
+        Some(Value::Object(table)) if table.is_empty() => (
+            "an empty table".to_owned(),
+            format!("exactly one of {names}"),
+        ),
+        Some(Value::Object(table)) => {
+            let keys: Vec<&str> = table.keys().map(String::as_str).collect();
+            let found = format!("a table with {}", keys.join(" and "));
+            (found, format!("exactly one of {names}"))
+        }
+        Some(Value::Array(_)) => ("a list".to_owned(), names),
+        Some(other) => (other.to_string(), names),
+        None => ("nothing".to_owned(), names),
     };
-    let keys: Vec<&str> = table.keys().map(String::as_str).collect();
-    let found = match keys.is_empty() {
-        true => "found an empty table".to_owned(),
-        false => format!("found a table with {}", keys.join(" and ")),
-    };
-    (found, format!("exactly one of {accepted}"))
+    (format!("found {found}"), accepted)
 }
 
 /// What is found where a key is missing.
@@ -307,95 +261,69 @@ fn other_unit(word: &str, name: &str) -> Option<&'static str> {
     })
 }
 
-/// Turns serde's message into a [`Error::Config`] with found, accepted and nearest name.
-///
-/// `in_table`: the value at fault is a table, so that an unknown name is a key in it and not the value itself.
-fn config_error(path: &str, inner: &str, in_table: bool, message: &str) -> Error {
+/// The [`Error::Config`] of a value (None: one that is not there) within a section at a path.
+fn config_error(path: &str, failure: &Failure, value: Option<&Value>) -> Error {
+    let inner = failure.path();
     let mut key = match (path.is_empty(), inner.is_empty()) {
         (_, true) => path.to_owned(),
-        (true, _) => inner.to_owned(),
+        (true, _) => inner,
         _ => format!("{path}.{inner}"),
     };
-    // serde: "unknown field `x`, expected one of `a`, `b`" | "unknown variant …" | "missing field `x`"
-    let ticked: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
-    if message.starts_with("unknown field") || message.starts_with("unknown variant") {
-        let (word, names) = ticked.split_first().map_or(("", &[][..]), |(w, n)| (*w, n));
-        if in_table && key.rsplit('.').next() != Some(word) {
-            key = if key.is_empty() {
-                word.to_owned()
-            } else {
-                format!("{key}.{word}")
+    let within = |word: &str| match key.is_empty() {
+        true => word.to_owned(),
+        false => format!("{key}.{word}"),
+    };
+    let (found, accepted) = match &failure.fault {
+        Fault::Unknown { word, known } => {
+            // An unknown name in a table is a key of it, and else the value itself
+            let in_table = value.is_none_or(Value::is_object);
+            if in_table && key.rsplit('.').next() != Some(word) {
+                key = within(word);
+            }
+            return unknown(key, word, known);
+        }
+        Fault::Missing(word) => {
+            let accepted = "a value; docs/job.md and `tomolith kinds` list what is accepted";
+            return Error::config(within(word), MISSING, accepted);
+        }
+        Fault::Unnamed { names } => unnamed(value, names),
+        Fault::Unfit { found, expected } => {
+            let accepted = match (value, expected.as_str()) {
+                (Some(Value::Object(_)), "a sequence") => {
+                    format!("a list, whose tables are written [[{key}]]")
+                }
+                (Some(Value::String(_)), "f64" | "f32") => number_of(&key).to_owned(),
+                _ => in_words(expected),
             };
+            (format!("found {found}"), accepted)
         }
-        let accepted = match names {
-            [] => "nothing: this table has no keys".to_owned(),
-            names => names.join(", "),
-        };
-        let renamed = renamed(&key);
-        let nearest = renamed.or_else(|| nearest_name(word, names.iter().copied()));
-        let unit = nearest.and_then(|name| other_unit(word, name));
-        return Error::Config {
-            found: match (renamed, unit) {
-                (Some(name), _) => format!("`{word}` is now called `{name}`"),
-                (None, Some(unit)) => format!("unknown name `{word}`: {unit}"),
-                (None, None) => format!("unknown name `{word}`"),
-            },
-            key,
-            accepted,
-            nearest: nearest.map(str::to_owned),
-            place: None,
-        };
-    }
-    if message.starts_with("missing field") {
-        let word = ticked.first().copied().unwrap_or_default();
-        return Error::config(
-            if key.is_empty() {
-                word.to_owned()
-            } else {
-                format!("{key}.{word}")
-            },
-            MISSING,
-            "a value; docs/job.md and `tomolith kinds` list what is accepted",
-        );
-    }
-    let (found, accepted) = match message.split_once(", expected ") {
-        Some((found @ "invalid type: map", "a sequence")) => (
-            found_in_words(found),
-            format!("a list, whose tables are written [[{key}]]"),
-        ),
-        Some((found, "f64" | "f32")) if found.starts_with("invalid type: string") => {
-            (found_in_words(found), number_of(&key).to_owned())
-        }
-        Some((found, expected)) => (found_in_words(found), in_words(expected)),
-        None => match message.split_once("; accepted: ") {
+        Fault::Other(message) => match message.split_once("; accepted: ") {
             Some((found, accepted)) => (found.to_owned(), accepted.to_owned()),
-            None => (message.to_owned(), "see `tomolith schema`".to_owned()),
+            None => (message.clone(), "see `tomolith schema`".to_owned()),
         },
     };
     Error::config(key, found, accepted)
 }
 
-/// What serde found, without the names of Rust's types.
-fn found_in_words(message: &str) -> String {
-    if let Some(length) = message.strip_prefix("invalid length ") {
-        return match length {
-            "0" => "found an empty list".to_owned(),
-            length => format!("found a list of {length}"),
-        };
+/// The error of a name that is none of those that are known.
+fn unknown(key: String, word: &str, known: &[&str]) -> Error {
+    let renamed = renamed(&key);
+    let nearest = renamed.or_else(|| nearest_name(word, known.iter().copied()));
+    let unit = nearest.and_then(|name| other_unit(word, name));
+    Error::Config {
+        found: match (renamed, unit) {
+            (Some(name), _) => format!("`{word}` is now called `{name}`"),
+            (None, Some(unit)) => format!("unknown name `{word}`: {unit}"),
+            (None, None) => format!("unknown name `{word}`"),
+        },
+        key,
+        accepted: match known {
+            [] => "nothing: this table has no keys".to_owned(),
+            known => known.join(", "),
+        },
+        nearest: nearest.map(str::to_owned),
+        place: None,
     }
-    let kinds = ["invalid type: ", "invalid value: "];
-    let Some(found) = kinds.iter().find_map(|kind| message.strip_prefix(kind)) else {
-        return message.to_owned();
-    };
-    let ticked = found.split('`').nth(1);
-    let found = match (found, ticked) {
-        ("map", _) => "a table",
-        ("sequence", _) => "a list",
-        (_, Some(ticked)) => ticked,
-        (text, None) => text.strip_prefix("string ").unwrap_or(text),
-    };
-    // serde writes 1e+30, a job 1e30
-    format!("found {}", found.replace("e+", "e"))
 }
 
 /// What is expected where a number was written as text, most often with a unit.
