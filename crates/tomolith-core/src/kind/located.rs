@@ -213,18 +213,19 @@ impl<'v> Located<'v> {
         }
     }
 
-    fn list<V: Visitor<'v>>(self, visitor: V) -> Result<V::Value, Failure> {
+    /// Reads a list; of a type that has a length, one of this length.
+    fn list<V: Visitor<'v>>(self, length: Option<usize>, visitor: V) -> Result<V::Value, Failure> {
         let Value::Array(items) = self.0 else {
             return Err(self.unfit(&visitor));
         };
+        if length.is_some_and(|length| length < items.len()) {
+            return Err(Failure::invalid_length(items.len(), &visitor));
+        }
         let mut left = Items { items, next: 0 };
         let read = visitor.visit_seq(&mut left)?;
         match left.next == items.len() {
             true => Ok(read),
-            false => Err(Failure::invalid_length(
-                items.len(),
-                &"fewer elements in array",
-            )),
+            false => Err(Failure::invalid_length(items.len(), &"a shorter list")),
         }
     }
 
@@ -253,7 +254,6 @@ impl<'v> Deserializer<'v> for Located<'v> {
         deserialize_i8 deserialize_i16 deserialize_i32 deserialize_i64 deserialize_f32 deserialize_f64
     }
     read_by! { text: deserialize_str deserialize_string deserialize_identifier }
-    read_by! { list: deserialize_seq }
     read_by! { table: deserialize_map }
 
     fn deserialize_any<V: Visitor<'v>>(self, visitor: V) -> Result<V::Value, Failure> {
@@ -262,9 +262,13 @@ impl<'v> Deserializer<'v> for Located<'v> {
             Value::Bool(value) => visitor.visit_bool(*value),
             Value::Number(_) => self.number(visitor),
             Value::String(_) => self.text(visitor),
-            Value::Array(_) => self.list(visitor),
+            Value::Array(_) => self.list(None, visitor),
             Value::Object(_) => self.table(visitor),
         }
+    }
+
+    fn deserialize_seq<V: Visitor<'v>>(self, visitor: V) -> Result<V::Value, Failure> {
+        self.list(None, visitor)
     }
 
     fn deserialize_bool<V: Visitor<'v>>(self, visitor: V) -> Result<V::Value, Failure> {
@@ -291,19 +295,19 @@ impl<'v> Deserializer<'v> for Located<'v> {
 
     fn deserialize_tuple<V: Visitor<'v>>(
         self,
-        _length: usize,
+        length: usize,
         visitor: V,
     ) -> Result<V::Value, Failure> {
-        self.list(visitor)
+        self.list(Some(length), visitor)
     }
 
     fn deserialize_tuple_struct<V: Visitor<'v>>(
         self,
         _name: &'static str,
-        _length: usize,
+        length: usize,
         visitor: V,
     ) -> Result<V::Value, Failure> {
-        self.list(visitor)
+        self.list(Some(length), visitor)
     }
 
     fn deserialize_struct<V: Visitor<'v>>(
@@ -460,13 +464,9 @@ impl<'v> VariantAccess<'v> for Variant<'v> {
             .map_err(|failure| failure.at_key(self.name))
     }
 
-    fn tuple_variant<V: Visitor<'v>>(
-        self,
-        _length: usize,
-        visitor: V,
-    ) -> Result<V::Value, Failure> {
+    fn tuple_variant<V: Visitor<'v>>(self, length: usize, visitor: V) -> Result<V::Value, Failure> {
         let held = self.held("a list under this name")?;
-        held.list(visitor)
+        held.list(Some(length), visitor)
             .map_err(|failure| failure.at_key(self.name))
     }
 
