@@ -1,7 +1,7 @@
 //! Reads what is derived for a type from a [`Value`], and says where in the value it failed and what was accepted there.
 //!
 //! *Why not serde's own.* `serde_json` knows no place in a value and tells what it expected as a sentence. A wrapper that follows the path
-//! (`serde_path_to_error`) is compiled anew around every type of every job key: an eighth of the code of the crates that read jobs.
+//! (`serde_path_to_error`) is compiled anew around every type of every job key: 0.75 of 8.8 MB of code of our crates.
 //!
 //! **Limits** Keys of tables are text. A struct is read from a table only, never from a list of its fields.
 
