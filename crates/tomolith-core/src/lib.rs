@@ -2,6 +2,7 @@
 //!
 //! Users find all of it in the crate `tomolith`; whoever writes a dose model, or fields in the memory of a device, needs this crate alone.
 
+pub mod boxes;
 pub mod check;
 pub mod dose;
 pub mod error;
@@ -15,5 +16,6 @@ pub mod response;
 pub mod run;
 pub mod target;
 pub mod units;
+pub mod vector;
 
 pub use error::{Error, Place, Result};

@@ -31,6 +31,7 @@ mod threemf;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result};
+use tomolith_core::vector::{cross, dot, minus};
 
 pub use stl::write_stl_binary;
 
@@ -242,26 +243,4 @@ fn bad(path: &Path, found: impl Into<String>, accepted: impl Into<String>) -> Er
         found: found.into(),
         accepted: accepted.into(),
     }
-}
-
-/// a − b
-#[must_use]
-pub fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-/// a·b
-#[must_use]
-pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// a × b
-#[must_use]
-pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
 }

@@ -33,6 +33,7 @@ use tomolith_core::dose::Run;
 use tomolith_core::error::Error;
 use tomolith_core::grid::{Volume, VolumeGrid};
 use tomolith_core::parallel::InParallel;
+use tomolith_core::vector::{cross, dot, minus};
 
 /// Layers of cells that are done one after the other, with shared planes between them.
 const SLAB: usize = 8;
@@ -88,22 +89,6 @@ impl Isosurface {
             })
             .sum()
     }
-}
-
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|i| a[i] - b[i])
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
 /// The surface around what is above `level`.

@@ -1,9 +1,7 @@
 //! The distance from a point to a triangle surface.
 //!
-//! A tree of boxes over the triangles, each split in four: at the median along the longest edge of the box of their
-//! centroids, and both halves once more. The nodes of a complete tree lie in one array; the boxes of four children, and the
-//! triangles of a leaf, have a lane each. A query walks the nearest child first and leaves out boxes that are farther than the
-//! best triangle so far. A bound from a neighboring point makes it start well. Exact up to f32.
+//! A [tree of boxes](tomolith_core::boxes) finds the triangles; those of a leaf have a lane each. A bound from a neighboring point makes a query
+//! start well. Exact up to f32.
 //!
 //! ```
 //! use tomolith_metrics::isosurface::Isosurface;
@@ -15,76 +13,15 @@
 //! ```
 
 use super::isosurface::Isosurface;
-use tomolith_core::dose::Run;
-use tomolith_core::parallel::{InParallel, table};
+use tomolith_core::boxes::{Bounds, BoxTree, LEAF};
+use tomolith_core::run::Run;
 use wide::f32x4;
-
-/// Triangles in a leaf, at most: one in each lane.
-const LEAF: usize = 4;
-/// Children of a node, as many.
-const SPLIT: usize = 4;
-/// Leaves that a thread fills in a row.
-const LEAVES_AT_ONCE: usize = 1024;
-/// Triangles from which on a split is done by two threads.
-const PARALLEL: usize = 1 << 14;
 
 type Point = [f32; 3];
 
-#[derive(Clone, Copy)]
-struct Aabb {
-    low: Point,
-    high: Point,
-}
-
-impl Aabb {
-    const EMPTY: Aabb = Aabb {
-        low: [f32::INFINITY; 3],
-        high: [f32::NEG_INFINITY; 3],
-    };
-
-    fn add(&mut self, p: Point) {
-        self.low = std::array::from_fn(|i| self.low[i].min(p[i]));
-        self.high = std::array::from_fn(|i| self.high[i].max(p[i]));
-    }
-
-    fn joined(mut self, other: Aabb) -> Aabb {
-        self.add(other.low);
-        self.add(other.high);
-        self
-    }
-}
-
-/// The boxes of a node's children, coordinate by coordinate.
-#[derive(Clone, Copy)]
-struct Children {
-    low: [f32x4; 3],
-    high: [f32x4; 3],
-}
-
-impl Children {
-    fn new(boxes: &[Aabb; SPLIT]) -> Self {
-        let lanes = |of: &dyn Fn(&Aabb) -> f32| f32x4::new(boxes.each_ref().map(of));
-        Children {
-            low: [0, 1, 2].map(|axis| lanes(&|b| b.low[axis])),
-            high: [0, 1, 2].map(|axis| lanes(&|b| b.high[axis])),
-        }
-    }
-
-    /// Squared distances from a point to the boxes.
-    fn squared_distances(&self, p: [f32x4; 3]) -> [f32; SPLIT] {
-        let off = |axis: usize| {
-            let outside = (self.low[axis] - p[axis]).fast_max(p[axis] - self.high[axis]);
-            outside.fast_max(f32x4::ZERO)
-        };
-        let [x, y, z] = [off(0), off(1), off(2)];
-        (x * x + y * y + z * z).to_array()
-    }
-}
-
 /// Triangles of a surface, ready for queries.
 pub struct TriangleTree {
-    /// Node i has the children 4i + 1 to 4i + 4; behind the last node are the leaves.
-    nodes: Vec<Children>,
+    tree: BoxTree,
     leaves: Vec<Leaf>,
 }
 
@@ -120,42 +57,19 @@ impl TriangleTree {
     /// The same until the run is canceled: a tree that is not in order answers wrong.
     #[must_use]
     pub fn under(surface: &Isosurface, run: &Run) -> Self {
-        let corners = |i: usize| surface.triangles[i].map(|c| surface.corners[c as usize]);
-        let n = surface.triangles.len();
-        let mut keys: Vec<Key> = table(n, |i| (centroid(corners(i)), i as u32));
-        // Splits in two: an even number
-        let levels = n
-            .div_ceil(LEAF)
-            .next_power_of_two()
-            .ilog2()
-            .next_multiple_of(2);
-        sort(&mut keys, levels, run);
-        let first = ((1usize << levels) - 1) / (SPLIT - 1);
-        let mut boxes = vec![Aabb::EMPTY; first + (1 << levels)];
-        let cut = |leaf: usize| (leaf * n) >> levels;
-        let leaf = |leaf: usize, bounds: &mut Aabb| {
-            let keys = &keys[cut(leaf)..cut(leaf + 1)];
+        let corners = |i: u32| surface.triangles[i as usize].map(|c| surface.corners[c as usize]);
+        let leaf = |items: &[u32]| {
             let mut triangles = [[[0.0; 3]; 3]; LEAF];
-            for (triangle, key) in triangles.iter_mut().zip(keys) {
-                *triangle = corners(key.1 as usize);
+            let mut bounds = Bounds::EMPTY;
+            for (triangle, &item) in triangles.iter_mut().zip(items) {
+                *triangle = corners(item);
                 triangle.iter().for_each(|&corner| bounds.add(corner));
             }
-            Leaf::new(&triangles[..keys.len()])
+            (bounds, Leaf::new(&triangles[..items.len()]))
         };
-        let bounds = boxes[first..].chunks_mut(LEAVES_AT_ONCE).enumerate();
-        let leaves = bounds.filter(|_| n > 0).par_map(|(chunk, bounds)| {
-            let all = (chunk * LEAVES_AT_ONCE..).zip(bounds);
-            all.map(|(i, bounds)| leaf(i, bounds))
-                .collect::<Vec<Leaf>>()
-        });
-        let leaves = leaves.concat();
-        let mut nodes = vec![Children::new(&[Aabb::EMPTY; SPLIT]); first];
-        for node in (0..first).rev() {
-            let children: [Aabb; SPLIT] = std::array::from_fn(|i| boxes[SPLIT * node + 1 + i]);
-            boxes[node] = children.into_iter().fold(Aabb::EMPTY, Aabb::joined);
-            nodes[node] = Children::new(&children);
-        }
-        TriangleTree { nodes, leaves }
+        let count = surface.triangles.len();
+        let (tree, leaves) = BoxTree::of_small(count, |i| centroid(corners(i)), leaf, run);
+        TriangleTree { tree, leaves }
     }
 
     /// Distance from `p` to the nearest triangle, infinite when there is none. `bound` is a distance that is known not
@@ -166,63 +80,10 @@ impl TriangleTree {
             return f32::INFINITY;
         }
         // A little more than the bound, so that its rounding cannot hide the answer
-        let mut best = bound * bound * 1.001 + f32::MIN_POSITIVE;
+        let bound = bound * bound * 1.001 + f32::MIN_POSITIVE;
         let lanes = p.map(f32x4::splat);
-        let mut stack = [(0usize, 0f32); 64];
-        let mut depth = 1;
-        while depth > 0 {
-            depth -= 1;
-            let (node, distance) = stack[depth];
-            if distance >= best {
-                continue;
-            }
-            let Some(children) = self.nodes.get(node) else {
-                let leaf = &self.leaves[node - self.nodes.len()];
-                best = best.min(leaf.squared_distance(lanes));
-                continue;
-            };
-            // The nearest child comes on top
-            let bottom = depth;
-            let distances = children.squared_distances(lanes);
-            for (child, distance) in (SPLIT * node + 1..).zip(distances) {
-                if distance < best {
-                    let mut at = depth;
-                    while at > bottom && stack[at - 1].1 < distance {
-                        stack[at] = stack[at - 1];
-                        at -= 1;
-                    }
-                    stack[at] = (child, distance);
-                    depth += 1;
-                }
-            }
-        }
-        best.sqrt()
-    }
-}
-
-/// Three times a triangle's centroid, and its number.
-type Key = (Point, u32);
-
-/// Brings triangles into the order of the leaves below a node that has `levels` levels below it.
-fn sort(keys: &mut [Key], levels: u32, run: &Run) {
-    let n = keys.len();
-    if levels == 0 || n < 2 || run.is_canceled() {
-        return;
-    }
-    let mut bounds = Aabb::EMPTY;
-    keys.iter().for_each(|key| bounds.add(key.0));
-    let extent: Point = std::array::from_fn(|i| bounds.high[i] - bounds.low[i]);
-    let axis = (0..3).fold(0, |a, b| if extent[b] > extent[a] { b } else { a });
-    let middle = n / 2;
-    keys.select_nth_unstable_by(middle, |a, b| a.0[axis].total_cmp(&b.0[axis]));
-    let (low, high) = keys.split_at_mut(middle);
-    if n > PARALLEL {
-        [low, high]
-            .into_iter()
-            .par_each(|half| sort(half, levels - 1, run));
-    } else {
-        sort(low, levels - 1, run);
-        sort(high, levels - 1, run);
+        let leaf = |i: usize| self.leaves[i].squared_distance(lanes);
+        self.tree.near(p, bound, leaf).sqrt()
     }
 }
 

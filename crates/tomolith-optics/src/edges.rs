@@ -16,9 +16,10 @@
 //! assert!(Edges::of(&Surface::Prism(CrossSection::Circle(3.0))).is_empty());
 //! ```
 
-use super::surface::{Surface, cross, dot, minus, unit};
+use super::surface::Surface;
 use super::vial::CrossSection;
 use std::collections::HashMap;
+use tomolith_core::vector::{cross, dot, minus, unit};
 
 /// Faces that meet at a smaller angle than this (30°, in rad) make no edge.
 pub const SHARPEST: f64 = std::f64::consts::FRAC_PI_6;

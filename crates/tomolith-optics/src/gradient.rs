@@ -39,9 +39,9 @@
 //! ```
 
 use super::projector::Ray;
-use super::surface::{dot, unit};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use tomolith_core::vector::{dot, unit};
 
 /// Keys of `[resin.gradient]`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]

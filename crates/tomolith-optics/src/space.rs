@@ -51,11 +51,12 @@ use super::power_balance::PowerBalance;
 use super::projector::Ray;
 use super::random::Stream;
 use super::resin::{Resin, Uptake};
-use super::surface::{Crossing, Surface, cross, dot, unit};
+use super::surface::{Crossing, Surface};
 use super::trace::Bath;
 use super::vial::{CrossSection, Medium, Vial};
 use std::f64::consts::TAU;
 use std::sync::Arc;
+use tomolith_core::vector::{cross, dot, unit};
 
 /// A straight piece of a ray through resin.
 #[derive(Clone, Copy, Debug, PartialEq)]

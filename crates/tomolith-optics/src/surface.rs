@@ -5,23 +5,19 @@
 //! net is a closed mesh of triangles. [`Surface::enter`] and [`Surface::leave`] give the next crossing of a ray.
 //!
 //! # Limits
-//! A tree of boxes (f32, widened by its rounding) finds the triangles; where a ray meets one is computed in f64.
+//! A [tree of boxes](tomolith_core::boxes) finds the triangles; where a ray meets one is computed in f64.
 //!
 //! # Cost
-//! A prism some ten operations; a net about 0.25 µs a ray at half a million triangles.
+//! A prism some ten operations; a net 0.1 µs a ray from outside at 250 triangles, 0.4 µs at a million, twice as much from inside.
 
 use super::projector::Ray;
 use super::trace;
 use super::vial::CrossSection;
-use glam::Vec3A;
-use obvhs::aabb::Aabb;
-use obvhs::bvh2::Bvh2;
-use obvhs::bvh2::builder::build_bvh2;
-use obvhs::ray::{Ray as BoxRay, RayHit};
-use obvhs::{Boundable, BvhBuildParams};
 use std::sync::Arc;
-use std::time::Duration;
+use tomolith_core::boxes::{Bounds, BoxTree};
 use tomolith_core::error::{Error, Result};
+use tomolith_core::run::Run;
+use tomolith_core::vector::{cross, dot, minus, unit};
 use tomolith_io::mesh::Mesh;
 
 /// A closed surface.
@@ -203,13 +199,12 @@ fn across(
 const LEAST_SLANT: f64 = 1e-9;
 /// Distances below this (mm) are the triangle that the ray has just passed.
 const TOUCH: f64 = 1e-9;
-/// Part of a coordinate by which boxes are widened: several roundings of f32.
-const WIDER: f32 = 1e-6;
 
 /// A closed mesh of triangles, and the tree that finds them.
 pub struct Net {
+    /// In the tree's order, so that a leaf's triangles lie side by side.
     triangles: Vec<Corners>,
-    tree: Bvh2,
+    tree: BoxTree,
 }
 
 impl std::fmt::Debug for Net {
@@ -222,15 +217,6 @@ impl std::fmt::Debug for Net {
 #[derive(Clone, Copy, Debug)]
 struct Corners([[f64; 3]; 3]);
 
-impl Boundable for Corners {
-    fn aabb(&self) -> Aabb {
-        let points = self.0.map(|p| Vec3A::from(p.map(|v| v as f32)));
-        let tight = Aabb::from_points(&points);
-        let margin = Vec3A::splat(WIDER) * (tight.min.abs().max(tight.max.abs()) + Vec3A::ONE);
-        Aabb::new(tight.min - margin, tight.max + margin)
-    }
-}
-
 impl Net {
     /// Prepares a mesh.
     ///
@@ -240,20 +226,13 @@ impl Net {
         if mesh.triangles.is_empty() {
             return Err(Error::config(key, "no triangles", "a closed mesh"));
         }
-        let triangles: Vec<Corners> = (0..mesh.triangles.len())
-            .map(|i| Corners(mesh.corners(i)))
+        let corners = |i: usize| mesh.corners(i);
+        let boxes: Vec<Bounds> = (0..mesh.triangles.len())
+            .map(|i| Bounds::around(corners(i), TOUCH))
             .collect();
-        let tree = build_bvh2(
-            &triangles,
-            BvhBuildParams::medium_build(),
-            &mut Duration::default(),
-        );
-        // The tree's own order, so that a leaf's triangles lie side by side
-        let triangles = tree
-            .primitive_indices
-            .iter()
-            .map(|&i| triangles[i as usize])
-            .collect();
+        let tree = BoxTree::of(&boxes, &Run::new());
+        let order = tree.order().iter();
+        let triangles = order.map(|&i| Corners(corners(i as usize))).collect();
         Ok(Net { triangles, tree })
     }
 
@@ -264,40 +243,36 @@ impl Net {
 
     fn first_hit(&self, ray: &Ray) -> Option<Crossing> {
         let mut nearest: Option<(f64, usize)> = None;
-        let mut hit = RayHit::none();
-        self.tree.ray_traverse(box_ray(ray), &mut hit, |_, id| {
-            let Some(distance) = self.triangles[id].distance(ray) else {
-                return f32::INFINITY;
-            };
-            if nearest.is_none_or(|(best, _)| distance < best) {
-                nearest = Some((distance, id));
-            }
-            // Never short of the true distance: the next triangle may be nearer by less than a rounding
-            (distance as f32) * (1.0 + WIDER)
-        });
-        nearest.map(|(distance, id)| Crossing {
+        self.tree
+            .along(ray.from, ray.direction, f64::INFINITY, |places| {
+                for place in places {
+                    if let Some(distance) = self.triangles[place].distance(ray)
+                        && nearest.is_none_or(|best| (distance, place) < best)
+                    {
+                        nearest = Some((distance, place));
+                    }
+                }
+                nearest.map_or(f64::INFINITY, |(distance, _)| distance)
+            });
+        nearest.map(|(distance, place)| Crossing {
             distance,
-            normal: self.triangles[id].normal_against(ray.direction),
+            normal: self.triangles[place].normal_against(ray.direction),
             face: 0,
         })
     }
 
     /// Calls `f(distance, entering)` for every crossing in front of the ray, in no order.
     pub fn for_each_hit(&self, ray: &Ray, mut f: impl FnMut(f64, bool)) {
-        self.tree.ray_traverse_anyhit(box_ray(ray), |_, id| {
-            if let Some(distance) = self.triangles[id].distance(ray) {
-                f(
-                    distance,
-                    dot(self.triangles[id].normal(), ray.direction) < 0.0,
-                );
-            }
-        });
+        self.tree
+            .along(ray.from, ray.direction, f64::INFINITY, |places| {
+                for triangle in &self.triangles[places] {
+                    if let Some(distance) = triangle.distance(ray) {
+                        f(distance, dot(triangle.normal(), ray.direction) < 0.0);
+                    }
+                }
+                f64::INFINITY
+            });
     }
-}
-
-fn box_ray(ray: &Ray) -> BoxRay {
-    let single = |v: [f64; 3]| Vec3A::from(v.map(|v| v as f32));
-    BoxRay::new(single(ray.from), single(ray.direction), 0.0, f32::INFINITY)
 }
 
 impl Corners {
@@ -312,10 +287,13 @@ impl Corners {
         }
         let s = minus(ray.from, a);
         let u = dot(s, p) / determinant;
+        if !(0.0..=1.0).contains(&u) {
+            return None;
+        }
         let q = cross(s, e1);
         let v = dot(ray.direction, q) / determinant;
         let distance = dot(e2, q) / determinant;
-        let inside = u >= 0.0 && v >= 0.0 && u + v <= 1.0;
+        let inside = v >= 0.0 && u + v <= 1.0;
         (inside && distance > TOUCH).then_some(distance)
     }
 
@@ -332,27 +310,6 @@ impl Corners {
             normal
         }
     }
-}
-
-pub(super) fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|i| a[i] - b[i])
-}
-
-pub(super) fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-pub(super) fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-pub(super) fn unit(v: [f64; 3]) -> [f64; 3] {
-    let length = dot(v, v).sqrt();
-    v.map(|c| c / length)
 }
 
 #[cfg(test)]

@@ -42,7 +42,8 @@ use tidy::{drop_doubles, weld_cracks};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::run::Run;
 use tomolith_core::units::{concise, counted};
-use tomolith_io::mesh::{Mesh, dot, minus};
+use tomolith_core::vector::{dot, minus};
+use tomolith_io::mesh::Mesh;
 
 /// A mesh counts as flat when its volume is below this share of area × diagonal: 10⁴ times the rounding of the sum.
 const FLAT: f64 = 1e-12;

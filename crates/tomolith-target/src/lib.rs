@@ -24,7 +24,6 @@
 //! ```
 
 pub mod bodies;
-mod boxes;
 pub mod clip;
 pub mod diagnosis;
 mod image;

@@ -3,6 +3,7 @@
 use super::Mesh;
 use std::fmt::Write as _;
 use std::io::Write as _;
+use tomolith_core::vector::{cross, dot};
 
 /// A box, outward.
 #[must_use]
@@ -52,7 +53,7 @@ pub fn ball(center: [f64; 3], radius: f64, levels: usize) -> Mesh {
             for k in j + 1..12 {
                 let [a, b, c] = [points[i], points[j], points[k]];
                 if near(a, b) && near(b, c) && near(a, c) {
-                    let outward = super::dot(a, super::cross(b, c)) > 0.0;
+                    let outward = dot(a, cross(b, c)) > 0.0;
                     faces.push(if outward { [a, b, c] } else { [a, c, b] });
                 }
             }
@@ -69,7 +70,7 @@ pub fn ball(center: [f64; 3], radius: f64, levels: usize) -> Mesh {
             .collect();
     }
     let on_sphere = |p: [f64; 3]| {
-        let scale = radius / super::dot(p, p).sqrt();
+        let scale = radius / dot(p, p).sqrt();
         std::array::from_fn(|i| center[i] + scale * p[i])
     };
     let mut welder = super::Welder::default();

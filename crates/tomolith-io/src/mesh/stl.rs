@@ -1,9 +1,10 @@
 //! STL: triangles with their corners in f32, as text or in 50 bytes each.
 
-use super::{Mesh, Sink, bad, cross, minus};
+use super::{Mesh, Sink, bad};
 use std::io::Cursor;
 use std::path::Path;
 use tomolith_core::error::{Error, Result};
+use tomolith_core::vector::{cross, dot, minus};
 
 const HEADER: usize = 84;
 const TRIANGLE: usize = 50;
@@ -196,7 +197,7 @@ pub fn write_stl_binary(path: impl AsRef<Path>, mesh: &Mesh) -> Result<()> {
 fn stl_triangle(corners: [[f64; 3]; 3]) -> stl_io::Triangle {
     let [a, b, c] = corners;
     let normal = cross(minus(b, a), minus(c, a));
-    let length = super::dot(normal, normal).sqrt();
+    let length = dot(normal, normal).sqrt();
     let scale = if length > 0.0 { 1.0 / length } else { 0.0 };
     stl_io::Triangle {
         normal: stl_io::Normal::new(normal.map(|v| (v * scale) as f32)),

@@ -13,6 +13,7 @@ use threemf2::model::domain::object::{Object, ObjectKind, ObjectType};
 use threemf2::model::domain::transform::Transform;
 use threemf2::package::ThreemfPackage;
 use tomolith_core::error::Result;
+use tomolith_core::vector::{cross, dot};
 
 const WANTED: &str = "a 3MF package with a build of mesh objects";
 
@@ -233,7 +234,7 @@ impl Place {
     /// Whether it turns a surface inside out.
     fn mirrors(&self) -> bool {
         let [a, b, c, _] = self.0;
-        super::dot(a, super::cross(b, c)) < 0.0
+        dot(a, cross(b, c)) < 0.0
     }
 }
 

@@ -11,11 +11,12 @@
 
 use super::edges::Edges;
 use super::shells::Groups;
-use crate::boxes::Tree;
+use tomolith_core::boxes::{Bounds, BoxTree};
 use tomolith_core::error::Result;
 use tomolith_core::parallel::InParallel;
 use tomolith_core::run::Run;
-use tomolith_io::mesh::{Mesh, cross, dot, minus};
+use tomolith_core::vector::{cross, dot, minus};
+use tomolith_io::mesh::Mesh;
 
 /// How far surfaces may run into each other and still only touch, as a share of the mesh's diagonal: a hundred times the
 /// rounding of coordinates in f32, a tenth of a micrometer in a part of 10 mm.
@@ -54,7 +55,7 @@ impl Crossings {
 pub(super) fn find_crossings(mesh: &Mesh, run: &Run) -> Result<[Crossings; 2]> {
     let edges = Edges::new(mesh);
     run.check()?;
-    let search = Search::new(mesh, &edges);
+    let search = Search::new(mesh, &edges, run);
     run.check()?;
     let mut shells = Groups::of_shells(mesh);
     let shell: Vec<u32> = (0..mesh.vertices.len() as u32)
@@ -91,26 +92,18 @@ type Plane = ([f64; 3], f64);
 struct Search<'a> {
     mesh: &'a Mesh,
     edges: &'a Edges,
-    tree: Tree,
+    tree: BoxTree,
     /// None for triangles without a height.
     planes: Vec<Option<Plane>>,
     touch: f64,
 }
 
 impl<'a> Search<'a> {
-    fn new(mesh: &'a Mesh, edges: &'a Edges) -> Self {
+    fn new(mesh: &'a Mesh, edges: &'a Edges, run: &Run) -> Self {
         let [low, high] = mesh.bounds();
         let touch = TOUCH * dot(minus(high, low), minus(high, low)).sqrt();
-        let boxes: Vec<_> = (0..mesh.triangles.len())
-            .map(|t| {
-                let corners = mesh.corners(t);
-                let side = |f: fn(f64, f64) -> f64, margin: f64| {
-                    std::array::from_fn(|i| {
-                        f(f(corners[0][i], corners[1][i]), corners[2][i]) + margin
-                    })
-                };
-                [side(f64::min, -touch), side(f64::max, touch)]
-            })
+        let boxes: Vec<Bounds> = (0..mesh.triangles.len())
+            .map(|t| Bounds::around(mesh.corners(t), touch))
             .collect();
         let planes = (0..mesh.triangles.len())
             .map(|t| plane(mesh.corners(t), touch))
@@ -118,7 +111,7 @@ impl<'a> Search<'a> {
         Search {
             mesh,
             edges,
-            tree: Tree::new(&boxes),
+            tree: BoxTree::of(&boxes, run),
             planes,
             touch,
         }
@@ -127,14 +120,18 @@ impl<'a> Search<'a> {
     /// Hands out the triangles that an edge runs through, with the place and the depth of its nearer end.
     fn for_each_crossing(&self, edge: [u32; 2], mut found: impl FnMut(u32, [f64; 3], f64)) {
         let ends = edge.map(|v| self.mesh.vertices[v as usize]);
-        self.tree.for_each_along(ends, |t| {
-            let corners = self.mesh.triangles[t as usize];
-            if !corners.contains(&edge[0])
-                && !corners.contains(&edge[1])
-                && let Some((at, depth)) = self.crossing(ends, t)
-            {
-                found(t, at, depth);
+        let [from, to] = ends;
+        self.tree.along(from, minus(to, from), 1.0, |places| {
+            for &t in &self.tree.order()[places] {
+                let corners = self.mesh.triangles[t as usize];
+                if !corners.contains(&edge[0])
+                    && !corners.contains(&edge[1])
+                    && let Some((at, depth)) = self.crossing(ends, t)
+                {
+                    found(t, at, depth);
+                }
             }
+            f64::INFINITY
         });
     }
 

@@ -3,7 +3,8 @@
 use super::edges::Edges;
 use super::shells::Groups;
 use std::collections::HashMap;
-use tomolith_io::mesh::{Mesh, cross, dot, minus};
+use tomolith_core::vector::{cross, dot, minus};
+use tomolith_io::mesh::Mesh;
 
 /// A fan of at most this share of the surface cannot be wrong by much, whatever it closes.
 const SMALL: f64 = 0.01;

@@ -3,7 +3,8 @@
 use super::Diagnosis;
 use super::edges::turn;
 use tomolith_core::parallel::InParallel;
-use tomolith_io::mesh::{Mesh, cross, dot, minus};
+use tomolith_core::vector::{cross, dot, minus};
+use tomolith_io::mesh::Mesh;
 
 /// Sets that can be joined (union by path halving).
 pub(super) struct Groups(Vec<u32>);

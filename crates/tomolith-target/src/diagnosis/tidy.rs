@@ -2,7 +2,8 @@
 
 use super::edges::Edges;
 use std::collections::HashMap;
-use tomolith_io::mesh::{Mesh, dot, minus};
+use tomolith_core::vector::{dot, minus};
+use tomolith_io::mesh::Mesh;
 
 /// How far apart vertices on the two sides of a crack may lie, as a share of the mesh's diagonal.
 const CRACK: f64 = 1e-5;

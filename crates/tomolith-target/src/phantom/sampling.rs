@@ -472,10 +472,10 @@ mod tests {
     #[test]
     fn fractions_are_those_of_many_points_for_round_and_for_cornered_forms() {
         // 16³ points are right to 1/16 along a wall, on average far better
-        let [worst, rms] = errors(|p| tomolith_io::mesh::dot(p, p).sqrt() - 1.0, 14);
+        let [worst, rms] = errors(|p| tomolith_core::vector::dot(p, p).sqrt() - 1.0, 14);
         assert!(worst < 0.03 && rms < 0.008, "ball: {worst} {rms}");
         let box_and_ball = |p: [f64; 3]| {
-            let ball = 0.9 - tomolith_io::mesh::dot(p, p).sqrt();
+            let ball = 0.9 - tomolith_core::vector::dot(p, p).sqrt();
             ball.max(super::super::cuboid(p, [0.83; 3]))
         };
         let [worst, rms] = errors(box_and_ball, 14);
