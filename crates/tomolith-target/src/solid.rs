@@ -145,7 +145,7 @@ mod tests {
         };
         let turned = scaled(&part, |[x, y, z]| [-y, x, z + 1.0]);
         let expected = together(&[turned, scaled(&part, |p| p)]).welded();
-        let bytes = package(model("inch", &part, "", build).as_bytes());
+        let bytes = package(model("inch", &part, "", build));
         let found = parse_mesh(&bytes, "3mf", Path::new("part")).unwrap();
         assert_eq!(found.triangles, expected.triangles);
         for (a, b) in found.vertices.iter().zip(&expected.vertices) {

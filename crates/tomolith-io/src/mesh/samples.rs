@@ -191,15 +191,24 @@ const RELATIONS: &str = r#"<?xml version="1.0"?><Relationships xmlns="http://sch
 /// # Panics
 /// Never: writing to memory does not fail.
 #[must_use]
-pub fn package(model: &[u8]) -> Vec<u8> {
+pub fn package(model: impl AsRef<[u8]>) -> Vec<u8> {
+    package_of(&[("3D/3dmodel.model", model.as_ref())])
+}
+
+/// A 3MF package of several models; `3D/3dmodel.model` is its root.
+///
+/// # Panics
+/// Never: writing to memory does not fail.
+#[must_use]
+pub fn package_of(models: &[(&str, &[u8])]) -> Vec<u8> {
     let mut zip = zip::ZipWriter::new(std::io::Cursor::new(Vec::new()));
     let options = zip::write::SimpleFileOptions::default();
-    for (name, content) in [
+    let about = [
         ("[Content_Types].xml", TYPES.as_bytes()),
         ("_rels/.rels", RELATIONS.as_bytes()),
-        ("3D/3dmodel.model", model),
-    ] {
-        zip.start_file(name, options).unwrap();
+    ];
+    for (name, content) in about.iter().chain(models) {
+        zip.start_file(*name, options).unwrap();
         zip.write_all(content).unwrap();
     }
     zip.finish().unwrap().into_inner()
@@ -257,6 +266,6 @@ pub fn files(mesh: &Mesh) -> Vec<(&'static str, &'static str, Vec<u8>)> {
         ("text", "ply", ply(mesh, "ascii")),
         ("little endian", "ply", ply(mesh, "binary_little_endian")),
         ("big endian", "ply", ply(mesh, "binary_big_endian")),
-        ("package", "3mf", package(model.as_bytes())),
+        ("package", "3mf", package(&model)),
     ]
 }

@@ -1,6 +1,6 @@
 //! Every format, whole and damaged.
 
-use super::samples::{cuboid, files, model, package, ply, stl_binary, stl_text};
+use super::samples::{cuboid, files, model, package, package_of, ply, stl_binary, stl_text};
 use super::*;
 use crate::fuzz::{self, Random, mutate};
 use std::fmt::Write as _;
@@ -93,7 +93,7 @@ fn units_items_and_components_of_3mf_are_applied() {
     let more = r#"<object id="2" type="model"><components><component objectid="1"/><component objectid="1" transform="-1 0 0 0 1 0 0 0 1 0 0 5"/></components></object><object id="3" type="support"><components><component objectid="1"/></components></object>"#;
     let build = r#"<item objectid="2" transform="0 1 0 -1 0 0 0 0 1 10 0 0"/><item objectid="3"/>"#;
     let text = model("centimeter", &unit, more, build);
-    let mesh = parse(&package(text.as_bytes()), "3mf").unwrap();
+    let mesh = parse(&package(&text), "3mf").unwrap();
     assert_eq!(mesh.triangles.len(), 24); // the support is left out
     assert!((mesh.signed_volume() - 2000.0).abs() < 1e-9); // two cubes of 1 cm³, both outward
     // x: 10 − y, so 9…10 cm; y: x of the cubes, −1…1 cm; z: 0…6 cm
@@ -101,10 +101,32 @@ fn units_items_and_components_of_3mf_are_applied() {
 }
 
 #[test]
+fn a_3mf_of_several_parts_is_put_together() {
+    let production = r#"xmlns:p="http://schemas.microsoft.com/3dmanufacturing/production/2015/06""#;
+    let cube = |low: f64| cuboid([low; 3], [low + 1.0; 3]);
+    let part = model("millimeter", &cube(5.0), "", "");
+    let more = r#"<object id="2"><components><component p:path="/3D/part.model" objectid="1"/><component objectid="1"/></components></object>"#;
+    let build = r#"<item objectid="2"/><item p:path="/3D/part.model" objectid="1" transform="1 0 0 0 1 0 0 0 1 0 0 2"/>"#;
+    let root = model("millimeter", &cube(0.0), more, build);
+    let root = root.replacen("<model ", &format!("<model {production} "), 1);
+    let with = |part: &str, root: &str| {
+        let parts = [("3D/part.model", part), ("3D/3dmodel.model", root)];
+        let parts = parts.map(|(name, text)| (name, text.as_bytes()));
+        package_of(&parts[..if root.is_empty() { 1 } else { 2 }])
+    };
+    let mesh = parse(&with(&part, &root), "3mf").unwrap();
+    assert_eq!(mesh.bounds(), [[0.0; 3], [6.0, 6.0, 8.0]]);
+    assert!((mesh.signed_volume() - 3.0).abs() < 1e-12); // three cubes of 1 mm³
+    assert!(refused(&with(&part, ""), "3mf").contains("no root model `3D/3dmodel.model`"));
+    let bad = part.replacen("x=", "y=", 1);
+    assert!(refused(&with(&bad, &root), "3mf").contains("x = `missing`"));
+}
+
+#[test]
 fn endless_components_are_refused() {
     let more = r#"<object id="2"><components><component objectid="2"/></components></object>"#;
     let text = model("millimeter", &part(), more, r#"<item objectid="2"/>"#);
-    assert!(refused(&package(text.as_bytes()), "3mf").contains("nested"));
+    assert!(refused(&package(&text), "3mf").contains("nested"));
     // 2^25 copies of nothing
     let mut more = String::from(r#"<object id="100"><components/></object>"#);
     for i in 101..=125 {
@@ -112,7 +134,7 @@ fn endless_components_are_refused() {
         write!(more, r#"<object id="{i}"><components><component objectid="{inner}"/><component objectid="{inner}"/></components></object>"#).unwrap();
     }
     let text = model("millimeter", &part(), &more, r#"<item objectid="125"/>"#);
-    assert!(parse(&package(text.as_bytes()), "3mf").is_err());
+    assert!(parse(&package(&text), "3mf").is_err());
 }
 
 #[test]
@@ -162,13 +184,12 @@ fn damage_is_named() {
         .contains("promises")
     );
     let model = plain_model();
-    let changed =
-        |from: &str, to: &str| refused(&package(model.replacen(from, to, 1).as_bytes()), "3mf");
+    let changed = |from: &str, to: &str| refused(&package(model.replacen(from, to, 1)), "3mf");
     assert!(changed("y=\"2\"", "y=\"two\"").contains("y = `two`"));
     assert!(changed("v3=\"3\"", "v3=\"33\"").contains("refers to vertex 33"));
     assert!(changed("v3=\"3\"", "v3=\"-3\"").contains("v3 = `-3`"));
     assert!(changed("item objectid=\"1\"", "item objectid=\"7\"").contains("object 7"));
-    let whole = package(model.as_bytes());
+    let whole = package(&model);
     assert!(refused(&whole[..whole.len() / 2], "3mf").contains("damaged"));
     assert!(refused(b"x", "step").contains("`.step` is not known"));
     assert!(refused(b"x", "").contains("no extension"));
@@ -191,7 +212,7 @@ fn a_file_that_ends_too_early_is_never_read_in_part_unless_it_is_an_obj() {
 
 #[test]
 fn a_package_that_promises_more_than_it_holds_is_refused_before_memory_is_reserved() {
-    let mut bytes = package(plain_model().as_bytes());
+    let mut bytes = package(plain_model());
     // The uncompressed size of the last part, in the central directory: 24 bytes after its signature
     let entry = bytes.windows(4).rposition(|w| w == b"PK\x01\x02").unwrap();
     bytes[entry + 24..entry + 28].copy_from_slice(&0xffff_fff0u32.to_le_bytes());

@@ -1,8 +1,8 @@
 //! 3MF: a zip archive with the model in XML; what is printed is the *build*, items that place objects.
 //!
 //! Objects are meshes, or components: other objects with a transform each. Lengths are in the root model's unit and come
-//! out in mm. Objects meant as support or for other purposes are skipped. The package is examined before the reader gets
-//! it: the reader reserves whatever an archive's header promises, and takes what is no number for zero.
+//! out in mm. Objects meant as support or for other purposes are skipped. Parts are inflated within bounds, and their numbers are looked at
+//! before the reader gets them: it takes what is no number for zero.
 
 use super::{Sink, bad};
 use std::collections::HashMap;
@@ -11,7 +11,6 @@ use std::path::Path;
 use threemf2::model::domain::model::{Model, Unit};
 use threemf2::model::domain::object::{Object, ObjectKind, ObjectType};
 use threemf2::model::domain::transform::Transform;
-use threemf2::package::ThreemfPackage;
 use tomolith_core::error::Result;
 use tomolith_core::vector::{cross, dot};
 
@@ -34,21 +33,24 @@ const MOST_PLACED: usize = 1 << 20;
 
 pub(super) fn parse(bytes: &[u8], path: &Path, sink: Sink) -> Result<()> {
     let refuse = |found: String| bad(path, found, WANTED);
-    let counted = examine(bytes).map_err(refuse)?;
-    let package =
-        ThreemfPackage::from_reader_with_memory_optimized_deserializer(Cursor::new(bytes), true)
-            .map_err(|e| refuse(format!("damaged 3MF: {e}")))?;
-    compare(&package, &counted).map_err(refuse)?;
+    let package = Package::read(bytes).map_err(refuse)?;
+    let root = package
+        .models
+        .get(&package.root)
+        .ok_or_else(|| refuse(format!("damaged 3MF: no root model `{}`", package.root)))?;
     let mut traversal = ComponentTraversal {
-        models: Models::new(&package),
+        models: package.objects(),
         path,
         placed: 0,
         sink,
     };
-    let unit = Place::scaled(millimeters(package.root.unit.as_ref()));
-    for item in &package.root.build.item {
+    let unit = Place::scaled(millimeters(root.unit.as_ref()));
+    for item in &root.build.item {
         let place = Place::of(item.transform.as_ref()).then(&unit);
-        let part = item.path.as_ref().map_or(ROOT, |p| p.as_str());
+        let part = item
+            .path
+            .as_ref()
+            .map_or(&*package.root, |p| inside(p.as_str()));
         traversal.object(part, item.objectid, &place, 0)?;
     }
     Ok(())
@@ -61,44 +63,103 @@ struct Counted {
     triangles: usize,
 }
 
-/// Inflates every part within bounds and looks at the numbers in the models; what their texts hold, by part.
-fn examine(bytes: &[u8]) -> Result<HashMap<String, Counted>, String> {
-    let damaged = |e: &dyn std::fmt::Display| format!("damaged 3MF: {e}");
-    let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(|e| damaged(&e))?;
-    if archive.len() > MOST_PARTS {
-        return Err(format!("a package of {} parts", archive.len()));
+/// The models of a package, by the names of their parts.
+struct Package {
+    root: String,
+    models: HashMap<String, Model>,
+}
+
+impl Package {
+    /// Inflates every part within bounds, and reads the models.
+    fn read(bytes: &[u8]) -> Result<Self, String> {
+        let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(|e| damaged(&e))?;
+        if archive.len() > MOST_PARTS {
+            return Err(format!("a package of {} parts", archive.len()));
+        }
+        let mut left = MOST_INFLATED * bytes.len() as u64 + SMALL;
+        let (mut root, mut models) = (None, HashMap::new());
+        for i in 0..archive.len() {
+            let part = archive.by_index(i).map_err(|e| damaged(&e))?;
+            let (name, size) = (part.name().to_owned(), part.size());
+            if size > left {
+                return Err(format!(
+                    "a package of {} bytes that promises {size} bytes in `{name}`",
+                    bytes.len()
+                ));
+            }
+            let mut text = Vec::new();
+            part.take(left)
+                .read_to_end(&mut text)
+                .map_err(|e| damaged(&e))?;
+            if text.len() as u64 != size {
+                let read = text.len();
+                return Err(damaged(&format!(
+                    "`{name}` has {read} bytes instead of {size}"
+                )));
+            }
+            left -= size;
+            let text = String::from_utf8_lossy(&text);
+            if name == ROOT_RELATIONSHIPS {
+                root = root_of(&text);
+            }
+            if name.ends_with(".model") {
+                let model = model_of(&name, &text)?;
+                models.insert(name, model);
+            }
+        }
+        let root =
+            root.ok_or_else(|| damaged(&format!("no model is named in `{ROOT_RELATIONSHIPS}`")))?;
+        Ok(Package { root, models })
     }
-    let mut left = MOST_INFLATED * bytes.len() as u64 + SMALL;
-    let mut counted = HashMap::new();
-    for i in 0..archive.len() {
-        let part = archive.by_index(i).map_err(|e| damaged(&e))?;
-        let (name, size) = (part.name().to_owned(), part.size());
-        if size > left {
-            return Err(format!(
-                "a package of {} bytes that promises {size} bytes in `{name}`",
-                bytes.len()
-            ));
+
+    /// Objects by part and number.
+    fn objects(&self) -> HashMap<(&str, u32), &Object> {
+        let mut objects = HashMap::new();
+        for (part, model) in &self.models {
+            let own = model.resources.object.iter();
+            objects.extend(own.map(|object| ((part.as_str(), object.id), object)));
         }
-        let mut text = Vec::new();
-        part.take(left)
-            .read_to_end(&mut text)
-            .map_err(|e| damaged(&e))?;
-        if text.len() as u64 != size {
-            return Err(format!(
-                "damaged 3MF: `{name}` has {} bytes instead of {size}",
-                text.len()
-            ));
-        }
-        left -= size;
-        let text = String::from_utf8_lossy(&text);
-        if name.ends_with(".rels") && text.matches("<").count() > MOST_PARTS {
-            return Err(format!("`{name}` has more than {MOST_PARTS} relationships"));
-        }
-        if name.ends_with(".model") {
-            counted.insert(name, examine_model(&text)?);
-        }
+        objects
     }
-    Ok(counted)
+}
+
+/// What says which part is the root model.
+const ROOT_RELATIONSHIPS: &str = "_rels/.rels";
+
+/// The end of the type of its relationship.
+const ROOT_TYPE: &str = "/3dmodel";
+
+fn damaged(e: &dyn std::fmt::Display) -> String {
+    format!("damaged 3MF: {e}")
+}
+
+/// A part's name within the archive; paths are absolute.
+fn inside(path: &str) -> &str {
+    path.trim_start_matches('/')
+}
+
+/// The root model, of the relationships of the package.
+fn root_of(text: &str) -> Option<String> {
+    text.split('<').find_map(|tag| {
+        let (_, attributes) = tag.split_once(|c: char| c.is_ascii_whitespace())?;
+        let is_root = attribute(attributes, "Type")?.ends_with(ROOT_TYPE);
+        let target = attribute(attributes, "Target").filter(|_| is_root)?;
+        Some(inside(target).to_owned())
+    })
+}
+
+/// Reads a model. The reader skips elements that it does not understand: no vertex and no triangle may be missing.
+fn model_of(part: &str, text: &str) -> Result<Model, String> {
+    let counted = examine_model(text)?;
+    let model: Model = instant_xml::from_str(text).map_err(|e| damaged(&e))?;
+    let read = count(&model);
+    if read != counted {
+        return Err(format!(
+            "of `{part}` only {} vertices and {} triangles can be read",
+            read.vertices, read.triangles
+        ));
+    }
+    Ok(model)
 }
 
 /// Counts vertices and triangles and refuses coordinates and indices that are no numbers.
@@ -153,29 +214,6 @@ fn attribute<'a>(attributes: &'a str, name: &str) -> Option<&'a str> {
         }
         rest = next;
     }
-}
-
-/// The reader skips elements that it does not understand: none may be missing.
-fn compare(package: &ThreemfPackage, counted: &HashMap<String, Counted>) -> Result<(), String> {
-    // The package does not say which part its root is
-    let root = count(&package.root);
-    if !counted.values().any(|c| *c == root) {
-        return Err(incomplete("the root model", root));
-    }
-    for (part, model) in &package.sub_models {
-        let read = count(model);
-        if counted.get(part.as_str().trim_start_matches('/')) != Some(&read) {
-            return Err(incomplete(part.as_str(), read));
-        }
-    }
-    Ok(())
-}
-
-fn incomplete(part: &str, read: Counted) -> String {
-    format!(
-        "of {part} only {} vertices and {} triangles can be read",
-        read.vertices, read.triangles
-    )
 }
 
 fn count(model: &Model) -> Counted {
@@ -238,32 +276,8 @@ impl Place {
     }
 }
 
-/// Key of the root model, which has no path of its own.
-const ROOT: &str = "";
-
-/// Objects by part and number.
-struct Models<'a>(HashMap<(&'a str, u32), &'a Object>);
-
-impl<'a> Models<'a> {
-    fn new(package: &'a ThreemfPackage) -> Self {
-        fn of<'a>(
-            part: &'a str,
-            model: &'a Model,
-        ) -> impl Iterator<Item = ((&'a str, u32), &'a Object)> {
-            let objects = model.resources.object.iter();
-            objects.map(move |object| ((part, object.id), object))
-        }
-        let parts = package.sub_models.iter();
-        Models(
-            of(ROOT, &package.root)
-                .chain(parts.flat_map(|(part, model)| of(part.as_str(), model)))
-                .collect(),
-        )
-    }
-}
-
 struct ComponentTraversal<'a, 'b> {
-    models: Models<'a>,
+    models: HashMap<(&'a str, u32), &'a Object>,
     path: &'b Path,
     placed: usize,
     sink: Sink<'b>,
@@ -281,7 +295,7 @@ impl<'a> ComponentTraversal<'a, '_> {
                 WANTED,
             ));
         }
-        let Some(&object) = self.models.0.get(&(part, id)) else {
+        let Some(&object) = self.models.get(&(part, id)) else {
             return Err(bad(
                 self.path,
                 format!("object {id} is placed but not there"),
@@ -299,7 +313,7 @@ impl<'a> ComponentTraversal<'a, '_> {
             Some(ObjectKind::Components(components)) => {
                 for component in &components.component {
                     let inner = Place::of(component.transform.as_ref()).then(place);
-                    let part = component.path.as_ref().map_or(part, |p| p.as_str());
+                    let part = component.path.as_ref().map_or(part, |p| inside(p.as_str()));
                     self.object(part, component.objectid, &inner, depth + 1)?;
                 }
                 Ok(())

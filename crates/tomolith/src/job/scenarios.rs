@@ -134,8 +134,7 @@ pub(super) fn at_scenario(i: usize, scenario: &ScenarioSpec, error: Error) -> Er
 fn changed(job: &Job, set: &serde_json::Map<String, Value>) -> Result<Job> {
     let mut spec = job.spec.clone();
     spec.scenario.clear();
-    let tables =
-        serde_json::to_string(&spec).map_err(|e| Error::config("", e.to_string(), "a job"))?;
+    let tables = spec.to_value()?.to_string();
     let mut document = Document::json(job.document.file.clone(), tables)?;
     let mut seen: Vec<String> = Vec::new();
     for (key, value) in set {
