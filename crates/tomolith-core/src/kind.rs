@@ -8,6 +8,7 @@ mod located;
 
 use self::located::{Failure, Fault};
 use crate::error::{Error, Result, nearest_name};
+use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -368,9 +369,30 @@ pub struct Kind<B> {
     /// A section of a job file that works, in TOML.
     pub example: &'static str,
     /// The JSON schema of its parameters: names, types, defaults and meaning (from the doc comments).
-    pub schema: fn() -> schemars::Schema,
+    pub schema: fn() -> Schema,
     /// Reads one from its section: the object, or what makes one where that needs more than parameters.
     pub build: B,
+}
+
+/// The schema of parameters, with its title and what it refers to: what `schemars::schema_for!` gives, which is compiled anew for every type.
+#[must_use]
+pub fn schema_of<P: JsonSchema>() -> Schema {
+    with_definitions(P::json_schema, &P::schema_name())
+}
+
+fn with_definitions(of: fn(&mut SchemaGenerator) -> Schema, title: &str) -> Schema {
+    let mut generator = SchemaGenerator::default();
+    let mut schema = of(&mut generator);
+    let object = schema.ensure_object();
+    object.entry("title").or_insert_with(|| title.into());
+    if let Some(language) = &generator.settings().meta_schema {
+        object.insert("$schema".to_owned(), language.as_ref().into());
+    }
+    let definitions = generator.take_definitions(true);
+    if !definitions.is_empty() {
+        object.insert("$defs".to_owned(), definitions.into());
+    }
+    schema
 }
 
 /// A kind without its builder: what help pages and schemas need.
@@ -384,7 +406,7 @@ pub struct KindPage {
     /// A section of a job file that works, in TOML.
     pub example: &'static str,
     /// The JSON schema of its parameters.
-    pub schema: schemars::Schema,
+    pub schema: Schema,
 }
 
 impl<B> Kind<B> {
@@ -403,6 +425,21 @@ impl<B> Kind<B> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_schema_is_that_of_schemars() {
+        #[derive(JsonSchema)]
+        struct Inner(#[expect(dead_code, reason = "its schema is all that counts")] f64);
+        /// Two of another type.
+        #[derive(JsonSchema)]
+        #[expect(dead_code, reason = "its schema is all that counts")]
+        struct Outer {
+            one: Inner,
+            more: Option<Vec<Inner>>,
+        }
+        assert_eq!(schema_of::<Outer>(), schemars::schema_for!(Outer));
+        assert_eq!(schema_of::<bool>(), schemars::schema_for!(bool));
+    }
 
     #[derive(Debug, serde::Deserialize)]
     #[serde(deny_unknown_fields)]
@@ -514,7 +551,7 @@ mod tests {
             name: "fixed",
             summary: "",
             example: "[stop.fixed]\niterations = 40",
-            schema: || schemars::schema_for!(bool),
+            schema: schema_of::<bool>,
             build: (),
         }];
         let section = Section::new("stop", serde_json::json!("fixed"));
@@ -547,7 +584,7 @@ mod tests {
             name: "successive_orders",
             summary: "",
             example: "",
-            schema: || schemars::schema_for!(bool),
+            schema: schema_of::<bool>,
             build: (),
         }];
         let section = Section::new("model", serde_json::json!({ "orders": {} }));

@@ -70,7 +70,7 @@ pub const KIND: ModelKind = ModelKind {
     name: "matrix",
     summary: "A stored sparse matrix from pixels to voxels: any linear model, measured or computed.",
     example: "[model.matrix]\nfile = \"matrix.npz\"\n",
-    schema: || schemars::schema_for!(Params),
+    schema: tomolith_core::kind::schema_of::<Params>,
     build: MakeFamily {
         read: |section| {
             let Params { file } = section.parse()?;

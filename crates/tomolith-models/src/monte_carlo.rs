@@ -74,7 +74,7 @@ use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use tomolith_core::error::Result;
 use tomolith_core::grid::VolumeGrid;
-use tomolith_core::kind::Section;
+use tomolith_core::kind::{Section, schema_of};
 use tomolith_core::units::exact;
 use tomolith_optics::light::Light;
 use tomolith_optics::space::TraceLimits;
@@ -143,7 +143,7 @@ pub const KIND: ModelKind = ModelKind {
     name: "monte_carlo",
     summary: "Scattering by Monte Carlo paths, fixed during an optimization, with their exact adjoint.",
     example: "[model.monte_carlo]\npaths_per_pixel = 4\n",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build: MakeFamily {
         read: |section| Ok(Arc::new(params_of(section)?)),
         unasked: Some(|| Arc::new(Params::default())),

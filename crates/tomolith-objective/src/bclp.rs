@@ -15,7 +15,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 
 /// The parameters of BCLP.
 #[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
@@ -82,7 +82,7 @@ pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
         name: "bclp",
         summary: "band-constrained Lp norm: the target plus or minus epsilon",
         example: "[objective.bclp]\nepsilon = 0.05\np = 2\nq = 1",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: read::<F, Params>,
     }
 }

@@ -11,7 +11,7 @@
 use super::least::{Params, ToPower};
 use super::{BuildObjective, read};
 use tomolith_core::field::Field;
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 
 /// The row of the table.
 #[must_use]
@@ -20,7 +20,7 @@ pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
         name: "dose_matching",
         summary: "DM: the response (use [response.logistic]) equals the target, in absolute deviation",
         example: "[objective.dose_matching]",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: read::<F, ToPower<1>>,
     }
 }

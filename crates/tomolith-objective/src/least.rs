@@ -15,7 +15,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 
 /// The parameters of `l2` and `l1`.
 #[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
@@ -77,7 +77,7 @@ pub const fn l2<F: Field>() -> Kind<BuildObjective<F>> {
         name: "l2",
         summary: "least squares: part to 1, void to 0, or gray values as they are",
         example: "[objective.l2]",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: read::<F, ToPower<2>>,
     }
 }
@@ -89,7 +89,7 @@ pub const fn l1<F: Field>() -> Kind<BuildObjective<F>> {
         name: "l1",
         summary: "least absolute deviation: part to 1, void to 0, or gray values as they are",
         example: "[objective.l1]",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: read::<F, ToPower<1>>,
     }
 }

@@ -15,7 +15,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 
 /// The parameters of OSMO's implicit loss.
 #[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
@@ -70,7 +70,7 @@ pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
         name: "osmo",
         summary: "OSMO's implicit loss: part above D_h, void below D_l, squared",
         example: "[objective.osmo]\nd_h = 0.9\nd_l = 0.85",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: read::<F, Params>,
     }
 }

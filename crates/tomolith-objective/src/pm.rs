@@ -23,7 +23,7 @@ use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
 use tomolith_core::grid::Volume;
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::parallel::elements;
 use tomolith_core::target::label;
 use tomolith_core::units::Mm;
@@ -100,7 +100,7 @@ pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
         name: "pm",
         summary: "penalty minimization: part above d_h, void below d_l, a free buffer at the surface",
         example: "[objective.pm]\nd_h = 0.8\nd_l = 0.7\nbuffer_mm = 0.05",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: read::<F, Params>,
     }
 }

@@ -53,7 +53,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicI64, Ordering};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{BLOCK, Field};
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::parallel::{InParallel, elements};
 use tomolith_core::response::Response;
 use tomolith_core::units::exact;
@@ -147,7 +147,7 @@ pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
         name: NAME,
         summary: "the widest process window itself, up to a share of outliers, within a bound of the dose range in the part",
         example: "[objective.process_window]\noutliers = 0.05\nipdr = 0.3",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: read::<F, Params>,
     }
 }

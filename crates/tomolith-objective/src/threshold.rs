@@ -22,7 +22,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::units::exact;
 
 /// The parameters of the threshold objective.
@@ -128,7 +128,7 @@ pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
         name: NAME,
         summary: "part between an upper threshold and the ceiling, void below a lower threshold",
         example: "[objective.threshold]\nlower = 0.7\nupper = 0.9",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: read::<F, Params>,
     }
 }

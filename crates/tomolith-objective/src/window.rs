@@ -20,7 +20,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 
 /// The parameters of `l2n` and `osp`.
 #[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
@@ -117,7 +117,7 @@ pub const fn l2n<F: Field>() -> Kind<BuildObjective<F>> {
         name: "l2n",
         summary: "L2N: part to the upper threshold, void to the lower one, both sides",
         example: "[objective.l2n]\nlower = 0.7\nupper = 0.9",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: read::<F, Sided<true>>,
     }
 }
@@ -129,7 +129,7 @@ pub const fn osp<F: Field>() -> Kind<BuildObjective<F>> {
         name: "osp",
         summary: "OSP: part above the upper threshold, void below the lower one",
         example: "[objective.osp]\nlower = 0.7\nupper = 0.9",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: read::<F, Sided<false>>,
     }
 }
@@ -162,7 +162,7 @@ pub const fn ospw<F: Field>() -> Kind<BuildObjective<F>> {
         name: "ospw",
         summary: "OSPW(w): part between the upper threshold and w above it, void below the lower one",
         example: "[objective.ospw]\nlower = 0.7\nupper = 0.9\nw = 0.0",
-        schema: || schemars::schema_for!(WindowParams),
+        schema: schema_of::<WindowParams>,
         build: read::<F, WindowParams>,
     }
 }

@@ -32,7 +32,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::Field;
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::units::exact;
 
 /// How the step changes.
@@ -101,7 +101,7 @@ pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
         name: "adam",
         summary: "Adam within bounds: steps of one length for all pixels, whatever their gradient",
         example: "[optimizer.adam]\nstep = 0.1",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: read::<F, Params>,
     }
 }

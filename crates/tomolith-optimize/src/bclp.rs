@@ -42,7 +42,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::Field;
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::units::exact;
 
 /// The parameters of BCLP's descent.
@@ -81,7 +81,7 @@ pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
         name: "bclp",
         summary: "BCLP's descent as published: a raw step, over- and underdose together or in turn",
         example: "[optimizer.bclp]\nstep = 1.2",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: read::<F, Params>,
     }
 }

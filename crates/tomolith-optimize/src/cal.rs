@@ -45,7 +45,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Bounds, Field};
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::units::exact;
 
 /// The parameters of CAL.
@@ -119,7 +119,7 @@ pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
         name: "cal",
         summary: "CAL as published: steps along the projected error of a sigmoid, doses relative to the largest",
         example: "[optimizer.cal]\nlearning_rate = 0.01\nd_h = 0.8",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: read::<F, Params>,
     }
 }

@@ -44,7 +44,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::Field;
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::units::exact;
 use tomolith_objective::penalty::PatternPenalty;
 
@@ -124,7 +124,7 @@ pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
         name: "fista",
         summary: "FISTA with restart, step 1/L by power iteration: for linear models and convex objectives",
         example: "[optimizer.fista]\nrestart = \"gradient\"",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: read::<F, Params>,
     }
 }

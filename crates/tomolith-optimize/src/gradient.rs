@@ -30,7 +30,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::Field;
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::units::exact;
 
 /// The parameters of the projected gradient.
@@ -83,7 +83,7 @@ pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
         name: "gradient",
         summary: "projected gradient, step length automatic or fixed",
         example: "[optimizer.gradient]",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: read::<F, Params>,
     }
 }

@@ -42,7 +42,7 @@ use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{
     ColumnRun, Direction, Field, HalfRamp, HalfRampKernel, Latest, Pairs, Products,
 };
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::units::exact;
 
 /// The parameters of L-BFGS with bounds.
@@ -79,7 +79,7 @@ pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
         name: NAME,
         summary: "L-BFGS with bounds: quasi-Newton steps on the free pixels, exact search",
         example: "[optimizer.lbfgs]\nmemory = 6",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: read::<F, Params>,
     }
 }

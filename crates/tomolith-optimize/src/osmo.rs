@@ -57,7 +57,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Bounds, Field};
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::units::exact;
 
 /// What a step is.
@@ -115,7 +115,7 @@ pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
         name: "osmo",
         summary: "OSMO as published: corrections in object space, doses relative to the largest (use [objective.osmo])",
         example: "[optimizer.osmo]\nfilter = \"ram_lak\"",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: read::<F, Params>,
     }
 }

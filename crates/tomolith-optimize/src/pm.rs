@@ -27,7 +27,7 @@ use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 
 /// The parameters of penalty minimization's solver.
 #[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
@@ -53,7 +53,7 @@ pub const fn kind<F: Field>() -> Kind<BuildOptimizer<F>> {
         name: NAME,
         summary: "penalty minimization as published: quasi-Newton with ten pairs (use [objective.pm])",
         example: "[optimizer.pm]",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: read::<F, Params>,
     }
 }

@@ -213,7 +213,7 @@ pub const KIND: Kind<BuildResponse> = Kind {
     name: "fit",
     summary: "measured response: a logistic or a monotone table fitted to points of dose and response",
     example: "[response.fit]\ndose = [0.0, 0.2, 0.4, 0.5, 0.6, 0.8, 1.0]\nresponse = [0.01, 0.05, 0.27, 0.5, 0.73, 0.95, 0.99]",
-    schema: || schemars::schema_for!(Params),
+    schema: crate::kind::schema_of::<Params>,
     build: |section| {
         let params: Params = section.parse()?;
         let curve = match &params.file {

@@ -27,7 +27,7 @@ pub const KIND: Kind<BuildResponse> = Kind {
     name: "identity",
     summary: "the response is the dose",
     example: "[response.identity]",
-    schema: || schemars::schema_for!(Params),
+    schema: crate::kind::schema_of::<Params>,
     build: |section| {
         section.parse::<Params>()?;
         Ok(Box::new(Identity))

@@ -111,7 +111,7 @@ pub const KIND: Kind<BuildResponse> = Kind {
     name: "logistic",
     summary: "generalized logistic curve with induction and saturation",
     example: "[response.logistic]\nsteepness = 10.0\nmidpoint = 0.5",
-    schema: || schemars::schema_for!(Params),
+    schema: crate::kind::schema_of::<Params>,
     build: |section| {
         let response = Logistic::new(section.parse()?).map_err(|e| e.under(&section.path))?;
         Ok(Box::new(response))

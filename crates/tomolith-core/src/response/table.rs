@@ -329,7 +329,7 @@ pub const KIND: Kind<BuildResponse> = Kind {
     name: "table",
     summary: "measured response: a monotone cubic through points of dose and response",
     example: "[response.table]\ndose = [0.0, 0.3, 0.5, 0.7, 1.0]\nresponse = [0.0, 0.05, 0.5, 0.95, 1.0]",
-    schema: || schemars::schema_for!(Params),
+    schema: crate::kind::schema_of::<Params>,
     build: |section| {
         let params: Params = section.parse()?;
         let table = match &params.file {

@@ -122,7 +122,7 @@ pub const KIND: ModelKind = ModelKind {
     name: "parallel",
     summary: "Collimated light through a vial that does not change along z: refraction, absorption, pure Radon.",
     example: "[model.parallel]\nkernel = \"distance-driven\"\n",
-    schema: || schemars::schema_for!(Params),
+    schema: tomolith_core::kind::schema_of::<Params>,
     build: MakeFamily {
         read: |section| Ok(Arc::new(section.parse::<Params>()?)),
         unasked: Some(|| Arc::new(Params::default())),

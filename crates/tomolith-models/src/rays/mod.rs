@@ -86,7 +86,7 @@ use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{HostField, LANES};
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::host_fields;
-use tomolith_core::kind::Section;
+use tomolith_core::kind::{Section, schema_of};
 use tomolith_core::units::exact;
 use tomolith_optics::light::Light;
 use tomolith_optics::motion::Motion;
@@ -129,7 +129,7 @@ pub const KIND: ModelKind = ModelKind {
     name: "rays",
     summary: "Rays of any direction through any vial: cones, tilted axes, meshes, obstacles, reflections.",
     example: "[model.rays]\nrays_per_pixel = 4\n",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build: MakeFamily {
         read: |section| Ok(Arc::new(params_of(section)?)),
         unasked: Some(|| Arc::new(Params::default())),

@@ -87,7 +87,7 @@ use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
 use tomolith_core::forward;
 use tomolith_core::grid::VolumeGrid;
-use tomolith_core::kind::Section;
+use tomolith_core::kind::{Section, schema_of};
 use tomolith_core::units::exact;
 use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
@@ -115,7 +115,7 @@ pub const KIND: ModelKind = ModelKind {
     name: "successive_orders",
     summary: "Scattering by successive orders in an even resin: convolutions instead of Monte Carlo paths.",
     example: "[model.successive_orders]\ncell_mm = 0.2\n",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build: MakeFamily {
         read: |section| Ok(Arc::new(params_of(section)?)),
         unasked: Some(|| Arc::new(Params::default())),

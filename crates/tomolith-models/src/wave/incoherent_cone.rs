@@ -69,7 +69,7 @@ use tomolith_core::error::Result;
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::host_fields;
-use tomolith_core::kind::Section;
+use tomolith_core::kind::{Section, schema_of};
 use tomolith_core::units::exact;
 use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
@@ -125,7 +125,7 @@ pub const KIND: ModelKind = ModelKind {
     name: "incoherent_cone",
     summary: "Incoherent light that fills a cone and is focused in a plane, in an index-matched vial (étendue of the projector).",
     example: "[model.incoherent_cone]\nhalf_angle_deg = 1.0\n",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build: MakeFamily {
         read: |section| Ok(Arc::new(params_of(section)?)),
         unasked: None,

@@ -105,7 +105,7 @@ use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::host_fields;
-use tomolith_core::kind::Section;
+use tomolith_core::kind::{Section, schema_of};
 use tomolith_core::units::{concise, exact};
 use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
@@ -177,7 +177,7 @@ pub const KIND: ModelKind = ModelKind {
     name: "wave",
     summary: "Coherent light in an index-matched vial: band-limited angular spectrum, amplitudes as unknowns.",
     example: "[model.wave]\nrelative_error = 1e-3\nnumerical_aperture = 0.05\n",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build: MakeFamily {
         read: |section| Ok(Arc::new(params_of(section)?)),
         unasked: None,

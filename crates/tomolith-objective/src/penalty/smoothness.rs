@@ -24,7 +24,7 @@ use tomolith_core::dose::layout::PixelRun;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::costs::{FramePairs, PixelPairs};
 use tomolith_core::field::{Field, PatternCost};
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 
 /// The parameters of smoothness.
 #[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
@@ -145,7 +145,7 @@ pub const fn kind<F: Field>() -> Kind<BuildPenalty<F>> {
         name: "smoothness",
         summary: "differences between neighboring pixels and frames: squared, or a smoothed total variation",
         example: "[[penalties]]\nsmoothness = { rows = 1.0, columns = 1.0, angles = 0.5 }\nweight = 1e-3",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: read::<F, Params>,
     }
 }

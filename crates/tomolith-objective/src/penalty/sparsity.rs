@@ -26,7 +26,7 @@ use serde::{Deserialize, Serialize};
 use tomolith_core::dose::PatternLayout;
 use tomolith_core::error::Result;
 use tomolith_core::field::{Field, PatternCost};
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 
 /// The parameters of sparsity.
 #[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
@@ -58,7 +58,7 @@ pub const fn kind<F: Field>() -> Kind<BuildPenalty<F>> {
         name: "sparsity",
         summary: "sum of |x| to a power: penalizes bright pixels",
         example: "[[penalties]]\nsparsity = { exponent = 4.0 }\nweight = 1e-3",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: read::<F, Params>,
     }
 }

@@ -15,7 +15,7 @@ use super::{BuildPhase, Phase};
 use crate::random::Stream;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::units::exact;
 
 /// See the [module page](self).
@@ -50,7 +50,7 @@ pub const KIND: Kind<BuildPhase> = Kind {
     name: "henyey_greenstein",
     summary: "One number: the mean cosine of the angle of scattering.",
     example: "[resin.phase.henyey_greenstein]\ng = 0.8\n",
-    schema: || schemars::schema_for!(HenyeyGreenstein),
+    schema: schema_of::<HenyeyGreenstein>,
     build: |section| {
         let phase: HenyeyGreenstein = section.parse()?;
         if !(-0.999..=0.999).contains(&phase.g) {

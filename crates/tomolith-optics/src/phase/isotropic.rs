@@ -4,7 +4,7 @@ use super::{BuildPhase, Phase};
 use crate::random::Stream;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 
 /// See the [module page](self).
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -26,6 +26,6 @@ pub const KIND: Kind<BuildPhase> = Kind {
     name: "isotropic",
     summary: "Scattered light goes into all directions equally.",
     example: "[resin.phase.isotropic]\n",
-    schema: || schemars::schema_for!(Isotropic),
+    schema: schema_of::<Isotropic>,
     build: |section| Ok(Box::new(section.parse::<Isotropic>()?)),
 };

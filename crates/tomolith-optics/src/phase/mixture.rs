@@ -11,7 +11,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::exact;
 
 /// See the [module page](self).
@@ -62,7 +62,7 @@ pub const KIND: Kind<BuildPhase> = Kind {
     name: "mixture",
     summary: "Several phase functions, each with its share.",
     example: "[resin.phase.mixture]\nparts = [{ share = 0.7, phase = { rayleigh = {} } }, { share = 0.3, phase = { henyey_greenstein = { g = 0.9 } } }]\n",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build,
 };
 

@@ -11,7 +11,7 @@ use super::{BuildPhase, Phase};
 use crate::random::Stream;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 
 /// See the [module page](self).
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -35,6 +35,6 @@ pub const KIND: Kind<BuildPhase> = Kind {
     name: "rayleigh",
     summary: "Particles much smaller than the wavelength: as much light forwards as backwards.",
     example: "[resin.phase.rayleigh]\n",
-    schema: || schemars::schema_for!(Rayleigh),
+    schema: schema_of::<Rayleigh>,
     build: |section| Ok(Box::new(section.parse::<Rayleigh>()?)),
 };

@@ -17,7 +17,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Section, schema_of};
 
 /// See the [module page](self).
 #[derive(Clone, Debug)]
@@ -97,7 +97,7 @@ pub const KIND: Kind<BuildPhase> = Kind {
     name: "table",
     summary: "Values over the angle of scattering, measured or computed.",
     example: "[resin.phase.table]\nangles_deg = [0.0, 30.0, 90.0, 180.0]\nvalues = [1.0, 0.6, 0.1, 0.15]\n",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build,
 };
 

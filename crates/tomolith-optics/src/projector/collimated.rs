@@ -11,7 +11,7 @@
 use super::{BuildProjector, Projector, Ray, pixel_pitch};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::units::Pitch;
 
 /// See the [module page](self).
@@ -51,7 +51,7 @@ pub const KIND: Kind<BuildProjector> = Kind {
     name: "collimated",
     summary: "Parallel rays.",
     example: "[light.projector.collimated]\npixel_pitch_mm = 0.02\n",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build: |section| {
         let params: Params = section.parse()?;
         Ok(Box::new(Collimated {

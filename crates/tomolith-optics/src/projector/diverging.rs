@@ -15,7 +15,7 @@ use super::{BuildProjector, Projector, Ray, pixel_pitch};
 use crate::vial::positive;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::units::{Mm, Pitch};
 
 /// See the [module page](self).
@@ -60,7 +60,7 @@ pub const KIND: Kind<BuildProjector> = Kind {
     name: "diverging",
     summary: "A cone of light from a point.",
     example: "[light.projector.diverging]\npixel_pitch_mm = 0.02\ndistance_mm = 150.0\n",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build: |section| {
         let params: Params = section.parse()?;
         Ok(Box::new(Diverging::new(

@@ -17,7 +17,7 @@ use super::{BuildProjector, Projector, Ray, not_negative, pixel_pitch};
 use crate::vial::positive;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::units::{Mm, Pitch};
 
 /// See the [module page](self).
@@ -69,7 +69,7 @@ pub const KIND: Kind<BuildProjector> = Kind {
     name: "lens",
     summary: "A lens of finite aperture that images the pixels at a distance.",
     example: "[light.projector.lens]\npixel_pitch_mm = 0.02\naperture_radius_mm = 4.0\ndistance_mm = 150.0\nfocus_distance_mm = 152.0\n",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build: |section| {
         let params: Params = section.parse()?;
         let distance_mm = positive(section, "distance_mm", params.distance_mm.0)?;

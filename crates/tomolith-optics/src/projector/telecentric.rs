@@ -19,7 +19,7 @@ use crate::vial::positive;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::{Mm, Pitch, exact};
 
 /// See the [module page](self).
@@ -78,7 +78,7 @@ pub const KIND: Kind<BuildProjector> = Kind {
     name: "telecentric",
     summary: "Cones of light with parallel axes: a pitch that does not depend on the distance, and a depth of focus.",
     example: "[light.projector.telecentric]\npixel_pitch_mm = 0.02\naperture_radius_mm = 1.0\nworking_distance_mm = 100.0\n",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build: |section| {
         let params: Params = section.parse()?;
         Ok(Box::new(Telecentric {

@@ -27,7 +27,7 @@
 use super::{BuildVial, CrossSection, Medium, Vial, Wall, index, inner_below_outer, positive};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::units::Mm;
 
 /// See the [module page](self).
@@ -73,7 +73,7 @@ pub const KIND: Kind<BuildVial> = Kind {
     name: "cylinder",
     summary: "A round glass vial in air or in a bath: Snell and Fresnel at both walls.",
     example: "[vial.cylinder]\ninner_radius_mm = 7.6\nouter_radius_mm = 8.3\nrefractive_index = 1.58\n",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build: |section| {
         let params: Params = section.parse()?;
         let inner = positive(section, "inner_radius_mm", params.inner_radius_mm.0)?;

@@ -35,7 +35,7 @@
 use super::{BuildVial, CrossSection, Medium, Vial, Wall, index, inner_below_outer, positive};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::units::Mm;
 
 /// See the [module page](self).
@@ -101,7 +101,7 @@ pub const KIND: Kind<BuildVial> = Kind {
     summary: "Resin between two concentric tubes.",
     example: "[vial.double_tube]\nouter_radius_mm = 7.354\nresin_outer_radius_mm = 6.363\nresin_inner_radius_mm = 3.18\n\
               inner_radius_mm = 2.58\nouter_refractive_index = 1.5\ninner_refractive_index = 1.5\ncore_refractive_index = 1.33\n",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build: |section| {
         let params: Params = section.parse()?;
         let keys = [

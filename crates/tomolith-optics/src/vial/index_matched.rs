@@ -23,7 +23,7 @@
 use super::{BuildVial, CrossSection, Medium, Vial, Wall, positive};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::units::Mm;
 
 /// See the [module page](self).
@@ -59,7 +59,7 @@ pub const KIND: Kind<BuildVial> = Kind {
     name: "index_matched",
     summary: "Resin in a bath of its own refractive index: straight rays, no reflections.",
     example: "[vial.index_matched]\nradius_mm = 6.0\n",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build: |section| {
         let params: Params = section.parse()?;
         Ok(Box::new(IndexMatched {

@@ -27,7 +27,7 @@ use std::f64::consts::{PI, TAU};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::concise;
 use tomolith_io::mesh::{Mesh, read_mesh};
 
@@ -209,7 +209,7 @@ pub const KIND: Kind<BuildVial> = Kind {
     name: "mesh",
     summary: "Closed meshes as outer and inner wall, of any shape.",
     example: "[vial.mesh]\nouter = \"cuvette-outer.stl\"\ninner = \"cuvette-inner.stl\"\nrefractive_index = 1.47\n",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build: |section| {
         let params: Params = section.parse()?;
         let scale = positive(section, "scale", params.scale)?;

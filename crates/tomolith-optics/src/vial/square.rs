@@ -28,7 +28,7 @@
 use super::{BuildVial, CrossSection, Medium, Vial, Wall, index, inner_below_outer, positive};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::units::Mm;
 
 /// See the [module page](self).
@@ -74,7 +74,7 @@ pub const KIND: Kind<BuildVial> = Kind {
     name: "square",
     summary: "A square cuvette that turns with the resin.",
     example: "[vial.square]\ninner_width_mm = 10.07\nouter_width_mm = 12.43\nrefractive_index = 1.58\n",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build: |section| {
         let params: Params = section.parse()?;
         let inner = positive(section, "inner_width_mm", params.inner_width_mm.0)?;

@@ -29,7 +29,7 @@ use serde::{Deserialize, Serialize};
 use tomolith_core::dose::Run;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::Field;
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 
 /// What becomes of negative values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
@@ -76,7 +76,7 @@ pub const fn kind<F: Field>() -> Kind<BuildStart<F>> {
         name: "fbp",
         summary: "filtered back-projection: the ramp-filtered adjoint of the target",
         example: "[start.fbp]\nfilter = \"ram_lak\"\nnegative = \"clip\"",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: |section| Ok(Box::new(Fbp(section.parse()?))),
     }
 }

@@ -32,7 +32,7 @@ use tomolith_core::dose::Run;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::{PatternGrid, Patterns};
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::parallel::InParallel;
 use tomolith_io::npy::read_patterns;
 
@@ -64,7 +64,7 @@ pub const fn kind<F: Field>() -> Kind<BuildStart<F>> {
         name: "patterns",
         summary: "patterns of a file: those of an earlier run, or of another program",
         example: "[start.patterns]\nfile = \"patterns.npz\"",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: |section| Ok(Box::new(Files::read(section)?)),
     }
 }

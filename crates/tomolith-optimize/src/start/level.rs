@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use tomolith_core::dose::Run;
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 
 /// They have no parameters.
 #[derive(Clone, Debug, Default, Deserialize, Serialize, JsonSchema)]
@@ -32,7 +32,7 @@ pub const fn uniform<F: Field>() -> Kind<BuildStart<F>> {
         name: "uniform",
         summary: "every pixel alike, the part's mean dose right",
         example: "[start.uniform]",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: |section| {
             section.parse::<Params>()?;
             Ok(Box::new(Uniform))
@@ -47,7 +47,7 @@ pub const fn zero<F: Field>() -> Kind<BuildStart<F>> {
         name: "zero",
         summary: "all pixels dark, or at their lower bound",
         example: "[start.zero]",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: |section| {
             section.parse::<Params>()?;
             Ok(Box::new(Zero))

@@ -20,7 +20,7 @@ use tomolith_core::dose::Run;
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
 use tomolith_core::grid::Volume;
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::target::label;
 use tomolith_core::units::exact;
 
@@ -54,7 +54,7 @@ pub const fn kind<F: Field>() -> Kind<BuildStart<F>> {
         name: "lsqr",
         summary: "least squares between dose and target, a few steps of LSQR, negative values cut off",
         example: "[start.lsqr]\niterations = 8\ndamping = 0.0",
-        schema: || schemars::schema_for!(Params),
+        schema: schema_of::<Params>,
         build: |section| {
             let params: Params = section.parse()?;
             if !(1..=1000).contains(&params.iterations) {

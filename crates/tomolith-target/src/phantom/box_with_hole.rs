@@ -16,14 +16,14 @@ use super::{Body, BuildForm, Form, Prism, corners, positive, rectangle};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::{Error, Result};
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
 
 pub(super) const KIND: Kind<BuildForm> = Kind {
     name: "box_with_hole",
     summary: "A square block with a round hole along z",
     example: "[target]\nphantom.box_with_hole = { size_mm = 5.0, height_mm = 3.0, hole_mm = 2.0 }",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build,
 };
 

@@ -16,14 +16,14 @@ use super::{Body, BuildForm, Form, Prism, corners, positive, rectangle};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::{Error, Result};
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
 
 pub(super) const KIND: Kind<BuildForm> = Kind {
     name: "checkerboard",
     summary: "Solid and open squares in turn",
     example: "[target]\nphantom.checkerboard = { size_mm = 5.0, height_mm = 1.0, cells = 5 }",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build,
 };
 

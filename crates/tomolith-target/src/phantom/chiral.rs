@@ -21,14 +21,14 @@ use super::{Body, BuildForm, Form, Prism, corners, positive, rectangle};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
 
 pub(super) const KIND: Kind<BuildForm> = Kind {
     name: "chiral",
     summary: "A plate like the letter F with a raised foot: shows mistakes of handedness",
     example: "[target]\nphantom.chiral = { size_mm = 5.0, height_mm = 3.0 }",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build,
 };
 

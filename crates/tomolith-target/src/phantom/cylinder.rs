@@ -14,14 +14,14 @@ use super::{Body, BuildForm, Form, Prism, positive, rims};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
 
 pub(super) const KIND: Kind<BuildForm> = Kind {
     name: "cylinder",
     summary: "A cylinder upright on its end; flat, a disc",
     example: "[target]\nphantom.cylinder = { size_mm = 5.0, height_mm = 3.0 }",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build,
 };
 

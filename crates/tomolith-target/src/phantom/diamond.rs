@@ -14,13 +14,13 @@
 
 use super::BuildForm;
 use super::wall::{self, Waves};
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 
 pub(super) const KIND: Kind<BuildForm> = Kind {
     name: "diamond",
     summary: "A cube of Schwarz's D surface, the diamond: a wall between two labyrinths",
     example: "[target]\nphantom.diamond = { size_mm = 5.0, cells = 2, wall_mm = 0.3 }",
-    schema: || schemars::schema_for!(wall::Params),
+    schema: schema_of::<wall::Params>,
     build: |section| wall::build(section, &DIAMOND),
 };
 

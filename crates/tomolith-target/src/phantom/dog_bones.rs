@@ -19,14 +19,14 @@ use super::{Body, BuildForm, Form, Prism, corners, positive, rectangle};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::{Error, Result};
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
 
 pub(super) const KIND: Kind<BuildForm> = Kind {
     name: "dog_bones",
     summary: "Tensile test bars side by side, lying flat",
     example: "[target]\nphantom.dog_bones = { size_mm = 5.0, height_mm = 1.0, count = 3 }",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build,
 };
 

@@ -23,14 +23,14 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 use tomolith_core::error::Result;
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
 
 pub(super) const KIND: Kind<BuildForm> = Kind {
     name: "flower",
     summary: "A gray flower before a blurred background: a target of all gray levels",
     example: "[target]\nphantom.flower = { size_mm = 5.0, height_mm = 1.0 }",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build,
 };
 

@@ -20,14 +20,14 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::{Mm, concise};
 
 pub(super) const KIND: Kind<BuildForm> = Kind {
     name: "gear",
     summary: "A spur gear with a bore",
     example: "[target]\nphantom.gear = { size_mm = 6.0, height_mm = 3.0, teeth = 12, bore_mm = 2.0 }",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build,
 };
 

@@ -22,14 +22,14 @@ use super::{Body, BuildForm, Form, GrayForm, corners, positive};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::{Error, Result};
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
 
 pub(super) const KIND: Kind<BuildForm> = Kind {
     name: "gratings",
     summary: "Four sinusoidal gratings of 1, 2, 4 and 12 bit: a gray target",
     example: "[target]\nphantom.gratings = { size_mm = 5.0, height_mm = 1.0, periods = 5, gap_mm = 0.4, bits = [1, 2, 4, 12] }",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build,
 };
 

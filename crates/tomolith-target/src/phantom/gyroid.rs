@@ -15,13 +15,13 @@
 
 use super::BuildForm;
 use super::wall::{self, Waves};
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 
 pub(super) const KIND: Kind<BuildForm> = Kind {
     name: "gyroid",
     summary: "A cube of gyroid: a curved wall that splits space into two labyrinths",
     example: "[target]\nphantom.gyroid = { size_mm = 5.0, cells = 2, wall_mm = 0.5 }",
-    schema: || schemars::schema_for!(wall::Params),
+    schema: schema_of::<wall::Params>,
     build: |section| wall::build(section, &GYROID),
 };
 

@@ -20,14 +20,14 @@ use super::{Body, BuildForm, Form, Prism, positive, rims};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::{Error, Result};
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::{Mm, concise};
 
 pub(super) const KIND: Kind<BuildForm> = Kind {
     name: "hollow_gear",
     summary: "A gear as a thin shell, open above",
     example: "[target]\nphantom.hollow_gear = { size_mm = 6.0, height_mm = 3.0, teeth = 12, wall_mm = 0.25, floor_mm = 0.5 }",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build,
 };
 

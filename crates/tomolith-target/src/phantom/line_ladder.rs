@@ -17,14 +17,14 @@ use super::{Body, BuildForm, Form, Prism, corners, positive, rectangle};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::{Error, Result};
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
 
 pub(super) const KIND: Kind<BuildForm> = Kind {
     name: "line_ladder",
     summary: "Straight bars that narrow from one to the next",
     example: "[target]\nphantom.line_ladder = { size_mm = 5.0, height_mm = 1.0, lines = 5, widest_mm = 0.5, narrowest_mm = 0.1, gap_mm = 0.5 }",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build,
 };
 

@@ -14,13 +14,13 @@
 
 use super::BuildForm;
 use super::wall::{self, Waves};
-use tomolith_core::kind::Kind;
+use tomolith_core::kind::{Kind, schema_of};
 
 pub(super) const KIND: Kind<BuildForm> = Kind {
     name: "schwarz_p",
     summary: "A cube of Schwarz's P surface: a wall between two cubic lattices of tubes",
     example: "[target]\nphantom.schwarz_p = { size_mm = 5.0, cells = 2, wall_mm = 0.5 }",
-    schema: || schemars::schema_for!(wall::Params),
+    schema: schema_of::<wall::Params>,
     build: |section| wall::build(section, &SCHWARZ_P),
 };
 

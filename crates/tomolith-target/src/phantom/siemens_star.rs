@@ -19,14 +19,14 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
 
 pub(super) const KIND: Kind<BuildForm> = Kind {
     name: "siemens_star",
     summary: "Spokes that narrow toward the middle, for the finest detail that still prints",
     example: "[target]\nphantom.siemens_star = { size_mm = 6.0, height_mm = 1.5, spokes = 16, hub_mm = 1.0 }",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build,
 };
 

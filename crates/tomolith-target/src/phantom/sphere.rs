@@ -14,14 +14,14 @@ use super::{Body, BuildForm, Form, positive};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
-use tomolith_core::kind::{Kind, Section};
+use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
 
 pub(super) const KIND: Kind<BuildForm> = Kind {
     name: "sphere",
     summary: "A ball",
     example: "[target]\nphantom.sphere = { size_mm = 5.0 }",
-    schema: || schemars::schema_for!(Params),
+    schema: schema_of::<Params>,
     build,
 };
 

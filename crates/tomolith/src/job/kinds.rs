@@ -285,7 +285,7 @@ mod tests {
             name: "a",
             summary: "s",
             example: "",
-            schema: || schemars::schema_for!(Params),
+            schema: crate::kind::schema_of::<Params>,
             build: (),
         };
         kind.page("vial")

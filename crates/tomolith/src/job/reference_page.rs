@@ -7,6 +7,7 @@
 
 use super::kinds::{KindFamily, Parameter, families, parameters, parameters_of};
 use super::spec::{JobSpec, VialCommon};
+use crate::kind::schema_of;
 use crate::objective::voxel_weights::Common;
 use serde_json::Value;
 use std::fmt::Write as _;
@@ -22,7 +23,7 @@ has a default.
 /// The page.
 #[must_use]
 pub fn markdown() -> String {
-    let root = schemars::schema_for!(JobSpec).to_value();
+    let root = schema_of::<JobSpec>().to_value();
     let families = families();
     let mut page = HEAD.to_owned();
     page.push_str("\n## Tables\n");
@@ -56,14 +57,14 @@ pub fn markdown() -> String {
 fn write_family(page: &mut String, family: &KindFamily) {
     let _ = write!(page, "\n### `{}`\n\n{}.\n", family.name, family.summary);
     if family.name == "objective" {
-        let common = schemars::schema_for!(Common).to_value();
+        let common = schema_of::<Common>().to_value();
         let mut rows = Vec::new();
         collect(&common, &common, "", &mut rows);
         page.push_str("\nKeys of every entry of `[[objectives]]`, beside its kind:\n");
         write_rows(page, &rows);
     }
     if family.name == "vial" {
-        let common = schemars::schema_for!(VialCommon).to_value();
+        let common = schema_of::<VialCommon>().to_value();
         let mut rows = Vec::new();
         collect(&common, &common, "", &mut rows);
         page.push_str("\nKeys of `[vial]`, beside its kind:\n");

@@ -7,14 +7,14 @@
 
 use super::kinds::{KindFamily, families};
 use super::spec::{JobSpec, VialCommon};
-use crate::kind::KindPage;
+use crate::kind::{KindPage, schema_of};
 use crate::objective::voxel_weights::Common;
 use serde_json::{Map, Value, json};
 
 /// The schema of a job file.
 #[must_use]
 pub fn schema() -> Value {
-    let mut root = schemars::schema_for!(JobSpec).to_value();
+    let mut root = schema_of::<JobSpec>().to_value();
     root["title"] = json!("Tomolith job");
     let mut definitions = root["$defs"].as_object().cloned().unwrap_or_default();
     for family in families() {
@@ -65,11 +65,11 @@ fn one_of(family: &KindFamily, definitions: &mut Map<String, Value>) -> Value {
             let mut properties = Map::new();
             match family.name {
                 "vial" => {
-                    let common = schemars::schema_for!(VialCommon).to_value();
+                    let common = schema_of::<VialCommon>().to_value();
                     properties.extend(common_properties(common, "vial_", definitions));
                 }
                 "objective" => {
-                    let common = schemars::schema_for!(Common).to_value();
+                    let common = schema_of::<Common>().to_value();
                     properties.extend(common_properties(common, "objectives_", definitions));
                 }
                 "penalties" => drop(properties.insert("weight".to_owned(), json!({ "type": "number" }))),
