@@ -10,7 +10,7 @@ use self::located::{Failure, Fault};
 use crate::error::{Error, Result, nearest_name};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::DeserializeOwned;
-use serde_json::Value;
+use serde_json::{Map, Value};
 use std::path::{Path, PathBuf};
 
 /// One table of a job file, and the key path that led to it.
@@ -372,6 +372,15 @@ pub struct Kind<B> {
     pub schema: fn() -> Schema,
     /// Reads one from its section: the object, or what makes one where that needs more than parameters.
     pub build: B,
+}
+
+/// A table of JSON. (`collect` would sort the entries first, by code that is compiled anew for every iterator.)
+pub fn table_of(entries: impl Iterator<Item = (String, Value)>) -> Map<String, Value> {
+    let mut table = Map::new();
+    for (key, value) in entries {
+        table.insert(key, value);
+    }
+    table
 }
 
 /// The schema of parameters, with its title and what it refers to: what `schemars::schema_for!` gives, which is compiled anew for every type.

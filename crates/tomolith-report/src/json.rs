@@ -57,6 +57,7 @@
 use super::time::time_json;
 use super::{MapReport, ObjectiveReport, ReportData, SpeciesReport};
 use serde_json::{Map, Value, json};
+use tomolith_core::kind::table_of;
 use tomolith_metrics::Evaluation;
 use tomolith_metrics::error_histogram::ErrorHistogram;
 use tomolith_metrics::evaluation::Histogram;
@@ -125,19 +126,13 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
             })
         })
         .collect();
-    let timings: Map<String, Value> = data
-        .timings
-        .iter()
-        .map(|t| (t.name.clone(), number(t.seconds)))
-        .collect();
-    let models: Map<String, Value> = data
-        .models
-        .iter()
-        .map(|(stage, model)| ((*stage).to_owned(), json!(model)))
-        .collect();
+    let timings = data.timings.iter();
+    let timings = table_of(timings.map(|t| (t.name.clone(), number(t.seconds))));
+    let models = data.models.iter();
+    let models = table_of(models.map(|(stage, model)| ((*stage).to_owned(), json!(model))));
     let species: Vec<Value> = data.species.iter().map(species_json).collect();
     let found = data.found_response.iter();
-    let found: Map<String, Value> = found.map(|(name, v)| (name.clone(), json!(v))).collect();
+    let found = table_of(found.map(|(name, v)| (name.clone(), json!(v))));
     let response = (!found.is_empty()).then_some(found);
     json!({
         "schema": "tomolith.report/1",
@@ -184,11 +179,8 @@ fn map_json(map: &MapReport<'_>) -> Value {
 }
 
 fn species_json(species: &SpeciesReport<'_>) -> Value {
-    let driven_by: Map<String, Value> = species
-        .driven_by
-        .iter()
-        .map(|(light, factor)| (light.clone(), number(*factor)))
-        .collect();
+    let driven_by = species.driven_by.iter();
+    let driven_by = table_of(driven_by.map(|(light, factor)| (light.clone(), number(*factor))));
     json!({
         "name": species.name,
         "driven_by": driven_by,
@@ -201,12 +193,8 @@ fn species_json(species: &SpeciesReport<'_>) -> Value {
 /// The numbers and curves of an evaluation.
 #[must_use]
 pub fn evaluation_json(evaluation: &Evaluation) -> Map<String, Value> {
-    let mut map: Map<String, Value> = evaluation
-        .measures
-        .0
-        .iter()
-        .map(|(name, value)| ((*name).to_owned(), number(*value)))
-        .collect();
+    let measures = evaluation.measures.0.iter();
+    let mut map = table_of(measures.map(|(name, value)| ((*name).to_owned(), number(*value))));
     let grid = &evaluation.grid;
     let rest = [
         ("gel_threshold", number(evaluation.gel_threshold)),

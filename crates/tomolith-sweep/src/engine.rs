@@ -21,6 +21,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 use tomolith::io::write_whole;
 use tomolith::job::{self, Document, Job, KeptParts, RunFolder, Silent, folder::TAKEN};
+use tomolith::kind::table_of;
 use tomolith::models::Run;
 use tomolith::units::counted;
 use tomolith::{Error, Result};
@@ -584,13 +585,9 @@ fn ended(
     clock.ended += 1;
     let (word, result) = match state {
         State::Done(values) => {
-            let pairs = plan
-                .sweep
-                .metrics
-                .iter()
-                .cloned()
-                .zip(values.iter().map(|v| json!(v)));
-            ("done", Value::Object(pairs.collect()))
+            let values = values.iter().map(|v| json!(v));
+            let pairs = plan.sweep.metrics.iter().cloned().zip(values);
+            ("done", table_of(pairs).into())
         }
         State::Failed(message) => ("failed", json!(message)),
         State::Missing => ("missing", Value::Null),

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Volume, VolumeGrid};
-use tomolith_core::kind::Section;
+use tomolith_core::kind::{Section, table_of};
 use tomolith_core::parallel::{InParallel, table};
 use tomolith_core::run::Run;
 use tomolith_core::target::Target;
@@ -82,10 +82,8 @@ pub struct TargetSpec {
 fn phantom_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
     let _ = generator;
     let names: Vec<&str> = PHANTOMS.iter().map(|kind| kind.name).collect();
-    let tables: serde_json::Map<String, serde_json::Value> = PHANTOMS
-        .iter()
-        .map(|kind| (kind.name.to_owned(), (kind.schema)().to_value()))
-        .collect();
+    let tables = PHANTOMS.iter();
+    let tables = table_of(tables.map(|kind| (kind.name.to_owned(), (kind.schema)().to_value())));
     schemars::json_schema!({
         "anyOf": [
             { "type": "string", "enum": names },

@@ -21,6 +21,7 @@ use crate::io::npy::{PatternPair, write_patterns, write_volume};
 use crate::io::stl::write_stl_pieces;
 use crate::io::vti::{VtiValues, write_vti};
 use crate::io::write_whole;
+use crate::kind::table_of;
 use crate::metrics::Evaluation;
 use crate::metrics::print::{PatternStats, Print};
 use crate::metrics::published::unit_systems::{Converted, UnitSystem};
@@ -483,16 +484,12 @@ fn published(
     exposures: &[device::ShownLight],
 ) -> Result<serde_json::Map<String, serde_json::Value>> {
     let evaluated = &done.evaluated;
-    let mut map: serde_json::Map<_, _> = evaluated
-        .published
-        .iter()
-        .map(|p| {
-            let about = serde_json::json!({
-                "value": p.value, "unit": p.unit, "source": p.source, "note": p.note,
-            });
-            (p.name.clone(), about)
-        })
-        .collect();
+    let mut map = table_of(evaluated.published.iter().map(|p| {
+        let about = serde_json::json!({
+            "value": p.value, "unit": p.unit, "source": p.source, "note": p.note,
+        });
+        (p.name.clone(), about)
+    }));
     map.insert("slices".to_owned(), serde_json::json!(evaluated.slices));
     if let Some(dark) = evaluated.keep_dark {
         map.insert("keep_dark".to_owned(), serde_json::json!(dark));
