@@ -1,4 +1,4 @@
-//! What everything of Tomolith stands on: grids, fields, errors, kinds, units, dose models as a trait, material responses, least squares, ranks and run control.
+//! What everything of Tomolith stands on: grids, fields, errors, kinds, units, vectors and trees of boxes, dose models as a trait, material responses, least squares, ranks and run control.
 //!
 //! Users find all of it in the crate `tomolith`; whoever writes a dose model, or fields in the memory of a device, needs this crate alone.
 
