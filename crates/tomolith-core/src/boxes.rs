@@ -38,9 +38,9 @@ const LEAVES_AT_ONCE: usize = 1024;
 /// Things from which on a split is done by two threads.
 const PARALLEL: usize = 1 << 14;
 /// Cuts above each other that are chosen by surface; what is left then is halved, and again, at most 32 times.
-const LEVELS: u32 = 24;
+const LEVELS: usize = 24;
 /// Nodes that wait at most: three for every two cuts above each other, and one.
-const WAITING: usize = 3 * (24 + 32) / 2 + 1;
+const WAITING: usize = 3 * (LEVELS + 32) / 2 + 1;
 /// Up to so many things are halved: the search costs more than it gains.
 const FEW: usize = 8;
 /// Parts of an axis between which it may be cut.
@@ -133,16 +133,6 @@ struct Children {
     high: [f32x4; 3],
 }
 
-impl Node {
-    const EMPTY: Node = Node {
-        children: Children {
-            low: [f32x4::ZERO; 3],
-            high: [f32x4::ZERO; 3],
-        },
-        links: [Link::NONE; SPLIT],
-    };
-}
-
 impl Children {
     fn new(boxes: &[Bounds; SPLIT]) -> Self {
         let lanes = |of: &dyn Fn(&Bounds) -> f32| f32x4::new(boxes.each_ref().map(of));
@@ -209,6 +199,16 @@ struct Node {
     links: [Link; SPLIT],
 }
 
+impl Node {
+    const EMPTY: Node = Node {
+        children: Children {
+            low: [f32x4::ZERO; 3],
+            high: [f32x4::ZERO; 3],
+        },
+        links: [Link::NONE; SPLIT],
+    };
+}
+
 /// A node's child: the number of a node, of a leaf, or none.
 #[derive(Clone, Copy)]
 struct Link(u32);
@@ -237,25 +237,20 @@ impl Link {
 }
 
 impl BoxTree {
-    /// The tree of things of any size, each in its box. It is split where the two boxes that come of it have the least surface, weighed with what they hold
-    /// (Goldsmith and Salmon, IEEE Comput. Graph. Appl. 7 (5), 14 (1987)), of the places between sixteen equal parts of each axis.
+    /// The tree of things of any size, each in its box. A part is cut where the surfaces of the two boxes that come of it, each times the number of things in it, have the
+    /// least sum (Goldsmith and Salmon, IEEE Comput. Graph. Appl. 7 (5), 14 (1987)); sixteen equal parts of each axis are tried.
     ///
     /// A tree that was not ready when the run was canceled answers wrong.
     #[must_use]
     pub fn of(boxes: &[Bounds], run: &Run) -> Self {
         let middle = |i: u32| boxes[i as usize].twice_the_middle();
         let leaf = |things: &[u32]| (joined(boxes, things.iter().copied()), ());
-        Self::build(
-            boxes.len(),
-            middle,
-            &|keys| least_surface(keys, boxes),
-            leaf,
-            run,
-        )
-        .0
+        let split = |keys: &mut [Key]| least_surface(keys, boxes);
+        let (tree, _) = Self::build(boxes.len(), middle, &split, leaf, run);
+        tree
     }
 
-    /// The tree of `count` small things with these middles (or any multiple of them), halved along the longest edge of the box of their middles: built three times as fast. `leaf` is given the numbers of one to four things, and says which box
+    /// The tree of `count` small things with these middles (or any multiple of them), halved along the longest edge of the box of their middles: built six times as fast. `leaf` is given the numbers of one to four things, and says which box
     /// they lie in and what is to be kept of them, which comes back in the order of the leaves.
     ///
     /// A tree that was not ready when the run was canceled answers wrong.
@@ -450,7 +445,7 @@ type Key = (Point, u32);
 type Split<'a> = dyn Fn(&mut [Key]) -> usize + Sync + 'a;
 
 /// Brings things into the order of the leaves, and says where they are cut.
-fn sort(keys: &mut [Key], cuts: &mut [Cut], level: u32, split: &Split<'_>, run: &Run) -> u32 {
+fn sort(keys: &mut [Key], cuts: &mut [Cut], level: usize, split: &Split<'_>, run: &Run) -> u32 {
     let n = keys.len();
     if n <= LEAF || run.is_canceled() {
         return 0;

@@ -104,6 +104,9 @@ impl<T: Copy> Numbers<T> {
                     .map(|bytes| value(header.element, bytes)),
             );
         }
+        // An archive compares the checksum of an array at its end
+        let end = file.read(&mut [0u8]);
+        end.map_err(|e| format!("damaged: {e}"))?;
         if header.is_fortran {
             values = in_c_order(&header.shape, &values);
         }
@@ -532,6 +535,27 @@ mod tests {
         // A count beyond all memory is not reserved
         let huge = npy("<f4", "False", "999999999999, 999999", &[0; 4]);
         assert!(parse(&huge).unwrap_err().contains("999999999999"));
+    }
+
+    #[test]
+    fn an_array_that_is_not_what_was_written_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.npz");
+        let mut npz = ndarray_npy::NpzWriter::new(File::create(&path).unwrap());
+        let ones = ndarray::Array1::<f32>::ones(100);
+        npz.add_array("ones", &ones).unwrap();
+        npz.finish().unwrap();
+        let mut bytes = std::fs::read(&path).unwrap();
+        let one = 1f32.to_le_bytes();
+        let at = bytes.windows(4).position(|four| four == one).unwrap();
+        let read = |bytes: &[u8]| {
+            std::fs::write(&path, bytes).unwrap();
+            Archive::open(&path, "")?.numbers("ones")
+        };
+        assert!(read(&bytes).is_ok());
+        bytes[at + 1] ^= 1; // 1.0000305: the checksum alone can tell
+        let text = read(&bytes).map(drop).unwrap_err().to_string();
+        assert!(text.contains("ones: damaged: Invalid checksum"), "{text}");
     }
 
     #[test]

@@ -120,6 +120,12 @@ fn a_3mf_of_several_parts_is_put_together() {
     assert!(refused(&with(&part, ""), "3mf").contains("no root model `3D/3dmodel.model`"));
     let bad = part.replacen("x=", "y=", 1);
     assert!(refused(&with(&bad, &root), "3mf").contains("x = `missing`"));
+    let cut = refused(&with(&part[..part.len() / 2], &root), "3mf");
+    assert!(cut.contains("3D/part.model"), "{cut}");
+    // Nothing of it is placed: what an archiver leaves behind
+    let plain = plain_model();
+    let left_behind = with("\0\x05\x16", &plain);
+    assert_eq!(parse(&left_behind, "3mf").unwrap().triangles.len(), 12);
 }
 
 #[test]
@@ -188,6 +194,7 @@ fn damage_is_named() {
     assert!(changed("y=\"2\"", "y=\"two\"").contains("y = `two`"));
     assert!(changed("v3=\"3\"", "v3=\"33\"").contains("refers to vertex 33"));
     assert!(changed("v3=\"3\"", "v3=\"-3\"").contains("v3 = `-3`"));
+    assert!(changed("y=\"2\"", "y=\" 2\"").contains("y = ` 2`")); // the reader would take it for 0
     assert!(changed("item objectid=\"1\"", "item objectid=\"7\"").contains("object 7"));
     let whole = package(&model);
     assert!(refused(&whole[..whole.len() / 2], "3mf").contains("damaged"));

@@ -5,6 +5,7 @@
 //! before the reader gets them: it takes what is no number for zero.
 
 use super::{Sink, bad};
+use instant_xml::FromXml;
 use std::collections::HashMap;
 use std::io::{Cursor, Read};
 use std::path::Path;
@@ -34,12 +35,10 @@ const MOST_PLACED: usize = 1 << 20;
 pub(super) fn parse(bytes: &[u8], path: &Path, sink: Sink) -> Result<()> {
     let refuse = |found: String| bad(path, found, WANTED);
     let package = Package::read(bytes).map_err(refuse)?;
-    let root = package
-        .models
-        .get(&package.root)
-        .ok_or_else(|| refuse(format!("damaged 3MF: no root model `{}`", package.root)))?;
+    let root = package.root().map_err(refuse)?;
     let mut traversal = ComponentTraversal {
-        models: package.objects(),
+        objects: package.objects(),
+        package: &package,
         path,
         placed: 0,
         sink,
@@ -63,10 +62,10 @@ struct Counted {
     triangles: usize,
 }
 
-/// The models of a package, by the names of their parts.
+/// The models of a package, by the names of their parts; those that cannot be read matter only where something of them is placed.
 struct Package {
     root: String,
-    models: HashMap<String, Model>,
+    models: HashMap<String, Result<Model, String>>,
 }
 
 impl Package {
@@ -76,15 +75,15 @@ impl Package {
         if archive.len() > MOST_PARTS {
             return Err(format!("a package of {} parts", archive.len()));
         }
+        let (parts, index) = (archive.len(), archive.index_for_name(ROOT_RELATIONSHIPS));
         let mut left = MOST_INFLATED * bytes.len() as u64 + SMALL;
-        let (mut root, mut models) = (None, HashMap::new());
-        for i in 0..archive.len() {
+        let mut inflated = |i: usize| {
             let part = archive.by_index(i).map_err(|e| damaged(&e))?;
             let (name, size) = (part.name().to_owned(), part.size());
             if size > left {
+                let all = bytes.len();
                 return Err(format!(
-                    "a package of {} bytes that promises {size} bytes in `{name}`",
-                    bytes.len()
+                    "a package of {all} bytes that promises {size} bytes in `{name}`"
                 ));
             }
             let mut text = Vec::new();
@@ -93,33 +92,50 @@ impl Package {
                 .map_err(|e| damaged(&e))?;
             if text.len() as u64 != size {
                 let read = text.len();
-                return Err(damaged(&format!(
-                    "`{name}` has {read} bytes instead of {size}"
-                )));
+                let found = format!("`{name}` has {read} bytes instead of {size}");
+                return Err(damaged(&found));
             }
             left -= size;
-            let text = String::from_utf8_lossy(&text);
-            if name == ROOT_RELATIONSHIPS {
-                root = root_of(&text);
-            }
-            if name.ends_with(".model") {
-                let model = model_of(&name, &text)?;
+            Ok((name, text))
+        };
+        let relationships = index
+            .ok_or_else(|| damaged(&format!("no part `{ROOT_RELATIONSHIPS}`")))
+            .and_then(&mut inflated)?;
+        let root = root_of(&String::from_utf8_lossy(&relationships.1))?;
+        let mut models = HashMap::new();
+        for i in (0..parts).filter(|i| Some(*i) != index) {
+            let (name, text) = inflated(i)?;
+            if name == root || name.ends_with(".model") {
+                let model = model_of(&name, &String::from_utf8_lossy(&text));
                 models.insert(name, model);
             }
         }
-        let root =
-            root.ok_or_else(|| damaged(&format!("no model is named in `{ROOT_RELATIONSHIPS}`")))?;
         Ok(Package { root, models })
+    }
+
+    fn root(&self) -> Result<&Model, String> {
+        match self.models.get(&self.root) {
+            Some(model) => model.as_ref().map_err(String::clone),
+            None => Err(damaged(&format!("no root model `{}`", self.root))),
+        }
     }
 
     /// Objects by part and number.
     fn objects(&self) -> HashMap<(&str, u32), &Object> {
         let mut objects = HashMap::new();
         for (part, model) in &self.models {
-            let own = model.resources.object.iter();
+            let own = model.iter().flat_map(|model| &model.resources.object);
             objects.extend(own.map(|object| ((part.as_str(), object.id), object)));
         }
         objects
+    }
+
+    /// Why an object that is placed was not found.
+    fn missing(&self, part: &str, id: u32) -> String {
+        match self.models.get(part) {
+            Some(Err(reason)) => reason.clone(),
+            _ => format!("object {id} is placed but not there"),
+        }
     }
 }
 
@@ -138,20 +154,36 @@ fn inside(path: &str) -> &str {
     path.trim_start_matches('/')
 }
 
+/// The relationships of a package.
+#[derive(FromXml)]
+#[xml(ns("http://schemas.openxmlformats.org/package/2006/relationships"))]
+struct Relationships {
+    all: Vec<Relationship>,
+}
+
+#[derive(FromXml)]
+#[xml(ns("http://schemas.openxmlformats.org/package/2006/relationships"))]
+struct Relationship {
+    #[xml(attribute, rename = "Type")]
+    kind: String,
+    #[xml(attribute, rename = "Target")]
+    target: String,
+}
+
 /// The root model, of the relationships of the package.
-fn root_of(text: &str) -> Option<String> {
-    text.split('<').find_map(|tag| {
-        let (_, attributes) = tag.split_once(|c: char| c.is_ascii_whitespace())?;
-        let is_root = attribute(attributes, "Type")?.ends_with(ROOT_TYPE);
-        let target = attribute(attributes, "Target").filter(|_| is_root)?;
-        Some(inside(target).to_owned())
-    })
+fn root_of(text: &str) -> Result<String, String> {
+    let read: Relationships = instant_xml::from_str(text)
+        .map_err(|e| damaged(&format!("{e} in `{ROOT_RELATIONSHIPS}`")))?;
+    let root = read.all.iter().find(|one| one.kind.ends_with(ROOT_TYPE));
+    let root = root.map(|one| inside(&one.target).to_owned());
+    root.ok_or_else(|| damaged(&format!("no model is named in `{ROOT_RELATIONSHIPS}`")))
 }
 
 /// Reads a model. The reader skips elements that it does not understand: no vertex and no triangle may be missing.
 fn model_of(part: &str, text: &str) -> Result<Model, String> {
-    let counted = examine_model(text)?;
-    let model: Model = instant_xml::from_str(text).map_err(|e| damaged(&e))?;
+    let counted = examine_model(text).map_err(|found| format!("{found} in `{part}`"))?;
+    let model: Model =
+        instant_xml::from_str(text).map_err(|e| damaged(&format!("{e} in `{part}`")))?;
     let read = count(&model);
     if read != counted {
         return Err(format!(
@@ -175,7 +207,7 @@ fn examine_model(text: &str) -> Result<Counted, String> {
                 counted.vertices += 1;
                 for axis in ["x", "y", "z"] {
                     let value = attribute(attributes, axis).unwrap_or("missing");
-                    if !value.trim().parse::<f64>().is_ok_and(f64::is_finite) {
+                    if !value.parse::<f64>().is_ok_and(f64::is_finite) {
                         return Err(format!(
                             "vertex {} has {axis} = `{value}`",
                             counted.vertices
@@ -187,7 +219,7 @@ fn examine_model(text: &str) -> Result<Counted, String> {
                 counted.triangles += 1;
                 for corner in ["v1", "v2", "v3"] {
                     let value = attribute(attributes, corner).unwrap_or("missing");
-                    if value.trim().parse::<u32>().is_err() {
+                    if value.parse::<u32>().is_err() {
                         return Err(format!(
                             "triangle {} has {corner} = `{value}`",
                             counted.triangles
@@ -277,7 +309,8 @@ impl Place {
 }
 
 struct ComponentTraversal<'a, 'b> {
-    models: HashMap<(&'a str, u32), &'a Object>,
+    objects: HashMap<(&'a str, u32), &'a Object>,
+    package: &'a Package,
     path: &'b Path,
     placed: usize,
     sink: Sink<'b>,
@@ -295,12 +328,8 @@ impl<'a> ComponentTraversal<'a, '_> {
                 WANTED,
             ));
         }
-        let Some(&object) = self.models.get(&(part, id)) else {
-            return Err(bad(
-                self.path,
-                format!("object {id} is placed but not there"),
-                WANTED,
-            ));
+        let Some(&object) = self.objects.get(&(part, id)) else {
+            return Err(bad(self.path, self.package.missing(part, id), WANTED));
         };
         if !matches!(
             object.objecttype,

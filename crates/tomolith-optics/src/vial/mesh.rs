@@ -99,19 +99,27 @@ impl MeshVial {
 
 /// Directions in which the distance from the axis to a wall is looked up.
 const LOOKS: u32 = 256;
+/// How far beside an edge the next look goes: far less than from one look to the next.
+const ASIDE: f64 = 1e-6;
 
 /// Radius of a circle about the axis, at the height of the origin, that the wall does not enter.
 fn inscribed(wall: &Surface) -> f64 {
-    let distance = |i: u32| {
-        let (sin, cos) = (TAU * f64::from(i) / f64::from(LOOKS)).sin_cos();
+    let look = |angle: f64| {
+        let (sin, cos) = angle.sin_cos();
         let ray = Ray {
             from: [0.0; 3],
             direction: [cos, sin, 0.0],
         };
-        wall.leave(&ray).map_or(0.0, |c| c.distance)
+        wall.leave(&ray).map(|crossing| crossing.distance)
     };
-    let nearest = (0..LOOKS).map(distance).fold(f64::INFINITY, f64::min);
-    nearest * (PI / f64::from(LOOKS)).cos()
+    let distance = |i: u32| {
+        let angle = TAU * f64::from(i) / f64::from(LOOKS);
+        // Rounding may lead a look along an edge between its triangles: then another one beside it
+        let asides = [0.0, ASIDE, -ASIDE];
+        asides.into_iter().find_map(|aside| look(angle + aside))
+    };
+    let distances = (0..LOOKS).map(|i| distance(i).unwrap_or(0.0));
+    distances.fold(f64::INFINITY, f64::min) * (PI / f64::from(LOOKS)).cos()
 }
 
 /// Refuses a mesh with an edge that is not shared by two triangles of one sense, and one that is inside out.
@@ -255,6 +263,23 @@ mod tests {
         let fits = vial.resin_wall().inscribed_radius();
         assert!((2.39..=2.4).contains(&fits), "{fits}");
         assert!((vial.outer_radius_mm() - 18f64.sqrt()).abs() < 1e-12);
+    }
+
+    #[test]
+    fn edges_that_a_look_runs_along_are_no_gaps() {
+        let turned = |half: f64| {
+            let mut mesh = cuboid([-half, -half, -5.0], [half, half, 5.0]);
+            for [x, y, _] in &mut mesh.vertices {
+                let side = std::f64::consts::FRAC_1_SQRT_2;
+                [*x, *y] = [(*x - *y) * side, (*x + *y) * side];
+            }
+            mesh
+        };
+        let mut inner = turned(2.0);
+        inner.vertices.iter_mut().for_each(|v| v[2] *= 0.8);
+        let vial = MeshVial::new(&turned(3.0), &inner, 1.47, "vial.mesh").unwrap();
+        let fits = vial.resin_wall().inscribed_radius();
+        assert!((1.999..=2.0).contains(&fits), "{fits}");
     }
 
     #[test]
