@@ -358,6 +358,52 @@ mod tests {
         }
     }
 
+    /// A cube of half width 1 whose faces are squares of `1/n`, each of two triangles.
+    fn fine_cube(n: i32) -> Mesh {
+        let mut mesh = Mesh::default();
+        for (axis, side) in (0..3).flat_map(|axis| [(axis, -1.0), (axis, 1.0)]) {
+            for (i, j) in (-n..n).flat_map(|i| (-n..n).map(move |j| (i, j))) {
+                let corner = |di: i32, dj: i32| {
+                    let mut p = [side; 3];
+                    p[(axis + 1) % 3] = f64::from(i + di) / f64::from(n);
+                    p[(axis + 2) % 3] = f64::from(j + dj) / f64::from(n);
+                    p
+                };
+                let first = mesh.vertices.len() as u32;
+                mesh.vertices
+                    .extend([corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)]);
+                let [a, b, c, d] = [0, 1, 2, 3].map(|k| first + k);
+                let outward = if side > 0.0 {
+                    [[a, b, c], [a, c, d]]
+                } else {
+                    [[a, c, b], [a, d, c]]
+                };
+                mesh.triangles.extend(outward);
+            }
+        }
+        mesh
+    }
+
+    #[test]
+    fn rays_along_edges_and_through_corners_of_triangles_pass_none_by() {
+        let cube = Surface::Net(Arc::new(Net::new(&fine_cube(16), "mesh").unwrap()));
+        for (i, j) in (-31..32).flat_map(|i| (-31..32).map(move |j| (i, j))) {
+            // On corners, on edges, on diagonals, and in between
+            let at = [f64::from(i) / 32.0, f64::from(j) / 32.0];
+            for axis in 0..3 {
+                let mut from = [0.0; 3];
+                (from[(axis + 1) % 3], from[(axis + 2) % 3]) = (at[0], at[1]);
+                let mut direction = [0.0; 3];
+                direction[axis] = 1.0;
+                let leaving = cube.leave(&Ray { from, direction });
+                assert_eq!(leaving.map(|c| c.distance), Some(1.0), "{from:?}");
+                from[axis] = -9.0;
+                let entering = cube.enter(&Ray { from, direction });
+                assert_eq!(entering.map(|c| c.distance), Some(8.0), "{from:?}");
+            }
+        }
+    }
+
     /// A ray from outside enters and leaves both where it does the other.
     fn met_alike(a: &Surface, b: &Surface, ray: &Ray) {
         let same = |a: Crossing, b: Crossing| {
