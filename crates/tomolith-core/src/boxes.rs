@@ -447,10 +447,12 @@ type Split<'a> = dyn Fn(&mut [Key]) -> usize + Sync + 'a;
 /// Brings things into the order of the leaves, and says where they are cut.
 fn sort(keys: &mut [Key], cuts: &mut [Cut], level: usize, split: &Split<'_>, run: &Run) -> u32 {
     let n = keys.len();
-    if n <= LEAF || run.is_canceled() {
+    if n <= LEAF {
         return 0;
     }
-    let cut = if level < LEVELS && n > FEW {
+    let cut = if run.is_canceled() {
+        n / 2 // in no order, but leaves stay as small as users of the tree take them to be
+    } else if level < LEVELS && n > FEW {
         split(keys)
     } else {
         longest(keys)
@@ -569,6 +571,17 @@ mod tests {
             }
             assert_eq!(next, count);
         }
+    }
+
+    #[test]
+    fn leaves_of_a_canceled_run_are_as_small_as_others() {
+        let run = Run::new();
+        run.cancel();
+        let at = |i: u32| [i as f32, 0.0, 0.0];
+        let leaf = |things: &[u32]| (Bounds::of(things.iter().map(|&i| at(i))), things.len());
+        let (_, counts) = BoxTree::of_small(40_000, at, leaf, &run);
+        assert_eq!(counts.iter().sum::<usize>(), 40_000);
+        assert!(counts.into_iter().all(|count| (1..=LEAF).contains(&count)));
     }
 
     /// A plain twin of [`BoxTree::along`], in f64: a part of the ray, shorter than any box, lies between three pairs of planes.
