@@ -1,4 +1,4 @@
-//! What everything of Tomolith stands on: grids, fields, errors, kinds, units, vectors and trees of boxes, dose models as a trait, material responses, least squares, ranks and run control.
+//! What everything of Tomolith stands on: grids, fields, errors, files, kinds, units, vectors and trees of boxes, dose models as a trait, material responses, least squares, ranks and run control.
 //!
 //! Users find all of it in the crate `tomolith`; whoever writes a dose model, or fields in the memory of a device, needs this crate alone.
 
@@ -7,6 +7,7 @@ pub mod check;
 pub mod dose;
 pub mod error;
 pub mod field;
+pub mod files;
 pub mod grid;
 pub mod kind;
 pub mod least_squares;

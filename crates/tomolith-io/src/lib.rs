@@ -1,7 +1,7 @@
 //! Formats in and out.
 //!
 //! *What must it do, and who does it.* One file a format. Whatever is written appears whole or not at all: every
-//! writer goes through [`whole`].
+//! writer goes through [`whole`]. Every reader opens its file through [`open_regular`].
 
 pub mod array;
 pub mod csr;
@@ -22,4 +22,5 @@ pub mod stl;
 pub mod vti;
 pub mod whole;
 
+pub use tomolith_core::files::{open_regular, read_regular};
 pub use whole::{give_up, write_folder_whole, write_whole, write_whole_under};

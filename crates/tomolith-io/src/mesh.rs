@@ -31,6 +31,7 @@ mod threemf;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result};
+use tomolith_core::files::read_regular;
 use tomolith_core::vector::{cross, dot, minus};
 
 pub use stl::write_stl_binary;
@@ -156,7 +157,7 @@ pub fn read_mesh(path: impl AsRef<Path>) -> Result<Mesh> {
         .and_then(|e| e.to_str())
         .unwrap_or_default();
     format_of(extension, path)?;
-    let bytes = std::fs::read(path).map_err(|e| Error::io(path, e))?;
+    let bytes = read_regular(path)?;
     parse_mesh(&bytes, extension, path)
 }
 

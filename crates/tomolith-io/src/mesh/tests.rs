@@ -231,6 +231,10 @@ fn missing_files_and_what_was_written_is_read_back() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("part.Stl");
     assert!(matches!(read_mesh(&path), Err(Error::Io { .. })));
+    std::fs::create_dir(&path).unwrap();
+    let text = read_mesh(&path).unwrap_err().to_string();
+    assert!(text.contains("is a folder"), "{text}");
+    std::fs::remove_dir(&path).unwrap();
     let mesh = part();
     write_stl_binary(&path, &mesh).unwrap();
     let back = read_mesh(&path).unwrap();
