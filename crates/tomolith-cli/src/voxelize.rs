@@ -7,8 +7,8 @@ use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use tomolith::grid::{PatternGrid, Volume, VolumeGrid};
 use tomolith::io::frames::{FrameSet, write_frames};
-use tomolith::io::mesh::write_stl_binary;
 use tomolith::io::npy::write_volume;
+use tomolith::io::stl::write_stl;
 use tomolith::io::vti::{VtiValues, write_vti};
 use tomolith::job::Document;
 use tomolith::job::resources::{memory_budget_mb, require};
@@ -175,12 +175,21 @@ fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>, run: &Run
             .collect();
     }
     write(&given.output, kind, &target, given.binary, run)?;
-    if let (Some(file), [mesh]) = (save, &shape.meshes()[..]) {
-        write_stl_binary(file, mesh)?;
+    let mut warnings = shape.warnings();
+    match (save, &shape.meshes()[..]) {
+        (Some(file), [mesh]) => {
+            let corners: Vec<[f32; 3]> =
+                mesh.vertices.iter().map(|p| p.map(|v| v as f32)).collect();
+            write_stl(file, &spec.name(), &corners, &mesh.triangles)?;
+        }
+        (Some(file), _) => warnings.push(format!(
+            "{} is not written: negative volumes are taken out of the voxels, not of the mesh",
+            file.display()
+        )),
+        (None, _) => {}
     }
     let [nz, ny, nx] = grid.shape;
     let exact = shape.volume_mm3();
-    let mut warnings = shape.warnings();
     warnings.extend(question);
     if part == 0 {
         let text = "no voxel is at least half inside: the voxels are too large for this part";

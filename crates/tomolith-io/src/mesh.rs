@@ -1,11 +1,11 @@
-//! Triangle meshes: STL, OBJ, PLY and 3MF in, binary STL out.
+//! Triangle meshes: STL, OBJ, PLY and 3MF in.
 //!
 //! | extension | what is read |
 //! |---|---|
-//! | `stl` | ASCII (several solids too) and binary, told apart by the file's length |
+//! | `stl` | ASCII (several solids too) and binary; the file's length decides |
 //! | `obj` | vertices and faces; polygons are cut into triangle fans, everything else is skipped |
-//! | `ply` | ASCII, binary little and big endian; `vertex` with x, y, z and `face` with a list of indices |
-//! | `3mf` | the build: items, components and their transforms, in the unit of the file |
+//! | `ply` | ASCII, binary little and big endian; `vertex` with x, y, z and `face` or `tristrips` with a list of indices |
+//! | `3mf` | the build: items, components and their transforms, in the unit of the file; negative volumes of slicers |
 //!
 //! Lengths come out in the file's numbers (3MF: in mm). Equal vertices are welded to one, triangles with two equal
 //! corners are dropped. Counts in headers are checked against the bytes that are there before anything is reserved, so a
@@ -15,7 +15,7 @@
 //! use std::path::Path;
 //! use tomolith_io::mesh::parse_mesh;
 //! let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-//! let mesh = parse_mesh(text.as_bytes(), "obj", Path::new("corner.obj")).unwrap();
+//! let mesh = parse_mesh(text.as_bytes(), "obj", Path::new("corner.obj")).unwrap().mesh;
 //! assert_eq!(mesh.vertices.len(), 4);
 //! assert!((mesh.signed_volume() - 1.0 / 6.0).abs() < 1e-15); // a corner cut off a unit cube: 1·1·1/6
 //! ```
@@ -26,6 +26,7 @@ pub mod samples;
 mod stl;
 #[cfg(test)]
 mod tests;
+mod text;
 mod threemf;
 
 use std::collections::HashMap;
@@ -33,8 +34,6 @@ use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::files::read_regular;
 use tomolith_core::vector::{cross, dot, minus};
-
-pub use stl::write_stl_binary;
 
 /// What [`read_mesh`] reads, for error messages.
 pub const ACCEPTED: &str =
@@ -145,12 +144,46 @@ impl Welder {
     }
 }
 
+/// What a mesh file holds.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MeshFile {
+    /// The surface of what is there.
+    pub mesh: Mesh,
+    /// The surface of what is taken out of it: negative volumes of slicers; empty in most files.
+    pub negative: Mesh,
+    /// What people should know of the file, one sentence each.
+    pub notes: Vec<String>,
+}
+
+impl MeshFile {
+    /// The surface alone, where nothing is taken out of it; `path` names the file in errors.
+    ///
+    /// # Errors
+    /// [`Error::Mesh`] where there are negative volumes.
+    pub fn whole(self, path: &Path) -> Result<Mesh> {
+        if self.negative.triangles.is_empty() {
+            return Ok(self.mesh);
+        }
+        let found = "negative volumes are taken out of it";
+        Err(bad(path, found, "a mesh that is whole by itself"))
+    }
+}
+
+impl From<Mesh> for MeshFile {
+    fn from(mesh: Mesh) -> Self {
+        MeshFile {
+            mesh,
+            ..MeshFile::default()
+        }
+    }
+}
+
 /// Reads a mesh file; the format follows from the extension, in upper or lower case.
 ///
 /// # Errors
 /// [`Error::Io`] when the file cannot be read; [`Error::Mesh`] when its extension is unknown or its content is no mesh:
 /// empty, truncated, damaged, with a coordinate that is no number, an index to a missing vertex, or no area at all.
-pub fn read_mesh(path: impl AsRef<Path>) -> Result<Mesh> {
+pub fn read_mesh(path: impl AsRef<Path>) -> Result<MeshFile> {
     let path = path.as_ref();
     let extension = path
         .extension()
@@ -165,27 +198,28 @@ pub fn read_mesh(path: impl AsRef<Path>) -> Result<Mesh> {
 ///
 /// # Errors
 /// [`Error::Mesh`] as in [`read_mesh`].
-pub fn parse_mesh(bytes: &[u8], extension: &str, path: &Path) -> Result<Mesh> {
+pub fn parse_mesh(bytes: &[u8], extension: &str, path: &Path) -> Result<MeshFile> {
     let parse = format_of(extension, path)?;
+    let mut collector = Collector {
+        path,
+        read: 0,
+        mesh: Welder::default(),
+        negative: Welder::default(),
+        notes: Vec::new(),
+    };
     if bytes.is_empty() {
-        return Err(bad(path, "the file is empty", ACCEPTED));
+        return Err(collector.refusal("the file is empty", ACCEPTED));
     }
-    let mut welder = Welder::default();
-    let mut place = 0usize;
-    parse(bytes, path, &mut |corners| {
-        place += 1;
-        check_corners(corners, place, path)?;
-        welder.push(corners);
-        Ok(())
-    })?;
-    check_whole(&welder.mesh, place, path)?;
-    Ok(welder.mesh)
+    parse(bytes, &mut collector)?;
+    check_whole(&collector)?;
+    Ok(MeshFile {
+        mesh: collector.mesh.mesh,
+        negative: collector.negative.mesh,
+        notes: collector.notes,
+    })
 }
 
-/// Receives triangles one after the other.
-type Sink<'a> = &'a mut dyn FnMut([[f64; 3]; 3]) -> Result<()>;
-
-type Parse = fn(&[u8], &Path, Sink) -> Result<()>;
+type Parse = fn(&[u8], &mut Collector) -> Result<()>;
 
 fn format_of(extension: &str, path: &Path) -> Result<Parse> {
     match extension.to_ascii_lowercase().as_str() {
@@ -202,20 +236,62 @@ fn format_of(extension: &str, path: &Path) -> Result<Parse> {
     }
 }
 
-fn check_corners(corners: [[f64; 3]; 3], number: usize, path: &Path) -> Result<()> {
-    for value in corners.iter().flatten() {
-        if !value.is_finite() || value.abs() > LARGEST_COORDINATE {
-            return Err(bad(
-                path,
-                format!("triangle {number} has a corner with coordinate {value}"),
-                format!("finite coordinates up to ±{LARGEST_COORDINATE:e}"),
-            ));
-        }
-    }
-    Ok(())
+/// Collects what a file holds.
+struct Collector<'a> {
+    path: &'a Path,
+    /// Triangles so far.
+    read: usize,
+    mesh: Welder,
+    negative: Welder,
+    notes: Vec<String>,
 }
 
-fn check_whole(mesh: &Mesh, read: usize, path: &Path) -> Result<()> {
+impl Collector<'_> {
+    fn triangle(&mut self, corners: [[f64; 3]; 3]) -> Result<()> {
+        self.check(corners)?;
+        self.mesh.push(corners);
+        Ok(())
+    }
+
+    /// A triangle of what is taken out.
+    fn negative(&mut self, corners: [[f64; 3]; 3]) -> Result<()> {
+        self.check(corners)?;
+        self.negative.push(corners);
+        Ok(())
+    }
+
+    /// Cuts a polygon into triangles round its first corner.
+    fn fan(&mut self, corners: &[[f64; 3]]) -> Result<()> {
+        let mut pairs = corners.windows(2).skip(1);
+        pairs.try_for_each(|pair| self.triangle([corners[0], pair[0], pair[1]]))
+    }
+
+    fn note(&mut self, sentence: String) {
+        self.notes.push(sentence);
+    }
+
+    fn refusal(&self, found: impl Into<String>, accepted: impl Into<String>) -> Error {
+        bad(self.path, found, accepted)
+    }
+
+    fn check(&mut self, corners: [[f64; 3]; 3]) -> Result<()> {
+        self.read += 1;
+        let is_bad = |v: &&f64| !v.is_finite() || v.abs() > LARGEST_COORDINATE;
+        match corners.iter().flatten().find(is_bad) {
+            None => Ok(()),
+            Some(value) => Err(self.refusal(
+                format!(
+                    "triangle {} has a corner with coordinate {value}",
+                    self.read
+                ),
+                format!("finite coordinates up to ±{LARGEST_COORDINATE:e}"),
+            )),
+        }
+    }
+}
+
+fn check_whole(collector: &Collector) -> Result<()> {
+    let (mesh, read, path) = (&collector.mesh.mesh, collector.read, collector.path);
     if read == 0 {
         return Err(bad(path, "there is no triangle in it", ACCEPTED));
     }

@@ -140,7 +140,7 @@ mod tests {
             colors: &[[1, 2, 3]; 4],
         };
         write_ply(&path, "two\nlines", &corners, &triangles).unwrap();
-        let mesh = read_mesh(&path).unwrap();
+        let mesh = read_mesh(&path).unwrap().mesh;
         assert_eq!((mesh.vertices.len(), mesh.triangles.len()), (4, 4));
         for (t, triangle) in triangles.iter().enumerate() {
             let expected = triangle.map(|i: u32| places[i as usize].map(f64::from));

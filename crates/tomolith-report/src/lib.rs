@@ -572,7 +572,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("print.ply");
         write_print(&path, "größer", &deviation).unwrap();
-        let mesh = tomolith_io::mesh::read_mesh(&path).unwrap();
+        let mesh = tomolith_io::mesh::read_mesh(&path).unwrap().mesh;
         assert_eq!(mesh.triangles.len(), deviation.surface.triangles.len());
     }
 

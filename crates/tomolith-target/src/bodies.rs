@@ -42,7 +42,7 @@ use tomolith_core::grid::{Volume, VolumeGrid};
 use tomolith_core::parallel::elements;
 use tomolith_core::run::Run;
 use tomolith_core::units::concise;
-use tomolith_io::mesh::Mesh;
+use tomolith_io::mesh::{Mesh, MeshFile};
 
 /// What a body is there for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
@@ -122,7 +122,7 @@ impl Assembly {
         let present: Vec<usize> = (0..bodies.len()).filter(counts).collect();
         let hull: Vec<[f64; 3]> = present
             .iter()
-            .flat_map(|&i| meshes[i].vertices.iter().copied())
+            .flat_map(|&i| meshes[i].mesh.vertices.iter().copied())
             .collect();
         let map = placement.map(&hull, 0.0, section)?;
         let mut groups: [Group; 3] = Default::default();
@@ -161,9 +161,9 @@ fn meshes(
     bodies: &[BodySpec],
     folder: &Path,
     section: &str,
-) -> Result<Vec<Mesh>> {
+) -> Result<Vec<MeshFile>> {
     let key = |i: usize| format!("{section}.body[{i}]");
-    let mut meshes = vec![Mesh::default(); bodies.len()];
+    let mut meshes = vec![MeshFile::default(); bodies.len()];
     let mut done = vec![false; bodies.len()];
     for first in 0..bodies.len() {
         if done[first] {
@@ -185,7 +185,7 @@ fn meshes(
                 "`target.mesh_unit`, the unit of the file that bodies share",
             ));
         }
-        let mesh = mesh_unit::read(&folder.join(&file), unit, &key(first))
+        let mut file_content = mesh_unit::read(&folder.join(&file), unit, &key(first))
             .map_err(|e| at_key(e, &format!("{}.mesh", key(first))))?;
         let is_same = |i: &usize| {
             (file_of(spec, &bodies[*i]), unit_of(spec, &bodies[*i])) == (file.clone(), unit)
@@ -197,10 +197,10 @@ fn meshes(
         if let [only] = sharing[..]
             && bodies[only].components.is_none()
         {
-            meshes[only] = mesh_unit::in_mm(mesh, unit);
+            meshes[only] = mesh_unit::in_mm(file_content, unit);
             continue;
         }
-        let parts = components(&mesh);
+        let parts = components(&file_content.mesh);
         share_out(&parts, &sharing, bodies, &key)?;
         for &i in &sharing {
             let chosen = bodies[i]
@@ -210,7 +210,12 @@ fn meshes(
                 .map(|&c| &parts[c - 1]);
             let corners =
                 chosen.flat_map(|part| (0..part.triangles.len()).map(|t| part.corners(t)));
-            meshes[i] = mesh_unit::in_mm(Mesh::of_corners(corners), unit);
+            let body = MeshFile {
+                mesh: Mesh::of_corners(corners),
+                negative: file_content.negative.clone(),
+                notes: std::mem::take(&mut file_content.notes),
+            };
+            meshes[i] = mesh_unit::in_mm(body, unit);
         }
     }
     Ok(meshes)
@@ -431,8 +436,7 @@ impl Shape for Assembly {
 mod tests {
     use super::*;
     use crate::build;
-    use tomolith_io::mesh::samples::{cuboid, inverted, together};
-    use tomolith_io::mesh::write_stl_binary;
+    use tomolith_io::mesh::samples::{cuboid, inverted, stl_binary, together};
 
     /// A folder with two boxes that touch and one apart in a file, and a rod through the first in another.
     fn folder() -> tempfile::TempDir {
@@ -440,8 +444,9 @@ mod tests {
         let big = cuboid([0.0; 3], [4.0, 4.0, 4.0]);
         let hole = inverted(cuboid([1.0; 3], [2.0; 3]));
         let small = cuboid([6.0, 0.0, 0.0], [8.0, 2.0, 2.0]);
-        let write =
-            |name: &str, mesh: &Mesh| write_stl_binary(folder.path().join(name), mesh).unwrap();
+        let write = |name: &str, mesh: &Mesh| {
+            std::fs::write(folder.path().join(name), stl_binary(mesh)).unwrap()
+        };
         write("two.stl", &together(&[small, big, hole]));
         write("rod.stl", &cuboid([3.0, 1.0, -1.0], [5.0, 3.0, 5.0]));
         write("beside.stl", &cuboid([4.0, 1.0, 0.0], [5.0, 3.0, 4.0]));

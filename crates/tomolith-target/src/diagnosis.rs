@@ -9,12 +9,11 @@
 //!    patch to the majority.
 //! 3. **Holes**: edges without a partner are closed by a fan to the middle of their loop. That closes flat holes exactly,
 //!    and small ones (1 % of the surface) plausibly.
-//! 4. **Inside out**: with negative volume as a whole, all triangles are turned.
-//! 5. **Shells**: a shell of negative volume inside another shell is a cavity and stays; one that lies in no shell is
-//!    turned.
-//! 6. **Crossings**: [edges that run through triangles](Crossings), of their own shell or of another, are counted and the
+//! 4. **Inside out**: a shell of negative volume inside a solid is a cavity and stays. One that lies in no solid is
+//!    turned, and with it all shells that lie in it: a mirrored part keeps its cavities.
+//! 5. **Crossings**: [edges that run through triangles](Crossings), of their own shell or of another, are counted and the
 //!    deepest is located; surfaces that touch, or lie in each other, do not cross.
-//! 7. **Overlap**: lines on a lattice of 256 along the longer of y and z look for winding numbers above 1 (shells that
+//! 6. **Overlap**: lines on a lattice of 256 along the longer of y and z look for winding numbers above 1 (shells that
 //!    intersect or lie in each other: their union counts) or below 0 (surfaces that pass through themselves; such
 //!    places count as outside). It measures overlaps that are thicker than 1/256 of the part.
 //!
@@ -30,13 +29,13 @@ mod tidy;
 
 pub use crossings::Crossings;
 use crossings::find_crossings;
-use edges::{Edges, agree, turn};
+use edges::{Edges, agree};
 use holes::close;
 use overlaps::find_overlaps;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 pub(super) use shells::components;
-use shells::turn_lone_shells;
+use shells::turn_bodies;
 use std::path::Path;
 use tidy::{drop_doubles, weld_cracks};
 use tomolith_core::error::{Error, Result};
@@ -90,11 +89,11 @@ pub struct Diagnosis {
     pub turned_triangles: usize,
     /// Edges that still disagree then: the surface has one side only.
     pub one_sided_edges: usize,
-    /// Whether the whole mesh was inside out.
+    /// Whether all shells were inside out.
     pub inside_out: bool,
     /// Volume of every shell after all repairs, cavities negative, mm³.
     pub shell_volumes_mm3: Vec<f64>,
-    /// Shells that were inside out on their own and were turned: a point on each.
+    /// Shells that were inside out and were turned: a point on each.
     pub turned_shells_at: Vec<[f64; 3]>,
     /// Edges that run through a triangle of their own shell.
     pub own_crossings: Crossings,
@@ -179,10 +178,9 @@ impl Diagnosis {
                 "The whole mesh was inside out (negative volume); all triangles were turned."
                     .into(),
             );
-        }
-        if let Some(&at) = self.turned_shells_at.first() {
+        } else if let Some(&at) = self.turned_shells_at.first() {
             said.push(format!(
-                "{} of {} shells were inside out and lie in no other shell, the first near {}; they were turned.",
+                "{} of {} shells belong to bodies that were inside out, the first near {}; they were turned.",
                 self.turned_shells_at.len(),
                 self.shell_volumes_mm3.len(),
                 place(at)
@@ -301,12 +299,8 @@ pub(super) fn examine(
                 .to_owned(),
         });
     }
-    if mesh.signed_volume() < 0.0 {
-        found.inside_out = true;
-        mesh.triangles.iter_mut().for_each(turn);
-    }
     run.check()?;
-    turn_lone_shells(&mut mesh, &mut found);
+    turn_bodies(&mut mesh, &mut found);
     let [low, high] = mesh.bounds();
     let diagonal = dot(minus(high, low), minus(high, low)).sqrt();
     let volume = found.signed_volume_mm3();

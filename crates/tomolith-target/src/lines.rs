@@ -6,24 +6,37 @@
 //! edge agree to the last bit: lines through vertices and edges count once, and the winding number of a closed mesh
 //! returns to zero on every line, whatever rounding does to the places of the crossings.
 
+use std::borrow::Cow;
 use std::ops::Range;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_io::mesh::Mesh;
 
-/// A mesh in voxel units of a grid: the grid covers 0…nx, 0…ny, 0…nz.
+/// How often a negative volume counts: more often than shells of a part lie in each other.
+const NEGATIVE: i32 = 1 << 20;
+
+/// A mesh in voxel units of a grid: the grid covers 0…nx, 0…ny, 0…nz. Where negative volumes are taken out of it, the
+/// winding number is far below zero.
 pub(super) struct Scaled<'a> {
     vertices: Vec<[f64; 3]>,
-    triangles: &'a [[u32; 3]],
+    triangles: Cow<'a, [[u32; 3]]>,
+    /// Triangles of the part; those of negative volumes follow.
+    part: usize,
     z_ranges: Vec<[f32; 2]>,
 }
 
 impl<'a> Scaled<'a> {
-    pub(super) fn new(mesh: &'a Mesh, grid: &VolumeGrid) -> Self {
+    pub(super) fn new(mesh: &'a Mesh, negative: Option<&Mesh>, grid: &VolumeGrid) -> Self {
         let [low, _] = grid.bounds_mm();
         let to_voxels = |p: &[f64; 3]| std::array::from_fn(|i| (p[i] - low[i]) / grid.pitch_mm);
-        let vertices: Vec<[f64; 3]> = mesh.vertices.iter().map(to_voxels).collect();
-        let z_ranges = mesh
-            .triangles
+        let mut vertices: Vec<[f64; 3]> = mesh.vertices.iter().map(to_voxels).collect();
+        let mut triangles = Cow::Borrowed(&mesh.triangles[..]);
+        if let Some(negative) = negative {
+            let first = vertices.len() as u32;
+            vertices.extend(negative.vertices.iter().map(to_voxels));
+            let shifted = negative.triangles.iter().map(|t| t.map(|v| v + first));
+            triangles.to_mut().extend(shifted);
+        }
+        let z_ranges = triangles
             .iter()
             .map(|t| {
                 let z = t.map(|v| vertices[v as usize][2]);
@@ -34,13 +47,19 @@ impl<'a> Scaled<'a> {
             .collect();
         Scaled {
             vertices,
-            triangles: &mesh.triangles,
+            triangles,
+            part: mesh.triangles.len(),
             z_ranges,
         }
     }
 
     pub(super) fn corners(&self, triangle: u32) -> [[f64; 3]; 3] {
         self.triangles[triangle as usize].map(|v| self.vertices[v as usize])
+    }
+
+    /// Whether the triangle belongs to a negative volume.
+    pub(super) fn is_negative(&self, triangle: u32) -> bool {
+        triangle as usize >= self.part
     }
 
     /// Heights between which a triangle lies, rounded outwards.
@@ -89,6 +108,7 @@ impl Lines {
             let Some([start, end, direction]) = segment(mesh, t, z) else {
                 continue;
             };
+            let weight = if mesh.is_negative(t) { -NEGATIVE } else { 1 };
             // The estimate may be off by rounding; the half-open rule decides
             let guess = ((start[0] - first) / step).floor().max(range.start as f64) as usize;
             for line in guess.saturating_sub(1).max(range.start)..range.end {
@@ -103,7 +123,7 @@ impl Lines {
                 self.crossings.push(Crossing {
                     line: line as u32,
                     x: start[1] + share * (end[1] - start[1]),
-                    step: direction[0] as i32,
+                    step: direction[0] as i32 * weight,
                 });
             }
         }
@@ -166,7 +186,7 @@ mod tests {
             height_mm: 1.0,
             center_mm: [0.5; 3],
         };
-        let scaled = Scaled::new(mesh, &grid);
+        let scaled = Scaled::new(mesh, None, &grid);
         let all = scaled.between(z, z);
         ys.iter()
             .map(|&y| {

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use std::path::Path;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::units::concise;
-use tomolith_io::mesh::{Mesh, read_mesh};
+use tomolith_io::mesh::{MeshFile, read_mesh};
 
 /// Unit of the numbers in a mesh file.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
@@ -75,7 +75,7 @@ impl MeshUnit {
 ///
 /// # Errors
 /// As [`read_mesh`]; [`Error::Config`] for an image, and for a unit beside a 3MF file, which has its own.
-pub(super) fn read(path: &Path, unit: Option<MeshUnit>, section: &str) -> Result<Mesh> {
+pub(super) fn read(path: &Path, unit: Option<MeshUnit>, section: &str) -> Result<MeshFile> {
     let ending = path.extension().unwrap_or_default().to_ascii_lowercase();
     if ["png", "tif", "tiff"].iter().any(|image| ending == **image) {
         return Err(Error::config(
@@ -94,14 +94,15 @@ pub(super) fn read(path: &Path, unit: Option<MeshUnit>, section: &str) -> Result
     read_mesh(path)
 }
 
-/// A mesh in mm.
-pub(super) fn in_mm(mut mesh: Mesh, unit: Option<MeshUnit>) -> Mesh {
+/// A file's meshes in mm.
+pub(super) fn in_mm(mut file: MeshFile, unit: Option<MeshUnit>) -> MeshFile {
     let factor = unit.unwrap_or_default().mm();
     if factor != 1.0 {
-        let values = mesh.vertices.iter_mut().flatten();
+        let vertices = [&mut file.mesh, &mut file.negative].map(|mesh| &mut mesh.vertices);
+        let values = vertices.into_iter().flatten().flatten();
         values.for_each(|value| *value *= factor);
     }
-    mesh
+    file
 }
 
 impl TargetSpec {

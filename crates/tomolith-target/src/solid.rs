@@ -8,12 +8,16 @@ use std::path::Path;
 use tomolith_core::error::Result;
 use tomolith_core::grid::{Volume, VolumeGrid};
 use tomolith_core::run::Run;
-use tomolith_io::mesh::Mesh;
+use tomolith_io::mesh::{Mesh, MeshFile};
 
 /// A placed mesh: closed, outward, in mm.
 #[derive(Clone, Debug)]
 pub struct MeshShape {
     mesh: Mesh,
+    /// What is taken out of it.
+    negative: Option<Mesh>,
+    /// What people should know of the file.
+    notes: Vec<String>,
     bounds_mm: [[f64; 3]; 2],
     diagnosis: Diagnosis,
 }
@@ -26,29 +30,44 @@ impl MeshShape {
     /// [`Error::Config`](tomolith_core::Error::Config) for a bad placement, [`Error::Mesh`](tomolith_core::Error::Mesh) when the mesh
     /// encloses no volume or cannot be repaired.
     pub fn new(
-        mesh: Mesh,
+        file: impl Into<MeshFile>,
         placement: &Placement,
         path: &Path,
         section: &str,
         repair: Repair,
     ) -> Result<Self> {
-        let map = placement.map(&mesh.vertices, 0.0, section)?;
-        Self::placed(mesh, &map, path, repair, &Run::new())
+        let file = file.into();
+        let map = placement.map(&file.mesh.vertices, 0.0, section)?;
+        Self::placed(file, &map, path, repair, &Run::new())
     }
 
     /// The same as part of a run, with a map that is known.
     pub(super) fn placed(
-        mut mesh: Mesh,
+        file: MeshFile,
         map: &Map,
         path: &Path,
         repair: Repair,
         run: &Run,
     ) -> Result<Self> {
-        map.apply_to(&mut mesh);
+        let placed = |mut mesh: Mesh| {
+            map.apply_to(&mut mesh);
+            mesh
+        };
+        let mesh = placed(file.mesh);
         let bounds_mm = mesh.bounds();
         let (mesh, diagnosis) = examine(mesh, path, repair, run)?;
+        let mut notes = file.notes;
+        let mut negative = None;
+        if !file.negative.triangles.is_empty() {
+            let (mesh, found) = examine(placed(file.negative), path, repair, run)?;
+            let sentences = found.sentences().into_iter();
+            notes.extend(sentences.map(|said| format!("Negative volumes: {said}")));
+            negative = Some(mesh);
+        }
         Ok(MeshShape {
             mesh,
+            negative,
+            notes,
             bounds_mm,
             diagnosis,
         })
@@ -60,7 +79,7 @@ impl MeshShape {
         &self.diagnosis
     }
 
-    /// The placed mesh, closed and outward, mm.
+    /// The placed mesh, closed and outward, mm; what is taken out of it is not.
     #[must_use]
     pub fn mesh(&self) -> &Mesh {
         &self.mesh
@@ -73,22 +92,26 @@ impl Shape for MeshShape {
     }
 
     fn sample_under(&self, grid: &VolumeGrid, run: &Run) -> Result<Volume<f32>> {
-        inside_fractions(&self.mesh, grid, run)
+        inside_fractions(&self.mesh, self.negative.as_ref(), grid, run)
     }
 
     /// Known when the winding number is 0 or 1 everywhere; shells that overlap have a union, which has no simple formula.
     fn volume_mm3(&self) -> Option<f64> {
-        self.diagnosis
-            .is_simple()
-            .then(|| self.diagnosis.signed_volume_mm3())
+        let is_known = self.negative.is_none() && self.diagnosis.is_simple();
+        is_known.then(|| self.diagnosis.signed_volume_mm3())
     }
 
     fn meshes(&self) -> Vec<&Mesh> {
-        vec![&self.mesh]
+        match self.negative {
+            None => vec![&self.mesh],
+            Some(_) => Vec::new(), // the surface of a difference is not known
+        }
     }
 
     fn warnings(&self) -> Vec<String> {
-        self.diagnosis.sentences()
+        let mut all = self.notes.clone();
+        all.extend(self.diagnosis.sentences());
+        all
     }
 }
 
@@ -100,7 +123,7 @@ mod tests {
 
     fn voxels(bytes: &[u8], extension: &str) -> Volume<f32> {
         let path = Path::new("part");
-        let mesh = parse_mesh(bytes, extension, path).unwrap();
+        let mesh = parse_mesh(bytes, extension, path).unwrap().mesh;
         let shape =
             MeshShape::new(mesh, &Placement::default(), path, "target", Repair::Safe).unwrap();
         shape
@@ -146,7 +169,7 @@ mod tests {
         let turned = scaled(&part, |[x, y, z]| [-y, x, z + 1.0]);
         let expected = together(&[turned, scaled(&part, |p| p)]).welded();
         let bytes = package(model("inch", &part, "", build));
-        let found = parse_mesh(&bytes, "3mf", Path::new("part")).unwrap();
+        let found = parse_mesh(&bytes, "3mf", Path::new("part")).unwrap().mesh;
         assert_eq!(found.triangles, expected.triangles);
         for (a, b) in found.vertices.iter().zip(&expected.vertices) {
             assert!((0..3).all(|i| (a[i] - b[i]).abs() < 1e-12), "{a:?} {b:?}");

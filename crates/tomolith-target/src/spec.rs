@@ -194,12 +194,12 @@ pub fn build_under(
         }
         Source::Mesh(file) => {
             let path = base_folder.join(file);
-            let mesh = mesh_unit::read(&path, spec.mesh_unit, section_path)?;
-            let mesh = mesh_unit::in_mm(mesh, spec.mesh_unit);
+            let file = mesh_unit::read(&path, spec.mesh_unit, section_path)?;
+            let file = mesh_unit::in_mm(file, spec.mesh_unit);
             let repair = spec.repair.unwrap_or_default();
             run.check()?;
-            let map = placement.map(&mesh.vertices, 0.0, section_path)?;
-            let shape = MeshShape::placed(mesh, &map, &path, repair, run)?;
+            let map = placement.map(&file.mesh.vertices, 0.0, section_path)?;
+            let shape = MeshShape::placed(file, &map, &path, repair, run)?;
             Ok(Box::new(shape))
         }
         Source::Phantom(table) => {
@@ -402,7 +402,8 @@ mod tests {
     fn a_mesh_has_the_unit_that_the_job_says() {
         let folder = tempfile::tempdir().unwrap();
         let cube = tomolith_io::mesh::samples::cuboid([0.0; 3], [0.002, 0.004, 0.006]);
-        tomolith_io::mesh::write_stl_binary(folder.path().join("a.stl"), &cube).unwrap();
+        let bytes = tomolith_io::mesh::samples::stl_binary(&cube);
+        std::fs::write(folder.path().join("a.stl"), bytes).unwrap();
         let size = |toml: &str| {
             let spec: TargetSpec = toml::from_str(toml).unwrap();
             let [low, high] = build(&spec, folder.path(), "target").unwrap().bounds_mm();

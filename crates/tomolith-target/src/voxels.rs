@@ -8,7 +8,7 @@
 //! touch, rays through an edge) need no rules: they have no area. Cost: one piece per crossed voxel.
 //!
 //! **Sampled where shells overlap.** There the sum counts a place twice. Rows where a line sees a winding number other
-//! than 0 and 1, or the sum leaves [0, 1], are computed again from 64 lines per voxel row, exact along each line:
+//! than 0 and 1, or the sum leaves [0, 1], and those that negative volumes reach, are computed again from 64 lines per voxel row, exact along each line:
 //! inside ⇔ winding number > 0. See [`Lines`].
 //!
 //! Results do not depend on the number of threads: a slice is one task, and sums run in the order of the triangles.
@@ -27,15 +27,29 @@ const SLICES: usize = 8;
 /// overlapped: shells that touch up to the rounding of their files do not.
 const TOLERANCE: f64 = 1e-3;
 
-/// Inside fraction of every voxel of `grid`, for a closed mesh in mm.
+/// Fractions are kept in f32, whose step below 1 is 2⁻²⁴: a sum that lies nearer to 1 becomes 1. The same holds for 0: what
+/// is less than that is no material, but what rounding leaves of a sum over surfaces that cancel.
+const STEP: f64 = 1.0 / (1 << 24) as f64;
+
+/// A sum as the fraction of a voxel.
+fn fraction(sum: f64) -> f32 {
+    if sum < STEP { 0.0 } else { sum.min(1.0) as f32 }
+}
+
+/// Inside fraction of every voxel of `grid`, for a closed mesh in mm, less what lies in the negative one.
 ///
 /// # Errors
 /// [`Error::Resources`] when the memory for the grid cannot be had; [`Error::Canceled`].
-pub(super) fn inside_fractions(mesh: &Mesh, grid: &VolumeGrid, run: &Run) -> Result<Volume<f32>> {
+pub(super) fn inside_fractions(
+    mesh: &Mesh,
+    negative: Option<&Mesh>,
+    grid: &VolumeGrid,
+    run: &Run,
+) -> Result<Volume<f32>> {
     let mut values = zeros(grid)?;
     let [nz, ny, nx] = grid.shape;
     if !values.is_empty() {
-        let scaled = Scaled::new(mesh, grid);
+        let scaled = Scaled::new(mesh, negative, grid);
         let mut overlapped = vec![false; nz * ny];
         let blocks = run.steps(nz.div_ceil(SLICES));
         values
@@ -108,8 +122,19 @@ fn fill_slices(
         let z = (first + i) as f64;
         for &t in &active {
             let [low, high] = mesh.z_range(t);
-            if low < z + 1.0 && high > z {
-                sums.add_triangle(mesh.corners(t), z);
+            if low >= z + 1.0 || high <= z {
+                continue;
+            }
+            let corners = mesh.corners(t);
+            if mesh.is_negative(t) {
+                let [low, high] = Polygon::new(corners).range(1).map(|y| y.max(0.0) as usize);
+                overlapped
+                    .iter_mut()
+                    .take(high + 1)
+                    .skip(low)
+                    .for_each(|row| *row = true);
+            } else {
+                sums.add_triangle(corners, z);
             }
         }
         sums.finish(slice, overlapped);
@@ -169,7 +194,7 @@ fn sample_rows(mesh: &Scaled, iz: usize, nx: usize, rows: &[bool], slice: &mut [
         if marked {
             let span = row * nx..(row + 1) * nx;
             for (value, sum) in slice[span.clone()].iter_mut().zip(&sums[span]) {
-                *value = (sum * share) as f32;
+                *value = fraction(sum * share);
             }
         }
     }
@@ -277,7 +302,7 @@ impl Sums {
                 .rev()
             {
                 sum += std::mem::take(difference);
-                *value = sum.clamp(0.0, 1.0) as f32;
+                *value = fraction(sum);
                 *overlapped |= !(-TOLERANCE..=1.0 + TOLERANCE).contains(&sum);
             }
         }
@@ -370,7 +395,7 @@ mod tests {
 
     fn sampled(mesh: Mesh, grid: &VolumeGrid) -> Volume<f32> {
         let (mesh, _) = examine(mesh, Path::new("test"), Repair::Safe, &Run::new()).unwrap();
-        inside_fractions(&mesh, grid, &Run::new()).unwrap()
+        inside_fractions(&mesh, None, grid, &Run::new()).unwrap()
     }
 
     fn volume(volume: &Volume<f32>) -> f64 {
@@ -555,11 +580,75 @@ mod tests {
     }
 
     #[test]
+    fn equal_shells_of_which_one_is_flipped_are_their_union() {
+        let (one, two) = (cuboid([-1.5; 3], [0.5; 3]), cuboid([-0.5; 3], [1.5; 3]));
+        let grid = VolumeGrid::centered([40; 3], 0.1);
+        let both = sampled(together(&[one.clone(), two.clone()]), &grid);
+        assert!((volume(&both) - 15.0).abs() < 1e-2, "{}", volume(&both));
+        assert_eq!(
+            sampled(together(&[inverted(one.clone()), two.clone()]), &grid),
+            both
+        );
+        assert_eq!(sampled(together(&[one, inverted(two)]), &grid), both);
+    }
+
+    #[test]
+    fn negative_volumes_are_taken_out_of_all_shells_wherever_they_end() {
+        // Two shells that overlap, a rod through both that sticks out, and a box that ends flush with a face
+        let part = together(&[cuboid([-2.0; 3], [2.0; 3]), cuboid([-1.0; 3], [1.0; 3])]);
+        let rod = cuboid([-0.5, -0.5, -3.0], [0.5, 0.5, 3.0]);
+        let flush = cuboid([1.0, 1.0, 1.0], [2.0; 3]);
+        let negative = together(&[rod, flush]);
+        for pitch in [0.1, 0.13] {
+            let grid = VolumeGrid::centered([48; 3], pitch);
+            let left = inside_fractions(&part, Some(&negative), &grid, &Run::new()).unwrap();
+            let found = volume(&left);
+            assert!(
+                (found - (64.0 - 4.0 - 1.0)).abs() < 0.05,
+                "{pitch}: {found}"
+            );
+            for (i, value) in left.values.iter().enumerate() {
+                let [ix, iy, iz] = [i % 48, i / 48 % 48, i / (48 * 48)];
+                let taken = [grid.x(ix), grid.y(iy), grid.z(iz)];
+                let half = pitch / 2.0;
+                let in_rod = taken[0].abs() + half < 0.5 && taken[1].abs() + half < 0.5;
+                let in_flush = taken.iter().all(|v| v - half > 1.0);
+                assert!(!(in_rod || in_flush) || *value == 0.0, "{taken:?}: {value}");
+            }
+        }
+    }
+
+    #[test]
+    fn rounding_leaves_nothing_outside_and_misses_nothing_inside() {
+        let mesh = turned(ball([0.0; 3], 2.0, 4), [13.0, 29.0, 47.0]);
+        let grid = VolumeGrid::centered([67; 3], 0.07);
+        let values = sampled(mesh, &grid).values;
+        let least = values
+            .iter()
+            .filter(|v| **v > 0.0)
+            .fold(1.0f32, |a, b| a.min(*b));
+        assert!(f64::from(least) >= STEP, "{least:e}");
+        for (i, value) in values.iter().enumerate() {
+            let away: f64 = [grid.x(i % 67), grid.y(i / 67 % 67), grid.z(i / (67 * 67))]
+                .iter()
+                .map(|v| v * v)
+                .sum::<f64>()
+                .sqrt();
+            // Half a diagonal of a voxel; the ball of triangles is up to 1 % smaller
+            if away > 2.0 + 0.061 {
+                assert_eq!(*value, 0.0);
+            } else if away < 1.98 - 0.061 {
+                assert_eq!(*value, 1.0);
+            }
+        }
+    }
+
+    #[test]
     fn sampled_rows_agree_with_the_exact_sums() {
         let mesh = turned(ball([0.0; 3], 1.5, 3), [5.0, 6.0, 7.0]);
         let grid = VolumeGrid::centered([20, 18, 22], 0.2);
         let exact = sampled(mesh.clone(), &grid);
-        let scaled = Scaled::new(&mesh, &grid);
+        let scaled = Scaled::new(&mesh, None, &grid);
         let (mut worst, mut sum) = (0.0f32, 0.0f64);
         for iz in 0..20 {
             let mut slice = vec![0.0; 18 * 22];
@@ -603,7 +692,7 @@ mod tests {
         )
         .unwrap();
         assert!(matches!(
-            inside_fractions(&mesh, &grid, &Run::new()),
+            inside_fractions(&mesh, None, &grid, &Run::new()),
             Err(Error::Resources { .. })
         ));
     }

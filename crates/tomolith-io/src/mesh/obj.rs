@@ -1,58 +1,136 @@
 //! Wavefront OBJ: only vertices (`v`) and faces (`f`) matter here.
+//!
+//! Of a vertex the first three numbers count: colors may follow, and a weight, which is for curves alone. Normals,
+//! materials, names and comments cannot make a good surface unreadable; free-form surfaces are refused.
 
-use super::{Sink, bad};
-use std::io::Cursor;
-use std::path::Path;
+use super::Collector;
+use super::text::{decoded, lines, number, shown, words_of};
 use tomolith_core::error::Result;
 
-/// Reads vertices and faces. All other lines (normals, materials, names, comments in any encoding) are taken out first:
-/// they cannot make a good surface unreadable then.
-pub(super) fn parse(bytes: &[u8], path: &Path, sink: Sink) -> Result<()> {
-    let options = tobj::LoadOptions {
-        triangulate: true,
-        ignore_points: true,
-        ignore_lines: true,
-        ..Default::default()
-    };
-    let surface = surface_lines(bytes);
-    let (models, _) = tobj::load_obj_buf(&mut Cursor::new(surface), &options, |_| {
-        Ok(Default::default())
-    })
-    .map_err(|e| {
-        bad(
-            path,
-            format!("damaged OBJ: {e}"),
-            "an OBJ file with `v x y z` and `f i j k …` lines",
-        )
-    })?;
-    for model in &models {
-        let corner = |i: u32| {
-            let at = 3 * i as usize;
-            std::array::from_fn(|axis| model.mesh.positions[at + axis])
-        };
-        for triangle in model.mesh.indices.chunks_exact(3) {
-            sink([0, 1, 2].map(|i| corner(triangle[i])))?;
-        }
-    }
-    Ok(())
+const ACCEPTED: &str = "an OBJ file with `v x y z` and `f i j k …` lines";
+
+/// Vertices so far, and the corners of faces with their lines.
+#[derive(Default)]
+struct Surface {
+    points: Vec<[f64; 3]>,
+    /// Line of the first vertex with a weight other than 1.
+    weighted: Option<usize>,
+    faces: Vec<Face>,
 }
 
-/// The `v` and `f` lines, those that a backslash continues joined to one.
-fn surface_lines(bytes: &[u8]) -> Vec<u8> {
-    let mut kept = Vec::with_capacity(bytes.len());
-    let mut wanted = false;
-    let mut continued = false;
-    for line in bytes.split(|&b| b == b'\n').map(<[u8]>::trim_ascii) {
-        if !continued {
-            wanted = matches!(line, [b'v' | b'f', b' ' | b'\t', ..]);
+struct Face {
+    line: usize,
+    /// Numbers of vertices, from 0; a file may use them before they come.
+    corners: Vec<usize>,
+}
+
+pub(super) fn parse(bytes: &[u8], out: &mut Collector) -> Result<()> {
+    let text = decoded(bytes);
+    let mut surface = Surface::default();
+    let mut statement: Vec<&[u8]> = Vec::new();
+    let mut last = 0;
+    for (line, content) in lines(&text) {
+        let content = content.split(|b| *b == b'#').next().unwrap_or_default();
+        let content = content.trim_ascii_end();
+        let whole = content.strip_suffix(b"\\");
+        statement.extend(words_of(whole.unwrap_or(content)));
+        if whole.is_none() {
+            surface.take(&statement, line, out)?;
+            statement.clear();
         }
-        let text = line.strip_suffix(b"\\").unwrap_or(line);
-        continued = text.len() < line.len();
-        if wanted {
-            // A comment may follow on the line
-            kept.extend_from_slice(text.split(|&b| b == b'#').next().unwrap_or_default());
-            kept.push(if continued { b' ' } else { b'\n' });
-        }
+        last = line;
     }
-    kept
+    surface.take(&statement, last, out)?;
+    if surface.faces.is_empty() {
+        let found = match surface.points.len() {
+            0 => format!(
+                "no `v` and no `f` in it (it begins with `{}`)",
+                shown(&text)
+            ),
+            points => format!("{points} vertices and no face (`f`)"),
+        };
+        return Err(out.refusal(found, ACCEPTED));
+    }
+    surface.send(out)
+}
+
+impl Surface {
+    /// Takes a statement that ends on a line.
+    fn take(&mut self, words: &[&[u8]], line: usize, out: &Collector) -> Result<()> {
+        let refuse = |found: String| Err(out.refusal(format!("line {line}: {found}"), ACCEPTED));
+        match words {
+            [b"v", numbers @ ..] => {
+                let mut point = [f64::NAN; 3];
+                for (axis, value) in point.iter_mut().enumerate() {
+                    let word = numbers.get(axis).copied().unwrap_or_default();
+                    match number(word) {
+                        Some(read) => *value = read,
+                        None => {
+                            return refuse(format!("`{}` in place of a coordinate", shown(word)));
+                        }
+                    }
+                }
+                let weight = numbers.get(3).and_then(|word| number::<f64>(word));
+                if numbers.len() == 4 && weight != Some(1.0) {
+                    self.weighted.get_or_insert(line);
+                }
+                self.points.push(point);
+            }
+            [b"f" | b"fo", corners @ ..] => {
+                let known = self.points.len();
+                let mut face = Vec::with_capacity(corners.len());
+                for word in corners {
+                    let first = word.split(|b| *b == b'/').next().unwrap_or_default();
+                    let index = match number::<i64>(first) {
+                        Some(i) if i > 0 => usize::try_from(i - 1).ok(),
+                        Some(i) if i < 0 => usize::try_from(i.unsigned_abs())
+                            .ok()
+                            .and_then(|back| known.checked_sub(back)),
+                        _ => None,
+                    };
+                    match index {
+                        Some(index) => face.push(index),
+                        None => {
+                            return refuse(format!("a face refers to vertex `{}`", shown(first)));
+                        }
+                    }
+                }
+                self.faces.push(Face {
+                    line,
+                    corners: face,
+                });
+            }
+            [b"surf", ..] => {
+                return refuse("a free-form surface (`surf`), which is no mesh".to_owned());
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn send(&self, out: &mut Collector) -> Result<()> {
+        if let Some(line) = self.weighted {
+            out.note(format!(
+                "Vertices have a fourth number other than 1, the first on line {line}: a weight of curves, without effect here."
+            ));
+        }
+        let mut corners = Vec::new();
+        for face in &self.faces {
+            corners.clear();
+            for &index in &face.corners {
+                let Some(point) = self.points.get(index) else {
+                    let found = format!(
+                        "line {}: a face refers to vertex {}, but there are {}",
+                        face.line,
+                        index + 1,
+                        self.points.len()
+                    );
+                    return Err(out.refusal(found, ACCEPTED));
+                };
+                corners.push(*point);
+            }
+            out.fan(&corners)?;
+        }
+        Ok(())
+    }
 }

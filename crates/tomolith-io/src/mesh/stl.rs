@@ -1,206 +1,213 @@
 //! STL: triangles with their corners in f32, as text or in 50 bytes each.
+//!
+//! Of a text only `facet`, `vertex`, `endfacet` and `endsolid` matter, in any case and on any lines; normals are left out:
+//! they follow from the corners, and some programs write NaN for those of slivers. A facet must be whole.
 
-use super::{Mesh, Sink, bad};
-use std::io::Cursor;
-use std::path::Path;
+use super::Collector;
+use super::text::{Word, decoded, number, shown, words};
 use tomolith_core::error::{Error, Result};
-use tomolith_core::vector::{cross, dot, minus};
 
 const HEADER: usize = 84;
 const TRIANGLE: usize = 50;
 
-const ACCEPTED: &str = "an ASCII STL file beginning with `solid`, or a binary one with as many triangles as its header says";
+const ACCEPTED: &str =
+    "an ASCII STL file with facets, or a binary one with as many triangles as its header says";
 
-/// Reads either kind. The length decides: a binary file may begin with the word `solid` too.
-pub(super) fn parse(bytes: &[u8], path: &Path, sink: Sink) -> Result<()> {
-    let start = bytes.trim_ascii_start();
-    let named = start
-        .get(..5)
-        .is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
-    // The count and the coordinates of a binary file are full of zero bytes, a text has none
-    let is_text = named && !bytes[..bytes.len().min(1024)].contains(&0);
-    if binary_length(bytes) == Some(bytes.len()) {
-        return parse_binary(bytes, path, sink);
+/// Reads either kind. The length decides first: a binary file may begin with the word `solid` too.
+pub(super) fn parse(bytes: &[u8], out: &mut Collector) -> Result<()> {
+    let promised = promised(bytes);
+    if promised.is_some_and(|count| HEADER + TRIANGLE * count == bytes.len()) {
+        return parse_binary(bytes, out);
     }
-    if let Some(found) = other(bytes, is_text) {
-        return Err(bad(path, found, ACCEPTED));
+    if let Some(what) = other(bytes) {
+        return Err(neither(what, bytes, out));
     }
-    if is_text {
-        parse_text(bytes, path, sink)
-    } else {
-        parse_binary(bytes, path, sink)
-    }
-}
-
-/// What a file is that is named like an STL file and is none: another format, or a text.
-fn other(bytes: &[u8], is_named: bool) -> Option<String> {
-    let start = &bytes[..bytes.len().min(1024)];
-    let is_text = !start
+    let text = decoded(bytes);
+    // The count and the coordinates of a binary file are full of control characters, a text has none
+    let start = &text[..text.len().min(1024)];
+    if start
         .iter()
-        .any(|b| b.is_ascii_control() && !b.is_ascii_whitespace());
-    let known = [
-        (&b"PK\x03\x04"[..], "a zip archive, perhaps 3MF"),
-        (b"\x89PNG", "a PNG image"),
-        (b"ply", "a PLY file"),
-        (b"glTF", "a glTF file"),
-        (b"ISO-10303-21", "a STEP file"),
-    ];
-    let known = known.iter().find(|(magic, _)| start.starts_with(magic));
-    let what = match known {
-        Some((_, what)) => what,
-        None if is_named => {
-            // The name of a solid may be anything, what follows it may not
-            let lines = bytes.split(|b| *b == b'\n').skip(1).map(<[u8]>::trim_ascii);
-            let next = lines
-                .filter(|line| !line.is_empty())
-                .map(<[u8]>::to_ascii_lowercase)
-                .next();
-            let follows = |word: &[u8]| next.as_ref().is_none_or(|line| line.starts_with(word));
-            if follows(b"facet") || follows(b"endsolid") {
-                return None;
-            }
-            "a text"
-        }
-        None if is_text => "a text",
-        None => return None,
-    };
-    let beginning = String::from_utf8_lossy(&start[..start.len().min(24)]);
-    let beginning = beginning.lines().next().unwrap_or_default();
-    Some(format!(
-        "{what} (it begins with `{}`), neither an ASCII nor a binary STL file",
-        beginning.trim()
-    ))
-}
-
-/// Bytes that a binary file with this header has.
-fn binary_length(bytes: &[u8]) -> Option<usize> {
-    let count = u32::from_le_bytes(bytes.get(80..HEADER)?.try_into().ok()?);
-    Some(HEADER + TRIANGLE * count as usize)
-}
-
-fn parse_binary(bytes: &[u8], path: &Path, sink: Sink) -> Result<()> {
-    let Some(length) = binary_length(bytes) else {
-        return Err(bad(
-            path,
-            format!("{} bytes are too few for an STL file", bytes.len()),
-            ACCEPTED,
-        ));
-    };
-    if length > bytes.len() {
-        return Err(bad(
-            path,
-            format!(
-                "truncated: the header promises {} triangles ({length} bytes), the file has {} bytes",
-                (length - HEADER) / TRIANGLE,
-                bytes.len()
-            ),
-            ACCEPTED,
-        ));
+        .any(|b| b.is_ascii_control() && !b.is_ascii_whitespace())
+    {
+        return parse_binary(bytes, out);
     }
-    // A blank header keeps the reader from taking a binary file whose name begins with `solid` for text
-    let mut blank = bytes.to_vec();
-    blank[..80].fill(0);
-    send(&mut Cursor::new(blank), path, sink)
-}
-
-/// ASCII files may hold several solids, one after the other, in capitals too; the reader takes one, in small letters.
-/// Normals are left out: they follow from the corners, and some programs write NaN for those of slivers.
-fn parse_text(bytes: &[u8], path: &Path, sink: Sink) -> Result<()> {
-    let mut block = Vec::new();
-    for line in bytes.split_inclusive(|&b| b == b'\n') {
-        let words = &*line.trim_ascii().to_ascii_lowercase();
-        if block.is_empty() {
-            match words {
-                b"" => continue,
-                _ if words.starts_with(b"solid") => block.extend_from_slice(b"solid x\n"),
-                _ => {
-                    return Err(bad(
-                        path,
-                        "text between two solids",
-                        "`solid` … `endsolid`, once or several times",
-                    ));
-                }
-            }
-            continue;
-        }
-        let is_facet = words.starts_with(b"facet");
-        block.extend_from_slice(if is_facet {
-            b"facet normal 0 0 0"
-        } else {
-            words
-        });
-        block.push(b'\n');
-        if words.starts_with(b"endsolid") {
-            send(&mut Cursor::new(std::mem::take(&mut block)), path, sink)?;
-        }
-    }
-    if block.is_empty() {
-        Ok(())
-    } else {
-        Err(bad(
-            path,
-            "truncated: the last solid has no `endsolid`",
-            "`solid` … `endsolid`",
-        ))
-    }
-}
-
-fn send(bytes: &mut Cursor<Vec<u8>>, path: &Path, sink: Sink) -> Result<()> {
-    let refused = |e: std::io::Error| {
-        bad(
-            path,
-            format!("damaged STL: {e}"),
-            "an ASCII or binary STL file",
-        )
-    };
-    for triangle in stl_io::create_stl_reader(bytes).map_err(refused)? {
-        sink(
-            triangle
-                .map_err(refused)?
-                .vertices
-                .map(|v| v.0.map(f64::from)),
-        )?;
+    if parse_text(&text, out)? == 0 {
+        return Err(neither("a text without a facet", &text, out));
     }
     Ok(())
 }
 
-/// Writes a binary STL file, aside first and then renamed, so that it appears whole or not at all.
-///
-/// # Errors
-/// [`Error::Io`] when it cannot be written; [`Error::Mesh`] when there are more than 2³² − 1 triangles.
-pub fn write_stl_binary(path: impl AsRef<Path>, mesh: &Mesh) -> Result<()> {
-    let path = path.as_ref();
-    if u32::try_from(mesh.triangles.len()).is_err() {
-        return Err(bad(
-            path,
-            format!("{} triangles", mesh.triangles.len()),
-            "at most 4 294 967 295 in an STL file",
-        ));
-    }
-    let mut aside = path.as_os_str().to_owned();
-    aside.push(".part");
-    let aside = Path::new(&aside);
-    let write = || -> std::io::Result<()> {
-        let mut file = std::fs::File::create(aside)?;
-        let triangles = (0..mesh.triangles.len()).map(|t| stl_triangle(mesh.corners(t)));
-        stl_io::write_stl(&mut file, triangles)?;
-        file.sync_all()?;
-        std::fs::rename(aside, path)
-    };
-    write().map_err(|e| {
-        // The file aside is ours; when it cannot be removed either, the first error says more
-        let _ = std::fs::remove_file(aside);
-        Error::io(path, e)
-    })
+/// Another format under the name of an STL file.
+fn other(bytes: &[u8]) -> Option<&'static str> {
+    let known = [
+        (&b"PK\x03\x04"[..], "a zip archive, perhaps 3MF"),
+        (b"\x89PNG", "a PNG image"),
+        (b"ply\n", "a PLY file"),
+        (b"ply\r", "a PLY file"),
+        (b"glTF", "a glTF file"),
+        (b"ISO-10303-21", "a STEP file"),
+    ];
+    let known = known.iter().find(|(magic, _)| bytes.starts_with(magic));
+    known.map(|(_, what)| *what)
 }
 
-fn stl_triangle(corners: [[f64; 3]; 3]) -> stl_io::Triangle {
-    let [a, b, c] = corners;
-    let normal = cross(minus(b, a), minus(c, a));
-    let length = dot(normal, normal).sqrt();
-    let scale = if length > 0.0 { 1.0 / length } else { 0.0 };
-    stl_io::Triangle {
-        normal: stl_io::Normal::new(normal.map(|v| (v * scale) as f32)),
-        vertices: corners.map(|p| stl_io::Vertex::new(p.map(|v| v as f32))),
+fn neither(what: &str, bytes: &[u8], out: &Collector) -> Error {
+    let beginning = shown(bytes);
+    let found =
+        format!("{what} (it begins with `{beginning}`), neither an ASCII nor a binary STL file");
+    out.refusal(found, ACCEPTED)
+}
+
+/// Triangles that the header of a binary file promises.
+fn promised(bytes: &[u8]) -> Option<usize> {
+    let count = u32::from_le_bytes(bytes.get(80..HEADER)?.try_into().ok()?);
+    Some(count as usize)
+}
+
+fn parse_binary(bytes: &[u8], out: &mut Collector) -> Result<()> {
+    let Some(promised) = promised(bytes) else {
+        let found = format!(
+            "truncated: {} bytes are too few for an STL file",
+            bytes.len()
+        );
+        return Err(out.refusal(found, ACCEPTED));
+    };
+    let (there, extra) = (
+        (bytes.len() - HEADER) / TRIANGLE,
+        (bytes.len() - HEADER) % TRIANGLE,
+    );
+    // Programs that write while they compute leave a count of 0 or of all ones
+    let is_whole = there > 0 && extra == 0;
+    let is_open = [0, u32::MAX as usize].contains(&promised);
+    if promised > there && !(is_whole && is_open) || promised == 0 && there > 0 && !is_whole {
+        let found = format!(
+            "truncated: the header promises {promised} triangles ({} bytes), the file has {} bytes",
+            HEADER as u128 + TRIANGLE as u128 * promised as u128,
+            bytes.len()
+        );
+        return Err(out.refusal(found, ACCEPTED));
     }
+    let count = if is_whole { there } else { promised };
+    if count != promised {
+        out.note(format!(
+            "The header promises {promised} triangles, the file holds {there}: all are read."
+        ));
+    }
+    let (triangles, rest) = bytes[HEADER..].split_at(TRIANGLE * count);
+    if rest.iter().any(|b| *b != 0) {
+        let left = rest.len();
+        out.note(format!(
+            "{left} bytes after the last triangle are not read."
+        ));
+    }
+    for triangle in triangles.chunks_exact(TRIANGLE) {
+        let value = |i: usize| {
+            let at = 12 + 4 * i;
+            let bytes = [0, 1, 2, 3].map(|k| triangle[at + k]);
+            f64::from(f32::from_le_bytes(bytes))
+        };
+        out.triangle([0, 3, 6].map(|i| [value(i), value(i + 1), value(i + 2)]))?;
+    }
+    Ok(())
+}
+
+/// A facet that has begun.
+struct Facet {
+    line: usize,
+    corners: Vec<[f64; 3]>,
+}
+
+/// Reads all facets of all solids; how many.
+fn parse_text(text: &[u8], out: &mut Collector) -> Result<usize> {
+    let mut words = words(text).peekable();
+    let mut facet: Option<Facet> = None;
+    let (mut count, mut is_solid_open) = (0, false);
+    while let Some(word) = words.next() {
+        let next_is = |name: &str, next: Option<&Word>| next.is_some_and(|next| next.is(name));
+        // A solid may be called `facet`, or hold the word in its name
+        let begins =
+            word.is("facet") && (next_is("normal", words.peek()) || next_is("outer", words.peek()));
+        let ends = |what: &str, next: Option<&Word>| {
+            word.is(&format!("end{what}")) || word.is("end") && next_is(what, next)
+        };
+        if begins || ends("solid", words.peek()) {
+            if let Some(facet) = facet {
+                let found = format!(
+                    "line {}: the facet of line {} has no end",
+                    word.line, facet.line
+                );
+                return Err(out.refusal(found, ACCEPTED));
+            }
+            is_solid_open = begins;
+            facet = begins.then(|| Facet {
+                line: word.line,
+                corners: Vec::new(),
+            });
+        } else if let Some(open) = &mut facet {
+            if word.is("vertex") {
+                open.corners.push(corner(word.line, &mut words, out)?);
+            } else if ends("facet", words.peek()) {
+                send(open, out)?;
+                (facet, count) = (None, count + 1);
+                // The second of two words must not begin another facet
+                words.next_if(|next| next.is("facet") && word.is("end"));
+            }
+        } else if word.is("vertex")
+            && words
+                .peek()
+                .is_some_and(|next| number::<f32>(next.text).is_some())
+        {
+            let found = format!("line {}: a corner outside of a facet", word.line);
+            return Err(out.refusal(found, ACCEPTED));
+        }
+    }
+    if let Some(facet) = facet {
+        let found = format!(
+            "truncated: the file ends in the facet of line {}",
+            facet.line
+        );
+        return Err(out.refusal(found, ACCEPTED));
+    }
+    if is_solid_open {
+        out.note("The file ends without `endsolid`: it may have been cut off.".to_owned());
+    }
+    Ok(count)
+}
+
+/// The three numbers after `vertex`, rounded to f32 as in binary files, so that corners of several triangles meet.
+fn corner<'a>(
+    mut line: usize,
+    words: &mut impl Iterator<Item = Word<'a>>,
+    out: &Collector,
+) -> Result<[f64; 3]> {
+    let mut corner = [0.0; 3];
+    for value in &mut corner {
+        let word = words.next();
+        line = word.map_or(line, |word| word.line);
+        let text = word.map_or(&b""[..], |word| word.text);
+        let read: Option<f32> = number(text);
+        *value = f64::from(read.ok_or_else(|| {
+            let found = format!("line {line}: `{}` in place of a coordinate", shown(text));
+            let what = if word.is_some() {
+                "damaged"
+            } else {
+                "truncated"
+            };
+            out.refusal(format!("{what}: {found}"), ACCEPTED)
+        })?);
+    }
+    Ok(corner)
+}
+
+fn send(facet: &Facet, out: &mut Collector) -> Result<()> {
+    let corners = &facet.corners;
+    if corners.len() < 3 {
+        let found = format!(
+            "damaged: the facet of line {} has {} corners",
+            facet.line,
+            corners.len()
+        );
+        return Err(out.refusal(found, ACCEPTED));
+    }
+    out.fan(corners)
 }

@@ -232,14 +232,15 @@ pub const KIND: Kind<BuildVial> = Kind {
 };
 
 fn read(section: &Section, file: &Path, key: &str, scale: f64) -> Result<Mesh> {
-    let mesh = read_mesh(section.file(file)).map_err(|error| {
+    let path = section.file(file);
+    let mesh = read_mesh(&path).and_then(|file| file.whole(&path));
+    let mut mesh = mesh.map_err(|error| {
         Error::config(
             format!("{}.{key}", section.path),
             error.to_string(),
             "a mesh file that can be read",
         )
     })?;
-    let mut mesh = mesh;
     for value in mesh.vertices.iter_mut().flatten() {
         *value *= scale;
     }

@@ -45,7 +45,7 @@ pub(super) fn find_overlaps(mesh: &Mesh, found: &mut Diagnosis, run: &Run) {
         height_mm: pitch_mm,
         center_mm: std::array::from_fn(|i| (low[i] + high[i]) / 2.0),
     };
-    let scaled = Scaled::new(mesh, &grid);
+    let scaled = Scaled::new(mesh, None, &grid);
     let x0 = grid.bounds_mm()[0][0];
     let slices: Vec<[Misfit; 2]> = (0..grid.shape[0]).par_map_with(Lines::default, |lines, iz| {
         if run.is_canceled() {

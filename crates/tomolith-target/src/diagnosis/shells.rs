@@ -39,6 +39,16 @@ impl Groups {
     }
 }
 
+/// Shells whose volumes differ by less than this share may be copies of each other: neither lies in the other.
+const SAME: f64 = 1e-9;
+
+/// A point lies on a triangle when the tangent of half its solid angle is that of a plane up to this share: a hundred
+/// times the rounding of coordinates in f32.
+const ON_IT: f64 = 1e-5;
+
+/// Triangles of a shell that are looked at, at most, to see whether it lies in another.
+const LOOKS: usize = 4;
+
 /// A connected part of the surface.
 #[derive(Default)]
 struct Shell {
@@ -84,8 +94,28 @@ impl Shell {
         }
     }
 
-    fn box_holds(&self, p: [f64; 3]) -> bool {
-        (0..3).all(|i| self.low[i] <= p[i] && p[i] <= self.high[i])
+    /// Whether the other shell lies in this one; it may touch it, and not cross it. Judged by a few of its triangles.
+    fn holds(&self, mesh: &Mesh, other: &Shell) -> bool {
+        let in_box = (0..3).all(|i| self.low[i] <= other.low[i] && other.high[i] <= self.high[i]);
+        if !in_box || other.volume.abs() >= (1.0 - SAME) * self.volume.abs() {
+            return false;
+        }
+        let mut is_inside = false;
+        for &t in other
+            .triangles
+            .iter()
+            .step_by(other.triangles.len().div_ceil(LOOKS))
+        {
+            let corners = mesh.corners(t as usize);
+            let middle = std::array::from_fn(|i| corners.iter().map(|c| c[i]).sum::<f64>() / 3.0);
+            let winding = self.winding(mesh, middle).abs();
+            // On a flat face it is a half, on a convex edge less
+            if winding < 0.2 {
+                return false;
+            }
+            is_inside |= winding > 0.8;
+        }
+        is_inside
     }
 
     /// Winding number of the shell round a point: its solid angle over 4π (Van Oosterom and Strackee 1983, Eq. 8).
@@ -97,7 +127,12 @@ impl Shell {
                 let [a, b, c] = mesh.corners(t as usize).map(|p| minus(p, point));
                 let [la, lb, lc] = [a, b, c].map(|v| dot(v, v).sqrt());
                 let over = dot(a, cross(b, c));
-                let under = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
+                let scale = la * lb * lc;
+                let under = scale + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
+                // On the triangle itself it is half a turn to either side: none, in the mean
+                if over.abs() <= ON_IT * scale && under <= ON_IT * scale {
+                    return 0.0;
+                }
                 2.0 * over.atan2(under)
             })
             .sum();
@@ -133,12 +168,8 @@ pub(crate) fn components(mesh: &Mesh) -> Vec<Mesh> {
 /// The shell whose cavity shell `i` is, or itself.
 fn owner(mesh: &Mesh, shells: &[Shell], i: usize) -> usize {
     let shell = &shells[i];
-    let point = mesh.corners(shell.triangles[0] as usize)[0];
     let size = |j: &usize| shells[*j].volume.abs();
-    let around: Vec<usize> = (0..shells.len())
-        .filter(|&j| j != i && shells[j].volume.abs() > shell.volume.abs())
-        .filter(|&j| shells[j].box_holds(point) && shells[j].winding(mesh, point).abs() > 0.5)
-        .collect();
+    let around = holders(mesh, shells, i);
     let by_size = |a: &usize, b: &usize| size(a).total_cmp(&size(b));
     let Some(outermost) = around.iter().copied().max_by(by_size) else {
         return i;
@@ -153,31 +184,51 @@ fn owner(mesh: &Mesh, shells: &[Shell], i: usize) -> usize {
     holders.min_by(by_size).unwrap_or(i)
 }
 
-/// Turns shells of negative volume that lie in no other shell; notes all volumes.
-pub(super) fn turn_lone_shells(mesh: &mut Mesh, found: &mut Diagnosis) {
+/// The shells that shell `i` lies in.
+fn holders(mesh: &Mesh, shells: &[Shell], i: usize) -> Vec<usize> {
+    (0..shells.len())
+        .filter(|&j| j != i && shells[j].holds(mesh, &shells[i]))
+        .collect()
+}
+
+/// Turns bodies that are inside out: a shell of negative volume that lies in no solid is turned, and all shells in it are
+/// turned with it, so that the cavities of a mirrored part stay cavities. Notes all volumes.
+pub(super) fn turn_bodies(mesh: &mut Mesh, found: &mut Diagnosis) {
     let mut shells = shells(mesh);
-    let lone: Vec<bool> = shells.iter().enumerate().par_map(|(i, shell)| {
-        shell.volume < 0.0 && {
-            let point = mesh.corners(shell.triangles[0] as usize)[0];
-            let others = shells.iter().enumerate().filter(|(j, _)| *j != i);
-            let winding: f64 = others
-                .filter(|(_, other)| other.box_holds(point))
-                .map(|(_, other)| other.winding(mesh, point))
-                .sum();
-            winding < 0.5
+    let mut order: Vec<usize> = (0..shells.len()).collect();
+    let size = |i: usize| shells[i].volume.abs();
+    order.sort_by(|&a, &b| size(b).total_cmp(&size(a)));
+    let inward = |i: usize| shells[i].volume < 0.0;
+    let mut around: Vec<Option<Vec<usize>>> =
+        (0..shells.len()).par_map(|i| inward(i).then(|| holders(mesh, &shells, i)));
+    let mut turned = vec![false; shells.len()];
+    // From the largest, so that what holds a shell looks the right way already
+    for i in order {
+        if shells[i].volume >= 0.0 {
+            continue;
         }
-    });
-    for (shell, lone) in shells.iter_mut().zip(lone) {
-        if lone {
-            for &t in &shell.triangles {
-                turn(&mut mesh.triangles[t as usize]);
-            }
-            shell.volume = -shell.volume;
-            found
-                .turned_shells_at
-                .push(mesh.corners(shell.triangles[0] as usize)[0]);
+        let around = around[i]
+            .take()
+            .unwrap_or_else(|| holders(mesh, &shells, i));
+        let winding: f64 = around.iter().map(|&j| shells[j].volume.signum()).sum();
+        if winding > 0.0 {
+            continue;
+        }
+        let body: Vec<bool> =
+            (0..shells.len()).par_map(|j| j == i || shells[i].holds(mesh, &shells[j]));
+        for j in (0..shells.len()).filter(|&j| body[j]) {
+            shells[j].volume = -shells[j].volume;
+            turned[j] = !turned[j];
         }
     }
+    for (shell, _) in shells.iter().zip(&turned).filter(|(_, turned)| **turned) {
+        for &t in &shell.triangles {
+            turn(&mut mesh.triangles[t as usize]);
+        }
+        let at = mesh.corners(shell.triangles[0] as usize)[0];
+        found.turned_shells_at.push(at);
+    }
+    found.inside_out = !turned.contains(&false);
     found.shell_volumes_mm3 = shells.iter().map(|s| s.volume).collect();
 }
 
@@ -206,5 +257,66 @@ mod tests {
                 assert!((volume - expected).abs() < 1e-9, "{volumes:?}");
             }
         }
+    }
+
+    fn volumes_after_turning(shells: &[Mesh]) -> Vec<f64> {
+        let mut found = Diagnosis::default();
+        turn_bodies(&mut together(shells), &mut found);
+        found.shell_volumes_mm3.iter().map(|v| v.round()).collect()
+    }
+
+    #[test]
+    fn a_body_that_is_inside_out_is_turned_with_all_that_lies_in_it() {
+        let cube = |half: f64, x: f64| cuboid([x - half, -half, -half], [x + half, half, half]);
+        let hollow = |x: f64| [cube(2.0, x), inverted(cube(1.0, x))];
+        let mirrored = |x: f64| hollow(x).map(inverted);
+        let all = |pair: [[Mesh; 2]; 2]| volumes_after_turning(pair.as_flattened());
+        for pair in [
+            [hollow(0.0), hollow(6.0)],
+            [hollow(0.0), mirrored(6.0)],
+            [mirrored(0.0), mirrored(6.0)],
+        ] {
+            assert_eq!(all(pair), [64.0, -8.0, 64.0, -8.0]);
+        }
+        // In the cavity of a part a part, either of them mirrored
+        let inner = |sign: bool| {
+            let pair = [cube(0.75, 0.0), inverted(cube(0.5, 0.0))];
+            if sign { pair } else { pair.map(inverted) }
+        };
+        for (outer, inner) in [
+            (hollow(0.0), inner(true)),
+            (hollow(0.0), inner(false)),
+            (mirrored(0.0), inner(true)),
+            (mirrored(0.0), inner(false)),
+        ] {
+            assert_eq!(all([outer, inner]), [64.0, -8.0, 3.0, -1.0]);
+        }
+        // Shells that look the same way are one solid, whichever way that is
+        let nested = [cube(2.0, 0.0), cube(1.0, 0.0)];
+        assert_eq!(volumes_after_turning(&nested), [64.0, 8.0]);
+        assert_eq!(volumes_after_turning(&nested.map(inverted)), [64.0, 8.0]);
+    }
+
+    #[test]
+    fn shells_that_cross_do_not_lie_in_each_other() {
+        let (one, two) = (cuboid([0.0; 3], [2.0; 3]), cuboid([1.0; 3], [3.0; 3]));
+        // The second is a rod through the cube
+        let rod = cuboid([0.5, 0.5, -1.0], [1.0, 1.0, 3.0]);
+        for other in [two, rod] {
+            let expected = other.signed_volume().round();
+            for [a, b] in [
+                [one.clone(), inverted(other.clone())],
+                [inverted(one.clone()), other.clone()],
+            ] {
+                assert_eq!(
+                    volumes_after_turning(&[a.clone(), b.clone()]),
+                    [8.0, expected]
+                );
+                assert_eq!(volumes_after_turning(&[b, a]), [expected, 8.0]);
+            }
+        }
+        // A cavity that touches the wall is one
+        let touching = inverted(cuboid([0.0, 0.5, 0.5], [1.0, 1.5, 1.5]));
+        assert_eq!(volumes_after_turning(&[one, touching]), [8.0, -1.0]);
     }
 }

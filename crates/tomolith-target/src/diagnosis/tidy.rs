@@ -1,8 +1,9 @@
 //! Repairs before a surface is examined: cracks between vertices, and duplicate triangles.
 
 use super::edges::Edges;
+use super::shells::Groups;
 use std::collections::HashMap;
-use tomolith_core::vector::{dot, minus};
+use tomolith_core::vector::{cross, dot, minus};
 use tomolith_io::mesh::Mesh;
 
 /// How far apart vertices on the two sides of a crack may lie, as a share of the mesh's diagonal.
@@ -80,7 +81,8 @@ pub(super) struct Doubles {
     pub(super) back_to_back: usize,
 }
 
-/// Drops all but one of the copies of a triangle, and walls without thickness: neither changes what is inside.
+/// Drops all but one of the copies of a triangle, and walls without thickness: neither changes what is inside. Of a closed
+/// body that is there twice, once inside out, one stays.
 pub(super) fn drop_doubles(mesh: &mut Mesh) -> Doubles {
     /// Corners in rising order, which way it looks, its number.
     type Key = ([u32; 3], bool, usize);
@@ -98,6 +100,8 @@ pub(super) fn drop_doubles(mesh: &mut Mesh) -> Doubles {
         .collect();
     keys.sort_unstable();
     let mut keep = vec![true; keys.len()];
+    // Pairs that cancel: one triangle of either kind
+    let mut walls: Vec<[usize; 2]> = Vec::new();
     let mut doubles = Doubles::default();
     for same in keys
         .chunk_by(|a, b| a.0 == b.0)
@@ -112,12 +116,57 @@ pub(super) fn drop_doubles(mesh: &mut Mesh) -> Doubles {
         for (_, _, t) in same {
             keep[*t] = survivor.flatten().is_some_and(|key| key.2 == *t);
         }
+        if survivor.is_none() {
+            let first = |even: bool| {
+                same.iter()
+                    .filter(|key| key.1 == even)
+                    .map(|key| key.2)
+                    .min()
+            };
+            walls.push([first(true), first(false)].map(Option::unwrap_or_default));
+        }
+    }
+    for t in outward_copies(mesh, &walls) {
+        keep[t] = true;
+        doubles.back_to_back -= 1;
     }
     if keep.contains(&false) {
         let mut kept = keep.into_iter();
         mesh.triangles.retain(|_| kept.next().unwrap_or(true));
     }
     doubles
+}
+
+/// Of pairs of triangles back to back that together form closed surfaces, the ones that look outward: such a surface is no
+/// wall without thickness, but a body that is there twice, once inside out.
+fn outward_copies(mesh: &Mesh, walls: &[[usize; 2]]) -> Vec<usize> {
+    let pairs = walls.iter().map(|&[a, b]| [a.min(b), a.max(b)]);
+    let pairs: Vec<[usize; 2]> = pairs.collect();
+    let firsts = Mesh {
+        vertices: mesh.vertices.clone(),
+        triangles: pairs.iter().map(|pair| mesh.triangles[pair[0]]).collect(),
+    };
+    let mut groups = Groups::of_shells(&firsts);
+    let mut is_open = vec![false; mesh.vertices.len()];
+    for sides in Edges::new(&firsts).iter() {
+        is_open[groups.of(sides[0].low) as usize] |= sides.len() % 2 == 1;
+    }
+    let mut volumes = vec![0.0; mesh.vertices.len()];
+    for (t, triangle) in firsts.triangles.iter().enumerate() {
+        let group = groups.of(triangle[0]);
+        let origin = mesh.vertices[group as usize];
+        let [a, b, c] = firsts.corners(t).map(|corner| minus(corner, origin));
+        volumes[group as usize] += dot(a, cross(b, c));
+    }
+    let closed = firsts
+        .triangles
+        .iter()
+        .zip(&pairs)
+        .filter_map(|(triangle, pair)| {
+            let group = groups.of(triangle[0]) as usize;
+            (!is_open[group]).then(|| pair[usize::from(volumes[group] < 0.0)])
+        });
+    closed.collect()
 }
 
 #[cfg(test)]
@@ -163,8 +212,17 @@ mod tests {
         assert_eq!((doubles.copies, doubles.back_to_back), (12, 0));
         assert_eq!(twice.triangles.len(), 12);
         assert!((twice.signed_volume() - 1.0).abs() < 1e-12);
-        let mut nothing = together(&[cube.clone(), inverted(cube.clone())]).welded();
-        assert_eq!(drop_doubles(&mut nothing).back_to_back, 24);
+        // A cube and the same inside out, whichever comes first; a sheet with two sides is nothing
+        let flipped = inverted(cube.clone());
+        for pair in [[cube.clone(), flipped.clone()], [flipped, cube.clone()]] {
+            let mut twice = together(&pair).welded();
+            assert_eq!(drop_doubles(&mut twice).back_to_back, 12);
+            assert!((twice.signed_volume() - 1.0).abs() < 1e-12);
+        }
+        let mut sheet = cuboid([0.0; 3], [1.0; 3]);
+        sheet.triangles.truncate(2);
+        let mut nothing = together(&[sheet.clone(), inverted(sheet)]).welded();
+        assert_eq!(drop_doubles(&mut nothing).back_to_back, 4);
         assert!(nothing.triangles.is_empty());
         // Two cubes with a wall between them become one block
         let mut block =

@@ -419,7 +419,8 @@ fn obstacles_of(spec: &JobSpec, base: &Path, vial: &dyn Vial) -> Result<Vec<Obst
             other => other,
         };
         let file = base.join(&obstacle.mesh);
-        let mesh = read_mesh(&file).map_err(key)?;
+        let mesh = read_mesh(&file).and_then(|content| content.whole(&file));
+        let mesh = mesh.map_err(key)?;
         let shape = MeshShape::new(mesh, &placement, &file, &section, Repair::Safe).map_err(key)?;
         let met = walls
             .iter()
