@@ -364,7 +364,7 @@ fn of_times(given: &KineticsArguments) -> Result<()> {
         ("order of the cure", resin.order, ""),
     ];
     for (i, (name, value, unit)) in values.into_iter().enumerate() {
-        let error = fit.errors.map(|errors| errors[i]);
+        let error = fit.errors.and_then(|errors| errors[i]);
         let said = format!("{} {unit}", with_error(value, error));
         answer.line(name, said.trim_end().to_owned());
     }
@@ -373,6 +373,12 @@ fn of_times(given: &KineticsArguments) -> Result<()> {
         format!("{} mJ/cm²", significant(resin.inhibitor_dose(), 4)),
     );
     answer.line("off by up to", percent(fit.worst()));
+    if fit.errors.is_some_and(|errors| errors[3].is_none()) {
+        answer.warn(format!(
+            "the order of the cure is at an end of its range, 0 to 1 ({}): the points ask for one beyond it, and its error is not known",
+            concise(resin.order)
+        ));
+    }
     if fit.worst() > POOR_FIT {
         answer.warn(format!(
             "the fit misses a measured time by {}: its numbers say little; look for outliers, and whether the columns are irradiance and curing time",

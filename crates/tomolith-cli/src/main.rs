@@ -80,8 +80,12 @@ fn main() -> ExitCode {
             quick(given.sampling.manner, |run| voxelize::phantom(given, run))
         }
         Command::Metrics(given) => quick(given.manner, |_| metrics::metrics(given)),
-        Command::Export(given) => quick(given.manner, |run| export::export(given, run)),
+        Command::Export(given) => quick(given.manner, |run| {
+            ranks::must_be_alone("export")?;
+            export::export(given, run)
+        }),
         Command::ExportMatrix(given) => quick(given.manner, |run| {
+            ranks::must_be_alone("export-matrix")?;
             let job = read(&given.job, None)?;
             export_matrix::export_matrix(given, &job, run)
         }),
@@ -209,6 +213,7 @@ fn run(given: &RunArguments, ranks: Option<&Ranks>) -> Result<bool> {
 
 /// `tomolith simulate`: whether the asked quality was met.
 fn simulate(given: &SimulateArguments) -> Result<bool> {
+    ranks::must_be_alone("simulate")?;
     prepare(given.manner)?;
     let job = read(&given.job, given.output.as_deref())?;
     let cancel = cancel_on_ctrl_c(given.manner);
@@ -246,6 +251,7 @@ fn sweep(given: &sweep::SweepArguments, ranks: Option<&Ranks>) -> Result<bool> {
 
 /// `tomolith reproduce`: whether every number is there and every difference explained.
 fn reproduce(given: &reproduce::ReproduceArguments) -> Result<bool> {
+    ranks::must_be_alone("reproduce")?;
     prepare(given.manner)?;
     reproduce::run(given, &cancel_on_ctrl_c(given.manner))
 }

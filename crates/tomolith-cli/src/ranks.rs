@@ -4,8 +4,8 @@
 //! them: after everything was said, since a launcher ends all processes when one of them has ended badly.
 
 use std::sync::Arc;
-use tomolith::Result;
 use tomolith::ranks::{Communicator, together};
+use tomolith::{Error, Result};
 
 /// What the processes of a command tell each other by.
 pub(crate) type Ranks = Arc<dyn Communicator>;
@@ -19,8 +19,7 @@ pub(crate) fn started(_panic_ends_all: bool) -> Option<Ranks> {
 /// What a launcher's processes should know that cannot share their work.
 #[cfg(not(feature = "mpi"))]
 pub(crate) fn remark() -> Option<String> {
-    let size = |name: &&str| std::env::var(name).ok()?.parse::<u32>().ok();
-    let count = LAUNCHERS.iter().find_map(size).filter(|&size| size > 1)?;
+    let count = launched()?;
     Some(format!(
         "warning: this is one of {count} processes of a launcher, and does the whole work: the program was built without MPI; build it with --features mpi \
          (docs/ranks.md), or start it once"
@@ -28,8 +27,28 @@ pub(crate) fn remark() -> Option<String> {
 }
 
 /// How launchers tell a process how many they started: OpenMPI, MPICH.
-#[cfg(not(feature = "mpi"))]
 const LAUNCHERS: [&str; 2] = ["OMPI_COMM_WORLD_SIZE", "PMI_SIZE"];
+
+/// How many processes a launcher started, where it started several.
+fn launched() -> Option<u32> {
+    let size = |name: &&str| std::env::var(name).ok()?.parse::<u32>().ok();
+    LAUNCHERS.iter().find_map(size).filter(|&size| size > 1)
+}
+
+/// Refuses several processes of a command that writes files and has nothing to share.
+///
+/// # Errors
+/// [`Error::Config`].
+pub(crate) fn must_be_alone(command: &str) -> Result<()> {
+    let Some(count) = launched() else {
+        return Ok(());
+    };
+    Err(Error::config(
+        format!("tomolith {command}"),
+        format!("one of {count} processes of a launcher, which would all write the same files"),
+        "one process: start it without a launcher; `run` and `sweep` share their work",
+    ))
+}
 
 /// Ranks share the work.
 #[cfg(feature = "mpi")]

@@ -24,6 +24,9 @@ pub(crate) fn show(error: &Error, json: bool) {
 
 fn as_json(error: &Error) -> serde_json::Value {
     let mut line = serde_json::json!({ "event": "error", "message": error.to_string() });
+    if let Error::Several(several) = error {
+        line["errors"] = several.iter().map(as_json).collect();
+    }
     if let Error::Config {
         key,
         found,
@@ -47,6 +50,10 @@ fn as_json(error: &Error) -> serde_json::Value {
 
 /// What is wrong, the line where it stands, and what helps.
 fn rendered(error: &Error, renderer: &Renderer) -> String {
+    if let Error::Several(several) = error {
+        let each: Vec<String> = several.iter().map(|own| rendered(own, renderer)).collect();
+        return each.join("\n\n");
+    }
     let Error::Config {
         key,
         found,

@@ -111,6 +111,9 @@ pub enum Error {
         /// Which, from 0.
         rank: usize,
     },
+    /// Several keys of a job are at fault.
+    #[error("{}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))]
+    Several(Vec<Error>),
     /// The user asked to stop.
     #[error("canceled")]
     Canceled,

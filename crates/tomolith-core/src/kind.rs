@@ -124,6 +124,13 @@ impl Section {
     /// Which of these names the section has, and its section. For all families alike: compiled once.
     fn named(&self, names: &[&'static str]) -> Result<(usize, Section)> {
         let accepted = || names.join(", ");
+        if let Some((key, name)) = self.value.as_object().and_then(|map| tag(map, names)) {
+            return Err(Error::config(
+                format!("{}.{key}", self.path),
+                format!("found {name:?}: a kind is no key, but a table"),
+                format!("[{}.{name}], with the keys of the kind in it", self.path),
+            ));
+        }
         let (name, value) = match &self.value {
             Value::String(name) => (name, Value::Object(serde_json::Map::new())),
             Value::Object(map) if map.len() == 1 => {
@@ -178,6 +185,14 @@ impl Section {
     }
 }
 
+/// The key by which a table names its kind as other programs do: `kind = "cylinder"`.
+fn tag<'v>(map: &'v Map<String, Value>, names: &[&str]) -> Option<(&'static str, &'v str)> {
+    ["kind", "type"].into_iter().find_map(|key| {
+        let name = map.get(key)?.as_str()?;
+        names.contains(&name).then_some((key, name))
+    })
+}
+
 /// What stands in the place of one of several names: what a table holds, and how many of the names it may.
 fn unnamed(value: Option<&Value>, names: &[&str]) -> (String, String) {
     let names = names.join(", ");
@@ -221,6 +236,32 @@ const RENAMED: [(&str, &str); 17] = [
     ("species.target.grey", "gray"),
     ("target.grey", "gray"),
 ];
+
+/// What other programs and papers call a key, and the names that it may have here, the likeliest first.
+const SYNONYMS: [(&str, &[&str]); 13] = [
+    ("ior", &["refractive_index"]),
+    ("n", &["refractive_index"]),
+    ("index", &["refractive_index"]),
+    ("mu", &["absorption_per_mm"]),
+    ("mu_a", &["absorption_per_mm"]),
+    ("mu_t", &["attenuation_per_mm"]),
+    ("mu_s", &["scattering_per_mm"]),
+    ("extinction", &["attenuation_per_mm"]),
+    ("diameter", &["inner_radius_mm", "radius_mm"]),
+    ("diameter_mm", &["inner_radius_mm", "radius_mm"]),
+    ("radius", &["inner_radius_mm", "radius_mm"]),
+    ("kind", &["phantom"]),
+    ("type", &["phantom"]),
+];
+
+/// The name that a word stands for among those that are known.
+fn synonym<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
+    let (_, names) = SYNONYMS.iter().find(|(other, _)| *other == word)?;
+    let mut found = names
+        .iter()
+        .filter_map(|name| known.iter().find(|own| *own == name));
+    found.next().copied()
+}
 
 /// The name that a key or kind has now, if it had another one; places in lists do not matter.
 fn renamed(key: &str) -> Option<&'static str> {
@@ -309,7 +350,8 @@ fn config_error(path: &str, failure: &Failure, value: Option<&Value>) -> Error {
 /// The error of a name that is none of those that are known.
 fn unknown(key: String, word: &str, known: &[&str]) -> Error {
     let renamed = renamed(&key);
-    let nearest = renamed.or_else(|| nearest_name(word, known.iter().copied()));
+    let near = || synonym(word, known).or_else(|| nearest_name(word, known.iter().copied()));
+    let nearest = renamed.or_else(near);
     let unit = nearest.and_then(|name| other_unit(word, name));
     Error::Config {
         found: match (renamed, unit) {

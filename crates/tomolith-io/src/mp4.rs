@@ -183,7 +183,7 @@ fn encode(
             planes.fill(set, frame);
             let packet = encoder
                 .encode(&planes.buffer())
-                .map_err(|e| said(&e))?
+                .map_err(|e| format!("OpenH264 refuses frame {frame} ({})", said(&e)))?
                 .to_vec();
             if packet.is_empty() {
                 return Err(format!("the encoder left out frame {frame}"));

@@ -203,8 +203,9 @@ impl<'a> PrintRun<'a> {
     }
 }
 
-/// A hundredth of the print, at most a second, at most what is stable.
-pub(crate) fn default_step_s(material: &dyn Material, schedule: &Schedule) -> f64 {
+/// The step of a print that names none: a hundredth of it, at most a second, at most what is stable, s.
+#[must_use]
+pub fn default_step_s(material: &dyn Material, schedule: &Schedule) -> f64 {
     let plain = LONGEST_S.min(schedule.end_s() / FEWEST_STEPS);
     plain.min(material.longest_step_s())
 }

@@ -116,8 +116,19 @@ pub fn isosurface_of(
     fill: impl Fn(usize, &mut [f32]) + Sync,
     run: &Run,
 ) -> Isosurface {
+    isosurface_within(grid, level, fill, usize::MAX, run).unwrap_or_default()
+}
+
+/// As [`isosurface_of`]; None, before any of it is made, where it has more than `most` corners.
+pub fn isosurface_within(
+    grid: &VolumeGrid,
+    level: f64,
+    fill: impl Fn(usize, &mut [f32]) + Sync,
+    most: usize,
+    run: &Run,
+) -> Option<Isosurface> {
     if grid.is_empty() {
-        return Isosurface::default();
+        return Some(Isosurface::default());
     }
     let march = March::new(grid, level, &fill);
     let slabs = slabs(grid);
@@ -133,6 +144,9 @@ pub fn isosurface_of(
             0
         }
     });
+    if counts.iter().sum::<usize>() > most {
+        return None;
+    }
     let firsts: Vec<u32> = counts
         .iter()
         .scan(0, |next, count| {
@@ -148,7 +162,7 @@ pub fn isosurface_of(
         }
     });
     if run.is_canceled() {
-        return Isosurface::default();
+        return Some(Isosurface::default());
     }
     let mut surface = Isosurface {
         corners: Vec::with_capacity(counts.iter().sum()),
@@ -158,7 +172,7 @@ pub fn isosurface_of(
         surface.corners.extend(part.corners);
         surface.triangles.extend(part.triangles);
     }
-    surface
+    Some(surface)
 }
 
 /// The same surface in pieces from below to above, each with corners of its own, so that it is never held whole: where two

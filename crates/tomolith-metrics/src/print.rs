@@ -20,7 +20,7 @@ use super::error_histogram::ErrorHistogram;
 use super::gray::{GrayErrors, gray_errors};
 use super::isosurface::{Isosurface, beyond, isosurface_of, isosurface_pieces};
 use super::scan::{Plateau, Scan};
-use super::surface::{Deviation, SurfaceDistance, deviation, surface_distance};
+use super::surface::{Deviation, MOST_TRIANGLES, SurfaceDistance, deviation, surface_distance};
 use std::sync::OnceLock;
 use tomolith_core::dose::Run;
 use tomolith_core::error::{Error, Result};
@@ -72,6 +72,7 @@ pub struct Print<'a> {
     threshold: Option<f64>,
     gray: Option<(&'a Volume<f32>, f64)>,
     has_distance: bool,
+    most_triangles: usize,
     scan: Scan<'a>,
     best: OnceLock<Option<Plateau>>,
     above: OnceLock<[u64; 2]>,
@@ -124,6 +125,7 @@ impl<'a> Print<'a> {
             threshold: None,
             gray: None,
             has_distance: true,
+            most_triangles: MOST_TRIANGLES,
             scan: Scan::under(&labels.values, &response.values, run.part(COUNTING))?,
             run,
             best: OnceLock::new(),
@@ -199,6 +201,17 @@ impl<'a> Print<'a> {
     pub fn without_distance(mut self) -> Self {
         self.has_distance = false;
         self
+    }
+
+    /// Measures distances between surfaces of at most so many triangles each, averaging voxels until they have no more; at most 4·10⁶.
+    #[must_use]
+    pub fn with_most_triangles(mut self, most: usize) -> Self {
+        self.most_triangles = most.min(MOST_TRIANGLES);
+        self
+    }
+
+    pub(super) fn most_triangles(&self) -> usize {
+        self.most_triangles
     }
 
     /// What stops work on it.

@@ -11,7 +11,7 @@
 //! # Limits
 //! Distances are exact up to f32 between the triangulated surfaces. The iso-surface of a fraction lies within about
 //! 0.1 pitch of a flat surface, that of bare labels within half a pitch. Grids of more than 2·10⁸ voxels are averaged
-//! over 2³ voxels first (or 3³, …), and so are rough surfaces of more than 4·10⁶ triangles; the result says so.
+//! over 2³ voxels first (or 3³, …), and so are rough surfaces of more than 4·10⁶ triangles, or of more than there is memory for; the result says so.
 //!
 //! # Cost
 //! A few seconds at 400³ on two cores; memory for the triangles (36 bytes each) and their boxes.
@@ -33,7 +33,7 @@
 //! assert_eq!(distance.farthest.side.words(), "print without target");
 //! ```
 
-use super::isosurface::{Isosurface, isosurface_of, rows_of};
+use super::isosurface::{Isosurface, isosurface_within, rows_of};
 use super::nearest::TriangleTree;
 use super::print::Print;
 use rayon::slice::ParallelSliceMut;
@@ -45,7 +45,7 @@ use tomolith_core::parallel::{InParallel, table};
 /// Voxels up to which surfaces are taken on the print's own grid.
 const FULL_RESOLUTION: usize = 200_000_000;
 /// Triangles of one surface up to which it is used; a smooth part has about a million at 400³ voxels.
-const MOST_TRIANGLES: usize = 4_000_000;
+pub(super) const MOST_TRIANGLES: usize = 4_000_000;
 /// Corners that are asked for one after the other, each with the answer of the one before.
 const RUN: usize = 1024;
 
@@ -161,13 +161,15 @@ fn surfaces(print: &Print<'_>, most_voxels: usize) -> Option<Surfaces> {
     let grid = print.grid();
     let mut coarsened = (1..).find(|f| grid.len() / (f * f * f) <= most_voxels)?;
     let run = print.run().part(MEASURING);
+    // A closed surface has twice as many triangles as corners
+    let most = print.most_triangles() / 2;
     let (printed, target) = loop {
         let fill = |i, row: &mut [f32]| print.printed_row(i, threshold, row);
-        let printed = surface(grid, coarsened, threshold, fill, &run.part(FINDING));
+        let printed = surface(grid, coarsened, threshold, fill, most, &run.part(FINDING));
         let fill = |i, row: &mut [f32]| print.target_row(i, row);
-        let target = surface(grid, coarsened, 0.5, fill, &run.part(FINDING));
-        if printed.triangles.len().max(target.triangles.len()) <= MOST_TRIANGLES {
-            break (printed, target);
+        let target = || surface(grid, coarsened, 0.5, fill, most, &run.part(FINDING));
+        if let Some(both) = printed.and_then(|printed| Some((printed, target()?))) {
+            break both;
         }
         coarsened += 1;
     };
@@ -266,19 +268,21 @@ fn value_at(grid: &VolumeGrid, place_mm: [f64; 3], fill: impl Fn(usize, &mut [f3
     sum
 }
 
-/// Iso-surface, after averaging over `factor`³ voxels.
+/// Iso-surface, after averaging over `factor`³ voxels; None where it has more than `most` corners.
 fn surface(
     grid: &VolumeGrid,
     factor: usize,
     level: f64,
     fill: impl Fn(usize, &mut [f32]) + Sync,
+    most: usize,
     run: &Run,
-) -> Isosurface {
+) -> Option<Isosurface> {
     if factor == 1 {
-        return isosurface_of(grid, level, fill, run);
+        return isosurface_within(grid, level, fill, most, run);
     }
     let (coarse, values) = averaged(grid, factor, &fill, &run.part(0.7));
-    isosurface_of(&coarse, level, rows_of(&values), &run.part(0.3))
+    let fill = rows_of(&values);
+    isosurface_within(&coarse, level, fill, most, &run.part(0.3))
 }
 
 /// Means over blocks of voxels; blocks at the far ends may be cut off.
@@ -416,6 +420,33 @@ mod tests {
         assert_eq!(d.coarsened, 1);
         let same = compare(&grid, [1.2, 1.2], 0.0, usize::MAX);
         assert!(same.hausdorff_mm < 1e-6, "{same:?}");
+    }
+
+    #[test]
+    fn a_rough_surface_is_averaged_until_there_is_memory_for_it() {
+        // Every other voxel of a block gels: hundreds of triangles where a smooth block has some
+        let grid = VolumeGrid::centered([32, 32, 32], 0.1);
+        let labels = Volume {
+            values: vec![PART; grid.len()],
+            grid: grid.clone(),
+        };
+        let parity = |i: usize| (i % 32 + i / 32 % 32 + i / 1024) % 2;
+        let response = Volume {
+            values: (0..grid.len()).map(|i| parity(i) as f32 + 0.2).collect(),
+            grid,
+        };
+        let print = || {
+            Print::new(&labels, &response)
+                .unwrap()
+                .with_threshold(0.5)
+                .unwrap()
+        };
+        let rough = print().deviation().unwrap();
+        let few = print().with_most_triangles(20_000).deviation().unwrap();
+        assert_eq!(rough.coarsened, 1);
+        assert!(rough.surface.triangles.len() > 100_000);
+        assert_eq!(few.coarsened, 2);
+        assert!(few.surface.triangles.len() <= 20_000);
     }
 
     #[test]

@@ -84,15 +84,12 @@ impl ShownFrames {
             ..PrinterSpec::default()
         };
         let printer = Printer::new(&spec, base, &grid, Rotation::Clockwise)?;
-        let sum = |levels: &[u16]| {
-            printer.emitted(&Quantized {
-                grid: grid.clone(),
-                bits,
-                full_scale: 1.0,
-                values: levels.to_vec(),
-            })
-        };
-        let sums: Vec<f64> = values.chunks(rows * columns).map(sum).collect();
+        let sums = printer.emitted(&Quantized {
+            grid: grid.clone(),
+            bits,
+            full_scale: 1.0,
+            values,
+        });
         if sums.iter().all(|sum| *sum == 0.0) {
             return Err(Error::Format {
                 path: folder.to_owned(),

@@ -71,8 +71,8 @@ impl Kinetics {
 pub struct KineticsFit {
     /// The resin.
     pub kinetics: Kinetics,
-    /// Standard errors of I_min, k, t₁ and m (0 for m at an end of its range); None where the points do not fix them.
-    pub errors: Option<[f64; 4]>,
+    /// Standard errors of I_min, k, t₁ and m; None where the points do not fix them. That of m at an end of its range is not known.
+    pub errors: Option<[Option<f64>; 4]>,
     /// Time of the fit over the measured one, minus 1, from the lowest irradiance on.
     pub residuals: Vec<f64>,
     /// The largest areal dose I·t that was needed over the smallest one, minus 1: what a pure dose threshold misses.
@@ -124,10 +124,10 @@ pub fn fit(table: &Curve) -> Result<KineticsFit> {
     let used = kinetics.min_irradiance / x[0];
     let errors = minimum.errors(0.0, x.len()).map(|e| {
         [
-            e[0] * kinetics.min_irradiance * (1.0 - used),
-            e[1] * kinetics.supply_per_s,
-            e[2] * kinetics.cure_s,
-            e.get(3).copied().unwrap_or(0.0),
+            Some(e[0] * kinetics.min_irradiance * (1.0 - used)),
+            Some(e[1] * kinetics.supply_per_s),
+            Some(e[2] * kinetics.cure_s),
+            e.get(3).copied(),
         ]
     });
     let residuals = x.iter().zip(y).map(|(x, y)| {

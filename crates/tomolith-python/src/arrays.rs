@@ -8,9 +8,28 @@ use pyo3::prelude::*;
 use tomolith::field::HostField;
 use tomolith::grid::{PatternGrid, Patterns, Volume};
 
-/// The type of every array that is given: float32, converted where it is another.
+/// numpy's letters of what is a real number: booleans, whole numbers with and without sign, floating-point numbers.
+const NUMBERS: [&str; 4] = ["b", "i", "u", "f"];
+
+/// The type of every array that is given: float32, converted where it holds other real numbers.
 pub(crate) fn float32<'py>(array: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
     let numpy = array.py().import("numpy")?;
+    let is_masked = numpy
+        .getattr("ma")?
+        .call_method1("isMaskedArray", (array,))?;
+    if is_masked.is_truthy()? {
+        return Err(TomolithError::new_err(
+            "array: found a masked array; accepted: numbers everywhere, for example array.filled(0)",
+        ));
+    }
+    // Without a conversion: a date is no number, and of a complex one a half would be lost
+    let dtype = numpy.call_method1("asarray", (array,))?.getattr("dtype")?;
+    let kind: String = dtype.getattr("kind")?.extract()?;
+    if !NUMBERS.contains(&kind.as_str()) {
+        return Err(TomolithError::new_err(format!(
+            "array: found {dtype}; accepted: numbers that are real, such as float32"
+        )));
+    }
     let converted = numpy.call_method1("ascontiguousarray", (array, numpy.getattr("float32")?));
     converted.map_err(|e| {
         let found = e.value(array.py()).to_string();
@@ -32,19 +51,30 @@ pub(crate) fn field(what: &str, array: &Bound<'_, PyAny>, len: usize) -> PyResul
             array.len()
         )));
     }
-    if let Some(i) = array.as_slice()?.iter().position(|v| !v.is_finite()) {
-        let found = array.as_slice()?[i];
-        return Err(TomolithError::new_err(format!(
-            "{what}: found {found} at element {i}; accepted: finite numbers"
-        )));
-    }
+    must_be_finite(what, array.as_slice()?, "finite numbers")?;
     let mut field = HostField::zeros(len);
     field.as_mut_slice().copy_from_slice(array.as_slice()?);
     Ok(field)
 }
 
-pub(crate) fn of_field<'py>(py: Python<'py>, field: &HostField) -> Bound<'py, PyArray1<f32>> {
-    PyArray1::from_slice(py, field.as_slice())
+/// What was computed; refused where numbers have become too large for float32.
+pub(crate) fn of_field<'py>(
+    py: Python<'py>,
+    what: &str,
+    field: &HostField,
+) -> PyResult<Bound<'py, PyArray1<f32>>> {
+    must_be_finite(what, field.as_slice(), "patterns whose doses are numbers")?;
+    Ok(PyArray1::from_slice(py, field.as_slice()))
+}
+
+fn must_be_finite(what: &str, values: &[f32], accepted: &str) -> PyResult<()> {
+    match values.iter().position(|v| !v.is_finite()) {
+        None => Ok(()),
+        Some(i) => Err(TomolithError::new_err(format!(
+            "{what}: found {} at element {i}; accepted: {accepted}",
+            values[i]
+        ))),
+    }
 }
 
 /// `[z, y, x]`

@@ -1,7 +1,7 @@
 //! `ResolvedJob` and `Task`: a job as objects, for loops of one's own.
 
 use crate::arrays::{field, of_field, of_patterns, of_volume, patterns};
-use crate::work::{beside, plain, raised};
+use crate::work::{TomolithError, beside, plain, raised};
 use numpy::{PyArray1, PyArray3};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -107,8 +107,8 @@ pub(crate) struct Task {
 impl Task {
     /// Where the job begins.
     #[getter]
-    fn start<'py>(&self, py: Python<'py>) -> Vector<'py> {
-        of_field(py, &self.task.start)
+    fn start<'py>(&self, py: Python<'py>) -> PyResult<Vector<'py>> {
+        of_field(py, "start", &self.task.start)
     }
 
     /// Counts of the voxels of the optimization `(nz, ny, nx)`: those of `target`, `labels` and `volumes`.
@@ -162,7 +162,7 @@ impl Task {
             self.task.model.dose(&x, &mut dose, run)?;
             Ok(dose)
         })?;
-        Ok(of_field(py, &dose))
+        of_field(py, "dose", &dose)
     }
 
     /// (∂F/∂x)ᵀ c at x: the adjoint of a model that is linear.
@@ -181,7 +181,7 @@ impl Task {
             model.pullback(&x, &cotangent, &mut gradient, run)?;
             Ok(gradient)
         })?;
-        Ok(of_field(py, &gradient))
+        of_field(py, "gradient", &gradient)
     }
 
     /// Loss and its gradient at x, penalties included.
@@ -208,7 +208,12 @@ impl Task {
                 gradient,
             ))
         })?;
-        Ok((value, of_field(py, &gradient)))
+        if !value.is_finite() {
+            return Err(TomolithError::new_err(format!(
+                "loss: found {value}; accepted: patterns whose loss is a number"
+            )));
+        }
+        Ok((value, of_field(py, "gradient", &gradient)?))
     }
 
     /// The images in x: an array `[frame, row, column]` for each light.
@@ -233,7 +238,7 @@ impl Task {
         for (layout, patterns) in layouts.iter().zip(&patterns) {
             layout.fill_field(patterns, x.as_mut_slice());
         }
-        Ok(of_field(py, &x))
+        of_field(py, "x", &x)
     }
 
     /// The volumes in d: an array `[z, y, x]` for each output.

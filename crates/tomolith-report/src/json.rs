@@ -46,6 +46,7 @@
 //! process_window  of an objective that looks for it, before the patterns are written, on the optimization's voxels: outliers (the share left
 //!               out), thresholds (l and u of the objective), part_above, part_below, void_below (what all but the outliers are), window (part_above
 //!               − void_below), range (part_below − part_above), ipdr (its bound); else null
+//! time_to_print_s  of all lights: one after the other, or side by side in a schedule; null where times are not known
 //! movies        what a decoder makes of each movie
 //! notes         sentences: choices that were made
 //! warnings      sentences
@@ -55,7 +56,7 @@
 //! What is not defined is null; no number is infinite or not a number.
 
 use super::time::time_json;
-use super::{MapReport, ObjectiveReport, ReportData, SpeciesReport};
+use super::{LightReport, MapReport, ObjectiveReport, ReportData, SpeciesReport};
 use serde_json::{Map, Value, json};
 use tomolith_core::kind::table_of;
 use tomolith_metrics::Evaluation;
@@ -69,6 +70,16 @@ fn number(value: impl Into<Option<f64>>) -> Value {
         .into()
         .filter(|v| v.is_finite())
         .map_or(Value::Null, Value::from)
+}
+
+/// How long all lights take, s: one after the other, or side by side as the schedule says. None where a time is not known.
+fn time_to_print_s(data: &ReportData<'_>) -> Option<f64> {
+    let time_s = |light: &LightReport<'_>| light.budget.time_s;
+    let mut times = data.lights.iter().map(time_s);
+    if data.lights.iter().any(|light| light.irradiance.is_some()) {
+        return times.try_fold(0.0f64, |longest, own| Some(longest.max(own?)));
+    }
+    times.sum()
 }
 
 /// The report as JSON.
@@ -153,6 +164,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         "scenarios": data.scenarios,
         "process_window": data.found_window,
         "response": response,
+        "time_to_print_s": number(time_to_print_s(data)),
         "movies": movies,
         "notes": data.notes,
         "warnings": data.warnings,

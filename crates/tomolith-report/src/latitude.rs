@@ -60,7 +60,7 @@ pub struct ExposureWindow {
 
 impl ExposureWindow {
     /// Of an evaluation of this response; `time_s` is the time to print at the evaluation's own threshold. None where nothing
-    /// prints, and for a gray target whose response is not the dose: an exposure does not scale it.
+    /// prints, where the print is best for a dose of 0 or below, and for a gray target whose response is not the dose: an exposure does not scale it.
     #[must_use]
     pub fn new(
         evaluation: &Evaluation,
@@ -78,6 +78,10 @@ impl ExposureWindow {
                 };
                 let dose = at.map(dose_of);
                 let [low, best, high] = dose;
+                // An exposure scales doses: none brings one to a dose of 0 or below
+                if best <= 0.0 {
+                    return None;
+                }
                 // At s times the best exposure, what gels is what got best/s
                 let percent = |dose: f64| 100.0 * best / dose;
                 let reported = evaluation.gel_threshold.map(|t| percent(dose_of(t)));

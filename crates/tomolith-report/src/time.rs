@@ -184,16 +184,18 @@ fn sentence(time: &TimeReport<'_>) -> String {
     let s = |v: f64| significant(v, 3);
     let end = time.points.last().map_or(0.0, |p| p.seconds);
     let (Some(begin), Some(best)) = (time.phases_s[0], time.best()) else {
-        let share = time.reached.map_or(String::new(), |share| {
-            format!(
-                " The part gets {} % of the dose that it needs at most.",
+        let why = match time.reached {
+            Some(share) if share >= 1.0 => format!(
+                "The part absorbs {} % of what it needs in all, but too unevenly, or so slowly that inhibitor flows back.",
                 s(100.0 * share)
-            )
-        });
-        return format!(
-            "Nothing becomes solid within {} s.{share} More turns, or more power, would help.",
-            s(end)
-        );
+            ),
+            Some(share) => format!(
+                "The part absorbs {} % of what it needs. More turns, or more power, would help.",
+                s(100.0 * share)
+            ),
+            None => "More turns, or more power, would help.".to_owned(),
+        };
+        return format!("Nothing becomes solid within {} s. {why}", s(end));
     };
     let mut text = format!(
         "The first voxel is solid after {} s. The print is best after <b>{}</b>: solid and part then overlap with a Jaccard index of <b>{}</b>, and \

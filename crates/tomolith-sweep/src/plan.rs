@@ -247,6 +247,9 @@ impl Sweep {
         mut error: Error,
         count: usize,
     ) -> Error {
+        if let Error::Several(mut several) = error {
+            error = several.swap_remove(0);
+        }
         // It names its run, and the key of the sweep
         if matches!(&error, Error::Config { key, .. } if key.starts_with("derived.")) {
             return error;

@@ -101,6 +101,45 @@ fn meshes_and_phantoms_become_voxels() {
 }
 
 #[test]
+fn what_an_evaluation_saw_has_the_numbers_of_its_report() {
+    let bench = Bench::new();
+    bench.expect(0, "run job.toml -o out --set output.evaluation=true");
+    let report: Value = serde_json::from_str(&bench.read("out/report.json")).unwrap();
+    let of_report = &report["evaluation"];
+    let pitch = of_report["grid"]["pitch_mm"].as_f64().unwrap();
+    let found = bench.json(&format!(
+        "metrics out/evaluation/response.npy out/evaluation/target.npy --labels out/evaluation/labels.npy --pitch-mm {pitch}"
+    ));
+    for name in ["iou", "ver", "pw", "gel_threshold", "surface_mean_mm"] {
+        assert!(of_report[name].is_f64(), "{name}");
+        assert_eq!(found["evaluation"][name], of_report[name], "{name}");
+    }
+    // The next run removes what it does not write
+    bench.expect(0, "run job.toml -o out");
+    assert!(!bench.path("out/evaluation").exists());
+}
+
+#[test]
+fn several_slips_are_told_in_one_run() {
+    let bench = Bench::with(&[(
+        "job.toml",
+        &JOB.replace("refractive_index", "ior")
+            .replace("iterations", "iteratons"),
+    )]);
+    let said = bench.ended(2, "check job.toml");
+    let said = String::from_utf8(said.stderr).unwrap();
+    let [first, second] = ["resin.ior", "stop.iteratons"].map(|key| said.find(key).unwrap());
+    assert!(
+        first < second && said.contains("did you mean `refractive_index`?"),
+        "{said}"
+    );
+    let line = bench.ended(2, "check job.toml --json").stdout;
+    let line: Value = serde_json::from_slice(&line).unwrap();
+    assert_eq!(line["errors"][1]["key"], "stop.iteratons");
+    assert_eq!(line["errors"][1]["nearest"], "iterations");
+}
+
+#[test]
 fn anybodys_arrays_are_measured() {
     let bench = Bench::new();
     fs::write(bench.path("dose.npy"), npy("2, 2", &[0.2, 0.8, 0.9, 0.4])).unwrap();

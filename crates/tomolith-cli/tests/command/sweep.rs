@@ -136,6 +136,32 @@ fn processes_of_a_launcher_are_told_that_each_does_all_and_shares_by_hand_are_no
 }
 
 #[test]
+fn processes_of_a_launcher_that_would_write_the_same_files_are_refused() {
+    let bench = Bench::with(&[("job.toml", JOB)]);
+    let mut command = bench.command("simulate job.toml --patterns nowhere.npz");
+    let output = command.env("OMPI_COMM_WORLD_SIZE", "2").output().unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        message.contains("one of 2 processes of a launcher"),
+        "{message}"
+    );
+}
+
+#[test]
+fn instructions_that_no_machine_has_are_refused() {
+    let bench = Bench::with(&[("job.toml", JOB)]);
+    let mut command = bench.command("check job.toml");
+    let output = command.env("TOMOLITH_ISA", "AVX2").output().unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        message.contains("TOMOLITH_ISA: found \"AVX2\"") && message.contains("scalar"),
+        "{message}"
+    );
+}
+
+#[test]
 fn a_map_outlines_nothing_where_nothing_is_asked_of_the_best() {
     let bench = bench();
     let sweep = "job = \"job.toml\"\nmetrics = [\"evaluation.iou\"]\n\

@@ -9,6 +9,7 @@
 )]
 
 use std::sync::OnceLock;
+use tomolith_core::error::{Error, Result};
 use tomolith_core::field::LANES;
 
 /// Vectors of 16 lanes that a block has at most.
@@ -77,11 +78,30 @@ impl Isa {
     #[must_use]
     pub fn in_use() -> Isa {
         static CHOICE: OnceLock<Isa> = OnceLock::new();
-        *CHOICE.get_or_init(|| {
-            let available = Isa::available();
-            let asked = std::env::var("TOMOLITH_ISA").unwrap_or_default();
-            let named = available.iter().find(|isa| isa.name() == asked);
-            *named.unwrap_or(&available[0])
+        *CHOICE.get_or_init(|| Isa::asked().unwrap_or(Isa::available()[0]))
+    }
+
+    /// The path that `TOMOLITH_ISA` names, or the best one where it names none.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for a name that is none of this machine's.
+    pub fn asked() -> Result<Isa> {
+        let available = Isa::available();
+        let asked = std::env::var_os("TOMOLITH_ISA").unwrap_or_default();
+        if asked.is_empty() {
+            return Ok(available[0]);
+        }
+        let named = available.iter().find(|isa| asked == isa.name());
+        named.copied().ok_or_else(|| {
+            let names: Vec<&str> = available.iter().map(|isa| isa.name()).collect();
+            Error::config(
+                "TOMOLITH_ISA",
+                format!("found {asked:?}"),
+                format!(
+                    "{}, which this machine has; or nothing, for the first of them",
+                    names.join(", ")
+                ),
+            )
         })
     }
 

@@ -540,19 +540,18 @@ impl Printer {
         (!mask.is_open()).then_some(mask)
     }
 
-    /// Sum of the intensities of all device pixels over one pass of the frames, where white is 1.
+    /// Sum of the intensities of all device pixels of each frame, where white is 1.
     #[must_use]
-    pub fn emitted(&self, frames: &Quantized) -> f64 {
+    pub fn emitted(&self, frames: &Quantized) -> Vec<f64> {
         let tone = Tone::new(self.curve.as_ref(), frames.bits);
-        let sums: Vec<f64> = frames
+        frames
             .values
             .chunks(self.device_pixels().max(1))
             .par_map(|levels| {
                 let light =
                     |(device, &level): (usize, &u16)| tone.intensity(level) * self.bright(device);
                 levels.iter().enumerate().map(light).sum()
-            });
-        sums.into_iter().sum()
+            })
     }
 }
 

@@ -114,14 +114,13 @@ impl Quantized {
         }
     }
 
-    /// Sum over all pixels of level over highest level.
+    /// Sum over all pixels of each frame of level over highest level.
     #[must_use]
-    pub fn sum(&self) -> f64 {
-        let blocks: Vec<u64> = self
-            .values
-            .chunks(BLOCK)
-            .par_map(|block| block.iter().map(|&q| u64::from(q)).sum());
-        blocks.iter().sum::<u64>() as f64 / f64::from(top_level(self.bits))
+    pub fn sums(&self) -> Vec<f64> {
+        let top = f64::from(top_level(self.bits));
+        let pixels = (self.grid.rows * self.grid.columns).max(1);
+        let sum = |frame: &[u16]| frame.iter().map(|&q| u64::from(q)).sum::<u64>() as f64 / top;
+        self.values.chunks(pixels).par_map(sum)
     }
 
     /// A view of these levels for writers of frames and movies.

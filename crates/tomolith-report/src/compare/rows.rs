@@ -106,7 +106,7 @@ fn of_print() -> [Row; 8] {
             "Time to print",
             "s",
             Better::Lower,
-            "/lights/0/budget/time_s",
+            "/time_to_print_s",
         ),
         pointer(
             "energy_per_turn_mj",

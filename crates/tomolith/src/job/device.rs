@@ -1,7 +1,7 @@
 //! Patterns → frames of the job's machine, and back from files that a machine shows.
 
 use super::build::Optics;
-use super::progress::{Event, Progress};
+use super::progress::{Event, Progress, left_out};
 use super::resolve::JobKinds;
 use super::scene::Scene;
 use super::scheduled::{self, Emitted};
@@ -27,6 +27,11 @@ use std::f64::consts::TAU;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+/// What is left out where frames make no movie, and what else could show them.
+const MOVIE: [&str; 2] = [
+    "the movie",
+    "the frames are written; output.movie = \"lossless\" takes frames of any kind, \"none\" writes no movie",
+];
 /// Name of the file that says how frames and movies are to be shown.
 pub(crate) const EXPOSURE: &str = "exposure.json";
 
@@ -380,6 +385,15 @@ pub(crate) struct ShownLight {
     pub(crate) irradiance: Option<Irradiance>,
 }
 
+/// What of frames was written.
+#[derive(Default)]
+pub(crate) struct WrittenFrames {
+    /// One per light; None where there is no movie.
+    pub(crate) movies: Vec<Option<MovieReport>>,
+    /// What was left out.
+    pub(crate) warnings: Vec<String>,
+}
+
 /// How a job is shown: frames, movies, times.
 pub(crate) struct Shown<'a> {
     spec: &'a JobSpec,
@@ -403,7 +417,7 @@ impl<'a> Shown<'a> {
             let printer = printers.map(|printers| &printers[i]);
             let emitted = match printer {
                 Some(printer) => printer.emitted(frames),
-                None => frames.sum(),
+                None => frames.sums(),
             };
             let (grid, white) = (&frames.grid, f64::from(frames.full_scale));
             let (pixels, pixel_mm2) = (grid.rows * grid.columns, grid.pixel_mm2());
@@ -412,7 +426,7 @@ impl<'a> Shown<'a> {
                 i,
                 &Emitted {
                     white,
-                    sum: emitted,
+                    sums: &emitted,
                     pixels: grid.frames() * pixels,
                     pixel_mm2,
                 },
@@ -421,7 +435,10 @@ impl<'a> Shown<'a> {
                 Some((budget, irradiance)) => (budget, Some(irradiance)),
                 None => {
                     let exposure = exposure(spec, i, gel_dose);
-                    (exposure.budget(white, emitted, pixels, pixel_mm2), None)
+                    (
+                        exposure.budget(white, emitted.iter().sum(), pixels, pixel_mm2),
+                        None,
+                    )
                 }
             };
             Ok(ShownLight {
@@ -453,7 +470,7 @@ impl<'a> Shown<'a> {
         sets: &[FrameSet<'_>],
         progress: &mut dyn Progress,
         run: &Run,
-    ) -> Result<Vec<MovieReport>> {
+    ) -> Result<WrittenFrames> {
         write_frames(&folder.join("frames"), sets, &run.part(0.2))?;
         if self
             .spec
@@ -463,47 +480,68 @@ impl<'a> Shown<'a> {
         {
             write_stack(&folder.join("frames.npz"), sets, &run.part(0.1))?;
         }
-        let rpm = self.spec.output.rpm;
-        let (mut movies, mut lights) = (Vec::new(), Vec::new());
+        let (mut written, mut lights) = (WrittenFrames::default(), Vec::new());
         for (i, set) in sets.iter().enumerate() {
+            let movie = self.write_movie(folder, part, set, &run.part(0.7 / sets.len() as f64));
+            let movie = left_out(MOVIE, movie, progress, &mut written.warnings)?.flatten();
             let arc = set.grid.frame_arc * set.grid.frames() as f64;
-            let mut movie = None;
-            if arc == 0.0 {
+            if arc == 0.0 && self.spec.output.movie != MovieCoding::None {
                 let text =
                     "a list of angles, or a single frame, has no frame rate: no movie is written"
                         .to_owned();
                 progress.event(&Event::Note { text });
-            } else {
-                let part = set
-                    .light
-                    .map_or_else(|| part.to_owned(), |light| format!("{part}_{light}"));
-                let coding = self.spec.output.movie;
-                let name = movie_name(&part, rpm, coding.ending());
-                let path = folder.join(&name);
-                let run = run.part(0.7 / sets.len() as f64);
-                let rate = frame_rate(rpm, set.grid.frames(), arc)?;
-                let check = match coding {
-                    MovieCoding::H264 => {
-                        write_movie(&path, set, rate, &run.part(0.6))?;
-                        check_movie(&path, set, &run.part(0.4))?
-                    }
-                    MovieCoding::Lossless => {
-                        write_lossless(&path, set, rate)?;
-                        check_lossless(&path, set)?
-                    }
-                };
-                let file = name.clone();
-                movies.push(MovieReport { check, file });
-                movie = Some(name);
             }
-            lights.push(self.light_json(i, set, movie.as_deref()));
+            let name = movie.as_ref().map(|movie| movie.file.as_str());
+            lights.push(self.light_json(i, set, name));
+            written.movies.push(movie);
         }
+        let rpm = self.spec.output.rpm;
         let exposure = json!({ "schema": "tomolith.exposure/1", "rpm": rpm, "lights": lights });
         write_whole(&folder.join(EXPOSURE), |file| {
             serde_json::to_writer_pretty(&mut *file, &exposure).map_err(std::io::Error::from)?;
             Ok(file.write_all(b"\n")?)
         })?;
-        Ok(movies)
+        Ok(written)
+    }
+
+    /// The movie of a light, read back; None where it has no frame rate, or none is asked for.
+    fn write_movie(
+        &self,
+        folder: &Path,
+        part: &str,
+        set: &FrameSet<'_>,
+        run: &Run,
+    ) -> Result<Option<MovieReport>> {
+        let (coding, rpm) = (self.spec.output.movie, self.spec.output.rpm);
+        let ending = match coding {
+            MovieCoding::H264 => "mp4",
+            MovieCoding::Lossless => "mov",
+            MovieCoding::None => return Ok(None),
+        };
+        let arc = set.grid.frame_arc * set.grid.frames() as f64;
+        if arc == 0.0 {
+            return Ok(None);
+        }
+        let part = set
+            .light
+            .map_or_else(|| part.to_owned(), |light| format!("{part}_{light}"));
+        let file = movie_name(&part, rpm, ending);
+        let path = folder.join(&file);
+        let rate = frame_rate(rpm, set.grid.frames(), arc)?;
+        let check = if coding == MovieCoding::H264 {
+            write_movie(&path, set, rate, &run.part(0.6))
+                .and_then(|()| check_movie(&path, set, &run.part(0.4)))
+        } else {
+            write_lossless(&path, set, rate).and_then(|()| check_lossless(&path, set))
+        };
+        match check {
+            Ok(check) => Ok(Some(MovieReport { file, check })),
+            Err(error) => {
+                // A movie that cannot be read back is none
+                let _ = std::fs::remove_file(&path);
+                Err(error)
+            }
+        }
     }
 
     fn light_json(&self, i: usize, set: &FrameSet<'_>, movie: Option<&str>) -> Value {

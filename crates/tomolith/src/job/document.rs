@@ -21,7 +21,8 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use json_places::JsonPlaces;
-use key_path::{at, insert, parent, steps};
+pub(super) use key_path::{at, parent};
+use key_path::{insert, steps};
 pub(crate) use key_path::{is_within, join};
 
 mod json_places;

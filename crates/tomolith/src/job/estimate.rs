@@ -34,6 +34,8 @@ const BASE_MB: f64 = 50.0;
 /// Bytes of the print's triangles and of the tree that measures distances, per face of a cube of as many voxels as are
 /// evaluated: 500 to 3000 measured.
 const BYTES_PER_FACE: f64 = 1000.0;
+/// Bytes of a triangle of a print that is rough: its corners, its place in the tree that measures distances, the distances.
+const BYTES_PER_TRIANGLE: f64 = 200.0;
 /// Compressed size of a pattern value in the npz, the frames and the movie, beside 8 bytes of raw values.
 const BYTES_PER_PIXEL_ON_DISK: f64 = 10.0;
 /// Bytes of dose.npy (4) and dose.vti (9: dose, target, label) per voxel, and some more.
@@ -98,6 +100,8 @@ pub(crate) struct Extent {
     pub(crate) glows: bool,
     /// Bytes of a canvas pixel in `frames.npz`, 0 when it is not written.
     pub(crate) stacked: usize,
+    /// Bytes of a voxel of the evaluation in `evaluation/`, 0 when it is not written.
+    pub(crate) bytes_evaluated: usize,
     /// Scenarios beside the job: as many models more.
     pub(crate) scenarios: usize,
     /// Memory of frames at work, MB: in the optimization, and in the evaluation.
@@ -149,6 +153,7 @@ impl Extent {
             cached_bytes: None,
             glows: optics.scene().scatters() && optics.lights.iter().any(|l| l.map.is_some()),
             stacked: 0,
+            bytes_evaluated: 0,
             scenarios: 0,
             working_mb: [0.0; 2],
         }
@@ -256,6 +261,16 @@ impl Extent {
         ]
     }
 
+    /// Triangles of a surface that the evaluation has memory for: the planned ones, and as many as the rest of the budget holds.
+    pub(crate) fn most_triangles(&self, budget_mb: Option<u64>) -> usize {
+        let Some(budget_mb) = budget_mb else {
+            return usize::MAX;
+        };
+        let rest = 1e6 * (budget_mb as f64 - self.evaluation().iter().sum::<f64>() - BASE_MB);
+        let bytes = rest.max(0.0) + self.faces() * BYTES_PER_FACE;
+        (bytes / BYTES_PER_TRIANGLE) as usize
+    }
+
     /// Memory of the levels of all canvases, which are made to be written, MB.
     pub(crate) fn canvas_mb(&self) -> f64 {
         self.canvas as f64 * BYTES_PER_CANVAS_PIXEL / 1e6
@@ -279,6 +294,7 @@ impl Extent {
             + self.faces() * BYTES_PER_FACE_ON_DISK
             + self.pixels as f64 * BYTES_PER_PIXEL_ON_DISK
             + (self.canvas * self.stacked) as f64
+            + (self.grid.len() * self.refine.pow(3) * self.bytes_evaluated) as f64
             + checkpoint;
         (10.0 + bytes / 1e6) as u64
     }
@@ -478,6 +494,7 @@ mod tests {
             cached_bytes: None,
             glows: false,
             stacked: 0,
+            bytes_evaluated: 0,
             scenarios: 0,
             working_mb: [0.0; 2],
         }
@@ -641,6 +658,7 @@ mod tests {
             fields: 2,
             canvas: 4_000_000,
             stacked: 2,
+            bytes_evaluated: 0,
             ..extent.clone()
         };
         assert!((larger.optimization()[0] - lanes * 45.0 / 1e6).abs() < 1e-12);

@@ -565,6 +565,7 @@ pub(super) fn measure_at(
     patterns: &[Patterns],
 ) -> Result<Evaluation> {
     let mut print = Print::under(&voxels.labels, response, Run::new())?
+        .with_most_triangles(scene.most_triangles())
         .with_inside(&voxels.target.inside)?
         .with_threshold(threshold)?
         .with_patterns(PatternStats::of(patterns));
@@ -613,7 +614,9 @@ fn print_under<'a>(
     run: Run,
 ) -> Result<Print<'a>> {
     let inside = &voxels.target.inside;
-    let mut print = Print::under(&voxels.labels, response, run)?.with_inside(inside)?;
+    let mut print = Print::under(&voxels.labels, response, run)?
+        .with_most_triangles(scene.most_triangles())
+        .with_inside(inside)?;
     if !scene.spec.evaluate.surfaces {
         print = print.without_distance();
     }

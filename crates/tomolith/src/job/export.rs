@@ -187,20 +187,17 @@ pub fn export(
     )?;
     let part = spec.target.name();
     make_parent(folder)?;
-    let movies = write_folder_whole(folder, |aside| {
+    let written = write_folder_whole(folder, |aside| {
         Ok(shown.write(aside, &part, &sets, progress, cancel)?)
     })?;
-    let mut movies = movies.into_iter();
-    let lights = sets.iter().zip(shown.lights()).map(|(set, light)| {
-        let movie = (set.grid.frame_arc > 0.0).then(|| movies.next()).flatten();
-        ExportedLight {
-            name: set.light.map(str::to_owned),
-            canvas: [set.grid.columns, set.grid.rows],
-            frames: set.grid.frames(),
-            frame_rate: movie.as_ref().map(|movie| movie.check.frame_rate),
-            movie: movie.map(|movie| movie.file),
-            budget: light.budget,
-        }
+    let lights = sets.iter().zip(shown.lights()).zip(written.movies);
+    let lights = lights.map(|((set, light), movie)| ExportedLight {
+        name: set.light.map(str::to_owned),
+        canvas: [set.grid.columns, set.grid.rows],
+        frames: set.grid.frames(),
+        frame_rate: movie.as_ref().map(|movie| movie.check.frame_rate),
+        movie: movie.map(|movie| movie.file),
+        budget: light.budget,
     });
     Ok(Exported {
         lights: lights.collect(),

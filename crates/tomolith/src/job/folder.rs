@@ -25,12 +25,13 @@ const NEW: &str = ".new";
 const OLD: &str = ".old-";
 const LOCK: &str = ".lock";
 /// What a run may leave beside them and its properties, by name or by its first letters and its extension.
-const OUTPUTS: [&str; 12] = [
+const OUTPUTS: [&str; 13] = [
     "patterns.npz",
     "frames",
     "frames.npz",
     "dose.npy",
     "dose.vti",
+    "evaluation",
     "print.stl",
     "print.ply",
     "history.csv",

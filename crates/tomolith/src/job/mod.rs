@@ -5,6 +5,7 @@
 //! | text → values that know their lines | [`document`] |
 //! | values → typed tables | [`spec`] |
 //! | every range and every pair that must fit | [`validate`] |
+//! | all keys at fault, and not only the first | `all_errors` |
 //! | typed tables → objects, and whether these fit together | `build`, `compatibility` |
 //! | every row of every family's table | [`kinds`], [`schema`], [`reference_page`] |
 //! | a job as objects, for other programs | [`resolved`] |
@@ -15,6 +16,7 @@
 //! | one job on several processes | `ranks` |
 //! | the folder of a run, what the machine has, what a run says | [`folder`], [`resources`], [`progress`] |
 
+mod all_errors;
 mod benchmark;
 mod build;
 mod cells;

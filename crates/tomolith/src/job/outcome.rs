@@ -109,16 +109,21 @@ impl fmt::Display for TimeSummary {
         let Some(share) = self.largest_share else {
             return Ok(());
         };
-        let who = if self.induction_end_s.is_some() {
-            "solid voxels absorb"
-        } else {
-            "the part absorbs"
-        };
         let percent = significant(100.0 * share, 3);
-        write!(
-            f,
-            " ({who} {percent} % of what the part needs: more turns, or more power)"
-        )
+        let why = if self.induction_end_s.is_some() {
+            format!(
+                "solid voxels absorb {percent} % of what the part needs: more turns, or more power"
+            )
+        } else if share < 1.0 {
+            format!(
+                "the part absorbs {percent} % of what the part needs: more turns, or more power"
+            )
+        } else {
+            format!(
+                "the part absorbs {percent} % of what the part needs, but too unevenly or too slowly for any of it to become solid"
+            )
+        };
+        write!(f, " ({why})")
     }
 }
 

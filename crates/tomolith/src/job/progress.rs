@@ -1,8 +1,9 @@
 //! What a run says while it works. The library never prints: a [`Progress`] does, in its own way.
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::models::Run;
 use serde::Serialize;
+use std::io::ErrorKind;
 use std::panic::resume_unwind;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread;
@@ -63,6 +64,33 @@ pub struct Silent;
 
 impl Progress for Silent {
     fn event(&mut self, _: &Event) {}
+}
+
+/// What a run can do without: where it cannot be made, it is left out with a warning that says what to change.
+///
+/// # Errors
+/// [`Error::Canceled`]; [`Error::Io`] of the system, such as a full disk.
+pub(super) fn left_out<T>(
+    [what, advice]: [&str; 2],
+    made: Result<T>,
+    progress: &mut dyn Progress,
+    warnings: &mut Vec<String>,
+) -> Result<Option<T>> {
+    let error = match made {
+        Ok(made) => return Ok(Some(made)),
+        Err(error) => error,
+    };
+    let found = match &error {
+        Error::Canceled => return Err(error),
+        Error::Io { source, .. } if source.kind() != ErrorKind::Other => return Err(error),
+        // Its file has a name that it will never have
+        Error::Format { found, .. } => found.clone(),
+        other => other.to_string(),
+    };
+    let text = format!("{what} is left out: {found}; {advice}");
+    warnings.push(text.clone());
+    progress.event(&Event::Warning { text });
+    Ok(None)
 }
 
 /// How often a stage tells how far it is.

@@ -17,10 +17,12 @@ use super::outcome::Summary;
 use super::progress::{Progress, watched};
 use super::read::Job;
 use super::refinement::Level;
+use super::resume::hash;
 use super::scene::Scene;
 use super::stages::run_shared;
 use crate::error::{Error, Result};
 use crate::grid::Patterns;
+use crate::models::parallel::kernel::Isa;
 use crate::models::{PatternLayout, Run};
 use crate::optics::light::Light;
 use crate::optimize::start::given::{Given, resample};
@@ -163,7 +165,8 @@ impl Scene {
         self.ranks.as_ref().is_none_or(|ranks| ranks.is_first())
     }
 
-    /// Refuses ranks that read another job or other files, or planned otherwise with the memory they have.
+    /// Refuses ranks that read another job or other files, planned otherwise with the memory they have, would stop at another iteration, or compute
+    /// with other instructions, whose sums differ.
     ///
     /// # Errors
     /// [`Error::Unsupported`].
@@ -171,14 +174,28 @@ impl Scene {
         let Some(ranks) = &self.ranks else {
             return Ok(());
         };
+        let isa = Isa::in_use().name();
+        let tables = self.spec.to_value()?;
+        let ends = ["stop", "checkpoint", "evaluate"].map(|table| tables[table].to_string());
+        let parts = [
+            (fingerprint, "its job, files or memory differ from those of rank 0: all ranks need the same files, and resources.memory_gb says what each may use".to_owned()),
+            (hash(ends.concat().as_bytes()), "its [stop], [checkpoint] or [evaluate] differs from that of rank 0: all ranks need the same".to_owned()),
+            (hash(isa.as_bytes()), format!("it computes with {isa}, and rank 0 with other instructions: TOMOLITH_ISA names what all ranks have")),
+        ];
         // Sixteen bits are a number without rounding
-        let own = [0, 16, 32, 48].map(|shift| (fingerprint >> shift & 0xffff) as f32);
+        let sixteens =
+            |(sum, _): &(u64, String)| [0, 16, 32, 48].map(|shift| (sum >> shift & 0xffff) as f32);
+        let own = parts.each_ref().map(sixteens);
         let mut first = own;
-        ranks.broadcast(&mut first);
-        let same = (first == own).then_some(()).ok_or_else(|| Error::Unsupported {
-            what: format!("rank {}", ranks.rank()),
-            reason: "its job, files or memory differ from those of rank 0: all ranks need the same files, and resources.memory_gb says what each may use".to_owned(),
-        });
+        ranks.broadcast(first.as_flattened_mut());
+        let mut other = parts.into_iter().zip(own.iter().zip(&first));
+        let same = match other.find(|(_, (own, first))| own != first) {
+            None => Ok(()),
+            Some(((_, reason), _)) => Err(Error::Unsupported {
+                what: format!("rank {}", ranks.rank()),
+                reason,
+            }),
+        };
         self.agreed(same)
     }
 

@@ -1,5 +1,6 @@
 //! A job that was read and whose every number is in its range.
 
+use super::all_errors::with_others;
 use super::document::Document;
 use super::kinds::{KindFamily, families, with_defaults};
 use super::refinement::LEAST_REFINE;
@@ -49,8 +50,12 @@ impl Job {
     /// # Errors
     /// [`Error::Config`] with key path, file and line, or the override's name.
     pub fn from_document(document: Document) -> Result<Self> {
-        let spec = JobSpec::from_document(&document)?;
-        validate::ranges(&spec).map_err(|e| document.locate(e))?;
+        let spec = JobSpec::from_document(&document).and_then(|spec| {
+            validate::ranges(&spec).map_err(|e| document.locate(e))?;
+            Ok(spec)
+        });
+        let base = base_of(&document);
+        let spec = spec.map_err(|first| with_others(&document, &base, first))?;
         Ok(Job {
             document,
             spec,
@@ -89,11 +94,7 @@ impl Job {
     /// The folder that paths of meshes and images are relative to.
     #[must_use]
     pub fn base(&self) -> PathBuf {
-        self.document
-            .file
-            .parent()
-            .map(Path::to_owned)
-            .unwrap_or_default()
+        base_of(&self.document)
     }
 
     /// The run folder.
@@ -230,6 +231,14 @@ impl Job {
         }
         error
     }
+}
+
+fn base_of(document: &Document) -> PathBuf {
+    document
+        .file
+        .parent()
+        .map(Path::to_owned)
+        .unwrap_or_default()
 }
 
 /// The same tables with the defaults of every kind written out.

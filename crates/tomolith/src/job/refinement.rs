@@ -21,6 +21,7 @@
 //! **Cells** are cut from voxels of half a pixel, as far as [`BUDGET_OF_CELLS`] allows: a mean over a cell does not hold the light within it.
 
 use super::build::Optics;
+use super::in_time;
 use super::multiresolution::{coarser_grid, coarser_lights, is_large_enough};
 use super::resolve::JobKinds;
 use super::spec::{Against, JobSpec};
@@ -151,7 +152,9 @@ pub(super) fn levels(
         None => finest(spec, lights, grid, bounds_mm),
     };
     let half = iterations / 2;
-    let is_costly = spec.grid.refine.is_none() && updates(grid, lights) > BUDGET;
+    let is_costly = spec.grid.refine.is_none()
+        && updates(grid, lights) > BUDGET
+        && !in_time::shows_every_frame(spec);
     let mut levels = Vec::new();
     if is_costly && half > 0 && is_large_enough(optics, grid, 2) {
         let lights = coarser_lights(lights, 2);

@@ -13,25 +13,25 @@ use crate::report::number::told_apart;
 use tomolith_material::schedule::Schedule;
 
 /// Quantized patterns of one light, as [`Budget`] sees them.
-pub(super) struct Emitted {
+pub(super) struct Emitted<'a> {
     /// The pattern value of white.
     pub(super) white: f64,
-    /// Sum of the intensities of all pixels of all frames, where white is 1.
-    pub(super) sum: f64,
+    /// Sum of the intensities of all pixels of each frame, where white is 1.
+    pub(super) sums: &'a [f64],
     /// Pixels of all frames.
     pub(super) pixels: usize,
     /// Area of a pixel, mm².
     pub(super) pixel_mm2: f64,
 }
 
-/// Time, energy and brightness of light `i` in the schedule of a job; None without one. In a broken turn all frames count alike.
+/// Time, energy and brightness of light `i` in the schedule of a job; None without one.
 ///
 /// # Errors
 /// Those of the schedule.
 pub(super) fn budget(
     spec: &JobSpec,
     i: usize,
-    emitted: &Emitted,
+    emitted: &Emitted<'_>,
 ) -> Result<Option<(Budget, Irradiance)>> {
     let Some(given) = &spec.schedule else {
         return Ok(None);
@@ -39,12 +39,14 @@ pub(super) fn budget(
     let schedule = schedule(spec)?;
     let energies = schedule.energies(i);
     let all: f64 = energies.iter().sum();
-    let energy_mj =
-        all / energies.len().max(1) as f64 * emitted.white * emitted.pixel_mm2 * emitted.sum;
+    // A broken turn ends before its last frames
+    let shown = energies.iter().zip(emitted.sums);
+    let shown: f64 = shown.map(|(energy, sum)| energy * sum).sum();
+    let energy_mj = shown * emitted.white * emitted.pixel_mm2;
     let angles = spec.light[i].angles.count().max(1) as f64;
     let turns = spec.light[i].turns.unwrap_or(given.turns);
     let budget = Budget {
-        light_used: emitted.sum / emitted.pixels.max(1) as f64,
+        light_used: emitted.sums.iter().sum::<f64>() / emitted.pixels.max(1) as f64,
         white_mj_per_mm2: Some(emitted.white * all / angles),
         time_s: Some(match spec.light[i].turns {
             Some(_) => shone_until(&schedule, i),
@@ -141,6 +143,30 @@ mod tests {
     use super::*;
     use crate::grid::PatternGrid;
     use tomolith_material::schedule::{Power, Turns};
+
+    #[test]
+    fn a_broken_turn_sends_what_its_frames_send() {
+        // Half a turn shows the first two of four frames; the others are brighter, and never seen
+        let text = r#"
+            target = { phantom = "gear", size_mm = 2.0 }
+            resin = { refractive_index = 1.5, absorption_per_mm = 0.1, critical_dose_mj_per_mm3 = 0.1 }
+            vial = { index_matched = { radius_mm = 3.0 } }
+            light = [{ pixels = [2, 2], angles = 4, projector = { collimated = { pixel_pitch_mm = 0.5 } } }]
+            schedule = { turns = 0.5, seconds_per_turn = 8.0, power = { irradiance_mw_per_mm2 = 3.0 } }
+        "#;
+        let document = crate::job::Document::toml("a.toml", text).unwrap();
+        let spec = JobSpec::from_document(&document).unwrap();
+        let emitted = Emitted {
+            white: 2.0,
+            sums: &[1.0, 2.0, 4.0, 4.0],
+            pixels: 16,
+            pixel_mm2: 0.25,
+        };
+        let (budget, _) = budget(&spec, 0, &emitted).unwrap().unwrap();
+        // 2 s · 3 mW/mm² · 2 (white) · 0.25 mm² · (1 + 2)
+        assert!((budget.energy_mj.unwrap() - 9.0).abs() < 1e-9);
+        assert!((budget.energy_per_turn_mj.unwrap() - 18.0).abs() < 1e-9);
+    }
 
     #[test]
     fn energy_grows_while_frames_shine() {

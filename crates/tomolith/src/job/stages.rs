@@ -11,7 +11,7 @@ use super::levels;
 use super::limits::Fall;
 use super::many::Leaves;
 use super::model_probe::try_orders;
-use super::optimize::{CheckpointPlan, Optimized, optimize};
+use super::optimize::{CheckpointPlan, Optimized, optimize, rehearse};
 use super::outcome::{GrayQuality, Plan, Quality, SpeciesSummary, Summary};
 use super::progress::{Event, Progress, watched};
 use super::ranks::must_fit;
@@ -453,6 +453,11 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
     let sampling_s = begin.elapsed().as_secs_f64();
     scene.must_start(&voxels).map_err(|e| job.locate(e))?;
     try_orders(&mut scene, progress, &sampling).map_err(|e| job.locate(e))?;
+    let trying = stage(progress, cancel, "trying the start of the optimization").aside();
+    if !rehearse(&scene, &voxels, &trying).map_err(|e| job.locate(e))? {
+        let text = "the start of the optimization takes too long to be tried here: a run may still find fault with it";
+        scene.notes.push(text.to_owned());
+    }
     let mut warnings = scene.warnings.clone();
     warnings.extend(scene.warnings_of(&voxels).map_err(|e| job.locate(e))?);
     // How much there is to time is not known beforehand

@@ -1,6 +1,6 @@
 //! What a print in time cannot be: schedules and materials that are refused before any work, each at its key.
 
-use super::in_time::{material, schedule};
+use super::in_time::{material, schedule, shows_every_frame};
 use super::resolve::JobKinds;
 use super::spec::{Against, JobSpec, LightSpec, MaterialSpec, ScheduleSpec};
 use super::species::Row;
@@ -10,7 +10,7 @@ use crate::units::exact;
 use tomolith_material::Material;
 use tomolith_material::domain::Domain;
 use tomolith_material::photopolymer::{Inhibitor, Network, Photopolymer};
-use tomolith_material::print::exceeded_limit_s;
+use tomolith_material::print::{default_step_s, exceeded_limit_s};
 use tomolith_material::schedule::Schedule;
 
 /// Checks material and schedule before any work.
@@ -31,6 +31,13 @@ pub(super) fn must_fit(spec: &JobSpec) -> Result<()> {
     let dose = given.optimize == Against::Dose;
     if let Some(own) = &spec.material {
         must_be_one(own, dose)?;
+    }
+    if spec.multiresolution.is_some() && shows_every_frame(spec) {
+        return Err(Error::config(
+            "multiresolution",
+            "coarse levels leave out every other frame, but this schedule needs them all",
+            "no [multiresolution] with schedule.optimize = \"frozen\" or \"exact\", or with material.diffusion",
+        ));
     }
     must_tell_turns_apart(spec, given)?;
     if given.level_heights && super::levels::asked(&spec.evaluate) {
@@ -330,12 +337,12 @@ fn must_tell_turns_apart(spec: &JobSpec, given: &ScheduleSpec) -> Result<()> {
     }
 }
 
-/// Refuses a step of time that is not stable on these voxels.
+/// Refuses a step of time that is not stable on these voxels, and a print of more stable steps than can be taken.
 ///
 /// # Errors
-/// [`Error::Config`] with the longest one that is.
+/// [`Error::Config`] with the longest step that is stable, or at the key that makes the steps so many.
 pub(super) fn must_be_stable(spec: &JobSpec, grid: &VolumeGrid) -> Result<()> {
-    let Some(step_s) = spec.schedule.as_ref().and_then(|given| given.step_s) else {
+    let Some(given) = &spec.schedule else {
         return Ok(());
     };
     let mut domain = Domain::new(grid.clone());
@@ -343,6 +350,9 @@ pub(super) fn must_be_stable(spec: &JobSpec, grid: &VolumeGrid) -> Result<()> {
         domain = domain.with_air_on_top();
     }
     let material = material(spec, spec.mixing()?.as_deref(), domain)?;
+    let Some(step_s) = given.step_s else {
+        return must_be_few(spec, &material, &schedule(spec)?);
+    };
     match exceeded_limit_s(&material, step_s) {
         None => Ok(()),
         Some(limit) => Err(Error::config(
@@ -353,4 +363,75 @@ pub(super) fn must_be_stable(spec: &JobSpec, grid: &VolumeGrid) -> Result<()> {
             "a shorter step, larger voxels (grid.pitch_mm), or material.photopolymer.diffusion = \"spectral\"",
         )),
     }
+}
+
+/// Refuses a print that the steps which the program chooses would cut into too many: because of what diffuses fast, or of what takes long.
+fn must_be_few(spec: &JobSpec, material: &Photopolymer, schedule: &Schedule) -> Result<()> {
+    let step_s = default_step_s(material, schedule);
+    let Err(Error::Config { accepted, .. }) = schedule.must_cut(step_s) else {
+        return Ok(());
+    };
+    let (print_s, most) = (schedule.end_s(), material.longest_step_s());
+    let (key, found, instead) = if most == step_s {
+        let (key, fastest) = fastest(spec);
+        let found = format!(
+            "found {} mm²/s: on these voxels steps are stable up to {most:.2e} s, for a print of {} s",
+            exact(fastest),
+            exact(print_s)
+        );
+        let instead = "slower diffusion, larger voxels (grid.pitch_mm), or material.photopolymer.diffusion = \"spectral\"";
+        (key, found, instead)
+    } else {
+        let (key, value) = longest(spec);
+        let found = format!(
+            "found {} s, for a print of {} s in steps of {} s",
+            exact(value),
+            exact(print_s),
+            exact(step_s)
+        );
+        (key, found, "a shorter print, or a longer schedule.step_s")
+    };
+    Err(Error::config(key, found, format!("{accepted}: {instead}")))
+}
+
+/// The key of what diffuses fastest through the faces of voxels, mm²/s.
+fn fastest(spec: &JobSpec) -> (String, f64) {
+    let own = spec.material.as_ref();
+    let photopolymer = own.and_then(|material| material.photopolymer.as_ref());
+    let networks = photopolymer.map_or(&[][..], |params| &params.networks);
+    let of = |(s, network): (usize, &Network)| {
+        let at = format!("material.photopolymer.networks[{s}]");
+        let dose = network.dose_diffusion_mm2_per_s;
+        let inhibitors = network.inhibitors.iter().enumerate();
+        let inhibitors = inhibitors.map(|(i, inhibitor)| {
+            let key = format!("{at}.inhibitors[{i}].diffusion_mm2_per_s");
+            (key, inhibitor.diffusion_mm2_per_s)
+        });
+        let dose = std::iter::once((format!("{at}.dose_diffusion_mm2_per_s"), dose));
+        dose.chain(inhibitors).collect::<Vec<_>>()
+    };
+    let all = networks.iter().enumerate().flat_map(of);
+    let fastest = all.max_by(|a, b| a.1.total_cmp(&b.1));
+    fastest.unwrap_or_else(|| ("material.photopolymer".to_owned(), 0.0))
+}
+
+/// The key of the schedule that takes most of the print, s.
+fn longest(spec: &JobSpec) -> (String, f64) {
+    let given = spec.schedule.clone().unwrap_or_default();
+    let turn_s = given.seconds_per_turn.unwrap_or(60.0 / spec.output.rpm);
+    let turns = spec.light.iter().filter_map(|light| light.turns);
+    let turns = turns.fold(given.turns, f64::max);
+    let parts = [
+        ("turns", turns, turns * turn_s),
+        ("dark_before_s", given.dark_before_s, given.dark_before_s),
+        (
+            "dark_between_s",
+            given.dark_between_s,
+            given.dark_between_s * turns,
+        ),
+        ("dark_after_s", given.dark_after_s, given.dark_after_s),
+    ];
+    let longest = parts.into_iter().max_by(|a, b| a.2.total_cmp(&b.2));
+    let (key, value, _) = longest.unwrap_or(parts[0]);
+    (format!("schedule.{key}"), value)
 }

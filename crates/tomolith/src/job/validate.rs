@@ -401,22 +401,29 @@ fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
     )?;
     optional(max, |max| {
         positive("bounds.max", max, "mJ/mm²")?;
-        let accepted = format!("from bounds.min = {min} to {MOST_LIGHT:e} mJ/mm²");
-        within("bounds.max", max, min, MOST_LIGHT, &accepted)
+        above("bounds.max", max, "bounds.min", min)
     })?;
     for (i, light) in spec.light.iter().enumerate() {
         let key = |name: &str| format!("light[{i}].bounds.{name}");
         let accepted = format!("0 to {MOST_LIGHT:e} mJ/mm²: light cannot be taken away");
         optional(light.bounds.min, |own| {
-            let most = light.bounds.max.or(max).unwrap_or(MOST_LIGHT);
-            within(&key("min"), own, 0.0, MOST_LIGHT, &accepted)?;
-            within(&key("min"), own, 0.0, most, "at most the largest value")
+            within(&key("min"), own, 0.0, MOST_LIGHT, &accepted)
         })?;
+        let least = light.bounds.min.unwrap_or(min);
+        let from = match light.bounds.min {
+            Some(_) => key("min"),
+            None => "bounds.min".to_owned(),
+        };
         optional(light.bounds.max, |own| {
-            let least = light.bounds.min.unwrap_or(min);
             positive(&key("max"), own, "mJ/mm²")?;
-            let accepted = format!("from {least}, the smallest value, to {MOST_LIGHT:e} mJ/mm²");
-            within(&key("max"), own, least, MOST_LIGHT, &accepted)
+            above(&key("max"), own, &from, least)
+        })?;
+        optional(max.filter(|_| light.bounds.max.is_none()), |most| {
+            let accepted = format!("less than bounds.max = {most}");
+            match least < most {
+                true => Ok(()),
+                false => refuse(&from, exact(least), accepted),
+            }
         })?;
     }
     optional(bits.map(f64::from), |v| {
@@ -568,6 +575,15 @@ fn within(key: &str, value: f64, least: f64, most: f64, accepted: &str) -> Resul
     }
 }
 
+/// The largest value of pixels, which some room must lie below.
+fn above(key: &str, value: f64, least_key: &str, least: f64) -> Result<()> {
+    if value > least && value <= MOST_LIGHT {
+        return Ok(());
+    }
+    let accepted = format!("more than {least_key} = {least}, up to {MOST_LIGHT:e} mJ/mm²");
+    refuse(key, exact(value), accepted)
+}
+
 fn count(key: &str, value: usize, least: usize, most: usize) -> Result<()> {
     if (least..=most).contains(&value) {
         return Ok(());
@@ -634,6 +650,8 @@ mod tests {
             ("light[0].bounds.min=9", "light[0].bounds.min"),
             ("bounds.max=1e30", "bounds.max"),
             ("bounds.min=5", "bounds.max"),
+            ("bounds={ min = 0.01, max = 0.01 }", "bounds.max"),
+            ("light[0].bounds={ min = 3.0 }", "light[0].bounds.min"),
             ("bounds.bits=0", "bounds.bits"),
             ("multiresolution.levels=9", "multiresolution.levels"),
             ("bounds.bits=17", "bounds.bits"),

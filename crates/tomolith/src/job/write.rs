@@ -1,6 +1,6 @@
 //! The files of a run folder.
 
-use super::device::{self, Written};
+use super::device::{self, Written, WrittenFrames};
 use super::evaluate::Evaluated;
 use super::folder::RunFolder;
 use super::in_time::{InTime, NetworkInTime};
@@ -9,12 +9,13 @@ use super::limits::limits;
 use super::many::Leaves;
 use super::optimize::Optimized;
 use super::outcome::{earlier, large};
-use super::progress::Progress;
+use super::progress::{Progress, left_out};
 use super::property::{Property, properties};
 use super::read::Job;
 use super::scene::{Scene, Voxels};
-use super::spec::LightSpec;
-use crate::error::Result;
+use super::spec::{LightSpec, MovieCoding};
+use crate::error::{Error, Result};
+use crate::grid::VolumeGrid;
 use crate::io::csv::{HistoryRow, write_history};
 use crate::io::frames::FrameSet;
 use crate::io::npy::{PatternPair, write_patterns, write_volume};
@@ -117,6 +118,9 @@ pub(crate) fn all(
             let file = new.join(format!("{}.npy", property.name));
             write_volume(&file, &property.values, &run.aside())?;
         }
+        if scene.spec.output.evaluation {
+            write_evaluation(evaluated, &new.join("evaluation"), run)?;
+        }
         write_vti(
             &new.join("dose.vti"),
             &evaluated.dose.grid,
@@ -129,18 +133,26 @@ pub(crate) fn all(
         )
     };
     // The large arrays go to the disk while frames, movies and the surface are made
-    let (arrays, movies) = std::thread::scope(|scope| {
+    let (arrays, written) = std::thread::scope(|scope| {
         let arrays = scope.spawn(arrays);
-        let movies = shown.write(&new, &scene.name, &sets, progress, &run.part(0.35));
-        let movies = movies.and_then(|movies| {
-            let deviation = print(scene, evaluated, &new, run.part(0.15))?;
-            Ok((movies, deviation))
+        let written = shown.write(&new, &scene.name, &sets, progress, &run.part(0.35));
+        let written = written.and_then(|mut written| {
+            let surface = print(scene, evaluated, &new, run.part(0.15));
+            let warnings = &mut written.warnings;
+            let deviation = left_out(SURFACE, surface, progress, warnings)?;
+            Ok((written, deviation.flatten()))
         });
-        (arrays.join().unwrap_or_else(|p| resume_unwind(p)), movies)
+        (arrays.join().unwrap_or_else(|p| resume_unwind(p)), written)
     });
     arrays?;
-    let (movies, deviation) = movies?;
-    write_time(done, &new, run)?;
+    let (
+        WrittenFrames {
+            movies,
+            mut warnings,
+        },
+        deviation,
+    ) = written?;
+    write_time(done, &new, progress, &mut warnings, run)?;
     let history = done.optimized.as_ref().map(history).unwrap_or_default();
     if !history.is_empty() {
         write_history(&new.join("history.csv"), &history)?;
@@ -150,14 +162,28 @@ pub(crate) fn all(
     run.check()?;
     let headline = Headline::of(done, &shown)?;
     let made = Made {
-        movies,
+        movies: movies.into_iter().flatten().collect(),
         deviation,
         timings,
         models,
         properties: &properties,
+        warnings,
     };
     report(done, &new, &history, made, &shown, &headline)?;
     Ok(headline)
+}
+
+/// What the report's numbers are of.
+fn write_evaluation(evaluated: &Evaluated, folder: &Path, run: &Run) -> Result<()> {
+    std::fs::create_dir(folder).map_err(|e| Error::io(folder, e))?;
+    let fine = &evaluated.fine;
+    for (name, volume) in [
+        ("response.npy", &evaluated.response),
+        ("target.npy", &fine.target.inside),
+    ] {
+        write_volume(&folder.join(name), volume, &run.aside())?;
+    }
+    write_volume(&folder.join("labels.npy"), &fine.labels, &run.aside())
 }
 
 /// The job with every default written out, after the parameters of the response that it found.
@@ -190,6 +216,7 @@ fn numbers(
         timings,
         models,
         properties: &properties,
+        warnings: Vec::new(),
     };
     report(done, &new, &history, made, shown, &headline)?;
     Ok(headline)
@@ -265,6 +292,12 @@ fn judged_on(evaluation: &Evaluation, refine: usize) -> String {
     }
 }
 
+/// What a run can do without, and what may help.
+const SURFACE: [&str; 2] = ["the surface of the print", "dose.npy has the dose"];
+const MOVIE_IN_TIME: [&str; 2] = [
+    "the movie of the print in time",
+    "output.movie = \"none\" writes none; time.csv and cure_time.npy have the numbers",
+];
 /// IoU that is shown as 1.000.
 const NO_ERROR: f64 = 0.9995;
 /// What to think of the numbers of a toy.
@@ -277,6 +310,8 @@ struct Made<'a> {
     deviation: Option<Deviation>,
     timings: Vec<Timing>,
     models: Vec<(&'static str, String)>,
+    /// What was left out.
+    warnings: Vec<String>,
 }
 
 /// The models that gave the doses, by what they were asked for.
@@ -360,7 +395,12 @@ fn report(
         movies: made.movies,
         job_text: &resolved.to_toml()?,
         notes: scene.notes.clone(),
-        warnings: [done.warnings.as_slice(), &evaluated.warnings].concat(),
+        warnings: [
+            done.warnings.as_slice(),
+            &evaluated.warnings,
+            &made.warnings,
+        ]
+        .concat(),
         timings: made.timings,
     };
     write_json(&folder.join("report.json"), &data)?;
@@ -414,7 +454,13 @@ fn time_points(network: &NetworkInTime) -> Vec<TimePoint> {
 }
 
 /// The files of the print in time: curves, when each voxel becomes solid, and a movie of the middle slice.
-fn write_time(done: &Done<'_>, new: &Path, run: &Run) -> Result<()> {
+fn write_time(
+    done: &Done<'_>,
+    new: &Path,
+    progress: &mut dyn Progress,
+    warnings: &mut Vec<String>,
+    run: &Run,
+) -> Result<()> {
     let Some(in_time) = &done.evaluated.in_time else {
         return Ok(());
     };
@@ -429,7 +475,10 @@ fn write_time(done: &Done<'_>, new: &Path, run: &Run) -> Result<()> {
         })?;
         let file = new.join(format!("cure_time{end}.npy"));
         write_volume(&file, &network.cure_times, &run.aside())?;
-        network.write_movie(&new.join(format!("print{end}.mp4")), run)?;
+        if done.scene.spec.output.movie != MovieCoding::None {
+            let movie = network.write_movie(&new.join(format!("print{end}.mp4")), run);
+            left_out(MOVIE_IN_TIME, movie, progress, warnings)?;
+        }
     }
     Ok(())
 }
@@ -530,6 +579,15 @@ fn unit_systems(done: &Done<'_>, exposures: &[device::ShownLight]) -> Result<Vec
     Ok(UnitSystem::ALL.into_iter().filter_map(convert).collect())
 }
 
+/// The voxels of the numbers, which are not those of `dose.npy`.
+fn evaluated_on(grid: &VolumeGrid) -> String {
+    let [nz, ny, nx] = grid.shape;
+    format!(
+        "{nx} × {ny} × {nz} voxels of {} µm: all numbers; dose.npy is the dose on the grid's (output.evaluation = true writes these too)",
+        concise(1e3 * grid.pitch_mm)
+    )
+}
+
 /// Short facts for the head of the page.
 fn facts(done: &Done<'_>) -> Vec<(String, String)> {
     let Done {
@@ -562,6 +620,7 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
                 concise(1e3 * scene.grid.pitch_mm)
             ),
         ),
+        ("Evaluated on", evaluated_on(&evaluated.fine.labels.grid)),
         ("Frames", scene.extent.frames.to_string()),
     ]);
     if let Some(optimized) = optimized {
@@ -663,6 +722,7 @@ fn print(
 ) -> Result<Option<Deviation>> {
     let writing = run.aside();
     let mut print = Print::under(&evaluated.fine.labels, &evaluated.response, run)?
+        .with_most_triangles(scene.most_triangles())
         .with_inside(&evaluated.fine.target.inside)?;
     if let Some(threshold) = evaluated.evaluation.gel_threshold {
         print = print.with_threshold(threshold)?;

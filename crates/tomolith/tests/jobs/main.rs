@@ -2,6 +2,7 @@
 
 mod bclp_orderings;
 mod co_optimize;
+mod drawn;
 mod in_time;
 mod light_in_time;
 mod peers;

@@ -257,6 +257,22 @@ fn a_rank_with_another_job_ends_all_of_them() {
 }
 
 #[test]
+fn a_rank_that_would_stop_elsewhere_ends_all_of_them() {
+    let folder = tempfile::tempdir().unwrap();
+    let own = |rank| match rank {
+        1 => job(folder.path(), &["stop.change=0.5"]),
+        _ => job(folder.path(), &[]),
+    };
+    let found = on_ranks(2, own, false, usize::MAX);
+    assert!(
+        matches!(&found[0], Err(Error::Rank { rank: 1 })),
+        "{found:?}"
+    );
+    let message = found[1].as_ref().unwrap_err().to_string();
+    assert!(message.contains("its [stop], [checkpoint]"), "{message}");
+}
+
+#[test]
 fn any_number_of_ranks_goes_on_from_a_checkpoint_of_others() {
     let folder = tempfile::tempdir().unwrap();
     let job = job(folder.path(), &["checkpoint.every_s=1e-3"]);

@@ -379,7 +379,7 @@ pub(super) const WRONG: &[Wrong] = &[
         "[stop]",
         "[bounds]\nmax = 1e30\n[stop]",
         "max = 1e30",
-        &["bounds.max", "from bounds.min = 0 to 1e9 mJ/mm²"],
+        &["bounds.max", "more than bounds.min = 0, up to 1e9 mJ/mm²"],
     ),
     (
         "[stop]",

@@ -20,7 +20,7 @@ pub(crate) fn is_within(path: &str, outer: &str) -> bool {
 }
 
 /// The path without its last key or index.
-pub(super) fn parent(path: &str) -> &str {
+pub(crate) fn parent(path: &str) -> &str {
     &path[..path.rfind(['.', '[']).unwrap_or(0)]
 }
 
@@ -50,7 +50,7 @@ pub(super) fn steps(path: &str) -> Option<Vec<Step>> {
 }
 
 /// The value at a path.
-pub(super) fn at<'v>(root: &'v mut Value, path: &str) -> Option<&'v mut Value> {
+pub(crate) fn at<'v>(root: &'v mut Value, path: &str) -> Option<&'v mut Value> {
     steps(path)?.iter().try_fold(root, |node, step| match step {
         Step::Key(key) => node.get_mut(key),
         Step::Index(index) => node.get_mut(index),

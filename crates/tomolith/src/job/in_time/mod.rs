@@ -28,7 +28,7 @@ use light::Lights;
 pub(super) use light::must_be_shaded;
 use material::domain;
 pub(super) use material::material;
-pub(super) use models::{diffused, diffuses, is_optimized, planned_in_time};
+pub(super) use models::{diffused, diffuses, is_optimized, planned_in_time, shows_every_frame};
 pub(super) use schedule::schedule;
 use std::ops::ControlFlow;
 use std::path::Path;

@@ -88,6 +88,14 @@ pub(crate) fn is_optimized(spec: &JobSpec) -> bool {
         && spec.material.as_ref().is_some_and(has_memory)
 }
 
+/// Whether an optimization shows all frames of the schedule, so that none may be left out.
+pub(crate) fn shows_every_frame(spec: &JobSpec) -> bool {
+    let diffuses = |material: &MaterialSpec| material.diffusion.is_some();
+    let against = spec.schedule.as_ref().map(|given| given.optimize);
+    against.is_some_and(|against| against != Against::Dose)
+        || spec.material.as_ref().is_some_and(diffuses)
+}
+
 impl Scene {
     /// Whether patterns are optimized against what they print in time.
     pub(crate) fn is_optimized_in_time(&self) -> bool {

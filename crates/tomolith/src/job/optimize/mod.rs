@@ -1,5 +1,6 @@
 //! The optimization of a job: from voxels to patterns.
 
+mod rehearsal;
 mod stage;
 mod start;
 mod watch;
@@ -16,6 +17,7 @@ use crate::models::Run;
 use crate::objective::FoundWindow;
 use crate::optimize::start::given::Given;
 use crate::optimize::{Checkpoints, Outcome, Row, StopReason};
+pub(super) use rehearsal::rehearse;
 pub(super) use stage::Stage;
 use stage::{EndOfLevel, SoFar};
 use std::path::Path;

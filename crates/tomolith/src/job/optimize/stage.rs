@@ -330,7 +330,7 @@ impl<'a> Stage<'a> {
     }
 
     /// Runs the optimizer on this level, after the iterations of those before.
-    fn run(
+    pub(super) fn run(
         &self,
         (scene, wider): (&Scene, usize),
         (x, bounds): (&mut HostField, &[Limits]),

@@ -40,6 +40,8 @@ pub(super) fn extent(scene: &Scene, family: &Family) -> Result<Extent> {
         fields: with_fields(spec, &scene.kinds, scene.shape.is_gray()) + cells,
         canvas: canvases.map(|canvas| canvas.len()).sum(),
         stacked: bytes_stacked(spec),
+        // Response and target, and a label
+        bytes_evaluated: usize::from(spec.output.evaluation) * 9,
         scenarios: spec.scenario.len(),
         working_mb: [
             kept_of_the_job.working_bytes as f64 / 1e6,
@@ -110,6 +112,12 @@ impl Scene {
         }
         self.warn_of_others();
         Ok(())
+    }
+
+    /// Triangles of a surface that the evaluation has memory for.
+    pub(crate) fn most_triangles(&self) -> usize {
+        let budget = memory_budget_mb(self.spec.resources.memory_gb);
+        self.extent.most_triangles(budget)
     }
 
     /// Warns where other programs hold the memory that the run plans with.

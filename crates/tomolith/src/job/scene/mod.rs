@@ -5,6 +5,7 @@ mod memory;
 mod remarks;
 mod voxels;
 
+use super::all_errors::with_others;
 use super::build::Optics;
 use super::co_optimize::FoundResponse;
 use super::compatibility::wall_tolerance_mm;
@@ -24,6 +25,7 @@ use crate::error::{Error, Result};
 use crate::exposure::Printer;
 use crate::field::HostField;
 use crate::grid::VolumeGrid;
+use crate::models::parallel::kernel::Isa;
 use crate::models::{DoseLayout, OpticalScene, Purpose, Run, planner};
 use crate::objective::{ObjectiveInput, Sum};
 use crate::ranks::Communicator;
@@ -85,7 +87,9 @@ impl Scene {
     /// # Errors
     /// Everything of the sections "Bad input": see [`Error`].
     pub(crate) fn new(job: &Job, run: &Run) -> Result<Self> {
-        Self::of_all_species(job, run).map_err(|e| job.locate(e))
+        Isa::asked()?;
+        Self::of_all_species(job, run)
+            .map_err(|e| with_others(&job.document, &job.base(), job.locate(e)))
     }
 
     fn of_all_species(job: &Job, run: &Run) -> Result<Self> {
@@ -256,11 +260,11 @@ impl Scene {
             return Ok(());
         };
         let max = self.spec.bounds.max.map_or(white, |max| max.min(white));
-        if max < self.spec.bounds.min {
+        if max <= self.spec.bounds.min {
             return Err(Error::config(
                 "printer.time_s",
                 format!(
-                    "in {seconds} s a pixel gives {white:.4}, less than bounds.min = {}",
+                    "in {seconds} s a pixel gives {white:.4}, no more than bounds.min = {}",
                     self.spec.bounds.min
                 ),
                 "more time or more light",

@@ -56,9 +56,12 @@ pub struct OutputSpec {
     pub folder: Option<PathBuf>,
     /// Turns of the vial per minute: gives the movie its frame rate.
     pub rpm: f64,
-    /// The movie: "h264" (default; 8 bits, within a few levels, every player shows it) or "lossless" (PNG frames in a
-    /// QuickTime file, every level exact at any bit depth).
+    /// The movie: "h264" (default; 8 bits, within a few levels, every player shows it), "lossless" (PNG frames in a
+    /// QuickTime file, every level exact at any bit depth) or "none".
     pub movie: MovieCoding,
+    /// Whether `evaluation/` holds what the report's numbers are of: response, target and labels on the evaluation's voxels, for `tomolith metrics`. (`dose.npy` is
+    /// the dose on the job's voxels.)
+    pub evaluation: bool,
 }
 
 /// How the movie's frames are coded.
@@ -70,17 +73,8 @@ pub enum MovieCoding {
     H264,
     /// QuickTime with PNG.
     Lossless,
-}
-
-impl MovieCoding {
-    /// How the name of the file ends.
-    #[must_use]
-    pub fn ending(self) -> &'static str {
-        match self {
-            MovieCoding::H264 => "mp4",
-            MovieCoding::Lossless => "mov",
-        }
-    }
+    /// No movie.
+    None,
 }
 
 impl Default for EvaluateSpec {
@@ -105,6 +99,7 @@ impl Default for OutputSpec {
             folder: None,
             rpm: 10.0,
             movie: MovieCoding::default(),
+            evaluation: false,
         }
     }
 }
