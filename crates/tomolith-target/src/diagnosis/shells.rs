@@ -1,7 +1,8 @@
 //! The connected parts of a surface: their volumes, and which lie in which.
 
 use super::Diagnosis;
-use super::edges::turn;
+use super::edges::{Edges, turn};
+use std::collections::HashMap;
 use tomolith_core::parallel::InParallel;
 use tomolith_core::vector::{cross, dot, minus};
 use tomolith_io::mesh::Mesh;
@@ -58,24 +59,44 @@ struct Shell {
     volume: f64,
 }
 
-fn shells(mesh: &Mesh) -> Vec<Shell> {
-    let mut groups = Groups::of_shells(mesh);
-    let mut slot = vec![u32::MAX; mesh.vertices.len()];
+/// The parts of a surface, by the number of its group for each triangle.
+fn shells(mesh: &Mesh, group: impl FnMut(usize) -> u32) -> Vec<Shell> {
+    let mut slots = HashMap::new();
     let mut shells: Vec<Shell> = Vec::new();
-    for (t, triangle) in mesh.triangles.iter().enumerate() {
-        let group = groups.of(triangle[0]) as usize;
-        if slot[group] == u32::MAX {
-            slot[group] = shells.len() as u32;
+    for (t, group) in (0..mesh.triangles.len()).map(group).enumerate() {
+        let slot = *slots.entry(group).or_insert(shells.len());
+        if slot == shells.len() {
             shells.push(Shell {
                 low: [f64::INFINITY; 3],
                 high: [f64::NEG_INFINITY; 3],
                 ..Shell::default()
             });
         }
-        shells[slot[group] as usize].triangles.push(t as u32);
+        shells[slot].triangles.push(t as u32);
     }
     shells.iter_mut().par_each(|shell| shell.measure(mesh));
     shells
+}
+
+/// Triangles that edges connect. Where more than two meet in an edge, surfaces that are closed without the others only
+/// touch them.
+fn closed_surfaces(mesh: &Mesh) -> Groups {
+    let mut groups = Groups::new(mesh.triangles.len());
+    let edges = Edges::new(mesh);
+    let (pairs, others): (Vec<_>, Vec<_>) = edges.iter().partition(|sides| sides.len() == 2);
+    for sides in pairs {
+        groups.join(sides[0].triangle, sides[1].triangle);
+    }
+    for sides in others {
+        let mut here: Vec<u32> = sides.iter().map(|s| groups.of(s.triangle)).collect();
+        here.sort_unstable();
+        let is_closed = |surface: &[u32]| surface.len().is_multiple_of(2);
+        if !here.chunk_by(|a, b| a == b).all(is_closed) {
+            here.windows(2)
+                .for_each(|pair| groups.join(pair[0], pair[1]));
+        }
+    }
+    groups
 }
 
 impl Shell {
@@ -145,7 +166,8 @@ impl Shell {
 /// A shell that looks the other way than the outermost shell around it is a cavity of the smallest shell that holds it;
 /// any other one, also when it lies in a cavity, is a body. Shells that share a vertex are one.
 pub(crate) fn components(mesh: &Mesh) -> Vec<Mesh> {
-    let shells = shells(mesh);
+    let mut groups = Groups::of_shells(mesh);
+    let shells = shells(mesh, |t| groups.of(mesh.triangles[t][0]));
     let owners: Vec<usize> = (0..shells.len()).par_map(|i| owner(mesh, &shells, i));
     let mut bodies: Vec<usize> = (0..shells.len()).filter(|&i| owners[i] == i).collect();
     let size = |i: usize| shells[i].volume.abs();
@@ -194,7 +216,8 @@ fn holders(mesh: &Mesh, shells: &[Shell], i: usize) -> Vec<usize> {
 /// Turns bodies that are inside out: a shell of negative volume that lies in no solid is turned, and all shells in it are
 /// turned with it, so that the cavities of a mirrored part stay cavities. Notes all volumes.
 pub(super) fn turn_bodies(mesh: &mut Mesh, found: &mut Diagnosis) {
-    let mut shells = shells(mesh);
+    let mut groups = closed_surfaces(mesh);
+    let mut shells = shells(mesh, |t| groups.of(t as u32));
     let mut order: Vec<usize> = (0..shells.len()).collect();
     let size = |i: usize| shells[i].volume.abs();
     order.sort_by(|&a, &b| size(b).total_cmp(&size(a)));
@@ -295,6 +318,17 @@ mod tests {
         let nested = [cube(2.0, 0.0), cube(1.0, 0.0)];
         assert_eq!(volumes_after_turning(&nested), [64.0, 8.0]);
         assert_eq!(volumes_after_turning(&nested.map(inverted)), [64.0, 8.0]);
+    }
+
+    #[test]
+    fn bodies_that_touch_in_an_edge_or_a_corner_are_turned_each_for_itself() {
+        let one = cuboid([0.0; 3], [2.0; 3]);
+        for low in [[2.0, 2.0, 0.0], [2.0; 3]] {
+            let other = inverted(cuboid(low, low.map(|v| v + 2.0)));
+            let mut mesh = together(&[one.clone(), other]).welded();
+            turn_bodies(&mut mesh, &mut Diagnosis::default());
+            assert!((mesh.signed_volume() - 16.0).abs() < 1e-12);
+        }
     }
 
     #[test]
