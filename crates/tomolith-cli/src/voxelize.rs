@@ -176,18 +176,22 @@ fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>, run: &Run
     }
     write(&given.output, kind, &target, given.binary, run)?;
     let mut warnings = shape.warnings();
-    match (save, &shape.meshes()[..]) {
+    let saved = match (save, &shape.meshes()[..]) {
         (Some(file), [mesh]) => {
             let corners: Vec<[f32; 3]> =
                 mesh.vertices.iter().map(|p| p.map(|v| v as f32)).collect();
             write_stl(file, &spec.name(), &corners, &mesh.triangles)?;
+            save
         }
-        (Some(file), _) => warnings.push(format!(
-            "{} is not written: negative volumes are taken out of the voxels, not of the mesh",
-            file.display()
-        )),
-        (None, _) => {}
-    }
+        (Some(file), _) => {
+            warnings.push(format!(
+                "{} is not written: negative volumes are taken out of the voxels, not of the mesh",
+                file.display()
+            ));
+            None
+        }
+        (None, _) => None,
+    };
     let [nz, ny, nx] = grid.shape;
     let exact = shape.volume_mm3();
     warnings.extend(question);
@@ -204,7 +208,7 @@ fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>, run: &Run
         let line = json!({
             "event": "done", "file": given.output, "part": target.name, "shape_zyx": grid.shape, "pitch_mm": grid.pitch_mm,
             "center_xyz_mm": grid.center_mm, "part_voxels": part, "volume_mm3": volume_mm3, "exact_volume_mm3": exact,
-            "lost_share": lost, "mesh_file": save, "warnings": warnings,
+            "lost_share": lost, "mesh_file": saved, "warnings": warnings,
         });
         say(&line.to_string());
     } else if !given.manner.quiet {
@@ -224,7 +228,7 @@ fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>, run: &Run
         warnings
             .iter()
             .for_each(|text| say(&format!("{:>10} {text}", "warning")));
-        for file in std::iter::once(given.output.as_path()).chain(save) {
+        for file in std::iter::once(given.output.as_path()).chain(saved) {
             say(&format!("{:>10} {}", "written", file.display()));
         }
     }
