@@ -54,8 +54,8 @@ pub struct Capabilities {
     pub linear_instead: Option<&'static str>,
     /// Whether its light has a linear relative without spread, [`ModelFamily::unscattered`], that starts and shadows are found with.
     pub has_surrogate: bool,
-    /// Whether its kernel takes neighboring frames together, so that timing a few frames does not predict the time of many.
-    pub joins_frames: bool,
+    /// What of its light predicts, when it is timed, the time of all.
+    pub timed_by: TimedBy,
     /// Whether every pixel lights every voxel.
     pub fills: bool,
     /// Whether its pixels and voxels are those of a file, and no others.
@@ -68,6 +68,17 @@ pub struct Capabilities {
     pub has_cells: bool,
     /// Which voxels the program may make finer than the job's.
     pub refines: Refines,
+}
+
+/// What of a model's light is timed to predict the time of all.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TimedBy {
+    /// Groups of neighboring frames, which its kernel takes together.
+    NeighboringFrames,
+    /// Single frames: all pixels of a frame are taken together.
+    Frames,
+    /// Single pixels.
+    Pixels,
 }
 
 /// Which voxels of a model the program may make finer than a job's.
@@ -86,7 +97,7 @@ impl Default for Capabilities {
         Capabilities {
             linear_instead: None,
             has_surrogate: false,
-            joins_frames: true,
+            timed_by: TimedBy::NeighboringFrames,
             fills: false,
             is_stored: false,
             is_along_frames: false,

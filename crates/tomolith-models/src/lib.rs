@@ -27,7 +27,7 @@ pub mod wave;
 
 pub use family::{
     Capabilities, Cost, Family, HostModel, MakeFamily, ModelFamily, ModelInput, ModelKind,
-    MonteCarloPaths, Purpose, Refines,
+    MonteCarloPaths, Purpose, Refines, TimedBy,
 };
 pub use scene::OpticalScene;
 pub use tomolith_core::dose::{

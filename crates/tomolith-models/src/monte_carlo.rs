@@ -67,7 +67,7 @@ use super::rays::accumulation::Accumulation;
 use super::rays::{Emission, Optics, Rays, Scattered};
 use super::{
     Capabilities, Family, HostModel, MakeFamily, ModelFamily, ModelInput, ModelKind,
-    MonteCarloPaths, OpticalScene, Purpose,
+    MonteCarloPaths, OpticalScene, Purpose, TimedBy,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -177,6 +177,7 @@ impl ModelFamily for Params {
 
     fn capabilities(&self) -> Capabilities {
         Capabilities {
+            timed_by: TimedBy::Pixels,
             is_traced: true,
             has_cells: true,
             ..Capabilities::default()

@@ -88,6 +88,32 @@ pub fn refract(
     Some((refracted, transmittance))
 }
 
+/// The power that a metal of index n + ik reflects of s and p light that meets it from index `n1` with incidence cosine `cos1`.
+///
+/// # Source
+/// Born & Wolf, *Principles of Optics*, § 14.2: n₂ cos θ₂ = u + iv.
+///
+/// # Example
+/// ```
+/// use tomolith_optics::interface::reflected_by_metal;
+/// let [s, p] = reflected_by_metal(1.0, 1.0, [2.0, 3.0]); // ((1 − 2)² + 3²)/((1 + 2)² + 3²) = 10/18
+/// assert!((s - 10.0 / 18.0).abs() < 1e-12 && (p - s).abs() < 1e-12);
+/// ```
+#[must_use]
+pub fn reflected_by_metal(cos1: f64, n1: f64, [n, k]: [f64; 2]) -> [f64; 2] {
+    let (real, imaginary) = (n * n - k * k, 2.0 * n * k);
+    let along = real - n1 * n1 * (1.0 - cos1 * cos1).max(0.0);
+    let whole = along.hypot(imaginary);
+    let [u, v] = [whole + along, whole - along].map(|twice| (twice.max(0.0) / 2.0).sqrt());
+    let ratio = |[a, b]: [f64; 2], [c, d]: [f64; 2]| {
+        ((a - c).powi(2) + (b - d).powi(2)) / ((a + c).powi(2) + (b + d).powi(2))
+    };
+    [
+        ratio([n1 * cos1, 0.0], [u, v]),
+        ratio([real * cos1, imaginary * cos1], [n1 * u, n1 * v]),
+    ]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -105,6 +131,15 @@ mod tests {
             "p light is reflected at Brewster's angle: {t:?}"
         );
         assert!(t.s < 0.88, "s light is not");
+    }
+
+    #[test]
+    fn a_metal_that_absorbs_nothing_reflects_as_glass_does() {
+        for angle in [0.0f64, 0.3, 0.9, 1.5] {
+            let [s, p] = reflected_by_metal(angle.cos(), 1.2, [1.6, 0.0]);
+            let (_, passed) = at(angle, 1.2, 1.6).unwrap();
+            assert!((s + passed.s - 1.0).abs() < 1e-12 && (p + passed.p - 1.0).abs() < 1e-12);
+        }
     }
 
     #[test]

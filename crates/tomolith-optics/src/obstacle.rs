@@ -6,9 +6,10 @@
 //! | black | ends it |
 //! | dielectric (index) | refracts it, in and out; nothing absorbs inside |
 //! | mirror | reflects it without loss |
+//! | metal (complex index) | reflects what Fresnel's formulas say, absorbs the rest |
 //! | diffuse (reflectance) | sends that share back by Lambert's law, in random directions (`monte_carlo` only) |
 //!
-//! A body lies wholly in one medium, in the resin or outside of the vial.
+//! A body may reach through a wall of the vial: it takes the place of wall and resin.
 
 use super::surface::Surface;
 use schemars::JsonSchema;
@@ -23,6 +24,13 @@ pub enum BodyMaterial {
     Black,
     /// Reflects everything.
     Mirror,
+    /// Reflects by its complex index n + ik; smooth.
+    Metal {
+        /// n, > 0.
+        refractive_index: f64,
+        /// k, 0 or above.
+        extinction_coefficient: f64,
+    },
     /// Sends light back in all directions, as Lambert's law has it.
     Diffuse {
         /// Share that is sent back, 0 to 1.

@@ -44,7 +44,7 @@
 //! ```
 
 use super::absorption_map::AbsorptionMap;
-use super::interface::Polarization;
+use super::interface::{Polarization, reflected_by_metal};
 use super::obstacle::{BodyMaterial, Obstacle};
 use super::phase::Scattering;
 use super::power_balance::PowerBalance;
@@ -203,6 +203,8 @@ impl Fields {
 const LEAST_SLANT: f64 = 0.1;
 /// Faces nearer than this are one, mm.
 const SHARED: f64 = 1e-9;
+/// How far behind the surface of a body it is looked up which walls are around, mm: beyond what rounding leaves of a wall on that surface.
+const BEYOND: f64 = 1e-6;
 /// Chords of one curve at most: light that stays in the resin for so long has no way out.
 const MOST_CHORDS: usize = 100_000;
 /// Light along a curve is given up when the resin has left this part of it: scattered light may be guided along the axis for ever.
@@ -309,6 +311,9 @@ impl SpaceTracer {
     #[must_use]
     pub fn with_obstacles(mut self, obstacles: Vec<Obstacle>) -> Self {
         self.lets_go &= obstacles.is_empty();
+        for body in &obstacles {
+            self.far = self.far.max(2.0 * body.surface.reach_mm());
+        }
         self.obstacles = obstacles;
         self
     }
@@ -589,9 +594,14 @@ impl SpaceTracer {
         };
         let mut nearest = nearer(inward, outward());
         for (index, body) in self.obstacles.iter().enumerate() {
-            let crossing = body.surface.enter(&state.ray);
-            let body = crossing.map(|crossing| Ahead::Obstacle { crossing, index });
-            nearest = nearer(nearest, body);
+            // A body takes the place of a wall that it lies on
+            let found = body.surface.enter(&state.ray).filter(|crossing| {
+                let before = |ahead: &Ahead| crossing.distance < ahead.crossing().distance + SHARED;
+                nearest.as_ref().is_none_or(before)
+            });
+            if let Some(crossing) = found {
+                nearest = Some(Ahead::Obstacle { crossing, index });
+            }
         }
         nearest
     }
@@ -622,18 +632,24 @@ impl SpaceTracer {
                     return false;
                 }
                 BodyMaterial::Mirror => {
-                    let normal = crossing.normal;
-                    state.fields = mirrored(&state.fields, normal);
-                    state.ray.direction = reflected(state.ray.direction, normal);
+                    self.bounce(state, crossing.normal, [1.0; 2], path);
                     return true;
                 }
-                BodyMaterial::Dielectric { .. } => {
-                    behind.within = if state.within.is_some() {
-                        None
-                    } else {
-                        Some(index)
-                    };
+                BodyMaterial::Metal {
+                    refractive_index,
+                    extinction_coefficient,
+                } => {
+                    let cos1 = -dot(state.ray.direction, crossing.normal);
+                    let index = [refractive_index, extinction_coefficient];
+                    let power = reflected_by_metal(cos1, n1, index);
+                    self.bounce(state, crossing.normal, power, path);
+                    return true;
                 }
+                BodyMaterial::Dielectric { .. } if state.within.is_some() => {
+                    behind.within = None;
+                    behind.depth = self.depth_at(state.ray.at(BEYOND));
+                }
+                BodyMaterial::Dielectric { .. } => behind.within = Some(index),
             },
         }
         let n2 = self.index_of(&behind);
@@ -666,6 +682,24 @@ impl SpaceTracer {
             ..behind
         };
         true
+    }
+
+    /// Sends light back from a body that reflects these shares of s and p.
+    fn bounce(&self, state: &mut State, normal: [f64; 3], power: [f64; 2], path: &mut RayPath) {
+        let before = state.fields.power();
+        let [s, p] = power.map(f64::sqrt);
+        // A conductor turns over the field along its surface
+        let back = bounced(state, normal, [-s, p]);
+        (state.ray, state.fields) = (back.ray, back.fields);
+        path.balance.blocked += before - state.fields.power();
+    }
+
+    /// How many walls are around a point: where light leaves a body that reaches through them.
+    fn depth_at(&self, point: [f64; 3]) -> usize {
+        self.walls
+            .iter()
+            .take_while(|wall| wall.contains(point))
+            .count()
     }
 
     /// Walls that end in one plane are one interface there: what lies between them has no thickness.
@@ -791,33 +825,47 @@ struct Split {
     reflected: Part,
 }
 
+/// The direction across the plane of incidence.
+fn across_incidence(d: [f64; 3], normal: [f64; 3]) -> [f64; 3] {
+    let across = cross(d, normal);
+    // Along the normal every direction across is as good
+    if dot(across, across) > 1e-24 {
+        unit(across)
+    } else {
+        unit(cross(d, least_axis(d)))
+    }
+}
+
+/// What comes back from a surface, of whose fields s and p these parts are reflected.
+fn bounced(state: &State, normal: [f64; 3], parts: [f64; 2]) -> Part {
+    let d = state.ray.direction;
+    let along = dot(d, normal);
+    let back = unit(std::array::from_fn(|i| d[i] - 2.0 * along * normal[i]));
+    let s = across_incidence(d, normal);
+    Part {
+        ray: Ray {
+            from: state.ray.from,
+            direction: back,
+        },
+        fields: state
+            .fields
+            .through(s, [cross(d, s), cross(back, s)], parts),
+    }
+}
+
 /// Snell and Fresnel in space.
 fn split(state: &State, normal: [f64; 3], n1: f64, n2: f64) -> Split {
     let d = state.ray.direction;
     let from = state.ray.from;
     let cos1 = -dot(d, normal);
-    let across = cross(d, normal);
-    // Along the normal every direction across is as good
-    let s = if dot(across, across) > 1e-24 {
-        unit(across)
-    } else {
-        unit(cross(d, least_axis(d)))
-    };
+    let s = across_incidence(d, normal);
     let p = cross(d, s);
     let ratio = n1 / n2;
     let sin2_squared = ratio * ratio * (1.0 - cos1 * cos1).max(0.0);
-    let back = reflected(d, normal);
-    let bounced = |of_s: f64, of_p: f64| Part {
-        ray: Ray {
-            from,
-            direction: back,
-        },
-        fields: state.fields.through(s, [p, cross(back, s)], [of_s, of_p]),
-    };
     if sin2_squared >= 1.0 {
         return Split {
             transmitted: None,
-            reflected: bounced(1.0, 1.0),
+            reflected: bounced(state, normal, [1.0; 2]),
         };
     }
     let cos2 = (1.0 - sin2_squared).sqrt();
@@ -834,21 +882,8 @@ fn split(state: &State, normal: [f64; 3], n1: f64, n2: f64) -> Split {
             },
             fields: state.fields.through(s, [p, cross(on, s)], passed),
         }),
-        reflected: bounced(r_s, r_p),
+        reflected: bounced(state, normal, [r_s, r_p]),
     }
-}
-
-fn reflected(d: [f64; 3], normal: [f64; 3]) -> [f64; 3] {
-    let along = dot(d, normal);
-    unit(std::array::from_fn(|i| d[i] - 2.0 * along * normal[i]))
-}
-
-/// Fields at a perfect mirror: the part along its surface turns over.
-fn mirrored(fields: &Fields, normal: [f64; 3]) -> Fields {
-    Fields(fields.0.map(|e| {
-        let along = dot(e, normal);
-        std::array::from_fn(|i| 2.0 * along * normal[i] - e[i])
-    }))
 }
 
 /// A direction at this angle (its cosine) and azimuth from another.

@@ -63,6 +63,14 @@ impl Surface {
         }
     }
 
+    /// No corner of a net is farther than this from the origin, mm; 0 for other surfaces.
+    #[must_use]
+    pub fn reach_mm(&self) -> f64 {
+        let Surface::Net(net) = self else { return 0.0 };
+        let corners = net.corners().flatten().map(|corner| dot(corner, corner));
+        corners.fold(0.0, f64::max).sqrt()
+    }
+
     /// Whether a point is inside.
     #[must_use]
     pub fn contains(&self, point: [f64; 3]) -> bool {
@@ -83,9 +91,12 @@ impl Surface {
     }
 }
 
-/// A point where an edge of a mesh meets a surface, or comes nearer than 1e-9 mm to it along the edge; None when none does.
+/// A point where an edge of triangles meets a surface, or comes nearer than 1e-9 mm to it along the edge; None when none does.
 #[must_use]
-pub fn meeting(mesh: &Mesh, surface: &Surface) -> Option<[f64; 3]> {
+pub fn meeting(
+    triangles: impl IntoIterator<Item = [[f64; 3]; 3]>,
+    surface: &Surface,
+) -> Option<[f64; 3]> {
     let along = |[a, b]: [[f64; 3]; 2]| {
         let way = minus(b, a);
         let length = dot(way, way).sqrt();
@@ -101,10 +112,9 @@ pub fn meeting(mesh: &Mesh, surface: &Surface) -> Option<[f64; 3]> {
         let crossing = crossing.filter(|c| c.distance <= length + TOUCH)?;
         Some(ray.at(crossing.distance))
     };
-    (0..mesh.triangles.len()).find_map(|i| {
-        let [a, b, c] = mesh.corners(i);
-        [[a, b], [b, c], [c, a]].into_iter().find_map(along)
-    })
+    triangles
+        .into_iter()
+        .find_map(|[a, b, c]| [[a, b], [b, c], [c, a]].into_iter().find_map(along))
 }
 
 /// The first crossing of a ray that is outside of a can: through its side or an end.
@@ -323,6 +333,9 @@ mod tests {
         let net = |mesh: &Mesh| Surface::Net(Arc::new(Net::new(mesh, "mesh").unwrap()));
         let across = |half: f64| cuboid([-1.0, -half, -0.5], [1.0, half, 0.5]);
         // No vertex of either is in the other
+        let meeting = |mesh: &Mesh, surface: &Surface| {
+            super::meeting((0..mesh.triangles.len()).map(|i| mesh.corners(i)), surface)
+        };
         let [x, y, z] = meeting(&across(3.0), &net(&along)).unwrap();
         assert!((y.abs() - 1.0).abs() < 1e-9 && x.abs() < 1.01 && z.abs() < 0.51);
         assert!(meeting(&across(0.9), &net(&along)).is_none());

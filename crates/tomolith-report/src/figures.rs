@@ -399,7 +399,11 @@ fn error_uri(data: &ReportData<'_>, slice: &Slice<'_>) -> String {
                 .collect();
             difference_picture(data, wanted, slice, half_width).data_uri(&palette)
         }
-        _ => fate_picture(data, slice).data_uri(&FATES.map(|f| f.0)),
+        _ => {
+            let bodies = BODIES.iter().map(|(_, color, _)| *color);
+            let palette: Vec<Color> = FATES.iter().map(|f| f.0).chain(bodies).collect();
+            fate_picture(data, slice).data_uri(&palette)
+        }
     }
 }
 
@@ -448,23 +452,33 @@ fn difference_picture(
     })
 }
 
-/// The worst fate of each block: errors stay visible.
+/// The worst fate of each block: errors stay visible. Where nothing counts, the bodies that are not printed.
 fn fate_picture(data: &ReportData<'_>, slice: &Slice<'_>) -> Picture {
     let threshold = data.evaluation.gel_threshold.unwrap_or(f64::INFINITY);
+    let body = |i: usize| {
+        let mark = data.bodies?.values[i];
+        BODIES.iter().position(|(body, ..)| *body == mark)
+    };
+    let fate = |i: usize| {
+        let gelled = f64::from(data.response.values[i]) > threshold;
+        match (data.labels.values[i], gelled) {
+            (label::VOID, false) => 1,
+            (label::PART, true) => 2,
+            (label::PART, false) => 3,
+            (label::VOID, true) => 4,
+            _ => 0,
+        }
+    };
     slice.picture(|voxels| {
-        voxels
-            .map(|i| {
-                let gelled = f64::from(data.response.values[i]) > threshold;
-                match (data.labels.values[i], gelled) {
-                    (label::VOID, false) => 1,
-                    (label::PART, true) => 2,
-                    (label::PART, false) => 3,
-                    (label::VOID, true) => 4,
-                    _ => 0,
-                }
-            })
-            .max()
-            .unwrap_or(0)
+        let (mut worst, mut first) = (0, None);
+        for i in voxels {
+            worst = worst.max(fate(i));
+            first = first.or_else(|| body(i));
+        }
+        match first {
+            Some(body) if worst == 0 => (FATES.len() + body) as u8,
+            _ => worst,
+        }
     })
 }
 

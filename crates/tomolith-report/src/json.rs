@@ -22,6 +22,8 @@
 //!               loss_in_rms_error; below 0: a gain), key (the one to change), advice
 //! published     numbers with other authors' signs or normalizations: value, unit, source, note; slices; unit_systems;
 //!               keep_dark (responses in the bodies that are to stay dark: volume_mm3, mean, largest, part_mean);
+//!               insert (what of the inserts' surface is touched: insert_mm2 in all, target_mm2 by the target, print_mm2 by the print, share
+//!               of the print's in all, of_target: of what the target touches, the share that the print touches);
 //!               paths (scattering by Monte Carlo paths: their numbers, IoU and PW on the optimization's and on independent ones, noise per voxel);
 //!               orders (scattering order by order: how far it is from Monte Carlo paths in part and void, over the part's mean dose)
 //! lights        frames, size and scale of each light's patterns; budget (time, turns, energies: those of the schedule where the job has one),

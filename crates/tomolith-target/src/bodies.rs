@@ -9,7 +9,8 @@
 //!
 //! A body is a file, or some of the connected components of one, counted from 1, the largest first; a component is a shell
 //! with the cavities in it, and shells that share a vertex are one component. Every component of a file has one role. All
-//! bodies are placed together, as one shape whose box is that of all bodies but ignored ones. A body that is printed may
+//! bodies are placed together, as one shape whose box is that of all bodies but ignored ones. Light and voxels need reach only what is
+//! printed or stays dark: an insert may be longer than the grid, the field of a light and the vial. A body that is printed may
 //! not overlap one of another role: up to a thousandth of the smaller one is taken for rounding.
 //!
 //! ```toml
@@ -144,12 +145,13 @@ impl Assembly {
                 "at least one",
             ));
         }
-        let bounds = |group: Group| (!group.0.is_empty()).then_some(group);
-        let bounds_mm = super::placing::bounds(hull.iter().map(|&p| map.apply(p)), 0.0);
+        let some = |group: Group| (!group.0.is_empty()).then_some(group);
+        let lit = [&print, &keep_dark].into_iter().flat_map(|group| &group.0);
+        let bounds_mm = super::placing::bounds(lit.flat_map(Shape::bounds_mm), 0.0);
         Ok(Assembly {
             print,
-            insert: bounds(insert),
-            keep_dark: bounds(keep_dark),
+            insert: some(insert),
+            keep_dark: some(keep_dark),
             bounds_mm,
         })
     }
@@ -499,6 +501,19 @@ mod tests {
         .unwrap();
         assert_eq!(shape.bounds_mm(), [[0.0; 3], [8.0, 4.0, 4.0]]);
         assert!((volume(shape.as_ref()) - (63.0 + 8.0 + 8.0)).abs() < 1e-3);
+    }
+
+    #[test]
+    fn an_insert_is_placed_with_the_part_but_its_box_is_none_of_the_shape() {
+        // The rod reaches from z = −1 to 5 mm, the block beside it from 0 to 4
+        let shape = built(
+            "body = [{ mesh = \"beside.stl\" }, { mesh = \"rod.stl\", role = \"ignore\" }, { mesh = \"two.stl\", role = \"insert\" }]",
+        )
+        .unwrap();
+        // The box of both, 8 × 4 × 4 mm, is about the origin
+        assert_eq!(shape.bounds_mm(), [[0.0, -1.0, -2.0], [1.0, 1.0, 2.0]]);
+        let insert = shape.body(Role::Insert).unwrap();
+        assert_eq!(insert.bounds_mm(), [[-4.0, -2.0, -2.0], [4.0, 2.0, 2.0]]);
     }
 
     #[test]

@@ -68,7 +68,7 @@ pub(crate) mod weighted;
 
 use crate::{
     Capabilities, Cost, DoseLayout, HostModel, LinearOperator, MakeFamily, ModelFamily, ModelInput,
-    ModelKind, OpticalScene, PatternLayout, Purpose, Refines, Run, ZCoupling, own_frames,
+    ModelKind, OpticalScene, PatternLayout, Purpose, Refines, Run, TimedBy, ZCoupling, own_frames,
 };
 use accumulation::Accumulation;
 use column_rays::{ColumnRay, ColumnRaysCache};
@@ -154,6 +154,7 @@ impl ModelFamily for Params {
 
     fn capabilities(&self) -> Capabilities {
         Capabilities {
+            timed_by: TimedBy::Pixels,
             is_traced: true,
             has_cells: true,
             refines: Refines::Cells,

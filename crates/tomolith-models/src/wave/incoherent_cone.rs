@@ -59,7 +59,7 @@ use crate::parallel;
 use crate::rays::Rays;
 use crate::{
     Capabilities, Cost, DoseLayout, HostModel, LinearOperator, MakeFamily, ModelFamily, ModelInput,
-    ModelKind, OpticalScene, Run, ZCoupling,
+    ModelKind, OpticalScene, Run, TimedBy, ZCoupling,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -140,7 +140,7 @@ impl ModelFamily for Params {
     fn capabilities(&self) -> Capabilities {
         Capabilities {
             has_surrogate: true,
-            joins_frames: false,
+            timed_by: TimedBy::Frames,
             is_along_frames: true,
             fills: true,
             ..Capabilities::default()

@@ -86,7 +86,7 @@ use super::parallel;
 use super::rays::Rays;
 use super::{
     Capabilities, Cost, DoseLayout, DoseModel, HostModel, MakeFamily, ModelFamily, ModelInput,
-    ModelKind, OpticalScene, Purpose, Quantity, Run, ZCoupling,
+    ModelKind, OpticalScene, Purpose, Quantity, Run, TimedBy, ZCoupling,
 };
 use beam::{Beam, Spreading};
 pub use coherent::BandLimit;
@@ -193,7 +193,7 @@ impl ModelFamily for Params {
         Capabilities {
             linear_instead: Some("[model.incoherent_cone] is the linear relative of waves"),
             has_surrogate: true,
-            joins_frames: false,
+            timed_by: TimedBy::Frames,
             is_along_frames: true,
             ..Capabilities::default()
         }

@@ -185,6 +185,72 @@ fn black_bodies_take_the_light_behind_them_and_clear_ones_of_the_resin_s_index_d
     assert!((mirror.balance.total() - 1.0).abs() < 1e-12);
 }
 
+#[test]
+fn a_metal_sends_back_what_its_index_says() {
+    let body = Net::new(&cuboid([-1.0; 3], [1.0; 3]), "mesh").unwrap();
+    let metal = Obstacle {
+        surface: Surface::Net(Arc::new(body)),
+        material: BodyMaterial::Metal {
+            refractive_index: 1.5,
+            extinction_coefficient: 2.8,
+        },
+    };
+    let plain = tracer(&GLASS, Polarization::Unpolarized, TraceLimits::default());
+    let path = plain.with_obstacles(vec![metal]).trace(level(0.0, 0.0));
+    // Normal incidence from 1.49: (0.01² + 2.8²)/(2.99² + 2.8²)
+    let reflected = (0.01f64.powi(2) + 2.8f64.powi(2)) / (2.99f64.powi(2) + 2.8f64.powi(2));
+    let [to, back] = &path.segments[..] else {
+        panic!("{path:?}");
+    };
+    let arrived = to.power * (-0.1 * to.length).exp();
+    assert!((back.power / arrived - reflected).abs() < 1e-12);
+    assert!((path.balance.blocked / arrived - (1.0 - reflected)).abs() < 1e-12);
+    assert!((path.balance.total() - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn a_body_that_reaches_through_a_wall_takes_its_place() {
+    let body = |from: f64, to: f64, material| Obstacle {
+        surface: Surface::Net(Arc::new(
+            Net::new(&cuboid([from, -1.0, -1.0], [to, 1.0, 1.0]), "mesh").unwrap(),
+        )),
+        material,
+    };
+    let clear = BodyMaterial::Dielectric {
+        refractive_index: 1.49,
+    };
+    let square = Square {
+        inner_width_mm: 10.0,
+        outer_width_mm: 12.0,
+        refractive_index: 1.6,
+    };
+    let with = |bodies: Vec<Obstacle>| {
+        tracer(&square, Polarization::Unpolarized, TraceLimits::default())
+            .with_obstacles(bodies)
+            .trace(level(0.3, 0.0))
+    };
+    // Of the resin's index, from outside into the resin: one interface in place of two, 4 mm of resin
+    let fresnel = 1.0 - (0.49f64 / 2.49).powi(2);
+    for outside in [6.5, 6.0] {
+        let path = with(vec![body(4.0, outside, clear)]);
+        let [segment] = &path.segments[..] else {
+            panic!("{path:?}");
+        };
+        assert!((segment.length - 9.0).abs() < 1e-9, "{segment:?}");
+        assert!((segment.power - fresnel).abs() < 1e-12);
+    }
+    // From the wall's inner face on, and from the resin out through the far wall
+    let path = with(vec![body(4.0, 5.0, clear), body(-7.0, -4.0, clear)]);
+    assert_eq!(path.segments.len(), 1);
+    assert!((path.segments[0].length - 8.0).abs() < 1e-9);
+    assert!((path.balance.total() - 1.0).abs() < 1e-12 && path.balance.transmitted > 0.3);
+    for outside in [6.5, 5.0] {
+        let path = with(vec![body(4.0, outside, BodyMaterial::Black)]);
+        assert!(path.segments.iter().all(|segment| segment.length < 1e-9));
+        assert!(path.balance.blocked > 0.8);
+    }
+}
+
 /// Luneburg's lens, n² = 2 − ρ²/R², in a tube that light does not see.
 fn lens(radius: f64, step_mm: f64) -> SpaceTracer {
     let tube = Cylinder {

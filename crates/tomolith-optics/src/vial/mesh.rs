@@ -1,4 +1,4 @@
-//! A vial of any shape: closed meshes as outer and inner wall.
+//! A vial of any shape: meshes as outer and inner wall.
 //!
 //! # Model
 //! The outer mesh holds the glass, the inner one the resin; rays are refracted at their triangles as they stand, so curved
@@ -14,8 +14,9 @@
 //! | `scale` | – | > 0 | 1 | millimeters per unit of the files |
 //!
 //! # Limits
-//! Walls are closed, outward and do not cross: a mesh that is open or inverted is refused, and so is an inner wall with a
-//! vertex outside of the outer one. Light enters through whatever faces it, the bottom and the caps too.
+//! Walls do not cross, and are closed but for their lower and upper ends: a wall that ends there in one level ring goes on along the axis
+//! as far as light reaches. Other gaps are refused, and so is an inner wall with a vertex outside of the outer one. Light enters
+//! through whatever faces it, the bottom and the caps too.
 
 use super::{BuildVial, CrossSection, Medium, Vial, Wall, index, positive};
 use crate::projector::Ray;
@@ -47,14 +48,25 @@ impl MeshVial {
     /// A vial of two walls; `key` is the job's table.
     ///
     /// # Errors
-    /// [`Error::Config`] for a wall that is open or inverted, walls that cross, an axis outside of the resin.
+    /// [`Error::Config`] for a wall that is open elsewhere than at its ends, walls that cross, an axis outside of the resin.
     pub fn new(outer: &Mesh, inner: &Mesh, refractive_index: f64, key: &str) -> Result<Self> {
-        let wall = |mesh: &Mesh, name: &str| {
-            let key = format!("{key}.{name}");
-            must_be_closed(mesh, &key)?;
-            Ok(Surface::Net(Arc::new(Net::new(mesh, &key)?)))
+        let far = |mesh: &Mesh| {
+            mesh.vertices
+                .iter()
+                .flatten()
+                .fold(0.0, |far, v| v.abs().max(far))
         };
-        let (outside, inside) = (wall(outer, "outer")?, wall(inner, "inner")?);
+        let size = f64::max(far(outer), far(inner));
+        let wall = |mesh: &Mesh, end: f64, name: &str| {
+            let key = format!("{key}.{name}");
+            let mesh = closed(mesh, end * size, &key)?;
+            let net = Net::new(&mesh, &key)?;
+            Ok((mesh, Surface::Net(Arc::new(net))))
+        };
+        let [inner_end, outer_end] = OPEN_ENDS;
+        let (outer, outside) = wall(outer, outer_end, "outer")?;
+        let (inner, inside) = wall(inner, inner_end, "inner")?;
+        let (outer, inner) = (&outer, &inner);
         let crossing = inner.vertices.iter().find(|&&v| !outside.contains(v));
         let crossing = crossing.or_else(|| outer.vertices.iter().find(|&&v| inside.contains(v)));
         if let Some(vertex) = crossing {
@@ -65,7 +77,13 @@ impl MeshVial {
                 "an inner wall within the outer one",
             ));
         }
-        let edge = meeting(inner, &outside).or_else(|| meeting(outer, &inside));
+        let triangles = |mesh: &Mesh| {
+            (0..mesh.triangles.len())
+                .map(|i| mesh.corners(i))
+                .collect::<Vec<_>>()
+        };
+        let edge =
+            meeting(triangles(inner), &outside).or_else(|| meeting(triangles(outer), &inside));
         if let Some(place) = edge {
             let [x, y, z] = place.map(concise);
             return Err(Error::config(
@@ -97,6 +115,10 @@ impl MeshVial {
     }
 }
 
+/// Where open ends of the inner and the outer wall are closed, in lengths of the largest coordinate of both: beyond what light reaches.
+const OPEN_ENDS: [f64; 2] = [20.0, 21.0];
+/// Corners of an open end lie in one plane within this part of that length.
+const LEVEL: f64 = 1e-6;
 /// Directions in which the distance from the axis to a wall is looked up.
 const LOOKS: u32 = 256;
 /// How far beside an edge the next look goes: far less than from one look to the next.
@@ -122,31 +144,92 @@ fn inscribed(wall: &Surface) -> f64 {
     distances.fold(f64::INFINITY, f64::min) * (PI / f64::from(LOOKS)).cos()
 }
 
-/// Refuses a mesh with an edge that is not shared by two triangles of one sense, and one that is inside out.
-fn must_be_closed(mesh: &Mesh, key: &str) -> Result<()> {
-    let mut edges: HashMap<(u32, u32), i64> = HashMap::new();
-    for &[a, b, c] in &mesh.triangles {
-        for (from, to) in [(a, b), (b, c), (c, a)] {
-            *edges.entry((from.min(to), from.max(to))).or_default() +=
-                if from < to { 1 } else { -1 };
+/// A wall whose open ends, level rings that are the lowest or the highest of it, go on along the axis to ± `end_mm` and are closed there.
+///
+/// # Errors
+/// [`Error::Config`] for any other edge that is not shared by two triangles of one sense.
+fn closed(mesh: &Mesh, end_mm: f64, key: &str) -> Result<Mesh> {
+    let open = open_edges(mesh);
+    let heights = mesh.vertices.iter().map(|v| v[2]);
+    let [low, high] = [
+        heights.clone().fold(f64::INFINITY, f64::min),
+        heights.fold(f64::NEG_INFINITY, f64::max),
+    ];
+    let is_at = |vertex: u32, height: f64| {
+        (mesh.vertices[vertex as usize][2] - height).abs() <= LEVEL * end_mm
+    };
+    let mut closed = mesh.clone();
+    let mut left = open.len();
+    for (height, end) in [(low, -end_mm), (high, end_mm)] {
+        let ring = open
+            .iter()
+            .filter(|edge| edge.iter().all(|&v| is_at(v, height)));
+        let ring: Vec<[u32; 2]> = ring.copied().collect();
+        if ring.is_empty() || !is_one_ring(&ring) {
+            continue;
+        }
+        left -= ring.len();
+        let middle = closed.vertices.len() as u32;
+        closed.vertices.push([0.0, 0.0, end]);
+        let mut far = HashMap::new();
+        for &[from, _] in &ring {
+            let [x, y, _] = mesh.vertices[from as usize];
+            far.insert(from, closed.vertices.len() as u32);
+            closed.vertices.push([x, y, end]);
+        }
+        for [a, b] in ring {
+            let (far_a, far_b) = (far[&a], far[&b]);
+            closed
+                .triangles
+                .extend([[b, a, far_a], [b, far_a, far_b], [far_b, far_a, middle]]);
         }
     }
-    let open = edges.values().filter(|&&sum| sum != 0).count();
-    if open > 0 {
+    if left > 0 {
         return Err(Error::config(
             key,
-            format!("{open} edges are open, or join triangles of opposite sense"),
-            "a closed mesh (light would leak through its gaps)",
+            format!("{left} edges are open, or join triangles of opposite sense"),
+            "a closed mesh, or a tube that is open at its lower and upper end (light would leak through other gaps)",
         ));
     }
-    if mesh.signed_volume() <= 0.0 {
-        return Err(Error::config(
-            key,
-            "the mesh is inside out",
-            "triangles that are counter-clockwise seen from outside",
-        ));
+    Ok(closed)
+}
+
+/// Directed edges of triangles that no other triangle has the other way round.
+fn open_edges(mesh: &Mesh) -> Vec<[u32; 2]> {
+    let mut edges: HashMap<[u32; 2], i64> = HashMap::new();
+    for &[a, b, c] in &mesh.triangles {
+        for [from, to] in [[a, b], [b, c], [c, a]] {
+            let (edge, sense) = if from < to {
+                ([from, to], 1)
+            } else {
+                ([to, from], -1)
+            };
+            *edges.entry(edge).or_default() += sense;
+        }
     }
-    Ok(())
+    let mut open: Vec<[u32; 2]> = edges
+        .into_iter()
+        .filter(|(_, sum)| *sum != 0)
+        .map(|([a, b], sum)| if sum > 0 { [a, b] } else { [b, a] })
+        .collect();
+    open.sort_unstable();
+    open
+}
+
+/// Whether directed edges follow one another in one closed ring.
+fn is_one_ring(edges: &[[u32; 2]]) -> bool {
+    let next: HashMap<u32, u32> = edges.iter().map(|&[from, to]| (from, to)).collect();
+    let mut at = edges[0][0];
+    for steps in 1..=edges.len() {
+        match next.get(&at) {
+            Some(&to) => at = to,
+            None => return false,
+        }
+        if at == edges[0][0] {
+            return steps == edges.len();
+        }
+    }
+    false
 }
 
 impl Vial for MeshVial {
@@ -215,7 +298,7 @@ fn one() -> f64 {
 /// Row of [`VIALS`](super::VIALS).
 pub const KIND: Kind<BuildVial> = Kind {
     name: "mesh",
-    summary: "Closed meshes as outer and inner wall, of any shape.",
+    summary: "Meshes as outer and inner wall, of any shape; tubes may be open at their ends.",
     example: "[vial.mesh]\nouter = \"cuvette-outer.stl\"\ninner = \"cuvette-inner.stl\"\nrefractive_index = 1.47\n",
     schema: schema_of::<Params>,
     build: |section| {
@@ -283,8 +366,44 @@ mod tests {
         assert!((1.999..=2.0).contains(&fits), "{fits}");
     }
 
+    /// A box without its caps, of which the last `caps` triangles are.
+    fn tube(half: f64, height: f64) -> Mesh {
+        let mut mesh = cuboid([-half, -half, -height], [half, half, height]);
+        let level = |mesh: &Mesh, t: &[u32; 3]| {
+            t.iter()
+                .all(|&v| mesh.vertices[v as usize][2] == mesh.vertices[t[0] as usize][2])
+        };
+        let sides = mesh.triangles.iter().filter(|t| !level(&mesh, t));
+        mesh.triangles = sides.copied().collect();
+        assert_eq!(mesh.triangles.len(), 8);
+        mesh
+    }
+
     #[test]
-    fn walls_that_cross_are_open_or_inside_out_are_refused() {
+    fn tubes_that_are_open_at_their_ends_go_on_there() {
+        let vial = MeshVial::new(&tube(3.0, 5.0), &tube(2.5, 5.0), 1.47, "vial.mesh").unwrap();
+        let fits = vial.resin_wall().inscribed_radius();
+        assert!((2.49..=2.5).contains(&fits), "{fits}");
+        assert!(vial.in_resin([2.4, -2.4, 40.0]) && !vial.in_resin([2.6, 0.0, 40.0]));
+        // A cup: closed below, open above
+        let cup = |half: f64, bottom: f64| {
+            let mut mesh = cuboid([-half, -half, bottom], [half, half, 5.0]);
+            let is_top = |t: &[u32; 3]| t.iter().all(|&v| mesh.vertices[v as usize][2] == 5.0);
+            let kept = mesh.triangles.iter().filter(|t| !is_top(t));
+            mesh.triangles = kept.copied().collect();
+            mesh
+        };
+        let vial = MeshVial::new(&cup(3.0, -5.0), &cup(2.5, -4.0), 1.47, "vial.mesh").unwrap();
+        assert!(vial.in_resin([0.0, 0.0, 40.0]) && !vial.in_resin([0.0, 0.0, -4.5]));
+        // The same ring, but a gap beside
+        let mut torn = tube(2.5, 5.0);
+        torn.triangles.pop();
+        let text = MeshVial::new(&tube(3.0, 5.0), &torn, 1.47, "vial.mesh").unwrap_err();
+        assert!(text.to_string().contains("edges are open"), "{text}");
+    }
+
+    #[test]
+    fn walls_that_cross_or_are_open_are_refused() {
         let text = cuvette([3.5, 2.0, 4.0]).unwrap_err().to_string();
         assert!(
             text.contains("vial.mesh.inner") && text.contains("cross"),
@@ -300,9 +419,6 @@ mod tests {
         let mut open = inner.clone();
         open.triangles.pop();
         assert!(refused(&outer, &open).contains("3 edges are open"));
-        let mut inverted = outer.clone();
-        inverted.triangles.iter_mut().for_each(|t| t.swap(0, 1));
-        assert!(refused(&inverted, &inner).contains("inside out"));
         let beside = cuboid([1.0; 3], [2.0; 3]);
         assert!(refused(&outer, &beside).contains("origin"));
     }

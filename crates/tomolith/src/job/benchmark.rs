@@ -1,7 +1,8 @@
 //! Benchmark of a job on this machine with its present load, before any work.
 //!
-//! The model that the optimizer asks and the one that judges are made for few of the job's frames, and for some more: the line
-//! through both tells what a call costs at any size from what grows with it. The optimizer's adjoint is asked for what
+//! The model that the optimizer asks and the one that judges are made for a small sample of the job's pixels, and for a larger one: the line
+//! through both tells what a call costs at any size from what grows with it. A sample is some frames; where a model takes pixels alone, of
+//! each frame only some blocks of pixels, spread evenly, so that the answer takes seconds whatever a ray costs. The optimizer's adjoint is asked for what
 //! the objective says of a good dose, one that is off by half a percent and blurred at surfaces: bands that most voxels keep
 //! make it cheap, as they do in a run. One pass of the objective is timed as well, and the metrics on two copies of the
 //! target.
@@ -12,32 +13,39 @@
 use super::scene::{Scene, Voxels};
 use crate::error::Result;
 use crate::field::{Field, HostField};
-use crate::grid::{Volume, VolumeGrid};
+use crate::grid::{PixelMask, Volume, VolumeGrid};
 use crate::metrics::evaluate;
 use crate::metrics::print::Print;
 use crate::models::layout::PatternLayout;
 use crate::models::planner::{self, ModelPlan};
 use crate::models::rays::matrix_cache;
-use crate::models::{DoseModel, Family, OpticalScene, Purpose, Run};
+use crate::models::{DoseModel, Family, OpticalScene, Purpose, Run, TimedBy};
 use crate::objective::Objective;
 use crate::optics::light::{Light, Selection};
+use std::sync::Arc;
 use std::time::Instant;
 use tomolith_core::parallel::table;
 
-/// Updates of the calls that are timed, about; and neighboring frames, as many as the kernel does at once: they share what
-/// they light.
+/// Updates of the calls that are timed, about, where a kernel takes neighboring frames together; and such frames, as many as it does at
+/// once: they share what they light.
 const TIMED_UPDATES: usize = 50_000_000;
 const TIMED_FRAMES: usize = 8;
 /// Groups of neighboring frames at least: one and the opposite one.
 const TIMED_GROUPS: usize = 2;
-/// Seconds above which the least number of frames is enough to time, and above which a call is timed once.
+/// Pixels of a frame that are enough to begin with where pixels are taken alone: rays through many walls take long.
+const TIMED_PIXELS: usize = 256;
+/// Blocks of rows at most, of which a column of such a sample has one.
+const BLOCKS: usize = 8;
+/// Seconds above which calls are long enough to time, and above which a call is timed once.
 const TIMED_S: f64 = 0.3;
 const LONG_S: f64 = 1.0;
-/// The same as the first for frames that are taken alone, which are as few as threads.
+/// The same as the first for the evaluation's frames that are taken alone, which are as few as threads.
 const ENOUGH_S: f64 = 10.0;
-/// How many times more frames the second of the timed calls has, where these take long and where not.
+/// How many times larger the second of the timed samples is, where these take long and where not.
 const SOME_MORE: usize = 2;
 const MANY_MORE: usize = 4;
+/// How many times larger a sample that takes too little time becomes at most.
+const MOST_GROWTH: f64 = 32.0;
 /// Voxels along the longest edge of the larger of the copies whose metrics are timed, at most; the other one has half as many.
 const TIMED_EDGE: usize = 160;
 /// Voxels of the evaluation up to which its own grid is tried; beyond, the job's.
@@ -123,7 +131,7 @@ impl CallRate {
 pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) -> Result<Rates> {
     let mut optics = scene.optimizing();
     let (mut measured, mut plan) = by_optimizer(scene, optics, voxels, run)?;
-    let updates = measured[0].updates_per_frame() * scene.extent.frames as f64;
+    let updates = measured[measured.len() - 1].updates_per_frame() * scene.extent.frames as f64;
     let walks = scene.extent.cached_entries;
     if walks.is_some_and(|walks| updates * walks.per_update > matrix_cache::MOST as f64)
         || scene.extent.cached_bytes == Some(0.0)
@@ -157,19 +165,117 @@ pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) 
     })
 }
 
-/// Calls of the optimizer's model with few frames and with some more, and the second of these models.
+/// What of the job's pixels is timed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Sample {
+    /// Frames of a light, in groups of so many neighbors.
+    frames: usize,
+    together: usize,
+    /// One in so many of their pixels.
+    one_in: usize,
+}
+
+impl Sample {
+    /// The smallest sample of a scene.
+    fn least(scene: &Scene, timed_by: TimedBy) -> Self {
+        let alone = Sample {
+            frames: rayon::current_num_threads(),
+            together: 1,
+            one_in: 1,
+        };
+        match timed_by {
+            TimedBy::NeighboringFrames => Sample {
+                frames: TIMED_GROUPS * TIMED_FRAMES,
+                together: TIMED_FRAMES,
+                one_in: 1,
+            },
+            TimedBy::Frames => alone,
+            TimedBy::Pixels => {
+                let lights = scene.optics.lights.iter();
+                let pixels = lights.map(|light| light.pixels.rows * light.pixels.columns);
+                let one_in = pixels.max().unwrap_or(1).div_ceil(TIMED_PIXELS);
+                Sample {
+                    one_in: in_blocks(one_in),
+                    ..alone
+                }
+            }
+        }
+    }
+
+    /// A sample so many times as large: of more pixels, then of more frames.
+    fn grown(self, times: usize) -> Self {
+        let one_in = in_blocks(self.one_in.div_ceil(times));
+        let left = (times * one_in).div_ceil(self.one_in);
+        Sample {
+            frames: self.frames * left,
+            one_in,
+            ..self
+        }
+    }
+
+    /// Whether it has every pixel.
+    fn is_all(&self, scene: &Scene) -> bool {
+        let frames = scene
+            .optics
+            .lights
+            .iter()
+            .map(|light| light.pixels.frames());
+        self.one_in == 1 && frames.max().is_none_or(|frames| self.frames >= frames)
+    }
+
+    /// The pixels of a light that it has, of these frames: columns at even distances, and of each one block of rows in turn.
+    fn mask(&self, light: &Light) -> Option<PixelMask> {
+        let (rows, columns) = (light.pixels.rows, light.pixels.columns);
+        let blocks = self.one_in.min(BLOCKS).min(rows);
+        let every = (self.one_in / blocks).clamp(1, columns);
+        (self.one_in > 1).then(|| {
+            PixelMask::new(
+                [light.pixels.frames(), rows, columns],
+                |frame, row, column| {
+                    let shifted = column + frame * every / 2;
+                    shifted % every == every / 2
+                        && row * blocks / rows == (shifted / every + frame) % blocks
+                },
+            )
+        })
+    }
+
+    /// The lights of a scene with these pixels alone.
+    fn lights(&self, scene: &Scene) -> Vec<Light> {
+        let mut lights = scene.optics.lights_turning(1);
+        for light in &mut lights {
+            let chosen = in_groups(light.pixels.frames(), (self.frames, self.together));
+            let azimuths = &mut light.pixels.azimuths;
+            *azimuths = chosen.iter().map(|&frame| azimuths[frame]).collect();
+            light.selection = light.selection.mapped(|mask| mask.of_frames(&chosen));
+            light.selection.masks.extend(self.mask(light).map(Arc::new));
+        }
+        lights
+    }
+}
+
+/// One pixel in so many, or in somewhat fewer: a multiple of the blocks of rows.
+fn in_blocks(one_in: usize) -> usize {
+    if one_in > BLOCKS {
+        one_in / BLOCKS * BLOCKS
+    } else {
+        one_in
+    }
+}
+
+/// Calls of the optimizer's model with samples that grow until they take long enough, and the last of these models.
 fn by_optimizer(
     scene: &Scene,
     optics: OpticalScene<'_>,
     voxels: &Voxels,
     run: &Run,
-) -> Result<([Calls; 2], ModelPlan)> {
+) -> Result<(Vec<Calls>, ModelPlan)> {
     let asked = computed(scene);
-    let joins_frames = joins_frames(scene)?;
-    // Doses of few frames are as long as those of many
+    let timed_by = timed_by(scene)?;
+    // Doses of few pixels are as long as those of many
     let mut cotangent: Option<HostField> = None;
-    let mut measure = |frames| -> Result<(Calls, ModelPlan)> {
-        let lights = &some_frames(scene, frames, joins_frames);
+    let mut measure = |sample: Sample| -> Result<(Calls, ModelPlan)> {
+        let lights = &sample.lights(scene);
         let optics = OpticalScene { lights, ..optics };
         let wanted = voxels.wanted();
         let (making_s, plan) =
@@ -178,43 +284,64 @@ fn by_optimizer(
         if cotangent.is_none() {
             cotangent = Some(cotangent_of_a_good_dose(&plan, scene, voxels, run)?);
         }
-        let calls = Calls::of(&plan, frames, making_s, cotangent.as_ref(), run)?;
+        let calls = Calls::of(&plan, sample, making_s, cotangent.as_ref(), run)?;
         Ok((calls, plan))
     };
-    let least = if joins_frames {
-        TIMED_GROUPS * TIMED_FRAMES
-    } else {
-        rayon::current_num_threads()
-    };
-    let frames = TIMED_UPDATES / scene.grid.len().max(1) / scene.optics.lights.len();
-    let (mut few, _) = measure(least)?;
+    let mut sample = Sample::least(scene, timed_by);
+    let (few, mut plan) = measure(sample)?;
+    let mut calls = vec![few];
     let mut times = SOME_MORE;
-    if few.seconds() < TIMED_S {
-        times = MANY_MORE;
-        if frames > least {
-            (few, _) = measure(frames.next_multiple_of(least))?;
+    while calls[calls.len() - 1].seconds() < TIMED_S && !sample.is_all(scene) {
+        let seconds = calls[calls.len() - 1].seconds();
+        let by_pixels = timed_by == TimedBy::Pixels;
+        sample = if by_pixels {
+            sample.grown((TIMED_S / seconds).clamp(2.0, MOST_GROWTH).ceil() as usize)
+        } else {
+            times = MANY_MORE;
+            let frames = TIMED_UPDATES / scene.grid.len().max(1) / scene.optics.lights.len();
+            let frames = frames.max(sample.frames).next_multiple_of(sample.frames);
+            Sample { frames, ..sample }
+        };
+        let (next, next_plan) = measure(sample)?;
+        calls.push(next);
+        plan = next_plan;
+        if !by_pixels {
+            break;
         }
     }
-    let (more, plan) = measure(few.asked * times)?;
-    Ok(([few, more], plan))
+    if !sample.is_all(scene) {
+        let (more, next_plan) = measure(sample.grown(times))?;
+        calls.push(more);
+        plan = next_plan;
+    }
+    Ok((calls, plan))
 }
 
-/// Calls of the model that judges on a grid, with the same pixels lit; Monte Carlo paths as many as the optimizer's.
+/// Calls of the model that judges on a grid, with the pixels that the optimizer's samples lit, until they take long enough; Monte Carlo
+/// paths as many as the optimizer's.
 fn by_evaluation(
     scene: &Scene,
     refine: usize,
     grid: &VolumeGrid,
-    [few, more]: &[Calls; 2],
+    samples: &[Calls],
     run: &Run,
-) -> Result<[Calls; 2]> {
+) -> Result<Vec<Calls>> {
     let family = scene.optics.family(grid)?;
     let purpose = match family.monte_carlo_paths() {
         Some(_) => Purpose::Probe,
         None => Purpose::Evaluate { refine },
     };
-    let joins_frames = joins_frames(scene)?;
-    let measure = |calls: &Calls| -> Result<Calls> {
-        let mut lights = some_frames(scene, calls.asked, joins_frames);
+    // Few frames that are taken alone say nothing of what making the model takes
+    let enough = match timed_by(scene)? {
+        TimedBy::Frames => ENOUGH_S,
+        _ => TIMED_S,
+    };
+    let mut found: Vec<Calls> = Vec::new();
+    for calls in samples {
+        if found.last().is_some_and(|last| last.seconds() > enough) {
+            break;
+        }
+        let mut lights = calls.sample.lights(scene);
         for (light, layout) in lights.iter_mut().zip(&calls.layouts) {
             let lit = layout.runs.iter().map(|run| (run.bottom, run.count));
             (light.active, light.selection) = (Some(lit.collect()), Selection::default());
@@ -225,15 +352,9 @@ fn by_evaluation(
             ..scene.optics.scene()
         };
         let (making_s, plan) = timed(|| planner::plan(computed(scene), optics, grid, None, run));
-        Calls::of(&plan?, calls.asked, making_s, None, run)
-    };
-    let few = measure(few)?;
-    // Few frames that are taken alone say nothing of what making the model takes
-    let enough = if joins_frames { TIMED_S } else { ENOUGH_S };
-    if few.seconds() > enough {
-        return Ok([few.clone(), few]);
+        found.push(Calls::of(&plan?, calls.sample, making_s, None, run)?);
     }
-    Ok([few, measure(more)?])
+    Ok(found)
 }
 
 /// The model that the job names. A stored one is known for its own pixels only: what the geometry would take stands for it.
@@ -242,24 +363,11 @@ fn computed(scene: &Scene) -> Option<&Family> {
     asked.filter(|family| !family.capabilities().is_stored)
 }
 
-/// Whether the model takes neighboring frames together.
-fn joins_frames(scene: &Scene) -> Result<bool> {
+/// What of the model's light predicts the time of all.
+fn timed_by(scene: &Scene) -> Result<TimedBy> {
     let optics = scene.optics.scene();
     let family = planner::choose(computed(scene), &optics, &scene.grid)?;
-    Ok(family.capabilities().joins_frames)
-}
-
-/// The job's lights with about so many of their frames.
-fn some_frames(scene: &Scene, frames: usize, joins_frames: bool) -> Vec<Light> {
-    let mut lights = scene.optics.lights_turning(1);
-    let together = if joins_frames { TIMED_FRAMES } else { 1 };
-    for light in &mut lights {
-        let chosen = in_groups(light.pixels.frames(), (frames, together));
-        let azimuths = &mut light.pixels.azimuths;
-        *azimuths = chosen.iter().map(|&frame| azimuths[frame]).collect();
-        light.selection = light.selection.mapped(|mask| mask.of_frames(&chosen));
-    }
-    lights
+    Ok(family.capabilities().timed_by)
 }
 
 /// About so many of `frames` frames: evenly spaced groups of so many neighbors.
@@ -281,8 +389,8 @@ fn in_groups(frames: usize, (wanted, together): (usize, usize)) -> Vec<usize> {
 /// What the calls of a model take.
 #[derive(Clone)]
 struct Calls {
-    /// Frames of a light that were asked for, and those of all lights that there are.
-    asked: usize,
+    /// What was asked for, and the frames of all lights that there are.
+    sample: Sample,
     frames: usize,
     layouts: Vec<PatternLayout>,
     updates: u64,
@@ -293,7 +401,7 @@ struct Calls {
 impl Calls {
     fn of(
         plan: &ModelPlan,
-        asked: usize,
+        sample: Sample,
         making_s: f64,
         cotangent: Option<&HostField>,
         run: &Run,
@@ -326,7 +434,7 @@ impl Calls {
         }
         let first_s = (first - dose_s).max(0.0);
         Ok(Calls {
-            asked,
+            sample,
             frames: model.patterns().iter().map(|p| p.grid.frames()).sum(),
             layouts: model.patterns().to_vec(),
             updates: model.updates(),
@@ -340,19 +448,22 @@ impl Calls {
     }
 
     fn updates_per_frame(&self) -> f64 {
-        self.updates as f64 / self.frames.max(1) as f64
+        let updates = self.updates as f64 * self.sample.one_in as f64;
+        updates / self.frames.max(1) as f64
     }
 }
 
 impl CallRates {
-    /// From calls with few frames and with some more.
-    fn of(calls: &[Calls; 2]) -> Self {
+    /// From calls with a sample and with larger ones.
+    fn of(calls: &[Calls]) -> Self {
+        let last = &calls[calls.len() - 1];
+        let before = &calls[calls.len().saturating_sub(2)];
         let rate = |i: usize| {
             let point = |own: &Calls| (own.updates as f64, own.seconds[i]);
-            CallRate::through(calls.each_ref().map(point))
+            CallRate::through([before, last].map(point))
         };
         CallRates {
-            updates_per_frame: calls[0].updates_per_frame(),
+            updates_per_frame: last.updates_per_frame(),
             making: rate(0),
             first: rate(1),
             dose: rate(2),
@@ -481,6 +592,34 @@ mod tests {
         // A job that is too small for two sizes, and a clock that was disturbed
         assert_eq!(line([(10.0, 3.0), (10.0, 5.0)]), (0.0, 0.5));
         assert_eq!(line([(10.0, 3.0), (40.0, 2.0)]), (0.0, 0.05));
+    }
+
+    #[test]
+    fn samples_are_spread_evenly_and_grow_to_all_pixels() {
+        let pixels = crate::grid::PatternGrid::full_turn(4, 0.0, 70, 90, 0.1);
+        let light = Light::new(pixels, crate::optics::resin::Resin::absorbing(1.5, 0.1));
+        let mut sample = Sample {
+            frames: 2,
+            together: 1,
+            one_in: in_blocks(100),
+        };
+        while sample.one_in > 1 {
+            let mask = sample.mask(&light).unwrap();
+            let lit = |row: usize| {
+                let places = (0..360).map(|i| [i / 90, row, i % 90]);
+                places.filter(|&at| mask.allows(at)).count()
+            };
+            let all: usize = (0..70).map(lit).sum();
+            let expected = (4 * 70 * 90) as f64 / sample.one_in as f64;
+            assert!(
+                (all as f64 / expected - 1.0).abs() < 0.15,
+                "{sample:?}: {all}"
+            );
+            sample = sample.grown(4);
+        }
+        assert!(sample.mask(&light).is_none());
+        assert_eq!(sample.frames, 4);
+        assert_eq!(sample.grown(3).frames, 12);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 //! Both `run` and `simulate` end here, with the patterns that stand in `patterns.npz`, so that they report the same
 //! numbers to the last bit.
 
+use super::contact::Contact;
 use super::cross_check::{self, CrossCheck};
 use super::doses::{Doses, Exposed};
 use super::doubts;
@@ -56,6 +57,8 @@ pub(crate) struct Evaluated {
     pub(crate) response: Volume<f32>,
     /// What the bodies that are to stay dark get; None without any.
     pub(crate) keep_dark: Option<KeepDark>,
+    /// What the print touches of the inserts; None without any.
+    pub(crate) contact: Option<Contact>,
     /// Which voxels of the finer grid belong to bodies that are not printed, for the report; None without any.
     pub(crate) bodies: Option<Volume<u8>>,
     /// What Monte Carlo paths leave uncertain; None where none are drawn.
@@ -211,6 +214,10 @@ pub(crate) fn evaluate_patterns(
         let text = format!("keep-dark bodies get {dark}");
         progress.event(&Event::Note { text });
     }
+    let contact = evaluation.gel_threshold.and_then(|threshold| {
+        let inside = &fine.target.inside;
+        Contact::of(scene.shape.as_ref(), inside, &response, threshold)
+    });
     let own = (&response, evaluation.gel_threshold);
     let scenarios = scenarios::judged(scene, &fine.labels.values, own, |other| {
         let turning = Exposed::new(&grid, other.optics.lights_turning(sub_angles));
@@ -237,6 +244,7 @@ pub(crate) fn evaluate_patterns(
         fine,
         response,
         keep_dark,
+        contact,
         bodies,
         noise,
         agreement,

@@ -23,6 +23,7 @@ mod cells;
 mod clip;
 mod co_optimize;
 mod compatibility;
+mod contact;
 mod cross_check;
 mod device;
 pub mod document;
@@ -76,7 +77,7 @@ mod write;
 
 pub use document::Document;
 pub use folder::RunFolder;
-pub use import::{Imported, import};
+pub use import::{Files, Imported, import, sinogram};
 pub use kept::KeptParts;
 pub use many::{JobRequirements, Leaves, requirements, run_here};
 pub use outcome::{Plan, Quality, Summary, TimeSummary};

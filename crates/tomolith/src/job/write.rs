@@ -543,6 +543,9 @@ fn published(
     if let Some(dark) = evaluated.keep_dark {
         map.insert("keep_dark".to_owned(), serde_json::json!(dark));
     }
+    if let Some(contact) = evaluated.contact {
+        map.insert("insert".to_owned(), serde_json::json!(contact));
+    }
     if let Some(noise) = evaluated.noise {
         map.insert("paths".to_owned(), serde_json::json!(noise));
     }
@@ -657,6 +660,9 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
     }
     if let Some(dark) = &evaluated.keep_dark {
         facts.push(("Keep-dark body", format!("gets {dark}")));
+    }
+    if let Some(contact) = &evaluated.contact {
+        facts.push(("Insert", contact.to_string()));
     }
     if let Some(noise) = &evaluated.noise {
         facts.push(("Monte Carlo paths", noise.to_string()));

@@ -128,6 +128,13 @@ fn optics() -> Vec<(&'static str, Optics)> {
             }),
         ),
         ("mirror", with(BodyMaterial::Mirror)),
+        (
+            "metal",
+            with(BodyMaterial::Metal {
+                refractive_index: 0.5,
+                extinction_coefficient: 4.8,
+            }),
+        ),
     ]
 }
 

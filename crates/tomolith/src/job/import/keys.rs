@@ -1,4 +1,4 @@
-//! A table of the other program's job, whose keys are taken one by one: what is left at the end is refused by name.
+//! A table of the other program's job, whose keys are taken one by one: what is left at the end is noted by name.
 
 use crate::error::{Error, Result, nearest_name};
 use serde_json::{Map, Value};
@@ -8,6 +8,13 @@ pub(super) struct Keys {
     path: String,
     left: Map<String, Value>,
     known: Vec<&'static str>,
+}
+
+/// A count that is written with a point.
+fn whole(value: &Value) -> Option<u64> {
+    let number = value.as_f64()?;
+    let is_whole = number.fract() == 0.0 && (0.0..1e15).contains(&number);
+    is_whole.then_some(number as u64)
 }
 
 impl Keys {
@@ -85,7 +92,7 @@ impl Keys {
     pub(super) fn count(&mut self, key: &'static str, default: u64) -> Result<u64> {
         match self.take(key) {
             None => Ok(default),
-            Some(value) => match value.as_u64() {
+            Some(value) => match value.as_u64().or_else(|| whole(&value)) {
                 Some(count) => Ok(count),
                 None => self.wrong(key, value, "a whole number"),
             },
@@ -125,10 +132,15 @@ impl Keys {
 
     /// Keys that mean nothing here; nothing need be said of a switch that is off.
     pub(super) fn leave_out(&mut self, keys: &[&'static str], why: &str, notes: &mut Vec<String>) {
+        let mut found = Vec::new();
         for key in keys {
             if self.take(key).is_some_and(|value| value != false) {
-                notes.push(format!("{} is left out: {why}", self.key(key)));
+                found.push(self.key(key));
             }
+        }
+        if !found.is_empty() {
+            let are = if found.len() == 1 { "is" } else { "are" };
+            notes.push(format!("{} {are} left out: {why}", found.join(", ")));
         }
     }
 
@@ -142,20 +154,15 @@ impl Keys {
         Ok(())
     }
 
-    /// Refuses what is left.
-    pub(super) fn finish(self) -> Result<()> {
-        let Some((key, value)) = self.left.iter().next() else {
-            return Ok(());
-        };
-        let hint = nearest_name(key, self.known.iter().copied())
-            .map_or_else(String::new, |name| format!("; did you mean `{name}`?"));
-        Err(Error::config(
-            self.key(key),
-            format!("found {value}"),
-            format!(
-                "a key that can be imported: {}{hint}",
-                self.known.join(", ")
-            ),
-        ))
+    /// Notes what is left: keys that Dr.TVAM does not read.
+    pub(super) fn finish(self, notes: &mut Vec<String>) {
+        for key in self.left.keys() {
+            let hint = nearest_name(key, self.known.iter().copied())
+                .map_or_else(String::new, |name| format!("; did you mean `{name}`?"));
+            notes.push(format!(
+                "{} is left out: Dr.TVAM does not read it{hint}",
+                self.key(key)
+            ));
+        }
     }
 }

@@ -67,9 +67,10 @@ impl Optics {
         ([low, high], out): ([f64; 2], f64),
     ) -> Result<()> {
         let lit = self.lit_heights(i);
-        let rounding = |end: f64| 1e-9 * (1.0 + end.abs());
+        // Less than half a pixel is said when the voxels are known
+        let half = self.lights[i].pixels.pitch_mm[1] / 2.0;
         let [bottom, top] = lit.on_axis;
-        if low >= bottom - rounding(bottom) && high <= top + rounding(top) {
+        if low >= bottom - half && high <= top + half {
             return Ok(());
         }
         let [below, above] = lit.within(out);

@@ -30,7 +30,7 @@ use crate::models::{DoseLayout, OpticalScene, Purpose, Run, planner};
 use crate::objective::{ObjectiveInput, Sum};
 use crate::ranks::Communicator;
 use crate::response::{Response, dose_for};
-use crate::target::{self, Shape, label};
+use crate::target::{self, Role, Shape, label};
 use grid::{bounds_of, grid_of, moved};
 use remarks::{
     ask_for_unit, at_target, chosen, given_patterns, must_be_seen, narrow_arc, on_its_own_grid,
@@ -145,8 +145,10 @@ impl Scene {
         };
         optics.wall_tolerance_mm =
             wall_tolerance_mm(&spec, placed.as_ref().ok().map(|(grid, _)| grid))?;
+        // Light need reach only what is printed
+        let printed = shape.body(Role::Print).unwrap_or(shape.as_ref());
         let touching = optics
-            .must_hold(&spec, shape.as_ref())
+            .must_hold(&spec, printed)
             .map_err(|e| e.asking(unit.as_deref()))?;
         if spec.target.insert_shadow.unwrap_or(true) {
             optics.add_inserts(shape.as_ref())?;
@@ -191,8 +193,9 @@ impl Scene {
                 two_critical_doses(&spec).into_iter().collect(),
                 scenarios::worst_of_one(&spec).into_iter().collect(),
                 optics.dark_inside(),
-                optics.moved_away(shape.as_ref()).into_iter().collect(),
-                optics.coarse(shape.as_ref()),
+                optics.through_walls(),
+                optics.moved_away(printed).into_iter().collect(),
+                optics.coarse(printed),
                 optics.coarse_voxels(&grid).into_iter().collect(),
                 touching,
                 light,

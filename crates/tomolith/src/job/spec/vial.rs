@@ -73,7 +73,8 @@ pub struct MotionSpec {
 pub struct ObstacleSpec {
     /// Mesh file, relative to the job.
     pub mesh: PathBuf,
-    /// What it does to light: "black", "mirror", or { dielectric = { refractive_index = 1.5 } }.
+    /// What it does to light: "black", "mirror", { metal = { refractive_index = 1.5, extinction_coefficient = 2.8 } }, { dielectric = { refractive_index = 1.5 } }, or
+    /// { diffuse = { reflectance = 0.5 } }.
     #[serde(default)]
     pub material: BodyMaterial,
     /// Millimeters per unit of the file.
