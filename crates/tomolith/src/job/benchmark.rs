@@ -33,7 +33,7 @@ const TIMED_FRAMES: usize = 8;
 /// Groups of neighboring frames at least: one and the opposite one.
 const TIMED_GROUPS: usize = 2;
 /// Pixels of a frame that are enough to begin with where pixels are taken alone: rays through many walls take long.
-const TIMED_PIXELS: usize = 256;
+const TIMED_PIXELS: usize = 32;
 /// Blocks of rows at most, of which a column of such a sample has one.
 const BLOCKS: usize = 8;
 /// Seconds above which calls are long enough to time, and above which a call is timed once.
@@ -309,7 +309,9 @@ fn by_optimizer(
             break;
         }
     }
-    if !sample.is_all(scene) {
+    // Pixels that are taken alone and take long leave nothing to be told from them
+    let is_enough = timed_by == TimedBy::Pixels && calls[calls.len() - 1].seconds() > LONG_S;
+    if !sample.is_all(scene) && !is_enough {
         let (more, next_plan) = measure(sample.grown(times))?;
         calls.push(more);
         plan = next_plan;
