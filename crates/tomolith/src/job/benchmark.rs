@@ -205,7 +205,7 @@ impl Sample {
     /// A sample so many times as large: of more pixels, then of more frames.
     fn grown(self, times: usize) -> Self {
         let one_in = in_blocks(self.one_in.div_ceil(times));
-        let left = (times * one_in).div_ceil(self.one_in);
+        let left = (times * one_in / self.one_in).max(1);
         Sample {
             frames: self.frames * left,
             one_in,
