@@ -112,7 +112,7 @@ fn placed(file: &str, from: &Path, to: &Path) -> String {
 
 /// The box of a mesh; None where there is none to read.
 fn bounds_of(file: &Path) -> Option<[[f64; 3]; 2]> {
-    let mesh = read_mesh(file).ok()?;
+    let mesh = read_mesh(file).ok()?.mesh;
     let corner = |pick: fn(f64, f64) -> f64, from: f64| {
         let least = |i: usize| mesh.vertices.iter().map(|v| v[i]).fold(from, pick);
         std::array::from_fn(least)
