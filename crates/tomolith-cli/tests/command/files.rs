@@ -283,7 +283,9 @@ fn a_mesh_in_another_unit_is_asked_for_it() {
     let text = bench.expect(2, "voxelize text.stl --pitch-mm 0.1 --output v.npy");
     contains(
         &text,
-        &["a text without a facet (it begins with `Dear colleague,`), neither an ASCII nor a binary STL file"],
+        &[
+            "a text without a facet (it begins with `Dear colleague,`), neither an ASCII nor a binary STL file",
+        ],
     );
     assert!(!text.contains("truncated"), "{text}");
 }
