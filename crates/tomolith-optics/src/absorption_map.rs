@@ -212,8 +212,8 @@ impl AbsorptionMap {
         }
     }
 
-    /// What a point's cell takes.
-    fn uptake(&self, point: [f64; 3], plain: Uptake) -> Uptake {
+    /// What a point's cell takes; `plain` beyond the map.
+    pub(super) fn uptake(&self, point: [f64; 3], plain: Uptake) -> Uptake {
         let mut index = 0;
         for axis in [2, 1, 0] {
             let n = self.shape[2 - axis];

@@ -18,7 +18,7 @@ use crate::vial::Vial;
 use std::sync::Arc;
 use tomolith_core::dose::{PatternLayout, Quantity};
 use tomolith_core::error::{Error, Result};
-use tomolith_core::grid::{PatternGrid, PixelMask};
+use tomolith_core::grid::{PatternGrid, PixelMask, Volume, VolumeGrid};
 use tomolith_core::units::exact;
 
 /// One light: its pixels and what the resin does at its wavelength.
@@ -65,6 +65,24 @@ impl Light {
             active: None,
             selection: Selection::default(),
         }
+    }
+
+    /// Absorption of the active species at the middle of each voxel, 1/mm, where it is a map; None where it is the same everywhere.
+    #[must_use]
+    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
+    pub fn absorption_on(&self, grid: &VolumeGrid) -> Option<Volume<f32>> {
+        let map = self.map.as_ref()?;
+        let plain = self.resin.uptake();
+        let [nz, ny, nx] = grid.shape;
+        let middle = |i: usize| {
+            let (iz, iy, ix) = (i / (ny * nx), i / nx % ny, i % nx);
+            [grid.x(ix), grid.y(iy), grid.z(iz)]
+        };
+        let values = (0..nz * ny * nx).map(|i| map.uptake(middle(i), plain).active_per_mm as f32);
+        Some(Volume {
+            grid: grid.clone(),
+            values: values.collect(),
+        })
     }
 
     /// Traces its level rays through a vial and its bath, with the resin's plain numbers.

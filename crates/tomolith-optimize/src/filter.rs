@@ -24,7 +24,7 @@
 //! F(x) = d is solved, up to attenuation, by x = π/(2Nφ²)·h³/(p²q)·R Fᵀ d with this filter R ([`Projection::inverse`]): h is the edge of
 //! a voxel, p and q are the distances of columns and of rows, since Fᵀ sums voxels over the area p·q of a pixel, and the ramp counts
 //! in columns. φ is measured on the projection itself: Σ Fᵀd = N·φ·Σ d. For a homogeneous resin φ holds the factor α of Li et al., so that 1/φ² is
-//! their α⁻².
+//! their α⁻²; where α is a map [`start::fbp`](crate::start::fbp) has it.
 //!
 //! **Source** Kak and Slaney, Principles of Computerized Tomographic Imaging (1988), eq. 3.61; Li et al. (2024), eqs. 2, SE.11
 //! and SE.12. **Cost** two transforms of a row of 2 to 4 times its length each; one array of all pixels.

@@ -340,6 +340,7 @@ mod tests {
             labels: &labels,
             response: &Identity,
             limits: &[Limits::default()],
+            absorption: None,
         };
         let mut target = input.target_field().unwrap();
         if gray {

@@ -215,6 +215,7 @@ impl Case {
             labels: &labels,
             response: &Identity,
             limits: &[Limits::default()],
+            absorption: None,
         };
         let flag = Run::new();
         let mut problem = Problem::new(&self.model, objective, &[Limits::default()], &flag)

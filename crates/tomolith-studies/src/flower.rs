@@ -274,6 +274,7 @@ fn solve(image: &str, setting: &Setting) -> Result<Solved, Error> {
         labels: &labels,
         response: response.as_ref(),
         limits: &limits,
+        absorption: None,
     };
     let flag = Run::new();
     let start = Section::new("start", setting.start.clone()).read(STARTS)?;

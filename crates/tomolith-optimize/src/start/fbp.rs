@@ -1,14 +1,20 @@
 //! Filtered back-projection, in the printer's direction: the ramp-filtered adjoint of the wanted dose.
 //!
-//! **Equation** with the adjoint Fᵀ, the ramp filter R ([`filter`](crate::filter)) and d = M⁻¹(target)
+//! **Equation** with the adjoint Fᵀ, the ramp filter R ([`filter`](crate::filter)), d = M⁻¹(target) and the absorption α(r) of the
+//! active species
 //!
 //! ```text
-//! x = c · max(R Fᵀ d, 0)          or, negative = "offset",  x = c · (R Fᵀ d − min R Fᵀ d)
+//! x = c · max(R Fᵀ α⁻² d, 0)      or, negative = "offset",  x = c · (R Fᵀ α⁻² d − min R Fᵀ α⁻² d)
 //! ```
+//!
+//! A voxel's dose is α(r) times its fluence P x: F = α P, Fᵀ = Pᵀ α. The fluence must be α⁻¹ d, and where P R Pᵀ is the identity (no
+//! attenuation, SE.11) x = R Pᵀ α⁻¹ d = R Fᵀ α⁻² d (Li et al., eqs. 2 and SE.12). Where absorption is a map α is a field; else φ holds
+//! it. Where nothing absorbs no light makes dose, and α⁻² is 0 (S.5.1).
 //!
 //! **Scale** `fit`: c makes the dose of the part right (least squares, one forward call). `analytic`: c = π/(2Nφ²)
 //! (times h³/(p²q) where pixels are not as large as voxels, see [`filter`](crate::filter)), which is right before
-//! negative values are cut and needs no call: the start of Li et al., their α⁻² being in φ.
+//! negative values are cut and needs no call: the start of Li et al. φ is a voxel's share of a pixel's light; with a map, that of a voxel of the largest α,
+//! which the others are relative to.
 //!
 //! **Source** Li et al. (2024), eqs. 2, 3 and SE.10–SE.13; with `offset` Rackson et al. (2021).
 //!
@@ -87,13 +93,15 @@ impl<F: Field> InitialPatterns<F> for Fbp {
         input.require_linear("fbp")?;
         let wanted = input.wanted_dose()?;
         let mut x = input.model.new_patterns()?;
+        let source = input.weighed(&input.over_absorption(&wanted, 2)?);
         input
             .model
-            .pullback(&x.zeros_like(), &input.weighed(&wanted), &mut x, run)?;
+            .pullback(&x.zeros_like(), &source, &mut x, run)?;
         let lights = input.model.patterns();
         let voxel_mm3 = input.model.grid().voxel_mm3();
+        let fluence = input.over_absorption(&wanted, 1)?;
         let projection =
-            Projection::new(x, lights, &wanted)?.filtered(lights, self.0.filter, voxel_mm3)?;
+            Projection::new(x, lights, &fluence)?.filtered(lights, self.0.filter, voxel_mm3)?;
         if projection.patterns.any(run.is_canceled()) {
             return Err(Error::Canceled);
         }
@@ -120,8 +128,17 @@ mod tests {
     use super::*;
     use crate::Limits;
     use crate::reference::{self, Dense};
+    use std::sync::Arc;
     use tomolith_core::check::small::SmallModel;
+    use tomolith_core::dose::DoseModel;
+    use tomolith_core::grid::{PatternGrid, Volume, VolumeGrid};
     use tomolith_core::response::Identity;
+    use tomolith_core::target::{Target, label_voxels};
+    use tomolith_models::parallel::Parallel;
+    use tomolith_optics::absorption_map::AbsorptionMap;
+    use tomolith_optics::light::Light;
+    use tomolith_optics::resin::Resin;
+    use tomolith_optics::vial::index_matched::IndexMatched;
 
     #[test]
     fn it_follows_the_formulas() {
@@ -135,6 +152,7 @@ mod tests {
                 labels: &labels,
                 response: &Identity,
                 limits: &[Limits::default()],
+                absorption: None,
             };
             let dense = Dense::new(&model);
             let wanted = dense.target();
@@ -184,5 +202,92 @@ mod tests {
             dose[middle],
             blob[middle]
         );
+    }
+
+    /// A disc of 4 mm in a map of 0.001 per mm in its left half and another number in its right one; the patterns of the start, and the
+    /// mean dose in each half, less a rim of two voxels.
+    fn disc_in_halves(right: f32, scale: StartScale) -> (Vec<f32>, [f64; 2]) {
+        let grid = VolumeGrid::centered([1, 64, 64], 0.1);
+        let radius = |i: usize| grid.x(i % 64).hypot(grid.y(i / 64));
+        let inside: Vec<f32> = (0..grid.len())
+            .map(|i| f32::from(radius(i) < 2.0))
+            .collect();
+        let target = Target {
+            name: "disc".to_owned(),
+            inside: Volume {
+                grid: grid.clone(),
+                values: inside,
+            },
+            gray: false,
+        };
+        let labels = label_voxels(&target, |[x, y, _]| x.hypot(y) < 3.2);
+        let halves = vec![0.001, right, 0.001, right];
+        let map = AbsorptionMap::new([1, 2, 2], 3.2, halves.clone(), halves).unwrap();
+        let pixels = PatternGrid::full_turn(90, 0.0, 1, 64, 0.1);
+        let light = Light {
+            map: Some(Arc::new(map)),
+            ..Light::new(pixels, Resin::absorbing(1.5, 0.001))
+        };
+        let absorption = light.absorption_on(&grid);
+        let vial = IndexMatched { radius_mm: 3.2 };
+        let model = Parallel::new(&vial, vec![light], grid.clone()).unwrap();
+        let input = StartInput {
+            model: &model,
+            target: &target,
+            labels: &labels,
+            response: &Identity,
+            limits: &[Limits::default()],
+            absorption: absorption.as_ref(),
+        };
+        let params = Params {
+            scale,
+            ..Params::default()
+        };
+        let x = Fbp(params).patterns(&input, &Run::new()).unwrap();
+        let mut dose = DoseModel::new_dose(&model).unwrap();
+        model.dose(&x, &mut dose, &Run::new()).unwrap();
+        let dose = DoseModel::outputs(&model)[0].volume_of(dose.as_slice());
+        let mean = |is_right: bool| {
+            let found: Vec<f64> = (0..grid.len())
+                .filter(|&i| radius(i) < 1.8 && (grid.x(i % 64) > 0.0) == is_right)
+                .map(|i| f64::from(dose.values[i]))
+                .collect();
+            found.iter().sum::<f64>() / found.len() as f64
+        };
+        (x.as_slice().to_vec(), [mean(false), mean(true)])
+    }
+
+    #[test]
+    fn a_disc_in_an_even_map_is_lit_by_even_beams() {
+        // R of the chords 2√(a² − s²) is even within the disc and negative beside it: N frames of 1/(Nα) make its dose 1 (eq. 2)
+        let (x, halves) = disc_in_halves(0.001, StartScale::Analytic);
+        for column in 0..64 {
+            let from_axis = (column as f64 - 31.5).abs() * 0.1;
+            let mean = x.iter().skip(column).step_by(64).sum::<f32>() / 90.0;
+            let lit = f64::from(mean) * 90.0 * 0.001;
+            match from_axis {
+                s if s < 1.5 => assert!((lit - 1.0).abs() < 0.05, "{s} mm: {lit}"),
+                s if s > 2.2 => assert!(lit < 0.03, "{s} mm: {lit}"),
+                _ => {}
+            }
+        }
+        assert!(halves.iter().all(|d| (d - 1.0).abs() < 0.05), "{halves:?}");
+    }
+
+    #[test]
+    fn absorption_is_a_field() {
+        // With α in φ alone the halves would have 0.48 and 1.75. Eq. 3 cuts negative values, which lights the right half by 0.1 more
+        for scale in [StartScale::Analytic, StartScale::Fit] {
+            let (_, [left, right]) = disc_in_halves(0.002, scale);
+            assert!((left - 1.0).abs() < 0.1, "{scale:?}: {left}, {right}");
+            assert!((right - 1.0).abs() < 0.15, "{scale:?}: {left}, {right}");
+        }
+    }
+
+    #[test]
+    fn what_does_not_absorb_takes_no_light() {
+        let (x, [left, right]) = disc_in_halves(0.0, StartScale::Analytic);
+        assert!(x.iter().all(|v| v.is_finite()));
+        assert!(left > 0.9 && right == 0.0, "{left}, {right}");
     }
 }

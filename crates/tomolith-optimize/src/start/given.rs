@@ -375,6 +375,7 @@ mod tests {
             labels: &labels,
             response: &Identity,
             limits: &[Limits::default()],
+            absorption: None,
         };
         let light = &DoseModel::patterns(&model)[0];
         let mut patterns = Patterns::dark(light.grid.clone());

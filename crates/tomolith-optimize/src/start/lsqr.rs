@@ -237,6 +237,7 @@ mod tests {
             labels: &labels,
             response: &Identity,
             limits: &[Limits::default()],
+            absorption: None,
         };
         let run = Run::new();
         let masked = Masked {

@@ -32,7 +32,12 @@ pub struct StartInput<'a, F: Field = HostField> {
     pub response: &'a dyn Response,
     /// Smallest and largest value per light.
     pub limits: &'a [Limits],
+    /// Absorption of the active species in each voxel, array order; None where it is the same everywhere.
+    pub absorption: Option<&'a Volume<f32>>,
 }
+
+/// Absorption below this part of the largest counts as none: no light makes up for it.
+const NEGLIGIBLE: f32 = 1e-6;
 
 /// A method that makes initial patterns.
 pub trait InitialPatterns<F: Field = HostField>: std::fmt::Debug + Send + Sync {
@@ -86,10 +91,12 @@ impl<F: Field> StartInput<'_, F> {
                 what: "a start from the target".to_owned(),
                 reason: "the model has no output".to_owned(),
             })?;
-        for (what, found) in [
+        let absorption = self.absorption.map(|map| ("absorption", &map.grid));
+        let grids = [
             ("target", &self.target.inside.grid),
             ("labels", &self.labels.grid),
-        ] {
+        ];
+        for (what, found) in grids.into_iter().chain(absorption) {
             if found.shape != layout.grid.shape {
                 return Err(Error::Shape {
                     what: format!("{what} of the start"),
@@ -125,6 +132,27 @@ impl<F: Field> StartInput<'_, F> {
         }
         let mut dose = self.model.new_dose()?;
         dose.write(layout.offset, &field);
+        Ok(dose)
+    }
+
+    /// A dose over α^`power`, α being relative to the largest; 0 where nothing absorbs. The dose itself where α is the same everywhere.
+    fn over_absorption(&self, dose: &F, power: i32) -> Result<F> {
+        let mut dose = dose.clone();
+        if let Some(map) = self.absorption {
+            let layout = self.layout()?;
+            let largest = map.values.iter().copied().fold(0.0, f32::max);
+            let factor = |&alpha: &f32| match alpha / largest {
+                relative if relative > NEGLIGIBLE => relative.powi(-power),
+                _ => 0.0,
+            };
+            let inverse = Volume {
+                grid: map.grid.clone(),
+                values: map.values.iter().map(factor).collect(),
+            };
+            let mut factors = dose.zeros_like();
+            factors.write(layout.offset, &layout.field_of(&inverse));
+            dose.multiply(&factors);
+        }
         Ok(dose)
     }
 
@@ -287,6 +315,7 @@ mod tests {
                     labels: &labels,
                     response,
                     limits: &limits,
+                    absorption: None,
                 };
                 let mut section = example(row);
                 if row.name == "patterns" {
@@ -336,6 +365,7 @@ mod tests {
             labels: &labels,
             response: &Identity,
             limits: &limits,
+            absorption: None,
         };
         let separation = |filter: &str| {
             let section = Section::new(

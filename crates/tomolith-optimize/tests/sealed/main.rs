@@ -115,6 +115,7 @@ fn solve<F: Field>(
         labels: &part.labels,
         response: &Identity,
         limits: &limits,
+        absorption: None,
     };
     let start = row(starts::<F>(), job.start);
     let start = (start.build)(&Section::new("start", json!({}))).unwrap();

@@ -356,7 +356,7 @@ impl<'a> Stage<'a> {
             .with_penalties(scene.kinds.penalties(model.patterns())?)
             .with_bits(spec.bounds.bits)?;
         let response = scene.response();
-        let input = start_input(model, &self.voxels, response.as_ref(), &[]);
+        let input = start_input(model, (&self.voxels, None), response.as_ref(), &[]);
         if optimizer.requirements().target.is_some() {
             problem = problem.with_target(input.target_field()?);
         }

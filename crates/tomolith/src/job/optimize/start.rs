@@ -3,6 +3,7 @@
 use super::stage::Stage;
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
+use crate::grid::Volume;
 use crate::job::kept::{BoundingStart, KeptParts, start_key};
 use crate::job::scene::{Scene, Voxels};
 use crate::job::spec::JobSpec;
@@ -15,10 +16,10 @@ use crate::optimize::start::given::{Files, Given, OfFile};
 use crate::optimize::start::{InitialPatterns, StartInput};
 use crate::response::Response;
 
-/// What a start or a method's marks are computed from.
+/// What a start or a method's marks are computed from; `absorption` where it is a map.
 pub(super) fn start_input<'a>(
     model: &'a dyn DoseModel<Field = HostField>,
-    voxels: &'a Voxels,
+    (voxels, absorption): (&'a Voxels, Option<&'a Volume<f32>>),
     response: &'a dyn Response,
     limits: &'a [Limits],
 ) -> StartInput<'a> {
@@ -28,6 +29,7 @@ pub(super) fn start_input<'a>(
         labels: &voxels.labels,
         response,
         limits,
+        absorption,
     }
 }
 
@@ -54,7 +56,9 @@ pub(super) fn starting_patterns(
     });
     let limits: Vec<Limits> = given.collect();
     let response = scene.response();
-    let input = |model| start_input(model, voxels[0], response.as_ref(), &limits);
+    let absorption = scene.optics.lights[0].absorption_on(&voxels[0].labels.grid);
+    let seen = (voxels[0], absorption.as_ref());
+    let input = |model| start_input(model, seen, response.as_ref(), &limits);
     let known = straight.unwrap_or(model);
     let mut x = match scene.rows() {
         Some(rows) if !start.is_given() => {
@@ -96,7 +100,9 @@ fn starting_lights(
             continue;
         };
         let response = scenes[s].response();
-        let input = start_input(&*alone, voxels[s], response.as_ref(), &limits[i..=i]);
+        let absorption = scene.optics.lights[i].absorption_on(&voxels[s].labels.grid);
+        let seen = (voxels[s], absorption.as_ref());
+        let input = start_input(&*alone, seen, response.as_ref(), &limits[i..=i]);
         let mut own = start.patterns(&input, cancel)?;
         own.scale((factor * scene.dose_needed(s, i)?) as f32);
         x.as_mut_slice()[model.patterns()[i].range()].copy_from_slice(own.as_slice());
