@@ -69,7 +69,6 @@ impl Light {
 
     /// Absorption of the active species at the middle of each voxel, 1/mm, where it is a map; None where it is the same everywhere.
     #[must_use]
-    #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
     pub fn absorption_on(&self, grid: &VolumeGrid) -> Option<Volume<f32>> {
         let map = self.map.as_ref()?;
         let plain = self.resin.uptake();
