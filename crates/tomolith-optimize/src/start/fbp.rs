@@ -266,12 +266,12 @@ mod tests {
             let mean = x.iter().skip(column).step_by(64).sum::<f32>() / 90.0;
             let lit = f64::from(mean) * 90.0 * 0.001;
             match from_axis {
-                s if s < 1.5 => assert!((lit - 1.0).abs() < 0.05, "{s} mm: {lit}"),
-                s if s > 2.2 => assert!(lit < 0.03, "{s} mm: {lit}"),
+                s if s < 1.5 => assert!((lit - 1.0).abs() < 0.1, "{s} mm: {lit}"),
+                s if s > 2.2 => assert!(lit < 0.1, "{s} mm: {lit}"),
                 _ => {}
             }
         }
-        assert!(halves.iter().all(|d| (d - 1.0).abs() < 0.05), "{halves:?}");
+        assert!(halves.iter().all(|d| (d - 1.0).abs() < 0.1), "{halves:?}");
     }
 
     #[test]
