@@ -1,5 +1,7 @@
 //! `tomolith expose`: how a run's frames are to be shown so that the resin gels.
 
+mod trade_off;
+
 use crate::answer::{Answer, percent};
 use crate::arguments::Manner;
 use clap::Args;
@@ -22,6 +24,8 @@ const REFRESH_HZ: f64 = 240.0;
 const EXAMPLES: &str = "\
 Examples:
   tomolith expose out/09-printer --irradiance 25
+  tomolith expose out/01-gear --trade-off                             # shorter prints, and what they lose
+  tomolith expose out/01-gear --trade-off --row 3 --output faster.toml
   tomolith expose out/01-gear --power \"40 mW\" --critical-dose \"0.8 J/cm3\" --turns 4
   tomolith expose out/01-gear --irradiance \"250 W/m2\" --critical-dose 0.8 --within-s 120
 What is left out is taken from the run's job: printer.peak_irradiance_mw_per_cm2, resin.critical_dose_mj_per_mm3, output.rpm";
@@ -60,6 +64,15 @@ pub(crate) struct ExposeArguments {
     /// Longest time that the print may take
     #[arg(long, value_name = "S", allow_negative_numbers = true)]
     within_s: Option<f64>,
+    /// Show quality against time, as the run found it on pixels of twice the width, in place of a plan
+    #[arg(long)]
+    trade_off: bool,
+    /// Write the job with the brightest pixel of this row of --trade-off
+    #[arg(long, value_name = "ROW", requires_all = ["trade_off", "output"])]
+    row: Option<usize>,
+    /// Job file that --row writes; a new file
+    #[arg(short, long, value_name = "FILE", requires = "row")]
+    output: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) manner: Manner,
 }
@@ -81,6 +94,9 @@ fn missing(key: &str, what: &str, accepted: &str) -> Error {
 
 /// `tomolith expose`.
 pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
+    if given.trade_off {
+        return trade_off::trade_off(given);
+    }
     above_zero("--rpm", given.rpm)?;
     above_zero("--within-s", given.within_s)?;
     let job = job_of_run(&given.run, given.printer.as_deref(), &[])?;

@@ -234,6 +234,7 @@ mod tests {
                 "ipdr",
                 "gamma",
                 "eta",
+                "time_mm",
                 "cv",
                 "over_mm3",
                 "under_mm3",

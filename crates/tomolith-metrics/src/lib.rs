@@ -28,6 +28,7 @@ pub mod scan;
 pub mod spread;
 pub mod surface;
 pub mod surface_deviation;
+pub mod time;
 pub mod under_mm3;
 pub mod ver;
 
@@ -79,6 +80,7 @@ pub static METRICS: &[MetricKind] = &[
     ipdr::KIND,
     gamma::KIND,
     eta::KIND,
+    time::KIND,
     cv::KIND,
     over_mm3::KIND,
     under_mm3::KIND,

@@ -21,12 +21,13 @@ use super::gray::{GrayErrors, gray_errors};
 use super::isosurface::{Isosurface, beyond, isosurface_of, isosurface_pieces};
 use super::scan::{Plateau, Scan};
 use super::surface::{Deviation, MOST_TRIANGLES, SurfaceDistance, deviation, surface_distance};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 use tomolith_core::dose::Run;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::BLOCK;
 use tomolith_core::grid::{Patterns, Volume, VolumeGrid};
 use tomolith_core::parallel::InParallel;
+use tomolith_core::response::Response;
 use tomolith_core::target::label;
 use tomolith_core::units::exact;
 
@@ -69,6 +70,7 @@ pub struct Print<'a> {
     response: &'a Volume<f32>,
     inside: Option<&'a Volume<f32>>,
     patterns: Option<PatternStats>,
+    material: Option<Arc<dyn Response>>,
     threshold: Option<f64>,
     gray: Option<(&'a Volume<f32>, f64)>,
     has_distance: bool,
@@ -122,6 +124,7 @@ impl<'a> Print<'a> {
             response,
             inside: None,
             patterns: None,
+            material: None,
             threshold: None,
             gray: None,
             has_distance: true,
@@ -177,6 +180,13 @@ impl<'a> Print<'a> {
     #[must_use]
     pub fn with_patterns(mut self, stats: PatternStats) -> Self {
         self.patterns = Some(stats);
+        self
+    }
+
+    /// Says what the material makes of a dose, so that the dose of a threshold is known.
+    #[must_use]
+    pub fn with_response(mut self, material: Arc<dyn Response>) -> Self {
+        self.material = Some(material);
         self
     }
 
@@ -291,6 +301,18 @@ impl<'a> Print<'a> {
     pub fn gel_threshold(&self) -> Option<f64> {
         self.threshold
             .or_else(|| self.best().map(|best| best.middle()))
+    }
+
+    /// The dose at which the resin gels; None where the [response](Self::with_response) is not known, and for gray targets.
+    #[must_use]
+    #[expect(clippy::cast_possible_truncation, reason = "responses are f32")]
+    pub fn gel_dose(&self) -> Option<f64> {
+        let threshold = self.gel_threshold().filter(|_| self.gray.is_none())?;
+        let material = self.material.as_ref()?;
+        Some(match material.is_identity() {
+            true => threshold,
+            false => f64::from(material.inverse(threshold as f32)),
+        })
     }
 
     /// Part and void voxels that gel.

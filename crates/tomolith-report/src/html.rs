@@ -8,6 +8,7 @@
 mod curves;
 mod tables;
 
+use super::ceiling::time_sentence;
 use super::figures::{
     BODIES, FATES, dose_bar, error_bar, property, shown_half_width, sinogram, slices, strip,
 };
@@ -21,8 +22,9 @@ use std::fmt::Write as _;
 use tomolith_metrics::{Evaluation, METRICS, Measure, MetricKind, surface_deviation};
 
 /// Numbers at the head of the page.
-const HEADLINE: [&str; 8] = [
+const HEADLINE: [&str; 9] = [
     "iou",
+    "time_mm",
     "pw",
     "ver",
     "gamma",
@@ -121,10 +123,12 @@ fn head(data: &ReportData<'_>) -> String {
         .map(|(name, value)| format!("<li><b>{}</b>{}</li>", escape(name), escape(value)))
         .collect();
     format!(
-        "<header><div class=\"brand\">Tomolith print report</div><h1>{}</h1><p class=\"lead\">{}{}</p><ul class=\"facts\">{facts}</ul></header>",
+        "<header><div class=\"brand\">Tomolith print report</div><h1>{}</h1><p class=\"lead\">{}{}{}</p><ul class=\"facts\">{facts}</ul></header>",
         escape(data.part),
         sentence(data.evaluation),
         first_of(data),
+        time_sentence(data.evaluation.measures.get("time_mm"), data.ceiling)
+            .map_or_else(String::new, |text| format!(" {}", escape(&text))),
     )
 }
 

@@ -4,6 +4,7 @@
 //! [`write_json`] and [`write_html`] write it. The page is one file without any outside resource; it follows light and
 //! dark, and fits a desk and a telephone.
 
+pub mod ceiling;
 pub mod compare;
 mod figures;
 mod growth;
@@ -21,6 +22,7 @@ pub mod scenarios;
 pub mod species;
 pub mod time;
 
+pub use ceiling::{CeilingPoint, CeilingReport, time_sentence};
 pub use latitude::ExposureWindow;
 pub use limits::{Cause, Limit, PrintLimits};
 pub use objectives::ObjectiveReport;
@@ -208,6 +210,8 @@ pub struct ReportData<'a> {
     pub found_response: &'a [(String, f64)],
     /// What was gained on few levels of the machine, where patterns were improved on them.
     pub levels: Option<Gain>,
+    /// The ceiling of the pixels, where the run looked for one.
+    pub ceiling: Option<&'a CeilingReport>,
     /// Movies.
     pub movies: Vec<MovieReport>,
     /// The resolved job.
@@ -260,6 +264,7 @@ impl<'a> ReportData<'a> {
             found_response: &[],
             deviation: None,
             levels: None,
+            ceiling: None,
             movies: Vec::new(),
             job_text: "",
             notes: Vec::new(),
@@ -451,6 +456,7 @@ mod tests {
                 found_response: &[],
                 deviation: None,
                 levels: None,
+                ceiling: None,
                 movies: Vec::new(),
                 job_text: "a = \"</pre><b>\"",
                 notes: vec!["z is moved".to_owned()],

@@ -624,7 +624,8 @@ fn print_under<'a>(
     let inside = &voxels.target.inside;
     let mut print = Print::under(&voxels.labels, response, run)?
         .with_most_triangles(scene.most_triangles())
-        .with_inside(inside)?;
+        .with_inside(inside)?
+        .with_response(scene.response());
     if !scene.spec.evaluate.surfaces {
         print = print.without_distance();
     }

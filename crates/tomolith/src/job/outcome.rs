@@ -180,6 +180,8 @@ pub struct Summary {
     pub one_moment: Option<OneMoment>,
     /// The same patterns in the job's scenarios; None where it has none.
     pub scenarios: Option<ScenarioTable>,
+    /// How long the print takes, in a sentence; None where nothing prints, and for gray targets.
+    pub print_time: Option<String>,
     /// What limits the print; of the first of several species.
     pub limits: PrintLimits,
     /// The required IoU.
@@ -324,7 +326,9 @@ impl fmt::Display for Summary {
             };
             writeln!(f, "{:>28} {asked:9.4} {verdict}", format!("asked ({key})"))?;
         }
-        for text in self.all_limits().into_iter().chain(self.exposures()) {
+        let time = self.print_time.clone();
+        let texts = (self.all_limits().into_iter()).chain(self.exposures());
+        for text in texts.chain(time) {
             writeln!(f, "\n{text}")?;
         }
         if let Some(scenarios) = &self.scenarios {

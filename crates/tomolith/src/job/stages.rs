@@ -26,7 +26,7 @@ use crate::models::Run;
 use crate::optimize::checkpoint::CHECKPOINT;
 use crate::optimize::{Counters, KeptBy};
 use crate::ranks::{Communicator, together};
-use crate::report::Timing;
+use crate::report::{Timing, time_sentence};
 use crate::units::{concise, counted};
 use std::path::Path;
 use std::sync::Arc;
@@ -407,8 +407,13 @@ fn parts_of(seconds: f64, optimized: &Optimized) -> Option<Vec<Timing>> {
         ..
     } = optimized.outcome.counters;
     let (metrics_s, levels_s) = (optimized.metrics_s, optimized.levels_s);
+    let ceiling_s = optimized
+        .ceiling
+        .as_ref()
+        .map_or(0.0, |found| found.seconds);
     let parts = [
-        ("pixels and start", seconds - in_loop - levels_s),
+        ("ceiling of the pixels", ceiling_s),
+        ("pixels and start", seconds - in_loop - levels_s - ceiling_s),
         ("dose and adjoint", model_s),
         ("objective", objective_s),
         ("metrics", metrics_s),
@@ -419,17 +424,18 @@ fn parts_of(seconds: f64, optimized: &Optimized) -> Option<Vec<Timing>> {
         ("levels", levels_s),
     ];
     let is_known = parts.iter().all(|(_, seconds)| *seconds >= 0.0);
-    let done = if optimized.levels.is_some() {
-        &parts[..]
-    } else {
-        &parts[..5]
+    let is_done = |name: &str| match name {
+        "ceiling of the pixels" => optimized.ceiling.is_some(),
+        "levels" => optimized.levels.is_some(),
+        _ => true,
     };
     is_known.then(|| {
         let timing = |(name, seconds): &(&str, f64)| Timing {
             name: format!("{OPTIMIZING}: {name}"),
             seconds: *seconds,
         };
-        done.iter().map(timing).collect()
+        let done = parts.iter().filter(|(name, _)| is_done(name));
+        done.map(timing).collect()
     })
 }
 
@@ -594,6 +600,10 @@ fn summary(done: &Done<'_>, headline: Headline, folder: &Path, begin: Instant) -
             .collect(),
         one_moment: done.evaluated.in_time.as_ref().and_then(InTime::together),
         scenarios: done.evaluated.scenarios.clone(),
+        print_time: time_sentence(
+            done.evaluated.evaluation.measures.get("time_mm"),
+            optimized.and_then(|o| Some(&o.ceiling.as_ref()?.report)),
+        ),
         limits: headline.limits.into_iter().next().unwrap_or_default(),
         required_iou: done.scene.spec.evaluate.require_iou,
         required_in_band: done.scene.spec.evaluate.require_in_band,

@@ -2,8 +2,8 @@
 
 use super::co_optimize;
 use super::spec::{
-    Angles, BoundsSpec, DoseConvention, JobSpec, LightPrinterSpec, LightSpec, OutputSpec,
-    ResinSpec, SelectionSpec,
+    Angles, BoundsSpec, CeilingTolerance, DoseConvention, JobSpec, LightPrinterSpec, LightSpec,
+    OutputSpec, ResinSpec, SelectionSpec,
 };
 use super::species::at_species;
 use super::time_refusals;
@@ -391,7 +391,21 @@ fn selection(light: &LightSpec) -> Result<()> {
 }
 
 fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
-    let BoundsSpec { min, max, bits } = spec.bounds;
+    let BoundsSpec { min, max, bits, .. } = spec.bounds;
+    let CeilingTolerance {
+        iou,
+        ver,
+        deviation,
+    } = spec.bounds.tolerance;
+    for (name, value) in [("iou", iou), ("ver", ver), ("deviation", deviation)] {
+        within(
+            &format!("bounds.tolerance.{name}"),
+            value,
+            0.0,
+            1.0,
+            "0 to 1",
+        )?;
+    }
     within(
         "bounds.min",
         min,

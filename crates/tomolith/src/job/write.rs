@@ -30,8 +30,9 @@ use crate::metrics::surface::Deviation;
 use crate::models::Run;
 use crate::optimize::{Row, relative_gradient};
 use crate::report::{
-    ExposureWindow, LightReport, MapReport, MovieReport, OneExposure, PrintLimits, ReportData,
-    SpeciesReport, TimePoint, TimeReport, Timing, time, write_html, write_json, write_print,
+    CeilingReport, ExposureWindow, LightReport, MapReport, MovieReport, OneExposure, PrintLimits,
+    ReportData, SpeciesReport, TimePoint, TimeReport, Timing, time, write_html, write_json,
+    write_print,
 };
 use crate::units::concise;
 use std::io::Write as _;
@@ -356,6 +357,8 @@ fn report(
         })
         .collect();
     let found = done.optimized.as_ref().and_then(|o| o.found.as_ref());
+    let found_ceiling = done.optimized.as_ref().and_then(|o| o.ceiling.as_ref());
+    let found_ceiling = found_ceiling.map(|found| &found.report);
     let data = ReportData {
         part: &scene.name,
         program: concat!("Tomolith ", env!("CARGO_PKG_VERSION")),
@@ -391,10 +394,13 @@ fn report(
             .as_ref()
             .and_then(|o| o.levels.as_ref())
             .map(|levels| levels.gain),
+        ceiling: found_ceiling,
         deviation: made.deviation.as_ref(),
         movies: made.movies,
         job_text: &resolved.to_toml()?,
-        notes: scene.notes.clone(),
+        notes: (scene.notes.iter().cloned())
+            .chain(found_ceiling.map(CeilingReport::sentence))
+            .collect(),
         warnings: [
             done.warnings.as_slice(),
             &evaluated.warnings,

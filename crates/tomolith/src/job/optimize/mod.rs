@@ -1,5 +1,6 @@
 //! The optimization of a job: from voxels to patterns.
 
+mod ceiling;
 mod rehearsal;
 mod stage;
 mod start;
@@ -17,6 +18,7 @@ use crate::models::Run;
 use crate::objective::FoundWindow;
 use crate::optimize::start::given::Given;
 use crate::optimize::{Checkpoints, Outcome, Row, StopReason};
+use ceiling::FoundCeiling;
 pub(super) use rehearsal::rehearse;
 pub(super) use stage::Stage;
 use stage::{EndOfLevel, SoFar};
@@ -43,6 +45,8 @@ pub(crate) struct Optimized {
     pub(crate) window: Option<FoundWindow>,
     /// The response that was found, where its parameters are unknowns.
     pub(crate) found: Option<FoundResponse>,
+    /// The ceiling of the pixels, where the program looked for one.
+    pub(crate) ceiling: Option<FoundCeiling>,
     /// That it did nothing, or could not be kept.
     pub(crate) warnings: Vec<String>,
 }
@@ -92,6 +96,11 @@ pub(crate) fn optimize(
     let mut bounds = Vec::new();
     let mut pixels: Option<Vec<&PatternGrid>> = None;
     let mut sofar = SoFar::default();
+    let ceiling = ceiling::find(scene, voxels, cancel)?;
+    if let Some(found) = &ceiling {
+        let text = found.report.sentence();
+        progress.event(&Event::Note { text });
+    }
     let own_levels = scene.own_levels();
     for (i, (level, own_level)) in scene.levels.iter().zip(own_levels.as_ref()).enumerate() {
         let is_last = i + 1 == scene.levels.len();
@@ -117,7 +126,12 @@ pub(crate) fn optimize(
             let brightens = resumed.is_none();
             let first = stage.first_patterns(scene, given.as_ref(), brightens, parts, cancel)?;
             (bounds, sofar.first_loss) = (first.bounds, first.loss);
-            (start, pixels) = (Some(first.patterns), Some(own));
+            let mut x = first.patterns;
+            if let Some(found) = &ceiling {
+                found.lower(&mut bounds, level);
+                start::clip(&mut x, stage.model.patterns(), &bounds)?;
+            }
+            (start, pixels) = (Some(x), Some(own));
         }
         if resumed.is_some_and(|at| i < at) {
             // Its rows stand in the checkpoint, or, with patterns alone, nowhere: the next level still begins where this one ended
@@ -170,7 +184,7 @@ pub(crate) fn optimize(
                     scene,
                     stage,
                     (raw, outcome, end),
-                    sofar,
+                    (sofar, ceiling),
                     progress,
                 ))
             }
@@ -215,7 +229,7 @@ fn optimized(
     scene: &Scene,
     stage: Stage<'_>,
     (raw, outcome, end): (Vec<Patterns>, Outcome, EndOfLevel),
-    sofar: SoFar,
+    (sofar, ceiling): (SoFar, Option<FoundCeiling>),
     progress: &mut dyn Progress,
 ) -> Optimized {
     let mut warnings = sofar.warnings;
@@ -233,6 +247,7 @@ fn optimized(
         metrics_s: sofar.metrics_s,
         window: end.window,
         found: stage.found,
+        ceiling,
         warnings,
     }
 }

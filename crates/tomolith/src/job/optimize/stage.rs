@@ -163,7 +163,7 @@ impl<'a> Stage<'a> {
     }
 
     /// The voxels of every species.
-    fn all_voxels(&self) -> Vec<&Voxels> {
+    pub(super) fn all_voxels(&self) -> Vec<&Voxels> {
         std::iter::once(self.voxels.as_ref())
             .chain(&self.others)
             .collect()

@@ -78,7 +78,7 @@ pub(super) fn starting_patterns(
 }
 
 /// Brings patterns into bounds.
-fn clip(x: &mut HostField, lights: &[PatternLayout], bounds: &[Limits]) -> Result<()> {
+pub(super) fn clip(x: &mut HostField, lights: &[PatternLayout], bounds: &[Limits]) -> Result<()> {
     let bounds = x.compile_bounds(&optimize::problem::bounds(lights, bounds)?);
     let step = x.zeros_like();
     x.move_along(&step, 0.0, &bounds);

@@ -30,7 +30,8 @@ pub use output::{EvaluateSpec, Levelling, MovieCoding, OutputSpec};
 pub use resin::{DoseConvention, MapSpec, ResinSpec};
 use schemars::JsonSchema;
 pub use search::{
-    BoundsSpec, CoOptimizeSpec, MultiresolutionSpec, RobustOf, RobustSpec, ScenarioSpec, StopSpec,
+    BoundsSpec, Ceiling, CeilingTolerance, CoOptimizeSpec, MultiresolutionSpec, RobustOf,
+    RobustSpec, ScenarioSpec, StopSpec,
 };
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};

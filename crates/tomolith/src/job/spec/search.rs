@@ -94,12 +94,50 @@ impl Default for MultiresolutionSpec {
 pub struct BoundsSpec {
     /// Smallest value, ≥ 0.
     pub min: f64,
-    /// Largest value; when left out, the largest pixel of the start (none for a dark start).
+    /// Largest value; when left out, what `ceiling` says, and never more than the largest pixel of the start (no limit for a dark start).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub max: Option<f64>,
+    /// How bright pixels may be where neither `max` nor `printer.time_s` says so: "lowest" (default; the lowest ceiling at which the print is as good as without
+    /// one, since a print lasts as long as its brightest pixel), or as bright as the brightest of the "start".
+    pub ceiling: Ceiling,
+    /// By how much a print may be worse with the ceiling than without it.
+    pub tolerance: CeilingTolerance,
     /// Bits to which patterns are rounded in every step, 1 to 16; no rounding when left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bits: Option<u32>,
+}
+
+/// What says how bright pixels may be.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Ceiling {
+    /// The lowest at which the print is as good as without one.
+    #[default]
+    Lowest,
+    /// The brightest pixel of the start.
+    Start,
+}
+
+/// By how much a print may be worse with the lowest ceiling than without it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct CeilingTolerance {
+    /// IoU that may be lost, 0 to 1.
+    pub iou: f64,
+    /// VER that may be added, 0 to 1.
+    pub ver: f64,
+    /// Share by which the mean surface deviation may grow, 0 to 1.
+    pub deviation: f64,
+}
+
+impl Default for CeilingTolerance {
+    fn default() -> Self {
+        CeilingTolerance {
+            iou: 0.001,
+            ver: 0.005,
+            deviation: 0.05,
+        }
+    }
 }
 
 /// When the optimization ends: at the first of these.
