@@ -80,7 +80,7 @@ const CASES: [Case; 6] = [
 ];
 
 /// Name, title, and the keys that make a row of the default job.
-const ROWS: [(&str, &str, &[&str]); 10] = [
+const ROWS: [(&str, &str, &[&str]); 11] = [
     (
         "start",
         "start (FBP)",
@@ -108,23 +108,42 @@ const ROWS: [(&str, &str, &[&str]); 10] = [
     (
         "bclp",
         "BCLP, ε = 0.1",
-        &["objective.bclp={ epsilon = 0.1, q = 2 }"],
+        &[
+            "objective.bclp={ epsilon = 0.1, q = 2 }",
+            "bounds.ceiling=start",
+        ],
     ),
     (
         "published",
         "threshold 0.85, 0.95 on whole voxels",
-        &["objective.threshold={ lower = 0.85, upper = 0.95, surface = \"voxel\" }"],
+        &[
+            "objective.threshold={ lower = 0.85, upper = 0.95, surface = \"voxel\" }",
+            "bounds.ceiling=start",
+        ],
     ),
     (
         "voxels",
         "threshold 0.70, 0.90 on whole voxels",
-        &["objective.threshold={ lower = 0.7, upper = 0.9, surface = \"voxel\" }"],
+        &[
+            "objective.threshold={ lower = 0.7, upper = 0.9, surface = \"voxel\" }",
+            "bounds.ceiling=start",
+        ],
+    ),
+    (
+        "start-bound",
+        "default within the bound of the start",
+        &["bounds.ceiling=start"],
     ),
     ("default", "**default**", &[]),
     (
         "ceiling",
         "ceiling",
-        &["grid.refine=4", "light.sub_angles=4", "stop.iterations=150"],
+        &[
+            "grid.refine=4",
+            "light.sub_angles=4",
+            "stop.iterations=150",
+            "bounds.ceiling=start",
+        ],
     ),
 ];
 
@@ -146,9 +165,9 @@ pub(crate) fn study(arguments: &[String]) -> Result<(), Box<dyn std::error::Erro
                 case.name
             );
             println!(
-                "| patterns | IoU | VER | trimmed PW, IPDR | mean, 95 % deviation, µm | in pixels | s |"
+                "| patterns | IoU | VER | M/t, mm | trimmed PW, IPDR | mean, 95 % deviation, µm | in pixels | s |"
             );
-            println!("|---|---|---|---|---|---|---|");
+            println!("|---|---|---|---|---|---|---|---|");
             for (row, title, keys) in ROWS.iter().filter(|row| asked(rows, row.0)) {
                 let (run, report) = judged(case, matched, boat, row, keys)?;
                 println!("{}", line(title, &report, pitch, run.seconds));
@@ -232,9 +251,10 @@ fn line(title: &str, report: &Value, pitch: f64, seconds: f64) -> String {
     let published = |key: &str| of(&format!("/published/{key}/value"));
     let (mean, high) = (evaluation("surface_mean_mm"), evaluation("surface_p95_mm"));
     format!(
-        "| {title} | {:.4} | {:.4} | {:.3}, {:.3} | {:.2}, {:.1} | {:.3}, {:.2} | {seconds:.1} |",
+        "| {title} | {:.4} | {:.4} | {:.3} | {:.3}, {:.3} | {:.2}, {:.1} | {:.3}, {:.2} | {seconds:.1} |",
         evaluation("iou"),
         evaluation("ver"),
+        evaluation("time_mm"),
         published("pw_trimmed"),
         published("ipdr_trimmed"),
         1e3 * mean,

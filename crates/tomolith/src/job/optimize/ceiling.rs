@@ -259,10 +259,11 @@ impl Tried {
         };
         let coarse = FACTOR as f64;
         let within = |(before, after): (&[f64; 3], &[f64; 3])| {
+            // Of a print without a surface nothing is known, which is not more
+            let is_farther = after[2] > before[2] * (1.0 + tolerance.deviation);
             after[0] >= before[0] - coarse * tolerance.iou
                 && after[1] <= before[1] + coarse * tolerance.ver
-                // A print without a surface has no deviation
-                && !(after[2] > before[2] * (1.0 + tolerance.deviation))
+                && !is_farther
         };
         first.qualities.iter().zip(&last.qualities).all(within)
     }
