@@ -8,11 +8,11 @@
 //! tolerates; then one step of √2 back. What limits the print at a low ceiling are edges, whose errors scale with the width of a pixel: on pixels of twice the width
 //! IoU and VER may lose twice as much; the mean deviation is relative, and may lose the same. A frame that stands for half the arc holds half the dose.
 //!
-//! **Several lights** have ceilings of their own, at one factor below the brightest pixel of each. **Scenarios, species**: each print must be good enough.
+//! **Several lights** have ceilings of their own, at one factor below the brightest pixel of each. **Species**: each print must be good enough.
 //!
-//! **Limits** Jobs that name `bounds.max` or `printer.time_s`, start from given patterns, round in every step, print in time, end after some seconds (`stop.wall_s`), are gray, look for a process window or a
-//! response, weigh voxels by files, or use another method than `lbfgs`, and models whose unknowns are
-//! amplitudes, keep the bound of the start.
+//! **Limits** The bound of the start stays where a job names `bounds.max` or `printer.time_s`, starts from given patterns, rounds in every step, prints in time, ends
+//! after some seconds (`stop.wall_s`), is gray, has scenarios, looks for a process window or a response, weighs voxels by files, or uses another method than `lbfgs`;
+//! where the unknowns of the model are amplitudes; and where the coarser level cannot be made.
 //!
 //! **Cost** 16 + 8·(2 to 9) iterations on the coarser level; docs/fidelity.md has measured shares of the loop.
 
@@ -29,6 +29,7 @@ use crate::job::spec::{Ceiling, CeilingTolerance};
 use crate::metrics::print::Print;
 use crate::metrics::{MetricKind, iou, surface_deviation, ver};
 use crate::models::{Quantity, Run};
+use crate::optimize::start::InitialPatterns;
 use crate::optimize::{Limits, StopReason};
 use crate::report::{CeilingPoint, CeilingReport};
 use crate::target::label;
@@ -79,16 +80,16 @@ pub(super) fn find(scene: &Scene, voxels: &Voxels, cancel: &Run) -> Result<Optio
         until: level.until.div_ceil(2).min(EACH),
         ..level.clone()
     };
-    let mut stage = Stage::new(scene, voxels, &level, None, &mut Silent, cancel)?;
+    let started = Stage::new(scene, voxels, &level, None, &mut Silent, cancel)
+        .and_then(|stage| Ok((stage.start(scene, bounding_start(scene), cancel)?, stage)));
+    let (mut x, mut stage) = match started {
+        // Pixels of twice the width may be too wide for the model, or miss the part
+        Err(Error::Config { .. } | Error::Unsupported { .. }) => return Ok(None),
+        started => started?,
+    };
     if stage.model.quantity() != Quantity::Energy {
         return Ok(None);
     }
-    let start = scene.kinds.start.as_ref();
-    let start = start
-        .files()
-        .and_then(|files| files.bounds_as.as_deref())
-        .unwrap_or(start);
-    let mut x = stage.start(scene, start, cancel)?;
     let of_start = stage.limits(scene, &x);
     let even_dose = stage.even_dose(&x, cancel)?;
     stage.improve_within(scene, &mut x, &of_start, cancel)?;
@@ -126,6 +127,13 @@ pub(super) fn find(scene: &Scene, voxels: &Voxels, cancel: &Run) -> Result<Optio
     }))
 }
 
+/// The start whose brightest pixel bounds all.
+fn bounding_start(scene: &Scene) -> &dyn InitialPatterns {
+    let start = scene.kinds.start.as_ref();
+    let named = start.files().and_then(|files| files.bounds_as.as_deref());
+    named.unwrap_or(start)
+}
+
 fn finest(scene: &Scene) -> &Level {
     scene.levels.last().expect("a job has a level")
 }
@@ -152,6 +160,7 @@ fn coarser_level(scene: &Scene, is_gray: bool) -> Option<Level> {
         || in_time
         || has_scale
         || is_gray
+        || !scene.scenarios.is_empty()
         || spec.bounds.bits.is_some()
         || kinds.free.is_some()
         || spec.stop.iterations == 0
