@@ -11,7 +11,7 @@
 //! **Several lights** have ceilings of their own, at one factor below the brightest pixel of each. **Species**: each print must be good enough.
 //!
 //! **Limits** The bound of the start stays where a job names `bounds.max` or `printer.time_s`, starts from given patterns, rounds in every step, prints in time, ends
-//! after some seconds (`stop.wall_s`), is gray, has scenarios, looks for a process window or a response, weighs voxels by files, or uses another method than `lbfgs`;
+//! after some seconds (`stop.wall_s`), is gray, has few levels or scenarios, looks for a process window or a response, weighs voxels by files, or uses another method than `lbfgs`;
 //! where the unknowns of the model are amplitudes; and where the coarser level cannot be made.
 //!
 //! **Cost** 16 + 8·(2 to 9) iterations on the coarser level; docs/fidelity.md has measured shares of the loop.
@@ -21,6 +21,7 @@ use super::start::clip;
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
 use crate::grid::Volume;
+use crate::job::levels;
 use crate::job::multiresolution::{coarser_grid, coarser_lights, is_large_enough};
 use crate::job::progress::Silent;
 use crate::job::refinement::Level;
@@ -69,24 +70,32 @@ impl FoundCeiling {
 /// Looks for the ceilings of a job; None where it keeps the bound of its start.
 ///
 /// # Errors
-/// As [`Stage::new`]; what the method refuses; [`Error::Canceled`].
+/// [`Error::Canceled`].
 pub(super) fn find(scene: &Scene, voxels: &Voxels, cancel: &Run) -> Result<Option<FoundCeiling>> {
     let Some(level) = coarser_level(scene, voxels.target.gray) else {
         return Ok(None);
     };
+    match find_on(&level, scene, voxels, cancel) {
+        Err(Error::Canceled) => Err(Error::Canceled),
+        // Pixels of twice the width may be too wide for the model, or miss the part; what is wrong with the job itself is told by its own level
+        found => Ok(found.ok().flatten()),
+    }
+}
+
+fn find_on(
+    level: &Level,
+    scene: &Scene,
+    voxels: &Voxels,
+    cancel: &Run,
+) -> Result<Option<FoundCeiling>> {
     let begin = Instant::now();
     let cancel = &cancel.aside();
     let each = Level {
         until: level.until.div_ceil(2).min(EACH),
         ..level.clone()
     };
-    let started = Stage::new(scene, voxels, &level, None, &mut Silent, cancel)
-        .and_then(|stage| Ok((stage.start(scene, bounding_start(scene), cancel)?, stage)));
-    let (mut x, mut stage) = match started {
-        // Pixels of twice the width may be too wide for the model, or miss the part
-        Err(Error::Config { .. } | Error::Unsupported { .. }) => return Ok(None),
-        started => started?,
-    };
+    let mut stage = Stage::new(scene, voxels, level, None, &mut Silent, cancel)?;
+    let mut x = stage.start(scene, bounding_start(scene), cancel)?;
     if stage.model.quantity() != Quantity::Energy {
         return Ok(None);
     }
@@ -102,7 +111,7 @@ pub(super) fn find(scene: &Scene, voxels: &Voxels, cancel: &Run) -> Result<Optio
             .map(|light| light.pixels.frames())
             .collect()
     };
-    let (fine, coarse) = (frames(finest(scene)), frames(&level));
+    let (fine, coarse) = (frames(finest(scene)), frames(level));
     let per_frame = |(fine, coarse): (&usize, &usize)| *coarse as f64 / *fine as f64;
     let per_frame: Vec<f64> = fine.iter().zip(&coarse).map(per_frame).collect();
     let brightest: Vec<f64> = (tried.brightest.iter().zip(&per_frame))
@@ -160,6 +169,7 @@ fn coarser_level(scene: &Scene, is_gray: bool) -> Option<Level> {
         || in_time
         || has_scale
         || is_gray
+        || levels::asked(&spec.evaluate)
         || !scene.scenarios.is_empty()
         || spec.bounds.bits.is_some()
         || kinds.free.is_some()
