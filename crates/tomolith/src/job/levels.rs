@@ -22,7 +22,12 @@ pub(crate) struct Levelled {
 
 /// Whether a job's patterns are improved on their levels.
 pub(super) fn asked(evaluate: &EvaluateSpec) -> bool {
-    evaluate.bit_depth <= MOST_BITS && evaluate.levels == Levelling::Optimized
+    are_few(evaluate) && evaluate.levels == Levelling::Optimized
+}
+
+/// Whether a job's patterns have few levels.
+pub(super) fn are_few(evaluate: &EvaluateSpec) -> bool {
+    evaluate.bit_depth <= MOST_BITS
 }
 
 /// Improves patterns on the levels that the job's machine shows; None where the job rounds plainly, or has many levels.

@@ -169,7 +169,7 @@ fn coarser_level(scene: &Scene, is_gray: bool) -> Option<Level> {
         || in_time
         || has_scale
         || is_gray
-        || levels::asked(&spec.evaluate)
+        || levels::are_few(&spec.evaluate)
         || !scene.scenarios.is_empty()
         || spec.bounds.bits.is_some()
         || kinds.free.is_some()
