@@ -61,7 +61,7 @@ fn material_of(
             Some(json!({ "dielectric": { "refractive_index": index } }))
         }
         "diffuse" => Some(match reflectance(&mut keys)? {
-            share if share == 0.0 => json!("black"),
+            0.0 => json!("black"),
             share => json!({ "diffuse": { "reflectance": share } }),
         }),
         "conductor" | "roughconductor" => Some(metal(&mut keys, notes)?),
