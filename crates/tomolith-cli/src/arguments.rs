@@ -15,6 +15,7 @@ use crate::trace::TraceArguments;
 use crate::voxelize::{PhantomArguments, VoxelizeArguments};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::{Path, PathBuf};
+use tomolith::io::must_be_new;
 use tomolith::job::Leaves;
 use tomolith::{Error, Result};
 
@@ -197,12 +198,18 @@ pub(crate) struct CheckArguments {
     pub(crate) manner: Manner,
 }
 
-/// Refuses a file to be written into a folder that is not there, before the work for it is done.
-pub(crate) fn must_have_folder(output: &Path) -> Result<()> {
+/// Refuses a place for a new file in a folder that is not there, or where something is, before the work for it is done.
+pub(crate) fn must_be_a_place(option: &str, output: &Path) -> Result<()> {
+    must_have_folder(option, output)?;
+    must_be_new(option, output)
+}
+
+/// Refuses a file to be written into a folder that is not there.
+pub(crate) fn must_have_folder(option: &str, output: &Path) -> Result<()> {
     let folder = output.parent().filter(|f| !f.as_os_str().is_empty());
     match folder {
         Some(folder) if !folder.is_dir() => Err(Error::config(
-            "--output",
+            option,
             format!("there is no folder `{}`", folder.display()),
             "a file in a folder that exists",
         )),

@@ -5,7 +5,8 @@ use crate::screen::say;
 use clap::Args;
 use std::ffi::OsStr;
 use std::path::PathBuf;
-use tomolith::report::compare::{compare_json, read_runs, write_compare};
+use tomolith::io::must_be_new;
+use tomolith::report::compare::{compare_json, is_comparison, read_runs, write_compare};
 use tomolith::{Error, Result};
 
 const EXAMPLES: &str = "\
@@ -19,7 +20,7 @@ pub(crate) struct CompareArguments {
     /// Folders of `run` and `simulate`; the page says under each name whether it is an optimization or a simulation
     #[arg(required = true)]
     runs: Vec<PathBuf>,
-    /// The page
+    /// The page: a new file, or an earlier comparison
     #[arg(long, short, value_name = "FILE", default_value = "compare.html")]
     output: PathBuf,
     #[command(flatten)]
@@ -39,7 +40,10 @@ pub(crate) fn compare(given: &CompareArguments) -> Result<()> {
             "a file name ending in .html: the page is a web page",
         ));
     }
-    must_have_folder(&given.output)?;
+    must_have_folder("--output", &given.output)?;
+    if !is_comparison(&given.output) {
+        must_be_new("--output", &given.output)?;
+    }
     let runs = read_runs(&given.runs)?;
     write_compare(&given.output, &runs)?;
     if given.manner.json {

@@ -1,6 +1,6 @@
 //! `tomolith export-matrix`: the dose model of a small job as a sparse matrix.
 
-use crate::arguments::must_have_folder;
+use crate::arguments::must_be_a_place;
 use crate::arguments::{JobArguments, Manner};
 use crate::screen::{Screen, say};
 use clap::Args;
@@ -37,7 +37,7 @@ pub(crate) fn export_matrix(given: &MatrixArguments, job: &Job, cancel: &Run) ->
             "a file name ending in .npz",
         ));
     }
-    must_have_folder(&given.output)?;
+    must_be_a_place("--output", &given.output)?;
     let mut screen = Screen::new(given.manner);
     let [rows, columns, entries] = matrix(job, &given.output, &mut screen, cancel)?;
     drop(screen);

@@ -8,6 +8,7 @@ use clap::Args;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use tomolith::exposure::PrinterSpec;
+use tomolith::io::read_text;
 use tomolith::job::export::job_of_run;
 use tomolith::job::{Angles, Job};
 use tomolith::report::number::significant;
@@ -80,7 +81,7 @@ pub(crate) struct ExposeArguments {
 /// A JSON file of the run folder.
 fn json_of(run: &Path, name: &str) -> Result<Value> {
     let path = run.join(name);
-    let text = std::fs::read_to_string(&path).map_err(|e| Error::io(&path, e))?;
+    let text = read_text(&path)?;
     serde_json::from_str(&text).map_err(|e| Error::Format {
         path,
         found: e.to_string(),

@@ -8,7 +8,7 @@ use std::io::Write;
 use std::path::{Component, Path, PathBuf};
 use tomolith::io::mesh::read_mesh;
 use tomolith::io::npy::{PatternPair, write_patterns};
-use tomolith::io::write_whole;
+use tomolith::io::{must_be_new, read_text, write_whole};
 use tomolith::models::Run;
 use tomolith::{Error, Result, job};
 
@@ -34,13 +34,7 @@ pub(crate) struct ImportArguments {
 }
 
 pub(crate) fn import(given: &ImportArguments) -> Result<()> {
-    if given.output.exists() {
-        return Err(Error::config(
-            "--output",
-            format!("`{}` is there already", given.output.display()),
-            "a new file",
-        ));
-    }
+    must_be_new("--output", &given.output)?;
     let is_array = |ending: &std::ffi::OsStr| ending.eq_ignore_ascii_case("npy");
     if given.theirs.extension().is_some_and(is_array) {
         let patterns = job::sinogram(&given.theirs)?;
@@ -53,8 +47,7 @@ pub(crate) fn import(given: &ImportArguments) -> Result<()> {
         let note = "angles are those of the job that the patterns are simulated with; sinograms of a graphics card belong to a part turned by 90°";
         return done(given, "patterns", &[note.to_owned()]);
     }
-    let text = std::fs::read_to_string(&given.theirs)
-        .map_err(|source| Error::io(&given.theirs, source))?;
+    let text = read_text(&given.theirs)?;
     let named = |error| match error {
         Error::Unsupported { what, reason } => Error::Unsupported {
             what: format!("{}: {what}", given.theirs.display()),

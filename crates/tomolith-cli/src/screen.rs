@@ -7,6 +7,7 @@ use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 use tomolith::job::outcome::large;
 use tomolith::job::{Event, Progress, Summary};
+use tomolith::text::printable;
 
 /// Plain lines: at most one iteration per this time.
 const PAUSE: Duration = Duration::from_secs(2);
@@ -14,9 +15,9 @@ const PAUSE: Duration = Duration::from_secs(2);
 /// Why standard output takes no more: the first error that is not a reader who has gone.
 static REFUSED: OnceLock<std::io::Error> = OnceLock::new();
 
-/// Writes a line to standard output; a closed pipe is the reader's business.
+/// Writes a line to standard output; a closed pipe is the reader's business. Names of parts and files steer no terminal.
 pub(crate) fn say(line: &str) {
-    if let Err(error) = writeln!(std::io::stdout(), "{line}")
+    if let Err(error) = writeln!(std::io::stdout(), "{}", printable(line))
         && error.kind() != ErrorKind::BrokenPipe
     {
         let _ = REFUSED.set(error);
@@ -30,7 +31,7 @@ pub(crate) fn unsaid() -> Option<&'static std::io::Error> {
 
 /// Writes a line to standard error, which nobody may be reading.
 pub(crate) fn mutter(line: &str) {
-    let _ = writeln!(std::io::stderr(), "{line}");
+    let _ = writeln!(std::io::stderr(), "{}", printable(line));
 }
 
 enum Style {

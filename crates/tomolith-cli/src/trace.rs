@@ -1,15 +1,15 @@
 //! `tomolith trace`: follows the light of single pixels.
 
-use crate::arguments::{JobArguments, Manner, must_have_folder};
+use crate::arguments::{JobArguments, Manner, must_be_a_place};
 use crate::screen::say;
 use crate::voxelize::{Kind, write_values};
 use clap::Args;
 use serde_json::json;
 use std::path::PathBuf;
+use tomolith::Result;
 use tomolith::job::Job;
 use tomolith::job::trace::{Pixel, Traced, trace};
 use tomolith::models::Run;
-use tomolith::{Error, Result};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -49,7 +49,9 @@ fn pixel(text: &str) -> std::result::Result<[usize; 3], String> {
 
 pub(crate) fn run(given: &TraceArguments, job: &Job, cancel: &Run) -> Result<()> {
     let kind = given.output.as_deref().map(Kind::of).transpose()?;
-    given.output.as_deref().map(must_have_folder).transpose()?;
+    if let Some(path) = &given.output {
+        must_be_a_place("--output", path)?;
+    }
     let pixels: Vec<Pixel> = given
         .pixel
         .iter()
@@ -60,10 +62,6 @@ pub(crate) fn run(given: &TraceArguments, job: &Job, cancel: &Run) -> Result<()>
             row,
         })
         .collect();
-    if let Some(path) = given.output.as_ref().filter(|path| path.exists()) {
-        let found = format!("`{}` is there already", path.display());
-        return Err(Error::config("--output", found, "a new file"));
-    }
     let (traced, mut dose) = trace(job, &pixels, cancel).map_err(|e| job.locate(e))?;
     for one in &traced {
         if given.manner.json {

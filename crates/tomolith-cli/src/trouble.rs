@@ -6,6 +6,7 @@ use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use std::io::{IsTerminal, Write};
 use tomolith::Error;
 use tomolith::error::{Place, key_or_file};
+use tomolith::text::printable;
 
 /// Shows an error on standard error, or as a JSON line on standard output.
 pub(crate) fn show(error: &Error, json: bool) {
@@ -62,7 +63,7 @@ fn rendered(error: &Error, renderer: &Renderer) -> String {
         place,
     } = error
     else {
-        let title = error.to_string();
+        let title = printable(&error.to_string()).into_owned();
         return renderer.render(&[Group::with_title(Level::ERROR.primary_title(title))]);
     };
     let place = place.as_ref();
@@ -71,18 +72,20 @@ fn rendered(error: &Error, renderer: &Renderer) -> String {
     if let (Some(place), None) = (place, &shown) {
         title.push_str(&format!(" ({}, line {})", place.file.display(), place.line));
     }
-    let mut group = Group::with_title(Level::ERROR.primary_title(title));
+    let title = printable(&title);
+    let mut group = Group::with_title(Level::ERROR.primary_title(&*title));
     let mut guess = nearest.as_ref().map(|n| format!("did you mean `{n}`?"));
     if let Some((place, text)) = shown {
         let label = guess.take().unwrap_or_else(|| "here".to_owned());
         let mark = AnnotationKind::Primary
             .span(place.span.clone())
             .label(label);
-        let file = place.file.display().to_string();
+        let file = printable(&place.file.display().to_string()).into_owned();
         group = group.element(Snippet::source(text).path(file).annotation(mark));
     }
     let guess = guess.map_or_else(String::new, |guess| format!("{guess} "));
-    let help = Level::HELP.message(format!("{guess}accepted: {accepted}"));
+    let help = format!("{guess}accepted: {accepted}");
+    let help = Level::HELP.message(printable(&help));
     renderer.render(&[group.element(help)])
 }
 

@@ -1,12 +1,12 @@
 //! `tomolith voxelize` and `tomolith phantom`: parts as voxels, for anybody's use.
 
-use crate::arguments::{Manner, must_have_folder};
+use crate::arguments::{Manner, must_be_a_place};
 use crate::screen::say;
 use clap::Args;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use tomolith::grid::{PatternGrid, Volume, VolumeGrid};
-use tomolith::io::frames::{FrameSet, write_frames};
+use tomolith::io::frames::{FrameSet, write_picture};
 use tomolith::io::npy::write_volume;
 use tomolith::io::stl::write_stl;
 use tomolith::io::vti::{VtiValues, write_vti};
@@ -61,7 +61,7 @@ pub(crate) struct Sampling {
     /// 1 where at least half of the voxel is inside, else 0, in place of the inside fraction
     #[arg(long)]
     binary: bool,
-    /// File to write: .npy [z, y, x], .vti for ParaView, .png with all slices from low z to high z side by side
+    /// New file: .npy [z, y, x], .vti for ParaView, .png with all slices from low z to high z side by side
     #[arg(long, short, value_name = "FILE")]
     output: PathBuf,
     #[command(flatten)]
@@ -79,7 +79,7 @@ pub(crate) struct VoxelizeArguments {
     /// Unit of the numbers in the file: mm (default), um, cm, m or inch; a .3mf file states its own
     #[arg(long, value_name = "UNIT", value_parser = ["um", "mm", "cm", "m", "inch"])]
     mesh_unit: Option<String>,
-    /// Also save the mesh as it is voxelized, repaired and placed, in mm: a binary .stl
+    /// Also save the mesh as it is voxelized, repaired and placed, in mm: a new binary .stl
     #[arg(long, value_name = "FILE")]
     save_mesh: Option<PathBuf>,
     #[command(flatten)]
@@ -112,7 +112,7 @@ pub(crate) fn voxelize(given: &VoxelizeArguments, run: &Run) -> Result<()> {
                 "a file name ending in .stl",
             ));
         }
-        must_have_folder(file)?;
+        must_be_a_place("--save-mesh", file)?;
     }
     let spec = TargetSpec {
         mesh: Some(given.mesh.clone()),
@@ -141,7 +141,7 @@ pub(crate) fn phantom(given: &PhantomArguments, run: &Run) -> Result<()> {
 
 fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>, run: &Run) -> Result<()> {
     let kind = Kind::of(&given.output)?;
-    must_have_folder(&given.output)?;
+    must_be_a_place("--output", &given.output)?;
     spec.size_mm = given.size_mm.map(tomolith::units::Mm);
     spec.rotate_deg = given.rotate_deg.as_ref().map(|r| [r[0], r[1], r[2]]);
     let shape = build_under(&spec, Path::new(""), "target", run).map_err(as_target_option)?;
@@ -361,12 +361,12 @@ pub(crate) fn write_values(
             &[(name, VtiValues::F32(&volume.values))],
             run,
         ),
-        Kind::Png => write_slices(path, volume, run),
+        Kind::Png => write_slices(path, volume),
     }
 }
 
 /// All slices side by side in rows, low z first, +y on top.
-fn write_slices(path: &Path, volume: &Volume<f32>, run: &Run) -> Result<()> {
+fn write_slices(path: &Path, volume: &Volume<f32>) -> Result<()> {
     let [nz, ny, nx] = volume.grid.shape;
     let across = (nz as f64 * ny as f64 / nx as f64)
         .sqrt()
@@ -393,9 +393,5 @@ fn write_slices(path: &Path, volume: &Volume<f32>, run: &Run) -> Result<()> {
         full_scale: 1.0,
         values: &levels,
     };
-    let aside = path.with_extension("png.folder");
-    write_frames(&aside, &[set], run)?;
-    let moved = std::fs::rename(aside.join("frame_0000.png"), path);
-    std::fs::remove_dir_all(&aside).map_err(|e| Error::io(&aside, e))?;
-    moved.map_err(|e| Error::io(path, e))
+    write_picture(path, &set)
 }

@@ -46,6 +46,40 @@ pub fn read_regular(path: impl AsRef<Path>) -> Result<Vec<u8>> {
     Ok(bytes)
 }
 
+/// The content of a regular file of at most so many megabytes.
+///
+/// # Errors
+/// As [`read_regular`]; [`Error::Format`] for a larger one, before it is read.
+pub fn read_at_most(path: impl AsRef<Path>, most_mb: u64) -> Result<Vec<u8>> {
+    let path = path.as_ref();
+    let size = metadata(path).map_err(|e| Error::io(path, e))?.len();
+    if size > most_mb * 1_000_000 {
+        return Err(Error::Format {
+            path: path.to_owned(),
+            found: format!("a file of {:.1} MB", size as f64 / 1e6),
+            accepted: format!("a file of {most_mb} MB at most"),
+        });
+    }
+    read_regular(path)
+}
+
+/// Largest file that is read as a text.
+const MOST_TEXT_MB: u64 = 256;
+
+/// The text of a regular file.
+///
+/// # Errors
+/// As [`read_at_most`]; [`Error::Format`] for bytes that are not UTF-8.
+pub fn read_text(path: impl AsRef<Path>) -> Result<String> {
+    let path = path.as_ref();
+    let bytes = read_at_most(path, MOST_TEXT_MB)?;
+    String::from_utf8(bytes).map_err(|_| Error::Format {
+        path: path.to_owned(),
+        found: "bytes that are not UTF-8 text".to_owned(),
+        accepted: "a text file in UTF-8".to_owned(),
+    })
+}
+
 fn refuse_special(kind: FileType) -> std::io::Result<()> {
     if kind.is_file() {
         return Ok(());
@@ -76,6 +110,30 @@ mod tests {
             std::os::unix::fs::symlink(&path, &link).unwrap();
             assert_eq!(read_regular(&link).unwrap(), b"content");
         }
+    }
+
+    #[test]
+    fn a_file_that_is_too_large_is_refused_by_its_size() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a");
+        let file = File::create(&path).unwrap();
+        file.set_len(3_000_000).unwrap();
+        assert_eq!(read_at_most(&path, 3).unwrap().len(), 3_000_000);
+        let text = read_at_most(&path, 2).unwrap_err().to_string();
+        assert!(
+            text.ends_with("a file of 3.0 MB; accepted: a file of 2 MB at most"),
+            "{text}"
+        );
+        // Far more than is read as a text
+        file.set_len(1 << 40).unwrap();
+        assert!(read_text(&path).is_err());
+        std::fs::write(&path, [0xff]).unwrap();
+        assert!(
+            read_text(&path)
+                .unwrap_err()
+                .to_string()
+                .contains("not UTF-8")
+        );
     }
 
     #[test]

@@ -16,6 +16,7 @@ pub mod ranks;
 pub mod response;
 pub mod run;
 pub mod target;
+pub mod text;
 pub mod units;
 pub mod vector;
 

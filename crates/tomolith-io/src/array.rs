@@ -12,9 +12,9 @@
 //! assert_eq!((shape, values), ([1, 2, 3], vec![1.0, 0.0, 1.0, 0.0, 1.0, 0.0]));
 //! ```
 
-use super::numbers::{Archive, Numbers, bad, tuple};
+use super::numbers::{Numbers, bad};
 use std::path::Path;
-use tomolith_core::error::{Error, Result, nearest_name};
+use tomolith_core::error::Result;
 
 const ACCEPTED: &str =
     ".npy or .npz of floats, whole numbers or bool in two dimensions [y, x] or three [z, y, x]";
@@ -22,55 +22,12 @@ const ACCEPTED: &str =
 /// Reads `FILE.npy`, `FILE.npz` with one array, or `FILE.npz:NAME`: shape `[z, y, x]` and values, x fastest.
 ///
 /// # Errors
-/// [`Error::Io`] when the file cannot be opened; [`Error::Format`] when it holds no such array.
+/// [`Error::Io`](tomolith_core::Error::Io) when the file cannot be opened; [`Error::Format`](tomolith_core::Error::Format) when it holds no
+/// such array.
 pub fn read_any(source: &str) -> Result<([usize; 3], Vec<f32>)> {
-    let (path, name) = match source.rsplit_once(".npz:") {
-        Some((stem, name)) => (format!("{stem}.npz"), Some(name)),
-        None => (source.to_owned(), None),
-    };
-    let path = Path::new(&path);
-    let is_npz = path
-        .extension()
-        .is_some_and(|e| e.eq_ignore_ascii_case("npz"));
-    let Numbers { shape, values, .. } = if is_npz {
-        let mut archive = Archive::open(path, ACCEPTED)?;
-        let name = chosen(&archive.names(), path, name)?;
-        archive.numbers(&name)?
-    } else {
-        Numbers::read(path, ACCEPTED)?
-    };
-    match shape[..] {
-        [y, x] => Ok(([1, y, x], values)),
-        [z, y, x] => Ok(([z, y, x], values)),
-        _ => {
-            let found = format!("an array of shape {}", tuple(&shape));
-            Err(bad(path, found, ACCEPTED))
-        }
-    }
-}
-
-/// The array of an archive that is meant.
-fn chosen(names: &[String], path: &Path, name: Option<&str>) -> Result<String> {
-    let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    match (name, names.as_slice()) {
-        (None, [only]) => Ok((*only).to_owned()),
-        (Some(name), _) if names.contains(&name) => Ok(name.to_owned()),
-        (asked, _) => {
-            let asked = asked.map_or("no array is named".to_owned(), |name| {
-                format!("no array `{name}`")
-            });
-            let near = name.and_then(|name| nearest_name(name, names.iter().copied()));
-            Err(Error::Format {
-                path: path.to_owned(),
-                found: format!("{asked}; it holds {}", names.join(", ")),
-                accepted: format!(
-                    "FILE.npz:NAME, for example {}:{}",
-                    path.display(),
-                    near.or(names.first().copied()).unwrap_or("dose")
-                ),
-            })
-        }
-    }
+    let path = Path::new(source);
+    let volume = Numbers::read(path, ACCEPTED)?.as_volume();
+    volume.map_err(|found| bad(path, found, ACCEPTED))
 }
 
 #[cfg(test)]
@@ -79,6 +36,7 @@ mod tests {
     use ndarray::{Array1, Array3, ShapeBuilder};
     use ndarray_npy::{NpzWriter, write_npy};
     use std::fs::File;
+    use tomolith_core::Error;
 
     #[test]
     fn types_orders_and_names_are_understood() {

@@ -19,10 +19,10 @@ use super::npy::Sink;
 use super::npz::ArchiveWriter;
 use super::numbers::{Kind, Numbers, whole_numbers};
 use super::whole::write_whole;
-use std::fs::File;
 use std::io::{BufReader, Read};
 use std::path::Path;
 use tomolith_core::error::{Error, Result};
+use tomolith_core::files::open_regular;
 use zip::ZipArchive;
 
 /// What a file must hold.
@@ -185,7 +185,7 @@ impl Csr {
     /// [`Error::Io`] when it cannot be opened; [`Error::Format`] when it is no such file, or not a valid matrix of finite
     /// numbers.
     pub fn read(path: &Path) -> Result<Self> {
-        let file = File::open(path).map_err(|e| Error::io(path, e))?;
+        let file = open_regular(path)?;
         let bad = |found: String| bad(path, found);
         let mut zip = ZipArchive::new(BufReader::new(file)).map_err(|e| bad(e.to_string()))?;
         let mut bytes = |name: &str| -> Result<Vec<u8>> {

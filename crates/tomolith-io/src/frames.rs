@@ -7,7 +7,7 @@
 //! Row 0 of the image is the top (+z), columns grow along (−sin α, cos α, 0).
 //!
 //! Frames of other programs may be stored as RGB or with a palette, where all colors are gray, and with opacity, which does
-//! not count.
+//! not count. Their names are numbered in any way: `1.png` to `12.png`, `01.png` to `12.png`.
 //!
 //! With one light the files lie in the folder itself, with several in a sub-folder per light. The folder appears whole.
 //!
@@ -25,11 +25,13 @@
 //! assert_eq!(read.values, [0, 1, 7, 15]); // stored as 0, 17, 119, 255: 255/15 = 17 times as much
 //! ```
 
-use super::whole::{Refused, write_folder_whole};
+use super::series::numbered_files;
+use super::whole::{Refused, write_folder_whole, write_whole};
 use std::fs::{self, File};
 use std::io::{BufRead, BufReader, BufWriter, Seek, Write};
 use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result};
+use tomolith_core::files::open_regular;
 use tomolith_core::grid::PatternGrid;
 use tomolith_core::parallel::InParallel;
 use tomolith_core::run::Run;
@@ -129,6 +131,15 @@ pub fn write_frames(folder: &Path, lights: &[FrameSet<'_>], run: &Run) -> Result
     })
 }
 
+/// Writes the first frame of a set as a file.
+///
+/// # Errors
+/// As [`write_frames`].
+pub fn write_picture(path: &Path, set: &FrameSet<'_>) -> Result<()> {
+    set.check()?;
+    write_whole(path, |file| Ok(encode(file, set, 0)?))
+}
+
 fn write_frame(path: &Path, set: &FrameSet<'_>, frame: usize) -> std::io::Result<()> {
     encode(BufWriter::new(File::create(path)?), set, frame)
 }
@@ -168,18 +179,13 @@ pub(super) fn encode(file: impl Write, set: &FrameSet<'_>, frame: usize) -> std:
     Ok(())
 }
 
-/// Reads the frames of one light: all `*.png` of a folder, in the order of their names.
+/// Reads the frames of one light: all `*.png` of a folder, in the order of [their numbers](super::series).
 ///
 /// # Errors
-/// [`Error::Io`]; [`Error::Format`] when there is no frame, or a file is no PNG whose pixels are gray, of the same size,
+/// [`Error::Io`]; [`Error::Format`] when there is no frame, their order is in doubt, or a file is no PNG whose pixels are gray, of the same size,
 /// depth and scale as the first one.
 pub fn read_frames(folder: &Path) -> Result<Frames> {
-    let mut paths: Vec<PathBuf> = fs::read_dir(folder)
-        .map_err(|e| Error::io(folder, e))?
-        .map(|entry| entry.map(|e| e.path()).map_err(|e| Error::io(folder, e)))
-        .collect::<Result<_>>()?;
-    paths.retain(|p| p.extension().is_some_and(|e| e.eq_ignore_ascii_case("png")));
-    paths.sort();
+    let paths = numbered_files(folder, "*", &["png"])?;
     let images: Vec<Image> = paths
         .iter()
         .par_map(|path| read_frame(path))
@@ -245,7 +251,7 @@ impl Image {
 }
 
 fn read_frame(path: &Path) -> Result<Image> {
-    let file = File::open(path).map_err(|e| Error::io(path, e))?;
+    let file = open_regular(path)?;
     decode(BufReader::new(file)).map_err(|trouble| match trouble {
         Trouble::Io(source) => Error::io(path, source),
         Trouble::Said(found) => format_error(path, &found),
@@ -273,6 +279,12 @@ pub(super) fn decode(file: impl BufRead + Seek) -> Result<Image, Trouble> {
     // Palettes become colors, and fewer than 8 bits become 8
     decoder.set_transformations(png::Transformations::EXPAND);
     let mut reader = decoder.read_info()?;
+    if let Some(animation) = reader.info().animation_control() {
+        let frames = animation.num_frames;
+        return Err(Trouble::Said(format!(
+            "an animated PNG (APNG) of {frames} frames"
+        )));
+    }
     let size = reader
         .output_buffer_size()
         .ok_or_else(|| Trouble::Said("an image larger than memory".to_owned()))?;

@@ -17,10 +17,14 @@ pub mod npy;
 mod npz;
 mod numbers;
 pub mod ply;
+pub mod series;
+pub mod slices;
 pub mod stack;
 pub mod stl;
 pub mod vti;
 pub mod whole;
 
-pub use tomolith_core::files::{open_regular, read_regular};
-pub use whole::{give_up, write_folder_whole, write_whole, write_whole_under};
+pub use tomolith_core::files::{open_regular, read_at_most, read_regular, read_text};
+pub use whole::{
+    give_up, must_be_free, must_be_new, write_folder_whole, write_whole, write_whole_under,
+};

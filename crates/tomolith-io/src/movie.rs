@@ -4,7 +4,7 @@
 //! |---|---|
 //! | MP4 or QuickTime with H.264 (Baseline, Main or High, 4:2:0, 8 bits, no B-frames) | OpenH264 |
 //! | QuickTime with PNG frames ([`write_lossless`]) | the reader of PNG frames |
-//! | any other MP4, QuickTime, Matroska, WebM, AVI, MPEG, FLV, WMV, Ogg, GIF or Y4M: B-frames, 4:4:4, HEVC, VP9, AV1, MJPEG, FFV1, … | the program `ffmpeg`, where it is on the path |
+//! | any other MP4, QuickTime, Matroska, WebM, AVI, MPEG, FLV, WMV, Ogg, GIF, APNG or Y4M: B-frames, 4:4:4, HEVC, VP9, AV1, MJPEG, FFV1, … | the program `ffmpeg`, where it is on the path |
 //!
 //! What a file is follows from its content, not from its name. Gray is the luma: full range 0…255, or 16…235 stretched to
 //! it where the stream says nothing else; colors do not count. A movie has as many frames as the job, each of the job's
@@ -38,12 +38,13 @@ use h264::Stream;
 pub use lossless::{check_lossless, write_lossless};
 use std::path::Path;
 use tomolith_core::error::{Error, Result};
+use tomolith_core::files::read_regular;
 use track::{Codec, Track};
 
 /// Endings of files that are taken for movies.
-const ENDINGS: [&str; 17] = [
+const ENDINGS: [&str; 18] = [
     "mp4", "m4v", "mov", "mkv", "webm", "avi", "ts", "mts", "m2ts", "mpg", "mpeg", "flv", "wmv",
-    "asf", "ogv", "gif", "y4m",
+    "asf", "ogv", "gif", "apng", "y4m",
 ];
 
 /// Whether a file is a movie by its name.
@@ -59,7 +60,7 @@ pub fn is_movie(path: &Path) -> bool {
 /// [`Error::Io`]; [`Error::Format`] when the file is no movie, is damaged, has another number or size of frames, or can be
 /// read by `ffmpeg` alone and there is none.
 pub fn read_movie(path: &Path, shape: [usize; 3]) -> Result<Frames> {
-    let file = std::fs::read(path).map_err(|e| Error::io(path, e))?;
+    let file = read_regular(path)?;
     let what = match Container::of(&file) {
         None => return Err(no_movie(path, &file)),
         Some(Container::Other(what)) => what.to_owned(),
@@ -194,7 +195,7 @@ enum Container {
 type Marks = &'static [(usize, &'static [u8])];
 
 /// Containers that only `ffmpeg` reads: what a file is that has all these bytes at these places.
-const OTHERS: [(&str, Marks); 13] = [
+const OTHERS: [(&str, Marks); 14] = [
     ("a Matroska or WebM file", &[(0, b"\x1a\x45\xdf\xa3")]),
     ("an AVI file", &[(0, b"RIFF"), (8, b"AVI ")]),
     ("a Flash video", &[(0, b"FLV\x01")]),
@@ -204,6 +205,7 @@ const OTHERS: [(&str, Marks); 13] = [
     ),
     ("an Ogg file", &[(0, b"OggS")]),
     ("a GIF file", &[(0, b"GIF8")]),
+    ("an animated PNG (APNG)", &[(0, b"\x89PNG"), (37, b"acTL")]),
     ("a YUV4MPEG2 file", &[(0, b"YUV4MPEG2")]),
     ("an MPEG program stream", &[(0, b"\0\0\x01\xba")]),
     ("an MPEG video stream", &[(0, b"\0\0\x01\xb3")]),
@@ -244,8 +246,9 @@ fn no_movie(path: &Path, file: &[u8]) -> Error {
     Error::Format {
         path: path.to_owned(),
         found,
-        accepted: "a movie: MP4, QuickTime, Matroska, WebM, AVI, MPEG, FLV, WMV, Ogg, GIF or Y4M"
-            .to_owned(),
+        accepted:
+            "a movie: MP4, QuickTime, Matroska, WebM, AVI, MPEG, FLV, WMV, Ogg, GIF, APNG or Y4M"
+                .to_owned(),
     }
 }
 

@@ -5,7 +5,7 @@
 //! lights `patterns_<light>` and `patterns_raw_<light>`. The arrays are stored, not compressed.
 //!
 //! That is what is written. Read are floats of 2, 4 and 8 bytes, whole numbers and bool, little and big endian, in C and
-//! Fortran order, stored or compressed.
+//! Fortran order, stored or compressed. Patterns of other programs may be the only array of an `.npz`, under any name.
 //!
 //! ```
 //! use tomolith_core::dose::Run;
@@ -21,7 +21,7 @@
 
 pub use super::npz::Element;
 use super::npz::{ArchiveWriter, write_array};
-use super::numbers::{Archive, Numbers, bad, tuple};
+use super::numbers::{Archive, Header, Numbers, bad, is_archive};
 use super::whole::write_whole_under;
 use std::io::{Seek, SeekFrom, Write};
 use std::path::Path;
@@ -105,15 +105,19 @@ fn read_dimensions<const N: usize>(path: &Path, accepted: &str) -> Result<([usiz
 /// [`Error::Io`] when it cannot be opened, [`Error::Format`] when it is no such array.
 pub fn read_levels(path: &Path) -> Result<([usize; 3], Vec<f32>)> {
     let accepted = "a 2D or 3D .npy array of numbers";
-    let Numbers { shape, values, .. } = Numbers::read(path, accepted)?;
-    match shape[..] {
-        [rows, columns] => Ok(([1, rows, columns], values)),
-        [levels, rows, columns] => Ok(([levels, rows, columns], values)),
-        _ => Err(bad(
-            path,
-            format!("an array of shape {}", tuple(&shape)),
-            accepted,
-        )),
+    let volume = Numbers::read(path, accepted)?.as_volume();
+    volume.map_err(|found| bad(path, found, accepted))
+}
+
+/// Refuses a file that was cut off: an `.npy` of another length than its header says, an `.npz` without its end.
+///
+/// # Errors
+/// [`Error::Io`] when it cannot be opened, [`Error::Format`] when it is not whole.
+pub fn must_be_whole(path: &Path) -> Result<()> {
+    let accepted = "a whole .npy or .npz file";
+    match is_archive(path) {
+        true => Archive::open(path, accepted).map(drop),
+        false => Header::read_file(path, accepted).map(drop),
     }
 }
 
@@ -207,7 +211,7 @@ impl<W: Write + Seek> Seek for Sink<W> {
 }
 
 /// What [`read_patterns`] reads, for error messages.
-const PATTERNS: &str = "an .npz with a 3D array `patterns` [angle, row, column] of numbers, or one `patterns_<light>` per light; or an .npy of one light";
+const PATTERNS: &str = "an .npz with a 3D array `patterns` [angle, row, column] of numbers, or one `patterns_<light>` per light; or an .npy, or .npz with one array, of one light";
 
 /// Reads `patterns.npz`: one entry per light, in the order of their names; or the one array of an `.npy`. Numbers of any
 /// type are taken as they are, in mJ/mm².
@@ -233,6 +237,7 @@ pub fn read_patterns(path: &Path) -> Result<Vec<PatternArrays>> {
     let mut lights = Vec::new();
     for name in &names {
         let light = match name.strip_prefix("patterns") {
+            _ if names.len() == 1 && !name.starts_with("patterns_") => None,
             Some("") => None,
             // A light named `raw` would be mistaken for the values before quantization
             Some(rest) if rest != "_raw" && !rest.starts_with("_raw_") => rest.strip_prefix('_'),
@@ -436,6 +441,45 @@ mod tests {
         );
     }
 
+    #[test]
+    fn the_only_array_of_an_archive_is_the_patterns() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("x.npz");
+        let mut npz = NpzWriter::new(File::create(&path).unwrap());
+        let array = ndarray::Array4::from_shape_fn((2, 3, 4, 1), |(i, j, k, _)| {
+            (i * 12 + j * 4 + k) as f64
+        });
+        npz.add_array("arr_0", &array).unwrap();
+        npz.finish().unwrap();
+        let read = read_patterns(&path).unwrap();
+        assert_eq!(
+            (read.len(), read[0].shape, read[0].shown[23]),
+            (1, [2, 3, 4], 23.0)
+        );
+        assert_eq!(read[0].light, None);
+    }
+
+    #[test]
+    fn a_file_that_was_cut_off_is_not_whole() {
+        let folder = tempfile::tempdir().unwrap();
+        let [volume, patterns] = ["dose.npy", "patterns.npz"].map(|name| folder.path().join(name));
+        ndarray_npy::write_npy(&volume, &Array3::<f32>::zeros((2, 3, 4))).unwrap();
+        let shown = random_patterns(1, 3);
+        let pair = PatternPair {
+            light: None,
+            shown: &shown,
+            raw: None,
+        };
+        write_patterns(&patterns, &[pair], &Run::new()).unwrap();
+        for path in [volume, patterns] {
+            must_be_whole(&path).unwrap();
+            let file = File::options().write(true).open(&path).unwrap();
+            file.set_len(file.metadata().unwrap().len() - 1).unwrap();
+            let text = must_be_whole(&path).unwrap_err().to_string();
+            assert!(text.contains("truncated"), "{text}");
+        }
+    }
+
     /// A disk with room for so many bytes.
     struct Small(std::io::Cursor<Vec<u8>>, usize);
 
@@ -493,11 +537,12 @@ mod tests {
         std::fs::write(&path, b"no zip").unwrap();
         assert!(matches!(read_patterns(&path), Err(Error::Format { .. })));
         let mut npz = NpzWriter::new(File::create(&path).unwrap());
-        npz.add_array("dose", &Array3::<f32>::zeros((1, 1, 1)))
-            .unwrap();
+        let one = Array3::<f32>::zeros((1, 1, 1));
+        npz.add_array("dose", &one).unwrap();
+        npz.add_array("mask", &one).unwrap();
         npz.finish().unwrap();
         let text = read_patterns(&path).unwrap_err().to_string();
-        assert!(text.contains("the arrays dose"), "{text}");
+        assert!(text.contains("the arrays dose, mask"), "{text}");
         let mut npz = NpzWriter::new(File::create(&path).unwrap());
         let mut values = Array3::<f32>::zeros((1, 2, 2));
         values[[0, 1, 0]] = f32::NAN;

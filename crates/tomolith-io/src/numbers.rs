@@ -3,11 +3,15 @@
 //! Read are floats of 2, 4 and 8 bytes, whole numbers of 1 to 8 bytes with and without sign, and bool (true is 1), little or
 //! big endian, in C or Fortran order (`numpy.lib.format`, versions 1 to 3). What is cut off is told with the bytes that should
 //! be there.
+//!
+//! Where one array is asked for, it is that of an `.npy`, the only one of an `.npz`, or `FILE.npz:NAME`. Axes of length one
+//! beside those that are asked for do not count: `[z, y, x, 1]` is `[z, y, x]`.
 
 use std::fs::File;
 use std::io::{BufReader, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Error, Result, nearest_name};
+use tomolith_core::files::open_regular;
 
 /// An array in C order.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,27 +33,71 @@ pub(super) enum Kind {
 /// Longest header that is believed.
 const LONGEST_HEADER: u64 = 1 << 20;
 
+/// Most numbers of an array: what is larger is damaged, or fits into no memory.
+const MOST_NUMBERS: usize = 1 << 34;
+
+/// Whether a path names a NumPy file, or an array of one.
+pub(super) fn is_array(path: &Path) -> bool {
+    let (file, _) = file_and_name(path);
+    is_archive(&file)
+        || file
+            .extension()
+            .is_some_and(|e| e.eq_ignore_ascii_case("npy"))
+}
+
+/// Whether a file is an archive of arrays by its name.
+pub(super) fn is_archive(file: &Path) -> bool {
+    file.extension()
+        .is_some_and(|e| e.eq_ignore_ascii_case("npz"))
+}
+
+/// The file of `FILE.npz:NAME` and the name; of any other path the path.
+pub(super) fn file_and_name(path: &Path) -> (PathBuf, Option<String>) {
+    let text = path.to_string_lossy();
+    match text.rsplit_once(".npz:") {
+        Some((stem, name)) => (format!("{stem}.npz").into(), Some(name.to_owned())),
+        None => (path.to_owned(), None),
+    }
+}
+
 impl Numbers {
-    /// Reads an `.npy` file.
+    /// Reads one array; see the [module page](self).
     ///
     /// # Errors
     /// [`Error::Io`]; [`Error::Format`] with what was found, and `accepted` as it is given.
     pub(super) fn read(path: &Path, accepted: &str) -> Result<Self> {
-        let file = File::open(path).map_err(|e| Error::io(path, e))?;
-        let length = file.metadata().map_err(|e| Error::io(path, e))?.len();
-        Self::parse(BufReader::new(file), length).map_err(|found| bad(path, found, accepted))
+        let (path, name) = file_and_name(path);
+        if is_archive(&path) {
+            let mut archive = Archive::open(&path, accepted)?;
+            let name = archive.chosen(name.as_deref())?;
+            return archive.numbers(&name);
+        }
+        let (file, length) = opened(&path)?;
+        Self::parse(file, length).map_err(|found| bad(&path, found, accepted))
     }
 
     /// The array with so many dimensions.
     pub(super) fn of_dimensions<const N: usize>(self) -> Result<([usize; N], Vec<f32>), String> {
-        match <[usize; N]>::try_from(self.shape) {
+        let mut shape = &self.shape[..];
+        while let ([rest @ .., 1] | [1, rest @ ..], true) = (shape, shape.len() > N) {
+            shape = rest;
+        }
+        match <[usize; N]>::try_from(shape) {
             Ok(shape) => Ok((shape, self.values)),
-            Err(shape) => Err(format!(
+            Err(_) => Err(format!(
                 "an array of {} dimensions, shape {}, instead of {N}",
-                shape.len(),
-                tuple(&shape)
+                self.shape.len(),
+                tuple(&self.shape)
             )),
         }
+    }
+
+    /// The array as `[z, y, x]`; one of two dimensions is one slice.
+    pub(super) fn as_volume(mut self) -> Result<([usize; 3], Vec<f32>), String> {
+        if self.shape.len() == 2 {
+            self.shape.insert(0, 1);
+        }
+        self.of_dimensions()
     }
 
     /// The content of an `.npy` file of so many bytes.
@@ -73,28 +121,15 @@ impl<T: Copy> Numbers<T> {
         value: fn(Element, &[u8]) -> T,
     ) -> Result<Self, String> {
         let header = Header::read(&mut file)?;
-        let count = header
-            .shape
-            .iter()
-            .try_fold(1usize, |n, &m| n.checked_mul(m));
+        let count = header.count_of(length)?;
         let size = header.element.kind.bytes();
-        let bytes = count.and_then(|count| u64::try_from(count.checked_mul(size)?).ok());
-        let (Some(count), Some(whole)) = (count, bytes.and_then(|b| b.checked_add(header.length)))
-        else {
-            return Err(format!("an array of shape {}", tuple(&header.shape)));
-        };
-        if whole != length {
-            let what = if whole > length {
-                "truncated"
-            } else {
-                "more than an array"
-            };
+        let mut values = Vec::new();
+        if count > MOST_NUMBERS || values.try_reserve_exact(count).is_err() {
             return Err(format!(
-                "{what}: an array {} of {size} bytes a number takes {whole} bytes with its header, {length} are there",
+                "an array {} that does not fit into memory ({MOST_NUMBERS} numbers at most)",
                 tuple(&header.shape)
             ));
         }
-        let mut values = Vec::with_capacity(count);
         let mut block = vec![0u8; size * count.clamp(1, 1 << 16)];
         while values.len() < count {
             let now = &mut block[..size * (count - values.len()).min(1 << 16)];
@@ -242,8 +277,15 @@ fn half(bits: u16) -> f32 {
     if bits >> 15 == 1 { -size } else { size }
 }
 
+/// A file and its length.
+fn opened(path: &Path) -> Result<(BufReader<File>, u64)> {
+    let file = open_regular(path)?;
+    let length = file.metadata().map_err(|e| Error::io(path, e))?.len();
+    Ok((BufReader::new(file), length))
+}
+
 /// What an `.npy` file says before its numbers.
-struct Header {
+pub(super) struct Header {
     element: Element,
     is_fortran: bool,
     shape: Vec<usize>,
@@ -252,6 +294,39 @@ struct Header {
 }
 
 impl Header {
+    /// The header of an `.npy` file that is as long as it says.
+    ///
+    /// # Errors
+    /// [`Error::Io`]; [`Error::Format`].
+    pub(super) fn read_file(path: &Path, accepted: &str) -> Result<Self> {
+        let (mut file, length) = opened(path)?;
+        let header = Header::read(&mut file);
+        let header = header.and_then(|header| header.count_of(length).map(|_| header));
+        header.map_err(|found| bad(path, found, accepted))
+    }
+
+    /// How many numbers follow in a file of so many bytes.
+    fn count_of(&self, length: u64) -> Result<usize, String> {
+        let count = self.shape.iter().try_fold(1usize, |n, &m| n.checked_mul(m));
+        let size = self.element.kind.bytes();
+        let bytes = count.and_then(|count| u64::try_from(count.checked_mul(size)?).ok());
+        let (Some(count), Some(whole)) = (count, bytes.and_then(|b| b.checked_add(self.length)))
+        else {
+            return Err(format!("an array of shape {}", tuple(&self.shape)));
+        };
+        if whole == length {
+            return Ok(count);
+        }
+        let what = match whole > length {
+            true => "truncated",
+            false => "more than an array",
+        };
+        Err(format!(
+            "{what}: an array {} of {size} bytes a number takes {whole} bytes with its header, {length} are there",
+            tuple(&self.shape)
+        ))
+    }
+
     fn read(file: &mut impl Read) -> Result<Self, String> {
         let mut start = Vec::new();
         let cut = |e: std::io::Error| format!("damaged: {e}");
@@ -332,7 +407,7 @@ impl Archive {
     /// # Errors
     /// [`Error::Io`]; [`Error::Format`].
     pub(super) fn open(path: &Path, accepted: &str) -> Result<Self> {
-        let file = File::open(path).map_err(|e| Error::io(path, e))?;
+        let file = open_regular(path)?;
         let zip = zip::ZipArchive::new(BufReader::new(file)).map_err(|error| {
             let found = no_archive(path).unwrap_or_else(|| format!("no .npz archive: {error}"));
             bad(path, found, accepted)
@@ -352,6 +427,33 @@ impl Archive {
             .collect();
         names.sort();
         names
+    }
+
+    /// The name of the array that is asked for, or of the only one.
+    ///
+    /// # Errors
+    /// [`Error::Format`] with the names that there are.
+    pub(super) fn chosen(&self, asked: Option<&str>) -> Result<String> {
+        let names = self.names();
+        let name = match (asked, &names[..]) {
+            (None, [only]) => Some(only),
+            (None, _) => None,
+            (Some(asked), _) => names.iter().find(|name| *name == asked),
+        };
+        name.cloned().ok_or_else(|| {
+            let asked_for = asked.map_or("no array is named".to_owned(), |name| {
+                format!("no array `{name}`")
+            });
+            let known = names.iter().map(String::as_str);
+            let near = asked.and_then(|asked| nearest_name(asked, known));
+            let example = near.or(names.first().map(String::as_str)).unwrap_or("dose");
+            let found = format!("{asked_for}; it holds {}", names.join(", "));
+            let accepted = format!(
+                "FILE.npz:NAME, for example {}:{example}",
+                self.path.display()
+            );
+            bad(&self.path, found, &accepted)
+        })
     }
 
     /// An array by its name.
@@ -376,7 +478,7 @@ impl Archive {
 
 /// Why a file that begins like an archive is none: its arrays say where they end (APPNOTE.TXT, 4.3.7 and 4.5.3).
 fn no_archive(path: &Path) -> Option<String> {
-    let mut file = File::open(path).ok()?;
+    let mut file = open_regular(path).ok()?;
     let length = file.metadata().ok()?.len();
     let mut at = 0;
     loop {
@@ -396,6 +498,9 @@ fn no_archive(path: &Path) -> Option<String> {
             let start = beginning(&head[..head.len().min(8)]);
             return (!head.starts_with(b"PK")).then(|| match head.len() {
                 0 => "the file is empty".to_owned(),
+                _ if head.starts_with(b"\x89PNG") => {
+                    "a PNG image; frames go into a folder, one file each".to_owned()
+                }
                 _ => format!("not an .npz archive: it begins with `{start}`"),
             });
         }
@@ -509,6 +614,22 @@ mod tests {
             let expected: Vec<f32> = (0..count).map(|c| c as f32).collect();
             assert_eq!(found.values, expected, "{text}");
         }
+    }
+
+    #[test]
+    fn axes_of_length_one_beside_the_others_do_not_count() {
+        for (shape, expected) in [
+            ("2, 3, 4, 1", [2, 3, 4]),
+            ("1, 2, 3, 4", [2, 3, 4]),
+            ("1, 2, 12, 1", [1, 2, 12]),
+            ("2, 12, 1", [2, 12, 1]),
+        ] {
+            let found = parse(&npy("|u1", "False", shape, &[7; 24])).unwrap();
+            assert_eq!(found.as_volume().unwrap().0, expected, "{shape}");
+        }
+        let found = parse(&npy("|u1", "False", "2, 2, 2, 3", &[7; 24])).unwrap();
+        let text = found.of_dimensions::<3>().unwrap_err();
+        assert!(text.contains("shape (2, 2, 2, 3), instead of 3"), "{text}");
     }
 
     #[test]

@@ -15,15 +15,15 @@
 //! ```
 
 use std::collections::BTreeSet;
-use std::ffi::OsString;
 use std::fs::{self, File};
-use std::io::{BufWriter, Seek, SeekFrom, Write};
+use std::io::{BufWriter, ErrorKind, Seek, SeekFrom, Write};
 use std::ops::Deref;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::run::{Run, Steps};
+use tomolith_core::text::file_name;
 
 /// Reason why the content of a file could not be written: the system's, or the format's.
 #[derive(Debug)]
@@ -95,6 +95,41 @@ pub fn write_whole_under<T>(
         let _ = fs::remove_file(&*aside);
         run.check().err().unwrap_or_else(|| refused.at(path))
     })
+}
+
+/// Refuses a place for a new file where something is, even a link that leads nowhere; `option` names the place.
+///
+/// # Errors
+/// [`Error::Config`].
+pub fn must_be_new(option: &str, path: &Path) -> Result<()> {
+    match path.symlink_metadata() {
+        Err(e) if e.kind() == ErrorKind::NotFound => Ok(()),
+        // A name that is too long, for one
+        Err(e) => Err(Error::io(path, e)),
+        Ok(_) => {
+            let found = format!("`{}` is there already", path.display());
+            Err(Error::config(option, found, "a new file"))
+        }
+    }
+}
+
+/// Refuses a place for a new folder where anything is but an empty folder; `option` names the place.
+///
+/// # Errors
+/// [`Error::Config`].
+pub fn must_be_free(option: &str, folder: &Path) -> Result<()> {
+    let is_free = match fs::read_dir(folder) {
+        Ok(mut entries) => entries.next().is_none(),
+        Err(_) => folder.symlink_metadata().is_err(),
+    };
+    if is_free {
+        return Ok(());
+    }
+    Err(Error::config(
+        option,
+        format!("`{}` is not empty", folder.display()),
+        "a folder that does not exist yet, or an empty one",
+    ))
 }
 
 /// Bytes that are handed to the system at a time, and that may wait for the disk: a request to stop waits for no more.
@@ -223,13 +258,13 @@ fn hidden(path: &Path) -> Result<PathBuf> {
             ),
         )
     })?;
-    let mut hidden = OsString::from(".");
-    hidden.push(name);
-    hidden.push(format!(
-        ".{}-{}.partial",
+    // Of a long name the beginning: the hidden one must not be longer than a system takes
+    let hidden = format!(
+        ".{}.{}-{}.partial",
+        file_name(&name.to_string_lossy(), '_'),
         std::process::id(),
         COUNT.fetch_add(1, Ordering::Relaxed)
-    ));
+    );
     Ok(path.with_file_name(hidden))
 }
 
@@ -289,6 +324,34 @@ mod tests {
             .collect();
         assert_eq!(names, ["d"]);
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn what_is_there_is_not_a_place_for_something_new() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        must_be_new("--output", &at("new")).unwrap();
+        must_be_free("--output", &at("new")).unwrap();
+        must_be_free("--output", folder.path()).unwrap();
+        fs::write(at("mine"), "mine").unwrap();
+        std::os::unix::fs::symlink("nowhere", at("link")).unwrap();
+        for name in ["mine", "link"] {
+            let text = must_be_new("--output", &at(name)).unwrap_err().to_string();
+            assert!(text.contains("is there already"), "{text}");
+            assert!(must_be_free("--output", &at(name)).is_err());
+        }
+        assert!(must_be_free("--output", folder.path()).is_err());
+    }
+
+    #[test]
+    fn names_are_as_long_as_the_system_takes() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join(format!("{}.txt", "ü".repeat(125)));
+        must_be_new("--output", &path).unwrap();
+        write_whole(&path, |f| Ok(f.write_all(b"content")?)).unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"content");
+        let text = must_be_new("--output", &folder.path().join("n".repeat(256)));
+        assert!(matches!(text, Err(Error::Io { .. })));
     }
 
     #[test]

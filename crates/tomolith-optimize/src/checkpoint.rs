@@ -19,6 +19,7 @@
 use super::keep::Best;
 use super::run::Row;
 use super::{CheckpointReader, Counters, Memory, SavedArray};
+use safetensors::Dtype;
 use safetensors::tensor::{Metadata, TensorInfo};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -33,7 +34,7 @@ use tomolith_core::field::{Field, HostField};
 use tomolith_core::ranks::{Shares, together};
 use tomolith_core::run::Run;
 use tomolith_core::units::exact;
-use tomolith_io::write_whole_under;
+use tomolith_io::{open_regular, write_whole_under};
 
 /// What a checkpoint holds.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
@@ -145,7 +146,10 @@ struct Header {
 pub const CHECKPOINT: &str = "state.safetensors";
 
 /// The format of this file.
-const FORMAT: u32 = 3;
+const FORMAT: u32 = 4;
+
+/// Last array of a file: checksums of its header and of every array before, in their order.
+const CHECKSUMS: &str = "checksums";
 
 /// Disk space for checkpoints: what has become of it.
 #[derive(Debug)]
@@ -439,17 +443,23 @@ impl Checkpoints {
         self.clear_leftovers();
         let text = serde_json::to_string(header).map_err(|e| damaged(&file, &e.to_string()))?;
         let mut bytes = 0;
-        let tensors = arrays.iter().map(|(name, array)| {
+        let mut place_of = |dtype: Dtype, len: usize, size: usize| {
             let begin = bytes;
-            bytes += array.size();
-            let info = TensorInfo {
-                dtype: array.dtype,
-                shape: vec![array.len],
+            bytes += size;
+            TensorInfo {
+                dtype,
+                shape: vec![len],
                 data_offsets: (begin, bytes),
-            };
+            }
+        };
+        let tensors = arrays.iter().map(|(name, array)| {
+            let info = place_of(array.dtype, array.len, array.size());
             (name.clone(), info)
         });
-        let tensors = tensors.collect();
+        let mut tensors: Vec<_> = tensors.collect();
+        let sums = 1 + arrays.len();
+        let info = place_of(Dtype::U64, sums, sums * size_of::<u64>());
+        tensors.push((CHECKSUMS.to_owned(), info));
         let info = HashMap::from([("tomolith".to_owned(), text)]);
         let metadata =
             Metadata::new(Some(info), tensors).map_err(|e| damaged(&file, &e.to_string()))?;
@@ -459,10 +469,14 @@ impl Checkpoints {
         write_whole_under(&file, (&run.aside(), bytes), |file| {
             file.write_all(&(text.len() as u64).to_le_bytes())?;
             file.write_all(&text)?;
+            let mut sums = vec![checksum(&text)];
             for (_, array) in &arrays {
-                file.write_all(&(array.bytes)())?;
+                let bytes = (array.bytes)();
+                file.write_all(&bytes)?;
+                sums.push(checksum(&bytes));
             }
-            Ok(())
+            let sums = sums.into_iter().flat_map(u64::to_le_bytes);
+            Ok(file.write_all(&sums.collect::<Vec<u8>>())?)
         })
     }
 
@@ -472,12 +486,11 @@ impl Checkpoints {
     /// [`Error::Format`] when it belongs to another job, version or is damaged; [`Error::Io`].
     pub fn open(&self) -> Result<Option<Checkpoint>> {
         let path = self.file();
-        let mut file = match File::open(&path) {
-            Ok(file) => file,
-            Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(None),
-            Err(e) => return Err(Error::io(path, e)),
-        };
-        let (metadata, data_begin) = read_header(&path, &mut file)?;
+        if path.symlink_metadata().is_err() {
+            return Ok(None);
+        }
+        let mut file = open_regular(&path)?;
+        let (metadata, data_begin, sum) = read_header(&path, &mut file)?;
         let text = metadata.metadata().as_ref().and_then(|m| m.get("tomolith"));
         let text = text.ok_or_else(|| damaged(&path, "no Tomolith header"))?;
         let header: Header =
@@ -487,6 +500,10 @@ impl Checkpoints {
                 &path,
                 &format!("a checkpoint of format {}", header.format),
             ));
+        }
+        let sums = read_checksums(&path, &mut file, &metadata, data_begin)?;
+        if sums.first() != Some(&sum) {
+            return Err(damaged(&path, "its header is not as it was written"));
         }
         if header.fingerprint != self.fingerprint {
             let mut changes = Vec::new();
@@ -510,6 +527,7 @@ impl Checkpoints {
             file,
             metadata,
             data_begin,
+            sums,
             header,
             shares: self.shares.clone(),
         }))
@@ -558,8 +576,35 @@ fn damaged(path: &Path, found: &str) -> Error {
     }
 }
 
-/// Reads the header of a safetensors file, not the arrays.
-fn read_header(path: &Path, file: &mut File) -> Result<(Metadata, u64)> {
+/// FNV-1a over words of 8 bytes: any change of one word changes it.
+fn checksum(bytes: &[u8]) -> u64 {
+    bytes.chunks(8).fold(0xcbf2_9ce4_8422_2325, |sum, chunk| {
+        let mut word = [0; 8];
+        word[..chunk.len()].copy_from_slice(chunk);
+        (sum ^ u64::from_le_bytes(word)).wrapping_mul(0x0000_0100_0000_01b3)
+    })
+}
+
+/// The checksums of a file.
+fn read_checksums(
+    path: &Path,
+    file: &mut File,
+    metadata: &Metadata,
+    data_begin: u64,
+) -> Result<Vec<u64>> {
+    let info = metadata.info(CHECKSUMS);
+    let info = info.ok_or_else(|| damaged(path, "no checksums"))?;
+    let (begin, end) = info.data_offsets;
+    let mut bytes = vec![0; end - begin];
+    file.seek(SeekFrom::Start(data_begin + begin as u64))
+        .and_then(|_| file.read_exact(&mut bytes))
+        .map_err(|e| Error::io(path, e))?;
+    let words = bytes.as_chunks().0.iter();
+    Ok(words.map(|word| u64::from_le_bytes(*word)).collect())
+}
+
+/// Reads the header of a safetensors file, not the arrays, and its checksum.
+fn read_header(path: &Path, file: &mut File) -> Result<(Metadata, u64, u64)> {
     let io = |e| Error::io(path, e);
     let size = file.metadata().map_err(io)?.len();
     let mut length = [0u8; 8];
@@ -576,7 +621,7 @@ fn read_header(path: &Path, file: &mut File) -> Result<(Metadata, u64)> {
     if metadata.data_len() as u64 != size - 8 - length {
         return Err(damaged(path, "a file cut short"));
     }
-    Ok((metadata, 8 + length))
+    Ok((metadata, 8 + length, checksum(&text)))
 }
 
 /// A checkpoint, opened.
@@ -585,6 +630,7 @@ pub struct Checkpoint {
     file: File,
     metadata: Metadata,
     data_begin: u64,
+    sums: Vec<u64>,
     header: Header,
     shares: Option<Shares>,
 }
@@ -659,7 +705,16 @@ impl Checkpoint {
             .file
             .seek(SeekFrom::Start(self.data_begin + begin as u64))
             .and_then(|_| self.file.read_exact(bytes));
-        read.map_err(|e| Error::io(&self.path, e))
+        read.map_err(|e| Error::io(&self.path, e))?;
+        // Arrays lie in the order of their checksums, which the header's comes before
+        let names = self.metadata.offset_keys();
+        let place = names.iter().position(|other| other == name);
+        let sum = place.and_then(|place| self.sums.get(1 + place));
+        if sum != Some(&checksum(bytes)) {
+            let found = format!("`{name}` is not as it was written");
+            return Err(damaged(&self.path, &found));
+        }
+        Ok(())
     }
 }
 
@@ -854,6 +909,43 @@ mod tests {
         checkpoints.cost = Some(Duration::from_millis(70));
         assert_eq!(contents(&checkpoints, 80), Some(Contents::All));
         assert_eq!(contents(&checkpoints, 60), None);
+    }
+
+    #[test]
+    fn a_flipped_bit_is_found_wherever_it_is() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut checkpoints = Checkpoints::new(folder.path(), 0, &Params::default()).unwrap();
+        write(&mut checkpoints, &Run::new(), 5, || ());
+        let whole = std::fs::read(checkpoints.file()).unwrap();
+        let read = || -> Result<()> {
+            let mut found = checkpoints.open()?.unwrap();
+            let mut field = HostField::from_slice(&vec![0.0; VALUES]);
+            found.read_field("patterns", &mut field)?;
+            found.read_field("dose", &mut field)?;
+            let mut pairs = vec![0; 4 * VALUES];
+            found.array("pairs", &mut pairs)
+        };
+        read().unwrap();
+        let data = whole.len() - 3 * 4 * VALUES;
+        // In a number of the header (the loss), and in every array
+        let loss = whole
+            .windows(6)
+            .position(|text| text == b"loss\\\"")
+            .unwrap()
+            + 7;
+        for at in [
+            loss,
+            data + 9,
+            data + 4 * VALUES,
+            data + 8 * VALUES,
+            whole.len() - 1,
+        ] {
+            let mut bytes = whole.clone();
+            bytes[at] ^= 1;
+            std::fs::write(checkpoints.file(), bytes).unwrap();
+            let text = read().unwrap_err().to_string();
+            assert!(text.contains("damaged checkpoint"), "{at}: {text}");
+        }
     }
 
     #[test]

@@ -22,7 +22,7 @@
 //! assert!((found.critical_mj_per_cm2 - 10.0).abs() < 1e-6 && (found.length_mm - 1.5).abs() < 1e-9);
 //! ```
 
-use crate::measured::{Columns, csv, must_be_free};
+use crate::measured::{Columns, csv};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result};
@@ -31,7 +31,7 @@ use tomolith_core::least_squares::minimize;
 use tomolith_core::run::Run;
 use tomolith_core::units::concise;
 use tomolith_io::frames::{FrameSet, write_frames};
-use tomolith_io::write_folder_whole;
+use tomolith_io::{must_be_free, write_folder_whole};
 use tomolith_report::plot::{Axis, Plot};
 
 /// Radius of a disc over the shorter edge of its field.
@@ -148,7 +148,7 @@ impl Discs {
     /// As [`check`](Self::check); [`Error::Config`] for a folder that holds anything; [`Error::Io`].
     pub fn write(&self, folder: &Path) -> Result<()> {
         self.check()?;
-        must_be_free(folder)?;
+        must_be_free("--output", folder)?;
         let discs = self.discs();
         let [columns, rows] = self.canvas;
         let grid = PatternGrid {

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result, nearest_name};
 use tomolith_core::response::curve::Curve;
 use tomolith_core::units::counted;
-use tomolith_io::write_folder_whole;
+use tomolith_io::{must_be_free, read_text, write_folder_whole};
 
 /// All pairs of a file with two columns, which messages call `what`; a first line of words is a header.
 ///
@@ -62,8 +62,7 @@ fn text_of(path: &Path) -> Result<String> {
     if path.is_dir() {
         return Err(is_no_table("a folder"));
     }
-    let bytes = std::fs::read(path).map_err(|e| Error::io(path, e))?;
-    String::from_utf8(bytes).map_err(|_| is_no_table("bytes that are not UTF-8 text"))
+    read_text(path)
 }
 
 /// Points by ascending first number, equal ones averaged.
@@ -214,31 +213,12 @@ pub fn csv(names: &[&str], rows: &[Vec<f64>]) -> String {
     text
 }
 
-/// Refuses a folder that holds anything.
-///
-/// # Errors
-/// [`Error::Config`] (key `--output`).
-pub fn must_be_free(folder: &Path) -> Result<()> {
-    let is_taken = match std::fs::read_dir(folder) {
-        Ok(mut entries) => entries.next().is_some(),
-        Err(_) => folder.exists(),
-    };
-    if !is_taken {
-        return Ok(());
-    }
-    Err(Error::config(
-        "--output",
-        format!("`{}` is not empty", folder.display()),
-        "a folder that does not exist yet, or an empty one",
-    ))
-}
-
 /// Writes texts as files of a new folder, all of them or none.
 ///
 /// # Errors
-/// As [`must_be_free`]; [`Error::Io`].
+/// [`Error::Config`] (key `--output`) where the folder holds anything; [`Error::Io`].
 pub fn write_folder(folder: &Path, files: &[(&str, String)]) -> Result<()> {
-    must_be_free(folder)?;
+    must_be_free("--output", folder)?;
     if let Some(parent) = folder.parent() {
         std::fs::create_dir_all(parent).map_err(|e| Error::io(parent, e))?;
     }

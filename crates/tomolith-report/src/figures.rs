@@ -599,16 +599,13 @@ pub(super) fn bar_svg(
             )
         })
         .collect();
-    let id = label
-        .chars()
-        .filter(char::is_ascii_alphanumeric)
-        .collect::<String>();
+    let letters: String = label.chars().filter(char::is_ascii_alphanumeric).collect();
+    let (id, label) = (format!("bar-{letters}"), escape(label));
     format!(
         "<svg class=\"bar\" viewBox=\"0 0 320 62\" role=\"img\" aria-label=\"{label}\"><defs><linearGradient id=\"{id}\">{stops}\
          </linearGradient></defs><rect x=\"10\" y=\"18\" width=\"300\" height=\"12\" rx=\"2\" fill=\"url(#{id})\"/>{marked}\
-         <text x=\"10\" y=\"46\">{low}</text><text x=\"160\" y=\"46\" text-anchor=\"middle\">{}</text>\
-         <text x=\"310\" y=\"46\" text-anchor=\"end\">{high}</text></svg>",
-        escape(label),
+         <text x=\"10\" y=\"46\">{low}</text><text x=\"160\" y=\"46\" text-anchor=\"middle\">{label}</text>\
+         <text x=\"310\" y=\"46\" text-anchor=\"end\">{high}</text></svg>"
     )
 }
 

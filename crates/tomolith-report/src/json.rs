@@ -151,7 +151,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
     let found = table_of(found.map(|(name, v)| (name.clone(), json!(v))));
     let response = (!found.is_empty()).then_some(found);
     json!({
-        "schema": "tomolith.report/1",
+        "schema": super::SCHEMA,
         "part": data.part,
         "evaluation": evaluation,
         "optimization": data.optimization.map(|own| optimization_json(own, data.objectives)),

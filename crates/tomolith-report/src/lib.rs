@@ -23,6 +23,9 @@ pub mod species;
 pub mod time;
 
 pub use ceiling::{CeilingPoint, CeilingReport, time_sentence};
+/// What `report.json` says that it is.
+pub const SCHEMA: &str = "tomolith.report/1";
+
 pub use latitude::ExposureWindow;
 pub use limits::{Cause, Limit, PrintLimits};
 pub use objectives::ObjectiveReport;
@@ -548,6 +551,54 @@ mod tests {
                 "{tag}"
             );
         }
+    }
+
+    #[test]
+    fn names_of_others_are_text() {
+        const NAME: &str = "\"'><img src=x>&";
+        let sample = Sample::new();
+        let evaluation = sample.evaluation();
+        let mut data = sample.data(&evaluation);
+        let name = || NAME.to_owned();
+        (data.part, data.program, data.created, data.job_text) = (NAME, NAME, NAME, NAME);
+        data.facts = vec![(name(), name())];
+        data.models = vec![("evaluation", name())];
+        (data.notes, data.warnings) = (vec![name()], vec![name()]);
+        data.timings[0].name = name();
+        let found = [(name(), 1.0)];
+        data.found_response = &found;
+        data.maps = vec![MapReport {
+            name: NAME,
+            unit: NAME,
+            is_logarithmic: false,
+            values: &sample.response,
+        }];
+        data.lights[0].name = NAME;
+        let species = || SpeciesReport {
+            name: NAME,
+            driven_by: vec![(name(), 1.0)],
+            evaluation: &evaluation,
+            labels: &sample.labels,
+            response: &sample.response,
+            inside: &sample.response,
+            window: None,
+            exposure: None,
+            limits: &sample.limits,
+        };
+        data.species = vec![species(), species()];
+        let row = |i: usize| HistoryRow {
+            response: vec![(name(), i as f64)],
+            ..sample.history[i].clone()
+        };
+        let history: Vec<HistoryRow> = (0..5).map(row).collect();
+        data.history = &history;
+        let page = html::report_html(&data);
+        let raw = |text: &str| {
+            page.find(text)
+                .map(|at| page[..at].split_at(at - 80).1.to_owned())
+        };
+        assert_eq!([raw("<img src=x"), raw("\"'>")], [None, None]);
+        assert!(page.matches("&lt;img src=x&gt;&amp;").count() > 15);
     }
 
     #[test]

@@ -14,7 +14,7 @@
 //! assert_eq!(svg.matches("class=\"best\"").count(), 1);
 //! ```
 
-use super::number::{escape, significant};
+use super::number::significant;
 use super::picture::{hex, viridis};
 use super::plot::Axis;
 use std::collections::BTreeSet;
@@ -204,7 +204,7 @@ pub fn heat_maps(
         guides
             .iter()
             .zip(strokes)
-            .map(|(guide, (stroke, _))| Some(format!("{stroke}: {}", escape(&guide.name)))),
+            .map(|(guide, (stroke, _))| Some(format!("{stroke}: {}", guide.name))),
     );
     sheet.marks(&marks);
     sheet.svg(&title)
@@ -696,6 +696,41 @@ mod tests {
             is_best: value == Some(4.0),
             has_failed: value.is_none(),
         })
+    }
+
+    #[test]
+    fn names_of_others_are_text() {
+        const NAME: &str = "\"'><img src=x>&";
+        let cell = || cell(Some(4.0), true).unwrap();
+        let panel = Panel {
+            title: NAME.to_owned(),
+            cells: vec![Some(cell())],
+        };
+        let guide = Guide {
+            name: NAME.to_owned(),
+            points: vec![[0.0, 0.0]],
+        };
+        let scale = || ColorScale {
+            name: NAME.to_owned(),
+            labels: vec![NAME.to_owned()],
+        };
+        let curve = PlotCurve {
+            name: NAME.to_owned(),
+            labels: Some(vec![NAME.to_owned()]),
+            is_log: false,
+            is_joined: false,
+            points: vec![(0.0, cell())],
+        };
+        let map = heat_maps(NAME, [&scale(), &scale()], &[panel], &[guide], NAME);
+        for page in [map, curves(NAME, &[curve], NAME)] {
+            assert!(!page.contains("<img") && !page.contains("\"'>"), "{page}");
+            assert!(
+                page.matches("&quot;&#39;&gt;&lt;img src=x&gt;&amp;")
+                    .count()
+                    > 4,
+                "{page}"
+            );
+        }
     }
 
     #[test]

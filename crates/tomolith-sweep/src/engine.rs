@@ -19,10 +19,12 @@ use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
+use tomolith::io::npy::must_be_whole;
 use tomolith::io::write_whole;
 use tomolith::job::{self, Document, Job, KeptParts, RunFolder, Silent, folder::TAKEN};
 use tomolith::kind::table_of;
 use tomolith::models::Run;
+use tomolith::text::one_line;
 use tomolith::units::counted;
 use tomolith::{Error, Result};
 
@@ -112,7 +114,7 @@ pub struct SweepOutcome {
     pub best: Option<BestRun>,
     /// Table, pictures, best job; empty for a share.
     pub files: Vec<PathBuf>,
-    /// Metrics that no run has, one sentence each.
+    /// Metrics that no run has, and runs that were done again because files of theirs were damaged, one sentence each.
     pub warnings: Vec<String>,
     /// Whether this was a share of the runs.
     #[serde(skip)]
@@ -217,8 +219,13 @@ pub fn run(
     begin(plan)?;
     let mut turns = vec![RunState::Elsewhere; plan.runs.len()];
     let firsts = firsts(&plan.runs);
+    let mut again = Vec::new();
     // A run comes after those that it may start from
     for i in own_runs(plan, shard) {
+        if let Some(found) = damage(plan, i) {
+            let values = plan.words(i);
+            again.push(format!("run {} ({values}) is done again: {found}", i + 1));
+        }
         let from = parents(plan, &firsts, i);
         let are_done = from.iter().all(|&parent| turns[parent] == RunState::Done);
         turns[i] = if are_done && is_ready(plan, i, &from) {
@@ -245,21 +252,23 @@ pub fn run(
     let ended = work(plan, turns, watch, &mut clock, cancel);
     cancel.set_patient(false);
     ended?;
-    match shard {
-        None => collect(plan),
-        Some(_) => Ok(SweepOutcome {
+    let mut outcome = match shard {
+        None => collect(plan)?,
+        Some(_) => SweepOutcome {
             is_share: true,
             ..counted_up(plan, &Table::collect(plan)?)
-        }),
-    }
+        },
+    };
+    outcome.warnings.extend(again);
+    Ok(outcome)
 }
 
 /// The folder of the results, which are this sweep's.
 fn begin(plan: &SweepPlan) -> Result<()> {
     let folder = plan.folder();
     let runs = folder.join(RUNS);
-    fs::create_dir_all(&runs).map_err(|e| Error::io(&runs, e))?;
-    plan.sweep.own(&folder)
+    plan.sweep.own(&folder)?;
+    fs::create_dir_all(&runs).map_err(|e| Error::io(&runs, e))
 }
 
 /// Collects what is there, runs of other folders of the same sweep first, and writes table, pictures and best job.
@@ -393,25 +402,28 @@ fn best_job(plan: &SweepPlan, table: &Table<'_>, i: usize) -> Result<String> {
         done if done == plan.runs.len() => String::new(),
         done => format!("{done} finished ones of "),
     };
-    let mut text = format!(
-        "# The best of {done}{}: run {} ({}).\n",
+    let mut comments = vec![format!(
+        "The best of {done}{}: run {} ({}).",
         counted(plan.runs.len(), "run"),
         i + 1,
         plan.words(i)
-    );
+    )];
     for metric in &plan.sweep.metrics {
         let value = table
             .metric(i, metric)
             .map_or("not defined".to_owned(), |v| v.to_string());
-        text.push_str(&format!("# {metric} = {value}\n"));
+        comments.push(format!("{metric} = {value}"));
     }
     if !plan.runs[i].parents.is_empty() {
-        text.push_str(&format!(
-            "# These are from a warm start, which {RUNS}/{}/job.toml makes again. This job starts as the job file says, and may end elsewhere.\n",
+        comments.push(format!(
+            "These are from a warm start, which {RUNS}/{}/job.toml makes again. This job starts as the job file says, and may end elsewhere.",
             plan.runs[i].id
         ));
     }
-    Ok(text + &spec.to_toml()?)
+    // Names of cases and values of axes are any text, and must not leave their line
+    let comment = |text: &String| format!("# {}\n", one_line(text));
+    let comments: String = comments.iter().map(comment).collect();
+    Ok(comments + &spec.to_toml()?)
 }
 
 /// The runs of a share, with those that they start from; of runs with one job the first.
@@ -447,7 +459,7 @@ fn parents(plan: &SweepPlan, firsts: &[usize], i: usize) -> Vec<usize> {
 /// Whether a run is finished, started from these runs, with what others need of it.
 fn is_ready(plan: &SweepPlan, i: usize, from: &[usize]) -> bool {
     let folder = plan.run_folder(i);
-    if RunFolder::finished(&folder).is_none() || report(&folder).is_err() {
+    if RunFolder::finished(&folder).is_none() || damage(plan, i).is_some() {
         return false;
     }
     let has = |name: &str| folder.join(name).exists();
@@ -458,6 +470,16 @@ fn is_ready(plan: &SweepPlan, i: usize, from: &[usize]) -> bool {
     };
     let is_cold = plan.sweep.spec.warm_start.is_none();
     has_all && (is_cold || started_from(&folder) == Some(ids(plan, from)))
+}
+
+/// What is damaged in the folder of a run that has ended: its report, or arrays that were cut off.
+fn damage(plan: &SweepPlan, i: usize) -> Option<Error> {
+    let folder = plan.run_folder(i);
+    RunFolder::finished(&folder)?;
+    let arrays = [PATTERNS, "dose.npy"].map(|name| folder.join(name));
+    let mut arrays = arrays.iter().filter(|file| file.exists());
+    let is_whole = |()| arrays.try_for_each(|file| must_be_whole(file));
+    report(&folder).map(drop).and_then(is_whole).err()
 }
 
 fn ids(plan: &SweepPlan, runs: &[usize]) -> Vec<String> {

@@ -34,11 +34,7 @@ pub(crate) fn write(plan: &SweepPlan, table: &Table<'_>, folder: &Path) -> Resul
 }
 
 fn file_name(metric: &str) -> String {
-    let kept = |c: char| match c.is_alphanumeric() || "._-".contains(c) {
-        true => c,
-        false => '-',
-    };
-    format!("{}.svg", metric.chars().map(kept).collect::<String>())
+    format!("{}.svg", tomolith::text::file_name(metric, '-'))
 }
 
 /// Removes the pictures of metrics that the table of an earlier call had and this sweep does not collect.

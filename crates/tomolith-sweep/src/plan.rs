@@ -129,8 +129,9 @@ impl Sweep {
     /// Notes in the folder of the results whose they are.
     ///
     /// # Errors
-    /// [`Error::Config`] where they are another sweep's; [`Error::Io`].
+    /// [`Error::Config`] where they are another sweep's, or the folder holds something else; [`Error::Io`].
     pub(crate) fn own(&self, folder: &Path) -> Result<()> {
+        must_be_made_for_results("folder", folder, OWNER).map_err(|e| self.document.locate(e))?;
         if let Some(other) = self.other_owner(folder) {
             let (folder, other) = (folder.display(), other.display());
             let found = format!("`{folder}` holds the sweep of `{other}`");
@@ -139,6 +140,7 @@ impl Sweep {
                 .document
                 .locate(Error::config("folder", found, accepted)));
         }
+        std::fs::create_dir_all(folder).map_err(|e| Error::io(folder, e))?;
         let file = &self.document.file;
         let file = std::path::absolute(file).unwrap_or_else(|_| file.clone());
         let text = serde_json::json!({ "sweep": file }).to_string();
@@ -525,6 +527,21 @@ const STARTS: u64 = 3 << 62;
 
 /// Says whose results a folder holds.
 const OWNER: &str = "sweep.json";
+
+/// Refuses a folder that holds something, and neither the file that says whose results it holds nor runs alone.
+pub(crate) fn must_be_made_for_results(key: &str, folder: &Path, owner: &str) -> Result<()> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut names: Vec<_> = entries.map(|entry| entry.file_name()).collect();
+    names.sort();
+    match names.iter().find(|name| **name != RUNS) {
+        Some(other) if !names.iter().any(|name| *name == owner) => {
+            let (folder, other) = (folder.display(), other.to_string_lossy());
+            let found = format!("`{folder}` holds files that are no results, such as `{other}`");
+            Err(Error::config(key, found, "a new folder, or an empty one"))
+        }
+        _ => Ok(()),
+    }
+}
 
 /// Folder of the runs in the sweep's.
 pub(crate) const RUNS: &str = "runs";

@@ -8,7 +8,7 @@ use crate::commands::filled_in;
 use crate::engine::{self, Watch};
 use crate::expression::{Condition, Expression};
 use crate::metric;
-use crate::plan::{SweepPlan, duration};
+use crate::plan::{SweepPlan, duration, must_be_made_for_results};
 use crate::study::{ColumnSpec, RowSpec, RunSpec, Study, Take};
 use crate::table::{State, Table, field};
 use serde::Serialize;
@@ -273,6 +273,11 @@ pub fn reproduce(
 ) -> Result<Reproduction> {
     let mut results = plans(study, output, threads, host, cancel)?;
     host.begins(&costs(study, &results, cancel)?);
+    std::fs::create_dir_all(output).map_err(|e| Error::io(output, e))?;
+    let owner = serde_json::json!({ "study": study.folder }).to_string();
+    write_whole(&output.join(OWNER), |out| {
+        Ok(out.write_all(owner.as_bytes())?)
+    })?;
     let mut figures = Vec::new();
     for (name, plan) in &results {
         if let RunResult::Sweep(plan) = plan {
@@ -349,6 +354,7 @@ fn plans(
     study.must_have_axes(&planned(&results))?;
     study.must_have_runs(&planned(&results))?;
     study.must_spare_its_files(output, &planned(&results))?;
+    must_be_made_for_results("--output", output, OWNER)?;
     Ok(results)
 }
 
@@ -396,6 +402,9 @@ fn costs(
     };
     results.iter().map(cost).collect()
 }
+
+/// Says of which study a folder holds the results.
+const OWNER: &str = "study.json";
 
 /// In a folder that a command wrote: its words.
 const COMMAND: &str = "command.json";

@@ -17,8 +17,9 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use tomolith::io::whole::Refused;
-use tomolith::io::write_whole;
+use tomolith::io::{read_regular, write_whole};
 use tomolith::job::RunFolder;
+use tomolith::report::SCHEMA;
 use tomolith::{Error, Result};
 
 /// What became of a run.
@@ -202,15 +203,21 @@ pub(crate) fn failure(plan: &SweepPlan, i: usize) -> PathBuf {
 /// The report of a run.
 ///
 /// # Errors
-/// [`Error::Io`]; [`Error::Format`] for one that is no JSON.
+/// [`Error::Io`]; [`Error::Format`] for one that is none.
 pub(crate) fn report(folder: &Path) -> Result<Value> {
     let path = folder.join("report.json");
-    let bytes = std::fs::read(&path).map_err(|e| Error::io(&path, e))?;
-    serde_json::from_slice(&bytes).map_err(|e| Error::Format {
-        path,
-        found: e.to_string(),
+    let bytes = read_regular(&path)?;
+    let refused = |found: String| Error::Format {
+        path: path.clone(),
+        found,
         accepted: "the report of a run".to_owned(),
-    })
+    };
+    let report: Value = serde_json::from_slice(&bytes).map_err(|e| refused(e.to_string()))?;
+    match report["schema"].as_str() {
+        Some(SCHEMA) => Ok(report),
+        Some(other) => Err(refused(format!("a report of the schema {other}"))),
+        None => Err(refused("no report".to_owned())),
+    }
 }
 
 /// What a run's folder holds.
@@ -248,12 +255,19 @@ fn csv(columns: &[(String, Column)]) -> String {
     text
 }
 
-/// A field of RFC 4180.
+/// A field of RFC 4180. A text that spreadsheets would take for a formula begins with an apostrophe.
 pub(crate) fn field(text: &str) -> String {
+    let is_formula =
+        text.starts_with(['=', '+', '-', '@', '\t', '\r']) && text.parse::<f64>().is_err();
+    let text = if is_formula {
+        format!("'{text}")
+    } else {
+        text.to_owned()
+    };
     if text.contains([',', '"', '\n', '\r']) {
         format!("\"{}\"", text.replace('"', "\"\""))
     } else {
-        text.to_owned()
+        text
     }
 }
 
@@ -353,6 +367,16 @@ mod tests {
     use super::*;
     use parquet::file::reader::{FileReader, SerializedFileReader};
     use parquet::record::RowAccessor;
+
+    #[test]
+    fn no_field_is_a_formula() {
+        assert_eq!(field("=1+1"), "'=1+1");
+        assert_eq!(field("@SUM(1,2)"), "\"'@SUM(1,2)\"");
+        assert_eq!(
+            ["-1.5e-3", "+2", "a-b", ""].map(field),
+            ["-1.5e-3", "+2", "a-b", ""]
+        );
+    }
 
     #[test]
     fn both_tables_hold_the_same() {

@@ -119,6 +119,70 @@ fn comparable(text: &str) -> Value {
 }
 
 #[test]
+fn files_of_others_are_not_replaced() {
+    let bench = Bench::new(SWEEP);
+    fs::create_dir(bench.path("mine")).unwrap();
+    fs::write(bench.path("mine/best.toml"), "mine").unwrap();
+    let plan = bench.plan("mine");
+    let begun = run(&plan, None, &mut Told::default(), &Run::new());
+    let text = begun.map(drop).unwrap_err().to_string();
+    assert!(
+        text.contains("holds files that are no results, such as `best.toml`"),
+        "{text}"
+    );
+    assert_eq!(fs::read(bench.path("mine/best.toml")).unwrap(), b"mine");
+}
+
+#[test]
+fn damaged_runs_are_done_again_and_told() {
+    let sweep = format!("keep = \"patterns\"\n{SWEEP}");
+    let bench = Bench::new(&sweep);
+    bench.whole("out", 2);
+    let (table, reports) = (bench.table("out"), bench.reports("out"));
+    let mut folders = reports.keys();
+    let (first, second) = (folders.next().unwrap(), folders.next().unwrap());
+    fs::write(first.join("report.json"), "{}").unwrap();
+    let patterns = second.join("patterns.npz");
+    let whole = fs::read(&patterns).unwrap();
+    fs::write(&patterns, &whole[..whole.len() / 2]).unwrap();
+    let outcome = bench.whole("out", 2);
+    assert_eq!(
+        (outcome.done, outcome.warnings.len()),
+        (6, 2),
+        "{:?}",
+        outcome.warnings
+    );
+    for part in ["report.json: no report", "patterns.npz: truncated"] {
+        let told = outcome.warnings.iter().filter(|text| text.contains(part));
+        assert_eq!(told.count(), 1, "{part}: {:?}", outcome.warnings);
+    }
+    assert_eq!(bench.table("out"), table);
+    assert_eq!(fs::read(&patterns).unwrap(), whole);
+    assert!(bench.whole("out", 2).warnings.is_empty());
+}
+
+#[test]
+fn a_name_of_a_case_stays_a_comment_in_the_best_job() {
+    let bench = Bench::new(
+        r#"
+job = "job.toml"
+metrics = ["evaluation.pw"]
+[[axes]]
+name = "m"
+cases = [{ name = "=x\n[motion]\ntilt_deg = 7.0 #", set = { "stop.iterations" = 3 } }]
+"#,
+    );
+    bench.whole("out", 1);
+    let best = fs::read_to_string(bench.path("out/best.toml")).unwrap();
+    let first = "# The best of 1 run: run 1 (m = =x\\n[motion]\\ntilt_deg = 7.0 #).\n";
+    assert!(best.starts_with(first), "{best}");
+    let job = job::Document::toml("best.toml", best).unwrap().root;
+    assert_eq!(job["stop"]["iterations"], 3);
+    assert_ne!(job["motion"]["tilt_deg"], 7.0);
+    assert!(bench.table("out").contains("\"'=x\n[motion]"));
+}
+
+#[test]
 fn side_by_side_gives_the_bits_of_one_after_the_other_and_of_a_single_run() {
     let bench = Bench::new(SWEEP);
     let outcome = bench.whole("two", 2);

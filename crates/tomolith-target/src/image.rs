@@ -26,6 +26,8 @@ pub struct GrayImage {
     /// Edge of a pixel, mm.
     pixel: f64,
     height: f64,
+    /// How its files were read.
+    note: Option<String>,
 }
 
 impl GrayImage {
@@ -94,6 +96,7 @@ impl GrayImage {
             low,
             pixel,
             height,
+            note: None,
         })
     }
 
@@ -101,6 +104,13 @@ impl GrayImage {
     #[must_use]
     pub fn as_gray(mut self, is_gray: bool) -> Self {
         self.is_gray = is_gray;
+        self
+    }
+
+    /// With what people should know of how its files were read.
+    #[must_use]
+    pub(crate) fn noting(mut self, note: Option<String>) -> Self {
+        self.note = note;
         self
     }
 
@@ -237,6 +247,10 @@ impl Shape for GrayImage {
 
     fn is_gray(&self) -> bool {
         self.is_gray
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        self.note.iter().cloned().collect()
     }
 }
 

@@ -16,7 +16,8 @@ use tomolith_core::parallel::{InParallel, table};
 use tomolith_core::run::Run;
 use tomolith_core::target::Target;
 use tomolith_core::units::Mm;
-use tomolith_io::image::{GrayPixels, read_gray, read_stack};
+use tomolith_io::image::GrayPixels;
+use tomolith_io::slices::{Slices, read_image, read_stack};
 
 /// What should be printed: exactly one of `mesh`, `phantom`, `image`, `stack` and `body`, and how it is placed.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
@@ -36,7 +37,7 @@ pub struct TargetSpec {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub image: Option<PathBuf>,
     /// Gray slices, relative to the job, the first one at the bottom: a folder of .png or .tif files, a pattern such as
-    /// "slices/*.png", or a .tif of several pages
+    /// "slices/*.png", a .tif of several pages; or voxels `[z, y, x]` from bottom, front and left: .npy, .npz ("results.npz:mask")
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stack: Option<PathBuf>,
     /// Several bodies with roles, `[[target.body]]`; those without a file of their own share `mesh`
@@ -219,13 +220,13 @@ pub fn build_under(
                 )
                 .under(section_path));
             }
-            let slices = vec![read_gray(base_folder.join(file))?];
+            let slices = read_image(&base_folder.join(file))?;
             gray(spec, slices, true, &placement, section_path)
         }
         Source::Stack(file) => {
-            let slices = read_stack(base_folder.join(file))?;
+            let slices = read_stack(&base_folder.join(file))?;
             let shades = |slice: &GrayPixels| slice.values.iter().any(|v| *v > 0.0 && *v < 1.0);
-            let shaded = slices.iter().par_map(shades).contains(&true);
+            let shaded = slices.slices.iter().par_map(shades).contains(&true);
             gray(spec, slices, shaded, &placement, section_path)
         }
     }
@@ -233,15 +234,17 @@ pub fn build_under(
 
 fn gray(
     spec: &TargetSpec,
-    slices: Vec<GrayPixels>,
+    slices: Slices,
     is_gray: bool,
     placement: &Placement,
     section_path: &str,
 ) -> Result<Box<dyn Shape>> {
     let [size, height] = [spec.size_mm, spec.height_mm].map(|mm| mm.map(|mm| mm.0));
-    let shape =
-        GrayImage::new(slices, size, height, placement).map_err(|e| e.under(section_path))?;
-    Ok(Box::new(shape.as_gray(spec.gray.unwrap_or(is_gray))))
+    let shape = GrayImage::new(slices.slices, size, height, placement)
+        .map_err(|e| e.under(section_path))?
+        .as_gray(spec.gray.unwrap_or(is_gray))
+        .noting(slices.note);
+    Ok(Box::new(shape))
 }
 
 /// Where a target comes from.

@@ -15,7 +15,8 @@
 pub mod job;
 
 pub use tomolith_core::{
-    Error, Place, Result, dose, error, field, grid, kind, parallel, ranks, response, run, units,
+    Error, Place, Result, dose, error, field, grid, kind, parallel, ranks, response, run, text,
+    units,
 };
 pub use tomolith_io as io;
 pub use tomolith_metrics as metrics;

@@ -271,6 +271,7 @@ fn a_mesh_in_another_unit_is_asked_for_it() {
             "is its file in meters? give --mesh-unit \"m\"",
         ],
     );
+    let line = line.replace("v.npy", "w.npy");
     let found = bench.json(&format!("{line} --mesh-unit m"));
     assert_eq!(found["part_voxels"], 20 * 20 * 10);
     bench.write("image.png", b"");
@@ -280,7 +281,7 @@ fn a_mesh_in_another_unit_is_asked_for_it() {
         &["target.mesh: ", "is an image", "`target.image`"],
     );
     bench.write("text.stl", b"Dear colleague,\nthe part is attached.\n");
-    let text = bench.expect(2, "voxelize text.stl --pitch-mm 0.1 --output v.npy");
+    let text = bench.expect(2, "voxelize text.stl --pitch-mm 0.1 --output x.npy");
     contains(
         &text,
         &[
@@ -313,6 +314,17 @@ fn a_repaired_mesh_can_be_saved() {
         "voxelize open.obj --pitch-mm 0.1 --output v.npy --save-mesh fixed.obj",
     );
     contains(&text, &["--save-mesh", ".stl"]);
+    // Neither the mesh nor what somebody has is replaced
+    let before = fs::read(bench.path("fixed.stl")).unwrap();
+    for line in [
+        "voxelize fixed.stl --pitch-mm 0.1 --output y.npy --save-mesh fixed.stl",
+        "voxelize fixed.stl --pitch-mm 0.1 --output open.obj --save-mesh z.stl",
+        "voxelize fixed.stl --pitch-mm 0.1 --output v.npy",
+    ] {
+        bench.expect(2, line);
+    }
+    assert_eq!(fs::read(bench.path("fixed.stl")).unwrap(), before);
+    assert!(!bench.path("y.npy").exists());
 }
 
 #[test]
@@ -333,8 +345,107 @@ fn a_grid_that_cuts_the_part_is_refused_or_says_what_is_lost() {
         &bench.expect(0, &clip),
         &["the grid cuts the part: 25 % of its volume is lost"],
     );
-    let lost = bench.json(&clip)["lost_share"].as_f64().unwrap();
+    let lost = bench.json(&clip.replace("v.npy", "w.npy"))["lost_share"]
+        .as_f64()
+        .unwrap();
     assert!((lost - 0.25).abs() < 1e-5, "{lost}");
-    let whole = bench.json("voxelize box.obj --pitch-mm 0.1 --shape 20 20 20 --output v.npy");
+    let whole = bench.json("voxelize box.obj --pitch-mm 0.1 --shape 20 20 20 --output x.npy");
     assert_eq!(whole["lost_share"], Value::Null);
+}
+
+/// Frames as other programs number and leave them: `1.png` to `12.png`, and what macOS leaves beside them.
+#[test]
+fn frames_are_shown_in_the_order_of_their_numbers() {
+    let bench = Bench::new();
+    bench.expect(
+        0,
+        "run job.toml --quiet --output a --set output.movie=lossless",
+    );
+    fs::create_dir(bench.path("plain")).unwrap();
+    let frames = bench.path("a/frames");
+    for frame in 0..24 {
+        let from = frames.join(format!("frame_{frame:04}.png"));
+        fs::copy(from, bench.path(&format!("plain/{}.png", frame + 1))).unwrap();
+    }
+    bench.write("plain/._1.png", b"left by a system");
+    let dose = |patterns: &str, folder: &str| {
+        let line = format!("simulate job.toml --patterns {patterns} --quiet --output {folder}");
+        bench.expect(0, &line);
+        read_volume(&bench.path(folder).join("dose.npy")).unwrap()
+    };
+    assert_eq!(dose("plain", "b"), dose("a/frames", "c"));
+    fs::remove_file(bench.path("plain/7.png")).unwrap();
+    let text = bench.expect(2, "simulate job.toml --patterns plain --output d");
+    contains(&text, &["`6.png`, then `8.png`: a number is missing"]);
+}
+
+/// A voxel array as the target of a job, and dose and target with a last axis of one.
+#[test]
+fn arrays_of_other_programs_are_targets_and_doses() {
+    let bench = Bench::new();
+    let voxels = (0..10 * 12 * 20).map(|i| u8::from(i < 4 * 240 || i % 20 < 8));
+    let voxels: Vec<u8> = voxels.collect();
+    bench.write("mask.npy", &npy("|u1", "10, 12, 20", &voxels));
+    bench.write("mask4.npy", &npy("|b1", "10, 12, 20, 1", &voxels));
+    let job = "--set target={stack=\"mask.npy\",size_mm=2,height_mm=1} --set grid={pitch_mm=0.1}";
+    let found = bench.expect(0, &format!("check job.toml {job}"));
+    contains(
+        &found,
+        &["the largest value in it is 1 of 255: it is read as a mask"],
+    );
+    let found = bench.expect(
+        0,
+        &format!("check job.toml {}", job.replace("mask", "mask4")),
+    );
+    assert!(!found.contains("read as a mask"), "{found}");
+    let numbers = |name: &str| bench.stdout(0, &format!("metrics {name} {name}"));
+    assert_eq!(
+        numbers("mask.npy"),
+        numbers("mask4.npy").replace("mask4", "mask")
+    );
+}
+
+#[test]
+#[cfg(unix)]
+fn what_is_no_regular_file_is_refused_at_once() {
+    let bench = Bench::new();
+    let fifo = Command::new("mkfifo").arg(bench.path("f.png")).status();
+    assert!(fifo.unwrap().success());
+    for line in [
+        "check f.png",
+        "check /dev/zero",
+        "check job.toml --set target={stack=\"f.png\"}",
+        "simulate job.toml --patterns f.png --output a",
+        "simulate job.toml --patterns /dev/zero --output a",
+        "metrics f.png f.png",
+        "import f.png --output x.toml",
+    ] {
+        contains(&bench.expect(2, line), &["a device, a FIFO or a socket"]);
+    }
+    bench.write("long.toml", "a".repeat(9_000_000).as_bytes());
+    let text = bench.expect(2, "check long.toml");
+    contains(
+        &text,
+        &["a file of 9.0 MB; accepted: a file of 8 MB at most"],
+    );
+}
+
+/// Names of parts end up in names of files and on terminals.
+#[test]
+fn a_name_of_a_part_steers_no_terminal_and_is_never_too_long() {
+    let bench = Bench::new();
+    let job = fs::read_to_string(bench.path("job.toml")).unwrap();
+    let name = format!("\\u001b[31m{}", "ü".repeat(124));
+    let job = job.replacen("[target]", &format!("[target]\nname = \"{name}\""), 1);
+    bench.write("named.toml", job.as_bytes());
+    let said = bench.expect(0, "run named.toml --output a");
+    assert!(
+        said.contains("\\u{1b}[31m") && !said.contains('\u{1b}'),
+        "{said}"
+    );
+    let entries = fs::read_dir(bench.path("a")).unwrap();
+    let names = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let movies: Vec<String> = names.filter(|name| name.ends_with(".mp4")).collect();
+    let cut = "ü".repeat(57);
+    assert!(movies.len() == 1 && movies[0].contains(&cut), "{movies:?}");
 }

@@ -12,6 +12,7 @@
 //! ```
 
 use crate::error::{Error, Result};
+use crate::files::read_text;
 use crate::units::{counted, exact};
 use std::path::Path;
 
@@ -127,7 +128,7 @@ impl Curve {
     /// # Errors
     /// [`Error::Io`], and [`Error::Format`] naming the line.
     pub fn read(path: &Path) -> Result<Self> {
-        let text = std::fs::read_to_string(path).map_err(|e| Error::io(path, e))?;
+        let text = read_text(path)?;
         Curve::parse(&text).map_err(|e| match e {
             Error::Config {
                 key,

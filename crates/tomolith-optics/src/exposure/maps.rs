@@ -2,6 +2,7 @@
 
 use std::path::Path;
 use tomolith_core::error::{Error, Result};
+use tomolith_core::files::read_text;
 use tomolith_io::image::read_gray;
 use tomolith_io::npy::read_matrix;
 
@@ -44,7 +45,7 @@ pub fn read_map(path: &Path, size: [usize; 2], as_what: &str) -> Result<Vec<f32>
 
 /// Two columns of numbers, parted by commas, semicolons, blanks or tabs; empty lines and lines with # are skipped.
 pub(crate) fn read_table(path: &Path) -> Result<Vec<[f64; 2]>> {
-    let text = std::fs::read_to_string(path).map_err(|e| Error::io(path, e))?;
+    let text = read_text(path)?;
     let mut points = Vec::new();
     for (i, line) in text.lines().enumerate() {
         let line = line.trim();

@@ -11,12 +11,13 @@
 //! use tomolith_optics::exposure::{frame_rate, movie_name};
 //! // 300 frames a turn at 12 turns a minute: 6·12/1.2 = 60 frames a second
 //! assert!((frame_rate(12.0, 300, std::f64::consts::TAU).unwrap() - 60.0).abs() < 1e-12);
-//! assert_eq!(movie_name("gear", 12.0, "mp4"), "gear_12rpm.mp4");
-//! assert_eq!(movie_name("a/b gear", 4.5, "mov"), "a_b_gear_4.5rpm.mov");
+//! assert_eq!(movie_name("gear", None, 12.0, "mp4"), "gear_12rpm.mp4");
+//! assert_eq!(movie_name("a/b gear", Some("uv"), 4.5, "mov"), "a_b_gear_uv_4.5rpm.mov");
 //! ```
 
 use std::f64::consts::TAU;
 use tomolith_core::error::{Error, Result};
+use tomolith_core::text::file_name;
 use tomolith_core::units::{concise, exact};
 
 /// Frames a second, when `frames` frames fill an `arc` (rad) of the vial's turn at `rpm` turns a minute.
@@ -105,22 +106,15 @@ pub fn shown_rate(rpm: f64, frames: usize, arc: f64, refresh_hz: f64) -> Result<
     Ok(rate)
 }
 
-/// `<part>_<rpm>rpm.<ending>`; what is no letter, digit, `-`, `_` or `.` in the part's name becomes `_`.
+/// `<part>_<light>_<rpm>rpm.<ending>`, without a light where there is only one; what is no letter, digit, `-`, `_` or `.` in the
+/// part's name becomes `_`, and a long one is cut.
 #[must_use]
-pub fn movie_name(part: &str, rpm: f64, ending: &str) -> String {
-    let part: String = part
-        .chars()
-        .map(|c| {
-            if c.is_alphanumeric() || "-_.".contains(c) {
-                c
-            } else {
-                '_'
-            }
-        })
-        .collect();
+pub fn movie_name(part: &str, light: Option<&str>, rpm: f64, ending: &str) -> String {
+    let part = file_name(part, '_');
     let part = part.trim_matches(|c| c == '.' || c == '_');
     let part = if part.is_empty() { "part" } else { part };
-    format!("{part}_{rpm}rpm.{ending}")
+    let light = light.map_or_else(String::new, |light| format!("_{light}"));
+    format!("{part}{light}_{rpm}rpm.{ending}")
 }
 
 #[cfg(test)]
@@ -167,7 +161,7 @@ mod tests {
                 Err(Error::Config { .. })
             ));
         }
-        assert_eq!(movie_name("../..", 1.0, "mp4"), "part_1rpm.mp4");
-        assert_eq!(movie_name("größe", 1.0, "mp4"), "größe_1rpm.mp4");
+        assert_eq!(movie_name("../..", None, 1.0, "mp4"), "part_1rpm.mp4");
+        assert_eq!(movie_name("größe", None, 1.0, "mp4"), "größe_1rpm.mp4");
     }
 }

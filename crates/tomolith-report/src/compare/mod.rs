@@ -17,12 +17,12 @@ pub use run::ComparedRun;
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
-use std::io::Write as _;
+use std::io::{Read as _, Write as _};
 use std::path::Path;
 use tables::{differing, keys, numbers, warnings};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::Volume;
-use tomolith_io::write_whole;
+use tomolith_io::{open_regular, write_whole};
 
 /// Runs on one page, at most: lines of more cannot be told apart.
 const MOST: usize = 12;
@@ -84,11 +84,23 @@ pub fn write_compare(path: &Path, runs: &[ComparedRun]) -> Result<()> {
     write_whole(path, |file| Ok(file.write_all(page.as_bytes())?))
 }
 
+/// Whether a file is a page of [`write_compare`].
+#[must_use]
+pub fn is_comparison(path: &Path) -> bool {
+    let mut start = Vec::new();
+    let read = open_regular(path).map(|file| file.take(START as u64).read_to_end(&mut start));
+    read.is_ok() && String::from_utf8_lossy(&start).contains(MARK)
+}
+
+/// In the title of every page, and within how many bytes.
+const MARK: &str = " · Tomolith</title>";
+const START: usize = 200;
+
 /// The page.
 #[must_use]
 pub fn compare_html(runs: &[ComparedRun]) -> String {
     let mut page = format!(
-        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{} runs · Tomolith</title>\
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{} runs{MARK}\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><style>{}{}</style></head><body>",
         runs.len(),
         include_str!("../style.css"),

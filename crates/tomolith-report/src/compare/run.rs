@@ -6,6 +6,7 @@ use std::path::Path;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Volume, VolumeGrid};
 use tomolith_io::npy::read_volume;
+use tomolith_io::read_text;
 
 /// What a folder must hold.
 const ACCEPTED: &str = "the folder of a run of Tomolith, with report.json";
@@ -40,18 +41,18 @@ impl ComparedRun {
         if let Some(found) = is_no_run(folder) {
             return Err(refused(folder, found.to_owned()));
         }
-        let text = std::fs::read_to_string(&path).map_err(|e| Error::io(&path, e))?;
+        let text = read_text(&path)?;
         let bad = |found: String| refused(&path, found);
         let report: Value = serde_json::from_str(&text).map_err(|e| bad(e.to_string()))?;
-        if report["schema"] != "tomolith.report/1" {
+        if report["schema"] != crate::SCHEMA {
             return Err(bad(format!("schema {}", report["schema"])));
         }
-        let job = std::fs::read_to_string(folder.join("job.toml")).unwrap_or_default();
+        let job = read_text(folder.join("job.toml")).unwrap_or_default();
         let job: Value = toml::from_str(&job).unwrap_or_default();
         let mut flat = BTreeMap::new();
         flatten("", &job, &mut flat);
         flat.remove("output.folder");
-        let history = std::fs::read_to_string(folder.join("history.csv")).unwrap_or_default();
+        let history = read_text(folder.join("history.csv")).unwrap_or_default();
         let name = folder.file_name().map_or_else(
             || folder.display().to_string(),
             |name| name.to_string_lossy().into_owned(),

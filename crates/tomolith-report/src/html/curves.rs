@@ -2,7 +2,7 @@
 
 use super::super::ReportData;
 use super::super::maps::histograms::joined;
-use super::super::number::significant;
+use super::super::number::{escape, significant};
 use super::super::plot::{Axis, Plot};
 use tomolith_core::field::BLOCK;
 use tomolith_core::grid::Volume;
@@ -209,7 +209,8 @@ pub(super) fn history(rows: &[HistoryRow]) -> String {
     .filter(|(_, _, points)| points.len() > 1)
     .map(|(title, label, points)| {
         format!(
-            "<section><h2>{title}</h2>{}</section>",
+            "<section><h2>{}</h2>{}</section>",
+            escape(&title),
             history_plot(&title, label, &points)
         )
     })

@@ -17,7 +17,6 @@
 
 use super::placed;
 use super::sheet::{Frame, LabelMargins, Sheet, Ticks, add};
-use crate::number::escape;
 use crate::plot::Axis;
 
 /// Bins of a panel, at most.
@@ -149,7 +148,7 @@ fn marks(panels: &[HistogramPanel]) -> Vec<Option<String>> {
     let series = longest.into_iter().flat_map(|panel| &panel.series);
     let named = series.zip(SERIES.iter().cycle());
     let mut marks: Vec<_> = named
-        .map(|((name, _), (_, color))| Some(format!("{color}: {}", escape(name))))
+        .map(|((name, _), (_, color))| Some(format!("{color}: {name}")))
         .collect();
     let has_band = panels.iter().any(|panel| panel.band.is_some());
     marks.push(has_band.then_some("shaded: what is asked for".to_owned()));

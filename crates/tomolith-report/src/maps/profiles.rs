@@ -13,7 +13,6 @@
 use super::histograms::SERIES;
 use super::placed;
 use super::sheet::{Frame, LabelMargins, Sheet, Ticks, add};
-use crate::number::escape;
 use crate::plot::Axis;
 
 /// Height of a panel, of its width.
@@ -56,7 +55,7 @@ pub fn profiles(title: &str, names: [&str; 2], panels: &[ProfilePanel], caption:
     let series = longest.into_iter().flat_map(|panel| &panel.series);
     let marks: Vec<_> = series
         .zip(SERIES.iter().cycle())
-        .map(|((name, _), (_, color))| Some(format!("{color}: {}", escape(name))))
+        .map(|((name, _), (_, color))| Some(format!("{color}: {name}")))
         .collect();
     sheet.marks(&marks);
     sheet.svg(title)

@@ -290,8 +290,9 @@ impl Sheet {
         add(
             &mut self.body,
             format_args!(
-                "<text class=\"small muted\" x=\"16\" y=\"{:.1}\">{text}</text>",
-                height - 12.0
+                "<text class=\"small muted\" x=\"16\" y=\"{:.1}\">{}</text>",
+                height - 12.0,
+                escape(&text)
             ),
         );
     }

@@ -16,7 +16,7 @@ use crate::io::movie::{check_lossless, is_movie, read_movie, write_lossless};
 use crate::io::mp4::{check_movie, write_movie};
 use crate::io::npy::read_patterns;
 use crate::io::stack::{read_stack, write_stack};
-use crate::io::write_whole;
+use crate::io::{read_text, write_whole};
 use crate::models::Run;
 use crate::optics::light::Light;
 use crate::report::{Irradiance, MovieReport};
@@ -364,7 +364,7 @@ fn frames_of(
 
 /// White of a movie, from the file beside it that names it.
 fn white_beside(path: &Path) -> Option<f32> {
-    let text = std::fs::read_to_string(path.with_file_name(EXPOSURE)).ok()?;
+    let text = read_text(path.with_file_name(EXPOSURE)).ok()?;
     let exposure: Value = serde_json::from_str(&text).ok()?;
     let name = path.file_name()?.to_str()?;
     let light = exposure["lights"]
@@ -522,10 +522,7 @@ impl<'a> Shown<'a> {
         if arc == 0.0 {
             return Ok(None);
         }
-        let part = set
-            .light
-            .map_or_else(|| part.to_owned(), |light| format!("{part}_{light}"));
-        let file = movie_name(&part, rpm, ending);
+        let file = movie_name(part, set.light, rpm, ending);
         let path = folder.join(&file);
         let rate = frame_rate(rpm, set.grid.frames(), arc)?;
         let check = if coding == MovieCoding::H264 {

@@ -19,6 +19,7 @@ use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use tomolith_core::files::read_at_most;
 
 use json_places::JsonPlaces;
 pub(super) use key_path::{at, parent};
@@ -30,6 +31,9 @@ mod key_path;
 
 /// Deepest nesting of an override's key; far more than any job has.
 const DEEPEST: usize = 32;
+
+/// Largest file that is read as a job.
+const MOST_MB: u64 = 8;
 
 /// A job's text, its values, and where they stand.
 #[derive(Clone, Debug)]
@@ -67,7 +71,7 @@ impl Document {
                 accepted,
             });
         }
-        let bytes = std::fs::read(file).map_err(|e| Error::io(file, e))?;
+        let bytes = read_at_most(file, MOST_MB)?;
         Self::from_bytes(file, bytes)
     }
 

@@ -12,8 +12,8 @@ use super::scene::Scene;
 use super::stages::stage;
 use crate::error::{Error, Result};
 use crate::exposure::{Budget, Calibration, PrinterSpec, Quantized, quantize};
-use crate::io::frames::{FrameSet, write_frames};
-use crate::io::write_folder_whole;
+use crate::io::frames::{FrameSet, write_picture};
+use crate::io::{must_be_free, read_text, write_folder_whole};
 use crate::kind::Section;
 use crate::models::{DoseModel, Family, Run, matrix, planner};
 use crate::units::counted;
@@ -137,7 +137,7 @@ pub fn export(
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Exported> {
-    must_be_free(folder)?;
+    must_be_free("--output", folder)?;
     let spec = &job.spec;
     let optics = Optics::new(spec, &job.base()).map_err(|e| job.locate(e))?;
     let printers =
@@ -220,7 +220,7 @@ fn rounded_anew(run: &Path, bits: u32) -> Option<String> {
 
 /// The dose at which the run's print is solid, from its report; says where nothing of it ever is.
 fn gel_dose(job: &Job, run: &Path, progress: &mut dyn Progress) -> Result<Option<f64>> {
-    let text = std::fs::read_to_string(run.join("report.json")).unwrap_or_default();
+    let text = read_text(run.join("report.json")).unwrap_or_default();
     let report: Value = serde_json::from_str(&text).unwrap_or_default();
     if report
         .pointer("/evaluation/part/max")
@@ -319,7 +319,7 @@ pub fn calibrate(job: &Job, names: &[&str], folder: &Path) -> Result<Vec<PathBuf
     let printer = job.spec.printer.clone().unwrap_or_default();
     let several = device::names(&job.spec);
     let mut written = Vec::new();
-    must_be_free(folder)?;
+    must_be_free("--output", folder)?;
     for (light, name) in optics.lights.iter().zip(several) {
         let calibration = Calibration::new(&printer, &light.pixels, job.spec.evaluate.bit_depth)
             .map_err(|e| job.locate(e))?;
@@ -338,17 +338,12 @@ pub fn draw(calibration: &Calibration, names: &[&str], folder: &Path) -> Result<
         .iter()
         .map(|name| calibration.draw(name))
         .collect::<Result<Vec<_>>>()?;
-    must_be_free(folder)?;
+    must_be_free("--output", folder)?;
     make_parent(folder)?;
     write_folder_whole(folder, |aside| {
         for (name, frame) in names.iter().zip(&drawn) {
-            let place = aside.join(format!("{name}.folder"));
-            write_frames(&place, &[frame.frames(None)], &Run::new())?;
-            std::fs::rename(
-                place.join("frame_0000.png"),
-                aside.join(format!("{name}.png")),
-            )?;
-            std::fs::remove_dir(&place)?;
+            let file = aside.join(format!("{name}.png"));
+            write_picture(&file, &frame.frames(None))?;
         }
         Ok(())
     })?;
@@ -361,20 +356,4 @@ pub fn draw(calibration: &Calibration, names: &[&str], folder: &Path) -> Result<
 fn make_parent(folder: &Path) -> Result<()> {
     let parent = folder.parent().unwrap_or(Path::new(""));
     std::fs::create_dir_all(parent).map_err(|e| unusable("--output", parent, "cannot be made", e))
-}
-
-/// Refuses a folder that holds anything.
-fn must_be_free(folder: &Path) -> Result<()> {
-    let taken = match std::fs::read_dir(folder) {
-        Ok(mut entries) => entries.next().is_some(),
-        Err(_) => folder.exists(),
-    };
-    if taken {
-        return Err(Error::config(
-            "--output",
-            format!("`{}` is not empty", folder.display()),
-            "a folder that does not exist yet, or an empty one",
-        ));
-    }
-    Ok(())
 }

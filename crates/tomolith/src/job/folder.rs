@@ -7,6 +7,8 @@
 //! checkpoint, which `--resume` goes on from, with the job that it belongs to.
 
 use crate::error::{Error, Result};
+use crate::io::read_text;
+use crate::text::one_line;
 use serde_json::Value;
 use std::fs;
 use std::os::unix::fs::MetadataExt;
@@ -19,7 +21,8 @@ const MARK: &str = "# A Tomolith run folder; this is its job with every default 
 /// Published last: they say that the rest is complete.
 const LAST: [&str; 2] = ["report.json", JOB];
 /// What only an optimization leaves.
-const RUN: [&str; 2] = ["history.csv", "checkpoint"];
+const RUN: [&str; 2] = ["history.csv", CHECKPOINT];
+const CHECKPOINT: &str = "checkpoint";
 const JOB: &str = "job.toml";
 const NEW: &str = ".new";
 const OLD: &str = ".old-";
@@ -77,8 +80,14 @@ fn locked(path: &Path) -> Result<fs::File> {
     let file = path.join(LOCK);
     let not_lockable = |e| unusable(KEY, path, "holds a `.lock` that cannot be locked", e);
     loop {
-        let lock =
-            fs::File::create(&file).map_err(|e| unusable(KEY, path, "cannot be written to", e))?;
+        must_be_no_link(path)?;
+        // Nothing is cut off, should a link come between
+        let opened = fs::OpenOptions::new()
+            .write(true)
+            .create(true)
+            .truncate(false)
+            .open(&file);
+        let lock = opened.map_err(|e| unusable(KEY, path, "cannot be written to", e))?;
         match lock.try_lock() {
             Ok(()) => {}
             Err(fs::TryLockError::WouldBlock) => {
@@ -93,9 +102,22 @@ fn locked(path: &Path) -> Result<fs::File> {
         // One that ended meanwhile took its file with it: what is locked is no longer there
         let is_same =
             |now: fs::Metadata| (now.dev(), now.ino()) == (of_handle.dev(), of_handle.ino());
-        if fs::metadata(&file).is_ok_and(is_same) {
+        if fs::symlink_metadata(&file).is_ok_and(is_same) {
             return Ok(lock);
         }
+    }
+}
+
+/// Refuses a folder whose lock or checkpoint is a link: what is written there would end up elsewhere.
+fn must_be_no_link(path: &Path) -> Result<()> {
+    let is_link = |name: &&&str| path.join(name).is_symlink();
+    match [LOCK, CHECKPOINT].iter().find(is_link) {
+        None => Ok(()),
+        Some(name) => Err(Error::config(
+            KEY,
+            format!("`{}` is a symbolic link", path.join(name).display()),
+            "a folder that holds `.lock` and `checkpoint` itself; remove the link",
+        )),
     }
 }
 
@@ -118,7 +140,8 @@ impl RunFolder {
         if !path.is_dir() {
             return refuse(format!("`{}` is no folder", path.display()));
         }
-        let ours = fs::read_to_string(path.join(JOB)).is_ok_and(|text| text.starts_with(MARK));
+        must_be_no_link(path)?;
+        let ours = read_text(path.join(JOB)).is_ok_and(|text| text.starts_with(MARK));
         let mut entries =
             fs::read_dir(path).map_err(|e| unusable(KEY, path, "cannot be looked into", e))?;
         let is_foreign =
@@ -193,7 +216,7 @@ impl RunFolder {
 
     /// Where those of a run folder are.
     pub(super) fn checkpoint_in(path: &Path) -> PathBuf {
-        path.join("checkpoint")
+        path.join(CHECKPOINT)
     }
 
     /// Moves all new files to their names, in the place of earlier ones. What an earlier run left and this one does not is removed: it would
@@ -279,7 +302,7 @@ impl RunFolder {
     pub fn describe(&self, resolved_job: &str, models: &[(&str, String)]) -> Result<()> {
         let lines: String = models
             .iter()
-            .map(|(stage, model)| format!("# Model of the {stage}: {model}\n"))
+            .map(|(stage, model)| format!("# Model of the {stage}: {}\n", one_line(model)))
             .collect();
         self.write_job(&format!("{lines}{resolved_job}"))
     }
@@ -355,6 +378,32 @@ mod tests {
         RunFolder::open(&path, "again").unwrap().publish().unwrap();
         fails(false);
         assert_eq!(names(), ["checkpoint", "job.toml"]);
+    }
+
+    #[test]
+    fn a_lock_or_checkpoint_that_is_a_link_is_refused() {
+        let temp = tempfile::tempdir().unwrap();
+        let path = temp.path().join("run");
+        let victim = temp.path().join("victim.txt");
+        fs::write(&victim, "precious").unwrap();
+        fs::create_dir(&path).unwrap();
+        for (name, to) in [(LOCK, &victim), (CHECKPOINT, &temp.path().to_owned())] {
+            let link = path.join(name);
+            std::os::unix::fs::symlink(to, &link).unwrap();
+            for error in [
+                RunFolder::check(&path).unwrap_err(),
+                RunFolder::open(&path, "job").unwrap_err(),
+            ] {
+                let text = error.to_string();
+                assert!(
+                    text.contains(name) && text.contains("symbolic link"),
+                    "{text}"
+                );
+            }
+            assert!(link.is_symlink());
+            fs::remove_file(&link).unwrap();
+        }
+        assert_eq!(fs::read_to_string(&victim).unwrap(), "precious");
     }
 
     #[test]

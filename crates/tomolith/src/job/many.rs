@@ -6,7 +6,7 @@ use super::read::{Job, with_every_default};
 use super::resume::{as_floats, content, contents, hash};
 use super::scene::Scene;
 use crate::error::{Error, Result};
-use crate::io::image::stack_files;
+use crate::io::slices::stack_files;
 use crate::models::Run;
 use crate::target::TargetSpec;
 use serde_json::{Value, json};

@@ -16,6 +16,7 @@ use serde_json::Value;
 use std::io::Read;
 use std::path::Path;
 use std::time::Duration;
+use tomolith_core::files::open_regular;
 use tomolith_core::parallel::InParallel;
 
 /// The level of the checkpoint to go on from, if there is one. Where the run is not to be resumed, one of this job stays until the run
@@ -242,7 +243,7 @@ fn files(value: &Value, base: &Path, found: &mut Vec<u64>) -> Result<()> {
 /// Hash of a file's content.
 pub(super) fn content(path: &Path) -> Result<u64> {
     let failed = |e| Error::io(path, e);
-    let mut file = std::fs::File::open(path).map_err(failed)?;
+    let mut file = open_regular(path)?;
     let (mut block, mut sum) = (vec![0u8; BLOCK], FNV);
     loop {
         let read = file.read(&mut block).map_err(failed)?;

@@ -240,8 +240,7 @@ fn lights(lights: &[LightSpec]) -> Result<()> {
         let key = format!("light[{i}].name");
         match &one.name {
             Some(name) if !is_file_name(name) => {
-                let accepted = "letters, digits, - and _ (it is part of file names)";
-                return Err(Error::config(key, format!("found {name:?}"), accepted));
+                return Err(Error::config(key, format!("found {name:?}"), FILE_NAME));
             }
             None if lights.len() > 1 => {
                 return Err(Error::config(
@@ -275,7 +274,7 @@ fn species(spec: &JobSpec) -> Result<()> {
             return Err(Error::config(
                 format!("species[{s}].name"),
                 format!("found {:?}", species.name),
-                "letters, digits, - and _ (it is part of file names)",
+                FILE_NAME,
             ));
         }
         spec.of_species(s)
@@ -287,7 +286,7 @@ fn species(spec: &JobSpec) -> Result<()> {
             return Err(Error::config(
                 format!("property[{i}].name"),
                 format!("found {:?}", property.name),
-                "letters, digits, - and _ (it is part of file names)",
+                FILE_NAME,
             ));
         }
     }
@@ -544,8 +543,10 @@ fn evaluate_and_output(spec: &JobSpec) -> Result<()> {
     Ok(())
 }
 
+const FILE_NAME: &str = "1 to 64 letters, digits, - and _ (it is part of file names)";
+
 fn is_file_name(name: &str) -> bool {
-    !name.is_empty()
+    (1..=64).contains(&name.len())
         && name
             .chars()
             .all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_')

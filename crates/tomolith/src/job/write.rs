@@ -34,6 +34,7 @@ use crate::report::{
     ReportData, SpeciesReport, TimePoint, TimeReport, Timing, time, write_html, write_json,
     write_print,
 };
+use crate::text::file_name;
 use crate::units::concise;
 use std::io::Write as _;
 use std::panic::resume_unwind;
@@ -473,7 +474,7 @@ fn write_time(
     for network in &in_time.networks {
         let end = match in_time.networks.len() {
             1 => String::new(),
-            _ => format!("_{}", network.name),
+            _ => format!("_{}", file_name(&network.name, '_')),
         };
         let text = time::csv(&time_points(network));
         write_whole(&new.join(format!("time{end}.csv")), |file| {
