@@ -8,8 +8,8 @@ use serde_json::{Value, json};
 pub struct CeilingPoint {
     /// Ceiling over the brightest pixel within the bound of the start.
     pub factor: f64,
-    /// IoU, VER and mean surface deviation (mm) of every print.
-    pub qualities: Vec<[f64; 3]>,
+    /// IoU, VER, mean surface deviation (mm) and Γ (%) of every print.
+    pub qualities: Vec<[f64; 4]>,
 }
 
 /// What a search for the lowest ceiling found.
@@ -73,7 +73,7 @@ pub(super) fn ceiling_json(ceiling: &CeilingReport) -> Value {
             .filter(|v| v.is_finite())
             .map_or(Value::Null, Value::from)
     };
-    let quality = |[iou, ver, mean]: &[f64; 3]| json!({ "iou": number(*iou), "ver": number(*ver), "surface_mean_mm": number(*mean) });
+    let quality = |[iou, ver, mean, gamma]: &[f64; 4]| json!({ "iou": number(*iou), "ver": number(*ver), "surface_mean_mm": number(*mean), "gamma": number(*gamma) });
     let point = |point: &CeilingPoint| {
         let prints: Vec<Value> = point.qualities.iter().map(quality).collect();
         json!({ "factor": point.factor, "prints": prints })

@@ -395,8 +395,14 @@ fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
         iou,
         ver,
         deviation,
+        latitude,
     } = spec.bounds.tolerance;
-    for (name, value) in [("iou", iou), ("ver", ver), ("deviation", deviation)] {
+    for (name, value) in [
+        ("iou", iou),
+        ("ver", ver),
+        ("deviation", deviation),
+        ("latitude", latitude),
+    ] {
         within(
             &format!("bounds.tolerance.{name}"),
             value,

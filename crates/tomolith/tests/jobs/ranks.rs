@@ -179,8 +179,8 @@ fn ranks_make_the_patterns_of_a_process_alone() {
         assert_eq!(found, expected, "{changes:?}");
         let apart = difference(&alone, &shared);
         // What L-BFGS remembers has 8 bits of mantissa: the last bit of a sum moves single pixels, and a loss of fourth powers by some of the last
-        // bits of a dose (1.0e-6 with AVX-512, less with AVX2)
-        assert!(apart.rms < 1e-5, "{size} ranks, {changes:?}: {apart:?}");
+        // bits of a dose (1.0e-6 with AVX-512, less with AVX2). Differences are relative to the brightest pixel, which the lowest ceiling makes darker
+        assert!(apart.rms < 2e-5, "{size} ranks, {changes:?}: {apart:?}");
         assert!(apart.largest < 1e-3, "{size} ranks, {changes:?}: {apart:?}");
         assert!(apart.loss < 1e-5, "{size} ranks, {changes:?}: {apart:?}");
     }

@@ -6,7 +6,8 @@
 //! **Method** The job is optimized on pixels, frames and voxels of twice the width (about a sixteenth of the cost of an iteration) within the bound of the start.
 //! From there the ceiling falls by factors of 2 below the brightest pixel, each time for a few iterations more, until the print is worse by more than the job
 //! tolerates; then one step of √2 back. What limits the print at a low ceiling are edges, whose errors scale with the width of a pixel: on pixels of twice the width
-//! IoU and VER may lose twice as much; the mean deviation is relative, and may lose the same. A frame that stands for half the arc holds half the dose.
+//! IoU and VER may lose twice as much; the mean deviation and Γ are relative, and may lose the same. Γ, the range of exposures that print, holds the ceiling
+//! where IoU says nothing: even light prints a disc, too, but within no range of exposures. A frame that stands for half the arc holds half the dose.
 //!
 //! **Several lights** have ceilings of their own, at one factor below the brightest pixel of each. **Species**: each print must be good enough.
 //!
@@ -28,7 +29,7 @@ use crate::job::refinement::Level;
 use crate::job::scene::{Scene, Voxels};
 use crate::job::spec::{Ceiling, CeilingTolerance};
 use crate::metrics::print::Print;
-use crate::metrics::{MetricKind, iou, surface_deviation, ver};
+use crate::metrics::{MetricKind, gamma, iou, surface_deviation, ver};
 use crate::models::{Quantity, Run};
 use crate::optimize::start::InitialPatterns;
 use crate::optimize::{Limits, StopReason};
@@ -277,11 +278,12 @@ impl Tried {
             return false;
         };
         let coarse = FACTOR as f64;
-        let within = |(before, after): (&[f64; 3], &[f64; 3])| {
+        let within = |(before, after): (&[f64; 4], &[f64; 4])| {
             // Of a print without a surface nothing is known, which is not more
             let is_farther = after[2] > before[2] * (1.0 + tolerance.deviation);
             after[0] >= before[0] - coarse * tolerance.iou
                 && after[1] <= before[1] + coarse * tolerance.ver
+                && after[3] >= before[3] * (1.0 - tolerance.latitude)
                 && !is_farther
         };
         first.qualities.iter().zip(&last.qualities).all(within)
@@ -326,8 +328,8 @@ impl Stage<'_> {
         }
     }
 
-    /// IoU, VER and mean deviation (mm) of every output.
-    fn qualities(&self, x: &HostField, cancel: &Run) -> Result<Vec<[f64; 3]>> {
+    /// IoU, VER, mean deviation (mm) and Γ of every output.
+    fn qualities(&self, x: &HostField, cancel: &Run) -> Result<Vec<[f64; 4]>> {
         let mut dose = self.model.new_dose()?;
         self.model.dose(x, &mut dose, cancel)?;
         let voxels = self.all_voxels();
@@ -338,7 +340,13 @@ impl Stage<'_> {
             let print = Print::under(&voxels.labels, &dose, cancel.aside())?
                 .with_inside(&voxels.target.inside)?;
             let measure = |kind: &MetricKind| kind.metric.measure(&print).unwrap_or(f64::NAN);
-            Ok([&iou::KIND, &ver::KIND, &surface_deviation::MEAN].map(measure))
+            Ok([
+                &iou::KIND,
+                &ver::KIND,
+                &surface_deviation::MEAN,
+                &gamma::KIND,
+            ]
+            .map(measure))
         });
         let found = of_output.collect::<Result<Vec<_>>>()?;
         cancel.check()?;

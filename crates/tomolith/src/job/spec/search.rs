@@ -128,6 +128,8 @@ pub struct CeilingTolerance {
     pub ver: f64,
     /// Share by which the mean surface deviation may grow, 0 to 1.
     pub deviation: f64,
+    /// Share by which Γ, the range of exposures that print nearly as well, may shrink, 0 to 1.
+    pub latitude: f64,
 }
 
 impl Default for CeilingTolerance {
@@ -136,6 +138,7 @@ impl Default for CeilingTolerance {
             iou: 0.001,
             ver: 0.005,
             deviation: 0.05,
+            latitude: 0.25,
         }
     }
 }
