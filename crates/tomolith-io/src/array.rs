@@ -26,7 +26,7 @@ const ACCEPTED: &str =
 /// such array.
 pub fn read_any(source: &str) -> Result<([usize; 3], Vec<f32>)> {
     let path = Path::new(source);
-    let volume = Numbers::read(path, ACCEPTED)?.as_volume();
+    let volume = Numbers::read(path, ACCEPTED)?.into_volume();
     volume.map_err(|found| bad(path, found, ACCEPTED))
 }
 

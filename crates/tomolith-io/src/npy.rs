@@ -105,7 +105,7 @@ fn read_dimensions<const N: usize>(path: &Path, accepted: &str) -> Result<([usiz
 /// [`Error::Io`] when it cannot be opened, [`Error::Format`] when it is no such array.
 pub fn read_levels(path: &Path) -> Result<([usize; 3], Vec<f32>)> {
     let accepted = "a 2D or 3D .npy array of numbers";
-    let volume = Numbers::read(path, accepted)?.as_volume();
+    let volume = Numbers::read(path, accepted)?.into_volume();
     volume.map_err(|found| bad(path, found, accepted))
 }
 

@@ -93,7 +93,7 @@ impl Numbers {
     }
 
     /// The array as `[z, y, x]`; one of two dimensions is one slice.
-    pub(super) fn as_volume(mut self) -> Result<([usize; 3], Vec<f32>), String> {
+    pub(super) fn into_volume(mut self) -> Result<([usize; 3], Vec<f32>), String> {
         if self.shape.len() == 2 {
             self.shape.insert(0, 1);
         }
@@ -625,7 +625,7 @@ mod tests {
             ("2, 12, 1", [2, 12, 1]),
         ] {
             let found = parse(&npy("|u1", "False", shape, &[7; 24])).unwrap();
-            assert_eq!(found.as_volume().unwrap().0, expected, "{shape}");
+            assert_eq!(found.into_volume().unwrap().0, expected, "{shape}");
         }
         let found = parse(&npy("|u1", "False", "2, 2, 2, 3", &[7; 24])).unwrap();
         let text = found.of_dimensions::<3>().unwrap_err();

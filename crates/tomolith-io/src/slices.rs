@@ -138,7 +138,7 @@ fn read_array(path: &Path) -> Result<Vec<Stored>> {
     if white == 1.0 && largest > 1.0 {
         return Err(refuse(format!("a value of {}", exact(largest))));
     }
-    let ([_, rows, columns], values) = numbers.as_volume().map_err(&refuse)?;
+    let ([_, rows, columns], values) = numbers.into_volume().map_err(&refuse)?;
     if rows * columns == 0 || values.len() as u64 > MOST_PIXELS {
         return Err(refuse(format!("an array of {} numbers", values.len())));
     }
