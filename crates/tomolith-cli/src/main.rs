@@ -74,30 +74,30 @@ fn main() -> ExitCode {
         }
         Command::Schema { markdown } => (Manner::default(), help::schema(*markdown).map(|()| true)),
         Command::Voxelize(given) => {
-            quick(given.sampling.manner, |run| voxelize::voxelize(given, run))
+            let manner = given.sampling.manner;
+            quick("voxelize", manner, |run| voxelize::voxelize(given, run))
         }
         Command::Phantom(given) => {
-            quick(given.sampling.manner, |run| voxelize::phantom(given, run))
+            let manner = given.sampling.manner;
+            quick("phantom", manner, |run| voxelize::phantom(given, run))
         }
-        Command::Metrics(given) => quick(given.manner, |_| metrics::metrics(given)),
-        Command::Export(given) => quick(given.manner, |run| {
-            ranks::must_be_alone("export")?;
-            export::export(given, run)
-        }),
-        Command::ExportMatrix(given) => quick(given.manner, |run| {
-            ranks::must_be_alone("export-matrix")?;
+        Command::Metrics(given) => quick("metrics", given.manner, |_| metrics::metrics(given)),
+        Command::Export(given) => quick("export", given.manner, |run| export::export(given, run)),
+        Command::ExportMatrix(given) => quick("export-matrix", given.manner, |run| {
             let job = read(&given.job, None)?;
             export_matrix::export_matrix(given, &job, run)
         }),
-        Command::Trace(given) => quick(given.manner, |run| {
+        Command::Trace(given) => quick("trace", given.manner, |run| {
             let job = read(&given.job, None)?;
             trace::run(given, &job, run)
         }),
-        Command::Import(given) => quick(given.manner, |_| import::import(given)),
-        Command::Calibrate(given) => quick(given.manner(), |_| calibrate::calibrate(given)),
-        Command::Expose(given) => quick(given.manner, |_| expose::expose(given)),
-        Command::Analyze(given) => quick(given.manner(), |_| analyze::analyze(given)),
-        Command::Compare(given) => quick(given.manner, |_| compare::compare(given)),
+        Command::Import(given) => quick("import", given.manner, |_| import::import(given)),
+        Command::Calibrate(given) => {
+            quick("calibrate", given.manner(), |_| calibrate::calibrate(given))
+        }
+        Command::Expose(given) => quick("expose", given.manner, |_| expose::expose(given)),
+        Command::Analyze(given) => quick("analyze", given.manner(), |_| analyze::analyze(given)),
+        Command::Compare(given) => quick("compare", given.manner, |_| compare::compare(given)),
     };
     let code = match done {
         Ok(true) => ExitCode::SUCCESS,
@@ -149,7 +149,11 @@ fn refused_output(error: &std::io::Error) -> ExitCode {
 
 /// A command that is met when it ends without an error. Asked to stop it ends where it looks for the request, or else shortly after,
 /// wherever it is.
-fn quick(manner: Manner, work: impl FnOnce(&Run) -> Result<()>) -> (Manner, Result<bool>) {
+fn quick(
+    name: &str,
+    manner: Manner,
+    work: impl FnOnce(&Run) -> Result<()>,
+) -> (Manner, Result<bool>) {
     let run = Arc::new(Run::new());
     on_ctrl_c(&run, move |earlier| {
         if earlier == 0 {
@@ -159,7 +163,9 @@ fn quick(manner: Manner, work: impl FnOnce(&Run) -> Result<()>) -> (Manner, Resu
             });
         }
     });
-    let done = prepare(manner).and_then(|()| work(&run));
+    let done = ranks::must_be_alone(name)
+        .and_then(|()| prepare(manner))
+        .and_then(|()| work(&run));
     (manner, done.map(|()| true))
 }
 

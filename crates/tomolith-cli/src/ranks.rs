@@ -35,7 +35,7 @@ fn launched() -> Option<u32> {
     LAUNCHERS.iter().find_map(size).filter(|&size| size > 1)
 }
 
-/// Refuses several processes of a command that writes files and has nothing to share.
+/// Refuses several processes of a command that has nothing to share: each would say the same and write the same files.
 ///
 /// # Errors
 /// [`Error::Config`].
@@ -45,7 +45,9 @@ pub(crate) fn must_be_alone(command: &str) -> Result<()> {
     };
     Err(Error::config(
         format!("tomolith {command}"),
-        format!("one of {count} processes of a launcher, which would all write the same files"),
+        format!(
+            "one of {count} processes of a launcher, which would all do the same and write the same files"
+        ),
         "one process: start it without a launcher; `run` and `sweep` share their work",
     ))
 }

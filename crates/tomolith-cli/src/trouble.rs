@@ -6,6 +6,7 @@ use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use std::io::{IsTerminal, Write};
 use tomolith::Error;
 use tomolith::error::{Place, key_or_file};
+use tomolith::io::read_text;
 use tomolith::text::printable;
 
 /// Shows an error on standard error, or as a JSON line on standard output.
@@ -91,6 +92,6 @@ fn rendered(error: &Error, renderer: &Renderer) -> String {
 
 /// The file that a place points into, where it still is as long as it was.
 fn text_of(place: &Place) -> Option<String> {
-    let text = std::fs::read_to_string(&place.file).ok()?;
+    let text = read_text(&place.file).ok()?;
     text.get(place.span.clone()).is_some().then_some(text)
 }

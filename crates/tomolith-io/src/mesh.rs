@@ -156,13 +156,13 @@ pub struct MeshFile {
 }
 
 impl MeshFile {
-    /// The surface alone, where nothing is taken out of it; `path` names the file in errors.
+    /// The same, where nothing is taken out of the surface; `path` names the file in errors.
     ///
     /// # Errors
     /// [`Error::Mesh`] where there are negative volumes.
-    pub fn whole(self, path: &Path) -> Result<Mesh> {
+    pub fn whole(self, path: &Path) -> Result<Self> {
         if self.negative.triangles.is_empty() {
-            return Ok(self.mesh);
+            return Ok(self);
         }
         let found = "negative volumes are taken out of it";
         Err(bad(path, found, "a mesh that is whole by itself"))

@@ -22,8 +22,8 @@ use tomolith_core::error::{Error, Result};
 use tomolith_core::parallel::lines;
 use tomolith_core::run::Run;
 
-/// Triangles that are turned into bytes at a time: 13 MB.
-const BATCH: usize = 1 << 18;
+/// Triangles that are turned into bytes at a time: 3 MB.
+const BATCH: usize = 1 << 16;
 
 /// Writes triangles (indices of corners, counter-clockwise seen from outside).
 ///

@@ -28,6 +28,7 @@
 //! assert!((surface.volume_mm3() - 4.0 / 3.0).abs() < 1e-6);
 //! ```
 
+use std::ops::Range;
 use std::sync::LazyLock;
 use tomolith_core::dose::Run;
 use tomolith_core::error::Error;
@@ -39,8 +40,8 @@ use tomolith_core::vector::{cross, dot, minus};
 const SLAB: usize = 8;
 /// How near a corner may come to the end of its cell edge, as a fraction of the edge.
 const MARGIN: f64 = 1.0 / 1024.0;
-/// Slabs that are held at the same time when the surface is made in pieces.
-const PIECES_AT_ONCE: usize = 16;
+/// Corners that are held at the same time when the surface is made in pieces, where a slab has no more: with their triangles 9 MB.
+const AT_ONCE: usize = 1 << 18;
 /// An edge without corner.
 const NONE: u32 = u32::MAX;
 
@@ -192,11 +193,12 @@ pub fn isosurface_pieces<E: From<Error>>(
     }
     let march = March::new(grid, level, &fill);
     let slabs = slabs(grid);
+    let counts: Vec<usize> = slabs.iter().par_map(|slab| march.count(slab.clone()));
     let steps = run.steps(slabs.len());
-    for some in slabs.chunks(PIECES_AT_ONCE) {
+    for some in batches(&counts, AT_ONCE) {
         run.check()?;
         steps.add(some.len());
-        let pieces: Vec<Isosurface> = some
+        let pieces: Vec<Isosurface> = slabs[some]
             .iter()
             .par_map(|slab| march.triangulate(slab.clone(), 0, Last::Own));
         for piece in pieces.iter().filter(|piece| !piece.is_empty()) {
@@ -206,7 +208,21 @@ pub fn isosurface_pieces<E: From<Error>>(
     Ok(())
 }
 
-fn slabs(grid: &VolumeGrid) -> Vec<std::ops::Range<usize>> {
+/// Neighbors that have no more than `most` together, or one that has more.
+fn batches(counts: &[usize], most: usize) -> Vec<Range<usize>> {
+    let (mut batches, mut first, mut sum) = (Vec::new(), 0, 0);
+    for (i, count) in counts.iter().enumerate() {
+        if i > first && sum + count > most {
+            batches.push(first..i);
+            (first, sum) = (i, 0);
+        }
+        sum += count;
+    }
+    batches.push(first..counts.len());
+    batches
+}
+
+fn slabs(grid: &VolumeGrid) -> Vec<Range<usize>> {
     let layers = grid.shape[0] + 1;
     (0..layers)
         .step_by(SLAB)
@@ -289,7 +305,7 @@ impl<'a, F: Fn(usize, &mut [f32]) + Sync> March<'a, F> {
     }
 
     /// Corners that a slab owns: on the edges of the lower plane of each layer, and on the upright edges above it.
-    fn count(&self, slab: std::ops::Range<usize>) -> usize {
+    fn count(&self, slab: Range<usize>) -> usize {
         let w = self.width;
         let (mut low, mut high) = (Plane::default(), Plane::default());
         self.load(slab.start, &mut low);
@@ -368,7 +384,7 @@ impl<'a, F: Fn(usize, &mut [f32]) + Sync> March<'a, F> {
     }
 
     /// The triangles of a slab and the corners it owns, which are numbered from `first` on in the order they are made.
-    fn triangulate(&self, slab: std::ops::Range<usize>, first: u32, last: Last) -> Isosurface {
+    fn triangulate(&self, slab: Range<usize>, first: u32, last: Last) -> Isosurface {
         let (w, h) = (self.width, self.height);
         let mut surface = Isosurface::default();
         let next = |surface: &Isosurface| first + surface.corners.len() as u32;
@@ -684,7 +700,8 @@ mod tests {
 
     #[test]
     fn pieces_make_the_same_surface() {
-        let volume = sphere(3 * SLAB * PIECES_AT_ONCE / 4, 1.1, [0.1, 0.0, -0.2]);
+        assert_eq!(batches(&[3, 1, 9, 0, 4], 5), [0..2, 2..3, 3..5]);
+        let volume = sphere(12 * SLAB, 1.1, [0.1, 0.0, -0.2]);
         let whole = isosurface(&volume, 1.0);
         let flat = |surface: &Isosurface| -> Vec<[[f32; 3]; 3]> {
             let corner = |i: u32| surface.corners[i as usize];

@@ -205,8 +205,21 @@ fn kinetics_come_back_from_their_own_times() {
     near(fit.kinetics.order, 0.5, 1e-4);
     near(fit.kinetics.inhibitor_dose(), 750.0, 0.2);
     assert!(fit.worst() < 1e-6);
+    assert!(fit.errors.unwrap().iter().all(Option::is_some));
     let few = kinetics::fit(&curve(&pairs[..3]).unwrap());
     assert!(matches!(few, Err(Error::Config { key, .. }) if key == "irradiance"));
+    // What lies beyond the range of m ends at its end, and how far off that is nobody knows
+    let beyond = Kinetics {
+        order: 1.5,
+        ..made_of
+    };
+    let pairs: Vec<[f64; 2]> = (pairs.iter())
+        .map(|[i, _]| [*i, beyond.time_s(*i).unwrap()])
+        .collect();
+    let fit = kinetics::fit(&curve(&pairs).unwrap()).unwrap();
+    assert_eq!(fit.kinetics.order, 1.0);
+    let [others @ .., of_order] = fit.errors.unwrap();
+    assert!(others.iter().all(|e| e.is_some_and(|e| e > 0.0)) && of_order.is_none());
 }
 
 /// The induction time in closed form against its differential equation.

@@ -184,7 +184,7 @@ pub(super) fn property(map: &MapReport<'_>) -> String {
             if count == 0.0 {
                 NOTHING
             } else {
-                ((sum / count - from) / span * 253.0).clamp(0.0, 253.0) as u8
+                ((sum / count - from) / span * HOTTEST).clamp(0.0, HOTTEST) as u8
             }
         });
         add_figure(
@@ -236,7 +236,7 @@ pub(super) fn doses(runs: &[(&str, &Volume<f32>)]) -> String {
                 sum / count / high
             };
             let own = |i: usize| f64::from(dose.values[i]);
-            let picture = slice.picture(|v| (mean(&own, v) * 253.0).clamp(0.0, 253.0) as u8);
+            let picture = slice.picture(|v| (mean(&own, v) * HOTTEST).clamp(0.0, HOTTEST) as u8);
             add_figure(
                 &mut figures[0],
                 &slice,
@@ -281,11 +281,19 @@ pub(super) const BODIES: [(u8, Color, &str); 2] = [
     (INSERT, [201, 148, 46, 255], "insert"),
 ];
 
+impl ReportData<'_> {
+    /// Which of [`BODIES`] a voxel belongs to.
+    fn body(&self, i: usize) -> Option<usize> {
+        let mark = self.bodies?.values[i];
+        BODIES.iter().position(|(body, ..)| *body == mark)
+    }
+}
+
 fn target_palette() -> Vec<Color> {
     (0..=255u8)
         .map(|i| match i {
             NOTHING => [0; 4],
-            i if i > FULL => BODIES[usize::from(i - FULL) - 1].1,
+            i if i > FULL => body_color(i),
             i => [
                 122,
                 135,
@@ -296,20 +304,24 @@ fn target_palette() -> Vec<Color> {
         .collect()
 }
 
-/// A pixel that lies wholly in the part; those above stand for [`BODIES`].
-const FULL: u8 = NOTHING - 1 - BODIES.len() as u8;
+/// A pixel that lies wholly in the part, or has the largest dose; those above stand for [`BODIES`].
+const FULL: u8 = OUTLINE - 1 - BODIES.len() as u8;
+const HOTTEST: f64 = FULL as f64;
+
+fn body_color(i: u8) -> Color {
+    let body = BODIES.get(usize::from(i - FULL) - 1);
+    body.map_or([0; 4], |(_, color, _)| *color)
+}
 
 fn target_picture(data: &ReportData<'_>, slice: &Slice<'_>) -> Picture {
     let inside = |i: usize| match (data.labels.values[i], data.inside) {
         (_, Some(inside)) => inside.values[i].clamp(0.0, 1.0),
         (label, None) => f32::from(u8::from(label == label::PART)),
     };
-    let body = |i: usize| data.bodies.map_or(0, |bodies| bodies.values[i]);
     slice.picture(|voxels| {
         let (mut sum, mut count, mut marked) = (0.0, 0.0, [0.0; BODIES.len()]);
         for i in voxels {
-            let found = BODIES.iter().position(|(mark, ..)| *mark == body(i));
-            if let Some(at) = found {
+            if let Some(at) = data.body(i) {
                 marked[at] += 1.0;
             } else if data.labels.values[i] != label::OUTSIDE {
                 sum += inside(i);
@@ -330,7 +342,8 @@ fn dose_palette() -> Vec<Color> {
         .map(|i| match i {
             NOTHING => [0; 4],
             OUTLINE => [255, 255, 255, 255],
-            i => viridis(f64::from(i) / 253.0),
+            i if i > FULL => body_color(i),
+            i => viridis(f64::from(i) / HOTTEST),
         })
         .collect()
 }
@@ -345,16 +358,22 @@ fn target_uri(data: &ReportData<'_>, slice: &Slice<'_>, high: f64) -> String {
     }
 }
 
-/// Means over the voxels that count, on the scale of the dose.
+/// Means over the voxels that count, on the scale of the dose. Where none does, the bodies that are not printed.
 fn mean_picture(data: &ReportData<'_>, values: &[f32], slice: &Slice<'_>, high: f64) -> Picture {
     slice.picture(|voxels| {
-        let counted = voxels.filter(|&i| data.labels.values[i] != label::OUTSIDE);
-        let (sum, count) =
-            counted.fold((0.0, 0.0), |(s, n), i| (s + f64::from(values[i]), n + 1.0));
-        if count == 0.0 {
-            NOTHING
-        } else {
-            (sum / count / high * 253.0).clamp(0.0, 253.0) as u8
+        let (mut sum, mut count, mut body) = (0.0, 0.0, None);
+        for i in voxels {
+            if data.labels.values[i] == label::OUTSIDE {
+                body = body.or_else(|| data.body(i));
+            } else {
+                sum += f64::from(values[i]);
+                count += 1.0;
+            }
+        }
+        match body {
+            _ if count > 0.0 => (sum / count / high * HOTTEST).clamp(0.0, HOTTEST) as u8,
+            Some(at) => FULL + 1 + at as u8,
+            None => NOTHING,
         }
     })
 }
@@ -381,7 +400,8 @@ fn dose_picture(data: &ReportData<'_>, slice: &Slice<'_>, high: f64) -> Picture 
                 || y >= d && inside.pixels[i - d * w] == 1
                 || y + d < h && inside.pixels[i + d * w] == 1
         });
-        if near {
+        let is_body = picture.pixels[i] > FULL && picture.pixels[i] < OUTLINE;
+        if near && !is_body {
             picture.pixels[i] = OUTLINE;
         }
     }
@@ -455,10 +475,6 @@ fn difference_picture(
 /// The worst fate of each block: errors stay visible. Where nothing counts, the bodies that are not printed.
 fn fate_picture(data: &ReportData<'_>, slice: &Slice<'_>) -> Picture {
     let threshold = data.evaluation.gel_threshold.unwrap_or(f64::INFINITY);
-    let body = |i: usize| {
-        let mark = data.bodies?.values[i];
-        BODIES.iter().position(|(body, ..)| *body == mark)
-    };
     let fate = |i: usize| {
         let gelled = f64::from(data.response.values[i]) > threshold;
         match (data.labels.values[i], gelled) {
@@ -473,7 +489,7 @@ fn fate_picture(data: &ReportData<'_>, slice: &Slice<'_>) -> Picture {
         let (mut worst, mut first) = (0, None);
         for i in voxels {
             worst = worst.max(fate(i));
-            first = first.or_else(|| body(i));
+            first = first.or_else(|| data.body(i));
         }
         match first {
             Some(body) if worst == 0 => (FATES.len() + body) as u8,
@@ -508,7 +524,7 @@ pub(super) fn growth(labels: &Volume<u8>, degree: &Volume<f32>) -> String {
             let (sum, count) = voxels.fold((0.0, 0.0), |(s, n), i| {
                 (s + f64::from(degree.values[i]), n + 1.0)
             });
-            (sum / f64::max(count, 1.0) / 2.0 * 253.0).clamp(0.0, 253.0) as u8
+            (sum / f64::max(count, 1.0) / 2.0 * HOTTEST).clamp(0.0, HOTTEST) as u8
         });
         add_figure(
             &mut row,

@@ -13,6 +13,7 @@ use super::figures::{
     BODIES, FATES, dose_bar, error_bar, property, shown_half_width, sinogram, slices, strip,
 };
 use super::number::{escape, significant, told_apart};
+use super::picture::Color;
 use super::species::{drive, together};
 use super::{
     MapReport, ReportData, ScenarioTable, SpeciesReport, growth, latitude, limits, objectives,
@@ -88,15 +89,6 @@ pub fn report_html(data: &ReportData<'_>) -> String {
 
 fn head(data: &ReportData<'_>) -> String {
     let mut facts = data.facts.clone();
-    let grid = &data.evaluation.grid;
-    let [nz, ny, nx] = grid.shape;
-    facts.push((
-        "Evaluated on".to_owned(),
-        format!(
-            "{nx} × {ny} × {nz} voxels of {} µm",
-            significant(grid.pitch_mm * 1e3, 3)
-        ),
-    ));
     for light in &data.lights {
         let g = &light.patterns.grid;
         let wave = light
@@ -442,30 +434,31 @@ fn turning_note(turning: &Evaluation, standing: &Evaluation) -> String {
     )
 }
 
+/// Colors and what they stand for.
+fn legend(of: impl Iterator<Item = (Color, &'static str)>) -> String {
+    let entry = |([r, g, b, a], name): (Color, &str)| {
+        let alpha = f64::from(a) / 255.0;
+        format!("<span><i style=\"background:rgba({r},{g},{b},{alpha:.2})\"></i>{name}</span>")
+    };
+    of.map(entry).collect()
+}
+
 fn slices_section(data: &ReportData<'_>) -> String {
+    let is_there = |mark: u8| data.bodies.is_some_and(|b| b.values.contains(&mark));
+    let bodies = BODIES.iter().filter(|(mark, ..)| is_there(*mark));
+    let bodies = bodies.map(|(_, color, name)| (*color, *name));
     if let Some(half_width) = shown_half_width(data.evaluation) {
         return format!(
             "<section><h2>Slices through the middle of the image</h2><p class=\"muted\">The gray values of the target, the response to the dose, and the difference. \
-             Where a pixel stands for several voxels, it shows the largest difference.</p>{}<div class=\"legends\">{}{}</div></section>",
+             Where a pixel stands for several voxels, it shows the largest difference.</p>{}<div class=\"legends\">{}{}<div class=\"fates\">{}</div></div></section>",
             slices(data),
             dose_bar(data),
             error_bar(half_width),
+            legend(bodies),
         );
     }
-    let is_there = |mark: u8| data.bodies.is_some_and(|b| b.values.contains(&mark));
-    let bodies = BODIES.iter().filter(|(mark, ..)| is_there(*mark));
-    let fates: String = FATES
-        .iter()
-        .copied()
-        .filter(|(_, name)| !name.is_empty())
-        .chain(bodies.map(|(_, color, name)| (*color, *name)))
-        .map(|([r, g, b, a], name)| {
-            format!(
-                "<span><i style=\"background:rgba({r},{g},{b},{:.2})\"></i>{name}</span>",
-                f64::from(a) / 255.0
-            )
-        })
-        .collect();
+    let fates = FATES.iter().copied().filter(|(_, name)| !name.is_empty());
+    let fates = legend(fates.chain(bodies));
     format!(
         "<section><h2>Slices through the middle of the part's box</h2><p class=\"muted\">The target, the dose with the part's outline in white, and the errors of the print. \
          Where a pixel stands for several voxels, it shows the worst of them.</p>{}<div class=\"legends\">{}<div class=\"fates\">{fates}</div></div></section>",

@@ -374,6 +374,18 @@ mod tests {
     }
 
     #[test]
+    fn no_exposure_brings_a_dose_to_what_is_not_above_zero() {
+        let mut evaluation = evaluation(None);
+        for at in [[-0.4, -0.3, -0.2], [-0.1, 0.0, 0.1]] {
+            evaluation.latitude = Some(Latitude::Thresholds { iou: 0.9, at });
+            assert_eq!(
+                ExposureWindow::new(&evaluation, &Identity, Some(50.0)),
+                None
+            );
+        }
+    }
+
+    #[test]
     fn a_gray_exposure_is_a_factor_of_what_was_written() {
         let mut evaluation = evaluation(None);
         evaluation.latitude = Some(Latitude::Exposures {

@@ -634,6 +634,28 @@ mod tests {
     }
 
     #[test]
+    fn the_time_to_print_is_the_sum_of_lights_or_the_longest_of_a_schedule() {
+        let sample = Sample::new();
+        let evaluation = sample.evaluation();
+        let mut data = sample.data(&evaluation);
+        let of = |data: &ReportData<'_>| json::report_json(data)["time_to_print_s"].clone();
+        let mut second = data.lights[0];
+        second.budget.time_s = Some(25.0);
+        data.lights.push(second);
+        assert_eq!(of(&data), 100.0);
+        let irradiance = Irradiance {
+            white_mw_per_cm2: 4.0,
+            peak_mw_per_cm2: None,
+        };
+        for light in &mut data.lights {
+            light.irradiance = Some(irradiance);
+        }
+        assert_eq!(of(&data), 75.0);
+        data.lights[1].budget.time_s = None;
+        assert!(of(&data).is_null());
+    }
+
+    #[test]
     fn bodies_that_are_not_printed_are_drawn_and_named() {
         let sample = Sample::new();
         let evaluation = sample.evaluation();
@@ -650,8 +672,11 @@ mod tests {
         let with = html::report_html(&data);
         assert!(with.contains("</i>insert<") && !without.contains("</i>insert<"));
         assert!(!with.contains("</i>to stay dark<"));
-        let target = |page: &str| page.split("<image href=").nth(1).map(str::to_owned);
-        assert_ne!(target(&with), target(&without));
+        // Target, dose and error
+        for picture in 1..=3 {
+            let of = |page: &str| page.split("<image href=").nth(picture).map(str::to_owned);
+            assert_ne!(of(&with), of(&without), "{picture}");
+        }
     }
 
     #[test]

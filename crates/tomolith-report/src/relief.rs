@@ -129,7 +129,7 @@ pub(super) fn section(deviation: &Deviation, pitch_mm: f64) -> String {
     ];
     format!(
         "<section><h2>Where the print is off</h2><p class=\"muted\">The predicted surface, red where it is too large, blue where it is too small. It stands out by up to {} and \
-         falls short by up to {}; colors end at ±{} µm, within which at least {:.0} % of its corners lie. Regions that do not print at all have no surface here. The same surface in mm: <code>print.ply</code> (colors, and <code>deviation_um</code> at every corner) and \
+         falls short by up to {}; colors end at ±{} µm, within which at least {:.0} % of its corners lie. Regions that do not print at all have no surface here, and bodies that are not printed are left out. The same surface in mm: <code>print.ply</code> (colors, and <code>deviation_um</code> at every corner) and \
          <code>print.stl</code>.</p><div class=\"pair\">{figures}</div>{}</section>",
         length(ends[1]),
         length(ends[0]),

@@ -9,7 +9,7 @@ use serde_json::Value;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use tomolith::Result;
-use tomolith::io::write_whole;
+use tomolith::io::{read_text, write_whole};
 use tomolith::report::maps::{Cell, ColorScale, Guide, Panel, PlotCurve, curves, heat_maps};
 use tomolith::report::number::significant;
 
@@ -39,7 +39,7 @@ fn file_name(metric: &str) -> String {
 
 /// Removes the pictures of metrics that the table of an earlier call had and this sweep does not collect.
 pub(crate) fn remove_outdated(plan: &SweepPlan, folder: &Path) {
-    let before = std::fs::read_to_string(folder.join("table.csv")).unwrap_or_default();
+    let before = read_text(folder.join("table.csv")).unwrap_or_default();
     let head = before.lines().next().unwrap_or_default();
     let metrics = head.split(',').skip_while(|name| *name != "state").skip(1);
     for metric in metrics.take_while(|name| *name != "feasible") {

@@ -6,7 +6,7 @@ use serde_json::Value;
 use std::collections::HashMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use tomolith::io::write_whole;
+use tomolith::io::{read_text, write_whole};
 use tomolith::job::resources::memory_budget_mb;
 use tomolith::job::{self, Job, RunFolder, Silent};
 use tomolith::models::Run;
@@ -15,6 +15,45 @@ use tomolith::{Error, Result};
 
 /// Runs whose time is estimated, at most.
 const ESTIMATES: usize = 3;
+
+/// Errors that are shown, at most.
+const MOST_ERRORS: usize = 20;
+
+/// Why some of the runs cannot be.
+struct Refusal {
+    /// What the first of them met.
+    error: Error,
+    first: usize,
+    /// How many there are.
+    count: usize,
+}
+
+/// Notes why a run cannot be. The same key that should be the same, whatever the numbers, is one reason.
+fn note(refusals: &mut Vec<Refusal>, run: usize, error: Error) {
+    let same = reason(&error);
+    match refusals
+        .iter_mut()
+        .find(|known| reason(&known.error) == same)
+    {
+        Some(known) => known.count += 1,
+        None => refusals.push(Refusal {
+            error,
+            first: run,
+            count: 1,
+        }),
+    }
+}
+
+fn reason(error: &Error) -> (Option<String>, String) {
+    let (key, words) = match error {
+        Error::Config { key, accepted, .. } => (Some(key.clone()), accepted.clone()),
+        other => (None, other.to_string()),
+    };
+    (
+        key,
+        words.replace(|c: char| c.is_ascii_digit() || c == '.', ""),
+    )
+}
 
 /// A run.
 #[derive(Clone, Debug)]
@@ -75,19 +114,25 @@ impl Sweep {
             return Err(Error::Canceled);
         }
         let mut sound = Vec::with_capacity(points.len());
-        let mut refused = Vec::new();
-        for (i, one) in checked.into_iter().enumerate() {
+        let mut refusals: Vec<Refusal> = Vec::new();
+        for (run, one) in checked.into_iter().enumerate() {
             match one {
                 Ok(one) => sound.push(one),
-                Err(error) => refused.push((i, error)),
+                Err(Error::Several(several)) => {
+                    several
+                        .into_iter()
+                        .for_each(|error| note(&mut refusals, run, error));
+                }
+                Err(error) => note(&mut refusals, run, error),
             }
         }
-        if let Some((first, error)) = refused.first_mut() {
-            let error = std::mem::replace(error, Error::Canceled);
-            let (first, count) = (*first, refused.len());
-            return Err(self
-                .document
-                .locate(self.refused(&points, first, error, count)));
+        let refusals = refusals.into_iter().take(MOST_ERRORS);
+        let locate = |refusal| self.document.locate(self.refused(&points, refusal));
+        let mut errors: Vec<Error> = refusals.map(locate).collect();
+        match errors.len() {
+            0 => {}
+            1 => return Err(errors.remove(0)),
+            _ => return Err(Error::Several(errors)),
         }
         let largest_mb = sound.iter().map(|(_, mb)| *mb).max().unwrap_or(1).max(1);
         let holds = budget_mb.map_or(usize::MAX, |mb| (mb / largest_mb) as usize);
@@ -120,7 +165,7 @@ impl Sweep {
 
     /// The sweep file whose results a folder holds, where that is another one and still there.
     fn other_owner(&self, folder: &Path) -> Option<PathBuf> {
-        let noted: Value = serde_json::from_slice(&std::fs::read(folder.join(OWNER)).ok()?).ok()?;
+        let noted: Value = serde_json::from_str(&read_text(folder.join(OWNER)).ok()?).ok()?;
         let file = PathBuf::from(noted["sweep"].as_str()?);
         let is_other = file.canonicalize().ok()? != self.document.file.canonicalize().ok()?;
         is_other.then_some(file)
@@ -241,17 +286,13 @@ impl Sweep {
         Ok((id, requirements.memory_mb))
     }
 
-    /// Says which jobs cannot run, and why the first cannot; at the key of the sweep that is at fault.
-    fn refused(
-        &self,
-        points: &[SweepPoint],
-        first: usize,
-        mut error: Error,
-        count: usize,
-    ) -> Error {
-        if let Error::Several(mut several) = error {
-            error = several.swap_remove(0);
-        }
+    /// Says which jobs cannot run for a reason, and why the first cannot; at the key of the sweep that is at fault.
+    fn refused(&self, points: &[SweepPoint], refusal: Refusal) -> Error {
+        let Refusal {
+            mut error,
+            first,
+            count,
+        } = refusal;
         // It names its run, and the key of the sweep
         if matches!(&error, Error::Config { key, .. } if key.starts_with("derived.")) {
             return error;

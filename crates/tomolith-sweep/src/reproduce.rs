@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 use std::fmt::{self, Write as _};
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
-use tomolith::io::write_whole;
+use tomolith::io::{read_text, write_whole};
 use tomolith::models::Run;
 use tomolith::report::number::significant;
 use tomolith::units::counted;
@@ -441,8 +441,8 @@ fn command(
     // What a later call may replace
     let said = serde_json::to_vec(&words).unwrap_or_default();
     write_whole(&folder.join(COMMAND), |out| Ok(out.write_all(&said)?))?;
-    let report = std::fs::read(folder.join("report.json")).ok();
-    let report = report.and_then(|bytes| serde_json::from_slice(&bytes).ok());
+    let report = read_text(folder.join("report.json")).ok();
+    let report = report.and_then(|text| serde_json::from_str(&text).ok());
     let entries = std::fs::read_dir(folder).map_err(|e| Error::io(folder, e))?;
     let mut files: Vec<PathBuf> = entries
         .filter_map(|entry| Some(entry.ok()?.path()))

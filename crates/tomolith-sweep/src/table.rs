@@ -17,7 +17,7 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use tomolith::io::whole::Refused;
-use tomolith::io::{read_regular, write_whole};
+use tomolith::io::{read_text, write_whole};
 use tomolith::job::RunFolder;
 use tomolith::report::SCHEMA;
 use tomolith::{Error, Result};
@@ -206,13 +206,13 @@ pub(crate) fn failure(plan: &SweepPlan, i: usize) -> PathBuf {
 /// [`Error::Io`]; [`Error::Format`] for one that is none.
 pub(crate) fn report(folder: &Path) -> Result<Value> {
     let path = folder.join("report.json");
-    let bytes = read_regular(&path)?;
+    let text = read_text(&path)?;
     let refused = |found: String| Error::Format {
         path: path.clone(),
         found,
         accepted: "the report of a run".to_owned(),
     };
-    let report: Value = serde_json::from_slice(&bytes).map_err(|e| refused(e.to_string()))?;
+    let report: Value = serde_json::from_str(&text).map_err(|e| refused(e.to_string()))?;
     match report["schema"].as_str() {
         Some(SCHEMA) => Ok(report),
         Some(other) => Err(refused(format!("a report of the schema {other}"))),
@@ -224,8 +224,8 @@ pub(crate) fn report(folder: &Path) -> Result<Value> {
 pub(crate) fn state(plan: &SweepPlan, i: usize) -> Result<State> {
     let folder = plan.run_folder(i);
     if RunFolder::finished(&folder).is_none() {
-        let noted = std::fs::read(failure(plan, i)).ok();
-        let noted = noted.and_then(|bytes| serde_json::from_slice::<Value>(&bytes).ok());
+        let noted = read_text(failure(plan, i)).ok();
+        let noted = noted.and_then(|text| serde_json::from_str::<Value>(&text).ok());
         let message = noted.and_then(|value| value["message"].as_str().map(str::to_owned));
         return Ok(message.map_or(State::Missing, State::Failed));
     }

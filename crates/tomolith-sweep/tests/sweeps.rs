@@ -740,6 +740,12 @@ fn a_sweep_that_cannot_be_is_refused_before_any_run() {
                 "or leave such runs out with `when`",
             ],
         ),
+        // Every key at fault, and what is wrong with some runs alone
+        (
+            SWEEP.replace("when = [\"lower < upper\"]", "")
+                + "[set]\n\"evaluate.bit_depth\" = 40\n\"output.rpm\" = 0\n",
+            vec!["set.evaluate.bit_depth: ", "set.output.rpm: "],
+        ),
         (
             SWEEP.replace("\"optimization.pw\"", "\"evaluation.pw\""),
             vec!["metrics[1]: `evaluation.pw` again", "each metric once"],

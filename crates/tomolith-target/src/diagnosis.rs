@@ -483,6 +483,30 @@ mod tests {
     }
 
     #[test]
+    fn bodies_that_share_a_face_are_one_whichever_way_each_looks() {
+        use tomolith_io::mesh::samples::{cuboid, inverted, together};
+        let pair = [
+            cuboid([0.0; 3], [2.0; 3]),
+            cuboid([2.0, 0.0, 0.0], [4.0, 2.0, 2.0]),
+        ];
+        for turned in 0..4 {
+            let bodies: Vec<Mesh> = (pair.iter().cloned().enumerate())
+                .map(|(i, body)| {
+                    if turned >> i & 1 == 1 {
+                        inverted(body)
+                    } else {
+                        body
+                    }
+                })
+                .collect();
+            let mesh = together(&bodies).welded();
+            let (mesh, found) = examine(mesh, Path::new("a"), Repair::Safe, &Run::new()).unwrap();
+            assert!((mesh.signed_volume() - 16.0).abs() < 1e-12, "{turned}");
+            assert!(found.is_simple(), "{turned}: {:?}", found.sentences());
+        }
+    }
+
+    #[test]
     fn repairs_are_said() {
         let cube = cuboid([0.0; 3], [1.0; 3]);
         let (after, diagnosis) = found(together(&[cube.clone(), cube.clone()]).welded());

@@ -6,7 +6,7 @@ use serde::Serialize;
 use serde_json::Value;
 use std::io::Write;
 use std::path::Path;
-use tomolith::io::write_whole;
+use tomolith::io::{read_text, write_whole};
 use tomolith::job::{Document, Job};
 use tomolith::report::number::significant;
 use tomolith::{Error, Result};
@@ -123,7 +123,7 @@ fn write_job(run: &Path, file: &Path, largest: f64) -> Result<()> {
         ));
     }
     let path = run.join("job.toml");
-    let text = std::fs::read_to_string(&path).map_err(|e| Error::io(&path, e))?;
+    let text = read_text(&path)?;
     let mut document = Document::toml(&path, &text)?;
     document.set(&format!("bounds.max={largest}"))?;
     let text = Job::from_document(document)?.resolved().to_toml()?;

@@ -138,14 +138,23 @@ fn processes_of_a_launcher_are_told_that_each_does_all_and_shares_by_hand_are_no
 #[test]
 fn processes_of_a_launcher_that_would_write_the_same_files_are_refused() {
     let bench = Bench::with(&[("job.toml", JOB)]);
-    let mut command = bench.command("simulate job.toml --patterns nowhere.npz");
-    let output = command.env("OMPI_COMM_WORLD_SIZE", "2").output().unwrap();
-    let message = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(2));
-    assert!(
-        message.contains("one of 2 processes of a launcher"),
-        "{message}"
-    );
+    for line in [
+        "simulate job.toml --patterns nowhere.npz",
+        "voxelize part.stl --pitch-mm 0.1 -o part.npy",
+        "phantom gear --size-mm 2 --pitch-mm 0.5 -o gear.npy",
+        "import config.json -o new.toml",
+        "expose run --trade-off",
+        "compare a b",
+    ] {
+        let mut command = bench.command(line);
+        let output = command.env("OMPI_COMM_WORLD_SIZE", "2").output().unwrap();
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(2), "{line}: {message}");
+        assert!(
+            message.contains("one of 2 processes of a launcher"),
+            "{line}: {message}"
+        );
+    }
 }
 
 #[test]

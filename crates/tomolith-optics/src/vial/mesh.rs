@@ -42,6 +42,8 @@ pub struct MeshVial {
     reach_mm: f64,
     /// Radii of circles about the axis that fit into the walls at the height of the origin, mm.
     inscribed_mm: [f64; 2],
+    /// Of its files.
+    notes: Vec<String>,
 }
 
 impl MeshVial {
@@ -111,6 +113,7 @@ impl MeshVial {
             outer: outside,
             inner: inside,
             refractive_index,
+            notes: Vec::new(),
         })
     }
 }
@@ -255,6 +258,10 @@ impl Vial for MeshVial {
         ]
     }
 
+    fn notes(&self) -> &[String] {
+        &self.notes
+    }
+
     fn outer_radius_mm(&self) -> f64 {
         self.reach_mm
     }
@@ -304,26 +311,34 @@ pub const KIND: Kind<BuildVial> = Kind {
     build: |section| {
         let params: Params = section.parse()?;
         let scale = positive(section, "scale", params.scale)?;
-        let wall = |file: &Path, key: &str| read(section, file, key, scale);
-        Ok(Box::new(MeshVial::new(
-            &wall(&params.outer, "outer")?,
-            &wall(&params.inner, "inner")?,
-            index(section, "refractive_index", params.refractive_index)?,
-            &section.path,
-        )?))
+        let mut notes = Vec::new();
+        let mut wall = |file: &Path, key: &str| read(section, file, key, scale, &mut notes);
+        let (outer, inner) = (wall(&params.outer, "outer")?, wall(&params.inner, "inner")?);
+        let index = index(section, "refractive_index", params.refractive_index)?;
+        let vial = MeshVial::new(&outer, &inner, index, &section.path)?;
+        Ok(Box::new(MeshVial { notes, ..vial }))
     },
 };
 
-fn read(section: &Section, file: &Path, key: &str, scale: f64) -> Result<Mesh> {
+fn read(
+    section: &Section,
+    file: &Path,
+    key: &str,
+    scale: f64,
+    notes: &mut Vec<String>,
+) -> Result<Mesh> {
     let path = section.file(file);
-    let mesh = read_mesh(&path).and_then(|file| file.whole(&path));
-    let mut mesh = mesh.map_err(|error| {
+    let key = format!("{}.{key}", section.path);
+    let file = read_mesh(&path).and_then(|file| file.whole(&path));
+    let file = file.map_err(|error| {
         Error::config(
-            format!("{}.{key}", section.path),
+            key.as_str(),
             error.to_string(),
             "a mesh file that can be read",
         )
     })?;
+    notes.extend(file.notes.iter().map(|note| format!("{key}: {note}")));
+    let mut mesh = file.mesh;
     for value in mesh.vertices.iter_mut().flatten() {
         *value *= scale;
     }

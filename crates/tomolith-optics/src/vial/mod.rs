@@ -86,6 +86,11 @@ pub trait Vial: std::fmt::Debug + Send + Sync {
         asked
     }
 
+    /// What people should know of its files, one sentence each, with the key of the file.
+    fn notes(&self) -> &[String] {
+        &[]
+    }
+
     /// Whether it is the same at all heights.
     fn is_invariant(&self) -> bool {
         true

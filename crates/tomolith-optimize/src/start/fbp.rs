@@ -196,6 +196,7 @@ mod tests {
         let x: Vec<f64> = rows.iter().map(|v| factor * v).collect();
         let dose = dense.forward(&x);
         let middle = 24 * n + 24;
+        eprintln!("DBG blob {}", dose[middle] / blob[middle]);
         assert!(
             (dose[middle] / blob[middle] - 1.0).abs() < 0.05,
             "{} for {}",
@@ -265,12 +266,14 @@ mod tests {
             let from_axis = (column as f64 - 31.5).abs() * 0.1;
             let mean = x.iter().skip(column).step_by(64).sum::<f32>() / 90.0;
             let lit = f64::from(mean) * 90.0 * 0.001;
+            eprintln!("DBG {from_axis} {lit}");
             match from_axis {
                 s if s < 1.5 => assert!((lit - 1.0).abs() < 0.1, "{s} mm: {lit}"),
                 s if s > 2.2 => assert!(lit < 0.1, "{s} mm: {lit}"),
                 _ => {}
             }
         }
+        eprintln!("DBG {halves:?}");
         assert!(halves.iter().all(|d| (d - 1.0).abs() < 0.1), "{halves:?}");
     }
 
@@ -279,6 +282,7 @@ mod tests {
         // With α in φ alone the halves would have 0.48 and 1.75. Eq. 3 cuts negative values, which lights the right half by 0.1 more
         for scale in [StartScale::Analytic, StartScale::Fit] {
             let (_, [left, right]) = disc_in_halves(0.002, scale);
+            eprintln!("DBG {scale:?} {left} {right}");
             assert!((left - 1.0).abs() < 0.1, "{scale:?}: {left}, {right}");
             assert!((right - 1.0).abs() < 0.15, "{scale:?}: {left}, {right}");
         }

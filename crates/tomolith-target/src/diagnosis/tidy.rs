@@ -102,6 +102,8 @@ pub(super) fn drop_doubles(mesh: &mut Mesh) -> Doubles {
     let mut keep = vec![true; keys.len()];
     // Pairs that cancel: one triangle of either kind
     let mut walls: Vec<[usize; 2]> = Vec::new();
+    // Triangles of which there is one copy, which looks the same way
+    let mut twins: Vec<[usize; 2]> = Vec::new();
     let mut doubles = Doubles::default();
     for same in keys
         .chunk_by(|a, b| a.0 == b.0)
@@ -116,6 +118,9 @@ pub(super) fn drop_doubles(mesh: &mut Mesh) -> Doubles {
         for (_, _, t) in same {
             keep[*t] = survivor.flatten().is_some_and(|key| key.2 == *t);
         }
+        if let ([a, b], 0) = (same, pairs) {
+            twins.push([a.2, b.2]);
+        }
         if survivor.is_none() {
             let first = |even: bool| {
                 same.iter()
@@ -129,6 +134,11 @@ pub(super) fn drop_doubles(mesh: &mut Mesh) -> Doubles {
     for t in outward_copies(mesh, &walls) {
         keep[t] = true;
         doubles.back_to_back -= 1;
+    }
+    for pair in between_bodies(mesh, &twins) {
+        pair.into_iter().for_each(|t| keep[t] = false);
+        doubles.back_to_back += 2;
+        doubles.copies -= 1;
     }
     if keep.contains(&false) {
         let mut kept = keep.into_iter();
@@ -167,6 +177,46 @@ fn outward_copies(mesh: &Mesh, walls: &[[usize; 2]]) -> Vec<usize> {
             (!is_open[group]).then(|| pair[usize::from(volumes[group] < 0.0)])
         });
     closed.collect()
+}
+
+/// Of pairs of triangles that look the same way, those that are a wall between two bodies, one of which is inside out: without both of
+/// them the rest is closed.
+fn between_bodies(mesh: &Mesh, twins: &[[usize; 2]]) -> Vec<[usize; 2]> {
+    if twins.is_empty() {
+        return Vec::new();
+    }
+    let mut patch_of = vec![None; mesh.triangles.len()];
+    for (patch, t) in twins
+        .iter()
+        .enumerate()
+        .flat_map(|(i, pair)| pair.map(|t| (i, t)))
+    {
+        patch_of[t] = Some(patch as u32);
+    }
+    let mut patches = Groups::new(twins.len());
+    let mut rims = Vec::new();
+    for sides in Edges::new(mesh).iter() {
+        let here: Vec<u32> = (sides.iter())
+            .filter_map(|side| patch_of[side.triangle as usize])
+            .collect();
+        here.windows(2).for_each(|two| patches.join(two[0], two[1]));
+        let others = sides.len() - here.len();
+        rims.extend(
+            here.first()
+                .filter(|_| others > 0)
+                .map(|&patch| (patch, others)),
+        );
+    }
+    let [mut has_rim, mut closes] = [vec![false; twins.len()], vec![true; twins.len()]];
+    for (patch, others) in rims {
+        let patch = patches.of(patch) as usize;
+        has_rim[patch] = true;
+        closes[patch] &= others.is_multiple_of(2);
+    }
+    let is_between = |patch: usize| has_rim[patch] && closes[patch];
+    let pairs = twins.iter().enumerate();
+    let between = pairs.filter(|(i, _)| is_between(patches.of(*i as u32) as usize));
+    between.map(|(_, pair)| *pair).collect()
 }
 
 #[cfg(test)]
@@ -235,6 +285,23 @@ mod tests {
             }
         );
         assert!((block.signed_volume() - 2.0).abs() < 1e-12);
+        // A wall between a cube and one that is inside out goes as well; a single copy leaves no hole
+        let second = inverted(cuboid([0.0, 0.0, 1.0], [1.0, 1.0, 2.0]));
+        let mut block = together(&[cube.clone(), second]).welded();
+        assert_eq!(
+            drop_doubles(&mut block),
+            Doubles {
+                copies: 0,
+                back_to_back: 4
+            }
+        );
+        assert!(Edges::new(&block).iter().all(|edge| edge.len() == 2));
+        let mut copied = cube.clone();
+        copied.triangles.push(cube.triangles[3]);
+        assert_eq!(
+            (drop_doubles(&mut copied).copies, copied.triangles.len()),
+            (1, 12)
+        );
         let mut sound = cube.clone();
         assert_eq!(
             (drop_doubles(&mut sound), sound == cube),

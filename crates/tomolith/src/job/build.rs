@@ -43,6 +43,8 @@ pub(crate) struct Optics {
     pub(crate) lights: Vec<Light>,
     /// What stands between each light's pixels and the vial.
     pub(super) paths: Vec<rays::Optics>,
+    /// What people should know of the meshes of vial and obstacles.
+    pub(super) of_meshes: Vec<String>,
     /// Bodies of the job among the obstacles of a path, before the inserts of the target.
     pub(super) bodies: usize,
     /// How light becomes dose, where the job says so; None: by the cheapest model that is exact.
@@ -73,7 +75,8 @@ impl Optics {
             (kind.build.read)(&section)
         };
         let model = spec.model.as_ref().map(read).transpose()?;
-        let obstacles = obstacles_of(spec, base)?;
+        let mut of_meshes = vial.notes().to_vec();
+        let obstacles = obstacles_of(spec, base, &mut of_meshes)?;
         let motion = motion_of(spec)?;
         let phase = Section::new("resin.phase", spec.resin.phase.clone()).read(PHASES)?;
         let phase: Arc<dyn Phase> = Arc::from(phase);
@@ -121,6 +124,7 @@ impl Optics {
             projector_kinds,
             lights,
             paths,
+            of_meshes,
             bodies: obstacles.len(),
             model,
             dose_factor: 1.0,
@@ -403,8 +407,8 @@ fn scattering_of(resin: &ResinSpec, phase: &Arc<dyn Phase>) -> Option<Scattering
     })
 }
 
-/// The bodies in the light.
-fn obstacles_of(spec: &JobSpec, base: &Path) -> Result<Vec<Obstacle>> {
+/// The bodies in the light; notes what was repaired in their meshes.
+fn obstacles_of(spec: &JobSpec, base: &Path, notes: &mut Vec<String>) -> Result<Vec<Obstacle>> {
     let mut obstacles = Vec::with_capacity(spec.obstacles.len());
     for (i, obstacle) in spec.obstacles.iter().enumerate() {
         let section = format!("obstacles[{i}]");
@@ -458,9 +462,12 @@ fn obstacles_of(spec: &JobSpec, base: &Path) -> Result<Vec<Obstacle>> {
             other => other,
         };
         let file = base.join(&obstacle.mesh);
-        let mesh = read_mesh(&file).and_then(|content| content.whole(&file));
-        let mesh = mesh.map_err(key)?;
-        let shape = MeshShape::new(mesh, &placement, &file, &section, Repair::Safe).map_err(key)?;
+        let content = read_mesh(&file).and_then(|content| content.whole(&file));
+        let content = content.map_err(key)?;
+        let shape =
+            MeshShape::new(content, &placement, &file, &section, Repair::Safe).map_err(key)?;
+        let found = shape.warnings().into_iter();
+        notes.extend(found.map(|note| format!("{section}.mesh: {note}")));
         obstacles.push(Obstacle {
             surface: Surface::Net(Arc::new(Net::new(shape.mesh(), &section)?)),
             material: obstacle.material,
@@ -565,6 +572,24 @@ pub(super) mod tests {
         };
         // Resin to 7.6 mm, glass to 8.3: corners at (x ± ½, ½)
         assert_eq!([7.0, 7.2, 8.0, 9.0].map(at), [0, 1, 1, 0]);
+    }
+
+    #[test]
+    fn repairs_of_a_body_are_told() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut body = crate::io::mesh::samples::cuboid([-0.5; 3], [0.5; 3]);
+        let notes = |body: &crate::io::mesh::Mesh| {
+            let bytes = crate::io::mesh::samples::stl_binary(body);
+            std::fs::write(folder.path().join("body.stl"), bytes).unwrap();
+            let spec = spec(&["obstacles=[{ mesh = \"body.stl\" }]"]);
+            Optics::new(&spec, folder.path()).unwrap().of_meshes
+        };
+        assert!(notes(&body).is_empty());
+        body.triangles.pop();
+        let notes = notes(&body);
+        assert_eq!(notes.len(), 1, "{notes:?}");
+        assert!(notes[0].starts_with("obstacles[0].mesh: "), "{notes:?}");
+        assert!(notes[0].contains("hole"), "{notes:?}");
     }
 
     #[test]

@@ -43,6 +43,8 @@ const BYTES_PER_VOXEL_ON_DISK: f64 = 20.0;
 /// Bytes of print.stl and print.ply per face of a cube of as many voxels as are evaluated: the part has about twelve triangles (50
 /// and 22.5 bytes each) where the cube has one voxel's face on each of its six sides.
 const BYTES_PER_FACE_ON_DISK: f64 = 870.0;
+/// Bytes of print.stl per voxel that is evaluated, where noise makes the dose cross the threshold in most of them: 1.7 triangles measured.
+const BYTES_PER_NOISY_VOXEL_ON_DISK: f64 = 100.0;
 /// Pattern vectors of an optimizer beside its memory of 2m.
 const VECTORS: usize = 4;
 /// Forward and adjoint calls beside those of the iterations: the start, its dose, the raw patterns' dose.
@@ -102,6 +104,8 @@ pub(crate) struct Extent {
     pub(crate) stacked: usize,
     /// Bytes of a voxel of the evaluation in `evaluation/`, 0 when it is not written.
     pub(crate) bytes_evaluated: usize,
+    /// Whether the dose is drawn at random, which makes the surface rough.
+    pub(crate) is_noisy: bool,
     /// Scenarios beside the job: as many models more.
     pub(crate) scenarios: usize,
     /// Memory of frames at work, MB: in the optimization, and in the evaluation.
@@ -154,6 +158,7 @@ impl Extent {
             glows: optics.scene().scatters() && optics.lights.iter().any(|l| l.map.is_some()),
             stacked: 0,
             bytes_evaluated: 0,
+            is_noisy: false,
             scenarios: 0,
             working_mb: [0.0; 2],
         }
@@ -289,12 +294,15 @@ impl Extent {
     /// Size of the run folder, MB.
     pub(crate) fn disk_mb(&self) -> u64 {
         let voxels = self.grid.len() as f64;
+        let fine = voxels * self.refine.pow(3) as f64;
+        let surface = self.faces() * BYTES_PER_FACE_ON_DISK
+            + f64::from(u8::from(self.is_noisy)) * fine * BYTES_PER_NOISY_VOXEL_ON_DISK;
         let checkpoint = self.active_pixels as f64 * 4.0 * (2 * self.memory + VECTORS) as f64;
         let bytes = voxels * BYTES_PER_VOXEL_ON_DISK
-            + self.faces() * BYTES_PER_FACE_ON_DISK
+            + surface
             + self.pixels as f64 * BYTES_PER_PIXEL_ON_DISK
             + (self.canvas * self.stacked) as f64
-            + (self.grid.len() * self.refine.pow(3) * self.bytes_evaluated) as f64
+            + fine * self.bytes_evaluated as f64
             + checkpoint;
         (10.0 + bytes / 1e6) as u64
     }
@@ -495,6 +503,7 @@ mod tests {
             glows: false,
             stacked: 0,
             bytes_evaluated: 0,
+            is_noisy: false,
             scenarios: 0,
             working_mb: [0.0; 2],
         }
@@ -669,5 +678,14 @@ mod tests {
         };
         assert!((glowing.optimization()[0] - lanes * 29.0 / 1e6).abs() < 1e-12);
         assert_eq!(larger.disk_mb(), extent.disk_mb() + 8);
+        // 125 000 voxels, which triangles run through
+        let [noisy, even] = [true, false].map(|is_noisy| Extent {
+            grid: VolumeGrid::centered([50; 3], 0.1),
+            refine: 1,
+            is_noisy,
+            ..extent.clone()
+        });
+        let more = noisy.disk_mb() - even.disk_mb();
+        assert!((12..=13).contains(&more), "{more} MB");
     }
 }

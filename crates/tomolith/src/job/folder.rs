@@ -28,7 +28,7 @@ const NEW: &str = ".new";
 const OLD: &str = ".old-";
 const LOCK: &str = ".lock";
 /// What a run may leave beside them and its properties, by name or by its first letters and its extension.
-const OUTPUTS: [&str; 13] = [
+pub(super) const OUTPUTS: [&str; 13] = [
     "patterns.npz",
     "frames",
     "frames.npz",
@@ -257,8 +257,8 @@ impl RunFolder {
 
     /// Outputs of an earlier run that are not among these names.
     fn outputs(&self, names: &[String]) -> Result<Vec<PathBuf>> {
-        let report = fs::read(self.path.join(LAST[0])).unwrap_or_default();
-        let report: Value = serde_json::from_slice(&report).unwrap_or_default();
+        let report = read_text(self.path.join(LAST[0])).unwrap_or_default();
+        let report: Value = serde_json::from_str(&report).unwrap_or_default();
         let properties = report["properties"].as_array().into_iter().flatten();
         let properties: Vec<String> = properties
             .filter_map(|property| Some(format!("{}.npy", property["name"].as_str()?)))

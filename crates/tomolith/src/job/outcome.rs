@@ -501,6 +501,32 @@ mod tests {
     use super::*;
 
     #[test]
+    fn an_exposure_that_never_comes_says_what_would_help() {
+        let said = |induction_end_s: Option<f64>, share: f64| {
+            let summary = TimeSummary {
+                name: "resin".to_owned(),
+                induction_end_s,
+                best_s: induction_end_s,
+                best_jaccard: None,
+                best_mj: None,
+                ideal_exposure_s: None,
+                largest_share: Some(share),
+            };
+            summary.to_string()
+        };
+        let nothing = said(None, 1.18);
+        assert!(nothing.contains("ideal exposure never (the part absorbs 118 % of what"));
+        assert!(nothing.ends_with("too unevenly or too slowly for any of it to become solid)"));
+        for (text, who) in [
+            (said(None, 0.4), "(the part absorbs 40 %"),
+            (said(Some(9.0), 0.4), "(solid voxels absorb 40 %"),
+        ] {
+            assert!(text.contains(who), "{text}");
+            assert!(text.ends_with("more turns, or more power)"), "{text}");
+        }
+    }
+
+    #[test]
     fn numbers_keep_to_their_column() {
         for (value, text) in [
             (0.97504, "0.9750"),

@@ -3,6 +3,7 @@
 use super::all_errors::with_others;
 use super::document::Document;
 use super::kinds::{KindFamily, families, with_defaults};
+use super::not_finite;
 use super::refinement::LEAST_REFINE;
 use super::spec::{Angles, JobSpec, default_objective};
 use super::validate;
@@ -18,6 +19,12 @@ const TOY_PIXELS: usize = 80;
 const TOY_EDGE: usize = 12;
 const TOY_FRAMES: usize = 36;
 const TOY_ITERATIONS: usize = 3;
+/// Rays, or paths, of a pixel, where a job asks for more: by the tables of models and their keys.
+const TOY_RAYS: u64 = 4;
+const RAYS: [[&str; 2]; 2] = [
+    ["rays", "rays_per_pixel"],
+    ["monte_carlo", "paths_per_pixel"],
+];
 
 /// A job: its tables, and the text they came from.
 #[derive(Clone, Debug)]
@@ -168,8 +175,8 @@ impl Job {
         spec
     }
 
-    /// The same job as a quick trial: a third of the resolution (down to a sixth, so that images have 80 pixels across), few angles, few iterations, and
-    /// no quality that is asked for (`evaluate.require_*`), but for those of these keys that the command line sets. What it prints is poor, but every
+    /// The same job as a quick trial: a third of the resolution (down to a sixth, so that images have 80 pixels across), few angles, rays and iterations,
+    /// and no quality that is asked for (`evaluate.require_*`), but for those of these keys that the command line sets. What it prints is poor, but every
     /// stage runs.
     #[must_use]
     pub fn toy(mut self) -> Self {
@@ -202,6 +209,17 @@ impl Job {
         spec.printer
             .iter_mut()
             .for_each(|printer| printer.coarsen(coarser as f64));
+        for [kind, key] in RAYS {
+            let rays = spec
+                .model
+                .as_mut()
+                .and_then(|model| model.get_mut(kind)?.get_mut(key));
+            if let Some(rays) = rays.filter(|_| !is_set(&format!("model.{kind}.{key}")))
+                && rays.as_u64().is_some_and(|rays| rays > TOY_RAYS)
+            {
+                *rays = TOY_RAYS.into();
+            }
+        }
         if !is_set("stop.iterations") {
             spec.stop.iterations = spec.stop.iterations.min(TOY_ITERATIONS);
         }
@@ -217,9 +235,11 @@ impl Job {
         self
     }
 
-    /// Adds file and line to an error about one of this job's keys, and that its numbers are those of a toy.
+    /// Adds file and line to an error about one of this job's keys, and that its numbers are those of a toy. A number that is not finite
+    /// becomes an error of the keys that made it.
     #[must_use]
     pub fn locate(&self, error: Error) -> Error {
+        let error = not_finite::blamed(&self.document.root, error);
         let mut error = self.document.locate(error);
         if let Error::Config { key, accepted, .. } = &mut error
             && self.is_toy
@@ -315,6 +335,7 @@ mod tests {
             light = [{ pixels = [60, 30], angles = 180, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
             stop = { iterations = 40 }
             evaluate = { require_iou = 0.9 }
+            model = { rays = { rays_per_pixel = 64 } }
         "#;
         let toy = |assignments: &[&str]| {
             let mut document = Document::toml("job.toml", text).unwrap();
@@ -338,6 +359,10 @@ mod tests {
             "evaluate.require_iou=0.5",
         ];
         assert_eq!(counts(&set), (12, 90, Some(0.5)));
+        let rays = |set: &[&str]| toy(set).model.unwrap()["rays"]["rays_per_pixel"].clone();
+        assert_eq!(rays(&[]), TOY_RAYS);
+        assert_eq!(rays(&["model.rays.rays_per_pixel=16"]), 16);
+        assert_eq!(rays(&["model={ rays = { rays_per_pixel = 2 } }"]), 2);
         // A third; down to 80 pixels; at most a sixth
         for (pixels, coarse, pitch) in [
             ("[60,30]", [20, 10], 0.3),

@@ -21,6 +21,7 @@ use super::resume::keep;
 use super::scene::{Scene, Voxels};
 use super::write::{self, Done, Headline};
 use crate::error::{Error, Result};
+use crate::io::read_text;
 use crate::metrics::Evaluation;
 use crate::models::Run;
 use crate::optimize::checkpoint::CHECKPOINT;
@@ -272,8 +273,8 @@ fn respond_as_found(scene: &mut Scene, source: &Path) -> Result<()> {
     } else {
         source.parent()
     };
-    let report = folder.and_then(|folder| std::fs::read(folder.join("report.json")).ok());
-    let report = report.and_then(|bytes| serde_json::from_slice(&bytes).ok());
+    let report = folder.and_then(|folder| read_text(folder.join("report.json")).ok());
+    let report = report.and_then(|text| serde_json::from_str(&text).ok());
     let found = report.map(|report| free.found_by(&report)).transpose()?;
     let found = found.flatten();
     scene.notes.push(match &found {

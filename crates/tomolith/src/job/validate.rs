@@ -1,6 +1,7 @@
 //! Ranges of every key, before any work.
 
 use super::co_optimize;
+use super::file_names;
 use super::spec::{
     Angles, BoundsSpec, CeilingTolerance, DoseConvention, JobSpec, LightPrinterSpec, LightSpec,
     OutputSpec, ResinSpec, SelectionSpec,
@@ -249,8 +250,17 @@ fn lights(lights: &[LightSpec]) -> Result<()> {
                     "a name, because there are several lights",
                 ));
             }
+            Some(name) if lights.len() > 1 && (name == "raw" || name.starts_with("raw_")) => {
+                return Err(Error::config(
+                    key,
+                    format!(
+                        "found {name:?}, as patterns.npz names what was wanted: `patterns_raw`, `patterns_raw_<light>`"
+                    ),
+                    "a name that is not raw and does not begin with raw_",
+                ));
+            }
             name => {
-                if !names.insert(name.clone()) {
+                if !names.insert(name.as_deref().map(str::to_ascii_lowercase)) {
                     return Err(Error::config(
                         key,
                         format!(
@@ -291,6 +301,7 @@ fn species(spec: &JobSpec) -> Result<()> {
         }
     }
     spec.mixing()?;
+    file_names::must_differ(spec)?;
     co_optimize::must_fit(spec)?;
     time_refusals::must_fit(spec)
 }
@@ -658,6 +669,10 @@ mod tests {
             ),
             ("light=[]", "light"),
             ("light.name=a/b", "light[0].name"),
+            (
+                "light=[{ name = \"a\", pixels = [8, 8], angles = 8, projector = { collimated = { pixel_pitch_mm = 0.1 } } }, { name = \"raw_a\", pixels = [8, 8], angles = 8, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]",
+                "light[1].name",
+            ),
             ("light.wavelength_nm=0.405", "light[0].wavelength_nm"),
             ("light.pixels=[0, 5]", "light[0].pixels[0]"),
             ("light.angles=0", "light[0].angles"),

@@ -2,6 +2,7 @@
 
 use super::device::{self, Written, WrittenFrames};
 use super::evaluate::Evaluated;
+use super::file_names::of_network;
 use super::folder::RunFolder;
 use super::in_time::{InTime, NetworkInTime};
 use super::levels::sentence;
@@ -34,7 +35,6 @@ use crate::report::{
     ReportData, SpeciesReport, TimePoint, TimeReport, Timing, time, write_html, write_json,
     write_print,
 };
-use crate::text::file_name;
 use crate::units::concise;
 use std::io::Write as _;
 use std::panic::resume_unwind;
@@ -474,7 +474,7 @@ fn write_time(
     for network in &in_time.networks {
         let end = match in_time.networks.len() {
             1 => String::new(),
-            _ => format!("_{}", file_name(&network.name, '_')),
+            _ => of_network(&network.name),
         };
         let text = time::csv(&time_points(network));
         write_whole(&new.join(format!("time{end}.csv")), |file| {

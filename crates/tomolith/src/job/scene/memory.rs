@@ -42,6 +42,7 @@ pub(super) fn extent(scene: &Scene, family: &Family) -> Result<Extent> {
         stacked: bytes_stacked(spec),
         // Response and target, and a label
         bytes_evaluated: usize::from(spec.output.evaluation) * 9,
+        is_noisy: family.monte_carlo_paths().is_some(),
         scenarios: spec.scenario.len(),
         working_mb: [
             kept_of_the_job.working_bytes as f64 / 1e6,

@@ -193,6 +193,7 @@ impl Scene {
                 two_critical_doses(&spec).into_iter().collect(),
                 scenarios::worst_of_one(&spec).into_iter().collect(),
                 optics.dark_inside(),
+                optics.of_meshes.clone(),
                 optics.through_walls(),
                 optics.moved_away(printed).into_iter().collect(),
                 optics.coarse(printed),
