@@ -181,7 +181,7 @@ mod tests {
 
     #[test]
     fn uncut_it_inverts_the_model() {
-        // A smooth blob far from the edge; linear interpolation, there and back, blurs it by a few per cent
+        // A smooth blob far from the edge; linear interpolation, there and back, blurs it by 3.6 %
         let model = SmallModel::new(48, 96, 1);
         let dense = Dense::new(&model);
         let n = 48;
@@ -196,9 +196,8 @@ mod tests {
         let x: Vec<f64> = rows.iter().map(|v| factor * v).collect();
         let dose = dense.forward(&x);
         let middle = 24 * n + 24;
-        eprintln!("DBG blob {}", dose[middle] / blob[middle]);
         assert!(
-            (dose[middle] / blob[middle] - 1.0).abs() < 0.05,
+            (dose[middle] / blob[middle] - 0.964).abs() < 0.005,
             "{} for {}",
             dose[middle],
             blob[middle]
@@ -266,25 +265,27 @@ mod tests {
             let from_axis = (column as f64 - 31.5).abs() * 0.1;
             let mean = x.iter().skip(column).step_by(64).sum::<f32>() / 90.0;
             let lit = f64::from(mean) * 90.0 * 0.001;
-            eprintln!("DBG {from_axis} {lit}");
             match from_axis {
-                s if s < 1.5 => assert!((lit - 1.0).abs() < 0.1, "{s} mm: {lit}"),
-                s if s > 2.2 => assert!(lit < 0.1, "{s} mm: {lit}"),
+                s if s < 1.9 => assert!((lit - 1.0).abs() < 0.04, "{s} mm: {lit}"),
+                s if s > 2.0 => assert_eq!(lit, 0.0, "{s} mm"),
                 _ => {}
             }
         }
-        eprintln!("DBG {halves:?}");
-        assert!(halves.iter().all(|d| (d - 1.0).abs() < 0.1), "{halves:?}");
+        assert!(halves.iter().all(|d| (d - 1.0).abs() < 2e-3), "{halves:?}");
     }
 
     #[test]
     fn absorption_is_a_field() {
-        // With α in φ alone the halves would have 0.48 and 1.75. Eq. 3 cuts negative values, which lights the right half by 0.1 more
-        for scale in [StartScale::Analytic, StartScale::Fit] {
-            let (_, [left, right]) = disc_in_halves(0.002, scale);
-            eprintln!("DBG {scale:?} {left} {right}");
-            assert!((left - 1.0).abs() < 0.1, "{scale:?}: {left}, {right}");
-            assert!((right - 1.0).abs() < 0.15, "{scale:?}: {left}, {right}");
+        // With α in φ alone the halves would have 0.48 and 1.75. Eq. 3 cuts negative values, which lights the right half by 0.1 more; the
+        // fit shares that out
+        for (scale, expected) in [
+            (StartScale::Analytic, [1.0, 1.095]),
+            (StartScale::Fit, [0.954, 1.047]),
+        ] {
+            let (_, found) = disc_in_halves(0.002, scale);
+            for (found, expected) in found.iter().zip(expected) {
+                assert!((found - expected).abs() < 0.01, "{scale:?}: {found}");
+            }
         }
     }
 
@@ -292,6 +293,7 @@ mod tests {
     fn what_does_not_absorb_takes_no_light() {
         let (x, [left, right]) = disc_in_halves(0.0, StartScale::Analytic);
         assert!(x.iter().all(|v| v.is_finite()));
-        assert!(left > 0.9 && right == 0.0, "{left}, {right}");
+        assert!((left - 1.0).abs() < 0.01, "{left}");
+        assert_eq!(right, 0.0);
     }
 }

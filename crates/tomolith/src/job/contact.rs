@@ -4,8 +4,8 @@
 //! its normal, is printed: gaps below a voxel are not seen.
 
 use crate::grid::{Volume, VolumeGrid};
+use crate::report::number::significant;
 use crate::target::{Role, Shape};
-use crate::units::concise;
 use serde::Serialize;
 use std::fmt;
 use tomolith_core::vector::{cross, dot, minus};
@@ -62,11 +62,11 @@ impl fmt::Display for Contact {
         write!(
             f,
             "touched by the print on {} of {} mm² ({:.1} %): {:.1} % of the {} mm² that the target touches",
-            concise(self.print_mm2),
-            concise(self.insert_mm2),
+            significant(self.print_mm2, 3),
+            significant(self.insert_mm2, 3),
             100.0 * self.share,
             100.0 * self.of_target,
-            concise(self.target_mm2)
+            significant(self.target_mm2, 3)
         )
     }
 }

@@ -217,10 +217,7 @@ fn sensor(mut keys: Keys, ours: &mut Ours) -> Result<Film> {
     keys.take("type");
     let mut size = [0.0; 3];
     for (size, key) in size.iter_mut().zip(["scalex", "scaley", "scalez"]) {
-        *size = keys.number_or(key, 1.0)?;
-        if !(size.is_finite() && *size > 0.0) {
-            return keys.wrong(key, *size, "a number > 0");
-        }
+        *size = keys.positive_or(key, 1.0)?;
     }
     keys.take("majorant");
     let mut film = keys.need_table("film")?;
@@ -290,7 +287,7 @@ fn target(mut keys: Keys, ours: &mut Ours) -> Result<Option<[f64; 3]>> {
             keys.number_or("box_center_y", 0.0)?,
             keys.number_or("box_center_z", 0.0)?,
         ];
-        let size = keys.number_or("size", 1.0)?;
+        let size = keys.positive_or("size", 1.0)?;
         let reach = bounds.map(|[low, high]| {
             let edges: [f64; 3] = std::array::from_fn(|i| high[i] - low[i]);
             let longest = edges.iter().copied().fold(0.0, f64::max);

@@ -89,6 +89,22 @@ impl Keys {
         self.needed(key, number)
     }
 
+    /// A length, an index or an exponent.
+    pub(super) fn positive_or(&mut self, key: &'static str, default: f64) -> Result<f64> {
+        let number = self.number_or(key, default)?;
+        match number > 0.0 && number.is_finite() {
+            true => Ok(number),
+            false => self.wrong(key, number, "a number > 0"),
+        }
+    }
+
+    pub(super) fn need_positive(&mut self, key: &'static str) -> Result<f64> {
+        match self.left.contains_key(key) {
+            true => self.positive_or(key, 1.0),
+            false => self.needed(key, None),
+        }
+    }
+
     pub(super) fn count(&mut self, key: &'static str, default: u64) -> Result<u64> {
         match self.take(key) {
             None => Ok(default),

@@ -103,7 +103,7 @@ pub(super) fn projector(mut keys: Keys, corner: Option<f64>, ours: &mut Ours) ->
     if motion != "circular" {
         return keys.wrong("motion", motion, "\"circular\"");
     }
-    let distance = keys.need_number("distance")?;
+    let distance = keys.need_positive("distance")?;
     // The projector goes round there, the vial turns here
     let rotation = if keys.flag("clockwise", false)? {
         Rotation::Counterclockwise
@@ -139,27 +139,31 @@ pub(super) fn projector(mut keys: Keys, corner: Option<f64>, ours: &mut Ours) ->
 fn optics(kind: &str, keys: &mut Keys, (columns, distance): (u64, f64)) -> Result<Value> {
     Ok(match kind {
         "collimated" => {
-            json!({ "collimated": { "pixel_pitch_mm": keys.need_number("pixel_size")? } })
+            json!({ "collimated": { "pixel_pitch_mm": keys.need_positive("pixel_size")? } })
         }
         "telecentric" => {
-            let focus = keys.need_number("focus_distance")?;
+            let focus = keys.need_positive("focus_distance")?;
             json!({ "telecentric": {
-                "pixel_pitch_mm": keys.need_number("pixel_size")?,
-                "aperture_radius_mm": keys.need_number("aperture_radius")?,
+                "pixel_pitch_mm": keys.need_positive("pixel_size")?,
+                "aperture_radius_mm": keys.need_positive("aperture_radius")?,
                 "working_distance_mm": focus,
                 "focus_mm": distance - focus,
             } })
         }
         "lens" => {
-            let focus = keys.need_number("focus_distance")?;
+            let focus = keys.need_positive("focus_distance")?;
             let pitch = match (keys.number("pixel_size")?, keys.number("fov")?) {
-                (Some(pitch), None) => pitch,
+                (Some(pitch), None) if pitch > 0.0 => pitch,
+                (Some(pitch), None) => return keys.wrong("pixel_size", pitch, "a number > 0"),
+                (None, Some(fov)) if !(fov > 0.0 && fov < 180.0) => {
+                    return keys.wrong("fov", fov, "degrees, between 0 and 180");
+                }
                 (None, Some(fov)) => 2.0 * focus * (fov.to_radians() / 2.0).tan() / columns as f64,
                 _ => return keys.wrong("fov", "both or neither", "one of fov and pixel_size"),
             };
             json!({ "lens": {
                 "pixel_pitch_mm": pitch,
-                "aperture_radius_mm": keys.need_number("aperture_radius")?,
+                "aperture_radius_mm": keys.need_positive("aperture_radius")?,
                 "distance_mm": distance,
                 "focus_distance_mm": focus,
             } })

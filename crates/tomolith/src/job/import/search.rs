@@ -23,7 +23,7 @@ pub(super) fn loss(
         Some(other) => return keys.wrong("reduction", other, "\"sum\" or \"mean\""),
     };
     let mut sparsity = keys.number_or("weight_sparsity", 0.0)?;
-    let power = keys.number_or("M", 4.0)?;
+    let power = keys.positive_or("M", 4.0)?;
     match kind.as_str() {
         "threshold" => threshold(&mut keys, surface_aware, ours)?,
         "l2" => {
@@ -87,7 +87,7 @@ fn threshold(keys: &mut Keys, surface_aware: bool, ours: &mut Ours) -> Result<()
         keys.number_or("weight_limit", 1.0)?,
     );
     let (lower, upper) = (keys.number_or("tl", 0.9)?, keys.number_or("tu", 0.95)?);
-    let exponent = keys.number_or("K", 2.0)?;
+    let exponent = keys.positive_or("K", 2.0)?;
     let values = json!({
         "lower": lower,
         "upper": upper,

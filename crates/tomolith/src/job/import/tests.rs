@@ -67,6 +67,26 @@ fn what_has_no_place_is_refused_by_name() {
         ),
         ("\"albedo\": 0.9", "\"albedo\": 1.1", "vial.medium.albedo"),
         ("\"scalez\": 1.25", "\"scalez\": -1.0", "sensor.scalez"),
+        ("\"size\": 4.0", "\"size\": -4.0", "target.size"),
+        ("\"w_int\": 10.191", "\"w_int\": -10.191", "vial.w_int"),
+        ("\"ior\": 1.54", "\"ior\": 0", "vial.ior"),
+        ("\"fov\": 5.0", "\"fov\": 400", "projector.fov"),
+        (
+            "\"fov\": 5.0",
+            "\"pixel_size\": -0.02",
+            "projector.pixel_size",
+        ),
+        (
+            "\"aperture_radius\": 0.5",
+            "\"aperture_radius\": -0.5",
+            "projector.aperture_radius",
+        ),
+        (
+            "\"focus_distance\": 150",
+            "\"focus_distance\": -150",
+            "projector.focus_distance",
+        ),
+        ("\"distance\": 152", "\"distance\": 0", "projector.distance"),
         ("\"resz\": 25", "\"resz\": 0", "sensor.film"),
         (
             "\"crop_offset_x\": 30",

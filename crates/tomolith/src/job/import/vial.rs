@@ -51,34 +51,34 @@ fn walls(kind: &str, keys: &mut Keys, ours: &Ours) -> Result<(&'static str, Valu
     Ok(match kind {
         "index_matched" => (
             "[vial.index_matched]",
-            json!({ "radius_mm": keys.need_number("r")? }),
+            json!({ "radius_mm": keys.need_positive("r")? }),
         ),
         "cylindrical" => (
             "[vial.cylinder]",
             json!({
-                "inner_radius_mm": keys.need_number("r_int")?,
-                "outer_radius_mm": keys.need_number("r_ext")?,
-                "refractive_index": keys.need_number("ior")?,
+                "inner_radius_mm": keys.need_positive("r_int")?,
+                "outer_radius_mm": keys.need_positive("r_ext")?,
+                "refractive_index": keys.need_positive("ior")?,
             }),
         ),
         "square" => (
             "[vial.square]",
             json!({
-                "inner_width_mm": keys.need_number("w_int")?,
-                "outer_width_mm": keys.need_number("w_ext")?,
-                "refractive_index": keys.need_number("ior")?,
+                "inner_width_mm": keys.need_positive("w_int")?,
+                "outer_width_mm": keys.need_positive("w_ext")?,
+                "refractive_index": keys.need_positive("ior")?,
             }),
         ),
         "double_cylindrical" => (
             "[vial.double_tube]",
             json!({
-                "outer_radius_mm": keys.need_number("r_ext_outer")?,
-                "resin_outer_radius_mm": keys.need_number("r_int_outer")?,
-                "resin_inner_radius_mm": keys.need_number("r_ext_inner")?,
-                "inner_radius_mm": keys.need_number("r_int_inner")?,
-                "outer_refractive_index": keys.need_number("ior_outer")?,
-                "inner_refractive_index": keys.need_number("ior_inner")?,
-                "core_refractive_index": keys.need_number("ior_inside_inner")?,
+                "outer_radius_mm": keys.need_positive("r_ext_outer")?,
+                "resin_outer_radius_mm": keys.need_positive("r_int_outer")?,
+                "resin_inner_radius_mm": keys.need_positive("r_ext_inner")?,
+                "inner_radius_mm": keys.need_positive("r_int_inner")?,
+                "outer_refractive_index": keys.need_positive("ior_outer")?,
+                "inner_refractive_index": keys.need_positive("ior_inner")?,
+                "core_refractive_index": keys.need_positive("ior_inside_inner")?,
             }),
         ),
         "custom" => (
@@ -86,7 +86,7 @@ fn walls(kind: &str, keys: &mut Keys, ours: &Ours) -> Result<(&'static str, Valu
             json!({
                 "outer": (ours.files.path)(&keys.need_text("filename_vial_outer")?),
                 "inner": (ours.files.path)(&keys.need_text("filename_vial_inner")?),
-                "refractive_index": keys.need_number("ior")?,
+                "refractive_index": keys.need_positive("ior")?,
             }),
         ),
         other => {
