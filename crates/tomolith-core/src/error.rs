@@ -111,6 +111,14 @@ pub enum Error {
         /// Which, from 0.
         rank: usize,
     },
+    /// A graphics card is not there, or failed.
+    #[error("graphics card {name}: {found}")]
+    Device {
+        /// The card, or what was asked for.
+        name: String,
+        /// What is wrong.
+        found: String,
+    },
     /// Several keys of a job are at fault.
     #[error("{}", .0.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))]
     Several(Vec<Error>),

@@ -10,6 +10,7 @@ use super::scene::OpticalScene;
 use super::{DoseModel, Run};
 use std::fmt;
 use std::sync::Arc;
+use tomolith_core::dose::strips::StripForm;
 use tomolith_core::error::Result;
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
@@ -229,6 +230,14 @@ pub trait ModelFamily: fmt::Debug + Send + Sync {
     /// # Errors
     /// What the model refuses; [`Error::Canceled`](tomolith_core::Error::Canceled).
     fn build(&self, input: &ModelInput<'_>) -> Result<HostModel>;
+
+    /// The model as data, for a backend that computes it elsewhere; None where it has no such form.
+    ///
+    /// # Errors
+    /// As [`build`](Self::build).
+    fn strips(&self, _input: &ModelInput<'_>) -> Result<Option<StripForm>> {
+        Ok(None)
+    }
 
     /// Whether a model for [`Purpose::Optimize`] has the doses, to the bit, of one for [`Purpose::Evaluate`] on the same voxels, and keeps no more
     /// between calls, so that one model serves both.

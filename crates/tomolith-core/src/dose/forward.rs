@@ -38,6 +38,7 @@ macro_rules! forward {
     (@memory $($to:tt)+) => { $crate::forward!(@fn memory() -> Option<Self::Field>; $($to)+); };
     (@restore $($to:tt)+) => { $crate::forward!(@fn restore(memory: &Self::Field) -> (); $($to)+); };
     (@updates $($to:tt)+) => { $crate::forward!(@fn updates() -> u64; $($to)+); };
+    (@strips $($to:tt)+) => { $crate::forward!(@fn strips() -> Option<$crate::dose::strips::StripForm>; $($to)+); };
     (@describe $($to:tt)+) => { $crate::forward!(@fn describe() -> String; $($to)+); };
     (@of_light $($to:tt)+) => { $crate::forward!(@fn of_light(i: usize) -> Option<std::sync::Arc<dyn $crate::dose::DoseModel<Field = Self::Field>>>; $($to)+); };
     // What the model around writes is left out

@@ -7,6 +7,7 @@
 pub mod cells;
 mod forward;
 pub mod layout;
+pub mod strips;
 
 use crate::error::Result;
 use crate::field::Field;
@@ -15,6 +16,7 @@ pub use crate::run::{Run, Steps};
 pub use layout::{DoseLayout, PatternLayout, Quantity, elements_of, frames_of, own_frames};
 use std::ops::Range;
 use std::sync::Arc;
+use strips::StripForm;
 
 /// How far along z a pattern row reaches: whether a job may be cut into z slabs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -147,8 +149,25 @@ pub trait DoseModel: Send + Sync {
     fn of_light(&self, _i: usize) -> Option<Arc<dyn DoseModel<Field = Self::Field>>> {
         None
     }
+    /// The model as data, for a backend that computes it where its fields live; None where there is no such form.
+    fn strips(&self) -> Option<StripForm> {
+        None
+    }
     /// One line for people: which model, which kernel.
     fn describe(&self) -> String;
+}
+
+/// Where dose models are computed in place of the processor.
+pub trait Accelerator: std::fmt::Debug + Send + Sync {
+    /// The model of a form, whose fields are the host's: they are copied there and back.
+    ///
+    /// # Errors
+    /// [`Error::Device`](crate::Error::Device), [`Error::Canceled`](crate::Error::Canceled).
+    fn model(
+        &self,
+        form: &StripForm,
+        run: &Run,
+    ) -> Result<Box<dyn DoseModel<Field = crate::field::HostField>>>;
 }
 
 /// A linear dose model; every one of them is a [`DoseModel`].
@@ -215,6 +234,10 @@ pub trait LinearOperator: Send + Sync {
     }
     /// Voxel-angle updates of one forward call after all masks.
     fn updates(&self) -> u64;
+    /// As [`DoseModel::strips`].
+    fn strips(&self) -> Option<StripForm> {
+        None
+    }
     /// One line for people.
     fn describe(&self) -> String;
 }
@@ -222,7 +245,7 @@ pub trait LinearOperator: Send + Sync {
 impl<A: LinearOperator> DoseModel for A {
     type Field = A::Field;
 
-    crate::forward!(LinearOperator, self => *self; patterns, outputs, new_patterns, new_dose, z_coupling, is_renewed, updates, describe);
+    crate::forward!(LinearOperator, self => *self; patterns, outputs, new_patterns, new_dose, z_coupling, is_renewed, updates, strips, describe);
 
     fn renew(&self, iteration: usize, _x: &Self::Field, _run: &Run) -> Result<bool> {
         Ok(LinearOperator::renew(self, iteration))

@@ -63,6 +63,7 @@
 mod block_sparsity;
 mod cached;
 pub(crate) mod chains;
+mod form;
 mod gather;
 mod kept;
 pub mod kernel;
@@ -98,6 +99,7 @@ use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use tiles::{BLOCK, TILE, Tile, TileEntries};
+use tomolith_core::dose::strips::StripForm;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField, LANES};
 use tomolith_core::grid::VolumeGrid;
@@ -174,6 +176,11 @@ impl ModelFamily for Params {
         let of = (lights, self.kernel);
         let model = Parallel::planned(scene.vial, of, grid, caches, input.run)?;
         Ok(Box::new(model))
+    }
+
+    fn strips(&self, input: &ModelInput<'_>) -> Result<Option<StripForm>> {
+        let scene = &input.scene;
+        form::form(scene.vial, scene.lights, self.kernel, input.grid, input.run)
     }
 
     /// One adjoint of all pixels: entries that are kept take a quarter of it to find where quarters of the turn repeat.

@@ -54,8 +54,8 @@ pub(super) struct LightPlan {
     /// How tiles and beams meet: `[tile][beam]`.
     pub(super) meetings: Vec<Meeting>,
     pub(super) levels: Levels,
-    deposit: Deposit,
-    walls: Walls,
+    pub(super) deposit: Deposit,
+    pub(super) walls: Walls,
     pub(super) kernel: Kernel,
     mapped: Option<Mapped>,
     /// Vectors of lanes that an active pixel of (view, column) lights, half-open.

@@ -7,6 +7,7 @@
 
 use super::strips::Major;
 use super::tiles::{Local, TILE};
+use tomolith_core::dose::strips;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_optics::vial::{CrossSection, Medium, Vial};
 
@@ -46,6 +47,14 @@ impl ResinRow {
     fn holds(&self, [low, high]: [f32; 2]) -> bool {
         let in_core = |[from, to]: [f32; 2]| low < to && high > from;
         low >= self.outer[0] && high <= self.outer[1] && !self.core.is_some_and(in_core)
+    }
+
+    /// As data.
+    pub(super) fn form(&self) -> strips::ResinRow {
+        strips::ResinRow {
+            outer: self.outer,
+            core: self.core.unwrap_or([f32::MAX, f32::MIN]),
+        }
     }
 
     /// The same, counted from another voxel.

@@ -7,6 +7,7 @@ use super::TOGETHER;
 use super::block_sparsity::is_nonzero;
 use super::chains::{Avx512, LOOKED_UP};
 use crate::layout::{PixelRun, row_of};
+use tomolith_core::dose::strips;
 use tomolith_core::field::{HostField, LANES};
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
 use tomolith_core::parallel::InParallel;
@@ -125,6 +126,11 @@ impl Spread {
             bottom: 0,
             count: self.overlaps.rows as u32,
         }
+    }
+
+    /// Lanes → slices as data, or slices → lanes.
+    pub(super) fn form(&self, to_slices: bool) -> strips::Taps {
+        self.overlaps.form(to_slices)
     }
 
     /// Adds rows of lanes to as many rows of slices; `buffer` has [`buffer`](ZOverlaps::buffer) floats.
@@ -305,6 +311,15 @@ impl ZOverlaps {
             to_lanes: Taps::new(lane_count, row_count, overlap),
             to_rows,
             lit,
+        }
+    }
+
+    /// Rows → lanes as data, or lanes → rows.
+    pub(super) fn form(&self, to_lanes: bool) -> strips::Taps {
+        let taps = if to_lanes { &self.to_lanes } else { &self.to_rows };
+        strips::Taps {
+            first: taps.first.clone(),
+            weights: taps.weights.clone(),
         }
     }
 

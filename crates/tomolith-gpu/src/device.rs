@@ -1,0 +1,586 @@
+//! A graphics card: what there is, which one is taken, buffers, kernels, and what comes back.
+//!
+//! **Order of work.** Kernels are recorded into a command list that is submitted when something is read back, when it has grown to
+//! [`MOST_RECORDED`] kernels, or when a model says that what it recorded takes long ([`Gpu::submit`]). At most [`MOST_IN_FLIGHT`] lists wait
+//! on the card, so that a run that is canceled stops within a few of them.
+//!
+//! **Errors.** The first error of the card (lost, out of memory, a refused command) is kept; from then on nothing is recorded, reads give zeros, and
+//! [`Gpu::check`] says what happened. Models call it, so a run ends with that error and not with the zeros.
+//!
+//! **Limits.** A binding is never larger than the adapter allows ([`Gpu::binding_bytes`]); a field is cut into pieces that fit. Kernels use
+//! at most 8 storage buffers, 256 threads a group, 16 kB of shared memory, and no type or operation that WebGPU leaves optional.
+
+use crate::strips::Geometries;
+use std::collections::HashMap;
+use std::fmt;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use tomolith_core::error::{Error, Result};
+
+/// Threads of a group.
+pub(crate) const THREADS: u32 = 256;
+/// Kernels of a command list.
+const MOST_RECORDED: usize = 64;
+/// Command lists on their way.
+const MOST_IN_FLIGHT: usize = 2;
+/// Bytes of a kernel's parameters, and how many such places there are: more than a command list has kernels.
+const PARAMETERS: u64 = 256;
+const PLACES: u64 = 512;
+/// Bytes that are copied at once between the card and the host.
+const COPIED: u64 = 64 << 20;
+/// Bytes that kept buffers without an owner may have.
+const MOST_KEPT: u64 = 4 << 30;
+
+/// What a graphics card is called, for people.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Adapter {
+    /// The card's name.
+    pub name: String,
+    /// The interface it is used through: Vulkan, Metal or DX12.
+    pub interface: String,
+    /// The driver and its version.
+    pub driver: String,
+    /// Whether it is a program that computes on the processor.
+    pub is_software: bool,
+    /// Largest piece of memory that a kernel may see at once, bytes.
+    pub binding_bytes: u64,
+}
+
+/// Every graphics card that this machine shows, real ones first.
+#[must_use]
+pub fn adapters() -> Vec<Adapter> {
+    found().iter().map(|(_, adapter)| adapter.clone()).collect()
+}
+
+fn found() -> Vec<(wgpu::Adapter, Adapter)> {
+    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor {
+        backends: wgpu::Backends::PRIMARY,
+        flags: wgpu::InstanceFlags::empty(),
+        ..wgpu::InstanceDescriptor::new_without_display_handle()
+    });
+    let all = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::PRIMARY));
+    let described = |adapter: wgpu::Adapter| {
+        let info = adapter.get_info();
+        let described = Adapter {
+            name: info.name,
+            interface: format!("{:?}", info.backend),
+            driver: format!("{} {}", info.driver, info.driver_info).trim().to_owned(),
+            is_software: info.device_type == wgpu::DeviceType::Cpu,
+            binding_bytes: largest_binding(&adapter.limits()),
+        };
+        (adapter, described)
+    };
+    let mut all: Vec<_> = all.into_iter().map(described).collect();
+    all.sort_by_key(|(adapter, described)| {
+        let kind = adapter.get_info().device_type;
+        (described.is_software, kind != wgpu::DeviceType::DiscreteGpu)
+    });
+    all
+}
+
+/// Bytes of a binding: whole pages, and nothing near what a 32-bit index reaches.
+fn largest_binding(limits: &wgpu::Limits) -> u64 {
+    let most = limits
+        .max_storage_buffer_binding_size
+        .min(limits.max_buffer_size)
+        .min(1 << 31);
+    // A binding of 2³¹ − 1 bytes holds no whole pages more
+    most / 65536 * 65536
+}
+
+/// Which graphics card a user asks for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Asked<'a> {
+    /// The best real card.
+    Any,
+    /// The first whose name contains this, in any case; the only way to a software adapter.
+    Named(&'a str),
+}
+
+/// A graphics card at work; clones are the same card.
+#[derive(Clone)]
+pub struct Gpu(Arc<Inner>);
+
+struct Inner {
+    device: wgpu::Device,
+    queue: wgpu::Queue,
+    adapter: Adapter,
+    binding_bytes: u64,
+    kernels: Mutex<HashMap<String, wgpu::ComputePipeline>>,
+    parameters: wgpu::Buffer,
+    recorder: Mutex<Recorder>,
+    idle: Mutex<Idle>,
+    failure: Arc<Mutex<Option<String>>>,
+    geometries: Geometries,
+    memory_bytes: Option<u64>,
+}
+
+#[derive(Default)]
+struct Recorder {
+    encoder: Option<wgpu::CommandEncoder>,
+    recorded: usize,
+    place: u64,
+    in_flight: Vec<wgpu::SubmissionIndex>,
+}
+
+/// Buffers that nobody uses at present, by size.
+#[derive(Default)]
+struct Idle {
+    buffers: HashMap<u64, Vec<wgpu::Buffer>>,
+    bytes: u64,
+}
+
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl fmt::Debug for Gpu {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Gpu").field(&self.0.adapter).finish()
+    }
+}
+
+impl Gpu {
+    /// Takes a graphics card.
+    ///
+    /// # Errors
+    /// [`Error::Device`] when there is none that was asked for, or it cannot be used.
+    pub fn open(asked: &Asked<'_>) -> Result<Self> {
+        Self::with_bindings(asked, u64::MAX)
+    }
+
+    /// As [`open`](Self::open), with bindings of at most so many bytes: what a smaller card allows.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open).
+    pub fn with_bindings(asked: &Asked<'_>, most: u64) -> Result<Self> {
+        let all = found();
+        let is_asked = |(_, described): &&(wgpu::Adapter, Adapter)| match asked {
+            Asked::Any => !described.is_software,
+            Asked::Named(name) => {
+                let own = described.name.to_lowercase();
+                own.contains(&name.to_lowercase())
+            }
+        };
+        let Some((adapter, described)) = all.iter().find(is_asked) else {
+            return Err(missing(asked, &all));
+        };
+        let limits = wgpu::Limits {
+            max_storage_buffers_per_shader_stage: 8,
+            ..adapter.limits()
+        };
+        let device = adapter.request_device(&wgpu::DeviceDescriptor {
+            label: Some("tomolith"),
+            required_limits: limits,
+            ..wgpu::DeviceDescriptor::default()
+        });
+        let failed = |found: String| Error::Device {
+            name: described.name.clone(),
+            found,
+        };
+        let (device, queue) = pollster::block_on(device).map_err(|e| failed(e.to_string()))?;
+        let failure = Arc::new(Mutex::new(None));
+        let keep = |failure: &Mutex<Option<String>>, text: String| {
+            locked(failure).get_or_insert(text);
+        };
+        let (of_errors, of_loss) = (failure.clone(), failure.clone());
+        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
+            let text = match &error {
+                wgpu::Error::OutOfMemory { .. } => "its memory is full".to_owned(),
+                other => other.to_string(),
+            };
+            keep(&of_errors, text);
+        }));
+        device.set_device_lost_callback(move |reason, text| {
+            if reason != wgpu::DeviceLostReason::Destroyed {
+                keep(&of_loss, format!("the card was lost: {text}"));
+            }
+        });
+        let parameters = device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("parameters"),
+            size: PARAMETERS * PLACES,
+            usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        Ok(Gpu(Arc::new(Inner {
+            binding_bytes: described.binding_bytes.min(most),
+            device,
+            queue,
+            adapter: described.clone(),
+            kernels: Mutex::default(),
+            parameters,
+            recorder: Mutex::default(),
+            idle: Mutex::default(),
+            failure,
+            geometries: Geometries::default(),
+            memory_bytes: memory_of(adapter),
+        })))
+    }
+
+    /// Which card it is.
+    #[must_use]
+    pub fn adapter(&self) -> &Adapter {
+        &self.0.adapter
+    }
+
+    /// Largest binding, bytes.
+    #[must_use]
+    pub fn binding_bytes(&self) -> u64 {
+        self.0.binding_bytes
+    }
+
+    /// Memory of the card, bytes; None where it does not say.
+    #[must_use]
+    pub fn memory_bytes(&self) -> Option<u64> {
+        self.0.memory_bytes
+    }
+
+    pub(crate) fn geometries(&self) -> &Geometries {
+        &self.0.geometries
+    }
+
+    /// Whether two are the same card.
+    #[must_use]
+    pub(crate) fn is(&self, other: &Gpu) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+
+    /// The first error of the card, if there was one.
+    ///
+    /// # Errors
+    /// [`Error::Device`]
+    pub fn check(&self) -> Result<()> {
+        match &*locked(&self.0.failure) {
+            None => Ok(()),
+            Some(found) => Err(Error::Device {
+                name: self.0.adapter.name.clone(),
+                found: found.clone(),
+            }),
+        }
+    }
+
+    fn has_failed(&self) -> bool {
+        locked(&self.0.failure).is_some()
+    }
+
+    fn fail(&self, text: &str) {
+        locked(&self.0.failure).get_or_insert_with(|| text.to_owned());
+    }
+
+    /// A buffer of at least so many bytes, of any content.
+    pub(crate) fn buffer(&self, bytes: u64) -> Buffer {
+        let size = bytes.max(16).next_multiple_of(256);
+        let mut idle = locked(&self.0.idle);
+        let kept = idle.buffers.get_mut(&size).and_then(Vec::pop);
+        let raw = kept.inspect(|_| idle.bytes -= size);
+        drop(idle);
+        let raw = raw.unwrap_or_else(|| {
+            self.0.device.create_buffer(&wgpu::BufferDescriptor {
+                label: None,
+                size,
+                usage: wgpu::BufferUsages::STORAGE
+                    | wgpu::BufferUsages::COPY_SRC
+                    | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            })
+        });
+        Buffer {
+            gpu: self.clone(),
+            raw: Some(raw),
+            size,
+        }
+    }
+
+    /// A buffer with these bytes.
+    pub(crate) fn upload(&self, bytes: &[u8]) -> Buffer {
+        let buffer = self.buffer(bytes.len() as u64);
+        self.write(&buffer, 0, bytes);
+        buffer
+    }
+
+    /// Overwrites a part of a buffer; offset and length are multiples of 4.
+    pub(crate) fn write(&self, buffer: &Buffer, offset: u64, bytes: &[u8]) {
+        if bytes.is_empty() || self.has_failed() {
+            return;
+        }
+        // What was recorded before comes first
+        self.submit();
+        for (i, part) in bytes.chunks(COPIED as usize).enumerate() {
+            let at = offset + i as u64 * COPIED;
+            self.0.queue.write_buffer(buffer.raw(), at, part);
+            if bytes.len() as u64 > COPIED {
+                self.0.queue.submit([]);
+            }
+        }
+    }
+
+    /// Fills a part of a buffer with zero bits.
+    pub(crate) fn clear(&self, buffer: &Buffer, bytes: u64) {
+        self.record(|encoder, _| {
+            encoder.clear_buffer(buffer.raw(), 0, Some(bytes.next_multiple_of(4)));
+        });
+    }
+
+    /// Copies the first bytes of a buffer.
+    pub(crate) fn copy(&self, from: &Buffer, to: &Buffer, bytes: u64) {
+        self.record(|encoder, _| {
+            encoder.copy_buffer_to_buffer(from.raw(), 0, to.raw(), 0, bytes.next_multiple_of(4));
+        });
+    }
+
+    /// Reads the first bytes of buffers (multiples of 4), one after the other; zeros after an error.
+    pub(crate) fn read(&self, parts: &[(&Buffer, u64)]) -> Vec<u8> {
+        let all: u64 = parts.iter().map(|part| part.1).sum();
+        let mut found = Vec::with_capacity(all as usize);
+        // What fits is copied at once
+        let (mut together, mut size) = (Vec::new(), 0);
+        for &(buffer, bytes) in parts {
+            for begin in (0..bytes).step_by(COPIED as usize) {
+                let own = COPIED.min(bytes - begin);
+                if size + own > COPIED {
+                    self.read_together(&std::mem::take(&mut together), size, &mut found);
+                    size = 0;
+                }
+                together.push((buffer, begin, own));
+                size += own;
+            }
+        }
+        self.read_together(&together, size, &mut found);
+        found.resize(all as usize, 0);
+        found
+    }
+
+    fn read_together(&self, parts: &[(&Buffer, u64, u64)], size: u64, found: &mut Vec<u8>) {
+        if size == 0 || self.has_failed() {
+            return;
+        }
+        let staging = self.0.device.create_buffer(&wgpu::BufferDescriptor {
+            label: None,
+            size: size.next_multiple_of(16),
+            usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        });
+        self.record(|encoder, _| {
+            let mut at = 0;
+            for &(buffer, begin, bytes) in parts {
+                encoder.copy_buffer_to_buffer(buffer.raw(), begin, &staging, at, bytes);
+                at += bytes;
+            }
+        });
+        self.submit();
+        staging.map_async(wgpu::MapMode::Read, .., |_| {});
+        if let Err(error) = self.0.device.poll(wgpu::PollType::wait_indefinitely()) {
+            self.fail(&error.to_string());
+        }
+        if self.has_failed() {
+            return;
+        }
+        match staging.get_mapped_range(..size) {
+            Ok(view) => found.extend_from_slice(&view),
+            Err(error) => self.fail(&error.to_string()),
+        }
+        staging.unmap();
+    }
+
+    /// Records commands, unless the card has failed.
+    fn record(&self, commands: impl FnOnce(&mut wgpu::CommandEncoder, u64)) {
+        if self.has_failed() {
+            return;
+        }
+        let mut recorder = locked(&self.0.recorder);
+        let place = recorder.place;
+        recorder.place = (place + 1) % PLACES;
+        let encoder = recorder.encoder.get_or_insert_with(|| {
+            let descriptor = wgpu::CommandEncoderDescriptor::default();
+            self.0.device.create_command_encoder(&descriptor)
+        });
+        commands(encoder, place * PARAMETERS);
+        recorder.recorded += 1;
+        if recorder.recorded >= MOST_RECORDED {
+            self.send(&mut recorder);
+        }
+    }
+
+    /// Sends what is recorded to the card, and waits where too much is on its way.
+    pub(crate) fn submit(&self) {
+        self.send(&mut locked(&self.0.recorder));
+    }
+
+    fn send(&self, recorder: &mut Recorder) {
+        let Some(encoder) = recorder.encoder.take() else {
+            return;
+        };
+        recorder.recorded = 0;
+        let index = self.0.queue.submit([encoder.finish()]);
+        recorder.in_flight.push(index);
+        if recorder.in_flight.len() > MOST_IN_FLIGHT {
+            let oldest = recorder.in_flight.remove(0);
+            let wait = wgpu::PollType::Wait {
+                submission_index: Some(oldest),
+                timeout: None,
+            };
+            if let Err(error) = self.0.device.poll(wait) {
+                self.fail(&error.to_string());
+            }
+        }
+    }
+
+    /// Runs a kernel in so many groups. Its group 0 has the parameters (32-bit words, at most 64) at binding 0 and the buffers from binding 1 on;
+    /// `source` is its WGSL, the same for the same name.
+    pub(crate) fn run(
+        &self,
+        name: &str,
+        source: &dyn Fn() -> String,
+        parameters: &[u32],
+        buffers: &[&Buffer],
+        groups: u64,
+    ) {
+        if groups == 0 || self.has_failed() {
+            return;
+        }
+        let kernel = self.kernel(name, source);
+        self.record(|encoder, place| {
+            let bytes: &[u8] = bytemuck::cast_slice(parameters);
+            self.0.queue.write_buffer(&self.0.parameters, place, bytes);
+            let uniform = wgpu::BindingResource::Buffer(wgpu::BufferBinding {
+                buffer: &self.0.parameters,
+                offset: place,
+                size: wgpu::BufferSize::new(PARAMETERS),
+            });
+            let first = std::iter::once(uniform);
+            let others = buffers.iter().map(|b| b.raw().as_entire_binding());
+            let entries: Vec<_> = (0..)
+                .zip(first.chain(others))
+                .map(|(binding, resource)| wgpu::BindGroupEntry { binding, resource })
+                .collect();
+            let bindings = self.0.device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: Some(name),
+                layout: &kernel.get_bind_group_layout(0),
+                entries: &entries,
+            });
+            let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor {
+                label: Some(name),
+                timestamp_writes: None,
+            });
+            pass.set_pipeline(&kernel);
+            pass.set_bind_group(0, &bindings, &[]);
+            // A dimension has at most 65,535 groups; kernels find their number from both
+            let across = groups.min(32768) as u32;
+            let down = groups.div_ceil(u64::from(across)) as u32;
+            pass.dispatch_workgroups(across, down, 1);
+        });
+    }
+
+    fn kernel(&self, name: &str, source: &dyn Fn() -> String) -> wgpu::ComputePipeline {
+        let mut kernels = locked(&self.0.kernels);
+        if let Some(kernel) = kernels.get(name) {
+            return kernel.clone();
+        }
+        let text = source();
+        let module = self.module(name, &text);
+        let kernel = self
+            .0
+            .device
+            .create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+                label: Some(name),
+                layout: None,
+                module: &module,
+                entry_point: Some("main"),
+                compilation_options: wgpu::PipelineCompilationOptions {
+                    // Every kernel writes its shared memory before it reads it
+                    zero_initialize_workgroup_memory: false,
+                    ..wgpu::PipelineCompilationOptions::default()
+                },
+                cache: None,
+            });
+        kernels.insert(name.to_owned(), kernel.clone());
+        kernel
+    }
+
+    #[expect(unsafe_code, reason = "bounds checks cost a fifth to two fifths of a kernel's time")]
+    fn module(&self, name: &str, text: &str) -> wgpu::ShaderModule {
+        let descriptor = wgpu::ShaderModuleDescriptor {
+            label: Some(name),
+            source: wgpu::ShaderSource::Wgsl(text.into()),
+        };
+        if self.0.adapter.is_software || cfg!(debug_assertions) {
+            return self.0.device.create_shader_module(descriptor);
+        }
+        // SAFETY: the kernels are this crate's own. Their indices come from lengths that the host checks, they read nothing that was not
+        // written, and their loops end. The tests run all of them with the checks, on a software adapter.
+        unsafe {
+            self.0
+                .device
+                .create_shader_module_trusted(descriptor, wgpu::ShaderRuntimeChecks::unchecked())
+        }
+    }
+}
+
+/// The card's memory as Vulkan tells it; other interfaces do not.
+#[cfg(not(target_vendor = "apple"))]
+#[expect(unsafe_code, reason = "wgpu does not tell the memory of a card")]
+fn memory_of(adapter: &wgpu::Adapter) -> Option<u64> {
+    // SAFETY: the handle is only read, while the adapter lives.
+    let properties = unsafe {
+        let hal = adapter.as_hal::<wgpu::hal::api::Vulkan>()?;
+        let instance = hal.shared_instance().raw_instance();
+        instance.get_physical_device_memory_properties(hal.raw_physical_device())
+    };
+    let heaps = &properties.memory_heaps[..properties.memory_heap_count as usize];
+    // Bit 0: on the card
+    let own = heaps.iter().filter(|heap| heap.flags.as_raw() & 1 == 1);
+    own.map(|heap| heap.size).max()
+}
+
+#[cfg(target_vendor = "apple")]
+fn memory_of(_: &wgpu::Adapter) -> Option<u64> {
+    None
+}
+
+/// No card is there that was asked for; what there is instead.
+fn missing(asked: &Asked<'_>, all: &[(wgpu::Adapter, Adapter)]) -> Error {
+    let names: Vec<String> = all
+        .iter()
+        .map(|(_, own)| match own.is_software {
+            true => format!("{:?} (software, must be named)", own.name),
+            false => format!("{:?}", own.name),
+        })
+        .collect();
+    let there = if names.is_empty() {
+        "this machine shows none (a driver with Vulkan, Metal or DX12 is needed)".to_owned()
+    } else {
+        format!("this machine shows {}", names.join(", "))
+    };
+    let name = match asked {
+        Asked::Any => "gpu".to_owned(),
+        Asked::Named(name) => format!("gpu:{name}"),
+    };
+    Error::Device {
+        name,
+        found: format!("no such graphics card; {there}"),
+    }
+}
+
+/// Memory of the card. What is dropped is kept for the next of its size.
+pub(crate) struct Buffer {
+    gpu: Gpu,
+    raw: Option<wgpu::Buffer>,
+    size: u64,
+}
+
+impl Buffer {
+    fn raw(&self) -> &wgpu::Buffer {
+        self.raw.as_ref().unwrap_or_else(|| unreachable!("taken when it is dropped"))
+    }
+}
+
+impl Drop for Buffer {
+    fn drop(&mut self) {
+        let mut idle = locked(&self.gpu.0.idle);
+        if idle.bytes + self.size <= MOST_KEPT
+            && let Some(raw) = self.raw.take()
+        {
+            idle.bytes += self.size;
+            idle.buffers.entry(self.size).or_default().push(raw);
+        }
+    }
+}

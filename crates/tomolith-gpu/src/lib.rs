@@ -1,0 +1,25 @@
+//! Graphics cards: fields, objectives, methods and dose models computed there.
+//!
+//! The one crate that touches an interface of graphics cards (wgpu: Vulkan, Metal, DX12). [`Gpu`] is a card, [`GpuField`] a vector on it with all operations
+//! that methods, objectives and penalties are made of, [`GpuStrips`] a dose model; [`Gpu`] as an [`Accelerator`](tomolith_core::dose::Accelerator)
+//! computes models for fields of the host.
+//!
+//! A software adapter is never taken unless it is named. The tests run on Mesa's `lavapipe` where no card is there.
+
+mod bands;
+mod costs;
+mod device;
+mod entries;
+mod field;
+mod half_ramp;
+mod pairs;
+mod passes;
+mod strips;
+
+pub use bands::GpuBands;
+pub use costs::GpuCosts;
+pub use device::{Adapter, Asked, Gpu, adapters};
+pub use field::{GpuBounds, GpuField};
+pub use half_ramp::GpuHalfRamp;
+pub use pairs::GpuPairs;
+pub use strips::GpuStrips;

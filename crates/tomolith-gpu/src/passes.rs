@@ -1,0 +1,318 @@
+//! Passes over elements: one formula for all, with sums or without.
+//!
+//! A pass has operands, each an array of the card cut into the same pieces, and a body in WGSL for element `i`. A pass with sums adds to
+//! `s0`, `s1`, …: 32 terms a thread one after the other, the threads of a group in pairs, and what comes back (64 kB at most) on the host, in f64 and
+//! in one order. Rounding of so many short sums in f32 averages out: on 10⁸ terms of one sign the relative error is near 1e-9.
+
+use crate::device::{Buffer, Gpu, THREADS};
+use std::fmt::Write;
+
+/// An array that a pass reads or writes.
+pub(crate) struct Operand<'a> {
+    /// What the body calls it.
+    pub(crate) name: &'static str,
+    /// Its elements in WGSL: `f32`, `u32`, …
+    pub(crate) element: &'static str,
+    pub(crate) is_written: bool,
+    pub(crate) pieces: &'a [Buffer],
+}
+
+impl<'a> Operand<'a> {
+    pub(crate) fn read(name: &'static str, pieces: &'a [Buffer]) -> Self {
+        Operand {
+            name,
+            element: "f32",
+            is_written: false,
+            pieces,
+        }
+    }
+
+    pub(crate) fn written(name: &'static str, pieces: &'a [Buffer]) -> Self {
+        Operand {
+            is_written: true,
+            ..Self::read(name, pieces)
+        }
+    }
+
+    pub(crate) fn words(self) -> Self {
+        Operand {
+            element: "u32",
+            ..self
+        }
+    }
+}
+
+/// A formula over elements.
+pub(crate) struct Pass<'a> {
+    /// Of the kernel; a name stands for one source.
+    pub(crate) name: &'a str,
+    /// Functions of the body.
+    pub(crate) functions: &'a str,
+    /// What is done with element `i`; `p.a`, `p.b`, `p.c` are the numbers.
+    pub(crate) body: &'a str,
+    /// Numbers of the body.
+    pub(crate) numbers: [[f32; 4]; 3],
+}
+
+/// How numbers of a pass are combined.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Combine {
+    /// Sums of f32.
+    Sum,
+    /// The largest of u32.
+    Most,
+}
+
+impl Combine {
+    fn number(self) -> &'static str {
+        match self {
+            Combine::Sum => "f32",
+            Combine::Most => "u32",
+        }
+    }
+
+    fn of(self, a: &str, b: &str) -> String {
+        match self {
+            Combine::Sum => format!("{a} + {b}"),
+            Combine::Most => format!("max({a}, {b})"),
+        }
+    }
+}
+
+/// Elements of a group in a pass with sums: 32 a thread.
+const CHUNK: u32 = 32 * THREADS;
+/// Numbers that come back at most: 64 kB.
+const MOST_BACK: usize = 16 << 10;
+
+/// Parameters of every pass, and the number of an element's group.
+pub(crate) const HEAD: &str = "
+struct Parameters { n: u32, chunk: u32, groups: u32, first: u32, a: vec4<f32>, b: vec4<f32>, c: vec4<f32> }
+@group(0) @binding(0) var<uniform> p: Parameters;
+";
+
+/// The entry of a kernel: `group` is its number, `thread` that within the group.
+pub(crate) const ENTRY: &str = "
+@compute @workgroup_size(256)
+fn main(@builtin(workgroup_id) group_at: vec3<u32>, @builtin(num_workgroups) group_count: vec3<u32>, @builtin(local_invocation_index) thread: u32) {
+    let group = group_at.y * group_count.x + group_at.x;
+";
+
+fn declared(operands: &[Operand<'_>]) -> String {
+    let mut text = String::new();
+    for (binding, operand) in (1..).zip(operands) {
+        let access = if operand.is_written { "read_write" } else { "read" };
+        let Operand { name, element, .. } = operand;
+        let _ = writeln!(
+            text,
+            "@group(0) @binding({binding}) var<storage, {access}> {name}: array<{element}>;"
+        );
+    }
+    text
+}
+
+impl Pass<'_> {
+    fn parameters(&self, n: usize, [chunk, groups, first]: [u32; 3]) -> Vec<u32> {
+        let head = [n as u32, chunk, groups, first];
+        let numbers = self.numbers.as_flattened().iter().map(|v| v.to_bits());
+        head.into_iter().chain(numbers).collect()
+    }
+
+    /// Does it with all elements; `lengths` are those of the pieces.
+    pub(crate) fn each(&self, gpu: &Gpu, operands: &[Operand<'_>], lengths: &[usize]) {
+        let source = || {
+            let (functions, body) = (self.functions, self.body);
+            let declared = declared(operands);
+            format!(
+                "{HEAD}{declared}{functions}{ENTRY}
+    let i = group * 256u + thread;
+    if (i >= p.n) {{ return; }}
+    {body}
+}}"
+            )
+        };
+        for (k, &n) in lengths.iter().enumerate() {
+            let buffers: Vec<&Buffer> = operands.iter().map(|o| &o.pieces[k]).collect();
+            let parameters = self.parameters(n, [0; 3]);
+            let groups = (n as u64).div_ceil(u64::from(THREADS));
+            gpu.run(self.name, &source, &parameters, &buffers, groups);
+        }
+    }
+
+    /// Does it with all elements and sums `s0`, `s1`, … up to `count` of them.
+    pub(crate) fn sums(
+        &self,
+        gpu: &Gpu,
+        operands: &[Operand<'_>],
+        lengths: &[usize],
+        count: usize,
+    ) -> Vec<f64> {
+        let pending = self.begin_sums(gpu, operands, lengths, count);
+        finish_sums(gpu, &[pending]).swap_remove(0)
+    }
+
+    /// The same without waiting for the sums.
+    pub(crate) fn begin_sums(
+        &self,
+        gpu: &Gpu,
+        operands: &[Operand<'_>],
+        lengths: &[usize],
+        count: usize,
+    ) -> Pending {
+        self.begin(gpu, operands, lengths, (count, Combine::Sum))
+    }
+
+    /// Does it with all elements; the largest `s0`.
+    pub(crate) fn most(&self, gpu: &Gpu, operands: &[Operand<'_>], lengths: &[usize]) -> u32 {
+        let Pending { buffer, rows, .. } = self.begin(gpu, operands, lengths, (1, Combine::Most));
+        let found = gpu.read(&[(&buffer, 4 * rows as u64)]);
+        words(&found).into_iter().max().unwrap_or(0)
+    }
+
+    fn begin(
+        &self,
+        gpu: &Gpu,
+        operands: &[Operand<'_>],
+        lengths: &[usize],
+        (count, how): (usize, Combine),
+    ) -> Pending {
+        let of_piece = |n: &usize| n.div_ceil(CHUNK as usize);
+        let all: usize = lengths.iter().map(of_piece).sum();
+        let partial = gpu.buffer((all * count * 4) as u64);
+        let source = || self.source_of_sums(operands, count, how);
+        let mut first = 0;
+        for (k, n) in lengths.iter().enumerate() {
+            let mut buffers: Vec<&Buffer> = operands.iter().map(|o| &o.pieces[k]).collect();
+            buffers.push(&partial);
+            let groups = of_piece(n);
+            let parameters = self.parameters(*n, [CHUNK, groups as u32, first]);
+            gpu.run(self.name, &source, &parameters, &buffers, groups as u64);
+            first += groups as u32;
+        }
+        let rows = MOST_BACK / count;
+        if all <= rows {
+            return Pending {
+                buffer: partial,
+                rows: all,
+                count,
+            };
+        }
+        let together = all.div_ceil(rows);
+        let rows = all.div_ceil(together);
+        let folded = gpu.buffer((rows * count * 4) as u64);
+        let numbers = [all, together, count, rows].map(|v| v as u32);
+        gpu.run(
+            &format!("fold {}", how.number()),
+            &|| fold(how),
+            &numbers,
+            &[&partial, &folded],
+            ((rows * count) as u64).div_ceil(u64::from(THREADS)),
+        );
+        Pending {
+            buffer: folded,
+            rows,
+            count,
+        }
+    }
+
+    fn source_of_sums(&self, operands: &[Operand<'_>], count: usize, how: Combine) -> String {
+        let number = how.number();
+        let mut text = format!("{HEAD}{}", declared(operands));
+        let binding = operands.len() + 1;
+        let _ = writeln!(
+            text,
+            "@group(0) @binding({binding}) var<storage, read_write> partial: array<{number}>;"
+        );
+        for k in 0..count {
+            let _ = writeln!(text, "var<workgroup> shared{k}: array<{number}, 256>;");
+        }
+        text += self.functions;
+        text += ENTRY;
+        for k in 0..count {
+            let _ = writeln!(text, "var s{k} = {number}(0);");
+        }
+        let _ = writeln!(
+            text,
+            "let begin = group * p.chunk;
+    let end = min(begin + p.chunk, p.n);
+    for (var i = begin + thread; i < end; i += 256u) {{
+        {}
+    }}",
+            self.body
+        );
+        for k in 0..count {
+            let _ = writeln!(text, "shared{k}[thread] = s{k};");
+        }
+        text += "for (var half = 128u; half > 0u; half /= 2u) {
+        workgroupBarrier();
+        if (thread < half) {\n";
+        for k in 0..count {
+            let shared = format!("shared{k}[thread]");
+            let both = how.of(&shared, &format!("shared{k}[thread + half]"));
+            let _ = writeln!(text, "{shared} = {both};");
+        }
+        text += "}
+    }
+    if (thread == 0u && group < p.groups) {\n";
+        for k in 0..count {
+            let _ = writeln!(
+                text,
+                "partial[(p.first + group) * {count}u + {k}u] = shared{k}[0];"
+            );
+        }
+        text + "}\n}\n"
+    }
+}
+
+/// Partial sums on the card.
+pub(crate) struct Pending {
+    buffer: Buffer,
+    rows: usize,
+    count: usize,
+}
+
+/// The sums of several passes, which come back together.
+pub(crate) fn finish_sums(gpu: &Gpu, pending: &[Pending]) -> Vec<Vec<f64>> {
+    let bytes = |own: &Pending| 4 * own.rows * own.count;
+    let parts: Vec<(&Buffer, u64)> = (pending.iter())
+        .map(|own| (&own.buffer, bytes(own) as u64))
+        .collect();
+    let found = gpu.read(&parts);
+    let mut rest = &found[..];
+    let of_pass = |own: &Pending| {
+        let (numbers, others) = rest.split_at(bytes(own));
+        rest = others;
+        let mut sums = vec![0.0; own.count];
+        for numbers in words(numbers).chunks(own.count) {
+            for (sum, &bits) in sums.iter_mut().zip(numbers) {
+                *sum += f64::from(f32::from_bits(bits));
+            }
+        }
+        sums
+    };
+    pending.iter().map(of_pass).collect()
+}
+
+/// Rows of numbers → fewer rows.
+fn fold(how: Combine) -> String {
+    let number = how.number();
+    let both = how.of("s", "partial[row * p.count + k]");
+    format!(
+        "struct Parameters {{ all: u32, together: u32, count: u32, rows: u32 }}
+@group(0) @binding(0) var<uniform> p: Parameters;
+@group(0) @binding(1) var<storage, read> partial: array<{number}>;
+@group(0) @binding(2) var<storage, read_write> folded: array<{number}>;
+{ENTRY}
+    let i = group * 256u + thread;
+    if (i >= p.rows * p.count) {{ return; }}
+    let begin = i / p.count * p.together;
+    let k = i % p.count;
+    var s = {number}(0);
+    for (var row = begin; row < min(begin + p.together, p.all); row++) {{ s = {both}; }}
+    folded[i] = s;
+}}"
+    )
+}
+
+pub(crate) fn words(bytes: &[u8]) -> Vec<u32> {
+    bytemuck::pod_collect_to_vec(bytes)
+}

@@ -1,0 +1,673 @@
+//! Dose models of light in strips, computed on the card.
+//!
+//! **Model** [`tomolith_core::dose::strips`]: what the `parallel` model of the processor gives of its geometry. Pixels are spread over the lanes of their
+//! slot, multiplied with the entries of a chunk of views ([`entries`](crate::entries)), and added to the dose; the adjoint goes back the same way.
+//!
+//! **Cost** per dose or adjoint: an entry is read once and used for all lanes of a row; lanes are read once an entry, mostly from the card's
+//! caches. Memory beside fields: strips (48 bytes each), the lanes of a chunk, and 16 bytes an entry where entries are kept.
+
+use crate::device::{Buffer, Gpu, THREADS};
+use crate::entries::{Chunk, DeviceStrips, Product, RowsOf};
+use crate::field::GpuField;
+use crate::passes::ENTRY;
+use std::ops::Range;
+use std::sync::{Arc, Mutex, PoisonError, Weak};
+use tomolith_core::dose::strips::{LightStrips, StripForm, StripGeometry, Taps};
+use tomolith_core::dose::{
+    Accelerator, DoseLayout, DoseModel, LinearOperator, PatternLayout, Run, ZCoupling, elements_of,
+};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::{Field, HostField};
+
+/// Part of the card's memory that kept entries may take.
+const KEPT_SHARE: f64 = 0.4;
+/// The same where the card does not say how much it has, bytes.
+const KEPT: u64 = 2_100_000_000;
+
+/// The geometry of a model on the card.
+struct Geometry {
+    of: Arc<StripGeometry>,
+    lights: Vec<DeviceLight>,
+    /// Where entries are written that are not kept.
+    scratch: Option<Buffer>,
+    updates: u64,
+}
+
+struct DeviceLight {
+    strips: DeviceStrips,
+    chunks: Vec<Chunk>,
+    /// Offset, lowest row, rows and frame of each column of pixels.
+    runs: Buffer,
+    /// The slot of each.
+    slot_of: Buffer,
+    /// The columns of pixels of each slot.
+    sources: Buffer,
+    to_lanes: DeviceTaps,
+    to_rows: DeviceTaps,
+    spread: Option<[DeviceTaps; 2]>,
+    lanes: usize,
+    views: usize,
+    columns: usize,
+    frames: usize,
+}
+
+struct DeviceTaps {
+    first: Buffer,
+    weights: Buffer,
+    taps: usize,
+    count: usize,
+}
+
+impl DeviceTaps {
+    fn new(gpu: &Gpu, taps: &Taps) -> Self {
+        DeviceTaps {
+            first: gpu.upload(bytemuck::cast_slice(&taps.first)),
+            weights: gpu.upload(bytemuck::cast_slice(&taps.weights.concat())),
+            taps: taps.weights.len(),
+            count: taps.first.len(),
+        }
+    }
+}
+
+/// A dose model whose fields are on a graphics card.
+#[derive(Clone)]
+pub struct GpuStrips {
+    gpu: Gpu,
+    geometry: Arc<Geometry>,
+    /// A bit per pixel that is not dark; one word where none is.
+    lit: Arc<Buffer>,
+    has_dark: bool,
+    factor: f32,
+}
+
+impl Geometry {
+    fn new(gpu: &Gpu, of: &Arc<StripGeometry>, run: &Run) -> Result<Self> {
+        let mut lights = Vec::new();
+        let mut pairs = 0;
+        for (light, layout) in of.lights.iter().zip(&of.patterns) {
+            let (own, of_light) = DeviceLight::new(gpu, of, light, layout)?;
+            lights.push(own);
+            pairs += of_light;
+            run.check()?;
+        }
+        let all: u64 = lights.iter().flat_map(|l| &l.chunks).map(|c| c.bytes().iter().sum::<u64>()).sum();
+        let budget = gpu.memory_bytes().map_or(KEPT, |bytes| (KEPT_SHARE * bytes as f64) as u64);
+        let mut scratch = None;
+        if all <= budget {
+            for light in &mut lights {
+                for chunk in &mut light.chunks {
+                    chunk.keep(gpu, &light.strips);
+                }
+            }
+        } else {
+            let chunks = lights.iter().flat_map(|l| &l.chunks);
+            let largest = chunks.flat_map(Chunk::bytes).max().unwrap_or(0);
+            scratch = Some(gpu.buffer(largest));
+        }
+        gpu.check()?;
+        Ok(Geometry {
+            of: of.clone(),
+            lights,
+            scratch,
+            updates: pairs * of.output.grid.shape[0] as u64,
+        })
+    }
+}
+
+impl DeviceLight {
+    fn new(
+        gpu: &Gpu,
+        of: &StripGeometry,
+        light: &LightStrips,
+        layout: &PatternLayout,
+    ) -> Result<(Self, u64)> {
+        let lanes = light.to_lanes.first.len().div_ceil(4);
+        let strips = DeviceStrips::new(gpu, of, light);
+        let bytes_of_view = (light.columns * lanes * 16) as u64;
+        let (chunks, pairs) = strips.chunks(gpu, light.views, bytes_of_view)?;
+        let columns = layout.grid.columns;
+        let runs: Vec<[u32; 4]> = (layout.runs.iter().enumerate())
+            .map(|(i, run)| [run.offset as u32, run.bottom, run.count, (i / columns) as u32])
+            .collect();
+        let mut slot_of = vec![0u32; runs.len()];
+        for (slot, sides) in light.sources.iter().enumerate() {
+            for run in sides.iter().flatten() {
+                slot_of[*run as usize] = slot as u32;
+            }
+        }
+        let sources: Vec<[u32; 2]> = (light.sources.iter())
+            .map(|sides| sides.map(|run| run.unwrap_or(u32::MAX)))
+            .collect();
+        let spread = light.spread.as_ref();
+        let own = DeviceLight {
+            strips,
+            chunks,
+            runs: gpu.upload(bytemuck::cast_slice(&runs)),
+            slot_of: gpu.upload(bytemuck::cast_slice(&slot_of)),
+            sources: gpu.upload(bytemuck::cast_slice(&sources)),
+            to_lanes: DeviceTaps::new(gpu, &light.to_lanes),
+            to_rows: DeviceTaps::new(gpu, &light.to_rows),
+            spread: spread.map(|taps| taps.each_ref().map(|taps| DeviceTaps::new(gpu, taps))),
+            lanes,
+            views: light.views,
+            columns,
+            frames: layout.grid.frames(),
+        };
+        Ok((own, pairs))
+    }
+
+    /// Frames that light views of a chunk: some in a row, from each side.
+    fn frames_of(&self, views: &Range<usize>) -> impl Iterator<Item = Range<usize>> {
+        let (begin, end, count) = (views.start, views.end, self.views);
+        (0..self.frames / count.max(1)).map(move |side| side * count + begin..side * count + end)
+    }
+}
+
+impl GpuStrips {
+    /// The model of a form on a card.
+    ///
+    /// # Errors
+    /// [`Error::Device`], [`Error::Canceled`]; [`Error::Resources`] where a slice or a frame does not fit a binding of the card.
+    pub fn new(gpu: &Gpu, form: &StripForm, run: &Run) -> Result<Self> {
+        must_fit(gpu, &form.geometry)?;
+        let geometry = match gpu.kept_geometry(&form.geometry) {
+            Some(geometry) => geometry,
+            None => {
+                let geometry = Arc::new(Geometry::new(gpu, &form.geometry, run)?);
+                gpu.keep_geometry(&geometry);
+                geometry
+            }
+        };
+        let mut bits = vec![0u32; form.dark.len().div_ceil(32).max(1)];
+        for (i, dark) in form.dark.iter().enumerate() {
+            bits[i / 32] |= u32::from(!dark) << (i % 32);
+        }
+        Ok(GpuStrips {
+            gpu: gpu.clone(),
+            geometry,
+            lit: Arc::new(gpu.upload(bytemuck::cast_slice(&bits))),
+            has_dark: !form.dark.is_empty(),
+            factor: form.factor,
+        })
+    }
+
+    fn output(&self) -> &DoseLayout {
+        &self.geometry.of.output
+    }
+
+    /// Rows of voxels in each piece of a dose.
+    fn voxels_of<'a>(&self, dose: &'a GpuField) -> impl Iterator<Item = (Range<usize>, &'a Buffer)> {
+        let row = self.output().row;
+        let ranges = dose.ranges().map(move |r| r.start / row..r.end / row);
+        ranges.zip(dose.pieces())
+    }
+
+    /// Pixels of some frames → lanes of the slots of a chunk.
+    fn expand(
+        &self,
+        light: &DeviceLight,
+        (chunk, frames): (&Chunk, &Range<usize>),
+        x: &GpuField,
+        lanes: &Buffer,
+    ) {
+        let slots = chunk.views.len() * light.columns;
+        self.gpu.clear(lanes, (16 * slots * light.lanes) as u64);
+        for (range, piece) in x.ranges().zip(x.pieces()) {
+            let parameters = [
+                slots as u32,
+                4 * light.lanes as u32,
+                (chunk.views.start * light.columns) as u32,
+                light.to_lanes.taps as u32,
+                range.start as u32,
+                range.end as u32,
+                frames.start as u32,
+                frames.end as u32,
+                light.to_lanes.count as u32,
+                u32::from(self.has_dark),
+                self.factor.to_bits(),
+            ];
+            let taps = &light.to_lanes;
+            let buffers = [
+                lanes,
+                piece,
+                &light.runs,
+                &light.sources,
+                &taps.first,
+                &taps.weights,
+                &*self.lit,
+            ];
+            let groups = ((4 * slots * light.lanes) as u64).div_ceil(u64::from(THREADS));
+            self.gpu.run("expand", &expand, &parameters, &buffers, groups);
+        }
+    }
+
+    /// Lanes of the slots of a chunk → pixels of some frames.
+    fn collect(
+        &self,
+        light: &DeviceLight,
+        (chunk, frames): (&Chunk, &Range<usize>),
+        lanes: &Buffer,
+        grad: &GpuField,
+    ) {
+        let rows = light.to_rows.count.max(1);
+        for own in light.frames_of(&chunk.views) {
+            let own = own.start.max(frames.start)..own.end.min(frames.end);
+            if own.is_empty() {
+                continue;
+            }
+            for (range, piece) in grad.ranges().zip(grad.pieces()) {
+                let runs = own.len() * light.columns;
+                let parameters = [
+                    runs as u32,
+                    rows as u32,
+                    (own.start * light.columns) as u32,
+                    (chunk.views.start * light.columns) as u32,
+                    range.start as u32,
+                    range.end as u32,
+                    light.to_rows.taps as u32,
+                    light.to_lanes.count as u32,
+                    4 * light.lanes as u32,
+                    u32::from(self.has_dark),
+                    self.factor.to_bits(),
+                ];
+                let taps = &light.to_rows;
+                let buffers = [
+                    piece,
+                    lanes,
+                    &light.runs,
+                    &light.slot_of,
+                    &taps.first,
+                    &taps.weights,
+                    &*self.lit,
+                ];
+                let groups = ((runs * rows) as u64).div_ceil(u64::from(THREADS));
+                self.gpu.run("collect", &collect, &parameters, &buffers, groups);
+            }
+        }
+    }
+
+    /// out += taps of source, row by row of lanes.
+    fn resample(
+        &self,
+        taps: &DeviceTaps,
+        (out, out_stride): (&Buffer, usize),
+        (source, stride, sources): (&Buffer, usize, usize),
+        rows: usize,
+    ) {
+        let parameters = [
+            rows as u32,
+            taps.count as u32,
+            out_stride as u32,
+            stride as u32,
+            taps.taps as u32,
+            sources as u32,
+        ];
+        let buffers = [out, source, &taps.first, &taps.weights];
+        let groups = ((rows * taps.count) as u64).div_ceil(u64::from(THREADS));
+        self.gpu.run("resample", &resample, &parameters, &buffers, groups);
+    }
+
+    fn product<'a>(&'a self, light: &'a DeviceLight, chunk: &'a Chunk) -> Product<'a> {
+        Product {
+            strips: &light.strips,
+            chunk,
+            scratch: &self.geometry.scratch,
+            lanes: light.lanes,
+        }
+    }
+
+    /// Lanes of the largest chunk of a light.
+    fn lanes_of(&self, light: &DeviceLight) -> Buffer {
+        let slots = |chunk: &Chunk| chunk.views.len() * light.columns;
+        let most = light.chunks.iter().map(slots).max().unwrap_or(0);
+        self.gpu.buffer((16 * most * light.lanes) as u64)
+    }
+
+    fn add_light(
+        &self,
+        light: &DeviceLight,
+        frames: &Range<usize>,
+        x: &GpuField,
+        dose: &GpuField,
+        run: &Run,
+    ) -> Result<()> {
+        let lanes = self.lanes_of(light);
+        let row = self.output().row;
+        let rows = self.voxels_of(dose);
+        let temporary: Vec<Option<Buffer>> = rows
+            .map(|(voxels, _)| self.rows_buffer(light, voxels.len()))
+            .collect();
+        for chunk in self.chunks_of(light, frames) {
+            run.check()?;
+            self.gpu.check()?;
+            let product = self.product(light, chunk);
+            product.entries(&self.gpu, true);
+            self.expand(light, (chunk, frames), x, &lanes);
+            let source = RowsOf {
+                buffer: &lanes,
+                rows: 0..chunk.views.len() * light.columns,
+                stride: light.lanes,
+            };
+            for ((voxels, piece), temporary) in self.voxels_of(dose).zip(&temporary) {
+                let out = RowsOf {
+                    buffer: temporary.as_ref().unwrap_or(piece),
+                    rows: voxels,
+                    stride: temporary.as_ref().map_or(row / 4, |_| light.lanes),
+                };
+                product.add(&self.gpu, true, &out, &source);
+            }
+        }
+        if let Some([to_slices, _]) = &light.spread {
+            for ((voxels, piece), temporary) in self.voxels_of(dose).zip(&temporary) {
+                let Some(temporary) = temporary else { continue };
+                let source = (temporary, 4 * light.lanes, light.to_lanes.count);
+                self.resample(to_slices, (piece, row), source, voxels.len());
+            }
+        }
+        Ok(())
+    }
+
+    /// Rows of lanes of so many voxels, dark, where lanes are not slices.
+    fn rows_buffer(&self, light: &DeviceLight, voxels: usize) -> Option<Buffer> {
+        light.spread.as_ref().map(|_| {
+            let bytes = (16 * voxels * light.lanes) as u64;
+            let buffer = self.gpu.buffer(bytes);
+            self.gpu.clear(&buffer, bytes);
+            buffer
+        })
+    }
+
+    fn chunks_of<'a>(
+        &self,
+        light: &'a DeviceLight,
+        frames: &'a Range<usize>,
+    ) -> impl Iterator<Item = &'a Chunk> {
+        light.chunks.iter().filter(move |chunk| {
+            let mut own = light.frames_of(&chunk.views);
+            own.any(|own| own.start < frames.end && frames.start < own.end)
+        })
+    }
+
+    fn adjoint_light(
+        &self,
+        light: &DeviceLight,
+        frames: &Range<usize>,
+        cotangent: &GpuField,
+        grad: &GpuField,
+        run: &Run,
+    ) -> Result<()> {
+        let lanes = self.lanes_of(light);
+        let row = self.output().row;
+        let of_rows: Vec<Option<Buffer>> = (self.voxels_of(cotangent))
+            .map(|(voxels, piece)| {
+                let own = self.rows_buffer(light, voxels.len())?;
+                let [_, to_rows] = light.spread.as_ref()?;
+                let slices = self.output().grid.shape[0];
+                let out = (&own, 4 * light.lanes);
+                self.resample(to_rows, out, (piece, row, slices), voxels.len());
+                Some(own)
+            })
+            .collect();
+        for chunk in self.chunks_of(light, frames) {
+            run.check()?;
+            self.gpu.check()?;
+            let product = self.product(light, chunk);
+            product.entries(&self.gpu, false);
+            let slots = chunk.views.len() * light.columns;
+            self.gpu.clear(&lanes, (16 * slots * light.lanes) as u64);
+            let out = RowsOf {
+                buffer: &lanes,
+                rows: 0..slots,
+                stride: light.lanes,
+            };
+            for ((voxels, piece), of_rows) in self.voxels_of(cotangent).zip(&of_rows) {
+                let source = RowsOf {
+                    buffer: of_rows.as_ref().unwrap_or(piece),
+                    rows: voxels,
+                    stride: of_rows.as_ref().map_or(row / 4, |_| light.lanes),
+                };
+                product.add(&self.gpu, false, &out, &source);
+            }
+            self.collect(light, (chunk, frames), &lanes, grad);
+        }
+        Ok(())
+    }
+}
+
+/// A binding must hold the lanes of a view and those of a few voxels.
+fn must_fit(gpu: &Gpu, geometry: &StripGeometry) -> Result<()> {
+    let most = gpu.binding_bytes();
+    let of_lanes = |light: &LightStrips| 16 * light.to_lanes.first.len().div_ceil(4) as u64;
+    let row = 4 * geometry.output.row as u64;
+    let views = geometry.lights.iter().map(|light| light.columns as u64 * of_lanes(light));
+    let frames = geometry.patterns.iter().map(|p| 4 * (p.grid.rows * p.grid.columns) as u64);
+    let meetings = geometry.lights.iter().map(|light| 4 * light.meetings.len() as u64);
+    let strips = geometry.lights.iter().map(|light| 48 * light.strips.len() as u64);
+    let needed = views.chain(frames).chain(meetings).chain(strips).chain([row]).max();
+    let needed = needed.unwrap_or(0);
+    if needed <= most {
+        return Ok(());
+    }
+    Err(Error::Resources {
+        what: format!("memory that a kernel of {} sees at once", gpu.adapter().name),
+        needed_mb: needed.div_ceil(1_000_000),
+        available_mb: Some(most / 1_000_000),
+        advice: "use the processor (--device cpu), or fewer angles, rows or columns".to_owned(),
+    })
+}
+
+/// Lengths of pieces of a pattern field: whole frames, each piece no larger than a binding.
+fn pieces_of_frames(gpu: &Gpu, patterns: &[PatternLayout]) -> Vec<usize> {
+    let most = gpu.binding_bytes() as usize / 4;
+    let mut lengths = vec![0];
+    for layout in patterns {
+        let columns = layout.grid.columns.max(1);
+        for runs in layout.runs.chunks(columns) {
+            let frame: usize = runs.iter().map(|run| run.count as usize).sum();
+            let last = lengths.len() - 1;
+            if lengths[last] + frame > most {
+                lengths.push(0);
+            }
+            let last = lengths.len() - 1;
+            lengths[last] += frame;
+        }
+    }
+    lengths
+}
+
+impl LinearOperator for GpuStrips {
+    type Field = GpuField;
+
+    fn patterns(&self) -> &[PatternLayout] {
+        &self.geometry.of.patterns
+    }
+
+    fn outputs(&self) -> &[DoseLayout] {
+        std::slice::from_ref(&self.geometry.of.output)
+    }
+
+    fn new_patterns(&self) -> Result<GpuField> {
+        let lengths = pieces_of_frames(&self.gpu, &self.geometry.of.patterns);
+        let field = GpuField::of_lengths(&self.gpu, lengths);
+        self.gpu.check().map(|()| field)
+    }
+
+    fn new_dose(&self) -> Result<GpuField> {
+        let field = GpuField::for_dose(&self.gpu, self.output());
+        self.gpu.check().map(|()| field)
+    }
+
+    fn add_forward(
+        &self,
+        frames: Range<usize>,
+        x: &GpuField,
+        dose: &mut GpuField,
+        run: &Run,
+    ) -> Result<()> {
+        for (light, own) in tomolith_core::dose::own_frames(LinearOperator::patterns(self), &frames) {
+            self.add_light(&self.geometry.lights[light], &own, x, dose, run)?;
+        }
+        self.gpu.submit();
+        self.gpu.check()
+    }
+
+    fn adjoint_of(
+        &self,
+        frames: Range<usize>,
+        cotangent: &GpuField,
+        grad: &mut GpuField,
+        run: &Run,
+    ) -> Result<()> {
+        for (light, own) in tomolith_core::dose::own_frames(LinearOperator::patterns(self), &frames) {
+            let light = &self.geometry.lights[light];
+            self.adjoint_light(light, &own, cotangent, grad, run)?;
+        }
+        self.gpu.submit();
+        self.gpu.check()
+    }
+
+    fn z_coupling(&self) -> ZCoupling {
+        ZCoupling::None
+    }
+
+    fn updates(&self) -> u64 {
+        self.geometry.updates
+    }
+
+    fn describe(&self) -> String {
+        let entries = if self.geometry.scratch.is_some() { "found anew" } else { "kept" };
+        format!("parallel (on {}, entries {entries})", self.gpu.adapter().name)
+    }
+}
+
+/// A model on the card whose fields are the host's.
+struct OnHost {
+    model: GpuStrips,
+    form: StripForm,
+}
+
+impl OnHost {
+    fn there(&self, field: &HostField, new: impl Fn(&GpuStrips) -> Result<GpuField>) -> Result<GpuField> {
+        let mut there = new(&self.model)?;
+        there.copy_from_host(field.as_slice());
+        Ok(there)
+    }
+}
+
+impl LinearOperator for OnHost {
+    type Field = HostField;
+
+    tomolith_core::host_fields!(self => self.model.geometry.of.patterns, std::slice::from_ref(&self.model.geometry.of.output));
+
+    fn add_forward(
+        &self,
+        frames: Range<usize>,
+        x: &HostField,
+        dose: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        let x = self.there(x, LinearOperator::new_patterns)?;
+        let mut own = LinearOperator::new_dose(&self.model)?;
+        self.model.add_forward(frames, &x, &mut own, run)?;
+        let own = own.to_host();
+        self.model.gpu.check()?;
+        dose.axpy(1.0, &HostField::from_slice(&own));
+        Ok(())
+    }
+
+    fn adjoint_of(
+        &self,
+        frames: Range<usize>,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        let cotangent = self.there(cotangent, LinearOperator::new_dose)?;
+        let mut own = LinearOperator::new_patterns(&self.model)?;
+        self.model.adjoint_of(frames.clone(), &cotangent, &mut own, run)?;
+        let own = own.to_host();
+        self.model.gpu.check()?;
+        for (elements, _) in elements_of(LinearOperator::patterns(self), &frames) {
+            grad.as_mut_slice()[elements.clone()].copy_from_slice(&own[elements]);
+        }
+        Ok(())
+    }
+
+    fn z_coupling(&self) -> ZCoupling {
+        ZCoupling::None
+    }
+
+    fn updates(&self) -> u64 {
+        LinearOperator::updates(&self.model)
+    }
+
+    fn describe(&self) -> String {
+        LinearOperator::describe(&self.model)
+    }
+
+    fn strips(&self) -> Option<StripForm> {
+        Some(self.form.clone())
+    }
+}
+
+impl Accelerator for Gpu {
+    fn model(
+        &self,
+        form: &StripForm,
+        run: &Run,
+    ) -> Result<Box<dyn DoseModel<Field = HostField>>> {
+        Ok(Box::new(OnHost {
+            model: GpuStrips::new(self, form, run)?,
+            form: form.clone(),
+        }))
+    }
+}
+
+/// Geometries that models of a card share.
+#[derive(Default)]
+pub(crate) struct Geometries(Mutex<Vec<Weak<Geometry>>>);
+
+impl Gpu {
+    fn kept_geometry(&self, of: &Arc<StripGeometry>) -> Option<Arc<Geometry>> {
+        let mut all = self.geometries().0.lock().unwrap_or_else(PoisonError::into_inner);
+        all.retain(|own| own.strong_count() > 0);
+        let alive = all.iter().filter_map(Weak::upgrade);
+        alive.into_iter().find(|own| Arc::ptr_eq(&own.of, of))
+    }
+
+    fn keep_geometry(&self, geometry: &Arc<Geometry>) {
+        let mut all = self.geometries().0.lock().unwrap_or_else(PoisonError::into_inner);
+        all.push(Arc::downgrade(geometry));
+    }
+}
+
+fn expand() -> String {
+    format!("{}\n{ENTRY}\n{}\n}}", include_str!("shaders/expand_bindings.wgsl"), include_str!("shaders/expand.wgsl"))
+}
+
+fn collect() -> String {
+    format!("{}\n{ENTRY}\n{}\n}}", include_str!("shaders/collect_bindings.wgsl"), include_str!("shaders/collect.wgsl"))
+}
+
+fn resample() -> String {
+    format!(
+        "struct Parameters {{ rows: u32, count: u32, out_stride: u32, stride: u32, taps: u32, sources: u32 }}
+@group(0) @binding(0) var<uniform> p: Parameters;
+@group(0) @binding(1) var<storage, read_write> out: array<f32>;
+@group(0) @binding(2) var<storage, read> source: array<f32>;
+@group(0) @binding(3) var<storage, read> first: array<u32>;
+@group(0) @binding(4) var<storage, read> weights: array<f32>;
+{ENTRY}
+    let t = group * 256u + thread;
+    let row = t / p.count;
+    let i = t % p.count;
+    if (row >= p.rows) {{ return; }}
+    var sum = 0.0;
+    for (var tap = 0u; tap < p.taps; tap++) {{
+        let k = first[i] + tap;
+        if (k < p.sources) {{ sum += weights[tap * p.count + i] * source[row * p.stride + k]; }}
+    }}
+    out[row * p.out_stride + i] += sum;
+}}"
+    )
+}

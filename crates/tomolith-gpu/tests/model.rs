@@ -1,0 +1,268 @@
+//! Doses, adjoints, losses and whole optimizations on a card beside those of the processor.
+
+mod common;
+
+use common::{SMALL, gpu};
+use tomolith_core::check::noise;
+use tomolith_core::dose::{Accelerator, DoseModel, Run};
+use tomolith_core::field::Field;
+use tomolith_core::grid::{PatternGrid, Volume, VolumeGrid};
+use tomolith_core::kind::{Kind, Section};
+use tomolith_core::response::{Identity, Response};
+use tomolith_core::target::{Target, label_voxels};
+use tomolith_gpu::GpuStrips;
+use tomolith_models::rays::Optics;
+use tomolith_models::{HostModel, ModelFamily, ModelInput, OpticalScene, Purpose, parallel};
+use tomolith_objective::{ObjectiveInput, objectives};
+use tomolith_optics::light::Light;
+use tomolith_optics::resin::Resin;
+use tomolith_optics::vial::Vial;
+use tomolith_optics::vial::cylinder::Cylinder;
+use tomolith_optics::vial::double_tube::DoubleTube;
+use tomolith_optics::vial::index_matched::IndexMatched;
+use tomolith_optimize::start::starts;
+use tomolith_optimize::{Limits, Problem, StartInput, Stop, optimizers};
+
+/// A vial, a light and voxels.
+struct Case {
+    name: &'static str,
+    vial: Box<dyn Vial>,
+    lights: Vec<Light>,
+    grid: VolumeGrid,
+}
+
+fn cases() -> Vec<Case> {
+    let matched = || Box::new(IndexMatched { radius_mm: 1.6 }) as Box<dyn Vial>;
+    let glass = Box::new(Cylinder {
+        inner_radius_mm: 1.3,
+        outer_radius_mm: 1.6,
+        refractive_index: 1.58,
+    });
+    let tube = Box::new(DoubleTube {
+        radii_mm: [1.6, 1.5, 0.7, 0.6],
+        outer_refractive_index: 1.5,
+        inner_refractive_index: 1.5,
+        core_refractive_index: 1.33,
+    });
+    let absorbing = Resin::absorbing(1.4849, 0.4);
+    let pixels = |frames, rows, columns| PatternGrid::full_turn(frames, 0.1, rows, columns, 0.1);
+    let light = |pixels, resin| {
+        let mut light = Light::new(pixels, resin);
+        let [frames, rows, columns] = light.pixels.shape();
+        // Not all pixels are active
+        let run = |i: usize| ((i % 3) as u32, (rows - 3 - i % 4) as u32);
+        light.active = Some((0..frames * columns).map(run).collect());
+        light
+    };
+    let grid = |nz| VolumeGrid::centered([nz, 31, 32], 0.09);
+    let turning = Light {
+        sub_angles: 3,
+        ..light(pixels(9, 30, 34), absorbing.clone())
+    };
+    vec![
+        Case {
+            name: "pure Radon, frames in pairs",
+            vial: matched(),
+            lights: vec![light(pixels(12, 26, 40), Resin::pure_radon(1.5))],
+            grid: grid(24),
+        },
+        Case {
+            name: "absorbing, slices finer than rows",
+            vial: matched(),
+            lights: vec![light(pixels(10, 14, 36), absorbing.clone())],
+            grid: VolumeGrid::centered([70, 31, 32], 0.02),
+        },
+        Case {
+            name: "glass, turning frames",
+            vial: glass,
+            lights: vec![turning],
+            grid: grid(27),
+        },
+        Case {
+            name: "a tube in a tube, two lights",
+            vial: tube,
+            lights: vec![
+                light(pixels(7, 26, 36), absorbing.clone()),
+                light(pixels(5, 22, 30), absorbing),
+            ],
+            grid: grid(20),
+        },
+    ]
+}
+
+impl Case {
+    fn with<T>(&self, with: impl FnOnce(&ModelInput<'_>) -> T) -> T {
+        let optics: Vec<Optics> = self.lights.iter().map(|_| Optics::collimated(0.1)).collect();
+        let scene = OpticalScene {
+            vial: &*self.vial,
+            lights: &self.lights,
+            optics: &optics,
+            solid: None,
+            purpose: Purpose::Probe,
+            dose_factor: 1.0,
+            probe_failed: None,
+        };
+        let run = Run::new();
+        with(&ModelInput::new(scene, &self.grid, &run).unwrap())
+    }
+
+    fn host(&self) -> HostModel {
+        self.with(|input| parallel::Params::default().build(input).unwrap())
+    }
+
+    fn strips(&self) -> tomolith_core::dose::strips::StripForm {
+        self.with(|input| parallel::Params::default().strips(input).unwrap().unwrap())
+    }
+}
+
+fn assert_near(found: &[f32], expected: &[f32], tolerance: f32, what: &str) {
+    let most = expected.iter().fold(0.0f32, |m, v| m.max(v.abs()));
+    assert!(most > 0.0 && found.len() == expected.len(), "{what}");
+    let worst = (found.iter().zip(expected).enumerate())
+        .max_by(|a, b| (a.1.0 - a.1.1).abs().total_cmp(&(b.1.0 - b.1.1).abs()))
+        .unwrap();
+    let (i, (found, expected)) = worst;
+    assert!(
+        (found - expected).abs() <= tolerance * most,
+        "{what}: element {i} is {found} instead of {expected}, the largest {most}"
+    );
+}
+
+#[test]
+fn doses_and_adjoints_are_those_of_the_processor() {
+    for most in [SMALL, 128 << 20] {
+        let Some(gpu) = gpu(most) else { return };
+        for case in cases() {
+            let (host, form) = (case.host(), case.strips());
+            let card = gpu.model(&form, &Run::new()).unwrap();
+            let mut x = host.new_patterns().unwrap();
+            let values: Vec<f32> = noise(1, x.len()).iter().map(|v| v.abs()).collect();
+            x.copy_from_host(&values);
+            let mut expected = host.new_dose().unwrap();
+            let mut found = card.new_dose().unwrap();
+            host.dose(&x, &mut expected, &Run::new()).unwrap();
+            card.dose(&x, &mut found, &Run::new()).unwrap();
+            assert_near(found.as_slice(), expected.as_slice(), 5e-6, case.name);
+            let mut of_some = [host.new_dose().unwrap(), card.new_dose().unwrap()];
+            let frames = 2..5;
+            for (model, dose) in [&host, &card].into_iter().zip(&mut of_some) {
+                model.dose_of(frames.clone(), &x, dose, &Run::new()).unwrap();
+            }
+            let [expected, found] = &of_some;
+            assert_near(found.as_slice(), expected.as_slice(), 5e-6, case.name);
+            let mut cotangent = host.new_dose().unwrap();
+            let layout = &host.outputs()[0];
+            let nz = layout.grid.shape[0];
+            let values = noise(2, cotangent.len()).into_iter().enumerate();
+            let values: Vec<f32> = values.map(|(i, v)| if i % layout.row < nz { v } else { 0.0 }).collect();
+            cotangent.copy_from_host(&values);
+            let mut expected = host.new_patterns().unwrap();
+            let mut found = host.new_patterns().unwrap();
+            host.pullback(&x, &cotangent, &mut expected, &Run::new()).unwrap();
+            card.pullback(&x, &cotangent, &mut found, &Run::new()).unwrap();
+            assert_near(found.as_slice(), expected.as_slice(), 5e-6, case.name);
+        }
+    }
+}
+
+#[test]
+fn dose_and_adjoint_on_the_card_are_one_matrix() {
+    let Some(gpu) = gpu(SMALL) else { return };
+    for case in cases() {
+        let mut form = case.strips();
+        let pixels: usize = form.geometry.patterns.iter().map(|p| p.len()).sum();
+        form.dark = (0..pixels).map(|i| i % 11 == 3).collect();
+        form.factor = 0.7;
+        let model = GpuStrips::new(&gpu, &form, &Run::new()).unwrap();
+        let (mut x, mut c) = (
+            DoseModel::new_patterns(&model).unwrap(),
+            DoseModel::new_dose(&model).unwrap(),
+        );
+        x.copy_from_host(&noise(3, x.len()));
+        let layout = &form.geometry.output;
+        let nz = layout.grid.shape[0];
+        let values = noise(4, c.len()).into_iter().enumerate();
+        let values: Vec<f32> = values.map(|(i, v)| if i % layout.row < nz { v } else { 0.0 }).collect();
+        c.copy_from_host(&values);
+        let (mut dose, mut grad) = (c.zeros_like(), x.zeros_like());
+        model.dose(&x, &mut dose, &Run::new()).unwrap();
+        model.pullback(&x, &c, &mut grad, &Run::new()).unwrap();
+        let (left, right) = (dose.dot(&c), grad.dot(&x));
+        let size = dose.norm() * c.norm();
+        assert!((left - right).abs() < 2e-7 * size, "{}: {left} {right} of {size}", case.name);
+        assert!(size > 0.0);
+        // The same bits again
+        let mut again = dose.zeros_like();
+        model.dose(&x, &mut again, &Run::new()).unwrap();
+        assert_eq!(again.to_host(), dose.to_host());
+    }
+}
+
+/// The start, the objective and twelve steps of the default method, on the host and on the card.
+fn solved<F: Field>(model: &dyn DoseModel<Field = F>) -> (Vec<f32>, Vec<f64>) {
+    let ring = |[x, y]: [f64; 2]| (0.5 - (x.hypot(y) - 0.7).abs() / 0.2).clamp(0.0, 1.0) as f32;
+    let grid = model.grid().clone();
+    let mut inside = Volume::filled(grid.clone(), 0.0f32);
+    let [_, ny, nx] = grid.shape;
+    for (i, value) in inside.values.iter_mut().enumerate() {
+        *value = ring([grid.x(i % nx), grid.y(i / nx % ny)]);
+    }
+    let target = Target {
+        name: "ring".to_owned(),
+        inside,
+        gray: false,
+    };
+    let labels = label_voxels(&target, |[x, y, _]| x.hypot(y) < 1.2);
+    let limits = vec![Limits { min: 0.0, max: 40.0 }; model.patterns().len()];
+    let response: std::sync::Arc<dyn Response> = std::sync::Arc::new(Identity);
+    let input = ObjectiveInput {
+        layout: &model.outputs()[0],
+        labels: &labels,
+        target: &target,
+        response: response.clone(),
+    };
+    fn row<B>(rows: &'static [Kind<B>], name: &str) -> &'static Kind<B> {
+        rows.iter().find(|row| row.name == name).unwrap()
+    }
+    let empty = |key: &str| Section::new(key, serde_json::json!({}));
+    let objective = (row(objectives::<F>(), "threshold").build)(&empty("objective")).unwrap();
+    let objective = objective.make(&input).unwrap();
+    let start = StartInput {
+        model,
+        target: &target,
+        labels: &labels,
+        response: &Identity,
+        limits: &limits,
+        absorption: None,
+    };
+    let run = Run::new();
+    let of_start = (row(starts::<F>(), "fbp").build)(&empty("start")).unwrap();
+    let mut x = of_start.patterns(&start, &run).unwrap();
+    let mut problem = Problem::new(model, &*objective, &limits, &run).unwrap();
+    let method = (row(optimizers::<F>(), "lbfgs").build)(&empty("optimizer")).unwrap();
+    let stop = Stop {
+        iterations: 12,
+        ..Stop::default()
+    };
+    let mut method = method.make().unwrap();
+    let outcome = tomolith_optimize::run(&mut problem, &mut *method, &mut x, &stop, None, &mut []);
+    let losses = outcome.unwrap().history.iter().map(|row| row.loss).collect();
+    (x.to_host(), losses)
+}
+
+#[test]
+fn a_whole_optimization_goes_the_way_of_the_processor() {
+    let Some(gpu) = gpu(SMALL) else { return };
+    for case in cases().into_iter().take(3) {
+        let (_, expected) = solved(&*case.host());
+        let model = GpuStrips::new(&gpu, &case.strips(), &Run::new()).unwrap();
+        let (_, found) = solved(&model);
+        assert!(expected[12] < 0.2 * expected[0], "{}: {expected:?}", case.name);
+        // Rounding grows from step to step, but both get as far
+        for (step, tolerance) in [(0, 1e-5), (1, 1e-4), (12, 0.1)] {
+            let (found, expected) = (found[step], expected[step]);
+            let error = (found - expected).abs() / expected;
+            assert!(error < tolerance, "{}: {found} instead of {expected} after {step}", case.name);
+        }
+    }
+}
