@@ -73,6 +73,12 @@ pub(crate) enum Command {
         #[arg(long)]
         markdown: bool,
     },
+    /// List the graphics cards that `--device` can name
+    Devices {
+        /// As JSON
+        #[arg(long)]
+        json: bool,
+    },
     /// Turn a mesh into voxels: .npy, .vti or .png
     Voxelize(VoxelizeArguments),
     /// Turn a phantom (a part given by a formula) into voxels: .npy, .vti or .png
@@ -107,6 +113,9 @@ pub(crate) struct JobArguments {
     /// Change a key: `--set stop.iterations=10 --set light.angles=360` (repeatable); a kind, `vial.square={…}`, takes the place of the job's
     #[arg(long, value_name = "KEY=VALUE")]
     pub(crate) set: Vec<String>,
+    /// Where doses are computed, in place of `resources.device`: cpu, gpu, gpu:NAME or auto
+    #[arg(long, value_name = "DEVICE")]
+    pub(crate) device: Option<String>,
 }
 
 /// How the command speaks and works.

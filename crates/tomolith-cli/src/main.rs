@@ -7,6 +7,7 @@ mod answer;
 mod arguments;
 mod calibrate;
 mod compare;
+mod devices;
 mod export;
 mod export_matrix;
 mod expose;
@@ -73,6 +74,10 @@ fn main() -> ExitCode {
             )
         }
         Command::Schema { markdown } => (Manner::default(), help::schema(*markdown).map(|()| true)),
+        Command::Devices { json } => {
+            devices::devices(*json);
+            (Manner::default(), Ok(true))
+        }
         Command::Voxelize(given) => {
             let manner = given.sampling.manner;
             quick("voxelize", manner, |run| voxelize::voxelize(given, run))
@@ -285,7 +290,10 @@ fn check(given: &arguments::CheckArguments) -> Result<bool> {
 }
 
 fn read(given: &JobArguments, output: Option<&Path>) -> Result<Job> {
-    let mut job = Job::read(&given.job, &given.set)?;
+    let device = given.device.iter();
+    let device = device.map(|name| format!("resources.device={}", serde_json::json!(name)));
+    let set: Vec<String> = given.set.iter().cloned().chain(device).collect();
+    let mut job = Job::read(&given.job, &set)?;
     if given.toy {
         job = job.toy();
     }

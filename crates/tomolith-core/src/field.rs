@@ -50,7 +50,7 @@ use crate::ranks::Communicator;
 pub use bands::{Band, BandKernel, BandLoss, Bands, HostBands};
 pub use costs::{CostKernel, HostCosts, PatternCost};
 pub use half_ramp::{ColumnRun, HalfRamp, HalfRampKernel, HostHalfRamp};
-pub use pairs::{Direction, DirectionSums, HostPairs, Latest, Pairs, Products};
+pub use pairs::{Direction, DirectionSums, HostPairs, Latest, Pairs, PairsPart, Products};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use std::borrow::Cow;
 use std::sync::Arc;

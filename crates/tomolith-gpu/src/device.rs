@@ -15,6 +15,7 @@ use std::collections::HashMap;
 use std::fmt;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use tomolith_core::error::{Error, Result};
+use tomolith_core::parallel::InParallel;
 
 /// Threads of a group.
 pub(crate) const THREADS: u32 = 256;
@@ -27,6 +28,10 @@ const PARAMETERS: u64 = 256;
 const PLACES: u64 = 512;
 /// Bytes that are copied at once between the card and the host.
 const COPIED: u64 = 64 << 20;
+/// Bytes of a copy that is small: partial sums.
+const SMALL_COPY: u64 = 1 << 20;
+/// Copies on their way to the host.
+const COPIES: usize = 3;
 /// Bytes that kept buffers without an owner may have.
 const MOST_KEPT: u64 = 4 << 30;
 
@@ -43,6 +48,8 @@ pub struct Adapter {
     pub is_software: bool,
     /// Largest piece of memory that a kernel may see at once, bytes.
     pub binding_bytes: u64,
+    /// Memory of the card, bytes; None where it does not say.
+    pub memory_bytes: Option<u64>,
 }
 
 /// Every graphics card that this machine shows, real ones first.
@@ -66,6 +73,7 @@ fn found() -> Vec<(wgpu::Adapter, Adapter)> {
             driver: format!("{} {}", info.driver, info.driver_info).trim().to_owned(),
             is_software: info.device_type == wgpu::DeviceType::Cpu,
             binding_bytes: largest_binding(&adapter.limits()),
+            memory_bytes: memory_of(&adapter),
         };
         (adapter, described)
     };
@@ -109,9 +117,10 @@ struct Inner {
     parameters: wgpu::Buffer,
     recorder: Mutex<Recorder>,
     idle: Mutex<Idle>,
+    /// Memory that the host sees and nobody uses at present: small, large.
+    staging: Mutex<[Vec<wgpu::Buffer>; 2]>,
     failure: Arc<Mutex<Option<String>>>,
     geometries: Geometries,
-    memory_bytes: Option<u64>,
 }
 
 #[derive(Default)]
@@ -128,6 +137,9 @@ struct Idle {
     buffers: HashMap<u64, Vec<wgpu::Buffer>>,
     bytes: u64,
 }
+
+/// A copy on its way to the host: where it arrives, its bytes, and the commands that make it.
+type Fetch = (wgpu::Buffer, u64, Option<wgpu::SubmissionIndex>);
 
 fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
@@ -210,9 +222,9 @@ impl Gpu {
             parameters,
             recorder: Mutex::default(),
             idle: Mutex::default(),
+            staging: Mutex::default(),
             failure,
             geometries: Geometries::default(),
-            memory_bytes: memory_of(adapter),
         })))
     }
 
@@ -231,7 +243,7 @@ impl Gpu {
     /// Memory of the card, bytes; None where it does not say.
     #[must_use]
     pub fn memory_bytes(&self) -> Option<u64> {
-        self.0.memory_bytes
+        self.0.adapter.memory_bytes
     }
 
     pub(crate) fn geometries(&self) -> &Geometries {
@@ -330,34 +342,54 @@ impl Gpu {
     /// Reads the first bytes of buffers (multiples of 4), one after the other; zeros after an error.
     pub(crate) fn read(&self, parts: &[(&Buffer, u64)]) -> Vec<u8> {
         let all: u64 = parts.iter().map(|part| part.1).sum();
-        let mut found = Vec::with_capacity(all as usize);
-        // What fits is copied at once
-        let (mut together, mut size) = (Vec::new(), 0);
+        let mut found = vec![0; all as usize];
+        self.read_into(parts, &mut found);
+        found
+    }
+
+    /// The same into memory that is there; after an error it keeps what it holds.
+    pub(crate) fn read_into(&self, parts: &[(&Buffer, u64)], mut found: &mut [u8]) {
+        // Parts that fit are copied at once; the host takes one such copy while the card makes the next
+        let mut copies = Vec::new();
+        let mut together: Vec<(&Buffer, u64, u64)> = Vec::new();
+        let mut size = 0;
         for &(buffer, bytes) in parts {
             for begin in (0..bytes).step_by(COPIED as usize) {
                 let own = COPIED.min(bytes - begin);
                 if size + own > COPIED {
-                    self.read_together(&std::mem::take(&mut together), size, &mut found);
+                    copies.push(self.begin_copy(&std::mem::take(&mut together), size));
                     size = 0;
+                }
+                if copies.len() == COPIES {
+                    let (taken, rest) = found.split_at_mut(copies[0].1 as usize);
+                    self.end_copy(copies.remove(0), taken);
+                    found = rest;
                 }
                 together.push((buffer, begin, own));
                 size += own;
             }
         }
-        self.read_together(&together, size, &mut found);
-        found.resize(all as usize, 0);
-        found
+        if size > 0 {
+            copies.push(self.begin_copy(&together, size));
+        }
+        for copy in copies {
+            let (taken, rest) = found.split_at_mut(copy.1 as usize);
+            self.end_copy(copy, taken);
+            found = rest;
+        }
     }
 
-    fn read_together(&self, parts: &[(&Buffer, u64, u64)], size: u64, found: &mut Vec<u8>) {
-        if size == 0 || self.has_failed() {
-            return;
-        }
-        let staging = self.0.device.create_buffer(&wgpu::BufferDescriptor {
-            label: None,
-            size: size.next_multiple_of(16),
-            usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
-            mapped_at_creation: false,
+    /// Begins to copy some parts, so many bytes, to memory that the host sees.
+    fn begin_copy(&self, parts: &[(&Buffer, u64, u64)], size: u64) -> Fetch {
+        let is_large = size > SMALL_COPY;
+        let kept = locked(&self.0.staging)[usize::from(is_large)].pop();
+        let staging = kept.unwrap_or_else(|| {
+            self.0.device.create_buffer(&wgpu::BufferDescriptor {
+                label: Some("staging"),
+                size: if is_large { COPIED } else { SMALL_COPY },
+                usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
+                mapped_at_creation: false,
+            })
         });
         self.record(|encoder, _| {
             let mut at = 0;
@@ -366,19 +398,37 @@ impl Gpu {
                 at += bytes;
             }
         });
-        self.submit();
-        staging.map_async(wgpu::MapMode::Read, .., |_| {});
-        if let Err(error) = self.0.device.poll(wgpu::PollType::wait_indefinitely()) {
+        let index = self.submit();
+        if index.is_some() && size > 0 {
+            staging.map_async(wgpu::MapMode::Read, ..size, |_| {});
+        }
+        (staging, size, index)
+    }
+
+    /// Waits for a copy and takes it.
+    fn end_copy(&self, (staging, size, index): Fetch, found: &mut [u8]) {
+        if size == 0 || index.is_none() || self.has_failed() {
+            return;
+        }
+        let wait = wgpu::PollType::Wait {
+            submission_index: index,
+            timeout: None,
+        };
+        if let Err(error) = self.0.device.poll(wait) {
             self.fail(&error.to_string());
         }
         if self.has_failed() {
             return;
         }
         match staging.get_mapped_range(..size) {
-            Ok(view) => found.extend_from_slice(&view),
+            Ok(view) => found
+                .chunks_mut(1 << 20)
+                .zip(view.chunks(1 << 20))
+                .par_each(|(to, own)| to.copy_from_slice(own)),
             Err(error) => self.fail(&error.to_string()),
         }
         staging.unmap();
+        locked(&self.0.staging)[usize::from(size > SMALL_COPY)].push(staging);
     }
 
     /// Records commands, unless the card has failed.
@@ -396,22 +446,20 @@ impl Gpu {
         commands(encoder, place * PARAMETERS);
         recorder.recorded += 1;
         if recorder.recorded >= MOST_RECORDED {
-            self.send(&mut recorder);
+            let _ = self.send(&mut recorder);
         }
     }
 
-    /// Sends what is recorded to the card, and waits where too much is on its way.
-    pub(crate) fn submit(&self) {
-        self.send(&mut locked(&self.0.recorder));
+    /// Sends what is recorded to the card, and waits where too much is on its way; what was sent, if anything was.
+    pub(crate) fn submit(&self) -> Option<wgpu::SubmissionIndex> {
+        self.send(&mut locked(&self.0.recorder))
     }
 
-    fn send(&self, recorder: &mut Recorder) {
-        let Some(encoder) = recorder.encoder.take() else {
-            return;
-        };
+    fn send(&self, recorder: &mut Recorder) -> Option<wgpu::SubmissionIndex> {
+        let encoder = recorder.encoder.take()?;
         recorder.recorded = 0;
         let index = self.0.queue.submit([encoder.finish()]);
-        recorder.in_flight.push(index);
+        recorder.in_flight.push(index.clone());
         if recorder.in_flight.len() > MOST_IN_FLIGHT {
             let oldest = recorder.in_flight.remove(0);
             let wait = wgpu::PollType::Wait {
@@ -422,6 +470,7 @@ impl Gpu {
                 self.fail(&error.to_string());
             }
         }
+        Some(index)
     }
 
     /// Runs a kernel in so many groups. Its group 0 has the parameters (32-bit words, at most 64) at binding 0 and the buffers from binding 1 on;

@@ -10,6 +10,7 @@ use crate::device::{Buffer, Gpu};
 use crate::half_ramp::GpuHalfRamp;
 use crate::pairs::GpuPairs;
 use crate::passes::{Operand, Pass};
+use std::borrow::Cow;
 use tomolith_core::dose::DoseLayout;
 use tomolith_core::field::{Bounds, Field, Secant, StepSums};
 
@@ -43,9 +44,12 @@ fn is_nan(v: f32) -> bool { return (bitcast<u32>(v) & 0x7fffffffu) > 0x7f800000u
 fn key(v: f32) -> u32 { return select(select(0u, bitcast<u32>(v), v > 0.0), 0x7fc00000u, is_nan(v)); }
 ";
 
-/// Bounds of element i, and the value brought into them; a NaN stays one.
+/// A value brought into bounds; a NaN stays one. Compilers take a selection by comparison for the instruction that drops it.
 pub(crate) const CLAMP: &str = "
-fn clamped(v: f32, low: f32, high: f32) -> f32 { return select(select(v, low, v < low), high, v > high); }
+fn clamped(v: f32, low: f32, high: f32) -> f32 {
+    if ((bitcast<u32>(v) & 0x7fffffffu) > 0x7f800000u) { return v; }
+    return min(max(v, low), high);
+}
 ";
 
 impl GpuField {
@@ -103,6 +107,17 @@ impl GpuField {
         for (piece, &n) in self.pieces.iter().zip(&self.lengths) {
             self.gpu.clear(piece, 4 * n as u64);
         }
+    }
+
+    /// Its pieces and their bytes.
+    fn parts(&self) -> Vec<(&Buffer, u64)> {
+        let pieces = self.pieces.iter().zip(&self.lengths);
+        pieces.map(|(piece, &n)| (piece, 4 * n as u64)).collect()
+    }
+
+    /// Copies to host memory that is there.
+    pub(crate) fn read_into(&self, values: &mut [f32]) {
+        self.gpu.read_into(&self.parts(), bytemuck::cast_slice_mut(values));
     }
 
     /// The card.
@@ -284,10 +299,13 @@ impl Field for GpuField {
     }
 
     fn to_host(&self) -> Vec<f32> {
-        let parts: Vec<(&Buffer, u64)> = (self.pieces.iter().zip(&self.lengths))
-            .map(|(piece, &n)| (piece, 4 * n as u64))
-            .collect();
-        bytemuck::pod_collect_to_vec(&self.gpu.read(&parts))
+        let mut values = vec![0.0; self.len];
+        self.read_into(&mut values);
+        values
+    }
+
+    fn host_bytes(&self) -> Cow<'_, [u8]> {
+        Cow::Owned(self.gpu.read(&self.parts()))
     }
 
     fn write(&mut self, begin: usize, values: &[f32]) {

@@ -8,7 +8,7 @@ use crate::field::{CLAMP, GpuBounds, GpuField};
 use crate::passes::{Operand, Pass, finish_sums};
 use std::borrow::Cow;
 use tomolith_core::error::Result;
-use tomolith_core::field::{Direction, DirectionSums, Field as _, Latest, Pairs, Products};
+use tomolith_core::field::{Direction, DirectionSums, Field as _, Latest, Pairs, PairsPart, Products};
 
 /// Slots that one pass combines.
 const TOGETHER: usize = 4;
@@ -27,7 +27,15 @@ fn s_of(word: u32) -> f32 { return bitcast<f32>(word << 16u); }
 fn z_of(word: u32) -> f32 { return bitcast<f32>(word & 0xffff0000u); }
 ";
 
+/// What its memory is called in a checkpoint: that of the host has another order.
+const PART: &str = "pairs of a card";
+
 impl GpuPairs {
+    /// Of all slots.
+    fn bytes(&self) -> usize {
+        self.slots.iter().map(|slot| 4 * slot.len()).sum()
+    }
+
     /// Writes the newest pair; the sums s·s and y·y.
     fn store(&self, slot: usize, latest: &Latest<GpuField>) -> [f64; 2] {
         let pass = Pass {
@@ -152,17 +160,20 @@ impl Pairs<GpuField> for GpuPairs {
         }
     }
 
-    fn parts(&self) -> Vec<(&'static str, Cow<'_, [u8]>)> {
-        let bytes: Vec<u8> = (self.slots.iter())
-            .flat_map(|slot| slot.host_bytes().into_owned())
-            .collect();
-        vec![("pairs of a card", Cow::Owned(bytes))]
+    fn parts(&self) -> Vec<PairsPart<'_>> {
+        vec![PairsPart {
+            name: PART,
+            len: self.bytes(),
+            bytes: Box::new(|| {
+                let slots: Vec<_> = self.slots.iter().map(|slot| slot.host_bytes()).collect();
+                Cow::Owned(slots.concat())
+            }),
+        }]
     }
 
     fn restore(&mut self, read: &mut dyn FnMut(&str, &mut [u8]) -> Result<()>) -> Result<()> {
-        let len: usize = self.slots.iter().map(|slot| 4 * slot.len()).sum();
-        let mut bytes = vec![0; len];
-        read("pairs of a card", &mut bytes)?;
+        let mut bytes = vec![0; self.bytes()];
+        read(PART, &mut bytes)?;
         let mut rest = &bytes[..];
         for slot in &self.slots {
             for (piece, &n) in slot.pieces().iter().zip(slot.lengths()) {

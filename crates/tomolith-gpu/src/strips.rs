@@ -14,7 +14,7 @@ use std::ops::Range;
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 use tomolith_core::dose::strips::{LightStrips, StripForm, StripGeometry, Taps};
 use tomolith_core::dose::{
-    Accelerator, DoseLayout, DoseModel, LinearOperator, PatternLayout, Run, ZCoupling, elements_of,
+    Accelerator, DoseLayout, DoseModel, LinearOperator, PatternLayout, Run, ZCoupling, frames_of,
 };
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
@@ -547,66 +547,78 @@ struct OnHost {
 }
 
 impl OnHost {
-    fn there(&self, field: &HostField, new: impl Fn(&GpuStrips) -> Result<GpuField>) -> Result<GpuField> {
-        let mut there = new(&self.model)?;
-        there.copy_from_host(field.as_slice());
-        Ok(there)
+    /// F(x) of some frames on the card.
+    fn dose_there(&self, frames: Range<usize>, x: &HostField, run: &Run) -> Result<GpuField> {
+        let mut there = LinearOperator::new_patterns(&self.model)?;
+        there.copy_from_host(x.as_slice());
+        let mut dose = LinearOperator::new_dose(&self.model)?;
+        self.model.add_forward(frames, &there, &mut dose, run)?;
+        Ok(dose)
     }
 }
 
-impl LinearOperator for OnHost {
+impl DoseModel for OnHost {
     type Field = HostField;
 
     tomolith_core::host_fields!(self => self.model.geometry.of.patterns, std::slice::from_ref(&self.model.geometry.of.output));
 
-    fn add_forward(
+    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
+        let all = 0..frames_of(&self.model.geometry.of.patterns);
+        let there = self.dose_there(all, x, run)?;
+        there.read_into(dose.as_mut_slice());
+        self.model.gpu.check()
+    }
+
+    fn dose_of(
         &self,
         frames: Range<usize>,
         x: &HostField,
         dose: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        let x = self.there(x, LinearOperator::new_patterns)?;
-        let mut own = LinearOperator::new_dose(&self.model)?;
-        self.model.add_forward(frames, &x, &mut own, run)?;
-        let own = own.to_host();
+        let there = self.dose_there(frames, x, run)?;
+        let mut own = dose.zeros_like();
+        there.read_into(own.as_mut_slice());
         self.model.gpu.check()?;
-        dose.axpy(1.0, &HostField::from_slice(&own));
+        dose.axpy(1.0, &own);
         Ok(())
     }
 
-    fn adjoint_of(
+    fn pullback_of(
         &self,
         frames: Range<usize>,
+        _x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        let cotangent = self.there(cotangent, LinearOperator::new_dose)?;
-        let mut own = LinearOperator::new_patterns(&self.model)?;
-        self.model.adjoint_of(frames.clone(), &cotangent, &mut own, run)?;
-        let own = own.to_host();
-        self.model.gpu.check()?;
-        for (elements, _) in elements_of(LinearOperator::patterns(self), &frames) {
-            grad.as_mut_slice()[elements.clone()].copy_from_slice(&own[elements]);
-        }
-        Ok(())
+        let mut there = LinearOperator::new_dose(&self.model)?;
+        there.copy_from_host(cotangent.as_slice());
+        let mut found = LinearOperator::new_patterns(&self.model)?;
+        found.copy_from_host(grad.as_slice());
+        self.model.adjoint_of(frames, &there, &mut found, run)?;
+        found.read_into(grad.as_mut_slice());
+        self.model.gpu.check()
     }
 
     fn z_coupling(&self) -> ZCoupling {
         ZCoupling::None
     }
 
+    fn is_linear(&self) -> bool {
+        true
+    }
+
     fn updates(&self) -> u64 {
         LinearOperator::updates(&self.model)
     }
 
-    fn describe(&self) -> String {
-        LinearOperator::describe(&self.model)
-    }
-
     fn strips(&self) -> Option<StripForm> {
         Some(self.form.clone())
+    }
+
+    fn describe(&self) -> String {
+        LinearOperator::describe(&self.model)
     }
 }
 
@@ -615,11 +627,11 @@ impl Accelerator for Gpu {
         &self,
         form: &StripForm,
         run: &Run,
-    ) -> Result<Box<dyn DoseModel<Field = HostField>>> {
-        Ok(Box::new(OnHost {
+    ) -> Result<Option<Box<dyn DoseModel<Field = HostField>>>> {
+        Ok(Some(Box::new(OnHost {
             model: GpuStrips::new(self, form, run)?,
             form: form.clone(),
-        }))
+        })))
     }
 }
 

@@ -90,8 +90,10 @@ fn values_gradients_and_slopes_are_those_of_the_host() {
                 let expected = host.value_and_gradient(&dose, &mut g);
                 near(card.value_and_gradient(&there, &mut h), expected, &what);
                 let most = g.max_abs();
+                // Where a power is below 1, the slope near the edge of a band is that of the rounding
+                let tolerance = if p < 1.0 { 1e-3 } else { 1e-4 };
                 for (i, (found, expected)) in h.to_host().iter().zip(g.as_slice()).enumerate() {
-                    assert!((found - expected).abs() < 1e-4 * most, "{what}: {found} instead of {expected} at {i}");
+                    assert!((found - expected).abs() < tolerance * most, "{what}: {found} instead of {expected} at {i}");
                 }
                 let (expected, slope) = host.slope_along(&dose, &step, 0.01);
                 let found = card.slope_along(&there, &along, 0.01);

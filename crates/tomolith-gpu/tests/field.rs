@@ -43,6 +43,7 @@ mod tiny {
             purpose: Purpose::Optimize,
             dose_factor: 1.0,
             probe_failed: None,
+            accelerator: None,
         };
         let run = Run::new();
         let input = ModelInput::new(scene, &grid, &run).unwrap();
@@ -262,7 +263,7 @@ fn pairs_give_the_products_and_directions_of_the_host() {
         &mut out.host,
     );
     let mut again = <GpuField as Field>::Pairs::new(slots, &there);
-    let parts: Vec<_> = card.parts().into_iter().map(|(n, b)| (n, b.into_owned())).collect();
+    let parts: Vec<_> = card.parts().into_iter().map(|p| (p.name, (p.bytes)().into_owned())).collect();
     let read = &mut |name: &str, into: &mut [u8]| {
         let part = parts.iter().find(|part| part.0 == name).unwrap();
         into.copy_from_slice(&part.1);

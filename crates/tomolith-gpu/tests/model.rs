@@ -101,6 +101,7 @@ impl Case {
             purpose: Purpose::Probe,
             dose_factor: 1.0,
             probe_failed: None,
+            accelerator: None,
         };
         let run = Run::new();
         with(&ModelInput::new(scene, &self.grid, &run).unwrap())
@@ -134,7 +135,7 @@ fn doses_and_adjoints_are_those_of_the_processor() {
         let Some(gpu) = gpu(most) else { return };
         for case in cases() {
             let (host, form) = (case.host(), case.strips());
-            let card = gpu.model(&form, &Run::new()).unwrap();
+            let card = gpu.model(&form, &Run::new()).unwrap().unwrap();
             let mut x = host.new_patterns().unwrap();
             let values: Vec<f32> = noise(1, x.len()).iter().map(|v| v.abs()).collect();
             x.copy_from_host(&values);
@@ -200,8 +201,12 @@ fn dose_and_adjoint_on_the_card_are_one_matrix() {
 
 /// The start, the objective and twelve steps of the default method, on the host and on the card.
 fn solved<F: Field>(model: &dyn DoseModel<Field = F>) -> (Vec<f32>, Vec<f64>) {
-    let ring = |[x, y]: [f64; 2]| (0.5 - (x.hypot(y) - 0.7).abs() / 0.2).clamp(0.0, 1.0) as f32;
     let grid = model.grid().clone();
+    let half = 0.5 * grid.pitch_mm * grid.shape[1] as f64;
+    let ring = |[x, y]: [f64; 2]| {
+        let from_middle = (x.hypot(y) / half - 0.5).abs();
+        (1.5 - from_middle / 0.1).clamp(0.0, 1.0) as f32
+    };
     let mut inside = Volume::filled(grid.clone(), 0.0f32);
     let [_, ny, nx] = grid.shape;
     for (i, value) in inside.values.iter_mut().enumerate() {
@@ -212,7 +217,7 @@ fn solved<F: Field>(model: &dyn DoseModel<Field = F>) -> (Vec<f32>, Vec<f64>) {
         inside,
         gray: false,
     };
-    let labels = label_voxels(&target, |[x, y, _]| x.hypot(y) < 1.2);
+    let labels = label_voxels(&target, |[x, y, _]| x.hypot(y) < 0.8 * half);
     let limits = vec![Limits { min: 0.0, max: 40.0 }; model.patterns().len()];
     let response: std::sync::Arc<dyn Response> = std::sync::Arc::new(Identity);
     let input = ObjectiveInput {
@@ -237,7 +242,7 @@ fn solved<F: Field>(model: &dyn DoseModel<Field = F>) -> (Vec<f32>, Vec<f64>) {
     };
     let run = Run::new();
     let of_start = (row(starts::<F>(), "fbp").build)(&empty("start")).unwrap();
-    let mut x = of_start.patterns(&start, &run).unwrap();
+    let mut x = of_start.patterns(&start, &run).unwrap_or_else(|e| panic!("{}: {e}", model.describe()));
     let mut problem = Problem::new(model, &*objective, &limits, &run).unwrap();
     let method = (row(optimizers::<F>(), "lbfgs").build)(&empty("optimizer")).unwrap();
     let stop = Stop {
@@ -257,7 +262,7 @@ fn a_whole_optimization_goes_the_way_of_the_processor() {
         let (_, expected) = solved(&*case.host());
         let model = GpuStrips::new(&gpu, &case.strips(), &Run::new()).unwrap();
         let (_, found) = solved(&model);
-        assert!(expected[12] < 0.2 * expected[0], "{}: {expected:?}", case.name);
+        assert!(expected[12] < 0.7 * expected[0], "{}: {expected:?}", case.name);
         // Rounding grows from step to step, but both get as far
         for (step, tolerance) in [(0, 1e-5), (1, 1e-4), (12, 0.1)] {
             let (found, expected) = (found[step], expected[step]);

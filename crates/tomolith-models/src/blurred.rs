@@ -300,6 +300,7 @@ mod tests {
             purpose: Purpose::Optimize,
             dose_factor: 1.0,
             probe_failed: None,
+            accelerator: None,
         };
         plan(None, scene, &grid(), wanted, &Run::new()).unwrap()
     }

@@ -10,6 +10,7 @@
 use super::{DoseModel, HostModel, PatternLayout, Quantity, Run, elements_of};
 use std::borrow::Cow;
 use std::ops::Range;
+use tomolith_core::dose::strips::StripForm;
 use tomolith_core::error::Result;
 use tomolith_core::field::{BLOCK, Field, HostField};
 use tomolith_core::forward;
@@ -170,6 +171,15 @@ impl DoseModel for MaskedModel {
 
     fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
         self.model.along(&self.masked(x), &self.masked(d), run)
+    }
+
+    fn strips(&self) -> Option<StripForm> {
+        let form = self.model.strips()?;
+        Some(StripForm {
+            dark: self.dark.clone().into(),
+            factor: self.factor * form.factor,
+            ..form
+        })
     }
 
     fn describe(&self) -> String {

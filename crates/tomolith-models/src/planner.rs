@@ -117,7 +117,9 @@ pub fn plan(
         dark = narrow(&mut lights, &all, None);
     }
     if let Some(wanted) = wanted {
-        let unscattered = family.unscattered(&input.lit_by(&lights))?;
+        let unscattered = built(family.as_ref(), &input.lit_by(&lights), &|input| {
+            family.unscattered(input)
+        })?;
         let brought = contributions(unscattered.as_ref(), wanted, run)?;
         dark = narrow(
             &mut lights,
@@ -131,13 +133,13 @@ pub fn plan(
         .then(|| family.unscattered(&input))
         .transpose()?
         .map(|model| Box::new(MaskedModel::new(model, dark.clone(), factor)) as HostModel);
-    let built = if lights.iter().any(|light| light.point_spread.is_some()) {
+    let model = if lights.iter().any(|light| light.point_spread.is_some()) {
         let model = family.build(&input.lit_by(&widened(&lights)))?;
-        Box::new(Blurred::new(model, layouts(&lights), &lights))
+        Box::new(Blurred::new(model, layouts(&lights), &lights)) as HostModel
     } else {
-        family.build(&input)?
+        built(family.as_ref(), &input, &|input| family.build(input))?
     };
-    let model = MaskedModel::new(built, dark.clone(), factor);
+    let model = MaskedModel::new(model, dark.clone(), factor);
     Ok(ModelPlan {
         reason: format!(
             "{}: {}",
@@ -148,6 +150,23 @@ pub fn plan(
         dark,
         surrogate,
     })
+}
+
+/// The model of a family, where the scene says that it is computed; `build` builds it on the processor.
+fn built(
+    family: &dyn ModelFamily,
+    input: &ModelInput<'_>,
+    build: &dyn Fn(&ModelInput<'_>) -> Result<HostModel>,
+) -> Result<HostModel> {
+    let Some(accelerator) = input.scene.accelerator else {
+        return build(input);
+    };
+    let form = family.strips(input)?;
+    let there = form.map(|form| accelerator.model(&form, input.run));
+    match there.transpose()?.flatten() {
+        Some(model) => Ok(model),
+        None => build(input),
+    }
 }
 
 /// A model whose pixels are those of a file. All of them are unknowns, but those that the selection of a light leaves out.
@@ -214,6 +233,7 @@ mod tests {
             purpose: Purpose::Optimize,
             dose_factor: 1.0,
             probe_failed: None,
+            accelerator: None,
         }
     }
 

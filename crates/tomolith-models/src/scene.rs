@@ -5,6 +5,7 @@ use super::monte_carlo;
 use super::parallel;
 use super::rays::{self, Optics, Rays};
 use std::sync::Arc;
+use tomolith_core::dose::Accelerator;
 use tomolith_core::error::Result;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_optics::light::Light;
@@ -28,6 +29,8 @@ pub struct OpticalScene<'a> {
     pub dose_factor: f64,
     /// What a model probe found against families that are only [compared with](crate::ModelFamily::compared_with) exact ones; None: nothing.
     pub probe_failed: Option<&'static str>,
+    /// Where models are computed that have a form for it; None: the processor.
+    pub accelerator: Option<&'a dyn Accelerator>,
 }
 
 /// Why whole voxels are not enough.

@@ -184,6 +184,7 @@ mod tests {
             purpose: Purpose::Optimize,
             dose_factor: 1.0,
             probe_failed: None,
+            accelerator: None,
         }
     }
 

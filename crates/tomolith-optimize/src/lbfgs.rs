@@ -404,8 +404,7 @@ impl<F: Field> Optimizer<F> for Lbfgs<F> {
                 arrays.push((name.to_owned(), SavedArray::of_field(field)));
             }
             let parts = fields.pairs.parts().into_iter();
-            arrays
-                .extend(parts.map(|(name, bytes)| (name.to_owned(), SavedArray::of_bytes(bytes))));
+            arrays.extend(parts.map(|part| (part.name.to_owned(), SavedArray::of_part(part))));
         }
         Memory {
             numbers: serde_json::json!(self.curvature),

@@ -47,7 +47,7 @@ pub use start::{InitialPatterns, STARTS, StartInput};
 use std::fmt::Debug;
 use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::field::{Field, HostField};
+use tomolith_core::field::{Field, HostField, PairsPart};
 use tomolith_core::kind::{Kind, Read, Section};
 
 /// One method of solving a problem.
@@ -130,11 +130,11 @@ impl<'a> SavedArray<'a> {
     }
 
     /// Bytes that only their writer understands.
-    pub fn of_bytes(bytes: std::borrow::Cow<'a, [u8]>) -> Self {
+    pub fn of_part(part: PairsPart<'a>) -> Self {
         SavedArray {
             dtype: safetensors::Dtype::U8,
-            len: bytes.len(),
-            bytes: Box::new(move || bytes.clone()),
+            len: part.len,
+            bytes: part.bytes,
         }
     }
 }

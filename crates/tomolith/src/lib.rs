@@ -18,6 +18,8 @@ pub use tomolith_core::{
     Error, Place, Result, dose, error, field, grid, kind, parallel, ranks, response, run, text,
     units,
 };
+#[cfg(feature = "gpu")]
+pub use tomolith_gpu as gpu;
 pub use tomolith_io as io;
 pub use tomolith_metrics as metrics;
 pub use tomolith_models as models;

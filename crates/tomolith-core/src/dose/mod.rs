@@ -159,15 +159,16 @@ pub trait DoseModel: Send + Sync {
 
 /// Where dose models are computed in place of the processor.
 pub trait Accelerator: std::fmt::Debug + Send + Sync {
-    /// The model of a form, whose fields are the host's: they are copied there and back.
+    /// The model of a form, whose fields are the host's: they are copied there and back. None where the processor is to do it.
     ///
     /// # Errors
-    /// [`Error::Device`](crate::Error::Device), [`Error::Canceled`](crate::Error::Canceled).
+    /// [`Error::Device`](crate::Error::Device), [`Error::Canceled`](crate::Error::Canceled); [`Error::Resources`](crate::Error::Resources) where it is
+    /// too small.
     fn model(
         &self,
         form: &StripForm,
         run: &Run,
-    ) -> Result<Box<dyn DoseModel<Field = crate::field::HostField>>>;
+    ) -> Result<Option<Box<dyn DoseModel<Field = crate::field::HostField>>>>;
 }
 
 /// A linear dose model; every one of them is a [`DoseModel`].

@@ -82,6 +82,27 @@ pub struct DirectionSums {
     pub gradient_square: f64,
 }
 
+/// A part of what [`Pairs`] store.
+pub struct PairsPart<'a> {
+    /// Its name.
+    pub name: &'static str,
+    /// How many bytes.
+    pub len: usize,
+    /// The bytes, fetched when they are asked for.
+    pub bytes: Box<dyn Fn() -> Cow<'a, [u8]> + 'a>,
+}
+
+impl<'a> PairsPart<'a> {
+    /// Bytes that are at hand.
+    fn of(name: &'static str, bytes: &'a [u8]) -> Self {
+        PairsPart {
+            name,
+            len: bytes.len(),
+            bytes: Box::new(move || Cow::Borrowed(bytes)),
+        }
+    }
+}
+
 /// The memory of a quasi-Newton method: a fixed number of slots, each for one pair.
 pub trait Pairs<F: Field>: Send + Sync + Sized {
     /// Empty slots for fields with these bounds; at most [`MAX_MEMORY`](Self::MAX_MEMORY).
@@ -100,8 +121,8 @@ pub trait Pairs<F: Field>: Send + Sync + Sized {
         bounds: &F::Bounds,
         out: &mut F,
     ) -> DirectionSums;
-    /// Names and bytes of what is stored, for a checkpoint.
-    fn parts(&self) -> Vec<(&'static str, Cow<'_, [u8]>)>;
+    /// What is stored, for a checkpoint.
+    fn parts(&self) -> Vec<PairsPart<'_>>;
     /// Takes back what [`parts`](Self::parts) gave; `read` fills a buffer with the part of a name.
     ///
     /// # Errors
@@ -584,10 +605,10 @@ impl Pairs<HostField> for HostPairs {
         }
     }
 
-    fn parts(&self) -> Vec<(&'static str, Cow<'_, [u8]>)> {
+    fn parts(&self) -> Vec<PairsPart<'_>> {
         vec![
-            ("pairs", Cow::Borrowed(bytemuck::cast_slice(&self.lines))),
-            ("live", Cow::Borrowed(bytemuck::cast_slice(&self.live))),
+            PairsPart::of("pairs", bytemuck::cast_slice(&self.lines)),
+            PairsPart::of("live", bytemuck::cast_slice(&self.live)),
         ]
     }
 

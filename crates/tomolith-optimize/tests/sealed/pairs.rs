@@ -3,7 +3,7 @@
 use super::field::{Piece, SealedField};
 use std::borrow::Cow;
 use tomolith_core::error::Result;
-use tomolith_core::field::{Direction, DirectionSums, Field as _, Latest, Pairs, Products};
+use tomolith_core::field::{Direction, DirectionSums, Field as _, Latest, Pairs, PairsPart, Products};
 
 /// Elements whose products are added two by two, eight apart.
 const GROUP: usize = 16;
@@ -217,10 +217,16 @@ impl Pairs<SealedField> for SealedPairs {
         all
     }
 
-    fn parts(&self) -> Vec<(&'static str, Cow<'_, [u8]>)> {
-        let halves = self.pairs.iter().flatten();
-        let bytes = halves.flat_map(|half| half.to_le_bytes()).collect();
-        vec![("sealed", Cow::Owned(bytes))]
+    fn parts(&self) -> Vec<PairsPart<'_>> {
+        let bytes = || {
+            let halves = self.pairs.iter().flatten();
+            Cow::Owned(halves.flat_map(|half| half.to_le_bytes()).collect())
+        };
+        vec![PairsPart {
+            name: "sealed",
+            len: self.pairs.len() * 4,
+            bytes: Box::new(bytes),
+        }]
     }
 
     fn restore(&mut self, read: &mut dyn FnMut(&str, &mut [u8]) -> Result<()>) -> Result<()> {

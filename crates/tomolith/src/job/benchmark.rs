@@ -486,7 +486,7 @@ fn passes(
     x.fill(1.0);
     let zeros = x.zeros_like();
     let (vector_s, ()) = timed(|| x.axpy(0.5, &zeros));
-    let objective = scene.objective(&scene.kinds, &model.outputs()[0], voxels)?;
+    let objective = scene.objective(scene.kinds.on_host(), &model.outputs()[0], voxels)?;
     model.dose(&x, &mut dose, run)?;
     objective.value_and_gradient(&dose, &mut gradient); // caches and pages wake up
     run.check()?;
@@ -518,7 +518,7 @@ fn cotangent_of_a_good_dose(
     dose.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&wanted));
     run.check()?;
     let mut cotangent = plan.model.new_dose()?;
-    let objective = scene.objective(&scene.kinds, layout, voxels)?;
+    let objective = scene.objective(scene.kinds.on_host(), layout, voxels)?;
     run.check()?;
     objective.value_and_gradient(&dose, &mut cotangent);
     run.check()?;

@@ -1,8 +1,10 @@
 //! Tables → objects: vial, lights, bodies and the model between them; whether they fit is told in [`compatibility`](super::compatibility).
 
+use super::card::Card;
 use super::point_spread;
 use super::selection::selection_of;
 use super::spec::{DoseConvention, JobSpec, LightSpec, MapSpec, Region, ResinSpec, VialCommon};
+use crate::dose::Accelerator;
 use crate::error::{Error, Result};
 use crate::exposure::Printer;
 use crate::grid::{PatternGrid, VolumeGrid};
@@ -55,6 +57,8 @@ pub(crate) struct Optics {
     pub(super) wall_tolerance_mm: f64,
     /// Why light that scatters does not go order by order though it could ([`model_probe`](super::model_probe)).
     pub(crate) probe_failed: Option<&'static str>,
+    /// Where models are computed; None: the processor.
+    pub(crate) card: Option<Card>,
 }
 
 impl Optics {
@@ -130,6 +134,7 @@ impl Optics {
             dose_factor: 1.0,
             wall_tolerance_mm: 0.0,
             probe_failed: None,
+            card: Card::of(spec.resources.device.as_deref())?,
         };
         if spec.resin.dose_convention == DoseConvention::Drtvam {
             optics.dose_factor = optics.refracted_factor();
@@ -147,6 +152,7 @@ impl Optics {
             purpose: Purpose::Probe,
             dose_factor: self.dose_factor,
             probe_failed: self.probe_failed,
+            accelerator: self.card.as_ref().map(|card| card as &dyn Accelerator),
         }
     }
 

@@ -7,7 +7,7 @@ use super::kinds::parameters;
 use super::resolve::{JobKinds, response};
 use super::spec::JobSpec;
 use crate::error::{Error, Result};
-use crate::field::HostField;
+use crate::field::Field;
 use crate::kind::Section;
 use crate::objective::{Objective, Sum};
 use crate::optimize::{FreeParameter, FreeResponse};
@@ -116,8 +116,8 @@ impl FreeParameters {
     }
 
     /// An objective whose response has these unknowns.
-    pub(super) fn objective(&self, sum: Sum<HostField>) -> Result<FreeResponse<'_, HostField>> {
-        let objective: Box<dyn Objective<HostField>> = Box::new(sum);
+    pub(super) fn objective<F: Field>(&self, sum: Sum<F>) -> Result<FreeResponse<'_, F>> {
+        let objective: Box<dyn Objective<F>> = Box::new(sum);
         let respond = Box::new(|values: &[f64]| self.respond(values));
         FreeResponse::new(objective, self.parameters.clone(), respond, self.tolerance)
             .map_err(|e| e.under(TABLE))

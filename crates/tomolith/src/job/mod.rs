@@ -19,6 +19,7 @@
 mod all_errors;
 mod benchmark;
 mod build;
+mod card;
 mod cells;
 mod clip;
 mod co_optimize;

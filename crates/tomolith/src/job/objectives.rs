@@ -29,7 +29,7 @@ pub(super) fn measured(
         dose,
         layout: &layout,
     };
-    let objectives = scene.kinds.objectives.iter();
+    let objectives = scene.kinds.objectives().iter();
     objectives.map(|own| on.report(own)).collect()
 }
 

@@ -10,12 +10,12 @@ use crate::grid::{Volume, VolumeGrid};
 use crate::kind::{Kind, Section};
 use crate::models::cells::Cells;
 use crate::models::{DoseLayout, Family, PatternLayout};
-use crate::objective::penalty::{MakePenalty, PENALTIES, Penalties};
+use crate::objective::penalty::{MakePenalty, Penalties, penalties};
 use crate::objective::preset::SurfaceHandling;
 use crate::objective::voxel_weights::{Common, Ground};
-use crate::objective::{Chosen, MakeObjective, OBJECTIVES, Objective, ObjectiveInput, Sum};
+use crate::objective::{Chosen, MakeObjective, Objective, ObjectiveInput, Sum, objectives};
 use crate::optimize::start::{InitialPatterns, STARTS};
-use crate::optimize::{BuildOptimizer, MakeOptimizer, OPTIMIZERS, Optimizer, Requirements};
+use crate::optimize::{BuildOptimizer, MakeOptimizer, Optimizer, Requirements, optimizers};
 use crate::report::number::significant;
 use crate::response::{RESPONSES, Response, dose_for};
 use crate::target::{Target, label, label_voxels};
@@ -31,37 +31,57 @@ pub(crate) struct JobKinds {
     pub(crate) response: Arc<dyn Response>,
     /// Which of its parameters are unknowns.
     pub(crate) free: Option<FreeParameters>,
-    pub(super) objectives: Vec<JobObjective>,
-    /// Each with its weight.
-    penalties: Vec<(f64, Arc<dyn MakePenalty>)>,
-    optimizer: Arc<dyn MakeOptimizer>,
+    /// What is minimized, and how, for fields of the host.
+    on_host: Minimized<HostField>,
+    sections: Arc<Sections>,
+    /// What the program chose of a single objective.
+    chosen: Option<Chosen>,
+    /// How many steps the optimizer remembers, where that is not what the job says.
+    memory: Option<usize>,
     /// Where the optimizer begins.
     pub(crate) start: Arc<dyn InitialPatterns>,
     /// What the optimizer needs beside it.
     pub(crate) requirements: Requirements,
     /// Whether it divides doses by their largest.
     pub(crate) normalizes: bool,
+}
+
+/// The sections of a job that say what is minimized, and how.
+struct Sections {
+    objectives: Vec<Section>,
+    penalties: Vec<Value>,
+    optimizer: Section,
     /// Where files begin.
+    base: PathBuf,
+}
+
+/// What a job minimizes, and how, for fields F.
+#[derive(Clone)]
+pub(super) struct Minimized<F: Field> {
+    objectives: Vec<JobObjective<F>>,
+    /// Each with its weight.
+    penalties: Vec<(f64, Arc<dyn MakePenalty<F>>)>,
+    optimizer: Arc<dyn MakeOptimizer<F>>,
     base: PathBuf,
 }
 
 /// One objective of a job.
 #[derive(Clone)]
-pub(super) struct JobObjective {
+pub(super) struct JobObjective<F: Field = HostField> {
     /// Its key, without the kind's name.
     path: String,
     /// Its key.
     pub(super) key: String,
     pub(super) common: Common,
     pub(super) response: Arc<dyn Response>,
-    of: Arc<dyn MakeObjective>,
+    of: Arc<dyn MakeObjective<F>>,
 }
 
 pub(super) fn response(section: &Section) -> Result<Arc<dyn Response>> {
     section.read(RESPONSES).map(Arc::from)
 }
 
-impl JobObjective {
+impl<F: Field> JobObjective<F> {
     fn read(section: Section, job: &Arc<dyn Response>) -> Result<Self> {
         let path = section.path.clone();
         let (common, section) = Common::split(section)?;
@@ -69,7 +89,7 @@ impl JobObjective {
             Some(own) => response(&section.within("response", own.clone()))?,
             None => Arc::clone(job),
         };
-        let (kind, section) = section.kind(OBJECTIVES)?;
+        let (kind, section) = section.kind(objectives::<F>())?;
         Ok(JobObjective {
             of: (kind.build)(&section)?,
             key: section.path,
@@ -113,7 +133,7 @@ impl JobObjective {
         input: &ObjectiveInput<'_>,
         base: &Path,
         on_grid: bool,
-    ) -> Result<Box<dyn Objective<HostField>>> {
+    ) -> Result<Box<dyn Objective<F>>> {
         let mut input = input.clone();
         input.response = Arc::clone(&self.response);
         let at_key = |error: Error| at_section(&self.key, error.under(&self.key));
@@ -149,7 +169,7 @@ impl JobObjective {
 }
 
 /// A penalty and its weight.
-fn penalty((i, value): (usize, &Value)) -> Result<(f64, Arc<dyn MakePenalty>)> {
+fn penalty<F: Field>((i, value): (usize, &Value)) -> Result<(f64, Arc<dyn MakePenalty<F>>)> {
     let mut section = Section::new(format!("penalties[{i}]"), value.clone());
     let own = section.value.as_object_mut();
     let weight = own.and_then(|map| map.remove("weight"));
@@ -160,7 +180,68 @@ fn penalty((i, value): (usize, &Value)) -> Result<(f64, Arc<dyn MakePenalty>)> {
             "a number, 0 or more",
         )
     })?;
-    Ok((weight, section.read(PENALTIES)?))
+    Ok((weight, section.read(penalties::<F>())?))
+}
+
+impl<F: Field> Minimized<F> {
+    fn read(sections: &Sections, response: &Arc<dyn Response>) -> Result<Self> {
+        let objective = |own: &Section| JobObjective::read(own.clone(), response);
+        let penalties = sections.penalties.iter().enumerate().map(penalty);
+        Ok(Minimized {
+            objectives: sections.objectives.iter().map(objective).collect::<Result<_>>()?,
+            penalties: penalties.collect::<Result<_>>()?,
+            optimizer: sections.optimizer.read(optimizers::<F>())?,
+            base: sections.base.clone(),
+        })
+    }
+
+    /// A new optimizer.
+    pub(super) fn optimizer(&self) -> Result<Box<dyn Optimizer<F>>> {
+        self.optimizer.make()
+    }
+
+    /// The sum of the objectives; `on_grid` whether fields of voxels fit the input's grid.
+    pub(super) fn objective(&self, input: &ObjectiveInput<'_>, on_grid: bool) -> Result<Sum<F>> {
+        let build = |own: &JobObjective<F>| {
+            let objective = own.build(input, &self.base, on_grid)?;
+            Ok((own.common.weight, objective))
+        };
+        Sum::new(self.objectives.iter().map(build).collect::<Result<_>>()?)
+    }
+
+    /// The sum of the penalties.
+    pub(super) fn penalties(&self, lights: &[PatternLayout]) -> Result<Penalties<F>> {
+        let build = |(weight, own): &(f64, Arc<dyn MakePenalty<F>>)| Ok((*weight, own.make(lights)?));
+        Penalties::new(self.penalties.iter().map(build).collect::<Result<_>>()?)
+    }
+
+    /// Takes a parameter of the only objective that the program chooses; false where there are several, another one, or the job names it.
+    fn choose(&mut self, chosen: Chosen) -> bool {
+        let [own] = self.objectives.as_mut_slice() else {
+            return false;
+        };
+        let other = own.of.with(chosen);
+        if let Some(of) = &other {
+            own.of = Arc::clone(of);
+        }
+        other.is_some()
+    }
+
+    /// Lets the optimizer remember so many steps, where it remembers any.
+    fn set_memory(&mut self, pairs: usize) {
+        if let Some(optimizer) = self.optimizer.with_pairs(pairs) {
+            self.optimizer = optimizer;
+        }
+    }
+
+    /// Takes another response in place of the job's.
+    fn set_response(&mut self, response: &Arc<dyn Response>) {
+        for own in &mut self.objectives {
+            if own.common.response.is_none() {
+                own.response = Arc::clone(response);
+            }
+        }
+    }
 }
 
 impl JobKinds {
@@ -171,29 +252,52 @@ impl JobKinds {
     pub(super) fn read(spec: &JobSpec, base: &Path) -> Result<Self> {
         let section = |key: &str, value: &Value| Section::new(key, value.clone()).based(base);
         let response = response(&section("response", &spec.response))?;
-        let objective = |own: Section| JobObjective::read(own.based(base), &response);
-        let objectives = spec.objectives()?.into_iter().map(objective);
-        let objectives = objectives.collect::<Result<_>>()?;
-        let penalties = spec.penalties.iter().enumerate().map(penalty);
-        let penalties = penalties.collect::<Result<_>>()?;
-        let optimizer = section("optimizer", &spec.optimizer).read(OPTIMIZERS)?;
-        let method = optimizer.make()?;
+        let objectives = spec.objectives()?.into_iter();
+        let sections = Sections {
+            objectives: objectives.map(|own| own.based(base)).collect(),
+            penalties: spec.penalties.clone(),
+            optimizer: section("optimizer", &spec.optimizer),
+            base: base.to_owned(),
+        };
+        let on_host: Minimized<HostField> = Minimized::read(&sections, &response)?;
+        let method = on_host.optimizer()?;
         Ok(JobKinds {
             start: Arc::from(section("start", &spec.start).read(STARTS)?),
             requirements: method.requirements(),
             normalizes: method.normalizes(),
-            response,
             free: FreeParameters::of(spec, base)?,
-            objectives,
-            penalties,
-            optimizer,
-            base: base.to_owned(),
+            response,
+            on_host,
+            sections: Arc::new(sections),
+            chosen: None,
+            memory: None,
         })
     }
 
-    /// A new optimizer.
-    pub(super) fn optimizer(&self) -> Result<Box<dyn Optimizer<HostField>>> {
-        self.optimizer.make()
+    /// What is minimized, and how, for fields of the host.
+    pub(super) fn on_host(&self) -> &Minimized<HostField> {
+        &self.on_host
+    }
+
+    /// The same for fields of another kind.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    #[cfg_attr(not(feature = "gpu"), expect(dead_code, reason = "all fields are the host's"))]
+    pub(super) fn on<F: Field>(&self) -> Result<Minimized<F>> {
+        let mut own = Minimized::read(&self.sections, &self.response)?;
+        if let Some(chosen) = self.chosen {
+            own.choose(chosen);
+        }
+        if let Some(pairs) = self.memory {
+            own.set_memory(pairs);
+        }
+        Ok(own)
+    }
+
+    /// The objectives.
+    pub(super) fn objectives(&self) -> &[JobObjective] {
+        &self.on_host.objectives
     }
 
     /// The optimizer's name in a job.
@@ -203,58 +307,34 @@ impl JobKinds {
 
     /// How many steps the optimizer remembers, where it remembers any.
     pub(super) fn pairs(&self) -> Option<usize> {
-        self.optimizer.pairs()
+        self.on_host.optimizer.pairs()
     }
 
     /// Lets the optimizer remember so many steps, where it remembers any.
     pub(super) fn set_pairs(&mut self, pairs: usize) {
-        if let Some(optimizer) = self.optimizer.with_pairs(pairs) {
-            self.optimizer = optimizer;
-        }
+        self.on_host.set_memory(pairs);
+        self.memory = Some(pairs);
     }
 
     /// Takes another response in place of the job's.
     pub(super) fn set_response(&mut self, response: &Arc<dyn Response>) {
-        for own in &mut self.objectives {
-            if own.common.response.is_none() {
-                own.response = Arc::clone(response);
-            }
-        }
+        self.on_host.set_response(response);
         self.response = Arc::clone(response);
-    }
-
-    /// The sum of the objectives; `on_grid` whether fields of voxels fit the input's grid.
-    pub(super) fn objective(
-        &self,
-        input: &ObjectiveInput<'_>,
-        on_grid: bool,
-    ) -> Result<Sum<HostField>> {
-        let build = |own: &JobObjective| {
-            let objective = own.build(input, &self.base, on_grid)?;
-            Ok((own.common.weight, objective))
-        };
-        Sum::new(self.objectives.iter().map(build).collect::<Result<_>>()?)
-    }
-
-    /// The sum of the penalties.
-    pub(super) fn penalties(&self, lights: &[PatternLayout]) -> Result<Penalties<HostField>> {
-        let build = |(weight, own): &(f64, Arc<dyn MakePenalty>)| Ok((*weight, own.make(lights)?));
-        Penalties::new(self.penalties.iter().map(build).collect::<Result<_>>()?)
     }
 
     /// Whether a penalty compares pixels of different frames.
     pub(super) fn penalizes_frames(&self) -> bool {
-        self.penalties.iter().any(|(_, own)| own.joins_frames())
+        self.on_host.penalties.iter().any(|(_, own)| own.joins_frames())
     }
 
     /// What every objective may have, and its key.
     pub(super) fn common(&self) -> impl Iterator<Item = (&str, &Common)> {
-        (self.objectives.iter()).map(|own| (own.path.as_str(), &own.common))
+        (self.objectives().iter()).map(|own| (own.path.as_str(), &own.common))
     }
 
     /// The key that asks for surface-aware cells, when there is one.
     pub(super) fn cells_key(&self) -> Option<String> {
-        let own = self.objectives.iter().find(|own| own.has_cells())?;
+        let own = self.objectives().iter().find(|own| own.has_cells())?;
         Some(format!("{}.surface", own.key))
     }
 
@@ -264,35 +344,29 @@ impl JobKinds {
         let sees = |own: &JobObjective| {
             own.of.surface() == SurfaceHandling::Fraction && !own.common.has_fields()
         };
-        self.requirements.target.is_none() && self.objectives.iter().all(sees)
+        self.requirements.target.is_none() && self.objectives().iter().all(sees)
     }
 
     /// Whether an objective looks for the process window itself.
     pub(super) fn seeks_window(&self) -> bool {
-        self.objectives.iter().any(|own| own.of.seeks_window())
+        self.objectives().iter().any(|own| own.of.seeks_window())
     }
 
     /// Thresholds [void, part] of the first objective, where it has any.
     pub(super) fn thresholds(&self) -> Option<[f64; 2]> {
-        self.objectives.first()?.of.thresholds()
+        self.objectives().first()?.of.thresholds()
     }
 
     /// Half width ε of the band round the target's values, of the first objective that has one.
     pub(super) fn epsilon(&self) -> Option<f64> {
-        self.objectives.iter().find_map(|own| own.of.epsilon())
+        self.objectives().iter().find_map(|own| own.of.epsilon())
     }
 
     /// The same with a parameter that the program chooses. None where the job has several objectives, another one, or names the parameter.
     pub(super) fn with(&self, chosen: Chosen) -> Option<Self> {
-        let [own] = self.objectives.as_slice() else {
-            return None;
-        };
-        let of = own.of.with(chosen)?;
-        let objectives = vec![JobObjective { of, ..own.clone() }];
-        Some(JobKinds {
-            objectives,
-            ..self.clone()
-        })
+        let mut other = self.clone();
+        other.chosen = Some(chosen);
+        other.on_host.choose(chosen).then_some(other)
     }
 }
 
@@ -327,9 +401,9 @@ pub(super) fn try_kinds(
         target: &target,
         response: Arc::clone(&response),
     };
-    let objective = kinds.objective(&input, false)?;
+    let objective = kinds.on_host().objective(&input, false)?;
     solid_at(spec, response.as_ref())?;
-    kinds.penalties(&[])?;
+    kinds.on_host().penalties(&[])?;
     let is = Are {
         linear: model.is_none_or(|model| model.capabilities().is_linear()),
         in_time: in_time::is_optimized(spec),
@@ -450,7 +524,7 @@ fn methods_without(need: Reason) -> String {
         let method = (row.build)(&Section::new("optimizer", value)).ok()?;
         Some(method.make().ok()?.requirements())
     };
-    let names = OPTIMIZERS.iter().filter_map(|row| {
+    let names = optimizers::<HostField>().iter().filter_map(|row| {
         let without = need(&needs(row)?).is_none();
         without.then_some(row.name)
     });

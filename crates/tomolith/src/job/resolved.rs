@@ -150,7 +150,7 @@ impl ResolvedJob {
     /// # Errors
     /// [`Error::Config`].
     pub fn optimizer(&self) -> Result<Box<dyn Optimizer<HostField>>> {
-        self.scene.kinds.optimizer()
+        self.scene.kinds.on_host().optimizer()
     }
 
     /// Model, objective, start and bounds.
@@ -166,7 +166,7 @@ impl ResolvedJob {
         let start = stage.start(scene, scene.kinds.start.as_ref(), run)?;
         Ok(Task {
             limits: stage.limits(scene, &start),
-            penalties: scene.kinds.penalties(stage.model.patterns())?,
+            penalties: scene.kinds.on_host().penalties(stage.model.patterns())?,
             objective: stage.objective(scene, 0)?,
             start,
             target: stage.voxels.target.clone(),

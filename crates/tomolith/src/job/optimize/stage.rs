@@ -3,7 +3,7 @@
 use super::start::{limits, start_input, starting_patterns};
 use super::watch::Watch;
 use crate::error::{Error, Result};
-use crate::field::HostField;
+use crate::field::{Field, HostField};
 use crate::grid::{Patterns, Volume, VolumeGrid};
 use crate::job::co_optimize::FoundResponse;
 use crate::job::in_time::planned_in_time;
@@ -11,6 +11,7 @@ use crate::job::kept::EvaluationModel;
 use crate::job::levels::{self, Levelled};
 use crate::job::progress::{Event, Progress};
 use crate::job::refinement::{self, Level};
+use crate::job::resolve::{JobKinds, Minimized};
 use crate::job::scene::{Scene, Voxels};
 use crate::job::species::planned;
 use crate::job::{heights, scenarios};
@@ -26,6 +27,8 @@ use crate::units::concise;
 use std::borrow::Cow;
 use std::sync::Arc;
 use std::time::Instant;
+#[cfg(feature = "gpu")]
+use tomolith_gpu::{GpuField, GpuStrips};
 
 /// What the levels before have done.
 #[derive(Default)]
@@ -49,6 +52,14 @@ pub(super) struct EndOfLevel {
     /// Their process window, where an objective looks for it.
     pub(super) window: Option<FoundWindow>,
 }
+
+/// What a run on a level works with beside what it minimizes: bounds, checkpoints, what was done before, and who is told.
+type Around<'a, 'p> = (
+    &'a [Limits],
+    Option<&'a mut Checkpoints>,
+    &'a mut SoFar,
+    &'a mut (dyn Progress + 'p),
+);
 
 /// One level, ready to be optimized.
 pub(crate) struct Stage<'a> {
@@ -208,14 +219,26 @@ impl<'a> Stage<'a> {
         Ok(sum)
     }
 
+    /// The kinds of the job, with thresholds that lie so many steps further apart.
+    fn kinds<'s>(&self, scene: &'s Scene, wider: usize) -> Cow<'s, JobKinds> {
+        let wider = (wider > 0).then(|| refinement::widened(&scene.kinds, wider));
+        wider.flatten().map_or(Cow::Borrowed(&scene.kinds), Cow::Owned)
+    }
+
+    /// The loss of the one species of a model, for any fields, with the response that was found.
+    #[cfg(feature = "gpu")]
+    fn objective_on<F: Field>(&self, scene: &Scene, minimized: &Minimized<F>) -> Result<Sum<F>> {
+        let mut sum = scene.objective(minimized, &self.model.outputs()[0], &self.voxels)?;
+        if let Some(found) = &self.found {
+            sum.set_response(&found.response)?;
+        }
+        Ok(sum)
+    }
+
     fn objective_of_job(&self, scene: &Scene, wider: usize) -> Result<Sum<HostField>> {
         let outputs = self.model.outputs();
         let own = |scene: &Scene, layout: &DoseLayout, voxels: &Voxels| {
-            let wider = match wider {
-                0 => None,
-                steps => refinement::widened(&scene.kinds, steps),
-            };
-            scene.objective(wider.as_ref().unwrap_or(&scene.kinds), layout, voxels)
+            scene.objective(self.kinds(scene, wider).on_host(), layout, voxels)
         };
         if outputs.len() == 1 {
             return own(scene, &outputs[0], &self.voxels);
@@ -291,7 +314,7 @@ impl<'a> Stage<'a> {
         let model = self.model.as_ref();
         let objective = self.objective(scene, 0)?;
         let mut problem = Problem::new(model, &objective, bounds, cancel)?
-            .with_penalties(scene.kinds.penalties(model.patterns())?);
+            .with_penalties(scene.kinds.on_host().penalties(model.patterns())?);
         levels::improve(scene, &mut problem, x, progress)
     }
 
@@ -329,7 +352,7 @@ impl<'a> Stage<'a> {
         Ok(outcome)
     }
 
-    /// Runs the optimizer on this level, after the iterations of those before.
+    /// Runs the optimizer on this level, after the iterations of those before; on a graphics card where the job has one and the model a form for it.
     pub(super) fn run(
         &self,
         (scene, wider): (&Scene, usize),
@@ -339,12 +362,53 @@ impl<'a> Stage<'a> {
         progress: &mut dyn Progress,
         cancel: &Run,
     ) -> Result<Outcome> {
-        let model = self.model.as_ref();
+        let around = (bounds, checkpoints, sofar, progress);
+        #[cfg(feature = "gpu")]
+        if let Some((model, minimized)) = self.on_card(scene, wider, cancel)? {
+            let objective = self.objective_on(scene, &minimized)?;
+            let mut there = model.new_patterns()?;
+            there.copy_from_host(x.as_slice());
+            let on_card = (&model as _, objective, &minimized);
+            let ran = self.run_on(scene, on_card, &mut there, around, cancel);
+            let found = there.to_host();
+            there.gpu().check()?;
+            x.copy_from_host(&found);
+            return ran;
+        }
+        let objective = self.objective(scene, wider)?;
+        let on_host = (self.model.as_ref() as _, objective, scene.kinds.on_host());
+        self.run_on(scene, on_host, x, around, cancel)
+    }
+
+    /// Model and method on the job's graphics card, where it has one, and all of the stage has a form for it.
+    #[cfg(feature = "gpu")]
+    fn on_card(
+        &self,
+        scene: &Scene,
+        wider: usize,
+        cancel: &Run,
+    ) -> Result<Option<(GpuStrips, Minimized<GpuField>)>> {
+        let (Some(card), Some(form)) = (&scene.optics.card, self.model.strips()) else {
+            return Ok(None);
+        };
+        let kinds = self.kinds(scene, wider);
+        let model = GpuStrips::new(card.gpu(), &form, cancel)?;
+        Ok(Some((model, kinds.on()?)))
+    }
+
+    /// The same with model, objective and method for one kind of fields.
+    fn run_on<F: Field>(
+        &self,
+        scene: &Scene,
+        (model, objective, minimized): (&dyn DoseModel<Field = F>, Sum<F>, &Minimized<F>),
+        x: &mut F,
+        (bounds, checkpoints, sofar, progress): Around<'_, '_>,
+        cancel: &Run,
+    ) -> Result<Outcome> {
         // What is watched on the way is the first species, the part
         let layout = model.outputs()[0].clone();
-        let objective = self.objective(scene, wider)?;
         let spec = &scene.spec;
-        let mut optimizer = scene.kinds.optimizer()?;
+        let mut optimizer = minimized.optimizer()?;
         let fixed;
         let problem = if let Some(free) = &scene.kinds.free {
             Problem::with_free_response(model, free.objective(objective)?, bounds, cancel)?
@@ -353,7 +417,7 @@ impl<'a> Stage<'a> {
             Problem::new(model, &fixed, bounds, cancel)?
         };
         let mut problem = problem
-            .with_penalties(scene.kinds.penalties(model.patterns())?)
+            .with_penalties(minimized.penalties(model.patterns())?)
             .with_bits(spec.bounds.bits)?;
         let response = scene.response();
         let input = start_input(model, (&self.voxels, None), response.as_ref(), &[]);

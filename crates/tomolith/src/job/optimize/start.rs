@@ -17,12 +17,12 @@ use crate::optimize::start::{InitialPatterns, StartInput};
 use crate::response::Response;
 
 /// What a start or a method's marks are computed from; `absorption` where it is a map.
-pub(super) fn start_input<'a>(
-    model: &'a dyn DoseModel<Field = HostField>,
+pub(super) fn start_input<'a, F: Field>(
+    model: &'a dyn DoseModel<Field = F>,
     (voxels, absorption): (&'a Voxels, Option<&'a Volume<f32>>),
     response: &'a dyn Response,
     limits: &'a [Limits],
-) -> StartInput<'a> {
+) -> StartInput<'a, F> {
     StartInput {
         model,
         target: &voxels.target,

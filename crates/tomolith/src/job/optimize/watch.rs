@@ -1,6 +1,6 @@
 //! What is looked at after each iteration: progress, the print now and then, and whether it is good enough.
 
-use crate::field::HostField;
+use crate::field::Field;
 use crate::job::progress::{Event, Progress};
 use crate::job::scene::Scene;
 use crate::metrics::quick::quick;
@@ -63,7 +63,7 @@ pub(super) struct Watch<'a> {
 }
 
 impl Watch<'_> {
-    fn reached(&mut self, report: &StepReport<'_, HostField>) -> bool {
+    fn reached<F: Field>(&mut self, report: &StepReport<'_, F>) -> bool {
         let stop = &self.scene.spec.stop;
         let (loss, asked) = (stop.loss, stop.iou);
         let begin = Instant::now();
@@ -76,14 +76,15 @@ impl Watch<'_> {
     }
 
     /// Metrics of the dose at hand: exact and always when they decide, else now and then, and over some thresholds only.
-    fn measure(&self, report: &StepReport<'_, HostField>, decides: bool) -> Option<MeasuredPrint> {
+    fn measure<F: Field>(&self, report: &StepReport<'_, F>, decides: bool) -> Option<MeasuredPrint> {
         let iteration = report.row.iteration;
         let last = iteration == self.iterations;
         if !(decides || !self.is_gray && (last || is_measured(iteration))) {
             return None;
         }
         let response = self.scene.response();
-        let dose = self.layout.voxels_of(report.dose.as_slice());
+        let bytes = report.dose.host_bytes();
+        let dose = self.layout.voxels_of(bytemuck::cast_slice(&bytes));
         let values: Cow<'_, [f32]> = if response.is_identity() {
             dose
         } else {
@@ -111,8 +112,8 @@ fn exact(labels: &[u8], response: &[f32]) -> Option<MeasuredPrint> {
     })
 }
 
-impl Observer<HostField> for Watch<'_> {
-    fn on_step(&mut self, report: &StepReport<'_, HostField>) -> ControlFlow<()> {
+impl<F: Field> Observer<F> for Watch<'_> {
+    fn on_step(&mut self, report: &StepReport<'_, F>) -> ControlFlow<()> {
         let row = report.row;
         let calls = (row.forward + row.adjoint) as f64;
         self.progress.event(&Event::Iteration {

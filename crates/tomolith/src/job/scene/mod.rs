@@ -14,7 +14,7 @@ use super::folder::RunFolder;
 use super::kinds::known_elsewhere;
 use super::read::Job;
 use super::refinement::{self, Level};
-use super::resolve::{JobKinds, counted_as, try_kinds};
+use super::resolve::{JobKinds, Minimized, counted_as, try_kinds};
 use super::resources::{available_disk_mb, bytes_in, require};
 use super::scenarios::{self, Scenario};
 use super::spec::JobSpec;
@@ -23,7 +23,7 @@ use super::{
 };
 use crate::error::{Error, Result};
 use crate::exposure::Printer;
-use crate::field::HostField;
+use crate::field::Field;
 use crate::grid::VolumeGrid;
 use crate::models::parallel::kernel::Isa;
 use crate::models::{DoseLayout, OpticalScene, Purpose, Run, planner};
@@ -332,12 +332,12 @@ impl Scene {
     ///
     /// # Errors
     /// [`Error::Config`].
-    pub(crate) fn objective(
+    pub(crate) fn objective<F: Field>(
         &self,
-        kinds: &JobKinds,
+        minimized: &Minimized<F>,
         layout: &DoseLayout,
         voxels: &Voxels,
-    ) -> Result<Sum<HostField>> {
+    ) -> Result<Sum<F>> {
         let Voxels { target, labels, .. } = voxels;
         let input = ObjectiveInput {
             layout,
@@ -345,7 +345,7 @@ impl Scene {
             target,
             response: self.response(),
         };
-        let sum = kinds.objective(&input, true);
+        let sum = minimized.objective(&input, true);
         sum.map(|sum| sum.scaled(layout.grid.voxel_mm3() / self.grid.voxel_mm3()))
     }
 }

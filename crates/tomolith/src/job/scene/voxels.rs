@@ -98,7 +98,7 @@ impl Scene {
             target: &voxels.target,
             base: &self.base,
         };
-        for objective in &self.kinds.objectives {
+        for objective in self.kinds.objectives() {
             found.extend(objective.warnings(&ground)?);
         }
         let given = self.scenarios.iter().zip(&self.spec.scenario);

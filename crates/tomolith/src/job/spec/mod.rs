@@ -139,6 +139,10 @@ pub struct ResourcesSpec {
     /// refused before any work. Results do not depend on what else runs.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub memory_gb: Option<f64>,
+    /// Where doses are computed: "cpu" (the default), "gpu" (the first graphics card), "gpu:NAME" (a card whose name contains this), or "auto" (a card
+    /// where there is one that is large enough, else the processor). Needs a program with the feature `gpu`; patterns differ by rounding.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub device: Option<String>,
 }
 
 /// Where the dose is computed: cubic voxels.
