@@ -50,5 +50,7 @@ pub(crate) fn devices(json: bool) {
     if json {
         return say(&serde_json::json!({ "event": "done", "devices": [] }).to_string());
     }
-    say("cpu  this processor: the default\nthis program was built without graphics cards: build it with the feature `gpu` (docs/cards.md)");
+    say(
+        "cpu  this processor: the default\nthis program was built without graphics cards: build it with the feature `gpu` (docs/cards.md)",
+    );
 }

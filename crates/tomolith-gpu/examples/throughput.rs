@@ -24,7 +24,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let name = arguments.next().unwrap_or_default();
     let voxels: usize = arguments.next().map_or(Ok(256), |n| n.parse())?;
     let angles: usize = arguments.next().map_or(Ok(360), |n| n.parse())?;
-    let gpu = Gpu::open(&if name.is_empty() { Asked::Any } else { Asked::Named(&name) })?;
+    let gpu = Gpu::open(&if name.is_empty() {
+        Asked::Any
+    } else {
+        Asked::Named(&name)
+    })?;
     println!("{:?}", gpu.adapter());
     let pitch = 10.0 / voxels as f64;
     let light = Light::new(
@@ -45,27 +49,37 @@ fn main() -> Result<(), Box<dyn Error>> {
     let grid = VolumeGrid::centered([voxels; 3], pitch);
     let input = ModelInput::new(scene, &grid, &run)?;
     let begin = Instant::now();
-    let form = parallel::Params::default().strips(&input)?.ok_or("no form")?;
-    println!("geometry on the processor {:.3} s", begin.elapsed().as_secs_f64());
+    let form = parallel::Params::default()
+        .strips(&input)?
+        .ok_or("no form")?;
+    println!(
+        "geometry on the processor {:.3} s",
+        begin.elapsed().as_secs_f64()
+    );
     let begin = Instant::now();
     let model = GpuStrips::new(&gpu, &form, &run)?;
-    println!("entries on the card {:.3} s: {}", begin.elapsed().as_secs_f64(), DoseModel::describe(&model));
+    println!(
+        "entries on the card {:.3} s: {}",
+        begin.elapsed().as_secs_f64(),
+        DoseModel::describe(&model)
+    );
     let updates = DoseModel::updates(&model) as f64;
     println!("{updates:.3e} updates a call");
     let mut x = DoseModel::new_patterns(&model)?;
     x.fill(1.0);
     let mut dose = DoseModel::new_dose(&model)?;
     let mut grad = x.zeros_like();
-    let timed = |what: &str, per: f64, unit: &str, work: &mut dyn FnMut() -> Result<(), Box<dyn Error>>| {
-        work()?;
-        let begin = Instant::now();
-        for _ in 0..CALLS {
+    let timed =
+        |what: &str, per: f64, unit: &str, work: &mut dyn FnMut() -> Result<(), Box<dyn Error>>| {
             work()?;
-        }
-        let seconds = begin.elapsed().as_secs_f64() / f64::from(CALLS);
-        println!("{what} {seconds:.4} s, {:.3e} {unit}/s", per / seconds);
-        Ok::<(), Box<dyn Error>>(())
-    };
+            let begin = Instant::now();
+            for _ in 0..CALLS {
+                work()?;
+            }
+            let seconds = begin.elapsed().as_secs_f64() / f64::from(CALLS);
+            println!("{what} {seconds:.4} s, {:.3e} {unit}/s", per / seconds);
+            Ok::<(), Box<dyn Error>>(())
+        };
     timed("dose", updates, "updates", &mut || {
         model.dose(&x, &mut dose, &run)?;
         dose.max_abs();

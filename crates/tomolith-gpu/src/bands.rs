@@ -99,7 +99,10 @@ fn curve(loss: &BandLoss) -> (String, String, [[f32; 4]; 2]) {
     return vec2(p.b.x + p.b.y * height, p.b.y * p.b.z * p.c.x * height * (falling * u));
 }"
                 .to_owned(),
-                [[lower, range, steepness, midpoint], [exponent, 0.0, 0.0, 0.0]],
+                [
+                    [lower, range, steepness, midpoint],
+                    [exponent, 0.0, 0.0, 0.0],
+                ],
             )
         }
         ResponseForm::Table(table) => tabulated(table.pieces(), table.lines()),
@@ -136,7 +139,8 @@ fn sampled(response: &dyn tomolith_core::response::Response) -> Vec<[f32; 5]> {
 
 /// A table is part of the kernel: few numbers, found by halving.
 fn tabulated(pieces: &[[f32; 5]], lines: [[f32; 3]; 2]) -> (String, String, [[f32; 4]; 2]) {
-    let list = |of: &dyn Fn(&[f32; 5]) -> String| pieces.iter().map(of).collect::<Vec<_>>().join(", ");
+    let list =
+        |of: &dyn Fn(&[f32; 5]) -> String| pieces.iter().map(of).collect::<Vec<_>>().join(", ");
     let n = pieces.len();
     let begins = list(&|piece| format!("{:?}", piece[0]));
     let cubics = list(&|[_, a, b, c, d]| format!("vec4({a:?}, {b:?}, {c:?}, {d:?})"));
@@ -206,7 +210,8 @@ impl Data {
                 let mut all = vec![free.unwrap_or(0); len.next_multiple_of(4)];
                 all[elements.clone()].copy_from_slice(&labels[..elements.len()]);
                 let of_piece = |range: std::ops::Range<usize>| {
-                    like.gpu().upload(&all[range.start..range.end.next_multiple_of(4)])
+                    like.gpu()
+                        .upload(&all[range.start..range.end.next_multiple_of(4)])
                 };
                 let words: Vec<[f32; 4]> = table
                     .iter()
@@ -228,7 +233,8 @@ impl Data {
                 scale,
                 widen,
             } => {
-                let some = |field: &Vec<f32>, beyond| (!field.is_empty()).then(|| whole(field, beyond));
+                let some =
+                    |field: &Vec<f32>, beyond| (!field.is_empty()).then(|| whole(field, beyond));
                 let (scale, widen) = (some(scale, 1.0), some(widen, 0.0));
                 let of_scale = scale.as_ref().map_or("1.0", |_| "scale[i]");
                 let of_widen = widen.as_ref().map_or("0.0", |_| "widen[i]");

@@ -33,7 +33,11 @@ fn numbers(exponent: f64, a: [f32; 4]) -> [[f32; 4]; 3] {
     let chord = if exponent < 1.0 { CHORD } else { 0.0 };
     let of_chord = chord.powf(m - 1.0);
     let slope = if chord > 0.0 { of_chord } else { 0.0 };
-    [a, [m, f32::from(u8::from(exponent == 2.0)), chord, slope], [0.0; 4]]
+    [
+        a,
+        [m, f32::from(u8::from(exponent == 2.0)), chord, slope],
+        [0.0; 4],
+    ]
 }
 
 fn on_host(x: &GpuField) -> HostField {

@@ -70,7 +70,9 @@ fn found() -> Vec<(wgpu::Adapter, Adapter)> {
         let described = Adapter {
             name: info.name,
             interface: format!("{:?}", info.backend),
-            driver: format!("{} {}", info.driver, info.driver_info).trim().to_owned(),
+            driver: format!("{} {}", info.driver, info.driver_info)
+                .trim()
+                .to_owned(),
             is_software: info.device_type == wgpu::DeviceType::Cpu,
             binding_bytes: largest_binding(&adapter.limits()),
             memory_bytes: memory_of(&adapter),
@@ -112,8 +114,8 @@ struct Inner {
     device: wgpu::Device,
     queue: wgpu::Queue,
     adapter: Adapter,
-    binding_bytes: u64,
-    kernels: Mutex<HashMap<String, wgpu::ComputePipeline>>,
+    /// By name, each with its source.
+    kernels: Mutex<HashMap<String, (wgpu::ComputePipeline, String)>>,
     parameters: wgpu::Buffer,
     recorder: Mutex<Recorder>,
     idle: Mutex<Idle>,
@@ -157,14 +159,14 @@ impl Gpu {
     /// # Errors
     /// [`Error::Device`] when there is none that was asked for, or it cannot be used.
     pub fn open(asked: &Asked<'_>) -> Result<Self> {
-        Self::with_bindings(asked, u64::MAX)
+        Self::smaller(asked, u64::MAX, u64::MAX)
     }
 
-    /// As [`open`](Self::open), with bindings of at most so many bytes: what a smaller card allows.
+    /// As [`open`](Self::open), with bindings of at most so many bytes and with so much memory: as if it were a smaller card.
     ///
     /// # Errors
     /// As [`open`](Self::open).
-    pub fn with_bindings(asked: &Asked<'_>, most: u64) -> Result<Self> {
+    pub fn smaller(asked: &Asked<'_>, binding_bytes: u64, memory_bytes: u64) -> Result<Self> {
         let all = found();
         let is_asked = |(_, described): &&(wgpu::Adapter, Adapter)| match asked {
             Asked::Any => !described.is_software,
@@ -214,10 +216,13 @@ impl Gpu {
             mapped_at_creation: false,
         });
         Ok(Gpu(Arc::new(Inner {
-            binding_bytes: described.binding_bytes.min(most),
+            adapter: Adapter {
+                binding_bytes: described.binding_bytes.min(binding_bytes),
+                memory_bytes: described.memory_bytes.map(|own| own.min(memory_bytes)),
+                ..described.clone()
+            },
             device,
             queue,
-            adapter: described.clone(),
             kernels: Mutex::default(),
             parameters,
             recorder: Mutex::default(),
@@ -237,7 +242,17 @@ impl Gpu {
     /// Largest binding, bytes.
     #[must_use]
     pub fn binding_bytes(&self) -> u64 {
-        self.0.binding_bytes
+        self.0.adapter.binding_bytes
+    }
+
+    /// Name and WGSL of every kernel that ran so far.
+    #[must_use]
+    pub fn sources(&self) -> Vec<(String, String)> {
+        let kernels = locked(&self.0.kernels);
+        let sources = kernels
+            .iter()
+            .map(|(name, (_, text))| (name.clone(), text.clone()));
+        sources.collect()
     }
 
     /// Memory of the card, bytes; None where it does not say.
@@ -521,7 +536,7 @@ impl Gpu {
 
     fn kernel(&self, name: &str, source: &dyn Fn() -> String) -> wgpu::ComputePipeline {
         let mut kernels = locked(&self.0.kernels);
-        if let Some(kernel) = kernels.get(name) {
+        if let Some((kernel, _)) = kernels.get(name) {
             return kernel.clone();
         }
         let text = source();
@@ -541,11 +556,14 @@ impl Gpu {
                 },
                 cache: None,
             });
-        kernels.insert(name.to_owned(), kernel.clone());
+        kernels.insert(name.to_owned(), (kernel.clone(), text));
         kernel
     }
 
-    #[expect(unsafe_code, reason = "bounds checks cost a fifth to two fifths of a kernel's time")]
+    #[expect(
+        unsafe_code,
+        reason = "bounds checks cost a fifth to two fifths of a kernel's time"
+    )]
     fn module(&self, name: &str, text: &str) -> wgpu::ShaderModule {
         let descriptor = wgpu::ShaderModuleDescriptor {
             label: Some(name),
@@ -618,7 +636,9 @@ pub(crate) struct Buffer {
 
 impl Buffer {
     fn raw(&self) -> &wgpu::Buffer {
-        self.raw.as_ref().unwrap_or_else(|| unreachable!("taken when it is dropped"))
+        self.raw
+            .as_ref()
+            .unwrap_or_else(|| unreachable!("taken when it is dropped"))
     }
 }
 

@@ -9,7 +9,8 @@
 use crate::device::{Buffer, Gpu, THREADS};
 use crate::passes::ENTRY;
 use std::ops::Range;
-use tomolith_core::dose::strips::{LightStrips, StripGeometry, Strip};
+use std::sync::OnceLock;
+use tomolith_core::dose::strips::{LightStrips, Strip, StripGeometry};
 use tomolith_core::error::Result;
 
 /// The strips of one light on the card, and what says where they are.
@@ -43,8 +44,11 @@ pub(crate) struct Rows {
 /// Some neighboring views of a light and their matrix.
 pub(crate) struct Chunk {
     pub(crate) views: Range<usize>,
-    pub(crate) by_voxel: Rows,
-    pub(crate) by_slot: Rows,
+    by_voxel: Rows,
+    /// Found when the first adjoint asks for it: an evaluation never does.
+    by_slot: OnceLock<Rows>,
+    /// Whether entries are kept.
+    keeps: bool,
 }
 
 /// Bytes of an entry.
@@ -61,7 +65,12 @@ impl DeviceStrips {
         let beams: Vec<[u32; 4]> = (light.beams.iter())
             .map(|beam| {
                 let first_slot = beam.view * light.columns as u32;
-                [beam.strips[0], first_slot, u32::from(beam.along_y), beam.view]
+                [
+                    beam.strips[0],
+                    first_slot,
+                    u32::from(beam.along_y),
+                    beam.view,
+                ]
             })
             .collect();
         let beams_of = (0..=light.views as u32)
@@ -99,7 +108,9 @@ impl DeviceStrips {
         let most = gpu.binding_bytes();
         let [nx, ny] = self.voxels;
         // A voxel meets some three strips of a view
-        let guess = (3 * ENTRY_BYTES * (nx * ny) as u64).max(bytes_of_view).max(1);
+        let guess = (3 * ENTRY_BYTES * (nx * ny) as u64)
+            .max(bytes_of_view)
+            .max(1);
         let mut step = ((most / guess) as usize).clamp(1, views.max(1));
         let (mut chunks, mut pairs) = (Vec::new(), 0);
         let mut begin = 0;
@@ -107,17 +118,18 @@ impl DeviceStrips {
             gpu.check()?;
             let own = begin..(begin + step).min(views);
             let (by_voxel, lit) = self.counted(gpu, &own, Axis::Voxels);
-            if by_voxel.total * ENTRY_BYTES > most && own.len() > 1 {
+            // Those of the slots are as many, but for the rounding of weights to 0
+            if by_voxel.bytes() > most / 100 * 99 && own.len() > 1 {
                 step = own.len().div_ceil(2);
                 continue;
             }
-            let (by_slot, _) = self.counted(gpu, &own, Axis::Slots);
             begin = own.end;
             pairs += lit;
             chunks.push(Chunk {
                 views: own,
                 by_voxel,
-                by_slot,
+                by_slot: OnceLock::new(),
+                keeps: false,
             });
         }
         Ok((chunks, pairs))
@@ -134,7 +146,8 @@ impl DeviceStrips {
         let count = self.row_count(views, axis);
         let counts = gpu.buffer(8 * count as u64);
         self.pass(gpu, (views, axis), &[&counts]);
-        let found: Vec<u32> = bytemuck::pod_collect_to_vec(&gpu.read(&[(&counts, 8 * count as u64)]));
+        let found: Vec<u32> =
+            bytemuck::pod_collect_to_vec(&gpu.read(&[(&counts, 8 * count as u64)]));
         let mut starts = Vec::with_capacity(count + 1);
         let (mut total, mut pairs) = (0u64, 0u64);
         for own in found.chunks_exact(2) {
@@ -150,6 +163,13 @@ impl DeviceStrips {
             total,
         };
         (rows, pairs)
+    }
+
+    /// Writes the entries of some views, and keeps them.
+    fn keep(&self, gpu: &Gpu, views: &Range<usize>, axis: Axis, rows: &mut Rows) {
+        let into = gpu.buffer(rows.bytes());
+        self.written(gpu, views, axis, rows, &into);
+        rows.entries = Some(into);
     }
 
     /// Writes the entries of a chunk's voxels or slots.
@@ -188,8 +208,17 @@ impl DeviceStrips {
             }
         };
         buffers.extend(out);
-        let name = format!("{} entries of {name}", if writes { "write" } else { "count" });
-        gpu.run(&name, &|| source(axis, writes), &parameters, &buffers, groups);
+        let name = format!(
+            "{} entries of {name}",
+            if writes { "write" } else { "count" }
+        );
+        gpu.run(
+            &name,
+            &|| source(axis, writes),
+            &parameters,
+            &buffers,
+            groups,
+        );
         gpu.submit();
     }
 }
@@ -246,23 +275,31 @@ const MOST_PRODUCTS: u64 = 1 << 31;
 impl Product<'_> {
     /// Makes the entries of voxels or slots ready.
     pub(crate) fn entries(&self, gpu: &Gpu, of_voxels: bool) {
-        let (rows, axis) = self.rows(of_voxels);
+        let axis = if of_voxels { Axis::Voxels } else { Axis::Slots };
+        let rows = self.rows(gpu, of_voxels);
         if let (None, Some(into)) = (&rows.entries, self.scratch) {
-            self.strips.written(gpu, &self.chunk.views, axis, rows, into);
+            self.strips
+                .written(gpu, &self.chunk.views, axis, rows, into);
         }
     }
 
-    fn rows(&self, of_voxels: bool) -> (&Rows, Axis) {
+    fn rows(&self, gpu: &Gpu, of_voxels: bool) -> &Rows {
+        let chunk = self.chunk;
         if of_voxels {
-            (&self.chunk.by_voxel, Axis::Voxels)
-        } else {
-            (&self.chunk.by_slot, Axis::Slots)
+            return &chunk.by_voxel;
         }
+        chunk.by_slot.get_or_init(|| {
+            let (mut rows, _) = self.strips.counted(gpu, &chunk.views, Axis::Slots);
+            if chunk.keeps {
+                self.strips.keep(gpu, &chunk.views, Axis::Slots, &mut rows);
+            }
+            rows
+        })
     }
 
     /// out += rows·source, of the rows of a piece of `out` and the columns in a piece of the source.
     pub(crate) fn add(&self, gpu: &Gpu, of_voxels: bool, out: &RowsOf<'_>, source: &RowsOf<'_>) {
-        let (rows, _) = self.rows(of_voxels);
+        let rows = self.rows(gpu, of_voxels);
         let Some(entries) = rows.entries.as_ref().or(self.scratch.as_ref()) else {
             return;
         };
@@ -290,18 +327,21 @@ impl Product<'_> {
 }
 
 impl Chunk {
-    /// Bytes of the entries of voxels and slots.
-    pub(crate) fn bytes(&self) -> [u64; 2] {
-        [&self.by_voxel, &self.by_slot].map(|rows| ENTRY_BYTES * rows.total)
+    /// Bytes of the entries of its voxels, and somewhat more than those of its slots.
+    pub(crate) fn bytes(&self) -> u64 {
+        self.by_voxel.bytes() / 99 * 100
     }
 
     /// Keeps the entries.
     pub(crate) fn keep(&mut self, gpu: &Gpu, strips: &DeviceStrips) {
-        for (rows, axis) in [(&mut self.by_voxel, Axis::Voxels), (&mut self.by_slot, Axis::Slots)] {
-            let into = gpu.buffer(ENTRY_BYTES * rows.total);
-            strips.written(gpu, &self.views, axis, rows, &into);
-            rows.entries = Some(into);
-        }
+        self.keeps = true;
+        strips.keep(gpu, &self.views, Axis::Voxels, &mut self.by_voxel);
+    }
+}
+
+impl Rows {
+    fn bytes(&self) -> u64 {
+        ENTRY_BYTES * self.total
     }
 }
 

@@ -117,7 +117,8 @@ impl GpuField {
 
     /// Copies to host memory that is there.
     pub(crate) fn read_into(&self, values: &mut [f32]) {
-        self.gpu.read_into(&self.parts(), bytemuck::cast_slice_mut(values));
+        self.gpu
+            .read_into(&self.parts(), bytemuck::cast_slice_mut(values));
     }
 
     /// The card.
@@ -376,13 +377,23 @@ impl Field for GpuField {
 
     fn divide_by_roots(&mut self, squares: &Self, factor: f32, epsilon: f32) {
         let body = "y[i] = y[i] / (sqrt(x[i] * p.a.x) + p.a.y);";
-        self.update("divide_by_roots", body, &[squares], [factor, epsilon, 0.0, 0.0]);
+        self.update(
+            "divide_by_roots",
+            body,
+            &[squares],
+            [factor, epsilon, 0.0, 0.0],
+        );
     }
 
     fn logistic_error(&mut self, target: &Self, midpoint: f32, width: f32) {
         let body = "let wanted = x[i];
         y[i] = select(1.0 / (1.0 + exp((p.a.x - y[i]) / p.a.y)) - wanted, 0.0, wanted < 0.0);";
-        self.update("logistic_error", body, &[target], [midpoint, width, 0.0, 0.0]);
+        self.update(
+            "logistic_error",
+            body,
+            &[target],
+            [midpoint, width, 0.0, 0.0],
+        );
     }
 
     fn compile_bounds(&self, bounds: &Bounds) -> GpuBounds {

@@ -61,7 +61,10 @@ impl HalfRampKernel<GpuField> for GpuHalfRamp {
             while ranges[piece].end <= begin {
                 piece += 1;
             }
-            assert!(element <= ranges[piece].end, "a frame in two pieces of a field");
+            assert!(
+                element <= ranges[piece].end,
+                "a frame in two pieces of a field"
+            );
             let frame = framed(runs, ranges[piece].start, &mut table);
             match batches.last_mut() {
                 Some((own, frames)) if *own == piece && size + frame.rectangle() <= most => {
@@ -80,7 +83,10 @@ impl HalfRampKernel<GpuField> for GpuHalfRamp {
         GpuHalfRamp {
             gpu: gpu.clone(),
             runs: gpu.upload(bytemuck::cast_slice(&table)),
-            batches: batches.into_iter().map(|own| Batch::new(gpu, own)).collect(),
+            batches: batches
+                .into_iter()
+                .map(|own| Batch::new(gpu, own))
+                .collect(),
             scratch: gpu.buffer(4 * scratch),
         }
     }
@@ -98,7 +104,8 @@ impl HalfRampKernel<GpuField> for GpuHalfRamp {
             ];
             let threads = (batch.count * batch.rows) as u64;
             let groups = threads.div_ceil(u64::from(THREADS));
-            self.gpu.run("half ramp", &source, &parameters, &buffers, groups);
+            self.gpu
+                .run("half ramp", &source, &parameters, &buffers, groups);
         }
     }
 }
@@ -137,7 +144,11 @@ impl Batch {
             piece,
             frames: gpu.upload(bytemuck::cast_slice(&words)),
             count: frames.len(),
-            rows: frames.iter().map(|frame| frame.rows as usize).max().unwrap_or(0),
+            rows: frames
+                .iter()
+                .map(|frame| frame.rows as usize)
+                .max()
+                .unwrap_or(0),
         }
     }
 }

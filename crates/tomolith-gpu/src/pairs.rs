@@ -8,7 +8,9 @@ use crate::field::{CLAMP, GpuBounds, GpuField};
 use crate::passes::{Operand, Pass, finish_sums};
 use std::borrow::Cow;
 use tomolith_core::error::Result;
-use tomolith_core::field::{Direction, DirectionSums, Field as _, Latest, Pairs, PairsPart, Products};
+use tomolith_core::field::{
+    Direction, DirectionSums, Field as _, Latest, Pairs, PairsPart, Products,
+};
 
 /// Slots that one pass combines.
 const TOGETHER: usize = 4;
@@ -208,4 +210,3 @@ fn add_pairs(d: &mut GpuField, some: &[(&GpuField, [f32; 2])]) {
     };
     pass.each(d.gpu(), &operands, d.lengths());
 }
-

@@ -100,7 +100,11 @@ fn main(@builtin(workgroup_id) group_at: vec3<u32>, @builtin(num_workgroups) gro
 fn declared(operands: &[Operand<'_>]) -> String {
     let mut text = String::new();
     for (binding, operand) in (1..).zip(operands) {
-        let access = if operand.is_written { "read_write" } else { "read" };
+        let access = if operand.is_written {
+            "read_write"
+        } else {
+            "read"
+        };
         let Operand { name, element, .. } = operand;
         let _ = writeln!(
             text,

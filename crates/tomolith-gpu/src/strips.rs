@@ -90,8 +90,11 @@ impl Geometry {
             pairs += of_light;
             run.check()?;
         }
-        let all: u64 = lights.iter().flat_map(|l| &l.chunks).map(|c| c.bytes().iter().sum::<u64>()).sum();
-        let budget = gpu.memory_bytes().map_or(KEPT, |bytes| (KEPT_SHARE * bytes as f64) as u64);
+        let chunks = || lights.iter().flat_map(|light| &light.chunks);
+        let all: u64 = chunks().map(|chunk| 2 * chunk.bytes()).sum();
+        let budget = gpu
+            .memory_bytes()
+            .map_or(KEPT, |bytes| (KEPT_SHARE * bytes as f64) as u64);
         let mut scratch = None;
         if all <= budget {
             for light in &mut lights {
@@ -100,8 +103,7 @@ impl Geometry {
                 }
             }
         } else {
-            let chunks = lights.iter().flat_map(|l| &l.chunks);
-            let largest = chunks.flat_map(Chunk::bytes).max().unwrap_or(0);
+            let largest = chunks().map(Chunk::bytes).max().unwrap_or(0);
             scratch = Some(gpu.buffer(largest));
         }
         gpu.check()?;
@@ -127,7 +129,14 @@ impl DeviceLight {
         let (chunks, pairs) = strips.chunks(gpu, light.views, bytes_of_view)?;
         let columns = layout.grid.columns;
         let runs: Vec<[u32; 4]> = (layout.runs.iter().enumerate())
-            .map(|(i, run)| [run.offset as u32, run.bottom, run.count, (i / columns) as u32])
+            .map(|(i, run)| {
+                [
+                    run.offset as u32,
+                    run.bottom,
+                    run.count,
+                    (i / columns) as u32,
+                ]
+            })
             .collect();
         let mut slot_of = vec![0u32; runs.len()];
         for (slot, sides) in light.sources.iter().enumerate() {
@@ -196,7 +205,10 @@ impl GpuStrips {
     }
 
     /// Rows of voxels in each piece of a dose.
-    fn voxels_of<'a>(&self, dose: &'a GpuField) -> impl Iterator<Item = (Range<usize>, &'a Buffer)> {
+    fn voxels_of<'a>(
+        &self,
+        dose: &'a GpuField,
+    ) -> impl Iterator<Item = (Range<usize>, &'a Buffer)> {
         let row = self.output().row;
         let ranges = dose.ranges().map(move |r| r.start / row..r.end / row);
         ranges.zip(dose.pieces())
@@ -237,7 +249,8 @@ impl GpuStrips {
                 &*self.lit,
             ];
             let groups = ((4 * slots * light.lanes) as u64).div_ceil(u64::from(THREADS));
-            self.gpu.run("expand", &expand, &parameters, &buffers, groups);
+            self.gpu
+                .run("expand", &expand, &parameters, &buffers, groups);
         }
     }
 
@@ -281,7 +294,8 @@ impl GpuStrips {
                     &*self.lit,
                 ];
                 let groups = ((runs * rows) as u64).div_ceil(u64::from(THREADS));
-                self.gpu.run("collect", &collect, &parameters, &buffers, groups);
+                self.gpu
+                    .run("collect", &collect, &parameters, &buffers, groups);
             }
         }
     }
@@ -304,7 +318,8 @@ impl GpuStrips {
         ];
         let buffers = [out, source, &taps.first, &taps.weights];
         let groups = ((rows * taps.count) as u64).div_ceil(u64::from(THREADS));
-        self.gpu.run("resample", &resample, &parameters, &buffers, groups);
+        self.gpu
+            .run("resample", &resample, &parameters, &buffers, groups);
     }
 
     fn product<'a>(&'a self, light: &'a DeviceLight, chunk: &'a Chunk) -> Product<'a> {
@@ -439,17 +454,37 @@ fn must_fit(gpu: &Gpu, geometry: &StripGeometry) -> Result<()> {
     let most = gpu.binding_bytes();
     let of_lanes = |light: &LightStrips| 16 * light.to_lanes.first.len().div_ceil(4) as u64;
     let row = 4 * geometry.output.row as u64;
-    let views = geometry.lights.iter().map(|light| light.columns as u64 * of_lanes(light));
-    let frames = geometry.patterns.iter().map(|p| 4 * (p.grid.rows * p.grid.columns) as u64);
-    let meetings = geometry.lights.iter().map(|light| 4 * light.meetings.len() as u64);
-    let strips = geometry.lights.iter().map(|light| 48 * light.strips.len() as u64);
-    let needed = views.chain(frames).chain(meetings).chain(strips).chain([row]).max();
+    let views = geometry
+        .lights
+        .iter()
+        .map(|light| light.columns as u64 * of_lanes(light));
+    let frames = geometry
+        .patterns
+        .iter()
+        .map(|p| 4 * (p.grid.rows * p.grid.columns) as u64);
+    let meetings = geometry
+        .lights
+        .iter()
+        .map(|light| 4 * light.meetings.len() as u64);
+    let strips = geometry
+        .lights
+        .iter()
+        .map(|light| 48 * light.strips.len() as u64);
+    let needed = views
+        .chain(frames)
+        .chain(meetings)
+        .chain(strips)
+        .chain([row])
+        .max();
     let needed = needed.unwrap_or(0);
     if needed <= most {
         return Ok(());
     }
     Err(Error::Resources {
-        what: format!("memory that a kernel of {} sees at once", gpu.adapter().name),
+        what: format!(
+            "memory that a kernel of {} sees at once",
+            gpu.adapter().name
+        ),
         needed_mb: needed.div_ceil(1_000_000),
         available_mb: Some(most / 1_000_000),
         advice: "use the processor (--device cpu), or fewer angles, rows or columns".to_owned(),
@@ -504,7 +539,8 @@ impl LinearOperator for GpuStrips {
         dose: &mut GpuField,
         run: &Run,
     ) -> Result<()> {
-        for (light, own) in tomolith_core::dose::own_frames(LinearOperator::patterns(self), &frames) {
+        for (light, own) in tomolith_core::dose::own_frames(LinearOperator::patterns(self), &frames)
+        {
             self.add_light(&self.geometry.lights[light], &own, x, dose, run)?;
         }
         self.gpu.submit();
@@ -518,7 +554,8 @@ impl LinearOperator for GpuStrips {
         grad: &mut GpuField,
         run: &Run,
     ) -> Result<()> {
-        for (light, own) in tomolith_core::dose::own_frames(LinearOperator::patterns(self), &frames) {
+        for (light, own) in tomolith_core::dose::own_frames(LinearOperator::patterns(self), &frames)
+        {
             let light = &self.geometry.lights[light];
             self.adjoint_light(light, &own, cotangent, grad, run)?;
         }
@@ -535,8 +572,15 @@ impl LinearOperator for GpuStrips {
     }
 
     fn describe(&self) -> String {
-        let entries = if self.geometry.scratch.is_some() { "found anew" } else { "kept" };
-        format!("parallel (on {}, entries {entries})", self.gpu.adapter().name)
+        let entries = if self.geometry.scratch.is_some() {
+            "found anew"
+        } else {
+            "kept"
+        };
+        format!(
+            "parallel (on {}, entries {entries})",
+            self.gpu.adapter().name
+        )
     }
 }
 
@@ -641,24 +685,40 @@ pub(crate) struct Geometries(Mutex<Vec<Weak<Geometry>>>);
 
 impl Gpu {
     fn kept_geometry(&self, of: &Arc<StripGeometry>) -> Option<Arc<Geometry>> {
-        let mut all = self.geometries().0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut all = self
+            .geometries()
+            .0
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
         all.retain(|own| own.strong_count() > 0);
         let alive = all.iter().filter_map(Weak::upgrade);
         alive.into_iter().find(|own| Arc::ptr_eq(&own.of, of))
     }
 
     fn keep_geometry(&self, geometry: &Arc<Geometry>) {
-        let mut all = self.geometries().0.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut all = self
+            .geometries()
+            .0
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
         all.push(Arc::downgrade(geometry));
     }
 }
 
 fn expand() -> String {
-    format!("{}\n{ENTRY}\n{}\n}}", include_str!("shaders/expand_bindings.wgsl"), include_str!("shaders/expand.wgsl"))
+    format!(
+        "{}\n{ENTRY}\n{}\n}}",
+        include_str!("shaders/expand_bindings.wgsl"),
+        include_str!("shaders/expand.wgsl")
+    )
 }
 
 fn collect() -> String {
-    format!("{}\n{ENTRY}\n{}\n}}", include_str!("shaders/collect_bindings.wgsl"), include_str!("shaders/collect.wgsl"))
+    format!(
+        "{}\n{ENTRY}\n{}\n}}",
+        include_str!("shaders/collect_bindings.wgsl"),
+        include_str!("shaders/collect.wgsl")
+    )
 }
 
 fn resample() -> String {

@@ -10,7 +10,7 @@ use tomolith_core::field::{Band, BandKernel, BandLoss, Bands, Field, HostField};
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::response::table::Beyond;
 use tomolith_core::response::{Identity, Logistic, Response, Table, logistic};
-use tomolith_gpu::{GpuField, Gpu};
+use tomolith_gpu::{Gpu, GpuField};
 
 const LEN: usize = 24 * 31 * 48;
 
@@ -18,7 +18,10 @@ fn bands() -> Vec<Bands> {
     let part = Band::new(0.9, f32::INFINITY, 1.0);
     let void = Band::new(f32::NEG_INFINITY, 0.3, 0.7);
     let shares: Vec<f32> = noise(1, LEN).iter().map(|v| 1.3 * v.abs() - 0.15).collect();
-    let shares: Vec<f32> = shares.iter().map(|s| if *s < 0.0 { -1.0 } else { s.min(1.0) }).collect();
+    let shares: Vec<f32> = shares
+        .iter()
+        .map(|s| if *s < 0.0 { -1.0 } else { s.min(1.0) })
+        .collect();
     let shared = |scale, widen| Bands::Shared {
         inside: shares.clone(),
         part,
@@ -26,11 +29,19 @@ fn bands() -> Vec<Bands> {
         scale,
         widen,
     };
-    let some = |seed| noise(seed, LEN).iter().map(|v| 0.2 * v.abs()).collect::<Vec<f32>>();
+    let some = |seed| {
+        noise(seed, LEN)
+            .iter()
+            .map(|v| 0.2 * v.abs())
+            .collect::<Vec<f32>>()
+    };
     let lower = some(2);
     let upper: Vec<f32> = lower.iter().map(|v| v + 0.4).collect();
     vec![
-        Bands::labels((0..LEN).map(|i| (i / 5 % 3) as u8).collect(), &[(1, void), (2, part)]),
+        Bands::labels(
+            (0..LEN).map(|i| (i / 5 % 3) as u8).collect(),
+            &[(1, void), (2, part)],
+        ),
         shared(Vec::new(), Vec::new()),
         shared(some(3), some(4)),
         Bands::Voxels {
@@ -57,7 +68,10 @@ fn responses() -> Vec<Arc<dyn Response>> {
 
 /// A dose field of the card, with 16 elements before and behind those of a loss.
 fn like(gpu: &Gpu) -> GpuField {
-    GpuField::for_dose(gpu, &DoseLayout::new("dose", VolumeGrid::centered([48, 31, 24], 0.1), 32))
+    GpuField::for_dose(
+        gpu,
+        &DoseLayout::new("dose", VolumeGrid::centered([48, 31, 24], 0.1), 32),
+    )
 }
 
 #[test]
@@ -83,7 +97,10 @@ fn values_gradients_and_slopes_are_those_of_the_host() {
                 let host = <HostField as Field>::Bands::new(&loss, &dose);
                 let card = <GpuField as Field>::Bands::new(&loss, &there);
                 let near = |found: f64, expected: f64, what: &str| {
-                    assert!((found - expected).abs() < 2e-5 * expected.abs(), "{what}: {found} instead of {expected}");
+                    assert!(
+                        (found - expected).abs() < 2e-5 * expected.abs(),
+                        "{what}: {found} instead of {expected}"
+                    );
                 };
                 near(card.value(&there), host.value(&dose), &what);
                 let (mut g, mut h) = (dose.zeros_like(), there.clone());
@@ -93,18 +110,29 @@ fn values_gradients_and_slopes_are_those_of_the_host() {
                 // Where a power is below 1, the slope near the edge of a band is that of the rounding
                 let tolerance = if p < 1.0 { 1e-3 } else { 1e-4 };
                 for (i, (found, expected)) in h.to_host().iter().zip(g.as_slice()).enumerate() {
-                    assert!((found - expected).abs() < tolerance * most, "{what}: {found} instead of {expected} at {i}");
+                    assert!(
+                        (found - expected).abs() < tolerance * most,
+                        "{what}: {found} instead of {expected} at {i}"
+                    );
                 }
                 let (expected, slope) = host.slope_along(&dose, &step, 0.01);
                 let found = card.slope_along(&there, &along, 0.01);
                 near(found.0, expected, &what);
                 let size = g.norm() * step.norm();
-                assert!((found.1 - slope).abs() < 1e-5 * size, "{what}: slope {} instead of {slope}", found.1);
+                assert!(
+                    (found.1 - slope).abs() < 1e-5 * size,
+                    "{what}: slope {} instead of {slope}",
+                    found.1
+                );
                 let mut moved = there.clone();
                 let mut gradient = along.clone();
                 let mut at = dose.clone();
                 at.axpy(0.01, &step);
-                near(card.advance(&mut moved, &mut gradient, 0.01), host.value(&at), &what);
+                near(
+                    card.advance(&mut moved, &mut gradient, 0.01),
+                    host.value(&at),
+                    &what,
+                );
             }
         }
     }

@@ -5,12 +5,12 @@ mod common;
 use common::{SMALL, gpu};
 use std::sync::Arc;
 use tomolith_core::check::noise;
+use tomolith_core::dose::{LinearOperator, Run};
 use tomolith_core::field::{
     Bounds, ColumnRun, CostKernel, Direction, Field, HalfRamp, HalfRampKernel, HostField, Latest,
     Pairs, PatternCost,
 };
 use tomolith_gpu::{Gpu, GpuField, GpuStrips};
-use tomolith_core::dose::{LinearOperator, Run};
 
 /// A field of the card with a few pieces: three frames of different length each.
 fn like(gpu: &Gpu) -> GpuField {
@@ -22,8 +22,8 @@ fn like(gpu: &Gpu) -> GpuField {
 mod tiny {
     use tomolith_core::dose::strips::StripForm;
     use tomolith_core::grid::{PatternGrid, VolumeGrid};
-    use tomolith_models::{ModelFamily, ModelInput, OpticalScene, Purpose, Run, parallel};
     use tomolith_models::rays::Optics;
+    use tomolith_models::{ModelFamily, ModelInput, OpticalScene, Purpose, Run, parallel};
     use tomolith_optics::light::Light;
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::index_matched::IndexMatched;
@@ -107,30 +107,49 @@ fn every_operation_gives_the_numbers_of_the_host() {
     check("shift", &|y| y.shift(0.7), &|y| y.shift(0.7));
     check("fill", &|y| y.fill(0.7), &|y| y.fill(0.7));
     check("clamp", &|y| y.clamp(-0.2, 0.4), &|y| y.clamp(-0.2, 0.4));
-    check("multiply", &|y| y.multiply(&b.host), &|y| y.multiply(&b.card));
-    check("keep", &|y| y.keep_positive(&b.host), &|y| y.keep_positive(&b.card));
+    check("multiply", &|y| y.multiply(&b.host), &|y| {
+        y.multiply(&b.card)
+    });
+    check("keep", &|y| y.keep_positive(&b.host), &|y| {
+        y.keep_positive(&b.card)
+    });
     check("mix", &|y| y.mix(0.8, &b.host), &|y| y.mix(0.8, &b.card));
-    check("squares", &|y| y.mix_squares(0.8, &b.host), &|y| y.mix_squares(0.8, &b.card));
+    check("squares", &|y| y.mix_squares(0.8, &b.host), &|y| {
+        y.mix_squares(0.8, &b.card)
+    });
     check("logistic", &|y| y.logistic_error(&b.host, 0.1, 0.3), &|y| {
         y.logistic_error(&b.card, 0.1, 0.3);
     });
-    check("moved", &|y| y.change_where_moved(&b.host, &c.host, &b.host), &|y| {
-        y.change_where_moved(&b.card, &c.card, &b.card);
-    });
+    check(
+        "moved",
+        &|y| y.change_where_moved(&b.host, &c.host, &b.host),
+        &|y| {
+            y.change_where_moved(&b.card, &c.card, &b.card);
+        },
+    );
     check("copy", &|y| y.copy_from(&b.host), &|y| y.copy_from(&b.card));
-    check("write", &|y| y.write(17_000, &[1.0; 20_000]), &|y| y.write(17_000, &[1.0; 20_000]));
+    check("write", &|y| y.write(17_000, &[1.0; 20_000]), &|y| {
+        y.write(17_000, &[1.0; 20_000])
+    });
     let mut squares = Both::of(b.host.as_slice(), &like);
     squares.host.multiply(&b.host);
     squares.card.multiply(&b.card);
-    check("roots", &|y| y.divide_by_roots(&squares.host, 4.0, 0.1), &|y| {
-        y.divide_by_roots(&squares.card, 4.0, 0.1);
-    });
+    check(
+        "roots",
+        &|y| y.divide_by_roots(&squares.host, 4.0, 0.1),
+        &|y| {
+            y.divide_by_roots(&squares.card, 4.0, 0.1);
+        },
+    );
     near(a.card.dot(&b.card), a.host.dot(&b.host), n, "dot");
     near(a.card.norm(), a.host.norm(), n.sqrt(), "norm");
     assert_eq!(a.card.max_abs(), a.host.max_abs());
     assert_eq!(a.card.max_marked(&b.card), a.host.max_marked(&b.host));
     assert_eq!(a.card.lowest(), a.host.lowest());
-    let (found, expected) = (a.card.secant(&b.card, &c.card), a.host.secant(&b.host, &c.host));
+    let (found, expected) = (
+        a.card.secant(&b.card, &c.card),
+        a.host.secant(&b.host, &c.host),
+    );
     for (found, expected) in [
         (found.pp, expected.pp),
         (found.py, expected.py),
@@ -154,7 +173,10 @@ fn what_is_no_number_is_not_lost() {
     assert!(both.card.max_marked(&Both::of(&marks, &like).card).is_nan());
     marks[12_345] = -1.0;
     let of_others = both.card.max_marked(&Both::of(&marks, &like).card);
-    assert_eq!(of_others, both.host.max_marked(&HostField::from_slice(&marks)));
+    assert_eq!(
+        of_others,
+        both.host.max_marked(&HostField::from_slice(&marks))
+    );
     assert_eq!(both.card.lowest(), both.host.lowest());
     assert!(both.card.dot(&both.card).is_nan());
     let mut moved = both.card.clone();
@@ -182,8 +204,12 @@ fn bounds_of_one_light_and_of_two_hold_as_on_the_host() {
         free.card.free_gradient(&moved.card, &g.card, &there);
         free.assert_near(0.0, "free_gradient");
         let mut projected = new();
-        let expected = projected.host.project_step(&moved.host, &g.host, 0.3, &bounds);
-        let found = projected.card.project_step(&moved.card, &g.card, 0.3, &there);
+        let expected = projected
+            .host
+            .project_step(&moved.host, &g.host, 0.3, &bounds);
+        let found = projected
+            .card
+            .project_step(&moved.card, &g.card, 0.3, &there);
         projected.assert_near(1e-6, "project_step");
         near(found.slope, expected.slope, len as f64, "slope");
         near(found.square, expected.square, len as f64, "square");
@@ -263,17 +289,33 @@ fn pairs_give_the_products_and_directions_of_the_host() {
         &mut out.host,
     );
     let mut again = <GpuField as Field>::Pairs::new(slots, &there);
-    let parts: Vec<_> = card.parts().into_iter().map(|p| (p.name, (p.bytes)().into_owned())).collect();
+    let parts: Vec<_> = card
+        .parts()
+        .into_iter()
+        .map(|p| (p.name, (p.bytes)().into_owned()))
+        .collect();
     let read = &mut |name: &str, into: &mut [u8]| {
         let part = parts.iter().find(|part| part.0 == name).unwrap();
         into.copy_from_slice(&part.1);
         Ok(())
     };
     again.restore(read).unwrap();
-    let found = again.direction(&direction, &x.card, &gradient.card, &image.card, &there, &mut out.card);
+    let found = again.direction(
+        &direction,
+        &x.card,
+        &gradient.card,
+        &image.card,
+        &there,
+        &mut out.card,
+    );
     out.assert_near(2e-6, "direction");
     near(found.slope, expected.slope, len as f64, "slope");
-    near(found.gradient_square, expected.gradient_square, len as f64, "gradient square");
+    near(
+        found.gradient_square,
+        expected.gradient_square,
+        len as f64,
+        "gradient square",
+    );
 }
 
 #[test]
@@ -303,7 +345,12 @@ fn the_half_ramp_and_penalties_are_those_of_the_host() {
         let host = <HostField as Field>::Costs::new(&cost, &x.host);
         let card = <GpuField as Field>::Costs::new(&cost, &x.card);
         let n = like.len() as f64;
-        near(card.value(&x.card), host.value(&x.host), 30.0 * n, "penalty");
+        near(
+            card.value(&x.card),
+            host.value(&x.host),
+            30.0 * n,
+            "penalty",
+        );
         let (found, expected) = (
             card.slope_along(&x.card, &out.card, 0.1),
             host.slope_along(&x.host, &out.host, 0.1),

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{SMALL, gpu};
+use common::{SMALL, gpu, smaller};
 use tomolith_core::check::noise;
 use tomolith_core::dose::{Accelerator, DoseModel, Run};
 use tomolith_core::field::Field;
@@ -57,7 +57,7 @@ fn cases() -> Vec<Case> {
     let grid = |nz| VolumeGrid::centered([nz, 31, 32], 0.09);
     let turning = Light {
         sub_angles: 3,
-        ..light(pixels(9, 30, 34), absorbing.clone())
+        ..light(pixels(9, 30, 34), absorbing)
     };
     vec![
         Case {
@@ -69,7 +69,7 @@ fn cases() -> Vec<Case> {
         Case {
             name: "absorbing, slices finer than rows",
             vial: matched(),
-            lights: vec![light(pixels(10, 14, 36), absorbing.clone())],
+            lights: vec![light(pixels(10, 14, 36), absorbing)],
             grid: VolumeGrid::centered([70, 31, 32], 0.02),
         },
         Case {
@@ -82,7 +82,7 @@ fn cases() -> Vec<Case> {
             name: "a tube in a tube, two lights",
             vial: tube,
             lights: vec![
-                light(pixels(7, 26, 36), absorbing.clone()),
+                light(pixels(7, 26, 36), absorbing),
                 light(pixels(5, 22, 30), absorbing),
             ],
             grid: grid(20),
@@ -92,7 +92,11 @@ fn cases() -> Vec<Case> {
 
 impl Case {
     fn with<T>(&self, with: impl FnOnce(&ModelInput<'_>) -> T) -> T {
-        let optics: Vec<Optics> = self.lights.iter().map(|_| Optics::collimated(0.1)).collect();
+        let optics: Vec<Optics> = self
+            .lights
+            .iter()
+            .map(|_| Optics::collimated(0.1))
+            .collect();
         let scene = OpticalScene {
             vial: &*self.vial,
             lights: &self.lights,
@@ -131,11 +135,16 @@ fn assert_near(found: &[f32], expected: &[f32], tolerance: f32, what: &str) {
 
 #[test]
 fn doses_and_adjoints_are_those_of_the_processor() {
-    for most in [SMALL, 128 << 20] {
-        let Some(gpu) = gpu(most) else { return };
+    // Small bindings; entries that are kept, and entries that are found anew
+    for (most, memory) in [(SMALL, u64::MAX), (128 << 20, u64::MAX), (SMALL, 1 << 16)] {
+        let Some(gpu) = smaller(most, memory) else {
+            return;
+        };
         for case in cases() {
             let (host, form) = (case.host(), case.strips());
             let card = gpu.model(&form, &Run::new()).unwrap().unwrap();
+            let kept = card.describe().contains("kept");
+            assert_eq!(kept, memory > 1 << 16, "{}", card.describe());
             let mut x = host.new_patterns().unwrap();
             let values: Vec<f32> = noise(1, x.len()).iter().map(|v| v.abs()).collect();
             x.copy_from_host(&values);
@@ -147,7 +156,9 @@ fn doses_and_adjoints_are_those_of_the_processor() {
             let mut of_some = [host.new_dose().unwrap(), card.new_dose().unwrap()];
             let frames = 2..5;
             for (model, dose) in [&host, &card].into_iter().zip(&mut of_some) {
-                model.dose_of(frames.clone(), &x, dose, &Run::new()).unwrap();
+                model
+                    .dose_of(frames.clone(), &x, dose, &Run::new())
+                    .unwrap();
             }
             let [expected, found] = &of_some;
             assert_near(found.as_slice(), expected.as_slice(), 5e-6, case.name);
@@ -155,12 +166,16 @@ fn doses_and_adjoints_are_those_of_the_processor() {
             let layout = &host.outputs()[0];
             let nz = layout.grid.shape[0];
             let values = noise(2, cotangent.len()).into_iter().enumerate();
-            let values: Vec<f32> = values.map(|(i, v)| if i % layout.row < nz { v } else { 0.0 }).collect();
+            let values: Vec<f32> = values
+                .map(|(i, v)| if i % layout.row < nz { v } else { 0.0 })
+                .collect();
             cotangent.copy_from_host(&values);
             let mut expected = host.new_patterns().unwrap();
             let mut found = host.new_patterns().unwrap();
-            host.pullback(&x, &cotangent, &mut expected, &Run::new()).unwrap();
-            card.pullback(&x, &cotangent, &mut found, &Run::new()).unwrap();
+            host.pullback(&x, &cotangent, &mut expected, &Run::new())
+                .unwrap();
+            card.pullback(&x, &cotangent, &mut found, &Run::new())
+                .unwrap();
             assert_near(found.as_slice(), expected.as_slice(), 5e-6, case.name);
         }
     }
@@ -183,14 +198,20 @@ fn dose_and_adjoint_on_the_card_are_one_matrix() {
         let layout = &form.geometry.output;
         let nz = layout.grid.shape[0];
         let values = noise(4, c.len()).into_iter().enumerate();
-        let values: Vec<f32> = values.map(|(i, v)| if i % layout.row < nz { v } else { 0.0 }).collect();
+        let values: Vec<f32> = values
+            .map(|(i, v)| if i % layout.row < nz { v } else { 0.0 })
+            .collect();
         c.copy_from_host(&values);
         let (mut dose, mut grad) = (c.zeros_like(), x.zeros_like());
         model.dose(&x, &mut dose, &Run::new()).unwrap();
         model.pullback(&x, &c, &mut grad, &Run::new()).unwrap();
         let (left, right) = (dose.dot(&c), grad.dot(&x));
         let size = dose.norm() * c.norm();
-        assert!((left - right).abs() < 2e-7 * size, "{}: {left} {right} of {size}", case.name);
+        assert!(
+            (left - right).abs() < 2e-7 * size,
+            "{}: {left} {right} of {size}",
+            case.name
+        );
         assert!(size > 0.0);
         // The same bits again
         let mut again = dose.zeros_like();
@@ -218,7 +239,13 @@ fn solved<F: Field>(model: &dyn DoseModel<Field = F>) -> (Vec<f32>, Vec<f64>) {
         gray: false,
     };
     let labels = label_voxels(&target, |[x, y, _]| x.hypot(y) < 0.8 * half);
-    let limits = vec![Limits { min: 0.0, max: 40.0 }; model.patterns().len()];
+    let limits = vec![
+        Limits {
+            min: 0.0,
+            max: 40.0
+        };
+        model.patterns().len()
+    ];
     let response: std::sync::Arc<dyn Response> = std::sync::Arc::new(Identity);
     let input = ObjectiveInput {
         layout: &model.outputs()[0],
@@ -242,7 +269,9 @@ fn solved<F: Field>(model: &dyn DoseModel<Field = F>) -> (Vec<f32>, Vec<f64>) {
     };
     let run = Run::new();
     let of_start = (row(starts::<F>(), "fbp").build)(&empty("start")).unwrap();
-    let mut x = of_start.patterns(&start, &run).unwrap_or_else(|e| panic!("{}: {e}", model.describe()));
+    let mut x = of_start
+        .patterns(&start, &run)
+        .unwrap_or_else(|e| panic!("{}: {e}", model.describe()));
     let mut problem = Problem::new(model, &*objective, &limits, &run).unwrap();
     let method = (row(optimizers::<F>(), "lbfgs").build)(&empty("optimizer")).unwrap();
     let stop = Stop {
@@ -251,8 +280,50 @@ fn solved<F: Field>(model: &dyn DoseModel<Field = F>) -> (Vec<f32>, Vec<f64>) {
     };
     let mut method = method.make().unwrap();
     let outcome = tomolith_optimize::run(&mut problem, &mut *method, &mut x, &stop, None, &mut []);
-    let losses = outcome.unwrap().history.iter().map(|row| row.loss).collect();
+    let losses = outcome
+        .unwrap()
+        .history
+        .iter()
+        .map(|row| row.loss)
+        .collect();
     (x.to_host(), losses)
+}
+
+/// Every kernel that an optimization runs, in the languages of Metal and DX12.
+#[test]
+fn kernels_are_those_of_other_interfaces_too() {
+    let Some(gpu) = gpu(SMALL) else { return };
+    for case in cases() {
+        let model = GpuStrips::new(&gpu, &case.strips(), &Run::new()).unwrap();
+        solved(&model);
+    }
+    let sources = gpu.sources();
+    assert!(sources.len() > 25, "{}", sources.len());
+    for (name, text) in sources {
+        let module = naga::front::wgsl::parse_str(&text);
+        let module = module.unwrap_or_else(|e| panic!("{name}: {}", e.emit_to_string(&text)));
+        let flags = naga::valid::ValidationFlags::all();
+        let capabilities = naga::valid::Capabilities::empty();
+        let info = naga::valid::Validator::new(flags, capabilities).validate(&module);
+        let info = info.unwrap_or_else(|e| panic!("{name}: {e:?}"));
+        let storage = module
+            .global_variables
+            .iter()
+            .filter(|(_, variable)| matches!(variable.space, naga::AddressSpace::Storage { .. }));
+        assert!(
+            storage.count() <= 8,
+            "{name} has more than eight storage buffers"
+        );
+        let (options, pipeline) = Default::default();
+        let metal = naga::back::msl::write_string(&module, &info, &options, &pipeline);
+        metal.unwrap_or_else(|e| panic!("{name}: {e}"));
+        let (mut text, options, pipeline) = (String::new(), Default::default(), Default::default());
+        let mut writer = naga::back::hlsl::Writer::new(&mut text, &options, &pipeline);
+        writer
+            .write(&module, &info, None)
+            .unwrap_or_else(|e| panic!("{name}: {e}"));
+        assert!(text.contains("numthreads(256, 1, 1)"), "{name}");
+    }
 }
 
 #[test]
@@ -262,12 +333,20 @@ fn a_whole_optimization_goes_the_way_of_the_processor() {
         let (_, expected) = solved(&*case.host());
         let model = GpuStrips::new(&gpu, &case.strips(), &Run::new()).unwrap();
         let (_, found) = solved(&model);
-        assert!(expected[12] < 0.7 * expected[0], "{}: {expected:?}", case.name);
+        assert!(
+            expected[12] < 0.7 * expected[0],
+            "{}: {expected:?}",
+            case.name
+        );
         // Rounding grows from step to step, but both get as far
         for (step, tolerance) in [(0, 1e-5), (1, 1e-4), (12, 0.1)] {
             let (found, expected) = (found[step], expected[step]);
             let error = (found - expected).abs() / expected;
-            assert!(error < tolerance, "{}: {found} instead of {expected} after {step}", case.name);
+            assert!(
+                error < tolerance,
+                "{}: {found} instead of {expected} after {step}",
+                case.name
+            );
         }
     }
 }

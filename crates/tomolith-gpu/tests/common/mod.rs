@@ -7,8 +7,13 @@ use tomolith_gpu::{Asked, Gpu};
 pub(crate) const SMALL: u64 = 64 << 10;
 
 pub(crate) fn gpu(most: u64) -> Option<Gpu> {
-    let named = |name| Gpu::with_bindings(&Asked::Named(name), most);
-    let found = Gpu::with_bindings(&Asked::Any, most).or_else(|_| named("llvmpipe"));
+    smaller(most, u64::MAX)
+}
+
+/// The same with so much memory.
+pub(crate) fn smaller(most: u64, memory: u64) -> Option<Gpu> {
+    let named = |name| Gpu::smaller(&Asked::Named(name), most, memory);
+    let found = Gpu::smaller(&Asked::Any, most, memory).or_else(|_| named("llvmpipe"));
     match found {
         Ok(gpu) => Some(gpu),
         Err(error) => {

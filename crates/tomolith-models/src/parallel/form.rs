@@ -66,7 +66,11 @@ impl LightPlan {
         };
         let spread = self.levels.spread.as_ref();
         LightStrips {
-            strips: self.beams.iter().par_map(|beam| self.of_beam(beam)).concat(),
+            strips: self
+                .beams
+                .iter()
+                .par_map(|beam| self.of_beam(beam))
+                .concat(),
             beams: beams(&self.beams),
             meetings: self.meetings.iter().map(|m| [m.first, m.end]).collect(),
             views: self.views.count(),
@@ -85,7 +89,11 @@ impl LightPlan {
         let strip = |strip: &super::strips::Strip| {
             let (power, row_mm) = (f64::from(strip.power), f64::from(strip.row_mm));
             let slot = beam.frame as usize * self.columns + strip.column as usize;
-            let base = if self.deposit.pure_radon { power * row_mm } else { power * share };
+            let base = if self.deposit.pure_radon {
+                power * row_mm
+            } else {
+                power * share
+            };
             strips::Strip {
                 edges: strip.edges,
                 span: strip.span,

@@ -316,7 +316,11 @@ impl ZOverlaps {
 
     /// Rows → lanes as data, or lanes → rows.
     pub(super) fn form(&self, to_lanes: bool) -> strips::Taps {
-        let taps = if to_lanes { &self.to_lanes } else { &self.to_rows };
+        let taps = if to_lanes {
+            &self.to_lanes
+        } else {
+            &self.to_rows
+        };
         strips::Taps {
             first: taps.first.clone(),
             weights: taps.weights.clone(),

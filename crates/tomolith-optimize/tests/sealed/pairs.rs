@@ -3,7 +3,9 @@
 use super::field::{Piece, SealedField};
 use std::borrow::Cow;
 use tomolith_core::error::Result;
-use tomolith_core::field::{Direction, DirectionSums, Field as _, Latest, Pairs, PairsPart, Products};
+use tomolith_core::field::{
+    Direction, DirectionSums, Field as _, Latest, Pairs, PairsPart, Products,
+};
 
 /// Elements whose products are added two by two, eight apart.
 const GROUP: usize = 16;

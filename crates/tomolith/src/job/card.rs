@@ -75,11 +75,17 @@ mod with_gpu {
 
     fn opened(name: &str) -> Result<Gpu> {
         let mut all = OPENED.lock().unwrap_or_else(PoisonError::into_inner);
-        let known = all.iter().find(|(own, gpu)| own == name && gpu.check().is_ok());
+        let known = all
+            .iter()
+            .find(|(own, gpu)| own == name && gpu.check().is_ok());
         if let Some((_, gpu)) = known {
             return Ok(gpu.clone());
         }
-        let asked = if name.is_empty() { Asked::Any } else { Asked::Named(name) };
+        let asked = if name.is_empty() {
+            Asked::Any
+        } else {
+            Asked::Named(name)
+        };
         let gpu = Gpu::open(&asked)?;
         all.retain(|(own, _)| own != name);
         all.push((name.to_owned(), gpu.clone()));

@@ -188,7 +188,11 @@ impl<F: Field> Minimized<F> {
         let objective = |own: &Section| JobObjective::read(own.clone(), response);
         let penalties = sections.penalties.iter().enumerate().map(penalty);
         Ok(Minimized {
-            objectives: sections.objectives.iter().map(objective).collect::<Result<_>>()?,
+            objectives: sections
+                .objectives
+                .iter()
+                .map(objective)
+                .collect::<Result<_>>()?,
             penalties: penalties.collect::<Result<_>>()?,
             optimizer: sections.optimizer.read(optimizers::<F>())?,
             base: sections.base.clone(),
@@ -211,7 +215,8 @@ impl<F: Field> Minimized<F> {
 
     /// The sum of the penalties.
     pub(super) fn penalties(&self, lights: &[PatternLayout]) -> Result<Penalties<F>> {
-        let build = |(weight, own): &(f64, Arc<dyn MakePenalty<F>>)| Ok((*weight, own.make(lights)?));
+        let build =
+            |(weight, own): &(f64, Arc<dyn MakePenalty<F>>)| Ok((*weight, own.make(lights)?));
         Penalties::new(self.penalties.iter().map(build).collect::<Result<_>>()?)
     }
 
@@ -283,7 +288,10 @@ impl JobKinds {
     ///
     /// # Errors
     /// As [`read`](Self::read).
-    #[cfg_attr(not(feature = "gpu"), expect(dead_code, reason = "all fields are the host's"))]
+    #[cfg_attr(
+        not(feature = "gpu"),
+        expect(dead_code, reason = "all fields are the host's")
+    )]
     pub(super) fn on<F: Field>(&self) -> Result<Minimized<F>> {
         let mut own = Minimized::read(&self.sections, &self.response)?;
         if let Some(chosen) = self.chosen {
@@ -324,7 +332,10 @@ impl JobKinds {
 
     /// Whether a penalty compares pixels of different frames.
     pub(super) fn penalizes_frames(&self) -> bool {
-        self.on_host.penalties.iter().any(|(_, own)| own.joins_frames())
+        self.on_host
+            .penalties
+            .iter()
+            .any(|(_, own)| own.joins_frames())
     }
 
     /// What every objective may have, and its key.

@@ -2,9 +2,7 @@
 
 use super::progress::{Event, Progress};
 use super::read::with_every_default;
-use super::resolve::JobKinds;
 use super::scene::{Scene, Voxels};
-use super::spec::JobSpec;
 use crate::error::{Error, Result};
 use crate::field::BLOCK;
 use crate::grid::Patterns;
@@ -140,8 +138,10 @@ pub(super) fn keep(
     Ok(())
 }
 
-/// The tables of a job that a checkpoint depends on, with every default written out and the memory that its optimizer has.
-pub(super) fn tables(spec: &JobSpec, kinds: &JobKinds) -> Result<Value> {
+/// The tables of a job that a checkpoint depends on, with every default written out, the memory that its optimizer has, and the kind of device, whose
+/// memory of earlier steps no other reads.
+pub(super) fn tables(scene: &Scene) -> Result<Value> {
+    let (spec, kinds) = (&scene.spec, &scene.kinds);
     let mut tables = with_every_default(spec.clone()).to_value()?;
     if let Some(pairs) = kinds.pairs() {
         tables["optimizer"][kinds.method()]["memory"] = pairs.into();
@@ -157,6 +157,9 @@ pub(super) fn tables(spec: &JobSpec, kinds: &JobKinds) -> Result<Value> {
         ] {
             map.remove(unimportant);
         }
+    }
+    if scene.optics.card.is_some() {
+        tables["resources"] = serde_json::json!({ "device": "gpu" });
     }
     as_floats(&mut tables);
     Ok(tables)

@@ -204,7 +204,7 @@ fn open_checkpoints(
     plan: CheckpointPlan<'_>,
     progress: &mut dyn Progress,
 ) -> Result<(Checkpoints, Option<usize>)> {
-    let tables = tables(&scene.spec, &scene.kinds)?;
+    let tables = tables(scene)?;
     let fingerprint = scene.agreed(fingerprint(&tables, voxels, &scene.base))?;
     scene.must_agree(fingerprint)?;
     let checkpoints = Checkpoints::new(plan.folder, fingerprint, &scene.spec.checkpoint)?;

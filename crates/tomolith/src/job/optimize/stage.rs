@@ -222,7 +222,9 @@ impl<'a> Stage<'a> {
     /// The kinds of the job, with thresholds that lie so many steps further apart.
     fn kinds<'s>(&self, scene: &'s Scene, wider: usize) -> Cow<'s, JobKinds> {
         let wider = (wider > 0).then(|| refinement::widened(&scene.kinds, wider));
-        wider.flatten().map_or(Cow::Borrowed(&scene.kinds), Cow::Owned)
+        wider
+            .flatten()
+            .map_or(Cow::Borrowed(&scene.kinds), Cow::Owned)
     }
 
     /// The loss of the one species of a model, for any fields, with the response that was found.

@@ -76,7 +76,11 @@ impl Watch<'_> {
     }
 
     /// Metrics of the dose at hand: exact and always when they decide, else now and then, and over some thresholds only.
-    fn measure<F: Field>(&self, report: &StepReport<'_, F>, decides: bool) -> Option<MeasuredPrint> {
+    fn measure<F: Field>(
+        &self,
+        report: &StepReport<'_, F>,
+        decides: bool,
+    ) -> Option<MeasuredPrint> {
         let iteration = report.row.iteration;
         let last = iteration == self.iterations;
         if !(decides || !self.is_gray && (last || is_measured(iteration))) {

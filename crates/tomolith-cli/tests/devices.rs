@@ -1,0 +1,88 @@
+//! Graphics cards as the command names, refuses and uses them.
+#![cfg(feature = "gpu")]
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+const GEAR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/01-gear.toml");
+
+fn tomolith(arguments: &[&str]) -> Output {
+    let command = env!("CARGO_BIN_EXE_tomolith");
+    Command::new(command).args(arguments).output().unwrap()
+}
+
+/// The part of a name of a card: a real one, or the software adapter; None where there is none.
+fn card() -> Option<String> {
+    let found = tomolith(&["devices", "--json"]);
+    let line: serde_json::Value = serde_json::from_slice(&found.stdout).unwrap();
+    let name = line["devices"][0]["name"].as_str().map(str::to_owned);
+    assert!(
+        name.is_some() || std::env::var_os("TOMOLITH_NEEDS_GPU").is_none(),
+        "TOMOLITH_NEEDS_GPU is set, and there is no card"
+    );
+    name
+}
+
+fn run(device: &str, folder: &Path, more: &[&str]) -> Output {
+    let folder = folder.to_str().unwrap();
+    let mut arguments = vec!["run", GEAR, "--toy", "--quiet", "--device", device];
+    arguments.extend(["--output", folder]);
+    arguments.extend(more);
+    tomolith(&arguments)
+}
+
+#[test]
+fn a_card_that_is_not_there_is_refused_with_what_there_is() {
+    let folder = tempfile::tempdir().unwrap();
+    for (device, expected) in [
+        (
+            "gpu:no such card",
+            "graphics card gpu:no such card: no such graphics card; this machine shows",
+        ),
+        ("tpu", "resources.device: found \"tpu\""),
+        ("gpu:", "resources.device: found \"gpu:\""),
+    ] {
+        let refused = run(device, &folder.path().join("run"), &[]);
+        let text = String::from_utf8_lossy(&refused.stderr).into_owned();
+        assert_eq!(refused.status.code(), Some(2), "{text}");
+        assert!(text.contains(expected), "{text}");
+        assert!(!folder.path().join("run").exists());
+    }
+}
+
+#[test]
+fn a_card_prints_what_the_processor_prints_and_resumes_to_the_bit() {
+    let Some(name) = card() else { return };
+    let device = format!("gpu:{name}");
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let steps = |n: u32| format!("stop.iterations={n}");
+    let (six, ten) = (steps(6), steps(10));
+    let done = |output: Output| {
+        let text = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.success(), "{text}");
+    };
+    done(run(&device, &at("card"), &["--set", &ten]));
+    done(run("cpu", &at("processor"), &["--set", &ten]));
+    let report = |name: &str| -> serde_json::Value {
+        serde_json::from_str(&std::fs::read_to_string(at(name).join("report.json")).unwrap())
+            .unwrap()
+    };
+    let iou = |name: &str| report(name)["evaluation"]["iou"].as_f64().unwrap();
+    assert!(
+        (iou("card") - iou("processor")).abs() < 1e-3,
+        "{} {}",
+        iou("card"),
+        iou("processor")
+    );
+    assert!(report("card").to_string().contains("parallel (on "));
+    done(run(&device, &at("resumed"), &["--set", &six]));
+    // Another device has another memory of the steps
+    let refused = run("cpu", &at("resumed"), &["--set", &ten, "--resume"]);
+    let text = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert_eq!(refused.status.code(), Some(2), "{text}");
+    assert!(text.contains("resources.device"), "{text}");
+    done(run(&device, &at("resumed"), &["--set", &ten, "--resume"]));
+    let patterns = |name: &str| std::fs::read(at(name).join("patterns.npz")).unwrap();
+    assert!(patterns("resumed") == patterns("card"));
+}
