@@ -802,8 +802,8 @@ mod tests {
         let mut copy = HostPairs::new(slots, &bounds);
         let parts = pairs.parts();
         let mut read = |name: &str, bytes: &mut [u8]| {
-            let (_, part) = parts.iter().find(|(part, _)| *part == name).unwrap();
-            bytes.copy_from_slice(part);
+            let part = parts.iter().find(|part| part.name == name).unwrap();
+            bytes.copy_from_slice(&(part.bytes)());
             Ok(())
         };
         copy.restore(&mut read).unwrap();
