@@ -158,9 +158,8 @@ pub(super) fn tables(scene: &Scene) -> Result<Value> {
             map.remove(unimportant);
         }
     }
-    if scene.optics.card.is_some() {
-        tables["resources"] = serde_json::json!({ "device": "gpu" });
-    }
+    let device = if scene.optics.card.is_some() { "gpu" } else { "cpu" };
+    tables["resources"] = serde_json::json!({ "device": device });
     as_floats(&mut tables);
     Ok(tables)
 }
