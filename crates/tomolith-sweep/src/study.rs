@@ -404,6 +404,10 @@ impl Study {
 
     /// An error about a key that the study sets, at its place in the study.
     pub(crate) fn at_own_key(&self, name: &str, run: &RunSpec, mut error: Error) -> Error {
+        if let Error::Several(several) = error {
+            let several = several.into_iter();
+            return Error::Several(several.map(|one| self.at_own_key(name, run, one)).collect());
+        }
         let Error::Config { key, place, .. } = &mut error else {
             return error;
         };

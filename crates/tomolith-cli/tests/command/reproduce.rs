@@ -495,6 +495,15 @@ fn slips_are_refused_with_file_and_line_before_any_work() {
             ["runs.map.set.objective.ospw.uper", "study.toml", "upper"],
         ),
         (
+            "sweep = \"sweep.toml\"",
+            "sweep = \"sweep.toml\"\nset = { \"evaluate.bit_depth\" = 40, \"output.rpm\" = 0 }",
+            [
+                "runs.map.set.evaluate.bit_depth",
+                "runs.map.set.output.rpm",
+                "study.toml",
+            ],
+        ),
+        (
             "within = 1e-9",
             "",
             [
