@@ -14,7 +14,7 @@ use super::{DoseModel, Run};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::Volume;
-use tomolith_core::parallel::{InParallel, elements};
+use tomolith_core::parallel::{InParallel, elements, table};
 use tomolith_optics::light::{Light, Selection};
 
 /// What pixels bring to the wanted voxels (file order `[z, y, x]`, any value but 0): the adjoint of an indicator. Of cut voxels the
@@ -37,7 +37,7 @@ pub fn contributions(
             });
         }
         let marks = layout.field_of(wanted);
-        let mut mask: Vec<f32> = marks.iter().map(|&w| f32::from(w != 0)).collect();
+        let mut mask = table(marks.len(), |i| f32::from(marks[i] != 0));
         if let Some(cells) = &layout.cells {
             cells.fill([0.0, 1.0], &mut mask);
         }
@@ -75,7 +75,12 @@ pub fn chosen(
                 let runs = (frame * columns..).zip(runs);
                 runs.flat_map(of_run).collect::<Vec<bool>>()
             });
-        chosen.extend(frames.iter().flatten());
+        frames
+            .iter()
+            .for_each(|frame| chosen.extend_from_slice(frame));
+        if selection.min_contribution == 0.0 {
+            continue;
+        }
         // Of the pixels that may be lit the best one is the measure
         let own = layout.range();
         let light = chosen[own.clone()].iter().zip(own.clone());
@@ -104,10 +109,12 @@ pub fn rows_of(patterns: &[PatternLayout], chosen: &[bool]) -> Vec<Vec<(u32, u32
             .zip(last)
             .map_or((0, 0), |(a, b)| (run.bottom + a as u32, (b - a + 1) as u32))
     };
-    patterns
-        .iter()
-        .map(|layout| layout.runs.iter().map(rows).collect())
-        .collect()
+    let of_light = |layout: &PatternLayout| {
+        let frames = layout.runs.chunks(layout.grid.columns.max(1));
+        let frames = frames.par_map(|runs| runs.iter().map(rows).collect::<Vec<_>>());
+        frames.concat()
+    };
+    patterns.iter().map(of_light).collect()
 }
 
 /// Where the active pixels of lights lie in a field.
@@ -132,9 +139,11 @@ pub(super) fn narrow(
     let chosen = chosen(patterns, &selections, contributions);
     let rows = rows_of(patterns, &chosen);
     let mut dark = Vec::new();
+    let any = selections.iter().any(Selection::is_any);
     for ((light, layout), rows) in lights.iter_mut().zip(patterns).zip(rows) {
         let is_any = light.selection.is_any();
-        for (run, &(bottom, count)) in layout.runs.iter().zip(&rows).filter(|(_, r)| r.1 > 0) {
+        let runs = layout.runs.iter().zip(&rows);
+        for (run, &(bottom, count)) in runs.filter(|(_, r)| any && r.1 > 0) {
             let first = run.offset + (bottom - run.bottom) as usize;
             let own = &chosen[first..first + count as usize];
             dark.extend(own.iter().map(|&chosen| is_any && !chosen));

@@ -578,11 +578,16 @@ fn damaged(path: &Path, found: &str) -> Error {
 
 /// FNV-1a over words of 8 bytes: any change of one word changes it.
 fn checksum(bytes: &[u8]) -> u64 {
-    bytes.chunks(8).fold(0xcbf2_9ce4_8422_2325, |sum, chunk| {
-        let mut word = [0; 8];
-        word[..chunk.len()].copy_from_slice(chunk);
-        (sum ^ u64::from_le_bytes(word)).wrapping_mul(0x0000_0100_0000_01b3)
-    })
+    let (words, rest) = bytes.as_chunks::<8>();
+    let mut last = [0; 8];
+    last[..rest.len()].copy_from_slice(rest);
+    let last = (!rest.is_empty()).then_some(&last);
+    words
+        .iter()
+        .chain(last)
+        .fold(0xcbf2_9ce4_8422_2325, |sum, word| {
+            (sum ^ u64::from_le_bytes(*word)).wrapping_mul(0x0000_0100_0000_01b3)
+        })
 }
 
 /// The checksums of a file.

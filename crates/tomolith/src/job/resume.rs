@@ -158,7 +158,11 @@ pub(super) fn tables(scene: &Scene) -> Result<Value> {
             map.remove(unimportant);
         }
     }
-    let device = if scene.optics.card.is_some() { "gpu" } else { "cpu" };
+    let device = if scene.optics.card.is_some() {
+        "gpu"
+    } else {
+        "cpu"
+    };
     tables["resources"] = serde_json::json!({ "device": device });
     as_floats(&mut tables);
     Ok(tables)
