@@ -22,7 +22,7 @@ pub mod scenarios;
 pub mod species;
 pub mod time;
 
-pub use ceiling::{CeilingPoint, CeilingReport, time_sentence};
+pub use ceiling::{CeilingPoint, CeilingReport, FinestTrial, Quality, time_sentence};
 /// What `report.json` says that it is.
 pub const SCHEMA: &str = "tomolith.report/1";
 

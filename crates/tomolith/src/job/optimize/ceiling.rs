@@ -9,19 +9,22 @@
 //! IoU and VER may lose twice as much; the mean deviation and Γ are relative, and may lose the same. Γ, the range of exposures that print, holds the ceiling
 //! where IoU says nothing: even light prints a disc, too, but within no range of exposures. A frame that stands for half the arc holds half the dose.
 //!
+//! **Start** The optimization goes on from what was found there, which stands for a fifth of its iterations: with 36 iterations from there, boat, dog-bones and cuvette of
+//! docs/fidelity.md print as with 45 from the start. Where pixels are so few that the start has the lower loss, it begins there.
+//!
 //! **Several lights** have ceilings of their own, at one factor below the brightest pixel of each. **Species**: each print must be good enough.
 //!
 //! **Limits** The bound of the start stays where a job names `bounds.max` or `printer.time_s`, starts from given patterns, rounds in every step, prints in time, ends
 //! after some seconds (`stop.wall_s`), is gray, has few levels or scenarios, looks for a process window or a response, weighs voxels by files, or uses another method than `lbfgs`;
 //! where the unknowns of the model are amplitudes; and where the coarser level cannot be made.
 //!
-//! **Cost** 28 + 8·(2 to 9) iterations on the coarser level; docs/fidelity.md has measured shares of the loop.
+//! **Cost** 28 + 8·(2 to 9) iterations on the coarser level, less the fifth of the iterations; docs/fidelity.md has measured shares of the loop.
 
-use super::stage::{SoFar, Stage};
+use super::stage::Stage;
 use super::start::clip;
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
-use crate::grid::Volume;
+use crate::grid::{Patterns, Volume};
 use crate::job::levels;
 use crate::job::multiresolution::{coarser_grid, coarser_lights, is_large_enough};
 use crate::job::progress::Silent;
@@ -31,9 +34,12 @@ use crate::job::spec::{Ceiling, CeilingTolerance};
 use crate::metrics::print::Print;
 use crate::metrics::{MetricKind, gamma, iou, surface_deviation, ver};
 use crate::models::{Quantity, Run};
+use crate::objective::Objective;
+use crate::optimize;
 use crate::optimize::start::InitialPatterns;
-use crate::optimize::{Limits, StopReason};
-use crate::report::{CeilingPoint, CeilingReport};
+use crate::optimize::start::given::Given;
+use crate::optimize::{Limits, Problem, Stop, StopReason};
+use crate::report::{CeilingPoint, CeilingReport, Quality};
 use crate::target::label;
 use std::time::Instant;
 
@@ -43,6 +49,10 @@ const FACTOR: usize = 2;
 /// not yet gained it.
 const FIRST: usize = 28;
 const EACH: usize = 8;
+/// The search stands for one of so many of the job's iterations.
+pub(super) const SHARE: usize = 5;
+/// Corners of each surface that mean deviations are taken from.
+const CORNERS: usize = 20_000;
 /// Ceilings are tried down to 2⁻⁸ of the brightest pixel.
 const MOST_HALVES: i32 = 8;
 
@@ -52,6 +62,8 @@ pub(crate) struct FoundCeiling {
     largest: Option<Vec<f64>>,
     /// Frames of each light on that level.
     frames: Vec<usize>,
+    /// Patterns below the lowest ceiling that is good enough, to go on from; None where none is, and where the job begins with its start nevertheless.
+    patterns: Option<Vec<Patterns>>,
     /// What was tried.
     pub(crate) report: CeilingReport,
     /// How long it took, s.
@@ -59,6 +71,16 @@ pub(crate) struct FoundCeiling {
 }
 
 impl FoundCeiling {
+    /// The patterns to go on from, once.
+    pub(super) fn take_patterns(&mut self) -> Option<Vec<Patterns>> {
+        self.patterns.take()
+    }
+
+    /// Whether there is a ceiling below the bound of the start.
+    pub(super) fn is_lower(&self) -> bool {
+        self.largest.is_some()
+    }
+
     /// Lowers bounds to the ceilings; `level` says for which frames the bounds are.
     pub(super) fn lower(&self, bounds: &mut [Limits], level: &Level) {
         let found = self.largest.iter().flatten().zip(&self.frames);
@@ -92,20 +114,23 @@ fn find_on(
 ) -> Result<Option<FoundCeiling>> {
     let begin = Instant::now();
     let cancel = &cancel.aside();
-    let each = Level {
-        until: level.until.div_ceil(3).min(EACH),
-        ..level.clone()
-    };
-    let mut stage = Stage::new(scene, voxels, level, None, &mut Silent, cancel)?;
+    let stage = Stage::new(scene, voxels, level, None, &mut Silent, cancel)?;
     let mut x = stage.start(scene, bounding_start(scene), cancel)?;
     if stage.model.quantity() != Quantity::Energy {
         return Ok(None);
     }
     let of_start = stage.limits(scene, &x);
     let even_dose = stage.even_dose(&x, cancel)?;
-    stage.improve_within(scene, &mut x, &of_start, cancel)?;
-    stage.level = &each;
-    let tried = Tried::descend(&stage, scene, x, &of_start, cancel)?;
+    stage.improve_within(scene, (&mut x, &of_start), level.until, cancel)?;
+    let search = Search {
+        stage: &stage,
+        scene,
+        of_start: &of_start,
+        cancel,
+    };
+    let (tried, mut best) = search.descend(x)?;
+    let patterns = tried.good.filter(|_| may_begin_elsewhere(scene));
+    let patterns = patterns.map(|_| stage.patterns(&mut best));
     let frames = |level: &Level| -> Vec<usize> {
         level
             .lights
@@ -128,11 +153,13 @@ fn find_on(
     Ok(Some(FoundCeiling {
         largest,
         frames: fine,
+        patterns,
         report: CeilingReport {
             brightest: brightest.iter().copied().fold(0.0, f64::max),
             even_dose: even_dose / per_frame.iter().copied().fold(f64::INFINITY, f64::min),
             chosen: tried.good,
             points: tried.points,
+            finest: None,
         },
         seconds: begin.elapsed().as_secs_f64(),
     }))
@@ -143,6 +170,14 @@ fn bounding_start(scene: &Scene) -> &dyn InitialPatterns {
     let start = scene.kinds.start.as_ref();
     let named = start.files().and_then(|files| files.bounds_as.as_deref());
     named.unwrap_or(start)
+}
+
+/// Whether nothing in a job counts from its start or asks for coarser levels of its own.
+fn may_begin_elsewhere(scene: &Scene) -> bool {
+    let (spec, stop) = (&scene.spec, &scene.spec.stop);
+    spec.multiresolution.is_none()
+        && stop.relative_loss.is_none()
+        && stop.projected_gradient.is_none()
 }
 
 fn finest(scene: &Scene) -> &Level {
@@ -197,15 +232,18 @@ struct Tried {
     good: Option<usize>,
 }
 
-impl Tried {
-    fn descend(
-        stage: &Stage<'_>,
-        scene: &Scene,
-        mut x: HostField,
-        of_start: &[Limits],
-        cancel: &Run,
-    ) -> Result<Self> {
-        let lights = stage.model.patterns().iter();
+/// What ceilings are tried with.
+struct Search<'a> {
+    stage: &'a Stage<'a>,
+    scene: &'a Scene,
+    of_start: &'a [Limits],
+    cancel: &'a Run,
+}
+
+impl Search<'_> {
+    /// Lowers the ceiling from the brightest pixel of `x` as far as prints stay good; the patterns below the lowest such ceiling.
+    fn descend(&self, mut x: HostField) -> Result<(Tried, HostField)> {
+        let lights = self.stage.model.patterns().iter();
         let brightest = lights.map(|light| {
             let own = &x.as_slice()[light.range()];
             f64::from(own.iter().fold(0.0f32, |most, &value| most.max(value)))
@@ -215,81 +253,76 @@ impl Tried {
             brightest,
             points: vec![CeilingPoint {
                 factor: 1.0,
-                qualities: stage.qualities(&x, cancel)?,
+                qualities: self.stage.qualities(&x, true, self.cancel)?,
             }],
             good: None,
         };
         if tried.brightest.iter().any(|&own| own <= 0.0) {
-            return Ok(tried);
+            return Ok((tried, x));
         }
-        let tolerance = &scene.spec.bounds.tolerance;
-        let mut factor = 1.0;
         let is_above = |factor: f64| {
-            let mut lights = of_start.iter().zip(&tried.brightest);
+            let mut lights = self.of_start.iter().zip(&tried.brightest);
             lights.all(|(own, bright)| bright * factor > own.min)
         };
         let lowest = (0..=MOST_HALVES)
             .map(|n| 0.5f64.powi(n))
             .rfind(|&factor| is_above(factor));
         let lowest = lowest.unwrap_or(1.0);
+        let mut factor = 1.0;
         while factor > lowest {
-            let half = tried.one(stage, scene, (&x, of_start, factor / 2.0), cancel)?;
-            if !tried.is_good(tolerance) {
-                break;
+            match self.one(&mut tried, &x, factor / 2.0)? {
+                Some(half) => x = half,
+                None => break,
             }
-            tried.good = Some(tried.points.len() - 1);
             factor /= 2.0;
-            x = half;
         }
         if factor > lowest {
             let between = factor * std::f64::consts::FRAC_1_SQRT_2;
-            tried.one(stage, scene, (&x, of_start, between), cancel)?;
-            if tried.is_good(tolerance) {
-                tried.good = Some(tried.points.len() - 1);
-            }
+            x = self.one(&mut tried, &x, between)?.unwrap_or(x);
         }
-        Ok(tried)
+        Ok((tried, x))
     }
 
-    /// The patterns under a ceiling, from those above it.
-    fn one(
-        &mut self,
-        stage: &Stage<'_>,
-        scene: &Scene,
-        (x, of_start, factor): (&HostField, &[Limits], f64),
-        cancel: &Run,
-    ) -> Result<HostField> {
+    /// The patterns under a ceiling, from those above it; None where they print worse than the job tolerates.
+    fn one(&self, tried: &mut Tried, x: &HostField, factor: f64) -> Result<Option<HostField>> {
+        let (stage, cancel) = (self.stage, self.cancel);
         let ceiling = |(own, bright): (&Limits, &f64)| Limits {
             min: own.min,
             max: bright * factor,
         };
-        let limits: Vec<Limits> = of_start.iter().zip(&self.brightest).map(ceiling).collect();
+        let lights = self.of_start.iter().zip(&tried.brightest);
+        let limits: Vec<Limits> = lights.map(ceiling).collect();
+        let each = stage.level.until.div_ceil(3).min(EACH);
         let mut own = x.clone();
         clip(&mut own, stage.model.patterns(), &limits)?;
-        stage.improve_within(scene, &mut own, &limits, cancel)?;
-        self.points.push(CeilingPoint {
-            factor,
-            qualities: stage.qualities(&own, cancel)?,
-        });
-        Ok(own)
+        stage.improve_within(self.scene, (&mut own, &limits), each, cancel)?;
+        let qualities = stage.qualities(&own, true, cancel)?;
+        let tolerance = &self.scene.spec.bounds.tolerance;
+        let is_good = are_good(tolerance, FACTOR, (&tried.points[0].qualities, &qualities));
+        tried.points.push(CeilingPoint { factor, qualities });
+        if is_good {
+            tried.good = Some(tried.points.len() - 1);
+        }
+        Ok(is_good.then_some(own))
     }
+}
 
-    /// Whether every print of the last ceiling is as good as within the bound of the start.
-    fn is_good(&self, tolerance: &CeilingTolerance) -> bool {
-        let [Some(first), Some(last)] = [self.points.first(), self.points.last()] else {
-            return false;
-        };
-        let coarse = FACTOR as f64;
-        let within = |(before, after): (&[f64; 4], &[f64; 4])| {
-            // Of a print without a surface nothing is known, which is not more
-            let is_farther = after[2] > before[2] * (1.0 + tolerance.deviation);
-            after[0] >= before[0] - coarse * tolerance.iou
-                && after[1] <= before[1] + coarse * tolerance.ver
-                && after[3] >= before[3] * (1.0 - tolerance.latitude)
-                && !is_farther
-        };
-        first.qualities.iter().zip(&last.qualities).all(within)
-    }
+/// Whether every print is at least as good as another, within what a job tolerates, on pixels so many times as wide as the job's.
+pub(super) fn are_good(
+    tolerance: &CeilingTolerance,
+    wider: usize,
+    (others, own): (&[Quality], &[Quality]),
+) -> bool {
+    let wider = wider as f64;
+    let within = |(other, own): (&Quality, &Quality)| {
+        // Where nothing is known of surfaces, that is not more
+        let is_farther = own[2] > other[2] * (1.0 + tolerance.deviation);
+        own[0] >= other[0] - wider * tolerance.iou
+            && own[1] <= other[1] + wider * tolerance.ver
+            && own[3] >= other[3] * (1.0 - tolerance.latitude)
+            && !is_farther
+    };
+    others.iter().zip(own).all(within)
 }
 
 impl Stage<'_> {
@@ -308,30 +341,62 @@ impl Stage<'_> {
         Ok(sum / count.max(1) as f64)
     }
 
-    /// Some iterations within these limits.
-    fn improve_within(
+    /// Some iterations within these limits, which nobody watches.
+    pub(super) fn improve_within(
         &self,
         scene: &Scene,
-        x: &mut HostField,
-        limits: &[Limits],
+        (x, limits): (&mut HostField, &[Limits]),
+        iterations: usize,
         cancel: &Run,
     ) -> Result<()> {
-        let outcome = self.run(
-            (scene, 0),
-            (x, limits),
-            None,
-            &mut SoFar::default(),
-            &mut Silent,
-            cancel,
-        )?;
+        let model = self.model.as_ref();
+        let objective = self.objective(scene, 0)?;
+        let problem = Problem::new(model, &objective, limits, cancel)?;
+        let penalties = scene.kinds.penalties(model.patterns())?;
+        let mut problem = problem.with_penalties(penalties);
+        let mut optimizer = scene.kinds.optimizer()?;
+        let stop = Stop {
+            iterations,
+            keep: scene.spec.stop.keep,
+            ..Stop::default()
+        };
+        let outcome = optimize::run(&mut problem, optimizer.as_mut(), x, &stop, None, &mut [])?;
         match outcome.reason {
             StopReason::Canceled => Err(Error::Canceled),
             _ => Ok(()),
         }
     }
 
-    /// IoU, VER, mean deviation (mm) and Γ of every output.
-    fn qualities(&self, x: &HostField, cancel: &Run) -> Result<Vec<[f64; 4]>> {
+    /// What a search ended with, and that it has a lower loss than the start `x`; else the start.
+    pub(super) fn closer(
+        &self,
+        scene: &Scene,
+        (x, bounds): (HostField, &[Limits]),
+        found: Vec<Patterns>,
+        cancel: &Run,
+    ) -> Result<(HostField, bool)> {
+        let found = Given(scene.own_patterns(self.level, found));
+        let mut found = self.start(scene, &found, cancel)?;
+        clip(&mut found, self.model.patterns(), bounds)?;
+        let objective = self.objective(scene, 0)?;
+        let mut dose = self.model.new_dose()?;
+        let mut loss = |x: &HostField| -> Result<f64> {
+            self.model.dose(x, &mut dose, cancel)?;
+            Ok(objective.value(&dose))
+        };
+        match loss(&found)? < loss(&x)? {
+            true => Ok((found, true)),
+            false => Ok((x, false)),
+        }
+    }
+
+    /// IoU, VER, mean deviation (mm) and Γ of every output; the deviation is NaN where surfaces are left out.
+    pub(super) fn qualities(
+        &self,
+        x: &HostField,
+        has_surfaces: bool,
+        cancel: &Run,
+    ) -> Result<Vec<Quality>> {
         let mut dose = self.model.new_dose()?;
         self.model.dose(x, &mut dose, cancel)?;
         let voxels = self.all_voxels();
@@ -339,8 +404,12 @@ impl Stage<'_> {
         let of_output = outputs.map(|(i, layout)| {
             let voxels = voxels.get(i).unwrap_or(&voxels[0]);
             let dose: Volume<f32> = layout.volume_of(dose.as_slice());
-            let print = Print::under(&voxels.labels, &dose, cancel.aside())?
-                .with_inside(&voxels.target.inside)?;
+            let print = Print::under(&voxels.labels, &dose, cancel.aside())?;
+            let print = print.with_inside(&voxels.target.inside)?;
+            let print = match has_surfaces {
+                true => print.with_most_corners(CORNERS),
+                false => print.without_distance(),
+            };
             let measure = |kind: &MetricKind| kind.metric.measure(&print).unwrap_or(f64::NAN);
             Ok([
                 &iou::KIND,

@@ -1,6 +1,7 @@
 //! The optimization of a job: from voxels to patterns.
 
 mod ceiling;
+mod finest;
 mod rehearsal;
 mod stage;
 mod start;
@@ -93,10 +94,10 @@ pub(crate) fn optimize(
     let key = kept::key(scene, voxels)?;
     let mut evaluation_model = kept.take(key);
     let mut carried: Option<Vec<Patterns>> = None;
-    let mut bounds = Vec::new();
+    let (mut bounds, mut of_start) = (Vec::new(), Vec::new());
     let mut pixels: Option<Vec<&PatternGrid>> = None;
     let mut sofar = SoFar::default();
-    let ceiling = ceiling::find(scene, voxels, cancel)?;
+    let mut ceiling = ceiling::find(scene, voxels, cancel)?;
     if let Some(found) = &ceiling {
         let text = found.report.sentence();
         progress.event(&Event::Note { text });
@@ -126,10 +127,19 @@ pub(crate) fn optimize(
             let brightens = resumed.is_none();
             let first = stage.first_patterns(scene, given.as_ref(), brightens, parts, cancel)?;
             (bounds, sofar.first_loss) = (first.bounds, first.loss);
+            of_start.clone_from(&bounds);
             let mut x = first.patterns;
             if let Some(found) = &ceiling {
                 found.lower(&mut bounds, level);
                 start::clip(&mut x, stage.model.patterns(), &bounds)?;
+            }
+            let goes_on = ceiling.as_mut().filter(|_| i == 0 && resumed.is_none());
+            if let Some(found) = goes_on.and_then(FoundCeiling::take_patterns) {
+                let is_closer;
+                (x, is_closer) = stage.closer(scene, (x, &bounds), found, cancel)?;
+                if is_closer {
+                    sofar.rows = vec![Row::at(scene.spec.stop.iterations / ceiling::SHARE)];
+                }
             }
             (start, pixels) = (Some(x), Some(own));
         }
@@ -143,7 +153,9 @@ pub(crate) fn optimize(
             (None, None) => stage.model.new_patterns()?,
             (Some(raw), _) => {
                 let given = Given(scene.own_patterns(level, raw));
-                stage.start(scene, &given, cancel)?
+                let mut x = stage.start(scene, &given, cancel)?;
+                start::clip(&mut x, stage.model.patterns(), &bounds)?;
+                x
             }
         };
         checkpoints.begin_level(i);
@@ -158,6 +170,20 @@ pub(crate) fn optimize(
             progress,
             cancel,
         );
+        let ran = match (ran, &mut ceiling) {
+            (Ok(outcome), Some(found))
+                if is_last && outcome.reason != StopReason::Canceled && found.is_lower() =>
+            {
+                let ended = finest::Ended {
+                    x: &mut x,
+                    bounds: &mut bounds,
+                    highest: &of_start,
+                    outcome,
+                };
+                finest::settle(&stage, scene, ended, found, &mut sofar, progress, cancel)
+            }
+            (ran, _) => ran,
+        };
         let goes_on = matches!(&ran, Ok(outcome) if outcome.reason != StopReason::Canceled);
         let raw = stage.patterns(&mut x);
         let raw = scene.whole_patterns(level, raw, goes_on && !is_last);
@@ -233,7 +259,9 @@ fn optimized(
     progress: &mut dyn Progress,
 ) -> Optimized {
     let mut warnings = sofar.warnings;
-    for text in warnings_at_end(scene, &outcome, end.window.as_ref(), stage.found.as_ref()) {
+    let at_end = warnings_at_end(scene, &outcome, end.window.as_ref(), stage.found.as_ref());
+    let of_ceiling = ceiling.as_ref().and_then(|found| found.report.warning());
+    for text in at_end.into_iter().chain(of_ceiling) {
         warnings.push(text.clone());
         progress.event(&Event::Warning { text });
     }

@@ -59,6 +59,6 @@ fn begin(scene: &Scene, voxels: &Voxels, level: &Level, run: &Run) -> Result<()>
     let first = stage.first_patterns(scene, given.as_ref(), true, parts, run)?;
     let (mut x, bounds) = (first.patterns, first.bounds);
     let sofar = &mut SoFar::default();
-    stage.run((scene, 0), (&mut x, &bounds), None, sofar, silent, run)?;
+    stage.run((scene, 0, 0), (&mut x, &bounds), None, sofar, silent, run)?;
     Ok(())
 }

@@ -330,11 +330,12 @@ impl<'a> Stage<'a> {
         progress: &mut dyn Progress,
         cancel: &Run,
     ) -> Result<Outcome> {
-        let own = (scene, 0);
+        let until = self.level.until;
+        let own = (scene, 0, until);
         let mut outcome = self.run(own, (x, bounds), Some(checkpoints), sofar, progress, cancel)?;
         for steps in 1.. {
             let at = outcome.history.last().map_or(0, |row| row.iteration);
-            if outcome.reason != StopReason::ZeroLoss || at >= self.level.until {
+            if outcome.reason != StopReason::ZeroLoss || at >= until {
                 break;
             }
             let mut widened = false;
@@ -349,15 +350,16 @@ impl<'a> Stage<'a> {
             });
             sofar.rows = outcome.history;
             sofar.counters = outcome.counters;
-            outcome = self.run((scene, steps), (x, bounds), None, sofar, progress, cancel)?;
+            let own = (scene, steps, until);
+            outcome = self.run(own, (x, bounds), None, sofar, progress, cancel)?;
         }
         Ok(outcome)
     }
 
-    /// Runs the optimizer on this level, after the iterations of those before; on a graphics card where the job has one and the model a form for it.
+    /// Runs the optimizer on this level up to an iteration, after those before; on a graphics card where the job has one and the model a form for it.
     pub(super) fn run(
         &self,
-        (scene, wider): (&Scene, usize),
+        (scene, wider, until): (&Scene, usize, usize),
         (x, bounds): (&mut HostField, &[Limits]),
         checkpoints: Option<&mut Checkpoints>,
         sofar: &mut SoFar,
@@ -431,7 +433,7 @@ impl<'a> Stage<'a> {
         }
         problem.counters = sofar.counters;
         let stop = Stop {
-            iterations: self.level.until,
+            iterations: until,
             projected_gradient: spec.stop.projected_gradient.unwrap_or(0.0),
             change: spec.stop.change.unwrap_or(0.0),
             change_after: spec.stop.change_after.unwrap_or(0),
@@ -445,7 +447,11 @@ impl<'a> Stage<'a> {
         labels.truncate(layout.voxels());
         let mut watch = Watch {
             scene,
-            iterations: scene.levels.last().map_or(0, |level| level.until),
+            iterations: scene
+                .levels
+                .last()
+                .map_or(0, |level| level.until)
+                .max(until),
             updates: model.updates(),
             labels,
             layout,

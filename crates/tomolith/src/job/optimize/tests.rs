@@ -126,3 +126,90 @@ fn measured_iterations_thin_out_evenly() {
     assert!(measured(10).len() >= 10);
     assert_eq!(measured(1024).len(), 1 + 8 + 4 * 7);
 }
+
+/// A gear in a matched vial, its scene and voxels.
+fn gear(more: &str) -> (Scene, Voxels) {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("job.toml");
+    let text = format!(
+        r#"
+        target = {{ phantom = {{ gear = {{}} }}, size_mm = 2.0 }}
+        grid = {{ pitch_mm = 0.05 }}
+        resin = {{ refractive_index = 1.5, absorption_per_mm = 0.1 }}
+        vial = {{ index_matched = {{ radius_mm = 2.0 }} }}
+        light = [{{ pixels = [48, 24], angles = 48, projector = {{ collimated = {{ pixel_pitch_mm = 0.05 }} }} }}]
+        stop = {{ iterations = 20 }}
+        {more}
+        "#
+    );
+    std::fs::write(&file, text).unwrap();
+    let scene = Scene::new(&Job::read(&file, &[]).unwrap(), &Run::new()).unwrap();
+    let voxels = scene.voxels(&scene.grid).unwrap();
+    (scene, voxels)
+}
+
+/// What an optimization below a share of the brightest pixel of the start comes to, and the share that it is raised to.
+fn raised_from(share: f64) -> (usize, f64, f64) {
+    let (scene, voxels) = gear("");
+    let (run, silent) = (Run::new(), &mut crate::job::progress::Silent);
+    let mut found = ceiling::find(&scene, &voxels, &run).unwrap().unwrap();
+    let level = scene.levels.last().unwrap();
+    let stage = Stage::new(&scene, &voxels, level, None, silent, &run).unwrap();
+    let start = scene.kinds.start.as_ref();
+    let mut x = stage.start(&scene, start, &run).unwrap();
+    let highest = stage.limits(&scene, &x);
+    let mut bounds = highest.clone();
+    bounds[0].max *= share;
+    start::clip(&mut x, stage.model.patterns(), &bounds).unwrap();
+    let sofar = &mut SoFar::default();
+    let asked = (&scene, 0, level.until);
+    let outcome = stage.run(asked, (&mut x, &bounds), None, sofar, silent, &run);
+    let ended = finest::Ended {
+        x: &mut x,
+        bounds: &mut bounds,
+        highest: &highest,
+        outcome: outcome.unwrap(),
+    };
+    let found_one = &mut found;
+    let outcome = finest::settle(&stage, &scene, ended, found_one, sofar, silent, &run).unwrap();
+    let by = found.report.finest.as_ref().unwrap().changed_by;
+    let warns = found.report.warning().is_some();
+    assert_eq!(warns, by > 1.0);
+    let last = outcome.history.last().unwrap().iteration;
+    (last, by, bounds[0].max / highest[0].max)
+}
+
+#[test]
+fn a_ceiling_that_costs_quality_on_the_finest_level_rises_and_one_that_does_not_stays() {
+    let (last, by, share) = raised_from(0.1);
+    assert!(last > 20 && (share - 0.2).abs() < 1e-9, "{last} {share}");
+    assert_eq!(by, 2.0);
+    assert_eq!(raised_from(1.0), (20, 1.0, 1.0));
+}
+
+#[test]
+fn an_optimization_goes_on_from_the_search_for_its_ceiling() {
+    let place = tempfile::tempdir().unwrap();
+    let first = |more: &str| {
+        let (scene, voxels) = gear(more);
+        let folder = place.path();
+        let plan = CheckpointPlan {
+            folder,
+            resume: false,
+            keeps_end: false,
+        };
+        let (kept, silent) = (&mut KeptParts::default(), &mut crate::job::progress::Silent);
+        let done = optimize(&scene, &voxels, plan, kept, silent, &Run::new()).unwrap();
+        let brightest = done.raw[0].values.iter().copied().fold(0.0, f32::max);
+        let history = done.outcome.history;
+        assert!(history.last().unwrap().iteration >= 20);
+        (history[0].iteration, brightest)
+    };
+    let (iteration, brightest) = first("");
+    let (of_start, brightest_of_start) = first("bounds = { ceiling = \"start\" }");
+    assert_eq!((iteration, of_start), (4, 0));
+    assert!(
+        brightest < 0.8 * brightest_of_start,
+        "{brightest} {brightest_of_start}"
+    );
+}
