@@ -18,7 +18,7 @@ pub struct CeilingPoint {
 /// What another ceiling than the one found brought on the voxels that the optimization ended on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FinestTrial {
-    /// The other ceiling over the one found: 2, or ½ where hardly any light lies above that.
+    /// The other ceiling over the one found: 2, or 1/√2 where hardly any light lies above that.
     pub tried: f64,
     /// Prints below the ceiling that was found; without surfaces.
     pub before: Vec<Quality>,
@@ -86,8 +86,8 @@ impl FinestTrial {
     fn sentence(&self) -> String {
         let change = |i: usize| change(i, [&self.before, &self.after]);
         format!(
-            "on the finest voxels {} the ceiling changed IoU by {:+.4}, VER by {:+.4} and Γ by {:+.1} %",
-            if self.tried > 1.0 { "twice" } else { "half of" },
+            "on the finest voxels {} times the ceiling changed IoU by {:+.4}, VER by {:+.4} and Γ by {:+.1} %",
+            significant(self.tried, 3),
             change(0),
             change(1),
             100.0 * change(3) / self.before.first().map_or(f64::NAN, |own| own[3]),

@@ -644,24 +644,78 @@ fn light_palette() -> Vec<Color> {
     (0..=255u8).map(|i| inferno(f64::from(i) / 255.0)).collect()
 }
 
-fn gray_palette() -> Vec<Color> {
-    (0..=255u8).map(|i| [i, i, i, 255]).collect()
+/// How light is stretched for reading. Few pixels are bright: on the projector's own scale most pictures of them are black.
+pub(super) struct LightScale {
+    /// What has the last color; brighter pixels have it, too.
+    top: f64,
+    /// White of the projector.
+    white: f64,
 }
 
-/// Means over blocks, on the scale of the brightest pixel.
+/// Share of the pixels that shine which are brighter than the last color.
+const BEYOND: f64 = 0.005;
+/// Steps of the square root of light between which that is found.
+const STEPS: usize = 1024;
+
+impl LightScale {
+    /// For the patterns of a light.
+    pub(super) fn of(patterns: &Patterns, white: f32) -> Self {
+        let white = f64::from(white);
+        let mut counts = [0u64; STEPS + 1];
+        for &value in patterns.values.iter().filter(|value| **value > 0.0) {
+            let root = (f64::from(value) / white).sqrt();
+            counts[(root * STEPS as f64).ceil().clamp(0.0, STEPS as f64) as usize] += 1;
+        }
+        let all: u64 = counts.iter().sum();
+        let mut beyond = 0;
+        let last = counts.iter().rposition(|count| {
+            beyond += count;
+            beyond as f64 > BEYOND * all as f64
+        });
+        let top = white * (last.unwrap_or(STEPS) as f64 / STEPS as f64).powi(2);
+        LightScale { top, white }
+    }
+
+    /// Place of a value among the colors, 0 to 1.
+    fn place(&self, value: f64) -> f64 {
+        match self.top > 0.0 {
+            true => (value / self.top).clamp(0.0, 1.0).sqrt(),
+            false => 0.0,
+        }
+    }
+
+    /// The colors and what they mean, in per cent of white.
+    pub(super) fn bar(&self) -> String {
+        let percent = |value: f64| significant(100.0 * value / self.white, 2);
+        let mut marks = String::new();
+        for quarter in 1..4 {
+            let place = f64::from(quarter) / 4.0;
+            let x = 10.0 + 300.0 * place;
+            let value = percent(self.top * place.powi(2));
+            let _ = write!(
+                marks,
+                "<path class=\"mark\" d=\"M{x:.1} 14v20\"/><text x=\"{x:.1}\" y=\"11\" text-anchor=\"middle\">{value}</text>"
+            );
+        }
+        let beyond = if self.top < self.white {
+            " and more"
+        } else {
+            ""
+        };
+        let ends = ["0".to_owned(), format!("{}{beyond}", percent(self.top))];
+        bar_svg(inferno, "light, % of white", &marks, ends)
+    }
+}
+
+/// Means over blocks, stretched.
 fn light_picture(
     size: [usize; 2],
     most: usize,
-    full: f32,
+    scale: &LightScale,
     value: impl Fn(usize, usize) -> f32 + Sync,
 ) -> Picture {
     let [width, height] = size;
     let factor = reduction(width, height, most);
-    let scale = if full > 0.0 {
-        255.0 / f64::from(full)
-    } else {
-        0.0
-    };
     Picture::new(width.div_ceil(factor), height.div_ceil(factor), |x, y| {
         let (mut sum, mut count) = (0.0, 0.0);
         for row in y * factor..((y + 1) * factor).min(height) {
@@ -670,7 +724,7 @@ fn light_picture(
                 count += 1.0;
             }
         }
-        (sum / count * scale).clamp(0.0, 255.0) as u8
+        (255.0 * scale.place(sum / count)) as u8
     })
 }
 
@@ -692,14 +746,14 @@ fn brightest_row(patterns: &Patterns) -> usize {
 }
 
 /// All frames of one row: angle to the right, column upwards.
-pub(super) fn sinogram(patterns: &Patterns, full: f32) -> String {
+pub(super) fn sinogram(patterns: &Patterns, scale: &LightScale) -> String {
     let grid = &patterns.grid;
     if grid.is_empty() {
         return String::new();
     }
     let row = brightest_row(patterns);
     let (frames, columns) = (grid.frames(), grid.columns);
-    let picture = light_picture([frames, columns], SINOGRAM_PIXELS, full, |frame, up| {
+    let picture = light_picture([frames, columns], SINOGRAM_PIXELS, scale, |frame, up| {
         patterns.values[(frame * grid.rows + row) * columns + columns - 1 - up]
     });
     let uri = picture.data_uri(&light_palette());
@@ -758,7 +812,7 @@ pub(super) fn sinogram(patterns: &Patterns, full: f32) -> String {
 }
 
 /// Some frames, evenly spread.
-pub(super) fn strip(patterns: &Patterns, full: f32) -> String {
+pub(super) fn strip(patterns: &Patterns, scale: &LightScale) -> String {
     let grid = &patterns.grid;
     let frames = grid.frames();
     if grid.is_empty() {
@@ -772,13 +826,13 @@ pub(super) fn strip(patterns: &Patterns, full: f32) -> String {
         let picture = light_picture(
             [grid.columns, grid.rows],
             FRAME_PIXELS,
-            full,
+            scale,
             |column, row| values[row * grid.columns + column],
         );
         let _ = write!(
             out,
             "<figure><img src=\"{}\" width=\"{}\" height=\"{}\" alt=\"Frame {frame}\"><figcaption>{frame} · {}°</figcaption></figure>",
-            picture.data_uri(&gray_palette()),
+            picture.data_uri(&light_palette()),
             picture.width,
             picture.height,
             significant((grid.azimuths[frame].to_degrees() * 10.0).round() / 10.0, 4),
@@ -790,6 +844,7 @@ pub(super) fn strip(patterns: &Patterns, full: f32) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tomolith_core::grid::PatternGrid;
 
     #[test]
     fn slices_are_seen_from_the_right_side() {
@@ -837,6 +892,26 @@ mod tests {
         assert_eq!((low, high), (FATES[3].0, FATES[4].0));
         assert_eq!(difference(0.5 + 0.49 / DIFFERENCE_REACH), middle);
         assert_ne!(difference(0.5 + 0.6 / DIFFERENCE_REACH), middle);
+    }
+
+    #[test]
+    fn dim_light_is_stretched_until_it_is_seen_and_the_bar_says_how() {
+        let mut patterns = Patterns::dark(PatternGrid::full_turn(1, 0.0, 1, 1000, 0.1));
+        patterns.values[..400].fill(0.04);
+        patterns.values[0] = 1.0;
+        // One of 400 pixels that shine is brighter than the last color: less than one in 200
+        let scale = LightScale::of(&patterns, 1.0);
+        assert!((scale.top - 0.04).abs() < 1e-3, "{}", scale.top);
+        let places = [0.0, 0.01, 0.04, 1.0].map(|value| scale.place(value));
+        for (found, expected) in places.into_iter().zip([0.0, 0.5, 1.0, 1.0]) {
+            assert!((found - expected).abs() < 0.01, "{places:?}");
+        }
+        let bar = scale.bar();
+        assert!(bar.contains(">4 and more<") && bar.contains(">1<"), "{bar}");
+        patterns.values.fill(0.5);
+        assert!((LightScale::of(&patterns, 0.5).top - 0.5).abs() < 1e-9);
+        patterns.values.fill(0.0);
+        assert_eq!(LightScale::of(&patterns, 0.0).place(0.0), 0.0);
     }
 
     #[test]

@@ -10,7 +10,8 @@ mod tables;
 
 use super::ceiling::time_sentence;
 use super::figures::{
-    BODIES, FATES, dose_bar, error_bar, property, shown_half_width, sinogram, slices, strip,
+    BODIES, FATES, LightScale, dose_bar, error_bar, property, shown_half_width, sinogram, slices,
+    strip,
 };
 use super::number::{escape, significant, told_apart};
 use super::picture::Color;
@@ -472,12 +473,14 @@ fn patterns(data: &ReportData<'_>) -> String {
         .iter()
         .map(|light| {
             let of = if light.name.is_empty() { String::new() } else { format!(" of light {}", escape(light.name)) };
+            let scale = LightScale::of(light.patterns, light.full_scale);
             format!(
-                "<section><h2>Light patterns{of}</h2><p class=\"muted\">One row of all frames (a sinogram), and some frames as the projector shows them. \
-                 White is {} over the whole exposure, relative as all doses are.</p>{}{}</section>",
+                "<section><h2>Light patterns{of}</h2><p class=\"muted\">One row of all frames (a sinogram), and some frames. Colors stretch dim light: they follow its \
+                 square root. White is {} over the whole exposure, relative as all doses are.</p>{}{}{}</section>",
                 significant(f64::from(light.full_scale), 4),
-                sinogram(light.patterns, light.full_scale),
-                strip(light.patterns, light.full_scale),
+                sinogram(light.patterns, &scale),
+                strip(light.patterns, &scale),
+                scale.bar(),
             ) + &tables::machine(light)
         })
         .collect()

@@ -22,6 +22,8 @@ pub enum Cause {
     Ends,
     /// The exposure that was asked for is not the best one.
     Exposure,
+    /// The brightest pixel, which says how long the print takes.
+    Time,
 }
 
 /// One cause.

@@ -19,6 +19,7 @@ use crate::io::stack::{read_stack, write_stack};
 use crate::io::{read_text, write_whole};
 use crate::models::Run;
 use crate::optics::light::Light;
+use crate::report::number::significant;
 use crate::report::{Irradiance, MovieReport};
 use crate::units::exact;
 use serde_json::{Value, json};
@@ -106,6 +107,9 @@ pub(super) fn white_in_time(spec: &JobSpec, kinds: &JobKinds) -> Result<Option<(
     };
     Ok(exposure.white_in(seconds).map(|white| (white, seconds)))
 }
+
+/// Share by which a print may take longer than it is allowed to without a word: what the rounding of frames and thresholds moves.
+const OVERRUN: f64 = 0.005;
 
 /// What is known of the exposure of a light.
 fn exposure(spec: &JobSpec, light: usize, gel_dose: Option<f64>) -> ExposureBudget {
@@ -402,6 +406,21 @@ pub(crate) struct Shown<'a> {
 }
 
 impl<'a> Shown<'a> {
+    /// Warns of a print that takes longer than the job allows.
+    pub(crate) fn overrun(&self) -> Option<String> {
+        let asked = self.spec.printer.as_ref()?.time_s?;
+        let times = self.lights.iter().map(|light| light.budget.time_s);
+        let found: f64 = times.sum::<Option<f64>>()?;
+        (found > asked * (1.0 + OVERRUN)).then(|| {
+            let [found, lower] = [found, asked * asked / found].map(|seconds| significant(seconds, 3));
+            let asked = exact(asked);
+            format!(
+                "the print takes {found} s where printer.time_s allows {asked} s: the resin gels at another dose than the bound of the pixels was made for, or several \
+                 lights follow each other. After {asked} s parts are softer than predicted: set printer.time_s = {lower}, or evaluate.threshold to the gel threshold of this report"
+            )
+        })
+    }
+
     /// Times and energies of frames: those of the job's schedule, or of a resin that is solid at a known dose (in units of the job).
     ///
     /// # Errors

@@ -18,6 +18,7 @@ use lack::Lack;
 mod acting;
 mod falling;
 mod lack;
+mod time;
 
 pub use falling::Fall;
 use falling::Falling;
@@ -94,7 +95,13 @@ impl Asked<'_> {
                 causes: Vec::new(),
             };
         }
-        self.measurements(own, s, print, steps).limits()
+        let mut limits = self.measurements(own, s, print, steps).limits();
+        let has_time = print.0.measures.get("time_mm").is_some();
+        let of_time = self.optimized.filter(|_| s == 0 && has_time);
+        let kind = kind_of(print.0);
+        let of_time = of_time.and_then(|own| time::of_ceiling(&self.scene.spec, own, kind));
+        limits.causes.extend(of_time);
+        limits
     }
 
     fn measurements(
@@ -529,7 +536,7 @@ impl Measurements {
                 Cause::Ends => "ends within rows of pixels".to_owned(),
                 Cause::Exposure => "exposure".to_owned(),
                 // What the optimizer saw says it
-                Cause::Optics | Cause::Iterations => return None,
+                Cause::Optics | Cause::Iterations | Cause::Time => return None,
             };
             let change = if self.kind.better == Better::Lower {
                 limit.loss

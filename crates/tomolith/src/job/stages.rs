@@ -11,7 +11,7 @@ use super::levels;
 use super::limits::Fall;
 use super::many::Leaves;
 use super::model_probe::try_orders;
-use super::optimize::{CheckpointPlan, Optimized, optimize, rehearse};
+use super::optimize::{CheckpointPlan, Optimized, iterations_of_ceiling, optimize, rehearse};
 use super::outcome::{GrayQuality, Plan, Quality, SpeciesSummary, Summary};
 use super::progress::{Event, Progress, watched};
 use super::ranks::must_fit;
@@ -27,6 +27,7 @@ use crate::models::Run;
 use crate::optimize::checkpoint::CHECKPOINT;
 use crate::optimize::{Counters, KeptBy};
 use crate::ranks::{Communicator, together};
+use crate::report::number::significant;
 use crate::report::{Timing, time_sentence};
 use crate::units::{concise, counted};
 use std::path::Path;
@@ -472,9 +473,11 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
     let rates =
         benchmark::rates(&scene, &voxels, sampling_s, &timing).map_err(|e| job.locate(e))?;
     let paths = scene.optics.family(&scene.grid)?.monte_carlo_paths();
+    let of_ceiling = iterations_of_ceiling(&scene, &voxels);
+    scene.notes.extend(print_time(&scene, of_ceiling));
     let work = Work {
         extent: &scene.extent,
-        iterations: scene.spec.stop.iterations,
+        iterations: scene.spec.stop.iterations + of_ceiling,
         sub_angles: [
             mean_sub_angles(&scene.optics.lights),
             scene.spec.evaluate.sub_angles as f64,
@@ -520,6 +523,27 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
         updates_per_s: 1.0 / rates.calls.dose.per_update_s,
         notes: scene.notes.clone(),
         warnings,
+    })
+}
+
+/// What is known of the print's time before a run; None where nothing is.
+fn print_time(scene: &Scene, of_ceiling: usize) -> Option<String> {
+    if of_ceiling > 0 {
+        return Some(format!(
+            "the run looks for the lowest ceiling of the pixels at which the part prints as well, which takes as long as some {of_ceiling} iterations: the print time M/t is known \
+             then. bounds.max or printer.time_s set it beforehand"
+        ));
+    }
+    let (largest, [lower, upper]) = (scene.spec.bounds.max?, scene.kinds.thresholds()?);
+    let threshold = scene.spec.evaluate.threshold;
+    let gel = threshold.unwrap_or_else(|| f64::midpoint(lower, upper));
+    let is_dose = scene.response().is_identity() && gel > 0.0;
+    is_dose.then(|| {
+        format!(
+            "the print time M/t is at most about {} mm: bounds.max over a gel dose of {}",
+            significant(largest / gel, 3),
+            significant(gel, 3)
+        )
     })
 }
 

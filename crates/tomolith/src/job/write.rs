@@ -10,7 +10,7 @@ use super::limits::limits;
 use super::many::Leaves;
 use super::optimize::Optimized;
 use super::outcome::{earlier, large};
-use super::progress::{Progress, left_out};
+use super::progress::{Event, Progress, left_out};
 use super::property::{Property, properties};
 use super::read::Job;
 use super::scene::{Scene, Voxels};
@@ -101,11 +101,15 @@ pub(crate) fn all(
         &frames,
         gel_dose,
     )?;
+    let overrun = shown.overrun();
+    if let Some(text) = overrun.clone() {
+        progress.event(&Event::Warning { text });
+    }
     if done.leaves < Leaves::All {
         if done.leaves == Leaves::Patterns {
             write_patterns(&new.join("patterns.npz"), &pairs, run)?;
         }
-        return numbers(done, folder, timings, &shown);
+        return numbers(done, folder, timings, (&shown, overrun));
     }
     let properties = properties(scene, evaluated)?;
     let arrays = || -> Result<()> {
@@ -154,6 +158,7 @@ pub(crate) fn all(
         },
         deviation,
     ) = written?;
+    warnings.extend(overrun);
     write_time(done, &new, progress, &mut warnings, run)?;
     let history = done.optimized.as_ref().map(history).unwrap_or_default();
     if !history.is_empty() {
@@ -201,7 +206,7 @@ fn numbers(
     done: &Done<'_>,
     folder: &RunFolder,
     timings: Vec<Timing>,
-    shown: &device::Shown<'_>,
+    (shown, overrun): (&device::Shown<'_>, Option<String>),
 ) -> Result<Headline> {
     let new = folder.new_files();
     let history = done.optimized.as_ref().map(history).unwrap_or_default();
@@ -218,7 +223,7 @@ fn numbers(
         timings,
         models,
         properties: &properties,
-        warnings: Vec::new(),
+        warnings: overrun.into_iter().collect(),
     };
     report(done, &new, &history, made, shown, &headline)?;
     Ok(headline)

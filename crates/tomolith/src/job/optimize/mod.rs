@@ -20,6 +20,7 @@ use crate::objective::FoundWindow;
 use crate::optimize::start::given::Given;
 use crate::optimize::{Checkpoints, Outcome, Row, StopReason};
 use ceiling::FoundCeiling;
+pub(super) use ceiling::iterations as iterations_of_ceiling;
 pub(super) use rehearsal::rehearse;
 pub(super) use stage::Stage;
 use stage::{EndOfLevel, SoFar};

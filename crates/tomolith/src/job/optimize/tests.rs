@@ -207,7 +207,7 @@ fn an_optimization_goes_on_from_the_search_for_its_ceiling() {
     };
     let (iteration, brightest) = first("");
     let (of_start, brightest_of_start) = first("bounds = { ceiling = \"start\" }");
-    assert_eq!((iteration, of_start), (4, 0));
+    assert_eq!((iteration, of_start), (2, 0));
     assert!(
         brightest < 0.8 * brightest_of_start,
         "{brightest} {brightest_of_start}"
