@@ -200,11 +200,11 @@ fn surface_distance_on(print: &Print<'_>, most_voxels: usize) -> Option<SurfaceD
     }
     let (of_print, of_target) = (largest(&samples)?, largest(&back)?);
     let farthest = if samples[of_print].0 >= back[of_target].0 {
-        let at_mm = printed.corners[of_print * steps[0]].map(f64::from);
+        let at_mm = printed.corners[place(of_print, steps[0])].map(f64::from);
         let share = value_at(grid, at_mm, |i, row| print.target_row(i, row));
         farthest(at_mm, share < 0.5)
     } else {
-        let at_mm = target.corners[of_target * steps[1]].map(f64::from);
+        let at_mm = target.corners[place(of_target, steps[1])].map(f64::from);
         let response = value_at(grid, at_mm, |i, row| print.printed_row(i, threshold, row));
         farthest(at_mm, response > threshold)
     };
@@ -335,10 +335,17 @@ fn averaged(
     (coarse, values)
 }
 
-/// Per `step`-th corner of `from`: the distance to `to`, mm, and its share of the area, mm².
+/// Which of `step` corners in a row is taken the `i`-th time: not always the same, since corners lie in pairs on both sides of a row of voxels.
+fn place(i: usize, step: usize) -> usize {
+    let golden = 0.618_033_988_749_895;
+    i * step + ((i as f64 * golden).fract() * step as f64) as usize
+}
+
+/// For one of every `step` corners of `from`: the distance to `to`, mm, and its share of the area, mm².
 fn distances(from: &Isosurface, to: &Isosurface, step: usize, run: &Run) -> Vec<(f32, f64)> {
     let tree = TriangleTree::under(to, run);
-    let own: Vec<usize> = (0..from.corners.len()).step_by(step).collect();
+    let own = 0..from.corners.len() / step;
+    let own: Vec<usize> = own.map(|i| place(i, step)).collect();
     let runs = run.steps(own.len().div_ceil(RUN));
     let areas = table(from.triangles.len(), |i| from.area_of(i) / 3.0);
     let mut weights = vec![0.0; from.corners.len()];

@@ -43,7 +43,8 @@
 //! levels        patterns that were improved on few levels: loss of plain rounding, loss, full scale over the brightest pixel, steps,
 //!               model calls; else null
 //! ceiling       of the pixels, where the run looked for one: brightest (without a ceiling, mJ/mm²), even_dose (mean in the part with all pixels at 1), points (factor of that, and of every print iou, ver,
-//!               surface_mean_mm and gamma, on pixels of twice the width), chosen (which of them; null: none is good enough); else null
+//!               surface_mean_mm and gamma, on pixels of twice the width), chosen (which of them; null: none is good enough), finest (that one on the finest voxels: tried, another ceiling over it; before and after,
+//!               the prints below both; changed_by, what the ceiling was multiplied by); else null
 //! scenarios     where a job has any: of (mean or worst), threshold (the job's), window (least of the part − largest of the void over all of
 //!               them, trimmed), worst_iou (at that threshold), rows (the job, then each scenario: name, iou, iou_at_threshold, gamma,
 //!               part_low, void_high); else null

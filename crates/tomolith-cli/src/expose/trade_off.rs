@@ -21,6 +21,8 @@ struct Row {
     ver: Option<f64>,
     surface_mean_mm: Option<f64>,
     is_chosen: bool,
+    /// Whether the numbers are those of the run's evaluation: a ceiling that the finest voxels changed was not tried on wider pixels.
+    is_evaluated: bool,
 }
 
 /// Shows the ceilings that a run tried, and writes the job of one.
@@ -87,9 +89,28 @@ fn rows(report: &Value) -> Vec<Row> {
             ver: worst("ver", f64::max),
             surface_mean_mm: worst("surface_mean_mm", f64::max),
             is_chosen: ceiling["chosen"].as_u64() == Some(i as u64),
+            is_evaluated: false,
         })
     };
     let mut rows: Vec<Row> = points.enumerate().filter_map(row).collect();
+    let changed_by = ceiling["finest"]["changed_by"].as_f64();
+    let changed_by = changed_by.filter(|by| (by - 1.0).abs() > 1e-9);
+    let chosen = rows.iter_mut().find(|row| row.is_chosen);
+    if let Some((by, chosen)) = changed_by.zip(chosen) {
+        chosen.is_chosen = false;
+        let of_run = |key: &str| report["evaluation"][key].as_f64();
+        let own = Row {
+            brightest: by * chosen.brightest,
+            time_mm: chosen.time_mm.map(|time| by * time),
+            time_s: chosen.time_s.map(|time| by * time),
+            iou: of_run("iou"),
+            ver: of_run("ver"),
+            surface_mean_mm: of_run("surface_mean_mm"),
+            is_chosen: true,
+            is_evaluated: true,
+        };
+        rows.push(own);
+    }
     rows.sort_by(|a, b| b.brightest.total_cmp(&a.brightest));
     rows
 }
@@ -108,7 +129,11 @@ impl Row {
             number(self.iou, 4),
             number(self.ver, 4),
             number(self.surface_mean_mm.map(|mm| 1e3 * mm), 2),
-            if self.is_chosen { " (this run)" } else { "" },
+            match (self.is_chosen, self.is_evaluated) {
+                (true, true) => " (this run, as it was evaluated)",
+                (true, false) => " (this run)",
+                _ => "",
+            },
         )
     }
 }
@@ -128,4 +153,29 @@ fn write_job(run: &Path, file: &Path, largest: f64) -> Result<()> {
     document.set(&format!("bounds.max={largest}"))?;
     let text = Job::from_document(document)?.resolved().to_toml()?;
     write_whole(file, |out| Ok(out.write_all(text.as_bytes())?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn a_ceiling_that_the_finest_voxels_changed_has_a_row_of_its_own() {
+        let point = |factor: f64| json!({ "factor": factor, "prints": [{ "iou": 0.9, "ver": 0.1, "surface_mean_mm": 0.01 }] });
+        let report = |by: f64| {
+            json!({
+                "ceiling": { "brightest": 0.8, "points": [point(1.0), point(0.5)], "chosen": 1, "finest": { "changed_by": by } },
+                "exposure": { "dose": { "best": 0.8 } },
+                "evaluation": { "iou": 0.95, "time_mm": 0.7 },
+            })
+        };
+        let chosen = |rows: &[Row]| rows.iter().position(|row| row.is_chosen);
+        let same = rows(&report(1.0));
+        assert_eq!((same.len(), chosen(&same)), (2, Some(1)));
+        let raised = rows(&report(1.5));
+        assert_eq!((raised.len(), chosen(&raised)), (3, Some(1)));
+        assert!((raised[1].time_mm.unwrap() - 0.75).abs() < 1e-9);
+        assert_eq!((raised[1].iou, raised[2].iou), (Some(0.95), Some(0.9)));
+    }
 }

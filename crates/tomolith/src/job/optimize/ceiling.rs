@@ -363,9 +363,10 @@ impl Stage<'_> {
         let model = self.model.as_ref();
         let objective = self.objective(scene, 0)?;
         let problem = Problem::new(model, &objective, limits, cancel)?;
-        let penalties = scene.kinds.penalties(model.patterns())?;
+        let minimized = scene.kinds.on_host();
+        let penalties = minimized.penalties(model.patterns())?;
         let mut problem = problem.with_penalties(penalties);
-        let mut optimizer = scene.kinds.optimizer()?;
+        let mut optimizer = minimized.optimizer()?;
         let stop = Stop {
             iterations,
             keep: scene.spec.stop.keep,

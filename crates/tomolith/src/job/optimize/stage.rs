@@ -373,7 +373,7 @@ impl<'a> Stage<'a> {
             let mut there = model.new_patterns()?;
             there.copy_from_host(x.as_slice());
             let on_card = (&model as _, objective, &minimized);
-            let ran = self.run_on(scene, on_card, &mut there, around, cancel);
+            let ran = self.run_on((scene, until), on_card, &mut there, around, cancel);
             let found = there.to_host();
             there.gpu().check()?;
             x.copy_from_host(&found);
@@ -381,7 +381,7 @@ impl<'a> Stage<'a> {
         }
         let objective = self.objective(scene, wider)?;
         let on_host = (self.model.as_ref() as _, objective, scene.kinds.on_host());
-        self.run_on(scene, on_host, x, around, cancel)
+        self.run_on((scene, until), on_host, x, around, cancel)
     }
 
     /// Model and method on the job's graphics card, where it has one, and all of the stage has a form for it.
@@ -403,7 +403,7 @@ impl<'a> Stage<'a> {
     /// The same with model, objective and method for one kind of fields.
     fn run_on<F: Field>(
         &self,
-        scene: &Scene,
+        (scene, until): (&Scene, usize),
         (model, objective, minimized): (&dyn DoseModel<Field = F>, Sum<F>, &Minimized<F>),
         x: &mut F,
         (bounds, checkpoints, sofar, progress): Around<'_, '_>,
