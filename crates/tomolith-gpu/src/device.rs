@@ -199,7 +199,7 @@ impl Gpu {
         let (of_errors, of_loss) = (failure.clone(), failure.clone());
         device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
             let text = match &error {
-                wgpu::Error::OutOfMemory { .. } => "its memory is full".to_owned(),
+                wgpu::Error::OutOfMemory { .. } => "its memory is full; fewer voxels or angles take less, a smaller optimizer.lbfgs.memory too, and --device cpu takes none".to_owned(),
                 other => other.to_string(),
             };
             keep(&of_errors, text);

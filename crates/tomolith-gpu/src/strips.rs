@@ -6,7 +6,7 @@
 //! **Cost** per dose or adjoint: an entry is read once and used for all lanes of a row; lanes are read once an entry, mostly from the card's
 //! caches. Memory beside fields: strips (48 bytes each), the lanes of a chunk, and 16 bytes an entry where entries are kept.
 
-use crate::device::{Buffer, Gpu, THREADS};
+use crate::device::{Adapter, Buffer, Gpu, THREADS};
 use crate::entries::{Chunk, DeviceStrips, Product, RowsOf};
 use crate::field::GpuField;
 use crate::passes::ENTRY;
@@ -30,6 +30,8 @@ struct Geometry {
     lights: Vec<DeviceLight>,
     /// Where entries are written that are not kept.
     scratch: Option<Buffer>,
+    /// Bytes of all entries.
+    entry_bytes: u64,
     updates: u64,
 }
 
@@ -111,6 +113,7 @@ impl Geometry {
             of: of.clone(),
             lights,
             scratch,
+            entry_bytes: all,
             updates: pairs * of.output.grid.shape[0] as u64,
         })
     }
@@ -577,10 +580,14 @@ impl LinearOperator for GpuStrips {
         } else {
             "kept"
         };
-        format!(
-            "parallel (on {}, entries {entries})",
-            self.gpu.adapter().name
-        )
+        let size = self.geometry.entry_bytes as f64 * 1e-9;
+        let Adapter {
+            name, memory_bytes, ..
+        } = self.gpu.adapter();
+        let of_all = memory_bytes.map_or_else(String::new, |all| {
+            format!(" of {:.1} GB", all as f64 * 1e-9)
+        });
+        format!("parallel (on {name}; {size:.2} GB{of_all} are weights, {entries})")
     }
 }
 

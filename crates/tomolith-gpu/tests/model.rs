@@ -143,7 +143,7 @@ fn doses_and_adjoints_are_those_of_the_processor() {
         for case in cases() {
             let (host, form) = (case.host(), case.strips());
             let card = gpu.model(&form, &Run::new()).unwrap().unwrap();
-            let kept = card.describe().contains("kept");
+            let kept = card.describe().contains("weights, kept");
             assert_eq!(kept, memory > 1 << 16, "{}", card.describe());
             let mut x = host.new_patterns().unwrap();
             let values: Vec<f32> = noise(1, x.len()).iter().map(|v| v.abs()).collect();
