@@ -43,7 +43,7 @@ pub const KIND: MetricKind = MetricKind {
     name: "time_mm",
     title: "Print time M/t",
     summary: "Brightest pixel over the dose at which the resin gels: how long the print takes with a given machine and resin.",
-    unit: "mm",
+    unit: "mm (M/t)",
     better: Better::Lower,
     metric: &PrintTime,
 };
