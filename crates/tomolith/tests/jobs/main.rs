@@ -6,6 +6,7 @@ mod drawn;
 mod in_time;
 mod light_in_time;
 mod peers;
+mod print_time;
 mod ranks;
 mod resume;
 mod two_colors;

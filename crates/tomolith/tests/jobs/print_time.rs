@@ -1,0 +1,49 @@
+//! A print that takes longer than `printer.time_s` allows.
+
+use serde_json::Value;
+use tomolith::job::{Document, Job, Silent, run};
+use tomolith::models::Run;
+
+const JOB: &str = r#"
+    target = { phantom = { sphere = {} }, size_mm = 1.2 }
+    grid = { pitch_mm = 0.1 }
+    resin = { refractive_index = 1.5, absorption_per_mm = 0.1, critical_dose_mj_per_mm3 = 0.5 }
+    vial = { index_matched = { radius_mm = 1.0 } }
+    light = [{ pixels = [20, 16], angles = 12, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
+    stop = { iterations = 2 }
+    evaluate = { refine = 1, sub_angles = 1 }
+    printer = { peak_irradiance_mw_per_cm2 = 10.0, time_s = 40.0 }
+"#;
+
+/// The report of the job with a change.
+fn report(change: &str) -> Value {
+    let folder = tempfile::tempdir().unwrap();
+    let own = folder.path().join("run");
+    let mut document = Document::toml("time.toml", JOB).unwrap();
+    document.set(change).unwrap();
+    let job = Job::from_document(document).unwrap();
+    let job = job.with_folder(&own, "--output");
+    run(&job, false, &mut Silent, &Run::new()).unwrap();
+    serde_json::from_slice(&std::fs::read(own.join("report.json")).unwrap()).unwrap()
+}
+
+#[test]
+fn a_print_that_takes_longer_than_allowed_is_warned_of() {
+    let text = "the print takes";
+    // The resin gels at the threshold that the bound was made for
+    let fits = report("evaluate.threshold=0.8");
+    let seconds = |report: &Value| {
+        let time = report.pointer("/lights/0/budget/time_s").unwrap();
+        time.as_f64().unwrap()
+    };
+    assert!(seconds(&fits) <= 40.0 * 1.005, "{}", seconds(&fits));
+    assert!(!fits.to_string().contains(text));
+    // Wide apart: their middle lies far above the dose at which this print is best
+    let late = report("objective={ threshold = { lower = 0.2, upper = 2.5, ceiling = 3.0 } }");
+    assert!(seconds(&late) > 41.0, "{}", seconds(&late));
+    let warnings = late.to_string();
+    assert!(
+        warnings.contains("s where printer.time_s allows 40 s"),
+        "{warnings}"
+    );
+}
