@@ -10,7 +10,7 @@
 //! ```
 //!
 //! P in H is the half ramp ([`half_ramp`](tomolith_core::field::half_ramp)): patterns that are smooth along a row of pixels light what their
-//! neighbors light, too, and change the dose more than fine ones. It saved a fifth to two fifths of the steps that H₀ = γ takes (`docs/measured/optimizers.md`).
+//! neighbors light, too, and change the dose more than fine ones. It saved a fifth to two fifths of the steps that H₀ = γ takes (`docs/choices.md`).
 //!
 //! When x̄ − x is no descent, or much less of one than the projected gradient step clip(x − γ·g) − x, that step is taken. A pair
 //! (s, y) is the change of x and of the gradient in a step, y only where x moved, so that it knows the curvature of the face of

@@ -22,7 +22,7 @@
 //!
 //! **Source** The gradient at the rounded values moves values that are not rounded: the straight-through estimator of Bengio, Léonard and
 //! Courville, arXiv 1308.3432, § 4, without an estimate of Q′. Measured against plain rounding and error diffusion in
-//! docs/measured/levels.md.
+//! docs/choices.md.
 //!
 //! **Cost** At most 78 model calls of a linear model ([`CALLS`]): dose calls for plain rounding and error diffusion at eight scales each, the start and the length, and one of each
 //! kind for each of up to 30 steps; five pattern fields. It ends earlier where the loss is 0. **Limits** Q comes from the caller and

@@ -2,7 +2,7 @@
 //!
 //! Even light of 24 frames of 32 × 16 pixels through a cylinder of glass, μ_a = μ_s = 0.15 per mm, Rayleigh; 32 × 32 × 16 voxels of
 //! 0.125 mm; 16 paths a pixel, scattered light summed on voxels. Each is run with eight seeds; the mean is compared with the
-//! integral's, noise is the rms deviation of a voxel over the mean dose. Prints a table; see docs/measured/rays.md.
+//! integral's, noise is the rms deviation of a voxel over the mean dose. Prints a table; see docs/validation.md.
 #![expect(clippy::print_stdout, reason = "a study prints its table")]
 
 use std::error::Error;

@@ -2,7 +2,7 @@
 //!
 //! FILE is an `.npz` with `phantom` [row, column] (pixel size 1, rows fall with y), `angles_rad`, and for each kernel
 //! `sino_KIND` [angle, detector] and `bp_KIND` (the transpose applied to `sino_KIND`), detector coordinate
-//! s = x·cos a + y·sin a. See docs/measured/models.md for the table.
+//! s = x·cos a + y·sin a. See docs/validation.md for the table.
 #![expect(clippy::print_stdout, reason = "a study prints its table")]
 
 use ndarray::{Array1, Array2};

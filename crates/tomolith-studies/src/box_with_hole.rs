@@ -3,7 +3,7 @@
 //! The box has 4 × 4 × 1 mm and a hole of radius 1 mm at x = −1; 200 frames of 200 × 20 pixels, 100 × 100 × 50 voxels of
 //! 0.05 mm. The scenes and their thresholds are those of the tests of Dr.TVAM. The score is the share of all voxels that are right
 //! when dose is cut midway between the thresholds, standing still, on the same voxels; of patterns made without scattering in mind
-//! where it is highest. Prints a table; see docs/measured/scattering.md.
+//! where it is highest. Prints a table; see docs/validation.md.
 //!
 //! A name as argument runs that scene alone; `paths` as second argument judges scattering scenes by Monte Carlo paths too.
 #![expect(clippy::print_stdout, reason = "a study prints its table")]

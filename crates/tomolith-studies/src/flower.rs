@@ -1,5 +1,5 @@
 //! The gray flower of Li et al. (2024), section 3.4.2, with their settings, and what their text leaves open varied one by
-//! one: the tables of `docs/measured/objectives.md`.
+//! one: the tables of `docs/papers/bclp.md`.
 //!
 //! `flower [IMAGE | phantom] [published | varied | all] [voxels along an edge]
 //! [EPSILON | all] [ROW]`, with the last two only the runs at that ε, and whose name contains ROW.

@@ -4,7 +4,7 @@
 //! (default 128); a model whose next size would take more than two minutes ends before it. Each size runs in a process of its own, which
 //! builds the job's model and calls dose and adjoint until half a second of processor time has gone, a call of more than a minute once. Prints a table, exponents fitted to N = 64 and above and to the
 //! four largest sizes, and what 1024³ voxels with 1000 angles would take: the largest size times the larger power of the fitted one and the
-//! theory's (memory: N³). FOLDER gets four pictures. See docs/measured/growth.md.
+//! theory's (memory: N³). FOLDER gets four pictures. See docs/growth.md.
 //!
 //! `growth from FILE [FOLDER]` takes the sizes from the table in a page in place of measuring them; `growth one MODEL N` measures one size
 //! and prints dose and adjoint, processor s, and peak, MB.

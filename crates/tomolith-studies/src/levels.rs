@@ -1,4 +1,4 @@
-//! What a projector of few levels prints: rounded, diffused and optimized patterns of a job, as docs/measured/levels.md has them.
+//! What a projector of few levels prints: rounded, diffused and optimized patterns of a job, as docs/choices.md has them.
 //!
 //! All patterns are evaluated by `simulate` as the job says (written, the vial turning, finer voxels). *Rounded* takes the nearest level of the
 //! brightest pixel; *diffused* carries the error of a pixel to the same pixel of the next frame, at the one of eight full scales that prints

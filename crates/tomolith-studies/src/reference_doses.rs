@@ -3,7 +3,7 @@
 //! FOLDER holds `drtvam_patterns_36x64x96.npz` (`patterns` [angle, row, column]) and doses of them, `drtvam_CASE.npz` (`dose_zyx`): 64³
 //! voxels over 4 mm, pixels of 0.0625 mm, resin n 1.48 in an index-matched bath of radius 3.5 mm (`im`) or in a cylinder 3.5/4 mm, n
 //! 1.52, in air (`cyl`, whose doses lack the factor 1.48²); `center`: one ray through the middle of each pixel, `spp64`: 64 random
-//! ones. See docs/measured/rays.md for the table.
+//! ones. See docs/validation.md for the table.
 #![expect(clippy::print_stdout, reason = "a study prints its table")]
 
 use ndarray::{Array3, Ix3};

@@ -3,7 +3,7 @@
 //! A square vial (7/8 mm, n 1.24; resin 1.347, attenuation 0.09 per mm, albedo 0.9, Rayleigh), 200 frames of 200 × 20 pixels of
 //! 0.05 mm at value 1, 100 × 100 × 50 voxels of 0.05 mm. Five seeds; the noise of a voxel is its standard deviation over its mean,
 //! averaged over voxels above half of the 99th percentile. Time × noise² does not depend on the number of paths, so it compares
-//! programs at equal noise. Prints a table; see docs/measured/scattering.md.
+//! programs at equal noise. Prints a table; see docs/speed.md.
 #![expect(clippy::print_stdout, reason = "a study prints its table")]
 
 use std::error::Error;

@@ -5,6 +5,7 @@ mod bench;
 mod commands;
 mod files;
 mod handedness;
+mod pages;
 mod planning;
 mod printer;
 mod ranks;

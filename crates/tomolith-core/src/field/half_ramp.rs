@@ -10,7 +10,7 @@
 //!
 //! |M|² is within 3 % of 1.41·|sin(πf)|^½ from a period of 2 columns to one of 64, and levels off at 0.19. As a product with
 //! its own transpose P is symmetric and positive, whatever pixels are active. The full ramp is what inverts Fᵀ F; but a loss
-//! looks at few voxels, and its root took fewer steps on the targets it was tried on (`docs/measured/optimizers.md`).
+//! looks at few voxels, and its root took fewer steps on the targets it was tried on (`docs/choices.md`).
 //!
 //! **Layout** of a backend's data: frame by frame the active rows of every column ([`ColumnRun`]). Pixels that are no elements count as dark.
 //! **Bits** of the host: in f32, products rounded before they are added; M from the first to the last active column of a frame, then Mᵀ

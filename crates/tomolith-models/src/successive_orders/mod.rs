@@ -26,7 +26,7 @@
 //!
 //! # Limits
 //! A vial that is the same at all heights and whose even resin fills a circle or a square; no bodies; no reflections at
-//! walls; at most 3 % of the scattered light in a forward lobe beyond degree 3 (Henyey–Greenstein to g = 0.41). Errors against Monte Carlo paths: docs/measured/scattering.md.
+//! walls; at most 3 % of the scattered light in a forward lobe beyond degree 3 (Henyey–Greenstein to g = 0.41). Errors against Monte Carlo paths: docs/validation.md.
 //!
 //! # Cost
 //! Beside `parallel`: the same on 1/100 to 1/1000 of the voxels, for every harmonic (three for Rayleigh), and Fourier transforms of the
@@ -217,7 +217,7 @@ impl OnVoxels {
     }
 }
 
-/// Largest part of scattered light that may count as unscattered: above, the dose is more than 1 % off (docs/measured/scattering.md).
+/// Largest part of scattered light that may count as unscattered: above, the dose is more than 1 % off (docs/validation.md).
 const MAX_FORWARD_FRACTION: f64 = 0.03;
 
 /// The model of a vial, its lights with their optics, and the voxels where dose is wanted.

@@ -284,7 +284,7 @@ fn cells_of_later_orders([edge, usual]: [f64; 2], mu: f64, radius: f64) -> usize
 /// How far above and below what is lit or wanted light may go and come back, mm.
 ///
 /// Diffusion in a cylinder decays along z as e^(−κz), κ² = 3μ_a(μ_a + μ_s′) + (2.4/R)², μ_s′ = μ_s(1 − f₁). Five lengths, fewer where much
-/// light is absorbed before it is scattered again: 0.1 to 0.3 % of the dose are missing (docs/measured/scattering.md).
+/// light is absorbed before it is scattered again: 0.1 to 0.3 % of the dose are missing (docs/validation.md).
 fn margin_mm(delta_scaled: &DeltaScaledPhase, mu: f64, radius: f64) -> f64 {
     const LENGTHS: f64 = 5.0;
     /// First zero of the Bessel function J₀.

@@ -2,7 +2,7 @@
 //!
 //! # Equations
 //! Lateral frequencies f lie within the pixels' Nyquist limit and, with a numerical aperture, within NA/λ₀. The band fades toward its end ([`fade`]):
-//! with a hard end every pixel is ringed without end, and |ψ|² depends on the window, by 4 % in one of twice the pattern (docs/measured/wave.md). Along the depth a
+//! with a hard end every pixel is ringed without end, and |ψ|² depends on the window, by 4 % in one of twice the pattern (docs/validation.md). Along the depth a
 //! component runs with w = √(λ⁻² − f²), and sideways by f/w.
 
 use super::taps::Signal;

@@ -14,7 +14,7 @@
 //!
 //! # Source
 //! Wechsler et al. 2024, eqs. 2 to 4 and Algorithms 2 and 3; Matsushima & Shimobaba 2009 (band limit). What is saved against the published
-//! algorithm, with its errors: docs/wave.md and docs/measured/wave.md.
+//! algorithm, with its errors: docs/wave.md and docs/validation.md.
 //!
 //! # Parameters
 //! | key | unit | range | default | meaning |

@@ -1,4 +1,4 @@
-//! What the wave model saves against the published algorithm, and what that costs in accuracy: the tables of `docs/measured/wave.md`.
+//! What the wave model saves against the published algorithm, and what that costs in accuracy: the tables of `docs/validation.md`.
 //!
 //! `waves errors | rotation | savings [N …] | times [N …] | frame N [edge, mm …] | work | limit`
 //!

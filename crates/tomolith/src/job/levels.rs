@@ -11,7 +11,7 @@ use crate::models::PatternLayout;
 use crate::optimize::Problem;
 use crate::optimize::levels::{self, Gain};
 
-/// The most bits at which patterns are improved on their levels; with more, rounding costs next to nothing (docs/measured/levels.md).
+/// The most bits at which patterns are improved on their levels; with more, rounding costs next to nothing (docs/choices.md).
 const MOST_BITS: u32 = 5;
 
 /// What the machine is asked for, and what that brings.

@@ -10,7 +10,7 @@
 //! [`MOST_ANGLES`] angles, which cost little where the model keeps its entries and as much as so many frames that stand still elsewhere.
 //!
 //! **Fourth powers.** On such voxels [`threshold`] counts deviations to the power of [`EXPONENT`] unless the job names one: the largest decide what prints
-//! wrong. On voxels as wide as a pixel that prints less well (docs/measured/powers.md).
+//! wrong. On voxels as wide as a pixel that prints less well (docs/choices.md).
 //!
 //! **No higher than the light.** Light stays at its height, so rows of pixels that reach no part stay dark, and slices that only these rows light have no dose:
 //! such slices are left out.
@@ -276,7 +276,7 @@ fn has_free_cells((spec, kinds): (&JobSpec, &JobKinds), refines: Refines) -> boo
 }
 
 /// The voxels of a job with cells: at most half a pixel, as far as [`BUDGET_OF_CELLS`] allows. A mean over a cell does not hold the
-/// light within it (docs/measured/rays.md).
+/// light within it (docs/choices.md).
 fn of_cells(spec: &JobSpec, lights: &[Light], grid: &VolumeGrid) -> VolumeGrid {
     let wanted = across(grid, lights, CELLS_PER_PIXEL);
     (1..=spec.grid.refine.unwrap_or(wanted))

@@ -1,9 +1,9 @@
 //! Dose volumes of another program, when they are at hand: `TOMOLITH_REFERENCE=folder cargo test --release --test jobs peers --
-//! --ignored`. The numbers of a run are in docs/measured/validation.md.
+//! --ignored`. The numbers of a run are in docs/validation.md.
 
 #![expect(
     clippy::print_stderr,
-    reason = "prints the numbers that go into docs/measured/validation.md"
+    reason = "prints the numbers that go into docs/validation.md"
 )]
 
 use ndarray_npy::NpzReader;
@@ -79,7 +79,7 @@ fn doses_agree_with_dr_tvam() {
         outer_radius_mm: 4.0,
         refractive_index: 1.52,
     };
-    // 64 random rays a pixel: noise below 1 %. Its refracting doses lack the factor n² (docs/measured/validation.md).
+    // 64 random rays a pixel: noise below 1 %. Its refracting doses lack the factor n² (docs/validation.md).
     let cases: [(&dyn Vial, f64, &str, f64); 3] = [
         (&matched, 0.01, "drtvam_im_mu0.01_spp64.npz", 1.0),
         (&matched, 0.3, "drtvam_im_mu0.3_spp64.npz", 1.0),

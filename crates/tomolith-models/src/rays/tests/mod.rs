@@ -361,7 +361,7 @@ fn both_kernels_equal_a_brute_force_walk_in_f64() {
 
 #[test]
 fn with_many_rays_it_is_what_parallel_says() {
-    // What is left is the error of `parallel` itself at this pitch: see docs/measured/validation.md
+    // What is left is the error of `parallel` itself at this pitch: see docs/validation.md
     let bounds = [0.015, 0.015, 0.015, 0.06];
     let square = ([0.13, 0.13], [0.0, 0.0]);
     // Pixels that are not square, beside the axis
