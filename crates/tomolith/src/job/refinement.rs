@@ -16,7 +16,7 @@
 //! such slices are left out.
 //!
 //! **Coarse first** only where the job's own voxels cost more than the budget: half of the iterations run on half as many frames,
-//! pixels and voxels along every axis. Elsewhere coarse iterations would save a third of the time and print less well (docs/fidelity.md).
+//! pixels and voxels along every axis. Elsewhere coarse iterations would save a third of the time and print less well (docs/choices.md).
 //!
 //! **Cells** are cut from voxels of half a pixel, as far as [`BUDGET_OF_CELLS`] allows: a mean over a cell does not hold the light within it.
 
