@@ -5,7 +5,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::io::{ErrorKind, IsTerminal, Write};
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
-use tomolith::job::outcome::large;
+use tomolith::job::summary::large;
 use tomolith::job::{Event, Progress, Summary};
 use tomolith::text::printable;
 

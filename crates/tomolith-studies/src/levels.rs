@@ -16,7 +16,7 @@ use tomolith::Error;
 use tomolith::exposure::quantize;
 use tomolith::grid::{PatternGrid, Patterns};
 use tomolith::io::npy::{PatternPair, read_patterns, write_patterns};
-use tomolith::job::outcome::Quality;
+use tomolith::job::summary::Quality;
 use tomolith::job::{self, Job, Silent};
 use tomolith::models::Run;
 

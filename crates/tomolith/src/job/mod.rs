@@ -1,99 +1,49 @@
-//! Job file → objects → the whole run.
+//! A job file, from its text to the files of its run.
 //!
-//! | step | file |
+//! | layer | what it does |
 //! |---|---|
-//! | text → values that know their lines | [`document`] |
-//! | values → typed tables | [`spec`] |
-//! | every range and every pair that must fit | [`validate`] |
-//! | all keys at fault, and not only the first | `all_errors` |
-//! | typed tables → objects, and whether these fit together | `build`, `compatibility` |
-//! | every row of every family's table | [`kinds`], [`schema`], [`reference_page`] |
-//! | a job as objects, for other programs | [`resolved`] |
-//! | patterns to the machine and back, a run for another machine | `device`, [`export`] |
-//! | jobs of another program | [`mod@import`] |
-//! | what many runs ask of a job | `many` |
-//! | the model that judges its own patterns, and serves the next run | `kept` |
-//! | one job on several processes | `ranks` |
-//! | the folder of a run, what the machine has, what a run says | [`folder`], [`resources`], [`progress`] |
+//! | [`spec`] | what the file says: text that knows its lines, typed tables, ranges, schema, other programs' jobs |
+//! | [`resolve`] | tables and files → objects that fit together: optics, shape, voxels, species, scenarios, machine, method |
+//! | [`dose`] | doses of patterns: models on given voxels, patterns as the machine shows them, processes that share frames |
+//! | [`optimize`] | the search for patterns: levels of resolution, start, ceiling of the pixels, checkpoints |
+//! | [`evaluate`] | what patterns print: measured, in time, per species and scenario, and what limits it |
+//! | [`output`] | the run folder: its files, the summary, patterns for another machine |
+//! | [`run`](mod@run) | run, simulate, check: the layers in their order |
+//!
+//! A file imports from its own layer and from those above it in this table. [`progress`] is what all of them tell the caller.
 
-mod all_errors;
-mod benchmark;
-mod build;
-mod card;
-mod cells;
-mod clip;
-mod co_optimize;
-mod compatibility;
-mod contact;
-mod cross_check;
-mod device;
-pub mod document;
-mod doses;
-mod doubts;
-mod estimate;
-mod evaluate;
-pub mod export;
-mod file_names;
-pub mod folder;
-mod heights;
-pub mod import;
-mod in_time;
-mod kept;
-pub mod kinds;
-mod levels;
-mod light;
-mod limits;
-mod many;
-mod model_probe;
-mod multiresolution;
-mod noise;
-mod not_finite;
-mod objectives;
-mod optimize;
-mod others;
-pub mod outcome;
-mod point_spread;
+pub mod dose;
+pub mod evaluate;
+pub mod optimize;
+pub mod output;
 pub mod progress;
-mod property;
-mod ranks;
-mod reach;
-pub mod read;
-pub mod reference_page;
-mod refinement;
-mod replace;
-mod resolve;
-pub mod resolved;
-pub mod resources;
-mod resume;
-mod scenarios;
-mod scene;
-mod scheduled;
-pub mod schema;
-mod selection;
+pub mod resolve;
+pub mod run;
 pub mod spec;
-mod species;
-mod stages;
-mod time_refusals;
-pub mod trace;
-pub mod validate;
-mod write;
+
+pub use evaluate::trace;
+pub use output::{export, folder, summary};
+pub use resolve::resources;
+pub use spec::{document, import, kinds, read, reference_page, schema, validate};
 
 pub use document::Document;
+pub use dose::cache::KeptParts;
+pub use evaluate::in_time::TimeSummary;
 pub use folder::RunFolder;
 pub use import::{Files, Imported, import, sinogram};
-pub use kept::KeptParts;
-pub use many::{JobRequirements, Leaves, requirements, run_here};
-pub use outcome::{Plan, Quality, Summary, TimeSummary};
+pub use output::folder::Leaves;
+pub use output::summary::{Plan, Quality, Summary};
 pub use progress::{Event, Progress, Silent};
-pub use ranks::run_among;
 pub use read::Job;
-pub use resolved::{Prediction, ResolvedJob, Task};
+pub use run::many::{JobRequirements, requirements, run_here};
+pub use run::ranks::run_among;
+pub use run::resolved::{Prediction, ResolvedJob, Task};
+pub use run::{check, run, run_leaving, simulate};
 pub use spec::*;
-pub use stages::{check, run, run_leaving, simulate};
 
 #[cfg(test)]
 pub(crate) mod tests {
-    use super::build::Optics;
+    use super::resolve::optics::Optics;
     use super::spec::with_example;
     use super::*;
     use crate::error::Error;

@@ -70,7 +70,7 @@ impl Progress for Silent {
 ///
 /// # Errors
 /// [`Error::Canceled`]; [`Error::Io`] of the system, such as a full disk.
-pub(super) fn left_out<T>(
+pub(crate) fn left_out<T>(
     [what, advice]: [&str; 2],
     made: Result<T>,
     progress: &mut dyn Progress,
@@ -190,6 +190,24 @@ impl Gauge {
         if self.done > 0.0 {
             self.tell(1.0, progress);
         }
+    }
+}
+
+/// Begins a stage; what it returns is the whole of it.
+pub(crate) fn stage(progress: &mut dyn Progress, cancel: &Run, name: &str) -> Run {
+    let stage = cancel.stage();
+    let name = name.to_owned();
+    progress.event(&Event::Stage { name });
+    stage
+}
+
+/// Seconds, minutes or hours.
+pub(crate) fn duration(seconds: f64) -> String {
+    match seconds {
+        s if s < 10.0 => format!("{s:.1} s"),
+        s if s < 100.0 => format!("{s:.0} s"),
+        s if s < 6000.0 => format!("{:.0} min", s / 60.0),
+        s => format!("{:.1} h", s / 3600.0),
     }
 }
 

@@ -4,6 +4,7 @@ mod bclp_orderings;
 mod co_optimize;
 mod drawn;
 mod in_time;
+mod layers;
 mod light_in_time;
 mod peers;
 mod print_time;

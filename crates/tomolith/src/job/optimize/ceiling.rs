@@ -25,11 +25,10 @@ use super::start::clip;
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
 use crate::grid::{Patterns, Volume};
-use crate::job::levels;
-use crate::job::multiresolution::{coarser_grid, coarser_lights, is_large_enough};
 use crate::job::progress::Silent;
-use crate::job::refinement::Level;
-use crate::job::scene::{Scene, Voxels};
+use crate::job::resolve::multiresolution::{coarser_grid, coarser_lights, is_large_enough};
+use crate::job::resolve::refinement::Level;
+use crate::job::resolve::{Scene, Voxels};
 use crate::job::spec::{Ceiling, CeilingTolerance};
 use crate::metrics::print::Print;
 use crate::metrics::{MetricKind, gamma, iou, surface_deviation, ver};
@@ -50,7 +49,7 @@ const FACTOR: usize = 2;
 const FIRST: usize = 28;
 const EACH: usize = 8;
 /// The search stands for one of so many of the job's iterations.
-pub(super) const SHARE: usize = 10;
+pub(crate) const SHARE: usize = 10;
 /// An iteration on the coarser level, with what is measured there, takes one of so many parts of one of the loop: measured between 6 and 14.
 const CHEAPER: usize = 8;
 /// Corners of each surface that mean deviations are taken from.
@@ -74,17 +73,17 @@ pub(crate) struct FoundCeiling {
 
 impl FoundCeiling {
     /// The patterns to go on from, once.
-    pub(super) fn take_patterns(&mut self) -> Option<Vec<Patterns>> {
+    pub(crate) fn take_patterns(&mut self) -> Option<Vec<Patterns>> {
         self.patterns.take()
     }
 
     /// Whether there is a ceiling below the bound of the start.
-    pub(super) fn is_lower(&self) -> bool {
+    pub(crate) fn is_lower(&self) -> bool {
         self.largest.is_some()
     }
 
     /// Lowers bounds to the ceilings; `level` says for which frames the bounds are.
-    pub(super) fn lower(&self, bounds: &mut [Limits], level: &Level) {
+    pub(crate) fn lower(&self, bounds: &mut [Limits], level: &Level) {
         let found = self.largest.iter().flatten().zip(&self.frames);
         for ((bound, light), (largest, frames)) in bounds.iter_mut().zip(&level.lights).zip(found) {
             let per_frame = *frames as f64 / light.pixels.frames() as f64;
@@ -94,7 +93,7 @@ impl FoundCeiling {
 }
 
 /// Iterations that looking for ceilings takes in all, in those of the loop; 0 for a job that keeps the bound of its start. Those that it saves are left out: a search may find nothing.
-pub(in crate::job) fn iterations(scene: &Scene, voxels: &Voxels) -> usize {
+pub(crate) fn iterations(scene: &Scene, voxels: &Voxels) -> usize {
     let level = coarser_level(scene, voxels.target.gray);
     level.map_or(0, |level| {
         let tried = level.until + 4 * level.until.div_ceil(3).min(EACH);
@@ -106,7 +105,7 @@ pub(in crate::job) fn iterations(scene: &Scene, voxels: &Voxels) -> usize {
 ///
 /// # Errors
 /// [`Error::Canceled`].
-pub(super) fn find(scene: &Scene, voxels: &Voxels, cancel: &Run) -> Result<Option<FoundCeiling>> {
+pub(crate) fn find(scene: &Scene, voxels: &Voxels, cancel: &Run) -> Result<Option<FoundCeiling>> {
     let Some(level) = coarser_level(scene, voxels.target.gray) else {
         return Ok(None);
     };
@@ -217,7 +216,7 @@ fn coarser_level(scene: &Scene, is_gray: bool) -> Option<Level> {
         || in_time
         || has_scale
         || is_gray
-        || levels::are_few(&spec.evaluate)
+        || spec.evaluate.has_few_levels()
         || !scene.scenarios.is_empty()
         || spec.bounds.bits.is_some()
         || kinds.free.is_some()
@@ -319,7 +318,7 @@ impl Search<'_> {
 }
 
 /// Whether every print is at least as good as another, within what a job tolerates, on pixels so many times as wide as the job's.
-pub(super) fn are_good(
+pub(crate) fn are_good(
     tolerance: &CeilingTolerance,
     wider: usize,
     (others, own): (&[Quality], &[Quality]),
@@ -353,7 +352,7 @@ impl Stage<'_> {
     }
 
     /// Some iterations within these limits, which nobody watches.
-    pub(super) fn improve_within(
+    pub(crate) fn improve_within(
         &self,
         scene: &Scene,
         (x, limits): (&mut HostField, &[Limits]),
@@ -380,7 +379,7 @@ impl Stage<'_> {
     }
 
     /// What a search ended with, and that it has a lower loss than the start `x`; else the start.
-    pub(super) fn closer(
+    pub(crate) fn closer(
         &self,
         scene: &Scene,
         (x, bounds): (HostField, &[Limits]),
@@ -403,7 +402,7 @@ impl Stage<'_> {
     }
 
     /// IoU, VER, mean deviation (mm) and Γ of every output; the deviation is NaN where surfaces are left out.
-    pub(super) fn qualities(
+    pub(crate) fn qualities(
         &self,
         x: &HostField,
         has_surfaces: bool,

@@ -13,7 +13,7 @@ use super::start::clip;
 use crate::error::Result;
 use crate::field::HostField;
 use crate::job::progress::Progress;
-use crate::job::scene::Scene;
+use crate::job::resolve::Scene;
 use crate::models::Run;
 use crate::optimize::{Limits, Outcome, StopReason};
 use crate::report::{FinestTrial, Quality};
@@ -21,7 +21,7 @@ use std::time::Instant;
 
 /// Iterations below the double. With four, prints of docs/fidelity.md below half of their ceiling gain more than is tolerated, and those below their ceiling
 /// do not; with two, the star's gain is not seen.
-pub(super) const TRY: usize = 4;
+pub(crate) const TRY: usize = 4;
 /// Iterations for each step that is taken.
 const EACH: usize = 8;
 /// By how much the ceiling falls, and the share of the light above that up to which it is tried.
@@ -29,15 +29,15 @@ const LOWER: f64 = std::f64::consts::FRAC_1_SQRT_2;
 const SLACK: f64 = 0.02;
 
 /// What the optimization ended with, and the highest ceilings that there may be.
-pub(super) struct Ended<'a> {
-    pub(super) x: &'a mut HostField,
-    pub(super) bounds: &'a mut [Limits],
-    pub(super) highest: &'a [Limits],
-    pub(super) outcome: Outcome,
+pub(crate) struct Ended<'a> {
+    pub(crate) x: &'a mut HostField,
+    pub(crate) bounds: &'a mut [Limits],
+    pub(crate) highest: &'a [Limits],
+    pub(crate) outcome: Outcome,
 }
 
 /// Goes on from the ceiling that was found to a better one, if there is one on this level; what the optimization came to then.
-pub(super) fn settle(
+pub(crate) fn settle(
     stage: &Stage<'_>,
     scene: &Scene,
     ended: Ended<'_>,

@@ -1,28 +1,34 @@
 //! The optimization of a job: from voxels to patterns.
 
-mod ceiling;
-mod finest;
-mod rehearsal;
-mod stage;
-mod start;
-mod watch;
+pub(crate) mod ceiling;
+pub(crate) mod checkpoint;
+pub(crate) mod finest;
+pub(crate) mod gray_levels;
+pub(crate) mod rehearsal;
+pub(crate) mod row_balance;
+pub(crate) mod stage;
+pub(crate) mod start;
+pub(crate) mod watch;
 
-use super::co_optimize::FoundResponse;
-use super::kept::{self, KeptParts};
-use super::levels::Levelled;
-use super::progress::{Event, Progress};
-use super::resume::{begin_anew, fingerprint, keep, resumes, tables};
-use super::scene::{Scene, Voxels, at_section};
 use crate::error::{Error, Result};
 use crate::grid::{PatternGrid, Patterns};
+use crate::job::dose::cache as kept;
+use crate::job::dose::cache::KeptParts;
+use crate::job::dose::doses::Exposed;
+use crate::job::progress::{Event, Progress};
+use crate::job::resolve::free_parameters::FoundResponse;
+use crate::job::resolve::identity::fingerprint;
+use crate::job::resolve::{Scene, Voxels, at_section};
 use crate::models::Run;
 use crate::objective::FoundWindow;
 use crate::optimize::start::given::Given;
 use crate::optimize::{Checkpoints, Outcome, Row, StopReason};
 use ceiling::FoundCeiling;
-pub(super) use ceiling::iterations as iterations_of_ceiling;
-pub(super) use rehearsal::rehearse;
-pub(super) use stage::Stage;
+pub(crate) use ceiling::iterations as iterations_of_ceiling;
+use checkpoint::{begin_anew, keep, resumes, tables};
+use gray_levels::Levelled;
+pub(crate) use rehearsal::rehearse;
+pub(crate) use stage::Stage;
 use stage::{EndOfLevel, SoFar};
 use std::path::Path;
 use watch::idle;
@@ -206,7 +212,10 @@ pub(crate) fn optimize(
         };
         return match ended {
             Ok((outcome, end)) => {
-                kept.put(key, &stage);
+                // One that leaves pixels dark does not give the doses of all patterns
+                let exposed = Exposed::new(&stage.level.grid, stage.level.lights.clone());
+                let key = key.filter(|_| stage.dark.is_empty());
+                kept.put(key, exposed, &stage.model, &stage.reason);
                 Ok(optimized(
                     scene,
                     stage,

@@ -2,10 +2,10 @@
 
 use super::stage::{SoFar, Stage};
 use crate::error::{Error, Result};
-use crate::job::kept::KeptParts;
+use crate::job::dose::cache::KeptParts;
 use crate::job::progress::Silent;
-use crate::job::refinement::Level;
-use crate::job::scene::{Scene, Voxels};
+use crate::job::resolve::refinement::Level;
+use crate::job::resolve::{Scene, Voxels};
 use crate::models::Run;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
@@ -16,10 +16,10 @@ const LONGEST: Duration = Duration::from_secs(3);
 /// How often a request to stop is looked for.
 const PAUSE: Duration = Duration::from_millis(20);
 
-/// Makes the model, the start, the bounds and the first loss of every level, as [`optimize`](super::optimize) does; whether there was time for all of it.
+/// Makes the model, the start, the bounds and the first loss of every level, as [`optimize`](crate::job::optimize::optimize) does; whether there was time for all of it.
 ///
 /// # Errors
-/// What [`optimize`](super::optimize) refuses before its first step; [`Error::Canceled`].
+/// What [`optimize`](crate::job::optimize::optimize) refuses before its first step; [`Error::Canceled`].
 pub(crate) fn rehearse(scene: &Scene, voxels: &Voxels, cancel: &Run) -> Result<bool> {
     let limited = Run::new();
     let done = thread::scope(|threads| {

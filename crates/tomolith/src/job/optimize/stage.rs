@@ -1,20 +1,24 @@
 //! One level of the optimization: its voxels, its model, its objective, and the loop on it.
 
+use super::gray_levels as levels;
+use super::gray_levels::Levelled;
+use super::row_balance as heights;
 use super::start::{limits, start_input, starting_patterns};
 use super::watch::Watch;
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
 use crate::grid::{Patterns, Volume, VolumeGrid};
-use crate::job::co_optimize::FoundResponse;
-use crate::job::in_time::planned_in_time;
-use crate::job::kept::EvaluationModel;
-use crate::job::levels::{self, Levelled};
+use crate::job::dose::cache::EvaluationModel;
+use crate::job::dose::in_time::planned_in_time;
+use crate::job::dose::scenarios::joined;
+use crate::job::dose::species::planned;
 use crate::job::progress::{Event, Progress};
-use crate::job::refinement::{self, Level};
-use crate::job::resolve::{JobKinds, Minimized};
-use crate::job::scene::{Scene, Voxels};
-use crate::job::species::planned;
-use crate::job::{heights, scenarios};
+use crate::job::resolve::free_parameters::FoundResponse;
+use crate::job::resolve::method::{JobKinds, Minimized};
+use crate::job::resolve::refinement;
+use crate::job::resolve::refinement::Level;
+use crate::job::resolve::scenarios;
+use crate::job::resolve::{Scene, Voxels};
 use crate::models::masked::{darken, pixels_through};
 use crate::models::scenarios::SharedModel;
 use crate::models::sharded::Sharded;
@@ -32,25 +36,25 @@ use tomolith_gpu::{GpuField, GpuStrips};
 
 /// What the levels before have done.
 #[derive(Default)]
-pub(super) struct SoFar {
-    pub(super) rows: Vec<Row>,
-    pub(super) counters: Counters,
-    pub(super) metrics_s: f64,
-    pub(super) warnings: Vec<String>,
+pub(crate) struct SoFar {
+    pub(crate) rows: Vec<Row>,
+    pub(crate) counters: Counters,
+    pub(crate) metrics_s: f64,
+    pub(crate) warnings: Vec<String>,
     /// The loss that counts as the first one, where it is not that of the start.
-    pub(super) first_loss: Option<f64>,
+    pub(crate) first_loss: Option<f64>,
 }
 
 /// What is done with the patterns after the last iteration.
-pub(super) struct EndOfLevel {
+pub(crate) struct EndOfLevel {
     /// On few levels of the machine, where they were improved on them.
-    pub(super) levels: Option<Levelled>,
+    pub(crate) levels: Option<Levelled>,
     /// With rows rescaled so that all heights are done at once, where the job asks for it.
-    pub(super) levelled: Option<Vec<Patterns>>,
+    pub(crate) levelled: Option<Vec<Patterns>>,
     /// How long that took, s.
-    pub(super) seconds: f64,
+    pub(crate) seconds: f64,
     /// Their process window, where an objective looks for it.
-    pub(super) window: Option<FoundWindow>,
+    pub(crate) window: Option<FoundWindow>,
 }
 
 /// What a run on a level works with beside what it minimizes: bounds, checkpoints, what was done before, and who is told.
@@ -63,20 +67,20 @@ type Around<'a, 'p> = (
 
 /// One level, ready to be optimized.
 pub(crate) struct Stage<'a> {
-    pub(in crate::job) level: &'a Level,
+    pub(crate) level: &'a Level,
     pub(crate) voxels: Cow<'a, Voxels>,
     /// Those of further species.
-    pub(super) others: Vec<Voxels>,
+    pub(crate) others: Vec<Voxels>,
     pub(crate) model: SharedModel,
-    pub(super) straight: Option<Box<dyn DoseModel<Field = HostField>>>,
+    pub(crate) straight: Option<Box<dyn DoseModel<Field = HostField>>>,
     /// That of the job as it is, where `model` is that of all scenarios.
-    pub(super) nominal: Option<SharedModel>,
+    pub(crate) nominal: Option<SharedModel>,
     /// Pixels that stay dark; none where it is empty.
-    pub(in crate::job) dark: Vec<bool>,
+    pub(crate) dark: Vec<bool>,
     /// Which model, and why.
-    pub(in crate::job) reason: String,
+    pub(crate) reason: String,
     /// The response that was found, where its parameters are unknowns.
-    pub(super) found: Option<FoundResponse>,
+    pub(crate) found: Option<FoundResponse>,
 }
 
 impl<'a> Stage<'a> {
@@ -129,7 +133,7 @@ impl<'a> Stage<'a> {
             *dark |= left_out;
         }
         let model = plan.model.and_dark(of_bodies.unwrap_or_default());
-        let (model, nominal) = scenarios::joined(scene, model, &dark, level, cancel)?;
+        let (model, nominal) = joined(scene, model, &dark, level, cancel)?;
         Ok(Stage {
             level,
             voxels,
@@ -144,7 +148,7 @@ impl<'a> Stage<'a> {
     }
 
     /// The same with the dose of the frames of all ranks, where the scene's frames are shared. Called by all ranks.
-    pub(super) fn shared(mut self, scene: &Scene) -> Self {
+    pub(crate) fn shared(mut self, scene: &Scene) -> Self {
         let Some(ranks) = &scene.ranks else {
             return self;
         };
@@ -174,14 +178,14 @@ impl<'a> Stage<'a> {
     }
 
     /// The voxels of every species.
-    pub(super) fn all_voxels(&self) -> Vec<&Voxels> {
+    pub(crate) fn all_voxels(&self) -> Vec<&Voxels> {
         std::iter::once(self.voxels.as_ref())
             .chain(&self.others)
             .collect()
     }
 
     /// What follows the last iteration: the response that was found, few levels, heights, and the process window. `raw` are the patterns in `x`.
-    pub(super) fn end(
+    pub(crate) fn end(
         &mut self,
         scene: &Scene,
         outcome: &Outcome,
@@ -277,7 +281,7 @@ impl<'a> Stage<'a> {
     }
 
     /// The patterns in `x`, whose pixels that are to stay dark are made dark.
-    pub(super) fn patterns(&self, x: &mut HostField) -> Vec<Patterns> {
+    pub(crate) fn patterns(&self, x: &mut HostField) -> Vec<Patterns> {
         darken(x.as_mut_slice(), &self.dark);
         levels::patterns(self.model.patterns(), x)
     }
@@ -321,7 +325,7 @@ impl<'a> Stage<'a> {
     }
 
     /// Runs the optimizer on this level, and goes on with a wider window where the loss becomes 0 before the iterations are over.
-    pub(super) fn run_and_widen(
+    pub(crate) fn run_and_widen(
         &self,
         scene: &Scene,
         (x, bounds): (&mut HostField, &[Limits]),
@@ -357,7 +361,7 @@ impl<'a> Stage<'a> {
     }
 
     /// Runs the optimizer on this level up to an iteration, after those before; on a graphics card where the job has one and the model a form for it.
-    pub(super) fn run(
+    pub(crate) fn run(
         &self,
         (scene, wider, until): (&Scene, usize, usize),
         (x, bounds): (&mut HostField, &[Limits]),

@@ -4,10 +4,11 @@ use super::stage::Stage;
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
 use crate::grid::Volume;
-use crate::job::kept::{BoundingStart, KeptParts, start_key};
-use crate::job::scene::{Scene, Voxels};
+use crate::job::dose::cache::{BoundingStart, KeptParts, start_key};
+use crate::job::resolve::species::beginnings;
+use crate::job::resolve::{Scene, Voxels};
 use crate::job::spec::JobSpec;
-use crate::job::species::{Row as SpeciesRow, beginnings};
+use crate::job::spec::species::Row as SpeciesRow;
 use crate::models::{DoseModel, PatternLayout, Quantity, Run};
 use crate::objective::{Objective, Sum};
 use crate::optimize;
@@ -17,7 +18,7 @@ use crate::optimize::start::{InitialPatterns, StartInput};
 use crate::response::Response;
 
 /// What a start or a method's marks are computed from; `absorption` where it is a map.
-pub(super) fn start_input<'a, F: Field>(
+pub(crate) fn start_input<'a, F: Field>(
     model: &'a dyn DoseModel<Field = F>,
     (voxels, absorption): (&'a Voxels, Option<&'a Volume<f32>>),
     response: &'a dyn Response,
@@ -39,7 +40,7 @@ const GLIMMER: f64 = 0.01;
 
 /// Where the optimization begins: within the bounds that the job gives. A model whose unknowns are amplitudes begins at the
 /// roots of what straight light would begin with.
-pub(super) fn starting_patterns(
+pub(crate) fn starting_patterns(
     scene: &Scene,
     voxels: &[&Voxels],
     (model, straight): (
@@ -78,7 +79,7 @@ pub(super) fn starting_patterns(
 }
 
 /// Brings patterns into bounds.
-pub(super) fn clip(x: &mut HostField, lights: &[PatternLayout], bounds: &[Limits]) -> Result<()> {
+pub(crate) fn clip(x: &mut HostField, lights: &[PatternLayout], bounds: &[Limits]) -> Result<()> {
     let bounds = x.compile_bounds(&optimize::problem::bounds(lights, bounds)?);
     let step = x.zeros_like();
     x.move_along(&step, 0.0, &bounds);
@@ -135,7 +136,7 @@ fn into_amplitudes(x: &mut HostField, glimmer: f64) -> Result<()> {
 /// The bounds of every light. Where the job sets no upper one it is the largest pixel of the start: without a bound a few
 /// pixels at the silhouette grow far beyond all others, and the projector's gray levels are spent on them. A method that
 /// normalizes its doses has a scale of its own, to which the start says nothing.
-pub(super) fn limits(
+pub(crate) fn limits(
     spec: &JobSpec,
     model: &dyn DoseModel<Field = HostField>,
     start: &HostField,
@@ -174,17 +175,17 @@ pub(super) fn limits(
 }
 
 /// Where a run begins.
-pub(super) struct FirstPatterns {
-    pub(super) patterns: HostField,
-    pub(super) bounds: Vec<Limits>,
+pub(crate) struct FirstPatterns {
+    pub(crate) patterns: HostField,
+    pub(crate) bounds: Vec<Limits>,
     /// The loss of the start that bounds the pixels, where that is another one and the run ends at a part of it.
-    pub(super) loss: Option<f64>,
+    pub(crate) loss: Option<f64>,
 }
 
 impl Stage<'_> {
     /// The start that the job asks for (`given`: as this rank has it), within bounds that follow from it, or from the start that its files are to be bounded as; of
     /// several files the best, `brightens`: scaled to suit the objective.
-    pub(super) fn first_patterns(
+    pub(crate) fn first_patterns(
         &self,
         scene: &Scene,
         given: Option<&Given>,

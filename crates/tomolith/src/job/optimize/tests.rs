@@ -1,8 +1,8 @@
 use super::start::starting_patterns;
 use super::watch::{idle, is_measured};
-use super::*;
 use crate::field::HostField;
 use crate::job::Job;
+use crate::job::optimize::*;
 use crate::models::{DoseModel, planner};
 use crate::optimize::Row;
 

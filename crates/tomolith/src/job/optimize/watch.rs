@@ -2,7 +2,7 @@
 
 use crate::field::Field;
 use crate::job::progress::{Event, Progress};
-use crate::job::scene::Scene;
+use crate::job::resolve::Scene;
 use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
 use crate::models::DoseLayout;
@@ -14,7 +14,7 @@ use tomolith_core::parallel::table;
 
 /// What to say when no step was better than the start, whose patterns are then the result. A method that normalizes its doses
 /// begins with its first step, and is idle when its loss never changes.
-pub(super) fn idle(history: &[Row], normalizes: bool, bits: Option<u32>) -> Option<String> {
+pub(crate) fn idle(history: &[Row], normalizes: bool, bits: Option<u32>) -> Option<String> {
     let (start, steps) = history.get(usize::from(normalizes)..)?.split_first()?;
     let moves = |row: &Row| row.loss < start.loss || normalizes && row.loss != start.loss;
     if steps.is_empty() || start.loss == 0.0 || steps.iter().any(moves) {
@@ -38,28 +38,28 @@ const MEASURED: usize = 8;
 
 /// Whether the print is measured after an iteration: the start, each up to 8, every second up to 16, every fourth up to
 /// 32, …: at least ten points for any run of ten iterations, and seldom enough to cost less than 2 % of the time.
-pub(super) fn is_measured(iteration: usize) -> bool {
+pub(crate) fn is_measured(iteration: usize) -> bool {
     let step = (iteration.saturating_sub(1) / MEASURED + 1).next_power_of_two();
     iteration.is_multiple_of(step)
 }
 
 /// Tells progress, measures the print now and then, and stops at the loss or IoU that was asked for.
-pub(super) struct Watch<'a> {
-    pub(super) scene: &'a Scene,
+pub(crate) struct Watch<'a> {
+    pub(crate) scene: &'a Scene,
     /// Iterations of all levels.
-    pub(super) iterations: usize,
-    pub(super) updates: u64,
+    pub(crate) iterations: usize,
+    pub(crate) updates: u64,
     /// Labels in the order of the dose field's voxels; the padding is outside.
-    pub(super) labels: Vec<u8>,
+    pub(crate) labels: Vec<u8>,
     /// Where those lie.
-    pub(super) layout: DoseLayout,
+    pub(crate) layout: DoseLayout,
     /// A gray target has no IoU worth following.
-    pub(super) is_gray: bool,
+    pub(crate) is_gray: bool,
     /// The print after the last step, where it was measured.
-    pub(super) print: Option<MeasuredPrint>,
-    pub(super) metrics_s: f64,
-    pub(super) warnings: Vec<String>,
-    pub(super) progress: &'a mut dyn Progress,
+    pub(crate) print: Option<MeasuredPrint>,
+    pub(crate) metrics_s: f64,
+    pub(crate) warnings: Vec<String>,
+    pub(crate) progress: &'a mut dyn Progress,
 }
 
 impl Watch<'_> {

@@ -1,9 +1,9 @@
 //! `[[light]]`: a projector or a wavelength, and what the resin, the machine and the bounds are to it.
 
 use super::angles::Angles;
-use super::{JobSpec, is_default};
 use crate::error::Error;
 use crate::exposure::{PrinterSpec, Rotation};
+use crate::job::spec::{JobSpec, is_default};
 use crate::optics::interface::Polarization;
 use crate::units::{Mm, Pitch};
 use schemars::JsonSchema;

@@ -1,5 +1,6 @@
 //! `[[species]]`, `[material]`, `[schedule]` and `[[property]]`: what hardens, when, and to what.
 
+use super::JobSpec;
 use crate::target::TargetSpec;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -150,4 +151,22 @@ pub struct PropertySpec {
     /// Whether the map gives the decimal logarithm of the property.
     #[serde(default)]
     pub log10: bool,
+}
+
+impl JobSpec {
+    /// Whether a job optimizes against a resin with a memory, whose cure is no linear function of the patterns.
+    pub(crate) fn optimizes_cure(&self) -> bool {
+        let has_memory = |material: &MaterialSpec| material.photopolymer.is_some();
+        let against = self.schedule.as_ref().map(|given| given.optimize);
+        against.is_some_and(|against| against != Against::Dose)
+            && self.material.as_ref().is_some_and(has_memory)
+    }
+
+    /// Whether an optimization shows all frames of the schedule, so that none may be left out.
+    pub(crate) fn shows_every_frame(&self) -> bool {
+        let diffuses = |material: &MaterialSpec| material.diffusion.is_some();
+        let against = self.schedule.as_ref().map(|given| given.optimize);
+        against.is_some_and(|against| against != Against::Dose)
+            || self.material.as_ref().is_some_and(diffuses)
+    }
 }

@@ -1,19 +1,29 @@
 //! The tables of a job, typed: names, units, defaults and meaning of every key.
 //!
 //! Tables that name a kind (`[vial.cylinder]`, `[objective.threshold]`, …) keep their content as it stands; the
-//! family's own table of kinds reads and checks it (see [`super::kinds`]). Ranges are checked in [`super::validate`].
+//! family's own table of kinds reads and checks it (see [`crate::job::spec::kinds`]). Ranges are checked in [`crate::job::spec::validate`].
 //!
 //! Paths of meshes and images are relative to the job file; `output.folder` is relative to the current folder.
 
+pub(crate) mod all_errors;
 mod angles;
+pub mod document;
+pub(crate) mod file_names;
+pub mod import;
+pub mod kinds;
 mod light;
 mod material;
-mod output;
+pub(crate) mod not_finite;
+pub(crate) mod output;
+pub mod read;
+pub mod reference_page;
 mod resin;
+pub mod schema;
 mod search;
+pub(crate) mod species;
+pub mod validate;
 mod vial;
 
-use super::document::Document;
 use crate::error::{Error, Result};
 use crate::exposure::PrinterSpec;
 pub use crate::exposure::Rotation;
@@ -22,6 +32,7 @@ use crate::optimize::checkpoint;
 use crate::target::TargetSpec;
 use crate::units::{Mm, concise};
 pub use angles::Angles;
+use document::Document;
 pub use light::{
     LightBoundsSpec, LightPrinterSpec, LightResinSpec, LightSpec, ProjectorSpec, SelectionSpec,
 };

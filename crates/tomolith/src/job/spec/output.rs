@@ -4,6 +4,12 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
+/// How much finer than a job's voxels those of an evaluation are at least.
+pub(crate) const LEAST_REFINE: usize = 2;
+
+/// The most bits at which patterns are improved on their levels; with more, rounding costs next to nothing (docs/choices.md).
+const MOST_BITS: u32 = 5;
+
 /// How the written patterns are judged: their dose is simulated again, turning and on a finer grid.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
@@ -101,5 +107,17 @@ impl Default for OutputSpec {
             movie: MovieCoding::default(),
             evaluation: false,
         }
+    }
+}
+
+impl EvaluateSpec {
+    /// Whether the written patterns have few levels.
+    pub(crate) fn has_few_levels(&self) -> bool {
+        self.bit_depth <= MOST_BITS
+    }
+
+    /// Whether patterns are improved on their few levels.
+    pub(crate) fn improves_levels(&self) -> bool {
+        self.has_few_levels() && self.levels == Levelling::Optimized
     }
 }

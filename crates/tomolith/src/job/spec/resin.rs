@@ -1,6 +1,6 @@
 //! `[resin]`: what the material is to light.
 
-use super::kind;
+use crate::job::spec::kind;
 use crate::optics::gradient;
 use crate::units::Mm;
 use schemars::JsonSchema;

@@ -141,6 +141,6 @@ impl JsonSchema for VialSpec {
         "VialSpec".into()
     }
     fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-        schemars::json_schema!({ "type": "object" }) // filled in from the table of vials, see `crate::job::schema`
+        schemars::json_schema!({ "type": "object" }) // filled in from the table of vials, see `super::schema`
     }
 }

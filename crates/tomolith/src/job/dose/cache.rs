@@ -1,0 +1,316 @@
+//! What a run leaves to the next one in the same process: its target on voxels, its model where that optimizes and judges, and with it the
+//! start that bounds its pixels.
+//!
+//! Where patterns are judged on the voxels and at the angles at which they are optimized, and the family has the same doses for both purposes
+//! ([`evaluates_alike`](crate::models::ModelFamily::evaluates_alike)), one model does both. A later run in the same process takes it over where
+//! its job differs in nothing that a model reads. Results are the same to the bit.
+//!
+//! **Memory.** Such a model keeps no more between calls than one that judges, and it stands in place of that one. It is let go before
+//! another is built. Targets of more than `MOST_VOXELS` are sampled anew: beside them sampling takes little of a run.
+
+use super::doses::{Exposed, LitRows};
+
+use crate::error::Result;
+use crate::field::{Field, HostField};
+use crate::job::resolve::identity::take_files;
+use crate::job::resolve::identity::{as_floats, contents, hash, of_voxels};
+use crate::job::resolve::{Scene, Voxels};
+use crate::job::spec::JobSpec;
+use crate::job::spec::read::with_every_default;
+use crate::models::scenarios::SharedModel;
+use crate::models::{OpticalScene, PatternLayout, Run};
+use crate::optics::light::Light;
+use crate::target::Target;
+use serde_json::json;
+
+/// Tables that no model reads.
+const UNREAD: [&str; 8] = [
+    "objective",
+    "optimizer",
+    "start",
+    "bounds",
+    "stop",
+    "checkpoint",
+    "output",
+    "resources",
+];
+
+/// Voxels of the largest target that is kept: 4 MB of shares.
+const MOST_VOXELS: usize = 1 << 20;
+
+/// What a run leaves to the next one in the same process: its model, where that may serve others, its target, and the start that bounds its pixels; or nothing.
+#[derive(Default)]
+pub struct KeptParts {
+    model: Option<(u64, EvaluationModel)>,
+    target: Option<(u64, Target)>,
+    start: Option<(u64, BoundingStart)>,
+}
+
+/// The start whose largest pixel bounds those of a run that begins elsewhere, and its dose where the run ends at a part of its loss.
+pub(crate) struct BoundingStart {
+    pub(crate) patterns: HostField,
+    pub(crate) dose: Option<HostField>,
+}
+
+/// Model that gives the doses of an optimization and those that evaluate it.
+#[derive(Clone)]
+pub(crate) struct EvaluationModel {
+    exposed: Exposed,
+    pub(crate) model: SharedModel,
+    /// Which model, and why.
+    pub(crate) reason: String,
+}
+
+impl KeptParts {
+    /// Takes out the model that this key stands for; another one is let go.
+    pub(crate) fn take(&mut self, key: Option<u64>) -> Option<EvaluationModel> {
+        let (own, model) = self.model.take()?;
+        (Some(own) == key).then_some(model)
+    }
+
+    /// Keeps a model of these voxels and lights under its job's key.
+    pub(crate) fn put(
+        &mut self,
+        key: Option<u64>,
+        exposed: Exposed,
+        model: &SharedModel,
+        reason: &str,
+    ) {
+        self.model = key.map(|key| {
+            let evaluation_model = EvaluationModel {
+                exposed,
+                model: SharedModel::clone(model),
+                reason: reason.to_owned(),
+            };
+            (key, evaluation_model)
+        });
+    }
+
+    /// The target of a job on its grid: the one that is kept, where that is the same, else sampled, and kept.
+    ///
+    /// # Errors
+    /// As [`Scene::sampled`]; [`Error::Io`](crate::Error::Io) for a file that cannot be read.
+    pub(crate) fn target(&mut self, scene: &Scene, run: &Run) -> Result<Target> {
+        if scene.grid.len() > MOST_VOXELS {
+            self.target = None;
+            return scene.sampled(&scene.grid, run);
+        }
+        let key = target_key(scene)?;
+        let target = match self.target.take_if(|(own, _)| *own == key) {
+            Some((_, target)) => target,
+            None => scene.sampled(&scene.grid, run)?,
+        };
+        self.target = Some((key, target.clone()));
+        Ok(target)
+    }
+
+    /// Takes out the start that this key stands for.
+    pub(crate) fn take_start(&mut self, key: Option<u64>) -> Option<BoundingStart> {
+        let (own, start) = self.start.take()?;
+        (Some(own) == key).then_some(start)
+    }
+
+    /// Keeps a start under its key, where it is no larger than a target that is kept.
+    pub(crate) fn put_start(&mut self, key: Option<u64>, start: BoundingStart) {
+        let dose = start.dose.as_ref().map_or(0, Field::len);
+        let is_small = start.patterns.len().max(dose) <= MOST_VOXELS;
+        self.start = key.filter(|_| is_small).map(|key| (key, start));
+    }
+
+    /// The model that is kept.
+    pub(crate) fn evaluation_model(&self) -> Option<&EvaluationModel> {
+        self.model.as_ref().map(|(_, model)| model)
+    }
+}
+
+impl EvaluationModel {
+    /// Whether it has the doses of patterns that are lit in these rows.
+    pub(crate) fn gives(&self, exposed: &Exposed, lit: &[LitRows]) -> bool {
+        let shows = |(own, lit): (&PatternLayout, &LitRows)| {
+            own.runs.iter().zip(lit).all(|(run, &(bottom, count))| {
+                count == 0 || run.bottom <= bottom && bottom + count <= run.bottom + run.count
+            })
+        };
+        let layouts = self.model.patterns();
+        self.exposed == *exposed && layouts.len() == lit.len() && layouts.iter().zip(lit).all(shows)
+    }
+}
+
+/// What a job's model is known by, where one model optimizes and judges; None where it does not.
+///
+/// # Errors
+/// [`Error::Io`](crate::Error::Io) for a file that cannot be read.
+pub(crate) fn key(scene: &Scene, voxels: &Voxels) -> Result<Option<u64>> {
+    if !is_evaluated_alike(scene)? {
+        return Ok(None);
+    }
+    let mut tables = with_every_default(scene.spec.clone()).to_value()?;
+    as_floats(&mut tables);
+    if let Some(map) = tables.as_object_mut() {
+        map.retain(|key, _| !UNREAD.contains(&key.as_str()));
+    }
+    let mut parts = vec![hash(tables.to_string().as_bytes())];
+    parts.extend(of_voxels(voxels));
+    contents(&tables, &scene.base, &mut parts)?;
+    Ok(Some(hash(bytemuck::cast_slice(&parts))))
+}
+
+/// What a job's target on its grid is known by.
+fn target_key(scene: &Scene) -> Result<u64> {
+    let mut target = with_every_default(scene.spec.clone()).target;
+    let mut parts = Vec::new();
+    take_files(&mut target, &scene.base, &mut parts)?;
+    let grid = &scene.grid;
+    parts.push(hash(format!("{target:?} {grid:?}").as_bytes()));
+    Ok(hash(bytemuck::cast_slice(&parts)))
+}
+
+/// What the start that bounds a run's pixels is known by, with the key of its model.
+pub(crate) fn start_key(model: u64, spec: &JobSpec) -> u64 {
+    let own = spec.start.pointer("/patterns/bounds_as");
+    let read = json!([own, spec.bounds, spec.stop.relative_loss.is_some()]).to_string();
+    hash(bytemuck::cast_slice(&[model, hash(read.as_bytes())]))
+}
+
+/// Whether one model optimizes and judges.
+fn is_evaluated_alike(scene: &Scene) -> Result<bool> {
+    let [level] = scene.levels.as_slice() else {
+        return Ok(false);
+    };
+    let is_joined = scene.ranks.is_some()
+        || scene.mixing.is_some()
+        || scene.has_cells
+        || !(scene.others.is_empty() && scene.scenarios.is_empty())
+        || scene.is_optimized_in_time()
+        || super::in_time::diffuses(scene);
+    let fine = scene.fine_grid();
+    let own = Exposed::new(&level.grid, level.lights.clone());
+    let is_own = |angles| Exposed::new(&fine, scene.optics.lights_turning(angles)) == own;
+    let is_plain = |(level, own): (&Light, &Light)| {
+        level.pixels == own.pixels && !own.selection.is_any() && own.point_spread.is_none()
+    };
+    let mut lights = level.lights.iter().zip(&scene.optics.lights);
+    if is_joined
+        || scene.grid != fine
+        || ![1, scene.evaluated_angles()].into_iter().all(is_own)
+        || !lights.all(is_plain)
+    {
+        return Ok(false);
+    }
+    let optics = OpticalScene {
+        lights: &level.lights,
+        ..scene.optimizing()
+    };
+    let family = scene.optics.family(&level.grid)?;
+    Ok(family.evaluates_alike(&optics, &level.grid))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::{Job, Leaves, RunFolder, Silent, run_here};
+    use std::path::Path;
+
+    /// A disc of one slice, judged as it is optimized.
+    const PLANE: &str = r#"
+        target = { phantom = { cylinder = { size_mm = 1.6, height_mm = 0.1 } } }
+        grid = { shape = [24, 24, 1], pitch_mm = 0.1, region = "cylinder" }
+        resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }
+        vial = { index_matched = { radius_mm = 2.0 } }
+        light = [{ pixels = [24, 1], angles = 30, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
+        objective = { ospw = { lower = 0.7, upper = 0.9 } }
+        optimizer = { lbfgs = {} }
+        stop = { iterations = 6 }
+        evaluate = { refine = 1, sub_angles = 1 }
+    "#;
+
+    /// Runs the job with changes by what is kept; its report without what is of the time, and its patterns.
+    fn ran(kept: &mut KeptParts, changes: &[&str], folder: &Path) -> (serde_json::Value, Vec<u8>) {
+        let file = folder.join("job.toml");
+        std::fs::write(&file, PLANE).unwrap();
+        let changes: Vec<String> = changes.iter().map(|&change| change.to_owned()).collect();
+        let job = Job::read(&file, &changes).unwrap();
+        let job = job.with_folder(&folder.join("run"), "test").overwriting();
+        run_here(
+            &job,
+            false,
+            Leaves::Patterns,
+            kept,
+            &mut Silent,
+            &Run::new(),
+        )
+        .unwrap();
+        let read = |name| std::fs::read(folder.join("run").join(name)).unwrap();
+        let mut report: serde_json::Value = serde_json::from_slice(&read("report.json")).unwrap();
+        let tables = report.as_object_mut().unwrap();
+        tables.retain(|key, _| key != "run");
+        assert!(RunFolder::finished(&folder.join("run")).is_some());
+        (report, read("patterns.npz"))
+    }
+
+    #[test]
+    fn a_run_by_the_model_of_another_is_the_same_run() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut kept = KeptParts::default();
+        let changes = ["objective.ospw.lower=0.4", "optimizer={ fista = {} }"];
+        ran(&mut kept, &changes, folder.path());
+        let model = |kept: &KeptParts| {
+            kept.evaluation_model()
+                .map(|own| SharedModel::clone(&own.model))
+        };
+        let first = model(&kept).unwrap();
+        let again = ran(&mut kept, &[], folder.path());
+        let second = model(&kept).unwrap();
+        assert!(std::sync::Arc::ptr_eq(&first, &second));
+        let alone = ran(&mut KeptParts::default(), &[], folder.path());
+        assert!(again == alone, "a report or patterns differ");
+        // Another part, and a vial that absorbs more
+        let smaller = ["target.phantom.cylinder.size_mm=1.4"];
+        let alone = ran(&mut KeptParts::default(), &smaller, folder.path());
+        let after = ran(&mut kept, &smaller, folder.path());
+        assert!(after == alone, "a report or patterns differ");
+        ran(&mut kept, &["resin.absorption_per_mm=0.2"], folder.path());
+        assert!(!std::sync::Arc::ptr_eq(&first, &model(&kept).unwrap()));
+    }
+
+    #[test]
+    fn a_run_bounded_by_the_start_of_another_is_the_same_run() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut kept = KeptParts::default();
+        ran(&mut kept, &[], folder.path());
+        let first = folder.path().join("first.npz");
+        std::fs::copy(folder.path().join("run/patterns.npz"), &first).unwrap();
+        let start = |own: &str| {
+            let file = first.display();
+            format!(
+                "start={{ patterns = {{ file = \"{file}\", scaled = true, bounds_as = {own} }} }}"
+            )
+        };
+        let fbp = start("{ fbp = {} }");
+        let changes = ["stop.relative_loss=1e-6", &fbp, "objective.ospw.lower=0.6"];
+        let alone = ran(&mut KeptParts::default(), &changes, folder.path());
+        ran(&mut kept, &changes[..2], folder.path());
+        assert!(kept.start.is_some());
+        assert!(ran(&mut kept, &changes, folder.path()) == alone);
+        // Another start bounds otherwise
+        let clipped = start("{ fbp = { negative = \"offset\" } }");
+        let changes = [changes[0], &clipped];
+        let alone = ran(&mut KeptParts::default(), &changes, folder.path());
+        assert!(ran(&mut kept, &changes, folder.path()) == alone);
+    }
+
+    #[test]
+    fn nothing_is_kept_where_patterns_are_judged_otherwise() {
+        let folder = tempfile::tempdir().unwrap();
+        for change in [
+            "evaluate.refine=2",
+            "evaluate.sub_angles=2",
+            "grid.shape=[24, 24, 2]",
+            "light[0].selection={ columns = [2, 20] }",
+        ] {
+            let mut kept = KeptParts::default();
+            ran(&mut kept, &[change], folder.path());
+            assert!(kept.evaluation_model().is_none(), "{change}");
+        }
+    }
+}

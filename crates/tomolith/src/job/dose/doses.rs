@@ -1,0 +1,306 @@
+//! Doses of given patterns, one after the other.
+//!
+//! The model of a dose serves the next one where light and voxels are the same, and so does its memory.
+
+use super::cache::EvaluationModel;
+use crate::error::Result;
+use crate::field::{Field as _, HostField};
+use crate::grid::{Patterns, Volume, VolumeGrid};
+use crate::job::dose::species::planned;
+use crate::job::resolve::Scene;
+use crate::models::masked::MaskedModel;
+use crate::models::scenarios::SharedModel;
+use crate::models::{DoseLayout, DoseModel, Family, OpticalScene, Purpose, Run};
+use crate::optics::light::{Light, Selection};
+use std::sync::Arc;
+use tomolith_core::parallel::table;
+
+/// How patterns are exposed: on which voxels, and over how many angles of a frame.
+#[derive(Clone)]
+pub(crate) struct Exposed {
+    grid: VolumeGrid,
+    lights: Vec<Light>,
+}
+
+impl Exposed {
+    pub(crate) fn new(grid: &VolumeGrid, lights: Vec<Light>) -> Self {
+        Exposed {
+            grid: grid.clone(),
+            lights,
+        }
+    }
+}
+
+impl PartialEq for Exposed {
+    /// Of one job.
+    fn eq(&self, other: &Self) -> bool {
+        let angles = |exposed: &Self| -> Vec<usize> {
+            exposed
+                .lights
+                .iter()
+                .map(|light| light.sub_angles)
+                .collect()
+        };
+        self.grid == other.grid && angles(self) == angles(other)
+    }
+}
+
+/// What gives the doses of a job's patterns, by the model that judges.
+pub(crate) struct Doses<'a> {
+    scene: &'a Scene,
+    workspace: Workspace,
+    /// Per light, the rows that may be lit.
+    lit: Vec<LitRows>,
+    last: Option<(Exposed, SharedModel, String)>,
+    /// A model that is there already, for what it has the doses of.
+    evaluation_model: Option<&'a EvaluationModel>,
+}
+
+/// Rows from the lowest to the highest that is not dark, per (frame, column): `(bottom, count)`.
+pub(crate) type LitRows = Vec<(u32, u32)>;
+/// Doses of the first and of further species, and what is said of the model.
+pub(crate) type Simulated = (Volume<f32>, Vec<Volume<f32>>, String);
+
+impl<'a> Doses<'a> {
+    pub(crate) fn new(scene: &'a Scene) -> Self {
+        Self::by(None, scene)
+    }
+
+    /// The same by a model that is there already, where it has the doses asked for.
+    pub(crate) fn by(evaluation_model: Option<&'a EvaluationModel>, scene: &'a Scene) -> Self {
+        Doses {
+            scene,
+            workspace: Workspace::default(),
+            lit: Vec::new(),
+            last: None,
+            evaluation_model,
+        }
+    }
+
+    /// Says which patterns, per light, will be shown: models leave out what is dark in all of them.
+    pub(crate) fn will_show(&mut self, patterns: &[&[Patterns]]) {
+        let lights = patterns.first().map_or(0, |lights| lights.len());
+        self.lit = (0..lights)
+            .filter_map(|i| {
+                let rows = patterns.iter().map(|lights| lit_rows(&lights[i]));
+                rows.reduce(joined)
+            })
+            .collect();
+        self.last = None;
+    }
+
+    /// Doses of patterns.
+    ///
+    /// # Errors
+    /// What the model refuses; [`Error::Canceled`](crate::Error::Canceled).
+    pub(crate) fn of(
+        &mut self,
+        exposed: &Exposed,
+        patterns: &[Patterns],
+        cancel: &Run,
+    ) -> Result<Simulated> {
+        let last = self.last.take();
+        if last
+            .as_ref()
+            .is_none_or(|(own, ..)| own.grid != exposed.grid)
+        {
+            self.workspace = Workspace::default();
+        }
+        let (_, model, reason) = match last.filter(|(own, ..)| own == exposed) {
+            Some(last) => self.last.insert(last),
+            None => {
+                let (model, reason) = self.made(exposed, &cancel.part(0.1))?;
+                self.last.insert((exposed.clone(), model, reason))
+            }
+        };
+        let model = model.as_ref();
+        let (dose, others) = simulated(model, patterns, &mut self.workspace, cancel)?;
+        Ok((dose, others, reason.clone()))
+    }
+
+    fn made(&self, exposed: &Exposed, making: &Run) -> Result<(SharedModel, String)> {
+        if let Some(evaluation_model) = self
+            .evaluation_model
+            .filter(|own| own.gives(exposed, &self.lit))
+        {
+            return Ok((
+                Arc::clone(&evaluation_model.model),
+                evaluation_model.reason.clone(),
+            ));
+        }
+        let refine = (self.scene.grid.pitch_mm / exposed.grid.pitch_mm).round();
+        let purpose = Purpose::Evaluate {
+            refine: refine.max(1.0) as usize,
+        };
+        let lights = lit_alone(exposed.lights.clone(), self.lit.clone());
+        let family = (self.scene.optics.model.as_ref(), purpose);
+        let (model, reason) = made(family, self.scene, &lights, &exposed.grid, making)?;
+        Ok((Arc::new(model), reason))
+    }
+
+    /// Lets the next dose have the memory of an earlier one.
+    pub(crate) fn give_back(&mut self, volume: Volume<f32>) {
+        self.workspace.values = volume.values;
+    }
+}
+
+/// Dose of patterns on the job's voxels by a family for a purpose, the vial standing still.
+pub(crate) fn standing_by(
+    model: (Option<&Family>, Purpose),
+    scene: &Scene,
+    patterns: &[Patterns],
+    cancel: &Run,
+) -> Result<Volume<f32>> {
+    let lit = patterns.iter().map(lit_rows).collect();
+    let lights = lit_alone(scene.optics.lights_turning(1), lit);
+    let (model, _) = made(model, scene, &lights, &scene.grid, &cancel.part(0.1))?;
+    let (dose, _) = simulated(&model, patterns, &mut Workspace::default(), cancel)?;
+    Ok(dose)
+}
+
+/// Lights of which only these rows are lit.
+fn lit_alone(mut lights: Vec<Light>, lit: Vec<LitRows>) -> Vec<Light> {
+    for (light, lit) in lights.iter_mut().zip(lit) {
+        light.active = Some(lit);
+        light.selection = Selection::default();
+    }
+    lights
+}
+
+/// The model of a family (the cheapest that is exact, where none is named), and what is said of it.
+fn made(
+    (family, purpose): (Option<&Family>, Purpose),
+    scene: &Scene,
+    lights: &[Light],
+    grid: &VolumeGrid,
+    making: &Run,
+) -> Result<(MaskedModel, String)> {
+    let optics = OpticalScene {
+        lights,
+        purpose,
+        ..scene.optics.scene()
+    };
+    let plan = planned(scene, family, optics, grid, None, making)?;
+    Ok((plan.model, plan.reason))
+}
+
+/// Memory of one dose that the next one uses again: fresh pages of two large arrays cost as much as reading them.
+#[derive(Default)]
+struct Workspace {
+    field: HostField,
+    values: Vec<f32>,
+}
+
+/// Doses of the first and of further species.
+fn simulated(
+    model: &dyn DoseModel<Field = HostField>,
+    patterns: &[Patterns],
+    workspace: &mut Workspace,
+    cancel: &Run,
+) -> Result<(Volume<f32>, Vec<Volume<f32>>)> {
+    let mut x = model.new_patterns()?;
+    for (layout, patterns) in model.patterns().iter().zip(patterns) {
+        layout.fill_field(patterns, x.as_mut_slice());
+    }
+    let wanted: usize = model.outputs().iter().map(DoseLayout::len).sum();
+    if workspace.field.len() != wanted {
+        workspace.field = model.new_dose()?;
+    }
+    model.dose(&x, &mut workspace.field, &cancel.part(0.85))?;
+    drop(x);
+    let values = std::mem::take(&mut workspace.values);
+    let (first, others) = (&model.outputs()[0], &model.outputs()[1..]);
+    let dose = first.volume_in(workspace.field.as_slice(), values);
+    let others = others
+        .iter()
+        .map(|own| own.volume_of(workspace.field.as_slice()));
+    Ok((dose, others.collect()))
+}
+
+/// Rows from the lowest to the highest that is not dark, per (frame, column): `(bottom, count)`.
+pub(crate) fn lit_rows(patterns: &Patterns) -> LitRows {
+    let (rows, columns) = (patterns.grid.rows, patterns.grid.columns);
+    table(patterns.grid.frames() * columns, |i| {
+        let (image, column) = (patterns.frame(i / columns), i % columns);
+        let lit = |&up: &usize| image[(rows - 1 - up) * columns + column] != 0.0;
+        let (first, last) = ((0..rows).find(lit), (0..rows).rev().find(lit));
+        first
+            .zip(last)
+            .map_or((0, 0), |(a, b)| (a as u32, (b - a + 1) as u32))
+    })
+}
+
+/// Rows that are lit in one of two.
+fn joined(mut all: LitRows, other: LitRows) -> LitRows {
+    for (own, (bottom, count)) in all.iter_mut().zip(other) {
+        if own.1 == 0 {
+            *own = (bottom, count);
+        } else if count > 0 {
+            let low = own.0.min(bottom);
+            *own = (low, (own.0 + own.1).max(bottom + count) - low);
+        }
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::grid::PatternGrid;
+    use crate::job::Job;
+
+    #[test]
+    fn lit_rows_span_all_light_from_below() {
+        let mut patterns = Patterns::dark(PatternGrid::full_turn(1, 0.0, 4, 2, 0.1));
+        patterns.values[2] = 1.0; // row 1, column 0: two rows above the lowest
+        patterns.values[6] = 1.0; // row 3, column 0: the lowest
+        assert_eq!(lit_rows(&patterns), [(0, 3), (0, 0)]);
+    }
+
+    #[test]
+    fn rows_of_two_patterns_span_both() {
+        let rows = vec![(0, 2), (0, 0), (3, 1), (0, 0)];
+        let others = vec![(4, 1), (2, 2), (0, 0), (0, 0)];
+        assert_eq!(joined(rows, others), [(0, 5), (2, 2), (3, 1), (0, 0)]);
+    }
+
+    #[test]
+    fn a_model_that_serves_two_patterns_gives_the_doses_of_each_alone() {
+        let text = r#"
+            target = { phantom = { sphere = {} }, size_mm = 1.0 }
+            grid = { pitch_mm = 0.1 }
+            resin = { refractive_index = 1.5, pure_radon = true }
+            vial = { index_matched = { radius_mm = 2.0 } }
+            light = [{ pixels = [20, 14], angles = 12, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
+        "#;
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("job.toml");
+        std::fs::write(&file, text).unwrap();
+        let scene = Scene::new(&Job::read(&file, &[]).unwrap(), &Run::new()).unwrap();
+        let lights = &scene.optics.lights;
+        let lit = |is_lit: &dyn Fn(usize) -> bool| {
+            let mut patterns = Patterns::dark(lights[0].pixels.clone());
+            for (i, value) in patterns.values.iter_mut().enumerate() {
+                *value = if is_lit(i) { 0.1 + (i % 7) as f32 } else { 0.0 };
+            }
+            vec![patterns]
+        };
+        let all = [
+            lit(&|i| i % 3 != 0),
+            lit(&|i| i / 20 % 14 > 9 && i % 2 == 0),
+        ];
+        for sub_angles in [1, 3] {
+            let exposed = Exposed::new(&scene.grid, scene.optics.lights_turning(sub_angles));
+            let mut both = Doses::new(&scene);
+            both.will_show(&[&all[0], &all[1]]);
+            for patterns in &all {
+                let mut alone = Doses::new(&scene);
+                alone.will_show(&[patterns]);
+                let [a, b] = [&mut both, &mut alone]
+                    .map(|doses| doses.of(&exposed, patterns, &Run::new()).unwrap().0);
+                assert!(a.values.iter().any(|&v| v > 0.0));
+                assert_eq!(a, b);
+            }
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! The dose models of an optimization against what is printed in time, or against a dose that diffuses.
+
+use super::doses::lit_rows;
+use crate::error::Result;
+use crate::field::HostField;
+use crate::grid::Patterns;
+use crate::grid::VolumeGrid;
+use crate::job::dose::species::joined;
+use crate::job::resolve::at_section;
+use crate::job::resolve::lights_in_time::Lights;
+use crate::job::resolve::material::domain;
+use crate::job::resolve::material::material;
+use crate::job::resolve::refinement::Level;
+use crate::job::resolve::schedule::schedule;
+use crate::job::resolve::{Scene, Voxels};
+use crate::job::spec::Against;
+use crate::models::{Family, HostModel, OpticalScene, Run, planner};
+
+use std::ops::ControlFlow;
+use tomolith_material::Absorption;
+use tomolith_material::Material;
+use tomolith_material::diffused::Diffused;
+use tomolith_material::domain::Domain;
+use tomolith_material::frozen::Frozen;
+use tomolith_material::photopolymer::Photopolymer;
+use tomolith_material::print::{LightSource, Moment, PrintRun};
+use tomolith_material::printing::Printing;
+use tomolith_material::schedule::Schedule;
+
+/// Whether the doses of a job diffuse.
+pub(crate) fn diffuses(scene: &Scene) -> bool {
+    let material = scene.spec.material.as_ref();
+    material.is_some_and(|material| material.diffusion.is_some())
+}
+
+/// A model whose dose is that at the end of the schedule, where the job's dose diffuses.
+///
+/// # Errors
+/// As [`Diffused::of_schedule`].
+pub(crate) fn diffused(scene: &Scene, model: HostModel) -> Result<HostModel> {
+    let own = scene.spec.material.as_ref();
+    let Some(diffusion) = own.and_then(|material| material.diffusion) else {
+        return Ok(model);
+    };
+    let given = scene.spec.schedule.clone().unwrap_or_default();
+    let turns = if given.own_patterns {
+        given.turns as usize
+    } else {
+        1
+    };
+    let arcs = diffusion.arcs.unwrap_or(turns);
+    let schedule = schedule(&scene.spec)?;
+    let diffused = Diffused::of_schedule(model, diffusion.mm2_per_s, &schedule, arcs);
+    Ok(Box::new(
+        diffused.map_err(|e| at_section("material.diffusion", e))?,
+    ))
+}
+
+/// The dose models of a level, joined to what the job is optimized against.
+///
+/// # Errors
+/// [`Error::Config`] where they do not fit.
+pub(crate) fn planned_in_time(
+    scene: &Scene,
+    optics: (Option<&Family>, OpticalScene<'_>),
+    level: &Level,
+    voxels: &[&Voxels],
+    run: &Run,
+) -> Result<planner::ModelPlan> {
+    let rows = scene.rows().unwrap_or_default();
+    let given = scene.spec.schedule.clone().unwrap_or_default();
+    let join = |models: Vec<HostModel>| -> Result<HostModel> {
+        let schedule = schedule(&scene.spec)?;
+        let domain = domain(scene, &level.grid)?;
+        let material = Box::new(material(&scene.spec, scene.mixing.as_deref(), domain)?);
+        Ok(match given.optimize {
+            Against::Exact => Box::new(Printing::new(models, schedule, material, given.step_s)?),
+            _ => {
+                let every = scene.spec.stop.iterations.div_ceil(given.rounds + 1);
+                Box::new(Frozen::new(
+                    models,
+                    schedule,
+                    material,
+                    given.step_s,
+                    every,
+                )?)
+            }
+        })
+    };
+    let mut plan = joined(&rows, optics, &level.grid, Some(voxels), run, join)?;
+    plan.reason = format!("{}; against the degree of cure", plan.reason);
+    Ok(plan)
+}
+
+impl Scene {
+    /// Whether patterns are optimized against what they print in time.
+    pub(crate) fn is_optimized_in_time(&self) -> bool {
+        let given = self.spec.schedule.as_ref();
+        given.is_some_and(|schedule| schedule.optimize != Against::Dose)
+    }
+
+    /// The factor of patterns of light `i` that would bring a dose of 1, so that species `s` becomes solid at the end of the schedule.
+    pub(crate) fn dose_needed(&self, s: usize, i: usize) -> Result<f64> {
+        if !self.is_optimized_in_time() {
+            return Ok(1.0);
+        }
+        let energies = schedule(&self.spec)?.energies(i);
+        let mean = energies.iter().sum::<f64>() / energies.len().max(1) as f64;
+        let domain = Domain::new(VolumeGrid::centered([1, 1, 1], 0.1));
+        let material = material(&self.spec, self.mixing.as_deref(), domain)?;
+        let start = material.start()?;
+        let Some(needed) = material.requirement(s) else {
+            return Ok(1.0 / mean);
+        };
+        let of = |&(volume, capacity): &(usize, f64)| {
+            capacity * f64::from(start.volumes[volume].as_slice()[0])
+        };
+        let inhibited: f64 = needed.inhibitors.iter().map(of).sum();
+        Ok((needed.dose + inhibited) / mean)
+    }
+}
+
+/// Patterns before the material of a job.
+pub(crate) struct Shown<'a> {
+    pub(crate) material: Photopolymer,
+    pub(crate) schedule: Schedule,
+    lights: Lights<'a>,
+    models: Vec<HostModel>,
+    fields: Vec<HostField>,
+    /// Whether cured resin shades.
+    shaded: bool,
+}
+
+impl<'a> Shown<'a> {
+    /// Models of the light as it is before anything cures.
+    pub(crate) fn new(scene: &'a Scene, patterns: &[Patterns], run: &'a Run) -> Result<Self> {
+        let domain = domain(scene, &scene.grid)?;
+        let material = material(&scene.spec, scene.mixing.as_deref(), domain)?;
+        let lights = Lights::new(scene, patterns.iter().map(lit_rows).collect(), run);
+        let start = material.start()?;
+        let mut models = Vec::with_capacity(patterns.len());
+        let mut fields = Vec::with_capacity(patterns.len());
+        let mut shaded = false;
+        for (i, patterns) in patterns.iter().enumerate() {
+            let absorption = material.absorption(&start, i);
+            shaded |= absorption.is_some();
+            let model = lights.model(i, absorption.as_ref())?;
+            let mut x = model.new_patterns()?;
+            model.patterns()[0].fill_field(patterns, x.as_mut_slice());
+            models.push(model);
+            fields.push(x);
+        }
+        Ok(Shown {
+            material,
+            schedule: schedule(&scene.spec)?,
+            lights,
+            models,
+            fields,
+            shaded,
+        })
+    }
+
+    /// Prints, and shows every moment.
+    ///
+    /// # Errors
+    /// As [`PrintRun::run`].
+    pub(crate) fn print(&self, look: &mut dyn FnMut(&Moment)) -> Result<()> {
+        let given = self.lights.scene.spec.schedule.clone().unwrap_or_default();
+        let sources = self.models.iter().zip(&self.fields);
+        let sources = sources.map(|(model, patterns)| LightSource {
+            model: model.as_ref(),
+            patterns,
+        });
+        let mut print = PrintRun::new(&self.material, &self.schedule, sources.collect())?;
+        if let Some(step_s) = given.step_s {
+            print = print.with_step_s(step_s).map_err(|e| e.under("schedule"))?;
+        }
+        let mut renew = |i: usize, absorption: &Absorption| self.lights.model(i, Some(absorption));
+        if self.shaded {
+            print = print.with_renewal(given.shading_every_s, &mut renew);
+        }
+        let mut observe = |moment: &Moment| {
+            look(moment);
+            ControlFlow::Continue(())
+        };
+        print.run(self.lights.run, &mut observe).map(drop)
+    }
+}

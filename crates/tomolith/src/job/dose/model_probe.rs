@@ -1,0 +1,144 @@
+//! A test, before any work, of whether successive orders are accurate enough for a job.
+//!
+//! A job that names no model takes [`successive_orders`](crate::models::successive_orders) where it covers vial and lights. How near it comes to Monte Carlo paths is known for some scenes
+//! only (docs/scattering.md), so the job's own scene is tried: the part on a grid of at most 32 voxels along an edge, lit evenly through
+//! its silhouettes. Where an error of more than 1 % of the part's mean dose is seen, or cells would be too many for a machine, Monte
+//! Carlo paths are taken instead, and that is said. The probe knows nothing of patterns, so a run, its `check` and a later `simulate` decide
+//! alike. Who names `[model.successive_orders]` gets it, and a warning from the patterns' own error.
+
+use super::cross_check::CrossCheck;
+use crate::error::{Error, Result};
+use crate::grid::Patterns;
+use crate::job::progress::{Event, Progress};
+use crate::job::resolve::Scene;
+use crate::job::resolve::multiresolution::coarser_grid;
+use crate::models::selection::contributions;
+use crate::models::{ModelInput, OpticalScene, Run};
+
+/// Voxels along the longest edge of the probe.
+const VOXELS: usize = 32;
+/// Paths of each of its two estimates, about: half a second of a core.
+const PATHS: usize = 100_000;
+
+/// Takes Monte Carlo paths for a scene that names no model and whose probe by orders is far off; says so.
+///
+/// # Errors
+/// What the models and the target refuse; [`Error::Canceled`].
+pub(crate) fn try_orders(
+    scene: &mut Scene,
+    progress: &mut dyn Progress,
+    cancel: &Run,
+) -> Result<()> {
+    if !scene.optics.scene().scatters() || scene.optics.model.is_some() {
+        return Ok(());
+    }
+    let (why, text) = match probe(scene, cancel) {
+        Err(Error::Config { key, found, .. }) if key == "model.successive_orders.cell_mm" => (
+            "successive orders would need too many cells",
+            format!("scattered light by Monte Carlo paths: successive orders would take {found}"),
+        ),
+        Err(error) => return Err(error),
+        Ok(Some(found)) if found.is_far_off() => (
+            "a test of successive orders was too far off",
+            format!(
+                "scattered light by Monte Carlo paths: in a test of successive orders it was {found}"
+            ),
+        ),
+        Ok(_) => return Ok(()),
+    };
+    scene.optics.probe_failed = Some(why);
+    // Their windows are compared with the job's: one model for all
+    for scenario in &mut scene.scenarios {
+        scenario.scene.optics.probe_failed = Some(why);
+    }
+    progress.event(&Event::Note { text });
+    Ok(())
+}
+
+fn probe(scene: &Scene, cancel: &Run) -> Result<Option<CrossCheck>> {
+    let longest = scene.grid.shape.iter().copied().max();
+    let grid = coarser_grid(&scene.grid, longest.unwrap_or(1).div_ceil(VOXELS));
+    let family = scene.optics.family(&grid)?;
+    if family.compared_with().is_none() {
+        return Ok(None);
+    }
+    let voxels = scene.voxels(&grid)?;
+    let lights = scene.optics.lights_turning(1);
+    let optics = OpticalScene {
+        lights: &lights,
+        ..scene.optics.scene()
+    };
+    let straight = family.unscattered(&ModelInput::new(optics, &grid, cancel)?)?;
+    let brought = contributions(straight.as_ref(), &voxels.wanted(), cancel)?;
+    let lit: Vec<f32> = (brought.as_slice().iter())
+        .map(|&brought| f32::from(brought > 0.0))
+        .collect();
+    let layouts = straight.patterns().iter();
+    let silhouettes: Vec<Patterns> = layouts.map(|layout| layout.patterns_of(&lit)).collect();
+    CrossCheck::of(scene, &voxels, &silhouettes, PATHS, cancel)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::Job;
+
+    /// What is said of a sphere in a resin that scatters so much per mm, and whether Monte Carlo paths are taken.
+    fn tried(scattering: &str, model: &str) -> (Vec<String>, bool) {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("job.toml");
+        let text = format!(
+            r#"
+            target = {{ phantom = {{ sphere = {{}} }}, size_mm = 2.0 }}
+            grid = {{ pitch_mm = 0.1 }}
+            resin = {{ refractive_index = 1.5, absorption_per_mm = 0.1, scattering_per_mm = {scattering} }}
+            vial = {{ index_matched = {{ radius_mm = 4.0 }} }}
+            light = [{{ pixels = [24, 24], angles = 12, projector = {{ collimated = {{ pixel_pitch_mm = 0.1 }} }} }}]
+            objective = {{ threshold = {{}} }}
+            {model}
+            "#
+        );
+        std::fs::write(&file, text).unwrap();
+        let mut scene = Scene::new(&Job::read(&file, &[]).unwrap(), &Run::new()).unwrap();
+        let mut said = Said(Vec::new());
+        try_orders(&mut scene, &mut said, &Run::new()).unwrap();
+        let by_paths = |scene: &Scene| {
+            let family = scene.optics.family(&scene.grid).unwrap();
+            family.monte_carlo_paths().is_some()
+        };
+        // A scenario is compared with the job: by one model
+        let found = by_paths(&scene);
+        let of_scenarios = scene.scenarios.iter().map(|s| by_paths(&s.scene));
+        assert!(of_scenarios.into_iter().all(|own| own == found));
+        (said.0, found)
+    }
+
+    struct Said(Vec<String>);
+
+    impl Progress for Said {
+        fn event(&mut self, event: &Event) {
+            if let Event::Note { text } = event {
+                self.0.push(text.clone());
+            }
+        }
+    }
+
+    #[test]
+    fn orders_are_taken_where_they_are_near_enough_and_monte_carlo_paths_where_cells_would_be_too_many()
+     {
+        assert_eq!(tried("0.2", ""), (vec![], false));
+        // 8 mm across in cells of 0.2/20 mm
+        let (said, by_paths) = tried("20", "");
+        assert!(
+            by_paths && said.len() == 1 && said[0].contains("800 × 800 cells of 0.01 mm"),
+            "{said:?}"
+        );
+        let scenario = "scenario = [{ set = { \"resin.absorption_per_mm\" = 0.11 } }]";
+        assert!(tried("20", scenario).1);
+        // Whoever names a model is not second-guessed
+        assert_eq!(
+            tried("0.2", "model = { successive_orders = {} }"),
+            (vec![], false)
+        );
+    }
+}

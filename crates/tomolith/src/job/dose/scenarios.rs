@@ -1,0 +1,51 @@
+//! One model of a job and its scenarios: their doses side by side, from the same patterns.
+
+use crate::error::Result;
+use crate::job::dose::species::planned;
+use crate::job::resolve::Scene;
+use crate::job::resolve::refinement::Level;
+use crate::job::resolve::scenarios::Scenario;
+use crate::models::masked::MaskedModel;
+use crate::models::scenarios::{Scenarios, SharedModel};
+use crate::models::{HostModel, OpticalScene, Run};
+use std::sync::Arc;
+
+impl Scenario {
+    /// The dose of all pixels, in a process among ranks of its own frames, on the voxels of a level of `job`.
+    fn model(&self, job: &Scene, level: &Level, cancel: &Run) -> Result<HostModel> {
+        let mut lights = job.own_lights(&self.scene.optics.lights);
+        for (light, own) in lights.iter_mut().zip(&level.lights) {
+            light.sub_angles = own.sub_angles;
+        }
+        let optics = OpticalScene {
+            lights: &lights,
+            ..self.scene.optimizing()
+        };
+        let asked = self.scene.optics.model.as_ref();
+        let plan = planned(&self.scene, asked, optics, &level.grid, None, cancel)?;
+        Ok(Box::new(plan.model))
+    }
+}
+
+/// The model of the job and of all scenarios, where there are any; and that of the job, where it is another one.
+///
+/// # Errors
+/// As [`planner::plan`].
+pub(crate) fn joined(
+    scene: &Scene,
+    model: MaskedModel,
+    dark: &[bool],
+    level: &Level,
+    cancel: &Run,
+) -> Result<(SharedModel, Option<SharedModel>)> {
+    if scene.scenarios.is_empty() {
+        return Ok((Arc::new(model), None));
+    }
+    let others = scene.scenarios.iter();
+    let others = others.map(|own| own.model(scene, level, cancel));
+    let first: SharedModel = Arc::new(model);
+    let all = Scenarios::new(first.clone(), others.collect::<Result<_>>()?)?;
+    // What is dark in the job is so in all
+    let all = MaskedModel::new(Box::new(all), dark.to_vec(), 1.0);
+    Ok((Arc::new(all), Some(first)))
+}

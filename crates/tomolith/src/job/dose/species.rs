@@ -1,0 +1,115 @@
+//! The dose model of a job's lights: one of all together, or one of each, whose doses mix to those of species.
+
+use crate::error::Result;
+use crate::grid::{Volume, VolumeGrid};
+use crate::job::resolve::{Scene, Voxels};
+use crate::job::spec::species::Row;
+use crate::models::masked::MaskedModel;
+use crate::models::planner::{self, ModelPlan};
+use crate::models::spectral::SpectralMixing;
+use crate::models::{DoseModel, Family, HostModel, OpticalScene, Run};
+
+/// The model of a job's lights: that of all together, or one for each and M; its dose diffuses where the job's does.
+///
+/// `wanted` are the voxels that each species needs, `unwanted` those it should not reach: a light becomes unknowns where it drives what is
+/// wanted, or inhibits what is not.
+///
+/// # Errors
+/// As [`planner::plan`].
+pub(crate) fn planned(
+    scene: &Scene,
+    asked: Option<&Family>,
+    optics: OpticalScene<'_>,
+    grid: &VolumeGrid,
+    voxels: Option<&[&Voxels]>,
+    run: &Run,
+) -> Result<ModelPlan> {
+    let mut plan = match scene.mixing.as_deref() {
+        Some(rows) => {
+            let mix = |models| mixed(models, rows);
+            joined(rows, (asked, optics), grid, voxels, run, mix)?
+        }
+        None => {
+            let wanted = voxels.map(|voxels| voxels[0].wanted());
+            planner::plan(asked, optics, grid, wanted.as_ref(), run)?
+        }
+    };
+    if super::in_time::diffuses(scene) {
+        let diffused = super::in_time::diffused(scene, Box::new(plan.model))?;
+        plan.model = MaskedModel::new(diffused, Vec::new(), 1.0);
+    }
+    let surrogate = plan.surrogate.take();
+    plan.surrogate = surrogate
+        .map(|m| super::in_time::diffused(scene, m))
+        .transpose()?;
+    Ok(plan)
+}
+
+fn mixed(lights: Vec<HostModel>, rows: &[Row]) -> Result<HostModel> {
+    Ok(Box::new(SpectralMixing::new(lights, rows)?))
+}
+
+/// Models of one light each, joined by `join`; their surrogates are mixed.
+pub(crate) fn joined(
+    rows: &[Row],
+    (asked, optics): (Option<&Family>, OpticalScene<'_>),
+    grid: &VolumeGrid,
+    voxels: Option<&[&Voxels]>,
+    run: &Run,
+    join: impl Fn(Vec<HostModel>) -> Result<HostModel>,
+) -> Result<ModelPlan> {
+    let count = optics.lights.len();
+    let mut plans = Vec::with_capacity(count);
+    for i in 0..count {
+        let own = OpticalScene {
+            lights: &optics.lights[i..=i],
+            optics: &optics.optics[i..=i],
+            ..optics
+        };
+        let wanted = voxels.map(|voxels| lit_by(rows, i, voxels));
+        let part = run.part(1.0 / count as f64);
+        plans.push(planner::plan(asked, own, grid, wanted.as_ref(), &part)?);
+    }
+    let dark = if plans.iter().all(|plan| plan.dark.is_empty()) {
+        Vec::new()
+    } else {
+        let of = |plan: &ModelPlan| {
+            let pixels: usize = plan.model.patterns().iter().map(|p| p.len()).sum();
+            if plan.dark.is_empty() {
+                vec![false; pixels]
+            } else {
+                plan.dark.clone()
+            }
+        };
+        plans.iter().flat_map(of).collect()
+    };
+    let reason = plans[0].reason.clone();
+    let surrogates: Option<Vec<_>> = plans.iter_mut().map(|plan| plan.surrogate.take()).collect();
+    let boxed = |plan: ModelPlan| Box::new(plan.model) as HostModel;
+    let model = join(plans.into_iter().map(boxed).collect())?;
+    Ok(ModelPlan {
+        reason: format!(
+            "{} species by {count} lights, each alone: {reason}",
+            rows.len()
+        ),
+        model: MaskedModel::new(model, Vec::new(), 1.0),
+        dark,
+        surrogate: surrogates.map(|own| mixed(own, rows)).transpose()?,
+    })
+}
+
+/// Voxels that a light can help: those of species that it drives where they are wanted, of species that it inhibits where they are not.
+fn lit_by(rows: &[Row], light: usize, voxels: &[&Voxels]) -> Volume<u8> {
+    let mut lit = Volume::filled(voxels[0].labels.grid.clone(), 0u8);
+    for ((_, row), voxels) in rows.iter().zip(voxels) {
+        let useful = match row[light] {
+            m if m > 0.0 => voxels.wanted(),
+            m if m < 0.0 => voxels.unwanted(),
+            _ => continue,
+        };
+        for (lit, useful) in lit.values.iter_mut().zip(useful.values) {
+            *lit |= useful;
+        }
+    }
+    lit
+}

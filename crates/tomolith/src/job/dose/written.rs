@@ -1,0 +1,269 @@
+//! Patterns → frames of the job's machine, and back from files that a machine shows.
+
+use crate::error::{Error, Result};
+use crate::exposure::{Printer, Quantized, quantize};
+use crate::grid::{PatternGrid, Patterns};
+use crate::io::frames::{Frames, read_frames};
+use crate::io::movie::{is_movie, read_movie};
+use crate::io::npy::read_patterns;
+use crate::io::read_text;
+use crate::io::stack::read_stack;
+use crate::job::resolve::Scene;
+use crate::job::resolve::optics::Optics;
+use crate::job::spec::JobSpec;
+use crate::job::spec::file_names::EXPOSURE;
+use crate::models::Run;
+use serde_json::Value;
+use std::borrow::Cow;
+use std::path::{Path, PathBuf};
+
+/// The patterns of a run, per light.
+pub(crate) struct Written {
+    /// The light that the frames put into the vial.
+    pub(crate) shown: Vec<Patterns>,
+    /// What was wanted: before quantization and machine.
+    pub(crate) raw: Option<Vec<Patterns>>,
+    /// Levels, where they are small or were read; else they are made again when they are needed.
+    frames: Option<Vec<Quantized>>,
+}
+
+impl Written {
+    /// Raw patterns and what the machine makes of them at its bit depth.
+    ///
+    /// # Errors
+    /// As [`quantize`] and [`Printer::expose`].
+    pub(crate) fn of_raw(raw: Vec<Patterns>, scene: &Scene) -> Result<Self> {
+        let bits = scene.spec.evaluate.bit_depth;
+        let Some(printers) = &scene.printers else {
+            let frames: Vec<Quantized> = raw
+                .iter()
+                .map(|raw| quantize(raw, bits))
+                .collect::<Result<_>>()?;
+            let shown = frames.iter().map(Quantized::patterns).collect();
+            return Ok(Written {
+                shown,
+                raw: Some(raw),
+                frames: Some(frames),
+            });
+        };
+        let light =
+            |(printer, raw): (&Printer, &Patterns)| printer.light_of(&printer.expose(raw, bits)?);
+        let shown = printers
+            .iter()
+            .zip(&raw)
+            .map(light)
+            .collect::<Result<_>>()?;
+        Ok(Written {
+            shown,
+            raw: Some(raw),
+            frames: None,
+        })
+    }
+
+    /// The levels of the machine, per light.
+    ///
+    /// # Errors
+    /// As [`of_raw`](Self::of_raw).
+    pub(crate) fn frames(&self, scene: &Scene) -> Result<Cow<'_, [Quantized]>> {
+        match (&self.frames, &self.raw, &scene.printers) {
+            (Some(frames), ..) => Ok(Cow::Borrowed(frames)),
+            (None, Some(raw), Some(printers)) => {
+                exposed(printers, raw, scene.spec.evaluate.bit_depth).map(Cow::Owned)
+            }
+            _ => Ok(Cow::Borrowed(&[])),
+        }
+    }
+}
+
+/// Levels of patterns on their machines.
+pub(crate) fn exposed(
+    printers: &[Printer],
+    wanted: &[Patterns],
+    bits: u32,
+) -> Result<Vec<Quantized>> {
+    let pairs = printers.iter().zip(wanted);
+    pairs
+        .map(|(printer, wanted)| printer.expose(wanted, bits))
+        .collect()
+}
+
+/// Patterns of a file, one set per light of the job: `patterns.npz` or the run folder that holds it; or what a machine
+/// shows: a folder of frames, a `frames.npz`, a movie. And what people should know of them.
+///
+/// # Errors
+/// [`Error::Io`], [`Error::Format`], [`Error::Shape`] for files that do not fit the job's lights and machine; [`Error::Canceled`].
+pub(crate) fn read(scene: &Scene, given: &Path, run: &Run) -> Result<(Written, Vec<String>)> {
+    // A run folder stands for its patterns, an exported one for its frames
+    let within = ["patterns.npz", "frames"].map(|name| given.join(name));
+    let path = within.iter().find(|path| path.exists());
+    let path = path.map_or(given, PathBuf::as_path);
+    let (mut frames, mut notes) = (Vec::new(), Vec::new());
+    for i in 0..scene.spec.light.len() {
+        let Some(found) = frames_of(scene, i, path, &mut notes)? else {
+            return wanted_of(path, &scene.optics, &names(&scene.spec), run)
+                .and_then(|(wanted, raw)| of_patterns(scene, wanted, raw, run))
+                .map(|written| (written, notes));
+        };
+        run.check()?;
+        frames.push(found);
+    }
+    let light = |(i, frames): (usize, &Quantized)| match &scene.printers {
+        Some(printers) => printers[i].light_of(frames),
+        None => Ok(frames.patterns()),
+    };
+    let shown = frames
+        .iter()
+        .enumerate()
+        .map(light)
+        .collect::<Result<_>>()?;
+    let written = Written {
+        shown,
+        raw: None,
+        frames: Some(frames),
+    };
+    Ok((written, notes))
+}
+
+/// Names of the lights for files: none when there is only one.
+pub(crate) fn names(spec: &JobSpec) -> Vec<Option<&str>> {
+    let several = spec.light.len() > 1;
+    spec.light
+        .iter()
+        .map(|light| light.name.as_deref().filter(|_| several))
+        .collect()
+}
+
+/// Patterns of an array: with a machine they are what is wanted, else what is shown.
+fn of_patterns(
+    scene: &Scene,
+    shown: Vec<Patterns>,
+    raw: Option<Vec<Patterns>>,
+    run: &Run,
+) -> Result<Written> {
+    run.check()?;
+    if scene.printers.is_some() {
+        return Written::of_raw(raw.unwrap_or(shown), scene);
+    }
+    let bits = scene.spec.evaluate.bit_depth;
+    let frames = shown
+        .iter()
+        .map(|patterns| run.check().and_then(|()| quantize(patterns, bits)))
+        .collect::<Result<_>>()?;
+    Ok(Written {
+        shown,
+        raw,
+        frames: Some(frames),
+    })
+}
+
+/// `patterns.npz`: what is shown and, when the file holds it for every light, what was wanted.
+pub(crate) fn wanted_of(
+    path: &Path,
+    optics: &Optics,
+    names: &[Option<&str>],
+    run: &Run,
+) -> Result<(Vec<Patterns>, Option<Vec<Patterns>>)> {
+    let arrays = read_patterns(path)?;
+    let (mut shown, mut raw) = (Vec::new(), Vec::new());
+    for (light, name) in optics.lights.iter().zip(names) {
+        run.check()?;
+        let found = arrays
+            .iter()
+            .find(|a| a.light.as_deref() == *name)
+            .ok_or_else(|| Error::Format {
+                path: path.to_owned(),
+                found: format!(
+                    "no patterns for the light {}",
+                    name.unwrap_or("(the only one)")
+                ),
+                accepted: "one array `patterns`, or `patterns_<light>` for each light of the job"
+                    .to_owned(),
+            })?;
+        let grid = &light.pixels;
+        same_shape(path, "patterns [angle, row, column]", grid, found.shape)?;
+        let patterns = |values: &Vec<f32>| Patterns {
+            grid: grid.clone(),
+            values: values.clone(),
+        };
+        shown.push(patterns(&found.shown));
+        raw.extend(found.raw.as_ref().map(patterns));
+    }
+    let raw = (raw.len() == shown.len()).then_some(raw);
+    Ok((shown, raw))
+}
+
+fn same_shape(path: &Path, what: &str, grid: &PatternGrid, found: [usize; 3]) -> Result<()> {
+    if found == grid.shape() {
+        return Ok(());
+    }
+    Err(Error::Shape {
+        what: format!("{}: {what}", path.display()),
+        expected: grid.shape().to_vec(),
+        found: found.to_vec(),
+    })
+}
+
+/// Frames of one light in a folder, a stack or a movie; None when the file is none of these.
+fn frames_of(
+    scene: &Scene,
+    i: usize,
+    path: &Path,
+    notes: &mut Vec<String>,
+) -> Result<Option<Quantized>> {
+    let name = names(&scene.spec)[i];
+    let grid = match &scene.printers {
+        Some(printers) => printers[i].canvas_grid(),
+        None => scene.optics.lights[i].pixels.clone(),
+    };
+    let found = if path.is_dir() {
+        read_frames(&name.map_or_else(|| path.to_owned(), |name| path.join(name)))?
+    } else if is_movie(path) {
+        if name.is_some() {
+            return Err(Error::Unsupported {
+                what: path.display().to_string(),
+                reason: "a movie holds one light, the job has several: give the folder of frames"
+                    .to_owned(),
+            });
+        }
+        read_movie(path, grid.shape())?
+    } else {
+        match read_stack(path, name) {
+            Ok(frames) => frames,
+            Err(_) => return Ok(None),
+        }
+    };
+    same_shape(path, "frames [frame, row, column]", &grid, found.shape)?;
+    let Frames {
+        bits,
+        full_scale,
+        values,
+        ..
+    } = found;
+    let full_scale = full_scale
+        .or_else(|| white_beside(path))
+        .unwrap_or_else(|| {
+            notes.push(format!(
+                "{} does not say which pattern value white stands for: 1 is assumed",
+                path.display()
+            ));
+            1.0
+        });
+    Ok(Some(Quantized {
+        grid,
+        bits,
+        full_scale,
+        values,
+    }))
+}
+
+/// White of a movie, from the file beside it that names it.
+fn white_beside(path: &Path) -> Option<f32> {
+    let text = read_text(path.with_file_name(EXPOSURE)).ok()?;
+    let exposure: Value = serde_json::from_str(&text).ok()?;
+    let name = path.file_name()?.to_str()?;
+    let light = exposure["lights"]
+        .as_array()?
+        .iter()
+        .find(|light| light["movie"] == name)?;
+    light["white"].as_f64().map(|white| white as f32)
+}

@@ -1,0 +1,225 @@
+//! The print in time: the written patterns of a job with a schedule, shown turn by turn to the job's material.
+//!
+//! Runs and simulations do it beside their evaluation, on the job's own voxels, in the light of the model that judges. Equations and units:
+//! `docs/material.md`. Shading makes the light anew every [`ScheduleSpec::shading_every_s`](crate::job::spec::ScheduleSpec).
+//!
+//! **Limits** Walls are those of the vial, of bodies and of inserts. With `diffusion = "spectral"` and a dose that diffuses walls are those of the
+//! grid's box. Straight light in an index-matched vial is shaded along its way; other light that is shaded takes the family that covers an absorption
+//! which changes from place to place, most often rays.
+
+mod watch;
+
+use crate::error::Result;
+use crate::grid::{PatternGrid, Patterns, Volume};
+use crate::io::frames::FrameSet;
+use crate::io::mp4::write_movie;
+use crate::job::dose::in_time::Shown;
+use crate::job::resolve::scheduled::sent_mj;
+use crate::job::resolve::{Scene, Voxels};
+use crate::metrics::Evaluation;
+use crate::models::Run;
+use crate::report::OneMoment;
+use crate::report::number::significant;
+use serde::Serialize;
+use std::path::Path;
+use tomolith_material::Material;
+use tomolith_material::curves::{CurvePoint, IdealExposure, Phases};
+use watch::Watched;
+
+/// What a network becomes over time.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct TimeSummary {
+    /// Its name.
+    pub name: String,
+    /// When the first voxel is solid, s; None where none ever is.
+    pub induction_end_s: Option<f64>,
+    /// When solid and part overlap most, s.
+    pub best_s: Option<f64>,
+    /// Their Jaccard index then.
+    pub best_jaccard: Option<f64>,
+    /// Energy that all lights have sent to the vial by then, mJ.
+    pub best_mj: Option<f64>,
+    /// When what solid voxels have absorbed meets what the part needs, s; None where it never does.
+    pub ideal_exposure_s: Option<f64>,
+    /// Where it never does: the largest share of what the part needs that solid voxels have absorbed, or the part itself if nothing is solid.
+    pub largest_share: Option<f64>,
+}
+
+impl std::fmt::Display for TimeSummary {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let seconds = |at: Option<f64>| {
+            at.map_or_else(
+                || "never".to_owned(),
+                |s| format!("after {} s", significant(s, 3)),
+            )
+        };
+        write!(
+            f,
+            "{}: first solid {}, best {} (Jaccard {}{})",
+            self.name,
+            seconds(self.induction_end_s),
+            seconds(self.best_s),
+            self.best_jaccard
+                .map_or_else(|| "–".to_owned(), |j| format!("{j:.4}")),
+            self.best_mj.map_or_else(String::new, |mj| {
+                format!(", {} mJ sent to the vial", significant(mj, 3))
+            }),
+        )?;
+        // A rate law whose dose depends on the power needs no dose that could be named
+        if self.ideal_exposure_s.is_some() || self.largest_share.is_some() {
+            write!(f, ", ideal exposure {}", seconds(self.ideal_exposure_s))?;
+        }
+        let Some(share) = self.largest_share else {
+            return Ok(());
+        };
+        let percent = significant(100.0 * share, 3);
+        let why = if self.induction_end_s.is_some() {
+            format!(
+                "solid voxels absorb {percent} % of what the part needs: more turns, or more power"
+            )
+        } else if share < 1.0 {
+            format!(
+                "the part absorbs {percent} % of what the part needs: more turns, or more power"
+            )
+        } else {
+            format!(
+                "the part absorbs {percent} % of what the part needs, but too unevenly or too slowly for any of it to become solid"
+            )
+        };
+        write!(f, " ({why})")
+    }
+}
+
+/// What patterns print over time.
+pub(crate) struct InTime {
+    /// Per network.
+    pub(crate) networks: Vec<NetworkInTime>,
+}
+
+/// What a network becomes.
+pub(crate) struct NetworkInTime {
+    pub(crate) name: String,
+    pub(crate) points: Vec<CurvePoint>,
+    /// Energy that all lights have sent to the vial at each of these moments, mJ.
+    pub(crate) sent_mj: Vec<f64>,
+    pub(crate) requirement_mj: Option<f64>,
+    pub(crate) ideal: IdealExposure,
+    pub(crate) phases: Phases,
+    /// What is solid then, measured.
+    pub(crate) evaluation: Option<Evaluation>,
+    /// When each voxel gels, s; ∞ where it does not.
+    pub(crate) cure_times: Volume<f32>,
+    /// Degree of cure (1 at the gel point) over time.
+    pub(crate) snapshots: Vec<(f64, Volume<f32>)>,
+    /// Labels of the same voxels.
+    pub(crate) labels: Volume<u8>,
+    /// The middle slice at every moment: brightness up to the gel point, white beyond it.
+    slices: Vec<Vec<u16>>,
+}
+
+impl InTime {
+    /// What is said of every network at the end.
+    pub(crate) fn summary(&self) -> Vec<TimeSummary> {
+        let of = |network: &NetworkInTime| {
+            let best_s = network.phases.curing_end_s;
+            let mut moments = network.points.iter().zip(&network.sent_mj);
+            let best = best_s.and_then(|best| moments.find(|(p, _)| p.seconds >= best));
+            TimeSummary {
+                name: network.name.clone(),
+                induction_end_s: network.phases.induction_end_s,
+                best_s,
+                best_jaccard: best.map(|(p, _)| p.jaccard),
+                best_mj: best.map(|(_, mj)| *mj),
+                ideal_exposure_s: match network.ideal {
+                    IdealExposure::At(seconds) => Some(seconds),
+                    _ => None,
+                },
+                largest_share: match network.ideal {
+                    IdealExposure::NotReached(share) => Some(share),
+                    _ => None,
+                },
+            }
+        };
+        self.networks.iter().map(of).collect()
+    }
+
+    /// The best moment of several networks.
+    pub(crate) fn together(&self) -> Option<OneMoment> {
+        let of = |network: &NetworkInTime| {
+            let points = network.points.iter();
+            points.map(|p| [p.seconds, p.jaccard]).collect()
+        };
+        let networks = self.networks.iter();
+        let curves: Vec<(&str, Vec<[f64; 2]>)> =
+            networks.map(|n| (n.name.as_str(), of(n))).collect();
+        let first = self.networks.first()?;
+        let moments = first.points.iter().zip(&first.sent_mj);
+        let sent: Vec<[f64; 2]> = moments.map(|(p, mj)| [p.seconds, *mj]).collect();
+        OneMoment::of(&curves, &sent)
+    }
+}
+
+/// Length of the movie of a print, s.
+const MOVIE_S: f64 = 8.0;
+
+impl NetworkInTime {
+    /// The middle slice as it grows, 8 s long.
+    ///
+    /// # Errors
+    /// [`Error::Io`], or what an encoder refuses.
+    pub(crate) fn write_movie(&self, path: &Path, run: &Run) -> Result<()> {
+        let [_, ny, nx] = self.labels.grid.shape;
+        let grid = PatternGrid::full_turn(self.slices.len(), 0.0, ny, nx, 1.0);
+        let values = self.slices.concat();
+        let set = FrameSet {
+            light: None,
+            grid: &grid,
+            bits: 8,
+            full_scale: 1.0,
+            values: &values,
+        };
+        write_movie(path, &set, self.slices.len() as f64 / MOVIE_S, &run.aside())
+    }
+}
+
+/// Shows patterns to the material of a job; None where it has no schedule.
+///
+/// # Errors
+/// [`Error::Config`] where models, schedule and material do not fit; [`Error::Canceled`].
+pub(crate) fn print_in_time(
+    scene: &Scene,
+    voxels: &[&Voxels],
+    patterns: &[Patterns],
+    run: &Run,
+) -> Result<Option<InTime>> {
+    let Some(given) = &scene.spec.schedule else {
+        return Ok(None);
+    };
+    let shown = Shown::new(scene, patterns, run)?;
+    let material = &shown.material;
+    let end = shown.schedule.end_s();
+    let times: Vec<f64> = (1..=given.snapshots)
+        .map(|i| end * i as f64 / given.snapshots as f64)
+        .collect();
+    let mut watched = Vec::with_capacity(voxels.len());
+    for (s, voxels) in voxels.iter().enumerate() {
+        watched.push(Watched::new(material, s, voxels, &times)?);
+    }
+    shown.print(&mut |moment| watched.iter_mut().for_each(|watched| watched.look(moment)))?;
+    let names = Material::species(material);
+    let mut networks = Vec::with_capacity(names.len());
+    for ((watched, name), (scene, voxels)) in watched
+        .into_iter()
+        .zip(names)
+        .zip(scene.species().zip(voxels))
+    {
+        let mut network = watched.finish(material, name, scene, voxels, patterns)?;
+        let seconds: Vec<f64> = network.points.iter().map(|p| p.seconds).collect();
+        network.sent_mj = sent_mj(&shown.schedule, patterns, &seconds);
+        networks.push(network);
+    }
+    Ok(Some(InTime { networks }))
+}
+
+#[cfg(test)]
+mod tests;

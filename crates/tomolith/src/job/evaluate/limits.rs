@@ -1,0 +1,608 @@
+//! What limits a print: the headline number from the optimization's view to the print's, one step after the other.
+
+use super::doubts::of_bound;
+use super::species::Steps;
+use crate::job::evaluate::{Evaluated, headline};
+use crate::job::optimize::Optimized;
+use crate::job::resolve::refinement::moved_pixels;
+use crate::job::resolve::{Scene, Voxels, few_angles};
+use crate::metrics::{Better, Evaluation, Measure, MetricKind};
+use crate::optics::light::Light;
+
+use crate::report::number::significant;
+use crate::report::{Cause, Limit, PrintLimits};
+use crate::units::counted;
+use acting::{Arcs, Ends, acting_on, coarsest_pixels};
+use lack::Lack;
+
+pub(crate) mod acting;
+pub(crate) mod falling;
+pub(crate) mod lack;
+pub(crate) mod time;
+
+pub use falling::Fall;
+use falling::Falling;
+
+/// Bits from which on rounding costs next to nothing: what a machine's patterns lose then is lost between its pixels and the light's.
+pub(crate) const ENOUGH_BITS: u32 = 8;
+/// Losses below this are not worth a change.
+const WORTH_CHANGING: f64 = 0.001;
+/// Pixels that a step from frame to frame may be long at the corners of the part's box: with more, streaks are wider than what the pixels resolve.
+const WIDE_STEP: f64 = 6.0;
+/// Losses below this are not worth other pixels.
+const WORTH_PIXELS: f64 = 0.005;
+/// What a print lacks where light that misses a part of it is to blame.
+const UNLIT: f64 = 0.02;
+/// One that fell by more than this share is far from its end, whatever the IoU on the optimizer's voxels did.
+const FALLING_FAST: f64 = 0.1;
+
+/// What the patterns of a run or a simulation lose, and where, of every species.
+pub(crate) fn limits(
+    scene: &Scene,
+    evaluated: &Evaluated,
+    optimized: Option<&Optimized>,
+    is_toy: bool,
+) -> Vec<PrintLimits> {
+    let job = Asked {
+        scene,
+        optimized,
+        unrounded: evaluated.unrounded,
+        is_toy,
+    };
+    let of = |kind: &MetricKind| {
+        let measured = |evaluation: &Evaluation| evaluation.measures.get(kind.name);
+        Steps {
+            optimized: evaluated.optimization.as_ref().and_then(measured),
+            written: evaluated.written,
+            standing: measured(&evaluated.standing),
+        }
+    };
+    let evaluation = &evaluated.evaluation;
+    let print = (evaluation, &evaluated.fine);
+    let first = job.species(scene, 0, print, of(kind_of(evaluation)));
+    let others = scene.others.iter().zip(&evaluated.others).enumerate();
+    let others = others.map(|(s, (scene, print))| {
+        job.species(scene, s + 1, (&print.evaluation, &print.fine), print.steps)
+    });
+    std::iter::once(first).chain(others).collect()
+}
+
+fn kind_of(evaluation: &Evaluation) -> &'static MetricKind {
+    headline(evaluation.half_width.is_some())
+}
+
+/// What is the same for every species of a job.
+struct Asked<'a> {
+    scene: &'a Scene,
+    optimized: Option<&'a Optimized>,
+    unrounded: Measure,
+    is_toy: bool,
+}
+
+impl Asked<'_> {
+    /// Of species `s`, whose scene this is: its print and the voxels of that.
+    fn species(
+        &self,
+        own: &Scene,
+        s: usize,
+        print: (&Evaluation, &Voxels),
+        steps: Steps,
+    ) -> PrintLimits {
+        if print.0.part.is_some_and(|part| part.max == 0.0) {
+            let sentence = "The patterns leave no dose in the part: nothing prints.".to_owned();
+            return PrintLimits {
+                sentence,
+                causes: Vec::new(),
+            };
+        }
+        let mut limits = self.measurements(own, s, print, steps).limits();
+        let has_time = print.0.measures.get("time_mm").is_some();
+        let of_time = self.optimized.filter(|_| s == 0 && has_time);
+        let kind = kind_of(print.0);
+        let of_time = of_time.and_then(|own| time::of_ceiling(&self.scene.spec, own, kind));
+        limits.causes.extend(of_time);
+        limits
+    }
+
+    fn measurements(
+        &self,
+        own: &Scene,
+        s: usize,
+        (evaluated, fine): (&Evaluation, &Voxels),
+        steps: Steps,
+    ) -> Measurements {
+        let (scene, spec) = (self.scene, &own.spec);
+        let kind = kind_of(evaluated);
+        let lights = acting_on(scene, s);
+        let finest = scene.levels.last();
+        let (pixel_key, pixel_light) = coarsest_pixels(&scene.optics.projector_kinds, &lights);
+        let best = evaluated.curve.iter().map(|[_, iou]| *iou);
+        Measurements {
+            kind,
+            optimized: steps.optimized,
+            written: steps.written,
+            standing: steps.standing,
+            turning: evaluated.measures.get(kind.name),
+            unrounded: self.unrounded.filter(|_| s == 0),
+            pitches_mm: [scene.grid.pitch_mm, evaluated.grid.pitch_mm],
+            bits: spec.evaluate.bit_depth,
+            has_machine: spec.printer.is_some(),
+            arcs: Arcs::of(&lights),
+            is_optimized_turning: finest.is_some_and(|level| {
+                let turning = |light: &&Light| light.pixels.frame_arc > 0.0;
+                let mut turning = level.lights.iter().filter(turning).peekable();
+                turning.peek().is_some() && turning.all(|light| light.sub_angles > 1)
+            }),
+            saw_finer: finest.is_some_and(|level| {
+                level.grid.pitch_mm < scene.grid.pitch_mm
+                    && level.grid.pitch_mm <= evaluated.grid.pitch_mm
+            }),
+            pixel_key,
+            pixel_light,
+            is_simulated: self.optimized.is_none(),
+            is_toy: self.is_toy,
+            has_few_angles: few_angles(spec).is_some()
+                || (lights.iter())
+                    .any(|acting| moved_pixels(acting.light, own.shape.bounds_mm()) > WIDE_STEP),
+            lack: Lack::of(&scene.spec, own, fine, &lights),
+            has_no_iterations: (self.optimized).is_some_and(|own| {
+                own.outcome
+                    .history
+                    .last()
+                    .is_none_or(|row| row.iteration == 0)
+            }),
+            has_own_sub_angles: scene
+                .spec
+                .light
+                .iter()
+                .any(|light| light.sub_angles.is_some()),
+            is_held: (self.optimized).is_some_and(|own| of_bound(&scene.spec, &own.raw).is_some()),
+            best: spec.evaluate.threshold.and(best.reduce(f64::max)),
+            ends: own
+                .shape
+                .upright_mm()
+                .filter(|_| !own.shape.is_gray() && own.optics.scene().beyond_slices().is_none())
+                .and_then(|z| Ends::worst(z, &lights)),
+            falling: self.falling(s),
+        }
+    }
+
+    /// Whether the loss had not come to rest; of the first species it is known whether that would have brought anything.
+    fn falling(&self, s: usize) -> Option<Falling> {
+        let optimized = self.optimized?;
+        let gain = optimized.gain_in_the_end().filter(|_| s == 0);
+        let gains_nothing = gain.is_some_and(|gain| gain < WORTH_CHANGING);
+        let history = &optimized.outcome.history;
+        let falls_fast = Fall::of(history).is_some_and(|fall| fall.share > FALLING_FAST);
+        (falls_fast || !gains_nothing)
+            .then(|| Falling::of(optimized.outcome.reason, history))
+            .flatten()
+    }
+}
+
+/// Measurements that the limits of a print follow from.
+struct Measurements {
+    kind: &'static MetricKind,
+    /// Patterns as they were optimized, on the optimization's grid.
+    optimized: Measure,
+    /// Patterns as they were written, on the same grid.
+    written: Measure,
+    /// On the finer grid.
+    standing: Measure,
+    /// While the vial turns.
+    turning: Measure,
+    /// The print that is judged, by patterns for few levels as they were optimized.
+    unrounded: Measure,
+    /// Voxels of the optimization and of the evaluation.
+    pitches_mm: [f64; 2],
+    bits: u32,
+    has_machine: bool,
+    /// Arcs of frames; None for lists of angles.
+    arcs: Option<Arcs>,
+    /// Whether the optimization counted the turning already.
+    is_optimized_turning: bool,
+    /// Whether the optimizer looked at voxels as fine as the evaluation's: the job's own then limit nothing.
+    saw_finer: bool,
+    /// The key of the pixels' size.
+    pixel_key: String,
+    /// Whose pixels these are, where there are several lights.
+    pixel_light: Option<String>,
+    /// Whether the patterns were given: nothing was optimized.
+    is_simulated: bool,
+    /// Whether the job is a quick trial, whose coarseness limits more than any key.
+    is_toy: bool,
+    /// Whether light comes from too few sides for any part.
+    has_few_angles: bool,
+    /// Why light may leave a part of the part without what it needs.
+    lack: Option<Lack>,
+    /// Whether the patterns are those that the optimization would begin with.
+    has_no_iterations: bool,
+    /// Whether the job says at how many angles of a frame the optimization looks.
+    has_own_sub_angles: bool,
+    /// Whether an upper bound holds nearly all pixels that shine.
+    is_held: bool,
+    /// The best number over all thresholds, where the job names one.
+    best: Measure,
+    /// Of an upright prism in level light, where its ends are.
+    ends: Option<Ends>,
+    falling: Option<Falling>,
+}
+
+impl Measurements {
+    fn limits(&self) -> PrintLimits {
+        let mut causes: Vec<Limit> = [
+            self.grid(),
+            self.levels(),
+            self.turning(),
+            self.exposure(),
+            self.row_ends(),
+            self.what_remains(),
+        ]
+        .into_iter()
+        .flatten()
+        .collect();
+        causes.sort_by(|a, b| b.loss.total_cmp(&a.loss));
+        // What finer voxels or more angles lose of such a print comes back with the light
+        let of_light = causes.iter().position(|limit| limit.cause == Cause::Optics);
+        let comes_first = |i: &usize| {
+            let is_worth = causes[*i].loss >= WORTH_CHANGING;
+            is_worth && self.lacking().is_some_and(|lack| lack.comes_first)
+        };
+        if let Some(i) = of_light.filter(comes_first) {
+            causes[..=i].rotate_right(1);
+        }
+        PrintLimits {
+            sentence: self.sentence(&causes).unwrap_or_default(),
+            causes,
+        }
+    }
+
+    /// How much worse one number is than another.
+    fn loss(&self, from: Measure, to: Measure) -> Option<f64> {
+        let fall = from? - to?;
+        Some(match self.kind.better {
+            Better::Lower => -fall,
+            _ => fall,
+        })
+    }
+
+    /// A cause; `action` says what changes it, unless there is nothing to gain.
+    fn limit(&self, cause: Cause, loss: f64, key: &str, found: String, action: &str) -> Limit {
+        let action = match loss >= WORTH_CHANGING {
+            true if self.is_of_patterns(cause) => {
+                format!(
+                    " Make the patterns anew: {} `{key}`.",
+                    action.to_lowercase()
+                )
+            }
+            true => format!(" {action} `{key}`."),
+            false => String::new(),
+        };
+        Limit {
+            cause,
+            measure: self.kind.name,
+            loss,
+            key: key.to_owned(),
+            advice: found + &action,
+        }
+    }
+
+    /// Whether no key changes it while the patterns are given.
+    fn is_of_patterns(&self, cause: Cause) -> bool {
+        self.is_simulated && cause != Cause::Exposure
+    }
+
+    /// "IoU 0.974".
+    fn value(&self, value: f64) -> String {
+        let name = if self.kind.better == Better::Lower {
+            "rms error"
+        } else {
+            self.kind.title
+        };
+        format!("{name} {value:.3}")
+    }
+
+    /// "IoU 0.974 instead of 1.000", or that it is as before.
+    fn change(&self, before: f64, after: f64) -> String {
+        let (value, before) = (self.value(after), format!("{before:.3}"));
+        if value.ends_with(&before) {
+            format!("{value} as before")
+        } else {
+            format!("{value} instead of {before}")
+        }
+    }
+
+    fn grid(&self) -> Option<Limit> {
+        if self.saw_finer {
+            return None;
+        }
+        // An optimization that counts the turning is compared with a print that turns
+        let to = if self.is_optimized_turning {
+            self.turning
+        } else {
+            self.standing
+        };
+        let loss = self.loss(self.written, to)?;
+        let [own, fine] = self.pitches_mm.map(|mm| significant(mm * 1e3, 3));
+        let found = format!(
+            "On voxels of {fine} µm instead of {own} µm the print has {}: the optimizer resolves nothing below a voxel.",
+            self.change(self.written?, to?),
+        );
+        Some(self.limit(Cause::Grid, loss, "grid.pitch_mm", found, "Lower"))
+    }
+
+    /// What the patterns have before and after they are written, and where: the job's own voxels, where they are coarser than the optimizer's, do not see all.
+    fn writing(&self) -> Option<([f64; 2], &'static str)> {
+        if self.saw_finer && self.unrounded.is_some() {
+            return Some(([self.unrounded?, self.turning?], "the print has {}"));
+        }
+        let own = [self.optimized?, self.written?];
+        Some((own, "the patterns have {} on the job's own voxels"))
+    }
+
+    fn levels(&self) -> Option<Limit> {
+        // Voxels that see little of the print do not see what is next to nothing
+        if self.saw_finer && self.bits >= ENOUGH_BITS && !self.has_machine {
+            return None;
+        }
+        let ([before, after], what) = self.writing()?;
+        let loss = self.loss(Some(before), Some(after))?;
+        let (bits, machine) = (counted(self.bits as usize, "bit"), self.machine());
+        let what = what.replace("{}", &self.change(before, after));
+        let found = format!("Written with {bits}{machine} {what}.");
+        if self.has_machine && self.bits >= ENOUGH_BITS {
+            let action = "Bring the pixels of machine and light together (pitch, offset, turn) in";
+            return Some(self.limit(Cause::Levels, loss, "printer", found, action));
+        }
+        Some(self.limit(Cause::Levels, loss, "evaluate.bit_depth", found, "Raise"))
+    }
+
+    fn machine(&self) -> &'static str {
+        if self.has_machine {
+            " on the machine's pixels"
+        } else {
+            ""
+        }
+    }
+
+    fn turning(&self) -> Option<Limit> {
+        if self.is_optimized_turning {
+            return None;
+        }
+        let loss = self.loss(self.standing, self.turning)?;
+        let (by, key) = match &self.arcs {
+            Some(arcs) => (format!(" by {}", arcs.said), arcs.key.as_str()),
+            None => (String::new(), "light.angles"),
+        };
+        let key = match self.has_own_sub_angles {
+            true => "light.sub_angles",
+            false => key,
+        };
+        let found = format!(
+            "The vial turns{by} during each frame, which gives {}.",
+            self.change(self.standing?, self.turning?),
+        );
+        Some(self.limit(Cause::Turning, loss, key, found, "Raise"))
+    }
+
+    /// What the threshold that the job names costs.
+    fn exposure(&self) -> Option<Limit> {
+        let loss = self.loss(self.best, self.turning)?;
+        let found = format!(
+            "At the threshold of the job the print has {}.",
+            self.change(self.best?, self.turning?)
+        );
+        let key = "evaluate.threshold";
+        (loss >= WORTH_CHANGING)
+            .then(|| self.limit(Cause::Exposure, loss, key, found, "Leave out, or change,"))
+    }
+
+    /// What flat ends within rows of pixels cost: light ends with a row, so a prism becomes higher or lower than it should.
+    fn row_ends(&self) -> Option<Limit> {
+        let ends = self.ends.as_ref();
+        let ends = ends.filter(|_| self.kind.better != Better::Lower)?;
+        let loss = ends.share();
+        let [[low, high], [below, above]] =
+            [ends.part_mm, ends.rows_mm].map(|z| z.map(|mm| significant(mm, 4)));
+        let of = ends.light.as_ref();
+        let of = of.map_or_else(String::new, |name| format!(" of {name}"));
+        let found = format!(
+            "The part ends at z = {low} and {high} mm, inside rows of pixels{of}, but light ends with a row, at {below} and {above} mm. {} % of the part's volume lies between.",
+            significant(100.0 * loss, 1)
+        );
+        let action = "Change the part's height or place, or lower";
+        (loss >= WORTH_CHANGING)
+            .then(|| self.limit(Cause::Ends, loss, &self.pixel_key, found, action))
+    }
+
+    /// What the patterns leave before they are written: the light's share, or that of an optimization that was not at its end.
+    fn what_remains(&self) -> Option<Limit> {
+        let (reached, reach) = if self.saw_finer {
+            let of_print = format!("The print has {}", self.value(self.turning?));
+            (self.turning, of_print)
+        } else {
+            let reach = format!(
+                "Before they are written, the patterns reach {} on the job's own voxels",
+                self.value(self.optimized?)
+            );
+            (self.optimized, reach)
+        };
+        let loss = self.loss(Some(self.perfect()), reached)?;
+        // What other causes of the same print take is not the light's. Without finer voxels `reached` is before the patterns are written, on
+        // voxels that do not see rows' ends
+        let of_print = [self.levels(), self.row_ends(), self.turning()]
+            .map(|limit| limit.filter(|limit| self.saw_finer && limit.loss > 0.0));
+        let exposure = self.exposure();
+        let others = of_print.iter().chain([&exposure]).flatten();
+        let others: f64 = others.map(|limit| limit.loss).sum();
+        let loss = if others == 0.0 {
+            loss
+        } else {
+            (loss - others).max(0.0)
+        };
+        let is_lit = !self.has_few_angles && self.lacking().is_none();
+        let Some(Falling { fall, key }) = self.falling.filter(|_| is_lit) else {
+            let rest = match loss >= WORTH_CHANGING {
+                true if self.is_simulated => "; the rest is due to the given patterns.",
+                true => "; the rest is the limit of this light.",
+                false => ": there is nothing left to improve.",
+            };
+            let found = reach + rest;
+            if self.is_simulated {
+                return Some(Limit {
+                    cause: Cause::Optics,
+                    measure: self.kind.name,
+                    loss,
+                    key: String::new(),
+                    advice: found,
+                });
+            }
+            let (key, action) = self.more_of_light();
+            return Some(self.limit(Cause::Optics, loss, &key, found, &action));
+        };
+        let found = format!(
+            "{reach}, and the loss function still fell by {} % in the last {} of {}: more of them mend a part of what is missing, the rest is the limit of this light.",
+            significant(100.0 * fall.share, 2),
+            fall.last,
+            counted(fall.all, "iteration")
+        );
+        Some(self.limit(Cause::Iterations, loss, key, found, "Raise"))
+    }
+
+    /// Why light leaves a part of the part without what it needs, where that may be most of what the print lacks.
+    fn lacking(&self) -> Option<&Lack> {
+        let loss = self.loss(Some(self.perfect()), self.turning)?;
+        let lies_there = |lack: &&Lack| lack.share > loss / 2.0;
+        (self.lack.as_ref()).filter(|lack| loss > UNLIT && !self.is_simulated && lies_there(lack))
+    }
+
+    fn perfect(&self) -> f64 {
+        match self.kind.better {
+            Better::Lower => 0.0,
+            _ => 1.0,
+        }
+    }
+
+    /// The key that makes light print better, and what to do with it.
+    fn more_of_light(&self) -> (String, String) {
+        let action = |what: &str| what.to_owned();
+        if let Some(lack) = self.lacking() {
+            let action = format!("{}: {}", lack.found, lack.verb);
+            return (lack.key.clone(), action);
+        }
+        if self.has_no_iterations {
+            let action = action("These are the patterns to begin with: raise");
+            return ("stop.iterations".to_owned(), action);
+        }
+        if self.has_few_angles {
+            let action = action("Light comes from too few sides: raise");
+            return ("light.angles".to_owned(), action);
+        }
+        if self.is_held {
+            let action = action("Nearly all pixels that shine are at their bound: raise");
+            return ("bounds.max".to_owned(), action);
+        }
+        let of = self.pixel_light.as_ref();
+        let of = of.map_or_else(String::new, |name| format!(" of {name}"));
+        let action = format!("Finer pixels{of} may bring more: lower");
+        (self.pixel_key.clone(), action)
+    }
+
+    /// All in one line; None where nothing was measured.
+    fn sentence(&self, causes: &[Limit]) -> Option<String> {
+        let seen = match (self.optimized, self.is_simulated) {
+            _ if self.saw_finer && self.unrounded.is_some() => {
+                format!(" (before rounding {:.3})", self.unrounded?)
+            }
+            (Some(seen), _) if self.saw_finer => {
+                let [own, fine] = self.pitches_mm;
+                let place = match own > 1.001 * fine {
+                    true => "on the job's own, coarser voxels",
+                    false => "before the patterns are written",
+                };
+                format!(" ({place} {seen:.3})")
+            }
+            (Some(seen), false) => format!(" (the optimizer saw {seen:.3})"),
+            (Some(seen), true) => format!(" (unwritten, on the job's grid: {seen:.3})"),
+            (None, _) => String::new(),
+        };
+        let step = |limit: &Limit| {
+            let name = match limit.cause {
+                Cause::Grid => "finer grid".to_owned(),
+                Cause::Levels => {
+                    format!("{}{}", counted(self.bits as usize, "bit"), self.machine())
+                }
+                Cause::Turning => "rotation".to_owned(),
+                Cause::Ends => "ends within rows of pixels".to_owned(),
+                Cause::Exposure => "exposure".to_owned(),
+                // What the optimizer saw says it
+                Cause::Optics | Cause::Iterations | Cause::Time => return None,
+            };
+            let change = if self.kind.better == Better::Lower {
+                limit.loss
+            } else {
+                -limit.loss
+            };
+            let change = signed(change);
+            // Beside what finer voxels saw, a gain explains nothing
+            let counts = !self.saw_finer || limit.loss > 0.0;
+            (counts && change != "0").then(|| format!("{name} {change}"))
+        };
+        let steps: Vec<String> = causes.iter().filter_map(step).collect();
+        // What light leaves of gray values may be left by finer pixels too
+        let is_certain =
+            |limit: &Limit| limit.cause != Cause::Optics || self.kind.better != Better::Lower;
+        let worth = |limit: &&Limit| {
+            let least = match limit.cause == Cause::Optics && limit.key == self.pixel_key {
+                true => WORTH_PIXELS,
+                false => WORTH_CHANGING,
+            };
+            limit.loss >= least && is_certain(limit) && !limit.key.is_empty()
+        };
+        let improve = causes.first().filter(worth);
+        let improve = improve.map_or_else(String::new, |limit| {
+            if self.is_toy {
+                return " This is a toy of the job: run without `--toy` before you change it."
+                    .to_owned();
+            }
+            let verb = match limit.cause {
+                Cause::Grid => "lower",
+                Cause::Ends => "place the part's ends between rows of pixels, or lower",
+                Cause::Exposure => "change",
+                Cause::Levels if limit.key == "printer" => {
+                    "bring the pixels of machine and light together in"
+                }
+                Cause::Optics if limit.key == self.pixel_key => "try a lower",
+                Cause::Optics => self.lacking().map_or("raise", |lack| lack.verb),
+                _ => "raise",
+            };
+            let anew = match self.is_of_patterns(limit.cause) {
+                true => "make the patterns anew: ",
+                false => "",
+            };
+            let of = self.pixel_light.as_ref();
+            let of = of.filter(|_| limit.key == self.pixel_key);
+            let of = of.map_or_else(String::new, |name| format!(" ({name})"));
+            format!(" To improve, {anew}{verb} `{}`{of}.", limit.key)
+        });
+        let turning = self.value(self.turning?);
+        let steps = match steps.join(", ") {
+            steps if steps.is_empty() => String::new(),
+            steps => format!(": {steps}"),
+        };
+        Some(format!("Predicted {turning}{seen}{steps}.{improve}"))
+    }
+}
+
+/// Three decimals and a sign, or 0.
+fn signed(value: f64) -> String {
+    let text = format!("{value:+.3}").replace('-', "−");
+    if text.ends_with("0.000") {
+        "0".to_owned()
+    } else {
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests;

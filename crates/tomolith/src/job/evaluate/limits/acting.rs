@@ -1,0 +1,120 @@
+//! The lights that act on a species, and what of them may limit its print.
+
+use crate::grid::PatternGrid;
+use crate::job::resolve::Scene;
+use crate::optics::light::Light;
+use crate::report::number::significant;
+
+/// A light that acts on a species: its place among those of the job, and its name where there are several.
+#[derive(Clone, Copy)]
+pub(crate) struct Acting<'a> {
+    pub(crate) index: usize,
+    pub(crate) name: Option<&'a str>,
+    pub(crate) light: &'a Light,
+}
+
+/// The lights that drive or inhibit species `s`.
+pub(crate) fn acting_on(scene: &Scene, s: usize) -> Vec<Acting<'_>> {
+    let lights = scene.optics.lights.iter().zip(&scene.spec.light);
+    let is_several = scene.optics.lights.len() > 1;
+    let all = lights.enumerate().map(|(index, (light, spec))| Acting {
+        index,
+        name: spec.name.as_deref().filter(|_| is_several),
+        light,
+    });
+    let factor = |light: &Acting<'_>| match &scene.mixing {
+        Some(rows) => rows[s].1[light.index],
+        None => 1.0,
+    };
+    all.filter(|light| factor(light) != 0.0).collect()
+}
+
+/// The coarsest pixels: the key of their size, and their light where there are several.
+pub(crate) fn coarsest_pixels(kinds: &[&str], lights: &[Acting<'_>]) -> (String, Option<String>) {
+    // The first of equal ones
+    let area = |acting: &&Acting<'_>| acting.light.pixels.pixel_mm2();
+    let coarsest = lights
+        .iter()
+        .rev()
+        .max_by(|a, b| area(a).total_cmp(&area(b)));
+    let index = coarsest.map_or(0, |acting| acting.index);
+    let key = format!("light[{index}].projector.{}.pixel_pitch_mm", kinds[index]);
+    let name = coarsest.and_then(|acting| acting.name);
+    (key, name.map(str::to_owned))
+}
+
+/// How far the vial turns during a frame of each light that has arcs.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Arcs {
+    /// "2°", or "3° (violet) and 2° (uv)".
+    pub(crate) said: String,
+    /// The key of the widest.
+    pub(crate) key: String,
+}
+
+impl Arcs {
+    /// None where all lights have lists of angles.
+    pub(crate) fn of(lights: &[Acting<'_>]) -> Option<Self> {
+        let arc = |acting: &Acting<'_>| acting.light.pixels.frame_arc.to_degrees();
+        let turning = || lights.iter().filter(|acting| arc(acting) > 0.0);
+        let widest = turning().rev().max_by(|a, b| arc(a).total_cmp(&arc(b)))?;
+        let said = |acting: &Acting<'_>| {
+            let degrees = significant(arc(acting), 3);
+            let name = acting.name.map(|name| format!(" ({name})"));
+            format!("{degrees}°{}", name.unwrap_or_default())
+        };
+        Some(Arcs {
+            said: turning().map(said).collect::<Vec<_>>().join(" and "),
+            key: match widest.name {
+                Some(_) => format!("light[{}].angles", widest.index),
+                None => "light.angles".to_owned(),
+            },
+        })
+    }
+}
+
+/// Flat ends of a part, and the nearest edges of rows of pixels.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Ends {
+    pub(crate) part_mm: [f64; 2],
+    pub(crate) rows_mm: [f64; 2],
+    /// Whose rows, where there are several lights.
+    pub(crate) light: Option<String>,
+}
+
+impl Ends {
+    pub(crate) fn of(part_mm: [f64; 2], pixels: &PatternGrid, light: Option<&str>) -> Self {
+        let top = pixels.field_mm()[1][1];
+        let pitch = pixels.pitch_mm[1];
+        // In the middle of a row light goes on to its end: beyond the part
+        let outward = [1e-6, -1e-6];
+        let nearest = |i: usize| top - ((top - part_mm[i]) / pitch + outward[i]).round() * pitch;
+        Ends {
+            part_mm,
+            rows_mm: [nearest(0), nearest(1)],
+            light: light.map(str::to_owned),
+        }
+    }
+
+    /// Those of the light whose rows end farthest from the part's ends.
+    pub(crate) fn worst(part_mm: [f64; 2], lights: &[Acting<'_>]) -> Option<Self> {
+        let ends = lights
+            .iter()
+            .map(|acting| Ends::of(part_mm, &acting.light.pixels, acting.name));
+        ends.reduce(|worst, ends| {
+            if ends.share() > worst.share() {
+                ends
+            } else {
+                worst
+            }
+        })
+    }
+
+    /// Share of a prism's volume that lies between its ends and the rows'.
+    pub(crate) fn share(&self) -> f64 {
+        let beside: f64 = (0..2)
+            .map(|i| (self.part_mm[i] - self.rows_mm[i]).abs())
+            .sum();
+        beside / (self.part_mm[1] - self.part_mm[0])
+    }
+}

@@ -1,0 +1,510 @@
+//! From measurements to what limits a print.
+
+use super::acting::Acting;
+use crate::grid::PatternGrid;
+use crate::job::evaluate::limits::*;
+use crate::metrics::{gray, iou};
+use crate::optimize::{Row, StopReason};
+
+/// The numbers of the first example.
+fn measurements() -> Measurements {
+    Measurements {
+        kind: &iou::KIND,
+        optimized: Some(1.0),
+        written: Some(1.0),
+        standing: Some(0.9736),
+        turning: Some(0.975),
+        unrounded: None,
+        pitches_mm: [0.056, 0.028],
+        bits: 8,
+        has_machine: false,
+        arcs: Some(Arcs {
+            said: "2°".to_owned(),
+            key: "light.angles".to_owned(),
+        }),
+        is_optimized_turning: false,
+        saw_finer: false,
+        pixel_key: "light[0].projector.collimated.pixel_pitch_mm".to_owned(),
+        pixel_light: None,
+        is_simulated: false,
+        is_toy: false,
+        has_few_angles: false,
+        lack: None,
+        has_no_iterations: false,
+        has_own_sub_angles: false,
+        is_held: false,
+        best: None,
+        ends: None,
+        falling: None,
+    }
+}
+
+fn losses(limits: &PrintLimits) -> Vec<(Cause, f64)> {
+    let losses = limits.causes.iter();
+    losses
+        .map(|l| (l.cause, (l.loss * 1e4).round() / 1e4))
+        .collect()
+}
+
+#[test]
+fn rounding_is_told_from_the_voxels_that_see_it() {
+    // Two bits: the job's own voxels see nothing of it, the optimizer's do
+    let limits = Measurements {
+        optimized: Some(0.990),
+        written: Some(0.990),
+        unrounded: Some(0.997),
+        turning: Some(0.987),
+        bits: 2,
+        is_optimized_turning: true,
+        saw_finer: true,
+        ..measurements()
+    };
+    let limits = limits.limits();
+    assert_eq!(
+        limits.sentence,
+        "Predicted IoU 0.987 (before rounding 0.997): 2 bits −0.010. To improve, raise `evaluate.bit_depth`."
+    );
+    let losses = losses(&limits);
+    assert_eq!(losses, [(Cause::Levels, 0.01), (Cause::Optics, 0.003)]);
+    assert!(
+        limits.causes[0]
+            .advice
+            .starts_with("Written with 2 bits the print has IoU 0.987 instead of 0.997."),
+        "{}",
+        limits.causes[0].advice
+    );
+}
+
+#[test]
+fn the_largest_loss_comes_first_and_names_the_key() {
+    let limits = measurements().limits();
+    assert_eq!(
+        limits.sentence,
+        "Predicted IoU 0.975 (the optimizer saw 1.000): finer grid −0.026, rotation +0.001. To improve, lower `grid.pitch_mm`."
+    );
+    assert_eq!(
+        losses(&limits),
+        [
+            (Cause::Grid, 0.0264),
+            (Cause::Levels, 0.0),
+            (Cause::Optics, 0.0),
+            (Cause::Turning, -0.0014)
+        ]
+    );
+    assert_eq!(
+        limits.causes[0].advice,
+        "On voxels of 28 µm instead of 56 µm the print has IoU 0.974 instead of 1.000: the optimizer resolves nothing below a voxel. \
+         Lower `grid.pitch_mm`."
+    );
+    let toy = Measurements {
+        is_toy: true,
+        ..measurements()
+    };
+    let said = toy.limits().sentence;
+    assert!(
+        said.ends_with(
+            "rotation +0.001. This is a toy of the job: run without `--toy` before you change it."
+        ),
+        "{said}"
+    );
+    // Nothing to gain, nothing to change
+    let advice = |i: usize| limits.causes[i].advice.as_str();
+    assert_eq!(
+        advice(1),
+        "Written with 8 bits the patterns have IoU 1.000 as before on the job's own voxels."
+    );
+    assert!(advice(2).ends_with("voxels: there is nothing left to improve."));
+    assert_eq!(
+        advice(3),
+        "The vial turns by 2° during each frame, which gives IoU 0.975 instead of 0.974."
+    );
+}
+
+#[test]
+fn a_part_beyond_the_light_needs_a_larger_field() {
+    let said = |optimized: f64, share: f64, key: &str| {
+        let lack = Lack {
+            share,
+            key: key.to_owned(),
+            verb: "raise",
+            found: "Light does not reach 24 % of the part from all sides".to_owned(),
+            comes_first: false,
+        };
+        let measured = Measurements {
+            optimized: Some(optimized),
+            written: Some(optimized),
+            standing: Some(optimized),
+            turning: Some(optimized),
+            lack: Some(lack),
+            ..measurements()
+        };
+        measured.limits()
+    };
+    let limits = said(0.8, 0.24, "light.pixels");
+    assert!(
+        limits
+            .sentence
+            .ends_with("To improve, raise `light.pixels`."),
+        "{}",
+        limits.sentence
+    );
+    let advice = &limits.causes[0].advice;
+    assert!(
+        advice.ends_with(
+            "Light does not reach 24 % of the part from all sides: raise `light.pixels`."
+        ),
+        "{advice}"
+    );
+    // Half of all sides are enough for a good print
+    let good = said(0.985, 1.0, "light.offset_mm").sentence;
+    assert!(good.ends_with("pixel_pitch_mm`."), "{good}");
+    // A rim of the part is not what lacks most
+    let rim = said(0.8, 0.02, "light.pixels").sentence;
+    assert!(rim.ends_with("pixel_pitch_mm`."), "{rim}");
+}
+
+#[test]
+fn what_follows_from_the_light_comes_behind_it_where_the_part_turns_out_of_it() {
+    let said = |optimized: f64| {
+        let lack = Lack {
+            share: 0.3,
+            key: "light[0].pixels".to_owned(),
+            verb: "raise",
+            found: "In some frames the part turns out of the light's field".to_owned(),
+            comes_first: true,
+        };
+        let measured = Measurements {
+            optimized: Some(optimized),
+            written: Some(optimized),
+            standing: Some(0.77),
+            turning: Some(0.84),
+            lack: Some(lack),
+            ..measurements()
+        };
+        measured.limits().sentence
+    };
+    assert!(
+        said(0.91).ends_with("To improve, raise `light[0].pixels`."),
+        "{}",
+        said(0.91)
+    );
+    // Where the light lacks nothing, the grid does
+    assert!(
+        said(0.9995).ends_with("To improve, lower `grid.pitch_mm`."),
+        "{}",
+        said(0.9995)
+    );
+}
+
+#[test]
+fn turning_that_the_optimization_did_not_see_is_not_counted_twice() {
+    let measured = Measurements {
+        saw_finer: true,
+        standing: Some(0.998),
+        turning: Some(0.981),
+        has_own_sub_angles: true,
+        ..measurements()
+    };
+    let limits = measured.limits();
+    assert_eq!(
+        losses(&limits)[..2],
+        [(Cause::Turning, 0.017), (Cause::Optics, 0.002)]
+    );
+    assert!(
+        limits
+            .sentence
+            .ends_with("To improve, raise `light.sub_angles`."),
+        "{}",
+        limits.sentence
+    );
+}
+
+#[test]
+fn voxels_are_called_coarser_only_where_they_are() {
+    let said = |pitches_mm| {
+        let measured = Measurements {
+            saw_finer: true,
+            pitches_mm,
+            ..measurements()
+        };
+        measured.limits().sentence
+    };
+    assert!(said([0.056, 0.014]).contains("(on the job's own, coarser voxels 1.000)"));
+    assert!(said([0.056, 0.056]).contains("(before the patterns are written 1.000)"));
+}
+
+#[test]
+fn the_losses_of_a_run_add_up_to_what_is_missing() {
+    let measured = Measurements {
+        optimized: Some(0.95),
+        written: Some(0.94),
+        ..measurements()
+    };
+    let limits = measured.limits();
+    let sum: f64 = limits.causes.iter().map(|l| l.loss).sum();
+    assert!((1.0 - sum - 0.975).abs() < 1e-12);
+    assert_eq!(limits.causes[0].cause, Cause::Optics);
+    assert!(
+        limits
+            .sentence
+            .ends_with("To improve, try a lower `light[0].projector.collimated.pixel_pitch_mm`.")
+    );
+}
+
+#[test]
+fn what_remains_belongs_to_the_iterations_while_the_loss_falls() {
+    let row = |iteration: usize, loss: f64| Row {
+        response: Vec::new(),
+        print: None,
+        iteration,
+        loss,
+        projected_gradient: None,
+        step: None,
+        forward: 0,
+        adjoint: 0,
+        seconds: 0.0,
+    };
+    let history = |end: f64| -> Vec<Row> {
+        let mut rows: Vec<Row> = (0..=30).map(|i| row(i, 100.0)).collect();
+        rows.extend((31..=40).map(|i| row(i, end)));
+        rows
+    };
+    let falling = Falling::of(StopReason::Iterations, &history(80.0)).unwrap();
+    assert_eq!(
+        (falling.fall.last, falling.fall.all, falling.key),
+        (10, 40, "stop.iterations")
+    );
+    assert!((falling.fall.share - 0.2).abs() < 1e-12);
+    assert_eq!(Falling::of(StopReason::Iterations, &history(99.5)), None);
+    assert_eq!(Falling::of(StopReason::Steady, &history(80.0)), None);
+    assert_eq!(Falling::of(StopReason::Iterations, &[]), None);
+    let said = |end| Fall::of(&history(end)).map(|fall| fall.to_string());
+    assert_eq!(
+        said(80.0).as_deref(),
+        Some("not converged: the loss fell by 20 % in the last 10 iterations")
+    );
+    assert_eq!(
+        said(99.5).as_deref(),
+        Some("converged: the loss fell by 0.5 % in the last 10 iterations")
+    );
+    assert_eq!(said(101.0), None);
+    assert_eq!(Fall::of(&history(80.0)[..1]), None);
+    let limits = Measurements {
+        optimized: Some(0.9),
+        written: Some(0.9),
+        standing: Some(0.9),
+        turning: Some(0.9),
+        falling: Some(falling),
+        ..measurements()
+    }
+    .limits();
+    assert_eq!(
+        limits.causes[0].advice,
+        "Before they are written, the patterns reach IoU 0.900 on the job's own voxels, and the loss function still fell by 20 % in the \
+         last 10 of 40 iterations: more of them mend a part of what is missing, the rest is the limit of this light. Raise `stop.iterations`."
+    );
+    assert!(limits.causes.iter().all(|l| l.cause != Cause::Optics));
+}
+
+#[test]
+fn flat_ends_within_rows_are_what_limits_a_prism() {
+    // Rows of 56 µm with an edge at 0: a gear 3 mm high reaches 26.786 of them to each side
+    let rows = PatternGrid::full_turn(180, 0.0, 64, 176, 0.056);
+    let ends = Ends::of([-1.5, 1.5], &rows, None);
+    assert!((ends.share() - 2.0 * (27.0 * 0.056 - 1.5) / 3.0).abs() < 1e-12);
+    let gear = Measurements {
+        optimized: Some(0.995),
+        written: Some(0.995),
+        turning: Some(0.985),
+        is_optimized_turning: true,
+        saw_finer: true,
+        ends: Some(ends),
+        ..measurements()
+    };
+    let limits = gear.limits();
+    assert_eq!(losses(&limits)[0], (Cause::Ends, 0.008));
+    assert!(limits.causes[0].advice.starts_with(
+        "The part ends at z = −1.5 and 1.5 mm, inside rows of pixels, but light ends with a row, at −1.512 and 1.512 mm. 0.8 % of the part's volume lies between."
+    ), "{}", limits.causes[0].advice);
+    // The light's share is what is left
+    assert!(
+        (limits.causes[1].loss - 0.007).abs() < 1e-9 && limits.causes[1].cause == Cause::Optics
+    );
+    let fits = Ends::of([-1.512, 1.512], &rows, None);
+    let gear = Measurements {
+        ends: Some(fits),
+        ..gear
+    };
+    assert!(gear.limits().causes.iter().all(|l| l.cause != Cause::Ends));
+}
+
+#[test]
+fn of_several_lights_the_one_that_limits_is_named() {
+    use crate::optics::resin::Resin;
+    let light = |frames, pitch| {
+        let pixels = PatternGrid::full_turn(frames, 0.0, 4, 8, pitch);
+        Light::new(pixels, Resin::absorbing(1.5, 0.1))
+    };
+    let lights = [light(120, 0.05), light(180, 0.1)];
+    let acting = |index: usize, name| Acting {
+        index,
+        name,
+        light: &lights[index],
+    };
+    let both = [acting(0, Some("violet")), acting(1, Some("uv"))];
+    let arcs = Arcs::of(&both).unwrap();
+    assert_eq!(arcs.said, "3° (violet) and 2° (uv)");
+    assert_eq!(arcs.key, "light[0].angles");
+    let one = Arcs::of(&[acting(0, None)]).unwrap();
+    assert_eq!((&one.said[..], &one.key[..]), ("3°", "light.angles"));
+    let rows = &lights[1].pixels;
+    let measured = Measurements {
+        optimized: Some(0.9),
+        written: Some(0.9),
+        standing: Some(0.9),
+        turning: Some(0.88),
+        arcs: Some(arcs),
+        pixel_key: "light[1].projector.collimated.pixel_pitch_mm".to_owned(),
+        pixel_light: Some("uv".to_owned()),
+        ends: Some(Ends::of([-0.15, 0.2], rows, Some("uv"))),
+        ..measurements()
+    };
+    let limits = measured.limits();
+    let said: String = limits
+        .causes
+        .iter()
+        .map(|l| l.advice.clone() + "\n")
+        .collect();
+    for text in [
+        "The vial turns by 3° (violet) and 2° (uv) during each frame",
+        "Raise `light[0].angles`",
+        "Finer pixels of uv may bring more",
+        "inside rows of pixels of uv, but",
+    ] {
+        assert!(said.contains(text), "{said}");
+    }
+    let sentence = &limits.sentence;
+    assert!(sentence.ends_with("pixel_pitch_mm` (uv)."), "{sentence}");
+}
+
+#[test]
+fn a_threshold_that_is_far_off_and_too_few_sides_are_named() {
+    let off = Measurements {
+        turning: Some(0.0),
+        best: Some(0.98),
+        saw_finer: true,
+        is_optimized_turning: true,
+        ..measurements()
+    };
+    assert!(
+        off.limits()
+            .sentence
+            .ends_with("exposure −0.980. To improve, change `evaluate.threshold`."),
+        "{}",
+        off.limits().sentence
+    );
+    let few = Measurements {
+        turning: Some(0.5),
+        saw_finer: true,
+        is_optimized_turning: true,
+        has_few_angles: true,
+        ..measurements()
+    };
+    assert!(
+        few.limits()
+            .sentence
+            .ends_with("To improve, raise `light.angles`.")
+    );
+    let held = Measurements {
+        has_few_angles: false,
+        is_held: true,
+        ..few
+    };
+    assert!(
+        held.limits()
+            .sentence
+            .ends_with("To improve, raise `bounds.max`.")
+    );
+    // What was given is not improved by a key of the job
+    let given = Measurements {
+        turning: Some(0.5),
+        standing: Some(0.5),
+        written: Some(0.5),
+        optimized: Some(0.5),
+        is_simulated: true,
+        ..measurements()
+    };
+    assert!(
+        !given.limits().sentence.contains("To improve"),
+        "{}",
+        given.limits().sentence
+    );
+}
+
+#[test]
+fn what_was_not_measured_is_not_said() {
+    // A simulation of patterns optimizes nothing
+    let patterns = Measurements {
+        is_simulated: true,
+        ..measurements()
+    };
+    let said = patterns.limits().sentence;
+    assert!(
+        said.starts_with("Predicted IoU 0.975 (unwritten, on the job's grid: 1.000): "),
+        "{said}"
+    );
+    assert!(
+        said.ends_with("To improve, make the patterns anew: lower `grid.pitch_mm`."),
+        "{said}"
+    );
+    // Of frames it is not known what was wanted
+    let frames = Measurements {
+        is_simulated: true,
+        optimized: None,
+        written: None,
+        ..measurements()
+    };
+    assert_eq!(losses(&frames.limits()), [(Cause::Turning, -0.0014)]);
+    assert_eq!(
+        frames.limits().sentence,
+        "Predicted IoU 0.975: rotation +0.001."
+    );
+    // An optimization that averages its frames over their arcs
+    let turning = Measurements {
+        is_optimized_turning: true,
+        ..measurements()
+    };
+    assert_eq!(losses(&turning.limits())[0], (Cause::Grid, 0.025));
+    let empty = Measurements {
+        optimized: Some(0.0),
+        written: None,
+        standing: None,
+        turning: None,
+        ..measurements()
+    };
+    assert_eq!(empty.limits().sentence, "");
+}
+
+#[test]
+fn the_error_of_a_gray_print_rises_where_an_iou_falls() {
+    let limits = Measurements {
+        kind: &gray::RMS,
+        optimized: Some(0.126),
+        written: Some(0.13),
+        standing: Some(0.128),
+        turning: Some(0.128),
+        ..measurements()
+    }
+    .limits();
+    assert!(
+        limits.sentence.starts_with(
+            "Predicted rms error 0.128 (the optimizer saw 0.126): 8 bits +0.004, finer grid −0.002."
+        ),
+        "{}",
+        limits.sentence
+    );
+    assert_eq!(
+        losses(&limits)[..2],
+        [(Cause::Optics, 0.126), (Cause::Levels, 0.004)]
+    );
+}

@@ -1,0 +1,76 @@
+//! What the same patterns print in each scenario.
+
+use crate::error::Result;
+use crate::grid::Volume;
+use crate::job::resolve::Scene;
+use crate::metrics::published::percentiles;
+use crate::metrics::scan::Scan;
+use crate::report::{ScenarioRow, ScenarioTable};
+
+/// What the written patterns print in the job and in each scenario, all gelled at the job's threshold; None without scenarios. `response_of` gives
+/// the response in a scenario.
+///
+/// # Errors
+/// Those of `response_of`.
+pub(crate) fn judged(
+    scene: &Scene,
+    labels: &[u8],
+    (own, threshold): (&Volume<f32>, Option<f64>),
+    mut response_of: impl FnMut(&Scene) -> Result<Volume<f32>>,
+) -> Result<Option<ScenarioTable>> {
+    if scene.scenarios.is_empty() {
+        return Ok(None);
+    }
+    let row = |name: &str, response: &Volume<f32>| -> Result<ScenarioRow> {
+        let scan = Scan::new(labels, &response.values)?;
+        let [low, _, out] = percentiles(&scan, scene.spec.evaluate.trim_percent);
+        Ok(ScenarioRow {
+            name: name.to_owned(),
+            iou: scan.best_plateau().map(|plateau| plateau.iou),
+            iou_at_threshold: threshold.and_then(|threshold| scan.iou_at(threshold)),
+            gamma: scan.length_near_best().map(|length| 100.0 * length),
+            part_low: low,
+            void_high: out,
+        })
+    };
+    let mut rows = vec![row("the job", own)?];
+    for scenario in &scene.scenarios {
+        rows.push(row(&scenario.name, &response_of(&scenario.scene)?)?);
+    }
+    let of = scene.spec.robust.of.name();
+    Ok(Some(ScenarioTable::new(of, threshold, rows)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::resolve::scenarios::tests::resolved;
+
+    #[test]
+    fn every_scenario_is_judged() {
+        let job = resolved(&["resin.absorption_per_mm = 0.3"], &[]).unwrap();
+        let scene = &job.scene;
+        let labels = &job.voxels.labels;
+        let own = Volume {
+            grid: labels.grid.clone(),
+            values: labels
+                .values
+                .iter()
+                .map(|&label| f32::from(label == crate::target::label::PART))
+                .collect(),
+        };
+        let halved = |_: &Scene| {
+            Ok(Volume {
+                grid: own.grid.clone(),
+                values: own.values.iter().map(|v| 0.5 * v).collect(),
+            })
+        };
+        let table = judged(scene, &labels.values, (&own, Some(0.75)), halved)
+            .unwrap()
+            .unwrap();
+        // Half the dose is right at half the threshold, and prints nothing at that of the job
+        assert_eq!(table.rows.len(), 2);
+        assert_eq!((table.rows[1].iou, table.worst_iou), (Some(1.0), Some(0.0)));
+        assert_eq!(table.window, Some(0.5));
+    }
+}

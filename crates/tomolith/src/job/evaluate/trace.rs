@@ -1,0 +1,120 @@
+//! The light of single pixels: where its power goes, and a picture of its dose.
+
+use crate::error::{Error, Result};
+use crate::grid::Volume;
+use crate::job::resolve::Scene;
+use crate::job::spec::read::Job;
+use crate::models::rays::Rays;
+use crate::models::{DoseModel, Run};
+use crate::optics::power_balance::PowerBalance;
+use crate::optics::space::PathSegment;
+use serde::Serialize;
+
+/// A pixel of a job.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Pixel {
+    /// Light, counted from 0.
+    pub light: usize,
+    /// Frame.
+    pub frame: usize,
+    /// Column, from 0.
+    pub column: usize,
+    /// Row, 0 = top.
+    pub row: usize,
+}
+
+/// What became of a pixel's light.
+#[derive(Clone, Debug, Serialize)]
+pub struct Traced {
+    /// The pixel.
+    pub pixel: Pixel,
+    /// Pieces of its middle ray in the resin, in order.
+    pub segments: Vec<TracedSegment>,
+    /// Where its power went: mean of its rays, per emitted power.
+    pub account: PowerBalance,
+}
+
+/// A straight piece in the resin.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct TracedSegment {
+    /// Where it enters, mm.
+    pub from_mm: [f64; 3],
+    /// Where it ends, mm.
+    pub to_mm: [f64; 3],
+    /// Power at its beginning, per emitted power.
+    pub power: f64,
+}
+
+impl From<PathSegment> for TracedSegment {
+    fn from(segment: PathSegment) -> Self {
+        TracedSegment {
+            from_mm: segment.ray.from,
+            to_mm: segment.ray.at(segment.length),
+            power: segment.power,
+        }
+    }
+}
+
+/// Rays of the job's own model, or of its optics; refuses jobs whose light is not made of rays.
+fn rays(scene: &Scene) -> Result<Rays> {
+    let family = scene.optics.family(&scene.grid)?;
+    let none = || {
+        Err(Error::config(
+            format!("model.{}", family.name()),
+            "`tomolith trace` follows rays, but this model has none",
+            "another model: `--set 'model={rays={}}'` follows the rays that the same projector would send",
+        ))
+    };
+    family
+        .rays(&scene.optics.scene(), &scene.grid)
+        .unwrap_or_else(none)
+}
+
+/// Traces pixels of a job by the `rays` model, or the `monte_carlo` model where the resin scatters, and gives the dose of all of them at a value of 1.
+///
+/// # Errors
+/// As a run, before any work; [`Error::Config`] for a pixel that is not there.
+pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, Volume<f32>)> {
+    let scene = Scene::new(job, cancel)?;
+    let model = rays(&scene).map_err(|e| job.locate(e))?;
+    let lights = &scene.optics.lights;
+    for pixel in pixels {
+        let grid = lights.get(pixel.light).map(|light| &light.pixels);
+        let shape = grid.map_or([0; 3], |grid| grid.shape());
+        let inside = pixel.frame < shape[0] && pixel.row < shape[1] && pixel.column < shape[2];
+        if !inside {
+            return Err(Error::config(
+                "--pixel",
+                format!(
+                    "there is no frame {}, column {}, row {} of light {}",
+                    pixel.frame, pixel.column, pixel.row, pixel.light
+                ),
+                match grid {
+                    Some(_) => format!(
+                        "frames below {}, columns below {}, rows below {}",
+                        shape[0], shape[2], shape[1]
+                    ),
+                    None => format!("lights below {}", lights.len()),
+                },
+            ));
+        }
+    }
+    let mut x = DoseModel::new_patterns(&model)?;
+    let mut traced = Vec::with_capacity(pixels.len());
+    for &pixel in pixels {
+        let layout = &DoseModel::patterns(&model)[pixel.light];
+        let run = layout.runs[pixel.frame * layout.grid.columns + pixel.column];
+        let from_below = layout.grid.rows - 1 - pixel.row;
+        x.as_mut_slice()[run.offset + from_below - run.bottom as usize] = 1.0;
+        let (segments, account) = model.trace(pixel.light, pixel.frame, pixel.column, from_below);
+        traced.push(Traced {
+            pixel,
+            segments: segments.into_iter().map(TracedSegment::from).collect(),
+            account,
+        });
+    }
+    let mut dose = DoseModel::new_dose(&model)?;
+    model.dose(&x, &mut dose, cancel)?;
+    let volume = DoseModel::outputs(&model)[0].volume_of(dose.as_slice());
+    Ok((traced, volume))
+}

@@ -1,0 +1,166 @@
+//! Going on with a run that was cut off: which checkpoint belongs to a job, and what is kept where none was written.
+
+use crate::error::{Error, Result};
+use crate::grid::Patterns;
+use crate::io::npy::{PatternPair, write_patterns};
+use crate::job::progress::{Event, Progress};
+use crate::job::resolve::Scene;
+use crate::job::resolve::identity::as_floats;
+use crate::job::spec::read::with_every_default;
+use crate::models::Run;
+use crate::optimize::Checkpoints;
+use crate::optimize::checkpoint::{CHECKPOINT, Contents};
+use serde_json::Value;
+use std::path::Path;
+use std::time::Duration;
+
+/// The level of the checkpoint to go on from, if there is one. Where the run is not to be resumed, one of this job stays until the run
+/// writes its own, and one of another job is removed.
+pub(crate) fn resumes(
+    checkpoints: &Checkpoints,
+    resume: bool,
+    progress: &mut dyn Progress,
+) -> Result<Option<usize>> {
+    let file = checkpoints.file();
+    if !resume {
+        match checkpoints.open() {
+            Ok(Some(earlier)) => progress.event(&Event::Note {
+                text: format!(
+                    "the folder holds a checkpoint of this job after iteration {}; this run begins anew, and its first checkpoint replaces \
+                     that one. To go on from it, stop and use --resume",
+                    earlier.iteration()
+                ),
+            }),
+            Ok(None) => {}
+            Err(_) => remove(&file)?,
+        }
+        remove(&file.with_file_name(KEPT))?;
+        return Ok(None);
+    }
+    let checkpoint = checkpoints.open().map_err(begin_anew)?;
+    let text = match &checkpoint {
+        Some(checkpoint) => {
+            let after = format!("resuming after iteration {}", checkpoint.iteration());
+            match checkpoint.contents() {
+                Contents::All => after,
+                Contents::Patterns => format!(
+                    "{after}, from its patterns alone: the method begins anew with them and all its iterations, and the result is not that of an uninterrupted run"
+                ),
+            }
+        }
+        None => "no checkpoint to resume: starting anew".to_owned(),
+    };
+    progress.event(&Event::Note { text });
+    Ok(checkpoint.map(|checkpoint| checkpoint.level()))
+}
+
+/// Removes a file that may not be there.
+fn remove(file: &Path) -> Result<()> {
+    match std::fs::remove_file(file) {
+        Err(e) if e.kind() != std::io::ErrorKind::NotFound => Err(Error::io(file, e)),
+        _ => Ok(()),
+    }
+}
+
+/// A checkpoint that cannot be used: first what to do, then why.
+pub(crate) fn begin_anew(error: Error) -> Error {
+    match error {
+        Error::Format {
+            path,
+            found,
+            accepted,
+        } => Error::config(
+            "--resume",
+            format!("leave it out to begin anew: {} is {found}", path.display()),
+            accepted,
+        ),
+        other => other,
+    }
+}
+
+/// The best patterns of a run that did not end well, in the checkpoint folder.
+const KEPT: &str = "patterns.npz";
+
+/// How long writing them may take after a request to stop, which has waited for the step at hand already.
+const PATIENCE: Duration = Duration::from_millis(200);
+
+/// Writes the best patterns of a run that did not end well; of one that was asked to stop, where there is time for them.
+pub(crate) fn keep(
+    scene: &Scene,
+    raw: &[Patterns],
+    folder: &Path,
+    progress: &mut dyn Progress,
+    cancel: &Run,
+) -> Result<()> {
+    if !scene.is_first() {
+        return Ok(());
+    }
+    let run = Run::with_patience(PATIENCE);
+    if cancel.is_stop_asked() {
+        run.set_patient(true);
+        run.cancel();
+    }
+    std::fs::create_dir_all(folder).map_err(|e| Error::io(folder, e))?;
+    let path = folder.join(KEPT);
+    let pairs: Vec<PatternPair<'_>> = raw
+        .iter()
+        .enumerate()
+        .map(|(i, shown)| PatternPair {
+            light: scene.light_name(i),
+            shown,
+            raw: None,
+        })
+        .collect();
+    let written = match write_patterns(&path, &pairs, &run) {
+        Err(Error::Canceled) => false,
+        written => written.map(|()| true)?,
+    };
+    let is_saved = folder.join(CHECKPOINT).exists();
+    let place = path.display();
+    let text = match (written, is_saved) {
+        (true, true) => format!(
+            "the best patterns so far are in {place}; `--resume` goes on from the last checkpoint"
+        ),
+        (true, false) => format!(
+            "the best patterns so far are in {place}; there is no checkpoint to resume; `[start.patterns]` with this file begins from them"
+        ),
+        (false, true) => format!(
+            "writing the best patterns to {place} would have taken too long; `--resume` goes on from the last checkpoint"
+        ),
+        (false, false) => format!(
+            "writing the best patterns to {place} would have taken too long, and there is no checkpoint to resume"
+        ),
+    };
+    progress.event(&Event::Note { text });
+    Ok(())
+}
+
+/// The tables of a job that a checkpoint depends on, with every default written out, the memory that its optimizer has, and the kind of device, whose
+/// memory of earlier steps no other reads.
+pub(crate) fn tables(scene: &Scene) -> Result<Value> {
+    let (spec, kinds) = (&scene.spec, &scene.kinds);
+    let mut tables = with_every_default(spec.clone()).to_value()?;
+    if let Some(pairs) = kinds.pairs() {
+        tables["optimizer"][kinds.method()]["memory"] = pairs.into();
+    }
+    if let Some(map) = tables.as_object_mut() {
+        for unimportant in [
+            "stop",
+            "checkpoint",
+            "evaluate",
+            "printer",
+            "output",
+            "resources",
+        ] {
+            map.remove(unimportant);
+        }
+    }
+    let device = if scene.optics.card.is_some() {
+        "gpu"
+    } else {
+        "cpu"
+    };
+    tables["resources"] = serde_json::json!({ "device": device });
+    as_floats(&mut tables);
+    Ok(tables)
+}

@@ -1,0 +1,799 @@
+//! The files of a run folder.
+
+use super::folder::RunFolder;
+use super::frames::{Shown, ShownLight};
+use super::summary::{earlier, large};
+use crate::error::{Error, Result};
+use crate::grid::VolumeGrid;
+use crate::io::csv::{HistoryRow, write_history};
+use crate::io::frames::FrameSet;
+use crate::io::npy::{PatternPair, write_patterns, write_volume};
+use crate::io::stl::write_stl_pieces;
+use crate::io::vti::{VtiValues, write_vti};
+use crate::io::write_whole;
+use crate::job::dose::written::Written;
+use crate::job::evaluate::Evaluated;
+use crate::job::evaluate::in_time::{InTime, NetworkInTime};
+use crate::job::evaluate::limits::limits;
+use crate::job::evaluate::property::{Property, properties};
+use crate::job::optimize::Optimized;
+use crate::job::optimize::gray_levels::sentence;
+use crate::job::output::folder::Leaves;
+use crate::job::output::frames::WrittenFrames;
+use crate::job::progress::{Event, Progress, left_out};
+use crate::job::resolve::{Scene, Voxels};
+use crate::job::spec::file_names::of_network;
+use crate::job::spec::read::Job;
+use crate::job::spec::{LightSpec, MovieCoding};
+use crate::kind::table_of;
+use crate::metrics::Evaluation;
+use crate::metrics::print::{PatternStats, Print};
+use crate::metrics::published::unit_systems::{Converted, UnitSystem};
+use crate::metrics::surface::Deviation;
+use crate::models::Run;
+use crate::optimize::{Row, relative_gradient};
+use crate::report::{
+    CeilingReport, ExposureWindow, LightReport, MapReport, MovieReport, OneExposure, PrintLimits,
+    ReportData, SpeciesReport, TimePoint, TimeReport, Timing, time, write_html, write_json,
+    write_print,
+};
+use crate::units::concise;
+use std::io::Write as _;
+use std::panic::resume_unwind;
+use std::path::Path;
+use tomolith_material::curves::{CurvePoint, IdealExposure};
+
+/// Everything there is at the end of a run.
+pub(crate) struct Done<'a> {
+    pub(crate) job: &'a Job,
+    pub(crate) scene: Scene,
+    pub(crate) voxels: Voxels,
+    pub(crate) patterns: Written,
+    pub(crate) evaluated: Evaluated,
+    /// None for a simulation.
+    pub(crate) optimized: Option<Optimized>,
+    /// Where the patterns of a simulation came from.
+    pub(crate) source: Option<&'a Path>,
+    /// Which files are asked for.
+    pub(crate) leaves: Leaves,
+    pub(crate) warnings: Vec<String>,
+}
+
+/// Writes everything to the folder's new files; what a run says first.
+///
+/// # Errors
+/// [`Error::Io`](crate::Error::Io), and what a format cannot hold.
+pub(crate) fn all(
+    done: &Done<'_>,
+    folder: &RunFolder,
+    timings: Vec<Timing>,
+    progress: &mut dyn Progress,
+    run: &Run,
+) -> Result<Headline> {
+    let Done {
+        scene,
+        voxels,
+        patterns,
+        evaluated,
+        ..
+    } = done;
+    let new = folder.new_files();
+    let pairs: Vec<PatternPair<'_>> = patterns
+        .shown
+        .iter()
+        .enumerate()
+        .map(|(i, shown)| PatternPair {
+            light: scene.light_name(i),
+            shown,
+            raw: patterns.raw.as_ref().map(|raw| &raw[i]),
+        })
+        .collect();
+    let frames = patterns.frames(scene)?;
+    let sets: Vec<FrameSet<'_>> = frames
+        .iter()
+        .enumerate()
+        .map(|(i, levels)| levels.frames(scene.light_name(i)))
+        .collect();
+    let gel_dose = evaluated.gel_dose(scene);
+    let names: Vec<Option<&str>> = (0..frames.len()).map(|i| scene.light_name(i)).collect();
+    let shown = Shown::new(
+        &scene.spec,
+        scene.printers.as_deref(),
+        &names,
+        &frames,
+        gel_dose,
+    )?;
+    let overrun = shown.overrun();
+    if let Some(text) = overrun.clone() {
+        progress.event(&Event::Warning { text });
+    }
+    if done.leaves < Leaves::All {
+        if done.leaves == Leaves::Patterns {
+            write_patterns(&new.join("patterns.npz"), &pairs, run)?;
+        }
+        return numbers(done, folder, timings, (&shown, overrun));
+    }
+    let properties = properties(scene, evaluated)?;
+    let arrays = || -> Result<()> {
+        write_patterns(&new.join("patterns.npz"), &pairs, &run.part(0.2))?;
+        write_volume(&new.join("dose.npy"), &evaluated.dose, &run.part(0.05))?;
+        for (s, other) in evaluated.others.iter().enumerate() {
+            let name = scene.species_name(s + 1).unwrap_or_default();
+            let file = new.join(format!("dose_{name}.npy"));
+            write_volume(&file, &other.dose, &run.aside())?;
+        }
+        for property in &properties {
+            let file = new.join(format!("{}.npy", property.name));
+            write_volume(&file, &property.values, &run.aside())?;
+        }
+        if scene.spec.output.evaluation {
+            write_evaluation(evaluated, &new.join("evaluation"), run)?;
+        }
+        write_vti(
+            &new.join("dose.vti"),
+            &evaluated.dose.grid,
+            &[
+                ("dose", VtiValues::F32(&evaluated.dose.values)),
+                ("target", VtiValues::F32(&voxels.target.inside.values)),
+                ("label", VtiValues::U8(&voxels.labels.values)),
+            ],
+            &run.part(0.1),
+        )
+    };
+    // The large arrays go to the disk while frames, movies and the surface are made
+    let (arrays, written) = std::thread::scope(|scope| {
+        let arrays = scope.spawn(arrays);
+        let written = shown.write(&new, &scene.name, &sets, progress, &run.part(0.35));
+        let written = written.and_then(|mut written| {
+            let surface = print(scene, evaluated, &new, run.part(0.15));
+            let warnings = &mut written.warnings;
+            let deviation = left_out(SURFACE, surface, progress, warnings)?;
+            Ok((written, deviation.flatten()))
+        });
+        (arrays.join().unwrap_or_else(|p| resume_unwind(p)), written)
+    });
+    arrays?;
+    let (
+        WrittenFrames {
+            movies,
+            mut warnings,
+        },
+        deviation,
+    ) = written?;
+    warnings.extend(overrun);
+    write_time(done, &new, progress, &mut warnings, run)?;
+    let history = done.optimized.as_ref().map(history).unwrap_or_default();
+    if !history.is_empty() {
+        write_history(&new.join("history.csv"), &history)?;
+    }
+    let models = models(done);
+    folder.describe(&described(done)?, &models)?;
+    run.check()?;
+    let headline = Headline::of(done, &shown)?;
+    let made = Made {
+        movies: movies.into_iter().flatten().collect(),
+        deviation,
+        timings,
+        models,
+        properties: &properties,
+        warnings,
+    };
+    report(done, &new, &history, made, &shown, &headline)?;
+    Ok(headline)
+}
+
+/// What the report's numbers are of.
+fn write_evaluation(evaluated: &Evaluated, folder: &Path, run: &Run) -> Result<()> {
+    std::fs::create_dir(folder).map_err(|e| Error::io(folder, e))?;
+    let fine = &evaluated.fine;
+    for (name, volume) in [
+        ("response.npy", &evaluated.response),
+        ("target.npy", &fine.target.inside),
+    ] {
+        write_volume(&folder.join(name), volume, &run.aside())?;
+    }
+    write_volume(&folder.join("labels.npy"), &fine.labels, &run.aside())
+}
+
+/// The job with every default written out, after the parameters of the response that it found.
+fn described(done: &Done<'_>) -> Result<String> {
+    let found = done.optimized.as_ref().and_then(|o| o.found.as_ref());
+    let found = done.scene.kinds.free.as_ref().zip(found);
+    let found = found.map_or_else(String::new, |(free, found)| found.comments(free));
+    Ok(format!("{found}{}", done.job.resolved().to_toml()?))
+}
+
+/// The files of a run whose numbers alone are asked for.
+fn numbers(
+    done: &Done<'_>,
+    folder: &RunFolder,
+    timings: Vec<Timing>,
+    (shown, overrun): (&Shown<'_>, Option<String>),
+) -> Result<Headline> {
+    let new = folder.new_files();
+    let history = done.optimized.as_ref().map(history).unwrap_or_default();
+    if !history.is_empty() {
+        write_history(&new.join("history.csv"), &history)?;
+    }
+    let models = models(done);
+    folder.describe(&described(done)?, &models)?;
+    let headline = Headline::of(done, shown)?;
+    let properties = properties(&done.scene, &done.evaluated)?;
+    let made = Made {
+        movies: Vec::new(),
+        deviation: None,
+        timings,
+        models,
+        properties: &properties,
+        warnings: overrun.into_iter().collect(),
+    };
+    report(done, &new, &history, made, shown, &headline)?;
+    Ok(headline)
+}
+
+/// What a run says first: on its page, in `report.json`, on the screen.
+pub(crate) struct Headline {
+    /// Over which exposures the print is nearly as good, of every species.
+    pub(crate) exposures: Vec<Option<ExposureWindow>>,
+    /// The same of several species together.
+    pub(crate) one_exposure: Option<OneExposure>,
+    /// What it loses, and where, of every species.
+    pub(crate) limits: Vec<PrintLimits>,
+}
+
+impl Headline {
+    fn of(done: &Done<'_>, shown: &Shown<'_>) -> Result<Self> {
+        let (scene, evaluated) = (&done.scene, &done.evaluated);
+        // One light after the other. A schedule says itself how long it takes, and its print when to stop
+        let times = shown.lights().iter().map(|light| light.budget.time_s);
+        let times = times.sum::<Option<f64>>();
+        let own_s = times.filter(|_| scene.spec.schedule.is_none());
+        let gel_dose = evaluated.gel_dose(scene);
+        let rate = gel_dose.zip(own_s);
+        let others = evaluated.others.iter().map(|other| &other.evaluation);
+        let all: Vec<_> = scene
+            .species()
+            .zip(std::iter::once(&evaluated.evaluation).chain(others))
+            .collect();
+        let window = |(own, evaluation): (&Scene, &Evaluation)| {
+            let response = own.response();
+            let dose = |threshold: f64| f64::from(response.inverse(threshold as f32));
+            // A resin that gels at a higher dose takes less of the same light
+            let time_s = rate
+                .zip(evaluation.gel_threshold)
+                .map(|((run, seconds), threshold)| seconds * (run / dose(threshold)));
+            ExposureWindow::new(evaluation, response.as_ref(), time_s)
+        };
+        let one_exposure = evaluated.one_exposure.clone();
+        let mut limits = limits(scene, evaluated, done.optimized.as_ref(), done.job.is_toy);
+        for (own, evaluation) in limits.iter_mut().zip(all.iter().map(|(_, print)| print)) {
+            own.sentence += &judged_on(evaluation, scene.extent.refine);
+            if done.job.is_toy && !own.sentence.contains(" toy ") {
+                own.sentence += &format!(" This is a toy of the job: {TOY}.");
+            }
+        }
+        Ok(Headline {
+            exposures: all.iter().copied().map(window).collect(),
+            one_exposure: one_exposure.map(|one| match rate {
+                Some((dose, seconds)) => one.in_time(dose, seconds),
+                None => one,
+            }),
+            limits,
+        })
+    }
+}
+
+/// On which voxels a print has no error: none is seen that is smaller than they are.
+fn judged_on(evaluation: &Evaluation, refine: usize) -> String {
+    if evaluation
+        .measures
+        .get("iou")
+        .is_none_or(|iou| iou < NO_ERROR)
+    {
+        return String::new();
+    }
+    let pitch = concise(evaluation.grid.pitch_mm);
+    match refine {
+        1 => format!(
+            " The IoU is that of the job's own voxels of {pitch} mm; finer ones may show errors (`evaluate.refine`)."
+        ),
+        _ => format!(" The IoU is that of voxels of {pitch} mm."),
+    }
+}
+
+/// What a run can do without, and what may help.
+const SURFACE: [&str; 2] = ["the surface of the print", "dose.npy has the dose"];
+const MOVIE_IN_TIME: [&str; 2] = [
+    "the movie of the print in time",
+    "output.movie = \"none\" writes none; time.csv and cure_time.npy have the numbers",
+];
+/// IoU that is shown as 1.000.
+const NO_ERROR: f64 = 0.9995;
+/// What to think of the numbers of a toy.
+const TOY: &str = "what it prints says little of what the job prints";
+
+/// What was made on the way to the report.
+struct Made<'a> {
+    properties: &'a [Property],
+    movies: Vec<MovieReport>,
+    deviation: Option<Deviation>,
+    timings: Vec<Timing>,
+    models: Vec<(&'static str, String)>,
+    /// What was left out.
+    warnings: Vec<String>,
+}
+
+/// The models that gave the doses, by what they were asked for.
+fn models(done: &Done<'_>) -> Vec<(&'static str, String)> {
+    let optimized = done.optimized.as_ref();
+    let optimized = optimized.map(|optimized| ("optimization", optimized.model.clone()));
+    let evaluated = ("evaluation", done.evaluated.model.clone());
+    optimized.into_iter().chain([evaluated]).collect()
+}
+
+/// `report.json` and `report.html`.
+fn report(
+    done: &Done<'_>,
+    folder: &Path,
+    history: &[HistoryRow],
+    made: Made<'_>,
+    exposures: &Shown<'_>,
+    headline: &Headline,
+) -> Result<()> {
+    let Done {
+        job,
+        scene,
+        patterns,
+        evaluated,
+        ..
+    } = done;
+    let resolved = job.resolved();
+    let lights = patterns
+        .shown
+        .iter()
+        .zip(exposures.lights())
+        .zip(&scene.spec.light)
+        .map(|((shown, exposure), light)| LightReport {
+            name: light.name.as_deref().unwrap_or(""),
+            patterns: shown,
+            bits: exposure.bits,
+            full_scale: exposure.white,
+            wavelength_nm: Some(light.wavelength_nm),
+            canvas: exposure.canvas,
+            budget: exposure.budget,
+            irradiance: exposure.irradiance,
+        })
+        .collect();
+    let found = done.optimized.as_ref().and_then(|o| o.found.as_ref());
+    let found_ceiling = done.optimized.as_ref().and_then(|o| o.ceiling.as_ref());
+    let found_ceiling = found_ceiling.map(|found| &found.report);
+    let data = ReportData {
+        part: &scene.name,
+        program: concat!("Tomolith ", env!("CARGO_PKG_VERSION")),
+        created: &date(std::time::SystemTime::now()),
+        facts: facts(done),
+        models: made.models,
+        exposure: headline.exposures.first().and_then(Option::as_ref),
+        limits: &headline.limits[0],
+        lights,
+        labels: &evaluated.fine.labels,
+        response: &evaluated.response,
+        inside: Some(&evaluated.fine.target.inside),
+        bodies: evaluated.bodies.as_ref(),
+        window: scene.kinds.thresholds(),
+        evaluation: &evaluated.evaluation,
+        standing: Some(&evaluated.standing),
+        optimization: evaluated.optimization.as_ref(),
+        objectives: &evaluated.objectives,
+        published: published(done, exposures.lights())?,
+        species: species(done, headline),
+        one_exposure: headline.one_exposure.as_ref(),
+        time: time(done),
+        one_moment: evaluated.in_time.as_ref().and_then(InTime::together),
+        maps: made.properties.iter().map(map).collect(),
+        history,
+        kept: done.optimized.as_ref().map(|o| o.outcome.kept),
+        scenarios: evaluated.scenarios.as_ref(),
+        found_window: done.optimized.as_ref().and_then(|o| o.window),
+        found_response: found.map_or(&[], |found| found.values.as_slice()),
+        gap: done.optimized.as_ref().and_then(|o| o.outcome.gap()),
+        levels: done
+            .optimized
+            .as_ref()
+            .and_then(|o| o.levels.as_ref())
+            .map(|levels| levels.gain),
+        ceiling: found_ceiling,
+        deviation: made.deviation.as_ref(),
+        movies: made.movies,
+        job_text: &resolved.to_toml()?,
+        notes: (scene.notes.iter().cloned())
+            .chain(found_ceiling.map(CeilingReport::sentence))
+            .collect(),
+        warnings: [
+            done.warnings.as_slice(),
+            &evaluated.warnings,
+            &made.warnings,
+        ]
+        .concat(),
+        timings: made.timings,
+    };
+    write_json(&folder.join("report.json"), &data)?;
+    if done.leaves < Leaves::All {
+        return Ok(());
+    }
+    write_html(&folder.join("report.html"), &data)
+}
+
+/// The print in time of every network.
+fn time<'a>(done: &'a Done<'_>) -> Vec<TimeReport<'a>> {
+    let networks = done
+        .evaluated
+        .in_time
+        .iter()
+        .flat_map(|time| &time.networks);
+    let of = |network: &'a NetworkInTime| {
+        let (ideal_s, reached) = match network.ideal {
+            IdealExposure::At(seconds) => (Some(seconds), None),
+            IdealExposure::NotReached(share) => (None, Some(share)),
+            IdealExposure::NoRequirement => (None, None),
+        };
+        TimeReport {
+            name: &network.name,
+            points: time_points(network),
+            requirement_mj: network.requirement_mj,
+            ideal_s,
+            reached,
+            phases_s: [network.phases.induction_end_s, network.phases.curing_end_s],
+            evaluation: network.evaluation.as_ref(),
+            snapshots: &network.snapshots,
+            labels: &network.labels,
+        }
+    };
+    networks.map(of).collect()
+}
+
+fn time_points(network: &NetworkInTime) -> Vec<TimePoint> {
+    let of = |(p, &sent_mj): (&CurvePoint, &f64)| TimePoint {
+        seconds: p.seconds,
+        imbued_mj: p.imbued_mj,
+        contribution_mj: p.contribution_mj,
+        contrast: p.contrast,
+        printed_contrast: p.printed_contrast,
+        jaccard: p.jaccard,
+        solid: p.gelled,
+        sent_mj,
+    };
+    let moments = network.points.iter().zip(&network.sent_mj);
+    moments.map(of).collect()
+}
+
+/// The files of the print in time: curves, when each voxel becomes solid, and a movie of the middle slice.
+fn write_time(
+    done: &Done<'_>,
+    new: &Path,
+    progress: &mut dyn Progress,
+    warnings: &mut Vec<String>,
+    run: &Run,
+) -> Result<()> {
+    let Some(in_time) = &done.evaluated.in_time else {
+        return Ok(());
+    };
+    for network in &in_time.networks {
+        let end = match in_time.networks.len() {
+            1 => String::new(),
+            _ => of_network(&network.name),
+        };
+        let text = time::csv(&time_points(network));
+        write_whole(&new.join(format!("time{end}.csv")), |file| {
+            Ok(file.write_all(text.as_bytes())?)
+        })?;
+        let file = new.join(format!("cure_time{end}.npy"));
+        write_volume(&file, &network.cure_times, &run.aside())?;
+        if done.scene.spec.output.movie != MovieCoding::None {
+            let movie = network.write_movie(&new.join(format!("print{end}.mp4")), run);
+            left_out(MOVIE_IN_TIME, movie, progress, warnings)?;
+        }
+    }
+    Ok(())
+}
+
+fn map(property: &Property) -> MapReport<'_> {
+    MapReport {
+        name: &property.name,
+        unit: &property.unit,
+        is_logarithmic: property.is_logarithmic,
+        values: &property.values,
+    }
+}
+
+/// What every species prints, where the job names some.
+fn species<'a>(done: &'a Done<'_>, headline: &'a Headline) -> Vec<SpeciesReport<'a>> {
+    let Done {
+        scene, evaluated, ..
+    } = done;
+    let Some(rows) = &scene.mixing else {
+        return Vec::new();
+    };
+    let first = (&evaluated.evaluation, &evaluated.fine, &evaluated.response);
+    let others = evaluated
+        .others
+        .iter()
+        .map(|other| (&other.evaluation, &other.fine, &other.response));
+    let prints = std::iter::once(first).chain(others);
+    let said = headline.exposures.iter().zip(&headline.limits);
+    let species = rows.iter().zip(scene.species()).zip(prints).zip(said);
+    let mut reports = Vec::with_capacity(rows.len());
+    for ((((name, row), scene), (evaluation, fine, response)), (exposure, limits)) in species {
+        let light =
+            |(light, &factor): (&LightSpec, &f64)| (light.name.clone().unwrap_or_default(), factor);
+        reports.push(SpeciesReport {
+            name,
+            driven_by: scene.spec.light.iter().zip(row).map(light).collect(),
+            evaluation,
+            labels: &fine.labels,
+            response,
+            inside: &fine.target.inside,
+            window: scene.kinds.thresholds(),
+            exposure: *exposure,
+            limits,
+        });
+    }
+    reports
+}
+
+/// Numbers as they were published, those of each slice, and the units of the publications.
+fn published(
+    done: &Done<'_>,
+    exposures: &[ShownLight],
+) -> Result<serde_json::Map<String, serde_json::Value>> {
+    let evaluated = &done.evaluated;
+    let mut map = table_of(evaluated.published.iter().map(|p| {
+        let about = serde_json::json!({
+            "value": p.value, "unit": p.unit, "source": p.source, "note": p.note,
+        });
+        (p.name.clone(), about)
+    }));
+    map.insert("slices".to_owned(), serde_json::json!(evaluated.slices));
+    if let Some(dark) = evaluated.keep_dark {
+        map.insert("keep_dark".to_owned(), serde_json::json!(dark));
+    }
+    if let Some(contact) = evaluated.contact {
+        map.insert("insert".to_owned(), serde_json::json!(contact));
+    }
+    if let Some(noise) = evaluated.noise {
+        map.insert("paths".to_owned(), serde_json::json!(noise));
+    }
+    if let Some(agreement) = evaluated.agreement {
+        map.insert("orders".to_owned(), serde_json::json!(agreement));
+    }
+    let rows = unit_systems(done, exposures)?;
+    if !rows.is_empty() {
+        map.insert("unit_systems".to_owned(), serde_json::json!(rows));
+    }
+    Ok(map)
+}
+
+/// The brightest pixel and the dose that turns the resin solid in the units of publications. Doses of a job are relative: these
+/// are energies where the job says which dose the resin needs, and rates where it says how bright the machine is, too.
+fn unit_systems(done: &Done<'_>, exposures: &[ShownLight]) -> Result<Vec<Converted>> {
+    let resin = &done.scene.spec.resin;
+    let critical = resin.critical_dose_mj_per_mm3.filter(|_| !resin.pure_radon);
+    let (Some(critical), Some(gel_dose)) = (critical, done.evaluated.gel_dose(&done.scene)) else {
+        return Ok(Vec::new());
+    };
+    let of_light = |(shown, exposure): (_, &ShownLight)| {
+        (PatternStats::of([shown]).max, exposure.budget.time_s)
+    };
+    let lights = done.patterns.shown.iter().zip(exposures).map(of_light);
+    let brightest = lights.max_by(|a, b| a.0.total_cmp(&b.0));
+    let (brightest, time_s) = brightest.unwrap_or_default();
+    let convert = |system: UnitSystem| {
+        // Energies do not depend on the time
+        let exposure_s = if system.needs_time() { time_s? } else { 1.0 };
+        let pattern = f64::from(brightest) * critical / gel_dose;
+        Some(system.convert(pattern, critical, resin.active_per_mm(), exposure_s))
+    };
+    Ok(UnitSystem::ALL.into_iter().filter_map(convert).collect())
+}
+
+/// The voxels of the numbers, which are not those of `dose.npy`.
+fn evaluated_on(grid: &VolumeGrid) -> String {
+    let [nz, ny, nx] = grid.shape;
+    format!(
+        "{nx} × {ny} × {nz} voxels of {} µm: all numbers; dose.npy is the dose on the grid's (output.evaluation = true writes these too)",
+        concise(1e3 * grid.pitch_mm)
+    )
+}
+
+/// Short facts for the head of the page.
+fn facts(done: &Done<'_>) -> Vec<(String, String)> {
+    let Done {
+        job,
+        scene,
+        optimized,
+        evaluated,
+        source,
+        ..
+    } = done;
+    let spec = &scene.spec;
+    let [nz, ny, nx] = scene.grid.shape;
+    let mut facts = Vec::new();
+    if job.is_toy {
+        facts.push(("A toy", TOY.to_owned()));
+    }
+    facts.extend([
+        ("Vial", scene.optics.vial_kind.to_owned()),
+        (
+            "Resin",
+            match spec.resin.active_per_mm() {
+                0.0 => format!("n {}, no absorption", spec.resin.refractive_index),
+                active => format!("n {}, μ {active} per mm", spec.resin.refractive_index),
+            },
+        ),
+        (
+            "Grid",
+            format!(
+                "{nx} × {ny} × {nz} voxels of {} µm",
+                concise(1e3 * scene.grid.pitch_mm)
+            ),
+        ),
+        ("Evaluated on", evaluated_on(&evaluated.fine.labels.grid)),
+        ("Frames", scene.extent.frames.to_string()),
+    ]);
+    if let Some(optimized) = optimized {
+        let seconds = optimized.outcome.counters.model_s.max(1e-9);
+        let calls = optimized.outcome.counters.forward + optimized.outcome.counters.adjoint;
+        let speed = large(calls as f64 * optimized.updates as f64 / seconds);
+        facts.push(("Optimizer", scene.kinds.method().to_owned()));
+        let (kept, history) = (optimized.outcome.kept, &optimized.outcome.history);
+        let last = history.last().map_or(0, |row| row.iteration);
+        if kept.iteration != last {
+            facts.push(("Kept", earlier(kept, last)));
+        }
+        if let Some(text) = optimized.outcome.gap().and_then(|gap| gap.sentence()) {
+            facts.push(("Lowest loss", text));
+        }
+        if let Some(window) = optimized.window {
+            facts.push(("Process window", window.sentence()));
+        }
+        if let Some(found) = &optimized.found {
+            facts.push(("Response found", found.sentence()));
+        }
+        if let Some(levels) = &optimized.levels {
+            facts.push(("Levels", sentence(spec.evaluate.bit_depth, &levels.gain)));
+        }
+        facts.push(("Model", optimized.model.clone()));
+        facts.push(("Speed", format!("{speed}voxel-angle updates per second")));
+    }
+    if let Some(source) = source {
+        facts.push(("Patterns from", source.display().to_string()));
+        facts.push(("Model", evaluated.model.clone()));
+    }
+    if let Some(scenarios) = &evaluated.scenarios {
+        facts.push(("Scenarios", scenarios.sentence()));
+    }
+    if let Some(dark) = &evaluated.keep_dark {
+        facts.push(("Keep-dark body", format!("gets {dark}")));
+    }
+    if let Some(contact) = &evaluated.contact {
+        facts.push(("Insert", contact.to_string()));
+    }
+    if let Some(noise) = &evaluated.noise {
+        facts.push(("Monte Carlo paths", noise.to_string()));
+    }
+    if let Some(agreement) = &evaluated.agreement {
+        facts.push(("Scattering by orders", agreement.to_string()));
+    }
+    facts
+        .into_iter()
+        .map(|(name, text)| (name.to_owned(), text))
+        .collect()
+}
+
+/// Date and time, UTC.
+fn date(now: std::time::SystemTime) -> String {
+    let seconds = now
+        .duration_since(std::time::UNIX_EPOCH)
+        .map_or(0, |d| d.as_secs());
+    let (mut days, minutes) = (seconds / 86_400, seconds % 86_400 / 60);
+    let is_leap = |year: u64| {
+        year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400))
+    };
+    let mut year = 1970;
+    while days >= 365 + u64::from(is_leap(year)) {
+        days -= 365 + u64::from(is_leap(year));
+        year += 1;
+    }
+    let lengths = [
+        31,
+        28 + u64::from(is_leap(year)),
+        31,
+        30,
+        31,
+        30,
+        31,
+        31,
+        30,
+        31,
+        30,
+        31,
+    ];
+    let mut month = 0;
+    while days >= lengths[month] {
+        days -= lengths[month];
+        month += 1;
+    }
+    format!(
+        "{year}-{:02}-{:02} {:02}:{:02} UTC",
+        month + 1,
+        days + 1,
+        minutes / 60,
+        minutes % 60
+    )
+}
+
+/// The predicted surface on all voxels of the evaluation, as `print.stl`; and the one that its distances are measured on, with how far it
+/// is off, as `print.ply`, where there is a target to compare it with.
+fn print(
+    scene: &Scene,
+    evaluated: &Evaluated,
+    folder: &Path,
+    run: Run,
+) -> Result<Option<Deviation>> {
+    let writing = run.aside();
+    let mut print = Print::under(&evaluated.fine.labels, &evaluated.response, run)?
+        .with_most_triangles(scene.most_triangles())
+        .with_inside(&evaluated.fine.target.inside)?;
+    if let Some(threshold) = evaluated.evaluation.gel_threshold {
+        print = print.with_threshold(threshold)?;
+    }
+    let title = format!("{}, predicted print", scene.name);
+    write_stl_pieces(
+        &folder.join("print.stl"),
+        &title,
+        |put| print.surface_pieces(|piece| put(&piece.corners, &piece.triangles)),
+        &writing,
+    )?;
+    let deviation = print.deviation();
+    if let Some(deviation) = &deviation {
+        write_print(&folder.join("print.ply"), &scene.name, deviation)?;
+    }
+    Ok(deviation)
+}
+
+fn history(optimized: &Optimized) -> Vec<HistoryRow> {
+    let rows = &optimized.outcome.history;
+    let names = optimized.found.iter().flat_map(|found| &found.values);
+    let names: Vec<&String> = names.map(|(name, _)| name).collect();
+    let response = |row: &Row| {
+        let own = names.iter().zip(&row.response);
+        own.map(|(name, value)| ((*name).clone(), *value)).collect()
+    };
+    let line = |row: &Row| HistoryRow {
+        iteration: row.iteration,
+        loss: row.loss,
+        projected_gradient: relative_gradient(rows, row),
+        step: row.step,
+        forward_calls: row.forward as usize,
+        adjoint_calls: row.adjoint as usize,
+        seconds: row.seconds,
+        iou: row.print.and_then(|print| print.iou),
+        process_window: row.print.and_then(|print| print.process_window),
+        response: response(row),
+    };
+    rows.iter().map(line).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::time::{Duration, UNIX_EPOCH};
+
+    #[test]
+    fn dates_are_those_of_the_calendar() {
+        let at = |seconds| date(UNIX_EPOCH + Duration::from_secs(seconds));
+        assert_eq!(at(0), "1970-01-01 00:00 UTC");
+        assert_eq!(at(951_782_400), "2000-02-29 00:00 UTC");
+        assert_eq!(at(1_795_262_399), "2026-11-21 11:59 UTC");
+    }
+}

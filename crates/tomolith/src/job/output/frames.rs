@@ -1,0 +1,246 @@
+//! Frames of written patterns: how they are shown, and their files.
+
+use crate::error::Result;
+use crate::exposure::{Budget, Printer, Quantized, Rotation, frame_rate, movie_name};
+use crate::io::frames::{FrameSet, write_frames};
+use crate::io::movie::{check_lossless, write_lossless};
+use crate::io::mp4::{check_movie, write_movie};
+use crate::io::stack::write_stack;
+use crate::io::write_whole;
+use crate::job::progress::{Event, Progress, left_out};
+use crate::job::resolve::machine::exposure;
+use crate::job::resolve::scheduled;
+use crate::job::resolve::scheduled::Emitted;
+use crate::job::spec::file_names::EXPOSURE;
+use crate::job::spec::{JobSpec, MovieCoding};
+use crate::models::Run;
+use crate::report::number::significant;
+use crate::report::{Irradiance, MovieReport};
+use crate::units::exact;
+use serde_json::{Value, json};
+use std::f64::consts::TAU;
+use std::io::Write;
+use std::path::Path;
+
+/// What is left out where frames make no movie, and what else could show them.
+const MOVIE: [&str; 2] = [
+    "the movie",
+    "the frames are written; output.movie = \"lossless\" takes frames of any kind, \"none\" writes no movie",
+];
+
+/// Share by which a print may take longer than it is allowed to without a word: what the rounding of frames and thresholds moves.
+const OVERRUN: f64 = 0.005;
+
+/// How one light is shown.
+#[derive(Clone, Copy)]
+pub(crate) struct ShownLight {
+    pub(crate) bits: u32,
+    pub(crate) white: f32,
+    pub(crate) canvas: Option<[usize; 2]>,
+    pub(crate) budget: Budget,
+    /// How bright the job's schedule shows it.
+    pub(crate) irradiance: Option<Irradiance>,
+}
+
+/// What of frames was written.
+#[derive(Default)]
+pub(crate) struct WrittenFrames {
+    /// One per light; None where there is no movie.
+    pub(crate) movies: Vec<Option<MovieReport>>,
+    /// What was left out.
+    pub(crate) warnings: Vec<String>,
+}
+
+/// How a job is shown: frames, movies, times.
+pub(crate) struct Shown<'a> {
+    spec: &'a JobSpec,
+    names: &'a [Option<&'a str>],
+    lights: Vec<ShownLight>,
+}
+
+impl<'a> Shown<'a> {
+    /// Warns of a print that takes longer than the job allows.
+    pub(crate) fn overrun(&self) -> Option<String> {
+        let asked = self.spec.printer.as_ref()?.time_s?;
+        let times = self.lights.iter().map(|light| light.budget.time_s);
+        let found: f64 = times.sum::<Option<f64>>()?;
+        (found > asked * (1.0 + OVERRUN)).then(|| {
+            let [found, lower] = [found, asked * asked / found].map(|seconds| significant(seconds, 3));
+            let asked = exact(asked);
+            format!(
+                "the print takes {found} s where printer.time_s allows {asked} s: the resin gels at another dose than the bound of the pixels was made for, or several \
+                 lights follow each other. After {asked} s parts are softer than predicted: set printer.time_s = {lower}, or evaluate.threshold to the gel threshold of this report"
+            )
+        })
+    }
+
+    /// Times and energies of frames: those of the job's schedule, or of a resin that is solid at a known dose (in units of the job).
+    ///
+    /// # Errors
+    /// Those of the schedule.
+    pub(crate) fn new(
+        spec: &'a JobSpec,
+        printers: Option<&[Printer]>,
+        names: &'a [Option<&'a str>],
+        frames: &[Quantized],
+        gel_dose: Option<f64>,
+    ) -> Result<Self> {
+        let light = |(i, frames): (usize, &Quantized)| -> Result<ShownLight> {
+            let printer = printers.map(|printers| &printers[i]);
+            let emitted = match printer {
+                Some(printer) => printer.emitted(frames),
+                None => frames.sums(),
+            };
+            let (grid, white) = (&frames.grid, f64::from(frames.full_scale));
+            let (pixels, pixel_mm2) = (grid.rows * grid.columns, grid.pixel_mm2());
+            let scheduled = scheduled::budget(
+                spec,
+                i,
+                &Emitted {
+                    white,
+                    sums: &emitted,
+                    pixels: grid.frames() * pixels,
+                    pixel_mm2,
+                },
+            )?;
+            let (budget, irradiance) = match scheduled {
+                Some((budget, irradiance)) => (budget, Some(irradiance)),
+                None => {
+                    let exposure = exposure(spec, i, gel_dose);
+                    (
+                        exposure.budget(white, emitted.iter().sum(), pixels, pixel_mm2),
+                        None,
+                    )
+                }
+            };
+            Ok(ShownLight {
+                bits: frames.bits,
+                white: frames.full_scale,
+                canvas: printer.map(|_| [grid.columns, grid.rows]),
+                budget,
+                irradiance,
+            })
+        };
+        let lights = frames.iter().enumerate().map(light);
+        Ok(Shown {
+            spec,
+            names,
+            lights: lights.collect::<Result<_>>()?,
+        })
+    }
+
+    pub(crate) fn lights(&self) -> &[ShownLight] {
+        &self.lights
+    }
+
+    /// Writes frames, movies, the stack when it is asked for, and `exposure.json`; the movies are read back. Lights whose
+    /// frames make no movie (a list of angles) have none.
+    pub(crate) fn write(
+        &self,
+        folder: &Path,
+        part: &str,
+        sets: &[FrameSet<'_>],
+        progress: &mut dyn Progress,
+        run: &Run,
+    ) -> Result<WrittenFrames> {
+        write_frames(&folder.join("frames"), sets, &run.part(0.2))?;
+        if self
+            .spec
+            .printer
+            .as_ref()
+            .is_some_and(|printer| printer.stack)
+        {
+            write_stack(&folder.join("frames.npz"), sets, &run.part(0.1))?;
+        }
+        let (mut written, mut lights) = (WrittenFrames::default(), Vec::new());
+        for (i, set) in sets.iter().enumerate() {
+            let movie = self.write_movie(folder, part, set, &run.part(0.7 / sets.len() as f64));
+            let movie = left_out(MOVIE, movie, progress, &mut written.warnings)?.flatten();
+            let arc = set.grid.frame_arc * set.grid.frames() as f64;
+            if arc == 0.0 && self.spec.output.movie != MovieCoding::None {
+                let text =
+                    "a list of angles, or a single frame, has no frame rate: no movie is written"
+                        .to_owned();
+                progress.event(&Event::Note { text });
+            }
+            let name = movie.as_ref().map(|movie| movie.file.as_str());
+            lights.push(self.light_json(i, set, name));
+            written.movies.push(movie);
+        }
+        let rpm = self.spec.output.rpm;
+        let exposure = json!({ "schema": "tomolith.exposure/1", "rpm": rpm, "lights": lights });
+        write_whole(&folder.join(EXPOSURE), |file| {
+            serde_json::to_writer_pretty(&mut *file, &exposure).map_err(std::io::Error::from)?;
+            Ok(file.write_all(b"\n")?)
+        })?;
+        Ok(written)
+    }
+
+    /// The movie of a light, read back; None where it has no frame rate, or none is asked for.
+    fn write_movie(
+        &self,
+        folder: &Path,
+        part: &str,
+        set: &FrameSet<'_>,
+        run: &Run,
+    ) -> Result<Option<MovieReport>> {
+        let (coding, rpm) = (self.spec.output.movie, self.spec.output.rpm);
+        let ending = match coding {
+            MovieCoding::H264 => "mp4",
+            MovieCoding::Lossless => "mov",
+            MovieCoding::None => return Ok(None),
+        };
+        let arc = set.grid.frame_arc * set.grid.frames() as f64;
+        if arc == 0.0 {
+            return Ok(None);
+        }
+        let file = movie_name(part, set.light, rpm, ending);
+        let path = folder.join(&file);
+        let rate = frame_rate(rpm, set.grid.frames(), arc)?;
+        let check = if coding == MovieCoding::H264 {
+            write_movie(&path, set, rate, &run.part(0.6))
+                .and_then(|()| check_movie(&path, set, &run.part(0.4)))
+        } else {
+            write_lossless(&path, set, rate).and_then(|()| check_lossless(&path, set))
+        };
+        match check {
+            Ok(check) => Ok(Some(MovieReport { file, check })),
+            Err(error) => {
+                // A movie that cannot be read back is none
+                let _ = std::fs::remove_file(&path);
+                Err(error)
+            }
+        }
+    }
+
+    fn light_json(&self, i: usize, set: &FrameSet<'_>, movie: Option<&str>) -> Value {
+        let (spec, grid) = (&self.spec.light[i], set.grid);
+        let sense = self
+            .spec
+            .printer
+            .as_ref()
+            .and_then(|printer| printer.rotation)
+            .unwrap_or(spec.rotation);
+        let degrees: Vec<f64> = grid
+            .azimuths
+            .iter()
+            // Without the last digits of a conversion: 30, not 29.999999999999996
+            .map(|a| (a.rem_euclid(TAU).to_degrees() * 1e9).round() / 1e9)
+            .collect();
+        json!({
+            "name": self.names[i],
+            "movie": movie,
+            "frames": grid.frames(),
+            "columns": grid.columns,
+            "rows": grid.rows,
+            "pixel_pitch_mm": grid.pitch_mm,
+            "bits": set.bits,
+            "white": set.full_scale,
+            "frame_rate": frame_rate(self.spec.output.rpm, grid.frames(), grid.frame_arc * grid.frames() as f64).ok(),
+            "vial_turns": if sense == Rotation::Clockwise { "clockwise" } else { "counterclockwise" },
+            "azimuth_deg": degrees,
+            "budget": self.lights[i].budget,
+            "irradiance": self.lights[i].irradiance,
+        })
+    }
+}

@@ -1,0 +1,128 @@
+//! Whether a run may take the place of the one that its folder holds.
+
+use super::folder::RunFolder;
+use crate::error::{Error, Result};
+use crate::job::resolve::identity::as_floats;
+use crate::job::spec::JobSpec;
+use crate::job::spec::document::Document;
+use crate::job::spec::read::{Job, with_every_default};
+use crate::optimize::checkpoint::differences;
+use serde_json::Value;
+
+/// Differences that a message names.
+const NAMED: usize = 3;
+
+/// Refuses to replace a finished run of another job, unless the user asks for it or goes on from its checkpoint. Jobs are the same
+/// when their resolved tables are, but for `[output]` and `[resources]`.
+///
+/// # Errors
+/// [`Error::Config`] at `output.folder`, with the keys that differ.
+pub(crate) fn must_be_same(job: &Job, resume: bool) -> Result<()> {
+    let folder = job.folder();
+    let goes_on = resume && folder.join("checkpoint").exists();
+    if job.overwrite || goes_on {
+        return Ok(());
+    }
+    let Some(file) = RunFolder::finished(&folder) else {
+        return Ok(());
+    };
+    let was = Document::read(&file).and_then(|text| JobSpec::from_document(&text));
+    let changes = match was {
+        Ok(was) => {
+            let mut found = Vec::new();
+            differences("", &tables(&was), &tables(&job.resolved()), &mut found);
+            if found.is_empty() {
+                return Ok(());
+            }
+            named(&found)
+        }
+        Err(_) => "its job.toml is of another version or cannot be read".to_owned(),
+    };
+    Err(job.locate(Error::config(
+        "output.folder",
+        format!(
+            "`{}` holds a finished run of another job: {changes}",
+            folder.display()
+        ),
+        "another folder (--output DIR), or --overwrite to replace that run",
+    )))
+}
+
+/// All tables of a job but where it is written.
+fn tables(spec: &JobSpec) -> Value {
+    let mut tables = with_every_default(spec.clone())
+        .to_value()
+        .unwrap_or_default();
+    if let Some(map) = tables.as_object_mut() {
+        map.remove("output");
+        map.remove("resources");
+    }
+    as_floats(&mut tables);
+    tables
+}
+
+/// The first differences, and how many there are beside them.
+fn named(found: &[String]) -> String {
+    let (first, rest) = found.split_at(found.len().min(NAMED));
+    let first = first.join(", ");
+    match rest.len() {
+        0 => first,
+        n => format!("{first}, and {n} more"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::tests::FULL;
+    use std::fs;
+
+    fn job(folder: &std::path::Path, change: &str) -> Job {
+        let mut document = Document::toml("a.toml", FULL).unwrap();
+        document.set(change).unwrap();
+        Job::from_document(document)
+            .unwrap()
+            .with_folder(folder, "--output")
+    }
+
+    #[test]
+    fn a_finished_run_is_replaced_by_its_own_job_only() {
+        let temp = tempfile::tempdir().unwrap();
+        let path = temp.path().join("run");
+        let (own, other) = (
+            job(&path, "output.rpm=10"),
+            job(&path, "stop.iterations=41"),
+        );
+        let text = own.resolved().to_toml().unwrap();
+        must_be_same(&other, false).unwrap();
+        // Nothing is finished while there is no report
+        let folder = RunFolder::open(&path, &text).unwrap();
+        fs::write(folder.new_files().join("report.json"), "{}").unwrap();
+        must_be_same(&other, false).unwrap();
+        folder.publish().unwrap();
+        must_be_same(&own, false).unwrap();
+        // What is written where is not the job
+        must_be_same(&job(&path, "output.rpm=8"), false).unwrap();
+        let message = must_be_same(&other, false).unwrap_err().to_string();
+        for part in [
+            "finished run of another job: stop.iterations was 40, is 41",
+            "--overwrite",
+        ] {
+            assert!(message.contains(part), "{part} is not in {message}");
+        }
+        must_be_same(&other.clone().overwriting(), false).unwrap();
+        // Without a checkpoint there is nothing to go on from
+        assert!(must_be_same(&other, true).is_err());
+        fs::create_dir(path.join("checkpoint")).unwrap();
+        must_be_same(&other, true).unwrap();
+        fs::write(
+            path.join("job.toml"),
+            "# A Tomolith run folder; this is its job with every default written out.\n",
+        )
+        .unwrap();
+        assert!(
+            must_be_same(&own, false).is_err(),
+            "a job that cannot be read"
+        );
+    }
+}

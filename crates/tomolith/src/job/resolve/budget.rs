@@ -1,0 +1,187 @@
+//! What a job takes of the memory budget, and what is lowered until it fits.
+
+use super::extent as estimate;
+use super::extent::{Extent, FIELDS_PER_SCENARIO};
+use super::method::JobKinds;
+use super::optics::Optics;
+use super::remarks::grid_key;
+use super::resources::{free_memory_mb, memory_budget_mb, require};
+use super::{cells, refinement};
+use crate::error::Result;
+use crate::exposure::Printer;
+use crate::grid::VolumeGrid;
+use crate::job::resolve::Scene;
+use crate::job::spec::JobSpec;
+use crate::models::{Family, OpticalScene, Purpose};
+
+/// Least memory of a quasi-Newton method that is still worth having.
+const LEAST_MEMORY: usize = 3;
+
+/// What a scene takes, with all that its levels, its model and its outputs add to what it counts for itself.
+pub(crate) fn extent(scene: &Scene, family: &Family) -> Result<Extent> {
+    let (spec, grid, own) = (&scene.spec, &scene.grid, &scene.extent);
+    let lit = scene.optimizing();
+    let last = &scene.levels[scene.levels.len() - 1];
+    let finest = OpticalScene {
+        lights: &last.lights,
+        ..lit
+    };
+    let kept = family.cost(&finest, &last.grid).unwrap_or_default();
+    let kept_of_the_job = family.cost(&lit, grid)?;
+    let entries = [&kept, &kept_of_the_job].map(|cost| cost.cached_bytes.unwrap_or_default());
+    let of_the_job = (grid, &scene.optics.lights[..], spec.stop.iterations);
+    let effort = refinement::effort(&scene.levels, of_the_job, entries);
+    let canvases = scene.printers.iter().flatten().map(Printer::canvas_grid);
+    let cells = if scene.has_cells { cells::FIELDS } else { 0 };
+    Ok(Extent {
+        effort: effort * (1 + spec.scenario.len()) as f64,
+        cached_entries: kept.cached_entries,
+        cached_bytes: kept.cached_bytes,
+        finest: last.grid.clone(),
+        fields: with_fields(spec, &scene.kinds, scene.shape.is_gray()) + cells,
+        canvas: canvases.map(|canvas| canvas.len()).sum(),
+        stacked: bytes_stacked(spec),
+        // Response and target, and a label
+        bytes_evaluated: usize::from(spec.output.evaluation) * 9,
+        is_noisy: family.monte_carlo_paths().is_some(),
+        scenarios: spec.scenario.len(),
+        working_mb: [
+            kept_of_the_job.working_bytes as f64 / 1e6,
+            evaluated_mb(&scene.optics, grid, own.refine)?,
+        ],
+        ..own.clone()
+    })
+}
+
+impl Scene {
+    /// Lowers the optimizer's memory and the refinement of the evaluation until both fit, and says so.
+    pub(crate) fn fit_memory(&mut self) -> Result<()> {
+        let budget = memory_budget_mb(self.spec.resources.memory_gb);
+        let fits = |needed: u64| budget.is_none_or(|budget| needed <= budget);
+        let asked = self.extent.memory;
+        while !fits(self.extent.optimization_mb()) && self.extent.memory > LEAST_MEMORY {
+            self.extent.memory -= 1;
+        }
+        if self.extent.memory < asked {
+            let memory = self.extent.memory;
+            self.kinds.set_pairs(memory);
+            self.warnings.push(format!(
+                "the memory budget (resources.memory_gb) is too small: optimizer.{}.memory is {memory}, not {asked}",
+                self.kinds.method()
+            ));
+        }
+        let asked = self.extent.refine;
+        while !fits(self.extent.evaluation_mb()) && self.extent.refine > 1 {
+            self.extent.refine -= 1;
+            self.extent.working_mb[1] = evaluated_mb(&self.optics, &self.grid, self.extent.refine)?;
+        }
+        if self.extent.refine < asked {
+            let refine = self.extent.refine;
+            self.warnings.push(format!(
+                "the memory budget (resources.memory_gb) is too small: evaluating on {}, not on a {asked}× finer one",
+                match refine {
+                    1 => "the job's own grid".to_owned(),
+                    refine => format!("a {refine}× finer grid"),
+                }
+            ));
+        }
+        for (what, parts) in [
+            ("memory for the optimization", self.extent.optimization()),
+            ("memory for the evaluation", self.extent.evaluation()),
+        ] {
+            let [voxels_mb, pixels_mb, frames_mb] = parts;
+            let (key, accepted) = if frames_mb > voxels_mb.max(pixels_mb) {
+                let accepted =
+                    "fewer pixels or voxels, larger errors allowed in the model, fewer --threads";
+                ("model".to_owned(), accepted)
+            } else if voxels_mb >= pixels_mb {
+                let accepted = "fewer voxels (a larger grid.pitch_mm, a smaller grid.shape)";
+                (grid_key(&self.spec), accepted)
+            } else if what.ends_with("evaluation") && 2.0 * self.extent.canvas_mb() > pixels_mb {
+                let accepted =
+                    "a smaller canvas (it need only hold the patterns), or fewer light.angles";
+                ("printer.canvas".to_owned(), accepted)
+            } else {
+                let accepted = "fewer pixels or angles (light.pixels, light.angles)";
+                (pixels_key(&self.spec), accepted)
+            };
+            let needed_mb = estimate::whole_mb(parts);
+            let accepted = match self.spec.resources.memory_gb {
+                Some(_) => format!("{accepted}, or a larger resources.memory_gb"),
+                None => accepted.to_owned(),
+            };
+            require(&key, what, needed_mb, budget, &accepted)?;
+        }
+        self.warn_of_others();
+        Ok(())
+    }
+
+    /// Triangles of a surface that the evaluation has memory for.
+    pub(crate) fn most_triangles(&self) -> usize {
+        let budget = memory_budget_mb(self.spec.resources.memory_gb);
+        self.extent.most_triangles(budget)
+    }
+
+    /// Warns where other programs hold the memory that the run plans with.
+    fn warn_of_others(&mut self) {
+        let needed = self
+            .extent
+            .optimization_mb()
+            .max(self.extent.evaluation_mb());
+        if let Some(free) = free_memory_mb().filter(|&free| free < needed) {
+            self.warnings.push(format!(
+                "the run needs {needed} MB of memory and {free} MB are free now: it may become slow or be stopped by the system. End other \
+                 programs, or make the job smaller (grid.pitch_mm, light.pixels)"
+            ));
+        }
+    }
+}
+
+/// Volumes that a further species, and a print in time, take, as objectives with fields.
+const PER_SPECIES: usize = 2;
+
+const PER_PRINT: usize = 5;
+
+/// Objectives with numbers of their own for every voxel.
+pub(crate) fn with_fields(spec: &JobSpec, kinds: &JobKinds, gray: bool) -> usize {
+    let common = kinds.common();
+    let count = common
+        .filter(|(_, common)| gray || common.has_fields())
+        .count();
+    // Dose and target of each further species or scenario; state and snapshots of a print in time
+    count
+        + PER_SPECIES * spec.species.len().saturating_sub(1)
+        + FIELDS_PER_SCENARIO * spec.scenario.len()
+        + if spec.schedule.is_some() {
+            PER_PRINT
+        } else {
+            0
+        }
+}
+
+/// Bytes of a canvas pixel in `frames.npz`, 0 when the job asks for none.
+pub(crate) fn bytes_stacked(spec: &JobSpec) -> usize {
+    let asked = spec.printer.as_ref().is_some_and(|printer| printer.stack);
+    usize::from(asked) * if spec.evaluate.bit_depth > 8 { 2 } else { 1 }
+}
+
+/// The key of the light with the most pixels.
+fn pixels_key(spec: &JobSpec) -> String {
+    let pixels = |i: &usize| {
+        let light = &spec.light[*i];
+        light.pixels.iter().product::<usize>() * light.angles.count()
+    };
+    let largest = (0..spec.light.len()).max_by_key(pixels).unwrap_or(0);
+    format!("light[{largest}].pixels")
+}
+
+/// Memory of the frames that are judged at a time, MB.
+pub(crate) fn evaluated_mb(optics: &Optics, grid: &VolumeGrid, refine: usize) -> Result<f64> {
+    let grid = grid.refined(refine);
+    let scene = OpticalScene {
+        purpose: Purpose::Evaluate { refine },
+        ..optics.scene()
+    };
+    let cost = optics.family(&grid)?.cost(&scene, &grid)?;
+    Ok(cost.working_bytes as f64 / 1e6)
+}

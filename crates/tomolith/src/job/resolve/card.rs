@@ -1,0 +1,138 @@
+//! Where a job is computed: on the processor, or on a graphics card.
+//!
+//! `resources.device` is `"cpu"`, `"gpu"` (the first real card), `"gpu:NAME"` (one whose name contains this), or `"auto"`: a card where there is one that is
+//! large enough, else the processor. What has no form for a card ([`DoseModel::strips`](crate::dose::DoseModel::strips)) stays on the processor.
+
+use crate::dose::Accelerator;
+use crate::error::Result;
+
+/// What `resources.device` takes.
+const ACCEPTED: &str = "\"cpu\", \"gpu\", \"gpu:NAME\" (part of a card's name; `tomolith devices` lists them), \"auto\"";
+
+/// The part of a card's name that a key asks for: None for the processor, empty for any card.
+fn asked(device: Option<&str>) -> Result<Option<(&str, bool)>> {
+    match device {
+        None | Some("cpu") => Ok(None),
+        Some("gpu") => Ok(Some(("", false))),
+        Some("auto") => Ok(Some(("", true))),
+        Some(other) => match other.strip_prefix("gpu:") {
+            Some(name) if !name.is_empty() => Ok(Some((name, false))),
+            _ => Err(crate::Error::config(
+                "resources.device",
+                format!("found {other:?}"),
+                ACCEPTED,
+            )),
+        },
+    }
+}
+
+#[cfg(feature = "gpu")]
+pub(crate) use with_gpu::Card;
+#[cfg(not(feature = "gpu"))]
+pub(crate) use without::Card;
+#[cfg(feature = "gpu")]
+mod with_gpu {
+    use super::{Accelerator, Result};
+    use crate::dose::strips::StripForm;
+    use crate::error::Error;
+    use crate::models::{HostModel, Run};
+    use std::sync::{Mutex, PoisonError};
+    use tomolith_gpu::{Asked, Gpu};
+
+    /// A graphics card that a job asks for.
+    #[derive(Clone, Debug)]
+    pub(crate) struct Card {
+        gpu: Gpu,
+        /// Whether the processor does what the card cannot hold.
+        gives_way: bool,
+    }
+
+    /// Cards that were opened, by the part of their names: opening takes a while, and a job is resolved more than once.
+    static OPENED: Mutex<Vec<(String, Gpu)>> = Mutex::new(Vec::new());
+
+    impl Card {
+        /// The card that a key asks for; None for the processor.
+        ///
+        /// # Errors
+        /// [`Error::Config`] for what is no device, [`Error::Device`] where there is no such card.
+        pub(crate) fn of(device: Option<&str>) -> Result<Option<Self>> {
+            let Some((name, gives_way)) = super::asked(device)? else {
+                return Ok(None);
+            };
+            match opened(name) {
+                Ok(gpu) => Ok(Some(Card { gpu, gives_way })),
+                Err(Error::Device { .. }) if gives_way => Ok(None),
+                Err(error) => Err(error),
+            }
+        }
+
+        /// The card.
+        pub(crate) fn gpu(&self) -> &Gpu {
+            &self.gpu
+        }
+    }
+
+    fn opened(name: &str) -> Result<Gpu> {
+        let mut all = OPENED.lock().unwrap_or_else(PoisonError::into_inner);
+        let known = all
+            .iter()
+            .find(|(own, gpu)| own == name && gpu.check().is_ok());
+        if let Some((_, gpu)) = known {
+            return Ok(gpu.clone());
+        }
+        let asked = if name.is_empty() {
+            Asked::Any
+        } else {
+            Asked::Named(name)
+        };
+        let gpu = Gpu::open(&asked)?;
+        all.retain(|(own, _)| own != name);
+        all.push((name.to_owned(), gpu.clone()));
+        Ok(gpu)
+    }
+
+    impl Accelerator for Card {
+        fn model(&self, form: &StripForm, run: &Run) -> Result<Option<HostModel>> {
+            match self.gpu.model(form, run) {
+                Err(Error::Resources { .. }) if self.gives_way => Ok(None),
+                other => other,
+            }
+        }
+    }
+}
+
+#[cfg(not(feature = "gpu"))]
+mod without {
+    use super::{Accelerator, Result};
+    use crate::dose::strips::StripForm;
+    use crate::error::Error;
+    use crate::models::{HostModel, Run};
+
+    /// No graphics card: this program was built without them.
+    #[derive(Clone, Debug)]
+    pub(crate) enum Card {}
+
+    impl Card {
+        /// None: the processor.
+        ///
+        /// # Errors
+        /// [`Error::Config`] for what is no device, [`Error::Device`] for a card.
+        pub(crate) fn of(device: Option<&str>) -> Result<Option<Self>> {
+            match super::asked(device)? {
+                None | Some((_, true)) => Ok(None),
+                Some((name, _)) => Err(Error::Device {
+                    name: if name.is_empty() { "gpu".to_owned() } else { format!("gpu:{name}") },
+                    found: "this program was built without graphics cards; build it with the feature `gpu`, or leave \
+                            resources.device out"
+                        .to_owned(),
+                }),
+            }
+        }
+    }
+
+    impl Accelerator for Card {
+        fn model(&self, _: &StripForm, _: &Run) -> Result<Option<HostModel>> {
+            match *self {}
+        }
+    }
+}

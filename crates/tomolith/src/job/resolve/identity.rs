@@ -1,0 +1,166 @@
+//! What tells a job from others: hashes of its tables, of the files that they name, and of voxels.
+
+use crate::error::{Error, Result};
+use crate::field::BLOCK;
+use crate::job::resolve::Voxels;
+use serde_json::Value;
+use std::io::Read;
+use std::path::Path;
+use tomolith_core::files::open_regular;
+use tomolith_core::parallel::InParallel;
+
+use crate::io::slices::stack_files;
+
+use crate::target::TargetSpec;
+
+/// 2 and 2.0 are the same number, however a job writes it.
+pub(crate) fn as_floats(value: &mut Value) {
+    match value {
+        Value::Number(number) => {
+            if let Some(float) = number.as_f64() {
+                *value = Value::from(float);
+            }
+        }
+        Value::Array(list) => list.iter_mut().for_each(as_floats),
+        Value::Object(map) => map.values_mut().for_each(as_floats),
+        _ => {}
+    }
+}
+
+/// What makes a checkpoint belong to this job: its tables and the content of their files, and the voxels in place of the
+/// target's table.
+pub(crate) fn fingerprint(tables: &Value, voxels: &Voxels, base: &Path) -> Result<u64> {
+    let mut tables = tables.clone();
+    if let Some(map) = tables.as_object_mut() {
+        map.remove("target");
+    }
+    let mut parts = vec![hash(tables.to_string().as_bytes())];
+    parts.extend(of_voxels(voxels));
+    contents(&tables, base, &mut parts)?;
+    Ok(hash(bytemuck::cast_slice(&parts)))
+}
+
+/// Hashes of labels and of shares.
+pub(crate) fn of_voxels(voxels: &Voxels) -> [u64; 2] {
+    let labels = voxels.labels.values.chunks(BLOCK).par_map(hash);
+    let inside = voxels.target.inside.values.chunks(BLOCK);
+    let inside = inside.par_map(|block| hash(bytemuck::cast_slice(block)));
+    [labels, inside].map(|hashes| hash(bytemuck::cast_slice(&hashes)))
+}
+
+/// Keys that name a file, or a list of files: fields, curves, maps, a matrix, the walls of a vial, bodies in the light, pixels that stay dark, other
+/// starts.
+const FILES: [&str; 12] = [
+    "file",
+    "or",
+    "image",
+    "absorption",
+    "attenuation",
+    "outer",
+    "inner",
+    "mesh",
+    "mask",
+    "psf",
+    "flat_field",
+    "dead_pixels",
+];
+
+/// Hashes of the contents of all files that tables name, in the order of their keys.
+pub(crate) fn contents(tables: &Value, base: &Path, found: &mut Vec<u64>) -> Result<()> {
+    match tables {
+        Value::Array(list) => list.iter().try_for_each(|v| contents(v, base, found)),
+        Value::Object(map) => map.iter().try_for_each(|(key, value)| {
+            // Those of a scenario are whole paths: "vial.mesh.outer"
+            let name = key.rsplit('.').next().unwrap_or(key);
+            match FILES.contains(&name) {
+                true => files(value, base, found),
+                false => contents(value, base, found),
+            }
+        }),
+        _ => Ok(()),
+    }
+}
+
+/// Hashes of the files that the value of a key names; of a table, of those that it names in turn.
+fn files(value: &Value, base: &Path, found: &mut Vec<u64>) -> Result<()> {
+    match value {
+        Value::String(file) => found.push(content(&base.join(file))?),
+        Value::Array(list) => list.iter().try_for_each(|v| files(v, base, found))?,
+        table => contents(table, base, found)?,
+    }
+    Ok(())
+}
+
+/// Hash of a file's content.
+pub(crate) fn content(path: &Path) -> Result<u64> {
+    let failed = |e| Error::io(path, e);
+    let mut file = open_regular(path)?;
+    let (mut block, mut sum) = (vec![0u8; BLOCK], FNV);
+    loop {
+        let read = file.read(&mut block).map_err(failed)?;
+        if read == 0 {
+            return Ok(sum);
+        }
+        sum = hash_on(sum, &block[..read]);
+    }
+}
+
+/// FNV-1a, 64 bits.
+pub(crate) fn hash(bytes: &[u8]) -> u64 {
+    hash_on(FNV, bytes)
+}
+
+/// Where FNV-1a begins.
+const FNV: u64 = 0xcbf2_9ce4_8422_2325;
+
+/// Goes on with FNV-1a.
+fn hash_on(sum: u64, bytes: &[u8]) -> u64 {
+    bytes.iter().fold(sum, |h, &b| {
+        (h ^ u64::from(b)).wrapping_mul(0x0000_0100_0000_01b3)
+    })
+}
+
+/// Hashes of the contents of all files that a target names, which then go by their names alone.
+pub(crate) fn take_files(target: &mut TargetSpec, base: &Path, found: &mut Vec<u64>) -> Result<()> {
+    for file in target.files_mut() {
+        let path = base.join(&*file);
+        // A stack is a folder, or a pattern of names; what is missing is told where it is read
+        let files = stack_files(&path).unwrap_or_default();
+        for file in files.iter().filter(|file| file.is_file()) {
+            found.push(content(file)?);
+        }
+        *file = file.file_name().map(Into::into).unwrap_or_default();
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_file_that_a_job_names_is_looked_into() {
+        let folder = tempfile::tempdir().unwrap();
+        let tables = serde_json::json!({
+            "vial": { "mesh": { "outer": "o.stl", "inner": "i.stl", "refractive_index": 1.5 } },
+            "obstacles": [{ "mesh": "b.stl", "scale": 1.0 }],
+            "model": { "matrix": { "file": "m.npz" } },
+        });
+        let hashes = || {
+            let mut found = Vec::new();
+            contents(&tables, folder.path(), &mut found).map(|()| found)
+        };
+        let files = ["o.stl", "i.stl", "b.stl", "m.npz"];
+        for name in files {
+            assert!(hashes().is_err(), "{name} is not there yet");
+            std::fs::write(folder.path().join(name), "1").unwrap();
+        }
+        let before = hashes().unwrap();
+        assert_eq!(before.len(), files.len());
+        for name in files {
+            std::fs::write(folder.path().join(name), "2").unwrap();
+            assert_ne!(hashes().unwrap(), before, "{name}");
+            std::fs::write(folder.path().join(name), "1").unwrap();
+        }
+    }
+}

@@ -1,0 +1,158 @@
+//! The light that judges a print in time: the models of the lights, through resin that shades where it has cured.
+
+use crate::error::{Error, Result};
+
+use crate::job::resolve::Scene;
+use crate::models::{Family, HostModel, OpticalScene, Purpose, Run, planner};
+use crate::optics::absorption_map::AbsorptionMap;
+use crate::optics::light::{Light, Selection};
+use std::sync::{Arc, OnceLock};
+use tomolith_material::Absorption;
+use tomolith_material::shaded::Shaded;
+
+/// Refuses shading of light that no model follows through a resin that absorbs differently from place to place.
+///
+/// # Errors
+/// [`Error::Config`] with the model's reason.
+pub(crate) fn must_be_shaded(scene: &Scene) -> Result<()> {
+    let own = scene.spec.material.as_ref();
+    let photopolymer = own.and_then(|material| material.photopolymer.as_ref());
+    let shading = photopolymer.map_or(&[][..], |params| &params.shading);
+    let run = Run::new();
+    let lights = Lights::new(scene, Vec::new(), &run);
+    // Two slices are enough to change along z
+    let map = AbsorptionMap::new([2, 1, 1], scene.grid.pitch_mm, vec![0.0; 2], vec![0.0; 2])?;
+    let map = Arc::new(map);
+    for (i, shading) in shading.iter().enumerate() {
+        if lights.is_straight(shading.light)? {
+            continue;
+        }
+        let covered = lights.family(shading.light, Some(&map));
+        covered.map_err(|error| at_shading(i, error))?;
+    }
+    Ok(())
+}
+
+/// Blames the shading for a model that does not cover it.
+fn at_shading(i: usize, error: Error) -> Error {
+    match error {
+        Error::Config {
+            key,
+            found,
+            accepted,
+            ..
+        } => Error::config(
+            format!("material.photopolymer.shading[{i}]"),
+            format!("cured resin shades, and {key} does not cover that: {found}"),
+            accepted,
+        ),
+        other => other,
+    }
+}
+
+/// The light that judges, one model each.
+pub(crate) struct Lights<'a> {
+    pub(crate) scene: &'a Scene,
+    pub(crate) lights: Vec<Light>,
+    /// Straight light in resin where nothing has cured, once it is asked for.
+    pub(crate) plain: Vec<OnceLock<Option<Arc<tomolith_material::Model>>>>,
+    pub(crate) run: &'a Run,
+}
+
+impl<'a> Lights<'a> {
+    pub(crate) fn new(scene: &'a Scene, lit: Vec<Vec<(u32, u32)>>, run: &'a Run) -> Self {
+        let mut lights = scene.optics.lights_turning(scene.evaluated_angles());
+        for (light, lit) in lights.iter_mut().zip(lit) {
+            light.active = Some(lit);
+            light.selection = Selection::default();
+        }
+        let plain = lights.iter().map(|_| OnceLock::new()).collect();
+        Lights {
+            scene,
+            lights,
+            plain,
+            run,
+        }
+    }
+
+    /// The model of a light in the resin as the job has it, or with this absorption.
+    pub(crate) fn model(&self, i: usize, absorption: Option<&Absorption>) -> Result<HostModel> {
+        let Some(absorption) = absorption else {
+            return self.planned(i, None);
+        };
+        if let Some(plain) = self.straight(i)? {
+            let resin = &self.lights[i].resin;
+            let plain_mu = [resin.absorption_per_mm, resin.attenuation_per_mm];
+            return Ok(Box::new(Shaded::new(plain, plain_mu, absorption)?));
+        }
+        let grid = &absorption.active_per_mm.grid;
+        let [active, total] = [&absorption.active_per_mm, &absorption.attenuation_per_mm];
+        let (active, total) = (active.values.clone(), total.values.clone());
+        let map = AbsorptionMap::new(grid.shape, grid.pitch_mm, active, total)?;
+        self.planned(i, Some(Arc::new(map.about(grid.center_mm))))
+    }
+
+    /// The scene of a light alone.
+    fn scene_of<'s>(&'s self, i: usize, light: &'s [Light], purpose: Purpose) -> OpticalScene<'s> {
+        let all = self.scene.optics.scene();
+        OpticalScene {
+            lights: light,
+            optics: &all.optics[i..=i],
+            purpose,
+            ..all
+        }
+    }
+
+    fn planned(&self, i: usize, map: Option<Arc<AbsorptionMap>>) -> Result<HostModel> {
+        let light = [self.mapped(i, map.as_ref())];
+        let purpose = if map.is_some() {
+            Purpose::Probe
+        } else {
+            Purpose::Optimize
+        };
+        let own = self.scene_of(i, &light, purpose);
+        let asked = self.scene.optics.model.as_ref();
+        let plan = planner::plan(asked, own, &self.scene.grid, None, self.run)?;
+        Ok(Box::new(plan.model))
+    }
+
+    /// A light in the resin of the job, or in one with this map.
+    fn mapped(&self, i: usize, map: Option<&Arc<AbsorptionMap>>) -> Light {
+        let mut light = self.lights[i].clone();
+        light.map = map.cloned().or(light.map);
+        light
+    }
+
+    /// The family of models of a light.
+    pub(crate) fn family(&self, i: usize, map: Option<&Arc<AbsorptionMap>>) -> Result<Family> {
+        let light = [self.mapped(i, map)];
+        let own = self.scene_of(i, &light, Purpose::Optimize);
+        planner::choose(self.scene.optics.model.as_ref(), &own, &self.scene.grid)
+    }
+
+    /// Whether a light runs level and straight through resin that absorbs alike everywhere, cones and waves about such a way among them.
+    pub(crate) fn is_straight(&self, i: usize) -> Result<bool> {
+        let (light, vial) = (&self.lights[i], self.scene.optics.vial.as_ref());
+        let index = light.resin.refractive_index;
+        let outside = vial.surrounding_index(light.surrounding_index, index);
+        Ok(self.family(i, None)?.capabilities().is_along_frames
+            && vial.walls().len() == 1
+            && vial.is_round()
+            && outside == index
+            && light.map.is_none()
+            && !light.resin.pure_radon)
+    }
+
+    /// The model of the resin in which nothing has cured, where light runs level and straight through it.
+    fn straight(&self, i: usize) -> Result<Option<Arc<tomolith_material::Model>>> {
+        if let Some(known) = self.plain[i].get() {
+            return Ok(known.clone());
+        }
+        let model = if self.is_straight(i)? {
+            Some(Arc::from(self.planned(i, None)?))
+        } else {
+            None
+        };
+        Ok(self.plain[i].get_or_init(|| model).clone())
+    }
+}

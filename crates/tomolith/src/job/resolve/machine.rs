@@ -1,0 +1,97 @@
+//! The machine of a job: one printer per light, and what the time that a print may take allows.
+
+use crate::error::{Error, Result};
+use crate::exposure::{ExposureBudget, Printer};
+use crate::job::resolve::method::JobKinds;
+use crate::job::spec::{JobSpec, LightSpec};
+use crate::optics::light::Light;
+use crate::units::exact;
+use std::path::Path;
+
+/// The machine of a job for each of its lights.
+///
+/// # Errors
+/// As [`Printer::new`].
+pub(crate) fn printers(
+    spec: &JobSpec,
+    base: &Path,
+    lights: &[Light],
+) -> Result<Option<Vec<Printer>>> {
+    if spec.printer.is_none() {
+        return Ok(None);
+    }
+    let one = |(i, (light, named)): (usize, (&Light, &LightSpec))| {
+        let printer = spec.printer_of(i).unwrap_or_default();
+        Printer::new(&printer, base, &light.pixels, named.rotation)
+            .map_err(|e| spec.at_printer_of(i, e))
+    };
+    lights
+        .iter()
+        .zip(&spec.light)
+        .enumerate()
+        .map(one)
+        .collect::<Result<_>>()
+        .map(Some)
+}
+
+/// The largest pattern value in the time that the print may take, and that time.
+///
+/// # Errors
+/// [`Error::Config`] when the dose that turns the resin solid is not known.
+pub(crate) fn white_in_time(spec: &JobSpec, kinds: &JobKinds) -> Result<Option<(f64, f64)>> {
+    let Some(seconds) = spec.printer.as_ref().and_then(|printer| printer.time_s) else {
+        return Ok(None);
+    };
+    let response = kinds.response.as_ref();
+    let middle = || {
+        let thresholds = kinds.thresholds();
+        thresholds.map(|[lower, upper]| f64::midpoint(lower, upper))
+    };
+    let threshold = spec.evaluate.threshold.or_else(middle).ok_or_else(|| {
+        Error::config(
+            "printer.time_s",
+            "a time, but no dose at which the resin turns solid",
+            "evaluate.threshold beside it",
+        )
+    })?;
+    let [low, high] = response.range();
+    if threshold <= low || threshold >= high {
+        return Err(Error::config(
+            "printer.time_s",
+            format!(
+                "a time, but the resin would be solid at {threshold:.3} and its response goes from {} to {}",
+                exact(low),
+                exact(high)
+            ),
+            "bands within the response's range, or evaluate.threshold there",
+        ));
+    }
+    let gel_dose = Some(f64::from(response.inverse(threshold as f32)));
+    let frames = (0..spec.light.len())
+        .map(|i| spec.angles_of(i).count())
+        .sum();
+    // One bound holds for all lights: that of the darkest
+    let peaks = (0..spec.light.len()).filter_map(|i| exposure(spec, i, gel_dose).peak_mw_per_cm2);
+    let exposure = ExposureBudget {
+        frames,
+        peak_mw_per_cm2: peaks.reduce(f64::min),
+        ..exposure(spec, 0, gel_dose)
+    };
+    Ok(exposure.white_in(seconds).map(|white| (white, seconds)))
+}
+
+/// What is known of the exposure of a light.
+pub(crate) fn exposure(spec: &JobSpec, light: usize, gel_dose: Option<f64>) -> ExposureBudget {
+    let angles = spec.angles_of(light);
+    let (_, frame_arc) = angles.azimuths(spec.light[light].rotation);
+    ExposureBudget {
+        peak_mw_per_cm2: spec
+            .printer_of(light)
+            .and_then(|printer| printer.peak_irradiance_mw_per_cm2),
+        rpm: spec.output.rpm,
+        frames: angles.count(),
+        frame_arc,
+        critical_mj_per_mm3: spec.resin.critical_dose_mj_per_mm3,
+        gel_dose,
+    }
+}

@@ -1,0 +1,402 @@
+//! What a job is about, before any heavy work: the shape, the optics, the grid, and what they will cost.
+
+pub(crate) mod budget;
+pub(crate) mod card;
+pub(crate) mod cells;
+pub(crate) mod clip;
+pub(crate) mod compatibility;
+pub(crate) mod extent;
+pub(crate) mod free_parameters;
+pub(crate) mod grid;
+pub(crate) mod identity;
+pub(crate) mod light;
+pub(crate) mod lights_in_time;
+pub(crate) mod machine;
+pub(crate) mod material;
+pub(crate) mod method;
+pub(crate) mod multiresolution;
+pub(crate) mod optics;
+pub(crate) mod point_spread;
+pub(crate) mod property;
+pub(crate) mod reach;
+pub(crate) mod refinement;
+pub(crate) mod remarks;
+pub mod resources;
+pub(crate) mod scenarios;
+pub(crate) mod schedule;
+pub(crate) mod scheduled;
+pub(crate) mod selection;
+pub(crate) mod species;
+pub(crate) mod time_refusals;
+pub(crate) mod voxels;
+
+use crate::error::{Error, Result};
+use crate::exposure::Printer;
+use crate::field::Field;
+use crate::grid::VolumeGrid;
+use crate::job::spec::JobSpec;
+use crate::job::spec::all_errors::with_others;
+use crate::job::spec::kinds::known_elsewhere;
+use crate::job::spec::read::Job;
+use crate::job::spec::species::{Row, at_species};
+use crate::models::parallel::kernel::Isa;
+use crate::models::{DoseLayout, OpticalScene, Purpose, Run, planner};
+use crate::objective::{ObjectiveInput, Sum};
+use crate::optics::light::Light;
+use crate::ranks::Communicator;
+use crate::response::{Response, dose_for};
+use crate::target::{self, Role, Shape, label};
+use compatibility::wall_tolerance_mm;
+use extent::Extent;
+use free_parameters::FoundResponse;
+use grid::{bounds_of, grid_of, moved};
+use method::{JobKinds, Minimized, counted_as, try_kinds};
+use optics::Optics;
+
+use refinement::Level;
+use remarks::{
+    ask_for_unit, at_target, chosen, given_patterns, must_be_seen, narrow_arc, on_its_own_grid,
+    part_of_a_turn, two_critical_doses,
+};
+pub(crate) use remarks::{at_section, few_angles};
+use resources::{available_disk_mb, bytes_in, require};
+
+use scenarios::Scenario;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+pub(crate) use voxels::Voxels;
+
+/// A job that can be run.
+pub(crate) struct Scene {
+    /// The tables, whose kinds are [`kinds`](Self::kinds) and [`optics`](Self::optics); the machine's time may bound the pixels.
+    pub(crate) spec: JobSpec,
+    /// The folder that files of the tables begin in.
+    pub(crate) base: PathBuf,
+    /// Name of the part.
+    pub(crate) name: String,
+    /// The shape.
+    pub(crate) shape: Arc<dyn Shape>,
+    /// The kinds that the job names.
+    pub(crate) kinds: JobKinds,
+    /// Whether its surface cuts voxels of the optimization into cells.
+    pub(crate) has_cells: bool,
+    /// Vial and lights.
+    pub(crate) optics: Optics,
+    /// The machine, one per light.
+    pub(crate) printers: Option<Vec<Printer>>,
+    /// The job's voxels.
+    pub(crate) grid: VolumeGrid,
+    /// Voxels of the optimization, from coarse to fine.
+    pub(crate) levels: Vec<Level>,
+    /// How large it all is.
+    pub(crate) extent: Extent,
+    /// M, a row per species; None: one species that all lights drive alike.
+    pub(crate) mixing: Option<Vec<Row>>,
+    /// What the map of each property makes of a response.
+    pub(crate) property_maps: Vec<Arc<dyn Response>>,
+    /// Further species, on the same voxels.
+    pub(crate) others: Vec<Scene>,
+    /// The same job with some keys set otherwise, on the same voxels.
+    pub(crate) scenarios: Vec<Scenario>,
+    /// Choices that were made.
+    pub(crate) notes: Vec<String>,
+    /// What may be wrong.
+    pub(crate) warnings: Vec<String>,
+    /// The processes that share the frames of the optimization; None: this one works alone.
+    pub(crate) ranks: Option<Arc<dyn Communicator>>,
+}
+
+impl Scene {
+    /// Reads the target and refuses whatever can be refused before heavy work.
+    ///
+    /// # Errors
+    /// Everything of the sections "Bad input": see [`Error`].
+    pub(crate) fn new(job: &Job, run: &Run) -> Result<Self> {
+        Isa::asked()?;
+        Self::of_all_species(job, run)
+            .map_err(|e| with_others(&job.document, &job.base(), job.locate(e)))
+    }
+
+    fn of_all_species(job: &Job, run: &Run) -> Result<Self> {
+        time_refusals::must_fit(&job.spec)?;
+        let of_first = |e| match job.spec.species.is_empty() {
+            true => e,
+            false => at_species(&job.spec, 0, e),
+        };
+        let mut scene = Self::of_species(job, 0, None, run).map_err(of_first)?;
+        for s in 1..job.spec.species.len() {
+            let other = Self::of_species(job, s, Some(&scene.grid), run);
+            scene
+                .others
+                .push(other.map_err(|e| at_species(&job.spec, s, e))?);
+        }
+        species::must_fit(&scene)?;
+        lights_in_time::must_be_shaded(&scene)?;
+        scene.scenarios = scenarios::of_job(job, &scene, run)?;
+        Ok(scene)
+    }
+
+    /// The scene of one species; on these voxels where they are given.
+    pub(crate) fn of_species(
+        job: &Job,
+        s: usize,
+        on: Option<&VolumeGrid>,
+        run: &Run,
+    ) -> Result<Self> {
+        let spec = job.spec.of_species(s);
+        let mut optics = Optics::new(&spec, &job.base())?;
+        let printers = machine::printers(&spec, &job.base(), &optics.lights)?;
+        let mut notes = optics.leave_dark(printers.as_deref().unwrap_or_default());
+        let kinds = JobKinds::read(&spec, &job.base()).map_err(known_elsewhere)?;
+        notes.extend(given_patterns(&kinds, &optics)?);
+        let shape = target::build_under(&spec.target, &job.base(), "target", run)
+            .map_err(|e| at_target(&spec, e))?;
+        let shape: Arc<dyn Shape> = Arc::from(shape);
+        let has_cells = kinds.cells_key().is_some();
+        try_kinds(&spec, &kinds, optics.model.as_ref(), shape.is_gray())
+            .map_err(known_elsewhere)?;
+        cells::must_fit(&kinds, shape.as_ref(), optics.model.as_ref())?;
+        time_refusals::must_be_whole(&spec, &kinds)?;
+        let property_maps = property::maps(&spec, &job.base())?;
+        counted_as(&spec, shape.is_gray())?;
+        let unit = ask_for_unit(&spec, &optics, shape.as_ref());
+        let placed = match on {
+            Some(grid) => Ok((grid.clone(), 0.0)),
+            None => grid_of(
+                &spec,
+                &optics,
+                bounds_of(&spec, shape.as_ref(), &job.base(), run)?,
+            ),
+        };
+        optics.wall_tolerance_mm =
+            wall_tolerance_mm(&spec, placed.as_ref().ok().map(|(grid, _)| grid))?;
+        // Light need reach only what is printed
+        let printed = shape.body(Role::Print).unwrap_or(shape.as_ref());
+        let touching = optics
+            .must_hold(&spec, printed)
+            .map_err(|e| e.asking(unit.as_deref()))?;
+        if spec.target.insert_shadow.unwrap_or(true) {
+            optics.add_inserts(shape.as_ref())?;
+        }
+        let (grid, moved_mm) = placed?;
+        notes.extend(moved(moved_mm));
+        notes.extend(chosen(&spec, &kinds));
+        let is_coarse = optics.are_coarse(&grid);
+        must_be_seen(&spec, shape.as_ref(), &grid, unit.as_deref(), is_coarse)?;
+        time_refusals::must_be_stable(&spec, &grid)?;
+        let cut_off = clip::must_hold(&spec.grid, &grid, shape.as_ref(), run)?;
+        // A file that is missing is told before numbers that do not suit it
+        let covered = optics.family(&grid)?.check(&optics.scene(), &grid)?;
+        optics.must_be_evaluated(&spec)?;
+        let light = light::must_arrive(&optics, &grid)?;
+        for (path, common) in kinds.common() {
+            common
+                .check_files(&grid, &job.base())
+                .map_err(|e| e.under(path))?;
+        }
+        let lit = optimizing(&optics, &shape, has_cells);
+        let family = planner::choose(optics.model.as_ref(), &lit, &grid)?;
+        let of = (&optics, family.as_ref());
+        let on_grid = (&grid, on.is_none());
+        let levels = refinement::levels((&spec, &kinds), of, on_grid, shape.bounds_mm());
+        let sharpened = refinement::sharpened((&spec, &kinds), family.as_ref(), &levels);
+        let kinds = sharpened.unwrap_or(kinds);
+        let chosen = || refinement::judged(&grid, &levels);
+        let refine = spec.evaluate.refine.unwrap_or_else(chosen);
+        let memory = kinds.pairs().unwrap_or(0);
+        let extent = Extent::new(&optics, &grid, shape.bounds_mm(), refine, memory);
+        let mut scene = Scene {
+            base: job.base(),
+            name: spec.target.name(),
+            warnings: [
+                shape.warnings(),
+                cut_off.into_iter().collect(),
+                few_angles(&spec).into_iter().collect(),
+                on_its_own_grid(&spec).into_iter().collect(),
+                narrow_arc(&spec).into_iter().collect(),
+                part_of_a_turn(&spec).into_iter().collect(),
+                two_critical_doses(&spec).into_iter().collect(),
+                scenarios::worst_of_one(&spec).into_iter().collect(),
+                optics.dark_inside(),
+                optics.of_meshes.clone(),
+                optics.through_walls(),
+                optics.moved_away(printed).into_iter().collect(),
+                optics.coarse(printed),
+                optics.coarse_voxels(&grid).into_iter().collect(),
+                touching,
+                light,
+                covered,
+                unit.into_iter().collect(),
+            ]
+            .concat(),
+            notes,
+            ranks: None,
+            shape,
+            has_cells,
+            levels,
+            mixing: spec.mixing()?,
+            property_maps,
+            others: Vec::new(),
+            scenarios: Vec::new(),
+            kinds,
+            spec,
+            optics,
+            printers,
+            grid,
+            extent,
+        };
+        scene.extent = budget::extent(&scene, &family)?;
+        scene.finish(&job.folder())?;
+        Ok(scene)
+    }
+
+    /// What follows from all of it: more remarks, and what it needs in time, memory and disk.
+    ///
+    /// # Errors
+    /// [`Error::Config`](crate::Error::Config) where there is too little of one.
+    fn finish(&mut self, folder: &Path) -> Result<()> {
+        let notes = self.printers.iter().flatten().flat_map(Printer::notes);
+        self.warnings.extend(notes.cloned());
+        self.warnings.extend(multiresolution::left_out(self));
+        self.bound_by_time()?;
+        let absorbs = self.spec.resin.absorption_per_mm.is_some_and(|a| a > 0.0);
+        if self.spec.resin.pure_radon && absorbs {
+            let text = "resin.pure_radon = true: the absorption is not used";
+            self.warnings.push(text.to_owned());
+        }
+        self.fit_memory()?;
+        // A checkpoint that is there gives its place to the next one
+        let held = bytes_in(&folder.join("checkpoint")) / 1_000_000;
+        let disk = available_disk_mb(folder).map(|free| free + held);
+        require(
+            "output.folder",
+            "disk for the run folder",
+            self.extent.disk_mb(),
+            disk,
+            "a folder on a larger disk, or a smaller job",
+        )
+    }
+
+    /// Notes on which voxels the patterns will be optimized.
+    pub(crate) fn note_levels(&mut self) {
+        self.notes
+            .extend(refinement::note(&self.levels, &self.grid));
+    }
+
+    /// Bounds the pixels by what the machine can give in the time that it has.
+    fn bound_by_time(&mut self) -> Result<()> {
+        let Some((white, seconds)) = machine::white_in_time(&self.spec, &self.kinds)? else {
+            return Ok(());
+        };
+        let max = self.spec.bounds.max.map_or(white, |max| max.min(white));
+        if max <= self.spec.bounds.min {
+            return Err(Error::config(
+                "printer.time_s",
+                format!(
+                    "in {seconds} s a pixel gives {white:.4}, no more than bounds.min = {}",
+                    self.spec.bounds.min
+                ),
+                "more time or more light",
+            ));
+        }
+        self.spec.bounds.max = Some(max);
+        self.notes.push(format!(
+            "in {seconds} s the brightest pixel gives {white:.4}: bounds.max is {max:.4}"
+        ));
+        Ok(())
+    }
+
+    /// The finer grid of the evaluation.
+    pub(crate) fn fine_grid(&self) -> VolumeGrid {
+        self.grid.refined(self.extent.refine)
+    }
+
+    /// At how many angles of a frame patterns are judged: one where all vials stand still.
+    pub(crate) fn evaluated_angles(&self) -> usize {
+        let stands = |light: &Light| light.pixels.frame_arc == 0.0;
+        if self.optics.lights.iter().all(stands) {
+            1
+        } else {
+            self.spec.evaluate.sub_angles
+        }
+    }
+
+    /// What light passes in the optimization, and the surface where an objective has cells.
+    pub(crate) fn optimizing(&self) -> OpticalScene<'_> {
+        optimizing(&self.optics, &self.shape, self.has_cells)
+    }
+
+    /// Refuses a start that asks for doses which the material does not have, once the values of a gray target are known.
+    ///
+    /// # Errors
+    /// [`Error::Config`].
+    pub(crate) fn must_start(&self, voxels: &Voxels) -> Result<()> {
+        if !voxels.target.gray || !self.kinds.start.asks_for_doses() {
+            return Ok(());
+        }
+        let values = voxels
+            .target
+            .inside
+            .values
+            .iter()
+            .zip(&voxels.labels.values);
+        let counted = values.filter(|(_, label)| **label != label::OUTSIDE);
+        let highest = counted.fold(0.0f32, |highest, (&value, _)| highest.max(value));
+        dose_for(self.response().as_ref(), f64::from(highest))
+            .map(drop)
+            .map_err(|e| e.under("response"))
+    }
+
+    /// The response of the material.
+    pub(crate) fn response(&self) -> Arc<dyn Response> {
+        Arc::clone(&self.kinds.response)
+    }
+
+    /// Takes the response that was found with the patterns, where one was.
+    pub(crate) fn respond_as(&mut self, found: Option<&FoundResponse>) {
+        let Some(FoundResponse { response, .. }) = found else {
+            return;
+        };
+        self.kinds.set_response(response);
+        for scenario in &mut self.scenarios {
+            scenario.scene.kinds.set_response(response);
+        }
+    }
+
+    /// The sum of the objectives of the job, or of kinds that differ from its own in these alone.
+    ///
+    /// # Errors
+    /// [`Error::Config`].
+    pub(crate) fn objective<F: Field>(
+        &self,
+        minimized: &Minimized<F>,
+        layout: &DoseLayout,
+        voxels: &Voxels,
+    ) -> Result<Sum<F>> {
+        let Voxels { target, labels, .. } = voxels;
+        let input = ObjectiveInput {
+            layout,
+            labels,
+            target,
+            response: self.response(),
+        };
+        let sum = minimized.objective(&input, true);
+        sum.map(|sum| sum.scaled(layout.grid.voxel_mm3() / self.grid.voxel_mm3()))
+    }
+}
+
+/// What light passes in an optimization for a shape.
+fn optimizing<'a>(
+    optics: &'a Optics,
+    shape: &'a Arc<dyn Shape>,
+    has_cells: bool,
+) -> OpticalScene<'a> {
+    OpticalScene {
+        solid: has_cells.then_some(shape),
+        purpose: Purpose::Optimize,
+        ..optics.scene()
+    }
+}
+
+#[cfg(test)]
+mod tests;

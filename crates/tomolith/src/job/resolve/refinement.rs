@@ -1,0 +1,526 @@
+//! The voxels and pixels on which patterns are optimized, from coarse to fine.
+//!
+//! **Voxels finer than pixels.** A print has details that a voxel as large as a pixel does not see, so an objective that weighs a voxel by the
+//! share that is part (`surface = "fraction"`, the default) is asked on voxels of a quarter of a pixel, as far as [`BUDGET`] allows. Along z
+//! they stay as high as a row of pixels: collimated light is the same at all heights of a row, and the share of a voxel that is part says
+//! all that finer slices would. A voxel of height q and width p/4 costs 16 times a cube of the pixel, where cubes of p/4 would cost 64
+//! times.
+//!
+//! **Turning.** Where the vial turns by more than half a pixel at the rim of the part during a frame, the frame is averaged at up to
+//! [`MOST_ANGLES`] angles, which cost little where the model keeps its entries and as much as so many frames that stand still elsewhere.
+//!
+//! **Fourth powers.** On such voxels [`threshold`] counts deviations to the power of [`EXPONENT`] unless the job names one: the largest decide what prints
+//! wrong. On voxels as wide as a pixel that prints less well (docs/choices.md).
+//!
+//! **No higher than the light.** Light stays at its height, so rows of pixels that reach no part stay dark, and slices that only these rows light have no dose:
+//! such slices are left out.
+//!
+//! **Coarse first** only where the job's own voxels cost more than the budget: half of the iterations run on half as many frames,
+//! pixels and voxels along every axis. Elsewhere coarse iterations would save a third of the time and print less well (docs/choices.md).
+//!
+//! **Cells** are cut from voxels of half a pixel, as far as [`BUDGET_OF_CELLS`] allows: a mean over a cell does not hold the light within it.
+
+use super::method::JobKinds;
+use super::multiresolution::{coarser_grid, coarser_lights, is_large_enough};
+use super::optics::Optics;
+use crate::grid::VolumeGrid;
+use crate::job::spec::output::LEAST_REFINE;
+use crate::job::spec::{Against, JobSpec};
+use crate::models::{ModelFamily, Refines};
+use crate::objective::{Chosen, threshold};
+use crate::optics::light::Light;
+use crate::report::number::significant;
+
+/// What a dose on voxels finer than the job's, at more angles, may cost, in voxel-angle updates: 40 iterations on the gyroid of
+/// docs/fidelity.md, which nearly reaches it, take a minute of processor time.
+const BUDGET: f64 = 1.3e10;
+/// Finding the pixels that light a column of voxels takes as long as lighting so many of its voxels.
+const COLUMN: usize = 64;
+/// Voxels across a pixel, as fine as the judge's of docs/fidelity.md; finer ones have not been tried.
+const PER_PIXEL: f64 = 4.0;
+/// The same where voxels are cut into cells.
+const CELLS_PER_PIXEL: f64 = 2.0;
+/// Voxel-angle updates of a dose by rays through cells that are affordable: 0.3 to 5 s on two cores, with and without kept walks.
+const BUDGET_OF_CELLS: f64 = 8e8;
+/// Angles at which a frame is averaged at most.
+const MOST_ANGLES: usize = 4;
+/// Angles of a frame that count against the budget at most: more are free where the model keeps its entries, and cost up to twice the time where they
+/// are too many to keep.
+const PAID_ANGLES: usize = 2;
+/// Rounding of lengths, in voxels.
+const ROUNDING: f64 = 1e-6;
+
+/// Some iterations on some voxels with some lights.
+#[derive(Clone, Debug)]
+pub(crate) struct Level {
+    /// The voxels.
+    pub(crate) grid: VolumeGrid,
+    /// The lights, with the angles at which their frames are averaged.
+    pub(crate) lights: Vec<Light>,
+    /// The iterations after it, counted from the start.
+    pub(crate) until: usize,
+}
+
+impl Level {
+    fn new(grid: VolumeGrid, lights: &[Light], until: usize) -> Self {
+        let lights = lights.to_vec();
+        Level {
+            grid,
+            lights,
+            until,
+        }
+    }
+}
+
+/// Lights whose frames are averaged at so many angles, each light's its own.
+fn turned(lights: &[Light], sub_angles: &[usize]) -> Vec<Light> {
+    let turned = |(light, &sub_angles): (&Light, &usize)| Light {
+        sub_angles,
+        ..light.clone()
+    };
+    lights.iter().zip(sub_angles).map(turned).collect()
+}
+
+/// What the iterations of all levels cost, relative to `iterations` on the job's own voxels. `entries`: what the model keeps on the finest voxels
+/// and on the job's own, 0 where it keeps none; calls take as long as these are many.
+pub(crate) fn effort(
+    levels: &[Level],
+    (grid, lights, iterations): (&VolumeGrid, &[Light], usize),
+    entries: [f64; 2],
+) -> f64 {
+    if levels.len() == 1 && entries.iter().all(|&entries| entries > 0.0) {
+        return entries[0] / entries[1];
+    }
+    let mut done = 0;
+    let mut sum = 0.0;
+    for level in levels {
+        sum += (level.until - done) as f64 * updates(&level.grid, &level.lights);
+        done = level.until;
+    }
+    sum / (iterations.max(1) as f64 * updates(grid, lights))
+}
+
+/// What a dose costs, in voxel-angle updates before masks.
+fn updates(grid: &VolumeGrid, lights: &[Light]) -> f64 {
+    let angles = |light: &Light| light.pixels.frames() * light.sub_angles;
+    let [nz, ny, nx] = grid.shape;
+    ((nz + COLUMN) * ny * nx) as f64 * lights.iter().map(angles).sum::<usize>() as f64
+}
+
+/// The levels of a job, the finest last. One that does not stand `alone` shares its voxels with the job that it is a part of.
+pub(crate) fn levels(
+    (spec, kinds): (&JobSpec, &JobKinds),
+    (optics, family): (&Optics, &dyn ModelFamily),
+    (grid, alone): (&VolumeGrid, bool),
+    bounds_mm: [[f64; 3]; 2],
+) -> Vec<Level> {
+    let lights = &optics.lights;
+    let iterations = spec.stop.iterations;
+    if let Some(coarse) = &spec.multiresolution {
+        let mut levels: Vec<Level> = (1..=coarse.levels)
+            .rev()
+            .filter(|level| is_large_enough(optics, grid, 1 << level))
+            .map(|level| {
+                (
+                    coarser_grid(grid, 1 << level),
+                    coarser_lights(lights, 1 << level),
+                )
+            })
+            .enumerate()
+            .map(|(i, (grid, lights))| Level::new(grid, &lights, (i + 1) * coarse.iterations))
+            .collect();
+        let until = levels.len() * coarse.iterations + iterations;
+        levels.push(Level::new(grid.clone(), lights, until));
+        return levels;
+    }
+    let refines = family.capabilities().refines;
+    if !is_free((spec, kinds), refines) {
+        let has_cells = has_free_cells((spec, kinds), refines);
+        let fine = has_cells.then(|| of_cells(spec, lights, grid));
+        let grid = fine.unwrap_or_else(|| grid.clone());
+        return vec![Level::new(grid, lights, iterations)];
+    }
+    let (fine, sub_angles) = match spec.grid.refine {
+        Some(refine) => {
+            let along = along(grid, lights).min(refine);
+            let across = refine.next_multiple_of(along);
+            (
+                grid.divided(across, along),
+                turning_angles(spec, lights, bounds_mm),
+            )
+        }
+        None => finest(spec, lights, grid, bounds_mm),
+    };
+    let half = iterations / 2;
+    let is_costly =
+        spec.grid.refine.is_none() && updates(grid, lights) > BUDGET && !spec.shows_every_frame();
+    let mut levels = Vec::new();
+    if is_costly && half > 0 && is_large_enough(optics, grid, 2) {
+        let lights = coarser_lights(lights, 2);
+        levels.push(Level::new(coarser_grid(grid, 2), &lights, half));
+    }
+    let is_chosen = spec.grid.refine.is_none() && fine != *grid;
+    let fine = if alone && is_chosen && is_dark_beyond((spec, kinds), lights) {
+        within_lit_rows(fine, lights, bounds_mm)
+    } else {
+        fine
+    };
+    levels.push(Level::new(fine, &turned(lights, &sub_angles), iterations));
+    levels
+}
+
+/// Whether rows of pixels that do not reach the part stay dark, nothing counts the voxels that they light, and no dose diffuses there.
+fn is_dark_beyond((spec, kinds): (&JobSpec, &JobKinds), lights: &[Light]) -> bool {
+    let spreads = lights.iter().any(|light| light.point_spread.is_some());
+    let has_one_part = spec.species.len() <= 1 && spec.scenario.is_empty();
+    let stays = spec.material.is_none();
+    let starts_dark = kinds.start.files().is_none() && spec.bounds.min == 0.0;
+    has_one_part && stays && starts_dark && !spreads && !kinds.seeks_window()
+}
+
+/// The slices of a grid that are lit by rows of pixels which reach the part.
+fn within_lit_rows(grid: VolumeGrid, lights: &[Light], [low, high]: [[f64; 3]; 2]) -> VolumeGrid {
+    let (mut lit_low, mut lit_high) = (low[2], high[2]);
+    for light in lights {
+        let pitch = light.pixels.pitch_mm[1];
+        let edge = light.pixels.field_mm()[0][1];
+        let row = |z: f64| (z - edge) / pitch;
+        lit_low = lit_low.min(edge + pitch * (row(low[2]) + ROUNDING).floor());
+        lit_high = lit_high.max(edge + pitch * (row(high[2]) - ROUNDING).ceil());
+    }
+    let bottom = grid.bounds_mm()[0][2];
+    let slice = |z: f64| (z - bottom) / grid.height_mm;
+    let first = (slice(lit_low) + ROUNDING).floor().max(0.0) as usize;
+    let end = ((slice(lit_high) - ROUNDING).ceil() as usize).min(grid.shape[0]);
+    if end <= first {
+        return grid;
+    }
+    let moved = (first + end) as f64 / 2.0 - grid.shape[0] as f64 / 2.0;
+    let [x, y, z] = grid.center_mm;
+    VolumeGrid {
+        shape: [end - first, grid.shape[1], grid.shape[2]],
+        center_mm: [x, y, z + moved * grid.height_mm],
+        ..grid
+    }
+}
+
+/// Voxels of an evaluation that is made finer than that.
+const JUDGED: usize = 30_000_000;
+
+/// How many times finer than the job's the voxels of the evaluation are: no coarser than the optimization's, as far as they are not too many.
+pub(crate) fn judged(grid: &VolumeGrid, levels: &[Level]) -> usize {
+    let finest = levels
+        .last()
+        .map_or(1, |level| level.grid.shape[2] / grid.shape[2]);
+    (LEAST_REFINE..=finest.max(LEAST_REFINE))
+        .rev()
+        .find(|&refine| grid.refined(refine).len() <= JUDGED)
+        .unwrap_or(LEAST_REFINE)
+}
+
+/// What to say of voxels that the job did not ask for.
+pub(crate) fn note(levels: &[Level], grid: &VolumeGrid) -> Option<String> {
+    let of = |level: &Level| {
+        let [nz, ny, nx] = level.grid.shape;
+        let mut angles: Vec<usize> = level.lights.iter().map(|light| light.sub_angles).collect();
+        angles.dedup();
+        let angles = match &angles[..] {
+            [1] => String::new(),
+            [angles] => format!(", {angles} angles a frame"),
+            of_lights => {
+                let of_lights: Vec<String> = of_lights.iter().map(ToString::to_string).collect();
+                format!(
+                    ", {} angles a frame, light by light",
+                    of_lights.join(" and ")
+                )
+            }
+        };
+        let pitch = significant(level.grid.pitch_mm, 3);
+        format!("{nx} × {ny} × {nz} voxels {pitch} mm wide{angles}")
+    };
+    match levels {
+        [first, .., last] => Some(format!(
+            "patterns are optimized on {} up to iteration {}, then on {}",
+            of(first),
+            first.until,
+            of(last)
+        )),
+        [level] if level.grid != *grid => Some(format!("patterns are optimized on {}", of(level))),
+        _ => None,
+    }
+}
+
+/// Whether the program chooses the levels: the objective sees fractions, the model takes voxels of any width, and nothing is asked of the
+/// job's own voxels.
+fn is_free((spec, kinds): (&JobSpec, &JobKinds), refines: Refines) -> bool {
+    refines == Refines::Voxels && !asks_of_voxels(spec) && kinds.sees_fractions()
+}
+
+/// Whether a run ends by what the job's own voxels say, or prints in time on them.
+fn asks_of_voxels(spec: &JobSpec) -> bool {
+    let in_time = spec.schedule.as_ref();
+    let is_in_time = in_time.is_some_and(|schedule| schedule.optimize != Against::Dose);
+    let of_loss = spec.stop.loss > 0.0 || spec.stop.relative_loss.is_some_and(|part| part > 0.0);
+    spec.stop.iou.is_some() || of_loss || is_in_time
+}
+
+/// Whether the program chooses the voxels of a job with surface-aware cells.
+fn has_free_cells((spec, kinds): (&JobSpec, &JobKinds), refines: Refines) -> bool {
+    refines == Refines::Cells
+        && !asks_of_voxels(spec)
+        && kinds.cells_key().is_some()
+        && !kinds.common().any(|(_, common)| common.has_fields())
+}
+
+/// The voxels of a job with cells: at most half a pixel, as far as [`BUDGET_OF_CELLS`] allows. A mean over a cell does not hold the
+/// light within it (docs/choices.md).
+fn of_cells(spec: &JobSpec, lights: &[Light], grid: &VolumeGrid) -> VolumeGrid {
+    let wanted = across(grid, lights, CELLS_PER_PIXEL);
+    (1..=spec.grid.refine.unwrap_or(wanted))
+        .rev()
+        .map(|refine| grid.refined(refine))
+        .find(|fine| spec.grid.refine.is_some() || updates(fine, lights) <= BUDGET_OF_CELLS)
+        .unwrap_or_else(|| grid.clone())
+}
+
+/// Parts into which a voxel is cut, so that so many of them are no wider than the narrowest pixel.
+fn across(grid: &VolumeGrid, lights: &[Light], per_pixel: f64) -> usize {
+    let pixel = |light: &Light| light.pixels.pitch_mm[0];
+    let narrowest = lights.iter().map(pixel).fold(f64::INFINITY, f64::min);
+    (grid.pitch_mm * per_pixel / narrowest - ROUNDING)
+        .ceil()
+        .max(1.0) as usize
+}
+
+/// Slices into which a voxel is cut, so that none is higher than a row of pixels.
+fn along(grid: &VolumeGrid, lights: &[Light]) -> usize {
+    let row = |light: &Light| light.pixels.pitch_mm[1];
+    let lowest = lights.iter().map(row).fold(f64::INFINITY, f64::min);
+    (grid.height_mm / lowest - ROUNDING).ceil().max(1.0) as usize
+}
+
+/// The finest voxels that the budget allows, and the angles at which frames are averaged.
+fn finest(
+    spec: &JobSpec,
+    lights: &[Light],
+    grid: &VolumeGrid,
+    bounds_mm: [[f64; 3]; 2],
+) -> (VolumeGrid, Vec<usize>) {
+    let along = along(grid, lights);
+    let wanted = across(grid, lights, PER_PIXEL);
+    let angles = turning_angles(spec, lights, bounds_mm);
+    let of_light = |(light, &own): (&Light, &usize)| light.pixels.frames() * own.min(PAID_ANGLES);
+    let frames: usize = lights.iter().zip(&angles).map(of_light).sum();
+    let cost = |grid: &VolumeGrid| {
+        let [nz, ny, nx] = grid.shape;
+        ((nz + COLUMN) * ny * nx) as f64 * frames as f64
+    };
+    let fine = (1..=wanted.next_multiple_of(along))
+        .rev()
+        .filter(|across| across % along == 0)
+        .map(|across| grid.divided(across, along))
+        .find(|fine| cost(fine) <= BUDGET);
+    match fine {
+        Some(fine) => (fine, angles),
+        None => {
+            let given = spec.light.iter().map(|light| light.sub_angles.unwrap_or(1));
+            (grid.clone(), given.collect())
+        }
+    }
+}
+
+/// By how many pixels of a light the rim of a part in this box moves during a frame; 0 for lists of angles.
+pub(crate) fn moved_pixels(light: &Light, [low, high]: [[f64; 3]; 2]) -> f64 {
+    let rim = f64::hypot(high[0].max(-low[0]), high[1].max(-low[1]));
+    rim * light.pixels.frame_arc / light.pixels.pitch_mm[0]
+}
+
+/// Angles at which the frames of each light are averaged: those of the job, or one for every half pixel that the rim of the part moves during a
+/// frame.
+fn turning_angles(spec: &JobSpec, lights: &[Light], part_mm: [[f64; 3]; 2]) -> Vec<usize> {
+    let wanted = |light: &Light| {
+        (2.0 * moved_pixels(light, part_mm) - ROUNDING)
+            .ceil()
+            .clamp(1.0, MOST_ANGLES as f64) as usize
+    };
+    let lights = lights.iter().zip(&spec.light);
+    lights
+        .map(|(light, job)| job.sub_angles.unwrap_or_else(|| wanted(light)))
+        .collect()
+}
+
+/// Power of the deviations on voxels that are fine enough.
+const EXPONENT: f64 = 4.0;
+
+/// The kinds of a job whose voxels the program chooses, at most half as wide as a pixel: with deviations to the power of [`EXPONENT`]. None elsewhere.
+pub(crate) fn sharpened(
+    (spec, kinds): (&JobSpec, &JobKinds),
+    family: &dyn ModelFamily,
+    levels: &[Level],
+) -> Option<JobKinds> {
+    let finest = levels.last()?;
+    let is_fine = across(&finest.grid, &finest.lights, 2.0) == 1;
+    let is_free =
+        spec.multiresolution.is_none() && is_free((spec, kinds), family.capabilities().refines);
+    (is_free && is_fine).then(|| kinds.with(Chosen::Exponent(EXPONENT)))?
+}
+
+/// By how much a wider window lowers what the void may have.
+pub(crate) const WIDER: f64 = 0.05;
+
+/// The kinds of a job with a wider window: what the void may have at most is lower by `steps` of [`WIDER`]. None where the job names thresholds, or
+/// no lower one is left.
+pub(crate) fn widened(kinds: &JobKinds, steps: usize) -> Option<JobKinds> {
+    let lower = threshold::LOWER - steps as f64 * WIDER;
+    if lower < WIDER {
+        return None;
+    }
+    kinds.with(Chosen::Lower(lower))
+}
+
+#[cfg(test)]
+mod tests {
+
+    use super::*;
+    use crate::job::Job;
+    use crate::models::{OpticalScene, planner};
+    use crate::target::Shape;
+    use std::sync::Arc;
+
+    /// Levels of a small job, with further lines, and its kinds where their deviations are to another power.
+    fn levels_of(surface: &str, more: &[&str]) -> (Vec<Level>, Option<JobKinds>) {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("job.toml");
+        let text = format!(
+            r#"
+            target = {{ phantom = {{ sphere = {{}} }}, size_mm = 0.8 }}
+            grid = {{ pitch_mm = 0.1 }}
+            resin = {{ refractive_index = 1.5, absorption_per_mm = 0.1 }}
+            vial = {{ index_matched = {{ radius_mm = 1.0 }} }}
+            light = [{{ pixels = [24, 16], angles = 12, projector = {{ collimated = {{ pixel_pitch_mm = 0.1 }} }} }}]
+            objective = {{ threshold = {{ surface = "{surface}" }} }}
+            "#
+        );
+        std::fs::write(&file, text).unwrap();
+        let more: Vec<String> = more.iter().map(|&s| s.to_owned()).collect();
+        let job = Job::read(&file, &more).unwrap();
+        let optics = Optics::new(&job.spec, &job.base()).unwrap();
+        let grid = VolumeGrid::centered([10, 10, 10], 0.1);
+        let bounds = [[-0.4; 3], [0.4; 3]];
+        let shape = crate::target::build(&job.spec.target, &job.base(), "target").unwrap();
+        let shape: Arc<dyn Shape> = Arc::from(shape);
+        let scene = OpticalScene {
+            solid: (surface == "cells").then_some(&shape),
+            ..optics.scene()
+        };
+        let family = planner::choose(optics.model.as_ref(), &scene, &grid).unwrap();
+        let of = (&optics, family.as_ref());
+        let kinds = JobKinds::read(&job.spec, &job.base()).unwrap();
+        let levels = levels((&job.spec, &kinds), of, (&grid, true), bounds);
+        let sharpened = sharpened((&job.spec, &kinds), family.as_ref(), &levels);
+        (levels, sharpened)
+    }
+
+    fn pitches(surface: &str, more: &[&str]) -> Vec<f64> {
+        let (levels, _) = levels_of(surface, more);
+        levels.iter().map(|level| level.grid.pitch_mm).collect()
+    }
+
+    #[test]
+    fn fourth_powers_are_those_of_fine_voxels_that_the_program_chose() {
+        let is_sharpened = |surface: &str, more: &[&str]| levels_of(surface, more).1.is_some();
+        assert!(is_sharpened("fraction", &[]));
+        assert!(is_sharpened("fraction", &["grid.refine=2"]));
+        assert!(!is_sharpened("fraction", &["grid.refine=1"]));
+        assert!(!is_sharpened("fraction", &["stop.iou=0.9"]));
+        assert!(!is_sharpened(
+            "fraction",
+            &["objective.threshold.exponent=3"]
+        ));
+        for surface in ["voxel", "cells"] {
+            assert!(!is_sharpened(surface, &[]), "{surface}");
+        }
+    }
+
+    #[test]
+    fn every_light_is_averaged_at_its_own_angles() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("job.toml");
+        let text = r#"
+            target = { phantom = { sphere = {} }, size_mm = 0.8 }
+            grid = { pitch_mm = 0.1 }
+            resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }
+            vial = { index_matched = { radius_mm = 1.0 } }
+            [[light]]
+            name = "a"
+            pixels = [24, 16]
+            angles = 40
+            projector = { collimated = { pixel_pitch_mm = 0.1 } }
+            [[light]]
+            name = "b"
+            pixels = [24, 16]
+            angles = 6
+            projector = { collimated = { pixel_pitch_mm = 0.1 } }
+        "#;
+        std::fs::write(&file, text).unwrap();
+        let angles = |more: &[&str]| {
+            let more: Vec<String> = more.iter().map(|&s| s.to_owned()).collect();
+            let job = Job::read(&file, &more).unwrap();
+            let optics = Optics::new(&job.spec, &job.base()).unwrap();
+            let bounds = [[-0.4; 3], [0.4; 3]];
+            turning_angles(&job.spec, &optics.lights, bounds)
+        };
+        // The rim, at 0.57 mm, moves by 0.089 and 0.59 mm during a frame: 1.8 and 12 half pixels
+        assert_eq!(angles(&[]), [2, 4]);
+        assert_eq!(angles(&["light[1].sub_angles=3"]), [2, 3]);
+        assert_eq!(angles(&["light[0].sub_angles=1"]), [1, 4]);
+        let levels = |sub_angles: &[usize]| {
+            let job = Job::read(&file, &[]).unwrap();
+            let optics = Optics::new(&job.spec, &job.base()).unwrap();
+            let grid = VolumeGrid::centered([10, 10, 10], 0.1);
+            let fine = grid.refined(2);
+            note(
+                &[Level::new(fine, &turned(&optics.lights, sub_angles), 9)],
+                &grid,
+            )
+            .unwrap()
+        };
+        assert!(
+            levels(&[2, 2]).ends_with(", 2 angles a frame"),
+            "{}",
+            levels(&[2, 2])
+        );
+        assert!(levels(&[1, 1]).ends_with("mm wide"));
+        assert!(levels(&[2, 4]).ends_with(", 2 and 4 angles a frame, light by light"));
+    }
+
+    #[test]
+    fn slices_that_no_row_of_the_part_lights_are_left_out() {
+        let shape = |more: &[&str]| {
+            let (levels, _) = levels_of("fraction", more);
+            let grid = &levels.last().unwrap().grid;
+            (grid.shape[0], grid.bounds_mm().map(|corner| corner[2]))
+        };
+        let (slices, [low, high]) = shape(&[]);
+        // The sphere ends 0.4 mm from its middle, with a row of pixels; the job's grid 0.5 mm
+        assert_eq!(slices, 8);
+        assert!((low + 0.4).abs() < 1e-9 && (high - 0.4).abs() < 1e-9);
+        // Rows half a pixel higher: the lowest and the highest reach 0.05 mm beyond it
+        let (slices, [low, high]) = shape(&["light[0].offset_mm=[0,0.05]"]);
+        assert_eq!(slices, 10);
+        assert!((low + 0.5).abs() < 1e-9 && (high - 0.5).abs() < 1e-9);
+        for asked in ["grid.refine=4", "bounds.min=0.1", "bounds.max=2"] {
+            let is_whole = asked != "bounds.max=2";
+            assert_eq!(shape(&[asked]).0, if is_whole { 10 } else { 8 }, "{asked}");
+        }
+    }
+
+    #[test]
+    fn cells_are_cut_from_half_pixels_where_the_job_leaves_it_open() {
+        assert_eq!(pitches("cells", &[]), [0.05]);
+        assert_eq!(pitches("cells", &["grid.refine=1"]), [0.1]);
+        assert_eq!(pitches("cells", &["stop.iou=0.9"]), [0.1]);
+        assert_eq!(pitches("voxel", &[]), [0.1]);
+        assert_eq!(pitches("fraction", &[]), [0.025]);
+    }
+}

@@ -1,0 +1,259 @@
+//! What is said of a job before it runs: doubts of the unit, few angles, choices that no line of the screen shows; and which key an error is of.
+
+use super::method::JobKinds;
+use super::optics::Optics;
+use super::resources::compared;
+use crate::error::{Error, Result};
+use crate::grid::VolumeGrid;
+use crate::io::npy::read_patterns;
+use crate::job::spec::{Angles, JobSpec, LightSpec};
+use crate::optics::light::Light;
+use crate::optimize::Keep;
+use crate::report::number::significant;
+use crate::target::Shape;
+use crate::units::concise;
+use std::collections::BTreeSet;
+use tomolith_material::photopolymer::Curing;
+
+/// The key that says how many voxels there are.
+pub(crate) fn grid_key(spec: &JobSpec) -> String {
+    let key = if spec.grid.shape.is_some() {
+        "grid.shape"
+    } else {
+        "grid.pitch_mm"
+    };
+    key.to_owned()
+}
+
+/// Says which key asked for voxels that the memory does not hold.
+pub(crate) fn at_grid(spec: &JobSpec, error: Error) -> Error {
+    match error {
+        Error::Resources {
+            what,
+            needed_mb,
+            available_mb,
+            advice,
+        } => Error::config(
+            grid_key(spec),
+            match available_mb {
+                Some(mb) => compared(&what, needed_mb, mb),
+                None => {
+                    format!("{what}: {needed_mb} MB needed, but the system refused to allocate it")
+                }
+            },
+            advice,
+        ),
+        other => other,
+    }
+}
+
+/// What cannot be used together, as an error of the section that asks for it.
+pub(crate) fn at_section(path: &str, error: Error) -> Error {
+    match error {
+        Error::Unsupported { what, reason } => {
+            let (found, accepted) = reason.split_once("; ").unwrap_or((&reason, "another kind"));
+            Error::config(path, format!("{what}, but {found}"), accepted)
+        }
+        other => other,
+    }
+}
+
+/// Says which key named the file that could not be read.
+pub(crate) fn at_target(spec: &JobSpec, error: Error) -> Error {
+    let key = match (&spec.target.mesh, &spec.target.stack) {
+        (Some(_), _) => "target.mesh",
+        (None, Some(_)) => "target.stack",
+        (None, None) => "target.image",
+    };
+    match error {
+        Error::Io { .. } => Error::config(key, error.to_string(), "a file that can be read"),
+        Error::Mesh { ref accepted, .. } | Error::Format { ref accepted, .. } => {
+            let accepted = accepted.clone();
+            let text = error.to_string();
+            let found = text
+                .split("; accepted: ")
+                .next()
+                .unwrap_or(&text)
+                .to_owned();
+            Error::config(key, found, accepted)
+        }
+        other => other,
+    }
+}
+
+/// A part of a mesh is expected to be no smaller than this share of what the resin holds.
+const SMALL: f64 = 0.03;
+
+/// Asks for the unit of a mesh whose part is far too large or small for the vial.
+pub(crate) fn ask_for_unit(spec: &JobSpec, optics: &Optics, shape: &dyn Shape) -> Option<String> {
+    let across = 2.0 * optics.vial.resin_wall().inscribed_radius();
+    let height = |light: &Light| {
+        let field = light.pixels.field_mm();
+        field[1][1] - field[0][1]
+    };
+    let room = optics.lights.iter().map(height).fold(across, f64::max);
+    let expected = [SMALL * across, room];
+    spec.target.ask_for_unit(shape.bounds_mm(), expected)
+}
+
+/// Refuses a part smaller than a voxel: by the key that says how large it is, unless the voxels are coarse for these pixels.
+pub(crate) fn must_be_seen(
+    spec: &JobSpec,
+    shape: &dyn Shape,
+    grid: &VolumeGrid,
+    question: Option<&str>,
+    is_coarse: bool,
+) -> Result<()> {
+    let [low, high] = shape.bounds_mm();
+    let longest = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
+    if longest >= grid.pitch_mm || (is_coarse && question.is_none()) {
+        return Ok(());
+    }
+    let key = match &spec.target {
+        target if target.size_mm.is_some() => "target.size_mm",
+        target if target.mesh_unit.is_some() => "target.mesh_unit",
+        _ => "target",
+    };
+    let found = format!(
+        "the part is {} mm long, a voxel of the grid {} mm",
+        concise(longest),
+        concise(grid.pitch_mm)
+    );
+    let error = Error::config(key, found, "a target larger than a voxel");
+    Err(error.asking(question))
+}
+
+/// Says that no finer voxels will be looked at.
+pub(crate) fn on_its_own_grid(spec: &JobSpec) -> Option<String> {
+    (spec.evaluate.refine == Some(1)).then(|| {
+        "evaluate.refine = 1: the print is evaluated on the job's own voxels, where IoU is higher than on finer ones; leave the key out for finer voxels"
+            .to_owned()
+    })
+}
+
+/// Directions from which light comes, below which a part cannot take its shape.
+const FEW_ANGLES: usize = 12;
+
+/// Directions that light comes from, in thousandths of a degree from 0 to 360°, each once.
+fn directions(spec: &JobSpec) -> BTreeSet<u64> {
+    let azimuths = spec.light.iter().flat_map(|light| {
+        let (azimuths, _) = light.angles.azimuths(light.rotation);
+        azimuths
+            .into_iter()
+            .map(|azimuth| (azimuth.to_degrees().rem_euclid(360.0) * 1e3).round() as u64 % TURN)
+    });
+    azimuths.collect()
+}
+
+/// A turn in thousandths of a degree.
+const TURN: u64 = 360_000;
+
+/// Warns of light that comes from a handful of directions.
+pub(crate) fn few_angles(spec: &JobSpec) -> Option<String> {
+    let count = directions(spec).len();
+    (count < FEW_ANGLES).then(|| {
+        let from = if count == 1 { "one direction".to_owned() } else { format!("{count} directions") };
+        format!(
+            "light.angles: light comes from {from} only, so doses add up along stripes and no part takes its shape; \
+             use some hundred angles"
+        )
+    })
+}
+
+/// Arc below which edges are missing, in thousandths of a degree: about half a turn.
+const WHOLE_ARC: u64 = 175_000;
+
+/// Warns of light from many directions that leave more than half of a turn out.
+pub(crate) fn narrow_arc(spec: &JobSpec) -> Option<String> {
+    let directions = directions(spec);
+    let (first, last) = (*directions.first()?, *directions.last()?);
+    let gaps = directions.iter().zip(directions.iter().skip(1));
+    let widest = gaps.map(|(a, b)| b - a).max().unwrap_or(0);
+    let count = directions.len() as u64;
+    // A frame stands for the step that follows it, too
+    let arc = (TURN - widest.max(first + TURN - last)) * count / count.saturating_sub(1).max(1);
+    (directions.len() >= FEW_ANGLES && arc < WHOLE_ARC).then(|| {
+        format!(
+            "light.angles: light comes from an arc of {}°, so edges along which no light runs stay blurred; use half a turn or more",
+            significant(arc as f64 / 1e3, 3)
+        )
+    })
+}
+
+/// Frames for a machine that cover a part of a turn, which its time to print and its movie count as one pass.
+pub(crate) fn part_of_a_turn(spec: &JobSpec) -> Option<String> {
+    let is_shown = |i: usize| spec.printer_of(i).is_some();
+    let arc = |(i, light): (usize, &LightSpec)| match light.angles {
+        Angles::Even { arc_deg, .. } if arc_deg < 360.0 && is_shown(i) => Some(arc_deg),
+        _ => None,
+    };
+    let arc = spec.light.iter().enumerate().find_map(arc)?;
+    let arc = significant(arc, 4);
+    Some(format!(
+        "light.angles: the frames cover {arc}° of a turn. Times and turns count passes of {arc}°, one after the other, and so does the movie; \
+         where the vial turns on, the next pass comes from other sides. Give it a whole turn, or bring the vial back in the dark"
+    ))
+}
+
+/// Two doses at which resin gels: that of plans by dose alone, and that of the print in time.
+pub(crate) fn two_critical_doses(spec: &JobSpec) -> Option<String> {
+    let own = spec.resin.critical_dose_mj_per_mm3?;
+    let photopolymer = spec.material.as_ref()?.photopolymer.as_ref()?;
+    let of_networks = photopolymer
+        .networks
+        .iter()
+        .filter_map(|network| match network.curing {
+            Curing::Threshold {
+                critical_dose_mj_per_mm3,
+            } => Some(critical_dose_mj_per_mm3),
+            Curing::RateLaw { .. } => None,
+        });
+    let doses: Vec<f64> = of_networks.collect();
+    let other = *doses.first().filter(|_| !doses.contains(&own))?;
+    Some(format!(
+        "resin.critical_dose_mj_per_mm3 = {} counts where dose alone is looked at (time to print, `tomolith expose`), and the print in time gels at {} mJ/mm³: \
+         give both the same, or leave the first out",
+        concise(own),
+        concise(other)
+    ))
+}
+
+/// What a job chooses of its method that no line of the screen shows.
+pub(crate) fn chosen(spec: &JobSpec, kinds: &JobKinds) -> Vec<String> {
+    let edges = kinds.requirements.edges.map(|_|
+        "optimizer.osmo.edges = true: each step ends with two more halves, at the part's surface",
+    );
+    let last = (spec.stop.keep == Keep::Last).then_some(
+        "stop.keep = \"last\": the patterns are those of the last iteration, the best ones or not",
+    );
+    [edges, last]
+        .into_iter()
+        .flatten()
+        .map(str::to_owned)
+        .collect()
+}
+
+/// Refuses patterns to start from that cannot be read or are of other lights; says where their shape is another one.
+pub(crate) fn given_patterns(kinds: &JobKinds, optics: &Optics) -> Result<Vec<String>> {
+    let Some(files) = kinds.start.files() else {
+        return Ok(Vec::new());
+    };
+    let key = "start.patterns.file";
+    let lights = optics.lights.len();
+    let accepted = format!(
+        "patterns.npz of a run, or an .npz with an array `patterns` [angle, row, column]; of {lights} light(s)"
+    );
+    let arrays = read_patterns(&files.first.0)
+        .map_err(|error| Error::config(key, error.to_string(), accepted.as_str()))?;
+    if arrays.len() != lights {
+        let found = format!("patterns of {} lights", arrays.len());
+        return Err(Error::config(key, found, accepted));
+    }
+    let others = arrays.iter().zip(&optics.lights).filter_map(|(array, light)| {
+        let (found, own) = (array.shape, light.pixels.shape());
+        (found != own).then(|| {
+            format!("{key}: patterns of {found:?} [angle, row, column] are resampled to {own:?} over the same field of view")
+        })
+    });
+    Ok(others.collect())
+}

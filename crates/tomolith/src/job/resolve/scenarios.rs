@@ -1,0 +1,444 @@
+//! The same patterns under scenarios: the job as it is, and the job with some keys set otherwise.
+//!
+//! A scenario differs from the job in what light meets or in where it comes from; part, voxels, patterns and objective are the job's. The
+//! optimization sees all of them at once ([`Scenarios`]), and the print of the written patterns is judged in each.
+//!
+//! **Limits** methods that minimize a loss; one species, no print in time, no coarse levels, no cells, patterns of more than five bits. Pixels
+//! that cannot light the part in the job as it is stay dark.
+
+use crate::error::{Error, Result};
+use crate::grid::VolumeGrid;
+use crate::job::resolve::Scene;
+use crate::job::spec::document::{Document, is_within};
+use crate::job::spec::read::Job;
+use crate::job::spec::{JobSpec, RobustOf, ScenarioSpec};
+use crate::models::Run;
+use crate::objective::Join;
+use crate::units::concise;
+use serde_json::Value;
+
+/// Tables that a scenario may change.
+const TABLES: [&str; 5] = ["vial", "resin", "light", "motion", "bath"];
+
+/// A job beside the job.
+pub(crate) struct Scenario {
+    /// Its name.
+    pub(crate) name: String,
+    /// What light meets in it.
+    pub(crate) scene: Scene,
+}
+
+/// The scenarios of a job, on its voxels.
+///
+/// # Errors
+/// [`Error::Config`] with `scenario[i]` and the key that makes the job invalid.
+pub(crate) fn of_job(job: &Job, scene: &Scene, run: &Run) -> Result<Vec<Scenario>> {
+    must_be_told_apart(&job.spec)?;
+    let given = job.spec.scenario.iter().enumerate();
+    let scenarios = given.map(|(i, scenario)| {
+        let at = |error| at_scenario(i, scenario, error);
+        let own = changed(job, &scenario.set).map_err(at)?;
+        let name = scenario.name.clone();
+        let name = name.unwrap_or_else(|| format!("scenario {}", i + 1));
+        let own = Scene::of_species(&own, 0, Some(&scene.grid), run).map_err(at)?;
+        must_show_the_same(scene, &own).map_err(at)?;
+        Ok(Scenario { name, scene: own })
+    });
+    let scenarios = scenarios.collect::<Result<Vec<_>>>()?;
+    if !scenarios.is_empty() {
+        must_fit(scene)?;
+    }
+    Ok(scenarios)
+}
+
+/// Refuses scenarios that change nothing, and names that say nothing.
+fn must_be_told_apart(spec: &JobSpec) -> Result<()> {
+    let mut names = vec!["", "the job"];
+    for (i, scenario) in spec.scenario.iter().enumerate() {
+        if scenario.set.is_empty() {
+            return Err(Error::config(
+                format!("scenario[{i}].set"),
+                "no key: the job once more",
+                format!("keys of {}, and their values here", TABLES.join(", ")),
+            ));
+        }
+        let Some(name) = scenario.name.as_deref() else {
+            continue;
+        };
+        if names.contains(&name.trim()) {
+            return Err(Error::config(
+                format!("scenario[{i}].name"),
+                format!("found \"{name}\""),
+                "a name that neither the job nor another scenario has",
+            ));
+        }
+        names.push(name.trim());
+    }
+    Ok(())
+}
+
+/// Blames the key of a scenario for what is wrong with its job: the one that leads to what is wrong or is the only one, else all it sets.
+pub(crate) fn at_scenario(i: usize, scenario: &ScenarioSpec, error: Error) -> Error {
+    let Error::Config {
+        key,
+        found,
+        accepted,
+        nearest,
+        ..
+    } = error
+    else {
+        return error;
+    };
+    // An assignment is blamed as one of the command line
+    let key = key.strip_prefix("--set ").unwrap_or(&key);
+    let key = key.split_once('=').map_or(key, |(key, _)| key);
+    let mut set = Vec::new();
+    let mut remember = |key: &str, _: &Value| {
+        set.push(key.to_owned());
+        Ok(())
+    };
+    let all = scenario.set.iter();
+    for (key, value) in all {
+        let _ = each_leaf(key, value, &mut remember);
+    }
+    // The first of a list needs no index
+    let same = |path: &str| path.replace("[0]", "");
+    let leads = |own: &&String| is_within(&same(key), &same(own)) || is_within(own, key);
+    let (own, found) = match (set.iter().find(leads), set.as_slice()) {
+        (Some(own), _) if is_within(key, own) => (format!(".{key}"), found),
+        (Some(own), _) => (format!(".{own}"), found),
+        (None, _) if key.is_empty() => (String::new(), found),
+        (None, [own]) => (format!(".{own}"), format!("`{key}`: {found}")),
+        (None, _) => (String::new(), format!("`{key}`: {found}")),
+    };
+    let name = scenario.name.as_ref();
+    Error::Config {
+        key: format!("scenario[{i}].set{own}"),
+        found: name.map_or_else(|| found.clone(), |name| format!("in \"{name}\", {found}")),
+        accepted,
+        nearest,
+        place: None,
+    }
+}
+
+/// The job with some keys set otherwise, and without scenarios.
+fn changed(job: &Job, set: &serde_json::Map<String, Value>) -> Result<Job> {
+    let mut spec = job.spec.clone();
+    spec.scenario.clear();
+    let tables = spec.to_value()?.to_string();
+    let mut document = Document::json(job.document.file.clone(), tables)?;
+    let mut seen: Vec<String> = Vec::new();
+    for (key, value) in set {
+        each_leaf(key, value, &mut |key, value| {
+            let table = key.split(['.', '[']).next().unwrap_or_default();
+            if !TABLES.contains(&table) {
+                let accepted = format!("a key of {}", TABLES.join(", "));
+                return Err(Error::config(
+                    key,
+                    "no key that a scenario may change",
+                    accepted,
+                ));
+            }
+            if seen.iter().any(|other| other == key) {
+                let found = "set twice: with dots in its name, and in a table";
+                return Err(Error::config(key, found, "once"));
+            }
+            seen.push(key.to_owned());
+            // Numbers, texts and lists are written alike in JSON and TOML
+            document.assign(&format!("{key}={value}")).map(drop)
+        })?;
+    }
+    Job::from_document(document)
+}
+
+/// Keys with dots in them and tables in tables say the same.
+fn each_leaf(
+    key: &str,
+    value: &Value,
+    with: &mut impl FnMut(&str, &Value) -> Result<()>,
+) -> Result<()> {
+    match value.as_object() {
+        None => with(key, value),
+        Some(table) => table
+            .iter()
+            .try_for_each(|(inner, value)| each_leaf(&format!("{key}.{inner}"), value, with)),
+    }
+}
+
+/// What makes a job and its scenarios share their voxels.
+const OWN_VOXELS: &str = "grid.refine = 1, with which the job and its scenarios are optimized on the voxels of [grid]; or a scenario whose light the model of the job computes, too";
+
+/// What happens where a scenario needs voxels other than the job's, and what that means.
+fn other_voxels(its: Option<VolumeGrid>, jobs: Option<VolumeGrid>) -> String {
+    let words = |grid: Option<VolumeGrid>| {
+        grid.map_or_else(
+            || "none".to_owned(),
+            |grid| {
+                let [nz, ny, nx] = grid.shape;
+                let [pitch, height] = [grid.pitch_mm, grid.height_mm].map(concise);
+                format!("{nx} × {ny} × {nz} voxels of {pitch} × {pitch} × {height} mm")
+            },
+        )
+    };
+    format!(
+        "its dose model needs {}, that of the job {}; both are optimized together, which takes the same voxels",
+        words(its),
+        words(jobs)
+    )
+}
+
+/// Refuses a scenario that shows other images, or is computed on other voxels.
+fn must_show_the_same(job: &Scene, scenario: &Scene) -> Result<()> {
+    let images = |scene: &Scene| -> Vec<_> {
+        let lights = scene.optics.lights.iter();
+        lights.map(|light| light.pixels.shape()).collect()
+    };
+    let voxels = |scene: &Scene| scene.levels.last().map(|level| level.grid.clone());
+    let (its, jobs) = (voxels(scenario), voxels(job));
+    if its != jobs {
+        // Rays want cubes, and parallel light does not
+        return Err(Error::config("", other_voxels(its, jobs), OWN_VOXELS));
+    }
+    if images(scenario) == images(job) {
+        return Ok(());
+    }
+    Err(Error::config(
+        "light",
+        "another number of lights, frames or pixels than the job's",
+        "lights that show the job's patterns",
+    ))
+}
+
+/// Refuses what does not go with scenarios.
+fn must_fit(scene: &Scene) -> Result<()> {
+    let spec = &scene.spec;
+    let needs_target = scene.kinds.requirements.target.is_some();
+    for (key, is_there, found, accepted) in [
+        (
+            "species",
+            !spec.species.is_empty(),
+            "several species",
+            "one species",
+        ),
+        (
+            "schedule",
+            spec.schedule.is_some(),
+            "a print in time",
+            "no [schedule]",
+        ),
+        (
+            "multiresolution",
+            spec.multiresolution.is_some(),
+            "coarse levels",
+            "no [multiresolution]",
+        ),
+        (
+            "objective",
+            scene.has_cells,
+            "voxels cut into cells",
+            "surface = \"fraction\" or \"voxel\"",
+        ),
+        (
+            "optimizer",
+            needs_target,
+            "a method that compares one dose with one target",
+            "lbfgs, or another method that minimizes the loss",
+        ),
+        (
+            "evaluate.levels",
+            spec.evaluate.improves_levels(),
+            "patterns improved on few levels",
+            "\"rounded\"",
+        ),
+    ] {
+        if is_there {
+            return Err(Error::config(
+                key,
+                format!("{found}, beside [[scenario]]"),
+                accepted,
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Warns of a worst case without cases.
+pub(crate) fn worst_of_one(spec: &JobSpec) -> Option<String> {
+    (spec.robust.of == RobustOf::Worst && spec.scenario.is_empty()).then(|| {
+        "robust.of = \"worst\" changes nothing without a [[scenario]]: add one, or leave it out"
+            .to_owned()
+    })
+}
+
+/// How the losses of the scenarios become one.
+pub(crate) fn join(spec: &JobSpec) -> Join {
+    match spec.robust.of {
+        _ if spec.scenario.is_empty() => Join::Sum,
+        RobustOf::Mean => Join::Mean,
+        RobustOf::Worst => Join::Worst,
+    }
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use crate::job::ResolvedJob;
+    use crate::objective::Objective;
+    use std::path::Path;
+
+    const JOB: &str = r#"
+        target = { phantom = "gear", size_mm = 2.0 }
+        grid = { pitch_mm = 0.1, refine = 1 }
+        resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }
+        vial = { index_matched = { radius_mm = 2.0 } }
+        stop = { iterations = 4 }
+        [[light]]
+        pixels = [28, 12]
+        angles = 16
+        projector.collimated = { pixel_pitch_mm = 0.1 }
+    "#;
+
+    pub(crate) fn resolved(scenarios: &[&str], changes: &[&str]) -> Result<ResolvedJob> {
+        let tables = scenarios
+            .iter()
+            .map(|set| format!("[[scenario]]\nset = {{ {set} }}\n"));
+        let text = format!("{JOB}\n{}", tables.collect::<String>());
+        let mut document = Document::toml(Path::new("a.toml"), text)?;
+        changes.iter().try_for_each(|change| document.set(change))?;
+        ResolvedJob::new(&Job::from_document(document)?)
+    }
+
+    #[test]
+    fn a_scenario_that_changes_nothing_leaves_the_loss_and_one_that_absorbs_more_does_not() {
+        let run = Run::new();
+        let loss = |scenarios: &[&str]| {
+            let task = resolved(scenarios, &[]).unwrap().task(&run).unwrap();
+            let mut dose = task.model.new_dose().unwrap();
+            task.model.dose(&task.start, &mut dose, &run).unwrap();
+            (task.model.outputs().len(), task.objective.value(&dose))
+        };
+        let alone = loss(&[]);
+        let same = loss(&["resin.absorption_per_mm = 0.1"]);
+        assert_eq!((alone.0, same.0), (1, 2));
+        assert!(
+            (same.1 - alone.1).abs() < 1e-6 * alone.1,
+            "{same:?}, {alone:?}"
+        );
+        let (outputs, other) = loss(&[
+            "\"resin.absorption_per_mm\" = 0.2",
+            "vial.index_matched.radius_mm = 2.1",
+        ]);
+        assert_eq!(outputs, 3);
+        assert!(
+            (other - alone.1).abs() > 1e-3 * alone.1,
+            "{other}, {alone:?}"
+        );
+    }
+
+    #[test]
+    fn a_scenario_has_the_voxels_of_the_job_where_the_program_chooses_them() {
+        // Rows of pixels beside the part: alone, the job leaves out the slices that they light
+        let finest = |scenarios: &[&str]| {
+            let changes = ["grid={ pitch_mm = 0.1 }", "light[0].pixels=[28, 40]"];
+            let job = resolved(scenarios, &changes).unwrap();
+            let grid = |scene: &Scene| scene.levels.last().unwrap().grid.clone();
+            let others = job.scene.scenarios.iter().map(|own| grid(&own.scene));
+            (grid(&job.scene), others.collect::<Vec<_>>())
+        };
+        let (own, others) = finest(&["resin.absorption_per_mm = 0.3"]);
+        assert_eq!(others, std::slice::from_ref(&own));
+        let alone = finest(&[]).0;
+        assert!(alone.shape[0] < own.shape[0] && alone.shape[1..] == own.shape[1..]);
+    }
+
+    #[test]
+    fn light_that_misses_the_part_in_a_scenario_is_a_warning_with_its_name() {
+        let found = |scenario: &str| {
+            let job = resolved(&[scenario], &[]).unwrap();
+            job.scene.warnings_of(&job.voxels).unwrap()
+        };
+        let aside = found("\"motion.offset_mm\" = [1.5, 0.0]");
+        let named = |text: &String| text.starts_with("scenario 1: ");
+        assert!(!aside.is_empty() && aside.iter().all(named), "{aside:?}");
+        assert!(found("resin.absorption_per_mm = 0.2").is_empty());
+    }
+
+    #[test]
+    fn what_is_wrong_with_a_scenario_names_file_line_name_and_key() {
+        let refused = |set: &str| {
+            let text = format!("{JOB}\n[[scenario]]\nname = \"wide\"\nset = {{ {set} }}\n");
+            let line = text.lines().count();
+            let job = Job::from_document(Document::toml(Path::new("a.toml"), text).unwrap());
+            let error = ResolvedJob::new(&job.unwrap()).map(drop).unwrap_err();
+            (error.to_string(), format!("(a.toml, line {line})"))
+        };
+        for (set, begin) in [
+            (
+                "\"resin.absorption_per_mm\" = -0.1",
+                "scenario[0].set.resin.absorption_per_mm: in \"wide\", found -0.1",
+            ),
+            (
+                "vial.index_matched.radius_mm = 0.5",
+                "scenario[0].set.vial.index_matched.radius_mm: in \"wide\", `target`: ",
+            ),
+            (
+                "\"vial.index_matched.radius_mm\" = 0.5, \"resin.absorption_per_mm\" = 0.2",
+                "scenario[0].set: in \"wide\", `target`: ",
+            ),
+            (
+                "\"stop.iterations\" = 3",
+                "scenario[0].set.stop.iterations: in \"wide\", no key",
+            ),
+            ("", "scenario[0].set: no key: the job once more"),
+        ] {
+            let (text, line) = refused(set);
+            assert!(text.starts_with(begin) && text.contains(&line), "{text}");
+            assert!(!text.contains("--set"), "{text}");
+        }
+    }
+
+    #[test]
+    fn voxels_that_a_scenario_does_not_share_are_told_with_both_sizes() {
+        let grid = |shape, pitch| Some(VolumeGrid::centered(shape, pitch));
+        let found = other_voxels(grid([40, 20, 10], 0.05), grid([10, 20, 10], 0.1));
+        let expected = "its dose model needs 10 × 20 × 40 voxels of 0.05 × 0.05 × 0.05 mm, that of the job 10 × 20 × 10 voxels of 0.1 × 0.1 × 0.1 mm; both";
+        assert!(found.starts_with(expected), "{found}");
+    }
+
+    #[test]
+    fn a_scenario_that_makes_the_job_invalid_is_refused_by_its_number_and_key() {
+        let refused = |scenario: &str, change: &[&str]| {
+            let sets = ["resin.absorption_per_mm = 0.2", scenario];
+            match resolved(&sets, change).map(drop).unwrap_err() {
+                Error::Config { key, .. } => key,
+                other => panic!("{other}"),
+            }
+        };
+        for (scenario, key) in [
+            (
+                "vial.index_matched.radius_mm = -1.0",
+                "vial.index_matched.radius_mm",
+            ),
+            // Not a key of the scenario, but its doing
+            (
+                "vial.index_matched.radius_mm = 0.5",
+                "vial.index_matched.radius_mm",
+            ),
+            ("resin.absorbtion_per_mm = 0.1", "resin.absorbtion_per_mm"),
+            ("stop.iterations = 3", "stop.iterations"),
+            (
+                "motion.offset_mm = [0.1, 0.0], \"motion.offset_mm\" = [0.2, 0.0]",
+                "motion.offset_mm",
+            ),
+            ("\"light[0].pixels\" = [30, 12]", "light"),
+            ("motion.offset_mm = [2000.0, 0.0]", "motion.offset_mm[0]"),
+        ] {
+            let found = refused(scenario, &[]);
+            let expected = format!("scenario[1].set.{key}");
+            assert!(found.starts_with(&expected), "{scenario}: {found}");
+        }
+        let same = "resin.absorption_per_mm = 0.2";
+        assert_eq!(refused(same, &["optimizer=\"osmo\""]), "optimizer");
+        assert_eq!(refused(same, &["evaluate.bit_depth=2"]), "evaluate.levels");
+    }
+}

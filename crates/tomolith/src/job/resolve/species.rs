@@ -1,0 +1,286 @@
+//! Several lights and several species: which light sees which resin, which species each drives, and the job of each species.
+//!
+//! Dose of species s: r_s = Σ_λ M_sλ q_λ, where q_λ is the dose of light λ alone ([`SpectralMixing`]). A species is a job that differs from
+//! the whole one in target, objective and response; all share lights, vial and voxels.
+//!
+//! **Limits** Methods that minimize a loss take several species; those that compare one dose with one target (`osmo`, `cal`, …) do not.
+//! Neither do voxels cut into cells, nor fewer bits than six.
+
+use crate::error::{Error, Result};
+use crate::job::resolve::Scene;
+use crate::job::spec::species::Row;
+use std::borrow::Cow;
+
+/// Refuses what does not go with several species.
+///
+/// # Errors
+/// [`Error::Config`].
+pub(crate) fn must_fit(scene: &Scene) -> Result<()> {
+    if scene.mixing.is_none() {
+        return Ok(());
+    }
+    let asked = scene.optics.model.as_ref();
+    if asked.is_some_and(|family| family.capabilities().is_stored) {
+        let found = "a stored matrix holds the lights together, not one by one";
+        return Err(Error::config(
+            "species",
+            found,
+            "another model, or no [[species]]",
+        ));
+    }
+    if scene.species().any(|species| species.has_cells) {
+        let found = "an objective whose surface cuts voxels into cells";
+        return Err(Error::config(
+            "species",
+            found,
+            "surface = \"fraction\" or \"voxel\"",
+        ));
+    }
+    if scene.others.is_empty() {
+        return Ok(());
+    }
+    let needs = scene.kinds.requirements;
+    if needs.target.is_some() {
+        let found = "a method that compares one dose with one target";
+        let accepted = "lbfgs, or another method that minimizes the loss, with several [[species]]";
+        return Err(Error::config("optimizer", found, accepted));
+    }
+    if scene.spec.evaluate.improves_levels() {
+        let found = "patterns on few levels are not improved for several [[species]]";
+        return Err(Error::config("evaluate.levels", found, "\"rounded\""));
+    }
+    Ok(())
+}
+
+/// The light that drives a species most, for each light the species it begins with and the factor of its patterns: lights that begin with
+/// the same species share its dose. None for a light that drives nothing: it begins dark.
+pub(crate) fn beginnings(rows: &[Row]) -> Vec<Option<(usize, f64)>> {
+    let lights = rows[0].1.len();
+    let strongest = |light: usize| {
+        let drive = |s: &usize| rows[*s].1[light];
+        let best = (0..rows.len()).max_by(|a, b| drive(a).total_cmp(&drive(b)).then(b.cmp(a)))?;
+        (drive(&best) > 0.0).then_some(best)
+    };
+    let species: Vec<Option<usize>> = (0..lights).map(strongest).collect();
+    let sharing = |s: usize| species.iter().filter(|&&other| other == Some(s)).count() as f64;
+    let factor =
+        |(light, s): (usize, &Option<usize>)| s.map(|s| (s, 1.0 / (rows[s].1[light] * sharing(s))));
+    species.iter().enumerate().map(factor).collect()
+}
+
+impl Scene {
+    /// M, a row per species, where lights are computed one by one: with several species, or for a print in time.
+    pub(crate) fn rows(&self) -> Option<Cow<'_, [Row]>> {
+        match &self.mixing {
+            Some(rows) => Some(Cow::Borrowed(rows)),
+            None if self.is_optimized_in_time() => {
+                let row = vec![1.0; self.spec.light.len()];
+                Some(Cow::Owned(vec![("resin".to_owned(), row)]))
+            }
+            None => None,
+        }
+    }
+
+    /// The species of the job, the first being this scene itself.
+    pub(crate) fn species(&self) -> impl Iterator<Item = &Scene> {
+        std::iter::once(self).chain(&self.others)
+    }
+
+    /// Name of species `s`.
+    pub(crate) fn species_name(&self, s: usize) -> Option<&str> {
+        self.mixing.as_ref().map(|rows| rows[s].0.as_str())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::field::Field;
+    use crate::job::spec::JobSpec;
+    use crate::job::{Document, Job, ResolvedJob};
+    use crate::models::Run;
+    use crate::objective::Objective;
+
+    const TWO: &str = r#"
+        target = { phantom = "gear", size_mm = 2.0 }
+        grid = { pitch_mm = 0.1 }
+        resin = { refractive_index = 1.5, absorption_per_mm = 0.1, attenuation_per_mm = 0.3 }
+        vial = { index_matched = { radius_mm = 2.0 } }
+        stop = { iterations = 4 }
+        [[light]]
+        name = "violet"
+        pixels = [28, 12]
+        angles = 16
+        projector.collimated = { pixel_pitch_mm = 0.1 }
+        [[light]]
+        name = "uv"
+        pixels = [30, 12]
+        angles = 12
+        projector.collimated = { pixel_pitch_mm = 0.1 }
+        resin = { absorption_per_mm = 0.4, refractive_index = 1.6 }
+        [[species]]
+        name = "soft"
+        driven_by = { violet = 1.0, uv = 0.5 }
+        [[species]]
+        name = "stiff"
+        driven_by = { uv = 2.0 }
+        target = { phantom = "sphere", size_mm = 1.0 }
+    "#;
+
+    fn document(changes: &[&str]) -> Document {
+        let mut document = Document::toml("a.toml", TWO).unwrap();
+        for change in changes {
+            document.set(change).unwrap();
+        }
+        document
+    }
+
+    fn resolved(changes: &[&str]) -> Result<ResolvedJob> {
+        ResolvedJob::new(&Job::from_document(document(changes))?)
+    }
+
+    #[test]
+    fn a_light_sees_its_own_resin() {
+        let spec = JobSpec::from_document(&document(&[])).unwrap();
+        let [violet, uv] = [0, 1].map(|i| spec.resin_of(i));
+        assert_eq!(violet.attenuation_per_mm, Some(0.3));
+        // Its absorption is another one, so the attenuation of the others says nothing of it
+        let own = (
+            uv.refractive_index,
+            uv.absorption_per_mm,
+            uv.attenuation_per_mm,
+        );
+        assert_eq!(own, (1.6, Some(0.4), None));
+        let job = resolved(&[]).unwrap();
+        let resins = job.lights().iter().map(|light| &light.resin);
+        let seen: Vec<_> = resins
+            .map(|resin| (resin.refractive_index, resin.attenuation_per_mm))
+            .collect();
+        assert_eq!(seen, [(1.5, 0.3), (1.6, 0.4)]);
+    }
+
+    #[test]
+    fn two_species_are_optimized_together() {
+        let (job, run) = (resolved(&[]).unwrap(), Run::new());
+        let mut task = job.task(&run).unwrap();
+        assert_eq!(task.model.outputs().len(), 2);
+        assert_eq!(
+            (task.start.len(), task.limits.len()),
+            (task.model.patterns()[1].range().end, 2)
+        );
+        let mut dose = task.model.new_dose().unwrap();
+        task.model.dose(&task.start, &mut dose, &run).unwrap();
+        let [soft, stiff] = task.model.outputs() else {
+            panic!()
+        };
+        // Where it begins the sphere gets its dose from the ultraviolet alone
+        let field = stiff.volume_of(dose.as_slice());
+        let middle = field.at(
+            field.grid.shape[0] / 2,
+            field.grid.shape[1] / 2,
+            field.grid.shape[2] / 2,
+        );
+        assert!((0.6..1.4).contains(middle), "{middle}");
+        let before = task.objective.value(&dose);
+        let bounds = task.bounds().unwrap();
+        let (mut slope, mut gradient) = (dose.zeros_like(), task.start.zeros_like());
+        task.objective.value_and_gradient(&dose, &mut slope);
+        assert!(slope.as_slice()[soft.range()].iter().any(|&v| v != 0.0));
+        task.model
+            .pullback(&task.start, &slope, &mut gradient, &run)
+            .unwrap();
+        let step = 0.01 * task.start.max_abs() / gradient.max_abs();
+        task.start.move_along(&gradient, -step, &bounds);
+        task.model.dose(&task.start, &mut dose, &run).unwrap();
+        assert!(task.objective.value(&dose) < before);
+    }
+
+    #[test]
+    fn one_species_of_one_light_is_the_plain_job() {
+        let one = "[{ name = \"violet\", pixels = [28, 12], angles = 16, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]";
+        let light = format!("light={one}");
+        let dose = |changes: &[&str]| {
+            let (job, run) = (resolved(changes).unwrap(), Run::new());
+            let task = job.task(&run).unwrap();
+            let mut dose = task.model.new_dose().unwrap();
+            task.model.dose(&task.start, &mut dose, &run).unwrap();
+            dose.as_slice().to_vec()
+        };
+        assert_eq!(
+            dose(&[&light, "species=[]"]),
+            dose(&[&light, "species=[{ name = \"a\" }]"])
+        );
+    }
+
+    #[test]
+    fn a_resolved_job_finds_its_start_and_the_files_of_its_species_from_anywhere() {
+        let changes = [
+            "species[1].target={ image = \"stiff.png\", size_mm = 1.0, height_mm = 1.0 }",
+            "species[1].response={ table = { file = \"curve.csv\" } }",
+            "start={ patterns = { file = \"earlier.npz\" } }",
+        ];
+        let job = Job::from_document(document(&changes)).unwrap();
+        let start = job.resolved().start;
+        let start = start.pointer("/patterns/file");
+        let start = start.and_then(serde_json::Value::as_str).unwrap();
+        assert!(
+            std::path::Path::new(start).is_absolute() && start.ends_with("earlier.npz"),
+            "{start}"
+        );
+        let resolved = &job.resolved().species[1];
+        let image = resolved.target.as_ref().unwrap().image.clone().unwrap();
+        let curve = resolved.response.as_ref().unwrap().pointer("/table/file");
+        let curve = curve.and_then(serde_json::Value::as_str).unwrap();
+        assert!(
+            image.is_absolute() && image.ends_with("stiff.png"),
+            "{image:?}"
+        );
+        assert!(std::path::Path::new(curve).is_absolute(), "{curve}");
+    }
+
+    #[test]
+    fn what_does_not_go_together_is_refused_by_its_key() {
+        let refused = |change: &str| match resolved(&[change]).map(drop).unwrap_err() {
+            Error::Config { key, .. } => key,
+            other => panic!("{other}"),
+        };
+        for (change, key) in [
+            (
+                "species[0].driven_by={ violett = 1.0 }",
+                "species[0].driven_by.violett",
+            ),
+            ("species[1].driven_by={ uv = -1.0 }", "species[1].driven_by"),
+            ("species[0].name=\"stiff\"", "species[1].name"),
+            ("species[0].name=\"a b\"", "species[0].name"),
+            ("species[1].target.size_mm=9.0", "species[1].target"),
+            (
+                "species[1].objective={ threshold = { lower = 2.0, upper = 1.0 } }",
+                "species[1].objective.threshold",
+            ),
+            (
+                "light[1].resin.absorption_per_mm=0.0",
+                "light[1].resin.absorption_per_mm",
+            ),
+            ("optimizer=\"osmo\"", "optimizer"),
+            ("evaluate.bit_depth=2", "evaluate.levels"),
+            (
+                "species=[{ name = \"a\", driven_by = { uv = 1.0 } }]",
+                "light[0]",
+            ),
+        ] {
+            let found = refused(change);
+            assert!(found.starts_with(key), "{change}: {found}");
+        }
+    }
+
+    #[test]
+    fn lights_begin_with_the_species_that_they_drive_most() {
+        let row = |name: &str, row: &[f64]| (name.to_owned(), row.to_vec());
+        let dual = [row("acrylate", &[1.0, 0.25]), row("epoxy", &[0.0, 2.0])];
+        assert_eq!(beginnings(&dual), [Some((0, 1.0)), Some((1, 0.5))]);
+        let antagonistic = [row("acrylate", &[2.0, -1.0])];
+        assert_eq!(beginnings(&antagonistic), [Some((0, 0.5)), None]);
+        let both = [row("acrylate", &[1.0, 1.0])];
+        assert_eq!(beginnings(&both), [Some((0, 0.5)), Some((0, 0.5))]);
+    }
+}

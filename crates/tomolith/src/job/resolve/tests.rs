@@ -1,0 +1,58 @@
+use super::grid::{cut, on_rows};
+use crate::grid::PatternGrid;
+use crate::job::resolve::*;
+
+#[test]
+fn a_grid_is_cut_by_the_resin_and_stays_where_it_was() {
+    let grid = VolumeGrid {
+        shape: [3, 40, 50],
+        pitch_mm: 0.1,
+        height_mm: 0.1,
+        center_mm: [0.3, 0.0, 1.0],
+    };
+    let cut = cut(&grid, 1.95);
+    // x from −2.2 to 2.8 keeps whole voxels up to beyond ±1.95: −2.0 … 2.0; y from −2 to 2 stays
+    assert_eq!(cut.shape, [3, 40, 40]);
+    let [low, high] = cut.bounds_mm();
+    assert!(
+        (low[0] + 2.0).abs() < 1e-12 && (high[0] - 2.0).abs() < 1e-12,
+        "{low:?} {high:?}"
+    );
+    assert_eq!(super::grid::cut(&grid, 10.0), grid);
+}
+
+#[test]
+fn slices_lie_on_the_rows_of_the_pixels() {
+    let grid = |slices, z| VolumeGrid {
+        shape: [slices, 4, 4],
+        pitch_mm: 0.1,
+        height_mm: 0.1,
+        center_mm: [0.0, 0.0, z],
+    };
+    let rows = |count| PatternGrid::full_turn(3, 0.0, count, 8, 0.1);
+    let moved = |slices, z, count| on_rows(grid(slices, z), &rows(count), [-0.5, 0.5]).center_mm[2];
+    // Even slices about the middle of even rows, and odd ones of odd rows, stay; others move by half a voxel
+    assert_eq!((moved(20, 0.0, 32), moved(21, 0.0, 33)), (0.0, 0.0));
+    assert!(
+        (moved(21, 0.0, 32) - 0.05).abs() < 1e-9,
+        "{}",
+        moved(21, 0.0, 32)
+    );
+    assert!((moved(20, 0.03, 32) - 0.0).abs() < 1e-9);
+    assert!((moved(20, -0.03, 33) - -0.05).abs() < 1e-9);
+    // Ten slices hold the target only where they are
+    assert_eq!(moved(10, 0.0, 33), 0.0);
+}
+
+#[test]
+fn light_from_less_than_half_a_turn_is_told() {
+    use super::optics::tests::spec;
+    use super::remarks::narrow_arc;
+    let said = |angles: &str| narrow_arc(&spec(&[&format!("light.angles={angles}")]));
+    let narrow = said("{ count = 36, start_deg = 300, arc_deg = 90 }").unwrap();
+    assert!(narrow.contains("an arc of 90°"), "{narrow}");
+    // Half a turn is enough, and few directions are told otherwise
+    for angles in ["{ count = 36, arc_deg = 180 }", "72", "12", "4"] {
+        assert_eq!(said(angles), None, "{angles}");
+    }
+}

@@ -1,0 +1,183 @@
+//! The target on voxels: what is part, what is void, what counts.
+
+use super::remarks::at_grid;
+use super::scenarios::at_scenario;
+use crate::error::Result;
+use crate::grid::{Volume, VolumeGrid};
+use crate::job::resolve::Scene;
+use crate::models::{DoseLayout, Run};
+use crate::objective::voxel_weights::Ground;
+use crate::report;
+use crate::target::{self, Role, Target, label, label_columns, label_voxels};
+
+/// The target on a grid.
+#[derive(Clone)]
+pub(crate) struct Voxels {
+    pub(crate) target: Target,
+    pub(crate) labels: Volume<u8>,
+    /// Smallest inside fraction of voxels that light should reach.
+    least: f32,
+}
+
+/// Smallest inside fraction that light should reach where the objective sees fractions: thinner slivers are left to chance.
+const SLIVER: f32 = 0.05;
+
+impl Scene {
+    /// The target on a grid.
+    ///
+    /// # Errors
+    /// As [`target::voxelize`].
+    pub(crate) fn voxels(&self, grid: &VolumeGrid) -> Result<Voxels> {
+        self.voxels_under(grid, &Run::new())
+    }
+
+    /// The same as a part of a run.
+    ///
+    /// # Errors
+    /// As [`voxels`](Self::voxels); [`Error::Canceled`].
+    pub(crate) fn voxels_under(&self, grid: &VolumeGrid, run: &Run) -> Result<Voxels> {
+        let target = self.sampled(grid, &run.part(0.9))?;
+        self.voxels_of(target, grid, run)
+    }
+
+    /// The inside fractions of the target.
+    ///
+    /// # Errors
+    /// As [`voxels_under`](Self::voxels_under).
+    pub(crate) fn sampled(&self, grid: &VolumeGrid, run: &Run) -> Result<Target> {
+        let shape = self.shape.as_ref();
+        let target = target::voxelize_under(shape, &self.name, grid, run);
+        target.map_err(|e| at_grid(&self.spec, e))
+    }
+
+    /// What counts, for a target on a grid.
+    ///
+    /// # Errors
+    /// As [`voxels_under`](Self::voxels_under).
+    pub(crate) fn voxels_of(&self, target: Target, grid: &VolumeGrid, run: &Run) -> Result<Voxels> {
+        let counts = self.optics.counts(self.spec.grid.region, &self.grid);
+        let mut labels = if self.optics.vial.is_invariant() {
+            label_columns(&target, |[x, y]| counts([x, y, 0.0]))
+        } else {
+            label_voxels(&target, counts)
+        };
+        // There is no resin in an insert
+        if let Some(insert) = self.shape.body(Role::Insert) {
+            let inside = target::sampled(insert, grid, run)?.values;
+            for (label, inside) in labels.values.iter_mut().zip(inside) {
+                *label = if inside >= 0.5 {
+                    label::OUTSIDE
+                } else {
+                    *label
+                };
+            }
+        }
+        let least = if self.kinds.sees_fractions() {
+            SLIVER
+        } else {
+            0.5
+        };
+        Ok(Voxels {
+            target,
+            labels,
+            least,
+        })
+    }
+
+    /// What people should know of voxels beyond the reach of light, of regions without voxels, and of scenarios in which the job would warn them otherwise.
+    ///
+    /// # Errors
+    /// [`Error::Config`](crate::Error::Config) where nothing can be printed, or a part of it cannot.
+    pub(crate) fn warnings_of(&self, voxels: &Voxels) -> Result<Vec<String>> {
+        let (inside, labels, gray) = (&voxels.target.inside, &voxels.labels, voxels.target.gray);
+        let mut found = self.optics.warnings(inside, labels, gray)?;
+        let layout = DoseLayout::new("dose", labels.grid.clone(), 0);
+        let ground = Ground {
+            layout: &layout,
+            labels,
+            target: &voxels.target,
+            base: &self.base,
+        };
+        for objective in self.kinds.objectives() {
+            found.extend(objective.warnings(&ground)?);
+        }
+        let given = self.scenarios.iter().zip(&self.spec.scenario);
+        for (i, (scenario, spec)) in given.enumerate() {
+            let at = |error| at_scenario(i, spec, error);
+            let own = scenario.scene.optics.warnings(inside, labels, gray);
+            let of_scene = scenario.scene.warnings.iter().cloned();
+            let all = own.map_err(at)?.into_iter().chain(of_scene);
+            let is_new = |text: &String| !found.contains(text) && !self.warnings.contains(text);
+            let new: Vec<String> = all.filter(is_new).collect();
+            found.extend(new.iter().map(|text| format!("{}: {text}", scenario.name)));
+        }
+        Ok(found)
+    }
+
+    /// Share of each voxel that no light may pass, when the target has such bodies.
+    ///
+    /// # Errors
+    /// As [`target::voxelize`].
+    pub(crate) fn keep_dark(&self, grid: &VolumeGrid) -> Result<Option<Volume<f32>>> {
+        let dark = self.shape.body(Role::KeepDark);
+        dark.map(|dark| target::sampled(dark, grid, &Run::new()))
+            .transpose()
+    }
+
+    /// Which voxels belong to bodies that are not printed: inserts, and those that stay dark by these shares.
+    ///
+    /// # Errors
+    /// As [`target::voxelize`].
+    pub(crate) fn bodies(
+        &self,
+        grid: &VolumeGrid,
+        dark: Option<&Volume<f32>>,
+    ) -> Result<Option<Volume<u8>>> {
+        let insert = self.shape.body(Role::Insert).map(|body| body.sample(grid));
+        let insert = insert.transpose()?;
+        if dark.is_none() && insert.is_none() {
+            return Ok(None);
+        }
+        let mut bodies = Volume::filled(grid.clone(), 0u8);
+        for (mark, shares) in [(report::DARK, dark), (report::INSERT, insert.as_ref())] {
+            let shares = shares.into_iter().flat_map(|shares| &shares.values);
+            for (body, _) in bodies
+                .values
+                .iter_mut()
+                .zip(shares)
+                .filter(|(_, s)| **s >= 0.5)
+            {
+                *body = mark;
+            }
+        }
+        Ok(Some(bodies))
+    }
+}
+
+impl Voxels {
+    /// Voxels that light should reach: 1 where something is to be printed, else 0.
+    pub(crate) fn wanted(&self) -> Volume<u8> {
+        let (labels, inside) = (&self.labels.values, &self.target.inside.values);
+        let wanted = |(&l, &s): (&u8, &f32)| {
+            let least = if self.target.gray {
+                f32::MIN_POSITIVE
+            } else {
+                self.least
+            };
+            u8::from(l == label::PART || (l == label::VOID && s >= least))
+        };
+        Volume {
+            grid: self.labels.grid.clone(),
+            values: labels.iter().zip(inside).map(wanted).collect(),
+        }
+    }
+
+    /// Voxels that count and that light should not reach, 1, else 0.
+    pub(crate) fn unwanted(&self) -> Volume<u8> {
+        let mut unwanted = self.wanted();
+        for (wanted, &label) in unwanted.values.iter_mut().zip(&self.labels.values) {
+            *wanted = u8::from(label != label::OUTSIDE && *wanted == 0);
+        }
+        unwanted
+    }
+}

@@ -1,0 +1,313 @@
+//! How long a job will take: the rates of this machine ([`benchmark`](super::benchmark)) times what the job asks for.
+//!
+//! An optimization that ends before its last iteration takes less.
+
+use crate::job::progress::duration;
+use crate::job::resolve::extent::Extent;
+use crate::job::resolve::extent::VECTORS;
+use crate::job::run::benchmark::{CallRates, Rates};
+use crate::optics::light::Light;
+use crate::optimize::levels;
+use crate::units::counted;
+
+/// Seconds that scenarios may take, and share of the memory, before that is worth a warning.
+const LONG_S: f64 = 600.0;
+
+const LARGE_MEMORY: f64 = 0.25;
+
+/// Passes over the dose of an iteration, the line search's included.
+const PASSES: f64 = 5.0;
+
+/// Forward and adjoint calls beside those of the iterations: the start, its dose, the raw patterns' dose.
+const OTHER_CALLS: f64 = 4.0;
+
+/// Models made to judge: on the job's voxels for raw and for written patterns, on finer ones standing and turning.
+const MODELS: f64 = 4.0;
+
+/// What measuring a voxel of a thinned copy costs, times so many: for each voxel of the finer grid the metrics standing and
+/// turning, the published numbers and the surface's file, at half the price, as it has less surface for its voxels; for each of
+/// the job's own the metrics and files; for each pixel a PNG, a movie, its check and the arrays.
+const MEASURES_PER_FINE_VOXEL: f64 = 1.2;
+const MEASURES_PER_VOXEL: f64 = 2.4;
+
+const MEASURES_PER_PIXEL: f64 = 1.8;
+
+/// The same for each pixel of a machine's canvas: PNG, movie, its check, `frames.npz`.
+const MEASURES_PER_CANVAS_PIXEL: f64 = 0.18;
+
+/// What a job asks for.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Work<'a> {
+    pub(crate) extent: &'a Extent,
+    /// The most iterations there will be.
+    pub(crate) iterations: usize,
+    /// Angles at which a frame of the optimization and of the evaluation is averaged.
+    pub(crate) sub_angles: [f64; 2],
+    /// Monte Carlo paths of the evaluation for each of the optimization, where light is followed along such.
+    pub(crate) monte_carlo_paths: Option<usize>,
+    /// Whether patterns are improved on few levels afterwards.
+    pub(crate) levels: bool,
+    /// Limit of the optimization's time, s.
+    pub(crate) wall_s: Option<f64>,
+}
+
+/// How long it will take, s.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Cost {
+    /// The optimization, when no iteration is saved.
+    pub(crate) optimization_s: f64,
+    /// Everything else: sampling, evaluation, files.
+    pub(crate) rest_s: f64,
+}
+
+/// Angles at which a frame is averaged, mean over the frames of all lights.
+pub(crate) fn mean_sub_angles(lights: &[Light]) -> f64 {
+    let frames = lights.iter().map(|light| light.pixels.frames());
+    let angles = lights
+        .iter()
+        .map(|light| light.pixels.frames() * light.sub_angles);
+    angles.sum::<usize>() as f64 / frames.sum::<usize>().max(1) as f64
+}
+
+impl Work<'_> {
+    /// Dose calls of the evaluation.
+    fn evaluation_s(&self, rates: &Rates) -> f64 {
+        let refine = self.extent.refine;
+        let CallRates {
+            dose,
+            updates_per_frame,
+            ..
+        } = rates.evaluating;
+        let updates = updates_per_frame * self.extent.frames as f64;
+        if let Some(more) = self.monte_carlo_paths {
+            // On the job's voxels raw, written, and twice for the noise; on finer ones, which a path crosses more of,
+            // standing and turning
+            return more as f64 * (4.0 + 2.0 * refine as f64) * dose.seconds(updates);
+        }
+        // Raw and written on the job's voxels, standing and turning on finer ones
+        let [own, turning] = self.sub_angles;
+        let tried = self.extent.work(rates.evaluating_refine);
+        let calls = 2.0 * own * self.extent.work(1) + (1.0 + turning) * self.extent.work(refine);
+        4.0 * dose.begin_s + calls / tried * updates * dose.per_update_s
+    }
+
+    /// A dose of the evaluation, vial turning: that of a scenario.
+    fn turning_s(&self, rates: &Rates) -> f64 {
+        let CallRates {
+            dose,
+            updates_per_frame,
+            ..
+        } = rates.evaluating;
+        let updates = updates_per_frame * self.extent.frames as f64;
+        let share =
+            self.extent.work(self.extent.refine) / self.extent.work(rates.evaluating_refine);
+        dose.begin_s + self.sub_angles[1] * share * updates * dose.per_update_s
+    }
+
+    /// What scenarios cost, in words; whether it is much, with a budget of so many MB.
+    pub(crate) fn of_scenarios(
+        &self,
+        rates: &Rates,
+        budget_mb: Option<u64>,
+    ) -> Option<(String, bool)> {
+        let count = self.extent.scenarios;
+        if count == 0 {
+            return None;
+        }
+        let extent = &self.extent.of_the_job_alone();
+        let alone = Work { extent, ..*self }.cost(rates);
+        let all = self.cost(rates);
+        let [seconds, alone_s] = [all, alone].map(|cost| cost.optimization_s + cost.rest_s);
+        let [memory_mb, alone_mb] = [self.extent, extent].map(Extent::optimization_mb);
+        let more_mb = memory_mb.saturating_sub(alone_mb);
+        let text = format!(
+            "{}: an iteration computes {} doses in place of one; with them the run takes {} in place of {}, its optimization {memory_mb} MB in place of {alone_mb} MB",
+            counted(count, "scenario"),
+            count + 1,
+            duration(seconds),
+            duration(alone_s)
+        );
+        let is_large =
+            budget_mb.is_some_and(|budget| more_mb as f64 > LARGE_MEMORY * budget as f64);
+        Some((text, seconds - alone_s > LONG_S || is_large))
+    }
+
+    /// Rates times work.
+    pub(crate) fn cost(&self, rates: &Rates) -> Cost {
+        let Work {
+            extent, iterations, ..
+        } = *self;
+        let own = self.sub_angles[0];
+        let (voxels, finer) = (extent.grid.len() as f64, extent.refine.pow(3) as f64);
+        let frames = extent.frames as f64;
+        let [model_s, first_s, dose_s, adjoint_s] = seconds(&rates.calls, frames);
+        let [evaluate_s, ..] = seconds(&rates.evaluating, frames);
+        let vectors = extent.active_pixels as f64 * rates.vector_s;
+        // Finer voxels and more angles are more updates of a call; what begins it, and the pixels, are the same
+        let of_levels =
+            |all_s: f64, begin_s: f64| begin_s + extent.effort * (all_s - begin_s).max(0.0);
+        let step_s = own
+            * (rates.doses_per_step * of_levels(dose_s, rates.calls.dose.begin_s)
+                + of_levels(adjoint_s, rates.calls.adjoint.begin_s))
+            + extent.effort * PASSES * rates.objective_s
+            + (4 * extent.memory + VECTORS) as f64 * vectors;
+        let optimization_s = (iterations as f64 * step_s).min(self.wall_s.unwrap_or(f64::INFINITY))
+            + extent.models() * (OTHER_CALLS * own * dose_s + first_s + model_s)
+            + if self.levels {
+                let [doses, adjoints] = levels::CALLS.map(|calls| calls as f64);
+                own * (doses * dose_s + adjoints * adjoint_s)
+            } else {
+                0.0
+            };
+        let measures = voxels * (MEASURES_PER_FINE_VOXEL * finer + MEASURES_PER_VOXEL)
+            + extent.pixels as f64 * MEASURES_PER_PIXEL
+            + extent.canvas as f64 * MEASURES_PER_CANVAS_PIXEL;
+        Cost {
+            optimization_s,
+            rest_s: (MODELS + extent.scenarios as f64) * evaluate_s
+                + self.evaluation_s(rates)
+                + extent.scenarios as f64 * self.turning_s(rates)
+                + measures * rates.measuring_s
+                + voxels * (finer + 1.0) * rates.sampling_s,
+        }
+    }
+}
+
+/// Seconds to make a model, of its first call beyond others, of a dose and of an adjoint.
+fn seconds(rates: &CallRates, frames: f64) -> [f64; 4] {
+    let updates = rates.updates_per_frame * frames;
+    [rates.making, rates.first, rates.dose, rates.adjoint].map(|rate| rate.seconds(updates))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::resolve::extent::tests::extent;
+    use crate::job::run::benchmark::CallRate;
+
+    fn rates() -> Rates {
+        let rate = |begin_s, per_update_s| CallRate {
+            begin_s,
+            per_update_s,
+        };
+        Rates {
+            model: String::new(),
+            calls: CallRates {
+                updates_per_frame: 100.0,
+                making: rate(0.25, 1e-4),
+                first: rate(0.05, 2e-3),
+                dose: rate(0.5, 1e-3),
+                adjoint: rate(0.1, 5e-4),
+            },
+            evaluating: CallRates {
+                updates_per_frame: 200.0,
+                making: rate(0.5, 1e-3),
+                first: rate(7.0, 7.0),
+                dose: rate(1.0, 1e-3),
+                adjoint: rate(7.0, 7.0),
+            },
+            doses_per_step: 1.0,
+            evaluating_refine: 1,
+            objective_s: 0.01,
+            vector_s: 1e-5,
+            sampling_s: 1e-3,
+            measuring_s: 2e-3,
+        }
+    }
+
+    #[test]
+    fn time_is_work_times_rates() {
+        let extent = extent();
+        let work = Work {
+            extent: &extent,
+            iterations: 7,
+            sub_angles: [1.0, 4.0],
+            monte_carlo_paths: None,
+            levels: false,
+            wall_s: None,
+        };
+        let cost = work.cost(&rates());
+        // A dose: 30 frames of 100 updates at 1000/s, and ½ s = 3.5 s; an adjoint: at 2000/s, and 0.1 s. A step: both, 5
+        // passes, 44 vectors of 500 pixels. The first dose takes 6.05 s more,
+        // and making the model 0.55 s
+        let step = 3.5 + 1.6 + 5.0 * 0.01 + 44.0 * 500.0 * 1e-5;
+        assert!(
+            (cost.optimization_s - (7.0 * step + 4.0 * 3.5 + 6.05 + 0.55)).abs() < 1e-9,
+            "{cost:?}"
+        );
+        // A dose to judge by: 30 frames of 200 updates at 1000/s, 6 s, and 1 s to begin with; twice on the own voxels, standing and
+        // turning (1 + 4 angles) on eight times as many: 4·1 + (2 + 5·8)·6 = 256 s. Making its model takes 6.5 s, four times; 1.2
+        // measures of each fine voxel, 2.4 of the own grid's, 1.8 of each pixel; both grids sampled
+        let measures = 1000.0 * (1.2 * 8.0 + 2.4) + 1.8 * 2000.0;
+        let rest = 256.0 + measures * 2e-3 + 9.0 * 1000.0 * 1e-3 + 4.0 * 6.5;
+        assert!((cost.rest_s - rest).abs() < 1e-9, "{cost:?}");
+        // Monte Carlo paths: sixteen times as many, six times on the job's voxels' worth of four and two finer ones
+        let paths = Work {
+            monte_carlo_paths: Some(16),
+            ..work
+        }
+        .cost(&rates());
+        assert!((paths.rest_s - rest - (16.0 * 8.0 * 7.0 - 256.0)).abs() < 1e-9);
+        // Averaged frames cost as many calls; a limit of the wall time cuts the iterations, not the rest
+        let averaged = Work {
+            sub_angles: [3.0, 4.0],
+            ..work
+        }
+        .cost(&rates());
+        assert!(
+            (averaged.optimization_s - cost.optimization_s - 2.0 * (7.0 * 5.1 + 4.0 * 3.5)).abs()
+                < 1e-9
+        );
+        // Three times the updates: of a dose 3 s, of an adjoint 1.5 s, and the passes over the dose; not what begins a call, nor the pixels
+        let finer = Extent {
+            effort: 3.0,
+            ..extent.clone()
+        };
+        let finer = Work {
+            extent: &finer,
+            ..work
+        }
+        .cost(&rates());
+        let more = finer.optimization_s - cost.optimization_s;
+        assert!(
+            (more - 7.0 * 2.0 * (3.0 + 1.5 + 0.05)).abs() < 1e-9,
+            "{more}"
+        );
+        // A scenario: three times the effort and models of the optimization, and of the evaluation two models (6.5 s) and two doses on
+        // the finer voxels, at 4 angles of 48 s and 1 s to begin with
+        let scenarios = Extent {
+            scenarios: 2,
+            effort: 3.0,
+            fields: 4,
+            ..extent.clone()
+        };
+        let beside = Work {
+            extent: &scenarios,
+            ..work
+        };
+        let more = beside.cost(&rates());
+        let begun = 2.0 * (4.0 * 3.5 + 6.05 + 0.55);
+        assert!((more.optimization_s - finer.optimization_s - begun).abs() < 1e-9);
+        assert!((more.rest_s - rest - 2.0 * (6.5 + 1.0 + 4.0 * 48.0)).abs() < 1e-9);
+        let (text, is_much) = beside.of_scenarios(&rates(), Some(1000)).unwrap();
+        assert!(
+            text.starts_with("2 scenarios: an iteration computes 3 doses"),
+            "{text}"
+        );
+        let long = Work {
+            iterations: 100,
+            ..beside
+        };
+        assert!(!is_much && long.of_scenarios(&rates(), None).unwrap().1);
+        assert_eq!(work.of_scenarios(&rates(), None), None);
+        let limited = Work {
+            wall_s: Some(1.0),
+            ..work
+        }
+        .cost(&rates());
+        assert_eq!(
+            (limited.optimization_s, limited.rest_s),
+            (1.0 + 4.0 * 3.5 + 6.05 + 0.55, cost.rest_s)
+        );
+    }
+}

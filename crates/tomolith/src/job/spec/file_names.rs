@@ -1,0 +1,151 @@
+//! Files of a run that are named after something in the job: no two of them may be the same file.
+//!
+//! Case does not tell names apart, because it does not on every system.
+
+use crate::error::{Error, Result};
+use crate::job::spec::JobSpec;
+use crate::text::file_name;
+
+/// Name of the file that says how frames and movies are to be shown.
+pub(crate) const EXPOSURE: &str = "exposure.json";
+
+/// What a run may leave beside them and its properties, by name or by its first letters and its extension.
+pub(crate) const OUTPUTS: [&str; 13] = [
+    "patterns.npz",
+    "frames",
+    "frames.npz",
+    "dose.npy",
+    "dose.vti",
+    "evaluation",
+    "print.stl",
+    "print.ply",
+    "history.csv",
+    "report.html",
+    "exposure.json",
+    "time.csv",
+    "cure_time.npy",
+];
+
+/// A file, and what it is named after: the key, and the name there.
+type Named = (String, String, String);
+
+/// The end of the name of a network's files, where there are several networks.
+pub(crate) fn of_network(name: &str) -> String {
+    format!("_{}", file_name(name, '_'))
+}
+
+/// Refuses a name whose file another name, or every run, has.
+///
+/// # Errors
+/// [`Error::Config`] with the names that are taken.
+pub(crate) fn must_differ(spec: &JobSpec) -> Result<()> {
+    let mut taken: Vec<(String, String)> = OUTPUTS
+        .iter()
+        .map(|file| ((*file).to_owned(), "every run".to_owned()))
+        .collect();
+    for (file, key, name) in named(spec) {
+        let is_same = |(other, _): &&(String, String)| other.eq_ignore_ascii_case(&file);
+        let Some((_, owner)) = taken.iter().find(is_same) else {
+            taken.push((file, key));
+            continue;
+        };
+        let (before, after) = file.split_once(name.as_str()).unwrap_or(("", ""));
+        let of_this_kind = |(other, _): &(String, String)| {
+            let rest = other.strip_prefix(before)?.strip_suffix(after)?;
+            Some(rest.to_owned())
+        };
+        let names: Vec<String> = taken.iter().filter_map(of_this_kind).collect();
+        return Err(Error::config(
+            key,
+            format!("found {name:?}: `{file}` is a file of {owner}"),
+            format!("another name; taken: {}", names.join(", ")),
+        ));
+    }
+    Ok(())
+}
+
+/// The files of properties, species and networks.
+fn named(spec: &JobSpec) -> Vec<Named> {
+    let species = spec.species.iter().enumerate().skip(1).map(|(s, species)| {
+        let file = format!("dose_{}.npy", species.name);
+        (file, format!("species[{s}].name"), species.name.clone())
+    });
+    let photopolymer = spec.material.as_ref().and_then(|m| m.photopolymer.as_ref());
+    let networks = photopolymer.map_or(&[][..], |params| &params.networks);
+    let several = networks.iter().enumerate().filter(|_| networks.len() > 1);
+    let networks = several.map(|(n, network)| {
+        let end = of_network(&network.name);
+        let key = format!("material.photopolymer.networks[{n}].name");
+        (format!("cure_time{end}.npy"), key, end[1..].to_owned())
+    });
+    let properties = spec.property.iter().enumerate().map(|(i, property)| {
+        let key = format!("property[{i}].name");
+        (format!("{}.npy", property.name), key, property.name.clone())
+    });
+    species.chain(networks).chain(properties).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::Document;
+    use crate::job::tests::FULL;
+
+    #[test]
+    fn no_name_takes_the_file_of_another() {
+        let refusal = |properties: &str| {
+            let mut document = Document::toml("a.toml", FULL).unwrap();
+            document.set(properties).unwrap();
+            let spec = JobSpec::from_document(&document).unwrap();
+            must_differ(&spec).map_err(|error| error.to_string())
+        };
+        let property = |name: &str| format!("{{ name = \"{name}\", map = {{ logistic = {{}} }} }}");
+        let properties = |names: &[&str]| {
+            let tables: Vec<String> = names.iter().map(|name| property(name)).collect();
+            format!("property=[{}]", tables.join(", "))
+        };
+        refusal(&properties(&["modulus", "index", "dose_b"])).unwrap();
+        for (names, key, found) in [
+            (&["modulus", "dose"][..], "property[1].name", "`dose.npy`"),
+            (&["cure_time"], "property[0].name", "`cure_time.npy`"),
+            (&["modulus", "Modulus"], "property[1].name", "property[0]"),
+        ] {
+            let error = refusal(&properties(names)).unwrap_err();
+            assert!(error.contains(key) && error.contains(found), "{error}");
+            assert!(error.contains("taken: dose, cure_time"), "{error}");
+        }
+        let species = "species=[{ name = \"a\" }, { name = \"b\" }]";
+        let mut document = Document::toml("a.toml", FULL).unwrap();
+        document.set(species).unwrap();
+        document.set(&properties(&["dose_b"])).unwrap();
+        let spec = JobSpec::from_document(&document).unwrap();
+        let error = must_differ(&spec).unwrap_err().to_string();
+        assert!(
+            error.contains("`dose_b.npy` is a file of species[1].name"),
+            "{error}"
+        );
+        assert!(error.contains("taken: dose, cure_time, dose_b"), "{error}");
+    }
+
+    #[test]
+    fn networks_whose_names_become_one_are_refused() {
+        let network = |name: &str| {
+            format!(
+                "{{ name = \"{name}\", curing = {{ threshold = {{ critical_dose_mj_per_mm3 = 0.5 }} }} }}"
+            )
+        };
+        let refusal = |names: [&str; 2]| {
+            let mut document = Document::toml("a.toml", FULL).unwrap();
+            let [a, b] = names.map(network);
+            let change = format!("material={{ photopolymer = {{ networks = [{a}, {b}] }} }}");
+            document.set(&change).unwrap();
+            must_differ(&JobSpec::from_document(&document).unwrap()).map_err(|e| e.to_string())
+        };
+        refusal(["soft", "hard"]).unwrap();
+        let error = refusal(["a b", "a/b"]).unwrap_err();
+        assert!(
+            error.contains("networks[1].name") && error.contains("taken: a_b"),
+            "{error}"
+        );
+    }
+}

@@ -1,0 +1,398 @@
+//! A job that was read and whose every number is in its range.
+
+use super::all_errors::with_others;
+use super::document::Document;
+use super::kinds::{KindFamily, families, with_defaults};
+use super::not_finite;
+use super::output::LEAST_REFINE;
+use super::validate;
+use crate::error::{Error, Result};
+use crate::exposure::PrinterSpec;
+use crate::job::spec::{Angles, JobSpec, default_objective};
+use crate::target::TargetSpec;
+use std::path::{Path, PathBuf};
+
+/// How many times coarser a quick trial is: at least the first; more, up to the second, until images have `TOY_PIXELS` pixels across.
+const TOY: [usize; 2] = [3, 6];
+const TOY_PIXELS: usize = 80;
+/// Its limits.
+const TOY_EDGE: usize = 12;
+const TOY_FRAMES: usize = 36;
+const TOY_ITERATIONS: usize = 3;
+/// Rays, or paths, of a pixel, where a job asks for more: by the tables of models and their keys.
+const TOY_RAYS: u64 = 4;
+const RAYS: [[&str; 2]; 2] = [
+    ["rays", "rays_per_pixel"],
+    ["monte_carlo", "paths_per_pixel"],
+];
+
+/// A job: its tables, and the text they came from.
+#[derive(Clone, Debug)]
+pub struct Job {
+    /// The text, for messages that say where.
+    pub document: Document,
+    /// The tables.
+    pub spec: JobSpec,
+    /// Whether a finished run of another job may be replaced.
+    pub(crate) overwrite: bool,
+    /// Whether it is a quick trial of the job that was read.
+    pub(crate) is_toy: bool,
+}
+
+impl Job {
+    /// Reads a job file, applies overrides (`stop.iterations=10`) and checks every range.
+    ///
+    /// # Errors
+    /// [`Error::Io`]; [`Error::Config`] with key path, file and line, or the override's name.
+    pub fn read(file: &Path, overrides: &[String]) -> Result<Self> {
+        let mut document = Document::read(file)?;
+        overrides
+            .iter()
+            .try_for_each(|assignment| document.set(assignment))?;
+        Self::from_document(document)
+    }
+
+    /// A job from a document.
+    ///
+    /// # Errors
+    /// [`Error::Config`] with key path, file and line, or the override's name.
+    pub fn from_document(document: Document) -> Result<Self> {
+        let spec = JobSpec::from_document(&document).and_then(|spec| {
+            validate::ranges(&spec).map_err(|e| document.locate(e))?;
+            Ok(spec)
+        });
+        let base = base_of(&document);
+        let spec = spec.map_err(|first| with_others(&document, &base, first))?;
+        Ok(Job {
+            document,
+            spec,
+            overwrite: false,
+            is_toy: false,
+        })
+    }
+
+    /// Its name: the file's, without ending.
+    #[must_use]
+    pub fn name(&self) -> String {
+        let stem = self
+            .document
+            .file
+            .file_stem()
+            .map(|stem| stem.to_string_lossy().into_owned());
+        stem.unwrap_or_else(|| "job".to_owned())
+    }
+
+    /// The same job with another run folder, named by an option of the command line.
+    #[must_use]
+    pub fn with_folder(mut self, folder: &Path, option: &str) -> Self {
+        let option = format!("{option} {}", folder.display());
+        self.document.overridden("output.folder", option);
+        self.spec.output.folder = Some(folder.to_owned());
+        self
+    }
+
+    /// The same job, which may replace a finished run of another one.
+    #[must_use]
+    pub fn overwriting(mut self) -> Self {
+        self.overwrite = true;
+        self
+    }
+
+    /// The folder that paths of meshes and images are relative to.
+    #[must_use]
+    pub fn base(&self) -> PathBuf {
+        base_of(&self.document)
+    }
+
+    /// The run folder.
+    #[must_use]
+    pub fn folder(&self) -> PathBuf {
+        self.spec
+            .output
+            .folder
+            .clone()
+            .unwrap_or_else(|| Path::new("out").join(self.name()))
+    }
+
+    /// The job with every default written out, kinds' parameters included, that runs identically from any folder.
+    #[must_use]
+    pub fn resolved(&self) -> JobSpec {
+        let mut spec = with_every_default(self.spec.clone());
+        let absolute = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+        let tables = spec
+            .objective
+            .iter_mut()
+            .chain(spec.objectives.iter_mut().flatten());
+        let tables = tables.chain([&mut spec.response, &mut spec.start]);
+        for table in tables.chain(&mut spec.model) {
+            each_file(table, &|file| absolute(&self.base().join(file)));
+        }
+        for species in &mut spec.species {
+            for table in species.objective.iter_mut().chain(&mut species.response) {
+                each_file(table, &|file| absolute(&self.base().join(file)));
+            }
+        }
+        for property in &mut spec.property {
+            each_file(&mut property.map, &|file| absolute(&self.base().join(file)));
+        }
+        spec.output.folder = Some(absolute(&self.folder()));
+        let base = self.base();
+        let own = spec.species.iter_mut().filter_map(|s| s.target.as_mut());
+        let targets = std::iter::once(&mut spec.target).chain(own);
+        for file in targets.flat_map(TargetSpec::files_mut) {
+            *file = absolute(&base.join(&*file));
+        }
+        for file in spec.printer.iter_mut().flat_map(PrinterSpec::files_mut) {
+            *file = absolute(&self.base().join(&*file));
+        }
+        for light in &mut spec.light {
+            for file in light
+                .printer
+                .gray_curve_file
+                .iter_mut()
+                .chain(&mut light.psf)
+            {
+                *file = absolute(&self.base().join(&*file));
+            }
+        }
+        for wall in ["/mesh/outer", "/mesh/inner"] {
+            if let Some(file) = spec.vial.kind.pointer_mut(wall) {
+                let path = absolute(&self.base().join(file.as_str().unwrap_or_default()));
+                *file = path.display().to_string().into();
+            }
+        }
+        for obstacle in &mut spec.obstacles {
+            obstacle.mesh = absolute(&self.base().join(&obstacle.mesh));
+        }
+        for mask in spec.light.iter_mut().flat_map(|l| &mut l.selection.mask) {
+            *mask = absolute(&base.join(&*mask));
+        }
+        if let Some(map) = &mut spec.resin.absorption_map {
+            for file in std::iter::once(&mut map.absorption).chain(&mut map.attenuation) {
+                *file = absolute(&self.base().join(&*file));
+            }
+        }
+        spec
+    }
+
+    /// The same job as a quick trial: a third of the resolution (down to a sixth, so that images have 80 pixels across), few angles, rays and iterations,
+    /// and no quality that is asked for (`evaluate.require_*`), but for those of these keys that the command line sets. What it prints is poor, but every
+    /// stage runs.
+    #[must_use]
+    pub fn toy(mut self) -> Self {
+        self.is_toy = true;
+        let is_set = |key: &str| self.document.option(key).is_some();
+        let spec = &mut self.spec;
+        let across = spec.light.iter().flat_map(|light| light.pixels).max();
+        let [least, most] = TOY;
+        let coarser = across.unwrap_or(0).div_ceil(TOY_PIXELS).clamp(least, most);
+        spec.grid
+            .pitch_mm
+            .iter_mut()
+            // Without the last digits of a product: 0.3, not 0.30000000000000004
+            .for_each(|pitch| pitch.0 = (pitch.0 * coarser as f64 * 1e9).round() / 1e9);
+        for count in spec.grid.shape.iter_mut().flatten() {
+            *count = count.div_ceil(coarser).max(TOY_EDGE);
+        }
+        for (i, light) in spec.light.iter_mut().enumerate() {
+            light.pixels = light.pixels.map(|count| count.div_ceil(coarser));
+            light.projector.coarsen(coarser as f64);
+            light.selection.coarsen(coarser);
+            // It is an image on the pixels of the whole job
+            light.psf = None;
+            match &mut light.angles {
+                _ if is_set(&format!("light[{i}].angles")) => {}
+                Angles::Even { count, .. } => *count = (*count).min(TOY_FRAMES),
+                Angles::List(list) => list.truncate(TOY_FRAMES),
+            }
+        }
+        spec.printer
+            .iter_mut()
+            .for_each(|printer| printer.coarsen(coarser as f64));
+        for [kind, key] in RAYS {
+            let rays = spec
+                .model
+                .as_mut()
+                .and_then(|model| model.get_mut(kind)?.get_mut(key));
+            if let Some(rays) = rays.filter(|_| !is_set(&format!("model.{kind}.{key}")))
+                && rays.as_u64().is_some_and(|rays| rays > TOY_RAYS)
+            {
+                *rays = TOY_RAYS.into();
+            }
+        }
+        if !is_set("stop.iterations") {
+            spec.stop.iterations = spec.stop.iterations.min(TOY_ITERATIONS);
+        }
+        spec.grid.refine = Some(1);
+        spec.evaluate.refine.get_or_insert(LEAST_REFINE);
+        spec.evaluate.sub_angles = spec.evaluate.sub_angles.min(2);
+        if !is_set("evaluate.require_iou") {
+            spec.evaluate.require_iou = None;
+        }
+        if !is_set("evaluate.require_in_band") {
+            spec.evaluate.require_in_band = None;
+        }
+        self
+    }
+
+    /// Adds file and line to an error about one of this job's keys, and that its numbers are those of a toy. A number that is not finite
+    /// becomes an error of the keys that made it.
+    #[must_use]
+    pub fn locate(&self, error: Error) -> Error {
+        let error = not_finite::blamed(&self.document.root, error);
+        let mut error = self.document.locate(error);
+        if let Error::Config { key, accepted, .. } = &mut error
+            && self.is_toy
+            && (key.ends_with("pixels") || key.starts_with("grid"))
+        {
+            accepted.push_str(
+                "; `--toy` counts in pixels and voxels three times as large as the job's",
+            );
+        }
+        error
+    }
+}
+
+fn base_of(document: &Document) -> PathBuf {
+    document
+        .file
+        .parent()
+        .map(Path::to_owned)
+        .unwrap_or_default()
+}
+
+/// The same tables with the defaults of every kind written out.
+pub(crate) fn with_every_default(mut spec: JobSpec) -> JobSpec {
+    let families = families();
+    let pages = |name: &str| {
+        families
+            .iter()
+            .find(|f| f.name == name)
+            .map_or(&[][..], |f: &KindFamily| &f.kinds)
+    };
+    spec.vial.kind = with_defaults(pages("vial"), &spec.vial.kind);
+    if let Some(phantom) = &mut spec.target.phantom {
+        *phantom = with_defaults(pages("target.phantom"), phantom);
+    }
+    for light in &mut spec.light {
+        light.projector.0 = with_defaults(pages("projector"), &light.projector.0);
+    }
+    spec.resin.phase = with_defaults(pages("resin.phase"), &spec.resin.phase);
+    if let Some(model) = &mut spec.model {
+        *model = with_defaults(pages("model"), model);
+    }
+    spec.response = with_defaults(pages("response"), &spec.response);
+    spec.optimizer = with_defaults(pages("optimizer"), &spec.optimizer);
+    spec.start = with_defaults(pages("start"), &spec.start);
+    if spec.objective.is_none() && spec.objectives.is_none() {
+        spec.objective = Some(default_objective(&spec));
+    }
+    for objective in spec
+        .objective
+        .iter_mut()
+        .chain(spec.objectives.iter_mut().flatten())
+    {
+        *objective = with_defaults(pages("objective"), objective);
+    }
+    for penalty in &mut spec.penalties {
+        *penalty = with_defaults(pages("penalties"), penalty);
+    }
+    spec
+}
+
+/// Changes every `file` of a table and the tables in it.
+fn each_file(value: &mut serde_json::Value, change: &dyn Fn(&str) -> PathBuf) {
+    let Some(map) = value.as_object_mut() else {
+        return;
+    };
+    for (key, value) in map {
+        match value.as_str().filter(|_| key == "file").map(change) {
+            Some(file) => *value = file.to_string_lossy().into_owned().into(),
+            None => each_file(value, change),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sweep_is_told_from_a_job() {
+        let sweep = "job = \"a.toml\"\naxes = [{ key = \"stop.iterations\", values = [1] }]";
+        let error = Job::from_document(Document::toml("sweep.toml", sweep).unwrap());
+        let error = error.unwrap_err().to_string();
+        assert!(error.contains("a sweep where a job is read"), "{error}");
+    }
+
+    #[test]
+    fn a_toy_has_the_counts_that_the_command_line_names() {
+        let text = r#"
+            target = { phantom = "gear", size_mm = 3.0 }
+            grid = { pitch_mm = 0.1 }
+            resin = { refractive_index = 1.5, absorption_per_mm = 0.05 }
+            vial = { index_matched = { radius_mm = 3.0 } }
+            light = [{ pixels = [60, 30], angles = 180, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
+            stop = { iterations = 40 }
+            evaluate = { require_iou = 0.9 }
+            model = { rays = { rays_per_pixel = 64 } }
+        "#;
+        let toy = |assignments: &[&str]| {
+            let mut document = Document::toml("job.toml", text).unwrap();
+            for assignment in assignments {
+                document.set(assignment).unwrap();
+            }
+            Job::from_document(document).unwrap().toy().spec
+        };
+        let counts = |assignments: &[&str]| {
+            let spec = toy(assignments);
+            (
+                spec.stop.iterations,
+                spec.light[0].angles.count(),
+                spec.evaluate.require_iou,
+            )
+        };
+        assert_eq!(counts(&[]), (TOY_ITERATIONS, TOY_FRAMES, None));
+        let set = [
+            "stop.iterations=12",
+            "light.angles=90",
+            "evaluate.require_iou=0.5",
+        ];
+        assert_eq!(counts(&set), (12, 90, Some(0.5)));
+        let rays = |set: &[&str]| toy(set).model.unwrap()["rays"]["rays_per_pixel"].clone();
+        assert_eq!(rays(&[]), TOY_RAYS);
+        assert_eq!(rays(&["model.rays.rays_per_pixel=16"]), 16);
+        assert_eq!(rays(&["model={ rays = { rays_per_pixel = 2 } }"]), 2);
+        // A third; down to 80 pixels; at most a sixth
+        for (pixels, coarse, pitch) in [
+            ("[60,30]", [20, 10], 0.3),
+            ("[400,90]", [80, 18], 0.5),
+            ("[4000,90]", [667, 15], 0.6),
+        ] {
+            let spec = toy(&[&format!("light.pixels={pixels}")]);
+            let found = (
+                spec.light[0].pixels,
+                spec.grid.pitch_mm.map(|pitch| pitch.0),
+            );
+            assert_eq!(found, (coarse, Some(pitch)));
+        }
+    }
+
+    #[test]
+    fn counts_that_are_those_of_a_toy_are_told_as_such() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("job.toml");
+        let text = "target.phantom = \"gear\"\ntarget.size_mm = 3\nvial.index_matched.radius_mm = 4\n\
+             [resin]\nrefractive_index = 1.5\nabsorption_per_mm = 0.1\n\
+             [[light]]\npixels = [60, 40]\nangles = 60\nprojector.collimated.pixel_pitch_mm = 0.1\n";
+        std::fs::write(&file, text).unwrap();
+        let job = Job::read(&file, &[]).unwrap();
+        let said = |job: &Job, key: &str| {
+            let error = Error::config(key, "found", "more of them");
+            job.locate(error).to_string().contains("`--toy` counts")
+        };
+        let toy = job.clone().toy();
+        assert!(said(&toy, "light[0].pixels") && said(&toy, "grid.pitch_mm"));
+        assert!(!said(&toy, "target.mesh") && !said(&job, "light[0].pixels"));
+    }
+}

@@ -1,0 +1,126 @@
+//! What `[[species]]` and `[[light]]` say together: which light sees which resin, which species each drives, and the job of each species.
+
+use crate::error::{Error, Result};
+use crate::job::spec::{JobSpec, ResinSpec};
+use crate::units::exact;
+
+/// A species by name, and its row of M.
+pub(crate) type Row = (String, Vec<f64>);
+
+impl JobSpec {
+    /// The resin as light `i` sees it.
+    pub(crate) fn resin_of(&self, i: usize) -> ResinSpec {
+        let own = &self.light[i].resin;
+        let mut resin = self.resin.clone();
+        if let Some(index) = own.refractive_index {
+            resin.refractive_index = index;
+        }
+        if own.absorption_per_mm.is_some() || own.scattering_per_mm.is_some() {
+            resin.attenuation_per_mm = None;
+        }
+        resin.absorption_per_mm = own.absorption_per_mm.or(resin.absorption_per_mm);
+        resin.scattering_per_mm = own.scattering_per_mm.unwrap_or(resin.scattering_per_mm);
+        resin.attenuation_per_mm = own.attenuation_per_mm.or(resin.attenuation_per_mm);
+        resin
+    }
+
+    /// The job of one species alone: its target, objective and response in place of the whole job's.
+    pub(crate) fn of_species(&self, s: usize) -> JobSpec {
+        let mut spec = self.clone();
+        let Some(own) = self.species.get(s) else {
+            return spec;
+        };
+        if let Some(target) = &own.target {
+            spec.target = target.clone();
+        }
+        if let Some(objective) = &own.objective {
+            (spec.objective, spec.objectives) = (Some(objective.clone()), None);
+        }
+        if let Some(response) = &own.response {
+            spec.response = response.clone();
+        }
+        spec
+    }
+
+    /// M, a row per species; None where all lights drive one species alike.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for names that are missing, unknown or used twice, and factors that are no numbers.
+    pub(crate) fn mixing(&self) -> Result<Option<Vec<Row>>> {
+        if self.species.is_empty() {
+            return Ok(None);
+        }
+        let names: Vec<&str> = self
+            .light
+            .iter()
+            .map(|l| l.name.as_deref().unwrap_or("light"))
+            .collect();
+        let mut rows: Vec<Row> = Vec::with_capacity(self.species.len());
+        for (s, species) in self.species.iter().enumerate() {
+            let key = format!("species[{s}]");
+            if rows.iter().any(|(name, _)| *name == species.name) {
+                let found = format!("found {:?} a second time", species.name);
+                return Err(Error::config(
+                    format!("{key}.name"),
+                    found,
+                    "names that differ",
+                ));
+            }
+            let row = match &species.driven_by {
+                None => vec![1.0; names.len()],
+                Some(given) => {
+                    for (light, factor) in given {
+                        let key = format!("{key}.driven_by.{light}");
+                        if !names.contains(&light.as_str()) {
+                            let accepted = format!("the name of a light: {}", names.join(", "));
+                            return Err(Error::config(key, "no light has this name", accepted));
+                        }
+                        if !factor.is_finite() {
+                            return Err(Error::config(
+                                key,
+                                format!("found {}", exact(*factor)),
+                                "a number",
+                            ));
+                        }
+                    }
+                    let factor = |name: &&str| given.get(*name).copied().unwrap_or(0.0);
+                    names.iter().map(factor).collect()
+                }
+            };
+            if !row.iter().any(|&m| m > 0.0) {
+                return Err(Error::config(
+                    format!("{key}.driven_by"),
+                    "no light drives it",
+                    "a factor above 0 for one light at least",
+                ));
+            }
+            rows.push((species.name.clone(), row));
+        }
+        if let Some(i) = (0..names.len()).find(|&i| rows.iter().all(|(_, row)| row[i] == 0.0)) {
+            return Err(Error::config(
+                format!("light[{i}]"),
+                format!("{} drives no species", names[i]),
+                "a factor for it in species.driven_by, or no such light",
+            ));
+        }
+        Ok(Some(rows))
+    }
+}
+
+/// Names the table of a species where a key of the whole job is blamed that the species sets itself.
+pub(crate) fn at_species(spec: &JobSpec, s: usize, error: Error) -> Error {
+    let own = &spec.species[s];
+    let sets = |key: &str| {
+        let table = key.split(['.', '[']).next();
+        match table {
+            Some("target") => own.target.is_some(),
+            Some("objective") => own.objective.is_some(),
+            Some("response") => own.response.is_some(),
+            _ => false,
+        }
+    };
+    match error {
+        Error::Config { ref key, .. } if sets(key) => error.under(&format!("species[{s}]")),
+        other => other,
+    }
+}

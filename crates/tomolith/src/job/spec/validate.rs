@@ -1,0 +1,772 @@
+//! Ranges of every key, before any work.
+
+use super::file_names;
+use crate::error::{Error, Result};
+use crate::exposure::movie::FASTEST;
+use crate::exposure::{PrinterSpec, shown_rate};
+use crate::job::spec::species::at_species;
+use crate::job::spec::{
+    Angles, BoundsSpec, CeilingTolerance, DoseConvention, JobSpec, LightPrinterSpec, LightSpec,
+    OutputSpec, ResinSpec, SelectionSpec,
+};
+use crate::units::exact;
+use std::collections::BTreeSet;
+
+/// Fastest turn of a vial, 1/min.
+const MOST_RPM: f64 = 1000.0;
+/// Strongest absorption, 1/mm: light is gone within a hundredth of a millimeter.
+const MOST_ABSORPTION: f64 = 100.0;
+/// Weakest absorption, 1/mm: doses of far less are no longer told from 0.
+const LEAST_ABSORPTION: f64 = 1e-9;
+
+/// Largest limit of a pixel, mJ/mm²: its dose, squared and summed, is still a number.
+const MOST_LIGHT: f64 = 1e9;
+
+/// Most pixels along an edge, most voxels along an edge.
+const LARGEST_EDGE: usize = 16_384;
+/// Most frames of a light.
+const MOST_FRAMES: usize = 100_000;
+/// Most angles averaged in one frame.
+const MOST_SUB_ANGLES: usize = 64;
+/// Refractive indices of anything transparent.
+const INDEX: &str = "a refractive index, 1 to 4";
+
+/// Checks every number of the tables.
+///
+/// # Errors
+/// [`Error::Config`] with key path, value and what is accepted; the place is added by
+/// [`Document::locate`](crate::job::Document::locate).
+pub fn ranges(spec: &JobSpec) -> Result<()> {
+    grid(spec)?;
+    resin(&spec.resin)?;
+    for i in 0..spec.light.len() {
+        resin(&spec.resin_of(i)).map_err(|e| e.under(&format!("light[{i}]")))?;
+    }
+    within(
+        "vial.surrounding_index",
+        spec.vial.common.surrounding_index,
+        1.0,
+        4.0,
+        INDEX,
+    )?;
+    if let Some(bath) = &spec.bath {
+        within(
+            "bath.absorption_per_mm",
+            bath.absorption_per_mm,
+            0.0,
+            MOST_ABSORPTION,
+            "1/mm, 0 to 100",
+        )?;
+        positive("bath.radius_mm", bath.radius_mm.0, "mm")?;
+    }
+    lights(&spec.light)?;
+    species(spec)?;
+    bounds_and_stop(spec)?;
+    evaluate_and_output(spec)?;
+    if let Some(memory_gb) = spec.resources.memory_gb {
+        positive("resources.memory_gb", memory_gb, "GB")?;
+    }
+    printer(spec)
+}
+
+/// The machine, and whether it can show the frames as fast as they follow each other.
+fn printer(spec: &JobSpec) -> Result<()> {
+    let refresh_hz = match &spec.printer {
+        None => FASTEST,
+        Some(printer) => {
+            printer.ranges()?;
+            printer.refresh_hz
+        }
+    };
+    for (i, light) in spec.light.iter().enumerate() {
+        match spec.printer_of(i) {
+            Some(printer) => printer.ranges().map_err(|e| spec.at_printer_of(i, e))?,
+            None if light.printer != LightPrinterSpec::default() => {
+                return Err(Error::config(
+                    format!("light[{i}].printer"),
+                    "what the machine is to this light, in a job without a machine",
+                    "a table [printer] beside it, which may be empty",
+                ));
+            }
+            None => {}
+        }
+        let in_time = [
+            ("turns", light.turns.is_some()),
+            ("power", light.power.is_some()),
+        ];
+        for (key, _) in in_time.iter().filter(|(_, is_given)| *is_given) {
+            if spec.schedule.is_none() {
+                return Err(Error::config(
+                    format!("light[{i}].{key}"),
+                    "a key of the print in time, in a job without a schedule",
+                    "a table [schedule] beside it",
+                ));
+            }
+        }
+        if let Angles::Even { count, arc_deg, .. } = light.angles {
+            shown_rate(spec.output.rpm, count, arc_deg.to_radians(), refresh_hz)
+                .map_err(|e| at_speed(spec, i, e))?;
+        }
+    }
+    if spec
+        .printer
+        .as_ref()
+        .is_some_and(|printer| printer.time_s.is_some())
+        && spec.resin.critical_dose_mj_per_mm3.is_none()
+    {
+        return Err(Error::config(
+            "printer.time_s",
+            "a time without the dose that the resin needs",
+            "also resin.critical_dose_mj_per_mm3, or leave this key out",
+        ));
+    }
+    Ok(())
+}
+
+/// Blames a movie that cannot be shown on the key that the job sets: the speed, the device, else the frames of the light.
+fn at_speed(spec: &JobSpec, i: usize, mut error: Error) -> Error {
+    let device = spec.printer.as_ref().map(|printer| printer.refresh_hz);
+    let schedule = spec.schedule.as_ref();
+    if let Error::Config { key, .. } = &mut error
+        && schedule.is_some_and(|own| own.seconds_per_turn.is_some())
+    {
+        "schedule.seconds_per_turn".clone_into(key);
+    } else if let Error::Config { key, .. } = &mut error
+        && spec.output.rpm == OutputSpec::default().rpm
+    {
+        *key = match device {
+            Some(hz) if hz != PrinterSpec::default().refresh_hz => "printer.refresh_hz".to_owned(),
+            _ => format!("light[{i}].angles"),
+        };
+    }
+    error
+}
+
+fn grid(spec: &JobSpec) -> Result<()> {
+    if let Some(pitch) = spec.grid.pitch_mm {
+        positive("grid.pitch_mm", pitch.0, "mm")?;
+    }
+    if let Some(shape) = spec.grid.shape {
+        for (i, n) in shape.into_iter().enumerate() {
+            count(&format!("grid.shape[{i}]"), n, 1, LARGEST_EDGE)?;
+        }
+    }
+    Ok(())
+}
+
+fn resin(resin: &ResinSpec) -> Result<()> {
+    within(
+        "resin.refractive_index",
+        resin.refractive_index,
+        1.0,
+        4.0,
+        INDEX,
+    )?;
+    absorption(resin)?;
+    if let Some(attenuation) = resin.attenuation_per_mm {
+        // What the absorption is worth with `pure_radon`, which does not use it, is still no more than the attenuation
+        let least = resin.absorption_per_mm.unwrap_or(0.0) + resin.scattering_per_mm.max(0.0);
+        let accepted = format!(
+            "a number of at least resin.absorption_per_mm + resin.scattering_per_mm = {least}, in 1/mm"
+        );
+        within(
+            "resin.attenuation_per_mm",
+            attenuation,
+            least,
+            f64::MAX,
+            &accepted,
+        )?;
+    }
+    not_negative("resin.scattering_per_mm", resin.scattering_per_mm, "1/mm")?;
+    if resin.scattering_per_mm > 0.0 && resin.pure_radon {
+        return Err(Error::config(
+            "resin.scattering_per_mm",
+            format!(
+                "found {} together with resin.pure_radon = true",
+                resin.scattering_per_mm
+            ),
+            "0, or an absorption in place of pure_radon",
+        ));
+    }
+    if resin.critical_dose_mj_per_mm3.is_some() && resin.dose_convention != DoseConvention::Energy {
+        return Err(Error::config(
+            "resin.critical_dose_mj_per_mm3",
+            "found together with resin.dose_convention = \"drtvam\", whose doses are no energies",
+            "resin.dose_convention = \"energy\"",
+        ));
+    }
+    match resin.critical_dose_mj_per_mm3 {
+        Some(dose) => positive("resin.critical_dose_mj_per_mm3", dose, "mJ/mm³"),
+        None => Ok(()),
+    }
+}
+
+fn absorption(resin: &ResinSpec) -> Result<()> {
+    let key = "resin.absorption_per_mm";
+    let accepted = "a number > 0 in 1/mm, or resin.pure_radon = true for the plain sum of fluence";
+    match resin.absorption_per_mm {
+        None if resin.pure_radon => Ok(()),
+        None => Err(Error::config(key, "the key is missing", accepted)),
+        Some(0.0) if !resin.pure_radon => {
+            let found = "found 0: a resin that absorbs nothing gets no dose";
+            Err(Error::config(key, found, accepted))
+        }
+        Some(absorption) if 0.0 < absorption && absorption < LEAST_ABSORPTION => {
+            let accepted = format!(
+                "at least {LEAST_ABSORPTION:e} per mm, or resin.pure_radon = true for the plain sum of fluence"
+            );
+            refuse(key, exact(absorption), accepted)
+        }
+        Some(absorption) if absorption > MOST_ABSORPTION => {
+            let accepted = format!("at most {MOST_ABSORPTION} per mm: light must reach the part");
+            refuse(key, exact(absorption), accepted)
+        }
+        Some(absorption) => not_negative(key, absorption, "1/mm"),
+    }
+}
+
+fn lights(lights: &[LightSpec]) -> Result<()> {
+    if lights.is_empty() {
+        return Err(Error::config(
+            "light",
+            "no light",
+            "at least one table [[light]]",
+        ));
+    }
+    let mut names = BTreeSet::new();
+    for (i, one) in lights.iter().enumerate() {
+        light(one).map_err(|e| e.under(&format!("light[{i}]")))?;
+        let key = format!("light[{i}].name");
+        match &one.name {
+            Some(name) if !is_file_name(name) => {
+                return Err(Error::config(key, format!("found {name:?}"), FILE_NAME));
+            }
+            None if lights.len() > 1 => {
+                return Err(Error::config(
+                    key,
+                    "the key is missing",
+                    "a name, because there are several lights",
+                ));
+            }
+            Some(name) if lights.len() > 1 && (name == "raw" || name.starts_with("raw_")) => {
+                return Err(Error::config(
+                    key,
+                    format!(
+                        "found {name:?}, as patterns.npz names what was wanted: `patterns_raw`, `patterns_raw_<light>`"
+                    ),
+                    "a name that is not raw and does not begin with raw_",
+                ));
+            }
+            name => {
+                if !names.insert(name.as_deref().map(str::to_ascii_lowercase)) {
+                    return Err(Error::config(
+                        key,
+                        format!(
+                            "found \"{}\" a second time",
+                            name.as_deref().unwrap_or_default()
+                        ),
+                        "names that differ",
+                    ));
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The objectives of every species, their names, and who drives them.
+fn species(spec: &JobSpec) -> Result<()> {
+    spec.objectives()?;
+    for (s, species) in spec.species.iter().enumerate() {
+        if !is_file_name(&species.name) {
+            return Err(Error::config(
+                format!("species[{s}].name"),
+                format!("found {:?}", species.name),
+                FILE_NAME,
+            ));
+        }
+        spec.of_species(s)
+            .objectives()
+            .map_err(|e| at_species(spec, s, e))?;
+    }
+    for (i, property) in spec.property.iter().enumerate() {
+        if !is_file_name(&property.name) {
+            return Err(Error::config(
+                format!("property[{i}].name"),
+                format!("found {:?}", property.name),
+                FILE_NAME,
+            ));
+        }
+    }
+    spec.mixing()?;
+    file_names::must_differ(spec)?;
+    co_optimized(spec)
+}
+
+fn light(light: &LightSpec) -> Result<()> {
+    within(
+        "wavelength_nm",
+        light.wavelength_nm,
+        100.0,
+        20_000.0,
+        "nm, 100 to 20000",
+    )?;
+    for (i, n) in light.pixels.into_iter().enumerate() {
+        count(&format!("pixels[{i}]"), n, 1, LARGEST_EDGE)?;
+    }
+    for (i, mm) in light.offset_mm.into_iter().enumerate() {
+        let key = format!("offset_mm[{i}]");
+        within(&key, mm.0, -1000.0, 1000.0, "mm, -1000 to 1000")?;
+    }
+    selection(light).map_err(|e| e.under("selection"))?;
+    if let Some(sub_angles) = light.sub_angles {
+        count("sub_angles", sub_angles, 1, MOST_SUB_ANGLES)?;
+    }
+    match &light.angles {
+        Angles::Even {
+            count: frames,
+            start_deg,
+            arc_deg,
+        } => {
+            count("angles", *frames, 1, MOST_FRAMES)?;
+            within(
+                "angles.start_deg",
+                *start_deg,
+                -360.0,
+                360.0,
+                "degrees, -360 to 360",
+            )?;
+            positive("angles.arc_deg", *arc_deg, "degrees, at most 360")?;
+            within(
+                "angles.arc_deg",
+                *arc_deg,
+                0.0,
+                360.0,
+                "degrees, more than 0 and at most 360",
+            )
+        }
+        Angles::List(list) => {
+            if !(1..=MOST_FRAMES).contains(&list.len()) {
+                let found = match list.len() {
+                    0 => "found an empty list".to_owned(),
+                    n => format!("found a list of {n}"),
+                };
+                let accepted = format!("1 to {MOST_FRAMES} azimuths in degrees, one per frame");
+                return Err(Error::config("angles.list_deg", found, accepted));
+            }
+            list.iter().enumerate().try_for_each(|(i, angle)| {
+                within(
+                    &format!("angles.list_deg[{i}]"),
+                    *angle,
+                    -3600.0,
+                    3600.0,
+                    "degrees, -3600 to 3600",
+                )
+            })
+        }
+    }
+}
+
+fn selection(light: &LightSpec) -> Result<()> {
+    let SelectionSpec {
+        columns,
+        rows,
+        corner_radius_mm,
+        min_contribution,
+        ..
+    } = &light.selection;
+    for (key, range, all) in [
+        ("columns", columns, light.pixels[0]),
+        ("rows", rows, light.pixels[1]),
+    ] {
+        match *range {
+            Some([first, count]) if count == 0 || first.saturating_add(count) > all => {
+                return Err(Error::config(
+                    key,
+                    format!("found [{first}, {count}], but there are {all}"),
+                    format!("the first, from 0, and a count of at least 1, within the {all}"),
+                ));
+            }
+            _ => {}
+        }
+    }
+    optional(corner_radius_mm.map(|mm| mm.0), |mm| {
+        positive("corner_radius_mm", mm, "mm")
+    })?;
+    let accepted = "a share of the best pixel's, 0 to 0.999";
+    within("min_contribution", *min_contribution, 0.0, 0.999, accepted)
+}
+
+fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
+    let BoundsSpec { min, max, bits, .. } = spec.bounds;
+    let CeilingTolerance {
+        iou,
+        ver,
+        deviation,
+        latitude,
+    } = spec.bounds.tolerance;
+    for (name, value) in [
+        ("iou", iou),
+        ("ver", ver),
+        ("deviation", deviation),
+        ("latitude", latitude),
+    ] {
+        within(
+            &format!("bounds.tolerance.{name}"),
+            value,
+            0.0,
+            1.0,
+            "0 to 1",
+        )?;
+    }
+    within(
+        "bounds.min",
+        min,
+        0.0,
+        MOST_LIGHT,
+        &format!("0 to {MOST_LIGHT:e} mJ/mm²: light cannot be taken away"),
+    )?;
+    optional(max, |max| {
+        positive("bounds.max", max, "mJ/mm²")?;
+        above("bounds.max", max, "bounds.min", min)
+    })?;
+    for (i, light) in spec.light.iter().enumerate() {
+        let key = |name: &str| format!("light[{i}].bounds.{name}");
+        let accepted = format!("0 to {MOST_LIGHT:e} mJ/mm²: light cannot be taken away");
+        optional(light.bounds.min, |own| {
+            within(&key("min"), own, 0.0, MOST_LIGHT, &accepted)
+        })?;
+        let least = light.bounds.min.unwrap_or(min);
+        let from = match light.bounds.min {
+            Some(_) => key("min"),
+            None => "bounds.min".to_owned(),
+        };
+        optional(light.bounds.max, |own| {
+            positive(&key("max"), own, "mJ/mm²")?;
+            above(&key("max"), own, &from, least)
+        })?;
+        optional(max.filter(|_| light.bounds.max.is_none()), |most| {
+            let accepted = format!("less than bounds.max = {most}");
+            match least < most {
+                true => Ok(()),
+                false => refuse(&from, exact(least), accepted),
+            }
+        })?;
+    }
+    optional(bits.map(f64::from), |v| {
+        within("bounds.bits", v, 1.0, 16.0, "1 to 16 bits")
+    })?;
+    if let Some(coarse) = &spec.multiresolution {
+        within(
+            "multiresolution.levels",
+            coarse.levels as f64,
+            1.0,
+            6.0,
+            "1 to 6 levels",
+        )?;
+    }
+    let stop = &spec.stop;
+    optional(stop.change, |v| not_negative("stop.change", v, ""))?;
+    if let (Some(after), None) = (stop.change_after, stop.change) {
+        return Err(Error::config(
+            "stop.change_after",
+            format!("{after} iterations without a change to look at"),
+            "stop.change beside it, or neither",
+        ));
+    }
+    optional(stop.gap.filter(|gap| *gap != 0.0), |v| {
+        let accepted = "a part of the loss, 0.000001 to 0.99, or 0: never";
+        within("stop.gap", v, 1e-6, 0.99, accepted)
+    })?;
+    not_negative("stop.loss", stop.loss, "")?;
+    optional(stop.relative_loss.filter(|part| *part != 0.0), |v| {
+        let accepted = "a part of the first loss, 1e-12 to 0.99, or 0: never";
+        within("stop.relative_loss", v, 1e-12, 0.99, accepted)
+    })?;
+    optional(stop.projected_gradient, |v| {
+        not_negative("stop.projected_gradient", v, "")
+    })?;
+    optional(stop.iou, |v| {
+        within("stop.iou", v, 0.0, 1.0, "a number from 0 to 1")
+    })?;
+    optional(stop.wall_s, |v| positive("stop.wall_s", v, "s"))?;
+    optional(spec.checkpoint.every_s, |v| {
+        positive("checkpoint.every_s", v, "s")
+    })
+}
+
+fn evaluate_and_output(spec: &JobSpec) -> Result<()> {
+    let evaluate = &spec.evaluate;
+    count("evaluate.bit_depth", evaluate.bit_depth as usize, 1, 16)?;
+    count(
+        "evaluate.sub_angles",
+        evaluate.sub_angles,
+        1,
+        MOST_SUB_ANGLES,
+    )?;
+    if let Some(refine) = evaluate.refine {
+        count("evaluate.refine", refine, 1, 32)?;
+    }
+    optional(evaluate.threshold, |v| {
+        within("evaluate.threshold", v, 1e-6, 1e6, "a dose, 1e-6 to 1e6")
+    })?;
+    within(
+        "evaluate.trim_percent",
+        evaluate.trim_percent,
+        0.0,
+        49.9,
+        "per cent, 0 to 49.9",
+    )?;
+    optional(evaluate.require_iou, |v| {
+        within("evaluate.require_iou", v, 0.0, 1.0, "a number from 0 to 1")
+    })?;
+    optional(evaluate.require_in_band, |v| {
+        within(
+            "evaluate.require_in_band",
+            v,
+            0.0,
+            1.0,
+            "a number from 0 to 1",
+        )
+    })?;
+    positive("output.rpm", spec.output.rpm, "turns per minute")?;
+    if spec.output.rpm > MOST_RPM {
+        let schedule = spec.schedule.as_ref();
+        let key = match schedule.and_then(|own| own.seconds_per_turn) {
+            Some(_) => "schedule.seconds_per_turn",
+            None => "output.rpm",
+        };
+        return Err(Error::config(
+            key,
+            format!("found {} turns per minute", exact(spec.output.rpm)),
+            format!("at most {MOST_RPM} turns per minute"),
+        ));
+    }
+    if spec
+        .output
+        .folder
+        .as_ref()
+        .is_some_and(|folder| folder.as_os_str().is_empty())
+    {
+        return Err(Error::config(
+            "output.folder",
+            "found an empty path",
+            "a folder",
+        ));
+    }
+    Ok(())
+}
+
+const FILE_NAME: &str = "1 to 64 letters, digits, - and _ (it is part of file names)";
+
+fn is_file_name(name: &str) -> bool {
+    (1..=64).contains(&name.len())
+        && name
+            .chars()
+            .all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_')
+}
+
+fn optional(value: Option<f64>, check: impl Fn(f64) -> Result<()>) -> Result<()> {
+    value.map_or(Ok(()), check)
+}
+
+fn refuse(key: &str, value: impl std::fmt::Display, accepted: String) -> Result<()> {
+    Err(Error::config(key, format!("found {value}"), accepted))
+}
+
+fn positive(key: &str, value: f64, unit: &str) -> Result<()> {
+    if value > 0.0 && value.is_finite() {
+        return Ok(());
+    }
+    refuse(
+        key,
+        exact(value),
+        format!("a number > 0 {unit}").trim_end().to_owned(),
+    )
+}
+
+fn not_negative(key: &str, value: f64, unit: &str) -> Result<()> {
+    if value >= 0.0 && value.is_finite() {
+        return Ok(());
+    }
+    refuse(
+        key,
+        exact(value),
+        format!("a number, 0 or more {unit}").trim_end().to_owned(),
+    )
+}
+
+fn within(key: &str, value: f64, least: f64, most: f64, accepted: &str) -> Result<()> {
+    if value >= least && value <= most {
+        Ok(())
+    } else {
+        refuse(key, exact(value), accepted.to_owned())
+    }
+}
+
+/// The largest value of pixels, which some room must lie below.
+fn above(key: &str, value: f64, least_key: &str, least: f64) -> Result<()> {
+    if value > least && value <= MOST_LIGHT {
+        return Ok(());
+    }
+    let accepted = format!("more than {least_key} = {least}, up to {MOST_LIGHT:e} mJ/mm²");
+    refuse(key, exact(value), accepted)
+}
+
+fn count(key: &str, value: usize, least: usize, most: usize) -> Result<()> {
+    if (least..=most).contains(&value) {
+        return Ok(());
+    }
+    refuse(key, value, format!("a whole number from {least} to {most}"))
+}
+
+/// Refuses numbers out of range, and tables of the job that do not go with unknowns of the response.
+///
+/// # Errors
+/// [`Error::Config`].
+fn co_optimized(spec: &JobSpec) -> Result<()> {
+    let Some(own) = &spec.co_optimize else {
+        return Ok(());
+    };
+    if own.response.is_empty() {
+        return Err(Error::config(
+            "co_optimize.response",
+            "no parameter",
+            "one or more with their ranges, for example steepness = [10.0, 150.0]; or leave [co_optimize] out",
+        ));
+    }
+    if !(own.tolerance > 0.0 && own.tolerance <= 0.25) {
+        return Err(Error::config(
+            "co_optimize.tolerance",
+            format!("found {}", exact(own.tolerance)),
+            "a part of the ranges, above 0, at most 0.25",
+        ));
+    }
+    let time_s = spec.printer.as_ref().and_then(|printer| printer.time_s);
+    for (key, is_there, found) in [
+        (
+            "species",
+            !spec.species.is_empty(),
+            "several species, each with a response, beside [co_optimize], which knows one response",
+        ),
+        (
+            "printer.time_s",
+            time_s.is_some(),
+            "the largest pixel follows from the dose at which the resin turns solid, which [co_optimize] moves",
+        ),
+    ] {
+        if is_there {
+            return Err(Error::config(key, found, "only one of the two"));
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::job::Document;
+    use crate::job::tests::FULL;
+
+    #[test]
+    fn a_good_job_passes_and_each_bad_number_is_named() {
+        let check = |changes: &[&str]| {
+            let mut document = Document::toml("a.toml", FULL).unwrap();
+            changes
+                .iter()
+                .for_each(|change| document.set(change).unwrap());
+            JobSpec::from_document(&document).and_then(|spec| ranges(&spec))
+        };
+        check(&[]).unwrap();
+        check(&["resin.absorption_per_mm=0", "resin.pure_radon=true"]).unwrap();
+        // Never, as where they are left out
+        let never = ["stop.change=0", "stop.gap=0", "stop.projected_gradient=0"];
+        check(&never).unwrap();
+        for (change, key) in [
+            ("grid.pitch_mm=0", "grid.pitch_mm"),
+            ("grid.pitch_mm=\"-1 mm\"", "grid.pitch_mm"),
+            ("grid.shape=[4, 0, 4]", "grid.shape[1]"),
+            ("resin.refractive_index=0.9", "resin.refractive_index"),
+            ("resin.absorption_per_mm=0", "resin.absorption_per_mm"),
+            ("resin.absorption_per_mm=1e300", "resin.absorption_per_mm"),
+            ("resin.absorption_per_mm=-0.1", "resin.absorption_per_mm"),
+            ("resin.attenuation_per_mm=0.01", "resin.attenuation_per_mm"),
+            ("resin.dose_convention=\"watts\"", "resin.dose_convention"),
+            ("resin.scattering_per_mm=-0.1", "resin.scattering_per_mm"),
+            (
+                "resin.critical_dose_mj_per_mm3=0",
+                "resin.critical_dose_mj_per_mm3",
+            ),
+            ("vial.surrounding_index=0", "vial.surrounding_index"),
+            (
+                "bath={ absorption_per_mm = -0.1, radius_mm = 20 }",
+                "bath.absorption_per_mm",
+            ),
+            (
+                "bath={ absorption_per_mm = 0.1, radius_mm = 0 }",
+                "bath.radius_mm",
+            ),
+            ("light=[]", "light"),
+            ("light.name=a/b", "light[0].name"),
+            (
+                "light=[{ name = \"a\", pixels = [8, 8], angles = 8, projector = { collimated = { pixel_pitch_mm = 0.1 } } }, { name = \"raw_a\", pixels = [8, 8], angles = 8, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]",
+                "light[1].name",
+            ),
+            ("light.wavelength_nm=0.405", "light[0].wavelength_nm"),
+            ("light.pixels=[0, 5]", "light[0].pixels[0]"),
+            ("light.angles=0", "light[0].angles"),
+            ("light.angles.arc_deg=0", "light[0].angles.arc_deg"),
+            ("light.angles.arc_deg=720", "light[0].angles.arc_deg"),
+            ("light.angles={ list_deg = [] }", "light[0].angles.list_deg"),
+            ("light.sub_angles=0", "light[0].sub_angles"),
+            ("bounds.min=-1", "bounds.min"),
+            ("bounds.min=1e30", "bounds.min"),
+            ("light[0].bounds.max=0", "light[0].bounds.max"),
+            ("light[0].bounds.min=9", "light[0].bounds.min"),
+            ("bounds.max=1e30", "bounds.max"),
+            ("bounds.min=5", "bounds.max"),
+            ("bounds={ min = 0.01, max = 0.01 }", "bounds.max"),
+            ("light[0].bounds={ min = 3.0 }", "light[0].bounds.min"),
+            ("bounds.bits=0", "bounds.bits"),
+            ("multiresolution.levels=9", "multiresolution.levels"),
+            ("bounds.bits=17", "bounds.bits"),
+            ("stop.change=-1", "stop.change"),
+            ("stop.change_after=9", "stop.change_after"),
+            ("stop.gap=1e-9", "stop.gap"),
+            ("stop.relative_loss=1", "stop.relative_loss"),
+            ("stop.iou=1.5", "stop.iou"),
+            ("stop.wall_s=0", "stop.wall_s"),
+            ("stop.projected_gradient=-1", "stop.projected_gradient"),
+            ("checkpoint.every_s=0", "checkpoint.every_s"),
+            ("evaluate.bit_depth=17", "evaluate.bit_depth"),
+            ("evaluate.refine=0", "evaluate.refine"),
+            ("evaluate.trim_percent=50", "evaluate.trim_percent"),
+            ("evaluate.require_iou=99", "evaluate.require_iou"),
+            ("evaluate.require_in_band=-1", "evaluate.require_in_band"),
+            ("evaluate.threshold=0", "evaluate.threshold"),
+            ("output.rpm=0", "output.rpm"),
+            ("output.rpm=90", "output.rpm"),
+            ("output.rpm=0.03", "output.rpm"),
+            ("printer.quarter_turns=4", "printer.quarter_turns"),
+            ("printer.canvas=[0, 9]", "printer.canvas[0]"),
+            ("printer.refresh_hz=20", "printer.refresh_hz"),
+            ("light.angles=7200", "light[0].angles"),
+            ("printer.time_s=60", "printer.time_s"),
+            (
+                "printer={ time_s = 60.0, peak_irradiance_mw_per_cm2 = 5.0 }",
+                "printer.time_s",
+            ),
+            (
+                "printer.gray_curve=[[0.0, 0.0], [0.5, 0.6], [1.0, 0.5]]",
+                "printer.gray_curve",
+            ),
+            ("output.folder=\"\"", "output.folder"),
+            ("objectives=[{ l2 = {} }]", "objectives"),
+        ] {
+            match check(&[change]) {
+                Err(Error::Config { key: found, .. }) => assert_eq!(found, key, "{change}"),
+                other => panic!("{change}: {other:?}"),
+            }
+        }
+    }
+}
