@@ -1,4 +1,4 @@
-//! Studies behind the numbers of `docs/measured`: each prints the tables of one page.
+//! Studies behind the numbers of the book (docs/validation.md, docs/choices.md, docs/fidelity.md, …): each prints tables of one page.
 //!
 //!     cargo run --release -p tomolith-studies -- fidelity boat.stl
 //!
