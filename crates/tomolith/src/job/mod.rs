@@ -33,7 +33,7 @@ pub use folder::RunFolder;
 pub use import::{Files, Imported, import, sinogram};
 pub use output::folder::Leaves;
 pub use output::summary::{Plan, Quality, Summary};
-pub use progress::{Event, Progress, Silent};
+pub use progress::{Event, Progress, Silent, Snapshot, Wants};
 pub use read::Job;
 pub use run::many::{JobRequirements, requirements, run_here};
 pub use run::ranks::run_among;

@@ -1,6 +1,7 @@
 //! What a run says while it works. The library never prints: a [`Progress`] does, in its own way.
 
 use crate::error::{Error, Result};
+use crate::grid::{Patterns, Volume};
 use crate::models::Run;
 use serde::Serialize;
 use std::io::ErrorKind;
@@ -52,10 +53,52 @@ pub enum Event {
     },
 }
 
-/// Receiver of the events of a run.
+/// Copies that an observer asks for while a run goes on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Wants {
+    /// The patterns of every light.
+    pub patterns: bool,
+    /// The dose of every species.
+    pub dose: bool,
+    /// The response of every species: what the material makes of its dose.
+    pub print: bool,
+}
+
+impl Wants {
+    /// Whether anything is asked for.
+    #[must_use]
+    pub fn any(self) -> bool {
+        self.patterns || self.dose || self.print
+    }
+}
+
+/// Copies of what a run has at this moment; lists that were not asked for are empty.
+#[derive(Clone, Debug)]
+pub struct Snapshot {
+    /// The iteration, 0 for the start; None for the written patterns while the vial turns, which are evaluated.
+    pub iteration: Option<usize>,
+    /// Per light.
+    pub patterns: Vec<Patterns>,
+    /// Per species, on the voxels of the optimization; of the written patterns on those of the job.
+    pub dose: Vec<Volume<f32>>,
+    /// Per species, on the voxels of the optimization; of the written patterns on those of the evaluation.
+    pub print: Vec<Volume<f32>>,
+}
+
+/// Observer of a run.
 pub trait Progress {
     /// Called for each event, in order, from the thread that runs the job.
     fn event(&mut self, event: &Event);
+
+    /// Which copies to take at the next iteration, and of what is evaluated in the end; asked after every event. One of several ranks takes none.
+    fn wants(&self) -> Wants {
+        Wants::default()
+    }
+
+    /// Called with the copies that were asked for, behind the event of their iteration.
+    fn snapshot(&mut self, snapshot: Snapshot) {
+        drop(snapshot);
+    }
 }
 
 /// Discards all events.
@@ -109,15 +152,21 @@ pub(crate) fn watched<T: Send>(
     thread::scope(|scope| {
         let (tell, told) = channel();
         let (answer, heard) = channel();
-        let worker = scope.spawn(move || work(&mut Relay { tell, heard }));
+        let wants = progress.wants();
+        let worker = scope.spawn(move || work(&mut Relay { tell, heard, wants }));
         let mut gauge = Gauge::new();
         loop {
             match told.recv_timeout(PAUSE) {
-                Ok(event) => {
-                    gauge.follow(&event, progress);
-                    progress.event(&event);
+                Ok(news) => {
+                    match news {
+                        News::Event(event) => {
+                            gauge.follow(&event, progress);
+                            progress.event(&event);
+                        }
+                        News::Snapshot(snapshot) => progress.snapshot(*snapshot),
+                    }
                     // Nobody waits when the work has panicked
-                    let _ = answer.send(());
+                    let _ = answer.send(progress.wants());
                 }
                 Err(RecvTimeoutError::Timeout) => gauge.tell(run.done(), progress),
                 Err(RecvTimeoutError::Disconnected) => break,
@@ -131,17 +180,40 @@ pub(crate) fn watched<T: Send>(
     })
 }
 
-/// Brings events to the thread that tells them.
+/// What the work tells.
+enum News {
+    Event(Event),
+    Snapshot(Box<Snapshot>),
+}
+
+/// Brings events and copies to the thread that tells them, and back what the observer wants next.
 struct Relay {
-    tell: Sender<Event>,
-    heard: Receiver<()>,
+    tell: Sender<News>,
+    heard: Receiver<Wants>,
+    wants: Wants,
+}
+
+impl Relay {
+    fn bring(&mut self, news: News) {
+        if self.tell.send(news).is_ok()
+            && let Ok(wants) = self.heard.recv()
+        {
+            self.wants = wants;
+        }
+    }
 }
 
 impl Progress for Relay {
     fn event(&mut self, event: &Event) {
-        if self.tell.send(event.clone()).is_ok() {
-            let _ = self.heard.recv();
-        }
+        self.bring(News::Event(event.clone()));
+    }
+
+    fn wants(&self) -> Wants {
+        self.wants
+    }
+
+    fn snapshot(&mut self, snapshot: Snapshot) {
+        self.bring(News::Snapshot(Box::new(snapshot)));
     }
 }
 

@@ -21,7 +21,7 @@ use crate::job::dose::cache::EvaluationModel;
 use crate::job::dose::cross_check;
 use crate::job::dose::cross_check::CrossCheck;
 use crate::job::dose::doses::{Doses, Exposed};
-use crate::job::progress::{Event, Progress};
+use crate::job::progress::{Event, Progress, Snapshot};
 use crate::job::resolve::scheduled::too_bright;
 use crate::job::resolve::{Scene, Voxels};
 use crate::metrics::print::{PatternStats, Print};
@@ -232,6 +232,7 @@ pub(crate) fn evaluate_patterns(
     let agreement = CrossCheck::of(scene, voxels, shown, cross_check::PATHS, cancel)?;
     let warnings = doubts_of(scene, shown, &evaluation, (&noise, &agreement), progress)?;
     let one_exposure = together(scene, &evaluation, &others, progress);
+    show(shown, (&mean, &response), &others, progress);
     Ok(Evaluated {
         evaluation,
         standing,
@@ -256,6 +257,33 @@ pub(crate) fn evaluate_patterns(
         scenarios,
         warnings,
     })
+}
+
+/// Copies for an observer that asked for them: the written patterns and what they print.
+fn show(
+    shown: &[Patterns],
+    (dose, print): (&Volume<f32>, &Volume<f32>),
+    others: &[species::Species],
+    progress: &mut dyn Progress,
+) {
+    let wants = progress.wants();
+    if !wants.any() {
+        return;
+    }
+    let copies = |wanted: bool, first: &Volume<f32>, of: fn(&species::Species) -> &Volume<f32>| {
+        let all = std::iter::once(first).chain(others.iter().map(of));
+        all.filter(|_| wanted).cloned().collect()
+    };
+    progress.snapshot(Snapshot {
+        iteration: None,
+        patterns: if wants.patterns {
+            shown.to_vec()
+        } else {
+            Vec::new()
+        },
+        dose: copies(wants.dose, dose, |other| &other.dose),
+        print: copies(wants.print, print, |other| &other.response),
+    });
 }
 
 /// The doses of an evaluation, one after the other, each measured before the next takes its memory: on the optimization's voxels, then on finer ones standing

@@ -457,6 +457,8 @@ impl<'a> Stage<'a> {
                 .map_or(0, |level| level.until)
                 .max(until),
             updates: model.updates(),
+            lights: model.patterns(),
+            doses: model.outputs(),
             labels,
             layout,
             is_gray: self.voxels.target.gray,

@@ -1,11 +1,11 @@
 //! What is looked at after each iteration: progress, the print now and then, and whether it is good enough.
 
-use crate::field::Field;
-use crate::job::progress::{Event, Progress};
+use crate::field::{Field, HostField};
+use crate::job::progress::{Event, Progress, Snapshot};
 use crate::job::resolve::Scene;
 use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
-use crate::models::DoseLayout;
+use crate::models::{DoseLayout, PatternLayout};
 use crate::optimize::{DiskSpace, MeasuredPrint, Observer, Row, StepReport};
 use std::borrow::Cow;
 use std::ops::ControlFlow;
@@ -49,6 +49,9 @@ pub(crate) struct Watch<'a> {
     /// Iterations of all levels.
     pub(crate) iterations: usize,
     pub(crate) updates: u64,
+    /// Layouts of the patterns of all lights, and of the doses of all species.
+    pub(crate) lights: &'a [PatternLayout],
+    pub(crate) doses: &'a [DoseLayout],
     /// Labels in the order of the dose field's voxels; the padding is outside.
     pub(crate) labels: Vec<u8>,
     /// Where those lie.
@@ -63,6 +66,39 @@ pub(crate) struct Watch<'a> {
 }
 
 impl Watch<'_> {
+    /// Copies for an observer that asked for them.
+    fn show<F: Field>(&mut self, report: &StepReport<'_, F>) {
+        let wants = self.progress.wants();
+        if !wants.any() || self.scene.ranks.is_some() {
+            return;
+        }
+        let mut patterns = Vec::new();
+        if wants.patterns {
+            let x = HostField::from_slice(&report.patterns.to_host());
+            patterns = super::gray_levels::patterns(self.lights, &x);
+        }
+        let (mut dose, mut print) = (Vec::new(), Vec::new());
+        if wants.dose || wants.print {
+            let bytes = report.dose.host_bytes();
+            let field = bytemuck::cast_slice(&bytes);
+            for (species, layout) in self.scene.species().zip(self.doses) {
+                let volume = layout.volume_of(field);
+                if wants.print {
+                    print.push(species.responses(volume.clone()));
+                }
+                if wants.dose {
+                    dose.push(volume);
+                }
+            }
+        }
+        self.progress.snapshot(Snapshot {
+            iteration: Some(report.row.iteration),
+            patterns,
+            dose,
+            print,
+        });
+    }
+
     fn reached<F: Field>(&mut self, report: &StepReport<'_, F>) -> bool {
         let stop = &self.scene.spec.stop;
         let (loss, asked) = (stop.loss, stop.iou);
@@ -128,6 +164,7 @@ impl<F: Field> Observer<F> for Watch<'_> {
             elapsed_s: row.seconds,
             updates_per_s: calls * self.updates as f64 / report.counters.model_s.max(1e-9),
         });
+        self.show(report);
         if self.reached(report) {
             ControlFlow::Break(())
         } else {

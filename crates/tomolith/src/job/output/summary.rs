@@ -1,16 +1,24 @@
 //! What a run and a check tell at their end.
 
+use crate::job::evaluate::in_time::InTime;
 use crate::job::evaluate::in_time::TimeSummary;
 pub use crate::job::evaluate::limits::Fall;
+use crate::job::output::files::{Done, Headline};
+use crate::job::output::folder::Leaves;
 use crate::job::progress::duration;
+use crate::metrics::Evaluation;
 use crate::metrics::Measure;
 use crate::objective::FoundWindow;
+use crate::optimize::KeptBy;
 use crate::optimize::{Gap, KeptIterate, StopReason};
+use crate::report::time_sentence;
 use crate::report::{ExposureWindow, OneExposure, OneMoment, PrintLimits, ScenarioTable};
 use crate::units::{concise, counted};
 use serde::Serialize;
 use std::fmt;
+use std::path::Path;
 use std::path::PathBuf;
+use std::time::Instant;
 
 /// The headline numbers of a print.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -421,6 +429,91 @@ pub fn large(number: f64) -> String {
         }
     }
     format!("{number:.0} ")
+}
+
+pub(crate) fn summary(
+    done: &Done<'_>,
+    headline: Headline,
+    folder: &Path,
+    begin: Instant,
+) -> Summary {
+    let optimized = done.optimized.as_ref();
+    Summary {
+        folder: folder.to_owned(),
+        report: match done.leaves {
+            Leaves::All => "report.html",
+            Leaves::Metrics | Leaves::Patterns => "report.json",
+        },
+        iterations: optimized
+            .and_then(|o| o.outcome.history.last())
+            .map(|row| row.iteration),
+        stopped: optimized.map(|o| o.outcome.reason),
+        fall: optimized
+            .filter(|o| o.outcome.kept.by == KeptBy::Loss)
+            .and_then(|o| Fall::of(&o.outcome.history)),
+        kept: optimized.map(|o| o.outcome.kept),
+        gap: optimized.and_then(|o| o.outcome.gap()),
+        found_window: optimized.and_then(|o| o.window),
+        found_response: optimized.and_then(|o| Some(o.found.as_ref()?.sentence())),
+        evaluation: quality(&done.evaluated.evaluation),
+        standing: quality(&done.evaluated.standing),
+        optimization: done.evaluated.optimization.as_ref().map(quality),
+        exposure: headline.exposures.first().copied().flatten(),
+        species: species(done, &headline),
+        one_exposure: headline.one_exposure,
+        in_time: done
+            .evaluated
+            .in_time
+            .iter()
+            .flat_map(InTime::summary)
+            .collect(),
+        one_moment: done.evaluated.in_time.as_ref().and_then(InTime::together),
+        scenarios: done.evaluated.scenarios.clone(),
+        print_time: time_sentence(
+            done.evaluated.evaluation.measures.get("time_mm"),
+            optimized.and_then(|o| Some(&o.ceiling.as_ref()?.report)),
+        ),
+        limits: headline.limits.into_iter().next().unwrap_or_default(),
+        required_iou: done.scene.spec.evaluate.require_iou,
+        required_in_band: done.scene.spec.evaluate.require_in_band,
+        evaluation_voxels: [2, 1, 0].map(|axis| done.evaluated.evaluation.grid.shape[axis]),
+        evaluation_pitch_mm: done.evaluated.evaluation.grid.pitch_mm,
+        refine: done.scene.extent.refine,
+        seconds: begin.elapsed().as_secs_f64(),
+    }
+}
+
+/// Every species, where the job names several.
+fn species(done: &Done<'_>, headline: &Headline) -> Vec<SpeciesSummary> {
+    if done.evaluated.others.is_empty() {
+        return Vec::new();
+    }
+    let others = done.evaluated.others.iter().map(|other| &other.evaluation);
+    let all = std::iter::once(&done.evaluated.evaluation).chain(others);
+    let of = |(s, evaluation): (usize, &Evaluation)| SpeciesSummary {
+        name: done.scene.species_name(s).unwrap_or_default().to_owned(),
+        evaluation: quality(evaluation),
+        exposure: headline.exposures[s],
+        limits: headline.limits[s].clone(),
+    };
+    all.enumerate().map(of).collect()
+}
+
+fn quality(evaluation: &Evaluation) -> Quality {
+    let get = |name| evaluation.measures.get(name);
+    Quality {
+        iou: get("iou"),
+        ver: get("ver"),
+        pw: get("pw"),
+        threshold: evaluation.gel_threshold,
+        gray: evaluation.half_width.map(|half_width| GrayQuality {
+            half_width,
+            in_band: get("in_band"),
+            rms_error: get("rms_error"),
+            max_error_part: get("max_error_part"),
+            max_error_void: get("max_error_void"),
+        }),
+    }
 }
 
 #[cfg(test)]

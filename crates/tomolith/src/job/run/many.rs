@@ -1,8 +1,10 @@
 //! What whoever runs many jobs asks of each: what identifies it, what it needs, how little a run may leave, and what it starts from.
 
+use super::{How, stages};
 use crate::error::{Error, Result};
 use crate::job::dose::cache::KeptParts;
 use crate::job::output::folder::Leaves;
+use crate::job::output::summary::Summary;
 use crate::job::progress::Progress;
 use crate::job::resolve::Scene;
 use crate::job::resolve::identity::take_files;
@@ -42,8 +44,14 @@ pub fn run_here(
     kept: &mut KeptParts,
     progress: &mut dyn Progress,
     cancel: &Run,
-) -> Result<crate::job::output::summary::Summary> {
-    crate::job::run::run_stages(job, resume, leaves, kept, progress, cancel)
+) -> Result<Summary> {
+    let how = How {
+        resume,
+        leaves,
+        ranks: None,
+    };
+    let summary = stages(job, how, kept, progress, cancel).map_err(|e| job.locate(e))?;
+    Ok(summary.unwrap_or_else(|| unreachable!("a run alone is its first rank")))
 }
 
 /// Tables that change nothing of a result.

@@ -1,12 +1,13 @@
 //! A run on several ranks, which share the frames of every light.
 
+use super::{How, stages};
 use crate::error::{Error, Result};
+use crate::job::dose::cache::KeptParts;
 use crate::job::dose::in_time::diffuses;
 use crate::job::output::folder::Leaves;
 use crate::job::output::summary::Summary;
 use crate::job::progress::{Progress, watched};
 use crate::job::resolve::Scene;
-use crate::job::run::run_shared;
 use crate::job::spec::read::Job;
 use crate::models::Run;
 use crate::ranks::Communicator;
@@ -28,12 +29,18 @@ pub fn run_among(
     cancel: &Run,
 ) -> Result<Option<Summary>> {
     watched(progress, cancel, |progress| {
-        run_shared(job, resume, leaves, ranks, progress, cancel)
+        let how = How {
+            resume,
+            leaves,
+            ranks: Some(ranks),
+        };
+        let cache = &mut KeptParts::default();
+        stages(job, how, cache, progress, cancel).map_err(|e| job.locate(e))
     })
 }
 
 /// Refuses what cannot be shared.
-pub(crate) fn must_fit(scene: &Scene, ranks: &dyn Communicator) -> Result<()> {
+fn must_fit(scene: &Scene, ranks: &dyn Communicator) -> Result<()> {
     let (spec, size) = (&scene.spec, ranks.size());
     for (i, light) in scene.optics.lights.iter().enumerate() {
         let fewest = scene
@@ -112,6 +119,17 @@ pub(crate) fn must_fit(scene: &Scene, ranks: &dyn Communicator) -> Result<()> {
 }
 
 impl Scene {
+    /// Refuses what the ranks cannot share, where there are several.
+    ///
+    /// # Errors
+    /// [`Error::Config`].
+    pub(crate) fn must_be_shared(&self) -> Result<()> {
+        match &self.ranks {
+            Some(ranks) => must_fit(self, ranks.as_ref()),
+            None => Ok(()),
+        }
+    }
+
     /// The same scene as one rank's; refuses what cannot be shared.
     ///
     /// # Errors

@@ -1,0 +1,122 @@
+//! `simulate`: what given patterns print under a job; everything but the optimization.
+
+use super::clock::Clock;
+use super::{finish, open, resolved, sample};
+use crate::error::{Error, Result};
+use crate::io::read_text;
+use crate::job::dose::cache::KeptParts;
+use crate::job::dose::written as device;
+use crate::job::evaluate::evaluate_patterns;
+use crate::job::output::files::Done;
+use crate::job::output::folder::Leaves;
+use crate::job::output::folder::RunFolder;
+use crate::job::output::summary::Summary;
+use crate::job::progress::{Progress, watched};
+use crate::job::resolve::Scene;
+use crate::job::spec::read::Job;
+use crate::models::Run;
+use std::path::Path;
+
+/// Simulates patterns of an earlier run under a job; everything but the optimization.
+///
+/// The outputs go beside the run, to its folder's name with `-simulated`, or to a folder that the command line names:
+/// never into the folder of a run, whose history and checkpoint belong to other patterns.
+///
+/// # Errors
+/// [`Error::Config`] when the named folder holds a run;
+/// As [`run`](fn@super::run); [`Error::Shape`] and [`Error::Format`] for patterns that do not fit the job's lights.
+pub fn simulate(
+    job: &Job,
+    source: &Path,
+    progress: &mut dyn Progress,
+    cancel: &Run,
+) -> Result<Summary> {
+    watched(progress, cancel, |progress| {
+        simulate_stages(job, source, progress, cancel).map_err(|e| job.locate(e))
+    })
+}
+
+fn simulate_stages(
+    job: &Job,
+    source: &Path,
+    progress: &mut dyn Progress,
+    cancel: &Run,
+) -> Result<Summary> {
+    let mut clock = Clock::new(progress, cancel);
+    clock.stage("reading the job and the patterns");
+    let job = &beside_the_run(job)?;
+    let mut scene = resolved(job, cancel)?;
+    let (patterns, notes) = device::read(&scene, source, cancel)?;
+    scene.notes.extend(notes);
+    respond_as_found(&mut scene, source)?;
+    cancel.check()?;
+    let folder = open(job, &scene, clock.progress)?;
+    let (voxels, warnings) = sample(&mut scene, &mut KeptParts::default(), &mut clock)?;
+    let stage = clock.stage("evaluating the patterns");
+    let evaluated = evaluate_patterns(
+        &scene,
+        &voxels,
+        &patterns.shown,
+        patterns.raw.as_deref(),
+        None,
+        clock.progress,
+        &stage,
+    )?;
+    let done = Done {
+        job,
+        scene,
+        voxels,
+        patterns,
+        evaluated,
+        optimized: None,
+        source: Some(source),
+        leaves: Leaves::All,
+        warnings,
+    };
+    finish(&done, folder, clock)
+}
+
+/// Takes the response that the run found whose patterns these are, where its parameters were unknowns.
+fn respond_as_found(scene: &mut Scene, source: &Path) -> Result<()> {
+    let Some(free) = scene.kinds.free.clone() else {
+        return Ok(());
+    };
+    let folder = if source.is_dir() {
+        Some(source)
+    } else {
+        source.parent()
+    };
+    let report = folder.and_then(|folder| read_text(folder.join("report.json")).ok());
+    let report = report.and_then(|text| serde_json::from_str(&text).ok());
+    let found = report.map(|report| free.found_by(&report)).transpose()?;
+    let found = found.flatten();
+    scene.notes.push(match &found {
+        Some(found) => format!("the response is the one found with the patterns: {}", found.sentence()),
+        None => "no run with a response that was found lies beside the patterns: the response is that of the job, without [co_optimize]".to_owned(),
+    });
+    scene.respond_as(found.as_ref());
+    Ok(())
+}
+
+/// The job with a folder that holds no run.
+fn beside_the_run(job: &Job) -> Result<Job> {
+    let folder = job.folder();
+    if job.document.option("output.folder").is_none() {
+        let mut name = folder.clone().into_os_string();
+        name.push("-simulated");
+        let mut job = job.clone();
+        job.spec.output.folder = Some(name.into());
+        return Ok(job);
+    }
+    if RunFolder::holds_a_run(&folder) {
+        return Err(Error::config(
+            "output.folder",
+            format!(
+                "`{}` holds a run: a simulation would mix with it",
+                folder.display()
+            ),
+            "another folder; without one it is the job's with `-simulated` at its end",
+        ));
+    }
+    Ok(job.clone())
+}

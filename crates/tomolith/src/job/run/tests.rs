@@ -1,0 +1,139 @@
+use super::*;
+use crate::job::progress::{Snapshot, Wants};
+use crate::job::spec::document::Document;
+
+/// Cancels when a stage begins, and remembers what is told.
+struct Canceler<'r> {
+    at: &'static str,
+    run: &'r Run,
+    stages: Vec<String>,
+}
+
+impl Progress for Canceler<'_> {
+    fn event(&mut self, event: &Event) {
+        if let Event::Stage { name } = event {
+            self.stages.push(name.clone());
+            if name == self.at {
+                self.run.cancel();
+            }
+        }
+    }
+}
+
+#[test]
+fn a_request_to_stop_ends_the_stage_at_hand() {
+    let place = tempfile::tempdir().unwrap();
+    let file = place.path().join("job.toml");
+    let text = r#"
+        target = { phantom = "gyroid", size_mm = 2.0 }
+        grid = { pitch_mm = 0.1 }
+        resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }
+        vial = { index_matched = { radius_mm = 2.0 } }
+        light = [{ pixels = [24, 24], angles = 12, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
+        objective = { threshold = {} }
+        stop = { iterations = 3 }
+    "#;
+    std::fs::write(&file, text).unwrap();
+    let job = Job::read(&file, &[]).unwrap();
+    let stages = [
+        "reading the job",
+        "sampling the target",
+        OPTIMIZING,
+        "evaluating the written patterns",
+        "writing",
+    ];
+    for (i, at) in stages.into_iter().enumerate() {
+        let folder = place.path().join(i.to_string());
+        let run = Run::new();
+        let mut canceler = Canceler {
+            at,
+            run: &run,
+            stages: Vec::new(),
+        };
+        let job = job.clone().with_folder(&folder, "--output");
+        let ended = super::run(&job, false, &mut canceler, &run);
+        assert!(matches!(ended, Err(Error::Canceled)), "{at}: {ended:?}");
+        assert_eq!(canceler.stages, stages[..=i], "{at}");
+        // Of a run whose patterns are there they are kept; nothing else is left
+        assert_eq!(
+            folder.join("checkpoint/patterns.npz").exists(),
+            i >= 3,
+            "{at}"
+        );
+        for name in ["report.json", "patterns.npz", "dose.npy", ".new"] {
+            assert!(!folder.join(name).exists(), "{at}: {name}");
+        }
+    }
+}
+
+/// Asks for copies, and keeps them.
+#[derive(Default)]
+struct Looker(Vec<Snapshot>);
+
+impl Progress for Looker {
+    fn event(&mut self, _: &Event) {}
+
+    fn wants(&self) -> Wants {
+        Wants {
+            patterns: true,
+            dose: true,
+            print: self.0.len() >= 2,
+        }
+    }
+
+    fn snapshot(&mut self, snapshot: Snapshot) {
+        self.0.push(snapshot);
+    }
+}
+
+#[test]
+fn an_observer_has_copies_of_every_iteration_and_of_what_is_evaluated() {
+    let place = tempfile::tempdir().unwrap();
+    let text = r#"
+        target = { phantom = "gear", size_mm = 2.0 }
+        grid = { pitch_mm = 0.1 }
+        resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }
+        vial = { index_matched = { radius_mm = 2.0 } }
+        light = [{ pixels = [28, 12], angles = 16, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
+        response = { logistic = { steepness = 10.0, midpoint = 0.8 } }
+        bounds = { max = 1.0 }
+        stop = { iterations = 3 }
+        evaluate = { refine = 2 }
+    "#;
+    let job = Job::from_document(Document::toml(place.path().join("job.toml"), text).unwrap());
+    let job = job
+        .unwrap()
+        .with_folder(&place.path().join("run"), "--output");
+    let mut looker = Looker::default();
+    super::run(&job, false, &mut looker, &Run::new()).unwrap();
+    let seen: Vec<Option<usize>> = looker.0.iter().map(|own| own.iteration).collect();
+    assert_eq!(seen, [Some(0), Some(1), Some(2), Some(3), None]);
+    let prints: Vec<usize> = looker.0.iter().map(|own| own.print.len()).collect();
+    assert_eq!(prints, [0, 0, 1, 1, 1]);
+    let [.., last, written] = looker.0.as_slice() else {
+        unreachable!()
+    };
+    // The response of the dose at hand
+    let (dose, print) = (&last.dose[0].values, &last.print[0].values);
+    let response = |dose: f32| 1.0 / (1.0 + (-10.0 * (dose - 0.8)).exp());
+    let wrong = dose
+        .iter()
+        .zip(print)
+        .find(|(d, p)| (response(**d) - **p).abs() > 1e-5);
+    assert!(wrong.is_none(), "{wrong:?}");
+    // 8 bits of the brightest pixel apart at most
+    let brightest = last.patterns[0].values.iter().copied().fold(0.0, f32::max);
+    let pairs = last.patterns[0]
+        .values
+        .iter()
+        .zip(&written.patterns[0].values);
+    let apart = pairs
+        .map(|(raw, shown)| (raw - shown).abs())
+        .fold(0.0, f32::max);
+    assert!(apart < brightest / 255.0, "{apart} of {brightest}");
+    // What is evaluated lies on the job's voxels, its print on finer ones
+    assert_eq!(
+        written.print[0].values.len(),
+        8 * written.dose[0].values.len()
+    );
+}
