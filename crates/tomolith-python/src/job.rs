@@ -50,7 +50,7 @@ impl Job {
     /// The job with every default written out, as a dict.
     #[getter]
     fn tables<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        plain(py, &self.0.resolved())
+        plain(py, &self.0.complete())
     }
 
     /// What the run would take, as `tomolith check --json`.

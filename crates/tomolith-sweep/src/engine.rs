@@ -391,7 +391,7 @@ fn best_job(plan: &SweepPlan, table: &Table<'_>, i: usize) -> Result<String> {
     let job = plan
         .job(i)?
         .with_folder(&plan.folder().join("best"), "sweep");
-    let mut spec = job.resolved();
+    let mut spec = job.complete();
     spec.evaluate.surfaces |= plan.sweep.leaves_surfaces_out();
     if let Some(Value::String(file)) = spec.start.pointer_mut("/patterns/file")
         && let Ok(absolute) = std::path::absolute(job.base().join(&*file))

@@ -151,7 +151,7 @@ fn write_job(run: &Path, file: &Path, largest: f64) -> Result<()> {
     let text = read_text(&path)?;
     let mut document = Document::toml(&path, &text)?;
     document.set(&format!("bounds.max={largest}"))?;
-    let text = Job::from_document(document)?.resolved().to_toml()?;
+    let text = Job::from_document(document)?.complete().to_toml()?;
     write_whole(file, |out| Ok(out.write_all(text.as_bytes())?))
 }
 

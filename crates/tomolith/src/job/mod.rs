@@ -29,15 +29,17 @@ pub use spec::{document, import, kinds, read, reference_page, schema, validate};
 pub use document::Document;
 pub use dose::cache::KeptParts;
 pub use evaluate::in_time::TimeSummary;
+pub use evaluate::prediction::Prediction;
 pub use folder::RunFolder;
 pub use import::{Files, Imported, import, sinogram};
+pub use optimize::task::Task;
 pub use output::folder::Leaves;
 pub use output::summary::{Plan, Quality, Summary};
 pub use progress::{Event, Progress, Silent, Snapshot, Wants};
 pub use read::Job;
+pub use resolve::ResolvedJob;
 pub use run::many::{JobRequirements, requirements, run_here};
 pub use run::ranks::run_among;
-pub use run::resolved::{Prediction, ResolvedJob, Task};
 pub use run::{check, run, run_leaving, simulate};
 pub use spec::*;
 

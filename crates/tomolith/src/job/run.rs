@@ -14,7 +14,6 @@ mod clock;
 mod cost;
 pub(crate) mod many;
 pub(crate) mod ranks;
-pub mod resolved;
 mod simulate;
 
 pub use check::check;
@@ -31,7 +30,7 @@ use super::output::folder::{Leaves, RunFolder};
 use super::output::replace::must_be_same;
 use super::output::summary::{Summary, summary};
 use super::progress::{Event, Progress, watched};
-use super::resolve::{Scene, Voxels};
+use super::resolve::{ResolvedJob, Voxels};
 use super::spec::read::Job;
 use crate::error::{Error, Result};
 use crate::models::Run;
@@ -92,91 +91,93 @@ fn stages(
     cancel: &Run,
 ) -> Result<Option<Summary>> {
     let mut clock = Clock::new(progress, cancel);
-    let mut scene = begin(job, how, &mut clock)?;
-    let folder = match scene.is_first() {
-        true => open(job, &scene, clock.progress).map(Some),
+    let mut resolved = begin(job, how, &mut clock)?;
+    let folder = match resolved.is_first() {
+        true => open(job, &resolved, clock.progress).map(Some),
         false => Ok(None),
     };
-    let folder = scene.agreed(folder)?;
-    let sampled = sample(&mut scene, cache, &mut clock);
-    let (voxels, warnings) = scene.agreed(sampled)?;
-    let patterns = optimized(job, &scene, &voxels, how, cache, &mut clock)?;
-    scene.respond_as(patterns.found.as_ref());
+    let folder = resolved.agreed(folder)?;
+    let sampled = sample(&mut resolved, cache, &mut clock);
+    let (voxels, warnings) = resolved.agreed(sampled)?;
+    let patterns = optimized(job, &resolved, &voxels, how, cache, &mut clock)?;
+    resolved.respond_as(patterns.found.as_ref());
     let Some(folder) = folder else {
         return Ok(None);
     };
-    let scene = (scene, voxels, warnings);
-    let done = evaluated(job, scene, patterns, how.leaves, cache, &folder, &mut clock)?;
+    let resolved = (resolved, voxels, warnings);
+    let done = evaluated(
+        job, resolved, patterns, how.leaves, cache, &folder, &mut clock,
+    )?;
     finish(&done, folder, clock).map(Some)
 }
 
 /// The objects of a job whose folder is free.
-fn resolved(job: &Job, cancel: &Run) -> Result<Scene> {
+fn resolved(job: &Job, cancel: &Run) -> Result<ResolvedJob> {
     RunFolder::check(&job.folder())?;
-    Scene::new(job, cancel)
+    ResolvedJob::under(job, cancel)
 }
 
 /// Reads the job, and refuses a folder that holds another one's run.
-fn begin(job: &Job, how: How<'_>, clock: &mut Clock<'_>) -> Result<Scene> {
+fn begin(job: &Job, how: How<'_>, clock: &mut Clock<'_>) -> Result<ResolvedJob> {
     clock.stage("reading the job");
-    let scene = resolved(job, clock.cancel).and_then(|mut scene| {
-        scene.note_levels();
+    let resolved = resolved(job, clock.cancel).and_then(|mut resolved| {
+        resolved.note_levels();
         clock.cancel.check()?;
         must_be_same(job, how.resume)?;
         match how.ranks {
-            Some(ranks) => scene.among(ranks),
-            None => Ok(scene),
+            Some(ranks) => resolved.among(ranks),
+            None => Ok(resolved),
         }
     });
     match how.ranks {
-        Some(ranks) => together(ranks.as_ref(), scene),
-        None => scene,
+        Some(ranks) => together(ranks.as_ref(), resolved),
+        None => resolved,
     }
 }
 
 /// Takes the run folder, and tells what is known so far.
-fn open(job: &Job, scene: &Scene, progress: &mut dyn Progress) -> Result<RunFolder> {
-    let [nz, ny, nx] = scene.grid.shape;
-    let pitch = concise(scene.grid.pitch_mm);
+fn open(job: &Job, resolved: &ResolvedJob, progress: &mut dyn Progress) -> Result<RunFolder> {
+    let [nz, ny, nx] = resolved.grid.shape;
+    let pitch = concise(resolved.grid.pitch_mm);
     let text = format!(
         "{}: {nx} × {ny} × {nz} voxels of {pitch} mm, {}",
-        scene.name,
-        counted(scene.extent.frames, "frame")
+        resolved.name,
+        counted(resolved.extent.frames, "frame")
     );
-    for text in std::iter::once(text).chain(scene.notes.iter().cloned()) {
+    for text in std::iter::once(text).chain(resolved.notes.iter().cloned()) {
         progress.event(&Event::Note { text });
     }
-    for text in scene.warnings.iter().cloned() {
+    for text in resolved.warnings.iter().cloned() {
         progress.event(&Event::Warning { text });
     }
-    RunFolder::open(&job.folder(), &job.resolved().to_toml()?)
+    RunFolder::open(&job.folder(), &job.complete().to_toml()?)
 }
 
 /// The voxels, and everything that people should be warned of; takes the dose model that suits them.
 fn sample(
-    scene: &mut Scene,
+    resolved: &mut ResolvedJob,
     cache: &mut KeptParts,
     clock: &mut Clock<'_>,
 ) -> Result<(Voxels, Vec<String>)> {
     let run = clock.stage("sampling the target");
-    let target = cache.target(scene, &run.part(0.72))?;
-    let voxels = scene.voxels_of(target, &scene.grid, &run.part(0.08))?;
-    let found = scene.warnings_of(&voxels)?;
+    let target = cache.target(resolved, &run.part(0.72))?;
+    let voxels = resolved.voxels_of(target, &resolved.grid, &run.part(0.08))?;
+    let found = resolved.warnings_of(&voxels)?;
     for text in found.iter().cloned() {
         clock.progress.event(&Event::Warning { text });
     }
-    let warnings = scene.warnings.iter().cloned().chain(found).collect();
-    scene.must_start(&voxels)?;
-    try_orders(scene, clock.progress, &run)?;
+    let warnings = resolved.warnings.iter().cloned().chain(found).collect();
+    resolved.must_start(&voxels)?;
+    try_orders(resolved, clock.progress, &run)?;
     // Another model may not be one that ranks can share
-    scene.must_be_shared()?;
+    resolved.must_be_shared()?;
     Ok((voxels, warnings))
 }
 
 /// The patterns.
 fn optimized(
     job: &Job,
-    scene: &Scene,
+    resolved: &ResolvedJob,
     voxels: &Voxels,
     how: How<'_>,
     cache: &mut KeptParts,
@@ -188,13 +189,13 @@ fn optimized(
         resume: how.resume,
         keeps_end: how.leaves == Leaves::All,
     };
-    optimize(scene, voxels, checkpoints, cache, clock.progress, &stage)
+    optimize(resolved, voxels, checkpoints, cache, clock.progress, &stage)
 }
 
 /// What the written patterns print.
 fn evaluated<'a>(
     job: &'a Job,
-    (scene, voxels, mut warnings): (Scene, Voxels, Vec<String>),
+    (resolved, voxels, mut warnings): (ResolvedJob, Voxels, Vec<String>),
     optimized: Optimized,
     leaves: Leaves,
     cache: &KeptParts,
@@ -205,9 +206,9 @@ fn evaluated<'a>(
     let stage = clock.stage("evaluating the written patterns");
     let levels = optimized.levels.as_ref();
     let asked = levels.map_or(&optimized.raw, |levels| &levels.asked);
-    let patterns = Written::of_raw(asked.clone(), &scene)?;
+    let patterns = Written::of_raw(asked.clone(), &resolved)?;
     let evaluated = evaluate_patterns(
-        &scene,
+        &resolved,
         &voxels,
         &patterns.shown,
         Some(&optimized.raw),
@@ -218,11 +219,11 @@ fn evaluated<'a>(
     if evaluated.is_err() {
         // The dearest part is done: nobody should lose it to a Ctrl-C that came too late
         let place = folder.checkpoint();
-        keep(&scene, &optimized.raw, &place, clock.progress, &stage)?;
+        keep(&resolved, &optimized.raw, &place, clock.progress, &stage)?;
     }
     Ok(Done {
         job,
-        scene,
+        resolved,
         voxels,
         patterns,
         evaluated: evaluated?,
@@ -238,11 +239,17 @@ fn finish(done: &Done<'_>, folder: RunFolder, mut clock: Clock<'_>) -> Result<Su
     let stage = clock.stage("writing");
     let timings = clock.timings(done.optimized.as_ref());
     let written = files::all(done, &folder, timings, clock.progress, &stage)
-        .map_err(|e| missing(e, &done.scene, &folder));
+        .map_err(|e| missing(e, &done.resolved, &folder));
     let written = written.and_then(|headline| stage.check().map(|()| headline));
     if let (Err(error), Some(optimized)) = (&written, &done.optimized) {
         let place = folder.checkpoint();
-        let kept = keep(&done.scene, &optimized.raw, &place, clock.progress, &stage);
+        let kept = keep(
+            &done.resolved,
+            &optimized.raw,
+            &place,
+            clock.progress,
+            &stage,
+        );
         // Where the disk is full, what could not be written first is the news
         if matches!(error, Error::Canceled) {
             kept?;
@@ -258,7 +265,7 @@ fn finish(done: &Done<'_>, folder: RunFolder, mut clock: Clock<'_>) -> Result<Su
 }
 
 /// Says of a disk that is full what is missing now, and what is left to go on from.
-fn missing(error: Error, scene: &Scene, folder: &RunFolder) -> Error {
+fn missing(error: Error, resolved: &ResolvedJob, folder: &RunFolder) -> Error {
     let is_full = error.is_full_disk();
     match error {
         Error::Io { path, source } if is_full => {
@@ -270,7 +277,7 @@ fn missing(error: Error, scene: &Scene, folder: &RunFolder) -> Error {
             let text = format!(
                 "{source}; patterns, frames, dose, print and report of this run are missing, and what the folder held before is as \
                  it was: make room for {} MB, {rest}",
-                scene.extent.disk_mb()
+                resolved.extent.disk_mb()
             );
             Error::io(path, std::io::Error::new(source.kind(), text))
         }

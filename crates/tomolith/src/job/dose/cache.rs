@@ -14,7 +14,7 @@ use crate::error::Result;
 use crate::field::{Field, HostField};
 use crate::job::resolve::identity::take_files;
 use crate::job::resolve::identity::{as_floats, contents, hash, of_voxels};
-use crate::job::resolve::{Scene, Voxels};
+use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::job::spec::JobSpec;
 use crate::job::spec::read::with_every_default;
 use crate::models::scenarios::SharedModel;
@@ -89,16 +89,16 @@ impl KeptParts {
     /// The target of a job on its grid: the one that is kept, where that is the same, else sampled, and kept.
     ///
     /// # Errors
-    /// As [`Scene::sampled`]; [`Error::Io`](crate::Error::Io) for a file that cannot be read.
-    pub(crate) fn target(&mut self, scene: &Scene, run: &Run) -> Result<Target> {
-        if scene.grid.len() > MOST_VOXELS {
+    /// As [`ResolvedJob::sampled`]; [`Error::Io`](crate::Error::Io) for a file that cannot be read.
+    pub(crate) fn target(&mut self, resolved: &ResolvedJob, run: &Run) -> Result<Target> {
+        if resolved.grid.len() > MOST_VOXELS {
             self.target = None;
-            return scene.sampled(&scene.grid, run);
+            return resolved.sampled(&resolved.grid, run);
         }
-        let key = target_key(scene)?;
+        let key = target_key(resolved)?;
         let target = match self.target.take_if(|(own, _)| *own == key) {
             Some((_, target)) => target,
-            None => scene.sampled(&scene.grid, run)?,
+            None => resolved.sampled(&resolved.grid, run)?,
         };
         self.target = Some((key, target.clone()));
         Ok(target)
@@ -140,27 +140,27 @@ impl EvaluationModel {
 ///
 /// # Errors
 /// [`Error::Io`](crate::Error::Io) for a file that cannot be read.
-pub(crate) fn key(scene: &Scene, voxels: &Voxels) -> Result<Option<u64>> {
-    if !is_evaluated_alike(scene)? {
+pub(crate) fn key(resolved: &ResolvedJob, voxels: &Voxels) -> Result<Option<u64>> {
+    if !is_evaluated_alike(resolved)? {
         return Ok(None);
     }
-    let mut tables = with_every_default(scene.spec.clone()).to_value()?;
+    let mut tables = with_every_default(resolved.spec.clone()).to_value()?;
     as_floats(&mut tables);
     if let Some(map) = tables.as_object_mut() {
         map.retain(|key, _| !UNREAD.contains(&key.as_str()));
     }
     let mut parts = vec![hash(tables.to_string().as_bytes())];
     parts.extend(of_voxels(voxels));
-    contents(&tables, &scene.base, &mut parts)?;
+    contents(&tables, &resolved.base, &mut parts)?;
     Ok(Some(hash(bytemuck::cast_slice(&parts))))
 }
 
 /// What a job's target on its grid is known by.
-fn target_key(scene: &Scene) -> Result<u64> {
-    let mut target = with_every_default(scene.spec.clone()).target;
+fn target_key(resolved: &ResolvedJob) -> Result<u64> {
+    let mut target = with_every_default(resolved.spec.clone()).target;
     let mut parts = Vec::new();
-    take_files(&mut target, &scene.base, &mut parts)?;
-    let grid = &scene.grid;
+    take_files(&mut target, &resolved.base, &mut parts)?;
+    let grid = &resolved.grid;
     parts.push(hash(format!("{target:?} {grid:?}").as_bytes()));
     Ok(hash(bytemuck::cast_slice(&parts)))
 }
@@ -173,35 +173,35 @@ pub(crate) fn start_key(model: u64, spec: &JobSpec) -> u64 {
 }
 
 /// Whether one model optimizes and judges.
-fn is_evaluated_alike(scene: &Scene) -> Result<bool> {
-    let [level] = scene.levels.as_slice() else {
+fn is_evaluated_alike(resolved: &ResolvedJob) -> Result<bool> {
+    let [level] = resolved.levels.as_slice() else {
         return Ok(false);
     };
-    let is_joined = scene.ranks.is_some()
-        || scene.mixing.is_some()
-        || scene.has_cells
-        || !(scene.others.is_empty() && scene.scenarios.is_empty())
-        || scene.is_optimized_in_time()
-        || super::in_time::diffuses(scene);
-    let fine = scene.fine_grid();
+    let is_joined = resolved.ranks.is_some()
+        || resolved.mixing.is_some()
+        || resolved.has_cells
+        || !(resolved.others.is_empty() && resolved.scenarios.is_empty())
+        || resolved.is_optimized_in_time()
+        || super::in_time::diffuses(resolved);
+    let fine = resolved.fine_grid();
     let own = Exposed::new(&level.grid, level.lights.clone());
-    let is_own = |angles| Exposed::new(&fine, scene.optics.lights_turning(angles)) == own;
+    let is_own = |angles| Exposed::new(&fine, resolved.optics.lights_turning(angles)) == own;
     let is_plain = |(level, own): (&Light, &Light)| {
         level.pixels == own.pixels && !own.selection.is_any() && own.point_spread.is_none()
     };
-    let mut lights = level.lights.iter().zip(&scene.optics.lights);
+    let mut lights = level.lights.iter().zip(&resolved.optics.lights);
     if is_joined
-        || scene.grid != fine
-        || ![1, scene.evaluated_angles()].into_iter().all(is_own)
+        || resolved.grid != fine
+        || ![1, resolved.evaluated_angles()].into_iter().all(is_own)
         || !lights.all(is_plain)
     {
         return Ok(false);
     }
     let optics = OpticalScene {
         lights: &level.lights,
-        ..scene.optimizing()
+        ..resolved.optimizing()
     };
-    let family = scene.optics.family(&level.grid)?;
+    let family = resolved.optics.family(&level.grid)?;
     Ok(family.evaluates_alike(&optics, &level.grid))
 }
 

@@ -17,7 +17,7 @@ use super::doses::lit_rows;
 use crate::error::Result;
 use crate::field::HostField;
 use crate::grid::{Patterns, Volume, VolumeGrid};
-use crate::job::resolve::{Scene, Voxels};
+use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::models::{DoseModel, Family, ModelInput, OpticalScene, Run};
 use crate::optics::light::{Light, Selection};
 use crate::optics::random::Stream;
@@ -65,25 +65,25 @@ impl CrossCheck {
     /// # Errors
     /// What the models refuse; [`Error::Canceled`](crate::Error::Canceled).
     pub(crate) fn of(
-        scene: &Scene,
+        job: &ResolvedJob,
         voxels: &Voxels,
         patterns: &[Patterns],
         most_paths: usize,
         cancel: &Run,
     ) -> Result<Option<Self>> {
         let grid = &voxels.labels.grid;
-        let family = scene.optics.family(grid)?;
+        let family = job.optics.family(grid)?;
         let Some(random) = family.compared_with() else {
             return Ok(None);
         };
-        let (whole, by_orders) = scattered(&family, scene, grid, patterns, cancel)?;
+        let (whole, by_orders) = scattered(&family, job, grid, patterns, cancel)?;
         let mut paths = 0;
         let mut by_paths = |seed: u64| -> Result<Volume<f32>> {
             let (sample, count) = sampled(patterns, seed, most_paths);
             let paths_per_pixel = paths_per_pixel(most_paths, count);
             paths = count * paths_per_pixel;
             let random = random(paths_per_pixel, seed);
-            Ok(scattered(&random, scene, grid, &sample, cancel)?.1)
+            Ok(scattered(&random, job, grid, &sample, cancel)?.1)
         };
         let estimates = [by_paths(1)?, by_paths(2)?];
         let longest = grid.shape.iter().copied().max();
@@ -163,15 +163,15 @@ impl fmt::Display for CrossCheck {
 /// The dose of patterns by a family, and what of it is scattered light.
 fn scattered(
     family: &Family,
-    scene: &Scene,
+    job: &ResolvedJob,
     grid: &VolumeGrid,
     patterns: &[Patterns],
     cancel: &Run,
 ) -> Result<(Volume<f32>, Volume<f32>)> {
-    let lights = lit(scene, patterns);
+    let lights = lit(job, patterns);
     let optics = OpticalScene {
         lights: &lights,
-        ..scene.optics.scene()
+        ..job.optics.scene()
     };
     let input = ModelInput::new(optics, grid, cancel)?;
     let whole = dose(family.build(&input)?.as_ref(), patterns, cancel)?;
@@ -185,9 +185,9 @@ fn paths_per_pixel(most: usize, count: usize) -> usize {
     (most / count.max(1)).clamp(1, MOST_PER_PIXEL)
 }
 
-/// The lights of a scene with the pixels that patterns light.
-fn lit(scene: &Scene, patterns: &[Patterns]) -> Vec<Light> {
-    let mut lights = scene.optics.lights_turning(1);
+/// The lights of a job with the pixels that patterns light.
+fn lit(job: &ResolvedJob, patterns: &[Patterns]) -> Vec<Light> {
+    let mut lights = job.optics.lights_turning(1);
     for (light, patterns) in lights.iter_mut().zip(patterns) {
         light.active = Some(lit_rows(patterns));
         light.selection = Selection::default();

@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::field::{Field as _, HostField};
 use crate::grid::{Patterns, Volume, VolumeGrid};
 use crate::job::dose::species::planned;
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::models::masked::MaskedModel;
 use crate::models::scenarios::SharedModel;
 use crate::models::{DoseLayout, DoseModel, Family, OpticalScene, Purpose, Run};
@@ -47,7 +47,7 @@ impl PartialEq for Exposed {
 
 /// What gives the doses of a job's patterns, by the model that judges.
 pub(crate) struct Doses<'a> {
-    scene: &'a Scene,
+    job: &'a ResolvedJob,
     workspace: Workspace,
     /// Per light, the rows that may be lit.
     lit: Vec<LitRows>,
@@ -62,14 +62,14 @@ pub(crate) type LitRows = Vec<(u32, u32)>;
 pub(crate) type Simulated = (Volume<f32>, Vec<Volume<f32>>, String);
 
 impl<'a> Doses<'a> {
-    pub(crate) fn new(scene: &'a Scene) -> Self {
-        Self::by(None, scene)
+    pub(crate) fn new(job: &'a ResolvedJob) -> Self {
+        Self::by(None, job)
     }
 
     /// The same by a model that is there already, where it has the doses asked for.
-    pub(crate) fn by(evaluation_model: Option<&'a EvaluationModel>, scene: &'a Scene) -> Self {
+    pub(crate) fn by(evaluation_model: Option<&'a EvaluationModel>, job: &'a ResolvedJob) -> Self {
         Doses {
-            scene,
+            job,
             workspace: Workspace::default(),
             lit: Vec::new(),
             last: None,
@@ -128,13 +128,13 @@ impl<'a> Doses<'a> {
                 evaluation_model.reason.clone(),
             ));
         }
-        let refine = (self.scene.grid.pitch_mm / exposed.grid.pitch_mm).round();
+        let refine = (self.job.grid.pitch_mm / exposed.grid.pitch_mm).round();
         let purpose = Purpose::Evaluate {
             refine: refine.max(1.0) as usize,
         };
         let lights = lit_alone(exposed.lights.clone(), self.lit.clone());
-        let family = (self.scene.optics.model.as_ref(), purpose);
-        let (model, reason) = made(family, self.scene, &lights, &exposed.grid, making)?;
+        let family = (self.job.optics.model.as_ref(), purpose);
+        let (model, reason) = made(family, self.job, &lights, &exposed.grid, making)?;
         Ok((Arc::new(model), reason))
     }
 
@@ -147,13 +147,13 @@ impl<'a> Doses<'a> {
 /// Dose of patterns on the job's voxels by a family for a purpose, the vial standing still.
 pub(crate) fn standing_by(
     model: (Option<&Family>, Purpose),
-    scene: &Scene,
+    job: &ResolvedJob,
     patterns: &[Patterns],
     cancel: &Run,
 ) -> Result<Volume<f32>> {
     let lit = patterns.iter().map(lit_rows).collect();
-    let lights = lit_alone(scene.optics.lights_turning(1), lit);
-    let (model, _) = made(model, scene, &lights, &scene.grid, &cancel.part(0.1))?;
+    let lights = lit_alone(job.optics.lights_turning(1), lit);
+    let (model, _) = made(model, job, &lights, &job.grid, &cancel.part(0.1))?;
     let (dose, _) = simulated(&model, patterns, &mut Workspace::default(), cancel)?;
     Ok(dose)
 }
@@ -170,7 +170,7 @@ fn lit_alone(mut lights: Vec<Light>, lit: Vec<LitRows>) -> Vec<Light> {
 /// The model of a family (the cheapest that is exact, where none is named), and what is said of it.
 fn made(
     (family, purpose): (Option<&Family>, Purpose),
-    scene: &Scene,
+    job: &ResolvedJob,
     lights: &[Light],
     grid: &VolumeGrid,
     making: &Run,
@@ -178,9 +178,9 @@ fn made(
     let optics = OpticalScene {
         lights,
         purpose,
-        ..scene.optics.scene()
+        ..job.optics.scene()
     };
-    let plan = planned(scene, family, optics, grid, None, making)?;
+    let plan = planned(job, family, optics, grid, None, making)?;
     Ok((plan.model, plan.reason))
 }
 
@@ -276,8 +276,8 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("job.toml");
         std::fs::write(&file, text).unwrap();
-        let scene = Scene::new(&Job::read(&file, &[]).unwrap(), &Run::new()).unwrap();
-        let lights = &scene.optics.lights;
+        let job = ResolvedJob::under(&Job::read(&file, &[]).unwrap(), &Run::new()).unwrap();
+        let lights = &job.optics.lights;
         let lit = |is_lit: &dyn Fn(usize) -> bool| {
             let mut patterns = Patterns::dark(lights[0].pixels.clone());
             for (i, value) in patterns.values.iter_mut().enumerate() {
@@ -290,11 +290,11 @@ mod tests {
             lit(&|i| i / 20 % 14 > 9 && i % 2 == 0),
         ];
         for sub_angles in [1, 3] {
-            let exposed = Exposed::new(&scene.grid, scene.optics.lights_turning(sub_angles));
-            let mut both = Doses::new(&scene);
+            let exposed = Exposed::new(&job.grid, job.optics.lights_turning(sub_angles));
+            let mut both = Doses::new(&job);
             both.will_show(&[&all[0], &all[1]]);
             for patterns in &all {
-                let mut alone = Doses::new(&scene);
+                let mut alone = Doses::new(&job);
                 alone.will_show(&[patterns]);
                 let [a, b] = [&mut both, &mut alone]
                     .map(|doses| doses.of(&exposed, patterns, &Run::new()).unwrap().0);

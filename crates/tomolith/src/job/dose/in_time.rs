@@ -12,7 +12,7 @@ use crate::job::resolve::material::domain;
 use crate::job::resolve::material::material;
 use crate::job::resolve::refinement::Level;
 use crate::job::resolve::schedule::schedule;
-use crate::job::resolve::{Scene, Voxels};
+use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::job::spec::Against;
 use crate::models::{Family, HostModel, OpticalScene, Run, planner};
 
@@ -28,8 +28,8 @@ use tomolith_material::printing::Printing;
 use tomolith_material::schedule::Schedule;
 
 /// Whether the doses of a job diffuse.
-pub(crate) fn diffuses(scene: &Scene) -> bool {
-    let material = scene.spec.material.as_ref();
+pub(crate) fn diffuses(job: &ResolvedJob) -> bool {
+    let material = job.spec.material.as_ref();
     material.is_some_and(|material| material.diffusion.is_some())
 }
 
@@ -37,19 +37,19 @@ pub(crate) fn diffuses(scene: &Scene) -> bool {
 ///
 /// # Errors
 /// As [`Diffused::of_schedule`].
-pub(crate) fn diffused(scene: &Scene, model: HostModel) -> Result<HostModel> {
-    let own = scene.spec.material.as_ref();
+pub(crate) fn diffused(job: &ResolvedJob, model: HostModel) -> Result<HostModel> {
+    let own = job.spec.material.as_ref();
     let Some(diffusion) = own.and_then(|material| material.diffusion) else {
         return Ok(model);
     };
-    let given = scene.spec.schedule.clone().unwrap_or_default();
+    let given = job.spec.schedule.clone().unwrap_or_default();
     let turns = if given.own_patterns {
         given.turns as usize
     } else {
         1
     };
     let arcs = diffusion.arcs.unwrap_or(turns);
-    let schedule = schedule(&scene.spec)?;
+    let schedule = schedule(&job.spec)?;
     let diffused = Diffused::of_schedule(model, diffusion.mm2_per_s, &schedule, arcs);
     Ok(Box::new(
         diffused.map_err(|e| at_section("material.diffusion", e))?,
@@ -61,22 +61,22 @@ pub(crate) fn diffused(scene: &Scene, model: HostModel) -> Result<HostModel> {
 /// # Errors
 /// [`Error::Config`] where they do not fit.
 pub(crate) fn planned_in_time(
-    scene: &Scene,
+    job: &ResolvedJob,
     optics: (Option<&Family>, OpticalScene<'_>),
     level: &Level,
     voxels: &[&Voxels],
     run: &Run,
 ) -> Result<planner::ModelPlan> {
-    let rows = scene.rows().unwrap_or_default();
-    let given = scene.spec.schedule.clone().unwrap_or_default();
+    let rows = job.rows().unwrap_or_default();
+    let given = job.spec.schedule.clone().unwrap_or_default();
     let join = |models: Vec<HostModel>| -> Result<HostModel> {
-        let schedule = schedule(&scene.spec)?;
-        let domain = domain(scene, &level.grid)?;
-        let material = Box::new(material(&scene.spec, scene.mixing.as_deref(), domain)?);
+        let schedule = schedule(&job.spec)?;
+        let domain = domain(job, &level.grid)?;
+        let material = Box::new(material(&job.spec, job.mixing.as_deref(), domain)?);
         Ok(match given.optimize {
             Against::Exact => Box::new(Printing::new(models, schedule, material, given.step_s)?),
             _ => {
-                let every = scene.spec.stop.iterations.div_ceil(given.rounds + 1);
+                let every = job.spec.stop.iterations.div_ceil(given.rounds + 1);
                 Box::new(Frozen::new(
                     models,
                     schedule,
@@ -92,7 +92,7 @@ pub(crate) fn planned_in_time(
     Ok(plan)
 }
 
-impl Scene {
+impl ResolvedJob {
     /// Whether patterns are optimized against what they print in time.
     pub(crate) fn is_optimized_in_time(&self) -> bool {
         let given = self.spec.schedule.as_ref();
@@ -133,10 +133,10 @@ pub(crate) struct Shown<'a> {
 
 impl<'a> Shown<'a> {
     /// Models of the light as it is before anything cures.
-    pub(crate) fn new(scene: &'a Scene, patterns: &[Patterns], run: &'a Run) -> Result<Self> {
-        let domain = domain(scene, &scene.grid)?;
-        let material = material(&scene.spec, scene.mixing.as_deref(), domain)?;
-        let lights = Lights::new(scene, patterns.iter().map(lit_rows).collect(), run);
+    pub(crate) fn new(job: &'a ResolvedJob, patterns: &[Patterns], run: &'a Run) -> Result<Self> {
+        let domain = domain(job, &job.grid)?;
+        let material = material(&job.spec, job.mixing.as_deref(), domain)?;
+        let lights = Lights::new(job, patterns.iter().map(lit_rows).collect(), run);
         let start = material.start()?;
         let mut models = Vec::with_capacity(patterns.len());
         let mut fields = Vec::with_capacity(patterns.len());
@@ -152,7 +152,7 @@ impl<'a> Shown<'a> {
         }
         Ok(Shown {
             material,
-            schedule: schedule(&scene.spec)?,
+            schedule: schedule(&job.spec)?,
             lights,
             models,
             fields,
@@ -165,7 +165,7 @@ impl<'a> Shown<'a> {
     /// # Errors
     /// As [`PrintRun::run`].
     pub(crate) fn print(&self, look: &mut dyn FnMut(&Moment)) -> Result<()> {
-        let given = self.lights.scene.spec.schedule.clone().unwrap_or_default();
+        let given = self.lights.job.spec.schedule.clone().unwrap_or_default();
         let sources = self.models.iter().zip(&self.fields);
         let sources = sources.map(|(model, patterns)| LightSource {
             model: model.as_ref(),

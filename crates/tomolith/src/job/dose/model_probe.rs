@@ -1,7 +1,7 @@
 //! A test, before any work, of whether successive orders are accurate enough for a job.
 //!
 //! A job that names no model takes [`successive_orders`](crate::models::successive_orders) where it covers vial and lights. How near it comes to Monte Carlo paths is known for some scenes
-//! only (docs/scattering.md), so the job's own scene is tried: the part on a grid of at most 32 voxels along an edge, lit evenly through
+//! only (docs/scattering.md), so the job itself is tried: the part on a grid of at most 32 voxels along an edge, lit evenly through
 //! its silhouettes. Where an error of more than 1 % of the part's mean dose is seen, or cells would be too many for a machine, Monte
 //! Carlo paths are taken instead, and that is said. The probe knows nothing of patterns, so a run, its `check` and a later `simulate` decide
 //! alike. Who names `[model.successive_orders]` gets it, and a warning from the patterns' own error.
@@ -10,7 +10,7 @@ use super::cross_check::CrossCheck;
 use crate::error::{Error, Result};
 use crate::grid::Patterns;
 use crate::job::progress::{Event, Progress};
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::multiresolution::coarser_grid;
 use crate::models::selection::contributions;
 use crate::models::{ModelInput, OpticalScene, Run};
@@ -20,19 +20,19 @@ const VOXELS: usize = 32;
 /// Paths of each of its two estimates, about: half a second of a core.
 const PATHS: usize = 100_000;
 
-/// Takes Monte Carlo paths for a scene that names no model and whose probe by orders is far off; says so.
+/// Takes Monte Carlo paths for a job that names no model and whose probe by orders is far off; says so.
 ///
 /// # Errors
 /// What the models and the target refuse; [`Error::Canceled`].
 pub(crate) fn try_orders(
-    scene: &mut Scene,
+    job: &mut ResolvedJob,
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<()> {
-    if !scene.optics.scene().scatters() || scene.optics.model.is_some() {
+    if !job.optics.scene().scatters() || job.optics.model.is_some() {
         return Ok(());
     }
-    let (why, text) = match probe(scene, cancel) {
+    let (why, text) = match probe(job, cancel) {
         Err(Error::Config { key, found, .. }) if key == "model.successive_orders.cell_mm" => (
             "successive orders would need too many cells",
             format!("scattered light by Monte Carlo paths: successive orders would take {found}"),
@@ -46,27 +46,27 @@ pub(crate) fn try_orders(
         ),
         Ok(_) => return Ok(()),
     };
-    scene.optics.probe_failed = Some(why);
+    job.optics.probe_failed = Some(why);
     // Their windows are compared with the job's: one model for all
-    for scenario in &mut scene.scenarios {
-        scenario.scene.optics.probe_failed = Some(why);
+    for scenario in &mut job.scenarios {
+        scenario.resolved.optics.probe_failed = Some(why);
     }
     progress.event(&Event::Note { text });
     Ok(())
 }
 
-fn probe(scene: &Scene, cancel: &Run) -> Result<Option<CrossCheck>> {
-    let longest = scene.grid.shape.iter().copied().max();
-    let grid = coarser_grid(&scene.grid, longest.unwrap_or(1).div_ceil(VOXELS));
-    let family = scene.optics.family(&grid)?;
+fn probe(job: &ResolvedJob, cancel: &Run) -> Result<Option<CrossCheck>> {
+    let longest = job.grid.shape.iter().copied().max();
+    let grid = coarser_grid(&job.grid, longest.unwrap_or(1).div_ceil(VOXELS));
+    let family = job.optics.family(&grid)?;
     if family.compared_with().is_none() {
         return Ok(None);
     }
-    let voxels = scene.voxels(&grid)?;
-    let lights = scene.optics.lights_turning(1);
+    let voxels = job.voxels(&grid)?;
+    let lights = job.optics.lights_turning(1);
     let optics = OpticalScene {
         lights: &lights,
-        ..scene.optics.scene()
+        ..job.optics.scene()
     };
     let straight = family.unscattered(&ModelInput::new(optics, &grid, cancel)?)?;
     let brought = contributions(straight.as_ref(), &voxels.wanted(), cancel)?;
@@ -75,7 +75,7 @@ fn probe(scene: &Scene, cancel: &Run) -> Result<Option<CrossCheck>> {
         .collect();
     let layouts = straight.patterns().iter();
     let silhouettes: Vec<Patterns> = layouts.map(|layout| layout.patterns_of(&lit)).collect();
-    CrossCheck::of(scene, &voxels, &silhouettes, PATHS, cancel)
+    CrossCheck::of(job, &voxels, &silhouettes, PATHS, cancel)
 }
 
 #[cfg(test)]
@@ -99,16 +99,16 @@ mod tests {
             "#
         );
         std::fs::write(&file, text).unwrap();
-        let mut scene = Scene::new(&Job::read(&file, &[]).unwrap(), &Run::new()).unwrap();
+        let mut job = ResolvedJob::under(&Job::read(&file, &[]).unwrap(), &Run::new()).unwrap();
         let mut said = Said(Vec::new());
-        try_orders(&mut scene, &mut said, &Run::new()).unwrap();
-        let by_paths = |scene: &Scene| {
-            let family = scene.optics.family(&scene.grid).unwrap();
+        try_orders(&mut job, &mut said, &Run::new()).unwrap();
+        let by_paths = |job: &ResolvedJob| {
+            let family = job.optics.family(&job.grid).unwrap();
             family.monte_carlo_paths().is_some()
         };
         // A scenario is compared with the job: by one model
-        let found = by_paths(&scene);
-        let of_scenarios = scene.scenarios.iter().map(|s| by_paths(&s.scene));
+        let found = by_paths(&job);
+        let of_scenarios = job.scenarios.iter().map(|s| by_paths(&s.resolved));
         assert!(of_scenarios.into_iter().all(|own| own == found));
         (said.0, found)
     }

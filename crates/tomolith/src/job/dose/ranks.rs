@@ -13,7 +13,7 @@
 
 use crate::error::{Error, Result};
 use crate::grid::Patterns;
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::identity::hash;
 use crate::job::resolve::refinement::Level;
 use crate::models::PatternLayout;
@@ -36,7 +36,7 @@ fn with_frames(light: &Light, frames: &[usize]) -> Light {
     own
 }
 
-impl Scene {
+impl ResolvedJob {
     /// What this process came to, if no rank failed.
     pub(crate) fn agreed<T>(&self, own: Result<T>) -> Result<T> {
         match &self.ranks {

@@ -2,7 +2,7 @@
 
 use crate::error::Result;
 use crate::job::dose::species::planned;
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::refinement::Level;
 use crate::job::resolve::scenarios::Scenario;
 use crate::models::masked::MaskedModel;
@@ -12,17 +12,17 @@ use std::sync::Arc;
 
 impl Scenario {
     /// The dose of all pixels, in a process among ranks of its own frames, on the voxels of a level of `job`.
-    fn model(&self, job: &Scene, level: &Level, cancel: &Run) -> Result<HostModel> {
-        let mut lights = job.own_lights(&self.scene.optics.lights);
+    fn model(&self, job: &ResolvedJob, level: &Level, cancel: &Run) -> Result<HostModel> {
+        let mut lights = job.own_lights(&self.resolved.optics.lights);
         for (light, own) in lights.iter_mut().zip(&level.lights) {
             light.sub_angles = own.sub_angles;
         }
         let optics = OpticalScene {
             lights: &lights,
-            ..self.scene.optimizing()
+            ..self.resolved.optimizing()
         };
-        let asked = self.scene.optics.model.as_ref();
-        let plan = planned(&self.scene, asked, optics, &level.grid, None, cancel)?;
+        let asked = self.resolved.optics.model.as_ref();
+        let plan = planned(&self.resolved, asked, optics, &level.grid, None, cancel)?;
         Ok(Box::new(plan.model))
     }
 }
@@ -32,17 +32,17 @@ impl Scenario {
 /// # Errors
 /// As [`planner::plan`].
 pub(crate) fn joined(
-    scene: &Scene,
+    resolved: &ResolvedJob,
     model: MaskedModel,
     dark: &[bool],
     level: &Level,
     cancel: &Run,
 ) -> Result<(SharedModel, Option<SharedModel>)> {
-    if scene.scenarios.is_empty() {
+    if resolved.scenarios.is_empty() {
         return Ok((Arc::new(model), None));
     }
-    let others = scene.scenarios.iter();
-    let others = others.map(|own| own.model(scene, level, cancel));
+    let others = resolved.scenarios.iter();
+    let others = others.map(|own| own.model(resolved, level, cancel));
     let first: SharedModel = Arc::new(model);
     let all = Scenarios::new(first.clone(), others.collect::<Result<_>>()?)?;
     // What is dark in the job is so in all

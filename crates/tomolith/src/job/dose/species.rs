@@ -2,7 +2,7 @@
 
 use crate::error::Result;
 use crate::grid::{Volume, VolumeGrid};
-use crate::job::resolve::{Scene, Voxels};
+use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::job::spec::species::Row;
 use crate::models::masked::MaskedModel;
 use crate::models::planner::{self, ModelPlan};
@@ -17,14 +17,14 @@ use crate::models::{DoseModel, Family, HostModel, OpticalScene, Run};
 /// # Errors
 /// As [`planner::plan`].
 pub(crate) fn planned(
-    scene: &Scene,
+    job: &ResolvedJob,
     asked: Option<&Family>,
     optics: OpticalScene<'_>,
     grid: &VolumeGrid,
     voxels: Option<&[&Voxels]>,
     run: &Run,
 ) -> Result<ModelPlan> {
-    let mut plan = match scene.mixing.as_deref() {
+    let mut plan = match job.mixing.as_deref() {
         Some(rows) => {
             let mix = |models| mixed(models, rows);
             joined(rows, (asked, optics), grid, voxels, run, mix)?
@@ -34,13 +34,13 @@ pub(crate) fn planned(
             planner::plan(asked, optics, grid, wanted.as_ref(), run)?
         }
     };
-    if super::in_time::diffuses(scene) {
-        let diffused = super::in_time::diffused(scene, Box::new(plan.model))?;
+    if super::in_time::diffuses(job) {
+        let diffused = super::in_time::diffused(job, Box::new(plan.model))?;
         plan.model = MaskedModel::new(diffused, Vec::new(), 1.0);
     }
     let surrogate = plan.surrogate.take();
     plan.surrogate = surrogate
-        .map(|m| super::in_time::diffused(scene, m))
+        .map(|m| super::in_time::diffused(job, m))
         .transpose()?;
     Ok(plan)
 }

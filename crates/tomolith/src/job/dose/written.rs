@@ -8,7 +8,7 @@ use crate::io::movie::{is_movie, read_movie};
 use crate::io::npy::read_patterns;
 use crate::io::read_text;
 use crate::io::stack::read_stack;
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::optics::Optics;
 use crate::job::spec::JobSpec;
 use crate::job::spec::file_names::EXPOSURE;
@@ -32,9 +32,9 @@ impl Written {
     ///
     /// # Errors
     /// As [`quantize`] and [`Printer::expose`].
-    pub(crate) fn of_raw(raw: Vec<Patterns>, scene: &Scene) -> Result<Self> {
-        let bits = scene.spec.evaluate.bit_depth;
-        let Some(printers) = &scene.printers else {
+    pub(crate) fn of_raw(raw: Vec<Patterns>, job: &ResolvedJob) -> Result<Self> {
+        let bits = job.spec.evaluate.bit_depth;
+        let Some(printers) = &job.printers else {
             let frames: Vec<Quantized> = raw
                 .iter()
                 .map(|raw| quantize(raw, bits))
@@ -64,11 +64,11 @@ impl Written {
     ///
     /// # Errors
     /// As [`of_raw`](Self::of_raw).
-    pub(crate) fn frames(&self, scene: &Scene) -> Result<Cow<'_, [Quantized]>> {
-        match (&self.frames, &self.raw, &scene.printers) {
+    pub(crate) fn frames(&self, job: &ResolvedJob) -> Result<Cow<'_, [Quantized]>> {
+        match (&self.frames, &self.raw, &job.printers) {
             (Some(frames), ..) => Ok(Cow::Borrowed(frames)),
             (None, Some(raw), Some(printers)) => {
-                exposed(printers, raw, scene.spec.evaluate.bit_depth).map(Cow::Owned)
+                exposed(printers, raw, job.spec.evaluate.bit_depth).map(Cow::Owned)
             }
             _ => Ok(Cow::Borrowed(&[])),
         }
@@ -92,22 +92,22 @@ pub(crate) fn exposed(
 ///
 /// # Errors
 /// [`Error::Io`], [`Error::Format`], [`Error::Shape`] for files that do not fit the job's lights and machine; [`Error::Canceled`].
-pub(crate) fn read(scene: &Scene, given: &Path, run: &Run) -> Result<(Written, Vec<String>)> {
+pub(crate) fn read(job: &ResolvedJob, given: &Path, run: &Run) -> Result<(Written, Vec<String>)> {
     // A run folder stands for its patterns, an exported one for its frames
     let within = ["patterns.npz", "frames"].map(|name| given.join(name));
     let path = within.iter().find(|path| path.exists());
     let path = path.map_or(given, PathBuf::as_path);
     let (mut frames, mut notes) = (Vec::new(), Vec::new());
-    for i in 0..scene.spec.light.len() {
-        let Some(found) = frames_of(scene, i, path, &mut notes)? else {
-            return wanted_of(path, &scene.optics, &names(&scene.spec), run)
-                .and_then(|(wanted, raw)| of_patterns(scene, wanted, raw, run))
+    for i in 0..job.spec.light.len() {
+        let Some(found) = frames_of(job, i, path, &mut notes)? else {
+            return wanted_of(path, &job.optics, &names(&job.spec), run)
+                .and_then(|(wanted, raw)| of_patterns(job, wanted, raw, run))
                 .map(|written| (written, notes));
         };
         run.check()?;
         frames.push(found);
     }
-    let light = |(i, frames): (usize, &Quantized)| match &scene.printers {
+    let light = |(i, frames): (usize, &Quantized)| match &job.printers {
         Some(printers) => printers[i].light_of(frames),
         None => Ok(frames.patterns()),
     };
@@ -135,16 +135,16 @@ pub(crate) fn names(spec: &JobSpec) -> Vec<Option<&str>> {
 
 /// Patterns of an array: with a machine they are what is wanted, else what is shown.
 fn of_patterns(
-    scene: &Scene,
+    job: &ResolvedJob,
     shown: Vec<Patterns>,
     raw: Option<Vec<Patterns>>,
     run: &Run,
 ) -> Result<Written> {
     run.check()?;
-    if scene.printers.is_some() {
-        return Written::of_raw(raw.unwrap_or(shown), scene);
+    if job.printers.is_some() {
+        return Written::of_raw(raw.unwrap_or(shown), job);
     }
-    let bits = scene.spec.evaluate.bit_depth;
+    let bits = job.spec.evaluate.bit_depth;
     let frames = shown
         .iter()
         .map(|patterns| run.check().and_then(|()| quantize(patterns, bits)))
@@ -205,15 +205,15 @@ fn same_shape(path: &Path, what: &str, grid: &PatternGrid, found: [usize; 3]) ->
 
 /// Frames of one light in a folder, a stack or a movie; None when the file is none of these.
 fn frames_of(
-    scene: &Scene,
+    job: &ResolvedJob,
     i: usize,
     path: &Path,
     notes: &mut Vec<String>,
 ) -> Result<Option<Quantized>> {
-    let name = names(&scene.spec)[i];
-    let grid = match &scene.printers {
+    let name = names(&job.spec)[i];
+    let grid = match &job.printers {
         Some(printers) => printers[i].canvas_grid(),
-        None => scene.optics.lights[i].pixels.clone(),
+        None => job.optics.lights[i].pixels.clone(),
     };
     let found = if path.is_dir() {
         read_frames(&name.map_or_else(|| path.to_owned(), |name| path.join(name)))?

@@ -5,7 +5,7 @@ use super::species::Steps;
 use crate::job::evaluate::{Evaluated, headline};
 use crate::job::optimize::Optimized;
 use crate::job::resolve::refinement::moved_pixels;
-use crate::job::resolve::{Scene, Voxels, few_angles};
+use crate::job::resolve::{ResolvedJob, Voxels, few_angles};
 use crate::metrics::{Better, Evaluation, Measure, MetricKind};
 use crate::optics::light::Light;
 
@@ -38,13 +38,13 @@ const FALLING_FAST: f64 = 0.1;
 
 /// What the patterns of a run or a simulation lose, and where, of every species.
 pub(crate) fn limits(
-    scene: &Scene,
+    resolved: &ResolvedJob,
     evaluated: &Evaluated,
     optimized: Option<&Optimized>,
     is_toy: bool,
 ) -> Vec<PrintLimits> {
     let job = Asked {
-        scene,
+        resolved,
         optimized,
         unrounded: evaluated.unrounded,
         is_toy,
@@ -59,10 +59,15 @@ pub(crate) fn limits(
     };
     let evaluation = &evaluated.evaluation;
     let print = (evaluation, &evaluated.fine);
-    let first = job.species(scene, 0, print, of(kind_of(evaluation)));
-    let others = scene.others.iter().zip(&evaluated.others).enumerate();
-    let others = others.map(|(s, (scene, print))| {
-        job.species(scene, s + 1, (&print.evaluation, &print.fine), print.steps)
+    let first = job.species(resolved, 0, print, of(kind_of(evaluation)));
+    let others = resolved.others.iter().zip(&evaluated.others).enumerate();
+    let others = others.map(|(s, (resolved, print))| {
+        job.species(
+            resolved,
+            s + 1,
+            (&print.evaluation, &print.fine),
+            print.steps,
+        )
     });
     std::iter::once(first).chain(others).collect()
 }
@@ -73,17 +78,17 @@ fn kind_of(evaluation: &Evaluation) -> &'static MetricKind {
 
 /// What is the same for every species of a job.
 struct Asked<'a> {
-    scene: &'a Scene,
+    resolved: &'a ResolvedJob,
     optimized: Option<&'a Optimized>,
     unrounded: Measure,
     is_toy: bool,
 }
 
 impl Asked<'_> {
-    /// Of species `s`, whose scene this is: its print and the voxels of that.
+    /// Of species `s`, whose job this is: its print and the voxels of that.
     fn species(
         &self,
-        own: &Scene,
+        own: &ResolvedJob,
         s: usize,
         print: (&Evaluation, &Voxels),
         steps: Steps,
@@ -99,23 +104,23 @@ impl Asked<'_> {
         let has_time = print.0.measures.get("time_mm").is_some();
         let of_time = self.optimized.filter(|_| s == 0 && has_time);
         let kind = kind_of(print.0);
-        let of_time = of_time.and_then(|own| time::of_ceiling(&self.scene.spec, own, kind));
+        let of_time = of_time.and_then(|own| time::of_ceiling(&self.resolved.spec, own, kind));
         limits.causes.extend(of_time);
         limits
     }
 
     fn measurements(
         &self,
-        own: &Scene,
+        own: &ResolvedJob,
         s: usize,
         (evaluated, fine): (&Evaluation, &Voxels),
         steps: Steps,
     ) -> Measurements {
-        let (scene, spec) = (self.scene, &own.spec);
+        let (resolved, spec) = (self.resolved, &own.spec);
         let kind = kind_of(evaluated);
-        let lights = acting_on(scene, s);
-        let finest = scene.levels.last();
-        let (pixel_key, pixel_light) = coarsest_pixels(&scene.optics.projector_kinds, &lights);
+        let lights = acting_on(resolved, s);
+        let finest = resolved.levels.last();
+        let (pixel_key, pixel_light) = coarsest_pixels(&resolved.optics.projector_kinds, &lights);
         let best = evaluated.curve.iter().map(|[_, iou]| *iou);
         Measurements {
             kind,
@@ -124,7 +129,7 @@ impl Asked<'_> {
             standing: steps.standing,
             turning: evaluated.measures.get(kind.name),
             unrounded: self.unrounded.filter(|_| s == 0),
-            pitches_mm: [scene.grid.pitch_mm, evaluated.grid.pitch_mm],
+            pitches_mm: [resolved.grid.pitch_mm, evaluated.grid.pitch_mm],
             bits: spec.evaluate.bit_depth,
             has_machine: spec.printer.is_some(),
             arcs: Arcs::of(&lights),
@@ -134,7 +139,7 @@ impl Asked<'_> {
                 turning.peek().is_some() && turning.all(|light| light.sub_angles > 1)
             }),
             saw_finer: finest.is_some_and(|level| {
-                level.grid.pitch_mm < scene.grid.pitch_mm
+                level.grid.pitch_mm < resolved.grid.pitch_mm
                     && level.grid.pitch_mm <= evaluated.grid.pitch_mm
             }),
             pixel_key,
@@ -144,19 +149,20 @@ impl Asked<'_> {
             has_few_angles: few_angles(spec).is_some()
                 || (lights.iter())
                     .any(|acting| moved_pixels(acting.light, own.shape.bounds_mm()) > WIDE_STEP),
-            lack: Lack::of(&scene.spec, own, fine, &lights),
+            lack: Lack::of(&resolved.spec, own, fine, &lights),
             has_no_iterations: (self.optimized).is_some_and(|own| {
                 own.outcome
                     .history
                     .last()
                     .is_none_or(|row| row.iteration == 0)
             }),
-            has_own_sub_angles: scene
+            has_own_sub_angles: resolved
                 .spec
                 .light
                 .iter()
                 .any(|light| light.sub_angles.is_some()),
-            is_held: (self.optimized).is_some_and(|own| of_bound(&scene.spec, &own.raw).is_some()),
+            is_held: (self.optimized)
+                .is_some_and(|own| of_bound(&resolved.spec, &own.raw).is_some()),
             best: spec.evaluate.threshold.and(best.reduce(f64::max)),
             ends: own
                 .shape

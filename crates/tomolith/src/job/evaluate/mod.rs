@@ -9,6 +9,7 @@ pub(crate) mod in_time;
 pub(crate) mod limits;
 pub(crate) mod noise;
 pub(crate) mod objectives;
+pub(crate) mod prediction;
 pub(crate) mod property;
 pub(crate) mod scenarios;
 pub(crate) mod species;
@@ -23,7 +24,7 @@ use crate::job::dose::cross_check::CrossCheck;
 use crate::job::dose::doses::{Doses, Exposed};
 use crate::job::progress::{Event, Progress, Snapshot};
 use crate::job::resolve::scheduled::too_bright;
-use crate::job::resolve::{Scene, Voxels};
+use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::metrics::print::{PatternStats, Print};
 use crate::metrics::published::slices::Slice;
 use crate::metrics::published::{self, Published};
@@ -139,11 +140,11 @@ impl std::fmt::Display for KeepDark {
 
 impl Evaluated {
     /// Dose at which the print is solid: that of all species together where they have one, else of the headline; None when nothing is.
-    pub(crate) fn gel_dose(&self, scene: &Scene) -> Option<f64> {
+    pub(crate) fn gel_dose(&self, job: &ResolvedJob) -> Option<f64> {
         if let Some(together) = &self.one_exposure {
             return Some(together.gel_dose);
         }
-        let response = scene.response();
+        let response = job.response();
         let dose = |threshold: f64| f64::from(response.inverse(threshold as f32));
         self.evaluation.gel_threshold.map(dose)
     }
@@ -156,7 +157,7 @@ impl Evaluated {
 /// [`Error::Canceled`](crate::Error::Canceled), [`Error::NonFinite`](crate::Error::NonFinite), and what the model
 /// refuses.
 pub(crate) fn evaluate_patterns(
-    scene: &Scene,
+    job: &ResolvedJob,
     voxels: &Voxels,
     shown: &[Patterns],
     raw: Option<&[Patterns]>,
@@ -164,16 +165,16 @@ pub(crate) fn evaluate_patterns(
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Evaluated> {
-    let schedule = scene.spec.schedule.as_ref();
+    let schedule = job.spec.schedule.as_ref();
     let in_time_share = schedule.map_or(0.0, |_| share::IN_TIME);
     let printing = cancel.part(in_time_share);
     let cancel = &cancel.part(1.0 - in_time_share);
-    let mut steps = EvaluationSteps::new(scene, shown, evaluation_model, cancel);
+    let mut steps = EvaluationSteps::new(job, shown, evaluation_model, cancel);
     let optimization = steps.on_own_voxels(voxels, raw)?;
     let text = steps.words();
     progress.event(&Event::Note { text });
     let fine = steps.fine_voxels(voxels)?;
-    let fine_of_others = others::voxels(scene, &steps.grid, cancel)?;
+    let fine_of_others = others::voxels(job, &steps.grid, cancel)?;
     if raw.is_none() || !steps.looks_at_own() {
         steps.doses.will_show(&[shown]);
     }
@@ -184,15 +185,15 @@ pub(crate) fn evaluate_patterns(
     let [is_own_still, is_own_turning] =
         [&steps.still, &steps.turning].map(|exposed| steps.own == *exposed);
     let unrounded =
-        raw.filter(|_| scene.spec.evaluate.bit_depth < ENOUGH_BITS && !voxels.target.gray);
+        raw.filter(|_| job.spec.evaluate.bit_depth < ENOUGH_BITS && !voxels.target.gray);
     let unrounded = unrounded
         .map(|raw| steps.unrounded(&fine, raw))
         .transpose()?
         .flatten();
     let (dose, model, others) = steps.while_turning(fine_of_others)?;
-    let mean = averaged(&dose, &scene.grid);
+    let mean = averaged(&dose, &job.grid);
     cancel.check()?;
-    let numbers = Numbers::of(scene, &fine, dose, shown, cancel)?;
+    let numbers = Numbers::of(job, &fine, dose, shown, cancel)?;
     cancel.check()?;
     let Numbers {
         published,
@@ -207,31 +208,31 @@ pub(crate) fn evaluate_patterns(
         Some(_) if is_own_still => head(&standing),
         _ => written,
     };
-    let shares = scene.keep_dark(&grid)?;
+    let shares = job.keep_dark(&grid)?;
     let of_shares = |shares: &Volume<f32>| KeepDark::of(shares, &fine.labels, &response);
     let keep_dark = shares.as_ref().map(of_shares);
-    let bodies = scene.bodies(&grid, shares.as_ref())?;
+    let bodies = job.bodies(&grid, shares.as_ref())?;
     if let Some(dark) = &keep_dark {
         let text = format!("keep-dark bodies get {dark}");
         progress.event(&Event::Note { text });
     }
     let contact = evaluation.gel_threshold.and_then(|threshold| {
         let inside = &fine.target.inside;
-        Contact::of(scene.shape.as_ref(), inside, &response, threshold)
+        Contact::of(job.shape.as_ref(), inside, &response, threshold)
     });
     let own = (&response, evaluation.gel_threshold);
-    let scenarios = scenarios::judged(scene, &fine.labels.values, own, |other| {
+    let scenarios = scenarios::judged(job, &fine.labels.values, own, |other| {
         let turning = Exposed::new(&grid, other.optics.lights_turning(sub_angles));
         let mut doses = Doses::new(other);
         doses.will_show(&[shown]);
         let (dose, ..) = doses.of(&turning, shown, &cancel.aside())?;
         Ok(other.responses(dose))
     })?;
-    let in_time = in_time(scene, voxels, shown, progress, &printing)?;
-    let noise = Noise::of(scene, voxels, shown, cancel)?;
-    let agreement = CrossCheck::of(scene, voxels, shown, cross_check::PATHS, cancel)?;
-    let warnings = doubts_of(scene, shown, &evaluation, (&noise, &agreement), progress)?;
-    let one_exposure = together(scene, &evaluation, &others, progress);
+    let in_time = in_time(job, voxels, shown, progress, &printing)?;
+    let noise = Noise::of(job, voxels, shown, cancel)?;
+    let agreement = CrossCheck::of(job, voxels, shown, cross_check::PATHS, cancel)?;
+    let warnings = doubts_of(job, shown, &evaluation, (&noise, &agreement), progress)?;
+    let one_exposure = together(job, &evaluation, &others, progress);
     show(shown, (&mean, &response), &others, progress);
     Ok(Evaluated {
         evaluation,
@@ -289,7 +290,7 @@ fn show(
 /// The doses of an evaluation, one after the other, each measured before the next takes its memory: on the optimization's voxels, then on finer ones standing
 /// still, then turning.
 struct EvaluationSteps<'a> {
-    scene: &'a Scene,
+    job: &'a ResolvedJob,
     shown: &'a [Patterns],
     cancel: &'a Run,
     /// The finer voxels.
@@ -309,26 +310,26 @@ struct EvaluationSteps<'a> {
 
 impl<'a> EvaluationSteps<'a> {
     fn new(
-        scene: &'a Scene,
+        job: &'a ResolvedJob,
         shown: &'a [Patterns],
         evaluation_model: Option<&'a EvaluationModel>,
         cancel: &'a Run,
     ) -> Self {
-        let sub_angles = scene.evaluated_angles();
-        let grid = scene.fine_grid();
+        let sub_angles = job.evaluated_angles();
+        let grid = job.fine_grid();
         let [still, turning] =
-            [1, sub_angles].map(|n| Exposed::new(&grid, scene.optics.lights_turning(n)));
+            [1, sub_angles].map(|n| Exposed::new(&grid, job.optics.lights_turning(n)));
         EvaluationSteps {
-            scene,
+            job,
             shown,
             cancel,
-            own: Exposed::new(&scene.grid, scene.optics.lights.clone()),
+            own: Exposed::new(&job.grid, job.optics.lights.clone()),
             grid,
             still,
             turning,
             sub_angles,
-            doses: Doses::by(evaluation_model, scene),
-            others: Others::new(scene),
+            doses: Doses::by(evaluation_model, job),
+            others: Others::new(job),
             own_of_others: Vec::new(),
             objectives: Vec::new(),
             written: None,
@@ -358,35 +359,35 @@ impl<'a> EvaluationSteps<'a> {
         let Some(raw) = raw else {
             return Ok(None);
         };
-        let (scene, cancel) = (self.scene, self.cancel);
-        self.own_of_others = others::voxels(scene, &scene.grid, cancel)?;
+        let (job, cancel) = (self.job, self.cancel);
+        self.own_of_others = others::voxels(job, &job.grid, cancel)?;
         self.doses.will_show(&[raw, self.shown]);
         let (dose, of_others, _) =
             (self.doses).of(&self.own, raw, &cancel.part(share::OWN_DOSE))?;
         (self.others).optimized(&self.own_of_others, of_others, cancel)?;
-        self.objectives = objectives::measured(scene, voxels, &dose)?;
+        self.objectives = objectives::measured(job, voxels, &dose)?;
         cancel.check()?;
-        let response = scene.responses(dose);
+        let response = job.responses(dose);
         let run = cancel.part(share::OWN_NUMBERS);
-        let evaluation = measure(scene, voxels, &response, raw, run)?;
+        let evaluation = measure(job, voxels, &response, raw, run)?;
         self.doses.give_back(response);
         if !self.looks_at_own() {
             let (dose, of_others, _) =
                 (self.doses).of(&self.own, self.shown, &cancel.part(share::OWN_DOSE))?;
             (self.others).written(&self.own_of_others, of_others, cancel)?;
-            self.written = headline_of(scene, voxels, dose, cancel.part(share::OWN_NUMBERS))?;
+            self.written = headline_of(job, voxels, dose, cancel.part(share::OWN_NUMBERS))?;
         }
-        let sub_angles = scene.optics.lights.iter().map(|light| light.sub_angles);
+        let sub_angles = job.optics.lights.iter().map(|light| light.sub_angles);
         Ok(Some(
             evaluation.with_sub_angles(sub_angles.max().unwrap_or(1)),
         ))
     }
 
     fn fine_voxels(&self, own: &Voxels) -> Result<Voxels> {
-        if self.grid == self.scene.grid {
+        if self.grid == self.job.grid {
             return Ok(own.clone());
         }
-        (self.scene).voxels_under(&self.grid, &self.cancel.part(share::SAMPLING))
+        (self.job).voxels_under(&self.grid, &self.cancel.part(share::SAMPLING))
     }
 
     /// The written patterns while the vial stands still; None where frames have no arc, so that it turns in none.
@@ -398,16 +399,16 @@ impl<'a> EvaluationSteps<'a> {
         if self.still == self.turning {
             return Ok(None);
         }
-        let (scene, cancel) = (self.scene, self.cancel);
+        let (job, cancel) = (self.job, self.cancel);
         let (dose, doses_of_others, _) =
             (self.doses).of(&self.still, self.shown, &cancel.part(share::STANDING))?;
         if self.own == self.still {
             (self.others).written(&self.own_of_others, doses_of_others.clone(), cancel)?;
         }
         self.others.standing(of_others, doses_of_others, cancel)?;
-        let response = scene.responses(dose);
+        let response = job.responses(dose);
         let run = cancel.part(share::NUMBERS);
-        let standing = measure(scene, fine, &response, self.shown, run)?;
+        let standing = measure(job, fine, &response, self.shown, run)?;
         self.doses.give_back(response);
         Ok(Some(standing))
     }
@@ -417,7 +418,7 @@ impl<'a> EvaluationSteps<'a> {
         let run = self.cancel.aside();
         self.doses.will_show(&[raw, self.shown]);
         let (dose, ..) = self.doses.of(&self.turning, raw, &run)?;
-        let found = headline_of(self.scene, fine, dose, run)?;
+        let found = headline_of(self.job, fine, dose, run)?;
         self.doses.will_show(&[self.shown]);
         Ok(found)
     }
@@ -452,48 +453,48 @@ struct Numbers {
 
 impl Numbers {
     fn of(
-        scene: &Scene,
+        job: &ResolvedJob,
         fine: &Voxels,
         dose: Volume<f32>,
         shown: &[Patterns],
         cancel: &Run,
     ) -> Result<Self> {
-        let material = scene.response();
+        let material = job.response();
         let options = published::Options {
             response: material.as_ref(),
             gray: fine.target.gray,
             patterns: shown,
-            trim_percent: scene.spec.evaluate.trim_percent,
-            epsilon: scene.half_width(),
+            trim_percent: job.spec.evaluate.trim_percent,
+            epsilon: job.half_width(),
         };
         let inside = &fine.target.inside;
         let run = cancel.part(share::PUBLISHED);
         let (published, slices, response, evaluation) = if material.is_identity() {
             // The dose is the response: what was counted of one serves the other
             let stats = PatternStats::of(shown);
-            let print = print_under(scene, fine, &dose, run)?.with_patterns(stats);
+            let print = print_under(job, fine, &dose, run)?.with_patterns(stats);
             let (published, slices) = published::of_print(&print, inside, &options)?;
             let evaluation = evaluate(&print);
             drop(print);
             (published, slices, dose, evaluation)
         } else {
             let (published, slices) = published::by_slices(&dose, inside, &fine.labels, &options)?;
-            let response = scene.responses(dose);
-            let evaluation = measure(scene, fine, &response, shown, run)?;
+            let response = job.responses(dose);
+            let evaluation = measure(job, fine, &response, shown, run)?;
             (published, slices, response, evaluation)
         };
         Ok(Numbers {
             published,
             slices,
             response,
-            evaluation: evaluation.with_sub_angles(scene.evaluated_angles()),
+            evaluation: evaluation.with_sub_angles(job.evaluated_angles()),
         })
     }
 }
 
 /// What people should know of a print, told at once: how sure its model is, and what of its patterns and its job looks wrong.
 fn doubts_of(
-    scene: &Scene,
+    job: &ResolvedJob,
     shown: &[Patterns],
     evaluation: &Evaluation,
     (noise, agreement): (&Option<Noise>, &Option<CrossCheck>),
@@ -510,9 +511,9 @@ fn doubts_of(
         .chain(agreement.and_then(|agreement| agreement.warning()))
         .chain(doubts::of_light(shown))
         .chain(doubts::of_dose(evaluation, shown))
-        .chain(doubts::of_bound(&scene.spec, shown))
-        .chain(doubts::of_threshold(&scene.spec, evaluation))
-        .chain(too_bright(&scene.spec, shown)?)
+        .chain(doubts::of_bound(&job.spec, shown))
+        .chain(doubts::of_threshold(&job.spec, evaluation))
+        .chain(too_bright(&job.spec, shown)?)
         .collect();
     for text in warnings.iter().cloned() {
         progress.event(&Event::Warning { text });
@@ -522,7 +523,7 @@ fn doubts_of(
 
 /// All species at one exposure, and what each prints then, told at once.
 fn together(
-    scene: &Scene,
+    job: &ResolvedJob,
     evaluation: &Evaluation,
     others: &[others::Species],
     progress: &mut dyn Progress,
@@ -530,41 +531,41 @@ fn together(
     let all: Vec<&Evaluation> = std::iter::once(evaluation)
         .chain(others.iter().map(|own| &own.evaluation))
         .collect();
-    let together = one_exposure(scene, &all)?;
-    for text in of_each_species(scene, &all, &together) {
+    let together = one_exposure(job, &all)?;
+    for text in of_each_species(job, &all, &together) {
         progress.event(&Event::Note { text });
     }
     Some(together)
 }
 
 /// The prints of several species at one exposure.
-fn one_exposure(scene: &Scene, evaluations: &[&Evaluation]) -> Option<OneExposure> {
-    let over_doses = |(s, (own, evaluation)): (usize, (&Scene, &&Evaluation))| {
+fn one_exposure(job: &ResolvedJob, evaluations: &[&Evaluation]) -> Option<OneExposure> {
+    let over_doses = |(s, (own, evaluation)): (usize, (&ResolvedJob, &&Evaluation))| {
         let response = own.response();
         let dose =
             |&[threshold, iou]: &[f64; 2]| [f64::from(response.inverse(threshold as f32)), iou];
         let curve: Vec<[f64; 2]> = evaluation.curve.iter().map(dose).collect();
-        (scene.species_name(s).unwrap_or_default(), curve)
+        (job.species_name(s).unwrap_or_default(), curve)
     };
     // Gray values have no threshold that one dose could meet
     if evaluations.iter().any(|own| own.half_width.is_some()) {
         return None;
     }
-    let species = scene.species().zip(evaluations).enumerate();
+    let species = job.species().zip(evaluations).enumerate();
     let curves: Vec<_> = species.map(over_doses).collect();
     OneExposure::of(&curves)
 }
 
 /// A line for each species of several: IoU at its own best threshold, and together with the others.
 fn of_each_species(
-    scene: &Scene,
+    job: &ResolvedJob,
     evaluations: &[&Evaluation],
     together: &OneExposure,
 ) -> Vec<String> {
     let of_one = |(s, (evaluation, iou)): (usize, (&&Evaluation, &f64))| {
         Some(format!(
             "{}: IoU {:.4} at a threshold of {:.3}; {iou:.4} together with the others, where all networks gel at a dose of {:.3}",
-            scene.species_name(s).unwrap_or_default(),
+            job.species_name(s).unwrap_or_default(),
             evaluation.measures.get("iou")?,
             evaluation.gel_threshold?,
             together.gel_dose
@@ -576,40 +577,40 @@ fn of_each_species(
 
 /// The print in time on the job's voxels, where the job has a schedule.
 fn in_time(
-    scene: &Scene,
+    job: &ResolvedJob,
     voxels: &Voxels,
     shown: &[Patterns],
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Option<InTime>> {
-    if scene.spec.schedule.is_none() {
+    if job.spec.schedule.is_none() {
         return Ok(None);
     }
     let text = "printing in time, on the job's voxels".to_owned();
     progress.event(&Event::Note { text });
-    let others = scene.others.iter().map(|s| s.voxels(&scene.grid));
+    let others = job.others.iter().map(|s| s.voxels(&job.grid));
     let others = others.collect::<Result<Vec<_>>>()?;
     let all: Vec<&Voxels> = std::iter::once(voxels).chain(&others).collect();
-    print_in_time(scene, &all, shown, cancel)
+    print_in_time(job, &all, shown, cancel)
 }
 
 /// Numbers of what is solid at this response.
 pub(crate) fn measure_at(
-    scene: &Scene,
+    job: &ResolvedJob,
     voxels: &Voxels,
     response: &Volume<f32>,
     threshold: f64,
     patterns: &[Patterns],
 ) -> Result<Evaluation> {
     let mut print = Print::under(&voxels.labels, response, Run::new())?
-        .with_most_triangles(scene.most_triangles())
+        .with_most_triangles(job.most_triangles())
         .with_inside(&voxels.target.inside)?
         .with_threshold(threshold)?
         .with_patterns(PatternStats::of(patterns));
-    if !scene.spec.evaluate.surfaces {
+    if !job.spec.evaluate.surfaces {
         print = print.without_distance();
     }
-    Ok(evaluate(&print).with_sub_angles(scene.evaluated_angles()))
+    Ok(evaluate(&print).with_sub_angles(job.evaluated_angles()))
 }
 
 /// Shares of an evaluation, as an index-matched job on voxels half as large takes them.
@@ -636,32 +637,32 @@ pub(crate) fn headline(is_gray: bool) -> &'static MetricKind {
 
 /// What the metrics look at.
 pub(crate) fn print<'a>(
-    scene: &Scene,
+    job: &ResolvedJob,
     voxels: &'a Voxels,
     response: &'a Volume<f32>,
 ) -> Result<Print<'a>> {
-    print_under(scene, voxels, response, Run::new())
+    print_under(job, voxels, response, Run::new())
 }
 
 /// The same as a part of a run.
 fn print_under<'a>(
-    scene: &Scene,
+    job: &ResolvedJob,
     voxels: &'a Voxels,
     response: &'a Volume<f32>,
     run: Run,
 ) -> Result<Print<'a>> {
     let inside = &voxels.target.inside;
     let mut print = Print::under(&voxels.labels, response, run)?
-        .with_most_triangles(scene.most_triangles())
+        .with_most_triangles(job.most_triangles())
         .with_inside(inside)?
-        .with_response(scene.response());
-    if !scene.spec.evaluate.surfaces {
+        .with_response(job.response());
+    if !job.spec.evaluate.surfaces {
         print = print.without_distance();
     }
     if voxels.target.gray {
-        print = print.with_gray(inside, scene.half_width())?;
+        print = print.with_gray(inside, job.half_width())?;
     }
-    if let Some(threshold) = scene.spec.evaluate.threshold {
+    if let Some(threshold) = job.spec.evaluate.threshold {
         print = print.with_threshold(threshold)?;
     }
     Ok(print)
@@ -669,26 +670,26 @@ fn print_under<'a>(
 
 /// The headline number of a dose.
 pub(crate) fn headline_of(
-    scene: &Scene,
+    job: &ResolvedJob,
     voxels: &Voxels,
     dose: Volume<f32>,
     run: Run,
 ) -> Result<Measure> {
-    let response = scene.responses(dose);
-    let print = print_under(scene, voxels, &response, run)?;
+    let response = job.responses(dose);
+    let print = print_under(job, voxels, &response, run)?;
     Ok(headline(voxels.target.gray).metric.measure(&print))
 }
 
 /// The numbers of a print.
 pub(crate) fn measure(
-    scene: &Scene,
+    job: &ResolvedJob,
     voxels: &Voxels,
     response: &Volume<f32>,
     patterns: &[Patterns],
     run: Run,
 ) -> Result<Evaluation> {
     let stats = PatternStats::of(patterns);
-    let print = print_under(scene, voxels, response, run.part(1.0))?.with_patterns(stats);
+    let print = print_under(job, voxels, response, run.part(1.0))?.with_patterns(stats);
     let evaluation = evaluate(&print);
     // Numbers of a canceled run mean nothing
     run.check().map(|()| evaluation)
@@ -721,7 +722,7 @@ pub(crate) fn averaged(fine: &Volume<f32>, grid: &VolumeGrid) -> Volume<f32> {
     }
 }
 
-impl Scene {
+impl ResolvedJob {
     /// Half width of the band round gray values: ε of the first objective that has one, or the BCLP paper's own where there is none.
     fn half_width(&self) -> f64 {
         let given = self.kinds.epsilon();

@@ -8,7 +8,7 @@ use crate::error::Result;
 use crate::grid::{Patterns, Volume};
 use crate::job::dose::doses::standing_by;
 use crate::job::evaluate::print;
-use crate::job::resolve::{Scene, Voxels};
+use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::metrics::{Measure, iou, pw};
 use crate::models::{Family, Purpose, Run};
 use crate::target::label;
@@ -49,21 +49,21 @@ impl Noise {
     /// # Errors
     /// What the model refuses; [`Error::Canceled`](crate::Error::Canceled).
     pub(crate) fn of(
-        scene: &Scene,
+        job: &ResolvedJob,
         voxels: &Voxels,
         patterns: &[Patterns],
         cancel: &Run,
     ) -> Result<Option<Self>> {
-        let family = scene.optics.family(&scene.grid)?;
+        let family = job.optics.family(&job.grid)?;
         let Some(paths) = family.monte_carlo_paths() else {
             return Ok(None);
         };
         let response = |family: &Family, purpose: Purpose| -> Result<Volume<f32>> {
-            let dose = standing_by((Some(family), purpose), scene, patterns, cancel)?;
-            Ok(scene.responses(dose))
+            let dose = standing_by((Some(family), purpose), job, patterns, cancel)?;
+            Ok(job.responses(dose))
         };
         let measures = |response: &Volume<f32>| -> Result<[Measure; 2]> {
-            let print = print(scene, voxels, response)?;
+            let print = print(job, voxels, response)?;
             Ok([
                 iou::KIND.metric.measure(&print),
                 pw::KIND.metric.measure(&print),

@@ -4,7 +4,7 @@ use crate::error::Result;
 use crate::field::HostField;
 use crate::grid::Volume;
 use crate::job::resolve::method::JobObjective;
-use crate::job::resolve::{Scene, Voxels};
+use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::metrics::gray::gray_errors;
 use crate::models::DoseLayout;
 use crate::objective::ObjectiveInput;
@@ -15,27 +15,27 @@ use tomolith_core::parallel::elements;
 
 /// Every entry of a job's `objectives`, one after the other; none of a job with `objective`.
 pub(crate) fn measured(
-    scene: &Scene,
+    job: &ResolvedJob,
     voxels: &Voxels,
     dose: &Volume<f32>,
 ) -> Result<Vec<ObjectiveReport>> {
-    if scene.spec.objectives.is_none() {
+    if job.spec.objectives.is_none() {
         return Ok(Vec::new());
     }
     let layout = DoseLayout::new("dose", dose.grid.clone(), 0);
     let on = On {
-        scene,
+        job,
         voxels,
         dose,
         layout: &layout,
     };
-    let objectives = scene.kinds.objectives().iter();
+    let objectives = job.kinds.objectives().iter();
     objectives.map(|own| on.report(own)).collect()
 }
 
 /// A dose, and where it lies.
 struct On<'a> {
-    scene: &'a Scene,
+    job: &'a ResolvedJob,
     voxels: &'a Voxels,
     dose: &'a Volume<f32>,
     layout: &'a DoseLayout,
@@ -64,16 +64,16 @@ impl On<'_> {
 
     /// Its loss without its factor in the sum; None where a dose per voxel does not tell it.
     fn loss(&self, own: &JobObjective) -> Result<Option<f64>> {
-        if own.has_cells() || self.scene.is_optimized_in_time() {
+        if own.has_cells() || self.job.is_optimized_in_time() {
             return Ok(None);
         }
         let input = ObjectiveInput {
             layout: self.layout,
             labels: &self.voxels.labels,
             target: &self.voxels.target,
-            response: self.scene.response(),
+            response: self.job.response(),
         };
-        let objective = own.build(&input, &self.scene.base, true)?;
+        let objective = own.build(&input, &self.job.base, true)?;
         let dose = HostField::from_slice(&self.layout.field_of(self.dose));
         Ok(Some(objective.value(&dose)))
     }
@@ -84,7 +84,7 @@ impl On<'_> {
             layout: self.layout,
             labels: &self.voxels.labels,
             target: &self.voxels.target,
-            base: &self.scene.base,
+            base: &self.job.base,
         };
         let mut labels = self.voxels.labels.values.clone();
         let weight = own.common.voxel_weights(&ground)?.weight;
@@ -115,7 +115,7 @@ mod tests {
     use crate::models::Run;
 
     /// 4 × 4 voxels of 1 mm, whose centers are 0.71, 1.58 and 2.12 mm from the axis, all of gray value 0.
-    fn square(objectives: &str) -> (Scene, Voxels) {
+    fn square(objectives: &str) -> (ResolvedJob, Voxels) {
         let text = format!(
             r#"
             target = {{ phantom = {{ gratings = {{ size_mm = 2.0, height_mm = 1.0 }} }} }}
@@ -129,17 +129,17 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("job.toml");
         std::fs::write(&file, text).unwrap();
-        let scene = Scene::new(&Job::read(&file, &[]).unwrap(), &Run::new()).unwrap();
-        let mut voxels = scene.voxels_under(&scene.grid, &Run::new()).unwrap();
+        let job = ResolvedJob::under(&Job::read(&file, &[]).unwrap(), &Run::new()).unwrap();
+        let mut voxels = job.voxels_under(&job.grid, &Run::new()).unwrap();
         voxels.target.gray = true;
         voxels.target.inside.values.fill(0.0);
         voxels.labels.values.fill(label::VOID);
-        (scene, voxels)
+        (job, voxels)
     }
 
     #[test]
     fn losses_and_errors_are_those_of_the_region_without_weights_and_factors() {
-        let (scene, voxels) = square(
+        let (job, voxels) = square(
             r#"
             [[objectives]]
             bclp = { epsilon = 0.1, p = 2, q = 1 }
@@ -153,7 +153,7 @@ mod tests {
             "#,
         );
         // 0.5 in the four inner voxels; 0.25 in seven of the eight about them, 0.75 in the last; 9 in the corners
-        let mut dose = Volume::filled(scene.grid.clone(), 0.25f32);
+        let mut dose = Volume::filled(job.grid.clone(), 0.25f32);
         for (i, value) in dose.values.iter_mut().enumerate() {
             let [x, y] = [i % 4, i / 4].map(|at| at == 0 || at == 3);
             match (x, y) {
@@ -163,7 +163,7 @@ mod tests {
             }
         }
         dose.values[1] = 0.75;
-        let found = measured(&scene, &voxels, &dose).unwrap();
+        let found = measured(&job, &voxels, &dose).unwrap();
         // √(4·0.4²), √(4·0.5²/4); 2·(7·0.25² + 0.75²), √((7·0.25² + 0.75²)/8)
         let expected = [
             ("objectives[0].bclp", 3.0, 4, [0.8, 0.5, 0.5]),
@@ -184,14 +184,14 @@ mod tests {
 
     #[test]
     fn a_part_has_losses_and_no_gray_errors_and_one_objective_is_no_list() {
-        let (scene, mut voxels) =
+        let (job, mut voxels) =
             square("[[objectives]]\nl2 = {}\nregion = { radius_mm = [0.0, 1.0] }");
         voxels.target.gray = false;
-        let dose = Volume::filled(scene.grid.clone(), 0.5f32);
-        let found = measured(&scene, &voxels, &dose).unwrap();
+        let dose = Volume::filled(job.grid.clone(), 0.5f32);
+        let found = measured(&job, &voxels, &dose).unwrap();
         assert_eq!((found[0].voxels, found[0].rms_error), (4, None));
         assert!((found[0].loss.unwrap() - 1.0).abs() < 1e-6); // 4·0.5²
-        let (scene, voxels) = square("[objective.l2]");
-        assert!(measured(&scene, &voxels, &dose).unwrap().is_empty());
+        let (job, voxels) = square("[objective.l2]");
+        assert!(measured(&job, &voxels, &dose).unwrap().is_empty());
     }
 }

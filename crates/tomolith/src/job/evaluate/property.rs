@@ -3,7 +3,7 @@
 use crate::error::Result;
 use crate::grid::Volume;
 use crate::job::evaluate::Evaluated;
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 
 /// A property on the job's voxels; NaN where nothing is solid.
 pub(crate) struct Property {
@@ -16,9 +16,9 @@ pub(crate) struct Property {
 /// The properties of a print.
 ///
 /// # Errors
-/// As [`Scene::responses`].
-pub(crate) fn properties(scene: &Scene, evaluated: &Evaluated) -> Result<Vec<Property>> {
-    if scene.spec.property.is_empty() {
+/// As [`ResolvedJob::responses`].
+pub(crate) fn properties(job: &ResolvedJob, evaluated: &Evaluated) -> Result<Vec<Property>> {
+    if job.spec.property.is_empty() {
         return Ok(Vec::new());
     }
     let doses = std::iter::once((&evaluated.dose, evaluated.evaluation.gel_threshold));
@@ -27,17 +27,17 @@ pub(crate) fn properties(scene: &Scene, evaluated: &Evaluated) -> Result<Vec<Pro
         .iter()
         .map(|o| (&o.dose, o.evaluation.gel_threshold));
     let mut responses = Vec::new();
-    for (scene, (dose, gel)) in scene.species().zip(doses.chain(others)) {
+    for (job, (dose, gel)) in job.species().zip(doses.chain(others)) {
         let gel = gel.map_or(f32::INFINITY, |gel| gel as f32);
-        responses.push((scene.responses(dose.clone()), gel));
+        responses.push((job.responses(dose.clone()), gel));
     }
     let number = |name: &Option<String>| {
         let name = name.as_deref();
-        let is_named = |s: &usize| scene.species_name(*s) == name;
+        let is_named = |s: &usize| job.species_name(*s) == name;
         (0..responses.len()).find(is_named)
     };
     let mut properties = Vec::new();
-    for (spec, map) in scene.spec.property.iter().zip(&scene.property_maps) {
+    for (spec, map) in job.spec.property.iter().zip(&job.property_maps) {
         let of = &responses[number(&spec.of).unwrap_or(0)].0;
         let over = number(&spec.over).map(|s| &responses[s].0);
         let value = |v: usize| {

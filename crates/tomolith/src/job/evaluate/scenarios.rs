@@ -2,7 +2,7 @@
 
 use crate::error::Result;
 use crate::grid::Volume;
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::metrics::published::percentiles;
 use crate::metrics::scan::Scan;
 use crate::report::{ScenarioRow, ScenarioTable};
@@ -13,17 +13,17 @@ use crate::report::{ScenarioRow, ScenarioTable};
 /// # Errors
 /// Those of `response_of`.
 pub(crate) fn judged(
-    scene: &Scene,
+    resolved: &ResolvedJob,
     labels: &[u8],
     (own, threshold): (&Volume<f32>, Option<f64>),
-    mut response_of: impl FnMut(&Scene) -> Result<Volume<f32>>,
+    mut response_of: impl FnMut(&ResolvedJob) -> Result<Volume<f32>>,
 ) -> Result<Option<ScenarioTable>> {
-    if scene.scenarios.is_empty() {
+    if resolved.scenarios.is_empty() {
         return Ok(None);
     }
     let row = |name: &str, response: &Volume<f32>| -> Result<ScenarioRow> {
         let scan = Scan::new(labels, &response.values)?;
-        let [low, _, out] = percentiles(&scan, scene.spec.evaluate.trim_percent);
+        let [low, _, out] = percentiles(&scan, resolved.spec.evaluate.trim_percent);
         Ok(ScenarioRow {
             name: name.to_owned(),
             iou: scan.best_plateau().map(|plateau| plateau.iou),
@@ -34,10 +34,10 @@ pub(crate) fn judged(
         })
     };
     let mut rows = vec![row("the job", own)?];
-    for scenario in &scene.scenarios {
-        rows.push(row(&scenario.name, &response_of(&scenario.scene)?)?);
+    for scenario in &resolved.scenarios {
+        rows.push(row(&scenario.name, &response_of(&scenario.resolved)?)?);
     }
-    let of = scene.spec.robust.of.name();
+    let of = resolved.spec.robust.of.name();
     Ok(Some(ScenarioTable::new(of, threshold, rows)))
 }
 
@@ -45,12 +45,13 @@ pub(crate) fn judged(
 mod tests {
     use super::*;
     use crate::job::resolve::scenarios::tests::resolved;
+    use crate::models::Run;
 
     #[test]
     fn every_scenario_is_judged() {
         let job = resolved(&["resin.absorption_per_mm = 0.3"], &[]).unwrap();
-        let scene = &job.scene;
-        let labels = &job.voxels.labels;
+        let resolved = &job;
+        let labels = &job.own_voxels(&Run::new()).unwrap().labels;
         let own = Volume {
             grid: labels.grid.clone(),
             values: labels
@@ -59,13 +60,13 @@ mod tests {
                 .map(|&label| f32::from(label == crate::target::label::PART))
                 .collect(),
         };
-        let halved = |_: &Scene| {
+        let halved = |_: &ResolvedJob| {
             Ok(Volume {
                 grid: own.grid.clone(),
                 values: own.values.iter().map(|v| 0.5 * v).collect(),
             })
         };
-        let table = judged(scene, &labels.values, (&own, Some(0.75)), halved)
+        let table = judged(resolved, &labels.values, (&own, Some(0.75)), halved)
             .unwrap()
             .unwrap();
         // Half the dose is right at half the threshold, and prints nothing at that of the job

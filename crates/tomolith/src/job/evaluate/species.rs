@@ -5,7 +5,7 @@ use crate::grid::{Patterns, Volume, VolumeGrid};
 use crate::job::evaluate::averaged;
 use crate::job::evaluate::headline_of;
 use crate::job::evaluate::measure;
-use crate::job::resolve::{Scene, Voxels};
+use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::metrics::{Evaluation, Measure};
 use crate::models::Run;
 
@@ -34,8 +34,8 @@ pub(crate) struct Species {
 }
 
 /// Targets of the species beside the first, on a grid.
-pub(crate) fn voxels(scene: &Scene, grid: &VolumeGrid, run: &Run) -> Result<Vec<Voxels>> {
-    let others = scene.others.iter();
+pub(crate) fn voxels(job: &ResolvedJob, grid: &VolumeGrid, run: &Run) -> Result<Vec<Voxels>> {
+    let others = job.others.iter();
     others
         .map(|other| other.voxels_under(grid, &run.aside()))
         .collect()
@@ -43,14 +43,14 @@ pub(crate) fn voxels(scene: &Scene, grid: &VolumeGrid, run: &Run) -> Result<Vec<
 
 /// Measures the species beside the first while the first is measured.
 pub(crate) struct Others<'a> {
-    scene: &'a Scene,
+    job: &'a ResolvedJob,
     steps: Vec<Steps>,
 }
 
 impl<'a> Others<'a> {
-    pub(crate) fn new(scene: &'a Scene) -> Self {
-        let steps = vec![Steps::default(); scene.others.len()];
-        Others { scene, steps }
+    pub(crate) fn new(job: &'a ResolvedJob) -> Self {
+        let steps = vec![Steps::default(); job.others.len()];
+        Others { job, steps }
     }
 
     /// Notes the doses of patterns as they were optimized, on the optimization's grid.
@@ -90,9 +90,9 @@ impl<'a> Others<'a> {
         run: &Run,
         step: impl Fn(&mut Steps) -> &mut Measure,
     ) -> Result<()> {
-        let scenes = self.scene.others.iter().zip(voxels).zip(doses);
-        for (steps, ((scene, voxels), dose)) in self.steps.iter_mut().zip(scenes) {
-            *step(steps) = headline_of(scene, voxels, dose, run.aside())?;
+        let scenes = self.job.others.iter().zip(voxels).zip(doses);
+        for (steps, ((job, voxels), dose)) in self.steps.iter_mut().zip(scenes) {
+            *step(steps) = headline_of(job, voxels, dose, run.aside())?;
         }
         Ok(())
     }
@@ -105,14 +105,14 @@ impl<'a> Others<'a> {
         shown: &[Patterns],
         run: &Run,
     ) -> Result<Vec<Species>> {
-        let scenes = self.scene.others.iter().zip(fine).zip(doses);
+        let scenes = self.job.others.iter().zip(fine).zip(doses);
         let evaluated =
-            |(steps, ((scene, fine), dose)): (Steps, ((&Scene, Voxels), Volume<f32>))| {
-                let mean = averaged(&dose, &scene.grid);
-                let response = scene.responses(dose);
-                let evaluation = measure(scene, &fine, &response, shown, run.aside())?;
+            |(steps, ((job, fine), dose)): (Steps, ((&ResolvedJob, Voxels), Volume<f32>))| {
+                let mean = averaged(&dose, &job.grid);
+                let response = job.responses(dose);
+                let evaluation = measure(job, &fine, &response, shown, run.aside())?;
                 Ok(Species {
-                    evaluation: evaluation.with_sub_angles(scene.evaluated_angles()),
+                    evaluation: evaluation.with_sub_angles(job.evaluated_angles()),
                     steps,
                     dose: mean,
                     fine,

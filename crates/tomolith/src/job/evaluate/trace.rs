@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::grid::Volume;
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::job::spec::read::Job;
 use crate::models::rays::Rays;
 use crate::models::{DoseModel, Run};
@@ -56,8 +56,8 @@ impl From<PathSegment> for TracedSegment {
 }
 
 /// Rays of the job's own model, or of its optics; refuses jobs whose light is not made of rays.
-fn rays(scene: &Scene) -> Result<Rays> {
-    let family = scene.optics.family(&scene.grid)?;
+fn rays(resolved: &ResolvedJob) -> Result<Rays> {
+    let family = resolved.optics.family(&resolved.grid)?;
     let none = || {
         Err(Error::config(
             format!("model.{}", family.name()),
@@ -66,7 +66,7 @@ fn rays(scene: &Scene) -> Result<Rays> {
         ))
     };
     family
-        .rays(&scene.optics.scene(), &scene.grid)
+        .rays(&resolved.optics.scene(), &resolved.grid)
         .unwrap_or_else(none)
 }
 
@@ -75,9 +75,9 @@ fn rays(scene: &Scene) -> Result<Rays> {
 /// # Errors
 /// As a run, before any work; [`Error::Config`] for a pixel that is not there.
 pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, Volume<f32>)> {
-    let scene = Scene::new(job, cancel)?;
-    let model = rays(&scene).map_err(|e| job.locate(e))?;
-    let lights = &scene.optics.lights;
+    let resolved = ResolvedJob::under(job, cancel)?;
+    let model = rays(&resolved).map_err(|e| job.locate(e))?;
+    let lights = &resolved.optics.lights;
     for pixel in pixels {
         let grid = lights.get(pixel.light).map(|light| &light.pixels);
         let shape = grid.map_or([0; 3], |grid| grid.shape());

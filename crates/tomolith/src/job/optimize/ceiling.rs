@@ -28,7 +28,7 @@ use crate::grid::{Patterns, Volume};
 use crate::job::progress::Silent;
 use crate::job::resolve::multiresolution::{coarser_grid, coarser_lights, is_large_enough};
 use crate::job::resolve::refinement::Level;
-use crate::job::resolve::{Scene, Voxels};
+use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::job::spec::{Ceiling, CeilingTolerance};
 use crate::metrics::print::Print;
 use crate::metrics::{MetricKind, gamma, iou, surface_deviation, ver};
@@ -93,8 +93,8 @@ impl FoundCeiling {
 }
 
 /// Iterations that looking for ceilings takes in all, in those of the loop; 0 for a job that keeps the bound of its start. Those that it saves are left out: a search may find nothing.
-pub(crate) fn iterations(scene: &Scene, voxels: &Voxels) -> usize {
-    let level = coarser_level(scene, voxels.target.gray);
+pub(crate) fn iterations(job: &ResolvedJob, voxels: &Voxels) -> usize {
+    let level = coarser_level(job, voxels.target.gray);
     level.map_or(0, |level| {
         let tried = level.until + 4 * level.until.div_ceil(3).min(EACH);
         tried.div_ceil(CHEAPER) + super::finest::TRY
@@ -105,11 +105,15 @@ pub(crate) fn iterations(scene: &Scene, voxels: &Voxels) -> usize {
 ///
 /// # Errors
 /// [`Error::Canceled`].
-pub(crate) fn find(scene: &Scene, voxels: &Voxels, cancel: &Run) -> Result<Option<FoundCeiling>> {
-    let Some(level) = coarser_level(scene, voxels.target.gray) else {
+pub(crate) fn find(
+    job: &ResolvedJob,
+    voxels: &Voxels,
+    cancel: &Run,
+) -> Result<Option<FoundCeiling>> {
+    let Some(level) = coarser_level(job, voxels.target.gray) else {
         return Ok(None);
     };
-    match find_on(&level, scene, voxels, cancel) {
+    match find_on(&level, job, voxels, cancel) {
         Err(Error::Canceled) => Err(Error::Canceled),
         // Pixels of twice the width may be too wide for the model, or miss the part; what is wrong with the job itself is told by its own level
         found => Ok(found.ok().flatten()),
@@ -118,28 +122,28 @@ pub(crate) fn find(scene: &Scene, voxels: &Voxels, cancel: &Run) -> Result<Optio
 
 fn find_on(
     level: &Level,
-    scene: &Scene,
+    job: &ResolvedJob,
     voxels: &Voxels,
     cancel: &Run,
 ) -> Result<Option<FoundCeiling>> {
     let begin = Instant::now();
     let cancel = &cancel.aside();
-    let stage = Stage::new(scene, voxels, level, None, &mut Silent, cancel)?;
-    let mut x = stage.start(scene, bounding_start(scene), cancel)?;
+    let stage = Stage::new(job, voxels, level, None, &mut Silent, cancel)?;
+    let mut x = stage.start(job, bounding_start(job), cancel)?;
     if stage.model.quantity() != Quantity::Energy {
         return Ok(None);
     }
-    let of_start = stage.limits(scene, &x);
+    let of_start = stage.limits(job, &x);
     let even_dose = stage.even_dose(&x, cancel)?;
-    stage.improve_within(scene, (&mut x, &of_start), level.until, cancel)?;
+    stage.improve_within(job, (&mut x, &of_start), level.until, cancel)?;
     let search = Search {
         stage: &stage,
-        scene,
+        job,
         of_start: &of_start,
         cancel,
     };
     let (tried, mut best) = search.descend(x)?;
-    let patterns = tried.good.filter(|_| may_begin_elsewhere(scene));
+    let patterns = tried.good.filter(|_| may_begin_elsewhere(job));
     let patterns = patterns.map(|_| stage.patterns(&mut best));
     let frames = |level: &Level| -> Vec<usize> {
         level
@@ -148,7 +152,7 @@ fn find_on(
             .map(|light| light.pixels.frames())
             .collect()
     };
-    let (fine, coarse) = (frames(finest(scene)), frames(level));
+    let (fine, coarse) = (frames(finest(job)), frames(level));
     let per_frame = |(fine, coarse): (&usize, &usize)| *coarse as f64 / *fine as f64;
     let per_frame: Vec<f64> = fine.iter().zip(&coarse).map(per_frame).collect();
     let brightest: Vec<f64> = (tried.brightest.iter().zip(&per_frame))
@@ -176,28 +180,28 @@ fn find_on(
 }
 
 /// The start whose brightest pixel bounds all.
-fn bounding_start(scene: &Scene) -> &dyn InitialPatterns {
-    let start = scene.kinds.start.as_ref();
+fn bounding_start(job: &ResolvedJob) -> &dyn InitialPatterns {
+    let start = job.kinds.start.as_ref();
     let named = start.files().and_then(|files| files.bounds_as.as_deref());
     named.unwrap_or(start)
 }
 
 /// Whether nothing in a job counts from its start or asks for coarser levels of its own.
-fn may_begin_elsewhere(scene: &Scene) -> bool {
-    let (spec, stop) = (&scene.spec, &scene.spec.stop);
+fn may_begin_elsewhere(job: &ResolvedJob) -> bool {
+    let (spec, stop) = (&job.spec, &job.spec.stop);
     spec.multiresolution.is_none()
         && stop.relative_loss.is_none()
         && stop.projected_gradient.is_none()
 }
 
-fn finest(scene: &Scene) -> &Level {
-    scene.levels.last().expect("a job has a level")
+fn finest(job: &ResolvedJob) -> &Level {
+    job.levels.last().expect("a job has a level")
 }
 
 /// The level on which ceilings are tried; None for a job that keeps the bound of its start.
-fn coarser_level(scene: &Scene, is_gray: bool) -> Option<Level> {
-    let (spec, kinds, finest) = (&scene.spec, &scene.kinds, finest(scene));
-    let all = std::iter::once(scene).chain(&scene.others);
+fn coarser_level(job: &ResolvedJob, is_gray: bool) -> Option<Level> {
+    let (spec, kinds, finest) = (&job.spec, &job.kinds, finest(job));
+    let all = std::iter::once(job).chain(&job.others);
     let names_largest =
         spec.bounds.max.is_some() || spec.light.iter().any(|light| light.bounds.max.is_some());
     let has_given = kinds
@@ -206,9 +210,8 @@ fn coarser_level(scene: &Scene, is_gray: bool) -> Option<Level> {
         .is_some_and(|files| files.bounds_as.is_none());
     let in_time = spec.schedule.is_some() || spec.material.is_some();
     let has_scale = kinds.pairs().is_none()
-        || all.into_iter().any(|scene| {
-            scene.kinds.seeks_window()
-                || scene.kinds.common().any(|(_, common)| common.has_fields())
+        || all.into_iter().any(|job| {
+            job.kinds.seeks_window() || job.kinds.common().any(|(_, common)| common.has_fields())
         });
     if spec.bounds.ceiling == Ceiling::Start
         || names_largest
@@ -217,12 +220,12 @@ fn coarser_level(scene: &Scene, is_gray: bool) -> Option<Level> {
         || has_scale
         || is_gray
         || spec.evaluate.has_few_levels()
-        || !scene.scenarios.is_empty()
+        || !job.scenarios.is_empty()
         || spec.bounds.bits.is_some()
         || kinds.free.is_some()
         || spec.stop.iterations == 0
         || spec.stop.wall_s.is_some()
-        || !is_large_enough(&scene.optics, &scene.grid, FACTOR)
+        || !is_large_enough(&job.optics, &job.grid, FACTOR)
     {
         return None;
     }
@@ -245,7 +248,7 @@ struct Tried {
 /// What ceilings are tried with.
 struct Search<'a> {
     stage: &'a Stage<'a>,
-    scene: &'a Scene,
+    job: &'a ResolvedJob,
     of_start: &'a [Limits],
     cancel: &'a Run,
 }
@@ -305,9 +308,9 @@ impl Search<'_> {
         let each = stage.level.until.div_ceil(3).min(EACH);
         let mut own = x.clone();
         clip(&mut own, stage.model.patterns(), &limits)?;
-        stage.improve_within(self.scene, (&mut own, &limits), each, cancel)?;
+        stage.improve_within(self.job, (&mut own, &limits), each, cancel)?;
         let qualities = stage.qualities(&own, true, cancel)?;
-        let tolerance = &self.scene.spec.bounds.tolerance;
+        let tolerance = &self.job.spec.bounds.tolerance;
         let is_good = are_good(tolerance, FACTOR, (&tried.points[0].qualities, &qualities));
         tried.points.push(CeilingPoint { factor, qualities });
         if is_good {
@@ -354,21 +357,21 @@ impl Stage<'_> {
     /// Some iterations within these limits, which nobody watches.
     pub(crate) fn improve_within(
         &self,
-        scene: &Scene,
+        job: &ResolvedJob,
         (x, limits): (&mut HostField, &[Limits]),
         iterations: usize,
         cancel: &Run,
     ) -> Result<()> {
         let model = self.model.as_ref();
-        let objective = self.objective(scene, 0)?;
+        let objective = self.objective(job, 0)?;
         let problem = Problem::new(model, &objective, limits, cancel)?;
-        let minimized = scene.kinds.on_host();
+        let minimized = job.kinds.on_host();
         let penalties = minimized.penalties(model.patterns())?;
         let mut problem = problem.with_penalties(penalties);
         let mut optimizer = minimized.optimizer()?;
         let stop = Stop {
             iterations,
-            keep: scene.spec.stop.keep,
+            keep: job.spec.stop.keep,
             ..Stop::default()
         };
         let outcome = optimize::run(&mut problem, optimizer.as_mut(), x, &stop, None, &mut [])?;
@@ -381,15 +384,15 @@ impl Stage<'_> {
     /// What a search ended with, and that it has a lower loss than the start `x`; else the start.
     pub(crate) fn closer(
         &self,
-        scene: &Scene,
+        job: &ResolvedJob,
         (x, bounds): (HostField, &[Limits]),
         found: Vec<Patterns>,
         cancel: &Run,
     ) -> Result<(HostField, bool)> {
-        let found = Given(scene.own_patterns(self.level, found));
-        let mut found = self.start(scene, &found, cancel)?;
+        let found = Given(job.own_patterns(self.level, found));
+        let mut found = self.start(job, &found, cancel)?;
         clip(&mut found, self.model.patterns(), bounds)?;
-        let objective = self.objective(scene, 0)?;
+        let objective = self.objective(job, 0)?;
         let mut dose = self.model.new_dose()?;
         let mut loss = |x: &HostField| -> Result<f64> {
             self.model.dose(x, &mut dose, cancel)?;

@@ -4,7 +4,7 @@ use crate::error::{Error, Result};
 use crate::grid::Patterns;
 use crate::io::npy::{PatternPair, write_patterns};
 use crate::job::progress::{Event, Progress};
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::identity::as_floats;
 use crate::job::spec::read::with_every_default;
 use crate::models::Run;
@@ -86,13 +86,13 @@ const PATIENCE: Duration = Duration::from_millis(200);
 
 /// Writes the best patterns of a run that did not end well; of one that was asked to stop, where there is time for them.
 pub(crate) fn keep(
-    scene: &Scene,
+    resolved: &ResolvedJob,
     raw: &[Patterns],
     folder: &Path,
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<()> {
-    if !scene.is_first() {
+    if !resolved.is_first() {
         return Ok(());
     }
     let run = Run::with_patience(PATIENCE);
@@ -106,7 +106,7 @@ pub(crate) fn keep(
         .iter()
         .enumerate()
         .map(|(i, shown)| PatternPair {
-            light: scene.light_name(i),
+            light: resolved.light_name(i),
             shown,
             raw: None,
         })
@@ -137,8 +137,8 @@ pub(crate) fn keep(
 
 /// The tables of a job that a checkpoint depends on, with every default written out, the memory that its optimizer has, and the kind of device, whose
 /// memory of earlier steps no other reads.
-pub(crate) fn tables(scene: &Scene) -> Result<Value> {
-    let (spec, kinds) = (&scene.spec, &scene.kinds);
+pub(crate) fn tables(resolved: &ResolvedJob) -> Result<Value> {
+    let (spec, kinds) = (&resolved.spec, &resolved.kinds);
     let mut tables = with_every_default(spec.clone()).to_value()?;
     if let Some(pairs) = kinds.pairs() {
         tables["optimizer"][kinds.method()]["memory"] = pairs.into();
@@ -155,7 +155,7 @@ pub(crate) fn tables(scene: &Scene) -> Result<Value> {
             map.remove(unimportant);
         }
     }
-    let device = if scene.optics.card.is_some() {
+    let device = if resolved.optics.card.is_some() {
         "gpu"
     } else {
         "cpu"

@@ -13,7 +13,7 @@ use super::start::clip;
 use crate::error::Result;
 use crate::field::HostField;
 use crate::job::progress::Progress;
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::models::Run;
 use crate::optimize::{Limits, Outcome, StopReason};
 use crate::report::{FinestTrial, Quality};
@@ -39,7 +39,7 @@ pub(crate) struct Ended<'a> {
 /// Goes on from the ceiling that was found to a better one, if there is one on this level; what the optimization came to then.
 pub(crate) fn settle(
     stage: &Stage<'_>,
-    scene: &Scene,
+    job: &ResolvedJob,
     ended: Ended<'_>,
     found: &mut FoundCeiling,
     sofar: &mut SoFar,
@@ -50,7 +50,7 @@ pub(crate) fn settle(
     let qualities = stage.qualities(ended.x, false, cancel)?;
     let mut go_on = GoOn {
         stage,
-        scene,
+        job,
         sofar,
         progress,
         cancel,
@@ -93,7 +93,7 @@ fn scaled(bounds: &[Limits], highest: &[Limits], factor: f64) -> Vec<Limits> {
 /// What further iterations are done with.
 struct GoOn<'a, 's> {
     stage: &'a Stage<'s>,
-    scene: &'a Scene,
+    job: &'a ResolvedJob,
     sofar: &'a mut SoFar,
     progress: &'a mut dyn Progress,
     cancel: &'a Run,
@@ -106,13 +106,13 @@ impl GoOn<'_, '_> {
         let until = after.history.last().map_or(0, |row| row.iteration) + EACH;
         self.sofar.rows.clone_from(&after.history);
         self.sofar.counters = after.counters;
-        let asked = (self.scene, 0, until);
+        let asked = (self.job, 0, until);
         let Self { stage, sofar, .. } = self;
         stage.run(asked, (x, bounds), None, sofar, self.progress, self.cancel)
     }
 
     fn is_as_good(&self, own: &[Quality], other: &[Quality]) -> bool {
-        are_good(&self.scene.spec.bounds.tolerance, 1, (other, own))
+        are_good(&self.job.spec.bounds.tolerance, 1, (other, own))
     }
 
     /// Lowers the ceiling, and takes that where it prints as well.
@@ -142,8 +142,8 @@ impl GoOn<'_, '_> {
         let lowest = ended.bounds.to_vec();
         let mut x = ended.x.clone();
         let limits = scaled(&lowest, ended.highest, 2.0);
-        let (stage, scene) = (self.stage, self.scene);
-        stage.improve_within(scene, (&mut x, &limits), TRY, self.cancel)?;
+        let (stage, job) = (self.stage, self.job);
+        stage.improve_within(job, (&mut x, &limits), TRY, self.cancel)?;
         let mut trial = FinestTrial {
             tried: 2.0,
             after: stage.qualities(&x, false, self.cancel)?,

@@ -5,7 +5,7 @@ use crate::field::{Field, HostField};
 use crate::grid::Patterns;
 use crate::job::dose::written::Written;
 use crate::job::progress::{Event, Progress};
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::models::PatternLayout;
 use crate::optimize::Problem;
 use crate::optimize::levels::{self, Gain};
@@ -21,18 +21,18 @@ pub(crate) struct Levelled {
 /// # Errors
 /// As [`levels::improve`] and [`Written::of_raw`].
 pub(crate) fn improve(
-    scene: &Scene,
+    job: &ResolvedJob,
     problem: &mut Problem<HostField>,
     x: &HostField,
     progress: &mut dyn Progress,
 ) -> Result<Option<Levelled>> {
-    let evaluate = &scene.spec.evaluate;
+    let evaluate = &job.spec.evaluate;
     if !evaluate.improves_levels() {
         return Ok(None);
     }
     let lights = problem.model().patterns();
     let mut shown = |asked: &HostField| {
-        let written = Written::of_raw(patterns(lights, asked), scene)?;
+        let written = Written::of_raw(patterns(lights, asked), job)?;
         let mut x = asked.zeros_like();
         for (light, shown) in lights.iter().zip(&written.shown) {
             light.fill_field(shown, x.as_mut_slice());

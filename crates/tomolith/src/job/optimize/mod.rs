@@ -8,6 +8,7 @@ pub(crate) mod rehearsal;
 pub(crate) mod row_balance;
 pub(crate) mod stage;
 pub(crate) mod start;
+pub(crate) mod task;
 pub(crate) mod watch;
 
 use crate::error::{Error, Result};
@@ -18,7 +19,7 @@ use crate::job::dose::doses::Exposed;
 use crate::job::progress::{Event, Progress};
 use crate::job::resolve::free_parameters::FoundResponse;
 use crate::job::resolve::identity::fingerprint;
-use crate::job::resolve::{Scene, Voxels, at_section};
+use crate::job::resolve::{ResolvedJob, Voxels, at_section};
 use crate::models::Run;
 use crate::objective::FoundWindow;
 use crate::optimize::start::given::Given;
@@ -90,38 +91,38 @@ pub(crate) struct CheckpointPlan<'a> {
 /// # Errors
 /// [`Error::Canceled`] and [`Error::NonFinite`] leave the best patterns so far in the checkpoint folder.
 pub(crate) fn optimize(
-    scene: &Scene,
+    job: &ResolvedJob,
     voxels: &Voxels,
     plan: CheckpointPlan<'_>,
     kept: &mut KeptParts,
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Optimized> {
-    let (mut checkpoints, resumed) = open_checkpoints(scene, voxels, plan, progress)?;
-    let key = kept::key(scene, voxels)?;
+    let (mut checkpoints, resumed) = open_checkpoints(job, voxels, plan, progress)?;
+    let key = kept::key(job, voxels)?;
     let mut evaluation_model = kept.take(key);
     let mut carried: Option<Vec<Patterns>> = None;
     let (mut bounds, mut of_start) = (Vec::new(), Vec::new());
     let mut pixels: Option<Vec<&PatternGrid>> = None;
     let mut sofar = SoFar::default();
-    let mut ceiling = ceiling::find(scene, voxels, cancel)?;
+    let mut ceiling = ceiling::find(job, voxels, cancel)?;
     if let Some(found) = &ceiling {
         let text = found.report.sentence();
         progress.event(&Event::Note { text });
     }
-    let own_levels = scene.own_levels();
-    for (i, (level, own_level)) in scene.levels.iter().zip(own_levels.as_ref()).enumerate() {
-        let is_last = i + 1 == scene.levels.len();
+    let own_levels = job.own_levels();
+    for (i, (level, own_level)) in job.levels.iter().zip(own_levels.as_ref()).enumerate() {
+        let is_last = i + 1 == job.levels.len();
         let stage = Stage::new(
-            scene,
+            job,
             voxels,
             own_level,
             evaluation_model.take(),
             progress,
             cancel,
         );
-        let stage = scene.agreed(stage)?;
-        let mut stage = stage.shared(scene);
+        let stage = job.agreed(stage)?;
+        let mut stage = stage.shared(job);
         if i == 0 {
             let text = stage.reason.clone();
             progress.event(&Event::Note { text });
@@ -129,10 +130,10 @@ pub(crate) fn optimize(
         let mut start = None;
         let own = level.lights.iter().map(|light| &light.pixels).collect();
         if pixels.as_ref() != Some(&own) {
-            let given = scene.own_start(level)?;
+            let given = job.own_start(level)?;
             let parts = (&mut *kept, key);
             let brightens = resumed.is_none();
-            let first = stage.first_patterns(scene, given.as_ref(), brightens, parts, cancel)?;
+            let first = stage.first_patterns(job, given.as_ref(), brightens, parts, cancel)?;
             (bounds, sofar.first_loss) = (first.bounds, first.loss);
             of_start.clone_from(&bounds);
             let mut x = first.patterns;
@@ -143,9 +144,9 @@ pub(crate) fn optimize(
             let goes_on = ceiling.as_mut().filter(|_| i == 0 && resumed.is_none());
             if let Some(found) = goes_on.and_then(FoundCeiling::take_patterns) {
                 let is_closer;
-                (x, is_closer) = stage.closer(scene, (x, &bounds), found, cancel)?;
+                (x, is_closer) = stage.closer(job, (x, &bounds), found, cancel)?;
                 if is_closer {
-                    sofar.rows = vec![Row::at(scene.spec.stop.iterations / ceiling::SHARE)];
+                    sofar.rows = vec![Row::at(job.spec.stop.iterations / ceiling::SHARE)];
                 }
             }
             (start, pixels) = (Some(x), Some(own));
@@ -159,18 +160,18 @@ pub(crate) fn optimize(
             (None, Some(x)) => x,
             (None, None) => stage.model.new_patterns()?,
             (Some(raw), _) => {
-                let given = Given(scene.own_patterns(level, raw));
-                let mut x = stage.start(scene, &given, cancel)?;
+                let given = Given(job.own_patterns(level, raw));
+                let mut x = stage.start(job, &given, cancel)?;
                 start::clip(&mut x, stage.model.patterns(), &bounds)?;
                 x
             }
         };
         checkpoints.begin_level(i);
-        if let Some(shares) = scene.shares(level, stage.model.patterns()) {
+        if let Some(shares) = job.shares(level, stage.model.patterns()) {
             checkpoints.share(shares);
         }
         let ran = stage.run_and_widen(
-            scene,
+            job,
             (&mut x, &bounds),
             &mut checkpoints,
             &mut sofar,
@@ -187,17 +188,17 @@ pub(crate) fn optimize(
                     highest: &of_start,
                     outcome,
                 };
-                finest::settle(&stage, scene, ended, found, &mut sofar, progress, cancel)
+                finest::settle(&stage, job, ended, found, &mut sofar, progress, cancel)
             }
             (ran, _) => ran,
         };
         let goes_on = matches!(&ran, Ok(outcome) if outcome.reason != StopReason::Canceled);
         let raw = stage.patterns(&mut x);
-        let raw = scene.whole_patterns(level, raw, goes_on && !is_last);
+        let raw = job.whole_patterns(level, raw, goes_on && !is_last);
         let ended = match ran {
             Ok(outcome) if outcome.reason == StopReason::Canceled => Err(Error::Canceled),
             Ok(outcome) if is_last => {
-                let end = stage.end(scene, &outcome, (&x, &bounds), &raw, progress, cancel);
+                let end = stage.end(job, &outcome, (&x, &bounds), &raw, progress, cancel);
                 end.map(|end| (outcome, end))
             }
             Ok(outcome) => {
@@ -217,7 +218,7 @@ pub(crate) fn optimize(
                 let key = key.filter(|_| stage.dark.is_empty());
                 kept.put(key, exposed, &stage.model, &stage.reason);
                 Ok(optimized(
-                    scene,
+                    job,
                     stage,
                     (raw, outcome, end),
                     (sofar, ceiling),
@@ -225,7 +226,7 @@ pub(crate) fn optimize(
                 ))
             }
             Err(error) => {
-                keep(scene, &raw, plan.folder, progress, cancel)?;
+                keep(job, &raw, plan.folder, progress, cancel)?;
                 Err(at_section("optimizer", error))
             }
         };
@@ -235,22 +236,22 @@ pub(crate) fn optimize(
 
 /// The checkpoints of a run, and the level that it goes on in.
 fn open_checkpoints(
-    scene: &Scene,
+    job: &ResolvedJob,
     voxels: &Voxels,
     plan: CheckpointPlan<'_>,
     progress: &mut dyn Progress,
 ) -> Result<(Checkpoints, Option<usize>)> {
-    let tables = tables(scene)?;
-    let fingerprint = scene.agreed(fingerprint(&tables, voxels, &scene.base))?;
-    scene.must_agree(fingerprint)?;
-    let checkpoints = Checkpoints::new(plan.folder, fingerprint, &scene.spec.checkpoint)?;
+    let tables = tables(job)?;
+    let fingerprint = job.agreed(fingerprint(&tables, voxels, &job.base))?;
+    job.must_agree(fingerprint)?;
+    let checkpoints = Checkpoints::new(plan.folder, fingerprint, &job.spec.checkpoint)?;
     let mut checkpoints = checkpoints.describing(tables);
-    let resumed = if plan.resume || scene.is_first() {
+    let resumed = if plan.resume || job.is_first() {
         resumes(&checkpoints, plan.resume, progress)
     } else {
         Ok(None)
     };
-    let resumed = scene.agreed(resumed)?;
+    let resumed = job.agreed(resumed)?;
     if resumed.is_none() {
         checkpoints.begin_anew();
     }
@@ -262,14 +263,14 @@ fn open_checkpoints(
 
 /// What an optimization came to, whose warnings are told.
 fn optimized(
-    scene: &Scene,
+    job: &ResolvedJob,
     stage: Stage<'_>,
     (raw, outcome, end): (Vec<Patterns>, Outcome, EndOfLevel),
     (sofar, ceiling): (SoFar, Option<FoundCeiling>),
     progress: &mut dyn Progress,
 ) -> Optimized {
     let mut warnings = sofar.warnings;
-    let at_end = warnings_at_end(scene, &outcome, end.window.as_ref(), stage.found.as_ref());
+    let at_end = warnings_at_end(job, &outcome, end.window.as_ref(), stage.found.as_ref());
     let of_ceiling = ceiling.as_ref().and_then(|found| found.report.warning());
     for text in at_end.into_iter().chain(of_ceiling) {
         warnings.push(text.clone());
@@ -293,15 +294,15 @@ fn optimized(
 /// What people should know of how an optimization ended: that it did nothing, what its process window falls short of, and that a parameter
 /// ended at an end of its range.
 fn warnings_at_end(
-    scene: &Scene,
+    job: &ResolvedJob,
     outcome: &Outcome,
     window: Option<&FoundWindow>,
     found: Option<&FoundResponse>,
 ) -> Vec<String> {
-    let (normalizes, bits) = (scene.kinds.normalizes, scene.spec.bounds.bits);
+    let (normalizes, bits) = (job.kinds.normalizes, job.spec.bounds.bits);
     let idle = idle(&outcome.history, normalizes, bits);
     let of_window = window.and_then(FoundWindow::warning);
-    let of_response = scene.kinds.free.as_ref().zip(found);
+    let of_response = job.kinds.free.as_ref().zip(found);
     let of_response = of_response.map(|(free, found)| free.at_ends(found));
     let of_response = of_response.into_iter().flatten();
     idle.into_iter()
@@ -310,7 +311,7 @@ fn warnings_at_end(
         .collect()
 }
 
-impl Scene {
+impl ResolvedJob {
     /// Name of a light for files: none when there is only one.
     pub(crate) fn light_name(&self, i: usize) -> Option<&str> {
         if self.spec.light.len() == 1 {

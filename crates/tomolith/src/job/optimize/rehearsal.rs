@@ -5,7 +5,7 @@ use crate::error::{Error, Result};
 use crate::job::dose::cache::KeptParts;
 use crate::job::progress::Silent;
 use crate::job::resolve::refinement::Level;
-use crate::job::resolve::{Scene, Voxels};
+use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::models::Run;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
@@ -20,7 +20,7 @@ const PAUSE: Duration = Duration::from_millis(20);
 ///
 /// # Errors
 /// What [`optimize`](crate::job::optimize::optimize) refuses before its first step; [`Error::Canceled`].
-pub(crate) fn rehearse(scene: &Scene, voxels: &Voxels, cancel: &Run) -> Result<bool> {
+pub(crate) fn rehearse(job: &ResolvedJob, voxels: &Voxels, cancel: &Run) -> Result<bool> {
     let limited = Run::new();
     let done = thread::scope(|threads| {
         let (over, wait) = channel::<()>();
@@ -35,7 +35,7 @@ pub(crate) fn rehearse(scene: &Scene, voxels: &Voxels, cancel: &Run) -> Result<b
                 }
             }
         });
-        let done = (scene.levels.iter()).try_for_each(|level| begin(scene, voxels, level, limited));
+        let done = (job.levels.iter()).try_for_each(|level| begin(job, voxels, level, limited));
         drop(over);
         done
     });
@@ -47,18 +47,18 @@ pub(crate) fn rehearse(scene: &Scene, voxels: &Voxels, cancel: &Run) -> Result<b
 }
 
 /// A level up to its first iteration.
-fn begin(scene: &Scene, voxels: &Voxels, level: &Level, run: &Run) -> Result<()> {
+fn begin(job: &ResolvedJob, voxels: &Voxels, level: &Level, run: &Run) -> Result<()> {
     let level = Level {
         until: 0,
         ..level.clone()
     };
     let silent = &mut Silent;
-    let stage = Stage::new(scene, voxels, &level, None, silent, run)?;
-    let given = scene.own_start(&level)?;
+    let stage = Stage::new(job, voxels, &level, None, silent, run)?;
+    let given = job.own_start(&level)?;
     let parts = (&mut KeptParts::default(), None);
-    let first = stage.first_patterns(scene, given.as_ref(), true, parts, run)?;
+    let first = stage.first_patterns(job, given.as_ref(), true, parts, run)?;
     let (mut x, bounds) = (first.patterns, first.bounds);
     let sofar = &mut SoFar::default();
-    stage.run((scene, 0, 0), (&mut x, &bounds), None, sofar, silent, run)?;
+    stage.run((job, 0, 0), (&mut x, &bounds), None, sofar, silent, run)?;
     Ok(())
 }

@@ -14,7 +14,7 @@ use crate::grid::Patterns;
 use crate::job::dose::in_time::Shown;
 use crate::job::progress::{Event, Progress};
 use crate::job::resolve::species::beginnings;
-use crate::job::resolve::{Scene, Voxels, at_section};
+use crate::job::resolve::{ResolvedJob, Voxels, at_section};
 use crate::models::Run;
 use crate::report::number::told_apart;
 use tomolith_material::curves::IdealExposure;
@@ -36,21 +36,21 @@ type Times = Vec<[f64; 2]>;
 /// # Errors
 /// [`Error::Config`](crate::Error::Config) for a network whose dose depends on the power; those of the print.
 pub(crate) fn level(
-    scene: &Scene,
+    job: &ResolvedJob,
     voxels: &[&Voxels],
     mut patterns: Vec<Patterns>,
     progress: &mut dyn Progress,
     run: &Run,
 ) -> Result<Vec<Patterns>> {
     let alone = vec![("resin".to_owned(), vec![1.0; patterns.len()])];
-    let rows = scene.mixing.as_deref().unwrap_or(&alone);
+    let rows = job.mixing.as_deref().unwrap_or(&alone);
     let follows: Vec<Option<usize>> = beginnings(rows)
         .into_iter()
         .map(|begin| begin.map(|(species, _)| species))
         .collect();
     let mut first = None;
     for round in 0..=ROUNDS {
-        let (times, end_s) = times(scene, voxels, &patterns, run)?;
+        let (times, end_s) = times(job, voxels, &patterns, run)?;
         let spread = spread(&times);
         let before = *first.get_or_insert(spread);
         if round == ROUNDS || times.iter().all(|times| width(times) < LEVEL) {
@@ -62,7 +62,7 @@ pub(crate) fn level(
         for (light, species) in follows.iter().enumerate() {
             if let Some(species) = species {
                 rescale(&mut patterns[light], &times[*species], end_s);
-                keep_below(&mut patterns[light], bound(scene, light));
+                keep_below(&mut patterns[light], bound(job, light));
             }
         }
     }
@@ -71,13 +71,13 @@ pub(crate) fn level(
 
 /// When the heights of each network are done; those that are not, by what they have of it at the end.
 fn times(
-    scene: &Scene,
+    job: &ResolvedJob,
     voxels: &[&Voxels],
     patterns: &[Patterns],
     run: &Run,
 ) -> Result<(Vec<Times>, f64)> {
     let run = run.aside();
-    let shown = Shown::new(scene, patterns, &run)?;
+    let shown = Shown::new(job, patterns, &run)?;
     let heights = voxels.iter().enumerate();
     let mut heights = heights
         .map(|(s, voxels)| Heights::new(&shown.material, s, &voxels.labels))
@@ -92,7 +92,7 @@ fn times(
     };
     let of = |heights: &Heights| -> Times {
         let done = heights.done().into_iter().enumerate();
-        done.filter_map(|(z, done)| Some([scene.grid.z(z), seconds(done?)]))
+        done.filter_map(|(z, done)| Some([job.grid.z(z), seconds(done?)]))
             .collect()
     };
     Ok((heights.iter().map(of).collect(), end_s))
@@ -139,8 +139,8 @@ fn rescale(patterns: &mut Patterns, times: &Times, end_s: f64) {
 }
 
 /// The brightest pixel that the job allows a light; none: as bright as is asked.
-fn bound(scene: &Scene, light: usize) -> Option<f64> {
-    let spec = &scene.spec;
+fn bound(job: &ResolvedJob, light: usize) -> Option<f64> {
+    let spec = &job.spec;
     spec.light[light].bounds.max.or(spec.bounds.max)
 }
 

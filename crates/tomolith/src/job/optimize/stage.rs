@@ -18,7 +18,7 @@ use crate::job::resolve::method::{JobKinds, Minimized};
 use crate::job::resolve::refinement;
 use crate::job::resolve::refinement::Level;
 use crate::job::resolve::scenarios;
-use crate::job::resolve::{Scene, Voxels};
+use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::models::masked::{darken, pixels_through};
 use crate::models::scenarios::SharedModel;
 use crate::models::sharded::Sharded;
@@ -86,19 +86,19 @@ pub(crate) struct Stage<'a> {
 impl<'a> Stage<'a> {
     /// A level with its model, or with one that is there already.
     pub(crate) fn new(
-        scene: &Scene,
+        job: &ResolvedJob,
         voxels: &'a Voxels,
         level: &'a Level,
         evaluation_model: Option<EvaluationModel>,
         progress: &mut dyn Progress,
         cancel: &Run,
     ) -> Result<Self> {
-        let voxels = if level.grid == scene.grid {
+        let voxels = if level.grid == job.grid {
             Cow::Borrowed(voxels)
         } else {
-            Cow::Owned(scene.voxels_under(&level.grid, &cancel.aside())?)
+            Cow::Owned(job.voxels_under(&level.grid, &cancel.aside())?)
         };
-        let others = scene.others.iter();
+        let others = job.others.iter();
         let others = others.map(|other| other.voxels_under(&level.grid, &cancel.aside()));
         let others = others.collect::<Result<Vec<_>>>()?;
         if let Some(EvaluationModel { model, reason, .. }) = evaluation_model {
@@ -117,23 +117,23 @@ impl<'a> Stage<'a> {
         let all: Vec<&Voxels> = std::iter::once(voxels.as_ref()).chain(&others).collect();
         let optics = OpticalScene {
             lights: &level.lights,
-            ..scene.optimizing()
+            ..job.optimizing()
         };
-        let asked = scene.optics.model.as_ref();
-        let plan = if scene.is_optimized_in_time() {
-            planned_in_time(scene, (asked, optics), level, &all, cancel)?
+        let asked = job.optics.model.as_ref();
+        let plan = if job.is_optimized_in_time() {
+            planned_in_time(job, (asked, optics), level, &all, cancel)?
         } else {
-            planned(scene, asked, optics, &level.grid, Some(&all), cancel)?
+            planned(job, asked, optics, &level.grid, Some(&all), cancel)?
         };
         let straight = plan.surrogate.as_deref();
         let known = straight.unwrap_or(&plan.model);
-        let of_bodies = dark_pixels(scene, &level.grid, known, progress, cancel)?;
+        let of_bodies = dark_pixels(job, &level.grid, known, progress, cancel)?;
         let mut dark = of_bodies.clone().unwrap_or_else(|| plan.dark.clone());
         for (dark, left_out) in dark.iter_mut().zip(&plan.dark) {
             *dark |= left_out;
         }
         let model = plan.model.and_dark(of_bodies.unwrap_or_default());
-        let (model, nominal) = joined(scene, model, &dark, level, cancel)?;
+        let (model, nominal) = joined(job, model, &dark, level, cancel)?;
         Ok(Stage {
             level,
             voxels,
@@ -147,9 +147,9 @@ impl<'a> Stage<'a> {
         })
     }
 
-    /// The same with the dose of the frames of all ranks, where the scene's frames are shared. Called by all ranks.
-    pub(crate) fn shared(mut self, scene: &Scene) -> Self {
-        let Some(ranks) = &scene.ranks else {
+    /// The same with the dose of the frames of all ranks, where the job's frames are shared. Called by all ranks.
+    pub(crate) fn shared(mut self, job: &ResolvedJob) -> Self {
+        let Some(ranks) = &job.ranks else {
             return self;
         };
         let of_all = |model| Sharded::new(model, Arc::clone(ranks));
@@ -166,13 +166,13 @@ impl<'a> Stage<'a> {
 
     pub(crate) fn start(
         &self,
-        scene: &Scene,
+        job: &ResolvedJob,
         start: &dyn InitialPatterns,
         cancel: &Run,
     ) -> Result<HostField> {
         let own = self.nominal.as_deref().unwrap_or(self.model.as_ref());
         let models = (own, self.straight.as_deref());
-        let mut x = starting_patterns(scene, &self.all_voxels(), models, start, cancel)?;
+        let mut x = starting_patterns(job, &self.all_voxels(), models, start, cancel)?;
         darken(x.as_mut_slice(), &self.dark);
         Ok(x)
     }
@@ -187,36 +187,36 @@ impl<'a> Stage<'a> {
     /// What follows the last iteration: the response that was found, few levels, heights, and the process window. `raw` are the patterns in `x`.
     pub(crate) fn end(
         &mut self,
-        scene: &Scene,
+        job: &ResolvedJob,
         outcome: &Outcome,
         (x, bounds): (&HostField, &[Limits]),
         raw: &[Patterns],
         progress: &mut dyn Progress,
         cancel: &Run,
     ) -> Result<EndOfLevel> {
-        self.find(scene, outcome)?;
+        self.find(job, outcome)?;
         let begin = Instant::now();
-        let levels = self.improve(scene, x, bounds, progress, cancel)?;
-        let levelled = self.levelled(scene, raw, progress, cancel)?;
+        let levels = self.improve(job, x, bounds, progress, cancel)?;
+        let levelled = self.levelled(job, raw, progress, cancel)?;
         Ok(EndOfLevel {
             levels,
             levelled,
             seconds: begin.elapsed().as_secs_f64(),
-            window: self.window(scene, x, cancel)?,
+            window: self.window(job, x, cancel)?,
         })
     }
 
     /// Takes the response that an optimization found.
-    fn find(&mut self, scene: &Scene, outcome: &Outcome) -> Result<()> {
-        if let Some(free) = &scene.kinds.free {
+    fn find(&mut self, job: &ResolvedJob, outcome: &Outcome) -> Result<()> {
+        if let Some(free) = &job.kinds.free {
             self.found = free.found(&outcome.response)?;
         }
         Ok(())
     }
 
     /// The loss of all species, with the response that was found; with thresholds that lie so many steps further apart than those of the job.
-    pub(crate) fn objective(&self, scene: &Scene, wider: usize) -> Result<Sum<HostField>> {
-        let mut sum = self.objective_of_job(scene, wider)?;
+    pub(crate) fn objective(&self, job: &ResolvedJob, wider: usize) -> Result<Sum<HostField>> {
+        let mut sum = self.objective_of_job(job, wider)?;
         if let Some(found) = &self.found {
             sum.set_response(&found.response)?;
         }
@@ -224,60 +224,69 @@ impl<'a> Stage<'a> {
     }
 
     /// The kinds of the job, with thresholds that lie so many steps further apart.
-    fn kinds<'s>(&self, scene: &'s Scene, wider: usize) -> Cow<'s, JobKinds> {
-        let wider = (wider > 0).then(|| refinement::widened(&scene.kinds, wider));
+    fn kinds<'s>(&self, job: &'s ResolvedJob, wider: usize) -> Cow<'s, JobKinds> {
+        let wider = (wider > 0).then(|| refinement::widened(&job.kinds, wider));
         wider
             .flatten()
-            .map_or(Cow::Borrowed(&scene.kinds), Cow::Owned)
+            .map_or(Cow::Borrowed(&job.kinds), Cow::Owned)
     }
 
     /// The loss of the one species of a model, for any fields, with the response that was found.
     #[cfg(feature = "gpu")]
-    fn objective_on<F: Field>(&self, scene: &Scene, minimized: &Minimized<F>) -> Result<Sum<F>> {
-        let mut sum = scene.objective(minimized, &self.model.outputs()[0], &self.voxels)?;
+    fn objective_on<F: Field>(
+        &self,
+        job: &ResolvedJob,
+        minimized: &Minimized<F>,
+    ) -> Result<Sum<F>> {
+        let mut sum = job.objective(minimized, &self.model.outputs()[0], &self.voxels)?;
         if let Some(found) = &self.found {
             sum.set_response(&found.response)?;
         }
         Ok(sum)
     }
 
-    fn objective_of_job(&self, scene: &Scene, wider: usize) -> Result<Sum<HostField>> {
+    fn objective_of_job(&self, job: &ResolvedJob, wider: usize) -> Result<Sum<HostField>> {
         let outputs = self.model.outputs();
-        let own = |scene: &Scene, layout: &DoseLayout, voxels: &Voxels| {
-            scene.objective(self.kinds(scene, wider).on_host(), layout, voxels)
+        let own = |job: &ResolvedJob, layout: &DoseLayout, voxels: &Voxels| {
+            job.objective(self.kinds(job, wider).on_host(), layout, voxels)
         };
         if outputs.len() == 1 {
-            return own(scene, &outputs[0], &self.voxels);
+            return own(job, &outputs[0], &self.voxels);
         }
         // Scenarios ask the same of every output
-        let same = (scene, self.voxels.as_ref());
-        let of_species = scene.species().zip(self.all_voxels());
-        let asked = of_species.chain(std::iter::repeat_n(same, scene.scenarios.len()));
+        let same = (job, self.voxels.as_ref());
+        let of_species = job.species().zip(self.all_voxels());
+        let asked = of_species.chain(std::iter::repeat_n(same, job.scenarios.len()));
         let mut parts: Vec<(&DoseLayout, Box<dyn Objective<HostField>>)> = Vec::new();
-        for ((scene, voxels), layout) in asked.zip(outputs) {
+        for ((job, voxels), layout) in asked.zip(outputs) {
             let alone = DoseLayout {
                 offset: 0,
                 ..layout.clone()
             };
-            parts.push((layout, Box::new(own(scene, &alone, voxels)?)));
+            parts.push((layout, Box::new(own(job, &alone, voxels)?)));
         }
-        let joined = PerBlock::new(parts, scenarios::join(&scene.spec));
+        let joined = PerBlock::new(parts, scenarios::join(&job.spec));
         Sum::new(vec![(1.0, Box::new(joined))])
     }
 
-    pub(crate) fn limits(&self, scene: &Scene, start: &HostField) -> Vec<Limits> {
-        let (model, normalizes) = (self.model.as_ref(), scene.kinds.normalizes);
-        limits(&scene.spec, model, start, normalizes)
+    pub(crate) fn limits(&self, job: &ResolvedJob, start: &HostField) -> Vec<Limits> {
+        let (model, normalizes) = (self.model.as_ref(), job.kinds.normalizes);
+        limits(&job.spec, model, start, normalizes)
     }
 
     /// The process window of patterns, where an objective looks for it.
-    fn window(&self, scene: &Scene, x: &HostField, cancel: &Run) -> Result<Option<FoundWindow>> {
-        if !scene.kinds.seeks_window() {
+    fn window(
+        &self,
+        job: &ResolvedJob,
+        x: &HostField,
+        cancel: &Run,
+    ) -> Result<Option<FoundWindow>> {
+        if !job.kinds.seeks_window() {
             return Ok(None);
         }
         let mut dose = self.model.new_dose()?;
         self.model.dose(x, &mut dose, &cancel.aside())?;
-        Ok(self.objective(scene, 0)?.window(&dose))
+        Ok(self.objective(job, 0)?.window(&dose))
     }
 
     /// The patterns in `x`, whose pixels that are to stay dark are made dark.
@@ -289,45 +298,41 @@ impl<'a> Stage<'a> {
     /// The patterns with rows rescaled so that all heights are done at once; None where the job does not ask for it.
     fn levelled(
         &self,
-        scene: &Scene,
+        job: &ResolvedJob,
         raw: &[Patterns],
         progress: &mut dyn Progress,
         cancel: &Run,
     ) -> Result<Option<Vec<Patterns>>> {
-        let asked = scene
-            .spec
-            .schedule
-            .as_ref()
-            .is_some_and(|s| s.level_heights);
+        let asked = job.spec.schedule.as_ref().is_some_and(|s| s.level_heights);
         if !asked {
             return Ok(None);
         }
-        let own = scene.species().map(|species| species.voxels(&scene.grid));
+        let own = job.species().map(|species| species.voxels(&job.grid));
         let own = own.collect::<Result<Vec<_>>>()?;
         let voxels: Vec<&Voxels> = own.iter().collect();
-        heights::level(scene, &voxels, raw.to_vec(), progress, cancel).map(Some)
+        heights::level(job, &voxels, raw.to_vec(), progress, cancel).map(Some)
     }
 
     /// The patterns on few levels of the machine, where the job has few.
     fn improve(
         &self,
-        scene: &Scene,
+        job: &ResolvedJob,
         x: &HostField,
         bounds: &[Limits],
         progress: &mut dyn Progress,
         cancel: &Run,
     ) -> Result<Option<Levelled>> {
         let model = self.model.as_ref();
-        let objective = self.objective(scene, 0)?;
+        let objective = self.objective(job, 0)?;
         let mut problem = Problem::new(model, &objective, bounds, cancel)?
-            .with_penalties(scene.kinds.on_host().penalties(model.patterns())?);
-        levels::improve(scene, &mut problem, x, progress)
+            .with_penalties(job.kinds.on_host().penalties(model.patterns())?);
+        levels::improve(job, &mut problem, x, progress)
     }
 
     /// Runs the optimizer on this level, and goes on with a wider window where the loss becomes 0 before the iterations are over.
     pub(crate) fn run_and_widen(
         &self,
-        scene: &Scene,
+        job: &ResolvedJob,
         (x, bounds): (&mut HostField, &[Limits]),
         checkpoints: &mut Checkpoints,
         sofar: &mut SoFar,
@@ -335,7 +340,7 @@ impl<'a> Stage<'a> {
         cancel: &Run,
     ) -> Result<Outcome> {
         let until = self.level.until;
-        let own = (scene, 0, until);
+        let own = (job, 0, until);
         let mut outcome = self.run(own, (x, bounds), Some(checkpoints), sofar, progress, cancel)?;
         for steps in 1.. {
             let at = outcome.history.last().map_or(0, |row| row.iteration);
@@ -343,7 +348,7 @@ impl<'a> Stage<'a> {
                 break;
             }
             let mut widened = false;
-            for species in scene.species() {
+            for species in job.species() {
                 widened |= refinement::widened(&species.kinds, steps).is_some();
             }
             if !widened {
@@ -354,7 +359,7 @@ impl<'a> Stage<'a> {
             });
             sofar.rows = outcome.history;
             sofar.counters = outcome.counters;
-            let own = (scene, steps, until);
+            let own = (job, steps, until);
             outcome = self.run(own, (x, bounds), None, sofar, progress, cancel)?;
         }
         Ok(outcome)
@@ -363,7 +368,7 @@ impl<'a> Stage<'a> {
     /// Runs the optimizer on this level up to an iteration, after those before; on a graphics card where the job has one and the model a form for it.
     pub(crate) fn run(
         &self,
-        (scene, wider, until): (&Scene, usize, usize),
+        (job, wider, until): (&ResolvedJob, usize, usize),
         (x, bounds): (&mut HostField, &[Limits]),
         checkpoints: Option<&mut Checkpoints>,
         sofar: &mut SoFar,
@@ -372,34 +377,34 @@ impl<'a> Stage<'a> {
     ) -> Result<Outcome> {
         let around = (bounds, checkpoints, sofar, progress);
         #[cfg(feature = "gpu")]
-        if let Some((model, minimized)) = self.on_card(scene, wider, cancel)? {
-            let objective = self.objective_on(scene, &minimized)?;
+        if let Some((model, minimized)) = self.on_card(job, wider, cancel)? {
+            let objective = self.objective_on(job, &minimized)?;
             let mut there = model.new_patterns()?;
             there.copy_from_host(x.as_slice());
             let on_card = (&model as _, objective, &minimized);
-            let ran = self.run_on((scene, until), on_card, &mut there, around, cancel);
+            let ran = self.run_on((job, until), on_card, &mut there, around, cancel);
             let found = there.to_host();
             there.gpu().check()?;
             x.copy_from_host(&found);
             return ran;
         }
-        let objective = self.objective(scene, wider)?;
-        let on_host = (self.model.as_ref() as _, objective, scene.kinds.on_host());
-        self.run_on((scene, until), on_host, x, around, cancel)
+        let objective = self.objective(job, wider)?;
+        let on_host = (self.model.as_ref() as _, objective, job.kinds.on_host());
+        self.run_on((job, until), on_host, x, around, cancel)
     }
 
     /// Model and method on the job's graphics card, where it has one, and all of the stage has a form for it.
     #[cfg(feature = "gpu")]
     fn on_card(
         &self,
-        scene: &Scene,
+        job: &ResolvedJob,
         wider: usize,
         cancel: &Run,
     ) -> Result<Option<(GpuStrips, Minimized<GpuField>)>> {
-        let (Some(card), Some(form)) = (&scene.optics.card, self.model.strips()) else {
+        let (Some(card), Some(form)) = (&job.optics.card, self.model.strips()) else {
             return Ok(None);
         };
-        let kinds = self.kinds(scene, wider);
+        let kinds = self.kinds(job, wider);
         let model = GpuStrips::new(card.gpu(), &form, cancel)?;
         Ok(Some((model, kinds.on()?)))
     }
@@ -407,7 +412,7 @@ impl<'a> Stage<'a> {
     /// The same with model, objective and method for one kind of fields.
     fn run_on<F: Field>(
         &self,
-        (scene, until): (&Scene, usize),
+        (job, until): (&ResolvedJob, usize),
         (model, objective, minimized): (&dyn DoseModel<Field = F>, Sum<F>, &Minimized<F>),
         x: &mut F,
         (bounds, checkpoints, sofar, progress): Around<'_, '_>,
@@ -415,10 +420,10 @@ impl<'a> Stage<'a> {
     ) -> Result<Outcome> {
         // What is watched on the way is the first species, the part
         let layout = model.outputs()[0].clone();
-        let spec = &scene.spec;
+        let spec = &job.spec;
         let mut optimizer = minimized.optimizer()?;
         let fixed;
-        let problem = if let Some(free) = &scene.kinds.free {
+        let problem = if let Some(free) = &job.kinds.free {
             Problem::with_free_response(model, free.objective(objective)?, bounds, cancel)?
         } else {
             fixed = objective;
@@ -427,7 +432,7 @@ impl<'a> Stage<'a> {
         let mut problem = problem
             .with_penalties(minimized.penalties(model.patterns())?)
             .with_bits(spec.bounds.bits)?;
-        let response = scene.response();
+        let response = job.response();
         let input = start_input(model, (&self.voxels, None), response.as_ref(), &[]);
         if optimizer.requirements().target.is_some() {
             problem = problem.with_target(input.target_field()?);
@@ -450,12 +455,8 @@ impl<'a> Stage<'a> {
         let mut labels = layout.field_of(&self.voxels.labels);
         labels.truncate(layout.voxels());
         let mut watch = Watch {
-            scene,
-            iterations: scene
-                .levels
-                .last()
-                .map_or(0, |level| level.until)
-                .max(until),
+            job,
+            iterations: job.levels.last().map_or(0, |level| level.until).max(until),
             updates: model.updates(),
             lights: model.patterns(),
             doses: model.outputs(),
@@ -487,13 +488,13 @@ impl<'a> Stage<'a> {
 /// # Errors
 /// [`Error::Config`] when that leaves no pixel.
 fn dark_pixels(
-    scene: &Scene,
+    job: &ResolvedJob,
     grid: &VolumeGrid,
     model: &dyn DoseModel<Field = HostField>,
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Option<Vec<bool>>> {
-    let Some(shares) = scene.keep_dark(grid)? else {
+    let Some(shares) = job.keep_dark(grid)? else {
         return Ok(None);
     };
     let places = Volume {

@@ -6,7 +6,7 @@ use crate::field::{Field, HostField};
 use crate::grid::Volume;
 use crate::job::dose::cache::{BoundingStart, KeptParts, start_key};
 use crate::job::resolve::species::beginnings;
-use crate::job::resolve::{Scene, Voxels};
+use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::job::spec::JobSpec;
 use crate::job::spec::species::Row as SpeciesRow;
 use crate::models::{DoseModel, PatternLayout, Quantity, Run};
@@ -41,7 +41,7 @@ const GLIMMER: f64 = 0.01;
 /// Where the optimization begins: within the bounds that the job gives. A model whose unknowns are amplitudes begins at the
 /// roots of what straight light would begin with.
 pub(crate) fn starting_patterns(
-    scene: &Scene,
+    job: &ResolvedJob,
     voxels: &[&Voxels],
     (model, straight): (
         &dyn DoseModel<Field = HostField>,
@@ -50,20 +50,20 @@ pub(crate) fn starting_patterns(
     start: &dyn InitialPatterns,
     cancel: &Run,
 ) -> Result<HostField> {
-    let bounds = &scene.spec.bounds;
-    let given = scene.spec.light.iter().map(|light| Limits {
+    let bounds = &job.spec.bounds;
+    let given = job.spec.light.iter().map(|light| Limits {
         min: light.bounds.min.unwrap_or(bounds.min),
         max: light.bounds.max.or(bounds.max).unwrap_or(f64::INFINITY),
     });
     let limits: Vec<Limits> = given.collect();
-    let response = scene.response();
-    let absorption = scene.optics.lights[0].absorption_on(&voxels[0].labels.grid);
+    let response = job.response();
+    let absorption = job.optics.lights[0].absorption_on(&voxels[0].labels.grid);
     let seen = (voxels[0], absorption.as_ref());
     let input = |model| start_input(model, seen, response.as_ref(), &limits);
     let known = straight.unwrap_or(model);
-    let mut x = match scene.rows() {
+    let mut x = match job.rows() {
         Some(rows) if !start.is_given() => {
-            starting_lights(scene, (&rows, voxels), known, start, (&limits, cancel))?
+            starting_lights(job, (&rows, voxels), known, start, (&limits, cancel))?
         }
         _ => start.patterns(&input(known), cancel)?,
     };
@@ -71,7 +71,7 @@ pub(crate) fn starting_patterns(
         return Ok(x);
     }
     into_amplitudes(&mut x, GLIMMER)?;
-    if start.is_given() && scene.kinds.start.is_given() {
+    if start.is_given() && job.kinds.start.is_given() {
         return Ok(x);
     }
     // A pupil takes light that rays would have brought
@@ -88,24 +88,24 @@ pub(crate) fn clip(x: &mut HostField, lights: &[PatternLayout], bounds: &[Limits
 
 /// Where each light begins: with the species that it drives most, as if it were alone.
 fn starting_lights(
-    scene: &Scene,
+    job: &ResolvedJob,
     (rows, voxels): (&[SpeciesRow], &[&Voxels]),
     model: &dyn DoseModel<Field = HostField>,
     start: &dyn InitialPatterns,
     (limits, cancel): (&[Limits], &Run),
 ) -> Result<HostField> {
     let mut x = model.new_patterns()?;
-    let scenes: Vec<&Scene> = scene.species().collect();
+    let scenes: Vec<&ResolvedJob> = job.species().collect();
     for (i, begins) in beginnings(rows).into_iter().enumerate() {
         let (Some((s, factor)), Some(alone)) = (begins, model.of_light(i)) else {
             continue;
         };
         let response = scenes[s].response();
-        let absorption = scene.optics.lights[i].absorption_on(&voxels[s].labels.grid);
+        let absorption = job.optics.lights[i].absorption_on(&voxels[s].labels.grid);
         let seen = (voxels[s], absorption.as_ref());
         let input = start_input(&*alone, seen, response.as_ref(), &limits[i..=i]);
         let mut own = start.patterns(&input, cancel)?;
-        own.scale((factor * scene.dose_needed(s, i)?) as f32);
+        own.scale((factor * job.dose_needed(s, i)?) as f32);
         x.as_mut_slice()[model.patterns()[i].range()].copy_from_slice(own.as_slice());
     }
     Ok(x)
@@ -187,27 +187,27 @@ impl Stage<'_> {
     /// several files the best, `brightens`: scaled to suit the objective.
     pub(crate) fn first_patterns(
         &self,
-        scene: &Scene,
+        job: &ResolvedJob,
         given: Option<&Given>,
         brightens: bool,
         (kept, model): (&mut KeptParts, Option<u64>),
         cancel: &Run,
     ) -> Result<FirstPatterns> {
-        let of_job = scene.kinds.start.as_ref();
+        let of_job = job.kinds.start.as_ref();
         let files = of_job.files();
         let start = given.map_or(of_job, |given| given as _);
-        let mut patterns = self.start(scene, start, cancel)?;
+        let mut patterns = self.start(job, start, cancel)?;
         let (bounds, loss) = match files.and_then(|files| files.bounds_as.as_deref()) {
-            None => (self.limits(scene, &patterns), None),
+            None => (self.limits(job, &patterns), None),
             Some(own) => {
                 let model = model.filter(|_| !own.is_given());
-                let key = model.map(|model| start_key(model, &scene.spec));
+                let key = model.map(|model| start_key(model, &job.spec));
                 let own = match kept.take_start(key) {
                     Some(own) => own,
-                    None => self.bounding(scene, own, cancel)?,
+                    None => self.bounding(job, own, cancel)?,
                 };
-                let bounds = self.limits(scene, &own.patterns);
-                let of_dose = |dose| Ok(self.objective(scene, 0)?.value(dose));
+                let bounds = self.limits(job, &own.patterns);
+                let of_dose = |dose| Ok(self.objective(job, 0)?.value(dose));
                 let loss = own.dose.as_ref().map(of_dose).transpose()?;
                 kept.put_start(key, own);
                 clip(&mut patterns, self.model.patterns(), &bounds)?;
@@ -215,7 +215,7 @@ impl Stage<'_> {
             }
         };
         if let Some(files) = files.filter(|files| files.scaled && brightens) {
-            self.brighten(scene, files, &mut patterns, &bounds, cancel)?;
+            self.brighten(job, files, &mut patterns, &bounds, cancel)?;
         }
         Ok(FirstPatterns {
             patterns,
@@ -226,12 +226,12 @@ impl Stage<'_> {
 
     fn bounding(
         &self,
-        scene: &Scene,
+        job: &ResolvedJob,
         start: &dyn InitialPatterns,
         cancel: &Run,
     ) -> Result<BoundingStart> {
-        let patterns = self.start(scene, start, cancel)?;
-        let is_asked = scene.spec.stop.relative_loss.is_some();
+        let patterns = self.start(job, start, cancel)?;
+        let is_asked = job.spec.stop.relative_loss.is_some();
         let mut dose = is_asked.then(|| self.model.new_dose()).transpose()?;
         if let Some(dose) = &mut dose {
             self.model.dose(&patterns, dose, cancel)?;
@@ -243,7 +243,7 @@ impl Stage<'_> {
     /// suits the objective best; for doses that are linear in them. One dose call each, two where the bounds hold what would be brighter.
     fn brighten(
         &self,
-        scene: &Scene,
+        job: &ResolvedJob,
         files: &Files,
         x: &mut HostField,
         bounds: &[Limits],
@@ -252,20 +252,20 @@ impl Stage<'_> {
         if !self.model.is_linear() {
             return Ok(());
         }
-        let objective = self.objective(scene, 0)?;
+        let objective = self.objective(job, 0)?;
         let mut dose = self.model.new_dose()?;
         let mut lowest = f64::INFINITY;
         let given = x.clone();
         let ahead = |[from, to]: &[OfFile; 2]| {
-            let mut ahead = self.start(scene, to, cancel)?;
-            ahead.axpy(-1.0, &self.start(scene, from, cancel)?);
+            let mut ahead = self.start(job, to, cancel)?;
+            ahead.axpy(-1.0, &self.start(job, from, cancel)?);
             ahead.axpy(1.0, &given);
             Ok(ahead)
         };
         let own = || Ok(given.clone());
-        let of_files = (files.or.iter()).map(|file| self.start(scene, file, cancel));
+        let of_files = (files.or.iter()).map(|file| self.start(job, file, cancel));
         let further = of_files.chain(files.step.iter().map(ahead));
-        let further = further.filter(|_| scene.ranks.is_none());
+        let further = further.filter(|_| job.ranks.is_none());
         for candidate in std::iter::once_with(own).chain(further) {
             let mut candidate = candidate?;
             clip(&mut candidate, self.model.patterns(), bounds)?;

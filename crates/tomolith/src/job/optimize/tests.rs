@@ -53,14 +53,14 @@ fn started(model: &str) -> (Voxels, planner::ModelPlan, HostField) {
     );
     std::fs::write(&file, text).unwrap();
     let job = Job::read(&file, &[]).unwrap();
-    let scene = Scene::new(&job, &Run::new()).unwrap();
-    let voxels = scene.voxels(&scene.grid).unwrap();
-    let (asked, wanted) = (scene.optics.model.as_ref(), voxels.wanted());
-    let (optics, run) = (scene.optimizing(), Run::new());
-    let plan = planner::plan(asked, optics, &scene.grid, Some(&wanted), &run).unwrap();
+    let resolved = ResolvedJob::under(&job, &Run::new()).unwrap();
+    let voxels = resolved.voxels(&resolved.grid).unwrap();
+    let (asked, wanted) = (resolved.optics.model.as_ref(), voxels.wanted());
+    let (optics, run) = (resolved.optimizing(), Run::new());
+    let plan = planner::plan(asked, optics, &resolved.grid, Some(&wanted), &run).unwrap();
     let models = (&plan.model as _, plan.surrogate.as_deref());
-    let start = scene.kinds.start.as_ref();
-    let x = starting_patterns(&scene, &[&voxels], models, start, &Run::new()).unwrap();
+    let start = resolved.kinds.start.as_ref();
+    let x = starting_patterns(&resolved, &[&voxels], models, start, &Run::new()).unwrap();
     (voxels, plan, x)
 }
 
@@ -127,8 +127,8 @@ fn measured_iterations_thin_out_evenly() {
     assert_eq!(measured(1024).len(), 1 + 8 + 4 * 7);
 }
 
-/// A gear in a matched vial, its scene and voxels.
-fn gear(more: &str) -> (Scene, Voxels) {
+/// A gear in a matched vial, its job and voxels.
+fn gear(more: &str) -> (ResolvedJob, Voxels) {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("job.toml");
     let text = format!(
@@ -143,26 +143,26 @@ fn gear(more: &str) -> (Scene, Voxels) {
         "#
     );
     std::fs::write(&file, text).unwrap();
-    let scene = Scene::new(&Job::read(&file, &[]).unwrap(), &Run::new()).unwrap();
-    let voxels = scene.voxels(&scene.grid).unwrap();
-    (scene, voxels)
+    let resolved = ResolvedJob::under(&Job::read(&file, &[]).unwrap(), &Run::new()).unwrap();
+    let voxels = resolved.voxels(&resolved.grid).unwrap();
+    (resolved, voxels)
 }
 
 /// What an optimization below a share of the brightest pixel of the start comes to, and the share that it is raised to.
 fn raised_from(share: f64) -> (usize, f64, f64) {
-    let (scene, voxels) = gear("");
+    let (resolved, voxels) = gear("");
     let (run, silent) = (Run::new(), &mut crate::job::progress::Silent);
-    let mut found = ceiling::find(&scene, &voxels, &run).unwrap().unwrap();
-    let level = scene.levels.last().unwrap();
-    let stage = Stage::new(&scene, &voxels, level, None, silent, &run).unwrap();
-    let start = scene.kinds.start.as_ref();
-    let mut x = stage.start(&scene, start, &run).unwrap();
-    let highest = stage.limits(&scene, &x);
+    let mut found = ceiling::find(&resolved, &voxels, &run).unwrap().unwrap();
+    let level = resolved.levels.last().unwrap();
+    let stage = Stage::new(&resolved, &voxels, level, None, silent, &run).unwrap();
+    let start = resolved.kinds.start.as_ref();
+    let mut x = stage.start(&resolved, start, &run).unwrap();
+    let highest = stage.limits(&resolved, &x);
     let mut bounds = highest.clone();
     bounds[0].max *= share;
     start::clip(&mut x, stage.model.patterns(), &bounds).unwrap();
     let sofar = &mut SoFar::default();
-    let asked = (&scene, 0, level.until);
+    let asked = (&resolved, 0, level.until);
     let outcome = stage.run(asked, (&mut x, &bounds), None, sofar, silent, &run);
     let ended = finest::Ended {
         x: &mut x,
@@ -171,7 +171,7 @@ fn raised_from(share: f64) -> (usize, f64, f64) {
         outcome: outcome.unwrap(),
     };
     let found_one = &mut found;
-    let outcome = finest::settle(&stage, &scene, ended, found_one, sofar, silent, &run).unwrap();
+    let outcome = finest::settle(&stage, &resolved, ended, found_one, sofar, silent, &run).unwrap();
     let by = found.report.finest.as_ref().unwrap().changed_by;
     let warns = found.report.warning().is_some();
     assert_eq!(warns, by > 1.0);
@@ -195,7 +195,7 @@ fn a_ceiling_rises_where_it_costs_quality_on_the_finest_level_and_falls_where_it
 fn an_optimization_goes_on_from_the_search_for_its_ceiling() {
     let place = tempfile::tempdir().unwrap();
     let first = |more: &str| {
-        let (scene, voxels) = gear(more);
+        let (resolved, voxels) = gear(more);
         let folder = place.path();
         let plan = CheckpointPlan {
             folder,
@@ -203,7 +203,7 @@ fn an_optimization_goes_on_from_the_search_for_its_ceiling() {
             keeps_end: false,
         };
         let (kept, silent) = (&mut KeptParts::default(), &mut crate::job::progress::Silent);
-        let done = optimize(&scene, &voxels, plan, kept, silent, &Run::new()).unwrap();
+        let done = optimize(&resolved, &voxels, plan, kept, silent, &Run::new()).unwrap();
         let brightest = done.raw[0].values.iter().copied().fold(0.0, f32::max);
         let history = done.outcome.history;
         assert!(history.last().unwrap().iteration >= 20);

@@ -2,7 +2,7 @@
 
 use crate::field::{Field, HostField};
 use crate::job::progress::{Event, Progress, Snapshot};
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
 use crate::models::{DoseLayout, PatternLayout};
@@ -45,7 +45,7 @@ pub(crate) fn is_measured(iteration: usize) -> bool {
 
 /// Tells progress, measures the print now and then, and stops at the loss or IoU that was asked for.
 pub(crate) struct Watch<'a> {
-    pub(crate) scene: &'a Scene,
+    pub(crate) job: &'a ResolvedJob,
     /// Iterations of all levels.
     pub(crate) iterations: usize,
     pub(crate) updates: u64,
@@ -69,7 +69,7 @@ impl Watch<'_> {
     /// Copies for an observer that asked for them.
     fn show<F: Field>(&mut self, report: &StepReport<'_, F>) {
         let wants = self.progress.wants();
-        if !wants.any() || self.scene.ranks.is_some() {
+        if !wants.any() || self.job.ranks.is_some() {
             return;
         }
         let mut patterns = Vec::new();
@@ -81,7 +81,7 @@ impl Watch<'_> {
         if wants.dose || wants.print {
             let bytes = report.dose.host_bytes();
             let field = bytemuck::cast_slice(&bytes);
-            for (species, layout) in self.scene.species().zip(self.doses) {
+            for (species, layout) in self.job.species().zip(self.doses) {
                 let volume = layout.volume_of(field);
                 if wants.print {
                     print.push(species.responses(volume.clone()));
@@ -100,7 +100,7 @@ impl Watch<'_> {
     }
 
     fn reached<F: Field>(&mut self, report: &StepReport<'_, F>) -> bool {
-        let stop = &self.scene.spec.stop;
+        let stop = &self.job.spec.stop;
         let (loss, asked) = (stop.loss, stop.iou);
         let begin = Instant::now();
         self.print = self.measure(report, asked.is_some());
@@ -122,7 +122,7 @@ impl Watch<'_> {
         if !(decides || !self.is_gray && (last || is_measured(iteration))) {
             return None;
         }
-        let response = self.scene.response();
+        let response = self.job.response();
         let bytes = report.dose.host_bytes();
         let dose = self.layout.voxels_of(bytemuck::cast_slice(&bytes));
         let values: Cow<'_, [f32]> = if response.is_identity() {

@@ -9,7 +9,7 @@ use crate::job::dose::written as device;
 use crate::job::output::frames::Shown;
 use crate::job::progress::stage;
 use crate::job::progress::{Event, Progress, watched};
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::machine;
 use crate::job::resolve::method::response;
 use crate::job::resolve::optics::Optics;
@@ -271,13 +271,13 @@ fn matrix_stages(
     cancel: &Run,
 ) -> Result<[usize; 3]> {
     stage(progress, cancel, "reading the job");
-    let scene = Scene::new(job, cancel)?;
-    let family = scene.optics.family(&scene.grid)?;
+    let resolved = ResolvedJob::under(job, cancel)?;
+    let family = resolved.optics.family(&resolved.grid)?;
     must_be_linear(&family).map_err(|e| job.locate(e))?;
-    let asked = scene.optics.model.as_ref();
-    let plan = planner::plan(asked, scene.optics.scene(), &scene.grid, None, cancel)?;
+    let asked = resolved.optics.model.as_ref();
+    let plan = planner::plan(asked, resolved.optics.scene(), &resolved.grid, None, cancel)?;
     let entries = if family.capabilities().fills {
-        let (voxels, pixels) = (scene.grid.len() as f64, scene.extent.pixels as f64);
+        let (voxels, pixels) = (resolved.grid.len() as f64, resolved.extent.pixels as f64);
         let text = format!(
             "light that spreads reaches every voxel from every pixel: {:.2e} entries",
             voxels * pixels
@@ -292,7 +292,7 @@ fn matrix_stages(
         "grid.pitch_mm",
         "memory for the matrix",
         needed_mb,
-        memory_budget_mb(scene.spec.resources.memory_gb),
+        memory_budget_mb(resolved.spec.resources.memory_gb),
         "fewer voxels, pixels or angles; try `--toy`",
     )?;
     progress.event(&Event::Note { text: plan.reason });

@@ -21,7 +21,7 @@ use crate::job::optimize::gray_levels::sentence;
 use crate::job::output::folder::Leaves;
 use crate::job::output::frames::WrittenFrames;
 use crate::job::progress::{Event, Progress, left_out};
-use crate::job::resolve::{Scene, Voxels};
+use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::job::spec::file_names::of_network;
 use crate::job::spec::read::Job;
 use crate::job::spec::{LightSpec, MovieCoding};
@@ -46,7 +46,7 @@ use tomolith_material::curves::{CurvePoint, IdealExposure};
 /// Everything there is at the end of a run.
 pub(crate) struct Done<'a> {
     pub(crate) job: &'a Job,
-    pub(crate) scene: Scene,
+    pub(crate) resolved: ResolvedJob,
     pub(crate) voxels: Voxels,
     pub(crate) patterns: Written,
     pub(crate) evaluated: Evaluated,
@@ -71,7 +71,7 @@ pub(crate) fn all(
     run: &Run,
 ) -> Result<Headline> {
     let Done {
-        scene,
+        resolved,
         voxels,
         patterns,
         evaluated,
@@ -83,22 +83,22 @@ pub(crate) fn all(
         .iter()
         .enumerate()
         .map(|(i, shown)| PatternPair {
-            light: scene.light_name(i),
+            light: resolved.light_name(i),
             shown,
             raw: patterns.raw.as_ref().map(|raw| &raw[i]),
         })
         .collect();
-    let frames = patterns.frames(scene)?;
+    let frames = patterns.frames(resolved)?;
     let sets: Vec<FrameSet<'_>> = frames
         .iter()
         .enumerate()
-        .map(|(i, levels)| levels.frames(scene.light_name(i)))
+        .map(|(i, levels)| levels.frames(resolved.light_name(i)))
         .collect();
-    let gel_dose = evaluated.gel_dose(scene);
-    let names: Vec<Option<&str>> = (0..frames.len()).map(|i| scene.light_name(i)).collect();
+    let gel_dose = evaluated.gel_dose(resolved);
+    let names: Vec<Option<&str>> = (0..frames.len()).map(|i| resolved.light_name(i)).collect();
     let shown = Shown::new(
-        &scene.spec,
-        scene.printers.as_deref(),
+        &resolved.spec,
+        resolved.printers.as_deref(),
         &names,
         &frames,
         gel_dose,
@@ -113,12 +113,12 @@ pub(crate) fn all(
         }
         return numbers(done, folder, timings, (&shown, overrun));
     }
-    let properties = properties(scene, evaluated)?;
+    let properties = properties(resolved, evaluated)?;
     let arrays = || -> Result<()> {
         write_patterns(&new.join("patterns.npz"), &pairs, &run.part(0.2))?;
         write_volume(&new.join("dose.npy"), &evaluated.dose, &run.part(0.05))?;
         for (s, other) in evaluated.others.iter().enumerate() {
-            let name = scene.species_name(s + 1).unwrap_or_default();
+            let name = resolved.species_name(s + 1).unwrap_or_default();
             let file = new.join(format!("dose_{name}.npy"));
             write_volume(&file, &other.dose, &run.aside())?;
         }
@@ -126,7 +126,7 @@ pub(crate) fn all(
             let file = new.join(format!("{}.npy", property.name));
             write_volume(&file, &property.values, &run.aside())?;
         }
-        if scene.spec.output.evaluation {
+        if resolved.spec.output.evaluation {
             write_evaluation(evaluated, &new.join("evaluation"), run)?;
         }
         write_vti(
@@ -143,9 +143,9 @@ pub(crate) fn all(
     // The large arrays go to the disk while frames, movies and the surface are made
     let (arrays, written) = std::thread::scope(|scope| {
         let arrays = scope.spawn(arrays);
-        let written = shown.write(&new, &scene.name, &sets, progress, &run.part(0.35));
+        let written = shown.write(&new, &resolved.name, &sets, progress, &run.part(0.35));
         let written = written.and_then(|mut written| {
-            let surface = print(scene, evaluated, &new, run.part(0.15));
+            let surface = print(resolved, evaluated, &new, run.part(0.15));
             let warnings = &mut written.warnings;
             let deviation = left_out(SURFACE, surface, progress, warnings)?;
             Ok((written, deviation.flatten()))
@@ -198,9 +198,9 @@ fn write_evaluation(evaluated: &Evaluated, folder: &Path, run: &Run) -> Result<(
 /// The job with every default written out, after the parameters of the response that it found.
 fn described(done: &Done<'_>) -> Result<String> {
     let found = done.optimized.as_ref().and_then(|o| o.found.as_ref());
-    let found = done.scene.kinds.free.as_ref().zip(found);
+    let found = done.resolved.kinds.free.as_ref().zip(found);
     let found = found.map_or_else(String::new, |(free, found)| found.comments(free));
-    Ok(format!("{found}{}", done.job.resolved().to_toml()?))
+    Ok(format!("{found}{}", done.job.complete().to_toml()?))
 }
 
 /// The files of a run whose numbers alone are asked for.
@@ -218,7 +218,7 @@ fn numbers(
     let models = models(done);
     folder.describe(&described(done)?, &models)?;
     let headline = Headline::of(done, shown)?;
-    let properties = properties(&done.scene, &done.evaluated)?;
+    let properties = properties(&done.resolved, &done.evaluated)?;
     let made = Made {
         movies: Vec::new(),
         deviation: None,
@@ -243,19 +243,19 @@ pub(crate) struct Headline {
 
 impl Headline {
     fn of(done: &Done<'_>, shown: &Shown<'_>) -> Result<Self> {
-        let (scene, evaluated) = (&done.scene, &done.evaluated);
+        let (resolved, evaluated) = (&done.resolved, &done.evaluated);
         // One light after the other. A schedule says itself how long it takes, and its print when to stop
         let times = shown.lights().iter().map(|light| light.budget.time_s);
         let times = times.sum::<Option<f64>>();
-        let own_s = times.filter(|_| scene.spec.schedule.is_none());
-        let gel_dose = evaluated.gel_dose(scene);
+        let own_s = times.filter(|_| resolved.spec.schedule.is_none());
+        let gel_dose = evaluated.gel_dose(resolved);
         let rate = gel_dose.zip(own_s);
         let others = evaluated.others.iter().map(|other| &other.evaluation);
-        let all: Vec<_> = scene
+        let all: Vec<_> = resolved
             .species()
             .zip(std::iter::once(&evaluated.evaluation).chain(others))
             .collect();
-        let window = |(own, evaluation): (&Scene, &Evaluation)| {
+        let window = |(own, evaluation): (&ResolvedJob, &Evaluation)| {
             let response = own.response();
             let dose = |threshold: f64| f64::from(response.inverse(threshold as f32));
             // A resin that gels at a higher dose takes less of the same light
@@ -265,9 +265,14 @@ impl Headline {
             ExposureWindow::new(evaluation, response.as_ref(), time_s)
         };
         let one_exposure = evaluated.one_exposure.clone();
-        let mut limits = limits(scene, evaluated, done.optimized.as_ref(), done.job.is_toy);
+        let mut limits = limits(
+            resolved,
+            evaluated,
+            done.optimized.as_ref(),
+            done.job.is_toy,
+        );
         for (own, evaluation) in limits.iter_mut().zip(all.iter().map(|(_, print)| print)) {
-            own.sentence += &judged_on(evaluation, scene.extent.refine);
+            own.sentence += &judged_on(evaluation, resolved.extent.refine);
             if done.job.is_toy && !own.sentence.contains(" toy ") {
                 own.sentence += &format!(" This is a toy of the job: {TOY}.");
             }
@@ -342,17 +347,16 @@ fn report(
 ) -> Result<()> {
     let Done {
         job,
-        scene,
+        resolved,
         patterns,
         evaluated,
         ..
     } = done;
-    let resolved = job.resolved();
     let lights = patterns
         .shown
         .iter()
         .zip(exposures.lights())
-        .zip(&scene.spec.light)
+        .zip(&resolved.spec.light)
         .map(|((shown, exposure), light)| LightReport {
             name: light.name.as_deref().unwrap_or(""),
             patterns: shown,
@@ -368,7 +372,7 @@ fn report(
     let found_ceiling = done.optimized.as_ref().and_then(|o| o.ceiling.as_ref());
     let found_ceiling = found_ceiling.map(|found| &found.report);
     let data = ReportData {
-        part: &scene.name,
+        part: &resolved.name,
         program: concat!("Tomolith ", env!("CARGO_PKG_VERSION")),
         created: &date(std::time::SystemTime::now()),
         facts: facts(done),
@@ -380,7 +384,7 @@ fn report(
         response: &evaluated.response,
         inside: Some(&evaluated.fine.target.inside),
         bodies: evaluated.bodies.as_ref(),
-        window: scene.kinds.thresholds(),
+        window: resolved.kinds.thresholds(),
         evaluation: &evaluated.evaluation,
         standing: Some(&evaluated.standing),
         optimization: evaluated.optimization.as_ref(),
@@ -405,8 +409,8 @@ fn report(
         ceiling: found_ceiling,
         deviation: made.deviation.as_ref(),
         movies: made.movies,
-        job_text: &resolved.to_toml()?,
-        notes: (scene.notes.iter().cloned())
+        job_text: &job.complete().to_toml()?,
+        notes: (resolved.notes.iter().cloned())
             .chain(found_ceiling.map(CeilingReport::sentence))
             .collect(),
         warnings: [
@@ -489,7 +493,7 @@ fn write_time(
         })?;
         let file = new.join(format!("cure_time{end}.npy"));
         write_volume(&file, &network.cure_times, &run.aside())?;
-        if done.scene.spec.output.movie != MovieCoding::None {
+        if done.resolved.spec.output.movie != MovieCoding::None {
             let movie = network.write_movie(&new.join(format!("print{end}.mp4")), run);
             left_out(MOVIE_IN_TIME, movie, progress, warnings)?;
         }
@@ -509,9 +513,11 @@ fn map(property: &Property) -> MapReport<'_> {
 /// What every species prints, where the job names some.
 fn species<'a>(done: &'a Done<'_>, headline: &'a Headline) -> Vec<SpeciesReport<'a>> {
     let Done {
-        scene, evaluated, ..
+        resolved,
+        evaluated,
+        ..
     } = done;
-    let Some(rows) = &scene.mixing else {
+    let Some(rows) = &resolved.mixing else {
         return Vec::new();
     };
     let first = (&evaluated.evaluation, &evaluated.fine, &evaluated.response);
@@ -521,19 +527,19 @@ fn species<'a>(done: &'a Done<'_>, headline: &'a Headline) -> Vec<SpeciesReport<
         .map(|other| (&other.evaluation, &other.fine, &other.response));
     let prints = std::iter::once(first).chain(others);
     let said = headline.exposures.iter().zip(&headline.limits);
-    let species = rows.iter().zip(scene.species()).zip(prints).zip(said);
+    let species = rows.iter().zip(resolved.species()).zip(prints).zip(said);
     let mut reports = Vec::with_capacity(rows.len());
-    for ((((name, row), scene), (evaluation, fine, response)), (exposure, limits)) in species {
+    for ((((name, row), resolved), (evaluation, fine, response)), (exposure, limits)) in species {
         let light =
             |(light, &factor): (&LightSpec, &f64)| (light.name.clone().unwrap_or_default(), factor);
         reports.push(SpeciesReport {
             name,
-            driven_by: scene.spec.light.iter().zip(row).map(light).collect(),
+            driven_by: resolved.spec.light.iter().zip(row).map(light).collect(),
             evaluation,
             labels: &fine.labels,
             response,
             inside: &fine.target.inside,
-            window: scene.kinds.thresholds(),
+            window: resolved.kinds.thresholds(),
             exposure: *exposure,
             limits,
         });
@@ -576,9 +582,10 @@ fn published(
 /// The brightest pixel and the dose that turns the resin solid in the units of publications. Doses of a job are relative: these
 /// are energies where the job says which dose the resin needs, and rates where it says how bright the machine is, too.
 fn unit_systems(done: &Done<'_>, exposures: &[ShownLight]) -> Result<Vec<Converted>> {
-    let resin = &done.scene.spec.resin;
+    let resin = &done.resolved.spec.resin;
     let critical = resin.critical_dose_mj_per_mm3.filter(|_| !resin.pure_radon);
-    let (Some(critical), Some(gel_dose)) = (critical, done.evaluated.gel_dose(&done.scene)) else {
+    let (Some(critical), Some(gel_dose)) = (critical, done.evaluated.gel_dose(&done.resolved))
+    else {
         return Ok(Vec::new());
     };
     let of_light = |(shown, exposure): (_, &ShownLight)| {
@@ -609,20 +616,20 @@ fn evaluated_on(grid: &VolumeGrid) -> String {
 fn facts(done: &Done<'_>) -> Vec<(String, String)> {
     let Done {
         job,
-        scene,
+        resolved,
         optimized,
         evaluated,
         source,
         ..
     } = done;
-    let spec = &scene.spec;
-    let [nz, ny, nx] = scene.grid.shape;
+    let spec = &resolved.spec;
+    let [nz, ny, nx] = resolved.grid.shape;
     let mut facts = Vec::new();
     if job.is_toy {
         facts.push(("A toy", TOY.to_owned()));
     }
     facts.extend([
-        ("Vial", scene.optics.vial_kind.to_owned()),
+        ("Vial", resolved.optics.vial_kind.to_owned()),
         (
             "Resin",
             match spec.resin.active_per_mm() {
@@ -634,17 +641,17 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
             "Grid",
             format!(
                 "{nx} × {ny} × {nz} voxels of {} µm",
-                concise(1e3 * scene.grid.pitch_mm)
+                concise(1e3 * resolved.grid.pitch_mm)
             ),
         ),
         ("Evaluated on", evaluated_on(&evaluated.fine.labels.grid)),
-        ("Frames", scene.extent.frames.to_string()),
+        ("Frames", resolved.extent.frames.to_string()),
     ]);
     if let Some(optimized) = optimized {
         let seconds = optimized.outcome.counters.model_s.max(1e-9);
         let calls = optimized.outcome.counters.forward + optimized.outcome.counters.adjoint;
         let speed = large(calls as f64 * optimized.updates as f64 / seconds);
-        facts.push(("Optimizer", scene.kinds.method().to_owned()));
+        facts.push(("Optimizer", resolved.kinds.method().to_owned()));
         let (kept, history) = (optimized.outcome.kept, &optimized.outcome.history);
         let last = history.last().map_or(0, |row| row.iteration);
         if kept.iteration != last {
@@ -735,19 +742,19 @@ fn date(now: std::time::SystemTime) -> String {
 /// The predicted surface on all voxels of the evaluation, as `print.stl`; and the one that its distances are measured on, with how far it
 /// is off, as `print.ply`, where there is a target to compare it with.
 fn print(
-    scene: &Scene,
+    resolved: &ResolvedJob,
     evaluated: &Evaluated,
     folder: &Path,
     run: Run,
 ) -> Result<Option<Deviation>> {
     let writing = run.aside();
     let mut print = Print::under(&evaluated.fine.labels, &evaluated.response, run)?
-        .with_most_triangles(scene.most_triangles())
+        .with_most_triangles(resolved.most_triangles())
         .with_inside(&evaluated.fine.target.inside)?;
     if let Some(threshold) = evaluated.evaluation.gel_threshold {
         print = print.with_threshold(threshold)?;
     }
-    let title = format!("{}, predicted print", scene.name);
+    let title = format!("{}, predicted print", resolved.name);
     write_stl_pieces(
         &folder.join("print.stl"),
         &title,
@@ -756,7 +763,7 @@ fn print(
     )?;
     let deviation = print.deviation();
     if let Some(deviation) = &deviation {
-        write_print(&folder.join("print.ply"), &scene.name, deviation)?;
+        write_print(&folder.join("print.ply"), &resolved.name, deviation)?;
     }
     Ok(deviation)
 }

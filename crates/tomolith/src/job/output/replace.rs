@@ -30,7 +30,7 @@ pub(crate) fn must_be_same(job: &Job, resume: bool) -> Result<()> {
     let changes = match was {
         Ok(was) => {
             let mut found = Vec::new();
-            differences("", &tables(&was), &tables(&job.resolved()), &mut found);
+            differences("", &tables(&was), &tables(&job.complete()), &mut found);
             if found.is_empty() {
                 return Ok(());
             }
@@ -93,7 +93,7 @@ mod tests {
             job(&path, "output.rpm=10"),
             job(&path, "stop.iterations=41"),
         );
-        let text = own.resolved().to_toml().unwrap();
+        let text = own.complete().to_toml().unwrap();
         must_be_same(&other, false).unwrap();
         // Nothing is finished while there is no report
         let folder = RunFolder::open(&path, &text).unwrap();

@@ -474,11 +474,11 @@ pub(crate) fn summary(
             optimized.and_then(|o| Some(&o.ceiling.as_ref()?.report)),
         ),
         limits: headline.limits.into_iter().next().unwrap_or_default(),
-        required_iou: done.scene.spec.evaluate.require_iou,
-        required_in_band: done.scene.spec.evaluate.require_in_band,
+        required_iou: done.resolved.spec.evaluate.require_iou,
+        required_in_band: done.resolved.spec.evaluate.require_in_band,
         evaluation_voxels: [2, 1, 0].map(|axis| done.evaluated.evaluation.grid.shape[axis]),
         evaluation_pitch_mm: done.evaluated.evaluation.grid.pitch_mm,
-        refine: done.scene.extent.refine,
+        refine: done.resolved.extent.refine,
         seconds: begin.elapsed().as_secs_f64(),
     }
 }
@@ -491,7 +491,7 @@ fn species(done: &Done<'_>, headline: &Headline) -> Vec<SpeciesSummary> {
     let others = done.evaluated.others.iter().map(|other| &other.evaluation);
     let all = std::iter::once(&done.evaluated.evaluation).chain(others);
     let of = |(s, evaluation): (usize, &Evaluation)| SpeciesSummary {
-        name: done.scene.species_name(s).unwrap_or_default().to_owned(),
+        name: done.resolved.species_name(s).unwrap_or_default().to_owned(),
         evaluation: quality(evaluation),
         exposure: headline.exposures[s],
         limits: headline.limits[s].clone(),

@@ -10,18 +10,18 @@ use super::{cells, refinement};
 use crate::error::Result;
 use crate::exposure::Printer;
 use crate::grid::VolumeGrid;
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::job::spec::JobSpec;
 use crate::models::{Family, OpticalScene, Purpose};
 
 /// Least memory of a quasi-Newton method that is still worth having.
 const LEAST_MEMORY: usize = 3;
 
-/// What a scene takes, with all that its levels, its model and its outputs add to what it counts for itself.
-pub(crate) fn extent(scene: &Scene, family: &Family) -> Result<Extent> {
-    let (spec, grid, own) = (&scene.spec, &scene.grid, &scene.extent);
-    let lit = scene.optimizing();
-    let last = &scene.levels[scene.levels.len() - 1];
+/// What a job takes, with all that its levels, its model and its outputs add to what it counts for itself.
+pub(crate) fn extent(resolved: &ResolvedJob, family: &Family) -> Result<Extent> {
+    let (spec, grid, own) = (&resolved.spec, &resolved.grid, &resolved.extent);
+    let lit = resolved.optimizing();
+    let last = &resolved.levels[resolved.levels.len() - 1];
     let finest = OpticalScene {
         lights: &last.lights,
         ..lit
@@ -29,16 +29,16 @@ pub(crate) fn extent(scene: &Scene, family: &Family) -> Result<Extent> {
     let kept = family.cost(&finest, &last.grid).unwrap_or_default();
     let kept_of_the_job = family.cost(&lit, grid)?;
     let entries = [&kept, &kept_of_the_job].map(|cost| cost.cached_bytes.unwrap_or_default());
-    let of_the_job = (grid, &scene.optics.lights[..], spec.stop.iterations);
-    let effort = refinement::effort(&scene.levels, of_the_job, entries);
-    let canvases = scene.printers.iter().flatten().map(Printer::canvas_grid);
-    let cells = if scene.has_cells { cells::FIELDS } else { 0 };
+    let of_the_job = (grid, &resolved.optics.lights[..], spec.stop.iterations);
+    let effort = refinement::effort(&resolved.levels, of_the_job, entries);
+    let canvases = resolved.printers.iter().flatten().map(Printer::canvas_grid);
+    let cells = if resolved.has_cells { cells::FIELDS } else { 0 };
     Ok(Extent {
         effort: effort * (1 + spec.scenario.len()) as f64,
         cached_entries: kept.cached_entries,
         cached_bytes: kept.cached_bytes,
         finest: last.grid.clone(),
-        fields: with_fields(spec, &scene.kinds, scene.shape.is_gray()) + cells,
+        fields: with_fields(spec, &resolved.kinds, resolved.shape.is_gray()) + cells,
         canvas: canvases.map(|canvas| canvas.len()).sum(),
         stacked: bytes_stacked(spec),
         // Response and target, and a label
@@ -47,13 +47,13 @@ pub(crate) fn extent(scene: &Scene, family: &Family) -> Result<Extent> {
         scenarios: spec.scenario.len(),
         working_mb: [
             kept_of_the_job.working_bytes as f64 / 1e6,
-            evaluated_mb(&scene.optics, grid, own.refine)?,
+            evaluated_mb(&resolved.optics, grid, own.refine)?,
         ],
         ..own.clone()
     })
 }
 
-impl Scene {
+impl ResolvedJob {
     /// Lowers the optimizer's memory and the refinement of the evaluation until both fit, and says so.
     pub(crate) fn fit_memory(&mut self) -> Result<()> {
         let budget = memory_budget_mb(self.spec.resources.memory_gb);
@@ -178,10 +178,10 @@ fn pixels_key(spec: &JobSpec) -> String {
 /// Memory of the frames that are judged at a time, MB.
 pub(crate) fn evaluated_mb(optics: &Optics, grid: &VolumeGrid, refine: usize) -> Result<f64> {
     let grid = grid.refined(refine);
-    let scene = OpticalScene {
+    let resolved = OpticalScene {
         purpose: Purpose::Evaluate { refine },
         ..optics.scene()
     };
-    let cost = optics.family(&grid)?.cost(&scene, &grid)?;
+    let cost = optics.family(&grid)?.cost(&resolved, &grid)?;
     Ok(cost.working_bytes as f64 / 1e6)
 }

@@ -23,11 +23,11 @@ pub(crate) fn must_arrive(optics: &Optics, grid: &VolumeGrid) -> Result<Vec<Stri
         return Ok(Vec::new());
     }
     let few: Vec<Light> = optics.lights.iter().map(thinned).collect();
-    let scene = OpticalScene {
+    let job = OpticalScene {
         lights: &few,
         ..optics.scene()
     };
-    let rays = family.rays(&scene, &VolumeGrid::centered([1, 1, 1], 1.0));
+    let rays = family.rays(&job, &VolumeGrid::centered([1, 1, 1], 1.0));
     let Some(model) = rays.transpose()? else {
         return Ok(Vec::new());
     };

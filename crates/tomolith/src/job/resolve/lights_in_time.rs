@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Result};
 
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::models::{Family, HostModel, OpticalScene, Purpose, Run, planner};
 use crate::optics::absorption_map::AbsorptionMap;
 use crate::optics::light::{Light, Selection};
@@ -14,14 +14,14 @@ use tomolith_material::shaded::Shaded;
 ///
 /// # Errors
 /// [`Error::Config`] with the model's reason.
-pub(crate) fn must_be_shaded(scene: &Scene) -> Result<()> {
-    let own = scene.spec.material.as_ref();
+pub(crate) fn must_be_shaded(job: &ResolvedJob) -> Result<()> {
+    let own = job.spec.material.as_ref();
     let photopolymer = own.and_then(|material| material.photopolymer.as_ref());
     let shading = photopolymer.map_or(&[][..], |params| &params.shading);
     let run = Run::new();
-    let lights = Lights::new(scene, Vec::new(), &run);
+    let lights = Lights::new(job, Vec::new(), &run);
     // Two slices are enough to change along z
-    let map = AbsorptionMap::new([2, 1, 1], scene.grid.pitch_mm, vec![0.0; 2], vec![0.0; 2])?;
+    let map = AbsorptionMap::new([2, 1, 1], job.grid.pitch_mm, vec![0.0; 2], vec![0.0; 2])?;
     let map = Arc::new(map);
     for (i, shading) in shading.iter().enumerate() {
         if lights.is_straight(shading.light)? {
@@ -52,7 +52,7 @@ fn at_shading(i: usize, error: Error) -> Error {
 
 /// The light that judges, one model each.
 pub(crate) struct Lights<'a> {
-    pub(crate) scene: &'a Scene,
+    pub(crate) job: &'a ResolvedJob,
     pub(crate) lights: Vec<Light>,
     /// Straight light in resin where nothing has cured, once it is asked for.
     pub(crate) plain: Vec<OnceLock<Option<Arc<tomolith_material::Model>>>>,
@@ -60,15 +60,15 @@ pub(crate) struct Lights<'a> {
 }
 
 impl<'a> Lights<'a> {
-    pub(crate) fn new(scene: &'a Scene, lit: Vec<Vec<(u32, u32)>>, run: &'a Run) -> Self {
-        let mut lights = scene.optics.lights_turning(scene.evaluated_angles());
+    pub(crate) fn new(job: &'a ResolvedJob, lit: Vec<Vec<(u32, u32)>>, run: &'a Run) -> Self {
+        let mut lights = job.optics.lights_turning(job.evaluated_angles());
         for (light, lit) in lights.iter_mut().zip(lit) {
             light.active = Some(lit);
             light.selection = Selection::default();
         }
         let plain = lights.iter().map(|_| OnceLock::new()).collect();
         Lights {
-            scene,
+            job,
             lights,
             plain,
             run,
@@ -94,7 +94,7 @@ impl<'a> Lights<'a> {
 
     /// The scene of a light alone.
     fn scene_of<'s>(&'s self, i: usize, light: &'s [Light], purpose: Purpose) -> OpticalScene<'s> {
-        let all = self.scene.optics.scene();
+        let all = self.job.optics.scene();
         OpticalScene {
             lights: light,
             optics: &all.optics[i..=i],
@@ -111,8 +111,8 @@ impl<'a> Lights<'a> {
             Purpose::Optimize
         };
         let own = self.scene_of(i, &light, purpose);
-        let asked = self.scene.optics.model.as_ref();
-        let plan = planner::plan(asked, own, &self.scene.grid, None, self.run)?;
+        let asked = self.job.optics.model.as_ref();
+        let plan = planner::plan(asked, own, &self.job.grid, None, self.run)?;
         Ok(Box::new(plan.model))
     }
 
@@ -127,12 +127,12 @@ impl<'a> Lights<'a> {
     pub(crate) fn family(&self, i: usize, map: Option<&Arc<AbsorptionMap>>) -> Result<Family> {
         let light = [self.mapped(i, map)];
         let own = self.scene_of(i, &light, Purpose::Optimize);
-        planner::choose(self.scene.optics.model.as_ref(), &own, &self.scene.grid)
+        planner::choose(self.job.optics.model.as_ref(), &own, &self.job.grid)
     }
 
     /// Whether a light runs level and straight through resin that absorbs alike everywhere, cones and waves about such a way among them.
     pub(crate) fn is_straight(&self, i: usize) -> Result<bool> {
-        let (light, vial) = (&self.lights[i], self.scene.optics.vial.as_ref());
+        let (light, vial) = (&self.lights[i], self.job.optics.vial.as_ref());
         let index = light.resin.refractive_index;
         let outside = vial.surrounding_index(light.surrounding_index, index);
         Ok(self.family(i, None)?.capabilities().is_along_frames

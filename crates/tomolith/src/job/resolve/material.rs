@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::grid::{Volume, VolumeGrid};
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::job::spec::JobSpec;
 use crate::job::spec::species::Row;
 use crate::target::Role;
@@ -61,12 +61,12 @@ pub(crate) fn material(
 }
 
 /// Voxels of resin between walls that nothing passes, and air where the job says so.
-pub(crate) fn domain(scene: &Scene, grid: &VolumeGrid) -> Result<Domain> {
+pub(crate) fn domain(job: &ResolvedJob, grid: &VolumeGrid) -> Result<Domain> {
     let mut domain = Domain::new(grid.clone());
-    let own = scene.spec.material.as_ref();
+    let own = job.spec.material.as_ref();
     let photopolymer = own.and_then(|material| material.photopolymer.as_ref());
     if photopolymer.is_some_and(|params| params.diffusion == Scheme::Faces) {
-        domain = domain.with_walls(&resin(scene, grid)?)?;
+        domain = domain.with_walls(&resin(job, grid)?)?;
     }
     if own.is_some_and(|material| material.air_on_top) {
         domain = domain.with_air_on_top();
@@ -75,9 +75,9 @@ pub(crate) fn domain(scene: &Scene, grid: &VolumeGrid) -> Result<Domain> {
 }
 
 /// Which voxels hold resin: those in the vial, but in no body and no insert.
-pub(crate) fn resin(scene: &Scene, grid: &VolumeGrid) -> Result<Volume<bool>> {
+pub(crate) fn resin(job: &ResolvedJob, grid: &VolumeGrid) -> Result<Volume<bool>> {
     let [_, ny, nx] = grid.shape;
-    let optics = &scene.optics;
+    let optics = &job.optics;
     let bodies: Vec<_> = optics
         .paths
         .first()
@@ -90,7 +90,7 @@ pub(crate) fn resin(scene: &Scene, grid: &VolumeGrid) -> Result<Volume<bool>> {
         optics.vial.in_resin(place) && is_free()
     };
     let mut values = table(grid.len(), holds);
-    if let Some(insert) = scene.shape.body(Role::Insert) {
+    if let Some(insert) = job.shape.body(Role::Insert) {
         let shares = insert.sample(grid)?.values;
         let pairs = values.iter_mut().zip(shares);
         pairs.for_each(|(resin, share)| *resin &= share < 0.5);

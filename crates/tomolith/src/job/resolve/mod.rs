@@ -1,4 +1,48 @@
-//! What a job is about, before any heavy work: the shape, the optics, the grid, and what they will cost.
+//! A job as objects: model, objective, start and evaluation, for programs with a loop of their own.
+//!
+//! A [`Job`] says what is wanted; a [`ResolvedJob`] has read its files, built its shape, vial, lights and grid, and refused what does not fit
+//! together. Its [`Task`](crate::job::Task) is what an optimizer needs, on the finest voxels of the optimization; what patterns print is
+//! [`evaluate`](ResolvedJob::evaluate)d as `tomolith run` does it: written with the job's bits, the vial turning, on finer voxels, and in time where the
+//! job has a schedule.
+//!
+//! ```
+//! use std::path::Path;
+//! use tomolith::field::Field;
+//! use tomolith::job::{Document, Job, ResolvedJob};
+//! use tomolith::models::Run;
+//! use tomolith::objective::Objective;
+//!
+//! let text = r#"
+//!     target = { phantom = "gear", size_mm = 3.0 }      # or mesh = "part.stl"
+//!     grid = { pitch_mm = 0.15 }
+//!     resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }
+//!     vial = { index_matched = { radius_mm = 3.0 } }
+//!     light = [{ pixels = [32, 24], angles = 40, projector = { collimated = { pixel_pitch_mm = 0.15 } } }]
+//! "#;
+//! let job = Job::from_document(Document::toml(Path::new("gear.toml"), text)?)?;
+//! let (job, run) = (ResolvedJob::new(&job)?, Run::new());
+//! let task = job.task(&run)?;
+//! let begin = job.evaluate(&task.patterns(&task.start), &run)?;
+//!
+//! // A projected gradient with a fixed step, in place of the job's method
+//! let (mut x, mut dose) = (task.start.clone(), task.model.new_dose()?);
+//! let (mut cotangent, mut gradient) = (dose.zeros_like(), x.zeros_like());
+//! let bounds = task.bounds()?;
+//! let mut losses = Vec::new();
+//! for _ in 0..15 {
+//!     task.model.dose(&x, &mut dose, &run)?;
+//!     losses.push(task.objective.value_and_gradient(&dose, &mut cotangent));
+//!     task.model.pullback(&x, &cotangent, &mut gradient, &run)?;
+//!     let step = 0.1 * x.max_abs() / gradient.max_abs();
+//!     x.move_along(&gradient, -step, &bounds);
+//! }
+//! assert!(losses[14] < 0.5 * losses[0]); // the loss falls to less than half
+//!
+//! let end = job.evaluate(&task.patterns(&x), &run)?;
+//! let iou = |print: &tomolith::job::Prediction| print.evaluation.measures.get("iou").unwrap();
+//! assert!(iou(&end) > iou(&begin) && iou(&end) > 0.9); // and the print is better than that of the start
+//! # Ok::<(), tomolith::Error>(())
+//! ```
 
 pub(crate) mod budget;
 pub(crate) mod card;
@@ -33,6 +77,7 @@ pub(crate) mod voxels;
 use crate::error::{Error, Result};
 use crate::exposure::Printer;
 use crate::field::Field;
+use crate::field::HostField;
 use crate::grid::VolumeGrid;
 use crate::job::spec::JobSpec;
 use crate::job::spec::all_errors::with_others;
@@ -43,6 +88,8 @@ use crate::models::parallel::kernel::Isa;
 use crate::models::{DoseLayout, OpticalScene, Purpose, Run, planner};
 use crate::objective::{ObjectiveInput, Sum};
 use crate::optics::light::Light;
+use crate::optics::vial::Vial;
+use crate::optimize::Optimizer;
 use crate::ranks::Communicator;
 use crate::response::{Response, dose_for};
 use crate::target::{self, Role, Shape, label};
@@ -63,11 +110,11 @@ use resources::{available_disk_mb, bytes_in, require};
 
 use scenarios::Scenario;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 pub(crate) use voxels::Voxels;
 
 /// A job that can be run.
-pub(crate) struct Scene {
+pub struct ResolvedJob {
     /// The tables, whose kinds are [`kinds`](Self::kinds) and [`optics`](Self::optics); the machine's time may bound the pixels.
     pub(crate) spec: JobSpec,
     /// The folder that files of the tables begin in.
@@ -95,7 +142,7 @@ pub(crate) struct Scene {
     /// What the map of each property makes of a response.
     pub(crate) property_maps: Vec<Arc<dyn Response>>,
     /// Further species, on the same voxels.
-    pub(crate) others: Vec<Scene>,
+    pub(crate) others: Vec<ResolvedJob>,
     /// The same job with some keys set otherwise, on the same voxels.
     pub(crate) scenarios: Vec<Scenario>,
     /// Choices that were made.
@@ -104,17 +151,78 @@ pub(crate) struct Scene {
     pub(crate) warnings: Vec<String>,
     /// The processes that share the frames of the optimization; None: this one works alone.
     pub(crate) ranks: Option<Arc<dyn Communicator>>,
+    /// The target on the job's voxels, once a caller with a loop of its own has asked for it.
+    voxels: OnceLock<Voxels>,
 }
 
-impl Scene {
-    /// Reads the target and refuses whatever can be refused before heavy work.
+impl ResolvedJob {
+    /// Reads the files of a job, builds its objects, and refuses whatever can be refused before heavy work.
     ///
     /// # Errors
-    /// Everything of the sections "Bad input": see [`Error`].
-    pub(crate) fn new(job: &Job, run: &Run) -> Result<Self> {
+    /// [`Error::Config`] with the key for whatever does not fit together, and those of files.
+    pub fn new(job: &Job) -> Result<Self> {
+        Self::under(job, &Run::new())
+    }
+
+    /// The same as a part of a run.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); [`Error::Canceled`].
+    pub(crate) fn under(job: &Job, run: &Run) -> Result<Self> {
         Isa::asked()?;
         Self::of_all_species(job, run)
             .map_err(|e| with_others(&job.document, &job.base(), job.locate(e)))
+    }
+
+    /// The job's voxels; those of the optimization and the evaluation are finer.
+    #[must_use]
+    pub fn grid(&self) -> &VolumeGrid {
+        &self.grid
+    }
+
+    /// What is printed.
+    #[must_use]
+    pub fn shape(&self) -> &dyn Shape {
+        self.shape.as_ref()
+    }
+
+    /// What holds the resin.
+    #[must_use]
+    pub fn vial(&self) -> &dyn Vial {
+        self.optics.vial.as_ref()
+    }
+
+    /// The projectors' pixels, and the resin as their light sees it.
+    #[must_use]
+    pub fn lights(&self) -> &[Light] {
+        &self.optics.lights
+    }
+
+    /// What people should know, one sentence each.
+    #[must_use]
+    pub fn warnings(&self) -> &[String] {
+        &self.warnings
+    }
+
+    /// The method of the job.
+    ///
+    /// # Errors
+    /// [`Error::Config`].
+    pub fn optimizer(&self) -> Result<Box<dyn Optimizer<HostField>>> {
+        self.kinds.on_host().optimizer()
+    }
+
+    /// The target on the job's voxels, sampled once.
+    ///
+    /// # Errors
+    /// As [`voxels`](Self::voxels), and where the start asks for doses that the material does not have.
+    pub(crate) fn own_voxels(&self, run: &Run) -> Result<&Voxels> {
+        if let Some(known) = self.voxels.get() {
+            return Ok(known);
+        }
+        let voxels = self.voxels_under(&self.grid, &run.aside())?;
+        self.must_start(&voxels)?;
+        Ok(self.voxels.get_or_init(|| voxels))
     }
 
     fn of_all_species(job: &Job, run: &Run) -> Result<Self> {
@@ -123,20 +231,20 @@ impl Scene {
             true => e,
             false => at_species(&job.spec, 0, e),
         };
-        let mut scene = Self::of_species(job, 0, None, run).map_err(of_first)?;
+        let mut resolved = Self::of_species(job, 0, None, run).map_err(of_first)?;
         for s in 1..job.spec.species.len() {
-            let other = Self::of_species(job, s, Some(&scene.grid), run);
-            scene
+            let other = Self::of_species(job, s, Some(&resolved.grid), run);
+            resolved
                 .others
                 .push(other.map_err(|e| at_species(&job.spec, s, e))?);
         }
-        species::must_fit(&scene)?;
-        lights_in_time::must_be_shaded(&scene)?;
-        scene.scenarios = scenarios::of_job(job, &scene, run)?;
-        Ok(scene)
+        species::must_fit(&resolved)?;
+        lights_in_time::must_be_shaded(&resolved)?;
+        resolved.scenarios = scenarios::of_job(job, &resolved, run)?;
+        Ok(resolved)
     }
 
-    /// The scene of one species; on these voxels where they are given.
+    /// The job of one species; on these voxels where they are given.
     pub(crate) fn of_species(
         job: &Job,
         s: usize,
@@ -205,7 +313,7 @@ impl Scene {
         let refine = spec.evaluate.refine.unwrap_or_else(chosen);
         let memory = kinds.pairs().unwrap_or(0);
         let extent = Extent::new(&optics, &grid, shape.bounds_mm(), refine, memory);
-        let mut scene = Scene {
+        let mut resolved = ResolvedJob {
             base: job.base(),
             name: spec.target.name(),
             warnings: [
@@ -231,6 +339,7 @@ impl Scene {
             .concat(),
             notes,
             ranks: None,
+            voxels: OnceLock::new(),
             shape,
             has_cells,
             levels,
@@ -245,9 +354,9 @@ impl Scene {
             grid,
             extent,
         };
-        scene.extent = budget::extent(&scene, &family)?;
-        scene.finish(&job.folder())?;
-        Ok(scene)
+        resolved.extent = budget::extent(&resolved, &family)?;
+        resolved.finish(&job.folder())?;
+        Ok(resolved)
     }
 
     /// What follows from all of it: more remarks, and what it needs in time, memory and disk.
@@ -359,7 +468,7 @@ impl Scene {
         };
         self.kinds.set_response(response);
         for scenario in &mut self.scenarios {
-            scenario.scene.kinds.set_response(response);
+            scenario.resolved.kinds.set_response(response);
         }
     }
 

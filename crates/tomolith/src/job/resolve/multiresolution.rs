@@ -6,7 +6,7 @@
 
 use super::optics::Optics;
 use crate::grid::{PatternGrid, VolumeGrid};
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::models::{OpticalScene, planner};
 use crate::optics::light::Light;
 use std::sync::Arc;
@@ -15,10 +15,10 @@ use std::sync::Arc;
 const LEAST: usize = 8;
 
 /// What to say of levels that are too small to be made.
-pub(crate) fn left_out(scene: &Scene) -> Option<String> {
-    let asked = scene.spec.multiresolution.as_ref()?.levels;
+pub(crate) fn left_out(job: &ResolvedJob) -> Option<String> {
+    let asked = job.spec.multiresolution.as_ref()?.levels;
     let made = (1..=asked)
-        .filter(|level| is_large_enough(&scene.optics, &scene.grid, 1 << level))
+        .filter(|level| is_large_enough(&job.optics, &job.grid, 1 << level))
         .count();
     (made < asked).then(|| {
         format!(
@@ -32,12 +32,12 @@ pub(crate) fn left_out(scene: &Scene) -> Option<String> {
 pub(crate) fn is_large_enough(optics: &Optics, grid: &VolumeGrid, factor: usize) -> bool {
     let grid = coarser_grid(grid, factor);
     let lights = coarser_lights(&optics.lights, factor);
-    let scene = OpticalScene {
+    let job = OpticalScene {
         lights: &lights,
         ..optics.scene()
     };
-    let covered = planner::choose(optics.model.as_ref(), &scene, &grid)
-        .and_then(|family| family.check(&scene, &grid));
+    let covered = planner::choose(optics.model.as_ref(), &job, &grid)
+        .and_then(|family| family.check(&job, &grid));
     grid.shape[1] >= LEAST
         && lights.iter().all(|light| light.pixels.frames() >= LEAST)
         && covered.is_ok()

@@ -237,11 +237,11 @@ mod tests {
         for tilt in ["0", "25"] {
             let spec = spec(&[&format!("motion.tilt_deg={tilt}")]);
             let optics = Optics::new(&spec, Path::new("")).unwrap();
-            let scene = optics.scene();
+            let job = optics.scene();
             let rays = rays::Rays::new(
-                scene.vial,
+                job.vial,
                 optics.lights.clone(),
-                scene.optics,
+                job.optics,
                 &rays::Params::default(),
                 VolumeGrid::centered([8, 8, 8], 1.0),
             )

@@ -409,11 +409,11 @@ mod tests {
         let bounds = [[-0.4; 3], [0.4; 3]];
         let shape = crate::target::build(&job.spec.target, &job.base(), "target").unwrap();
         let shape: Arc<dyn Shape> = Arc::from(shape);
-        let scene = OpticalScene {
+        let resolved = OpticalScene {
             solid: (surface == "cells").then_some(&shape),
             ..optics.scene()
         };
-        let family = planner::choose(optics.model.as_ref(), &scene, &grid).unwrap();
+        let family = planner::choose(optics.model.as_ref(), &resolved, &grid).unwrap();
         let of = (&optics, family.as_ref());
         let kinds = JobKinds::read(&job.spec, &job.base()).unwrap();
         let levels = levels((&job.spec, &kinds), of, (&grid, true), bounds);

@@ -8,7 +8,7 @@
 
 use crate::error::{Error, Result};
 use crate::grid::VolumeGrid;
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::job::spec::document::{Document, is_within};
 use crate::job::spec::read::Job;
 use crate::job::spec::{JobSpec, RobustOf, ScenarioSpec};
@@ -25,14 +25,14 @@ pub(crate) struct Scenario {
     /// Its name.
     pub(crate) name: String,
     /// What light meets in it.
-    pub(crate) scene: Scene,
+    pub(crate) resolved: ResolvedJob,
 }
 
 /// The scenarios of a job, on its voxels.
 ///
 /// # Errors
 /// [`Error::Config`] with `scenario[i]` and the key that makes the job invalid.
-pub(crate) fn of_job(job: &Job, scene: &Scene, run: &Run) -> Result<Vec<Scenario>> {
+pub(crate) fn of_job(job: &Job, resolved: &ResolvedJob, run: &Run) -> Result<Vec<Scenario>> {
     must_be_told_apart(&job.spec)?;
     let given = job.spec.scenario.iter().enumerate();
     let scenarios = given.map(|(i, scenario)| {
@@ -40,13 +40,16 @@ pub(crate) fn of_job(job: &Job, scene: &Scene, run: &Run) -> Result<Vec<Scenario
         let own = changed(job, &scenario.set).map_err(at)?;
         let name = scenario.name.clone();
         let name = name.unwrap_or_else(|| format!("scenario {}", i + 1));
-        let own = Scene::of_species(&own, 0, Some(&scene.grid), run).map_err(at)?;
-        must_show_the_same(scene, &own).map_err(at)?;
-        Ok(Scenario { name, scene: own })
+        let own = ResolvedJob::of_species(&own, 0, Some(&resolved.grid), run).map_err(at)?;
+        must_show_the_same(resolved, &own).map_err(at)?;
+        Ok(Scenario {
+            name,
+            resolved: own,
+        })
     });
     let scenarios = scenarios.collect::<Result<Vec<_>>>()?;
     if !scenarios.is_empty() {
-        must_fit(scene)?;
+        must_fit(resolved)?;
     }
     Ok(scenarios)
 }
@@ -188,12 +191,12 @@ fn other_voxels(its: Option<VolumeGrid>, jobs: Option<VolumeGrid>) -> String {
 }
 
 /// Refuses a scenario that shows other images, or is computed on other voxels.
-fn must_show_the_same(job: &Scene, scenario: &Scene) -> Result<()> {
-    let images = |scene: &Scene| -> Vec<_> {
-        let lights = scene.optics.lights.iter();
+fn must_show_the_same(job: &ResolvedJob, scenario: &ResolvedJob) -> Result<()> {
+    let images = |resolved: &ResolvedJob| -> Vec<_> {
+        let lights = resolved.optics.lights.iter();
         lights.map(|light| light.pixels.shape()).collect()
     };
-    let voxels = |scene: &Scene| scene.levels.last().map(|level| level.grid.clone());
+    let voxels = |resolved: &ResolvedJob| resolved.levels.last().map(|level| level.grid.clone());
     let (its, jobs) = (voxels(scenario), voxels(job));
     if its != jobs {
         // Rays want cubes, and parallel light does not
@@ -210,9 +213,9 @@ fn must_show_the_same(job: &Scene, scenario: &Scene) -> Result<()> {
 }
 
 /// Refuses what does not go with scenarios.
-fn must_fit(scene: &Scene) -> Result<()> {
-    let spec = &scene.spec;
-    let needs_target = scene.kinds.requirements.target.is_some();
+fn must_fit(resolved: &ResolvedJob) -> Result<()> {
+    let spec = &resolved.spec;
+    let needs_target = resolved.kinds.requirements.target.is_some();
     for (key, is_there, found, accepted) in [
         (
             "species",
@@ -234,7 +237,7 @@ fn must_fit(scene: &Scene) -> Result<()> {
         ),
         (
             "objective",
-            scene.has_cells,
+            resolved.has_cells,
             "voxels cut into cells",
             "surface = \"fraction\" or \"voxel\"",
         ),
@@ -341,9 +344,9 @@ pub(crate) mod tests {
         let finest = |scenarios: &[&str]| {
             let changes = ["grid={ pitch_mm = 0.1 }", "light[0].pixels=[28, 40]"];
             let job = resolved(scenarios, &changes).unwrap();
-            let grid = |scene: &Scene| scene.levels.last().unwrap().grid.clone();
-            let others = job.scene.scenarios.iter().map(|own| grid(&own.scene));
-            (grid(&job.scene), others.collect::<Vec<_>>())
+            let grid = |resolved: &ResolvedJob| resolved.levels.last().unwrap().grid.clone();
+            let others = job.scenarios.iter().map(|own| grid(&own.resolved));
+            (grid(&job), others.collect::<Vec<_>>())
         };
         let (own, others) = finest(&["resin.absorption_per_mm = 0.3"]);
         assert_eq!(others, std::slice::from_ref(&own));
@@ -355,7 +358,8 @@ pub(crate) mod tests {
     fn light_that_misses_the_part_in_a_scenario_is_a_warning_with_its_name() {
         let found = |scenario: &str| {
             let job = resolved(&[scenario], &[]).unwrap();
-            job.scene.warnings_of(&job.voxels).unwrap()
+            job.warnings_of(job.own_voxels(&Run::new()).unwrap())
+                .unwrap()
         };
         let aside = found("\"motion.offset_mm\" = [1.5, 0.0]");
         let named = |text: &String| text.starts_with("scenario 1: ");

@@ -7,7 +7,7 @@
 //! Neither do voxels cut into cells, nor fewer bits than six.
 
 use crate::error::{Error, Result};
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::job::spec::species::Row;
 use std::borrow::Cow;
 
@@ -15,11 +15,11 @@ use std::borrow::Cow;
 ///
 /// # Errors
 /// [`Error::Config`].
-pub(crate) fn must_fit(scene: &Scene) -> Result<()> {
-    if scene.mixing.is_none() {
+pub(crate) fn must_fit(resolved: &ResolvedJob) -> Result<()> {
+    if resolved.mixing.is_none() {
         return Ok(());
     }
-    let asked = scene.optics.model.as_ref();
+    let asked = resolved.optics.model.as_ref();
     if asked.is_some_and(|family| family.capabilities().is_stored) {
         let found = "a stored matrix holds the lights together, not one by one";
         return Err(Error::config(
@@ -28,7 +28,7 @@ pub(crate) fn must_fit(scene: &Scene) -> Result<()> {
             "another model, or no [[species]]",
         ));
     }
-    if scene.species().any(|species| species.has_cells) {
+    if resolved.species().any(|species| species.has_cells) {
         let found = "an objective whose surface cuts voxels into cells";
         return Err(Error::config(
             "species",
@@ -36,16 +36,16 @@ pub(crate) fn must_fit(scene: &Scene) -> Result<()> {
             "surface = \"fraction\" or \"voxel\"",
         ));
     }
-    if scene.others.is_empty() {
+    if resolved.others.is_empty() {
         return Ok(());
     }
-    let needs = scene.kinds.requirements;
+    let needs = resolved.kinds.requirements;
     if needs.target.is_some() {
         let found = "a method that compares one dose with one target";
         let accepted = "lbfgs, or another method that minimizes the loss, with several [[species]]";
         return Err(Error::config("optimizer", found, accepted));
     }
-    if scene.spec.evaluate.improves_levels() {
+    if resolved.spec.evaluate.improves_levels() {
         let found = "patterns on few levels are not improved for several [[species]]";
         return Err(Error::config("evaluate.levels", found, "\"rounded\""));
     }
@@ -68,7 +68,7 @@ pub(crate) fn beginnings(rows: &[Row]) -> Vec<Option<(usize, f64)>> {
     species.iter().enumerate().map(factor).collect()
 }
 
-impl Scene {
+impl ResolvedJob {
     /// M, a row per species, where lights are computed one by one: with several species, or for a print in time.
     pub(crate) fn rows(&self) -> Option<Cow<'_, [Row]>> {
         match &self.mixing {
@@ -81,8 +81,8 @@ impl Scene {
         }
     }
 
-    /// The species of the job, the first being this scene itself.
-    pub(crate) fn species(&self) -> impl Iterator<Item = &Scene> {
+    /// The species of the job, the first being this job itself.
+    pub(crate) fn species(&self) -> impl Iterator<Item = &ResolvedJob> {
         std::iter::once(self).chain(&self.others)
     }
 
@@ -220,14 +220,14 @@ mod tests {
             "start={ patterns = { file = \"earlier.npz\" } }",
         ];
         let job = Job::from_document(document(&changes)).unwrap();
-        let start = job.resolved().start;
+        let start = job.complete().start;
         let start = start.pointer("/patterns/file");
         let start = start.and_then(serde_json::Value::as_str).unwrap();
         assert!(
             std::path::Path::new(start).is_absolute() && start.ends_with("earlier.npz"),
             "{start}"
         );
-        let resolved = &job.resolved().species[1];
+        let resolved = &job.complete().species[1];
         let image = resolved.target.as_ref().unwrap().image.clone().unwrap();
         let curve = resolved.response.as_ref().unwrap().pointer("/table/file");
         let curve = curve.and_then(serde_json::Value::as_str).unwrap();

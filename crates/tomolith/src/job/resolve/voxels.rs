@@ -4,7 +4,7 @@ use super::remarks::at_grid;
 use super::scenarios::at_scenario;
 use crate::error::Result;
 use crate::grid::{Volume, VolumeGrid};
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::models::{DoseLayout, Run};
 use crate::objective::voxel_weights::Ground;
 use crate::report;
@@ -22,7 +22,7 @@ pub(crate) struct Voxels {
 /// Smallest inside fraction that light should reach where the objective sees fractions: thinner slivers are left to chance.
 const SLIVER: f32 = 0.05;
 
-impl Scene {
+impl ResolvedJob {
     /// The target on a grid.
     ///
     /// # Errors
@@ -104,8 +104,8 @@ impl Scene {
         let given = self.scenarios.iter().zip(&self.spec.scenario);
         for (i, (scenario, spec)) in given.enumerate() {
             let at = |error| at_scenario(i, spec, error);
-            let own = scenario.scene.optics.warnings(inside, labels, gray);
-            let of_scene = scenario.scene.warnings.iter().cloned();
+            let own = scenario.resolved.optics.warnings(inside, labels, gray);
+            let of_scene = scenario.resolved.warnings.iter().cloned();
             let all = own.map_err(at)?.into_iter().chain(of_scene);
             let is_new = |text: &String| !found.contains(text) && !self.warnings.contains(text);
             let new: Vec<String> = all.filter(is_new).collect();

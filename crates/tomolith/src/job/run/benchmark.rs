@@ -13,7 +13,7 @@
 use crate::error::Result;
 use crate::field::{Field, HostField};
 use crate::grid::{PixelMask, Volume, VolumeGrid};
-use crate::job::resolve::{Scene, Voxels};
+use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::metrics::evaluate;
 use crate::metrics::print::Print;
 use crate::models::layout::PatternLayout;
@@ -128,30 +128,35 @@ impl CallRate {
 ///
 /// # Errors
 /// As the planner; [`Error::Canceled`](crate::Error::Canceled).
-pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) -> Result<Rates> {
-    let mut optics = scene.optimizing();
-    let (mut measured, mut plan) = by_optimizer(scene, optics, voxels, run)?;
-    let updates = measured[measured.len() - 1].updates_per_frame() * scene.extent.frames as f64;
-    let walks = scene.extent.cached_entries;
+pub(crate) fn rates(
+    job: &ResolvedJob,
+    voxels: &Voxels,
+    sampling_s: f64,
+    run: &Run,
+) -> Result<Rates> {
+    let mut optics = job.optimizing();
+    let (mut measured, mut plan) = by_optimizer(job, optics, voxels, run)?;
+    let updates = measured[measured.len() - 1].updates_per_frame() * job.extent.frames as f64;
+    let walks = job.extent.cached_entries;
     if walks.is_some_and(|walks| updates * walks.per_update > matrix_cache::MOST as f64)
-        || scene.extent.cached_bytes == Some(0.0)
+        || job.extent.cached_bytes == Some(0.0)
     {
         // What few frames can keep is too much for all
         optics.purpose = Purpose::Probe;
-        (measured, plan) = by_optimizer(scene, optics, voxels, run)?;
+        (measured, plan) = by_optimizer(job, optics, voxels, run)?;
     }
     // A line has one coefficient that is not known, a quadratic two
     let doses_per_step = if plan.model.is_linear() { 1.0 } else { 2.0 };
-    let (objective_s, vector_s) = passes(&plan.model, scene, voxels, run)?;
+    let (objective_s, vector_s) = passes(&plan.model, job, voxels, run)?;
     drop(plan.model);
-    let fine = scene.fine_grid();
-    let is_small = fine.len() <= TIMED_VOXELS && !scene.optics.scene().scatters();
+    let fine = job.fine_grid();
+    let is_small = fine.len() <= TIMED_VOXELS && !job.optics.scene().scatters();
     let (evaluating_refine, grid) = if is_small {
-        (scene.extent.refine, fine)
+        (job.extent.refine, fine)
     } else {
-        (1, scene.grid.clone())
+        (1, job.grid.clone())
     };
-    let evaluated = by_evaluation(scene, evaluating_refine, &grid, &measured, run)?;
+    let evaluated = by_evaluation(job, evaluating_refine, &grid, &measured, run)?;
     Ok(Rates {
         calls: CallRates::of(&measured),
         evaluating: CallRates::of(&evaluated),
@@ -159,8 +164,8 @@ pub(crate) fn rates(scene: &Scene, voxels: &Voxels, sampling_s: f64, run: &Run) 
         doses_per_step,
         objective_s,
         vector_s,
-        sampling_s: sampling_s / scene.grid.len().max(1) as f64,
-        measuring_s: measuring(voxels, scene.extent.refine, run)?,
+        sampling_s: sampling_s / job.grid.len().max(1) as f64,
+        measuring_s: measuring(voxels, job.extent.refine, run)?,
         model: plan.reason,
     })
 }
@@ -176,8 +181,8 @@ struct Sample {
 }
 
 impl Sample {
-    /// The smallest sample of a scene.
-    fn least(scene: &Scene, timed_by: TimedBy) -> Self {
+    /// The smallest sample of a job.
+    fn least(job: &ResolvedJob, timed_by: TimedBy) -> Self {
         let alone = Sample {
             frames: rayon::current_num_threads(),
             together: 1,
@@ -191,7 +196,7 @@ impl Sample {
             },
             TimedBy::Frames => alone,
             TimedBy::Pixels => {
-                let lights = scene.optics.lights.iter();
+                let lights = job.optics.lights.iter();
                 let pixels = lights.map(|light| light.pixels.rows * light.pixels.columns);
                 let one_in = pixels.max().unwrap_or(1).div_ceil(TIMED_PIXELS);
                 Sample {
@@ -214,12 +219,8 @@ impl Sample {
     }
 
     /// Whether it has every pixel.
-    fn is_all(&self, scene: &Scene) -> bool {
-        let frames = scene
-            .optics
-            .lights
-            .iter()
-            .map(|light| light.pixels.frames());
+    fn is_all(&self, job: &ResolvedJob) -> bool {
+        let frames = job.optics.lights.iter().map(|light| light.pixels.frames());
         self.one_in == 1 && frames.max().is_none_or(|frames| self.frames >= frames)
     }
 
@@ -240,9 +241,9 @@ impl Sample {
         })
     }
 
-    /// The lights of a scene with these pixels alone.
-    fn lights(&self, scene: &Scene) -> Vec<Light> {
-        let mut lights = scene.optics.lights_turning(1);
+    /// The lights of a job with these pixels alone.
+    fn lights(&self, job: &ResolvedJob) -> Vec<Light> {
+        let mut lights = job.optics.lights_turning(1);
         for light in &mut lights {
             let chosen = in_groups(light.pixels.frames(), (self.frames, self.together));
             let azimuths = &mut light.pixels.azimuths;
@@ -265,40 +266,40 @@ fn in_blocks(one_in: usize) -> usize {
 
 /// Calls of the optimizer's model with samples that grow until they take long enough, and the last of these models.
 fn by_optimizer(
-    scene: &Scene,
+    job: &ResolvedJob,
     optics: OpticalScene<'_>,
     voxels: &Voxels,
     run: &Run,
 ) -> Result<(Vec<Calls>, ModelPlan)> {
-    let asked = computed(scene);
-    let timed_by = timed_by(scene)?;
+    let asked = computed(job);
+    let timed_by = timed_by(job)?;
     // Doses of few pixels are as long as those of many
     let mut cotangent: Option<HostField> = None;
     let mut measure = |sample: Sample| -> Result<(Calls, ModelPlan)> {
-        let lights = &sample.lights(scene);
+        let lights = &sample.lights(job);
         let optics = OpticalScene { lights, ..optics };
         let wanted = voxels.wanted();
         let (making_s, plan) =
-            timed(|| planner::plan(asked, optics, &scene.grid, Some(&wanted), run));
+            timed(|| planner::plan(asked, optics, &job.grid, Some(&wanted), run));
         let plan = plan?;
         if cotangent.is_none() {
-            cotangent = Some(cotangent_of_a_good_dose(&plan, scene, voxels, run)?);
+            cotangent = Some(cotangent_of_a_good_dose(&plan, job, voxels, run)?);
         }
         let calls = Calls::of(&plan, sample, making_s, cotangent.as_ref(), run)?;
         Ok((calls, plan))
     };
-    let mut sample = Sample::least(scene, timed_by);
+    let mut sample = Sample::least(job, timed_by);
     let (few, mut plan) = measure(sample)?;
     let mut calls = vec![few];
     let mut times = SOME_MORE;
-    while calls[calls.len() - 1].seconds() < TIMED_S && !sample.is_all(scene) {
+    while calls[calls.len() - 1].seconds() < TIMED_S && !sample.is_all(job) {
         let seconds = calls[calls.len() - 1].seconds();
         let by_pixels = timed_by == TimedBy::Pixels;
         sample = if by_pixels {
             sample.grown((TIMED_S / seconds).clamp(2.0, MOST_GROWTH).ceil() as usize)
         } else {
             times = MANY_MORE;
-            let frames = TIMED_UPDATES / scene.grid.len().max(1) / scene.optics.lights.len();
+            let frames = TIMED_UPDATES / job.grid.len().max(1) / job.optics.lights.len();
             let frames = frames.max(sample.frames).next_multiple_of(sample.frames);
             Sample { frames, ..sample }
         };
@@ -311,7 +312,7 @@ fn by_optimizer(
     }
     // Pixels that are taken alone and take long leave nothing to be told from them
     let is_enough = timed_by == TimedBy::Pixels && calls[calls.len() - 1].seconds() > LONG_S;
-    if !sample.is_all(scene) && !is_enough {
+    if !sample.is_all(job) && !is_enough {
         let (more, next_plan) = measure(sample.grown(times))?;
         calls.push(more);
         plan = next_plan;
@@ -322,19 +323,19 @@ fn by_optimizer(
 /// Calls of the model that judges on a grid, with the pixels that the optimizer's samples lit, until they take long enough; Monte Carlo
 /// paths as many as the optimizer's.
 fn by_evaluation(
-    scene: &Scene,
+    job: &ResolvedJob,
     refine: usize,
     grid: &VolumeGrid,
     samples: &[Calls],
     run: &Run,
 ) -> Result<Vec<Calls>> {
-    let family = scene.optics.family(grid)?;
+    let family = job.optics.family(grid)?;
     let purpose = match family.monte_carlo_paths() {
         Some(_) => Purpose::Probe,
         None => Purpose::Evaluate { refine },
     };
     // Few frames that are taken alone say nothing of what making the model takes
-    let enough = match timed_by(scene)? {
+    let enough = match timed_by(job)? {
         TimedBy::Frames => ENOUGH_S,
         _ => TIMED_S,
     };
@@ -343,7 +344,7 @@ fn by_evaluation(
         if found.last().is_some_and(|last| last.seconds() > enough) {
             break;
         }
-        let mut lights = calls.sample.lights(scene);
+        let mut lights = calls.sample.lights(job);
         for (light, layout) in lights.iter_mut().zip(&calls.layouts) {
             let lit = layout.runs.iter().map(|run| (run.bottom, run.count));
             (light.active, light.selection) = (Some(lit.collect()), Selection::default());
@@ -351,24 +352,24 @@ fn by_evaluation(
         let optics = OpticalScene {
             lights: &lights,
             purpose,
-            ..scene.optics.scene()
+            ..job.optics.scene()
         };
-        let (making_s, plan) = timed(|| planner::plan(computed(scene), optics, grid, None, run));
+        let (making_s, plan) = timed(|| planner::plan(computed(job), optics, grid, None, run));
         found.push(Calls::of(&plan?, calls.sample, making_s, None, run)?);
     }
     Ok(found)
 }
 
 /// The model that the job names. A stored one is known for its own pixels only: what the geometry would take stands for it.
-fn computed(scene: &Scene) -> Option<&Family> {
-    let asked = scene.optics.model.as_ref();
+fn computed(job: &ResolvedJob) -> Option<&Family> {
+    let asked = job.optics.model.as_ref();
     asked.filter(|family| !family.capabilities().is_stored)
 }
 
 /// What of the model's light predicts the time of all.
-fn timed_by(scene: &Scene) -> Result<TimedBy> {
-    let optics = scene.optics.scene();
-    let family = planner::choose(computed(scene), &optics, &scene.grid)?;
+fn timed_by(job: &ResolvedJob) -> Result<TimedBy> {
+    let optics = job.optics.scene();
+    let family = planner::choose(computed(job), &optics, &job.grid)?;
     Ok(family.capabilities().timed_by)
 }
 
@@ -477,7 +478,7 @@ impl CallRates {
 /// Seconds of one pass of the objective, and of one step of a pattern vector per pixel.
 fn passes(
     model: &dyn DoseModel<Field = HostField>,
-    scene: &Scene,
+    job: &ResolvedJob,
     voxels: &Voxels,
     run: &Run,
 ) -> Result<(f64, f64)> {
@@ -486,7 +487,7 @@ fn passes(
     x.fill(1.0);
     let zeros = x.zeros_like();
     let (vector_s, ()) = timed(|| x.axpy(0.5, &zeros));
-    let objective = scene.objective(scene.kinds.on_host(), &model.outputs()[0], voxels)?;
+    let objective = job.objective(job.kinds.on_host(), &model.outputs()[0], voxels)?;
     model.dose(&x, &mut dose, run)?;
     objective.value_and_gradient(&dose, &mut gradient); // caches and pages wake up
     run.check()?;
@@ -499,13 +500,13 @@ fn passes(
 /// What the objective says of a dose that is nearly the wanted one.
 fn cotangent_of_a_good_dose(
     plan: &ModelPlan,
-    scene: &Scene,
+    job: &ResolvedJob,
     voxels: &Voxels,
     run: &Run,
 ) -> Result<HostField> {
     let outputs = plan.model.outputs();
     let layout = &outputs[0];
-    let response = scene.response();
+    let response = job.response();
     let wanted = Volume {
         grid: layout.grid.clone(),
         values: table(voxels.target.inside.values.len(), |i| {
@@ -518,7 +519,7 @@ fn cotangent_of_a_good_dose(
     dose.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&wanted));
     run.check()?;
     let mut cotangent = plan.model.new_dose()?;
-    let objective = scene.objective(scene.kinds.on_host(), layout, voxels)?;
+    let objective = job.objective(job.kinds.on_host(), layout, voxels)?;
     run.check()?;
     objective.value_and_gradient(&dose, &mut cotangent);
     run.check()?;

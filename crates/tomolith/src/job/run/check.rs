@@ -9,7 +9,7 @@ use crate::job::optimize::{iterations_of_ceiling, rehearse};
 use crate::job::output::summary::Plan;
 use crate::job::progress::stage;
 use crate::job::progress::{Progress, watched};
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::job::spec::read::Job;
 use crate::models::Run;
 use crate::report::number::significant;
@@ -27,91 +27,91 @@ pub fn check(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<Pla
 
 fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<Plan> {
     stage(progress, cancel, "reading the job");
-    let mut scene = resolved(job, cancel)?;
-    scene.note_levels();
+    let mut resolved = resolved(job, cancel)?;
+    resolved.note_levels();
     let sampling = stage(progress, cancel, "sampling the target");
     let begin = Instant::now();
-    let voxels = (scene.voxels_under(&scene.grid, &sampling))?;
+    let voxels = (resolved.voxels_under(&resolved.grid, &sampling))?;
     let sampling_s = begin.elapsed().as_secs_f64();
-    scene.must_start(&voxels)?;
-    try_orders(&mut scene, progress, &sampling)?;
+    resolved.must_start(&voxels)?;
+    try_orders(&mut resolved, progress, &sampling)?;
     let trying = stage(progress, cancel, "trying the start of the optimization").aside();
-    if !rehearse(&scene, &voxels, &trying)? {
+    if !rehearse(&resolved, &voxels, &trying)? {
         let text = "the start of the optimization takes too long to be tried here: a run may still find fault with it";
-        scene.notes.push(text.to_owned());
+        resolved.notes.push(text.to_owned());
     }
-    let mut warnings = scene.warnings.clone();
-    warnings.extend(scene.warnings_of(&voxels)?);
+    let mut warnings = resolved.warnings.clone();
+    warnings.extend(resolved.warnings_of(&voxels)?);
     // How much there is to time is not known beforehand
     let timing = stage(progress, cancel, "timing a few frames on this machine").aside();
-    let rates = benchmark::rates(&scene, &voxels, sampling_s, &timing)?;
-    let paths = scene.optics.family(&scene.grid)?.monte_carlo_paths();
-    let of_ceiling = iterations_of_ceiling(&scene, &voxels);
-    scene.notes.extend(print_time(&scene, of_ceiling));
+    let rates = benchmark::rates(&resolved, &voxels, sampling_s, &timing)?;
+    let paths = resolved.optics.family(&resolved.grid)?.monte_carlo_paths();
+    let of_ceiling = iterations_of_ceiling(&resolved, &voxels);
+    resolved.notes.extend(print_time(&resolved, of_ceiling));
     let work = Work {
-        extent: &scene.extent,
-        iterations: scene.spec.stop.iterations + of_ceiling,
+        extent: &resolved.extent,
+        iterations: resolved.spec.stop.iterations + of_ceiling,
         sub_angles: [
-            mean_sub_angles(&scene.optics.lights),
-            scene.spec.evaluate.sub_angles as f64,
+            mean_sub_angles(&resolved.optics.lights),
+            resolved.spec.evaluate.sub_angles as f64,
         ],
         monte_carlo_paths: paths.map(|paths| paths.evaluating / paths.optimizing),
-        levels: scene.spec.evaluate.improves_levels(),
-        wall_s: scene.spec.stop.wall_s,
+        levels: resolved.spec.evaluate.improves_levels(),
+        wall_s: resolved.spec.stop.wall_s,
     };
     let cost = work.cost(&rates);
-    if scene.spec.schedule.is_some() {
+    if resolved.spec.schedule.is_some() {
         let text = "the seconds are those without the print in time, which comes on top";
-        scene.notes.push(text.to_owned());
+        resolved.notes.push(text.to_owned());
     }
     let memory_budget_mb =
-        crate::job::resolve::resources::memory_budget_mb(scene.spec.resources.memory_gb);
+        crate::job::resolve::resources::memory_budget_mb(resolved.spec.resources.memory_gb);
     if let Some((text, is_much)) = work.of_scenarios(&rates, memory_budget_mb) {
         let told = if is_much {
             &mut warnings
         } else {
-            &mut scene.notes
+            &mut resolved.notes
         };
         told.push(text);
     }
-    let [x, y, z] = [2, 1, 0].map(|axis| scene.grid.shape[axis]);
-    let refine = scene.extent.refine;
+    let [x, y, z] = [2, 1, 0].map(|axis| resolved.grid.shape[axis]);
+    let refine = resolved.extent.refine;
     Ok(Plan {
-        part: scene.name.clone(),
+        part: resolved.name.clone(),
         model: rates.model,
         voxels: [x, y, z],
-        pitch_mm: scene.grid.pitch_mm,
+        pitch_mm: resolved.grid.pitch_mm,
         evaluation_voxels: [x * refine, y * refine, z * refine],
-        frames: scene.extent.frames,
-        pixels: scene.extent.pixels,
-        active_pixels: scene.extent.active_pixels,
-        memory_mb: scene
+        frames: resolved.extent.frames,
+        pixels: resolved.extent.pixels,
+        active_pixels: resolved.extent.active_pixels,
+        memory_mb: resolved
             .extent
             .optimization_mb()
-            .max(scene.extent.evaluation_mb()),
+            .max(resolved.extent.evaluation_mb()),
         memory_budget_mb,
-        disk_mb: scene.extent.disk_mb(),
+        disk_mb: resolved.extent.disk_mb(),
         seconds: cost.optimization_s + cost.rest_s,
-        iterations: scene.spec.stop.iterations,
+        iterations: resolved.spec.stop.iterations,
         optimization_s: cost.optimization_s,
         updates_per_s: 1.0 / rates.calls.dose.per_update_s,
-        notes: scene.notes.clone(),
+        notes: resolved.notes.clone(),
         warnings,
     })
 }
 
 /// What is known of the print's time before a run; None where nothing is.
-fn print_time(scene: &Scene, of_ceiling: usize) -> Option<String> {
+fn print_time(resolved: &ResolvedJob, of_ceiling: usize) -> Option<String> {
     if of_ceiling > 0 {
         return Some(format!(
             "the run looks for the lowest ceiling of the pixels at which the part prints as well, which takes as long as some {of_ceiling} iterations: the print time M/t is known \
              then. bounds.max or printer.time_s set it beforehand"
         ));
     }
-    let (largest, [lower, upper]) = (scene.spec.bounds.max?, scene.kinds.thresholds()?);
-    let threshold = scene.spec.evaluate.threshold;
+    let (largest, [lower, upper]) = (resolved.spec.bounds.max?, resolved.kinds.thresholds()?);
+    let threshold = resolved.spec.evaluate.threshold;
     let gel = threshold.unwrap_or_else(|| f64::midpoint(lower, upper));
-    let is_dose = scene.response().is_identity() && gel > 0.0;
+    let is_dose = resolved.response().is_identity() && gel > 0.0;
     is_dose.then(|| {
         format!(
             "the print time M/t is at most about {} mm: bounds.max over a gel dose of {}",

@@ -6,7 +6,7 @@ use crate::job::dose::cache::KeptParts;
 use crate::job::output::folder::Leaves;
 use crate::job::output::summary::Summary;
 use crate::job::progress::Progress;
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::identity::take_files;
 use crate::job::resolve::identity::{as_floats, contents, hash};
 use crate::job::spec::read::{Job, with_every_default};
@@ -26,7 +26,7 @@ pub struct JobRequirements {
 /// # Errors
 /// As [`run`](fn@crate::job::run), for input that cannot be used.
 pub fn requirements(job: &Job) -> Result<JobRequirements> {
-    let extent = Scene::new(job, &Run::new())?.extent;
+    let extent = ResolvedJob::under(job, &Run::new())?.extent;
     Ok(JobRequirements {
         memory_mb: extent.optimization_mb().max(extent.evaluation_mb()),
     })

@@ -7,7 +7,7 @@ use crate::job::dose::in_time::diffuses;
 use crate::job::output::folder::Leaves;
 use crate::job::output::summary::Summary;
 use crate::job::progress::{Progress, watched};
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::job::spec::read::Job;
 use crate::models::Run;
 use crate::ranks::Communicator;
@@ -40,10 +40,10 @@ pub fn run_among(
 }
 
 /// Refuses what cannot be shared.
-fn must_fit(scene: &Scene, ranks: &dyn Communicator) -> Result<()> {
-    let (spec, size) = (&scene.spec, ranks.size());
-    for (i, light) in scene.optics.lights.iter().enumerate() {
-        let fewest = scene
+fn must_fit(resolved: &ResolvedJob, ranks: &dyn Communicator) -> Result<()> {
+    let (spec, size) = (&resolved.spec, ranks.size());
+    for (i, light) in resolved.optics.lights.iter().enumerate() {
+        let fewest = resolved
             .levels
             .iter()
             .map(|level| level.lights[i].pixels.frames());
@@ -56,22 +56,24 @@ fn must_fit(scene: &Scene, ranks: &dyn Communicator) -> Result<()> {
             ));
         }
     }
-    let scenarios = scene.scenarios.iter().map(|scenario| &scenario.scene);
-    let all: Vec<&Scene> = std::iter::once(scene).chain(scenarios).collect();
-    let families = all.iter().map(|scene| scene.optics.family(&scene.grid));
+    let scenarios = resolved.scenarios.iter().map(|scenario| &scenario.resolved);
+    let all: Vec<&ResolvedJob> = std::iter::once(resolved).chain(scenarios).collect();
+    let families = all
+        .iter()
+        .map(|resolved| resolved.optics.family(&resolved.grid));
     let families = families.collect::<Result<Vec<_>>>()?;
-    let mut lights = all.iter().flat_map(|scene| &scene.optics.lights);
+    let mut lights = all.iter().flat_map(|resolved| &resolved.optics.lights);
     let has_heights = spec.schedule.as_ref().is_some_and(|s| s.level_heights);
     for (key, is_there, found, accepted) in [
         (
             "schedule",
-            scene.is_optimized_in_time() || has_heights,
+            resolved.is_optimized_in_time() || has_heights,
             "patterns optimized in time",
             "no [schedule], or one that only the evaluation follows",
         ),
         (
             "material.diffusion",
-            diffuses(scene),
+            diffuses(resolved),
             "a dose that diffuses from frame to frame, in the order of all frames",
             "no [material.diffusion]",
         ),
@@ -83,7 +85,7 @@ fn must_fit(scene: &Scene, ranks: &dyn Communicator) -> Result<()> {
         ),
         (
             "penalties",
-            scene.kinds.penalizes_frames(),
+            resolved.kinds.penalizes_frames(),
             "a penalty between frames",
             "smoothness with angles = 0",
         ),
@@ -118,7 +120,7 @@ fn must_fit(scene: &Scene, ranks: &dyn Communicator) -> Result<()> {
     Ok(())
 }
 
-impl Scene {
+impl ResolvedJob {
     /// Refuses what the ranks cannot share, where there are several.
     ///
     /// # Errors
@@ -130,7 +132,7 @@ impl Scene {
         }
     }
 
-    /// The same scene as one rank's; refuses what cannot be shared.
+    /// The same job as one rank's; refuses what cannot be shared.
     ///
     /// # Errors
     /// [`Error::Config`].

@@ -12,7 +12,7 @@ use crate::job::output::folder::Leaves;
 use crate::job::output::folder::RunFolder;
 use crate::job::output::summary::Summary;
 use crate::job::progress::{Progress, watched};
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::job::spec::read::Job;
 use crate::models::Run;
 use std::path::Path;
@@ -45,16 +45,16 @@ fn simulate_stages(
     let mut clock = Clock::new(progress, cancel);
     clock.stage("reading the job and the patterns");
     let job = &beside_the_run(job)?;
-    let mut scene = resolved(job, cancel)?;
-    let (patterns, notes) = device::read(&scene, source, cancel)?;
-    scene.notes.extend(notes);
-    respond_as_found(&mut scene, source)?;
+    let mut resolved = resolved(job, cancel)?;
+    let (patterns, notes) = device::read(&resolved, source, cancel)?;
+    resolved.notes.extend(notes);
+    respond_as_found(&mut resolved, source)?;
     cancel.check()?;
-    let folder = open(job, &scene, clock.progress)?;
-    let (voxels, warnings) = sample(&mut scene, &mut KeptParts::default(), &mut clock)?;
+    let folder = open(job, &resolved, clock.progress)?;
+    let (voxels, warnings) = sample(&mut resolved, &mut KeptParts::default(), &mut clock)?;
     let stage = clock.stage("evaluating the patterns");
     let evaluated = evaluate_patterns(
-        &scene,
+        &resolved,
         &voxels,
         &patterns.shown,
         patterns.raw.as_deref(),
@@ -64,7 +64,7 @@ fn simulate_stages(
     )?;
     let done = Done {
         job,
-        scene,
+        resolved,
         voxels,
         patterns,
         evaluated,
@@ -77,8 +77,8 @@ fn simulate_stages(
 }
 
 /// Takes the response that the run found whose patterns these are, where its parameters were unknowns.
-fn respond_as_found(scene: &mut Scene, source: &Path) -> Result<()> {
-    let Some(free) = scene.kinds.free.clone() else {
+fn respond_as_found(resolved: &mut ResolvedJob, source: &Path) -> Result<()> {
+    let Some(free) = resolved.kinds.free.clone() else {
         return Ok(());
     };
     let folder = if source.is_dir() {
@@ -90,11 +90,11 @@ fn respond_as_found(scene: &mut Scene, source: &Path) -> Result<()> {
     let report = report.and_then(|text| serde_json::from_str(&text).ok());
     let found = report.map(|report| free.found_by(&report)).transpose()?;
     let found = found.flatten();
-    scene.notes.push(match &found {
+    resolved.notes.push(match &found {
         Some(found) => format!("the response is the one found with the patterns: {}", found.sentence()),
         None => "no run with a response that was found lies beside the patterns: the response is that of the job, without [co_optimize]".to_owned(),
     });
-    scene.respond_as(found.as_ref());
+    resolved.respond_as(found.as_ref());
     Ok(())
 }
 

@@ -116,7 +116,7 @@ impl Job {
 
     /// The job with every default written out, kinds' parameters included, that runs identically from any folder.
     #[must_use]
-    pub fn resolved(&self) -> JobSpec {
+    pub fn complete(&self) -> JobSpec {
         let mut spec = with_every_default(self.spec.clone());
         let absolute = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
         let tables = spec

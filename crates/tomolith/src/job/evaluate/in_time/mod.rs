@@ -15,7 +15,7 @@ use crate::io::frames::FrameSet;
 use crate::io::mp4::write_movie;
 use crate::job::dose::in_time::Shown;
 use crate::job::resolve::scheduled::sent_mj;
-use crate::job::resolve::{Scene, Voxels};
+use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::metrics::Evaluation;
 use crate::models::Run;
 use crate::report::OneMoment;
@@ -187,15 +187,15 @@ impl NetworkInTime {
 /// # Errors
 /// [`Error::Config`] where models, schedule and material do not fit; [`Error::Canceled`].
 pub(crate) fn print_in_time(
-    scene: &Scene,
+    job: &ResolvedJob,
     voxels: &[&Voxels],
     patterns: &[Patterns],
     run: &Run,
 ) -> Result<Option<InTime>> {
-    let Some(given) = &scene.spec.schedule else {
+    let Some(given) = &job.spec.schedule else {
         return Ok(None);
     };
-    let shown = Shown::new(scene, patterns, run)?;
+    let shown = Shown::new(job, patterns, run)?;
     let material = &shown.material;
     let end = shown.schedule.end_s();
     let times: Vec<f64> = (1..=given.snapshots)
@@ -208,12 +208,12 @@ pub(crate) fn print_in_time(
     shown.print(&mut |moment| watched.iter_mut().for_each(|watched| watched.look(moment)))?;
     let names = Material::species(material);
     let mut networks = Vec::with_capacity(names.len());
-    for ((watched, name), (scene, voxels)) in watched
+    for ((watched, name), (job, voxels)) in watched
         .into_iter()
         .zip(names)
-        .zip(scene.species().zip(voxels))
+        .zip(job.species().zip(voxels))
     {
-        let mut network = watched.finish(material, name, scene, voxels, patterns)?;
+        let mut network = watched.finish(material, name, job, voxels, patterns)?;
         let seconds: Vec<f64> = network.points.iter().map(|p| p.seconds).collect();
         network.sent_mj = sent_mj(&shown.schedule, patterns, &seconds);
         networks.push(network);

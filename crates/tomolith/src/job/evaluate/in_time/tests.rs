@@ -255,20 +255,20 @@ fn bodies_and_inserts_are_walls() {
     ] {
         document.set(change).unwrap();
     }
-    let scene = Scene::new(&Job::from_document(document).unwrap(), &Run::new()).unwrap();
-    let held = resin(&scene, &scene.grid).unwrap();
+    let resolved = ResolvedJob::under(&Job::from_document(document).unwrap(), &Run::new()).unwrap();
+    let held = resin(&resolved, &resolved.grid).unwrap();
     let walls = held.values.iter().filter(|v| !**v).count();
     assert!(walls > 20 && walls < held.values.len() / 4, "{walls}");
     // Light uses oxygen up in half of the box; what flows stays in the resin
-    let domain = domain(&scene, &scene.grid).unwrap();
-    let material = material(&scene.spec, None, domain).unwrap();
+    let domain = domain(&resolved, &resolved.grid).unwrap();
+    let material = material(&resolved.spec, None, domain).unwrap();
     let mut state = material.start().unwrap();
     let layout = material.domain().layout().clone();
     let half = Volume {
-        values: (0..scene.grid.len())
+        values: (0..resolved.grid.len())
             .map(|i| 0.2 * f32::from(u8::from(i % 2 == 0)))
             .collect(),
-        grid: scene.grid.clone(),
+        grid: resolved.grid.clone(),
     };
     let light = layout.field_of(&half);
     material.step(&mut state, &[&light], 1.0).unwrap();

@@ -5,7 +5,7 @@ use crate::field::{Field, HostField};
 use crate::grid::{Patterns, Volume};
 use crate::job::evaluate::in_time::NetworkInTime;
 use crate::job::evaluate::measure_at;
-use crate::job::resolve::{Scene, Voxels};
+use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::target::label;
 use tomolith_material::Material;
 use tomolith_material::curves::Curves;
@@ -92,7 +92,7 @@ impl Watched {
         self,
         material: &Photopolymer,
         name: String,
-        scene: &Scene,
+        job: &ResolvedJob,
         voxels: &Voxels,
         patterns: &[Patterns],
     ) -> Result<NetworkInTime> {
@@ -110,13 +110,13 @@ impl Watched {
             Some(seconds) if best > 0.0 => {
                 let degree = material.domain().layout().volume_of(readout.as_slice());
                 let gel = f64::from(own.gel);
-                let evaluation = measure_at(scene, voxels, &degree, gel, patterns)?;
+                let evaluation = measure_at(job, voxels, &degree, gel, patterns)?;
                 with_moment(&mut snapshots, seconds, degree);
                 Some(evaluation)
             }
             _ => None,
         };
-        let no_time = || Volume::filled(scene.grid.clone(), f32::INFINITY);
+        let no_time = || Volume::filled(job.grid.clone(), f32::INFINITY);
         Ok(NetworkInTime {
             name,
             requirement_mj: curves.requirement_mj(),

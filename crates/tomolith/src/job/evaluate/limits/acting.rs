@@ -1,7 +1,7 @@
 //! The lights that act on a species, and what of them may limit its print.
 
 use crate::grid::PatternGrid;
-use crate::job::resolve::Scene;
+use crate::job::resolve::ResolvedJob;
 use crate::optics::light::Light;
 use crate::report::number::significant;
 
@@ -14,15 +14,15 @@ pub(crate) struct Acting<'a> {
 }
 
 /// The lights that drive or inhibit species `s`.
-pub(crate) fn acting_on(scene: &Scene, s: usize) -> Vec<Acting<'_>> {
-    let lights = scene.optics.lights.iter().zip(&scene.spec.light);
-    let is_several = scene.optics.lights.len() > 1;
+pub(crate) fn acting_on(job: &ResolvedJob, s: usize) -> Vec<Acting<'_>> {
+    let lights = job.optics.lights.iter().zip(&job.spec.light);
+    let is_several = job.optics.lights.len() > 1;
     let all = lights.enumerate().map(|(index, (light, spec))| Acting {
         index,
         name: spec.name.as_deref().filter(|_| is_several),
         light,
     });
-    let factor = |light: &Acting<'_>| match &scene.mixing {
+    let factor = |light: &Acting<'_>| match &job.mixing {
         Some(rows) => rows[s].1[light.index],
         None => 1.0,
     };

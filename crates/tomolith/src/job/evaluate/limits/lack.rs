@@ -2,7 +2,7 @@
 
 use super::acting::Acting;
 use crate::job::resolve::reach::sides_key;
-use crate::job::resolve::{Scene, Voxels};
+use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::job::spec::JobSpec;
 use crate::report::number::significant;
 
@@ -26,7 +26,7 @@ impl Lack {
     /// Of a species on the voxels of its print, lit by these lights of a job.
     pub(crate) fn of(
         job: &JobSpec,
-        own: &Scene,
+        own: &ResolvedJob,
         fine: &Voxels,
         lights: &[Acting<'_>],
     ) -> Option<Self> {
@@ -36,7 +36,7 @@ impl Lack {
             .or_else(|| Self::of_selection(lights))
     }
 
-    fn of_resin(own: &Scene) -> Option<Self> {
+    fn of_resin(own: &ResolvedJob) -> Option<Self> {
         let is_dark = !own.optics.dark_inside().is_empty();
         is_dark.then(|| Lack {
             share: 1.0,
@@ -50,7 +50,7 @@ impl Lack {
         })
     }
 
-    fn of_motion(job: &JobSpec, own: &Scene) -> Option<Self> {
+    fn of_motion(job: &JobSpec, own: &ResolvedJob) -> Option<Self> {
         let found = own.optics.unreached_moving(own.shape.as_ref())?;
         Some(Lack {
             share: found.share,
@@ -62,13 +62,13 @@ impl Lack {
     }
 
     /// Of what lies too far from the axis, or above or below the light: whichever is more of the part.
-    fn of_place(job: &JobSpec, own: &Scene, fine: &Voxels) -> Option<Self> {
+    fn of_place(job: &JobSpec, own: &ResolvedJob, fine: &Voxels) -> Option<Self> {
         let both = [Self::of_field(job, own, fine), Self::of_heights(own, fine)];
         let found = both.into_iter().flatten();
         found.max_by(|a, b| a.share.total_cmp(&b.share))
     }
 
-    fn of_field(job: &JobSpec, own: &Scene, fine: &Voxels) -> Option<Self> {
+    fn of_field(job: &JobSpec, own: &ResolvedJob, fine: &Voxels) -> Option<Self> {
         let found = own
             .optics
             .unreached(&fine.target.inside, fine.target.gray)?;
@@ -82,7 +82,7 @@ impl Lack {
         })
     }
 
-    fn of_heights(own: &Scene, fine: &Voxels) -> Option<Self> {
+    fn of_heights(own: &ResolvedJob, fine: &Voxels) -> Option<Self> {
         let found = own.optics.missed(&fine.target.inside, fine.target.gray)?;
         let percent = significant(100.0 * found.share, 2);
         Some(Lack {
