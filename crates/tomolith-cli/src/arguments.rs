@@ -8,6 +8,7 @@ use crate::export_matrix::MatrixArguments;
 use crate::expose::ExposeArguments;
 use crate::import::ImportArguments;
 use crate::metrics::MetricsArguments;
+use crate::new::NewArguments;
 use crate::ranks::{self, Ranks};
 use crate::reproduce::ReproduceArguments;
 use crate::sweep::SweepArguments;
@@ -21,6 +22,7 @@ use tomolith::{Error, Result};
 
 const EXAMPLES: &str = "\
 Examples:
+  tomolith new gear.toml                            a job, with comments, to begin with
   tomolith run examples/01-gear.toml                patterns and report in out/01-gear
   tomolith run gear.toml --set stop.iterations=10   change one key for this run
   tomolith check gear.toml                          is it sound, and what will it cost?
@@ -41,11 +43,28 @@ Exit codes: 0 done, 1 asked quality not met, 2 could not run, 130 canceled";
 pub(crate) struct Arguments {
     #[command(subcommand)]
     pub(crate) command: Command,
+    /// When errors are colored
+    #[arg(long, global = true, value_enum, value_name = "WHEN", default_value_t = ColorWhen::Auto, hide_possible_values = false)]
+    pub(crate) color: ColorWhen,
+}
+
+/// When errors are colored.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ColorWhen {
+    /// On a terminal, unless NO_COLOR is set
+    #[default]
+    Auto,
+    /// Always
+    Always,
+    /// Never
+    Never,
 }
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Run a job: target → patterns → predicted print → report
+    /// Write a commented job: part, vial, projector and resin from options, or asked for
+    New(NewArguments),
+    /// Run jobs: target → patterns → predicted print → report
     Run(RunArguments),
     /// Predict what given patterns print: those of an earlier run, or of another program
     Simulate(SimulateArguments),
@@ -57,9 +76,12 @@ pub(crate) enum Command {
     Reproduce(ReproduceArguments),
     /// Check a job without running it: plan, memory, time, warnings
     Check(CheckArguments),
-    /// List what a job can choose from (vials, objectives, optimizers, …), with all parameters
+    /// List what a job can choose from (vials, objectives, optimizers, …) and the keys of its tables
+    #[command(
+        after_help = "Examples:\n  tomolith kinds                 all families and tables\n  tomolith kinds vial            every vial with its parameters\n  tomolith kinds vial cylinder   one of them\n  tomolith kinds printer         the keys of a table"
+    )]
     Kinds {
-        /// Only this family, for example `vial`
+        /// Only this family or table, for example `vial` or `printer`
         family: Option<String>,
         /// Only this kind, for example `cylinder`
         name: Option<String>,
@@ -72,6 +94,26 @@ pub(crate) enum Command {
         /// Print tables of all keys (Markdown) instead of the schema
         #[arg(long)]
         markdown: bool,
+    },
+    /// What this machine has, and whether the program computes on it what closed forms say: ten seconds
+    Doctor {
+        /// As JSON
+        #[arg(long)]
+        json: bool,
+    },
+    /// Print the completions of a shell
+    #[command(
+        after_help = "Example:\n  tomolith completions bash > ~/.local/share/bash-completion/completions/tomolith"
+    )]
+    Completions {
+        /// The shell
+        shell: clap_complete::Shell,
+    },
+    /// Write a manual page of every command into a folder
+    #[command(after_help = "Example:\n  tomolith man ~/.local/share/man/man1 && man tomolith-run")]
+    Man {
+        /// The folder
+        folder: PathBuf,
     },
     /// List the graphics cards that `--device` can name
     Devices {
@@ -105,8 +147,15 @@ pub(crate) enum Command {
 
 #[derive(Debug, Args)]
 pub(crate) struct JobArguments {
-    /// Job file, TOML or JSON
+    /// Job file, TOML or JSON; `-` reads standard input
     pub(crate) job: PathBuf,
+    #[command(flatten)]
+    pub(crate) changes: JobChanges,
+}
+
+/// What options change of a job.
+#[derive(Debug, Args)]
+pub(crate) struct JobChanges {
     /// Run a coarse version: a third of the resolution (down to a sixth, so that images have 80 pixels across), few angles, few iterations. Its print is poor; the file's evaluate.require_iou and require_in_band do not count
     #[arg(long)]
     pub(crate) toy: bool,
@@ -145,9 +194,15 @@ impl Manner {
 }
 
 #[derive(Debug, Args)]
+#[command(
+    after_help = "Examples:\n  tomolith run gear.toml                          patterns and report in out/gear\n  tomolith run gear.toml --toy                    a quick look\n  tomolith run gear.toml --resume --set stop.iterations=90\n  tomolith run jobs/*.toml                        one after the other\n  tomolith new - --part gyroid | tomolith run - -o out/gyroid"
+)]
 pub(crate) struct RunArguments {
+    /// Job files, TOML or JSON, run one after the other; `-` reads standard input
+    #[arg(required = true, value_name = "JOB")]
+    pub(crate) jobs: Vec<PathBuf>,
     #[command(flatten)]
-    pub(crate) job: JobArguments,
+    pub(crate) changes: JobChanges,
     /// Run folder, in place of `output.folder`
     #[arg(long, short, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
@@ -186,6 +241,9 @@ impl From<Keep> for Leaves {
 }
 
 #[derive(Debug, Args)]
+#[command(
+    after_help = "Examples:\n  tomolith simulate gear.toml --patterns out/gear/patterns.npz\n  tomolith simulate gear.toml --patterns frames/ --set resin.absorption_per_mm=0.1"
+)]
 pub(crate) struct SimulateArguments {
     #[command(flatten)]
     pub(crate) job: JobArguments,
@@ -200,6 +258,9 @@ pub(crate) struct SimulateArguments {
 }
 
 #[derive(Debug, Args)]
+#[command(
+    after_help = "Examples:\n  tomolith check gear.toml\n  tomolith check gear.toml --json | jq .seconds"
+)]
 pub(crate) struct CheckArguments {
     #[command(flatten)]
     pub(crate) job: JobArguments,

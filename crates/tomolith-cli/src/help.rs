@@ -1,49 +1,96 @@
 //! `tomolith kinds` and `tomolith schema`: the tables of the library, printed.
 
 use crate::screen::say;
+use serde_json::{Value, json};
 use tomolith::error::nearest_name;
 use tomolith::job::kinds::{KindFamily, Parameter, families, parameters};
+use tomolith::job::reference_page::{TablePage, tables};
 use tomolith::kind::KindPage;
 use tomolith::{Error, Result};
 
-/// Every kind, every kind of a family, or one kind.
+/// Every kind and table, those of a family or table, or one kind.
 pub(crate) fn kinds(family: Option<&str>, name: Option<&str>, json: bool) -> Result<()> {
-    let all = families();
-    let chosen: Vec<&KindFamily> = match family {
-        None => all.iter().collect(),
-        Some(wanted) => vec![find("family", wanted, all, |f| f.name)?],
+    let (all, tables) = (families(), tables());
+    let Some(wanted) = family else {
+        let pages = all.iter().flat_map(|f| &f.kinds).map(as_json);
+        match json {
+            true => say(&pages.collect::<Value>().to_string()),
+            false => list(all, &tables),
+        }
+        return Ok(());
     };
-    if let (Some(wanted), [family]) = (name, chosen.as_slice()) {
-        let page = find("kind", wanted, &family.kinds, |k| k.name)?;
-        say(&if json {
-            as_json(page).to_string()
-        } else {
-            full(page)
+    if let Some(table) = tables.iter().find(|table| table.name == wanted) {
+        say(&match json {
+            true => keys_as_json(table).to_string(),
+            false => keys(table),
         });
         return Ok(());
     }
-    if json {
-        let list: Vec<_> = chosen.iter().flat_map(|f| &f.kinds).map(as_json).collect();
-        say(&serde_json::Value::Array(list).to_string());
-        return Ok(());
+    let names = all
+        .iter()
+        .map(|f| f.name)
+        .chain(tables.iter().map(|t| t.name.as_str()));
+    let names: Vec<&str> = names.collect();
+    let family = all.iter().find(|f| f.name == wanted);
+    let family = family.ok_or_else(|| unknown("family or table", wanted, &names))?;
+    if let Some(wanted) = name {
+        let names: Vec<&str> = family.kinds.iter().map(|k| k.name).collect();
+        let page = family.kinds.iter().find(|k| k.name == wanted);
+        let page = page.ok_or_else(|| unknown("kind", wanted, &names))?;
+        say(&match json {
+            true => as_json(page).to_string(),
+            false => full(page),
+        });
+    } else if json {
+        let pages = family.kinds.iter().map(as_json);
+        say(&pages.collect::<Value>().to_string());
+    } else {
+        say(&format!("{}: {}", family.name, family.summary));
+        family.kinds.iter().for_each(|page| say(&full(page)));
+        say("");
     }
-    for one in chosen {
-        say(&format!("{}: {}", one.name, one.summary));
-        for page in &one.kinds {
-            if family.is_some() {
-                say(&full(page));
-            } else {
-                say(&format!("  {:<16} {}", page.name, page.summary));
-            }
+    Ok(())
+}
+
+/// All families with their kinds, and all tables, a line each.
+fn list(families: &[KindFamily], tables: &[TablePage]) {
+    for family in families {
+        say(&format!("{}: {}", family.name, family.summary));
+        for page in &family.kinds {
+            say(&format!("  {:<16} {}", page.name, page.summary));
         }
         say("");
     }
-    if family.is_none() {
-        say(
-            "`tomolith kinds FAMILY` shows the parameters, `tomolith kinds FAMILY KIND` those of one kind",
-        );
+    say("Tables:");
+    for table in tables {
+        let summary = table.summary.split(". ").next().unwrap_or_default();
+        say(&format!(
+            "  {:<16} {}",
+            table.name,
+            summary.trim_end_matches('.')
+        ));
     }
-    Ok(())
+    say("");
+    say(
+        "`tomolith kinds FAMILY` shows the parameters of its kinds, `tomolith kinds FAMILY KIND` those of one, `tomolith kinds TABLE` the keys of a table",
+    );
+}
+
+/// The keys of a table.
+fn keys(table: &TablePage) -> String {
+    let (open, close) = if table.is_list {
+        ("[[", "]]")
+    } else {
+        ("[", "]")
+    };
+    let title = format!("{open}{}{close}: {}", table.name, table.summary);
+    format!("{title}\n\n{}\n", rows(&table.keys, 2))
+}
+
+fn keys_as_json(table: &TablePage) -> Value {
+    let key = |key: &Parameter| json!({ "name": key.name, "type": key.kind, "default": key.default, "required": key.required, "meaning": key.meaning });
+    let keys: Value = table.keys.iter().map(key).collect();
+    json!({ "table": table.name, "is_list": table.is_list, "summary": table.summary, "keys": keys })
 }
 
 /// The JSON Schema of a job, or a page of all its keys.
@@ -56,54 +103,48 @@ pub(crate) fn schema(markdown: bool) -> Result<()> {
     Ok(())
 }
 
-fn find<'t, T>(
-    what: &str,
-    wanted: &str,
-    list: &'t [T],
-    name: impl Fn(&T) -> &'static str,
-) -> Result<&'t T> {
-    list.iter().find(|one| name(one) == wanted).ok_or_else(|| {
-        let names: Vec<&str> = list.iter().map(&name).collect();
-        Error::Config {
-            key: "kinds".to_owned(),
-            found: format!("unknown {what} `{wanted}`"),
-            accepted: names.join(", "),
-            nearest: nearest_name(wanted, names.iter().copied()).map(str::to_owned),
-            place: None,
-        }
-    })
+fn unknown(what: &str, wanted: &str, names: &[&str]) -> Error {
+    Error::Config {
+        key: "kinds".to_owned(),
+        found: format!("unknown {what} `{wanted}`"),
+        accepted: names.join(", "),
+        nearest: nearest_name(wanted, names.iter().copied()).map(str::to_owned),
+        place: None,
+    }
 }
 
 /// A kind with its parameters and an example.
 fn full(page: &KindPage) -> String {
-    let mut lines = vec![String::new(), format!("  {}: {}", page.name, page.summary)];
-    let rows: Vec<[String; 4]> = parameters(page)
-        .iter()
-        .map(|p| {
-            [
-                p.name.clone(),
-                p.kind.clone(),
-                presence(p),
-                p.meaning.clone(),
-            ]
-        })
-        .collect();
+    let example = page.example.lines().map(|line| format!("      | {line}"));
+    let example: Vec<String> = example.collect();
+    let parameters = rows(&parameters(page), 6);
+    format!(
+        "\n  {}: {}\n{parameters}\n\n{}",
+        page.name,
+        page.summary,
+        example.join("\n")
+    )
+}
+
+/// Parameters in columns, behind so many blanks.
+fn rows(parameters: &[Parameter], indent: usize) -> String {
+    let rows = parameters.iter().map(|p| {
+        let cells = [p.name.clone(), p.kind.clone(), presence(p)];
+        (cells, p.meaning.as_str())
+    });
+    let rows: Vec<([String; 3], &str)> = rows.collect();
     let width = |column: usize| {
-        rows.iter()
-            .map(|row| row[column].chars().count())
-            .max()
-            .unwrap_or(0)
+        let cells = rows.iter().map(|(cells, _)| cells[column].chars().count());
+        cells.max().unwrap_or(0)
     };
-    let widths = [width(0), width(1), width(2)];
-    for [name, kind, presence, meaning] in &rows {
-        let [a, b, c] = widths;
-        lines.push(format!(
-            "      {name:<a$}  {kind:<b$}  {presence:<c$}  {meaning}"
-        ));
-    }
-    lines.push(String::new());
-    lines.extend(page.example.lines().map(|line| format!("      | {line}")));
-    lines.join("\n")
+    let [a, b, c] = [width(0), width(1), width(2)];
+    let line = |([name, kind, presence], meaning): &([String; 3], &str)| {
+        format!(
+            "{:indent$}{name:<a$}  {kind:<b$}  {presence:<c$}  {meaning}",
+            ""
+        )
+    };
+    rows.iter().map(line).collect::<Vec<_>>().join("\n")
 }
 
 fn presence(parameter: &Parameter) -> String {

@@ -8,21 +8,26 @@ mod arguments;
 mod calibrate;
 mod compare;
 mod devices;
+mod doctor;
 mod export;
 mod export_matrix;
 mod expose;
 mod help;
 mod import;
 mod metrics;
+mod new;
 mod ranks;
 mod reproduce;
 mod screen;
+mod shell;
 mod sweep;
 mod trace;
 mod trouble;
 mod voxelize;
 
-use arguments::{Arguments, Command, JobArguments, Manner, RunArguments, SimulateArguments};
+use arguments::{
+    Arguments, Command, JobArguments, JobChanges, Manner, RunArguments, SimulateArguments,
+};
 use clap::Parser;
 use ranks::Ranks;
 use screen::{Screen, say};
@@ -33,7 +38,7 @@ use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
 use tomolith::io::give_up;
-use tomolith::job::{self, Job};
+use tomolith::job::{self, Document, Job, RunFolder};
 use tomolith::models::Run;
 use tomolith::{Error, Result};
 
@@ -49,6 +54,7 @@ fn main() -> ExitCode {
         Ok(arguments) => arguments,
         Err(code) => return code,
     };
+    trouble::set_color(arguments.color);
     let ranks = match &arguments.command {
         Command::Run(_) => ranks::started(true),
         // A run that panics is a row of the table
@@ -57,7 +63,8 @@ fn main() -> ExitCode {
     };
     remark_on_launcher(&arguments.command);
     let (manner, done) = match &arguments.command {
-        Command::Run(given) => (given.manner, run(given, ranks.as_ref())),
+        Command::New(given) => (Manner::default(), new::new(given).map(|()| true)),
+        Command::Run(given) => (given.manner, runs(given, ranks.as_ref())),
         Command::Simulate(given) => (given.manner, simulate(given)),
         Command::Print(given) => (given.manner, print(given)),
         Command::Check(given) => (given.manner, check(given)),
@@ -74,6 +81,18 @@ fn main() -> ExitCode {
             )
         }
         Command::Schema { markdown } => (Manner::default(), help::schema(*markdown).map(|()| true)),
+        Command::Doctor { json } => {
+            let manner = Manner {
+                json: *json,
+                ..Manner::default()
+            };
+            (manner, doctor::doctor(*json))
+        }
+        Command::Completions { shell } => {
+            shell::completions(*shell);
+            (Manner::default(), Ok(true))
+        }
+        Command::Man { folder } => (Manner::default(), shell::manual(folder).map(|()| true)),
         Command::Devices { json } => {
             devices::devices(*json);
             (Manner::default(), Ok(true))
@@ -196,26 +215,63 @@ fn remark_on_launcher(command: &Command) {
     }
 }
 
-/// `tomolith run`: whether the asked quality was met.
-fn run(given: &RunArguments, ranks: Option<&Ranks>) -> Result<bool> {
+/// `tomolith run`: whether all jobs met the quality that they ask for. A job that cannot run is told, and the next one begins.
+fn runs(given: &RunArguments, ranks: Option<&Ranks>) -> Result<bool> {
     prepare(given.manner)?;
-    let job = read(&given.job, given.output.as_deref());
-    let job = job.map(|job| match given.overwrite {
-        true => job.overwriting(),
-        false => job,
-    });
-    let job = ranks::agreed(ranks, job);
+    let several = given.jobs.len() > 1;
+    if several && given.output.is_some() {
+        return Err(Error::config(
+            "--output",
+            format!("one folder for {} jobs", given.jobs.len()),
+            "no --output with several jobs: each has its output.folder, or out/NAME",
+        ));
+    }
     let manner = given.manner.of_rank(ranks);
     let cancel = match ranks {
         None => cancel_on_ctrl_c(manner),
         // Ranks that wait for each other end their steps together
         Some(_) => cancel_saying(manner, Run::with_patience(Duration::MAX), STOPPING_RANKS),
     };
-    let mut screen = Screen::new(manner);
+    let (mut is_met, mut last) = (true, None);
+    for (i, file) in given.jobs.iter().enumerate() {
+        if several && !manner.quiet && !manner.json {
+            let place = format!("{}/{}", i + 1, given.jobs.len());
+            screen::mutter(&format!("{place:>12} {}", file.display()));
+        }
+        match run(file, given, ranks, &cancel) {
+            Ok(met) => is_met &= met,
+            Err(Error::Canceled) => return Err(Error::Canceled),
+            Err(error) => {
+                if let Some(earlier) = last.replace(error) {
+                    trouble::show(&earlier, given.manner.json);
+                }
+            }
+        }
+    }
+    match last {
+        Some(error) => Err(error),
+        None => Ok(is_met),
+    }
+}
+
+/// One job: whether the asked quality was met.
+fn run(
+    file: &Path,
+    given: &RunArguments,
+    ranks: Option<&Ranks>,
+    cancel: &Arc<Run>,
+) -> Result<bool> {
+    let job = read_changed(file, &given.changes, given.output.as_deref());
+    let job = job.map(|job| match given.overwrite {
+        true => job.overwriting(),
+        false => job,
+    });
+    let job = ranks::agreed(ranks, job);
+    let mut screen = Screen::new(given.manner.of_rank(ranks));
     let (resume, leaves) = (given.resume, given.keep.into());
     let summary = match ranks {
-        None => job::run_leaving(&job?, resume, leaves, &mut screen, &cancel).map(Some),
-        Some(ranks) => job::run_among(&job?, resume, leaves, ranks, &mut screen, &cancel),
+        None => job::run_leaving(&job?, resume, leaves, &mut screen, cancel).map(Some),
+        Some(ranks) => job::run_among(&job?, resume, leaves, ranks, &mut screen, cancel),
     };
     let summary = summary?;
     summary.iter().for_each(|summary| screen.finish(summary));
@@ -290,17 +346,39 @@ fn check(given: &arguments::CheckArguments) -> Result<bool> {
 }
 
 fn read(given: &JobArguments, output: Option<&Path>) -> Result<Job> {
-    let device = given.device.iter();
+    read_changed(&given.job, &given.changes, output)
+}
+
+/// A job file, or standard input, with what options change.
+fn read_changed(file: &Path, changes: &JobChanges, output: Option<&Path>) -> Result<Job> {
+    let device = changes.device.iter();
     let device = device.map(|name| format!("resources.device={}", serde_json::json!(name)));
-    let set: Vec<String> = given.set.iter().cloned().chain(device).collect();
-    let mut job = Job::read(&given.job, &set)?;
-    if given.toy {
+    let set: Vec<String> = changes.set.iter().cloned().chain(device).collect();
+    let mut job = match file.as_os_str() == "-" {
+        true => Job::changed(Document::from_stdin()?, &set)?,
+        false if RunFolder::holds_a_run(file) => return Err(of_folder(file)),
+        false => Job::read(file, &set)?,
+    };
+    if changes.toy {
         job = job.toy();
     }
     Ok(match output {
         Some(folder) => job.with_folder(folder, "--output"),
         None => job,
     })
+}
+
+/// What to do with a run folder that is given for a job.
+fn of_folder(folder: &Path) -> Error {
+    let shown = folder.display();
+    Error::config(
+        "JOB",
+        format!("`{shown}` is the folder of a run"),
+        format!(
+            "a job file: `tomolith run {shown}/job.toml -o {shown} --resume` goes on with this run, `tomolith expose {shown}` plans its exposure, \
+             `tomolith compare {shown} OTHER` puts it beside another, {shown}/report.html shows it"
+        ),
+    )
 }
 
 fn prepare(manner: Manner) -> Result<()> {

@@ -1,13 +1,33 @@
 //! Errors as text: the line of the job underlined, what is accepted, the nearest name.
 
+use crate::arguments::ColorWhen;
 use crate::screen::say;
 use annotate_snippets::renderer::DecorStyle;
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use std::io::{IsTerminal, Write};
+use std::sync::OnceLock;
 use tomolith::Error;
 use tomolith::error::{Place, key_or_file};
 use tomolith::io::read_text;
 use tomolith::text::printable;
+
+/// What `--color` says.
+static COLOR: OnceLock<ColorWhen> = OnceLock::new();
+
+/// Takes what `--color` says.
+pub(crate) fn set_color(when: ColorWhen) {
+    let _ = COLOR.set(when);
+}
+
+fn is_colored() -> bool {
+    match COLOR.get().copied().unwrap_or_default() {
+        ColorWhen::Always => true,
+        ColorWhen::Never => false,
+        ColorWhen::Auto => {
+            std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none()
+        }
+    }
+}
 
 /// Shows an error on standard error, or as a JSON line on standard output.
 pub(crate) fn show(error: &Error, json: bool) {
@@ -15,8 +35,7 @@ pub(crate) fn show(error: &Error, json: bool) {
         say(&as_json(error).to_string());
         return;
     }
-    let is_colored = std::io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none();
-    let renderer = match is_colored {
+    let renderer = match is_colored() {
         true => Renderer::styled(),
         false => Renderer::plain(),
     };

@@ -1,6 +1,7 @@
 //! The command as it is typed: its folders, files and exit codes. One program, so that it is linked once.
 
 mod bad_input;
+mod begin;
 mod bench;
 mod commands;
 mod files;

@@ -17,6 +17,7 @@ use super::kinds::kinds_at;
 use crate::error::{Error, Place, Result};
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
+use std::io::Read;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use tomolith_core::files::read_at_most;
@@ -73,6 +74,34 @@ impl Document {
         }
         let bytes = read_at_most(file, MOST_MB)?;
         Self::from_bytes(file, bytes)
+    }
+
+    /// Reads standard input: JSON where it begins with a brace, TOML otherwise. In messages it is `stdin.toml` or `stdin.json`.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn from_stdin() -> Result<Self> {
+        let input = Path::new("standard input");
+        let most = MOST_MB * 1_000_000;
+        let mut bytes = Vec::new();
+        std::io::stdin()
+            .take(most + 1)
+            .read_to_end(&mut bytes)
+            .map_err(|e| Error::io(input, e))?;
+        if bytes.len() as u64 > most {
+            return Err(Error::Format {
+                path: input.to_owned(),
+                found: format!("more than {MOST_MB} MB"),
+                accepted: "a job in TOML or JSON".to_owned(),
+            });
+        }
+        let first = bytes.iter().find(|byte| !byte.is_ascii_whitespace());
+        let name = if first == Some(&b'{') {
+            "stdin.json"
+        } else {
+            "stdin.toml"
+        };
+        Self::from_bytes(Path::new(name), bytes)
     }
 
     /// The content of a file whose name says which language it is in.

@@ -45,7 +45,14 @@ impl Job {
     /// # Errors
     /// [`Error::Io`]; [`Error::Config`] with key path, file and line, or the override's name.
     pub fn read(file: &Path, overrides: &[String]) -> Result<Self> {
-        let mut document = Document::read(file)?;
+        Self::changed(Document::read(file)?, overrides)
+    }
+
+    /// A job from a document with overrides.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn changed(mut document: Document, overrides: &[String]) -> Result<Self> {
         overrides
             .iter()
             .try_for_each(|assignment| document.set(assignment))?;

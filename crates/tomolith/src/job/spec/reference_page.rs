@@ -20,35 +20,67 @@ with a default may be left out. Tables of one kind are written `[vial.cylinder]`
 has a default.
 ";
 
-/// The page.
+/// A table of a job that has no kinds: `[grid]`, `[[light]]`, ….
+#[derive(Clone, Debug)]
+pub struct TablePage {
+    /// Its key.
+    pub name: String,
+    /// Whether a job has a list of them.
+    pub is_list: bool,
+    /// One sentence.
+    pub summary: String,
+    /// Its keys and those of the tables in it, each with its whole path.
+    pub keys: Vec<Parameter>,
+}
+
+/// The tables of a job that have no kinds, in the order of the schema.
 #[must_use]
-pub fn markdown() -> String {
+pub fn tables() -> Vec<TablePage> {
     let root = schema_of::<JobSpec>().to_value();
     let families = families();
-    let mut page = HEAD.to_owned();
-    page.push_str("\n## Tables\n");
+    let mut found = Vec::new();
     for one in parameters_of(&root, &root) {
         let property = &root["properties"][&one.name];
         let is_family = families.iter().any(|f| f.name == one.name);
-        // What has kinds stands below; `objectives` is the list of `objective`
+        // What has kinds stands apart; `objectives` is the list of `objective`
         if is_family || one.name == "objectives" {
             continue;
         }
-        let Some((table, list)) = table_of(property, &root) else {
+        let Some((table, is_list)) = table_of(property, &root) else {
             continue;
         };
-        let (open, close) = if list { ("[[", "]]") } else { ("[", "]") };
-        let mut rows = Vec::new();
-        collect(table, &root, &format!("{}.", one.name), &mut rows);
+        let mut keys = Vec::new();
+        collect(table, &root, &format!("{}.", one.name), &mut keys);
+        found.push(TablePage {
+            name: one.name,
+            is_list,
+            summary: one.meaning,
+            keys,
+        });
+    }
+    found
+}
+
+/// The page.
+#[must_use]
+pub fn markdown() -> String {
+    let mut page = HEAD.to_owned();
+    page.push_str("\n## Tables\n");
+    for table in tables() {
+        let (open, close) = if table.is_list {
+            ("[[", "]]")
+        } else {
+            ("[", "]")
+        };
         let _ = write!(
             page,
             "\n### `{open}{}{close}`\n\n{}\n",
-            one.name, one.meaning
+            table.name, table.summary
         );
-        write_rows(&mut page, &rows);
+        write_rows(&mut page, &table.keys);
     }
     page.push_str("\n## Kinds\n");
-    for family in families {
+    for family in families() {
         write_family(&mut page, family);
     }
     page

@@ -1,0 +1,255 @@
+//! `tomolith new`: a commented job from a part, a vial, a projector and a resin.
+//!
+//! What no option says is asked for on a terminal, and elsewhere is the default. The job is tried before it is written.
+
+use crate::arguments::must_be_a_place;
+use crate::screen::{mutter, say};
+use clap::Args;
+use std::io::{BufRead, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+use tomolith::io::write_whole;
+use tomolith::job::{Document, Job, ResolvedJob};
+use tomolith::models::Run;
+use tomolith::target::build_under;
+use tomolith::units::concise;
+use tomolith::{Error, Result};
+
+/// Examples in the help.
+const EXAMPLES: &str = "\
+Examples:
+  tomolith new gear.toml                                    asks for the rest
+  tomolith new part.toml --part part.stl --size-mm 8        a mesh, its longest edge 8 mm
+  tomolith new vial.toml --radius-mm 5.4 --wall-mm 0.7      a glass vial in air
+  tomolith new - --part gyroid > gyroid.toml                the text alone";
+
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct NewArguments {
+    /// The job file to write; `-` prints it
+    file: PathBuf,
+    /// A mesh (.stl, .obj, .ply, .3mf) beside the job, or a phantom (`tomolith kinds target.phantom`) [default: gear]
+    #[arg(long, value_name = "FILE|PHANTOM")]
+    part: Option<String>,
+    /// Longest edge of the part, mm; a mesh keeps its size without it, a phantom has 5
+    #[arg(long, value_name = "MM", value_parser = above_zero)]
+    size_mm: Option<f64>,
+    /// Radius of the resin in the vial, mm [default: 8]
+    #[arg(long, value_name = "MM", value_parser = above_zero)]
+    radius_mm: Option<f64>,
+    /// Thickness of its glass, mm, in air; 0 is a vial in a bath of the resin's index [default: 0]
+    #[arg(long, value_name = "MM", value_parser = zero_or_more)]
+    wall_mm: Option<f64>,
+    /// Edge of a pixel in the vial, mm [default: 0.05]
+    #[arg(long, value_name = "MM", value_parser = above_zero)]
+    pixel_mm: Option<f64>,
+    /// Angles of a turn [default: 360]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    angles: Option<u32>,
+    /// Wavelength of the light, nm [default: 405]
+    #[arg(long, value_name = "NM", value_parser = above_zero)]
+    wavelength_nm: Option<f64>,
+    /// Refractive index of the resin [default: 1.5]
+    #[arg(long, value_name = "N", value_parser = above_zero)]
+    index: Option<f64>,
+    /// Depth in the resin at which 1/e of the light is left, mm [default: 20]
+    #[arg(long, value_name = "MM", value_parser = above_zero)]
+    depth_mm: Option<f64>,
+}
+
+fn above_zero(text: &str) -> std::result::Result<f64, String> {
+    let value = text
+        .parse()
+        .ok()
+        .filter(|value: &f64| value.is_finite() && *value > 0.0);
+    value.ok_or_else(|| "a number above 0 is accepted".to_owned())
+}
+
+fn zero_or_more(text: &str) -> std::result::Result<f64, String> {
+    match text.parse() {
+        Ok(0.0) => Ok(0.0),
+        _ => above_zero(text).map_err(|_| "0, or a number above it, is accepted".to_owned()),
+    }
+}
+
+/// What a job is made of.
+struct Answers {
+    part: String,
+    size_mm: Option<f64>,
+    radius_mm: f64,
+    wall_mm: f64,
+    pixel_mm: f64,
+    angles: u32,
+    wavelength_nm: f64,
+    index: f64,
+    depth_mm: f64,
+}
+
+/// Writes the job.
+///
+/// # Errors
+/// [`Error::Config`] for a part that cannot be read or does not fit; [`Error::Io`].
+pub(crate) fn new(given: &NewArguments) -> Result<()> {
+    let prints = given.file.as_os_str() == "-";
+    if !prints {
+        must_be_a_place("FILE", &given.file)?;
+    }
+    let answers = answers(given, !prints)?;
+    let document = |pixels: [usize; 2]| Document::toml(&given.file, text(&answers, pixels));
+    // The part's size says how many pixels light it
+    let trial = Job::from_document(document([64, 64])?)?;
+    let shape = build_under(&trial.spec.target, &trial.base(), "target", &Run::new())
+        .map_err(|e| trial.locate(e))?;
+    let pixels = pixels(&answers, shape.bounds_mm());
+    let job = Job::from_document(document(pixels)?)?;
+    let resolved = ResolvedJob::new(&job)?;
+    for warning in resolved.warnings() {
+        mutter(&format!("{:>12} {warning}", "warning"));
+    }
+    let text = text(&answers, pixels);
+    if prints {
+        say(text.trim_end());
+        return Ok(());
+    }
+    write_whole(&given.file, |out| Ok(out.write_all(text.as_bytes())?))?;
+    let file = given.file.display();
+    say(&format!(
+        "{file} is written; `tomolith check {file}` says what it costs, `tomolith run {file}` runs it"
+    ));
+    Ok(())
+}
+
+/// As many pixels as light the part from every side, and eight more.
+fn pixels(answers: &Answers, [low, high]: [[f64; 3]; 2]) -> [usize; 2] {
+    let reach = (0..2).map(|i| high[i].max(-low[i])).fold(0.0, f64::hypot);
+    // Light meets the axis at the middle row: the higher end counts twice
+    let height = 2.0 * high[2].max(-low[2]);
+    [2.0 * reach, height].map(|mm| (mm / answers.pixel_mm).ceil() as usize + 8)
+}
+
+/// What the options say, what is asked for, or the defaults.
+fn answers(given: &NewArguments, may_ask: bool) -> Result<Answers> {
+    let asks = may_ask && std::io::stdin().is_terminal() && std::io::stderr().is_terminal();
+    let part = match &given.part {
+        Some(part) => part.clone(),
+        None if asks => asked("part: a mesh file, or a phantom", "gear")?,
+        None => "gear".to_owned(),
+    };
+    let number = |option: Option<f64>, words: &str, default: f64| match option {
+        Some(value) => Ok(value),
+        None if asks => number(words, default),
+        None => Ok(default),
+    };
+    let size_mm = match given.size_mm {
+        None if !is_mesh(&part) => Some(number(None, "its longest edge, mm", 5.0)?),
+        size => size,
+    };
+    Ok(Answers {
+        part,
+        size_mm,
+        radius_mm: number(given.radius_mm, "radius of the resin in the vial, mm", 8.0)?,
+        wall_mm: number(
+            given.wall_mm,
+            "its glass, mm (0: a bath of the resin's index)",
+            0.0,
+        )?,
+        pixel_mm: number(given.pixel_mm, "edge of a pixel in the vial, mm", 0.05)?,
+        angles: number(given.angles.map(f64::from), "angles of a turn", 360.0)? as u32,
+        wavelength_nm: number(given.wavelength_nm, "wavelength, nm", 405.0)?,
+        index: number(given.index, "refractive index of the resin", 1.5)?,
+        depth_mm: number(
+            given.depth_mm,
+            "depth at which 1/e of the light is left, mm",
+            20.0,
+        )?,
+    })
+}
+
+/// Asks for a line; the default where it is empty.
+fn asked(words: &str, default: &str) -> Result<String> {
+    let failed = |e| Error::io(Path::new("standard input"), e);
+    let mut error = std::io::stderr();
+    let _ = write!(error, "{words} [{default}]: ");
+    let _ = error.flush();
+    let mut line = String::new();
+    std::io::stdin()
+        .lock()
+        .read_line(&mut line)
+        .map_err(failed)?;
+    let line = line.trim();
+    Ok(if line.is_empty() { default } else { line }.to_owned())
+}
+
+/// Asks for a number until there is one.
+fn number(words: &str, default: f64) -> Result<f64> {
+    loop {
+        match asked(words, &concise(default))?.parse() {
+            Ok(value) => return Ok(value),
+            Err(_) => mutter("a number, please"),
+        }
+    }
+}
+
+fn is_mesh(part: &str) -> bool {
+    Path::new(part).extension().is_some()
+}
+
+/// The job.
+fn text(answers: &Answers, [columns, rows]: [usize; 2]) -> String {
+    let quoted = |text: &str| serde_json::Value::from(text).to_string();
+    let size = answers.size_mm.map(concise);
+    let target = match (is_mesh(&answers.part), size) {
+        (true, Some(size)) => format!(
+            "mesh = {}          # beside this file\nsize_mm = {size}                  # its longest edge; leave it out for the size of the file",
+            quoted(&answers.part)
+        ),
+        (true, None) => format!(
+            "mesh = {}          # beside this file\n# unit = \"in\"                  # where the file's numbers are no mm",
+            quoted(&answers.part)
+        ),
+        (false, size) => format!(
+            "phantom = {}            # or mesh = \"part.stl\"\nsize_mm = {}                  # its longest edge",
+            quoted(&answers.part),
+            size.unwrap_or_else(|| "5.0".to_owned())
+        ),
+    };
+    let [radius, outer] = [answers.radius_mm, answers.radius_mm + answers.wall_mm].map(concise);
+    let vial = match answers.wall_mm > 0.0 {
+        true => format!(
+            "[vial]\nsurrounding_index = 1.0        # air\n\n[vial.cylinder]\ninner_radius_mm = {radius}\nouter_radius_mm = {outer}\nrefractive_index = 1.52        # glass"
+        ),
+        false => format!(
+            "# A vial in a bath of the resin's index. In air: [vial.cylinder], see `tomolith kinds vial`\n[vial.index_matched]\nradius_mm = {radius}"
+        ),
+    };
+    let absorption = concise(1.0 / answers.depth_mm);
+    let [index, pixel, wavelength] =
+        [answers.index, answers.pixel_mm, answers.wavelength_nm].map(concise);
+    let angles = answers.angles;
+    format!(
+        r#"# A job of Tomolith: `tomolith check` says what it costs, `tomolith run` runs it, `tomolith kinds` lists what it can choose from.
+# Editors complete its keys with the line `#:schema job.schema.json` here, and that file from `tomolith schema`.
+
+[target]
+{target}
+
+{vial}
+
+[resin]
+refractive_index = {index}
+absorption_per_mm = {absorption}        # 1/mm: light falls to 1/e within {depth} mm
+# critical_dose_mj_per_mm3 = 0.5   # where it is known, the report says seconds and mJ
+
+[[light]]
+wavelength_nm = {wavelength}
+pixels = [{columns}, {rows}]           # columns, rows: as many as light the part
+angles = {angles}                   # frames of a turn
+projector.collimated = {{ pixel_pitch_mm = {pixel} }}
+
+# Where they are left out: objective and optimizer, the bound of the pixels (as low as prints as well), 45 iterations
+# [stop]
+# iterations = 45
+# [printer]                      # a machine's canvas, gray curve and power: `tomolith kinds printer`
+"#,
+        depth = concise(answers.depth_mm),
+    )
+}

@@ -1,0 +1,181 @@
+//! The commands of the first minute: a new job, what the machine can do, shells, manuals, what a job can hold.
+
+use crate::bench::{Bench, JOB};
+use serde_json::Value;
+use std::io::Write;
+use std::path::Path;
+use std::process::Stdio;
+use tomolith::job::{Document, Job};
+
+#[test]
+fn a_new_job_holds_what_was_said_and_runs() {
+    let bench = Bench::with(&[]);
+    let line = "new part.toml --part sphere --size-mm 2 --radius-mm 3 --wall-mm 0.5 --pixel-mm 0.1 --angles 40 --wavelength-nm 405 --index 1.48 --depth-mm 10";
+    let said = bench.expect(0, line);
+    assert!(said.contains("tomolith run part.toml"), "{said}");
+    let job = Job::read(&bench.path("part.toml"), &[]).unwrap();
+    let vial = &job.spec.vial.kind["cylinder"];
+    assert_eq!(vial["outer_radius_mm"].as_f64(), Some(3.5));
+    assert_eq!(job.spec.resin.absorption_per_mm, Some(0.1));
+    // A sphere of 2 mm, and eight pixels more
+    let [columns, rows] = job.spec.light[0].pixels;
+    assert!(
+        (28..40).contains(&columns) && rows == 28,
+        "{columns} × {rows}"
+    );
+    assert_eq!(bench.json("check part.toml")["frames"], 40);
+    // Nothing is written over
+    let again = bench.expect(2, line);
+    assert!(again.contains("part.toml"), "{again}");
+    // The text alone
+    let text = bench.stdout(0, "new - --part gyroid");
+    let spec = Job::from_document(Document::toml("a.toml", text).unwrap())
+        .unwrap()
+        .spec;
+    assert_eq!(spec.target.phantom.unwrap(), "gyroid");
+}
+
+#[test]
+fn a_new_job_that_cannot_be_is_refused_and_not_written() {
+    let bench = Bench::with(&[]);
+    for (line, words) in [
+        ("new a.toml --part gaer", "did you mean `gear`?"),
+        ("new a.toml --part none.stl", "none.stl"),
+        ("new a.toml --radius-mm 1", "target"),
+        ("new a.toml --depth-mm 0", "--depth-mm"),
+        ("new a.toml --pixel-mm nan", "--pixel-mm"),
+        ("new a.toml --angles 0", "--angles"),
+        ("new none/a.toml", "there is no folder"),
+    ] {
+        let said = bench.expect(2, line);
+        assert!(said.contains(words), "{line}: {said}");
+        assert!(!bench.path("a.toml").exists(), "{line}");
+    }
+}
+
+#[test]
+fn the_doctor_finds_closed_forms() {
+    let bench = Bench::with(&[]);
+    let found: Value = serde_json::from_str(&bench.stdout(0, "doctor --json")).unwrap();
+    assert_eq!(found["is_right"], true, "{found}");
+    let checks = found["checks"].as_array().unwrap();
+    assert_eq!(checks.len(), 3);
+    let said = bench.expect(0, "doctor");
+    assert!(
+        said.contains("instructions") && said.contains("right: "),
+        "{said}"
+    );
+}
+
+#[test]
+fn shells_and_manuals_know_every_command() {
+    let bench = Bench::with(&[]);
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let text = bench.stdout(0, &format!("completions {shell}"));
+        assert!(
+            text.contains("voxelize") && text.contains("doctor"),
+            "{shell}"
+        );
+    }
+    bench.expect(0, "man pages");
+    let page = bench.read("pages/tomolith-run.1");
+    assert!(page.contains("resume"), "{page}");
+}
+
+#[test]
+fn a_job_comes_from_standard_input() {
+    let bench = Bench::with(&[]);
+    let piped = |line: &str, text: &str| {
+        let mut child = bench
+            .command(line)
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        child
+            .stdin
+            .take()
+            .unwrap()
+            .write_all(text.as_bytes())
+            .unwrap();
+        let output = child.wait_with_output().unwrap();
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        (output.status.code(), said, output.stdout)
+    };
+    let (code, said, _) = piped("run - -o out --quiet", JOB);
+    assert_eq!(code, Some(0), "{said}");
+    assert!(bench.path("out/report.html").exists());
+    let (code, _, found) = piped("check - --json", JOB);
+    let found: Value = serde_json::from_slice(&found).unwrap();
+    assert_eq!((code, &found["frames"]), (Some(0), &Value::from(24)));
+    let (code, said, _) = piped("check -", &JOB.replace("iterations", "iteratons"));
+    assert_eq!(code, Some(2));
+    assert!(
+        said.contains("stdin.toml, line 16") && said.contains("did you mean"),
+        "{said}"
+    );
+}
+
+#[test]
+fn several_jobs_run_one_after_the_other_and_one_that_cannot_does_not_end_them() {
+    let wrong = JOB.replace("1.5", "0.5");
+    let bench = Bench::with(&[("a.toml", JOB), ("b.toml", &wrong), ("c.toml", JOB)]);
+    let said = bench.expect(2, "run a.toml b.toml c.toml --keep metrics");
+    assert!(said.contains("refractive_index"), "{said}");
+    for (name, is_there) in [("a", true), ("b", false), ("c", true)] {
+        let report = format!("out/{name}/report.json");
+        assert_eq!(bench.path(&report).exists(), is_there, "{name}");
+    }
+    let said = bench.expect(2, "run a.toml c.toml -o out");
+    assert!(said.contains("--output: one folder for 2 jobs"), "{said}");
+    // A run folder is no job, and says what to do with it
+    let said = bench.expect(2, "run out/a");
+    assert!(said.contains("out/a/job.toml -o out/a --resume"), "{said}");
+}
+
+#[test]
+fn tables_have_pages_like_families() {
+    let bench = Bench::with(&[]);
+    let said = bench.expect(0, "kinds printer");
+    assert!(
+        said.contains("[printer]:") && said.contains("printer.canvas"),
+        "{said}"
+    );
+    let stop = bench.stdout(0, "kinds stop --json");
+    let stop: Value = serde_json::from_str(&stop).unwrap();
+    let keys = stop["keys"].as_array().unwrap();
+    let iterations = keys.iter().find(|key| key["name"] == "stop.iterations");
+    assert_eq!(iterations.unwrap()["default"], 45);
+    let said = bench.expect(2, "kinds printr");
+    assert!(said.contains("did you mean `printer`?"), "{said}");
+}
+
+#[test]
+fn errors_are_colored_where_that_is_asked_for() {
+    let bench = Bench::with(&[]);
+    let is_colored = |line: &str| bench.ended(2, line).stderr.contains(&0x1b);
+    assert!(is_colored("check none.toml --color always"));
+    assert!(!is_colored("check none.toml --color never"));
+    // Nobody reads a pipe in color
+    assert!(!is_colored("check none.toml"));
+}
+
+#[test]
+fn the_schema_in_docs_is_the_one_of_this_program_and_examples_name_it() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let bench = Bench::with(&[]);
+    let written = std::fs::read_to_string(root.join("docs/job.schema.json")).unwrap();
+    assert!(
+        written == bench.stdout(0, "schema"),
+        "docs/job.schema.json is stale: tomolith schema > docs/job.schema.json"
+    );
+    for entry in std::fs::read_dir(root.join("examples")).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_some_and(|end| end == "toml") {
+            let text = std::fs::read_to_string(&path).unwrap();
+            let names = text.starts_with("#:schema ../docs/job.schema.json\n");
+            assert!(names, "{}", path.display());
+        }
+    }
+}
