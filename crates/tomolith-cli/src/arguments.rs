@@ -89,13 +89,27 @@ pub(crate) enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// List the machines and resins that a job can name, or print one
+    #[command(
+        after_help = "Examples:\n  tomolith profiles\n  tomolith profiles opencal\n  tomolith profiles sr399-tpo > ours.toml     and in a job: resin = \"ours.toml\""
+    )]
+    Profiles {
+        /// Only this one
+        name: Option<String>,
+    },
     /// Print the JSON Schema of a job file
+    #[command(
+        after_help = "Examples:\n  tomolith schema > job.schema.json     for editors: `#:schema job.schema.json` in the first line of a job\n  tomolith schema --markdown            the page of all keys"
+    )]
     Schema {
         /// Print tables of all keys (Markdown) instead of the schema
         #[arg(long)]
         markdown: bool,
     },
     /// What this machine has, and whether the program computes on it what closed forms say: ten seconds
+    #[command(
+        after_help = "Examples:\n  tomolith doctor\n  TOMOLITH_ISA=scalar tomolith doctor     with other instructions"
+    )]
     Doctor {
         /// As JSON
         #[arg(long)]
@@ -116,6 +130,7 @@ pub(crate) enum Command {
         folder: PathBuf,
     },
     /// List the graphics cards that `--device` can name
+    #[command(after_help = "Examples:\n  tomolith devices\n  tomolith run gear.toml --device gpu")]
     Devices {
         /// As JSON
         #[arg(long)]

@@ -4,6 +4,7 @@ use crate::screen::say;
 use serde_json::{Value, json};
 use tomolith::error::nearest_name;
 use tomolith::job::kinds::{KindFamily, Parameter, families, parameters};
+use tomolith::job::profiles::PROFILES;
 use tomolith::job::reference_page::{TablePage, tables};
 use tomolith::kind::KindPage;
 use tomolith::{Error, Result};
@@ -32,11 +33,11 @@ pub(crate) fn kinds(family: Option<&str>, name: Option<&str>, json: bool) -> Res
         .chain(tables.iter().map(|t| t.name.as_str()));
     let names: Vec<&str> = names.collect();
     let family = all.iter().find(|f| f.name == wanted);
-    let family = family.ok_or_else(|| unknown("family or table", wanted, &names))?;
+    let family = family.ok_or_else(|| unknown("kinds", "family or table", wanted, &names))?;
     if let Some(wanted) = name {
         let names: Vec<&str> = family.kinds.iter().map(|k| k.name).collect();
         let page = family.kinds.iter().find(|k| k.name == wanted);
-        let page = page.ok_or_else(|| unknown("kind", wanted, &names))?;
+        let page = page.ok_or_else(|| unknown("kinds", "kind", wanted, &names))?;
         say(&match json {
             true => as_json(page).to_string(),
             false => full(page),
@@ -93,6 +94,25 @@ fn keys_as_json(table: &TablePage) -> Value {
     json!({ "table": table.name, "is_list": table.is_list, "summary": table.summary, "keys": keys })
 }
 
+/// All profiles, a line each, or the text of one.
+pub(crate) fn profiles(name: Option<&str>) -> Result<()> {
+    let Some(wanted) = name else {
+        for profile in PROFILES {
+            let named = format!("{} = \"{}\"", profile.table, profile.name);
+            say(&format!("{named:<32}  {}", profile.summary()));
+        }
+        say(
+            "\n`tomolith profiles NAME` prints one with its source. A file NAME.toml beside a job is one, too: printer = \"NAME.toml\"",
+        );
+        return Ok(());
+    };
+    let names: Vec<&str> = PROFILES.iter().map(|own| own.name).collect();
+    let profile = PROFILES.iter().find(|own| own.name == wanted);
+    let profile = profile.ok_or_else(|| unknown("profiles", "profile", wanted, &names))?;
+    say(profile.text.trim_end());
+    Ok(())
+}
+
 /// The JSON Schema of a job, or a page of all its keys.
 pub(crate) fn schema(markdown: bool) -> Result<()> {
     if markdown {
@@ -103,9 +123,9 @@ pub(crate) fn schema(markdown: bool) -> Result<()> {
     Ok(())
 }
 
-fn unknown(what: &str, wanted: &str, names: &[&str]) -> Error {
+fn unknown(command: &str, what: &str, wanted: &str, names: &[&str]) -> Error {
     Error::Config {
-        key: "kinds".to_owned(),
+        key: command.to_owned(),
         found: format!("unknown {what} `{wanted}`"),
         accepted: names.join(", "),
         nearest: nearest_name(wanted, names.iter().copied()).map(str::to_owned),

@@ -80,6 +80,10 @@ fn main() -> ExitCode {
                 help::kinds(family.as_deref(), name.as_deref(), *json).map(|()| true),
             )
         }
+        Command::Profiles { name } => (
+            Manner::default(),
+            help::profiles(name.as_deref()).map(|()| true),
+        ),
         Command::Schema { markdown } => (Manner::default(), help::schema(*markdown).map(|()| true)),
         Command::Doctor { json } => {
             let manner = Manner {

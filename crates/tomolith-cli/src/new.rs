@@ -48,6 +48,12 @@ pub(crate) struct NewArguments {
     /// Wavelength of the light, nm [default: 405]
     #[arg(long, value_name = "NM", value_parser = above_zero)]
     wavelength_nm: Option<f64>,
+    /// A resin by name (`tomolith profiles`), in place of the next two
+    #[arg(long, value_name = "PROFILE", conflicts_with_all = ["index", "depth_mm"])]
+    resin: Option<String>,
+    /// A machine by name (`tomolith profiles`)
+    #[arg(long, value_name = "PROFILE")]
+    printer: Option<String>,
     /// Refractive index of the resin [default: 1.5]
     #[arg(long, value_name = "N", value_parser = above_zero)]
     index: Option<f64>,
@@ -80,8 +86,14 @@ struct Answers {
     pixel_mm: f64,
     angles: u32,
     wavelength_nm: f64,
-    index: f64,
-    depth_mm: f64,
+    /// A profile, or index and depth.
+    resin: Resin,
+    printer: Option<String>,
+}
+
+enum Resin {
+    Profile(String),
+    Measured { index: f64, depth_mm: f64 },
 }
 
 /// Writes the job.
@@ -155,12 +167,18 @@ fn answers(given: &NewArguments, may_ask: bool) -> Result<Answers> {
         pixel_mm: number(given.pixel_mm, "edge of a pixel in the vial, mm", 0.05)?,
         angles: number(given.angles.map(f64::from), "angles of a turn", 360.0)? as u32,
         wavelength_nm: number(given.wavelength_nm, "wavelength, nm", 405.0)?,
-        index: number(given.index, "refractive index of the resin", 1.5)?,
-        depth_mm: number(
-            given.depth_mm,
-            "depth at which 1/e of the light is left, mm",
-            20.0,
-        )?,
+        resin: match &given.resin {
+            Some(name) => Resin::Profile(name.clone()),
+            None => Resin::Measured {
+                index: number(given.index, "refractive index of the resin", 1.5)?,
+                depth_mm: number(
+                    given.depth_mm,
+                    "depth at which 1/e of the light is left, mm",
+                    20.0,
+                )?,
+            },
+        },
+        printer: given.printer.clone(),
     })
 }
 
@@ -221,9 +239,23 @@ fn text(answers: &Answers, [columns, rows]: [usize; 2]) -> String {
             "# A vial in a bath of the resin's index. In air: [vial.cylinder], see `tomolith kinds vial`\n[vial.index_matched]\nradius_mm = {radius}"
         ),
     };
-    let absorption = concise(1.0 / answers.depth_mm);
-    let [index, pixel, wavelength] =
-        [answers.index, answers.pixel_mm, answers.wavelength_nm].map(concise);
+    let resin = match &answers.resin {
+        Resin::Profile(name) => format!(
+            "profile = {}          # `tomolith profiles {name}` says where it is from",
+            quoted(name)
+        ),
+        Resin::Measured { index, depth_mm } => format!(
+            "refractive_index = {}\nabsorption_per_mm = {}        # 1/mm: light falls to 1/e within {} mm",
+            concise(*index),
+            concise(1.0 / depth_mm),
+            concise(*depth_mm)
+        ),
+    };
+    let printer = match &answers.printer {
+        Some(name) => format!("[printer]\nprofile = {}", quoted(name)),
+        None => "# [printer]                      # a machine's canvas, gray curve and power: `tomolith kinds printer`".to_owned(),
+    };
+    let [pixel, wavelength] = [answers.pixel_mm, answers.wavelength_nm].map(concise);
     let angles = answers.angles;
     format!(
         r#"# A job of Tomolith: `tomolith check` says what it costs, `tomolith run` runs it, `tomolith kinds` lists what it can choose from.
@@ -235,8 +267,7 @@ fn text(answers: &Answers, [columns, rows]: [usize; 2]) -> String {
 {vial}
 
 [resin]
-refractive_index = {index}
-absorption_per_mm = {absorption}        # 1/mm: light falls to 1/e within {depth} mm
+{resin}
 # critical_dose_mj_per_mm3 = 0.5   # where it is known, the report says seconds and mJ
 
 [[light]]
@@ -248,8 +279,7 @@ projector.collimated = {{ pixel_pitch_mm = {pixel} }}
 # Where they are left out: objective and optimizer, the bound of the pixels (as low as prints as well), 45 iterations
 # [stop]
 # iterations = 45
-# [printer]                      # a machine's canvas, gray curve and power: `tomolith kinds printer`
-"#,
-        depth = concise(answers.depth_mm),
+{printer}
+"#
     )
 }

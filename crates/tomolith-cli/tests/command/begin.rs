@@ -27,6 +27,10 @@ fn a_new_job_holds_what_was_said_and_runs() {
     // Nothing is written over
     let again = bench.expect(2, line);
     assert!(again.contains("part.toml"), "{again}");
+    bench.expect(0, "new named.toml --resin sr399-tpo --printer opencal");
+    let named = Job::read(&bench.path("named.toml"), &[]).unwrap().spec;
+    assert_eq!(named.resin.absorption_per_mm, Some(0.1148));
+    assert_eq!(named.printer.unwrap().canvas, Some([1920, 1080]));
     // The text alone
     let text = bench.stdout(0, "new - --part gyroid");
     let spec = Job::from_document(Document::toml("a.toml", text).unwrap())
@@ -178,4 +182,24 @@ fn the_schema_in_docs_is_the_one_of_this_program_and_examples_name_it() {
             assert!(names, "{}", path.display());
         }
     }
+}
+
+#[test]
+fn profiles_are_listed_and_printed() {
+    let bench = Bench::with(&[]);
+    let all = bench.stdout(0, "profiles");
+    assert!(
+        all.contains("printer = \"opencal\"") && all.contains("resin = \"sr399-tpo\""),
+        "{all}"
+    );
+    let one = bench.stdout(0, "profiles sr399-tpo");
+    assert!(
+        one.contains("# Source: ") && one.contains("absorption_per_mm = 0.1148"),
+        "{one}"
+    );
+    assert!(
+        bench
+            .expect(2, "profiles opncal")
+            .contains("did you mean `opencal`?")
+    );
 }

@@ -24,7 +24,7 @@ pub mod spec;
 pub use evaluate::trace;
 pub use output::{export, folder, summary};
 pub use resolve::resources;
-pub use spec::{document, import, kinds, read, reference_page, schema, validate};
+pub use spec::{document, import, kinds, profiles, read, reference_page, schema, validate};
 
 pub use document::Document;
 pub use dose::cache::KeptParts;

@@ -14,6 +14,7 @@
 //! dotted, elements of lists are counted from 0: `light[0].pixels[1]`.
 
 use super::kinds::kinds_at;
+use super::profiles;
 use crate::error::{Error, Place, Result};
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
@@ -197,6 +198,8 @@ impl Document {
     /// # Errors
     /// As [`set`](Self::set).
     pub(crate) fn assign(&mut self, assignment: &str) -> Result<String> {
+        // A key is set beside the name of a profile
+        profiles::open(self);
         let no = |found: &str, accepted: &str| {
             let option = format!("--set {assignment}");
             Err(Error::config(option, found, accepted))

@@ -15,6 +15,7 @@ mod light;
 mod material;
 pub(crate) mod not_finite;
 pub(crate) mod output;
+pub mod profiles;
 pub mod read;
 pub mod reference_page;
 mod resin;

@@ -5,6 +5,7 @@ use super::document::Document;
 use super::kinds::{KindFamily, families, with_defaults};
 use super::not_finite;
 use super::output::LEAST_REFINE;
+use super::profiles;
 use super::validate;
 use crate::error::{Error, Result};
 use crate::exposure::PrinterSpec;
@@ -63,12 +64,13 @@ impl Job {
     ///
     /// # Errors
     /// [`Error::Config`] with key path, file and line, or the override's name.
-    pub fn from_document(document: Document) -> Result<Self> {
+    pub fn from_document(mut document: Document) -> Result<Self> {
+        let base = base_of(&document);
+        profiles::fill(&mut document, &base).map_err(|e| document.locate(e))?;
         let spec = JobSpec::from_document(&document).and_then(|spec| {
             validate::ranges(&spec).map_err(|e| document.locate(e))?;
             Ok(spec)
         });
-        let base = base_of(&document);
         let spec = spec.map_err(|first| with_others(&document, &base, first))?;
         Ok(Job {
             document,

@@ -17,7 +17,7 @@ const HEAD: &str = "\
 
 Made by `tomolith schema --markdown`; a test keeps it in step. Lengths are numbers in mm, or text with a unit (\"50 um\"). A key
 with a default may be left out. Tables of one kind are written `[vial.cylinder]`, or `vial = \"cylinder\"` where every parameter
-has a default.
+has a default. `printer` and `resin` take the numbers of a profile by its name (`resin = \"sr399-tpo\"`, or `profile = \"sr399-tpo\"` beside keys that differ): `tomolith profiles`.
 ";
 
 /// A table of a job that has no kinds: `[grid]`, `[[light]]`, ….

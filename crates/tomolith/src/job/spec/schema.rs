@@ -6,6 +6,7 @@
 //! ```
 
 use super::kinds::{KindFamily, families};
+use super::profiles::{PROFILES, TABLES};
 use crate::job::spec::{JobSpec, VialCommon};
 use crate::kind::{KindPage, schema_of};
 use crate::objective::voxel_weights::Common;
@@ -37,6 +38,17 @@ pub fn schema() -> Value {
             "penalties" => root["properties"]["penalties"]["items"] = options,
             name => root["properties"][name] = options,
         }
+    }
+    for (table, definition) in TABLES.into_iter().zip(["PrinterSpec", "ResinSpec"]) {
+        let names = PROFILES.iter().filter(|own| own.table == table);
+        let names: Vec<&str> = names.map(|own| own.name).collect();
+        let words = format!("A profile: {}, or a file NAME.toml", names.join(", "));
+        let profile = json!({ "type": "string", "description": words, "examples": names });
+        definitions[definition]["properties"]["profile"] = profile.clone();
+        let description = root["properties"][table]["description"].clone();
+        root["properties"][table] = json!({
+            "description": description, "anyOf": [profile, { "$ref": format!("#/$defs/{definition}") }],
+        });
     }
     root["$defs"] = Value::Object(definitions);
     root
