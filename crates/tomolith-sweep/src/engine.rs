@@ -21,7 +21,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 use tomolith::io::npy::must_be_whole;
 use tomolith::io::write_whole;
-use tomolith::job::{self, Document, Job, KeptParts, RunFolder, Silent, folder::TAKEN};
+use tomolith::job::{self, Document, Job, RunCache, RunFolder, Silent, folder::TAKEN};
 use tomolith::kind::table_of;
 use tomolith::models::Run;
 use tomolith::text::one_line;
@@ -654,10 +654,10 @@ impl Slot<'_> {
                 return;
             }
         };
-        let mut kept = KeptParts::default();
+        let mut cache = RunCache::default();
         while let Some((i, from)) = self.next() {
             let begin = Instant::now();
-            let run = || pool.install(|| self.run_one(i, &from, &mut kept));
+            let run = || pool.install(|| self.run_one(i, &from, &mut cache));
             let ran = catch_unwind(AssertUnwindSafe(run));
             let ran = ran.unwrap_or_else(|panic| {
                 let text = panic
@@ -730,7 +730,7 @@ impl Slot<'_> {
         Some(from)
     }
 
-    fn run_one(&self, i: usize, from: &[usize], kept: &mut KeptParts) -> Result<State> {
+    fn run_one(&self, i: usize, from: &[usize], cache: &mut RunCache) -> Result<State> {
         let cancel = Arc::clone(&lock(self.run));
         loop {
             // Another process may have finished it meanwhile
@@ -739,7 +739,7 @@ impl Slot<'_> {
             }
             let job = self.job(i, from)?;
             let leaves = self.plan.sweep.spec.keep.leaves();
-            match job::run_here(&job, true, leaves, kept, &mut Silent, &cancel) {
+            match job::run_here(&job, true, leaves, cache, &mut Silent, &cancel) {
                 Ok(_) => return state(self.plan, i),
                 Err(Error::Unsupported { reason, .. }) if reason == TAKEN => {
                     thread::sleep(BUSY);

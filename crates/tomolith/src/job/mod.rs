@@ -27,7 +27,7 @@ pub use resolve::resources;
 pub use spec::{document, import, kinds, profiles, read, reference_page, schema, validate};
 
 pub use document::Document;
-pub use dose::cache::KeptParts;
+pub use dose::cache::RunCache;
 pub use evaluate::in_time::TimeSummary;
 pub use evaluate::prediction::Prediction;
 pub use folder::RunFolder;

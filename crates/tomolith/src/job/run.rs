@@ -19,7 +19,7 @@ mod simulate;
 pub use check::check;
 pub use simulate::simulate;
 
-use super::dose::cache::KeptParts;
+use super::dose::cache::RunCache;
 use super::dose::model_probe::try_orders;
 use super::dose::written::Written;
 use super::evaluate::evaluate_patterns;
@@ -66,7 +66,7 @@ pub fn run_leaving(
             job,
             resume,
             leaves,
-            &mut KeptParts::default(),
+            &mut RunCache::default(),
             progress,
             cancel,
         )
@@ -86,7 +86,7 @@ struct How<'a> {
 fn stages(
     job: &Job,
     how: How<'_>,
-    cache: &mut KeptParts,
+    cache: &mut RunCache,
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Option<Summary>> {
@@ -156,7 +156,7 @@ fn open(job: &Job, resolved: &ResolvedJob, progress: &mut dyn Progress) -> Resul
 /// The voxels, and everything that people should be warned of; takes the dose model that suits them.
 fn sample(
     resolved: &mut ResolvedJob,
-    cache: &mut KeptParts,
+    cache: &mut RunCache,
     clock: &mut Clock<'_>,
 ) -> Result<(Voxels, Vec<String>)> {
     let run = clock.stage("sampling the target");
@@ -180,7 +180,7 @@ fn optimized(
     resolved: &ResolvedJob,
     voxels: &Voxels,
     how: How<'_>,
-    cache: &mut KeptParts,
+    cache: &mut RunCache,
     clock: &mut Clock<'_>,
 ) -> Result<Optimized> {
     let stage = clock.stage(OPTIMIZING);
@@ -198,7 +198,7 @@ fn evaluated<'a>(
     (resolved, voxels, mut warnings): (ResolvedJob, Voxels, Vec<String>),
     optimized: Optimized,
     leaves: Leaves,
-    cache: &KeptParts,
+    cache: &RunCache,
     folder: &RunFolder,
     clock: &mut Clock<'_>,
 ) -> Result<Done<'a>> {

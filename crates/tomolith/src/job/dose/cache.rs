@@ -1,19 +1,16 @@
-//! What a run leaves to the next one in the same process: its target on voxels, its model where that optimizes and judges, and with it the
-//! start that bounds its pixels.
+//! What a run hands to the next one in the same process: its target on voxels, its dose model, and the start that bounds its pixels.
 //!
-//! Where patterns are judged on the voxels and at the angles at which they are optimized, and the family has the same doses for both purposes
-//! ([`evaluates_alike`](crate::models::ModelFamily::evaluates_alike)), one model does both. A later run in the same process takes it over where
-//! its job differs in nothing that a model reads. Results are the same to the bit.
+//! One model serves optimization and evaluation where both use the same voxels and angles and the family has the same doses for both
+//! ([`evaluates_alike`](crate::models::ModelFamily::evaluates_alike)). The next run reuses it if its job differs in nothing that a model reads. Results are
+//! the same to the bit.
 //!
-//! **Memory.** Such a model keeps no more between calls than one that judges, and it stands in place of that one. It is let go before
-//! another is built. Targets of more than `MOST_VOXELS` are sampled anew: beside them sampling takes little of a run.
+//! **Memory.** The model stands in place of the evaluation's, and is dropped before another is built. Targets of more than `MOST_VOXELS` are sampled anew:
+//! at that size sampling takes little of a run.
 
 use super::doses::{Exposed, LitRows};
-
 use crate::error::Result;
 use crate::field::{Field, HostField};
-use crate::job::resolve::identity::take_files;
-use crate::job::resolve::identity::{as_floats, contents, hash, of_voxels};
+use crate::job::resolve::identity::{as_floats, contents, hash, of_voxels, take_files};
 use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::job::spec::JobSpec;
 use crate::job::spec::read::with_every_default;
@@ -38,9 +35,9 @@ const UNREAD: [&str; 8] = [
 /// Voxels of the largest target that is kept: 4 MB of shares.
 const MOST_VOXELS: usize = 1 << 20;
 
-/// What a run leaves to the next one in the same process: its model, where that may serve others, its target, and the start that bounds its pixels; or nothing.
+/// What a run hands to the next one in the same process; empty at first.
 #[derive(Default)]
-pub struct KeptParts {
+pub struct RunCache {
     model: Option<(u64, EvaluationModel)>,
     target: Option<(u64, Target)>,
     start: Option<(u64, BoundingStart)>,
@@ -61,7 +58,7 @@ pub(crate) struct EvaluationModel {
     pub(crate) reason: String,
 }
 
-impl KeptParts {
+impl RunCache {
     /// Takes out the model that this key stands for; another one is let go.
     pub(crate) fn take(&mut self, key: Option<u64>) -> Option<EvaluationModel> {
         let (own, model) = self.model.take()?;
@@ -225,7 +222,7 @@ mod tests {
     "#;
 
     /// Runs the job with changes by what is kept; its report without what is of the time, and its patterns.
-    fn ran(kept: &mut KeptParts, changes: &[&str], folder: &Path) -> (serde_json::Value, Vec<u8>) {
+    fn ran(cache: &mut RunCache, changes: &[&str], folder: &Path) -> (serde_json::Value, Vec<u8>) {
         let file = folder.join("job.toml");
         std::fs::write(&file, PLANE).unwrap();
         let changes: Vec<String> = changes.iter().map(|&change| change.to_owned()).collect();
@@ -235,7 +232,7 @@ mod tests {
             &job,
             false,
             Leaves::Patterns,
-            kept,
+            cache,
             &mut Silent,
             &Run::new(),
         )
@@ -251,33 +248,34 @@ mod tests {
     #[test]
     fn a_run_by_the_model_of_another_is_the_same_run() {
         let folder = tempfile::tempdir().unwrap();
-        let mut kept = KeptParts::default();
+        let mut cache = RunCache::default();
         let changes = ["objective.ospw.lower=0.4", "optimizer={ fista = {} }"];
-        ran(&mut kept, &changes, folder.path());
-        let model = |kept: &KeptParts| {
-            kept.evaluation_model()
+        ran(&mut cache, &changes, folder.path());
+        let model = |cache: &RunCache| {
+            cache
+                .evaluation_model()
                 .map(|own| SharedModel::clone(&own.model))
         };
-        let first = model(&kept).unwrap();
-        let again = ran(&mut kept, &[], folder.path());
-        let second = model(&kept).unwrap();
+        let first = model(&cache).unwrap();
+        let again = ran(&mut cache, &[], folder.path());
+        let second = model(&cache).unwrap();
         assert!(std::sync::Arc::ptr_eq(&first, &second));
-        let alone = ran(&mut KeptParts::default(), &[], folder.path());
+        let alone = ran(&mut RunCache::default(), &[], folder.path());
         assert!(again == alone, "a report or patterns differ");
         // Another part, and a vial that absorbs more
         let smaller = ["target.phantom.cylinder.size_mm=1.4"];
-        let alone = ran(&mut KeptParts::default(), &smaller, folder.path());
-        let after = ran(&mut kept, &smaller, folder.path());
+        let alone = ran(&mut RunCache::default(), &smaller, folder.path());
+        let after = ran(&mut cache, &smaller, folder.path());
         assert!(after == alone, "a report or patterns differ");
-        ran(&mut kept, &["resin.absorption_per_mm=0.2"], folder.path());
-        assert!(!std::sync::Arc::ptr_eq(&first, &model(&kept).unwrap()));
+        ran(&mut cache, &["resin.absorption_per_mm=0.2"], folder.path());
+        assert!(!std::sync::Arc::ptr_eq(&first, &model(&cache).unwrap()));
     }
 
     #[test]
     fn a_run_bounded_by_the_start_of_another_is_the_same_run() {
         let folder = tempfile::tempdir().unwrap();
-        let mut kept = KeptParts::default();
-        ran(&mut kept, &[], folder.path());
+        let mut cache = RunCache::default();
+        ran(&mut cache, &[], folder.path());
         let first = folder.path().join("first.npz");
         std::fs::copy(folder.path().join("run/patterns.npz"), &first).unwrap();
         let start = |own: &str| {
@@ -288,15 +286,15 @@ mod tests {
         };
         let fbp = start("{ fbp = {} }");
         let changes = ["stop.relative_loss=1e-6", &fbp, "objective.ospw.lower=0.6"];
-        let alone = ran(&mut KeptParts::default(), &changes, folder.path());
-        ran(&mut kept, &changes[..2], folder.path());
-        assert!(kept.start.is_some());
-        assert!(ran(&mut kept, &changes, folder.path()) == alone);
+        let alone = ran(&mut RunCache::default(), &changes, folder.path());
+        ran(&mut cache, &changes[..2], folder.path());
+        assert!(cache.start.is_some());
+        assert!(ran(&mut cache, &changes, folder.path()) == alone);
         // Another start bounds otherwise
         let clipped = start("{ fbp = { negative = \"offset\" } }");
         let changes = [changes[0], &clipped];
-        let alone = ran(&mut KeptParts::default(), &changes, folder.path());
-        assert!(ran(&mut kept, &changes, folder.path()) == alone);
+        let alone = ran(&mut RunCache::default(), &changes, folder.path());
+        assert!(ran(&mut cache, &changes, folder.path()) == alone);
     }
 
     #[test]
@@ -308,9 +306,9 @@ mod tests {
             "grid.shape=[24, 24, 2]",
             "light[0].selection={ columns = [2, 20] }",
         ] {
-            let mut kept = KeptParts::default();
-            ran(&mut kept, &[change], folder.path());
-            assert!(kept.evaluation_model().is_none(), "{change}");
+            let mut cache = RunCache::default();
+            ran(&mut cache, &[change], folder.path());
+            assert!(cache.evaluation_model().is_none(), "{change}");
         }
     }
 }

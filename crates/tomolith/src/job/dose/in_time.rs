@@ -3,22 +3,16 @@
 use super::doses::lit_rows;
 use crate::error::Result;
 use crate::field::HostField;
-use crate::grid::Patterns;
-use crate::grid::VolumeGrid;
+use crate::grid::{Patterns, VolumeGrid};
 use crate::job::dose::species::joined;
-use crate::job::resolve::at_section;
 use crate::job::resolve::lights_in_time::Lights;
-use crate::job::resolve::material::domain;
-use crate::job::resolve::material::material;
+use crate::job::resolve::material::{domain, material};
 use crate::job::resolve::refinement::Level;
 use crate::job::resolve::schedule::schedule;
-use crate::job::resolve::{ResolvedJob, Voxels};
+use crate::job::resolve::{ResolvedJob, Voxels, at_section};
 use crate::job::spec::Against;
 use crate::models::{Family, HostModel, OpticalScene, Run, planner};
-
 use std::ops::ControlFlow;
-use tomolith_material::Absorption;
-use tomolith_material::Material;
 use tomolith_material::diffused::Diffused;
 use tomolith_material::domain::Domain;
 use tomolith_material::frozen::Frozen;
@@ -26,6 +20,7 @@ use tomolith_material::photopolymer::Photopolymer;
 use tomolith_material::print::{LightSource, Moment, PrintRun};
 use tomolith_material::printing::Printing;
 use tomolith_material::schedule::Schedule;
+use tomolith_material::{Absorption, Material};
 
 /// Whether the doses of a job diffuse.
 pub(crate) fn diffuses(job: &ResolvedJob) -> bool {

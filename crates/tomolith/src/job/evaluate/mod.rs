@@ -39,7 +39,6 @@ use limits::ENOUGH_BITS;
 use noise::Noise;
 
 use serde::Serialize;
-use species as others;
 use species::Others;
 use tomolith_core::parallel::InParallel;
 
@@ -82,7 +81,7 @@ pub(crate) struct Evaluated {
     /// The same patterns in time, where the job has a schedule.
     pub(crate) in_time: Option<InTime>,
     /// The prints of further species.
-    pub(crate) others: Vec<others::Species>,
+    pub(crate) others: Vec<species::Species>,
     /// All species at one exposure, where there are several.
     pub(crate) one_exposure: Option<OneExposure>,
     /// The same patterns in the job's scenarios.
@@ -174,7 +173,7 @@ pub(crate) fn evaluate_patterns(
     let text = steps.words();
     progress.event(&Event::Note { text });
     let fine = steps.fine_voxels(voxels)?;
-    let fine_of_others = others::voxels(job, &steps.grid, cancel)?;
+    let fine_of_others = species::voxels(job, &steps.grid, cancel)?;
     if raw.is_none() || !steps.looks_at_own() {
         steps.doses.will_show(&[shown]);
     }
@@ -360,7 +359,7 @@ impl<'a> EvaluationSteps<'a> {
             return Ok(None);
         };
         let (job, cancel) = (self.job, self.cancel);
-        self.own_of_others = others::voxels(job, &job.grid, cancel)?;
+        self.own_of_others = species::voxels(job, &job.grid, cancel)?;
         self.doses.will_show(&[raw, self.shown]);
         let (dose, of_others, _) =
             (self.doses).of(&self.own, raw, &cancel.part(share::OWN_DOSE))?;
@@ -427,7 +426,7 @@ impl<'a> EvaluationSteps<'a> {
     fn while_turning(
         mut self,
         of_others: Vec<Voxels>,
-    ) -> Result<(Volume<f32>, String, Vec<others::Species>)> {
+    ) -> Result<(Volume<f32>, String, Vec<species::Species>)> {
         let cancel = self.cancel;
         let (dose, doses_of_others, model) =
             (self.doses).of(&self.turning, self.shown, &cancel.part(share::TURNING))?;
@@ -525,7 +524,7 @@ fn doubts_of(
 fn together(
     job: &ResolvedJob,
     evaluation: &Evaluation,
-    others: &[others::Species],
+    others: &[species::Species],
     progress: &mut dyn Progress,
 ) -> Option<OneExposure> {
     let all: Vec<&Evaluation> = std::iter::once(evaluation)

@@ -2,9 +2,7 @@
 
 use crate::error::Result;
 use crate::grid::{Patterns, Volume, VolumeGrid};
-use crate::job::evaluate::averaged;
-use crate::job::evaluate::headline_of;
-use crate::job::evaluate::measure;
+use crate::job::evaluate::{averaged, headline_of, measure};
 use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::metrics::{Evaluation, Measure};
 use crate::models::Run;

@@ -13,8 +13,8 @@ pub(crate) mod watch;
 
 use crate::error::{Error, Result};
 use crate::grid::{PatternGrid, Patterns};
-use crate::job::dose::cache as kept;
-use crate::job::dose::cache::KeptParts;
+use crate::job::dose::cache;
+use crate::job::dose::cache::RunCache;
 use crate::job::dose::doses::Exposed;
 use crate::job::progress::{Event, Progress};
 use crate::job::resolve::free_parameters::FoundResponse;
@@ -94,13 +94,13 @@ pub(crate) fn optimize(
     job: &ResolvedJob,
     voxels: &Voxels,
     plan: CheckpointPlan<'_>,
-    kept: &mut KeptParts,
+    cache: &mut RunCache,
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Optimized> {
     let (mut checkpoints, resumed) = open_checkpoints(job, voxels, plan, progress)?;
-    let key = kept::key(job, voxels)?;
-    let mut evaluation_model = kept.take(key);
+    let key = cache::key(job, voxels)?;
+    let mut evaluation_model = cache.take(key);
     let mut carried: Option<Vec<Patterns>> = None;
     let (mut bounds, mut of_start) = (Vec::new(), Vec::new());
     let mut pixels: Option<Vec<&PatternGrid>> = None;
@@ -131,7 +131,7 @@ pub(crate) fn optimize(
         let own = level.lights.iter().map(|light| &light.pixels).collect();
         if pixels.as_ref() != Some(&own) {
             let given = job.own_start(level)?;
-            let parts = (&mut *kept, key);
+            let parts = (&mut *cache, key);
             let brightens = resumed.is_none();
             let first = stage.first_patterns(job, given.as_ref(), brightens, parts, cancel)?;
             (bounds, sofar.first_loss) = (first.bounds, first.loss);
@@ -216,7 +216,7 @@ pub(crate) fn optimize(
                 // One that leaves pixels dark does not give the doses of all patterns
                 let exposed = Exposed::new(&stage.level.grid, stage.level.lights.clone());
                 let key = key.filter(|_| stage.dark.is_empty());
-                kept.put(key, exposed, &stage.model, &stage.reason);
+                cache.put(key, exposed, &stage.model, &stage.reason);
                 Ok(optimized(
                     job,
                     stage,

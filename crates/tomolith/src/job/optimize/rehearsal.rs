@@ -2,7 +2,7 @@
 
 use super::stage::{SoFar, Stage};
 use crate::error::{Error, Result};
-use crate::job::dose::cache::KeptParts;
+use crate::job::dose::cache::RunCache;
 use crate::job::progress::Silent;
 use crate::job::resolve::refinement::Level;
 use crate::job::resolve::{ResolvedJob, Voxels};
@@ -55,7 +55,7 @@ fn begin(job: &ResolvedJob, voxels: &Voxels, level: &Level, run: &Run) -> Result
     let silent = &mut Silent;
     let stage = Stage::new(job, voxels, &level, None, silent, run)?;
     let given = job.own_start(&level)?;
-    let parts = (&mut KeptParts::default(), None);
+    let parts = (&mut RunCache::default(), None);
     let first = stage.first_patterns(job, given.as_ref(), true, parts, run)?;
     let (mut x, bounds) = (first.patterns, first.bounds);
     let sofar = &mut SoFar::default();

@@ -1,10 +1,9 @@
 //! One level of the optimization: its voxels, its model, its objective, and the loop on it.
 
-use super::gray_levels as levels;
 use super::gray_levels::Levelled;
-use super::row_balance as heights;
 use super::start::{limits, start_input, starting_patterns};
 use super::watch::Watch;
+use super::{gray_levels, row_balance};
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
 use crate::grid::{Patterns, Volume, VolumeGrid};
@@ -15,10 +14,8 @@ use crate::job::dose::species::planned;
 use crate::job::progress::{Event, Progress};
 use crate::job::resolve::free_parameters::FoundResponse;
 use crate::job::resolve::method::{JobKinds, Minimized};
-use crate::job::resolve::refinement;
 use crate::job::resolve::refinement::Level;
-use crate::job::resolve::scenarios;
-use crate::job::resolve::{ResolvedJob, Voxels};
+use crate::job::resolve::{ResolvedJob, Voxels, refinement, scenarios};
 use crate::models::masked::{darken, pixels_through};
 use crate::models::scenarios::SharedModel;
 use crate::models::sharded::Sharded;
@@ -292,7 +289,7 @@ impl<'a> Stage<'a> {
     /// The patterns in `x`, whose pixels that are to stay dark are made dark.
     pub(crate) fn patterns(&self, x: &mut HostField) -> Vec<Patterns> {
         darken(x.as_mut_slice(), &self.dark);
-        levels::patterns(self.model.patterns(), x)
+        gray_levels::patterns(self.model.patterns(), x)
     }
 
     /// The patterns with rows rescaled so that all heights are done at once; None where the job does not ask for it.
@@ -310,7 +307,7 @@ impl<'a> Stage<'a> {
         let own = job.species().map(|species| species.voxels(&job.grid));
         let own = own.collect::<Result<Vec<_>>>()?;
         let voxels: Vec<&Voxels> = own.iter().collect();
-        heights::level(job, &voxels, raw.to_vec(), progress, cancel).map(Some)
+        row_balance::level(job, &voxels, raw.to_vec(), progress, cancel).map(Some)
     }
 
     /// The patterns on few levels of the machine, where the job has few.
@@ -326,7 +323,7 @@ impl<'a> Stage<'a> {
         let objective = self.objective(job, 0)?;
         let mut problem = Problem::new(model, &objective, bounds, cancel)?
             .with_penalties(job.kinds.on_host().penalties(model.patterns())?);
-        levels::improve(job, &mut problem, x, progress)
+        gray_levels::improve(job, &mut problem, x, progress)
     }
 
     /// Runs the optimizer on this level, and goes on with a wider window where the loss becomes 0 before the iterations are over.

@@ -4,7 +4,7 @@ use super::stage::Stage;
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
 use crate::grid::Volume;
-use crate::job::dose::cache::{BoundingStart, KeptParts, start_key};
+use crate::job::dose::cache::{BoundingStart, RunCache, start_key};
 use crate::job::resolve::species::beginnings;
 use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::job::spec::JobSpec;
@@ -190,7 +190,7 @@ impl Stage<'_> {
         job: &ResolvedJob,
         given: Option<&Given>,
         brightens: bool,
-        (kept, model): (&mut KeptParts, Option<u64>),
+        (cache, model): (&mut RunCache, Option<u64>),
         cancel: &Run,
     ) -> Result<FirstPatterns> {
         let of_job = job.kinds.start.as_ref();
@@ -202,14 +202,14 @@ impl Stage<'_> {
             Some(own) => {
                 let model = model.filter(|_| !own.is_given());
                 let key = model.map(|model| start_key(model, &job.spec));
-                let own = match kept.take_start(key) {
+                let own = match cache.take_start(key) {
                     Some(own) => own,
                     None => self.bounding(job, own, cancel)?,
                 };
                 let bounds = self.limits(job, &own.patterns);
                 let of_dose = |dose| Ok(self.objective(job, 0)?.value(dose));
                 let loss = own.dose.as_ref().map(of_dose).transpose()?;
-                kept.put_start(key, own);
+                cache.put_start(key, own);
                 clip(&mut patterns, self.model.patterns(), &bounds)?;
                 (bounds, loss)
             }

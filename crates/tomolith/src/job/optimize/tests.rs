@@ -202,7 +202,7 @@ fn an_optimization_goes_on_from_the_search_for_its_ceiling() {
             resume: false,
             keeps_end: false,
         };
-        let (kept, silent) = (&mut KeptParts::default(), &mut crate::job::progress::Silent);
+        let (kept, silent) = (&mut RunCache::default(), &mut crate::job::progress::Silent);
         let done = optimize(&resolved, &voxels, plan, kept, silent, &Run::new()).unwrap();
         let brightest = done.raw[0].values.iter().copied().fold(0.0, f32::max);
         let history = done.outcome.history;

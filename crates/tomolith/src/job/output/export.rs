@@ -5,15 +5,13 @@ use crate::error::{Error, Result};
 use crate::exposure::{Budget, Calibration, PrinterSpec, Quantized, quantize};
 use crate::io::frames::{FrameSet, write_picture};
 use crate::io::{must_be_free, read_text, write_folder_whole};
-use crate::job::dose::written as device;
+use crate::job::dose::written;
 use crate::job::output::frames::Shown;
-use crate::job::progress::stage;
-use crate::job::progress::{Event, Progress, watched};
-use crate::job::resolve::ResolvedJob;
-use crate::job::resolve::machine;
+use crate::job::progress::{Event, Progress, stage, watched};
 use crate::job::resolve::method::response;
 use crate::job::resolve::optics::Optics;
 use crate::job::resolve::resources::{memory_budget_mb, require};
+use crate::job::resolve::{ResolvedJob, machine};
 use crate::job::spec::document::{Document, is_within};
 use crate::job::spec::read::Job;
 use crate::kind::Section;
@@ -144,7 +142,7 @@ pub fn export(
     let optics = Optics::new(spec, &job.base()).map_err(|e| job.locate(e))?;
     let printers =
         machine::printers(spec, &job.base(), &optics.lights).map_err(|e| job.locate(e))?;
-    let names = device::names(spec);
+    let names = written::names(spec);
     if !run.join("patterns.npz").is_file() {
         return Err(Error::config(
             "RUN",
@@ -155,14 +153,14 @@ pub fn export(
             "a run that kept them",
         ));
     }
-    let (shown, raw) = device::wanted_of(&run.join("patterns.npz"), &optics, &names, cancel)?;
+    let (shown, raw) = written::wanted_of(&run.join("patterns.npz"), &optics, &names, cancel)?;
     let (wanted, bits) = (raw.unwrap_or(shown), spec.evaluate.bit_depth);
     cancel.check()?;
     if let Some(text) = rounded_anew(run, bits) {
         progress.event(&Event::Warning { text });
     }
     let frames: Vec<Quantized> = match &printers {
-        Some(printers) => device::exposed(printers, &wanted, bits)?,
+        Some(printers) => written::exposed(printers, &wanted, bits)?,
         None => wanted
             .iter()
             .map(|wanted| quantize(wanted, bits))
@@ -319,7 +317,7 @@ fn must_be_linear(family: &Family) -> Result<()> {
 pub fn calibrate(job: &Job, names: &[&str], folder: &Path) -> Result<Vec<PathBuf>> {
     let optics = Optics::new(&job.spec, &job.base()).map_err(|e| job.locate(e))?;
     let printer = job.spec.printer.clone().unwrap_or_default();
-    let several = device::names(&job.spec);
+    let several = written::names(&job.spec);
     let mut written = Vec::new();
     must_be_free("--output", folder)?;
     for (light, name) in optics.lights.iter().zip(several) {

@@ -1,23 +1,20 @@
 //! What a run and a check tell at their end.
 
-use crate::job::evaluate::in_time::InTime;
-use crate::job::evaluate::in_time::TimeSummary;
+use crate::job::evaluate::in_time::{InTime, TimeSummary};
 pub use crate::job::evaluate::limits::Fall;
 use crate::job::output::files::{Done, Headline};
 use crate::job::output::folder::Leaves;
 use crate::job::progress::duration;
-use crate::metrics::Evaluation;
-use crate::metrics::Measure;
+use crate::metrics::{Evaluation, Measure};
 use crate::objective::FoundWindow;
-use crate::optimize::KeptBy;
-use crate::optimize::{Gap, KeptIterate, StopReason};
-use crate::report::time_sentence;
-use crate::report::{ExposureWindow, OneExposure, OneMoment, PrintLimits, ScenarioTable};
+use crate::optimize::{Gap, KeptBy, KeptIterate, StopReason};
+use crate::report::{
+    ExposureWindow, OneExposure, OneMoment, PrintLimits, ScenarioTable, time_sentence,
+};
 use crate::units::{concise, counted};
 use serde::Serialize;
 use std::fmt;
-use std::path::Path;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 /// The headline numbers of a print.

@@ -1,12 +1,11 @@
 //! What a job takes of the memory budget, and what is lowered until it fits.
 
-use super::extent as estimate;
 use super::extent::{Extent, FIELDS_PER_SCENARIO};
 use super::method::JobKinds;
 use super::optics::Optics;
 use super::remarks::grid_key;
 use super::resources::{free_memory_mb, memory_budget_mb, require};
-use super::{cells, refinement};
+use super::{cells, extent, refinement};
 use crate::error::Result;
 use crate::exposure::Printer;
 use crate::grid::VolumeGrid;
@@ -105,7 +104,7 @@ impl ResolvedJob {
                 let accepted = "fewer pixels or angles (light.pixels, light.angles)";
                 (pixels_key(&self.spec), accepted)
             };
-            let needed_mb = estimate::whole_mb(parts);
+            let needed_mb = extent::whole_mb(parts);
             let accepted = match self.spec.resources.memory_gb {
                 Some(_) => format!("{accepted}, or a larger resources.memory_gb"),
                 None => accepted.to_owned(),

@@ -1,6 +1,6 @@
 //! The kinds that a job names: read once, tried on a few voxels before any work, and refused where they do not go together.
 
-use super::free_parameters as co_optimize;
+use super::free_parameters;
 use super::free_parameters::FreeParameters;
 use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
@@ -417,7 +417,7 @@ pub(crate) fn try_kinds(
         tolerant: gray || tolerates_dose(&objective, &layout, &labels),
     };
     fit_together(spec, &kinds.requirements, is)?;
-    co_optimize::must_be_minimized(kinds)?;
+    free_parameters::must_be_minimized(kinds)?;
     // Of a gray target the values are not known yet
     if kinds.start.asks_for_doses() && !gray {
         dose_for(response.as_ref(), 1.0).map_err(|e| e.under("response"))?;

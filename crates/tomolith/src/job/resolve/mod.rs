@@ -76,8 +76,7 @@ pub(crate) mod voxels;
 
 use crate::error::{Error, Result};
 use crate::exposure::Printer;
-use crate::field::Field;
-use crate::field::HostField;
+use crate::field::{Field, HostField};
 use crate::grid::VolumeGrid;
 use crate::job::spec::JobSpec;
 use crate::job::spec::all_errors::with_others;
@@ -99,18 +98,18 @@ use free_parameters::FoundResponse;
 use grid::{bounds_of, grid_of, moved};
 use method::{JobKinds, Minimized, counted_as, try_kinds};
 use optics::Optics;
-
 use refinement::Level;
 use remarks::{
     ask_for_unit, at_target, chosen, given_patterns, must_be_seen, narrow_arc, on_its_own_grid,
     part_of_a_turn, two_critical_doses,
 };
-pub(crate) use remarks::{at_section, few_angles};
 use resources::{available_disk_mb, bytes_in, require};
-
 use scenarios::Scenario;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
+
+pub(crate) use remarks::{at_section, few_angles};
+
 pub(crate) use voxels::Voxels;
 
 /// A job that can be run.

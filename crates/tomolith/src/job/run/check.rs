@@ -1,14 +1,12 @@
 //! `check`: what a job will do and cost, without running it.
 
-use super::benchmark;
 use super::cost::{Work, mean_sub_angles};
-use super::resolved;
+use super::{benchmark, resolved};
 use crate::error::Result;
 use crate::job::dose::model_probe::try_orders;
 use crate::job::optimize::{iterations_of_ceiling, rehearse};
 use crate::job::output::summary::Plan;
-use crate::job::progress::stage;
-use crate::job::progress::{Progress, watched};
+use crate::job::progress::{Progress, stage, watched};
 use crate::job::resolve::ResolvedJob;
 use crate::job::spec::read::Job;
 use crate::models::Run;

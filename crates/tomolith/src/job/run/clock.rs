@@ -1,8 +1,7 @@
 //! The stages of a run, and where its time went.
 
 use crate::job::optimize::Optimized;
-use crate::job::progress::Progress;
-use crate::job::progress::stage;
+use crate::job::progress::{Progress, stage};
 use crate::models::Run;
 use crate::optimize::Counters;
 use crate::report::Timing;

@@ -3,8 +3,7 @@
 //! An optimization that ends before its last iteration takes less.
 
 use crate::job::progress::duration;
-use crate::job::resolve::extent::Extent;
-use crate::job::resolve::extent::VECTORS;
+use crate::job::resolve::extent::{Extent, VECTORS};
 use crate::job::run::benchmark::{CallRates, Rates};
 use crate::optics::light::Light;
 use crate::optimize::levels;

@@ -2,13 +2,12 @@
 
 use super::{How, stages};
 use crate::error::{Error, Result};
-use crate::job::dose::cache::KeptParts;
+use crate::job::dose::cache::RunCache;
 use crate::job::output::folder::Leaves;
 use crate::job::output::summary::Summary;
 use crate::job::progress::Progress;
 use crate::job::resolve::ResolvedJob;
-use crate::job::resolve::identity::take_files;
-use crate::job::resolve::identity::{as_floats, contents, hash};
+use crate::job::resolve::identity::{as_floats, contents, hash, take_files};
 use crate::job::spec::read::{Job, with_every_default};
 use crate::models::Run;
 use serde_json::{Value, json};
@@ -41,7 +40,7 @@ pub fn run_here(
     job: &Job,
     resume: bool,
     leaves: Leaves,
-    kept: &mut KeptParts,
+    cache: &mut RunCache,
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Summary> {
@@ -50,7 +49,7 @@ pub fn run_here(
         leaves,
         ranks: None,
     };
-    let summary = stages(job, how, kept, progress, cancel).map_err(|e| job.locate(e))?;
+    let summary = stages(job, how, cache, progress, cancel).map_err(|e| job.locate(e))?;
     Ok(summary.unwrap_or_else(|| unreachable!("a run alone is its first rank")))
 }
 

@@ -2,7 +2,7 @@
 
 use super::{How, stages};
 use crate::error::{Error, Result};
-use crate::job::dose::cache::KeptParts;
+use crate::job::dose::cache::RunCache;
 use crate::job::dose::in_time::diffuses;
 use crate::job::output::folder::Leaves;
 use crate::job::output::summary::Summary;
@@ -34,7 +34,7 @@ pub fn run_among(
             leaves,
             ranks: Some(ranks),
         };
-        let cache = &mut KeptParts::default();
+        let cache = &mut RunCache::default();
         stages(job, how, cache, progress, cancel).map_err(|e| job.locate(e))
     })
 }

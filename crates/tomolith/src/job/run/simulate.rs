@@ -4,12 +4,11 @@ use super::clock::Clock;
 use super::{finish, open, resolved, sample};
 use crate::error::{Error, Result};
 use crate::io::read_text;
-use crate::job::dose::cache::KeptParts;
-use crate::job::dose::written as device;
+use crate::job::dose::cache::RunCache;
+use crate::job::dose::written;
 use crate::job::evaluate::evaluate_patterns;
 use crate::job::output::files::Done;
-use crate::job::output::folder::Leaves;
-use crate::job::output::folder::RunFolder;
+use crate::job::output::folder::{Leaves, RunFolder};
 use crate::job::output::summary::Summary;
 use crate::job::progress::{Progress, watched};
 use crate::job::resolve::ResolvedJob;
@@ -46,12 +45,12 @@ fn simulate_stages(
     clock.stage("reading the job and the patterns");
     let job = &beside_the_run(job)?;
     let mut resolved = resolved(job, cancel)?;
-    let (patterns, notes) = device::read(&resolved, source, cancel)?;
+    let (patterns, notes) = written::read(&resolved, source, cancel)?;
     resolved.notes.extend(notes);
     respond_as_found(&mut resolved, source)?;
     cancel.check()?;
     let folder = open(job, &resolved, clock.progress)?;
-    let (voxels, warnings) = sample(&mut resolved, &mut KeptParts::default(), &mut clock)?;
+    let (voxels, warnings) = sample(&mut resolved, &mut RunCache::default(), &mut clock)?;
     let stage = clock.stage("evaluating the patterns");
     let evaluated = evaluate_patterns(
         &resolved,

@@ -3,10 +3,8 @@
 use super::all_errors::with_others;
 use super::document::Document;
 use super::kinds::{KindFamily, families, with_defaults};
-use super::not_finite;
 use super::output::LEAST_REFINE;
-use super::profiles;
-use super::validate;
+use super::{not_finite, profiles, validate};
 use crate::error::{Error, Result};
 use crate::exposure::PrinterSpec;
 use crate::job::spec::{Angles, JobSpec, default_objective};

@@ -2,8 +2,7 @@ use super::TimeSummary;
 use crate::error::Error;
 use crate::field::Field;
 use crate::job::evaluate::in_time::*;
-use crate::job::resolve::material::material;
-use crate::job::resolve::material::{domain, resin};
+use crate::job::resolve::material::{domain, material, resin};
 use crate::job::{Document, Job, ResolvedJob, Silent};
 use serde_json::Value;
 
