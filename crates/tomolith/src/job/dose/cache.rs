@@ -133,7 +133,7 @@ impl EvaluationModel {
     }
 }
 
-/// What a job's model is known by, where one model optimizes and judges; None where it does not.
+/// What a job's model is known by, where one model serves optimization and evaluation; None where it does not.
 ///
 /// # Errors
 /// [`Error::Io`](crate::Error::Io) for a file that cannot be read.
@@ -169,7 +169,7 @@ pub(crate) fn start_key(model: u64, spec: &JobSpec) -> u64 {
     hash(bytemuck::cast_slice(&[model, hash(read.as_bytes())]))
 }
 
-/// Whether one model optimizes and judges.
+/// Whether one model serves optimization and evaluation.
 fn is_evaluated_alike(resolved: &ResolvedJob) -> Result<bool> {
     let [level] = resolved.levels.as_slice() else {
         return Ok(false);
@@ -208,7 +208,7 @@ mod tests {
     use crate::job::{Job, Leaves, RunFolder, Silent, run_here};
     use std::path::Path;
 
-    /// A disc of one slice, judged as it is optimized.
+    /// A disc of one slice, evaluated as it is optimized.
     const PLANE: &str = r#"
         target = { phantom = { cylinder = { size_mm = 1.6, height_mm = 0.1 } } }
         grid = { shape = [24, 24, 1], pitch_mm = 0.1, region = "cylinder" }

@@ -45,7 +45,7 @@ impl PartialEq for Exposed {
     }
 }
 
-/// What gives the doses of a job's patterns, by the model that judges.
+/// What gives the doses of a job's patterns, by the model of the evaluation.
 pub(crate) struct Doses<'a> {
     job: &'a ResolvedJob,
     workspace: Workspace,

@@ -197,7 +197,7 @@ struct Measurements {
     standing: Measure,
     /// While the vial turns.
     turning: Measure,
-    /// The print that is judged, by patterns for few levels as they were optimized.
+    /// The print that is evaluated, by patterns for few levels as they were optimized.
     unrounded: Measure,
     /// Voxels of the optimization and of the evaluation.
     pitches_mm: [f64; 2],
@@ -467,7 +467,7 @@ impl Measurements {
             return Some(self.limit(Cause::Optics, loss, &key, found, &action));
         };
         let found = format!(
-            "{reach}, and the loss function still fell by {} % in the last {} of {}: more of them mend a part of what is missing, the rest is the limit of this light.",
+            "{reach}, and the loss function still fell by {} % in the last {} of {}: more iterations would recover part of the loss; the rest is the limit of this projector.",
             significant(100.0 * fall.share, 2),
             fall.last,
             counted(fall.all, "iteration")

@@ -220,7 +220,7 @@ pub(crate) fn evaluate_patterns(
         Contact::of(job.shape.as_ref(), inside, &response, threshold)
     });
     let own = (&response, evaluation.gel_threshold);
-    let scenarios = scenarios::judged(job, &fine.labels.values, own, |other| {
+    let scenarios = scenarios::table(job, &fine.labels.values, own, |other| {
         let turning = Exposed::new(&grid, other.optics.lights_turning(sub_angles));
         let mut doses = Doses::new(other);
         doses.will_show(&[shown]);

@@ -87,7 +87,7 @@ impl Noise {
         }))
     }
 
-    /// What people must know when the patterns fit their own paths, or when these are too few to judge by.
+    /// What people must know when the patterns fit their own paths, or when these are too few to tell.
     pub(crate) fn warning(&self) -> Option<String> {
         let both = [self.misfit(), self.loudness()];
         both.into_iter()
@@ -208,7 +208,7 @@ mod tests {
                 .unwrap()
                 .contains("IoU 1.0000 on these paths, 0.7700")
         );
-        // 3 % in the void is too much to judge by, and is said too
+        // 3 % in the void is too much to tell, and is said too
         let quiet = |independent: f64| Noise {
             void: 0.012,
             ..noise(independent)

@@ -12,7 +12,7 @@ use crate::report::{ScenarioRow, ScenarioTable};
 ///
 /// # Errors
 /// Those of `response_of`.
-pub(crate) fn judged(
+pub(crate) fn table(
     resolved: &ResolvedJob,
     labels: &[u8],
     (own, threshold): (&Volume<f32>, Option<f64>),
@@ -48,7 +48,7 @@ mod tests {
     use crate::models::Run;
 
     #[test]
-    fn every_scenario_is_judged() {
+    fn every_scenario_is_evaluated() {
         let job = resolved(&["resin.absorption_per_mm = 0.3"], &[]).unwrap();
         let resolved = &job;
         let labels = &job.own_voxels(&Run::new()).unwrap().labels;
@@ -66,7 +66,7 @@ mod tests {
                 values: own.values.iter().map(|v| 0.5 * v).collect(),
             })
         };
-        let table = judged(resolved, &labels.values, (&own, Some(0.75)), halved)
+        let table = table(resolved, &labels.values, (&own, Some(0.75)), halved)
             .unwrap()
             .unwrap();
         // Half the dose is right at half the threshold, and prints nothing at that of the job

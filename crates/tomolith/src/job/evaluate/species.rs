@@ -7,7 +7,7 @@ use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::metrics::{Evaluation, Measure};
 use crate::models::Run;
 
-/// The headline number of a species before the print that is judged: None where it was not measured.
+/// The headline number of a species before the print that is evaluated: None where it was not measured.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Steps {
     /// Patterns as they were optimized, on the optimization's grid.

@@ -86,7 +86,8 @@ pub(crate) struct CheckpointPlan<'a> {
     pub(crate) keeps_end: bool,
 }
 
-/// Runs the optimizer of a job, or goes on from the checkpoint in its folder; by a kept model that suits it, and leaves its own if that can judge.
+/// Runs the optimizer of a job, or goes on from the checkpoint in its folder. Uses the cached model if it fits this job; otherwise builds one and
+/// caches it for the next run.
 ///
 /// # Errors
 /// [`Error::Canceled`] and [`Error::NonFinite`] leave the best patterns so far in the checkpoint folder.

@@ -205,13 +205,13 @@ pub fn export(
     })
 }
 
-/// What to say of frames with fewer levels than the run was judged with.
+/// What to say of frames with fewer levels than the run was evaluated with.
 fn rounded_anew(run: &Path, bits: u32) -> Option<String> {
     let judged = Document::read(&run.join("job.toml")).ok()?;
     let judged = judged.root.pointer("/evaluate/bit_depth")?.as_u64()?;
     (u64::from(bits) < judged).then(|| {
         format!(
-            "the patterns are rounded anew, to {}, where the run was judged with {judged}: these frames print something else than its report says, in another time. \
+            "the patterns are rounded anew, to {}, where the run was evaluated with {judged}: these frames print something else than its report says, in another time. \
              `tomolith simulate JOB --patterns FRAMES --set evaluate.bit_depth={bits}` tells what; `tomolith run` with that key improves patterns on few levels",
             counted(bits as usize, "bit")
         )

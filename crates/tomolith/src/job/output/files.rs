@@ -272,7 +272,7 @@ impl Headline {
             done.job.is_toy,
         );
         for (own, evaluation) in limits.iter_mut().zip(all.iter().map(|(_, print)| print)) {
-            own.sentence += &judged_on(evaluation, resolved.extent.refine);
+            own.sentence += &on_voxels(evaluation, resolved.extent.refine);
             if done.job.is_toy && !own.sentence.contains(" toy ") {
                 own.sentence += &format!(" This is a toy of the job: {TOY}.");
             }
@@ -289,7 +289,7 @@ impl Headline {
 }
 
 /// On which voxels a print has no error: none is seen that is smaller than they are.
-fn judged_on(evaluation: &Evaluation, refine: usize) -> String {
+fn on_voxels(evaluation: &Evaluation, refine: usize) -> String {
     if evaluation
         .measures
         .get("iou")

@@ -174,7 +174,7 @@ fn pixels_key(spec: &JobSpec) -> String {
     format!("light[{largest}].pixels")
 }
 
-/// Memory of the frames that are judged at a time, MB.
+/// Memory of the frames that are evaluated at a time, MB.
 pub(crate) fn evaluated_mb(optics: &Optics, grid: &VolumeGrid, refine: usize) -> Result<f64> {
     let grid = grid.refined(refine);
     let resolved = OpticalScene {

@@ -1,4 +1,4 @@
-//! The light that judges a print in time: the models of the lights, through resin that shades where it has cured.
+//! The light of a print in time: the models of the lights, through resin that shades where it has cured.
 
 use crate::error::{Error, Result};
 
@@ -50,7 +50,7 @@ fn at_shading(i: usize, error: Error) -> Error {
     }
 }
 
-/// The light that judges, one model each.
+/// The light of the evaluation, one model each.
 pub(crate) struct Lights<'a> {
     pub(crate) job: &'a ResolvedJob,
     pub(crate) lights: Vec<Light>,

@@ -308,7 +308,7 @@ impl ResolvedJob {
         let levels = refinement::levels((&spec, &kinds), of, on_grid, shape.bounds_mm());
         let sharpened = refinement::sharpened((&spec, &kinds), family.as_ref(), &levels);
         let kinds = sharpened.unwrap_or(kinds);
-        let chosen = || refinement::judged(&grid, &levels);
+        let chosen = || refinement::evaluation_refine(&grid, &levels);
         let refine = spec.evaluate.refine.unwrap_or_else(chosen);
         let memory = kinds.pairs().unwrap_or(0);
         let extent = Extent::new(&optics, &grid, shape.bounds_mm(), refine, memory);
@@ -419,7 +419,7 @@ impl ResolvedJob {
         self.grid.refined(self.extent.refine)
     }
 
-    /// At how many angles of a frame patterns are judged: one where all vials stand still.
+    /// At how many angles of a frame patterns are evaluated: one where all vials stand still.
     pub(crate) fn evaluated_angles(&self) -> usize {
         let stands = |light: &Light| light.pixels.frame_arc == 0.0;
         if self.optics.lights.iter().all(stands) {

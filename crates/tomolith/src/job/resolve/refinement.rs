@@ -36,7 +36,7 @@ use crate::report::number::significant;
 const BUDGET: f64 = 1.3e10;
 /// Finding the pixels that light a column of voxels takes as long as lighting so many of its voxels.
 const COLUMN: usize = 64;
-/// Voxels across a pixel, as fine as the judge's of docs/fidelity.md; finer ones have not been tried.
+/// Voxels across a pixel, as fine as those of the evaluation in docs/fidelity.md; finer ones have not been tried.
 const PER_PIXEL: f64 = 4.0;
 /// The same where voxels are cut into cells.
 const CELLS_PER_PIXEL: f64 = 2.0;
@@ -208,7 +208,7 @@ fn within_lit_rows(grid: VolumeGrid, lights: &[Light], [low, high]: [[f64; 3]; 2
 const JUDGED: usize = 30_000_000;
 
 /// How many times finer than the job's the voxels of the evaluation are: no coarser than the optimization's, as far as they are not too many.
-pub(crate) fn judged(grid: &VolumeGrid, levels: &[Level]) -> usize {
+pub(crate) fn evaluation_refine(grid: &VolumeGrid, levels: &[Level]) -> usize {
     let finest = levels
         .last()
         .map_or(1, |level| level.grid.shape[2] / grid.shape[2]);

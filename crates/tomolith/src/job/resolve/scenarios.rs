@@ -1,7 +1,7 @@
 //! The same patterns under scenarios: the job as it is, and the job with some keys set otherwise.
 //!
 //! A scenario differs from the job in what light meets or in where it comes from; part, voxels, patterns and objective are the job's. The
-//! optimization sees all of them at once ([`Scenarios`]), and the print of the written patterns is judged in each.
+//! optimization sees all of them at once ([`Scenarios`]), and the print of the written patterns is evaluated in each.
 //!
 //! **Limits** methods that minimize a loss; one species, no print in time, no coarse levels, no cells, patterns of more than five bits. Pixels
 //! that cannot light the part in the job as it is stay dark.
@@ -80,7 +80,7 @@ fn must_be_told_apart(spec: &JobSpec) -> Result<()> {
     Ok(())
 }
 
-/// Blames the key of a scenario for what is wrong with its job: the one that leads to what is wrong or is the only one, else all it sets.
+/// Names the key of a scenario that caused an error of its job; if several could have, all keys that the scenario sets.
 pub(crate) fn at_scenario(i: usize, scenario: &ScenarioSpec, error: Error) -> Error {
     let Error::Config {
         key,

@@ -1,6 +1,6 @@
 //! Benchmark of a job on this machine with its present load, before any work.
 //!
-//! The model that the optimizer asks and the one that judges are made for a small sample of the job's pixels, and for a larger one: the line
+//! The model that the optimizer asks and that of the evaluation are made for a small sample of the job's pixels, and for a larger one: the line
 //! through both tells what a call costs at any size from what grows with it. A sample is some frames; where a model takes pixels alone, of
 //! each frame only some blocks of pixels, spread evenly, so that the answer takes seconds whatever a ray costs. The optimizer's adjoint is asked for what
 //! the objective says of a good dose, one that is off by half a percent and blurred at surfaces: bands that most voxels keep
@@ -60,7 +60,7 @@ pub(crate) struct Rates {
     pub(crate) model: String,
     /// Calls of the optimization's model.
     pub(crate) calls: CallRates,
-    /// Calls of the model that judges.
+    /// Calls of the model of the evaluation.
     pub(crate) evaluating: CallRates,
     /// How many times finer than the job's the voxels of these are.
     pub(crate) evaluating_refine: usize,
@@ -320,7 +320,7 @@ fn by_optimizer(
     Ok((calls, plan))
 }
 
-/// Calls of the model that judges on a grid, with the pixels that the optimizer's samples lit, until they take long enough; Monte Carlo
+/// Calls of the model of the evaluation on a grid, with the pixels that the optimizer's samples lit, until they take long enough; Monte Carlo
 /// paths as many as the optimizer's.
 fn by_evaluation(
     job: &ResolvedJob,

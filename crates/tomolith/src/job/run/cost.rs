@@ -20,7 +20,7 @@ const PASSES: f64 = 5.0;
 /// Forward and adjoint calls beside those of the iterations: the start, its dose, the raw patterns' dose.
 const OTHER_CALLS: f64 = 4.0;
 
-/// Models made to judge: on the job's voxels for raw and for written patterns, on finer ones standing and turning.
+/// Models of the evaluation: on the job's voxels for raw and for written patterns, on finer ones standing and turning.
 const MODELS: f64 = 4.0;
 
 /// What measuring a voxel of a thinned copy costs, times so many: for each voxel of the finer grid the metrics standing and
@@ -234,7 +234,7 @@ mod tests {
             (cost.optimization_s - (7.0 * step + 4.0 * 3.5 + 6.05 + 0.55)).abs() < 1e-9,
             "{cost:?}"
         );
-        // A dose to judge by: 30 frames of 200 updates at 1000/s, 6 s, and 1 s to begin with; twice on the own voxels, standing and
+        // A dose of the evaluation: 30 frames of 200 updates at 1000/s, 6 s, and 1 s to begin with; twice on the own voxels, standing and
         // turning (1 + 4 angles) on eight times as many: 4·1 + (2 + 5·8)·6 = 256 s. Making its model takes 6.5 s, four times; 1.2
         // measures of each fine voxel, 2.4 of the own grid's, 1.8 of each pixel; both grids sampled
         let measures = 1000.0 * (1.2 * 8.0 + 2.4) + 1.8 * 2000.0;

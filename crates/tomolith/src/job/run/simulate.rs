@@ -91,7 +91,7 @@ fn respond_as_found(resolved: &mut ResolvedJob, source: &Path) -> Result<()> {
     let found = found.flatten();
     resolved.notes.push(match &found {
         Some(found) => format!("the response is the one found with the patterns: {}", found.sentence()),
-        None => "no run with a response that was found lies beside the patterns: the response is that of the job, without [co_optimize]".to_owned(),
+        None => "the folder of the patterns has no report.json with a fitted response: the response is that of the job, without [co_optimize]".to_owned(),
     });
     resolved.respond_as(found.as_ref());
     Ok(())

@@ -1,4 +1,4 @@
-//! `[evaluate]` and `[output]`: how the written patterns are judged, and what is written.
+//! `[evaluate]` and `[output]`: how the written patterns are evaluated, and what is written.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -10,7 +10,7 @@ pub(crate) const LEAST_REFINE: usize = 2;
 /// The most bits at which patterns are improved on their levels; with more, rounding costs next to nothing (docs/choices.md).
 const MOST_BITS: u32 = 5;
 
-/// How the written patterns are judged: their dose is simulated again, turning and on a finer grid.
+/// How the written patterns are evaluated: their dose is simulated again, turning and on a finer grid.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct EvaluateSpec {

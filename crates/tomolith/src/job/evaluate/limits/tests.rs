@@ -301,7 +301,7 @@ fn what_remains_belongs_to_the_iterations_while_the_loss_falls() {
     assert_eq!(
         limits.causes[0].advice,
         "Before they are written, the patterns reach IoU 0.900 on the job's own voxels, and the loss function still fell by 20 % in the \
-         last 10 of 40 iterations: more of them mend a part of what is missing, the rest is the limit of this light. Raise `stop.iterations`."
+         last 10 of 40 iterations: more iterations would recover part of the loss; the rest is the limit of this projector. Raise `stop.iterations`."
     );
     assert!(limits.causes.iter().all(|l| l.cause != Cause::Optics));
 }
