@@ -9,8 +9,10 @@ use tomolith::job::summary::large;
 use tomolith::job::{Event, Progress, Summary};
 use tomolith::text::printable;
 
-/// Plain lines: at most one iteration per this time.
+/// Plain lines: at most one in this time, for every tenth of a stage, or after so long without one.
 const PAUSE: Duration = Duration::from_secs(2);
+const TENTH: f64 = 0.1;
+const SILENCE: Duration = Duration::from_secs(60);
 
 /// Why standard output takes no more: the first error that is not a reader who has gone.
 static REFUSED: OnceLock<std::io::Error> = OnceLock::new();
@@ -37,14 +39,38 @@ pub(crate) fn mutter(line: &str) {
 enum Style {
     Quiet,
     Json { is_quiet: bool },
-    Plain { last: Option<Instant> },
+    Plain { last: Option<Line> },
     Bar { bar: Option<ProgressBar> },
+}
+
+/// A plain line: when it was written, and how much of the stage was done.
+#[derive(Clone, Copy)]
+struct Line {
+    at: Instant,
+    done: f64,
+}
+
+impl Line {
+    fn now(done: f64) -> Self {
+        Line {
+            at: Instant::now(),
+            done,
+        }
+    }
+
+    /// Whether another line is worth writing, so that the log of a long run stays short.
+    fn is_old(self, done: f64) -> bool {
+        let age = self.at.elapsed();
+        age >= SILENCE || age >= PAUSE && done >= self.done + TENTH
+    }
 }
 
 /// Where progress is shown.
 pub(crate) struct Screen {
     style: Style,
     start: Instant,
+    /// The first iteration of the stage that was shown, and its time: what is left is reckoned from there.
+    first: Option<(usize, f64)>,
 }
 
 impl Screen {
@@ -60,6 +86,7 @@ impl Screen {
         Screen {
             style,
             start: Instant::now(),
+            first: None,
         }
     }
 
@@ -68,6 +95,7 @@ impl Screen {
         Screen {
             style: Style::Quiet,
             start: Instant::now(),
+            first: None,
         }
     }
 
@@ -92,6 +120,25 @@ impl Screen {
         }
     }
 
+    /// Time that the rest of the iterations takes at the mean pace since the first one, s; None before there is one.
+    fn left_s(&mut self, event: &Event) -> Option<f64> {
+        let Event::Iteration {
+            iteration,
+            iterations,
+            elapsed_s,
+            ..
+        } = event
+        else {
+            if matches!(event, Event::Stage { .. }) {
+                self.first = None;
+            }
+            return None;
+        };
+        let (first, begin_s) = *self.first.get_or_insert((*iteration, *elapsed_s));
+        let pace = (elapsed_s - begin_s) / iteration.checked_sub(first).filter(|n| *n > 0)? as f64;
+        Some(pace * iterations.saturating_sub(*iteration) as f64)
+    }
+
     fn clear(&mut self) {
         if let Style::Bar { bar } = &mut self.style
             && let Some(bar) = bar.take()
@@ -109,6 +156,8 @@ impl Progress for Screen {
         if let (Style::Plain { last }, Event::Stage { .. }) = (&mut self.style, event) {
             *last = None;
         }
+        let left = self.left_s(event);
+        let left = left.map_or_else(String::new, |left| format!("  {left:.0} s left"));
         match (&mut self.style, event) {
             (Style::Quiet | Style::Json { is_quiet: true }, _) => {}
             (Style::Json { .. }, event) => say(&serde_json::to_string(event).unwrap_or_default()),
@@ -121,9 +170,9 @@ impl Progress for Screen {
             (_, Event::Warning { text }) => mutter(&format!("{:>12} {text}", "warning")),
             (Style::Plain { last }, Event::Part { done, left_s }) => {
                 // A short stage needs no line, and one that is over tells itself by the next
-                let is_due = last.get_or_insert_with(Instant::now).elapsed() >= PAUSE;
+                let is_due = last.get_or_insert_with(|| Line::now(0.0)).is_old(*done);
                 if let (true, Some(left)) = (is_due && *done < 1.0, left_s) {
-                    *last = Some(Instant::now());
+                    *last = Some(Line::now(*done));
                     mutter(&format!(
                         "{:>12} {:3.0} %  {left:.0} s left",
                         "",
@@ -148,11 +197,11 @@ impl Progress for Screen {
                     ..
                 },
             ) => {
-                let template = "{pos:>7}/{len} {bar:30.cyan} {msg}  eta {eta}";
+                let template = "{pos:>7}/{len} {bar:30.cyan} {msg}";
                 let bar = bar.get_or_insert_with(|| new_bar(*iterations as u64, template));
                 bar.set_position(*iteration as u64);
                 bar.set_message(format!(
-                    "loss {loss:.4e}  {}updates/s",
+                    "loss {loss:.4e}  {}updates/s{left}",
                     large(*updates_per_s)
                 ));
             }
@@ -163,19 +212,19 @@ impl Progress for Screen {
                     iterations,
                     loss,
                     projected_gradient,
-                    elapsed_s,
                     updates_per_s,
+                    ..
                 },
             ) => {
-                if iteration < iterations && last.is_some_and(|last| last.elapsed() < PAUSE) {
+                let done = *iteration as f64 / (*iterations).max(1) as f64;
+                if iteration < iterations && last.is_some_and(|last| !last.is_old(done)) {
                     return;
                 }
-                *last = Some(Instant::now());
-                let left = elapsed_s / (*iteration).max(1) as f64 * (iterations - iteration) as f64;
+                *last = Some(Line::now(done));
                 let gradient = projected_gradient.map_or("–".to_owned(), |g| format!("{g:.1e}"));
                 mutter(&format!(
                     "{:>12} {iteration:>4}/{iterations}  loss {loss:.4e}  gradient {gradient}  \
-                     {}updates/s  {left:.0} s left",
+                     {}updates/s{left}",
                     "",
                     large(*updates_per_s),
                 ));
@@ -193,5 +242,41 @@ pub(crate) fn new_bar(length: u64, template: &str) -> ProgressBar {
 impl Drop for Screen {
     fn drop(&mut self) {
         self.clear();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_left_is_the_mean_pace_times_the_rest() {
+        let mut screen = Screen::silent();
+        let at = |iteration: usize, elapsed_s: f64| Event::Iteration {
+            iteration,
+            iterations: 20,
+            loss: 1.0,
+            projected_gradient: None,
+            elapsed_s,
+            updates_per_s: 1.0,
+        };
+        // The start takes 7 s, an iteration 2 s
+        assert_eq!(screen.left_s(&at(0, 7.0)), None);
+        assert_eq!(screen.left_s(&at(1, 9.0)), Some(38.0));
+        assert_eq!(screen.left_s(&at(5, 17.0)), Some(30.0));
+        // A stage begins anew
+        let name = "evaluating".to_owned();
+        assert_eq!(screen.left_s(&Event::Stage { name }), None);
+        assert_eq!(screen.left_s(&at(3, 100.0)), None);
+    }
+
+    #[test]
+    fn a_log_has_a_line_for_every_tenth() {
+        let line = Line {
+            at: Instant::now() - PAUSE,
+            done: 0.3,
+        };
+        assert!(!line.is_old(0.35) && line.is_old(0.41));
+        assert!(!Line::now(0.0).is_old(0.9));
     }
 }
