@@ -3,16 +3,12 @@
 //!     cargo run --release -p tomolith-studies -- fidelity boat.stl
 //!
 //! Without a name it lists what there is. The papers' studies are jobs and sweeps in `papers/` (`tomolith reproduce`); here stands what no job can say:
-//! models beside arrays of other programs, noise, growth, the judged prints of all defaults.
+//! models beside arrays of other programs, noise, growth, the evaluated prints of all defaults.
 #![expect(clippy::print_stderr, reason = "a program says why it ends")]
 
-mod accumulators;
-mod astra_kernels;
-mod box_with_hole;
 mod fidelity;
 mod flower;
 mod growth;
-mod levels;
 mod reference_doses;
 mod scatter_noise;
 mod waves;
@@ -23,25 +19,7 @@ use std::process::ExitCode;
 type Study = fn(&[String]) -> Result<(), Box<dyn Error>>;
 
 /// Name, what comes after it, what it measures, and the study.
-const STUDIES: [(&str, &str, &str, Study); 10] = [
-    (
-        "accumulators",
-        "",
-        "noise of dose by Monte Carlo paths, by how it is summed",
-        accumulators::study,
-    ),
-    (
-        "astra_kernels",
-        "FILE",
-        "kernels of pure Radon beside arrays of ASTRA",
-        astra_kernels::study,
-    ),
-    (
-        "box_with_hole",
-        "[SCENE | all] [paths]",
-        "a box with a hole in seven scenes",
-        box_with_hole::study,
-    ),
+const STUDIES: [(&str, &str, &str, Study); 6] = [
     (
         "fidelity",
         "[BOAT] [TARGETS] [ROWS] [glass | matched]",
@@ -61,12 +39,6 @@ const STUDIES: [(&str, &str, &str, Study); 10] = [
         growth::study,
     ),
     (
-        "levels",
-        "JOB BITS,…",
-        "what a projector of few levels prints",
-        levels::study,
-    ),
-    (
         "reference_doses",
         "FOLDER",
         "doses of fixed patterns beside those of Dr.TVAM",
@@ -80,8 +52,8 @@ const STUDIES: [(&str, &str, &str, Study); 10] = [
     ),
     (
         "waves",
-        "errors | rotation | savings [N …] | times [N …] | frame N [EDGE_MM …] | work | limit",
-        "what the wave model saves, and what that costs",
+        "",
+        "errors of the wave model's light by its sampling",
         waves::study,
     ),
 ];
