@@ -66,12 +66,6 @@ enum Fit {
     Discs(DiscsArguments),
     /// Critical dose and penetration depth from what the discs became: discs.csv with a column filled
     Dose(DoseArguments),
-    /// The name of `gray` once, with whatever follows it
-    #[command(hide = true)]
-    Grey {
-        #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
-        rest: Vec<String>,
-    },
 }
 
 /// A table that is fitted, and what becomes of it.
@@ -183,7 +177,6 @@ impl CalibrateArguments {
             Some(Fit::Kinetics(given)) => given.measured.manner,
             Some(Fit::Discs(given)) => given.manner,
             Some(Fit::Dose(given)) => given.measured.manner,
-            Some(Fit::Grey { .. }) => Manner::default(),
         }
     }
 }
@@ -197,11 +190,6 @@ pub(crate) fn calibrate(given: &CalibrateArguments) -> Result<()> {
         Some(Fit::Kinetics(given)) => of_times(given),
         Some(Fit::Discs(given)) => print_of_discs(given),
         Some(Fit::Dose(given)) => dose(given),
-        Some(Fit::Grey { rest }) => Err(Error::config(
-            "calibrate",
-            "`grey` is now called `gray`",
-            format!("`tomolith calibrate gray {}`", rest.join(" ")),
-        )),
     }
 }
 

@@ -167,17 +167,11 @@ impl Section {
         let index = names.iter().position(|known| known == name);
         let index = index.ok_or_else(|| {
             let key = format!("{}.{name}", self.path);
-            let renamed = renamed(&key);
             Error::Config {
-                found: renamed.map_or_else(
-                    || format!("unknown kind `{name}`"),
-                    |new| format!("`{name}` is now called `{new}`"),
-                ),
+                found: format!("unknown kind `{name}`"),
                 key,
                 accepted: accepted(),
-                nearest: renamed
-                    .or_else(|| nearest_name(name, names.iter().copied()))
-                    .map(str::to_owned),
+                nearest: nearest_name(name, names.iter().copied()).map(str::to_owned),
                 place: None,
             }
         })?;
@@ -216,27 +210,6 @@ fn unnamed(value: Option<&Value>, names: &[&str]) -> (String, String) {
 /// What is found where a key is missing.
 pub const MISSING: &str = "the key is missing";
 
-/// Keys and kinds that had another name, and the name that they have now.
-const RENAMED: [(&str, &str); 17] = [
-    ("coarse", "multiresolution"),
-    ("light.polarisation", "polarization"),
-    ("light.selection.least_contribution", "min_contribution"),
-    ("model.orders", "successive_orders"),
-    ("model.scatter", "monte_carlo"),
-    ("model.spread", "incoherent_cone"),
-    ("motion.wobble_mm", "axis_runout_mm"),
-    ("motion.wobble_phase_deg", "axis_runout_deg"),
-    ("printer.grey_curve", "gray_curve"),
-    ("printer.grey_curve_file", "gray_curve_file"),
-    ("printer.sense", "rotation"),
-    ("printer.wobble_deg", "eccentricity_deg"),
-    ("printer.wobble_mm", "eccentricity_mm"),
-    ("resin.map", "absorption_map"),
-    ("resin.phase.table.normalised", "normalized"),
-    ("species.target.grey", "gray"),
-    ("target.grey", "gray"),
-];
-
 /// What other programs and papers call a key, and the names that it may have here, the likeliest first.
 const SYNONYMS: [(&str, &[&str]); 13] = [
     ("ior", &["refractive_index"]),
@@ -261,19 +234,6 @@ fn synonym<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
         .iter()
         .filter_map(|name| known.iter().find(|own| *own == name));
     found.next().copied()
-}
-
-/// The name that a key or kind has now, if it had another one; places in lists do not matter.
-fn renamed(key: &str) -> Option<&'static str> {
-    let mut key = key.to_owned();
-    while let (Some(from), Some(to)) = (key.find('['), key.find(']')) {
-        if from > to {
-            return None;
-        }
-        key.replace_range(from..=to, "");
-    }
-    let row = RENAMED.iter().find(|(old, _)| *old == key);
-    row.map(|(_, name)| *name)
 }
 
 /// What makes a dose per area one per volume.
@@ -349,15 +309,13 @@ fn config_error(path: &str, failure: &Failure, value: Option<&Value>) -> Error {
 
 /// The error of a name that is none of those that are known.
 fn unknown(key: String, word: &str, known: &[&str]) -> Error {
-    let renamed = renamed(&key);
-    let near = || synonym(word, known).or_else(|| nearest_name(word, known.iter().copied()));
-    let nearest = renamed.or_else(near);
+    let near = || nearest_name(word, known.iter().copied());
+    let nearest = synonym(word, known).or_else(near);
     let unit = nearest.and_then(|name| other_unit(word, name));
     Error::Config {
-        found: match (renamed, unit) {
-            (Some(name), _) => format!("`{word}` is now called `{name}`"),
-            (None, Some(unit)) => format!("unknown name `{word}`: {unit}"),
-            (None, None) => format!("unknown name `{word}`"),
+        found: match unit {
+            Some(unit) => format!("unknown name `{word}`: {unit}"),
+            None => format!("unknown name `{word}`"),
         },
         key,
         accepted: match known {
@@ -611,46 +569,6 @@ mod tests {
             inner.parse::<Stop>().unwrap_err().to_string(),
             "stop.fixed.iterations: the key is missing; accepted: a value, for example `iterations = 40`"
         );
-    }
-
-    #[test]
-    fn an_old_name_is_refused_with_the_new_one() {
-        #[derive(Debug, serde::Deserialize)]
-        #[serde(deny_unknown_fields)]
-        struct Motion {
-            #[serde(rename = "axis_runout_mm", default)]
-            _axis_runout_mm: f64,
-        }
-        let section = Section::new("motion", serde_json::json!({ "wobble_mm": 0.1 }));
-        assert_eq!(
-            section.parse::<Motion>().unwrap_err().to_string(),
-            "motion.wobble_mm: `wobble_mm` is now called `axis_runout_mm`; accepted: axis_runout_mm; \
-             did you mean `axis_runout_mm`?"
-        );
-    }
-
-    #[test]
-    fn old_kinds_and_old_keys_in_lists_are_refused_with_the_new_name() {
-        static ROWS: &[Kind<()>] = &[Kind {
-            name: "successive_orders",
-            summary: "",
-            example: "",
-            schema: schema_of::<bool>,
-            build: (),
-        }];
-        let section = Section::new("model", serde_json::json!({ "orders": {} }));
-        let Err(error) = section.kind(ROWS) else {
-            panic!("the old kind was accepted")
-        };
-        assert_eq!(
-            error.to_string(),
-            "model.orders: `orders` is now called `successive_orders`; accepted: successive_orders; \
-             did you mean `successive_orders`?"
-        );
-        let in_list = renamed("light[10].selection.least_contribution");
-        assert_eq!(in_list, Some("min_contribution"));
-        assert_eq!(renamed("coarse"), Some("multiresolution"));
-        assert_eq!(renamed("light[0].pixels"), None);
     }
 
     #[test]

@@ -94,13 +94,6 @@ fn a_gray_curve_goes_from_the_power_meter_to_the_job() {
     bench.refuse("calibrate gray words.csv", &["words.csv", "line 2"]);
     bench.refuse("calibrate gray none.csv", &["none.csv"]);
     bench.refuse(
-        "calibrate grey words.csv --form line",
-        &[
-            "`grey` is now called `gray`",
-            "calibrate gray words.csv --form line",
-        ],
-    );
-    bench.refuse(
         &format!("calibrate gray {} --output curve", example("gray-uv.csv")),
         &["--output", "is not empty"],
     );

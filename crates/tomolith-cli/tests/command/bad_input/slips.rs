@@ -91,49 +91,6 @@ pub(super) const WRONG: &[Wrong] = &[
         &["light[0].pixels", "a list of 2"],
     ),
     ("[[light]]", "[light]", "[light]", &["light", "a list"]),
-    // Names that were
-    (
-        "[stop]",
-        "[model]\norders = {}\n[stop]",
-        "orders",
-        &["model", "`orders` is now called `successive_orders`"],
-    ),
-    (
-        "[stop]",
-        "[coarse ]\nlevels = 2\n[stop]",
-        "coarse",
-        &["`coarse` is now called `multiresolution`"],
-    ),
-    (
-        "[stop]",
-        "[printer]\ngrey_curve = [[0.0, 0.0], [1.0, 1.0]]\n[stop]",
-        "grey_curve",
-        &["`grey_curve` is now called `gray_curve`"],
-    ),
-    (
-        "[stop]",
-        "[motion]\nwobble_mm = 0.1\n[stop]",
-        "wobble",
-        &["motion.wobble_mm", "did you mean `axis_runout_mm`?"],
-    ),
-    (
-        "[stop]",
-        "[motion]\nwobble_phase_deg = 0.1\n[stop]",
-        "wobble",
-        &["motion.wobble_phase_deg", "did you mean `axis_runout_deg`?"],
-    ),
-    (
-        "[stop]",
-        "[printer]\nwobble_mm = 0.1\n[stop]",
-        "wobble",
-        &["printer.wobble_mm", "did you mean `eccentricity_mm`?"],
-    ),
-    (
-        "[stop]",
-        "[printer]\nwobble_deg = 0.1\n[stop]",
-        "wobble",
-        &["printer.wobble_deg", "did you mean `eccentricity_deg`?"],
-    ),
     // Numbers that cannot be
     (
         "0.05",
