@@ -14,14 +14,11 @@ mod gear;
 mod gratings;
 mod gyroid;
 mod hollow_gear;
-mod line_ladder;
 mod resolution_chart;
 mod ring;
 pub mod sampling;
-mod schwarz_p;
 mod siemens_star;
 mod sphere;
-mod square_posts;
 mod wall;
 mod waves;
 mod wheel;
@@ -94,12 +91,9 @@ pub static PHANTOMS: &[Kind<BuildForm>] = &[
     hollow_gear::KIND,
     siemens_star::KIND,
     resolution_chart::KIND,
-    line_ladder::KIND,
     checkerboard::KIND,
-    square_posts::KIND,
     dog_bones::KIND,
     gyroid::KIND,
-    schwarz_p::KIND,
     diamond::KIND,
     chiral::KIND,
     gratings::KIND,
@@ -273,8 +267,6 @@ mod tests {
             // Detail that the coarse grid can hold, where it is not so by default
             let (parameters, most) = match kind.name {
                 "resolution_chart" => (json!({}), [2e-2, 5e-3]),
-                "line_ladder" => (json!({ "narrowest_mm": 0.3 }), [5e-3, 1e-3]),
-                "square_posts" => (json!({ "post_mm": 1.25 }), [2e-2, 5e-3]),
                 // Bars of gray values begin between voxels of the coarse grid
                 "gratings" => (json!({}), [2e-2, 1e-3]),
                 "diamond" => (json!({ "cells": 1 }), [5e-3, 1e-3]),
@@ -377,14 +369,6 @@ mod tests {
                 "target.phantom.checkerboard.cells",
             ),
             (
-                json!({"square_posts": {"post_mm": 3}}),
-                "target.phantom.square_posts.post_mm",
-            ),
-            (
-                json!({"line_ladder": {"lines": 1}}),
-                "target.phantom.line_ladder.lines",
-            ),
-            (
                 json!({"gratings": {"bits": [1, 2, 4, 17]}}),
                 "target.phantom.gratings.bits",
             ),
@@ -400,11 +384,7 @@ mod tests {
     #[test]
     fn walls_of_lattices_have_the_thickness_they_are_asked_for() {
         // Volume over area; of the area, periods² per cell, these are counts of random points near the surfaces
-        for (name, area) in [
-            ("schwarz_p", 2.3533),
-            ("gyroid", 3.0967),
-            ("diamond", 3.8378),
-        ] {
+        for (name, area) in [("gyroid", 3.0967), ("diamond", 3.8378)] {
             let wall = json!({ name: { "size_mm": 2.0, "cells": 2, "wall_mm": 0.04 } });
             let shape = phantom(wall, &Placement::default());
             let grid = VolumeGrid::centered([100; 3], 0.02);
