@@ -6,7 +6,7 @@
 //! | axes → points | `axes`, with conditions of `expression` |
 //! | points → jobs that are checked, their identities, where each starts | `plan` |
 //! | runs side by side, shares, merging | `engine` |
-//! | folders of runs → rows, CSV, Parquet | `table`, `metric` |
+//! | folders of runs → rows, CSV | `table`, `metric` |
 //! | rows → maps and curves | `pictures`, drawn by `tomolith-report` |
 //! | a paper's numbers beside those of sweeps, jobs and commands | `study`, `commands`, `figures`, `reproduce` |
 //!

@@ -1,22 +1,14 @@
-//! What the runs of a sweep came to, collected from their folders: one row a run, as CSV and as Parquet.
+//! What the runs of a sweep came to, collected from their folders: one row a run, as CSV.
 //!
 //! Columns: `run` (counted from 1), the axes, `state` (`done`, `failed`, `missing`), the metrics, `feasible`, `error`, `folder`. Numbers are as
-//! short as they can be read back exactly; what is not defined is empty (null in Parquet).
+//! short as they can be read back exactly; what is not defined is empty.
 
 use crate::axes::named;
 use crate::metric;
 use crate::plan::{RUNS, SweepPlan};
-use parquet::basic::{LogicalType, Repetition, Type as Physical};
-use parquet::data_type::{BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
-use parquet::errors::ParquetError;
-use parquet::file::properties::WriterProperties;
-use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
-use parquet::schema::types::Type;
 use serde_json::Value;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use tomolith::io::whole::Refused;
 use tomolith::io::{read_text, write_whole};
 use tomolith::job::RunFolder;
 use tomolith::report::SCHEMA;
@@ -41,14 +33,6 @@ pub(crate) struct Table<'p> {
     pub(crate) states: Vec<State>,
     /// The best run: of those that are done and meet all conditions.
     pub(crate) best: Option<usize>,
-}
-
-/// A column's content.
-enum Column {
-    Number(Vec<Option<f64>>),
-    Count(Vec<i64>),
-    Flag(Vec<Option<bool>>),
-    Text(Vec<Option<String>>),
 }
 
 impl<'p> Table<'p> {
@@ -128,68 +112,51 @@ impl<'p> Table<'p> {
         ]
     }
 
-    fn columns(&self) -> Vec<(String, Column)> {
-        let (plan, runs) = (self.plan, self.plan.runs.len());
-        let mut columns = vec![("run".to_owned(), Column::Count((1..=runs as i64).collect()))];
-        for (a, axis) in plan.sweep.axes.iter().enumerate() {
-            let values = || plan.runs.iter().map(|run| &run.point.values[a]);
-            let column = if values().all(Value::is_number) {
-                Column::Number(values().map(Value::as_f64).collect())
-            } else {
-                let text = |value: &Value| {
-                    value
-                        .as_str()
-                        .map_or_else(|| value.to_string(), str::to_owned)
-                };
-                Column::Text(values().map(|v| Some(text(v))).collect())
-            };
-            columns.push((axis.name.clone(), column));
+    fn csv(&self) -> String {
+        let sweep = &self.plan.sweep;
+        let axes = sweep.axes.iter().map(|axis| axis.name.as_str());
+        let metrics = sweep.metrics.iter().map(String::as_str);
+        let header = ["run"].into_iter().chain(axes).chain(["state"]);
+        let header = header.chain(metrics).chain(["feasible", "error", "folder"]);
+        let rows = (0..self.plan.runs.len()).map(|i| self.row(i));
+        let mut text = String::new();
+        for row in [header.map(field).collect()].into_iter().chain(rows) {
+            text += &row.join(",");
+            text.push('\n');
         }
-        let words = self.states.iter().map(|state| match state {
-            State::Done(_) => "done",
-            State::Failed(_) => "failed",
-            State::Missing => "missing",
-        });
-        columns.push((
-            "state".to_owned(),
-            Column::Text(words.map(|w| Some(w.to_owned())).collect()),
-        ));
-        for path in &plan.sweep.metrics {
-            columns.push((
-                path.clone(),
-                Column::Number((0..runs).map(|i| self.metric(i, path)).collect()),
-            ));
-        }
-        let is_done = |i: usize| matches!(self.states[i], State::Done(_));
-        let feasible = (0..runs).map(|i| is_done(i).then(|| self.is_feasible(i)));
-        columns.push(("feasible".to_owned(), Column::Flag(feasible.collect())));
-        let errors = self.states.iter().map(|state| match state {
-            State::Failed(message) => Some(message.clone()),
-            _ => None,
-        });
-        columns.push(("error".to_owned(), Column::Text(errors.collect())));
-        let folders = plan
-            .runs
-            .iter()
-            .map(|run| Some(format!("{RUNS}/{}", run.id)));
-        columns.push(("folder".to_owned(), Column::Text(folders.collect())));
-        columns
+        text
     }
 
-    /// Writes `table.csv` and `table.parquet`.
+    /// The fields of a run.
+    fn row(&self, i: usize) -> Vec<String> {
+        let run = &self.plan.runs[i];
+        let (state, error) = match &self.states[i] {
+            State::Done(_) => ("done", ""),
+            State::Failed(message) => ("failed", message.as_str()),
+            State::Missing => ("missing", ""),
+        };
+        let number = |path| self.metric(i, path).map(|v| v.to_string());
+        let feasible = (state == "done").then(|| self.is_feasible(i).to_string());
+        let mut row = vec![(i + 1).to_string()];
+        row.extend(run.point.values.iter().map(value_field));
+        row.push(state.to_owned());
+        let metrics = self.plan.sweep.metrics.iter();
+        row.extend(metrics.map(|path| number(path).unwrap_or_default()));
+        row.push(feasible.unwrap_or_default());
+        row.push(field(error));
+        row.push(format!("{RUNS}/{}", run.id));
+        row
+    }
+
+    /// Writes `table.csv`.
     ///
     /// # Errors
     /// [`Error::Io`].
-    pub(crate) fn write(&self, folder: &Path) -> Result<Vec<PathBuf>> {
-        let columns = self.columns();
-        let files = [folder.join("table.csv"), folder.join("table.parquet")];
-        write_whole(&files[0], |file| {
-            Ok(file.write_all(csv(&columns).as_bytes())?)
-        })?;
-        write_whole(&files[1], |file| {
-            write_parquet(file, &columns).map_err(|e| Refused::Io(std::io::Error::other(e)))
-        })?;
-        Ok(files.to_vec())
+    pub(crate) fn write(&self, folder: &Path) -> Result<PathBuf> {
+        let path = folder.join("table.csv");
+        let text = self.csv();
+        write_whole(&path, |file| Ok(file.write_all(text.as_bytes())?))?;
+        Ok(path)
     }
 }
 
@@ -239,20 +206,13 @@ pub(crate) fn state(plan: &SweepPlan, i: usize) -> Result<State> {
     Ok(State::Done(plan.sweep.metrics.iter().map(number).collect()))
 }
 
-fn csv(columns: &[(String, Column)]) -> String {
-    let mut text = columns
-        .iter()
-        .map(|(name, _)| field(name))
-        .collect::<Vec<_>>()
-        .join(",");
-    text.push('\n');
-    let rows = columns.first().map_or(0, |(_, column)| column.len());
-    for i in 0..rows {
-        let line: Vec<String> = columns.iter().map(|(_, column)| column.text(i)).collect();
-        text.push_str(&line.join(","));
-        text.push('\n');
+/// An axis' value as a field.
+fn value_field(value: &Value) -> String {
+    match value {
+        Value::Number(number) => number.as_f64().map(|v| v.to_string()).unwrap_or_default(),
+        Value::String(text) => field(text),
+        other => field(&other.to_string()),
     }
-    text
 }
 
 /// A field of RFC 4180. A text that spreadsheets would take for a formula begins with an apostrophe.
@@ -271,102 +231,10 @@ pub(crate) fn field(text: &str) -> String {
     }
 }
 
-impl Column {
-    fn len(&self) -> usize {
-        match self {
-            Column::Number(values) => values.len(),
-            Column::Count(values) => values.len(),
-            Column::Flag(values) => values.len(),
-            Column::Text(values) => values.len(),
-        }
-    }
-
-    fn text(&self, i: usize) -> String {
-        match self {
-            Column::Number(values) => values[i].map(|v| v.to_string()).unwrap_or_default(),
-            Column::Count(values) => values[i].to_string(),
-            Column::Flag(values) => values[i].map(|v| v.to_string()).unwrap_or_default(),
-            Column::Text(values) => values[i].as_deref().map(field).unwrap_or_default(),
-        }
-    }
-
-    fn field(&self, name: &str) -> Result<Type, ParquetError> {
-        let (physical, logical, repetition) = match self {
-            Column::Number(_) => (Physical::DOUBLE, None, Repetition::OPTIONAL),
-            Column::Count(_) => (Physical::INT64, None, Repetition::REQUIRED),
-            Column::Flag(_) => (Physical::BOOLEAN, None, Repetition::OPTIONAL),
-            Column::Text(_) => (
-                Physical::BYTE_ARRAY,
-                Some(LogicalType::String),
-                Repetition::OPTIONAL,
-            ),
-        };
-        Type::primitive_type_builder(name, physical)
-            .with_repetition(repetition)
-            .with_logical_type(logical)
-            .build()
-    }
-}
-
-fn write_parquet<W: Write + Send>(
-    file: W,
-    columns: &[(String, Column)],
-) -> Result<(), ParquetError> {
-    let fields = columns
-        .iter()
-        .map(|(name, column)| column.field(name).map(Arc::new))
-        .collect::<Result<_, _>>()?;
-    let schema = Type::group_type_builder("sweep")
-        .with_fields(fields)
-        .build()?;
-    let mut writer =
-        SerializedFileWriter::new(file, Arc::new(schema), Arc::new(WriterProperties::new()))?;
-    let mut group = writer.next_row_group()?;
-    for (_, column) in columns {
-        match column {
-            Column::Number(values) => put::<DoubleType, _>(&mut group, values)?,
-            Column::Count(values) => put::<Int64Type, _>(
-                &mut group,
-                &values.iter().copied().map(Some).collect::<Vec<_>>(),
-            )?,
-            Column::Flag(values) => put::<BoolType, _>(&mut group, values)?,
-            Column::Text(values) => {
-                let bytes: Vec<_> = values
-                    .iter()
-                    .map(|v| v.as_deref().map(ByteArray::from))
-                    .collect();
-                put::<ByteArrayType, _>(&mut group, &bytes)?;
-            }
-        }
-    }
-    group.close()?;
-    writer.close()?;
-    Ok(())
-}
-
-/// Writes the next column: the values that are there, and which are.
-fn put<T: DataType, W: Write + Send>(
-    group: &mut SerializedRowGroupWriter<'_, W>,
-    values: &[Option<T::T>],
-) -> Result<(), ParquetError> {
-    let Some(mut column) = group.next_column()? else {
-        return Err(ParquetError::General(
-            "more columns than the schema has".to_owned(),
-        ));
-    };
-    let levels: Vec<i16> = values.iter().map(|v| i16::from(v.is_some())).collect();
-    let there: Vec<T::T> = values.iter().flatten().cloned().collect();
-    column
-        .typed::<T>()
-        .write_batch(&there, Some(&levels), None)?;
-    column.close()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use parquet::file::reader::{FileReader, SerializedFileReader};
-    use parquet::record::RowAccessor;
+    use serde_json::json;
 
     #[test]
     fn no_field_is_a_formula() {
@@ -379,41 +247,21 @@ mod tests {
     }
 
     #[test]
-    fn both_tables_hold_the_same() {
-        let columns = [
-            ("run".to_owned(), Column::Count(vec![1, 2])),
-            (
-                "evaluation.pw".to_owned(),
-                Column::Number(vec![Some(0.1 + 0.2), None]),
-            ),
-            ("feasible".to_owned(), Column::Flag(vec![Some(true), None])),
-            (
-                "error".to_owned(),
-                Column::Text(vec![None, Some("a, \"b\"".to_owned())]),
-            ),
+    fn values_of_axes_are_as_short_as_they_can_be_read_back() {
+        let values = [
+            json!(0.1 + 0.2),
+            json!(3.0),
+            json!("a, \"b\""),
+            json!([1, "x"]),
         ];
         assert_eq!(
-            csv(&columns),
-            "run,evaluation.pw,feasible,error\n1,0.30000000000000004,true,\n2,,,\"a, \"\"b\"\"\"\n"
+            values.map(|value| value_field(&value)),
+            [
+                "0.30000000000000004",
+                "3",
+                "\"a, \"\"b\"\"\"",
+                "\"[1,\"\"x\"\"]\""
+            ]
         );
-        let temp = tempfile::tempdir().unwrap();
-        let path = temp.path().join("t.parquet");
-        write_parquet(std::fs::File::create(&path).unwrap(), &columns).unwrap();
-        let reader = SerializedFileReader::new(std::fs::File::open(&path).unwrap()).unwrap();
-        let rows: Vec<_> = reader
-            .get_row_iter(None)
-            .unwrap()
-            .map(Result::unwrap)
-            .collect();
-        assert_eq!(
-            (
-                rows[0].get_long(0).unwrap(),
-                rows[0].get_double(1).unwrap(),
-                rows[0].get_bool(2).unwrap()
-            ),
-            (1, 0.1 + 0.2, true)
-        );
-        assert!(rows[1].get_double(1).is_err() && rows[0].get_string(3).is_err());
-        assert_eq!(rows[1].get_string(3).unwrap(), "a, \"b\"");
     }
 }
