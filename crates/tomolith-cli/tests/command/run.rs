@@ -86,7 +86,7 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
         "{:?}",
         keys.keys()
     );
-    for key in ["bclp_l0_part_eps0", "pw_overlap_max1", "jaccard_0_1"] {
+    for key in ["bclp_l0_part_eps0", "pw_trimmed", "jaccard"] {
         assert!(keys[key]["note"].is_string(), "{key}");
     }
     // Which model it was can be read, and the job is still a job

@@ -97,19 +97,6 @@ pub(super) fn list(
         useful,
         "share of the absorbed light that is absorbed in the part",
     );
-    let eta = mean_over_max(patterns);
-    list.add(
-        "eta",
-        "Nicolet et al. 2024, table 2",
-        "",
-        eta,
-        "mean pixel/brightest pixel: share of the projector's light that is used",
-    );
-}
-
-fn mean_over_max(patterns: &[Patterns]) -> Option<f64> {
-    let stats = super::super::print::PatternStats::of(patterns);
-    (stats.max > 0.0).then(|| stats.sum / stats.pixels as f64 / f64::from(stats.max))
 }
 
 #[cfg(test)]
@@ -145,6 +132,6 @@ mod tests {
         let mut numbers = List::default();
         list(&mut numbers, &dose, &labels, &[patterns]);
         let values: Vec<_> = numbers.0.iter().map(|n| n.value.unwrap()).collect();
-        assert_eq!(values, [2.0, 0.25, 0.125, 0.5 / 0.75, 2.0 / 3.0]);
+        assert_eq!(values, [2.0, 0.25, 0.125, 0.5 / 0.75]);
     }
 }

@@ -11,7 +11,6 @@
 //! **Source** Li et al., Additive Manufacturing 94 (2024) 104447, supplement S.8, eq. SE.19. For 0 < p < ∞ the same is an
 //! objective, `bclp`.
 
-use super::super::buckets::{key, value_of};
 use tomolith_core::field::BLOCK;
 use tomolith_core::grid::Volume;
 use tomolith_core::parallel::InParallel;
@@ -117,78 +116,6 @@ pub(super) fn band_errors(
 /// Doses are f32: a response on the edge of its band is within it.
 const ROUNDING: f64 = 1e-7;
 
-/// The largest Jaccard index of {dose > t} with the part over some thresholds; voxels outside the region that counts
-/// are void.
-pub(super) fn largest_index(
-    dose: &Volume<f32>,
-    labels: &Volume<u8>,
-    thresholds: impl Iterator<Item = f64>,
-) -> f64 {
-    let thresholds: Vec<f64> = thresholds.collect();
-    let passed = Passed::new(&thresholds);
-    // Voxels whose dose lies between two thresholds, of the part and of the rest
-    let blocks = dose
-        .values
-        .chunks(BLOCK)
-        .zip(labels.values.chunks(BLOCK))
-        .par_map(|(dose, labels)| {
-            let mut cells = vec![[0u64; 2]; thresholds.len() + 1];
-            for (&d, &l) in dose.iter().zip(labels) {
-                cells[passed.by(d)][usize::from(l != label::PART)] += 1;
-            }
-            cells
-        });
-    let mut cells = vec![[0u64; 2]; thresholds.len() + 1];
-    for block in blocks {
-        for (cell, more) in cells.iter_mut().zip(block) {
-            *cell = [cell[0] + more[0], cell[1] + more[1]];
-        }
-    }
-    let part: u64 = cells.iter().map(|c| c[0]).sum();
-    let (mut above, mut best) = ([0u64; 2], 0.0f64);
-    for cell in cells[1..].iter().rev() {
-        above = [above[0] + cell[0], above[1] + cell[1]];
-        best = best.max(above[0] as f64 / (part + above[1]) as f64);
-    }
-    best
-}
-
-/// How many of some ascending thresholds a dose is above, found without a search for most doses: doses that share the top
-/// bits of their [`key`] are above about the same.
-struct Passed<'t> {
-    thresholds: &'t [f64],
-    /// Thresholds that the lowest and the highest dose with these top bits are above.
-    range: Vec<[u32; 2]>,
-}
-
-/// Low bits of a key that the table does not look at.
-const LOW_BITS: u32 = 16;
-
-impl<'t> Passed<'t> {
-    fn new(thresholds: &'t [f64]) -> Self {
-        let above = |key: u32| {
-            let dose = f64::from(value_of(key));
-            thresholds.partition_point(|&t| dose > t) as u32
-        };
-        let last = (1 << LOW_BITS) - 1;
-        Passed {
-            thresholds,
-            range: (0..=u32::MAX >> LOW_BITS)
-                .map(|top| top << LOW_BITS)
-                .map(|first| [above(first), above(first | last)])
-                .collect(),
-        }
-    }
-
-    fn by(&self, dose: f32) -> usize {
-        let [low, high] = self.range[(key(dose) >> LOW_BITS) as usize].map(|n| n as usize);
-        if low >= high {
-            return low;
-        }
-        low + self.thresholds[low..high].partition_point(|&t| f64::from(dose) > t)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -267,34 +194,5 @@ mod tests {
             assert!((found.l1 / expected.iter().sum::<f64>() - 1.0).abs() < 1e-12);
         }
         assert_eq!(all.violated, part.violated + void.violated);
-    }
-
-    #[test]
-    fn doses_near_a_threshold_are_on_the_right_side_of_it() {
-        let thresholds: Vec<f64> = (0..100).map(|i| 1.3 * f64::from(i) / 99.0).collect();
-        let passed = Passed::new(&thresholds);
-        for threshold in &thresholds {
-            let near = *threshold as f32;
-            for dose in [near.next_down(), near, near.next_up(), -near, f32::MAX] {
-                let wanted = thresholds.iter().filter(|t| f64::from(dose) > **t).count();
-                assert_eq!(passed.by(dose), wanted, "{dose}");
-            }
-        }
-        assert_eq!(passed.by(f32::NAN), 0);
-    }
-
-    #[test]
-    fn an_index_over_given_thresholds_is_that_of_the_definition() {
-        let labels = volume(&[PART, PART, VOID, VOID, OUTSIDE]);
-        let dose = volume(&[0.9, 0.6, 0.7, 0.1, 0.8]);
-        let at = |t: f64| largest_index(&dose, &labels, std::iter::once(t));
-        assert_eq!(
-            [at(0.0), at(0.5), at(0.65), at(0.85), at(0.9)],
-            [0.4, 0.5, 0.25, 0.5, 0.0]
-        );
-        assert_eq!(
-            largest_index(&dose, &labels, [0.0, 0.5, 0.65, 0.85].into_iter()),
-            0.5
-        );
     }
 }
