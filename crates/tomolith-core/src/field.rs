@@ -23,8 +23,7 @@
 //! ranks.
 //!
 //! That is all: problems, searches, optimizers, objectives, penalties and starts are generic over the field. A sum may differ from the
-//! host's by rounding, but must be the same in every run. Whoever wants the host's bits follows the order of sums that each operation
-//! states; `crates/tomolith-optimize/tests/sealed` is a whole backend that does.
+//! host's by rounding, but must be the same in every run. `tomolith-gpu` is a whole backend.
 //!
 //! Sums of the host run over fixed blocks ([`BLOCK`] elements, or the [pieces](Bounds::pieces) of bounds) whose partial results are
 //! added in order, so a number does not depend on how many threads computed it. Within a block a product is an f64 and goes to

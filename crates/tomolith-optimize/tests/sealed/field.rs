@@ -1,289 +1,187 @@
-//! A field whose memory is no slice of floats: the complement of each element's bits, the last element first.
+//! A field whose elements the library cannot see: one of the host behind the trait.
 //!
-//! Every operation works on this memory, element by element on one thread; sums go in the order that the host's state.
+//! Every operation is the host's, so what knows fields by the trait alone gets the host's bits.
 
-use super::bands::SealedBands;
-use super::costs::SealedCosts;
-use super::half_ramp::SealedHalfRamp;
-use super::pairs::SealedPairs;
-use std::ops::Range;
-use tomolith_core::field::{BLOCK, Bounds, Field, Secant, StepSums};
+use std::sync::Arc;
+use tomolith_core::error::Result;
+use tomolith_core::field::{
+    BandKernel, BandLoss, Bounds, CostKernel, Direction, DirectionSums, Field, HalfRamp,
+    HalfRampKernel, HostField, Latest, Pairs, PairsPart, PatternCost, Products, Secant, StepSums,
+};
+
+type HostBounds = <HostField as Field>::Bounds;
 
 /// The field.
 #[derive(Clone)]
-pub(crate) struct SealedField {
-    memory: Vec<u32>,
-}
+pub(crate) struct SealedField(pub(crate) HostField);
 
-impl SealedField {
-    pub(crate) fn of(values: &[f32]) -> Self {
-        let mut field = SealedField {
-            memory: vec![0; values.len()],
-        };
-        field.write(0, values);
-        field
-    }
+/// What is compiled for such fields: the host's.
+pub(crate) struct Sealed<T>(T);
 
-    /// Element i.
-    pub(crate) fn at(&self, i: usize) -> f32 {
-        f32::from_bits(!self.memory[self.memory.len() - 1 - i])
-    }
-
-    pub(crate) fn set(&mut self, i: usize, value: f32) {
-        let last = self.memory.len() - 1;
-        self.memory[last - i] = !value.to_bits();
-    }
-
-    fn change(&mut self, f: impl Fn(usize, f32) -> f32) {
-        for i in 0..self.len() {
-            self.set(i, f(i, self.at(i)));
+/// Operations that are passed on: arguments that are fields, then those that are not.
+macro_rules! pass_on {
+    ($($name:ident($($field:ident),*; $($other:ident: $type:ty),*) $(-> $out:ty)?;)*) => {$(
+        fn $name(&self $(, $field: &Self)* $(, $other: $type)*) $(-> $out)? {
+            self.0.$name($(&$field.0,)* $($other),*)
         }
-    }
-
-    fn blocks(&self) -> impl Iterator<Item = Range<usize>> + use<> {
-        let len = self.len();
-        (0..len)
-            .step_by(BLOCK)
-            .map(move |begin| begin..len.min(begin + BLOCK))
-    }
-
-    /// Σ of products in a block: eight running sums, then what is left.
-    fn dot_in(&self, other: &Self, block: Range<usize>) -> f64 {
-        let product = |i: usize| f64::from(self.at(i)) * f64::from(other.at(i));
-        let whole = block.start + block.len() / 8 * 8;
-        let mut sums = [0.0f64; 8];
-        for i in block.start..whole {
-            sums[(i - block.start) % 8] += product(i);
+    )*};
+    (mut $($name:ident($($field:ident),*; $($other:ident: $type:ty),*) $(-> $out:ty)?;)*) => {$(
+        fn $name(&mut self $(, $field: &Self)* $(, $other: $type)*) $(-> $out)? {
+            self.0.$name($(&$field.0,)* $($other),*)
         }
-        let rest: f64 = (whole..block.end).map(product).sum();
-        sums.iter().sum::<f64>() + rest
-    }
-}
-
-/// Bounds of a piece of the elements.
-#[derive(Clone, Copy)]
-pub(crate) struct Piece {
-    pub(crate) begin: usize,
-    pub(crate) len: usize,
-    pub(crate) lower: f32,
-    pub(crate) upper: f32,
-}
-
-impl Piece {
-    pub(crate) fn elements(&self) -> Range<usize> {
-        self.begin..self.begin + self.len
-    }
-
-    /// Whether the bounds hold an element: it is at one, and a descent would cross it.
-    pub(crate) fn holds(&self, x: f32, gradient: f32) -> bool {
-        (x <= self.lower && gradient >= 0.0) || (x >= self.upper && gradient <= 0.0)
-    }
-
-    pub(crate) fn clamp(&self, value: f32) -> f32 {
-        if value < self.lower {
-            self.lower
-        } else if value > self.upper {
-            self.upper
-        } else {
-            value
-        }
-    }
-}
-
-/// NaN if either is.
-fn larger(a: f32, b: f32) -> f32 {
-    if a.is_nan() || b.is_nan() {
-        f32::NAN
-    } else {
-        a.max(b)
-    }
+    )*};
 }
 
 impl Field for SealedField {
-    type Bounds = Vec<Piece>;
-    type Pairs = SealedPairs;
-    type Bands = SealedBands;
-    type Costs = SealedCosts;
-    type HalfRamp = SealedHalfRamp;
-
-    fn len(&self) -> usize {
-        self.memory.len()
-    }
+    type Bounds = HostBounds;
+    type Pairs = Sealed<<HostField as Field>::Pairs>;
+    type Bands = Sealed<<HostField as Field>::Bands>;
+    type Costs = Sealed<<HostField as Field>::Costs>;
+    type HalfRamp = Sealed<<HostField as Field>::HalfRamp>;
 
     fn zeros_like(&self) -> Self {
-        SealedField {
-            memory: vec![!0; self.len()],
-        }
-    }
-
-    fn copy_from(&mut self, other: &Self) {
-        self.change(|i, _| other.at(i));
-    }
-
-    fn fill(&mut self, value: f32) {
-        self.change(|_, _| value);
-    }
-
-    fn to_host(&self) -> Vec<f32> {
-        (0..self.len()).map(|i| self.at(i)).collect()
-    }
-
-    fn write(&mut self, begin: usize, values: &[f32]) {
-        for (i, &value) in values.iter().enumerate() {
-            self.set(begin + i, value);
-        }
-    }
-
-    fn dot(&self, other: &Self) -> f64 {
-        let sums: Vec<f64> = self.blocks().map(|b| self.dot_in(other, b)).collect();
-        sums.iter().sum()
-    }
-
-    fn max_abs(&self) -> f32 {
-        (0..self.len()).map(|i| self.at(i).abs()).fold(0.0, larger)
-    }
-
-    fn max_marked(&self, marks: &Self) -> f32 {
-        (0..self.len())
-            .filter(|&i| marks.at(i) >= 0.0)
-            .map(|i| self.at(i))
-            .fold(0.0, larger)
-    }
-
-    fn lowest(&self) -> f32 {
-        (0..self.len()).map(|i| self.at(i)).fold(0.0, f32::min)
+        SealedField(self.0.zeros_like())
     }
 
     fn axpy(&mut self, a: f32, x: &Self) {
-        self.change(|i, v| v + a * x.at(i));
-    }
-
-    fn scale(&mut self, a: f32) {
-        self.change(|_, v| v * a);
-    }
-
-    fn shift(&mut self, a: f32) {
-        self.change(|_, v| v + a);
-    }
-
-    fn clamp(&mut self, lower: f32, upper: f32) {
-        self.change(|_, v| v.max(lower).min(upper));
-    }
-
-    fn multiply(&mut self, other: &Self) {
-        self.change(|i, v| v * other.at(i));
-    }
-
-    fn keep_positive(&mut self, marks: &Self) {
-        self.change(|i, v| if marks.at(i) > 0.0 { v } else { 0.0 });
+        self.0.axpy(a, &x.0);
     }
 
     fn mix(&mut self, keep: f32, x: &Self) {
-        self.change(|i, v| keep * v + (1.0 - keep) * x.at(i));
+        self.0.mix(keep, &x.0);
     }
 
     fn mix_squares(&mut self, keep: f32, x: &Self) {
-        self.change(|i, v| keep * v + (1.0 - keep) * x.at(i) * x.at(i));
+        self.0.mix_squares(keep, &x.0);
     }
 
-    fn divide_by_roots(&mut self, squares: &Self, factor: f32, epsilon: f32) {
-        self.change(|i, v| v / ((squares.at(i) * factor).sqrt() + epsilon));
+    pass_on! {
+        len(;) -> usize;
+        to_host(;) -> Vec<f32>;
+        dot(other;) -> f64;
+        max_abs(;) -> f32;
+        max_marked(marks;) -> f32;
+        lowest(;) -> f32;
+        compile_bounds(; bounds: &Bounds) -> HostBounds;
+        secant(before, after;) -> Secant;
     }
 
-    fn logistic_error(&mut self, target: &Self, midpoint: f32, width: f32) {
-        self.change(|i, v| match target.at(i) {
-            target if target < 0.0 => 0.0,
-            target => 1.0 / (1.0 + ((midpoint - v) / width).exp()) - target,
-        });
+    pass_on! {
+        mut
+        copy_from(other;);
+        fill(; value: f32);
+        write(; begin: usize, values: &[f32]);
+        scale(; a: f32);
+        shift(; a: f32);
+        clamp(; lower: f32, upper: f32);
+        multiply(other;);
+        keep_positive(marks;);
+        divide_by_roots(squares; factor: f32, epsilon: f32);
+        logistic_error(target; midpoint: f32, width: f32);
+        move_along(step; a: f32, bounds: &HostBounds);
+        project_step(x, gradient; t: f32, bounds: &HostBounds) -> StepSums;
+        quantize(; levels: u32, bounds: &HostBounds);
+        free_gradient(x, gradient; bounds: &HostBounds);
+        change_where_moved(step, before, after;);
+    }
+}
+
+impl<P: Pairs<HostField>> Pairs<SealedField> for Sealed<P>
+where
+    HostField: Field<Pairs = P>,
+{
+    const MAX_MEMORY: usize = P::MAX_MEMORY;
+
+    fn new(slots: usize, bounds: &HostBounds) -> Self {
+        Sealed(P::new(slots, bounds))
     }
 
-    fn compile_bounds(&self, bounds: &Bounds) -> Vec<Piece> {
-        let mut begin = 0;
-        let piece = |(len, lower, upper)| {
-            begin += len;
-            Piece {
-                begin: begin - len,
-                len,
-                lower,
-                upper,
-            }
+    fn record(
+        &mut self,
+        slot: usize,
+        latest: &Latest<SealedField>,
+        bounds: &HostBounds,
+    ) -> Products {
+        let latest = Latest {
+            x: &latest.x.0,
+            step: &latest.step.0,
+            alpha: latest.alpha,
+            gradient: &latest.gradient.0,
+            change: &latest.change.0,
+            image: &latest.image.0,
         };
-        bounds.pieces().map(piece).collect()
+        self.0.record(slot, &latest, bounds)
     }
 
-    fn move_along(&mut self, step: &Self, a: f32, bounds: &Vec<Piece>) {
-        for piece in bounds {
-            for i in piece.elements() {
-                self.set(i, piece.clamp(self.at(i) + a * step.at(i)));
-            }
-        }
+    fn direction(
+        &self,
+        direction: &Direction,
+        x: &SealedField,
+        gradient: &SealedField,
+        image: &SealedField,
+        bounds: &HostBounds,
+        out: &mut SealedField,
+    ) -> DirectionSums {
+        let [x, gradient, image] = [x, gradient, image].map(|field| &field.0);
+        self.0
+            .direction(direction, x, gradient, image, bounds, &mut out.0)
     }
 
-    fn project_step(&mut self, x: &Self, gradient: &Self, t: f32, bounds: &Vec<Piece>) -> StepSums {
-        let mut sums = StepSums::default();
-        for piece in bounds {
-            for i in piece.elements() {
-                self.set(i, piece.clamp(x.at(i) - t * gradient.at(i)) - x.at(i));
-            }
-            sums.slope += gradient.dot_in(self, piece.elements());
-            sums.square += self.dot_in(self, piece.elements());
-        }
-        sums
+    fn parts(&self) -> Vec<PairsPart<'_>> {
+        self.0.parts()
     }
 
-    fn quantize(&mut self, levels: u32, bounds: &Vec<Piece>) {
-        let top = self.max_abs();
-        let steps = (levels - 1).max(1) as f32;
-        for &piece in bounds {
-            let upper = if piece.upper.is_finite() {
-                piece.upper
-            } else {
-                top
-            };
-            let (piece, width) = (Piece { upper, ..piece }, upper - piece.lower);
-            for i in piece.elements().filter(|_| width > 0.0) {
-                let share = (piece.clamp(self.at(i)) - piece.lower) / width;
-                let level = (share * steps + 0.5).floor() / steps;
-                self.set(i, piece.clamp(piece.lower + level * width));
-            }
-        }
+    fn restore(&mut self, read: &mut dyn FnMut(&str, &mut [u8]) -> Result<()>) -> Result<()> {
+        self.0.restore(read)
+    }
+}
+
+impl<B: BandKernel<HostField>> BandKernel<SealedField> for Sealed<B> {
+    fn new(loss: &Arc<BandLoss>, like: &SealedField) -> Self {
+        Sealed(B::new(loss, &like.0))
     }
 
-    fn free_gradient(&mut self, x: &Self, gradient: &Self, bounds: &Vec<Piece>) {
-        for piece in bounds {
-            for i in piece.elements() {
-                let g = gradient.at(i);
-                self.set(i, if piece.holds(x.at(i), g) { 0.0 } else { g });
-            }
-        }
+    fn value(&self, dose: &SealedField) -> f64 {
+        self.0.value(&dose.0)
     }
 
-    fn change_where_moved(&mut self, step: &Self, before: &Self, after: &Self) {
-        self.change(|i, _| {
-            if step.at(i) == 0.0 {
-                0.0
-            } else {
-                after.at(i) - before.at(i)
-            }
-        });
+    fn value_and_gradient(&self, dose: &SealedField, grad: &mut SealedField) -> f64 {
+        self.0.value_and_gradient(&dose.0, &mut grad.0)
     }
 
-    fn secant(&self, before: &Self, after: &Self) -> Secant {
-        let mut all = Secant::default();
-        for block in self.blocks() {
-            let mut sums = Secant::default();
-            for i in block {
-                let p = f64::from(self.at(i));
-                let change = f64::from(after.at(i)) - f64::from(before.at(i));
-                let y = if p == 0.0 { 0.0 } else { change };
-                sums.pp += p * p;
-                sums.py += p * y;
-                sums.yy += y * y;
-            }
-            all.pp += sums.pp;
-            all.py += sums.py;
-            all.yy += sums.yy;
-        }
-        all
+    fn slope_along(&self, dose: &SealedField, step: &SealedField, alpha: f32) -> (f64, f64) {
+        self.0.slope_along(&dose.0, &step.0, alpha)
+    }
+
+    fn advance(&self, dose: &mut SealedField, step: &mut SealedField, alpha: f32) -> f64 {
+        self.0.advance(&mut dose.0, &mut step.0, alpha)
+    }
+}
+
+impl<C: CostKernel<HostField>> CostKernel<SealedField> for Sealed<C> {
+    fn new(cost: &Arc<PatternCost>, like: &SealedField) -> Self {
+        Sealed(C::new(cost, &like.0))
+    }
+
+    fn value(&self, x: &SealedField) -> f64 {
+        self.0.value(&x.0)
+    }
+
+    fn add_gradient(&self, x: &SealedField, scale: f64, gradient: &mut SealedField) -> f64 {
+        self.0.add_gradient(&x.0, scale, &mut gradient.0)
+    }
+
+    fn slope_along(&self, x: &SealedField, step: &SealedField, alpha: f32) -> (f64, f64) {
+        self.0.slope_along(&x.0, &step.0, alpha)
+    }
+}
+
+impl<H: HalfRampKernel<HostField>> HalfRampKernel<SealedField> for Sealed<H> {
+    fn new(ramp: HalfRamp, like: &SealedField) -> Self {
+        Sealed(H::new(ramp, &like.0))
+    }
+
+    fn apply(&self, x: &SealedField, out: &mut SealedField) {
+        self.0.apply(&x.0, &mut out.0);
     }
 }

@@ -4,34 +4,27 @@ use super::field::SealedField;
 use std::ops::Range;
 use tomolith_core::dose::{DoseModel, Run};
 use tomolith_core::error::Result;
-use tomolith_core::field::{Field, HostField};
+use tomolith_core::field::HostField;
 use tomolith_core::forward;
 
 /// The model.
-pub(crate) struct Sealed<M>(pub(crate) M);
+pub(crate) struct SealedModel<M>(pub(crate) M);
 
-fn opened(field: &SealedField) -> HostField {
-    HostField::from_slice(&field.to_host())
-}
-
-impl<M: DoseModel<Field = HostField>> DoseModel for Sealed<M> {
+impl<M: DoseModel<Field = HostField>> DoseModel for SealedModel<M> {
     type Field = SealedField;
 
     forward!(DoseModel, self => self.0; patterns, outputs, z_coupling, is_linear, updates);
 
     fn new_patterns(&self) -> Result<SealedField> {
-        Ok(SealedField::of(self.0.new_patterns()?.as_slice()))
+        self.0.new_patterns().map(SealedField)
     }
 
     fn new_dose(&self) -> Result<SealedField> {
-        Ok(SealedField::of(self.0.new_dose()?.as_slice()))
+        self.0.new_dose().map(SealedField)
     }
 
     fn dose(&self, x: &SealedField, dose: &mut SealedField, run: &Run) -> Result<()> {
-        let mut host = self.0.new_dose()?;
-        self.0.dose(&opened(x), &mut host, run)?;
-        dose.copy_from_host(host.as_slice());
-        Ok(())
+        self.0.dose(&x.0, &mut dose.0, run)
     }
 
     fn pullback_of(
@@ -42,11 +35,8 @@ impl<M: DoseModel<Field = HostField>> DoseModel for Sealed<M> {
         grad: &mut SealedField,
         run: &Run,
     ) -> Result<()> {
-        let mut host = opened(grad);
-        self.0
-            .pullback_of(frames, &opened(x), &opened(cotangent), &mut host, run)?;
-        grad.copy_from_host(host.as_slice());
-        Ok(())
+        let (x, cotangent, grad) = (&x.0, &cotangent.0, &mut grad.0);
+        self.0.pullback_of(frames, x, cotangent, grad, run)
     }
 
     fn dose_of(
@@ -56,10 +46,7 @@ impl<M: DoseModel<Field = HostField>> DoseModel for Sealed<M> {
         dose: &mut SealedField,
         run: &Run,
     ) -> Result<()> {
-        let mut host = opened(dose);
-        self.0.dose_of(frames, &opened(x), &mut host, run)?;
-        dose.copy_from_host(host.as_slice());
-        Ok(())
+        self.0.dose_of(frames, &x.0, &mut dose.0, run)
     }
 
     fn along(
@@ -68,9 +55,8 @@ impl<M: DoseModel<Field = HostField>> DoseModel for Sealed<M> {
         d: &SealedField,
         run: &Run,
     ) -> Result<Option<Vec<SealedField>>> {
-        let terms = self.0.along(&opened(x), &opened(d), run)?;
-        let seal = |term: &HostField| SealedField::of(term.as_slice());
-        Ok(terms.map(|terms| terms.iter().map(seal).collect()))
+        let terms = self.0.along(&x.0, &d.0, run)?;
+        Ok(terms.map(|terms| terms.into_iter().map(SealedField).collect()))
     }
 
     fn describe(&self) -> String {
