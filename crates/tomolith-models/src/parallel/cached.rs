@@ -190,9 +190,6 @@ impl Group {
 
 impl CachedEntries {
     /// Finds all entries of a light.
-    ///
-    /// # Errors
-    /// [`Canceled`](tomolith_core::error::Error::Canceled).
     pub(super) fn of(
         plan: &LightPlan,
         path: KernelPath,

@@ -12,9 +12,6 @@ use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
 
 /// The form of a model; None of a single slice, a kernel of pure Radon, or resin that differs from place to place.
-///
-/// # Errors
-/// As [`Parallel::under`].
 pub(super) fn form(
     vial: &dyn Vial,
     lights: &[Light],

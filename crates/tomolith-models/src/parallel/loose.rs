@@ -1,6 +1,6 @@
 //! Single entries that a slice needs, found once.
 //!
-//! Most tiles of a slice are lit by uniform strips, uniform rays and chains ([`plane`](super::plane)). Where strips begin or end within a tile, or a
+//! Most tiles of a slice are lit by uniform strips and chains ([`plane`](super::plane)). Where strips begin or end within a tile, or a
 //! resin wall cuts it, entries are found one by one: two tiles in a hundred took a third of the time of a slice. A model that is asked
 //! again and again keeps them, where they take about [`MOST`] bytes a light at most. Sums along them have the same order, and so the
 //! same bits.
@@ -37,9 +37,6 @@ pub(super) struct Loose {
 
 impl Loose {
     /// Finds them; empty where they are too many.
-    ///
-    /// # Errors
-    /// [`Canceled`](tomolith_core::error::Error::Canceled).
     pub(super) fn of(model: &Parallel, plan: &LightPlan, run: &Run) -> Result<Self> {
         let beams = plan.beams.len();
         let needed = |&at: &usize| model.is_loose(plan, at % beams, plan.meetings[at]);
@@ -81,9 +78,8 @@ impl Parallel {
     /// Whether a beam lights a tile entry by entry.
     fn is_loose(&self, plan: &LightPlan, beam: usize, meeting: Meeting) -> bool {
         let is_uniform_strips = meeting.uniform_strips && plan.uniform_strips[beam].is_some();
-        let is_uniform_rays = meeting.uniform_rays && plan.uniform_rays[beam].is_some();
         let is_chain = meeting.chain && self.path.wide.is_some();
-        meeting.end > meeting.first && !(is_uniform_strips || is_uniform_rays || is_chain)
+        meeting.end > meeting.first && !(is_uniform_strips || is_chain)
     }
 
     fn enumerate_loose(

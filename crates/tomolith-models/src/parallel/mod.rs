@@ -76,7 +76,6 @@ pub mod radon;
 mod strips;
 mod tiles;
 mod turned;
-mod uniform_rays;
 mod uniform_strips;
 mod views;
 mod walls;
@@ -649,12 +648,7 @@ pub fn beyond(light: &Light, vial: &dyn Vial) -> Option<&'static str> {
 
 /// Refuses a resin that differs from place to place where light bends, or where nothing absorbs.
 fn must_be_even(kernel: Kernel, light: &Light, vial: &dyn Vial) -> Result<()> {
-    let refused = |what: &str, reason: &str| {
-        Err(Error::Unsupported {
-            what: what.to_owned(),
-            reason: reason.to_owned(),
-        })
-    };
+    let refused = |what: &str, reason: &str| Err(Error::unsupported(what, reason));
     let what = if light.resin.gradient.is_some() {
         "resin.gradient"
     } else {

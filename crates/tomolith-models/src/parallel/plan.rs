@@ -9,7 +9,6 @@ use super::radon::{self, Kernel};
 use super::strips::{self, Beam};
 use super::tiles::{self, Bounds, Deposit, Local, Meeting, Slots, TILE, Tile, TileEntries};
 use super::turned::Turned;
-use super::uniform_rays::UniformRays;
 use super::uniform_strips::UniformStrips;
 use super::views::Views;
 use super::walls::Walls;
@@ -49,8 +48,6 @@ pub(super) struct LightPlan {
     pub(super) of_view: Vec<Range<usize>>,
     /// Beams of uniform strips, for a single slice.
     pub(super) uniform_strips: Vec<Option<UniformStrips>>,
-    /// Beams of uniform rays, for a single slice.
-    pub(super) uniform_rays: Vec<Option<UniformRays>>,
     /// How tiles and beams meet: `[tile][beam]`.
     pub(super) meetings: Vec<Meeting>,
     pub(super) levels: Levels,
@@ -146,21 +143,12 @@ impl LightPlan {
             let strips = || UniformStrips::new(beam, &pixels, grid, &deposit);
             may_be_uniform.then(strips).flatten()
         });
-        let is_uniform_rays = grid.shape[0] == 1 && kernel == Kernel::Line;
-        let of_beam = |beam| {
-            is_uniform_rays
-                .then(|| UniformRays::new(beam, &pixels, grid))
-                .flatten()
-        };
-        let uniform_rays: Vec<Option<UniformRays>> = beams.iter().map(of_beam).collect();
         let bounds: Vec<Vec<Bounds>> = beams.iter().par_map(Bounds::of_beam);
         let meeting =
             |tile, ((beam, uniform), bounds): ((&Beam, &Option<UniformStrips>), &Vec<Bounds>)| {
                 let meeting = tiles::meeting(beam, bounds, uniform.as_ref(), &walls, tile);
-                let strips = &beam.strips[meeting.first as usize..meeting.end as usize];
                 Meeting {
                     chain: meeting.chain && is_even,
-                    uniform_rays: is_uniform_rays && UniformRays::holds(strips, tile, beam.major),
                     ..meeting
                 }
             };
@@ -190,7 +178,6 @@ impl LightPlan {
             turned,
             views,
             uniform_strips,
-            uniform_rays,
             meetings,
             levels,
             deposit,

@@ -1,15 +1,14 @@
 //! A single slice: lanes over voxels and strips in place of z.
 //!
 //! Dose works tile by tile, all frames for one tile; the adjoint frame by frame, all tiles for a few frames. Straight
-//! evenly spaced strips are [`uniform_strips`](super::uniform_strips), the rays of the kernel `line` [`uniform_rays`](super::uniform_rays), other chains vectors over
-//! strips, and what is left (tiles that a resin wall cuts, the kernels `linear` and `strip`) single entries of the common enumerator.
+//! evenly spaced strips are [`uniform_strips`](super::uniform_strips), other chains vectors over
+//! strips, and what is left (tiles that a resin wall cuts, the kernels `line`, `linear` and `strip`) single entries of the common enumerator.
 
 use super::chains::{Avx512, Chain, Taps, WINDOW};
 use super::loose::Loose;
 use super::plan::LightPlan;
 use super::strips::Major;
 use super::tiles::{Local, Meeting, Slots, TILE, Tile, TileEntries};
-use super::uniform_rays::MOST;
 use super::uniform_strips::{Integrals, Square, UniformStrips};
 use super::{Parallel, tile_rows};
 use crate::Run;
@@ -102,17 +101,6 @@ impl Parallel {
                             source,
                             square,
                         );
-                    } else if let (true, Some(uniform)) =
-                        (meeting.uniform_rays, &plan.uniform_rays[beam])
-                    {
-                        let strips = meeting.first as usize..meeting.end as usize;
-                        let rays = uniform.rays(strips.clone(), tile, plan.beams[beam].major);
-                        let values = plan.frame(values, beam);
-                        let mut of_rays = [0.0; MOST];
-                        for (to, column) in of_rays.iter_mut().zip(uniform.columns(strips)) {
-                            *to = uniform.per_row() * values[column];
-                        }
-                        rays.add_dose(self.path.isa, &of_rays, square);
                     } else if let Some(wide) = self.path.wide.filter(|_| meeting.chain) {
                         let values = plan.frame(values, beam);
                         bench.add_chain(wide, plan, (beam, meeting), tile, values, square);
@@ -277,14 +265,7 @@ impl Gathering {
             }
             let first = (beam.frame as usize - self.frames.start) * plan.columns;
             let pixels = &mut pixels[first..first + plan.columns];
-            if let (true, Some(uniform)) = (meeting.uniform_rays, &plan.uniform_rays[i]) {
-                let strips = meeting.first as usize..meeting.end as usize;
-                let rays = uniform.rays(strips.clone(), tile, beam.major);
-                let sums = rays.adjoint(model.path.isa, &integrals.value);
-                for (column, sum) in uniform.columns(strips).zip(sums) {
-                    pixels[column] += uniform.per_row() * sum;
-                }
-            } else if let Some(wide) = model.path.wide.filter(|_| meeting.chain) {
+            if let Some(wide) = model.path.wide.filter(|_| meeting.chain) {
                 let chain = Chain::new(beam, meeting.first as usize, meeting.end as usize);
                 let local = Local::new(tile, beam.major, Slots::WITHIN_TILE);
                 let sums = wide.chain_adjoint(&chain, &local, integrals);

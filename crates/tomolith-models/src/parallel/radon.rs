@@ -396,10 +396,7 @@ mod tests {
             .collect();
         for (kernel, expected) in ASTRA {
             let model = model(kernel, pixels.clone(), grid.clone());
-            let volume = Volume {
-                grid: grid.clone(),
-                values: image.clone(),
-            };
+            let volume = Volume::new(grid.clone(), image.clone());
             let cotangent = HostField::from_slice(&model.outputs()[0].field_of(&volume));
             let mut grad = LinearOperator::new_patterns(&model).unwrap();
             model.adjoint(&cotangent, &mut grad, &Run::new()).unwrap();
@@ -459,7 +456,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ray_along_a_face_lights_one_of_its_voxels_and_uniform_rays_are_the_common_enumerator() {
+    fn a_ray_along_a_face_lights_one_of_its_voxels_in_a_slice_as_in_a_volume() {
         // An odd number of columns and an even one of voxels: at multiples of 90° the middle ray runs between two tiles
         let azimuths = (0..8).map(|k| f64::from(k) * std::f64::consts::FRAC_PI_4);
         let pixels = |rows: usize| PatternGrid {

@@ -232,8 +232,6 @@ pub(super) struct Meeting {
     pub(super) chain: bool,
     /// Whether they are [`UniformStrips`](super::uniform_strips::UniformStrips) there.
     pub(super) uniform_strips: bool,
-    /// Whether they are [`UniformRays`](super::uniform_rays::UniformRays) there.
-    pub(super) uniform_rays: bool,
 }
 
 /// Neighboring strips that are asked together first whether they meet a tile.
@@ -304,7 +302,6 @@ pub(super) fn meeting(
         end: end as u16,
         chain,
         uniform_strips: chain && uniform.is_some_and(|uniform| uniform.holds(first..end)),
-        uniform_rays: false,
     }
 }
 
