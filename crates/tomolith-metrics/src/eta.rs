@@ -20,17 +20,12 @@
 //! ```
 
 use super::print::Print;
-use super::{Better, Measure, Metric, MetricKind};
+use super::{Better, Measure, MetricKind};
 
 /// See the [module page](self).
-pub struct Efficiency;
-
-impl Metric for Efficiency {
-    fn measure(&self, print: &Print<'_>) -> Measure {
-        let patterns = print.patterns()?;
-        (patterns.max > 0.0)
-            .then(|| patterns.sum / patterns.pixels as f64 / f64::from(patterns.max))
-    }
+fn measure(print: &Print<'_>) -> Measure {
+    let patterns = print.patterns()?;
+    (patterns.max > 0.0).then(|| patterns.sum / patterns.pixels as f64 / f64::from(patterns.max))
 }
 
 /// Row of [`METRICS`](super::METRICS).
@@ -40,7 +35,7 @@ pub const KIND: MetricKind = MetricKind {
     summary: "Mean pixel divided by the brightest one: how much of the projector's power the patterns use.",
     unit: "",
     better: Better::Higher,
-    metric: &Efficiency,
+    measure,
 };
 
 #[cfg(test)]
@@ -52,28 +47,19 @@ mod tests {
     #[test]
     fn is_mean_over_maximum() {
         let grid = VolumeGrid::centered([0, 0, 0], 0.5);
-        let (labels, response) = (
-            Volume {
-                grid: grid.clone(),
-                values: vec![],
-            },
-            Volume {
-                grid,
-                values: vec![],
-            },
-        );
+        let (labels, response) = (Volume::new(grid.clone(), vec![]), Volume::new(grid, vec![]));
         let measure = |sum, max| {
             let stats = PatternStats {
                 pixels: 8,
                 sum,
                 max,
             };
-            Efficiency.measure(&Print::new(&labels, &response).unwrap().with_patterns(stats))
+            super::measure(&Print::new(&labels, &response).unwrap().with_patterns(stats))
         };
         assert_eq!(measure(6.0, 3.0), Some(0.25));
         assert_eq!(measure(0.0, 0.0), None);
         assert_eq!(
-            Efficiency.measure(&Print::new(&labels, &response).unwrap()),
+            super::measure(&Print::new(&labels, &response).unwrap()),
             None
         );
     }

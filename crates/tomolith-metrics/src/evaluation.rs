@@ -106,12 +106,7 @@ impl Evaluation {
 pub fn evaluate(print: &Print<'_>) -> Evaluation {
     let measures = METRICS
         .iter()
-        .map(|kind| {
-            (
-                kind.name,
-                kind.metric.measure(print).filter(|m| m.is_finite()),
-            )
-        })
+        .map(|kind| (kind.name, (kind.measure)(print).filter(|m| m.is_finite())))
         .collect();
     let scan = print.scan();
     let (part, void) = (scan.part(), scan.void());
@@ -167,10 +162,7 @@ mod tests {
     use tomolith_core::target::label::{OUTSIDE, PART, VOID};
 
     fn volume<T: Clone>(shape: [usize; 3], values: &[T]) -> Volume<T> {
-        Volume {
-            grid: VolumeGrid::centered(shape, 0.1),
-            values: values.to_vec(),
-        }
+        Volume::new(VolumeGrid::centered(shape, 0.1), values.to_vec())
     }
 
     #[test]

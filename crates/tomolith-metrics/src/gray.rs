@@ -28,7 +28,7 @@
 //! ```
 
 use super::print::Print;
-use super::{Better, Measure, Metric, MetricKind};
+use super::{Better, Measure, MetricKind};
 use tomolith_core::field::BLOCK;
 use tomolith_core::parallel::InParallel;
 use tomolith_core::target::label;
@@ -128,15 +128,6 @@ pub fn gray_errors(
     })
 }
 
-/// One of the numbers; see the [module page](self).
-pub struct GrayError(fn(&GrayErrors) -> Measure);
-
-impl Metric for GrayError {
-    fn measure(&self, print: &Print<'_>) -> Measure {
-        print.gray_errors().and_then(|errors| (self.0)(&errors))
-    }
-}
-
 /// Row of [`METRICS`](super::METRICS): the share of voxels in the band.
 pub const IN_BAND: MetricKind = MetricKind {
     name: "in_band",
@@ -144,14 +135,14 @@ pub const IN_BAND: MetricKind = MetricKind {
     summary: "Share of the voxels whose response lies within the objective's band around their gray value.",
     unit: "",
     better: Better::Higher,
-    metric: &GrayError(|errors| Some(errors.in_band)),
+    measure: |print| print.gray_errors().map(|errors| errors.in_band),
 };
 
 const fn error(
     name: &'static str,
     title: &'static str,
     summary: &'static str,
-    metric: &'static GrayError,
+    measure: fn(&Print<'_>) -> Measure,
 ) -> MetricKind {
     MetricKind {
         name,
@@ -159,7 +150,7 @@ const fn error(
         summary,
         unit: "response",
         better: Better::Lower,
-        metric,
+        measure,
     }
 }
 
@@ -168,7 +159,7 @@ pub const RMS: MetricKind = error(
     "rms_error",
     "Rms error",
     "Root mean square difference between response and gray value.",
-    &GrayError(|errors| Some(errors.rms)),
+    |print| print.gray_errors().map(|errors| errors.rms),
 );
 
 /// Row of [`METRICS`](super::METRICS): the largest error of bright voxels.
@@ -176,7 +167,7 @@ pub const MAX_PART: MetricKind = error(
     "max_error_part",
     "Largest error, bright",
     "Largest error where the target's gray value is at least ½.",
-    &GrayError(|errors| errors.largest[0]),
+    |print| print.gray_errors()?.largest[0],
 );
 
 /// Row of [`METRICS`](super::METRICS): the largest error of dark voxels.
@@ -184,7 +175,7 @@ pub const MAX_VOID: MetricKind = error(
     "max_error_void",
     "Largest error, dark",
     "Largest error where the target's gray value is below ½.",
-    &GrayError(|errors| errors.largest[1]),
+    |print| print.gray_errors()?.largest[1],
 );
 
 #[cfg(test)]

@@ -91,11 +91,7 @@ fn same_shape(what: &str, grid: &VolumeGrid, found: &VolumeGrid, len: usize) -> 
     if grid.shape == found.shape && len == grid.len() {
         return Ok(());
     }
-    Err(Error::Shape {
-        what: what.to_owned(),
-        expected: grid.shape.to_vec(),
-        found: found.shape.to_vec(),
-    })
+    Err(Error::shape(what, grid.shape, found.shape))
 }
 
 impl<'a> Print<'a> {
@@ -409,20 +405,18 @@ impl<'a> Print<'a> {
 #[cfg(test)]
 pub(super) mod samples {
     use super::*;
-    use crate::{Measure, Metric};
+    use crate::Measure;
 
     /// What a metric says of a row of voxels, 0.5 mm each, without inside fraction and patterns.
-    pub(crate) fn measured(metric: &dyn Metric, labels: &[u8], response: &[f32]) -> Measure {
+    pub(crate) fn measured(
+        measure: fn(&Print<'_>) -> Measure,
+        labels: &[u8],
+        response: &[f32],
+    ) -> Measure {
         let grid = VolumeGrid::centered([1, 1, labels.len()], 0.5);
-        let labels = Volume {
-            grid: grid.clone(),
-            values: labels.to_vec(),
-        };
-        let response = Volume {
-            grid,
-            values: response.to_vec(),
-        };
-        metric.measure(&Print::new(&labels, &response).unwrap())
+        let labels = Volume::new(grid.clone(), labels.to_vec());
+        let response = Volume::new(grid, response.to_vec());
+        measure(&Print::new(&labels, &response).unwrap())
     }
 
     /// Whether a number is the expected one up to f32.
@@ -437,10 +431,10 @@ mod tests {
     use tomolith_core::target::label::{OUTSIDE, PART, VOID};
 
     fn volume<T: Clone>(values: &[T]) -> Volume<T> {
-        Volume {
-            grid: VolumeGrid::centered([1, 1, values.len()], 0.5),
-            values: values.to_vec(),
-        }
+        Volume::new(
+            VolumeGrid::centered([1, 1, values.len()], 0.5),
+            values.to_vec(),
+        )
     }
 
     #[test]

@@ -89,11 +89,11 @@ impl<'a> Scan<'a> {
     /// As [`new`](Self::new); [`Error::Canceled`].
     pub fn under(labels: &'a [u8], response: &'a [f32], run: Run) -> Result<Self> {
         if labels.len() != response.len() {
-            return Err(Error::Shape {
-                what: "labels and response".to_owned(),
-                expected: vec![labels.len()],
-                found: vec![response.len()],
-            });
+            return Err(Error::shape(
+                "labels and response",
+                vec![labels.len()],
+                vec![response.len()],
+            ));
         }
         let pass = run.part(PASS);
         let steps = pass.steps(labels.len().div_ceil(BLOCK));

@@ -411,14 +411,14 @@ mod tests {
     ) -> SurfaceDistance {
         let response = sphere(grid, radii[1], shift);
         let mut inside = sphere(grid, radii[0], 0.0);
-        let labels = Volume {
-            grid: grid.clone(),
-            values: inside
+        let labels = Volume::new(
+            grid.clone(),
+            inside
                 .values
                 .iter()
                 .map(|&v| if v >= 1.0 { PART } else { VOID })
                 .collect(),
-        };
+        );
         inside.values.iter_mut().for_each(|v| *v -= 0.5); // ½ at the surface
         let print = Print::new(&labels, &response)
             .unwrap()

@@ -21,23 +21,13 @@
 //! ```
 
 use super::print::Print;
-use super::surface::SurfaceDistance;
-use super::{Better, Measure, Metric, MetricKind};
-
-/// One of the distances; see the [module page](self).
-pub struct SurfaceDeviation(fn(&SurfaceDistance) -> f64);
-
-impl Metric for SurfaceDeviation {
-    fn measure(&self, print: &Print<'_>) -> Measure {
-        print.distance().map(|distance| (self.0)(&distance))
-    }
-}
+use super::{Better, Measure, MetricKind};
 
 const fn row(
     name: &'static str,
     title: &'static str,
     summary: &'static str,
-    metric: &'static SurfaceDeviation,
+    measure: fn(&Print<'_>) -> Measure,
 ) -> MetricKind {
     MetricKind {
         name,
@@ -45,7 +35,7 @@ const fn row(
         summary,
         unit: "mm",
         better: Better::Lower,
-        metric,
+        measure,
     }
 }
 
@@ -54,7 +44,7 @@ pub const MEAN: MetricKind = row(
     "surface_mean_mm",
     "Surface deviation, mean",
     "Mean distance between the print's surface and the target's.",
-    &SurfaceDeviation(|d| d.mean_mm),
+    |print| print.distance().map(|d| d.mean_mm),
 );
 
 /// Row of [`METRICS`](super::METRICS): the 95th percentile.
@@ -62,7 +52,7 @@ pub const P95: MetricKind = row(
     "surface_p95_mm",
     "Surface deviation, 95 %",
     "95 % of the print's surface is closer to the target's surface than this.",
-    &SurfaceDeviation(|d| d.p95_mm),
+    |print| print.distance().map(|d| d.p95_mm),
 );
 
 /// Row of [`METRICS`](super::METRICS): the largest distance.
@@ -70,7 +60,7 @@ pub const HAUSDORFF: MetricKind = row(
     "hausdorff_mm",
     "Surface deviation, largest",
     "The largest distance between the print's surface and the target's (Hausdorff).",
-    &SurfaceDeviation(|d| d.hausdorff_mm),
+    |print| print.distance().map(|d| d.hausdorff_mm),
 );
 
 #[cfg(test)]
@@ -84,34 +74,28 @@ mod tests {
     fn a_print_that_is_the_part_is_nowhere_off_and_none_has_no_distance() {
         for row in [MEAN, P95, HAUSDORFF] {
             let labels = [VOID, PART, PART, VOID, OUTSIDE];
-            let right = measured(row.metric, &labels, &[0.0, 1.0, 1.0, 0.0, 0.0]);
+            let right = measured(row.measure, &labels, &[0.0, 1.0, 1.0, 0.0, 0.0]);
             assert!(right.unwrap().abs() < 1e-6, "{}", row.name);
-            assert_eq!(measured(row.metric, &[VOID, PART], &[0.0, 0.0]), None);
-            assert_eq!(measured(row.metric, &[VOID], &[1.0]), None);
+            assert_eq!(measured(row.measure, &[VOID, PART], &[0.0, 0.0]), None);
+            assert_eq!(measured(row.measure, &[VOID], &[1.0]), None);
         }
     }
 
     #[test]
     fn distances_that_are_left_out_are_not_measured() {
         let grid = VolumeGrid::centered([1, 1, 2], 0.5);
-        let labels = Volume {
-            grid: grid.clone(),
-            values: vec![VOID, PART],
-        };
-        let response = Volume {
-            grid,
-            values: vec![0.0, 1.0],
-        };
+        let labels = Volume::new(grid.clone(), vec![VOID, PART]);
+        let response = Volume::new(grid, vec![0.0, 1.0]);
         let print = || Print::new(&labels, &response).unwrap();
-        assert!(MEAN.metric.measure(&print()).is_some());
-        assert_eq!(MEAN.metric.measure(&print().without_distance()), None);
+        assert!((MEAN.measure)(&print()).is_some());
+        assert_eq!((MEAN.measure)(&print().without_distance()), None);
     }
 
     #[test]
     fn a_missing_voxel_is_seen_by_each_and_the_largest_is_the_largest() {
         let (labels, response) = ([PART, PART, PART, VOID], [1.0, 1.0, 0.2, 0.4]);
         let [mean, p95, largest] =
-            [MEAN, P95, HAUSDORFF].map(|row| measured(row.metric, &labels, &response).unwrap());
+            [MEAN, P95, HAUSDORFF].map(|row| measured(row.measure, &labels, &response).unwrap());
         // The pitch is 0.5 mm
         assert!(0.1 < mean && mean < p95 && p95 <= largest && largest < 0.7);
     }

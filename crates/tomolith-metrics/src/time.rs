@@ -24,18 +24,13 @@
 //! ```
 
 use super::print::Print;
-use super::{Better, Measure, Metric, MetricKind};
+use super::{Better, Measure, MetricKind};
 
 /// See the [module page](self).
-pub struct PrintTime;
-
-impl Metric for PrintTime {
-    fn measure(&self, print: &Print<'_>) -> Measure {
-        let patterns = print.patterns()?;
-        let dose = print.gel_dose()?;
-        (patterns.max > 0.0 && dose > 0.0 && dose.is_finite())
-            .then(|| f64::from(patterns.max) / dose)
-    }
+fn measure(print: &Print<'_>) -> Measure {
+    let patterns = print.patterns()?;
+    let dose = print.gel_dose()?;
+    (patterns.max > 0.0 && dose > 0.0 && dose.is_finite()).then(|| f64::from(patterns.max) / dose)
 }
 
 /// Row of [`METRICS`](super::METRICS).
@@ -45,5 +40,5 @@ pub const KIND: MetricKind = MetricKind {
     summary: "Brightest pixel over the dose at which the resin gels: how long the print takes with a given machine and resin.",
     unit: "mm (M/t)",
     better: Better::Lower,
-    metric: &PrintTime,
+    measure,
 };

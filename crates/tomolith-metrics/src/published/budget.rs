@@ -110,14 +110,8 @@ mod tests {
         let mut patterns = Patterns::dark(PatternGrid::full_turn(2, 0.0, 1, 2, 0.5));
         patterns.values = vec![1.0, 2.0, 3.0, 2.0];
         let grid = VolumeGrid::centered([1, 1, 3], 0.5);
-        let dose = Volume {
-            grid: grid.clone(),
-            values: vec![4.0, 2.0, 1.0],
-        };
-        let labels = Volume {
-            grid,
-            values: vec![PART, VOID, OUTSIDE],
-        };
+        let dose = Volume::new(grid.clone(), vec![4.0, 2.0, 1.0]);
+        let labels = Volume::new(grid, vec![PART, VOID, OUTSIDE]);
         let budget = light_budget(&dose, &labels, &[patterns.clone()]);
         // 8·0.25 mJ sent; a voxel is 0.125 mm³
         assert_eq!(

@@ -169,11 +169,7 @@ pub fn of_print(
     options.validate()?;
     let (dose, labels, scan) = (print.response(), print.labels(), print.scan());
     if target.grid.shape != dose.grid.shape || target.values.len() != dose.values.len() {
-        return Err(Error::Shape {
-            what: "target".to_owned(),
-            expected: dose.grid.shape.to_vec(),
-            found: target.grid.shape.to_vec(),
-        });
+        return Err(Error::shape("target", dose.grid.shape, target.grid.shape));
     }
     let run = print.run();
     // One look for all that is asked below
@@ -360,10 +356,7 @@ mod tests {
     use tomolith_core::target::label::{OUTSIDE, PART, VOID};
 
     fn volume<T: Clone>(shape: [usize; 3], values: &[T]) -> Volume<T> {
-        Volume {
-            grid: VolumeGrid::centered(shape, 0.1),
-            values: values.to_vec(),
-        }
+        Volume::new(VolumeGrid::centered(shape, 0.1), values.to_vec())
     }
 
     fn numbers(labels: &[u8], dose: &[f32], options: &Options<'_>) -> Vec<Published> {

@@ -124,10 +124,10 @@ mod tests {
     use tomolith_core::target::label::{OUTSIDE, PART, VOID};
 
     fn volume<T: Clone>(values: &[T]) -> Volume<T> {
-        Volume {
-            grid: VolumeGrid::centered([1, 1, values.len()], 0.5),
-            values: values.to_vec(),
-        }
+        Volume::new(
+            VolumeGrid::centered([1, 1, values.len()], 0.5),
+            values.to_vec(),
+        )
     }
 
     #[test]

@@ -152,18 +152,8 @@ mod tests {
         let values = vec![
             0.75, 1.0, 0.25, 0.5, 0.5, 0.75, 0.25, 9.0, 0.0, 0.0, 0.0, 9.0,
         ];
-        let dose = Volume {
-            grid: grid.clone(),
-            values,
-        };
-        let found = slices(
-            &dose,
-            &Volume {
-                grid,
-                values: labels,
-            },
-            25.0,
-        );
+        let dose = Volume::new(grid.clone(), values);
+        let found = slices(&dose, &Volume::new(grid, labels), 25.0);
         let numbers = |s: &Slice| (s.z_mm, s.pw, s.ipdr, s.ver);
         assert_eq!(
             numbers(&found[0]),

@@ -676,7 +676,7 @@ pub(crate) fn headline_of(
 ) -> Result<Measure> {
     let response = job.responses(dose);
     let print = print_under(job, voxels, &response, run)?;
-    Ok(headline(voxels.target.gray).metric.measure(&print))
+    Ok((headline(voxels.target.gray).measure)(&print))
 }
 
 /// The numbers of a print.

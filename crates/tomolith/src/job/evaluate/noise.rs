@@ -64,10 +64,7 @@ impl Noise {
         };
         let measures = |response: &Volume<f32>| -> Result<[Measure; 2]> {
             let print = print(job, voxels, response)?;
-            Ok([
-                iou::KIND.metric.measure(&print),
-                pw::KIND.metric.measure(&print),
-            ])
+            Ok([(iou::KIND.measure)(&print), (pw::KIND.measure)(&print)])
         };
         let [training_iou, training_pw] = measures(&response(&family, Purpose::Probe)?)?;
         let evaluating = Purpose::Evaluate { refine: 1 };

@@ -424,7 +424,7 @@ impl Stage<'_> {
                 true => print.with_most_corners(CORNERS),
                 false => print.without_distance(),
             };
-            let measure = |kind: &MetricKind| kind.metric.measure(&print).unwrap_or(f64::NAN);
+            let measure = |kind: &MetricKind| (kind.measure)(&print).unwrap_or(f64::NAN);
             Ok([
                 &iou::KIND,
                 &ver::KIND,
