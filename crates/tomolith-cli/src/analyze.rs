@@ -44,21 +44,16 @@ enum What {
 #[derive(Debug, Args)]
 struct VoxelArguments {
     /// Pixels across the vial
-    #[arg(long, allow_negative_numbers = true)]
+    #[arg(long)]
     pixels: f64,
     /// Frames a second
-    #[arg(long, allow_negative_numbers = true)]
+    #[arg(long)]
     fps: f64,
     /// Depth at which the light has fallen to 1/e
-    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    #[arg(long, value_name = "MM")]
     penetration_mm: f64,
     /// Time in which unattenuated light cures the resin: critical dose over absorbed power
-    #[arg(
-        long,
-        value_name = "S",
-        required_unless_present = "critical_dose",
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "S", required_unless_present = "critical_dose")]
     dose_time_s: Option<f64>,
     /// In its place: dose at which the resin gels, mJ/mm³ (or with its unit)
     #[arg(
@@ -72,15 +67,10 @@ struct VoxelArguments {
     #[arg(long, value_name = "IRRADIANCE", requires = "critical_dose")]
     irradiance: Option<String>,
     /// Speed of the stage; fast enough when left out
-    #[arg(long, value_name = "DEG_PER_S", allow_negative_numbers = true)]
+    #[arg(long, value_name = "DEG_PER_S")]
     turn_deg_per_s: Option<f64>,
     /// Inner radius of the vial
-    #[arg(
-        long,
-        value_name = "MM",
-        default_value_t = 8.0,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "MM", default_value_t = 8.0)]
     radius_mm: f64,
     #[command(flatten)]
     files: Files,
@@ -89,40 +79,25 @@ struct VoxelArguments {
 #[derive(Debug, Args)]
 struct BuildupArguments {
     /// Inner radius of the vial
-    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    #[arg(long, value_name = "MM")]
     radius_mm: f64,
     /// Depth at which the light has fallen to 1/e
-    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    #[arg(long, value_name = "MM")]
     penetration_mm: f64,
     /// Speed of the stage; 0 is a vial at rest
-    #[arg(
-        long,
-        value_name = "DEG_PER_S",
-        default_value_t = 5.0,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "DEG_PER_S", default_value_t = 5.0)]
     turn_deg_per_s: f64,
     /// Radii in units of the vial's, 0 to 1
-    #[arg(long, num_args = 1.., default_values_t = [0.0, 0.5, 1.0], allow_negative_numbers = true)]
+    #[arg(long, num_args = 1.., default_values_t = [0.0, 0.5, 1.0])]
     at: Vec<f64>,
     /// Where the points begin, degrees behind the side that faces the light
-    #[arg(
-        long,
-        value_name = "DEG",
-        default_value_t = 0.0,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "DEG", default_value_t = 0.0)]
     phase_deg: f64,
     /// Time in which unattenuated light cures the resin: also says the curing times
-    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    #[arg(long, value_name = "S")]
     dose_time_s: Option<f64>,
     /// Until when the curves go
-    #[arg(
-        long,
-        value_name = "S",
-        default_value_t = 72.0,
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "S", default_value_t = 72.0)]
     seconds: f64,
     #[command(flatten)]
     files: Files,
@@ -134,13 +109,13 @@ struct ImpulseArguments {
     #[arg(long, default_value_t = 64)]
     pixels: usize,
     /// Edges of the post, pixels
-    #[arg(long, num_args = 1.., default_values_t = [1.0, 5.0], allow_negative_numbers = true)]
+    #[arg(long, num_args = 1.., default_values_t = [1.0, 5.0])]
     width: Vec<f64>,
     /// Radii of its corner, in units of the disc's
-    #[arg(long, num_args = 1.., default_values_t = [0.0, 0.5, 0.9], allow_negative_numbers = true)]
+    #[arg(long, num_args = 1.., default_values_t = [0.0, 0.5, 0.9])]
     radius: Vec<f64>,
     /// Angle steps, degrees
-    #[arg(long, num_args = 1.., default_values_t = [1.0], allow_negative_numbers = true)]
+    #[arg(long, num_args = 1.., default_values_t = [1.0])]
     step_deg: Vec<f64>,
     #[command(flatten)]
     files: Files,

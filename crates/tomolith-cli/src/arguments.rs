@@ -14,7 +14,7 @@ use crate::reproduce::ReproduceArguments;
 use crate::sweep::SweepArguments;
 use crate::trace::TraceArguments;
 use crate::voxelize::{PhantomArguments, VoxelizeArguments};
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Arg, Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use std::path::{Path, PathBuf};
 use tomolith::io::must_be_new;
 use tomolith::job::Leaves;
@@ -36,6 +36,20 @@ Examples:
   tomolith reproduce papers/dual-color              the numbers of a paper beside ours
 
 Exit codes: 0 done, 1 asked quality not met, 2 could not run, 130 canceled";
+
+/// The command line. Its options take negative numbers: whoever reads one says what it accepts.
+pub(crate) fn command_line() -> clap::Command {
+    fn with_negative_numbers(command: clap::Command) -> clap::Command {
+        let option = |arg: Arg| {
+            let is_option = !arg.is_positional() && arg.get_action().takes_values();
+            arg.allow_negative_numbers(is_option)
+        };
+        command
+            .mut_args(option)
+            .mut_subcommands(with_negative_numbers)
+    }
+    with_negative_numbers(Arguments::command())
+}
 
 /// Computes light patterns for tomographic volumetric printing, and predicts what they print.
 #[derive(Debug, Parser)]

@@ -92,7 +92,7 @@ struct GrayArguments {
     #[command(flatten)]
     measured: Measured,
     /// Gray value of white
-    #[arg(long, default_value_t = 255.0, allow_negative_numbers = true)]
+    #[arg(long, default_value_t = 255.0)]
     top: f64,
     /// The curve that is written; the others are fitted for comparison
     #[arg(long, value_enum, default_value = "monotone")]
@@ -128,7 +128,7 @@ struct KineticsArguments {
     #[command(flatten)]
     measured: Measured,
     /// Also say the curing time at this irradiance, `20` or `"0.2 mW/mm2"`
-    #[arg(long, value_name = "IRRADIANCE", allow_negative_numbers = true)]
+    #[arg(long, value_name = "IRRADIANCE")]
     at: Option<String>,
 }
 
@@ -138,19 +138,19 @@ struct DiscsArguments {
     #[arg(long, num_args = 2, value_names = ["COLUMNS", "ROWS"], required = true)]
     canvas: Vec<usize>,
     /// Edge of a pixel at the resin
-    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    #[arg(long, value_name = "MM")]
     pixel_pitch_mm: f64,
     /// Discs along and down
     #[arg(long, num_args = 2, value_names = ["ALONG", "DOWN"], default_values_t = [5, 5])]
     grid: Vec<usize>,
     /// Irradiance at white, mW/cm² (or with its unit)
-    #[arg(long, allow_negative_numbers = true)]
+    #[arg(long)]
     irradiance: String,
     /// Lowest dose, mJ/cm² (or with its unit)
-    #[arg(long, allow_negative_numbers = true)]
+    #[arg(long)]
     from: String,
     /// Highest dose
-    #[arg(long, allow_negative_numbers = true)]
+    #[arg(long)]
     to: String,
     /// New folder for frames, schedule.csv and discs.csv
     #[arg(long, short, value_name = "DIR")]
@@ -164,7 +164,7 @@ struct DoseArguments {
     #[command(flatten)]
     measured: Measured,
     /// Penetration depth, where depths did not give it: makes the critical dose one per volume
-    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    #[arg(long, value_name = "MM")]
     penetration_mm: Option<f64>,
 }
 
@@ -256,11 +256,7 @@ fn in_file(error: Error, path: &Path) -> Error {
             found,
             accepted,
             ..
-        } if !key.starts_with("--") => Error::Format {
-            path: path.to_owned(),
-            found: format!("{key}: {found}"),
-            accepted,
-        },
+        } if !key.starts_with("--") => Error::format(path, format!("{key}: {found}"), accepted),
         other => other,
     }
 }

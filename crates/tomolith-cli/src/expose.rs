@@ -43,27 +43,22 @@ pub(crate) struct ExposeArguments {
     #[arg(long, value_name = "NAME")]
     light: Option<String>,
     /// Irradiance at white at the vial, mW/cm² (or with its unit)
-    #[arg(
-        long,
-        value_name = "IRRADIANCE",
-        conflicts_with = "power",
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "IRRADIANCE", conflicts_with = "power")]
     irradiance: Option<String>,
     /// Power at the vial with every pixel white, mW (or with its unit)
-    #[arg(long, value_name = "POWER", allow_negative_numbers = true)]
+    #[arg(long, value_name = "POWER")]
     power: Option<String>,
     /// Dose at which the resin gels, mJ/mm³ (or with its unit)
-    #[arg(long, value_name = "DOSE", allow_negative_numbers = true)]
+    #[arg(long, value_name = "DOSE")]
     critical_dose: Option<String>,
     /// Turns a minute
-    #[arg(long, conflicts_with = "turns", allow_negative_numbers = true)]
+    #[arg(long, conflicts_with = "turns")]
     rpm: Option<f64>,
     /// Turns that the print takes, the light always on: the speed follows
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     turns: Option<u32>,
     /// Longest time that the print may take
-    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    #[arg(long, value_name = "S")]
     within_s: Option<f64>,
     /// Show quality against time, as the run found it on pixels of twice the width, in place of a plan
     #[arg(long)]
@@ -82,11 +77,8 @@ pub(crate) struct ExposeArguments {
 fn json_of(run: &Path, name: &str) -> Result<Value> {
     let path = run.join(name);
     let text = read_text(&path)?;
-    serde_json::from_str(&text).map_err(|e| Error::Format {
-        path,
-        found: e.to_string(),
-        accepted: "the file of a run of Tomolith".to_owned(),
-    })
+    serde_json::from_str(&text)
+        .map_err(|e| Error::format(path, e.to_string(), "the file of a run of Tomolith"))
 }
 
 fn missing(key: &str, what: &str, accepted: &str) -> Error {
@@ -256,11 +248,11 @@ fn shown(
     };
     let pitch = &light["pixel_pitch_mm"];
     let Some(pitch) = pitch[0].as_f64().zip(pitch[1].as_f64()) else {
-        return Err(Error::Format {
-            path: given.run.join("exposure.json"),
-            found: "no pixel_pitch_mm".to_owned(),
-            accepted: "the file of a run of Tomolith".to_owned(),
-        });
+        return Err(Error::format(
+            given.run.join("exposure.json"),
+            "no pixel_pitch_mm",
+            "the file of a run of Tomolith",
+        ));
     };
     ShownFrames::read(&folder, printer, &job.base(), [pitch.0, pitch.1])
 }

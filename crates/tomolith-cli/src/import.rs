@@ -49,10 +49,9 @@ pub(crate) fn import(given: &ImportArguments) -> Result<()> {
     }
     let text = read_text(&given.theirs)?;
     let named = |error| match error {
-        Error::Unsupported { what, reason } => Error::Unsupported {
-            what: format!("{}: {what}", given.theirs.display()),
-            reason,
-        },
+        Error::Unsupported { what, reason } => {
+            Error::unsupported(format!("{}: {what}", given.theirs.display()), reason)
+        }
         other => other,
     };
     let folder = |file: &Path| {

@@ -27,8 +27,9 @@ mod voxelize;
 
 use arguments::{
     Arguments, Command, JobArguments, JobChanges, Manner, RunArguments, SimulateArguments,
+    command_line,
 };
-use clap::Parser;
+use clap::FromArgMatches;
 use ranks::Ranks;
 use screen::{Screen, say};
 use std::io::ErrorKind;
@@ -154,7 +155,9 @@ fn main() -> ExitCode {
 /// What was typed, or the end of the command: help and version are printed here, and slips of the keyboard.
 fn arguments() -> Result<Arguments, ExitCode> {
     let is_json = std::env::args_os().any(|word| word == "--json");
-    Arguments::try_parse().map_err(|said| match said.print() {
+    let typed = command_line().try_get_matches();
+    let typed = typed.and_then(|typed| Arguments::from_arg_matches(&typed));
+    typed.map_err(|said| match said.print() {
         _ if said.use_stderr() && is_json => {
             let text = said.to_string();
             let message = text.lines().next().unwrap_or_default();

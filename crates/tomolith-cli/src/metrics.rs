@@ -36,38 +36,28 @@ pub(crate) struct MetricsArguments {
     #[arg(long, default_value = "box", value_parser = ["box", "cylinder"])]
     region: String,
     /// Edge of a voxel, mm; distances are in voxels when left out
-    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    #[arg(long, value_name = "MM")]
     pitch_mm: Option<f64>,
     /// Dose at which the resin is solid; the one of the best IoU when left out
-    #[arg(long, allow_negative_numbers = true)]
+    #[arg(long)]
     threshold: Option<f64>,
     /// The target's values are gray and to be reproduced
     #[arg(long)]
     gray: bool,
     /// Half width of the band of BCLP's norms
-    #[arg(long, default_value_t = 0.05, allow_negative_numbers = true)]
+    #[arg(long, default_value_t = 0.05)]
     epsilon: f64,
     /// Per cent left out at each end of each region by the trimmed numbers
-    #[arg(long, default_value_t = 0.025, allow_negative_numbers = true)]
+    #[arg(long, default_value_t = 0.025)]
     trim_percent: f64,
     /// Absorption of the active species, 1/mm: adds the unit systems of Li et al. 2024, S.9; doses are then mJ/mm³
-    #[arg(long, value_name = "PER_MM", requires_all = ["brightest", "exposure_s"], allow_negative_numbers = true)]
+    #[arg(long, value_name = "PER_MM", requires_all = ["brightest", "exposure_s"])]
     absorption_per_mm: Option<f64>,
     /// Brightest pixel of the patterns, mJ/mm², for the unit systems
-    #[arg(
-        long,
-        value_name = "MJ_PER_MM2",
-        requires = "absorption_per_mm",
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "MJ_PER_MM2", requires = "absorption_per_mm")]
     brightest: Option<f64>,
     /// For how long a pixel is lit, s, for the unit systems
-    #[arg(
-        long,
-        value_name = "S",
-        requires = "absorption_per_mm",
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "S", requires = "absorption_per_mm")]
     exposure_s: Option<f64>,
     #[command(flatten)]
     pub(crate) manner: Manner,
@@ -85,10 +75,7 @@ pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
     let units = Units::of(given)?;
     let (shape, values) = read_finite(&given.dose)?;
     let grid = VolumeGrid::centered(shape, pitch_mm);
-    let dose = Volume {
-        grid: grid.clone(),
-        values,
-    };
+    let dose = Volume::new(grid.clone(), values);
     let target = like(&grid, &given.target)?;
     let labels = labels(given, &target)?;
     must_have_part(given, &labels)?;
@@ -220,11 +207,11 @@ fn show_system(row: &Converted) {
 fn read_finite(source: &str) -> Result<([usize; 3], Vec<f32>)> {
     let (shape, values) = read_any(source)?;
     match values.iter().position(|value| !value.is_finite()) {
-        Some(i) => Err(Error::Format {
-            path: source.into(),
-            found: format!("{} at {}, as [z, y, x]", values[i], place_of(i, &shape)),
-            accepted: "finite numbers".to_owned(),
-        }),
+        Some(i) => Err(Error::format(
+            source,
+            format!("{} at {}, as [z, y, x]", values[i], place_of(i, &shape)),
+            "finite numbers",
+        )),
         None => Ok((shape, values)),
     }
 }
@@ -248,11 +235,11 @@ fn as_dashed(mut error: Error) -> Error {
 /// Gray values as the dose should have them: 0 to 1.
 fn must_be_gray(source: &str, target: &Volume<f32>) -> Result<()> {
     match target.values.iter().find(|v| !(0.0..=1.0).contains(*v)) {
-        Some(value) => Err(Error::Format {
-            path: source.into(),
-            found: format!("a gray value of {value}"),
-            accepted: "with --gray, values from 0 to 1: divide 8-bit values by 255".to_owned(),
-        }),
+        Some(value) => Err(Error::format(
+            source,
+            format!("a gray value of {value}"),
+            "with --gray, values from 0 to 1: divide 8-bit values by 255",
+        )),
         None => Ok(()),
     }
 }
@@ -261,16 +248,9 @@ fn must_be_gray(source: &str, target: &Volume<f32>) -> Result<()> {
 fn like(grid: &VolumeGrid, source: &str) -> Result<Volume<f32>> {
     let (shape, values) = read_finite(source)?;
     if shape != grid.shape {
-        return Err(Error::Shape {
-            what: source.to_owned(),
-            expected: grid.shape.to_vec(),
-            found: shape.to_vec(),
-        });
+        return Err(Error::shape(source, grid.shape, shape));
     }
-    Ok(Volume {
-        grid: grid.clone(),
-        values,
-    })
+    Ok(Volume::new(grid.clone(), values))
 }
 
 fn labels(given: &MetricsArguments, target: &Volume<f32>) -> Result<Volume<u8>> {
@@ -306,10 +286,10 @@ fn labels(given: &MetricsArguments, target: &Volume<f32>) -> Result<Volume<u8>> 
         let inside = grid.x(i % nx).hypot(grid.y(i / nx % ny)) < radius;
         Ok(if inside { label } else { OUTSIDE })
     };
-    Ok(Volume {
-        grid: grid.clone(),
-        values: (0..grid.len()).map(label).collect::<Result<_>>()?,
-    })
+    Ok(Volume::new(
+        grid.clone(),
+        (0..grid.len()).map(label).collect::<Result<_>>()?,
+    ))
 }
 
 /// Refuses arrays without a voxel of the part: nothing can be said of its print.
@@ -325,11 +305,11 @@ fn must_have_part(given: &MetricsArguments, labels: &Volume<u8>) -> Result<()> {
         ),
     };
     let [z, y, x] = labels.grid.shape;
-    Err(Error::Format {
-        path: path.into(),
-        found: format!("no voxel of the part in the region that counts ({z} × {y} × {x} voxels)"),
-        accepted: accepted.to_owned(),
-    })
+    Err(Error::format(
+        path,
+        format!("no voxel of the part in the region that counts ({z} × {y} × {x} voxels)"),
+        accepted,
+    ))
 }
 
 fn show(evaluation: &Evaluation, numbers: &[Published], scaled: bool) {

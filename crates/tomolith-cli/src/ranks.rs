@@ -36,9 +36,6 @@ fn launched() -> Option<u32> {
 }
 
 /// Refuses several processes of a command that has nothing to share: each would say the same and write the same files.
-///
-/// # Errors
-/// [`Error::Config`].
 pub(crate) fn must_be_alone(command: &str) -> Result<()> {
     let Some(count) = launched() else {
         return Ok(());

@@ -1,9 +1,9 @@
 //! `tomolith reproduce`: the numbers of a paper beside ours.
 
-use crate::arguments::{Arguments, Manner};
+use crate::arguments::{Manner, command_line};
 use crate::screen::{mutter, say};
 use crate::sweep::Board;
-use clap::{ArgMatches, Args, CommandFactory};
+use clap::{ArgMatches, Args};
 use rustix::process::{Pid, Signal, kill_process};
 use serde_json::{Value, json};
 use std::io::Read;
@@ -137,7 +137,7 @@ impl Host for Typed<'_> {
     }
 
     fn must_be_command(&self, words: &[String], writes: bool) -> Result<()> {
-        let mut all = Arguments::command();
+        let mut all = command_line();
         let output = ["--output", "DIR"].into_iter().filter(|_| writes);
         let line = ["tomolith"].into_iter();
         let line = line.chain(words.iter().map(String::as_str)).chain(output);
@@ -186,12 +186,12 @@ impl Host for Typed<'_> {
         match (done.status.code(), answer) {
             (Some(0 | 1), Some(answer)) => Ok(answer),
             (Some(130), _) => Err(Error::Canceled),
-            (_, answer) => Err(Error::Unsupported {
-                what: format!("tomolith {}", words.join(" ")),
-                reason: answer
+            (_, answer) => Err(Error::unsupported(
+                format!("tomolith {}", words.join(" ")),
+                answer
                     .and_then(|answer| answer["message"].as_str().map(str::to_owned))
                     .unwrap_or_else(|| String::from_utf8_lossy(&done.stderr).trim().to_owned()),
-            }),
+            )),
         }
     }
 }

@@ -39,12 +39,7 @@ Examples:
 #[derive(Debug, Args)]
 pub(crate) struct Sampling {
     /// Edge of a voxel, mm; without a shape there is a margin of a tenth of the part, at least 4 voxels, on each side
-    #[arg(
-        long,
-        value_name = "MM",
-        required_unless_present = "shape",
-        allow_negative_numbers = true
-    )]
+    #[arg(long, value_name = "MM", required_unless_present = "shape")]
     pitch_mm: Option<f64>,
     /// Voxels along x, y and z; the pitch follows from the part, unless it is given too
     #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"])]
@@ -53,7 +48,7 @@ pub(crate) struct Sampling {
     #[arg(long, requires = "shape")]
     clip: bool,
     /// Longest edge of the part, mm; true size when left out
-    #[arg(long, value_name = "MM", allow_negative_numbers = true)]
+    #[arg(long, value_name = "MM")]
     size_mm: Option<f64>,
     /// Angles about x, y and z, degrees
     #[arg(long, num_args = 3, value_names = ["X", "Y", "Z"], allow_hyphen_values = true)]
@@ -332,14 +327,7 @@ fn write(path: &Path, kind: Kind, target: &Target, binary: bool, run: &Run) -> R
     let Volume { grid, values } = &target.inside;
     let bytes = || values.iter().map(|&v| v as u8).collect::<Vec<u8>>();
     match kind {
-        Kind::Npy if binary => write_volume(
-            path,
-            &Volume {
-                grid: grid.clone(),
-                values: bytes(),
-            },
-            run,
-        ),
+        Kind::Npy if binary => write_volume(path, &Volume::new(grid.clone(), bytes()), run),
         Kind::Vti if binary => write_vti(path, grid, &[("inside", VtiValues::U8(&bytes()))], run),
         kind => write_values(path, kind, "inside", &target.inside, run),
     }
