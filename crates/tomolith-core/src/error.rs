@@ -143,6 +143,40 @@ impl Error {
         }
     }
 
+    /// An [`Error::Format`].
+    pub fn format(
+        path: impl Into<PathBuf>,
+        found: impl Into<String>,
+        accepted: impl Into<String>,
+    ) -> Self {
+        Error::Format {
+            path: path.into(),
+            found: found.into(),
+            accepted: accepted.into(),
+        }
+    }
+
+    /// An [`Error::Unsupported`].
+    pub fn unsupported(what: impl Into<String>, reason: impl Into<String>) -> Self {
+        Error::Unsupported {
+            what: what.into(),
+            reason: reason.into(),
+        }
+    }
+
+    /// An [`Error::Shape`].
+    pub fn shape(
+        what: impl Into<String>,
+        expected: impl Into<Vec<usize>>,
+        found: impl Into<Vec<usize>>,
+    ) -> Self {
+        Error::Shape {
+            what: what.into(),
+            expected: expected.into(),
+            found: found.into(),
+        }
+    }
+
     /// An [`Error::Io`] for a path.
     pub fn io(path: impl Into<PathBuf>, source: std::io::Error) -> Self {
         Error::Io {

@@ -54,11 +54,11 @@ pub fn read_at_most(path: impl AsRef<Path>, most_mb: u64) -> Result<Vec<u8>> {
     let path = path.as_ref();
     let size = metadata(path).map_err(|e| Error::io(path, e))?.len();
     if size > most_mb * 1_000_000 {
-        return Err(Error::Format {
-            path: path.to_owned(),
-            found: format!("a file of {:.1} MB", size as f64 / 1e6),
-            accepted: format!("a file of {most_mb} MB at most"),
-        });
+        return Err(Error::format(
+            path,
+            format!("a file of {:.1} MB", size as f64 / 1e6),
+            format!("a file of {most_mb} MB at most"),
+        ));
     }
     read_regular(path)
 }
@@ -73,10 +73,12 @@ const MOST_TEXT_MB: u64 = 256;
 pub fn read_text(path: impl AsRef<Path>) -> Result<String> {
     let path = path.as_ref();
     let bytes = read_at_most(path, MOST_TEXT_MB)?;
-    String::from_utf8(bytes).map_err(|_| Error::Format {
-        path: path.to_owned(),
-        found: "bytes that are not UTF-8 text".to_owned(),
-        accepted: "a text file in UTF-8".to_owned(),
+    String::from_utf8(bytes).map_err(|_| {
+        Error::format(
+            path,
+            "bytes that are not UTF-8 text",
+            "a text file in UTF-8",
+        )
     })
 }
 

@@ -143,6 +143,12 @@ impl<T: Clone> Volume<T> {
 }
 
 impl<T> Volume<T> {
+    /// These values, x fastest, z slowest.
+    #[must_use]
+    pub fn new(grid: VolumeGrid, values: Vec<T>) -> Self {
+        Volume { grid, values }
+    }
+
     /// The value at `[iz, iy, ix]`.
     ///
     /// # Panics

@@ -71,10 +71,7 @@ fn label_slices(target: &Target, counts: impl Fn(usize, usize) -> bool + Sync) -
                 }
             });
     }
-    Volume {
-        grid: grid.clone(),
-        values,
-    }
+    Volume::new(grid.clone(), values)
 }
 
 #[cfg(test)]

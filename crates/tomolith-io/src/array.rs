@@ -12,9 +12,9 @@
 //! assert_eq!((shape, values), ([1, 2, 3], vec![1.0, 0.0, 1.0, 0.0, 1.0, 0.0]));
 //! ```
 
-use super::numbers::{Numbers, bad};
+use super::numbers::Numbers;
 use std::path::Path;
-use tomolith_core::error::Result;
+use tomolith_core::error::{Error, Result};
 
 const ACCEPTED: &str =
     ".npy or .npz of floats, whole numbers or bool in two dimensions [y, x] or three [z, y, x]";
@@ -27,7 +27,7 @@ const ACCEPTED: &str =
 pub fn read_any(source: &str) -> Result<([usize; 3], Vec<f32>)> {
     let path = Path::new(source);
     let volume = Numbers::read(path, ACCEPTED)?.into_volume();
-    volume.map_err(|found| bad(path, found, ACCEPTED))
+    volume.map_err(|found| Error::format(path, found, ACCEPTED))
 }
 
 #[cfg(test)]
@@ -36,7 +36,6 @@ mod tests {
     use ndarray::{Array1, Array3, ShapeBuilder};
     use ndarray_npy::{NpzWriter, write_npy};
     use std::fs::File;
-    use tomolith_core::Error;
 
     #[test]
     fn types_orders_and_names_are_understood() {

@@ -249,11 +249,7 @@ impl Csr {
 }
 
 fn bad(path: &Path, found: String) -> Error {
-    Error::Format {
-        path: path.to_owned(),
-        found,
-        accepted: ACCEPTED.to_owned(),
-    }
+    Error::format(path, found, ACCEPTED)
 }
 
 /// The text of a `.npy` of one string: of bytes, or of 4-byte characters.

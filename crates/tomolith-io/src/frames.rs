@@ -82,11 +82,11 @@ impl FrameSet<'_> {
         if self.values.len() == self.grid.len() {
             return Ok(());
         }
-        Err(Error::Shape {
-            what: "levels of frames".to_owned(),
-            expected: self.grid.shape().to_vec(),
-            found: vec![self.values.len()],
-        })
+        Err(Error::shape(
+            "levels of frames",
+            self.grid.shape(),
+            vec![self.values.len()],
+        ))
     }
 }
 
@@ -218,12 +218,11 @@ pub(super) fn together(images: Vec<Image>, place: impl Fn(usize) -> PathBuf) -> 
 }
 
 fn format_error(path: &Path, found: &str) -> Error {
-    Error::Format {
-        path: path.to_owned(),
-        found: found.to_owned(),
-        accepted: "gray PNG frames of one size and bit depth (RGB and palettes too, if all colors are gray)"
-            .to_owned(),
-    }
+    Error::format(
+        path,
+        found,
+        "gray PNG frames of one size and bit depth (RGB and palettes too, if all colors are gray)",
+    )
 }
 
 /// One frame.

@@ -86,11 +86,11 @@ fn parser(extension: &str, path: &Path) -> Result<Parse> {
 }
 
 pub(super) fn bad(path: &Path, found: impl Into<String>) -> Error {
-    Error::Format {
-        path: path.to_owned(),
-        found: found.into(),
-        accepted: format!("{ACCEPTED}, values from 0 to 1, at most {MOST_PIXELS} pixels"),
-    }
+    Error::format(
+        path,
+        found,
+        format!("{ACCEPTED}, values from 0 to 1, at most {MOST_PIXELS} pixels"),
+    )
 }
 
 /// Checks a size before memory is reserved for it.

@@ -77,18 +77,14 @@ pub fn read_movie(path: &Path, shape: [usize; 3]) -> Result<Frames> {
     drop(file);
     ffmpeg::read(path, shape).map_err(|trouble| match trouble {
         ffmpeg::Trouble::Said(found) => damaged(path, format!("{what}: {found}")),
-        ffmpeg::Trouble::Missing => Error::Format {
-            path: path.to_owned(),
-            found: format!(
+        ffmpeg::Trouble::Missing => Error::format(path, format!(
                 "{what}, which the program ffmpeg can read, but it is not installed (not on the PATH)"
-            ),
-            accepted: format!(
+            ), format!(
                 "ffmpeg installed; or the frames as PNG files in a folder, on a machine that has it: mkdir frames && ffmpeg -i {} \
                  -pix_fmt gray frames/frame_%04d.png; or H.264 of 4:2:0 without B-frames: ffmpeg -i {0} -c:v libx264 -pix_fmt yuv420p \
                  -bf 0 -crf 5 new.mp4",
                 path.display()
-            ),
-        },
+            )),
     })
 }
 
@@ -243,19 +239,17 @@ fn no_movie(path: &Path, file: &[u8]) -> Error {
     } else {
         format!("no movie: it begins with `{start}`")
     };
-    Error::Format {
-        path: path.to_owned(),
+    Error::format(
+        path,
         found,
-        accepted:
-            "a movie: MP4, QuickTime, Matroska, WebM, AVI, MPEG, FLV, WMV, Ogg, GIF, APNG or Y4M"
-                .to_owned(),
-    }
+        "a movie: MP4, QuickTime, Matroska, WebM, AVI, MPEG, FLV, WMV, Ogg, GIF, APNG or Y4M",
+    )
 }
 
 fn damaged(path: &Path, found: String) -> Error {
-    Error::Format {
-        path: path.to_owned(),
+    Error::format(
+        path,
         found,
-        accepted: "a whole movie with the frames of the job, one for each angle".to_owned(),
-    }
+        "a whole movie with the frames of the job, one for each angle",
+    )
 }

@@ -116,11 +116,11 @@ pub fn write_movie(path: &Path, set: &FrameSet<'_>, frame_rate: f64, run: &Run) 
 }
 
 fn refused(path: &Path, found: &str) -> Error {
-    Error::Format {
-        path: path.to_owned(),
-        found: found.to_owned(),
-        accepted: "frames that OpenH264 can encode, and the movie as it was written".to_owned(),
-    }
+    Error::format(
+        path,
+        found,
+        "frames that OpenH264 can encode, and the movie as it was written",
+    )
 }
 
 /// Pixels of a movie along a side of frames with `n` pixels: even, at least 16.
@@ -133,17 +133,15 @@ pub fn padded(n: usize) -> usize {
 fn padded_size(set: &FrameSet<'_>) -> Result<(usize, usize)> {
     let (width, height) = (padded(set.grid.columns), padded(set.grid.rows));
     if set.grid.is_empty() || width.max(height) > 3840 || width.min(height) > 2160 {
-        return Err(Error::Unsupported {
-            what: format!(
+        return Err(Error::unsupported(
+            format!(
                 "a movie of {} frames of {}×{} pixels",
                 set.grid.frames(),
                 set.grid.columns,
                 set.grid.rows
             ),
-            reason:
-                "H.264 movies need at least one frame and at most 3840×2160 or 2160×3840 pixels"
-                    .to_owned(),
-        });
+            "H.264 movies need at least one frame and at most 3840×2160 or 2160×3840 pixels",
+        ));
     }
     Ok((width, height))
 }

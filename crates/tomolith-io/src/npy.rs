@@ -21,7 +21,7 @@
 
 pub use super::npz::Element;
 use super::npz::{ArchiveWriter, write_array};
-use super::numbers::{Archive, Header, Numbers, bad, is_archive};
+use super::numbers::{Archive, Header, Numbers, is_archive};
 use super::whole::write_whole_under;
 use std::io::{Seek, SeekFrom, Write};
 use std::path::Path;
@@ -57,11 +57,11 @@ fn must_fit(path: &Path, shape: [usize; 3], values: usize) -> Result<()> {
     if shape.iter().product::<usize>() == values {
         return Ok(());
     }
-    Err(Error::Shape {
-        what: path.display().to_string(),
-        expected: shape.to_vec(),
-        found: vec![values],
-    })
+    Err(Error::shape(
+        path.display().to_string(),
+        shape,
+        vec![values],
+    ))
 }
 
 /// Writes a volume as `.npy`, `[z, y, x]`.
@@ -96,7 +96,7 @@ fn read_dimensions<const N: usize>(path: &Path, accepted: &str) -> Result<([usiz
     let numbers = Numbers::read(path, accepted)?;
     numbers
         .of_dimensions()
-        .map_err(|found| bad(path, found, accepted))
+        .map_err(|found| Error::format(path, found, accepted))
 }
 
 /// Reads a 2D or 3D `.npy` array: its shape `[level, row, column]`, one level for 2D, and values as f32.
@@ -106,7 +106,7 @@ fn read_dimensions<const N: usize>(path: &Path, accepted: &str) -> Result<([usiz
 pub fn read_levels(path: &Path) -> Result<([usize; 3], Vec<f32>)> {
     let accepted = "a 2D or 3D .npy array of numbers";
     let volume = Numbers::read(path, accepted)?.into_volume();
-    volume.map_err(|found| bad(path, found, accepted))
+    volume.map_err(|found| Error::format(path, found, accepted))
 }
 
 /// Refuses a file that was cut off: an `.npy` of another length than its header says, an `.npz` without its end.
@@ -248,11 +248,11 @@ pub fn read_patterns(path: &Path) -> Result<Vec<PatternArrays>> {
         let raw = if names.contains(&raw_name) {
             let (raw_shape, raw) = values_of(npz.numbers(&raw_name)?, path, &raw_name)?;
             if raw_shape != shape {
-                return Err(Error::Shape {
-                    what: format!("{}: {raw_name}", path.display()),
-                    expected: shape.to_vec(),
-                    found: raw_shape.to_vec(),
-                });
+                return Err(Error::shape(
+                    format!("{}: {raw_name}", path.display()),
+                    shape,
+                    raw_shape,
+                ));
             }
             Some(raw)
         } else {
@@ -267,7 +267,7 @@ pub fn read_patterns(path: &Path) -> Result<Vec<PatternArrays>> {
     }
     if lights.is_empty() {
         let found = format!("the arrays {}", names.join(", "));
-        return Err(bad(path, found, PATTERNS));
+        return Err(Error::format(path, found, PATTERNS));
     }
     Ok(lights)
 }
@@ -297,14 +297,14 @@ pub fn place_of(element: usize, shape: &[usize]) -> String {
 fn values_of(numbers: Numbers, path: &Path, name: &str) -> Result<([usize; 3], Vec<f32>)> {
     let (shape, values) = numbers
         .of_dimensions()
-        .map_err(|found| bad(path, format!("{name}: {found}"), PATTERNS))?;
+        .map_err(|found| Error::format(path, format!("{name}: {found}"), PATTERNS))?;
     if let Some(i) = values.iter().position(|v| !(v.is_finite() && *v >= 0.0)) {
         let at = place_of(i, &shape);
         let found = format!(
             "{name} holds {} at {at}, as [angle, row, column]",
             values[i]
         );
-        return Err(bad(path, found, "finite values ≥ 0"));
+        return Err(Error::format(path, found, "finite values ≥ 0"));
     }
     Ok((shape, values))
 }

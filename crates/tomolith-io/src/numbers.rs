@@ -73,7 +73,7 @@ impl Numbers {
             return archive.numbers(&name);
         }
         let (file, length) = opened(&path)?;
-        Self::parse(file, length).map_err(|found| bad(&path, found, accepted))
+        Self::parse(file, length).map_err(|found| Error::format(&path, found, accepted))
     }
 
     /// The array with so many dimensions.
@@ -158,15 +158,6 @@ pub(super) fn tuple(shape: &[usize]) -> String {
     let numbers: Vec<String> = shape.iter().map(usize::to_string).collect();
     let comma = if shape.len() == 1 { "," } else { "" };
     format!("({}{comma})", numbers.join(", "))
-}
-
-/// An [`Error::Format`].
-pub(super) fn bad(path: &Path, found: impl Into<String>, accepted: &str) -> Error {
-    Error::Format {
-        path: path.to_owned(),
-        found: found.into(),
-        accepted: accepted.to_owned(),
-    }
 }
 
 /// Values whose first index runs fastest, with the last one fastest.
@@ -295,14 +286,11 @@ pub(super) struct Header {
 
 impl Header {
     /// The header of an `.npy` file that is as long as it says.
-    ///
-    /// # Errors
-    /// [`Error::Io`]; [`Error::Format`].
     pub(super) fn read_file(path: &Path, accepted: &str) -> Result<Self> {
         let (mut file, length) = opened(path)?;
         let header = Header::read(&mut file);
         let header = header.and_then(|header| header.count_of(length).map(|_| header));
-        header.map_err(|found| bad(path, found, accepted))
+        header.map_err(|found| Error::format(path, found, accepted))
     }
 
     /// How many numbers follow in a file of so many bytes.
@@ -403,14 +391,11 @@ pub(super) struct Archive {
 
 impl Archive {
     /// Opens an archive; errors say `accepted`.
-    ///
-    /// # Errors
-    /// [`Error::Io`]; [`Error::Format`].
     pub(super) fn open(path: &Path, accepted: &str) -> Result<Self> {
         let file = open_regular(path)?;
         let zip = zip::ZipArchive::new(BufReader::new(file)).map_err(|error| {
             let found = no_archive(path).unwrap_or_else(|| format!("no .npz archive: {error}"));
-            bad(path, found, accepted)
+            Error::format(path, found, accepted)
         })?;
         Ok(Archive {
             zip,
@@ -452,7 +437,7 @@ impl Archive {
                 "FILE.npz:NAME, for example {}:{example}",
                 self.path.display()
             );
-            bad(&self.path, found, &accepted)
+            Error::format(&self.path, found, &accepted)
         })
     }
 
@@ -472,7 +457,7 @@ impl Archive {
             let length = array.size();
             Numbers::parse(array, length)
         });
-        array.map_err(|found| bad(&self.path, format!("{name}: {found}"), &self.accepted))
+        array.map_err(|found| Error::format(&self.path, format!("{name}: {found}"), &self.accepted))
     }
 }
 

@@ -61,18 +61,18 @@ pub fn write_ply(
     let count = corners.places.len();
     for found in [corners.numbers.len(), corners.colors.len()] {
         if found != count {
-            return Err(Error::Shape {
-                what: format!("numbers and colors of the corners for {}", path.display()),
-                expected: vec![count],
-                found: vec![found],
-            });
+            return Err(Error::shape(
+                format!("numbers and colors of the corners for {}", path.display()),
+                vec![count],
+                vec![found],
+            ));
         }
     }
     if i32::try_from(count).is_err() {
-        return Err(Error::Unsupported {
-            what: format!("the surface for {}", path.display()),
-            reason: "PLY numbers at most 2,147,483,647 corners".to_owned(),
-        });
+        return Err(Error::unsupported(
+            format!("the surface for {}", path.display()),
+            "PLY numbers at most 2,147,483,647 corners",
+        ));
     }
     let head = format!(
         "ply\nformat binary_little_endian 1.0\ncomment Tomolith, {}\nelement vertex {count}\nproperty float x\nproperty float y\n\

@@ -56,12 +56,11 @@ fn ambiguous(folder: &Path, doubt: &str, first: &Path, second: &Path) -> Error {
         let name = path.file_name().unwrap_or_default();
         name.to_string_lossy().into_owned()
     };
-    Error::Format {
-        path: folder.to_owned(),
-        found: format!("`{}`, then `{}`: {doubt}", name(first), name(second)),
-        accepted: "the files of one series, numbered in equal steps such as 1, 2, … 12 or 001, 002, … 012; move other images elsewhere"
-            .to_owned(),
-    }
+    Error::format(
+        folder,
+        format!("`{}`, then `{}`: {doubt}", name(first), name(second)),
+        "the files of one series, numbered in equal steps such as 1, 2, … 12 or 001, 002, … 012; move other images elsewhere",
+    )
 }
 
 /// Whether a name is the pattern, in which every `*` stands for any text.

@@ -130,11 +130,7 @@ fn read_array(path: &Path) -> Result<Vec<Stored>> {
         // Without a white that is agreed on, 1 is it
         Kind::Signed(_) | Kind::Unsigned(_) => 1.0,
     };
-    let refuse = |found: String| Error::Format {
-        path: path.to_owned(),
-        found,
-        accepted: ACCEPTED.to_owned(),
-    };
+    let refuse = |found: String| Error::format(path, found, ACCEPTED);
     if white == 1.0 && largest > 1.0 {
         return Err(refuse(format!("a value of {}", exact(largest))));
     }
@@ -221,12 +217,11 @@ fn push_slice(slices: &mut Vec<Stored>, stored: Stored, file: &Path, first: &Pat
 }
 
 fn not_a_stack(path: &Path, found: impl Into<String>) -> Error {
-    Error::Format {
-        path: path.to_owned(),
-        found: found.into(),
-        accepted: "a folder of .png or .tif images of one size, a pattern such as `slices/*.png`, a .tif of several pages, or an array [z, y, x] (.npy, .npz)"
-            .to_owned(),
-    }
+    Error::format(
+        path,
+        found,
+        "a folder of .png or .tif images of one size, a pattern such as `slices/*.png`, a .tif of several pages, or an array [z, y, x] (.npy, .npz)",
+    )
 }
 
 #[cfg(test)]

@@ -28,10 +28,10 @@
 
 use super::frames::{FrameSet, Frames, rescale};
 use super::npz::ArchiveWriter;
-use super::numbers::{Archive, Kind, bad};
+use super::numbers::{Archive, Kind};
 use super::whole::write_whole_under;
 use std::path::Path;
-use tomolith_core::error::Result;
+use tomolith_core::error::{Error, Result};
 use tomolith_core::run::Run;
 
 fn name_of(what: &str, light: Option<&str>) -> String {
@@ -87,11 +87,17 @@ pub fn read_stack(path: &Path, light: Option<&str>) -> Result<Frames> {
     let frames = npz.numbers(&name)?;
     let depth = match frames.kind {
         Kind::Unsigned(bytes @ 1..=2) => 8 * bytes as u32,
-        _ => return Err(bad(path, format!("{name} of another type"), ACCEPTED)),
+        _ => {
+            return Err(Error::format(
+                path,
+                format!("{name} of another type"),
+                ACCEPTED,
+            ));
+        }
     };
     let (shape, values) = frames
         .of_dimensions()
-        .map_err(|found| bad(path, format!("{name}: {found}"), ACCEPTED))?;
+        .map_err(|found| Error::format(path, format!("{name}: {found}"), ACCEPTED))?;
     let mut number = |what| {
         let numbers = npz.numbers(&name_of(what, light)).ok()?;
         numbers.values.first().copied()

@@ -51,10 +51,8 @@ pub fn write_stl_pieces(
     pieces: impl FnOnce(Put<'_>) -> Result<(), Refused>,
     run: &Run,
 ) -> Result<()> {
-    let refuse = |reason: &str| Error::Unsupported {
-        what: format!("the surface for {}", path.display()),
-        reason: reason.to_owned(),
-    };
+    let refuse =
+        |reason: &str| Error::unsupported(format!("the surface for {}", path.display()), reason);
     write_whole_under(path, (run, 0), |file| {
         file.write_all(&title_bytes(title))?;
         let place_of_count = file.stream_position()?;

@@ -81,11 +81,11 @@ pub fn write_vti(
 ) -> Result<()> {
     for (name, values) in arrays {
         if values.len() != grid.len() {
-            return Err(Error::Shape {
-                what: format!("{name} for {}", path.display()),
-                expected: grid.shape.to_vec(),
-                found: vec![values.len()],
-            });
+            return Err(Error::shape(
+                format!("{name} for {}", path.display()),
+                grid.shape,
+                vec![values.len()],
+            ));
         }
     }
     let bytes: u64 = arrays.iter().map(|(_, values)| values.bytes()).sum();

@@ -92,11 +92,11 @@ impl Curves {
     pub fn new(material: &dyn Material, species: usize, labels: &Volume<u8>) -> Result<Self> {
         let layout = material.domain().layout();
         if labels.grid.shape != layout.grid.shape {
-            return Err(Error::Shape {
-                what: "labels of the target".to_owned(),
-                expected: layout.grid.shape.to_vec(),
-                found: labels.grid.shape.to_vec(),
-            });
+            return Err(Error::shape(
+                "labels of the target",
+                layout.grid.shape,
+                labels.grid.shape,
+            ));
         }
         let labels = layout.field_of(labels);
         let count = |wanted: u8| labels.iter().filter(|l| **l == wanted).count() as f64;

@@ -136,10 +136,10 @@ impl<M: DoseModel<Field = HostField> + ?Sized> Diffused<M> {
             ));
         }
         if model.outputs().iter().any(|output| output.cells.is_some()) {
-            return Err(Error::Unsupported {
-                what: "a dose with surface-aware cells".to_owned(),
-                reason: "dose diffuses between voxels, not between the halves of one".to_owned(),
-            });
+            return Err(Error::unsupported(
+                "a dose with surface-aware cells",
+                "dose diffuses between voxels, not between the halves of one",
+            ));
         }
         let spectral: Vec<Spectral> = model.outputs().iter().map(Spectral::new).collect();
         let arc = |(frames, spans): &(Range<usize>, Vec<Span>)| Arc {

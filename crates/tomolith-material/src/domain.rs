@@ -34,11 +34,11 @@ impl Domain {
     /// [`Error::Shape`] for another shape.
     pub fn with_walls(mut self, resin: &Volume<bool>) -> Result<Self> {
         if resin.grid.shape != self.layout.grid.shape {
-            return Err(Error::Shape {
-                what: "voxels of resin".to_owned(),
-                expected: self.layout.grid.shape.to_vec(),
-                found: resin.grid.shape.to_vec(),
-            });
+            return Err(Error::shape(
+                "voxels of resin",
+                self.layout.grid.shape,
+                resin.grid.shape,
+            ));
         }
         let field: Vec<f32> = self
             .layout

@@ -56,11 +56,10 @@ impl Frozen {
         let mut per_dose = Vec::with_capacity(drives.species());
         for s in 0..drives.species() {
             let Some(needed) = material.requirement(s) else {
-                return Err(Error::Unsupported {
-                    what: "a frozen inhibitor".to_owned(),
-                    reason: "the dose that gels depends on the power; a network with a threshold"
-                        .to_owned(),
-                });
+                return Err(Error::unsupported(
+                    "a frozen inhibitor",
+                    "the dose that gels depends on the power; a network with a threshold",
+                ));
             };
             per_dose.push((1.0 / needed.dose) as f32);
         }
@@ -183,10 +182,10 @@ impl DoseModel for Frozen {
     }
 
     fn dose_of(&self, _: Range<usize>, _: &HostField, _: &mut HostField, _: &Run) -> Result<()> {
-        Err(Error::Unsupported {
-            what: "the dose of some frames".to_owned(),
-            reason: "what inhibitors take belongs to all frames".to_owned(),
-        })
+        Err(Error::unsupported(
+            "the dose of some frames",
+            "what inhibitors take belongs to all frames",
+        ))
     }
 
     fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {

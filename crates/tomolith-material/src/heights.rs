@@ -43,11 +43,10 @@ impl Heights {
     /// When labels are of another shape than the material's voxels.
     pub fn new(material: &dyn Material, species: usize, labels: &Volume<u8>) -> Result<Self> {
         let Some(needed) = material.requirement(species) else {
-            return Err(Error::Unsupported {
-                what: "what each height needs".to_owned(),
-                reason: "the dose that gels depends on the power; a network with a threshold"
-                    .to_owned(),
-            });
+            return Err(Error::unsupported(
+                "what each height needs",
+                "the dose that gels depends on the power; a network with a threshold",
+            ));
         };
         let layout = material.domain().layout();
         let [nz, ..] = layout.grid.shape;

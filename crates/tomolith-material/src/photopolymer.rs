@@ -640,10 +640,7 @@ impl Material for Photopolymer {
         };
         let voxels = table(cure.values.len(), of_voxel);
         let (active, total): (Vec<f32>, Vec<f32>) = voxels.into_iter().unzip();
-        let volume = |values| Volume {
-            grid: layout.grid.clone(),
-            values,
-        };
+        let volume = |values| Volume::new(layout.grid.clone(), values);
         Some(Absorption {
             active_per_mm: volume(active),
             attenuation_per_mm: volume(total),

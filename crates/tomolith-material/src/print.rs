@@ -77,11 +77,11 @@ impl<'a> PrintRun<'a> {
         for light in &lights {
             let pixels = light.model.patterns().iter().map(|p| p.len()).sum();
             if light.patterns.len() != pixels {
-                return Err(Error::Shape {
-                    what: "patterns of a light".to_owned(),
-                    expected: vec![pixels],
-                    found: vec![light.patterns.len()],
-                });
+                return Err(Error::shape(
+                    "patterns of a light",
+                    vec![pixels],
+                    vec![light.patterns.len()],
+                ));
             }
         }
         Ok(PrintRun {
@@ -191,10 +191,10 @@ impl<'a> PrintRun<'a> {
             if model.outputs() != source.model.outputs()
                 || model.patterns() != source.model.patterns()
             {
-                return Err(Error::Unsupported {
-                    what: format!("a renewed dose model of light {l}"),
-                    reason: "it has other voxels or pixels than the first".to_owned(),
-                });
+                return Err(Error::unsupported(
+                    format!("a renewed dose model of light {l}"),
+                    "it has other voxels or pixels than the first",
+                ));
             }
             self.renewed[l] = Some(model);
             self.material.light_was_renewed(state, l);
@@ -264,11 +264,10 @@ pub(crate) fn must_fit(
             && output.cells.is_none()
             && output.offset == 0);
         if !fits {
-            return Err(Error::Unsupported {
-                what: format!("the dose model of light {l}"),
-                reason: "its dose must be one, on the voxels of the material, without surface-aware cells"
-                    .to_owned(),
-            });
+            return Err(Error::unsupported(
+                format!("the dose model of light {l}"),
+                "its dose must be one, on the voxels of the material, without surface-aware cells",
+            ));
         }
     }
     Ok(())

@@ -387,11 +387,10 @@ impl DoseModel for Printing {
         run: &Run,
     ) -> Result<()> {
         if !self.material.is_memoryless() {
-            return Err(Error::Unsupported {
-                what: "the dose of some frames".to_owned(),
-                reason: "what a frame does to this material depends on the frames before it"
-                    .to_owned(),
-            });
+            return Err(Error::unsupported(
+                "the dose of some frames",
+                "what a frame does to this material depends on the frames before it",
+            ));
         }
         if self.is_plain() {
             return self.optics[0].dose_of(frames, x, dose, run);

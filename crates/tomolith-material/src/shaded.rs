@@ -44,10 +44,7 @@ impl Shaded {
         [active, attenuation]: [f64; 2],
         absorption: &Absorption,
     ) -> Result<Self> {
-        let refused = |what: &str, reason: &str| Error::Unsupported {
-            what: what.to_owned(),
-            reason: reason.to_owned(),
-        };
+        let refused = |what: &str, reason: &str| Error::unsupported(what, reason);
         let [output] = model.outputs() else {
             let reason = "light is weakened in one dose";
             return Err(refused("shading of several outputs", reason));
@@ -62,11 +59,11 @@ impl Shaded {
         }
         let changed = &absorption.attenuation_per_mm;
         if changed.grid.shape != output.grid.shape {
-            return Err(Error::Shape {
-                what: "absorption of cured resin".to_owned(),
-                expected: output.grid.shape.to_vec(),
-                found: changed.grid.shape.to_vec(),
-            });
+            return Err(Error::shape(
+                "absorption of cured resin",
+                output.grid.shape,
+                changed.grid.shape,
+            ));
         }
         let mut excess = HostField::from_slice(&output.field_of(changed));
         let mut share = HostField::from_slice(&output.field_of(&absorption.active_per_mm));

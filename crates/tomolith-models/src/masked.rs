@@ -39,14 +39,14 @@ pub fn pixels_through(
         let through: Result<Vec<_>> = lights.map(|l| pixels_through(&*l, places, run)).collect();
         return through.map(|lights| lights.concat());
     }
-    let marks = Volume {
-        grid: places.grid.clone(),
-        values: places
+    let marks = Volume::new(
+        places.grid.clone(),
+        places
             .values
             .iter()
             .map(|&p| f32::from(u8::from(p)))
             .collect(),
-    };
+    );
     let mut marked = model.new_dose()?;
     for layout in model.outputs() {
         marked.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&marks));

@@ -226,13 +226,13 @@ impl MatrixModel {
         }
         let output = DoseLayout::new("dose", grid, 0);
         if u32::try_from(offset.max(output.len())).is_err() {
-            return Err(Error::Unsupported {
-                what: "this matrix".to_owned(),
-                reason: format!(
+            return Err(Error::unsupported(
+                "this matrix",
+                format!(
                     "{offset} pixels and {} lanes of dose, of 2³² each at most",
                     output.len()
                 ),
-            });
+            ));
         }
         let places = Places {
             patterns: &patterns,
@@ -284,13 +284,11 @@ fn depth(matrix: &Csr, pixels: &[PatternGrid], grid: &VolumeGrid) -> Result<usiz
     if found == whole {
         return Ok(1);
     }
-    Err(Error::Shape {
-        what: format!(
-            "matrix [voxels, pixels] (or {tile:?} when there are as many rows as slices)"
-        ),
-        expected: whole.to_vec(),
-        found: found.to_vec(),
-    })
+    Err(Error::shape(
+        format!("matrix [voxels, pixels] (or {tile:?} when there are as many rows as slices)"),
+        whole,
+        found,
+    ))
 }
 
 /// The matrix of a linear model in array order: rows `[z, y, x]`, columns `[angle, row, column]` of one light after the
@@ -301,12 +299,7 @@ fn depth(matrix: &Csr, pixels: &[PatternGrid], grid: &VolumeGrid) -> Result<usiz
 /// # Errors
 /// [`Error::Unsupported`] when the model is not linear or has several species; [`Error::Canceled`].
 pub fn matrix_of(model: &dyn DoseModel<Field = HostField>, run: &Run) -> Result<Csr> {
-    let refused = |reason: &str| {
-        Err(Error::Unsupported {
-            what: "a matrix of this model".to_owned(),
-            reason: reason.to_owned(),
-        })
-    };
+    let refused = |reason: &str| Err(Error::unsupported("a matrix of this model", reason));
     if !model.is_linear() {
         return refused("its dose is not linear in the patterns");
     }

@@ -261,9 +261,6 @@ pub fn model(
 }
 
 /// The unscattered light of [`model`] alone.
-///
-/// # Errors
-/// As [`Rays::new`].
 pub(crate) fn straight(
     vial: &dyn Vial,
     lights: &[Light],

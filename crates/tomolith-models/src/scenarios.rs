@@ -35,10 +35,7 @@ impl Scenarios {
     pub fn new(first: SharedModel, others: Vec<HostModel>) -> Result<Self> {
         let mut models = vec![first];
         models.extend(others.into_iter().map(SharedModel::from));
-        let refuse = |reason: &str| Error::Unsupported {
-            what: "a scenario".to_owned(),
-            reason: reason.to_owned(),
-        };
+        let refuse = |reason: &str| Error::unsupported("a scenario", reason);
         let mut outputs: Vec<DoseLayout> = Vec::with_capacity(models.len());
         for model in &models {
             let [own] = model.outputs() else {

@@ -30,11 +30,11 @@ pub fn contributions(
     let mut marked = model.new_dose()?;
     for layout in model.outputs() {
         if wanted.grid.shape != layout.grid.shape {
-            return Err(Error::Shape {
-                what: "wanted voxels".into(),
-                expected: layout.grid.shape.to_vec(),
-                found: wanted.grid.shape.to_vec(),
-            });
+            return Err(Error::shape(
+                "wanted voxels",
+                layout.grid.shape,
+                wanted.grid.shape,
+            ));
         }
         let marks = layout.field_of(wanted);
         let mut mask = table(marks.len(), |i| f32::from(marks[i] != 0));

@@ -49,33 +49,33 @@ impl SpectralMixing {
         let own = lights[0].outputs()[0].clone();
         for light in &lights {
             let [layout] = light.outputs() else {
-                return Err(Error::Unsupported {
-                    what: "a light's model of several doses".to_owned(),
-                    reason: "what a light drives is mixed here; models of one dose".to_owned(),
-                });
+                return Err(Error::unsupported(
+                    "a light's model of several doses",
+                    "what a light drives is mixed here; models of one dose",
+                ));
             };
             if layout.cells.is_some() {
-                return Err(Error::Unsupported {
-                    what: "voxels cut by the surface".to_owned(),
-                    reason: "several species have several surfaces; whole voxels".to_owned(),
-                });
+                return Err(Error::unsupported(
+                    "voxels cut by the surface",
+                    "several species have several surfaces; whole voxels",
+                ));
             }
             if layout.grid != own.grid {
-                return Err(Error::Shape {
-                    what: "voxels of each light".to_owned(),
-                    expected: own.grid.shape.to_vec(),
-                    found: layout.grid.shape.to_vec(),
-                });
+                return Err(Error::shape(
+                    "voxels of each light",
+                    own.grid.shape,
+                    layout.grid.shape,
+                ));
             }
         }
         let mut outputs = Vec::with_capacity(species.len());
         for (name, row) in species {
             if row.len() != lights.len() {
-                return Err(Error::Shape {
-                    what: format!("what drives {name}, per light"),
-                    expected: vec![lights.len()],
-                    found: vec![row.len()],
-                });
+                return Err(Error::shape(
+                    format!("what drives {name}, per light"),
+                    vec![lights.len()],
+                    vec![row.len()],
+                ));
             }
             let offset = outputs
                 .last()

@@ -70,20 +70,20 @@ pub trait Objective<F: Field>: Send + Sync {
     /// # Errors
     /// [`Error::Unsupported`] for an objective without bands, [`Error::Shape`].
     fn set_voxel_weights(&mut self, _weights: &VoxelWeights) -> Result<()> {
-        Err(Error::Unsupported {
-            what: "a weight or a tolerance per voxel".to_owned(),
-            reason: "this objective has no bands".to_owned(),
-        })
+        Err(Error::unsupported(
+            "a weight or a tolerance per voxel",
+            "this objective has no bands",
+        ))
     }
     /// Takes another response of the material; bands stay as they are, in its units.
     ///
     /// # Errors
     /// [`Error::Unsupported`] for an objective that knows no response.
     fn set_response(&mut self, _response: &Arc<dyn Response>) -> Result<()> {
-        Err(Error::Unsupported {
-            what: "another response".to_owned(),
-            reason: "this objective knows none".to_owned(),
-        })
+        Err(Error::unsupported(
+            "another response",
+            "this objective knows none",
+        ))
     }
     /// Refuses what the material's response cannot reach; to be called before any work.
     ///
@@ -344,10 +344,7 @@ mod tests {
         let layout = DoseLayout::new("dose", grid.clone(), 0);
         let target = Target {
             name: "row".into(),
-            inside: Volume {
-                grid: grid.clone(),
-                values: part.to_vec(),
-            },
+            inside: Volume::new(grid.clone(), part.to_vec()),
             gray: false,
         };
         let labels = tomolith_core::target::label_voxels(&target, |_| true);
@@ -356,10 +353,7 @@ mod tests {
             .unwrap()
             .make(&input)
             .unwrap();
-        let dose = HostField::from_slice(&layout.field_of(&Volume {
-            grid,
-            values: dose.to_vec(),
-        }));
+        let dose = HostField::from_slice(&layout.field_of(&Volume::new(grid, dose.to_vec())));
         let mut gradient = dose.zeros_like();
         let loss = objective.value_and_gradient(&dose, &mut gradient);
         (loss, layout.volume_of(gradient.as_slice()).values)
@@ -519,10 +513,7 @@ mod tests {
         let layout = DoseLayout::new("dose", grid.clone(), 0);
         let target = Target {
             name: "row".into(),
-            inside: Volume {
-                grid,
-                values: inside.to_vec(),
-            },
+            inside: Volume::new(grid, inside.to_vec()),
             gray: false,
         };
         let cells = Cells::new(&layout, &target.inside);

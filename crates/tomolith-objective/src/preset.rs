@@ -38,10 +38,7 @@ impl SurfaceHandling {
     }
 
     fn refused(self, reason: &str) -> Error {
-        Error::Unsupported {
-            what: format!("surface = \"{}\"", self.name()),
-            reason: reason.to_owned(),
-        }
+        Error::unsupported(format!("surface = \"{}\"", self.name()), reason)
     }
 
     /// Refuses bands of voxels on a field of cells, and the other way round.
@@ -264,11 +261,10 @@ fn must_be_part_and_void(input: &ObjectiveInput) -> Result<()> {
     if !input.target.gray {
         return Ok(());
     }
-    Err(Error::Unsupported {
-        what: "an objective of part and void".to_owned(),
-        reason: "the target is gray; l2, l1, dose_matching and bclp reproduce gray values"
-            .to_owned(),
-    })
+    Err(Error::unsupported(
+        "an objective of part and void",
+        "the target is gray; l2, l1, dose_matching and bclp reproduce gray values",
+    ))
 }
 
 /// Bands around the target's own values: `[f − half_width, f + half_width]`, part and void weighed apart.
@@ -355,11 +351,11 @@ fn check_shape(what: &str, found: &[usize; 3], input: &ObjectiveInput) -> Result
     if *found == expected {
         return Ok(());
     }
-    Err(Error::Shape {
-        what: format!("{what} of the objective"),
-        expected: expected.to_vec(),
-        found: found.to_vec(),
-    })
+    Err(Error::shape(
+        format!("{what} of the objective"),
+        expected,
+        found,
+    ))
 }
 
 /// Largest response that a band can name, and largest weight: their squares and sums are still numbers in f32.

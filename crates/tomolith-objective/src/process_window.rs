@@ -425,12 +425,12 @@ impl ProcessWindow {
         let [part, void] = self.shares.totals();
         for (what, total) in [("part", part), ("void", void)] {
             if total <= 0.0 {
-                return Err(Error::Unsupported {
-                    what: "a process window".to_owned(),
-                    reason: format!(
+                return Err(Error::unsupported(
+                    "a process window",
+                    format!(
                         "no voxel of the {what} counts; regions, weights and targets that leave some of part and void"
                     ),
-                });
+                ));
             }
         }
         let outliers = self.params.outliers();

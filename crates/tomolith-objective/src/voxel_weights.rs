@@ -389,10 +389,9 @@ impl Common {
         };
         let in_field = |values: Option<Vec<f32>>| {
             values.map_or_else(Vec::new, |values| {
-                ground.layout.field_of(&Volume {
-                    grid: ground.layout.grid.clone(),
-                    values,
-                })
+                ground
+                    .layout
+                    .field_of(&Volume::new(ground.layout.grid.clone(), values))
             })
         };
         Ok(VoxelWeights {

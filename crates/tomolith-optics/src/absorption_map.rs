@@ -137,10 +137,7 @@ impl AbsorptionMap {
             values = sums;
         }
         values.iter_mut().for_each(|value| *value += plain);
-        Volume {
-            grid: grid.clone(),
-            values,
-        }
+        Volume::new(grid.clone(), values)
     }
 
     /// The cells that every voxel of a grid meets along an axis (x, y, z), with their parts of it.

@@ -78,10 +78,7 @@ impl Light {
             [grid.x(ix), grid.y(iy), grid.z(iz)]
         };
         let values = (0..nz * ny * nx).map(|i| map.uptake(middle(i), plain).active_per_mm as f32);
-        Some(Volume {
-            grid: grid.clone(),
-            values: values.collect(),
-        })
+        Some(Volume::new(grid.clone(), values.collect()))
     }
 
     /// Traces its level rays through a vial and its bath, with the resin's plain numbers.

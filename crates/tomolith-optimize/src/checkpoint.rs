@@ -516,11 +516,11 @@ impl Checkpoints {
                 }
                 (changes, _) => changes.join(", "),
             };
-            return Err(Error::Format {
+            return Err(Error::format(
                 path,
-                found: format!("a checkpoint of another job: {changed}"),
-                accepted: "a checkpoint of this job".to_owned(),
-            });
+                format!("a checkpoint of another job: {changed}"),
+                "a checkpoint of this job",
+            ));
         }
         Ok(Some(Checkpoint {
             path,
@@ -569,11 +569,11 @@ pub fn differences(path: &str, was: &Value, is: &Value, found: &mut Vec<String>)
 }
 
 fn damaged(path: &Path, found: &str) -> Error {
-    Error::Format {
-        path: path.to_owned(),
-        found: format!("a damaged checkpoint ({found})"),
-        accepted: format!("a whole Tomolith checkpoint of format {FORMAT}"),
-    }
+    Error::format(
+        path,
+        format!("a damaged checkpoint ({found})"),
+        format!("a whole Tomolith checkpoint of format {FORMAT}"),
+    )
 }
 
 /// FNV-1a over words of 8 bytes: any change of one word changes it.

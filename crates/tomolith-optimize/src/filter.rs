@@ -264,10 +264,7 @@ fn ramp_spectrum(padded: usize) -> impl Iterator<Item = f64> {
 
 /// The plans made the buffers, so this does not happen; a library does not panic over it either.
 fn wrong_length(error: FftError) -> Error {
-    Error::Unsupported {
-        what: "the Fourier transform of a row".to_owned(),
-        reason: error.to_string(),
-    }
+    Error::unsupported("the Fourier transform of a row", error.to_string())
 }
 
 /// W at a frequency in cycles per column, 0…½.

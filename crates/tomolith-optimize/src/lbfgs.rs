@@ -420,10 +420,10 @@ impl<F: Field> Optimizer<F> for Lbfgs<F> {
     ) -> Result<()> {
         let curvature: Curvature = read_saved_numbers(memory)?;
         if curvature.s_y.len() != self.params.memory {
-            return Err(Error::Unsupported {
-                what: "the checkpoint".to_owned(),
-                reason: format!("its optimizer remembered {} pairs", curvature.s_y.len()),
-            });
+            return Err(Error::unsupported(
+                "the checkpoint",
+                format!("its optimizer remembered {} pairs", curvature.s_y.len()),
+            ));
         }
         if curvature.alpha.is_some() {
             let mut fields = Fields::like(x, self.params.memory, problem);

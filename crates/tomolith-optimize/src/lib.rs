@@ -172,9 +172,8 @@ pub fn read_saved_field<F: Field>(
 pub fn read_saved_numbers<T: serde::de::DeserializeOwned>(
     reader: &dyn CheckpointReader,
 ) -> Result<T> {
-    T::deserialize(reader.numbers()).map_err(|_| Error::Unsupported {
-        what: "the checkpoint".to_owned(),
-        reason: "its memory is that of another optimizer".to_owned(),
+    T::deserialize(reader.numbers()).map_err(|_| {
+        Error::unsupported("the checkpoint", "its memory is that of another optimizer")
     })
 }
 

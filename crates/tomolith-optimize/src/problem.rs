@@ -273,9 +273,11 @@ impl<'a, F: Field> Problem<'a, F> {
     /// # Errors
     /// [`Error::Unsupported`] when there is none.
     pub fn target(&self) -> Result<&F> {
-        self.target.as_ref().ok_or_else(|| Error::Unsupported {
-            what: "a method that looks at the target".to_owned(),
-            reason: "the problem was built without one".to_owned(),
+        self.target.as_ref().ok_or_else(|| {
+            Error::unsupported(
+                "a method that looks at the target",
+                "the problem was built without one",
+            )
         })
     }
 
@@ -284,9 +286,11 @@ impl<'a, F: Field> Problem<'a, F> {
     /// # Errors
     /// [`Error::Unsupported`] when there are none.
     pub fn edges(&self) -> Result<&F> {
-        self.edges.as_ref().ok_or_else(|| Error::Unsupported {
-            what: "a method that looks at the part's surface".to_owned(),
-            reason: "the problem was built without its marks".to_owned(),
+        self.edges.as_ref().ok_or_else(|| {
+            Error::unsupported(
+                "a method that looks at the part's surface",
+                "the problem was built without its marks",
+            )
         })
     }
 
@@ -440,11 +444,10 @@ impl<'a, F: Field> Problem<'a, F> {
         self.dose(x, &mut at.dose)?;
         let largest = f64::from(at.dose.max_marked(self.target()?));
         if largest == 0.0 {
-            return Err(Error::Unsupported {
-                what: "normalizing by the largest dose".to_owned(),
-                reason: "the dose became zero everywhere; use thresholds closer to 1, fewer steps, or another method"
-                    .to_owned(),
-            });
+            return Err(Error::unsupported(
+                "normalizing by the largest dose",
+                "the dose became zero everywhere; use thresholds closer to 1, fewer steps, or another method",
+            ));
         }
         let scale = (1.0 / largest) as f32;
         x.scale(scale);
@@ -741,11 +744,11 @@ fn sum(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
 #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
 pub fn bounds(lights: &[PatternLayout], limits: &[Limits]) -> Result<Bounds> {
     if limits.len() != lights.len() {
-        return Err(Error::Shape {
-            what: "limits, one per light".to_owned(),
-            expected: vec![lights.len()],
-            found: vec![limits.len()],
-        });
+        return Err(Error::shape(
+            "limits, one per light",
+            vec![lights.len()],
+            vec![limits.len()],
+        ));
     }
     let pieces = lights.iter().zip(limits).map(|(light, limits)| {
         // Also refuses NaN

@@ -78,10 +78,10 @@ impl Requirements {
         ];
         for (reason, other, instead) in lacks {
             if let Some(reason) = reason {
-                return Err(Error::Unsupported {
-                    what: format!("optimizer.{} with {other}", self.name),
-                    reason: format!("{reason}{instead}"),
-                });
+                return Err(Error::unsupported(
+                    format!("optimizer.{} with {other}", self.name),
+                    format!("{reason}{instead}"),
+                ));
             }
         }
         Ok(())

@@ -296,10 +296,10 @@ pub fn run_after<F: Field>(
     stop.validate()?;
     optimizer.requirements().check(problem)?;
     if stop.gap > 0.0 && !problem.has_lower_bound() {
-        return Err(Error::Unsupported {
-            what: "stop.gap".to_owned(),
-            reason: "how far a loss is from the lowest one is known for a linear model, a convex objective of the dose itself ([response.identity]) and pixels with a largest value (bounds.max)".to_owned(),
-        });
+        return Err(Error::unsupported(
+            "stop.gap",
+            "how far a loss is from the lowest one is known for a linear model, a convex objective of the dose itself ([response.identity]) and pixels with a largest value (bounds.max)",
+        ));
     }
     let Some(mut state) = begin(
         earlier,

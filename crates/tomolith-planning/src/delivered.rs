@@ -91,11 +91,11 @@ impl ShownFrames {
             values,
         });
         if sums.iter().all(|sum| *sum == 0.0) {
-            return Err(Error::Format {
-                path: folder.to_owned(),
-                found: format!("{count} frames, all of them dark"),
-                accepted: "frames with light".to_owned(),
-            });
+            return Err(Error::format(
+                folder,
+                format!("{count} frames, all of them dark"),
+                "frames with light",
+            ));
         }
         Ok(ShownFrames {
             sums,

@@ -264,11 +264,11 @@ pub fn fit(path: &Path) -> Result<DoseFit> {
         .filter(|name| table.has(name))
         .collect();
     let refuse = |found: &str| {
-        Err(Error::Format {
-            path: PathBuf::from(path),
-            found: found.to_owned(),
-            accepted: "numbers in one of the columns cured, depth_mm and diameter_mm".to_owned(),
-        })
+        Err(Error::format(
+            PathBuf::from(path),
+            found,
+            "numbers in one of the columns cured, depth_mm and diameter_mm",
+        ))
     };
     let dose = "dose_mj_per_cm2";
     match filled[..] {

@@ -23,11 +23,7 @@ pub fn read_pairs(path: &Path, what: &str) -> Result<Vec<[f64; 2]>> {
     let text = text_of(path)?;
     let accepted = || format!("two numbers a line: {what}");
     let named = |error: Error| match error {
-        Error::Format { path, found, .. } => Error::Format {
-            path,
-            found,
-            accepted: accepted(),
-        },
+        Error::Format { path, found, .. } => Error::format(path, found, accepted()),
         other => other,
     };
     let table = Columns::parse(&text, path).map_err(named)?;
@@ -45,20 +41,12 @@ pub fn read_pairs(path: &Path, what: &str) -> Result<Vec<[f64; 2]>> {
         Some(row) => format!("a line of {}", counted(row.len(), "column")),
         None => format!("{} of {} lines hold numbers", pairs.len(), table.rows.len()),
     };
-    Err(Error::Format {
-        path: path.to_owned(),
-        found: held,
-        accepted: accepted(),
-    })
+    Err(Error::format(path, held, accepted()))
 }
 
 /// The text of a table.
 fn text_of(path: &Path) -> Result<String> {
-    let is_no_table = |found: &str| Error::Format {
-        path: path.to_owned(),
-        found: found.to_owned(),
-        accepted: "a table as CSV text".to_owned(),
-    };
+    let is_no_table = |found: &str| Error::format(path, found, "a table as CSV text");
     if path.is_dir() {
         return Err(is_no_table("a folder"));
     }
@@ -97,10 +85,8 @@ impl Columns {
     /// # Errors
     /// [`Error::Format`] naming the line.
     pub fn parse(text: &str, path: &Path) -> Result<Self> {
-        let bad = |line: usize, found: String, accepted: String| Error::Format {
-            path: path.to_owned(),
-            found: format!("line {line}: {found}"),
-            accepted,
+        let bad = |line: usize, found: String, accepted: String| {
+            Error::format(path, format!("line {line}: {found}"), accepted)
         };
         let strip = |line: &'_ str| -> String {
             let line = line.split('#').next().unwrap_or_default();
@@ -174,11 +160,11 @@ impl Columns {
                 let guess = nearest_name(name, names())
                     .map(|near| format!(" (is `{near}` meant to be it?)"))
                     .unwrap_or_default();
-                Error::Format {
-                    path: self.path.clone(),
-                    found: format!("no column `{name}`{guess}"),
-                    accepted: format!("a first line with names, `{name}` among them"),
-                }
+                Error::format(
+                    self.path.clone(),
+                    format!("no column `{name}`{guess}"),
+                    format!("a first line with names, `{name}` among them"),
+                )
             })
         };
         let (a, b) = (find(first)?, find(second)?);

@@ -288,14 +288,8 @@ mod tests {
     /// Part from 0.75 up, void up to 0.5: every threshold between them is right, 0.625 the best.
     fn evaluation(threshold: Option<f64>) -> Evaluation {
         let grid = VolumeGrid::centered([1, 1, 4], 0.5);
-        let labels = Volume {
-            grid: grid.clone(),
-            values: vec![PART, PART, VOID, VOID],
-        };
-        let response = Volume {
-            grid,
-            values: vec![0.875, 0.75, 0.5, 0.125],
-        };
+        let labels = Volume::new(grid.clone(), vec![PART, PART, VOID, VOID]);
+        let response = Volume::new(grid, vec![0.875, 0.75, 0.5, 0.125]);
         let mut print = Print::new(&labels, &response).unwrap();
         if let Some(threshold) = threshold {
             print = print.with_threshold(threshold).unwrap();

@@ -290,11 +290,11 @@ impl<'a> ReportData<'a> {
         ];
         for (what, found) in lengths {
             if found != expected {
-                return Err(Error::Shape {
-                    what: format!("{what} of the report"),
-                    expected: self.labels.grid.shape.to_vec(),
-                    found: vec![found],
-                });
+                return Err(Error::shape(
+                    format!("{what} of the report"),
+                    self.labels.grid.shape,
+                    vec![found],
+                ));
             }
         }
         Ok(())
@@ -378,14 +378,8 @@ mod tests {
                 response: vec![("steepness".to_owned(), 10.0 + i as f64)],
             };
             Sample {
-                labels: Volume {
-                    grid: grid.clone(),
-                    values: labels,
-                },
-                response: Volume {
-                    grid,
-                    values: response,
-                },
+                labels: Volume::new(grid.clone(), labels),
+                response: Volume::new(grid, response),
                 patterns,
                 history: (0..5).map(row).collect(),
                 limits: PrintLimits {
@@ -662,12 +656,12 @@ mod tests {
         let mut data = sample.data(&evaluation);
         let without = html::report_html(&data);
         let labels = sample.labels.values.iter();
-        let bodies = Volume {
-            grid: sample.labels.grid.clone(),
-            values: labels
+        let bodies = Volume::new(
+            sample.labels.grid.clone(),
+            labels
                 .map(|l| if *l == PART { 0 } else { INSERT })
                 .collect(),
-        };
+        );
         data.bodies = Some(&bodies);
         let with = html::report_html(&data);
         assert!(with.contains("</i>insert<") && !without.contains("</i>insert<"));

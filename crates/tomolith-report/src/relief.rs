@@ -73,9 +73,6 @@ fn place(off_um: f32, reach_um: f64) -> f64 {
 }
 
 /// Writes the surface with the property `deviation_um` and colors.
-///
-/// # Errors
-/// As [`write_ply`].
 pub(super) fn write(path: &Path, part: &str, deviation: &Deviation) -> Result<()> {
     let reach = reach_um(&deviation.off_um);
     let colors: Vec<[u8; 3]> = deviation

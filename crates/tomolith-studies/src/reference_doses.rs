@@ -164,13 +164,13 @@ pub(crate) fn study(arguments: &[String]) -> Result<(), Box<dyn Error>> {
 }
 
 fn volume(values: &Array3<f32>, factor: f64, grid: &VolumeGrid) -> Volume<f32> {
-    Volume {
-        grid: grid.clone(),
-        values: values
+    Volume::new(
+        grid.clone(),
+        values
             .iter()
             .map(|v| (f64::from(*v) * factor) as f32)
             .collect(),
-    }
+    )
 }
 
 fn print(case: &str, name: &str, found: &Volume<f32>, expected: &Volume<f32>) {

@@ -54,9 +54,6 @@ pub struct SweepPoint {
 
 impl Axis {
     /// Checks an axis; `at` is its key path.
-    ///
-    /// # Errors
-    /// [`Error::Config`].
     pub(crate) fn new(spec: &AxisSpec, at: &str, is_drawn: bool) -> Result<Self> {
         let of_key = || spec.key.as_deref().map(last_part);
         let Some(name) = spec.name.clone().or_else(of_key) else {

@@ -664,10 +664,10 @@ impl Slot<'_> {
                     .downcast_ref::<String>()
                     .cloned()
                     .or_else(|| panic.downcast_ref::<&str>().map(|t| (*t).to_owned()));
-                Err(Error::Unsupported {
-                    what: "this job".to_owned(),
-                    reason: format!("a fault of Tomolith: {}", text.unwrap_or_default()),
-                })
+                Err(Error::unsupported(
+                    "this job",
+                    format!("a fault of Tomolith: {}", text.unwrap_or_default()),
+                ))
             });
             let told = self.settle(i, ran, begin.elapsed().as_secs_f64());
             let turn = match &told {

@@ -124,9 +124,6 @@ fn jobs(spec: &StudySpec) -> String {
 }
 
 /// Draws all figures; one without any panel is left out.
-///
-/// # Errors
-/// [`Error::Io`].
 pub(crate) fn write(
     study: &Study,
     plans: &BTreeMap<&str, &SweepPlan>,

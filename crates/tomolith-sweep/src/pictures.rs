@@ -17,9 +17,6 @@ use tomolith::report::number::significant;
 const PANELS: usize = 24;
 
 /// Writes the picture of every metric.
-///
-/// # Errors
-/// [`Error::Io`](tomolith::Error::Io).
 pub(crate) fn write(plan: &SweepPlan, table: &Table<'_>, folder: &Path) -> Result<Vec<PathBuf>> {
     let file = |path: &String| {
         let file = folder.join(file_name(path));

@@ -339,9 +339,6 @@ impl Study {
     }
 
     /// Refuses a folder of results that would replace files of the study: one that holds such a file, or whose folders of runs do.
-    ///
-    /// # Errors
-    /// [`Error::Config`].
     pub(crate) fn must_spare_its_files(
         &self,
         output: &Path,

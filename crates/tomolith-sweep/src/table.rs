@@ -149,9 +149,6 @@ impl<'p> Table<'p> {
     }
 
     /// Writes `table.csv`.
-    ///
-    /// # Errors
-    /// [`Error::Io`].
     pub(crate) fn write(&self, folder: &Path) -> Result<PathBuf> {
         let path = folder.join("table.csv");
         let text = self.csv();
@@ -174,11 +171,7 @@ pub(crate) fn failure(plan: &SweepPlan, i: usize) -> PathBuf {
 pub(crate) fn report(folder: &Path) -> Result<Value> {
     let path = folder.join("report.json");
     let text = read_text(&path)?;
-    let refused = |found: String| Error::Format {
-        path: path.clone(),
-        found,
-        accepted: "the report of a run".to_owned(),
-    };
+    let refused = |found: String| Error::format(path.clone(), found, "the report of a run");
     let report: Value = serde_json::from_str(&text).map_err(|e| refused(e.to_string()))?;
     match report["schema"].as_str() {
         Some(SCHEMA) => Ok(report),

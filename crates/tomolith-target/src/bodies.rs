@@ -386,10 +386,7 @@ impl Shape for Group {
                 *sum = (*sum + more.values[i]).min(1.0)
             });
         }
-        Ok(Volume {
-            grid: grid.clone(),
-            values,
-        })
+        Ok(Volume::new(grid.clone(), values))
     }
 
     fn meshes(&self) -> Vec<&Mesh> {

@@ -74,11 +74,11 @@ impl GrayImage {
             .iter()
             .find(|s| (s.rows, s.columns) != (rows, columns))
         {
-            return Err(Error::Shape {
-                what: "a slice".to_owned(),
-                expected: vec![rows, columns],
-                found: vec![other.rows, other.columns],
-            });
+            return Err(Error::shape(
+                "a slice",
+                vec![rows, columns],
+                vec![other.rows, other.columns],
+            ));
         }
         let pixel = width / columns as f64;
         let extent = [width, pixel * rows as f64, height];
@@ -239,10 +239,7 @@ impl Shape for GrayImage {
                 });
         }
         run.check()?;
-        Ok(Volume {
-            grid: grid.clone(),
-            values,
-        })
+        Ok(Volume::new(grid.clone(), values))
     }
 
     fn is_gray(&self) -> bool {

@@ -321,13 +321,13 @@ const CUBES: usize = 1 << 24;
 pub fn sampled(shape: &dyn Shape, grid: &VolumeGrid, run: &Run) -> Result<Volume<f32>> {
     let cubes = (grid.height_mm / grid.pitch_mm).round().max(1.0) as usize;
     if (grid.height_mm - cubes as f64 * grid.pitch_mm).abs() > 1e-9 * grid.height_mm {
-        return Err(Error::Unsupported {
-            what: format!(
+        return Err(Error::unsupported(
+            format!(
                 "voxels {} mm wide and {} mm high",
                 grid.pitch_mm, grid.height_mm
             ),
-            reason: "cubes do not fill them".to_owned(),
-        });
+            "cubes do not fill them",
+        ));
     }
     if cubes == 1 {
         return shape.sample_under(grid, run);
@@ -354,10 +354,7 @@ pub fn sampled(shape: &dyn Shape, grid: &VolumeGrid, run: &Run) -> Result<Volume
             values.extend(table(plane, mean));
         }
     }
-    Ok(Volume {
-        grid: grid.clone(),
-        values,
-    })
+    Ok(Volume::new(grid.clone(), values))
 }
 
 #[cfg(test)]

@@ -79,10 +79,7 @@ pub(super) fn inside_fractions(
             run.check()?;
         }
     }
-    Ok(Volume {
-        grid: grid.clone(),
-        values,
-    })
+    Ok(Volume::new(grid.clone(), values))
 }
 
 /// Zeros for the grid, or an error instead of an abort when there is not enough memory.

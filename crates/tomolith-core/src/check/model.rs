@@ -49,10 +49,7 @@ pub fn model<M: DoseModel + ?Sized>(model: &M, seed: u64) -> Result<AdjointCheck
 }
 
 fn failed(what: impl Into<String>, reason: String) -> Error {
-    Error::Unsupported {
-        what: what.into(),
-        reason,
-    }
+    Error::unsupported(what, reason)
 }
 
 /// F′(x)d: by linearity, or by the polynomial's first coefficient.

@@ -204,9 +204,9 @@ mod tests {
         for (found, expected) in volume.iter().zip([1.5f32, 2.5, 3.5, 4.5, 5.5, 6.5]) {
             assert!((found - expected).abs() < 1e-6, "{volume:?}");
         }
-        let mut labels = layout.field_of(&Volume {
-            grid: layout.grid.clone(),
-            values: vec![
+        let mut labels = layout.field_of(&Volume::new(
+            layout.grid.clone(),
+            vec![
                 label::VOID,
                 label::VOID,
                 label::VOID,
@@ -214,7 +214,7 @@ mod tests {
                 0,
                 label::PART,
             ],
-        });
+        ));
         cells.label(&mut labels);
         assert_eq!(labels, [1, 1, 1, 2, 0, 2, 2, 0]);
         assert_eq!(cells.shares(8), [1.0, 1.0, 0.8, 1.0, 0.25, 1.0, 0.2, 0.75]);

@@ -189,10 +189,7 @@ impl DoseLayout {
         }
         values.resize(nz * ny * nx, 0.0);
         if values.is_empty() {
-            return Volume {
-                grid: self.grid.clone(),
-                values,
-            };
+            return Volume::new(self.grid.clone(), values);
         }
         // Sixteen slices at a time, so that a cache line of the field is used whole
         values
@@ -207,10 +204,7 @@ impl DoseLayout {
                     }
                 }
             });
-        Volume {
-            grid: self.grid.clone(),
-            values,
-        }
+        Volume::new(self.grid.clone(), values)
     }
 
     /// An array in file order as the elements of this species (length [`len`](Self::len), padding = default); both cells of a

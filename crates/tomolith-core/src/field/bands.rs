@@ -192,11 +192,11 @@ impl Bands {
             } => {
                 for (what, found) in [("upper", upper.len()), ("weight", weight.len())] {
                     if found != lower.len() {
-                        return Err(Error::Shape {
-                            what: format!("{what} of the bands"),
-                            expected: vec![lower.len()],
-                            found: vec![found],
-                        });
+                        return Err(Error::shape(
+                            format!("{what} of the bands"),
+                            vec![lower.len()],
+                            vec![found],
+                        ));
                     }
                 }
                 let bands = lower
@@ -299,9 +299,11 @@ impl Bands {
             Bands::Labels { labels, table } => {
                 if labels.len() < len {
                     let free = (0..=255u8).find(|&l| table[usize::from(l)].weight == 0.0);
-                    let free = free.ok_or_else(|| Error::Unsupported {
-                        what: "a table in which all 256 labels count".to_owned(),
-                        reason: "one is needed for elements that do not".to_owned(),
+                    let free = free.ok_or_else(|| {
+                        Error::unsupported(
+                            "a table in which all 256 labels count",
+                            "one is needed for elements that do not",
+                        )
                     })?;
                     labels.resize(len, free);
                 }
@@ -372,11 +374,11 @@ impl BandLoss {
             }
         }
         if bands.len() != elements.len() || !elements.start.is_multiple_of(LANES) {
-            return Err(Error::Shape {
-                what: "bands of the objective (beginning at a multiple of 16)".to_owned(),
-                expected: vec![elements.start.next_multiple_of(LANES), elements.len()],
-                found: vec![elements.start, bands.len()],
-            });
+            return Err(Error::shape(
+                "bands of the objective (beginning at a multiple of 16)",
+                vec![elements.start.next_multiple_of(LANES), elements.len()],
+                vec![elements.start, bands.len()],
+            ));
         }
         bands.validate()?;
         bands.pad()?;
@@ -432,11 +434,11 @@ impl BandLoss {
         let n = self.elements.len();
         for (what, field) in [("weights", weight), ("tolerance", tolerance)] {
             if !field.is_empty() && field.len() != n {
-                return Err(Error::Shape {
-                    what: format!("{what} of the objective"),
-                    expected: vec![n],
-                    found: vec![field.len()],
-                });
+                return Err(Error::shape(
+                    format!("{what} of the objective"),
+                    vec![n],
+                    vec![field.len()],
+                ));
             }
         }
         if weight.is_empty() && tolerance.is_empty() {

@@ -135,11 +135,7 @@ impl Curve {
                 found,
                 accepted,
                 ..
-            } => Error::Format {
-                path: path.to_owned(),
-                found: format!("{key}: {found}"),
-                accepted,
-            },
+            } => Error::format(path, format!("{key}: {found}"), accepted),
             other => other,
         })
     }

@@ -25,10 +25,7 @@ const GROUP: usize = 64;
 /// [`Error::Shape`], [`Error::Io`]; [`Error::Unsupported`] for frames beyond 65,535 pixels or a movie too long for its clock.
 pub fn write_lossless(path: &Path, set: &FrameSet<'_>, frame_rate: f64) -> Result<()> {
     set.check()?;
-    let refuse = |reason: &str| Error::Unsupported {
-        what: format!("the movie {}", path.display()),
-        reason: reason.to_owned(),
-    };
+    let refuse = |reason: &str| Error::unsupported(format!("the movie {}", path.display()), reason);
     let size = [set.grid.columns, set.grid.rows].map(u16::try_from);
     let [Ok(columns), Ok(rows)] = size else {
         return Err(refuse(

@@ -27,14 +27,14 @@ fn checkerboard(model: &SmallModel, cell: usize) -> Volume<u8> {
 
 /// Non-negative patterns from some steps of projected descent on the squared error.
 fn patterns(model: &SmallModel, labels: &Volume<u8>) -> HostField {
-    let target = Volume {
-        grid: labels.grid.clone(),
-        values: labels
+    let target = Volume::new(
+        labels.grid.clone(),
+        labels
             .values
             .iter()
             .map(|l| f32::from(u8::from(*l == label::PART)))
             .collect(),
-    };
+    );
     let target = HostField::from_slice(&model.layout().field_of(&target));
     let run = Run::new();
     let mut x = DoseModel::new_patterns(model).unwrap();

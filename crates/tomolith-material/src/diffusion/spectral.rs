@@ -239,10 +239,7 @@ mod tests {
             let domain = Domain::new(grid.clone());
             let spectral = Spectral::new(domain.layout());
             let values = noise(4, grid.len());
-            let volume = Volume {
-                grid: grid.clone(),
-                values,
-            };
+            let volume = Volume::new(grid.clone(), values);
             let field = domain.layout().field_of(&volume);
             let mut same = field.clone();
             spectral.multiply(&mut same, &Modes::diffusion(&spectral, 1e-4, 0.0));

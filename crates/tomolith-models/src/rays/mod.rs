@@ -328,10 +328,10 @@ impl Rays {
         grid: VolumeGrid,
     ) -> Result<Self> {
         if optics.iter().any(Optics::scatters) {
-            return Err(Error::Unsupported {
-                what: "model.rays".into(),
-                reason: "light is scattered; use [model.monte_carlo], or leave [model] out".into(),
-            });
+            return Err(Error::unsupported(
+                "model.rays",
+                "light is scattered; use [model.monte_carlo], or leave [model] out",
+            ));
         }
         let emission = Emission {
             rays_per_pixel: params.rays_per_pixel,
@@ -401,13 +401,13 @@ impl Rays {
             patterns.push(layout);
         }
         if u32::try_from(offset).is_err() || i32::try_from(output.len()).is_err() {
-            return Err(Error::Unsupported {
-                what: "model.rays".into(),
-                reason: format!(
+            return Err(Error::unsupported(
+                "model.rays",
+                format!(
                     "{offset} pixels and {} voxels; at most 2^32 active pixels and 2^31 voxels",
                     output.grid.len()
                 ),
-            });
+            ));
         }
         let of_scattered =
             |scattered: Scattered| ScatterGrid::new(vial, lights, optics, &output, &scattered);
@@ -540,12 +540,7 @@ impl Rays {
 
 /// What this model has no formula for.
 fn refuse(light: &Light, optics: &Optics) -> Result<()> {
-    let unsupported = |what: &str, reason: &str| {
-        Err(Error::Unsupported {
-            what: what.into(),
-            reason: reason.into(),
-        })
-    };
+    let unsupported = |what: &str, reason: &str| Err(Error::unsupported(what, reason));
     if light.map.is_some() && light.resin.pure_radon {
         return unsupported("resin.absorption_map", "in pure Radon nothing absorbs");
     }

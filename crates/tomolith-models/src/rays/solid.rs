@@ -79,11 +79,10 @@ impl Solid {
         } else if Self::has_surface(shape.as_ref()) {
             Body::Form(Arc::clone(shape))
         } else {
-            return Err(Error::Unsupported {
-                what: "surface = \"cells\"".to_owned(),
-                reason: "the target has no surface; a mesh, or a phantom of part and void"
-                    .to_owned(),
-            });
+            return Err(Error::unsupported(
+                "surface = \"cells\"",
+                "the target has no surface; a mesh, or a phantom of part and void",
+            ));
         };
         let mut solid = Solid {
             body,

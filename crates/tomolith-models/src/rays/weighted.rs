@@ -14,9 +14,6 @@ pub(crate) type Weight = dyn Fn([f64; 3]) -> f64 + Send + Sync;
 
 impl Rays {
     /// doses[i] += the unscattered light of these frames, every ray times weights[i]; without cells of a solid.
-    ///
-    /// # Errors
-    /// [`Error::Canceled`](tomolith_core::Error::Canceled).
     pub(crate) fn add_weighted(
         &self,
         frames: Range<usize>,
@@ -39,9 +36,6 @@ impl Rays {
     }
 
     /// grad = transpose of [`add_weighted`](Self::add_weighted), in the elements of these frames
-    ///
-    /// # Errors
-    /// [`Error::Canceled`](tomolith_core::Error::Canceled).
     pub(crate) fn collect_weighted(
         &self,
         frames: Range<usize>,

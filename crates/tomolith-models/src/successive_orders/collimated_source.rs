@@ -29,9 +29,6 @@ pub(super) struct CollimatedSource {
 
 impl CollimatedSource {
     /// Of a light, its pixels in bins and the light of these, on cells.
-    ///
-    /// # Errors
-    /// As [`Parallel::new`].
     pub(super) fn new(
         vial: &dyn Vial,
         light: &Light,

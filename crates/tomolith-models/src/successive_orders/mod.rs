@@ -244,10 +244,10 @@ fn model_in(
     run: &Run,
 ) -> Result<SuccessiveOrders> {
     if let Some(reason) = beyond(vial, &lights, optics, &grid) {
-        return Err(Error::Unsupported {
-            what: "model.successive_orders".into(),
-            reason: format!("{reason}; use [model.monte_carlo]"),
-        });
+        return Err(Error::unsupported(
+            "model.successive_orders",
+            format!("{reason}; use [model.monte_carlo]"),
+        ));
     }
     let layout = DoseLayout::new("dose", grid.clone(), 0);
     let mut plans = Vec::new();
@@ -277,9 +277,6 @@ fn model_in(
 }
 
 /// The light that is not scattered, in the total attenuation of each light's resin.
-///
-/// # Errors
-/// As [`Parallel::new`] and [`Rays::new`].
 fn unscattered(
     vial: &dyn Vial,
     lights: Vec<Light>,

@@ -221,10 +221,10 @@ fn off(found: &[f64], [one, two]: &[Vec<f64>; 2]) -> (f64, f64) {
 /// The light that `whole` has and `straight` has not.
 fn scattered(whole: &Volume<f32>, straight: &Volume<f32>) -> Volume<f32> {
     let both = whole.values.iter().zip(&straight.values);
-    Volume {
-        grid: whole.grid.clone(),
-        values: both.map(|(whole, straight)| whole - straight).collect(),
-    }
+    Volume::new(
+        whole.grid.clone(),
+        both.map(|(whole, straight)| whole - straight).collect(),
+    )
 }
 
 /// A lens of f/3 that images onto the axis.

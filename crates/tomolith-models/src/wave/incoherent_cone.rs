@@ -227,9 +227,6 @@ fn params_of(section: &Section) -> Result<Params> {
 pub struct IncoherentCone(Lights<Cones<f32>>);
 
 /// Bytes that frames at work take beside patterns and doses.
-///
-/// # Errors
-/// As [`IncoherentCone::new`].
 fn working_bytes(
     vial: &dyn Vial,
     lights: &[Light],

@@ -54,10 +54,7 @@ impl<P: Propagation<f32>> Lights<P> {
         build: impl Fn(&Light, &DoseLayout, usize, usize) -> Result<WaveLight<f32, P>>,
     ) -> Result<Self> {
         if let Some(reason) = beyond(vial, &lights) {
-            return Err(Error::Unsupported {
-                what: model.into(),
-                reason: reason.into(),
-            });
+            return Err(Error::unsupported(model, reason));
         }
         if grid.is_empty() {
             let found = format!("shape {:?} [z, y, x]", grid.shape);
@@ -230,9 +227,6 @@ const MOST_WORK: f64 = 3e12;
 
 /// Bytes of frames of a light at work, `doses` at a time, beside patterns and one dose; `kernels`: complex numbers for each frequency that are kept, of
 /// so many depths.
-///
-/// # Errors
-/// As [`turning`].
 pub(super) fn working_bytes(
     vial: &dyn Vial,
     of: (&Light, &dyn Spreading),

@@ -322,9 +322,6 @@ impl Wave {
 }
 
 /// Bytes that frames at work take beside patterns and a dose, in an optimization or in one dose.
-///
-/// # Errors
-/// As [`Wave::new`].
 fn working_bytes(
     vial: &dyn Vial,
     lights: &[Light],
@@ -347,9 +344,6 @@ fn working_bytes(
 }
 
 /// Refuses pixels, voxels, wavelength and aperture that contradict each other, before any work; what is said of those that do not.
-///
-/// # Errors
-/// As [`Wave::new`].
 fn must_fit(lights: &[Light], params: &Params, grid: &VolumeGrid) -> Result<Vec<String>> {
     let mut warnings = Vec::new();
     for (i, light) in lights.iter().enumerate() {

@@ -18,10 +18,7 @@ fn row(inside: &[f32], gray: bool) -> Room {
     let grid = VolumeGrid::centered([1, 1, inside.len()], 0.5);
     let target = Target {
         name: "row".into(),
-        inside: Volume {
-            grid: grid.clone(),
-            values: inside.to_vec(),
-        },
+        inside: Volume::new(grid.clone(), inside.to_vec()),
         gray,
     };
     let labels = tomolith_core::target::label_voxels(&target, |_| true);
@@ -97,10 +94,10 @@ fn regions_without_a_voxel_that_counts_are_told() {
 fn weights_by_role_buffer_region_and_file() {
     let room = row(&[0.0, 0.0, 0.0, 1.0, 1.0, 1.0], false);
     let folder = tempfile::tempdir().unwrap();
-    let factors = Volume {
-        grid: room.layout.grid.clone(),
-        values: vec![1.0f32, 2.0, 3.0, 4.0, 5.0, 6.0],
-    };
+    let factors = Volume::new(
+        room.layout.grid.clone(),
+        vec![1.0f32, 2.0, 3.0, 4.0, 5.0, 6.0],
+    );
     write_volume(&folder.path().join("w.npy"), &factors, &Run::new()).unwrap();
     let ground = room.ground(folder.path());
     let weight = |json: Value| room.array(common(json).voxel_weights(&ground).unwrap().weight);
@@ -197,10 +194,8 @@ fn a_tolerance_widens_and_a_weight_scales_every_kind_of_band() {
     ] {
         let room = row(&part, gray);
         let field = |values: &[f32]| {
-            room.layout.field_of(&Volume {
-                grid: room.layout.grid.clone(),
-                values: values.to_vec(),
-            })
+            room.layout
+                .field_of(&Volume::new(room.layout.grid.clone(), values.to_vec()))
         };
         let dose = HostField::from_slice(&field(&dose));
         let plain = build("l2", json.clone(), &room);
@@ -368,10 +363,7 @@ fn what_is_wrong_is_named() {
         let grid = VolumeGrid::centered([1, 1, values.len()], 0.5);
         write_volume(
             &folder.path().join(name),
-            &Volume {
-                grid,
-                values: values.to_vec(),
-            },
+            &Volume::new(grid, values.to_vec()),
             &Run::new(),
         )
         .unwrap();

@@ -21,13 +21,15 @@ pub fn read_map(path: &Path, size: [usize; 2], as_what: &str) -> Result<Vec<f32>
         let image = read_gray(path)?;
         (image.rows, image.columns, image.values)
     };
-    let bad = |found: String| Error::Format {
-        path: path.to_owned(),
-        found,
-        accepted: format!(
-            "a map of {} × {} numbers, 0 or more, as the {as_what}",
-            size[0], size[1]
-        ),
+    let bad = |found: String| {
+        Error::format(
+            path,
+            found,
+            format!(
+                "a map of {} × {} numbers, 0 or more, as the {as_what}",
+                size[0], size[1]
+            ),
+        )
     };
     if [columns, rows] != size {
         return Err(bad(format!("{columns} × {rows} pixels")));
@@ -60,11 +62,11 @@ pub(crate) fn read_table(path: &Path) -> Result<Vec<[f64; 2]>> {
         match numbers[..] {
             [Some(value), Some(intensity)] => points.push([value, intensity]),
             _ => {
-                return Err(Error::Format {
-                    path: path.to_owned(),
-                    found: format!("line {}: `{line}`", i + 1),
-                    accepted: "two numbers a line, value and intensity".to_owned(),
-                });
+                return Err(Error::format(
+                    path,
+                    format!("line {}: `{line}`", i + 1),
+                    "two numbers a line, value and intensity",
+                ));
             }
         }
     }

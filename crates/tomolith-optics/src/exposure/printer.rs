@@ -559,11 +559,11 @@ fn same_shape(what: &str, expected: &PatternGrid, found: &PatternGrid) -> Result
     if expected.shape() == found.shape() {
         return Ok(());
     }
-    Err(Error::Shape {
-        what: format!("{what} [frame, row, column]"),
-        expected: expected.shape().to_vec(),
-        found: found.shape().to_vec(),
-    })
+    Err(Error::shape(
+        format!("{what} [frame, row, column]"),
+        expected.shape(),
+        found.shape(),
+    ))
 }
 
 /// Size of a device pixel, mm: that of the patterns' pixels as they are turned, unless the table says another.

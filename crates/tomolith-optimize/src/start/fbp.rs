@@ -214,10 +214,7 @@ mod tests {
             .collect();
         let target = Target {
             name: "disc".to_owned(),
-            inside: Volume {
-                grid: grid.clone(),
-                values: inside,
-            },
+            inside: Volume::new(grid.clone(), inside),
             gray: false,
         };
         let labels = label_voxels(&target, |[x, y, _]| x.hypot(y) < 3.2);

@@ -135,11 +135,11 @@ impl OfFile {
     pub fn read(&self, lights: &[&PatternGrid]) -> Result<Vec<Patterns>> {
         let arrays = read_patterns(&self.0)?;
         if arrays.len() != lights.len() {
-            return Err(Error::Format {
-                path: self.0.clone(),
-                found: format!("patterns of {} lights", arrays.len()),
-                accepted: format!("patterns of {}, one per light of the job", lights.len()),
-            });
+            return Err(Error::format(
+                self.0.clone(),
+                format!("patterns of {} lights", arrays.len()),
+                format!("patterns of {}, one per light of the job", lights.len()),
+            ));
         }
         let patterns = arrays
             .into_iter()
@@ -190,11 +190,11 @@ impl<F: Field> InitialPatterns<F> for Given {
     fn patterns(&self, input: &StartInput<F>, _: &Run) -> Result<F> {
         let lights = input.model.patterns();
         if self.0.len() != lights.len() {
-            return Err(Error::Shape {
-                what: "lights of the given patterns".to_owned(),
-                expected: vec![lights.len()],
-                found: vec![self.0.len()],
-            });
+            return Err(Error::shape(
+                "lights of the given patterns",
+                vec![lights.len()],
+                vec![self.0.len()],
+            ));
         }
         let mut x = input.model.new_patterns()?;
         // Images are host memory: their pixels are sorted there

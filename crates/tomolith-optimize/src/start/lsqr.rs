@@ -94,15 +94,15 @@ impl<F: Field> InitialPatterns<F> for Lsqr {
     fn patterns(&self, input: &StartInput<F>, run: &Run) -> Result<F> {
         input.require_linear("lsqr")?;
         let wanted = input.wanted_dose()?;
-        let labels = Volume {
-            grid: input.labels.grid.clone(),
-            values: input
+        let labels = Volume::new(
+            input.labels.grid.clone(),
+            input
                 .labels
                 .values
                 .iter()
                 .map(|&l| f32::from(u8::from(l != label::OUTSIDE)))
                 .collect(),
-        };
+        );
         let mut counts = input.model.new_dose()?;
         for layout in input.model.outputs() {
             counts.write(layout.offset, &layout.field_of(&labels));
@@ -224,10 +224,7 @@ mod tests {
         let wanted = [1.0, 0.5, 0.25, 0.75];
         let target = Target {
             name: String::new(),
-            inside: Volume {
-                grid: grid.clone(),
-                values: wanted.map(|v| v as f32).to_vec(),
-            },
+            inside: Volume::new(grid.clone(), wanted.map(|v| v as f32).to_vec()),
             gray: true,
         };
         let labels = Volume::filled(grid, label::PART);

@@ -83,14 +83,9 @@ pub const fn starts<F: Field>() -> &'static [Kind<BuildStart<F>>] {
 impl<F: Field> StartInput<'_, F> {
     /// The layout of the model's first output, whose grid target and labels must share.
     fn layout(&self) -> Result<&DoseLayout> {
-        let layout = self
-            .model
-            .outputs()
-            .first()
-            .ok_or_else(|| Error::Unsupported {
-                what: "a start from the target".to_owned(),
-                reason: "the model has no output".to_owned(),
-            })?;
+        let layout = self.model.outputs().first().ok_or_else(|| {
+            Error::unsupported("a start from the target", "the model has no output")
+        })?;
         let absorption = self.absorption.map(|map| ("absorption", &map.grid));
         let grids = [
             ("target", &self.target.inside.grid),
@@ -98,11 +93,11 @@ impl<F: Field> StartInput<'_, F> {
         ];
         for (what, found) in grids.into_iter().chain(absorption) {
             if found.shape != layout.grid.shape {
-                return Err(Error::Shape {
-                    what: format!("{what} of the start"),
-                    expected: layout.grid.shape.to_vec(),
-                    found: found.shape.to_vec(),
-                });
+                return Err(Error::shape(
+                    format!("{what} of the start"),
+                    layout.grid.shape,
+                    found.shape,
+                ));
             }
         }
         Ok(layout)
@@ -145,10 +140,7 @@ impl<F: Field> StartInput<'_, F> {
                 relative if relative > NEGLIGIBLE => relative.powi(-power),
                 _ => 0.0,
             };
-            let inverse = Volume {
-                grid: map.grid.clone(),
-                values: map.values.iter().map(factor).collect(),
-            };
+            let inverse = Volume::new(map.grid.clone(), map.values.iter().map(factor).collect());
             let mut factors = dose.zeros_like();
             factors.write(layout.offset, &layout.field_of(&inverse));
             dose.multiply(&factors);
@@ -234,10 +226,10 @@ impl<F: Field> StartInput<'_, F> {
     pub fn edge_field(&self) -> Result<F> {
         let layout = self.layout()?;
         let near = near_the_other_kind(self.target, layout.grid.pitch_mm);
-        let marks = Volume {
-            grid: layout.grid.clone(),
-            values: near.into_iter().map(f32::from).collect(),
-        };
+        let marks = Volume::new(
+            layout.grid.clone(),
+            near.into_iter().map(f32::from).collect(),
+        );
         let mut field = self.model.new_dose()?;
         field.write(layout.offset, &layout.field_of(&marks));
         Ok(field)
@@ -251,10 +243,10 @@ impl<F: Field> StartInput<'_, F> {
         if self.model.is_linear() {
             return Ok(());
         }
-        Err(Error::Unsupported {
-            what: format!("start `{what}`"),
-            reason: format!("{} is not linear", self.model.describe()),
-        })
+        Err(Error::unsupported(
+            format!("start `{what}`"),
+            format!("{} is not linear", self.model.describe()),
+        ))
     }
 }
 

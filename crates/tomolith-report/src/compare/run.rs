@@ -33,11 +33,7 @@ impl ComparedRun {
     /// [`Error::Format`] when it is no folder of a run; [`Error::Io`] when its report cannot be read.
     pub fn read(folder: &Path) -> Result<Self> {
         let path = folder.join("report.json");
-        let refused = |path: &Path, found: String| Error::Format {
-            path: path.to_owned(),
-            found,
-            accepted: ACCEPTED.to_owned(),
-        };
+        let refused = |path: &Path, found: String| Error::format(path, found, ACCEPTED);
         if let Some(found) = is_no_run(folder) {
             return Err(refused(folder, found.to_owned()));
         }
@@ -162,9 +158,6 @@ pub(super) fn columns(text: &str) -> BTreeMap<String, Vec<f64>> {
 }
 
 /// The dose of a run on its job's voxels, which lie in the box of those that it was judged on.
-///
-/// # Errors
-/// As [`read_volume`].
 fn dose_of(path: &Path, report: &Value) -> Result<Option<Volume<f32>>> {
     if !path.exists() {
         return Ok(None);

@@ -49,9 +49,6 @@ impl Crossings {
 }
 
 /// Edges through triangles of their own shell, and of other shells.
-///
-/// # Errors
-/// [`Error::Canceled`](tomolith_core::error::Error::Canceled).
 pub(super) fn find_crossings(mesh: &Mesh, run: &Run) -> Result<[Crossings; 2]> {
     let edges = Edges::new(mesh);
     run.check()?;

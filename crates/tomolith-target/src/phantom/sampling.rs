@@ -57,10 +57,7 @@ pub fn inside_fractions(
         }
     }
     run.check()?;
-    Ok(Volume {
-        grid: grid.clone(),
-        values,
-    })
+    Ok(Volume::new(grid.clone(), values))
 }
 
 impl Body {
