@@ -97,7 +97,10 @@ fn stages(
         false => Ok(None),
     };
     let folder = resolved.agreed(folder)?;
-    let sampled = sample(&mut resolved, cache, &mut clock);
+    let sampled = sample(&mut resolved, cache, &mut clock).and_then(|sampled| {
+        resolved.must_start(&sampled.0)?;
+        Ok(sampled)
+    });
     let (voxels, warnings) = resolved.agreed(sampled)?;
     let patterns = optimized(job, &resolved, &voxels, how, cache, &mut clock)?;
     resolved.respond_as(patterns.found.as_ref());
@@ -167,7 +170,6 @@ fn sample(
         clock.progress.event(&Event::Warning { text });
     }
     let warnings = resolved.warnings.iter().cloned().chain(found).collect();
-    resolved.must_start(&voxels)?;
     try_orders(resolved, clock.progress, &run)?;
     // Another model may not be one that ranks can share
     resolved.must_be_shared()?;
