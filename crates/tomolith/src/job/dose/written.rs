@@ -10,8 +10,7 @@ use crate::io::read_text;
 use crate::io::stack::read_stack;
 use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::optics::Optics;
-use crate::job::spec::JobSpec;
-use crate::job::spec::file_names::EXPOSURE;
+use crate::job::spec::file_names::{EXPOSURE, of_lights};
 use crate::models::Run;
 use serde_json::Value;
 use std::borrow::Cow;
@@ -100,7 +99,7 @@ pub(crate) fn read(job: &ResolvedJob, given: &Path, run: &Run) -> Result<(Writte
     let (mut frames, mut notes) = (Vec::new(), Vec::new());
     for i in 0..job.spec.light.len() {
         let Some(found) = frames_of(job, i, path, &mut notes)? else {
-            return wanted_of(path, &job.optics, &names(&job.spec), run)
+            return wanted_of(path, &job.optics, &of_lights(&job.spec), run)
                 .and_then(|(wanted, raw)| of_patterns(job, wanted, raw, run))
                 .map(|written| (written, notes));
         };
@@ -122,15 +121,6 @@ pub(crate) fn read(job: &ResolvedJob, given: &Path, run: &Run) -> Result<(Writte
         frames: Some(frames),
     };
     Ok((written, notes))
-}
-
-/// Names of the lights for files: none when there is only one.
-pub(crate) fn names(spec: &JobSpec) -> Vec<Option<&str>> {
-    let several = spec.light.len() > 1;
-    spec.light
-        .iter()
-        .map(|light| light.name.as_deref().filter(|_| several))
-        .collect()
 }
 
 /// Patterns of an array: with a machine they are what is wanted, else what is shown.
@@ -210,7 +200,7 @@ fn frames_of(
     path: &Path,
     notes: &mut Vec<String>,
 ) -> Result<Option<Quantized>> {
-    let name = names(&job.spec)[i];
+    let name = of_lights(&job.spec)[i];
     let grid = match &job.printers {
         Some(printers) => printers[i].canvas_grid(),
         None => job.optics.lights[i].pixels.clone(),

@@ -13,6 +13,7 @@ use crate::job::resolve::optics::Optics;
 use crate::job::resolve::resources::{memory_budget_mb, require};
 use crate::job::resolve::{ResolvedJob, machine};
 use crate::job::spec::document::{Document, is_within};
+use crate::job::spec::file_names::of_lights;
 use crate::job::spec::read::Job;
 use crate::kind::Section;
 use crate::models::{DoseModel, Family, Run, matrix, planner};
@@ -142,7 +143,7 @@ pub fn export(
     let optics = Optics::new(spec, &job.base()).map_err(|e| job.locate(e))?;
     let printers =
         machine::printers(spec, &job.base(), &optics.lights).map_err(|e| job.locate(e))?;
-    let names = written::names(spec);
+    let names = of_lights(spec);
     if !run.join("patterns.npz").is_file() {
         return Err(Error::config(
             "RUN",
@@ -317,7 +318,7 @@ fn must_be_linear(family: &Family) -> Result<()> {
 pub fn calibrate(job: &Job, names: &[&str], folder: &Path) -> Result<Vec<PathBuf>> {
     let optics = Optics::new(&job.spec, &job.base()).map_err(|e| job.locate(e))?;
     let printer = job.spec.printer.clone().unwrap_or_default();
-    let several = written::names(&job.spec);
+    let several = of_lights(&job.spec);
     let mut written = Vec::new();
     must_be_free("--output", folder)?;
     for (light, name) in optics.lights.iter().zip(several) {

@@ -3,7 +3,8 @@
 //! Case does not tell names apart, because it does not on every system.
 
 use crate::error::{Error, Result};
-use crate::job::spec::JobSpec;
+use crate::exposure::movie_name;
+use crate::job::spec::{JobSpec, MovieCoding};
 use crate::text::file_name;
 
 /// Name of the file that says how frames and movies are to be shown.
@@ -39,10 +40,8 @@ pub(crate) fn of_network(name: &str) -> String {
 /// # Errors
 /// [`Error::Config`] with the names that are taken.
 pub(crate) fn must_differ(spec: &JobSpec) -> Result<()> {
-    let mut taken: Vec<(String, String)> = OUTPUTS
-        .iter()
-        .map(|file| ((*file).to_owned(), "every run".to_owned()))
-        .collect();
+    let of_every_run = OUTPUTS.map(|file| (file.to_owned(), "every run".to_owned()));
+    let mut taken: Vec<(String, String)> = of_every_run.into_iter().chain(movies(spec)).collect();
     for (file, key, name) in named(spec) {
         let is_same = |(other, _): &&(String, String)| other.eq_ignore_ascii_case(&file);
         let Some((_, owner)) = taken.iter().find(is_same) else {
@@ -64,6 +63,25 @@ pub(crate) fn must_differ(spec: &JobSpec) -> Result<()> {
     Ok(())
 }
 
+/// Names of the lights for files: none when there is only one.
+pub(crate) fn of_lights(spec: &JobSpec) -> Vec<Option<&str>> {
+    let several = spec.light.len() > 1;
+    spec.light
+        .iter()
+        .map(|light| light.name.as_deref().filter(|_| several))
+        .collect()
+}
+
+/// The movie of every light, in the format that the movies of networks have.
+fn movies(spec: &JobSpec) -> Vec<(String, String)> {
+    if spec.output.movie != MovieCoding::H264 {
+        return Vec::new();
+    }
+    let file = |light| movie_name(&spec.target.name(), light, spec.output.rpm, "mp4");
+    let of_light = |light| (file(light), "the movie of the patterns".to_owned());
+    of_lights(spec).into_iter().map(of_light).collect()
+}
+
 /// The files of properties, species and networks.
 fn named(spec: &JobSpec) -> Vec<Named> {
     let species = spec.species.iter().enumerate().skip(1).map(|(s, species)| {
@@ -73,10 +91,11 @@ fn named(spec: &JobSpec) -> Vec<Named> {
     let photopolymer = spec.material.as_ref().and_then(|m| m.photopolymer.as_ref());
     let networks = photopolymer.map_or(&[][..], |params| &params.networks);
     let several = networks.iter().enumerate().filter(|_| networks.len() > 1);
-    let networks = several.map(|(n, network)| {
+    let networks = several.flat_map(|(n, network)| {
         let end = of_network(&network.name);
         let key = format!("material.photopolymer.networks[{n}].name");
-        (format!("cure_time{end}.npy"), key, end[1..].to_owned())
+        [format!("cure_time{end}.npy"), format!("print{end}.mp4")]
+            .map(|file| (file, key.clone(), end[1..].to_owned()))
     });
     let properties = spec.property.iter().enumerate().map(|(i, property)| {
         let key = format!("property[{i}].name");
@@ -128,21 +147,28 @@ mod tests {
     }
 
     #[test]
-    fn networks_whose_names_become_one_are_refused() {
+    fn networks_whose_files_become_one_are_refused() {
         let network = |name: &str| {
             format!(
                 "{{ name = \"{name}\", curing = {{ threshold = {{ critical_dose_mj_per_mm3 = 0.5 }} }} }}"
             )
         };
-        let refusal = |names: [&str; 2]| {
+        let refusal = |names: [&str; 2], part: &str| {
             let mut document = Document::toml("a.toml", FULL).unwrap();
+            document.set(&format!("target.name={part:?}")).unwrap();
             let [a, b] = names.map(network);
             let change = format!("material={{ photopolymer = {{ networks = [{a}, {b}] }} }}");
             document.set(&change).unwrap();
             must_differ(&JobSpec::from_document(&document).unwrap()).map_err(|e| e.to_string())
         };
-        refusal(["soft", "hard"]).unwrap();
-        let error = refusal(["a b", "a/b"]).unwrap_err();
+        refusal(["soft", "10rpm"], "gear").unwrap();
+        let error = refusal(["soft", "10rpm"], "print").unwrap_err();
+        assert!(
+            error.contains("`print_10rpm.mp4` is a file of the movie of the patterns")
+                && error.contains("networks[1].name"),
+            "{error}"
+        );
+        let error = refusal(["a b", "a/b"], "gear").unwrap_err();
         assert!(
             error.contains("networks[1].name") && error.contains("taken: a_b"),
             "{error}"
