@@ -1,7 +1,11 @@
 //! The ceiling of the pixels that a run looked for: what was tried, on pixels of twice the width, and what was chosen.
 
+use super::latitude::ExposureWindow;
 use super::number::significant;
+use super::plot::{Axis, Plot};
+use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
+use tomolith_metrics::Evaluation;
 
 /// IoU, VER, mean surface deviation (mm) and Γ (%) of a print.
 pub type Quality = [f64; 4];
@@ -43,7 +47,84 @@ pub struct CeilingReport {
     pub finest: Option<FinestTrial>,
 }
 
+/// Quality at a print time: a ceiling, and what it prints; of several prints the worst numbers.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct TradeOff {
+    /// The brightest pixel, mJ/mm².
+    pub brightest: f64,
+    /// M/t, mm.
+    pub time_mm: Option<f64>,
+    /// Where the job's power and critical dose are known.
+    pub time_s: Option<f64>,
+    /// IoU.
+    pub iou: Option<f64>,
+    /// VER.
+    pub ver: Option<f64>,
+    /// Mean deviation of the surface, mm.
+    pub surface_mean_mm: Option<f64>,
+    /// Whether the run took it.
+    pub is_chosen: bool,
+    /// Whether the numbers are those of the run's evaluation, and not of pixels of twice the width: those had another ceiling than the
+    /// run.
+    pub is_evaluated: bool,
+}
+
 impl CeilingReport {
+    /// The ceilings that were tried, the longest print first, with the times of a run that ended with this evaluation and these
+    /// exposures.
+    #[must_use]
+    pub fn trade_off(
+        &self,
+        evaluation: &Evaluation,
+        exposure: Option<&ExposureWindow>,
+    ) -> Vec<TradeOff> {
+        let of_run = |name| evaluation.measures.get(name).filter(|v| v.is_finite());
+        let dose = exposure.and_then(|window| window.dose?.best);
+        let seconds = exposure.and_then(|window| window.time_s?.best);
+        let at = |brightest: f64| {
+            let time_mm = dose.map(|dose| brightest / dose);
+            let s_per_mm = seconds.zip(of_run("time_mm")).map(|(s, mm)| s / mm);
+            let time_s = time_mm.zip(s_per_mm).map(|(mm, s_per_mm)| mm * s_per_mm);
+            TradeOff {
+                brightest,
+                time_mm,
+                time_s,
+                ..TradeOff::default()
+            }
+        };
+        let changed_by = self.finest.as_ref().map_or(1.0, |trial| trial.changed_by);
+        let is_changed = (changed_by - 1.0).abs() > 1e-9;
+        let tried = |(i, point): (usize, &CeilingPoint)| {
+            let worst = |i: usize, worse: fn(f64, f64) -> f64| {
+                let values = point.qualities.iter().map(|quality| quality[i]);
+                values.filter(|value| value.is_finite()).reduce(worse)
+            };
+            TradeOff {
+                iou: worst(0, f64::min),
+                ver: worst(1, f64::max),
+                surface_mean_mm: worst(2, f64::max),
+                is_chosen: self.chosen == Some(i) && !is_changed,
+                ..at(self.brightest * point.factor)
+            }
+        };
+        let own = match self.chosen {
+            Some(i) => is_changed.then(|| self.brightest * self.points[i].factor * changed_by),
+            None => of_run("time_mm").zip(dose).map(|(mm, dose)| mm * dose),
+        };
+        let own = own.map(|brightest| TradeOff {
+            iou: of_run("iou"),
+            ver: of_run("ver"),
+            surface_mean_mm: of_run("surface_mean_mm"),
+            is_chosen: true,
+            is_evaluated: true,
+            ..at(brightest)
+        });
+        let tried = self.points.iter().enumerate().map(tried);
+        let mut rows: Vec<TradeOff> = tried.chain(own).collect();
+        rows.sort_by(|a, b| b.brightest.total_cmp(&a.brightest));
+        rows
+    }
+
     /// In words.
     #[must_use]
     pub fn sentence(&self) -> String {
@@ -120,8 +201,48 @@ pub fn time_sentence(time_mm: Option<f64>, ceiling: Option<&CeilingReport>) -> O
     ))
 }
 
+/// IoU and VER over the print time, where enough ceilings were tried to see a curve.
+pub(super) fn section(rows: &[TradeOff]) -> String {
+    let in_seconds = rows.iter().all(|row| row.time_s.is_some());
+    let (label, time): (_, fn(&TradeOff) -> Option<f64>) = match in_seconds {
+        true => ("print time in s", |row| row.time_s),
+        false => ("print time M/t in mm", |row| row.time_mm),
+    };
+    let longest = rows.iter().filter_map(time).fold(0.0, f64::max);
+    let plot = |name: &str, of: fn(&TradeOff) -> Option<f64>| {
+        let point = |row: &TradeOff| Some([time(row)?, of(row)?]);
+        let points: Vec<[f64; 2]> = rows.iter().filter_map(point).collect();
+        let tried = rows.iter().filter(|row| !row.is_evaluated);
+        let tried: Vec<[f64; 2]> = tried.filter_map(point).collect();
+        let taken = rows.iter().find(|row| row.is_chosen).and_then(point)?;
+        let heights = points.iter().map(|point| point[1]);
+        let [low, high] = [f64::min, f64::max].map(|most| heights.clone().reduce(most));
+        let (low, high) = low.zip(high).filter(|_| tried.len() >= FEWEST)?;
+        // A difference that no one would see in a print does not fill the plot
+        let (middle, half) = (f64::midpoint(low, high), 0.6 * (high - low).max(0.02));
+        let mut plot = Plot::new(
+            Axis::linear(label, 0.0, 1.05 * longest),
+            Axis::linear(name, (middle - half).max(0.0), (middle + half).min(1.0)),
+        );
+        plot.line(&tried, "accent", "");
+        plot.dots(&tried, "accent", "tried");
+        plot.dots(&[taken], "gel", "this run");
+        Some(plot.svg(&format!("{name} over the print time")))
+    };
+    let plots = plot("IoU", |row| row.iou).zip(plot("VER", |row| row.ver));
+    plots.map_or_else(String::new, |(iou, ver)| {
+        format!(
+            "<section><h2>Quality against time</h2><p class=\"muted\">The ceilings of the pixels that the run tried, on pixels of twice the width. \
+             <code>tomolith expose RUN --trade-off</code> lists them and writes the job of one.</p><div class=\"two\"><div>{iou}</div><div>{ver}</div></div></section>"
+        )
+    })
+}
+
+/// Points of a curve.
+const FEWEST: usize = 3;
+
 /// For `report.json`.
-pub(super) fn ceiling_json(ceiling: &CeilingReport) -> Value {
+pub(super) fn ceiling_json(ceiling: &CeilingReport, rows: &[TradeOff]) -> Value {
     let number = |value: f64| {
         Some(value)
             .filter(|v| v.is_finite())
@@ -140,5 +261,93 @@ pub(super) fn ceiling_json(ceiling: &CeilingReport) -> Value {
         "chosen": ceiling.chosen,
         "points": ceiling.points.iter().map(point).collect::<Vec<_>>(),
         "finest": ceiling.finest.as_ref().map(finest),
+        "trade_off": rows,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tests::Sample;
+    use tomolith_core::response::Identity;
+
+    fn ceiling(changed_by: f64) -> CeilingReport {
+        let point = |factor: f64| CeilingPoint {
+            factor,
+            qualities: vec![
+                [0.9 + 0.01 * factor, 0.1, 0.01, 5.0],
+                [0.95, 0.2, f64::NAN, 5.0],
+            ],
+        };
+        CeilingReport {
+            brightest: 8.0,
+            even_dose: 1.0,
+            points: [1.0, 0.5, 0.25].map(point).to_vec(),
+            chosen: Some(1),
+            finest: Some(FinestTrial {
+                tried: 2.0,
+                before: Vec::new(),
+                after: Vec::new(),
+                changed_by,
+            }),
+        }
+    }
+
+    #[test]
+    fn a_ceiling_that_the_finest_voxels_changed_has_a_row_of_its_own() {
+        let mut evaluation = Sample::new().evaluation();
+        let measures = evaluation.measures.0.iter_mut();
+        let time_mm = measures.filter(|(name, _)| *name == "time_mm");
+        time_mm.for_each(|(_, value)| *value = Some(4.0));
+        let window = ExposureWindow::new(&evaluation, &Identity, Some(30.0)).unwrap();
+        let rows = |by: f64| ceiling(by).trade_off(&evaluation, Some(&window));
+        let chosen = |rows: &[TradeOff]| rows.iter().position(|row| row.is_chosen);
+        let same = rows(1.0);
+        assert_eq!((same.len(), chosen(&same)), (3, Some(1)));
+        // Of two prints the worse
+        assert_eq!((same[0].iou, same[0].ver), (Some(0.91), Some(0.2)));
+        assert_eq!(same[0].surface_mean_mm, Some(0.01));
+        let raised = rows(1.5);
+        assert_eq!((raised.len(), chosen(&raised)), (4, Some(1)));
+        let of_run = |name| evaluation.measures.get(name);
+        assert!(raised[1].is_evaluated && raised[1].iou == of_run("iou"));
+        let dose = window.dose.unwrap().best.unwrap();
+        let time_mm = raised[1].time_mm.unwrap();
+        assert!((time_mm - 6.0 / dose).abs() < 1e-9);
+        // The run itself takes 30 s
+        let expected = 30.0 * time_mm / 4.0;
+        assert!((raised[1].time_s.unwrap() - expected).abs() < 1e-9);
+        // The bound of the start is not what was tried on wider pixels
+        let without = CeilingReport {
+            chosen: None,
+            finest: None,
+            ..ceiling(1.0)
+        };
+        let rows = without.trade_off(&evaluation, Some(&window));
+        let own = rows.iter().find(|row| row.is_chosen).unwrap();
+        assert!(own.is_evaluated && rows.len() == 4);
+        assert!((own.time_mm.unwrap() - 4.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn quality_against_time_is_drawn_where_three_ceilings_were_tried() {
+        let sample = Sample::new();
+        let evaluation = sample.evaluation();
+        let window = ExposureWindow::new(&evaluation, &Identity, None).unwrap();
+        let dots = |ceiling: &CeilingReport| {
+            let section = section(&ceiling.trade_off(&evaluation, Some(&window)));
+            assert!(section.is_empty() || section.contains("print time M/t in mm"));
+            section.matches("<circle class=\"f-accent\"").count()
+        };
+        // IoU and VER
+        assert_eq!(dots(&ceiling(1.5)), 2 * 3);
+        let points = ceiling(1.0).points[..2].to_vec();
+        assert_eq!(
+            dots(&CeilingReport {
+                points,
+                ..ceiling(1.5)
+            }),
+            0
+        );
+    }
 }

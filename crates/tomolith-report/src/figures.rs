@@ -2,7 +2,7 @@
 
 use super::number::{escape, significant};
 use super::picture::{Color, Picture, hex, inferno, reduction, viridis};
-use super::{DARK, INSERT, MapReport, ReportData};
+use super::{DARK, INSERT, MapReport, OBSTACLE, ReportData};
 use std::fmt::Write as _;
 use tomolith_core::grid::{Patterns, Volume, VolumeGrid};
 use tomolith_core::parallel::InParallel;
@@ -276,9 +276,10 @@ fn add_figure(row: &mut String, slice: &Slice<'_>, uri: &str, caption: &str) {
 }
 
 /// Bodies that are not printed, in pictures of the target: their mark, color and name.
-pub(super) const BODIES: [(u8, Color, &str); 2] = [
+pub(super) const BODIES: [(u8, Color, &str); 3] = [
     (DARK, [38, 44, 54, 255], "to stay dark"),
     (INSERT, [201, 148, 46, 255], "insert"),
+    (OBSTACLE, [120, 84, 60, 255], "obstacle"),
 ];
 
 impl ReportData<'_> {
@@ -286,6 +287,12 @@ impl ReportData<'_> {
     fn body(&self, i: usize) -> Option<usize> {
         let mark = self.bodies?.values[i];
         BODIES.iter().position(|(body, ..)| *body == mark)
+    }
+
+    /// Whether a voxel counts and holds resin.
+    fn holds_resin(&self, i: usize) -> bool {
+        let is_obstacle = self.bodies.is_some_and(|b| b.values[i] == OBSTACLE);
+        self.labels.values[i] != label::OUTSIDE && !is_obstacle
     }
 }
 
@@ -358,16 +365,16 @@ fn target_uri(data: &ReportData<'_>, slice: &Slice<'_>, high: f64) -> String {
     }
 }
 
-/// Means over the voxels that count, on the scale of the dose. Where none does, the bodies that are not printed.
+/// Means over the voxels of resin that count, on the scale of the dose. Where none does, the bodies that are not printed.
 fn mean_picture(data: &ReportData<'_>, values: &[f32], slice: &Slice<'_>, high: f64) -> Picture {
     slice.picture(|voxels| {
         let (mut sum, mut count, mut body) = (0.0, 0.0, None);
         for i in voxels {
-            if data.labels.values[i] == label::OUTSIDE {
-                body = body.or_else(|| data.body(i));
-            } else {
+            if data.holds_resin(i) {
                 sum += f64::from(values[i]);
                 count += 1.0;
+            } else {
+                body = body.or_else(|| data.body(i));
             }
         }
         match body {
@@ -478,7 +485,7 @@ fn fate_picture(data: &ReportData<'_>, slice: &Slice<'_>) -> Picture {
     let fate = |i: usize| {
         let gelled = f64::from(data.response.values[i]) > threshold;
         match (data.labels.values[i], gelled) {
-            (label::VOID, false) => 1,
+            (label::VOID, false) => u8::from(data.holds_resin(i)),
             (label::PART, true) => 2,
             (label::PART, false) => 3,
             (label::VOID, true) => 4,

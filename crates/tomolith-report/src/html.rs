@@ -8,7 +8,7 @@
 mod curves;
 mod tables;
 
-use super::ceiling::time_sentence;
+use super::ceiling::{self, time_sentence};
 use super::figures::{
     BODIES, FATES, LightScale, dose_bar, error_bar, property, shown_half_width, sinogram, slices,
     strip,
@@ -55,6 +55,7 @@ pub fn report_html(data: &ReportData<'_>) -> String {
         warnings(data),
         cards(data),
         curves::dose_plots(data),
+        ceiling::section(&data.trade_off()),
         surface(data),
         slices_section(data),
         species(data),

@@ -44,7 +44,8 @@
 //!               model calls; else null
 //! ceiling       of the pixels, where the run looked for one: brightest (without a ceiling, mJ/mm²), even_dose (mean in the part with all pixels at 1), points (factor of that, and of every print iou, ver,
 //!               surface_mean_mm and gamma, on pixels of twice the width), chosen (which of them; null: none is good enough), finest (that one on the finest voxels: tried, another ceiling over it; before and after,
-//!               the prints below both; changed_by, what the ceiling was multiplied by); else null
+//!               the prints below both; changed_by, what the ceiling was multiplied by), trade_off (what was tried and what the run took, the longest print first: brightest, time_mm, time_s, iou, ver,
+//!               surface_mean_mm, is_chosen, is_evaluated: by the run's evaluation, not on pixels of twice the width); else null
 //! scenarios     where a job has any: of (mean or worst), threshold (the job's), window (least of the part − largest of the void over all of
 //!               them, trimmed), worst_iou (at that threshold), rows (the job, then each scenario: name, iou, iou_at_threshold, gamma,
 //!               part_low, void_high); else null
@@ -167,7 +168,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         "properties": data.maps.iter().map(map_json).collect::<Vec<_>>(),
         "history": history,
         "levels": data.levels,
-        "ceiling": data.ceiling.map(ceiling_json),
+        "ceiling": data.ceiling.map(|own| ceiling_json(own, &data.trade_off())),
         "scenarios": data.scenarios,
         "process_window": data.found_window,
         "response": response,

@@ -22,7 +22,7 @@ pub mod scenarios;
 pub mod species;
 pub mod time;
 
-pub use ceiling::{CeilingPoint, CeilingReport, FinestTrial, Quality, time_sentence};
+pub use ceiling::{CeilingPoint, CeilingReport, FinestTrial, Quality, TradeOff, time_sentence};
 /// What `report.json` says that it is.
 pub const SCHEMA: &str = "tomolith.report/1";
 
@@ -173,7 +173,8 @@ pub struct ReportData<'a> {
     pub response: &'a Volume<f32>,
     /// Inside fraction of the same voxels.
     pub inside: Option<&'a Volume<f32>>,
-    /// Which of the same voxels belong to a body that is not printed: [`DARK`] or [`INSERT`], else 0. None without such bodies.
+    /// Which of the same voxels belong to a body that is not printed: [`DARK`], [`INSERT`] or [`OBSTACLE`], else 0. None without
+    /// such bodies.
     pub bodies: Option<&'a Volume<u8>>,
     /// Thresholds of the objective `[lower, upper]`, where it has any: void below, part above.
     pub window: Option<[f64; 2]>,
@@ -231,6 +232,8 @@ pub struct ReportData<'a> {
 pub const DARK: u8 = 1;
 /// Of [`ReportData::bodies`]: an insert.
 pub const INSERT: u8 = 2;
+/// Of [`ReportData::bodies`]: a body in the light that is no part of the target. Its voxels may be labeled as void.
+pub const OBSTACLE: u8 = 3;
 
 impl<'a> ReportData<'a> {
     /// The same for another of its species: what is drawn of target, dose and errors.
@@ -274,6 +277,12 @@ impl<'a> ReportData<'a> {
             warnings: Vec::new(),
             timings: Vec::new(),
         }
+    }
+
+    /// Quality against time, where the run looked for a ceiling of its pixels.
+    fn trade_off(&self) -> Vec<TradeOff> {
+        let of = |own: &CeilingReport| own.trade_off(self.evaluation, self.exposure);
+        self.ceiling.map_or_else(Vec::new, of)
     }
 
     /// Whether volumes belong together.
@@ -340,7 +349,7 @@ mod tests {
     use tomolith_metrics::print::{PatternStats, Print};
 
     /// A disc in a blurred dose, with everything a report can hold.
-    struct Sample {
+    pub(crate) struct Sample {
         labels: Volume<u8>,
         response: Volume<f32>,
         patterns: Patterns,
@@ -349,7 +358,7 @@ mod tests {
     }
 
     impl Sample {
-        fn new() -> Self {
+        pub(crate) fn new() -> Self {
             let grid = VolumeGrid::centered([6, 20, 22], 0.1);
             let radius = |i: usize| (grid.x(i % 22).powi(2) + grid.y(i / 22 % 20).powi(2)).sqrt();
             let label = |i: usize| match radius(i) {
@@ -395,7 +404,7 @@ mod tests {
             }
         }
 
-        fn evaluation(&self) -> Evaluation {
+        pub(crate) fn evaluation(&self) -> Evaluation {
             let stats = PatternStats::of([&self.patterns]);
             evaluate(
                 &Print::new(&self.labels, &self.response)
@@ -404,7 +413,7 @@ mod tests {
             )
         }
 
-        fn data<'a>(&'a self, evaluation: &'a Evaluation) -> ReportData<'a> {
+        pub(crate) fn data<'a>(&'a self, evaluation: &'a Evaluation) -> ReportData<'a> {
             ReportData {
                 part: "disc <script>alert(1)</script>",
                 program: "Tomolith",
@@ -653,23 +662,22 @@ mod tests {
     fn bodies_that_are_not_printed_are_drawn_and_named() {
         let sample = Sample::new();
         let evaluation = sample.evaluation();
-        let mut data = sample.data(&evaluation);
-        let without = html::report_html(&data);
-        let labels = sample.labels.values.iter();
-        let bodies = Volume::new(
-            sample.labels.grid.clone(),
-            labels
-                .map(|l| if *l == PART { 0 } else { INSERT })
-                .collect(),
-        );
-        data.bodies = Some(&bodies);
-        let with = html::report_html(&data);
-        assert!(with.contains("</i>insert<") && !without.contains("</i>insert<"));
-        assert!(!with.contains("</i>to stay dark<"));
-        // Target, dose and error
-        for picture in 1..=3 {
-            let of = |page: &str| page.split("<image href=").nth(picture).map(str::to_owned);
-            assert_ne!(of(&with), of(&without), "{picture}");
+        let without = html::report_html(&sample.data(&evaluation));
+        for (mark, name, place) in [(INSERT, "insert", OUTSIDE), (OBSTACLE, "obstacle", VOID)] {
+            let mut data = sample.data(&evaluation);
+            let labels = sample.labels.values.iter();
+            let marks = labels.map(|l| mark * u8::from(*l == place)).collect();
+            let bodies = Volume::new(sample.labels.grid.clone(), marks);
+            data.bodies = Some(&bodies);
+            let with = html::report_html(&data);
+            let legend = format!("</i>{name}<");
+            assert!(with.contains(&legend) && !without.contains(&legend));
+            assert!(!with.contains("</i>to stay dark<"));
+            // Target, dose and error
+            for picture in 1..=3 {
+                let of = |page: &str| page.split("<image href=").nth(picture).map(str::to_owned);
+                assert_ne!(of(&with), of(&without), "{name} {picture}");
+            }
         }
     }
 

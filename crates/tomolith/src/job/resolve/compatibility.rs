@@ -304,20 +304,11 @@ impl Optics {
 
     /// Voxels of the target whose middle is in a body of the job.
     fn in_bodies(&self, inside: &Volume<f32>, labels: &Volume<u8>, gray: bool) -> u64 {
-        let bodies = self
-            .paths
-            .first()
-            .map_or(&[][..], |p| &p.obstacles[..self.bodies]);
-        if bodies.is_empty() {
+        if self.obstacles().is_empty() {
             return 0;
         }
         let grid = &labels.grid;
-        let [_, ny, nx] = grid.shape;
-        let hidden = |i: usize| {
-            let middle = [grid.x(i % nx), grid.y(i / nx % ny), grid.z(i / (nx * ny))];
-            is_part(inside.values[i], gray)
-                && bodies.iter().any(|body| body.surface.contains(middle))
-        };
+        let hidden = |i: usize| is_part(inside.values[i], gray) && self.in_obstacle(grid, i);
         table(grid.len(), hidden)
             .iter()
             .filter(|hidden| **hidden)

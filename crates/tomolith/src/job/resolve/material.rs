@@ -78,16 +78,9 @@ pub(crate) fn domain(job: &ResolvedJob, grid: &VolumeGrid) -> Result<Domain> {
 pub(crate) fn resin(job: &ResolvedJob, grid: &VolumeGrid) -> Result<Volume<bool>> {
     let [_, ny, nx] = grid.shape;
     let optics = &job.optics;
-    let bodies: Vec<_> = optics
-        .paths
-        .first()
-        .into_iter()
-        .flat_map(|path| &path.obstacles[..optics.bodies])
-        .collect();
     let holds = |i: usize| {
         let place = [grid.x(i % nx), grid.y(i / nx % ny), grid.z(i / (nx * ny))];
-        let is_free = || !bodies.iter().any(|body| body.surface.contains(place));
-        optics.vial.in_resin(place) && is_free()
+        optics.vial.in_resin(place) && !optics.in_obstacle(grid, i)
     };
     let mut values = table(grid.len(), holds);
     if let Some(insert) = job.shape.body(Role::Insert) {

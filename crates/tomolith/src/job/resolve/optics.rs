@@ -180,13 +180,23 @@ impl Optics {
         notes
     }
 
+    /// The bodies of `[[obstacles]]`, without the inserts of the target.
+    pub(super) fn obstacles(&self) -> &[Obstacle] {
+        let path = self.paths.first();
+        path.map_or(&[], |path| &path.obstacles[..self.bodies])
+    }
+
+    /// Whether the middle of a voxel lies in one of them.
+    pub(super) fn in_obstacle(&self, grid: &VolumeGrid, i: usize) -> bool {
+        let [_, ny, nx] = grid.shape;
+        let middle = [grid.x(i % nx), grid.y(i / nx % ny), grid.z(i / (nx * ny))];
+        let mut bodies = self.obstacles().iter();
+        bodies.any(|body| body.surface.contains(middle))
+    }
+
     /// Warns of bodies that reach through a wall of the vial.
     pub(crate) fn through_walls(&self) -> Vec<String> {
         let walls = self.vial.surfaces();
-        let bodies = self
-            .paths
-            .first()
-            .map_or(&[][..], |path| &path.obstacles[..self.bodies]);
         let met = |(i, body): (usize, &Obstacle)| {
             let Surface::Net(net) = &body.surface else {
                 return None;
@@ -200,7 +210,8 @@ impl Optics {
                  (`offset_mm`) if it should stand clear of the wall"
             ))
         };
-        bodies.iter().enumerate().filter_map(met).collect()
+        let bodies = self.obstacles().iter().enumerate();
+        bodies.filter_map(met).collect()
     }
 
     /// Puts the inserts of a target into the light.

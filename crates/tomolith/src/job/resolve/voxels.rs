@@ -9,6 +9,7 @@ use crate::models::{DoseLayout, Run};
 use crate::objective::voxel_weights::Ground;
 use crate::report;
 use crate::target::{self, Role, Target, label, label_columns, label_voxels};
+use tomolith_core::parallel::table;
 
 /// The target on a grid.
 #[derive(Clone)]
@@ -124,7 +125,7 @@ impl ResolvedJob {
             .transpose()
     }
 
-    /// Which voxels belong to bodies that are not printed: inserts, and those that stay dark by these shares.
+    /// Which voxels belong to bodies that are not printed: obstacles, inserts, and those that stay dark by these shares.
     ///
     /// # Errors
     /// As [`target::voxelize`].
@@ -135,10 +136,11 @@ impl ResolvedJob {
     ) -> Result<Option<Volume<u8>>> {
         let insert = self.shape.body(Role::Insert).map(|body| body.sample(grid));
         let insert = insert.transpose()?;
-        if dark.is_none() && insert.is_none() {
+        if dark.is_none() && insert.is_none() && self.optics.obstacles().is_empty() {
             return Ok(None);
         }
-        let mut bodies = Volume::filled(grid.clone(), 0u8);
+        let obstacle = |i| report::OBSTACLE * u8::from(self.optics.in_obstacle(grid, i));
+        let mut bodies = Volume::new(grid.clone(), table(grid.len(), obstacle));
         for (mark, shares) in [(report::DARK, dark), (report::INSERT, insert.as_ref())] {
             let shares = shares.into_iter().flat_map(|shares| &shares.values);
             for (body, _) in bodies
