@@ -682,6 +682,20 @@ fn check_tells_the_plan_and_changes_nothing() {
     assert!(!bench.path("out").exists());
     let plan: Value = serde_json::from_str(&bench.stdout(0, "check job.toml --json")).unwrap();
     assert!(plan["memory_mb"].as_u64().unwrap() > 0 && plan["seconds"].as_f64().unwrap() > 0.0);
+    let of_time = |bound: &str| {
+        let said = bench.stdout(0, &format!("check job.toml --set {bound}"));
+        let searches = said.contains("the run looks for the lowest ceiling of the pixels");
+        let [iterations, time] =
+            ["takes as long as some ", "M/t is at most about "].map(|before| {
+                let after = said.split_once(before)?.1;
+                after.split_once(' ')?.0.parse::<f64>().ok()
+            });
+        (searches, iterations.is_some_and(|n| n >= 1.0), time)
+    };
+    assert_eq!(of_time("bounds.ceiling=lowest"), (true, true, None));
+    assert_eq!(of_time("bounds.ceiling=start"), (false, false, None));
+    // The threshold objective asks for doses below 0.7 or above 0.9
+    assert_eq!(of_time("bounds.max=0.2"), (false, false, Some(0.25)));
     // Light of ±1 mm enters a vial of index 1.5 in air: tangent up to 0.67 mm only
     let said = bench.stdout(0, "check job.toml --set light.pixels=[20,24]");
     assert!(said.contains("not lit from all sides"), "{said}");
