@@ -88,7 +88,7 @@ pub struct MovieReport {
 /// Wall time of a part of the run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Timing {
-    /// What took the time.
+    /// What took the time; `whole: part` for a part of another one.
     pub name: String,
     /// How long, s.
     pub seconds: f64,
@@ -467,10 +467,12 @@ mod tests {
                 job_text: "a = \"</pre><b>\"",
                 notes: vec!["z is moved".to_owned()],
                 warnings: vec!["x < y".to_owned()],
-                timings: vec![Timing {
-                    name: "all".to_owned(),
-                    seconds: 2.0,
-                }],
+                timings: [("optimizing", 2.0), ("optimizing: metrics", 1.5)]
+                    .map(|(name, seconds)| Timing {
+                        name: name.to_owned(),
+                        seconds,
+                    })
+                    .to_vec(),
             }
         }
     }
@@ -505,7 +507,7 @@ mod tests {
             "parallel: one slice serves all"
         );
         assert_eq!(json["history"]["forward_calls"], 8);
-        assert_eq!(json["run"]["timings_s"]["all"], 2.0);
+        assert_eq!(json["run"]["timings_s"]["optimizing"], 2.0);
         assert_eq!(json["lights"][0]["budget"]["turns"], 12.5);
         assert_eq!(json["lights"][0]["canvas"], serde_json::json!([32, 20]));
         assert_eq!(json["limits"][0]["loss_in_iou"], 0.25);
@@ -545,6 +547,7 @@ mod tests {
         let side = evaluation.farthest.unwrap().side.words();
         assert!(page.contains("It is at x = ") && page.contains(&format!(" mm: {side}.")));
         assert!(page.contains("Time to print") && page.contains("1 min 15 s"));
+        assert!(page.contains(">2 s until this page was written"));
         // Nine slices, a sinogram, eight frames
         assert_eq!(page.matches("data:image/png;base64,").count(), 18);
         for tag in ["section", "figure", "svg", "table", "div", "details"] {

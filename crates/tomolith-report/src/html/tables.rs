@@ -219,7 +219,8 @@ pub(super) fn times_and_movies(data: &ReportData<'_>) -> String {
     }
     let longest = data.timings.iter().map(|t| t.seconds).fold(0.0, f64::max);
     if longest > 0.0 {
-        let total: f64 = data.timings.iter().map(|t| t.seconds).sum();
+        let wholes = data.timings.iter().filter(|t| !t.name.contains(": "));
+        let total: f64 = wholes.map(|t| t.seconds).sum();
         let rows: String = data
             .timings
             .iter()

@@ -607,7 +607,7 @@ fn unit_systems(done: &Done<'_>, exposures: &[ShownLight]) -> Result<Vec<Convert
 fn evaluated_on(grid: &VolumeGrid) -> String {
     let [nz, ny, nx] = grid.shape;
     format!(
-        "{nx} × {ny} × {nz} voxels of {} µm: all numbers; dose.npy is the dose on the grid's (output.evaluation = true writes these too)",
+        "{nx} × {ny} × {nz} voxels of {} µm: all numbers; dose.npy is on the voxels of the grid (output.evaluation = true writes these too)",
         concise(1e3 * grid.pitch_mm)
     )
 }
