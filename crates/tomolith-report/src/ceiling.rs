@@ -214,7 +214,11 @@ pub(super) fn section(rows: &[TradeOff]) -> String {
         let points: Vec<[f64; 2]> = rows.iter().filter_map(point).collect();
         let tried = rows.iter().filter(|row| !row.is_evaluated);
         let tried: Vec<[f64; 2]> = tried.filter_map(point).collect();
-        let taken = rows.iter().find(|row| row.is_chosen).and_then(point)?;
+        let own = rows.iter().find(|row| row.is_chosen)?;
+        let of_run = match own.is_evaluated {
+            true => "this run, as it was evaluated",
+            false => "this run",
+        };
         let heights = points.iter().map(|point| point[1]);
         let [low, high] = [f64::min, f64::max].map(|most| heights.clone().reduce(most));
         let (low, high) = low.zip(high).filter(|_| tried.len() >= FEWEST)?;
@@ -226,7 +230,7 @@ pub(super) fn section(rows: &[TradeOff]) -> String {
         );
         plot.line(&tried, "accent", "");
         plot.dots(&tried, "accent", "tried");
-        plot.dots(&[taken], "gel", "this run");
+        plot.dots(&[point(own)?], "gel", of_run);
         Some(plot.svg(&format!("{name} over the print time")))
     };
     let plots = plot("IoU", |row| row.iou).zip(plot("VER", |row| row.ver));
