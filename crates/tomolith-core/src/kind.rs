@@ -207,6 +207,42 @@ fn unnamed(value: Option<&Value>, names: &[&str]) -> (String, String) {
     (format!("found {found}"), accepted)
 }
 
+/// The keys of a table of a job, each with its default. The struct reads and writes such tables, refuses keys that it does not have, and
+/// has a schema.
+///
+/// ```
+/// tomolith_core::keys! {
+///     /// Parameters of a gear.
+///     #[derive(PartialEq)]
+///     pub struct Params {
+///         /// Number of teeth (4 to 500)
+///         pub teeth: u32 = 12,
+///     }
+/// }
+/// assert_eq!(Params::default().teeth, 12);
+/// ```
+#[macro_export]
+macro_rules! keys {
+    ($(#[$about:meta])* $seen:vis struct $name:ident {
+        $($(#[$of_key:meta])* $shown:vis $key:ident: $type:ty = $default:expr,)*
+    }) => {
+        $(#[$about])*
+        #[derive(Clone, Debug, ::serde::Serialize, ::serde::Deserialize, ::schemars::JsonSchema)]
+        #[serde(default, deny_unknown_fields)]
+        $seen struct $name {
+            $($(#[$of_key])* $shown $key: $type,)*
+        }
+
+        impl Default for $name {
+            fn default() -> Self {
+                $name {
+                    $($key: $default,)*
+                }
+            }
+        }
+    };
+}
+
 /// What is found where a key is missing.
 pub const MISSING: &str = "the key is missing";
 

@@ -69,8 +69,6 @@ use super::{
     Capabilities, Family, HostModel, MakeFamily, ModelFamily, ModelInput, ModelKind,
     MonteCarloPaths, OpticalScene, Purpose, TimedBy,
 };
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use tomolith_core::error::Result;
 use tomolith_core::grid::VolumeGrid;
@@ -80,44 +78,29 @@ use tomolith_optics::light::Light;
 use tomolith_optics::space::TraceLimits;
 use tomolith_optics::vial::Vial;
 
-/// Keys of `[model.monte_carlo]`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Params {
-    /// Paths of a pixel in a frame, 1 to 4096.
-    pub paths_per_pixel: usize,
-    /// How energy is accumulated along a path: "integral", "simple" or { ratio = { majorant_per_mm = 10.0 } }.
-    pub accumulation: Accumulation,
-    /// Seed of the random numbers.
-    pub seed: u64,
-    /// Iterations of an optimization after which new paths are drawn, 0 to 10000; 0: never.
-    pub renew: usize,
-    /// Share of the emitted power below which a path may end by Russian roulette, 1e-6 to 0.5.
-    pub least_power: f64,
-    /// Whether light reflected at walls is followed.
-    pub reflections: bool,
-    /// Largest number of scattering events of a path, 0 to 1000.
-    pub orders: usize,
-    /// Edge, in voxels, of the cells on which scattered light is summed, 1 to 32; half of it for what is reported.
-    pub smooth: usize,
-    /// Whether what cells smear out is given back, for 1.4 times the noise: what a judgment does, which has paths enough.
-    #[serde(skip)]
-    pub is_sharp: bool,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            paths_per_pixel: 4,
-            accumulation: Accumulation::Integral,
-            seed: 1,
-            renew: 10,
-            least_power: 0.05,
-            reflections: false,
-            orders: 64,
-            smooth: 4,
-            is_sharp: false,
-        }
+tomolith_core::keys! {
+    /// Keys of `[model.monte_carlo]`.
+    #[derive(PartialEq)]
+    pub struct Params {
+        /// Paths of a pixel in a frame, 1 to 4096.
+        pub paths_per_pixel: usize = 4,
+        /// How energy is accumulated along a path: "integral", "simple" or { ratio = { majorant_per_mm = 10.0 } }.
+        pub accumulation: Accumulation = Accumulation::Integral,
+        /// Seed of the random numbers.
+        pub seed: u64 = 1,
+        /// Iterations of an optimization after which new paths are drawn, 0 to 10000; 0: never.
+        pub renew: usize = 10,
+        /// Share of the emitted power below which a path may end by Russian roulette, 1e-6 to 0.5.
+        pub least_power: f64 = 0.05,
+        /// Whether light reflected at walls is followed.
+        pub reflections: bool = false,
+        /// Largest number of scattering events of a path, 0 to 1000.
+        pub orders: usize = 64,
+        /// Edge, in voxels, of the cells on which scattered light is summed, 1 to 32; half of it for what is reported.
+        pub smooth: usize = 4,
+        /// Whether what cells smear out is given back, for 1.4 times the noise: what a judgment does, which has paths enough.
+        #[serde(skip)]
+        pub is_sharp: bool = false,
     }
 }
 

@@ -11,40 +11,25 @@
 
 use super::preset::{AroundTarget, Preset, SurfaceHandling, not_negative, positive};
 use super::{BuildObjective, read};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
 use tomolith_core::kind::{Kind, schema_of};
 
-/// The parameters of BCLP.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Params {
-    /// ε: half the width of the bands in units of the response, 0 or above (default 0.05)
-    pub epsilon: f64,
-    /// Power of the distance from the band, above 0 (default 2)
-    pub p: f64,
-    /// Power of the norm, above 0 (default 1)
-    pub q: f64,
-    /// Weight of part voxels, 0 or above (default 1)
-    pub part_weight: f64,
-    /// Weight of void voxels, 0 or above (default 1)
-    pub void_weight: f64,
-    /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
-    pub surface: SurfaceHandling,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            epsilon: 0.05,
-            p: 2.0,
-            q: 1.0,
-            part_weight: 1.0,
-            void_weight: 1.0,
-            surface: SurfaceHandling::Voxel,
-        }
+tomolith_core::keys! {
+    /// The parameters of BCLP.
+    pub struct Params {
+        /// ε: half the width of the bands in units of the response, 0 or above (default 0.05)
+        pub epsilon: f64 = 0.05,
+        /// Power of the distance from the band, above 0 (default 2)
+        pub p: f64 = 2.0,
+        /// Power of the norm, above 0 (default 1)
+        pub q: f64 = 1.0,
+        /// Weight of part voxels, 0 or above (default 1)
+        pub part_weight: f64 = 1.0,
+        /// Weight of void voxels, 0 or above (default 1)
+        pub void_weight: f64 = 1.0,
+        /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
+        pub surface: SurfaceHandling = SurfaceHandling::Voxel,
     }
 }
 

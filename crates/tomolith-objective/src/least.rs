@@ -11,31 +11,20 @@
 
 use super::preset::{AroundTarget, Preset, SurfaceHandling, not_negative};
 use super::{BuildObjective, read};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
 use tomolith_core::kind::{Kind, schema_of};
 
-/// The parameters of `l2` and `l1`.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Params {
-    /// Weight of part voxels, 0 or above (default 1)
-    pub part_weight: f64,
-    /// Weight of void voxels, 0 or above (default 1)
-    pub void_weight: f64,
-    /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
-    pub surface: SurfaceHandling,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            part_weight: 1.0,
-            void_weight: 1.0,
-            surface: SurfaceHandling::Voxel,
-        }
+tomolith_core::keys! {
+    /// The parameters of `l2` and `l1`.
+    pub struct Params {
+        /// Weight of part voxels, 0 or above (default 1)
+        pub part_weight: f64 = 1.0,
+        /// Weight of void voxels, 0 or above (default 1)
+        pub void_weight: f64 = 1.0,
+        /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
+        pub surface: SurfaceHandling = SurfaceHandling::Voxel,
     }
 }
 

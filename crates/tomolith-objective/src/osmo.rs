@@ -11,31 +11,19 @@
 use super::band::Band;
 use super::preset::{PartAndVoid, Preset, SurfaceHandling, below, finite};
 use super::{BuildObjective, read};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
 use tomolith_core::kind::{Kind, schema_of};
 
-/// The parameters of OSMO's implicit loss.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Params {
-    /// D_h: smallest response of part voxels without penalty (default 0.9)
-    pub d_h: f64,
-    /// D_l: largest response of void voxels without penalty, below `d_h` (default 0.85)
-    pub d_l: f64,
-    /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
-    pub surface: SurfaceHandling,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            d_h: 0.9,
-            d_l: 0.85,
-            surface: SurfaceHandling::Voxel,
-        }
+tomolith_core::keys! {
+    /// The parameters of OSMO's implicit loss.
+    pub struct Params {
+        /// D_h: smallest response of part voxels without penalty (default 0.9)
+        pub d_h: f64 = 0.9,
+        /// D_l: largest response of void voxels without penalty, below `d_h` (default 0.85)
+        pub d_l: f64 = 0.85,
+        /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
+        pub surface: SurfaceHandling = SurfaceHandling::Voxel,
     }
 }
 

@@ -18,8 +18,6 @@ use super::preset::{
     BuildBands, PartAndVoid, SurfaceHandling, below, finite, not_negative, positive,
 };
 use super::{BoxedObjective, BuildObjective, MakeObjective, ObjectiveInput, read};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
 use tomolith_core::grid::Volume;
@@ -28,37 +26,23 @@ use tomolith_core::parallel::elements;
 use tomolith_core::target::label;
 use tomolith_core::units::Mm;
 
-/// The parameters of penalty minimization.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Params {
-    /// Smallest response of part voxels without penalty (default 0.8)
-    pub d_h: f64,
-    /// Largest response of void voxels without penalty, below `d_h` (default 0.7)
-    pub d_l: f64,
-    /// Weight of the part, 0 or above (default 1)
-    pub rho_1: f64,
-    /// Weight of the void, 0 or above (default 1)
-    pub rho_2: f64,
-    /// Power of the distance from the band, above 0 (default 1)
-    pub p: f64,
-    /// Voxels this near to a voxel of the other kind do not count, mm, 0 or above (default 0: all count)
-    pub buffer_mm: Mm,
-    /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
-    pub surface: SurfaceHandling,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            d_h: 0.8,
-            d_l: 0.7,
-            rho_1: 1.0,
-            rho_2: 1.0,
-            p: 1.0,
-            buffer_mm: Mm(0.0),
-            surface: SurfaceHandling::Voxel,
-        }
+tomolith_core::keys! {
+    /// The parameters of penalty minimization.
+    pub struct Params {
+        /// Smallest response of part voxels without penalty (default 0.8)
+        pub d_h: f64 = 0.8,
+        /// Largest response of void voxels without penalty, below `d_h` (default 0.7)
+        pub d_l: f64 = 0.7,
+        /// Weight of the part, 0 or above (default 1)
+        pub rho_1: f64 = 1.0,
+        /// Weight of the void, 0 or above (default 1)
+        pub rho_2: f64 = 1.0,
+        /// Power of the distance from the band, above 0 (default 1)
+        pub p: f64 = 1.0,
+        /// Voxels this near to a voxel of the other kind do not count, mm, 0 or above (default 0: all count)
+        pub buffer_mm: Mm = Mm(0.0),
+        /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
+        pub surface: SurfaceHandling = SurfaceHandling::Voxel,
     }
 }
 

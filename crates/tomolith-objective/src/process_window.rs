@@ -72,33 +72,21 @@ pub enum WindowMeasure {
     Gamma,
 }
 
-/// The parameters of the process window.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Params {
-    /// What outliers are counted in: "pw" (default), a share of either region, or "gamma", a share of the part in both
-    pub measure: WindowMeasure,
-    /// Share ν of voxels that may lie on the wrong side, above 0 and at most 0.25 (default 0.05; 0.1 with `measure = "gamma"`)
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub outliers: Option<f64>,
-    /// Bound of the dose range in the part without the outliers at either end, above 0 and at most 1 (default: none)
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub ipdr: Option<f64>,
-    /// Dose τ by which a voxel may be wrong before it costs in full, 0.001 to 1 (default 0.1)
-    pub softness: f64,
-    /// How voxels cut by the surface are weighed: "fraction" (default), "voxel", or "cells" with a dose on either side
-    pub surface: SurfaceHandling,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            measure: WindowMeasure::Pw,
-            outliers: None,
-            ipdr: None,
-            softness: 0.1,
-            surface: SurfaceHandling::Fraction,
-        }
+tomolith_core::keys! {
+    /// The parameters of the process window.
+    pub struct Params {
+        /// What outliers are counted in: "pw" (default), a share of either region, or "gamma", a share of the part in both
+        pub measure: WindowMeasure = WindowMeasure::Pw,
+        /// Share ν of voxels that may lie on the wrong side, above 0 and at most 0.25 (default 0.05; 0.1 with `measure = "gamma"`)
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub outliers: Option<f64> = None,
+        /// Bound of the dose range in the part without the outliers at either end, above 0 and at most 1 (default: none)
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub ipdr: Option<f64> = None,
+        /// Dose τ by which a voxel may be wrong before it costs in full, 0.001 to 1 (default 0.1)
+        pub softness: f64 = 0.1,
+        /// How voxels cut by the surface are weighed: "fraction" (default), "voxel", or "cells" with a dose on either side
+        pub surface: SurfaceHandling = SurfaceHandling::Fraction,
     }
 }
 

@@ -18,31 +18,29 @@
 use super::band::Band;
 use super::preset::{PartAndVoid, Preset, SurfaceHandling, below, finite, not_negative, positive};
 use super::{BuildObjective, Chosen, read};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
 use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::units::exact;
 
-/// The parameters of the threshold objective.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Params {
-    /// Largest response of void voxels without penalty, below `upper` (default 0.7)
-    pub lower: Option<f64>,
-    /// Smallest response of part voxels without penalty (default 0.9)
-    pub upper: Option<f64>,
-    /// Largest response of part voxels without penalty, at least `upper` (default 1)
-    pub ceiling: f64,
-    /// Power of the distance from the band, above 0 (default 2; 4 where the program chooses voxels of at most half a pixel)
-    pub exponent: Option<f64>,
-    /// Weight of part voxels, 0 or above (default 1)
-    pub part_weight: f64,
-    /// Weight of void voxels, 0 or above (default 1)
-    pub void_weight: f64,
-    /// How voxels cut by the surface are weighed: "fraction" (default), "voxel" as published, or "cells" with a dose on either side
-    pub surface: SurfaceHandling,
+tomolith_core::keys! {
+    /// The parameters of the threshold objective.
+    pub struct Params {
+        /// Largest response of void voxels without penalty, below `upper` (default 0.7)
+        pub lower: Option<f64> = None,
+        /// Smallest response of part voxels without penalty (default 0.9)
+        pub upper: Option<f64> = None,
+        /// Largest response of part voxels without penalty, at least `upper` (default 1)
+        pub ceiling: f64 = 1.0,
+        /// Power of the distance from the band, above 0 (default 2; 4 where the program chooses voxels of at most half a pixel)
+        pub exponent: Option<f64> = None,
+        /// Weight of part voxels, 0 or above (default 1)
+        pub part_weight: f64 = 1.0,
+        /// Weight of void voxels, 0 or above (default 1)
+        pub void_weight: f64 = 1.0,
+        /// How voxels cut by the surface are weighed: "fraction" (default), "voxel" as published, or "cells" with a dose on either side
+        pub surface: SurfaceHandling = SurfaceHandling::Fraction,
+    }
 }
 
 /// Largest response of void voxels without penalty where a job names none.
@@ -51,20 +49,6 @@ pub const LOWER: f64 = 0.7;
 pub const UPPER: f64 = 0.9;
 /// The exponent of the publications.
 const PUBLISHED: f64 = 2.0;
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            lower: None,
-            upper: None,
-            ceiling: 1.0,
-            exponent: None,
-            part_weight: 1.0,
-            void_weight: 1.0,
-            surface: SurfaceHandling::Fraction,
-        }
-    }
-}
 
 impl Preset for Params {
     type Bands = PartAndVoid;

@@ -53,35 +53,23 @@ pub struct VoxelWeights {
     pub tolerance: Vec<f32>,
 }
 
-/// What an entry has besides its kind.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Common {
-    /// ω: factor of this objective in the sum, 0 or above (default 1)
-    pub weight: f64,
-    /// Which voxels count (default: all)
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub region: Option<RegionSpec>,
-    /// Weight per voxel (default: 1 everywhere)
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub weights: Option<WeightsSpec>,
-    /// Tolerance per voxel, in units of the response (default: 0 everywhere)
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub tolerance: Option<ToleranceSpec>,
-    /// Response of this objective, one kind (default: the job's)
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub response: Option<Value>,
-}
-
-impl Default for Common {
-    fn default() -> Self {
-        Common {
-            weight: 1.0,
-            region: None,
-            weights: None,
-            tolerance: None,
-            response: None,
-        }
+tomolith_core::keys! {
+    /// What an entry has besides its kind.
+    pub struct Common {
+        /// ω: factor of this objective in the sum, 0 or above (default 1)
+        pub weight: f64 = 1.0,
+        /// Which voxels count (default: all)
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub region: Option<RegionSpec> = None,
+        /// Weight per voxel (default: 1 everywhere)
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub weights: Option<WeightsSpec> = None,
+        /// Tolerance per voxel, in units of the response (default: 0 everywhere)
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub tolerance: Option<ToleranceSpec> = None,
+        /// Response of this objective, one kind (default: the job's)
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub response: Option<Value> = None,
     }
 }
 
@@ -118,40 +106,26 @@ pub struct RegionSpec {
     pub file: Option<PathBuf>,
 }
 
-/// Weight per voxel.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct WeightsSpec {
-    /// Weight of part voxels, 0 or above (default 1)
-    pub part: f64,
-    /// Weight of void voxels, 0 or above (default 1)
-    pub void: f64,
-    /// Weights per voxel, 0 or above
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub file: Option<PathBuf>,
-    /// Factors of the weight in regions
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub regions: Vec<RegionValue>,
-    /// Part voxels this near to the void do not count, mm (default 0)
-    pub buffer_part_mm: Mm,
-    /// Void voxels this near to the part do not count, mm (default 0)
-    pub buffer_void_mm: Mm,
-    /// Gray targets: gradient at which a voxel has half its weight, 1/mm, above 0 (default: none loses any)
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub edge_per_mm: Option<f64>,
-}
-
-impl Default for WeightsSpec {
-    fn default() -> Self {
-        WeightsSpec {
-            part: 1.0,
-            void: 1.0,
-            file: None,
-            regions: Vec::new(),
-            buffer_part_mm: Mm(0.0),
-            buffer_void_mm: Mm(0.0),
-            edge_per_mm: None,
-        }
+tomolith_core::keys! {
+    /// Weight per voxel.
+    pub struct WeightsSpec {
+        /// Weight of part voxels, 0 or above (default 1)
+        pub part: f64 = 1.0,
+        /// Weight of void voxels, 0 or above (default 1)
+        pub void: f64 = 1.0,
+        /// Weights per voxel, 0 or above
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub file: Option<PathBuf> = None,
+        /// Factors of the weight in regions
+        #[serde(skip_serializing_if = "Vec::is_empty")]
+        pub regions: Vec<RegionValue> = Vec::new(),
+        /// Part voxels this near to the void do not count, mm (default 0)
+        pub buffer_part_mm: Mm = Mm(0.0),
+        /// Void voxels this near to the part do not count, mm (default 0)
+        pub buffer_void_mm: Mm = Mm(0.0),
+        /// Gray targets: gradient at which a voxel has half its weight, 1/mm, above 0 (default: none loses any)
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub edge_per_mm: Option<f64> = None,
     }
 }
 

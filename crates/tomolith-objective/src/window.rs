@@ -16,56 +16,34 @@
 use super::band::Band;
 use super::preset::{PartAndVoid, Preset, SurfaceHandling, below, finite, not_negative};
 use super::{BuildObjective, read};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
 use tomolith_core::kind::{Kind, schema_of};
 
-/// The parameters of `l2n` and `osp`.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Params {
-    /// τ_l: threshold of void voxels, below `upper` (default 0.7)
-    pub lower: f64,
-    /// τ_u: threshold of part voxels (default 0.9)
-    pub upper: f64,
-    /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
-    pub surface: SurfaceHandling,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            lower: 0.7,
-            upper: 0.9,
-            surface: SurfaceHandling::Voxel,
-        }
+tomolith_core::keys! {
+    /// The parameters of `l2n` and `osp`.
+    pub struct Params {
+        /// τ_l: threshold of void voxels, below `upper` (default 0.7)
+        pub lower: f64 = 0.7,
+        /// τ_u: threshold of part voxels (default 0.9)
+        pub upper: f64 = 0.9,
+        /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
+        pub surface: SurfaceHandling = SurfaceHandling::Voxel,
     }
 }
 
-/// The parameters of `ospw`.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct WindowParams {
-    /// τ_l: threshold of void voxels, below `upper` (default 0.7)
-    pub lower: f64,
-    /// τ_u: threshold of part voxels (default 0.9)
-    pub upper: f64,
-    /// Width of the part's band above τ_u, 0 or above (default 0)
-    pub w: f64,
-    /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
-    pub surface: SurfaceHandling,
-}
-
-impl Default for WindowParams {
-    fn default() -> Self {
-        WindowParams {
-            lower: 0.7,
-            upper: 0.9,
-            w: 0.0,
-            surface: SurfaceHandling::Voxel,
-        }
+tomolith_core::keys! {
+    /// The parameters of `ospw`.
+    pub struct WindowParams {
+        /// τ_l: threshold of void voxels, below `upper` (default 0.7)
+        pub lower: f64 = 0.7,
+        /// τ_u: threshold of part voxels (default 0.9)
+        pub upper: f64 = 0.9,
+        /// Width of the part's band above τ_u, 0 or above (default 0)
+        pub w: f64 = 0.0,
+        /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
+        pub surface: SurfaceHandling = SurfaceHandling::Voxel,
     }
 }
 

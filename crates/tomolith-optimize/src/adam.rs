@@ -46,31 +46,19 @@ pub enum StepSchedule {
     Root,
 }
 
-/// The parameters of Adam.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Params {
-    /// Length of the first step in units of x, above 0 (default 0.1)
-    pub step: f64,
-    /// How it changes: "constant" (default) or "root" (step/√k)
-    pub schedule: StepSchedule,
-    /// β₁: share of the past in the mean of gradients, 0 or above and below 1 (default 0.9)
-    pub beta_1: f64,
-    /// β₂: the same for their squares (default 0.999)
-    pub beta_2: f64,
-    /// ε: added to the root of the squares, above 0, in units of the gradient (default 1e-8)
-    pub epsilon: f64,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            step: 0.1,
-            schedule: StepSchedule::Constant,
-            beta_1: 0.9,
-            beta_2: 0.999,
-            epsilon: 1e-8,
-        }
+tomolith_core::keys! {
+    /// The parameters of Adam.
+    pub struct Params {
+        /// Length of the first step in units of x, above 0 (default 0.1)
+        pub step: f64 = 0.1,
+        /// How it changes: "constant" (default) or "root" (step/√k)
+        pub schedule: StepSchedule = StepSchedule::Constant,
+        /// β₁: share of the past in the mean of gradients, 0 or above and below 1 (default 0.9)
+        pub beta_1: f64 = 0.9,
+        /// β₂: the same for their squares (default 0.999)
+        pub beta_2: f64 = 0.999,
+        /// ε: added to the root of the squares, above 0, in units of the gradient (default 1e-8)
+        pub epsilon: f64 = 1e-8,
     }
 }
 

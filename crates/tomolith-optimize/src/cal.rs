@@ -41,39 +41,26 @@ use super::{
     BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
     Requirements, SavedArray, Step, read, read_saved_field, read_saved_numbers,
 };
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Bounds, Field};
 use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::units::exact;
 
-/// The parameters of CAL.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Params {
-    /// Window of the ramp that the target's projection is filtered with: "ram_lak" (default), "shepp_logan", "cosine", "hamming",
-    /// "hann", or "none"
-    pub filter: Filter,
-    /// Length of a step, above 0 (default 0.01)
-    pub learning_rate: f64,
-    /// Share of the last correction, 0 or above and below 1 (default 0)
-    pub momentum: f64,
-    /// Width of the logistic, in units of the largest dose, above 0 (default 0.01)
-    pub sigmoid: f64,
-    /// Threshold of the logistic, a share of the largest dose (default 0.8)
-    pub d_h: f64,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            filter: Filter::RamLak,
-            learning_rate: 0.01,
-            momentum: 0.0,
-            sigmoid: 0.01,
-            d_h: 0.8,
-        }
+tomolith_core::keys! {
+    /// The parameters of CAL.
+    pub struct Params {
+        /// Window of the ramp that the target's projection is filtered with: "ram_lak" (default), "shepp_logan", "cosine", "hamming",
+        /// "hann", or "none"
+        pub filter: Filter = Filter::RamLak,
+        /// Length of a step, above 0 (default 0.01)
+        pub learning_rate: f64 = 0.01,
+        /// Share of the last correction, 0 or above and below 1 (default 0)
+        pub momentum: f64 = 0.0,
+        /// Width of the logistic, in units of the largest dose, above 0 (default 0.01)
+        pub sigmoid: f64 = 0.01,
+        /// Threshold of the logistic, a share of the largest dose (default 0.8)
+        pub d_h: f64 = 0.8,
     }
 }
 

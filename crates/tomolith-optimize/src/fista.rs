@@ -61,25 +61,15 @@ pub enum Restart {
     None,
 }
 
-/// The parameters of FISTA.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Params {
-    /// When the extrapolation begins anew: "gradient" (default), "loss" or "none"
-    pub restart: Restart,
-    /// Largest second derivative of the objective by a voxel's dose, above 0 (default 2: squared distances of weight 1)
-    pub curvature: f64,
-    /// Fixed step 1/L, above 0, in units of x per unit of gradient; from the model when it is not given
-    pub step: Option<f64>,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            restart: Restart::Gradient,
-            curvature: 2.0,
-            step: None,
-        }
+tomolith_core::keys! {
+    /// The parameters of FISTA.
+    pub struct Params {
+        /// When the extrapolation begins anew: "gradient" (default), "loss" or "none"
+        pub restart: Restart = Restart::Gradient,
+        /// Largest second derivative of the objective by a voxel's dose, above 0 (default 2: squared distances of weight 1)
+        pub curvature: f64 = 2.0,
+        /// Fixed step 1/L, above 0, in units of x per unit of gradient; from the model when it is not given
+        pub step: Option<f64> = None,
     }
 }
 

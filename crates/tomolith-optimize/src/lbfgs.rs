@@ -34,7 +34,6 @@ use super::{
     BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
     Requirements, SavedArray, Step, read, read_saved_field, read_saved_numbers,
 };
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use tomolith_core::dose::PatternLayout;
@@ -45,22 +44,13 @@ use tomolith_core::field::{
 use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::units::exact;
 
-/// The parameters of L-BFGS with bounds.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Params {
-    /// Number of pairs remembered, 1 to 30 (default 6)
-    pub memory: usize,
-    /// Curvature check: a pair is kept when s·y > tolerance·‖s‖·‖y‖, 0 or above and below 1 (default 1e-6)
-    pub tolerance: f64,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            memory: 6,
-            tolerance: 1e-6,
-        }
+tomolith_core::keys! {
+    /// The parameters of L-BFGS with bounds.
+    pub struct Params {
+        /// Number of pairs remembered, 1 to 30 (default 6)
+        pub memory: usize = 6,
+        /// Curvature check: a pair is kept when s·y > tolerance·‖s‖·‖y‖, 0 or above and below 1 (default 1e-6)
+        pub tolerance: f64 = 1e-6,
     }
 }
 

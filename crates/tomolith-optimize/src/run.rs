@@ -3,7 +3,6 @@
 use super::checkpoint::{Checkpoints, Contents, DiskSpace, Saved};
 use super::keep::{Keep, Keeper, KeptBy, KeptIterate};
 use super::{Counters, Gap, Optimizer, Position, Problem};
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -12,45 +11,29 @@ use tomolith_core::field::Field;
 use tomolith_core::run::Run;
 use tomolith_core::units::exact;
 
-/// `[stop]` of a job: when to stop. A loss of zero always stops.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Stop {
-    /// Largest number of steps (default 45)
-    pub iterations: usize,
-    /// Stop when the norm of the projected gradient falls below this part of its first value, 0 or above (default 0: never)
-    pub projected_gradient: f64,
-    /// Stop when the mean change of the loss over the last five steps falls to this part of the loss, 0 or above (default 0:
-    /// never); 0.001 is Li et al. (2024), eq. 28
-    pub change: f64,
-    /// Steps after which `change` is looked at (default 0: as soon as there are five)
-    pub change_after: usize,
-    /// Stop when no patterns can have a loss lower than that of these by more than this part of it, 0 or above and below 1 (default 0:
-    /// never); convex problems only
-    pub gap: f64,
-    /// Stop when the loss falls to this part of the first one, 0 or above and below 1 (default 0: only at 0)
-    pub relative_loss: f64,
-    /// The loss that counts as the first one, where it is not that of the start
-    pub first_loss: Option<f64>,
-    /// Stop after this many seconds, above 0; no limit when it is not given
-    pub seconds: Option<f64>,
-    /// Which patterns are returned: "best" (default) by the measure that the method improves, or "last"
-    pub keep: Keep,
-}
-
-impl Default for Stop {
-    fn default() -> Self {
-        Stop {
-            iterations: 45,
-            projected_gradient: 0.0,
-            change: 0.0,
-            change_after: 0,
-            gap: 0.0,
-            relative_loss: 0.0,
-            first_loss: None,
-            seconds: None,
-            keep: Keep::Best,
-        }
+tomolith_core::keys! {
+    /// `[stop]` of a job: when to stop. A loss of zero always stops.
+    pub struct Stop {
+        /// Largest number of steps (default 45)
+        pub iterations: usize = 45,
+        /// Stop when the norm of the projected gradient falls below this part of its first value, 0 or above (default 0: never)
+        pub projected_gradient: f64 = 0.0,
+        /// Stop when the mean change of the loss over the last five steps falls to this part of the loss, 0 or above (default 0:
+        /// never); 0.001 is Li et al. (2024), eq. 28
+        pub change: f64 = 0.0,
+        /// Steps after which `change` is looked at (default 0: as soon as there are five)
+        pub change_after: usize = 0,
+        /// Stop when no patterns can have a loss lower than that of these by more than this part of it, 0 or above and below 1 (default 0:
+        /// never); convex problems only
+        pub gap: f64 = 0.0,
+        /// Stop when the loss falls to this part of the first one, 0 or above and below 1 (default 0: only at 0)
+        pub relative_loss: f64 = 0.0,
+        /// The loss that counts as the first one, where it is not that of the start
+        pub first_loss: Option<f64> = None,
+        /// Stop after this many seconds, above 0; no limit when it is not given
+        pub seconds: Option<f64> = None,
+        /// Which patterns are returned: "best" (default) by the measure that the method improves, or "last"
+        pub keep: Keep = Keep::Best,
     }
 }
 

@@ -30,35 +30,21 @@ use crate::field::Lanes;
 use crate::field::group::Group;
 use crate::kind::Kind;
 use crate::units::exact;
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use wide::{f32x8, u32x8};
 
-/// The parameters of a generalized logistic response.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Params {
-    /// A: response at low dose (default 0)
-    pub lower: f64,
-    /// K: response at high dose, above `lower` (default 1)
-    pub upper: f64,
-    /// B: steepness per unit of dose, above 0 (default 10)
-    pub steepness: f64,
-    /// M: dose of the steepest slope when `asymmetry` is 1 (default 0.5)
-    pub midpoint: f64,
-    /// ν: moves the steepest slope toward either end, above 0 (default 1)
-    pub asymmetry: f64,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            lower: 0.0,
-            upper: 1.0,
-            steepness: 10.0,
-            midpoint: 0.5,
-            asymmetry: 1.0,
-        }
+crate::keys! {
+    /// The parameters of a generalized logistic response.
+    pub struct Params {
+        /// A: response at low dose (default 0)
+        pub lower: f64 = 0.0,
+        /// K: response at high dose, above `lower` (default 1)
+        pub upper: f64 = 1.0,
+        /// B: steepness per unit of dose, above 0 (default 10)
+        pub steepness: f64 = 10.0,
+        /// M: dose of the steepest slope when `asymmetry` is 1 (default 0.5)
+        pub midpoint: f64 = 0.5,
+        /// ν: moves the steepest slope toward either end, above 0 (default 1)
+        pub asymmetry: f64 = 1.0,
     }
 }
 

@@ -100,37 +100,24 @@ impl Initial {
     }
 }
 
-/// Something that takes drive until it is used up.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Inhibitor {
-    /// Its name.
-    pub name: String,
-    /// 1/κ: the dose that uses up all of it (from 1 to 0), mJ/mm³, above 0.
-    pub capacity_mj_per_mm3: f64,
-    /// How much there is, 0 to 1 (1: what air saturates resin with).
-    pub initial: Initial,
-    /// D, mm²/s (10⁻¹⁰ m²/s = 10⁻⁴ mm²/s), 0 or more.
-    pub diffusion_mm2_per_s: f64,
-    /// Share of D that cured resin has, 0 to 1.
-    pub cured_diffusion: f64,
-    /// K of the smooth consumption r·O/(O + K), above 0; none: of zeroth order.
-    pub half_saturation: Option<f64>,
-    /// Whether air on top holds it at 1.
-    pub from_air: bool,
-}
-
-impl Default for Inhibitor {
-    fn default() -> Self {
-        Inhibitor {
-            name: "oxygen".to_owned(),
-            capacity_mj_per_mm3: 1.0,
-            initial: Initial::Even(1.0),
-            diffusion_mm2_per_s: 0.0,
-            cured_diffusion: 1.0,
-            half_saturation: None,
-            from_air: true,
-        }
+tomolith_core::keys! {
+    /// Something that takes drive until it is used up.
+    #[derive(PartialEq)]
+    pub struct Inhibitor {
+        /// Its name.
+        pub name: String = "oxygen".to_owned(),
+        /// 1/κ: the dose that uses up all of it (from 1 to 0), mJ/mm³, above 0.
+        pub capacity_mj_per_mm3: f64 = 1.0,
+        /// How much there is, 0 to 1 (1: what air saturates resin with).
+        pub initial: Initial = Initial::Even(1.0),
+        /// D, mm²/s (10⁻¹⁰ m²/s = 10⁻⁴ mm²/s), 0 or more.
+        pub diffusion_mm2_per_s: f64 = 0.0,
+        /// Share of D that cured resin has, 0 to 1.
+        pub cured_diffusion: f64 = 1.0,
+        /// K of the smooth consumption r·O/(O + K), above 0; none: of zeroth order.
+        pub half_saturation: Option<f64> = None,
+        /// Whether air on top holds it at 1.
+        pub from_air: bool = true,
     }
 }
 

@@ -74,9 +74,7 @@ use accumulation::Accumulation;
 use column_rays::{ColumnRay, ColumnRaysCache};
 use matrix_cache::{CachedEntries, RayMatrixCache};
 use scatter_grid::ScatterGrid;
-use schemars::JsonSchema;
 use segment::{Lattice, Segment};
-use serde::{Deserialize, Serialize};
 use solid::Solid;
 use source::Source;
 use std::num::NonZeroUsize;
@@ -99,28 +97,18 @@ use tomolith_optics::space::{PathSegment, SpaceTracer, TraceLimits};
 use tomolith_optics::vial::Vial;
 use traversal::Gait;
 
-/// Keys of `[model.rays]`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Params {
-    /// Rays of a pixel in a frame, 1 to 4096.
-    pub rays_per_pixel: usize,
-    /// How energy is accumulated along a ray: "integral", "simple" or { ratio = { majorant_per_mm = 10.0 } }.
-    pub accumulation: Accumulation,
-    /// Whether light reflected at walls is followed.
-    pub reflections: bool,
-    /// Reflected rays below this part of the emitted power are dropped, 0 to 0.1.
-    pub least_power: f64,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            rays_per_pixel: 4,
-            accumulation: Accumulation::Integral,
-            reflections: false,
-            least_power: TraceLimits::default().least_power,
-        }
+tomolith_core::keys! {
+    /// Keys of `[model.rays]`.
+    #[derive(PartialEq)]
+    pub struct Params {
+        /// Rays of a pixel in a frame, 1 to 4096.
+        pub rays_per_pixel: usize = 4,
+        /// How energy is accumulated along a ray: "integral", "simple" or { ratio = { majorant_per_mm = 10.0 } }.
+        pub accumulation: Accumulation = Accumulation::Integral,
+        /// Whether light reflected at walls is followed.
+        pub reflections: bool = false,
+        /// Reflected rays below this part of the emitted power are dropped, 0 to 0.1.
+        pub least_power: f64 = TraceLimits::default().least_power,
     }
 }
 

@@ -61,8 +61,6 @@ use crate::{
     Capabilities, Cost, DoseLayout, HostModel, LinearOperator, MakeFamily, ModelFamily, ModelInput,
     ModelKind, OpticalScene, Run, TimedBy, ZCoupling,
 };
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::error::Result;
@@ -74,31 +72,20 @@ use tomolith_core::units::exact;
 use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 
-/// Keys of `[model.incoherent_cone]`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Params {
-    /// Half angle of the cone in resin, degrees, 0 to 30.
-    pub half_angle_deg: f64,
-    /// Distance of the focal plane behind the axis, along the light, mm.
-    pub focus_mm: f64,
-    /// Where the resin begins to absorb.
-    pub entrance: Entrance,
-    /// Error of light between the depths that are computed, 1e-6 to 0.1.
-    pub relative_error: f64,
-    /// Error of light between lateral samples, 1e-6 to 0.5.
-    pub rotation_error: f64,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            half_angle_deg: 1.0,
-            focus_mm: 0.0,
-            entrance: Entrance::Wall,
-            relative_error: 1e-3,
-            rotation_error: 0.03,
-        }
+tomolith_core::keys! {
+    /// Keys of `[model.incoherent_cone]`.
+    #[derive(PartialEq)]
+    pub struct Params {
+        /// Half angle of the cone in resin, degrees, 0 to 30.
+        pub half_angle_deg: f64 = 1.0,
+        /// Distance of the focal plane behind the axis, along the light, mm.
+        pub focus_mm: f64 = 0.0,
+        /// Where the resin begins to absorb.
+        pub entrance: Entrance = Entrance::Wall,
+        /// Error of light between the depths that are computed, 1e-6 to 0.1.
+        pub relative_error: f64 = 1e-3,
+        /// Error of light between lateral samples, 1e-6 to 0.5.
+        pub rotation_error: f64 = 0.03,
     }
 }
 

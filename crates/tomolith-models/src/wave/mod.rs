@@ -121,43 +121,28 @@ pub enum Entrance {
     Plane,
 }
 
-/// Keys of `[model.wave]`.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Params {
-    /// Error of the intensity between the depths that are computed, relative to light that fills the band, 1e-6 to 0.1.
-    pub relative_error: f64,
-    /// Error of the intensity between lateral samples, 1e-6 to 0.5.
-    pub rotation_error: f64,
-    /// Numerical aperture of the projector's lens.
-    pub numerical_aperture: Option<f64>,
-    /// Share of the frequency band over which it fades, 0 to 1; 0: cut sharply, as published.
-    pub soft_edge: f64,
-    /// Distance of the focal plane behind the axis, along the light, mm.
-    pub focus_mm: f64,
-    /// How frequencies are cut that the window cannot hold: they would return from its far side.
-    pub band_limit: BandLimit,
-    /// Where the resin begins to absorb.
-    pub entrance: Entrance,
-    /// Half angle of the cone of modes in resin, degrees, 0 to 10.
-    pub etendue_deg: f64,
-    /// Rings of modes about the middle one, 1 to 6; 2 when left out. Only with an étendue.
-    pub rings: Option<usize>,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            relative_error: 1e-3,
-            rotation_error: 0.03,
-            numerical_aperture: None,
-            soft_edge: 0.25,
-            focus_mm: 0.0,
-            band_limit: BandLimit::Hard,
-            entrance: Entrance::Wall,
-            etendue_deg: 0.0,
-            rings: None,
-        }
+tomolith_core::keys! {
+    /// Keys of `[model.wave]`.
+    #[derive(PartialEq)]
+    pub struct Params {
+        /// Error of the intensity between the depths that are computed, relative to light that fills the band, 1e-6 to 0.1.
+        pub relative_error: f64 = 1e-3,
+        /// Error of the intensity between lateral samples, 1e-6 to 0.5.
+        pub rotation_error: f64 = 0.03,
+        /// Numerical aperture of the projector's lens.
+        pub numerical_aperture: Option<f64> = None,
+        /// Share of the frequency band over which it fades, 0 to 1; 0: cut sharply, as published.
+        pub soft_edge: f64 = 0.25,
+        /// Distance of the focal plane behind the axis, along the light, mm.
+        pub focus_mm: f64 = 0.0,
+        /// How frequencies are cut that the window cannot hold: they would return from its far side.
+        pub band_limit: BandLimit = BandLimit::Hard,
+        /// Where the resin begins to absorb.
+        pub entrance: Entrance = Entrance::Wall,
+        /// Half angle of the cone of modes in resin, degrees, 0 to 10.
+        pub etendue_deg: f64 = 0.0,
+        /// Rings of modes about the middle one, 1 to 6; 2 when left out. Only with an étendue.
+        pub rings: Option<usize> = None,
     }
 }
 

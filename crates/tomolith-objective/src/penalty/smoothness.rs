@@ -16,8 +16,6 @@
 
 use super::{BuildPenalty, CostPenalty, MakePenalty, PatternPenalty, read};
 use crate::preset::{not_negative, positive};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use tomolith_core::dose::PatternLayout;
 use tomolith_core::dose::layout::PixelRun;
@@ -26,28 +24,17 @@ use tomolith_core::field::costs::{FramePairs, PixelPairs};
 use tomolith_core::field::{Field, PatternCost};
 use tomolith_core::kind::{Kind, schema_of};
 
-/// The parameters of smoothness.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Params {
-    /// Weight of pairs above one another, 0 or above (default 1)
-    pub rows: f64,
-    /// Weight of pairs side by side, 0 or above (default 1)
-    pub columns: f64,
-    /// Weight of pairs of the same pixel in neighboring frames, 0 or above (default 0)
-    pub angles: f64,
-    /// Differences above this cost in proportion and not squared, above 0 (default: all are squared)
-    pub edge: Option<f64>,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            rows: 1.0,
-            columns: 1.0,
-            angles: 0.0,
-            edge: None,
-        }
+tomolith_core::keys! {
+    /// The parameters of smoothness.
+    pub struct Params {
+        /// Weight of pairs above one another, 0 or above (default 1)
+        pub rows: f64 = 1.0,
+        /// Weight of pairs side by side, 0 or above (default 1)
+        pub columns: f64 = 1.0,
+        /// Weight of pairs of the same pixel in neighboring frames, 0 or above (default 0)
+        pub angles: f64 = 0.0,
+        /// Differences above this cost in proportion and not squared, above 0 (default: all are squared)
+        pub edge: Option<f64> = None,
     }
 }
 

@@ -77,90 +77,63 @@ pub enum Rotation {
     Counterclockwise,
 }
 
-/// What stands between the patterns and the vial on a given machine; an empty table shows patterns as they are.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct PrinterSpec {
-    /// Pixels of the device, [columns, rows]; as many as the patterns need when left out.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub canvas: Option<[usize; 2]>,
-    /// Size of a device pixel at the vial, one number or [right, up]; the light's pixel pitch when left out.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub pixel_pitch_mm: Option<Pitch>,
-    /// Where the middle of the patterns lies, device pixels [right, up] of the canvas' middle.
-    pub offset_px: [f64; 2],
-    /// Mirrors left and right, before the turn.
-    pub flip_horizontal: bool,
-    /// Mirrors up and down, before the turn.
-    pub flip_vertical: bool,
-    /// Quarter turns of the image, counter-clockwise, 0 to 3.
-    pub quarter_turns: u32,
-    /// A further turn of the image, counter-clockwise, degrees, -45 to 45: a device or an axis that is not quite upright.
-    pub rotation_deg: f64,
-    /// How far right (along the columns of the patterns) the axis of rotation lies of where it should.
-    pub axis_offset_mm: Mm,
-    /// How far the middle of the vial is from the axis of the stage.
-    pub eccentricity_mm: Mm,
-    /// Azimuth, in the resin frame, at which the middle of the vial is off the axis, degrees.
-    pub eccentricity_deg: f64,
-    /// Places of several copies, device pixels [right, up] of `offset_px`; one copy in the middle when left out.
-    pub copies_px: Vec<[f64; 2]>,
-    /// Sense in which the machine turns the vial, seen from above; the light's `rotation` when left out.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub rotation: Option<Rotation>,
-    /// Azimuth from which the light of the first frame arrives, degrees; that of the light's first angle when left out.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub start_deg: Option<f64>,
-    /// Value (level over highest level) and intensity of the device, points [value, intensity]; proportional when left out.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub gray_curve: Option<Vec<[f64; 2]>>,
-    /// The same from a file with two columns (numbers parted by commas, blanks or tabs; lines with # are skipped).
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub gray_curve_file: Option<PathBuf>,
-    /// Brightness of each device pixel, an image of the canvas' size, relative to job file (.png, .tif or .npy).
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub flat_field: Option<PathBuf>,
-    /// Device pixels that stay dark, an image of the canvas' size: white (0.5 or more) is dead.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub dead_pixels: Option<PathBuf>,
-    /// Images a second that the device shows; frames that follow faster are refused.
-    pub refresh_hz: f64,
-    /// Irradiance of the brightest device pixel at the highest level, at the vial.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub peak_irradiance_mw_per_cm2: Option<f64>,
-    /// Longest time that the print may take, s: with the peak irradiance and resin.critical_dose_mj_per_mm3 it bounds
-    /// the pixels.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub time_s: Option<f64>,
-    /// Also writes all frames as one array, frames.npz.
-    pub stack: bool,
-}
-
-impl Default for PrinterSpec {
-    fn default() -> Self {
-        PrinterSpec {
-            canvas: None,
-            pixel_pitch_mm: None,
-            offset_px: [0.0; 2],
-            flip_horizontal: false,
-            flip_vertical: false,
-            quarter_turns: 0,
-            rotation_deg: 0.0,
-            axis_offset_mm: Mm(0.0),
-            eccentricity_mm: Mm(0.0),
-            eccentricity_deg: 0.0,
-            copies_px: vec![[0.0; 2]],
-            rotation: None,
-            start_deg: None,
-            gray_curve: None,
-            gray_curve_file: None,
-            flat_field: None,
-            dead_pixels: None,
-            refresh_hz: 60.0,
-            peak_irradiance_mw_per_cm2: None,
-            time_s: None,
-            stack: false,
-        }
+tomolith_core::keys! {
+    /// What stands between the patterns and the vial on a given machine; an empty table shows patterns as they are.
+    #[derive(PartialEq)]
+    pub struct PrinterSpec {
+        /// Pixels of the device, [columns, rows]; as many as the patterns need when left out.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub canvas: Option<[usize; 2]> = None,
+        /// Size of a device pixel at the vial, one number or [right, up]; the light's pixel pitch when left out.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub pixel_pitch_mm: Option<Pitch> = None,
+        /// Where the middle of the patterns lies, device pixels [right, up] of the canvas' middle.
+        pub offset_px: [f64; 2] = [0.0; 2],
+        /// Mirrors left and right, before the turn.
+        pub flip_horizontal: bool = false,
+        /// Mirrors up and down, before the turn.
+        pub flip_vertical: bool = false,
+        /// Quarter turns of the image, counter-clockwise, 0 to 3.
+        pub quarter_turns: u32 = 0,
+        /// A further turn of the image, counter-clockwise, degrees, -45 to 45: a device or an axis that is not quite upright.
+        pub rotation_deg: f64 = 0.0,
+        /// How far right (along the columns of the patterns) the axis of rotation lies of where it should.
+        pub axis_offset_mm: Mm = Mm(0.0),
+        /// How far the middle of the vial is from the axis of the stage.
+        pub eccentricity_mm: Mm = Mm(0.0),
+        /// Azimuth, in the resin frame, at which the middle of the vial is off the axis, degrees.
+        pub eccentricity_deg: f64 = 0.0,
+        /// Places of several copies, device pixels [right, up] of `offset_px`; one copy in the middle when left out.
+        pub copies_px: Vec<[f64; 2]> = vec![[0.0; 2]],
+        /// Sense in which the machine turns the vial, seen from above; the light's `rotation` when left out.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub rotation: Option<Rotation> = None,
+        /// Azimuth from which the light of the first frame arrives, degrees; that of the light's first angle when left out.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub start_deg: Option<f64> = None,
+        /// Value (level over highest level) and intensity of the device, points [value, intensity]; proportional when left out.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub gray_curve: Option<Vec<[f64; 2]>> = None,
+        /// The same from a file with two columns (numbers parted by commas, blanks or tabs; lines with # are skipped).
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub gray_curve_file: Option<PathBuf> = None,
+        /// Brightness of each device pixel, an image of the canvas' size, relative to job file (.png, .tif or .npy).
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub flat_field: Option<PathBuf> = None,
+        /// Device pixels that stay dark, an image of the canvas' size: white (0.5 or more) is dead.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub dead_pixels: Option<PathBuf> = None,
+        /// Images a second that the device shows; frames that follow faster are refused.
+        pub refresh_hz: f64 = 60.0,
+        /// Irradiance of the brightest device pixel at the highest level, at the vial.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub peak_irradiance_mw_per_cm2: Option<f64> = None,
+        /// Longest time that the print may take, s: with the peak irradiance and resin.critical_dose_mj_per_mm3 it bounds
+        /// the pixels.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        pub time_s: Option<f64> = None,
+        /// Also writes all frames as one array, frames.npz.
+        pub stack: bool = false,
     }
 }
 

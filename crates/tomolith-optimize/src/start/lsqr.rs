@@ -14,8 +14,6 @@
 //! fields of patterns and one of dose.
 
 use super::{BuildStart, InitialPatterns, StartInput};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use tomolith_core::dose::Run;
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
@@ -24,22 +22,13 @@ use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::target::label;
 use tomolith_core::units::exact;
 
-/// The parameters of LSQR.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Params {
-    /// Steps, 1 to 1000.
-    pub iterations: usize,
-    /// Weight of small patterns, 0 or more, relative to the size of the model.
-    pub damping: f64,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            iterations: 8,
-            damping: 0.0,
-        }
+tomolith_core::keys! {
+    /// The parameters of LSQR.
+    pub struct Params {
+        /// Steps, 1 to 1000.
+        pub iterations: usize = 8,
+        /// Weight of small patterns, 0 or more, relative to the size of the model.
+        pub damping: f64 = 0.0,
     }
 }
 

@@ -13,8 +13,6 @@
 //! ```
 
 use super::{Body, BuildForm, Form, Prism, corners, positive, rectangle};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
@@ -27,28 +25,17 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
     build,
 };
 
-/// Parameters of the box with a hole.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-struct Params {
-    /// Edge along x and y, mm (> 0)
-    size_mm: Mm,
-    /// Height along z, mm (> 0)
-    height_mm: Mm,
-    /// Diameter of the hole, mm (> 0, less than `size_mm`)
-    hole_mm: Mm,
-    /// Where along x its middle is, mm; the hole stays within the block
-    hole_x_mm: Mm,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            size_mm: Mm(5.0),
-            height_mm: Mm(3.0),
-            hole_mm: Mm(2.0),
-            hole_x_mm: Mm(0.0),
-        }
+tomolith_core::keys! {
+    /// Parameters of the box with a hole.
+    struct Params {
+        /// Edge along x and y, mm (> 0)
+        size_mm: Mm = Mm(5.0),
+        /// Height along z, mm (> 0)
+        height_mm: Mm = Mm(3.0),
+        /// Diameter of the hole, mm (> 0, less than `size_mm`)
+        hole_mm: Mm = Mm(2.0),
+        /// Where along x its middle is, mm; the hole stays within the block
+        hole_x_mm: Mm = Mm(0.0),
     }
 }
 

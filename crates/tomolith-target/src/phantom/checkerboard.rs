@@ -13,8 +13,6 @@
 //! ```
 
 use super::{Body, BuildForm, Form, Prism, corners, positive, rectangle};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
@@ -27,25 +25,15 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
     build,
 };
 
-/// Parameters of the checkerboard.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-struct Params {
-    /// Edge of the board, mm (> 0)
-    size_mm: Mm,
-    /// Height along z, mm (> 0)
-    height_mm: Mm,
-    /// Squares along an edge (1 to 1000)
-    cells: u32,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            size_mm: Mm(5.0),
-            height_mm: Mm(1.0),
-            cells: 5,
-        }
+tomolith_core::keys! {
+    /// Parameters of the checkerboard.
+    struct Params {
+        /// Edge of the board, mm (> 0)
+        size_mm: Mm = Mm(5.0),
+        /// Height along z, mm (> 0)
+        height_mm: Mm = Mm(1.0),
+        /// Squares along an edge (1 to 1000)
+        cells: u32 = 5,
     }
 }
 

@@ -18,8 +18,6 @@
 //! ```
 
 use super::{Body, BuildForm, Form, Prism, corners, positive, rectangle};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
@@ -32,22 +30,13 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
     build,
 };
 
-/// Parameters of the chiral part.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-struct Params {
-    /// Length of the F along y, mm (> 0)
-    size_mm: Mm,
-    /// Height of the foot along z, mm (> 0); the rest is half as high
-    height_mm: Mm,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            size_mm: Mm(5.0),
-            height_mm: Mm(3.0),
-        }
+tomolith_core::keys! {
+    /// Parameters of the chiral part.
+    struct Params {
+        /// Length of the F along y, mm (> 0)
+        size_mm: Mm = Mm(5.0),
+        /// Height of the foot along z, mm (> 0); the rest is half as high
+        height_mm: Mm = Mm(3.0),
     }
 }
 

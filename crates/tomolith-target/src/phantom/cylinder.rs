@@ -11,8 +11,6 @@
 //! ```
 
 use super::{Body, BuildForm, Form, Prism, positive, rims};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
@@ -25,22 +23,13 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
     build,
 };
 
-/// Parameters of the cylinder.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-struct Params {
-    /// Diameter, mm (> 0)
-    size_mm: Mm,
-    /// Height along z, mm (> 0)
-    height_mm: Mm,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            size_mm: Mm(5.0),
-            height_mm: Mm(3.0),
-        }
+tomolith_core::keys! {
+    /// Parameters of the cylinder.
+    struct Params {
+        /// Diameter, mm (> 0)
+        size_mm: Mm = Mm(5.0),
+        /// Height along z, mm (> 0)
+        height_mm: Mm = Mm(3.0),
     }
 }
 

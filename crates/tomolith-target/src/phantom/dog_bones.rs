@@ -16,8 +16,6 @@
 //! ```
 
 use super::{Body, BuildForm, Form, Prism, corners, positive, rectangle};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
@@ -30,25 +28,15 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
     build,
 };
 
-/// Parameters of the dog-bones.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-struct Params {
-    /// Length of a bar along x, mm (> 0)
-    size_mm: Mm,
-    /// Thickness along z, mm (> 0)
-    height_mm: Mm,
-    /// Number of bars (1 to 100); the gaps are as wide as the grips
-    count: u32,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            size_mm: Mm(5.0),
-            height_mm: Mm(1.0),
-            count: 3,
-        }
+tomolith_core::keys! {
+    /// Parameters of the dog-bones.
+    struct Params {
+        /// Length of a bar along x, mm (> 0)
+        size_mm: Mm = Mm(5.0),
+        /// Thickness along z, mm (> 0)
+        height_mm: Mm = Mm(1.0),
+        /// Number of bars (1 to 100); the gaps are as wide as the grips
+        count: u32 = 3,
     }
 }
 

@@ -16,8 +16,6 @@
 
 use super::wheel::Wheel;
 use super::{Body, BuildForm, Form, Prism, positive, rims};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::kind::{Kind, Section, schema_of};
@@ -31,28 +29,17 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
     build,
 };
 
-/// Parameters of the gear.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-struct Params {
-    /// Diameter over the tips of the teeth, mm (> 0)
-    size_mm: Mm,
-    /// Height along z, mm (> 0)
-    height_mm: Mm,
-    /// Number of teeth (4 to 500)
-    teeth: u32,
-    /// Diameter of the bore, mm (≥ 0, less than the root circle)
-    bore_mm: Mm,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            size_mm: Mm(6.0),
-            height_mm: Mm(3.0),
-            teeth: 12,
-            bore_mm: Mm(2.0),
-        }
+tomolith_core::keys! {
+    /// Parameters of the gear.
+    struct Params {
+        /// Diameter over the tips of the teeth, mm (> 0)
+        size_mm: Mm = Mm(6.0),
+        /// Height along z, mm (> 0)
+        height_mm: Mm = Mm(3.0),
+        /// Number of teeth (4 to 500)
+        teeth: u32 = 12,
+        /// Diameter of the bore, mm (≥ 0, less than the root circle)
+        bore_mm: Mm = Mm(2.0),
     }
 }
 

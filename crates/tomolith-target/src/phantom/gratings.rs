@@ -19,8 +19,6 @@
 
 use super::waves::wave;
 use super::{Body, BuildForm, Form, GrayForm, corners, positive};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
@@ -33,31 +31,19 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
     build,
 };
 
-/// Parameters of the gratings.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-struct Params {
-    /// Edge of the whole square, mm (> 0)
-    size_mm: Mm,
-    /// Height along z, mm (> 0)
-    height_mm: Mm,
-    /// Periods per grating (1 to 1000)
-    periods: u32,
-    /// Between two gratings, mm (≥ 0, less than `size_mm`)
-    gap_mm: Mm,
-    /// Gray depth of the gratings, counter-clockwise from the lower right (1 to 16)
-    bits: [u32; 4],
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            size_mm: Mm(5.0),
-            height_mm: Mm(1.0),
-            periods: 5,
-            gap_mm: Mm(0.4),
-            bits: [1, 2, 4, 12],
-        }
+tomolith_core::keys! {
+    /// Parameters of the gratings.
+    struct Params {
+        /// Edge of the whole square, mm (> 0)
+        size_mm: Mm = Mm(5.0),
+        /// Height along z, mm (> 0)
+        height_mm: Mm = Mm(1.0),
+        /// Periods per grating (1 to 1000)
+        periods: u32 = 5,
+        /// Between two gratings, mm (≥ 0, less than `size_mm`)
+        gap_mm: Mm = Mm(0.4),
+        /// Gray depth of the gratings, counter-clockwise from the lower right (1 to 16)
+        bits: [u32; 4] = [1, 2, 4, 12],
     }
 }
 

@@ -17,8 +17,6 @@
 
 use super::gear::spur_gear;
 use super::{Body, BuildForm, Form, Prism, positive, rims};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::{Mm, concise};
@@ -31,31 +29,19 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
     build,
 };
 
-/// Parameters of the hollow gear.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-struct Params {
-    /// Diameter over the tips of the teeth, mm (> 0)
-    size_mm: Mm,
-    /// Height along z, mm (> 0)
-    height_mm: Mm,
-    /// Number of teeth (4 to 500)
-    teeth: u32,
-    /// Thickness of the wall, mm (> 0, less than the radius of the root circle)
-    wall_mm: Mm,
-    /// Thickness of the floor, mm (≥ 0, less than `height_mm`); 0 leaves it open below too
-    floor_mm: Mm,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            size_mm: Mm(6.0),
-            height_mm: Mm(3.0),
-            teeth: 12,
-            wall_mm: Mm(0.25),
-            floor_mm: Mm(0.5),
-        }
+tomolith_core::keys! {
+    /// Parameters of the hollow gear.
+    struct Params {
+        /// Diameter over the tips of the teeth, mm (> 0)
+        size_mm: Mm = Mm(6.0),
+        /// Height along z, mm (> 0)
+        height_mm: Mm = Mm(3.0),
+        /// Number of teeth (4 to 500)
+        teeth: u32 = 12,
+        /// Thickness of the wall, mm (> 0, less than the radius of the root circle)
+        wall_mm: Mm = Mm(0.25),
+        /// Thickness of the floor, mm (≥ 0, less than `height_mm`); 0 leaves it open below too
+        floor_mm: Mm = Mm(0.5),
     }
 }
 

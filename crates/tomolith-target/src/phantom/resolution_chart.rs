@@ -17,8 +17,6 @@
 //! ```
 
 use super::{Body, BuildForm, Form, Prism, corners, positive, rectangle};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
@@ -31,22 +29,13 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
     build,
 };
 
-/// Parameters of the resolution chart.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-struct Params {
-    /// Edge of the frame, mm (> 0)
-    size_mm: Mm,
-    /// Height along z, mm (> 0)
-    height_mm: Mm,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            size_mm: Mm(5.0),
-            height_mm: Mm(1.0),
-        }
+tomolith_core::keys! {
+    /// Parameters of the resolution chart.
+    struct Params {
+        /// Edge of the frame, mm (> 0)
+        size_mm: Mm = Mm(5.0),
+        /// Height along z, mm (> 0)
+        height_mm: Mm = Mm(1.0),
     }
 }
 

@@ -12,8 +12,6 @@
 //! ```
 
 use super::{Body, BuildForm, Form, Prism, positive, rims};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::kind::{Kind, Section, schema_of};
@@ -27,25 +25,15 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
     build,
 };
 
-/// Parameters of the ring.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-struct Params {
-    /// Outer diameter, mm (> 0)
-    size_mm: Mm,
-    /// Height along z, mm (> 0)
-    height_mm: Mm,
-    /// Inner diameter, mm (> 0, less than `size_mm`)
-    hole_mm: Mm,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            size_mm: Mm(5.0),
-            height_mm: Mm(3.0),
-            hole_mm: Mm(3.0),
-        }
+tomolith_core::keys! {
+    /// Parameters of the ring.
+    struct Params {
+        /// Outer diameter, mm (> 0)
+        size_mm: Mm = Mm(5.0),
+        /// Height along z, mm (> 0)
+        height_mm: Mm = Mm(3.0),
+        /// Inner diameter, mm (> 0, less than `size_mm`)
+        hole_mm: Mm = Mm(3.0),
     }
 }
 

@@ -15,8 +15,6 @@
 
 use super::wheel::Wheel;
 use super::{Body, BuildForm, Form, Prism, positive, rims};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::kind::{Kind, Section, schema_of};
@@ -30,28 +28,17 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
     build,
 };
 
-/// Parameters of the Siemens star.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-struct Params {
-    /// Diameter, mm (> 0)
-    size_mm: Mm,
-    /// Height along z, mm (> 0)
-    height_mm: Mm,
-    /// Number of spokes (2 to 500)
-    spokes: u32,
-    /// Diameter of the disc in the middle, mm (> 0, less than `size_mm`)
-    hub_mm: Mm,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            size_mm: Mm(6.0),
-            height_mm: Mm(1.5),
-            spokes: 16,
-            hub_mm: Mm(1.0),
-        }
+tomolith_core::keys! {
+    /// Parameters of the Siemens star.
+    struct Params {
+        /// Diameter, mm (> 0)
+        size_mm: Mm = Mm(6.0),
+        /// Height along z, mm (> 0)
+        height_mm: Mm = Mm(1.5),
+        /// Number of spokes (2 to 500)
+        spokes: u32 = 16,
+        /// Diameter of the disc in the middle, mm (> 0, less than `size_mm`)
+        hub_mm: Mm = Mm(1.0),
     }
 }
 

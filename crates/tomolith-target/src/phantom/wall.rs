@@ -6,33 +6,21 @@
 
 use super::waves::wave;
 use super::{Body, Form, corners, cuboid, positive};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::kind::Section;
 use tomolith_core::units::{Mm, concise};
 
-/// A cube of curved wall.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-pub(super) struct Params {
-    /// Edge of the cube, mm (> 0)
-    size_mm: Mm,
-    /// Periods along an edge (1 to 100)
-    cells: u32,
-    /// Mean thickness of the wall, mm (> 0; at most, and by default, a fifth of a period, an eighth for the diamond)
-    #[serde(skip_serializing_if = "Option::is_none")]
-    wall_mm: Option<Mm>,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params {
-            size_mm: Mm(5.0),
-            cells: 2,
-            wall_mm: None,
-        }
+tomolith_core::keys! {
+    /// A cube of curved wall.
+    pub(super) struct Params {
+        /// Edge of the cube, mm (> 0)
+        size_mm: Mm = Mm(5.0),
+        /// Periods along an edge (1 to 100)
+        cells: u32 = 2,
+        /// Mean thickness of the wall, mm (> 0; at most, and by default, a fifth of a period, an eighth for the diamond)
+        #[serde(skip_serializing_if = "Option::is_none")]
+        wall_mm: Option<Mm> = None,
     }
 }
 
