@@ -300,9 +300,7 @@ fn must_turn(given: &BuildupArguments) -> Result<()> {
     ] {
         above_zero(key, value)?;
     }
-    let refuse = |key: &str, value: f64, accepted: &str| {
-        Err(Error::config(key, format!("found {value}"), accepted))
-    };
+    let refuse = |key: &str, value: f64, accepted: &str| Err(Error::refused(key, value, accepted));
     if !(0.0..=36_000.0).contains(&given.turn_deg_per_s) {
         return refuse(
             "--turn-deg-per-s",

@@ -66,9 +66,9 @@ pub(crate) struct MetricsArguments {
 pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
     let pitch_mm = given.pitch_mm.unwrap_or(1.0);
     if !(pitch_mm.is_finite() && pitch_mm > 0.0) {
-        return Err(Error::config(
+        return Err(Error::refused(
             "--pitch-mm",
-            format!("found {}", exact(pitch_mm)),
+            exact(pitch_mm),
             "a number > 0, mm",
         ));
     }
@@ -162,11 +162,7 @@ impl Units {
             ("--exposure-s", exposure_s),
         ] {
             if !(value.is_finite() && value > 0.0) {
-                return Err(Error::config(
-                    key,
-                    format!("found {}", exact(value)),
-                    "a number > 0",
-                ));
+                return Err(Error::refused(key, exact(value), "a number > 0"));
             }
         }
         Ok(Some(Units {

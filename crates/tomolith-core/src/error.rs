@@ -143,6 +143,15 @@ impl Error {
         }
     }
 
+    /// An [`Error::Config`] of a value that was found at a key.
+    pub fn refused(
+        key: impl Into<String>,
+        found: impl std::fmt::Display,
+        accepted: impl Into<String>,
+    ) -> Self {
+        Error::config(key, format!("found {found}"), accepted)
+    }
+
     /// An [`Error::Format`].
     pub fn format(
         path: impl Into<PathBuf>,

@@ -64,7 +64,7 @@ impl Section {
         accepted: impl Into<String>,
     ) -> Error {
         let key = format!("{}.{key}", self.path);
-        Error::config(key, format!("found {found}"), accepted)
+        Error::refused(key, found, accepted)
     }
 
     /// Reads the section into a parameter struct (use `#[serde(deny_unknown_fields)]` on it).
@@ -153,9 +153,9 @@ impl Section {
                 ));
             }
             other => {
-                return Err(Error::config(
+                return Err(Error::refused(
                     &self.path,
-                    format!("found {other}"),
+                    other,
                     format!(
                         "a table [{}.KIND] with KIND one of {}",
                         self.path,

@@ -112,9 +112,9 @@ impl<M: DoseModel<Field = HostField> + ?Sized> Diffused<M> {
         arcs: &[(Range<usize>, Vec<Span>)],
     ) -> Result<Self> {
         if !(diffusion >= 0.0 && diffusion.is_finite()) {
-            return Err(Error::config(
+            return Err(Error::refused(
                 "diffusion_mm2_per_s",
-                format!("found {}", exact(diffusion)),
+                exact(diffusion),
                 "a finite number, 0 or more",
             ));
         }

@@ -52,9 +52,9 @@ impl Memoryless {
             ));
         }
         if !(gel_dose > 0.0 && gel_dose.is_finite()) {
-            return Err(Error::config(
+            return Err(Error::refused(
                 "gel_dose",
-                format!("found {}", exact(gel_dose)),
+                exact(gel_dose),
                 "a finite number above 0",
             ));
         }

@@ -142,17 +142,13 @@ impl Turns {
             ("power", power),
         ] {
             if !(value > 0.0 && value.is_finite()) {
-                return Err(Error::config(
-                    key,
-                    format!("found {}", exact(value)),
-                    "a finite number above 0",
-                ));
+                return Err(Error::refused(key, exact(value), "a finite number above 0"));
             }
         }
         if !(self.duty > 0.0 && self.duty <= 1.0) {
-            return Err(Error::config(
+            return Err(Error::refused(
                 "duty",
-                format!("found {}", exact(self.duty)),
+                exact(self.duty),
                 "a number above 0 and at most 1",
             ));
         }
@@ -162,9 +158,9 @@ impl Turns {
             ("dark_after_s", self.dark_after_s),
         ] {
             if !(value >= 0.0 && value.is_finite()) {
-                return Err(Error::config(
+                return Err(Error::refused(
                     key,
-                    format!("found {}", exact(value)),
+                    exact(value),
                     "a finite number of seconds, 0 or more",
                 ));
             }
@@ -281,9 +277,9 @@ impl Schedule {
         }
         for (i, e) in exposures.iter().enumerate() {
             let refuse = |key: &str, found: String, accepted: String| {
-                Err(Error::config(
+                Err(Error::refused(
                     format!("schedule.exposures[{i}].{key}"),
-                    format!("found {found}"),
+                    found,
                     accepted,
                 ))
             };

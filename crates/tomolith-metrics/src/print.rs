@@ -164,9 +164,9 @@ impl<'a> Print<'a> {
             wanted.values.len(),
         )?;
         if !(half_width.is_finite() && half_width >= 0.0) {
-            return Err(Error::config(
+            return Err(Error::refused(
                 "epsilon",
-                format!("found {}", exact(half_width)),
+                exact(half_width),
                 "a finite number, 0 or above",
             ));
         }
@@ -194,9 +194,9 @@ impl<'a> Print<'a> {
     /// [`Error::Config`] when it is not finite.
     pub fn with_threshold(mut self, threshold: f64) -> Result<Self> {
         if !threshold.is_finite() {
-            return Err(Error::config(
+            return Err(Error::refused(
                 "evaluate.threshold",
-                format!("found {}", exact(threshold)),
+                exact(threshold),
                 "a finite number",
             ));
         }

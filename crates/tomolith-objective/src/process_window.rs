@@ -101,11 +101,7 @@ impl Params {
 
     fn validate(&self) -> Result<()> {
         let refuse = |key: &str, value: f64, accepted: &str| {
-            Err(Error::config(
-                key,
-                format!("found {}", exact(value)),
-                accepted,
-            ))
+            Err(Error::refused(key, exact(value), accepted))
         };
         let outliers = self.outliers();
         if !(outliers > 0.0 && outliers <= MOST_OUTLIERS) {

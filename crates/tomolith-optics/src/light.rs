@@ -102,9 +102,9 @@ impl Light {
         let resin = &self.resin;
         let absorbs = resin.absorption_per_mm > 0.0 && resin.absorption_per_mm.is_finite();
         if !(resin.pure_radon || absorbs) {
-            return Err(Error::config(
+            return Err(Error::refused(
                 "resin.absorption_per_mm",
-                format!("found {}", exact(resin.absorption_per_mm)),
+                exact(resin.absorption_per_mm),
                 "a finite number > 0 (or `pure_radon = true`)",
             ));
         }

@@ -108,20 +108,12 @@ impl<F: Field> Adam<F> {
     pub fn new(params: Params) -> Result<Self> {
         for (key, value) in [("step", params.step), ("epsilon", params.epsilon)] {
             if !(value.is_finite() && value > 0.0) {
-                return Err(Error::config(
-                    key,
-                    format!("found {}", exact(value)),
-                    "a finite number above 0",
-                ));
+                return Err(Error::refused(key, exact(value), "a finite number above 0"));
             }
         }
         for (key, value) in [("beta_1", params.beta_1), ("beta_2", params.beta_2)] {
             if !(0.0..1.0).contains(&value) {
-                return Err(Error::config(
-                    key,
-                    format!("found {}", exact(value)),
-                    "0 or above, below 1",
-                ));
+                return Err(Error::refused(key, exact(value), "0 or above, below 1"));
             }
         }
         Ok(Adam {

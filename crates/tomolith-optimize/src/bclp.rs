@@ -99,9 +99,9 @@ impl<F: Field> Bclp<F> {
     /// [`Error::Config`] for a step that is not above 0.
     pub fn new(params: Params) -> Result<Self> {
         if !(params.step.is_finite() && params.step > 0.0) {
-            return Err(Error::config(
+            return Err(Error::refused(
                 "step",
-                format!("found {}", exact(params.step)),
+                exact(params.step),
                 "a finite number above 0",
             ));
         }

@@ -128,20 +128,12 @@ impl<F: Field> Cal<F> {
             ("sigmoid", params.sigmoid),
         ] {
             if !(value.is_finite() && value > 0.0) {
-                return Err(Error::config(
-                    key,
-                    format!("found {}", exact(value)),
-                    "a finite number above 0",
-                ));
+                return Err(Error::refused(key, exact(value), "a finite number above 0"));
             }
         }
         momentum(params.momentum)?;
         if !params.d_h.is_finite() {
-            return Err(Error::config(
-                "d_h",
-                format!("found {}", exact(params.d_h)),
-                "a finite number",
-            ));
+            return Err(Error::refused("d_h", exact(params.d_h), "a finite number"));
         }
         Ok(Cal {
             params,

@@ -184,9 +184,9 @@ impl Checkpoints {
         if let Some(every) = params.every_s
             && !(every.is_finite() && every > 0.0)
         {
-            return Err(Error::config(
+            return Err(Error::refused(
                 "checkpoint.every_s",
-                format!("found {}", exact(every)),
+                exact(every),
                 "a finite number above 0",
             ));
         }

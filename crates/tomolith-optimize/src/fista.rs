@@ -136,11 +136,7 @@ impl<F: Field> Fista<F> {
             if let Some(value) = value
                 && !(value.is_finite() && value > 0.0)
             {
-                return Err(Error::config(
-                    key,
-                    format!("found {}", exact(value)),
-                    "a finite number above 0",
-                ));
+                return Err(Error::refused(key, exact(value), "a finite number above 0"));
             }
         }
         Ok(Fista {

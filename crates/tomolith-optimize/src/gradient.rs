@@ -103,9 +103,9 @@ impl<F: Field> Gradient<F> {
         if let Some(step) = params.step
             && !(step.is_finite() && step > 0.0)
         {
-            return Err(Error::config(
+            return Err(Error::refused(
                 "step",
-                format!("found {}", exact(step)),
+                exact(step),
                 "a finite number above 0",
             ));
         }
@@ -150,9 +150,9 @@ pub(super) fn momentum(value: f64) -> Result<()> {
     if (0.0..1.0).contains(&value) {
         return Ok(());
     }
-    Err(Error::config(
+    Err(Error::refused(
         "momentum",
-        format!("found {}", exact(value)),
+        exact(value),
         "0 or above, below 1",
     ))
 }

@@ -242,16 +242,16 @@ impl<F: Field> Lbfgs<F> {
     pub fn new(params: Params) -> Result<Self> {
         let most = F::Pairs::MAX_MEMORY;
         if !(1..=most).contains(&params.memory) {
-            return Err(Error::config(
+            return Err(Error::refused(
                 "memory",
-                format!("found {}", params.memory),
+                params.memory,
                 format!("1 to {most}"),
             ));
         }
         if !(0.0..1.0).contains(&params.tolerance) {
-            return Err(Error::config(
+            return Err(Error::refused(
                 "tolerance",
-                format!("found {}", exact(params.tolerance)),
+                exact(params.tolerance),
                 "0 or above, below 1",
             ));
         }

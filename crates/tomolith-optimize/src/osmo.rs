@@ -133,9 +133,9 @@ impl<F: Field> Osmo<F> {
     /// [`Error::Config`] for an inhibition outside 0 to 1.
     pub fn new(params: Params) -> Result<Self> {
         if !(0.0..=1.0).contains(&params.inhibition) {
-            return Err(Error::config(
+            return Err(Error::refused(
                 "inhibition",
-                format!("found {}", exact(params.inhibition)),
+                exact(params.inhibition),
                 "0 to 1, a share of the largest pixel",
             ));
         }

@@ -172,9 +172,9 @@ impl<'a, F: Field> Problem<'a, F> {
         if let Some(bits) = bits
             && !(1..=16).contains(&bits)
         {
-            return Err(Error::config(
+            return Err(Error::refused(
                 "bounds.bits",
-                format!("found {bits}"),
+                bits,
                 "1 to 16 bits, or leave the key out for patterns that are not rounded",
             ));
         }

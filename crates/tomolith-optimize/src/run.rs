@@ -49,9 +49,9 @@ impl Stop {
     /// [`Error::Config`] naming the key.
     pub fn validate(&self) -> Result<()> {
         let refuse = |key: &str, value: f64, accepted: &str| {
-            Err(Error::config(
+            Err(Error::refused(
                 format!("stop.{key}"),
-                format!("found {}", exact(value)),
+                exact(value),
                 accepted,
             ))
         };

@@ -101,9 +101,9 @@ impl Discs {
             ));
         }
         if !(self.pitch_mm > 0.0 && self.pitch_mm <= 100.0) {
-            return Err(Error::config(
+            return Err(Error::refused(
                 "--pixel-pitch-mm",
-                format!("found {}", self.pitch_mm),
+                self.pitch_mm,
                 "a length > 0, at most 100 mm",
             ));
         }
@@ -291,11 +291,7 @@ fn sorted(points: &[[f64; 2]]) -> Result<Vec<[f64; 2]>> {
     let mut points = points.to_vec();
     points.sort_by(|a, b| a[0].total_cmp(&b[0]));
     match points.iter().find(|p| p[0] <= 0.0) {
-        Some(p) => Err(Error::config(
-            "dose_mj_per_cm2",
-            format!("found {}", p[0]),
-            "doses above 0",
-        )),
+        Some(p) => Err(Error::refused("dose_mj_per_cm2", p[0], "doses above 0")),
         None => Ok(points),
     }
 }
@@ -307,7 +303,7 @@ fn sorted(points: &[[f64; 2]]) -> Result<Vec<[f64; 2]>> {
 pub fn fit_cured(points: &[[f64; 2]]) -> Result<DoseFit> {
     let points = sorted(points)?;
     if let Some(p) = points.iter().find(|p| p[1] != 0.0 && p[1] != 1.0) {
-        return Err(Error::config("cured", format!("found {}", p[1]), "0 or 1"));
+        return Err(Error::refused("cured", p[1], "0 or 1"));
     }
     let highest_liquid = points.iter().rev().find(|p| p[1] == 0.0);
     let lowest_solid = points.iter().find(|p| p[1] == 1.0);

@@ -104,11 +104,7 @@ pub fn fit(table: &Curve) -> Result<KineticsFit> {
     }
     for (key, values) in [("irradiance", x), ("time", y)] {
         if let Some(value) = values.iter().find(|v| **v <= 0.0) {
-            return Err(Error::config(
-                key,
-                format!("found {value}"),
-                "numbers above 0",
-            ));
+            return Err(Error::refused(key, value, "numbers above 0"));
         }
     }
     let fit = Fit { x, y };

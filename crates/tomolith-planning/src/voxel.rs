@@ -139,11 +139,9 @@ impl Setup {
 /// [`Error::Config`] with the key.
 pub fn above_zero(key: &str, value: Option<f64>) -> Result<()> {
     match value {
-        Some(value) if !(value.is_finite() && value > 0.0) => Err(Error::config(
-            key,
-            format!("found {value}"),
-            "a number above 0",
-        )),
+        Some(value) if !(value.is_finite() && value > 0.0) => {
+            Err(Error::refused(key, value, "a number above 0"))
+        }
         _ => Ok(()),
     }
 }

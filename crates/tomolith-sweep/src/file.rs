@@ -460,11 +460,7 @@ fn must_be_shares(spec: &SweepSpec) -> Result<()> {
         .memory_gb
         .filter(|gb| !(gb.is_finite() && *gb > 0.0))
     {
-        return Err(Error::config(
-            "resources.memory_gb",
-            format!("found {gb}"),
-            "GB, above 0",
-        ));
+        return Err(Error::refused("resources.memory_gb", gb, "GB, above 0"));
     }
     if spec.warm_start.is_some() && spec.keep == KeepSpec::Metrics {
         let accepted = "keep = \"patterns\" or \"all\"";

@@ -110,11 +110,7 @@ impl Placement {
             if let Some(value) = value
                 && !(value.is_finite() && value > 0.0)
             {
-                return Err(Error::config(
-                    key,
-                    format!("found {}", exact(value)),
-                    "a number > 0",
-                ));
+                return Err(Error::refused(key, exact(value), "a number > 0"));
             }
         }
         for (key, values) in [

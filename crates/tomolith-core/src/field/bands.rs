@@ -118,9 +118,9 @@ impl Band {
             ));
         }
         if !(self.weight >= 0.0 && self.weight.is_finite()) {
-            return Err(Error::config(
+            return Err(Error::refused(
                 "weight",
-                format!("found {}", exact(self.weight)),
+                exact(self.weight),
                 "a finite number, 0 or above",
             ));
         }
@@ -366,11 +366,7 @@ impl BandLoss {
     ) -> Result<Self> {
         for (key, value) in [("p", p), ("q", q)] {
             if !(value.is_finite() && value > 0.0) {
-                return Err(Error::config(
-                    key,
-                    format!("found {}", exact(value)),
-                    "a finite number above 0",
-                ));
+                return Err(Error::refused(key, exact(value), "a finite number above 0"));
             }
         }
         if bands.len() != elements.len() || !elements.start.is_multiple_of(LANES) {

@@ -45,9 +45,9 @@ impl Curve {
         }
         for (key, list) in [("dose", doses), ("response", responses)] {
             if let Some(i) = list.iter().position(|v| !v.is_finite()) {
-                return Err(Error::config(
+                return Err(Error::refused(
                     format!("{key}[{i}]"),
-                    format!("found {}", exact(list[i])),
+                    exact(list[i]),
                     "a finite number",
                 ));
             }
@@ -72,9 +72,9 @@ impl Curve {
             curve.scatter += rows.iter().map(|r| (r.1 - mean).powi(2)).sum::<f64>();
         }
         if curve.doses.len() < 2 {
-            return Err(Error::config(
+            return Err(Error::refused(
                 "dose",
-                format!("found {}", counted(curve.doses.len(), "different dose")),
+                counted(curve.doses.len(), "different dose"),
                 "at least two",
             ));
         }

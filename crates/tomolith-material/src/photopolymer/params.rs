@@ -258,9 +258,9 @@ fn within(key: &str, value: f64, lower: f64, upper: f64, open: bool) -> Result<(
     } else {
         String::new()
     };
-    Err(Error::config(
+    Err(Error::refused(
         key,
-        format!("found {}", exact(value)),
+        exact(value),
         format!("a finite number {from} {}{to}", exact(lower)),
     ))
 }
@@ -354,11 +354,7 @@ fn check_shading(shading: &Shading, mixing: &Mixing, others: &[Shading]) -> Resu
         if value < count {
             return Ok(());
         }
-        Err(Error::config(
-            key,
-            format!("found {value}"),
-            format!("0 to {}", count - 1),
-        ))
+        Err(Error::refused(key, value, format!("0 to {}", count - 1)))
     };
     number("light", shading.light, mixing.lights())?;
     number("network", shading.network, mixing.species())?;

@@ -109,11 +109,7 @@ impl Options<'_> {
             if (0.0..end).contains(&value) {
                 return Ok(());
             }
-            Err(Error::config(
-                key,
-                format!("found {}", exact(value)),
-                accepted,
-            ))
+            Err(Error::refused(key, exact(value), accepted))
         };
         within(
             "epsilon",

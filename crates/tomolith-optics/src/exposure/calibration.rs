@@ -86,11 +86,7 @@ impl Calibration {
     pub fn new(spec: &PrinterSpec, field: &PatternGrid, bits: u32) -> Result<Self> {
         spec.ranges()?;
         if !(1..=16).contains(&bits) {
-            return Err(Error::config(
-                "bit_depth",
-                format!("found {bits}"),
-                "a whole number 1…16",
-            ));
+            return Err(Error::refused("bit_depth", bits, "a whole number 1…16"));
         }
         let sign = |flip: bool| if flip { -1.0 } else { 1.0 };
         let mut placing = Placing {

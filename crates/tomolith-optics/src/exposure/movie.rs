@@ -26,9 +26,9 @@ use tomolith_core::units::{concise, exact};
 /// [`Error::Config`] when `rpm` or `arc` is not finite and positive, or there is no frame.
 pub fn frame_rate(rpm: f64, frames: usize, arc: f64) -> Result<f64> {
     if !(rpm.is_finite() && rpm > 0.0) {
-        return Err(Error::config(
+        return Err(Error::refused(
             "output.rpm",
-            format!("found {}", exact(rpm)),
+            exact(rpm),
             "a finite number > 0, turns a minute",
         ));
     }

@@ -141,9 +141,9 @@ fn within(key: &str, value: f64, [least, most]: [f64; 2], accepted: &str) -> Res
     if value >= least && value <= most {
         return Ok(());
     }
-    Err(Error::config(
+    Err(Error::refused(
         format!("printer.{key}"),
-        format!("found {}", exact(value)),
+        exact(value),
         accepted,
     ))
 }

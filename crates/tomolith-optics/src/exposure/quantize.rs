@@ -77,11 +77,7 @@ pub fn quantize(patterns: &Patterns, bits: u32) -> Result<Quantized> {
 /// Whether patterns can be brought to a bit depth.
 pub(super) fn check(patterns: &Patterns, bits: u32) -> Result<()> {
     if !(1..=16).contains(&bits) {
-        return Err(Error::config(
-            "bit_depth",
-            format!("found {bits}"),
-            "a whole number 1…16",
-        ));
+        return Err(Error::refused("bit_depth", bits, "a whole number 1…16"));
     }
     let wrong = |block: &[f32]| {
         block

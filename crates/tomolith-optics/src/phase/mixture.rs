@@ -76,9 +76,9 @@ fn build(section: &Section) -> Result<Box<dyn Phase>> {
     let mut parts = Vec::with_capacity(params.parts.len());
     for (i, part) in params.parts.into_iter().enumerate() {
         if !(part.share.is_finite() && part.share > 0.0) {
-            return Err(Error::config(
+            return Err(Error::refused(
                 format!("{}.share", key(i)),
-                format!("found {}", exact(part.share)),
+                exact(part.share),
                 "a finite number > 0",
             ));
         }
