@@ -1,142 +1,176 @@
-//! numpy arrays ↔ fields, volumes and patterns.
+//! numpy arrays ↔ images and volumes.
 
 use crate::work::TomolithError;
-use numpy::{
-    PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray3, PyUntypedArrayMethods,
-};
+use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray3, PyUntypedArrayMethods};
 use pyo3::prelude::*;
-use tomolith::field::HostField;
+use pyo3::types::{PyList, PyTuple};
 use tomolith::grid::{PatternGrid, Patterns, Volume};
 
 /// numpy's letters of what is a real number: booleans, whole numbers with and without sign, floating-point numbers.
 const NUMBERS: [&str; 4] = ["b", "i", "u", "f"];
+/// What the axes of an array are.
+pub(crate) const IMAGES: &str = "[frame, row, column]";
+pub(crate) const VOXELS: &str = "[z, y, x]";
 
 /// The type of every array that is given: float32, converted where it holds other real numbers.
-pub(crate) fn float32<'py>(array: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+fn float32<'py>(what: &str, array: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
     let numpy = array.py().import("numpy")?;
     let is_masked = numpy
         .getattr("ma")?
         .call_method1("isMaskedArray", (array,))?;
     if is_masked.is_truthy()? {
-        return Err(TomolithError::new_err(
-            "array: found a masked array; accepted: numbers everywhere, for example array.filled(0)",
-        ));
+        return Err(TomolithError::new_err(format!(
+            "{what}: found a masked array; accepted: numbers everywhere, for example array.filled(0)"
+        )));
     }
+    let refused = |e: PyErr| {
+        let found = e.value(array.py()).to_string();
+        TomolithError::new_err(format!("{what}: {found}; accepted: numbers"))
+    };
     // Without a conversion: a date is no number, and of a complex one a half would be lost
-    let dtype = numpy.call_method1("asarray", (array,))?.getattr("dtype")?;
+    let given = numpy.call_method1("asarray", (array,)).map_err(refused)?;
+    let dtype = given.getattr("dtype")?;
     let kind: String = dtype.getattr("kind")?.extract()?;
     if !NUMBERS.contains(&kind.as_str()) {
         return Err(TomolithError::new_err(format!(
-            "array: found {dtype}; accepted: numbers that are real, such as float32"
+            "{what}: found {dtype}; accepted: numbers that are real, such as float32"
         )));
     }
-    let converted = numpy.call_method1("ascontiguousarray", (array, numpy.getattr("float32")?));
-    converted.map_err(|e| {
-        let found = e.value(array.py()).to_string();
-        TomolithError::new_err(format!("array: {found}; accepted: numbers"))
+    // What overflows becomes infinite, and is refused by its place
+    let converted = numpy.call_method1("ascontiguousarray", (given, numpy.getattr("float32")?));
+    converted.map_err(refused)
+}
+
+/// Arrays of these shapes, with finite numbers: a list of them, or the array where there is one shape.
+pub(crate) fn arrays(
+    what: &str,
+    axes: &str,
+    given: &Bound<'_, PyAny>,
+    shapes: &[[usize; 3]],
+) -> PyResult<Vec<Vec<f32>>> {
+    let is_list = given.is_instance_of::<PyList>() || given.is_instance_of::<PyTuple>();
+    let each = match (is_list, shapes) {
+        // A nested list of numbers is one array
+        (true, [_]) if given.len()? != 1 => vec![given.clone()],
+        (true, _) => given.try_iter()?.collect::<PyResult<Vec<_>>>()?,
+        (false, _) => vec![given.clone()],
+    };
+    if each.len() != shapes.len() {
+        let (found, accepted) = (each.len(), shapes.len());
+        return Err(TomolithError::new_err(format!(
+            "{what}: found {found} array(s); accepted: a list of {accepted}, each {axes}"
+        )));
+    }
+    let values = |(array, shape): (&Bound<'_, PyAny>, &[usize; 3])| {
+        let array = float32(what, array)?;
+        let same = |array: &PyReadonlyArray3<'_, f32>| array.shape() == shape;
+        let Some(array) = array.extract().ok().filter(same) else {
+            let found: Vec<usize> = array.getattr("shape")?.extract()?;
+            return Err(TomolithError::new_err(format!(
+                "{what}: found shape {found:?}; accepted: {shape:?} {axes}"
+            )));
+        };
+        let values = array.as_slice()?.to_vec();
+        must_be(
+            what,
+            axes,
+            &values,
+            *shape,
+            |v| v.is_finite(),
+            "finite numbers",
+        )?;
+        Ok(values)
+    };
+    each.iter().zip(shapes).map(values).collect()
+}
+
+/// Images of every light, which are light: nothing negative.
+pub(crate) fn patterns<'a>(
+    given: &Bound<'_, PyAny>,
+    grids: impl Iterator<Item = &'a PatternGrid>,
+) -> PyResult<Vec<Patterns>> {
+    let grids: Vec<&PatternGrid> = grids.collect();
+    let shapes: Vec<[usize; 3]> = grids.iter().map(|grid| grid.shape()).collect();
+    let values = arrays("patterns", IMAGES, given, &shapes)?;
+    let patterns = grids
+        .into_iter()
+        .zip(values)
+        .map(|(grid, values)| Patterns {
+            grid: grid.clone(),
+            values,
+        });
+    let patterns: Vec<Patterns> = patterns.collect();
+    must_be_light(&patterns)?;
+    Ok(patterns)
+}
+
+/// Refuses images that no projector shows.
+pub(crate) fn must_be_light(patterns: &[Patterns]) -> PyResult<()> {
+    patterns.iter().try_for_each(|p| {
+        let is_light = |v: f32| v.is_finite() && v >= 0.0;
+        must_be(
+            "patterns",
+            IMAGES,
+            &p.values,
+            p.grid.shape(),
+            is_light,
+            "finite values ≥ 0",
+        )
     })
 }
 
-/// A field of `len` elements.
-pub(crate) fn field(what: &str, array: &Bound<'_, PyAny>, len: usize) -> PyResult<HostField> {
-    let array = float32(array)?;
-    let Ok(array) = array.extract::<PyReadonlyArray1<'_, f32>>() else {
-        return Err(TomolithError::new_err(format!(
-            "{what}: found an array of several axes; accepted: one axis of {len} elements"
-        )));
-    };
-    if array.len() != len {
-        return Err(TomolithError::new_err(format!(
-            "{what}: found {} elements; accepted: {len}",
-            array.len()
-        )));
-    }
-    must_be_finite(what, array.as_slice()?, "finite numbers")?;
-    let mut field = HostField::zeros(len);
-    field.as_mut_slice().copy_from_slice(array.as_slice()?);
-    Ok(field)
-}
-
-/// What was computed; refused where numbers have become too large for float32.
-pub(crate) fn of_field<'py>(
-    py: Python<'py>,
+fn must_be(
     what: &str,
-    field: &HostField,
-) -> PyResult<Bound<'py, PyArray1<f32>>> {
-    must_be_finite(what, field.as_slice(), "patterns whose doses are numbers")?;
-    Ok(PyArray1::from_slice(py, field.as_slice()))
-}
-
-fn must_be_finite(what: &str, values: &[f32], accepted: &str) -> PyResult<()> {
-    match values.iter().position(|v| !v.is_finite()) {
-        None => Ok(()),
-        Some(i) => Err(TomolithError::new_err(format!(
-            "{what}: found {} at element {i}; accepted: {accepted}",
-            values[i]
-        ))),
-    }
+    axes: &str,
+    values: &[f32],
+    [_, rows, columns]: [usize; 3],
+    fits: impl Fn(f32) -> bool,
+    accepted: &str,
+) -> PyResult<()> {
+    let Some(i) = values.iter().position(|&value| !fits(value)) else {
+        return Ok(());
+    };
+    let at = [i / (rows * columns), i / columns % rows, i % columns];
+    Err(TomolithError::new_err(format!(
+        "{what}: found {} at {at:?} {axes}; accepted: {accepted}",
+        values[i]
+    )))
 }
 
 /// `[z, y, x]`
 pub(crate) fn of_volume<'py, T: numpy::Element + Copy>(
     py: Python<'py>,
-    volume: &Volume<T>,
+    volume: Volume<T>,
 ) -> PyResult<Bound<'py, PyArray3<T>>> {
-    PyArray1::from_slice(py, &volume.values).reshape(volume.grid.shape)
+    PyArray1::from_vec(py, volume.values).reshape(volume.grid.shape)
 }
 
 /// `[frame, row, column]`
 pub(crate) fn of_patterns<'py>(
     py: Python<'py>,
-    patterns: &Patterns,
+    patterns: Patterns,
 ) -> PyResult<Bound<'py, PyArray3<f32>>> {
-    PyArray1::from_slice(py, &patterns.values).reshape(patterns.grid.shape())
+    PyArray1::from_vec(py, patterns.values).reshape(patterns.grid.shape())
 }
 
-/// Images of every light: a list of arrays, or the array of a single light.
-pub(crate) fn patterns<'a>(
-    given: &Bound<'_, PyAny>,
-    grids: impl ExactSizeIterator<Item = &'a PatternGrid>,
-) -> PyResult<Vec<Patterns>> {
-    let one_each = match given.try_iter() {
-        Ok(each)
-            if given.is_instance_of::<pyo3::types::PyList>()
-                || given.is_instance_of::<pyo3::types::PyTuple>() =>
-        {
-            each.collect::<PyResult<Vec<_>>>()?
-        }
-        _ => vec![given.clone()],
-    };
-    if one_each.len() != grids.len() {
-        return Err(TomolithError::new_err(format!(
-            "patterns: found {} arrays; accepted: {}, one for each light",
-            one_each.len(),
-            grids.len()
-        )));
+/// The array where there is one, or the list of them.
+pub(crate) fn one_or_list<'py, T: numpy::Element>(
+    py: Python<'py>,
+    arrays: impl Iterator<Item = PyResult<Bound<'py, PyArray3<T>>>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let mut arrays = arrays.collect::<PyResult<Vec<_>>>()?;
+    match arrays.len() {
+        1 => Ok(arrays.remove(0).into_any()),
+        _ => Ok(PyList::new(py, arrays)?.into_any()),
     }
-    let of_light = |(array, grid): (&Bound<'_, PyAny>, &PatternGrid)| {
-        let array = float32(array)?;
-        let shape = grid.shape();
-        let same = |array: &PyReadonlyArray3<'_, f32>| array.shape() == shape;
-        let Some(array) = array.extract().ok().filter(same) else {
-            let found: Vec<usize> = array.getattr("shape")?.extract()?;
-            return Err(TomolithError::new_err(format!(
-                "patterns: found shape {found:?}; accepted: {shape:?} [frame, row, column]"
-            )));
-        };
-        let is_light = |value: &f32| value.is_finite() && *value >= 0.0;
-        if let Some(i) = array.as_slice()?.iter().position(|value| !is_light(value)) {
-            let [_, rows, columns] = shape;
-            let at = [i / (rows * columns), i / columns % rows, i % columns];
-            let found = array.as_slice()?[i];
-            return Err(TomolithError::new_err(format!(
-                "patterns: found {found} at {at:?} [frame, row, column]; accepted: finite values ≥ 0"
-            )));
-        }
-        Ok(Patterns {
-            grid: grid.clone(),
-            values: array.as_slice()?.to_vec(),
-        })
-    };
-    one_each.iter().zip(grids).map(of_light).collect()
+}
+
+/// Refuses what was computed where numbers have become too large for float32.
+pub(crate) fn must_be_finite(what: &str, values: &[f32]) -> PyResult<()> {
+    match values.iter().find(|v| !v.is_finite()) {
+        None => Ok(()),
+        Some(found) => Err(TomolithError::new_err(format!(
+            "{what}: found {found} in the result; accepted: numbers whose result fits float32 (below 3.4e38)"
+        ))),
+    }
 }

@@ -5,10 +5,13 @@ use crate::work::{TomolithError, beside, beside_telling, plain, raised};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::{Path, PathBuf};
-use tomolith::job::{self, Document};
+use tomolith::job::{self, Document, Summary};
 
-/// A job: its tables, checked. `source` is the path of a job file (TOML or JSON) or a dict of its tables; `set` lists changes as
-/// `"stop.iterations=10"`; `folder` names the run folder.
+/// A job: its tables, checked.
+///
+/// `source` is the path of a job file (TOML or JSON) or a dict of its tables (docs/job.md), which may hold numbers and arrays of numpy, and paths; `set` lists
+/// changes as `"stop.iterations=10"`; `folder` is the run folder, `out/NAME` without it. A key or value that cannot be used raises `TomolithError` with the
+/// key, the line, and what is accepted. Jobs can be pickled.
 #[pyclass(module = "tomolith", frozen)]
 pub(crate) struct Job(job::Job);
 
@@ -59,35 +62,68 @@ impl Job {
         plain(py, &plan)
     }
 
-    /// The whole run, as `tomolith run`: what it tells at its end. `progress` is called with a dict for each event. A folder that holds a finished run
-    /// of another job is refused without `overwrite`; `resume` goes on from a checkpoint.
-    #[pyo3(signature = (*, resume=false, overwrite=false, progress=None))]
+    /// The whole run, as `tomolith run`; returns its `Run`.
+    ///
+    /// `progress` is called with a dict for each event: its key `event` is "stage", "note", "warning", "iteration" or "part". An object with
+    /// the methods `event(dict)` and `snapshot(dict)` may name in its attribute `wants`, which is read after each event, the copies that it gets at the next iteration and
+    /// at the end: "patterns" `[frame, row, column]`, "dose" and "print" `[z, y, x]`. What it raises ends the run.
+    ///
+    /// `cancel`, such as a `threading.Event`, ends the run when it is set, which raises `Canceled`; Ctrl-C raises `KeyboardInterrupt`. Both leave a checkpoint, from which
+    /// `resume=True` goes on. A folder that holds a finished run of another job is refused without `overwrite=True`, a folder in use always.
+    #[pyo3(signature = (*, resume=false, overwrite=false, progress=None, cancel=None))]
     fn run<'py>(
         &self,
         py: Python<'py>,
         resume: bool,
         overwrite: bool,
         progress: Option<Py<PyAny>>,
+        cancel: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let job = self.replacing(overwrite);
-        let summary = beside_telling(py, progress, |told, run| job::run(&job, resume, told, run))?;
-        plain(py, &summary)
+        let summary = beside_telling(py, (progress, cancel), |told, run| {
+            job::run(&job, resume, told, run)
+        })?;
+        done(py, &summary)
     }
 
-    /// What the patterns of a file print, as `tomolith simulate` and, with a schedule, `tomolith print`.
-    #[pyo3(signature = (patterns, *, overwrite=false, progress=None))]
+    /// What patterns print, as `tomolith simulate` and, with a schedule, `tomolith print`; returns a `Run` of its own folder. `patterns` is a `Run`, a run folder
+    /// or a file of patterns; arrays are evaluated by `ResolvedJob.evaluate`. The rest is as in `run`.
+    #[pyo3(signature = (patterns, *, overwrite=false, progress=None, cancel=None))]
     fn simulate<'py>(
         &self,
         py: Python<'py>,
         patterns: PathBuf,
         overwrite: bool,
         progress: Option<Py<PyAny>>,
+        cancel: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let job = self.replacing(overwrite);
-        let summary = beside_telling(py, progress, |told, run| {
+        let summary = beside_telling(py, (progress, cancel), |told, run| {
             job::simulate(&job, Path::new(&patterns), told, run)
         })?;
-        plain(py, &summary)
+        done(py, &summary)
+    }
+
+    /// The job of a text, in another process.
+    #[staticmethod]
+    fn _restored(file: PathBuf, tables: String, folder: PathBuf) -> PyResult<Self> {
+        let document = Document::json(file, tables).map_err(raised)?;
+        let job = job::Job::from_document(document).map_err(raised)?;
+        Ok(Job(job.with_folder(&folder, "folder")))
+    }
+
+    /// Its tables, and where paths in them begin.
+    fn __reduce__<'py>(
+        slf: &Bound<'py, Self>,
+    ) -> PyResult<(Bound<'py, PyAny>, (String, String, String))> {
+        let job = &slf.get().0;
+        let place = |path: &Path| match std::path::absolute(path) {
+            Ok(path) => path.display().to_string(),
+            Err(_) => path.display().to_string(),
+        };
+        let tables = job.document.root.to_string();
+        let state = (place(&job.document.file), tables, place(&job.folder()));
+        Ok((slf.get_type().getattr("_restored")?, state))
     }
 
     /// The job as objects: model, objective, start, and what patterns print.
@@ -98,6 +134,12 @@ impl Job {
     fn __repr__(&self) -> String {
         format!("<tomolith.Job {}>", self.0.name())
     }
+}
+
+/// The run of a folder, and what the command says at its end.
+fn done<'py>(py: Python<'py>, summary: &Summary) -> PyResult<Bound<'py, PyAny>> {
+    let run = py.import("tomolith._run")?.getattr("Run")?;
+    run.call1((&summary.folder, plain(py, summary)?))
 }
 
 /// The tables as JSON; numbers and arrays of numpy and paths are taken for what they are.

@@ -2,17 +2,18 @@
 //!
 //! | Python | Rust |
 //! |---|---|
-//! | `Job` | [`tomolith::job::Job`] and the stages of a run |
+//! | `Job` | [`tomolith::job::Job`] and the stages of a run; what these leave is the `Run` of `python/tomolith/_run.py` |
 //! | `ResolvedJob` | [`tomolith::job::ResolvedJob`]: what patterns print, in time too |
 //! | `Task` | [`tomolith::job::Task`]: model, objective, start and bounds, for loops of one's own |
 //! | `sweep` | [`tomolith_sweep::run`] |
 //!
-//! The package is `python/tomolith`, its manual docs/python.md. Calls leave Python's lock to others while they compute, and end at Ctrl-C.
+//! The package is `python/tomolith`, its manual docs/python.md. Calls leave Python's lock to other threads while they compute, and end at Ctrl-C.
 
 mod arrays;
 mod job;
 mod resolved;
 mod sweep;
+mod task;
 mod work;
 
 use pyo3::prelude::*;
@@ -25,9 +26,10 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
         "TomolithError",
         module.py().get_type::<work::TomolithError>(),
     )?;
+    module.add("Canceled", module.py().get_type::<work::Canceled>())?;
     module.add_class::<job::Job>()?;
     module.add_class::<resolved::ResolvedJob>()?;
-    module.add_class::<resolved::Task>()?;
+    module.add_class::<task::Task>()?;
     module.add_function(wrap_pyfunction!(work::forked, module)?)?;
     module.add_function(wrap_pyfunction!(sweep::sweep, module)?)
 }

@@ -1,9 +1,10 @@
-//! Long work of a call: it runs beside Python, tells its events to a callable, and ends at Ctrl-C.
+//! Long work of a call: it runs beside Python, tells an observer what happens, and ends at Ctrl-C or when its `cancel` is set.
 
+use crate::arrays::{of_patterns, of_volume, one_or_list};
 use pyo3::create_exception;
-use pyo3::exceptions::{PyException, PyKeyboardInterrupt};
+use pyo3::exceptions::PyException;
 use pyo3::prelude::*;
-use pyo3::types::PyModule;
+use pyo3::types::{PyDict, PyModule};
 use serde::Serialize;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -11,7 +12,7 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::Duration;
 use tomolith::Error;
-use tomolith::job::{Event, Progress};
+use tomolith::job::{Event, Progress, Snapshot, Wants};
 use tomolith::run::Run;
 use tomolith_sweep::{SweepEvent, Watch};
 
@@ -20,6 +21,13 @@ create_exception!(
     TomolithError,
     PyException,
     "What was found, where, and what is accepted."
+);
+
+create_exception!(
+    tomolith,
+    Canceled,
+    TomolithError,
+    "A run ended because its `cancel` was set; `resume=True` goes on from its checkpoint."
 );
 
 /// How often a call looks whether Python wants it to end.
@@ -35,16 +43,39 @@ pub(crate) fn forked() {
     IS_FORK.store(HAS_COMPUTED.load(Ordering::SeqCst), Ordering::SeqCst);
 }
 
-/// Does work without Python's lock, in a thread of its own, while this one listens to signals.
-pub(crate) fn beside<T: Send>(
-    py: Python<'_>,
-    work: impl FnOnce(&Run) -> Result<T, Error> + Send,
-) -> PyResult<T> {
+/// Refuses a fork: whatever computes with several threads would wait forever.
+pub(crate) fn must_have_threads() -> PyResult<()> {
     if IS_FORK.load(Ordering::SeqCst) {
         return Err(TomolithError::new_err(
             "this process is a fork of one that has computed before, and lacks its threads; accepted: processes that are \
              spawned, as by multiprocessing.get_context(\"spawn\")",
         ));
+    }
+    Ok(())
+}
+
+/// Does work without Python's lock, in a thread of its own, while this one listens to signals.
+pub(crate) fn beside<T: Send>(
+    py: Python<'_>,
+    work: impl FnOnce(&Run) -> Result<T, Error> + Send,
+) -> PyResult<T> {
+    until(py, None, work)
+}
+
+/// The same, until `cancel`, such as a `threading.Event`, is set.
+fn until<T: Send>(
+    py: Python<'_>,
+    cancel: Option<&Py<PyAny>>,
+    work: impl FnOnce(&Run) -> Result<T, Error> + Send,
+) -> PyResult<T> {
+    must_have_threads()?;
+    if let Some(token) = cancel
+        && !token.bind(py).hasattr("is_set")?
+    {
+        return Err(TomolithError::new_err(format!(
+            "cancel: found {}; accepted: a threading.Event",
+            token.bind(py).get_type()
+        )));
     }
     HAS_COMPUTED.store(true, Ordering::SeqCst);
     let run = &Run::new();
@@ -60,7 +91,7 @@ pub(crate) fn beside<T: Send>(
             let mut interrupted = None;
             while let Err(RecvTimeoutError::Timeout) = ended.recv_timeout(PAUSE) {
                 if interrupted.is_none() {
-                    interrupted = Python::attach(|py| py.check_signals()).err();
+                    interrupted = Python::attach(|py| must_go_on(py, cancel)).err();
                     if interrupted.is_some() {
                         run.cancel();
                     }
@@ -78,10 +109,21 @@ pub(crate) fn beside<T: Send>(
     }
 }
 
+/// What a signal raises, or that the work is canceled.
+fn must_go_on(py: Python<'_>, cancel: Option<&Py<PyAny>>) -> PyResult<()> {
+    py.check_signals()?;
+    match cancel {
+        Some(token) if token.call_method0(py, "is_set")?.is_truthy(py)? => {
+            Err(raised(Error::Canceled))
+        }
+        _ => Ok(()),
+    }
+}
+
 /// An error as Python sees it.
 pub(crate) fn raised(error: Error) -> PyErr {
     match error {
-        Error::Canceled => PyKeyboardInterrupt::new_err("canceled"),
+        Error::Canceled => Canceled::new_err("canceled; resume=True goes on from the checkpoint"),
         error => TomolithError::new_err(error.to_string()),
     }
 }
@@ -92,58 +134,122 @@ pub(crate) fn plain<'py>(py: Python<'py>, value: &impl Serialize) -> PyResult<Bo
     PyModule::import(py, "json")?.call_method1("loads", (text,))
 }
 
-/// Brings events, as dicts, to a callable; what it raises is kept, and ends the work.
-pub(crate) struct Told<'a> {
-    callable: Option<Py<PyAny>>,
+/// Brings events and copies, as dicts, to an object of Python; what that raises ends the work.
+pub(crate) struct Observer<'a> {
+    /// A callable, or an object with the methods `event` and `snapshot`, and `wants`.
+    object: Option<Py<PyAny>>,
     raised: &'a Mutex<Option<PyErr>>,
     run: &'a Run,
 }
 
-impl<'a> Told<'a> {
-    pub(crate) fn to(
-        callable: Option<Py<PyAny>>,
-        raised: &'a Mutex<Option<PyErr>>,
-        run: &'a Run,
-    ) -> Self {
-        Told {
-            callable,
-            raised,
-            run,
-        }
+impl Observer<'_> {
+    fn call<T: Default>(
+        &self,
+        call: impl FnOnce(Python<'_>, &Bound<'_, PyAny>) -> PyResult<T>,
+    ) -> T {
+        let Some(object) = &self.object else {
+            return T::default();
+        };
+        Python::attach(|py| call(py, object.bind(py))).unwrap_or_else(|error| {
+            if let Ok(mut raised) = self.raised.lock() {
+                raised.get_or_insert(error);
+            }
+            self.run.cancel();
+            T::default()
+        })
     }
 
     fn tell(&self, event: &impl Serialize) {
-        let Some(callable) = &self.callable else {
-            return;
-        };
-        let told = Python::attach(|py| callable.call1(py, (plain(py, event)?,)).map(drop));
-        if let (Err(error), Ok(mut raised)) = (told, self.raised.lock()) {
-            raised.get_or_insert(error);
-            self.run.cancel();
-        }
+        self.call(|py, object| {
+            let event = (plain(py, event)?,);
+            match object.hasattr("event")? {
+                true => object.call_method1("event", event),
+                false => object.call1(event),
+            }
+            .map(drop)
+        });
     }
 }
 
-impl Progress for Told<'_> {
+impl Progress for Observer<'_> {
     fn event(&mut self, event: &Event) {
         self.tell(event);
     }
+
+    fn wants(&self) -> Wants {
+        self.call(|_, object| match object.getattr_opt("wants")? {
+            Some(wants) => wants_of(&wants),
+            None => Ok(Wants::default()),
+        })
+    }
+
+    fn snapshot(&mut self, snapshot: Snapshot) {
+        self.call(|py, object| {
+            let copies = copies(py, snapshot)?;
+            object.call_method1("snapshot", (copies,)).map(drop)
+        });
+    }
 }
 
-impl Watch for Told<'_> {
+/// Names of copies, as those of `Observer.wants`.
+fn wants_of(names: &Bound<'_, PyAny>) -> PyResult<Wants> {
+    let mut wants = Wants::default();
+    for name in names.try_iter()? {
+        match name?.extract::<String>()?.as_str() {
+            "patterns" => wants.patterns = true,
+            "dose" => wants.dose = true,
+            "print" => wants.print = true,
+            other => {
+                return Err(TomolithError::new_err(format!(
+                    "wants: found `{other}`; accepted: \"patterns\", \"dose\", \"print\" in a list"
+                )));
+            }
+        }
+    }
+    Ok(wants)
+}
+
+/// The iteration, and those copies that were asked for.
+fn copies(py: Python<'_>, snapshot: Snapshot) -> PyResult<Bound<'_, PyDict>> {
+    let copies = PyDict::new(py);
+    copies.set_item("iteration", snapshot.iteration)?;
+    if !snapshot.patterns.is_empty() {
+        let images = snapshot.patterns.into_iter().map(|p| of_patterns(py, p));
+        copies.set_item("patterns", one_or_list(py, images)?)?;
+    }
+    for (name, volumes) in [("dose", snapshot.dose), ("print", snapshot.print)] {
+        if !volumes.is_empty() {
+            let volumes = volumes.into_iter().map(|volume| of_volume(py, volume));
+            copies.set_item(name, one_or_list(py, volumes)?)?;
+        }
+    }
+    Ok(copies)
+}
+
+impl Watch for Observer<'_> {
     fn event(&mut self, event: &SweepEvent) {
         self.tell(event);
     }
 }
 
-/// As [`beside`], for work that tells its events.
+/// As [`beside`], for work that tells an observer what happens, and that may be canceled.
 pub(crate) fn beside_telling<T: Send>(
     py: Python<'_>,
-    callable: Option<Py<PyAny>>,
-    work: impl FnOnce(&mut Told<'_>, &Run) -> Result<T, Error> + Send,
+    (object, cancel): (Option<Py<PyAny>>, Option<Py<PyAny>>),
+    work: impl FnOnce(&mut Observer<'_>, &Run) -> Result<T, Error> + Send,
 ) -> PyResult<T> {
     let raised = Mutex::new(None);
-    let done = beside(py, |run| work(&mut Told::to(callable, &raised, run), run));
+    let done = until(py, cancel.as_ref(), |run| {
+        let raised = &raised;
+        work(
+            &mut Observer {
+                object,
+                raised,
+                run,
+            },
+            run,
+        )
+    });
     match raised.into_inner().ok().flatten() {
         Some(error) => Err(error),
         None => done,

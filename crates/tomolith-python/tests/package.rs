@@ -1,4 +1,4 @@
-//! Runs the tests of the package, `test_tomolith.py`, in Python on the library that was just built.
+//! Runs the tests of the package, `test_*.py`, in Python on the library that was just built.
 #![expect(clippy::print_stderr, reason = "says that it was skipped")]
 
 use std::env::consts::{DLL_PREFIX, DLL_SUFFIX};
@@ -33,11 +33,9 @@ fn python_gets_what_the_library_gives() {
     );
     let package = folder.path().join("tomolith");
     fs::create_dir(&package).unwrap();
-    fs::copy(
-        own.join("python/tomolith/__init__.py"),
-        package.join("__init__.py"),
-    )
-    .unwrap();
+    for file in files(&own.join("python/tomolith")) {
+        fs::copy(&file, package.join(file.file_name().unwrap())).unwrap();
+    }
     let library = format!("{DLL_PREFIX}tomolith_native{DLL_SUFFIX}");
     let library = env::current_exe().unwrap().with_file_name(library);
     fs::copy(library, package.join("_native.abi3.so")).unwrap();
@@ -56,7 +54,20 @@ fn python_gets_what_the_library_gives() {
         .unwrap();
     let said = String::from_utf8_lossy(&tests.stderr);
     assert!(tests.status.success(), "{said}");
-    let source = fs::read_to_string(own.join("tests/test_tomolith.py")).unwrap();
-    let ran = format!("Ran {} tests", source.matches("def test_").count());
+    let tests = files(&own.join("tests")).into_iter();
+    let tests = tests.filter(|file| file.extension().is_some_and(|ending| ending == "py"));
+    let count = |file: PathBuf| {
+        fs::read_to_string(file)
+            .unwrap()
+            .matches("def test_")
+            .count()
+    };
+    let ran = format!("Ran {} tests", tests.map(count).sum::<usize>());
     assert!(said.contains(&ran), "{ran}: {said}");
+}
+
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).unwrap();
+    let files = entries.map(|entry| entry.unwrap().path());
+    files.filter(|path| path.is_file()).collect()
 }

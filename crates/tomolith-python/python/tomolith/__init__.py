@@ -1,19 +1,21 @@
 """Patterns for tomographic volumetric printing, and what they print.
 
     import tomolith
-    job = tomolith.Job("examples/01-gear.toml", set=["stop.iterations=10"])
-    print(job.run()["evaluation"]["iou"])
+    run = tomolith.Job("examples/01-gear.toml", set=["stop.iterations=10"]).run()
+    print(run.metrics["iou"], run.dose.shape)
 
-`Job` is a job file and its run, `ResolvedJob` the same job as objects, `Task` its dose model and objective over numpy arrays, for loops of
-your own. Shapes, units and keys are those of the command: docs/python.md, docs/conventions.md, docs/job.md.
+`Job` is a job file, `Run` what its run has left, `ResolvedJob` the same job as objects, `Task` its dose model and loss over numpy arrays, for
+loops of your own; `Task.operator()` is that model for SciPy, `tomolith.jax` and `tomolith.torch` for JAX and PyTorch. Shapes, units and keys are those of the
+command: docs/python.md, docs/conventions.md, docs/job.md.
 """
 
 import os as _os
 
 from . import _native
-from ._native import Job, ResolvedJob, Task, TomolithError, __version__, sweep
+from ._native import Canceled, Job, ResolvedJob, Task, TomolithError, __version__, sweep
+from ._run import Run
 
-__all__ = ["Job", "ResolvedJob", "Task", "TomolithError", "__version__", "sweep"]
+__all__ = ["Canceled", "Job", "ResolvedJob", "Run", "Task", "TomolithError", "__version__", "sweep"]
 
 # A forked child has none of the threads that calls compute with
 if hasattr(_os, "register_at_fork"):

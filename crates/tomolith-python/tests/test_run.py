@@ -1,0 +1,252 @@
+"""Runs from Python are those of the library: their files, events, copies, ends. `cargo test` runs it (package.rs)."""
+
+import json
+import os
+import pickle
+import shutil
+import signal
+import sys
+import tempfile
+import threading
+import unittest
+from pathlib import Path
+from unittest import mock
+
+import numpy as np
+import tomolith
+from test_task import EXAMPLES, GEAR, needs
+
+
+class Jobs(unittest.TestCase):
+    def test_jobs_that_cannot_be_used_are_refused(self):
+        for call, words in [
+            (lambda: tomolith.Job(GEAR, set=["stop.iteratons=3"]), "did you mean `iterations`?"),
+            (lambda: tomolith.Job("nowhere.toml"), "nowhere.toml: "),
+            (lambda: tomolith.Job({**GEAR, "grid": {"pitch_mm": float("nan")}}), "job: "),
+            (lambda: tomolith.Job({**GEAR, "grid": {"pitch_mm": object()}}), "found a value of"),
+            (lambda: tomolith.sweep("nowhere.toml", threads=0), "1 to 256"),
+            (lambda: tomolith.sweep("nowhere.toml"), "nowhere.toml: "),
+            (lambda: tomolith.Job(GEAR).run(cancel=3), "cancel: found <class 'int'>; accepted: a threading.Event"),
+            (lambda: tomolith.Run.open("nowhere"), "the folder is missing"),
+        ]:
+            with self.subTest(words):
+                with self.assertRaises(tomolith.TomolithError) as raised:
+                    call()
+                self.assertIn(words, str(raised.exception))
+
+    def test_tables_may_hold_numbers_of_numpy_and_paths(self):
+        light = {**GEAR["light"][0], "pixels": np.array([24, 16]), "angles": np.int64(36)}
+        same = tomolith.Job({**GEAR, "light": [light], "output": {"folder": Path("out/x")}})
+        self.assertEqual(same.tables["light"], tomolith.Job(GEAR).tables["light"])
+
+    def test_a_pickled_job_is_the_same_from_any_folder(self):
+        job = tomolith.Job(EXAMPLES / "01-gear.toml", set=["stop.iterations=7"])
+        of_tables = tomolith.Job(GEAR, folder="somewhere")
+        pickles, before = [pickle.dumps(j) for j in (job, of_tables)], os.getcwd()
+        with tempfile.TemporaryDirectory() as folder:
+            try:
+                os.chdir(folder)
+                copies = [pickle.loads(p) for p in pickles]
+                tables = [copy.tables for copy in copies]
+            finally:
+                os.chdir(before)
+        self.assertEqual(tables, [job.tables, of_tables.tables])
+        self.assertEqual([copy.name for copy in copies], [job.name, of_tables.name])
+
+
+class Runs(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def long(self):
+        return tomolith.Job(GEAR, set=["stop.iterations=1000000"], folder=self.folder / "long")
+
+    def test_a_run_is_that_of_the_library(self):
+        job = tomolith.Job(GEAR, folder=self.folder / "run")
+        self.assertEqual(job.tables["stop"]["iterations"], 10)
+        self.assertGreater(job.check()["memory_mb"], 0)
+        events = []
+        run = job.run(progress=events.append)
+        iterations = [event["iteration"] for event in events if event["event"] == "iteration"]
+        self.assertEqual(iterations[-1], run.summary["iterations"])
+        self.assertEqual(run.metrics["iou"], run.summary["evaluation"]["iou"])
+        simulated = tomolith.Job(GEAR, folder=self.folder / "simulated").simulate(run)
+        self.assertEqual(simulated.metrics, run.metrics)
+        evaluated = job.resolve().evaluate(run.patterns)
+        for name in ("iou", "ver", "pw", "surface_mean_mm"):
+            self.assertEqual(evaluated[name], run.metrics[name])
+        library = tomolith.Run.open(os.environ["TOMOLITH_LIBRARY_RUN"])
+        self.assertEqual(library.metrics, run.metrics)
+        self.assertIsNone(library.summary)
+        for name in ("patterns", "patterns_raw", "dose", "target", "labels"):
+            np.testing.assert_array_equal(getattr(run, name), getattr(library, name))
+        with self.assertRaisesRegex(tomolith.TomolithError, "overwrite"):
+            tomolith.Job(GEAR, set=["stop.iterations=2"], folder=self.folder / "run").run()
+
+    def test_a_folder_reads_as_arrays(self):
+        run = tomolith.Run.open(os.environ["TOMOLITH_LIBRARY_RUN"])
+        resolved = tomolith.Job(GEAR).resolve()
+        task = resolved.task()
+        self.assertEqual((run.patterns.shape, run.dose.shape), (task.start.shape, resolved.shape))
+        z, y, x = run.coordinates_mm
+        self.assertAlmostEqual(x[1] - x[0], 0.2)
+        self.assertAlmostEqual(x[0], -x[-1])
+        # The task leaves out slices above and below the part, and has finer voxels
+        inside = run.target.max(axis=(1, 2)) > 0
+        (nz, ny, nx), (_, fine, _) = run.target[inside].shape, task.shape
+        means = task.target.reshape(nz, ny, fine // ny, nx, fine // nx).mean(axis=(2, 4))
+        np.testing.assert_allclose(run.target[inside], means, atol=0.06)
+        np.testing.assert_array_equal(run.labels == 2, run.target >= 0.5)
+        np.testing.assert_allclose(z[inside][0] - 0.1, task.box_mm[0][2], atol=1e-9)
+        # The numbers are of voxels twice as fine
+        union, common = (run.print | (run.target >= 0.5)).sum(), (run.print & (run.target >= 0.5)).sum()
+        self.assertAlmostEqual(common / union, run.metrics["iou"], delta=0.08)
+        self.assertTrue((np.diff(run.history["iteration"]) > 0).all())
+        self.assertLess(run.history["loss"][-1], run.history["loss"][0])
+        html = run._repr_html_()
+        self.assertIn(f"iou {run.metrics['iou']:.4g}", html)
+        self.assertIn("data:image/png;base64,iVBORw0KGgo", html)
+        with mock.patch.dict(sys.modules, {"xarray": None}):
+            with self.assertRaisesRegex(tomolith.TomolithError, "pip install xarray"):
+                run.to_xarray()
+
+    @needs("xarray")
+    def test_a_folder_reads_as_xarray(self):
+        run = tomolith.Run.open(os.environ["TOMOLITH_LIBRARY_RUN"])
+        data = run.to_xarray()
+        self.assertEqual(data.dose.dims, ("z", "y", "x"))
+        self.assertEqual(data.z.attrs, {"units": "mm"})
+        middle = data.dose.sel(x=0, y=0, z=0, method="nearest")
+        self.assertEqual(middle, run.dose[tuple(np.abs(c).argmin() for c in run.coordinates_mm)])
+        self.assertEqual(data["print"].dtype, bool)
+
+    def test_a_damaged_folder_is_refused(self):
+        damaged = self.folder / "damaged"
+        shutil.copytree(os.environ["TOMOLITH_LIBRARY_RUN"], damaged)
+        for name, content in [("dose.npy", b""), ("dose.vti", b"<VTK"), ("patterns.npz", b"PK"), ("history.csv", b"a\nb\n")]:
+            (damaged / name).write_bytes(content)
+        run = tomolith.Run.open(damaged)
+        for name, file in [("dose", "dose.npy"), ("target", "dose.vti"), ("patterns", "patterns.npz"), ("history", "history.csv")]:
+            with self.subTest(name), self.assertRaisesRegex(tomolith.TomolithError, f"{file}: .*; accepted: "):
+                getattr(run, name)
+        self.assertIn("iou", run._repr_html_())
+        shutil.rmtree(damaged)
+        with self.assertRaisesRegex(tomolith.TomolithError, "dose.npy: the folder is missing"):
+            run.dose
+        damaged.mkdir()
+        (damaged / "report.json").write_text("[1, 2")
+        with self.assertRaisesRegex(tomolith.TomolithError, "report.json: "):
+            tomolith.Run.open(damaged)
+
+    def test_the_print_in_time_is_that_of_the_same_material(self):
+        job = tomolith.Job(
+            EXAMPLES / "19-print-in-time.toml",
+            set=["grid.pitch_mm=0.2", "stop.iterations=3"],
+            folder=self.folder / "time",
+        )
+        run = job.run()
+        evaluated = job.resolve().evaluate(run.patterns)
+        self.assertGreater(run.summary["in_time"][0]["best_jaccard"], 0.5)
+        self.assertEqual(evaluated["in_time"], run.summary["in_time"])
+
+    def test_a_sweep_runs_its_jobs(self):
+        (self.folder / "sweep.toml").write_text(
+            'job = "gear.toml"\nmetrics = ["evaluation.iou"]\n[[axes]]\nkey = "stop.iterations"\nvalues = [0, 3]\n'
+        )
+        (self.folder / "gear.toml").write_text(
+            "grid.pitch_mm = 0.3\ntarget = { phantom = 'gear', size_mm = 3.0 }\n"
+            "resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }\n"
+            "vial = { index_matched = { radius_mm = 3.0 } }\n"
+            "[[light]]\npixels = [16, 12]\nangles = 16\nprojector.collimated = { pixel_pitch_mm = 0.3 }\n"
+        )
+        outcome = tomolith.sweep(self.folder / "sweep.toml", folder=self.folder / "swept")
+        self.assertEqual((outcome["runs"], outcome["done"], outcome["failed"]), (2, 2, 0))
+
+    def test_an_observer_gets_the_copies_that_it_wants(self):
+        class Watcher:
+            wants = ["patterns", "dose"]
+            iterations, copies = [], []
+
+            def event(self, event):
+                if event["event"] == "iteration":
+                    self.iterations.append(event["iteration"])
+                    self.wants = ["print"] if event["iteration"] > 4 else ["patterns", "dose"]
+
+            def snapshot(self, snapshot):
+                self.copies.append(snapshot)
+
+        watcher = Watcher()
+        run = tomolith.Job(GEAR, folder=self.folder / "watched").run(progress=watcher)
+        self.assertEqual([copy["iteration"] for copy in watcher.copies], [*watcher.iterations, None])
+        task = tomolith.Job(GEAR).resolve().task()
+        early, late = watcher.copies[2], watcher.copies[6]
+        self.assertEqual((set(early), set(late)), ({"iteration", "patterns", "dose"}, {"iteration", "print"}))
+        np.testing.assert_allclose(early["dose"], task.dose(early["patterns"]), rtol=1e-4, atol=1e-4)
+        self.assertEqual(late["print"].shape, task.shape)
+        # Who watches changes nothing
+        plain = tomolith.Run.open(os.environ["TOMOLITH_LIBRARY_RUN"])
+        np.testing.assert_array_equal(run.patterns, plain.patterns)
+
+    def test_what_an_observer_raises_ends_the_run(self):
+        def stop(event):
+            raise ZeroDivisionError
+
+        class Greedy:
+            wants = ["everything"]
+
+            def event(self, event):
+                pass
+
+        with self.assertRaises(ZeroDivisionError):
+            tomolith.Job(GEAR, folder=self.folder / "raised").run(progress=stop)
+        with self.assertRaises(TypeError):
+            tomolith.Job(GEAR, folder=self.folder / "no-callable").run(progress=3)
+        with self.assertRaisesRegex(tomolith.TomolithError, "wants: found `everything`"):
+            tomolith.Job(GEAR, folder=self.folder / "greedy").run(progress=Greedy())
+
+    def test_a_canceled_run_is_resumed(self):
+        cancel = threading.Event()
+
+        def stop_at_three(event):
+            if event.get("iteration") == 3:
+                cancel.set()
+
+        with self.assertRaisesRegex(tomolith.Canceled, "resume=True"):
+            self.long().run(progress=stop_at_three, cancel=cancel)
+        cancel.clear()
+        iterations = []
+
+        def stop_at_once(event):
+            if event["event"] == "iteration":
+                iterations.append(event["iteration"])
+                cancel.set()
+
+        with self.assertRaises(tomolith.Canceled):
+            self.long().run(resume=True, progress=stop_at_once, cancel=cancel)
+        self.assertGreater(iterations[0], 3)
+
+    def test_an_interrupt_ends_a_run(self):
+        # Programs that were started in the background ignore interrupts
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)
+        self.addCleanup(signal.signal, signal.SIGINT, before)
+        threading.Timer(1.0, os.kill, (os.getpid(), signal.SIGINT)).start()
+        with self.assertRaises(KeyboardInterrupt):
+            self.long().run()
+
+    def test_a_second_run_of_one_folder_is_refused(self):
+        cancel, refused = threading.Event(), []
+
+        def second(event):
+            if event.get("iteration") == 1:
+                try:
+                    self.long().run()
+                except tomolith.TomolithError as error:
+                    refused.append(str(error))
+                cancel.set()
+
+        with self.assertRaises(tomolith.Canceled):
+            self.long().run(progress=second, cancel=cancel)
+        self.assertEqual(len(refused), 1)
+        self.assertIn("long", refused[0])
