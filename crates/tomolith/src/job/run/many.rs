@@ -1,12 +1,11 @@
 //! What whoever runs many jobs asks of each: what identifies it, what it needs, how little a run may leave, and what it starts from.
 
-use super::{How, stages};
+use super::{How, resolved, stages};
 use crate::error::{Error, Result};
 use crate::job::dose::cache::RunCache;
 use crate::job::output::folder::Leaves;
 use crate::job::output::summary::Summary;
 use crate::job::progress::Progress;
-use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::identity::{as_floats, contents, hash, take_files};
 use crate::job::spec::read::{Job, with_every_default};
 use crate::models::Run;
@@ -20,12 +19,14 @@ pub struct JobRequirements {
     pub memory_mb: u64,
 }
 
-/// Reads the files of a job and refuses what `run` would refuse before sampling the target.
+/// Reads the files of a job and refuses what `run` would refuse before sampling the target, its folder among it.
 ///
 /// # Errors
 /// As [`run`](fn@crate::job::run), for input that cannot be used.
 pub fn requirements(job: &Job) -> Result<JobRequirements> {
-    let extent = ResolvedJob::under(job, &Run::new())?.extent;
+    let extent = resolved(job, &Run::new())
+        .map_err(|e| job.locate(e))?
+        .extent;
     Ok(JobRequirements {
         memory_mb: extent.optimization_mb().max(extent.evaluation_mb()),
     })
