@@ -71,7 +71,7 @@ class Run:
 
     @cached_property
     def report(self) -> dict[str, Any]:
-        """All numbers of the report, as a dict (docs/report.md)."""
+        """All numbers of the report, as a dict (docs/run-folder.md)."""
         return self._read("report.json", lambda path: dict(json.loads(path.read_text("utf-8"))))
 
     @property
