@@ -22,7 +22,7 @@ const ACCEPTED: &str =
 /// Reads `FILE.npy`, `FILE.npz` with one array, or `FILE.npz:NAME`: shape `[z, y, x]` and values, x fastest.
 ///
 /// # Errors
-/// [`Error::Io`](tomolith_core::Error::Io) when the file cannot be opened; [`Error::Format`](tomolith_core::Error::Format) when it holds no
+/// [`Error::Io`] when the file cannot be opened; [`Error::Format`] when it holds no
 /// such array.
 pub fn read_any(source: &str) -> Result<([usize; 3], Vec<f32>)> {
     let path = Path::new(source);

@@ -41,7 +41,7 @@ fn name_of(what: &str, light: Option<&str>) -> String {
 /// Writes the frames of all lights; see the [module page](self).
 ///
 /// # Errors
-/// [`Error::Shape`](tomolith_core::Error::Shape) when levels and grid do not fit, [`Error::Io`](tomolith_core::Error::Io).
+/// [`Error::Shape`] when levels and grid do not fit, [`Error::Io`].
 pub fn write_stack(path: &Path, lights: &[FrameSet<'_>], run: &Run) -> Result<()> {
     for set in lights {
         set.check()?;
@@ -77,7 +77,7 @@ pub fn write_stack(path: &Path, lights: &[FrameSet<'_>], run: &Run) -> Result<()
 /// Reads the frames of one light.
 ///
 /// # Errors
-/// [`Error::Io`](tomolith_core::Error::Io); [`Error::Format`](tomolith_core::Error::Format) when the file is no such stack or holds no frames
+/// [`Error::Io`]; [`Error::Format`] when the file is no such stack or holds no frames
 /// of this light.
 pub fn read_stack(path: &Path, light: Option<&str>) -> Result<Frames> {
     const ACCEPTED: &str =
