@@ -2,7 +2,6 @@
 
 use super::latitude::ExposureWindow;
 use super::number::significant;
-use super::plot::{Axis, Plot};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use tomolith_metrics::Evaluation;
@@ -201,50 +200,6 @@ pub fn time_sentence(time_mm: Option<f64>, ceiling: Option<&CeilingReport>) -> O
     ))
 }
 
-/// IoU and VER over the print time, where enough ceilings were tried to see a curve.
-pub(super) fn section(rows: &[TradeOff]) -> String {
-    let in_seconds = rows.iter().all(|row| row.time_s.is_some());
-    let (label, time): (_, fn(&TradeOff) -> Option<f64>) = match in_seconds {
-        true => ("print time in s", |row| row.time_s),
-        false => ("print time M/t in mm", |row| row.time_mm),
-    };
-    let longest = rows.iter().filter_map(time).fold(0.0, f64::max);
-    let plot = |name: &str, of: fn(&TradeOff) -> Option<f64>| {
-        let point = |row: &TradeOff| Some([time(row)?, of(row)?]);
-        let points: Vec<[f64; 2]> = rows.iter().filter_map(point).collect();
-        let tried = rows.iter().filter(|row| !row.is_evaluated);
-        let tried: Vec<[f64; 2]> = tried.filter_map(point).collect();
-        let own = rows.iter().find(|row| row.is_chosen)?;
-        let of_run = match own.is_evaluated {
-            true => "this run, as it was evaluated",
-            false => "this run",
-        };
-        let heights = points.iter().map(|point| point[1]);
-        let [low, high] = [f64::min, f64::max].map(|most| heights.clone().reduce(most));
-        let (low, high) = low.zip(high).filter(|_| tried.len() >= FEWEST)?;
-        // A difference that no one would see in a print does not fill the plot
-        let (middle, half) = (f64::midpoint(low, high), 0.6 * (high - low).max(0.02));
-        let mut plot = Plot::new(
-            Axis::linear(label, 0.0, 1.05 * longest),
-            Axis::linear(name, (middle - half).max(0.0), (middle + half).min(1.0)),
-        );
-        plot.line(&tried, "accent", "");
-        plot.dots(&tried, "accent", "tried");
-        plot.dots(&[point(own)?], "gel", of_run);
-        Some(plot.svg(&format!("{name} over the print time")))
-    };
-    let plots = plot("IoU", |row| row.iou).zip(plot("VER", |row| row.ver));
-    plots.map_or_else(String::new, |(iou, ver)| {
-        format!(
-            "<section><h2>Quality against time</h2><p class=\"muted\">The ceilings of the pixels that the run tried, on pixels of twice the width. \
-             <code>tomolith expose RUN --trade-off</code> lists them and writes the job of one.</p><div class=\"two\"><div>{iou}</div><div>{ver}</div></div></section>"
-        )
-    })
-}
-
-/// Points of a curve.
-const FEWEST: usize = 3;
-
 /// For `report.json`.
 pub(super) fn ceiling_json(ceiling: &CeilingReport, rows: &[TradeOff]) -> Value {
     let number = |value: f64| {
@@ -331,27 +286,5 @@ mod tests {
         let own = rows.iter().find(|row| row.is_chosen).unwrap();
         assert!(own.is_evaluated && rows.len() == 4);
         assert!((own.time_mm.unwrap() - 4.0).abs() < 1e-9);
-    }
-
-    #[test]
-    fn quality_against_time_is_drawn_where_three_ceilings_were_tried() {
-        let sample = Sample::new();
-        let evaluation = sample.evaluation();
-        let window = ExposureWindow::new(&evaluation, &Identity, None).unwrap();
-        let dots = |ceiling: &CeilingReport| {
-            let section = section(&ceiling.trade_off(&evaluation, Some(&window)));
-            assert!(section.is_empty() || section.contains("print time M/t in mm"));
-            section.matches("<circle class=\"f-accent\"").count()
-        };
-        // IoU and VER
-        assert_eq!(dots(&ceiling(1.5)), 2 * 3);
-        let points = ceiling(1.0).points[..2].to_vec();
-        assert_eq!(
-            dots(&CeilingReport {
-                points,
-                ..ceiling(1.5)
-            }),
-            0
-        );
     }
 }

@@ -1,7 +1,6 @@
 //! The best exposure, and how far it may be off: for `report.json`, the page, and the last lines of a run.
 
-use super::number::{clock, escape, significant, told_apart};
-use super::{ReportData, species};
+use super::number::{significant, told_apart};
 use serde::Serialize;
 use tomolith_core::response::Response;
 use tomolith_metrics::latitude::{Latitude, TOLERANCE};
@@ -191,89 +190,6 @@ pub(super) fn from_to(bracket: &Bracket, unit: &str) -> String {
         (None, Some(b)) => format!("up to {b} {unit}"),
         (None, None) => "at any".to_owned(),
     }
-}
-
-/// The three cells of a row; `text` gets the values that there are.
-pub(super) fn cells(bracket: [Measure; 3], text: &dyn Fn(&[f64]) -> Vec<String>) -> [String; 3] {
-    let known: Vec<f64> = bracket.into_iter().flatten().collect();
-    let mut said = text(&known).into_iter();
-    bracket.map(|value| {
-        let said = value.and_then(|_| said.next());
-        said.unwrap_or_else(|| "no limit".to_owned())
-    })
-}
-
-/// Where the page says when to stop, for a job whose schedule says how bright the light is.
-pub(super) fn when(data: &ReportData<'_>) -> &'static str {
-    if data.time.is_empty() {
-        return "";
-    }
-    "<p class=\"note\">This is about the dose. When to stop in the job's schedule is said under “The print in time”.</p>"
-}
-
-/// The section of the page.
-pub(super) fn section(data: &ReportData<'_>) -> String {
-    if let Some(one) = data.one_exposure {
-        return species::section(one, data);
-    }
-    let Some(window) = data.exposure else {
-        let iou = data.evaluation.measures.get("iou");
-        let why = match iou.is_none_or(|iou| iou == 0.0) {
-            true => "nothing of the part prints at any threshold",
-            false => {
-                "the response is not the dose itself, so that more light does not scale the gray values"
-            }
-        };
-        return format!(
-            "<section><h2>Best exposure</h2><p class=\"muted\">Not given: {why}.</p></section>"
-        );
-    };
-    let row = |name: &str, bracket: &Bracket, text: &dyn Fn(&[f64]) -> Vec<String>| {
-        let [low, best, high] = cells(bracket.ascending(), text);
-        format!(
-            "<tr><td>{name}</td><td>{low}</td><td class=\"head\">{best}</td><td>{high}</td></tr>"
-        )
-    };
-    let numbers = |values: &[f64]| told_apart(values, 3);
-    let percents = |values: &[f64]| {
-        let said = told_apart(values, 3);
-        said.into_iter().map(|text| text + " %").collect()
-    };
-    let clocks = |values: &[f64]| values.iter().map(|s| clock(*s)).collect();
-    let mut rows = row("Exposure", &window.percent, &percents);
-    if let Some(time) = &window.time_s {
-        rows += &row("Time to print", time, &clocks);
-    }
-    // The shortest exposure belongs to the highest dose
-    let turned = |bracket: Bracket| Bracket {
-        low: bracket.high,
-        high: bracket.low,
-        ..bracket
-    };
-    if let Some(dose) = window.dose {
-        rows += &row("Dose that gels", &turned(dose), &numbers);
-    }
-    if let Some(threshold) = window.threshold
-        && window.dose != window.threshold
-    {
-        rows += &row("Response that gels", &turned(threshold), &numbers);
-    }
-    let others = data.species.iter().skip(1).filter_map(|species| {
-        let window = species.exposure.as_ref()?;
-        let (name, said) = (escape(species.name), window.sentence());
-        Some(format!("<p class=\"muted\">{name}: {said}</p>"))
-    });
-    let first = match data.species.first() {
-        Some(species) if data.species.len() > 1 => format!("{}: ", escape(species.name)),
-        _ => String::new(),
-    };
-    format!(
-        "<section><h2>Best exposure</h2><p class=\"muted\">{first}{}</p>{}<table class=\"plain\"><thead><tr><th></th><th>shortest</th><th>best</th><th>longest</th></tr></thead>\
-         <tbody>{rows}</tbody></table>{}</section>",
-        window.sentence(),
-        others.collect::<String>(),
-        when(data),
-    )
 }
 
 #[cfg(test)]

@@ -1,20 +1,17 @@
 //! What a run has found: `report.json` for programs, `report.html` for people.
 //!
 //! *What must it do, and who does it.* [`ReportData`] is everything a report shows, put together by whoever ran the job;
-//! [`write_json`] and [`write_html`] write it. The page is one file without any outside resource; it follows light and
-//! dark, and fits a desk and a telephone.
+//! [`write_json`] and [`write_html`] write it. The page ([`page`]) is one file without any outside resource.
 
 pub mod ceiling;
 pub mod compare;
-mod figures;
-mod growth;
-pub mod html;
 pub mod json;
 pub mod latitude;
 pub mod limits;
 pub mod maps;
 pub mod number;
 pub mod objectives;
+pub mod page;
 mod picture;
 pub mod plot;
 mod relief;
@@ -218,6 +215,8 @@ pub struct ReportData<'a> {
     pub ceiling: Option<&'a CeilingReport>,
     /// Movies.
     pub movies: Vec<MovieReport>,
+    /// Walls, bodies in the light and rays of some pixels.
+    pub scene: Option<&'a page::Scene>,
     /// The resolved job.
     pub job_text: &'a str,
     /// Choices that were made, one sentence each.
@@ -235,50 +234,7 @@ pub const INSERT: u8 = 2;
 /// Of [`ReportData::bodies`]: a body in the light that is no part of the target. Its voxels may be labeled as void.
 pub const OBSTACLE: u8 = 3;
 
-impl<'a> ReportData<'a> {
-    /// The same for another of its species: what is drawn of target, dose and errors.
-    fn of_species(&self, species: &SpeciesReport<'a>) -> ReportData<'a> {
-        ReportData {
-            part: self.part,
-            program: self.program,
-            created: self.created,
-            facts: Vec::new(),
-            models: Vec::new(),
-            exposure: None,
-            limits: self.limits,
-            lights: Vec::new(),
-            labels: species.labels,
-            response: species.response,
-            inside: Some(species.inside),
-            bodies: self.bodies,
-            window: species.window,
-            evaluation: species.evaluation,
-            standing: None,
-            optimization: None,
-            objectives: &[],
-            published: serde_json::Map::new(),
-            species: Vec::new(),
-            one_exposure: None,
-            maps: Vec::new(),
-            time: Vec::new(),
-            one_moment: None,
-            history: &[],
-            kept: None,
-            gap: None,
-            scenarios: None,
-            found_window: None,
-            found_response: &[],
-            deviation: None,
-            levels: None,
-            ceiling: None,
-            movies: Vec::new(),
-            job_text: "",
-            notes: Vec::new(),
-            warnings: Vec::new(),
-            timings: Vec::new(),
-        }
-    }
-
+impl ReportData<'_> {
     /// Quality against time, where the run looked for a ceiling of its pixels.
     fn trade_off(&self) -> Vec<TradeOff> {
         let of = |own: &CeilingReport| own.trade_off(self.evaluation, self.exposure);
@@ -330,13 +286,12 @@ pub fn write_print(path: &Path, part: &str, deviation: &Deviation) -> Result<()>
     relief::write(path, part, deviation)
 }
 
-/// Writes `report.html`; see [`html`].
+/// Writes `report.html`; see [`page`].
 ///
 /// # Errors
 /// [`Error::Io`], or [`Error::Shape`] when the volumes do not belong together.
 pub fn write_html(path: &Path, data: &ReportData<'_>) -> Result<()> {
-    data.check()?;
-    let page = html::report_html(data);
+    let page = page::report_page(data)?.html();
     write_whole(path, |file| Ok(file.write_all(page.as_bytes())?))
 }
 
@@ -464,6 +419,7 @@ mod tests {
                 levels: None,
                 ceiling: None,
                 movies: Vec::new(),
+                scene: None,
                 job_text: "a = \"</pre><b>\"",
                 notes: vec!["z is moved".to_owned()],
                 warnings: vec!["x < y".to_owned()],
@@ -521,6 +477,12 @@ mod tests {
         assert_eq!(other, json);
     }
 
+    /// The page of a sample: what its text holds, and it itself.
+    fn page_of(data: &ReportData<'_>) -> (String, page::Page) {
+        let page = page::report_page(data).unwrap();
+        (page.html(), page)
+    }
+
     #[test]
     fn the_page_is_whole_and_nothing_gets_out_of_its_text() {
         let sample = Sample::new();
@@ -528,115 +490,97 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("report.html");
         write_html(&path, &sample.data(&evaluation)).unwrap();
-        let page = std::fs::read_to_string(&path).unwrap();
-        assert!(page.starts_with("<!doctype html>") && page.ends_with("</html>\n"));
-        for bad in [
-            "<script",
-            "alert(1)</h1>",
-            "</pre><b>",
-            "x < y",
-            "NaN",
-            "inf",
-            "http:",
-            "https:",
-            "src=\"/",
-        ] {
-            assert!(!page.contains(bad), "{bad}");
+        let text = std::fs::read_to_string(&path).unwrap();
+        assert!(text.starts_with("<!doctype html>") && text.ends_with("</html>\n"));
+        for bad in ["<script>alert", "</pre><b>", "x < y", "NaN", "src=\"/"] {
+            assert!(!text.contains(bad), "{bad}");
         }
-        assert!(page.contains("x &lt; y") && page.contains("&lt;script&gt;"));
-        let side = evaluation.farthest.unwrap().side.words();
-        assert!(page.contains("It is at x = ") && page.contains(&format!(" mm: {side}.")));
-        assert!(page.contains("Time to print") && page.contains("1 min 15 s"));
-        assert!(page.contains(">2 s until this page was written"));
-        // Nine slices, a sinogram, eight frames
-        assert_eq!(page.matches("data:image/png;base64,").count(), 18);
-        for tag in ["section", "figure", "svg", "table", "div", "details"] {
+        assert!(text.contains("<p>x &lt; y</p>") && text.contains("&lt;script&gt;"));
+        // Target, dose and error for readers without a script
+        assert_eq!(text.matches("data:image/png;base64,").count(), 3);
+        // The file is read again as it was
+        let (_, page) = page_of(&sample.data(&evaluation));
+        let read = page::Page::read(&path).unwrap();
+        assert_eq!(
+            (&read.data, &read.blobs, &read.plain),
+            (&page.data, &page.blobs, &page.plain)
+        );
+        assert_eq!(
+            page.data["runs"][0]["report"]["part"],
+            "disc <script>alert(1)</script>"
+        );
+        std::fs::write(&path, "<html></html>").unwrap();
+        assert!(matches!(page::Page::read(&path), Err(Error::Io { .. })));
+    }
+
+    #[test]
+    fn volumes_films_and_surface_of_the_page_are_those_of_the_run() {
+        let sample = Sample::new();
+        let evaluation = sample.evaluation();
+        let deviation = Print::new(&sample.labels, &sample.response)
+            .unwrap()
+            .deviation()
+            .unwrap();
+        let mut data = sample.data(&evaluation);
+        data.deviation = Some(&deviation);
+        let (_, page) = page_of(&data);
+        let run = &page.data["runs"][0];
+        let bytes = |id: &serde_json::Value| {
+            let name = format!("blob-0-{}", id.as_str().unwrap());
+            let (_, text) = page.blobs.iter().find(|(id, _)| *id == name).unwrap();
+            page::blob::unpacked(text).unwrap()
+        };
+        let volume = |kind: &str| {
+            let all = run["volumes"].as_array().unwrap();
+            all.iter()
+                .find(|info| info["kind"] == kind)
+                .unwrap()
+                .clone()
+        };
+        let labels = volume("labels");
+        assert_eq!(bytes(&labels["id"]), sample.labels.values);
+        let response = volume("response");
+        assert_eq!(response["shape_zyx"], serde_json::json!([6, 20, 22]));
+        let [low, high] = ["low", "high"].map(|end| response[end].as_f64().unwrap());
+        for (code, value) in bytes(&response["id"]).iter().zip(&sample.response.values) {
+            let back = low + f64::from(*code) / 255.0 * (high - low);
+            assert!((back - f64::from(*value)).abs() <= 0.51 * (high - low) / 255.0);
+        }
+        let film = &run["films"][0];
+        assert_eq!(
+            (&film["frames"], &film["every"], &film["of"]),
+            (&9.into(), &1.into(), &serde_json::json!([9, 4, 6]))
+        );
+        assert_eq!(bytes(&film["id"])[6], 255);
+        let (corners, triangles) = (
+            deviation.surface.corners.len(),
+            deviation.surface.triangles.len(),
+        );
+        assert_eq!(
+            bytes(&run["surface"]["id"]).len(),
+            8 * corners + 12 * triangles
+        );
+        assert_eq!(run["history"]["process_window"][1], serde_json::Value::Null);
+        assert_eq!(run["history"]["response.steepness"][2], 12.0);
+    }
+
+    #[test]
+    fn large_volumes_are_reduced_until_they_fit() {
+        let sample = Sample::new();
+        let evaluation = sample.evaluation();
+        let grid = VolumeGrid::centered([4, 300, 400], 0.1);
+        let noise = |i: usize| (i * 7919 % 10007) as f32;
+        let response = Volume::new(grid.clone(), (0..grid.len()).map(noise).collect());
+        let labels = Volume::filled(grid, PART);
+        let mut data = sample.data(&evaluation);
+        (data.labels, data.response) = (&labels, &response);
+        let (_, page) = page_of(&data);
+        for info in page.data["runs"][0]["volumes"].as_array().unwrap() {
             assert_eq!(
-                page.matches(&format!("<{tag}")).count(),
-                page.matches(&format!("</{tag}>")).count(),
-                "{tag}"
+                (&info["reduced"], &info["shape_zyx"]),
+                (&3.into(), &serde_json::json!([2, 100, 134]))
             );
         }
-    }
-
-    #[test]
-    fn names_of_others_are_text() {
-        const NAME: &str = "\"'><img src=x>&";
-        let sample = Sample::new();
-        let evaluation = sample.evaluation();
-        let mut data = sample.data(&evaluation);
-        let name = || NAME.to_owned();
-        (data.part, data.program, data.created, data.job_text) = (NAME, NAME, NAME, NAME);
-        data.facts = vec![(name(), name())];
-        data.models = vec![("evaluation", name())];
-        (data.notes, data.warnings) = (vec![name()], vec![name()]);
-        data.timings[0].name = name();
-        let found = [(name(), 1.0)];
-        data.found_response = &found;
-        data.maps = vec![MapReport {
-            name: NAME,
-            unit: NAME,
-            is_logarithmic: false,
-            values: &sample.response,
-        }];
-        data.lights[0].name = NAME;
-        let species = || SpeciesReport {
-            name: NAME,
-            driven_by: vec![(name(), 1.0)],
-            evaluation: &evaluation,
-            labels: &sample.labels,
-            response: &sample.response,
-            inside: &sample.response,
-            window: None,
-            exposure: None,
-            limits: &sample.limits,
-        };
-        data.species = vec![species(), species()];
-        let row = |i: usize| HistoryRow {
-            response: vec![(name(), i as f64)],
-            ..sample.history[i].clone()
-        };
-        let history: Vec<HistoryRow> = (0..5).map(row).collect();
-        data.history = &history;
-        let page = html::report_html(&data);
-        let raw = |text: &str| {
-            page.find(text)
-                .map(|at| page[..at].split_at(at - 80).1.to_owned())
-        };
-        assert_eq!([raw("<img src=x"), raw("\"'>")], [None, None]);
-        assert!(page.matches("&lt;img src=x&gt;&amp;").count() > 15);
-    }
-
-    #[test]
-    fn exposure_and_limits_stand_before_all_else_and_the_surface_in_two_views() {
-        let sample = Sample::new();
-        let evaluation = sample.evaluation();
-        let window =
-            ExposureWindow::new(&evaluation, &tomolith_core::response::Identity, Some(75.0));
-        let print = Print::new(&sample.labels, &sample.response).unwrap();
-        let deviation = print.deviation().unwrap();
-        let mut data = sample.data(&evaluation);
-        let pictures = |data: &ReportData<'_>| {
-            let page = html::report_html(data);
-            (page.matches("data:image/png;base64,").count(), page)
-        };
-        let (before, _) = pictures(&data);
-        (data.exposure, data.deviation) = (window.as_ref(), Some(&deviation));
-        let (after, page) = pictures(&data);
-        assert_eq!(after, before + 2);
-        let place = |text: &str| page.find(text).unwrap_or_else(|| panic!("{text}"));
-        assert!(place("<h2>Best exposure</h2>") < place("<h2>What limits the print</h2>"));
-        assert!(place("Raise <code>light.angles</code>") < place("class=\"cards\""));
-        assert!(page.contains("<td>Time to print</td>") && page.contains("1 min 15 s"));
-        let json = json::report_json(&data);
-        assert_eq!(json["exposure"]["time_s"]["best"], 75.0);
-        assert_eq!(json["exposure"]["percent"]["best"], 100.0);
-        assert_eq!(json["exposure"]["measure"], "iou");
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("print.ply");
-        write_print(&path, "größer", &deviation).unwrap();
-        let mesh = tomolith_io::mesh::read_mesh(&path).unwrap().mesh;
-        assert_eq!(mesh.triangles.len(), deviation.surface.triangles.len());
     }
 
     #[test]
@@ -662,29 +606,6 @@ mod tests {
     }
 
     #[test]
-    fn bodies_that_are_not_printed_are_drawn_and_named() {
-        let sample = Sample::new();
-        let evaluation = sample.evaluation();
-        let without = html::report_html(&sample.data(&evaluation));
-        for (mark, name, place) in [(INSERT, "insert", OUTSIDE), (OBSTACLE, "obstacle", VOID)] {
-            let mut data = sample.data(&evaluation);
-            let labels = sample.labels.values.iter();
-            let marks = labels.map(|l| mark * u8::from(*l == place)).collect();
-            let bodies = Volume::new(sample.labels.grid.clone(), marks);
-            data.bodies = Some(&bodies);
-            let with = html::report_html(&data);
-            let legend = format!("</i>{name}<");
-            assert!(with.contains(&legend) && !without.contains(&legend));
-            assert!(!with.contains("</i>to stay dark<"));
-            // Target, dose and error
-            for picture in 1..=3 {
-                let of = |page: &str| page.split("<image href=").nth(picture).map(str::to_owned);
-                assert_ne!(of(&with), of(&without), "{name} {picture}");
-            }
-        }
-    }
-
-    #[test]
     fn a_gray_target_is_judged_by_its_errors() {
         let sample = Sample::new();
         let mut wanted = sample.response.clone();
@@ -693,23 +614,15 @@ mod tests {
         let evaluation = evaluate(&print().with_gray(&wanted, 0.05).unwrap());
         let mut data = sample.data(&evaluation);
         data.inside = Some(&wanted);
-        let page = html::report_html(&data);
+        let (page, _) = page_of(&data);
         assert!(
-            page.contains("<b>100 %</b> of the voxels lies within ±0.05"),
+            page.contains("100 % of the voxels lies within ±0.05"),
             "{page}"
         );
-        assert!(page.contains("How far the response is off") && page.contains("Rms error"));
-        assert!(!page.contains("How much the threshold matters") && !page.contains("NaN"));
         let json = json::report_json(&data);
         let rms = json["evaluation"]["rms_error"].as_f64().unwrap();
         assert!((rms - 0.04).abs() < 1e-6, "{rms}");
         assert_eq!(json["evaluation"]["band_half_width"], 0.05);
-        assert!(page.contains(">+0.2<"), "four half widths");
-        // A band of no width: differences are drawn up to four times their root mean square
-        let evaluation = evaluate(&print().with_gray(&wanted, 0.0).unwrap());
-        let mut data = sample.data(&evaluation);
-        data.inside = Some(&wanted);
-        assert!(html::report_html(&data).contains(">+0.16<"));
     }
 
     #[test]
@@ -718,9 +631,8 @@ mod tests {
         sample.response.values.fill(0.0);
         sample.history.clear();
         let evaluation = sample.evaluation();
-        let page = html::report_html(&sample.data(&evaluation));
-        assert!(page.contains("No threshold prints any of the part."));
-        assert!(!page.contains("NaN") && !page.contains("inf"));
+        let (page, _) = page_of(&sample.data(&evaluation));
+        assert!(page.contains("No threshold prints any of the part.") && !page.contains("NaN"));
         let json = json::report_json(&sample.data(&evaluation));
         assert_eq!(
             (

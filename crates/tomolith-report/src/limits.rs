@@ -1,8 +1,6 @@
 //! What keeps a print from being perfect, one cause at a time, with the key that changes it.
 
-use super::number::escape;
 use serde::ser::{Serialize, SerializeMap, Serializer};
-use std::fmt::Write as _;
 
 /// Why a print is worse than the target.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
@@ -62,59 +60,12 @@ pub struct PrintLimits {
     pub causes: Vec<Limit>,
 }
 
-const TITLE: &str = "<h2>What limits the print</h2>";
-
-/// The section of the page; empty where nothing was measured.
-pub(super) fn section(limits: &PrintLimits) -> String {
-    if limits.causes.is_empty() {
-        return String::new();
-    }
-    format!("<section>{TITLE}{}</section>", body(limits))
-}
-
-/// The same for several species by name.
-pub(super) fn section_of_species(species: &[(&str, &PrintLimits)]) -> String {
-    let of = |(name, limits): &(&str, &PrintLimits)| {
-        if limits.sentence.is_empty() && limits.causes.is_empty() {
-            return String::new();
-        }
-        format!("<h3>{}</h3>{}", escape(name), body(limits))
-    };
-    let all: String = species.iter().map(of).collect();
-    if all.is_empty() {
-        return all;
-    }
-    format!("<section>{TITLE}{all}</section>")
-}
-
-fn body(limits: &PrintLimits) -> String {
-    let mut items = String::new();
-    for limit in &limits.causes {
-        let _ = write!(items, "<li>{}</li>", code(&limit.advice));
-    }
-    format!(
-        "<p>{}</p><ol class=\"limits\">{items}</ol>",
-        code(&limits.sentence)
-    )
-}
-
-/// Text whose keys stand between grave accents.
-fn code(text: &str) -> String {
-    let pieces = text.split('`').enumerate();
-    pieces
-        .map(|(i, piece)| match i % 2 {
-            0 => escape(piece),
-            _ => format!("<code>{}</code>", escape(piece)),
-        })
-        .collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn a_limit_has_four_keys_and_its_key_is_set_as_code() {
+    fn a_limit_has_four_keys() {
         let limit = Limit {
             cause: Cause::Grid,
             measure: "iou",
@@ -127,17 +78,5 @@ mod tests {
             json,
             serde_json::json!({ "cause": "grid", "loss_in_iou": 0.026, "key": "grid.pitch_mm", "advice": "A < B. Lower `grid.pitch_mm`." })
         );
-        let limits = PrintLimits {
-            sentence: "All.".to_owned(),
-            causes: vec![limit],
-        };
-        let item = "<li>A &lt; B. Lower <code>grid.pitch_mm</code>.</li>";
-        let none = PrintLimits::default();
-        assert!(section(&limits).contains(item));
-        assert_eq!(section(&none), "");
-        let both = section_of_species(&[("soft", &limits), ("st<iff", &limits)]);
-        assert_eq!(both.matches(item).count(), 2);
-        assert!(both.contains("<h3>soft</h3>") && both.contains("<h3>st&lt;iff</h3>"));
-        assert_eq!(section_of_species(&[("soft", &none)]), "");
     }
 }

@@ -274,7 +274,7 @@ impl Plot {
     #[must_use]
     pub fn file(&self, title: &str) -> String {
         let above = self.above();
-        let style = plain_style(include_str!("style.css"));
+        let style = include_str!("plot.css");
         let body = self.svg(title);
         let (_, inner) = body.split_once('>').unwrap_or(("", &body));
         format!(
@@ -371,25 +371,6 @@ fn width_of(text: &str) -> f64 {
         _ => 7.0,
     };
     text.chars().map(of_letter).sum()
-}
-
-/// The rules of a style sheet that plots use, with the light colors in place of their names: what draws files does not know names.
-fn plain_style(style: &str) -> String {
-    let (root, rest) = style.split_once('}').unwrap_or_default();
-    let declarations = root
-        .split(['{', ';'])
-        .filter_map(|line| line.trim().split_once(": "));
-    let names = declarations.filter(|(name, _)| name.starts_with("--"));
-    let drawn = [
-        "svg text", ".plot", ".grid", ".axis", "[class", ".s-", ".f-", ".key", ".break",
-    ];
-    let rules = rest
-        .lines()
-        .filter(|line| drawn.iter().any(|start| line.starts_with(start)));
-    let rules = rules.collect::<Vec<_>>().join("\n");
-    names.fold(rules, |rules, (name, value)| {
-        rules.replace(&format!("var({name})"), value)
-    })
 }
 
 #[cfg(test)]

@@ -3,7 +3,6 @@
 //! All of them gel at one dose, that of the job: nobody knows which scenario a print is. The window over scenarios is the least dose of the
 //! part in any of them less the largest of the void in any of them, both trimmed (`evaluate.trim_percent`).
 
-use super::number::{escape, significant};
 use serde::Serialize;
 use tomolith_metrics::Measure;
 
@@ -64,32 +63,6 @@ impl ScenarioTable {
         self.rows.iter().min_by(|a, b| iou(a).total_cmp(&iou(b)))
     }
 
-    /// A section of the report.
-    #[must_use]
-    pub(crate) fn section(&self) -> String {
-        let cell = |m: Measure| m.map_or_else(|| "–".to_owned(), |m| significant(m, 4));
-        let row = |row: &ScenarioRow| {
-            let numbers = [
-                row.iou_at_threshold,
-                row.iou,
-                row.gamma,
-                row.part_low,
-                row.void_high,
-            ];
-            let cells = numbers.map(|m| format!("<td>{}</td>", cell(m)));
-            format!("<tr><td>{}</td>{}</tr>", escape(&row.name), cells.concat())
-        };
-        let rows: String = self.rows.iter().map(row).collect();
-        format!(
-            "<section><h2>Scenarios</h2><p>What the same patterns print where something is otherwise. Nobody knows which scenario a print is, so all of \
-             them gel at the threshold of the job, {}.</p><table class=\"plain\"><thead><tr><th>scenario</th><th>IoU there</th><th>IoU at its own threshold</th>\
-             <th>Γ, %</th><th>least of the part</th><th>largest of the void</th></tr></thead><tbody>{rows}</tbody></table>\
-             <p class=\"muted\">Window over all of them: {}, trimmed.</p></section>",
-            cell(self.threshold),
-            cell(self.window)
-        )
-    }
-
     /// In words.
     #[must_use]
     pub fn sentence(&self) -> String {
@@ -137,10 +110,5 @@ mod tests {
             "{text}"
         );
         assert!(text.contains("(at 0.95; the job 0.9800)"), "{text}");
-        let section = table.section();
-        assert!(
-            section.contains("<td>at 0.97</td><td>0.96</td>"),
-            "{section}"
-        );
     }
 }

@@ -4,10 +4,10 @@
 //! **Definition** Of all doses, the one at which the lowest IoU of all species is the largest, every network gelling at that dose; of all times of a print in time,
 //! the one at which the lowest Jaccard index is. Between the points of their curves both are taken as linear.
 
+use super::latitude;
 use super::latitude::Bracket;
-use super::number::{clock, escape, significant, told_apart};
+use super::number::{significant, told_apart};
 use super::time::in_minutes;
-use super::{ReportData, SpeciesReport, latitude};
 use serde::Serialize;
 use std::fmt::Write as _;
 use tomolith_metrics::latitude::TOLERANCE;
@@ -277,79 +277,6 @@ fn value_at(curve: &[[f64; 2]], place: f64) -> Option<f64> {
     let low = curve[above.checked_sub(1)?];
     let share = (place - low[0]) / (high[0] - low[0]);
     Some(low[1] + share * (high[1] - low[1]))
-}
-
-/// The section of the best exposure of several species: all of them on the scale of the one exposure.
-pub(super) fn section(one: &OneExposure, data: &ReportData<'_>) -> String {
-    let row = |name: &str, bracket: [Option<f64>; 3], text: &dyn Fn(&[f64]) -> Vec<String>| {
-        let [low, best, high] = latitude::cells(bracket, text);
-        format!(
-            "<tr><td>{}</td><td>{low}</td><td class=\"head\">{best}</td><td>{high}</td></tr>",
-            escape(name)
-        )
-    };
-    let percents = |values: &[f64]| -> Vec<String> {
-        let said = told_apart(values, 3);
-        said.into_iter().map(|text| text + " %").collect()
-    };
-    let clocks = |values: &[f64]| values.iter().map(|s| clock(*s)).collect();
-    let mut rows = row("All together", one.percent.ascending(), &percents);
-    if let Some(time) = &one.time_s {
-        rows += &row("Time to print", time.ascending(), &clocks);
-    }
-    for species in &data.species {
-        if let Some(own) = species.exposure.as_ref().and_then(|window| window.dose) {
-            let [high, best, low] = own.ascending();
-            let scaled = [low, best, high].map(|dose| {
-                dose.map(|d| 100.0 * one.gel_dose / d)
-                    .filter(|p| p.is_finite())
-            });
-            rows += &row(&format!("{} alone", species.name), scaled, &percents);
-        }
-    }
-    format!(
-        "<section><h2>Best exposure</h2><p class=\"muted\">{} The table compares exposures with it.</p><table class=\"plain\"><thead><tr><th></th><th>shortest</th>\
-         <th>best</th><th>longest</th></tr></thead><tbody>{rows}</tbody></table>{}</section>",
-        escape(&one.sentence()),
-        latitude::when(data),
-    )
-}
-
-/// IoU of all species, at doses of their own and at one exposure.
-pub(super) fn together(data: &ReportData<'_>) -> String {
-    let Some(one) = data.one_exposure else {
-        return String::new();
-    };
-    let row = |(species, together): (&SpeciesReport<'_>, &f64)| {
-        let own = species.evaluation.measures.get("iou").unwrap_or_default();
-        let at = species.evaluation.gel_threshold.unwrap_or_default();
-        format!(
-            "<tr><td>{}</td><td>{}</td><td>{}</td><td><b>{}</b></td></tr>",
-            escape(species.name),
-            significant(own, 4),
-            significant(at, 3),
-            significant(*together, 4),
-        )
-    };
-    let rows: String = data.species.iter().zip(&one.iou).map(row).collect();
-    format!(
-        "<p>A print has one exposure. Where all networks gel at the same dose, the species print together best at a dose of {}: the last column. Each reaches \
-         the IoU of its own where its network gels at its own dose.</p><table class=\"plain\"><thead><tr><th>species</th><th>IoU alone</th><th>at a threshold of</th><th>IoU together</th></tr></thead><tbody>{rows}</tbody></table>",
-        significant(one.gel_dose, 3)
-    )
-}
-
-/// How the lights drive a species, in words.
-pub(super) fn drive(species: &SpeciesReport<'_>) -> String {
-    let of = |(light, factor): &(String, f64)| match *factor {
-        factor if factor < 0.0 => format!("inhibited by {} × {light}", significant(-factor, 3)),
-        factor => format!("driven by {} × {light}", significant(factor, 3)),
-    };
-    let acting = species
-        .driven_by
-        .iter()
-        .filter(|(_, factor)| *factor != 0.0);
-    acting.map(of).collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! A run as it is read from its folder.
 
+use crate::page::Page;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -18,10 +19,14 @@ pub struct ComparedRun {
     pub name: String,
     /// `report.json`.
     pub report: Value,
-    /// `job.toml`, flat: key path → value.
+    /// `job.toml`.
+    pub job_text: String,
+    /// The same, flat: key path → value.
     pub job: BTreeMap<String, String>,
     /// `dose.npy`, on the job's voxels; None where the folder has none.
     pub dose: Option<Volume<f32>>,
+    /// `report.html`; None where there is none, or one of an earlier version.
+    pub page: Option<Page>,
     /// `history.csv`: column → numbers, not a number where there is none; empty for a simulation.
     pub history: BTreeMap<String, Vec<f64>>,
 }
@@ -43,8 +48,8 @@ impl ComparedRun {
         if report["schema"] != crate::SCHEMA {
             return Err(bad(format!("schema {}", report["schema"])));
         }
-        let job = read_text(folder.join("job.toml")).unwrap_or_default();
-        let job: Value = toml::from_str(&job).unwrap_or_default();
+        let job_text = read_text(folder.join("job.toml")).unwrap_or_default();
+        let job: Value = toml::from_str(&job_text).unwrap_or_default();
         let mut flat = BTreeMap::new();
         flatten("", &job, &mut flat);
         flat.remove("output.folder");
@@ -58,6 +63,8 @@ impl ComparedRun {
             name,
             report,
             dose,
+            page: Page::read(&folder.join("report.html")).ok(),
+            job_text,
             job: flat,
             history: columns(&history),
         })
@@ -77,23 +84,10 @@ impl ComparedRun {
         self.report.pointer(pointer)?.as_f64()
     }
 
-    pub(super) fn points(&self, x: impl Fn(usize) -> Option<f64>, column: &str) -> Vec<[f64; 2]> {
-        let Some(values) = self.history.get(column) else {
-            return Vec::new();
-        };
-        let point =
-            |(i, &y): (usize, &f64)| Some([x(i)?, y]).filter(|p| p.iter().all(|v| v.is_finite()));
-        values.iter().enumerate().filter_map(point).collect()
-    }
-
     /// Model calls after row `i` of the history.
     pub(super) fn calls(&self, i: usize) -> Option<f64> {
         let at = |name: &str| self.history.get(name)?.get(i).copied();
         Some(at("forward_calls")? + at("adjoint_calls")?)
-    }
-
-    pub(super) fn seconds(&self, i: usize) -> Option<f64> {
-        self.history.get("seconds")?.get(i).copied()
     }
 }
 

@@ -6,6 +6,7 @@
 pub(crate) mod contact;
 pub(crate) mod doubts;
 pub(crate) mod in_time;
+pub(crate) mod light_paths;
 pub(crate) mod limits;
 pub(crate) mod noise;
 pub(crate) mod objectives;

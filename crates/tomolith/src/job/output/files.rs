@@ -14,6 +14,7 @@ use crate::io::write_whole;
 use crate::job::dose::written::Written;
 use crate::job::evaluate::Evaluated;
 use crate::job::evaluate::in_time::{InTime, NetworkInTime};
+use crate::job::evaluate::light_paths::scene;
 use crate::job::evaluate::limits::limits;
 use crate::job::evaluate::property::{Property, properties};
 use crate::job::optimize::Optimized;
@@ -409,6 +410,7 @@ fn report(
         ceiling: found_ceiling,
         deviation: made.deviation.as_ref(),
         movies: made.movies,
+        scene: Some(&scene(resolved)),
         job_text: &job.complete().to_toml()?,
         notes: (resolved.notes.iter().cloned())
             .chain(found_ceiling.map(CeilingReport::sentence))
@@ -449,8 +451,8 @@ fn time<'a>(done: &'a Done<'_>) -> Vec<TimeReport<'a>> {
             reached,
             phases_s: [network.phases.induction_end_s, network.phases.curing_end_s],
             evaluation: network.evaluation.as_ref(),
+            cure_times: Some(&network.cure_times),
             snapshots: &network.snapshots,
-            labels: &network.labels,
         }
     };
     networks.map(of).collect()

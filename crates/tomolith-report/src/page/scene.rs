@@ -1,0 +1,59 @@
+//! What the page draws of a job's machine: walls of the vial, bodies in the light, and rays of some pixels, in the frame of the vial, in which the part
+//! stands still. Light of a frame comes from its azimuth, counter-clockwise from +x seen from above.
+
+use serde::Serialize;
+
+/// A closed line in a horizontal cut, mm.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Outline {
+    /// What it is, for people.
+    pub name: String,
+    /// Its corners `[x, y]`, mm.
+    pub points: Vec<[f64; 2]>,
+}
+
+/// The way of a pixel's middle ray.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LightPath {
+    /// Where it bends, enters and leaves `[x, y, z]`, mm; the first lies before the vial.
+    pub points: Vec<[f64; 3]>,
+    /// Which of the points is the first in resin.
+    pub resin_from: usize,
+}
+
+/// Rays of a frame.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct FramePaths {
+    /// Which frame, from 0.
+    pub frame: usize,
+    /// Where its light comes from, degrees.
+    pub angle_deg: f64,
+    /// Rays of some of its pixels.
+    pub rays: Vec<LightPath>,
+}
+
+/// Rays of a light.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct LightPaths {
+    /// Name of the light; may be empty when there is only one.
+    pub name: String,
+    /// Some of its frames.
+    pub frames: Vec<FramePaths>,
+}
+
+/// See the [module page](self).
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+pub struct Scene {
+    /// Radius that every frame lights, mm.
+    pub lit_radius_mm: Option<f64>,
+    /// No part of the target is farther from the axis, mm.
+    pub part_radius_mm: f64,
+    /// Lowest and highest of the target, mm.
+    pub z_mm: [f64; 2],
+    /// Walls from outside to inside.
+    pub walls: Vec<Outline>,
+    /// Rays.
+    pub lights: Vec<LightPaths>,
+    /// Bodies in the light.
+    pub obstacles: Vec<Outline>,
+}

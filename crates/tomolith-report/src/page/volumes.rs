@@ -1,0 +1,222 @@
+//! The volumes of a page: target, labels, bodies and response of each species, when voxels become solid, properties of the print.
+
+use super::blob::{Codes, NOTHING, majorities, means, packed, reduced_grid};
+use crate::number::significant;
+use crate::{ReportData, SpeciesReport};
+use serde::Serialize;
+use tomolith_core::grid::{Volume, VolumeGrid};
+
+/// Voxels along an edge, at most; and of each of several moments.
+const EDGE: usize = 192;
+const EDGE_OF_MOMENTS: usize = 96;
+
+/// What the page knows of a volume.
+#[derive(Serialize)]
+pub(super) struct VolumeInfo {
+    id: String,
+    kind: &'static str,
+    species: Option<String>,
+    name: String,
+    unit: String,
+    shape_zyx: [usize; 3],
+    pitch_mm: f64,
+    height_mm: f64,
+    center_xyz_mm: [f64; 3],
+    bits: u32,
+    low: f64,
+    high: f64,
+    nan: Option<u8>,
+    logarithmic: bool,
+    reduced: usize,
+    full: bool,
+}
+
+/// A volume before it is packed.
+struct Source<'a> {
+    kind: &'static str,
+    species: Option<&'a str>,
+    name: String,
+    unit: &'a str,
+    logarithmic: bool,
+    /// Voxels along an edge, at most.
+    edge: usize,
+    values: Values<'a>,
+}
+
+enum Values<'a> {
+    Numbers(&'a Volume<f32>),
+    Codes(&'a Volume<u8>),
+}
+
+impl<'a> Source<'a> {
+    fn numbers(
+        kind: &'static str,
+        species: Option<&'a str>,
+        name: &str,
+        volume: &'a Volume<f32>,
+    ) -> Self {
+        Source {
+            kind,
+            species,
+            name: name.to_owned(),
+            unit: "",
+            logarithmic: false,
+            edge: EDGE,
+            values: Values::Numbers(volume),
+        }
+    }
+
+    fn codes(
+        kind: &'static str,
+        species: Option<&'a str>,
+        name: &str,
+        volume: &'a Volume<u8>,
+    ) -> Self {
+        Source {
+            kind,
+            species,
+            name: name.to_owned(),
+            unit: "",
+            logarithmic: false,
+            edge: EDGE,
+            values: Values::Codes(volume),
+        }
+    }
+
+    fn grid(&self) -> &VolumeGrid {
+        match self.values {
+            Values::Numbers(volume) => &volume.grid,
+            Values::Codes(volume) => &volume.grid,
+        }
+    }
+
+    /// The volume with blocks of `factor`³ voxels joined, packed.
+    fn reduced(&self, id: String, factor: usize) -> (VolumeInfo, String) {
+        let (codes, low, high, has_gaps) = match self.values {
+            Values::Numbers(volume) => {
+                let Codes {
+                    codes,
+                    low,
+                    high,
+                    has_gaps,
+                } = Codes::of(&means(&volume.grid, &volume.values, factor));
+                (codes, low, high, has_gaps)
+            }
+            Values::Codes(volume) => (
+                majorities(&volume.grid, &volume.values, factor),
+                0.0,
+                255.0,
+                false,
+            ),
+        };
+        let grid = reduced_grid(self.grid(), factor);
+        let info = VolumeInfo {
+            id,
+            kind: self.kind,
+            species: self.species.map(str::to_owned),
+            name: self.name.clone(),
+            unit: self.unit.to_owned(),
+            shape_zyx: grid.shape,
+            pitch_mm: grid.pitch_mm,
+            height_mm: grid.height_mm,
+            center_xyz_mm: grid.center_mm,
+            bits: 8,
+            low,
+            high,
+            nan: has_gaps.then_some(NOTHING),
+            logarithmic: self.logarithmic,
+            reduced: factor,
+            full: false,
+        };
+        (info, packed(&codes))
+    }
+}
+
+/// The volumes of a report: of the only species, or of each.
+fn sources<'a>(data: &'a ReportData<'a>) -> Vec<Source<'a>> {
+    let mut all = Vec::new();
+    if data.species.is_empty() {
+        all.extend(
+            data.inside
+                .map(|inside| Source::numbers("target", None, "target", inside)),
+        );
+        all.push(Source::codes("labels", None, "labels", data.labels));
+        all.push(Source::numbers("response", None, "dose", data.response));
+    }
+    let of_species = |species: &'a SpeciesReport<'a>| {
+        let name = Some(species.name);
+        [
+            Source::numbers("target", name, "target", species.inside),
+            Source::codes("labels", name, "labels", species.labels),
+            Source::numbers("response", name, "dose", species.response),
+        ]
+    };
+    all.extend(data.species.iter().flat_map(of_species));
+    all.extend(
+        data.bodies
+            .map(|bodies| Source::codes("bodies", None, "bodies", bodies)),
+    );
+    for network in &data.time {
+        let name = (data.time.len() > 1).then_some(network.name);
+        all.extend(network.cure_times.map(|times| Source {
+            unit: "s",
+            ..Source::numbers("cure_time", name, "time of cure", times)
+        }));
+        all.extend(network.snapshots.iter().map(|(seconds, degree)| {
+            let moment = format!("degree of cure after {} s", significant(*seconds, 3));
+            Source {
+                edge: EDGE_OF_MOMENTS,
+                ..Source::numbers("property", name, &moment, degree)
+            }
+        }));
+    }
+    all.extend(data.maps.iter().map(|map| Source {
+        unit: map.unit,
+        logarithmic: map.is_logarithmic,
+        ..Source::numbers("property", None, map.name, map.values)
+    }));
+    all
+}
+
+/// The volumes of a report as text of at most so many bytes: reduced to [`EDGE`] voxels along an edge, and further where that is too much.
+pub(super) fn volumes(
+    data: &ReportData<'_>,
+    most_bytes: usize,
+) -> (Vec<VolumeInfo>, Vec<(String, String)>) {
+    fitting(&sources(data), most_bytes)
+}
+
+fn fitting(sources: &[Source<'_>], most_bytes: usize) -> (Vec<VolumeInfo>, Vec<(String, String)>) {
+    let mut edge = EDGE;
+    loop {
+        let of = |(i, source): (usize, &Source<'_>)| {
+            let longest = source.grid().shape.into_iter().max().unwrap_or(1);
+            source.reduced(
+                format!("{}{i}", source.kind),
+                longest.div_ceil(edge.min(source.edge)).max(1),
+            )
+        };
+        let packed: Vec<(VolumeInfo, String)> = sources.iter().enumerate().map(of).collect();
+        let bytes: usize = packed.iter().map(|(_, text)| text.len()).sum();
+        if bytes <= most_bytes || edge <= 16 {
+            return packed
+                .into_iter()
+                .map(|(info, text)| {
+                    let id = info.id.clone();
+                    (info, (id, text))
+                })
+                .unzip();
+        }
+        edge = edge * 3 / 4;
+    }
+}
+
+/// The dose of a run on its job's voxels, as text of at most so many bytes.
+pub(super) fn dose(dose: &Volume<f32>, most_bytes: usize) -> (VolumeInfo, String) {
+    let (mut infos, mut texts) = fitting(
+        &[Source::numbers("response", None, "dose", dose)],
+        most_bytes,
+    );
+    infos[0].id = "response".to_owned();
+    (infos.remove(0), texts.remove(0).1)
+}
