@@ -13,6 +13,7 @@ use crate::ranks::{self, Ranks};
 use crate::reproduce::ReproduceArguments;
 use crate::sweep::SweepArguments;
 use crate::trace::TraceArguments;
+use crate::view::{Address, ViewArguments};
 use crate::voxelize::{PhantomArguments, VoxelizeArguments};
 use clap::{Arg, Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use std::path::{Path, PathBuf};
@@ -170,6 +171,8 @@ pub(crate) enum Command {
     Expose(ExposeArguments),
     /// What a printer and a resin allow: voxel size, build-up of dose, impulse response
     Analyze(AnalyzeArguments),
+    /// Look into runs in the browser: planes, threshold, surfaces, patterns, several runs side by side
+    View(ViewArguments),
     /// Put several runs side by side on one page
     Compare(CompareArguments),
 }
@@ -244,6 +247,11 @@ pub(crate) struct RunArguments {
     /// What the run leaves
     #[arg(long, value_enum, default_value_t = Keep::All)]
     pub(crate) keep: Keep,
+    /// Show the run in the browser while it goes on, and then its result, until Ctrl-C
+    #[arg(long, conflicts_with = "keep")]
+    pub(crate) open: bool,
+    #[command(flatten)]
+    pub(crate) address: Address,
     #[command(flatten)]
     pub(crate) manner: Manner,
 }
@@ -288,11 +296,14 @@ pub(crate) struct SimulateArguments {
 
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Examples:\n  tomolith check gear.toml\n  tomolith check gear.toml --json | jq .seconds"
+    after_help = "Examples:\n  tomolith check gear.toml\n  tomolith check gear.toml --json | jq .seconds\n  tomolith check gear.toml --picture gear.html      vial, part and rays in the browser"
 )]
 pub(crate) struct CheckArguments {
     #[command(flatten)]
     pub(crate) job: JobArguments,
+    /// Write a page that shows vial, part, lit radius and rays: a new file ending in .html
+    #[arg(long, value_name = "FILE")]
+    pub(crate) picture: Option<PathBuf>,
     #[command(flatten)]
     pub(crate) manner: Manner,
 }

@@ -4,7 +4,7 @@ use crate::arguments::{Manner, must_have_folder};
 use crate::screen::say;
 use clap::Args;
 use std::ffi::OsStr;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use tomolith::io::must_be_new;
 use tomolith::report::compare::{compare_json, is_comparison, read_runs, write_compare};
 use tomolith::{Error, Result};
@@ -28,18 +28,7 @@ pub(crate) struct CompareArguments {
 }
 
 pub(crate) fn compare(given: &CompareArguments) -> Result<()> {
-    let is_page = |e: &OsStr| {
-        ["html", "htm"]
-            .iter()
-            .any(|page| e.eq_ignore_ascii_case(page))
-    };
-    if !given.output.extension().is_some_and(is_page) {
-        return Err(Error::config(
-            "--output",
-            format!("`{}` has another ending", given.output.display()),
-            "a file name ending in .html: the page is a web page",
-        ));
-    }
+    must_be_page("--output", &given.output)?;
     must_have_folder("--output", &given.output)?;
     if !is_comparison(&given.output) {
         must_be_new("--output", &given.output)?;
@@ -55,4 +44,24 @@ pub(crate) fn compare(given: &CompareArguments) -> Result<()> {
         say(&given.output.display().to_string());
     }
     Ok(())
+}
+
+/// Refuses a file that is not called a web page.
+///
+/// # Errors
+/// [`Error::Config`].
+pub(crate) fn must_be_page(option: &str, file: &Path) -> Result<()> {
+    let is_page = |e: &OsStr| {
+        ["html", "htm"]
+            .iter()
+            .any(|page| e.eq_ignore_ascii_case(page))
+    };
+    if file.extension().is_some_and(is_page) {
+        return Ok(());
+    }
+    Err(Error::config(
+        option,
+        format!("`{}` has another ending", file.display()),
+        "a file name ending in .html: the page is a web page",
+    ))
 }

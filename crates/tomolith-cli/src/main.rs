@@ -23,11 +23,12 @@ mod shell;
 mod sweep;
 mod trace;
 mod trouble;
+mod view;
 mod voxelize;
 
 use arguments::{
     Arguments, Command, JobArguments, JobChanges, Manner, RunArguments, SimulateArguments,
-    command_line,
+    command_line, must_be_a_place,
 };
 use clap::FromArgMatches;
 use ranks::Ranks;
@@ -38,10 +39,11 @@ use std::process::ExitCode;
 use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
-use tomolith::io::give_up;
-use tomolith::job::{self, Document, Job, RunFolder};
+use tomolith::io::{give_up, write_whole};
+use tomolith::job::{self, Document, Job, Leaves, RunFolder};
 use tomolith::models::Run;
 use tomolith::{Error, Result};
+use view::Live;
 
 /// Ran, but the asked quality was not met.
 const NOT_MET: u8 = 1;
@@ -126,6 +128,18 @@ fn main() -> ExitCode {
         }
         Command::Expose(given) => quick("expose", given.manner, |_| expose::expose(given)),
         Command::Analyze(given) => quick("analyze", given.manner(), |_| analyze::analyze(given)),
+        Command::View(given) => {
+            let cancel = cancel_on_ctrl_c(Manner {
+                quiet: true,
+                ..given.manner
+            });
+            (
+                given.manner,
+                ranks::must_be_alone("view")
+                    .and_then(|()| view::view(given, &cancel))
+                    .map(|()| true),
+            )
+        }
         Command::Compare(given) => quick("compare", given.manner, |_| compare::compare(given)),
     };
     let code = match done {
@@ -233,6 +247,20 @@ fn runs(given: &RunArguments, ranks: Option<&Ranks>) -> Result<bool> {
             "no --output with several jobs: each has its output.folder, or out/NAME",
         ));
     }
+    if !given.open && given.address.is_set() {
+        return Err(Error::config(
+            "--port",
+            "`--port` or `--no-browser` without `--open`",
+            "both with `--open`, which serves a page",
+        ));
+    }
+    if several && given.open {
+        return Err(Error::config(
+            "--open",
+            format!("{} jobs", given.jobs.len()),
+            "one job: a page shows one run while it goes on",
+        ));
+    }
     let manner = given.manner.of_rank(ranks);
     let cancel = match ranks {
         None => cancel_on_ctrl_c(manner),
@@ -274,8 +302,11 @@ fn run(
         false => job,
     });
     let job = ranks::agreed(ranks, job);
-    let mut screen = Screen::new(given.manner.of_rank(ranks));
     let (resume, leaves) = (given.resume, given.keep.into());
+    if given.open {
+        return watched(&job?, given, cancel);
+    }
+    let mut screen = Screen::new(given.manner.of_rank(ranks));
     let summary = match ranks {
         None => job::run_leaving(&job?, resume, leaves, &mut screen, cancel).map(Some),
         Some(ranks) => job::run_among(&job?, resume, leaves, ranks, &mut screen, cancel),
@@ -283,6 +314,17 @@ fn run(
     let summary = summary?;
     summary.iter().for_each(|summary| screen.finish(summary));
     Ok(summary.is_none_or(|summary| summary.is_met()))
+}
+
+/// One job on a page, which shows the result until the command is stopped.
+fn watched(job: &Job, given: &RunArguments, cancel: &Arc<Run>) -> Result<bool> {
+    ranks::must_be_alone("run --open")?;
+    let mut live = Live::start(job, given.address, given.manner, cancel)?;
+    let summary = job::run_leaving(job, given.resume, Leaves::All, &mut live, cancel);
+    let summary = summary.inspect_err(|error| live.fail(&error.to_string()))?;
+    live.screen().finish(&summary);
+    live.finish(&summary.folder, cancel)?;
+    Ok(summary.is_met())
 }
 
 /// `tomolith simulate`: whether the asked quality was met.
@@ -333,8 +375,18 @@ fn reproduce(given: &reproduce::ReproduceArguments) -> Result<bool> {
 /// `tomolith check`: always met when it ends without an error.
 fn check(given: &arguments::CheckArguments) -> Result<bool> {
     prepare(given.manner)?;
+    if let Some(file) = &given.picture {
+        compare::must_be_page("--picture", file)?;
+        must_be_a_place("--picture", file)?;
+    }
     let job = read(&given.job, None)?;
     let cancel = cancel_on_ctrl_c(given.manner);
+    if let Some(file) = &given.picture {
+        let page = job::picture(&job, &cancel)?.html();
+        write_whole(file, |out| {
+            Ok(std::io::Write::write_all(out, page.as_bytes())?)
+        })?;
+    }
     // Its answer is one line of JSON
     let mut screen = if given.manner.json {
         Screen::silent()

@@ -65,8 +65,9 @@ pub fn compare_json(runs: &[ComparedRun]) -> Value {
     })
 }
 
-/// The same with what only the page says.
-fn comparison(runs: &[ComparedRun]) -> Value {
+/// The same with what only a page says.
+#[must_use]
+pub fn comparison(runs: &[ComparedRun]) -> Value {
     let mut value = compare_json(runs);
     let models: Vec<Option<&str>> = runs.iter().map(evaluation_model_of).collect();
     value["models"] = json!(models);

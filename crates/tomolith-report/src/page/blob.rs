@@ -145,21 +145,31 @@ impl Film {
     }
 }
 
-/// Bytes as text of the page: deflated without a header, in base64.
-pub(super) fn packed(bytes: &[u8]) -> String {
+/// Bytes without a header of zlib.
+pub(super) fn deflate(bytes: &[u8]) -> Vec<u8> {
     let mut encoder = DeflateEncoder::new(Vec::new(), Compression::new(6));
     // Writing into a vector cannot fail
     let deflated = encoder.write_all(bytes).and_then(|()| encoder.finish());
-    STANDARD.encode(deflated.unwrap_or_default())
+    deflated.unwrap_or_default()
 }
 
-/// What [`packed`] made text of; None where it is no such text.
+/// Bytes as text of the page: deflated, in base64.
+pub(super) fn packed(bytes: &[u8]) -> String {
+    STANDARD.encode(deflate(bytes))
+}
+
+/// Deflated bytes of text of the page; None where it is no base64.
+#[must_use]
+pub fn deflated(text: &str) -> Option<Vec<u8>> {
+    STANDARD.decode(text.trim()).ok()
+}
+
+/// The bytes of text of the page; None where it is no such text.
 #[must_use]
 pub fn unpacked(text: &str) -> Option<Vec<u8>> {
     let mut bytes = Vec::new();
     let mut decoder = flate2::write::DeflateDecoder::new(&mut bytes);
-    let deflated = STANDARD.decode(text.trim()).ok()?;
-    decoder.write_all(&deflated).ok()?;
+    decoder.write_all(&deflated(text)?).ok()?;
     decoder.finish().ok()?;
     Some(bytes)
 }

@@ -21,9 +21,11 @@ use std::fmt::Write as _;
 use std::path::Path;
 use texts::Texts;
 use tomolith_core::error::{Error, Result};
+use tomolith_core::grid::Volume;
 use tomolith_io::csv::HistoryRow;
 use tomolith_metrics::surface::Deviation;
 use tomolith_metrics::{Better, METRICS};
+pub use volumes::volume;
 use volumes::{VolumeInfo, volumes};
 
 /// What the data of a page say that they are.
@@ -147,6 +149,39 @@ pub fn report_page(data: &ReportData<'_>) -> Result<Page> {
         .map(|(name, text)| (format!("blob-0-{name}"), text))
         .collect();
     Ok(Page { data, blobs, plain })
+}
+
+/// The page of a job before it runs: its target on voxels, and its machine.
+#[must_use]
+pub fn check_page(
+    part: &str,
+    program: &str,
+    job: &str,
+    target: &Volume<f32>,
+    labels: &Volume<u8>,
+    scene: &Scene,
+) -> Page {
+    let (infos, arrays) = volumes::target(target, labels);
+    let run = json!({
+        "name": part,
+        "state": "check",
+        "report": null,
+        "texts": null,
+        "job": job,
+        "history": {},
+        "volumes": infos,
+        "films": [],
+        "scene": scene,
+        "surface": null,
+    });
+    let blobs = arrays.into_iter();
+    Page {
+        data: page_data(PageKind::Check, part, program, vec![run]),
+        blobs: blobs
+            .map(|(name, text)| (format!("blob-0-{name}"), text))
+            .collect(),
+        plain: format!("<h1>{}</h1><p>This page needs a script.</p>", escape(part)),
+    }
 }
 
 /// The data of a page with these runs.

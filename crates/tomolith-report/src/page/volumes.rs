@@ -1,9 +1,10 @@
 //! The volumes of a page: target, labels, bodies and response of each species, when voxels become solid, properties of the print.
 
-use super::blob::{Codes, NOTHING, majorities, means, packed, reduced_grid};
+use super::blob::{Codes, NOTHING, deflate, majorities, means, packed, reduced_grid};
 use crate::number::significant;
 use crate::{ReportData, SpeciesReport};
 use serde::Serialize;
+use serde_json::{Value, json};
 use tomolith_core::grid::{Volume, VolumeGrid};
 
 /// Voxels along an edge, at most; and of each of several moments.
@@ -90,8 +91,14 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The volume with blocks of `factor`³ voxels joined, packed.
-    fn reduced(&self, id: String, factor: usize) -> (VolumeInfo, String) {
+    /// By how much it is reduced where edges may have so many voxels.
+    fn factor(&self, edge: usize) -> usize {
+        let longest = self.grid().shape.into_iter().max().unwrap_or(1);
+        longest.div_ceil(edge.min(self.edge)).max(1)
+    }
+
+    /// The volume with blocks of `factor`³ voxels joined, and their codes.
+    fn reduced(&self, id: String, factor: usize) -> (VolumeInfo, Vec<u8>) {
         let (codes, low, high, has_gaps) = match self.values {
             Values::Numbers(volume) => {
                 let Codes {
@@ -128,7 +135,7 @@ impl<'a> Source<'a> {
             reduced: factor,
             full: false,
         };
-        (info, packed(&codes))
+        (info, codes)
     }
 }
 
@@ -190,11 +197,9 @@ fn fitting(sources: &[Source<'_>], most_bytes: usize) -> (Vec<VolumeInfo>, Vec<(
     let mut edge = EDGE;
     loop {
         let of = |(i, source): (usize, &Source<'_>)| {
-            let longest = source.grid().shape.into_iter().max().unwrap_or(1);
-            source.reduced(
-                format!("{}{i}", source.kind),
-                longest.div_ceil(edge.min(source.edge)).max(1),
-            )
+            let id = format!("{}{i}", source.kind);
+            let (info, codes) = source.reduced(id, source.factor(edge));
+            (info, packed(&codes))
         };
         let packed: Vec<(VolumeInfo, String)> = sources.iter().enumerate().map(of).collect();
         let bytes: usize = packed.iter().map(|(_, text)| text.len()).sum();
@@ -219,4 +224,24 @@ pub(super) fn dose(dose: &Volume<f32>, most_bytes: usize) -> (VolumeInfo, String
     );
     infos[0].id = "response".to_owned();
     (infos.remove(0), texts.remove(0).1)
+}
+
+/// What the page knows of a volume of a run that goes on, and its array, deflated.
+#[must_use]
+pub fn volume(id: &str, name: &str, kind: &'static str, values: &Volume<f32>) -> (Value, Vec<u8>) {
+    let source = Source::numbers(kind, None, name, values);
+    let (info, codes) = source.reduced(id.to_owned(), source.factor(EDGE));
+    (json!(info), deflate(&codes))
+}
+
+/// The target of a job before it runs.
+pub(super) fn target(
+    inside: &Volume<f32>,
+    labels: &Volume<u8>,
+) -> (Vec<VolumeInfo>, Vec<(String, String)>) {
+    let sources = [
+        Source::numbers("target", None, "target", inside),
+        Source::codes("labels", None, "labels", labels),
+    ];
+    fitting(&sources, usize::MAX)
 }

@@ -40,7 +40,7 @@ pub use read::Job;
 pub use resolve::ResolvedJob;
 pub use run::many::{JobRequirements, requirements, run_here};
 pub use run::ranks::run_among;
-pub use run::{check, run, run_leaving, simulate};
+pub use run::{check, picture, run, run_leaving, simulate};
 pub use spec::*;
 
 #[cfg(test)]

@@ -16,7 +16,7 @@ pub(crate) mod many;
 pub(crate) mod ranks;
 mod simulate;
 
-pub use check::check;
+pub use check::{check, picture};
 pub use simulate::simulate;
 
 use super::dose::cache::RunCache;

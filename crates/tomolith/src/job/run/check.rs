@@ -4,6 +4,7 @@ use super::cost::{Work, mean_sub_angles};
 use super::{benchmark, resolved};
 use crate::error::Result;
 use crate::job::dose::model_probe::try_orders;
+use crate::job::evaluate::light_paths::scene;
 use crate::job::optimize::{iterations_of_ceiling, rehearse};
 use crate::job::output::summary::Plan;
 use crate::job::progress::{Progress, stage, watched};
@@ -11,6 +12,7 @@ use crate::job::resolve::ResolvedJob;
 use crate::job::spec::read::Job;
 use crate::models::Run;
 use crate::report::number::significant;
+use crate::report::page::{Page, check_page};
 use std::time::Instant;
 
 /// Validates a job and says what it will cost, without running it.
@@ -21,6 +23,29 @@ pub fn check(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<Pla
     watched(progress, cancel, |progress| {
         check_stages(job, progress, cancel).map_err(|e| job.locate(e))
     })
+}
+
+/// A page with vial, part, lit radius and rays of a job before it runs.
+///
+/// # Errors
+/// As [`run`](fn@super::run), for input that cannot be used.
+pub fn picture(job: &Job, cancel: &Run) -> Result<Page> {
+    let drawn = || {
+        let resolved = resolved(job, cancel)?;
+        let voxels = resolved.voxels_under(&resolved.grid, cancel)?;
+        let program = concat!("Tomolith ", env!("CARGO_PKG_VERSION"));
+        let text = job.complete().to_toml()?;
+        let (inside, labels) = (&voxels.target.inside, &voxels.labels);
+        Ok(check_page(
+            &resolved.name,
+            program,
+            &text,
+            inside,
+            labels,
+            &scene(&resolved),
+        ))
+    };
+    drawn().map_err(|e| job.locate(e))
 }
 
 fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<Plan> {

@@ -1,0 +1,304 @@
+//! What the server shows: the data of the page, and arrays by name.
+
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+use tokio::sync::broadcast;
+use tomolith::Result;
+use tomolith::grid::Volume;
+use tomolith::io::npy::read_volume;
+use tomolith::models::Run;
+use tomolith::report::compare::{ComparedRun, comparison, read_runs};
+use tomolith::report::page::{Page, PageKind, blob, page_data, volume};
+
+/// Events that a page may be behind.
+const BACKLOG: usize = 256;
+
+/// A run that is shown.
+struct Shown {
+    /// As the page knows it.
+    data: Value,
+    /// Arrays by name, deflated.
+    arrays: BTreeMap<String, Arc<Vec<u8>>>,
+    /// Its dose on the job's voxels, where a file has it, and once somebody has asked for it.
+    dose: Option<PathBuf>,
+    read: Option<Arc<Volume<f32>>>,
+}
+
+/// See the [module page](self).
+pub(super) struct Site {
+    title: String,
+    kind: PageKind,
+    compare: Value,
+    runs: Mutex<Vec<Shown>>,
+    events: broadcast::Sender<String>,
+    /// What stops the run that goes on.
+    cancel: Option<Arc<Run>>,
+}
+
+impl Site {
+    /// Runs that have ended.
+    ///
+    /// # Errors
+    /// As [`read_runs`]; [`tomolith::Error::Io`] for a run whose page is missing or of an earlier version.
+    pub(super) fn of_runs(folders: &[PathBuf]) -> Result<Self> {
+        let read = read_runs(folders)?;
+        let compare = match read.len() {
+            1 => Value::Null,
+            _ => comparison(&read),
+        };
+        let title = match read.as_slice() {
+            [run] => run.name.clone(),
+            _ => format!("{} runs", read.len()),
+        };
+        let runs = read.into_iter().zip(folders);
+        let runs = runs.map(|(run, folder)| Shown::of(run, folder));
+        Ok(Site {
+            title,
+            kind: PageKind::View,
+            compare,
+            runs: Mutex::new(runs.collect::<Result<_>>()?),
+            events: broadcast::channel(BACKLOG).0,
+            cancel: None,
+        })
+    }
+
+    /// A run that begins.
+    pub(super) fn of_job(part: &str, job: &str, cancel: &Arc<Run>) -> Self {
+        let data = json!({
+            "name": part, "state": "running", "report": null, "texts": null, "job": job, "history": {}, "volumes": [], "films": [],
+            "scene": null, "surface": null,
+        });
+        let shown = Shown {
+            data,
+            arrays: BTreeMap::new(),
+            dose: None,
+            read: None,
+        };
+        Site {
+            title: part.to_owned(),
+            kind: PageKind::View,
+            compare: Value::Null,
+            runs: Mutex::new(vec![shown]),
+            events: broadcast::channel(BACKLOG).0,
+            cancel: Some(Arc::clone(cancel)),
+        }
+    }
+
+    /// The data of the page.
+    pub(super) fn data(&self, served: &str) -> Value {
+        let program = concat!("Tomolith ", env!("CARGO_PKG_VERSION"));
+        let runs = self.with_runs(|runs| runs.iter().map(|run| run.data.clone()).collect());
+        let mut data = page_data(self.kind, &self.title, program, runs);
+        data["served"] = served.into();
+        data["compare"] = self.compare.clone();
+        data
+    }
+
+    /// The page itself, without arrays.
+    pub(super) fn page(&self, served: &str) -> String {
+        let page = Page {
+            data: self.data(served),
+            blobs: Vec::new(),
+            plain: "<p>This page needs a script.</p>".to_owned(),
+        };
+        page.html()
+    }
+
+    /// An array of a run, deflated.
+    pub(super) fn array(&self, run: usize, id: &str) -> Option<Arc<Vec<u8>>> {
+        self.with_runs(|runs| runs.get(run)?.arrays.get(id).cloned())
+    }
+
+    /// A slice of the dose on the job's voxels across an array axis: a line of JSON, and 16 bits a voxel.
+    pub(super) fn slice(&self, run: usize, axis: usize, index: usize) -> Result<Option<Vec<u8>>> {
+        let (path, read) = self.with_runs(|runs| {
+            let run = runs.get(run);
+            (
+                run.and_then(|run| run.dose.clone()),
+                run.and_then(|run| run.read.clone()),
+            )
+        });
+        let dose = match (read, path) {
+            (Some(dose), _) => dose,
+            (None, None) => return Ok(None),
+            (None, Some(path)) => {
+                let (shape, values) = read_volume(&path)?;
+                let grid = tomolith::grid::VolumeGrid::centered(shape, 1.0);
+                let dose = Arc::new(Volume { grid, values });
+                self.with_runs(|runs| runs[run].read = Some(Arc::clone(&dose)));
+                dose
+            }
+        };
+        let shape = dose.grid.shape;
+        if axis > 2 || index >= shape[axis] {
+            return Ok(None);
+        }
+        Ok(Some(cut(&dose, axis, index)))
+    }
+
+    /// Tells all pages.
+    pub(super) fn tell(&self, event: &Value) {
+        // Without pages nobody hears it
+        let _ = self.events.send(event.to_string());
+    }
+
+    pub(super) fn listen(&self) -> broadcast::Receiver<String> {
+        self.events.subscribe()
+    }
+
+    /// Asks the run to stop; whether there is one.
+    pub(super) fn stop(&self, run: usize) -> bool {
+        let is_running = self.with_runs(|runs| {
+            runs.get(run)
+                .is_some_and(|run| run.data["state"] == "running")
+        });
+        let cancel = self.cancel.as_ref().filter(|_| is_running);
+        cancel.is_some_and(|cancel| {
+            cancel.cancel();
+            true
+        })
+    }
+
+    /// Adds a row to the history of the run that goes on.
+    pub(super) fn add_row(&self, row: &Value) {
+        let Some(row) = row.as_object() else { return };
+        self.with_runs(|runs| {
+            let history = &mut runs[0].data["history"];
+            for (name, value) in row {
+                match history[name].as_array_mut() {
+                    Some(column) => column.push(value.clone()),
+                    None => history[name] = json!([value]),
+                }
+            }
+        });
+    }
+
+    /// Shows a volume of the run that goes on in place of an earlier one of the same name.
+    pub(super) fn show(&self, id: &str, name: &str, kind: &'static str, values: &Volume<f32>) {
+        let (info, deflated) = volume(id, name, kind, values);
+        self.with_runs(|runs| {
+            let run = &mut runs[0];
+            run.arrays.insert(id.to_owned(), Arc::new(deflated));
+            if let Some(all) = run.data["volumes"].as_array_mut() {
+                all.retain(|other| other["id"] != id);
+                all.push(info);
+            }
+        });
+    }
+
+    /// Puts the finished run in the place of the one that went on.
+    pub(super) fn finish(&self, folder: &Path) -> Result<()> {
+        let read = ComparedRun::read(folder)?;
+        let shown = Shown::of(read, folder)?;
+        self.with_runs(|runs| runs[0] = shown);
+        self.tell(&json!({ "type": "done", "run": 0 }));
+        Ok(())
+    }
+
+    /// Says that the run has ended without a result.
+    pub(super) fn fail(&self, message: &str) {
+        self.with_runs(|runs| runs[0].data["state"] = "done".into());
+        self.tell(&json!({ "type": "failed", "run": 0, "message": message }));
+    }
+
+    fn with_runs<T>(&self, work: impl FnOnce(&mut Vec<Shown>) -> T) -> T {
+        work(&mut self.runs.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+}
+
+impl Shown {
+    fn of(run: ComparedRun, folder: &Path) -> Result<Self> {
+        let path = folder.join("report.html");
+        let page = match run.page {
+            Some(page) => page,
+            None => Page::read(&path)?,
+        };
+        let mut data = page.data["runs"][0].clone();
+        data["name"] = run.name.into();
+        let dose = folder.join("dose.npy");
+        let dose = dose.is_file().then_some(dose);
+        if let Some(all) = data["volumes"].as_array_mut().filter(|_| dose.is_some()) {
+            let dose = all.iter_mut().find(|info| info["kind"] == "response");
+            dose.into_iter().for_each(|info| info["full"] = true.into());
+        }
+        let arrays = page.blobs.into_iter().filter_map(|(id, text)| {
+            let id = id.strip_prefix("blob-0-")?.to_owned();
+            Some((id, Arc::new(blob::deflated(&text)?)))
+        });
+        Ok(Shown {
+            data,
+            arrays: arrays.collect(),
+            dose,
+            read: None,
+        })
+    }
+}
+
+/// A slice of a volume in 16 bits between its least and largest value.
+fn cut(volume: &Volume<f32>, axis: usize, index: usize) -> Vec<u8> {
+    let [nz, ny, nx] = volume.grid.shape;
+    let finite = || volume.values.iter().copied().filter(|v| v.is_finite());
+    let (low, high) = (
+        finite().fold(f32::INFINITY, f32::min),
+        finite().fold(f32::NEG_INFINITY, f32::max),
+    );
+    let (shape, places): ([usize; 2], Vec<usize>) = match axis {
+        0 => ([ny, nx], (index * ny * nx..(index + 1) * ny * nx).collect()),
+        1 => (
+            [nz, nx],
+            (0..nz)
+                .flat_map(|z| (0..nx).map(move |x| (z * ny + index) * nx + x))
+                .collect(),
+        ),
+        _ => (
+            [nz, ny],
+            (0..nz)
+                .flat_map(|z| (0..ny).map(move |y| (z * ny + y) * nx + index))
+                .collect(),
+        ),
+    };
+    let per_code = if high > low {
+        f32::from(u16::MAX) / (high - low)
+    } else {
+        0.0
+    };
+    let header = json!({ "shape": shape, "low": low, "high": high, "bits": 16 });
+    let mut bytes = format!("{header}\n").into_bytes();
+    let code = |i: usize| ((volume.values[i] - low) * per_code).round() as u16;
+    bytes.extend(places.into_iter().flat_map(|i| code(i).to_le_bytes()));
+    bytes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tomolith::grid::VolumeGrid;
+
+    #[test]
+    fn slices_across_each_axis_hold_their_voxels() {
+        let grid = VolumeGrid::centered([2, 3, 4], 0.1);
+        let volume = Volume::new(grid, (0..24).map(|i| i as f32).collect());
+        for (axis, index, expected) in [
+            (0, 1, (12..24).collect::<Vec<u32>>()),
+            (1, 2, vec![8, 9, 10, 11, 20, 21, 22, 23]),
+            (2, 3, vec![3, 7, 11, 15, 19, 23]),
+        ] {
+            let bytes = cut(&volume, axis, index);
+            let end = bytes.iter().position(|b| *b == b'\n').unwrap() + 1;
+            let header: Value = serde_json::from_slice(&bytes[..end]).unwrap();
+            assert_eq!(
+                (&header["low"], &header["high"]),
+                (&json!(0.0), &json!(23.0))
+            );
+            let codes = bytes[end..]
+                .chunks(2)
+                .map(|b| u16::from_le_bytes([b[0], b[1]]));
+            let values: Vec<u32> = codes
+                .map(|code| (f32::from(code) * 23.0 / 65535.0).round() as u32)
+                .collect();
+            assert_eq!(values, expected);
+        }
+    }
+}
