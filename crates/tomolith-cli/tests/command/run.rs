@@ -856,7 +856,7 @@ fn the_closing_lines_say_on_which_voxels() {
     assert!(said.contains("This is a toy of the job"), "{said}");
     assert!(said.contains("b/report.html"), "{said}");
     let page = fs::read_to_string(bench.path("b/report.html")).unwrap();
-    assert!(page.contains("</b> on voxels of 300 µm: ") && page.contains("<b>A toy</b>"));
+    assert!(page.contains(" on voxels of 300 µm: ") && page.contains("[\"A toy\","));
     let said = bench.stdout(0, "run job.toml --output d --toy --keep metrics");
     assert!(
         said.contains("d/report.json") && !said.contains("report.html"),

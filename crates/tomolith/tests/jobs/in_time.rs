@@ -79,9 +79,7 @@ fn a_schedule_says_how_long_and_how_bright_the_light_is() {
     );
     // The dose alone has no clock of its own beside that of the schedule
     assert!(report.pointer("/exposure/time_s").unwrap().is_null());
-    assert!(
-        page.contains("of what the printer gives") && page.contains("have been sent to the vial")
-    );
+    assert!(page.contains("peak_mw_per_cm2") && page.contains("have been sent to the vial"));
     assert!(
         !warnings
             .iter()

@@ -53,9 +53,16 @@ fn a_job_with_a_schedule_prints_in_time() {
     assert!(number("best_jaccard") > 0.7, "{time}");
     let iou = time["evaluation"]["iou"].as_f64().unwrap();
     assert!((iou - number("best_jaccard")).abs() < 1e-9);
-    // The page shows that moment, too
+    // The page shows the print at any time, and the degree of cure at that moment
     let html = std::fs::read_to_string(folder.path().join("run/report.html")).unwrap();
-    assert!(html.contains("type=\"range\"") && html.contains(" s, best</label>"));
+    let moment = format!(
+        "degree of cure after {} s",
+        crate::report::number::significant(best, 3)
+    );
+    assert!(
+        html.contains("\"kind\":\"cure_time\"") && html.contains(&moment),
+        "{moment}"
+    );
     for file in ["time.csv", "cure_time.npy", "print.mp4"] {
         assert!(folder.path().join("run").join(file).exists(), "{file}");
     }
