@@ -1,0 +1,57 @@
+// Reads the data of the page and lays out its sections. Every section is a function of a context (section.ts).
+
+import "./base.css";
+import "./report/report.css";
+import type { PageData } from "./data.ts";
+import { h } from "./dom.ts";
+import { sections as reportSections } from "./report/index.ts";
+import type { Context, Section } from "./section.ts";
+import { State } from "./state.ts";
+
+/** Order on the page, by id: what was made, what it looks like, why, how. Sections that are not named follow. */
+const ORDER = ["compare", "head", "limits", "warnings", "look", "solid", "in-time", "film"];
+
+const all: Section[] = [...reportSections];
+
+function ordered(sections: Section[]): Section[] {
+  const place = (section: Section) => (ORDER.indexOf(section.id) + ORDER.length + 1) % (ORDER.length + 1);
+  return [...sections].sort((a, b) => place(a) - place(b));
+}
+
+function show(data: PageData, state: State, app: HTMLElement): void {
+  let end = new AbortController();
+  const draw = () => {
+    end.abort();
+    end = new AbortController();
+    const index = Math.min(state.get("run"), data.runs.length - 1);
+    const context: Context = { data, run: data.runs[index], index, state, gone: end.signal };
+    app.replaceChildren(...ordered(all).map((section) => mount(section, context)).filter((element) => element !== null));
+  };
+  state.on(["run"], draw);
+  draw();
+}
+
+/** A section that fails says so in its place and leaves the others alone. */
+function mount(section: Section, context: Context): HTMLElement | null {
+  let body: HTMLElement | null;
+  try {
+    body = section.render(context);
+  } catch (error) {
+    body = h("p.problem", { role: "alert" }, `This section could not be drawn: ${String(error)}`);
+  }
+  if (body === null) return null;
+  return h("section", { id: section.id, "aria-label": section.title || null }, section.title !== "" && h("h2", {}, section.title), body);
+}
+
+function start(): void {
+  const app = document.getElementById("app");
+  const text = document.getElementById("data")?.textContent;
+  if (!app) return;
+  try {
+    show(JSON.parse(text ?? "") as PageData, new State(), app);
+  } catch (error) {
+    app.replaceChildren(h("p.problem", { role: "alert" }, `The data of this page could not be read: ${String(error)}`));
+  }
+}
+
+start();
