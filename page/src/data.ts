@@ -30,7 +30,6 @@ export interface Run {
   name: string;
   state: "done" | "running" | "check";
   /** report.json as it is; its keys are documented in crates/tomolith-report/src/json.rs. */
-  // eslint-disable-next-line @typescript-eslint/no-explicit-any
   report: any;
   texts: Texts;
   /** The job with every default. */
@@ -62,6 +61,7 @@ export interface Texts {
 export type VolumeKind = "target" | "labels" | "bodies" | "response" | "cure_time" | "property";
 
 export interface VolumeInfo {
+  /** Its array is the text of the element `blob-<index of the run>-<id>`. */
   id: string;
   kind: VolumeKind;
   /** Null where the run has one species. */
@@ -70,6 +70,8 @@ export interface VolumeInfo {
   unit: string;
   shape_zyx: [number, number, number];
   pitch_mm: number;
+  /** Edge of a voxel along z. */
+  height_mm: number;
   center_xyz_mm: [number, number, number];
   bits: 8 | 16;
   low: number;
@@ -101,6 +103,7 @@ export interface FilmInfo {
 }
 
 export interface Scene {
+  /** Radius that every frame lights. */
   lit_radius_mm: number | null;
   part_radius_mm: number;
   z_mm: [number, number];
@@ -117,11 +120,11 @@ export interface Wall {
 
 export interface LightPaths {
   name: string;
-  frames: { frame: number; angle_deg: number; rays: Ray[] }[];
+  frames: { frame: number; /** Where the light comes from. */ angle_deg: number; rays: Ray[] }[];
 }
 
 export interface Ray {
-  /** In the frame of the part, mm. */
+  /** In the frame of the part, mm; the first lies before the vial. */
   points: [number, number, number][];
   /** Index of the first point within the resin. */
   resin_from: number;

@@ -5,8 +5,7 @@ export type Child = Node | string | null | undefined | false;
 type Attributes = { [name: string]: string | number | boolean | null | undefined | ((event: never) => void) };
 
 /** An element from `tag.class.class`, its attributes (functions become event listeners, `true` an empty attribute) and its children. */
-export function h<K extends keyof HTMLElementTagNameMap>(tag: K, attributes?: Attributes, ...children: Child[]): HTMLElementTagNameMap[K];
-export function h(tag: string, attributes?: Attributes, ...children: Child[]): HTMLElement;
+export function h<K extends keyof HTMLElementTagNameMap>(tag: K | `${K}.${string}`, attributes?: Attributes, ...children: Child[]): HTMLElementTagNameMap[K];
 export function h(tag: string, attributes: Attributes = {}, ...children: Child[]): HTMLElement {
   const [name, ...classes] = tag.split(".");
   const element = document.createElement(name);
