@@ -5,11 +5,12 @@ import "./report/report.css";
 import type { PageData } from "./data.ts";
 import { h } from "./dom.ts";
 import { sections as reportSections } from "./report/index.ts";
+import { navigation, scrollTo } from "./report/nav.ts";
 import type { Context, Section } from "./section.ts";
 import { State } from "./state.ts";
 
 /** Order on the page, by id: what was made, what it looks like, why, how. Sections that are not named follow. */
-const ORDER = ["compare", "head", "limits", "warnings", "look", "solid", "in-time", "film"];
+const ORDER = ["compare", "head", "limits", "warnings", "look", "solid", "in-time", "time", "film"];
 
 const all: Section[] = [...reportSections];
 
@@ -25,10 +26,16 @@ function show(data: PageData, state: State, app: HTMLElement): void {
     end = new AbortController();
     const index = Math.min(state.get("run"), data.runs.length - 1);
     const context: Context = { data, run: data.runs[index], index, state, gone: end.signal };
-    app.replaceChildren(...ordered(all).map((section) => mount(section, context)).filter((element) => element !== null));
+    const mounted = ordered(all).flatMap((section) => {
+      const element = mount(section, context);
+      return element ? [{ section, element }] : [];
+    });
+    const listed = mounted.map(({ section }) => section).filter(({ title }) => title !== "");
+    app.replaceChildren(navigation(listed, state, end.signal), ...mounted.map(({ element }) => element));
   };
   state.on(["run"], draw);
   draw();
+  scrollTo(state.get("section"));
 }
 
 /** A section that fails says so in its place and leaves the others alone. */
