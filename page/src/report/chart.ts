@@ -167,7 +167,7 @@ class UChart implements Chart {
 
   private range(axis: Axis, low: number | null, high: number | null): uPlot.Range.MinMax {
     if (low === null || high === null) return [axis.from ?? 0, axis.to ?? 1];
-    if (axis === this.options.y && this.isLog) return uPlot.rangeLog(low, high, 10, this.floor !== null);
+    if (axis === this.options.y && this.isLog) return [rounded(low, Math.floor), rounded(high, Math.ceil)];
     if (axis === this.options.x) return widened(axis.from ?? low, axis.to ?? high);
     const [from, to] = uPlot.rangeNum(low, high, 0.08, true);
     return [axis.from ?? from, axis.to ?? to];
@@ -332,6 +332,7 @@ function drawn(series: Series): uPlot.Series {
     stroke: () => ink(series.color),
     width: 2,
     dash: DASHES[style],
+    points: { fill: () => ink("--sheet") },
     ...(series.fill ? { fill: () => faint(ink(series.color)) } : {}),
     ...(isDots ? { paths: () => null, points: { show: true, size: 10, width: 2, fill: () => ink(series.color) } } : {}),
     ...(style === "steps" && stepped ? { paths: stepped, points: { show: false } } : {}),
@@ -341,6 +342,12 @@ function drawn(series: Series): uPlot.Series {
 /** A range that is not empty. */
 function widened(low: number, high: number): uPlot.Range.MinMax {
   return low < high ? [low, high] : [low - 0.5, high + 0.5];
+}
+
+/** A number to one digit, as the ticks of a logarithmic axis are. */
+function rounded(value: number, towards: (value: number) => number): number {
+  const size = 10 ** Math.floor(Math.log10(value));
+  return towards(value / size) * size;
 }
 
 /** Room for the widest label of the y axis. */

@@ -47,8 +47,8 @@ function card(metric: Metric, evaluation: Evaluation, standing: Evaluation | nul
     "div.card",
     { "data-metric": metric.name },
     h("h3", {}, metric.title),
-    h("p.big", {}, shown(metric, value, digits), isNumber(value) && unit !== "" && h("small", {}, unit), voxels !== "" && h("small", {}, `(${voxels})`)),
-    h("p", {}, metric.summary, place(metric, evaluation)),
+    h("p.big", {}, shown(metric, value, digits), isNumber(value) && unit !== "" && h("small", {}, unit)),
+    h("p", {}, voxels !== "" && h("b", {}, `${voxels}. `), metric.summary, place(metric, evaluation)),
     standing ? h("p.still", {}, h("span", {}, "standing still"), h("b", {}, withUnit(metric, standing[metric.name] as Measure, digits))) : null,
   );
 }

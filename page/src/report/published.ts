@@ -60,9 +60,9 @@ function slicesOf(slices: unknown): HTMLElement | null {
     title: "Dose of each slice over z",
     x,
     y: { label: "response" },
-    series: [line("process window", "--accent", "pw"), line("range in the part", "--part", "ipdr")],
+    series: [line("process window", "--run-1", "pw"), line("range in the part", "--run-2", "ipdr")],
   });
-  const errors = chart({ title: "Voxel error rate of each slice over z", x, y: { label: "voxel error rate", from: 0 }, series: [line("voxel error rate", "--excess", "ver")] });
+  const errors = chart({ title: "Voxel error rate of each slice over z", x, y: { label: "voxel error rate", from: 0 }, series: [line("voxel error rate", "--run-1", "ver")] });
   if (!doses && !errors) return null;
   return part("Slice by slice", h("div.charts", {}, doses && h("div", {}, doses.element), errors && h("div", {}, errors.element)));
 }

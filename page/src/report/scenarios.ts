@@ -25,7 +25,7 @@ export function scenarios({ run }: Context): HTMLElement | null {
     {},
     ...paragraphs([
       `What the same patterns print where something is otherwise. Nobody knows which scenario a print is, so all of them gel at the threshold of the job, ${threshold}.`,
-      run.texts.scenarios && capitalized(run.texts.scenarios),
+      run.texts.scenarios,
     ]),
     dataTable({
       caption: "Scenarios",
@@ -35,9 +35,4 @@ export function scenarios({ run }: Context): HTMLElement | null {
     }),
     h("p.note", {}, `Window over all of them: ${significant(own.window, 4)}, trimmed.${of ? ` The optimization minimized ${of}.` : ""}`),
   );
-}
-
-function capitalized(sentence: string): string {
-  const text = sentence.charAt(0).toUpperCase() + sentence.slice(1);
-  return /[.!?]$/.test(text) ? text : `${text}.`;
 }

@@ -8,7 +8,7 @@ import { headline, shown } from "./head.ts";
 import { isNumber, significant, unitOf, type Measure } from "./number.ts";
 import { list, report, type OneExposure, type Species } from "./schema.ts";
 import { dataTable } from "./table.ts";
-import { paragraphs, part } from "./text.ts";
+import { part } from "./text.ts";
 
 export function species({ data, run }: Context): HTMLElement | null {
   const { species: all, one_exposure: one } = report(run);
@@ -22,7 +22,7 @@ export function species({ data, run }: Context): HTMLElement | null {
     h("p", {}, "The numbers at the head of the page are those of ", h("b", {}, own[0]?.name ?? ""), "."),
     h("ul.drives", {}, ...own.map((one) => h("li", {}, h("b", {}, one.name ?? ""), ` is ${drive(one)}.`))),
     part("Each alone", dataTable({ caption: "Each species alone", heads: ["", ...own.map((one) => one.name ?? "")], rows: metrics.map((metric) => row(metric, own)) })),
-    one ? together(own, one, run.texts.one_exposure) : null,
+    one ? together(own, one) : null,
     curves(own, one),
   );
 }
@@ -30,8 +30,10 @@ export function species({ data, run }: Context): HTMLElement | null {
 /** How the lights drive a species, in words. */
 function drive({ driven_by }: Species): string {
   const acting = Object.entries(driven_by ?? {}).filter(([, factor]) => isNumber(factor) && factor !== 0);
-  const words = acting.map(([light, factor]) => `${(factor ?? 0) < 0 ? "inhibited" : "driven"} by ${significant(Math.abs(factor ?? 0), 3)} × ${light}`);
-  return words.join(", ") || "driven by no light";
+  const words = (sign: number) => acting.filter(([, factor]) => Math.sign(factor ?? 0) === sign).map(([light, factor]) => `${significant(Math.abs(factor ?? 0), 3)} × ${light}`);
+  const [driving, inhibiting] = [words(1), words(-1)];
+  const verbs = [driving.length > 0 && `driven by ${driving.join(" and ")}`, inhibiting.length > 0 && `inhibited by ${inhibiting.join(" and ")}`];
+  return verbs.filter(Boolean).join(", ") || "driven by no light";
 }
 
 function row(metric: Metric, own: readonly Species[]): (string | Node)[] {
@@ -40,7 +42,7 @@ function row(metric: Metric, own: readonly Species[]): (string | Node)[] {
   return [name, ...own.map(({ evaluation }) => shown(metric, evaluation?.[metric.name] as Measure, 4))];
 }
 
-function together(own: readonly Species[], one: OneExposure, sentence: string | null): HTMLElement {
+function together(own: readonly Species[], one: OneExposure): HTMLElement {
   const name = (of: Species) => (of.name === one.limited_by ? `${of.name} (limits it)` : (of.name ?? ""));
   const rows = own.map((of, i) => [name(of), significant(of.evaluation?.iou as Measure, 4), significant(of.evaluation?.gel_threshold, 3), significant(one.iou?.[i], 4)]);
   const intro =
@@ -48,7 +50,7 @@ function together(own: readonly Species[], one: OneExposure, sentence: string | 
     "Each reaches the IoU of its own where its network gels at its own dose.";
   return part(
     "Together at one exposure",
-    ...paragraphs([sentence ?? intro]),
+    h("p", {}, intro),
     dataTable({ caption: "Species at one exposure", heads: ["species", "IoU alone", "at a threshold of", "IoU together"], rows, strong: 3 }),
   );
 }

@@ -5,13 +5,19 @@ import { h, sentence, type Child } from "../dom.ts";
 /** Sentences of the command as paragraphs; those that are missing are left out. */
 export function paragraphs(texts: readonly (string | null | undefined)[], className = ""): HTMLElement[] {
   const given = texts.filter((text): text is string => typeof text === "string" && text !== "");
-  return given.map((text) => h("p", { class: className || null }, sentence(text)));
+  return given.map((text) => h("p", { class: className || null }, sentence(asSentence(text))));
 }
 
 /** A list of sentences, or null where there are none. */
 export function bullets(texts: readonly string[]): HTMLElement | null {
   if (texts.length === 0) return null;
-  return h("ul", {}, ...texts.map((text) => h("li", {}, sentence(text))));
+  return h("ul", {}, ...texts.map((text) => h("li", {}, sentence(asSentence(text)))));
+}
+
+/** With a capital and a full stop. A key or a file at the beginning stays as it is. */
+function asSentence(text: string): string {
+  const begun = /^[a-z]+[ ,]/.test(text) ? text.charAt(0).toUpperCase() + text.slice(1) : text;
+  return /[.!?:]$/.test(begun) ? begun : `${begun}.`;
 }
 
 /** A part of a section with its own heading. */

@@ -47,7 +47,7 @@ function charts(own: TimeReport): HTMLElement {
     x,
     y: { label: "share", from: 0, to: 1 },
     series: [
-      line("Jaccard index", "--accent", "jaccard"),
+      line("Jaccard index", "--ink", "jaccard"),
       line("part that is solid", "--part", "solid_part"),
       line("void that is solid", "--void", "solid_void"),
       line("contrast of the dose", "--quiet", "contrast", { style: "dashed" }),
@@ -61,9 +61,9 @@ function charts(own: TimeReport): HTMLElement {
     x,
     y: { label: "absorbed drive", unit: "mJ", from: 0 },
     series: [
-      line("in all voxels", "--void", "imbued_mj"),
+      line("in all voxels", "--quiet", "imbued_mj"),
       line("in solid voxels", "--accent", "contribution_mj"),
-      { name: "needed", color: "--quiet", style: "dashed", x: [0, end], y: [needed, needed] },
+      { name: "needed", color: "--ink", style: "dashed", x: [0, end], y: [needed, needed] },
     ],
     marks: ideal,
   });
