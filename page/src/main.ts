@@ -1,18 +1,21 @@
 // Reads the data of the page and lays out its sections. Every section is a function of a context (section.ts).
 
 import "./base.css";
+import "./look.css";
 import "./report/report.css";
 import type { PageData } from "./data.ts";
 import { h } from "./dom.ts";
+import { look } from "./look.ts";
 import { sections as reportSections } from "./report/index.ts";
 import { navigation, scrollTo } from "./report/nav.ts";
 import type { Context, Section } from "./section.ts";
 import { State } from "./state.ts";
+import { Store } from "./store.ts";
 
 /** Order on the page, by id: what was made, what it looks like, why, how. Sections that are not named follow. */
 const ORDER = ["compare", "head", "limits", "warnings", "look", "solid", "in-time", "time", "film"];
 
-const all: Section[] = [...reportSections];
+const all: Section[] = [look, ...reportSections];
 
 function ordered(sections: Section[]): Section[] {
   const place = (section: Section) => (ORDER.indexOf(section.id) + ORDER.length + 1) % (ORDER.length + 1);
@@ -21,11 +24,12 @@ function ordered(sections: Section[]): Section[] {
 
 function show(data: PageData, state: State, app: HTMLElement): void {
   let end = new AbortController();
+  const stores = data.runs.map((_, i) => new Store(data.served, i));
   const draw = () => {
     end.abort();
     end = new AbortController();
     const index = Math.min(state.get("run"), data.runs.length - 1);
-    const context: Context = { data, run: data.runs[index], index, state, gone: end.signal };
+    const context: Context = { data, run: data.runs[index], index, state, store: stores[index], gone: end.signal };
     const mounted = ordered(all).flatMap((section) => {
       const element = mount(section, context);
       return element ? [{ section, element }] : [];

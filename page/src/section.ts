@@ -2,6 +2,7 @@
 
 import type { PageData, Run } from "./data.ts";
 import type { State } from "./state.ts";
+import type { Store } from "./store.ts";
 
 export interface Context {
   data: PageData;
@@ -9,6 +10,8 @@ export interface Context {
   run: Run;
   index: number;
   state: State;
+  /** The arrays of this run. */
+  store: Store;
   /** Ends when another run is shown or new data arrive: give it to `addEventListener`, or listen to it to tidy up. */
   gone: AbortSignal;
 }

@@ -7,6 +7,8 @@ export interface View {
   section: string;
   /** Name of the species, "" for the first. */
   species: string;
+  /** What the planes show: id of a layer, "" for the dose. */
+  layer: string;
   /** The point in which the three planes meet, mm; null: the middle of the part. */
   at: [number, number, number] | null;
   /** Gel threshold of print, contours and error; null: the report's. */
@@ -14,13 +16,19 @@ export interface View {
   light: number;
   /** Frame of the film, by its place in the blob. */
   frame: number;
+  /** Row of the film whose sinogram is shown; null: the middle. */
+  row: number | null;
   /** Moment of the print in time, s; null: the end. */
   time: number | null;
+  /** What the 3D view shows: the print, the target or both. */
+  solid: string;
+  /** Axis along which the 3D view is cut at the planes' point: x, y or z; "" for no cut. */
+  cut: string;
 }
 
 export type Key = keyof View;
 
-const START: View = { run: 0, section: "", species: "", at: null, threshold: null, light: 0, frame: 0, time: null };
+const START: View = { run: 0, section: "", species: "", layer: "", at: null, threshold: null, light: 0, frame: 0, row: null, time: null, solid: "", cut: "" };
 
 export class State {
   private view: View;
@@ -28,8 +36,14 @@ export class State {
   private writing = 0;
 
   constructor(private readonly location: Location = window.location) {
-    this.view = parse(location.hash);
-    window.addEventListener("hashchange", () => this.set(parse(this.location.hash)));
+    this.view = { ...START, ...this.read() };
+    window.addEventListener("hashchange", () => this.set(this.read()));
+  }
+
+  /** The view of the address; a bare name (`#history`) is that of a section and leaves the rest as it is. */
+  private read(): Partial<View> {
+    const hash = this.location.hash;
+    return hash !== "" && !hash.includes("=") ? { section: decodeURIComponent(hash.slice(1)) } : parse(hash);
   }
 
   get<K extends Key>(key: K): View[K] {
@@ -90,9 +104,9 @@ export function parse(hash: string): View {
   view.run = whole("run");
   view.light = whole("light");
   view.frame = whole("frame");
-  view.section = given.get("section") ?? "";
-  view.species = given.get("species") ?? "";
+  for (const key of ["section", "species", "layer", "solid", "cut"] as const) view[key] = given.get(key) ?? "";
   view.threshold = number("threshold");
+  view.row = number("row");
   view.time = number("time");
   const at = given.get("at")?.split(",").map(Number) ?? [];
   if (at.length === 3 && at.every(Number.isFinite)) view.at = [at[0], at[1], at[2]];
