@@ -6,6 +6,7 @@ import "./report/report.css";
 import type { PageData } from "./data.ts";
 import { h } from "./dom.ts";
 import { look } from "./look.ts";
+import { comparison } from "./report/compare/index.ts";
 import { sections as reportSections } from "./report/index.ts";
 import { navigation, scrollTo } from "./report/nav.ts";
 import type { Context, Section } from "./section.ts";
@@ -13,7 +14,7 @@ import { State } from "./state.ts";
 import { Store } from "./store.ts";
 
 /** Order on the page, by id: what was made, what it looks like, why, how. Sections that are not named follow. */
-const ORDER = ["compare", "head", "limits", "warnings", "look", "solid", "in-time", "time", "film"];
+const ORDER = [...comparison.map(({ id }) => id), "head", "limits", "warnings", "look", "solid", "in-time", "time", "film"];
 
 const all: Section[] = [look, ...reportSections];
 

@@ -2,6 +2,7 @@
 
 import type { Section } from "../section.ts";
 import { ceiling } from "./ceiling.ts";
+import { comparison } from "./compare/index.ts";
 import { errors } from "./errors.ts";
 import { head } from "./head.ts";
 import { history } from "./history.ts";
@@ -20,6 +21,7 @@ import { time } from "./time.ts";
 import { timings } from "./timings.ts";
 
 export const sections: Section[] = [
+  ...comparison,
   { id: "head", title: "", render: head },
   { id: "warnings", title: "Please note", render: warnings },
   { id: "limits", title: "Exposure and limits", render: exposureAndLimits },
