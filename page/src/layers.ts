@@ -59,12 +59,12 @@ function nameOf(volume: Volume): string {
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
-/** Any volume in the colors of its values. */
-export function scalar(id: string, title: string, volume: Volume, slices: Pick<Slices, "of">, threshold: (() => number) | null): Layer {
+/** Any volume in the colors of its values; `ends` are those of a scale that several volumes share. */
+export function scalar(id: string, title: string, volume: Volume, slices: Pick<Slices, "of">, threshold: (() => number) | null, ends = { low: volume.info.low, high: volume.info.high }): Layer {
   const { info } = volume;
   // A logarithm needs a positive end
-  const low = info.logarithmic ? Math.max(info.low, info.high * 1e-6) : info.kind === "response" ? Math.min(info.low, 0) : info.low;
-  const scale: Scale = { low, high: info.high, logarithmic: info.logarithmic && info.high > 0, map: viridis };
+  const low = info.logarithmic ? Math.max(ends.low, ends.high * 1e-6) : info.kind === "response" ? Math.min(ends.low, 0) : ends.low;
+  const scale: Scale = { low, high: ends.high, logarithmic: info.logarithmic && ends.high > 0, map: viridis };
   const unit = info.unit === "" ? "" : ` ${info.unit}`;
   return {
     id,

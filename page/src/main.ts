@@ -10,13 +10,14 @@ import { comparison } from "./report/compare/index.ts";
 import { sections as reportSections } from "./report/index.ts";
 import { navigation, scrollTo } from "./report/nav.ts";
 import type { Context, Section } from "./section.ts";
+import { solid } from "./solid.ts";
 import { State } from "./state.ts";
 import { Store } from "./store.ts";
 
 /** Order on the page, by id: what was made, what it looks like, why, how. Sections that are not named follow. */
 const ORDER = [...comparison.map(({ id }) => id), "head", "limits", "warnings", "look", "solid", "in-time", "time", "film"];
 
-const all: Section[] = [look, ...reportSections];
+const all: Section[] = [look, solid, ...reportSections];
 
 function ordered(sections: Section[]): Section[] {
   const place = (section: Section) => (ORDER.indexOf(section.id) + ORDER.length + 1) % (ORDER.length + 1);
@@ -30,7 +31,7 @@ function show(data: PageData, state: State, app: HTMLElement): void {
     end.abort();
     end = new AbortController();
     const index = Math.min(state.get("run"), data.runs.length - 1);
-    const context: Context = { data, run: data.runs[index], index, state, store: stores[index], gone: end.signal };
+    const context: Context = { data, run: data.runs[index], index, state, store: stores[index], stores, gone: end.signal };
     const mounted = ordered(all).flatMap((section) => {
       const element = mount(section, context);
       return element ? [{ section, element }] : [];

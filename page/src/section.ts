@@ -12,6 +12,8 @@ export interface Context {
   state: State;
   /** The arrays of this run. */
   store: Store;
+  /** The arrays of each run. */
+  stores: Store[];
   /** Ends when another run is shown or new data arrive: give it to `addEventListener`, or listen to it to tidy up. */
   gone: AbortSignal;
 }
