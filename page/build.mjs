@@ -10,16 +10,25 @@ import { fileURLToPath } from "node:url";
 const here = dirname(fileURLToPath(import.meta.url));
 const out = join(here, "../crates/tomolith-report/page");
 
+const shared = { absWorkingDir: here, bundle: true, minify: true, format: "iife", target: ["es2022", "chrome100", "firefox113", "safari16.4"], charset: "utf8", legalComments: "none" };
+
+/** `import source from "worker:./file.ts"`: the bundled program as text. */
+const workers = {
+  name: "workers",
+  setup(build) {
+    build.onResolve({ filter: /^worker:/ }, ({ path, resolveDir }) => ({ path: join(resolveDir, path.slice("worker:".length)), namespace: "worker" }));
+    build.onLoad({ filter: /.*/, namespace: "worker" }, async ({ path }) => {
+      const built = await esbuild.build({ ...shared, entryPoints: [path], write: false });
+      return { contents: built.outputFiles[0].text, loader: "text", watchFiles: [path] };
+    });
+  },
+};
+
 const options = {
-  absWorkingDir: here,
+  ...shared,
   entryPoints: { page: "src/main.ts" },
   outdir: out,
-  bundle: true,
-  minify: true,
-  format: "iife",
-  target: ["es2022", "chrome100", "firefox113", "safari16.4"],
-  charset: "utf8",
-  legalComments: "none",
+  plugins: [workers],
   logLevel: "info",
 };
 

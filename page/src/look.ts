@@ -129,7 +129,7 @@ function body(context: Context, volumes: Volumes, species: string, signal: Abort
     if (overlays.print && layer.id !== "print" && gel) add(volumes.response, threshold(), "--threshold-line");
     return out;
   };
-  const legend = h("div.legend");
+  const legend = h("div.color-legend");
   const find = () => layers.find(({ id }) => id === state.get("layer")) ?? layers[0];
   let axisOfAll: Axis = 2;
   const rearrange = () => {
@@ -186,12 +186,12 @@ function body(context: Context, volumes: Volumes, species: string, signal: Abort
 
 /** Colors and what they mean. */
 export function legendOf(legend: Legend): HTMLElement {
-  if ("keys" in legend) return h("p.keys", {}, ...legend.keys.map(([color, text]) => h("span", {}, h("i.swatch", { style: `background: ${color}` }), text)));
+  if ("keys" in legend) return h("p.color-keys", {}, ...legend.keys.map(([color, text]) => h("span", {}, h("i.tile", { style: `background: ${color}` }), text)));
   const { scale, label, mark } = legend;
   const stops = Array.from({ length: 17 }, (_, i) => css(scale.map(i / 16))).join(", ");
   const share = mark === null || !Number.isFinite(mark) ? null : (mark - scale.low) / (scale.high - scale.low);
   return h(
-    "div.scale",
+    "div.color-scale",
     {},
     h("span", {}, significant(scale.low, 3)),
     h("span.bar", { style: `background: linear-gradient(to right, ${stops})` }, share !== null && share >= 0 && share <= 1 && h("i", { style: `left: ${100 * share}%`, title: "gel threshold" })),

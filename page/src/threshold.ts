@@ -15,7 +15,7 @@ const BOTTOM = HEIGHT - EDGE.bottom;
 export function thresholdPanel(gel: Gel, state: State, signal: AbortSignal): HTMLElement {
   const slider = h("input", { type: "range", min: 0, max: STEPS, step: 1, "aria-label": "Gel threshold" });
   const reset = h("button", { type: "button", click: () => state.set({ threshold: null }) }, "Back to the report’s threshold");
-  const numbers = h("dl.numbers");
+  const numbers = h("dl.threshold-list");
   const chart = new Chart(gel, (threshold) => choose(threshold));
 
   /** Near the report's threshold the slider snaps to it, so that its numbers can be had again. */
@@ -57,15 +57,15 @@ export function thresholdPanel(gel: Gel, state: State, signal: AbortSignal): HTM
 }
 
 function row(name: string, value: string, note: string, color?: string): HTMLElement[] {
-  return [h("dt", {}, color !== undefined && h("i.swatch", { style: `background: var(${color})` }), name), h("dd", {}, h("b", {}, value), h("span.quiet", {}, note))];
+  return [h("dt", {}, color !== undefined && h("i.tile", { style: `background: var(${color})` }), name), h("dd", {}, h("b", {}, value), h("span.quiet", {}, note))];
 }
 
 function key(color: string, text: string): HTMLElement {
-  return h("span", {}, h("i.swatch", { style: `background: var(${color})` }), text);
+  return h("span", {}, h("i.tile", { style: `background: var(${color})` }), text);
 }
 
 function legend(): HTMLElement {
-  return h("p.keys", {}, key("--part", "part, voxels"), key("--void", "void, voxels"), key("--ink", "IoU"), key("--threshold", "gel threshold"));
+  return h("p.color-keys", {}, key("--part", "part, voxels"), key("--void", "void, voxels"), key("--ink", "IoU"), key("--threshold", "gel threshold"));
 }
 
 /** Histograms on a logarithmic scale, the IoU over them, and a line that can be dragged. Drawn again when its width changes. */

@@ -1,2 +1,0 @@
-// The bundler takes style sheets along; they export nothing.
-declare module "*.css";
