@@ -100,7 +100,7 @@ function causeItem(limit: Limit, most: number): HTMLElement {
     "li",
     { "data-cause": limit.cause },
     h("div.cause-head", {}, h("b", {}, CAUSES[limit.cause ?? ""] ?? limit.cause ?? ""), h("span.loss", {}, lossInWords(loss, measure))),
-    h("div.bar", { "aria-hidden": "true" }, h("i", { style: `width: ${(100 * share).toFixed(1)}%` })),
+    h("div.share", { "aria-hidden": "true" }, h("i", { style: `width: ${(100 * share).toFixed(1)}%` })),
     h("p", {}, sentence(advice), key && !advice.includes(key) ? h("span.key", {}, " ", h("code", {}, key)) : null),
   );
 }

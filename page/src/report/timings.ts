@@ -20,7 +20,7 @@ export function timings({ run }: Context): HTMLElement | null {
       isPart ? "div.row.sub" : "div.row",
       {},
       h("span", {}, name),
-      h("div.bar", { "aria-hidden": "true" }, h("i", { style: `width: ${((100 * seconds) / longest).toFixed(1)}%` })),
+      h("div.share", { "aria-hidden": "true" }, h("i", { style: `width: ${((100 * seconds) / longest).toFixed(1)}%` })),
       h("span.value", {}, `${significant(seconds, 3)} s`),
     );
   const rows = [...wholes, ...strays].sort(bySize).flatMap(([name, seconds]) => [

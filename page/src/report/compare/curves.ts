@@ -32,7 +32,7 @@ export function histories({ runs }: PageData): HTMLElement | null {
   return h("div", {}, choice("Over", COSTS, "model calls", draw), grid, h("p.note", {}, note));
 }
 
-export function doses({ runs }: PageData): HTMLElement | null {
+export function thresholds({ runs }: PageData): HTMLElement | null {
   const iou = chart({
     title: "IoU over the gel threshold",
     x: { label: "gel threshold", from: 0 },
@@ -73,6 +73,5 @@ function density(histogram: Histogram | null | undefined, of: "part" | "void"): 
   const total = counts.reduce<number>((sum, count) => sum + (count ?? 0), 0);
   if (!isNumber(low) || !isNumber(high) || total === 0) return { x: [], y: [] };
   const width = (high - low) / counts.length;
-  // Of the many voxels without light nothing is seen on a linear scale; empty bins are gaps
-  return { x: counts.map((_, bin) => low + (bin + 0.5) * width), y: counts.map((count) => (count ? count / (total * width) : null)) };
+  return { x: counts.map((_, bin) => low + (bin + 0.5) * width), y: counts.map((count) => (count ?? 0) / (total * width)) };
 }

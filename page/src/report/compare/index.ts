@@ -1,7 +1,8 @@
 // What a page of several runs shows before the run that was chosen.
 
 import type { Context, Section } from "../../section.ts";
-import { doses, histories } from "./curves.ts";
+import { histories, thresholds } from "./curves.ts";
+import { doses } from "./doses.ts";
 import { head } from "./head.ts";
 import { jobs } from "./jobs.ts";
 import { cautions, numbers } from "./numbers.ts";
@@ -16,6 +17,7 @@ export const comparison: Section[] = [
   { id: "cautions", title: "Before you compare", render: ofSeveral(({ data }) => cautions(data)) },
   { id: "side-by-side", title: "Numbers side by side", render: ofSeveral(({ data }) => numbers(data)) },
   { id: "job-keys", title: "What differs in the jobs", render: ofSeveral(({ data }) => jobs(data)) },
-  { id: "dose-curves", title: "Doses and thresholds", render: ofSeveral(({ data }) => doses(data)) },
+  { id: "doses", title: "Doses", render: ofSeveral(doses) },
+  { id: "thresholds", title: "Thresholds", render: ofSeveral(({ data }) => thresholds(data)) },
   { id: "histories", title: "Histories", render: ofSeveral(({ data }) => histories(data)) },
 ];

@@ -48,5 +48,5 @@ export function jobs({ runs }: PageData): HTMLElement {
   if (rows.length === 0) return h("p.quiet", {}, "Nothing: the jobs are the same, but for the folder they write to.");
   const heads = ["key", ...runs.map(named)];
   const body = rows.map(([key, values]) => [h("code", {}, key), ...values.map((value) => value ?? "–")]);
-  return h("div.keys", {}, dataTable({ caption: "Keys of the jobs that differ", heads, rows: body, text: runs.map((_, i) => i + 1) }));
+  return h("div.job-keys", {}, dataTable({ caption: "Keys of the jobs that differ", heads, rows: body, text: runs.map((_, i) => i + 1) }));
 }

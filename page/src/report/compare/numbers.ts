@@ -24,7 +24,7 @@ export function numbers(data: PageData): HTMLElement | null {
   const body = known.map((row) => {
     const values = runs.map((run) => row.of(run));
     const winner = isFair ? bestOf(row, runs, values) : null;
-    return [title(row), ...values.map((value, i) => cell(row, value, winner !== null && value === winner && prints(runs[i])))];
+    return [title({ ...row, summary: "" }), ...values.map((value, i) => cell(row, value, winner !== null && value === winner && prints(runs[i])))];
   });
   const heads = runs.map((run, i) => h("span", {}, named(run, i), h("small", {}, origin(run))));
   const csv = () => [csvLine(["number", "unit", ...runs.map((run) => run.name)]), ...known.map((row) => csvLine([row.title, row.unit, ...runs.map((run) => row.of(run))]))].join("\n") + "\n";
