@@ -14,7 +14,24 @@ export interface PageData {
   headline: string[];
   /** The same for a gray target. */
   gray_headline: string[];
+  /** What several runs are next to each other; null for one. */
+  compare: Comparison | null;
   runs: Run[];
+}
+
+/** Numbers and keys of several runs; lists have one entry per run. */
+export interface Comparison {
+  /** What gave the patterns: "optimization" or "simulation". */
+  kinds: string[];
+  /** Which model gave the dose that a run is evaluated by. */
+  models: (string | null)[];
+  /** Whether numbers of these runs can be ranked: one model evaluated all of them. */
+  marks_best: boolean;
+  /** Whether something of the part turns solid. */
+  prints: boolean[];
+  numbers: { key: string; name: string; unit: string; better: Metric["better"]; values: (number | null)[] }[];
+  differing_keys: { key: string; values: (string | null)[] }[];
+  warnings: string[];
 }
 
 export interface Metric {
@@ -31,7 +48,8 @@ export interface Run {
   state: "done" | "running" | "check";
   /** report.json as it is; its keys are documented in crates/tomolith-report/src/json.rs. */
   report: any;
-  texts: Texts;
+  /** Null for a run of another version. */
+  texts: Texts | null;
   /** The job with every default. */
   job: string;
   history: { [column: string]: (number | null)[] };
@@ -47,14 +65,12 @@ export interface Texts {
   print_time: string | null;
   facts: [string, string][];
   exposure: string[];
-  limits: { species: string | null; sentence: string }[];
+  limits: { name: string; sentence: string }[];
   one_exposure: string | null;
   one_moment: string | null;
   time: { name: string; sentence: string }[];
   scenarios: string | null;
   gap: string | null;
-  kept: string | null;
-  levels: string | null;
   ceiling: string | null;
 }
 

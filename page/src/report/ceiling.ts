@@ -16,7 +16,7 @@ const LEAST_RANGE = 0.02;
 
 export function ceiling({ run }: Context): HTMLElement | null {
   const rows = list(report(run).ceiling?.trade_off);
-  if (rows.length === 0 && !run.texts.ceiling) return null;
+  if (rows.length === 0 && !run.texts?.ceiling) return null;
   const inSeconds = rows.length > 0 && rows.every((row) => isNumber(row.time_s));
   const x: Axis = inSeconds ? { label: "print time", unit: "s", from: 0 } : { label: "print time M/t", unit: "mm", from: 0 };
   const time = (row: TradeOff) => (inSeconds ? row.time_s : row.time_mm);
@@ -26,7 +26,7 @@ export function ceiling({ run }: Context): HTMLElement | null {
   ].filter((plot) => plot !== null);
   const intro =
     "The ceilings of the pixels that the run tried, on pixels of twice the width. `tomolith expose RUN --trade-off` lists them and writes the job of one.";
-  return h("div", {}, ...paragraphs([run.texts.ceiling, rows.length > 0 ? intro : null]), h("div.charts", {}, ...plots), table(rows));
+  return h("div", {}, ...paragraphs([run.texts?.ceiling, rows.length > 0 ? intro : null]), h("div.charts", {}, ...plots), table(rows));
 }
 
 function plot(name: string, rows: readonly TradeOff[], x: Axis, time: (row: TradeOff) => Measure, of: (row: TradeOff) => Measure): HTMLElement | null {

@@ -15,8 +15,8 @@ export function head({ data, run }: Context): HTMLElement {
     {},
     h("p.brand", {}, ["Tomolith print report", created].filter(Boolean).join(" · ")),
     h(isOnly ? "h1" : "h2", {}, isOnly ? (part ?? run.name) : run.name),
-    h("p.lead", {}, sentence([run.texts.lead, run.texts.print_time].filter(Boolean).join(" "))),
-    factList(run.texts.facts ?? []),
+    h("p.lead", {}, sentence([run.texts?.lead, run.texts?.print_time].filter(Boolean).join(" "))),
+    factList(run.texts?.facts ?? []),
     evaluation ? cards(data, run, evaluation) : null,
     evaluation ? turningNote(evaluation, evaluation.standing_still) : null,
   );

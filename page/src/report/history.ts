@@ -6,7 +6,7 @@ import type { Context } from "../section.ts";
 import { chart, type Axis, type Chart, type Series } from "./chart.ts";
 import { choice } from "./choice.ts";
 import { isNumber, significant, type Measure } from "./number.ts";
-import { isObject, report, type ProcessWindow } from "./schema.ts";
+import { isObject, report, type Levels, type ProcessWindow, type Report } from "./schema.ts";
 import { dataTable } from "./table.ts";
 import { paragraphs, part } from "./text.ts";
 
@@ -37,8 +37,7 @@ interface Curve {
 
 export function history({ run }: Context): HTMLElement | null {
   const curves = curvesOf(run);
-  const { kept, gap, levels } = run.texts;
-  const words = paragraphs([kept, gap, levels]);
+  const words = paragraphs([kept(report(run)), run.texts?.gap, levels(report(run).levels)]);
   const found = foundWindow(report(run).process_window);
   if (curves.length === 0 && words.length === 0 && !found) return null;
   const grid = h("div.charts");
@@ -47,6 +46,27 @@ export function history({ run }: Context): HTMLElement | null {
   };
   draw("model calls");
   return h("div", {}, ...words, curves.length > 0 && choice("Over", COSTS, "model calls", draw), grid, summary(run), response(run), found);
+}
+
+const REASONS: Record<string, string> = { loss: "the lowest loss", print: "the best IoU on the job's voxels", last: "the last step" };
+
+/** Which iterate the patterns are. */
+function kept({ history: end }: Report): string | null {
+  const own = end?.kept;
+  if (!own || !isNumber(own.iteration)) return null;
+  const reason = REASONS[own.by ?? ""];
+  return `The patterns are those after iteration ${own.iteration}${isNumber(end.iterations) ? ` of ${end.iterations}` : ""}${reason ? `: ${reason}` : ""}.`;
+}
+
+/** What was gained on few levels of the machine. */
+function levels(own: Levels | null | undefined): string | null {
+  if (!own) return null;
+  const n = (value: Measure) => significant(value, 4);
+  const diffused = isNumber(own.diffused_loss) ? ` (${n(own.diffused_loss)} by error diffusion)` : "";
+  return (
+    `On the levels of the machine the patterns have a loss of ${n(own.loss)}, plainly rounded ${n(own.rounded_loss)}${diffused}: ${n(own.steps)} steps and ${n(own.calls)} model calls, ` +
+    `with a full scale of ${n(own.scale)} times the brightest pixel before.`
+  );
 }
 
 function curvesOf(run: Run): Curve[] {

@@ -6,28 +6,22 @@ import type { Context } from "../section.ts";
 import type { State } from "../state.ts";
 import { link } from "./nav.ts";
 import { clock, isNumber, significant, toldApart, type Measure } from "./number.ts";
-import { isGray, list, report, type Bracket, type Limit, type OneExposure, type Report, type Species } from "./schema.ts";
+import { list, report, type Bracket, type Limit, type OneExposure, type Report, type Species } from "./schema.ts";
 import { dataTable } from "./table.ts";
 import { paragraphs, part } from "./text.ts";
 
 export function exposureAndLimits({ run, state }: Context): HTMLElement | null {
   const data = report(run);
   if (!data.evaluation) return null;
-  return h("div.two", {}, exposure(data, run.texts, state), limits(data, run.texts.limits ?? []));
+  return h("div.two", {}, exposure(data, run.texts, state), limits(data, run.texts?.limits ?? []));
 }
 
-function exposure(data: Report, texts: Texts, state: State): HTMLElement {
+function exposure(data: Report, texts: Texts | null, state: State): HTMLElement {
   const rows = data.one_exposure ? rowsTogether(data.one_exposure, list(data.species)) : rowsAlone(data);
   const table = rows.length > 0 ? dataTable({ caption: "Best exposure", heads: ["", "shortest", "best", "longest"], rows, strong: 2 }) : null;
-  const sentences = data.one_exposure ? [texts.one_exposure, "The table compares exposures with it."] : (texts.exposure ?? []);
+  const sentences = data.one_exposure ? [texts?.one_exposure, "The table compares exposures with it."] : (texts?.exposure ?? []);
   const hint = h("p.note", {}, "This is about the dose. When to stop in the job's schedule stands under ", link("time", "The print in time", state), ".");
-  return part("Best exposure", ...(rows.length > 0 ? paragraphs(sentences) : paragraphs([`Not given: ${whyNone(data)}.`])), table, list(data.time).length > 0 && hint);
-}
-
-function whyNone({ evaluation }: Report): string {
-  const iou = evaluation?.iou;
-  if (!isGray(evaluation) && (!isNumber(iou) || iou === 0)) return "nothing of the part prints at any threshold";
-  return "the response is not the dose itself, so that more light does not scale the gray values";
+  return part("Best exposure", ...paragraphs(sentences), table, list(data.time).length > 0 && hint);
 }
 
 function rowsAlone({ exposure: window }: Report): string[][] {
@@ -72,11 +66,11 @@ function ends(bracket: Bracket | null | undefined, words: Words): string[] {
 
 function limits(data: Report, sentences: Texts["limits"]): HTMLElement | null {
   const species = list(data.species);
-  const groups = species.length > 1 ? species.map((own) => ({ name: own.name ?? "", causes: list(own.limits) })) : [{ name: null, causes: list(data.limits) }];
+  const groups = species.length > 1 ? species.map((own) => ({ name: own.name ?? "", causes: list(own.limits) })) : [{ name: "", causes: list(data.limits) }];
   const filled = groups.flatMap(({ name, causes }, i) => {
-    const words = sentences.find((text) => text.species === name) ?? sentences[i];
-    if (causes.length === 0 && !words) return [];
-    return [h("div", {}, name !== null && h("h4", {}, name), ...paragraphs([words?.sentence]), causeList(causes))];
+    const words = sentences.find((text) => text.name === name) ?? sentences[i];
+    if (causes.length === 0 && !words?.sentence) return [];
+    return [h("div", {}, name !== "" && h("h4", {}, name), ...paragraphs([words?.sentence]), causeList(causes))];
   });
   return filled.length > 0 ? part("What limits the print", ...filled) : null;
 }

@@ -25,7 +25,7 @@ export function scenarios({ run }: Context): HTMLElement | null {
     {},
     ...paragraphs([
       `What the same patterns print where something is otherwise. Nobody knows which scenario a print is, so all of them gel at the threshold of the job, ${threshold}.`,
-      run.texts.scenarios,
+      run.texts?.scenarios,
     ]),
     dataTable({
       caption: "Scenarios",

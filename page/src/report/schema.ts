@@ -19,7 +19,7 @@ export interface Report {
   one_moment?: OneMoment | null;
   properties?: Property[] | null;
   history?: HistoryEnd | null;
-  levels?: Record<string, unknown> | null;
+  levels?: Levels | null;
   ceiling?: { trade_off?: TradeOff[] | null } | null;
   scenarios?: Scenarios | null;
   process_window?: ProcessWindow | null;
@@ -119,6 +119,8 @@ export interface HistoryEnd {
   lower_bound?: Measure;
   gap?: Measure;
 }
+
+export interface Levels { rounded_loss?: Measure; diffused_loss?: Measure; loss?: Measure; scale?: Measure; steps?: Measure; calls?: Measure }
 
 export interface TradeOff {
   brightest?: Measure;

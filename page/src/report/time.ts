@@ -13,11 +13,11 @@ export function time({ run }: Context): HTMLElement | null {
   const networks = list(data.time);
   if (networks.length === 0) return null;
   const network = (own: TimeReport) => {
-    const words = (run.texts.time ?? []).find((text) => text.name === own.name)?.sentence;
+    const words = (run.texts?.time ?? []).find((text) => text.name === own.name)?.sentence;
     const inside = [...paragraphs([words, voxels(own, data.evaluation)]), charts(own), moments(own)];
     return networks.length > 1 ? part(own.name ?? "", ...inside) : h("div", {}, ...inside);
   };
-  return h("div", {}, ...paragraphs([run.texts.one_moment], "lead-in"), ...networks.map(network));
+  return h("div", {}, ...paragraphs([run.texts?.one_moment], "lead-in"), ...networks.map(network));
 }
 
 /** On which voxels it prints, where they are not those of the numbers at the head. */
