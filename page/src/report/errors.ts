@@ -5,12 +5,14 @@ import type { Context } from "../section.ts";
 import { chart, type Mark } from "./chart.ts";
 import { isNumber, significant, type Measure } from "./number.ts";
 import { report, type ErrorHistogram } from "./schema.ts";
+import { part } from "./text.ts";
+import { tones } from "./tones.ts";
 
 /** Bins that are drawn, about. */
 const BINS = 80;
 
-export function errors({ run }: Context): HTMLElement | null {
-  const evaluation = report(run).evaluation;
+export function errors(context: Context): HTMLElement | null {
+  const evaluation = report(context.run).evaluation;
   const own = evaluation?.errors;
   const [low, high] = own?.range ?? [];
   if (!evaluation || !own || !isNumber(low) || !isNumber(high)) return null;
@@ -38,7 +40,13 @@ export function errors({ run }: Context): HTMLElement | null {
   const peak = isNumber(own.band_edge_peak)
     ? ` At the edges of the band lie ${significant(own.band_edge_peak, 3)} times as many voxels as a little inside or outside.`
     : "";
-  return h("div", {}, h("p.quiet", {}, `Voxels per error, on a logarithmic scale. The band is what the objective asks for.${peak}`), drawn.element);
+  const curve = tones(context);
+  return h(
+    "div.charts",
+    {},
+    part("Voxels per error", h("p.note", {}, `The band is what the objective asks for.${peak}`), drawn.element),
+    curve && part("Response against gray value", h("p.note", {}, "Of the voxels of each gray value."), curve),
+  );
 }
 
 /** Bins within ±reach, joined until there are about [`BINS`], as steps. */

@@ -13,7 +13,7 @@ export function head({ data, run }: Context): HTMLElement {
   return h(
     "div.head",
     {},
-    h("p.brand", {}, ["Tomolith print report", created].filter(Boolean).join(" · ")),
+    h("p.brand", {}, [BRANDS[run.state], created].filter(Boolean).join(" · ")),
     h(isOnly ? "h1" : "h2", {}, isOnly ? (part ?? run.name) : run.name),
     h("p.lead", {}, sentence([run.texts?.lead, run.texts?.print_time].filter(Boolean).join(" "))),
     factList(run.texts?.facts ?? []),
@@ -21,6 +21,8 @@ export function head({ data, run }: Context): HTMLElement {
     evaluation ? turningNote(evaluation, evaluation.standing_still) : null,
   );
 }
+
+const BRANDS: Record<Run["state"], string> = { done: "Tomolith print report", running: "Tomolith, a run that goes on", check: "Tomolith, a job before it runs" };
 
 function factList(facts: readonly [string, string][]): HTMLElement | null {
   if (facts.length === 0) return null;

@@ -12,11 +12,16 @@ export function warnings({ run }: Context): HTMLElement | null {
   return items && h("div.warn", { role: "note" }, items);
 }
 
-export function notes({ run }: Context): HTMLElement | null {
+export function notes({ data: page, run }: Context): HTMLElement {
   const data = report(run);
   const made = bullets(list(data.notes));
   const models = Object.entries(data.run?.models ?? {});
-  if (!made && models.length === 0) return null;
   const rows = models.map(([stage, model]) => h("div", {}, h("dt", {}, `Doses of the ${stage}`), h("dd", {}, String(model))));
-  return h("div", {}, made && part("Choices", made), rows.length > 0 && part("Models", h("dl.models", {}, ...rows)));
+  return h(
+    "div",
+    {},
+    h("p.quiet", {}, `${data.run?.program ?? page.program}. Numbers are predictions of a model, not measurements. Doses are relative unless the job says otherwise.`),
+    made && part("Choices", made),
+    rows.length > 0 && part("Models", h("dl.models", {}, ...rows)),
+  );
 }

@@ -3,11 +3,12 @@
 import type { Metric } from "../data.ts";
 import { h } from "../dom.ts";
 import type { Context } from "../section.ts";
+import { chart, type Series } from "./chart.ts";
 import { shown } from "./head.ts";
 import { inVoxels, isNumber, significant, unitOf, type Measure } from "./number.ts";
-import { isGray, report, type Evaluation } from "./schema.ts";
+import { isGray, list, report, type Evaluation } from "./schema.ts";
 import { dataTable } from "./table.ts";
-import { copyButton, csvLine } from "./text.ts";
+import { copyButton, csvLine, part } from "./text.ts";
 
 interface Column {
   name: string;
@@ -36,8 +37,21 @@ export function numbers({ data, run }: Context): HTMLElement | null {
     ),
     copyButton("Copy as CSV", () => csv(metrics, columns)),
     dataTable({ caption: "All numbers", heads: ["", ...heads], rows: metrics.map((metric) => [title(metric), ...columns.map((column) => cell(metric, column))]), strong: 1 }),
+    curves(columns),
   );
 }
+
+/** IoU over the threshold, as the vial turns and as it would stand still. */
+function curves(columns: readonly Column[]): HTMLElement | null {
+  const series = columns.map(({ name, evaluation }, i): Series => {
+    const curve = list(evaluation.iou_curve);
+    return { name: name.toLowerCase(), color: COLORS[i], style: i === 0 ? "line" : "dashed", x: curve.map((point) => point?.[0]), y: curve.map((point) => point?.[1]) };
+  });
+  const plot = chart({ title: "IoU over the gel threshold", x: { label: "gel threshold", from: 0 }, y: { label: "IoU", from: 0, to: 1 }, series });
+  return plot && part("IoU over the gel threshold", plot.element);
+}
+
+const COLORS = ["--run-1", "--run-2", "--run-3"];
 
 /** Metrics that some column has; those of a gray target first where there is one. */
 function known(metrics: readonly Metric[], columns: readonly Column[], first: readonly string[]): Metric[] {
