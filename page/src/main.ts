@@ -5,6 +5,8 @@ import "./look.css";
 import "./report/report.css";
 import type { PageData } from "./data.ts";
 import { h } from "./dom.ts";
+import { film } from "./film.ts";
+import { inTime } from "./in_time.ts";
 import { look } from "./look.ts";
 import { comparison } from "./report/compare/index.ts";
 import { sections as reportSections } from "./report/index.ts";
@@ -17,7 +19,7 @@ import { Store } from "./store.ts";
 /** Order on the page, by id: what was made, what it looks like, why, how. Sections that are not named follow. */
 const ORDER = [...comparison.map(({ id }) => id), "head", "limits", "warnings", "look", "solid", "in-time", "time", "film"];
 
-const all: Section[] = [look, solid, ...reportSections];
+const all: Section[] = [look, solid, inTime, film, ...reportSections];
 
 function ordered(sections: Section[]): Section[] {
   const place = (section: Section) => (ORDER.indexOf(section.id) + ORDER.length + 1) % (ORDER.length + 1);

@@ -36,7 +36,9 @@ export interface PlanesOptions {
 }
 
 const NAMES: Record<Axis, string> = { 2: "Top view, x–y", 1: "Front view, x–z", 0: "Side view, y–z" };
-const LONGEST_ZOOM = 24;
+const LARGEST_ZOOM = 24;
+/** Parts whose height is below this share of their width have their side views above each other. */
+const FLAT = 0.72;
 
 export class Planes {
   readonly element = h("div.planes");
@@ -58,8 +60,13 @@ export class Planes {
   show(shown: Shown[]): void {
     this.views.forEach((view) => view.end());
     this.views = shown.map((one) => new PlaneView(this, one));
-    this.element.style.setProperty("--columns", shown.map(({ axis }) => `${extent(this.options.grid, ACROSS[axis][0]).toFixed(4)}fr`).join(" "));
-    this.element.style.setProperty("--count", String(shown.length));
+    const { grid } = this.options;
+    const widths = shown.map(({ axis }) => `minmax(0, ${extent(grid, ACROSS[axis][0]).toFixed(4)}fr)`);
+    this.element.style.setProperty("--columns", widths.join(" "));
+    const [x, y, z] = ([0, 1, 2] as const).map((axis) => extent(grid, axis));
+    const isTriple = shown.length === 3 && new Set(shown.map(({ axis }) => axis)).size === 3;
+    this.element.classList.toggle("flat", isTriple && z < FLAT * Math.min(x, y));
+    this.element.classList.toggle("wide", !isTriple && shown.length > 2);
     this.element.replaceChildren(...this.views.map((view) => view.element));
   }
 
@@ -83,7 +90,7 @@ export class Planes {
 
   /** Magnifies by a factor, with a point of the plane left where it is. */
   zoomBy(factor: number, around: Point): void {
-    const zoom = Math.min(Math.max(this.zoom * factor, 1), LONGEST_ZOOM);
+    const zoom = Math.min(Math.max(this.zoom * factor, 1), LARGEST_ZOOM);
     const moved = 1 - this.zoom / zoom;
     this.center = this.center.map((c, axis) => c + (around[axis] - c) * moved) as Point;
     this.zoom = zoom;
@@ -349,7 +356,7 @@ class PlaneView {
       "+": () => planes.zoomBy(1.5, planes.at()),
       "=": () => planes.zoomBy(1.5, planes.at()),
       "-": () => planes.zoomBy(1 / 1.5, planes.at()),
-      "0": () => planes.zoomBy(1 / LONGEST_ZOOM, planes.at()),
+      "0": () => planes.zoomBy(1 / LARGEST_ZOOM, planes.at()),
     };
     const move = moves[event.key] ?? zooms[event.key];
     if (!move) return;

@@ -75,7 +75,7 @@ export class Stage {
     const middle = new Vector3(...this.low).add(new Vector3(...this.high)).multiplyScalar(0.5);
     const radius = 0.5 * Math.hypot(...this.high.map((mm, axis) => mm - this.low[axis]));
     const [a, e] = [azimuth, Math.min(Math.max(elevation, -89.9), 89.9)].map((degrees) => (degrees * Math.PI) / 180);
-    const distance = (radius / Math.sin((this.camera.fov * Math.PI) / 360)) * 0.98;
+    const distance = (radius / Math.sin((this.camera.fov * Math.PI) / 360)) * 0.82;
     this.camera.near = radius / 50;
     this.camera.far = 30 * radius;
     this.controls.target.copy(middle);

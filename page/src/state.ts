@@ -18,7 +18,7 @@ export interface View {
   frame: number;
   /** Row of the film whose sinogram is shown; null: the middle. */
   row: number | null;
-  /** Moment of the print in time, s; null: the end. */
+  /** Moment of the print in time, s; null: the best one. */
   time: number | null;
   /** What the 3D view shows: the print, the target or both. */
   solid: string;
