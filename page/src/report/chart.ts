@@ -151,7 +151,11 @@ class UChart implements Chart {
         height,
         legend: { show: false },
         padding: [10, 14, 0, 0],
-        cursor: { points: { size: 7 }, drag: { x: false, y: false } },
+        cursor: {
+          y: false,
+          drag: { x: false, y: false },
+          points: { size: 8, fill: (_, i) => ink(this.series[i - 1]?.color ?? "--ink") },
+        },
         scales: {
           x: { time: false, range: ends(x) },
           y: { distr: this.isLog ? 3 : 1, range: ends(y) },
@@ -228,8 +232,8 @@ class UChart implements Chart {
     const x = u.data[0][idx] ?? 0;
     const rows = this.lines.flatMap((line, i) => {
       const series = this.series[i];
-      const point = line.find(([at]) => at === x);
-      return point && series && u.series[i + 1]?.show ? [{ series, y: point[1] }] : [];
+      const y = series && u.series[i + 1]?.show ? valueAt(line, x, series.style ?? "line") : null;
+      return series && y !== null ? [{ series, y }] : [];
     });
     const { unit: xUnit, label } = this.options.x;
     const head = `${label} ${significant(x, 5)}${xUnit ? ` ${xUnit}` : ""}`;
@@ -317,9 +321,20 @@ class UChart implements Chart {
     };
     const drawnLines = this.lines.map((line, i) => ({ line, name: this.series[i]?.name ?? "" })).filter(({ line }) => line.length > 0);
     const places = drawnLines.flatMap(({ line }) => line.map(([at]) => at));
-    const values = drawnLines.map(({ line, name }) => `${name} ${text(y, line.map(([, value]) => value))}`);
+    const values = drawnLines.map(({ line, name }) => `${name === title ? "" : `${name} `}${text(y, line.map(([, value]) => value))}`);
     return `${title}: ${values.join("; ")}; over ${x.label} ${text(x, places)}. Arrow keys read values.`;
   }
+}
+
+/** What a line shows at a place: between its points too, as lines are drawn; null beyond its ends. */
+function valueAt(line: readonly Point[], x: number, style: NonNullable<Series["style"]>): number | null {
+  const next = line.findIndex(([at]) => at >= x);
+  if (next < 0) return null;
+  const [at, y] = line[next];
+  if (at === x) return y;
+  if (next === 0 || style === "dots") return null;
+  const [before, from] = line[next - 1];
+  return style === "steps" ? from : from + ((x - before) / (at - before)) * (y - from);
 }
 
 /** How uPlot draws a series. */

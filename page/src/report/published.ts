@@ -42,7 +42,8 @@ function filtered(rows: readonly Published[]): HTMLElement {
     count.textContent = found.length === rows.length ? `${rows.length} numbers` : `${found.length} of ${rows.length} numbers`;
     const cells = (row: Published) => [h("code", {}, row.name), significant(row.value, 4), row.unit, row.note, row.source];
     const heads = ["name", "value", "unit", "definition", "source"];
-    place.replaceChildren(dataTable({ caption: "Published numbers", heads, rows: found.map(cells), text: [2, 3, 4] }));
+    const none = h("p.note", {}, "No number has all of these words in its name, definition or source.");
+    place.replaceChildren(found.length === 0 ? none : dataTable({ caption: "Published numbers", heads, rows: found.map(cells), text: [2, 3, 4] }));
   };
   field.addEventListener("input", draw);
   draw();
