@@ -14,6 +14,20 @@ import { paragraphs, part } from "./text.ts";
 export const COSTS = ["model calls", "seconds", "iterations"] as const;
 export type Cost = (typeof COSTS)[number];
 
+/** What the reader chose last; it outlives the sections, which are drawn again while a run goes on. */
+let chosen: Cost = "model calls";
+
+/** The choice of the cost, and a place whose charts follow it. */
+export function overCost(draw: (cost: Cost) => (HTMLElement | null)[]): HTMLElement {
+  const grid = h("div.charts");
+  const show = (cost: Cost) => {
+    chosen = cost;
+    grid.replaceChildren(...draw(cost).filter((plot) => plot !== null));
+  };
+  show(chosen);
+  return h("div", {}, choice("Over", COSTS, chosen, show), grid);
+}
+
 /** A column of a history over a cost. */
 export function costOf(run: Run, cost: Cost): Measure[] {
   const column = (name: string) => run.history?.[name] ?? [];
@@ -40,12 +54,8 @@ export function history({ run }: Context): HTMLElement | null {
   const words = paragraphs([kept(report(run)), run.texts?.gap, levels(report(run).levels)]);
   const found = foundWindow(report(run).process_window);
   if (curves.length === 0 && words.length === 0 && !found) return null;
-  const grid = h("div.charts");
-  const draw = (cost: Cost) => {
-    grid.replaceChildren(...curves.flatMap((curve) => plotOf(run, curve, cost)));
-  };
-  draw("model calls");
-  return h("div", {}, ...words, curves.length > 0 && choice("Over", COSTS, "model calls", draw), grid, summary(run), response(run), found);
+  const plots = curves.length > 0 && overCost((cost) => curves.map((curve) => plotOf(run, curve, cost)));
+  return h("div", {}, ...words, plots, summary(run), response(run), found);
 }
 
 const REASONS: Record<string, string> = { loss: "the lowest loss", print: "the best IoU on the job's voxels", last: "the last step" };
@@ -82,14 +92,14 @@ function curvesOf(run: Run): Curve[] {
   return curves.filter((curve) => curve.of.filter(isNumber).length > 1);
 }
 
-function plotOf(run: Run, curve: Curve, cost: Cost): HTMLElement[] {
+function plotOf(run: Run, curve: Curve, cost: Cost): HTMLElement | null {
   const values = curve.of.filter(isNumber);
   if (values.every((value) => value === 0)) {
-    return [part(curve.title, h("p.note", {}, `It is 0 at each of the ${values.length} points that were measured.`))];
+    return part(curve.title, h("p.note", {}, `It is 0 at each of the ${values.length} points that were measured.`));
   }
   const series: Series = { name: curve.title, color: "--accent", x: costOf(run, cost), y: curve.of };
   const plot: Chart | null = chart({ title: curve.title, x: costAxis(cost), y: curve.y, series: [series] });
-  return plot ? [part(curve.title, plot.element)] : [];
+  return plot && part(curve.title, plot.element);
 }
 
 /** What it all took. */

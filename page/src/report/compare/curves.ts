@@ -3,8 +3,7 @@
 import type { PageData, Run } from "../../data.ts";
 import { h } from "../../dom.ts";
 import { chart, type Axis, type Series } from "../chart.ts";
-import { choice } from "../choice.ts";
-import { COSTS, costAxis, costOf, type Cost } from "../history.ts";
+import { costAxis, costOf, overCost, type Cost } from "../history.ts";
 import { isNumber, type Measure } from "../number.ts";
 import { list, report, type Histogram } from "../schema.ts";
 import { part } from "../text.ts";
@@ -12,24 +11,19 @@ import { colorOf, lineOf } from "./color.ts";
 
 export function histories({ runs }: PageData): HTMLElement | null {
   if (!runs.some((run) => (run.history?.loss ?? []).filter(isNumber).length > 1)) return null;
-  const grid = h("div.charts");
   const plot = (title: string, y: Axis, of: (run: Run) => Measure[], cost: Cost) => {
     const series = runs.map((run, i) => lineOf(run, i, costOf(run, cost), of(run)));
     const drawn = chart({ title: `${title} over ${cost}`, x: costAxis(cost), y, series });
     return drawn && part(title, drawn.element);
   };
   const short = (run: Run) => (run.history?.iou ?? []).map((iou) => (isNumber(iou) ? 1 - iou : null));
-  const draw = (cost: Cost) => {
-    const plots = [
-      plot("Loss", { label: "loss", log: true }, (run) => run.history?.loss ?? [], cost),
-      plot("Voxels that would print wrongly", { label: "1 − IoU", log: true }, short, cost),
-      plot("Process window", { label: "response" }, (run) => run.history?.process_window ?? [], cost),
-    ];
-    grid.replaceChildren(...plots.filter((plot) => plot !== null));
-  };
-  draw("model calls");
+  const plots = overCost((cost) => [
+    plot("Loss", { label: "loss", log: true }, (run) => run.history?.loss ?? [], cost),
+    plot("Voxels that would print wrongly", { label: "1 − IoU", log: true }, short, cost),
+    plot("Process window", { label: "response" }, (run) => run.history?.process_window ?? [], cost),
+  ]);
   const note = "Compare methods by model calls, not by iterations; seconds are those of the machine of each run. IoU is that on the grid of each optimization, where it was measured.";
-  return h("div", {}, choice("Over", COSTS, "model calls", draw), grid, h("p.note", {}, note));
+  return h("div", {}, plots, h("p.note", {}, note));
 }
 
 export function thresholds({ runs }: PageData): HTMLElement | null {
