@@ -14,8 +14,9 @@ export interface Histogram {
 }
 
 export interface Gel {
-  /** The threshold of all numbers of the report. */
+  /** The threshold of all numbers of the report; without a report the best one for the page's voxels. */
   reported: number;
+  isOfReport: boolean;
   /** The largest response. */
   high: number;
   histogram: Histogram | null;
@@ -50,16 +51,19 @@ export function bandOf(run: Run): number | null {
 /** Null where nothing says at what dose the resin gels. */
 export function gelOf(run: Run, species: string, response: Volume | null, labels: Volume | null): Gel | null {
   const { evaluation, exposure } = reportOf(run, species);
-  const reported = evaluation?.gel_threshold ?? null;
   const counts = response && labels ? countsOf(response, labels) : null;
+  const official = evaluation?.gel_threshold ?? null;
+  // A run that goes on has no report yet
+  const reported = official ?? counts?.best() ?? null;
   const high = response?.info.high ?? evaluation?.histogram?.range?.[1] ?? null;
   if (reported === null || high === null) return null;
-  const curve = withPoint(evaluation.iou_curve ?? [], [reported, evaluation.iou]);
+  const curve = withPoint(evaluation?.iou_curve ?? counts?.curve() ?? [], [reported, evaluation?.iou ?? null]);
   const best = exposure?.threshold?.best ?? null;
-  const given = evaluation.histogram;
+  const given = evaluation?.histogram;
   const nearly = exposure?.threshold ? ([exposure.threshold.low, exposure.threshold.high] as [number | null, number | null]) : null;
   return {
     reported,
+    isOfReport: official !== null,
     high: Math.max(high, reported),
     histogram: given ? { low: given.range[0], high: given.range[1], part: given.part, void: given.void } : (counts?.histogram ?? null),
     curve,
@@ -67,8 +71,8 @@ export function gelOf(run: Run, species: string, response: Volume | null, labels
     tolerance: exposure?.tolerance ?? null,
     iou: (threshold) => interpolated(curve, threshold) ?? counts?.iou(threshold) ?? null,
     percent: (threshold) => (best === null || threshold <= 0 ? null : (100 * best) / threshold),
-    tooMuch: (threshold) => (threshold === reported ? evaluation.over_mm3 : null) ?? counts?.tooMuch(threshold) ?? null,
-    missing: (threshold) => (threshold === reported ? evaluation.under_mm3 : null) ?? counts?.missing(threshold) ?? null,
+    tooMuch: (threshold) => (threshold === official ? evaluation.over_mm3 : null) ?? counts?.tooMuch(threshold) ?? null,
+    missing: (threshold) => (threshold === official ? evaluation.under_mm3 : null) ?? counts?.missing(threshold) ?? null,
   };
 }
 
@@ -122,13 +126,17 @@ export function countsOf(response: Volume, labels: Volume) {
   const { high } = response.info;
   const binned = (side: Float64Array) =>
     Array.from({ length: BINS }, (_, bin) => side[first((high * (bin + 1)) / BINS)] - side[first((high * bin) / BINS)]);
+  const iou = (threshold: number) => {
+    const { right, wrong } = solid(threshold);
+    return part + wrong > 0 ? right / (part + wrong) : null;
+  };
+  const curve = () => Array.from({ length: BINS + 1 }, (_, i): [number, number] => [(high * i) / BINS, iou((high * i) / BINS) ?? 0]);
   return {
-    part,
+    curve,
+    /** The threshold with the largest IoU; null where there is no part. */
+    best: () => (part > 0 ? curve().reduce((best, point) => (point[1] > best[1] ? point : best))[0] : null),
     histogram: { low: 0, high, part: binned(below[0]), void: binned(below[1]) } satisfies Histogram,
-    iou: (threshold: number) => {
-      const { right, wrong } = solid(threshold);
-      return part + wrong > 0 ? right / (part + wrong) : null;
-    },
+    iou,
     tooMuch: (threshold: number) => solid(threshold).wrong * voxel,
     missing: (threshold: number) => (part - solid(threshold).right) * voxel,
   };

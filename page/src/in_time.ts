@@ -98,8 +98,9 @@ async function draw({ run, state, store }: Context, info: VolumeInfo, signal: Ab
     const jaccard = at(network?.curves?.seconds, network?.curves?.jaccard, now);
     text.replaceChildren(h("b", {}, clock(now)), `  ${significant(solid(now), 3)} mm³ solid${jaccard === null ? "" : `, Jaccard index ${significant(jaccard, 3)}`}`);
     planes.redraw(true);
+    readout.textContent = layer.value(planes.at());
   };
-  const end = state.on(["time"], update);
+  const end = state.on(["time", "at"], update);
   const play = h("button", { type: "button" }, "Play");
   let timer = 0;
   const stop = () => {

@@ -125,8 +125,8 @@ function body(context: Context, volumes: Volumes, species: string, signal: Abort
       const slice = volume && slices.of(volume, axis, mm);
       if (slice && Number.isFinite(level)) out.push({ slice, segments: contour(slice, level), color });
     };
-    if (overlays.part && layer.id !== "target" && band === null) add(volumes.target, 0.5, "--outline-part");
-    if (overlays.print && layer.id !== "print" && gel) add(volumes.response, threshold(), "--threshold-line");
+    if (overlays.part && layer.id !== "target" && layer.id !== "error" && band === null) add(volumes.target, 0.5, "--outline-part");
+    if (overlays.print && layer.id !== "print" && layer.id !== "error" && gel) add(volumes.response, threshold(), "--threshold-line");
     return out;
   };
   const legend = h("div.color-legend");

@@ -38,7 +38,7 @@ export interface PlanesOptions {
 const NAMES: Record<Axis, string> = { 2: "Top view, x–y", 1: "Front view, x–z", 0: "Side view, y–z" };
 const LARGEST_ZOOM = 24;
 /** Parts whose height is below this share of their width have their side views above each other. */
-const FLAT = 0.72;
+const FLAT = 0.62;
 
 export class Planes {
   readonly element = h("div.planes");

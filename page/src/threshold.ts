@@ -14,7 +14,7 @@ const BOTTOM = HEIGHT - EDGE.bottom;
 /** The slider with its chart and numbers. */
 export function thresholdPanel(gel: Gel, state: State, signal: AbortSignal): HTMLElement {
   const slider = h("input", { type: "range", min: 0, max: STEPS, step: 1, "aria-label": "Gel threshold" });
-  const reset = h("button", { type: "button", click: () => state.set({ threshold: null }) }, "Back to the report’s threshold");
+  const reset = h("button", { type: "button", click: () => state.set({ threshold: null }) }, gel.isOfReport ? "Back to the report’s threshold" : "Back to the best threshold");
   const numbers = h("dl.threshold-list");
   const chart = new Chart(gel, (threshold) => choose(threshold));
 
@@ -25,6 +25,7 @@ export function thresholdPanel(gel: Gel, state: State, signal: AbortSignal): HTM
   };
   slider.addEventListener("input", () => choose((Number(slider.value) / STEPS) * gel.high), { signal });
 
+  const known = gel.isOfReport ? "as reported" : "best of the voxels shown";
   const update = () => {
     const threshold = state.get("threshold") ?? gel.reported;
     const iou = gel.iou(threshold);
@@ -36,7 +37,7 @@ export function thresholdPanel(gel: Gel, state: State, signal: AbortSignal): HTM
     numbers.replaceChildren(
       ...row("Gel threshold", significant(threshold, 4), "dose at which the resin gels"),
       ...row("Exposure", percent === null ? "–" : `${significant(percent, 4)} %`, "of the best exposure"),
-      ...row("IoU", significant(iou, 4), threshold === gel.reported ? "as reported" : `${significant(gel.iou(gel.reported), 4)} as reported`),
+      ...row("IoU", significant(iou, 4), threshold !== gel.reported ? `${significant(gel.iou(gel.reported), 4)} ${known}` : known),
       ...row("Too much", quantity(gel.tooMuch(threshold), "mm³"), "gels and should not", "--excess"),
       ...row("Missing", quantity(gel.missing(threshold), "mm³"), "does not gel and should", "--missing"),
     );
