@@ -1,0 +1,160 @@
+// Where the light of a frame goes: from above and from the side, through the walls of the vial into the resin. The part stands still, the light goes round it.
+
+import type { Ray, Run, Scene } from "./data.ts";
+import { h, svg } from "./dom.ts";
+import { infoOf } from "./look.ts";
+import { faded, token } from "./paint.ts";
+import { significant } from "./report/number.ts";
+import type { Context } from "./section.ts";
+import { ACROSS } from "./volume.ts";
+
+type Flat = [number, number][];
+
+/** Views from above and from the side. `angle` is that of the chosen frame, degrees; null: the first. */
+export function lightPath({ run, state, store }: Pick<Context, "run" | "state" | "store">, scene: Scene, light: number, angle: () => number | null, signal?: AbortSignal): HTMLElement {
+  const top = h("div");
+  const side = h("div");
+  const caption = h("p.quiet", { role: "status" });
+  let picture: { url: string; left: number; top: number; width: number; height: number } | null = null;
+
+  const update = () => {
+    const frames = scene.lights[light]?.frames ?? [];
+    const wanted = angle();
+    const nearest = frames.reduce<(typeof frames)[number] | null>((best, one) => (best !== null && (wanted === null || apart(best.angle_deg, wanted) <= apart(one.angle_deg, wanted)) ? best : one), null);
+    top.replaceChildren(topView(scene, nearest?.rays ?? [], picture));
+    side.replaceChildren(sideView(scene, nearest?.rays ?? []));
+    caption.textContent = nearest ? `Light from ${significant(nearest.angle_deg, 4)}°${wanted !== null && apart(nearest.angle_deg, wanted) > 0.05 ? ", the nearest frame whose rays the page has" : ""}.${lit(scene)}` : lit(scene);
+  };
+  update();
+  const takePicture = async () => {
+    picture = await pictureOf(run, store, state.get("at")?.[2] ?? null);
+    update();
+  };
+  // Without the part's picture the paths still say what they say
+  void takePicture().catch(() => {});
+  const ends = [state.on(["frame"], update), state.on(["at"], () => void takePicture().catch(() => {}))];
+  signal?.addEventListener("abort", () => ends.forEach((end) => end()));
+
+  return h(
+    "div.paths",
+    {},
+    h("h3", {}, "Where the light goes"),
+    caption,
+    h(
+      "div.path-views",
+      {},
+      h("figure", {}, h("figcaption", {}, "From above"), top),
+      h(
+        "figure",
+        {},
+        h("figcaption", {}, "From the side, light from the left"),
+        side,
+        h("p.color-keys", {}, key("--void", "light in the resin"), key("--quiet", "light outside"), key("--solid", "part"), scene.lit_radius_mm !== null && key("--accent", "radius that every frame lights")),
+      ),
+    ),
+  );
+}
+
+function key(color: string, text: string): HTMLElement {
+  return h("span", {}, h("i.stroke", { style: `background: var(${color})` }), text);
+}
+
+function lit({ lit_radius_mm, part_radius_mm }: Scene): string {
+  if (lit_radius_mm === null) return "";
+  const [lit, part] = [significant(lit_radius_mm, 3), significant(part_radius_mm, 3)];
+  return lit_radius_mm >= part_radius_mm ? ` Every frame lights all within ${lit} mm of the axis; the part reaches out to ${part} mm.` : ` Every frame lights only what lies within ${lit} mm of the axis, but the part reaches out to ${part} mm.`;
+}
+
+/** The smaller of the angles between two directions, degrees. */
+function apart(a: number, b: number): number {
+  const turn = Math.abs(a - b) % 360;
+  return Math.min(turn, 360 - turn);
+}
+
+function topView(scene: Scene, rays: Ray[], picture: { url: string; left: number; top: number; width: number; height: number } | null): SVGElement {
+  const around = Math.max(...scene.walls.flatMap(({ points }) => points.map(([x, y]) => Math.hypot(x, y))), scene.part_radius_mm) * 1.22;
+  const root = view([-around, around], [-around, around], "Light path from above");
+  for (const wall of scene.walls) root.append(outline(wall.points, "wall", wall.name));
+  if (picture) root.append(svg("image", { href: picture.url, x: picture.left, y: -picture.top, width: picture.width, height: picture.height, preserveAspectRatio: "none" }));
+  else root.append(svg("circle", { class: "part", r: scene.part_radius_mm }));
+  for (const body of scene.obstacles) root.append(outline(body.points, "obstacle", body.name));
+  if (scene.lit_radius_mm !== null) root.append(svg("circle", { class: "lit", r: scene.lit_radius_mm }, svg("title", {}, "radius that every frame lights")));
+  root.append(...paths(rays.map((ray) => ({ points: ray.points.map(([x, y]): [number, number] => [x, y]), from: ray.resin_from })), around));
+  return root;
+}
+
+function sideView(scene: Scene, rays: Ray[]): SVGElement {
+  // Along the light: horizontally from the first point of a ray to its last
+  const middle = rays[rays.length >> 1]?.points ?? [];
+  const [first, last] = [middle[0] ?? [-1, 0, 0], middle[middle.length - 1] ?? [1, 0, 0]];
+  const length = Math.hypot(last[0] - first[0], last[1] - first[1]) || 1;
+  const [dx, dy] = [(last[0] - first[0]) / length, (last[1] - first[1]) / length];
+  const along = ([x, y]: readonly number[]) => x * dx + y * dy;
+  const around = Math.max(...scene.walls.flatMap(({ points }) => points.map(([x, y]) => Math.hypot(x, y))), scene.part_radius_mm) * 1.22;
+  const [low, high] = scene.z_mm;
+  const margin = 0.25 * (high - low) + 0.05 * around;
+  const root = view([-around, around], [low - margin, high + margin], "Light path from the side");
+  for (const wall of scene.walls) {
+    const reach = wall.points.map(along);
+    const [left, right] = [Math.min(...reach), Math.max(...reach)];
+    const [bottom, top] = wall.height_mm ?? [low - 2 * margin, high + 2 * margin];
+    root.append(outline([[left, bottom], [right, bottom], [right, top], [left, top]], "wall", wall.name));
+  }
+  const r = scene.part_radius_mm;
+  root.append(outline([[-r, low], [r, low], [r, high], [-r, high]], "part", "part"));
+  if (scene.lit_radius_mm !== null) {
+    for (const x of [-scene.lit_radius_mm, scene.lit_radius_mm]) root.append(svg("line", { class: "lit", x1: x, x2: x, y1: -high - margin, y2: -low + margin }));
+  }
+  root.append(...paths(rays.map((ray) => ({ points: ray.points.map((point): [number, number] => [along(point), point[2]]), from: ray.resin_from })), around));
+  return root;
+}
+
+/** A drawing in mm, up is up. */
+function view(x: [number, number], y: [number, number], label: string): SVGElement {
+  return svg("svg", { class: "path-view", viewBox: `${x[0]} ${-y[1]} ${x[1] - x[0]} ${y[1] - y[0]}`, role: "img", "aria-label": label });
+}
+
+function outline(points: Flat, name: string, title: string): SVGElement {
+  return svg("path", { class: name, d: `${pathOf(points)}Z` }, svg("title", {}, title));
+}
+
+function pathOf(points: Flat): string {
+  return `M${points.map(([x, y]) => `${x.toFixed(4)},${(-y).toFixed(4)}`).join("L")}`;
+}
+
+/** Rays from the edge of the drawing on; those in the resin stand out. */
+function paths(rays: { points: Flat; from: number }[], around: number): SVGElement[] {
+  return rays.flatMap(({ points, from }) => {
+    const outside = points.slice(0, from + 1);
+    if (outside.length > 1) outside[0] = clipped(outside[0], outside[1], around);
+    return [svg("path", { class: "ray", d: pathOf(outside) }), points.length > from + 1 && svg("path", { class: "ray resin", d: pathOf(points.slice(from)) })].filter((path) => path !== false);
+  });
+}
+
+/** A ray's first point, but not farther out than the drawing. */
+function clipped([x, y]: [number, number], [toX, toY]: [number, number], around: number): [number, number] {
+  const far = Math.abs(x) > Math.abs(y) ? Math.abs(x) : Math.abs(y);
+  if (far <= around) return [x, y];
+  const near = Math.max(Math.abs(toX), Math.abs(toY));
+  const share = far > near ? Math.min((far - around) / (far - near), 1) : 0;
+  return [x + share * (toX - x), y + share * (toY - y)];
+}
+
+/** The target's slice, to lie below the rays. */
+async function pictureOf(run: Run, store: Context["store"], z: number | null) {
+  const info = infoOf(run, "target", "");
+  if (!info) return null;
+  const volume = await store.volume(info);
+  const slice = volume.slice(2, z ?? (volume.range(2)[0] + volume.range(2)[1]) / 2);
+  if (!slice) return null;
+  const color = token("--solid");
+  const top = volume.info.high;
+  const colors = Uint32Array.from(slice.values, (value) => faded(color, Math.min(Math.max(value / top, 0), 1) * 0.75));
+  const pixels = new Uint32Array(slice.codes.length);
+  for (let i = 0; i < pixels.length; i++) pixels[i] = colors[slice.codes[i]];
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [slice.width, slice.height];
+  canvas.getContext("2d")?.putImageData(new ImageData(new Uint8ClampedArray(pixels.buffer), slice.width, slice.height), 0, 0);
+  const [right, up] = ACROSS[2];
+  return { url: canvas.toDataURL(), left: volume.range(right)[0], top: volume.range(up)[1], width: slice.width * slice.pitch[0], height: slice.height * slice.pitch[1] };
+}

@@ -1,0 +1,127 @@
+// Runs that go on while they are looked at: stage, progress, a button that cancels. The viewer sends what happens as server-sent events.
+
+import type { PageData } from "./data.ts";
+import { h } from "./dom.ts";
+
+type Happening =
+  | { type: "stage"; run: number; name: string; fraction: number | null }
+  | { type: "iteration"; run: number; row: { [column: string]: number | null } }
+  | { type: "snapshot" | "done"; run: number }
+  | { type: "failed"; run: number; message: string };
+
+export interface Changes {
+  /** A row was added to the history of a run. */
+  row(run: number): void;
+  /** Arrays or numbers of a run are new. */
+  replaced(run: number): void;
+}
+
+/** Follows the runs of a viewer. Null where the page is a file. */
+export function live(data: PageData, changes: Changes): HTMLElement | null {
+  if (data.served === null) return null;
+  const { served } = data;
+  const element = h("div.live", { role: "status" });
+  const bars = new Map<number, Bar>();
+  const bar = (run: number) => {
+    let known = bars.get(run);
+    if (!known) {
+      known = new Bar(data.runs[run].name, () => fetch(`${served}cancel/${run}`, { method: "POST" }));
+      bars.set(run, known);
+      element.append(known.element);
+    }
+    return known;
+  };
+  data.runs.forEach(({ state }, run) => {
+    if (state === "running") bar(run);
+  });
+  const problem = h("p.problem", { hidden: true }, "The viewer does not answer. What is shown is the last that it sent; it is asked again.");
+  element.append(problem);
+
+  const events = new EventSource(`${served}events`);
+  events.addEventListener("error", () => (problem.hidden = false));
+  events.addEventListener("open", () => (problem.hidden = true));
+  events.addEventListener("message", ({ data: text }: MessageEvent<string>) => {
+    const event = JSON.parse(text) as Happening;
+    const run = data.runs[event.run];
+    if (!run) return;
+    switch (event.type) {
+      case "stage":
+        bar(event.run).stage(event.name, event.fraction);
+        break;
+      case "iteration":
+        addRow(run.history, event.row);
+        bar(event.run).iteration(event.row.iteration);
+        changes.row(event.run);
+        break;
+      case "failed":
+        run.state = "done";
+        bar(event.run).end(event.message);
+        break;
+      case "done":
+        bar(event.run).end(null);
+        bars.delete(event.run);
+        changes.replaced(event.run);
+        break;
+      case "snapshot":
+        changes.replaced(event.run);
+        break;
+    }
+  });
+  return element;
+}
+
+/** The data of the viewer as they are now. */
+export async function refetched(data: PageData): Promise<PageData> {
+  const answer = await fetch(`${data.served}runs.json`);
+  if (!answer.ok) throw new Error(`The viewer answered ${answer.status}.`);
+  return (await answer.json()) as PageData;
+}
+
+/** Columns that a row has and the history has not begin with nothing. */
+function addRow(history: PageData["runs"][number]["history"], row: { [column: string]: number | null }): void {
+  const length = Math.max(0, ...Object.values(history).map((column) => column.length));
+  for (const name of new Set([...Object.keys(history), ...Object.keys(row)])) {
+    history[name] ??= new Array<null>(length).fill(null);
+    history[name].push(row[name] ?? null);
+  }
+}
+
+/** The progress of a run. */
+class Bar {
+  private readonly progress = h("progress", { max: 1 });
+  private readonly text = h("span.quiet", {}, "waiting");
+  private readonly cancel: HTMLButtonElement;
+  readonly element: HTMLElement;
+  private name = "";
+
+  constructor(run: string, cancel: () => Promise<Response>) {
+    this.cancel = h("button", { type: "button" }, "Cancel");
+    this.cancel.addEventListener("click", () => {
+      this.cancel.disabled = true;
+      this.cancel.textContent = "Canceling…";
+      cancel().catch(() => {
+        this.cancel.disabled = false;
+        this.cancel.textContent = "Cancel";
+      });
+    });
+    this.progress.setAttribute("aria-label", `Progress of ${run}`);
+    this.element = h("div.live-run", {}, h("b", {}, run), this.progress, this.text, this.cancel);
+  }
+
+  stage(name: string, fraction: number | null): void {
+    this.name = name;
+    if (fraction === null) this.progress.removeAttribute("value");
+    else this.progress.value = fraction;
+    this.text.textContent = fraction === null ? name : `${name}, ${Math.round(100 * fraction)} %`;
+  }
+
+  iteration(iteration: number | null | undefined): void {
+    if (iteration !== null && iteration !== undefined) this.text.textContent = `${this.name || "optimizing"}, iteration ${iteration}`;
+  }
+
+  /** Null: it is done. Else why it has failed. */
+  end(message: string | null): void {
+    if (message === null) this.element.remove();
+    else this.element.replaceChildren(this.element.firstElementChild!, h("span.problem", { role: "alert" }, message));
+  }
+}

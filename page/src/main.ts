@@ -1,0 +1,129 @@
+// Reads the data of the page and lays out its sections. Every section is a function of a context (section.ts).
+
+import "./base.css";
+import "./look.css";
+import "./report/report.css";
+import type { PageData } from "./data.ts";
+import { h } from "./dom.ts";
+import { film } from "./film.ts";
+import { inTime } from "./in_time.ts";
+import { live, refetched } from "./live.ts";
+import { look } from "./look.ts";
+import { comparison } from "./report/compare/index.ts";
+import { sections as reportSections } from "./report/index.ts";
+import { navigation, scrollTo } from "./report/nav.ts";
+import type { Context, Section } from "./section.ts";
+import { solid } from "./solid.ts";
+import { State } from "./state.ts";
+import { Store } from "./store.ts";
+
+/** Order on the page, by id: what was made, what it looks like, why, how. Sections that are not named follow. */
+const ORDER = [...comparison.map(({ id }) => id), "head", "limits", "warnings", "look", "solid", "in-time", "time", "film"];
+
+const SECTIONS = ordered([look, solid, inTime, film, ...reportSections]);
+
+/** Sections that show rows of the history, and how often they are drawn again while a run goes on, ms. */
+const GROWING = ["history", "histories"];
+const REDRAW_MS = 700;
+
+function ordered(sections: Section[]): Section[] {
+  const place = (section: Section) => (ORDER.indexOf(section.id) + ORDER.length + 1) % (ORDER.length + 1);
+  return [...sections].sort((a, b) => place(a) - place(b));
+}
+
+class Page {
+  private readonly state = new State();
+  private readonly progress: HTMLElement | null;
+  private stores: Store[];
+  private ends = new Map<string, AbortController>();
+  private redrawing = 0;
+
+  constructor(
+    private data: PageData,
+    private readonly app: HTMLElement,
+  ) {
+    this.stores = data.runs.map((_, run) => new Store(data.served, run));
+    this.state.on(["run"], () => this.draw());
+    this.progress = live(data, { row: (run) => this.grow(run), replaced: (run) => void this.replace(run).catch((error: unknown) => console.warn(String(error))) });
+    this.draw();
+    scrollTo(this.state.get("section"));
+  }
+
+  private get index(): number {
+    return Math.min(this.state.get("run"), this.data.runs.length - 1);
+  }
+
+  private draw(): void {
+    for (const end of this.ends.values()) end.abort();
+    this.ends.clear();
+    if (this.data.runs.length === 0) {
+      this.app.replaceChildren(h("p.problem", {}, "There is no run to show."));
+      return;
+    }
+    const mounted = SECTIONS.flatMap((section) => {
+      const element = this.mount(section);
+      return element ? [{ section, element }] : [];
+    });
+    const listed = mounted.map(({ section }) => section).filter(({ title }) => title !== "");
+    this.app.replaceChildren(...(this.progress ? [this.progress] : []), navigation(listed, this.state, this.begin("nav")), ...mounted.map(({ element }) => element));
+  }
+
+  /** What a part of the page listens to ends when it is drawn again. */
+  private begin(id: string): AbortSignal {
+    this.ends.get(id)?.abort();
+    const end = new AbortController();
+    this.ends.set(id, end);
+    return end.signal;
+  }
+
+  /** A section that fails says so in its place and leaves the others alone. */
+  private mount(section: Section): HTMLElement | null {
+    const { data, index, state, stores } = this;
+    const context: Context = { data, run: data.runs[index], index, state, store: stores[index], stores, gone: this.begin(section.id) };
+    let body: HTMLElement | null;
+    try {
+      body = section.render(context);
+    } catch (error) {
+      body = h("p.problem", { role: "alert" }, `This section could not be drawn: ${String(error)}`);
+    }
+    if (body === null) return null;
+    return h("section", { id: section.id, "aria-label": section.title || null }, section.title !== "" && h("h2", {}, section.title), body);
+  }
+
+  /** The history of a run has grown. */
+  private grow(run: number): void {
+    if (this.redrawing !== 0 || (run !== this.index && this.data.runs.length === 1)) return;
+    this.redrawing = window.setTimeout(() => {
+      this.redrawing = 0;
+      for (const section of SECTIONS.filter(({ id }) => GROWING.includes(id))) {
+        const old = document.getElementById(section.id);
+        const element = this.mount(section);
+        if (old && element) old.replaceWith(element);
+        // Its first rows: the section comes into the list too
+        else if (element) this.draw();
+      }
+    }, REDRAW_MS);
+  }
+
+  /** A run has new numbers and arrays. */
+  private async replace(run: number): Promise<void> {
+    const fresh = await refetched(this.data);
+    this.data.runs[run] = fresh.runs[run];
+    this.stores[run] = new Store(this.data.served, run);
+    const isShown = run === this.index || this.data.runs.length > 1;
+    if (isShown) this.draw();
+  }
+}
+
+function start(): void {
+  const app = document.getElementById("app");
+  const text = document.getElementById("data")?.textContent;
+  if (!app) return;
+  try {
+    new Page(JSON.parse(text ?? "") as PageData, app);
+  } catch (error) {
+    app.replaceChildren(h("p.problem", { role: "alert" }, `The data of this page could not be read: ${String(error)}`));
+  }
+}
+
+start();

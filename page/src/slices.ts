@@ -1,0 +1,57 @@
+// Slices for drawing: at once from what the page holds; where a viewer has more voxels than the page, the full slice follows.
+
+import type { Store } from "./store.ts";
+import { ACROSS, AXES, type Axis, type Slice, valuesOf, type Volume } from "./volume.ts";
+
+/** Full slices that are kept. */
+const KEPT = 60;
+/** How long the reader must pause before a full slice is asked for, ms. */
+const PAUSE = 60;
+
+export class Slices {
+  private readonly full = new Map<string, Slice>();
+  private readonly waiting = new Map<string, number>();
+
+  constructor(
+    private readonly store: Store,
+    private readonly signal: AbortSignal,
+    /** Called when a better slice has come. */
+    private readonly better: () => void,
+  ) {}
+
+  of(volume: Volume, axis: Axis, mm: number): Slice | null {
+    const reduced = volume.slice(axis, mm);
+    if (!volume.info.full || volume.info.reduced === 1 || reduced === null) return reduced;
+    const pitch = volume.pitch.map((edge) => edge / volume.info.reduced);
+    const index = Math.floor((mm - volume.range(axis)[0]) / pitch[axis] + 1e-6);
+    const key = `${volume.info.id}/${axis}/${index}`;
+    const known = this.full.get(key);
+    if (!known) this.ask(key, volume, axis, index, pitch);
+    return known ?? reduced;
+  }
+
+  /** One request a plane of a volume at a time: the last place asked for wins. */
+  private ask(key: string, volume: Volume, axis: Axis, index: number, pitch: number[]): void {
+    const plane = `${volume.info.id}/${axis}`;
+    window.clearTimeout(this.waiting.get(plane));
+    const load = async () => {
+      // The server counts axes as the arrays do: z, y, x
+      const slice = await this.store.slice(volume.info, 2 - axis, index, this.signal);
+      const [height, width] = slice.shape;
+      const [right, up] = ACROSS[axis];
+      const codes = slice.codes.slice();
+      for (let row = 0; row < height; row++) codes.set(slice.codes.subarray((height - 1 - row) * width, (height - row) * width), row * width);
+      const bits = slice.codes instanceof Uint16Array ? 16 : 8;
+      const corner: [number, number] = [volume.range(right)[0], volume.range(up)[0] + height * pitch[up]];
+      const values = valuesOf(bits, slice.low, slice.high, volume.info.nan === null ? null : 2 ** bits - 1);
+      this.full.set(key, { axis, width, height, codes, values, pitch: [pitch[right], pitch[up]], corner });
+      const oldest = this.full.keys().next();
+      if (this.full.size > KEPT && !oldest.done) this.full.delete(oldest.value);
+      this.better();
+    };
+    const failed = (error: unknown) => {
+      if (!this.signal.aborted) console.warn(`The full slice of ${volume.info.name} along ${AXES[axis]} did not come: ${String(error)}`);
+    };
+    this.waiting.set(plane, window.setTimeout(() => void load().catch(failed), PAUSE));
+  }
+}
