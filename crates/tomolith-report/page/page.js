@@ -1,1 +1,4232 @@
-"use strict";
+"use strict";(()=>{function T(n,e={},...t){let[i,...s]=n.split("."),r=document.createElement(i);return s.length>0&&(r.className=s.join(" ")),ip(r,e),sp(r,t),r}function Ut(n,e={},...t){let i=document.createElementNS("http://www.w3.org/2000/svg",n);return ip(i,e),sp(i,t),i}function Bs(n){let e=document.createDocumentFragment();return n.split("`").forEach((t,i)=>{t!==""&&e.append(i%2===1?T("code",{},t):t)}),e}function ip(n,e){for(let[t,i]of Object.entries(e))i==null||i===!1||(typeof i=="function"?n.addEventListener(t,i):n.setAttribute(t,i===!0?"":String(i)))}function sp(n,e){for(let t of e)t!=null&&t!==!1&&n.append(t)}var Yx=[[],[3,0],[0,1],[3,1],[1,2],[3,0,1,2],[0,2],[3,2],[2,3],[2,0],[0,1,2,3],[2,1],[1,3],[1,0],[0,3],[]];function il(n,e){let{width:t,height:i,codes:s,values:r}=n,o=e-1e6,a=(h,u)=>{if(h<0||u<0||h>=t||u>=i)return o;let d=r[s[u*t+h]];return Number.isNaN(d)?o:d},l=new Float32Array(4096),c=0;for(let h=-1;h<i;h++){let[u,d]=[a(-1,h),a(-1,h+1)];for(let f=-1;f<t;f++){let[g,y]=[a(f+1,h),a(f+1,h+1)],p=(u>=e?1:0)|(g>=e?2:0)|(y>=e?4:0)|(d>=e?8:0);if(p!==0&&p!==15){if(c+8>l.length){let m=new Float32Array(2*l.length);m.set(l),l=m}for(let m of Yx[p]){let[v,C]=m===0?[u,g]:m===1?[g,y]:m===2?[d,y]:[u,d],S=(e-v)/(C-v);l[c++]=f+.5+(m===1?1:m===3?0:S),l[c++]=h+.5+(m===0?0:m===2?1:S)}}u=g,d=y}}return l.slice(0,c)}var Ki=["x","y","z"],Qn={0:[1,2],1:[0,2],2:[0,1]},ds={outside:0,void:1,part:2},ks={none:0,dark:1,insert:2,obstacle:3},sl=class{constructor(e,t){this.info=e;this.codes=t;let[i,s,r]=e.shape_zyx;this.shape=[r,s,i],this.pitch=[e.pitch_mm,e.pitch_mm,e.height_mm],this.values=Jh(e.bits,e.low,e.high,e.nan)}info;codes;values;shape;pitch;range(e){let t=this.shape[e]*this.pitch[e]/2;return[this.info.center_xyz_mm[e]-t,this.info.center_xyz_mm[e]+t]}index(e,t){return Math.floor((t-this.range(e)[0])/this.pitch[e]+1e-6)}middle(e,t){return this.range(e)[0]+(t+.5)*this.pitch[e]}at(e){let[t,i,s]=[0,1,2].map(c=>this.index(c,e[c])),[r,o,a]=this.shape;if(t<0||i<0||s<0||t>=r||i>=o||s>=a)return null;let l=this.values[this.codes[(s*o+i)*r+t]];return Number.isNaN(l)?null:l}slice(e,t){let i=this.index(e,t);if(i<0||i>=this.shape[e])return null;let[s,r]=Qn[e],[o,a]=[this.shape[s],this.shape[r]],[l,c]=this.shape,h=[1,l,l*c],u=this.info.bits===16?new Uint16Array(o*a):new Uint8Array(o*a);for(let d=0;d<a;d++){let f=i*h[e]+(a-1-d)*h[r];for(let g=d*o;g<(d+1)*o;g++,f+=h[s])u[g]=this.codes[f]}return{axis:e,width:o,height:a,codes:u,values:this.values,pitch:[this.pitch[s],this.pitch[r]],corner:[this.range(s)[0],this.range(r)[1]]}}};function Jh(n,e,t,i){let s=2**n,r=s-(i===null?1:2),o=Float32Array.from({length:s},(a,l)=>e+l/r*(t-e));return i!==null&&(o[i]=Number.NaN),o}function jh(n,e){let t=(n.report?.species??[]).find(i=>i.name===e);return{evaluation:(t??n.report)?.evaluation??null,exposure:(t??n.report)?.exposure??null}}function rl(n){let e=n.report?.evaluation,t=e?.band_half_width??null;return t===0?e.rms_error??null:t}function ol(n,e,t,i){let{evaluation:s,exposure:r}=jh(n,e),o=t&&i?Jx(t,i):null,a=s?.gel_threshold??null,l=a??o?.best()??null,c=t?.info.high??s?.histogram?.range?.[1]??null;if(l===null||c===null)return null;let h=Zx(s?.iou_curve??o?.curve()??[],[l,s?.iou??null]),u=r?.threshold?.best??null,d=s?.histogram,f=r?.threshold?[r.threshold.low,r.threshold.high]:null;return{reported:l,isOfReport:a!==null,high:Math.max(c,l),histogram:d?{low:d.range[0],high:d.range[1],part:d.part,void:d.void}:o?.histogram??null,curve:h,nearly:f,tolerance:r?.tolerance??null,iou:g=>Kx(h,g)??o?.iou(g)??null,percent:g=>u===null||g<=0?null:100*u/g,tooMuch:g=>(g===a?s.over_mm3:null)??o?.tooMuch(g)??null,missing:g=>(g===a?s.under_mm3:null)??o?.missing(g)??null}}function Zx(n,e){let[t,i]=e;return i==null?n:[...n.filter(([s])=>s!==t),[t,i]].sort((s,r)=>s[0]-r[0])}function Kx(n,e){if(n.length<2)return null;if(e<=n[0][0])return n[0][1];let t=n.findIndex(([a])=>a>=e);if(t<0)return n[n.length-1][1];let[[i,s],[r,o]]=[n[t-1],n[t]];return s+(e-i)/(r-i)*(o-s)}var Vr=120;function Jx(n,e){if(n.codes.length!==e.codes.length)return null;let{values:t}=n,i=t.length,s=[new Float64Array(i+1),new Float64Array(i+1)];for(let y=0;y<n.codes.length;y++){let p=e.codes[y];p!==ds.outside&&s[p===ds.part?0:1][n.codes[y]+1]++}for(let y of s)for(let p=1;p<=i;p++)y[p]+=y[p-1];let r=n.pitch[0]*n.pitch[1]*n.pitch[2],o=Number.isNaN(t[i-1])?i-1:i,a=y=>{let[p,m]=[0,o];for(;p<m;){let v=p+m>>1;t[v]>=y?m=v:p=v+1}return p},[l,c]=[s[0][o],s[1][o]],h=y=>{let p=a(y);return{right:l-s[0][p],wrong:c-s[1][p]}},{high:u}=n.info,d=y=>Array.from({length:Vr},(p,m)=>y[a(u*(m+1)/Vr)]-y[a(u*m/Vr)]),f=y=>{let{right:p,wrong:m}=h(y);return l+m>0?p/(l+m):null},g=()=>Array.from({length:Vr+1},(y,p)=>[u*p/Vr,f(u*p/Vr)??0]);return{curve:g,best:()=>l>0?g().reduce((y,p)=>p[1]>y[1]?p:y)[0]:null,histogram:{low:0,high:u,part:d(s[0]),void:d(s[1])},iou:f,tooMuch:y=>h(y).wrong*r,missing:y=>(l-h(y).right)*r}}var jx={"-":"⁻",0:"⁰",1:"¹",2:"²",3:"³",4:"⁴",5:"⁵",6:"⁶",7:"⁷",8:"⁸",9:"⁹"},fs="–";function Me(n){return typeof n=="number"&&Number.isFinite(n)}function al(n){return"10"+[...String(n)].map(e=>jx[e]??e).join("")}function he(n,e){if(!Me(n))return fs;if(n===0)return"0";let t=Math.abs(n).toExponential(Math.max(e-1,0)),[i="0",s="0"]=t.split("e"),r=Number(s),o=n<0?"−":"";return r>=-3&&r<6?o+Qh(Number(t).toFixed(Math.max(e-1-r,0))):o+(Qh(i)==="1"?al(r):`${Qh(i)}·${al(r)}`)}function Ko(n,e){for(let t=e;t<7;t++){let i=n.map(r=>he(r,t));if(n.every((r,o)=>n.every((a,l)=>l>=o||r===a||i[o]!==i[l])))return i}return n.map(t=>he(t,7))}function Ji(n){if(!Me(n))return fs;let e=Math.round(n);return e<60?`${he(n,3)} s`:e<3600?`${Math.floor(e/60)} min ${e%60} s`:`${Math.floor(e/3600)} h ${Math.floor(e/60)%60} min`}function zs(n){return n==="mm"?{unit:"µm",factor:1e3}:n.startsWith("mm (")?{unit:"mm",factor:1}:{unit:n==="response"?"":n,factor:1}}function on(n,e,t=3){return Me(n)?e===""?he(n,t):`${he(n,t)} ${e}`:fs}function ll(n,e,t){if(e!=="mm"||!Me(n)||!Me(t)||t<=0)return"";let i=he(n/t,2);return i==="1"?"1 voxel":`${i} voxels`}function Qh(n){let e=n.includes(".")?n.replace(/\.?0+$/,""):n,[t="",i]=e.split("."),s=t.replace(/\B(?=(\d{3})+$)/g,",");return i===void 0?s:`${s}.${i}`}var Qx=[4456788,4727925,4277383,3497869,2783374,2199948,2271364,4505456,8048977,12443430,16639781],e_=[4,1444665,4328040,6952814,9643623,12334932,14504250,15955993,16557322,16176966,16580516],t_=[1922736,7050966,13883614,15177347,13055519];function cl(n,e=255){return(e<<24|(n&255)<<16|n&65280|n>>16)>>>0}function rp(n){return`rgb(${n&255} ${n>>8&255} ${n>>16&255} / ${((n>>>24)/255).toFixed(3)})`}function eu(n,e){let t=Math.min(Math.max(e,0),1)*(n.length-1),i=Math.min(Math.floor(t),n.length-2),s=r=>{let[o,a]=[n[i]>>r&255,n[i+1]>>r&255];return Math.round(o+(t-i)*(a-o))<<r};return cl(s(16)|s(8)|s(0))}var Hr=n=>eu(Qx,n),tu=n=>eu(e_,n),Gr=n=>eu(t_,n);function hl(n){return[(n&255)/255,(n>>8&255)/255,(n>>16&255)/255]}function On(n){let e=getComputedStyle(document.documentElement).getPropertyValue(n).trim();return cl(Number.parseInt(e.slice(1),16)||0)}function lr(n,e){return(n&16777215|Math.round(255*e)<<24)>>>0}function nu(n,e){let{low:t,high:i,logarithmic:s}=n;return i>t?s?Math.log(Math.max(e,t)/t)/Math.log(i/t):(e-t)/(i-t):0}function Wr(n,e){return Uint32Array.from(n,t=>Number.isNaN(t)?0:e.map(nu(e,t)))}var n_=4;function op(n,e,t,i){let{response:s,target:r}=n,o=[];s&&o.push(Jo("dose","Dose",s,e,i===null?t:null)),r&&o.push(i===null?s_(r,e):Jo("target","Target",r,e,null)),s&&i===null&&o.push(r_(s,n,e,t)),s&&r&&su(s,r)&&o.push(i===null?o_(s,n,e,t):ru(s,r,e,n_*i,"Error","dose − target"));for(let a of n.others)o.push(Jo(a.info.id,i_(a),a,e,null));return o}function su(n,e){return n.shape.every((t,i)=>t===e.shape[i])}function i_(n){let{name:e,species:t}=n.info,i=t===null?e:`${e}, ${t}`;return i.charAt(0).toUpperCase()+i.slice(1)}function Jo(n,e,t,i,s,r={low:t.info.low,high:t.info.high}){let{info:o}=t,l={low:o.logarithmic?Math.max(r.low,r.high*1e-6):o.kind==="response"?Math.min(r.low,0):r.low,high:r.high,logarithmic:o.logarithmic&&r.high>0,map:Hr},c=o.unit===""?"":` ${o.unit}`;return{id:n,title:e,picture:(h,u)=>ou(i.of(t,h,u),d=>Wr(d,l)),value:h=>`${e.toLowerCase()} ${au(t.at(h))}${c}`,legend:()=>({scale:l,label:o.unit===""?e:`${e}, ${o.unit}`,mark:s?.()??null})}}function s_(n,e){return{id:"target",title:"Target",picture:(t,i)=>{let s=On("--solid");return ou(e.of(n,t,i),r=>Uint32Array.from(r,o=>lr(s,Math.min(Math.max(o,0),1))))},value:t=>`target ${au(n.at(t))}`,legend:()=>({keys:[["var(--solid)","part"],["var(--picture)","to stay liquid"]]})}}function r_(n,{bodies:e},t,i){return{id:"print",title:"Print",picture:(s,r)=>{let o=On("--solid"),a=i(),l=ou(t.of(n,s,r),c=>Uint32Array.from(c,h=>h>=a?o:0));return l&&lp(l,e,t,s,r)},value:s=>{let r=n.at(s);return r===null?"print –":r>=i()?"print solid":"print liquid"},legend:()=>({keys:[["var(--solid)","solid"],["var(--picture)","liquid"],...ap(e)]})}}function o_(n,{target:e,labels:t,bodies:i},s,r){let o=(a,l)=>a===null?(l??0)>=.5:a===ds.part;return{id:"error",title:"Error",picture:(a,l)=>{let[c,h,u]=[n,e,t].map(R=>R&&s.of(R,a,l));if(!c)return null;let d=r(),[f,g,y,p]=[lr(On("--solid"),.55),On("--missing"),On("--excess"),lr(On("--solid"),.2)],m=new Uint32Array(c.codes.length),v=R=>R!==null&&R.width===c.width&&R.height===c.height,[C,S]=[v(h)?h:null,v(u)?u:null];for(let R=0;R<m.length;R++){let A=c.values[c.codes[R]]>=d,_=S?S.codes[R]:null;_===ds.outside?m[R]=A?p:0:o(_,C?C.values[C.codes[R]]:null)?m[R]=A?f:g:m[R]=A?y:0}return lp({...c,pixels:m},i,s,a,l)},value:a=>{let l=n.at(a),c=t?t.at(a):null;if(l===null)return"–";if(c===ds.outside)return"not counted";let h=l>=r();return o(c,e?e.at(a):null)?h?"solid, as it should":"missing":h?"too much":"liquid, as it should"},legend:()=>({keys:[["color-mix(in srgb, var(--solid) 55%, var(--picture))","solid, as it should"],["var(--missing)","missing"],["var(--excess)","too much"],["var(--picture)","liquid, as it should"],...ap(i)]})}}function ru(n,e,t,i,s,r){let o={low:-i,high:i,logarithmic:!1,map:Gr},a=Uint32Array.from({length:256},(l,c)=>Gr(c/255));return{id:s.toLowerCase(),title:s,picture:(l,c)=>{let[h,u]=[t.of(n,l,c),t.of(e,l,c)];if(!h||!u||h.codes.length!==u.codes.length)return null;let d=new Uint32Array(h.codes.length);for(let f=0;f<d.length;f++){let g=nu(o,h.values[h.codes[f]]-u.values[u.codes[f]]);d[f]=a[Math.round(255*Math.min(Math.max(g,0),1))]}return{...h,pixels:d}},value:l=>{let[c,h]=[n.at(l),e.at(l)];return`${r} ${au(c===null||h===null?null:c-h)}`},legend:()=>({scale:o,label:r,mark:null})}}function ou(n,e){if(!n)return null;let{codes:t}=n,i=e(n.values),s=new Uint32Array(t.length);for(let r=0;r<s.length;r++)s[r]=i[t[r]];return{...n,pixels:s}}var iu={[ks.dark]:{color:"--void",text:"body that must stay dark"},[ks.insert]:{color:"--ink",text:"insert"},[ks.obstacle]:{color:"--quiet",text:"obstacle"}};function ap(n){if(!n)return[];let e=new Set(n.codes);return Object.entries(iu).filter(([t])=>e.has(Number(t))).map(([,{color:t,text:i}])=>[`var(${t})`,i])}function lp(n,e,t,i,s){let r=e&&t.of(e,i,s);if(!r||r.codes.length!==n.pixels.length)return n;let o=Uint32Array.from({length:256},(a,l)=>iu[l]?lr(On(iu[l].color),.75):0);return r.codes.forEach((a,l)=>{o[a]!==0&&(n.pixels[l]=o[a])}),n}function au(n){return he(n,3)}var a_={2:"Top view, x–y",1:"Front view, x–z",0:"Side view, y–z"},cp=24,l_=.62,Vs=class{constructor(e){this.options=e;let{state:t,signal:i,grid:s}=e;this.center=lu(s);let r=t.on(["at"],()=>this.redraw(!1));i.addEventListener("abort",r);let o=()=>this.redraw(!0);window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change",o,{signal:i})}options;element=T("div.planes");views=[];zoom=1;center;show(e){this.views.forEach(l=>l.end()),this.views=e.map(l=>new cu(this,l));let{grid:t}=this.options,i=e.map(({axis:l})=>`minmax(0, ${Xr(t,Qn[l][0]).toFixed(4)}fr)`);this.element.style.setProperty("--columns",i.join(" "));let[s,r,o]=[0,1,2].map(l=>Xr(t,l)),a=e.length===3&&new Set(e.map(({axis:l})=>l)).size===3;this.element.classList.toggle("flat",a&&o<l_*Math.min(s,r)),this.element.classList.toggle("wide",!a&&e.length>2),this.element.replaceChildren(...this.views.map(l=>l.element))}redraw(e){for(let t of this.views)t.redraw(e)}at(){return this.options.state.get("at")??lu(this.options.grid)}moveTo(e){let{state:t,grid:i}=this.options,s=this.at().map((r,o)=>{let[a,l]=i.range(o);return Math.min(Math.max(e[o]??r,a+1e-4),l-1e-4)});t.set({at:s})}zoomBy(e,t){let i=Math.min(Math.max(this.zoom*e,1),cp),s=1-this.zoom/i;this.center=this.center.map((r,o)=>r+(t[o]-r)*s),this.zoom=i,i===1&&(this.center=lu(this.options.grid)),this.keepWithin(),this.redraw(!1)}panBy(e,t){this.center[e]+=t,this.keepWithin(),this.redraw(!1)}keepWithin(){let{grid:e}=this.options;this.center=this.center.map((t,i)=>{let[s,r]=e.range(i),o=(r-s)/2/this.zoom;return Math.min(Math.max(t,s+o),r-o)})}};function lu(n){return[0,1,2].map(e=>(n.range(e)[0]+n.range(e)[1])/2)}function Xr(n,e){return n.range(e)[1]-n.range(e)[0]}var cu=class{constructor(e,t){this.planes=e;this.shown=t;let{grid:i}=e.options,{axis:s}=t,r=t.title??a_[s],o=i.shape[s]-1;this.slider=T("input",{type:"range",min:0,max:o,step:1,"aria-label":`${r}: ${Ki[s]} of the slice`}),this.canvas.setAttribute("aria-label",`${r}: slice along ${Ki[s]}`),this.canvas.setAttribute("aria-valuemin","0"),this.canvas.setAttribute("aria-valuemax",String(o));let[a,l]=Qn[s];this.canvas.style.aspectRatio=`${Xr(i,a)} / ${Xr(i,l)}`,this.element=T("figure.plane",{},T("figcaption",{},T("span",{},r),this.place),this.canvas,this.slider),this.listen(),this.watcher.observe(this.canvas)}planes;shown;element;canvas=T("canvas",{tabindex:0,role:"slider","aria-orientation":"horizontal"});slider;place=T("output.place");image=document.createElement("canvas");watcher=new ResizeObserver(()=>this.redraw(!1));picture=null;outlines=[];painted=-1;frame=0;turned=0;end(){this.watcher.disconnect(),cancelAnimationFrame(this.frame)}redraw(e){e&&(this.painted=-1),this.frame===0&&(this.frame=requestAnimationFrame(()=>{this.frame=0,this.draw()}))}get index(){let{grid:e}=this.planes.options,{axis:t}=this.shown;return Math.min(Math.max(e.index(t,this.planes.at()[t]),0),e.shape[t]-1)}step(e){let{grid:t}=this.planes.options,{axis:i}=this.shown;this.planes.moveTo({[i]:t.middle(i,this.index+e)})}paint(){let{grid:e}=this.planes.options,{axis:t,layer:i,outlines:s}=this.shown,r=this.index;if(this.painted===r)return;this.painted=r;let o=e.middle(t,r);if(this.picture=i.picture(t,o),this.outlines=s?.(t,o)??[],this.picture){let{width:l,height:c,pixels:h}=this.picture;[this.image.width,this.image.height]=[l,c],this.image.getContext("2d")?.putImageData(new ImageData(new Uint8ClampedArray(h.buffer),l,c),0,0)}let a=`${Ki[t]} = ${hu(o)} mm`;this.place.textContent=`${a} · ${r+1} of ${e.shape[t]}`,this.slider.value=String(r),this.slider.setAttribute("aria-valuetext",a),this.canvas.setAttribute("aria-valuenow",String(r)),this.canvas.setAttribute("aria-valuetext",a)}draw(){this.paint();let e={width:this.canvas.clientWidth,height:this.canvas.clientHeight},t=this.canvas.getContext("2d");if(!t||e.width===0)return;let i=window.devicePixelRatio||1,[s,r]=[Math.round(e.width*i),Math.round(e.height*i)];(this.canvas.width!==s||this.canvas.height!==r)&&([this.canvas.width,this.canvas.height]=[s,r]),t.setTransform(1,0,0,1,0,0),t.clearRect(0,0,s,r),t.imageSmoothingEnabled=!1;let{x:o,y:a}=this.scale(s,r);if(this.picture){let{corner:c,pitch:h}=this.picture,[u,d]=[o(c[0]),a(c[1])];t.drawImage(this.image,u,d,o(c[0]+this.picture.width*h[0])-u,a(c[1]-this.picture.height*h[1])-d)}let l=getComputedStyle(this.canvas);for(let c of this.outlines)c_(t,c,o,a,i,l.getPropertyValue(c.color).trim()||c.color);this.cross(t,o,a,s,r,i),this.ruler(t,s,r,i)}scale(e,t){let{grid:i}=this.planes.options,{zoom:s,center:r}=this.planes,[o,a]=Qn[this.shown.axis],l=e/Xr(i,o)*s;return{perMm:l,x:c=>e/2+(c-r[o])*l,y:c=>t/2-(c-r[a])*l,back:(c,h)=>{let u=this.planes.at(),d=[u[0],u[1],u[2]];return d[o]=r[o]+(c-e/2)/l,d[a]=r[a]-(h-t/2)/l,d}}}cross(e,t,i,s,r,o){let a=this.planes.at(),[l,c]=Qn[this.shown.axis],[h,u]=[Math.round(t(a[l])),Math.round(i(a[c]))];for(let[d,f]of[["rgb(0 0 0 / 0.35)",o],["rgb(255 255 255 / 0.65)",0]])e.fillStyle=d,e.fillRect(h+f,0,o,r),e.fillRect(0,u+f,s,o)}ruler(e,t,i,s){let{perMm:r}=this.scale(t,i),o=h_(.3*t/r),[a,l]=[12*s,i-12*s],c=o<1?`${Math.round(o*1e3)} µm`:`${o} mm`;e.font=`${11*s}px system-ui, sans-serif`;let h=Math.max(o*r,e.measureText(c).width);e.fillStyle="rgb(0 0 0 / 0.5)",e.beginPath(),e.roundRect(a-6*s,l-20*s,h+12*s,27*s,5*s),e.fill(),e.fillStyle="#fff",e.fillRect(a,l-s,o*r,2*s),e.fillText(c,a,l-6*s)}pointOf(e){let t=this.canvas.getBoundingClientRect();return this.scale(t.width,t.height).back(e.clientX-t.left,e.clientY-t.top)}listen(){let{planes:e,canvas:t}=this,{signal:i,hover:s}=e.options,[r,o]=Qn[this.shown.axis];this.slider.addEventListener("input",()=>this.step(Number(this.slider.value)-this.index),{signal:i}),t.addEventListener("keydown",l=>this.key(l),{signal:i}),t.addEventListener("wheel",l=>{let c=l.ctrlKey||l.metaKey;if(!c&&document.activeElement!==t)return;if(l.preventDefault(),c){e.zoomBy(Math.exp(-l.deltaY/300),this.pointOf(l));return}this.turned+=l.deltaMode===WheelEvent.DOM_DELTA_PIXEL?l.deltaY/40:l.deltaY;let h=Math.trunc(this.turned);this.turned-=h,h!==0&&this.step(-h)},{signal:i,passive:!1});let a=l=>{let c=this.pointOf(l);e.moveTo({[r]:c[r],[o]:c[o]})};t.addEventListener("click",a,{signal:i}),t.addEventListener("dblclick",l=>e.zoomBy(l.shiftKey?.5:2,this.pointOf(l)),{signal:i}),t.addEventListener("pointermove",l=>{if(s?.(this.pointOf(l),this.shown.layer),l.buttons===1&&l.pointerType==="mouse")if(l.shiftKey){let{perMm:c}=this.scale(t.clientWidth,t.clientHeight);e.panBy(r,-l.movementX/c),e.panBy(o,l.movementY/c)}else a(l)},{signal:i}),t.addEventListener("pointerleave",()=>s?.(null,this.shown.layer),{signal:i})}key(e){if(e.ctrlKey||e.metaKey||e.altKey)return;let{planes:t}=this,{grid:i}=t.options,{axis:s}=this.shown,[r,o]=Qn[s],a=Math.max(Math.round(i.shape[s]/10),2),l=Xr(i,r)/t.zoom*.1,c=e.shiftKey?{ArrowLeft:()=>t.panBy(r,-l),ArrowRight:()=>t.panBy(r,l),ArrowDown:()=>t.panBy(o,-l),ArrowUp:()=>t.panBy(o,l)}:{ArrowUp:()=>this.step(1),ArrowRight:()=>this.step(1),ArrowDown:()=>this.step(-1),ArrowLeft:()=>this.step(-1),PageUp:()=>this.step(a),PageDown:()=>this.step(-a),Home:()=>this.step(-this.index),End:()=>this.step(i.shape[s]-1-this.index)},h={"+":()=>t.zoomBy(1.5,t.at()),"=":()=>t.zoomBy(1.5,t.at()),"-":()=>t.zoomBy(1/1.5,t.at()),0:()=>t.zoomBy(1/cp,t.at())},u=c[e.key]??h[e.key];u&&(e.preventDefault(),u())}};function c_(n,{segments:e,slice:t},i,s,r,o){let[a,l]=[i(t.corner[0]),s(t.corner[1])],[c,h]=[i(t.corner[0]+t.pitch[0])-a,s(t.corner[1]-t.pitch[1])-l];n.beginPath();for(let u=0;u<e.length;u+=4)n.moveTo(a+e[u]*c,l+e[u+1]*h),n.lineTo(a+e[u+2]*c,l+e[u+3]*h);n.lineCap="round",n.lineWidth=3*r,n.strokeStyle="rgb(0 0 0 / 0.4)",n.stroke(),n.lineWidth=1.6*r,n.strokeStyle=o,n.stroke()}function h_(n){let e=10**Math.floor(Math.log10(n)),t=[5,2,1].find(i=>i*e<=n*(1+1e-9))??1;return Number((t*e).toPrecision(3))}function hu(n){return n.toFixed(3).replace("-","−")}var u_=60,d_=60,qr=class{constructor(e,t,i){this.store=e;this.signal=t;this.better=i}store;signal;better;full=new Map;waiting=new Map;of(e,t,i){let s=e.slice(t,i);if(!e.info.full||e.info.reduced===1||s===null)return s;let r=e.pitch.map(c=>c/e.info.reduced),o=Math.floor((i-e.range(t)[0])/r[t]+1e-6),a=`${e.info.id}/${t}/${o}`,l=this.full.get(a);return l||this.ask(a,e,t,o,r),l??s}ask(e,t,i,s,r){let o=`${t.info.id}/${i}`;window.clearTimeout(this.waiting.get(o));let a=async()=>{let c=await this.store.slice(t.info,2-i,s,this.signal),[h,u]=c.shape,[d,f]=Qn[i],g=c.codes.slice();for(let C=0;C<h;C++)g.set(c.codes.subarray((h-1-C)*u,(h-C)*u),C*u);let y=c.codes instanceof Uint16Array?16:8,p=[t.range(d)[0],t.range(f)[0]+h*r[f]],m=Jh(y,c.low,c.high,t.info.nan===null?null:2**y-1);this.full.set(e,{axis:i,width:u,height:h,codes:g,values:m,pitch:[r[d],r[f]],corner:p});let v=this.full.keys().next();this.full.size>u_&&!v.done&&this.full.delete(v.value),this.better()},l=c=>{this.signal.aborted||console.warn(`The full slice of ${t.info.name} along ${Ki[i]} did not come: ${String(c)}`)};this.waiting.set(o,window.setTimeout(()=>{a().catch(l)},d_))}};var ul=1e3,fl=230,an={left:44,right:44,top:26,bottom:40},ps=fl-an.bottom;function hp(n,e,t){let i=T("input",{type:"range",min:0,max:ul,step:1,"aria-label":"Gel threshold"}),s=T("button",{type:"button",click:()=>e.set({threshold:null})},n.isOfReport?"Back to the report’s threshold":"Back to the best threshold"),r=T("dl.threshold-list"),o=new uu(n,d=>a(d)),a=d=>{let f=Math.min(Math.max(d,0),n.high);e.set({threshold:Math.abs(f-n.reported)<.6*n.high/ul?null:f})};i.addEventListener("input",()=>a(Number(i.value)/ul*n.high),{signal:t});let l=n.isOfReport?"as reported":"best of the voxels shown",c=()=>{let d=e.get("threshold")??n.reported,f=n.iou(d),g=n.percent(d);i.value=String(Math.round(d/n.high*ul)),i.setAttribute("aria-valuetext",`${he(d,3)}, IoU ${he(f,3)}`),s.disabled=e.get("threshold")===null,o.mark(d),r.replaceChildren(...jo("Gel threshold",he(d,4),"dose at which the resin gels"),...jo("Exposure",g===null?"–":`${he(g,4)} %`,"of the best exposure"),...jo("IoU",he(f,4),d!==n.reported?`${he(n.iou(n.reported),4)} ${l}`:l),...jo("Too much",on(n.tooMuch(d),"mm³"),"gels and should not","--excess"),...jo("Missing",on(n.missing(d),"mm³"),"does not gel and should","--missing"))},h=e.on(["threshold"],c);t.addEventListener("abort",()=>{h(),o.end()}),c();let u=n.nearly&&n.tolerance!==null?` In the shaded range IoU is at most ${he(n.tolerance,2)} below its best.`:"";return T("div.threshold",{},T("div.threshold-chart",{},T("h3",{},"Where the resin gels"),T("p.quiet",{},`Move the threshold: contours, print, errors and numbers follow.${u}`),f_(),o.element,T("div.threshold-slider",{},i)),T("div.threshold-numbers",{},r,s))}function jo(n,e,t,i){return[T("dt",{},i!==void 0&&T("i.tile",{style:`background: var(${i})`}),n),T("dd",{},T("b",{},e),T("span.quiet",{},t))]}function dl(n,e){return T("span",{},T("i.tile",{style:`background: var(${n})`}),e)}function f_(){return T("p.color-keys",{},dl("--part","part, voxels"),dl("--void","void, voxels"),dl("--ink","IoU"),dl("--threshold","gel threshold"))}var uu=class{constructor(e,t){this.gel=e;this.watcher.observe(this.element);let i=s=>{s.buttons===1&&(s.preventDefault(),t(this.back(s.clientX-this.element.getBoundingClientRect().left)))};this.element.addEventListener("pointerdown",s=>{this.element.setPointerCapture(s.pointerId),i(s)}),this.element.addEventListener("pointermove",i)}gel;element=T("div.plot");watcher=new ResizeObserver(()=>this.resize());line=Ut("g");width=0;threshold=0;end(){this.watcher.disconnect()}mark(e){this.threshold=e,this.drawLine()}x(e){return an.left+e/this.gel.high*(this.width-an.left-an.right)}back(e){return(e-an.left)/(this.width-an.left-an.right)*this.gel.high}resize(){let e=this.element.clientWidth;e===0||e===this.width||(this.width=e,this.element.replaceChildren(this.draw()),this.drawLine())}draw(){let{histogram:e,nearly:t,curve:i,reported:s,high:r}=this.gel,o=Ut("svg",{width:this.width,height:fl,viewBox:`0 0 ${this.width} ${fl}`,role:"img","aria-label":"Voxels of part and void per dose, and IoU per gel threshold"});if(t){let[a,l]=[Math.max(t[0]??0,0),Math.min(t[1]??r,r)];o.append(Ut("rect",{class:"band",x:this.x(a),y:an.top,width:Math.max(this.x(l)-this.x(a),1),height:ps-an.top}))}for(let a of m_(0,r,this.width/90))o.append(Ut("line",{class:"grid",x1:this.x(a),x2:this.x(a),y1:an.top,y2:ps}),Ut("text",{x:this.x(a),y:ps+16,"text-anchor":"middle"},he(a,3)));if(o.append(Ut("text",{x:(this.width+an.left-an.right)/2,y:fl-6,"text-anchor":"middle"},"dose")),e&&o.append(...this.bars(e)),i.length>1){o.append(Ut("path",{class:"curve",d:`M${i.filter(([a])=>a<=r).map(([a,l])=>`${this.x(a).toFixed(1)},${cr(l).toFixed(1)}`).join("L")}`}));for(let a of[0,.5,1])o.append(Ut("text",{x:this.width-an.right+8,y:cr(a)+4},String(a)));o.append(Ut("text",{x:this.width-an.right+8,y:an.top-10},"IoU"))}return o.append(Ut("line",{class:"base",x1:an.left,x2:this.width-an.right,y1:ps,y2:ps}),Ut("line",{class:"fixed",x1:this.x(s),x2:this.x(s),y1:an.top,y2:ps},Ut("title",{},"the report’s threshold")),this.line),o}bars(e){let{low:t,high:i}=e,s=Math.max(...e.part,...e.void,1),r=Math.ceil(Math.log10(s+1)),a=Array.from({length:r+1},(c,h)=>h).filter(c=>c%Math.ceil(r/4)===0).map(c=>Ut("text",{x:an.left-8,y:cr(c/r)+4,"text-anchor":"end"},c===0?"1":al(c))),l=["void","part"].map(c=>{let h=e[c].map(u=>Math.log10(u+1)/r);return Ut("path",{class:`bars ${c}`,d:p_(h,u=>this.x(t+u/h.length*(i-t)))})});return[...a,...l]}drawLine(){if(this.width===0)return;let e=this.x(this.threshold),t=this.gel.iou(this.threshold),i=e>this.width-90;this.line.replaceChildren(Ut("line",{class:"threshold-line",x1:e,x2:e,y1:an.top-8,y2:ps}),Ut("text",{class:"threshold-label",x:e+(i?-6:6),y:an.top-8,"text-anchor":i?"end":"start"},he(this.threshold,3))),t!==null&&this.line.append(Ut("circle",{class:"threshold-dot",cx:e,cy:cr(t),r:4.5}))}};function cr(n){return ps-n*(ps-an.top)}function p_(n,e){let t=`M${e(0).toFixed(1)},${cr(0)}`;return n.forEach((i,s)=>{t+=`V${cr(i).toFixed(1)}H${e(s+1).toFixed(1)}`}),`${t}V${cr(0)}Z`}function m_(n,e,t){let i=(e-n)/Math.max(t,2),s=10**Math.floor(Math.log10(i)),r=([1,2,5,10].find(a=>a*s>=i)??10)*s,o=[];for(let a=Math.ceil(n/r);a*r<=e+1e-9;a++)o.push(a*r);return o}var up={id:"look",title:"The print, slice by slice",render:n=>n.run.volumes.some(({kind:e})=>e==="response"||e==="target")?Ii(n,g_):null},Qo="all";function Ii(n,e){let t=T("div",{"aria-busy":"true"},T("p.quiet",{},"Unpacking the volumes…"));return e(n).then(i=>t.replaceChildren(i)).catch(i=>t.replaceChildren(T("p.problem",{role:"alert"},i instanceof Error?i.message:String(i)))).finally(()=>t.removeAttribute("aria-busy")),t}function ji(n,e,t){let i=n.volumes.filter(s=>s.kind===e);return i.find(s=>t!==""&&s.species===t)??i[0]}function du(n){return n.volumes.filter(({kind:e,species:t})=>e==="response"&&t!==null).map(({species:e})=>e??"")}async function pl(n,e){let{run:t,store:i}=n,s=[],r=async f=>{if(!f)return null;try{return await i.volume(f)}catch(g){return s.push(g instanceof Error?g.message:String(g)),null}},o=f=>r(ji(t,f,e)),a=t.volumes.filter(({kind:f})=>f==="cure_time"||f==="property"),[l,c,h,u,...d]=await Promise.all([o("response"),o("target"),o("labels"),o("bodies"),...a.map(r)]);return{volumes:{response:l,target:c,labels:h,bodies:u,others:d.filter(f=>f!==null)},problems:s}}async function g_(n){let{run:e,state:t,gone:i}=n,s=du(e),r=T("div"),o=new AbortController,a=async()=>{o.abort(),o=new AbortController;let c=o,h=s.includes(t.get("species"))?t.get("species"):"",{volumes:u,problems:d}=await pl(n,h);c.signal.aborted||r.replaceChildren(...d.map(f=>T("p.problem",{role:"alert"},f)),...__(n,u,h,c.signal))},l=t.on(["species"],()=>{a()});return i.addEventListener("abort",()=>{l(),o.abort()}),await a(),T("div",{},s.length>1&&x_(n,s),r)}function x_({state:n,gone:e},t){let i=()=>t.includes(n.get("species"))?n.get("species"):t[0];return Mi("Species",t.map(s=>[s,s]),i,s=>n.set({species:s}),s=>e.addEventListener("abort",n.on(["species"],s)))}function Mi(n,e,t,i,s){let r=e.map(([a,l])=>({value:a,button:T("button",{type:"button",click:()=>i(a)},l)})),o=()=>r.forEach(({value:a,button:l})=>l.setAttribute("aria-pressed",String(a===t())));return s(o),o(),T("div.choice",{role:"group","aria-label":n},...r.map(({button:a})=>a))}function __(n,e,t,i){let{run:s,state:r,store:o}=n,a=e.response??e.target;if(!a)return[];let l=rl(s),c=l===null?ol(s,t,e.response,e.labels):null,h=()=>r.get("threshold")??c?.reported??Number.POSITIVE_INFINITY,u=null,d=new qr(o,i,()=>u?.redraw(!0)),f=op(e,d,h,l),g=T("p.readout",{"aria-live":"off"}),y=B=>{let L=B.map((z,G)=>`${Ki[G]} ${hu(z)}`).join(", ");g.textContent=`${L} mm  ·  ${f.map(z=>z.value(B)).join("  ·  ")}`};u=new Vs({state:r,grid:a,signal:i,hover:B=>y(B??u.at())});let p={part:!0,print:c!==null},m=B=>(L,z)=>{let G=[],V=(ae,$,j)=>{let te=ae&&d.of(ae,L,z);te&&Number.isFinite($)&&G.push({slice:te,segments:il(te,$),color:j})};return p.part&&B.id!=="target"&&B.id!=="error"&&l===null&&V(e.target,.5,"--outline-part"),p.print&&B.id!=="print"&&B.id!=="error"&&c&&V(e.response,h(),"--threshold-line"),G},v=T("div.color-legend"),C=()=>f.find(({id:B})=>B===r.get("layer"))??f[0],S=2,R=()=>{let B=r.get("layer")===Qo,L=B?f.slice(0,4).map(z=>({axis:S,layer:z,title:z.title,outlines:m(z)})):[2,1,0].map(z=>({axis:z,layer:C(),outlines:m(C())}));u.show(L),N.hidden=!B,A()},A=()=>v.replaceChildren(...(r.get("layer")===Qo?f.slice(0,4):[C()]).map(B=>Si(B.legend()))),_=B=>L=>i.addEventListener("abort",r.on(B,L)),E=f.map(({id:B,title:L})=>[B,L]);f.length>1&&E.push([Qo,"Side by side"]);let k=new EventTarget,N=Mi("Plane",[["2","x–y"],["1","x–z"],["0","y–z"]],()=>String(S),B=>{S=Number(B),R(),k.dispatchEvent(new Event("change"))},B=>k.addEventListener("change",B,{signal:i})),D=(B,L,z)=>T("label",{},T("input",{type:"checkbox",checked:p[B],change:G=>{p[B]=G.target.checked,u.redraw(!0)}}),T("i.stroke",{style:`background: var(${z})`}),L);_(["threshold"])(()=>{u.redraw(!0),A()}),_(["layer"])(R),_(["threshold","at","layer"])(()=>y(u.at())),R(),y(u.at());let X=a.info.reduced>1&&!a.info.full?` Each voxel shown is the mean of ${a.info.reduced}³ of the evaluation.`:"";return[T("p.quiet",{},`Click to move the cut; drag the sliders, or choose a plane and press the arrow keys or turn the wheel. Double-click, + and − zoom, 0 shows all again.${X}`),T("div.controls",{},Mi("Shown",E,()=>r.get("layer")===Qo?Qo:C().id,B=>r.set({layer:B===f[0].id?"":B}),_(["layer"])),N,e.target&&l===null&&D("part","outline of the part","--outline-part"),c&&e.response&&D("print","outline of the print","--threshold-line")),u.element,T("div.below-planes",{},g,v),...c?[hp(c,r,i)]:[]]}function Si(n){if("keys"in n)return T("p.color-keys",{},...n.keys.map(([o,a])=>T("span",{},T("i.tile",{style:`background: ${o}`}),a)));let{scale:e,label:t,mark:i}=n,s=Array.from({length:17},(o,a)=>rp(e.map(a/16))).join(", "),r=i===null||!Number.isFinite(i)?null:(i-e.low)/(e.high-e.low);return T("div.color-scale",{},T("span",{},he(e.low,3)),T("span.bar",{style:`background: linear-gradient(to right, ${s})`},r!==null&&r>=0&&r<=1&&T("i",{style:`left: ${100*r}%`,title:"gel threshold"})),T("span",{},he(e.high,3)),T("span.quiet",{},e.logarithmic?`${t}, logarithmic`:t))}function mu({run:n,state:e,store:t},i,s,r,o){let a=T("div"),l=T("div"),c=T("p.quiet",{role:"status"}),h=null,u=()=>{let g=i.lights[s]?.frames??[],y=r(),p=g.reduce((m,v)=>m!==null&&(y===null||fu(m.angle_deg,y)<=fu(v.angle_deg,y))?m:v,null);a.replaceChildren(y_(i,p?.rays??[],h)),l.replaceChildren(v_(i,p?.rays??[])),c.textContent=p?`Light from ${he(p.angle_deg,4)}°${y!==null&&fu(p.angle_deg,y)>.05?", the nearest frame whose rays the page has":""}.${dp(i)}`:dp(i)};u();let d=async()=>{h=await M_(n,t,e.get("at")?.[2]??null),u()};d().catch(()=>{});let f=[e.on(["frame"],u),e.on(["at"],()=>{d().catch(()=>{})})];return o?.addEventListener("abort",()=>f.forEach(g=>g())),T("div.paths",{},T("h3",{},"Where the light goes"),c,T("div.path-views",{},T("figure",{},T("figcaption",{},"From above"),a),T("figure",{},T("figcaption",{},"From the side, light from the left"),l,T("p.color-keys",{},ml("--void","light in the resin"),ml("--quiet","light outside"),ml("--solid","part"),i.lit_radius_mm!==null&&ml("--accent","radius that every frame lights")))))}function ml(n,e){return T("span",{},T("i.stroke",{style:`background: var(${n})`}),e)}function dp({lit_radius_mm:n,part_radius_mm:e}){if(n===null)return"";let[t,i]=[he(n,3),he(e,3)];return n>=e?` Every frame lights all within ${t} mm of the axis; the part reaches out to ${i} mm.`:` Every frame lights only what lies within ${t} mm of the axis, but the part reaches out to ${i} mm.`}function fu(n,e){let t=Math.abs(n-e)%360;return Math.min(t,360-t)}function y_(n,e,t){let i=Math.max(...n.walls.flatMap(({points:r})=>r.map(([o,a])=>Math.hypot(o,a))),n.part_radius_mm)*1.22,s=fp([-i,i],[-i,i],"Light path from above");for(let r of n.walls)s.append(gl(r.points,"wall",r.name));t?s.append(Ut("image",{href:t.url,x:t.left,y:-t.top,width:t.width,height:t.height,preserveAspectRatio:"none"})):s.append(Ut("circle",{class:"part",r:n.part_radius_mm}));for(let r of n.obstacles)s.append(gl(r.points,"obstacle",r.name));return n.lit_radius_mm!==null&&s.append(Ut("circle",{class:"lit",r:n.lit_radius_mm},Ut("title",{},"radius that every frame lights"))),s.append(...pp(e.map(r=>({points:r.points.map(([o,a])=>[o,a]),from:r.resin_from})),i)),s}function v_(n,e){let t=e[e.length>>1]?.points??[],[i,s]=[t[0]??[-1,0,0],t[t.length-1]??[1,0,0]],r=Math.hypot(s[0]-i[0],s[1]-i[1])||1,[o,a]=[(s[0]-i[0])/r,(s[1]-i[1])/r],l=([y,p])=>y*o+p*a,c=Math.max(...n.walls.flatMap(({points:y})=>y.map(([p,m])=>Math.hypot(p,m))),n.part_radius_mm)*1.22,[h,u]=n.z_mm,d=.25*(u-h)+.05*c,f=fp([-c,c],[h-d,u+d],"Light path from the side");for(let y of n.walls){let p=y.points.map(l),[m,v]=[Math.min(...p),Math.max(...p)],[C,S]=y.height_mm??[h-2*d,u+2*d];f.append(gl([[m,C],[v,C],[v,S],[m,S]],"wall",y.name))}let g=n.part_radius_mm;if(f.append(gl([[-g,h],[g,h],[g,u],[-g,u]],"part","part")),n.lit_radius_mm!==null)for(let y of[-n.lit_radius_mm,n.lit_radius_mm])f.append(Ut("line",{class:"lit",x1:y,x2:y,y1:-u-d,y2:-h+d}));return f.append(...pp(e.map(y=>({points:y.points.map(p=>[l(p),p[2]]),from:y.resin_from})),c)),f}function fp(n,e,t){return Ut("svg",{class:"path-view",viewBox:`${n[0]} ${-e[1]} ${n[1]-n[0]} ${e[1]-e[0]}`,role:"img","aria-label":t})}function gl(n,e,t){return Ut("path",{class:e,d:`${pu(n)}Z`},Ut("title",{},t))}function pu(n){return`M${n.map(([e,t])=>`${e.toFixed(4)},${(-t).toFixed(4)}`).join("L")}`}function pp(n,e){return n.flatMap(({points:t,from:i})=>{let s=t.slice(0,i+1);return s.length>1&&(s[0]=b_(s[0],s[1],e)),[Ut("path",{class:"ray",d:pu(s)}),t.length>i+1&&Ut("path",{class:"ray resin",d:pu(t.slice(i))})].filter(r=>r!==!1)})}function b_([n,e],[t,i],s){let r=Math.abs(n)>Math.abs(e)?Math.abs(n):Math.abs(e);if(r<=s)return[n,e];let o=Math.max(Math.abs(t),Math.abs(i)),a=r>o?Math.min((r-s)/(r-o),1):0;return[n+a*(t-n),e+a*(i-e)]}async function M_(n,e,t){let i=ji(n,"target","");if(!i)return null;let s=await e.volume(i),r=s.slice(2,t??(s.range(2)[0]+s.range(2)[1])/2);if(!r)return null;let o=On("--solid"),a=s.info.high,l=Uint32Array.from(r.values,f=>lr(o,Math.min(Math.max(f/a,0),1)*.75)),c=new Uint32Array(r.codes.length);for(let f=0;f<c.length;f++)c[f]=l[r.codes[f]];let h=document.createElement("canvas");[h.width,h.height]=[r.width,r.height],h.getContext("2d")?.putImageData(new ImageData(new Uint8ClampedArray(c.buffer),r.width,r.height),0,0);let[u,d]=Qn[2];return{url:h.toDataURL(),left:s.range(u)[0],top:s.range(d)[1],width:r.width*r.pitch[0],height:r.height*r.pitch[1]}}var _p={id:"film",title:"Patterns and light",render:n=>{let{run:e,state:t,gone:i}=n;if(e.films.length===0)return e.scene?mu(n,e.scene,0,()=>null):null;let s=T("div"),r=new AbortController,o=()=>{r.abort(),r=new AbortController,s.replaceChildren(Ii(n,()=>w_(n,a(),r.signal)))},a=()=>Math.min(t.get("light"),e.films.length-1),l=t.on(["light"],()=>{t.set({frame:0,row:null}),o()});i.addEventListener("abort",()=>{l(),r.abort()}),o();let c=e.films.map(({light:h},u)=>[String(u),h||`light ${u+1}`]);return T("div",{},c.length>1&&Mi("Light",c,()=>String(a()),h=>t.set({light:Number(h)}),h=>i.addEventListener("abort",t.on(["light"],h))),s)}},S_=8;async function w_({run:n,state:e,store:t,data:i,index:s},r,o){let a=n.films[r],{values:l}=await t.film(a),c=new xu({info:a,values:l}),h=a.frames-1,u=()=>Math.min(e.get("frame"),h),d=()=>Math.min(e.get("row")??a.rows>>1,a.rows-1),f=T("output"),g=T("input",{type:"range",min:0,max:h,step:1,"aria-label":"Frame",input:N=>e.set({frame:Number(N.target.value)})}),y=T("input",{type:"range",min:0,max:a.rows-1,step:1,"aria-label":"Row of the sinogram",input:N=>e.set({row:Number(N.target.value)})}),p=T("output.quiet"),m=T("output.quiet"),v=T("input",{type:"range",min:0,max:5,step:.25,value:0,"aria-label":"Stretch of the brightness"}),C=T("button",{type:"button","aria-label":"Play the film"},"Play"),S=T("div.color-legend"),R=()=>{let[N,D]=[u(),d()];[g.value,y.value]=[String(N),String(D)];let X=`frame ${N*a.every+1} of ${a.of[0]}, ${gu(a.angles_deg[N])}`;f.textContent=X,g.setAttribute("aria-valuetext",X),c.sinogram.setAttribute("aria-valuenow",String(N)),c.sinogram.setAttribute("aria-valuetext",X),p.textContent=`row ${D*a.binned+1} of ${a.of[1]} from the top`,c.draw(N,D)},A=()=>{c.gain=2**Number(v.value),m.textContent=c.gain===1?"as shown":`${he(c.gain,3)} ×`,S.replaceChildren(Si({scale:{low:0,high:a.full_scale/c.gain,logarithmic:!1,map:tu},label:"pattern value",mark:null})),c.draw(u(),d())};v.addEventListener("input",A,{signal:o}),c.choose=N=>e.set({frame:Math.min(Math.max(N,0),h)}),c.chooseRow=N=>e.set({row:Math.min(Math.max(N,0),a.rows-1)}),E_(C,a,o,()=>e.set({frame:(u()+1)%a.frames}));let _=[e.on(["frame","row"],R)];a.full&&i.served!==null&&_.push(T_(`${i.served}run/${s}/frame/${r}/`,a,c,u,e,o)),o.addEventListener("abort",()=>{for(let N of _)N();c.end()}),R(),A();let E=[a.every>1&&`every ${A_(a.every)} frame`,a.binned>1&&`means of ${a.binned} × ${a.binned} pixels`].filter(Boolean).join(", "),k=n.scene&&mu({run:n,state:e,store:t},n.scene,r,()=>a.angles_deg[u()],o);return T("div.film",{},T("p.quiet",{},`${a.of[0]} frames of ${a.of[2]} × ${a.of[1]} pixels.${E?` Shown: ${E}.`:""} Click in the sinogram to choose a frame, in the frame to choose the row of the sinogram.`),T("div.film-views",{},T("figure",{},T("figcaption",{},T("span",{},"Frame"),f),c.frame),T("figure",{},T("figcaption",{},T("span",{},"Sinogram"),p),c.sinogram,T("div.film-axis.quiet",{},T("span",{},gu(a.angles_deg[0])),T("span",{},"angle of the frame"),T("span",{},gu(a.angles_deg[h]))))),T("div.film-controls",{},C,T("label",{},"Frame",g),T("label",{},"Row",y),T("label",{},"Stretch",v,m),S),k)}var xu=class{constructor(e){this.film=e;let{info:t}=e;this.frame.style.aspectRatio=`${t.columns*t.pitch_mm[0]} / ${t.rows*t.pitch_mm[1]}`,this.sinogram.setAttribute("aria-valuemax",String(t.frames-1));for(let s of[this.frame,this.sinogram])this.watcher.observe(s);let i=(s,r)=>{let o=a=>{if(a.buttons!==1)return;let l=s.getBoundingClientRect();r((a.clientX-l.left)/l.width,(a.clientY-l.top)/l.height)};s.addEventListener("pointerdown",o),s.addEventListener("pointermove",o)};i(this.sinogram,s=>this.choose(Math.floor(s*t.frames))),i(this.frame,(s,r)=>this.chooseRow(Math.floor(r*t.rows))),this.sinogram.addEventListener("keydown",s=>{let r={ArrowRight:1,ArrowUp:1,ArrowLeft:-1,ArrowDown:-1,PageUp:10,PageDown:-10,Home:-t.frames,End:t.frames};s.key in r&&(s.preventDefault(),this.choose(this.shown[0]+r[s.key]))})}film;frame=T("canvas");sinogram=T("canvas",{tabindex:0,role:"slider","aria-label":"Sinogram: arrow keys choose the frame","aria-valuemin":0});gain=1;choose=()=>{};chooseRow=()=>{};full=null;image=document.createElement("canvas");watcher=new ResizeObserver(()=>this.draw(...this.shown));shown=[0,0];painted="";end(){this.watcher.disconnect()}draw(e,t){this.shown=[e,t],this.drawFrame(e,t),this.drawSinogram(e,t)}drawFrame(e,t){let{info:i,values:s}=this.film,r=gp(this.frame);if(!r)return;let o=this.full?.frame===e,[a,l]=o?[i.of[2],i.of[1]]:[i.columns,i.rows],c=e*i.rows*i.columns,h=document.createElement("canvas");mp(h,a,l,this.palette(),o?this.full.values:s.subarray(c,c+a*l)),r.drawImage(h,0,0,r.canvas.width,r.canvas.height),xp(r,"y",(t+.5)/i.rows)}drawSinogram(e,t){let{info:i,values:s}=this.film,r=gp(this.sinogram);if(!r)return;let o=`${t} ${this.gain}`;if(this.painted!==o){this.painted=o;let a=new Uint8Array(i.frames*i.columns);for(let l=0;l<i.frames;l++){let c=(l*i.rows+t)*i.columns;for(let h=0;h<i.columns;h++)a[h*i.frames+l]=s[c+h]}mp(this.image,i.frames,i.columns,this.palette(),a)}r.drawImage(this.image,0,0,r.canvas.width,r.canvas.height),xp(r,"x",(e+.5)/i.frames)}palette(){return Uint32Array.from({length:256},(e,t)=>tu(t/255*this.gain))}};function mp(n,e,t,i,s){let r=new Uint32Array(e*t);for(let o=0;o<r.length;o++)r[o]=i[s[o]];[n.width,n.height]=[e,t],n.getContext("2d")?.putImageData(new ImageData(new Uint8ClampedArray(r.buffer),e,t),0,0)}function gp(n){let e=window.devicePixelRatio||1,[t,i]=[Math.round(n.clientWidth*e),Math.round(n.clientHeight*e)];if(t===0||i===0)return null;(n.width!==t||n.height!==i)&&([n.width,n.height]=[t,i]);let s=n.getContext("2d");return s&&(s.imageSmoothingEnabled=!1),s}function xp(n,e,t){let{width:i,height:s}=n.canvas,r=Math.max(Math.round(window.devicePixelRatio||1),1);for(let[o,a]of[["rgb(0 0 0 / 0.5)",r],["rgb(255 255 255 / 0.8)",0]])n.fillStyle=o,e==="x"?n.fillRect(Math.round(t*i)+a,0,r,s):n.fillRect(0,Math.round(t*s)+a,i,r)}function E_(n,e,t,i){let s=0,r=()=>{window.clearInterval(s),s=0,n.textContent="Play",n.setAttribute("aria-label","Play the film")};n.addEventListener("click",()=>{if(s!==0)return r();s=window.setInterval(i,Math.max(1e3*S_/e.frames,40)),n.textContent="Pause",n.setAttribute("aria-label","Pause the film")}),t.addEventListener("abort",r)}function T_(n,e,t,i,s,r){let o=0,a=async()=>{let c=i(),h=await fetch(`${n}${c*e.every}`,{signal:r});if(!h.ok)throw new Error(`the viewer answered ${h.status}`);let u=new Uint8Array(await h.arrayBuffer());if(u.length!==e.of[1]*e.of[2])throw new Error("the frame has another size");t.full={frame:c,values:u},c===i()&&t.draw(c,Math.min(s.get("row")??e.rows>>1,e.rows-1))},l=()=>{window.clearTimeout(o),o=window.setTimeout(()=>{a().catch(c=>{r.aborted||console.warn(`The full frame did not come: ${String(c)}`)})},120)};return l(),s.on(["frame"],l)}function gu(n){return`${he(n,4)}°`}function A_(n){return n===2?"2nd":n===3?"3rd":`${n}th`}var yp={id:"in-time",title:"How the print grows",render:n=>{let e=n.run.volumes.filter(({kind:l})=>l==="cure_time");if(e.length===0)return null;let t=0,i=new AbortController,s=T("div"),r=new EventTarget,o=l=>{i.abort(),i=new AbortController,t=l,s.replaceChildren(Ii(n,()=>R_(n,e[l],i.signal))),r.dispatchEvent(new Event("change"))};n.gone.addEventListener("abort",()=>i.abort()),o(0);let a=e.map(({species:l,name:c},h)=>[String(h),l??c]);return T("div",{},a.length>1&&Mi("Resin",a,()=>String(t),l=>o(Number(l)),l=>r.addEventListener("change",l)),s)}},C_=10,_u=500;async function R_({run:n,state:e,store:t},i,s){let r=await t.volume(i),o=ji(n,"target",i.species??""),a=o?await t.volume(o).catch(()=>null):null,l=P_(n.report,i.species),c=i.high,h=l?.best_s??null,u=()=>Math.min(e.get("time")??h??c,c),d=I_(r),f={low:Math.min(i.low,c),high:c,logarithmic:!1,map:Hr},g={id:"growth",title:"Time of cure",picture:(E,k)=>{let N=r.slice(E,k);if(!N)return null;let D=u(),X=Wr(N.values,f).map((L,z)=>N.values[z]<=D?L:0),B=new Uint32Array(N.codes.length);for(let L=0;L<B.length;L++)B[L]=X[N.codes[L]];return{...N,pixels:B}},value:E=>{let k=r.at(E);return k===null?"stays liquid":`solid after ${Ji(k)}`},legend:()=>({scale:f,label:"solid after, s",mark:null})},y=T("p.readout"),p=new Vs({state:e,grid:r,signal:s,hover:E=>{y.textContent=g.value(E??p.at())}});p.show([2,1,0].map(E=>({axis:E,layer:g,outlines:(k,N)=>{let D=a?.slice(k,N);return D?[{slice:D,segments:il(D,.5),color:"--outline-growth"}]:[]}})));let m=T("input",{type:"range",min:0,max:_u,step:1,"aria-label":"Time",input:()=>e.set({time:Number(m.value)/_u*c})}),v=T("output"),C=()=>{let E=u();m.value=String(Math.round(E/c*_u)),m.setAttribute("aria-valuetext",Ji(E));let k=L_(l?.curves?.seconds,l?.curves?.jaccard,E);v.replaceChildren(T("b",{},Ji(E)),`  ${he(d(E),3)} mm³ solid${k===null?"":`, Jaccard index ${he(k,3)}`}`),p.redraw(!0),y.textContent=g.value(p.at())},S=e.on(["time","at"],C),R=T("button",{type:"button"},"Play"),A=0,_=()=>{window.clearInterval(A),A=0,R.textContent="Play"};return R.addEventListener("click",()=>{if(A!==0)return _();R.textContent="Pause",u()>=c&&e.set({time:0}),A=window.setInterval(()=>{e.set({time:Math.min(u()+.05/C_*c,c)}),u()>=c&&_()},50)}),s.addEventListener("abort",()=>{S(),_()}),C(),T("div",{},T("p.quiet",{},"What is solid at a moment, colored by when it became solid. The line is the part’s outline."),T("div.time-controls",{},R,m,v,h!==null&&T("button",{type:"button",click:()=>e.set({time:null})},`Best moment: ${Ji(h)}`)),p.element,T("div.below-planes",{},y,Si(g.legend())))}function P_(n,e){let t=n?.time??[];return t.find(i=>i.name===e)??t[0]??null}function I_(n){let e=new Float64Array(n.values.length);for(let i of n.codes)e[i]++;let t=n.pitch[0]*n.pitch[1]*n.pitch[2];return i=>t*e.reduce((s,r,o)=>n.values[o]<=i?s+r:s,0)}function L_(n,e,t){if(!n||!e)return null;let i=n.findIndex(s=>s>t+1e-9);return i<0&&(i=n.length),i===0?null:e[i-1]??null}function vp(n,e){if(n.served===null)return null;let{served:t}=n,i=T("div.live",{role:"status"}),s=new Map,r=l=>{let c=s.get(l);return c||(c=new yu(n.runs[l].name,()=>fetch(`${t}cancel/${l}`,{method:"POST"})),s.set(l,c),i.append(c.element)),c};n.runs.forEach(({state:l},c)=>{l==="running"&&r(c)});let o=T("p.problem",{hidden:!0},"The viewer does not answer. What is shown is the last that it sent; it is asked again.");i.append(o);let a=new EventSource(`${t}events`);return a.addEventListener("error",()=>o.hidden=!1),a.addEventListener("open",()=>o.hidden=!0),a.addEventListener("message",({data:l})=>{let c=JSON.parse(l),h=n.runs[c.run];if(h)switch(c.type){case"stage":r(c.run).stage(c.name,c.fraction);break;case"iteration":D_(h.history,c.row),r(c.run).iteration(c.row.iteration),e.row(c.run);break;case"failed":h.state="done",r(c.run).end(c.message);break;case"done":r(c.run).end(null),s.delete(c.run),e.replaced(c.run);break;case"snapshot":e.replaced(c.run);break}}),i}async function bp(n){let e=await fetch(`${n.served}runs.json`);if(!e.ok)throw new Error(`The viewer answered ${e.status}.`);return await e.json()}function D_(n,e){let t=Math.max(0,...Object.values(n).map(i=>i.length));for(let i of new Set([...Object.keys(n),...Object.keys(e)]))n[i]??=new Array(t).fill(null),n[i].push(e[i]??null)}var yu=class{progress=T("progress",{max:1});text=T("span.quiet",{},"waiting");cancel;element;name="";constructor(e,t){this.cancel=T("button",{type:"button"},"Cancel"),this.cancel.addEventListener("click",()=>{this.cancel.disabled=!0,this.cancel.textContent="Canceling…",t().catch(()=>{this.cancel.disabled=!1,this.cancel.textContent="Cancel"})}),this.progress.setAttribute("aria-label",`Progress of ${e}`),this.element=T("div.live-run",{},T("b",{},e),this.progress,this.text,this.cancel)}stage(e,t){this.name=e,t===null?this.progress.removeAttribute("value"):this.progress.value=t,this.text.textContent=t===null?e:`${e}, ${Math.round(100*t)} %`}iteration(e){e!=null&&(this.text.textContent=`${this.name||"optimizing"}, iteration ${e}`)}end(e){e===null?this.element.remove():this.element.replaceChildren(this.element.firstElementChild,T("span.problem",{role:"alert"},e))}};var N_="uplot",U_="u-hz",O_="u-vt",F_="u-title",B_="u-wrap",k_="u-under",z_="u-over",V_="u-axis",dr="u-off",H_="u-select",G_="u-cursor-x",W_="u-cursor-y",X_="u-cursor-pt",q_="u-legend",$_="u-live",Y_="u-inline",Z_="u-series",K_="u-marker",Mp="u-label",J_="u-value",ta="width",na="height";var Sp="bottom",$r="left",vu="right",Fu="#000",wp=Fu+"0",bu="mousemove",Ep="mousedown",Mu="mouseup",Tp="mouseenter",Ap="mouseleave",Cp="dblclick",j_="resize",Q_="scroll",Rp="change",bl="dppxchange",Bu="--",eo=typeof window<"u",Au=eo?document:null,Zr=eo?window:null,ey=eo?navigator:null,At,xl;function Cu(){let n=devicePixelRatio;At!=n&&(At=n,xl&&Pu(Rp,xl,Cu),xl=matchMedia(`(min-resolution: ${At-.001}dppx) and (max-resolution: ${At+.001}dppx)`),fr(Rp,xl,Cu),Zr.dispatchEvent(new CustomEvent(bl)))}function ci(n,e){if(e!=null){let t=n.classList;!t.contains(e)&&t.add(e)}}function Ru(n,e){let t=n.classList;t.contains(e)&&t.remove(e)}function qt(n,e,t){n.style[e]=t+"px"}function Li(n,e,t,i){let s=Au.createElement(n);return e!=null&&ci(s,e),t?.insertBefore(s,i),s}function wi(n,e){return Li("div",n,e)}var Pp=new WeakMap;function Qi(n,e,t,i,s){let r="translate("+e+"px,"+t+"px)",o=Pp.get(n);r!=o&&(n.style.transform=r,Pp.set(n,r),e<0||t<0||e>i||t>s?ci(n,dr):Ru(n,dr))}var Ip=new WeakMap;function Lp(n,e,t){let i=e+t,s=Ip.get(n);i!=s&&(Ip.set(n,i),n.style.background=e,n.style.borderColor=t)}var Dp=new WeakMap;function Np(n,e,t,i){let s=e+""+t,r=Dp.get(n);s!=r&&(Dp.set(n,s),n.style.height=t+"px",n.style.width=e+"px",n.style.marginLeft=i?-e/2+"px":0,n.style.marginTop=i?-t/2+"px":0)}var ku={passive:!0},ty={...ku,capture:!0};function fr(n,e,t,i){e.addEventListener(n,t,i?ty:ku)}function Pu(n,e,t,i){e.removeEventListener(n,t,ku)}eo&&Cu();function Di(n,e,t,i){let s;t=t||0,i=i||e.length-1;let r=i<=2147483647;for(;i-t>1;)s=r?t+i>>1:hi((t+i)/2),e[s]<n?t=s:i=s;return n-e[t]<=e[i]-n?t:i}function lm(n){return(t,i,s)=>{let r=-1,o=-1;for(let a=i;a<=s;a++)if(n(t[a])){r=a;break}for(let a=s;a>=i;a--)if(n(t[a])){o=a;break}return[r,o]}}var cm=n=>n!=null,hm=n=>n!=null&&n>0,wl=lm(cm),ny=lm(hm);function iy(n,e,t,i=0,s=!1){let r=s?ny:wl,o=s?hm:cm;[e,t]=r(n,e,t);let a=n[e],l=n[e];if(e>-1)if(i==1)a=n[e],l=n[t];else if(i==-1)a=n[t],l=n[e];else for(let c=e;c<=t;c++){let h=n[c];o(h)&&(h<a?a=h:h>l&&(l=h))}return[a??kt,l??-kt]}function El(n,e,t,i){let s=Fp(n),r=Fp(e);n==e&&(s==-1?(n*=t,e/=t):(n/=t,e*=t));let o=t==10?ms:um,a=s==1?hi:Ei,l=r==1?Ei:hi,c=a(o(Sn(n))),h=l(o(Sn(e))),u=Kr(t,c),d=Kr(t,h);return t==10&&(c<0&&(u=zt(u,-c)),h<0&&(d=zt(d,-h))),i||t==2?(n=u*s,e=d*r):(n=mm(n,u),e=Tl(e,d)),[n,e]}function zu(n,e,t,i){let s=El(n,e,t,i);return n==0&&(s[0]=0),e==0&&(s[1]=0),s}var Vu=.1,Up={mode:3,pad:Vu},sa={pad:0,soft:null,mode:0},sy={min:sa,max:sa};function Ml(n,e,t,i){return Al(t)?Op(n,e,t):(sa.pad=t,sa.soft=i?0:null,sa.mode=i?3:0,Op(n,e,sy))}function Et(n,e){return n??e}function ry(n,e,t){for(e=Et(e,0),t=Et(t,n.length-1);e<=t;){if(n[e]!=null)return!0;e++}return!1}function Op(n,e,t){let i=t.min,s=t.max,r=Et(i.pad,0),o=Et(s.pad,0),a=Et(i.hard,-kt),l=Et(s.hard,kt),c=Et(i.soft,kt),h=Et(s.soft,-kt),u=Et(i.mode,0),d=Et(s.mode,0),f=e-n,g=ms(f),y=Yn(Sn(n),Sn(e)),p=ms(y),m=Sn(p-g);(f<1e-24||m>10)&&(f=0,(n==0||e==0)&&(f=1e-24,u==2&&c!=kt&&(r=0),d==2&&h!=-kt&&(o=0)));let v=f||y||1e3,C=ms(v),S=Kr(10,hi(C)),R=v*(f==0?n==0?.1:1:r),A=zt(mm(n-R,S/10),24),_=n>=c&&(u==1||u==3&&A<=c||u==2&&A>=c)?c:kt,E=Yn(a,A<_&&n>=_?_:Ni(_,A)),k=v*(f==0?e==0?.1:1:o),N=zt(Tl(e+k,S/10),24),D=e<=h&&(d==1||d==3&&N>=h||d==2&&N<=h)?h:-kt,X=Ni(l,N>D&&e<=D?D:Yn(D,N));return E==X&&E==0&&(X=100),[E,X]}var oy=new Intl.NumberFormat(eo?ey.language:"en-US"),Hu=n=>oy.format(n),ui=Math,vl=ui.PI,Sn=ui.abs,hi=ui.floor,Mn=ui.round,Ei=ui.ceil,Ni=ui.min,Yn=ui.max,Kr=ui.pow,Fp=ui.sign,ms=ui.log10,um=ui.log2,ay=(n,e=1)=>ui.sinh(n)*e,Su=(n,e=1)=>ui.asinh(n/e),kt=1/0;function Bp(n){return(ms((n^n>>31)-(n>>31))|0)+1}function Iu(n,e,t){return Ni(Yn(n,e),t)}function dm(n){return typeof n=="function"}function yt(n){return dm(n)?n:()=>n}var ly=()=>{},fm=n=>n,pm=(n,e)=>e,cy=n=>null,kp=n=>!0,zp=(n,e)=>n==e,hy=/\.\d*?(?=9{6,}|0{6,})/gm,pr=n=>{if(xm(n)||Gs.has(n))return n;let e=`${n}`,t=e.match(hy);if(t==null)return n;let i=t[0].length-1;if(e.indexOf("e-")!=-1){let[s,r]=e.split("e");return+`${pr(s)}e${r}`}return zt(n,i)};function hr(n,e){return pr(zt(pr(n/e))*e)}function Tl(n,e){return pr(Ei(pr(n/e))*e)}function mm(n,e){return pr(hi(pr(n/e))*e)}function zt(n,e=0){if(xm(n))return n;let t=10**e,i=n*t*(1+Number.EPSILON);return Mn(i)/t}var Gs=new Map;function gm(n){return((""+n).split(".")[1]||"").length}function oa(n,e,t,i){let s=[],r=i.map(gm);for(let o=e;o<t;o++){let a=Sn(o),l=zt(Kr(n,o),a);for(let c=0;c<i.length;c++){let h=n==10?+`${i[c]}e${o}`:i[c]*l,u=(o>=0?0:a)+(o>=r[c]?0:r[c]),d=n==10?h:zt(h,u);s.push(d),Gs.set(d,u)}}return s}var ra={},Gu=[],Jr=[null,null],Hs=Array.isArray,xm=Number.isInteger,uy=n=>n===void 0;function Vp(n){return typeof n=="string"}function Al(n){let e=!1;if(n!=null){let t=n.constructor;e=t==null||t==Object}return e}function dy(n){return n!=null&&typeof n=="object"}var fy=Object.getPrototypeOf(Uint8Array),_m="__proto__";function jr(n,e=Al){let t;if(Hs(n)){let i=n.find(s=>s!=null);if(Hs(i)||e(i)){t=Array(n.length);for(let s=0;s<n.length;s++)t[s]=jr(n[s],e)}else t=n.slice()}else if(n instanceof fy)t=n.slice();else if(e(n)){t={};for(let i in n)i!=_m&&(t[i]=jr(n[i],e))}else t=n;return t}function gn(n){let e=arguments;for(let t=1;t<e.length;t++){let i=e[t];for(let s in i)s!=_m&&(Al(n[s])?gn(n[s],jr(i[s])):n[s]=jr(i[s]))}return n}var py=0,my=1,gy=2;function xy(n,e,t){for(let i=0,s,r=-1;i<e.length;i++){let o=e[i];if(o>r){for(s=o-1;s>=0&&n[s]==null;)n[s--]=null;for(s=o+1;s<t&&n[s]==null;)n[r=s++]=null}}}function _y(n,e){if(by(n)){let o=n[0].slice();for(let a=1;a<n.length;a++)o.push(...n[a].slice(1));return My(o[0])||(o=vy(o)),o}let t=new Set;for(let o=0;o<n.length;o++){let l=n[o][0],c=l.length;for(let h=0;h<c;h++)t.add(l[h])}let i=[Array.from(t).sort((o,a)=>o-a)],s=i[0].length,r=new Map;for(let o=0;o<s;o++)r.set(i[0][o],o);for(let o=0;o<n.length;o++){let a=n[o],l=a[0];for(let c=1;c<a.length;c++){let h=a[c],u=Array(s).fill(void 0),d=e?e[o][c]:my,f=[];for(let g=0;g<h.length;g++){let y=h[g],p=r.get(l[g]);y===null?d!=py&&(u[p]=y,d==gy&&f.push(p)):u[p]=y}xy(u,f,s),i.push(u)}}return i}var yy=typeof queueMicrotask>"u"?n=>Promise.resolve().then(n):queueMicrotask;function vy(n){let e=n[0],t=e.length,i=Array(t);for(let r=0;r<i.length;r++)i[r]=r;i.sort((r,o)=>e[r]-e[o]);let s=[];for(let r=0;r<n.length;r++){let o=n[r],a=Array(t);for(let l=0;l<t;l++)a[l]=o[i[l]];s.push(a)}return s}function by(n){let e=n[0][0],t=e.length;for(let i=1;i<n.length;i++){let s=n[i][0];if(s.length!=t)return!1;if(s!=e){for(let r=0;r<t;r++)if(s[r]!=e[r])return!1}}return!0}function My(n,e=100){let t=n.length;if(t<=1)return!0;let i=0,s=t-1;for(;i<=s&&n[i]==null;)i++;for(;s>=i&&n[s]==null;)s--;if(s<=i)return!0;let r=Yn(1,hi((s-i+1)/e));for(let o=n[i],a=i+r;a<=s;a+=r){let l=n[a];if(l!=null){if(l<=o)return!1;o=l}}return!0}var ym=["January","February","March","April","May","June","July","August","September","October","November","December"],vm=["Sunday","Monday","Tuesday","Wednesday","Thursday","Friday","Saturday"];function bm(n){return n.slice(0,3)}var Sy=vm.map(bm),wy=ym.map(bm),Ey={MMMM:ym,MMM:wy,WWWW:vm,WWW:Sy};function ea(n){return(n<10?"0":"")+n}function Ty(n){return(n<10?"00":n<100?"0":"")+n}var Ay={YYYY:n=>n.getFullYear(),YY:n=>(n.getFullYear()+"").slice(2),MMMM:(n,e)=>e.MMMM[n.getMonth()],MMM:(n,e)=>e.MMM[n.getMonth()],MM:n=>ea(n.getMonth()+1),M:n=>n.getMonth()+1,DD:n=>ea(n.getDate()),D:n=>n.getDate(),WWWW:(n,e)=>e.WWWW[n.getDay()],WWW:(n,e)=>e.WWW[n.getDay()],HH:n=>ea(n.getHours()),H:n=>n.getHours(),h:n=>{let e=n.getHours();return e==0?12:e>12?e-12:e},AA:n=>n.getHours()>=12?"PM":"AM",aa:n=>n.getHours()>=12?"pm":"am",a:n=>n.getHours()>=12?"p":"a",mm:n=>ea(n.getMinutes()),m:n=>n.getMinutes(),ss:n=>ea(n.getSeconds()),s:n=>n.getSeconds(),fff:n=>Ty(n.getMilliseconds())};function Wu(n,e){e=e||Ey;let t=[],i=/\{([a-z]+)\}|[^{]+/gi,s;for(;s=i.exec(n);)t.push(s[0][0]=="{"?Ay[s[1]]:s[0]);return r=>{let o="";for(let a=0;a<t.length;a++)o+=typeof t[a]=="string"?t[a]:t[a](r,e);return o}}var Cy=new Intl.DateTimeFormat().resolvedOptions().timeZone;function Ry(n,e){let t;return e=="UTC"||e=="Etc/UTC"?t=new Date(+n+n.getTimezoneOffset()*6e4):e==Cy?t=n:(t=new Date(n.toLocaleString("en-US",{timeZone:e})),t.setMilliseconds(n.getMilliseconds())),t}var Mm=n=>n%1==0,Sl=[1,2,2.5,5],Py=oa(10,-32,0,Sl),Sm=oa(10,0,32,Sl),Iy=Sm.filter(Mm),ur=Py.concat(Sm),Xu=`
+`,wm="{YYYY}",Hp=Xu+wm,Em="{M}/{D}",ia=Xu+Em,_l=ia+"/{YY}",Tm="{aa}",Ly="{h}:{mm}",Yr=Ly+Tm,Gp=Xu+Yr,Wp=":{ss}",Pt=null;function Am(n){let e=n*1e3,t=e*60,i=t*60,s=i*24,r=s*30,o=s*365,l=(n==1?oa(10,0,3,Sl).filter(Mm):oa(10,-3,0,Sl)).concat([e,e*5,e*10,e*15,e*30,t,t*5,t*10,t*15,t*30,i,i*2,i*3,i*4,i*6,i*8,i*12,s,s*2,s*3,s*4,s*5,s*6,s*7,s*8,s*9,s*10,s*15,r,r*2,r*3,r*4,r*6,o,o*2,o*5,o*10,o*25,o*50,o*100]),c=[[o,wm,Pt,Pt,Pt,Pt,Pt,Pt,1],[s*28,"{MMM}",Hp,Pt,Pt,Pt,Pt,Pt,1],[s,Em,Hp,Pt,Pt,Pt,Pt,Pt,1],[i,"{h}"+Tm,_l,Pt,ia,Pt,Pt,Pt,1],[t,Yr,_l,Pt,ia,Pt,Pt,Pt,1],[e,Wp,_l+" "+Yr,Pt,ia+" "+Yr,Pt,Gp,Pt,1],[n,Wp+".{fff}",_l+" "+Yr,Pt,ia+" "+Yr,Pt,Gp,Pt,1]];function h(u){return(d,f,g,y,p,m)=>{let v=[],C=p>=o,S=p>=r&&p<o,R=u(g),A=zt(R*n,3),_=wu(R.getFullYear(),C?0:R.getMonth(),S||C?1:R.getDate()),E=zt(_*n,3);if(S||C){let k=S?p/r:0,N=C?p/o:0,D=A==E?A:zt(wu(_.getFullYear()+N,_.getMonth()+k,1)*n,3),X=new Date(Mn(D/n)),B=X.getFullYear(),L=X.getMonth();for(let z=0;D<=y;z++){let G=wu(B+N*z,L+k*z,1),V=G-u(zt(G*n,3));D=zt((+G+V)*n,3),D<=y&&v.push(D)}}else{let k=p>=s?s:p,N=hi(g)-hi(A),D=E+N+Tl(A-E,k);v.push(D);let X=u(D),B=X.getHours()+X.getMinutes()/t+X.getSeconds()/i,L=p/i,z=d.axes[f]._space,G=m/z;for(;D=zt(D+p,n==1?0:3),!(D>y);)if(L>1){let V=hi(zt(B+L,6))%24,j=u(D).getHours()-V;j>1&&(j=-1),D-=j*i,B=(B+L)%24;let te=v[v.length-1];zt((D-te)/p,3)*G>=.7&&v.push(D)}else v.push(D)}return v}}return[l,c,h]}var[Dy,Ny,Uy]=Am(1),[Oy,Fy,By]=Am(.001);oa(2,-53,53,[1]);function Xp(n,e){return n.map(t=>t.map((i,s)=>s==0||s==8||i==null?i:e(s==1||t[8]==0?i:t[1]+i)))}function qp(n,e){return(t,i,s,r,o)=>{let a=e.find(g=>o>=g[0])||e[e.length-1],l,c,h,u,d,f;return i.map(g=>{let y=n(g),p=y.getFullYear(),m=y.getMonth(),v=y.getDate(),C=y.getHours(),S=y.getMinutes(),R=y.getSeconds(),A=p!=l&&a[2]||m!=c&&a[3]||v!=h&&a[4]||C!=u&&a[5]||S!=d&&a[6]||R!=f&&a[7]||a[1];return l=p,c=m,h=v,u=C,d=S,f=R,A(y)})}}function ky(n,e){let t=Wu(e);return(i,s,r,o,a)=>s.map(l=>t(n(l)))}function wu(n,e,t){return new Date(n,e,t)}function $p(n,e){return e(n)}var zy="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function Yp(n,e){return(t,i,s,r)=>r==null?Bu:e(n(i))}function Vy(n,e){let t=n.series[e];return t.width?t.stroke(n,e):t.points.width?t.points.stroke(n,e):null}function Hy(n,e){return n.series[e].fill(n,e)}var Gy={show:!0,live:!0,isolate:!1,mount:ly,markers:{show:!0,width:2,stroke:Vy,fill:Hy,dash:"solid"},idx:null,idxs:null,values:[]};function Wy(n,e){let t=n.cursor.points,i=wi(),s=t.size(n,e);qt(i,ta,s),qt(i,na,s);let r=s/-2;qt(i,"marginLeft",r),qt(i,"marginTop",r);let o=t.width(n,e,s);return o&&qt(i,"borderWidth",o),i}function Xy(n,e){let t=n.series[e].points;return t._fill||t._stroke}function qy(n,e){let t=n.series[e].points;return t._stroke||t._fill}function $y(n,e){return n.series[e].points.size}var Eu=[0,0];function Yy(n,e,t){return Eu[0]=e,Eu[1]=t,Eu}function yl(n,e,t,i=!0){return s=>{s.button==0&&(!i||s.target==e)&&t(s)}}function Tu(n,e,t,i=!0){return s=>{(!i||s.target==e)&&t(s)}}var Zy={show:!0,x:!0,y:!0,lock:!1,move:Yy,points:{one:!1,show:Wy,size:$y,width:0,stroke:qy,fill:Xy},bind:{mousedown:yl,mouseup:yl,click:yl,dblclick:yl,mousemove:Tu,mouseleave:Tu,mouseenter:Tu},drag:{setScale:!0,x:!0,y:!1,dist:0,uni:null,click:(n,e)=>{e.stopPropagation(),e.stopImmediatePropagation()},_x:!1,_y:!1},focus:{dist:(n,e,t,i,s)=>i-s,prox:-1,bias:0},hover:{skip:[void 0],prox:null,bias:0},left:-10,top:-10,idx:null,dataIdx:null,idxs:null,event:null},Cm={show:!0,stroke:"rgba(0,0,0,0.07)",width:2},qu=gn({},Cm,{filter:pm}),Rm=gn({},qu,{size:10}),Pm=gn({},Cm,{show:!1}),$u='12px system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI Emoji", "Segoe UI Symbol", "Noto Color Emoji"',Im="bold "+$u,Lm=1.5,Zp={show:!0,scale:"x",stroke:Fu,space:50,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:Im,side:2,grid:qu,ticks:Rm,border:Pm,font:$u,lineGap:Lm,rotate:0},Ky="Value",Jy="Time",Kp={show:!0,scale:"x",auto:!1,sorted:1,min:kt,max:-kt,idxs:[]};function jy(n,e,t,i,s){return e.map(r=>r==null?"":Hu(r))}function Qy(n,e,t,i,s,r,o){let a=[],l=Gs.get(s)||0;t=o?t:zt(Tl(t,s),l);for(let c=t;c<=i;c=zt(c+s,l))a.push(Object.is(c,-0)?0:c);return a}function Lu(n,e,t,i,s,r,o){let a=[],l=n.scales[n.axes[e].scale].log,c=l==10?ms:um,h=hi(c(t));s=Kr(l,h),l==10&&(s=ur[Di(s,ur)]);let u=t,d=s*l;l==10&&(d=ur[Di(d,ur)]);do a.push(u),u=u+s,l==10&&!Gs.has(u)&&(u=zt(u,Gs.get(s))),u>=d&&(s=u,d=s*l,l==10&&(d=ur[Di(d,ur)]));while(u<=i);return a}function ev(n,e,t,i,s,r,o){let l=n.scales[n.axes[e].scale].asinh,c=i>l?Lu(n,e,Yn(l,t),i,s):[l],h=i>=0&&t<=0?[0]:[];return(t<-l?Lu(n,e,Yn(l,-i),-t,s):[l]).reverse().map(d=>-d).concat(h,c)}var Dm=/./,tv=/[12357]/,nv=/[125]/,Jp=/1/,Du=(n,e,t,i)=>n.map((s,r)=>e==4&&s==0||r%i==0&&t.test(s.toExponential()[s<0?1:0])?s:null);function iv(n,e,t,i,s){let r=n.axes[t],o=r.scale,a=n.scales[o],l=n.valToPos,c=r._space,h=l(10,o),u=l(9,o)-h>=c?Dm:l(7,o)-h>=c?tv:l(5,o)-h>=c?nv:Jp;if(u==Jp){let d=Sn(l(1,o)-h);if(d<c)return Du(e.slice().reverse(),a.distr,u,Ei(c/d)).reverse()}return Du(e,a.distr,u,1)}function sv(n,e,t,i,s){let r=n.axes[t],o=r.scale,a=r._space,l=n.valToPos,c=Sn(l(1,o)-l(2,o));return c<a?Du(e.slice().reverse(),3,Dm,Ei(a/c)).reverse():e}function rv(n,e,t,i){return i==null?Bu:e==null?"":Hu(e)}var jp={show:!0,scale:"y",stroke:Fu,space:30,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:Im,side:3,grid:qu,ticks:Rm,border:Pm,font:$u,lineGap:Lm,rotate:0};function ov(n,e){let t=3+(n||1)*2;return zt(t*e,3)}function av(n,e){let{scale:t,idxs:i}=n.series[0],s=n._data[0],r=n.valToPos(s[i[0]],t,!0),o=n.valToPos(s[i[1]],t,!0),a=Sn(o-r),l=n.series[e],c=a/(l.points.space*At);return i[1]-i[0]<=c}var Qp={scale:null,auto:!0,sorted:0,min:kt,max:-kt},Nm=(n,e,t,i,s)=>s,em={show:!0,auto:!0,sorted:0,gaps:Nm,alpha:1,facets:[gn({},Qp,{scale:"x"}),gn({},Qp,{scale:"y"})]},tm={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:Nm,alpha:1,points:{show:av,filter:null},values:null,min:kt,max:-kt,idxs:[],path:null,clip:null};function lv(n,e,t,i,s){return t/10}var Um={time:!0,auto:!0,distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},cv=gn({},Um,{time:!1,ori:1}),nm={};function Om(n,e){let t=nm[n];return t||(t={key:n,plots:[],sub(i){t.plots.push(i)},unsub(i){t.plots=t.plots.filter(s=>s!=i)},pub(i,s,r,o,a,l,c){for(let h=0;h<t.plots.length;h++)t.plots[h]!=s&&t.plots[h].pub(i,s,r,o,a,l,c)}},n!=null&&(nm[n]=t)),t}var Qr=1,Nu=2;function mr(n,e,t){let i=n.mode,s=n.series[e],r=i==2?n._data[e]:n._data,o=n.scales,a=n.bbox,l=r[0],c=i==2?r[1]:r[e],h=i==2?o[s.facets[0].scale]:o[n.series[0].scale],u=i==2?o[s.facets[1].scale]:o[s.scale],d=a.left,f=a.top,g=a.width,y=a.height,p=n.valToPosH,m=n.valToPosV;return h.ori==0?t(s,l,c,h,u,p,m,d,f,g,y,Rl,to,Il,Bm,zm):t(s,l,c,h,u,m,p,f,d,y,g,Pl,no,Ku,km,Vm)}function Yu(n,e){let t=0,i=0,s=Et(n.bands,Gu);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==e?t=o.dir:o.series[1]==e&&(o.dir==1?i|=1:i|=2)}return[t,i==1?-1:i==2?1:i==3?2:0]}function hv(n,e,t,i,s){let r=n.mode,o=n.series[e],a=r==2?o.facets[1].scale:o.scale,l=n.scales[a];return s==-1?l.min:s==1?l.max:l.distr==3?l.dir==1?l.min:l.max:0}function gs(n,e,t,i,s,r){return mr(n,e,(o,a,l,c,h,u,d,f,g,y,p)=>{let m=o.pxRound,v=c.dir*(c.ori==0?1:-1),C=c.ori==0?to:no,S,R;v==1?(S=t,R=i):(S=i,R=t);let A=m(u(a[S],c,y,f)),_=m(d(l[S],h,p,g)),E=m(u(a[R],c,y,f)),k=m(d(r==1?h.max:h.min,h,p,g)),N=new Path2D(s);return C(N,E,k),C(N,A,k),C(N,A,_),N})}function Cl(n,e,t,i,s,r){let o=null;if(n.length>0){o=new Path2D;let a=e==0?Il:Ku,l=t;for(let u=0;u<n.length;u++){let d=n[u];if(d[1]>d[0]){let f=d[0]-l;f>0&&a(o,l,i,f,i+r),l=d[1]}}let c=t+s-l,h=10;c>0&&a(o,l,i-h/2,c,i+r+h)}return o}function uv(n,e,t){let i=n[n.length-1];i&&i[0]==e?i[1]=t:n.push([e,t])}function Zu(n,e,t,i,s,r,o){let a=[],l=n.length;for(let c=s==1?t:i;c>=t&&c<=i;c+=s)if(e[c]===null){let u=c,d=c;if(s==1)for(;++c<=i&&e[c]===null;)d=c;else for(;--c>=t&&e[c]===null;)d=c;let f=r(n[u]),g=d==u?f:r(n[d]),y=u-s;f=o<=0&&y>=0&&y<l?r(n[y]):f;let m=d+s;g=o>=0&&m>=0&&m<l?r(n[m]):g,g>=f&&a.push([f,g])}return a}function im(n){return n==0?fm:n==1?Mn:e=>hr(e,n)}function Fm(n){let e=n==0?Rl:Pl,t=n==0?(s,r,o,a,l,c)=>{s.arcTo(r,o,a,l,c)}:(s,r,o,a,l,c)=>{s.arcTo(o,r,l,a,c)},i=n==0?(s,r,o,a,l)=>{s.rect(r,o,a,l)}:(s,r,o,a,l)=>{s.rect(o,r,l,a)};return(s,r,o,a,l,c=0,h=0)=>{c==0&&h==0?i(s,r,o,a,l):(c=Ni(c,a/2,l/2),h=Ni(h,a/2,l/2),e(s,r+c,o),t(s,r+a,o,r+a,o+l,c),t(s,r+a,o+l,r,o+l,h),t(s,r,o+l,r,o,h),t(s,r,o,r+a,o,c),s.closePath())}}var Rl=(n,e,t)=>{n.moveTo(e,t)},Pl=(n,e,t)=>{n.moveTo(t,e)},to=(n,e,t)=>{n.lineTo(e,t)},no=(n,e,t)=>{n.lineTo(t,e)},Il=Fm(0),Ku=Fm(1),Bm=(n,e,t,i,s,r)=>{n.arc(e,t,i,s,r)},km=(n,e,t,i,s,r)=>{n.arc(t,e,i,s,r)},zm=(n,e,t,i,s,r,o)=>{n.bezierCurveTo(e,t,i,s,r,o)},Vm=(n,e,t,i,s,r,o)=>{n.bezierCurveTo(t,e,s,i,o,r)};function Hm(n){return(e,t,i,s,r)=>mr(e,t,(o,a,l,c,h,u,d,f,g,y,p)=>{let{pxRound:m,points:v}=o,C,S;c.ori==0?(C=Rl,S=Bm):(C=Pl,S=km);let R=zt(v.width*At,3),A=(v.size-v.width)/2*At,_=zt(A*2,3),E=new Path2D,k=new Path2D,{left:N,top:D,width:X,height:B}=e.bbox;Il(k,N-_,D-_,X+_*2,B+_*2);let L=z=>{if(l[z]!=null){let G=m(u(a[z],c,y,f)),V=m(d(l[z],h,p,g));C(E,G+A,V),S(E,G,V,A,0,vl*2)}};if(r)r.forEach(L);else for(let z=i;z<=s;z++)L(z);return{stroke:R>0?E:null,fill:E,clip:k,flags:Qr|Nu}})}function Gm(n){return(e,t,i,s,r,o)=>{i!=s&&(r!=i&&o!=i&&n(e,t,i),r!=s&&o!=s&&n(e,t,s),n(e,t,o))}}var dv=Gm(to),fv=Gm(no);function Wm(n){let e=Et(n?.alignGaps,0);return(t,i,s,r)=>mr(t,i,(o,a,l,c,h,u,d,f,g,y,p)=>{[s,r]=wl(l,s,r);let m=o.pxRound,v=B=>m(u(B,c,y,f)),C=B=>m(d(B,h,p,g)),S,R;c.ori==0?(S=to,R=dv):(S=no,R=fv);let A=c.dir*(c.ori==0?1:-1),_={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,flags:Qr},E=_.stroke,k=!1;if(r-s>=y*4){let B=de=>t.posToVal(de,c.key,!0),L=null,z=null,G,V,ae,$=v(a[A==1?s:r]),j=v(a[s]),te=v(a[r]),fe=B(A==1?j+1:te-1);for(let de=A==1?s:r;de>=s&&de<=r;de+=A){let ee=a[de],xe=(A==1?ee<fe:ee>fe)?$:v(ee),Re=l[de];xe==$?Re!=null?(V=Re,L==null?(S(E,xe,C(V)),G=L=z=V):V<L?L=V:V>z&&(z=V)):Re===null&&(k=!0):(L!=null&&R(E,$,C(L),C(z),C(G),C(V)),Re!=null?(V=Re,S(E,xe,C(V)),L=z=G=V):(L=z=null,Re===null&&(k=!0)),$=xe,fe=B($+A))}L!=null&&L!=z&&ae!=$&&R(E,$,C(L),C(z),C(G),C(V))}else for(let B=A==1?s:r;B>=s&&B<=r;B+=A){let L=l[B];L===null?k=!0:L!=null&&S(E,v(a[B]),C(L))}let[D,X]=Yu(t,i);if(o.fill!=null||D!=0){let B=_.fill=new Path2D(E),L=o.fillTo(t,i,o.min,o.max,D),z=C(L),G=v(a[s]),V=v(a[r]);A==-1&&([V,G]=[G,V]),S(B,V,z),S(B,G,z)}if(!o.spanGaps){let B=[];k&&B.push(...Zu(a,l,s,r,A,v,e)),_.gaps=B=o.gaps(t,i,s,r,B),_.clip=Cl(B,c.ori,f,g,y,p)}return X!=0&&(_.band=X==2?[gs(t,i,s,r,E,-1),gs(t,i,s,r,E,1)]:gs(t,i,s,r,E,X)),_})}function pv(n){let e=Et(n.align,1),t=Et(n.ascDesc,!1),i=Et(n.alignGaps,0),s=Et(n.extend,!1);return(r,o,a,l)=>mr(r,o,(c,h,u,d,f,g,y,p,m,v,C)=>{[a,l]=wl(u,a,l);let S=c.pxRound,{left:R,width:A}=r.bbox,_=j=>S(g(j,d,v,p)),E=j=>S(y(j,f,C,m)),k=d.ori==0?to:no,N={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,flags:Qr},D=N.stroke,X=d.dir*(d.ori==0?1:-1),B=E(u[X==1?a:l]),L=_(h[X==1?a:l]),z=L,G=L;s&&e==-1&&(G=R,k(D,G,B)),k(D,L,B);for(let j=X==1?a:l;j>=a&&j<=l;j+=X){let te=u[j];if(te==null)continue;let fe=_(h[j]),de=E(te);e==1?k(D,fe,B):k(D,z,de),k(D,fe,de),B=de,z=fe}let V=z;s&&e==1&&(V=R+A,k(D,V,B));let[ae,$]=Yu(r,o);if(c.fill!=null||ae!=0){let j=N.fill=new Path2D(D),te=c.fillTo(r,o,c.min,c.max,ae),fe=E(te);k(j,V,fe),k(j,G,fe)}if(!c.spanGaps){let j=[];j.push(...Zu(h,u,a,l,X,_,i));let te=c.width*At/2,fe=t||e==1?te:-te,de=t||e==-1?-te:te;j.forEach(ee=>{ee[0]+=fe,ee[1]+=de}),N.gaps=j=c.gaps(r,o,a,l,j),N.clip=Cl(j,d.ori,p,m,v,C)}return $!=0&&(N.band=$==2?[gs(r,o,a,l,D,-1),gs(r,o,a,l,D,1)]:gs(r,o,a,l,D,$)),N})}function sm(n,e,t,i,s,r,o=kt){if(n.length>1){let a=null;for(let l=0,c=1/0;l<n.length;l++)if(e[l]!==void 0){if(a!=null){let h=Sn(n[l]-n[a]);h<c&&(c=h,o=Sn(t(n[l],i,s,r)-t(n[a],i,s,r)))}a=l}}return o}function mv(n){n=n||ra;let e=Et(n.size,[.6,kt,1]),t=n.align||0,i=n.gap||0,s=n.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=yt(s),o=1-e[0],a=Et(e[1],kt),l=Et(e[2],1),c=Et(n.disp,ra),h=Et(n.each,f=>{}),{fill:u,stroke:d}=c;return(f,g,y,p)=>mr(f,g,(m,v,C,S,R,A,_,E,k,N,D)=>{let X=m.pxRound,B=t,L=i*At,z=a*At,G=l*At,V,ae;S.ori==0?[V,ae]=r(f,g):[ae,V]=r(f,g);let $=S.dir*(S.ori==0?1:-1),j=S.ori==0?Il:Ku,te=S.ori==0?h:(Ie,Ye,ot,Ee,Bt,He,$e)=>{h(Ie,Ye,ot,Bt,Ee,$e,He)},fe=Et(f.bands,Gu).find(Ie=>Ie.series[0]==g),de=fe!=null?fe.dir:0,ee=m.fillTo(f,g,m.min,m.max,de),pe=X(_(ee,R,D,k)),xe,Re,we,Xe=N,rt=X(m.width*At),Ge=!1,ft=null,ht=null,it=null,Zt=null;u!=null&&(rt==0||d!=null)&&(Ge=!0,ft=u.values(f,g,y,p),ht=new Map,new Set(ft).forEach(Ie=>{Ie!=null&&ht.set(Ie,new Path2D)}),rt>0&&(it=d.values(f,g,y,p),Zt=new Map,new Set(it).forEach(Ie=>{Ie!=null&&Zt.set(Ie,new Path2D)})));let{x0:Vt,size:hn}=c;if(Vt!=null&&hn!=null){B=1,v=Vt.values(f,g,y,p),Vt.unit==2&&(v=v.map(ot=>f.posToVal(E+ot*N,S.key,!0)));let Ie=hn.values(f,g,y,p);hn.unit==2?Re=Ie[0]*N:Re=A(Ie[0],S,N,E)-A(0,S,N,E),Xe=sm(v,C,A,S,N,E,Xe),we=Xe-Re+L}else Xe=sm(v,C,A,S,N,E,Xe),we=Xe*o+L,Re=Xe-we;we<1&&(we=0),rt>=Re/2&&(rt=0),we<5&&(X=fm);let Ot=we>0,An=Xe-we-(Ot?rt:0);Re=X(Iu(An,G,z)),xe=(B==0?Re/2:B==$?0:Re)-B*$*((B==0?L/2:0)+(Ot?rt/2:0));let Mt={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},vn=Ge?null:new Path2D,en=null;if(fe!=null)en=f.data[fe.series[1]];else{let{y0:Ie,y1:Ye}=c;Ie!=null&&Ye!=null&&(C=Ye.values(f,g,y,p),en=Ie.values(f,g,y,p))}let un=V*Re,F=ae*Re;for(let Ie=$==1?y:p;Ie>=y&&Ie<=p;Ie+=$){let Ye=C[Ie];if(Ye==null)continue;if(en!=null){let q=en[Ie]??0;if(Ye-q==0)continue;pe=_(q,R,D,k)}let ot=S.distr!=2||c!=null?v[Ie]:Ie,Ee=A(ot,S,N,E),Bt=_(Et(Ye,ee),R,D,k),He=X(Ee-xe),$e=X(Yn(Bt,pe)),P=X(Ni(Bt,pe)),b=$e-P;if(Ye!=null){let q=Ye<0?F:un,ue=Ye<0?un:F;Ge?(rt>0&&it[Ie]!=null&&j(Zt.get(it[Ie]),He,P+hi(rt/2),Re,Yn(0,b-rt),q,ue),ft[Ie]!=null&&j(ht.get(ft[Ie]),He,P+hi(rt/2),Re,Yn(0,b-rt),q,ue)):j(vn,He,P+hi(rt/2),Re,Yn(0,b-rt),q,ue),te(f,g,Ie,He-rt/2,P,Re+rt,b)}}return rt>0?Mt.stroke=Ge?Zt:vn:Ge||(Mt._fill=m.width==0?m._fill:m._stroke??m._fill,Mt.width=0),Mt.fill=Ge?ht:vn,Mt})}function gv(n,e){let t=Et(e?.alignGaps,0);return(i,s,r,o)=>mr(i,s,(a,l,c,h,u,d,f,g,y,p,m)=>{[r,o]=wl(c,r,o);let v=a.pxRound,C=V=>v(d(V,h,p,g)),S=V=>v(f(V,u,m,y)),R,A,_;h.ori==0?(R=Rl,_=to,A=zm):(R=Pl,_=no,A=Vm);let E=h.dir*(h.ori==0?1:-1),k=C(l[E==1?r:o]),N=k,D=[],X=[];for(let V=E==1?r:o;V>=r&&V<=o;V+=E)if(c[V]!=null){let $=l[V],j=C($);D.push(N=j),X.push(S(c[V]))}let B={stroke:n(D,X,R,_,A,v),fill:null,clip:null,band:null,gaps:null,flags:Qr},L=B.stroke,[z,G]=Yu(i,s);if(a.fill!=null||z!=0){let V=B.fill=new Path2D(L),ae=a.fillTo(i,s,a.min,a.max,z),$=S(ae);_(V,N,$),_(V,k,$)}if(!a.spanGaps){let V=[];V.push(...Zu(l,c,r,o,E,C,t)),B.gaps=V=a.gaps(i,s,r,o,V),B.clip=Cl(V,h.ori,g,y,p,m)}return G!=0&&(B.band=G==2?[gs(i,s,r,o,L,-1),gs(i,s,r,o,L,1)]:gs(i,s,r,o,L,G)),B})}function xv(n){return gv(_v,n)}function _v(n,e,t,i,s,r){let o=n.length;if(o<2)return null;let a=new Path2D;if(t(a,n[0],e[0]),o==2)i(a,n[1],e[1]);else{let l=Array(o),c=Array(o-1),h=Array(o-1),u=Array(o-1);for(let d=0;d<o-1;d++)h[d]=e[d+1]-e[d],u[d]=n[d+1]-n[d],c[d]=h[d]/u[d];l[0]=c[0];for(let d=1;d<o-1;d++)c[d]===0||c[d-1]===0||c[d-1]>0!=c[d]>0?l[d]=0:(l[d]=3*(u[d-1]+u[d])/((2*u[d]+u[d-1])/c[d-1]+(u[d]+2*u[d-1])/c[d]),isFinite(l[d])||(l[d]=0));l[o-1]=c[o-2];for(let d=0;d<o-1;d++)s(a,n[d]+u[d]/3,e[d]+l[d]*u[d]/3,n[d+1]-u[d]/3,e[d+1]-l[d+1]*u[d]/3,n[d+1],e[d+1])}return a}var Uu=new Set;function rm(){for(let n of Uu)n.syncRect(!0)}eo&&(fr(j_,Zr,rm),fr(Q_,Zr,rm,!0),fr(bl,Zr,()=>{xn.pxRatio=At}));var yv=Wm(),vv=Hm();function om(n,e,t,i){return(i?[n[0],n[1]].concat(n.slice(2)):[n[0]].concat(n.slice(1))).map((r,o)=>Ou(r,o,e,t))}function bv(n,e){return n.map((t,i)=>i==0?{}:gn({},e,t))}function Ou(n,e,t,i){return gn({},e==0?t:i,n)}function Xm(n,e,t){return e==null?Jr:[e,t]}var Mv=Xm;function Sv(n,e,t){return e==null?Jr:Ml(e,t,Vu,!0)}function qm(n,e,t,i){return e==null?Jr:El(e,t,n.scales[i].log,!1)}var wv=qm;function $m(n,e,t,i){return e==null?Jr:zu(e,t,n.scales[i].log,!1)}var Ev=$m;function Tv(n,e,t,i,s){let r=Yn(Bp(n),Bp(e)),o=e-n,a=Di(s/i*o,t);do{let l=t[a],c=i*l/o;if(c>=s&&r+(l<5?Gs.get(l):0)<=17)return[l,c]}while(++a<t.length);return[0,0]}function am(n){let e,t;return n=n.replace(/(\d+)px/,(i,s)=>(e=Mn((t=+s)*At))+"px"),[n,e,t]}function Av(n){n.show&&[n.font,n.labelFont].forEach(e=>{let t=zt(e[2]*At,1);e[0]=e[0].replace(/[0-9.]+px/,t+"px"),e[1]=t})}function xn(n,e,t){let i={mode:Et(n.mode,1)},s=i.mode;function r(x,M,I,U){let W=M.valToPct(x);return U+I*(M.dir==-1?1-W:W)}function o(x,M,I,U){let W=M.valToPct(x);return U+I*(M.dir==-1?W:1-W)}function a(x,M,I,U){return M.ori==0?r(x,M,I,U):o(x,M,I,U)}i.valToPosH=r,i.valToPosV=o;let l=!1;i.status=0;let c=i.root=wi(N_);if(n.id!=null&&(c.id=n.id),ci(c,n.class),n.title){let x=wi(F_,c);x.textContent=n.title}let h=Li("canvas"),u=i.ctx=h.getContext("2d"),d=wi(B_,c);fr("click",d,x=>{x.target===g&&(Gt!=Or||Kt!=Fr)&&Nn.click(i,x)},!0);let f=i.under=wi(k_,d);d.appendChild(h);let g=i.over=wi(z_,d);n=jr(n);let y=+Et(n.pxAlign,1),p=im(y);(n.plugins||[]).forEach(x=>{x.opts&&(n=x.opts(i,n)||n)});let m=n.ms||.001,v=i.series=s==1?om(n.series||[],Kp,tm,!1):bv(n.series||[null],em),C=i.axes=om(n.axes||[],Zp,jp,!0),S=i.scales={},R=i.bands=n.bands||[];R.forEach(x=>{x.fill=yt(x.fill||null),x.dir=Et(x.dir,-1)});let A=s==2?v[1].facets[0].scale:v[0].scale,_={axes:hs,series:mt},E=(n.drawOrder||["axes","series"]).map(x=>_[x]);function k(x){let M=x.distr==3?I=>ms(I>0?I:x.clamp(i,I,x.min,x.max,x.key)):x.distr==4?I=>Su(I,x.asinh):x.distr==100?I=>x.fwd(I):I=>I;return I=>{let U=M(I),{_min:W,_max:J}=x,le=J-W;return(U-W)/le}}function N(x){let M=S[x];if(M==null){let I=(n.scales||ra)[x]||ra;if(I.from!=null){N(I.from);let U=gn({},S[I.from],I,{key:x});U.valToPct=k(U),S[x]=U}else{M=S[x]=gn({},x==A?Um:cv,I),M.key=x;let U=M.time,W=M.range,J=Hs(W);if((x!=A||s==2&&!U)&&(J&&(W[0]==null||W[1]==null)&&(W={min:W[0]==null?Up:{mode:1,hard:W[0],soft:W[0]},max:W[1]==null?Up:{mode:1,hard:W[1],soft:W[1]}},J=!1),!J&&Al(W))){let le=W;W=(me,be,Ue)=>be==null?Jr:Ml(be,Ue,le)}M.range=yt(W||(U?Mv:x==A?M.distr==3?wv:M.distr==4?Ev:Xm:M.distr==3?qm:M.distr==4?$m:Sv)),M.auto=yt(J?!1:M.auto),M.clamp=yt(M.clamp||lv),M._min=M._max=null,M.valToPct=k(M)}}}N("x"),N("y"),s==1&&v.forEach(x=>{N(x.scale)}),C.forEach(x=>{N(x.scale)});for(let x in n.scales)N(x);let D=S[A],X=D.distr,B,L;D.ori==0?(ci(c,U_),B=r,L=o):(ci(c,O_),B=o,L=r);let z={};for(let x in S){let M=S[x];(M.min!=null||M.max!=null)&&(z[x]={min:M.min,max:M.max},M.min=M.max=null)}let G=n.tzDate||(x=>new Date(Mn(x/m))),V=n.fmtDate||Wu,ae=m==1?Uy(G):By(G),$=qp(G,Xp(m==1?Ny:Fy,V)),j=Yp(G,$p(zy,V)),te=[],fe=i.legend=gn({},Gy,n.legend),de=i.cursor=gn({},Zy,{drag:{y:s==2}},n.cursor),ee=fe.show,pe=de.show,xe=fe.markers;fe.idxs=te,xe.width=yt(xe.width),xe.dash=yt(xe.dash),xe.stroke=yt(xe.stroke),xe.fill=yt(xe.fill);let Re,we,Xe,rt=[],Ge=[],ft,ht=!1,it={};if(fe.live){let x=v[1]?v[1].values:null;ht=x!=null,ft=ht?x(i,1,0):{_:0};for(let M in ft)it[M]=Bu}if(ee)if(Re=Li("table",q_,c),Xe=Li("tbody",null,Re),fe.mount(i,Re),ht){we=Li("thead",null,Re,Xe);let x=Li("tr",null,we);Li("th",null,x);for(var Zt in ft)Li("th",Mp,x).textContent=Zt}else ci(Re,Y_),fe.live&&ci(Re,$_);let Vt={show:!0},hn={show:!1};function Ot(x,M){if(M==0&&(ht||!fe.live||s==2))return Jr;let I=[],U=Li("tr",Z_,Xe,Xe.childNodes[M]);ci(U,x.class),x.show||ci(U,dr);let W=Li("th",null,U);if(xe.show){let me=wi(K_,W);if(M>0){let be=xe.width(i,M);be&&(me.style.border=be+"px "+xe.dash(i,M)+" "+xe.stroke(i,M)),me.style.background=xe.fill(i,M)}}let J=wi(Mp,W);x.label instanceof HTMLElement?J.appendChild(x.label):J.textContent=x.label,M>0&&(xe.show||(J.style.color=x.width>0?xe.stroke(i,M):xe.fill(i,M)),Mt("click",W,me=>{if(de._lock)return;Je(me);let be=v.indexOf(x);if((me.ctrlKey||me.metaKey)!=fe.isolate){let Ue=v.some((Oe,Be)=>Be>0&&Be!=be&&Oe.show);v.forEach((Oe,Be)=>{Be>0&&qi(Be,Ue?Be==be?Vt:hn:Vt,!0,mn.setSeries)})}else qi(be,{show:!x.show},!0,mn.setSeries)},!1),je&&Mt(Tp,W,me=>{de._lock||(Je(me),qi(v.indexOf(x),kr,!0,mn.setSeries))},!1));for(var le in ft){let me=Li("td",J_,U);me.textContent="--",I.push(me)}return[U,I]}let An=new Map;function Mt(x,M,I,U=!0){let W=An.get(M)||{},J=de.bind[x](i,M,I,U);J&&(fr(x,M,W[x]=J),An.set(M,W))}function vn(x,M,I){let U=An.get(M)||{};for(let W in U)(x==null||W==x)&&(Pu(W,M,U[W]),delete U[W]);x==null&&An.delete(M)}let en=0,un=0,F=0,Ie=0,Ye=0,ot=0,Ee=Ye,Bt=ot,He=F,$e=Ie,P=0,b=0,q=0,ue=0;i.bbox={};let oe=!1,ye=!1,ve=!1,ne=!1,se=!1,ge=!1;function O(x,M,I){(I||x!=i.width||M!=i.height)&&re(x,M),ut(!1),ve=!0,ye=!0,Un()}function re(x,M){i.width=en=F=x,i.height=un=Ie=M,Ye=ot=0,Se(),We();let I=i.bbox;P=I.left=hr(Ye*At,.5),b=I.top=hr(ot*At,.5),q=I.width=hr(F*At,.5),ue=I.height=hr(Ie*At,.5)}let ie=3;function Te(){let x=!1,M=0;for(;!x;){M++;let I=Dr(M),U=Xi(M);x=M==ie||I&&U,x||(re(i.width,i.height),ye=!0)}}function _e({width:x,height:M}){O(x,M)}i.setSize=_e;function Se(){let x=!1,M=!1,I=!1,U=!1;C.forEach((W,J)=>{if(W.show&&W._show){let{side:le,_size:me}=W,be=le%2,Ue=W.label!=null?W.labelSize:0,Oe=me+Ue;Oe>0&&(be?(F-=Oe,le==3?(Ye+=Oe,U=!0):I=!0):(Ie-=Oe,le==0?(ot+=Oe,x=!0):M=!0))}}),Gi[0]=x,Gi[1]=I,Gi[2]=M,Gi[3]=U,F-=Ci[1]+Ci[3],Ye+=Ci[3],Ie-=Ci[2]+Ci[0],ot+=Ci[0]}function We(){let x=Ye+F,M=ot+Ie,I=Ye,U=ot;function W(J,le){switch(J){case 1:return x+=le,x-le;case 2:return M+=le,M-le;case 3:return I-=le,I+le;case 0:return U-=le,U+le}}C.forEach((J,le)=>{if(J.show&&J._show){let me=J.side;J._pos=W(me,J._size),J.label!=null&&(J._lpos=W(me,J.labelSize))}})}if(de.dataIdx==null){let x=de.hover,M=x.skip=new Set(x.skip??[]);M.add(void 0);let I=x.prox=yt(x.prox),U=x.bias??=0;de.dataIdx=(W,J,le,me)=>{if(J==0)return le;let be=le,Ue=I(W,J,le,me)??kt,Oe=Ue>=0&&Ue<kt,Be=D.ori==0?F:Ie,st=de.left,Tt=e[0],wt=e[J];if(M.has(wt[le])){be=null;let xt=null,Ke=null,qe;if(U==0||U==-1)for(qe=le;xt==null&&qe-- >0;)M.has(wt[qe])||(xt=qe);if(U==0||U==1)for(qe=le;Ke==null&&qe++<wt.length;)M.has(wt[qe])||(Ke=qe);if(xt!=null||Ke!=null)if(Oe){let Xt=xt==null?-1/0:B(Tt[xt],D,Be,0),sn=Ke==null?1/0:B(Tt[Ke],D,Be,0),In=st-Xt,Ft=sn-st;In<=Ft?In<=Ue&&(be=xt):Ft<=Ue&&(be=Ke)}else be=Ke==null?xt:xt==null?Ke:le-xt<=Ke-le?xt:Ke}else Oe&&Sn(st-B(Tt[le],D,Be,0))>Ue&&(be=null);return be}}let Je=x=>{de.event=x};de.idxs=te,de._lock=!1;let ce=de.points;ce.show=yt(ce.show),ce.size=yt(ce.size),ce.stroke=yt(ce.stroke),ce.width=yt(ce.width),ce.fill=yt(ce.fill);let ke=i.focus=gn({},n.focus||{alpha:.3},de.focus),je=ke.prox>=0,Pe=je&&ce.one,lt=[],Ht=[],Gn=[];function Ho(x,M){let I=ce.show(i,M);if(I instanceof HTMLElement)return ci(I,X_),ci(I,x.class),Qi(I,-10,-10,F,Ie),g.insertBefore(I,lt[M]),I}function Pr(x,M){if(s==1||M>0){let I=s==1&&S[x.scale].time,U=x.value;x.value=I?Vp(U)?Yp(G,$p(U,V)):U||j:U||rv,x.label=x.label||(I?Jy:Ky)}if(Pe||M>0){x.width=x.width==null?1:x.width,x.paths=x.paths||yv||cy,x.fillTo=yt(x.fillTo||hv),x.pxAlign=+Et(x.pxAlign,y),x.pxRound=im(x.pxAlign),x.stroke=yt(x.stroke||null),x.fill=yt(x.fill||null),x._stroke=x._fill=x._paths=x._focus=null;let I=ov(Yn(1,x.width),1),U=x.points=gn({},{size:I,width:Yn(1,I*.2),stroke:x.stroke,space:I*2,paths:vv,_stroke:null,_fill:null},x.points);U.show=yt(U.show),U.filter=yt(U.filter),U.fill=yt(U.fill),U.stroke=yt(U.stroke),U.paths=yt(U.paths),U.pxAlign=x.pxAlign}if(ee){let I=Ot(x,M);rt.splice(M,0,I[0]),Ge.splice(M,0,I[1]),fe.values.push(null)}if(pe){te.splice(M,0,null);let I=null;Pe?M==0&&(I=Ho(x,M)):M>0&&(I=Ho(x,M)),lt.splice(M,0,I),Ht.splice(M,0,0),Gn.splice(M,0,0)}Pn("addSeries",M)}function Vh(x,M){M=M??v.length,x=s==1?Ou(x,M,Kp,tm):Ou(x,M,{},em),v.splice(M,0,x),Pr(v[M],M)}i.addSeries=Vh;function Qa(x){if(v.splice(x,1),ee){fe.values.splice(x,1),Ge.splice(x,1);let M=rt.splice(x,1)[0];vn(null,M.firstChild),M.remove()}pe&&(te.splice(x,1),lt.splice(x,1)[0].remove(),Ht.splice(x,1),Gn.splice(x,1)),Pn("delSeries",x)}i.delSeries=Qa;let Gi=[!1,!1,!1,!1];function as(x,M){if(x._show=x.show,x.show){let I=x.side%2,U=S[x.scale];U==null&&(x.scale=I?v[1].scale:A,U=S[x.scale]);let W=U.time;x.size=yt(x.size),x.space=yt(x.space),x.rotate=yt(x.rotate),Hs(x.incrs)&&x.incrs.forEach(le=>{!Gs.has(le)&&Gs.set(le,gm(le))}),x.incrs=yt(x.incrs||(U.distr==2?Iy:W?m==1?Dy:Oy:ur)),x.splits=yt(x.splits||(W&&U.distr==1?ae:U.distr==3?Lu:U.distr==4?ev:Qy)),x.stroke=yt(x.stroke),x.grid.stroke=yt(x.grid.stroke),x.ticks.stroke=yt(x.ticks.stroke),x.border.stroke=yt(x.border.stroke);let J=x.values;x.values=Hs(J)&&!Hs(J[0])?yt(J):W?Hs(J)?qp(G,Xp(J,V)):Vp(J)?ky(G,J):J||$:J||jy,x.filter=yt(x.filter||(U.distr>=3&&U.log==10?iv:U.distr==3&&U.log==2?sv:pm)),x.font=am(x.font),x.labelFont=am(x.labelFont),x._size=x.size(i,null,M,0),x._space=x._rotate=x._incrs=x._found=x._splits=x._values=null,x._size>0&&(Gi[M]=!0,x._el=wi(V_,d))}}function ls(x,M,I,U){let[W,J,le,me]=I,be=M%2,Ue=0;return be==0&&(me||J)&&(Ue=M==0&&!W||M==2&&!le?Mn(Zp.size/3):0),be==1&&(W||le)&&(Ue=M==1&&!J||M==3&&!me?Mn(jp.size/2):0),Ue}let Go=i.padding=(n.padding||[ls,ls,ls,ls]).map(x=>yt(Et(x,ls))),Ci=i._padding=Go.map((x,M)=>x(i,M,Gi,0)),tn,ln=null,cn=null,Wi=s==1?v[0].idxs:null,ri=null,Ls=!1;function Wo(x,M){if(e=x??[],i.data=i._data=e,s==2){tn=0;for(let I=1;I<v.length;I++)tn+=e[I][0].length}else{e.length==0&&(i.data=i._data=e=[[]]),ri=e[0],tn=ri.length;let I=e;if(X==2){I=e.slice();let U=I[0]=Array(tn);for(let W=0;W<tn;W++)U[W]=W}i._data=e=I}if(ut(!0),Pn("setData"),X==2&&(ve=!0),M!==!1){let I=D;I.auto(i,Ls)?Xo():Us(A,I.min,I.max),ne=ne||de.left>=0,ge=!0,Un()}}i.setData=Wo;function Xo(){Ls=!0;let x,M;s==1&&(tn>0?(ln=Wi[0]=0,cn=Wi[1]=tn-1,x=e[0][ln],M=e[0][cn],X==2?(x=ln,M=cn):x==M&&(X==3?[x,M]=El(x,x,D.log,!1):X==4?[x,M]=zu(x,x,D.log,!1):D.time?M=x+Mn(86400/m):[x,M]=Ml(x,M,Vu,!0))):(ln=Wi[0]=x=null,cn=Wi[1]=M=null)),Us(A,x,M)}let Ir,Ds,Lr,w,H,Q,Y,K,Ae,Le;function Ce(x,M,I,U,W,J){x??=wp,I??=Gu,U??="butt",W??=wp,J??="round",x!=Ir&&(u.strokeStyle=Ir=x),W!=Ds&&(u.fillStyle=Ds=W),M!=Lr&&(u.lineWidth=Lr=M),J!=H&&(u.lineJoin=H=J),U!=Q&&(u.lineCap=Q=U),I!=w&&u.setLineDash(w=I)}function De(x,M,I,U){M!=Ds&&(u.fillStyle=Ds=M),x!=Y&&(u.font=Y=x),I!=K&&(u.textAlign=K=I),U!=Ae&&(u.textBaseline=Ae=U)}function Ve(x,M,I,U,W=0){if(U.length>0&&x.auto(i,Ls)&&(M==null||M.min==null)){let J=Et(ln,0),le=Et(cn,U.length-1),me=I.min==null?iy(U,J,le,W,x.distr==3):[I.min,I.max];x.min=Ni(x.min,I.min=me[0]),x.max=Yn(x.max,I.max=me[1])}}let Qe={min:null,max:null};function pt(){for(let U in S){let W=S[U];z[U]==null&&(W.min==null||z[A]!=null&&W.auto(i,Ls))&&(z[U]=Qe)}for(let U in S){let W=S[U];z[U]==null&&W.from!=null&&z[W.from]!=null&&(z[U]=Qe)}z[A]!=null&&ut(!0);let x={};for(let U in z){let W=z[U];if(W!=null){let J=x[U]=jr(S[U],dy);if(W.min!=null)gn(J,W);else if(U!=A||s==2)if(tn==0&&J.from==null){let le=J.range(i,null,null,U);J.min=le[0],J.max=le[1]}else J.min=kt,J.max=-kt}}if(tn>0){v.forEach((U,W)=>{if(s==1){let J=U.scale,le=z[J];if(le==null)return;let me=x[J];if(W==0){let be=me.range(i,me.min,me.max,J);me.min=be[0],me.max=be[1],ln=Di(me.min,e[0]),cn=Di(me.max,e[0]),cn-ln>1&&(e[0][ln]<me.min&&ln++,e[0][cn]>me.max&&cn--),U.min=ri[ln],U.max=ri[cn]}else U.show&&U.auto&&Ve(me,le,U,e[W],U.sorted);U.idxs[0]=ln,U.idxs[1]=cn}else if(W>0&&U.show&&U.auto){let[J,le]=U.facets,me=J.scale,be=le.scale,[Ue,Oe]=e[W],Be=x[me],st=x[be];Be!=null&&Ve(Be,z[me],J,Ue,J.sorted),st!=null&&Ve(st,z[be],le,Oe,le.sorted),U.min=le.min,U.max=le.max}});for(let U in x){let W=x[U],J=z[U];if(W.from==null&&(J==null||J.min==null)){let le=W.range(i,W.min==kt?null:W.min,W.max==-kt?null:W.max,U);W.min=le[0],W.max=le[1]}}}for(let U in x){let W=x[U];if(W.from!=null){let J=x[W.from];if(J.min==null)W.min=W.max=null;else{let le=W.range(i,J.min,J.max,U);W.min=le[0],W.max=le[1]}}}let M={},I=!1;for(let U in x){let W=x[U],J=S[U];if(J.min!=W.min||J.max!=W.max){J.min=W.min,J.max=W.max;let le=J.distr;J._min=le==3?ms(J.min):le==4?Su(J.min,J.asinh):le==100?J.fwd(J.min):J.min,J._max=le==3?ms(J.max):le==4?Su(J.max,J.asinh):le==100?J.fwd(J.max):J.max,M[U]=I=!0}}if(I){v.forEach((U,W)=>{s==2?W>0&&M.y&&(U._paths=null):M[U.scale]&&(U._paths=null)});for(let U in M)ve=!0,Pn("setScale",U);pe&&de.left>=0&&(ne=ge=!0)}for(let U in z)z[U]=null}function ze(x){let M=Iu(ln-1,0,tn-1),I=Iu(cn+1,0,tn-1);for(;x[M]==null&&M>0;)M--;for(;x[I]==null&&I<tn-1;)I++;return[M,I]}function mt(){if(tn>0){let x=v.some(M=>M._focus)&&Le!=ke.alpha;x&&(u.globalAlpha=Le=ke.alpha),v.forEach((M,I)=>{if(I>0&&M.show&&(jt(I,!1),jt(I,!0),M._paths==null)){let U=Le;Le!=M.alpha&&(u.globalAlpha=Le=M.alpha);let W=s==2?[0,e[I][0].length-1]:ze(e[I]);M._paths=M.paths(i,I,W[0],W[1]),Le!=U&&(u.globalAlpha=Le=U)}}),v.forEach((M,I)=>{if(I>0&&M.show){let U=Le;Le!=M.alpha&&(u.globalAlpha=Le=M.alpha),M._paths!=null&&Lt(I,!1);{let W=M._paths!=null?M._paths.gaps:null,J=M.points.show(i,I,ln,cn,W),le=M.points.filter(i,I,J,W);(J||le)&&(M.points._paths=M.points.paths(i,I,ln,cn,le),Lt(I,!0))}Le!=U&&(u.globalAlpha=Le=U),Pn("drawSeries",I)}}),x&&(u.globalAlpha=Le=1)}}function jt(x,M){let I=M?v[x].points:v[x];I._stroke=I.stroke(i,x),I._fill=I.fill(i,x)}function Lt(x,M){let I=M?v[x].points:v[x],{stroke:U,fill:W,clip:J,flags:le,_stroke:me=I._stroke,_fill:be=I._fill,_width:Ue=I.width}=I._paths;Ue=zt(Ue*At,3);let Oe=null,Be=Ue%2/2;M&&be==null&&(be=Ue>0?"#fff":me);let st=I.pxAlign==1&&Be>0;if(st&&u.translate(Be,Be),!M){let Tt=P-Ue/2,wt=b-Ue/2,xt=q+Ue,Ke=ue+Ue;Oe=new Path2D,Oe.rect(Tt,wt,xt,Ke)}M?Fe(me,Ue,I.dash,I.cap,be,U,W,le,J):Dt(x,me,Ue,I.dash,I.cap,be,U,W,le,Oe,J),st&&u.translate(-Be,-Be)}function Dt(x,M,I,U,W,J,le,me,be,Ue,Oe){let Be=!1;be!=0&&R.forEach((st,Tt)=>{if(st.series[0]==x){let wt=v[st.series[1]],xt=e[st.series[1]],Ke=(wt._paths||ra).band;Hs(Ke)&&(Ke=st.dir==1?Ke[0]:Ke[1]);let qe,Xt=null;wt.show&&Ke&&ry(xt,ln,cn)?(Xt=st.fill(i,Tt)||J,qe=wt._paths.clip):Ke=null,Fe(M,I,U,W,Xt,le,me,be,Ue,Oe,qe,Ke),Be=!0}}),Be||Fe(M,I,U,W,J,le,me,be,Ue,Oe)}let bn=Qr|Nu;function Fe(x,M,I,U,W,J,le,me,be,Ue,Oe,Be){Ce(x,M,I,U,W),(be||Ue||Be)&&(u.save(),be&&u.clip(be),Ue&&u.clip(Ue)),Be?(me&bn)==bn?(u.clip(Be),Oe&&u.clip(Oe),_t(W,le),dn(x,J,M)):me&Nu?(_t(W,le),u.clip(Be),dn(x,J,M)):me&Qr&&(u.save(),u.clip(Be),Oe&&u.clip(Oe),_t(W,le),u.restore(),dn(x,J,M)):(_t(W,le),dn(x,J,M)),(be||Ue||Be)&&u.restore()}function dn(x,M,I){I>0&&(M instanceof Map?M.forEach((U,W)=>{u.strokeStyle=Ir=W,u.stroke(U)}):M!=null&&x&&u.stroke(M))}function _t(x,M){M instanceof Map?M.forEach((I,U)=>{u.fillStyle=Ds=U,u.fill(I)}):M!=null&&x&&u.fill(M)}function cs(x,M,I,U){let W=C[x],J;if(U<=0)J=[0,0];else{let le=W._space=W.space(i,x,M,I,U),me=W._incrs=W.incrs(i,x,M,I,U,le);J=Tv(M,I,me,U,le)}return W._found=J}function fn(x,M,I,U,W,J,le,me,be,Ue){let Oe=le%2/2;y==1&&u.translate(Oe,Oe),Ce(me,le,be,Ue,me),u.beginPath();let Be,st,Tt,wt,xt=W+(U==0||U==3?-J:J);I==0?(st=W,wt=xt):(Be=W,Tt=xt);for(let Ke=0;Ke<x.length;Ke++)M[Ke]!=null&&(I==0?Be=Tt=x[Ke]:st=wt=x[Ke],u.moveTo(Be,st),u.lineTo(Tt,wt));u.stroke(),y==1&&u.translate(-Oe,-Oe)}function Dr(x){let M=!0;return C.forEach((I,U)=>{if(!I.show)return;let W=S[I.scale];if(W.min==null){I._show&&(M=!1,I._show=!1,ut(!1));return}else I._show||(M=!1,I._show=!0,ut(!1));let J=I.side,le=J%2,{min:me,max:be}=W,[Ue,Oe]=cs(U,me,be,le==0?F:Ie);if(Oe==0)return;let Be=W.distr==2,st=I._splits=I.splits(i,U,me,be,Ue,Oe,Be),Tt=W.distr==2?st.map(qe=>ri[qe]):st,wt=W.distr==2?ri[st[1]]-ri[st[0]]:Ue,xt=I._values=I.values(i,I.filter(i,Tt,U,Oe,wt),U,Oe,wt);I._rotate=J==2?I.rotate(i,xt,U,Oe):0;let Ke=I._size;I._size=Ei(I.size(i,xt,U,x)),Ke!=null&&I._size!=Ke&&(M=!1)}),M}function Xi(x){let M=!0;return Go.forEach((I,U)=>{let W=I(i,U,Gi,x);W!=Ci[U]&&(M=!1),Ci[U]=W}),M}function hs(){for(let x=0;x<C.length;x++){let M=C[x];if(!M.show||!M._show)continue;let I=M.side,U=I%2,W,J,le=M.stroke(i,x),me=I==0||I==3?-1:1,[be,Ue]=M._found;if(M.label!=null){let qn=M.labelGap*me,li=Mn((M._lpos+qn)*At);De(M.labelFont[0],le,"center",I==2?"top":Sp),u.save(),U==1?(W=J=0,u.translate(li,Mn(b+ue/2)),u.rotate((I==3?-vl:vl)/2)):(W=Mn(P+q/2),J=li);let ar=dm(M.label)?M.label(i,x,be,Ue):M.label;u.fillText(ar,W,J),u.restore()}if(Ue==0)continue;let Oe=S[M.scale],Be=U==0?q:ue,st=U==0?P:b,Tt=M._splits,wt=Oe.distr==2?Tt.map(qn=>ri[qn]):Tt,xt=Oe.distr==2?ri[Tt[1]]-ri[Tt[0]]:be,Ke=M.ticks,qe=M.border,Xt=Ke.show?Ke.size:0,sn=Mn(Xt*At),In=Mn((M.alignTo==2?M._size-Xt-M.gap:M.gap)*At),Ft=M._rotate*-vl/180,rn=p(M._pos*At),oi=(sn+In)*me,Xn=rn+oi;J=U==0?Xn:0,W=U==1?Xn:0;let vi=M.font[0],Ri=M.align==1?$r:M.align==2?vu:Ft>0?$r:Ft<0?vu:U==0?"center":I==3?vu:$r,Yi=Ft||U==1?"middle":I==2?"top":Sp;De(vi,le,Ri,Yi);let ai=M.font[1]*M.lineGap,bi=Tt.map(qn=>p(a(qn,Oe,Be,st))),Pi=M._values;for(let qn=0;qn<Pi.length;qn++){let li=Pi[qn];if(li!=null){U==0?W=bi[qn]:J=bi[qn],li=""+li;let ar=li.indexOf(`
+`)==-1?[li]:li.split(/\n/gm);for(let $n=0;$n<ar.length;$n++){let np=ar[$n];Ft?(u.save(),u.translate(W,J+$n*ai),u.rotate(Ft),u.fillText(np,0,0),u.restore()):u.fillText(np,W,J+$n*ai)}}}Ke.show&&fn(bi,Ke.filter(i,wt,x,Ue,xt),U,I,rn,sn,zt(Ke.width*At,3),Ke.stroke(i,x),Ke.dash,Ke.cap);let Zi=M.grid;Zi.show&&fn(bi,Zi.filter(i,wt,x,Ue,xt),U,U==0?2:1,U==0?b:P,U==0?ue:q,zt(Zi.width*At,3),Zi.stroke(i,x),Zi.dash,Zi.cap),qe.show&&fn([rn],[1],U==0?1:0,U==0?1:2,U==1?b:P,U==1?ue:q,zt(qe.width*At,3),qe.stroke(i,x),qe.dash,qe.cap)}Pn("drawAxes")}function ut(x){v.forEach((M,I)=>{I>0&&(M._paths=null,x&&(s==1?(M.min=null,M.max=null):M.facets.forEach(U=>{U.min=null,U.max=null})))})}let nn=!1,Wn=!1,Nt=[];function pn(){Wn=!1;for(let x=0;x<Nt.length;x++)Pn(...Nt[x]);Nt.length=0}function Un(){nn||(yy(Bf),nn=!0)}function el(x,M=!1){nn=!0,Wn=M,x(i),Bf(),M&&Nt.length>0&&queueMicrotask(pn)}i.batch=el;function Bf(){if(oe&&(pt(),oe=!1),ve&&(Te(),ve=!1),ye){if(qt(f,$r,Ye),qt(f,"top",ot),qt(f,ta,F),qt(f,na,Ie),qt(g,$r,Ye),qt(g,"top",ot),qt(g,ta,F),qt(g,na,Ie),qt(d,ta,en),qt(d,na,un),h.width=Mn(en*At),h.height=Mn(un*At),C.forEach(({_el:x,_show:M,_size:I,_pos:U,side:W})=>{if(x!=null)if(M){let J=W===3||W===0?I:0,le=W%2==1;qt(x,le?"left":"top",U-J),qt(x,le?"width":"height",I),qt(x,le?"top":"left",le?ot:Ye),qt(x,le?"height":"width",le?Ie:F),Ru(x,dr)}else ci(x,dr)}),Ir=Ds=Lr=H=Q=Y=K=Ae=w=null,Le=1,Yo(!0),Ye!=Ee||ot!=Bt||F!=He||Ie!=$e){ut(!1);let x=F/He,M=Ie/$e;if(pe&&!ne&&de.left>=0){de.left*=x,de.top*=M,Nr&&Qi(Nr,Mn(de.left),0,F,Ie),Ur&&Qi(Ur,0,Mn(de.top),F,Ie);for(let I=0;I<lt.length;I++){let U=lt[I];U!=null&&(Ht[I]*=x,Gn[I]*=M,Qi(U,Ei(Ht[I]),Ei(Gn[I]),F,Ie))}}if(Wt.show&&!se&&Wt.left>=0&&Wt.width>0){Wt.left*=x,Wt.width*=x,Wt.top*=M,Wt.height*=M;for(let I in $h)qt(Br,I,Wt[I])}Ee=Ye,Bt=ot,He=F,$e=Ie}Pn("setSize"),ye=!1}en>0&&un>0&&(u.clearRect(0,0,h.width,h.height),Pn("drawClear"),E.forEach(x=>x()),Pn("draw")),Wt.show&&se&&(tl(Wt),se=!1),pe&&ne&&(or(null,!0,!1),ne=!1),fe.show&&fe.live&&ge&&(Xh(),ge=!1),l||(l=!0,i.status=1,Pn("ready")),Ls=!1,nn=!1}i.redraw=(x,M)=>{ve=M||!1,x!==!1?Us(A,D.min,D.max):Un()};function Hh(x,M){let I=S[x];if(I.from==null){if(tn==0){let U=I.range(i,M.min,M.max,x);M.min=U[0],M.max=U[1]}if(M.min>M.max){let U=M.min;M.min=M.max,M.max=U}if(tn>1&&M.min!=null&&M.max!=null&&M.max-M.min<1e-16)return;x==A&&I.distr==2&&tn>0&&(M.min=Di(M.min,e[0]),M.max=Di(M.max,e[0]),M.min==M.max&&M.max++),z[x]=M,oe=!0,Un()}}i.setScale=Hh;let Gh,Wh,Nr,Ur,kf,zf,Or,Fr,Vf,Hf,Gt,Kt,Ns=!1,Nn=de.drag,Cn=Nn.x,Rn=Nn.y;pe&&(de.x&&(Gh=wi(G_,g)),de.y&&(Wh=wi(W_,g)),D.ori==0?(Nr=Gh,Ur=Wh):(Nr=Wh,Ur=Gh),Gt=de.left,Kt=de.top);let Wt=i.select=gn({show:!0,over:!0,left:0,width:0,top:0,height:0},n.select),Br=Wt.show?wi(H_,Wt.over?g:f):null;function tl(x,M){if(Wt.show){for(let I in x)Wt[I]=x[I],I in $h&&qt(Br,I,x[I]);M!==!1&&Pn("setSelect")}}i.setSelect=tl;function Ox(x){if(v[x].show)ee&&Ru(rt[x],dr);else if(ee&&ci(rt[x],dr),pe){let I=Pe?lt[0]:lt[x];I!=null&&Qi(I,-10,-10,F,Ie)}}function Us(x,M,I){Hh(x,{min:M,max:I})}function qi(x,M,I,U){M.focus!=null&&Vx(x),M.show!=null&&v.forEach((W,J)=>{J>0&&(x==J||x==null)&&(W.show=M.show,Ox(J),s==2?(Us(W.facets[0].scale,null,null),Us(W.facets[1].scale,null,null)):Us(W.scale,null,null),Un())}),I!==!1&&Pn("setSeries",x,M),U&&Zo("setSeries",i,x,M)}i.setSeries=qi;function Fx(x,M){gn(R[x],M)}function Bx(x,M){x.fill=yt(x.fill||null),x.dir=Et(x.dir,-1),M=M??R.length,R.splice(M,0,x)}function kx(x){x==null?R.length=0:R.splice(x,1)}i.addBand=Bx,i.setBand=Fx,i.delBand=kx;function zx(x,M){v[x].alpha=M,pe&&lt[x]!=null&&(lt[x].style.opacity=M),ee&&rt[x]&&(rt[x].style.opacity=M)}let us,Os,rr,kr={focus:!0};function Vx(x){if(x!=rr){let M=x==null,I=ke.alpha!=1;v.forEach((U,W)=>{if(s==1||W>0){let J=M||W==0||W==x;U._focus=M?null:J,I&&zx(W,J?1:ke.alpha)}}),rr=x,I&&Un()}}ee&&je&&Mt(Ap,Re,x=>{de._lock||(Je(x),rr!=null&&qi(null,kr,!0,mn.setSeries))});function $i(x,M,I){let U=S[M];I&&(x=x/At-(U.ori==1?ot:Ye));let W=F;U.ori==1&&(W=Ie,x=W-x),U.dir==-1&&(x=W-x);let J=U._min,le=U._max,me=x/W,be=J+(le-J)*me,Ue=U.distr;return Ue==3?Kr(10,be):Ue==4?ay(be,U.asinh):Ue==100?U.bwd(be):be}function Hx(x,M){let I=$i(x,A,M);return Di(I,e[0],ln,cn)}i.valToIdx=x=>Di(x,e[0]),i.posToIdx=Hx,i.posToVal=$i,i.valToPos=(x,M,I)=>S[M].ori==0?r(x,S[M],I?q:F,I?P:0):o(x,S[M],I?ue:Ie,I?b:0),i.setCursor=(x,M,I)=>{Gt=x.left,Kt=x.top,or(null,M,I)};function Gf(x,M){qt(Br,$r,Wt.left=x),qt(Br,ta,Wt.width=M)}function Wf(x,M){qt(Br,"top",Wt.top=x),qt(Br,na,Wt.height=M)}let qo=D.ori==0?Gf:Wf,$o=D.ori==1?Gf:Wf;function Gx(){if(ee&&fe.live)for(let x=s==2?1:0;x<v.length;x++){if(x==0&&ht)continue;let M=fe.values[x],I=0;for(let U in M)Ge[x][I++].firstChild.nodeValue=M[U]}}function Xh(x,M){if(x!=null&&(x.idxs?x.idxs.forEach((I,U)=>{te[U]=I}):uy(x.idx)||te.fill(x.idx),fe.idx=te[0]),ee&&fe.live){for(let I=0;I<v.length;I++)(I>0||s==1&&!ht)&&Wx(I,te[I]);Gx()}ge=!1,M!==!1&&Pn("setLegend")}i.setLegend=Xh;function Wx(x,M){let I=v[x],U=x==0&&X==2?ri:e[x],W;ht?W=I.values(i,x,M)??it:(W=I.value(i,M==null?null:U[M],x,M),W=W==null?it:{_:W}),fe.values[x]=W}function or(x,M,I){Vf=Gt,Hf=Kt,[Gt,Kt]=de.move(i,Gt,Kt),de.left=Gt,de.top=Kt,pe&&(Nr&&Qi(Nr,Mn(Gt),0,F,Ie),Ur&&Qi(Ur,0,Mn(Kt),F,Ie));let U,W=ln>cn;us=kt,Os=null;let J=D.ori==0?F:Ie,le=D.ori==1?F:Ie;if(Gt<0||tn==0||W){U=de.idx=null;for(let me=0;me<v.length;me++){let be=lt[me];be!=null&&Qi(be,-10,-10,F,Ie)}je&&qi(null,kr,!0,x==null&&mn.setSeries),fe.live&&(te.fill(U),ge=!0)}else{let me,be,Ue;s==1&&(me=D.ori==0?Gt:Kt,be=$i(me,A),U=de.idx=Di(be,e[0],ln,cn),Ue=B(e[0][U],D,J,0));let Oe=-10,Be=-10,st=0,Tt=0,wt=!0,xt="",Ke="";for(let qe=s==2?1:0;qe<v.length;qe++){let Xt=v[qe],sn=te[qe],In=sn==null?null:s==1?e[qe][sn]:e[qe][1][sn],Ft=de.dataIdx(i,qe,U,be),rn=Ft==null?null:s==1?e[qe][Ft]:e[qe][1][Ft];if(ge=ge||rn!=In||Ft!=sn,te[qe]=Ft,qe>0&&Xt.show){let oi=Ft==null?-10:Ft==U?Ue:B(s==1?e[0][Ft]:e[qe][0][Ft],D,J,0),Xn=rn==null?-10:L(rn,s==1?S[Xt.scale]:S[Xt.facets[1].scale],le,0);if(je&&rn!=null){let vi=D.ori==1?Gt:Kt,Ri=Sn(ke.dist(i,qe,Ft,Xn,vi));if(Ri<us){let Yi=ke.bias;if(Yi!=0){let ai=$i(vi,Xt.scale),bi=rn>=0?1:-1,Pi=ai>=0?1:-1;Pi==bi&&(Pi==1?Yi==1?rn>=ai:rn<=ai:Yi==1?rn<=ai:rn>=ai)&&(us=Ri,Os=qe)}else us=Ri,Os=qe}}if(ge||Pe){let vi,Ri;D.ori==0?(vi=oi,Ri=Xn):(vi=Xn,Ri=oi);let Yi,ai,bi,Pi,Zi,qn,li=!0,ar=ce.bbox;if(ar!=null){li=!1;let $n=ar(i,qe);bi=$n.left,Pi=$n.top,Yi=$n.width,ai=$n.height}else bi=vi,Pi=Ri,Yi=ai=ce.size(i,qe);if(qn=ce.fill(i,qe),Zi=ce.stroke(i,qe),Pe)qe==Os&&us<=ke.prox&&(Oe=bi,Be=Pi,st=Yi,Tt=ai,wt=li,xt=qn,Ke=Zi);else{let $n=lt[qe];$n!=null&&(Ht[qe]=bi,Gn[qe]=Pi,Np($n,Yi,ai,li),Lp($n,qn,Zi),Qi($n,Ei(bi),Ei(Pi),F,Ie))}}}}if(Pe){let qe=ke.prox,Xt=rr==null?us<=qe:us>qe||Os!=rr;if(ge||Xt){let sn=lt[0];sn!=null&&(Ht[0]=Oe,Gn[0]=Be,Np(sn,st,Tt,wt),Lp(sn,xt,Ke),Qi(sn,Ei(Oe),Ei(Be),F,Ie))}}}if(Wt.show&&Ns)if(x!=null){let[me,be]=mn.scales,[Ue,Oe]=mn.match,[Be,st]=x.cursor.sync.scales,Tt=x.cursor.drag;if(Cn=Tt._x,Rn=Tt._y,Cn||Rn){let{left:wt,top:xt,width:Ke,height:qe}=x.select,Xt=x.scales[Be].ori,sn=x.posToVal,In,Ft,rn,oi,Xn,vi=me!=null&&Ue(me,Be),Ri=be!=null&&Oe(be,st);vi&&Cn?(Xt==0?(In=wt,Ft=Ke):(In=xt,Ft=qe),rn=S[me],oi=B(sn(In,Be),rn,J,0),Xn=B(sn(In+Ft,Be),rn,J,0),qo(Ni(oi,Xn),Sn(Xn-oi))):qo(0,J),Ri&&Rn?(Xt==1?(In=wt,Ft=Ke):(In=xt,Ft=qe),rn=S[be],oi=L(sn(In,st),rn,le,0),Xn=L(sn(In+Ft,st),rn,le,0),$o(Ni(oi,Xn),Sn(Xn-oi))):$o(0,le)}else Yh()}else{let me=Sn(Vf-kf),be=Sn(Hf-zf);if(D.ori==1){let st=me;me=be,be=st}Cn=Nn.x&&me>=Nn.dist,Rn=Nn.y&&be>=Nn.dist;let Ue=Nn.uni;Ue!=null?Cn&&Rn&&(Cn=me>=Ue,Rn=be>=Ue,!Cn&&!Rn&&(be>me?Rn=!0:Cn=!0)):Nn.x&&Nn.y&&(Cn||Rn)&&(Cn=Rn=!0);let Oe,Be;Cn&&(D.ori==0?(Oe=Or,Be=Gt):(Oe=Fr,Be=Kt),qo(Ni(Oe,Be),Sn(Be-Oe)),Rn||$o(0,le)),Rn&&(D.ori==1?(Oe=Or,Be=Gt):(Oe=Fr,Be=Kt),$o(Ni(Oe,Be),Sn(Be-Oe)),Cn||qo(0,J)),!Cn&&!Rn&&(qo(0,0),$o(0,0))}if(Nn._x=Cn,Nn._y=Rn,x==null){if(I){if(tp!=null){let[me,be]=mn.scales;mn.values[0]=me!=null?$i(D.ori==0?Gt:Kt,me):null,mn.values[1]=be!=null?$i(D.ori==1?Gt:Kt,be):null}Zo(bu,i,Gt,Kt,F,Ie,U)}if(je){let me=I&&mn.setSeries,be=ke.prox;rr==null?us<=be&&qi(Os,kr,!0,me):us>be?qi(null,kr,!0,me):Os!=rr&&qi(Os,kr,!0,me)}}ge&&(fe.idx=U,Xh()),M!==!1&&Pn("setCursor")}let Fs=null;Object.defineProperty(i,"rect",{get(){return Fs==null&&Yo(!1),Fs}});function Yo(x=!1){x?Fs=null:(Fs=g.getBoundingClientRect(),Pn("syncRect",Fs))}function Xf(x,M,I,U,W,J,le){de._lock||Ns&&x!=null&&x.movementX==0&&x.movementY==0||(qh(x,M,I,U,W,J,le,!1,x!=null),x!=null?or(null,!0,!0):or(M,!0,!1))}function qh(x,M,I,U,W,J,le,me,be){if(Fs==null&&Yo(!1),Je(x),x!=null)I=x.clientX-Fs.left,U=x.clientY-Fs.top;else{if(I<0||U<0){Gt=-10,Kt=-10;return}let[Ue,Oe]=mn.scales,Be=M.cursor.sync,[st,Tt]=Be.values,[wt,xt]=Be.scales,[Ke,qe]=mn.match,Xt=M.axes[0].side%2==1,sn=D.ori==0?F:Ie,In=D.ori==1?F:Ie,Ft=Xt?J:W,rn=Xt?W:J,oi=Xt?U:I,Xn=Xt?I:U;if(wt!=null?I=Ke(Ue,wt)?a(st,S[Ue],sn,0):-10:I=sn*(oi/Ft),xt!=null?U=qe(Oe,xt)?a(Tt,S[Oe],In,0):-10:U=In*(Xn/rn),D.ori==1){let vi=I;I=U,U=vi}}be&&(M==null||M.cursor.event.type==bu)&&((I<=1||I>=F-1)&&(I=hr(I,F)),(U<=1||U>=Ie-1)&&(U=hr(U,Ie))),me?(kf=I,zf=U,[Or,Fr]=de.move(i,I,U)):(Gt=I,Kt=U)}let $h={width:0,height:0,left:0,top:0};function Yh(){tl($h,!1)}let qf,$f,Yf,Zf;function Kf(x,M,I,U,W,J,le){Ns=!0,Cn=Rn=Nn._x=Nn._y=!1,qh(x,M,I,U,W,J,le,!0,!1),x!=null&&(Mt(Mu,Au,Jf,!1),Zo(Ep,i,Or,Fr,F,Ie,null));let{left:me,top:be,width:Ue,height:Oe}=Wt;qf=me,$f=be,Yf=Ue,Zf=Oe}function Jf(x,M,I,U,W,J,le){Ns=Nn._x=Nn._y=!1,qh(x,M,I,U,W,J,le,!1,!0);let{left:me,top:be,width:Ue,height:Oe}=Wt,Be=Ue>0||Oe>0,st=qf!=me||$f!=be||Yf!=Ue||Zf!=Oe;if(Be&&st&&tl(Wt),Nn.setScale&&Be&&st){let Tt=me,wt=Ue,xt=be,Ke=Oe;if(D.ori==1&&(Tt=be,wt=Oe,xt=me,Ke=Ue),Cn&&Us(A,$i(Tt,A),$i(Tt+wt,A)),Rn)for(let qe in S){let Xt=S[qe];qe!=A&&Xt.from==null&&Xt.min!=kt&&Us(qe,$i(xt+Ke,qe),$i(xt,qe))}Yh()}else de.lock&&(de._lock=!de._lock,or(M,!0,x!=null));x!=null&&(vn(Mu,Au),Zo(Mu,i,Gt,Kt,F,Ie,null))}function Xx(x,M,I,U,W,J,le){if(de._lock)return;Je(x);let me=Ns;if(Ns){let be=!0,Ue=!0,Oe=10,Be,st;D.ori==0?(Be=Cn,st=Rn):(Be=Rn,st=Cn),Be&&st&&(be=Gt<=Oe||Gt>=F-Oe,Ue=Kt<=Oe||Kt>=Ie-Oe),Be&&be&&(Gt=Gt<Or?0:F),st&&Ue&&(Kt=Kt<Fr?0:Ie),or(null,!0,!0),Ns=!1}Gt=-10,Kt=-10,te.fill(null),or(null,!0,!0),me&&(Ns=me)}function jf(x,M,I,U,W,J,le){de._lock||(Je(x),Xo(),Yh(),x!=null&&Zo(Cp,i,Gt,Kt,F,Ie,null))}function Qf(){C.forEach(Av),O(i.width,i.height,!0)}fr(bl,Zr,Qf);let zr={};zr.mousedown=Kf,zr.mousemove=Xf,zr.mouseup=Jf,zr.dblclick=jf,zr.setSeries=(x,M,I,U)=>{let W=mn.match[2];I=W(i,M,I),I!=-1&&qi(I,U,!0,!1)},pe&&(Mt(Ep,g,Kf),Mt(bu,g,Xf),Mt(Tp,g,x=>{Je(x),Yo(!1)}),Mt(Ap,g,Xx),Mt(Cp,g,jf),Uu.add(i),i.syncRect=Yo);let nl=i.hooks=n.hooks||{};function Pn(x,M,I){Wn?Nt.push([x,M,I]):x in nl&&nl[x].forEach(U=>{U.call(null,i,M,I)})}(n.plugins||[]).forEach(x=>{for(let M in x.hooks)nl[M]=(nl[M]||[]).concat(x.hooks[M])});let ep=(x,M,I)=>I,mn=gn({key:null,setSeries:!1,filters:{pub:kp,sub:kp},scales:[A,v[1]?v[1].scale:null],match:[zp,zp,ep],values:[null,null]},de.sync);mn.match.length==2&&mn.match.push(ep),de.sync=mn;let tp=mn.key,Zh=Om(tp);function Zo(x,M,I,U,W,J,le){mn.filters.pub(x,M,I,U,W,J,le)&&Zh.pub(x,M,I,U,W,J,le)}Zh.sub(i);function qx(x,M,I,U,W,J,le){mn.filters.sub(x,M,I,U,W,J,le)&&zr[x](null,M,I,U,W,J,le)}i.pub=qx;function $x(){Zh.unsub(i),Uu.delete(i),An.clear(),Pu(bl,Zr,Qf),c.remove(),Re?.remove(),Pn("destroy")}i.destroy=$x;function Kh(){Pn("init",n,e),Wo(e||n.data,!1),z[A]?Hh(A,z[A]):Xo(),se=Wt.show&&(Wt.width>0||Wt.height>0),ne=ge=!0,O(n.width,n.height)}return v.forEach(Pr),C.forEach(as),t?t instanceof HTMLElement?(t.appendChild(c),Kh()):t(i,Kh):Kh(),i}xn.assign=gn;xn.fmtNum=Hu;xn.rangeNum=Ml;xn.rangeLog=El;xn.rangeAsinh=zu;xn.orient=mr;xn.pxRatio=At;xn.join=_y;xn.fmtDate=Wu,xn.tzDate=Ry;xn.sync=Om;{xn.addGap=uv,xn.clipGaps=Cl;let n=xn.paths={points:Hm};n.linear=Wm,n.stepped=pv,n.bars=mv,n.spline=xv}function St(n){let{heads:e,rows:t,caption:i,strong:s,text:r=[]}=n,o=c=>[c===0||r.includes(c)?"text":"number",c===s?"strong":""].join(" ").trim(),a=e.map((c,h)=>T("th",{scope:"col",class:o(h)},c)),l=t.map(c=>T("tr",{},...c.map((h,u)=>u===0?T("th",{scope:"row"},h):T("td",{class:o(u)},h))));return T("div",{class:"scroll",tabindex:"0",role:"region","aria-label":i??"Table"},T("table",{class:"data"},...i?[T("caption",{class:"unseen"},i)]:[],T("thead",{},T("tr",{},...a)),T("tbody",{},...l)))}function Qt(n){return n.series.some(e=>Ju(e).length>0)?new Qu(n):null}function Ju(n){let e=[];return n.x.forEach((t,i)=>{let s=n.y[i];Me(t)&&Me(s)&&e.push([t,s])}),e.sort((t,i)=>t[0]-i[0])}var ju='12px system-ui, "Segoe UI", Roboto, Arial, sans-serif',Cv={line:[],steps:[],dots:[],dashed:[6,4],dotted:[2,3]},Qu=class{element;options;box;tip;spoken;table;plot=null;series;lines=[];floor=null;isLog=!1;constructor(e){this.options=e,this.series=e.series,this.tip=T("div",{class:"chart-tip",hidden:!0}),this.spoken=T("div",{class:"unseen","aria-live":"polite"}),this.box=T("div",{class:"chart-box",tabindex:"0",role:"img"},this.tip),this.table=this.asTable(),this.element=T("div",{class:"chart"},this.legend(),this.box,this.spoken,this.table),this.box.addEventListener("keydown",t=>this.onKey(t)),this.box.addEventListener("blur",()=>this.plot?.setCursor({left:-10,top:-10})),this.set(e.series),Nv(this.box,t=>this.resize(t)),Uv(this.box,()=>this.plot?.redraw(!1,!0))}set(e){let t=e.length===this.series.length;this.series=e,this.lines=e.map(Ju),this.scale(),this.box.setAttribute("aria-label",this.summary()),this.plot!==null&&(t?this.plot.setData(this.data()):this.rebuild(this.plot.width))}scale(){let e=this.lines.flat().map(([,s])=>s),t=e.filter(s=>s>0);this.isLog=this.options.y.log===!0&&t.length>0&&e.every(s=>s>=0);let i=this.isLog&&t.length<e.length;this.floor=i?10**(Math.floor(Math.log10(Math.min(...t)))-1):null}data(){let e=this.lines.map(t=>[t.map(([i])=>i),t.map(([,i])=>this.floor!==null&&i<=0?this.floor:i)]);return xn.join(e)}resize(e){let t=this.options.height??250;this.plot===null?this.rebuild(e):this.plot.setSize({width:e,height:t})}rebuild(e){this.plot?.destroy();let{x:t,y:i,height:s=250}=this.options,r=o=>(a,l,c)=>this.range(o,l,c);this.plot=new xn({width:e,height:s,legend:{show:!1},padding:[10,14,0,0],cursor:{y:!1,drag:{x:!1,y:!1},points:{size:8,fill:(o,a)=>xs(this.series[a-1]?.color??"--ink")}},scales:{x:{time:!1,range:r(t)},y:{distr:this.isLog?3:1,range:r(i)}},axes:[this.axis(t,!1),this.axis(i,!0)],series:[{},...this.series.map(o=>Pv(o))],hooks:{drawAxes:[o=>this.drawMarks(o)],setCursor:[o=>this.showTip(o)]}},this.data(),this.box)}range(e,t,i){if(t===null||i===null)return[e.from??0,e.to??1];if(e===this.options.y&&this.isLog)return[Ym(t,Math.floor),Ym(i,Math.ceil)];if(e===this.options.x)return Iv(e.from??t,e.to??i);let[s,r]=xn.rangeNum(t,i,.08,!0);return[e.from??s,e.to??r]}axis(e,t){return{label:e.unit?`${e.label}, ${e.unit}`:e.label,labelSize:20,labelGap:t?2:0,labelFont:ju,font:ju,stroke:()=>xs("--quiet"),grid:{stroke:()=>xs("--line"),width:1},ticks:{stroke:()=>xs("--line"),width:1,size:5},space:t?32:64,values:(i,s)=>s.map(r=>this.tick(r,t)),size:t?Lv:34}}tick(e,t){return e===null?"":t&&e===this.floor?"0":he(e,6)}drawMarks(e){let{left:t,top:i,width:s,height:r}=e.bbox,o=a=>Math.min(Math.max(e.valToPos(a,"x",!0),t),t+s);e.ctx.save();for(let a of this.options.marks??[]){let[l,c]=[o(a.from),o(a.to??a.from)];e.ctx.fillStyle=e.ctx.strokeStyle=xs(a.color),a.to!==void 0?(e.ctx.globalAlpha=.16,e.ctx.fillRect(l,i,Math.max(c-l,1),r)):(e.ctx.globalAlpha=1,e.ctx.lineWidth=1.5*devicePixelRatio,e.ctx.setLineDash([5,4].map(h=>h*devicePixelRatio)),e.ctx.beginPath(),e.ctx.moveTo(l,i),e.ctx.lineTo(l,i+r),e.ctx.stroke())}e.ctx.restore()}showTip(e){let{idx:t,left:i}=e.cursor;if(t==null||i===void 0||i<0){this.tip.hidden=!0;return}let s=e.data[0][t]??0,r=this.lines.flatMap((f,g)=>{let y=this.series[g],p=y&&e.series[g+1]?.show?Rv(f,s,y.style??"line"):null;return y&&p!==null?[{series:y,y:p}]:[]}),{unit:o,label:a}=this.options.x,l=`${a} ${he(s,5)}${o?` ${o}`:""}`,c=f=>`${he(f,5)}${this.options.y.unit?` ${this.options.y.unit}`:""}`,h=f=>T("div",{},aa(f.series.color),T("span",{},f.series.name),T("b",{},c(f.y)));this.tip.replaceChildren(T("div",{class:"chart-tip-head"},l),...r.map(h)),this.tip.hidden=r.length===0;let u=i>e.over.clientWidth/2,d=e.over.offsetLeft;this.tip.style.left=u?"":`${d+i+14}px`,this.tip.style.right=u?`${this.box.clientWidth-d-i+14}px`:"",document.activeElement===this.box&&(this.spoken.textContent=[l,...r.map(f=>`${f.series.name} ${c(f.y)}`)].join(", "))}onKey(e){let t=this.plot;if(t===null)return;let i=t.data[0].length-1,s=t.cursor.idx??-1,o={ArrowLeft:s-1,ArrowRight:s+1,Home:0,End:i}[e.key];if(o===void 0||e.ctrlKey||e.metaKey||e.altKey)return;e.preventDefault();let a=t.data[0][Math.min(Math.max(o,0),i)];a!==void 0&&t.setCursor({left:t.valToPos(a,"x"),top:t.over.clientHeight/2})}legend(){let e=this.series.map((s,r)=>({series:s,i:r})).filter(({series:s})=>!s.quiet&&Ju(s).length>0),t=(this.options.marks??[]).map(s=>T("span",{},aa(s.color,s.to===void 0?"dashed":"band"),s.name));if(e.length<2&&t.length===0)return T("div",{class:"chart-legend",hidden:!0});let i=({series:s,i:r})=>{let o=T("button",{type:"button","aria-pressed":"true",title:"Hide or show"},aa(s.color,s.style),s.name);return o.addEventListener("click",()=>{let a=o.getAttribute("aria-pressed")!=="true";o.setAttribute("aria-pressed",String(a)),this.series.forEach((l,c)=>{(c===r||l.quiet&&l.name===s.name)&&this.plot?.setSeries(c+1,{show:a})})}),o};return T("div",{class:"chart-legend"},...e.map(i),...t)}asTable(){let e=T("details",{class:"chart-table"},T("summary",{},"Show as table"));return e.addEventListener("toggle",()=>{if(e.querySelector(".scroll")?.remove(),!e.open)return;let{x:t,y:i,title:s}=this.options,[r,...o]=this.lines.some(h=>h.length>0)?this.columns():[[]],a=i.unit?`, ${i.unit}`:"",l=[t.unit?`${t.label}, ${t.unit}`:t.label,...this.series.map(h=>h.name+a)],c=(r??[]).map((h,u)=>[he(h,6),...o.map(d=>he(d[u],6))]);e.append(St({heads:l,rows:c,caption:s}))}),e}columns(){let e=[...new Set(this.lines.flat().map(([i])=>i))].sort((i,s)=>i-s),t=i=>{let s=new Map(i);return e.map(r=>s.get(r))};return[e,...this.lines.map(t)]}summary(){let{title:e,x:t,y:i}=this.options,s=(l,c)=>{let[h,u]=[he(Math.min(...c),3),he(Math.max(...c),3)];return`from ${h} to ${u}${l.unit?` ${l.unit}`:""}`},r=this.lines.map((l,c)=>({line:l,name:this.series[c]?.name??""})).filter(({line:l})=>l.length>0),o=r.flatMap(({line:l})=>l.map(([c])=>c)),a=r.map(({line:l,name:c})=>`${c===e?"":`${c} `}${s(i,l.map(([,h])=>h))}`);return`${e}: ${a.join("; ")}; over ${t.label} ${s(t,o)}. Arrow keys read values.`}};function Rv(n,e,t){let i=n.findIndex(([l])=>l>=e);if(i<0)return null;let[s,r]=n[i];if(s===e)return r;if(i===0||t==="dots")return null;let[o,a]=n[i-1];return t==="steps"?a:a+(e-o)/(s-o)*(r-a)}function Pv(n){let e=n.style??"line",t=e==="dots",i=xn.paths.stepped?.({align:1});return{label:n.name,stroke:()=>xs(n.color),width:2,dash:Cv[e],points:{fill:()=>xs("--sheet")},...n.fill?{fill:()=>Dv(xs(n.color))}:{},...t?{paths:()=>null,points:{show:!0,size:10,width:2,fill:()=>xs(n.color)}}:{},...e==="steps"&&i?{paths:i,points:{show:!1}}:{}}}function Iv(n,e){return n<e?[n,e]:[n-.5,e+.5]}function Ym(n,e){let t=10**Math.floor(Math.log10(n));return e(n/t)*t}function Lv(n,e){n.ctx.save(),n.ctx.font=ju;let t=(e??[]).map(i=>n.ctx.measureText(i??"").width);return n.ctx.restore(),Math.ceil(Math.max(16,...t))+14}function xs(n){return getComputedStyle(document.documentElement).getPropertyValue(n).trim()||"#5a6775"}function Dv(n){return`color-mix(in srgb, ${n} 22%, transparent)`}function aa(n,e="line"){return T("i",{class:`swatch swatch-${e}`,style:`--swatch: var(${n})`,"aria-hidden":"true"})}function Nv(n,e){let t=0;new ResizeObserver(()=>{let s=n.clientWidth;s===t||s===0||(t=s,e(s))}).observe(n)}function Uv(n,e){let t=matchMedia("(prefers-color-scheme: dark)"),i=()=>{n.isConnected?e():t.removeEventListener("change",i)};t.addEventListener("change",i)}function Ll(n,e,t,i){let s=t,r=()=>{},o=l=>{s=l,r(),i(l)},a=e.map(l=>[l,l]);return T("div.chosen",{},T("span.quiet",{},n),Mi(n,a,()=>s,o,l=>r=l))}function at(n){return Ui(n.report)?n.report:{}}function Ui(n){return typeof n=="object"&&n!==null&&!Array.isArray(n)}function Ct(n){return Array.isArray(n)?n:[]}function io(n){return typeof n?.band_half_width=="number"}function Fn(n,e=""){return n.filter(i=>typeof i=="string"&&i!=="").map(i=>T("p",{class:e||null},Bs(Zm(i))))}function la(n){return n.length===0?null:T("ul",{},...n.map(e=>T("li",{},Bs(Zm(e)))))}function Zm(n){let e=/^[a-z]+[ ,]/.test(n)?n.charAt(0).toUpperCase()+n.slice(1):n;return/[.!?:]$/.test(e)?e:`${e}.`}function vt(n,...e){return T("div.part",{},T("h3",{},n),...e)}function so(n,e){let t=T("button.copy",{type:"button"},n);return t.addEventListener("click",()=>{let i=s=>{t.textContent=s,window.setTimeout(()=>t.textContent=n,1600)};Ov(e()).then(()=>i("Copied"),()=>i("The browser refused to copy"))}),t}async function Ov(n){if(navigator.clipboard)return navigator.clipboard.writeText(n);let e=T("textarea.unseen",{readonly:!0});e.value=n,document.body.append(e),e.select();let t=document.execCommand("copy");if(e.remove(),!t)throw new Error("not copied")}function ro(n){let e=t=>/[",\n]/.test(t)?`"${t.replaceAll('"','""')}"`:t;return n.map(t=>e(t==null?"":String(t))).join(",")}var Fv=["model calls","seconds","iterations"],ed="model calls";function td(n){let e=T("div.charts"),t=i=>{ed=i,e.replaceChildren(...n(i).filter(s=>s!==null))};return t(ed),T("div",{},Ll("Over",Fv,ed,t),e)}function nd(n,e){let t=s=>n.history?.[s]??[];if(e==="seconds")return t("seconds");if(e==="iterations")return t("iteration");let i=t("adjoint_calls");return t("forward_calls").map((s,r)=>Me(s)?s+(i[r]??0):null)}function id(n){return n==="seconds"?{label:"time",unit:"s",from:0}:{label:n==="iterations"?"iteration":"model calls (dose and adjoint)",from:0}}function Km({run:n}){let e=Vv(n),t=Fn([kv(at(n)),n.texts?.gap,zv(at(n).levels)]),i=Xv(at(n).process_window);if(e.length===0&&t.length===0&&!i)return null;let s=e.length>0&&td(r=>e.map(o=>Hv(n,o,r)));return T("div",{},...t,s,Gv(n),Wv(n),i)}var Bv={loss:"the lowest loss",print:"the best IoU on the job's voxels",last:"the last step"};function kv({history:n}){let e=n?.kept;if(!e||!Me(e.iteration))return null;let t=Bv[e.by??""];return`The patterns are those after iteration ${e.iteration}${Me(n.iterations)?` of ${n.iterations}`:""}${t?`: ${t}`:""}.`}function zv(n){if(!n)return null;let e=i=>he(i,4),t=Me(n.diffused_loss)?` (${e(n.diffused_loss)} by error diffusion)`:"";return`On the levels of the machine the patterns have a loss of ${e(n.loss)}, plainly rounded ${e(n.rounded_loss)}${t}: ${e(n.steps)} steps and ${e(n.calls)} model calls, with a full scale of ${e(n.scale)} times the brightest pixel before.`}function Vv(n){let e=s=>n.history?.[s]??[],t=Object.keys(n.history??{}).filter(s=>s.startsWith("response."));return[{title:"Loss",y:{label:"loss",log:!0},of:e("loss")},{title:"Voxels that would print wrongly",y:{label:"1 − IoU",log:!0},of:e("iou").map(s=>Me(s)?1-s:null)},{title:"Process window",y:{label:"response"},of:e("process_window")},{title:"Projected gradient",y:{label:"relative to the first",log:!0},of:e("projected_gradient")},...t.map(s=>({title:`Response: ${s.slice(9)}`,y:{label:"found so far"},of:e(s)}))].filter(s=>s.of.filter(Me).length>1)}function Hv(n,e,t){let i=e.of.filter(Me);if(i.every(o=>o===0))return vt(e.title,T("p.note",{},`It is 0 at each of the ${i.length} points that were measured.`));let s={name:e.title,color:"--accent",x:nd(n,t),y:e.of},r=Qt({title:e.title,x:id(t),y:e.y,series:[s]});return r&&vt(e.title,r.element)}function Gv(n){let e=f=>n.history?.[f]?.findLast(Me),t=at(n).history,i=e("iteration")??t?.iterations;if(!Me(i))return null;let[s,r]=[e("forward_calls")??t?.forward_calls,e("adjoint_calls")??t?.adjoint_calls],o=e("seconds"),a=Me(o)?`, ${he(o,3)} s`:"",c=(n.history?.projected_gradient??[]).findIndex(Me),h=c>0?(n.history?.iteration?.[c]??1)-1:0,u=h>0?` After iteration ${h} the voxels became finer: earlier numbers belong to coarser voxels, and the gradient curve begins there.`:"",d=`${he(i,6)} iterations, ${he(s,6)} dose and ${he(r,6)} adjoint calls${a}.`;return T("p.note",{},`${d} Compare methods by model calls, not by iterations.${u}`)}function Wv(n){let e=at(n).response;if(!Ui(e))return null;let t=Object.entries(e).map(([i,s])=>[i,he(s,4)]);return vt("Response that was found",St({caption:"Response that was found",heads:["parameter","value"],rows:t}))}function Xv(n){if(!n)return null;let e=r=>he(r,4),i=[["Outliers that are left out at either end",Me(n.outliers)?`${he(100*n.outliers,3)} %`:"–"],["Thresholds of the objective, lower and upper",(n.thresholds??[]).map(e).join(", ")],["All else of the part lies above",e(n.part_above)],["All else of the part lies below",e(n.part_below)],["All else of the void lies below",e(n.void_below)],["Process window",e(n.window)],["Range in the part",e(n.range)],["Bound of that range",e(n.ipdr)]],s=T("p.note",{},"On the optimization's voxels, before the patterns are written.");return vt("Process window that the objective found",s,St({caption:"Process window that the objective found",heads:["","response"],rows:i}))}var Jm=6;function ca(n){return`--run-${n%Jm+1}`}function jm(n){return n<Jm?"line":"dashed"}function sd(n,e,t,i){return{name:n.name,color:ca(e),style:jm(e),x:t,y:i}}function oo(n,e){return T("span.run-name",{},aa(ca(e),jm(e)),n.name)}function eg({runs:n}){if(!n.some(r=>(r.history?.loss??[]).filter(Me).length>1))return null;let e=(r,o,a,l)=>{let c=n.map((u,d)=>sd(u,d,nd(u,l),a(u))),h=Qt({title:`${r} over ${l}`,x:id(l),y:o,series:c});return h&&vt(r,h.element)},t=r=>(r.history?.iou??[]).map(o=>Me(o)?1-o:null),i=td(r=>[e("Loss",{label:"loss",log:!0},o=>o.history?.loss??[],r),e("Voxels that would print wrongly",{label:"1 − IoU",log:!0},t,r),e("Process window",{label:"response"},o=>o.history?.process_window??[],r)]);return T("div",{},i,T("p.note",{},"Compare methods by model calls, not by iterations; seconds are those of the machine of each run. IoU is that on the grid of each optimization, where it was measured."))}function tg({runs:n}){let e=Qt({title:"IoU over the gel threshold",x:{label:"gel threshold",from:0},y:{label:"IoU",from:0,to:1},series:n.map((i,s)=>{let r=Ct(at(i).evaluation?.iou_curve);return sd(i,s,r.map(o=>o?.[0]),r.map(o=>o?.[1]))})}),t=Qt({title:"Dose of part and void",x:{label:"response to the dose"},y:{label:"share of the voxels per unit",log:!0},series:n.flatMap(qv)});return!e&&!t?null:T("div.charts",{},e&&vt("IoU over the gel threshold",T("p.note",{},"A broad plateau tolerates errors of exposure."),e.element),t&&vt("Dose of part and void",T("p.note",{},"Share of the voxels per unit of the response: part in full lines, void in dotted ones."),t.element))}function qv(n,e){let t=at(n).evaluation?.histogram;return[{name:n.name,color:ca(e),style:"steps",...Qm(t,"part")},{name:n.name,color:ca(e),style:"dotted",quiet:!0,...Qm(t,"void")}]}function Qm(n,e){let t=n?.[e]??[],[i,s]=n?.range??[],r=t.reduce((a,l)=>a+(l??0),0);if(!Me(i)||!Me(s)||r===0)return{x:[],y:[]};let o=(s-i)/t.length;return{x:t.map((a,l)=>i+(l+.5)*o),y:t.map(a=>(a??0)/(r*o))}}var $v=.2,rd={"x–y":2,"x–z":1,"y–z":0};function ng(n){return n.data.runs.filter(t=>ji(t,"response","")).length>1?Ii(n,Yv):null}async function Yv(n){let{state:e,gone:t}=n,i=[],{read:s,problems:r}=await Zv(n,()=>i.forEach(m=>m.redraw(!0))),[o,...a]=s;if(!o||a.length===0)throw new Error(r[0]??"Fewer than two runs hold a dose.");let l={low:Math.min(...s.map(({volume:m})=>m.info.low)),high:Math.max(...s.map(({volume:m})=>m.info.high))},c=a.filter(({volume:m})=>Kv(m,o.volume)),h=a.filter(m=>!c.includes(m)),u=s.map(({name:m,volume:v,slices:C})=>({title:m,layer:Jo(m,"Dose",v,C,null,l)})),d=c.map(m=>({title:m.name,layer:ru(m.volume,o.volume,Jv(m,o),$v*l.high,m.name,`dose − that of ${o.name}`)})),f=T("div"),g=new AbortController;t.addEventListener("abort",()=>g.abort());let y=m=>{g.abort(),g=new AbortController;let{signal:v}=g,C=A=>{let _=new Vs({state:e,grid:o.volume,signal:v});return _.show(A.map(E=>({axis:m,...E}))),_};i=[u,d].filter(A=>A.length>0).map(C);let[S,R]=i.map(A=>T("div.runs-planes",{style:`--runs: ${s.length}`},A.element));f.replaceChildren(T("div",{},S,Si(u[0].layer.legend())),R?vt(`Difference to ${o.name}`,T("p.note",{},"Red: a higher dose. Blue: a lower one."),R,Si(d[0].layer.legend())):"")};y(rd["x–y"]);let p=Object.keys(rd);return T("div",{},...r.map(m=>T("p.problem",{role:"alert"},m)),...Fn(["Written patterns, vial turning, on one scale. A click, a slider or an arrow key moves all planes."],"quiet"),...h.map(({name:m})=>T("p.note",{},`No difference is drawn for ${m}: its voxels differ from those of ${o.name}.`)),Ll("Plane",p,"x–y",m=>y(rd[m])),f)}async function Zv({data:n,stores:e,gone:t},i){let s=[],r=async a=>{let l=n.runs[a],c=ji(l,"response","");if(!c)return null;try{return{name:l.name,volume:await e[a].volume(c),slices:new qr(e[a],t,i)}}catch(h){return s.push(`${l.name}: ${h instanceof Error?h.message:String(h)}`),null}};return{read:(await Promise.all(n.runs.map((a,l)=>r(l)))).filter(a=>a!==null),problems:s}}function Kv(n,e){let t=(i,s)=>Math.abs(i-s)<1e-6;return su(n,e)&&n.pitch.every((i,s)=>t(i,e.pitch[s]))&&n.info.center_xyz_mm.every((i,s)=>t(i,e.info.center_xyz_mm[s]))}function Jv(n,e){return{of:(t,i,s)=>(t===n.volume?n:e).slices.of(t,i,s)}}function ig(n,e,t){let i=[...new Set(n.runs.map(r=>at(r).part).filter(r=>r!==void 0))],s=n.runs.map((r,o)=>{let a=T("button",{type:"button","aria-pressed":String(o===e)},oo(r,o));return a.addEventListener("click",()=>t.set({run:o})),a});return T("div.head",{},T("p.brand",{},"Tomolith comparison"),T("h1",{},`${n.runs.length} runs`),T("p.lead",{},`${i.length===1?"Part":"Parts"}: ${i.join(", ")}`),T("div.chosen",{},T("span.quiet",{},"Shown in full below the comparison"),T("div.choice",{role:"group","aria-label":"Run that is shown in full"},...s)))}function sg({differing_keys:n},e){if(n.length===0)return T("p.quiet",{},"Nothing.");let t=n.map(({key:i,values:s})=>[T("code",{},i),...s.map(r=>r??fs)]);return T("div.job-keys",{},St({caption:"Keys of the jobs that differ",heads:["key",...e.map(oo)],rows:t,text:e.map((i,s)=>s+1)}))}function rg({data:n,run:e}){let{part:t,evaluation:i,run:s}=at(e),r=n.runs.length===1,o=s?.created;return T("div.head",{},T("p.brand",{},[jv[e.state],o].filter(Boolean).join(" · ")),T(r?"h1":"h2",{},r?t??e.name:e.name),T("p.lead",{},Bs([e.texts?.lead,e.texts?.print_time].filter(Boolean).join(" "))),Qv(e.texts?.facts??[]),i?eb(n,e,i):null,i?sb(i,i.standing_still):null)}var jv={done:"Tomolith print report",running:"Tomolith, a run that goes on",check:"Tomolith, a job before it runs"};function Qv(n){return n.length===0?null:T("dl.facts",{},...n.map(([e,t])=>T("div",{},T("dt",{},e),T("dd",{},Bs(t)))))}function od(n,e){return(io(e)?n.gray_headline:n.headline).flatMap(i=>n.metrics.find(s=>s.name===i)??[])}function eb(n,e,t){let i=at(e).evaluation?.standing_still;return T("div.cards",{},...od(n,t).map(s=>tb(s,t,i)))}function tb(n,e,t){let i=e[n.name],s=ll(i,n.unit,e.grid?.pitch_mm),r=n.name==="iou"?4:3,{unit:o}=zs(n.unit);return T("div.card",{"data-metric":n.name},T("h3",{},n.title),T("p.big",{},es(n,i,r),Me(i)&&o!==""&&T("small",{},o)),T("p",{},s!==""&&T("b",{},`${s}. `),n.summary,ib(n,e)),t?T("p.still",{},T("span",{},"standing still"),T("b",{},nb(n,t[n.name],r))):null)}function es(n,e,t){let{factor:i}=zs(n.unit);return he(Me(e)?e*i:null,t)}function nb(n,e,t){let{unit:i}=zs(n.unit);return Me(e)&&i!==""?`${es(n,e,t)} ${i}`:es(n,e,t)}function ib(n,{farthest:e}){let t=e?.at_xyz_mm;if(n.name!=="hausdorff_mm"||!t)return"";let[i,s,r]=t.map(o=>he(o,3));return` It is at x = ${i}, y = ${s}, z = ${r} mm: ${(e?.side??"").replaceAll("_"," ")}.`}function sb(n,e){if(!e||n.sub_angles===1)return null;let[t,i]=io(n)?["rms_error","rms error"]:["pw","process window"],[s,r]=[n[t],e[t]],o=Me(s)&&Me(r)?` Here the ${i} is ${he(r,3)} standing still and ${he(s,3)} turning.`:"";return T("p.note",{},`The vial keeps turning while a frame is shown, so the frame's light lands all along its arc. The large numbers include this (${he(n.sub_angles,3)} positions per frame); “standing still” is what the same patterns would do if the vial stood still during each frame.${o} More frames per turn bring the two together.`)}function og({data:n,run:e}){let{evaluation:t,optimization:i}=at(e),s=[{name:"Turning",evaluation:t},{name:"Standing still",evaluation:t?.standing_still},{name:"Optimization",evaluation:i}].filter(l=>!!l.evaluation),r=ab(n.metrics,s,io(t)?n.gray_headline:[]);if(r.length===0)return null;let o=io(t)?" For a gray target, “part” is where its value is at least ½.":"",a=s.map(({name:l,evaluation:c})=>T("span",{},l,T("small",{},lb(c))));return T("div",{},T("p.quiet",{},`↑ larger is better, ↓ smaller is better. The first columns are on the evaluation's voxels, from the patterns as they were written; the last one is of the patterns before they are written, on the job's own voxels, the vial standing still.${o}`),so("Copy as CSV",()=>hb(r,s)),St({caption:"All numbers",heads:["",...a],rows:r.map(l=>[ad(l),...s.map(c=>cb(l,c))]),strong:1}),rb(s))}function rb(n){let e=n.map(({name:i,evaluation:s},r)=>{let o=Ct(s.iou_curve);return{name:i.toLowerCase(),color:ob[r],style:r===0?"line":"dashed",x:o.map(a=>a?.[0]),y:o.map(a=>a?.[1])}}),t=Qt({title:"IoU over the gel threshold",x:{label:"gel threshold",from:0},y:{label:"IoU",from:0,to:1},series:e});return t&&vt("IoU over the gel threshold",t.element)}var ob=["--run-1","--run-2","--run-3"];function ab(n,e,t){let i=n.filter(r=>e.some(({evaluation:o})=>Me(o[r.name]))),s=r=>t.includes(r.name)?0:1;return i.sort((r,o)=>s(r)-s(o))}function ad(n){let{unit:e}=zs(n.unit),t=n.better==="higher"?" ↑":n.better==="lower"?" ↓":"";return T("span",{},n.title,t,e!==""&&T("span.unit",{},` ${e}`),n.summary!==""&&T("small",{},n.summary))}function lb({grid:n}){return Me(n?.pitch_mm)?`${he(1e3*n.pitch_mm,3)} µm voxels`:""}function cb(n,{evaluation:e}){let t=e[n.name],i=ll(t,n.unit,e.grid?.pitch_mm);return T("span",{},es(n,t,4),i!==""&&T("span.unit",{},` (${i})`))}function hb(n,e){let t=n.map(({name:i,unit:s})=>ro([i,s,...e.map(({evaluation:r})=>r[i])]));return[ro(["metric","unit",...e.map(({name:i})=>i)]),...t].join(`
+`)+`
+`}function ag(n,e,t){let i=n.numbers.filter(c=>c.values.some(Me));if(i.length===0)return null;let s=n.marks_best?"the best is bold.":"the best is not marked, because the runs were evaluated by different models: compare only columns with the same one.",r=e.map((c,h)=>T("span",{},oo(c,h),T("small",{},db(n,h)))),o=c=>t.find(({name:h})=>h===c.key)?.summary??null,a=c=>{let h=ub(c,n),u=(f,g)=>h!==null&&f===h&&n.prints[g];return[T("span",{title:o(c)},ad({title:c.name,unit:c.unit,better:c.better,summary:""})),...c.values.map((f,g)=>u(f,g)?T("b.best",{},es(c,f,4)):es(c,f,4))]},l=()=>[ro(["number","unit",...e.map(c=>c.name)]),...i.map(c=>ro([c.key,c.unit,...c.values]))].join(`
+`)+`
+`;return T("div",{},T("p.quiet",{},`Written patterns, vial turning, on the voxels of each evaluation. ↑ larger is better, ↓ smaller is better; ${s}`),so("Copy as CSV",l),St({caption:"Numbers of all runs",heads:["",...r],rows:i.map(a)}))}function ub(n,{marks_best:e,prints:t}){let i=n.values.filter((s,r)=>Me(s)&&t[r]);return!e||n.better==="none"||i.length===0?null:n.better==="higher"?Math.max(...i):Math.min(...i)}function db({kinds:n,models:e},t){return[n[t],e[t]&&`evaluated by ${e[t]}`].filter(Boolean).join(", ")}function lg({warnings:n}){let e=la(n);return e&&T("div.warn",{role:"note"},e)}function ha(n){return e=>e.data.runs.length>1?n(e):null}function ld(n){return ha(e=>e.data.compare?n(e.data.compare,e):null)}var Dl=[{id:"compare",title:"",render:ha(({data:n,index:e,state:t})=>ig(n,e,t))},{id:"cautions",title:"Before you compare",render:ld(lg)},{id:"side-by-side",title:"Numbers side by side",render:ld((n,{data:e})=>ag(n,e.runs,e.metrics))},{id:"job-keys",title:"What differs in the jobs",render:ld((n,{data:e})=>sg(n,e.runs))},{id:"doses",title:"Doses",render:ha(ng)},{id:"thresholds",title:"Thresholds",render:ha(({data:n})=>tg(n))},{id:"histories",title:"Histories",render:ha(({data:n})=>eg(n))}];var fb=3,pb=.02;function hg({run:n}){let e=Ct(at(n).ceiling?.trade_off);if(e.length===0&&!n.texts?.ceiling)return null;let t=e.length>0&&e.every(a=>Me(a.time_s)),i=t?{label:"print time",unit:"s",from:0}:{label:"print time M/t",unit:"mm",from:0},s=a=>t?a.time_s:a.time_mm,r=[cg("IoU",e,i,s,a=>a.iou),cg("VER",e,i,s,a=>a.ver)].filter(a=>a!==null);return T("div",{},...Fn([n.texts?.ceiling,e.length>0?"The ceilings of the pixels that the run tried, on pixels of twice the width. `tomolith expose RUN --trade-off` lists them and writes the job of one.":null]),T("div.charts",{},...r),mb(e))}function cg(n,e,t,i,s){let r=e.filter(p=>!p.is_evaluated),o=e.filter(p=>p.is_chosen);if(r.filter(p=>Me(i(p))&&Me(s(p))).length<fb)return null;let a=e.map(s).filter(Me),[l,c]=[Math.min(...a),Math.max(...a)],h=.6*Math.max(c-l,pb),u={label:n,from:Math.max((l+c)/2-h,0),to:Math.min((l+c)/2+h,1)},d=p=>({x:p.map(i),y:p.map(s)}),f=Math.max(...e.map(i).filter(Me)),g=o.some(p=>p.is_evaluated)?"this run, as it was evaluated":"this run",y=Qt({title:`${n} over the print time`,x:{...t,to:1.05*f},y:u,series:[{name:"tried",color:"--accent",...d(r)},{name:g,color:"--threshold",style:"dots",...d(o)}]});return y&&vt(n,y.element)}function mb(n){if(n.length===0)return null;let e=n.some(s=>Me(s.time_s)),t=s=>[[he(s.brightest,3),s.is_chosen&&" (taken)"].filter(Boolean).join(""),on(s.time_mm,"",3),...e?[on(s.time_s,"",3)]:[],on(s.iou,"",4),on(s.ver,"",3),on(Me(s.surface_mean_mm)?1e3*s.surface_mean_mm:null,"",3)],i=["Brightest pixel, mJ/mm²","M/t, mm",...e?["time, s"]:[],"IoU","VER","surface off on average, µm"];return St({caption:"Quality against time",heads:i,rows:n.map(t)})}var Nl=32;function ug(n){let[e,t,i]=["response","target","labels"].map(s=>ji(n.run,s,""));return!e||!t?null:Ii(n,async({store:s})=>{let r=await Promise.all([e,t,...i?[i]:[]].map(c=>s.volume(c))),[o,a,l]=r;return xb(gb(o,a,l??null))})}function gb(n,e,t){let[i,s,r]=[0,1,2].map(()=>new Float64Array(Nl)),o=Math.min(n.codes.length,e.codes.length);for(let a=0;a<o;a++){if(t&&t.codes[a]===ds.outside)continue;let[l,c]=[n.values[n.codes[a]],e.values[e.codes[a]]];if(Number.isNaN(l)||Number.isNaN(c))continue;let h=Math.min(Math.max(Math.floor(c*Nl),0),Nl-1);i[h]++,s[h]+=l,r[h]+=l*l}return[...i.keys()].filter(a=>i[a]>0).map(a=>{let l=s[a]/i[a];return{gray:(a+.5)/Nl,mean:l,deviation:Math.sqrt(Math.max(r[a]/i[a]-l*l,0))}})}function xb(n){let e=n.map(({gray:s})=>s),t=(s,r)=>({name:"± one standard deviation",color:"--void",x:e,y:n.map(({mean:o,deviation:a})=>o+s*a),quiet:r});return Qt({title:"Response against gray value",x:{label:"gray value of the target",from:0,to:1},y:{label:"response",from:0},series:[{name:"mean",color:"--accent",x:e,y:n.map(({mean:s})=>s)},t(1,!1),t(-1,!0),{name:"asked for",color:"--ink",style:"dashed",x:[0,1],y:[0,1]}]})?.element??T("p.note",{},"No voxel counts.")}var _b=80;function fg(n){let e=at(n.run).evaluation,t=e?.errors,[i,s]=t?.range??[];if(!e||!t||!Me(i)||!Me(s))return null;let r=Math.max(...["max_error_part","max_error_void"].map(m=>e[m]).filter(Me),0),[o,a]=t.band??[],l=t.part?.length??0;if(l===0)return null;let c=(s-i)/l,h=Math.min(Math.max(r,2*(a??0),8*c),s),u=dg(t,"part",c,h),d=dg(t,"void",c,h),f=Me(o)&&Me(a)?[{name:"the objective's band",color:"--quiet",from:o,to:a}]:[],g=Qt({title:"Error of bright and dark voxels",x:{label:"response − gray value",from:-h,to:h},y:{label:"voxels",log:!0},series:[{name:"dark (below ½)",color:"--void",style:"steps",...d},{name:"bright",color:"--part",style:"steps",...u}],marks:f});if(!g)return null;let y=Me(t.band_edge_peak)?` At the edges of the band lie ${he(t.band_edge_peak,3)} times as many voxels as a little inside or outside.`:"",p=ug(n);return T("div.charts",{},vt("Voxels per error",T("p.note",{},`The band is what the objective asks for.${y}`),g.element),p&&vt("Response against gray value",T("p.note",{},"Of the voxels of each gray value."),p))}function dg(n,e,t,i){let s=n[e]??[],r=n.range?.[0]??0,o=Math.max(1,Math.round(2*i/t/_b)),a=[],l=[];for(let c=0;c<s.length;c+=o){let h=r+c*t;h+o*t<-i||h>i||(a.push(h),l.push(s.slice(c,c+o).reduce((u,d)=>u+(d??0),0)))}return{x:a,y:l}}function pg({run:n}){let e=n.job;return e?T("div",{},T("details.fold",{},T("summary",{},"The job, with every default"),so("Copy the job",()=>e),T("pre.job",{tabindex:"0"},e))):null}function gg({run:n}){let e=at(n),t=Ct(e.lights);if(t.length===0)return null;let i=t.map((o,a)=>o.name||(t.length>1?`light ${a+1}`:"value")),s=vb.map(([o,a])=>[o,...t.map(a)]).filter(([,...o])=>o.some(a=>a!==fs&&a!=="")),r=t.length>1&&Me(e.time_to_print_s)?`All lights together take ${Ji(e.time_to_print_s)}.`:null;return T("div",{},...Fn([r,yb(t)]),St({caption:"Lights",heads:["",...i],rows:s}))}function yb(n){return n.some(e=>e.irradiance)?"The job's schedule says how long and how bright the light is.":n.some(e=>Me(e.budget?.time_s))?null:"Times need `resin.critical_dose_mj_per_mm3` and `printer.peak_irradiance_mw_per_cm2`, and frames that follow each other at one rate: frames of a list of angles (`light.angles.list_deg`) have no times."}var ao=n=>n.budget??{},vb=[["Wavelength",n=>on(n.wavelength_nm,"nm",4)],["Frames",n=>he(n.frames,6)],["Pixels of a frame",n=>mg([n.columns,n.rows])],["Pixel pitch",bb],["Depth",n=>on(n.bits,"bit")],["White, over the whole exposure",n=>on(n.full_scale,"",4)],["Device",n=>n.canvas?`${mg(n.canvas)} pixels`:"the patterns as they are"],["White, while it shines",Mb],["Time to print, or length of the schedule",n=>Ji(ao(n).time_s)],["Turns of the vial",n=>he(ao(n).turns,3)],["White, of a frame over the whole print",n=>on(ao(n).white_mj_per_mm2,"mJ/mm²")],["Energy at the vial per turn",n=>on(ao(n).energy_per_turn_mj,"mJ")],["Energy at the vial in all",n=>on(ao(n).energy_mj,"mJ")],["Share of the device's light that is used",n=>xg(ao(n).light_used)]];function mg(n){return n.map(e=>he(e,6)).join(" × ")}function bb({pitch_mm:n}){let e=(Array.isArray(n)?n:[n]).filter(Me);return e.length>0?`${e.map(t=>he(1e3*t,3)).join(" × ")} µm`:fs}function Mb({irradiance:n}){let e=n?.white_mw_per_cm2,t=n?.peak_mw_per_cm2,i=Me(e)&&Me(t)&&t>0?`, ${xg(e/t)} of what the printer gives`:"";return on(e,"mW/cm²")+i}function xg(n){return Me(n)?`${he(100*n,3)} %`:fs}function _g(n,e,t){let i=new Map(n.map(({id:r,title:o})=>[r,cd(r,o,e)])),s=r=>{for(let[l,c]of i)l===r?c.setAttribute("aria-current","location"):c.removeAttribute("aria-current");let o=i.get(r),a=o?.parentElement?.parentElement;o&&a&&(a.scrollLeft=o.offsetLeft-a.clientWidth/2+o.offsetWidth/2)};return t.addEventListener("abort",e.on(["section"],()=>Ul(e.get("section")))),Sb([...i.keys()],s,t),T("nav.sections",{"aria-label":"Sections"},T("ol",{},...[...i.values()].map(r=>T("li",{},r))))}function cd(n,e,t){return T("a",{href:`#section=${n}`,click:i=>{i.ctrlKey||i.metaKey||i.shiftKey||(i.preventDefault(),t.get("section")===n?Ul(n):t.set({section:n}))}},e)}function Ul(n){let e=n===""?null:document.getElementById(n);if(!e)return;let t=matchMedia("(prefers-reduced-motion: reduce)").matches;e.scrollIntoView({behavior:t?"auto":"smooth"}),e.tabIndex=-1,e.focus({preventScroll:!0})}function Sb(n,e,t){let i="",s=!1,r=()=>{s=!1;let a=window.innerHeight/4,c=n.filter(h=>(document.getElementById(h)?.getBoundingClientRect().top??1/0)<=a).at(-1)??n[0]??"";c!==i&&(i=c,e(c))},o=()=>{s||(s=!0,requestAnimationFrame(r))};window.addEventListener("scroll",o,{signal:t,passive:!0}),o()}function vg({run:n,state:e}){let t=at(n);return t.evaluation?T("div.two",{},wb(t,n.texts,e),Ab(t,n.texts?.limits??[])):null}function wb(n,e,t){let i=n.one_exposure?Tb(n.one_exposure,Ct(n.species)):Eb(n),s=i.length>0?St({caption:"Best exposure",heads:["","shortest","best","longest"],rows:i,strong:2}):null,r=n.one_exposure?[e?.one_exposure,"The table compares exposures with it."]:e?.exposure??[],o=T("p.note",{},"This is about the dose. When to stop in the job's schedule stands under ",cd("time","The print in time",t),".");return vt("Best exposure",...Fn(r),s,Ct(n.time).length>0&&o)}function Eb({exposure:n}){if(!n)return[];let e=[["Exposure",...gr(n.percent,ud)]];n.time_s&&e.push(["Time to print",...gr(n.time_s,bg)]),n.dose&&e.push(["Dose that gels",...gr(hd(n.dose),yg)]);let t=n.threshold?.best!==n.dose?.best||n.threshold?.low!==n.dose?.low;return n.threshold&&t&&e.push(["Response that gels",...gr(hd(n.threshold),yg)]),e}function Tb(n,e){let t=[["All together",...gr(n.percent,ud)]];n.time_s&&t.push(["Time to print",...gr(n.time_s,bg)]);for(let{name:i,exposure:s}of e){if(!s?.dose)continue;let r=c=>Me(c)&&Me(n.gel_dose)&&c>0?100*n.gel_dose/c:null,{low:o,best:a,high:l}=hd(s.dose);t.push([`${i} alone`,...gr({low:r(o),best:r(a),high:r(l)},ud)])}return t}function hd({low:n,best:e,high:t}){return{low:t??null,best:e??null,high:n??null}}var yg=n=>Ko(n,3),ud=n=>Ko(n,3).map(e=>`${e} %`),bg=n=>n.map(Ji);function gr(n,e){let t=[n?.low,n?.best,n?.high],i=e(t.filter(Me));return t.map(s=>Me(s)?i.shift()??"":"no limit")}function Ab(n,e){let t=Ct(n.species),s=(t.length>1?t.map(r=>({name:r.name??"",causes:Ct(r.limits)})):[{name:"",causes:Ct(n.limits)}]).flatMap(({name:r,causes:o},a)=>{let l=e.find(c=>c.name===r)??e[a];return o.length===0&&!l?.sentence?[]:[T("div",{},r!==""&&T("h4",{},r),...Fn([l?.sentence]),Cb(o))]});return s.length>0?vt("What limits the print",...s):null}function Cb(n){if(n.length===0)return null;let e=Math.max(...n.map(t=>Mg(t).loss??0));return T("ol.causes",{},...n.map(t=>Rb(t,e)))}function Mg(n){return Me(n.loss_in_rms_error)?{loss:n.loss_in_rms_error,measure:"rms error"}:{loss:Me(n.loss_in_iou)?n.loss_in_iou:null,measure:"IoU"}}function Rb(n,e){let{loss:t,measure:i}=Mg(n),s=t!==null&&e>0?Math.max(t,0)/e:0,{key:r,advice:o=""}=n;return T("li",{"data-cause":n.cause},T("div.cause-head",{},T("b",{},Ib[n.cause??""]??n.cause??""),T("span.loss",{},Pb(t,i))),T("div.share",{"aria-hidden":"true"},T("i",{style:`width: ${(100*s).toFixed(1)}%`})),T("p",{},Bs(o),r&&!o.includes(r)?T("span.key",{}," ",T("code",{},r)):null))}function Pb(n,e){if(n===null)return"";if(Math.abs(n)<5e-4)return"costs nothing";let t=`${he(Math.abs(n),2)} ${e}`;return e==="IoU"?n>0?`−${t}`:`+${t}`:n>0?`+${t}`:`−${t}`}var Ib={grid:"Voxels of the optimization",levels:"Gray levels and pixels",turning:"Turning during a frame",optics:"Pixels and frames",iterations:"Iterations",ends:"Flat ends of the part",exposure:"Exposure",time:"The brightest pixel"};function Sg({run:n}){let e=Ct(at(n).movies);if(e.length===0)return null;let t=e.map(i=>[T("code",{},i.file??""),he(i.frames,6),he(i.frame_rate,4),`${he(i.width,6)} × ${he(i.height,6)}`,he(i.largest_error_of_255,3),he(i.rms_error_of_255,2)]);return T("div",{},T("p.quiet",{},"Written, then decoded again and compared with the frames; errors are gray levels of 255. H.264 is lossy: the PNG frames are exact."),St({caption:"Movies",heads:["file","frames","rate, 1/s","pixels","largest error","rms error"],rows:t}))}function wg({run:n}){let e=at(n),t=la([...Ct(e.warnings),...Ct(e.evaluation?.notes)]);return t&&T("div.warn",{role:"note"},t)}function Eg({data:n,run:e}){let t=at(e),i=la(Ct(t.notes)),r=Object.entries(t.run?.models??{}).map(([o,a])=>T("div",{},T("dt",{},`Doses of the ${o}`),T("dd",{},String(a))));return T("div",{},T("p.quiet",{},`${t.run?.program??n.program}. Numbers are predictions of a model, not measurements. Doses are relative unless the job says otherwise.`),i&&vt("Choices",i),r.length>0&&vt("Models",T("dl.models",{},...r)))}function Tg({run:n}){let e=Ct(at(n).optimization?.objectives);if(e.length<2)return null;let t=e.map(i=>[T("code",{},i.key??""),he(i.weight,4),he(i.loss,4),he(i.voxels,6),he(i.rms_error,4),he(i.max_error,4)]);return T("div",{},T("p",{},"What each of them comes to on the job's own voxels, before the patterns are written. The sum takes a loss times its factor."),St({caption:"Objectives",heads:["objective","factor","loss","voxels","rms error","largest error"],rows:t}))}function Ag({run:n}){let e=Ct(at(n).properties);return e.length===0?null:T("div",{},T("p.quiet",{},"Where something is solid. Half of it lies below the median."),St({caption:"Predicted properties",heads:["property","lowest","median","highest","unit"],rows:e.map(Lb),text:[4]}))}function Lb({name:n,unit:e,min:t,median:i,max:s}){let r=[t,i,s],o=Ko(r.filter(Me),3);return[n??"",...r.map(a=>Me(a)?o.shift()??"":"–"),e??""]}function Cg({run:n}){let e=Object.entries(at(n).published??{}),t=e.flatMap(([r,o])=>Ui(o)&&typeof o.source=="string"?[Db(r,o)]:[]),i=e.filter(([r,o])=>r!=="slices"&&!(Ui(o)&&typeof o.source=="string")),s=Ub(at(n).published?.slices);return t.length===0&&i.length===0?null:T("div",{},t.length>0&&Nb(t),s,...i.map(([r,o])=>vt(fd(r),dd(o))))}function Db(n,e){let t=i=>typeof e[i]=="string"?e[i]:"";return{name:n,value:e.value,unit:t("unit"),note:t("note"),source:t("source")}}function Nb(n){let e=T("div"),t=T("span.quiet",{"aria-live":"polite"}),i=T("input",{type:"search",placeholder:"jaccard, Dr.TVAM, eq. 12, …","aria-label":"Filter the published numbers"}),s=()=>{let r=i.value.toLowerCase().split(/\s+/).filter(Boolean),o=u=>`${u.name} ${u.note} ${u.source} ${u.unit}`.toLowerCase(),a=n.filter(u=>r.every(d=>o(u).includes(d)));t.textContent=a.length===n.length?`${n.length} numbers`:`${a.length} of ${n.length} numbers`;let l=u=>[T("code",{},u.name),he(u.value,4),u.unit,u.note,u.source],c=["name","value","unit","definition","source"],h=T("p.note",{},"No number has all of these words in its name, definition or source.");e.replaceChildren(a.length===0?h:St({caption:"Published numbers",heads:c,rows:a.map(l),text:[2,3,4]}))};return i.addEventListener("input",s),s(),T("details.fold",{},T("summary",{},`${n.length} numbers as other authors and programs define them`),T("label.filter",{},"Filter ",i," ",t),e)}function Ub(n){let e=Array.isArray(n)?n.filter(Ui):[],t=l=>e.map(c=>c[l]),i=t("z_mm"),s=(l,c,h)=>({name:l,color:c,x:i,y:t(h)}),r={label:"z",unit:"mm"},o=Qt({title:"Dose of each slice over z",x:r,y:{label:"response"},series:[s("process window","--run-1","pw"),s("range in the part","--run-2","ipdr")]}),a=Qt({title:"Voxel error rate of each slice over z",x:r,y:{label:"voxel error rate",from:0},series:[s("voxel error rate","--run-1","ver")]});return!o&&!a?null:vt("Slice by slice",T("div.charts",{},o&&T("div",{},o.element),a&&T("div",{},a.element)))}function dd(n){if(Me(n))return he(n,4);if(n==null)return"–";if(Array.isArray(n)){if(n.every(i=>!Ui(i)))return n.map(i=>Me(i)?he(i,4):String(i)).join(" ");let e=[...new Set(n.filter(Ui).flatMap(i=>Object.keys(i)))],t=i=>e.map(s=>Ui(i)?dd(i[s]):String(i));return St({heads:e.map(fd),rows:n.map(t)})}return Ui(n)?St({heads:["","value"],rows:Object.entries(n).map(([e,t])=>[fd(e),dd(t)])}):String(n)}function fd(n){let e=/_(mm3|mm2|mm)$/.exec(n),t=(e?n.slice(0,e.index):n).replaceAll("_"," "),i=t.charAt(0).toUpperCase()+t.slice(1);return e?`${i}, ${e[1]?.replace("3","³").replace("2","²")}`:i}function Rg({run:n}){let e=at(n).scenarios;if(!e)return null;let t=Ct(e.rows).map(r=>[r.name??"",he(r.iou_at_threshold,4),he(r.iou,4),he(r.gamma,4),he(r.part_low,4),he(r.void_high,4)]),i=he(e.threshold,4),s=e.of==="worst"?"the worst of them":e.of==="mean"?"their mean":e.of;return T("div",{},...Fn([`What the same patterns print where something is otherwise. Nobody knows which scenario a print is, so all of them gel at the threshold of the job, ${i}.`,n.texts?.scenarios]),St({caption:"Scenarios",heads:["scenario","IoU there","IoU at its own threshold","Γ, %","least of the part","largest of the void"],rows:t,strong:1}),T("p.note",{},`Window over all of them: ${he(e.window,4)}, trimmed.${s?` The optimization minimized ${s}.`:""}`))}function Pg({data:n,run:e}){let{species:t,one_exposure:i}=at(e),s=Ct(t);if(s.length<2)return null;let r=s[0]?.evaluation,o=r?od(n,r):[];return T("div",{},T("p",{},"The numbers at the head of the page are those of ",T("b",{},s[0]?.name??""),"."),T("ul.drives",{},...s.map(a=>T("li",{},T("b",{},a.name??""),` is ${Ob(a)}.`))),vt("Each alone",St({caption:"Each species alone",heads:["",...s.map(a=>a.name??"")],rows:o.map(a=>Fb(a,s))})),i?Bb(s,i):null,kb(s,i))}function Ob({driven_by:n}){let e=Object.entries(n??{}).filter(([,o])=>Me(o)&&o!==0),t=o=>e.filter(([,a])=>Math.sign(a??0)===o).map(([a,l])=>`${he(Math.abs(l??0),3)} × ${a}`),[i,s]=[t(1),t(-1)];return[i.length>0&&`driven by ${i.join(" and ")}`,s.length>0&&`inhibited by ${s.join(" and ")}`].filter(Boolean).join(", ")||"driven by no light"}function Fb(n,e){let{unit:t}=zs(n.unit);return[T("span",{title:n.summary},n.title,t!==""&&T("span.unit",{},` ${t}`)),...e.map(({evaluation:s})=>es(n,s?.[n.name],4))]}function Bb(n,e){let t=r=>r.name===e.limited_by?`${r.name} (limits it)`:r.name??"",i=n.map((r,o)=>[t(r),he(r.evaluation?.iou,4),he(r.evaluation?.gel_threshold,3),he(e.iou?.[o],4)]),s=`A print has one exposure. Where all networks gel at the same dose, the species print together best at a dose of ${he(e.gel_dose,3)}: the last column. Each reaches the IoU of its own where its network gels at its own dose.`;return vt("Together at one exposure",T("p",{},s),St({caption:"Species at one exposure",heads:["species","IoU alone","at a threshold of","IoU together"],rows:i,strong:3}))}function kb(n,e){let t=n.map(({name:o,evaluation:a},l)=>{let c=Ct(a?.iou_curve);return{name:o??"",color:`--run-${l%6+1}`,x:c.map(h=>h?.[0]),y:c.map(h=>h?.[1])}}),i=n.every(({exposure:o})=>o?.dose?.best===o?.threshold?.best),s=e&&i&&Me(e.gel_dose)?[{name:"one exposure",color:"--threshold",from:e.gel_dose}]:[],r=Qt({title:"IoU of each species over the gel threshold",x:{label:"gel threshold",from:0},y:{label:"IoU",from:0,to:1},series:t,marks:s});return r&&vt("How much the threshold matters to each",r.element)}function Ig({run:n}){let e=at(n),t=Ct(e.time);if(t.length===0)return null;let i=s=>{let r=(n.texts?.time??[]).find(a=>a.name===s.name)?.sentence,o=[...Fn([r,zb(s,e.evaluation)]),Vb(s),Hb(s)];return t.length>1?vt(s.name??"",...o):T("div",{},...o)};return T("div",{},...Fn([n.texts?.one_moment],"lead-in"),...t.map(i))}function zb(n,e){let t=o=>{let a=o?.grid?.pitch_mm;return Me(a)?1e3*a:null},[i,s]=[t(n.evaluation),t(e)];if(i===null||s===null)return null;let r=he(i,3);return Math.abs(i-s)<1e-6*i?`Printed on voxels of ${r} µm, as the dose above.`:`Printed on the job's own voxels of ${r} µm. The numbers above are of voxels of ${he(s,3)} µm, so the two cannot be compared.`}function Vb(n){let e=n.curves??{},t=e.seconds??[],i=t.findLast(Me),s={label:"time",unit:"s",from:0,...Me(i)?{to:i}:{}},r=(y,p,m,v={})=>({name:y,color:p,x:t,y:e[m]??[],...v}),o=Me(n.best_s)?[{name:"best",color:"--threshold",from:n.best_s}]:[],[a,l]=n.window_s??[],c=Me(a)&&Me(l)?[{name:"within 0.01 of the best",color:"--threshold",from:a,to:l}]:[],h=Qt({title:"Jaccard index and contrast over time",x:s,y:{label:"share",from:0,to:1},series:[r("Jaccard index","--ink","jaccard"),r("part that is solid","--part","solid_part"),r("void that is solid","--void","solid_void"),r("contrast of the dose","--quiet","contrast",{style:"dashed"})],marks:[...c,...o]}),u=Me(n.ideal_exposure_s)?[{name:"ideal exposure",color:"--threshold",from:n.ideal_exposure_s}]:[],d=n.requirement_mj,f=Qt({title:"Absorbed drive over time",x:s,y:{label:"absorbed drive",unit:"mJ",from:0},series:[r("in all voxels","--quiet","imbued_mj"),r("in solid voxels","--accent","contribution_mj"),{name:"needed",color:"--ink",style:"dashed",x:[0,i],y:[d,d]}],marks:u}),g=Qt({title:"Light sent over time",x:s,y:{label:"sent to the vial",unit:"mJ",from:0},series:[r("sent","--accent","sent_mj")]});return T("div.charts",{},h&&vt("What is solid",h.element),f&&vt("What is absorbed",f.element),g&&vt("Light that was sent",g.element))}function Hb(n){let e=n.evaluation,t=s=>on(s,"s"),i=[["First voxel solid",t(n.induction_end_s)],["Best moment",t(n.best_s)],["Jaccard index then",he(n.best_jaccard,4)],["Sent to the vial by then",on(n.best_mj,"mJ")],["Within 0.01 of the best",(n.window_s??[]).map(t).join(" to ")||"–"],["Ideal exposure",t(n.ideal_exposure_s)],["Dose that the part needs",on(n.requirement_mj,"mJ")],...Me(n.largest_share_of_requirement)?[["Largest share of it that was reached",on(100*n.largest_share_of_requirement,"%")]]:[],...e?[["Voxel error rate of what is solid then",he(e.ver,3)]]:[]];return St({caption:`Moments of the print in time${n.name?`: ${n.name}`:""}`,heads:["","value"],rows:i})}function Lg({run:n}){let e=Object.entries(at(n).run?.timings_s??{}).filter(h=>Me(h[1])),t=Math.max(0,...e.map(([,h])=>h));if(t===0)return null;let i=e.filter(([h])=>!h.includes(": ")),s=h=>e.filter(([u])=>u.startsWith(`${h}: `)),r=e.filter(([h])=>h.includes(": ")&&!i.some(([u])=>h.startsWith(`${u}: `))),o=(h,u)=>u[1]-h[1],a=i.reduce((h,[,u])=>h+u,0),l=(h,u,d)=>T(d?"div.row.sub":"div.row",{},T("span",{},h),T("div.share",{"aria-hidden":"true"},T("i",{style:`width: ${(100*u/t).toFixed(1)}%`})),T("span.value",{},`${he(u,3)} s`)),c=[...i,...r].sort(o).flatMap(([h,u])=>[l(h,u,!1),...s(h).sort(o).map(([d,f])=>l(d.slice(h.length+2),f,!0))]);return T("div",{},T("p.quiet",{},`${he(a,3)} s until this page was written.`),T("div.timings",{},...c))}var Dg=[...Dl,{id:"head",title:"",render:rg},{id:"warnings",title:"Please note",render:wg},{id:"limits",title:"Exposure and limits",render:vg},{id:"errors",title:"How far the response is off",render:fg},{id:"species",title:"Several species",render:Pg},{id:"time",title:"The print in time",render:Ig},{id:"properties",title:"Predicted properties",render:Ag},{id:"ceiling",title:"Quality against time",render:hg},{id:"scenarios",title:"Scenarios",render:Rg},{id:"objectives",title:"Objectives",render:Tg},{id:"history",title:"History of the optimization",render:Km},{id:"lights",title:"Light and time",render:gg},{id:"numbers",title:"All numbers",render:og},{id:"published",title:"Published numbers",render:Cg},{id:"movies",title:"Movies",render:Sg},{id:"timings",title:"Where the time went",render:Lg},{id:"notes",title:"How it was computed",render:Eg},{id:"job",title:"The job",render:pg}];var tr={LEFT:0,MIDDLE:1,RIGHT:2,ROTATE:0,DOLLY:1,PAN:2},nr={ROTATE:0,PAN:1,DOLLY_PAN:2,DOLLY_ROTATE:3},o0=0,Hd=1,a0=2;var ka=1,l0=2,Uo=3,ir=0,jn=1,ni=2,Er=0,Oo=1,Gd=2,Wd=3,Xd=4,c0=5;var Tr=100,h0=101,u0=102,d0=103,f0=104,p0=200,m0=201,g0=202,x0=203,qd=204,$d=205,_0=206,y0=207,v0=208,b0=209,M0=210,S0=211,w0=212,E0=213,T0=214,oc=0,ac=1,lc=2,So=3,cc=4,hc=5,uc=6,dc=7,Bc=0,A0=1,C0=2,ss=0,Yd=1,Zd=2,Kd=3,Jd=4,jd=5,Qd=6,ef=7;var tf=300,Ar=301,Fo=302,kc=303,zc=304,fc=1e3,ns=1001,pc=1002,yn=1003,R0=1004;var za=1005;var Jn=1006,Vc=1007;var Rs=1008;var ii=1009,nf=1010,sf=1011,Bo=1012,Hc=1013,zi=1014,Vi=1015,Hi=1016,Gc=1017,Wc=1018,Cr=1020,rf=35902,of=35899,af=1021,lf=1022,yi=1023,Es=1026,Ps=1027,cf=1028,Xc=1029,sr=1030,qc=1031;var $c=1033,Va=33776,Ha=33777,Ga=33778,Wa=33779,Yc=35840,Zc=35841,Kc=35842,Jc=35843,jc=36196,Qc=37492,eh=37496,th=37488,nh=37489,Xa=37490,ih=37491,sh=37808,rh=37809,oh=37810,ah=37811,lh=37812,ch=37813,hh=37814,uh=37815,dh=37816,fh=37817,ph=37818,mh=37819,gh=37820,xh=37821,_h=36492,yh=36494,vh=36495,bh=36283,Mh=36284,qa=36285,Sh=36286;var ya=2300,mc=2301,sc=2302,Ud=2303,Od=2400,Fd=2401,Bd=2402;var P0=3200;var wh=0,I0=1,Is="",Dn="srgb",va="srgb-linear",ba="linear",It="srgb";var rc=7680;var L0=519,D0=512,N0=513,U0=514,hf=515,O0=516,F0=517,uf=518,df=519,B0=35044;var ff="300 es",Ai=2e3,wo=2001;function Gb(n){for(let e=n.length-1;e>=0;--e)if(n[e]>=65535)return!0;return!1}function Wb(n){return ArrayBuffer.isView(n)&&!(n instanceof DataView)}function Ma(n){return document.createElementNS("http://www.w3.org/1999/xhtml",n)}function k0(){let n=Ma("canvas");return n.style.display="block",n}var Ng={},Eo=null;function pf(...n){let e="THREE."+n.shift();Eo?Eo("log",e,...n):console.log(e,...n)}function z0(n){let e=n[0];if(typeof e=="string"&&e.startsWith("TSL:")){let t=n[1];t&&t.isStackTrace?n[0]+=" "+t.getLocation():n[1]='Stack trace not available. Enable "THREE.Node.captureStackTrace" to capture stack traces.'}return n}function Ze(...n){n=z0(n);let e="THREE."+n.shift();if(Eo)Eo("warn",e,...n);else{let t=n[0];t&&t.isStackTrace?console.warn(t.getError(e)):console.warn(e,...n)}}function et(...n){n=z0(n);let e="THREE."+n.shift();if(Eo)Eo("error",e,...n);else{let t=n[0];t&&t.isStackTrace?console.error(t.getError(e)):console.error(e,...n)}}function ga(...n){let e=n.join(" ");e in Ng||(Ng[e]=!0,Ze(...n))}function V0(n,e,t){return new Promise(function(i,s){function r(){switch(n.clientWaitSync(e,n.SYNC_FLUSH_COMMANDS_BIT,0)){case n.WAIT_FAILED:s();break;case n.TIMEOUT_EXPIRED:setTimeout(r,t);break;default:i()}}setTimeout(r,t)})}var H0={[oc]:oc,[lc]:uc,[cc]:cc,[So]:hc,[ac]:ac,[uc]:lc,[dc]:dc,[hc]:So},ki=class{addEventListener(e,t){this._listeners===void 0&&(this._listeners={});let i=this._listeners;i[e]===void 0&&(i[e]=[]),i[e].indexOf(t)===-1&&i[e].push(t)}hasEventListener(e,t){let i=this._listeners;return i===void 0?!1:i[e]!==void 0&&i[e].indexOf(t)!==-1}removeEventListener(e,t){let i=this._listeners;if(i===void 0)return;let s=i[e];if(s!==void 0){let r=s.indexOf(t);r!==-1&&s.splice(r,1)}}dispatchEvent(e){let t=this._listeners;if(t===void 0)return;let i=t[e.type];if(i!==void 0){e.target=this;let s=i.slice(0);for(let r=0,o=s.length;r<o;r++)s[r].call(this,e);e.target=null}}},Bn=["00","01","02","03","04","05","06","07","08","09","0a","0b","0c","0d","0e","0f","10","11","12","13","14","15","16","17","18","19","1a","1b","1c","1d","1e","1f","20","21","22","23","24","25","26","27","28","29","2a","2b","2c","2d","2e","2f","30","31","32","33","34","35","36","37","38","39","3a","3b","3c","3d","3e","3f","40","41","42","43","44","45","46","47","48","49","4a","4b","4c","4d","4e","4f","50","51","52","53","54","55","56","57","58","59","5a","5b","5c","5d","5e","5f","60","61","62","63","64","65","66","67","68","69","6a","6b","6c","6d","6e","6f","70","71","72","73","74","75","76","77","78","79","7a","7b","7c","7d","7e","7f","80","81","82","83","84","85","86","87","88","89","8a","8b","8c","8d","8e","8f","90","91","92","93","94","95","96","97","98","99","9a","9b","9c","9d","9e","9f","a0","a1","a2","a3","a4","a5","a6","a7","a8","a9","aa","ab","ac","ad","ae","af","b0","b1","b2","b3","b4","b5","b6","b7","b8","b9","ba","bb","bc","bd","be","bf","c0","c1","c2","c3","c4","c5","c6","c7","c8","c9","ca","cb","cc","cd","ce","cf","d0","d1","d2","d3","d4","d5","d6","d7","d8","d9","da","db","dc","dd","de","df","e0","e1","e2","e3","e4","e5","e6","e7","e8","e9","ea","eb","ec","ed","ee","ef","f0","f1","f2","f3","f4","f5","f6","f7","f8","f9","fa","fb","fc","fd","fe","ff"],Ug=1234567,xa=Math.PI/180,To=180/Math.PI;function ko(){let n=Math.random()*4294967295|0,e=Math.random()*4294967295|0,t=Math.random()*4294967295|0,i=Math.random()*4294967295|0;return(Bn[n&255]+Bn[n>>8&255]+Bn[n>>16&255]+Bn[n>>24&255]+"-"+Bn[e&255]+Bn[e>>8&255]+"-"+Bn[e>>16&15|64]+Bn[e>>24&255]+"-"+Bn[t&63|128]+Bn[t>>8&255]+"-"+Bn[t>>16&255]+Bn[t>>24&255]+Bn[i&255]+Bn[i>>8&255]+Bn[i>>16&255]+Bn[i>>24&255]).toLowerCase()}function gt(n,e,t){return Math.max(e,Math.min(t,n))}function mf(n,e){return(n%e+e)%e}function Xb(n,e,t,i,s){return i+(n-e)*(s-i)/(t-e)}function qb(n,e,t){return n!==e?(t-n)/(e-n):0}function _a(n,e,t){return(1-t)*n+t*e}function $b(n,e,t,i){return _a(n,e,1-Math.exp(-t*i))}function Yb(n,e=1){return e-Math.abs(mf(n,e*2)-e)}function Zb(n,e,t){return n<=e?0:n>=t?1:(n=(n-e)/(t-e),n*n*(3-2*n))}function Kb(n,e,t){return n<=e?0:n>=t?1:(n=(n-e)/(t-e),n*n*n*(n*(n*6-15)+10))}function Jb(n,e){return n+Math.floor(Math.random()*(e-n+1))}function jb(n,e){return n+Math.random()*(e-n)}function Qb(n){return n*(.5-Math.random())}function eM(n){n!==void 0&&(Ug=n);let e=Ug+=1831565813;return e=Math.imul(e^e>>>15,e|1),e^=e+Math.imul(e^e>>>7,e|61),((e^e>>>14)>>>0)/4294967296}function tM(n){return n*xa}function nM(n){return n*To}function iM(n){return n>0&&Number.isInteger(n)&&2**Math.round(Math.log2(n))===n}function sM(n){return Math.pow(2,Math.ceil(Math.log(n)/Math.LN2))}function gf(n){return Math.pow(2,Math.floor(Math.log(n)/Math.LN2))}function rM(n,e,t,i,s){let r=Math.cos,o=Math.sin,a=r(t/2),l=o(t/2),c=r((e+i)/2),h=o((e+i)/2),u=r((e-i)/2),d=o((e-i)/2),f=r((i-e)/2),g=o((i-e)/2);switch(s){case"XYX":n.set(a*h,l*u,l*d,a*c);break;case"YZY":n.set(l*d,a*h,l*u,a*c);break;case"ZXZ":n.set(l*u,l*d,a*h,a*c);break;case"XZX":n.set(a*h,l*g,l*f,a*c);break;case"YXY":n.set(l*f,a*h,l*g,a*c);break;case"ZYZ":n.set(l*g,l*f,a*h,a*c);break;default:Ze("MathUtils: .setQuaternionFromProperEuler() encountered an unknown order: "+s)}}function xf(n){switch(n.constructor){case Uint32Array:return 4294967295;case Uint16Array:return 65535;case Uint8Array:case Uint8ClampedArray:return 255;case Int32Array:return 2147483647;case Int16Array:return 32767;case Int8Array:return 127;default:return}}function G0(n,e){if(e.constructor===Float32Array)return n;let t=xf(e);if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.max(n/t,-1)}function W0(n,e){if(e.constructor===Float32Array)return n;let t=xf(e);if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.round(n*t)}var _f={DEG2RAD:xa,RAD2DEG:To,generateUUID:ko,clamp:gt,euclideanModulo:mf,mapLinear:Xb,inverseLerp:qb,lerp:_a,damp:$b,pingpong:Yb,smoothstep:Zb,smootherstep:Kb,randInt:Jb,randFloat:jb,randFloatSpread:Qb,seededRandom:eM,degToRad:tM,radToDeg:nM,isPowerOfTwo:iM,ceilPowerOfTwo:sM,floorPowerOfTwo:gf,setQuaternionFromProperEuler:rM,normalize:W0,denormalize:G0},tt=class{static{this.prototype.isVector2=!0}constructor(e=0,t=0){this.x=e,this.y=t}get width(){return this.x}set width(e){this.x=e}get height(){return this.y}set height(e){this.y=e}set(e,t){return this.x=e,this.y=t,this}setScalar(e){return this.x=e,this.y=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;default:throw new Error("THREE.Vector2: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;default:throw new Error("THREE.Vector2: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y)}copy(e){return this.x=e.x,this.y=e.y,this}add(e){return this.x+=e.x,this.y+=e.y,this}addScalar(e){return this.x+=e,this.y+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this}subScalar(e){return this.x-=e,this.y-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this}multiply(e){return this.x*=e.x,this.y*=e.y,this}multiplyScalar(e){return this.x*=e,this.y*=e,this}divide(e){return this.x/=e.x,this.y/=e.y,this}divideScalar(e){return this.multiplyScalar(1/e)}applyMatrix3(e){let t=this.x,i=this.y,s=e.elements;return this.x=s[0]*t+s[3]*i+s[6],this.y=s[1]*t+s[4]*i+s[7],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this}clamp(e,t){return this.x=gt(this.x,e.x,t.x),this.y=gt(this.y,e.y,t.y),this}clampScalar(e,t){return this.x=gt(this.x,e,t),this.y=gt(this.y,e,t),this}clampLength(e,t){let i=this.length();return this.divideScalar(i||1).multiplyScalar(gt(i,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this}negate(){return this.x=-this.x,this.y=-this.y,this}dot(e){return this.x*e.x+this.y*e.y}cross(e){return this.x*e.y-this.y*e.x}lengthSq(){return this.x*this.x+this.y*this.y}length(){return Math.sqrt(this.x*this.x+this.y*this.y)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)}normalize(){return this.divideScalar(this.length()||1)}angle(){return Math.atan2(-this.y,-this.x)+Math.PI}angleTo(e){let t=Math.sqrt(this.lengthSq()*e.lengthSq());if(t===0)return Math.PI/2;let i=this.dot(e)/t;return Math.acos(gt(i,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){let t=this.x-e.x,i=this.y-e.y;return t*t+i*i}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this}lerpVectors(e,t,i){return this.x=e.x+(t.x-e.x)*i,this.y=e.y+(t.y-e.y)*i,this}equals(e){return e.x===this.x&&e.y===this.y}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this}rotateAround(e,t){let i=Math.cos(t),s=Math.sin(t),r=this.x-e.x,o=this.y-e.y;return this.x=r*i-o*s+e.x,this.y=r*s+o*i+e.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}},mi=class{constructor(e=0,t=0,i=0,s=1){this.isQuaternion=!0,this._x=e,this._y=t,this._z=i,this._w=s}static slerpFlat(e,t,i,s,r,o,a){let l=i[s+0],c=i[s+1],h=i[s+2],u=i[s+3],d=r[o+0],f=r[o+1],g=r[o+2],y=r[o+3];if(u!==y||l!==d||c!==f||h!==g){let p=l*d+c*f+h*g+u*y;p<0&&(d=-d,f=-f,g=-g,y=-y,p=-p);let m=1-a;if(p<.9995){let v=Math.acos(p),C=Math.sin(v);m=Math.sin(m*v)/C,a=Math.sin(a*v)/C,l=l*m+d*a,c=c*m+f*a,h=h*m+g*a,u=u*m+y*a}else{l=l*m+d*a,c=c*m+f*a,h=h*m+g*a,u=u*m+y*a;let v=1/Math.sqrt(l*l+c*c+h*h+u*u);l*=v,c*=v,h*=v,u*=v}}e[t]=l,e[t+1]=c,e[t+2]=h,e[t+3]=u}static multiplyQuaternionsFlat(e,t,i,s,r,o){let a=i[s],l=i[s+1],c=i[s+2],h=i[s+3],u=r[o],d=r[o+1],f=r[o+2],g=r[o+3];return e[t]=a*g+h*u+l*f-c*d,e[t+1]=l*g+h*d+c*u-a*f,e[t+2]=c*g+h*f+a*d-l*u,e[t+3]=h*g-a*u-l*d-c*f,e}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get w(){return this._w}set w(e){this._w=e,this._onChangeCallback()}set(e,t,i,s){return this._x=e,this._y=t,this._z=i,this._w=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._w)}copy(e){return this._x=e.x,this._y=e.y,this._z=e.z,this._w=e.w,this._onChangeCallback(),this}setFromEuler(e,t=!0){let i=e._x,s=e._y,r=e._z,o=e._order,a=Math.cos,l=Math.sin,c=a(i/2),h=a(s/2),u=a(r/2),d=l(i/2),f=l(s/2),g=l(r/2);switch(o){case"XYZ":this._x=d*h*u+c*f*g,this._y=c*f*u-d*h*g,this._z=c*h*g+d*f*u,this._w=c*h*u-d*f*g;break;case"YXZ":this._x=d*h*u+c*f*g,this._y=c*f*u-d*h*g,this._z=c*h*g-d*f*u,this._w=c*h*u+d*f*g;break;case"ZXY":this._x=d*h*u-c*f*g,this._y=c*f*u+d*h*g,this._z=c*h*g+d*f*u,this._w=c*h*u-d*f*g;break;case"ZYX":this._x=d*h*u-c*f*g,this._y=c*f*u+d*h*g,this._z=c*h*g-d*f*u,this._w=c*h*u+d*f*g;break;case"YZX":this._x=d*h*u+c*f*g,this._y=c*f*u+d*h*g,this._z=c*h*g-d*f*u,this._w=c*h*u-d*f*g;break;case"XZY":this._x=d*h*u-c*f*g,this._y=c*f*u-d*h*g,this._z=c*h*g+d*f*u,this._w=c*h*u+d*f*g;break;default:Ze("Quaternion: .setFromEuler() encountered an unknown order: "+o)}return t===!0&&this._onChangeCallback(),this}setFromAxisAngle(e,t){let i=t/2,s=Math.sin(i);return this._x=e.x*s,this._y=e.y*s,this._z=e.z*s,this._w=Math.cos(i),this._onChangeCallback(),this}setFromRotationMatrix(e){let t=e.elements,i=t[0],s=t[4],r=t[8],o=t[1],a=t[5],l=t[9],c=t[2],h=t[6],u=t[10],d=i+a+u;if(d>0){let f=.5/Math.sqrt(d+1);this._w=.25/f,this._x=(h-l)*f,this._y=(r-c)*f,this._z=(o-s)*f}else if(i>a&&i>u){let f=2*Math.sqrt(1+i-a-u);this._w=(h-l)/f,this._x=.25*f,this._y=(s+o)/f,this._z=(r+c)/f}else if(a>u){let f=2*Math.sqrt(1+a-i-u);this._w=(r-c)/f,this._x=(s+o)/f,this._y=.25*f,this._z=(l+h)/f}else{let f=2*Math.sqrt(1+u-i-a);this._w=(o-s)/f,this._x=(r+c)/f,this._y=(l+h)/f,this._z=.25*f}return this._onChangeCallback(),this}setFromUnitVectors(e,t){let i=e.dot(t)+1;return i<1e-8?(i=0,Math.abs(e.x)>Math.abs(e.z)?(this._x=-e.y,this._y=e.x,this._z=0,this._w=i):(this._x=0,this._y=-e.z,this._z=e.y,this._w=i)):(this._x=e.y*t.z-e.z*t.y,this._y=e.z*t.x-e.x*t.z,this._z=e.x*t.y-e.y*t.x,this._w=i),this.normalize()}angleTo(e){return 2*Math.acos(Math.abs(gt(this.dot(e),-1,1)))}rotateTowards(e,t){let i=this.angleTo(e);if(i===0)return this;let s=Math.min(1,t/i);return this.slerp(e,s),this}identity(){return this.set(0,0,0,1)}invert(){return this.conjugate()}conjugate(){return this._x*=-1,this._y*=-1,this._z*=-1,this._onChangeCallback(),this}dot(e){return this._x*e._x+this._y*e._y+this._z*e._z+this._w*e._w}lengthSq(){return this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w}length(){return Math.sqrt(this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w)}normalize(){let e=this.length();return e===0?(this._x=0,this._y=0,this._z=0,this._w=1):(e=1/e,this._x=this._x*e,this._y=this._y*e,this._z=this._z*e,this._w=this._w*e),this._onChangeCallback(),this}multiply(e){return this.multiplyQuaternions(this,e)}premultiply(e){return this.multiplyQuaternions(e,this)}multiplyQuaternions(e,t){let i=e._x,s=e._y,r=e._z,o=e._w,a=t._x,l=t._y,c=t._z,h=t._w;return this._x=i*h+o*a+s*c-r*l,this._y=s*h+o*l+r*a-i*c,this._z=r*h+o*c+i*l-s*a,this._w=o*h-i*a-s*l-r*c,this._onChangeCallback(),this}slerp(e,t){let i=e._x,s=e._y,r=e._z,o=e._w,a=this.dot(e);a<0&&(i=-i,s=-s,r=-r,o=-o,a=-a);let l=1-t;if(a<.9995){let c=Math.acos(a),h=Math.sin(c);l=Math.sin(l*c)/h,t=Math.sin(t*c)/h,this._x=this._x*l+i*t,this._y=this._y*l+s*t,this._z=this._z*l+r*t,this._w=this._w*l+o*t,this._onChangeCallback()}else this._x=this._x*l+i*t,this._y=this._y*l+s*t,this._z=this._z*l+r*t,this._w=this._w*l+o*t,this.normalize();return this}slerpQuaternions(e,t,i){return this.copy(e).slerp(t,i)}random(){let e=2*Math.PI*Math.random(),t=2*Math.PI*Math.random(),i=Math.random(),s=Math.sqrt(1-i),r=Math.sqrt(i);return this.set(s*Math.sin(e),s*Math.cos(e),r*Math.sin(t),r*Math.cos(t))}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._w===this._w}fromArray(e,t=0){return this._x=e[t],this._y=e[t+1],this._z=e[t+2],this._w=e[t+3],this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this._y,e[t+2]=this._z,e[t+3]=this._w,e}fromBufferAttribute(e,t){return this._x=e.getX(t),this._y=e.getY(t),this._z=e.getZ(t),this._w=e.getW(t),this._onChangeCallback(),this}toJSON(){return this.toArray()}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._w}},Z=class{static{this.prototype.isVector3=!0}constructor(e=0,t=0,i=0){this.x=e,this.y=t,this.z=i}set(e,t,i){return i===void 0&&(i=this.z),this.x=e,this.y=t,this.z=i,this}setScalar(e){return this.x=e,this.y=e,this.z=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;case 2:this.z=t;break;default:throw new Error("THREE.Vector3: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;case 2:return this.z;default:throw new Error("THREE.Vector3: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y,this.z)}copy(e){return this.x=e.x,this.y=e.y,this.z=e.z,this}add(e){return this.x+=e.x,this.y+=e.y,this.z+=e.z,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this}multiplyScalar(e){return this.x*=e,this.y*=e,this.z*=e,this}multiplyVectors(e,t){return this.x=e.x*t.x,this.y=e.y*t.y,this.z=e.z*t.z,this}applyEuler(e){return this.applyQuaternion(Og.setFromEuler(e))}applyAxisAngle(e,t){return this.applyQuaternion(Og.setFromAxisAngle(e,t))}applyMatrix3(e){let t=this.x,i=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[3]*i+r[6]*s,this.y=r[1]*t+r[4]*i+r[7]*s,this.z=r[2]*t+r[5]*i+r[8]*s,this}applyNormalMatrix(e){return this.applyMatrix3(e).normalize()}applyMatrix4(e){let t=this.x,i=this.y,s=this.z,r=e.elements,o=1/(r[3]*t+r[7]*i+r[11]*s+r[15]);return this.x=(r[0]*t+r[4]*i+r[8]*s+r[12])*o,this.y=(r[1]*t+r[5]*i+r[9]*s+r[13])*o,this.z=(r[2]*t+r[6]*i+r[10]*s+r[14])*o,this}applyQuaternion(e){let t=this.x,i=this.y,s=this.z,r=e.x,o=e.y,a=e.z,l=e.w,c=2*(o*s-a*i),h=2*(a*t-r*s),u=2*(r*i-o*t);return this.x=t+l*c+o*u-a*h,this.y=i+l*h+a*c-r*u,this.z=s+l*u+r*h-o*c,this}project(e){return this.applyMatrix4(e.matrixWorldInverse).applyMatrix4(e.projectionMatrix)}unproject(e){return this.applyMatrix4(e.projectionMatrixInverse).applyMatrix4(e.matrixWorld)}transformDirection(e){let t=this.x,i=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[4]*i+r[8]*s,this.y=r[1]*t+r[5]*i+r[9]*s,this.z=r[2]*t+r[6]*i+r[10]*s,this.normalize()}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this}divideScalar(e){return this.multiplyScalar(1/e)}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.min(this.z,e.z),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this}clamp(e,t){return this.x=gt(this.x,e.x,t.x),this.y=gt(this.y,e.y,t.y),this.z=gt(this.z,e.z,t.z),this}clampScalar(e,t){return this.x=gt(this.x,e,t),this.y=gt(this.y,e,t),this.z=gt(this.z,e,t),this}clampLength(e,t){let i=this.length();return this.divideScalar(i||1).multiplyScalar(gt(i,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this}dot(e){return this.x*e.x+this.y*e.y+this.z*e.z}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)}normalize(){return this.divideScalar(this.length()||1)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this}lerpVectors(e,t,i){return this.x=e.x+(t.x-e.x)*i,this.y=e.y+(t.y-e.y)*i,this.z=e.z+(t.z-e.z)*i,this}cross(e){return this.crossVectors(this,e)}crossVectors(e,t){let i=e.x,s=e.y,r=e.z,o=t.x,a=t.y,l=t.z;return this.x=s*l-r*a,this.y=r*o-i*l,this.z=i*a-s*o,this}projectOnVector(e){let t=e.lengthSq();if(t===0)return this.set(0,0,0);let i=e.dot(this)/t;return this.copy(e).multiplyScalar(i)}projectOnPlane(e){return pd.copy(this).projectOnVector(e),this.sub(pd)}reflect(e){return this.sub(pd.copy(e).multiplyScalar(2*this.dot(e)))}angleTo(e){let t=Math.sqrt(this.lengthSq()*e.lengthSq());if(t===0)return Math.PI/2;let i=this.dot(e)/t;return Math.acos(gt(i,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){let t=this.x-e.x,i=this.y-e.y,s=this.z-e.z;return t*t+i*i+s*s}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)+Math.abs(this.z-e.z)}setFromSpherical(e){return this.setFromSphericalCoords(e.radius,e.phi,e.theta)}setFromSphericalCoords(e,t,i){let s=Math.sin(t)*e;return this.x=s*Math.sin(i),this.y=Math.cos(t)*e,this.z=s*Math.cos(i),this}setFromCylindrical(e){return this.setFromCylindricalCoords(e.radius,e.theta,e.y)}setFromCylindricalCoords(e,t,i){return this.x=e*Math.sin(t),this.y=i,this.z=e*Math.cos(t),this}setFromMatrixPosition(e){let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this}setFromMatrixScale(e){let t=this.setFromMatrixColumn(e,0).length(),i=this.setFromMatrixColumn(e,1).length(),s=this.setFromMatrixColumn(e,2).length();return this.x=t,this.y=i,this.z=s,this}setFromMatrixColumn(e,t){return this.fromArray(e.elements,t*4)}setFromMatrix3Column(e,t){return this.fromArray(e.elements,t*3)}setFromEuler(e){return this.x=e._x,this.y=e._y,this.z=e._z,this}setFromColor(e){return this.x=e.r,this.y=e.g,this.z=e.b,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this}randomDirection(){let e=Math.random()*Math.PI*2,t=Math.random()*2-1,i=Math.sqrt(1-t*t);return this.x=i*Math.cos(e),this.y=t,this.z=i*Math.sin(e),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z}},pd=new Z,Og=new mi,nt=class{static{this.prototype.isMatrix3=!0}constructor(e,t,i,s,r,o,a,l,c){this.elements=[1,0,0,0,1,0,0,0,1],e!==void 0&&this.set(e,t,i,s,r,o,a,l,c)}set(e,t,i,s,r,o,a,l,c){let h=this.elements;return h[0]=e,h[1]=s,h[2]=a,h[3]=t,h[4]=r,h[5]=l,h[6]=i,h[7]=o,h[8]=c,this}identity(){return this.set(1,0,0,0,1,0,0,0,1),this}copy(e){let t=this.elements,i=e.elements;return t[0]=i[0],t[1]=i[1],t[2]=i[2],t[3]=i[3],t[4]=i[4],t[5]=i[5],t[6]=i[6],t[7]=i[7],t[8]=i[8],this}extractBasis(e,t,i){return e.setFromMatrix3Column(this,0),t.setFromMatrix3Column(this,1),i.setFromMatrix3Column(this,2),this}setFromMatrix4(e){let t=e.elements;return this.set(t[0],t[4],t[8],t[1],t[5],t[9],t[2],t[6],t[10]),this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let i=e.elements,s=t.elements,r=this.elements,o=i[0],a=i[3],l=i[6],c=i[1],h=i[4],u=i[7],d=i[2],f=i[5],g=i[8],y=s[0],p=s[3],m=s[6],v=s[1],C=s[4],S=s[7],R=s[2],A=s[5],_=s[8];return r[0]=o*y+a*v+l*R,r[3]=o*p+a*C+l*A,r[6]=o*m+a*S+l*_,r[1]=c*y+h*v+u*R,r[4]=c*p+h*C+u*A,r[7]=c*m+h*S+u*_,r[2]=d*y+f*v+g*R,r[5]=d*p+f*C+g*A,r[8]=d*m+f*S+g*_,this}multiplyScalar(e){let t=this.elements;return t[0]*=e,t[3]*=e,t[6]*=e,t[1]*=e,t[4]*=e,t[7]*=e,t[2]*=e,t[5]*=e,t[8]*=e,this}determinant(){let e=this.elements,t=e[0],i=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],h=e[8];return t*o*h-t*a*c-i*r*h+i*a*l+s*r*c-s*o*l}invert(){let e=this.elements,t=e[0],i=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],h=e[8],u=h*o-a*c,d=a*l-h*r,f=c*r-o*l,g=t*u+i*d+s*f;if(g===0)return this.set(0,0,0,0,0,0,0,0,0);let y=1/g;return e[0]=u*y,e[1]=(s*c-h*i)*y,e[2]=(a*i-s*o)*y,e[3]=d*y,e[4]=(h*t-s*l)*y,e[5]=(s*r-a*t)*y,e[6]=f*y,e[7]=(i*l-c*t)*y,e[8]=(o*t-i*r)*y,this}transpose(){let e,t=this.elements;return e=t[1],t[1]=t[3],t[3]=e,e=t[2],t[2]=t[6],t[6]=e,e=t[5],t[5]=t[7],t[7]=e,this}getNormalMatrix(e){return this.setFromMatrix4(e).invert().transpose()}transposeIntoArray(e){let t=this.elements;return e[0]=t[0],e[1]=t[3],e[2]=t[6],e[3]=t[1],e[4]=t[4],e[5]=t[7],e[6]=t[2],e[7]=t[5],e[8]=t[8],this}setUvTransform(e,t,i,s,r,o,a){let l=Math.cos(r),c=Math.sin(r);return this.set(i*l,i*c,-i*(l*o+c*a)+o+e,-s*c,s*l,-s*(-c*o+l*a)+a+t,0,0,1),this}scale(e,t){return ga("Matrix3: .scale() is deprecated. Use .makeScale() instead."),this.premultiply(md.makeScale(e,t)),this}rotate(e){return ga("Matrix3: .rotate() is deprecated. Use .makeRotation() instead."),this.premultiply(md.makeRotation(-e)),this}translate(e,t){return ga("Matrix3: .translate() is deprecated. Use .makeTranslation() instead."),this.premultiply(md.makeTranslation(e,t)),this}makeTranslation(e,t){return e.isVector2?this.set(1,0,e.x,0,1,e.y,0,0,1):this.set(1,0,e,0,1,t,0,0,1),this}makeRotation(e){let t=Math.cos(e),i=Math.sin(e);return this.set(t,-i,0,i,t,0,0,0,1),this}makeScale(e,t){return this.set(e,0,0,0,t,0,0,0,1),this}equals(e){let t=this.elements,i=e.elements;for(let s=0;s<9;s++)if(t[s]!==i[s])return!1;return!0}fromArray(e,t=0){for(let i=0;i<9;i++)this.elements[i]=e[i+t];return this}toArray(e=[],t=0){let i=this.elements;return e[t]=i[0],e[t+1]=i[1],e[t+2]=i[2],e[t+3]=i[3],e[t+4]=i[4],e[t+5]=i[5],e[t+6]=i[6],e[t+7]=i[7],e[t+8]=i[8],e}clone(){return new this.constructor().fromArray(this.elements)}},md=new nt,Fg=new nt().set(.4123908,.3575843,.1804808,.212639,.7151687,.0721923,.0193308,.1191948,.9505322),Bg=new nt().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function oM(){let n={enabled:!0,workingColorSpace:va,spaces:{},convert:function(s,r,o){return this.enabled===!1||r===o||!r||!o||(this.spaces[r].transfer===It&&(s.r=ws(s.r),s.g=ws(s.g),s.b=ws(s.b)),this.spaces[r].primaries!==this.spaces[o].primaries&&(s.applyMatrix3(this.spaces[r].toXYZ),s.applyMatrix3(this.spaces[o].fromXYZ)),this.spaces[o].transfer===It&&(s.r=Mo(s.r),s.g=Mo(s.g),s.b=Mo(s.b))),s},workingToColorSpace:function(s,r){return this.convert(s,this.workingColorSpace,r)},colorSpaceToWorking:function(s,r){return this.convert(s,r,this.workingColorSpace)},getPrimaries:function(s){return this.spaces[s].primaries},getTransfer:function(s){return s===Is?ba:this.spaces[s].transfer},getToneMappingMode:function(s){return this.spaces[s].outputColorSpaceConfig.toneMappingMode||"standard"},getLuminanceCoefficients:function(s,r=this.workingColorSpace){return s.fromArray(this.spaces[r].luminanceCoefficients)},define:function(s){Object.assign(this.spaces,s)},_getMatrix:function(s,r,o){return s.copy(this.spaces[o].fromXYZ).multiply(this.spaces[r].toXYZ)},_getDrawingBufferColorSpace:function(s){return this.spaces[s].outputColorSpaceConfig.drawingBufferColorSpace},_getUnpackColorSpace:function(s=this.workingColorSpace){return this.spaces[s].workingColorSpaceConfig.unpackColorSpace}},e=[.64,.33,.3,.6,.15,.06],t=[.2126,.7152,.0722],i=[.3127,.329];return n.define({[va]:{primaries:e,whitePoint:i,transfer:ba,toXYZ:Fg,fromXYZ:Bg,luminanceCoefficients:t,workingColorSpaceConfig:{unpackColorSpace:Dn},outputColorSpaceConfig:{drawingBufferColorSpace:Dn}},[Dn]:{primaries:e,whitePoint:i,transfer:It,toXYZ:Fg,fromXYZ:Bg,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:Dn}}}),n}var bt=oM();function ws(n){return n<.04045?n*.0773993808:Math.pow(n*.9478672986+.0521327014,2.4)}function Mo(n){return n<.0031308?n*12.92:1.055*Math.pow(n,.41666)-.055}var lo,gc=class{static getDataURL(e,t="image/png"){if(/^data:/i.test(e.src)||typeof HTMLCanvasElement>"u")return e.src;let i;if(e instanceof HTMLCanvasElement)i=e;else{lo===void 0&&(lo=Ma("canvas")),lo.width=e.width,lo.height=e.height;let s=lo.getContext("2d");e instanceof ImageData?s.putImageData(e,0,0):s.drawImage(e,0,0,e.width,e.height),i=lo}return i.toDataURL(t)}static sRGBToLinear(e){if(typeof HTMLImageElement<"u"&&e instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&e instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&e instanceof ImageBitmap){let t=Ma("canvas");t.width=e.width,t.height=e.height;let i=t.getContext("2d");i.drawImage(e,0,0,e.width,e.height);let s=i.getImageData(0,0,e.width,e.height),r=s.data;for(let o=0;o<r.length;o++)r[o]=ws(r[o]/255)*255;return i.putImageData(s,0,0),t}else if(e.data){let t=e.data.slice(0);for(let i=0;i<t.length;i++)t instanceof Uint8Array||t instanceof Uint8ClampedArray?t[i]=Math.floor(ws(t[i]/255)*255):t[i]=ws(t[i]);return{data:t,width:e.width,height:e.height}}else return Ze("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}},aM=0,Ao=class{constructor(e=null){this.isTextureSource=!0,Object.defineProperty(this,"id",{value:aM++}),this.uuid=ko(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){let t=this.data;return typeof HTMLVideoElement<"u"&&t instanceof HTMLVideoElement?e.set(t.videoWidth,t.videoHeight,0):typeof VideoFrame<"u"&&t instanceof VideoFrame?e.set(t.displayWidth,t.displayHeight,0):t!==null?e.set(t.width||0,t.height||0,t.depth||0):e.set(0,0,0),e}set needsUpdate(e){e===!0&&this.version++}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.images[this.uuid]!==void 0)return e.images[this.uuid];let i={uuid:this.uuid,url:""},s=this.data;if(s!==null){let r;if(Array.isArray(s)){r=[];for(let o=0,a=s.length;o<a;o++)s[o].isDataTexture?r.push(gd(s[o].image)):r.push(gd(s[o]))}else r=gd(s);i.url=r}return t||(e.images[this.uuid]=i),i}};function gd(n){return typeof HTMLImageElement<"u"&&n instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&n instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&n instanceof ImageBitmap?gc.getDataURL(n):n.data?{data:Array.from(n.data),width:n.width,height:n.height,type:n.data.constructor.name}:(Ze("Texture: Unable to serialize Texture."),{})}var lM=0,xd=new Z,ei=class n extends ki{constructor(e=n.DEFAULT_IMAGE,t=n.DEFAULT_MAPPING,i=ns,s=ns,r=Jn,o=Rs,a=yi,l=ii,c=n.DEFAULT_ANISOTROPY,h=Is){super(),this.isTexture=!0,Object.defineProperty(this,"id",{value:lM++}),this.uuid=ko(),this.name="",this.source=new Ao(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.wrapS=i,this.wrapT=s,this.magFilter=r,this.minFilter=o,this.anisotropy=c,this.format=a,this.internalFormat=null,this.type=l,this.offset=new tt(0,0),this.repeat=new tt(1,1),this.center=new tt(0,0),this.rotation=0,this.matrixAutoUpdate=!0,this.matrix=new nt,this.generateMipmaps=!0,this.mipmapsAutoUpdate=!0,this.premultiplyAlpha=!1,this.flipY=!0,this.unpackAlignment=4,this.colorSpace=h,this.userData={},this.updateRanges=[],this.version=0,this.onUpdate=null,this.renderTarget=null,this.isRenderTargetTexture=!1,this.isArrayTexture=!!(e&&e.depth&&e.depth>1),this.pmremVersion=0,this.isPMREMTexture=!1,this.normalized=!1}get width(){return this.source.getSize(xd).x}get height(){return this.source.getSize(xd).y}get depth(){return this.source.getSize(xd).z}get image(){return this.source.data}set image(e){this.source.data=e}updateMatrix(){this.matrix.setUvTransform(this.offset.x,this.offset.y,this.repeat.x,this.repeat.y,this.rotation,this.center.x,this.center.y)}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}clone(){return new this.constructor().copy(this)}copy(e){return this.name=e.name,this.source=e.source,this.mipmaps=e.mipmaps.slice(0),this.mapping=e.mapping,this.channel=e.channel,this.wrapS=e.wrapS,this.wrapT=e.wrapT,this.magFilter=e.magFilter,this.minFilter=e.minFilter,this.anisotropy=e.anisotropy,this.format=e.format,this.internalFormat=e.internalFormat,this.type=e.type,this.normalized=e.normalized,this.offset.copy(e.offset),this.repeat.copy(e.repeat),this.center.copy(e.center),this.rotation=e.rotation,this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrix.copy(e.matrix),this.generateMipmaps=e.generateMipmaps,this.mipmapsAutoUpdate=e.mipmapsAutoUpdate,this.premultiplyAlpha=e.premultiplyAlpha,this.flipY=e.flipY,this.unpackAlignment=e.unpackAlignment,this.colorSpace=e.colorSpace,this.renderTarget=e.renderTarget,this.isRenderTargetTexture=e.isRenderTargetTexture,this.isPMREMTexture=e.isPMREMTexture,this.isArrayTexture=e.isArrayTexture,this.userData=JSON.parse(JSON.stringify(e.userData)),this.needsUpdate=!0,this}setValues(e){for(let t in e){let i=e[t];if(i===void 0){Ze(`Texture.setValues(): parameter '${t}' has value of undefined.`);continue}let s=this[t];if(s===void 0){Ze(`Texture.setValues(): property '${t}' does not exist.`);continue}s&&i&&s.isVector2&&i.isVector2||s&&i&&s.isVector3&&i.isVector3||s&&i&&s.isMatrix3&&i.isMatrix3?s.copy(i):this[t]=i}}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.textures[this.uuid]!==void 0)return e.textures[this.uuid];let i={metadata:{version:4.7,type:"Texture",generator:"Texture.toJSON"},uuid:this.uuid,name:this.name,image:this.source.toJSON(e).uuid,mapping:this.mapping,channel:this.channel,repeat:[this.repeat.x,this.repeat.y],offset:[this.offset.x,this.offset.y],center:[this.center.x,this.center.y],rotation:this.rotation,wrap:[this.wrapS,this.wrapT],format:this.format,internalFormat:this.internalFormat,type:this.type,normalized:this.normalized,colorSpace:this.colorSpace,minFilter:this.minFilter,magFilter:this.magFilter,anisotropy:this.anisotropy,flipY:this.flipY,generateMipmaps:this.generateMipmaps,mipmapsAutoUpdate:this.mipmapsAutoUpdate,premultiplyAlpha:this.premultiplyAlpha,unpackAlignment:this.unpackAlignment};return Object.keys(this.userData).length>0&&(i.userData=this.userData),t||(e.textures[this.uuid]=i),i}dispose(){this.dispatchEvent({type:"dispose"})}transformUv(e){if(this.mapping!==tf)return e;if(e.applyMatrix3(this.matrix),e.x<0||e.x>1)switch(this.wrapS){case fc:e.x=e.x-Math.floor(e.x);break;case ns:e.x=e.x<0?0:1;break;case pc:Math.abs(Math.floor(e.x)%2)===1?e.x=Math.ceil(e.x)-e.x:e.x=e.x-Math.floor(e.x);break}if(e.y<0||e.y>1)switch(this.wrapT){case fc:e.y=e.y-Math.floor(e.y);break;case ns:e.y=e.y<0?0:1;break;case pc:Math.abs(Math.floor(e.y)%2)===1?e.y=Math.ceil(e.y)-e.y:e.y=e.y-Math.floor(e.y);break}return this.flipY&&(e.y=1-e.y),e}set needsUpdate(e){e===!0&&(this.version++,this.source.needsUpdate=!0)}set needsPMREMUpdate(e){e===!0&&this.pmremVersion++}};ei.DEFAULT_IMAGE=null;ei.DEFAULT_MAPPING=tf;ei.DEFAULT_ANISOTROPY=1;var Jt=class{static{this.prototype.isVector4=!0}constructor(e=0,t=0,i=0,s=1){this.x=e,this.y=t,this.z=i,this.w=s}get width(){return this.z}set width(e){this.z=e}get height(){return this.w}set height(e){this.w=e}set(e,t,i,s){return this.x=e,this.y=t,this.z=i,this.w=s,this}setScalar(e){return this.x=e,this.y=e,this.z=e,this.w=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,this}setZ(e){return this.z=e,this}setW(e){return this.w=e,this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;case 2:this.z=t;break;case 3:this.w=t;break;default:throw new Error("THREE.Vector4: index is out of range: "+e)}return this}getComponent(e){switch(e){case 0:return this.x;case 1:return this.y;case 2:return this.z;case 3:return this.w;default:throw new Error("THREE.Vector4: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this.y,this.z,this.w)}copy(e){return this.x=e.x,this.y=e.y,this.z=e.z,this.w=e.w!==void 0?e.w:1,this}add(e){return this.x+=e.x,this.y+=e.y,this.z+=e.z,this.w+=e.w,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this.w+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this.w=e.w+t.w,this}addScaledVector(e,t){return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this.w+=e.w*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this.w-=e.w,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this.w-=e,this}subVectors(e,t){return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this.w=e.w-t.w,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this.w*=e.w,this}multiplyScalar(e){return this.x*=e,this.y*=e,this.z*=e,this.w*=e,this}applyMatrix4(e){let t=this.x,i=this.y,s=this.z,r=this.w,o=e.elements;return this.x=o[0]*t+o[4]*i+o[8]*s+o[12]*r,this.y=o[1]*t+o[5]*i+o[9]*s+o[13]*r,this.z=o[2]*t+o[6]*i+o[10]*s+o[14]*r,this.w=o[3]*t+o[7]*i+o[11]*s+o[15]*r,this}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this.w/=e.w,this}divideScalar(e){return this.multiplyScalar(1/e)}setAxisAngleFromQuaternion(e){this.w=2*Math.acos(e.w);let t=Math.sqrt(1-e.w*e.w);return t<1e-4?(this.x=1,this.y=0,this.z=0):(this.x=e.x/t,this.y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,i,s,r,l=e.elements,c=l[0],h=l[4],u=l[8],d=l[1],f=l[5],g=l[9],y=l[2],p=l[6],m=l[10];if(Math.abs(h-d)<.01&&Math.abs(u-y)<.01&&Math.abs(g-p)<.01){if(Math.abs(h+d)<.1&&Math.abs(u+y)<.1&&Math.abs(g+p)<.1&&Math.abs(c+f+m-3)<.1)return this.set(1,0,0,0),this;t=Math.PI;let C=(c+1)/2,S=(f+1)/2,R=(m+1)/2,A=(h+d)/4,_=(u+y)/4,E=(g+p)/4;return C>S&&C>R?C<.01?(i=0,s=.707106781,r=.707106781):(i=Math.sqrt(C),s=A/i,r=_/i):S>R?S<.01?(i=.707106781,s=0,r=.707106781):(s=Math.sqrt(S),i=A/s,r=E/s):R<.01?(i=.707106781,s=.707106781,r=0):(r=Math.sqrt(R),i=_/r,s=E/r),this.set(i,s,r,t),this}let v=Math.sqrt((p-g)*(p-g)+(u-y)*(u-y)+(d-h)*(d-h));return Math.abs(v)<.001&&(v=1),this.x=(p-g)/v,this.y=(u-y)/v,this.z=(d-h)/v,this.w=Math.acos((c+f+m-1)/2),this}setFromMatrixPosition(e){let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this.w=t[15],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.min(this.z,e.z),this.w=Math.min(this.w,e.w),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this.w=Math.max(this.w,e.w),this}clamp(e,t){return this.x=gt(this.x,e.x,t.x),this.y=gt(this.y,e.y,t.y),this.z=gt(this.z,e.z,t.z),this.w=gt(this.w,e.w,t.w),this}clampScalar(e,t){return this.x=gt(this.x,e,t),this.y=gt(this.y,e,t),this.z=gt(this.z,e,t),this.w=gt(this.w,e,t),this}clampLength(e,t){let i=this.length();return this.divideScalar(i||1).multiplyScalar(gt(i,e,t))}floor(){return this.x=Math.floor(this.x),this.y=Math.floor(this.y),this.z=Math.floor(this.z),this.w=Math.floor(this.w),this}ceil(){return this.x=Math.ceil(this.x),this.y=Math.ceil(this.y),this.z=Math.ceil(this.z),this.w=Math.ceil(this.w),this}round(){return this.x=Math.round(this.x),this.y=Math.round(this.y),this.z=Math.round(this.z),this.w=Math.round(this.w),this}roundToZero(){return this.x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this.w=Math.trunc(this.w),this}negate(){return this.x=-this.x,this.y=-this.y,this.z=-this.z,this.w=-this.w,this}dot(e){return this.x*e.x+this.y*e.y+this.z*e.z+this.w*e.w}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z+this.w*this.w)}manhattanLength(){return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)+Math.abs(this.w)}normalize(){return this.divideScalar(this.length()||1)}setLength(e){return this.normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this.w+=(e.w-this.w)*t,this}lerpVectors(e,t,i){return this.x=e.x+(t.x-e.x)*i,this.y=e.y+(t.y-e.y)*i,this.z=e.z+(t.z-e.z)*i,this.w=e.w+(t.w-e.w)*i,this}equals(e){return e.x===this.x&&e.y===this.y&&e.z===this.z&&e.w===this.w}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this.z=e[t+2],this.w=e[t+3],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e[t+3]=this.w,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this.z=e.getZ(t),this.w=e.getW(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this.w=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z,yield this.w}},xc=class extends ki{constructor(e=1,t=1,i={}){super(),i=Object.assign({generateMipmaps:!1,internalFormat:null,minFilter:Jn,depthBuffer:!0,stencilBuffer:!1,resolveColorBuffer:!0,resolveDepthBuffer:!0,resolveStencilBuffer:!0,storeMultisampledColorBuffer:!0,storeMultisampledDepthBuffer:!0,storeMultisampledStencilBuffer:!0,depthTexture:null,samples:0,count:1,depth:1,multiview:!1,useArrayDepthTexture:!1},i),this.isRenderTarget=!0,this.width=e,this.height=t,this.depth=i.depth,this.scissor=new Jt(0,0,e,t),this.scissorTest=!1,this.viewport=new Jt(0,0,e,t),this.textures=[];let s=i.count;for(let r=0;r<s;r++)this.textures[r]=new ei({width:e,height:t,depth:i.depth}),this.textures[r].isRenderTargetTexture=!0,this.textures[r].renderTarget=this;this._setTextureOptions(i),this.depthBuffer=i.depthBuffer,this.stencilBuffer=i.stencilBuffer,this.resolveColorBuffer=i.resolveColorBuffer,this.resolveDepthBuffer=i.resolveDepthBuffer,this.resolveStencilBuffer=i.resolveStencilBuffer,this.storeMultisampledColorBuffer=i.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=i.storeMultisampledDepthBuffer,this.storeMultisampledStencilBuffer=i.storeMultisampledStencilBuffer,this._depthTexture=null,this.depthTexture=i.depthTexture,this.samples=i.samples,this.multiview=i.multiview,this.useArrayDepthTexture=i.useArrayDepthTexture}_setTextureOptions(e={}){let t={minFilter:Jn,generateMipmaps:!1,flipY:!1,internalFormat:null};e.mapping!==void 0&&(t.mapping=e.mapping),e.wrapS!==void 0&&(t.wrapS=e.wrapS),e.wrapT!==void 0&&(t.wrapT=e.wrapT),e.wrapR!==void 0&&(t.wrapR=e.wrapR),e.magFilter!==void 0&&(t.magFilter=e.magFilter),e.minFilter!==void 0&&(t.minFilter=e.minFilter),e.format!==void 0&&(t.format=e.format),e.type!==void 0&&(t.type=e.type),e.anisotropy!==void 0&&(t.anisotropy=e.anisotropy),e.colorSpace!==void 0&&(t.colorSpace=e.colorSpace),e.flipY!==void 0&&(t.flipY=e.flipY),e.generateMipmaps!==void 0&&(t.generateMipmaps=e.generateMipmaps),e.mipmapsAutoUpdate!==void 0&&(t.mipmapsAutoUpdate=e.mipmapsAutoUpdate),e.internalFormat!==void 0&&(t.internalFormat=e.internalFormat);for(let i=0;i<this.textures.length;i++)this.textures[i].setValues(t)}get texture(){return this.textures[0]}set texture(e){this.textures[0]=e}set depthTexture(e){this._depthTexture!==null&&this._depthTexture.renderTarget===this&&(this._depthTexture.renderTarget=null),e!==null&&e.renderTarget===null&&(e.renderTarget=this),this._depthTexture=e}get depthTexture(){return this._depthTexture}setSize(e,t,i=1){if(this.width!==e||this.height!==t||this.depth!==i){this.width=e,this.height=t,this.depth=i;for(let s=0,r=this.textures.length;s<r;s++)this.textures[s].image.width=e,this.textures[s].image.height=t,this.textures[s].image.depth=i,this.textures[s].isData3DTexture!==!0&&(this.textures[s].isArrayTexture=this.textures[s].image.depth>1);this.dispose()}this.viewport.set(0,0,e,t),this.scissor.set(0,0,e,t)}clone(){return new this.constructor().copy(this)}copy(e){this.width=e.width,this.height=e.height,this.depth=e.depth,this.scissor.copy(e.scissor),this.scissorTest=e.scissorTest,this.viewport.copy(e.viewport),this.textures.length=0;for(let t=0,i=e.textures.length;t<i;t++){this.textures[t]=e.textures[t].clone(),this.textures[t].isRenderTargetTexture=!0,this.textures[t].renderTarget=this;let s=Object.assign({},e.textures[t].image);this.textures[t].source=new Ao(s)}if(this.depthBuffer=e.depthBuffer,this.stencilBuffer=e.stencilBuffer,this.resolveColorBuffer=e.resolveColorBuffer,this.resolveDepthBuffer=e.resolveDepthBuffer,this.resolveStencilBuffer=e.resolveStencilBuffer,this.storeMultisampledColorBuffer=e.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=e.storeMultisampledDepthBuffer,this.storeMultisampledStencilBuffer=e.storeMultisampledStencilBuffer,e.depthTexture!==null)if(e.depthTexture.renderTarget===e){let t=e.depthTexture.clone();t.renderTarget=null,this.depthTexture=t}else this.depthTexture=e.depthTexture;else this.depthTexture=null;return this.samples=e.samples,this.multiview=e.multiview,this.useArrayDepthTexture=e.useArrayDepthTexture,this}dispose(){this.dispatchEvent({type:"dispose"})}},gi=class extends xc{constructor(e=1,t=1,i={}){super(e,t,i),this.isWebGLRenderTarget=!0}},Sa=class extends ei{constructor(e=null,t=1,i=1,s=1){super(null),this.isDataArrayTexture=!0,this.image={data:e,width:t,height:i,depth:s},this.magFilter=yn,this.minFilter=yn,this.wrapR=ns,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1,this.layerUpdates=new Set}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}addLayerUpdate(e){this.layerUpdates.add(e)}clearLayerUpdates(){this.layerUpdates.clear()}};var _c=class extends ei{constructor(e=null,t=1,i=1,s=1){super(null),this.isData3DTexture=!0,this.image={data:e,width:t,height:i,depth:s},this.magFilter=yn,this.minFilter=yn,this.wrapR=ns,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}};var Yt=class n{static{this.prototype.isMatrix4=!0}constructor(e,t,i,s,r,o,a,l,c,h,u,d,f,g,y,p){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.set(e,t,i,s,r,o,a,l,c,h,u,d,f,g,y,p)}set(e,t,i,s,r,o,a,l,c,h,u,d,f,g,y,p){let m=this.elements;return m[0]=e,m[4]=t,m[8]=i,m[12]=s,m[1]=r,m[5]=o,m[9]=a,m[13]=l,m[2]=c,m[6]=h,m[10]=u,m[14]=d,m[3]=f,m[7]=g,m[11]=y,m[15]=p,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new n().fromArray(this.elements)}copy(e){let t=this.elements,i=e.elements;return t[0]=i[0],t[1]=i[1],t[2]=i[2],t[3]=i[3],t[4]=i[4],t[5]=i[5],t[6]=i[6],t[7]=i[7],t[8]=i[8],t[9]=i[9],t[10]=i[10],t[11]=i[11],t[12]=i[12],t[13]=i[13],t[14]=i[14],t[15]=i[15],this}copyPosition(e){let t=this.elements,i=e.elements;return t[12]=i[12],t[13]=i[13],t[14]=i[14],this}setFromMatrix3(e){let t=e.elements;return this.set(t[0],t[3],t[6],0,t[1],t[4],t[7],0,t[2],t[5],t[8],0,0,0,0,1),this}extractBasis(e,t,i){return this.determinantAffine()===0?(e.set(1,0,0),t.set(0,1,0),i.set(0,0,1),this):(e.setFromMatrixColumn(this,0),t.setFromMatrixColumn(this,1),i.setFromMatrixColumn(this,2),this)}makeBasis(e,t,i){return this.set(e.x,t.x,i.x,0,e.y,t.y,i.y,0,e.z,t.z,i.z,0,0,0,0,1),this}extractRotation(e){if(e.determinantAffine()===0)return this.identity();let t=this.elements,i=e.elements,s=1/co.setFromMatrixColumn(e,0).length(),r=1/co.setFromMatrixColumn(e,1).length(),o=1/co.setFromMatrixColumn(e,2).length();return t[0]=i[0]*s,t[1]=i[1]*s,t[2]=i[2]*s,t[3]=0,t[4]=i[4]*r,t[5]=i[5]*r,t[6]=i[6]*r,t[7]=0,t[8]=i[8]*o,t[9]=i[9]*o,t[10]=i[10]*o,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromEuler(e){let t=this.elements,i=e.x,s=e.y,r=e.z,o=Math.cos(i),a=Math.sin(i),l=Math.cos(s),c=Math.sin(s),h=Math.cos(r),u=Math.sin(r);if(e.order==="XYZ"){let d=o*h,f=o*u,g=a*h,y=a*u;t[0]=l*h,t[4]=-l*u,t[8]=c,t[1]=f+g*c,t[5]=d-y*c,t[9]=-a*l,t[2]=y-d*c,t[6]=g+f*c,t[10]=o*l}else if(e.order==="YXZ"){let d=l*h,f=l*u,g=c*h,y=c*u;t[0]=d+y*a,t[4]=g*a-f,t[8]=o*c,t[1]=o*u,t[5]=o*h,t[9]=-a,t[2]=f*a-g,t[6]=y+d*a,t[10]=o*l}else if(e.order==="ZXY"){let d=l*h,f=l*u,g=c*h,y=c*u;t[0]=d-y*a,t[4]=-o*u,t[8]=g+f*a,t[1]=f+g*a,t[5]=o*h,t[9]=y-d*a,t[2]=-o*c,t[6]=a,t[10]=o*l}else if(e.order==="ZYX"){let d=o*h,f=o*u,g=a*h,y=a*u;t[0]=l*h,t[4]=g*c-f,t[8]=d*c+y,t[1]=l*u,t[5]=y*c+d,t[9]=f*c-g,t[2]=-c,t[6]=a*l,t[10]=o*l}else if(e.order==="YZX"){let d=o*l,f=o*c,g=a*l,y=a*c;t[0]=l*h,t[4]=y-d*u,t[8]=g*u+f,t[1]=u,t[5]=o*h,t[9]=-a*h,t[2]=-c*h,t[6]=f*u+g,t[10]=d-y*u}else if(e.order==="XZY"){let d=o*l,f=o*c,g=a*l,y=a*c;t[0]=l*h,t[4]=-u,t[8]=c*h,t[1]=d*u+y,t[5]=o*h,t[9]=f*u-g,t[2]=g*u-f,t[6]=a*h,t[10]=y*u+d}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(cM,e,hM)}lookAt(e,t,i){let s=this.elements;return di.subVectors(e,t),di.lengthSq()===0&&(di.z=1),di.normalize(),Ws.crossVectors(i,di),Ws.lengthSq()===0&&(Math.abs(i.z)===1?di.x+=1e-4:di.z+=1e-4,di.normalize(),Ws.crossVectors(i,di)),Ws.normalize(),Ol.crossVectors(di,Ws),s[0]=Ws.x,s[4]=Ol.x,s[8]=di.x,s[1]=Ws.y,s[5]=Ol.y,s[9]=di.y,s[2]=Ws.z,s[6]=Ol.z,s[10]=di.z,this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let i=e.elements,s=t.elements,r=this.elements,o=i[0],a=i[4],l=i[8],c=i[12],h=i[1],u=i[5],d=i[9],f=i[13],g=i[2],y=i[6],p=i[10],m=i[14],v=i[3],C=i[7],S=i[11],R=i[15],A=s[0],_=s[4],E=s[8],k=s[12],N=s[1],D=s[5],X=s[9],B=s[13],L=s[2],z=s[6],G=s[10],V=s[14],ae=s[3],$=s[7],j=s[11],te=s[15];return r[0]=o*A+a*N+l*L+c*ae,r[4]=o*_+a*D+l*z+c*$,r[8]=o*E+a*X+l*G+c*j,r[12]=o*k+a*B+l*V+c*te,r[1]=h*A+u*N+d*L+f*ae,r[5]=h*_+u*D+d*z+f*$,r[9]=h*E+u*X+d*G+f*j,r[13]=h*k+u*B+d*V+f*te,r[2]=g*A+y*N+p*L+m*ae,r[6]=g*_+y*D+p*z+m*$,r[10]=g*E+y*X+p*G+m*j,r[14]=g*k+y*B+p*V+m*te,r[3]=v*A+C*N+S*L+R*ae,r[7]=v*_+C*D+S*z+R*$,r[11]=v*E+C*X+S*G+R*j,r[15]=v*k+C*B+S*V+R*te,this}multiplyScalar(e){let t=this.elements;return t[0]*=e,t[4]*=e,t[8]*=e,t[12]*=e,t[1]*=e,t[5]*=e,t[9]*=e,t[13]*=e,t[2]*=e,t[6]*=e,t[10]*=e,t[14]*=e,t[3]*=e,t[7]*=e,t[11]*=e,t[15]*=e,this}determinant(){let e=this.elements,t=e[0],i=e[4],s=e[8],r=e[12],o=e[1],a=e[5],l=e[9],c=e[13],h=e[2],u=e[6],d=e[10],f=e[14],g=e[3],y=e[7],p=e[11],m=e[15],v=l*f-c*d,C=a*f-c*u,S=a*d-l*u,R=o*f-c*h,A=o*d-l*h,_=o*u-a*h;return t*(y*v-p*C+m*S)-i*(g*v-p*R+m*A)+s*(g*C-y*R+m*_)-r*(g*S-y*A+p*_)}determinantAffine(){let e=this.elements,t=e[0],i=e[4],s=e[8],r=e[1],o=e[5],a=e[9],l=e[2],c=e[6],h=e[10];return t*(o*h-a*c)-i*(r*h-a*l)+s*(r*c-o*l)}transpose(){let e=this.elements,t;return t=e[1],e[1]=e[4],e[4]=t,t=e[2],e[2]=e[8],e[8]=t,t=e[6],e[6]=e[9],e[9]=t,t=e[3],e[3]=e[12],e[12]=t,t=e[7],e[7]=e[13],e[13]=t,t=e[11],e[11]=e[14],e[14]=t,this}setPosition(e,t,i){let s=this.elements;return e.isVector3?(s[12]=e.x,s[13]=e.y,s[14]=e.z):(s[12]=e,s[13]=t,s[14]=i),this}invert(){let e=this.elements,t=e[0],i=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],h=e[8],u=e[9],d=e[10],f=e[11],g=e[12],y=e[13],p=e[14],m=e[15],v=t*a-i*o,C=t*l-s*o,S=t*c-r*o,R=i*l-s*a,A=i*c-r*a,_=s*c-r*l,E=h*y-u*g,k=h*p-d*g,N=h*m-f*g,D=u*p-d*y,X=u*m-f*y,B=d*m-f*p,L=v*B-C*X+S*D+R*N-A*k+_*E;if(L===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let z=1/L;return e[0]=(a*B-l*X+c*D)*z,e[1]=(s*X-i*B-r*D)*z,e[2]=(y*_-p*A+m*R)*z,e[3]=(d*A-u*_-f*R)*z,e[4]=(l*N-o*B-c*k)*z,e[5]=(t*B-s*N+r*k)*z,e[6]=(p*S-g*_-m*C)*z,e[7]=(h*_-d*S+f*C)*z,e[8]=(o*X-a*N+c*E)*z,e[9]=(i*N-t*X-r*E)*z,e[10]=(g*A-y*S+m*v)*z,e[11]=(u*S-h*A-f*v)*z,e[12]=(a*k-o*D-l*E)*z,e[13]=(t*D-i*k+s*E)*z,e[14]=(y*C-g*R-p*v)*z,e[15]=(h*R-u*C+d*v)*z,this}scale(e){let t=this.elements,i=e.x,s=e.y,r=e.z;return t[0]*=i,t[4]*=s,t[8]*=r,t[1]*=i,t[5]*=s,t[9]*=r,t[2]*=i,t[6]*=s,t[10]*=r,t[3]*=i,t[7]*=s,t[11]*=r,this}getMaxScaleOnAxis(){let e=this.elements,t=e[0]*e[0]+e[1]*e[1]+e[2]*e[2],i=e[4]*e[4]+e[5]*e[5]+e[6]*e[6],s=e[8]*e[8]+e[9]*e[9]+e[10]*e[10];return Math.sqrt(Math.max(t,i,s))}makeTranslation(e,t,i){return e.isVector3?this.set(1,0,0,e.x,0,1,0,e.y,0,0,1,e.z,0,0,0,1):this.set(1,0,0,e,0,1,0,t,0,0,1,i,0,0,0,1),this}makeRotationX(e){let t=Math.cos(e),i=Math.sin(e);return this.set(1,0,0,0,0,t,-i,0,0,i,t,0,0,0,0,1),this}makeRotationY(e){let t=Math.cos(e),i=Math.sin(e);return this.set(t,0,i,0,0,1,0,0,-i,0,t,0,0,0,0,1),this}makeRotationZ(e){let t=Math.cos(e),i=Math.sin(e);return this.set(t,-i,0,0,i,t,0,0,0,0,1,0,0,0,0,1),this}makeRotationAxis(e,t){let i=Math.cos(t),s=Math.sin(t),r=1-i,o=e.x,a=e.y,l=e.z,c=r*o,h=r*a;return this.set(c*o+i,c*a-s*l,c*l+s*a,0,c*a+s*l,h*a+i,h*l-s*o,0,c*l-s*a,h*l+s*o,r*l*l+i,0,0,0,0,1),this}makeScale(e,t,i){return this.set(e,0,0,0,0,t,0,0,0,0,i,0,0,0,0,1),this}makeShear(e,t,i,s,r,o){return this.set(1,i,r,0,e,1,o,0,t,s,1,0,0,0,0,1),this}compose(e,t,i){let s=this.elements,r=t._x,o=t._y,a=t._z,l=t._w,c=r+r,h=o+o,u=a+a,d=r*c,f=r*h,g=r*u,y=o*h,p=o*u,m=a*u,v=l*c,C=l*h,S=l*u,R=i.x,A=i.y,_=i.z;return s[0]=(1-(y+m))*R,s[1]=(f+S)*R,s[2]=(g-C)*R,s[3]=0,s[4]=(f-S)*A,s[5]=(1-(d+m))*A,s[6]=(p+v)*A,s[7]=0,s[8]=(g+C)*_,s[9]=(p-v)*_,s[10]=(1-(d+y))*_,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,i){let s=this.elements;e.x=s[12],e.y=s[13],e.z=s[14];let r=this.determinantAffine();if(r===0)return i.set(1,1,1),t.identity(),this;let o=co.set(s[0],s[1],s[2]).length(),a=co.set(s[4],s[5],s[6]).length(),l=co.set(s[8],s[9],s[10]).length();r<0&&(o=-o),Oi.copy(this);let c=1/o,h=1/a,u=1/l;return Oi.elements[0]*=c,Oi.elements[1]*=c,Oi.elements[2]*=c,Oi.elements[4]*=h,Oi.elements[5]*=h,Oi.elements[6]*=h,Oi.elements[8]*=u,Oi.elements[9]*=u,Oi.elements[10]*=u,t.setFromRotationMatrix(Oi),i.x=o,i.y=a,i.z=l,this}makePerspective(e,t,i,s,r,o,a=Ai,l=!1){let c=this.elements,h=2*r/(t-e),u=2*r/(i-s),d=(t+e)/(t-e),f=(i+s)/(i-s),g,y;if(l)g=r/(o-r),y=o*r/(o-r);else if(a===Ai)g=-(o+r)/(o-r),y=-2*o*r/(o-r);else if(a===wo)g=-o/(o-r),y=-o*r/(o-r);else throw new Error("THREE.Matrix4.makePerspective(): Invalid coordinate system: "+a);return c[0]=h,c[4]=0,c[8]=d,c[12]=0,c[1]=0,c[5]=u,c[9]=f,c[13]=0,c[2]=0,c[6]=0,c[10]=g,c[14]=y,c[3]=0,c[7]=0,c[11]=-1,c[15]=0,this}makeOrthographic(e,t,i,s,r,o,a=Ai,l=!1){let c=this.elements,h=2/(t-e),u=2/(i-s),d=-(t+e)/(t-e),f=-(i+s)/(i-s),g,y;if(l)g=1/(o-r),y=o/(o-r);else if(a===Ai)g=-2/(o-r),y=-(o+r)/(o-r);else if(a===wo)g=-1/(o-r),y=-r/(o-r);else throw new Error("THREE.Matrix4.makeOrthographic(): Invalid coordinate system: "+a);return c[0]=h,c[4]=0,c[8]=0,c[12]=d,c[1]=0,c[5]=u,c[9]=0,c[13]=f,c[2]=0,c[6]=0,c[10]=g,c[14]=y,c[3]=0,c[7]=0,c[11]=0,c[15]=1,this}equals(e){let t=this.elements,i=e.elements;for(let s=0;s<16;s++)if(t[s]!==i[s])return!1;return!0}fromArray(e,t=0){for(let i=0;i<16;i++)this.elements[i]=e[i+t];return this}toArray(e=[],t=0){let i=this.elements;return e[t]=i[0],e[t+1]=i[1],e[t+2]=i[2],e[t+3]=i[3],e[t+4]=i[4],e[t+5]=i[5],e[t+6]=i[6],e[t+7]=i[7],e[t+8]=i[8],e[t+9]=i[9],e[t+10]=i[10],e[t+11]=i[11],e[t+12]=i[12],e[t+13]=i[13],e[t+14]=i[14],e[t+15]=i[15],e}},co=new Z,Oi=new Yt,cM=new Z(0,0,0),hM=new Z(1,1,1),Ws=new Z,Ol=new Z,di=new Z,kg=new Yt,zg=new mi,Ts=class n{constructor(e=0,t=0,i=0,s=n.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,this._z=i,this._order=s}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get order(){return this._order}set order(e){this._order=e,this._onChangeCallback()}set(e,t,i,s=this._order){return this._x=e,this._y=t,this._z=i,this._order=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._order)}copy(e){return this._x=e._x,this._y=e._y,this._z=e._z,this._order=e._order,this._onChangeCallback(),this}setFromRotationMatrix(e,t=this._order,i=!0){let s=e.elements,r=s[0],o=s[4],a=s[8],l=s[1],c=s[5],h=s[9],u=s[2],d=s[6],f=s[10];switch(t){case"XYZ":this._y=Math.asin(gt(a,-1,1)),Math.abs(a)<.9999999?(this._x=Math.atan2(-h,f),this._z=Math.atan2(-o,r)):(this._x=Math.atan2(d,c),this._z=0);break;case"YXZ":this._x=Math.asin(-gt(h,-1,1)),Math.abs(h)<.9999999?(this._y=Math.atan2(a,f),this._z=Math.atan2(l,c)):(this._y=Math.atan2(-u,r),this._z=0);break;case"ZXY":this._x=Math.asin(gt(d,-1,1)),Math.abs(d)<.9999999?(this._y=Math.atan2(-u,f),this._z=Math.atan2(-o,c)):(this._y=0,this._z=Math.atan2(l,r));break;case"ZYX":this._y=Math.asin(-gt(u,-1,1)),Math.abs(u)<.9999999?(this._x=Math.atan2(d,f),this._z=Math.atan2(l,r)):(this._x=0,this._z=Math.atan2(-o,c));break;case"YZX":this._z=Math.asin(gt(l,-1,1)),Math.abs(l)<.9999999?(this._x=Math.atan2(-h,c),this._y=Math.atan2(-u,r)):(this._x=0,this._y=Math.atan2(a,f));break;case"XZY":this._z=Math.asin(-gt(o,-1,1)),Math.abs(o)<.9999999?(this._x=Math.atan2(d,c),this._y=Math.atan2(a,r)):(this._x=Math.atan2(-h,f),this._y=0);break;default:Ze("Euler: .setFromRotationMatrix() encountered an unknown order: "+t)}return this._order=t,i===!0&&this._onChangeCallback(),this}setFromQuaternion(e,t,i){return kg.makeRotationFromQuaternion(e),this.setFromRotationMatrix(kg,t,i)}setFromVector3(e,t=this._order){return this.set(e.x,e.y,e.z,t)}reorder(e){return zg.setFromEuler(this),this.setFromQuaternion(zg,e)}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._order===this._order}fromArray(e){return this._x=e[0],this._y=e[1],this._z=e[2],e[3]!==void 0&&(this._order=e[3]),this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this._y,e[t+2]=this._z,e[t+3]=this._order,e}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this._z,yield this._order}};Ts.DEFAULT_ORDER="XYZ";var wa=class{constructor(){this.mask=1}set(e){this.mask=(1<<e|0)>>>0}enable(e){this.mask|=1<<e|0}enableAll(){this.mask=-1}toggle(e){this.mask^=1<<e|0}disable(e){this.mask&=~(1<<e|0)}disableAll(){this.mask=0}test(e){return(this.mask&e.mask)!==0}isEnabled(e){return(this.mask&(1<<e|0))!==0}},uM=0,Vg=new Z,ho=new mi,_s=new Yt,Fl=new Z,ua=new Z,dM=new Z,fM=new mi,Hg=new Z(1,0,0),Gg=new Z(0,1,0),Wg=new Z(0,0,1),Xg={type:"added"},pM={type:"removed"},uo={type:"childadded",child:null},_d={type:"childremoved",child:null},Vn=class n extends ki{constructor(){super(),this.isObject3D=!0,Object.defineProperty(this,"id",{value:uM++}),this.uuid=ko(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=n.DEFAULT_UP.clone();let e=new Z,t=new Ts,i=new mi,s=new Z(1,1,1);function r(){i.setFromEuler(t,!1)}function o(){t.setFromQuaternion(i,void 0,!1)}t._onChange(r),i._onChange(o),Object.defineProperties(this,{position:{configurable:!0,enumerable:!0,value:e},rotation:{configurable:!0,enumerable:!0,value:t},quaternion:{configurable:!0,enumerable:!0,value:i},scale:{configurable:!0,enumerable:!0,value:s},modelViewMatrix:{value:new Yt},normalMatrix:{value:new nt}}),this.matrix=new Yt,this.matrixWorld=new Yt,this.matrixAutoUpdate=n.DEFAULT_MATRIX_AUTO_UPDATE,this.matrixWorldAutoUpdate=n.DEFAULT_MATRIX_WORLD_AUTO_UPDATE,this.matrixWorldNeedsUpdate=!1,this.layers=new wa,this.visible=!0,this.castShadow=!1,this.receiveShadow=!1,this.frustumCulled=!0,this.renderOrder=0,this.animations=[],this.customDepthMaterial=void 0,this.customDistanceMaterial=void 0,this.static=!1,this.userData={},this.pivot=null}onBeforeShadow(){}onAfterShadow(){}onBeforeRender(){}onAfterRender(){}applyMatrix4(e){this.matrixAutoUpdate&&this.updateMatrix(),this.matrix.premultiply(e),this.matrix.decompose(this.position,this.quaternion,this.scale),this.pivot!==null&&this.position.copy(this.pivot).applyMatrix4(this.matrix).sub(this.pivot)}applyQuaternion(e){return this.quaternion.premultiply(e),this}setRotationFromAxisAngle(e,t){this.quaternion.setFromAxisAngle(e,t)}setRotationFromEuler(e){this.quaternion.setFromEuler(e,!0)}setRotationFromMatrix(e){this.quaternion.setFromRotationMatrix(e)}setRotationFromQuaternion(e){this.quaternion.copy(e)}rotateOnAxis(e,t){return ho.setFromAxisAngle(e,t),this.quaternion.multiply(ho),this}rotateOnWorldAxis(e,t){return ho.setFromAxisAngle(e,t),this.quaternion.premultiply(ho),this}rotateX(e){return this.rotateOnAxis(Hg,e)}rotateY(e){return this.rotateOnAxis(Gg,e)}rotateZ(e){return this.rotateOnAxis(Wg,e)}translateOnAxis(e,t){return Vg.copy(e).applyQuaternion(this.quaternion),this.position.add(Vg.multiplyScalar(t)),this}translateX(e){return this.translateOnAxis(Hg,e)}translateY(e){return this.translateOnAxis(Gg,e)}translateZ(e){return this.translateOnAxis(Wg,e)}localToWorld(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(this.matrixWorld)}worldToLocal(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(_s.copy(this.matrixWorld).invert())}lookAt(e,t,i){e.isVector3?Fl.copy(e):Fl.set(e,t,i);let s=this.parent;this.updateWorldMatrix(!0,!1),ua.setFromMatrixPosition(this.matrixWorld),this.isCamera||this.isLight?_s.lookAt(ua,Fl,this.up):_s.lookAt(Fl,ua,this.up),this.quaternion.setFromRotationMatrix(_s),s&&(_s.extractRotation(s.matrixWorld),ho.setFromRotationMatrix(_s),this.quaternion.premultiply(ho.invert()))}add(e){if(arguments.length>1){for(let t=0;t<arguments.length;t++)this.add(arguments[t]);return this}return e===this?(et("Object3D.add: object can't be added as a child of itself.",e),this):(e&&e.isObject3D?(e.removeFromParent(),e.parent=this,this.children.push(e),e.dispatchEvent(Xg),uo.child=e,this.dispatchEvent(uo),uo.child=null):et("Object3D.add: object not an instance of THREE.Object3D.",e),this)}remove(e){if(arguments.length>1){for(let i=0;i<arguments.length;i++)this.remove(arguments[i]);return this}let t=this.children.indexOf(e);return t!==-1&&(e.parent=null,this.children.splice(t,1),e.dispatchEvent(pM),_d.child=e,this.dispatchEvent(_d),_d.child=null),this}removeFromParent(){let e=this.parent;return e!==null&&e.remove(this),this}clear(){return this.remove(...this.children)}attach(e){return this.updateWorldMatrix(!0,!1),_s.copy(this.matrixWorld).invert(),e.parent!==null&&(e.parent.updateWorldMatrix(!0,!1),_s.multiply(e.parent.matrixWorld)),e.applyMatrix4(_s),e.removeFromParent(),e.parent=this,this.children.push(e),e.updateWorldMatrix(!1,!0),e.dispatchEvent(Xg),uo.child=e,this.dispatchEvent(uo),uo.child=null,this}getObjectById(e){return this.getObjectByProperty("id",e)}getObjectByName(e){return this.getObjectByProperty("name",e)}getObjectByProperty(e,t){if(this[e]===t)return this;for(let i=0,s=this.children.length;i<s;i++){let o=this.children[i].getObjectByProperty(e,t);if(o!==void 0)return o}}getObjectsByProperty(e,t,i=[]){this[e]===t&&i.push(this);let s=this.children;for(let r=0,o=s.length;r<o;r++)s[r].getObjectsByProperty(e,t,i);return i}getWorldPosition(e){return this.updateWorldMatrix(!0,!1),e.setFromMatrixPosition(this.matrixWorld)}getWorldQuaternion(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(ua,e,dM),e}getWorldScale(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(ua,fM,e),e}getWorldDirection(e){this.updateWorldMatrix(!0,!1);let t=this.matrixWorld.elements;return e.set(t[8],t[9],t[10]).normalize()}raycast(){}intersectsFrustum(){return!0}traverse(e){e(this);let t=this.children;for(let i=0,s=t.length;i<s;i++)t[i].traverse(e)}traverseVisible(e){if(this.visible===!1)return;e(this);let t=this.children;for(let i=0,s=t.length;i<s;i++)t[i].traverseVisible(e)}traverseAncestors(e){let t=this.parent;t!==null&&(e(t),t.traverseAncestors(e))}updateMatrix(){this.matrix.compose(this.position,this.quaternion,this.scale);let e=this.pivot;if(e!==null){let t=e.x,i=e.y,s=e.z,r=this.matrix.elements;r[12]+=t-r[0]*t-r[4]*i-r[8]*s,r[13]+=i-r[1]*t-r[5]*i-r[9]*s,r[14]+=s-r[2]*t-r[6]*i-r[10]*s}this.matrixWorldNeedsUpdate=!0}updateMatrixWorld(e){this.matrixAutoUpdate&&this.updateMatrix(),(this.matrixWorldNeedsUpdate||e)&&(this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),this.matrixWorldNeedsUpdate=!1,e=!0);let t=this.children;for(let i=0,s=t.length;i<s;i++)t[i].updateMatrixWorld(e)}updateWorldMatrix(e,t,i=!1){let s=this.parent;if(e===!0&&s!==null&&s.updateWorldMatrix(!0,!1),this.matrixAutoUpdate&&this.updateMatrix(),(this.matrixWorldNeedsUpdate||i)&&(this.matrixWorldAutoUpdate===!0&&(this.parent===null?this.matrixWorld.copy(this.matrix):this.matrixWorld.multiplyMatrices(this.parent.matrixWorld,this.matrix)),this.matrixWorldNeedsUpdate=!1,i=!0),t===!0){let r=this.children;for(let o=0,a=r.length;o<a;o++)r[o].updateWorldMatrix(!1,!0,i)}}toJSON(e){let t=e===void 0||typeof e=="string",i={};t&&(e={geometries:{},materials:{},textures:{},images:{},shapes:{},skeletons:{},animations:{},nodes:{}},i.metadata={version:4.7,type:"Object",generator:"Object3D.toJSON"});let s={};s.uuid=this.uuid,s.type=this.type,s.name=this.name,s.castShadow=this.castShadow,s.receiveShadow=this.receiveShadow,s.visible=this.visible,s.frustumCulled=this.frustumCulled,s.renderOrder=this.renderOrder,s.static=this.static,s.matrixAutoUpdate=this.matrixAutoUpdate,Object.keys(this.userData).length>0&&(s.userData=this.userData),s.layers=this.layers.mask,s.matrix=this.matrix.toArray(),s.up=this.up.toArray(),this.pivot!==null&&(s.pivot=this.pivot.toArray()),this.morphTargetDictionary!==void 0&&(s.morphTargetDictionary=Object.assign({},this.morphTargetDictionary)),this.morphTargetInfluences!==void 0&&(s.morphTargetInfluences=this.morphTargetInfluences.slice()),this.isInstancedMesh&&(s.type="InstancedMesh",s.count=this.count,s.instanceMatrix=this.instanceMatrix.toJSON(),this.instanceColor!==null&&(s.instanceColor=this.instanceColor.toJSON())),this.isBatchedMesh&&(s.type="BatchedMesh",s.perObjectFrustumCulled=this.perObjectFrustumCulled,s.sortObjects=this.sortObjects,s.drawRanges=this._drawRanges,s.reservedRanges=this._reservedRanges,s.geometryInfo=this._geometryInfo.map(a=>({...a,boundingBox:a.boundingBox?a.boundingBox.toJSON():void 0,boundingSphere:a.boundingSphere?a.boundingSphere.toJSON():void 0})),s.instanceInfo=this._instanceInfo.map(a=>({...a})),s.availableInstanceIds=this._availableInstanceIds.slice(),s.availableGeometryIds=this._availableGeometryIds.slice(),s.nextIndexStart=this._nextIndexStart,s.nextVertexStart=this._nextVertexStart,s.geometryCount=this._geometryCount,s.maxInstanceCount=this._maxInstanceCount,s.maxVertexCount=this._maxVertexCount,s.maxIndexCount=this._maxIndexCount,s.geometryInitialized=this._geometryInitialized,s.matricesTexture=this._matricesTexture.toJSON(e),s.indirectTexture=this._indirectTexture.toJSON(e),this._colorsTexture!==null&&(s.colorsTexture=this._colorsTexture.toJSON(e)),this.boundingSphere!==null&&(s.boundingSphere=this.boundingSphere.toJSON()),this.boundingBox!==null&&(s.boundingBox=this.boundingBox.toJSON()));function r(a,l){return a[l.uuid]===void 0&&(a[l.uuid]=l.toJSON(e)),l.uuid}if(this.isScene)this.background&&(this.background.isColor?s.background=this.background.toJSON():this.background.isTexture&&(s.background=this.background.toJSON(e).uuid)),this.environment&&this.environment.isTexture&&this.environment.isRenderTargetTexture!==!0&&(s.environment=this.environment.toJSON(e).uuid);else if(this.isMesh||this.isLine||this.isPoints){s.geometry=r(e.geometries,this.geometry);let a=this.geometry.parameters;if(a!==void 0&&a.shapes!==void 0){let l=a.shapes;if(Array.isArray(l))for(let c=0,h=l.length;c<h;c++){let u=l[c];r(e.shapes,u)}else r(e.shapes,l)}}if(this.isSkinnedMesh&&(s.bindMode=this.bindMode,s.bindMatrix=this.bindMatrix.toArray(),this.skeleton!==void 0&&(r(e.skeletons,this.skeleton),s.skeleton=this.skeleton.uuid)),this.material!==void 0)if(Array.isArray(this.material)){let a=[];for(let l=0,c=this.material.length;l<c;l++)a.push(r(e.materials,this.material[l]));s.material=a}else s.material=r(e.materials,this.material);if(this.children.length>0){s.children=[];for(let a=0;a<this.children.length;a++)s.children.push(this.children[a].toJSON(e).object)}if(this.animations.length>0){s.animations=[];for(let a=0;a<this.animations.length;a++){let l=this.animations[a];s.animations.push(r(e.animations,l))}}if(t){let a=o(e.geometries),l=o(e.materials),c=o(e.textures),h=o(e.images),u=o(e.shapes),d=o(e.skeletons),f=o(e.animations),g=o(e.nodes);a.length>0&&(i.geometries=a),l.length>0&&(i.materials=l),c.length>0&&(i.textures=c),h.length>0&&(i.images=h),u.length>0&&(i.shapes=u),d.length>0&&(i.skeletons=d),f.length>0&&(i.animations=f),g.length>0&&(i.nodes=g)}return i.object=s,i;function o(a){let l=[];for(let c in a){let h=a[c];delete h.metadata,l.push(h)}return l}}clone(e){return new this.constructor().copy(this,e)}copy(e,t=!0){if(this.name=e.name,this.up.copy(e.up),this.position.copy(e.position),this.rotation.order=e.rotation.order,this.quaternion.copy(e.quaternion),this.scale.copy(e.scale),this.pivot=e.pivot!==null?e.pivot.clone():null,this.matrix.copy(e.matrix),this.matrixWorld.copy(e.matrixWorld),this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrixWorldAutoUpdate=e.matrixWorldAutoUpdate,this.matrixWorldNeedsUpdate=e.matrixWorldNeedsUpdate,this.layers.mask=e.layers.mask,this.visible=e.visible,this.castShadow=e.castShadow,this.receiveShadow=e.receiveShadow,this.frustumCulled=e.frustumCulled,this.renderOrder=e.renderOrder,this.static=e.static,this.animations=e.animations.slice(),this.userData=JSON.parse(JSON.stringify(e.userData)),t===!0)for(let i=0;i<e.children.length;i++){let s=e.children[i];this.add(s.clone())}return this}dispose(){this.dispatchEvent({type:"dispose"})}};Vn.DEFAULT_UP=new Z(0,1,0);Vn.DEFAULT_MATRIX_AUTO_UPDATE=!0;Vn.DEFAULT_MATRIX_WORLD_AUTO_UPDATE=!0;var Ss=class extends Vn{constructor(){super(),this.isGroup=!0,this.type="Group"}},mM={type:"move"},Co=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===null&&(this._hand=new Ss,this._hand.matrixAutoUpdate=!1,this._hand.visible=!1,this._hand.joints={},this._hand.inputState={pinching:!1}),this._hand}getTargetRaySpace(){return this._targetRay===null&&(this._targetRay=new Ss,this._targetRay.matrixAutoUpdate=!1,this._targetRay.visible=!1,this._targetRay.hasLinearVelocity=!1,this._targetRay.linearVelocity=new Z,this._targetRay.hasAngularVelocity=!1,this._targetRay.angularVelocity=new Z),this._targetRay}getGripSpace(){return this._grip===null&&(this._grip=new Ss,this._grip.matrixAutoUpdate=!1,this._grip.visible=!1,this._grip.hasLinearVelocity=!1,this._grip.linearVelocity=new Z,this._grip.hasAngularVelocity=!1,this._grip.angularVelocity=new Z,this._grip.eventsEnabled=!1),this._grip}dispatchEvent(e){return this._targetRay!==null&&this._targetRay.dispatchEvent(e),this._grip!==null&&this._grip.dispatchEvent(e),this._hand!==null&&this._hand.dispatchEvent(e),this}connect(e){if(e&&e.hand){let t=this._hand;if(t)for(let i of e.hand.values())this._getHandJoint(t,i)}return this.dispatchEvent({type:"connected",data:e}),this}disconnect(e){return this.dispatchEvent({type:"disconnected",data:e}),this._targetRay!==null&&(this._targetRay.visible=!1),this._grip!==null&&(this._grip.visible=!1),this._hand!==null&&(this._hand.visible=!1),this}update(e,t,i){let s=null,r=null,o=null,a=this._targetRay,l=this._grip,c=this._hand;if(e&&t.session.visibilityState!=="visible-blurred"){if(c&&e.hand){o=!0;for(let y of e.hand.values()){let p=t.getJointPose(y,i),m=this._getHandJoint(c,y);p!==null&&(m.matrix.fromArray(p.transform.matrix),m.matrix.decompose(m.position,m.quaternion,m.scale),m.matrixWorldNeedsUpdate=!0,m.jointRadius=p.radius),m.visible=p!==null}let h=c.joints["index-finger-tip"],u=c.joints["thumb-tip"],d=h.position.distanceTo(u.position),f=.02,g=.005;c.inputState.pinching&&d>f+g?(c.inputState.pinching=!1,this.dispatchEvent({type:"pinchend",handedness:e.handedness,target:this})):!c.inputState.pinching&&d<=f-g&&(c.inputState.pinching=!0,this.dispatchEvent({type:"pinchstart",handedness:e.handedness,target:this}))}else l!==null&&e.gripSpace&&(r=t.getPose(e.gripSpace,i),r!==null&&(l.matrix.fromArray(r.transform.matrix),l.matrix.decompose(l.position,l.quaternion,l.scale),l.matrixWorldNeedsUpdate=!0,r.linearVelocity?(l.hasLinearVelocity=!0,l.linearVelocity.copy(r.linearVelocity)):l.hasLinearVelocity=!1,r.angularVelocity?(l.hasAngularVelocity=!0,l.angularVelocity.copy(r.angularVelocity)):l.hasAngularVelocity=!1,l.eventsEnabled&&l.dispatchEvent({type:"gripUpdated",data:e,target:this})));a!==null&&(s=t.getPose(e.targetRaySpace,i),s===null&&r!==null&&(s=r),s!==null&&(a.matrix.fromArray(s.transform.matrix),a.matrix.decompose(a.position,a.quaternion,a.scale),a.matrixWorldNeedsUpdate=!0,s.linearVelocity?(a.hasLinearVelocity=!0,a.linearVelocity.copy(s.linearVelocity)):a.hasLinearVelocity=!1,s.angularVelocity?(a.hasAngularVelocity=!0,a.angularVelocity.copy(s.angularVelocity)):a.hasAngularVelocity=!1,this.dispatchEvent(mM)))}return a!==null&&(a.visible=s!==null),l!==null&&(l.visible=r!==null),c!==null&&(c.visible=o!==null),this}_getHandJoint(e,t){if(e.joints[t.jointName]===void 0){let i=new Ss;i.matrixAutoUpdate=!1,i.visible=!1,e.joints[t.jointName]=i,e.add(i)}return e.joints[t.jointName]}},X0={aliceblue:15792383,antiquewhite:16444375,aqua:65535,aquamarine:8388564,azure:15794175,beige:16119260,bisque:16770244,black:0,blanchedalmond:16772045,blue:255,blueviolet:9055202,brown:10824234,burlywood:14596231,cadetblue:6266528,chartreuse:8388352,chocolate:13789470,coral:16744272,cornflowerblue:6591981,cornsilk:16775388,crimson:14423100,cyan:65535,darkblue:139,darkcyan:35723,darkgoldenrod:12092939,darkgray:11119017,darkgreen:25600,darkgrey:11119017,darkkhaki:12433259,darkmagenta:9109643,darkolivegreen:5597999,darkorange:16747520,darkorchid:10040012,darkred:9109504,darksalmon:15308410,darkseagreen:9419919,darkslateblue:4734347,darkslategray:3100495,darkslategrey:3100495,darkturquoise:52945,darkviolet:9699539,deeppink:16716947,deepskyblue:49151,dimgray:6908265,dimgrey:6908265,dodgerblue:2003199,firebrick:11674146,floralwhite:16775920,forestgreen:2263842,fuchsia:16711935,gainsboro:14474460,ghostwhite:16316671,gold:16766720,goldenrod:14329120,gray:8421504,green:32768,greenyellow:11403055,grey:8421504,honeydew:15794160,hotpink:16738740,indianred:13458524,indigo:4915330,ivory:16777200,khaki:15787660,lavender:15132410,lavenderblush:16773365,lawngreen:8190976,lemonchiffon:16775885,lightblue:11393254,lightcoral:15761536,lightcyan:14745599,lightgoldenrodyellow:16448210,lightgray:13882323,lightgreen:9498256,lightgrey:13882323,lightpink:16758465,lightsalmon:16752762,lightseagreen:2142890,lightskyblue:8900346,lightslategray:7833753,lightslategrey:7833753,lightsteelblue:11584734,lightyellow:16777184,lime:65280,limegreen:3329330,linen:16445670,magenta:16711935,maroon:8388608,mediumaquamarine:6737322,mediumblue:205,mediumorchid:12211667,mediumpurple:9662683,mediumseagreen:3978097,mediumslateblue:8087790,mediumspringgreen:64154,mediumturquoise:4772300,mediumvioletred:13047173,midnightblue:1644912,mintcream:16121850,mistyrose:16770273,moccasin:16770229,navajowhite:16768685,navy:128,oldlace:16643558,olive:8421376,olivedrab:7048739,orange:16753920,orangered:16729344,orchid:14315734,palegoldenrod:15657130,palegreen:10025880,paleturquoise:11529966,palevioletred:14381203,papayawhip:16773077,peachpuff:16767673,peru:13468991,pink:16761035,plum:14524637,powderblue:11591910,purple:8388736,rebeccapurple:6697881,red:16711680,rosybrown:12357519,royalblue:4286945,saddlebrown:9127187,salmon:16416882,sandybrown:16032864,seagreen:3050327,seashell:16774638,sienna:10506797,silver:12632256,skyblue:8900331,slateblue:6970061,slategray:7372944,slategrey:7372944,snow:16775930,springgreen:65407,steelblue:4620980,tan:13808780,teal:32896,thistle:14204888,tomato:16737095,turquoise:4251856,violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:16776960,yellowgreen:10145074},Xs={h:0,s:0,l:0},Bl={h:0,s:0,l:0};function yd(n,e,t){return t<0&&(t+=1),t>1&&(t-=1),t<1/6?n+(e-n)*6*t:t<1/2?e:t<2/3?n+(e-n)*6*(2/3-t):n}var ct=class{constructor(e,t,i){return this.isColor=!0,this.r=1,this.g=1,this.b=1,this.set(e,t,i)}set(e,t,i){if(t===void 0&&i===void 0){let s=e;s&&s.isColor?this.copy(s):typeof s=="number"?this.setHex(s):typeof s=="string"&&this.setStyle(s)}else this.setRGB(e,t,i);return this}setScalar(e){return this.r=e,this.g=e,this.b=e,this}setHex(e,t=Dn){return e=Math.floor(e),this.r=(e>>16&255)/255,this.g=(e>>8&255)/255,this.b=(e&255)/255,bt.colorSpaceToWorking(this,t),this}setRGB(e,t,i,s=bt.workingColorSpace){return this.r=e,this.g=t,this.b=i,bt.colorSpaceToWorking(this,s),this}setHSL(e,t,i,s=bt.workingColorSpace){if(e=mf(e,1),t=gt(t,0,1),i=gt(i,0,1),t===0)this.r=this.g=this.b=i;else{let r=i<=.5?i*(1+t):i+t-i*t,o=2*i-r;this.r=yd(o,r,e+1/3),this.g=yd(o,r,e),this.b=yd(o,r,e-1/3)}return bt.colorSpaceToWorking(this,s),this}setStyle(e,t=Dn){function i(r){r!==void 0&&parseFloat(r)<1&&Ze("Color: Alpha component of "+e+" will be ignored.")}let s;if(s=/^(\w+)\(([^\)]*)\)/.exec(e)){let r,o=s[1],a=s[2];switch(o){case"rgb":case"rgba":if(r=/^\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return i(r[4]),this.setRGB(Math.min(255,parseInt(r[1],10))/255,Math.min(255,parseInt(r[2],10))/255,Math.min(255,parseInt(r[3],10))/255,t);if(r=/^\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return i(r[4]),this.setRGB(Math.min(100,parseFloat(r[1]))/100,Math.min(100,parseFloat(r[2]))/100,Math.min(100,parseFloat(r[3]))/100,t);break;case"hsl":case"hsla":if(r=/^\s*([+-]?(?:\d+(?:\.\d+)?|\.\d+))\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return i(r[4]),this.setHSL(parseFloat(r[1])/360,parseFloat(r[2])/100,parseFloat(r[3])/100,t);break;default:Ze("Color: Unknown color model "+e)}}else if(s=/^\#([A-Fa-f\d]+)$/.exec(e)){let r=s[1],o=r.length;if(o===3)return this.setRGB(parseInt(r.charAt(0),16)/15,parseInt(r.charAt(1),16)/15,parseInt(r.charAt(2),16)/15,t);if(o===6)return this.setHex(parseInt(r,16),t);Ze("Color: Invalid hex color "+e)}else if(e&&e.length>0)return this.setColorName(e,t);return this}setColorName(e,t=Dn){let i=X0[e.toLowerCase()];return i!==void 0?this.setHex(i,t):Ze("Color: Unknown color "+e),this}clone(){return new this.constructor(this.r,this.g,this.b)}copy(e){return this.r=e.r,this.g=e.g,this.b=e.b,this}copySRGBToLinear(e){return this.r=ws(e.r),this.g=ws(e.g),this.b=ws(e.b),this}copyLinearToSRGB(e){return this.r=Mo(e.r),this.g=Mo(e.g),this.b=Mo(e.b),this}convertSRGBToLinear(){return this.copySRGBToLinear(this),this}convertLinearToSRGB(){return this.copyLinearToSRGB(this),this}getHex(e=Dn){return bt.workingToColorSpace(kn.copy(this),e),Math.round(gt(kn.r*255,0,255))*65536+Math.round(gt(kn.g*255,0,255))*256+Math.round(gt(kn.b*255,0,255))}getHexString(e=Dn){return("000000"+this.getHex(e).toString(16)).slice(-6)}getHSL(e,t=bt.workingColorSpace){bt.workingToColorSpace(kn.copy(this),t);let i=kn.r,s=kn.g,r=kn.b,o=Math.max(i,s,r),a=Math.min(i,s,r),l,c,h=(a+o)/2;if(a===o)l=0,c=0;else{let u=o-a;switch(c=h<=.5?u/(o+a):u/(2-o-a),o){case i:l=(s-r)/u+(s<r?6:0);break;case s:l=(r-i)/u+2;break;case r:l=(i-s)/u+4;break}l/=6}return e.h=l,e.s=c,e.l=h,e}getRGB(e,t=bt.workingColorSpace){return bt.workingToColorSpace(kn.copy(this),t),e.r=kn.r,e.g=kn.g,e.b=kn.b,e}getStyle(e=Dn){bt.workingToColorSpace(kn.copy(this),e);let t=kn.r,i=kn.g,s=kn.b;return e!==Dn?`color(${e} ${t.toFixed(3)} ${i.toFixed(3)} ${s.toFixed(3)})`:`rgb(${Math.round(t*255)},${Math.round(i*255)},${Math.round(s*255)})`}offsetHSL(e,t,i){return this.getHSL(Xs),this.setHSL(Xs.h+e,Xs.s+t,Xs.l+i)}add(e){return this.r+=e.r,this.g+=e.g,this.b+=e.b,this}addColors(e,t){return this.r=e.r+t.r,this.g=e.g+t.g,this.b=e.b+t.b,this}addScalar(e){return this.r+=e,this.g+=e,this.b+=e,this}sub(e){return this.r=Math.max(0,this.r-e.r),this.g=Math.max(0,this.g-e.g),this.b=Math.max(0,this.b-e.b),this}multiply(e){return this.r*=e.r,this.g*=e.g,this.b*=e.b,this}multiplyScalar(e){return this.r*=e,this.g*=e,this.b*=e,this}lerp(e,t){return this.r+=(e.r-this.r)*t,this.g+=(e.g-this.g)*t,this.b+=(e.b-this.b)*t,this}lerpColors(e,t,i){return this.r=e.r+(t.r-e.r)*i,this.g=e.g+(t.g-e.g)*i,this.b=e.b+(t.b-e.b)*i,this}lerpHSL(e,t){this.getHSL(Xs),e.getHSL(Bl);let i=_a(Xs.h,Bl.h,t),s=_a(Xs.s,Bl.s,t),r=_a(Xs.l,Bl.l,t);return this.setHSL(i,s,r),this}setFromVector3(e){return this.r=e.x,this.g=e.y,this.b=e.z,this}applyMatrix3(e){let t=this.r,i=this.g,s=this.b,r=e.elements;return this.r=r[0]*t+r[3]*i+r[6]*s,this.g=r[1]*t+r[4]*i+r[7]*s,this.b=r[2]*t+r[5]*i+r[8]*s,this}equals(e){return e.r===this.r&&e.g===this.g&&e.b===this.b}fromArray(e,t=0){return this.r=e[t],this.g=e[t+1],this.b=e[t+2],this}toArray(e=[],t=0){return e[t]=this.r,e[t+1]=this.g,e[t+2]=this.b,e}fromBufferAttribute(e,t){return this.r=e.getX(t),this.g=e.getY(t),this.b=e.getZ(t),this}toJSON(){return this.getHex()}*[Symbol.iterator](){yield this.r,yield this.g,yield this.b}},kn=new ct;ct.NAMES=X0;var Ea=class extends Vn{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=0,this.backgroundIntensity=1,this.backgroundRotation=new Ts,this.environmentIntensity=1,this.environmentRotation=new Ts,this.overrideMaterial=null,typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}copy(e,t){return super.copy(e,t),this.background=e.background!==null?e.background.clone():null,this.environment=e.environment!==null?e.environment.clone():null,this.fog=e.fog!==null?e.fog.clone():null,this.backgroundBlurriness=e.backgroundBlurriness,this.backgroundIntensity=e.backgroundIntensity,this.backgroundRotation.copy(e.backgroundRotation),this.environmentIntensity=e.environmentIntensity,this.environmentRotation.copy(e.environmentRotation),this.overrideMaterial=e.overrideMaterial!==null?e.overrideMaterial.clone():null,this.matrixAutoUpdate=e.matrixAutoUpdate,this}toJSON(e){let t=super.toJSON(e);return this.fog!==null&&(t.object.fog=this.fog.toJSON()),t.object.backgroundBlurriness=this.backgroundBlurriness,t.object.backgroundIntensity=this.backgroundIntensity,t.object.backgroundRotation=this.backgroundRotation.toArray(),t.object.environmentIntensity=this.environmentIntensity,t.object.environmentRotation=this.environmentRotation.toArray(),t}},Fi=new Z,ys=new Z,vd=new Z,vs=new Z,fo=new Z,po=new Z,qg=new Z,bd=new Z,Md=new Z,Sd=new Z,wd=new Jt,Ed=new Jt,Td=new Jt,Zs=class n{constructor(e=new Z,t=new Z,i=new Z){this.a=e,this.b=t,this.c=i}static getNormal(e,t,i,s){s.subVectors(i,t),Fi.subVectors(e,t),s.cross(Fi);let r=s.lengthSq();return r>0?s.multiplyScalar(1/Math.sqrt(r)):s.set(0,0,0)}static getBarycoord(e,t,i,s,r){Fi.subVectors(s,t),ys.subVectors(i,t),vd.subVectors(e,t);let o=Fi.dot(Fi),a=Fi.dot(ys),l=Fi.dot(vd),c=ys.dot(ys),h=ys.dot(vd),u=o*c-a*a;if(u===0)return r.set(0,0,0),null;let d=1/u,f=(c*l-a*h)*d,g=(o*h-a*l)*d;return r.set(1-f-g,g,f)}static containsPoint(e,t,i,s){return this.getBarycoord(e,t,i,s,vs)===null?!1:vs.x>=0&&vs.y>=0&&vs.x+vs.y<=1}static getInterpolation(e,t,i,s,r,o,a,l){return this.getBarycoord(e,t,i,s,vs)===null?(l.x=0,l.y=0,"z"in l&&(l.z=0),"w"in l&&(l.w=0),null):(l.setScalar(0),l.addScaledVector(r,vs.x),l.addScaledVector(o,vs.y),l.addScaledVector(a,vs.z),l)}static getInterpolatedAttribute(e,t,i,s,r,o){return wd.setScalar(0),Ed.setScalar(0),Td.setScalar(0),wd.fromBufferAttribute(e,t),Ed.fromBufferAttribute(e,i),Td.fromBufferAttribute(e,s),o.setScalar(0),o.addScaledVector(wd,r.x),o.addScaledVector(Ed,r.y),o.addScaledVector(Td,r.z),o}static isFrontFacing(e,t,i,s){return Fi.subVectors(i,t),ys.subVectors(e,t),Fi.cross(ys).dot(s)<0}set(e,t,i){return this.a.copy(e),this.b.copy(t),this.c.copy(i),this}setFromPointsAndIndices(e,t,i,s){return this.a.copy(e[t]),this.b.copy(e[i]),this.c.copy(e[s]),this}setFromAttributeAndIndices(e,t,i,s){return this.a.fromBufferAttribute(e,t),this.b.fromBufferAttribute(e,i),this.c.fromBufferAttribute(e,s),this}clone(){return new this.constructor().copy(this)}copy(e){return this.a.copy(e.a),this.b.copy(e.b),this.c.copy(e.c),this}getArea(){return Fi.subVectors(this.c,this.b),ys.subVectors(this.a,this.b),Fi.cross(ys).length()*.5}getMidpoint(e){return e.addVectors(this.a,this.b).add(this.c).multiplyScalar(1/3)}getNormal(e){return n.getNormal(this.a,this.b,this.c,e)}getPlane(e){return e.setFromCoplanarPoints(this.a,this.b,this.c)}getBarycoord(e,t){return n.getBarycoord(e,this.a,this.b,this.c,t)}getInterpolation(e,t,i,s,r){return n.getInterpolation(e,this.a,this.b,this.c,t,i,s,r)}containsPoint(e){return n.containsPoint(e,this.a,this.b,this.c)}isFrontFacing(e){return n.isFrontFacing(this.a,this.b,this.c,e)}intersectsBox(e){return e.intersectsTriangle(this)}closestPointToPoint(e,t){let i=this.a,s=this.b,r=this.c,o,a;fo.subVectors(s,i),po.subVectors(r,i),bd.subVectors(e,i);let l=fo.dot(bd),c=po.dot(bd);if(l<=0&&c<=0)return t.copy(i);Md.subVectors(e,s);let h=fo.dot(Md),u=po.dot(Md);if(h>=0&&u<=h)return t.copy(s);let d=l*u-h*c;if(d<=0&&l>=0&&h<=0&&l-h>0)return o=l/(l-h),t.copy(i).addScaledVector(fo,o);Sd.subVectors(e,r);let f=fo.dot(Sd),g=po.dot(Sd);if(g>=0&&f<=g)return t.copy(r);let y=f*c-l*g;if(y<=0&&c>=0&&g<=0)return a=c/(c-g),t.copy(i).addScaledVector(po,a);let p=h*g-f*u;if(p<=0&&u-h>=0&&f-g>=0)return qg.subVectors(r,s),a=(u-h)/(u-h+(f-g)),t.copy(s).addScaledVector(qg,a);let m=1/(p+y+d);return o=y*m,a=d*m,t.copy(i).addScaledVector(fo,o).addScaledVector(po,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(this.c)}},Ks=class{constructor(e=new Z(1/0,1/0,1/0),t=new Z(-1/0,-1/0,-1/0)){this.isBox3=!0,this.min=e,this.max=t}set(e,t){return this.min.copy(e),this.max.copy(t),this}setFromArray(e){this.makeEmpty();for(let t=0,i=e.length;t<i;t+=3)this.expandByPoint(Bi.fromArray(e,t));return this}setFromBufferAttribute(e){this.makeEmpty();for(let t=0,i=e.count;t<i;t++)this.expandByPoint(Bi.fromBufferAttribute(e,t));return this}setFromPoints(e){this.makeEmpty();for(let t=0,i=e.length;t<i;t++)this.expandByPoint(e[t]);return this}setFromCenterAndSize(e,t){let i=Bi.copy(t).multiplyScalar(.5);return this.min.copy(e).sub(i),this.max.copy(e).add(i),this}setFromObject(e,t=!1){return this.makeEmpty(),this.expandByObject(e,t)}clone(){return new this.constructor().copy(this)}copy(e){return this.min.copy(e.min),this.max.copy(e.max),this}makeEmpty(){return this.min.x=this.min.y=this.min.z=1/0,this.max.x=this.max.y=this.max.z=-1/0,this}isEmpty(){return this.max.x<this.min.x||this.max.y<this.min.y||this.max.z<this.min.z}getCenter(e){return this.isEmpty()?e.set(0,0,0):e.addVectors(this.min,this.max).multiplyScalar(.5)}getSize(e){return this.isEmpty()?e.set(0,0,0):e.subVectors(this.max,this.min)}expandByPoint(e){return this.min.min(e),this.max.max(e),this}expandByVector(e){return this.min.sub(e),this.max.add(e),this}expandByScalar(e){return this.min.addScalar(-e),this.max.addScalar(e),this}expandByObject(e,t=!1){e.updateWorldMatrix(!1,!1);let i=e.geometry;if(i!==void 0){let r=i.getAttribute("position");if(t===!0&&r!==void 0&&e.isInstancedMesh!==!0&&e.isBatchedMesh!==!0)for(let o=0,a=r.count;o<a;o++)e.isMesh===!0?e.getVertexPosition(o,Bi):Bi.fromBufferAttribute(r,o),Bi.applyMatrix4(e.matrixWorld),this.expandByPoint(Bi);else e.boundingBox!==void 0?(e.boundingBox===null&&e.computeBoundingBox(),kl.copy(e.boundingBox)):(i.boundingBox===null&&i.computeBoundingBox(),kl.copy(i.boundingBox)),kl.applyMatrix4(e.matrixWorld),this.union(kl)}let s=e.children;for(let r=0,o=s.length;r<o;r++)this.expandByObject(s[r],t);return this}containsPoint(e){return e.x>=this.min.x&&e.x<=this.max.x&&e.y>=this.min.y&&e.y<=this.max.y&&e.z>=this.min.z&&e.z<=this.max.z}containsBox(e){return this.min.x<=e.min.x&&e.max.x<=this.max.x&&this.min.y<=e.min.y&&e.max.y<=this.max.y&&this.min.z<=e.min.z&&e.max.z<=this.max.z}getParameter(e,t){return t.set((e.x-this.min.x)/(this.max.x-this.min.x),(e.y-this.min.y)/(this.max.y-this.min.y),(e.z-this.min.z)/(this.max.z-this.min.z))}intersectsBox(e){return e.max.x>=this.min.x&&e.min.x<=this.max.x&&e.max.y>=this.min.y&&e.min.y<=this.max.y&&e.max.z>=this.min.z&&e.min.z<=this.max.z}intersectsSphere(e){return this.clampPoint(e.center,Bi),Bi.distanceToSquared(e.center)<=e.radius*e.radius}intersectsPlane(e){let t,i;return e.normal.x>0?(t=e.normal.x*this.min.x,i=e.normal.x*this.max.x):(t=e.normal.x*this.max.x,i=e.normal.x*this.min.x),e.normal.y>0?(t+=e.normal.y*this.min.y,i+=e.normal.y*this.max.y):(t+=e.normal.y*this.max.y,i+=e.normal.y*this.min.y),e.normal.z>0?(t+=e.normal.z*this.min.z,i+=e.normal.z*this.max.z):(t+=e.normal.z*this.max.z,i+=e.normal.z*this.min.z),t<=-e.constant&&i>=-e.constant}intersectsTriangle(e){if(this.isEmpty())return!1;this.getCenter(da),zl.subVectors(this.max,da),mo.subVectors(e.a,da),go.subVectors(e.b,da),xo.subVectors(e.c,da),qs.subVectors(go,mo),$s.subVectors(xo,go),xr.subVectors(mo,xo);let t=[0,-qs.z,qs.y,0,-$s.z,$s.y,0,-xr.z,xr.y,qs.z,0,-qs.x,$s.z,0,-$s.x,xr.z,0,-xr.x,-qs.y,qs.x,0,-$s.y,$s.x,0,-xr.y,xr.x,0];return!Ad(t,mo,go,xo,zl)||(t=[1,0,0,0,1,0,0,0,1],!Ad(t,mo,go,xo,zl))?!1:(Vl.crossVectors(qs,$s),t=[Vl.x,Vl.y,Vl.z],Ad(t,mo,go,xo,zl))}clampPoint(e,t){return t.copy(e).clamp(this.min,this.max)}distanceToPoint(e){return this.clampPoint(e,Bi).distanceTo(e)}getBoundingSphere(e){return this.isEmpty()?e.makeEmpty():(this.getCenter(e.center),e.radius=this.getSize(Bi).length()*.5),e}intersect(e){return this.min.max(e.min),this.max.min(e.max),this.isEmpty()&&this.makeEmpty(),this}union(e){return this.min.min(e.min),this.max.max(e.max),this}applyMatrix4(e){return this.isEmpty()?this:(bs[0].set(this.min.x,this.min.y,this.min.z).applyMatrix4(e),bs[1].set(this.min.x,this.min.y,this.max.z).applyMatrix4(e),bs[2].set(this.min.x,this.max.y,this.min.z).applyMatrix4(e),bs[3].set(this.min.x,this.max.y,this.max.z).applyMatrix4(e),bs[4].set(this.max.x,this.min.y,this.min.z).applyMatrix4(e),bs[5].set(this.max.x,this.min.y,this.max.z).applyMatrix4(e),bs[6].set(this.max.x,this.max.y,this.min.z).applyMatrix4(e),bs[7].set(this.max.x,this.max.y,this.max.z).applyMatrix4(e),this.setFromPoints(bs),this)}translate(e){return this.min.add(e),this.max.add(e),this}equals(e){return e.min.equals(this.min)&&e.max.equals(this.max)}toJSON(){return{min:this.min.toArray(),max:this.max.toArray()}}fromJSON(e){return this.min.fromArray(e.min),this.max.fromArray(e.max),this}},bs=[new Z,new Z,new Z,new Z,new Z,new Z,new Z,new Z],Bi=new Z,kl=new Ks,mo=new Z,go=new Z,xo=new Z,qs=new Z,$s=new Z,xr=new Z,da=new Z,zl=new Z,Vl=new Z,_r=new Z;function Ad(n,e,t,i,s){for(let r=0,o=n.length-3;r<=o;r+=3){_r.fromArray(n,r);let a=s.x*Math.abs(_r.x)+s.y*Math.abs(_r.y)+s.z*Math.abs(_r.z),l=e.dot(_r),c=t.dot(_r),h=i.dot(_r);if(Math.max(-Math.max(l,c,h),Math.min(l,c,h))>a)return!1}return!0}var _n=new Z,Hl=new tt,gM=0,zn=class extends ki{constructor(e,t,i=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:gM++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/t:0,this.normalized=i,this.usage=B0,this.updateRanges=[],this.gpuType=Vi,this.version=0,this._normalizationScale=e!==void 0?xf(e):void 0}onUploadCallback(){}set needsUpdate(e){e===!0&&this.version++}setUsage(e){return this.usage=e,this}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.length=0}copy(e){return this.name=e.name,this.array=new e.array.constructor(e.array),this.itemSize=e.itemSize,this.count=e.count,this.normalized=e.normalized,this.usage=e.usage,this.gpuType=e.gpuType,this._normalizationScale=e._normalizationScale,this}copyAt(e,t,i){e*=this.itemSize,i*=t.itemSize;for(let s=0,r=this.itemSize;s<r;s++)this.array[e+s]=t.array[i+s];return this}copyArray(e){return this.array.set(e),this}applyMatrix3(e){if(this.itemSize===2)for(let t=0,i=this.count;t<i;t++)Hl.fromBufferAttribute(this,t),Hl.applyMatrix3(e),this.setXY(t,Hl.x,Hl.y);else if(this.itemSize===3)for(let t=0,i=this.count;t<i;t++)_n.fromBufferAttribute(this,t),_n.applyMatrix3(e),this.setXYZ(t,_n.x,_n.y,_n.z);return this}applyMatrix4(e){for(let t=0,i=this.count;t<i;t++)_n.fromBufferAttribute(this,t),_n.applyMatrix4(e),this.setXYZ(t,_n.x,_n.y,_n.z);return this}applyNormalMatrix(e){for(let t=0,i=this.count;t<i;t++)_n.fromBufferAttribute(this,t),_n.applyNormalMatrix(e),this.setXYZ(t,_n.x,_n.y,_n.z);return this}transformDirection(e){for(let t=0,i=this.count;t<i;t++)_n.fromBufferAttribute(this,t),_n.transformDirection(e),this.setXYZ(t,_n.x,_n.y,_n.z);return this}set(e,t=0){return this.array.set(e,t),this}getComponent(e,t){let i=this.array[e*this.itemSize+t];return this.normalized&&(i=this._denormalize(i)),i}setComponent(e,t,i){return this.normalized&&(i=this._normalize(i)),this.array[e*this.itemSize+t]=i,this}getX(e){let t=this.array[e*this.itemSize];return this.normalized&&(t=this._denormalize(t)),t}setX(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize]=t,this}getY(e){let t=this.array[e*this.itemSize+1];return this.normalized&&(t=this._denormalize(t)),t}setY(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+1]=t,this}getZ(e){let t=this.array[e*this.itemSize+2];return this.normalized&&(t=this._denormalize(t)),t}setZ(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+2]=t,this}getW(e){let t=this.array[e*this.itemSize+3];return this.normalized&&(t=this._denormalize(t)),t}setW(e,t){return this.normalized&&(t=this._normalize(t)),this.array[e*this.itemSize+3]=t,this}setXY(e,t,i){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),i=this._normalize(i)),this.array[e+0]=t,this.array[e+1]=i,this}setXYZ(e,t,i,s){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),i=this._normalize(i),s=this._normalize(s)),this.array[e+0]=t,this.array[e+1]=i,this.array[e+2]=s,this}setXYZW(e,t,i,s,r){return e*=this.itemSize,this.normalized&&(t=this._normalize(t),i=this._normalize(i),s=this._normalize(s),r=this._normalize(r)),this.array[e+0]=t,this.array[e+1]=i,this.array[e+2]=s,this.array[e+3]=r,this}onUpload(e){return this.onUploadCallback=e,this}clone(){return new this.constructor(this.array,this.itemSize).copy(this)}toJSON(){let e={itemSize:this.itemSize,type:this.array.constructor.name,array:Array.from(this.array),normalized:this.normalized};return e.name=this.name,e.usage=this.usage,e.gpuType=this.gpuType,e}dispose(){this.dispatchEvent({type:"dispose"})}_denormalize(e){let t=this._normalizationScale;return t!==void 0?Math.max(e/t,-1):G0(e,this.array)}_normalize(e){let t=this._normalizationScale;return t!==void 0?Math.round(e*t):W0(e,this.array)}};var Ta=class extends zn{constructor(e,t,i){super(new Uint16Array(e),t,i)}};var Aa=class extends zn{constructor(e,t,i){super(new Uint32Array(e),t,i)}};var pi=class extends zn{constructor(e,t,i){super(new Float32Array(e),t,i)}},xM=new Ks,fa=new Z,Cd=new Z,br=class{constructor(e=new Z,t=-1){this.isSphere=!0,this.center=e,this.radius=t}set(e,t){return this.center.copy(e),this.radius=t,this}setFromPoints(e,t){let i=this.center;t!==void 0?i.copy(t):xM.setFromPoints(e).getCenter(i);let s=0;for(let r=0,o=e.length;r<o;r++)s=Math.max(s,i.distanceToSquared(e[r]));return this.radius=Math.sqrt(s),this}copy(e){return this.center.copy(e.center),this.radius=e.radius,this}isEmpty(){return this.radius<0}makeEmpty(){return this.center.set(0,0,0),this.radius=-1,this}containsPoint(e){return e.distanceToSquared(this.center)<=this.radius*this.radius}distanceToPoint(e){return e.distanceTo(this.center)-this.radius}intersectsSphere(e){let t=this.radius+e.radius;return e.center.distanceToSquared(this.center)<=t*t}intersectsBox(e){return e.intersectsSphere(this)}intersectsPlane(e){return Math.abs(e.distanceToPoint(this.center))<=this.radius}clampPoint(e,t){let i=this.center.distanceToSquared(e);return t.copy(e),i>this.radius*this.radius&&(t.sub(this.center).normalize(),t.multiplyScalar(this.radius).add(this.center)),t}getBoundingBox(e){return this.isEmpty()?(e.makeEmpty(),e):(e.set(this.center,this.center),e.expandByScalar(this.radius),e)}applyMatrix4(e){return this.center.applyMatrix4(e),this.radius=this.radius*e.getMaxScaleOnAxis(),this}translate(e){return this.center.add(e),this}expandByPoint(e){if(this.isEmpty())return this.center.copy(e),this.radius=0,this;fa.subVectors(e,this.center);let t=fa.lengthSq();if(t>this.radius*this.radius){let i=Math.sqrt(t),s=(i-this.radius)*.5;this.center.addScaledVector(fa,s/i),this.radius+=s}return this}union(e){return e.isEmpty()?this:this.isEmpty()?(this.copy(e),this):(this.center.equals(e.center)===!0?this.radius=Math.max(this.radius,e.radius):(Cd.subVectors(e.center,this.center).setLength(e.radius),this.expandByPoint(fa.copy(e.center).add(Cd)),this.expandByPoint(fa.copy(e.center).sub(Cd))),this)}equals(e){return e.center.equals(this.center)&&e.radius===this.radius}clone(){return new this.constructor().copy(this)}toJSON(){return{radius:this.radius,center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}},_M=0,Ti=new Yt,Rd=new Vn,_o=new Z,fi=new Ks,pa=new Ks,Ln=new Z,xi=class n extends ki{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:_M++}),this.uuid=ko(),this.name="",this.type="BufferGeometry",this.index=null,this.indirect=null,this.indirectOffset=0,this.attributes={},this.morphAttributes={},this.morphTargetsRelative=!1,this.groups=[],this.boundingBox=null,this.boundingSphere=null,this.drawRange={start:0,count:1/0},this.userData={},this._transformed=!1}getIndex(){return this.index}setIndex(e){return Array.isArray(e)?this.index=new(Gb(e)?Aa:Ta)(e,1):this.index=e,this}setIndirect(e,t=0){return this.indirect=e,this.indirectOffset=t,this}getIndirect(){return this.indirect}getAttribute(e){return this.attributes[e]}setAttribute(e,t){return this.attributes[e]=t,this}deleteAttribute(e){return delete this.attributes[e],this}hasAttribute(e){return this.attributes[e]!==void 0}addGroup(e,t,i=0){this.groups.push({start:e,count:t,materialIndex:i})}clearGroups(){this.groups=[]}setDrawRange(e,t){this.drawRange.start=e,this.drawRange.count=t}applyMatrix4(e){let t=this.attributes.position;t!==void 0&&(t.applyMatrix4(e),t.needsUpdate=!0);let i=this.attributes.normal;if(i!==void 0){let r=new nt().getNormalMatrix(e);i.applyNormalMatrix(r),i.needsUpdate=!0}let s=this.attributes.tangent;return s!==void 0&&(s.transformDirection(e),s.needsUpdate=!0),this.boundingBox!==null&&this.computeBoundingBox(),this.boundingSphere!==null&&this.computeBoundingSphere(),this._transformed=!0,this}applyQuaternion(e){return Ti.makeRotationFromQuaternion(e),this.applyMatrix4(Ti),this}rotateX(e){return Ti.makeRotationX(e),this.applyMatrix4(Ti),this}rotateY(e){return Ti.makeRotationY(e),this.applyMatrix4(Ti),this}rotateZ(e){return Ti.makeRotationZ(e),this.applyMatrix4(Ti),this}translate(e,t,i){return Ti.makeTranslation(e,t,i),this.applyMatrix4(Ti),this}scale(e,t,i){return Ti.makeScale(e,t,i),this.applyMatrix4(Ti),this}lookAt(e){return Rd.lookAt(e),Rd.updateMatrix(),this.applyMatrix4(Rd.matrix),this}center(){return this.computeBoundingBox(),this.boundingBox.getCenter(_o).negate(),this.translate(_o.x,_o.y,_o.z),this}setFromPoints(e){let t=this.getAttribute("position");if(t===void 0){let i=[];for(let s=0,r=e.length;s<r;s++){let o=e[s];i.push(o.x,o.y,o.z||0)}this.setAttribute("position",new pi(i,3))}else{let i=Math.min(e.length,t.count);for(let s=0;s<i;s++){let r=e[s];t.setXYZ(s,r.x,r.y,r.z||0)}e.length>t.count&&Ze("BufferGeometry: Buffer size too small for points data. Use .dispose() and create a new geometry."),t.needsUpdate=!0}return this}computeBoundingBox(){this.boundingBox===null&&(this.boundingBox=new Ks);let e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){et("BufferGeometry.computeBoundingBox(): GLBufferAttribute requires a manual bounding box.",this),this.boundingBox.set(new Z(-1/0,-1/0,-1/0),new Z(1/0,1/0,1/0));return}if(e!==void 0){if(this.boundingBox.setFromBufferAttribute(e),t)for(let i=0,s=t.length;i<s;i++){let r=t[i];fi.setFromBufferAttribute(r),this.morphTargetsRelative?(Ln.addVectors(this.boundingBox.min,fi.min),this.boundingBox.expandByPoint(Ln),Ln.addVectors(this.boundingBox.max,fi.max),this.boundingBox.expandByPoint(Ln)):(this.boundingBox.expandByPoint(fi.min),this.boundingBox.expandByPoint(fi.max))}}else this.boundingBox.makeEmpty();(isNaN(this.boundingBox.min.x)||isNaN(this.boundingBox.min.y)||isNaN(this.boundingBox.min.z))&&et('BufferGeometry.computeBoundingBox(): Computed min/max have NaN values. The "position" attribute is likely to have NaN values.',this)}computeBoundingSphere(){this.boundingSphere===null&&(this.boundingSphere=new br);let e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBufferAttribute){et("BufferGeometry.computeBoundingSphere(): GLBufferAttribute requires a manual bounding sphere.",this),this.boundingSphere.set(new Z,1/0);return}if(e){let i=this.boundingSphere.center;if(fi.setFromBufferAttribute(e),t)for(let r=0,o=t.length;r<o;r++){let a=t[r];pa.setFromBufferAttribute(a),this.morphTargetsRelative?(Ln.addVectors(fi.min,pa.min),fi.expandByPoint(Ln),Ln.addVectors(fi.max,pa.max),fi.expandByPoint(Ln)):(fi.expandByPoint(pa.min),fi.expandByPoint(pa.max))}fi.getCenter(i);let s=0;for(let r=0,o=e.count;r<o;r++)Ln.fromBufferAttribute(e,r),s=Math.max(s,i.distanceToSquared(Ln));if(t)for(let r=0,o=t.length;r<o;r++){let a=t[r],l=this.morphTargetsRelative;for(let c=0,h=a.count;c<h;c++)Ln.fromBufferAttribute(a,c),l&&(_o.fromBufferAttribute(e,c),Ln.add(_o)),s=Math.max(s,i.distanceToSquared(Ln))}this.boundingSphere.radius=Math.sqrt(s),isNaN(this.boundingSphere.radius)&&et('BufferGeometry.computeBoundingSphere(): Computed radius is NaN. The "position" attribute is likely to have NaN values.',this)}}computeTangents(){let e=this.index,t=this.attributes;if(e===null||t.position===void 0||t.normal===void 0||t.uv===void 0){et("BufferGeometry: .computeTangents() failed. Missing required attributes (index, position, normal or uv)");return}let i=t.position,s=t.normal,r=t.uv,o=this.getAttribute("tangent");(o===void 0||o.count!==i.count)&&(o=new zn(new Float32Array(4*i.count),4),this.setAttribute("tangent",o));let a=[],l=[],c=new Uint8Array(i.count);for(let k=0;k<i.count;k++)a[k]=new Z,l[k]=new Z;let h=new Z,u=new Z,d=new Z,f=new tt,g=new tt,y=new tt,p=new Z,m=new Z;function v(k,N,D){c[k]=c[N]=c[D]=1,h.fromBufferAttribute(i,k),u.fromBufferAttribute(i,N),d.fromBufferAttribute(i,D),f.fromBufferAttribute(r,k),g.fromBufferAttribute(r,N),y.fromBufferAttribute(r,D),u.sub(h),d.sub(h),g.sub(f),y.sub(f);let X=1/(g.x*y.y-y.x*g.y);isFinite(X)&&(p.copy(u).multiplyScalar(y.y).addScaledVector(d,-g.y).multiplyScalar(X),m.copy(d).multiplyScalar(g.x).addScaledVector(u,-y.x).multiplyScalar(X),a[k].add(p),a[N].add(p),a[D].add(p),l[k].add(m),l[N].add(m),l[D].add(m))}let C=this.groups;C.length===0&&(C=[{start:0,count:e.count}]);for(let k=0,N=C.length;k<N;++k){let D=C[k],X=D.start,B=D.count;for(let L=X,z=X+B;L<z;L+=3)v(e.getX(L+0),e.getX(L+1),e.getX(L+2))}let S=new Z,R=new Z,A=new Z,_=new Z;function E(k){A.fromBufferAttribute(s,k),_.copy(A);let N=a[k];S.copy(N),S.sub(A.multiplyScalar(A.dot(N))).normalize(),R.crossVectors(_,N);let X=R.dot(l[k])<0?-1:1;o.setXYZW(k,S.x,S.y,S.z,X)}for(let k=0,N=i.count;k<N;++k)c[k]&&E(k);this._transformed=!0}computeVertexNormals(){let e=this.index,t=this.getAttribute("position");if(t!==void 0){let i=this.getAttribute("normal");if(i===void 0||i.count!==t.count)i=new zn(new Float32Array(t.count*3),3),this.setAttribute("normal",i);else for(let d=0,f=i.count;d<f;d++)i.setXYZ(d,0,0,0);let s=new Z,r=new Z,o=new Z,a=new Z,l=new Z,c=new Z,h=new Z,u=new Z;if(e)for(let d=0,f=e.count;d<f;d+=3){let g=e.getX(d+0),y=e.getX(d+1),p=e.getX(d+2);s.fromBufferAttribute(t,g),r.fromBufferAttribute(t,y),o.fromBufferAttribute(t,p),h.subVectors(o,r),u.subVectors(s,r),h.cross(u),a.fromBufferAttribute(i,g),l.fromBufferAttribute(i,y),c.fromBufferAttribute(i,p),a.add(h),l.add(h),c.add(h),i.setXYZ(g,a.x,a.y,a.z),i.setXYZ(y,l.x,l.y,l.z),i.setXYZ(p,c.x,c.y,c.z)}else for(let d=0,f=t.count;d<f;d+=3)s.fromBufferAttribute(t,d+0),r.fromBufferAttribute(t,d+1),o.fromBufferAttribute(t,d+2),h.subVectors(o,r),u.subVectors(s,r),h.cross(u),i.setXYZ(d+0,h.x,h.y,h.z),i.setXYZ(d+1,h.x,h.y,h.z),i.setXYZ(d+2,h.x,h.y,h.z);this.normalizeNormals(),i.needsUpdate=!0}}normalizeNormals(){let e=this.attributes.normal;for(let t=0,i=e.count;t<i;t++)Ln.fromBufferAttribute(e,t),Ln.normalize(),e.setXYZ(t,Ln.x,Ln.y,Ln.z)}toNonIndexed(){function e(a,l){let c=a.array,h=a.itemSize,u=a.normalized,d=new c.constructor(l.length*h),f=0,g=0;for(let y=0,p=l.length;y<p;y++){a.isInterleavedBufferAttribute?f=l[y]*a.data.stride+a.offset:f=l[y]*h;for(let m=0;m<h;m++)d[g++]=c[f++]}return new zn(d,h,u)}if(this.index===null)return Ze("BufferGeometry.toNonIndexed(): BufferGeometry is already non-indexed."),this;let t=new n,i=this.index.array,s=this.attributes;for(let a in s){let l=s[a],c=e(l,i);t.setAttribute(a,c)}let r=this.morphAttributes;for(let a in r){let l=[],c=r[a];for(let h=0,u=c.length;h<u;h++){let d=c[h],f=e(d,i);l.push(f)}t.morphAttributes[a]=l}t.morphTargetsRelative=this.morphTargetsRelative;let o=this.groups;for(let a=0,l=o.length;a<l;a++){let c=o[a];t.addGroup(c.start,c.count,c.materialIndex)}return t}toJSON(){let e={metadata:{version:4.7,type:"BufferGeometry",generator:"BufferGeometry.toJSON"}};if(e.uuid=this.uuid,e.type=this.parameters!==void 0&&this._transformed===!0?"BufferGeometry":this.type,e.name=this.name,Object.keys(this.userData).length>0&&(e.userData=this.userData),this.parameters!==void 0&&this._transformed!==!0){let l=this.parameters;for(let c in l)l[c]!==void 0&&(e[c]=l[c]);return e}e.data={attributes:{}};let t=this.index;t!==null&&(e.data.index={type:t.array.constructor.name,array:Array.prototype.slice.call(t.array)});let i=this.attributes;for(let l in i){let c=i[l];e.data.attributes[l]=c.toJSON(e.data)}let s={},r=!1;for(let l in this.morphAttributes){let c=this.morphAttributes[l],h=[];for(let u=0,d=c.length;u<d;u++){let f=c[u];h.push(f.toJSON(e.data))}h.length>0&&(s[l]=h,r=!0)}r&&(e.data.morphAttributes=s,e.data.morphTargetsRelative=this.morphTargetsRelative);let o=this.groups;o.length>0&&(e.data.groups=JSON.parse(JSON.stringify(o)));let a=this.boundingSphere;return a!==null&&(e.data.boundingSphere=a.toJSON()),e}clone(){return new this.constructor().copy(this)}copy(e){this.index=null,this.attributes={},this.morphAttributes={},this.groups=[],this.boundingBox=null,this.boundingSphere=null;let t={};this.name=e.name;let i=e.index;i!==null&&this.setIndex(i.clone());let s=e.attributes;for(let c in s){let h=s[c];this.setAttribute(c,h.clone(t))}let r=e.morphAttributes;for(let c in r){let h=[],u=r[c];for(let d=0,f=u.length;d<f;d++)h.push(u[d].clone(t));this.morphAttributes[c]=h}this.morphTargetsRelative=e.morphTargetsRelative;let o=e.groups;for(let c=0,h=o.length;c<h;c++){let u=o[c];this.addGroup(u.start,u.count,u.materialIndex)}let a=e.boundingBox;a!==null&&(this.boundingBox=a.clone());let l=e.boundingSphere;return l!==null&&(this.boundingSphere=l.clone()),this.drawRange.start=e.drawRange.start,this.drawRange.count=e.drawRange.count,this.userData=e.userData,this._transformed=e._transformed,this}dispose(){this.dispatchEvent({type:"dispose"})}};var Pd=new Z,yM=new Z,vM=new nt,Zn=class{constructor(e=new Z(1,0,0),t=0){this.isPlane=!0,this.normal=e,this.constant=t}set(e,t){return this.normal.copy(e),this.constant=t,this}setComponents(e,t,i,s){return this.normal.set(e,t,i),this.constant=s,this}setFromNormalAndCoplanarPoint(e,t){return this.normal.copy(e),this.constant=-t.dot(this.normal),this}setFromCoplanarPoints(e,t,i){let s=Pd.subVectors(i,t).cross(yM.subVectors(e,t)).normalize();return this.setFromNormalAndCoplanarPoint(s,e),this}copy(e){return this.normal.copy(e.normal),this.constant=e.constant,this}normalize(){let e=1/this.normal.length();return this.normal.multiplyScalar(e),this.constant*=e,this}negate(){return this.constant*=-1,this.normal.negate(),this}distanceToPoint(e){return this.normal.dot(e)+this.constant}distanceToSphere(e){return this.distanceToPoint(e.center)-e.radius}projectPoint(e,t){return t.copy(e).addScaledVector(this.normal,-this.distanceToPoint(e))}intersectLine(e,t,i=!0){let s=e.delta(Pd),r=this.normal.dot(s);if(r===0)return this.distanceToPoint(e.start)===0?t.copy(e.start):null;let o=-(e.start.dot(this.normal)+this.constant)/r;return i===!0&&(o<0||o>1)?null:t.copy(e.start).addScaledVector(s,o)}intersectsLine(e){let t=this.distanceToPoint(e.start),i=this.distanceToPoint(e.end);return t<0&&i>0||i<0&&t>0}intersectsBox(e){return e.intersectsPlane(this)}intersectsSphere(e){return e.intersectsPlane(this)}coplanarPoint(e){return e.copy(this.normal).multiplyScalar(-this.constant)}applyMatrix4(e,t){let i=t||vM.getNormalMatrix(e),s=this.coplanarPoint(Pd).applyMatrix4(e),r=this.normal.applyMatrix3(i).normalize();return this.constant=-s.dot(r),this}translate(e){return this.constant-=e.dot(this.normal),this}equals(e){return e.normal.equals(this.normal)&&e.constant===this.constant}clone(){return new this.constructor().copy(this)}toJSON(){return{normal:this.normal.toArray(),constant:this.constant}}fromJSON(e){return this.normal.fromArray(e.normal),this.constant=e.constant,this}},bM=0,As=class extends ki{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:bM++}),this.uuid=ko(),this.name="",this.type="Material",this.blending=Oo,this.side=ir,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=qd,this.blendDst=$d,this.blendEquation=Tr,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new ct(0,0,0),this.blendAlpha=0,this.depthFunc=So,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=L0,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=rc,this.stencilZFail=rc,this.stencilZPass=rc,this.stencilWrite=!1,this.clippingPlanes=null,this.clipIntersection=!1,this.clipShadows=!1,this.shadowSide=null,this.colorWrite=!0,this.precision=null,this.polygonOffset=!1,this.polygonOffsetFactor=0,this.polygonOffsetUnits=0,this.dithering=!1,this.alphaToCoverage=!1,this.premultipliedAlpha=!1,this.forceSinglePass=!1,this.allowOverride=!0,this.visible=!0,this.toneMapped=!0,this.userData={},this.version=0,this._alphaTest=0}get alphaTest(){return this._alphaTest}set alphaTest(e){this._alphaTest>0!=e>0&&this.version++,this._alphaTest=e}onBeforeRender(){}onBeforeCompile(){}customProgramCacheKey(){return this.onBeforeCompile.toString()}setValues(e){if(e!==void 0)for(let t in e){let i=e[t];if(i===void 0){Ze(`Material: parameter '${t}' has value of undefined.`);continue}let s=this[t];if(s===void 0){Ze(`Material: '${t}' is not a property of THREE.${this.type}.`);continue}s&&s.isColor?s.set(i):s&&s.isVector2&&i&&i.isVector2||s&&s.isEuler&&i&&i.isEuler||s&&s.isVector3&&i&&i.isVector3?s.copy(i):this[t]=i}}toJSON(e){let t=e===void 0||typeof e=="string";t&&(e={textures:{},images:{}});let i={metadata:{version:4.7,type:"Material",generator:"Material.toJSON"}};i.uuid=this.uuid,i.type=this.type,i.blending=this.blending,i.side=this.side,i.shadowSide=this.shadowSide,i.vertexColors=this.vertexColors,i.opacity=this.opacity,i.transparent=this.transparent,i.blendSrc=this.blendSrc,i.blendDst=this.blendDst,i.blendEquation=this.blendEquation,i.blendSrcAlpha=this.blendSrcAlpha,i.blendDstAlpha=this.blendDstAlpha,i.blendEquationAlpha=this.blendEquationAlpha,i.blendColor=this.blendColor.getHex(),i.blendAlpha=this.blendAlpha,i.depthFunc=this.depthFunc,i.depthTest=this.depthTest,i.depthWrite=this.depthWrite,i.colorWrite=this.colorWrite,i.clipIntersection=this.clipIntersection,i.clipShadows=this.clipShadows,i.stencilWriteMask=this.stencilWriteMask,i.stencilFunc=this.stencilFunc,i.stencilRef=this.stencilRef,i.stencilFuncMask=this.stencilFuncMask,i.stencilFail=this.stencilFail,i.stencilZFail=this.stencilZFail,i.stencilZPass=this.stencilZPass,i.stencilWrite=this.stencilWrite,i.polygonOffset=this.polygonOffset,i.polygonOffsetFactor=this.polygonOffsetFactor,i.polygonOffsetUnits=this.polygonOffsetUnits,i.dithering=this.dithering,i.alphaTest=this.alphaTest,i.alphaHash=this.alphaHash,i.alphaToCoverage=this.alphaToCoverage,i.premultipliedAlpha=this.premultipliedAlpha,i.forceSinglePass=this.forceSinglePass,i.allowOverride=this.allowOverride,i.visible=this.visible,i.toneMapped=this.toneMapped,i.name=this.name,this.color&&this.color.isColor&&(i.color=this.color.getHex()),this.roughness!==void 0&&(i.roughness=this.roughness),this.metalness!==void 0&&(i.metalness=this.metalness),this.sheen!==void 0&&(i.sheen=this.sheen),this.sheenColor&&this.sheenColor.isColor&&(i.sheenColor=this.sheenColor.getHex()),this.sheenRoughness!==void 0&&(i.sheenRoughness=this.sheenRoughness),this.emissive&&this.emissive.isColor&&(i.emissive=this.emissive.getHex()),this.emissiveIntensity!==void 0&&(i.emissiveIntensity=this.emissiveIntensity),this.specular&&this.specular.isColor&&(i.specular=this.specular.getHex()),this.specularIntensity!==void 0&&(i.specularIntensity=this.specularIntensity),this.specularColor&&this.specularColor.isColor&&(i.specularColor=this.specularColor.getHex()),this.shininess!==void 0&&(i.shininess=this.shininess),this.clearcoat!==void 0&&(i.clearcoat=this.clearcoat),this.clearcoatRoughness!==void 0&&(i.clearcoatRoughness=this.clearcoatRoughness),this.diffuseRoughness!==void 0&&(i.diffuseRoughness=this.diffuseRoughness),this.diffuseRoughnessMap&&this.diffuseRoughnessMap.isTexture&&(i.diffuseRoughnessMap=this.diffuseRoughnessMap.toJSON(e).uuid),this.clearcoatMap&&this.clearcoatMap.isTexture&&(i.clearcoatMap=this.clearcoatMap.toJSON(e).uuid),this.clearcoatRoughnessMap&&this.clearcoatRoughnessMap.isTexture&&(i.clearcoatRoughnessMap=this.clearcoatRoughnessMap.toJSON(e).uuid),this.clearcoatNormalMap&&this.clearcoatNormalMap.isTexture&&(i.clearcoatNormalMap=this.clearcoatNormalMap.toJSON(e).uuid,i.clearcoatNormalScale=this.clearcoatNormalScale.toArray()),this.sheenColorMap&&this.sheenColorMap.isTexture&&(i.sheenColorMap=this.sheenColorMap.toJSON(e).uuid),this.sheenRoughnessMap&&this.sheenRoughnessMap.isTexture&&(i.sheenRoughnessMap=this.sheenRoughnessMap.toJSON(e).uuid),this.dispersion!==void 0&&(i.dispersion=this.dispersion),this.retroreflectivity!==void 0&&(i.retroreflectivity=this.retroreflectivity),this.iridescence!==void 0&&(i.iridescence=this.iridescence),this.iridescenceIOR!==void 0&&(i.iridescenceIOR=this.iridescenceIOR),this.iridescenceThicknessMinimum!==void 0&&(i.iridescenceThicknessMinimum=this.iridescenceThicknessMinimum),this.iridescenceThicknessMaximum!==void 0&&(i.iridescenceThicknessMaximum=this.iridescenceThicknessMaximum),this.iridescenceMap&&this.iridescenceMap.isTexture&&(i.iridescenceMap=this.iridescenceMap.toJSON(e).uuid),this.iridescenceThicknessMap&&this.iridescenceThicknessMap.isTexture&&(i.iridescenceThicknessMap=this.iridescenceThicknessMap.toJSON(e).uuid),this.anisotropy!==void 0&&(i.anisotropy=this.anisotropy),this.anisotropyRotation!==void 0&&(i.anisotropyRotation=this.anisotropyRotation),this.anisotropyMap&&this.anisotropyMap.isTexture&&(i.anisotropyMap=this.anisotropyMap.toJSON(e).uuid),this.map&&this.map.isTexture&&(i.map=this.map.toJSON(e).uuid),this.matcap&&this.matcap.isTexture&&(i.matcap=this.matcap.toJSON(e).uuid),this.alphaMap&&this.alphaMap.isTexture&&(i.alphaMap=this.alphaMap.toJSON(e).uuid),this.lightMap&&this.lightMap.isTexture&&(i.lightMap=this.lightMap.toJSON(e).uuid,i.lightMapIntensity=this.lightMapIntensity),this.aoMap&&this.aoMap.isTexture&&(i.aoMap=this.aoMap.toJSON(e).uuid,i.aoMapIntensity=this.aoMapIntensity),this.bumpMap&&this.bumpMap.isTexture&&(i.bumpMap=this.bumpMap.toJSON(e).uuid,i.bumpScale=this.bumpScale),this.normalMap&&this.normalMap.isTexture&&(i.normalMap=this.normalMap.toJSON(e).uuid,i.normalMapType=this.normalMapType,i.normalScale=this.normalScale.toArray()),this.displacementMap&&this.displacementMap.isTexture&&(i.displacementMap=this.displacementMap.toJSON(e).uuid,i.displacementScale=this.displacementScale,i.displacementBias=this.displacementBias),this.roughnessMap&&this.roughnessMap.isTexture&&(i.roughnessMap=this.roughnessMap.toJSON(e).uuid),this.metalnessMap&&this.metalnessMap.isTexture&&(i.metalnessMap=this.metalnessMap.toJSON(e).uuid),this.emissiveMap&&this.emissiveMap.isTexture&&(i.emissiveMap=this.emissiveMap.toJSON(e).uuid),this.specularMap&&this.specularMap.isTexture&&(i.specularMap=this.specularMap.toJSON(e).uuid),this.specularIntensityMap&&this.specularIntensityMap.isTexture&&(i.specularIntensityMap=this.specularIntensityMap.toJSON(e).uuid),this.specularColorMap&&this.specularColorMap.isTexture&&(i.specularColorMap=this.specularColorMap.toJSON(e).uuid),this.envMap&&this.envMap.isTexture&&(i.envMap=this.envMap.toJSON(e).uuid,this.combine!==void 0&&(i.combine=this.combine)),this.envMapRotation!==void 0&&(i.envMapRotation=this.envMapRotation.toArray()),this.envMapIntensity!==void 0&&(i.envMapIntensity=this.envMapIntensity),this.reflectivity!==void 0&&(i.reflectivity=this.reflectivity),this.refractionRatio!==void 0&&(i.refractionRatio=this.refractionRatio),this.gradientMap&&this.gradientMap.isTexture&&(i.gradientMap=this.gradientMap.toJSON(e).uuid),this.transmission!==void 0&&(i.transmission=this.transmission),this.transmissionMap&&this.transmissionMap.isTexture&&(i.transmissionMap=this.transmissionMap.toJSON(e).uuid),this.thickness!==void 0&&(i.thickness=this.thickness),this.thicknessMap&&this.thicknessMap.isTexture&&(i.thicknessMap=this.thicknessMap.toJSON(e).uuid),this.attenuationDistance!==void 0&&(i.attenuationDistance=this.attenuationDistance),this.attenuationColor!==void 0&&(i.attenuationColor=this.attenuationColor.getHex()),this.size!==void 0&&(i.size=this.size),this.sizeAttenuation!==void 0&&(i.sizeAttenuation=this.sizeAttenuation),Array.isArray(this.clippingPlanes)&&this.clippingPlanes.length>0&&(i.clippingPlanes=this.clippingPlanes.map(r=>r.toJSON())),this.rotation!==void 0&&(i.rotation=this.rotation),this.depthPacking!==void 0&&(i.depthPacking=this.depthPacking),this.linewidth!==void 0&&(i.linewidth=this.linewidth),this.linecap!==void 0&&(i.linecap=this.linecap),this.linejoin!==void 0&&(i.linejoin=this.linejoin),this.dashSize!==void 0&&(i.dashSize=this.dashSize),this.gapSize!==void 0&&(i.gapSize=this.gapSize),this.scale!==void 0&&(i.scale=this.scale),this.wireframe!==void 0&&(i.wireframe=this.wireframe),this.wireframeLinewidth!==void 0&&(i.wireframeLinewidth=this.wireframeLinewidth),this.wireframeLinecap!==void 0&&(i.wireframeLinecap=this.wireframeLinecap),this.wireframeLinejoin!==void 0&&(i.wireframeLinejoin=this.wireframeLinejoin),this.flatShading!==void 0&&(i.flatShading=this.flatShading),this.fog!==void 0&&(i.fog=this.fog),Object.keys(this.userData).length>0&&(i.userData=this.userData);function s(r){let o=[];for(let a in r){let l=r[a];delete l.metadata,o.push(l)}return o}if(t){let r=s(e.textures),o=s(e.images);r.length>0&&(i.textures=r),o.length>0&&(i.images=o)}return i}fromJSON(e,t){if(e.uuid!==void 0&&(this.uuid=e.uuid),e.name!==void 0&&(this.name=e.name),e.color!==void 0&&this.color!==void 0&&this.color.setHex(e.color),e.roughness!==void 0&&(this.roughness=e.roughness),e.metalness!==void 0&&(this.metalness=e.metalness),e.sheen!==void 0&&(this.sheen=e.sheen),e.sheenColor!==void 0&&(this.sheenColor=new ct().setHex(e.sheenColor)),e.sheenRoughness!==void 0&&(this.sheenRoughness=e.sheenRoughness),e.emissive!==void 0&&this.emissive!==void 0&&this.emissive.setHex(e.emissive),e.specular!==void 0&&this.specular!==void 0&&this.specular.setHex(e.specular),e.specularIntensity!==void 0&&(this.specularIntensity=e.specularIntensity),e.specularColor!==void 0&&this.specularColor!==void 0&&this.specularColor.setHex(e.specularColor),e.shininess!==void 0&&(this.shininess=e.shininess),e.clearcoat!==void 0&&(this.clearcoat=e.clearcoat),e.clearcoatRoughness!==void 0&&(this.clearcoatRoughness=e.clearcoatRoughness),e.diffuseRoughness!==void 0&&(this.diffuseRoughness=e.diffuseRoughness),e.dispersion!==void 0&&(this.dispersion=e.dispersion),e.retroreflectivity!==void 0&&(this.retroreflectivity=e.retroreflectivity),e.iridescence!==void 0&&(this.iridescence=e.iridescence),e.iridescenceIOR!==void 0&&(this.iridescenceIOR=e.iridescenceIOR),e.iridescenceThicknessMinimum!==void 0&&(this.iridescenceThicknessMinimum=e.iridescenceThicknessMinimum),e.iridescenceThicknessMaximum!==void 0&&(this.iridescenceThicknessMaximum=e.iridescenceThicknessMaximum),e.iridescenceThicknessRange!==void 0&&(this.iridescenceThicknessMinimum=e.iridescenceThicknessRange[0],this.iridescenceThicknessMaximum=e.iridescenceThicknessRange[1]),e.transmission!==void 0&&(this.transmission=e.transmission),e.thickness!==void 0&&(this.thickness=e.thickness),e.attenuationDistance!==void 0&&(this.attenuationDistance=e.attenuationDistance),e.attenuationColor!==void 0&&this.attenuationColor!==void 0&&this.attenuationColor.setHex(e.attenuationColor),e.anisotropy!==void 0&&(this.anisotropy=e.anisotropy),e.anisotropyRotation!==void 0&&(this.anisotropyRotation=e.anisotropyRotation),e.fog!==void 0&&(this.fog=e.fog),e.flatShading!==void 0&&(this.flatShading=e.flatShading),e.blending!==void 0&&(this.blending=e.blending),e.combine!==void 0&&(this.combine=e.combine),e.side!==void 0&&(this.side=e.side),e.shadowSide!==void 0&&(this.shadowSide=e.shadowSide),e.opacity!==void 0&&(this.opacity=e.opacity),e.transparent!==void 0&&(this.transparent=e.transparent),e.alphaTest!==void 0&&(this.alphaTest=e.alphaTest),e.alphaHash!==void 0&&(this.alphaHash=e.alphaHash),e.depthFunc!==void 0&&(this.depthFunc=e.depthFunc),e.depthTest!==void 0&&(this.depthTest=e.depthTest),e.depthWrite!==void 0&&(this.depthWrite=e.depthWrite),e.colorWrite!==void 0&&(this.colorWrite=e.colorWrite),e.clippingPlanes!==void 0&&(this.clippingPlanes=e.clippingPlanes.map(i=>new Zn().fromJSON(i))),e.clipIntersection!==void 0&&(this.clipIntersection=e.clipIntersection),e.clipShadows!==void 0&&(this.clipShadows=e.clipShadows),e.depthPacking!==void 0&&(this.depthPacking=e.depthPacking),e.blendSrc!==void 0&&(this.blendSrc=e.blendSrc),e.blendDst!==void 0&&(this.blendDst=e.blendDst),e.blendEquation!==void 0&&(this.blendEquation=e.blendEquation),e.blendSrcAlpha!==void 0&&(this.blendSrcAlpha=e.blendSrcAlpha),e.blendDstAlpha!==void 0&&(this.blendDstAlpha=e.blendDstAlpha),e.blendEquationAlpha!==void 0&&(this.blendEquationAlpha=e.blendEquationAlpha),e.blendColor!==void 0&&this.blendColor!==void 0&&this.blendColor.setHex(e.blendColor),e.blendAlpha!==void 0&&(this.blendAlpha=e.blendAlpha),e.stencilWriteMask!==void 0&&(this.stencilWriteMask=e.stencilWriteMask),e.stencilFunc!==void 0&&(this.stencilFunc=e.stencilFunc),e.stencilRef!==void 0&&(this.stencilRef=e.stencilRef),e.stencilFuncMask!==void 0&&(this.stencilFuncMask=e.stencilFuncMask),e.stencilFail!==void 0&&(this.stencilFail=e.stencilFail),e.stencilZFail!==void 0&&(this.stencilZFail=e.stencilZFail),e.stencilZPass!==void 0&&(this.stencilZPass=e.stencilZPass),e.stencilWrite!==void 0&&(this.stencilWrite=e.stencilWrite),e.wireframe!==void 0&&(this.wireframe=e.wireframe),e.wireframeLinewidth!==void 0&&(this.wireframeLinewidth=e.wireframeLinewidth),e.wireframeLinecap!==void 0&&(this.wireframeLinecap=e.wireframeLinecap),e.wireframeLinejoin!==void 0&&(this.wireframeLinejoin=e.wireframeLinejoin),e.rotation!==void 0&&(this.rotation=e.rotation),e.linewidth!==void 0&&(this.linewidth=e.linewidth),e.linecap!==void 0&&(this.linecap=e.linecap),e.linejoin!==void 0&&(this.linejoin=e.linejoin),e.dashSize!==void 0&&(this.dashSize=e.dashSize),e.gapSize!==void 0&&(this.gapSize=e.gapSize),e.scale!==void 0&&(this.scale=e.scale),e.polygonOffset!==void 0&&(this.polygonOffset=e.polygonOffset),e.polygonOffsetFactor!==void 0&&(this.polygonOffsetFactor=e.polygonOffsetFactor),e.polygonOffsetUnits!==void 0&&(this.polygonOffsetUnits=e.polygonOffsetUnits),e.dithering!==void 0&&(this.dithering=e.dithering),e.alphaToCoverage!==void 0&&(this.alphaToCoverage=e.alphaToCoverage),e.premultipliedAlpha!==void 0&&(this.premultipliedAlpha=e.premultipliedAlpha),e.forceSinglePass!==void 0&&(this.forceSinglePass=e.forceSinglePass),e.allowOverride!==void 0&&(this.allowOverride=e.allowOverride),e.visible!==void 0&&(this.visible=e.visible),e.toneMapped!==void 0&&(this.toneMapped=e.toneMapped),e.userData!==void 0&&(this.userData=e.userData),e.vertexColors!==void 0&&(typeof e.vertexColors=="number"?this.vertexColors=e.vertexColors>0:this.vertexColors=e.vertexColors),e.size!==void 0&&(this.size=e.size),e.sizeAttenuation!==void 0&&(this.sizeAttenuation=e.sizeAttenuation),e.map!==void 0&&(this.map=t[e.map]||null),e.matcap!==void 0&&(this.matcap=t[e.matcap]||null),e.alphaMap!==void 0&&(this.alphaMap=t[e.alphaMap]||null),e.bumpMap!==void 0&&(this.bumpMap=t[e.bumpMap]||null),e.bumpScale!==void 0&&(this.bumpScale=e.bumpScale),e.normalMap!==void 0&&(this.normalMap=t[e.normalMap]||null),e.normalMapType!==void 0&&(this.normalMapType=e.normalMapType),e.normalScale!==void 0){let i=e.normalScale;Array.isArray(i)===!1&&(i=[i,i]),this.normalScale=new tt().fromArray(i)}return e.displacementMap!==void 0&&(this.displacementMap=t[e.displacementMap]||null),e.displacementScale!==void 0&&(this.displacementScale=e.displacementScale),e.displacementBias!==void 0&&(this.displacementBias=e.displacementBias),e.roughnessMap!==void 0&&(this.roughnessMap=t[e.roughnessMap]||null),e.metalnessMap!==void 0&&(this.metalnessMap=t[e.metalnessMap]||null),e.emissiveMap!==void 0&&(this.emissiveMap=t[e.emissiveMap]||null),e.emissiveIntensity!==void 0&&(this.emissiveIntensity=e.emissiveIntensity),e.specularMap!==void 0&&(this.specularMap=t[e.specularMap]||null),e.specularIntensityMap!==void 0&&(this.specularIntensityMap=t[e.specularIntensityMap]||null),e.specularColorMap!==void 0&&(this.specularColorMap=t[e.specularColorMap]||null),e.envMap!==void 0&&(this.envMap=t[e.envMap]||null),e.envMapRotation!==void 0&&this.envMapRotation.fromArray(e.envMapRotation),e.envMapIntensity!==void 0&&(this.envMapIntensity=e.envMapIntensity),e.reflectivity!==void 0&&(this.reflectivity=e.reflectivity),e.refractionRatio!==void 0&&(this.refractionRatio=e.refractionRatio),e.lightMap!==void 0&&(this.lightMap=t[e.lightMap]||null),e.lightMapIntensity!==void 0&&(this.lightMapIntensity=e.lightMapIntensity),e.aoMap!==void 0&&(this.aoMap=t[e.aoMap]||null),e.aoMapIntensity!==void 0&&(this.aoMapIntensity=e.aoMapIntensity),e.gradientMap!==void 0&&(this.gradientMap=t[e.gradientMap]||null),e.clearcoatMap!==void 0&&(this.clearcoatMap=t[e.clearcoatMap]||null),e.clearcoatRoughnessMap!==void 0&&(this.clearcoatRoughnessMap=t[e.clearcoatRoughnessMap]||null),e.clearcoatNormalMap!==void 0&&(this.clearcoatNormalMap=t[e.clearcoatNormalMap]||null),e.clearcoatNormalScale!==void 0&&(this.clearcoatNormalScale=new tt().fromArray(e.clearcoatNormalScale)),e.diffuseRoughnessMap!==void 0&&(this.diffuseRoughnessMap=t[e.diffuseRoughnessMap]||null),e.iridescenceMap!==void 0&&(this.iridescenceMap=t[e.iridescenceMap]||null),e.iridescenceThicknessMap!==void 0&&(this.iridescenceThicknessMap=t[e.iridescenceThicknessMap]||null),e.transmissionMap!==void 0&&(this.transmissionMap=t[e.transmissionMap]||null),e.thicknessMap!==void 0&&(this.thicknessMap=t[e.thicknessMap]||null),e.anisotropyMap!==void 0&&(this.anisotropyMap=t[e.anisotropyMap]||null),e.sheenColorMap!==void 0&&(this.sheenColorMap=t[e.sheenColorMap]||null),e.sheenRoughnessMap!==void 0&&(this.sheenRoughnessMap=t[e.sheenRoughnessMap]||null),this}clone(){return new this.constructor().copy(this)}copy(e){this.name=e.name,this.blending=e.blending,this.side=e.side,this.vertexColors=e.vertexColors,this.opacity=e.opacity,this.transparent=e.transparent,this.blendSrc=e.blendSrc,this.blendDst=e.blendDst,this.blendEquation=e.blendEquation,this.blendSrcAlpha=e.blendSrcAlpha,this.blendDstAlpha=e.blendDstAlpha,this.blendEquationAlpha=e.blendEquationAlpha,this.blendColor.copy(e.blendColor),this.blendAlpha=e.blendAlpha,this.depthFunc=e.depthFunc,this.depthTest=e.depthTest,this.depthWrite=e.depthWrite,this.stencilWriteMask=e.stencilWriteMask,this.stencilFunc=e.stencilFunc,this.stencilRef=e.stencilRef,this.stencilFuncMask=e.stencilFuncMask,this.stencilFail=e.stencilFail,this.stencilZFail=e.stencilZFail,this.stencilZPass=e.stencilZPass,this.stencilWrite=e.stencilWrite;let t=e.clippingPlanes,i=null;if(t!==null){let s=t.length;i=new Array(s);for(let r=0;r!==s;++r)i[r]=t[r].clone()}return this.clippingPlanes=i,this.clipIntersection=e.clipIntersection,this.clipShadows=e.clipShadows,this.shadowSide=e.shadowSide,this.colorWrite=e.colorWrite,this.precision=e.precision,this.polygonOffset=e.polygonOffset,this.polygonOffsetFactor=e.polygonOffsetFactor,this.polygonOffsetUnits=e.polygonOffsetUnits,this.dithering=e.dithering,this.alphaTest=e.alphaTest,this.alphaHash=e.alphaHash,this.alphaToCoverage=e.alphaToCoverage,this.premultipliedAlpha=e.premultipliedAlpha,this.forceSinglePass=e.forceSinglePass,this.allowOverride=e.allowOverride,this.visible=e.visible,this.toneMapped=e.toneMapped,this.userData=JSON.parse(JSON.stringify(e.userData)),this}dispose(){this.dispatchEvent({type:"dispose"})}set needsUpdate(e){e===!0&&this.version++}};var Ms=new Z,Id=new Z,Gl=new Z,Wl=new Z,Mr=class{constructor(e=new Z,t=new Z(0,0,-1)){this.origin=e,this.direction=t}set(e,t){return this.origin.copy(e),this.direction.copy(t),this}copy(e){return this.origin.copy(e.origin),this.direction.copy(e.direction),this}at(e,t){return t.copy(this.origin).addScaledVector(this.direction,e)}lookAt(e){return this.direction.copy(e).sub(this.origin).normalize(),this}recast(e){return this.origin.copy(this.at(e,Ms)),this}closestPointToPoint(e,t){t.subVectors(e,this.origin);let i=t.dot(this.direction);return i<0?t.copy(this.origin):t.copy(this.origin).addScaledVector(this.direction,i)}distanceToPoint(e){return Math.sqrt(this.distanceSqToPoint(e))}distanceSqToPoint(e){let t=Ms.subVectors(e,this.origin).dot(this.direction);return t<0?this.origin.distanceToSquared(e):(Ms.copy(this.origin).addScaledVector(this.direction,t),Ms.distanceToSquared(e))}distanceSqToSegment(e,t,i,s){Id.copy(e).add(t).multiplyScalar(.5),Gl.copy(t).sub(e).normalize(),Wl.copy(this.origin).sub(Id);let r=e.distanceTo(t)*.5,o=-this.direction.dot(Gl),a=Wl.dot(this.direction),l=-Wl.dot(Gl),c=Wl.lengthSq(),h=Math.abs(1-o*o),u,d,f,g;if(h>0)if(u=o*l-a,d=o*a-l,g=r*h,u>=0)if(d>=-g)if(d<=g){let y=1/h;u*=y,d*=y,f=u*(u+o*d+2*a)+d*(o*u+d+2*l)+c}else d=r,u=Math.max(0,-(o*d+a)),f=-u*u+d*(d+2*l)+c;else d=-r,u=Math.max(0,-(o*d+a)),f=-u*u+d*(d+2*l)+c;else d<=-g?(u=Math.max(0,-(-o*r+a)),d=u>0?-r:Math.min(Math.max(-r,-l),r),f=-u*u+d*(d+2*l)+c):d<=g?(u=0,d=Math.min(Math.max(-r,-l),r),f=d*(d+2*l)+c):(u=Math.max(0,-(o*r+a)),d=u>0?r:Math.min(Math.max(-r,-l),r),f=-u*u+d*(d+2*l)+c);else d=o>0?-r:r,u=Math.max(0,-(o*d+a)),f=-u*u+d*(d+2*l)+c;return i&&i.copy(this.origin).addScaledVector(this.direction,u),s&&s.copy(Id).addScaledVector(Gl,d),f}intersectSphere(e,t){if(e.radius<0)return null;Ms.subVectors(e.center,this.origin);let i=Ms.dot(this.direction),s=Ms.dot(Ms)-i*i,r=e.radius*e.radius;if(s>r)return null;let o=Math.sqrt(r-s),a=i-o,l=i+o;return l<0?null:a<0?this.at(l,t):this.at(a,t)}intersectsSphere(e){return e.radius<0?!1:this.distanceSqToPoint(e.center)<=e.radius*e.radius}distanceToPlane(e){let t=e.normal.dot(this.direction);if(t===0)return e.distanceToPoint(this.origin)===0?0:null;let i=-(this.origin.dot(e.normal)+e.constant)/t;return i>=0?i:null}intersectPlane(e,t){let i=this.distanceToPlane(e);return i===null?null:this.at(i,t)}intersectsPlane(e){let t=e.distanceToPoint(this.origin);return t===0||e.normal.dot(this.direction)*t<0}intersectBox(e,t){let i,s,r,o,a,l,c=1/this.direction.x,h=1/this.direction.y,u=1/this.direction.z,d=this.origin;return c>=0?(i=(e.min.x-d.x)*c,s=(e.max.x-d.x)*c):(i=(e.max.x-d.x)*c,s=(e.min.x-d.x)*c),h>=0?(r=(e.min.y-d.y)*h,o=(e.max.y-d.y)*h):(r=(e.max.y-d.y)*h,o=(e.min.y-d.y)*h),i>o||r>s||((r>i||isNaN(i))&&(i=r),(o<s||isNaN(s))&&(s=o),u>=0?(a=(e.min.z-d.z)*u,l=(e.max.z-d.z)*u):(a=(e.max.z-d.z)*u,l=(e.min.z-d.z)*u),i>l||a>s)||((a>i||i!==i)&&(i=a),(l<s||s!==s)&&(s=l),s<0)?null:this.at(i>=0?i:s,t)}intersectsBox(e){return this.intersectBox(e,Ms)!==null}intersectTriangle(e,t,i,s,r){let o=this.origin,a=this.direction,l=a.x,c=a.y,h=a.z,u=e.x-o.x,d=e.y-o.y,f=e.z-o.z,g=t.x-o.x,y=t.y-o.y,p=t.z-o.z,m=i.x-o.x,v=i.y-o.y,C=i.z-o.z,S=Math.abs(l),R=Math.abs(c),A=Math.abs(h),_,E,k,N,D,X,B,L,z,G,V,ae;if(S>=R&&S>=A?(k=l,X=u,z=g,ae=m,l>=0?(_=c,E=h,N=d,D=f,B=y,L=p,G=v,V=C):(_=h,E=c,N=f,D=d,B=p,L=y,G=C,V=v)):R>=A?(k=c,X=d,z=y,ae=v,c>=0?(_=h,E=l,N=f,D=u,B=p,L=g,G=C,V=m):(_=l,E=h,N=u,D=f,B=g,L=p,G=m,V=C)):(k=h,X=f,z=p,ae=C,h>=0?(_=l,E=c,N=u,D=d,B=g,L=y,G=m,V=v):(_=c,E=l,N=d,D=u,B=y,L=g,G=v,V=m)),k===0)return null;let $=_/k,j=E/k,te=1/k,fe=N-$*X,de=D-j*X,ee=B-$*z,pe=L-j*z,xe=G-$*ae,Re=V-j*ae,we=xe*pe-Re*ee,Xe=fe*Re-de*xe,rt=ee*de-pe*fe;if(s){if(we<0||Xe<0||rt<0)return null}else if((we<0||Xe<0||rt<0)&&(we>0||Xe>0||rt>0))return null;let Ge=we+Xe+rt;if(Ge===0)return null;let ft=te*(we*X+Xe*z+rt*ae);return(Ge>0?ft<0:ft>0)?null:this.at(ft/Ge,r)}applyMatrix4(e){return this.origin.applyMatrix4(e),this.direction.transformDirection(e),this}equals(e){return e.origin.equals(this.origin)&&e.direction.equals(this.direction)}clone(){return new this.constructor().copy(this)}},Sr=class extends As{constructor(e){super(),this.isMeshBasicMaterial=!0,this.type="MeshBasicMaterial",this.color=new ct(16777215),this.map=null,this.lightMap=null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new Ts,this.combine=Bc,this.reflectivity=1,this.refractionRatio=.98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.lightMap=e.lightMap,this.lightMapIntensity=e.lightMapIntensity,this.aoMap=e.aoMap,this.aoMapIntensity=e.aoMapIntensity,this.specularMap=e.specularMap,this.alphaMap=e.alphaMap,this.envMap=e.envMap,this.envMapRotation.copy(e.envMapRotation),this.combine=e.combine,this.reflectivity=e.reflectivity,this.refractionRatio=e.refractionRatio,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.fog=e.fog,this}},$g=new Yt,yr=new Mr,Xl=new br,Yg=new Z,ql=new Z,$l=new Z,Yl=new Z,Ld=new Z,Zl=new Z,Zg=new Z,Kl=new Z,ti=class extends Vn{constructor(e=new xi,t=new Sr){super(),this.isMesh=!0,this.type="Mesh",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.count=1,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==void 0?this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.slice():e.material,this.geometry=e.geometry,this}updateMorphTargets(){let t=this.geometry.morphAttributes,i=Object.keys(t);if(i.length>0){let s=t[i[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=r}}}}getVertexPosition(e,t){let i=this.geometry,s=i.attributes.position,r=i.morphAttributes.position,o=i.morphTargetsRelative;t.fromBufferAttribute(s,e);let a=this.morphTargetInfluences;if(r&&a){Zl.set(0,0,0);for(let l=0,c=r.length;l<c;l++){let h=a[l],u=r[l];h!==0&&(Ld.fromBufferAttribute(u,e),o?Zl.addScaledVector(Ld,h):Zl.addScaledVector(Ld.sub(t),h))}t.add(Zl)}return t}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){let i=this.geometry,s=this.material,r=this.matrixWorld;s!==void 0&&(i.boundingSphere===null&&i.computeBoundingSphere(),Xl.copy(i.boundingSphere),Xl.applyMatrix4(r),yr.copy(e.ray).recast(e.near),!(Xl.containsPoint(yr.origin)===!1&&(yr.intersectSphere(Xl,Yg)===null||yr.origin.distanceToSquared(Yg)>(e.far-e.near)**2))&&($g.copy(r).invert(),yr.copy(e.ray).applyMatrix4($g),!(i.boundingBox!==null&&yr.intersectsBox(i.boundingBox)===!1)&&this._computeIntersections(e,t,yr)))}_computeIntersections(e,t,i){let s,r=this.geometry,o=this.material,a=r.index,l=r.attributes.position,c=r.attributes.uv,h=r.attributes.uv1,u=r.attributes.normal,d=r.groups,f=r.drawRange;if(a!==null)if(Array.isArray(o))for(let g=0,y=d.length;g<y;g++){let p=d[g],m=o[p.materialIndex],v=Math.max(p.start,f.start),C=Math.min(a.count,Math.min(p.start+p.count,f.start+f.count));for(let S=v,R=C;S<R;S+=3){let A=a.getX(S),_=a.getX(S+1),E=a.getX(S+2);s=Jl(this,m,e,i,c,h,u,A,_,E),s&&(s.faceIndex=Math.floor(S/3),s.face.materialIndex=p.materialIndex,t.push(s))}}else{let g=Math.max(0,f.start),y=Math.min(a.count,f.start+f.count);for(let p=g,m=y;p<m;p+=3){let v=a.getX(p),C=a.getX(p+1),S=a.getX(p+2);s=Jl(this,o,e,i,c,h,u,v,C,S),s&&(s.faceIndex=Math.floor(p/3),t.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let g=0,y=d.length;g<y;g++){let p=d[g],m=o[p.materialIndex],v=Math.max(p.start,f.start),C=Math.min(l.count,Math.min(p.start+p.count,f.start+f.count));for(let S=v,R=C;S<R;S+=3){let A=S,_=S+1,E=S+2;s=Jl(this,m,e,i,c,h,u,A,_,E),s&&(s.faceIndex=Math.floor(S/3),s.face.materialIndex=p.materialIndex,t.push(s))}}else{let g=Math.max(0,f.start),y=Math.min(l.count,f.start+f.count);for(let p=g,m=y;p<m;p+=3){let v=p,C=p+1,S=p+2;s=Jl(this,o,e,i,c,h,u,v,C,S),s&&(s.faceIndex=Math.floor(p/3),t.push(s))}}}};function MM(n,e,t,i,s,r,o,a){let l;if(e.side===jn?l=i.intersectTriangle(o,r,s,!0,a):l=i.intersectTriangle(s,r,o,e.side===ir,a),l===null)return null;Kl.copy(a),Kl.applyMatrix4(n.matrixWorld);let c=t.ray.origin.distanceTo(Kl);return c<t.near||c>t.far?null:{distance:c,point:Kl.clone(),object:n}}function Jl(n,e,t,i,s,r,o,a,l,c){n.getVertexPosition(a,ql),n.getVertexPosition(l,$l),n.getVertexPosition(c,Yl);let h=MM(n,e,t,i,ql,$l,Yl,Zg);if(h){let u=new Z;Zs.getBarycoord(Zg,ql,$l,Yl,u),s&&(h.uv=Zs.getInterpolatedAttribute(s,a,l,c,u,new tt)),r&&(h.uv1=Zs.getInterpolatedAttribute(r,a,l,c,u,new tt)),o&&(h.normal=Zs.getInterpolatedAttribute(o,a,l,c,u,new Z),h.normal.dot(i.direction)>0&&h.normal.multiplyScalar(-1));let d={a,b:l,c,normal:new Z,materialIndex:0};Zs.getNormal(ql,$l,Yl,d.normal),h.face=d,h.barycoord=u}return h}var Ro=class extends ei{constructor(e=null,t=1,i=1,s,r,o,a,l,c=yn,h=yn,u,d){super(null,o,a,l,c,h,s,r,u,d),this.isDataTexture=!0,this.image={data:e,width:t,height:i},this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}};var vr=new br,SM=new tt(.5,.5),jl=new Z,Js=class{constructor(e=new Zn,t=new Zn,i=new Zn,s=new Zn,r=new Zn,o=new Zn){this.planes=[e,t,i,s,r,o]}set(e,t,i,s,r,o){let a=this.planes;return a[0].copy(e),a[1].copy(t),a[2].copy(i),a[3].copy(s),a[4].copy(r),a[5].copy(o),this}copy(e){let t=this.planes;for(let i=0;i<6;i++)t[i].copy(e.planes[i]);return this}setFromProjectionMatrix(e,t=Ai,i=!1){let s=this.planes,r=e.elements,o=r[0],a=r[1],l=r[2],c=r[3],h=r[4],u=r[5],d=r[6],f=r[7],g=r[8],y=r[9],p=r[10],m=r[11],v=r[12],C=r[13],S=r[14],R=r[15];if(s[0].setComponents(c-o,f-h,m-g,R-v).normalize(),s[1].setComponents(c+o,f+h,m+g,R+v).normalize(),s[2].setComponents(c+a,f+u,m+y,R+C).normalize(),s[3].setComponents(c-a,f-u,m-y,R-C).normalize(),i)s[4].setComponents(l,d,p,S).normalize(),s[5].setComponents(c-l,f-d,m-p,R-S).normalize();else if(s[4].setComponents(c-l,f-d,m-p,R-S).normalize(),t===Ai)s[5].setComponents(c+l,f+d,m+p,R+S).normalize();else if(t===wo)s[5].setComponents(l,d,p,S).normalize();else throw new Error("THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+t);return this}intersectsObject(e){if(e.boundingSphere!==void 0)e.boundingSphere===null&&e.computeBoundingSphere(),vr.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),vr.copy(t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(vr)}intersectsSprite(e){vr.center.set(0,0,0);let t=SM.distanceTo(e.center);return vr.radius=.7071067811865476+t,vr.applyMatrix4(e.matrixWorld),this.intersectsSphere(vr)}intersectsSphere(e){let t=this.planes,i=e.center,s=-e.radius;for(let r=0;r<6;r++)if(t[r].distanceToPoint(i)<s)return!1;return!0}intersectsBox(e){let t=this.planes;for(let i=0;i<6;i++){let s=t[i];if(jl.x=s.normal.x>0?e.max.x:e.min.x,jl.y=s.normal.y>0?e.max.y:e.min.y,jl.z=s.normal.z>0?e.max.z:e.min.z,s.distanceToPoint(jl)<0)return!1}return!0}containsPoint(e){let t=this.planes;for(let i=0;i<6;i++)if(t[i].distanceToPoint(e)<0)return!1;return!0}clone(){return new this.constructor().copy(this)}},Kg=new Yt,yc=class n{constructor(){this.coordinateSystem=Ai,this._frustums=[],this._count=0}setFromArrayCamera(e){let t=e.cameras,i=this._frustums;for(let s=0;s<t.length;s++){let r=t[s];Kg.multiplyMatrices(r.projectionMatrix,r.matrixWorldInverse),i[s]===void 0&&(i[s]=new Js),i[s].setFromProjectionMatrix(Kg,r.coordinateSystem,r.reversedDepth)}return this._count=t.length,this}getFrustum(e){return this._frustums[e]}intersectsObject(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsObject(e))return!0;return!1}intersectsSprite(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsSprite(e))return!0;return!1}intersectsSphere(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsSphere(e))return!0;return!1}intersectsBox(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].intersectsBox(e))return!0;return!1}containsPoint(e){let t=this._frustums;for(let i=0;i<this._count;i++)if(t[i].containsPoint(e))return!0;return!1}copy(e){this.coordinateSystem=e.coordinateSystem;let t=this._frustums,i=e._frustums;for(let s=0;s<e._count;s++)t[s]===void 0&&(t[s]=new Js),t[s].copy(i[s]);return this._count=e._count,this}clone(){return new n().copy(this)}};var Po=class extends As{constructor(e){super(),this.isLineBasicMaterial=!0,this.type="LineBasicMaterial",this.color=new ct(16777215),this.map=null,this.linewidth=1,this.linecap="round",this.linejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.linewidth=e.linewidth,this.linecap=e.linecap,this.linejoin=e.linejoin,this.fog=e.fog,this}},vc=new Z,bc=new Z,Jg=new Yt,ma=new Mr,Ql=new br,Dd=new Z,jg=new Z,Mc=class extends Vn{constructor(e=new xi,t=new Po){super(),this.isLine=!0,this.type="Line",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==void 0?this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.slice():e.material,this.geometry=e.geometry,this}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,i=[0];for(let s=1,r=t.count;s<r;s++)vc.fromBufferAttribute(t,s-1),bc.fromBufferAttribute(t,s),i[s]=i[s-1],i[s]+=vc.distanceTo(bc);e.setAttribute("lineDistance",new pi(i,1))}else Ze("Line.computeLineDistances(): Computation only possible with non-indexed BufferGeometry.");return this}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){let i=this.geometry,s=this.matrixWorld,r=e.params.Line.threshold,o=i.drawRange;if(i.boundingSphere===null&&i.computeBoundingSphere(),Ql.copy(i.boundingSphere),Ql.applyMatrix4(s),Ql.radius+=r,e.ray.intersectsSphere(Ql)===!1)return;Jg.copy(s).invert(),ma.copy(e.ray).applyMatrix4(Jg);let a=r/((this.scale.x+this.scale.y+this.scale.z)/3),l=a*a,c=this.isLineSegments?2:1,h=i.index,d=i.attributes.position;if(h!==null){let f=Math.max(0,o.start),g=Math.min(h.count,o.start+o.count);for(let y=f,p=g-1;y<p;y+=c){let m=h.getX(y),v=h.getX(y+1),C=ec(this,e,ma,l,m,v,y);C&&t.push(C)}if(this.isLineLoop){let y=h.getX(g-1),p=h.getX(f),m=ec(this,e,ma,l,y,p,g-1);m&&t.push(m)}}else{let f=Math.max(0,o.start),g=Math.min(d.count,o.start+o.count);for(let y=f,p=g-1;y<p;y+=c){let m=ec(this,e,ma,l,y,y+1,y);m&&t.push(m)}if(this.isLineLoop){let y=ec(this,e,ma,l,g-1,f,g-1);y&&t.push(y)}}}updateMorphTargets(){let t=this.geometry.morphAttributes,i=Object.keys(t);if(i.length>0){let s=t[i[0]];if(s!==void 0){this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=r}}}}};function ec(n,e,t,i,s,r,o){let a=n.geometry.attributes.position;if(vc.fromBufferAttribute(a,s),bc.fromBufferAttribute(a,r),t.distanceSqToSegment(vc,bc,Dd,jg)>i)return;Dd.applyMatrix4(n.matrixWorld);let c=e.ray.origin.distanceTo(Dd);if(!(c<e.near||c>e.far))return{distance:c,point:jg.clone().applyMatrix4(n.matrixWorld),index:o,face:null,faceIndex:null,barycoord:null,object:n}}var Ca=class extends Mc{constructor(e,t){super(e,t),this.isLineLoop=!0,this.type="LineLoop"}};var Ra=class extends ei{constructor(e=[],t=Ar,i,s,r,o,a,l,c,h){super(e,t,i,s,r,o,a,l,c,h),this.isCubeTexture=!0,this.flipY=!1}get images(){return this.image}set images(e){this.image=e}};var Cs=class extends ei{constructor(e,t,i=zi,s,r,o,a=yn,l=yn,c,h=Es,u=1){if(h!==Es&&h!==Ps)throw new Error("THREE.DepthTexture: format must be either THREE.DepthFormat or THREE.DepthStencilFormat");let d={width:e,height:t,depth:u};super(d,s,r,o,a,l,h,i,c),this.isDepthTexture=!0,this.flipY=!1,this.generateMipmaps=!1,this.compareFunction=null}copy(e){return super.copy(e),this.source=new Ao(Object.assign({},e.image)),this.compareFunction=e.compareFunction,this}toJSON(e){let t=super.toJSON(e);return t.compareFunction=this.compareFunction,t}},Pa=class extends Cs{constructor(e,t=zi,i=Ar,s,r,o=yn,a=yn,l,c=Es){let h={width:e,height:e,depth:1},u=[h,h,h,h,h,h];super(e,e,t,i,s,r,o,a,l,c),this.image=u,this.isCubeDepthTexture=!0,this.isCubeTexture=!0}get images(){return this.image}set images(e){this.image=e}},Ia=class extends ei{constructor(e=null){super(),this.sourceTexture=e,this.isExternalTexture=!0}copy(e){return super.copy(e),this.sourceTexture=e.sourceTexture,this}},Io=class n extends xi{constructor(e=1,t=1,i=1,s=1,r=1,o=1){super(),this.type="BoxGeometry",this.parameters={width:e,height:t,depth:i,widthSegments:s,heightSegments:r,depthSegments:o};let a=this;s=Math.floor(s),r=Math.floor(r),o=Math.floor(o);let l=[],c=[],h=[],u=[],d=0,f=0;g("z","y","x",-1,-1,i,t,e,o,r,0),g("z","y","x",1,-1,i,t,-e,o,r,1),g("x","z","y",1,1,e,i,t,s,o,2),g("x","z","y",1,-1,e,i,-t,s,o,3),g("x","y","z",1,-1,e,t,i,s,r,4),g("x","y","z",-1,-1,e,t,-i,s,r,5),this.setIndex(l),this.setAttribute("position",new pi(c,3)),this.setAttribute("normal",new pi(h,3)),this.setAttribute("uv",new pi(u,2));function g(y,p,m,v,C,S,R,A,_,E,k){let N=S/_,D=R/E,X=S/2,B=R/2,L=A/2,z=_+1,G=E+1,V=0,ae=0,$=new Z;for(let j=0;j<G;j++){let te=j*D-B;for(let fe=0;fe<z;fe++){let de=fe*N-X;$[y]=de*v,$[p]=te*C,$[m]=L,c.push($.x,$.y,$.z),$[y]=0,$[p]=0,$[m]=A>0?1:-1,h.push($.x,$.y,$.z),u.push(fe/_),u.push(1-j/E),V+=1}}for(let j=0;j<E;j++)for(let te=0;te<_;te++){let fe=d+te+z*j,de=d+te+z*(j+1),ee=d+(te+1)+z*(j+1),pe=d+(te+1)+z*j;l.push(fe,de,pe),l.push(de,ee,pe),ae+=6}a.addGroup(f,ae,k),f+=ae,d+=V}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new n(e.width,e.height,e.depth,e.widthSegments,e.heightSegments,e.depthSegments)}};var wr=class n extends xi{constructor(e=1,t=1,i=1,s=1){super(),this.type="PlaneGeometry",this.parameters={width:e,height:t,widthSegments:i,heightSegments:s};let r=e/2,o=t/2,a=Math.floor(i),l=Math.floor(s),c=a+1,h=l+1,u=e/a,d=t/l,f=[],g=[],y=[],p=[];for(let m=0;m<h;m++){let v=m*d-o;for(let C=0;C<c;C++){let S=C*u-r;g.push(S,-v,0),y.push(0,0,1),p.push(C/a),p.push(1-m/l)}}for(let m=0;m<l;m++)for(let v=0;v<a;v++){let C=v+c*m,S=v+c*(m+1),R=v+1+c*(m+1),A=v+1+c*m;f.push(C,S,A),f.push(S,R,A)}this.setIndex(f),this.setAttribute("position",new pi(g,3)),this.setAttribute("normal",new pi(y,3)),this.setAttribute("uv",new pi(p,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new n(e.width,e.height,e.widthSegments,e.heightSegments)}};function Rr(n){let e={};for(let t in n){e[t]={};for(let i in n[t]){let s=n[t][i];if(Qg(s))s.isRenderTargetTexture?(Ze("UniformsUtils: Textures of render targets cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][i]=null):e[t][i]=s.clone();else if(Array.isArray(s))if(Qg(s[0])){let r=[];for(let o=0,a=s.length;o<a;o++)r[o]=s[o].clone();e[t][i]=r}else e[t][i]=s.slice();else e[t][i]=s}}return e}function Hn(n){let e={};for(let t=0;t<n.length;t++){let i=Rr(n[t]);for(let s in i)e[s]=i[s]}return e}function Qg(n){return n&&(n.isColor||n.isMatrix3||n.isMatrix4||n.isVector2||n.isVector3||n.isVector4||n.isTexture||n.isQuaternion)}function wM(n){let e=[];for(let t=0;t<n.length;t++)e.push(n[t].clone());return e}function yf(n){let e=n.getRenderTarget();return e===null?n.outputColorSpace:e.isXRRenderTarget===!0?e.texture.colorSpace:bt.workingColorSpace}var q0={clone:Rr,merge:Hn},EM=`void main() {
+	gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+}`,TM=`void main() {
+	gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );
+}`,is=class extends As{constructor(e){super(),this.isShaderMaterial=!0,this.type="ShaderMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=EM,this.fragmentShader=TM,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=1,this.fog=!1,this.lights=!1,this.clipping=!1,this.forceSinglePass=!0,this.extensions={clipCullDistance:!1,multiDraw:!1},this.defaultAttributeValues={color:[1,1,1],uv:[0,0],uv1:[0,0]},this.index0AttributeName=void 0,this.uniformsNeedUpdate=!1,this.glslVersion=null,e!==void 0&&this.setValues(e)}copy(e){return super.copy(e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=Rr(e.uniforms),this.uniformsGroups=wM(e.uniformsGroups),this.defines=Object.assign({},e.defines),this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.fog=e.fog,this.lights=e.lights,this.clipping=e.clipping,this.extensions=Object.assign({},e.extensions),this.glslVersion=e.glslVersion,this.defaultAttributeValues=Object.assign({},e.defaultAttributeValues),this.index0AttributeName=e.index0AttributeName,this.uniformsNeedUpdate=e.uniformsNeedUpdate,this}toJSON(e){let t=super.toJSON(e);t.glslVersion=this.glslVersion,t.uniforms={};for(let s in this.uniforms){let o=this.uniforms[s].value;o&&o.isTexture?t.uniforms[s]={type:"t",value:o.toJSON(e).uuid}:o&&o.isColor?t.uniforms[s]={type:"c",value:o.getHex()}:o&&o.isVector2?t.uniforms[s]={type:"v2",value:o.toArray()}:o&&o.isVector3?t.uniforms[s]={type:"v3",value:o.toArray()}:o&&o.isVector4?t.uniforms[s]={type:"v4",value:o.toArray()}:o&&o.isMatrix3?t.uniforms[s]={type:"m3",value:o.toArray()}:o&&o.isMatrix4?t.uniforms[s]={type:"m4",value:o.toArray()}:t.uniforms[s]={value:o}}Object.keys(this.defines).length>0&&(t.defines=this.defines),t.vertexShader=this.vertexShader,t.fragmentShader=this.fragmentShader,t.lights=this.lights,t.clipping=this.clipping;let i={};for(let s in this.extensions)this.extensions[s]===!0&&(i[s]=!0);return Object.keys(i).length>0&&(t.extensions=i),t}fromJSON(e,t){if(super.fromJSON(e,t),e.uniforms!==void 0)for(let i in e.uniforms){let s=e.uniforms[i];switch(this.uniforms[i]={},s.type){case"t":this.uniforms[i].value=t[s.value]||null;break;case"c":this.uniforms[i].value=new ct().setHex(s.value);break;case"v2":this.uniforms[i].value=new tt().fromArray(s.value);break;case"v3":this.uniforms[i].value=new Z().fromArray(s.value);break;case"v4":this.uniforms[i].value=new Jt().fromArray(s.value);break;case"m3":this.uniforms[i].value=new nt().fromArray(s.value);break;case"m4":this.uniforms[i].value=new Yt().fromArray(s.value);break;default:this.uniforms[i].value=s.value}}if(e.defines!==void 0&&(this.defines=e.defines),e.vertexShader!==void 0&&(this.vertexShader=e.vertexShader),e.fragmentShader!==void 0&&(this.fragmentShader=e.fragmentShader),e.glslVersion!==void 0&&(this.glslVersion=e.glslVersion),e.extensions!==void 0)for(let i in e.extensions)this.extensions[i]=e.extensions[i];return e.lights!==void 0&&(this.lights=e.lights),e.clipping!==void 0&&(this.clipping=e.clipping),this}},Sc=class extends is{constructor(e){super(e),this.isRawShaderMaterial=!0,this.type="RawShaderMaterial"}};var Lo=class extends As{constructor(e){super(),this.isMeshLambertMaterial=!0,this.type="MeshLambertMaterial",this.color=new ct(16777215),this.map=null,this.lightMap=null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.emissive=new ct(0),this.emissiveIntensity=1,this.emissiveMap=null,this.bumpMap=null,this.bumpScale=1,this.normalMap=null,this.normalMapType=wh,this.normalScale=new tt(1,1),this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new Ts,this.combine=Bc,this.reflectivity=1,this.envMapIntensity=1,this.refractionRatio=.98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="round",this.flatShading=!1,this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.lightMap=e.lightMap,this.lightMapIntensity=e.lightMapIntensity,this.aoMap=e.aoMap,this.aoMapIntensity=e.aoMapIntensity,this.emissive.copy(e.emissive),this.emissiveMap=e.emissiveMap,this.emissiveIntensity=e.emissiveIntensity,this.bumpMap=e.bumpMap,this.bumpScale=e.bumpScale,this.normalMap=e.normalMap,this.normalMapType=e.normalMapType,this.normalScale.copy(e.normalScale),this.displacementMap=e.displacementMap,this.displacementScale=e.displacementScale,this.displacementBias=e.displacementBias,this.specularMap=e.specularMap,this.alphaMap=e.alphaMap,this.envMap=e.envMap,this.envMapRotation.copy(e.envMapRotation),this.combine=e.combine,this.reflectivity=e.reflectivity,this.envMapIntensity=e.envMapIntensity,this.refractionRatio=e.refractionRatio,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.flatShading=e.flatShading,this.fog=e.fog,this}},wc=class extends As{constructor(e){super(),this.isMeshDepthMaterial=!0,this.type="MeshDepthMaterial",this.depthPacking=P0,this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.wireframe=!1,this.wireframeLinewidth=1,this.setValues(e)}copy(e){return super.copy(e),this.depthPacking=e.depthPacking,this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=e.displacementScale,this.displacementBias=e.displacementBias,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this}},Ec=class extends As{constructor(e){super(),this.isMeshDistanceMaterial=!0,this.type="MeshDistanceMaterial",this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.setValues(e)}copy(e){return super.copy(e),this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=e.displacementScale,this.displacementBias=e.displacementBias,this}};function yo(n,e){return!n||n.constructor===e?n:typeof e.BYTES_PER_ELEMENT=="number"?new e(n):Array.prototype.slice.call(n)}function tc(n){return n!==void 0&&n.inTangents!==void 0&&n.outTangents!==void 0}var js=class{constructor(e,t,i,s){this.parameterPositions=e,this._cachedIndex=0,this.resultBuffer=s!==void 0?s:new t.constructor(i),this.sampleValues=t,this.valueSize=i,this.settings=null,this.DefaultSettings_={}}evaluate(e){let t=this.parameterPositions,i=this._cachedIndex,s=t[i],r=t[i-1];n:{e:{let o;t:{i:if(!(e<s)){for(let a=i+2;;){if(s===void 0){if(e<r)break i;return i=t.length,this._cachedIndex=i,this.copySampleValue_(i-1)}if(i===a)break;if(r=s,s=t[++i],e<s)break e}o=t.length;break t}if(!(e>=r)){let a=t[1];e<a&&(i=2,r=a);for(let l=i-2;;){if(r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(i===l)break;if(s=r,r=t[--i-1],e>=r)break e}o=i,i=0;break t}break n}for(;i<o;){let a=i+o>>>1;e<t[a]?o=a:i=a+1}if(s=t[i],r=t[i-1],r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(s===void 0)return i=t.length,this._cachedIndex=i,this.copySampleValue_(i-1)}this._cachedIndex=i,this.intervalChanged_(i,r,s)}return this.interpolate_(i,r,e,s)}getSettings_(){return this.settings||this.DefaultSettings_}copySampleValue_(e){let t=this.resultBuffer,i=this.sampleValues,s=this.valueSize,r=e*s;for(let o=0;o!==s;++o)t[o]=i[r+o];return t}interpolate_(){throw new Error("THREE.Interpolant: Call to abstract method.")}intervalChanged_(){}},Tc=class extends js{constructor(e,t,i,s){super(e,t,i,s),this._weightPrev=-0,this._offsetPrev=-0,this._weightNext=-0,this._offsetNext=-0,this.DefaultSettings_={endingStart:Od,endingEnd:Od}}intervalChanged_(e,t,i){let s=this.parameterPositions,r=e-2,o=e+1,a=s[r],l=s[o];if(a===void 0)switch(this.getSettings_().endingStart){case Fd:r=e,a=2*t-i;break;case Bd:r=s.length-2,a=t+s[r]-s[r+1];break;default:r=e,a=i}if(l===void 0)switch(this.getSettings_().endingEnd){case Fd:o=e,l=2*i-t;break;case Bd:o=1,l=i+s[1]-s[0];break;default:o=e-1,l=t}let c=(i-t)*.5,h=this.valueSize;this._weightPrev=c/(t-a),this._weightNext=c/(l-i),this._offsetPrev=r*h,this._offsetNext=o*h}interpolate_(e,t,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,h=this._offsetPrev,u=this._offsetNext,d=this._weightPrev,f=this._weightNext,g=(i-t)/(s-t),y=g*g,p=y*g,m=-d*p+2*d*y-d*g,v=(1+d)*p+(-1.5-2*d)*y+(-.5+d)*g+1,C=(-1-f)*p+(1.5+f)*y+.5*g,S=f*p-f*y;for(let R=0;R!==a;++R)r[R]=m*o[h+R]+v*o[c+R]+C*o[l+R]+S*o[u+R];return r}},Ac=class extends js{constructor(e,t,i,s){super(e,t,i,s)}interpolate_(e,t,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,h=(i-t)/(s-t),u=1-h;for(let d=0;d!==a;++d)r[d]=o[c+d]*u+o[l+d]*h;return r}},Cc=class extends js{constructor(e,t,i,s){super(e,t,i,s)}interpolate_(e){return this.copySampleValue_(e-1)}},Rc=class extends js{interpolate_(e,t,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,h=this.inTangents,u=this.outTangents;if(!h||!u){let g=(i-t)/(s-t),y=1-g;for(let p=0;p!==a;++p)r[p]=o[c+p]*y+o[l+p]*g;return r}let d=a*2,f=e-1;for(let g=0;g!==a;++g){let y=o[c+g],p=o[l+g],m=f*d+g*2,v=u[m],C=u[m+1],S=e*d+g*2,R=h[S],A=h[S+1],_=CM(i,t,v,R,s);r[g]=$0(_,y,C,A,p)}return r}};function $0(n,e,t,i,s){let r=1-n;return r*r*r*e+3*r*r*n*t+3*r*n*n*i+n*n*n*s}function AM(n,e,t,i,s){let r=1-n;return 3*r*r*(t-e)+6*r*n*(i-t)+3*n*n*(s-i)}function CM(n,e,t,i,s){let r=(n-e)/(s-e);for(let o=0;o<8;o++){let a=$0(r,e,t,i,s)-n;if(Math.abs(a)<1e-10)break;let l=AM(r,e,t,i,s);if(Math.abs(l)<1e-10)break;r=Math.max(0,Math.min(1,r-a/l))}return r}var _i=class{constructor(e,t,i,s){if(e===void 0)throw new Error("THREE.KeyframeTrack: track name is undefined");if(t===void 0||t.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+e);this.name=e,this.times=yo(t,this.TimeBufferType),this.values=yo(i,this.ValueBufferType),this.setInterpolation(s||this.DefaultInterpolation)}static toJSON(e){let t=e.constructor,i;if(t.toJSON!==this.toJSON)i=t.toJSON(e);else{i={name:e.name,times:yo(e.times,Array),values:yo(e.values,Array)};let s=e.getInterpolation();s!==e.DefaultInterpolation&&(i.interpolation=s),tc(e.settings)&&(i.settings={inTangents:yo(e.settings.inTangents,Array),outTangents:yo(e.settings.outTangents,Array)})}return i.type=e.ValueTypeName,i}InterpolantFactoryMethodDiscrete(e){return new Cc(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodLinear(e){return new Ac(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodSmooth(e){return new Tc(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodBezier(e){let t=new Rc(this.times,this.values,this.getValueSize(),e);return this.settings&&(t.inTangents=this.settings.inTangents,t.outTangents=this.settings.outTangents),t}setInterpolation(e){let t;switch(e){case ya:t=this.InterpolantFactoryMethodDiscrete;break;case mc:t=this.InterpolantFactoryMethodLinear;break;case sc:t=this.InterpolantFactoryMethodSmooth;break;case Ud:t=this.InterpolantFactoryMethodBezier;break}if(t===void 0){let i="unsupported interpolation for "+this.ValueTypeName+" keyframe track named "+this.name;if(this.createInterpolant===void 0)if(e!==this.DefaultInterpolation)this.setInterpolation(this.DefaultInterpolation);else throw new Error(i);return Ze("KeyframeTrack:",i),this}return this.createInterpolant=t,this}getInterpolation(){switch(this.createInterpolant){case this.InterpolantFactoryMethodDiscrete:return ya;case this.InterpolantFactoryMethodLinear:return mc;case this.InterpolantFactoryMethodSmooth:return sc;case this.InterpolantFactoryMethodBezier:return Ud}}getValueSize(){return this.values.length/this.times.length}shift(e){if(e!==0){let t=this.times;for(let i=0,s=t.length;i!==s;++i)t[i]+=e;tc(this.settings)&&(e0(this.settings.inTangents,e),e0(this.settings.outTangents,e))}return this}scale(e){if(e!==1){let t=this.times;for(let i=0,s=t.length;i!==s;++i)t[i]*=e;tc(this.settings)&&(t0(this.settings.inTangents,e),t0(this.settings.outTangents,e))}return this}trim(e,t){let i=this.times,s=i.length,r=0,o=s-1;for(;r!==s&&i[r]<e;)++r;for(;o!==-1&&i[o]>t;)--o;if(++o,r!==0||o!==s){r>=o&&(o=Math.max(o,1),r=o-1);let a=this.getValueSize();this.times=i.slice(r,o),this.values=this.values.slice(r*a,o*a)}return this}validate(){let e=!0,t=this.getValueSize();t-Math.floor(t)!==0&&(et("KeyframeTrack: Invalid value size in track.",this),e=!1);let i=this.times,s=this.values,r=i.length;r===0&&(et("KeyframeTrack: Track is empty.",this),e=!1);let o=null;for(let a=0;a!==r;a++){let l=i[a];if(typeof l=="number"&&isNaN(l)){et("KeyframeTrack: Time is not a valid number.",this,a,l),e=!1;break}if(o!==null&&o>l){et("KeyframeTrack: Out of order keys.",this,a,l,o),e=!1;break}o=l}if(s!==void 0&&Wb(s))for(let a=0,l=s.length;a!==l;++a){let c=s[a];if(isNaN(c)){et("KeyframeTrack: Value is not a valid number.",this,a,c),e=!1;break}}return e}optimize(){let e=this.times.slice(),t=this.values.slice(),i=this.getValueSize(),s=this.getInterpolation()===sc,r=e.length-1,o=1;for(let a=1;a<r;++a){let l=!1,c=e[a],h=e[a+1];if(c!==h&&(a!==1||c!==e[0]))if(s)l=!0;else{let u=a*i,d=u-i,f=u+i;for(let g=0;g!==i;++g){let y=t[u+g];if(y!==t[d+g]||y!==t[f+g]){l=!0;break}}}if(l){if(a!==o){e[o]=e[a];let u=a*i,d=o*i;for(let f=0;f!==i;++f)t[d+f]=t[u+f]}++o}}if(r>0){e[o]=e[r];for(let a=r*i,l=o*i,c=0;c!==i;++c)t[l+c]=t[a+c];++o}return o!==e.length?(this.times=e.slice(0,o),this.values=t.slice(0,o*i)):(this.times=e,this.values=t),this}clone(){let e=this.times.slice(),t=this.values.slice(),i=this.constructor,s=new i(this.name,e,t);return s.createInterpolant=this.createInterpolant,tc(this.settings)&&(s.settings={inTangents:this.settings.inTangents.slice(),outTangents:this.settings.outTangents.slice()}),s}};function e0(n,e){for(let t=0,i=n.length;t!==i;t+=2)n[t]+=e}function t0(n,e){for(let t=0,i=n.length;t!==i;t+=2)n[t]*=e}_i.prototype.ValueTypeName="";_i.prototype.TimeBufferType=Float32Array;_i.prototype.ValueBufferType=Float32Array;_i.prototype.DefaultInterpolation=mc;var Qs=class extends _i{constructor(e,t,i){super(e,t,i)}};Qs.prototype.ValueTypeName="bool";Qs.prototype.ValueBufferType=Array;Qs.prototype.DefaultInterpolation=ya;Qs.prototype.InterpolantFactoryMethodLinear=void 0;Qs.prototype.InterpolantFactoryMethodSmooth=void 0;var Pc=class extends _i{constructor(e,t,i,s){super(e,t,i,s)}};Pc.prototype.ValueTypeName="color";var Ic=class extends _i{constructor(e,t,i,s){super(e,t,i,s)}};Ic.prototype.ValueTypeName="number";var Lc=class extends js{constructor(e,t,i,s){super(e,t,i,s)}interpolate_(e,t,i,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=(i-t)/(s-t),c=e*a;for(let h=c+a;c!==h;c+=4)mi.slerpFlat(r,0,o,c-a,o,c,l);return r}},La=class extends _i{constructor(e,t,i,s){super(e,t,i,s)}InterpolantFactoryMethodLinear(e){return new Lc(this.times,this.values,this.getValueSize(),e)}};La.prototype.ValueTypeName="quaternion";La.prototype.InterpolantFactoryMethodSmooth=void 0;var er=class extends _i{constructor(e,t,i){super(e,t,i)}};er.prototype.ValueTypeName="string";er.prototype.ValueBufferType=Array;er.prototype.DefaultInterpolation=ya;er.prototype.InterpolantFactoryMethodLinear=void 0;er.prototype.InterpolantFactoryMethodSmooth=void 0;var Dc=class extends _i{constructor(e,t,i,s){super(e,t,i,s)}};Dc.prototype.ValueTypeName="vector";var Nc=class{constructor(e,t,i){let s=this,r=!1,o=0,a=0,l,c=[];this.onStart=void 0,this.onLoad=e,this.onProgress=t,this.onError=i,this._abortController=null,this.itemStart=function(h){a++,r===!1&&s.onStart!==void 0&&s.onStart(h,o,a),r=!0},this.itemEnd=function(h){o++,s.onProgress!==void 0&&s.onProgress(h,o,a),o===a&&(r=!1,s.onLoad!==void 0&&s.onLoad())},this.itemError=function(h){s.onError!==void 0&&s.onError(h)},this.resolveURL=function(h){return h=h.normalize("NFC"),l?l(h):h},this.setURLModifier=function(h){return l=h,this},this.addHandler=function(h,u){return c.push(h,u),this},this.removeHandler=function(h){let u=c.indexOf(h);return u!==-1&&c.splice(u,2),this},this.getHandler=function(h){for(let u=0,d=c.length;u<d;u+=2){let f=c[u],g=c[u+1];if(f.global&&(f.lastIndex=0),f.test(h))return g}return null},this.abort=function(){return this.abortController.abort(),this._abortController=null,this}}get abortController(){return this._abortController||(this._abortController=new AbortController),this._abortController}},Y0=new Nc,Uc=class{constructor(e){this.manager=e!==void 0?e:Y0,this.crossOrigin="anonymous",this.withCredentials=!1,this.path="",this.resourcePath="",this.requestHeader={},this.priority="auto",this.cache="default",typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}load(){}loadAsync(e,t){let i=this;return new Promise(function(s,r){i.load(e,s,t,r)})}parse(){}setCrossOrigin(e){return this.crossOrigin=e,this}setWithCredentials(e){return this.withCredentials=e,this}setPath(e){return this.path=e,this}setResourcePath(e){return this.resourcePath=e,this}setRequestHeader(e){return this.requestHeader=e,this}setPriority(e){return this.priority=e,this}setCache(e){return this.cache=e,this}abort(){return this}};Uc.DEFAULT_MATERIAL_NAME="__DEFAULT";var Da=class extends Vn{static registerNode(e){this.prototype._lightNode=e}constructor(e,t=1){super(),this.isLight=!0,this.type="Light",this.color=new ct(e),this.intensity=t}copy(e,t){return super.copy(e,t),this.color.copy(e.color),this.intensity=e.intensity,this}toJSON(e){let t=super.toJSON(e);return t.object.color=this.color.getHex(),t.object.intensity=this.intensity,t}};var Nd=new Yt,n0=new Z,i0=new Z,Oc=class{constructor(e){this.camera=e,this.intensity=1,this.bias=0,this.biasNode=null,this.normalBias=0,this.radius=1,this.blurSamples=8,this.mapSize=new tt(512,512),this.mapType=ii,this.map=null,this.mapPass=null,this.matrix=new Yt,this.autoUpdate=!0,this.needsUpdate=!1,this._frustum=new Js,this._frameExtents=new tt(1,1),this._viewportCount=1,this._viewports=[new Jt(0,0,1,1)]}getViewportCount(){return this._viewportCount}getCamera(){return this.camera}getFrustum(){return this._frustum}updateMatrices(e){let t=this.camera;n0.setFromMatrixPosition(e.matrixWorld),t.position.copy(n0),i0.setFromMatrixPosition(e.target.matrixWorld),t.lookAt(i0),t.updateMatrixWorld(),this._updateMatrix(t,this.matrix,this._frustum)}_updateMatrix(e,t,i,s){Nd.multiplyMatrices(e.projectionMatrix,e.matrixWorldInverse),i.setFromProjectionMatrix(Nd,e.coordinateSystem,e.reversedDepth);let r=this._frameExtents,o=s?s.z/r.x:1,a=s?s.w/r.y:1,l=s?s.x/r.x:0,c=s?s.y/r.y:0;e.coordinateSystem===wo||e.reversedDepth?t.set(.5*o,0,0,.5*o+l,0,.5*a,0,.5*a+c,0,0,1,0,0,0,0,1):t.set(.5*o,0,0,.5*o+l,0,.5*a,0,.5*a+c,0,0,.5,.5,0,0,0,1),t.multiply(Nd)}getViewport(e){return this._viewports[e]}getFrameExtents(){return this._frameExtents}dispose(){this.map&&this.map.dispose(),this.mapPass&&this.mapPass.dispose()}copy(e){return this.camera=e.camera.clone(),this.intensity=e.intensity,this.bias=e.bias,this.radius=e.radius,this.autoUpdate=e.autoUpdate,this.needsUpdate=e.needsUpdate,this.normalBias=e.normalBias,this.blurSamples=e.blurSamples,this.mapSize.copy(e.mapSize),this.mapType=e.mapType,this.biasNode=e.biasNode,this}clone(){return new this.constructor().copy(this)}toJSON(){let e={};return e.intensity=this.intensity,e.bias=this.bias,e.normalBias=this.normalBias,e.radius=this.radius,e.blurSamples=this.blurSamples,e.mapSize=this.mapSize.toArray(),e.mapType=this.mapType,e.camera=this.camera.toJSON(!1).object,delete e.camera.matrix,e}},nc=new Z,ic=new mi,ts=new Z,Na=class extends Vn{constructor(){super(),this.isCamera=!0,this.type="Camera",this.matrixWorldInverse=new Yt,this.projectionMatrix=new Yt,this.projectionMatrixInverse=new Yt,this.coordinateSystem=Ai,this._reversedDepth=!1}get reversedDepth(){return this._reversedDepth}copy(e,t){return super.copy(e,t),this.matrixWorldInverse.copy(e.matrixWorldInverse),this.projectionMatrix.copy(e.projectionMatrix),this.projectionMatrixInverse.copy(e.projectionMatrixInverse),this.coordinateSystem=e.coordinateSystem,this}getWorldDirection(e){return super.getWorldDirection(e).negate()}updateMatrixWorld(e){super.updateMatrixWorld(e),this.matrixWorld.decompose(nc,ic,ts),ts.x===1&&ts.y===1&&ts.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(nc,ic,ts.set(1,1,1)).invert()}updateWorldMatrix(e,t,i=!1){super.updateWorldMatrix(e,t,i),this.matrixWorld.decompose(nc,ic,ts),ts.x===1&&ts.y===1&&ts.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(nc,ic,ts.set(1,1,1)).invert()}clone(){return new this.constructor().copy(this)}},Ys=new Z,s0=new tt,r0=new tt,Kn=class extends Na{constructor(e=50,t=1,i=.1,s=2e3){super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=e,this.zoom=1,this.near=i,this.far=s,this.focus=10,this.aspect=t,this.view=null,this.filmGauge=35,this.filmOffset=0,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.fov=e.fov,this.zoom=e.zoom,this.near=e.near,this.far=e.far,this.focus=e.focus,this.aspect=e.aspect,this.view=e.view===null?null:Object.assign({},e.view),this.filmGauge=e.filmGauge,this.filmOffset=e.filmOffset,this}setFocalLength(e){let t=.5*this.getFilmHeight()/e;this.fov=To*2*Math.atan(t),this.updateProjectionMatrix()}getFocalLength(){let e=Math.tan(xa*.5*this.fov);return .5*this.getFilmHeight()/e}getEffectiveFOV(){return To*2*Math.atan(Math.tan(xa*.5*this.fov)/this.zoom)}getFilmWidth(){return this.filmGauge*Math.min(this.aspect,1)}getFilmHeight(){return this.filmGauge/Math.max(this.aspect,1)}getViewBounds(e,t,i){Ys.set(-1,-1,.5).applyMatrix4(this.projectionMatrixInverse),t.set(Ys.x,Ys.y).multiplyScalar(-e/Ys.z),Ys.set(1,1,.5).applyMatrix4(this.projectionMatrixInverse),i.set(Ys.x,Ys.y).multiplyScalar(-e/Ys.z)}getViewSize(e,t){return this.getViewBounds(e,s0,r0),t.subVectors(r0,s0)}setViewOffset(e,t,i,s,r,o){this.aspect=e/t,this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=i,this.view.offsetY=s,this.view.width=r,this.view.height=o,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let e=this.near,t=e*Math.tan(xa*.5*this.fov)/this.zoom,i=2*t,s=this.aspect*i,r=-.5*s,o=this.view;if(this.view!==null&&this.view.enabled){let l=o.fullWidth,c=o.fullHeight;r+=o.offsetX*s/l,t-=o.offsetY*i/c,s*=o.width/l,i*=o.height/c}let a=this.filmOffset;a!==0&&(r+=e*a/this.getFilmWidth()),this.projectionMatrix.makePerspective(r,r+s,t,t-i,e,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){let t=super.toJSON(e);return t.object.fov=this.fov,t.object.zoom=this.zoom,t.object.near=this.near,t.object.far=this.far,t.object.focus=this.focus,t.object.aspect=this.aspect,this.view!==null&&(t.object.view=Object.assign({},this.view)),t.object.filmGauge=this.filmGauge,t.object.filmOffset=this.filmOffset,t}};var Ua=class extends Na{constructor(e=-1,t=1,i=1,s=-1,r=.1,o=2e3){super(),this.isOrthographicCamera=!0,this.type="OrthographicCamera",this.zoom=1,this.view=null,this.left=e,this.right=t,this.top=i,this.bottom=s,this.near=r,this.far=o,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.left=e.left,this.right=e.right,this.top=e.top,this.bottom=e.bottom,this.near=e.near,this.far=e.far,this.zoom=e.zoom,this.view=e.view===null?null:Object.assign({},e.view),this}setViewOffset(e,t,i,s,r,o){this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=i,this.view.offsetY=s,this.view.width=r,this.view.height=o,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let e=(this.right-this.left)/(2*this.zoom),t=(this.top-this.bottom)/(2*this.zoom),i=(this.right+this.left)/2,s=(this.top+this.bottom)/2,r=i-e,o=i+e,a=s+t,l=s-t;if(this.view!==null&&this.view.enabled){let c=(this.right-this.left)/this.view.fullWidth/this.zoom,h=(this.top-this.bottom)/this.view.fullHeight/this.zoom;r+=c*this.view.offsetX,o=r+c*this.view.width,a-=h*this.view.offsetY,l=a-h*this.view.height}this.projectionMatrix.makeOrthographic(r,o,a,l,this.near,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){let t=super.toJSON(e);return t.object.zoom=this.zoom,t.object.left=this.left,t.object.right=this.right,t.object.top=this.top,t.object.bottom=this.bottom,t.object.near=this.near,t.object.far=this.far,this.view!==null&&(t.object.view=Object.assign({},this.view)),t}},kd=class extends Oc{constructor(){super(new Ua(-5,5,5,-5,.5,500)),this.isDirectionalLightShadow=!0}},Oa=class extends Da{constructor(e,t){super(e,t),this.isDirectionalLight=!0,this.type="DirectionalLight",this.position.copy(Vn.DEFAULT_UP),this.updateMatrix(),this.target=new Vn,this.shadow=new kd}dispose(){super.dispose(),this.shadow.dispose()}copy(e){return super.copy(e),this.target=e.target.clone(),this.shadow=e.shadow.clone(),this}toJSON(e){let t=super.toJSON(e);return t.object.shadow=this.shadow.toJSON(),t.object.target=this.target.uuid,t}},Fa=class extends Da{constructor(e,t){super(e,t),this.isAmbientLight=!0,this.type="AmbientLight"}};var vo=-90,bo=1,Do=class extends Vn{constructor(e,t,i){super(),this.type="CubeCamera",this.renderTarget=i,this.coordinateSystem=null,this.activeMipmapLevel=0;let s=new Kn(vo,bo,e,t);s.layers=this.layers,this.add(s);let r=new Kn(vo,bo,e,t);r.layers=this.layers,this.add(r);let o=new Kn(vo,bo,e,t);o.layers=this.layers,this.add(o);let a=new Kn(vo,bo,e,t);a.layers=this.layers,this.add(a);let l=new Kn(vo,bo,e,t);l.layers=this.layers,this.add(l);let c=new Kn(vo,bo,e,t);c.layers=this.layers,this.add(c)}updateCoordinateSystem(){let e=this.coordinateSystem,t=this.children.concat(),[i,s,r,o,a,l]=t;for(let c of t)this.remove(c);if(e===Ai)i.up.set(0,1,0),i.lookAt(1,0,0),s.up.set(0,1,0),s.lookAt(-1,0,0),r.up.set(0,0,-1),r.lookAt(0,1,0),o.up.set(0,0,1),o.lookAt(0,-1,0),a.up.set(0,1,0),a.lookAt(0,0,1),l.up.set(0,1,0),l.lookAt(0,0,-1);else if(e===wo)i.up.set(0,-1,0),i.lookAt(-1,0,0),s.up.set(0,-1,0),s.lookAt(1,0,0),r.up.set(0,0,1),r.lookAt(0,1,0),o.up.set(0,0,-1),o.lookAt(0,-1,0),a.up.set(0,-1,0),a.lookAt(0,0,1),l.up.set(0,-1,0),l.lookAt(0,0,-1);else throw new Error("THREE.CubeCamera.updateCoordinateSystem(): Invalid coordinate system: "+e);for(let c of t)this.add(c),c.updateMatrixWorld()}update(e,t){this.parent===null&&this.updateMatrixWorld();let{renderTarget:i,activeMipmapLevel:s}=this;this.coordinateSystem!==e.coordinateSystem&&(this.coordinateSystem=e.coordinateSystem,this.updateCoordinateSystem());let[r,o,a,l,c,h]=this.children,u=e.getRenderTarget(),d=e.getActiveCubeFace(),f=e.getActiveMipmapLevel(),g=e.xr.enabled;e.xr.enabled=!1;let y=i.texture.mipmapsAutoUpdate;i.texture.mipmapsAutoUpdate=!1;let p=!1;e.isWebGLRenderer===!0?p=e.state.buffers.depth.getReversed():p=e.reversedDepthBuffer,e.setRenderTarget(i,0,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,r),e.setRenderTarget(i,1,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,o),e.setRenderTarget(i,2,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(i,3,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),e.setRenderTarget(i,4,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,c),i.texture.mipmapsAutoUpdate=y,e.setRenderTarget(i,5,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,h),e.setRenderTarget(u,d,f),e.xr.enabled=g,i.texture.needsPMREMUpdate=!0}},Fc=class extends Kn{constructor(e=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=e,this.perCameraFrustumCulled=!1}};var vf="\\[\\]\\.:\\/",RM=new RegExp("["+vf+"]","g"),bf="[^"+vf+"]",PM="[^"+vf.replace("\\.","")+"]",IM=/((?:WC+[\/:])*)/.source.replace("WC",bf),LM=/(WCOD+)?/.source.replace("WCOD",PM),DM=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",bf),NM=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",bf),UM=new RegExp("^"+IM+LM+DM+NM+"$"),OM=["material","materials","bones","map"],zd=class{constructor(e,t,i){let s=i||$t.parseTrackName(t);this._targetGroup=e,this._bindings=e.subscribe_(t,s)}getValue(e,t){this.bind();let i=this._targetGroup.nCachedObjects_,s=this._bindings[i];s!==void 0&&s.getValue(e,t)}setValue(e,t){let i=this._bindings;for(let s=this._targetGroup.nCachedObjects_,r=i.length;s!==r;++s)i[s].setValue(e,t)}bind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,i=e.length;t!==i;++t)e[t].bind()}unbind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,i=e.length;t!==i;++t)e[t].unbind()}},$t=class n{constructor(e,t,i){this.path=t,this.parsedPath=i||n.parseTrackName(t),this.node=n.findNode(e,this.parsedPath.nodeName),this.rootNode=e,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}static create(e,t,i){return e&&e.isAnimationObjectGroup?new n.Composite(e,t,i):new n(e,t,i)}static sanitizeNodeName(e){return e.replace(/\s/g,"_").replace(RM,"")}static parseTrackName(e){let t=UM.exec(e);if(t===null)throw new Error("THREE.PropertyBinding: Cannot parse trackName: "+e);let i={nodeName:t[2],objectName:t[3],objectIndex:t[4],propertyName:t[5],propertyIndex:t[6]},s=i.nodeName&&i.nodeName.lastIndexOf(".");if(s!==void 0&&s!==-1){let r=i.nodeName.substring(s+1);OM.indexOf(r)!==-1&&(i.nodeName=i.nodeName.substring(0,s),i.objectName=r)}if(i.propertyName===null||i.propertyName.length===0)throw new Error("THREE.PropertyBinding: can not parse propertyName from trackName: "+e);return i}static findNode(e,t){if(t===void 0||t===""||t==="."||t===-1||t===e.name||t===e.uuid)return e;if(e.skeleton){let i=e.skeleton.getBoneByName(t);if(i!==void 0)return i}if(e.children){let i=function(r){for(let o=0;o<r.length;o++){let a=r[o];if(a.name===t||a.uuid===t)return a;let l=i(a.children);if(l)return l}return null},s=i(e.children);if(s)return s}return null}_getValue_unavailable(){}_setValue_unavailable(){}_getValue_direct(e,t){e[t]=this.targetObject[this.propertyName]}_getValue_array(e,t){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)e[t++]=i[s]}_getValue_arrayElement(e,t){e[t]=this.resolvedProperty[this.propertyIndex]}_getValue_toArray(e,t){this.resolvedProperty.toArray(e,t)}_setValue_direct(e,t){this.targetObject[this.propertyName]=e[t]}_setValue_direct_setNeedsUpdate(e,t){this.targetObject[this.propertyName]=e[t],this.targetObject.needsUpdate=!0}_setValue_direct_setMatrixWorldNeedsUpdate(e,t){this.targetObject[this.propertyName]=e[t],this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_array(e,t){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)i[s]=e[t++]}_setValue_array_setNeedsUpdate(e,t){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)i[s]=e[t++];this.targetObject.needsUpdate=!0}_setValue_array_setMatrixWorldNeedsUpdate(e,t){let i=this.resolvedProperty;for(let s=0,r=i.length;s!==r;++s)i[s]=e[t++];this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_arrayElement(e,t){this.resolvedProperty[this.propertyIndex]=e[t]}_setValue_arrayElement_setNeedsUpdate(e,t){this.resolvedProperty[this.propertyIndex]=e[t],this.targetObject.needsUpdate=!0}_setValue_arrayElement_setMatrixWorldNeedsUpdate(e,t){this.resolvedProperty[this.propertyIndex]=e[t],this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_fromArray(e,t){this.resolvedProperty.fromArray(e,t)}_setValue_fromArray_setNeedsUpdate(e,t){this.resolvedProperty.fromArray(e,t),this.targetObject.needsUpdate=!0}_setValue_fromArray_setMatrixWorldNeedsUpdate(e,t){this.resolvedProperty.fromArray(e,t),this.targetObject.matrixWorldNeedsUpdate=!0}_getValue_unbound(e,t){this.bind(),this.getValue(e,t)}_setValue_unbound(e,t){this.bind(),this.setValue(e,t)}bind(){let e=this.node,t=this.parsedPath,i=t.objectName,s=t.propertyName,r=t.propertyIndex;if(e||(e=n.findNode(this.rootNode,t.nodeName),this.node=e),this.getValue=this._getValue_unavailable,this.setValue=this._setValue_unavailable,!e){Ze("PropertyBinding: No target node found for track: "+this.path+".");return}if(i){let c=t.objectIndex;switch(i){case"materials":if(!e.material){et("PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!e.material.materials){et("PropertyBinding: Can not bind to material.materials as node.material does not have a materials array.",this);return}e=e.material.materials;break;case"bones":if(!e.skeleton){et("PropertyBinding: Can not bind to bones as node does not have a skeleton.",this);return}e=e.skeleton.bones;for(let h=0;h<e.length;h++)if(e[h].name===c){c=h;break}break;case"map":if("map"in e){e=e.map;break}if(!e.material){et("PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!e.material.map){et("PropertyBinding: Can not bind to material.map as node.material does not have a map.",this);return}e=e.material.map;break;default:if(e[i]===void 0){et("PropertyBinding: Can not bind to objectName of node undefined.",this);return}e=e[i]}if(c!==void 0){if(e[c]===void 0){et("PropertyBinding: Trying to bind to objectIndex of objectName, but is undefined.",this,e);return}e=e[c]}}let o=e[s];if(o===void 0){let c=t.nodeName;et("PropertyBinding: Trying to update property for track: "+c+"."+s+" but it wasn't found.",e);return}let a=this.Versioning.None;this.targetObject=e,e.isMaterial===!0?a=this.Versioning.NeedsUpdate:e.isObject3D===!0&&(a=this.Versioning.MatrixWorldNeedsUpdate);let l=this.BindingType.Direct;if(r!==void 0){if(s==="morphTargetInfluences"){if(!e.geometry){et("PropertyBinding: Can not bind to morphTargetInfluences because node does not have a geometry.",this);return}if(!e.geometry.morphAttributes){et("PropertyBinding: Can not bind to morphTargetInfluences because node does not have a geometry.morphAttributes.",this);return}e.morphTargetDictionary[r]!==void 0&&(r=e.morphTargetDictionary[r])}l=this.BindingType.ArrayElement,this.resolvedProperty=o,this.propertyIndex=r}else o.fromArray!==void 0&&o.toArray!==void 0?(l=this.BindingType.HasFromToArray,this.resolvedProperty=o):Array.isArray(o)?(l=this.BindingType.EntireArray,this.resolvedProperty=o):this.propertyName=s;this.getValue=this.GetterByBindingType[l],this.setValue=this.SetterByBindingTypeAndVersioning[l][a]}unbind(){this.node=null,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}};$t.Composite=zd;$t.prototype.BindingType={Direct:0,EntireArray:1,ArrayElement:2,HasFromToArray:3};$t.prototype.Versioning={None:0,NeedsUpdate:1,MatrixWorldNeedsUpdate:2};$t.prototype.GetterByBindingType=[$t.prototype._getValue_direct,$t.prototype._getValue_array,$t.prototype._getValue_arrayElement,$t.prototype._getValue_toArray];$t.prototype.SetterByBindingTypeAndVersioning=[[$t.prototype._setValue_direct,$t.prototype._setValue_direct_setNeedsUpdate,$t.prototype._setValue_direct_setMatrixWorldNeedsUpdate],[$t.prototype._setValue_array,$t.prototype._setValue_array_setNeedsUpdate,$t.prototype._setValue_array_setMatrixWorldNeedsUpdate],[$t.prototype._setValue_arrayElement,$t.prototype._setValue_arrayElement_setNeedsUpdate,$t.prototype._setValue_arrayElement_setMatrixWorldNeedsUpdate],[$t.prototype._setValue_fromArray,$t.prototype._setValue_fromArray_setNeedsUpdate,$t.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var O2=new Float32Array(1);var No=class{constructor(e=1,t=0,i=0){this.radius=e,this.phi=t,this.theta=i}set(e,t,i){return this.radius=e,this.phi=t,this.theta=i,this}copy(e){return this.radius=e.radius,this.phi=e.phi,this.theta=e.theta,this}makeSafe(){return this.phi=gt(this.phi,1e-6,Math.PI-1e-6),this}setFromVector3(e){return this.setFromCartesianCoords(e.x,e.y,e.z)}setFromCartesianCoords(e,t,i){return this.radius=Math.sqrt(e*e+t*t+i*i),this.radius===0?(this.theta=0,this.phi=0):(this.theta=Math.atan2(e,i),this.phi=Math.acos(gt(t/this.radius,-1,1))),this}clone(){return new this.constructor().copy(this)}};var Vd=class{static{this.prototype.isMatrix2=!0}constructor(e,t,i,s){this.elements=[1,0,0,1],e!==void 0&&this.set(e,t,i,s)}identity(){return this.set(1,0,0,1),this}fromArray(e,t=0){for(let i=0;i<4;i++)this.elements[i]=e[i+t];return this}set(e,t,i,s){let r=this.elements;return r[0]=e,r[2]=t,r[1]=i,r[3]=s,this}};var Ba=class extends ki{constructor(e,t=null){super(),this.object=e,this.domElement=t,this.enabled=!0,this.state=-1,this.keys={},this.mouseButtons={LEFT:null,MIDDLE:null,RIGHT:null},this.touches={ONE:null,TWO:null}}connect(e){this.domElement!==null&&this.disconnect(),this.domElement=e}disconnect(){}dispose(){}update(){}};function Mf(n,e,t,i){let s=FM(i);switch(t){case af:return n*e;case cf:return n*e/s.components*s.byteLength;case Xc:return n*e/s.components*s.byteLength;case sr:return n*e*2/s.components*s.byteLength;case qc:return n*e*2/s.components*s.byteLength;case lf:return n*e*3/s.components*s.byteLength;case yi:return n*e*4/s.components*s.byteLength;case $c:return n*e*4/s.components*s.byteLength;case Va:case Ha:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*8;case Ga:case Wa:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*16;case Zc:case Jc:return Math.max(n,16)*Math.max(e,8)/4;case Yc:case Kc:return Math.max(n,8)*Math.max(e,8)/2;case jc:case Qc:case th:case nh:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*8;case eh:case Xa:case ih:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*16;case sh:return Math.floor((n+3)/4)*Math.floor((e+3)/4)*16;case rh:return Math.floor((n+4)/5)*Math.floor((e+3)/4)*16;case oh:return Math.floor((n+4)/5)*Math.floor((e+4)/5)*16;case ah:return Math.floor((n+5)/6)*Math.floor((e+4)/5)*16;case lh:return Math.floor((n+5)/6)*Math.floor((e+5)/6)*16;case ch:return Math.floor((n+7)/8)*Math.floor((e+4)/5)*16;case hh:return Math.floor((n+7)/8)*Math.floor((e+5)/6)*16;case uh:return Math.floor((n+7)/8)*Math.floor((e+7)/8)*16;case dh:return Math.floor((n+9)/10)*Math.floor((e+4)/5)*16;case fh:return Math.floor((n+9)/10)*Math.floor((e+5)/6)*16;case ph:return Math.floor((n+9)/10)*Math.floor((e+7)/8)*16;case mh:return Math.floor((n+9)/10)*Math.floor((e+9)/10)*16;case gh:return Math.floor((n+11)/12)*Math.floor((e+9)/10)*16;case xh:return Math.floor((n+11)/12)*Math.floor((e+11)/12)*16;case _h:case yh:case vh:return Math.ceil(n/4)*Math.ceil(e/4)*16;case bh:case Mh:return Math.ceil(n/4)*Math.ceil(e/4)*8;case qa:case Sh:return Math.ceil(n/4)*Math.ceil(e/4)*16}throw new Error(`Unable to determine texture byte length for ${t} format.`)}function FM(n){switch(n){case ii:case nf:return{byteLength:1,components:1};case Bo:case sf:case Hi:return{byteLength:2,components:1};case Gc:case Wc:return{byteLength:2,components:4};case zi:case Hc:case Vi:return{byteLength:4,components:1};case rf:case of:return{byteLength:4,components:3}}throw new Error(`THREE.TextureUtils: Unknown texture type ${n}.`)}typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("register",{detail:{revision:"187"}}));typeof window<"u"&&(window.__THREE__?Ze("WARNING: Multiple instances of Three.js being imported."):window.__THREE__="187");function gx(){let n=null,e=!1,t=null,i=null;function s(r,o){i=n.requestAnimationFrame(s),t(r,o)}return{start:function(){e!==!0&&t!==null&&n!==null&&(i=n.requestAnimationFrame(s),e=!0)},stop:function(){n!==null&&n.cancelAnimationFrame(i),e=!1},setAnimationLoop:function(r){t=r},setContext:function(r){n=r}}}function kM(n){let e=new WeakMap;function t(a,l){let c=a.array,h=a.usage,u=c.byteLength,d=n.createBuffer();n.bindBuffer(l,d),n.bufferData(l,c,h),a.onUploadCallback();let f;if(c instanceof Float32Array)f=n.FLOAT;else if(typeof Float16Array<"u"&&c instanceof Float16Array)f=n.HALF_FLOAT;else if(c instanceof Uint16Array)a.isFloat16BufferAttribute?f=n.HALF_FLOAT:f=n.UNSIGNED_SHORT;else if(c instanceof Int16Array)f=n.SHORT;else if(c instanceof Uint32Array)f=n.UNSIGNED_INT;else if(c instanceof Int32Array)f=n.INT;else if(c instanceof Int8Array)f=n.BYTE;else if(c instanceof Uint8Array)f=n.UNSIGNED_BYTE;else if(c instanceof Uint8ClampedArray)f=n.UNSIGNED_BYTE;else throw new Error("THREE.WebGLAttributes: Unsupported buffer data format: "+c);return{buffer:d,type:f,bytesPerElement:c.BYTES_PER_ELEMENT,version:a.version,size:u}}function i(a,l,c){let h=l.array,u=l.updateRanges;if(n.bindBuffer(c,a),u.length===0)n.bufferSubData(c,0,h);else{u.sort((f,g)=>f.start-g.start);let d=0;for(let f=1;f<u.length;f++){let g=u[d],y=u[f];y.start<=g.start+g.count+1?g.count=Math.max(g.count,y.start+y.count-g.start):(++d,u[d]=y)}u.length=d+1;for(let f=0,g=u.length;f<g;f++){let y=u[f];n.bufferSubData(c,y.start*h.BYTES_PER_ELEMENT,h,y.start,y.count)}l.clearUpdateRanges()}l.onUploadCallback()}function s(a){return a.isInterleavedBufferAttribute&&(a=a.data),e.get(a)}function r(a){a.isInterleavedBufferAttribute&&(a=a.data);let l=e.get(a);l&&(n.deleteBuffer(l.buffer),e.delete(a))}function o(a,l){if(a.isInterleavedBufferAttribute&&(a=a.data),a.isGLBufferAttribute){let h=e.get(a);(!h||h.version<a.version)&&e.set(a,{buffer:a.buffer,type:a.type,bytesPerElement:a.elementSize,version:a.version});return}let c=e.get(a);if(c===void 0)e.set(a,t(a,l));else if(c.version<a.version){if(c.size!==a.array.byteLength)throw new Error("THREE.WebGLAttributes: The size of the buffer attribute's array buffer does not match the original size. Resizing buffer attributes is not supported.");i(c.buffer,a,l),c.version=a.version}}return{get:s,remove:r,update:o}}var zM=`#ifdef USE_ALPHAHASH
+	if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;
+#endif`,VM=`#ifdef USE_ALPHAHASH
+	const float ALPHA_HASH_SCALE = 0.05;
+	float hash2D( vec2 value ) {
+		return fract( 1.0e4 * sin( 17.0 * value.x + 0.1 * value.y ) * ( 0.1 + abs( sin( 13.0 * value.y + value.x ) ) ) );
+	}
+	float hash3D( vec3 value ) {
+		return hash2D( vec2( hash2D( value.xy ), value.z ) );
+	}
+	float getAlphaHashThreshold( vec3 position ) {
+		float maxDeriv = max(
+			length( dFdx( position.xyz ) ),
+			length( dFdy( position.xyz ) )
+		);
+		float pixScale = 1.0 / ( ALPHA_HASH_SCALE * maxDeriv );
+		vec2 pixScales = vec2(
+			exp2( floor( log2( pixScale ) ) ),
+			exp2( ceil( log2( pixScale ) ) )
+		);
+		vec2 alpha = vec2(
+			hash3D( floor( pixScales.x * position.xyz ) ),
+			hash3D( floor( pixScales.y * position.xyz ) )
+		);
+		float lerpFactor = fract( log2( pixScale ) );
+		float x = ( 1.0 - lerpFactor ) * alpha.x + lerpFactor * alpha.y;
+		float a = min( lerpFactor, 1.0 - lerpFactor );
+		vec3 cases = vec3(
+			x * x / ( 2.0 * a * ( 1.0 - a ) ),
+			( x - 0.5 * a ) / ( 1.0 - a ),
+			1.0 - ( ( 1.0 - x ) * ( 1.0 - x ) / ( 2.0 * a * ( 1.0 - a ) ) )
+		);
+		float threshold = ( x < ( 1.0 - a ) )
+			? ( ( x < a ) ? cases.x : cases.y )
+			: cases.z;
+		return clamp( threshold , 1.0e-6, 1.0 );
+	}
+#endif`,HM=`#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;
+#endif`,GM=`#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,WM=`#ifdef USE_ALPHATEST
+	#ifdef ALPHA_TO_COVERAGE
+	diffuseColor.a = smoothstep( alphaTest, alphaTest + fwidth( diffuseColor.a ), diffuseColor.a );
+	if ( diffuseColor.a == 0.0 ) discard;
+	#else
+	if ( diffuseColor.a < alphaTest ) discard;
+	#endif
+#endif`,XM=`#ifdef USE_ALPHATEST
+	uniform float alphaTest;
+#endif`,qM=`#ifdef USE_AOMAP
+	float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensity + 1.0;
+	reflectedLight.indirectDiffuse *= ambientOcclusion;
+	#if defined( USE_CLEARCOAT ) 
+		clearcoatSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_SHEEN ) 
+		sheenSpecularIndirect *= ambientOcclusion;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( STANDARD )
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );
+	#endif
+#endif`,$M=`#ifdef USE_AOMAP
+	uniform sampler2D aoMap;
+	uniform float aoMapIntensity;
+#endif`,YM=`#ifdef USE_BATCHING
+	#if ! defined( GL_ANGLE_multi_draw )
+	#define gl_DrawID _gl_DrawID
+	uniform int _gl_DrawID;
+	#endif
+	uniform highp sampler2D batchingTexture;
+	uniform highp usampler2D batchingIdTexture;
+	mat4 getBatchingMatrix( const in float i ) {
+		int size = textureSize( batchingTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( batchingTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( batchingTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( batchingTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( batchingTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+	float getIndirectIndex( const in int i ) {
+		int size = textureSize( batchingIdTexture, 0 ).x;
+		int x = i % size;
+		int y = i / size;
+		return float( texelFetch( batchingIdTexture, ivec2( x, y ), 0 ).r );
+	}
+#endif
+#ifdef USE_BATCHING_COLOR
+	uniform sampler2D batchingColorTexture;
+	vec4 getBatchingColor( const in float i ) {
+		int size = textureSize( batchingColorTexture, 0 ).x;
+		int j = int( i );
+		int x = j % size;
+		int y = j / size;
+		return texelFetch( batchingColorTexture, ivec2( x, y ), 0 );
+	}
+#endif`,ZM=`#ifdef USE_BATCHING
+	mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );
+#endif`,KM=`vec3 transformed = vec3( position );
+#ifdef USE_ALPHAHASH
+	vPosition = vec3( position );
+#endif`,JM=`vec3 objectNormal = vec3( normal );
+#ifdef USE_TANGENT
+	vec3 objectTangent = vec3( tangent.xyz );
+#endif`,jM=`float G_BlinnPhong_Implicit( ) {
+	return 0.25;
+}
+float D_BlinnPhong( const in float shininess, const in float dotNH ) {
+	return RECIPROCAL_PI * ( shininess * 0.5 + 1.0 ) * pow( dotNH, shininess );
+}
+vec3 BRDF_BlinnPhong( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 specularColor, const in float shininess ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( specularColor, 1.0, dotVH );
+	float G = G_BlinnPhong_Implicit( );
+	float D = D_BlinnPhong( shininess, dotNH );
+	return F * ( G * D );
+} // validated`,QM=`#ifdef USE_IRIDESCENCE
+	const mat3 XYZ_TO_REC709 = mat3(
+		 3.2404542, -0.9692660,  0.0556434,
+		-1.5371385,  1.8760108, -0.2040259,
+		-0.4985314,  0.0415560,  1.0572252
+	);
+	vec3 Fresnel0ToIor( vec3 fresnel0 ) {
+		vec3 sqrtF0 = sqrt( fresnel0 );
+		return ( vec3( 1.0 ) + sqrtF0 ) / ( vec3( 1.0 ) - sqrtF0 );
+	}
+	vec3 IorToFresnel0( vec3 transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - vec3( incidentIor ) ) / ( transmittedIor + vec3( incidentIor ) ) );
+	}
+	float IorToFresnel0( float transmittedIor, float incidentIor ) {
+		return pow2( ( transmittedIor - incidentIor ) / ( transmittedIor + incidentIor ));
+	}
+	vec3 evalSensitivity( float OPD, vec3 shift ) {
+		float phase = 2.0 * PI * OPD * 1.0e-9;
+		vec3 val = vec3( 5.4856e-13, 4.4201e-13, 5.2481e-13 );
+		vec3 pos = vec3( 1.6810e+06, 1.7953e+06, 2.2084e+06 );
+		vec3 var = vec3( 4.3278e+09, 9.3046e+09, 6.6121e+09 );
+		vec3 xyz = val * sqrt( 2.0 * PI * var ) * cos( pos * phase + shift ) * exp( - pow2( phase ) * var );
+		xyz.x += 9.7470e-14 * sqrt( 2.0 * PI * 4.5282e+09 ) * cos( 2.2399e+06 * phase + shift[ 0 ] ) * exp( - 4.5282e+09 * pow2( phase ) );
+		xyz /= 1.0685e-7;
+		vec3 rgb = XYZ_TO_REC709 * xyz;
+		return rgb;
+	}
+	vec3 evalIridescence( float outsideIOR, float eta2, float cosTheta1, float thinFilmThickness, vec3 baseF0 ) {
+		vec3 I;
+		float iridescenceIOR = mix( outsideIOR, eta2, smoothstep( 0.0, 0.03, thinFilmThickness ) );
+		float sinTheta2Sq = pow2( outsideIOR / iridescenceIOR ) * ( 1.0 - pow2( cosTheta1 ) );
+		float cosTheta2Sq = 1.0 - sinTheta2Sq;
+		if ( cosTheta2Sq < 0.0 ) {
+			return vec3( 1.0 );
+		}
+		float cosTheta2 = sqrt( cosTheta2Sq );
+		float R0 = IorToFresnel0( iridescenceIOR, outsideIOR );
+		float R12 = F_Schlick( R0, 1.0, cosTheta1 );
+		float T121 = 1.0 - R12;
+		float phi12 = 0.0;
+		if ( iridescenceIOR < outsideIOR ) phi12 = PI;
+		float phi21 = PI - phi12;
+		vec3 baseIOR = Fresnel0ToIor( clamp( baseF0, 0.0, 0.9999 ) );		vec3 R1 = IorToFresnel0( baseIOR, iridescenceIOR );
+		vec3 R23 = F_Schlick( R1, 1.0, cosTheta2 );
+		vec3 phi23 = vec3( 0.0 );
+		if ( baseIOR[ 0 ] < iridescenceIOR ) phi23[ 0 ] = PI;
+		if ( baseIOR[ 1 ] < iridescenceIOR ) phi23[ 1 ] = PI;
+		if ( baseIOR[ 2 ] < iridescenceIOR ) phi23[ 2 ] = PI;
+		float OPD = 2.0 * iridescenceIOR * thinFilmThickness * cosTheta2;
+		vec3 phi = vec3( phi21 ) + phi23;
+		vec3 R123 = clamp( R12 * R23, 1e-5, 0.9999 );
+		vec3 r123 = sqrt( R123 );
+		vec3 Rs = pow2( T121 ) * R23 / ( vec3( 1.0 ) - R123 );
+		vec3 C0 = R12 + Rs;
+		I = C0;
+		vec3 Cm = Rs - T121;
+		for ( int m = 1; m <= 2; ++ m ) {
+			Cm *= r123;
+			vec3 Sm = 2.0 * evalSensitivity( float( m ) * OPD, float( m ) * phi );
+			I += Cm * Sm;
+		}
+		return max( I, vec3( 0.0 ) );
+	}
+#endif`,eS=`#ifdef USE_BUMPMAP
+	uniform sampler2D bumpMap;
+	uniform float bumpScale;
+	vec2 dHdxy_fwd() {
+		vec2 dSTdx = dFdx( vBumpMapUv );
+		vec2 dSTdy = dFdy( vBumpMapUv );
+		float Hll = bumpScale * texture2D( bumpMap, vBumpMapUv ).x;
+		float dBx = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdx ).x - Hll;
+		float dBy = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdy ).x - Hll;
+		return vec2( dBx, dBy );
+	}
+	vec3 perturbNormalArb( vec3 surf_pos, vec3 surf_norm, vec2 dHdxy, float faceDirection ) {
+		vec3 vSigmaX = normalize( dFdx( surf_pos.xyz ) );
+		vec3 vSigmaY = normalize( dFdy( surf_pos.xyz ) );
+		vec3 vN = surf_norm;
+		vec3 R1 = cross( vSigmaY, vN );
+		vec3 R2 = cross( vN, vSigmaX );
+		float fDet = dot( vSigmaX, R1 ) * faceDirection;
+		vec3 vGrad = sign( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );
+		return normalize( abs( fDet ) * surf_norm - vGrad );
+	}
+#endif`,tS=`#if NUM_CLIPPING_PLANES > 0
+	vec4 plane;
+	#ifdef ALPHA_TO_COVERAGE
+		float distanceToPlane, distanceGradient;
+		float clipOpacity = 1.0;
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+			distanceGradient = fwidth( distanceToPlane ) / 2.0;
+			clipOpacity *= smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			if ( clipOpacity == 0.0 ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			float unionClipOpacity = 1.0;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;
+				distanceGradient = fwidth( distanceToPlane ) / 2.0;
+				unionClipOpacity *= 1.0 - smoothstep( - distanceGradient, distanceGradient, distanceToPlane );
+			}
+			#pragma unroll_loop_end
+			clipOpacity *= 1.0 - unionClipOpacity;
+		#endif
+		diffuseColor.a *= clipOpacity;
+		if ( diffuseColor.a == 0.0 ) discard;
+	#else
+		#pragma unroll_loop_start
+		for ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {
+			plane = clippingPlanes[ i ];
+			if ( dot( vClipPosition, plane.xyz ) > plane.w ) discard;
+		}
+		#pragma unroll_loop_end
+		#if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES
+			bool clipped = true;
+			#pragma unroll_loop_start
+			for ( int i = UNION_CLIPPING_PLANES; i < NUM_CLIPPING_PLANES; i ++ ) {
+				plane = clippingPlanes[ i ];
+				clipped = ( dot( vClipPosition, plane.xyz ) > plane.w ) && clipped;
+			}
+			#pragma unroll_loop_end
+			if ( clipped ) discard;
+		#endif
+	#endif
+#endif`,nS=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+	uniform vec4 clippingPlanes[ NUM_CLIPPING_PLANES ];
+#endif`,iS=`#if NUM_CLIPPING_PLANES > 0
+	varying vec3 vClipPosition;
+#endif`,sS=`#if NUM_CLIPPING_PLANES > 0
+	vClipPosition = - mvPosition.xyz;
+#endif`,rS=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )
+	diffuseColor *= vColor;
+#endif`,oS=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )
+	varying vec4 vColor;
+#endif`,aS=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	varying vec4 vColor;
+#endif`,lS=`#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_COLOR )
+	vColor = vec4( 1.0 );
+#endif
+#ifdef USE_COLOR_ALPHA
+	vColor *= color;
+#elif defined( USE_COLOR )
+	vColor.rgb *= color;
+#endif
+#ifdef USE_INSTANCING_COLOR
+	vColor.rgb *= instanceColor.rgb;
+#endif
+#ifdef USE_BATCHING_COLOR
+	vColor *= getBatchingColor( getIndirectIndex( gl_DrawID ) );
+#endif`,cS=`#define PI 3.141592653589793
+#define PI2 6.283185307179586
+#define PI_HALF 1.5707963267948966
+#define RECIPROCAL_PI 0.3183098861837907
+#define RECIPROCAL_PI2 0.15915494309189535
+#define EPSILON 1e-6
+#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+#define whiteComplement( a ) ( 1.0 - saturate( a ) )
+float pow2( const in float x ) { return x*x; }
+vec3 pow2( const in vec3 x ) { return x*x; }
+float pow3( const in float x ) { return x*x*x; }
+float pow4( const in float x ) { float x2 = x*x; return x2*x2; }
+float max3( const in vec3 v ) { return max( max( v.x, v.y ), v.z ); }
+float average( const in vec3 v ) { return dot( v, vec3( 0.3333333 ) ); }
+highp float rand( const in vec2 uv ) {
+	const highp float a = 12.9898, b = 78.233, c = 43758.5453;
+	highp float dt = dot( uv.xy, vec2( a,b ) ), sn = mod( dt, PI );
+	return fract( sin( sn ) * c );
+}
+#ifdef HIGH_PRECISION
+	float precisionSafeLength( vec3 v ) { return length( v ); }
+#else
+	float precisionSafeLength( vec3 v ) {
+		float maxComponent = max3( abs( v ) );
+		return length( v / maxComponent ) * maxComponent;
+	}
+#endif
+struct IncidentLight {
+	vec3 color;
+	vec3 direction;
+	bool visible;
+};
+struct ReflectedLight {
+	vec3 directDiffuse;
+	vec3 directSpecular;
+	vec3 indirectDiffuse;
+	vec3 indirectSpecular;
+};
+#ifdef USE_ALPHAHASH
+	varying vec3 vPosition;
+#endif
+vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+	return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+}
+#define inverseTransformDirection transformDirectionByInverseViewMatrix
+vec3 transformNormalByInverseViewMatrix( in vec3 normal, in mat4 viewMatrix ) {
+	return normalize( ( vec4( normal, 0.0 ) * viewMatrix ).xyz );
+}
+vec3 transformDirectionByInverseViewMatrix( in vec3 dir, in mat4 viewMatrix ) {
+	return normalize( ( vec4( dir, 0.0 ) * viewMatrix ).xyz );
+}
+bool isPerspectiveMatrix( mat4 m ) {
+	return m[ 2 ][ 3 ] == - 1.0;
+}
+vec2 equirectUv( in vec3 dir ) {
+	float u = atan( dir.z, dir.x ) * RECIPROCAL_PI2 + 0.5;
+	float v = asin( clamp( dir.y, - 1.0, 1.0 ) ) * RECIPROCAL_PI + 0.5;
+	return vec2( u, v );
+}
+vec3 BRDF_Lambert( const in vec3 diffuseColor ) {
+	return RECIPROCAL_PI * diffuseColor;
+}
+vec3 F_Schlick( const in vec3 f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+}
+float F_Schlick( const in float f0, const in float f90, const in float dotVH ) {
+	float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );
+	return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );
+} // validated`,hS=`vec3 transformedNormal = objectNormal;
+#ifdef USE_TANGENT
+	vec3 transformedTangent = objectTangent;
+#endif
+#ifdef USE_BATCHING
+	mat3 bm = mat3( batchingMatrix );
+	transformedNormal /= vec3( dot( bm[ 0 ], bm[ 0 ] ), dot( bm[ 1 ], bm[ 1 ] ), dot( bm[ 2 ], bm[ 2 ] ) );
+	transformedNormal = bm * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = bm * transformedTangent;
+	#endif
+#endif
+#ifdef USE_INSTANCING
+	mat3 im = mat3( instanceMatrix );
+	transformedNormal /= vec3( dot( im[ 0 ], im[ 0 ] ), dot( im[ 1 ], im[ 1 ] ), dot( im[ 2 ], im[ 2 ] ) );
+	transformedNormal = im * transformedNormal;
+	#ifdef USE_TANGENT
+		transformedTangent = im * transformedTangent;
+	#endif
+#endif
+transformedNormal = normalMatrix * transformedNormal;
+#ifdef FLIP_SIDED
+	transformedNormal = - transformedNormal;
+#endif
+#ifdef USE_TANGENT
+	transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;
+#endif`,uS=`#ifdef USE_DISPLACEMENTMAP
+	uniform sampler2D displacementMap;
+	uniform float displacementScale;
+	uniform float displacementBias;
+#endif`,dS=`#ifdef USE_DISPLACEMENTMAP
+	transformed += normalize( objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );
+#endif`,fS=`#ifdef USE_EMISSIVEMAP
+	vec4 emissiveColor = texture2D( emissiveMap, vEmissiveMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE_EMISSIVE
+		emissiveColor = sRGBTransferEOTF( emissiveColor );
+	#endif
+	totalEmissiveRadiance *= emissiveColor.rgb;
+#endif`,pS=`#ifdef USE_EMISSIVEMAP
+	uniform sampler2D emissiveMap;
+#endif`,mS="gl_FragColor = linearToOutputTexel( gl_FragColor );",gS=`vec4 LinearTransferOETF( in vec4 value ) {
+	return value;
+}
+vec4 sRGBTransferEOTF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), value.rgb * 0.0773993808, vec3( lessThanEqual( value.rgb, vec3( 0.04045 ) ) ) ), value.a );
+}
+vec4 sRGBTransferOETF( in vec4 value ) {
+	return vec4( mix( pow( value.rgb, vec3( 0.41666 ) ) * 1.055 - vec3( 0.055 ), value.rgb * 12.92, vec3( lessThanEqual( value.rgb, vec3( 0.0031308 ) ) ) ), value.a );
+}`,xS=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vec3 cameraToFrag;
+		if ( isOrthographic ) {
+			cameraToFrag = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToFrag = normalize( vWorldPosition - cameraPosition );
+		}
+		vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vec3 reflectVec = reflect( cameraToFrag, worldNormal );
+		#else
+			vec3 reflectVec = refract( cameraToFrag, worldNormal, refractionRatio );
+		#endif
+	#else
+		vec3 reflectVec = vReflect;
+	#endif
+	#ifdef ENVMAP_TYPE_CUBE
+		vec4 envColor = textureCube( envMap, envMapRotation * reflectVec );
+		#ifdef ENVMAP_BLENDING_MULTIPLY
+			outgoingLight = mix( outgoingLight, outgoingLight * envColor.xyz, specularStrength * reflectivity );
+		#elif defined( ENVMAP_BLENDING_MIX )
+			outgoingLight = mix( outgoingLight, envColor.xyz, specularStrength * reflectivity );
+		#elif defined( ENVMAP_BLENDING_ADD )
+			outgoingLight += envColor.xyz * specularStrength * reflectivity;
+		#endif
+	#endif
+#endif`,_S=`#ifdef USE_ENVMAP
+	uniform float envMapIntensity;
+	uniform mat3 envMapRotation;
+	uniform samplerCube envMap;
+	#ifdef ENVMAP_TYPE_PMREM
+		float roughnessToMip( const in float roughness ) {
+			float r = clamp( roughness, 0.0, 1.0 );
+			return ENVMAP_MAX_LOD * r * ( 2.0 - r );
+		}
+	#endif
+#endif`,yS=`#ifdef USE_ENVMAP
+	uniform float reflectivity;
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		varying vec3 vWorldPosition;
+		uniform float refractionRatio;
+	#else
+		varying vec3 vReflect;
+	#endif
+#endif`,vS=`#ifdef USE_ENVMAP
+	#if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )
+		#define ENV_WORLDPOS
+	#endif
+	#ifdef ENV_WORLDPOS
+		
+		varying vec3 vWorldPosition;
+	#else
+		varying vec3 vReflect;
+		uniform float refractionRatio;
+	#endif
+#endif`,bS=`#ifdef USE_ENVMAP
+	#ifdef ENV_WORLDPOS
+		vWorldPosition = worldPosition.xyz;
+	#else
+		vec3 cameraToVertex;
+		if ( isOrthographic ) {
+			cameraToVertex = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );
+		} else {
+			cameraToVertex = normalize( worldPosition.xyz - cameraPosition );
+		}
+		vec3 worldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );
+		#ifdef ENVMAP_MODE_REFLECTION
+			vReflect = reflect( cameraToVertex, worldNormal );
+		#else
+			vReflect = refract( cameraToVertex, worldNormal, refractionRatio );
+		#endif
+	#endif
+#endif`,MS=`#ifdef USE_FOG
+	vFogDepth = - mvPosition.z;
+#endif`,SS=`#ifdef USE_FOG
+	varying float vFogDepth;
+#endif`,wS=`#ifdef USE_FOG
+	#ifdef FOG_EXP2
+		float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );
+	#else
+		float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );
+	#endif
+	gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );
+#endif`,ES=`#ifdef USE_FOG
+	uniform vec3 fogColor;
+	varying float vFogDepth;
+	#ifdef FOG_EXP2
+		uniform float fogDensity;
+	#else
+		uniform float fogNear;
+		uniform float fogFar;
+	#endif
+#endif`,TS=`#ifdef USE_GRADIENTMAP
+	uniform sampler2D gradientMap;
+#endif
+vec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {
+	float dotNL = dot( normal, lightDirection );
+	vec2 coord = vec2( dotNL * 0.5 + 0.5, 0.0 );
+	#ifdef USE_GRADIENTMAP
+		return vec3( texture2D( gradientMap, coord ).r );
+	#else
+		vec2 fw = fwidth( coord ) * 0.5;
+		return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );
+	#endif
+}`,AS=`#ifdef USE_LIGHTMAP
+	uniform sampler2D lightMap;
+	uniform float lightMapIntensity;
+#endif`,CS=`LambertMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularStrength = specularStrength;`,RS=`varying vec3 vViewPosition;
+struct LambertMaterial {
+	vec3 diffuseColor;
+	float specularStrength;
+};
+void RE_Direct_Lambert( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Lambert( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Lambert
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Lambert`,PS=`uniform bool receiveShadow;
+uniform vec3 ambientLightColor;
+#if defined( USE_LIGHT_PROBES )
+	uniform vec3 lightProbe[ 9 ];
+#endif
+vec3 shGetIrradianceAt( in vec3 normal, in vec3 shCoefficients[ 9 ] ) {
+	float x = normal.x, y = normal.y, z = normal.z;
+	vec3 result = shCoefficients[ 0 ] * 0.886227;
+	result += shCoefficients[ 1 ] * 2.0 * 0.511664 * y;
+	result += shCoefficients[ 2 ] * 2.0 * 0.511664 * z;
+	result += shCoefficients[ 3 ] * 2.0 * 0.511664 * x;
+	result += shCoefficients[ 4 ] * 2.0 * 0.429043 * x * y;
+	result += shCoefficients[ 5 ] * 2.0 * 0.429043 * y * z;
+	result += shCoefficients[ 6 ] * ( 0.743125 * z * z - 0.247708 );
+	result += shCoefficients[ 7 ] * 2.0 * 0.429043 * x * z;
+	result += shCoefficients[ 8 ] * 0.429043 * ( x * x - y * y );
+	return result;
+}
+vec3 getLightProbeIrradiance( const in vec3 lightProbe[ 9 ], const in vec3 normal ) {
+	vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+	vec3 irradiance = shGetIrradianceAt( worldNormal, lightProbe );
+	return irradiance;
+}
+vec3 getAmbientLightIrradiance( const in vec3 ambientLightColor ) {
+	vec3 irradiance = ambientLightColor;
+	return irradiance;
+}
+float getDistanceAttenuation( const in float lightDistance, const in float cutoffDistance, const in float decayExponent ) {
+	float distanceFalloff = 1.0 / max( pow( lightDistance, decayExponent ), 0.01 );
+	if ( cutoffDistance > 0.0 ) {
+		distanceFalloff *= pow2( saturate( 1.0 - pow4( lightDistance / cutoffDistance ) ) );
+	}
+	return distanceFalloff;
+}
+float getSpotAttenuation( const in float coneCosine, const in float penumbraCosine, const in float angleCosine ) {
+	return smoothstep( coneCosine, penumbraCosine, angleCosine );
+}
+#if NUM_SUN_LIGHTS > 0
+	struct SunLight {
+		vec3 direction;
+		vec3 color;
+	};
+	uniform SunLight sunLights[ NUM_SUN_LIGHTS ];
+	void getSunLightInfo( const in SunLight sunLight, out IncidentLight light ) {
+		light.color = sunLight.color;
+		light.direction = sunLight.direction;
+		light.visible = true;
+	}
+#endif
+#if NUM_DIR_LIGHTS > 0
+	struct DirectionalLight {
+		vec3 direction;
+		vec3 color;
+	};
+	uniform DirectionalLight directionalLights[ NUM_DIR_LIGHTS ];
+	void getDirectionalLightInfo( const in DirectionalLight directionalLight, out IncidentLight light ) {
+		light.color = directionalLight.color;
+		light.direction = directionalLight.direction;
+		light.visible = true;
+	}
+#endif
+#if NUM_POINT_LIGHTS > 0
+	struct PointLight {
+		vec3 position;
+		vec3 color;
+		float distance;
+		float decay;
+	};
+	uniform PointLight pointLights[ NUM_POINT_LIGHTS ];
+	void getPointLightInfo( const in PointLight pointLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = pointLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float lightDistance = length( lVector );
+		light.color = pointLight.color;
+		light.color *= getDistanceAttenuation( lightDistance, pointLight.distance, pointLight.decay );
+		light.visible = ( light.color != vec3( 0.0 ) );
+	}
+#endif
+#if NUM_SPOT_LIGHTS > 0
+	struct SpotLight {
+		vec3 position;
+		vec3 direction;
+		vec3 color;
+		float distance;
+		float decay;
+		float coneCos;
+		float penumbraCos;
+	};
+	uniform SpotLight spotLights[ NUM_SPOT_LIGHTS ];
+	void getSpotLightInfo( const in SpotLight spotLight, const in vec3 geometryPosition, out IncidentLight light ) {
+		vec3 lVector = spotLight.position - geometryPosition;
+		light.direction = normalize( lVector );
+		float angleCos = dot( light.direction, spotLight.direction );
+		float spotAttenuation = getSpotAttenuation( spotLight.coneCos, spotLight.penumbraCos, angleCos );
+		if ( spotAttenuation > 0.0 ) {
+			float lightDistance = length( lVector );
+			light.color = spotLight.color * spotAttenuation;
+			light.color *= getDistanceAttenuation( lightDistance, spotLight.distance, spotLight.decay );
+			light.visible = ( light.color != vec3( 0.0 ) );
+		} else {
+			light.color = vec3( 0.0 );
+			light.visible = false;
+		}
+	}
+#endif
+#if NUM_RECT_AREA_LIGHTS > 0
+	struct RectAreaLight {
+		vec3 color;
+		vec3 position;
+		vec3 halfWidth;
+		vec3 halfHeight;
+	};
+	uniform sampler2D ltc_1;	uniform sampler2D ltc_2;
+	uniform RectAreaLight rectAreaLights[ NUM_RECT_AREA_LIGHTS ];
+#endif
+#if NUM_HEMI_LIGHTS > 0
+	struct HemisphereLight {
+		vec3 direction;
+		vec3 skyColor;
+		vec3 groundColor;
+	};
+	uniform HemisphereLight hemisphereLights[ NUM_HEMI_LIGHTS ];
+	vec3 getHemisphereLightIrradiance( const in HemisphereLight hemiLight, const in vec3 normal ) {
+		float dotNL = dot( normal, hemiLight.direction );
+		float hemiDiffuseWeight = 0.5 * dotNL + 0.5;
+		vec3 irradiance = mix( hemiLight.groundColor, hemiLight.skyColor, hemiDiffuseWeight );
+		return irradiance;
+	}
+#endif
+#include <lightprobes_pars_fragment>`,IS=`#ifdef USE_ENVMAP
+	vec3 getIBLIrradiance( const in vec3 normal ) {
+		#ifdef ENVMAP_TYPE_PMREM
+			vec3 worldNormal = transformNormalByInverseViewMatrix( normal, viewMatrix );
+			vec4 envMapColor = textureLod( envMap, envMapRotation * worldNormal, ENVMAP_MAX_LOD );
+			return PI * envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	vec3 getIBLRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness ) {
+		#ifdef ENVMAP_TYPE_PMREM
+			vec3 reflectVec = reflect( - viewDir, normal );
+			reflectVec = normalize( mix( reflectVec, normal, pow4( roughness ) ) );
+			reflectVec = transformDirectionByInverseViewMatrix( reflectVec, viewMatrix );
+			vec4 envMapColor = textureLod( envMap, envMapRotation * reflectVec, roughnessToMip( roughness ) );
+			return envMapColor.rgb * envMapIntensity;
+		#else
+			return vec3( 0.0 );
+		#endif
+	}
+	#ifdef USE_RETROREFLECTION
+		vec3 getIBLRetroRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness ) {
+			#ifdef ENVMAP_TYPE_PMREM
+				vec3 retroVec = normalize( mix( viewDir, normal, pow4( roughness ) ) );
+				retroVec = transformDirectionByInverseViewMatrix( retroVec, viewMatrix );
+				vec4 envMapColor = textureLod( envMap, envMapRotation * retroVec, roughnessToMip( roughness ) );
+				return envMapColor.rgb * envMapIntensity;
+			#else
+				return vec3( 0.0 );
+			#endif
+		}
+	#endif
+	#ifdef USE_ANISOTROPY
+		vec3 getIBLAnisotropyRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness, const in vec3 bitangent, const in float anisotropy ) {
+			#ifdef ENVMAP_TYPE_PMREM
+				vec3 bentNormal = cross( bitangent, viewDir );
+				bentNormal = normalize( cross( bentNormal, bitangent ) );
+				bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - roughness ) ) ) ) );
+				return getIBLRadiance( viewDir, bentNormal, roughness );
+			#else
+				return vec3( 0.0 );
+			#endif
+		}
+		#ifdef USE_RETROREFLECTION
+			vec3 getIBLAnisotropyRetroRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness, const in vec3 bitangent, const in float anisotropy ) {
+				#ifdef ENVMAP_TYPE_PMREM
+					vec3 bentNormal = cross( bitangent, viewDir );
+					bentNormal = normalize( cross( bentNormal, bitangent ) );
+					bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - roughness ) ) ) ) );
+					return getIBLRetroRadiance( viewDir, bentNormal, roughness );
+				#else
+					return vec3( 0.0 );
+				#endif
+			}
+		#endif
+	#endif
+#endif`,LS=`ToonMaterial material;
+material.diffuseColor = diffuseColor.rgb;`,DS=`varying vec3 vViewPosition;
+struct ToonMaterial {
+	vec3 diffuseColor;
+};
+void RE_Direct_Toon( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 irradiance = getGradientIrradiance( geometryNormal, directLight.direction ) * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+void RE_IndirectDiffuse_Toon( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_Toon
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Toon`,NS=`BlinnPhongMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.specularColor = specular;
+material.specularShininess = shininess;
+material.specularStrength = specularStrength;`,US=`varying vec3 vViewPosition;
+struct BlinnPhongMaterial {
+	vec3 diffuseColor;
+	vec3 specularColor;
+	float specularShininess;
+	float specularStrength;
+};
+void RE_Direct_BlinnPhong( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+	reflectedLight.directSpecular += irradiance * BRDF_BlinnPhong( directLight.direction, geometryViewDir, geometryNormal, material.specularColor, material.specularShininess ) * material.specularStrength;
+}
+void RE_IndirectDiffuse_BlinnPhong( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {
+	reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );
+}
+#define RE_Direct				RE_Direct_BlinnPhong
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_BlinnPhong`,OS=`PhysicalMaterial material;
+material.diffuseColor = diffuseColor.rgb;
+material.diffuseContribution = diffuseColor.rgb * ( 1.0 - metalnessFactor );
+material.metalness = metalnessFactor;
+vec3 dxy = max( abs( dFdx( nonPerturbedNormal ) ), abs( dFdy( nonPerturbedNormal ) ) );
+float geometryRoughness = max( max( dxy.x, dxy.y ), dxy.z );
+material.roughness = max( roughnessFactor, 0.045 );
+material.roughness += geometryRoughness;
+material.roughness = min( material.roughness, 1.0 );
+#ifdef USE_DIFFUSE_ROUGHNESS
+	float diffuseRoughnessFactor = diffuseRoughness;
+	#ifdef USE_DIFFUSE_ROUGHNESSMAP
+		diffuseRoughnessFactor *= texture2D( diffuseRoughnessMap, vDiffuseRoughnessMapUv ).r;
+	#endif
+	material.diffuseRoughness = saturate( diffuseRoughnessFactor );
+#endif
+#ifdef IOR
+	material.ior = ior;
+	#ifdef USE_SPECULAR
+		float specularIntensityFactor = specularIntensity;
+		vec3 specularColorFactor = specularColor;
+		#ifdef USE_SPECULAR_COLORMAP
+			specularColorFactor *= texture2D( specularColorMap, vSpecularColorMapUv ).rgb;
+		#endif
+		#ifdef USE_SPECULAR_INTENSITYMAP
+			specularIntensityFactor *= texture2D( specularIntensityMap, vSpecularIntensityMapUv ).a;
+		#endif
+		material.specularF90 = mix( specularIntensityFactor, 1.0, metalnessFactor );
+	#else
+		float specularIntensityFactor = 1.0;
+		vec3 specularColorFactor = vec3( 1.0 );
+		material.specularF90 = 1.0;
+	#endif
+	material.specularColor = min( pow2( ( material.ior - 1.0 ) / ( material.ior + 1.0 ) ) * specularColorFactor, vec3( 1.0 ) ) * specularIntensityFactor;
+	material.specularColorBlended = mix( material.specularColor, diffuseColor.rgb, metalnessFactor );
+#else
+	material.specularColor = vec3( 0.04 );
+	material.specularColorBlended = mix( material.specularColor, diffuseColor.rgb, metalnessFactor );
+	material.specularF90 = 1.0;
+#endif
+#ifdef USE_CLEARCOAT
+	material.clearcoat = clearcoat;
+	material.clearcoatRoughness = clearcoatRoughness;
+	material.clearcoatF0 = vec3( 0.04 );
+	material.clearcoatF90 = 1.0;
+	#ifdef USE_CLEARCOATMAP
+		material.clearcoat *= texture2D( clearcoatMap, vClearcoatMapUv ).x;
+	#endif
+	#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+		material.clearcoatRoughness *= texture2D( clearcoatRoughnessMap, vClearcoatRoughnessMapUv ).y;
+	#endif
+	material.clearcoat = saturate( material.clearcoat );	material.clearcoatRoughness = max( material.clearcoatRoughness, 0.045 );
+	material.clearcoatRoughness += geometryRoughness;
+	material.clearcoatRoughness = min( material.clearcoatRoughness, 1.0 );
+#endif
+#ifdef USE_DISPERSION
+	material.dispersion = dispersion;
+#endif
+#ifdef USE_RETROREFLECTION
+	material.retroreflectivity = retroreflectivity;
+#endif
+#ifdef USE_IRIDESCENCE
+	material.iridescence = iridescence;
+	material.iridescenceIOR = iridescenceIOR;
+	#ifdef USE_IRIDESCENCEMAP
+		material.iridescence *= texture2D( iridescenceMap, vIridescenceMapUv ).r;
+	#endif
+	#ifdef USE_IRIDESCENCE_THICKNESSMAP
+		material.iridescenceThickness = (iridescenceThicknessMaximum - iridescenceThicknessMinimum) * texture2D( iridescenceThicknessMap, vIridescenceThicknessMapUv ).g + iridescenceThicknessMinimum;
+	#else
+		material.iridescenceThickness = iridescenceThicknessMaximum;
+	#endif
+#endif
+#ifdef USE_SHEEN
+	material.sheenColor = sheenColor;
+	#ifdef USE_SHEEN_COLORMAP
+		material.sheenColor *= texture2D( sheenColorMap, vSheenColorMapUv ).rgb;
+	#endif
+	material.sheenRoughness = clamp( sheenRoughness, 0.0001, 1.0 );
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		material.sheenRoughness *= texture2D( sheenRoughnessMap, vSheenRoughnessMapUv ).a;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	#ifdef USE_ANISOTROPYMAP
+		mat2 anisotropyMat = mat2( anisotropyVector.x, anisotropyVector.y, - anisotropyVector.y, anisotropyVector.x );
+		vec3 anisotropyPolar = texture2D( anisotropyMap, vAnisotropyMapUv ).rgb;
+		vec2 anisotropyV = anisotropyMat * normalize( 2.0 * anisotropyPolar.rg - vec2( 1.0 ) ) * anisotropyPolar.b;
+	#else
+		vec2 anisotropyV = anisotropyVector;
+	#endif
+	material.anisotropy = length( anisotropyV );
+	if( material.anisotropy == 0.0 ) {
+		anisotropyV = vec2( 1.0, 0.0 );
+	} else {
+		anisotropyV /= material.anisotropy;
+		material.anisotropy = saturate( material.anisotropy );
+	}
+	material.alphaT = mix( pow2( material.roughness ), 1.0, pow2( material.anisotropy ) );
+	material.anisotropyT = tbn[ 0 ] * anisotropyV.x + tbn[ 1 ] * anisotropyV.y;
+	material.anisotropyB = tbn[ 1 ] * anisotropyV.x - tbn[ 0 ] * anisotropyV.y;
+#endif`,FS=`uniform sampler2D dfgLUT;
+struct PhysicalMaterial {
+	vec3 diffuseColor;
+	vec3 diffuseContribution;
+	vec3 specularColor;
+	vec3 specularColorBlended;
+	float roughness;
+	float metalness;
+	float specularF90;
+	float dispersion;
+	vec2 dfg;
+	vec3 multiScatteringCompensation;
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float diffuseRoughness;
+	#endif
+	#ifdef USE_RETROREFLECTION
+		float retroreflectivity;
+	#endif
+	#ifdef USE_CLEARCOAT
+		float clearcoat;
+		float clearcoatRoughness;
+		vec3 clearcoatF0;
+		float clearcoatF90;
+	#endif
+	#ifdef USE_IRIDESCENCE
+		float iridescence;
+		float iridescenceIOR;
+		float iridescenceThickness;
+		vec3 iridescenceFresnel;
+		vec3 iridescenceF0Dielectric;
+		vec3 iridescenceF0Metallic;
+	#endif
+	#ifdef USE_SHEEN
+		vec3 sheenColor;
+		float sheenRoughness;
+	#endif
+	#ifdef IOR
+		float ior;
+	#endif
+	#ifdef USE_TRANSMISSION
+		float transmission;
+		float transmissionAlpha;
+		float thickness;
+		float attenuationDistance;
+		vec3 attenuationColor;
+	#endif
+	#ifdef USE_ANISOTROPY
+		float anisotropy;
+		float alphaT;
+		vec3 anisotropyT;
+		vec3 anisotropyB;
+	#endif
+};
+vec3 clearcoatSpecularDirect = vec3( 0.0 );
+vec3 clearcoatSpecularIndirect = vec3( 0.0 );
+vec3 sheenSpecularDirect = vec3( 0.0 );
+vec3 sheenSpecularIndirect = vec3(0.0 );
+vec3 Schlick_to_F0( const in vec3 f, const in float f90, const in float dotVH ) {
+    float x = clamp( 1.0 - dotVH, 0.0, 1.0 );
+    float x2 = x * x;
+    float x5 = clamp( x * x2 * x2, 0.0, 0.9999 );
+    return ( f - vec3( f90 ) * x5 ) / ( 1.0 - x5 );
+}
+#ifdef USE_DIFFUSE_ROUGHNESS
+	const float EON_EPSILON = 1e-7;
+	float FON_DirectionalAlbedo( const in float mu, const in float roughness, const in float A ) {
+		float muComp = 1.0 - mu;
+		float gOverPi = muComp * ( 0.0571085289 + muComp * ( 0.491881867 + muComp * ( - 0.332181442 + muComp * 0.0714429953 ) ) );
+		return A * ( 1.0 + roughness * gOverPi );
+	}
+	vec3 BRDF_EON( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 diffuseColor, const in float roughness ) {
+		vec3 rho = saturate( diffuseColor );
+		if ( roughness <= EON_EPSILON ) return BRDF_Lambert( rho );
+		float dotNL = saturate( dot( normal, lightDir ) );
+		float dotNV = saturate( dot( normal, viewDir ) );
+		float s = dot( lightDir, viewDir ) - dotNL * dotNV;
+		float sOverT = ( s > 0.0 ) ? s / max( max( dotNL, dotNV ), EON_EPSILON ) : s;
+		float A = 1.0 / ( 1.0 + ( 0.5 - 2.0 / ( 3.0 * PI ) ) * roughness );
+		vec3 singleScatter = rho * RECIPROCAL_PI * A * ( 1.0 + roughness * sOverT );
+		float averageAlbedo = A * ( 1.0 + ( 2.0 / 3.0 - 28.0 / ( 15.0 * PI ) ) * roughness );
+		float albedoV = FON_DirectionalAlbedo( dotNV, roughness, A );
+		float albedoL = FON_DirectionalAlbedo( dotNL, roughness, A );
+		vec3 rhoMultiScatter = rho * rho * averageAlbedo / max( vec3( EON_EPSILON ), vec3( 1.0 ) - rho * ( 1.0 - averageAlbedo ) );
+		vec3 multiScatter = rhoMultiScatter * RECIPROCAL_PI
+			* max( EON_EPSILON, 1.0 - albedoV )
+			* max( EON_EPSILON, 1.0 - albedoL )
+			/ max( EON_EPSILON, 1.0 - averageAlbedo );
+		return singleScatter + multiScatter;
+	}
+	vec3 EON_DirectionalAlbedo( const in vec3 diffuseColor, const in float roughness, const in float dotNV ) {
+		vec3 rho = saturate( diffuseColor );
+		if ( roughness <= EON_EPSILON ) return rho;
+		float A = 1.0 / ( 1.0 + ( 0.5 - 2.0 / ( 3.0 * PI ) ) * roughness );
+		float directionalAlbedo = FON_DirectionalAlbedo( dotNV, roughness, A );
+		float averageAlbedo = A * ( 1.0 + ( 2.0 / 3.0 - 28.0 / ( 15.0 * PI ) ) * roughness );
+		vec3 rhoMultiScatter = rho * rho * averageAlbedo / max( vec3( EON_EPSILON ), vec3( 1.0 ) - rho * ( 1.0 - averageAlbedo ) );
+		return rho * directionalAlbedo + rhoMultiScatter * ( 1.0 - directionalAlbedo );
+	}
+#endif
+float V_GGX_SmithCorrelated( const in float alpha, const in float dotNL, const in float dotNV ) {
+	float a2 = pow2( alpha );
+	float gv = dotNL * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNV ) );
+	float gl = dotNV * sqrt( a2 + ( 1.0 - a2 ) * pow2( dotNL ) );
+	return 0.5 / max( gv + gl, EPSILON );
+}
+float D_GGX( const in float alpha, const in float dotNH ) {
+	float a2 = pow2( alpha );
+	float denom = pow2( dotNH ) * ( a2 - 1.0 ) + 1.0;
+	return RECIPROCAL_PI * a2 / pow2( denom );
+}
+#ifdef USE_ANISOTROPY
+	float V_GGX_SmithCorrelated_Anisotropic( const in float alphaT, const in float alphaB, const in float dotTV, const in float dotBV, const in float dotTL, const in float dotBL, const in float dotNV, const in float dotNL ) {
+		float gv = dotNL * length( vec3( alphaT * dotTV, alphaB * dotBV, dotNV ) );
+		float gl = dotNV * length( vec3( alphaT * dotTL, alphaB * dotBL, dotNL ) );
+		return 0.5 / max( gv + gl, EPSILON );
+	}
+	float D_GGX_Anisotropic( const in float alphaT, const in float alphaB, const in float dotNH, const in float dotTH, const in float dotBH ) {
+		float a2 = alphaT * alphaB;
+		highp vec3 v = vec3( alphaB * dotTH, alphaT * dotBH, a2 * dotNH );
+		highp float v2 = dot( v, v );
+		float w2 = a2 / v2;
+		return RECIPROCAL_PI * a2 * pow2 ( w2 );
+	}
+#endif
+#ifdef USE_CLEARCOAT
+	vec3 BRDF_GGX_Clearcoat( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material) {
+		vec3 f0 = material.clearcoatF0;
+		float f90 = material.clearcoatF90;
+		float roughness = max( material.clearcoatRoughness, 0.045 );
+		float alpha = pow2( roughness );
+		vec3 halfDir = normalize( lightDir + viewDir );
+		float dotNL = saturate( dot( normal, lightDir ) );
+		float dotNV = saturate( dot( normal, viewDir ) );
+		float dotNH = saturate( dot( normal, halfDir ) );
+		float dotVH = saturate( dot( viewDir, halfDir ) );
+		vec3 F = F_Schlick( f0, f90, dotVH );
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+		return F * ( V * D );
+	}
+#endif
+vec3 BRDF_GGX( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in PhysicalMaterial material ) {
+	vec3 f0 = material.specularColorBlended;
+	float f90 = material.specularF90;
+	float roughness = max( material.roughness, 0.045 );
+	float alpha = pow2( roughness );
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float dotVH = saturate( dot( viewDir, halfDir ) );
+	vec3 F = F_Schlick( f0, f90, dotVH );
+	#ifdef USE_IRIDESCENCE
+		F = mix( F, material.iridescenceFresnel, material.iridescence );
+	#endif
+	#ifdef USE_ANISOTROPY
+		float dotTL = dot( material.anisotropyT, lightDir );
+		float dotTV = dot( material.anisotropyT, viewDir );
+		float dotTH = dot( material.anisotropyT, halfDir );
+		float dotBL = dot( material.anisotropyB, lightDir );
+		float dotBV = dot( material.anisotropyB, viewDir );
+		float dotBH = dot( material.anisotropyB, halfDir );
+		float alphaT = max( material.alphaT, alpha );
+		float V = V_GGX_SmithCorrelated_Anisotropic( alphaT, alpha, dotTV, dotBV, dotTL, dotBL, dotNV, dotNL );
+		float D = D_GGX_Anisotropic( alphaT, alpha, dotNH, dotTH, dotBH );
+	#else
+		float V = V_GGX_SmithCorrelated( alpha, dotNL, dotNV );
+		float D = D_GGX( alpha, dotNH );
+	#endif
+	return F * ( V * D );
+}
+vec2 LTC_Uv( const in vec3 N, const in vec3 V, const in float roughness ) {
+	const float LUT_SIZE = 64.0;
+	const float LUT_SCALE = ( LUT_SIZE - 1.0 ) / LUT_SIZE;
+	const float LUT_BIAS = 0.5 / LUT_SIZE;
+	float dotNV = saturate( dot( N, V ) );
+	vec2 uv = vec2( roughness, sqrt( 1.0 - dotNV ) );
+	uv = uv * LUT_SCALE + LUT_BIAS;
+	return uv;
+}
+float LTC_ClippedSphereFormFactor( const in vec3 f ) {
+	float l = length( f );
+	return max( ( l * l + f.z ) / ( l + 1.0 ), 0.0 );
+}
+vec3 LTC_EdgeVectorFormFactor( const in vec3 v1, const in vec3 v2 ) {
+	float x = dot( v1, v2 );
+	float y = abs( x );
+	float a = 0.8543985 + ( 0.4965155 + 0.0145206 * y ) * y;
+	float b = 3.4175940 + ( 4.1616724 + y ) * y;
+	float v = a / b;
+	float theta_sintheta = ( x > 0.0 ) ? v : 0.5 * inversesqrt( max( 1.0 - x * x, 1e-7 ) ) - v;
+	return cross( v1, v2 ) * theta_sintheta;
+}
+vec3 LTC_Evaluate( const in vec3 N, const in vec3 V, const in vec3 P, const in mat3 mInv, const in vec3 rectCoords[ 4 ] ) {
+	vec3 v1 = rectCoords[ 1 ] - rectCoords[ 0 ];
+	vec3 v2 = rectCoords[ 3 ] - rectCoords[ 0 ];
+	vec3 lightNormal = cross( v1, v2 );
+	if( dot( lightNormal, P - rectCoords[ 0 ] ) < 0.0 ) return vec3( 0.0 );
+	vec3 T1, T2;
+	T1 = normalize( V - N * dot( V, N ) );
+	T2 = - cross( N, T1 );
+	mat3 mat = mInv * transpose( mat3( T1, T2, N ) );
+	vec3 coords[ 4 ];
+	coords[ 0 ] = mat * ( rectCoords[ 0 ] - P );
+	coords[ 1 ] = mat * ( rectCoords[ 1 ] - P );
+	coords[ 2 ] = mat * ( rectCoords[ 2 ] - P );
+	coords[ 3 ] = mat * ( rectCoords[ 3 ] - P );
+	coords[ 0 ] = normalize( coords[ 0 ] );
+	coords[ 1 ] = normalize( coords[ 1 ] );
+	coords[ 2 ] = normalize( coords[ 2 ] );
+	coords[ 3 ] = normalize( coords[ 3 ] );
+	vec3 vectorFormFactor = vec3( 0.0 );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 0 ], coords[ 1 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 1 ], coords[ 2 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 2 ], coords[ 3 ] );
+	vectorFormFactor += LTC_EdgeVectorFormFactor( coords[ 3 ], coords[ 0 ] );
+	float result = LTC_ClippedSphereFormFactor( vectorFormFactor );
+	return vec3( result );
+}
+#if defined( USE_SHEEN )
+float D_Charlie( float roughness, float dotNH ) {
+	float alpha = pow2( roughness );
+	float invAlpha = 1.0 / alpha;
+	float cos2h = dotNH * dotNH;
+	float sin2h = max( 1.0 - cos2h, 0.0078125 );
+	return ( 2.0 + invAlpha ) * pow( sin2h, invAlpha * 0.5 ) / ( 2.0 * PI );
+}
+float V_Neubelt( float dotNV, float dotNL ) {
+	return saturate( 1.0 / ( 4.0 * ( dotNL + dotNV - dotNL * dotNV ) ) );
+}
+vec3 BRDF_Sheen( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, vec3 sheenColor, const in float sheenRoughness ) {
+	vec3 halfDir = normalize( lightDir + viewDir );
+	float dotNL = saturate( dot( normal, lightDir ) );
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float dotNH = saturate( dot( normal, halfDir ) );
+	float D = D_Charlie( sheenRoughness, dotNH );
+	float V = V_Neubelt( dotNV, dotNL );
+	return sheenColor * ( D * V );
+}
+#endif
+float IBLSheenBRDF( const in vec3 normal, const in vec3 viewDir, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	float r2 = roughness * roughness;
+	float rInv = 1.0 / ( roughness + 0.1 );
+	float a = -1.9362 + 1.0678 * roughness + 0.4573 * r2 - 0.8469 * rInv;
+	float b = -0.6014 + 0.5538 * roughness - 0.4670 * r2 - 0.1255 * rInv;
+	float DG = exp( a * dotNV + b );
+	return saturate( DG );
+}
+vec3 EnvironmentBRDF( const in vec3 normal, const in vec3 viewDir, const in vec3 specularColor, const in float specularF90, const in float roughness ) {
+	float dotNV = saturate( dot( normal, viewDir ) );
+	vec2 fab = texture2D( dfgLUT, vec2( roughness, dotNV ) ).rg;
+	return specularColor * fab.x + specularF90 * fab.y;
+}
+#ifdef USE_IRIDESCENCE
+void computeMultiscatteringIridescence( const in vec2 fab, const in vec3 specularColor, const in float specularF90, const in float iridescence, const in vec3 iridescenceF0, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#else
+void computeMultiscattering( const in vec2 fab, const in vec3 specularColor, const in float specularF90, inout vec3 singleScatter, inout vec3 multiScatter ) {
+#endif
+	#ifdef USE_IRIDESCENCE
+		vec3 Fr = mix( specularColor, iridescenceF0, iridescence );
+	#else
+		vec3 Fr = specularColor;
+	#endif
+	vec3 FssEss = Fr * fab.x + specularF90 * fab.y;
+	float Ess = fab.x + fab.y;
+	float Ems = 1.0 - Ess;
+	vec3 Favg = Fr + ( 1.0 - Fr ) * 0.047619;	vec3 Fms = FssEss * Favg / ( 1.0 - Ems * Favg );
+	singleScatter += FssEss;
+	multiScatter += Fms * Ems;
+}
+#if NUM_RECT_AREA_LIGHTS > 0
+	void RE_Direct_RectArea_Physical( const in RectAreaLight rectAreaLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+		vec3 normal = geometryNormal;
+		vec3 viewDir = geometryViewDir;
+		vec3 position = geometryPosition;
+		vec3 lightPos = rectAreaLight.position;
+		vec3 halfWidth = rectAreaLight.halfWidth;
+		vec3 halfHeight = rectAreaLight.halfHeight;
+		vec3 lightColor = rectAreaLight.color;
+		float roughness = material.roughness;
+		vec3 rectCoords[ 4 ];
+		rectCoords[ 0 ] = lightPos + halfWidth - halfHeight;		rectCoords[ 1 ] = lightPos - halfWidth - halfHeight;
+		rectCoords[ 2 ] = lightPos - halfWidth + halfHeight;
+		rectCoords[ 3 ] = lightPos + halfWidth + halfHeight;
+		vec2 uv = LTC_Uv( normal, viewDir, roughness );
+		vec4 t1 = texture2D( ltc_1, uv );
+		vec4 t2 = texture2D( ltc_2, uv );
+		mat3 mInv = mat3(
+			vec3( t1.x, 0, t1.y ),
+			vec3(    0, 1,    0 ),
+			vec3( t1.z, 0, t1.w )
+		);
+		vec3 fresnel = ( material.specularColorBlended * t2.x + ( material.specularF90 - material.specularColorBlended ) * t2.y );
+		reflectedLight.directSpecular += lightColor * fresnel * LTC_Evaluate( normal, viewDir, position, mInv, rectCoords );
+		reflectedLight.directDiffuse += lightColor * material.diffuseContribution * LTC_Evaluate( normal, viewDir, position, mat3( 1.0 ), rectCoords );
+		#ifdef USE_CLEARCOAT
+			vec3 Ncc = geometryClearcoatNormal;
+			vec2 uvClearcoat = LTC_Uv( Ncc, viewDir, material.clearcoatRoughness );
+			vec4 t1Clearcoat = texture2D( ltc_1, uvClearcoat );
+			vec4 t2Clearcoat = texture2D( ltc_2, uvClearcoat );
+			mat3 mInvClearcoat = mat3(
+				vec3( t1Clearcoat.x, 0, t1Clearcoat.y ),
+				vec3(             0, 1,             0 ),
+				vec3( t1Clearcoat.z, 0, t1Clearcoat.w )
+			);
+			vec3 fresnelClearcoat = material.clearcoatF0 * t2Clearcoat.x + ( material.clearcoatF90 - material.clearcoatF0 ) * t2Clearcoat.y;
+			clearcoatSpecularDirect += lightColor * fresnelClearcoat * LTC_Evaluate( Ncc, viewDir, position, mInvClearcoat, rectCoords );
+		#endif
+	}
+#endif
+void RE_Direct_Physical( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	float dotNL = saturate( dot( geometryNormal, directLight.direction ) );
+	vec3 irradiance = dotNL * directLight.color;
+	#ifdef USE_CLEARCOAT
+		float dotNLcc = saturate( dot( geometryClearcoatNormal, directLight.direction ) );
+		vec3 ccIrradiance = dotNLcc * directLight.color;
+		clearcoatSpecularDirect += ccIrradiance * BRDF_GGX_Clearcoat( directLight.direction, geometryViewDir, geometryClearcoatNormal, material );
+	#endif
+	#ifdef USE_SHEEN
+ 
+ 		sheenSpecularDirect += irradiance * BRDF_Sheen( directLight.direction, geometryViewDir, geometryNormal, material.sheenColor, material.sheenRoughness );
+ 
+ 		float sheenAlbedoV = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+ 		float sheenAlbedoL = IBLSheenBRDF( geometryNormal, directLight.direction, material.sheenRoughness );
+ 
+ 		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * max( sheenAlbedoV, sheenAlbedoL );
+ 
+ 		irradiance *= sheenEnergyComp;
+ 
+ 	#endif
+	vec3 specularBRDF = BRDF_GGX( directLight.direction, geometryViewDir, geometryNormal, material );
+	#ifdef USE_RETROREFLECTION
+		vec3 retroViewDir = reflect( - geometryViewDir, geometryNormal );
+		vec3 retroSpecularBRDF = BRDF_GGX( directLight.direction, retroViewDir, geometryNormal, material );
+		specularBRDF = mix( specularBRDF, retroSpecularBRDF, saturate( material.retroreflectivity ) );
+	#endif
+	reflectedLight.directSpecular += irradiance * specularBRDF * material.multiScatteringCompensation;
+	vec3 halfDir = normalize( directLight.direction + geometryViewDir );
+	float dotVH = saturate( dot( geometryViewDir, halfDir ) );
+	vec3 F = F_Schlick( material.specularColor, material.specularF90, dotVH );
+	#ifdef USE_RETROREFLECTION
+		vec3 retroHalfDir = normalize( directLight.direction + retroViewDir );
+		float dotRetroVH = saturate( dot( retroViewDir, retroHalfDir ) );
+		vec3 retroF = F_Schlick( material.specularColor, material.specularF90, dotRetroVH );
+		F = mix( F, retroF, saturate( material.retroreflectivity ) );
+	#endif
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		vec3 diffuseBRDF = BRDF_EON( directLight.direction, geometryViewDir, geometryNormal, material.diffuseColor, material.diffuseRoughness ) * ( 1.0 - material.metalness );
+	#else
+		vec3 diffuseBRDF = BRDF_Lambert( material.diffuseContribution );
+	#endif
+	reflectedLight.directDiffuse += irradiance * diffuseBRDF * ( 1.0 - F );
+}
+void RE_IndirectDiffuse_Physical( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight ) {
+	vec3 singleScattering = vec3( 0.0 );
+	vec3 multiScattering = vec3( 0.0 );
+	#ifdef USE_IRIDESCENCE
+		computeMultiscatteringIridescence( material.dfg, material.specularColor, material.specularF90, material.iridescence, material.iridescenceF0Dielectric, singleScattering, multiScattering );
+	#else
+		computeMultiscattering( material.dfg, material.specularColor, material.specularF90, singleScattering, multiScattering );
+	#endif
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		vec3 diffuseAlbedo = EON_DirectionalAlbedo( material.diffuseColor, material.diffuseRoughness, dotNV ) * ( 1.0 - material.metalness );
+		vec3 diffuse = irradiance * RECIPROCAL_PI * diffuseAlbedo * ( 1.0 - singleScattering - multiScattering );
+	#else
+		vec3 diffuse = irradiance * BRDF_Lambert( material.diffuseContribution ) * ( 1.0 - singleScattering - multiScattering );
+	#endif
+	#ifdef USE_SHEEN
+		float sheenAlbedo = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+		sheenSpecularIndirect += irradiance * material.sheenColor * sheenAlbedo * RECIPROCAL_PI;
+		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * sheenAlbedo;
+		diffuse *= sheenEnergyComp;
+	#endif
+	reflectedLight.indirectDiffuse += diffuse;
+}
+void RE_IndirectSpecular_Physical( const in vec3 radiance, const in vec3 irradiance, const in vec3 clearcoatRadiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in PhysicalMaterial material, inout ReflectedLight reflectedLight) {
+	#ifdef USE_CLEARCOAT
+		clearcoatSpecularIndirect += clearcoatRadiance * EnvironmentBRDF( geometryClearcoatNormal, geometryViewDir, material.clearcoatF0, material.clearcoatF90, material.clearcoatRoughness );
+	#endif
+	#ifdef USE_SHEEN
+		sheenSpecularIndirect += irradiance * material.sheenColor * IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness ) * RECIPROCAL_PI;
+ 	#endif
+	vec3 singleScatteringDielectric = vec3( 0.0 );
+	vec3 multiScatteringDielectric = vec3( 0.0 );
+	vec3 singleScatteringMetallic = vec3( 0.0 );
+	vec3 multiScatteringMetallic = vec3( 0.0 );
+	#ifdef USE_IRIDESCENCE
+		computeMultiscatteringIridescence( material.dfg, material.specularColor, material.specularF90, material.iridescence, material.iridescenceF0Dielectric, singleScatteringDielectric, multiScatteringDielectric );
+		computeMultiscatteringIridescence( material.dfg, material.diffuseColor, material.specularF90, material.iridescence, material.iridescenceF0Metallic, singleScatteringMetallic, multiScatteringMetallic );
+	#else
+		computeMultiscattering( material.dfg, material.specularColor, material.specularF90, singleScatteringDielectric, multiScatteringDielectric );
+		computeMultiscattering( material.dfg, material.diffuseColor, material.specularF90, singleScatteringMetallic, multiScatteringMetallic );
+	#endif
+	vec3 singleScattering = mix( singleScatteringDielectric, singleScatteringMetallic, material.metalness );
+	vec3 multiScattering = mix( multiScatteringDielectric, multiScatteringMetallic, material.metalness );
+	vec3 totalScatteringDielectric = singleScatteringDielectric + multiScatteringDielectric;
+	#ifdef USE_DIFFUSE_ROUGHNESS
+		float dotNV = saturate( dot( geometryNormal, geometryViewDir ) );
+		vec3 diffuse = EON_DirectionalAlbedo( material.diffuseColor, material.diffuseRoughness, dotNV ) * ( 1.0 - material.metalness ) * ( 1.0 - totalScatteringDielectric );
+	#else
+		vec3 diffuse = material.diffuseContribution * ( 1.0 - totalScatteringDielectric );
+	#endif
+	vec3 cosineWeightedIrradiance = irradiance * RECIPROCAL_PI;
+	vec3 indirectSpecular = radiance * singleScattering;
+	indirectSpecular += multiScattering * cosineWeightedIrradiance;
+	vec3 indirectDiffuse = diffuse * cosineWeightedIrradiance;
+	#ifdef USE_SHEEN
+		float sheenAlbedo = IBLSheenBRDF( geometryNormal, geometryViewDir, material.sheenRoughness );
+		float sheenEnergyComp = 1.0 - max3( material.sheenColor ) * sheenAlbedo;
+		indirectSpecular *= sheenEnergyComp;
+		indirectDiffuse *= sheenEnergyComp;
+	#endif
+	reflectedLight.indirectSpecular += indirectSpecular;
+	reflectedLight.indirectDiffuse += indirectDiffuse;
+}
+#define RE_Direct				RE_Direct_Physical
+#define RE_Direct_RectArea		RE_Direct_RectArea_Physical
+#define RE_IndirectDiffuse		RE_IndirectDiffuse_Physical
+#define RE_IndirectSpecular		RE_IndirectSpecular_Physical
+float computeSpecularOcclusion( const in float dotNV, const in float ambientOcclusion, const in float roughness ) {
+	return saturate( pow( dotNV + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );
+}`,BS=`
+vec3 geometryPosition = - vViewPosition;
+vec3 geometryNormal = normal;
+vec3 geometryViewDir = ( isOrthographic ) ? vec3( 0, 0, 1 ) : normalize( vViewPosition );
+vec3 geometryClearcoatNormal = vec3( 0.0 );
+#ifdef USE_CLEARCOAT
+	geometryClearcoatNormal = clearcoatNormal;
+#endif
+#ifdef USE_IRIDESCENCE
+	float dotNVi = saturate( dot( normal, geometryViewDir ) );
+	if ( material.iridescenceThickness == 0.0 ) {
+		material.iridescence = 0.0;
+	} else {
+		material.iridescence = saturate( material.iridescence );
+	}
+	if ( material.iridescence > 0.0 ) {
+		vec3 iridescenceFresnelDielectric = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.specularColor );
+		vec3 iridescenceFresnelMetallic = evalIridescence( 1.0, material.iridescenceIOR, dotNVi, material.iridescenceThickness, material.diffuseColor );
+		material.iridescenceFresnel = mix( iridescenceFresnelDielectric, iridescenceFresnelMetallic, material.metalness );
+		material.iridescenceF0Dielectric = Schlick_to_F0( iridescenceFresnelDielectric, 1.0, dotNVi );
+		material.iridescenceF0Metallic = Schlick_to_F0( iridescenceFresnelMetallic, 1.0, dotNVi );
+	}
+#endif
+#ifdef STANDARD
+	float dotNVms = saturate( dot( geometryNormal, geometryViewDir ) );
+	material.dfg = texture2D( dfgLUT, vec2( material.roughness, dotNVms ) ).rg;
+	#if ( NUM_SUN_LIGHTS > 0 || NUM_DIR_LIGHTS > 0 || NUM_POINT_LIGHTS > 0 || NUM_SPOT_LIGHTS > 0 )
+		float EssMs = material.dfg.x + material.dfg.y;
+		material.multiScatteringCompensation = 1.0 + material.specularColorBlended * ( 1.0 / EssMs - 1.0 );
+	#endif
+#endif
+IncidentLight directLight;
+#if ( NUM_POINT_LIGHTS > 0 ) && defined( RE_Direct )
+	PointLight pointLight;
+	#if defined( USE_SHADOWMAP ) && NUM_POINT_LIGHT_SHADOWS > 0
+	PointLightShadow pointLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHTS; i ++ ) {
+		pointLight = pointLights[ i ];
+		getPointLightInfo( pointLight, geometryPosition, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_POINT_LIGHT_SHADOWS ) && ( defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_BASIC ) )
+		pointLightShadow = pointLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getPointShadow( pointShadowMap[ i ], pointLightShadow.shadowMapSize, pointLightShadow.shadowIntensity, pointLightShadow.shadowBias, pointLightShadow.shadowRadius, vPointShadowCoord[ i ], pointLightShadow.shadowCameraNear, pointLightShadow.shadowCameraFar ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_SPOT_LIGHTS > 0 ) && defined( RE_Direct )
+	SpotLight spotLight;
+	vec4 spotColor;
+	vec3 spotLightCoord;
+	bool inSpotLightMap;
+	#if defined( USE_SHADOWMAP ) && NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHTS; i ++ ) {
+		spotLight = spotLights[ i ];
+		getSpotLightInfo( spotLight, geometryPosition, directLight );
+		#if ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#define SPOT_LIGHT_MAP_INDEX UNROLLED_LOOP_INDEX
+		#elif ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		#define SPOT_LIGHT_MAP_INDEX NUM_SPOT_LIGHT_MAPS
+		#else
+		#define SPOT_LIGHT_MAP_INDEX ( UNROLLED_LOOP_INDEX - NUM_SPOT_LIGHT_SHADOWS + NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS )
+		#endif
+		#if ( SPOT_LIGHT_MAP_INDEX < NUM_SPOT_LIGHT_MAPS )
+			spotLightCoord = vSpotLightCoord[ i ].xyz / vSpotLightCoord[ i ].w;
+			inSpotLightMap = all( lessThan( abs( spotLightCoord * 2. - 1. ), vec3( 1.0 ) ) );
+			spotColor = texture2D( spotLightMap[ SPOT_LIGHT_MAP_INDEX ], spotLightCoord.xy );
+			directLight.color = inSpotLightMap ? directLight.color * spotColor.rgb : directLight.color;
+		#endif
+		#undef SPOT_LIGHT_MAP_INDEX
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+		spotLightShadow = spotLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( spotShadowMap[ i ], spotLightShadow.shadowMapSize, spotLightShadow.shadowIntensity, spotLightShadow.shadowBias, spotLightShadow.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_SUN_LIGHTS > 0 ) && defined( RE_Direct )
+	SunLight sunLight;
+	#if defined( USE_SHADOWMAP ) && NUM_SUN_LIGHT_SHADOWS > 0
+	SunLightShadow sunLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SUN_LIGHTS; i ++ ) {
+		sunLight = sunLights[ i ];
+		getSunLightInfo( sunLight, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_SUN_LIGHT_SHADOWS )
+		sunLightShadow = sunLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getSunShadow( sunShadowMap[ i ], sunLightShadow, UNROLLED_LOOP_INDEX ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_DIR_LIGHTS > 0 ) && defined( RE_Direct )
+	DirectionalLight directionalLight;
+	#if defined( USE_SHADOWMAP ) && NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLightShadow;
+	#endif
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHTS; i ++ ) {
+		directionalLight = directionalLights[ i ];
+		getDirectionalLightInfo( directionalLight, directLight );
+		#if defined( USE_SHADOWMAP ) && ( UNROLLED_LOOP_INDEX < NUM_DIR_LIGHT_SHADOWS )
+		directionalLightShadow = directionalLightShadows[ i ];
+		directLight.color *= ( directLight.visible && receiveShadow ) ? getShadow( directionalShadowMap[ i ], directionalLightShadow.shadowMapSize, directionalLightShadow.shadowIntensity, directionalLightShadow.shadowBias, directionalLightShadow.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+		#endif
+		RE_Direct( directLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if ( NUM_RECT_AREA_LIGHTS > 0 ) && defined( RE_Direct_RectArea )
+	RectAreaLight rectAreaLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_RECT_AREA_LIGHTS; i ++ ) {
+		rectAreaLight = rectAreaLights[ i ];
+		RE_Direct_RectArea( rectAreaLight, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+	}
+	#pragma unroll_loop_end
+#endif
+#if defined( RE_IndirectDiffuse )
+	vec3 iblIrradiance = vec3( 0.0 );
+	vec3 irradiance = getAmbientLightIrradiance( ambientLightColor );
+	#if defined( USE_LIGHT_PROBES )
+		irradiance += getLightProbeIrradiance( lightProbe, geometryNormal );
+	#endif
+	#if ( NUM_HEMI_LIGHTS > 0 )
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_HEMI_LIGHTS; i ++ ) {
+			irradiance += getHemisphereLightIrradiance( hemisphereLights[ i ], geometryNormal );
+		}
+		#pragma unroll_loop_end
+	#endif
+	#if NUM_LIGHT_PROBE_GRIDS > 0
+		vec3 probeWorldPos = ( ( vec4( geometryPosition, 1.0 ) - viewMatrix[ 3 ] ) * viewMatrix ).xyz;
+		vec3 probeWorldNormal = transformNormalByInverseViewMatrix( geometryNormal, viewMatrix );
+		int probeGrid = - 1;
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {
+			if ( isInsideLightProbeGrid( probeWorldPos, probeWorldNormal, probesMin[ i ], probesMax[ i ], probesResolution[ i ] ) ) probeGrid = UNROLLED_LOOP_INDEX;
+		}
+		#pragma unroll_loop_end
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {
+			if ( probeGrid == UNROLLED_LOOP_INDEX ) irradiance += getLightProbeGridIrradiance( probesSH[ i ], probesMin[ i ], probesMax[ i ], probesResolution[ i ], probeWorldPos, probeWorldNormal );
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if defined( RE_IndirectSpecular )
+	vec3 radiance = vec3( 0.0 );
+	vec3 clearcoatRadiance = vec3( 0.0 );
+#endif`,kS=`#if defined( RE_IndirectDiffuse )
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		vec3 lightMapIrradiance = lightMapTexel.rgb * lightMapIntensity;
+		irradiance += lightMapIrradiance;
+	#endif
+	#if defined( USE_ENVMAP ) && defined( ENVMAP_TYPE_PMREM )
+		#if defined( STANDARD ) || defined( LAMBERT ) || defined( PHONG )
+			iblIrradiance += getIBLIrradiance( geometryNormal );
+		#endif
+	#endif
+#endif
+#if defined( USE_ENVMAP ) && defined( RE_IndirectSpecular )
+	#ifdef USE_ANISOTROPY
+		vec3 iblRadiance = getIBLAnisotropyRadiance( geometryViewDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );
+	#else
+		vec3 iblRadiance = getIBLRadiance( geometryViewDir, geometryNormal, material.roughness );
+	#endif
+	#ifdef USE_RETROREFLECTION
+		#ifdef USE_ANISOTROPY
+			vec3 retroIBLRadiance = getIBLAnisotropyRetroRadiance( geometryViewDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );
+		#else
+			vec3 retroIBLRadiance = getIBLRetroRadiance( geometryViewDir, geometryNormal, material.roughness );
+		#endif
+		iblRadiance = mix( iblRadiance, retroIBLRadiance, saturate( material.retroreflectivity ) );
+	#endif
+	radiance += iblRadiance;
+	#ifdef USE_CLEARCOAT
+		clearcoatRadiance += getIBLRadiance( geometryViewDir, geometryClearcoatNormal, material.clearcoatRoughness );
+	#endif
+#endif`,zS=`#if defined( RE_IndirectDiffuse )
+	#if defined( LAMBERT ) || defined( PHONG )
+		irradiance += iblIrradiance;
+	#endif
+	RE_IndirectDiffuse( irradiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif
+#if defined( RE_IndirectSpecular )
+	RE_IndirectSpecular( radiance, iblIrradiance, clearcoatRadiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );
+#endif`,VS=`#if NUM_LIGHT_PROBE_GRIDS > 0
+uniform highp sampler3D probesSH[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesMin[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesMax[ NUM_LIGHT_PROBE_GRIDS ];
+uniform vec3 probesResolution[ NUM_LIGHT_PROBE_GRIDS ];
+bool isInsideLightProbeGrid( vec3 worldPos, vec3 worldNormal, vec3 probesMin, vec3 probesMax, vec3 probesResolution ) {
+	vec3 spacing = ( probesMax - probesMin ) / probesResolution;
+	vec3 samplePos = worldPos + worldNormal * spacing * 0.5;
+	vec3 margin = spacing * 0.01;
+	return all( greaterThanEqual( samplePos, probesMin - margin ) ) && all( lessThanEqual( samplePos, probesMax + margin ) );
+}
+vec3 getLightProbeGridIrradiance( highp sampler3D probesSH, vec3 probesMin, vec3 probesMax, vec3 probesResolution, vec3 worldPos, vec3 worldNormal ) {
+	vec3 res = probesResolution;
+	vec3 gridRange = probesMax - probesMin;
+	vec3 probeSpacing = gridRange / res;
+	vec3 samplePos = worldPos + worldNormal * probeSpacing * 0.5;
+	vec3 uvw = clamp( ( samplePos - probesMin ) / gridRange, 0.5 / res, 1.0 - 0.5 / res );
+	float nz          = res.z;
+	float paddedSlices = nz + 2.0;
+	float atlasDepth  = 7.0 * paddedSlices;
+	float uvZBase     = uvw.z * nz + 1.0;
+	vec4 s0 = texture( probesSH, vec3( uvw.xy, ( uvZBase                       ) / atlasDepth ) );
+	vec4 s1 = texture( probesSH, vec3( uvw.xy, ( uvZBase +       paddedSlices   ) / atlasDepth ) );
+	vec4 s2 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 2.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s3 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 3.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s4 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 4.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s5 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 5.0 * paddedSlices   ) / atlasDepth ) );
+	vec4 s6 = texture( probesSH, vec3( uvw.xy, ( uvZBase + 6.0 * paddedSlices   ) / atlasDepth ) );
+	vec3 c0 = s0.xyz;
+	vec3 c1 = vec3( s0.w, s1.xy );
+	vec3 c2 = vec3( s1.zw, s2.x );
+	vec3 c3 = s2.yzw;
+	vec3 c4 = s3.xyz;
+	vec3 c5 = vec3( s3.w, s4.xy );
+	vec3 c6 = vec3( s4.zw, s5.x );
+	vec3 c7 = s5.yzw;
+	vec3 c8 = s6.xyz;
+	float x = worldNormal.x, y = worldNormal.y, z = worldNormal.z;
+	vec3 result = c0 * 0.886227;
+	result += c1 * 2.0 * 0.511664 * y;
+	result += c2 * 2.0 * 0.511664 * z;
+	result += c3 * 2.0 * 0.511664 * x;
+	result += c4 * 2.0 * 0.429043 * x * y;
+	result += c5 * 2.0 * 0.429043 * y * z;
+	result += c6 * ( 0.743125 * z * z - 0.247708 );
+	result += c7 * 2.0 * 0.429043 * x * z;
+	result += c8 * 0.429043 * ( x * x - y * y );
+	return max( result, vec3( 0.0 ) );
+}
+#endif`,HS=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;
+#endif`,GS=`#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )
+	uniform float logDepthBufFC;
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,WS=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	varying float vFragDepth;
+	varying float vIsPerspective;
+#endif`,XS=`#ifdef USE_LOGARITHMIC_DEPTH_BUFFER
+	vFragDepth = 1.0 + gl_Position.w;
+	vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );
+#endif`,qS=`#ifdef USE_MAP
+	vec4 sampledDiffuseColor = texture2D( map, vMapUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );
+	#endif
+	diffuseColor *= sampledDiffuseColor;
+#endif`,$S=`#ifdef USE_MAP
+	uniform sampler2D map;
+#endif`,YS=`#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+	#if defined( USE_POINTS_UV )
+		vec2 uv = vUv;
+	#else
+		vec2 uv = ( uvTransform * vec3( gl_PointCoord.x, 1.0 - gl_PointCoord.y, 1 ) ).xy;
+	#endif
+#endif
+#ifdef USE_MAP
+	diffuseColor *= texture2D( map, uv );
+#endif
+#ifdef USE_ALPHAMAP
+	diffuseColor.a *= texture2D( alphaMap, uv ).g;
+#endif`,ZS=`#if defined( USE_POINTS_UV )
+	varying vec2 vUv;
+#else
+	#if defined( USE_MAP ) || defined( USE_ALPHAMAP )
+		uniform mat3 uvTransform;
+	#endif
+#endif
+#ifdef USE_MAP
+	uniform sampler2D map;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform sampler2D alphaMap;
+#endif`,KS=`float metalnessFactor = metalness;
+#ifdef USE_METALNESSMAP
+	vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );
+	metalnessFactor *= texelMetalness.b;
+#endif`,JS=`#ifdef USE_METALNESSMAP
+	uniform sampler2D metalnessMap;
+#endif`,jS=`#ifdef USE_INSTANCING_MORPH
+	float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	float morphTargetBaseInfluence = texelFetch( morphTexture, ivec2( 0, gl_InstanceID ), 0 ).r;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;
+	}
+#endif`,QS=`#if defined( USE_MORPHCOLORS )
+	#if defined( USE_COLOR_ALPHA )
+		vColor *= morphTargetBaseInfluence;
+	#elif defined( USE_COLOR )
+		vColor.rgb *= morphTargetBaseInfluence;
+	#endif
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		#if defined( USE_COLOR_ALPHA )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor += getMorph( gl_VertexID, i, 2 ) * morphTargetInfluences[ i ];
+		#elif defined( USE_COLOR )
+			if ( morphTargetInfluences[ i ] != 0.0 ) vColor.rgb += getMorph( gl_VertexID, i, 2 ).rgb * morphTargetInfluences[ i ];
+		#endif
+	}
+#endif`,ew=`#ifdef USE_MORPHNORMALS
+	objectNormal *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,tw=`#ifdef USE_MORPHTARGETS
+	#ifndef USE_INSTANCING_MORPH
+		uniform float morphTargetBaseInfluence;
+		uniform float morphTargetInfluences[ MORPHTARGETS_COUNT ];
+	#endif
+	uniform sampler2DArray morphTargetsTexture;
+	uniform ivec2 morphTargetsTextureSize;
+	vec4 getMorph( const in int vertexIndex, const in int morphTargetIndex, const in int offset ) {
+		int texelIndex = vertexIndex * MORPHTARGETS_TEXTURE_STRIDE + offset;
+		int y = texelIndex / morphTargetsTextureSize.x;
+		int x = texelIndex - y * morphTargetsTextureSize.x;
+		ivec3 morphUV = ivec3( x, y, morphTargetIndex );
+		return texelFetch( morphTargetsTexture, morphUV, 0 );
+	}
+#endif`,nw=`#ifdef USE_MORPHTARGETS
+	transformed *= morphTargetBaseInfluence;
+	for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {
+		if ( morphTargetInfluences[ i ] != 0.0 ) transformed += getMorph( gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];
+	}
+#endif`,iw=`float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;
+#ifdef FLAT_SHADED
+	vec3 fdx = dFdx( vViewPosition );
+	vec3 fdy = dFdy( vViewPosition );
+	vec3 normal = normalize( cross( fdx, fdy ) );
+#else
+	vec3 normal = normalize( vNormal );
+	#ifdef DOUBLE_SIDED
+		normal *= faceDirection;
+	#endif
+#endif
+#if defined( USE_NORMALMAP_TANGENTSPACE ) || defined( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY )
+	#ifdef USE_TANGENT
+		mat3 tbn = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn = getTangentFrame( - vViewPosition, normal,
+		#if defined( USE_NORMALMAP )
+			vNormalMapUv
+		#elif defined( USE_CLEARCOAT_NORMALMAP )
+			vClearcoatNormalMapUv
+		#else
+			vUv
+		#endif
+		);
+	#endif
+	#ifdef DOUBLE_SIDED
+		tbn[0] *= faceDirection;
+		tbn[1] *= faceDirection;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	#ifdef USE_TANGENT
+		mat3 tbn2 = mat3( normalize( vTangent ), normalize( vBitangent ), normal );
+	#else
+		mat3 tbn2 = getTangentFrame( - vViewPosition, normal, vClearcoatNormalMapUv );
+	#endif
+	#ifdef DOUBLE_SIDED
+		tbn2[0] *= faceDirection;
+		tbn2[1] *= faceDirection;
+	#endif
+#endif
+vec3 nonPerturbedNormal = normal;`,sw=`#ifdef USE_NORMALMAP_OBJECTSPACE
+	normal = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#ifdef FLIP_SIDED
+		normal = - normal;
+	#endif
+	#ifdef DOUBLE_SIDED
+		normal = normal * faceDirection;
+	#endif
+	normal = normalize( normalMatrix * normal );
+#elif defined( USE_NORMALMAP_TANGENTSPACE )
+	vec3 mapN = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;
+	#if defined( USE_PACKED_NORMALMAP )
+		mapN = vec3( mapN.xy, sqrt( saturate( 1.0 - dot( mapN.xy, mapN.xy ) ) ) );
+	#endif
+	mapN.xy *= normalScale;
+	normal = normalize( tbn * mapN );
+#elif defined( USE_BUMPMAP )
+	normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );
+#endif`,rw=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,ow=`#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+	#ifdef USE_TANGENT
+		varying vec3 vTangent;
+		varying vec3 vBitangent;
+	#endif
+#endif`,aw=`#ifndef FLAT_SHADED
+	vNormal = normalize( transformedNormal );
+	#ifdef USE_TANGENT
+		vTangent = normalize( transformedTangent );
+		vBitangent = normalize( cross( vNormal, vTangent ) * tangent.w );
+		#ifdef FLIP_SIDED
+			vBitangent = - vBitangent;
+		#endif
+	#endif
+#endif`,lw=`#ifdef USE_NORMALMAP
+	uniform sampler2D normalMap;
+	uniform vec2 normalScale;
+#endif
+#ifdef USE_NORMALMAP_OBJECTSPACE
+	uniform mat3 normalMatrix;
+#endif
+#if ! defined ( USE_TANGENT ) && ( defined ( USE_NORMALMAP_TANGENTSPACE ) || defined ( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY ) )
+	mat3 getTangentFrame( vec3 eye_pos, vec3 surf_norm, vec2 uv ) {
+		vec3 q0 = dFdx( eye_pos.xyz );
+		vec3 q1 = dFdy( eye_pos.xyz );
+		vec2 st0 = dFdx( uv.st );
+		vec2 st1 = dFdy( uv.st );
+		vec3 N = surf_norm;
+		vec3 q1perp = cross( q1, N );
+		vec3 q0perp = cross( N, q0 );
+		vec3 T = q1perp * st0.x + q0perp * st1.x;
+		vec3 B = q1perp * st0.y + q0perp * st1.y;
+		float det = max( dot( T, T ), dot( B, B ) );
+		float scale = ( det == 0.0 ) ? 0.0 : inversesqrt( det );
+		return mat3( T * scale, B * scale, N );
+	}
+#endif`,cw=`#ifdef USE_CLEARCOAT
+	vec3 clearcoatNormal = nonPerturbedNormal;
+#endif`,hw=`#ifdef USE_CLEARCOAT_NORMALMAP
+	vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;
+	clearcoatMapN.xy *= clearcoatNormalScale;
+	clearcoatNormal = normalize( tbn2 * clearcoatMapN );
+#endif`,uw=`#ifdef USE_CLEARCOATMAP
+	uniform sampler2D clearcoatMap;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform sampler2D clearcoatNormalMap;
+	uniform vec2 clearcoatNormalScale;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform sampler2D clearcoatRoughnessMap;
+#endif`,dw=`#ifdef USE_IRIDESCENCEMAP
+	uniform sampler2D iridescenceMap;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform sampler2D iridescenceThicknessMap;
+#endif`,fw=`#ifdef OPAQUE
+diffuseColor.a = 1.0;
+#endif
+#ifdef USE_TRANSMISSION
+diffuseColor.a *= material.transmissionAlpha;
+#endif
+gl_FragColor = vec4( outgoingLight, diffuseColor.a );`,pw=`vec3 packNormalToRGB( const in vec3 normal ) {
+	return normalize( normal ) * 0.5 + 0.5;
+}
+vec3 unpackRGBToNormal( const in vec3 rgb ) {
+	return 2.0 * rgb.xyz - 1.0;
+}
+const float PackUpscale = 256. / 255.;const float UnpackDownscale = 255. / 256.;const float ShiftRight8 = 1. / 256.;
+const float Inv255 = 1. / 255.;
+const vec4 PackFactors = vec4( 1.0, 256.0, 256.0 * 256.0, 256.0 * 256.0 * 256.0 );
+const vec2 UnpackFactors2 = vec2( UnpackDownscale, 1.0 / PackFactors.g );
+const vec3 UnpackFactors3 = vec3( UnpackDownscale / PackFactors.rg, 1.0 / PackFactors.b );
+const vec4 UnpackFactors4 = vec4( UnpackDownscale / PackFactors.rgb, 1.0 / PackFactors.a );
+vec4 packDepthToRGBA( const in float v ) {
+	if( v <= 0.0 )
+		return vec4( 0., 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec4( 1., 1., 1., 1. );
+	float vuf;
+	float af = modf( v * PackFactors.a, vuf );
+	float bf = modf( vuf * ShiftRight8, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec4( vuf * Inv255, gf * PackUpscale, bf * PackUpscale, af );
+}
+vec3 packDepthToRGB( const in float v ) {
+	if( v <= 0.0 )
+		return vec3( 0., 0., 0. );
+	if( v >= 1.0 )
+		return vec3( 1., 1., 1. );
+	float vuf;
+	float bf = modf( v * PackFactors.b, vuf );
+	float gf = modf( vuf * ShiftRight8, vuf );
+	return vec3( vuf * Inv255, gf * PackUpscale, bf );
+}
+vec2 packDepthToRG( const in float v ) {
+	if( v <= 0.0 )
+		return vec2( 0., 0. );
+	if( v >= 1.0 )
+		return vec2( 1., 1. );
+	float vuf;
+	float gf = modf( v * 256., vuf );
+	return vec2( vuf * Inv255, gf );
+}
+float unpackRGBAToDepth( const in vec4 v ) {
+	return dot( v, UnpackFactors4 );
+}
+float unpackRGBToDepth( const in vec3 v ) {
+	return dot( v, UnpackFactors3 );
+}
+float unpackRGToDepth( const in vec2 v ) {
+	return v.r * UnpackFactors2.r + v.g * UnpackFactors2.g;
+}
+vec4 pack2HalfToRGBA( const in vec2 v ) {
+	vec4 r = vec4( v.x, fract( v.x * 255.0 ), v.y, fract( v.y * 255.0 ) );
+	return vec4( r.x - r.y / 255.0, r.y, r.z - r.w / 255.0, r.w );
+}
+vec2 unpackRGBATo2Half( const in vec4 v ) {
+	return vec2( v.x + ( v.y / 255.0 ), v.z + ( v.w / 255.0 ) );
+}
+float viewZToOrthographicDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( viewZ + near ) / ( near - far );
+}
+float orthographicDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+	
+		return depth * ( far - near ) - far;
+	#else
+		return depth * ( near - far ) - near;
+	#endif
+}
+float viewZToPerspectiveDepth( const in float viewZ, const in float near, const in float far ) {
+	return ( ( near + viewZ ) * far ) / ( ( far - near ) * viewZ );
+}
+float perspectiveDepthToViewZ( const in float depth, const in float near, const in float far ) {
+	
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		return ( near * far ) / ( ( near - far ) * depth - near );
+	#else
+		return ( near * far ) / ( ( far - near ) * depth - far );
+	#endif
+}`,mw=`#ifdef PREMULTIPLIED_ALPHA
+	gl_FragColor.rgb *= gl_FragColor.a;
+#endif`,gw=`vec4 mvPosition = vec4( transformed, 1.0 );
+#ifdef USE_BATCHING
+	mvPosition = batchingMatrix * mvPosition;
+#endif
+#ifdef USE_INSTANCING
+	mvPosition = instanceMatrix * mvPosition;
+#endif
+mvPosition = modelViewMatrix * mvPosition;
+gl_Position = projectionMatrix * mvPosition;`,xw=`#ifdef DITHERING
+	gl_FragColor.rgb = dithering( gl_FragColor.rgb );
+#endif`,_w=`#ifdef DITHERING
+	vec3 dithering( vec3 color ) {
+		float grid_position = rand( gl_FragCoord.xy );
+		vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.0, 0.25 / 255.0 );
+		dither_shift_RGB = mix( 2.0 * dither_shift_RGB, -2.0 * dither_shift_RGB, grid_position );
+		return color + dither_shift_RGB;
+	}
+#endif`,yw=`float roughnessFactor = roughness;
+#ifdef USE_ROUGHNESSMAP
+	vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );
+	roughnessFactor *= texelRoughness.g;
+#endif`,vw=`#ifdef USE_ROUGHNESSMAP
+	uniform sampler2D roughnessMap;
+#endif`,bw=`#if NUM_SPOT_LIGHT_COORDS > 0
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#if NUM_SPOT_LIGHT_MAPS > 0
+	uniform sampler2D spotLightMap[ NUM_SPOT_LIGHT_MAPS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		#define SUN_LIGHT_CASCADES 2
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];
+		#endif
+		uniform mat4 sunShadowMatrix[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];
+		uniform vec4 sunShadowCascade[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];
+		varying vec4 vSunShadowWorldPosition;
+		varying vec3 vSunShadowWorldNormal;
+		struct SunLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SunLightShadow sunLightShadows[ NUM_SUN_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D directionalShadowMap[ NUM_DIR_LIGHT_SHADOWS ];
+		#endif
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform sampler2DShadow spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		#else
+			uniform sampler2D spotShadowMap[ NUM_SPOT_LIGHT_SHADOWS ];
+		#endif
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#if defined( SHADOWMAP_TYPE_PCF )
+			uniform samplerCubeShadow pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		#elif defined( SHADOWMAP_TYPE_BASIC )
+			uniform samplerCube pointShadowMap[ NUM_POINT_LIGHT_SHADOWS ];
+		#endif
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+	#if defined( SHADOWMAP_TYPE_PCF )
+		float interleavedGradientNoise( vec2 position ) {
+			return fract( 52.9829189 * fract( dot( position, vec2( 0.06711056, 0.00583715 ) ) ) );
+		}
+		vec2 vogelDiskSample( int sampleIndex, int samplesCount, float phi ) {
+			const float goldenAngle = 2.399963229728653;
+			float r = sqrt( ( float( sampleIndex ) + 0.5 ) / float( samplesCount ) );
+			float theta = float( sampleIndex ) * goldenAngle + phi;
+			return vec2( cos( theta ), sin( theta ) ) * r;
+		}
+	#endif
+	#if defined( SHADOWMAP_TYPE_PCF )
+		float getShadow( sampler2DShadow shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				vec2 texelSize = vec2( 1.0 ) / shadowMapSize;
+				vec2 radius = shadowRadius * texelSize;
+				float phi = interleavedGradientNoise( gl_FragCoord.xy ) * PI2;
+				shadow = (
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 0, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 1, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 2, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 3, 5, phi ) * radius, shadowCoord.z ) ) +
+					texture( shadowMap, vec3( shadowCoord.xy + vogelDiskSample( 4, 5, phi ) * radius, shadowCoord.z ) )
+				) * 0.2;
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#elif defined( SHADOWMAP_TYPE_VSM )
+		float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				vec2 distribution = texture2D( shadowMap, shadowCoord.xy ).rg;
+				float mean = distribution.x;
+				float variance = distribution.y * distribution.y;
+				#ifdef USE_REVERSED_DEPTH_BUFFER
+					float hard_shadow = step( mean, shadowCoord.z );
+				#else
+					float hard_shadow = step( shadowCoord.z, mean );
+				#endif
+				
+				if ( hard_shadow == 1.0 ) {
+					shadow = 1.0;
+				} else {
+					variance = max( variance, 0.0000001 );
+					float d = shadowCoord.z - mean;
+					float p_max = variance / ( variance + d * d );
+					p_max = clamp( ( p_max - 0.3 ) / 0.65, 0.0, 1.0 );
+					shadow = max( hard_shadow, p_max );
+				}
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#else
+		float getShadow( sampler2D shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord ) {
+			float shadow = 1.0;
+			shadowCoord.xyz /= shadowCoord.w;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				shadowCoord.z -= shadowBias;
+			#else
+				shadowCoord.z += shadowBias;
+			#endif
+			bool inFrustum = shadowCoord.x >= 0.0 && shadowCoord.x <= 1.0 && shadowCoord.y >= 0.0 && shadowCoord.y <= 1.0;
+			bool frustumTest = inFrustum && shadowCoord.z <= 1.0;
+			if ( frustumTest ) {
+				float depth = texture2D( shadowMap, shadowCoord.xy ).r;
+				#ifdef USE_REVERSED_DEPTH_BUFFER
+					shadow = step( depth, shadowCoord.z );
+				#else
+					shadow = step( shadowCoord.z, depth );
+				#endif
+			}
+			return mix( 1.0, shadow, shadowIntensity );
+		}
+	#endif
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		float getSunShadow(
+			#if defined( SHADOWMAP_TYPE_PCF )
+				sampler2DShadow shadowMap,
+			#else
+				sampler2D shadowMap,
+			#endif
+			SunLightShadow sunLightShadow,
+			int shadowIndex
+		) {
+			vec4 shadowWorldPosition = vec4( vSunShadowWorldPosition.xyz + vSunShadowWorldNormal * sunLightShadow.shadowNormalBias, 1.0 );
+			float viewDepth = vSunShadowWorldPosition.w;
+			int cascadeOffset = shadowIndex * SUN_LIGHT_CASCADES;
+			float shadow = 1.0;
+			for ( int i = SUN_LIGHT_CASCADES - 1; i >= 0; i -- ) {
+				vec4 cascade = sunShadowCascade[ cascadeOffset + i ];
+				if ( viewDepth >= cascade.x && viewDepth < cascade.y ) {
+					float cascadeShadow = getShadow(
+						shadowMap,
+						sunLightShadow.shadowMapSize,
+						sunLightShadow.shadowIntensity,
+						sunLightShadow.shadowBias,
+						sunLightShadow.shadowRadius,
+						sunShadowMatrix[ cascadeOffset + i ] * shadowWorldPosition
+					);
+					shadow = mix( cascadeShadow, shadow, smoothstep( cascade.z, cascade.y, viewDepth ) );
+				}
+			}
+			return shadow;
+		}
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+	#if defined( SHADOWMAP_TYPE_PCF )
+	float getPointShadow( samplerCubeShadow shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		vec3 bd3D = normalize( lightToPosition );
+		vec3 absVec = abs( lightToPosition );
+		float viewSpaceZ = max( max( absVec.x, absVec.y ), absVec.z );
+		if ( viewSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {
+			float lightDistance = length( lightToPosition );
+			float depthRange = shadowCameraFar - shadowCameraNear;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				float depthA = - shadowCameraNear / depthRange - shadowBias;
+				float depthB = shadowCameraNear * shadowCameraFar / ( depthRange * lightDistance );
+			#else
+				float depthA = shadowCameraFar / depthRange + shadowBias;
+				float depthB = - shadowCameraNear * shadowCameraFar / ( depthRange * lightDistance );
+			#endif
+			float texelSize = shadowRadius / shadowMapSize.x;
+			vec3 absDir = abs( bd3D );
+			vec3 tangent = absDir.x > absDir.z ? vec3( 0.0, 1.0, 0.0 ) : vec3( 1.0, 0.0, 0.0 );
+			tangent = normalize( cross( bd3D, tangent ) );
+			vec3 bitangent = cross( bd3D, tangent );
+			float phi = interleavedGradientNoise( gl_FragCoord.xy ) * PI2;
+			shadow = 0.0;
+			for ( int i = 0; i < 5; i ++ ) {
+				vec2 offset = vogelDiskSample( i, 5, phi );
+				vec3 direction = bd3D + ( tangent * offset.x + bitangent * offset.y ) * texelSize;
+				vec3 absDirection = abs( direction );
+				float dp = depthA + depthB / max( max( absDirection.x, absDirection.y ), absDirection.z );
+				shadow += texture( shadowMap, vec4( direction, dp ) );
+			}
+			shadow *= 0.2;
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	#elif defined( SHADOWMAP_TYPE_BASIC )
+	float getPointShadow( samplerCube shadowMap, vec2 shadowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 shadowCoord, float shadowCameraNear, float shadowCameraFar ) {
+		float shadow = 1.0;
+		vec3 lightToPosition = shadowCoord.xyz;
+		vec3 absVec = abs( lightToPosition );
+		float viewSpaceZ = max( max( absVec.x, absVec.y ), absVec.z );
+		if ( viewSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {
+			float dp = ( shadowCameraFar * ( viewSpaceZ - shadowCameraNear ) ) / ( viewSpaceZ * ( shadowCameraFar - shadowCameraNear ) );
+			dp += shadowBias;
+			vec3 bd3D = normalize( lightToPosition );
+			float depth = textureCube( shadowMap, bd3D ).r;
+			#ifdef USE_REVERSED_DEPTH_BUFFER
+				depth = 1.0 - depth;
+			#endif
+			shadow = step( dp, depth );
+		}
+		return mix( 1.0, shadow, shadowIntensity );
+	}
+	#endif
+	#endif
+#endif`,Mw=`#if NUM_SPOT_LIGHT_COORDS > 0
+	uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];
+	varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_COORDS ];
+#endif
+#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		varying vec4 vSunShadowWorldPosition;
+		varying vec3 vSunShadowWorldNormal;
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		uniform mat4 directionalShadowMatrix[ NUM_DIR_LIGHT_SHADOWS ];
+		varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];
+		struct DirectionalLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform DirectionalLightShadow directionalLightShadows[ NUM_DIR_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+		struct SpotLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+		};
+		uniform SpotLightShadow spotLightShadows[ NUM_SPOT_LIGHT_SHADOWS ];
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		uniform mat4 pointShadowMatrix[ NUM_POINT_LIGHT_SHADOWS ];
+		varying vec4 vPointShadowCoord[ NUM_POINT_LIGHT_SHADOWS ];
+		struct PointLightShadow {
+			float shadowIntensity;
+			float shadowBias;
+			float shadowNormalBias;
+			float shadowRadius;
+			vec2 shadowMapSize;
+			float shadowCameraNear;
+			float shadowCameraFar;
+		};
+		uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];
+	#endif
+#endif`,Sw=`#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_SUN_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0 )
+	#ifdef HAS_NORMAL
+		vec3 shadowWorldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );
+	#else
+		vec3 shadowWorldNormal = vec3( 0.0 );
+	#endif
+	vec4 shadowWorldPosition;
+#endif
+#if defined( USE_SHADOWMAP )
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+		vSunShadowWorldPosition = vec4( worldPosition.xyz, - mvPosition.z );
+		vSunShadowWorldNormal = shadowWorldNormal;
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * directionalLightShadows[ i ].shadowNormalBias, 0 );
+			vDirectionalShadowCoord[ i ] = directionalShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0
+		#pragma unroll_loop_start
+		for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+			shadowWorldPosition = worldPosition + vec4( shadowWorldNormal * pointLightShadows[ i ].shadowNormalBias, 0 );
+			vPointShadowCoord[ i ] = pointShadowMatrix[ i ] * shadowWorldPosition;
+		}
+		#pragma unroll_loop_end
+	#endif
+#endif
+#if NUM_SPOT_LIGHT_COORDS > 0
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_COORDS; i ++ ) {
+		shadowWorldPosition = worldPosition;
+		#if ( defined( USE_SHADOWMAP ) && UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )
+			shadowWorldPosition.xyz += shadowWorldNormal * spotLightShadows[ i ].shadowNormalBias;
+		#endif
+		vSpotLightCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;
+	}
+	#pragma unroll_loop_end
+#endif`,ww=`float getShadowMask() {
+	float shadow = 1.0;
+	#ifdef USE_SHADOWMAP
+	#if NUM_SUN_LIGHT_SHADOWS > 0
+	SunLightShadow sunLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SUN_LIGHT_SHADOWS; i ++ ) {
+		sunLight = sunLightShadows[ i ];
+		shadow *= receiveShadow ? getSunShadow( sunShadowMap[ i ], sunLight, UNROLLED_LOOP_INDEX ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_DIR_LIGHT_SHADOWS > 0
+	DirectionalLightShadow directionalLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {
+		directionalLight = directionalLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( directionalShadowMap[ i ], directionalLight.shadowMapSize, directionalLight.shadowIntensity, directionalLight.shadowBias, directionalLight.shadowRadius, vDirectionalShadowCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_SPOT_LIGHT_SHADOWS > 0
+	SpotLightShadow spotLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_SPOT_LIGHT_SHADOWS; i ++ ) {
+		spotLight = spotLightShadows[ i ];
+		shadow *= receiveShadow ? getShadow( spotShadowMap[ i ], spotLight.shadowMapSize, spotLight.shadowIntensity, spotLight.shadowBias, spotLight.shadowRadius, vSpotLightCoord[ i ] ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#if NUM_POINT_LIGHT_SHADOWS > 0 && ( defined( SHADOWMAP_TYPE_PCF ) || defined( SHADOWMAP_TYPE_BASIC ) )
+	PointLightShadow pointLight;
+	#pragma unroll_loop_start
+	for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {
+		pointLight = pointLightShadows[ i ];
+		shadow *= receiveShadow ? getPointShadow( pointShadowMap[ i ], pointLight.shadowMapSize, pointLight.shadowIntensity, pointLight.shadowBias, pointLight.shadowRadius, vPointShadowCoord[ i ], pointLight.shadowCameraNear, pointLight.shadowCameraFar ) : 1.0;
+	}
+	#pragma unroll_loop_end
+	#endif
+	#endif
+	return shadow;
+}`,Ew=`#ifdef USE_SKINNING
+	mat4 boneMatX = getBoneMatrix( skinIndex.x );
+	mat4 boneMatY = getBoneMatrix( skinIndex.y );
+	mat4 boneMatZ = getBoneMatrix( skinIndex.z );
+	mat4 boneMatW = getBoneMatrix( skinIndex.w );
+#endif`,Tw=`#ifdef USE_SKINNING
+	uniform mat4 bindMatrix;
+	uniform mat4 bindMatrixInverse;
+	uniform highp sampler2D boneTexture;
+	mat4 getBoneMatrix( const in float i ) {
+		int size = textureSize( boneTexture, 0 ).x;
+		int j = int( i ) * 4;
+		int x = j % size;
+		int y = j / size;
+		vec4 v1 = texelFetch( boneTexture, ivec2( x, y ), 0 );
+		vec4 v2 = texelFetch( boneTexture, ivec2( x + 1, y ), 0 );
+		vec4 v3 = texelFetch( boneTexture, ivec2( x + 2, y ), 0 );
+		vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );
+		return mat4( v1, v2, v3, v4 );
+	}
+#endif`,Aw=`#ifdef USE_SKINNING
+	vec4 skinVertex = bindMatrix * vec4( transformed, 1.0 );
+	vec4 skinned = vec4( 0.0 );
+	skinned += boneMatX * skinVertex * skinWeight.x;
+	skinned += boneMatY * skinVertex * skinWeight.y;
+	skinned += boneMatZ * skinVertex * skinWeight.z;
+	skinned += boneMatW * skinVertex * skinWeight.w;
+	transformed = ( bindMatrixInverse * skinned ).xyz;
+#endif`,Cw=`#ifdef USE_SKINNING
+	mat4 skinMatrix = mat4( 0.0 );
+	skinMatrix += skinWeight.x * boneMatX;
+	skinMatrix += skinWeight.y * boneMatY;
+	skinMatrix += skinWeight.z * boneMatZ;
+	skinMatrix += skinWeight.w * boneMatW;
+	skinMatrix = bindMatrixInverse * skinMatrix * bindMatrix;
+	objectNormal = vec4( skinMatrix * vec4( objectNormal, 0.0 ) ).xyz;
+	#ifdef USE_TANGENT
+		objectTangent = vec4( skinMatrix * vec4( objectTangent, 0.0 ) ).xyz;
+	#endif
+#endif`,Rw=`float specularStrength;
+#ifdef USE_SPECULARMAP
+	vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );
+	specularStrength = texelSpecular.r;
+#else
+	specularStrength = 1.0;
+#endif`,Pw=`#ifdef USE_SPECULARMAP
+	uniform sampler2D specularMap;
+#endif`,Iw=`#if defined( TONE_MAPPING )
+	gl_FragColor.rgb = toneMapping( gl_FragColor.rgb );
+#endif`,Lw=`#ifndef saturate
+#define saturate( a ) clamp( a, 0.0, 1.0 )
+#endif
+uniform float toneMappingExposure;
+vec3 LinearToneMapping( vec3 color ) {
+	return saturate( toneMappingExposure * color );
+}
+vec3 ReinhardToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	return saturate( color / ( vec3( 1.0 ) + color ) );
+}
+vec3 CineonToneMapping( vec3 color ) {
+	color *= toneMappingExposure;
+	color = max( vec3( 0.0 ), color - 0.004 );
+	return pow( ( color * ( 6.2 * color + 0.5 ) ) / ( color * ( 6.2 * color + 1.7 ) + 0.06 ), vec3( 2.2 ) );
+}
+vec3 RRTAndODTFit( vec3 v ) {
+	vec3 a = v * ( v + 0.0245786 ) - 0.000090537;
+	vec3 b = v * ( 0.983729 * v + 0.4329510 ) + 0.238081;
+	return a / b;
+}
+vec3 ACESFilmicToneMapping( vec3 color ) {
+	const mat3 ACESInputMat = mat3(
+		vec3( 0.59719, 0.07600, 0.02840 ),		vec3( 0.35458, 0.90834, 0.13383 ),
+		vec3( 0.04823, 0.01566, 0.83777 )
+	);
+	const mat3 ACESOutputMat = mat3(
+		vec3(  1.60475, -0.10208, -0.00327 ),		vec3( -0.53108,  1.10813, -0.07276 ),
+		vec3( -0.07367, -0.00605,  1.07602 )
+	);
+	color *= toneMappingExposure / 0.6;
+	color = ACESInputMat * color;
+	color = RRTAndODTFit( color );
+	color = ACESOutputMat * color;
+	return saturate( color );
+}
+const mat3 LINEAR_REC2020_TO_LINEAR_SRGB = mat3(
+	vec3( 1.6605, - 0.1246, - 0.0182 ),
+	vec3( - 0.5876, 1.1329, - 0.1006 ),
+	vec3( - 0.0728, - 0.0083, 1.1187 )
+);
+const mat3 LINEAR_SRGB_TO_LINEAR_REC2020 = mat3(
+	vec3( 0.6274, 0.0691, 0.0164 ),
+	vec3( 0.3293, 0.9195, 0.0880 ),
+	vec3( 0.0433, 0.0113, 0.8956 )
+);
+vec3 agxDefaultContrastApprox( vec3 x ) {
+	vec3 x2 = x * x;
+	vec3 x4 = x2 * x2;
+	return + 15.5 * x4 * x2
+		- 40.14 * x4 * x
+		+ 31.96 * x4
+		- 6.868 * x2 * x
+		+ 0.4298 * x2
+		+ 0.1191 * x
+		- 0.00232;
+}
+vec3 AgXToneMapping( vec3 color ) {
+	const mat3 AgXInsetMatrix = mat3(
+		vec3( 0.856627153315983, 0.137318972929847, 0.11189821299995 ),
+		vec3( 0.0951212405381588, 0.761241990602591, 0.0767994186031903 ),
+		vec3( 0.0482516061458583, 0.101439036467562, 0.811302368396859 )
+	);
+	const mat3 AgXOutsetMatrix = mat3(
+		vec3( 1.1271005818144368, - 0.1413297634984383, - 0.14132976349843826 ),
+		vec3( - 0.11060664309660323, 1.157823702216272, - 0.11060664309660294 ),
+		vec3( - 0.016493938717834573, - 0.016493938717834257, 1.2519364065950405 )
+	);
+	const float AgxMinEv = - 12.47393;	const float AgxMaxEv = 4.026069;
+	color *= toneMappingExposure;
+	color = LINEAR_SRGB_TO_LINEAR_REC2020 * color;
+	color = AgXInsetMatrix * color;
+	color = max( color, 1e-10 );	color = log2( color );
+	color = ( color - AgxMinEv ) / ( AgxMaxEv - AgxMinEv );
+	color = clamp( color, 0.0, 1.0 );
+	color = agxDefaultContrastApprox( color );
+	color = AgXOutsetMatrix * color;
+	color = pow( max( vec3( 0.0 ), color ), vec3( 2.2 ) );
+	color = LINEAR_REC2020_TO_LINEAR_SRGB * color;
+	color = clamp( color, 0.0, 1.0 );
+	return color;
+}
+vec3 NeutralToneMapping( vec3 color ) {
+	const float StartCompression = 0.8 - 0.04;
+	const float Desaturation = 0.15;
+	color *= toneMappingExposure;
+	float x = min( color.r, min( color.g, color.b ) );
+	float offset = x < 0.08 ? x - 6.25 * x * x : 0.04;
+	color -= offset;
+	float peak = max( color.r, max( color.g, color.b ) );
+	if ( peak < StartCompression ) return color;
+	float d = 1. - StartCompression;
+	float newPeak = 1. - d * d / ( peak + d - StartCompression );
+	color *= newPeak / peak;
+	float g = 1. - 1. / ( Desaturation * ( peak - newPeak ) + 1. );
+	return mix( color, vec3( newPeak ), g );
+}
+vec3 CustomToneMapping( vec3 color ) { return color; }`,Dw=`#ifdef USE_TRANSMISSION
+	material.transmission = transmission;
+	material.transmissionAlpha = 1.0;
+	material.thickness = thickness;
+	material.attenuationDistance = attenuationDistance;
+	material.attenuationColor = attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		material.transmission *= texture2D( transmissionMap, vTransmissionMapUv ).r;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		material.thickness *= texture2D( thicknessMap, vThicknessMapUv ).g;
+	#endif
+	vec3 pos = vWorldPosition;
+	vec3 v = normalize( cameraPosition - pos );
+	vec3 n = transformNormalByInverseViewMatrix( normal, viewMatrix );
+	vec4 transmitted = getIBLVolumeRefraction(
+		n, v, material.roughness, material.diffuseContribution, material.specularColorBlended, material.specularF90,
+		pos, modelMatrix, viewMatrix, projectionMatrix, material.dispersion, material.ior, material.thickness,
+		material.attenuationColor, material.attenuationDistance );
+	material.transmissionAlpha = mix( material.transmissionAlpha, transmitted.a, material.transmission );
+	totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );
+#endif`,Nw=`#ifdef USE_TRANSMISSION
+	uniform float transmission;
+	uniform float thickness;
+	uniform float attenuationDistance;
+	uniform vec3 attenuationColor;
+	#ifdef USE_TRANSMISSIONMAP
+		uniform sampler2D transmissionMap;
+	#endif
+	#ifdef USE_THICKNESSMAP
+		uniform sampler2D thicknessMap;
+	#endif
+	uniform vec2 transmissionSamplerSize;
+	uniform sampler2D transmissionSamplerMap;
+	uniform mat4 modelMatrix;
+	uniform mat4 projectionMatrix;
+	varying vec3 vWorldPosition;
+	float w0( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - a + 3.0 ) - 3.0 ) + 1.0 );
+	}
+	float w1( float a ) {
+		return ( 1.0 / 6.0 ) * ( a *  a * ( 3.0 * a - 6.0 ) + 4.0 );
+	}
+	float w2( float a ){
+		return ( 1.0 / 6.0 ) * ( a * ( a * ( - 3.0 * a + 3.0 ) + 3.0 ) + 1.0 );
+	}
+	float w3( float a ) {
+		return ( 1.0 / 6.0 ) * ( a * a * a );
+	}
+	float g0( float a ) {
+		return w0( a ) + w1( a );
+	}
+	float g1( float a ) {
+		return w2( a ) + w3( a );
+	}
+	float h0( float a ) {
+		return - 1.0 + w1( a ) / ( w0( a ) + w1( a ) );
+	}
+	float h1( float a ) {
+		return 1.0 + w3( a ) / ( w2( a ) + w3( a ) );
+	}
+	vec4 bicubic( sampler2D tex, vec2 uv, vec4 texelSize, float lod ) {
+		uv = uv * texelSize.zw + 0.5;
+		vec2 iuv = floor( uv );
+		vec2 fuv = fract( uv );
+		float g0x = g0( fuv.x );
+		float g1x = g1( fuv.x );
+		float h0x = h0( fuv.x );
+		float h1x = h1( fuv.x );
+		float h0y = h0( fuv.y );
+		float h1y = h1( fuv.y );
+		vec2 p0 = ( vec2( iuv.x + h0x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p1 = ( vec2( iuv.x + h1x, iuv.y + h0y ) - 0.5 ) * texelSize.xy;
+		vec2 p2 = ( vec2( iuv.x + h0x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		vec2 p3 = ( vec2( iuv.x + h1x, iuv.y + h1y ) - 0.5 ) * texelSize.xy;
+		return g0( fuv.y ) * ( g0x * textureLod( tex, p0, lod ) + g1x * textureLod( tex, p1, lod ) ) +
+			g1( fuv.y ) * ( g0x * textureLod( tex, p2, lod ) + g1x * textureLod( tex, p3, lod ) );
+	}
+	vec4 textureBicubic( sampler2D sampler, vec2 uv, float lod ) {
+		vec2 fLodSize = vec2( textureSize( sampler, int( lod ) ) );
+		vec2 cLodSize = vec2( textureSize( sampler, int( lod + 1.0 ) ) );
+		vec2 fLodSizeInv = 1.0 / fLodSize;
+		vec2 cLodSizeInv = 1.0 / cLodSize;
+		vec4 fSample = bicubic( sampler, uv, vec4( fLodSizeInv, fLodSize ), floor( lod ) );
+		vec4 cSample = bicubic( sampler, uv, vec4( cLodSizeInv, cLodSize ), ceil( lod ) );
+		return mix( fSample, cSample, fract( lod ) );
+	}
+	vec3 getVolumeTransmissionRay( const in vec3 n, const in vec3 v, const in float thickness, const in float ior, const in mat4 modelMatrix ) {
+		vec3 refractionVector = refract( - v, normalize( n ), 1.0 / ior );
+		vec3 modelScale;
+		modelScale.x = length( vec3( modelMatrix[ 0 ].xyz ) );
+		modelScale.y = length( vec3( modelMatrix[ 1 ].xyz ) );
+		modelScale.z = length( vec3( modelMatrix[ 2 ].xyz ) );
+		return normalize( refractionVector ) * thickness * modelScale;
+	}
+	float applyIorToRoughness( const in float roughness, const in float ior ) {
+		return roughness * clamp( ior * 2.0 - 2.0, 0.0, 1.0 );
+	}
+	vec4 getTransmissionSample( const in vec2 fragCoord, const in float roughness, const in float ior ) {
+		float lod = log2( transmissionSamplerSize.x ) * applyIorToRoughness( roughness, ior );
+		return textureBicubic( transmissionSamplerMap, fragCoord.xy, lod );
+	}
+	vec3 volumeAttenuation( const in float transmissionDistance, const in vec3 attenuationColor, const in float attenuationDistance ) {
+		if ( isinf( attenuationDistance ) ) {
+			return vec3( 1.0 );
+		} else {
+			vec3 attenuationCoefficient = -log( attenuationColor ) / attenuationDistance;
+			vec3 transmittance = exp( - attenuationCoefficient * transmissionDistance );			return transmittance;
+		}
+	}
+	vec4 getIBLVolumeRefraction( const in vec3 n, const in vec3 v, const in float roughness, const in vec3 diffuseColor,
+		const in vec3 specularColor, const in float specularF90, const in vec3 position, const in mat4 modelMatrix,
+		const in mat4 viewMatrix, const in mat4 projMatrix, const in float dispersion, const in float ior, const in float thickness,
+		const in vec3 attenuationColor, const in float attenuationDistance ) {
+		vec4 transmittedLight;
+		vec3 transmittance;
+		#ifdef USE_DISPERSION
+			float halfSpread = ( ior - 1.0 ) * 0.025 * dispersion;
+			vec3 iors = vec3( ior - halfSpread, ior, ior + halfSpread );
+			for ( int i = 0; i < 3; i ++ ) {
+				vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, iors[ i ], modelMatrix );
+				vec3 refractedRayExit = position + transmissionRay;
+				vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+				vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+				refractionCoords += 1.0;
+				refractionCoords /= 2.0;
+				vec4 transmissionSample = getTransmissionSample( refractionCoords, roughness, iors[ i ] );
+				transmittedLight[ i ] = transmissionSample[ i ];
+				transmittedLight.a += transmissionSample.a;
+				transmittance[ i ] = diffuseColor[ i ] * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance )[ i ];
+			}
+			transmittedLight.a /= 3.0;
+		#else
+			vec3 transmissionRay = getVolumeTransmissionRay( n, v, thickness, ior, modelMatrix );
+			vec3 refractedRayExit = position + transmissionRay;
+			vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );
+			vec2 refractionCoords = ndcPos.xy / ndcPos.w;
+			refractionCoords += 1.0;
+			refractionCoords /= 2.0;
+			transmittedLight = getTransmissionSample( refractionCoords, roughness, ior );
+			transmittance = diffuseColor * volumeAttenuation( length( transmissionRay ), attenuationColor, attenuationDistance );
+		#endif
+		vec3 attenuatedColor = transmittance * transmittedLight.rgb;
+		vec3 F = EnvironmentBRDF( n, v, specularColor, specularF90, roughness );
+		float transmittanceFactor = ( transmittance.r + transmittance.g + transmittance.b ) / 3.0;
+		return vec4( ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );
+	}
+#endif`,Uw=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	varying vec2 vDiffuseRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,Ow=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	varying vec2 vUv;
+#endif
+#ifdef USE_MAP
+	uniform mat3 mapTransform;
+	varying vec2 vMapUv;
+#endif
+#ifdef USE_ALPHAMAP
+	uniform mat3 alphaMapTransform;
+	varying vec2 vAlphaMapUv;
+#endif
+#ifdef USE_LIGHTMAP
+	uniform mat3 lightMapTransform;
+	varying vec2 vLightMapUv;
+#endif
+#ifdef USE_AOMAP
+	uniform mat3 aoMapTransform;
+	varying vec2 vAoMapUv;
+#endif
+#ifdef USE_BUMPMAP
+	uniform mat3 bumpMapTransform;
+	varying vec2 vBumpMapUv;
+#endif
+#ifdef USE_NORMALMAP
+	uniform mat3 normalMapTransform;
+	varying vec2 vNormalMapUv;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	uniform mat3 displacementMapTransform;
+	varying vec2 vDisplacementMapUv;
+#endif
+#ifdef USE_EMISSIVEMAP
+	uniform mat3 emissiveMapTransform;
+	varying vec2 vEmissiveMapUv;
+#endif
+#ifdef USE_METALNESSMAP
+	uniform mat3 metalnessMapTransform;
+	varying vec2 vMetalnessMapUv;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	uniform mat3 roughnessMapTransform;
+	varying vec2 vRoughnessMapUv;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	uniform mat3 diffuseRoughnessMapTransform;
+	varying vec2 vDiffuseRoughnessMapUv;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	uniform mat3 anisotropyMapTransform;
+	varying vec2 vAnisotropyMapUv;
+#endif
+#ifdef USE_CLEARCOATMAP
+	uniform mat3 clearcoatMapTransform;
+	varying vec2 vClearcoatMapUv;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	uniform mat3 clearcoatNormalMapTransform;
+	varying vec2 vClearcoatNormalMapUv;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	uniform mat3 clearcoatRoughnessMapTransform;
+	varying vec2 vClearcoatRoughnessMapUv;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	uniform mat3 sheenColorMapTransform;
+	varying vec2 vSheenColorMapUv;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	uniform mat3 sheenRoughnessMapTransform;
+	varying vec2 vSheenRoughnessMapUv;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	uniform mat3 iridescenceMapTransform;
+	varying vec2 vIridescenceMapUv;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	uniform mat3 iridescenceThicknessMapTransform;
+	varying vec2 vIridescenceThicknessMapUv;
+#endif
+#ifdef USE_SPECULARMAP
+	uniform mat3 specularMapTransform;
+	varying vec2 vSpecularMapUv;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	uniform mat3 specularColorMapTransform;
+	varying vec2 vSpecularColorMapUv;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	uniform mat3 specularIntensityMapTransform;
+	varying vec2 vSpecularIntensityMapUv;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	uniform mat3 transmissionMapTransform;
+	varying vec2 vTransmissionMapUv;
+#endif
+#ifdef USE_THICKNESSMAP
+	uniform mat3 thicknessMapTransform;
+	varying vec2 vThicknessMapUv;
+#endif`,Fw=`#if defined( USE_UV ) || defined( USE_ANISOTROPY )
+	vUv = vec3( uv, 1 ).xy;
+#endif
+#ifdef USE_MAP
+	vMapUv = ( mapTransform * vec3( MAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ALPHAMAP
+	vAlphaMapUv = ( alphaMapTransform * vec3( ALPHAMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_LIGHTMAP
+	vLightMapUv = ( lightMapTransform * vec3( LIGHTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_AOMAP
+	vAoMapUv = ( aoMapTransform * vec3( AOMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_BUMPMAP
+	vBumpMapUv = ( bumpMapTransform * vec3( BUMPMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_NORMALMAP
+	vNormalMapUv = ( normalMapTransform * vec3( NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_DISPLACEMENTMAP
+	vDisplacementMapUv = ( displacementMapTransform * vec3( DISPLACEMENTMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_EMISSIVEMAP
+	vEmissiveMapUv = ( emissiveMapTransform * vec3( EMISSIVEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_METALNESSMAP
+	vMetalnessMapUv = ( metalnessMapTransform * vec3( METALNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ROUGHNESSMAP
+	vRoughnessMapUv = ( roughnessMapTransform * vec3( ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESSMAP
+	vDiffuseRoughnessMapUv = ( diffuseRoughnessMapTransform * vec3( DIFFUSE_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_ANISOTROPYMAP
+	vAnisotropyMapUv = ( anisotropyMapTransform * vec3( ANISOTROPYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOATMAP
+	vClearcoatMapUv = ( clearcoatMapTransform * vec3( CLEARCOATMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_NORMALMAP
+	vClearcoatNormalMapUv = ( clearcoatNormalMapTransform * vec3( CLEARCOAT_NORMALMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_CLEARCOAT_ROUGHNESSMAP
+	vClearcoatRoughnessMapUv = ( clearcoatRoughnessMapTransform * vec3( CLEARCOAT_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCEMAP
+	vIridescenceMapUv = ( iridescenceMapTransform * vec3( IRIDESCENCEMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_IRIDESCENCE_THICKNESSMAP
+	vIridescenceThicknessMapUv = ( iridescenceThicknessMapTransform * vec3( IRIDESCENCE_THICKNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_COLORMAP
+	vSheenColorMapUv = ( sheenColorMapTransform * vec3( SHEEN_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SHEEN_ROUGHNESSMAP
+	vSheenRoughnessMapUv = ( sheenRoughnessMapTransform * vec3( SHEEN_ROUGHNESSMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULARMAP
+	vSpecularMapUv = ( specularMapTransform * vec3( SPECULARMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_COLORMAP
+	vSpecularColorMapUv = ( specularColorMapTransform * vec3( SPECULAR_COLORMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_SPECULAR_INTENSITYMAP
+	vSpecularIntensityMapUv = ( specularIntensityMapTransform * vec3( SPECULAR_INTENSITYMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_TRANSMISSIONMAP
+	vTransmissionMapUv = ( transmissionMapTransform * vec3( TRANSMISSIONMAP_UV, 1 ) ).xy;
+#endif
+#ifdef USE_THICKNESSMAP
+	vThicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;
+#endif`,Bw=`#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOWMAP ) || defined ( USE_TRANSMISSION ) || NUM_SPOT_LIGHT_COORDS > 0
+	vec4 worldPosition = vec4( transformed, 1.0 );
+	#ifdef USE_BATCHING
+		worldPosition = batchingMatrix * worldPosition;
+	#endif
+	#ifdef USE_INSTANCING
+		worldPosition = instanceMatrix * worldPosition;
+	#endif
+	worldPosition = modelMatrix * worldPosition;
+#endif`,kw=`varying vec2 vUv;
+uniform mat3 uvTransform;
+void main() {
+	vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	gl_Position = vec4( position.xy, 1.0, 1.0 );
+}`,zw=`uniform sampler2D t2D;
+uniform float backgroundIntensity;
+varying vec2 vUv;
+void main() {
+	vec4 texColor = texture2D( t2D, vUv );
+	#ifdef DECODE_VIDEO_TEXTURE
+		texColor = vec4( mix( pow( texColor.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), texColor.rgb * 0.0773993808, vec3( lessThanEqual( texColor.rgb, vec3( 0.04045 ) ) ) ), texColor.w );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,Vw=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,Hw=`uniform float backgroundBlurriness;
+uniform float backgroundIntensity;
+uniform mat3 backgroundRotation;
+varying vec3 vWorldDirection;
+#include <envmap_common_pars_fragment>
+void main() {
+	#ifdef ENVMAP_TYPE_PMREM
+		vec4 texColor = textureLod( envMap, backgroundRotation * vWorldDirection, roughnessToMip( backgroundBlurriness ) );
+	#else
+		vec4 texColor = textureCube( envMap, backgroundRotation * vWorldDirection );
+	#endif
+	texColor.rgb *= backgroundIntensity;
+	gl_FragColor = texColor;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,Gw=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+	gl_Position.z = gl_Position.w;
+}`,Ww=`uniform samplerCube tCube;
+uniform float tFlip;
+uniform float opacity;
+varying vec3 vWorldDirection;
+void main() {
+	vec4 texColor = textureCube( tCube, vec3( tFlip * vWorldDirection.x, vWorldDirection.yz ) );
+	gl_FragColor = texColor;
+	gl_FragColor.a *= opacity;
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,Xw=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+varying vec2 vHighPrecisionZW;
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vHighPrecisionZW = gl_Position.zw;
+}`,qw=`#if DEPTH_PACKING == 3200
+	uniform float opacity;
+#endif
+#include <common>
+#include <packing>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+varying vec2 vHighPrecisionZW;
+void main() {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#if DEPTH_PACKING == 3200
+		diffuseColor.a = opacity;
+	#endif
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <logdepthbuf_fragment>
+	#ifdef USE_REVERSED_DEPTH_BUFFER
+		float fragCoordZ = vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ];
+	#else
+		float fragCoordZ = 0.5 * vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ] + 0.5;
+	#endif
+	#if DEPTH_PACKING == 3200
+		gl_FragColor = vec4( vec3( 1.0 - fragCoordZ ), opacity );
+	#elif DEPTH_PACKING == 3201
+		gl_FragColor = packDepthToRGBA( fragCoordZ );
+	#elif DEPTH_PACKING == 3202
+		gl_FragColor = vec4( packDepthToRGB( fragCoordZ ), 1.0 );
+	#elif DEPTH_PACKING == 3203
+		gl_FragColor = vec4( packDepthToRG( fragCoordZ ), 0.0, 1.0 );
+	#endif
+}`,$w=`#define DISTANCE
+varying vec3 vWorldPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <skinbase_vertex>
+	#include <morphinstance_vertex>
+	#ifdef USE_DISPLACEMENTMAP
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <worldpos_vertex>
+	#include <clipping_planes_vertex>
+	vWorldPosition = worldPosition.xyz;
+}`,Yw=`#define DISTANCE
+uniform vec3 referencePosition;
+uniform float nearDistance;
+uniform float farDistance;
+varying vec3 vWorldPosition;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( 1.0 );
+	#include <clipping_planes_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	float dist = length( vWorldPosition - referencePosition );
+	dist = ( dist - nearDistance ) / ( farDistance - nearDistance );
+	dist = saturate( dist );
+	gl_FragColor = vec4( dist, 0.0, 0.0, 1.0 );
+}`,Zw=`varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vWorldDirection = transformDirection( position, modelMatrix );
+	#include <begin_vertex>
+	#include <project_vertex>
+}`,Kw=`uniform sampler2D tEquirect;
+varying vec3 vWorldDirection;
+#include <common>
+void main() {
+	vec3 direction = normalize( vWorldDirection );
+	vec2 sampleUV = equirectUv( direction );
+	gl_FragColor = texture2D( tEquirect, sampleUV );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+}`,Jw=`uniform float scale;
+attribute float lineDistance;
+varying float vLineDistance;
+#include <common>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	vLineDistance = scale * lineDistance;
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,jw=`uniform vec3 diffuse;
+uniform float opacity;
+uniform float dashSize;
+uniform float totalSize;
+varying float vLineDistance;
+#include <common>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	if ( mod( vLineDistance, totalSize ) > dashSize ) {
+		discard;
+	}
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,Qw=`#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#if defined ( USE_ENVMAP ) || defined ( USE_SKINNING )
+		#include <beginnormal_vertex>
+		#include <morphnormal_vertex>
+		#include <skinbase_vertex>
+		#include <skinnormal_vertex>
+		#include <defaultnormal_vertex>
+	#endif
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <fog_vertex>
+}`,e1=`uniform vec3 diffuse;
+uniform float opacity;
+#ifndef FLAT_SHADED
+	varying vec3 vNormal;
+#endif
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	#ifdef USE_LIGHTMAP
+		vec4 lightMapTexel = texture2D( lightMap, vLightMapUv );
+		reflectedLight.indirectDiffuse += lightMapTexel.rgb * lightMapIntensity * RECIPROCAL_PI;
+	#else
+		reflectedLight.indirectDiffuse += vec3( 1.0 );
+	#endif
+	#include <aomap_fragment>
+	reflectedLight.indirectDiffuse *= diffuseColor.rgb;
+	vec3 outgoingLight = reflectedLight.indirectDiffuse;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,t1=`#define LAMBERT
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,n1=`#define LAMBERT
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_lambert_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_lambert_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,i1=`#define MATCAP
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <color_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+	vViewPosition = - mvPosition.xyz;
+}`,s1=`#define MATCAP
+uniform vec3 diffuse;
+uniform float opacity;
+uniform sampler2D matcap;
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	vec3 viewDir = normalize( vViewPosition );
+	vec3 x = normalize( vec3( viewDir.z, 0.0, - viewDir.x ) );
+	vec3 y = cross( viewDir, x );
+	vec2 uv = vec2( dot( x, normal ), dot( y, normal ) ) * 0.495 + 0.5;
+	#ifdef USE_MATCAP
+		vec4 matcapColor = texture2D( matcap, uv );
+	#else
+		vec4 matcapColor = vec4( vec3( mix( 0.2, 0.8, uv.y ) ), 1.0 );
+	#endif
+	vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,r1=`#define NORMAL
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	vViewPosition = - mvPosition.xyz;
+#endif
+}`,o1=`#define NORMAL
+uniform float opacity;
+#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )
+	varying vec3 vViewPosition;
+#endif
+#include <uv_pars_fragment>
+#include <normal_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( 0.0, 0.0, 0.0, opacity );
+	#include <clipping_planes_fragment>
+	#include <logdepthbuf_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	gl_FragColor = vec4( normalize( normal ) * 0.5 + 0.5, diffuseColor.a );
+	#ifdef OPAQUE
+		gl_FragColor.a = 1.0;
+	#endif
+}`,a1=`#define PHONG
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <envmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <envmap_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,l1=`#define PHONG
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform vec3 specular;
+uniform float shininess;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_phong_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <specularmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <specularmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_phong_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + reflectedLight.directSpecular + reflectedLight.indirectSpecular + totalEmissiveRadiance;
+	#include <envmap_fragment>
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,c1=`#define STANDARD
+varying vec3 vViewPosition;
+#ifdef USE_TRANSMISSION
+	varying vec3 vWorldPosition;
+#endif
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+#ifdef USE_TRANSMISSION
+	vWorldPosition = worldPosition.xyz;
+#endif
+}`,h1=`#define STANDARD
+#ifdef PHYSICAL
+	#define IOR
+	#define USE_SPECULAR
+#endif
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float roughness;
+uniform float metalness;
+uniform float opacity;
+#ifdef IOR
+	uniform float ior;
+#endif
+#ifdef USE_SPECULAR
+	uniform float specularIntensity;
+	uniform vec3 specularColor;
+	#ifdef USE_SPECULAR_COLORMAP
+		uniform sampler2D specularColorMap;
+	#endif
+	#ifdef USE_SPECULAR_INTENSITYMAP
+		uniform sampler2D specularIntensityMap;
+	#endif
+#endif
+#ifdef USE_CLEARCOAT
+	uniform float clearcoat;
+	uniform float clearcoatRoughness;
+#endif
+#ifdef USE_DIFFUSE_ROUGHNESS
+	uniform float diffuseRoughness;
+	#ifdef USE_DIFFUSE_ROUGHNESSMAP
+		uniform sampler2D diffuseRoughnessMap;
+	#endif
+#endif
+#ifdef USE_DISPERSION
+	uniform float dispersion;
+#endif
+#ifdef USE_RETROREFLECTION
+	uniform float retroreflectivity;
+#endif
+#ifdef USE_IRIDESCENCE
+	uniform float iridescence;
+	uniform float iridescenceIOR;
+	uniform float iridescenceThicknessMinimum;
+	uniform float iridescenceThicknessMaximum;
+#endif
+#ifdef USE_SHEEN
+	uniform vec3 sheenColor;
+	uniform float sheenRoughness;
+	#ifdef USE_SHEEN_COLORMAP
+		uniform sampler2D sheenColorMap;
+	#endif
+	#ifdef USE_SHEEN_ROUGHNESSMAP
+		uniform sampler2D sheenRoughnessMap;
+	#endif
+#endif
+#ifdef USE_ANISOTROPY
+	uniform vec2 anisotropyVector;
+	#ifdef USE_ANISOTROPYMAP
+		uniform sampler2D anisotropyMap;
+	#endif
+#endif
+varying vec3 vViewPosition;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <iridescence_fragment>
+#include <envmap_common_pars_fragment>
+#include <envmap_physical_pars_fragment>
+#include <fog_pars_fragment>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_physical_pars_fragment>
+#include <transmission_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <clearcoat_pars_fragment>
+#include <iridescence_pars_fragment>
+#include <roughnessmap_pars_fragment>
+#include <metalnessmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <roughnessmap_fragment>
+	#include <metalnessmap_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <clearcoat_normal_fragment_begin>
+	#include <clearcoat_normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_physical_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 totalDiffuse = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse;
+	vec3 totalSpecular = reflectedLight.directSpecular + reflectedLight.indirectSpecular;
+	#include <transmission_fragment>
+	vec3 outgoingLight = totalDiffuse + totalSpecular + totalEmissiveRadiance;
+	#ifdef USE_SHEEN
+ 
+		outgoingLight = outgoingLight + sheenSpecularDirect + sheenSpecularIndirect;
+ 
+ 	#endif
+	#ifdef USE_CLEARCOAT
+		float dotNVcc = saturate( dot( geometryClearcoatNormal, geometryViewDir ) );
+		vec3 Fcc = F_Schlick( material.clearcoatF0, material.clearcoatF90, dotNVcc );
+		outgoingLight = outgoingLight * ( 1.0 - material.clearcoat * Fcc ) + ( clearcoatSpecularDirect + clearcoatSpecularIndirect ) * material.clearcoat;
+	#endif
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,u1=`#define TOON
+varying vec3 vViewPosition;
+#include <common>
+#include <batching_pars_vertex>
+#include <uv_pars_vertex>
+#include <displacementmap_pars_vertex>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <normal_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <shadowmap_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <normal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <displacementmap_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	vViewPosition = - mvPosition.xyz;
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,d1=`#define TOON
+uniform vec3 diffuse;
+uniform vec3 emissive;
+uniform float opacity;
+#include <common>
+#include <dithering_pars_fragment>
+#include <color_pars_fragment>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <aomap_pars_fragment>
+#include <lightmap_pars_fragment>
+#include <emissivemap_pars_fragment>
+#include <gradientmap_pars_fragment>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <normal_pars_fragment>
+#include <lights_toon_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <bumpmap_pars_fragment>
+#include <normalmap_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	ReflectedLight reflectedLight = ReflectedLight( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );
+	vec3 totalEmissiveRadiance = emissive;
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <color_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	#include <normal_fragment_begin>
+	#include <normal_fragment_maps>
+	#include <emissivemap_fragment>
+	#include <lights_toon_fragment>
+	#include <lights_fragment_begin>
+	#include <lights_fragment_maps>
+	#include <lights_fragment_end>
+	#include <aomap_fragment>
+	vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadiance;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+	#include <dithering_fragment>
+}`,f1=`uniform float size;
+uniform float scale;
+#include <common>
+#include <color_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+#ifdef USE_POINTS_UV
+	varying vec2 vUv;
+	uniform mat3 uvTransform;
+#endif
+void main() {
+	#ifdef USE_POINTS_UV
+		vUv = ( uvTransform * vec3( uv, 1 ) ).xy;
+	#endif
+	#include <color_vertex>
+	#include <morphinstance_vertex>
+	#include <morphcolor_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <project_vertex>
+	gl_PointSize = size;
+	#ifdef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) gl_PointSize *= ( scale / - mvPosition.z );
+	#endif
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <worldpos_vertex>
+	#include <fog_vertex>
+}`,p1=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <color_pars_fragment>
+#include <map_particle_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_particle_fragment>
+	#include <color_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,m1=`#include <common>
+#include <batching_pars_vertex>
+#include <fog_pars_vertex>
+#include <morphtarget_pars_vertex>
+#include <skinning_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <shadowmap_pars_vertex>
+void main() {
+	#include <batching_vertex>
+	#include <beginnormal_vertex>
+	#include <morphinstance_vertex>
+	#include <morphnormal_vertex>
+	#include <skinbase_vertex>
+	#include <skinnormal_vertex>
+	#include <defaultnormal_vertex>
+	#include <begin_vertex>
+	#include <morphtarget_vertex>
+	#include <skinning_vertex>
+	#include <project_vertex>
+	#include <logdepthbuf_vertex>
+	#include <worldpos_vertex>
+	#include <shadowmap_vertex>
+	#include <fog_vertex>
+}`,g1=`uniform vec3 color;
+uniform float opacity;
+#include <common>
+#include <fog_pars_fragment>
+#include <bsdfs>
+#include <lights_pars_begin>
+#include <logdepthbuf_pars_fragment>
+#include <shadowmap_pars_fragment>
+#include <shadowmask_pars_fragment>
+void main() {
+	#include <logdepthbuf_fragment>
+	gl_FragColor = vec4( color, opacity * ( 1.0 - getShadowMask() ) );
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+	#include <premultiplied_alpha_fragment>
+}`,x1=`uniform float rotation;
+uniform vec2 center;
+#include <common>
+#include <uv_pars_vertex>
+#include <fog_pars_vertex>
+#include <logdepthbuf_pars_vertex>
+#include <clipping_planes_pars_vertex>
+void main() {
+	#include <uv_vertex>
+	vec4 mvPosition = modelViewMatrix[ 3 ];
+	vec2 scale = vec2( length( modelMatrix[ 0 ].xyz ), length( modelMatrix[ 1 ].xyz ) );
+	#ifndef USE_SIZEATTENUATION
+		bool isPerspective = isPerspectiveMatrix( projectionMatrix );
+		if ( isPerspective ) scale *= - mvPosition.z;
+	#endif
+	vec2 alignedPosition = ( position.xy - ( center - vec2( 0.5 ) ) ) * scale;
+	vec2 rotatedPosition;
+	rotatedPosition.x = cos( rotation ) * alignedPosition.x - sin( rotation ) * alignedPosition.y;
+	rotatedPosition.y = sin( rotation ) * alignedPosition.x + cos( rotation ) * alignedPosition.y;
+	mvPosition.xy += rotatedPosition;
+	gl_Position = projectionMatrix * mvPosition;
+	#include <logdepthbuf_vertex>
+	#include <clipping_planes_vertex>
+	#include <fog_vertex>
+}`,_1=`uniform vec3 diffuse;
+uniform float opacity;
+#include <common>
+#include <uv_pars_fragment>
+#include <map_pars_fragment>
+#include <alphamap_pars_fragment>
+#include <alphatest_pars_fragment>
+#include <alphahash_pars_fragment>
+#include <fog_pars_fragment>
+#include <logdepthbuf_pars_fragment>
+#include <clipping_planes_pars_fragment>
+void main() {
+	vec4 diffuseColor = vec4( diffuse, opacity );
+	#include <clipping_planes_fragment>
+	vec3 outgoingLight = vec3( 0.0 );
+	#include <logdepthbuf_fragment>
+	#include <map_fragment>
+	#include <alphamap_fragment>
+	#include <alphatest_fragment>
+	#include <alphahash_fragment>
+	outgoingLight = diffuseColor.rgb;
+	#include <opaque_fragment>
+	#include <tonemapping_fragment>
+	#include <colorspace_fragment>
+	#include <fog_fragment>
+}`,dt={alphahash_fragment:zM,alphahash_pars_fragment:VM,alphamap_fragment:HM,alphamap_pars_fragment:GM,alphatest_fragment:WM,alphatest_pars_fragment:XM,aomap_fragment:qM,aomap_pars_fragment:$M,batching_pars_vertex:YM,batching_vertex:ZM,begin_vertex:KM,beginnormal_vertex:JM,bsdfs:jM,iridescence_fragment:QM,bumpmap_pars_fragment:eS,clipping_planes_fragment:tS,clipping_planes_pars_fragment:nS,clipping_planes_pars_vertex:iS,clipping_planes_vertex:sS,color_fragment:rS,color_pars_fragment:oS,color_pars_vertex:aS,color_vertex:lS,common:cS,defaultnormal_vertex:hS,displacementmap_pars_vertex:uS,displacementmap_vertex:dS,emissivemap_fragment:fS,emissivemap_pars_fragment:pS,colorspace_fragment:mS,colorspace_pars_fragment:gS,envmap_fragment:xS,envmap_common_pars_fragment:_S,envmap_pars_fragment:yS,envmap_pars_vertex:vS,envmap_physical_pars_fragment:IS,envmap_vertex:bS,fog_vertex:MS,fog_pars_vertex:SS,fog_fragment:wS,fog_pars_fragment:ES,gradientmap_pars_fragment:TS,lightmap_pars_fragment:AS,lights_lambert_fragment:CS,lights_lambert_pars_fragment:RS,lights_pars_begin:PS,lights_toon_fragment:LS,lights_toon_pars_fragment:DS,lights_phong_fragment:NS,lights_phong_pars_fragment:US,lights_physical_fragment:OS,lights_physical_pars_fragment:FS,lights_fragment_begin:BS,lights_fragment_maps:kS,lights_fragment_end:zS,lightprobes_pars_fragment:VS,logdepthbuf_fragment:HS,logdepthbuf_pars_fragment:GS,logdepthbuf_pars_vertex:WS,logdepthbuf_vertex:XS,map_fragment:qS,map_pars_fragment:$S,map_particle_fragment:YS,map_particle_pars_fragment:ZS,metalnessmap_fragment:KS,metalnessmap_pars_fragment:JS,morphinstance_vertex:jS,morphcolor_vertex:QS,morphnormal_vertex:ew,morphtarget_pars_vertex:tw,morphtarget_vertex:nw,normal_fragment_begin:iw,normal_fragment_maps:sw,normal_pars_fragment:rw,normal_pars_vertex:ow,normal_vertex:aw,normalmap_pars_fragment:lw,clearcoat_normal_fragment_begin:cw,clearcoat_normal_fragment_maps:hw,clearcoat_pars_fragment:uw,iridescence_pars_fragment:dw,opaque_fragment:fw,packing:pw,premultiplied_alpha_fragment:mw,project_vertex:gw,dithering_fragment:xw,dithering_pars_fragment:_w,roughnessmap_fragment:yw,roughnessmap_pars_fragment:vw,shadowmap_pars_fragment:bw,shadowmap_pars_vertex:Mw,shadowmap_vertex:Sw,shadowmask_pars_fragment:ww,skinbase_vertex:Ew,skinning_pars_vertex:Tw,skinning_vertex:Aw,skinnormal_vertex:Cw,specularmap_fragment:Rw,specularmap_pars_fragment:Pw,tonemapping_fragment:Iw,tonemapping_pars_fragment:Lw,transmission_fragment:Dw,transmission_pars_fragment:Nw,uv_pars_fragment:Uw,uv_pars_vertex:Ow,uv_vertex:Fw,worldpos_vertex:Bw,background_vert:kw,background_frag:zw,backgroundCube_vert:Vw,backgroundCube_frag:Hw,cube_vert:Gw,cube_frag:Ww,depth_vert:Xw,depth_frag:qw,distance_vert:$w,distance_frag:Yw,equirect_vert:Zw,equirect_frag:Kw,linedashed_vert:Jw,linedashed_frag:jw,meshbasic_vert:Qw,meshbasic_frag:e1,meshlambert_vert:t1,meshlambert_frag:n1,meshmatcap_vert:i1,meshmatcap_frag:s1,meshnormal_vert:r1,meshnormal_frag:o1,meshphong_vert:a1,meshphong_frag:l1,meshphysical_vert:c1,meshphysical_frag:h1,meshtoon_vert:u1,meshtoon_frag:d1,points_vert:f1,points_frag:p1,shadow_vert:m1,shadow_frag:g1,sprite_vert:x1,sprite_frag:_1},Ne={common:{diffuse:{value:new ct(16777215)},opacity:{value:1},map:{value:null},mapTransform:{value:new nt},alphaMap:{value:null},alphaMapTransform:{value:new nt},alphaTest:{value:0}},specularmap:{specularMap:{value:null},specularMapTransform:{value:new nt}},envmap:{envMap:{value:null},envMapRotation:{value:new nt},reflectivity:{value:1},ior:{value:1.5},refractionRatio:{value:.98},dfgLUT:{value:null}},aomap:{aoMap:{value:null},aoMapIntensity:{value:1},aoMapTransform:{value:new nt}},lightmap:{lightMap:{value:null},lightMapIntensity:{value:1},lightMapTransform:{value:new nt}},bumpmap:{bumpMap:{value:null},bumpMapTransform:{value:new nt},bumpScale:{value:1}},normalmap:{normalMap:{value:null},normalMapTransform:{value:new nt},normalScale:{value:new tt(1,1)}},displacementmap:{displacementMap:{value:null},displacementMapTransform:{value:new nt},displacementScale:{value:1},displacementBias:{value:0}},emissivemap:{emissiveMap:{value:null},emissiveMapTransform:{value:new nt}},metalnessmap:{metalnessMap:{value:null},metalnessMapTransform:{value:new nt}},roughnessmap:{roughnessMap:{value:null},roughnessMapTransform:{value:new nt}},gradientmap:{gradientMap:{value:null}},fog:{fogDensity:{value:25e-5},fogNear:{value:1},fogFar:{value:2e3},fogColor:{value:new ct(16777215)}},lights:{ambientLightColor:{value:[]},lightProbe:{value:[]},sunLights:{value:[],properties:{direction:{},color:{}}},sunLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},sunShadowMatrix:{value:[]},sunShadowCascade:{value:[]},directionalLights:{value:[],properties:{direction:{},color:{}}},directionalLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},directionalShadowMatrix:{value:[]},spotLights:{value:[],properties:{color:{},position:{},direction:{},distance:{},coneCos:{},penumbraCos:{},decay:{}}},spotLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},spotLightMap:{value:[]},spotLightMatrix:{value:[]},pointLights:{value:[],properties:{color:{},position:{},decay:{},distance:{}}},pointLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{},shadowCameraNear:{},shadowCameraFar:{}}},pointShadowMatrix:{value:[]},hemisphereLights:{value:[],properties:{direction:{},skyColor:{},groundColor:{}}},rectAreaLights:{value:[],properties:{color:{},position:{},width:{},height:{}}},ltc_1:{value:null},ltc_2:{value:null},probesSH:{value:[]},probesMin:{value:[]},probesMax:{value:[]},probesResolution:{value:[]}},points:{diffuse:{value:new ct(16777215)},opacity:{value:1},size:{value:1},scale:{value:1},map:{value:null},alphaMap:{value:null},alphaMapTransform:{value:new nt},alphaTest:{value:0},uvTransform:{value:new nt}},sprite:{diffuse:{value:new ct(16777215)},opacity:{value:1},center:{value:new tt(.5,.5)},rotation:{value:0},map:{value:null},mapTransform:{value:new nt},alphaMap:{value:null},alphaMapTransform:{value:new nt},alphaTest:{value:0}}},os={basic:{uniforms:Hn([Ne.common,Ne.specularmap,Ne.envmap,Ne.aomap,Ne.lightmap,Ne.fog]),vertexShader:dt.meshbasic_vert,fragmentShader:dt.meshbasic_frag},lambert:{uniforms:Hn([Ne.common,Ne.specularmap,Ne.envmap,Ne.aomap,Ne.lightmap,Ne.emissivemap,Ne.bumpmap,Ne.normalmap,Ne.displacementmap,Ne.fog,Ne.lights,{emissive:{value:new ct(0)},envMapIntensity:{value:1}}]),vertexShader:dt.meshlambert_vert,fragmentShader:dt.meshlambert_frag},phong:{uniforms:Hn([Ne.common,Ne.specularmap,Ne.envmap,Ne.aomap,Ne.lightmap,Ne.emissivemap,Ne.bumpmap,Ne.normalmap,Ne.displacementmap,Ne.fog,Ne.lights,{emissive:{value:new ct(0)},specular:{value:new ct(1118481)},shininess:{value:30},envMapIntensity:{value:1}}]),vertexShader:dt.meshphong_vert,fragmentShader:dt.meshphong_frag},standard:{uniforms:Hn([Ne.common,Ne.envmap,Ne.aomap,Ne.lightmap,Ne.emissivemap,Ne.bumpmap,Ne.normalmap,Ne.displacementmap,Ne.roughnessmap,Ne.metalnessmap,Ne.fog,Ne.lights,{emissive:{value:new ct(0)},roughness:{value:1},metalness:{value:0},envMapIntensity:{value:1}}]),vertexShader:dt.meshphysical_vert,fragmentShader:dt.meshphysical_frag},toon:{uniforms:Hn([Ne.common,Ne.aomap,Ne.lightmap,Ne.emissivemap,Ne.bumpmap,Ne.normalmap,Ne.displacementmap,Ne.gradientmap,Ne.fog,Ne.lights,{emissive:{value:new ct(0)}}]),vertexShader:dt.meshtoon_vert,fragmentShader:dt.meshtoon_frag},matcap:{uniforms:Hn([Ne.common,Ne.bumpmap,Ne.normalmap,Ne.displacementmap,Ne.fog,{matcap:{value:null}}]),vertexShader:dt.meshmatcap_vert,fragmentShader:dt.meshmatcap_frag},points:{uniforms:Hn([Ne.points,Ne.fog]),vertexShader:dt.points_vert,fragmentShader:dt.points_frag},dashed:{uniforms:Hn([Ne.common,Ne.fog,{scale:{value:1},dashSize:{value:1},totalSize:{value:2}}]),vertexShader:dt.linedashed_vert,fragmentShader:dt.linedashed_frag},depth:{uniforms:Hn([Ne.common,Ne.displacementmap]),vertexShader:dt.depth_vert,fragmentShader:dt.depth_frag},normal:{uniforms:Hn([Ne.common,Ne.bumpmap,Ne.normalmap,Ne.displacementmap,{opacity:{value:1}}]),vertexShader:dt.meshnormal_vert,fragmentShader:dt.meshnormal_frag},sprite:{uniforms:Hn([Ne.sprite,Ne.fog]),vertexShader:dt.sprite_vert,fragmentShader:dt.sprite_frag},background:{uniforms:{uvTransform:{value:new nt},t2D:{value:null},backgroundIntensity:{value:1}},vertexShader:dt.background_vert,fragmentShader:dt.background_frag},backgroundCube:{uniforms:{envMap:{value:null},backgroundBlurriness:{value:0},backgroundIntensity:{value:1},backgroundRotation:{value:new nt}},vertexShader:dt.backgroundCube_vert,fragmentShader:dt.backgroundCube_frag},cube:{uniforms:{tCube:{value:null},tFlip:{value:-1},opacity:{value:1}},vertexShader:dt.cube_vert,fragmentShader:dt.cube_frag},equirect:{uniforms:{tEquirect:{value:null}},vertexShader:dt.equirect_vert,fragmentShader:dt.equirect_frag},distance:{uniforms:Hn([Ne.common,Ne.displacementmap,{referencePosition:{value:new Z},nearDistance:{value:1},farDistance:{value:1e3}}]),vertexShader:dt.distance_vert,fragmentShader:dt.distance_frag},shadow:{uniforms:Hn([Ne.lights,Ne.fog,{color:{value:new ct(0)},opacity:{value:1}}]),vertexShader:dt.shadow_vert,fragmentShader:dt.shadow_frag}};os.physical={uniforms:Hn([os.standard.uniforms,{clearcoat:{value:0},clearcoatMap:{value:null},clearcoatMapTransform:{value:new nt},clearcoatNormalMap:{value:null},clearcoatNormalMapTransform:{value:new nt},clearcoatNormalScale:{value:new tt(1,1)},clearcoatRoughness:{value:0},clearcoatRoughnessMap:{value:null},clearcoatRoughnessMapTransform:{value:new nt},diffuseRoughness:{value:0},diffuseRoughnessMap:{value:null},diffuseRoughnessMapTransform:{value:new nt},dispersion:{value:0},retroreflectivity:{value:0},iridescence:{value:0},iridescenceMap:{value:null},iridescenceMapTransform:{value:new nt},iridescenceIOR:{value:1.3},iridescenceThicknessMinimum:{value:100},iridescenceThicknessMaximum:{value:400},iridescenceThicknessMap:{value:null},iridescenceThicknessMapTransform:{value:new nt},sheen:{value:0},sheenColor:{value:new ct(0)},sheenColorMap:{value:null},sheenColorMapTransform:{value:new nt},sheenRoughness:{value:1},sheenRoughnessMap:{value:null},sheenRoughnessMapTransform:{value:new nt},transmission:{value:0},transmissionMap:{value:null},transmissionMapTransform:{value:new nt},transmissionSamplerSize:{value:new tt},transmissionSamplerMap:{value:null},thickness:{value:0},thicknessMap:{value:null},thicknessMapTransform:{value:new nt},attenuationDistance:{value:0},attenuationColor:{value:new ct(0)},specularColor:{value:new ct(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new nt},specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new nt},anisotropyVector:{value:new tt},anisotropyMap:{value:null},anisotropyMapTransform:{value:new nt}}]),vertexShader:dt.meshphysical_vert,fragmentShader:dt.meshphysical_frag};var Eh={r:0,b:0,g:0},y1=new Yt,xx=new nt;xx.set(-1,0,0,0,1,0,0,0,1);function v1(n,e,t,i,s,r){let o=new ct(0),a=s===!0?0:1,l,c,h=null,u=0,d=null;function f(v){let C=v.isScene===!0?v.background:null;if(C&&C.isTexture){let S=v.backgroundBlurriness>0;C=e.get(C,S)}return C}function g(v){let C=!1,S=f(v);S===null?p(o,a):S&&S.isColor&&(p(S,1),C=!0);let R=n.xr.getEnvironmentBlendMode();R==="additive"?t.buffers.color.setClear(0,0,0,1,r):R==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(n.autoClear||C)&&(t.buffers.depth.setTest(!0),t.buffers.depth.setMask(!0),t.buffers.color.setMask(!0),n.clear(n.autoClearColor,n.autoClearDepth,n.autoClearStencil))}function y(v,C){let S=f(C);S&&S.isCubeTexture?(c===void 0&&(c=new ti(new Io(1,1,1),new is({name:"BackgroundCubeMaterial",uniforms:Rr(os.backgroundCube.uniforms),vertexShader:os.backgroundCube.vertexShader,fragmentShader:os.backgroundCube.fragmentShader,side:jn,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),c.geometry.deleteAttribute("uv"),c.onBeforeRender=function(R,A,_){this.matrixWorld.copyPosition(_.matrixWorld)},Object.defineProperty(c.material,"envMap",{get:function(){return this.uniforms.envMap.value}}),i.update(c)),c.material.uniforms.envMap.value=S,c.material.uniforms.backgroundBlurriness.value=C.backgroundBlurriness,c.material.uniforms.backgroundIntensity.value=C.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(y1.makeRotationFromEuler(C.backgroundRotation)).transpose(),S.isRenderTargetTexture===!1&&c.material.uniforms.backgroundRotation.value.premultiply(xx),c.material.toneMapped=bt.getTransfer(S.colorSpace)!==It,(h!==S||u!==S.version||d!==n.toneMapping)&&(c.material.needsUpdate=!0,h=S,u=S.version,d=n.toneMapping),c.layers.enableAll(),v.unshift(c,c.geometry,c.material,0,0,null)):S&&S.isTexture&&(l===void 0&&(l=new ti(new wr(2,2),new is({name:"BackgroundMaterial",uniforms:Rr(os.background.uniforms),vertexShader:os.background.vertexShader,fragmentShader:os.background.fragmentShader,side:ir,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),Object.defineProperty(l.material,"map",{get:function(){return this.uniforms.t2D.value}}),i.update(l)),l.material.uniforms.t2D.value=S,l.material.uniforms.backgroundIntensity.value=C.backgroundIntensity,l.material.toneMapped=bt.getTransfer(S.colorSpace)!==It,S.matrixAutoUpdate===!0&&S.updateMatrix(),l.material.uniforms.uvTransform.value.copy(S.matrix),(h!==S||u!==S.version||d!==n.toneMapping)&&(l.material.needsUpdate=!0,h=S,u=S.version,d=n.toneMapping),l.layers.enableAll(),v.unshift(l,l.geometry,l.material,0,0,null))}function p(v,C){v.getRGB(Eh,yf(n)),t.buffers.color.setClear(Eh.r,Eh.g,Eh.b,C,r)}function m(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(v,C=1){o.set(v),a=C,p(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(v){a=v,p(o,a)},render:g,addToRenderList:y,dispose:m}}function b1(n,e){let t=n.getParameter(n.MAX_VERTEX_ATTRIBS),i={},s=d(null),r=s,o=!1;function a(D,X,B,L,z){let G=!1,V=u(D,L,B,X);r!==V&&(r=V,c(r.object)),G=f(D,L,B,z),G&&g(D,L,B,z),z!==null&&e.update(z,n.ELEMENT_ARRAY_BUFFER),(G||o)&&(o=!1,S(D,X,B,L),z!==null&&n.bindBuffer(n.ELEMENT_ARRAY_BUFFER,e.get(z).buffer))}function l(){return n.createVertexArray()}function c(D){return n.bindVertexArray(D)}function h(D){return n.deleteVertexArray(D)}function u(D,X,B,L){let z=L.wireframe===!0,G=i[X.id];G===void 0&&(G={},i[X.id]=G);let V=D.isInstancedMesh===!0?D.id:0,ae=G[V];ae===void 0&&(ae={},G[V]=ae);let $=ae[B.id];$===void 0&&($={},ae[B.id]=$);let j=$[z];return j===void 0&&(j=d(l()),$[z]=j),j}function d(D){let X=[],B=[],L=[];for(let z=0;z<t;z++)X[z]=0,B[z]=0,L[z]=0;return{geometry:null,program:null,wireframe:!1,newAttributes:X,enabledAttributes:B,attributeDivisors:L,object:D,attributes:{},index:null}}function f(D,X,B,L){let z=r.attributes,G=X.attributes,V=0,ae=B.getAttributes();for(let $ in ae)if(ae[$].location>=0){let te=z[$],fe=G[$];if(fe===void 0&&($==="instanceMatrix"&&D.instanceMatrix&&(fe=D.instanceMatrix),$==="instanceColor"&&D.instanceColor&&(fe=D.instanceColor)),te===void 0||te.attribute!==fe||fe&&te.data!==fe.data)return!0;V++}return r.attributesNum!==V||r.index!==L}function g(D,X,B,L){let z={},G=X.attributes,V=0,ae=B.getAttributes();for(let $ in ae)if(ae[$].location>=0){let te=G[$];te===void 0&&($==="instanceMatrix"&&D.instanceMatrix&&(te=D.instanceMatrix),$==="instanceColor"&&D.instanceColor&&(te=D.instanceColor));let fe={};fe.attribute=te,te&&te.data&&(fe.data=te.data),z[$]=fe,V++}r.attributes=z,r.attributesNum=V,r.index=L}function y(){let D=r.newAttributes;for(let X=0,B=D.length;X<B;X++)D[X]=0}function p(D){m(D,0)}function m(D,X){let B=r.newAttributes,L=r.enabledAttributes,z=r.attributeDivisors;B[D]=1,L[D]===0&&(n.enableVertexAttribArray(D),L[D]=1),z[D]!==X&&(n.vertexAttribDivisor(D,X),z[D]=X)}function v(){let D=r.newAttributes,X=r.enabledAttributes;for(let B=0,L=X.length;B<L;B++)X[B]!==D[B]&&(n.disableVertexAttribArray(B),X[B]=0)}function C(D,X,B,L,z,G,V){V===!0?n.vertexAttribIPointer(D,X,B,z,G):n.vertexAttribPointer(D,X,B,L,z,G)}function S(D,X,B,L){y();let z=L.attributes,G=B.getAttributes(),V=X.defaultAttributeValues;for(let ae in G){let $=G[ae];if($.location>=0){let j=z[ae];if(j===void 0&&(ae==="instanceMatrix"&&D.instanceMatrix&&(j=D.instanceMatrix),ae==="instanceColor"&&D.instanceColor&&(j=D.instanceColor)),j!==void 0){let te=j.normalized,fe=j.itemSize,de=e.get(j);if(de===void 0)continue;let ee=de.buffer,pe=de.type,xe=de.bytesPerElement,Re=pe===n.INT||pe===n.UNSIGNED_INT||j.gpuType===Hc;if(j.isInterleavedBufferAttribute){let we=j.data,Xe=we.isInterleavedBuffer===!0?we.stride:we.itemSize,rt=j.offset;if(we.isInstancedInterleavedBuffer||we.isInstancedBufferAttribute){for(let Ge=0;Ge<$.locationSize;Ge++)m($.location+Ge,we.meshPerAttribute);D.isInstancedMesh!==!0&&L._maxInstanceCount===void 0&&(L._maxInstanceCount=we.meshPerAttribute*we.count)}else for(let Ge=0;Ge<$.locationSize;Ge++)p($.location+Ge);n.bindBuffer(n.ARRAY_BUFFER,ee);for(let Ge=0;Ge<$.locationSize;Ge++)C($.location+Ge,fe/$.locationSize,pe,te,Xe*xe,(rt+fe/$.locationSize*Ge)*xe,Re)}else{if(j.isInstancedBufferAttribute){for(let we=0;we<$.locationSize;we++)m($.location+we,j.meshPerAttribute);D.isInstancedMesh!==!0&&L._maxInstanceCount===void 0&&(L._maxInstanceCount=j.meshPerAttribute*j.count)}else for(let we=0;we<$.locationSize;we++)p($.location+we);n.bindBuffer(n.ARRAY_BUFFER,ee);for(let we=0;we<$.locationSize;we++)C($.location+we,fe/$.locationSize,pe,te,fe*xe,fe/$.locationSize*we*xe,Re)}}else if(V!==void 0){let te=V[ae];if(te!==void 0)switch(te.length){case 2:n.vertexAttrib2fv($.location,te);break;case 3:n.vertexAttrib3fv($.location,te);break;case 4:n.vertexAttrib4fv($.location,te);break;default:n.vertexAttrib1fv($.location,te)}}}}v()}function R(){k();for(let D in i){let X=i[D];for(let B in X){let L=X[B];for(let z in L){let G=L[z];for(let V in G)h(G[V].object),delete G[V];delete L[z]}}delete i[D]}}function A(D){if(i[D.id]===void 0)return;let X=i[D.id];for(let B in X){let L=X[B];for(let z in L){let G=L[z];for(let V in G)h(G[V].object),delete G[V];delete L[z]}}delete i[D.id]}function _(D){for(let X in i){let B=i[X];for(let L in B){let z=B[L];if(z[D.id]===void 0)continue;let G=z[D.id];for(let V in G)h(G[V].object),delete G[V];delete z[D.id]}}}function E(D){for(let X in i){let B=i[X],L=D.isInstancedMesh===!0?D.id:0,z=B[L];if(z!==void 0){for(let G in z){let V=z[G];for(let ae in V)h(V[ae].object),delete V[ae];delete z[G]}delete B[L],Object.keys(B).length===0&&delete i[X]}}}function k(){N(),o=!0,r!==s&&(r=s,c(r.object))}function N(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:k,resetDefaultState:N,dispose:R,releaseStatesOfGeometry:A,releaseStatesOfObject:E,releaseStatesOfProgram:_,initAttributes:y,enableAttribute:p,disableUnusedAttributes:v}}function M1(n,e,t){let i;function s(l){i=l}function r(l,c){n.drawArrays(i,l,c),t.update(c,i,1)}function o(l,c,h){h!==0&&(n.drawArraysInstanced(i,l,c,h),t.update(c,i,h))}function a(l,c,h){if(h===0)return;e.get("WEBGL_multi_draw").multiDrawArraysWEBGL(i,l,0,c,0,h);let d=0;for(let f=0;f<h;f++)d+=c[f];t.update(d,i,1)}this.setMode=s,this.render=r,this.renderInstances=o,this.renderMultiDraw=a}function S1(n,e,t,i){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let _=e.get("EXT_texture_filter_anisotropic");s=n.getParameter(_.MAX_TEXTURE_MAX_ANISOTROPY_EXT)}else s=0;return s}function o(_){return!(_!==yi&&i.convert(_)!==n.getParameter(n.IMPLEMENTATION_COLOR_READ_FORMAT))}function a(_){let E=_===Hi&&(e.has("EXT_color_buffer_half_float")||e.has("EXT_color_buffer_float"));return!(_!==ii&&_!==Vi&&!E&&i.convert(_)!==n.getParameter(n.IMPLEMENTATION_COLOR_READ_TYPE))}function l(_){if(_==="highp"){if(n.getShaderPrecisionFormat(n.VERTEX_SHADER,n.HIGH_FLOAT).precision>0&&n.getShaderPrecisionFormat(n.FRAGMENT_SHADER,n.HIGH_FLOAT).precision>0)return"highp";_="mediump"}return _==="mediump"&&n.getShaderPrecisionFormat(n.VERTEX_SHADER,n.MEDIUM_FLOAT).precision>0&&n.getShaderPrecisionFormat(n.FRAGMENT_SHADER,n.MEDIUM_FLOAT).precision>0?"mediump":"lowp"}let c=t.precision!==void 0?t.precision:"highp",h=l(c);h!==c&&(Ze("WebGLRenderer:",c,"not supported, using",h,"instead."),c=h);let u=t.reversedDepthBuffer===!0&&e.has("EXT_clip_control"),d=t.logarithmicDepthBuffer===!0&&u===!1;t.reversedDepthBuffer===!0&&u===!1&&Ze("WebGLRenderer: Unable to use reversed depth buffer due to missing EXT_clip_control extension. Fallback to default depth buffer."),t.logarithmicDepthBuffer===!0&&u===!0&&Ze("WebGLRenderer: Logarithmic depth buffer is ignored when reversed depth buffer is enabled.");let f=n.getParameter(n.MAX_TEXTURE_IMAGE_UNITS),g=n.getParameter(n.MAX_VERTEX_TEXTURE_IMAGE_UNITS),y=n.getParameter(n.MAX_TEXTURE_SIZE),p=n.getParameter(n.MAX_CUBE_MAP_TEXTURE_SIZE),m=n.getParameter(n.MAX_VERTEX_ATTRIBS),v=n.getParameter(n.MAX_VERTEX_UNIFORM_VECTORS),C=n.getParameter(n.MAX_VARYING_VECTORS),S=n.getParameter(n.MAX_FRAGMENT_UNIFORM_VECTORS),R=n.getParameter(n.MAX_SAMPLES),A=n.getParameter(n.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:l,textureFormatReadable:o,textureTypeReadable:a,precision:c,logarithmicDepthBuffer:d,reversedDepthBuffer:u,maxTextures:f,maxVertexTextures:g,maxTextureSize:y,maxCubemapSize:p,maxAttributes:m,maxVertexUniforms:v,maxVaryings:C,maxFragmentUniforms:S,maxSamples:R,samples:A}}function w1(n){let e=this,t=null,i=0,s=!1,r=!1,o=new Zn,a=new nt,l={value:null,needsUpdate:!1};this.uniform=l,this.numPlanes=0,this.numIntersection=0,this.init=function(u,d){let f=u.length!==0||d||i!==0||s;return s=d,i=u.length,f},this.beginShadows=function(){r=!0,h(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(u,d){t=h(u,d,0)},this.setState=function(u,d,f){let g=u.clippingPlanes,y=u.clipIntersection,p=u.clipShadows,m=n.get(u);if(!s||g===null||g.length===0||r&&!p)r?h(null):c();else{let v=r?0:i,C=v*4,S=m.clippingState||null;l.value=S,S=h(g,d,C,f);for(let R=0;R!==C;++R)S[R]=t[R];m.clippingState=S,this.numIntersection=y?this.numPlanes:0,this.numPlanes+=v}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=i>0),e.numPlanes=i,e.numIntersection=0}function h(u,d,f,g){let y=u!==null?u.length:0,p=null;if(y!==0){if(p=l.value,g!==!0||p===null){let m=f+y*4,v=d.matrixWorldInverse;a.getNormalMatrix(v),(p===null||p.length<m)&&(p=new Float32Array(m));for(let C=0,S=f;C!==y;++C,S+=4)o.copy(u[C]).applyMatrix4(v,a),o.normal.toArray(p,S),p[S+3]=o.constant}l.value=p,l.needsUpdate=!0}return e.numPlanes=y,e.numIntersection=0,p}}var Za=class extends gi{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let i={width:e,height:e,depth:1},s=[i,i,i,i,i,i];this.texture=new Ra(s),this._setTextureOptions(t),this.texture.isRenderTargetTexture=!0}fromEquirectangularTexture(e,t){this.texture.type=t.type,this.texture.colorSpace=t.colorSpace,this.texture.generateMipmaps=t.generateMipmaps,this.texture.minFilter=t.minFilter,this.texture.magFilter=t.magFilter;let i={uniforms:{tEquirect:{value:null}},vertexShader:`
+
+				varying vec3 vWorldDirection;
+
+				vec3 transformDirection( in vec3 dir, in mat4 matrix ) {
+
+					return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );
+
+				}
+
+				void main() {
+
+					vWorldDirection = transformDirection( position, modelMatrix );
+
+					#include <begin_vertex>
+					#include <project_vertex>
+
+				}
+			`,fragmentShader:`
+
+				uniform sampler2D tEquirect;
+
+				varying vec3 vWorldDirection;
+
+				#include <common>
+
+				void main() {
+
+					vec3 direction = normalize( vWorldDirection );
+
+					vec2 sampleUV = equirectUv( direction );
+
+					gl_FragColor = texture2D( tEquirect, sampleUV );
+
+				}
+			`},s=new Io(5,5,5),r=new is({name:"CubemapFromEquirect",uniforms:Rr(i.uniforms),vertexShader:i.vertexShader,fragmentShader:i.fragmentShader,side:jn,blending:Er});r.uniforms.tEquirect.value=t;let o=new ti(s,r),a=t.minFilter;return t.minFilter===Rs&&(t.minFilter=Jn),new Do(1,10,this).update(e,o),t.minFilter=a,o.geometry.dispose(),o.material.dispose(),this}clear(e,t=!0,i=!0,s=!0){let r=e.getRenderTarget();for(let o=0;o<6;o++)e.setRenderTarget(this,o),e.clear(t,i,s);e.setRenderTarget(r)}},Z0=256,E1=3,T1=20,_x=256,yx=16,A1=3,C1=new Z,R1=new ct,Ah=class n{constructor(e){this._renderer=e,this._cubeSize=0,this._sourceTarget=null,this._cubeCamera=new Do(1,10,null),this._boxMesh=new ti(new Io(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this._blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,i=.1,s=100,r={}){let{size:o=256,position:a=C1}=r,l=this._renderer;this._setSize(o);let c=this._allocateTarget(),h=this._getSourceTarget(!0);t>0&&(h.texture.mipmapsAutoUpdate=!1);let u=l.autoClear,d=l.autoClearColor,f=l.autoClearDepth,g=l.autoClearStencil,y=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,y===null&&(e.background=l.getClearColor(R1));let p=new Do(i,s,h);return p.position.copy(a),p.update(l,e),l.autoClear=u,l.autoClearColor=d,l.autoClearDepth=f,l.autoClearStencil=g,e.background=y,t>0&&(h.texture.mipmapsAutoUpdate=!0,this._blur(c,t)),this._applyPMREM(c),c}fromEquirectangular(e,t=null){return this._fromTexture(e,t)}fromCubemap(e,t=null){return this._fromTexture(e,t)}compileCubemapShader(){this._cubemapMaterial===null&&(this._cubemapMaterial=j0(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===null&&(this._equirectMaterial=J0(),this._compileMaterial(this._equirectMaterial))}dispose(){this._sourceTarget!==null&&this._sourceTarget.dispose(),this._cubemapMaterial!==null&&this._cubemapMaterial.dispose(),this._equirectMaterial!==null&&this._equirectMaterial.dispose(),this._blurMaterial!==null&&this._blurMaterial.dispose(),this._ggxMaterial!==null&&this._ggxMaterial.dispose(),this._integrationMaterial!==null&&this._integrationMaterial.dispose(),this._boxMesh.geometry.dispose()}static lodToRoughness(e,t){return t>0?1-Math.sqrt(1-e/t):0}_setSize(e){this._cubeSize=Math.max(Z0,gf(e))}_fromTexture(e,t){e.mapping===Ar||e.mapping===Fo?this._setSize(e.image.length===0?Z0:e.image[0].width||e.image[0].image.width):this._setSize(e.image.width/4);let i=t||this._allocateTarget();return this._textureToCubemap(e),this._applyPMREM(i),i}_allocateTarget(){let e=this._cubeSize,t=K0(e,!1,!1),i=Math.log2(e)-E1;for(let s=0;s<=i;s++)t.texture.mipmaps.push({width:e>>s,height:e>>s});return t.texture.name="PMREM",t.texture.isPMREMTexture=!0,t}_getSourceTarget(e=!1){let t=this._cubeSize,i=this._sourceTarget;return(i===null||i.width!==t||e&&i.depthBuffer===!1)&&(i!==null&&i.dispose(),this._sourceTarget=K0(t,!0,e)),this._sourceTarget}_compileMaterial(e){this._boxMesh.material=e,this._renderer.compile(this._boxMesh,this._cubeCamera.children[0])}_renderCube(e,t,i){let s=this._boxMesh,r=this._cubeCamera;s.material=i,r.renderTarget=e,r.activeMipmapLevel=t;let o=e.width>>t;e.viewport.set(0,0,o,o),r.update(this._renderer,s),e.viewport.set(0,0,e.width,e.height)}_textureToCubemap(e){let t;e.mapping===Ar||e.mapping===Fo?(this._cubemapMaterial===null&&(this._cubemapMaterial=j0()),t=this._cubemapMaterial,t.uniforms.flipEnvMap.value=e.isRenderTargetTexture===!1?-1:1):(this._equirectMaterial===null&&(this._equirectMaterial=J0()),t=this._equirectMaterial),t.uniforms.envMap.value=e,this._renderCube(this._getSourceTarget(),0,t)}_applyPMREM(e){this._ggxMaterial===null&&(this._ggxMaterial=P1(),this._integrationMaterial=I1());let t=this._cubeSize,i=e.texture.mipmaps.length-1,s=this._ggxMaterial.uniforms;s.envMap.value=this._sourceTarget.texture;let r=this._integrationMaterial.uniforms;r.envMap.value=this._sourceTarget.texture,r.sourceLod.value=Math.log2(t/yx);for(let o=0;o<=i;o++){let a=n.lodToRoughness(o,i);if(o>i-A1)r.roughness.value=a,this._renderCube(e,o,this._integrationMaterial);else{let l=a>0?Math.log2(t)+.5*Math.log2(6/(_x*Math.pow(a,4)))+.5:0;s.roughness.value=a,s.lodBias.value=l,this._renderCube(e,o,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=L1());let i=this._blurMaterial,s=i.uniforms,r=this._sourceTarget;s.sigma.value=Math.min(t,Math.PI)/Math.SQRT2,s.envMap.value=r.texture,this._renderCube(e,0,i),s.envMap.value=e.texture,this._renderCube(r,0,i)}};function K0(n,e,t){return new Za(n,{minFilter:Rs,generateMipmaps:e,type:Hi,colorSpace:va,depthBuffer:t})}function Ka(n,e,t){return new is({name:n,uniforms:e,vertexShader:dt.cube_vert,fragmentShader:t,side:jn,blending:Er,depthTest:!1,depthWrite:!1})}function P1(){return Ka("PMREMGGXConvolution",{envMap:{value:null},roughness:{value:0},lodBias:{value:0}},`
+
+		#define GGX_SAMPLES ${_x}u
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float roughness;
+		uniform float lodBias;
+
+		#include <common>
+
+		// Van der Corput radical inverse
+		float radicalInverse_VdC( uint bits ) {
+
+			bits = ( bits << 16u ) | ( bits >> 16u );
+			bits = ( ( bits & 0x55555555u ) << 1u ) | ( ( bits & 0xAAAAAAAAu ) >> 1u );
+			bits = ( ( bits & 0x33333333u ) << 2u ) | ( ( bits & 0xCCCCCCCCu ) >> 2u );
+			bits = ( ( bits & 0x0F0F0F0Fu ) << 4u ) | ( ( bits & 0xF0F0F0F0u ) >> 4u );
+			bits = ( ( bits & 0x00FF00FFu ) << 8u ) | ( ( bits & 0xFF00FF00u ) >> 8u );
+			return float( bits ) * 2.3283064365386963e-10; // / 0x100000000
+
+		}
+
+		// Hammersley sequence
+		vec2 hammersley( uint i, uint N ) {
+
+			return vec2( float( i ) / float( N ), radicalInverse_VdC( i ) );
+
+		}
+
+		void main() {
+
+			vec3 N = normalize( vWorldDirection );
+
+			// For very low roughness, just sample the environment directly
+			if ( roughness < 0.001 ) {
+
+				gl_FragColor = vec4( textureLod( envMap, N, 0.0 ).rgb, 1.0 );
+				return;
+
+			}
+
+			float alpha = roughness * roughness;
+			float alpha2 = alpha * alpha;
+
+			// Tangent space basis for VNDF sampling
+			vec3 up = abs( N.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );
+			vec3 tangent = normalize( cross( up, N ) );
+			vec3 bitangent = cross( N, tangent );
+
+			vec3 prefilteredColor = vec3( 0.0 );
+			float totalWeight = 0.0;
+
+			for ( uint i = 0u; i < GGX_SAMPLES; i ++ ) {
+
+				vec2 Xi = hammersley( i, GGX_SAMPLES );
+
+				// With V = N, sample the reflected direction directly.
+				float invQ = 1.0 / ( 1.0 - Xi.x + alpha2 * Xi.x );
+				float NdotL = ( 1.0 - Xi.x - alpha2 * Xi.x ) * invQ;
+
+				if ( NdotL > 0.0 ) {
+
+					float phi = 2.0 * PI * Xi.y;
+					float sinTheta = 2.0 * alpha * sqrt( Xi.x * ( 1.0 - Xi.x ) ) * invQ;
+					vec3 L = N * NdotL + ( tangent * cos( phi ) + bitangent * sin( phi ) ) * sinTheta;
+
+					// Match the source mip to the sample's solid angle. The terms
+					// independent of the sample are precomputed in lodBias.
+					float d = alpha2 * invQ;
+					float lod = max( log2( d ) + lodBias, 0.0 );
+
+					// Weight by NdotL for the split-sum approximation
+					prefilteredColor += textureLod( envMap, L, lod ).rgb * NdotL;
+					totalWeight += NdotL;
+
+				}
+
+			}
+
+			gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );
+
+		}
+	`)}function I1(){return Ka("PMREMGGXIntegration",{envMap:{value:null},roughness:{value:0},sourceLod:{value:0},sourceSize:{value:yx}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float roughness;
+		uniform float sourceLod;
+		uniform int sourceSize;
+
+		void main() {
+
+			vec3 N = normalize( vWorldDirection );
+
+			float alpha = roughness * roughness;
+			float alpha2 = alpha * alpha;
+
+			float texelSize = 2.0 / float( sourceSize );
+
+			vec3 prefilteredColor = vec3( 0.0 );
+			float totalWeight = 0.0;
+
+			// Pair opposite texels: only the one in N's hemisphere contributes.
+			for ( int face = 0; face < 3; face ++ ) {
+
+				for ( int y = 0; y < sourceSize; y ++ ) {
+
+					for ( int x = 0; x < sourceSize; x ++ ) {
+
+						vec2 uv = ( vec2( x, y ) + 0.5 ) * texelSize - 1.0;
+						vec3 texelDirection = face == 0 ? vec3( 1.0, uv ) : ( face == 1 ? vec3( uv.x, 1.0, uv.y ) : vec3( uv, 1.0 ) );
+
+						float invDistance = inversesqrt( 1.0 + dot( uv, uv ) );
+						float NdotL = dot( N, texelDirection );
+						texelDirection *= NdotL < 0.0 ? - 1.0 : 1.0;
+						NdotL = abs( NdotL ) * invDistance;
+
+						// With V = N, NdotH squared is ( 1 + NdotL ) / 2. Common factors
+						// in the GGX distribution and texel solid angle cancel when normalized.
+						float d = 1.0 + alpha2 + ( alpha2 - 1.0 ) * NdotL;
+						float weight = NdotL * invDistance * invDistance * invDistance / ( d * d );
+
+						prefilteredColor += textureLod( envMap, texelDirection, sourceLod ).rgb * weight;
+						totalWeight += weight;
+
+					}
+
+				}
+
+			}
+
+			gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );
+
+		}
+	`)}function L1(){return Ka("PMREMSphericalGaussianBlur",{envMap:{value:null},sigma:{value:0}},`
+
+		#define SAMPLES ${T1}
+		#define GOLDEN_ANGLE 2.39996322973
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float sigma;
+
+		#include <common>
+
+		void main() {
+
+			vec3 outputDirection = normalize( vWorldDirection );
+
+			vec3 up = abs( outputDirection.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );
+			vec3 tangent = normalize( cross( up, outputDirection ) );
+			vec3 bitangent = cross( outputDirection, tangent );
+
+			// Truncate the kernel at three standard deviations or at the antipode.
+			float thetaMax = min( 3.0 * sigma, PI );
+			float truncation = 1.0 - exp( - 0.5 * thetaMax * thetaMax / ( sigma * sigma ) );
+
+			vec3 accumColor = vec3( 0.0 );
+			float accumWeight = 0.0;
+
+			for ( int i = 0; i < SAMPLES; i ++ ) {
+
+				// Stratified inverse-CDF sampling of the Gaussian, placed on a golden-angle spiral.
+				float stratum = ( float( i ) + 0.5 ) / float( SAMPLES );
+				float theta = sigma * sqrt( - 2.0 * log( 1.0 - stratum * truncation ) );
+				float phi = float( i ) * GOLDEN_ANGLE;
+
+				vec3 offset = cos( phi ) * tangent + sin( phi ) * bitangent;
+				vec3 sampleDirection = cos( theta ) * outputDirection + sin( theta ) * offset;
+
+				// Correct the planar sample density to solid angle.
+				float weight = sin( theta ) / theta;
+
+				accumColor += weight * textureLod( envMap, sampleDirection, 0.0 ).rgb;
+				accumWeight += weight;
+
+			}
+
+			gl_FragColor = vec4( accumColor / accumWeight, 1.0 );
+
+		}
+	`)}function J0(){return Ka("PMREMEquirectangularToCubemap",{envMap:{value:null}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform sampler2D envMap;
+
+		#include <common>
+
+		void main() {
+
+			// Average four subpixel samples to preserve small, bright features.
+			vec3 direction = normalize( vWorldDirection );
+			vec3 dx = dFdx( direction ) * 0.25;
+			vec3 dy = dFdy( direction ) * 0.25;
+
+			vec3 color = textureLod( envMap, equirectUv( normalize( direction - dx - dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction + dx - dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction - dx + dy ) ), 0.0 ).rgb;
+			color += textureLod( envMap, equirectUv( normalize( direction + dx + dy ) ), 0.0 ).rgb;
+			gl_FragColor = vec4( color * 0.25, 1.0 );
+
+		}
+	`)}function j0(){return Ka("PMREMCubemapToCubemap",{envMap:{value:null},flipEnvMap:{value:-1}},`
+
+		varying vec3 vWorldDirection;
+
+		uniform samplerCube envMap;
+		uniform float flipEnvMap;
+
+		void main() {
+
+			gl_FragColor = vec4( textureCube( envMap, vec3( flipEnvMap * vWorldDirection.x, vWorldDirection.yz ) ).rgb, 1.0 );
+
+		}
+	`)}function D1(n){let e=new WeakMap,t=new WeakMap,i=null;function s(d,f=!1){return d==null?null:f?o(d):r(d)}function r(d){if(d&&d.isTexture){let f=d.mapping;if(f===kc||f===zc)if(e.has(d)){let g=e.get(d).texture;return a(g,d.mapping)}else{let g=d.image;if(g&&g.height>0){let y=new Za(g.height);return y.fromEquirectangularTexture(n,d),e.set(d,y),d.addEventListener("dispose",c),a(y.texture,d.mapping)}else return null}}return d}function o(d){if(d&&d.isTexture&&d.isPMREMTexture!==!0){let f=d.mapping,g=f===kc||f===zc,y=f===Ar||f===Fo;if(g||y){let p=t.get(d),m=p!==void 0?p.texture.pmremVersion:0;if(d.isRenderTargetTexture&&d.pmremVersion!==m)return i===null&&(i=new Ah(n)),p=g?i.fromEquirectangular(d,p):i.fromCubemap(d,p),p.texture.pmremVersion=d.pmremVersion,t.set(d,p),p.texture;if(p!==void 0)return p.texture;{let v=d.image;return g&&v&&v.height>0||y&&v&&l(v)?(i===null&&(i=new Ah(n)),p=g?i.fromEquirectangular(d):i.fromCubemap(d),p.texture.pmremVersion=d.pmremVersion,t.set(d,p),d.addEventListener("dispose",h),p.texture):null}}}return d}function a(d,f){return f===kc?d.mapping=Ar:f===zc&&(d.mapping=Fo),d}function l(d){let f=0,g=6;for(let y=0;y<g;y++)d[y]!==void 0&&f++;return f===g}function c(d){let f=d.target;f.removeEventListener("dispose",c);let g=e.get(f);g!==void 0&&(e.delete(f),g.dispose())}function h(d){let f=d.target;f.removeEventListener("dispose",h);let g=t.get(f);g!==void 0&&(t.delete(f),g.dispose())}function u(){e=new WeakMap,t=new WeakMap,i!==null&&(i.dispose(),i=null)}return{get:s,dispose:u}}function N1(n){let e={};function t(i){if(e[i]!==void 0)return e[i];let s=n.getExtension(i);return e[i]=s,s}return{has:function(i){return t(i)!==null},init:function(){t("EXT_color_buffer_float"),t("WEBGL_clip_cull_distance"),t("OES_texture_float_linear"),t("EXT_color_buffer_half_float"),t("WEBGL_multisampled_render_to_texture"),t("WEBGL_render_shared_exponent")},get:function(i){let s=t(i);return s===null&&ga("WebGLRenderer: "+i+" extension not supported."),s}}}function U1(n,e,t,i){let s={},r=new WeakMap,o=new FinalizationRegistry(g=>delete s[g]);function a(g){l(g.target)}function l(g){g.index!==null&&e.remove(g.index);for(let p in g.attributes)e.remove(g.attributes[p]);g.removeEventListener("dispose",a),delete s[g.id],o.unregister(g);let y=r.get(g);y&&(e.remove(y),r.delete(g)),i.releaseStatesOfGeometry(g),g.isInstancedBufferGeometry===!0&&delete g._maxInstanceCount,t.memory.geometries--}function c(g,y){return s[y.id]!==void 0||(y.addEventListener("dispose",a),s[y.id]=new WeakRef(y),o.register(y,y.id,y),t.memory.geometries++),y}function h(g){let y=g.attributes;for(let p in y)e.update(y[p],n.ARRAY_BUFFER)}function u(g){let y=g.index,p=g.attributes.position,m=0;if(p===void 0)return;let v=y!==null?y.array.length:p.array.length/3-1,C=p.count>=65535?Aa:Ta,S=new C(Math.ceil(v/3)*6,1),R=S.array;if(y!==null){let _=y.array;m=y.version;for(let E=0,k=0;E<v;E+=3){let N=_[E+0],D=_[E+1],X=_[E+2];R[k++]=N,R[k++]=D,R[k++]=D,R[k++]=X,R[k++]=X,R[k++]=N}}else{m=p.version;for(let _=0,E=0;_<v;_+=3){let k=_+0,N=_+1,D=_+2;R[E++]=k,R[E++]=N,R[E++]=N,R[E++]=D,R[E++]=D,R[E++]=k}}S.version=m;let A=r.get(g);A&&e.remove(A),r.set(g,S)}function d(g){let y=r.get(g);if(y){let p=g.index;p!==null&&y.version<p.version&&u(g)}else u(g);return r.get(g)}function f(){for(let g in s){let y=s[g].deref();y!==void 0&&l(y)}}return{get:c,update:h,getWireframeAttribute:d,dispose:f}}function O1(n,e,t){let i;function s(u){i=u}let r,o;function a(u){r=u.type,o=u.bytesPerElement}function l(u,d){n.drawElements(i,d,r,u*o),t.update(d,i,1)}function c(u,d,f){f!==0&&(n.drawElementsInstanced(i,d,r,u*o,f),t.update(d,i,f))}function h(u,d,f){if(f===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(i,d,0,r,u,0,f);let y=0;for(let p=0;p<f;p++)y+=d[p];t.update(y,i,1)}this.setMode=s,this.setIndex=a,this.render=l,this.renderInstances=c,this.renderMultiDraw=h}function F1(n){let e={geometries:0,textures:0},t={frame:0,calls:0,triangles:0,points:0,lines:0};function i(r,o,a){switch(t.calls++,o){case n.TRIANGLES:t.triangles+=a*(r/3);break;case n.LINES:t.lines+=a*(r/2);break;case n.LINE_STRIP:t.lines+=a*(r-1);break;case n.LINE_LOOP:t.lines+=a*r;break;case n.POINTS:t.points+=a*r;break;default:et("WebGLInfo: Unknown draw mode:",o);break}}function s(){t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:i}}function B1(n,e,t){let i=new WeakMap,s=new Jt;function r(o,a,l){let c=o.morphTargetInfluences,h=a.morphAttributes.position||a.morphAttributes.normal||a.morphAttributes.color,u=h!==void 0?h.length:0,d=i.get(a);if(d===void 0||d.count!==u){let k=function(){_.dispose(),i.delete(a),a.removeEventListener("dispose",k)};d!==void 0&&d.texture.dispose();let f=a.morphAttributes.position!==void 0,g=a.morphAttributes.normal!==void 0,y=a.morphAttributes.color!==void 0,p=a.morphAttributes.position||[],m=a.morphAttributes.normal||[],v=a.morphAttributes.color||[],C=0;f===!0&&(C=1),g===!0&&(C=2),y===!0&&(C=3);let S=a.attributes.position.count*C,R=1;S>e.maxTextureSize&&(R=Math.ceil(S/e.maxTextureSize),S=e.maxTextureSize);let A=new Float32Array(S*R*4*u),_=new Sa(A,S,R,u);_.type=Vi,_.needsUpdate=!0;let E=C*4;for(let N=0;N<u;N++){let D=p[N],X=m[N],B=v[N],L=S*R*4*N;for(let z=0;z<D.count;z++){let G=z*E;f===!0&&(s.fromBufferAttribute(D,z),A[L+G+0]=s.x,A[L+G+1]=s.y,A[L+G+2]=s.z,A[L+G+3]=0),g===!0&&(s.fromBufferAttribute(X,z),A[L+G+4]=s.x,A[L+G+5]=s.y,A[L+G+6]=s.z,A[L+G+7]=0),y===!0&&(s.fromBufferAttribute(B,z),A[L+G+8]=s.x,A[L+G+9]=s.y,A[L+G+10]=s.z,A[L+G+11]=B.itemSize===4?s.w:1)}}d={count:u,texture:_,size:new tt(S,R)},i.set(a,d),a.addEventListener("dispose",k)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)l.getUniforms().setValue(n,"morphTexture",o.morphTexture,t);else{let f=0;for(let y=0;y<c.length;y++)f+=c[y];let g=a.morphTargetsRelative?1:1-f;l.getUniforms().setValue(n,"morphTargetBaseInfluence",g),l.getUniforms().setValue(n,"morphTargetInfluences",c)}l.getUniforms().setValue(n,"morphTargetsTexture",d.texture,t),l.getUniforms().setValue(n,"morphTargetsTextureSize",d.size)}return{update:r}}function k1(n,e,t,i,s){let r=new WeakMap;function o(c){let h=s.render.frame,u=c.geometry,d=e.get(c,u);if(r.get(d)!==h&&(e.update(d),r.set(d,h)),c.isInstancedMesh&&(c.hasEventListener("dispose",l)===!1&&c.addEventListener("dispose",l),r.get(c)!==h&&(t.update(c.instanceMatrix,n.ARRAY_BUFFER),c.instanceColor!==null&&t.update(c.instanceColor,n.ARRAY_BUFFER),r.set(c,h))),c.isSkinnedMesh){let f=c.skeleton;r.get(f)!==h&&(f.update(),r.set(f,h))}return d}function a(){r=new WeakMap}function l(c){let h=c.target;h.removeEventListener("dispose",l),i.releaseStatesOfObject(h),t.remove(h.instanceMatrix),h.instanceColor!==null&&t.remove(h.instanceColor)}return{update:o,dispose:a}}var z1={[Yd]:"LINEAR_TONE_MAPPING",[Zd]:"REINHARD_TONE_MAPPING",[Kd]:"CINEON_TONE_MAPPING",[Jd]:"ACES_FILMIC_TONE_MAPPING",[Qd]:"AGX_TONE_MAPPING",[ef]:"NEUTRAL_TONE_MAPPING",[jd]:"CUSTOM_TONE_MAPPING"};function V1(n,e,t,i,s,r){let o=new gi(e,t,{type:n,depthBuffer:s,stencilBuffer:r,samples:i?4:0,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,resolveDepthBuffer:!1,resolveStencilBuffer:!1}),a=null,l=null,c=null,h=new xi;h.setAttribute("position",new pi([-1,3,0,-1,-1,0,3,-1,0],3)),h.setAttribute("uv",new pi([0,2,0,0,2,0],2));let u=new Sc({uniforms:{tDiffuse:{value:null}},vertexShader:`
+			precision highp float;
+
+			uniform mat4 modelViewMatrix;
+			uniform mat4 projectionMatrix;
+
+			attribute vec3 position;
+			attribute vec2 uv;
+
+			varying vec2 vUv;
+
+			void main() {
+				vUv = uv;
+				gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );
+			}`,fragmentShader:`
+			precision highp float;
+
+			uniform sampler2D tDiffuse;
+
+			varying vec2 vUv;
+
+			#include <tonemapping_pars_fragment>
+			#include <colorspace_pars_fragment>
+
+			void main() {
+				gl_FragColor = texture2D( tDiffuse, vUv );
+
+				#ifdef LINEAR_TONE_MAPPING
+					gl_FragColor.rgb = LinearToneMapping( gl_FragColor.rgb );
+				#elif defined( REINHARD_TONE_MAPPING )
+					gl_FragColor.rgb = ReinhardToneMapping( gl_FragColor.rgb );
+				#elif defined( CINEON_TONE_MAPPING )
+					gl_FragColor.rgb = CineonToneMapping( gl_FragColor.rgb );
+				#elif defined( ACES_FILMIC_TONE_MAPPING )
+					gl_FragColor.rgb = ACESFilmicToneMapping( gl_FragColor.rgb );
+				#elif defined( AGX_TONE_MAPPING )
+					gl_FragColor.rgb = AgXToneMapping( gl_FragColor.rgb );
+				#elif defined( NEUTRAL_TONE_MAPPING )
+					gl_FragColor.rgb = NeutralToneMapping( gl_FragColor.rgb );
+				#elif defined( CUSTOM_TONE_MAPPING )
+					gl_FragColor.rgb = CustomToneMapping( gl_FragColor.rgb );
+				#endif
+
+				#ifdef SRGB_TRANSFER
+					gl_FragColor = sRGBTransferOETF( gl_FragColor );
+				#endif
+			}`,depthTest:!1,depthWrite:!1}),d=new ti(h,u),f=new Ua(-1,1,1,-1,0,1),g=null,y=null,p=!1,m,v=null,C=[],S=!1;this.setSize=function(R,A){o.setSize(R,A),a!==null&&a.setSize(R,A),l!==null&&l.setSize(R,A);for(let _=0;_<C.length;_++){let E=C[_];E.setSize&&E.setSize(R,A)}},this.setEffects=function(R){C=R,S=C.length>0&&C[0].isRenderPass===!0;let A=o.width,_=o.height;C.length>0&&a===null&&(a=new gi(A,_,{type:Hi,depthBuffer:!1,stencilBuffer:!1}),l=new gi(A,_,{type:Hi,depthBuffer:!1,stencilBuffer:!1}));let E=s===!0&&C.some(k=>k.needsDepthTexture===!0);E!==(o.depthTexture!==null)&&(E===!0&&c===null&&(c=new Cs(A,_),r===!0&&(c.format=Ps,c.type=Cr)),o.dispose(),o.depthTexture=E?c:null,o.resolveDepthBuffer=E,o.storeMultisampledDepthBuffer=E);for(let k=0;k<C.length;k++){let N=C[k];N.setSize&&N.setSize(A,_),E&&N.needsDepthTexture===!0&&N.setDepthTexture&&N.setDepthTexture(c)}},this.begin=function(R,A){if(p||R.toneMapping===ss&&C.length===0)return!1;if(v=A,A!==null){let _=A.width,E=A.height;(o.width!==_||o.height!==E)&&this.setSize(_,E)}return S===!1&&R.setRenderTarget(o),m=R.toneMapping,R.toneMapping=ss,!0},this.hasRenderPass=function(){return S},this.end=function(R,A){R.toneMapping=m,p=!0;let _=o,E=a;for(let k=0;k<C.length;k++){let N=C[k];N.enabled!==!1&&(N.render(R,E,_,A),N.needsSwap!==!1&&(_=E,E=E===a?l:a))}if(g!==R.outputColorSpace||y!==R.toneMapping){g=R.outputColorSpace,y=R.toneMapping,u.defines={},bt.getTransfer(g)===It&&(u.defines.SRGB_TRANSFER="");let k=z1[y];k&&(u.defines[k]=""),u.needsUpdate=!0}u.uniforms.tDiffuse.value=_.texture,R.setRenderTarget(v),R.render(d,f),v=null,p=!1},this.isCompositing=function(){return p},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),h.dispose(),u.dispose()}}var vx=new ei,bx=new Cs(1,1),Mx=new Pa(1),Sx=new Sa,wx=new _c,Ex=new Ra,Q0=[],ex=[],tx=new Float32Array(16),nx=new Float32Array(9),ix=new Float32Array(4);function Vo(n,e,t){let i=n[0];if(i<=0||i>0)return n;let s=e*t,r=Q0[s];if(r===void 0&&(r=new Float32Array(s),Q0[s]=r),e!==0){i.toArray(r,0);for(let o=1,a=0;o!==e;++o)a+=t,n[o].toArray(r,a)}return r}function wn(n,e){if(n.length!==e.length)return!1;for(let t=0,i=n.length;t<i;t++)if(n[t]!==e[t])return!1;return!0}function En(n,e){for(let t=0,i=e.length;t<i;t++)n[t]=e[t]}function Rh(n,e){let t=ex[e];t===void 0&&(t=new Int32Array(e),ex[e]=t);for(let i=0;i!==e;++i)t[i]=n.allocateTextureUnit();return t}function H1(n,e){let t=this.cache;t[0]!==e&&(n.uniform1f(this.addr,e),t[0]=e)}function G1(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(n.uniform2f(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(wn(t,e))return;n.uniform2fv(this.addr,e),En(t,e)}}function W1(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(n.uniform3f(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else if(e.r!==void 0)(t[0]!==e.r||t[1]!==e.g||t[2]!==e.b)&&(n.uniform3f(this.addr,e.r,e.g,e.b),t[0]=e.r,t[1]=e.g,t[2]=e.b);else{if(wn(t,e))return;n.uniform3fv(this.addr,e),En(t,e)}}function X1(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(n.uniform4f(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(wn(t,e))return;n.uniform4fv(this.addr,e),En(t,e)}}function q1(n,e){let t=this.cache,i=e.elements;if(i===void 0){if(wn(t,e))return;n.uniformMatrix2fv(this.addr,!1,e),En(t,e)}else{if(wn(t,i))return;ix.set(i),n.uniformMatrix2fv(this.addr,!1,ix),En(t,i)}}function $1(n,e){let t=this.cache,i=e.elements;if(i===void 0){if(wn(t,e))return;n.uniformMatrix3fv(this.addr,!1,e),En(t,e)}else{if(wn(t,i))return;nx.set(i),n.uniformMatrix3fv(this.addr,!1,nx),En(t,i)}}function Y1(n,e){let t=this.cache,i=e.elements;if(i===void 0){if(wn(t,e))return;n.uniformMatrix4fv(this.addr,!1,e),En(t,e)}else{if(wn(t,i))return;tx.set(i),n.uniformMatrix4fv(this.addr,!1,tx),En(t,i)}}function Z1(n,e){let t=this.cache;t[0]!==e&&(n.uniform1i(this.addr,e),t[0]=e)}function K1(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(n.uniform2i(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(wn(t,e))return;n.uniform2iv(this.addr,e),En(t,e)}}function J1(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(n.uniform3i(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(wn(t,e))return;n.uniform3iv(this.addr,e),En(t,e)}}function j1(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(n.uniform4i(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(wn(t,e))return;n.uniform4iv(this.addr,e),En(t,e)}}function Q1(n,e){let t=this.cache;t[0]!==e&&(n.uniform1ui(this.addr,e),t[0]=e)}function eE(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(n.uniform2ui(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(wn(t,e))return;n.uniform2uiv(this.addr,e),En(t,e)}}function tE(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(n.uniform3ui(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(wn(t,e))return;n.uniform3uiv(this.addr,e),En(t,e)}}function nE(n,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(n.uniform4ui(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(wn(t,e))return;n.uniform4uiv(this.addr,e),En(t,e)}}function Ph(n){return n.version===0&&(n.compareFunction=df,n.needsUpdate=!0),n}function iE(n,e,t){let i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s);let r;this.type===n.SAMPLER_2D_SHADOW?r=Ph(bx):r=vx,t.setTexture2D(e||r,s)}function sE(n,e,t){let i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s),t.setTexture3D(e||wx,s)}function rE(n,e,t){let i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s);let r;this.type===n.SAMPLER_CUBE_SHADOW?r=Ph(Mx):r=Ex,t.setTextureCube(e||r,s)}function oE(n,e,t){let i=this.cache,s=t.allocateTextureUnit();i[0]!==s&&(n.uniform1i(this.addr,s),i[0]=s),t.setTexture2DArray(e||Sx,s)}function aE(n){switch(n){case 5126:return H1;case 35664:return G1;case 35665:return W1;case 35666:return X1;case 35674:return q1;case 35675:return $1;case 35676:return Y1;case 5124:case 35670:return Z1;case 35667:case 35671:return K1;case 35668:case 35672:return J1;case 35669:case 35673:return j1;case 5125:return Q1;case 36294:return eE;case 36295:return tE;case 36296:return nE;case 35678:case 36198:case 36298:case 36306:case 35682:return iE;case 35679:case 36299:case 36307:return sE;case 35680:case 36300:case 36308:case 36293:return rE;case 36289:case 36303:case 36311:case 36292:return oE}}function lE(n,e){n.uniform1fv(this.addr,e)}function cE(n,e){let t=Vo(e,this.size,2);n.uniform2fv(this.addr,t)}function hE(n,e){let t=Vo(e,this.size,3);n.uniform3fv(this.addr,t)}function uE(n,e){let t=Vo(e,this.size,4);n.uniform4fv(this.addr,t)}function dE(n,e){let t=Vo(e,this.size,4);n.uniformMatrix2fv(this.addr,!1,t)}function fE(n,e){let t=Vo(e,this.size,9);n.uniformMatrix3fv(this.addr,!1,t)}function pE(n,e){let t=Vo(e,this.size,16);n.uniformMatrix4fv(this.addr,!1,t)}function mE(n,e){n.uniform1iv(this.addr,e)}function gE(n,e){n.uniform2iv(this.addr,e)}function xE(n,e){n.uniform3iv(this.addr,e)}function _E(n,e){n.uniform4iv(this.addr,e)}function yE(n,e){n.uniform1uiv(this.addr,e)}function vE(n,e){n.uniform2uiv(this.addr,e)}function bE(n,e){n.uniform3uiv(this.addr,e)}function ME(n,e){n.uniform4uiv(this.addr,e)}function SE(n,e,t){let i=this.cache,s=e.length,r=Rh(t,s);wn(i,r)||(n.uniform1iv(this.addr,r),En(i,r));let o;this.type===n.SAMPLER_2D_SHADOW?o=Ph(bx):o=vx;for(let a=0;a!==s;++a)t.setTexture2D(e[a]||o,r[a])}function wE(n,e,t){let i=this.cache,s=e.length,r=Rh(t,s);wn(i,r)||(n.uniform1iv(this.addr,r),En(i,r));for(let o=0;o!==s;++o)t.setTexture3D(e[o]||wx,r[o])}function EE(n,e,t){let i=this.cache,s=e.length,r=Rh(t,s);wn(i,r)||(n.uniform1iv(this.addr,r),En(i,r));let o;this.type===n.SAMPLER_CUBE_SHADOW?o=Ph(Mx):o=Ex;for(let a=0;a!==s;++a)t.setTextureCube(e[a]||o,r[a])}function TE(n,e,t){let i=this.cache,s=e.length,r=Rh(t,s);wn(i,r)||(n.uniform1iv(this.addr,r),En(i,r));for(let o=0;o!==s;++o)t.setTexture2DArray(e[o]||Sx,r[o])}function AE(n){switch(n){case 5126:return lE;case 35664:return cE;case 35665:return hE;case 35666:return uE;case 35674:return dE;case 35675:return fE;case 35676:return pE;case 5124:case 35670:return mE;case 35667:case 35671:return gE;case 35668:case 35672:return xE;case 35669:case 35673:return _E;case 5125:return yE;case 36294:return vE;case 36295:return bE;case 36296:return ME;case 35678:case 36198:case 36298:case 36306:case 35682:return SE;case 35679:case 36299:case 36307:return wE;case 35680:case 36300:case 36308:case 36293:return EE;case 36289:case 36303:case 36311:case 36292:return TE}}var Ef=class{constructor(e,t,i){this.id=e,this.addr=i,this.cache=[],this.type=t.type,this.setValue=aE(t.type)}},Tf=class{constructor(e,t,i){this.id=e,this.addr=i,this.cache=[],this.type=t.type,this.size=t.size,this.setValue=AE(t.type)}},Af=class{constructor(e){this.id=e,this.seq=[],this.map={}}setValue(e,t,i){let s=this.seq;for(let r=0,o=s.length;r!==o;++r){let a=s[r];a.setValue(e,t[a.id],i)}}},Sf=/(\w+)(\])?(\[|\.)?/g;function sx(n,e){n.seq.push(e),n.map[e.id]=e}function CE(n,e,t){let i=n.name,s=i.length;for(Sf.lastIndex=0;;){let r=Sf.exec(i),o=Sf.lastIndex,a=r[1],l=r[2]==="]",c=r[3];if(l&&(a=a|0),c===void 0||c==="["&&o+2===s){sx(t,c===void 0?new Ef(a,n,e):new Tf(a,n,e));break}else{let u=t.map[a];u===void 0&&(u=new Af(a),sx(t,u)),t=u}}}var zo=class{constructor(e,t){this.seq=[],this.map={};let i=e.getProgramParameter(t,e.ACTIVE_UNIFORMS);for(let o=0;o<i;++o){let a=e.getActiveUniform(t,o),l=e.getUniformLocation(t,a.name);CE(a,l,this)}let s=[],r=[];for(let o of this.seq)o.type===e.SAMPLER_2D_SHADOW||o.type===e.SAMPLER_CUBE_SHADOW||o.type===e.SAMPLER_2D_ARRAY_SHADOW?s.push(o):r.push(o);s.length>0&&(this.seq=s.concat(r))}setValue(e,t,i,s){let r=this.map[t];r!==void 0&&r.setValue(e,i,s)}setOptional(e,t,i){let s=t[i];s!==void 0&&this.setValue(e,i,s)}static upload(e,t,i,s){for(let r=0,o=t.length;r!==o;++r){let a=t[r],l=i[a.id];l.needsUpdate!==!1&&a.setValue(e,l.value,s)}}static seqWithValue(e,t){let i=[];for(let s=0,r=e.length;s!==r;++s){let o=e[s];o.id in t&&i.push(o)}return i}};function rx(n,e,t){let i=n.createShader(e);return n.shaderSource(i,t),n.compileShader(i),i}var RE=37297,PE=0;function IE(n,e){let t=n.split(`
+`),i=[],s=Math.max(e-6,0),r=Math.min(e+6,t.length);for(let o=s;o<r;o++){let a=o+1;i.push(`${a===e?">":" "} ${a}: ${t[o]}`)}return i.join(`
+`)}var ox=new nt;function LE(n){bt._getMatrix(ox,bt.workingColorSpace,n);let e=`mat3( ${ox.elements.map(t=>t.toFixed(4))} )`;switch(bt.getTransfer(n)){case ba:return[e,"LinearTransferOETF"];case It:return[e,"sRGBTransferOETF"];default:return Ze("WebGLProgram: Unsupported color space: ",n),[e,"LinearTransferOETF"]}}function ax(n,e,t){let i=n.getShaderParameter(e,n.COMPILE_STATUS),r=(n.getShaderInfoLog(e)||"").trim();if(i&&r==="")return"";let o=/ERROR: 0:(\d+)/.exec(r);if(o){let a=parseInt(o[1]);return t.toUpperCase()+`
+
+`+r+`
+
+`+IE(n.getShaderSource(e),a)}else return r}function DE(n,e){let t=LE(e);return[`vec4 ${n}( vec4 value ) {`,`	return ${t[1]}( vec4( ${t[0]} * value.rgb, value.a ) );`,"}"].join(`
+`)}var NE={[Yd]:"Linear",[Zd]:"Reinhard",[Kd]:"Cineon",[Jd]:"ACESFilmic",[Qd]:"AgX",[ef]:"Neutral",[jd]:"Custom"};function UE(n,e){let t=NE[e];return t===void 0?(Ze("WebGLProgram: Unsupported toneMapping:",e),"vec3 "+n+"( vec3 color ) { return LinearToneMapping( color ); }"):"vec3 "+n+"( vec3 color ) { return "+t+"ToneMapping( color ); }"}var Th=new Z;function OE(){bt.getLuminanceCoefficients(Th);let n=Th.x.toFixed(4),e=Th.y.toFixed(4),t=Th.z.toFixed(4);return["float luminance( const in vec3 rgb ) {",`	const vec3 weights = vec3( ${n}, ${e}, ${t} );`,"	return dot( weights, rgb );","}"].join(`
+`)}function FE(n){return[n.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",n.extensionMultiDraw?"#extension GL_ANGLE_multi_draw : require":""].filter(Ya).join(`
+`)}function BE(n){let e=[];for(let t in n){let i=n[t];i!==!1&&e.push("#define "+t+" "+i)}return e.join(`
+`)}function kE(n,e){let t={},i=n.getProgramParameter(e,n.ACTIVE_ATTRIBUTES);for(let s=0;s<i;s++){let r=n.getActiveAttrib(e,s),o=r.name,a=1;r.type===n.FLOAT_MAT2&&(a=2),r.type===n.FLOAT_MAT3&&(a=3),r.type===n.FLOAT_MAT4&&(a=4),t[o]={type:r.type,location:n.getAttribLocation(e,o),locationSize:a}}return t}function Ya(n){return n!==""}function lx(n,e){let t=e.numSpotLightShadows+e.numSpotLightMaps-e.numSpotLightShadowsWithMaps;return n.replace(/NUM_SUN_LIGHTS/g,e.numSunLights).replace(/NUM_DIR_LIGHTS/g,e.numDirLights).replace(/NUM_SPOT_LIGHTS/g,e.numSpotLights).replace(/NUM_SPOT_LIGHT_MAPS/g,e.numSpotLightMaps).replace(/NUM_SPOT_LIGHT_COORDS/g,t).replace(/NUM_RECT_AREA_LIGHTS/g,e.numRectAreaLights).replace(/NUM_POINT_LIGHTS/g,e.numPointLights).replace(/NUM_HEMI_LIGHTS/g,e.numHemiLights).replace(/NUM_SUN_LIGHT_SHADOWS/g,e.numSunLightShadows).replace(/NUM_DIR_LIGHT_SHADOWS/g,e.numDirLightShadows).replace(/NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS/g,e.numSpotLightShadowsWithMaps).replace(/NUM_SPOT_LIGHT_SHADOWS/g,e.numSpotLightShadows).replace(/NUM_POINT_LIGHT_SHADOWS/g,e.numPointLightShadows).replace(/NUM_LIGHT_PROBE_GRIDS/g,e.numLightProbeGrids)}function cx(n,e){return n.replace(/NUM_CLIPPING_PLANES/g,e.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,e.numClippingPlanes-e.numClipIntersection)}var zE=/^[ \t]*#include +<([\w\d./]+)>/gm;function Cf(n){return n.replace(zE,VE)}function VE(n,e){let t=dt[e];if(t===void 0)throw new Error("THREE.WebGLProgram: Can not resolve #include <"+e+">");return Cf(t)}var HE=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function hx(n){return n.replace(HE,GE)}function GE(n,e,t,i){let s="";for(let r=parseInt(e);r<parseInt(t);r++)s+=i.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,r);return s}function ux(n){let e=`precision ${n.precision} float;
+	precision ${n.precision} int;
+	precision ${n.precision} sampler2D;
+	precision ${n.precision} samplerCube;
+	precision ${n.precision} sampler3D;
+	precision ${n.precision} sampler2DArray;
+	precision ${n.precision} sampler2DShadow;
+	precision ${n.precision} samplerCubeShadow;
+	precision ${n.precision} sampler2DArrayShadow;
+	precision ${n.precision} isampler2D;
+	precision ${n.precision} isampler3D;
+	precision ${n.precision} isamplerCube;
+	precision ${n.precision} isampler2DArray;
+	precision ${n.precision} usampler2D;
+	precision ${n.precision} usampler3D;
+	precision ${n.precision} usamplerCube;
+	precision ${n.precision} usampler2DArray;
+	`;return n.precision==="highp"?e+=`
+#define HIGH_PRECISION`:n.precision==="mediump"?e+=`
+#define MEDIUM_PRECISION`:n.precision==="lowp"&&(e+=`
+#define LOW_PRECISION`),e}var WE={[ka]:"SHADOWMAP_TYPE_PCF",[Uo]:"SHADOWMAP_TYPE_VSM"};function XE(n){return WE[n.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var qE={[Fo]:"ENVMAP_MODE_REFRACTION"};function $E(n){return n.envMap===!1?"ENVMAP_MODE_REFLECTION":qE[n.envMapMode]||"ENVMAP_MODE_REFLECTION"}var YE={[Bc]:"ENVMAP_BLENDING_MULTIPLY",[A0]:"ENVMAP_BLENDING_MIX",[C0]:"ENVMAP_BLENDING_ADD"};function ZE(n){return n.envMap===!1?"ENVMAP_BLENDING_NONE":YE[n.combine]||"ENVMAP_BLENDING_NONE"}function KE(n,e,t,i){let s=n.getContext(),r=t.defines,o=t.vertexShader,a=t.fragmentShader,l=XE(t),c=t.envMapPMREM===!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",h=$E(t),u=ZE(t),d=FE(t),f=BE(r),g=s.createProgram(),y,p,m=t.glslVersion?"#version "+t.glslVersion+`
+`:"";t.isRawShaderMaterial?(y=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f].filter(Ya).join(`
+`),y.length>0&&(y+=`
+`),p=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f].filter(Ya).join(`
+`),p.length>0&&(p+=`
+`)):(y=[ux(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f,t.extensionClipCullDistance?"#define USE_CLIP_DISTANCE":"",t.batching?"#define USE_BATCHING":"",t.batchingColor?"#define USE_BATCHING_COLOR":"",t.instancing?"#define USE_INSTANCING":"",t.instancingColor?"#define USE_INSTANCING_COLOR":"",t.instancingMorph?"#define USE_INSTANCING_MORPH":"",t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.map?"#define USE_MAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+h:"",t.lightMap?"#define USE_LIGHTMAP":"",t.aoMap?"#define USE_AOMAP":"",t.bumpMap?"#define USE_BUMPMAP":"",t.normalMap?"#define USE_NORMALMAP":"",t.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",t.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",t.displacementMap?"#define USE_DISPLACEMENTMAP":"",t.emissiveMap?"#define USE_EMISSIVEMAP":"",t.anisotropy?"#define USE_ANISOTROPY":"",t.anisotropyMap?"#define USE_ANISOTROPYMAP":"",t.clearcoatMap?"#define USE_CLEARCOATMAP":"",t.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",t.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",t.diffuseRoughnessMap?"#define USE_DIFFUSE_ROUGHNESSMAP":"",t.iridescenceMap?"#define USE_IRIDESCENCEMAP":"",t.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",t.specularMap?"#define USE_SPECULARMAP":"",t.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",t.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",t.roughnessMap?"#define USE_ROUGHNESSMAP":"",t.metalnessMap?"#define USE_METALNESSMAP":"",t.alphaMap?"#define USE_ALPHAMAP":"",t.alphaHash?"#define USE_ALPHAHASH":"",t.transmission?"#define USE_TRANSMISSION":"",t.transmissionMap?"#define USE_TRANSMISSIONMAP":"",t.thicknessMap?"#define USE_THICKNESSMAP":"",t.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",t.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",t.mapUv?"#define MAP_UV "+t.mapUv:"",t.alphaMapUv?"#define ALPHAMAP_UV "+t.alphaMapUv:"",t.lightMapUv?"#define LIGHTMAP_UV "+t.lightMapUv:"",t.aoMapUv?"#define AOMAP_UV "+t.aoMapUv:"",t.emissiveMapUv?"#define EMISSIVEMAP_UV "+t.emissiveMapUv:"",t.bumpMapUv?"#define BUMPMAP_UV "+t.bumpMapUv:"",t.normalMapUv?"#define NORMALMAP_UV "+t.normalMapUv:"",t.displacementMapUv?"#define DISPLACEMENTMAP_UV "+t.displacementMapUv:"",t.metalnessMapUv?"#define METALNESSMAP_UV "+t.metalnessMapUv:"",t.roughnessMapUv?"#define ROUGHNESSMAP_UV "+t.roughnessMapUv:"",t.anisotropyMapUv?"#define ANISOTROPYMAP_UV "+t.anisotropyMapUv:"",t.clearcoatMapUv?"#define CLEARCOATMAP_UV "+t.clearcoatMapUv:"",t.clearcoatNormalMapUv?"#define CLEARCOAT_NORMALMAP_UV "+t.clearcoatNormalMapUv:"",t.clearcoatRoughnessMapUv?"#define CLEARCOAT_ROUGHNESSMAP_UV "+t.clearcoatRoughnessMapUv:"",t.diffuseRoughnessMapUv?"#define DIFFUSE_ROUGHNESSMAP_UV "+t.diffuseRoughnessMapUv:"",t.iridescenceMapUv?"#define IRIDESCENCEMAP_UV "+t.iridescenceMapUv:"",t.iridescenceThicknessMapUv?"#define IRIDESCENCE_THICKNESSMAP_UV "+t.iridescenceThicknessMapUv:"",t.sheenColorMapUv?"#define SHEEN_COLORMAP_UV "+t.sheenColorMapUv:"",t.sheenRoughnessMapUv?"#define SHEEN_ROUGHNESSMAP_UV "+t.sheenRoughnessMapUv:"",t.specularMapUv?"#define SPECULARMAP_UV "+t.specularMapUv:"",t.specularColorMapUv?"#define SPECULAR_COLORMAP_UV "+t.specularColorMapUv:"",t.specularIntensityMapUv?"#define SPECULAR_INTENSITYMAP_UV "+t.specularIntensityMapUv:"",t.transmissionMapUv?"#define TRANSMISSIONMAP_UV "+t.transmissionMapUv:"",t.thicknessMapUv?"#define THICKNESSMAP_UV "+t.thicknessMapUv:"",t.vertexTangents&&t.flatShading===!1?"#define USE_TANGENT":"",t.vertexNormals?"#define HAS_NORMAL":"",t.vertexColors?"#define USE_COLOR":"",t.vertexAlphas?"#define USE_COLOR_ALPHA":"",t.vertexUv1s?"#define USE_UV1":"",t.vertexUv2s?"#define USE_UV2":"",t.vertexUv3s?"#define USE_UV3":"",t.pointsUvs?"#define USE_POINTS_UV":"",t.flatShading?"#define FLAT_SHADED":"",t.skinning?"#define USE_SKINNING":"",t.morphTargets?"#define USE_MORPHTARGETS":"",t.morphNormals&&t.flatShading===!1?"#define USE_MORPHNORMALS":"",t.morphColors?"#define USE_MORPHCOLORS":"",t.morphTargetsCount>0?"#define MORPHTARGETS_TEXTURE_STRIDE "+t.morphTextureStride:"",t.morphTargetsCount>0?"#define MORPHTARGETS_COUNT "+t.morphTargetsCount:"",t.doubleSided?"#define DOUBLE_SIDED":"",t.flipSided?"#define FLIP_SIDED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+l:"",t.sizeAttenuation?"#define USE_SIZEATTENUATION":"",t.numLightProbes>0?"#define USE_LIGHT_PROBES":"",t.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 modelMatrix;","uniform mat4 modelViewMatrix;","uniform mat4 projectionMatrix;","uniform mat4 viewMatrix;","uniform mat3 normalMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;","#ifdef USE_INSTANCING","	attribute mat4 instanceMatrix;","#endif","#ifdef USE_INSTANCING_COLOR","	attribute vec3 instanceColor;","#endif","#ifdef USE_INSTANCING_MORPH","	uniform sampler2D morphTexture;","#endif","attribute vec3 position;","attribute vec3 normal;","attribute vec2 uv;","#ifdef USE_UV1","	attribute vec2 uv1;","#endif","#ifdef USE_UV2","	attribute vec2 uv2;","#endif","#ifdef USE_UV3","	attribute vec2 uv3;","#endif","#ifdef USE_TANGENT","	attribute vec4 tangent;","#endif","#if defined( USE_COLOR_ALPHA )","	attribute vec4 color;","#elif defined( USE_COLOR )","	attribute vec3 color;","#endif","#ifdef USE_SKINNING","	attribute vec4 skinIndex;","	attribute vec4 skinWeight;","#endif",`
+`].filter(Ya).join(`
+`),p=[ux(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f,t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.alphaToCoverage?"#define ALPHA_TO_COVERAGE":"",t.map?"#define USE_MAP":"",t.matcap?"#define USE_MATCAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+c:"",t.envMap?"#define "+h:"",t.envMap?"#define "+u:"",t.envMapPMREM?"#define ENVMAP_MAX_LOD "+t.envMapMaxLod+".0":"",t.envMapPMREM?"#define ENVMAP_SIZE "+t.envMapSize+".0":"",t.lightMap?"#define USE_LIGHTMAP":"",t.aoMap?"#define USE_AOMAP":"",t.bumpMap?"#define USE_BUMPMAP":"",t.normalMap?"#define USE_NORMALMAP":"",t.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":"",t.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",t.packedNormalMap?"#define USE_PACKED_NORMALMAP":"",t.emissiveMap?"#define USE_EMISSIVEMAP":"",t.anisotropy?"#define USE_ANISOTROPY":"",t.anisotropyMap?"#define USE_ANISOTROPYMAP":"",t.clearcoat?"#define USE_CLEARCOAT":"",t.clearcoatMap?"#define USE_CLEARCOATMAP":"",t.clearcoatRoughnessMap?"#define USE_CLEARCOAT_ROUGHNESSMAP":"",t.clearcoatNormalMap?"#define USE_CLEARCOAT_NORMALMAP":"",t.diffuseRoughness?"#define USE_DIFFUSE_ROUGHNESS":"",t.diffuseRoughnessMap?"#define USE_DIFFUSE_ROUGHNESSMAP":"",t.dispersion?"#define USE_DISPERSION":"",t.retroreflection?"#define USE_RETROREFLECTION":"",t.iridescence?"#define USE_IRIDESCENCE":"",t.iridescenceMap?"#define USE_IRIDESCENCEMAP":"",t.iridescenceThicknessMap?"#define USE_IRIDESCENCE_THICKNESSMAP":"",t.specularMap?"#define USE_SPECULARMAP":"",t.specularColorMap?"#define USE_SPECULAR_COLORMAP":"",t.specularIntensityMap?"#define USE_SPECULAR_INTENSITYMAP":"",t.roughnessMap?"#define USE_ROUGHNESSMAP":"",t.metalnessMap?"#define USE_METALNESSMAP":"",t.alphaMap?"#define USE_ALPHAMAP":"",t.alphaTest?"#define USE_ALPHATEST":"",t.alphaHash?"#define USE_ALPHAHASH":"",t.sheen?"#define USE_SHEEN":"",t.sheenColorMap?"#define USE_SHEEN_COLORMAP":"",t.sheenRoughnessMap?"#define USE_SHEEN_ROUGHNESSMAP":"",t.transmission?"#define USE_TRANSMISSION":"",t.transmissionMap?"#define USE_TRANSMISSIONMAP":"",t.thicknessMap?"#define USE_THICKNESSMAP":"",t.vertexTangents&&t.flatShading===!1?"#define USE_TANGENT":"",t.vertexColors||t.instancingColor?"#define USE_COLOR":"",t.vertexAlphas||t.batchingColor?"#define USE_COLOR_ALPHA":"",t.vertexUv1s?"#define USE_UV1":"",t.vertexUv2s?"#define USE_UV2":"",t.vertexUv3s?"#define USE_UV3":"",t.pointsUvs?"#define USE_POINTS_UV":"",t.gradientMap?"#define USE_GRADIENTMAP":"",t.flatShading?"#define FLAT_SHADED":"",t.doubleSided?"#define DOUBLE_SIDED":"",t.flipSided?"#define FLIP_SIDED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+l:"",t.premultipliedAlpha?"#define PREMULTIPLIED_ALPHA":"",t.numLightProbes>0?"#define USE_LIGHT_PROBES":"",t.decodeVideoTexture?"#define DECODE_VIDEO_TEXTURE":"",t.decodeVideoTextureEmissive?"#define DECODE_VIDEO_TEXTURE_EMISSIVE":"",t.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 viewMatrix;","uniform vec3 cameraPosition;","uniform bool isOrthographic;",t.toneMapping!==ss?"#define TONE_MAPPING":"",t.toneMapping!==ss?dt.tonemapping_pars_fragment:"",t.toneMapping!==ss?UE("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",dt.colorspace_pars_fragment,DE("linearToOutputTexel",t.outputColorSpace),OE(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"",`
+`].filter(Ya).join(`
+`)),o=Cf(o),o=lx(o,t),o=cx(o,t),a=Cf(a),a=lx(a,t),a=cx(a,t),o=hx(o),a=hx(a),t.isRawShaderMaterial!==!0&&(m=`#version 300 es
+`,y=[d,"#define attribute in","#define varying out","#define texture2D texture"].join(`
+`)+`
+`+y,p=["#define varying in",t.glslVersion===ff?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===ff?"":"#define gl_FragColor pc_fragColor","#define gl_FragDepthEXT gl_FragDepth","#define texture2D texture","#define textureCube texture","#define texture2DProj textureProj","#define texture2DLodEXT textureLod","#define texture2DProjLodEXT textureProjLod","#define textureCubeLodEXT textureLod","#define texture2DGradEXT textureGrad","#define texture2DProjGradEXT textureProjGrad","#define textureCubeGradEXT textureGrad"].join(`
+`)+`
+`+p);let v=m+y+o,C=m+p+a,S=rx(s,s.VERTEX_SHADER,v),R=rx(s,s.FRAGMENT_SHADER,C);s.attachShader(g,S),s.attachShader(g,R),t.index0AttributeName!==void 0?s.bindAttribLocation(g,0,t.index0AttributeName):t.hasPositionAttribute===!0&&s.bindAttribLocation(g,0,"position"),s.linkProgram(g);function A(N){if(n.debug.checkShaderErrors){let D=s.getProgramInfoLog(g)||"",X=s.getShaderInfoLog(S)||"",B=s.getShaderInfoLog(R)||"",L=D.trim(),z=X.trim(),G=B.trim(),V=!0,ae=!0;if(s.getProgramParameter(g,s.LINK_STATUS)===!1)if(V=!1,typeof n.debug.onShaderError=="function")n.debug.onShaderError(s,g,S,R);else{let $=ax(s,S,"vertex"),j=ax(s,R,"fragment");et("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(g,s.VALIDATE_STATUS)+`
+
+Material Name: `+N.name+`
+Material Type: `+N.type+`
+
+Program Info Log: `+L+`
+`+$+`
+`+j)}else L!==""?Ze("WebGLProgram: Program Info Log:",L):(z===""||G==="")&&(ae=!1);ae&&(N.diagnostics={runnable:V,programLog:L,vertexShader:{log:z,prefix:y},fragmentShader:{log:G,prefix:p}})}s.deleteShader(S),s.deleteShader(R),_=new zo(s,g),E=kE(s,g)}let _;this.getUniforms=function(){return _===void 0&&A(this),_};let E;this.getAttributes=function(){return E===void 0&&A(this),E};let k=t.rendererExtensionParallelShaderCompile===!1;return this.isReady=function(){return k===!1&&(k=s.getProgramParameter(g,RE)),k},this.destroy=function(){i.releaseStatesOfProgram(this),s.deleteProgram(g),this.program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=PE++,this.cacheKey=e,this.usedTimes=1,this.program=g,this.vertexShader=S,this.fragmentShader=R,this}var JE=0,Rf=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e,t,i){let s=this._getShaderCacheForMaterial(e);return s.has(t)===!1&&(s.add(t),t.usedTimes++),s.has(i)===!1&&(s.add(i),i.usedTimes++),this}remove(e){let t=this.materialCache.get(e);for(let i of t)i.usedTimes--,i.usedTimes===0&&this.shaderCache.delete(i.code);return this.materialCache.delete(e),this}getVertexShaderStage(e){return this._getShaderStage(e.vertexShader)}getFragmentShaderStage(e){return this._getShaderStage(e.fragmentShader)}dispose(){this.shaderCache.clear(),this.materialCache.clear()}_getShaderCacheForMaterial(e){let t=this.materialCache,i=t.get(e);return i===void 0&&(i=new Set,t.set(e,i)),i}_getShaderStage(e){let t=this.shaderCache,i=t.get(e);return i===void 0&&(i=new Pf(e),t.set(e,i)),i}},Pf=class{constructor(e){this.id=JE++,this.code=e,this.usedTimes=0}};function jE(n){return n===sr||n===Xa||n===qa}function QE(n,e,t,i,s,r){let o=new wa,a=new Rf,l=new Set,c=[],h=new Map,u=i.logarithmicDepthBuffer,d={MeshDepthMaterial:"depth",MeshDistanceMaterial:"distance",MeshNormalMaterial:"normal",MeshBasicMaterial:"basic",MeshLambertMaterial:"lambert",MeshPhongMaterial:"phong",MeshToonMaterial:"toon",MeshStandardMaterial:"physical",MeshPhysicalMaterial:"physical",MeshMatcapMaterial:"matcap",LineBasicMaterial:"basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function f(_){return l.add(_),_===0?"uv":`uv${_}`}function g(_,E,k,N,D,X){let B=N.fog,L=D.geometry,z=_.isMeshStandardMaterial||_.isMeshLambertMaterial||_.isMeshPhongMaterial?N.environment:null,G=_.isMeshStandardMaterial||_.isMeshLambertMaterial&&!_.envMap||_.isMeshPhongMaterial&&!_.envMap,V=e.get(_.envMap||z,G),ae=d[_.type],$=i.precision;_.precision!==null&&($=i.getMaxPrecision(_.precision),$!==_.precision&&Ze("WebGLProgram.getParameters:",_.precision,"not supported, using",$,"instead."));let j=L.morphAttributes.position||L.morphAttributes.normal||L.morphAttributes.color,te=j!==void 0?j.length:0,fe=0;L.morphAttributes.position!==void 0&&(fe=1),L.morphAttributes.normal!==void 0&&(fe=2),L.morphAttributes.color!==void 0&&(fe=3);let de,ee,pe,xe;if(ae){let Pe=os[ae];de=Pe.vertexShader,ee=Pe.fragmentShader}else{de=_.vertexShader,ee=_.fragmentShader;let Pe=a.getVertexShaderStage(_),lt=a.getFragmentShaderStage(_);a.update(_,Pe,lt),pe=Pe.id,xe=lt.id}let Re=n.getRenderTarget(),we=n.state.buffers.depth.getReversed(),Xe=D.isInstancedMesh===!0,rt=D.isBatchedMesh===!0,Ge=!!_.map,ft=!!_.matcap,ht=!!V,it=ht&&V.isPMREMTexture===!0,Zt=!!_.aoMap,Vt=!!_.lightMap,hn=!!_.bumpMap&&_.wireframe===!1,Ot=!!_.normalMap,An=!!_.displacementMap,Mt=!!_.emissiveMap,vn=!!_.metalnessMap,en=!!_.roughnessMap,un=_.anisotropy>0,F=_.clearcoat>0,Ie=_.diffuseRoughness>0,Ye=_.dispersion>0,ot=_.retroreflectivity>0,Ee=_.iridescence>0,Bt=_.sheen>0,He=_.transmission>0,$e=un&&!!_.anisotropyMap,P=F&&!!_.clearcoatMap,b=F&&!!_.clearcoatNormalMap,q=F&&!!_.clearcoatRoughnessMap,ue=Ie&&!!_.diffuseRoughnessMap,oe=Ee&&!!_.iridescenceMap,ye=Ee&&!!_.iridescenceThicknessMap,ve=Bt&&!!_.sheenColorMap,ne=Bt&&!!_.sheenRoughnessMap,se=!!_.specularMap,ge=!!_.specularColorMap,O=!!_.specularIntensityMap,re=He&&!!_.transmissionMap,ie=He&&!!_.thicknessMap,Te=!!_.gradientMap,_e=!!_.alphaMap,Se=_.alphaTest>0,We=!!_.alphaHash,Je=!!_.extensions,ce=ss;_.toneMapped&&(Re===null||Re.isXRRenderTarget===!0)&&(ce=n.toneMapping);let ke=it?V.isCompressedCubeTexture?V.image[0].mipmaps:V.mipmaps:null,je={shaderID:ae,shaderType:_.type,shaderName:_.name,vertexShader:de,fragmentShader:ee,defines:_.defines,customVertexShaderID:pe,customFragmentShaderID:xe,isRawShaderMaterial:_.isRawShaderMaterial===!0,glslVersion:_.glslVersion,precision:$,batching:rt,batchingColor:rt&&D._colorsTexture!==null,instancing:Xe,instancingColor:Xe&&D.instanceColor!==null,instancingMorph:Xe&&D.morphTexture!==null,outputColorSpace:Re===null?n.outputColorSpace:Re.isXRRenderTarget===!0?Re.texture.colorSpace:bt.workingColorSpace,alphaToCoverage:!!_.alphaToCoverage,map:Ge,matcap:ft,envMap:ht,envMapMode:ht&&V.mapping,envMapPMREM:it,envMapMaxLod:it?ke.length-1:null,envMapSize:it?ke[0].width:null,aoMap:Zt,lightMap:Vt,bumpMap:hn,normalMap:Ot,displacementMap:An,emissiveMap:Mt,normalMapObjectSpace:Ot&&_.normalMapType===I0,normalMapTangentSpace:Ot&&_.normalMapType===wh,packedNormalMap:Ot&&_.normalMapType===wh&&jE(_.normalMap.format),metalnessMap:vn,roughnessMap:en,anisotropy:un,anisotropyMap:$e,clearcoat:F,clearcoatMap:P,clearcoatNormalMap:b,clearcoatRoughnessMap:q,diffuseRoughness:Ie,diffuseRoughnessMap:ue,dispersion:Ye,retroreflection:ot,iridescence:Ee,iridescenceMap:oe,iridescenceThicknessMap:ye,sheen:Bt,sheenColorMap:ve,sheenRoughnessMap:ne,specularMap:se,specularColorMap:ge,specularIntensityMap:O,transmission:He,transmissionMap:re,thicknessMap:ie,gradientMap:Te,opaque:_.transparent===!1&&_.blending===Oo&&_.alphaToCoverage===!1,alphaMap:_e,alphaTest:Se,alphaHash:We,combine:_.combine,mapUv:Ge&&f(_.map.channel),aoMapUv:Zt&&f(_.aoMap.channel),lightMapUv:Vt&&f(_.lightMap.channel),bumpMapUv:hn&&f(_.bumpMap.channel),normalMapUv:Ot&&f(_.normalMap.channel),displacementMapUv:An&&f(_.displacementMap.channel),emissiveMapUv:Mt&&f(_.emissiveMap.channel),metalnessMapUv:vn&&f(_.metalnessMap.channel),roughnessMapUv:en&&f(_.roughnessMap.channel),anisotropyMapUv:$e&&f(_.anisotropyMap.channel),clearcoatMapUv:P&&f(_.clearcoatMap.channel),clearcoatNormalMapUv:b&&f(_.clearcoatNormalMap.channel),clearcoatRoughnessMapUv:q&&f(_.clearcoatRoughnessMap.channel),diffuseRoughnessMapUv:ue&&f(_.diffuseRoughnessMap.channel),iridescenceMapUv:oe&&f(_.iridescenceMap.channel),iridescenceThicknessMapUv:ye&&f(_.iridescenceThicknessMap.channel),sheenColorMapUv:ve&&f(_.sheenColorMap.channel),sheenRoughnessMapUv:ne&&f(_.sheenRoughnessMap.channel),specularMapUv:se&&f(_.specularMap.channel),specularColorMapUv:ge&&f(_.specularColorMap.channel),specularIntensityMapUv:O&&f(_.specularIntensityMap.channel),transmissionMapUv:re&&f(_.transmissionMap.channel),thicknessMapUv:ie&&f(_.thicknessMap.channel),alphaMapUv:_e&&f(_.alphaMap.channel),vertexTangents:!!L.attributes.tangent&&(Ot||un),vertexNormals:!!L.attributes.normal,vertexColors:_.vertexColors,vertexAlphas:_.vertexColors===!0&&!!L.attributes.color&&L.attributes.color.itemSize===4,pointsUvs:D.isPoints===!0&&!!L.attributes.uv&&(Ge||_e),fog:!!B,useFog:_.fog===!0,fogExp2:!!B&&B.isFogExp2,flatShading:_.wireframe===!1&&(_.flatShading===!0||L.attributes.normal===void 0&&Ot===!1&&(_.isMeshLambertMaterial||_.isMeshPhongMaterial||_.isMeshStandardMaterial||_.isMeshPhysicalMaterial)),sizeAttenuation:_.sizeAttenuation===!0,logarithmicDepthBuffer:u,reversedDepthBuffer:we,skinning:D.isSkinnedMesh===!0,hasPositionAttribute:L.attributes.position!==void 0,morphTargets:L.morphAttributes.position!==void 0,morphNormals:L.morphAttributes.normal!==void 0,morphColors:L.morphAttributes.color!==void 0,morphTargetsCount:te,morphTextureStride:fe,numSunLights:E.sun.length,numDirLights:E.directional.length,numPointLights:E.point.length,numSpotLights:E.spot.length,numSpotLightMaps:E.spotLightMap.length,numRectAreaLights:E.rectArea.length,numHemiLights:E.hemi.length,numSunLightShadows:E.sunShadowMap.length,numDirLightShadows:E.directionalShadowMap.length,numPointLightShadows:E.pointShadowMap.length,numSpotLightShadows:E.spotShadowMap.length,numSpotLightShadowsWithMaps:E.numSpotLightShadowsWithMaps,numLightProbes:E.numLightProbes,numLightProbeGrids:X.filter(Pe=>Pe.texture!==null).length,numClippingPlanes:r.numPlanes,numClipIntersection:r.numIntersection,dithering:_.dithering,shadowMapEnabled:n.shadowMap.enabled&&k.length>0,shadowMapType:n.shadowMap.type,toneMapping:ce,decodeVideoTexture:Ge&&_.map.isVideoTexture===!0&&bt.getTransfer(_.map.colorSpace)===It,decodeVideoTextureEmissive:Mt&&_.emissiveMap.isVideoTexture===!0&&bt.getTransfer(_.emissiveMap.colorSpace)===It,premultipliedAlpha:_.premultipliedAlpha,doubleSided:_.side===ni,flipSided:_.side===jn,useDepthPacking:_.depthPacking>=0,depthPacking:_.depthPacking||0,index0AttributeName:_.index0AttributeName,extensionClipCullDistance:Je&&_.extensions.clipCullDistance===!0&&t.has("WEBGL_clip_cull_distance"),extensionMultiDraw:(Je&&_.extensions.multiDraw===!0||rt)&&t.has("WEBGL_multi_draw"),rendererExtensionParallelShaderCompile:t.has("KHR_parallel_shader_compile"),customProgramCacheKey:_.customProgramCacheKey()};return je.vertexUv1s=l.has(1),je.vertexUv2s=l.has(2),je.vertexUv3s=l.has(3),l.clear(),je}function y(_){let E=[];if(_.shaderID?E.push(_.shaderID):(E.push(_.customVertexShaderID),E.push(_.customFragmentShaderID)),_.defines!==void 0)for(let k in _.defines)E.push(k),E.push(_.defines[k]);return _.isRawShaderMaterial===!1&&(p(E,_),m(E,_),E.push(n.outputColorSpace)),E.push(_.customProgramCacheKey),E.join()}function p(_,E){_.push(E.precision),_.push(E.outputColorSpace),_.push(E.envMapMode),_.push(E.envMapPMREM),_.push(E.envMapMaxLod),_.push(E.envMapSize),_.push(E.mapUv),_.push(E.alphaMapUv),_.push(E.lightMapUv),_.push(E.aoMapUv),_.push(E.bumpMapUv),_.push(E.normalMapUv),_.push(E.displacementMapUv),_.push(E.emissiveMapUv),_.push(E.metalnessMapUv),_.push(E.roughnessMapUv),_.push(E.anisotropyMapUv),_.push(E.clearcoatMapUv),_.push(E.clearcoatNormalMapUv),_.push(E.clearcoatRoughnessMapUv),_.push(E.diffuseRoughnessMapUv),_.push(E.iridescenceMapUv),_.push(E.iridescenceThicknessMapUv),_.push(E.sheenColorMapUv),_.push(E.sheenRoughnessMapUv),_.push(E.specularMapUv),_.push(E.specularColorMapUv),_.push(E.specularIntensityMapUv),_.push(E.transmissionMapUv),_.push(E.thicknessMapUv),_.push(E.combine),_.push(E.fogExp2),_.push(E.sizeAttenuation),_.push(E.morphTargetsCount),_.push(E.numSunLights),_.push(E.numDirLights),_.push(E.numPointLights),_.push(E.numSpotLights),_.push(E.numSpotLightMaps),_.push(E.numHemiLights),_.push(E.numRectAreaLights),_.push(E.numSunLightShadows),_.push(E.numDirLightShadows),_.push(E.numPointLightShadows),_.push(E.numSpotLightShadows),_.push(E.numSpotLightShadowsWithMaps),_.push(E.numLightProbes),_.push(E.numLightProbeGrids),_.push(E.shadowMapType),_.push(E.toneMapping),_.push(E.numClippingPlanes),_.push(E.numClipIntersection),_.push(E.depthPacking)}function m(_,E){o.disableAll(),E.instancing&&o.enable(0),E.instancingColor&&o.enable(1),E.instancingMorph&&o.enable(2),E.matcap&&o.enable(3),E.envMap&&o.enable(4),E.normalMapObjectSpace&&o.enable(5),E.normalMapTangentSpace&&o.enable(6),E.clearcoat&&o.enable(7),E.iridescence&&o.enable(8),E.alphaTest&&o.enable(9),E.vertexColors&&o.enable(10),E.vertexAlphas&&o.enable(11),E.vertexUv1s&&o.enable(12),E.vertexUv2s&&o.enable(13),E.vertexUv3s&&o.enable(14),E.vertexTangents&&o.enable(15),E.anisotropy&&o.enable(16),E.alphaHash&&o.enable(17),E.batching&&o.enable(18),E.dispersion&&o.enable(19),E.retroreflection&&o.enable(24),E.diffuseRoughness&&o.enable(25),E.batchingColor&&o.enable(20),E.gradientMap&&o.enable(21),E.packedNormalMap&&o.enable(22),E.vertexNormals&&o.enable(23),_.push(o.mask),o.disableAll(),E.fog&&o.enable(0),E.useFog&&o.enable(1),E.flatShading&&o.enable(2),E.logarithmicDepthBuffer&&o.enable(3),E.reversedDepthBuffer&&o.enable(4),E.skinning&&o.enable(5),E.morphTargets&&o.enable(6),E.morphNormals&&o.enable(7),E.morphColors&&o.enable(8),E.premultipliedAlpha&&o.enable(9),E.shadowMapEnabled&&o.enable(10),E.doubleSided&&o.enable(11),E.flipSided&&o.enable(12),E.useDepthPacking&&o.enable(13),E.dithering&&o.enable(14),E.transmission&&o.enable(15),E.sheen&&o.enable(16),E.opaque&&o.enable(17),E.pointsUvs&&o.enable(18),E.decodeVideoTexture&&o.enable(19),E.decodeVideoTextureEmissive&&o.enable(20),E.alphaToCoverage&&o.enable(21),E.numLightProbeGrids>0&&o.enable(22),E.hasPositionAttribute&&o.enable(23),_.push(o.mask)}function v(_){let E=d[_.type],k;if(E){let N=os[E];k=q0.clone(N.uniforms)}else k=_.uniforms;return k}function C(_,E){let k=h.get(E);return k!==void 0?++k.usedTimes:(k=new KE(n,E,_,s),c.push(k),h.set(E,k)),k}function S(_){if(--_.usedTimes===0){let E=c.indexOf(_);c[E]=c[c.length-1],c.pop(),h.delete(_.cacheKey),_.destroy()}}function R(_){a.remove(_)}function A(){a.dispose()}return{getParameters:g,getProgramCacheKey:y,getUniforms:v,acquireProgram:C,releaseProgram:S,releaseShaderCache:R,programs:c,dispose:A}}function eT(){let n=new WeakMap;function e(o){return n.has(o)}function t(o){let a=n.get(o);return a===void 0&&(a={},n.set(o,a)),a}function i(o){n.delete(o)}function s(o,a,l){n.get(o)[a]=l}function r(){n=new WeakMap}return{has:e,get:t,remove:i,update:s,dispose:r}}function tT(n,e){return n.groupOrder!==e.groupOrder?n.groupOrder-e.groupOrder:n.renderOrder!==e.renderOrder?n.renderOrder-e.renderOrder:n.material.id!==e.material.id?n.material.id-e.material.id:n.materialVariant!==e.materialVariant?n.materialVariant-e.materialVariant:n.z!==e.z?n.z-e.z:n.id-e.id}function dx(n,e){return n.groupOrder!==e.groupOrder?n.groupOrder-e.groupOrder:n.renderOrder!==e.renderOrder?n.renderOrder-e.renderOrder:n.z!==e.z?e.z-n.z:n.id-e.id}function fx(){let n=[],e=0,t=[],i=[],s=[];function r(){e=0,t.length=0,i.length=0,s.length=0}function o(d){let f=0;return d.isInstancedMesh&&(f+=2),d.isSkinnedMesh&&(f+=1),f}function a(d,f,g,y,p,m){let v=n[e];return v===void 0?(v={id:d.id,object:d,geometry:f,material:g,materialVariant:o(d),groupOrder:y,renderOrder:d.renderOrder,z:p,group:m},n[e]=v):(v.id=d.id,v.object=d,v.geometry=f,v.material=g,v.materialVariant=o(d),v.groupOrder=y,v.renderOrder=d.renderOrder,v.z=p,v.group=m),e++,v}function l(d,f,g,y,p,m,v){v.reversedDepth===!0&&(p=-p);let C=a(d,f,g,y,p,m);g.transmission>0?i.push(C):g.transparent===!0?s.push(C):t.push(C)}function c(d,f,g,y,p,m){let v=a(d,f,g,y,p,m);g.transmission>0?i.unshift(v):g.transparent===!0?s.unshift(v):t.unshift(v)}function h(d,f){t.length>1&&t.sort(d||tT),i.length>1&&i.sort(f||dx),s.length>1&&s.sort(f||dx)}function u(){for(let d=e,f=n.length;d<f;d++){let g=n[d];if(g.id===null)break;g.id=null,g.object=null,g.geometry=null,g.material=null,g.group=null}}return{opaque:t,transmissive:i,transparent:s,init:r,push:l,unshift:c,finish:u,sort:h}}function nT(){let n=new WeakMap;function e(i,s){let r=n.get(i),o;return r===void 0?(o=new fx,n.set(i,[o])):s>=r.length?(o=new fx,r.push(o)):o=r[s],o}function t(){n=new WeakMap}return{get:e,dispose:t}}function iT(){let n={};return{get:function(e){if(n[e.id]!==void 0)return n[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={direction:new Z,color:new ct};break;case"SpotLight":t={position:new Z,direction:new Z,color:new ct,distance:0,coneCos:0,penumbraCos:0,decay:0};break;case"PointLight":t={position:new Z,color:new ct,distance:0,decay:0};break;case"HemisphereLight":t={direction:new Z,skyColor:new ct,groundColor:new ct};break;case"RectAreaLight":t={color:new ct,position:new Z,halfWidth:new Z,halfHeight:new Z};break}return n[e.id]=t,t}}}function sT(){let n={};return{get:function(e){if(n[e.id]!==void 0)return n[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new tt};break;case"SpotLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new tt};break;case"PointLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new tt,shadowCameraNear:1,shadowCameraFar:1e3};break}return n[e.id]=t,t}}}var rT=0;function oT(n,e){return(e.castShadow?2:0)-(n.castShadow?2:0)+(e.map?1:0)-(n.map?1:0)}function aT(n){let e=new iT,t=sT(),i={version:0,hash:{sunLength:-1,directionalLength:-1,pointLength:-1,spotLength:-1,rectAreaLength:-1,hemiLength:-1,numSunShadows:-1,numDirectionalShadows:-1,numPointShadows:-1,numSpotShadows:-1,numSpotMaps:-1,numLightProbes:-1},ambient:[0,0,0],probe:[],sun:[],sunShadow:[],sunShadowMap:[],sunShadowMatrix:[],sunShadowCascade:[],directional:[],directionalShadow:[],directionalShadowMap:[],directionalShadowMatrix:[],spot:[],spotLightMap:[],spotShadow:[],spotShadowMap:[],spotLightMatrix:[],rectArea:[],rectAreaLTC1:null,rectAreaLTC2:null,point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let c=0;c<9;c++)i.probe.push(new Z);let s=new Z,r=new Yt,o=new Yt;function a(c){let h=0,u=0,d=0;for(let X=0;X<9;X++)i.probe[X].set(0,0,0);let f=0,g=0,y=0,p=0,m=0,v=0,C=0,S=0,R=0,A=0,_=0,E=0,k=0,N=0;c.sort(oT);for(let X=0,B=c.length;X<B;X++){let L=c[X],z=L.color,G=L.intensity,V=L.distance,ae=null;if(L.shadow&&L.shadow.map&&(L.shadow.map.texture.format===sr?ae=L.shadow.map.texture:ae=L.shadow.map.depthTexture||L.shadow.map.texture),L.isAmbientLight)h+=z.r*G,u+=z.g*G,d+=z.b*G;else if(L.isLightProbe){for(let $=0;$<9;$++)i.probe[$].addScaledVector(L.sh.coefficients[$],G);N++}else if(L.isSunLight){let $=e.get(L);if($.color.copy(L.color).multiplyScalar(L.intensity),L.castShadow){let j=L.shadow,te=t.get(L);te.shadowIntensity=j.intensity,te.shadowBias=j.bias,te.shadowNormalBias=j.normalBias,te.shadowRadius=j.radius,te.shadowMapSize.copy(j.mapSize).multiply(j.getFrameExtents()),i.sunShadow[g]=te,i.sunShadowMap[g]=ae;let fe=j.getViewportCount();for(let de=0;de<fe;de++)i.sunShadowMatrix[y+de]=j.getMatrix(de),i.sunShadowCascade[y+de]=j._cascadeData[de];y+=fe,g++}i.sun[f]=$,f++}else if(L.isDirectionalLight){let $=e.get(L);if($.color.copy(L.color).multiplyScalar(L.intensity),L.castShadow){let j=L.shadow,te=t.get(L);te.shadowIntensity=j.intensity,te.shadowBias=j.bias,te.shadowNormalBias=j.normalBias,te.shadowRadius=j.radius,te.shadowMapSize=j.mapSize,i.directionalShadow[p]=te,i.directionalShadowMap[p]=ae,i.directionalShadowMatrix[p]=L.shadow.matrix,R++}i.directional[p]=$,p++}else if(L.isSpotLight){let $=e.get(L);$.position.setFromMatrixPosition(L.matrixWorld),$.color.copy(z).multiplyScalar(G),$.distance=V,$.coneCos=Math.cos(L.angle),$.penumbraCos=Math.cos(L.angle*(1-L.penumbra)),$.decay=L.decay,i.spot[v]=$;let j=L.shadow;if(L.map&&(i.spotLightMap[E]=L.map,E++,j.updateMatrices(L),L.castShadow&&k++),i.spotLightMatrix[v]=j.matrix,L.castShadow){let te=t.get(L);te.shadowIntensity=j.intensity,te.shadowBias=j.bias,te.shadowNormalBias=j.normalBias,te.shadowRadius=j.radius,te.shadowMapSize=j.mapSize,i.spotShadow[v]=te,i.spotShadowMap[v]=ae,_++}v++}else if(L.isRectAreaLight){let $=e.get(L);$.color.copy(z).multiplyScalar(G),$.halfWidth.set(L.width*.5,0,0),$.halfHeight.set(0,L.height*.5,0),i.rectArea[C]=$,C++}else if(L.isPointLight){let $=e.get(L);if($.color.copy(L.color).multiplyScalar(L.intensity),$.distance=L.distance,$.decay=L.decay,L.castShadow){let j=L.shadow,te=t.get(L);te.shadowIntensity=j.intensity,te.shadowBias=j.bias,te.shadowNormalBias=j.normalBias,te.shadowRadius=j.radius,te.shadowMapSize=j.mapSize,te.shadowCameraNear=j.camera.near,te.shadowCameraFar=j.camera.far,i.pointShadow[m]=te,i.pointShadowMap[m]=ae,i.pointShadowMatrix[m]=L.shadow.matrix,A++}i.point[m]=$,m++}else if(L.isHemisphereLight){let $=e.get(L);$.skyColor.copy(L.color).multiplyScalar(G),$.groundColor.copy(L.groundColor).multiplyScalar(G),i.hemi[S]=$,S++}}C>0&&(n.has("OES_texture_float_linear")===!0?(i.rectAreaLTC1=Ne.LTC_FLOAT_1,i.rectAreaLTC2=Ne.LTC_FLOAT_2):(i.rectAreaLTC1=Ne.LTC_HALF_1,i.rectAreaLTC2=Ne.LTC_HALF_2)),i.ambient[0]=h,i.ambient[1]=u,i.ambient[2]=d;let D=i.hash;(D.sunLength!==f||D.directionalLength!==p||D.pointLength!==m||D.spotLength!==v||D.rectAreaLength!==C||D.hemiLength!==S||D.numSunShadows!==g||D.numDirectionalShadows!==R||D.numPointShadows!==A||D.numSpotShadows!==_||D.numSpotMaps!==E||D.numLightProbes!==N)&&(i.sun.length=f,i.directional.length=p,i.spot.length=v,i.rectArea.length=C,i.point.length=m,i.hemi.length=S,i.sunShadow.length=g,i.sunShadowMap.length=g,i.sunShadowMatrix.length=y,i.sunShadowCascade.length=y,i.directionalShadow.length=R,i.directionalShadowMap.length=R,i.directionalShadowMatrix.length=R,i.pointShadow.length=A,i.pointShadowMap.length=A,i.pointShadowMatrix.length=A,i.spotShadow.length=_,i.spotShadowMap.length=_,i.spotLightMatrix.length=_+E-k,i.spotLightMap.length=E,i.numSpotLightShadowsWithMaps=k,i.numLightProbes=N,D.sunLength=f,D.directionalLength=p,D.pointLength=m,D.spotLength=v,D.rectAreaLength=C,D.hemiLength=S,D.numSunShadows=g,D.numDirectionalShadows=R,D.numPointShadows=A,D.numSpotShadows=_,D.numSpotMaps=E,D.numLightProbes=N,i.version=rT++)}function l(c,h){let u=0,d=0,f=0,g=0,y=0,p=0,m=h.matrixWorldInverse;for(let v=0,C=c.length;v<C;v++){let S=c[v];if(S.isSunLight){let R=i.sun[u];R.direction.setFromMatrixPosition(S.matrixWorld),R.direction.transformDirection(m),u++}else if(S.isDirectionalLight){let R=i.directional[d];R.direction.setFromMatrixPosition(S.matrixWorld),s.setFromMatrixPosition(S.target.matrixWorld),R.direction.sub(s),R.direction.transformDirection(m),d++}else if(S.isSpotLight){let R=i.spot[g];R.position.setFromMatrixPosition(S.matrixWorld),R.position.applyMatrix4(m),R.direction.setFromMatrixPosition(S.matrixWorld),s.setFromMatrixPosition(S.target.matrixWorld),R.direction.sub(s),R.direction.transformDirection(m),g++}else if(S.isRectAreaLight){let R=i.rectArea[y];R.position.setFromMatrixPosition(S.matrixWorld),R.position.applyMatrix4(m),o.identity(),r.copy(S.matrixWorld),r.premultiply(m),o.extractRotation(r),R.halfWidth.set(S.width*.5,0,0),R.halfHeight.set(0,S.height*.5,0),R.halfWidth.applyMatrix4(o),R.halfHeight.applyMatrix4(o),y++}else if(S.isPointLight){let R=i.point[f];R.position.setFromMatrixPosition(S.matrixWorld),R.position.applyMatrix4(m),f++}else if(S.isHemisphereLight){let R=i.hemi[p];R.direction.setFromMatrixPosition(S.matrixWorld),R.direction.transformDirection(m),p++}}}return{setup:a,setupView:l,state:i}}function px(n){let e=new aT(n),t=[],i=[],s=[];function r(u){h.camera=u,t.length=0,i.length=0,s.length=0}function o(u){u.isLightProbeGrid?s.push(u):t.push(u)}function a(u){i.push(u)}function l(){e.setup(t),s.sort((u,d)=>u.priority-d.priority||u.id-d.id)}function c(u){e.setupView(t,u)}let h={lightsArray:t,shadowsArray:i,lightProbeGridArray:s,camera:null,lights:e,transmissionRenderTarget:{},textureUnits:0};return{init:r,state:h,setupLights:l,setupLightsView:c,pushLight:o,pushShadow:a}}function lT(n){let e=new WeakMap;function t(s,r=0){let o=e.get(s),a;return o===void 0?(a=new px(n),e.set(s,[a])):r>=o.length?(a=new px(n),o.push(a)):a=o[r],a}function i(){e=new WeakMap}return{get:t,dispose:i}}var cT=`void main() {
+	gl_Position = vec4( position, 1.0 );
+}`,hT=`uniform sampler2D shadow_pass;
+uniform vec2 resolution;
+uniform float radius;
+void main() {
+	const float samples = float( VSM_SAMPLES );
+	float mean = 0.0;
+	float squared_mean = 0.0;
+	float uvStride = samples <= 1.0 ? 0.0 : 2.0 / ( samples - 1.0 );
+	float uvStart = samples <= 1.0 ? 0.0 : - 1.0;
+	for ( float i = 0.0; i < samples; i ++ ) {
+		float uvOffset = uvStart + i * uvStride;
+		#ifdef HORIZONTAL_PASS
+			vec2 distribution = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( uvOffset, 0.0 ) * radius ) / resolution ).rg;
+			mean += distribution.x;
+			squared_mean += distribution.y * distribution.y + distribution.x * distribution.x;
+		#else
+			float depth = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( 0.0, uvOffset ) * radius ) / resolution ).r;
+			mean += depth;
+			squared_mean += depth * depth;
+		#endif
+	}
+	mean = mean / samples;
+	squared_mean = squared_mean / samples;
+	float std_dev = sqrt( max( 0.0, squared_mean - mean * mean ) );
+	gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );
+}`,uT=[new Z(1,0,0),new Z(-1,0,0),new Z(0,1,0),new Z(0,-1,0),new Z(0,0,1),new Z(0,0,-1)],dT=[new Z(0,-1,0),new Z(0,-1,0),new Z(0,0,1),new Z(0,0,-1),new Z(0,-1,0),new Z(0,-1,0)],mx=new Yt,$a=new Z,wf=new Z;function fT(n,e,t){let i=new Js,s=new tt,r=new tt,o=new Jt,a=new wc,l=new Ec,c={},h=t.maxTextureSize,u={[ir]:jn,[jn]:ir,[ni]:ni},d=new is({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{value:new tt},radius:{value:4}},vertexShader:cT,fragmentShader:hT}),f=d.clone();f.defines.HORIZONTAL_PASS=1;let g=new xi;g.setAttribute("position",new zn(new Float32Array([-1,-1,.5,3,-1,.5,-1,3,.5]),3));let y=new ti(g,d),p=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=ka;let m=this.type;this.render=function(A,_,E){if(p.enabled===!1||p.autoUpdate===!1&&p.needsUpdate===!1||A.length===0)return;this.type===l0&&(Ze("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFShadowMap instead."),this.type=ka);let k=n.getRenderTarget(),N=n.getActiveCubeFace(),D=n.getActiveMipmapLevel(),X=n.state;X.setBlending(Er),X.buffers.depth.getReversed()===!0?X.buffers.color.setClear(0,0,0,0):X.buffers.color.setClear(1,1,1,1),X.buffers.depth.setTest(!0),X.setScissorTest(!1);let B=m!==this.type;B&&_.traverse(function(L){L.material&&(Array.isArray(L.material)?L.material.forEach(z=>z.needsUpdate=!0):L.material.needsUpdate=!0)});for(let L=0,z=A.length;L<z;L++){let G=A[L],V=G.shadow;if(V===void 0){Ze("WebGLShadowMap:",G,"has no shadow.");continue}if(V.autoUpdate===!1&&V.needsUpdate===!1)continue;s.copy(V.mapSize);let ae=V.getFrameExtents();s.multiply(ae),r.copy(V.mapSize),(s.x>h||s.y>h)&&(s.x>h&&(r.x=Math.floor(h/ae.x),s.x=r.x*ae.x,V.mapSize.x=r.x),s.y>h&&(r.y=Math.floor(h/ae.y),s.y=r.y*ae.y,V.mapSize.y=r.y));let $=n.state.buffers.depth.getReversed();if(V.camera._reversedDepth=$,V.map===null||B===!0){if(V.map!==null&&(V.map.depthTexture!==null&&(V.map.depthTexture.dispose(),V.map.depthTexture=null),V.map.dispose()),this.type===Uo){if(G.isPointLight){Ze("WebGLShadowMap: VSM shadow maps are not supported for PointLights. Use PCF or BasicShadowMap instead.");continue}V.map=new gi(s.x,s.y,{format:sr,type:Hi,minFilter:Jn,magFilter:Jn,generateMipmaps:!1}),V.map.texture.name=G.name+".shadowMap",V.map.depthTexture=new Cs(s.x,s.y,Vi),V.map.depthTexture.name=G.name+".shadowMapDepth",V.map.depthTexture.format=Es,V.map.depthTexture.compareFunction=null,V.map.depthTexture.minFilter=yn,V.map.depthTexture.magFilter=yn}else G.isPointLight?(V.map=new Za(s.x),V.map.depthTexture=new Pa(s.x,zi)):(V.map=new gi(s.x,s.y),V.map.depthTexture=new Cs(s.x,s.y,zi)),V.map.depthTexture.name=G.name+".shadowMap",V.map.depthTexture.format=Es,this.type===ka?(V.map.depthTexture.compareFunction=$?uf:hf,V.map.depthTexture.minFilter=Jn,V.map.depthTexture.magFilter=Jn):(V.map.depthTexture.compareFunction=null,V.map.depthTexture.minFilter=yn,V.map.depthTexture.magFilter=yn);V.camera.updateProjectionMatrix()}V.map.isWebGLCubeRenderTarget!==!0&&(V.map.width!==s.x||V.map.height!==s.y)&&V.map.setSize(s.x,s.y);let j=V.map.isWebGLCubeRenderTarget?6:V.getViewportCount();G.isPointLight!==!0&&V.updateMatrices(G,E);let te=(V.camera.layers.mask&4294967294)!==0?V.camera.layers:E.layers;for(let fe=0;fe<j;fe++){let de=V.getCamera(fe);if(G.isPointLight){let ee=V.camera,pe=V.matrix,xe=G.distance||ee.far;xe!==ee.far&&(ee.far=xe,ee.updateProjectionMatrix()),$a.setFromMatrixPosition(G.matrixWorld),ee.position.copy($a),wf.copy(ee.position),wf.add(uT[fe]),ee.up.copy(dT[fe]),ee.lookAt(wf),ee.updateMatrixWorld(),pe.makeTranslation(-$a.x,-$a.y,-$a.z),mx.multiplyMatrices(ee.projectionMatrix,ee.matrixWorldInverse),V._frustum.setFromProjectionMatrix(mx,ee.coordinateSystem,ee.reversedDepth)}if(V.map.isWebGLCubeRenderTarget)n.setRenderTarget(V.map,fe),n.clear();else{fe===0&&(n.setRenderTarget(V.map),n.clear());let ee=V.getViewport(fe);o.set(r.x*ee.x,r.y*ee.y,r.x*ee.z,r.y*ee.w),X.viewport(o)}i=V.getFrustum(fe),S(_,E,de,G,te,this.type)}V.isPointLightShadow!==!0&&this.type===Uo&&v(V,E),V.needsUpdate=!1}m=this.type,p.needsUpdate=!1,n.setRenderTarget(k,N,D)};function v(A,_){let E=e.update(y);d.defines.VSM_SAMPLES!==A.blurSamples&&(d.defines.VSM_SAMPLES=A.blurSamples,f.defines.VSM_SAMPLES=A.blurSamples,d.needsUpdate=!0,f.needsUpdate=!0),A.mapPass===null?A.mapPass=new gi(s.x,s.y,{format:sr,type:Hi}):(A.mapPass.width!==A.map.width||A.mapPass.height!==A.map.height)&&A.mapPass.setSize(A.map.width,A.map.height),d.uniforms.shadow_pass.value=A.map.depthTexture,d.uniforms.resolution.value.set(A.map.width,A.map.height),d.uniforms.radius.value=A.radius,n.setRenderTarget(A.mapPass),n.clear(),n.renderBufferDirect(_,null,E,d,y,null),f.uniforms.shadow_pass.value=A.mapPass.texture,f.uniforms.resolution.value.set(A.map.width,A.map.height),f.uniforms.radius.value=A.radius,n.setRenderTarget(A.map),n.clear(),n.renderBufferDirect(_,null,E,f,y,null)}function C(A,_,E,k){let N=null,D=E.isPointLight===!0?A.customDistanceMaterial:A.customDepthMaterial;if(D!==void 0)N=D;else if(N=E.isPointLight===!0?l:a,n.localClippingEnabled&&_.clipShadows===!0&&Array.isArray(_.clippingPlanes)&&_.clippingPlanes.length!==0||_.displacementMap&&_.displacementScale!==0||_.alphaMap&&_.alphaTest>0||_.map&&_.alphaTest>0||_.alphaToCoverage===!0){let X=N.uuid,B=_.uuid,L=c[X];L===void 0&&(L={},c[X]=L);let z=L[B];z===void 0&&(z=N.clone(),L[B]=z,_.addEventListener("dispose",R)),N=z}if(N.visible=_.visible,N.wireframe=_.wireframe,k===Uo?N.side=_.shadowSide!==null?_.shadowSide:_.side:N.side=_.shadowSide!==null?_.shadowSide:u[_.side],N.alphaMap=_.alphaMap,N.alphaTest=_.alphaToCoverage===!0?.5:_.alphaTest,N.map=_.map,N.clipShadows=_.clipShadows,N.clippingPlanes=_.clippingPlanes,N.clipIntersection=_.clipIntersection,N.displacementMap=_.displacementMap,N.displacementScale=_.displacementScale,N.displacementBias=_.displacementBias,N.wireframeLinewidth=_.wireframeLinewidth,N.linewidth=_.linewidth,E.isPointLight===!0&&N.isMeshDistanceMaterial===!0){let X=n.properties.get(N);X.light=E}return N}function S(A,_,E,k,N,D){if(A.visible===!1)return;if(A.layers.test(N)&&(A.isMesh||A.isLine||A.isPoints)&&(A.castShadow||A.receiveShadow&&D===Uo)&&(!A.frustumCulled||A.intersectsFrustum(i))){A.modelViewMatrix.multiplyMatrices(E.matrixWorldInverse,A.matrixWorld);let L=e.update(A),z=A.material;if(Array.isArray(z)){let G=L.groups;for(let V=0,ae=G.length;V<ae;V++){let $=G[V],j=z[$.materialIndex];if(j&&j.visible){let te=C(A,j,k,D);A.onBeforeShadow(n,A,_,E,L,te,$),n.renderBufferDirect(E,null,L,te,A,$),A.onAfterShadow(n,A,_,E,L,te,$)}}}else if(z.visible){let G=C(A,z,k,D);A.onBeforeShadow(n,A,_,E,L,G,null),n.renderBufferDirect(E,null,L,G,A,null),A.onAfterShadow(n,A,_,E,L,G,null)}}let B=A.children;for(let L=0,z=B.length;L<z;L++)S(B[L],_,E,k,N,D)}function R(A){A.target.removeEventListener("dispose",R);for(let E in c){let k=c[E],N=A.target.uuid;N in k&&(k[N].dispose(),delete k[N])}}}function pT(n,e){function t(){let O=!1,re=new Jt,ie=null,Te=new Jt(0,0,0,0);return{setMask:function(_e){ie!==_e&&!O&&(n.colorMask(_e,_e,_e,_e),ie=_e)},setLocked:function(_e){O=_e},setClear:function(_e,Se,We,Je,ce){ce===!0&&(_e*=Je,Se*=Je,We*=Je),re.set(_e,Se,We,Je),Te.equals(re)===!1&&(n.clearColor(_e,Se,We,Je),Te.copy(re))},reset:function(){O=!1,ie=null,Te.set(-1,0,0,0)}}}function i(){let O=!1,re=!1,ie=null,Te=null,_e=null;return{setReversed:function(Se){if(re!==Se){let We=e.get("EXT_clip_control");Se?We.clipControlEXT(We.LOWER_LEFT_EXT,We.ZERO_TO_ONE_EXT):We.clipControlEXT(We.LOWER_LEFT_EXT,We.NEGATIVE_ONE_TO_ONE_EXT),re=Se;let Je=_e;_e=null,this.setClear(Je)}},getReversed:function(){return re},setTest:function(Se){Se?we(n.DEPTH_TEST):Xe(n.DEPTH_TEST)},setMask:function(Se){ie!==Se&&!O&&(n.depthMask(Se),ie=Se)},setFunc:function(Se){if(re&&(Se=H0[Se]),Te!==Se){switch(Se){case oc:n.depthFunc(n.NEVER);break;case ac:n.depthFunc(n.ALWAYS);break;case lc:n.depthFunc(n.LESS);break;case So:n.depthFunc(n.LEQUAL);break;case cc:n.depthFunc(n.EQUAL);break;case hc:n.depthFunc(n.GEQUAL);break;case uc:n.depthFunc(n.GREATER);break;case dc:n.depthFunc(n.NOTEQUAL);break;default:n.depthFunc(n.LEQUAL)}Te=Se}},setLocked:function(Se){O=Se},setClear:function(Se){_e!==Se&&(_e=Se,re&&(Se=1-Se),n.clearDepth(Se))},reset:function(){O=!1,ie=null,Te=null,_e=null,re=!1}}}function s(){let O=!1,re=null,ie=null,Te=null,_e=null,Se=null,We=null,Je=null,ce=null;return{setTest:function(ke){O||(ke?we(n.STENCIL_TEST):Xe(n.STENCIL_TEST))},setMask:function(ke){re!==ke&&!O&&(n.stencilMask(ke),re=ke)},setFunc:function(ke,je,Pe){(ie!==ke||Te!==je||_e!==Pe)&&(n.stencilFunc(ke,je,Pe),ie=ke,Te=je,_e=Pe)},setOp:function(ke,je,Pe){(Se!==ke||We!==je||Je!==Pe)&&(n.stencilOp(ke,je,Pe),Se=ke,We=je,Je=Pe)},setLocked:function(ke){O=ke},setClear:function(ke){ce!==ke&&(n.clearStencil(ke),ce=ke)},reset:function(){O=!1,re=null,ie=null,Te=null,_e=null,Se=null,We=null,Je=null,ce=null}}}let r=new t,o=new i,a=new s,l={},c=new WeakMap,h={},u={},d={},f=new WeakMap,g=[],y=null,p=!1,m=null,v=null,C=null,S=null,R=null,A=null,_=null,E=new ct(0,0,0),k=0,N=!1,D=null,X=null,B=null,L=null,z=null,G=n.getParameter(n.MAX_COMBINED_TEXTURE_IMAGE_UNITS),V=!1,ae=0,$=n.getParameter(n.VERSION);$.indexOf("WebGL")!==-1?(ae=parseFloat(/^WebGL (\d)/.exec($)[1]),V=ae>=1):$.indexOf("OpenGL ES")!==-1&&(ae=parseFloat(/^OpenGL ES (\d)/.exec($)[1]),V=ae>=2);let j=null,te={},fe=n.getParameter(n.SCISSOR_BOX),de=n.getParameter(n.VIEWPORT),ee=new Jt().fromArray(fe),pe=new Jt().fromArray(de);function xe(O,re,ie,Te){let _e=new Uint8Array(4),Se=n.createTexture();n.bindTexture(O,Se),n.texParameteri(O,n.TEXTURE_MIN_FILTER,n.NEAREST),n.texParameteri(O,n.TEXTURE_MAG_FILTER,n.NEAREST);for(let We=0;We<ie;We++)O===n.TEXTURE_3D||O===n.TEXTURE_2D_ARRAY?n.texImage3D(re,0,n.RGBA,1,1,Te,0,n.RGBA,n.UNSIGNED_BYTE,_e):n.texImage2D(re+We,0,n.RGBA,1,1,0,n.RGBA,n.UNSIGNED_BYTE,_e);return Se}let Re={};Re[n.TEXTURE_2D]=xe(n.TEXTURE_2D,n.TEXTURE_2D,1),Re[n.TEXTURE_CUBE_MAP]=xe(n.TEXTURE_CUBE_MAP,n.TEXTURE_CUBE_MAP_POSITIVE_X,6),Re[n.TEXTURE_2D_ARRAY]=xe(n.TEXTURE_2D_ARRAY,n.TEXTURE_2D_ARRAY,1,1),Re[n.TEXTURE_3D]=xe(n.TEXTURE_3D,n.TEXTURE_3D,1,1),r.setClear(0,0,0,1),o.setClear(1),a.setClear(0),we(n.DEPTH_TEST),o.setFunc(So),hn(!1),Ot(Hd),we(n.CULL_FACE),Zt(Er);function we(O){h[O]!==!0&&(n.enable(O),h[O]=!0)}function Xe(O){h[O]!==!1&&(n.disable(O),h[O]=!1)}function rt(O,re){return d[O]!==re?(n.bindFramebuffer(O,re),d[O]=re,O===n.DRAW_FRAMEBUFFER&&(d[n.FRAMEBUFFER]=re),O===n.FRAMEBUFFER&&(d[n.DRAW_FRAMEBUFFER]=re),!0):!1}function Ge(O,re){let ie=g,Te=!1;if(O){ie=f.get(re),ie===void 0&&(ie=[],f.set(re,ie));let _e=O.textures;if(ie.length!==_e.length||ie[0]!==n.COLOR_ATTACHMENT0){for(let Se=0,We=_e.length;Se<We;Se++)ie[Se]=n.COLOR_ATTACHMENT0+Se;ie.length=_e.length,Te=!0}}else ie[0]!==n.BACK&&(ie[0]=n.BACK,Te=!0);Te&&n.drawBuffers(ie)}function ft(O){return y!==O?(n.useProgram(O),y=O,!0):!1}let ht={[Tr]:n.FUNC_ADD,[h0]:n.FUNC_SUBTRACT,[u0]:n.FUNC_REVERSE_SUBTRACT};ht[d0]=n.MIN,ht[f0]=n.MAX;let it={[p0]:n.ZERO,[m0]:n.ONE,[g0]:n.SRC_COLOR,[qd]:n.SRC_ALPHA,[M0]:n.SRC_ALPHA_SATURATE,[v0]:n.DST_COLOR,[_0]:n.DST_ALPHA,[x0]:n.ONE_MINUS_SRC_COLOR,[$d]:n.ONE_MINUS_SRC_ALPHA,[b0]:n.ONE_MINUS_DST_COLOR,[y0]:n.ONE_MINUS_DST_ALPHA,[S0]:n.CONSTANT_COLOR,[w0]:n.ONE_MINUS_CONSTANT_COLOR,[E0]:n.CONSTANT_ALPHA,[T0]:n.ONE_MINUS_CONSTANT_ALPHA};function Zt(O,re,ie,Te,_e,Se,We,Je,ce,ke){if(O===Er){p===!0&&(Xe(n.BLEND),p=!1);return}if(p===!1&&(we(n.BLEND),p=!0),O!==c0){if(O!==m||ke!==N){if((v!==Tr||R!==Tr)&&(n.blendEquation(n.FUNC_ADD),v=Tr,R=Tr),ke)switch(O){case Oo:n.blendFuncSeparate(n.ONE,n.ONE_MINUS_SRC_ALPHA,n.ONE,n.ONE_MINUS_SRC_ALPHA);break;case Gd:n.blendFunc(n.ONE,n.ONE);break;case Wd:n.blendFuncSeparate(n.ZERO,n.ONE_MINUS_SRC_COLOR,n.ZERO,n.ONE);break;case Xd:n.blendFuncSeparate(n.DST_COLOR,n.ONE_MINUS_SRC_ALPHA,n.ZERO,n.ONE);break;default:et("WebGLState: Invalid blending: ",O);break}else switch(O){case Oo:n.blendFuncSeparate(n.SRC_ALPHA,n.ONE_MINUS_SRC_ALPHA,n.ONE,n.ONE_MINUS_SRC_ALPHA);break;case Gd:n.blendFuncSeparate(n.SRC_ALPHA,n.ONE,n.ONE,n.ONE);break;case Wd:et("WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case Xd:et("WebGLState: MultiplyBlending requires material.premultipliedAlpha = true");break;default:et("WebGLState: Invalid blending: ",O);break}C=null,S=null,A=null,_=null,E.set(0,0,0),k=0,m=O,N=ke}return}_e=_e||re,Se=Se||ie,We=We||Te,(re!==v||_e!==R)&&(n.blendEquationSeparate(ht[re],ht[_e]),v=re,R=_e),(ie!==C||Te!==S||Se!==A||We!==_)&&(n.blendFuncSeparate(it[ie],it[Te],it[Se],it[We]),C=ie,S=Te,A=Se,_=We),(Je.equals(E)===!1||ce!==k)&&(n.blendColor(Je.r,Je.g,Je.b,ce),E.copy(Je),k=ce),m=O,N=!1}function Vt(O,re){O.side===ni?Xe(n.CULL_FACE):we(n.CULL_FACE);let ie=O.side===jn;re&&(ie=!ie),hn(ie),O.blending===Oo&&O.transparent===!1?Zt(Er):Zt(O.blending,O.blendEquation,O.blendSrc,O.blendDst,O.blendEquationAlpha,O.blendSrcAlpha,O.blendDstAlpha,O.blendColor,O.blendAlpha,O.premultipliedAlpha),o.setFunc(O.depthFunc),o.setTest(O.depthTest),o.setMask(O.depthWrite),r.setMask(O.colorWrite);let Te=O.stencilWrite;a.setTest(Te),Te&&(a.setMask(O.stencilWriteMask),a.setFunc(O.stencilFunc,O.stencilRef,O.stencilFuncMask),a.setOp(O.stencilFail,O.stencilZFail,O.stencilZPass)),Mt(O.polygonOffset,O.polygonOffsetFactor,O.polygonOffsetUnits),O.alphaToCoverage===!0?we(n.SAMPLE_ALPHA_TO_COVERAGE):Xe(n.SAMPLE_ALPHA_TO_COVERAGE)}function hn(O){D!==O&&(O?n.frontFace(n.CW):n.frontFace(n.CCW),D=O)}function Ot(O){O!==o0?(we(n.CULL_FACE),O!==X&&(O===Hd?n.cullFace(n.BACK):O===a0?n.cullFace(n.FRONT):n.cullFace(n.FRONT_AND_BACK))):Xe(n.CULL_FACE),X=O}function An(O){O!==B&&(V&&n.lineWidth(O),B=O)}function Mt(O,re,ie){O?(we(n.POLYGON_OFFSET_FILL),(L!==re||z!==ie)&&(L=re,z=ie,o.getReversed()&&(re=-re,ie=-ie),n.polygonOffset(re,ie))):Xe(n.POLYGON_OFFSET_FILL)}function vn(O){O?we(n.SCISSOR_TEST):Xe(n.SCISSOR_TEST)}function en(O){O===void 0&&(O=n.TEXTURE0+G-1),j!==O&&(n.activeTexture(O),j=O)}function un(O,re,ie){ie===void 0&&(j===null?ie=n.TEXTURE0+G-1:ie=j);let Te=te[ie];Te===void 0&&(Te={type:void 0,texture:void 0},te[ie]=Te),(Te.type!==O||Te.texture!==re)&&(j!==ie&&(n.activeTexture(ie),j=ie),n.bindTexture(O,re||Re[O]),Te.type=O,Te.texture=re)}function F(){let O=te[j];O!==void 0&&O.type!==void 0&&(n.bindTexture(O.type,null),O.type=void 0,O.texture=void 0)}function Ie(){try{n.compressedTexImage2D(...arguments)}catch(O){et("WebGLState:",O)}}function Ye(){try{n.compressedTexImage3D(...arguments)}catch(O){et("WebGLState:",O)}}function ot(){try{n.texSubImage2D(...arguments)}catch(O){et("WebGLState:",O)}}function Ee(){try{n.texSubImage3D(...arguments)}catch(O){et("WebGLState:",O)}}function Bt(){try{n.compressedTexSubImage2D(...arguments)}catch(O){et("WebGLState:",O)}}function He(){try{n.compressedTexSubImage3D(...arguments)}catch(O){et("WebGLState:",O)}}function $e(){try{n.texStorage2D(...arguments)}catch(O){et("WebGLState:",O)}}function P(){try{n.texStorage3D(...arguments)}catch(O){et("WebGLState:",O)}}function b(){try{n.texImage2D(...arguments)}catch(O){et("WebGLState:",O)}}function q(){try{n.texImage3D(...arguments)}catch(O){et("WebGLState:",O)}}function ue(O){return u[O]!==void 0?u[O]:n.getParameter(O)}function oe(O,re){u[O]!==re&&(n.pixelStorei(O,re),u[O]=re)}function ye(O){ee.equals(O)===!1&&(n.scissor(O.x,O.y,O.z,O.w),ee.copy(O))}function ve(O){pe.equals(O)===!1&&(n.viewport(O.x,O.y,O.z,O.w),pe.copy(O))}function ne(O,re){let ie=c.get(re);ie===void 0&&(ie=new WeakMap,c.set(re,ie));let Te=ie.get(O);Te===void 0&&(Te=n.getUniformBlockIndex(re,O.name),n.uniformBlockBinding(re,Te,Te),ie.set(O,Te))}function se(O,re,ie){let _e=c.get(re).get(O);l[_e]!==ie&&(n.bindBufferBase(n.UNIFORM_BUFFER,_e,ie),l[_e]=ie)}function ge(){n.disable(n.BLEND),n.disable(n.CULL_FACE),n.disable(n.DEPTH_TEST),n.disable(n.POLYGON_OFFSET_FILL),n.disable(n.SCISSOR_TEST),n.disable(n.STENCIL_TEST),n.disable(n.SAMPLE_ALPHA_TO_COVERAGE),n.blendEquation(n.FUNC_ADD),n.blendFunc(n.ONE,n.ZERO),n.blendFuncSeparate(n.ONE,n.ZERO,n.ONE,n.ZERO),n.blendColor(0,0,0,0),n.colorMask(!0,!0,!0,!0),n.clearColor(0,0,0,0),n.depthMask(!0),n.depthFunc(n.LESS),o.setReversed(!1),n.clearDepth(1),n.stencilMask(4294967295),n.stencilFunc(n.ALWAYS,0,4294967295),n.stencilOp(n.KEEP,n.KEEP,n.KEEP),n.clearStencil(0),n.cullFace(n.BACK),n.frontFace(n.CCW),n.polygonOffset(0,0),n.activeTexture(n.TEXTURE0),n.bindFramebuffer(n.FRAMEBUFFER,null),n.bindFramebuffer(n.DRAW_FRAMEBUFFER,null),n.bindFramebuffer(n.READ_FRAMEBUFFER,null),n.useProgram(null),n.lineWidth(1),n.scissor(0,0,n.canvas.width,n.canvas.height),n.viewport(0,0,n.canvas.width,n.canvas.height),n.pixelStorei(n.PACK_ALIGNMENT,4),n.pixelStorei(n.UNPACK_ALIGNMENT,4),n.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,!1),n.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,!1),n.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,n.BROWSER_DEFAULT_WEBGL),n.pixelStorei(n.PACK_ROW_LENGTH,0),n.pixelStorei(n.PACK_SKIP_PIXELS,0),n.pixelStorei(n.PACK_SKIP_ROWS,0),n.pixelStorei(n.UNPACK_ROW_LENGTH,0),n.pixelStorei(n.UNPACK_IMAGE_HEIGHT,0),n.pixelStorei(n.UNPACK_SKIP_PIXELS,0),n.pixelStorei(n.UNPACK_SKIP_ROWS,0),n.pixelStorei(n.UNPACK_SKIP_IMAGES,0),h={},u={},j=null,te={},d={},l={},f=new WeakMap,g=[],y=null,p=!1,m=null,v=null,C=null,S=null,R=null,A=null,_=null,E=new ct(0,0,0),k=0,N=!1,D=null,X=null,B=null,L=null,z=null,ee.set(0,0,n.canvas.width,n.canvas.height),pe.set(0,0,n.canvas.width,n.canvas.height),r.reset(),o.reset(),a.reset()}return{buffers:{color:r,depth:o,stencil:a},enable:we,disable:Xe,bindFramebuffer:rt,drawBuffers:Ge,useProgram:ft,setBlending:Zt,setMaterial:Vt,setFlipSided:hn,setCullFace:Ot,setLineWidth:An,setPolygonOffset:Mt,setScissorTest:vn,activeTexture:en,bindTexture:un,unbindTexture:F,compressedTexImage2D:Ie,compressedTexImage3D:Ye,texImage2D:b,texImage3D:q,pixelStorei:oe,getParameter:ue,updateUBOMapping:ne,uniformBlockBinding:se,texStorage2D:$e,texStorage3D:P,texSubImage2D:ot,texSubImage3D:Ee,compressedTexSubImage2D:Bt,compressedTexSubImage3D:He,scissor:ye,viewport:ve,reset:ge}}function mT(n,e,t,i,s,r,o){let a=e.has("WEBGL_multisampled_render_to_texture")?e.get("WEBGL_multisampled_render_to_texture"):null,l=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.userAgent),c=new tt,h=new WeakMap,u=new Set,d,f=new WeakMap,g=new Set,y=new FinalizationRegistry(P=>g.delete(P)),p=!1;try{p=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(1,1).getContext("2d")!==null}catch{}function m(P,b){return p?new OffscreenCanvas(P,b):Ma("canvas")}function v(P,b,q){let ue=1,oe=$e(P);if((oe.width>q||oe.height>q)&&(ue=q/Math.max(oe.width,oe.height)),ue<1)if(typeof HTMLImageElement<"u"&&P instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&P instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&P instanceof ImageBitmap||typeof VideoFrame<"u"&&P instanceof VideoFrame){let ye=Math.floor(ue*oe.width),ve=Math.floor(ue*oe.height);d===void 0&&(d=m(ye,ve));let ne=b?m(ye,ve):d;return ne.width=ye,ne.height=ve,ne.getContext("2d").drawImage(P,0,0,ye,ve),Ze("WebGLRenderer: Texture has been resized from ("+oe.width+"x"+oe.height+") to ("+ye+"x"+ve+")."),ne}else return"data"in P&&Ze("WebGLRenderer: Image in DataTexture is too big ("+oe.width+"x"+oe.height+")."),P;return P}function C(P){return P.generateMipmaps}function S(P){n.generateMipmap(P)}function R(P){return P.isWebGLCubeRenderTarget?n.TEXTURE_CUBE_MAP:P.isWebGL3DRenderTarget?n.TEXTURE_3D:P.isWebGLArrayRenderTarget||P.isCompressedArrayTexture?n.TEXTURE_2D_ARRAY:n.TEXTURE_2D}function A(P,b,q,ue,oe,ye=!1){if(P!==null){if(n[P]!==void 0)return n[P];Ze("WebGLRenderer: Attempt to use non-existing WebGL internal format '"+P+"'")}let ve;ue&&(ve=e.get("EXT_texture_norm16"),ve||Ze("WebGLRenderer: Unable to use normalized textures without EXT_texture_norm16 extension"));let ne=b;if(b===n.RED&&(q===n.FLOAT&&(ne=n.R32F),q===n.HALF_FLOAT&&(ne=n.R16F),q===n.UNSIGNED_BYTE&&(ne=n.R8),q===n.UNSIGNED_SHORT&&ve&&(ne=ve.R16_EXT),q===n.SHORT&&ve&&(ne=ve.R16_SNORM_EXT)),b===n.RED_INTEGER&&(q===n.UNSIGNED_BYTE&&(ne=n.R8UI),q===n.UNSIGNED_SHORT&&(ne=n.R16UI),q===n.UNSIGNED_INT&&(ne=n.R32UI),q===n.BYTE&&(ne=n.R8I),q===n.SHORT&&(ne=n.R16I),q===n.INT&&(ne=n.R32I)),b===n.RG&&(q===n.FLOAT&&(ne=n.RG32F),q===n.HALF_FLOAT&&(ne=n.RG16F),q===n.UNSIGNED_BYTE&&(ne=n.RG8),q===n.UNSIGNED_SHORT&&ve&&(ne=ve.RG16_EXT),q===n.SHORT&&ve&&(ne=ve.RG16_SNORM_EXT)),b===n.RG_INTEGER&&(q===n.UNSIGNED_BYTE&&(ne=n.RG8UI),q===n.UNSIGNED_SHORT&&(ne=n.RG16UI),q===n.UNSIGNED_INT&&(ne=n.RG32UI),q===n.BYTE&&(ne=n.RG8I),q===n.SHORT&&(ne=n.RG16I),q===n.INT&&(ne=n.RG32I)),b===n.RGB_INTEGER&&(q===n.UNSIGNED_BYTE&&(ne=n.RGB8UI),q===n.UNSIGNED_SHORT&&(ne=n.RGB16UI),q===n.UNSIGNED_INT&&(ne=n.RGB32UI),q===n.BYTE&&(ne=n.RGB8I),q===n.SHORT&&(ne=n.RGB16I),q===n.INT&&(ne=n.RGB32I)),b===n.RGBA_INTEGER&&(q===n.UNSIGNED_BYTE&&(ne=n.RGBA8UI),q===n.UNSIGNED_SHORT&&(ne=n.RGBA16UI),q===n.UNSIGNED_INT&&(ne=n.RGBA32UI),q===n.BYTE&&(ne=n.RGBA8I),q===n.SHORT&&(ne=n.RGBA16I),q===n.INT&&(ne=n.RGBA32I)),b===n.RGB&&(q===n.UNSIGNED_SHORT&&ve&&(ne=ve.RGB16_EXT),q===n.SHORT&&ve&&(ne=ve.RGB16_SNORM_EXT),q===n.UNSIGNED_INT_5_9_9_9_REV&&(ne=n.RGB9_E5),q===n.UNSIGNED_INT_10F_11F_11F_REV&&(ne=n.R11F_G11F_B10F)),b===n.RGBA){let se=ye?ba:bt.getTransfer(oe);q===n.FLOAT&&(ne=n.RGBA32F),q===n.HALF_FLOAT&&(ne=n.RGBA16F),q===n.UNSIGNED_BYTE&&(ne=se===It?n.SRGB8_ALPHA8:n.RGBA8),q===n.UNSIGNED_SHORT&&ve&&(ne=ve.RGBA16_EXT),q===n.SHORT&&ve&&(ne=ve.RGBA16_SNORM_EXT),q===n.UNSIGNED_SHORT_4_4_4_4&&(ne=n.RGBA4),q===n.UNSIGNED_SHORT_5_5_5_1&&(ne=n.RGB5_A1)}return(ne===n.R16F||ne===n.R32F||ne===n.RG16F||ne===n.RG32F||ne===n.RGBA16F||ne===n.RGBA32F)&&e.get("EXT_color_buffer_float"),ne}function _(P,b){let q;return P?b===null||b===zi||b===Cr?q=n.DEPTH24_STENCIL8:b===Vi?q=n.DEPTH32F_STENCIL8:b===Bo&&(q=n.DEPTH24_STENCIL8,Ze("DepthTexture: 16 bit depth attachment is not supported with stencil. Using 24-bit attachment.")):b===null||b===zi||b===Cr?q=n.DEPTH_COMPONENT24:b===Vi?q=n.DEPTH_COMPONENT32F:b===Bo&&(q=n.DEPTH_COMPONENT16),q}function E(P,b){return C(P)===!0||P.isFramebufferTexture&&P.minFilter!==yn&&P.minFilter!==Jn?Math.log2(Math.max(b.width,b.height))+1:P.mipmaps.length>0?P.mipmaps.length:P.isCompressedTexture&&Array.isArray(P.image)?b.mipmaps.length:1}function k(P){let b=new WeakRef(P);i.get(P).__ref=b,g.add(b),y.register(P,b,b)}function N(P){let b=i.get(P).__ref;b!==void 0&&(g.delete(b),y.unregister(b))}function D(P){B(P.target)}function X(P){L(P.target)}function B(P){P.removeEventListener("dispose",D),N(P),G(P),P.isVideoTexture&&h.delete(P),P.isHTMLTexture&&u.delete(P)}function L(P){P.removeEventListener("dispose",X),N(P),ae(P)}function z(){for(let P of g){let b=P.deref();b!==void 0&&(b.isRenderTarget===!0?L(b):B(b))}g.clear(),u.clear()}function G(P){let b=i.get(P);if(b.__webglInit===void 0)return;let q=P.source,ue=f.get(q);if(ue){let oe=ue[b.__cacheKey];oe.usedTimes--,oe.usedTimes===0&&V(P),Object.keys(ue).length===0&&f.delete(q)}i.remove(P)}function V(P){let b=i.get(P);n.deleteTexture(b.__webglTexture);let q=P.source,ue=f.get(q);delete ue[b.__cacheKey],o.memory.textures--}function ae(P){let b=i.get(P);b.__depthDisposeCallback&&b.__depthDisposeCallback();let q=P.depthTexture;if(q&&q.renderTarget===P&&B(q),P.isWebGLCubeRenderTarget)for(let oe=0;oe<6;oe++){if(Array.isArray(b.__webglFramebuffer[oe]))for(let ye=0;ye<b.__webglFramebuffer[oe].length;ye++)n.deleteFramebuffer(b.__webglFramebuffer[oe][ye]);else n.deleteFramebuffer(b.__webglFramebuffer[oe]);b.__webglDepthbuffer&&n.deleteRenderbuffer(b.__webglDepthbuffer[oe])}else{if(Array.isArray(b.__webglFramebuffer))for(let oe=0;oe<b.__webglFramebuffer.length;oe++)n.deleteFramebuffer(b.__webglFramebuffer[oe]);else n.deleteFramebuffer(b.__webglFramebuffer);if(b.__webglDepthbuffer&&n.deleteRenderbuffer(b.__webglDepthbuffer),b.__webglMultisampledFramebuffer&&n.deleteFramebuffer(b.__webglMultisampledFramebuffer),b.__webglColorRenderbuffer)for(let oe=0;oe<b.__webglColorRenderbuffer.length;oe++)b.__webglColorRenderbuffer[oe]&&n.deleteRenderbuffer(b.__webglColorRenderbuffer[oe]);b.__webglDepthRenderbuffer&&n.deleteRenderbuffer(b.__webglDepthRenderbuffer)}let ue=P.textures;for(let oe=0,ye=ue.length;oe<ye;oe++){let ve=i.get(ue[oe]);ve.__webglTexture&&(n.deleteTexture(ve.__webglTexture),o.memory.textures--),i.remove(ue[oe])}i.remove(P)}let $=0;function j(){$=0}function te(){return $}function fe(P){$=P}function de(){let P=$;return P>=s.maxTextures&&Ze("WebGLTextures: Trying to use "+(P+1)+" texture units while this GPU supports only "+s.maxTextures),$+=1,P}function ee(P){let b=[];return b.push(P.wrapS),b.push(P.wrapT),b.push(P.wrapR||0),b.push(P.magFilter),b.push(P.minFilter),b.push(P.anisotropy),b.push(P.internalFormat),b.push(P.format),b.push(P.type),b.push(P.generateMipmaps),b.push(P.mipmapsAutoUpdate),b.push(P.premultiplyAlpha),b.push(P.flipY),b.push(P.unpackAlignment),b.push(P.colorSpace),b.join()}function pe(P,b){let q=i.get(P);if(P.isVideoTexture&&Bt(P),P.isRenderTargetTexture===!1&&P.isExternalTexture!==!0&&P.version>0&&q.__version!==P.version){let ue=P.image;if(ue===null)Ze("WebGLRenderer: Texture marked for update but no image data found.");else if(ue.complete===!1)Ze("WebGLRenderer: Texture marked for update but image is incomplete");else{Vt(q,P,b);return}}else P.isExternalTexture&&(q.__webglTexture=P.sourceTexture?P.sourceTexture:null);t.bindTexture(n.TEXTURE_2D,q.__webglTexture,n.TEXTURE0+b)}function xe(P,b){let q=i.get(P);if(P.isRenderTargetTexture===!1&&P.version>0&&q.__version!==P.version){Vt(q,P,b);return}else P.isExternalTexture&&(q.__webglTexture=P.sourceTexture?P.sourceTexture:null);t.bindTexture(n.TEXTURE_2D_ARRAY,q.__webglTexture,n.TEXTURE0+b)}function Re(P,b){let q=i.get(P);if(P.isRenderTargetTexture===!1&&P.version>0&&q.__version!==P.version){Vt(q,P,b);return}t.bindTexture(n.TEXTURE_3D,q.__webglTexture,n.TEXTURE0+b)}function we(P,b){let q=i.get(P);if(P.version>0&&q.__version!==P.version){hn(q,P,b);return}t.bindTexture(n.TEXTURE_CUBE_MAP,q.__webglTexture,n.TEXTURE0+b)}let Xe={[fc]:n.REPEAT,[ns]:n.CLAMP_TO_EDGE,[pc]:n.MIRRORED_REPEAT},rt={[yn]:n.NEAREST,[R0]:n.NEAREST_MIPMAP_NEAREST,[za]:n.NEAREST_MIPMAP_LINEAR,[Jn]:n.LINEAR,[Vc]:n.LINEAR_MIPMAP_NEAREST,[Rs]:n.LINEAR_MIPMAP_LINEAR},Ge={[D0]:n.NEVER,[df]:n.ALWAYS,[N0]:n.LESS,[hf]:n.LEQUAL,[U0]:n.EQUAL,[uf]:n.GEQUAL,[O0]:n.GREATER,[F0]:n.NOTEQUAL};function ft(P,b){if(b.type===Vi&&e.has("OES_texture_float_linear")===!1&&(b.magFilter===Jn||b.magFilter===Vc||b.magFilter===za||b.magFilter===Rs||b.minFilter===Jn||b.minFilter===Vc||b.minFilter===za||b.minFilter===Rs)&&Ze("WebGLRenderer: Unable to use linear filtering with floating point textures. OES_texture_float_linear not supported on this device."),n.texParameteri(P,n.TEXTURE_WRAP_S,Xe[b.wrapS]),n.texParameteri(P,n.TEXTURE_WRAP_T,Xe[b.wrapT]),(P===n.TEXTURE_3D||P===n.TEXTURE_2D_ARRAY)&&n.texParameteri(P,n.TEXTURE_WRAP_R,Xe[b.wrapR]),n.texParameteri(P,n.TEXTURE_MAG_FILTER,rt[b.magFilter]),n.texParameteri(P,n.TEXTURE_MIN_FILTER,rt[b.minFilter]),b.compareFunction&&(n.texParameteri(P,n.TEXTURE_COMPARE_MODE,n.COMPARE_REF_TO_TEXTURE),n.texParameteri(P,n.TEXTURE_COMPARE_FUNC,Ge[b.compareFunction])),e.has("EXT_texture_filter_anisotropic")===!0){if(b.magFilter===yn||b.minFilter!==za&&b.minFilter!==Rs||b.type===Vi&&e.has("OES_texture_float_linear")===!1)return;if(b.anisotropy>1||i.get(b).__currentAnisotropy){let q=e.get("EXT_texture_filter_anisotropic");n.texParameterf(P,q.TEXTURE_MAX_ANISOTROPY_EXT,Math.min(b.anisotropy,s.getMaxAnisotropy())),i.get(b).__currentAnisotropy=b.anisotropy}}}function ht(P,b){let q=!1;P.__webglInit===void 0&&(P.__webglInit=!0,b.addEventListener("dispose",D),k(b));let ue=b.source,oe=f.get(ue);oe===void 0&&(oe={},f.set(ue,oe));let ye=ee(b);if(ye!==P.__cacheKey){oe[ye]===void 0&&(oe[ye]={texture:n.createTexture(),usedTimes:0},o.memory.textures++,q=!0),oe[ye].usedTimes++;let ve=oe[P.__cacheKey];ve!==void 0&&(oe[P.__cacheKey].usedTimes--,ve.usedTimes===0&&V(b)),P.__cacheKey=ye,P.__webglTexture=oe[ye].texture}return q}function it(P,b,q){return Math.floor(Math.floor(P/q)/b)}function Zt(P,b,q,ue){let ye=P.updateRanges;if(ye.length===0)t.texSubImage2D(n.TEXTURE_2D,0,0,0,b.width,b.height,q,ue,b.data);else{ye.sort((O,re)=>O.start-re.start);let ve=0;for(let O=1;O<ye.length;O++){let re=ye[ve],ie=ye[O],Te=re.start+re.count,_e=it(ie.start,b.width,4),Se=it(re.start,b.width,4);ie.start<=Te+1&&_e===Se&&it(ie.start+ie.count-1,b.width,4)===_e?re.count=Math.max(re.count,ie.start+ie.count-re.start):(++ve,ye[ve]=ie)}ye.length=ve+1;let ne=t.getParameter(n.UNPACK_ROW_LENGTH),se=t.getParameter(n.UNPACK_SKIP_PIXELS),ge=t.getParameter(n.UNPACK_SKIP_ROWS);t.pixelStorei(n.UNPACK_ROW_LENGTH,b.width);for(let O=0,re=ye.length;O<re;O++){let ie=ye[O],Te=Math.floor(ie.start/4),_e=Math.ceil(ie.count/4),Se=Te%b.width,We=Math.floor(Te/b.width),Je=_e,ce=1;t.pixelStorei(n.UNPACK_SKIP_PIXELS,Se),t.pixelStorei(n.UNPACK_SKIP_ROWS,We),t.texSubImage2D(n.TEXTURE_2D,0,Se,We,Je,ce,q,ue,b.data)}P.clearUpdateRanges(),t.pixelStorei(n.UNPACK_ROW_LENGTH,ne),t.pixelStorei(n.UNPACK_SKIP_PIXELS,se),t.pixelStorei(n.UNPACK_SKIP_ROWS,ge)}}function Vt(P,b,q){let ue=n.TEXTURE_2D;(b.isDataArrayTexture||b.isCompressedArrayTexture)&&(ue=n.TEXTURE_2D_ARRAY),b.isData3DTexture&&(ue=n.TEXTURE_3D);let oe=ht(P,b),ye=b.source;t.bindTexture(ue,P.__webglTexture,n.TEXTURE0+q);let ve=i.get(ye);if(ye.version!==ve.__version||oe===!0){if(t.activeTexture(n.TEXTURE0+q),(typeof ImageBitmap<"u"&&b.image instanceof ImageBitmap)===!1){let ce=bt.getPrimaries(bt.workingColorSpace),ke=b.colorSpace===Is?null:bt.getPrimaries(b.colorSpace),je=b.colorSpace===Is||ce===ke?n.NONE:n.BROWSER_DEFAULT_WEBGL;t.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,b.flipY),t.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,b.premultiplyAlpha),t.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,je)}t.pixelStorei(n.UNPACK_ALIGNMENT,b.unpackAlignment);let se=v(b.image,!1,s.maxTextureSize);se=He(b,se);let ge=r.convert(b.format,b.colorSpace),O=r.convert(b.type),re=A(b.internalFormat,ge,O,b.normalized,b.colorSpace,b.isVideoTexture);ft(ue,b);let ie,Te=b.mipmaps,_e=b.isVideoTexture!==!0,Se=ve.__version===void 0||oe===!0,We=ye.dataReady,Je=E(b,se);if(b.isDepthTexture)re=_(b.format===Ps,b.type),Se&&(_e?t.texStorage2D(n.TEXTURE_2D,1,re,se.width,se.height):t.texImage2D(n.TEXTURE_2D,0,re,se.width,se.height,0,ge,O,null));else if(b.isDataTexture)if(Te.length>0){_e&&Se&&t.texStorage2D(n.TEXTURE_2D,Je,re,Te[0].width,Te[0].height);for(let ce=0,ke=Te.length;ce<ke;ce++)ie=Te[ce],_e?We&&t.texSubImage2D(n.TEXTURE_2D,ce,0,0,ie.width,ie.height,ge,O,ie.data):t.texImage2D(n.TEXTURE_2D,ce,re,ie.width,ie.height,0,ge,O,ie.data);b.generateMipmaps=!1}else _e?(Se&&t.texStorage2D(n.TEXTURE_2D,Je,re,se.width,se.height),We&&Zt(b,se,ge,O)):t.texImage2D(n.TEXTURE_2D,0,re,se.width,se.height,0,ge,O,se.data);else if(b.isCompressedTexture)if(b.isCompressedArrayTexture){_e&&Se&&t.texStorage3D(n.TEXTURE_2D_ARRAY,Je,re,Te[0].width,Te[0].height,se.depth);for(let ce=0,ke=Te.length;ce<ke;ce++)if(ie=Te[ce],b.format!==yi)if(ge!==null)if(_e){if(We)if(b.layerUpdates.size>0){let je=Mf(ie.width,ie.height,b.format,b.type);for(let Pe of b.layerUpdates){let lt=ie.data.subarray(Pe*je/ie.data.BYTES_PER_ELEMENT,(Pe+1)*je/ie.data.BYTES_PER_ELEMENT);t.compressedTexSubImage3D(n.TEXTURE_2D_ARRAY,ce,0,0,Pe,ie.width,ie.height,1,ge,lt)}}else t.compressedTexSubImage3D(n.TEXTURE_2D_ARRAY,ce,0,0,0,ie.width,ie.height,se.depth,ge,ie.data)}else t.compressedTexImage3D(n.TEXTURE_2D_ARRAY,ce,re,ie.width,ie.height,se.depth,0,ie.data,0,0);else Ze("WebGLRenderer: Attempt to load unsupported compressed texture format in .uploadTexture()");else _e?We&&t.texSubImage3D(n.TEXTURE_2D_ARRAY,ce,0,0,0,ie.width,ie.height,se.depth,ge,O,ie.data):t.texImage3D(n.TEXTURE_2D_ARRAY,ce,re,ie.width,ie.height,se.depth,0,ge,O,ie.data);b.layerUpdates.size>0&&b.clearLayerUpdates()}else{_e&&Se&&t.texStorage2D(n.TEXTURE_2D,Je,re,Te[0].width,Te[0].height);for(let ce=0,ke=Te.length;ce<ke;ce++)ie=Te[ce],b.format!==yi?ge!==null?_e?We&&t.compressedTexSubImage2D(n.TEXTURE_2D,ce,0,0,ie.width,ie.height,ge,ie.data):t.compressedTexImage2D(n.TEXTURE_2D,ce,re,ie.width,ie.height,0,ie.data):Ze("WebGLRenderer: Attempt to load unsupported compressed texture format in .uploadTexture()"):_e?We&&t.texSubImage2D(n.TEXTURE_2D,ce,0,0,ie.width,ie.height,ge,O,ie.data):t.texImage2D(n.TEXTURE_2D,ce,re,ie.width,ie.height,0,ge,O,ie.data)}else if(b.isDataArrayTexture)if(_e){if(Se&&t.texStorage3D(n.TEXTURE_2D_ARRAY,Je,re,se.width,se.height,se.depth),We)if(b.layerUpdates.size>0){let ce=Mf(se.width,se.height,b.format,b.type);for(let ke of b.layerUpdates){let je=se.data.subarray(ke*ce/se.data.BYTES_PER_ELEMENT,(ke+1)*ce/se.data.BYTES_PER_ELEMENT);t.texSubImage3D(n.TEXTURE_2D_ARRAY,0,0,0,ke,se.width,se.height,1,ge,O,je)}b.clearLayerUpdates()}else t.texSubImage3D(n.TEXTURE_2D_ARRAY,0,0,0,0,se.width,se.height,se.depth,ge,O,se.data)}else t.texImage3D(n.TEXTURE_2D_ARRAY,0,re,se.width,se.height,se.depth,0,ge,O,se.data);else if(b.isData3DTexture)_e?(Se&&t.texStorage3D(n.TEXTURE_3D,Je,re,se.width,se.height,se.depth),We&&t.texSubImage3D(n.TEXTURE_3D,0,0,0,0,se.width,se.height,se.depth,ge,O,se.data)):t.texImage3D(n.TEXTURE_3D,0,re,se.width,se.height,se.depth,0,ge,O,se.data);else if(b.isFramebufferTexture){if(Se)if(_e)t.texStorage2D(n.TEXTURE_2D,Je,re,se.width,se.height);else{let ce=se.width,ke=se.height;for(let je=0;je<Je;je++)t.texImage2D(n.TEXTURE_2D,je,re,ce,ke,0,ge,O,null),ce>>=1,ke>>=1}}else if(b.isHTMLTexture){if("texElementImage2D"in n){let ce=n.canvas;if(ce.hasAttribute("layoutsubtree")||ce.setAttribute("layoutsubtree","true"),se.parentNode!==ce){ce.appendChild(se),u.add(b),ce.onpaint=ke=>{let je=ke.changedElements;for(let Pe of u)je.includes(Pe.image)&&(Pe.needsUpdate=!0)},ce.requestPaint();return}if(n.texElementImage2D.length===3)n.texElementImage2D(n.TEXTURE_2D,n.RGBA8,se);else{let je=n.RGBA,Pe=n.RGBA,lt=n.UNSIGNED_BYTE;n.texElementImage2D(n.TEXTURE_2D,0,je,Pe,lt,se)}n.texParameteri(n.TEXTURE_2D,n.TEXTURE_MIN_FILTER,n.LINEAR),n.texParameteri(n.TEXTURE_2D,n.TEXTURE_WRAP_S,n.CLAMP_TO_EDGE),n.texParameteri(n.TEXTURE_2D,n.TEXTURE_WRAP_T,n.CLAMP_TO_EDGE)}}else if(Te.length>0){if(_e&&Se){let ce=$e(Te[0]);t.texStorage2D(n.TEXTURE_2D,Je,re,ce.width,ce.height)}for(let ce=0,ke=Te.length;ce<ke;ce++)ie=Te[ce],_e?We&&t.texSubImage2D(n.TEXTURE_2D,ce,0,0,ge,O,ie):t.texImage2D(n.TEXTURE_2D,ce,re,ge,O,ie);b.generateMipmaps=!1}else if(_e){if(Se){let ce=$e(se);t.texStorage2D(n.TEXTURE_2D,Je,re,ce.width,ce.height)}We&&t.texSubImage2D(n.TEXTURE_2D,0,0,0,ge,O,se)}else t.texImage2D(n.TEXTURE_2D,0,re,ge,O,se);C(b)&&b.mipmapsAutoUpdate===!0&&S(ue),ve.__version=ye.version,b.onUpdate&&b.onUpdate(b)}P.__version=b.version}function hn(P,b,q){if(b.image.length!==6)return;let ue=ht(P,b),oe=b.source;t.bindTexture(n.TEXTURE_CUBE_MAP,P.__webglTexture,n.TEXTURE0+q);let ye=i.get(oe);if(oe.version!==ye.__version||ue===!0){t.activeTexture(n.TEXTURE0+q);let ve=bt.getPrimaries(bt.workingColorSpace),ne=b.colorSpace===Is?null:bt.getPrimaries(b.colorSpace),se=b.colorSpace===Is||ve===ne?n.NONE:n.BROWSER_DEFAULT_WEBGL;t.pixelStorei(n.UNPACK_FLIP_Y_WEBGL,b.flipY),t.pixelStorei(n.UNPACK_PREMULTIPLY_ALPHA_WEBGL,b.premultiplyAlpha),t.pixelStorei(n.UNPACK_ALIGNMENT,b.unpackAlignment),t.pixelStorei(n.UNPACK_COLORSPACE_CONVERSION_WEBGL,se);let ge=b.isCompressedTexture||b.image[0].isCompressedTexture,O=b.image[0]&&b.image[0].isDataTexture,re=[];for(let Pe=0;Pe<6;Pe++)!ge&&!O?re[Pe]=v(b.image[Pe],!0,s.maxCubemapSize):re[Pe]=O?b.image[Pe].image:b.image[Pe],re[Pe]=He(b,re[Pe]);let ie=re[0],Te=r.convert(b.format,b.colorSpace),_e=r.convert(b.type),Se=A(b.internalFormat,Te,_e,b.normalized,b.colorSpace),We=b.isVideoTexture!==!0,Je=ye.__version===void 0||ue===!0,ce=oe.dataReady,ke=E(b,ie);ft(n.TEXTURE_CUBE_MAP,b);let je;if(b.isDepthTexture){if(Se=_(b.format===Ps,b.type),Je)if(We)t.texStorage2D(n.TEXTURE_CUBE_MAP,1,Se,ie.width,ie.height);else for(let Pe=0;Pe<6;Pe++)t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Pe,0,Se,ie.width,ie.height,0,Te,_e,null)}else if(ge){We&&Je&&t.texStorage2D(n.TEXTURE_CUBE_MAP,ke,Se,ie.width,ie.height);for(let Pe=0;Pe<6;Pe++){je=re[Pe].mipmaps;for(let lt=0;lt<je.length;lt++){let Ht=je[lt];b.format!==yi?Te!==null?We?ce&&t.compressedTexSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Pe,lt,0,0,Ht.width,Ht.height,Te,Ht.data):t.compressedTexImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Pe,lt,Se,Ht.width,Ht.height,0,Ht.data):Ze("WebGLRenderer: Attempt to load unsupported compressed texture format in .setTextureCube()"):We?ce&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Pe,lt,0,0,Ht.width,Ht.height,Te,_e,Ht.data):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Pe,lt,Se,Ht.width,Ht.height,0,Te,_e,Ht.data)}}}else{if(je=b.mipmaps,We&&Je){je.length>0&&ke++;let Pe=$e(re[0]);t.texStorage2D(n.TEXTURE_CUBE_MAP,ke,Se,Pe.width,Pe.height)}for(let Pe=0;Pe<6;Pe++)if(O){We?ce&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Pe,0,0,0,re[Pe].width,re[Pe].height,Te,_e,re[Pe].data):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Pe,0,Se,re[Pe].width,re[Pe].height,0,Te,_e,re[Pe].data);for(let lt=0;lt<je.length;lt++){let Gn=je[lt].image[Pe].image;We?ce&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Pe,lt+1,0,0,Gn.width,Gn.height,Te,_e,Gn.data):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Pe,lt+1,Se,Gn.width,Gn.height,0,Te,_e,Gn.data)}}else{We?ce&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Pe,0,0,0,Te,_e,re[Pe]):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Pe,0,Se,Te,_e,re[Pe]);for(let lt=0;lt<je.length;lt++){let Ht=je[lt];We?ce&&t.texSubImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Pe,lt+1,0,0,Te,_e,Ht.image[Pe]):t.texImage2D(n.TEXTURE_CUBE_MAP_POSITIVE_X+Pe,lt+1,Se,Te,_e,Ht.image[Pe])}}}C(b)&&b.mipmapsAutoUpdate===!0&&S(n.TEXTURE_CUBE_MAP),ye.__version=oe.version,b.onUpdate&&b.onUpdate(b)}P.__version=b.version}function Ot(P,b,q,ue,oe,ye){let ve=r.convert(q.format,q.colorSpace),ne=r.convert(q.type),se=A(q.internalFormat,ve,ne,q.normalized,q.colorSpace),ge=i.get(b),O=i.get(q);if(O.__renderTarget=b,!ge.__hasExternalTextures){let re=Math.max(1,b.width>>ye),ie=Math.max(1,b.height>>ye);oe===n.TEXTURE_3D||oe===n.TEXTURE_2D_ARRAY?t.texImage3D(oe,ye,se,re,ie,b.depth,0,ve,ne,null):t.texImage2D(oe,ye,se,re,ie,0,ve,ne,null)}t.bindFramebuffer(n.FRAMEBUFFER,P),Ee(b)?a.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,ue,oe,O.__webglTexture,0,ot(b)):(oe===n.TEXTURE_2D||oe>=n.TEXTURE_CUBE_MAP_POSITIVE_X&&oe<=n.TEXTURE_CUBE_MAP_NEGATIVE_Z)&&n.framebufferTexture2D(n.FRAMEBUFFER,ue,oe,O.__webglTexture,ye),t.bindFramebuffer(n.FRAMEBUFFER,null)}function An(P,b,q){if(n.bindRenderbuffer(n.RENDERBUFFER,P),b.depthBuffer){let ue=b.depthTexture,oe=ue&&ue.isDepthTexture?ue.type:null,ye=_(b.stencilBuffer,oe),ve=b.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;Ee(b)?a.renderbufferStorageMultisampleEXT(n.RENDERBUFFER,ot(b),ye,b.width,b.height):q?n.renderbufferStorageMultisample(n.RENDERBUFFER,ot(b),ye,b.width,b.height):n.renderbufferStorage(n.RENDERBUFFER,ye,b.width,b.height),n.framebufferRenderbuffer(n.FRAMEBUFFER,ve,n.RENDERBUFFER,P)}else{let ue=b.textures;for(let oe=0;oe<ue.length;oe++){let ye=ue[oe],ve=r.convert(ye.format,ye.colorSpace),ne=r.convert(ye.type),se=A(ye.internalFormat,ve,ne,ye.normalized,ye.colorSpace);Ee(b)?a.renderbufferStorageMultisampleEXT(n.RENDERBUFFER,ot(b),se,b.width,b.height):q?n.renderbufferStorageMultisample(n.RENDERBUFFER,ot(b),se,b.width,b.height):n.renderbufferStorage(n.RENDERBUFFER,se,b.width,b.height)}}n.bindRenderbuffer(n.RENDERBUFFER,null)}function Mt(P,b,q){let ue=b.isWebGLCubeRenderTarget===!0;if(t.bindFramebuffer(n.FRAMEBUFFER,P),!(b.depthTexture&&b.depthTexture.isDepthTexture))throw new Error("THREE.WebGLTextures: renderTarget.depthTexture must be an instance of THREE.DepthTexture.");let oe=i.get(b.depthTexture);oe.__renderTarget=b;let ye=ue?b.depthTexture.image[0]:b.depthTexture.image;(!oe.__webglTexture||ye.width!==b.width||ye.height!==b.height)&&(ye.width=b.width,ye.height=b.height,b.depthTexture.needsUpdate=!0),ue?we(b.depthTexture,0):pe(b.depthTexture,0);let ve=oe.__webglTexture,ne=ot(b),se=ue?n.TEXTURE_CUBE_MAP_POSITIVE_X+q:n.TEXTURE_2D,ge=b.depthTexture.format===Ps?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;if(b.depthTexture.format===Es)Ee(b)?a.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,ge,se,ve,0,ne):n.framebufferTexture2D(n.FRAMEBUFFER,ge,se,ve,0);else if(b.depthTexture.format===Ps)Ee(b)?a.framebufferTexture2DMultisampleEXT(n.FRAMEBUFFER,ge,se,ve,0,ne):n.framebufferTexture2D(n.FRAMEBUFFER,ge,se,ve,0);else throw new Error("THREE.WebGLTextures: Unknown depthTexture format.")}function vn(P){let b=i.get(P),q=P.isWebGLCubeRenderTarget===!0;if(b.__boundDepthTexture!==P.depthTexture){let ue=P.depthTexture;if(b.__depthDisposeCallback&&b.__depthDisposeCallback(),ue){let oe=()=>{delete b.__boundDepthTexture,delete b.__depthDisposeCallback,ue.removeEventListener("dispose",oe)};ue.addEventListener("dispose",oe),b.__depthDisposeCallback=oe}b.__boundDepthTexture=ue}if(P.depthTexture&&!b.__autoAllocateDepthBuffer)if(q)for(let ue=0;ue<6;ue++)Mt(b.__webglFramebuffer[ue],P,ue);else P.texture.mipmaps.length>0?Mt(b.__webglFramebuffer[0],P,0):Mt(b.__webglFramebuffer,P,0);else if(q){b.__webglDepthbuffer=[];for(let ue=0;ue<6;ue++)if(t.bindFramebuffer(n.FRAMEBUFFER,b.__webglFramebuffer[ue]),b.__webglDepthbuffer[ue]===void 0)b.__webglDepthbuffer[ue]=n.createRenderbuffer(),An(b.__webglDepthbuffer[ue],P,!1);else{let oe=P.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,ye=b.__webglDepthbuffer[ue];n.bindRenderbuffer(n.RENDERBUFFER,ye),n.framebufferRenderbuffer(n.FRAMEBUFFER,oe,n.RENDERBUFFER,ye)}}else if(P.texture.mipmaps.length>0?t.bindFramebuffer(n.FRAMEBUFFER,b.__webglFramebuffer[0]):t.bindFramebuffer(n.FRAMEBUFFER,b.__webglFramebuffer),b.__webglDepthbuffer===void 0)b.__webglDepthbuffer=n.createRenderbuffer(),An(b.__webglDepthbuffer,P,!1);else{let oe=P.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,ye=b.__webglDepthbuffer;n.bindRenderbuffer(n.RENDERBUFFER,ye),n.framebufferRenderbuffer(n.FRAMEBUFFER,oe,n.RENDERBUFFER,ye)}t.bindFramebuffer(n.FRAMEBUFFER,null)}function en(P,b,q){let ue=i.get(P);b!==void 0&&Ot(ue.__webglFramebuffer,P,P.texture,n.COLOR_ATTACHMENT0,n.TEXTURE_2D,0),q!==void 0&&vn(P)}function un(P){let b=P.texture,q=i.get(P),ue=i.get(b);P.addEventListener("dispose",X),k(P);let oe=P.textures,ye=P.isWebGLCubeRenderTarget===!0,ve=oe.length>1;if(ve||(ue.__webglTexture===void 0&&(ue.__webglTexture=n.createTexture()),ue.__version=b.version,o.memory.textures++),ye){q.__webglFramebuffer=[];for(let ne=0;ne<6;ne++)if(b.mipmaps.length>0){q.__webglFramebuffer[ne]=[];for(let se=0;se<b.mipmaps.length;se++)q.__webglFramebuffer[ne][se]=n.createFramebuffer()}else q.__webglFramebuffer[ne]=n.createFramebuffer()}else{if(b.mipmaps.length>0){q.__webglFramebuffer=[];for(let ne=0;ne<b.mipmaps.length;ne++)q.__webglFramebuffer[ne]=n.createFramebuffer()}else q.__webglFramebuffer=n.createFramebuffer();if(ve)for(let ne=0,se=oe.length;ne<se;ne++){let ge=i.get(oe[ne]);ge.__webglTexture===void 0&&(ge.__webglTexture=n.createTexture(),o.memory.textures++)}if(P.samples>0&&Ee(P)===!1){q.__webglMultisampledFramebuffer=n.createFramebuffer(),q.__webglColorRenderbuffer=[],t.bindFramebuffer(n.FRAMEBUFFER,q.__webglMultisampledFramebuffer);for(let ne=0;ne<oe.length;ne++){let se=oe[ne];q.__webglColorRenderbuffer[ne]=n.createRenderbuffer(),n.bindRenderbuffer(n.RENDERBUFFER,q.__webglColorRenderbuffer[ne]);let ge=r.convert(se.format,se.colorSpace),O=r.convert(se.type),re=A(se.internalFormat,ge,O,se.normalized,se.colorSpace,P.isXRRenderTarget===!0),ie=ot(P);n.renderbufferStorageMultisample(n.RENDERBUFFER,ie,re,P.width,P.height),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+ne,n.RENDERBUFFER,q.__webglColorRenderbuffer[ne])}n.bindRenderbuffer(n.RENDERBUFFER,null),P.depthBuffer&&(q.__webglDepthRenderbuffer=n.createRenderbuffer(),An(q.__webglDepthRenderbuffer,P,!0)),t.bindFramebuffer(n.FRAMEBUFFER,null)}}if(ye){t.bindTexture(n.TEXTURE_CUBE_MAP,ue.__webglTexture),ft(n.TEXTURE_CUBE_MAP,b);for(let ne=0;ne<6;ne++)if(b.mipmaps.length>0)for(let se=0;se<b.mipmaps.length;se++)Ot(q.__webglFramebuffer[ne][se],P,b,n.COLOR_ATTACHMENT0,n.TEXTURE_CUBE_MAP_POSITIVE_X+ne,se);else Ot(q.__webglFramebuffer[ne],P,b,n.COLOR_ATTACHMENT0,n.TEXTURE_CUBE_MAP_POSITIVE_X+ne,0);C(b)?S(n.TEXTURE_CUBE_MAP):b.mipmaps.length>0&&n.texParameteri(n.TEXTURE_CUBE_MAP,n.TEXTURE_MAX_LEVEL,b.mipmaps.length-1),t.unbindTexture()}else if(ve){for(let ne=0,se=oe.length;ne<se;ne++){let ge=oe[ne],O=i.get(ge),re=n.TEXTURE_2D;(P.isWebGL3DRenderTarget||P.isWebGLArrayRenderTarget)&&(re=P.isWebGL3DRenderTarget?n.TEXTURE_3D:n.TEXTURE_2D_ARRAY),t.bindTexture(re,O.__webglTexture),ft(re,ge),Ot(q.__webglFramebuffer,P,ge,n.COLOR_ATTACHMENT0+ne,re,0),C(ge)&&S(re)}t.unbindTexture()}else{let ne=n.TEXTURE_2D;if((P.isWebGL3DRenderTarget||P.isWebGLArrayRenderTarget)&&(ne=P.isWebGL3DRenderTarget?n.TEXTURE_3D:n.TEXTURE_2D_ARRAY),t.bindTexture(ne,ue.__webglTexture),ft(ne,b),b.mipmaps.length>0)for(let se=0;se<b.mipmaps.length;se++)Ot(q.__webglFramebuffer[se],P,b,n.COLOR_ATTACHMENT0,ne,se);else Ot(q.__webglFramebuffer,P,b,n.COLOR_ATTACHMENT0,ne,0);C(b)?S(ne):b.mipmaps.length>0&&n.texParameteri(ne,n.TEXTURE_MAX_LEVEL,b.mipmaps.length-1),t.unbindTexture()}P.depthBuffer&&vn(P)}function F(P){let b=P.textures;for(let q=0,ue=b.length;q<ue;q++){let oe=b[q];if(C(oe)&&oe.mipmapsAutoUpdate===!0){let ye=R(P),ve=i.get(oe).__webglTexture;t.bindTexture(ye,ve),S(ye),t.unbindTexture()}}}let Ie=[];function Ye(P){if(P.samples>0){if(Ee(P)===!1){let b=P.textures,q=P.width,ue=P.height,oe=n.COLOR_BUFFER_BIT,ye=P.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT,ve=i.get(P),ne=b.length>1;if(ne)for(let ge=0;ge<b.length;ge++)t.bindFramebuffer(n.FRAMEBUFFER,ve.__webglMultisampledFramebuffer),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+ge,n.RENDERBUFFER,null),t.bindFramebuffer(n.FRAMEBUFFER,ve.__webglFramebuffer),n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0+ge,n.TEXTURE_2D,null,0);t.bindFramebuffer(n.READ_FRAMEBUFFER,ve.__webglMultisampledFramebuffer),P.texture.mipmaps.length>0?t.bindFramebuffer(n.DRAW_FRAMEBUFFER,ve.__webglFramebuffer[0]):t.bindFramebuffer(n.DRAW_FRAMEBUFFER,ve.__webglFramebuffer);for(let ge=0;ge<b.length;ge++){if(P.resolveDepthBuffer&&(P.depthBuffer&&(oe|=n.DEPTH_BUFFER_BIT),P.stencilBuffer&&P.resolveStencilBuffer&&(oe|=n.STENCIL_BUFFER_BIT)),ne){n.framebufferRenderbuffer(n.READ_FRAMEBUFFER,n.COLOR_ATTACHMENT0,n.RENDERBUFFER,ve.__webglColorRenderbuffer[ge]);let O=i.get(b[ge]).__webglTexture;n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0,n.TEXTURE_2D,O,0)}n.blitFramebuffer(0,0,q,ue,0,0,q,ue,oe,n.NEAREST),l===!0&&(Ie.length=0,Ie.push(n.COLOR_ATTACHMENT0+ge),P.depthBuffer&&P.storeMultisampledDepthBuffer===!1&&Ie.push(ye),n.invalidateFramebuffer(n.READ_FRAMEBUFFER,Ie))}if(t.bindFramebuffer(n.READ_FRAMEBUFFER,null),t.bindFramebuffer(n.DRAW_FRAMEBUFFER,null),ne)for(let ge=0;ge<b.length;ge++){t.bindFramebuffer(n.FRAMEBUFFER,ve.__webglMultisampledFramebuffer),n.framebufferRenderbuffer(n.FRAMEBUFFER,n.COLOR_ATTACHMENT0+ge,n.RENDERBUFFER,ve.__webglColorRenderbuffer[ge]);let O=i.get(b[ge]).__webglTexture;t.bindFramebuffer(n.FRAMEBUFFER,ve.__webglFramebuffer),n.framebufferTexture2D(n.DRAW_FRAMEBUFFER,n.COLOR_ATTACHMENT0+ge,n.TEXTURE_2D,O,0)}t.bindFramebuffer(n.DRAW_FRAMEBUFFER,ve.__webglMultisampledFramebuffer)}else if(P.depthBuffer&&P.storeMultisampledDepthBuffer===!1&&l){let b=P.stencilBuffer?n.DEPTH_STENCIL_ATTACHMENT:n.DEPTH_ATTACHMENT;n.invalidateFramebuffer(n.DRAW_FRAMEBUFFER,[b])}}}function ot(P){return Math.min(s.maxSamples,P.samples)}function Ee(P){let b=i.get(P);return P.samples>0&&e.has("WEBGL_multisampled_render_to_texture")===!0&&b.__useRenderToTexture!==!1}function Bt(P){let b=o.render.frame;h.get(P)!==b&&(h.set(P,b),P.update())}function He(P,b){let q=P.colorSpace,ue=P.format,oe=P.type;return P.isCompressedTexture===!0||P.isVideoTexture===!0||q!==va&&q!==Is&&(bt.getTransfer(q)===It?(ue!==yi||oe!==ii)&&Ze("WebGLTextures: sRGB encoded textures have to use RGBAFormat and UnsignedByteType."):et("WebGLTextures: Unsupported texture color space:",q)),b}function $e(P){return typeof HTMLImageElement<"u"&&P instanceof HTMLImageElement?(c.width=P.naturalWidth||P.width,c.height=P.naturalHeight||P.height):typeof VideoFrame<"u"&&P instanceof VideoFrame?(c.width=P.displayWidth,c.height=P.displayHeight):(c.width=P.width,c.height=P.height),c}this.allocateTextureUnit=de,this.resetTextureUnits=j,this.getTextureUnits=te,this.setTextureUnits=fe,this.setTexture2D=pe,this.setTexture2DArray=xe,this.setTexture3D=Re,this.setTextureCube=we,this.rebindTextures=en,this.setupRenderTarget=un,this.updateRenderTargetMipmap=F,this.updateMultisampleRenderTarget=Ye,this.setupDepthRenderbuffer=vn,this.setupFrameBufferTexture=Ot,this.useMultisampledRTT=Ee,this.dispose=z}function gT(n,e){function t(i,s=Is){let r,o=bt.getTransfer(s);if(i===ii)return n.UNSIGNED_BYTE;if(i===Gc)return n.UNSIGNED_SHORT_4_4_4_4;if(i===Wc)return n.UNSIGNED_SHORT_5_5_5_1;if(i===rf)return n.UNSIGNED_INT_5_9_9_9_REV;if(i===of)return n.UNSIGNED_INT_10F_11F_11F_REV;if(i===nf)return n.BYTE;if(i===sf)return n.SHORT;if(i===Bo)return n.UNSIGNED_SHORT;if(i===Hc)return n.INT;if(i===zi)return n.UNSIGNED_INT;if(i===Vi)return n.FLOAT;if(i===Hi)return n.HALF_FLOAT;if(i===af)return n.ALPHA;if(i===lf)return n.RGB;if(i===yi)return n.RGBA;if(i===Es)return n.DEPTH_COMPONENT;if(i===Ps)return n.DEPTH_STENCIL;if(i===cf)return n.RED;if(i===Xc)return n.RED_INTEGER;if(i===sr)return n.RG;if(i===qc)return n.RG_INTEGER;if(i===$c)return n.RGBA_INTEGER;if(i===Va||i===Ha||i===Ga||i===Wa)if(o===It)if(r=e.get("WEBGL_compressed_texture_s3tc_srgb"),r!==null){if(i===Va)return r.COMPRESSED_SRGB_S3TC_DXT1_EXT;if(i===Ha)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT1_EXT;if(i===Ga)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT3_EXT;if(i===Wa)return r.COMPRESSED_SRGB_ALPHA_S3TC_DXT5_EXT}else return null;else if(r=e.get("WEBGL_compressed_texture_s3tc"),r!==null){if(i===Va)return r.COMPRESSED_RGB_S3TC_DXT1_EXT;if(i===Ha)return r.COMPRESSED_RGBA_S3TC_DXT1_EXT;if(i===Ga)return r.COMPRESSED_RGBA_S3TC_DXT3_EXT;if(i===Wa)return r.COMPRESSED_RGBA_S3TC_DXT5_EXT}else return null;if(i===Yc||i===Zc||i===Kc||i===Jc)if(r=e.get("WEBGL_compressed_texture_pvrtc"),r!==null){if(i===Yc)return r.COMPRESSED_RGB_PVRTC_4BPPV1_IMG;if(i===Zc)return r.COMPRESSED_RGB_PVRTC_2BPPV1_IMG;if(i===Kc)return r.COMPRESSED_RGBA_PVRTC_4BPPV1_IMG;if(i===Jc)return r.COMPRESSED_RGBA_PVRTC_2BPPV1_IMG}else return null;if(i===jc||i===Qc||i===eh||i===th||i===nh||i===Xa||i===ih)if(r=e.get("WEBGL_compressed_texture_etc"),r!==null){if(i===jc||i===Qc)return o===It?r.COMPRESSED_SRGB8_ETC2:r.COMPRESSED_RGB8_ETC2;if(i===eh)return o===It?r.COMPRESSED_SRGB8_ALPHA8_ETC2_EAC:r.COMPRESSED_RGBA8_ETC2_EAC;if(i===th)return r.COMPRESSED_R11_EAC;if(i===nh)return r.COMPRESSED_SIGNED_R11_EAC;if(i===Xa)return r.COMPRESSED_RG11_EAC;if(i===ih)return r.COMPRESSED_SIGNED_RG11_EAC}else return null;if(i===sh||i===rh||i===oh||i===ah||i===lh||i===ch||i===hh||i===uh||i===dh||i===fh||i===ph||i===mh||i===gh||i===xh)if(r=e.get("WEBGL_compressed_texture_astc"),r!==null){if(i===sh)return o===It?r.COMPRESSED_SRGB8_ALPHA8_ASTC_4x4_KHR:r.COMPRESSED_RGBA_ASTC_4x4_KHR;if(i===rh)return o===It?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x4_KHR:r.COMPRESSED_RGBA_ASTC_5x4_KHR;if(i===oh)return o===It?r.COMPRESSED_SRGB8_ALPHA8_ASTC_5x5_KHR:r.COMPRESSED_RGBA_ASTC_5x5_KHR;if(i===ah)return o===It?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x5_KHR:r.COMPRESSED_RGBA_ASTC_6x5_KHR;if(i===lh)return o===It?r.COMPRESSED_SRGB8_ALPHA8_ASTC_6x6_KHR:r.COMPRESSED_RGBA_ASTC_6x6_KHR;if(i===ch)return o===It?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x5_KHR:r.COMPRESSED_RGBA_ASTC_8x5_KHR;if(i===hh)return o===It?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x6_KHR:r.COMPRESSED_RGBA_ASTC_8x6_KHR;if(i===uh)return o===It?r.COMPRESSED_SRGB8_ALPHA8_ASTC_8x8_KHR:r.COMPRESSED_RGBA_ASTC_8x8_KHR;if(i===dh)return o===It?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x5_KHR:r.COMPRESSED_RGBA_ASTC_10x5_KHR;if(i===fh)return o===It?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x6_KHR:r.COMPRESSED_RGBA_ASTC_10x6_KHR;if(i===ph)return o===It?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x8_KHR:r.COMPRESSED_RGBA_ASTC_10x8_KHR;if(i===mh)return o===It?r.COMPRESSED_SRGB8_ALPHA8_ASTC_10x10_KHR:r.COMPRESSED_RGBA_ASTC_10x10_KHR;if(i===gh)return o===It?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x10_KHR:r.COMPRESSED_RGBA_ASTC_12x10_KHR;if(i===xh)return o===It?r.COMPRESSED_SRGB8_ALPHA8_ASTC_12x12_KHR:r.COMPRESSED_RGBA_ASTC_12x12_KHR}else return null;if(i===_h||i===yh||i===vh)if(r=e.get("EXT_texture_compression_bptc"),r!==null){if(i===_h)return o===It?r.COMPRESSED_SRGB_ALPHA_BPTC_UNORM_EXT:r.COMPRESSED_RGBA_BPTC_UNORM_EXT;if(i===yh)return r.COMPRESSED_RGB_BPTC_SIGNED_FLOAT_EXT;if(i===vh)return r.COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT_EXT}else return null;if(i===bh||i===Mh||i===qa||i===Sh)if(r=e.get("EXT_texture_compression_rgtc"),r!==null){if(i===bh)return r.COMPRESSED_RED_RGTC1_EXT;if(i===Mh)return r.COMPRESSED_SIGNED_RED_RGTC1_EXT;if(i===qa)return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(i===Sh)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return i===Cr?n.UNSIGNED_INT_24_8:n[i]!==void 0?n[i]:null}return{convert:t}}var xT=`
+void main() {
+
+	gl_Position = vec4( position, 1.0 );
+
+}`,_T=`
+uniform sampler2DArray depthColor;
+uniform float depthWidth;
+uniform float depthHeight;
+
+void main() {
+
+	vec2 coord = vec2( gl_FragCoord.x / depthWidth, gl_FragCoord.y / depthHeight );
+
+	if ( coord.x >= 1.0 ) {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x - 1.0, coord.y, 1 ) ).r;
+
+	} else {
+
+		gl_FragDepth = texture( depthColor, vec3( coord.x, coord.y, 0 ) ).r;
+
+	}
+
+}`,If=class{constructor(){this.texture=null,this.mesh=null,this.depthNear=0,this.depthFar=0}init(e,t){if(this.texture===null){let i=new Ia(e.texture);(e.depthNear!==t.depthNear||e.depthFar!==t.depthFar)&&(this.depthNear=e.depthNear,this.depthFar=e.depthFar),this.texture=i}}getMesh(e){if(this.texture!==null&&this.mesh===null){let t=e.cameras[0].viewport,i=new is({vertexShader:xT,fragmentShader:_T,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});this.mesh=new ti(new wr(20,20),i)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},Lf=class extends ki{constructor(e,t){super();let i=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,h=null,u=null,d=null,f=null,g=null,y=typeof XRWebGLBinding<"u",p=new If,m={},v=t.getContextAttributes(),C=null,S=null,R=[],A=[],_=new tt,E=null,k=null,N=new Kn;N.viewport=new Jt;let D=new Kn;D.viewport=new Jt;let X=[N,D],B=new Fc,L=null,z=null;this.cameraAutoUpdate=!0,this.enabled=!1,this.isPresenting=!1,this.getController=function(ee){let pe=R[ee];return pe===void 0&&(pe=new Co,R[ee]=pe),pe.getTargetRaySpace()},this.getControllerGrip=function(ee){let pe=R[ee];return pe===void 0&&(pe=new Co,R[ee]=pe),pe.getGripSpace()},this.getHand=function(ee){let pe=R[ee];return pe===void 0&&(pe=new Co,R[ee]=pe),pe.getHandSpace()};function G(ee){let pe=A.indexOf(ee.inputSource);if(pe===-1)return;let xe=R[pe];xe!==void 0&&(xe.update(ee.inputSource,ee.frame,c||o),xe.dispatchEvent({type:ee.type,data:ee.inputSource}))}function V(){s.removeEventListener("select",G),s.removeEventListener("selectstart",G),s.removeEventListener("selectend",G),s.removeEventListener("squeeze",G),s.removeEventListener("squeezestart",G),s.removeEventListener("squeezeend",G),s.removeEventListener("end",V),s.removeEventListener("inputsourceschange",ae);for(let ee=0;ee<R.length;ee++){let pe=A[ee];pe!==null&&(A[ee]=null,R[ee].disconnect(pe))}L=null,z=null,p.reset();for(let ee in m)delete m[ee];if(e.setRenderTarget(C),f=null,d=null,u=null,s=null,S=null,de.stop(),i.isPresenting=!1,e.setPixelRatio(E),e.setSize(_.width,_.height,!1),k!==null){let ee=k.camera;ee.fov=k.fov,ee.zoom=k.zoom,ee.updateProjectionMatrix(),k=null}i.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(ee){r=ee,i.isPresenting===!0&&Ze("WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function(ee){a=ee,i.isPresenting===!0&&Ze("WebXRManager: Cannot change reference space type while presenting.")},this.getReferenceSpace=function(){return c||o},this.setReferenceSpace=function(ee){c=ee},this.getBaseLayer=function(){return d!==null?d:f},this.getBinding=function(){return u===null&&y&&(u=new XRWebGLBinding(s,t)),u},this.getFrame=function(){return g},this.getSession=function(){return s},this.setSession=async function(ee){if(s=ee,s!==null){if(C=e.getRenderTarget(),s.addEventListener("select",G),s.addEventListener("selectstart",G),s.addEventListener("selectend",G),s.addEventListener("squeeze",G),s.addEventListener("squeezestart",G),s.addEventListener("squeezeend",G),s.addEventListener("end",V),s.addEventListener("inputsourceschange",ae),v.xrCompatible!==!0&&await t.makeXRCompatible(),E=e.getPixelRatio(),e.getSize(_),y&&"createProjectionLayer"in XRWebGLBinding.prototype){let xe=null,Re=null,we=null;v.depth&&(we=v.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,xe=v.stencil?Ps:Es,Re=v.stencil?Cr:zi);let Xe={colorFormat:t.RGBA8,depthFormat:we,scaleFactor:r};u=this.getBinding(),d=u.createProjectionLayer(Xe),s.updateRenderState({layers:[d]}),e.setPixelRatio(1),e.setSize(d.textureWidth,d.textureHeight,!1),S=new gi(d.textureWidth,d.textureHeight,{format:yi,type:ii,depthTexture:new Cs(d.textureWidth,d.textureHeight,Re,void 0,void 0,void 0,void 0,void 0,void 0,xe),stencilBuffer:v.stencil,colorSpace:e.outputColorSpace,samples:v.antialias?4:0,resolveDepthBuffer:d.ignoreDepthValues===!1,resolveStencilBuffer:d.ignoreDepthValues===!1,storeMultisampledDepthBuffer:d.ignoreDepthValues===!1,storeMultisampledStencilBuffer:d.ignoreDepthValues===!1})}else{let xe={antialias:v.antialias,alpha:!0,depth:v.depth,stencil:v.stencil,framebufferScaleFactor:r};f=new XRWebGLLayer(s,t,xe),s.updateRenderState({baseLayer:f}),e.setPixelRatio(1),e.setSize(f.framebufferWidth,f.framebufferHeight,!1),S=new gi(f.framebufferWidth,f.framebufferHeight,{format:yi,type:ii,colorSpace:e.outputColorSpace,stencilBuffer:v.stencil,resolveDepthBuffer:f.ignoreDepthValues===!1,resolveStencilBuffer:f.ignoreDepthValues===!1,storeMultisampledDepthBuffer:f.ignoreDepthValues===!1,storeMultisampledStencilBuffer:f.ignoreDepthValues===!1})}S.isXRRenderTarget=!0,this.setFoveation(l),c=null,o=await s.requestReferenceSpace(a),de.setContext(s),de.start(),i.isPresenting=!0,i.dispatchEvent({type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return p.getDepthTexture()};function ae(ee){for(let pe=0;pe<ee.removed.length;pe++){let xe=ee.removed[pe],Re=A.indexOf(xe);Re>=0&&(A[Re]=null,R[Re].disconnect(xe))}for(let pe=0;pe<ee.added.length;pe++){let xe=ee.added[pe],Re=A.indexOf(xe);if(Re===-1){for(let Xe=0;Xe<R.length;Xe++)if(Xe>=A.length){A.push(xe),Re=Xe;break}else if(A[Xe]===null){A[Xe]=xe,Re=Xe;break}if(Re===-1)break}let we=R[Re];we&&we.connect(xe)}}function $(ee,pe){pe===null?ee.matrixWorld.copy(ee.matrix):ee.matrixWorld.multiplyMatrices(pe.matrixWorld,ee.matrix),ee.matrixWorldInverse.copy(ee.matrixWorld).invert()}this.updateCamera=function(ee){if(s===null)return;let pe=ee.near,xe=ee.far;p.texture!==null&&(p.depthNear>0&&(pe=p.depthNear),p.depthFar>0&&(xe=p.depthFar)),B.near=D.near=N.near=pe,B.far=D.far=N.far=xe,(L!==B.near||z!==B.far)&&(s.updateRenderState({depthNear:B.near,depthFar:B.far}),L=B.near,z=B.far),B.layers.mask=ee.layers.mask|6,N.layers.mask=B.layers.mask&-5,D.layers.mask=B.layers.mask&-3;let Re=ee.parent,we=B.cameras;$(B,Re);for(let Xe=0;Xe<we.length;Xe++)$(we[Xe],Re);B.projectionMatrix.copy(N.projectionMatrix),B.projectionMatrixInverse.copy(N.projectionMatrixInverse),k===null&&ee.isPerspectiveCamera&&(k={camera:ee,fov:ee.fov,zoom:ee.zoom}),j(ee,B,Re)};function j(ee,pe,xe){xe===null?ee.matrix.copy(pe.matrixWorld):(ee.matrix.copy(xe.matrixWorld),ee.matrix.invert(),ee.matrix.multiply(pe.matrixWorld)),ee.matrix.decompose(ee.position,ee.quaternion,ee.scale),ee.updateMatrixWorld(!0),ee.projectionMatrix.copy(pe.projectionMatrix),ee.projectionMatrixInverse.copy(pe.projectionMatrixInverse),ee.isPerspectiveCamera&&(ee.fov=To*2*Math.atan(1/ee.projectionMatrix.elements[5]),ee.zoom=1)}this.getCamera=function(){return B},this.getFoveation=function(){if(!(d===null&&f===null))return l},this.setFoveation=function(ee){l=ee,d!==null&&(d.fixedFoveation=ee),f!==null&&f.fixedFoveation!==void 0&&(f.fixedFoveation=ee)},this.hasDepthSensing=function(){return p.texture!==null},this.getDepthSensingMesh=function(){return p.getMesh(B)},this.getCameraTexture=function(ee){return m[ee]};let te=null;function fe(ee,pe){if(h=pe.getViewerPose(c||o),g=pe,h!==null){let xe=h.views;f!==null&&(e.setRenderTargetFramebuffer(S,f.framebuffer),e.setRenderTarget(S));let Re=!1;xe.length!==B.cameras.length&&(B.cameras.length=0,Re=!0);for(let Ge=0;Ge<xe.length;Ge++){let ft=xe[Ge],ht=null;if(f!==null)ht=f.getViewport(ft);else{let Zt=u.getViewSubImage(d,ft);ht=Zt.viewport,Ge===0&&(e.setRenderTargetTextures(S,Zt.colorTexture,Zt.depthStencilTexture),e.setRenderTarget(S))}let it=X[Ge];it===void 0&&(it=new Kn,it.layers.enable(Ge),it.viewport=new Jt,X[Ge]=it),it.matrix.fromArray(ft.transform.matrix),it.matrix.decompose(it.position,it.quaternion,it.scale),it.projectionMatrix.fromArray(ft.projectionMatrix),it.projectionMatrixInverse.copy(it.projectionMatrix).invert(),it.viewport.set(ht.x,ht.y,ht.width,ht.height),Ge===0&&(B.matrix.copy(it.matrix),B.matrix.decompose(B.position,B.quaternion,B.scale)),Re===!0&&B.cameras.push(it)}let we=s.enabledFeatures;if(we&&we.includes("depth-sensing")&&s.depthUsage=="gpu-optimized"&&y){u=i.getBinding();let Ge=u.getDepthInformation(xe[0]);Ge&&Ge.isValid&&Ge.texture&&p.init(Ge,s.renderState)}if(we&&we.includes("camera-access")&&y){e.state.unbindTexture(),u=i.getBinding();for(let Ge=0;Ge<xe.length;Ge++){let ft=xe[Ge].camera;if(ft){let ht=m[ft];ht||(ht=new Ia,m[ft]=ht);let it=u.getCameraImage(ft);ht.sourceTexture=it}}}}for(let xe=0;xe<R.length;xe++){let Re=A[xe],we=R[xe];Re!==null&&we!==void 0&&we.update(Re,pe,c||o)}te&&te(ee,pe),pe.detectedPlanes&&i.dispatchEvent({type:"planesdetected",data:pe}),g=null}let de=new gx;de.setAnimationLoop(fe),this.setAnimationLoop=function(ee){te=ee},this.dispose=function(){}}},yT=new Yt,Tx=new nt;Tx.set(-1,0,0,0,1,0,0,0,1);function vT(n,e){function t(p,m){p.matrixAutoUpdate===!0&&p.updateMatrix(),m.value.copy(p.matrix)}function i(p,m){m.color.getRGB(p.fogColor.value,yf(n)),m.isFog?(p.fogNear.value=m.near,p.fogFar.value=m.far):m.isFogExp2&&(p.fogDensity.value=m.density)}function s(p,m,v,C,S){m.isNodeMaterial?m.uniformsNeedUpdate=!1:m.isMeshBasicMaterial?r(p,m):m.isMeshLambertMaterial?(r(p,m),m.envMap&&(p.envMapIntensity.value=m.envMapIntensity)):m.isMeshToonMaterial?(r(p,m),u(p,m)):m.isMeshPhongMaterial?(r(p,m),h(p,m),m.envMap&&(p.envMapIntensity.value=m.envMapIntensity)):m.isMeshStandardMaterial?(r(p,m),d(p,m),m.isMeshPhysicalMaterial&&f(p,m,S)):m.isMeshMatcapMaterial?(r(p,m),g(p,m)):m.isMeshDepthMaterial?r(p,m):m.isMeshDistanceMaterial?(r(p,m),y(p,m)):m.isMeshNormalMaterial?r(p,m):m.isLineBasicMaterial?(o(p,m),m.isLineDashedMaterial&&a(p,m)):m.isPointsMaterial?l(p,m,v,C):m.isSpriteMaterial?c(p,m):m.isShadowMaterial?(p.color.value.copy(m.color),p.opacity.value=m.opacity):m.isShaderMaterial&&(m.uniformsNeedUpdate=!1)}function r(p,m){p.opacity.value=m.opacity,m.color&&p.diffuse.value.copy(m.color),m.emissive&&p.emissive.value.copy(m.emissive).multiplyScalar(m.emissiveIntensity),m.map&&(p.map.value=m.map,t(m.map,p.mapTransform)),m.alphaMap&&(p.alphaMap.value=m.alphaMap,t(m.alphaMap,p.alphaMapTransform)),m.bumpMap&&(p.bumpMap.value=m.bumpMap,t(m.bumpMap,p.bumpMapTransform),p.bumpScale.value=m.bumpScale,m.side===jn&&(p.bumpScale.value*=-1)),m.normalMap&&(p.normalMap.value=m.normalMap,t(m.normalMap,p.normalMapTransform),p.normalScale.value.copy(m.normalScale),m.side===jn&&p.normalScale.value.negate()),m.displacementMap&&(p.displacementMap.value=m.displacementMap,t(m.displacementMap,p.displacementMapTransform),p.displacementScale.value=m.displacementScale,p.displacementBias.value=m.displacementBias),m.emissiveMap&&(p.emissiveMap.value=m.emissiveMap,t(m.emissiveMap,p.emissiveMapTransform)),m.specularMap&&(p.specularMap.value=m.specularMap,t(m.specularMap,p.specularMapTransform)),m.alphaTest>0&&(p.alphaTest.value=m.alphaTest);let v=e.get(m),C=v.envMap,S=v.envMapRotation;C&&(p.envMap.value=C,p.envMapRotation.value.setFromMatrix4(yT.makeRotationFromEuler(S)).transpose(),C.isCubeTexture&&C.isRenderTargetTexture===!1&&p.envMapRotation.value.premultiply(Tx),p.reflectivity.value=m.reflectivity,p.ior.value=m.ior,p.refractionRatio.value=m.refractionRatio),m.lightMap&&(p.lightMap.value=m.lightMap,p.lightMapIntensity.value=m.lightMapIntensity,t(m.lightMap,p.lightMapTransform)),m.aoMap&&(p.aoMap.value=m.aoMap,p.aoMapIntensity.value=m.aoMapIntensity,t(m.aoMap,p.aoMapTransform))}function o(p,m){p.diffuse.value.copy(m.color),p.opacity.value=m.opacity,m.map&&(p.map.value=m.map,t(m.map,p.mapTransform))}function a(p,m){p.dashSize.value=m.dashSize,p.totalSize.value=m.dashSize+m.gapSize,p.scale.value=m.scale}function l(p,m,v,C){p.diffuse.value.copy(m.color),p.opacity.value=m.opacity,p.size.value=m.size*v,p.scale.value=C*.5,m.map&&(p.map.value=m.map,t(m.map,p.uvTransform)),m.alphaMap&&(p.alphaMap.value=m.alphaMap,t(m.alphaMap,p.alphaMapTransform)),m.alphaTest>0&&(p.alphaTest.value=m.alphaTest)}function c(p,m){p.diffuse.value.copy(m.color),p.opacity.value=m.opacity,p.rotation.value=m.rotation,m.map&&(p.map.value=m.map,t(m.map,p.mapTransform)),m.alphaMap&&(p.alphaMap.value=m.alphaMap,t(m.alphaMap,p.alphaMapTransform)),m.alphaTest>0&&(p.alphaTest.value=m.alphaTest)}function h(p,m){p.specular.value.copy(m.specular),p.shininess.value=Math.max(m.shininess,1e-4)}function u(p,m){m.gradientMap&&(p.gradientMap.value=m.gradientMap)}function d(p,m){p.metalness.value=m.metalness,m.metalnessMap&&(p.metalnessMap.value=m.metalnessMap,t(m.metalnessMap,p.metalnessMapTransform)),p.roughness.value=m.roughness,m.roughnessMap&&(p.roughnessMap.value=m.roughnessMap,t(m.roughnessMap,p.roughnessMapTransform)),m.envMap&&(p.envMapIntensity.value=m.envMapIntensity)}function f(p,m,v){p.ior.value=m.ior,m.diffuseRoughness>0&&(p.diffuseRoughness.value=m.diffuseRoughness,m.diffuseRoughnessMap&&(p.diffuseRoughnessMap.value=m.diffuseRoughnessMap,t(m.diffuseRoughnessMap,p.diffuseRoughnessMapTransform))),m.sheen>0&&(p.sheenColor.value.copy(m.sheenColor).multiplyScalar(m.sheen),p.sheenRoughness.value=m.sheenRoughness,m.sheenColorMap&&(p.sheenColorMap.value=m.sheenColorMap,t(m.sheenColorMap,p.sheenColorMapTransform)),m.sheenRoughnessMap&&(p.sheenRoughnessMap.value=m.sheenRoughnessMap,t(m.sheenRoughnessMap,p.sheenRoughnessMapTransform))),m.clearcoat>0&&(p.clearcoat.value=m.clearcoat,p.clearcoatRoughness.value=m.clearcoatRoughness,m.clearcoatMap&&(p.clearcoatMap.value=m.clearcoatMap,t(m.clearcoatMap,p.clearcoatMapTransform)),m.clearcoatRoughnessMap&&(p.clearcoatRoughnessMap.value=m.clearcoatRoughnessMap,t(m.clearcoatRoughnessMap,p.clearcoatRoughnessMapTransform)),m.clearcoatNormalMap&&(p.clearcoatNormalMap.value=m.clearcoatNormalMap,t(m.clearcoatNormalMap,p.clearcoatNormalMapTransform),p.clearcoatNormalScale.value.copy(m.clearcoatNormalScale),m.side===jn&&p.clearcoatNormalScale.value.negate())),m.dispersion>0&&(p.dispersion.value=m.dispersion),m.retroreflectivity>0&&(p.retroreflectivity.value=m.retroreflectivity),m.iridescence>0&&(p.iridescence.value=m.iridescence,p.iridescenceIOR.value=m.iridescenceIOR,p.iridescenceThicknessMinimum.value=m.iridescenceThicknessMinimum,p.iridescenceThicknessMaximum.value=m.iridescenceThicknessMaximum,m.iridescenceMap&&(p.iridescenceMap.value=m.iridescenceMap,t(m.iridescenceMap,p.iridescenceMapTransform)),m.iridescenceThicknessMap&&(p.iridescenceThicknessMap.value=m.iridescenceThicknessMap,t(m.iridescenceThicknessMap,p.iridescenceThicknessMapTransform))),m.transmission>0&&(p.transmission.value=m.transmission,p.transmissionSamplerMap.value=v.texture,p.transmissionSamplerSize.value.set(v.width,v.height),m.transmissionMap&&(p.transmissionMap.value=m.transmissionMap,t(m.transmissionMap,p.transmissionMapTransform)),p.thickness.value=m.thickness,m.thicknessMap&&(p.thicknessMap.value=m.thicknessMap,t(m.thicknessMap,p.thicknessMapTransform)),p.attenuationDistance.value=m.attenuationDistance,p.attenuationColor.value.copy(m.attenuationColor)),m.anisotropy>0&&(p.anisotropyVector.value.set(m.anisotropy*Math.cos(m.anisotropyRotation),m.anisotropy*Math.sin(m.anisotropyRotation)),m.anisotropyMap&&(p.anisotropyMap.value=m.anisotropyMap,t(m.anisotropyMap,p.anisotropyMapTransform))),p.specularIntensity.value=m.specularIntensity,p.specularColor.value.copy(m.specularColor),m.specularColorMap&&(p.specularColorMap.value=m.specularColorMap,t(m.specularColorMap,p.specularColorMapTransform)),m.specularIntensityMap&&(p.specularIntensityMap.value=m.specularIntensityMap,t(m.specularIntensityMap,p.specularIntensityMapTransform))}function g(p,m){m.matcap&&(p.matcap.value=m.matcap)}function y(p,m){let v=e.get(m).light;p.referencePosition.value.setFromMatrixPosition(v.matrixWorld),p.nearDistance.value=v.shadow.camera.near,p.farDistance.value=v.shadow.camera.far}return{refreshFogUniforms:i,refreshMaterialUniforms:s}}function bT(n,e,t,i){let s={},r={};function o(v,C){let S=C.program;i.uniformBlockBinding(v,S,s[v.id])}function a(v,C){let S=s[v.id];S===void 0&&(g(v),S=l(v),s[v.id]=S,v.addEventListener("dispose",p));let R=C.program;i.updateUBOMapping(v,R);let A=e.render.frame;r[v.id]!==A&&(c(v),r[v.id]=A)}function l(v){let C=n.createBuffer(),S=v.__size,R=v.usage;return n.bindBuffer(n.UNIFORM_BUFFER,C),n.bufferData(n.UNIFORM_BUFFER,S,R),n.bindBuffer(n.UNIFORM_BUFFER,null),C}function c(v){let C=s[v.id],S=v.uniforms,R=v.__cache;n.bindBuffer(n.UNIFORM_BUFFER,C);for(let A=0,_=S.length;A<_;A++){let E=S[A];if(Array.isArray(E))for(let k=0,N=E.length;k<N;k++)h(E[k],A,k,R);else h(E,A,0,R)}n.bindBuffer(n.UNIFORM_BUFFER,null)}function h(v,C,S,R){if(d(v,C,S,R)===!0){let A=v.__offset,_=v.value;if(Array.isArray(_)){let E=0;for(let k=0;k<_.length;k++){let N=_[k],D=y(N,!0);u(N,v.__data,E),E+=D.storage/Float32Array.BYTES_PER_ELEMENT}}else u(_,v.__data,0);n.bufferSubData(n.UNIFORM_BUFFER,A,v.__data)}}function u(v,C,S){typeof v=="number"||typeof v=="boolean"?C[S]=v:v.isMatrix3?(C[S]=v.elements[0],C[S+1]=v.elements[1],C[S+2]=v.elements[2],C[S+3]=0,C[S+4]=v.elements[3],C[S+5]=v.elements[4],C[S+6]=v.elements[5],C[S+7]=0,C[S+8]=v.elements[6],C[S+9]=v.elements[7],C[S+10]=v.elements[8],C[S+11]=0):ArrayBuffer.isView(v)?C.set(v.subarray(0,C.length-S),S):v.toArray(C,S)}function d(v,C,S,R){let A=v.value,_=C+"_"+S;if(Array.isArray(A)){R[_]===void 0&&(R[_]=[]);let E=R[_],k=!1;for(let N=0;N<A.length;N++)f(A[N],E,N)===!0&&(k=!0);return k}return f(A,R,_)}function f(v,C,S){if(C[S]===void 0)return typeof v=="number"||typeof v=="boolean"?C[S]=v:ArrayBuffer.isView(v)?C[S]=v.slice():C[S]=v.clone(),!0;{let R=C[S];if(typeof v=="number"||typeof v=="boolean"){if(R!==v)return C[S]=v,!0}else{if(ArrayBuffer.isView(v))return!0;if(R.equals(v)===!1)return R.copy(v),!0}}return!1}function g(v){let C=v.uniforms,S=0,R=16;for(let _=0,E=C.length;_<E;_++){let k=Array.isArray(C[_])?C[_]:[C[_]];for(let N=0,D=k.length;N<D;N++){let X=k[N],B=Array.isArray(X.value)?X.value:[X.value],L=Array.isArray(C[_])||Array.isArray(X.value),z=S;for(let V=0,ae=B.length;V<ae;V++){let $=B[V],j=y($,L),te=S%R,fe=te%j.boundary,de=te+fe;S+=fe,de!==0&&R-de<j.storage&&(S+=R-de),V===0&&(z=S),S+=j.storage}let G=X.type==="int"?Int32Array:X.type==="uint"?Uint32Array:Float32Array;X.__data=new G((S-z)/Float32Array.BYTES_PER_ELEMENT),X.__offset=z}}let A=S%R;return A>0&&(S+=R-A),v.__size=S,v.__cache={},this}function y(v,C){let S={boundary:0,storage:0};return typeof v=="number"||typeof v=="boolean"?(S.boundary=4,S.storage=4):v.isVector2?(S.boundary=8,S.storage=8):v.isVector3||v.isColor?(S.boundary=16,S.storage=12):v.isVector4?(S.boundary=16,S.storage=16):v.isMatrix3?(S.boundary=16,S.storage=48):v.isMatrix4?(S.boundary=16,S.storage=64):v.isTexture?Ze("WebGLRenderer: Texture samplers can not be part of an uniforms group."):ArrayBuffer.isView(v)?(S.boundary=16,S.storage=v.byteLength):Ze("WebGLRenderer: Unsupported uniform value type.",v),C===!0&&(S.boundary=16,S.storage=Math.ceil(S.storage/16)*16),S}function p(v){let C=v.target;C.removeEventListener("dispose",p),n.deleteBuffer(s[C.id]),delete s[C.id],delete r[C.id]}function m(){for(let v in s)n.deleteBuffer(s[v]);s={},r={}}return{bind:o,update:a,dispose:m}}var MT=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,15082,10705,15073,10495,13880,14564,13898,14542,13977,14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,11194,14943,10803,14921,10506,14893,10278,14858,9960,14484,14039,14487,14025,14499,13941,14524,13740,14574,13468,14654,13106,14743,12678,14818,12344,14867,11893,14889,11509,14893,11180,14881,10751,14852,10428,14812,10128,14765,9754,14712,9466,14764,13480,14764,13475,14766,13440,14766,13347,14769,13070,14786,12713,14816,12387,14844,11957,14860,11549,14868,11215,14855,10751,14825,10403,14782,10044,14729,9651,14666,9352,14599,9029,14967,12835,14966,12831,14963,12804,14954,12723,14936,12564,14917,12347,14900,11958,14886,11569,14878,11247,14859,10765,14828,10401,14784,10011,14727,9600,14660,9289,14586,8893,14508,8533,15111,12234,15110,12234,15104,12216,15092,12156,15067,12010,15028,11776,14981,11500,14942,11205,14902,10752,14861,10393,14812,9991,14752,9570,14682,9252,14603,8808,14519,8445,14431,8145,15209,11449,15208,11451,15202,11451,15190,11438,15163,11384,15117,11274,15055,10979,14994,10648,14932,10343,14871,9936,14803,9532,14729,9218,14645,8742,14556,8381,14461,8020,14365,7603,15273,10603,15272,10607,15267,10619,15256,10631,15231,10614,15182,10535,15118,10389,15042,10167,14963,9787,14883,9447,14800,9115,14710,8665,14615,8318,14514,7911,14411,7507,14279,7198,15314,9675,15313,9683,15309,9712,15298,9759,15277,9797,15229,9773,15166,9668,15084,9487,14995,9274,14898,8910,14800,8539,14697,8234,14590,7790,14479,7409,14367,7067,14178,6621,15337,8619,15337,8631,15333,8677,15325,8769,15305,8871,15264,8940,15202,8909,15119,8775,15022,8565,14916,8328,14804,8009,14688,7614,14569,7287,14448,6888,14321,6483,14088,6171,15350,7402,15350,7419,15347,7480,15340,7613,15322,7804,15287,7973,15229,8057,15148,8012,15046,7846,14933,7611,14810,7357,14682,7069,14552,6656,14421,6316,14251,5948,14007,5528,15356,5942,15356,5977,15353,6119,15348,6294,15332,6551,15302,6824,15249,7044,15171,7122,15070,7050,14949,6861,14818,6611,14679,6349,14538,6067,14398,5651,14189,5311,13935,4958,15359,4123,15359,4153,15356,4296,15353,4646,15338,5160,15311,5508,15263,5829,15188,6042,15088,6094,14966,6001,14826,5796,14678,5543,14527,5287,14377,4985,14133,4586,13869,4257,15360,1563,15360,1642,15358,2076,15354,2636,15341,3350,15317,4019,15273,4429,15203,4732,15105,4911,14981,4932,14836,4818,14679,4621,14517,4386,14359,4156,14083,3795,13808,3437,15360,122,15360,137,15358,285,15355,636,15344,1274,15322,2177,15281,2765,15215,3223,15120,3451,14995,3569,14846,3567,14681,3466,14511,3305,14344,3121,14037,2800,13753,2467,15360,0,15360,1,15359,21,15355,89,15346,253,15325,479,15287,796,15225,1148,15133,1492,15008,1749,14856,1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),rs=null;function ST(){return rs===null&&(rs=new Ro(MT,16,16,sr,Hi),rs.name="DFG_LUT",rs.minFilter=Jn,rs.magFilter=Jn,rs.wrapS=ns,rs.wrapT=ns,rs.generateMipmaps=!1,rs.needsUpdate=!0),rs}var Ch=class{constructor(e={}){let{canvas:t=k0(),context:i=null,depth:s=!0,stencil:r=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:l=!0,preserveDrawingBuffer:c=!1,powerPreference:h="default",failIfMajorPerformanceCaveat:u=!1,reversedDepthBuffer:d=!1,outputBufferType:f=ii}=e;this.isWebGLRenderer=!0;let g;if(i!==null){if(typeof WebGLRenderingContext<"u"&&i instanceof WebGLRenderingContext)throw new Error("THREE.WebGLRenderer: WebGL 1 is not supported since r163.");g=i.getContextAttributes().alpha}else g=o;let y=f,p=new Set([$c,qc,Xc]),m=new Set([ii,zi,Bo,Cr,Gc,Wc]),v=new Uint32Array(4),C=new Int32Array(4),S={textures:[],min:[],max:[],resolution:[]},R=null,A=null,_=[],E=[],k=null;this.domElement=t,this.debug={checkShaderErrors:!0,diagnostics:{keywords:!1},onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=ss,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let N=this,D=!1,X=null,B=null,L=null,z=null;this._outputColorSpace=Dn;let G=0,V=0,ae=null,$=-1,j=null,te=new Jt,fe=new Jt,de=null,ee=new ct(0),pe=0,xe=t.width,Re=t.height,we=1,Xe=null,rt=null,Ge=new Jt(0,0,xe,Re),ft=new Jt(0,0,xe,Re),ht=!1,it=new Js,Zt=new yc,Vt=!1,hn=!1,Ot=new Yt,An=new Z,Mt=new Jt,vn={background:null,fog:null,environment:null,overrideMaterial:null,isScene:!0},en=!1;function un(){return ae===null?we:1}let F=i;function Ie(w,H){return t.getContext(w,H)}let Ye,ot,Ee,Bt,He,$e,P,b,q,ue,oe,ye,ve,ne,se,ge,O,re,ie,Te,_e,Se,We;try{let w={alpha:!0,depth:s,stencil:r,antialias:a,premultipliedAlpha:l,preserveDrawingBuffer:c,powerPreference:h,failIfMajorPerformanceCaveat:u};if("setAttribute"in t&&t.setAttribute("data-engine",`three.js r${"187"}`),t.addEventListener("webglcontextlost",ke,!1),t.addEventListener("webglcontextrestored",je,!1),t.addEventListener("webglcontextcreationerror",Pe,!1),F===null){let H="webgl2";if(F=Ie(H,w),F===null)throw Ie(H)?new Error("THREE.WebGLRenderer: Error creating WebGL context with your selected attributes."):new Error("THREE.WebGLRenderer: Error creating WebGL context.")}Je()}catch(w){throw t.removeEventListener("webglcontextlost",ke,!1),t.removeEventListener("webglcontextrestored",je,!1),t.removeEventListener("webglcontextcreationerror",Pe,!1),et("WebGLRenderer: "+w.message),w}function Je(){Ye=new N1(F),Ye.init(),_e=new gT(F,Ye),ot=new S1(F,Ye,e,_e),Ee=new pT(F,Ye),ot.reversedDepthBuffer&&d&&Ee.buffers.depth.setReversed(!0),B=F.createFramebuffer(),L=F.createFramebuffer(),z=F.createFramebuffer(),Bt=new F1(F),He=new eT,$e=new mT(F,Ye,Ee,He,ot,_e,Bt),P=new D1(N),b=new kM(F),Se=new b1(F,b),q=new U1(F,b,Bt,Se),ue=new k1(F,q,b,Se,Bt),re=new B1(F,ot,$e),se=new w1(He),oe=new QE(N,P,Ye,ot,Se,se),ye=new vT(N,He),ve=new nT,ne=new lT(Ye),O=new v1(N,P,Ee,ue,g,l),ge=new fT(N,ue,ot),We=new bT(F,Bt,ot,Ee),ie=new M1(F,Ye,Bt),Te=new O1(F,Ye,Bt),Bt.programs=oe.programs,N.capabilities=ot,N.extensions=Ye,N.properties=He,N.renderLists=ve,N.shadowMap=ge,N.state=Ee,N.info=Bt}y!==ii&&(k=new V1(y,t.width,t.height,a,s,r));let ce=new Lf(N,F);this.xr=ce,this.getContext=function(){return F},this.getContextAttributes=function(){return F.getContextAttributes()},this.forceContextLoss=function(){let w=Ye.get("WEBGL_lose_context");w&&w.loseContext()},this.forceContextRestore=function(){let w=Ye.get("WEBGL_lose_context");w&&w.restoreContext()},this.getPixelRatio=function(){return we},this.setPixelRatio=function(w){w!==void 0&&(we=w,this.setSize(xe,Re,!1))},this.getSize=function(w){return w.set(xe,Re)},this.setSize=function(w,H,Q=!0){if(ce.isPresenting){Ze("WebGLRenderer: Can't change size while VR device is presenting.");return}xe=w,Re=H,t.width=Math.floor(w*we),t.height=Math.floor(H*we),Q===!0&&(t.style.width=w+"px",t.style.height=H+"px"),k!==null&&k.setSize(t.width,t.height),this.setViewport(0,0,w,H)},this.getDrawingBufferSize=function(w){return w.set(xe*we,Re*we).floor()},this.setDrawingBufferSize=function(w,H,Q){xe=w,Re=H,we=Q,t.width=Math.floor(w*Q),t.height=Math.floor(H*Q),this.setViewport(0,0,w,H)},this.setEffects=function(w){if(y===ii){et("WebGLRenderer: setEffects() requires outputBufferType set to HalfFloatType or FloatType.");return}if(w){for(let H=0;H<w.length;H++)if(w[H].isOutputPass===!0){Ze("WebGLRenderer: OutputPass is not needed in setEffects(). Tone mapping and color space conversion are applied automatically.");break}}k.setEffects(w||[])},this.getCurrentViewport=function(w){return w.copy(te)},this.getViewport=function(w){return w.copy(Ge)},this.setViewport=function(w,H,Q,Y){w.isVector4?Ge.set(w.x,w.y,w.z,w.w):Ge.set(w,H,Q,Y),Ee.viewport(te.copy(Ge).multiplyScalar(un()).round())},this.getScissor=function(w){return w.copy(ft)},this.setScissor=function(w,H,Q,Y){w.isVector4?ft.set(w.x,w.y,w.z,w.w):ft.set(w,H,Q,Y),Ee.scissor(fe.copy(ft).multiplyScalar(un()).round())},this.getScissorTest=function(){return ht},this.setScissorTest=function(w){Ee.setScissorTest(ht=w)},this.setOpaqueSort=function(w){Xe=w},this.setTransparentSort=function(w){rt=w},this.getClearColor=function(w){return w.copy(O.getClearColor())},this.setClearColor=function(){O.setClearColor(...arguments)},this.getClearAlpha=function(){return O.getClearAlpha()},this.setClearAlpha=function(){O.setClearAlpha(...arguments)},this.clear=function(w=!0,H=!0,Q=!0){let Y=0;if(w){let K=!1;if(ae!==null){let Ae=ae.texture.format;K=p.has(Ae)}if(K){let Ae=ae.texture.type,Le=m.has(Ae),Ce=O.getClearColor(),De=O.getClearAlpha(),Ve=Ce.r,Qe=Ce.g,pt=Ce.b;Le?(v[0]=Ve,v[1]=Qe,v[2]=pt,v[3]=De,F.clearBufferuiv(F.COLOR,0,v)):(C[0]=Ve,C[1]=Qe,C[2]=pt,C[3]=De,F.clearBufferiv(F.COLOR,0,C))}else Y|=F.COLOR_BUFFER_BIT}H&&(Y|=F.DEPTH_BUFFER_BIT,this.state.buffers.depth.setMask(!0)),Q&&(Y|=F.STENCIL_BUFFER_BIT,this.state.buffers.stencil.setMask(4294967295)),Y!==0&&F.clear(Y)},this.clearColor=function(){this.clear(!0,!1,!1)},this.clearDepth=function(){this.clear(!1,!0,!1)},this.clearStencil=function(){this.clear(!1,!1,!0)},this.setNodesHandler=function(w){w.setRenderer(this),X=w},this.dispose=function(){t.removeEventListener("webglcontextlost",ke,!1),t.removeEventListener("webglcontextrestored",je,!1),t.removeEventListener("webglcontextcreationerror",Pe,!1),O.dispose(),ve.dispose(),ne.dispose(),$e.dispose(),He.dispose(),P.dispose(),ue.dispose(),q.dispose(),Se.dispose(),We.dispose(),oe.dispose(),ce.dispose(),ce.removeEventListener("sessionstart",Qa),ce.removeEventListener("sessionend",Gi),as.stop()};function ke(w){w.preventDefault(),pf("WebGLRenderer: Context Lost."),D=!0}function je(){pf("WebGLRenderer: Context Restored."),D=!1;let w=Bt.autoReset,H=ge.enabled,Q=ge.autoUpdate,Y=ge.needsUpdate,K=ge.type;Je(),Bt.autoReset=w,ge.enabled=H,ge.autoUpdate=Q,ge.needsUpdate=Y,ge.type=K}function Pe(w){et("WebGLRenderer: A WebGL context could not be created. Reason: ",w.statusMessage)}function lt(w){let H=w.target;H.removeEventListener("dispose",lt),Ht(H)}function Ht(w){Gn(w),He.remove(w)}function Gn(w){let H=He.get(w).programs;H!==void 0&&(H.forEach(function(Q){oe.releaseProgram(Q)}),w.isShaderMaterial&&oe.releaseShaderCache(w))}this.renderBufferDirect=function(w,H,Q,Y,K,Ae){H===null&&(H=vn);let Le=K.isMesh&&K.matrixWorld.determinantAffine()<0,Ce=Xo(w,H,Q,Y,K);Ee.setMaterial(Y,Le);let De=Q.index,Ve=1;if(Y.wireframe===!0){if(De=q.getWireframeAttribute(Q),De===void 0)return;Ve=2}let Qe=Q.drawRange,pt=Q.attributes.position,ze=Qe.start*Ve,mt=(Qe.start+Qe.count)*Ve;Ae!==null&&(ze=Math.max(ze,Ae.start*Ve),mt=Math.min(mt,(Ae.start+Ae.count)*Ve)),De!==null?(ze=Math.max(ze,0),mt=Math.min(mt,De.count)):pt!=null&&(ze=Math.max(ze,0),mt=Math.min(mt,pt.count));let jt=mt-ze;if(jt<0||jt===1/0)return;Se.setup(K,Y,Ce,Q,De);let Lt,Dt=ie;if(De!==null&&(Lt=b.get(De),Dt=Te,Dt.setIndex(Lt)),K.isMesh)Y.wireframe===!0?(Ee.setLineWidth(Y.wireframeLinewidth*un()),Dt.setMode(F.LINES)):Dt.setMode(F.TRIANGLES);else if(K.isLine){let bn=Y.linewidth;bn===void 0&&(bn=1),Ee.setLineWidth(bn*un()),K.isLineSegments?Dt.setMode(F.LINES):K.isLineLoop?Dt.setMode(F.LINE_LOOP):Dt.setMode(F.LINE_STRIP)}else K.isPoints?Dt.setMode(F.POINTS):K.isSprite&&Dt.setMode(F.TRIANGLES);if(K.isBatchedMesh)if(Ye.get("WEBGL_multi_draw"))Dt.renderMultiDraw(K._multiDrawStarts,K._multiDrawCounts,K._multiDrawCount);else{let bn=K._multiDrawStarts,Fe=K._multiDrawCounts,dn=K._multiDrawCount,_t=De?b.get(De).bytesPerElement:1,cs=He.get(Y).currentProgram.getUniforms();for(let fn=0;fn<dn;fn++)cs.setValue(F,"_gl_DrawID",fn),Dt.render(bn[fn]/_t,Fe[fn])}else if(K.isInstancedMesh)Dt.renderInstances(ze,jt,K.count);else if(Q.isInstancedBufferGeometry){let bn=Q._maxInstanceCount!==void 0?Q._maxInstanceCount:1/0,Fe=Math.min(Q.instanceCount,bn);Dt.renderInstances(ze,jt,Fe)}else Dt.render(ze,jt)};function Ho(w,H,Q,Y){X!==null&&w.isNodeMaterial&&X.setObject(Y,w),Vt===!0&&se.setState(w,Q,!1),w.transparent===!0&&w.side===ni&&w.forceSinglePass===!1?(w.side=jn,w.needsUpdate=!0,Wi(w,H,Y),w.side=ir,w.needsUpdate=!0,Wi(w,H,Y),w.side=ni):Wi(w,H,Y)}this.compile=function(w,H,Q=null){Q===null&&(Q=w),X!==null&&X.renderStart(w,H,Q),A=ne.get(Q),A.init(H),E.push(A),Q.traverseVisible(function(K){K.isLight&&K.layers.test(H.layers)&&(A.pushLight(K),K.castShadow&&A.pushShadow(K))}),w!==Q&&w.traverseVisible(function(K){K.isLight&&K.layers.test(H.layers)&&(A.pushLight(K),K.castShadow&&A.pushShadow(K))}),A.setupLights(),X!==null&&X.updateLights(A.state.lightsArray),hn=this.localClippingEnabled,Vt=se.init(this.clippingPlanes,hn),Vt===!0&&se.setGlobalState(this.clippingPlanes,H),X!==null&&ge.render(A.state.shadowsArray,Q,H);let Y=new Set;return w.traverse(function(K){if(!(K.isMesh||K.isPoints||K.isLine||K.isSprite))return;let Ae=K.material;if(Ae)if(Array.isArray(Ae))for(let Le=0;Le<Ae.length;Le++){let Ce=Ae[Le];Ho(Ce,Q,H,K),Y.add(Ce)}else Ho(Ae,Q,H,K),Y.add(Ae)}),A=E.pop(),X!==null&&X.renderEnd(),Y},this.compileAsync=function(w,H,Q=null){let Y=this.compile(w,H,Q);return new Promise(K=>{function Ae(){if(Y.forEach(function(Le){let De=He.get(Le).currentProgram;(De===void 0||De.isReady())&&Y.delete(Le)}),Y.size===0){K(w);return}setTimeout(Ae,10)}Ye.get("KHR_parallel_shader_compile")!==null?Ae():setTimeout(Ae,10)})};let Pr=null;function Vh(w){Pr&&Pr(w)}function Qa(){as.stop()}function Gi(){as.start()}let as=new gx;as.setAnimationLoop(Vh),typeof self<"u"&&as.setContext(self),this.setAnimationLoop=function(w){Pr=w,ce.setAnimationLoop(w),w===null?as.stop():as.start()},ce.addEventListener("sessionstart",Qa),ce.addEventListener("sessionend",Gi),this.render=function(w,H){if(H!==void 0&&H.isCamera!==!0){et("WebGLRenderer.render: camera is not an instance of THREE.Camera.");return}if(D===!0)return;X!==null&&X.renderStart(w,H);let Q=ce.enabled===!0&&ce.isPresenting===!0,Y=k!==null&&(ae===null||Q)&&k.begin(N,ae);if(w.matrixWorldAutoUpdate===!0&&w.updateMatrixWorld(),H.parent===null&&H.matrixWorldAutoUpdate===!0&&H.updateMatrixWorld(),ce.enabled===!0&&ce.isPresenting===!0&&(k===null||k.isCompositing()===!1)&&(ce.cameraAutoUpdate===!0&&ce.updateCamera(H),H=ce.getCamera()),w.isScene===!0&&w.onBeforeRender(N,w,H,ae),A=ne.get(w,E.length),A.init(H),A.state.textureUnits=$e.getTextureUnits(),E.push(A),Ot.multiplyMatrices(H.projectionMatrix,H.matrixWorldInverse),H.isArrayCamera?Zt.setFromArrayCamera(H):it.setFromProjectionMatrix(Ot,Ai,H.reversedDepth),hn=this.localClippingEnabled,Vt=se.init(this.clippingPlanes,hn),R=ve.get(w,_.length),R.init(),_.push(R),this.info.render.frame++,ce.enabled===!0&&ce.isPresenting===!0){let Le=N.xr.getDepthSensingMesh();Le!==null&&ls(Le,H,-1/0,N.sortObjects)}ls(w,H,0,N.sortObjects),R.finish(),X!==null&&X.updateLights(A.state.lightsArray),N.sortObjects===!0&&R.sort(Xe,rt),en=ce.enabled===!1||ce.isPresenting===!1||ce.hasDepthSensing()===!1,en&&O.addToRenderList(R,w),this.info.autoReset===!0&&this.info.reset(),Vt===!0&&se.beginShadows();let K=A.state.shadowsArray;if(ge.render(K,w,H),Vt===!0&&se.endShadows(),(Y&&k.hasRenderPass())===!1){let Le=R.opaque,Ce=R.transmissive;if(A.setupLights(),H.isArrayCamera){let De=H.cameras;if(Ce.length>0)for(let Ve=0,Qe=De.length;Ve<Qe;Ve++){let pt=De[Ve];Ci(Le,Ce,w,pt)}en&&O.render(w);for(let Ve=0,Qe=De.length;Ve<Qe;Ve++){let pt=De[Ve];Go(R,w,pt,pt.viewport)}}else Ce.length>0&&Ci(Le,Ce,w,H),en&&O.render(w),Go(R,w,H)}ae!==null&&V===0&&($e.updateMultisampleRenderTarget(ae),$e.updateRenderTargetMipmap(ae)),Y&&k.end(N),w.isScene===!0&&w.onAfterRender(N,w,H),Se.resetDefaultState(),$=-1,j=null,E.pop(),E.length>0?(A=E[E.length-1],$e.setTextureUnits(A.state.textureUnits),Vt===!0&&se.setGlobalState(N.clippingPlanes,A.state.camera)):A=null,_.pop(),_.length>0?R=_[_.length-1]:R=null,X!==null&&X.renderEnd()};function ls(w,H,Q,Y){if(w.visible===!1)return;if(w.layers.test(H.layers)){if(w.isGroup)Q=w.renderOrder;else if(w.isLOD)w.autoUpdate===!0&&w.update(H);else if(w.isLight)A.pushLight(w),w.castShadow&&A.pushShadow(w);else if(w.isSprite){let Le=H.isArrayCamera?Zt:it;if(!w.frustumCulled||w.intersectsFrustum(Le)){Y&&Mt.setFromMatrixPosition(w.matrixWorld).applyMatrix4(Ot);let Ce=ue.update(w),De=w.material;De.visible&&R.push(w,Ce,De,Q,Mt.z,null,H)}}else if(w.isMesh||w.isLine||w.isPoints){let Le=H.isArrayCamera?Zt:it;if(!w.frustumCulled||w.intersectsFrustum(Le)){let Ce=ue.update(w),De=w.material;if(Y&&(w.boundingSphere!==void 0?(w.boundingSphere===null&&w.computeBoundingSphere(),Mt.copy(w.boundingSphere.center)):(Ce.boundingSphere===null&&Ce.computeBoundingSphere(),Mt.copy(Ce.boundingSphere.center)),Mt.applyMatrix4(w.matrixWorld).applyMatrix4(Ot)),Array.isArray(De)){let Ve=Ce.groups;for(let Qe=0,pt=Ve.length;Qe<pt;Qe++){let ze=Ve[Qe],mt=De[ze.materialIndex];mt&&mt.visible&&R.push(w,Ce,mt,Q,Mt.z,ze,H)}}else De.visible&&R.push(w,Ce,De,Q,Mt.z,null,H)}}}let Ae=w.children;for(let Le=0,Ce=Ae.length;Le<Ce;Le++)ls(Ae[Le],H,Q,Y)}function Go(w,H,Q,Y){let{opaque:K,transmissive:Ae,transparent:Le}=w;A.setupLightsView(Q),Vt===!0&&se.setGlobalState(N.clippingPlanes,Q),Y&&Ee.viewport(te.copy(Y)),K.length>0&&tn(K,H,Q),Ae.length>0&&tn(Ae,H,Q),Le.length>0&&tn(Le,H,Q),Ee.buffers.depth.setTest(!0),Ee.buffers.depth.setMask(!0),Ee.buffers.color.setMask(!0),Ee.setPolygonOffset(!1)}function Ci(w,H,Q,Y){if((Q.isScene===!0?Q.overrideMaterial:null)!==null)return;if(A.state.transmissionRenderTarget[Y.id]===void 0){let ze=Ye.has("EXT_color_buffer_half_float")||Ye.has("EXT_color_buffer_float");A.state.transmissionRenderTarget[Y.id]=new gi(1,1,{generateMipmaps:!0,type:ze?Hi:ii,minFilter:Rs,samples:Math.max(4,ot.samples),stencilBuffer:r,resolveDepthBuffer:!1,resolveStencilBuffer:!1,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,colorSpace:bt.workingColorSpace})}let Ae=A.state.transmissionRenderTarget[Y.id],Le=Y.viewport||te;Ae.setSize(Le.z*N.transmissionResolutionScale,Le.w*N.transmissionResolutionScale);let Ce=N.getRenderTarget(),De=N.getActiveCubeFace(),Ve=N.getActiveMipmapLevel();N.setRenderTarget(Ae),N.getClearColor(ee),pe=N.getClearAlpha(),pe<1&&N.setClearColor(16777215,.5),N.clear(),en&&O.render(Q);let Qe=N.toneMapping;N.toneMapping=ss;let pt=Y.viewport;if(Y.viewport!==void 0&&(Y.viewport=void 0),A.setupLightsView(Y),Vt===!0&&se.setGlobalState(N.clippingPlanes,Y),tn(w,Q,Y),$e.updateMultisampleRenderTarget(Ae),$e.updateRenderTargetMipmap(Ae),Ye.has("WEBGL_multisampled_render_to_texture")===!1){let ze=!1;for(let mt=0,jt=H.length;mt<jt;mt++){let Lt=H[mt],{object:Dt,geometry:bn,material:Fe,group:dn}=Lt;if(Fe.side===ni&&Dt.layers.test(Y.layers)){let _t=Fe.side;Fe.side=jn,Fe.needsUpdate=!0,ln(Dt,Q,Y,bn,Fe,dn),Fe.side=_t,Fe.needsUpdate=!0,ze=!0}}ze===!0&&($e.updateMultisampleRenderTarget(Ae),$e.updateRenderTargetMipmap(Ae))}N.setRenderTarget(Ce,De,Ve),N.setClearColor(ee,pe),pt!==void 0&&(Y.viewport=pt),N.toneMapping=Qe}function tn(w,H,Q){let Y=H.isScene===!0?H.overrideMaterial:null;for(let K=0,Ae=w.length;K<Ae;K++){let Le=w[K],{object:Ce,geometry:De,group:Ve}=Le,Qe=Le.material;Qe.allowOverride===!0&&Y!==null&&(Qe=Y),Ce.layers.test(Q.layers)&&ln(Ce,H,Q,De,Qe,Ve)}}function ln(w,H,Q,Y,K,Ae){X!==null&&K.isNodeMaterial&&X.setObject(w,K),w.onBeforeRender(N,H,Q,Y,K,Ae),w.modelViewMatrix.multiplyMatrices(Q.matrixWorldInverse,w.matrixWorld),w.normalMatrix.getNormalMatrix(w.modelViewMatrix),K.onBeforeRender(N,H,Q,Y,w,Ae),K.transparent===!0&&K.side===ni&&K.forceSinglePass===!1?(K.side=jn,K.needsUpdate=!0,N.renderBufferDirect(Q,H,Y,K,w,Ae),K.side=ir,K.needsUpdate=!0,N.renderBufferDirect(Q,H,Y,K,w,Ae),K.side=ni):N.renderBufferDirect(Q,H,Y,K,w,Ae),w.onAfterRender(N,H,Q,Y,K,Ae)}function cn(w){let H=0;for(let Q of w)Q.texture!==null&&H++;return H}function Wi(w,H,Q){H.isScene!==!0&&(H=vn);let Y=He.get(w),K=A.state.lights,Ae=A.state.shadowsArray,Le=K.state.version,Ce=oe.getParameters(w,K.state,Ae,H,Q,A.state.lightProbeGridArray),De=oe.getProgramCacheKey(Ce),Ve=Y.programs;Y.environment=w.isMeshStandardMaterial||w.isMeshLambertMaterial||w.isMeshPhongMaterial?H.environment:null,Y.fog=H.fog;let Qe=w.isMeshStandardMaterial||w.isMeshLambertMaterial&&!w.envMap||w.isMeshPhongMaterial&&!w.envMap;Y.envMap=P.get(w.envMap||Y.environment,Qe),Y.envMapRotation=Y.environment!==null&&w.envMap===null?H.environmentRotation:w.envMapRotation,Ve===void 0&&(w.addEventListener("dispose",lt),Ve=new Map,Y.programs=Ve,Y.programVariants=new Map);let pt=Ve.get(De);if(pt!==void 0){if(Y.currentProgram===pt&&Y.lightsStateVersion===Le)return Wo(w,Ce),pt}else Ce.uniforms=oe.getUniforms(w),X!==null&&w.isNodeMaterial&&X.build(w,Q,Ce),w.onBeforeCompile(Ce,N),pt=oe.acquireProgram(Ce,De),Ve.set(De,pt),Y.uniforms=Ce.uniforms;let ze=Y.uniforms;return(!w.isShaderMaterial&&!w.isRawShaderMaterial||w.clipping===!0)&&(ze.clippingPlanes=se.uniform),Wo(w,Ce),Y.needsLights=Ds(w),Y.lightsStateVersion=Le,Y.needsLights&&(ze.ambientLightColor.value=K.state.ambient,ze.lightProbe.value=K.state.probe,ze.sunLights.value=K.state.sun,ze.sunLightShadows.value=K.state.sunShadow,ze.directionalLights.value=K.state.directional,ze.directionalLightShadows.value=K.state.directionalShadow,ze.spotLights.value=K.state.spot,ze.spotLightShadows.value=K.state.spotShadow,ze.rectAreaLights.value=K.state.rectArea,ze.ltc_1.value=K.state.rectAreaLTC1,ze.ltc_2.value=K.state.rectAreaLTC2,ze.pointLights.value=K.state.point,ze.pointLightShadows.value=K.state.pointShadow,ze.hemisphereLights.value=K.state.hemi,ze.sunShadowMatrix.value=K.state.sunShadowMatrix,ze.sunShadowCascade.value=K.state.sunShadowCascade,ze.directionalShadowMatrix.value=K.state.directionalShadowMatrix,ze.spotLightMatrix.value=K.state.spotLightMatrix,ze.spotLightMap.value=K.state.spotLightMap,ze.pointShadowMatrix.value=K.state.pointShadowMatrix),Y.numLightProbeGrids=cn(A.state.lightProbeGridArray),Y.currentProgram=pt,Y.uniformsList=null,pt}function ri(w,H,Q,Y,K){let Ae=He.get(w),Le=Ae.currentProgram.id+","+Y+","+K,Ce=Ae.programVariants.get(Le);return Ce===void 0?(Ce=Wi(w,H,Q),Ae.programVariants.set(Le,Ce)):(Ae.currentProgram=Ce,Ae.uniformsList=null,Ae.outputColorSpace=Y,Ae.toneMapping=K),Ce}function Ls(w){if(w.uniformsList===null){let H=w.currentProgram.getUniforms();w.uniformsList=zo.seqWithValue(H.seq,w.uniforms)}return w.uniformsList}function Wo(w,H){let Q=He.get(w);Q.outputColorSpace=H.outputColorSpace,Q.batching=H.batching,Q.batchingColor=H.batchingColor,Q.instancing=H.instancing,Q.instancingColor=H.instancingColor,Q.instancingMorph=H.instancingMorph,Q.skinning=H.skinning,Q.morphTargets=H.morphTargets,Q.morphNormals=H.morphNormals,Q.morphColors=H.morphColors,Q.morphTargetsCount=H.morphTargetsCount,Q.numClippingPlanes=H.numClippingPlanes,Q.numIntersection=H.numClipIntersection,Q.vertexAlphas=H.vertexAlphas,Q.vertexTangents=H.vertexTangents,Q.toneMapping=H.toneMapping}function Xo(w,H,Q,Y,K){H.isScene!==!0&&(H=vn),$e.resetTextureUnits();let Ae=H.fog,Le=Y.isMeshStandardMaterial||Y.isMeshLambertMaterial||Y.isMeshPhongMaterial?H.environment:null,Ce=ae===null?N.outputColorSpace:ae.isXRRenderTarget===!0?ae.texture.colorSpace:bt.workingColorSpace,De=Y.isMeshStandardMaterial||Y.isMeshLambertMaterial&&!Y.envMap||Y.isMeshPhongMaterial&&!Y.envMap,Ve=P.get(Y.envMap||Le,De),Qe=Y.vertexColors===!0&&!!Q.attributes.color&&Q.attributes.color.itemSize===4,pt=!!Q.attributes.tangent&&(!!Y.normalMap||Y.anisotropy>0),ze=!!Q.morphAttributes.position,mt=!!Q.morphAttributes.normal,jt=!!Q.morphAttributes.color,Lt=ss;Y.toneMapped&&(ae===null||ae.isXRRenderTarget===!0)&&(Lt=N.toneMapping);let Dt=Q.morphAttributes.position||Q.morphAttributes.normal||Q.morphAttributes.color,bn=Dt!==void 0?Dt.length:0,Fe=He.get(Y),dn=A.state.lights;if(Vt===!0&&(hn===!0||w!==j)){let Nt=w===j&&Y.id===$;se.setState(Y,w,Nt)}let _t=!1,cs=!1;Y.version===Fe.__version?Fe.needsLights&&Fe.lightsStateVersion!==dn.state.version||K.isBatchedMesh&&Fe.batching===!1||!K.isBatchedMesh&&Fe.batching===!0||K.isBatchedMesh&&Fe.batchingColor===!0&&K._colorsTexture===null||K.isBatchedMesh&&Fe.batchingColor===!1&&K._colorsTexture!==null||K.isInstancedMesh&&Fe.instancing===!1||!K.isInstancedMesh&&Fe.instancing===!0||K.isSkinnedMesh&&Fe.skinning===!1||!K.isSkinnedMesh&&Fe.skinning===!0||K.isInstancedMesh&&Fe.instancingColor===!0&&K.instanceColor===null||K.isInstancedMesh&&Fe.instancingColor===!1&&K.instanceColor!==null||K.isInstancedMesh&&Fe.instancingMorph===!0&&K.morphTexture===null||K.isInstancedMesh&&Fe.instancingMorph===!1&&K.morphTexture!==null||Fe.envMap!==Ve||Y.fog===!0&&Fe.fog!==Ae||Fe.numClippingPlanes!==void 0&&(Fe.numClippingPlanes!==se.numPlanes||Fe.numIntersection!==se.numIntersection)||Fe.vertexAlphas!==Qe||Fe.vertexTangents!==pt||Fe.morphTargets!==ze||Fe.morphNormals!==mt||Fe.morphColors!==jt||Fe.morphTargetsCount!==bn||Fe.numLightProbeGrids!==cn(A.state.lightProbeGridArray)?_t=!0:(Fe.outputColorSpace!==Ce||Fe.toneMapping!==Lt)&&(cs=!0):(_t=!0,Fe.__version=Y.version);let fn=Fe.currentProgram;(_t===!0||cs===!0)&&(fn=cs===!0?ri(Y,H,K,Ce,Lt):Wi(Y,H,K),X&&Y.isNodeMaterial&&X.onUpdateProgram(Y,fn,Fe));let Dr=!1,Xi=!1,hs=!1,ut=fn.getUniforms(),nn=Fe.uniforms;if(Ee.useProgram(fn.program)&&(Dr=!0,Xi=!0,hs=!0),Y.id!==$&&($=Y.id,Xi=!0),Dr||j!==w){Ee.buffers.depth.getReversed()&&w.reversedDepth!==!0&&(w._reversedDepth=!0,w.updateProjectionMatrix()),ut.setValue(F,"projectionMatrix",w.projectionMatrix),ut.setValue(F,"viewMatrix",w.matrixWorldInverse);let pn=ut.map.cameraPosition;pn!==void 0&&pn.setValue(F,An.setFromMatrixPosition(w.matrixWorld)),ot.logarithmicDepthBuffer&&ut.setValue(F,"logDepthBufFC",2/(Math.log(w.far+1)/Math.LN2)),(Y.isMeshPhongMaterial||Y.isMeshToonMaterial||Y.isMeshLambertMaterial||Y.isMeshBasicMaterial||Y.isMeshStandardMaterial||Y.isShaderMaterial)&&ut.setValue(F,"isOrthographic",w.isOrthographicCamera===!0),j!==w&&(j=w,Xi=!0,hs=!0)}if(Fe.needsLights&&(dn.state.sunShadowMap.length>0&&ut.setValue(F,"sunShadowMap",dn.state.sunShadowMap,$e),dn.state.directionalShadowMap.length>0&&ut.setValue(F,"directionalShadowMap",dn.state.directionalShadowMap,$e),dn.state.spotShadowMap.length>0&&ut.setValue(F,"spotShadowMap",dn.state.spotShadowMap,$e),dn.state.pointShadowMap.length>0&&ut.setValue(F,"pointShadowMap",dn.state.pointShadowMap,$e)),K.isSkinnedMesh){ut.setOptional(F,K,"bindMatrix"),ut.setOptional(F,K,"bindMatrixInverse");let Nt=K.skeleton;Nt&&(Nt.boneTexture===null&&Nt.computeBoneTexture(),ut.setValue(F,"boneTexture",Nt.boneTexture,$e))}K.isBatchedMesh&&(ut.setOptional(F,K,"batchingTexture"),ut.setValue(F,"batchingTexture",K._matricesTexture,$e),ut.setOptional(F,K,"batchingIdTexture"),ut.setValue(F,"batchingIdTexture",K._indirectTexture,$e),ut.setOptional(F,K,"batchingColorTexture"),K._colorsTexture!==null&&ut.setValue(F,"batchingColorTexture",K._colorsTexture,$e));let Wn=Q.morphAttributes;if((Wn.position!==void 0||Wn.normal!==void 0||Wn.color!==void 0)&&re.update(K,Q,fn),(Xi||Fe.receiveShadow!==K.receiveShadow)&&(Fe.receiveShadow=K.receiveShadow,ut.setValue(F,"receiveShadow",K.receiveShadow)),(Y.isMeshStandardMaterial||Y.isMeshLambertMaterial||Y.isMeshPhongMaterial)&&Y.envMap===null&&H.environment!==null&&(nn.envMapIntensity.value=H.environmentIntensity),nn.dfgLUT!==void 0&&(nn.dfgLUT.value=ST()),Xi){if(ut.setValue(F,"toneMappingExposure",N.toneMappingExposure),Fe.needsLights&&Ir(nn,hs),Ae&&Y.fog===!0&&ye.refreshFogUniforms(nn,Ae),ye.refreshMaterialUniforms(nn,Y,we,Re,A.state.transmissionRenderTarget[w.id]),Fe.needsLights&&Fe.numLightProbeGrids>0){let Nt=S,pn=0;for(let Un of A.state.lightProbeGridArray)Un.texture!==null&&(Nt.textures[pn]=Un.texture,Nt.min[pn]=Un.boundingBox.min,Nt.max[pn]=Un.boundingBox.max,Nt.resolution[pn]=Un.resolution,pn++);for(let Un in Nt)Nt[Un].length=pn;nn.probesSH.value=Nt.textures,nn.probesMin.value=Nt.min,nn.probesMax.value=Nt.max,nn.probesResolution.value=Nt.resolution}zo.upload(F,Ls(Fe),nn,$e)}if(Y.isShaderMaterial&&Y.uniformsNeedUpdate===!0&&(zo.upload(F,Ls(Fe),nn,$e),Y.uniformsNeedUpdate=!1),Y.isSpriteMaterial&&ut.setValue(F,"center",K.center),ut.setValue(F,"modelViewMatrix",K.modelViewMatrix),ut.setValue(F,"normalMatrix",K.normalMatrix),ut.setValue(F,"modelMatrix",K.matrixWorld),Y.uniformsGroups!==void 0){let Nt=Y.uniformsGroups;for(let pn=0,Un=Nt.length;pn<Un;pn++){let el=Nt[pn];We.update(el,fn),We.bind(el,fn)}}return fn}function Ir(w,H){w.ambientLightColor.needsUpdate=H,w.lightProbe.needsUpdate=H,w.sunLights.needsUpdate=H,w.sunLightShadows.needsUpdate=H,w.directionalLights.needsUpdate=H,w.directionalLightShadows.needsUpdate=H,w.pointLights.needsUpdate=H,w.pointLightShadows.needsUpdate=H,w.spotLights.needsUpdate=H,w.spotLightShadows.needsUpdate=H,w.rectAreaLights.needsUpdate=H,w.hemisphereLights.needsUpdate=H}function Ds(w){return w.isMeshLambertMaterial||w.isMeshToonMaterial||w.isMeshPhongMaterial||w.isMeshStandardMaterial||w.isShadowMaterial||w.isShaderMaterial&&w.lights===!0}this.getActiveCubeFace=function(){return G},this.getActiveMipmapLevel=function(){return V},this.getRenderTarget=function(){return ae},this.setRenderTargetTextures=function(w,H,Q){let Y=He.get(w);Y.__autoAllocateDepthBuffer=w.resolveDepthBuffer===!1,Y.__autoAllocateDepthBuffer===!1&&(Y.__useRenderToTexture=!1),He.get(w.texture).__webglTexture=H,He.get(w.depthTexture).__webglTexture=Y.__autoAllocateDepthBuffer?void 0:Q,Y.__hasExternalTextures=!0},this.setRenderTargetFramebuffer=function(w,H){let Q=He.get(w);Q.__webglFramebuffer=H,Q.__useDefaultFramebuffer=H===void 0},this.setRenderTarget=function(w,H=0,Q=0){ae=w,G=H,V=Q;let Y=null,K=!1,Ae=!1;if(w){let Ce=He.get(w);if(Ce.__useDefaultFramebuffer!==void 0){Ee.bindFramebuffer(F.FRAMEBUFFER,Ce.__webglFramebuffer),te.copy(w.viewport),fe.copy(w.scissor),de=w.scissorTest,Ee.viewport(te),Ee.scissor(fe),Ee.setScissorTest(de),$=-1;return}else if(Ce.__webglFramebuffer===void 0)$e.setupRenderTarget(w);else if(Ce.__hasExternalTextures)$e.rebindTextures(w,He.get(w.texture).__webglTexture,He.get(w.depthTexture).__webglTexture);else if(w.depthBuffer){let Qe=w.depthTexture;if(Ce.__boundDepthTexture!==Qe){if(Qe!==null&&He.has(Qe)&&(w.width!==Qe.image.width||w.height!==Qe.image.height))throw new Error("THREE.WebGLRenderer: Attached DepthTexture is initialized to the incorrect size.");$e.setupDepthRenderbuffer(w)}}let De=w.texture;(De.isData3DTexture||De.isDataArrayTexture||De.isCompressedArrayTexture)&&(Ae=!0);let Ve=He.get(w).__webglFramebuffer;w.isWebGLCubeRenderTarget?(Array.isArray(Ve[H])?Y=Ve[H][Q]:Y=Ve[H],K=!0):w.samples>0&&$e.useMultisampledRTT(w)===!1?Y=He.get(w).__webglMultisampledFramebuffer:Array.isArray(Ve)?Y=Ve[Q]:Y=Ve,te.copy(w.viewport),fe.copy(w.scissor),de=w.scissorTest}else te.copy(Ge).multiplyScalar(we).floor(),fe.copy(ft).multiplyScalar(we).floor(),de=ht;if(Q!==0&&(Y=B),Ee.bindFramebuffer(F.FRAMEBUFFER,Y)&&Ee.drawBuffers(w,Y),Ee.viewport(te),Ee.scissor(fe),Ee.setScissorTest(de),K){let Ce=He.get(w.texture);F.framebufferTexture2D(F.FRAMEBUFFER,F.COLOR_ATTACHMENT0,F.TEXTURE_CUBE_MAP_POSITIVE_X+H,Ce.__webglTexture,Q)}else if(Ae){let Ce=H;for(let De=0;De<w.textures.length;De++){let Ve=He.get(w.textures[De]);F.framebufferTextureLayer(F.FRAMEBUFFER,F.COLOR_ATTACHMENT0+De,Ve.__webglTexture,Q,Ce)}}else if(w!==null&&Q!==0){let Ce=He.get(w.texture);F.framebufferTexture2D(F.FRAMEBUFFER,F.COLOR_ATTACHMENT0,F.TEXTURE_2D,Ce.__webglTexture,Q)}$=-1};function Lr(w){let H=He.get(w);return(H.__readFormat!==w.format||H.__readType!==w.type)&&(H.__readFormat=w.format,H.__readType=w.type,H.__formatReadable=ot.textureFormatReadable(w.format),H.__typeReadable=ot.textureTypeReadable(w.type)),H}this.readRenderTargetPixels=function(w,H,Q,Y,K,Ae,Le,Ce=0){if(!(w&&w.isWebGLRenderTarget)){et("WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");return}let De=He.get(w).__webglFramebuffer;if(w.isWebGLCubeRenderTarget&&Le!==void 0&&(De=De[Le],Array.isArray(De)&&(De=De[0])),De){Ee.bindFramebuffer(F.FRAMEBUFFER,De);try{let Ve=w.textures[Ce],Qe=Ve.format,pt=Ve.type;w.textures.length>1&&F.readBuffer(F.COLOR_ATTACHMENT0+Ce);let ze=Lr(Ve);if(ze.__formatReadable===!1){et("WebGLRenderer.readRenderTargetPixels: renderTarget is not in RGBA or implementation defined format.");return}if(ze.__typeReadable===!1){et("WebGLRenderer.readRenderTargetPixels: renderTarget is not in UnsignedByteType or implementation defined type.");return}H>=0&&H<=w.width-Y&&Q>=0&&Q<=w.height-K&&F.readPixels(H,Q,Y,K,_e.convert(Qe),_e.convert(pt),Ae)}finally{let Ve=ae!==null?He.get(ae).__webglFramebuffer:null;Ee.bindFramebuffer(F.FRAMEBUFFER,Ve)}}},this.readRenderTargetPixelsAsync=async function(w,H,Q,Y,K,Ae,Le,Ce=0){if(!(w&&w.isWebGLRenderTarget))throw new Error("THREE.WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");let De=He.get(w).__webglFramebuffer;if(w.isWebGLCubeRenderTarget&&Le!==void 0&&(De=De[Le],Array.isArray(De)&&(De=De[0])),De)if(H>=0&&H<=w.width-Y&&Q>=0&&Q<=w.height-K){Ee.bindFramebuffer(F.FRAMEBUFFER,De);let Ve=w.textures[Ce],Qe=Ve.format,pt=Ve.type;w.textures.length>1&&F.readBuffer(F.COLOR_ATTACHMENT0+Ce);let ze=Lr(Ve);if(ze.__formatReadable===!1)throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in RGBA or implementation defined format.");if(ze.__typeReadable===!1)throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in UnsignedByteType or implementation defined type.");let mt=F.createBuffer();F.bindBuffer(F.PIXEL_PACK_BUFFER,mt),F.bufferData(F.PIXEL_PACK_BUFFER,Ae.byteLength,F.STREAM_READ),F.readPixels(H,Q,Y,K,_e.convert(Qe),_e.convert(pt),0),F.bindBuffer(F.PIXEL_PACK_BUFFER,null);let jt=ae!==null?He.get(ae).__webglFramebuffer:null;Ee.bindFramebuffer(F.FRAMEBUFFER,jt);let Lt=F.fenceSync(F.SYNC_GPU_COMMANDS_COMPLETE,0);return F.flush(),await V0(F,Lt,4),F.bindBuffer(F.PIXEL_PACK_BUFFER,mt),F.getBufferSubData(F.PIXEL_PACK_BUFFER,0,Ae),F.bindBuffer(F.PIXEL_PACK_BUFFER,null),F.deleteBuffer(mt),F.deleteSync(Lt),Ae}else throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: requested read bounds are out of range.")},this.copyFramebufferToTexture=function(w,H=null,Q=0){let Y=Math.pow(2,-Q),K=Math.floor(w.image.width*Y),Ae=Math.floor(w.image.height*Y),Le=H!==null?H.x:0,Ce=H!==null?H.y:0;$e.setTexture2D(w,0),F.copyTexSubImage2D(F.TEXTURE_2D,Q,0,0,Le,Ce,K,Ae),Ee.unbindTexture()},this.copyTextureToTexture=function(w,H,Q=null,Y=null,K=0,Ae=0){let Le,Ce,De,Ve,Qe,pt,ze,mt,jt,Lt=w.isCompressedTexture?w.mipmaps[Ae]:w.image;if(Q!==null)Le=Q.max.x-Q.min.x,Ce=Q.max.y-Q.min.y,De=Q.isBox3?Q.max.z-Q.min.z:1,Ve=Q.min.x,Qe=Q.min.y,pt=Q.isBox3?Q.min.z:0;else{let ut=Math.pow(2,-K);Le=Math.floor(Lt.width*ut),Ce=Math.floor(Lt.height*ut),w.isDataArrayTexture?De=Lt.depth:w.isData3DTexture?De=Math.floor(Lt.depth*ut):De=1,Ve=0,Qe=0,pt=0}Y!==null?(ze=Y.x,mt=Y.y,jt=Y.z):(ze=0,mt=0,jt=0);let Dt=_e.convert(H.format),bn=_e.convert(H.type),Fe;H.isData3DTexture?($e.setTexture3D(H,0),Fe=F.TEXTURE_3D):H.isDataArrayTexture||H.isCompressedArrayTexture?($e.setTexture2DArray(H,0),Fe=F.TEXTURE_2D_ARRAY):($e.setTexture2D(H,0),Fe=F.TEXTURE_2D),Ee.activeTexture(F.TEXTURE0),Ee.pixelStorei(F.UNPACK_FLIP_Y_WEBGL,H.flipY),Ee.pixelStorei(F.UNPACK_PREMULTIPLY_ALPHA_WEBGL,H.premultiplyAlpha),Ee.pixelStorei(F.UNPACK_ALIGNMENT,H.unpackAlignment);let dn=Ee.getParameter(F.UNPACK_ROW_LENGTH),_t=Ee.getParameter(F.UNPACK_IMAGE_HEIGHT),cs=Ee.getParameter(F.UNPACK_SKIP_PIXELS),fn=Ee.getParameter(F.UNPACK_SKIP_ROWS),Dr=Ee.getParameter(F.UNPACK_SKIP_IMAGES);Ee.pixelStorei(F.UNPACK_ROW_LENGTH,Lt.width),Ee.pixelStorei(F.UNPACK_IMAGE_HEIGHT,Lt.height),Ee.pixelStorei(F.UNPACK_SKIP_PIXELS,Ve),Ee.pixelStorei(F.UNPACK_SKIP_ROWS,Qe),Ee.pixelStorei(F.UNPACK_SKIP_IMAGES,pt);let Xi=w.isDataArrayTexture||w.isData3DTexture,hs=H.isDataArrayTexture||H.isData3DTexture;if(w.isDepthTexture){let ut=He.get(w),nn=He.get(H),Wn=He.get(ut.__renderTarget),Nt=He.get(nn.__renderTarget);Ee.bindFramebuffer(F.READ_FRAMEBUFFER,Wn.__webglFramebuffer),Ee.bindFramebuffer(F.DRAW_FRAMEBUFFER,Nt.__webglFramebuffer);for(let pn=0;pn<De;pn++)Xi&&(F.framebufferTextureLayer(F.READ_FRAMEBUFFER,F.COLOR_ATTACHMENT0,He.get(w).__webglTexture,K,pt+pn),F.framebufferTextureLayer(F.DRAW_FRAMEBUFFER,F.COLOR_ATTACHMENT0,He.get(H).__webglTexture,Ae,jt+pn)),F.blitFramebuffer(Ve,Qe,Ve+Le,Qe+Ce,ze,mt,ze+Le,mt+Ce,F.DEPTH_BUFFER_BIT,F.NEAREST);Ee.bindFramebuffer(F.READ_FRAMEBUFFER,null),Ee.bindFramebuffer(F.DRAW_FRAMEBUFFER,null)}else if(K!==0||w.isRenderTargetTexture||He.has(w)){let ut=He.get(w),nn=He.get(H);Ee.bindFramebuffer(F.READ_FRAMEBUFFER,L),Ee.bindFramebuffer(F.DRAW_FRAMEBUFFER,z);for(let Wn=0;Wn<De;Wn++)Xi?F.framebufferTextureLayer(F.READ_FRAMEBUFFER,F.COLOR_ATTACHMENT0,ut.__webglTexture,K,pt+Wn):F.framebufferTexture2D(F.READ_FRAMEBUFFER,F.COLOR_ATTACHMENT0,F.TEXTURE_2D,ut.__webglTexture,K),hs?F.framebufferTextureLayer(F.DRAW_FRAMEBUFFER,F.COLOR_ATTACHMENT0,nn.__webglTexture,Ae,jt+Wn):F.framebufferTexture2D(F.DRAW_FRAMEBUFFER,F.COLOR_ATTACHMENT0,F.TEXTURE_2D,nn.__webglTexture,Ae),K!==0?F.blitFramebuffer(Ve,Qe,Ve+Le,Qe+Ce,ze,mt,ze+Le,mt+Ce,F.COLOR_BUFFER_BIT,F.NEAREST):hs?F.copyTexSubImage3D(Fe,Ae,ze,mt,jt+Wn,Ve,Qe,Le,Ce):F.copyTexSubImage2D(Fe,Ae,ze,mt,Ve,Qe,Le,Ce);Ee.bindFramebuffer(F.READ_FRAMEBUFFER,null),Ee.bindFramebuffer(F.DRAW_FRAMEBUFFER,null)}else hs?w.isDataTexture||w.isData3DTexture?F.texSubImage3D(Fe,Ae,ze,mt,jt,Le,Ce,De,Dt,bn,Lt.data):H.isCompressedArrayTexture?F.compressedTexSubImage3D(Fe,Ae,ze,mt,jt,Le,Ce,De,Dt,Lt.data):F.texSubImage3D(Fe,Ae,ze,mt,jt,Le,Ce,De,Dt,bn,Lt):w.isDataTexture?F.texSubImage2D(F.TEXTURE_2D,Ae,ze,mt,Le,Ce,Dt,bn,Lt.data):w.isCompressedTexture?F.compressedTexSubImage2D(F.TEXTURE_2D,Ae,ze,mt,Lt.width,Lt.height,Dt,Lt.data):F.texSubImage2D(F.TEXTURE_2D,Ae,ze,mt,Le,Ce,Dt,bn,Lt);Ee.pixelStorei(F.UNPACK_ROW_LENGTH,dn),Ee.pixelStorei(F.UNPACK_IMAGE_HEIGHT,_t),Ee.pixelStorei(F.UNPACK_SKIP_PIXELS,cs),Ee.pixelStorei(F.UNPACK_SKIP_ROWS,fn),Ee.pixelStorei(F.UNPACK_SKIP_IMAGES,Dr),Ae===0&&H.generateMipmaps===!0&&H.mipmapsAutoUpdate===!0&&F.generateMipmap(Fe),Ee.unbindTexture()},this.initRenderTarget=function(w){He.get(w).__webglFramebuffer===void 0&&$e.setupRenderTarget(w)},this.initTexture=function(w){w.isCubeTexture?$e.setTextureCube(w,0):w.isData3DTexture?$e.setTexture3D(w,0):w.isDataArrayTexture||w.isCompressedArrayTexture?$e.setTexture2DArray(w,0):$e.setTexture2D(w,0),Ee.unbindTexture()},this.resetState=function(){G=0,V=0,ae=null,Ee.reset(),Se.reset()},typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}get coordinateSystem(){return Ai}get outputColorSpace(){return this._outputColorSpace}set outputColorSpace(e){this._outputColorSpace=e;let t=this.getContext();t.drawingBufferColorSpace=bt._getDrawingBufferColorSpace(e),t.unpackColorSpace=bt._getUnpackColorSpace()}};var Ax={type:"change"},Nf={type:"start"},Rx={type:"end"},Ih=new Mr,Cx=new Zn,wT=Math.cos(70*_f.DEG2RAD),Tn=new Z,si=2*Math.PI,Rt={NONE:-1,ROTATE:0,DOLLY:1,PAN:2,TOUCH_ROTATE:3,TOUCH_PAN:4,TOUCH_DOLLY_PAN:5,TOUCH_DOLLY_ROTATE:6},Df=1e-6,Lh=class extends Ba{constructor(e,t=null){super(e,t),this.state=Rt.NONE,this.target=new Z,this.cursor=new Z,this.minDistance=0,this.maxDistance=1/0,this.minZoom=0,this.maxZoom=1/0,this.minTargetRadius=0,this.maxTargetRadius=1/0,this.minPolarAngle=0,this.maxPolarAngle=Math.PI,this.minAzimuthAngle=-1/0,this.maxAzimuthAngle=1/0,this.enableDamping=!1,this.dampingFactor=.05,this.enableZoom=!0,this.zoomSpeed=1,this.enableRotate=!0,this.rotateSpeed=1,this.keyRotateSpeed=1,this.enablePan=!0,this.panSpeed=1,this.screenSpacePanning=!0,this.keyPanSpeed=7,this.zoomToCursor=!1,this.autoRotate=!1,this.autoRotateSpeed=2,this.keys={LEFT:"ArrowLeft",UP:"ArrowUp",RIGHT:"ArrowRight",BOTTOM:"ArrowDown"},this.mouseButtons={LEFT:tr.ROTATE,MIDDLE:tr.DOLLY,RIGHT:tr.PAN},this.touches={ONE:nr.ROTATE,TWO:nr.DOLLY_PAN},this.target0=this.target.clone(),this.position0=this.object.position.clone(),this.zoom0=this.object.zoom,this._cursorStyle="auto",this._domElementKeyEvents=null,this._lastPosition=new Z,this._lastQuaternion=new mi,this._lastTargetPosition=new Z,this._quat=new mi().setFromUnitVectors(e.up,new Z(0,1,0)),this._quatInverse=this._quat.clone().invert(),this._spherical=new No,this._sphericalDelta=new No,this._scale=1,this._panOffset=new Z,this._rotateStart=new tt,this._rotateEnd=new tt,this._rotateDelta=new tt,this._panStart=new tt,this._panEnd=new tt,this._panDelta=new tt,this._dollyStart=new tt,this._dollyEnd=new tt,this._dollyDelta=new tt,this._dollyDirection=new Z,this._mouse=new tt,this._performCursorZoom=!1,this._pointers=[],this._pointerPositions={},this._controlActive=!1,this._onPointerMove=TT.bind(this),this._onPointerDown=ET.bind(this),this._onPointerUp=AT.bind(this),this._onContextMenu=NT.bind(this),this._onMouseWheel=PT.bind(this),this._onKeyDown=IT.bind(this),this._onTouchStart=LT.bind(this),this._onTouchMove=DT.bind(this),this._onMouseDown=CT.bind(this),this._onMouseMove=RT.bind(this),this._interceptControlDown=UT.bind(this),this._interceptControlUp=OT.bind(this),this.domElement!==null&&this.connect(this.domElement),this.update()}set cursorStyle(e){this._cursorStyle=e,e==="grab"?this.domElement.style.cursor="grab":this.domElement.style.cursor="auto"}get cursorStyle(){return this._cursorStyle}connect(e){super.connect(e),this.domElement.addEventListener("pointerdown",this._onPointerDown),this.domElement.addEventListener("pointercancel",this._onPointerUp),this.domElement.addEventListener("contextmenu",this._onContextMenu),this.domElement.addEventListener("wheel",this._onMouseWheel,{passive:!1}),this.domElement.ownerDocument.addEventListener("keydown",this._interceptControlDown,{passive:!0,capture:!0}),this.domElement.style.touchAction="none"}disconnect(){this.state=Rt.NONE,this.domElement.removeEventListener("pointerdown",this._onPointerDown),this.domElement.ownerDocument.removeEventListener("pointermove",this._onPointerMove),this.domElement.ownerDocument.removeEventListener("pointerup",this._onPointerUp),this.domElement.removeEventListener("pointercancel",this._onPointerUp),this.domElement.removeEventListener("wheel",this._onMouseWheel),this.domElement.removeEventListener("contextmenu",this._onContextMenu),this.stopListenToKeyEvents(),this.domElement.ownerDocument.removeEventListener("keydown",this._interceptControlDown,{capture:!0}),this.domElement.ownerDocument.removeEventListener("keyup",this._interceptControlUp,{capture:!0}),this._controlActive=!1,this._pointers.length=0,this._pointerPositions={},this.domElement.style.touchAction="",this.domElement.style.cursor="auto"}dispose(){this.disconnect()}getPolarAngle(){return this._spherical.phi}getAzimuthalAngle(){return this._spherical.theta}getDistance(){return this.object.position.distanceTo(this.target)}listenToKeyEvents(e){e.addEventListener("keydown",this._onKeyDown),this._domElementKeyEvents=e}stopListenToKeyEvents(){this._domElementKeyEvents!==null&&(this._domElementKeyEvents.removeEventListener("keydown",this._onKeyDown),this._domElementKeyEvents=null)}saveState(){this.target0.copy(this.target),this.position0.copy(this.object.position),this.zoom0=this.object.zoom}reset(){this.target.copy(this.target0),this.object.position.copy(this.position0),this.object.zoom=this.zoom0,this.object.updateProjectionMatrix(),this.dispatchEvent(Ax),this.update(),this.state=Rt.NONE}pan(e,t){this._pan(e,t),this.update()}dollyIn(e){this._dollyIn(e),this.update()}dollyOut(e){this._dollyOut(e),this.update()}rotateLeft(e){this._rotateLeft(e),this.update()}rotateUp(e){this._rotateUp(e),this.update()}update(e=null){let t=this.object.position;Tn.copy(t).sub(this.target),Tn.applyQuaternion(this._quat),this._spherical.setFromVector3(Tn),this.autoRotate&&this.state===Rt.NONE&&this._rotateLeft(this._getAutoRotationAngle(e)),this.enableDamping?(this._spherical.theta+=this._sphericalDelta.theta*this.dampingFactor,this._spherical.phi+=this._sphericalDelta.phi*this.dampingFactor):(this._spherical.theta+=this._sphericalDelta.theta,this._spherical.phi+=this._sphericalDelta.phi);let i=this.minAzimuthAngle,s=this.maxAzimuthAngle;isFinite(i)&&isFinite(s)&&(i<-Math.PI?i+=si:i>Math.PI&&(i-=si),s<-Math.PI?s+=si:s>Math.PI&&(s-=si),i<=s?this._spherical.theta=Math.max(i,Math.min(s,this._spherical.theta)):this._spherical.theta=this._spherical.theta>(i+s)/2?Math.max(i,this._spherical.theta):Math.min(s,this._spherical.theta)),this._spherical.phi=Math.max(this.minPolarAngle,Math.min(this.maxPolarAngle,this._spherical.phi)),this._spherical.makeSafe(),this.enableDamping===!0?this.target.addScaledVector(this._panOffset,this.dampingFactor):this.target.add(this._panOffset),this.target.sub(this.cursor),this.target.clampLength(this.minTargetRadius,this.maxTargetRadius),this.target.add(this.cursor);let r=!1;if(this.zoomToCursor&&this._performCursorZoom||this.object.isOrthographicCamera)this._spherical.radius=this._clampDistance(this._spherical.radius);else{let o=this._spherical.radius;this._spherical.radius=this._clampDistance(this._spherical.radius*this._scale),r=o!=this._spherical.radius}if(Tn.setFromSpherical(this._spherical),Tn.applyQuaternion(this._quatInverse),t.copy(this.target).add(Tn),this.object.lookAt(this.target),this.enableDamping===!0?(this._sphericalDelta.theta*=1-this.dampingFactor,this._sphericalDelta.phi*=1-this.dampingFactor,this._panOffset.multiplyScalar(1-this.dampingFactor)):(this._sphericalDelta.set(0,0,0),this._panOffset.set(0,0,0)),this.zoomToCursor&&this._performCursorZoom){let o=null;if(this.object.isPerspectiveCamera){let a=Tn.length();o=this._clampDistance(a*this._scale);let l=a-o;this.object.position.addScaledVector(this._dollyDirection,l),this.object.updateMatrixWorld(),r=!!l}else if(this.object.isOrthographicCamera){let a=new Z(this._mouse.x,this._mouse.y,0);a.unproject(this.object);let l=this.object.zoom;this.object.zoom=Math.max(this.minZoom,Math.min(this.maxZoom,this.object.zoom/this._scale)),this.object.updateProjectionMatrix(),r=l!==this.object.zoom;let c=new Z(this._mouse.x,this._mouse.y,0);c.unproject(this.object),this.object.position.sub(c).add(a),this.object.updateMatrixWorld(),o=Tn.length()}else console.warn("WARNING: OrbitControls.js encountered an unknown camera type - zoom to cursor disabled."),this.zoomToCursor=!1;o!==null&&(this.screenSpacePanning?this.target.set(0,0,-1).transformDirection(this.object.matrix).multiplyScalar(o).add(this.object.position):(Ih.origin.copy(this.object.position),Ih.direction.set(0,0,-1).transformDirection(this.object.matrix),Math.abs(this.object.up.dot(Ih.direction))<wT?this.object.lookAt(this.target):(Cx.setFromNormalAndCoplanarPoint(this.object.up,this.target),Ih.intersectPlane(Cx,this.target))))}else if(this.object.isOrthographicCamera){let o=this.object.zoom;this.object.zoom=Math.max(this.minZoom,Math.min(this.maxZoom,this.object.zoom/this._scale)),o!==this.object.zoom&&(this.object.updateProjectionMatrix(),r=!0)}return this._scale=1,this._performCursorZoom=!1,r||this._lastPosition.distanceToSquared(this.object.position)>Df||8*(1-this._lastQuaternion.dot(this.object.quaternion))>Df||this._lastTargetPosition.distanceToSquared(this.target)>Df?(this.dispatchEvent(Ax),this._lastPosition.copy(this.object.position),this._lastQuaternion.copy(this.object.quaternion),this._lastTargetPosition.copy(this.target),!0):!1}_getAutoRotationAngle(e){return e!==null?si/60*this.autoRotateSpeed*e:si/60/60*this.autoRotateSpeed}_getZoomScale(e){let t=Math.abs(e*.01);return Math.pow(.95,this.zoomSpeed*t)}_rotateLeft(e){this._sphericalDelta.theta-=e}_rotateUp(e){this._sphericalDelta.phi-=e}_panLeft(e,t){Tn.setFromMatrixColumn(t,0),Tn.multiplyScalar(-e),this._panOffset.add(Tn)}_panUp(e,t){this.screenSpacePanning===!0?Tn.setFromMatrixColumn(t,1):(Tn.setFromMatrixColumn(t,0),Tn.crossVectors(this.object.up,Tn)),Tn.multiplyScalar(e),this._panOffset.add(Tn)}_pan(e,t){let i=this.domElement;if(this.object.isPerspectiveCamera){let s=this.object.position;Tn.copy(s).sub(this.target);let r=Tn.length();r*=Math.tan(this.object.fov/2*Math.PI/180),this._panLeft(2*e*r/i.clientHeight,this.object.matrix),this._panUp(2*t*r/i.clientHeight,this.object.matrix)}else this.object.isOrthographicCamera?(this._panLeft(e*(this.object.right-this.object.left)/this.object.zoom/i.clientWidth,this.object.matrix),this._panUp(t*(this.object.top-this.object.bottom)/this.object.zoom/i.clientHeight,this.object.matrix)):(console.warn("WARNING: OrbitControls.js encountered an unknown camera type - pan disabled."),this.enablePan=!1)}_dollyOut(e){this.object.isPerspectiveCamera||this.object.isOrthographicCamera?this._scale/=e:(console.warn("WARNING: OrbitControls.js encountered an unknown camera type - dolly/zoom disabled."),this.enableZoom=!1)}_dollyIn(e){this.object.isPerspectiveCamera||this.object.isOrthographicCamera?this._scale*=e:(console.warn("WARNING: OrbitControls.js encountered an unknown camera type - dolly/zoom disabled."),this.enableZoom=!1)}_updateZoomParameters(e,t){if(!this.zoomToCursor)return;this._performCursorZoom=!0;let i=this.domElement.getBoundingClientRect(),s=e-i.left,r=t-i.top,o=i.width,a=i.height;this._mouse.x=s/o*2-1,this._mouse.y=-(r/a)*2+1,this._dollyDirection.set(this._mouse.x,this._mouse.y,1).unproject(this.object).sub(this.object.position).normalize()}_clampDistance(e){return Math.max(this.minDistance,Math.min(this.maxDistance,e))}_handleMouseDownRotate(e){this._rotateStart.set(e.clientX,e.clientY)}_handleMouseDownDolly(e){this._updateZoomParameters(e.clientX,e.clientY),this._dollyStart.set(e.clientX,e.clientY)}_handleMouseDownPan(e){this._panStart.set(e.clientX,e.clientY)}_handleMouseMoveRotate(e){this._rotateEnd.set(e.clientX,e.clientY),this._rotateDelta.subVectors(this._rotateEnd,this._rotateStart).multiplyScalar(this.rotateSpeed);let t=this.domElement;this._rotateLeft(si*this._rotateDelta.x/t.clientHeight),this._rotateUp(si*this._rotateDelta.y/t.clientHeight),this._rotateStart.copy(this._rotateEnd),this.update()}_handleMouseMoveDolly(e){this._dollyEnd.set(e.clientX,e.clientY),this._dollyDelta.subVectors(this._dollyEnd,this._dollyStart),this._dollyDelta.y>0?this._dollyOut(this._getZoomScale(this._dollyDelta.y)):this._dollyDelta.y<0&&this._dollyIn(this._getZoomScale(this._dollyDelta.y)),this._dollyStart.copy(this._dollyEnd),this.zoomToCursor&&(this._performCursorZoom=!0,this._dollyDirection.set(this._mouse.x,this._mouse.y,1).unproject(this.object).sub(this.object.position).normalize()),this.update()}_handleMouseMovePan(e){this._panEnd.set(e.clientX,e.clientY),this._panDelta.subVectors(this._panEnd,this._panStart).multiplyScalar(this.panSpeed),this._pan(this._panDelta.x,this._panDelta.y),this._panStart.copy(this._panEnd),this.update()}_handleMouseWheel(e){this._updateZoomParameters(e.clientX,e.clientY),e.deltaY<0?this._dollyIn(this._getZoomScale(e.deltaY)):e.deltaY>0&&this._dollyOut(this._getZoomScale(e.deltaY)),this.update()}_handleKeyDown(e){let t=!1;switch(e.code){case this.keys.UP:e.ctrlKey||e.metaKey||e.shiftKey?this.enableRotate&&this._rotateUp(si*this.keyRotateSpeed/this.domElement.clientHeight):this.enablePan&&this._pan(0,this.keyPanSpeed),t=!0;break;case this.keys.BOTTOM:e.ctrlKey||e.metaKey||e.shiftKey?this.enableRotate&&this._rotateUp(-si*this.keyRotateSpeed/this.domElement.clientHeight):this.enablePan&&this._pan(0,-this.keyPanSpeed),t=!0;break;case this.keys.LEFT:e.ctrlKey||e.metaKey||e.shiftKey?this.enableRotate&&this._rotateLeft(si*this.keyRotateSpeed/this.domElement.clientHeight):this.enablePan&&this._pan(this.keyPanSpeed,0),t=!0;break;case this.keys.RIGHT:e.ctrlKey||e.metaKey||e.shiftKey?this.enableRotate&&this._rotateLeft(-si*this.keyRotateSpeed/this.domElement.clientHeight):this.enablePan&&this._pan(-this.keyPanSpeed,0),t=!0;break}t&&(e.preventDefault(),this.update())}_handleTouchStartRotate(e){if(this._pointers.length===1)this._rotateStart.set(e.pageX,e.pageY);else{let t=this._getSecondPointerPosition(e),i=.5*(e.pageX+t.x),s=.5*(e.pageY+t.y);this._rotateStart.set(i,s)}}_handleTouchStartPan(e){if(this._pointers.length===1)this._panStart.set(e.pageX,e.pageY);else{let t=this._getSecondPointerPosition(e),i=.5*(e.pageX+t.x),s=.5*(e.pageY+t.y);this._panStart.set(i,s)}}_handleTouchStartDolly(e){let t=this._getSecondPointerPosition(e),i=e.pageX-t.x,s=e.pageY-t.y,r=Math.sqrt(i*i+s*s);this._dollyStart.set(0,r)}_handleTouchStartDollyPan(e){this.enableZoom&&this._handleTouchStartDolly(e),this.enablePan&&this._handleTouchStartPan(e)}_handleTouchStartDollyRotate(e){this.enableZoom&&this._handleTouchStartDolly(e),this.enableRotate&&this._handleTouchStartRotate(e)}_handleTouchMoveRotate(e){if(this._pointers.length==1)this._rotateEnd.set(e.pageX,e.pageY);else{let i=this._getSecondPointerPosition(e),s=.5*(e.pageX+i.x),r=.5*(e.pageY+i.y);this._rotateEnd.set(s,r)}this._rotateDelta.subVectors(this._rotateEnd,this._rotateStart).multiplyScalar(this.rotateSpeed);let t=this.domElement;this._rotateLeft(si*this._rotateDelta.x/t.clientHeight),this._rotateUp(si*this._rotateDelta.y/t.clientHeight),this._rotateStart.copy(this._rotateEnd)}_handleTouchMovePan(e){if(this._pointers.length===1)this._panEnd.set(e.pageX,e.pageY);else{let t=this._getSecondPointerPosition(e),i=.5*(e.pageX+t.x),s=.5*(e.pageY+t.y);this._panEnd.set(i,s)}this._panDelta.subVectors(this._panEnd,this._panStart).multiplyScalar(this.panSpeed),this._pan(this._panDelta.x,this._panDelta.y),this._panStart.copy(this._panEnd)}_handleTouchMoveDolly(e){let t=this._getSecondPointerPosition(e),i=e.pageX-t.x,s=e.pageY-t.y,r=Math.sqrt(i*i+s*s);this._dollyEnd.set(0,r),this._dollyDelta.set(0,Math.pow(this._dollyEnd.y/this._dollyStart.y,this.zoomSpeed)),this._dollyOut(this._dollyDelta.y),this._dollyStart.copy(this._dollyEnd);let o=(e.pageX+t.x)*.5,a=(e.pageY+t.y)*.5;this._updateZoomParameters(o,a)}_handleTouchMoveDollyPan(e){this.enableZoom&&this._handleTouchMoveDolly(e),this.enablePan&&this._handleTouchMovePan(e)}_handleTouchMoveDollyRotate(e){this.enableZoom&&this._handleTouchMoveDolly(e),this.enableRotate&&this._handleTouchMoveRotate(e)}_addPointer(e){this._pointers.push(e.pointerId)}_removePointer(e){delete this._pointerPositions[e.pointerId];for(let t=0;t<this._pointers.length;t++)if(this._pointers[t]==e.pointerId){this._pointers.splice(t,1);return}}_isTrackingPointer(e){for(let t=0;t<this._pointers.length;t++)if(this._pointers[t]==e.pointerId)return!0;return!1}_trackPointer(e){let t=this._pointerPositions[e.pointerId];t===void 0&&(t=new tt,this._pointerPositions[e.pointerId]=t),t.set(e.pageX,e.pageY)}_getSecondPointerPosition(e){let t=e.pointerId===this._pointers[0]?this._pointers[1]:this._pointers[0];return this._pointerPositions[t]}_customWheelEvent(e){let t=e.deltaMode,i={clientX:e.clientX,clientY:e.clientY,deltaY:e.deltaY};switch(t){case 1:i.deltaY*=16;break;case 2:i.deltaY*=100;break}return e.ctrlKey&&!this._controlActive&&(i.deltaY*=10),i}};function ET(n){this.enabled!==!1&&(this._pointers.length===0&&(this.domElement.setPointerCapture(n.pointerId),this.domElement.ownerDocument.addEventListener("pointermove",this._onPointerMove),this.domElement.ownerDocument.addEventListener("pointerup",this._onPointerUp)),!this._isTrackingPointer(n)&&(this._addPointer(n),n.pointerType==="touch"?this._onTouchStart(n):this._onMouseDown(n),this._cursorStyle==="grab"&&(this.domElement.style.cursor="grabbing")))}function TT(n){this.enabled!==!1&&(n.pointerType==="touch"?this._onTouchMove(n):this._onMouseMove(n))}function AT(n){switch(this._removePointer(n),this._pointers.length){case 0:this.domElement.releasePointerCapture(n.pointerId),this.domElement.ownerDocument.removeEventListener("pointermove",this._onPointerMove),this.domElement.ownerDocument.removeEventListener("pointerup",this._onPointerUp),this.dispatchEvent(Rx),this.state=Rt.NONE,this._cursorStyle==="grab"&&(this.domElement.style.cursor="grab");break;case 1:let e=this._pointers[0],t=this._pointerPositions[e];this._onTouchStart({pointerId:e,pageX:t.x,pageY:t.y});break}}function CT(n){let e;switch(n.button){case 0:e=this.mouseButtons.LEFT;break;case 1:e=this.mouseButtons.MIDDLE;break;case 2:e=this.mouseButtons.RIGHT;break;default:e=-1}switch(e){case tr.DOLLY:if(this.enableZoom===!1)return;this._handleMouseDownDolly(n),this.state=Rt.DOLLY;break;case tr.ROTATE:if(n.ctrlKey||n.metaKey||n.shiftKey){if(this.enablePan===!1)return;this._handleMouseDownPan(n),this.state=Rt.PAN}else{if(this.enableRotate===!1)return;this._handleMouseDownRotate(n),this.state=Rt.ROTATE}break;case tr.PAN:if(n.ctrlKey||n.metaKey||n.shiftKey){if(this.enableRotate===!1)return;this._handleMouseDownRotate(n),this.state=Rt.ROTATE}else{if(this.enablePan===!1)return;this._handleMouseDownPan(n),this.state=Rt.PAN}break;default:this.state=Rt.NONE}this.state!==Rt.NONE&&this.dispatchEvent(Nf)}function RT(n){switch(this.state){case Rt.ROTATE:if(this.enableRotate===!1)return;this._handleMouseMoveRotate(n);break;case Rt.DOLLY:if(this.enableZoom===!1)return;this._handleMouseMoveDolly(n);break;case Rt.PAN:if(this.enablePan===!1)return;this._handleMouseMovePan(n);break}}function PT(n){this.enabled===!1||this.enableZoom===!1||this.state!==Rt.NONE||(n.preventDefault(),this.dispatchEvent(Nf),this._handleMouseWheel(this._customWheelEvent(n)),this.dispatchEvent(Rx))}function IT(n){this.enabled!==!1&&this._handleKeyDown(n)}function LT(n){switch(this._trackPointer(n),this._pointers.length){case 1:switch(this.touches.ONE){case nr.ROTATE:if(this.enableRotate===!1){this.state=Rt.NONE;break}this._handleTouchStartRotate(n),this.state=Rt.TOUCH_ROTATE;break;case nr.PAN:if(this.enablePan===!1){this.state=Rt.NONE;break}this._handleTouchStartPan(n),this.state=Rt.TOUCH_PAN;break;default:this.state=Rt.NONE}break;case 2:switch(this.touches.TWO){case nr.DOLLY_PAN:if(this.enableZoom===!1&&this.enablePan===!1)return;this._handleTouchStartDollyPan(n),this.state=Rt.TOUCH_DOLLY_PAN;break;case nr.DOLLY_ROTATE:if(this.enableZoom===!1&&this.enableRotate===!1)return;this._handleTouchStartDollyRotate(n),this.state=Rt.TOUCH_DOLLY_ROTATE;break;default:this.state=Rt.NONE}break;default:this.state=Rt.NONE}this.state!==Rt.NONE&&this.dispatchEvent(Nf)}function DT(n){switch(this._trackPointer(n),this.state){case Rt.TOUCH_ROTATE:if(this.enableRotate===!1)return;this._handleTouchMoveRotate(n),this.update();break;case Rt.TOUCH_PAN:if(this.enablePan===!1)return;this._handleTouchMovePan(n),this.update();break;case Rt.TOUCH_DOLLY_PAN:if(this.enableZoom===!1&&this.enablePan===!1)return;this._handleTouchMoveDollyPan(n),this.update();break;case Rt.TOUCH_DOLLY_ROTATE:if(this.enableZoom===!1&&this.enableRotate===!1)return;this._handleTouchMoveDollyRotate(n),this.update();break;default:this.state=Rt.NONE}}function NT(n){this.enabled!==!1&&n.preventDefault()}function UT(n){n.key==="Control"&&(this._controlActive=!0,this.domElement.ownerDocument.addEventListener("keyup",this._interceptControlUp,{passive:!0,capture:!0}))}function OT(n){n.key==="Control"&&(this._controlActive=!1,this.domElement.ownerDocument.removeEventListener("keyup",this._interceptControlUp,{passive:!0,capture:!0}))}var Dh=class{constructor(e,t,i){this.low=e;this.high=t;this.renderer=new Ch({antialias:!0,alpha:!0}),this.renderer.localClippingEnabled=!0,this.canvas=this.renderer.domElement,this.canvas.tabIndex=0,this.camera.up.set(0,0,1);let s=new Oa(16777215,2.2);s.position.set(-.6,.9,.8),this.camera.add(s),this.scene.add(this.camera,new Fa(16777215,1.3)),this.controls=new Lh(this.camera,this.canvas),this.controls.enableZoom=!1,this.canvas.addEventListener("focus",()=>this.controls.enableZoom=!0,{signal:i}),this.canvas.addEventListener("blur",()=>this.controls.enableZoom=!1,{signal:i}),this.canvas.addEventListener("keydown",r=>this.key(r),{signal:i}),this.controls.addEventListener("change",()=>this.draw()),this.watcher=new ResizeObserver(()=>this.draw()),this.watcher.observe(this.canvas),this.look(-60,30),i.addEventListener("abort",()=>this.end())}low;high;canvas;renderer;scene=new Ea;camera=new Kn(32,1,.1,1e3);controls;named=new Map;plane=new Zn(new Z(0,0,-1),0);watcher;isCut=!1;frame=0;end(){cancelAnimationFrame(this.frame),this.watcher.disconnect(),this.controls.dispose();for(let e of[...this.named.keys()])this.remove(e);this.renderer.dispose(),this.renderer.forceContextLoss()}look(e,t){let i=new Z(...this.low).add(new Z(...this.high)).multiplyScalar(.5),s=.5*Math.hypot(...this.high.map((l,c)=>l-this.low[c])),[r,o]=[e,Math.min(Math.max(t,-89.9),89.9)].map(l=>l*Math.PI/180),a=s/Math.sin(this.camera.fov*Math.PI/360)*.82;this.camera.near=s/50,this.camera.far=30*s,this.controls.target.copy(i),this.camera.position.set(Math.cos(r)*Math.cos(o),Math.sin(r)*Math.cos(o),Math.sin(o)).multiplyScalar(a).add(i),this.camera.updateProjectionMatrix(),this.controls.update(),this.draw()}mesh(e,t,i){if(this.remove(e),t.triangles.length===0)return;let s=new xi;s.setAttribute("position",new zn(t.corners,3)),s.setIndex(new zn(t.triangles,1)),s.computeVertexNormals(),i.colors&&s.setAttribute("color",new zn(BT(i.colors),3));let r=i.opacity!==void 0&&i.opacity<1,o=new Lo({vertexColors:i.colors!==void 0,side:ni,transparent:r,opacity:i.opacity??1,depthWrite:!r});i.color!==void 0&&(o.color=new ct().setRGB(...hl(i.color),Dn)),o.clippingPlanes=this.isCut&&i.whole!==!0?[this.plane]:[],o.userData.whole=i.whole===!0,this.add(e,new ti(s,o))}walls(e,t,i){this.remove(e);let s=new Ss,r=new ct().setRGB(...hl(i),Dn);for(let{points:o,low:a,high:l}of t){for(let f of[a,l]){let g=new xi().setFromPoints(o.map(([y,p])=>new Z(y,p,f)));s.add(new Ca(g,new Po({color:r,transparent:!0,opacity:.55})))}let c=new Float32Array(o.flatMap(([f,g])=>[f,g,a,f,g,l])),h=o.length,u=Uint32Array.from(o.flatMap((f,g)=>[0,2,1,1,2,3].map(y=>(2*g+y)%(2*h)))),d=new xi;d.setAttribute("position",new zn(c,3)),d.setIndex(new zn(u,1)),s.add(new ti(d,new Sr({color:r,transparent:!0,opacity:.06,side:ni,depthWrite:!1})))}this.add(e,s)}cut(e,t,i){if(this.remove("cut"),this.isCut=e!==null,e!==null){let s=new Z().setComponent(e,e===1?1:-1);this.plane.set(s,e===1?-t:t),i&&this.add("cut",FT(e,t,i))}this.scene.traverse(s=>{let r=s.material;r instanceof Lo&&(r.clippingPlanes=this.isCut&&r.userData.whole!==!0?[this.plane]:[])}),this.draw()}remove(e){let t=this.named.get(e);t&&(this.scene.remove(t),this.named.delete(e),t.traverse(i=>{let s=i;s.geometry?.dispose();let r=s.material;r?.map?.dispose(),r?.dispose()}),this.draw())}add(e,t){this.named.set(e,t),this.scene.add(t),this.draw()}draw(){this.frame===0&&(this.frame=requestAnimationFrame(()=>{this.frame=0;let[e,t]=[this.canvas.clientWidth,this.canvas.clientHeight];if(e===0||t===0)return;let i=Math.min(window.devicePixelRatio||1,2);(this.canvas.width!==Math.round(e*i)||this.canvas.height!==Math.round(t*i))&&(this.renderer.setPixelRatio(i),this.renderer.setSize(e,t,!1),this.camera.aspect=e/t,this.camera.updateProjectionMatrix()),this.renderer.render(this.scene,this.camera)}))}key(e){if(e.ctrlKey||e.metaKey||e.altKey)return;let t=this.camera.position.clone().sub(this.controls.target),i=t.length(),[s,r]=[Math.atan2(t.y,t.x),Math.asin(t.z/i)].map(l=>l*180/Math.PI),o={ArrowLeft:[-10,0],ArrowRight:[10,0],ArrowUp:[0,10],ArrowDown:[0,-10]},a={"+":.85,"=":.85,"-":1/.85};if(e.key in o){let[l,c]=[s+o[e.key][0],Math.min(Math.max(r+o[e.key][1],-89.9),89.9)].map(h=>h*Math.PI/180);this.camera.position.set(Math.cos(l)*Math.cos(c),Math.sin(l)*Math.cos(c),Math.sin(c)).multiplyScalar(i).add(this.controls.target)}else if(e.key in a)this.camera.position.copy(t.multiplyScalar(a[e.key]).add(this.controls.target));else if(e.key==="0")this.look(-60,30);else return;e.preventDefault(),this.controls.update(),this.draw()}};function FT(n,e,{pixels:t,width:i,height:s,pitch:r,corner:o}){let[a,l]=Qn[n],c=new Uint32Array(t.length);for(let f=0;f<s;f++)c.set(t.subarray((s-1-f)*i,(s-f)*i),f*i);let h=new Ro(new Uint8Array(c.buffer),i,s,yi);h.colorSpace=Dn,h.magFilter=h.minFilter=yn,h.needsUpdate=!0;let u=new wr(1,1),d=u.getAttribute("position");for(let f=0;f<d.count;f++){let[g,y]=[d.getX(f)+.5,d.getY(f)+.5],p=new Z().setComponent(n,e);p.setComponent(a,o[0]+g*i*r[0]).setComponent(l,o[1]+(y-1)*s*r[1]),d.setXYZ(f,p.x,p.y,p.z)}return new ti(u,new Sr({map:h,side:ni,alphaTest:.5}))}function BT(n){let e=new Map,t=new Float32Array(3*n.length),i=new ct;return n.forEach((s,r)=>{let o=e.get(s);o||(i.setRGB(...hl(s),Dn),o=[i.r,i.g,i.b],e.set(s,o)),t.set(o,3*r)}),t}var Px=`"use strict";(()=>{function U(o,e){let{pitch:t,low:s}=o,[r,n,u]=o.shape.map(f=>f+2),l=Y(o,e),a=[1,r,r*n],i=new Int32Array(2*r*n),h=new z(Float32Array),p=new z(Uint32Array),m=new Float32Array(8),c=0;for(let f=0;f+1<u;f++)for(let b=0;b+1<n;b++)for(let d=0;d+1<r;d++){let N=d+r*(b+n*f),g=0;for(let y=0;y<8;y++){let A=l[N+(y&1)+(y>>1&1)*r+(y>>2)*r*n];m[y]=A,A>=0&&(g|=1<<y)}if(g===0||g===255)continue;let[_,G,L]=j(m,g);h.push(s[0]+(d+_-.5)*t[0],s[1]+(b+G-.5)*t[1],s[2]+(f+L-.5)*t[2]);let I=(y,A,M)=>(M&1)*r*n+A*r+y;i[I(d,b,f)]=c;let T=[d,b,f];for(let y=0;y<3;y++){let[A,M]=[(y+1)%3,(y+2)%3];if(T[A]===0||T[M]===0)continue;let B=(g&1)!==0;if(B===l[N+a[y]]>=0)continue;let k=(P,V)=>{let v=[d,b,f];return v[A]-=P,v[M]-=V,i[I(v[0],v[1],v[2])]},[F,E,x,R]=[c,k(1,0),k(1,1),k(0,1)];B?p.push(F,E,x,F,x,R):p.push(F,x,E,F,R,x)}c++}return{corners:h.taken(),triangles:p.taken()}}function Y({codes:o,values:e,shape:t},s){let[r,n,u]=t,l=new Float32Array((r+2)*(n+2)*(u+2)).fill(-1e6),a=e.map(h=>Number.isNaN(h)?-1e6:h-s),i=0;for(let h=0;h<u;h++)for(let p=0;p<n;p++){let m=1+(r+2)*(p+1+(n+2)*(h+1));for(let c=0;c<r;c++)l[m++]=a[o[i++]]}return l}var C=[0,1,2,3,4,5,6,7,0,2,1,3,4,6,5,7,0,4,1,5,2,6,3,7];function j(o,e){let[t,s,r,n]=[0,0,0,0];for(let u=0;u<24;u+=2){let[l,a]=[C[u],C[u+1]];if((e>>l&1)===(e>>a&1))continue;let i=o[l]/(o[l]-o[a]);t+=(l&1)+i*((a&1)-(l&1)),s+=(l>>1&1)+i*((a>>1&1)-(l>>1&1)),r+=(l>>2)+i*((a>>2)-(l>>2)),n++}return[t/n,s/n,r/n]}var D=8,w=class{constructor(e,{shape:t,pitch:s,low:r}){this.mesh=e;this.normals=q(e),this.size=2*Math.max(...s),this.low=[r[0]-this.size,r[1]-this.size,r[2]-this.size],this.cells=[0,1,2].map(a=>Math.ceil(t[a]*s[a]/this.size)+2);let n=e.corners.length/3,u=Uint32Array.from({length:n},(a,i)=>this.cellOf(e.corners,i));this.starts=new Uint32Array(this.cells[0]*this.cells[1]*this.cells[2]+1);for(let a of u)this.starts[a+1]++;for(let a=1;a<this.starts.length;a++)this.starts[a]+=this.starts[a-1];let l=this.starts.slice();this.order=new Uint32Array(n),u.forEach((a,i)=>{this.order[l[a]++]=i})}mesh;normals;size;cells;low;starts;order;of(e){let t=new Float32Array(e.length/3);for(let s=0;s<t.length;s++)t[s]=this.off(e[3*s],e[3*s+1],e[3*s+2]);return t}place(e,t){return Math.min(Math.max(Math.floor((e-this.low[t])/this.size),0),this.cells[t]-1)}cellOf(e,t){return this.place(e[3*t],0)+this.cells[0]*(this.place(e[3*t+1],1)+this.cells[1]*this.place(e[3*t+2],2))}off(e,t,s){let[r,n,u]=[this.place(e,0),this.place(t,1),this.place(s,2)],{corners:l}=this.mesh,[a,i]=[Number.POSITIVE_INFINITY,-1];for(let c=0;c<=D&&!(i>=0&&a<=((c-1)*this.size)**2);c++)this.eachOfRing(r,n,u,c,f=>{let b=(l[3*f]-e)**2+(l[3*f+1]-t)**2+(l[3*f+2]-s)**2;b<a&&([a,i]=[b,f])});if(i<0)return D*this.size;let h=3*i,p=(e-l[h])*this.normals[h]+(t-l[h+1])*this.normals[h+1]+(s-l[h+2])*this.normals[h+2],m=Math.sqrt(a);return m<=this.size?p:Math.sign(p)*m}eachOfRing(e,t,s,r,n){let[u,l,a]=this.cells;for(let i=Math.max(s-r,0);i<=Math.min(s+r,a-1);i++)for(let h=Math.max(t-r,0);h<=Math.min(t+r,l-1);h++){let p=Math.abs(i-s)===r||Math.abs(h-t)===r;for(let m=e-r;m<=e+r;m+=p||r===0?1:2*r){if(m<0||m>=u)continue;let c=m+u*(h+l*i);for(let f=this.starts[c];f<this.starts[c+1];f++)n(this.order[f])}}}};function q({corners:o,triangles:e}){let t=new Float32Array(o.length);for(let s=0;s<e.length;s+=3){let[r,n,u]=[3*e[s],3*e[s+1],3*e[s+2]],[l,a,i]=[o[n]-o[r],o[n+1]-o[r+1],o[n+2]-o[r+2]],[h,p,m]=[o[u]-o[r],o[u+1]-o[r+1],o[u+2]-o[r+2]];for(let c of[r,n,u])t[c]+=a*m-i*p,t[c+1]+=i*h-l*m,t[c+2]+=l*p-a*h}for(let s=0;s<t.length;s+=3){let r=Math.hypot(t[s],t[s+1],t[s+2])||1;for(let n=0;n<3;n++)t[s+n]/=r}return t}var z=class{constructor(e){this.kind=e;this.array=new e(32768)}kind;array;used=0;push(...e){if(this.used+e.length>this.array.length){let t=new this.kind(2*this.array.length);t.set(this.array),this.array=t}for(let t of e)this.array[this.used++]=t}taken(){return this.array.slice(0,this.used)}};var O=class{response=null;target=null;targetMesh=null;distance=null;answer(e){switch(e.kind){case"load":return[this.response,this.target,this.targetMesh,this.distance]=[e.response,e.target,null,null],S();case"print":{if(!this.response)return S();let t=U(this.response,e.level);return{...t,off:this.toTarget()?.of(t.corners)??null}}case"target":{let t=this.meshOfTarget();return t?{corners:t.corners.slice(),triangles:t.triangles.slice(),off:null}:S()}case"part":{let{samples:t,code:s}=e;return{...U({...t,values:Float32Array.from(t.values,(r,n)=>n===s?1:0)},.5),off:null}}}}meshOfTarget(){return this.target&&(this.targetMesh??=U(this.target,.5)),this.targetMesh}toTarget(){let e=this.meshOfTarget();return e&&this.target&&e.corners.length>0&&(this.distance??=new w(e,this.target)),this.distance}};function S(){return{corners:new Float32Array,triangles:new Uint32Array,off:null}}if(typeof document>"u"){let o=new O;self.addEventListener("message",e=>{let t=o.answer(e.data);self.postMessage(t,{transfer:[t.corners.buffer,t.triangles.buffer,...t.off?[t.off.buffer]:[]]})})}})();
+`;function Oh(n,e){let{pitch:t,low:i}=n,[s,r,o]=n.shape.map(g=>g+2),a=zT(n,e),l=[1,s,s*r],c=new Int32Array(2*s*r),h=new Uh(Float32Array),u=new Uh(Uint32Array),d=new Float32Array(8),f=0;for(let g=0;g+1<o;g++)for(let y=0;y+1<r;y++)for(let p=0;p+1<s;p++){let m=p+s*(y+r*g),v=0;for(let E=0;E<8;E++){let k=a[m+(E&1)+(E>>1&1)*s+(E>>2)*s*r];d[E]=k,k>=0&&(v|=1<<E)}if(v===0||v===255)continue;let[C,S,R]=VT(d,v);h.push(i[0]+(p+C-.5)*t[0],i[1]+(y+S-.5)*t[1],i[2]+(g+R-.5)*t[2]);let A=(E,k,N)=>(N&1)*s*r+k*s+E;c[A(p,y,g)]=f;let _=[p,y,g];for(let E=0;E<3;E++){let[k,N]=[(E+1)%3,(E+2)%3];if(_[k]===0||_[N]===0)continue;let D=(v&1)!==0;if(D===a[m+l[E]]>=0)continue;let X=(V,ae)=>{let $=[p,y,g];return $[k]-=V,$[N]-=ae,c[A($[0],$[1],$[2])]},[B,L,z,G]=[f,X(1,0),X(1,1),X(0,1)];D?u.push(B,L,z,B,z,G):u.push(B,z,L,B,G,z)}f++}return{corners:h.taken(),triangles:u.taken()}}function zT({codes:n,values:e,shape:t},i){let[s,r,o]=t,a=new Float32Array((s+2)*(r+2)*(o+2)).fill(-1e6),l=e.map(h=>Number.isNaN(h)?-1e6:h-i),c=0;for(let h=0;h<o;h++)for(let u=0;u<r;u++){let d=1+(s+2)*(u+1+(r+2)*(h+1));for(let f=0;f<s;f++)a[d++]=l[n[c++]]}return a}var Ix=[0,1,2,3,4,5,6,7,0,2,1,3,4,6,5,7,0,4,1,5,2,6,3,7];function VT(n,e){let[t,i,s,r]=[0,0,0,0];for(let o=0;o<24;o+=2){let[a,l]=[Ix[o],Ix[o+1]];if((e>>a&1)===(e>>l&1))continue;let c=n[a]/(n[a]-n[l]);t+=(a&1)+c*((l&1)-(a&1)),i+=(a>>1&1)+c*((l>>1&1)-(a>>1&1)),s+=(a>>2)+c*((l>>2)-(a>>2)),r++}return[t/r,i/r,s/r]}var Lx=8,Nh=class{constructor(e,{shape:t,pitch:i,low:s}){this.mesh=e;this.normals=HT(e),this.size=2*Math.max(...i),this.low=[s[0]-this.size,s[1]-this.size,s[2]-this.size],this.cells=[0,1,2].map(l=>Math.ceil(t[l]*i[l]/this.size)+2);let r=e.corners.length/3,o=Uint32Array.from({length:r},(l,c)=>this.cellOf(e.corners,c));this.starts=new Uint32Array(this.cells[0]*this.cells[1]*this.cells[2]+1);for(let l of o)this.starts[l+1]++;for(let l=1;l<this.starts.length;l++)this.starts[l]+=this.starts[l-1];let a=this.starts.slice();this.order=new Uint32Array(r),o.forEach((l,c)=>{this.order[a[l]++]=c})}mesh;normals;size;cells;low;starts;order;of(e){let t=new Float32Array(e.length/3);for(let i=0;i<t.length;i++)t[i]=this.off(e[3*i],e[3*i+1],e[3*i+2]);return t}place(e,t){return Math.min(Math.max(Math.floor((e-this.low[t])/this.size),0),this.cells[t]-1)}cellOf(e,t){return this.place(e[3*t],0)+this.cells[0]*(this.place(e[3*t+1],1)+this.cells[1]*this.place(e[3*t+2],2))}off(e,t,i){let[s,r,o]=[this.place(e,0),this.place(t,1),this.place(i,2)],{corners:a}=this.mesh,[l,c]=[Number.POSITIVE_INFINITY,-1];for(let f=0;f<=Lx&&!(c>=0&&l<=((f-1)*this.size)**2);f++)this.eachOfRing(s,r,o,f,g=>{let y=(a[3*g]-e)**2+(a[3*g+1]-t)**2+(a[3*g+2]-i)**2;y<l&&([l,c]=[y,g])});if(c<0)return Lx*this.size;let h=3*c,u=(e-a[h])*this.normals[h]+(t-a[h+1])*this.normals[h+1]+(i-a[h+2])*this.normals[h+2],d=Math.sqrt(l);return d<=this.size?u:Math.sign(u)*d}eachOfRing(e,t,i,s,r){let[o,a,l]=this.cells;for(let c=Math.max(i-s,0);c<=Math.min(i+s,l-1);c++)for(let h=Math.max(t-s,0);h<=Math.min(t+s,a-1);h++){let u=Math.abs(c-i)===s||Math.abs(h-t)===s;for(let d=e-s;d<=e+s;d+=u||s===0?1:2*s){if(d<0||d>=o)continue;let f=d+o*(h+a*c);for(let g=this.starts[f];g<this.starts[f+1];g++)r(this.order[g])}}}};function HT({corners:n,triangles:e}){let t=new Float32Array(n.length);for(let i=0;i<e.length;i+=3){let[s,r,o]=[3*e[i],3*e[i+1],3*e[i+2]],[a,l,c]=[n[r]-n[s],n[r+1]-n[s+1],n[r+2]-n[s+2]],[h,u,d]=[n[o]-n[s],n[o+1]-n[s+1],n[o+2]-n[s+2]];for(let f of[s,r,o])t[f]+=l*d-c*u,t[f+1]+=c*h-a*d,t[f+2]+=a*u-l*h}for(let i=0;i<t.length;i+=3){let s=Math.hypot(t[i],t[i+1],t[i+2])||1;for(let r=0;r<3;r++)t[i+r]/=s}return t}var Uh=class{constructor(e){this.kind=e;this.array=new e(32768)}kind;array;used=0;push(...e){if(this.used+e.length>this.array.length){let t=new this.kind(2*this.array.length);t.set(this.array),this.array=t}for(let t of e)this.array[this.used++]=t}taken(){return this.array.slice(0,this.used)}};var Ja=class{response=null;target=null;targetMesh=null;distance=null;answer(e){switch(e.kind){case"load":return[this.response,this.target,this.targetMesh,this.distance]=[e.response,e.target,null,null],Uf();case"print":{if(!this.response)return Uf();let t=Oh(this.response,e.level);return{...t,off:this.toTarget()?.of(t.corners)??null}}case"target":{let t=this.meshOfTarget();return t?{corners:t.corners.slice(),triangles:t.triangles.slice(),off:null}:Uf()}case"part":{let{samples:t,code:i}=e;return{...Oh({...t,values:Float32Array.from(t.values,(s,r)=>r===i?1:0)},.5),off:null}}}}meshOfTarget(){return this.target&&(this.targetMesh??=Oh(this.target,.5)),this.targetMesh}toTarget(){let e=this.meshOfTarget();return e&&this.target&&e.corners.length>0&&(this.distance??=new Nh(e,this.target)),this.distance}};function Uf(){return{corners:new Float32Array,triangles:new Uint32Array,off:null}}if(typeof document>"u"){let n=new Ja;self.addEventListener("message",e=>{let t=n.answer(e.data);self.postMessage(t,{transfer:[t.corners.buffer,t.triangles.buffer,...t.off?[t.off.buffer]:[]]})})}var Fh=class{worker;local=new Ja;last=Promise.resolve();constructor(e){this.worker=GT(),e.addEventListener("abort",()=>this.worker?.terminate())}ask(e){let t=this.last.then(()=>this.worker?WT(this.worker,e):XT().then(()=>this.local.answer(e)));return this.last=t.catch(()=>{}),t}};function Bh(n){let e=[0,1,2].map(t=>n.range(t)[0]);return{codes:n.codes,values:n.values,shape:n.shape,pitch:n.pitch,low:e}}function GT(){try{return new Worker(URL.createObjectURL(new Blob([Px],{type:"text/javascript"})))}catch{return null}}function WT(n,e){return new Promise((t,i)=>{n.onmessage=s=>t(s.data),n.onerror=s=>i(new Error(`The surface could not be made: ${s.message}`)),n.postMessage(e)})}function XT(){return new Promise(n=>setTimeout(n,20))}var Dx={id:"solid",title:"The print in 3D",render:n=>{let e=t=>n.run.volumes.some(i=>i.kind===t);return!e("response")&&!e("target")&&!n.run.surface?null:document.createElement("canvas").getContext("webgl2")===null?T("p.problem",{role:"alert"},"This browser has no WebGL 2, so print and target cannot be shown in 3D. The slices above show the same volumes."):qT(n,()=>Ii(n,YT))}};function qT({gone:n},e){let t=T("div.solid-place"),i=new IntersectionObserver(s=>{s.some(({isIntersecting:r})=>r)&&(i.disconnect(),t.replaceChildren(e()))},{rootMargin:"300px"});return i.observe(t),n.addEventListener("abort",()=>i.disconnect()),t}var $T=.95;async function YT(n){let{run:e,state:t,store:i,gone:s}=n,r=du(e),o=()=>r.includes(t.get("species"))?t.get("species"):"",{volumes:a,problems:l}=await pl(n,o()),c=a.response??a.target;if(!c)throw new Error(l.join(" ")||"The run has no volume to show.");let h=rl(e),u=()=>h===null?ol(e,o(),a.response,a.labels):null,d=()=>o()===""||o()===r[0],[f,g]=QT(a.target??c,c),y=new Dh(f,g,s);y.canvas.setAttribute("aria-label","Surfaces of print and target. Arrow keys turn the view, + and − zoom, 0 looks from the front again.");let p=new Fh(s),m=T("div.color-legend"),v=T("p.quiet",{role:"status"}),C=()=>["target","both"].includes(t.get("solid"))?t.get("solid"):h===null&&a.response?"print":"target",S=0,R=()=>p.ask({kind:"load",response:a.response&&Bh(a.response),target:a.target&&Bh(a.target)}),A=async()=>{let G=t.get("threshold"),V=G??u()?.reported??null,ae=++S;if(C()==="target"||V===null){y.remove("print"),m.replaceChildren(Si({keys:[["var(--solid)","target"]]})),v.textContent="";return}let $=G===null&&d()&&e.surface!==null&&e.surface.triangles>0?e.surface:null;v.textContent=$?"":"Making the surface…";let j,te;if($){let pe=await i.surface($);[j,te]=[pe,pe.off_um]}else{if(await new Promise(xe=>setTimeout(xe,120)),ae!==S)return;let pe=await p.ask({kind:"print",level:V});[j,te]=[pe,pe.off&&pe.off.map(xe=>1e3*xe)]}if(ae!==S||s.aborted)return;let fe=te?JT(te):0,de=te&&Uint32Array.from(te,pe=>Gr(Math.round(40*(.5+pe/(2*fe)))/40));y.mesh("print",j,de?{colors:de}:{color:On("--solid")});let ee={scale:{low:-fe,high:fe,logarithmic:!1,map:Gr},label:"deviation from the target, µm: blue is too small, red too large",mark:null};m.replaceChildren(te?Si(ee):Si({keys:[["var(--solid)","print"]]})),v.textContent=j.triangles.length===0?"At this threshold nothing is solid.":$?"The surface at the report’s threshold.":`The surface at a threshold of ${he(V,3)}, from the page’s voxels.`},_=async()=>{if(C()==="print")return y.remove("target");let G=await p.ask({kind:"target"});s.aborted||C()==="print"||y.mesh("target",G,{color:On("--solid"),opacity:C()==="both"?.3:1})},E=G=>{v.textContent=G instanceof Error?G.message:String(G)},k=()=>{let G=Ki.indexOf(t.get("cut"));if(G<0)return y.cut(null,0,null);let V=(t.get("at")??jT(c))[G];y.cut(G,V,KT(a,G,V,C()==="target"?null:t.get("threshold")??u()?.reported??null))},N=()=>{A().catch(E),_().catch(E),k()},D=(G,V)=>s.addEventListener("abort",t.on(G,V));D(["threshold"],()=>{A().catch(E)}),D(["threshold","at","cut"],k),D(["solid"],N),D(["species"],()=>{pl(n,o()).then(async G=>{a=G.volumes,await R(),N()}).catch(E)});let X=ZT(n,y,p,a.bodies);await R(),N();let B=h===null&&a.response?[["print","Print"],["both","Print and target"],["target","Target"]]:[["target","Target"]],L=jh(e,o()).evaluation?.farthest?.at_xyz_mm,z=(G,V,ae)=>T("button",{type:"button",click:()=>y.look(V,ae)},G);return T("div.solid",{},...l.map(G=>T("p.problem",{role:"alert"},G)),T("p.quiet",{},"Drag to turn, drag with the right button to move; click, then turn the wheel to zoom. The cut goes through the point that the planes above show."),T("div.controls",{},Mi("Surface",B,C,G=>t.set({solid:G===B[0][0]?"":G}),G=>D(["solid"],G)),Mi("Cut",[["","Whole"],["x","Cut along x"],["y","Cut along y"],["z","Cut along z"]],()=>t.get("cut"),G=>t.set({cut:G}),G=>D(["cut"],G)),T("span.views",{},z("From the front",-60,30),z("From behind, below",120,-30),z("From above",-90,89.9)),...X,L&&L.length===3&&T("button",{type:"button",click:()=>t.set({at:L})},"Cut at the largest deviation")),y.canvas,T("div.below-planes",{},v,m))}function ZT({run:n},e,t,i){let s=(l,c,h,u)=>{let d=f=>f.target.checked?h():u();return c&&h(),T("label",{},T("input",{type:"checkbox",checked:c,change:d}),l)},r=[],o=[[ks.insert,"insert","--ink"],[ks.dark,"bodies that stay dark","--void"],[ks.obstacle,"obstacles","--quiet"]];for(let[l,c,h]of o){if(!i?.codes.includes(l))continue;let u=()=>{t.ask({kind:"part",samples:Bh(i),code:l}).then(d=>e.mesh(c,d,{color:On(h),opacity:.75}))};r.push(s(c,!0,u,()=>e.remove(c)))}let{scene:a}=n;if(a&&a.walls.length>0){let[l,c]=a.z_mm,h=()=>a.walls.map(({points:u,height_mm:d})=>({points:u,low:d?.[0]??l,high:d?.[1]??c}));r.push(s("vial",!1,()=>e.walls("vial",h(),On("--quiet")),()=>e.remove("vial")))}return r}function KT({response:n,target:e},t,i,s){let r=s===null?e:n,o=r?.slice(t,i);if(!r||!o)return null;let a={low:0,high:r.info.high,logarithmic:!1,map:Hr},l=On("--solid"),c=s===null?Uint32Array.from(o.values,u=>u>=.5?l:0):Wr(o.values,a).map((u,d)=>o.values[d]>=s?u:cl(0,0)),h=new Uint32Array(o.codes.length);for(let u=0;u<h.length;u++)h[u]=c[o.codes[u]];return{...o,pixels:h}}function JT(n){let e=n.map(Math.abs).sort(),t=Math.max(e[Math.min(Math.floor(e.length*$T),e.length-1)]??1,.001),i=10**Math.floor(Math.log10(t));return([1,1.2,1.5,2,2.5,3,4,5,6,8,10].find(s=>s*i>=t*(1-1e-6))??10)*i}function jT(n){return[0,1,2].map(e=>(n.range(e)[0]+n.range(e)[1])/2)}function QT(n,e){let{codes:t,values:i,shape:s}=n,r=i.map(u=>+(u>=.5)),[o,a]=[[...s],[-1,-1,-1]],l=0;for(let u=0;u<s[2];u++)for(let d=0;d<s[1];d++)for(let f=0;f<s[0];f++,l++)r[t[l]]!==0&&[f,d,u].forEach((g,y)=>{g<o[y]&&(o[y]=g),g>a[y]&&(a[y]=g)});let c=a[0]<0?e:n;return(a[0]<0?[[0,0,0],e.shape.map(u=>u-1)]:[o,a]).map(u=>u.map((d,f)=>c.middle(f,d)))}var kh={run:0,section:"",species:"",layer:"",at:null,threshold:null,light:0,frame:0,row:null,time:null,solid:"",cut:""},zh=class{constructor(e=window.location){this.location=e;this.view={...kh,...this.read()},window.addEventListener("hashchange",()=>this.set(this.read()))}location;view;listeners=new Set;writing=0;read(){let e=this.location.hash;return e!==""&&!e.includes("=")?{section:decodeURIComponent(e.slice(1))}:tA(e)}get(e){return this.view[e]}set(e){let t=Object.keys(e).filter(i=>!Nx(this.view[i],e[i]));if(t.length!==0){this.view={...this.view,...e};for(let i of[...this.listeners])i.keys.some(s=>t.includes(s))&&i.call();this.write()}}on(e,t){let i={keys:e,call:t};return this.listeners.add(i),()=>this.listeners.delete(i)}write(){window.clearTimeout(this.writing),this.writing=window.setTimeout(()=>{let e=eA(this.view);e!==this.location.hash.replace(/^#/,"")&&history.replaceState(null,"",`#${e}`)},150)}};function eA(n){let e=[];for(let t of Object.keys(kh)){let i=n[t];i===null||Nx(i,kh[t])||e.push(`${t}=${Array.isArray(i)?i.map(s=>+s.toFixed(4)).join(","):encodeURIComponent(String(i))}`)}return e.join("&")}function tA(n){let e=new URLSearchParams(n.replace(/^#/,"")),t={...kh},i=o=>{let a=Number(e.get(o)??"0");return Number.isInteger(a)&&a>=0?a:0},s=o=>{let a=e.get(o);return a!==null&&a!==""&&Number.isFinite(Number(a))?Number(a):null};t.run=i("run"),t.light=i("light"),t.frame=i("frame");for(let o of["section","species","layer","solid","cut"])t[o]=e.get(o)??"";t.threshold=s("threshold"),t.row=s("row"),t.time=s("time");let r=e.get("at")?.split(",").map(Number)??[];return r.length===3&&r.every(Number.isFinite)&&(t.at=[r[0],r[1],r[2]]),t}function Nx(n,e){return n===e||Array.isArray(n)&&Array.isArray(e)&&n.length===e.length&&n.every((t,i)=>t===e[i])}var ja=class{constructor(e,t){this.served=e;this.run=t}served;run;cache=new Map;volume(e){return this.once(e.id,async()=>{let[t,i,s]=e.shape_zyx,r=await this.bytes("volume",e.id,t*i*s*e.bits/8);return new sl(e,e.bits===16?new Uint16Array(r.buffer):r)})}film(e){return this.once(e.id,async()=>({info:e,values:await this.bytes("film",e.id,e.frames*e.rows*e.columns)}))}surface(e){return this.once(e.id,async()=>sA(e,await this.bytes("volume",e.id,e.vertices*8+e.triangles*12)))}async slice(e,t,i,s){let r=await fetch(`${this.served}run/${this.run}/slice/${e.id}?axis=${t}&index=${i}`,{signal:s});if(!r.ok)throw new Error(`the viewer answered ${r.status}`);let o=new Uint8Array(await r.arrayBuffer()),a=o.indexOf(10),l=JSON.parse(new TextDecoder().decode(o.subarray(0,a))),c=o.slice(a+1);return{...l,codes:l.bits===16?new Uint16Array(c.buffer):c}}once(e,t){let i=this.cache.get(e);return i||(i=t(),this.cache.set(e,i)),i}async bytes(e,t,i){let s;try{s=await nA(await this.packed(e,t))}catch(r){throw new Error(`The array “${t}” is damaged or missing: ${r instanceof Error?r.message:String(r)}.`)}if(s.length!==i)throw new Error(`The array “${t}” is damaged: ${s.length.toLocaleString("en")} bytes where ${i.toLocaleString("en")} are expected.`);return s}async packed(e,t){if(this.served!==null){let s=await fetch(`${this.served}run/${this.run}/${e}/${t}`);if(!s.ok)throw new Error(`the viewer answered ${s.status}`);return s.arrayBuffer()}let i=document.getElementById(`blob-${this.run}-${t}`);if(!i)throw new Error("the page has no such element");return iA(i.textContent??"")}};async function nA(n){let e=new Blob([n]).stream().pipeThrough(new DecompressionStream("deflate-raw"));try{return new Uint8Array(await new Response(e).arrayBuffer())}catch{throw new Error("it cannot be unpacked")}}function iA(n){let e;try{e=atob(n)}catch{throw new Error("it is no base64")}let t=new Uint8Array(e.length);for(let i=0;i<t.length;i++)t[i]=e.charCodeAt(i);return t}function sA(n,e){let t=new DataView(e.buffer),i=n.vertices,s=new Float32Array(3*i);for(let a=0;a<s.length;a++){let l=a%3;s[a]=n.low_mm[l]+t.getUint16(2*a,!0)/65535*(n.high_mm[l]-n.low_mm[l])}let r=new Float32Array(i);for(let a=0;a<i;a++)r[a]=t.getInt16(6*i+2*a,!0)/32767*n.off_um[1];let o=new Uint32Array(3*n.triangles);for(let a=0;a<o.length;a++)o[a]=t.getUint32(8*i+4*a,!0);if(o.some(a=>a>=i))throw new Error(`The array “${n.id}” is damaged: a triangle names a corner that is not there.`);return{corners:s,off_um:r,triangles:o}}var Of=[...Dl.map(({id:n})=>n),"head","limits","warnings","look","solid","in-time","time","film"],Ux=aA([up,Dx,yp,_p,...Dg]),rA=["history","histories"],oA=700;function aA(n){let e=t=>(Of.indexOf(t.id)+Of.length+1)%(Of.length+1);return[...n].sort((t,i)=>e(t)-e(i))}var Ff=class{constructor(e,t){this.data=e;this.app=t;this.stores=e.runs.map((i,s)=>new ja(e.served,s)),this.state.on(["run"],()=>this.draw()),this.progress=vp(e,{row:i=>this.grow(i),replaced:i=>{this.replace(i).catch(s=>console.warn(String(s)))}}),this.draw(),Ul(this.state.get("section"))}data;app;state=new zh;progress;stores;ends=new Map;redrawing=0;get index(){return Math.min(this.state.get("run"),this.data.runs.length-1)}draw(){for(let i of this.ends.values())i.abort();if(this.ends.clear(),this.data.runs.length===0){this.app.replaceChildren(T("p.problem",{},"There is no run to show."));return}let e=Ux.flatMap(i=>{let s=this.mount(i);return s?[{section:i,element:s}]:[]}),t=e.map(({section:i})=>i).filter(({title:i})=>i!=="");this.app.replaceChildren(...this.progress?[this.progress]:[],_g(t,this.state,this.begin("nav")),...e.map(({element:i})=>i))}begin(e){this.ends.get(e)?.abort();let t=new AbortController;return this.ends.set(e,t),t.signal}mount(e){let{data:t,index:i,state:s,stores:r}=this,o={data:t,run:t.runs[i],index:i,state:s,store:r[i],stores:r,gone:this.begin(e.id)},a;try{a=e.render(o)}catch(l){a=T("p.problem",{role:"alert"},`This section could not be drawn: ${String(l)}`)}return a===null?null:T("section",{id:e.id,"aria-label":e.title||null},e.title!==""&&T("h2",{},e.title),a)}grow(e){this.redrawing!==0||e!==this.index&&this.data.runs.length===1||(this.redrawing=window.setTimeout(()=>{this.redrawing=0;for(let t of Ux.filter(({id:i})=>rA.includes(i))){let i=document.getElementById(t.id),s=this.mount(t);i&&s?i.replaceWith(s):s&&this.draw()}},oA))}async replace(e){let t=await bp(this.data);this.data.runs[e]=t.runs[e],this.stores[e]=new ja(this.data.served,e),(e===this.index||this.data.runs.length>1)&&this.draw()}};function lA(){let n=document.getElementById("app"),e=document.getElementById("data")?.textContent;if(n)try{new Ff(JSON.parse(e??""),n)}catch(t){n.replaceChildren(T("p.problem",{role:"alert"},`The data of this page could not be read: ${String(t)}`))}}lA();})();

@@ -9,7 +9,9 @@ use axum::middleware::{Next, from_fn_with_state};
 use axum::response::sse::{Event, KeepAlive, Sse};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
-use futures_util::stream::{Stream, unfold};
+use futures_util::StreamExt as _;
+use futures_util::future::ready;
+use futures_util::stream::{Stream, once, unfold};
 use std::convert::Infallible;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 use std::sync::Arc;
@@ -239,5 +241,8 @@ async fn events(State(known): State<Known>) -> Sse<impl Stream<Item = Result<Eve
             }
         }
     };
-    Sse::new(unfold(known.site.listen(), next)).keep_alive(KeepAlive::default())
+    // Whoever comes late knows at once whether there is anything to wait for
+    let (heard, states) = (known.site.listen(), known.site.states());
+    let first = once(ready(Ok(Event::default().data(states.to_string()))));
+    Sse::new(first.chain(unfold(heard, next))).keep_alive(KeepAlive::default())
 }

@@ -144,6 +144,13 @@ impl Site {
         let _ = self.events.send(event.to_string());
     }
 
+    /// The first event that a page hears: the state of every run.
+    pub(super) fn states(&self) -> Value {
+        let states: Vec<Value> =
+            self.with_runs(|runs| runs.iter().map(|run| run.data["state"].clone()).collect());
+        json!({ "type": "states", "states": states })
+    }
+
     pub(super) fn listen(&self) -> broadcast::Receiver<String> {
         self.events.subscribe()
     }

@@ -13,3 +13,4 @@ mod ranks;
 mod reproduce;
 mod run;
 mod sweep;
+mod view;
