@@ -88,7 +88,7 @@ async function draw(context: Context): Promise<HTMLElement> {
 /** Which of several species is shown. */
 export function speciesChoice({ state, gone }: Context, names: string[]): HTMLElement {
   const current = () => (names.includes(state.get("species")) ? state.get("species") : names[0]);
-  return choice("Species", names.map((name) => [name, name]), current, (species) => state.set({ species }), (call) => gone.addEventListener("abort", state.on(["species"], call)));
+  return choice("Species", names.map((name) => [name, name]), current, (species) => state.set({ species, threshold: null }), (call) => gone.addEventListener("abort", state.on(["species"], call)));
 }
 
 /** A bar of buttons of which one is pressed. */

@@ -3,15 +3,15 @@
 
 import * as esbuild from "esbuild";
 import { spawnSync } from "node:child_process";
-import { mkdirSync, readdirSync, rmSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readdirSync, rmSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 import { bundle } from "../build.mjs";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const out = join(here, "out");
-rmSync(out, { recursive: true, force: true });
-mkdirSync(out);
+mkdirSync(join(here, "out"), { recursive: true });
+// A folder of its own: two may run at once
+const out = mkdtempSync(join(here, "out", "run-"));
 await bundle(out);
 const chosen = process.argv[2] ?? "";
 const tests = readdirSync(here).filter((file) => file.endsWith(".test.ts") && file.includes(chosen));
@@ -26,4 +26,5 @@ await esbuild.build({
   sourcemap: "inline",
 });
 const { status } = spawnSync(process.execPath, ["--test", "--test-concurrency=1", "--enable-source-maps", ...tests.map((file) => join(out, file.replace(/\.ts$/, ".mjs")))], { stdio: "inherit" });
+rmSync(out, { recursive: true, force: true });
 process.exit(status ?? 1);
