@@ -49,7 +49,7 @@ function card(metric: Metric, evaluation: Evaluation, standing: Evaluation | nul
     "div.card",
     { "data-metric": metric.name },
     h("h3", {}, metric.title),
-    h("p.big", {}, shown(metric, value, digits), isNumber(value) && unit !== "" && h("small", {}, unit)),
+    h("p.big", {}, shown(metric, value, digits), isNumber(value) && unit !== "" && h("small", {}, ` ${unit}`)),
     h("p", {}, voxels !== "" && h("b", {}, `${voxels}. `), metric.summary, place(metric, evaluation)),
     standing ? h("p.still", {}, h("span", {}, "standing still"), h("b", {}, withUnit(metric, standing[metric.name] as Measure, digits))) : null,
   );
@@ -69,7 +69,7 @@ function withUnit(metric: Metric, value: Measure, digits: number): string {
 /** Where the largest deviation is. */
 function place(metric: Metric, { farthest }: Evaluation): string {
   const at = farthest?.at_xyz_mm;
-  if (metric.name !== "hausdorff_mm" || !at) return "";
+  if (metric.name !== "hausdorff_mm" || !at?.every(isNumber)) return "";
   const [x, y, z] = at.map((mm) => significant(mm, 3));
   return ` It is at x = ${x}, y = ${y}, z = ${z} mm: ${(farthest?.side ?? "").replaceAll("_", " ")}.`;
 }

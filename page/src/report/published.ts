@@ -3,7 +3,7 @@
 import { h } from "../dom.ts";
 import type { Context } from "../section.ts";
 import { chart, type Series } from "./chart.ts";
-import { isNumber, significant, type Measure } from "./number.ts";
+import { isNumber, NONE, significant, type Measure } from "./number.ts";
 import { isObject, report } from "./schema.ts";
 import { dataTable } from "./table.ts";
 import { part } from "./text.ts";
@@ -71,9 +71,9 @@ function slicesOf(slices: unknown): HTMLElement | null {
 /** What has no form of its own: nested lists and tables of names and values. */
 function anything(value: unknown): Node | string {
   if (isNumber(value)) return significant(value, 4);
-  if (value === null || value === undefined) return "–";
+  if (value === null || value === undefined) return NONE;
   if (Array.isArray(value)) {
-    if (value.every((one) => !isObject(one))) return value.map((one) => (isNumber(one) ? significant(one, 4) : String(one))).join(" ");
+    if (value.every((one) => !isObject(one))) return value.map((one) => (isNumber(one) ? significant(one, 4) : String(one ?? NONE))).join(" ");
     const heads = [...new Set(value.filter(isObject).flatMap((one) => Object.keys(one)))];
     const cells = (one: unknown) => heads.map((name) => (isObject(one) ? anything(one[name]) : String(one)));
     return dataTable({ heads: heads.map(words), rows: value.map(cells) });

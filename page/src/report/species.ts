@@ -43,7 +43,7 @@ function row(metric: Metric, own: readonly Species[]): (string | Node)[] {
 }
 
 function together(own: readonly Species[], one: OneExposure): HTMLElement {
-  const name = (of: Species) => (of.name === one.limited_by ? `${of.name} (limits it)` : (of.name ?? ""));
+  const name = (of: Species) => (of.name && of.name === one.limited_by ? `${of.name} (limits it)` : (of.name ?? ""));
   const rows = own.map((of, i) => [name(of), significant(of.evaluation?.iou as Measure, 4), significant(of.evaluation?.gel_threshold, 3), significant(one.iou?.[i], 4)]);
   const intro =
     `A print has one exposure. Where all networks gel at the same dose, the species print together best at a dose of ${significant(one.gel_dose, 3)}: the last column. ` +
