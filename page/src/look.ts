@@ -109,7 +109,7 @@ function body(context: Context, volumes: Volumes, species: string, signal: Abort
   const threshold = () => state.get("threshold") ?? gel?.reported ?? Number.POSITIVE_INFINITY;
 
   let planes: Planes | null = null;
-  const slices = new Slices(store, signal, () => planes?.redraw(true));
+  const slices = new Slices(run, store, signal, () => planes?.redraw(true));
   const layers = layersOf(volumes, slices, threshold, band);
   const readout = h("p.readout", { "aria-live": "off" });
   const readAt = (point: Point) => {

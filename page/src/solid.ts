@@ -20,7 +20,7 @@ export const solid: Section = {
   title: "The print in 3D",
   render: (context) => {
     const has = (kind: string) => context.run.volumes.some((info) => info.kind === kind);
-    if (!has("response") && !has("target") && !context.run.surface) return null;
+    if (!has("target") && !context.run.surface) return null;
     if (document.createElement("canvas").getContext("webgl2") === null) {
       return h("p.problem", { role: "alert" }, "This browser has no WebGL 2, so print and target cannot be shown in 3D. The slices above show the same volumes.");
     }
