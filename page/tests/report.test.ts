@@ -1,16 +1,22 @@
-// The report's sections as people use them: which of them a run has, what they say, and that nothing breaks them.
+// Sections of text, tables and curves as people use them: which of them a run has, what they say, and that nothing breaks them.
 
 import assert from "node:assert/strict";
 import { after, test } from "node:test";
 import type { Run } from "../src/data.ts";
 import { clock, significant, toldApart } from "../src/report/number.ts";
-import { close, open, type Shown } from "./browser.ts";
+import { tonesOf } from "../src/report/tones.ts";
+import { LABEL, Volume } from "../src/volume.ts";
+import { close, open, pixels, settled, type Shown, skip } from "./browser.ts";
+import { fixture, written } from "./fixture.ts";
 import { type AnyReport, comparison, gray, leaves, pageData, run } from "./report_data.ts";
 
 after(close);
 
 const ids = (page: Shown) => page.$$eval("#app > section", (all) => all.map((section) => section.id));
 
+const inBrowser = (name: string, check: () => Promise<void>) => test(name, { skip }, check);
+
+/** What is read in an element, as lines and cells are told apart. */
 const text = (page: Shown, selector: string) => page.$eval(selector, (element) => (element as HTMLElement).innerText.replace(/\s+/g, " ").trim());
 
 const count = (page: Shown, selector: string) => page.$$eval(selector, (all) => all.length);
@@ -74,7 +80,7 @@ const NEEDS: Record<string, (report: AnyReport, run: Run) => void> = {
   job: (_, of) => (of.job = ""),
 };
 
-test("every section is there for a report that has its data", async () => {
+inBrowser("every section is there for a report that has its data", async () => {
   const page = await open(pageData());
   const found = await ids(page);
   for (const id of ["head", "notes", ...Object.keys(NEEDS)]) assert.ok(found.includes(id), `${id} of ${found.join(" ")}`);
@@ -85,7 +91,7 @@ test("every section is there for a report that has its data", async () => {
   assert.ok((await ids(await open(pageData([gray()])))).includes("errors"));
 });
 
-test("a section is absent without its data", async () => {
+inBrowser("a section is absent without its data", async () => {
   const page = await open(pageData());
   for (const [id, remove] of Object.entries(NEEDS)) {
     const without = await open(pageData([changed(remove)]));
@@ -97,7 +103,7 @@ test("a section is absent without its data", async () => {
   await page.close();
 });
 
-test("what is missing or null breaks nothing and is never shown as such", async () => {
+inBrowser("what is missing or null breaks nothing and is never shown as such", async () => {
   const whole = run();
   const reports: [string, AnyReport][] = [
     ["no report", null],
@@ -118,7 +124,7 @@ test("what is missing or null breaks nothing and is never shown as such", async 
   }
 });
 
-test("markup in names is shown as text", async () => {
+inBrowser("markup in names is shown as text", async () => {
   const markup = `<img src=x onerror="window.struck = 1">&"'`;
   const of = (value: Run) => leaves(value, (leaf, key) => (typeof leaf === "string" && key !== "state" ? `${leaf} ${markup}` : leaf));
   const renamed = (value: Run) => ({ ...of(value), history: Object.fromEntries(Object.entries(value.history).map(([name, column]) => [name.startsWith("response") ? name + markup : name, column])) });
@@ -131,7 +137,7 @@ test("markup in names is shown as text", async () => {
   assert.deepEqual(page.problems, []);
 });
 
-test("the head has the result, cards with unit and meaning, and where the largest deviation is", async () => {
+inBrowser("the head has the result, cards with unit and meaning, and where the largest deviation is", async () => {
   const page = await open(pageData());
   assert.equal(await text(page, "h1"), "wheel");
   assert.match(await text(page, "#head .lead"), /IoU of 0\.9922\. Print time M\/t 0\.772 mm\./);
@@ -143,7 +149,7 @@ test("the head has the result, cards with unit and meaning, and where the larges
   assert.match(await text(other, ".cards"), /^Rms error 0\.102/);
 });
 
-test("exposures have their ends, and limits their cost, advice and key", async () => {
+inBrowser("exposures have their ends, and limits their cost, advice and key", async () => {
   const page = await open(pageData([changed((report) => ([report.species, report.one_exposure] = [[], null]))]));
   const rows = await page.$$eval("#limits tbody tr", (all) => all.map((row) => [...row.children].map((cell) => cell.textContent)));
   assert.deepEqual(rows, [
@@ -161,14 +167,14 @@ test("exposures have their ends, and limits their cost, advice and key", async (
   assert.match(await text(several, "#limits"), /All together 98\.7 % 100 % 102 % acrylate alone/);
 });
 
-test("several species: how they are driven, alone and at one exposure", async () => {
+inBrowser("several species: how they are driven, alone and at one exposure", async () => {
   const page = await open(pageData());
   const words = await text(page, "#species");
   assert.match(words, /acrylate is driven by 0\.4 × uv, inhibited by 1 × violet\. epoxy is driven by 1 × uv\./);
   assert.match(words, /epoxy \(limits it\) 0\.9646 0\.786 0\.9637/);
 });
 
-test("a chart is read by keys, as a table, and says its range", async () => {
+inBrowser("a chart is read by keys, as a table, and says its range", async () => {
   const page = await open(pageData());
   const chart = await page.waitForSelector("#history .chart");
   const label = () => page.$eval("#history .chart-box", (box) => box.getAttribute("aria-label"));
@@ -190,26 +196,25 @@ test("a chart is read by keys, as a table, and says its range", async () => {
   assert.match((await label()) ?? "", /over time from 0\.001 to 0\.01 s/);
 });
 
-test("a hidden series comes back, and a chart follows light and dark", async () => {
+inBrowser("a hidden series comes back, and a chart follows light and dark", async () => {
   const page = await open(pageData());
   await page.waitForSelector("#species .chart-box canvas");
-  const pixels = () => page.$eval("#species .chart-box canvas", (canvas) => (canvas as HTMLCanvasElement).toDataURL());
-  const settled = () => page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
-  await settled();
-  const first = await pixels();
+  const drawn = () => pixels(page, "#species .chart-box canvas");
+  await settled(page);
+  const first = await drawn();
   const press = () => page.$eval("#species .chart-legend button", (button) => (button as HTMLButtonElement).click());
   await press();
-  await settled();
-  assert.notEqual(await pixels(), first);
+  await settled(page);
+  assert.notEqual(await drawn(), first);
   await press();
-  await settled();
-  assert.equal(await pixels(), first);
+  await settled(page);
+  assert.equal(await drawn(), first);
   await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: "dark" }]);
-  await settled();
-  assert.notEqual(await pixels(), first);
+  await settled(page);
+  assert.notEqual(await drawn(), first);
 });
 
-test("lists can be followed, filtered and copied", async () => {
+inBrowser("lists can be followed, filtered and copied", async () => {
   const page = await open(pageData());
   await page.click('nav.sections a[href="#section=published"]');
   await page.waitForFunction(() => location.hash === "#section=published" && document.activeElement?.id === "published");
@@ -229,12 +234,12 @@ test("lists can be followed, filtered and copied", async () => {
   assert.ok(copied.includes("hausdorff_mm,mm,0.0396,0.0396,0.0396"));
 });
 
-test("a link leads to its section", async () => {
+inBrowser("a link leads to its section", async () => {
   const page = await open(pageData(), { hash: "section=job" });
   await page.waitForFunction(() => document.activeElement?.id === "job");
 });
 
-test("several runs: the best is marked, keys that differ are listed, any run is shown in full", async () => {
+inBrowser("several runs: the best is marked, keys that differ are listed, any run is shown in full", async () => {
   const data = comparison();
   const page = await open(data);
   assert.deepEqual((await ids(page)).slice(0, 6), ["compare", "cautions", "side-by-side", "job-keys", "thresholds", "histories"]);
@@ -258,7 +263,59 @@ test("several runs: the best is marked, keys that differ are listed, any run is 
   assert.equal(await count(unfair, "#side-by-side .best"), 0);
 });
 
-test("500 pixels are enough", async () => {
+inBrowser("doses of several runs share a scale, move together, and differ from the first", async () => {
+  const own = fixture();
+  const data = comparison();
+  const blobs = new Map(own.blobs);
+  // The second dose is half of the first; a third run has other voxels
+  const codes = own.blobs.get("blob-0-response2");
+  assert.ok(codes);
+  blobs.set("blob-1-response2", codes.map((code) => code / 2));
+  blobs.set("blob-2-response2", codes);
+  const info = own.data.runs[0].volumes.find(({ kind }) => kind === "response");
+  assert.ok(info);
+  const runs = [...data.runs, run("third")].map((one, i) => ({ ...one, volumes: [i === 2 ? { ...info, pitch_mm: 2 * info.pitch_mm } : info] }));
+  const page = await open(written("doses", { data: { ...data, runs }, blobs }));
+  assert.deepEqual(await page.$$eval("#doses figcaption span", (all) => all.map((one) => one.textContent)), ["first", "second", "third", "second"]);
+  assert.match(await text(page, "#doses"), /No difference is drawn for third: its voxels differ from those of first\./);
+  const canvas = (n: number) => page.$$eval("#doses canvas", (all, k) => (all[k] as HTMLCanvasElement).toDataURL(), n);
+  const before = await Promise.all([0, 1, 3].map(canvas));
+  assert.notEqual(before[0], before[1]);
+  await page.focus("#doses canvas");
+  await page.keyboard.press("Home");
+  await settled(page);
+  const places = await page.$$eval("#doses .place", (all) => all.map((one) => one.textContent?.split(" · ")[0]));
+  assert.equal(new Set(places).size, 1);
+  const now = await Promise.all([0, 1, 3].map(canvas));
+  assert.ok(now.every((picture, i) => picture !== before[i]));
+  await page.$$eval("#doses .choice button", (all) => (all[1] as HTMLButtonElement).click());
+  await settled(page);
+  assert.match(await text(page, "#doses .place"), /^y = /);
+  assert.deepEqual(page.problems, []);
+});
+
+test("the response of each gray value by hand", () => {
+  const shape: [number, number, number] = [1, 1, 5];
+  const info = { ...fixture().data.runs[0].volumes[0], shape_zyx: shape, low: 0, high: 1 };
+  const volume = (codes: number[]) => new Volume(info, Uint8Array.from(codes));
+  // Voxels of gray 0 with 0.2 and 0.4, of gray 1 with 0.8; the fourth does not count, the fifth has no value
+  const response = new Volume({ ...info, high: 254 / 255, nan: 255 }, Uint8Array.from([51, 102, 204, 0, 255]));
+  const tones = tonesOf(response, volume([0, 0, 255, 255, 255]), volume([LABEL.void, LABEL.void, LABEL.part, LABEL.outside, LABEL.part]));
+  const rounded = tones.map(({ gray: at, mean, deviation }) => [at, mean, deviation].map((value) => Math.round(value * 1e4) / 1e4));
+  assert.deepEqual(rounded, [[0.0156, 0.3, 0.1], [0.9844, 0.8, 0]]);
+});
+
+inBrowser("a gray target: errors with the band, and the response of each gray value", async () => {
+  const own = fixture();
+  const page = await open(written("tones", { data: pageData([{ ...gray(), volumes: own.data.runs[0].volumes }]), blobs: own.blobs }));
+  const labels = await page.$$eval("#errors .chart-box", (all) => all.map((box) => box.getAttribute("aria-label")));
+  assert.match(labels[0] ?? "", /^Error of bright and dark voxels: dark \(below ½\) from 0 to 50; bright from 0 to 20;/);
+  assert.match(labels[1] ?? "", /^Response against gray value: mean from 0\.\d+ to 0\.\d+;.* asked for from 0 to 1; over gray value of the target from 0 to 1\./);
+  assert.match(await text(page, "#errors .chart-legend"), /the objective's band/);
+  assert.deepEqual(page.problems, []);
+});
+
+inBrowser("500 pixels are enough", async () => {
   for (const data of [pageData(), pageData([gray()]), comparison()]) {
     const page = await open(data, { width: 500 });
     await page.$$eval("details", (all) => all.forEach((one) => (one.open = true)));

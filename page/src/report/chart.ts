@@ -5,7 +5,6 @@
 // often end there, and a curve that vanishes says nothing.
 
 import uPlot from "uplot";
-import "uplot/dist/uPlot.min.css";
 import { h } from "../dom.ts";
 import { isNumber, significant, type Measure } from "./number.ts";
 import { dataTable } from "./table.ts";
