@@ -14,15 +14,19 @@ export const film: Section = {
   title: "Patterns and light",
   render: (context) => {
     const { run, state, gone } = context;
-    if (run.films.length === 0) return run.scene ? lightPath(context, run.scene, 0, () => null) : null;
+    const names = run.films.length > 0 ? run.films.map(({ light }) => light) : (run.scene?.lights ?? []).map(({ name }) => name);
+    if (names.length === 0) return null;
+    const current = () => Math.min(state.get("light"), names.length - 1);
     const place = h("div");
     let end = new AbortController();
     const show = () => {
       end.abort();
       end = new AbortController();
-      place.replaceChildren(later(context, () => draw(context, current(), end.signal)));
+      const { signal } = end;
+      // A job that has not run has rays and no patterns
+      const pathsAlone = run.films.length === 0 && run.scene ? lightPath(context, run.scene, current(), null, signal) : null;
+      place.replaceChildren(pathsAlone ?? later(context, () => draw(context, current(), signal)));
     };
-    const current = () => Math.min(state.get("light"), run.films.length - 1);
     const unlisten = state.on(["light"], () => {
       state.set({ frame: 0, row: null });
       show();
@@ -32,8 +36,8 @@ export const film: Section = {
       end.abort();
     });
     show();
-    const names = run.films.map(({ light }, i): [string, string] => [String(i), light || `light ${i + 1}`]);
-    return h("div", {}, names.length > 1 && choice("Light", names, () => String(current()), (light) => state.set({ light: Number(light) }), (call) => gone.addEventListener("abort", state.on(["light"], call))), place);
+    const options = names.map((name, i): [string, string] => [String(i), name || `light ${i + 1}`]);
+    return h("div", {}, options.length > 1 && choice("Light", options, () => String(current()), (light) => state.set({ light: Number(light) }), (call) => gone.addEventListener("abort", state.on(["light"], call))), place);
   },
 };
 
