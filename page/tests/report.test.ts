@@ -223,7 +223,7 @@ inBrowser("lists can be followed, filtered and copied", async () => {
   await page.type("#published input", "jaccard dr.tvam");
   assert.equal(await text(page, "#published .filter .quiet"), "1 of 2 numbers");
   assert.match(await text(page, "#published .fold"), /jaccard_grid 0\.9917 over 100 thresholds Dr\.TVAM 0\.9/);
-  assert.match(await text(page, "#published"), /Insert value Share 0\.0696 Insert, mm² 62\.47/);
+  assert.match(await text(page, "#published"), /Surface of the inserts value Share that the print touches 0\.0696 In all, mm² 62\.47/);
   await page.evaluate(() => {
     const kept = window as unknown as { copied: string };
     Object.defineProperty(navigator, "clipboard", { value: { writeText: async (words: string) => void (kept.copied = words) } });

@@ -24,9 +24,12 @@ export function head({ data, run }: Context): HTMLElement {
 
 const BRANDS: Record<Run["state"], string> = { done: "Tomolith print report", running: "Tomolith, a run that goes on", check: "Tomolith, a job before it runs" };
 
+/** Characters of a fact that needs the room of two. */
+const LONG = 60;
+
 function factList(facts: readonly [string, string][]): HTMLElement | null {
   if (facts.length === 0) return null;
-  return h("dl.facts", {}, ...facts.map(([name, value]) => h("div", {}, h("dt", {}, name), h("dd", {}, sentence(value)))));
+  return h("dl.facts", {}, ...facts.map(([name, value]) => h(value.length > LONG ? "div.long" : "div", {}, h("dt", {}, name), h("dd", {}, sentence(value)))));
 }
 
 /** The metrics that stand at the head, in their order. */

@@ -65,5 +65,5 @@ function curves(own: readonly Species[], one: OneExposure | null | undefined): H
   const isDose = own.every(({ exposure }) => exposure?.dose?.best === exposure?.threshold?.best);
   const marks: Mark[] = one && isDose && isNumber(one.gel_dose) ? [{ name: "one exposure", color: "--threshold", from: one.gel_dose }] : [];
   const drawn = chart({ title: "IoU of each species over the gel threshold", x: { label: "gel threshold", from: 0 }, y: { label: "IoU", from: 0, to: 1 }, series, marks });
-  return drawn && part("How much the threshold matters to each", drawn.element);
+  return drawn && part("How much the threshold matters to each", drawn);
 }
