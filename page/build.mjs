@@ -8,9 +8,16 @@ import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
 
 const here = dirname(fileURLToPath(import.meta.url));
-const out = join(here, "../crates/tomolith-report/page");
 
-const shared = { absWorkingDir: here, bundle: true, minify: true, format: "iife", target: ["es2022", "chrome100", "firefox113", "safari16.4"], charset: "utf8", legalComments: "none" };
+const shared = {
+  absWorkingDir: here,
+  bundle: true,
+  minify: true,
+  format: "iife",
+  target: ["es2022", "chrome100", "firefox113", "safari16.4"],
+  charset: "utf8",
+  legalComments: "none",
+};
 
 /** `import source from "worker:./file.ts"`: the bundled program as text. */
 const workers = {
@@ -24,21 +31,22 @@ const workers = {
   },
 };
 
-const options = {
-  ...shared,
-  entryPoints: { page: "src/main.ts" },
-  outdir: out,
-  plugins: [workers],
-  logLevel: "info",
-};
+function options(outdir) {
+  return { ...shared, entryPoints: { page: "src/main.ts" }, outdir, plugins: [workers] };
+}
 
-if (process.argv.includes("--watch")) {
-  await (await esbuild.context(options)).watch();
-} else {
-  await esbuild.build(options);
-  // The page stands inside <script> and <style> elements: nothing in it may end them, and nothing may be loaded from outside.
+/** Writes page.js and page.css into a folder. */
+export async function bundle(outdir) {
+  await esbuild.build(options(outdir));
+  // They stand inside <script> and <style> elements: nothing in them may end these, and nothing may be loaded from outside
   for (const [file, forbidden] of [["page.js", /<\/script|<!--|\beval\(/i], ["page.css", /<\/style|url\(|@import/i]]) {
-    const found = readFileSync(join(out, file), "utf8").match(forbidden);
+    const found = readFileSync(join(outdir, file), "utf8").match(forbidden);
     if (found) throw new Error(`${file} contains ${found[0]}`);
   }
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  const committed = join(here, "../crates/tomolith-report/page");
+  if (process.argv.includes("--watch")) await (await esbuild.context({ ...options(committed), logLevel: "info" })).watch();
+  else await bundle(committed);
 }

@@ -14,15 +14,19 @@ export const film: Section = {
   title: "Patterns and light",
   render: (context) => {
     const { run, state, gone } = context;
-    if (run.films.length === 0) return run.scene ? lightPath(context, run.scene, 0, () => null) : null;
+    const names = run.films.length > 0 ? run.films.map(({ light }) => light) : (run.scene?.lights ?? []).map(({ name }) => name);
+    if (names.length === 0) return null;
+    const current = () => Math.min(state.get("light"), names.length - 1);
     const place = h("div");
     let end = new AbortController();
     const show = () => {
       end.abort();
       end = new AbortController();
-      place.replaceChildren(later(context, () => draw(context, current(), end.signal)));
+      const { signal } = end;
+      // A job that has not run has rays and no patterns
+      const pathsAlone = run.films.length === 0 && run.scene ? lightPath(context, run.scene, current(), null, signal) : null;
+      place.replaceChildren(pathsAlone ?? later(context, () => draw(context, current(), signal)));
     };
-    const current = () => Math.min(state.get("light"), run.films.length - 1);
     const unlisten = state.on(["light"], () => {
       state.set({ frame: 0, row: null });
       show();
@@ -32,15 +36,15 @@ export const film: Section = {
       end.abort();
     });
     show();
-    const names = run.films.map(({ light }, i): [string, string] => [String(i), light || `light ${i + 1}`]);
-    return h("div", {}, names.length > 1 && choice("Light", names, () => String(current()), (light) => state.set({ light: Number(light) }), (call) => gone.addEventListener("abort", state.on(["light"], call))), place);
+    const options = names.map((name, i): [string, string] => [String(i), name || `light ${i + 1}`]);
+    return h("div", {}, options.length > 1 && choice("Light", options, () => String(current()), (light) => state.set({ light: Number(light) }), (call) => gone.addEventListener("abort", state.on(["light"], call))), place);
   },
 };
 
 /** A turn takes about so long when it is played, s. */
 const TURN_S = 8;
 
-async function draw({ run, state, store, data, index }: Context, light: number, signal: AbortSignal): Promise<HTMLElement> {
+async function draw({ run, state, store }: Context, light: number, signal: AbortSignal): Promise<HTMLElement> {
   const info = run.films[light];
   const { values } = await store.film(info);
   const view = new FilmView({ info, values });
@@ -79,10 +83,9 @@ async function draw({ run, state, store, data, index }: Context, light: number, 
   view.chooseRow = (r) => state.set({ row: Math.min(Math.max(r, 0), info.rows - 1) });
   player(play, info, signal, () => state.set({ frame: (frame() + 1) % info.frames }));
 
-  const ends = [state.on(["frame", "row"], update)];
-  if (info.full && data.served !== null) ends.push(fullFrames(`${data.served}run/${index}/frame/${light}/`, info, view, frame, state, signal));
+  const end = state.on(["frame", "row"], update);
   signal.addEventListener("abort", () => {
-    for (const end of ends) end();
+    end();
     view.end();
   });
   update();
@@ -120,8 +123,6 @@ class FilmView {
   gain = 1;
   choose: (frame: number) => void = () => {};
   chooseRow: (row: number) => void = () => {};
-  /** A frame with all its pixels, where the viewer has sent it. */
-  full: { frame: number; values: Uint8Array } | null = null;
   private readonly image = document.createElement("canvas");
   private readonly watcher = new ResizeObserver(() => this.draw(...this.shown));
   private shown: [number, number] = [0, 0];
@@ -166,11 +167,9 @@ class FilmView {
     const { info, values } = this.film;
     const context = fitted(this.frame);
     if (!context) return;
-    const isFull = this.full?.frame === frame;
-    const [width, height] = isFull ? [info.of[2], info.of[1]] : [info.columns, info.rows];
-    const from = frame * info.rows * info.columns;
+    const size = info.rows * info.columns;
     const image = document.createElement("canvas");
-    paint(image, width, height, this.palette(), isFull ? this.full!.values : values.subarray(from, from + width * height));
+    paint(image, info.columns, info.rows, this.palette(), values.subarray(frame * size, (frame + 1) * size));
     context.drawImage(image, 0, 0, context.canvas.width, context.canvas.height);
     line(context, "y", (row + 0.5) / info.rows);
   }
@@ -243,30 +242,6 @@ function player(button: HTMLButtonElement, info: FilmInfo, signal: AbortSignal, 
     button.setAttribute("aria-label", "Pause the film");
   });
   signal.addEventListener("abort", stop);
-}
-
-/** Fetches the chosen frame with all its pixels when the reader pauses. */
-function fullFrames(path: string, info: FilmInfo, view: FilmView, frame: () => number, state: Context["state"], signal: AbortSignal): () => void {
-  let timer = 0;
-  const load = async () => {
-    const k = frame();
-    const answer = await fetch(`${path}${k * info.every}`, { signal });
-    if (!answer.ok) throw new Error(`the viewer answered ${answer.status}`);
-    const values = new Uint8Array(await answer.arrayBuffer());
-    if (values.length !== info.of[1] * info.of[2]) throw new Error("the frame has another size");
-    view.full = { frame: k, values };
-    if (k === frame()) view.draw(k, Math.min(state.get("row") ?? info.rows >> 1, info.rows - 1));
-  };
-  const soon = () => {
-    window.clearTimeout(timer);
-    timer = window.setTimeout(() => {
-      load().catch((error: unknown) => {
-        if (!signal.aborted) console.warn(`The full frame did not come: ${String(error)}`);
-      });
-    }, 120);
-  };
-  soon();
-  return state.on(["frame"], soon);
 }
 
 function degrees(angle: number): string {

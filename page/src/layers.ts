@@ -35,15 +35,16 @@ export type Band = number | null;
 /** Differences of a gray print are colored up to this many half widths of its band. */
 const REACH = 4;
 
-/** All layers that these volumes allow. */
-export function layersOf(volumes: Volumes, slices: Slices, threshold: () => number, band: Band): Layer[] {
+/** All layers that these volumes allow; `threshold` is null where nothing says when the resin gels, as for a gray target. */
+export function layersOf(volumes: Volumes, slices: Slices, threshold: (() => number) | null, band: Band): Layer[] {
   const { response, target } = volumes;
   const all: Layer[] = [];
-  if (response) all.push(scalar("dose", "Dose", response, slices, band === null ? threshold : null));
+  if (response) all.push(scalar("dose", "Dose", response, slices, threshold));
   if (target) all.push(band === null ? inside(target, slices) : scalar("target", "Target", target, slices, null));
-  if (response && band === null) all.push(solid(response, volumes, slices, threshold));
+  if (response && threshold) all.push(solid(response, volumes, slices, threshold));
   if (response && target && sameShape(response, target)) {
-    all.push(band === null ? fate(response, volumes, slices, threshold) : difference(response, target, slices, REACH * band, "Error", "dose − target"));
+    if (threshold) all.push(fate(response, volumes, slices, threshold));
+    else if (band !== null) all.push(difference(response, target, slices, REACH * band, "Error", "dose − target"));
   }
   for (const volume of volumes.others) all.push(scalar(volume.info.id, nameOf(volume), volume, slices, null));
   return all;

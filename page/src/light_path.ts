@@ -10,20 +10,26 @@ import { ACROSS } from "./volume.ts";
 
 type Flat = [number, number][];
 
-/** Views from above and from the side. `angle` is that of the chosen frame, degrees; null: the first. */
-export function lightPath({ run, state, store }: Pick<Context, "run" | "state" | "store">, scene: Scene, light: number, angle: () => number | null, signal?: AbortSignal): HTMLElement {
+/** Views from above and from the side. `angle` is that of the chosen frame, degrees; null: a slider chooses among the frames that have rays. */
+export function lightPath({ run, state, store }: Pick<Context, "run" | "state" | "store">, scene: Scene, light: number, angle: (() => number) | null, signal: AbortSignal): HTMLElement {
   const top = h("div");
   const side = h("div");
   const caption = h("p.quiet", { role: "status" });
+  const frames = scene.lights[light]?.frames ?? [];
+  const last = frames.length - 1;
+  const slider = h("input", { type: "range", min: 0, max: last, step: 1, "aria-label": "Frame", input: () => state.set({ frame: Number(slider.value) }) });
   let picture: { url: string; left: number; top: number; width: number; height: number } | null = null;
 
   const update = () => {
-    const frames = scene.lights[light]?.frames ?? [];
-    const wanted = angle();
-    const nearest = frames.reduce<(typeof frames)[number] | null>((best, one) => (best !== null && (wanted === null || apart(best.angle_deg, wanted) <= apart(one.angle_deg, wanted)) ? best : one), null);
-    top.replaceChildren(topView(scene, nearest?.rays ?? [], picture));
-    side.replaceChildren(sideView(scene, nearest?.rays ?? []));
-    caption.textContent = nearest ? `Light from ${significant(nearest.angle_deg, 4)}°${wanted !== null && apart(nearest.angle_deg, wanted) > 0.05 ? ", the nearest frame whose rays the page has" : ""}.${lit(scene)}` : lit(scene);
+    const wanted = angle?.() ?? null;
+    const own = Math.min(state.get("frame"), last);
+    slider.value = String(own);
+    const shown = wanted === null ? (frames[own] ?? null) : nearest(frames, wanted);
+    top.replaceChildren(topView(scene, shown?.rays ?? [], picture));
+    side.replaceChildren(sideView(scene, shown?.rays ?? []));
+    const isOther = shown !== null && wanted !== null && apart(shown.angle_deg, wanted) > 0.05;
+    const from = shown === null ? "" : `Light from ${significant(shown.angle_deg, 4)}°${isOther ? ", the nearest frame whose rays the page has" : ""}.`;
+    caption.textContent = `${from}${lit(scene)}`.trim();
   };
   update();
   const takePicture = async () => {
@@ -33,13 +39,14 @@ export function lightPath({ run, state, store }: Pick<Context, "run" | "state" |
   // Without the part's picture the paths still say what they say
   void takePicture().catch(() => {});
   const ends = [state.on(["frame"], update), state.on(["at"], () => void takePicture().catch(() => {}))];
-  signal?.addEventListener("abort", () => ends.forEach((end) => end()));
+  signal.addEventListener("abort", () => ends.forEach((end) => end()));
 
   return h(
     "div.paths",
     {},
     h("h3", {}, "Where the light goes"),
     caption,
+    angle === null && last > 0 && h("div.path-frame", {}, h("label", {}, "Frame", slider)),
     h(
       "div.path-views",
       {},
@@ -63,6 +70,10 @@ function lit({ lit_radius_mm, part_radius_mm }: Scene): string {
   if (lit_radius_mm === null) return "";
   const [lit, part] = [significant(lit_radius_mm, 3), significant(part_radius_mm, 3)];
   return lit_radius_mm >= part_radius_mm ? ` Every frame lights all within ${lit} mm of the axis; the part reaches out to ${part} mm.` : ` Every frame lights only what lies within ${lit} mm of the axis, but the part reaches out to ${part} mm.`;
+}
+
+function nearest<T extends { angle_deg: number }>(frames: T[], angle: number): T | null {
+  return frames.reduce<T | null>((best, one) => (best !== null && apart(best.angle_deg, angle) <= apart(one.angle_deg, angle) ? best : one), null);
 }
 
 /** The smaller of the angles between two directions, degrees. */

@@ -1,11 +1,14 @@
 // Runs that go on while they are looked at: stage, progress, a button that cancels. The viewer sends what happens as server-sent events.
 
-import type { PageData } from "./data.ts";
+import type { PageData, Run } from "./data.ts";
 import { h } from "./dom.ts";
+import { clock } from "./report/number.ts";
 
 type Happening =
-  | { type: "stage"; run: number; name: string; fraction: number | null }
-  | { type: "iteration"; run: number; row: { [column: string]: number | null } }
+  | { type: "states"; states: Run["state"][] }
+  | { type: "stage"; run: number; name: string }
+  | { type: "part"; run: number; fraction: number; left_s: number | null }
+  | { type: "iteration"; run: number; row: { [column: string]: number | null }; iterations: number | null }
   | { type: "snapshot" | "done"; run: number }
   | { type: "failed"; run: number; message: string };
 
@@ -42,15 +45,25 @@ export function live(data: PageData, changes: Changes): HTMLElement | null {
   events.addEventListener("open", () => (problem.hidden = true));
   events.addEventListener("message", ({ data: text }: MessageEvent<string>) => {
     const event = JSON.parse(text) as Happening;
+    if (event.type === "states") {
+      // The page may be older than the connection
+      event.states.forEach((state, run) => {
+        if (data.runs[run] && data.runs[run].state !== state) changes.replaced(run);
+      });
+      return;
+    }
     const run = data.runs[event.run];
     if (!run) return;
     switch (event.type) {
       case "stage":
-        bar(event.run).stage(event.name, event.fraction);
+        bar(event.run).stage(event.name);
+        break;
+      case "part":
+        bar(event.run).part(event.fraction, event.left_s);
         break;
       case "iteration":
         addRow(run.history, event.row);
-        bar(event.run).iteration(event.row.iteration);
+        bar(event.run).iteration(event.row.iteration ?? null, event.iterations);
         changes.row(event.run);
         break;
       case "failed":
@@ -108,15 +121,24 @@ class Bar {
     this.element = h("div.live-run", {}, h("b", {}, run), this.progress, this.text, this.cancel);
   }
 
-  stage(name: string, fraction: number | null): void {
+  stage(name: string): void {
     this.name = name;
-    if (fraction === null) this.progress.removeAttribute("value");
-    else this.progress.value = fraction;
-    this.text.textContent = fraction === null ? name : `${name}, ${Math.round(100 * fraction)} %`;
+    this.show(null, null);
   }
 
-  iteration(iteration: number | null | undefined): void {
-    if (iteration !== null && iteration !== undefined) this.text.textContent = `${this.name || "optimizing"}, iteration ${iteration}`;
+  part(fraction: number, left_s: number | null): void {
+    this.show(fraction, `${Math.round(100 * fraction)} %${left_s === null ? "" : `, ${clock(left_s)} left`}`);
+  }
+
+  iteration(iteration: number | null, iterations: number | null): void {
+    if (iteration === null) return;
+    this.show(iterations ? iteration / iterations : null, `iteration ${iteration}${iterations ? ` of at most ${iterations}` : ""}`);
+  }
+
+  private show(fraction: number | null, detail: string | null): void {
+    if (fraction === null) this.progress.removeAttribute("value");
+    else this.progress.value = fraction;
+    this.text.textContent = [this.name || "running", detail].filter(Boolean).join(": ");
   }
 
   /** Null: it is done. Else why it has failed. */

@@ -15,7 +15,7 @@ import { type Axis, AXES, type Point, type Volume } from "./volume.ts";
 
 export const look: Section = {
   id: "look",
-  title: "The print, slice by slice",
+  title: "Slice by slice",
   render: (context) => (context.run.volumes.some(({ kind }) => kind === "response" || kind === "target") ? later(context, draw) : null),
 };
 
@@ -88,7 +88,7 @@ async function draw(context: Context): Promise<HTMLElement> {
 /** Which of several species is shown. */
 export function speciesChoice({ state, gone }: Context, names: string[]): HTMLElement {
   const current = () => (names.includes(state.get("species")) ? state.get("species") : names[0]);
-  return choice("Species", names.map((name) => [name, name]), current, (species) => state.set({ species }), (call) => gone.addEventListener("abort", state.on(["species"], call)));
+  return choice("Species", names.map((name) => [name, name]), current, (species) => state.set({ species, threshold: null }), (call) => gone.addEventListener("abort", state.on(["species"], call)));
 }
 
 /** A bar of buttons of which one is pressed. */
@@ -109,8 +109,8 @@ function body(context: Context, volumes: Volumes, species: string, signal: Abort
   const threshold = () => state.get("threshold") ?? gel?.reported ?? Number.POSITIVE_INFINITY;
 
   let planes: Planes | null = null;
-  const slices = new Slices(store, signal, () => planes?.redraw(true));
-  const layers = layersOf(volumes, slices, threshold, band);
+  const slices = new Slices(run, store, signal, () => planes?.redraw(true));
+  const layers = layersOf(volumes, slices, gel && threshold, band);
   const readout = h("p.readout", { "aria-live": "off" });
   const readAt = (point: Point) => {
     const place = point.map((mm, axis) => `${AXES[axis]} ${millimeters(mm)}`).join(", ");
@@ -125,8 +125,8 @@ function body(context: Context, volumes: Volumes, species: string, signal: Abort
       const slice = volume && slices.of(volume, axis, mm);
       if (slice && Number.isFinite(level)) out.push({ slice, segments: contour(slice, level), color });
     };
-    if (overlays.part && layer.id !== "target" && layer.id !== "error" && band === null) add(volumes.target, 0.5, "--outline-part");
-    if (overlays.print && layer.id !== "print" && layer.id !== "error" && gel) add(volumes.response, threshold(), "--threshold-line");
+    if (overlays.part && !["target", "error"].includes(layer.id) && band === null) add(volumes.target, 0.5, "--outline-part");
+    if (overlays.print && !["print", "error"].includes(layer.id) && gel) add(volumes.response, threshold(), "--threshold-line");
     return out;
   };
   const legend = h("div.color-legend");
@@ -139,6 +139,9 @@ function body(context: Context, volumes: Volumes, species: string, signal: Abort
       : ([2, 1, 0] as const).map((axis) => ({ axis, layer: find(), outlines: outlines(find()) }));
     planes!.show(shown);
     axes.hidden = !isAll;
+    // Lines would hide thin errors, and a shape needs no line around itself
+    if (toggles.part) toggles.part.hidden = !isAll && ["target", "error"].includes(find().id);
+    if (toggles.print) toggles.print.hidden = !isAll && ["print", "error"].includes(find().id);
     drawLegend();
   };
   const drawLegend = () => legend.replaceChildren(...(state.get("layer") === ALL ? layers.slice(0, 4) : [find()]).map((layer) => legendOf(layer.legend())));
@@ -158,6 +161,11 @@ function body(context: Context, volumes: Volumes, species: string, signal: Abort
       planes!.redraw(true);
     } }), h("i.stroke", { style: `background: var(${color})` }), text);
 
+  const toggles = {
+    part: volumes.target && band === null ? toggle("part", "outline of the part", "--outline-part") : null,
+    print: gel && volumes.response ? toggle("print", "outline of the print", "--threshold-line") : null,
+  };
+
   listen(["threshold"])(() => {
     planes!.redraw(true);
     drawLegend();
@@ -173,10 +181,10 @@ function body(context: Context, volumes: Volumes, species: string, signal: Abort
     h(
       "div.controls",
       {},
-      choice("Shown", options, () => (state.get("layer") === ALL ? ALL : find().id), (layer) => state.set({ layer: layer === layers[0].id ? "" : layer }), listen(["layer"])),
+      options.length > 1 && choice("Shown", options, () => (state.get("layer") === ALL ? ALL : find().id), (layer) => state.set({ layer: layer === layers[0].id ? "" : layer }), listen(["layer"])),
       axes,
-      volumes.target && band === null && toggle("part", "outline of the part", "--outline-part"),
-      gel && volumes.response && toggle("print", "outline of the print", "--threshold-line"),
+      toggles.part,
+      toggles.print,
     ),
     planes.element,
     h("div.below-planes", {}, readout, legend),

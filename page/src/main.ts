@@ -95,23 +95,31 @@ class Page {
     if (this.redrawing !== 0 || (run !== this.index && this.data.runs.length === 1)) return;
     this.redrawing = window.setTimeout(() => {
       this.redrawing = 0;
-      for (const section of SECTIONS.filter(({ id }) => GROWING.includes(id))) {
-        const old = document.getElementById(section.id);
-        const element = this.mount(section);
-        if (old && element) old.replaceWith(element);
-        // Its first rows: the section comes into the list too
-        else if (element) this.draw();
-      }
+      this.redraw(GROWING);
     }, REDRAW_MS);
   }
 
-  /** A run has new numbers and arrays. */
+  /** A run has new numbers and arrays. While it goes on only its dose is new. */
   private async replace(run: number): Promise<void> {
     const fresh = await refetched(this.data);
     this.data.runs[run] = fresh.runs[run];
     this.stores[run] = new Store(this.data.served, run);
-    const isShown = run === this.index || this.data.runs.length > 1;
-    if (isShown) this.draw();
+    if (run !== this.index && this.data.runs.length === 1) return;
+    if (fresh.runs[run].state === "running") this.redraw([...GROWING, "look"]);
+    else this.draw();
+  }
+
+  /** Draws some sections again. What has the focus keeps it. */
+  private redraw(ids: string[]): void {
+    const name = document.activeElement?.getAttribute("aria-label") ?? null;
+    for (const section of SECTIONS.filter(({ id }) => ids.includes(id))) {
+      const old = document.getElementById(section.id);
+      const element = this.mount(section);
+      if (old && element) old.replaceWith(element);
+      // A section that has just got its first data comes into the list too
+      else if (element) return this.draw();
+    }
+    if (name !== null) window.setTimeout(() => document.querySelector<HTMLElement>(`[aria-label="${CSS.escape(name)}"]`)?.focus({ preventScroll: true }), 50);
   }
 }
 

@@ -1,7 +1,15 @@
-// Slices for drawing: at once from what the page holds; where a viewer has more voxels than the page, the full slice follows.
+// Slices for drawing: at once from what the page holds; where a viewer has finer voxels than the page, the full slice follows.
 
+import type { Run } from "./data.ts";
 import type { Store } from "./store.ts";
 import { ACROSS, AXES, type Axis, type Slice, valuesOf, type Volume } from "./volume.ts";
+
+/** The voxels of the job, of which the viewer has all. */
+interface FullGrid {
+  shape_zyx: [number, number, number];
+  pitch_mm: number;
+  center_xyz_mm: [number, number, number];
+}
 
 /** Full slices that are kept. */
 const KEPT = 60;
@@ -11,27 +19,32 @@ const PAUSE = 60;
 export class Slices {
   private readonly full = new Map<string, Slice>();
   private readonly waiting = new Map<string, number>();
+  private readonly grid: FullGrid | null;
 
   constructor(
+    run: Run,
     private readonly store: Store,
     private readonly signal: AbortSignal,
     /** Called when a better slice has come. */
     private readonly better: () => void,
-  ) {}
+  ) {
+    this.grid = (run.report?.optimization ?? run.report?.evaluation)?.grid ?? null;
+  }
 
   of(volume: Volume, axis: Axis, mm: number): Slice | null {
     const reduced = volume.slice(axis, mm);
-    if (!volume.info.full || volume.info.reduced === 1 || reduced === null) return reduced;
-    const pitch = volume.pitch.map((edge) => edge / volume.info.reduced);
-    const index = Math.floor((mm - volume.range(axis)[0]) / pitch[axis] + 1e-6);
+    const { grid } = this;
+    if (!volume.info.full || grid === null || grid.pitch_mm > 0.99 * volume.info.pitch_mm) return reduced;
+    const index = Math.floor((mm - low(grid, axis)) / grid.pitch_mm + 1e-6);
+    if (index < 0 || index >= grid.shape_zyx[2 - axis]) return reduced;
     const key = `${volume.info.id}/${axis}/${index}`;
     const known = this.full.get(key);
-    if (!known) this.ask(key, volume, axis, index, pitch);
+    if (!known) this.ask(key, volume, grid, axis, index);
     return known ?? reduced;
   }
 
   /** One request a plane of a volume at a time: the last place asked for wins. */
-  private ask(key: string, volume: Volume, axis: Axis, index: number, pitch: number[]): void {
+  private ask(key: string, volume: Volume, grid: FullGrid, axis: Axis, index: number): void {
     const plane = `${volume.info.id}/${axis}`;
     window.clearTimeout(this.waiting.get(plane));
     const load = async () => {
@@ -42,9 +55,9 @@ export class Slices {
       const codes = slice.codes.slice();
       for (let row = 0; row < height; row++) codes.set(slice.codes.subarray((height - 1 - row) * width, (height - row) * width), row * width);
       const bits = slice.codes instanceof Uint16Array ? 16 : 8;
-      const corner: [number, number] = [volume.range(right)[0], volume.range(up)[0] + height * pitch[up]];
+      const corner: [number, number] = [low(grid, right), low(grid, up) + height * grid.pitch_mm];
       const values = valuesOf(bits, slice.low, slice.high, volume.info.nan === null ? null : 2 ** bits - 1);
-      this.full.set(key, { axis, width, height, codes, values, pitch: [pitch[right], pitch[up]], corner });
+      this.full.set(key, { axis, width, height, codes, values, pitch: [grid.pitch_mm, grid.pitch_mm], corner });
       const oldest = this.full.keys().next();
       if (this.full.size > KEPT && !oldest.done) this.full.delete(oldest.value);
       this.better();
@@ -54,4 +67,9 @@ export class Slices {
     };
     this.waiting.set(plane, window.setTimeout(() => void load().catch(failed), PAUSE));
   }
+}
+
+/** Where the voxels begin along an axis, mm. */
+function low(grid: FullGrid, axis: Axis): number {
+  return grid.center_xyz_mm[axis] - (grid.shape_zyx[2 - axis] * grid.pitch_mm) / 2;
 }

@@ -17,10 +17,10 @@ import { type Axis, AXES, BODY, type Point, type Volume } from "./volume.ts";
 
 export const solid: Section = {
   id: "solid",
-  title: "The print in 3D",
+  title: "In 3D",
   render: (context) => {
     const has = (kind: string) => context.run.volumes.some((info) => info.kind === kind);
-    if (!has("response") && !has("target") && !context.run.surface) return null;
+    if (!has("target") && !context.run.surface) return null;
     if (document.createElement("canvas").getContext("webgl2") === null) {
       return h("p.problem", { role: "alert" }, "This browser has no WebGL 2, so print and target cannot be shown in 3D. The slices above show the same volumes.");
     }
@@ -147,7 +147,7 @@ async function draw(context: Context): Promise<HTMLElement> {
     h(
       "div.controls",
       {},
-      choice("Surface", modes, mode, (value) => state.set({ solid: value === modes[0][0] ? "" : value }), (call) => listen(["solid"], call)),
+      modes.length > 1 && choice("Surface", modes, mode, (value) => state.set({ solid: value === modes[0][0] ? "" : value }), (call) => listen(["solid"], call)),
       choice("Cut", [["", "Whole"], ["x", "Cut along x"], ["y", "Cut along y"], ["z", "Cut along z"]], () => state.get("cut"), (cut) => state.set({ cut }), (call) => listen(["cut"], call)),
       h("span.views", {}, view("From the front", -60, 30), view("From behind, below", 120, -30), view("From above", -90, 89.9)),
       ...extras,

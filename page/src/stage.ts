@@ -20,6 +20,9 @@ export interface MeshLook {
   whole?: boolean;
 }
 
+/** Parts rarely fill the ball around their box: the camera may be this much nearer. */
+const FILL = 0.88;
+
 export class Stage {
   readonly canvas: HTMLCanvasElement;
   private readonly renderer: WebGLRenderer;
@@ -30,6 +33,8 @@ export class Stage {
   private readonly plane = new Plane(new Vector3(0, 0, -1), 0);
   private readonly watcher: ResizeObserver;
   private isCut = false;
+  /** From where the camera looks, until the reader turns it. */
+  private view: [azimuth: number, elevation: number] | null = null;
   private frame = 0;
 
   /** Throws where the browser has no WebGL 2. */
@@ -54,6 +59,7 @@ export class Stage {
     this.canvas.addEventListener("blur", () => (this.controls.enableZoom = false), { signal });
     this.canvas.addEventListener("keydown", (event) => this.key(event), { signal });
     this.controls.addEventListener("change", () => this.draw());
+    this.controls.addEventListener("start", () => (this.view = null));
     this.watcher = new ResizeObserver(() => this.draw());
     this.watcher.observe(this.canvas);
     this.look(-60, 30);
@@ -72,10 +78,13 @@ export class Stage {
 
   /** Looks at the middle from an azimuth and elevation, degrees. */
   look(azimuth: number, elevation: number): void {
+    this.view = [azimuth, elevation];
     const middle = new Vector3(...this.low).add(new Vector3(...this.high)).multiplyScalar(0.5);
     const radius = 0.5 * Math.hypot(...this.high.map((mm, axis) => mm - this.low[axis]));
     const [a, e] = [azimuth, Math.min(Math.max(elevation, -89.9), 89.9)].map((degrees) => (degrees * Math.PI) / 180);
-    const distance = (radius / Math.sin((this.camera.fov * Math.PI) / 360)) * 0.82;
+    // The narrower of the two angles of view holds the ball around all
+    const half = (this.camera.fov * Math.PI) / 360;
+    const distance = (radius / Math.sin(Math.min(half, Math.atan(Math.tan(half) * this.camera.aspect)))) * FILL;
     this.camera.near = radius / 50;
     this.camera.far = 30 * radius;
     this.controls.target.copy(middle);
@@ -179,6 +188,7 @@ export class Stage {
         this.renderer.setSize(width, height, false);
         this.camera.aspect = width / height;
         this.camera.updateProjectionMatrix();
+        if (this.view) this.look(...this.view);
       }
       this.renderer.render(this.scene, this.camera);
     });
@@ -200,6 +210,7 @@ export class Stage {
       this.look(-60, 30);
     } else return;
     event.preventDefault();
+    if (event.key !== "0") this.view = null;
     this.controls.update();
     this.draw();
   }

@@ -49,7 +49,7 @@ function plot(name: string, rows: readonly TradeOff[], x: Axis, time: (row: Trad
       { name: taken, color: "--threshold", style: "dots", ...line(chosen) },
     ],
   });
-  return drawn && part(name, drawn.element);
+  return drawn && part(name, drawn);
 }
 
 function table(rows: readonly TradeOff[]): HTMLElement | null {

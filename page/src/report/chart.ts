@@ -5,7 +5,6 @@
 // often end there, and a curve that vanishes says nothing.
 
 import uPlot from "uplot";
-import "uplot/dist/uPlot.min.css";
 import { h } from "../dom.ts";
 import { isNumber, significant, type Measure } from "./number.ts";
 import { dataTable } from "./table.ts";
@@ -50,16 +49,10 @@ export interface ChartOptions {
   height?: number;
 }
 
-export interface Chart {
-  element: HTMLElement;
-  /** Draws other values with the same axes. */
-  set(series: readonly Series[]): void;
-}
-
-/** A chart, or null where no series has two numbers to draw. */
-export function chart(options: ChartOptions): Chart | null {
-  if (!options.series.some((series) => points(series).length > 0)) return null;
-  return new UChart(options);
+/** A chart, or null where no series has a number to draw. */
+export function chart(options: ChartOptions): HTMLElement | null {
+  const chart = new Chart(options);
+  return chart.isEmpty ? null : chart.element;
 }
 
 type Point = readonly [x: number, y: number];
@@ -77,53 +70,36 @@ function points(series: Series): Point[] {
 const FONT = '12px system-ui, "Segoe UI", Roboto, Arial, sans-serif';
 const DASHES = { line: [], steps: [], dots: [], dashed: [6, 4], dotted: [2, 3] } satisfies Record<string, number[]>;
 
-class UChart implements Chart {
+class Chart {
   readonly element: HTMLElement;
-  private readonly options: ChartOptions;
-  private readonly box: HTMLElement;
-  private readonly tip: HTMLElement;
-  private readonly spoken: HTMLElement;
-  private readonly table: HTMLElement;
-  private plot: uPlot | null = null;
-  private series: readonly Series[];
-  private lines: Point[][] = [];
+  readonly isEmpty: boolean;
+  private readonly box = h("div.chart-box", { tabindex: "0", role: "img" });
+  private readonly tip = h("div.chart-tip", { hidden: true });
+  private readonly spoken = h("div.unseen", { "aria-live": "polite" });
+  private readonly series: readonly Series[];
+  private readonly lines: readonly Point[][];
+  private readonly isLog: boolean;
   /** What is drawn instead of 0 on a logarithmic axis; null on one that needs none. */
-  private floor: number | null = null;
-  private isLog = false;
+  private readonly floor: number | null;
+  private plot: uPlot | null = null;
 
-  constructor(options: ChartOptions) {
-    this.options = options;
+  constructor(private readonly options: ChartOptions) {
     this.series = options.series;
-    this.tip = h("div", { class: "chart-tip", hidden: true });
-    this.spoken = h("div", { class: "unseen", "aria-live": "polite" });
-    this.box = h("div", { class: "chart-box", tabindex: "0", role: "img" }, this.tip);
-    this.table = this.asTable();
-    this.element = h("div", { class: "chart" }, this.legend(), this.box, this.spoken, this.table);
-    this.box.addEventListener("keydown", (event) => this.onKey(event));
-    this.box.addEventListener("blur", () => this.plot?.setCursor({ left: -10, top: -10 }));
-    this.set(options.series);
-    followSize(this.box, (width) => this.resize(width));
-    followTheme(this.box, () => this.plot?.redraw(false, true));
-  }
-
-  set(series: readonly Series[]): void {
-    const isAlike = series.length === this.series.length;
-    this.series = series;
-    this.lines = series.map(points);
-    this.scale();
-    this.box.setAttribute("aria-label", this.summary());
-    if (this.plot === null) return;
-    if (isAlike) this.plot.setData(this.data());
-    else this.rebuild(this.plot.width);
-  }
-
-  /** Decides how y is scaled. */
-  private scale(): void {
+    this.lines = options.series.map(points);
     const values = this.lines.flat().map(([, y]) => y);
     const positive = values.filter((y) => y > 0);
-    this.isLog = this.options.y.log === true && positive.length > 0 && values.every((y) => y >= 0);
+    this.isEmpty = values.length === 0;
+    this.isLog = options.y.log === true && positive.length > 0 && values.every((y) => y >= 0);
     const hasZero = this.isLog && positive.length < values.length;
     this.floor = hasZero ? 10 ** (Math.floor(Math.log10(Math.min(...positive))) - 1) : null;
+
+    this.box.append(this.tip);
+    this.box.setAttribute("aria-label", this.summary());
+    this.box.addEventListener("keydown", (event) => this.onKey(event));
+    this.box.addEventListener("blur", () => this.plot?.setCursor({ left: -10, top: -10 }));
+    this.element = h("div.chart", {}, this.legend(), this.box, this.spoken, this.asTable());
+    followSize(this.box, (width) => this.resize(width));
+    followTheme(this.box, () => this.plot?.redraw(false, true));
   }
 
   private data(): uPlot.AlignedData {
@@ -137,12 +113,12 @@ class UChart implements Chart {
 
   private resize(width: number): void {
     const height = this.options.height ?? 250;
-    if (this.plot === null) this.rebuild(width);
+    if (this.plot === null) this.begin(width);
     else this.plot.setSize({ width, height });
   }
 
-  private rebuild(width: number): void {
-    this.plot?.destroy();
+  /** uPlot needs to know its width: it begins when the box has one. */
+  private begin(width: number): void {
     const { x, y, height = 250 } = this.options;
     const ends = (axis: Axis) => (_: uPlot, low: number | null, high: number | null) => this.range(axis, low, high);
     this.plot = new uPlot(
@@ -293,7 +269,7 @@ class UChart implements Chart {
       details.querySelector(".scroll")?.remove();
       if (!(details as HTMLDetailsElement).open) return;
       const { x, y, title } = this.options;
-      const [places, ...columns] = this.lines.some((line) => line.length > 0) ? this.columns() : [[]];
+      const [places, ...columns] = this.columns();
       const unit = y.unit ? `, ${y.unit}` : "";
       const heads = [x.unit ? `${x.label}, ${x.unit}` : x.label, ...this.series.map((series) => series.name + unit)];
       const rows = (places ?? []).map((place, row) => [significant(place, 6), ...columns.map((column) => significant(column[row], 6))]);
@@ -305,7 +281,7 @@ class UChart implements Chart {
   /** Places, then the values of every series there. */
   private columns(): Measure[][] {
     const places = [...new Set(this.lines.flat().map(([x]) => x))].sort((a, b) => a - b);
-    const column = (line: Point[]) => {
+    const column = (line: readonly Point[]) => {
       const values = new Map(line);
       return places.map((place) => values.get(place));
     };

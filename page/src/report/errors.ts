@@ -44,7 +44,7 @@ export function errors(context: Context): HTMLElement | null {
   return h(
     "div.charts",
     {},
-    part("Voxels per error", h("p.note", {}, `The band is what the objective asks for.${peak}`), drawn.element),
+    part("Voxels per error", h("p.note", {}, `The band is what the objective asks for.${peak}`), drawn),
     curve && part("Response against gray value", h("p.note", {}, "Of the voxels of each gray value."), curve),
   );
 }

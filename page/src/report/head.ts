@@ -24,9 +24,12 @@ export function head({ data, run }: Context): HTMLElement {
 
 const BRANDS: Record<Run["state"], string> = { done: "Tomolith print report", running: "Tomolith, a run that goes on", check: "Tomolith, a job before it runs" };
 
+/** Characters of a fact that needs the room of two. */
+const LONG = 60;
+
 function factList(facts: readonly [string, string][]): HTMLElement | null {
   if (facts.length === 0) return null;
-  return h("dl.facts", {}, ...facts.map(([name, value]) => h("div", {}, h("dt", {}, name), h("dd", {}, sentence(value)))));
+  return h("dl.facts", {}, ...facts.map(([name, value]) => h(value.length > LONG ? "div.long" : "div", {}, h("dt", {}, name), h("dd", {}, sentence(value)))));
 }
 
 /** The metrics that stand at the head, in their order. */
@@ -49,7 +52,7 @@ function card(metric: Metric, evaluation: Evaluation, standing: Evaluation | nul
     "div.card",
     { "data-metric": metric.name },
     h("h3", {}, metric.title),
-    h("p.big", {}, shown(metric, value, digits), isNumber(value) && unit !== "" && h("small", {}, unit)),
+    h("p.big", {}, shown(metric, value, digits), isNumber(value) && unit !== "" && h("small", {}, ` ${unit}`)),
     h("p", {}, voxels !== "" && h("b", {}, `${voxels}. `), metric.summary, place(metric, evaluation)),
     standing ? h("p.still", {}, h("span", {}, "standing still"), h("b", {}, withUnit(metric, standing[metric.name] as Measure, digits))) : null,
   );
@@ -69,7 +72,7 @@ function withUnit(metric: Metric, value: Measure, digits: number): string {
 /** Where the largest deviation is. */
 function place(metric: Metric, { farthest }: Evaluation): string {
   const at = farthest?.at_xyz_mm;
-  if (metric.name !== "hausdorff_mm" || !at) return "";
+  if (metric.name !== "hausdorff_mm" || !at?.every(isNumber)) return "";
   const [x, y, z] = at.map((mm) => significant(mm, 3));
   return ` It is at x = ${x}, y = ${y}, z = ${z} mm: ${(farthest?.side ?? "").replaceAll("_", " ")}.`;
 }

@@ -3,7 +3,7 @@
 import type { Run } from "../data.ts";
 import { h } from "../dom.ts";
 import type { Context } from "../section.ts";
-import { chart, type Axis, type Chart, type Series } from "./chart.ts";
+import { chart, type Axis, type Series } from "./chart.ts";
 import { choice } from "./choice.ts";
 import { isNumber, significant, type Measure } from "./number.ts";
 import { isObject, report, type Levels, type ProcessWindow, type Report } from "./schema.ts";
@@ -98,8 +98,8 @@ function plotOf(run: Run, curve: Curve, cost: Cost): HTMLElement | null {
     return part(curve.title, h("p.note", {}, `It is 0 at each of the ${values.length} points that were measured.`));
   }
   const series: Series = { name: curve.title, color: "--accent", x: costOf(run, cost), y: curve.of };
-  const plot: Chart | null = chart({ title: curve.title, x: costAxis(cost), y: curve.y, series: [series] });
-  return plot && part(curve.title, plot.element);
+  const plot = chart({ title: curve.title, x: costAxis(cost), y: curve.y, series: [series] });
+  return plot && part(curve.title, plot);
 }
 
 /** What it all took. */

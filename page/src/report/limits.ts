@@ -5,7 +5,7 @@ import { h, sentence } from "../dom.ts";
 import type { Context } from "../section.ts";
 import type { State } from "../state.ts";
 import { link } from "./nav.ts";
-import { clock, isNumber, significant, toldApart, type Measure } from "./number.ts";
+import { clock, isNumber, NONE, significant, toldApart, type Measure } from "./number.ts";
 import { list, report, type Bracket, type Limit, type OneExposure, type Report, type Species } from "./schema.ts";
 import { dataTable } from "./table.ts";
 import { paragraphs, part } from "./text.ts";
@@ -39,7 +39,7 @@ function rowsAlone({ exposure: window }: Report): string[][] {
 function rowsTogether(one: OneExposure, species: readonly Species[]): string[][] {
   const rows = [["All together", ...ends(one.percent, percents)]];
   if (one.time_s) rows.push(["Time to print", ...ends(one.time_s, clocks)]);
-  for (const { name, exposure: window } of species) {
+  for (const { name = NONE, exposure: window } of species) {
     if (!window?.dose) continue;
     const share = (dose: Measure) => (isNumber(dose) && isNumber(one.gel_dose) && dose > 0 ? (100 * one.gel_dose) / dose : null);
     const { low, best, high } = turned(window.dose);

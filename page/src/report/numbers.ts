@@ -48,7 +48,7 @@ function curves(columns: readonly Column[]): HTMLElement | null {
     return { name: name.toLowerCase(), color: COLORS[i], style: i === 0 ? "line" : "dashed", x: curve.map((point) => point?.[0]), y: curve.map((point) => point?.[1]) };
   });
   const plot = chart({ title: "IoU over the gel threshold", x: { label: "gel threshold", from: 0 }, y: { label: "IoU", from: 0, to: 1 }, series });
-  return plot && part("IoU over the gel threshold", plot.element);
+  return plot && part("IoU over the gel threshold", plot);
 }
 
 const COLORS = ["--run-1", "--run-2", "--run-3"];

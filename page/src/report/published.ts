@@ -3,7 +3,7 @@
 import { h } from "../dom.ts";
 import type { Context } from "../section.ts";
 import { chart, type Series } from "./chart.ts";
-import { isNumber, significant, type Measure } from "./number.ts";
+import { isNumber, NONE, significant, type Measure } from "./number.ts";
 import { isObject, report } from "./schema.ts";
 import { dataTable } from "./table.ts";
 import { part } from "./text.ts";
@@ -65,15 +65,15 @@ function slicesOf(slices: unknown): HTMLElement | null {
   });
   const errors = chart({ title: "Voxel error rate of each slice over z", x, y: { label: "voxel error rate", from: 0 }, series: [line("voxel error rate", "--run-1", "ver")] });
   if (!doses && !errors) return null;
-  return part("Slice by slice", h("div.charts", {}, doses && h("div", {}, doses.element), errors && h("div", {}, errors.element)));
+  return part("Slice by slice", h("div.charts", {}, doses && h("div", {}, doses), errors && h("div", {}, errors)));
 }
 
 /** What has no form of its own: nested lists and tables of names and values. */
 function anything(value: unknown): Node | string {
   if (isNumber(value)) return significant(value, 4);
-  if (value === null || value === undefined) return "–";
+  if (value === null || value === undefined) return NONE;
   if (Array.isArray(value)) {
-    if (value.every((one) => !isObject(one))) return value.map((one) => (isNumber(one) ? significant(one, 4) : String(one))).join(" ");
+    if (value.every((one) => !isObject(one))) return value.map((one) => (isNumber(one) ? significant(one, 4) : String(one ?? NONE))).join(" ");
     const heads = [...new Set(value.filter(isObject).flatMap((one) => Object.keys(one)))];
     const cells = (one: unknown) => heads.map((name) => (isObject(one) ? anything(one[name]) : String(one)));
     return dataTable({ heads: heads.map(words), rows: value.map(cells) });
@@ -82,8 +82,24 @@ function anything(value: unknown): Node | string {
   return dataTable({ heads: ["", "value"], rows: Object.entries(value).map(([name, one]) => [words(name), anything(one)]) });
 }
 
-/** "keep_dark" as "Keep dark", "volume_mm3" as "Volume, mm³". */
+const NAMES: Record<string, string> = {
+  keep_dark: "Bodies that are to stay dark",
+  insert: "Surface of the inserts",
+  insert_mm2: "In all, mm²",
+  target_mm2: "Touched by the target, mm²",
+  print_mm2: "Touched by the print, mm²",
+  share: "Share that the print touches",
+  of_target: "Share of what the target touches that the print touches too",
+  part_mean: "Mean of the part",
+  paths: "Scattering by Monte Carlo paths",
+  orders: "Scattering, order by order",
+  unit_systems: "In the units of others",
+};
+
+/** A key for people: "volume_mm3" as "Volume, mm³". */
 function words(key: string): string {
+  const given = NAMES[key];
+  if (given !== undefined) return given;
   const unit = /_(mm3|mm2|mm)$/.exec(key);
   const name = (unit ? key.slice(0, unit.index) : key).replaceAll("_", " ");
   const text = name.charAt(0).toUpperCase() + name.slice(1);

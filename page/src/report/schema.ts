@@ -1,7 +1,7 @@
 // report.json, as far as the page shows it (documented in crates/tomolith-report/src/json.rs).
 //
 // Everything may be missing or null: reports of other versions and of runs that ended early are read too. So nothing
-// here is required, and `report(run)` hands out the same object under a type that says so.
+// here is required, and `report(run)` leaves nulls out, so that what is null and what is missing are one case.
 
 import type { Measure } from "./number.ts";
 
@@ -203,9 +203,24 @@ export interface RunFacts {
   timings_s?: Record<string, Measure> | null;
 }
 
-/** The report of a run; an empty one where it is missing. */
+const reports = new WeakMap<object, Report>();
+
+/** The report of a run without its nulls; an empty one where it is missing. */
 export function report(run: { report: unknown }): Report {
-  return isObject(run.report) ? (run.report as Report) : {};
+  if (!isObject(run.report)) return {};
+  let read = reports.get(run.report);
+  if (!read) {
+    read = withoutNulls(run.report) as Report;
+    reports.set(run.report, read);
+  }
+  return read;
+}
+
+/** Entries of lists keep their place: there null becomes undefined. */
+function withoutNulls(value: unknown): unknown {
+  if (Array.isArray(value)) return value.map(withoutNulls);
+  if (isObject(value)) return Object.fromEntries(Object.entries(value).flatMap(([name, one]) => (one === null ? [] : [[name, withoutNulls(one)]])));
+  return value ?? undefined;
 }
 
 export function isObject(value: unknown): value is Record<string, unknown> {

@@ -43,7 +43,7 @@ function row(metric: Metric, own: readonly Species[]): (string | Node)[] {
 }
 
 function together(own: readonly Species[], one: OneExposure): HTMLElement {
-  const name = (of: Species) => (of.name === one.limited_by ? `${of.name} (limits it)` : (of.name ?? ""));
+  const name = (of: Species) => (of.name && of.name === one.limited_by ? `${of.name} (limits it)` : (of.name ?? ""));
   const rows = own.map((of, i) => [name(of), significant(of.evaluation?.iou as Measure, 4), significant(of.evaluation?.gel_threshold, 3), significant(one.iou?.[i], 4)]);
   const intro =
     `A print has one exposure. Where all networks gel at the same dose, the species print together best at a dose of ${significant(one.gel_dose, 3)}: the last column. ` +
@@ -65,5 +65,5 @@ function curves(own: readonly Species[], one: OneExposure | null | undefined): H
   const isDose = own.every(({ exposure }) => exposure?.dose?.best === exposure?.threshold?.best);
   const marks: Mark[] = one && isDose && isNumber(one.gel_dose) ? [{ name: "one exposure", color: "--threshold", from: one.gel_dose }] : [];
   const drawn = chart({ title: "IoU of each species over the gel threshold", x: { label: "gel threshold", from: 0 }, y: { label: "IoU", from: 0, to: 1 }, series, marks });
-  return drawn && part("How much the threshold matters to each", drawn.element);
+  return drawn && part("How much the threshold matters to each", drawn);
 }

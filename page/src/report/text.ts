@@ -4,14 +4,18 @@ import { h, sentence, type Child } from "../dom.ts";
 
 /** Sentences of the command as paragraphs; those that are missing are left out. */
 export function paragraphs(texts: readonly (string | null | undefined)[], className = ""): HTMLElement[] {
-  const given = texts.filter((text): text is string => typeof text === "string" && text !== "");
-  return given.map((text) => h("p", { class: className || null }, sentence(asSentence(text))));
+  return texts.filter(isText).map((text) => h("p", { class: className || null }, sentence(asSentence(text))));
 }
 
 /** A list of sentences, or null where there are none. */
-export function bullets(texts: readonly string[]): HTMLElement | null {
-  if (texts.length === 0) return null;
-  return h("ul", {}, ...texts.map((text) => h("li", {}, sentence(asSentence(text)))));
+export function bullets(texts: readonly (string | null | undefined)[]): HTMLElement | null {
+  const given = texts.filter(isText);
+  if (given.length === 0) return null;
+  return h("ul", {}, ...given.map((text) => h("li", {}, sentence(asSentence(text)))));
+}
+
+function isText(text: string | null | undefined): text is string {
+  return typeof text === "string" && text !== "";
 }
 
 /** With a capital and a full stop. A key or a file at the beginning stays as it is. */

@@ -71,9 +71,9 @@ function charts(own: TimeReport): HTMLElement {
   return h(
     "div.charts",
     {},
-    quality && part("What is solid", quality.element),
-    energy && part("What is absorbed", energy.element),
-    sent && part("Light that was sent", sent.element),
+    quality && part("What is solid", quality),
+    energy && part("What is absorbed", energy),
+    sent && part("Light that was sent", sent),
   );
 }
 

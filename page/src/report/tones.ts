@@ -67,5 +67,5 @@ function drawn(all: Tone[]): HTMLElement {
       { name: "asked for", color: "--ink", style: "dashed", x: [0, 1], y: [0, 1] },
     ],
   });
-  return plot?.element ?? h("p.note", {}, "No voxel counts.");
+  return plot ?? h("p.note", {}, "No voxel counts.");
 }

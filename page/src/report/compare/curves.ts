@@ -14,7 +14,7 @@ export function histories({ runs }: PageData): HTMLElement | null {
   const plot = (title: string, y: Axis, of: (run: Run) => Measure[], cost: Cost) => {
     const series = runs.map((run, i) => lineOf(run, i, costOf(run, cost), of(run)));
     const drawn = chart({ title: `${title} over ${cost}`, x: costAxis(cost), y, series });
-    return drawn && part(title, drawn.element);
+    return drawn && part(title, drawn);
   };
   const short = (run: Run) => (run.history?.iou ?? []).map((iou) => (isNumber(iou) ? 1 - iou : null));
   const plots = overCost((cost) => [
@@ -46,8 +46,8 @@ export function thresholds({ runs }: PageData): HTMLElement | null {
   return h(
     "div.charts",
     {},
-    iou && part("IoU over the gel threshold", h("p.note", {}, "A broad plateau tolerates errors of exposure."), iou.element),
-    histogram && part("Dose of part and void", h("p.note", {}, "Share of the voxels per unit of the response: part in full lines, void in dotted ones."), histogram.element),
+    iou && part("IoU over the gel threshold", h("p.note", {}, "A broad plateau tolerates errors of exposure."), iou),
+    histogram && part("Dose of part and void", h("p.note", {}, "Share of the voxels per unit of the response: part in full lines, void in dotted ones."), histogram),
   );
 }
 

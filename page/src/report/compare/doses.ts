@@ -81,7 +81,7 @@ async function load({ data, stores, gone }: Context, better: () => void): Promis
     const info = infoOf(run, "response", "");
     if (!info) return null;
     try {
-      return { name: run.name, volume: await stores[i].volume(info), slices: new Slices(stores[i], gone, better) };
+      return { name: run.name, volume: await stores[i].volume(info), slices: new Slices(run, stores[i], gone, better) };
     } catch (error) {
       problems.push(`${run.name}: ${error instanceof Error ? error.message : String(error)}`);
       return null;
