@@ -26,6 +26,9 @@ const SECTIONS = ordered([look, solid, inTime, film, ...reportSections]);
 const GROWING = ["history", "histories"];
 const REDRAW_MS = 700;
 
+/** How long a page takes to unpack its arrays, at most, ms. */
+const SETTLE_MS = 6000;
+
 function ordered(sections: Section[]): Section[] {
   const place = (section: Section) => (ORDER.indexOf(section.id) + ORDER.length + 1) % (ORDER.length + 1);
   return [...sections].sort((a, b) => place(a) - place(b));
@@ -46,7 +49,18 @@ class Page {
     this.state.on(["run"], () => this.draw());
     this.progress = live(data, { row: (run) => this.grow(run), replaced: (run) => void this.replace(run).catch((error: unknown) => console.warn(String(error))) });
     this.draw();
-    scrollTo(this.state.get("section"));
+    this.stayAt(this.state.get("section"));
+  }
+
+  /** Sections grow as their arrays are unpacked: the one that the address names stays in sight until the reader does something. */
+  private stayAt(id: string): void {
+    if (id === "") return;
+    scrollTo(id);
+    const keep = new ResizeObserver(() => document.getElementById(id)?.scrollIntoView());
+    const stop = () => keep.disconnect();
+    keep.observe(this.app);
+    window.setTimeout(stop, SETTLE_MS);
+    for (const kind of ["wheel", "pointerdown", "keydown", "touchstart"]) window.addEventListener(kind, stop, { once: true, passive: true });
   }
 
   private get index(): number {

@@ -18,7 +18,8 @@ const PAUSE = 60;
 
 export class Slices {
   private readonly full = new Map<string, Slice>();
-  private readonly waiting = new Map<string, number>();
+  /** What was asked for last in each plane of a volume. */
+  private readonly asked = new Map<string, { key: string; timer: number }>();
   private readonly grid: FullGrid | null;
 
   constructor(
@@ -46,7 +47,9 @@ export class Slices {
   /** One request a plane of a volume at a time: the last place asked for wins. */
   private ask(key: string, volume: Volume, grid: FullGrid, axis: Axis, index: number): void {
     const plane = `${volume.info.id}/${axis}`;
-    window.clearTimeout(this.waiting.get(plane));
+    const before = this.asked.get(plane);
+    if (before?.key === key) return;
+    window.clearTimeout(before?.timer);
     const load = async () => {
       // The server counts axes as the arrays do: z, y, x
       const slice = await this.store.slice(volume.info, 2 - axis, index, this.signal);
@@ -65,7 +68,7 @@ export class Slices {
     const failed = (error: unknown) => {
       if (!this.signal.aborted) console.warn(`The full slice of ${volume.info.name} along ${AXES[axis]} did not come: ${String(error)}`);
     };
-    this.waiting.set(plane, window.setTimeout(() => void load().catch(failed), PAUSE));
+    this.asked.set(plane, { key, timer: window.setTimeout(() => void load().catch(failed), PAUSE) });
   }
 }
 

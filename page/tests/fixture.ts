@@ -108,13 +108,18 @@ function rays(angle_deg: number) {
   }));
 }
 
-/** Writes the page as the command does, and returns its address. `texts` replace those of elements. */
-export function written(name: string, { data, blobs }: Fixture, texts: { [id: string]: string } = {}): string {
+/** The page as the command makes it. `texts` replace those of elements. */
+export function htmlOf({ data, blobs }: Fixture, texts: { [id: string]: string } = {}): string {
   const elements = [...blobs].map(([id, bytes]) => `<script type="text/plain" id="${id}">${texts[id] ?? deflateRawSync(bytes).toString("base64")}</script>`);
   const json = texts.data ?? JSON.stringify(data).replaceAll("<", "\\u003c");
   const built = (file: string) => readFileSync(join(OUT, file), "utf8");
-  const html = `<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>${data.title} · Tomolith</title><meta name="viewport" content="width=device-width, initial-scale=1"><style>${built("page.css")}</style></head><body><div id="app"></div><script type="application/json" id="data">${json}</script>${elements.join("\n")}<script>${built("page.js")}</script></body></html>`;
+  const head = `<meta charset="utf-8"><title>Tomolith</title><meta name="viewport" content="width=device-width, initial-scale=1"><style>${built("page.css")}</style>`;
+  return `<!doctype html>\n<html lang="en"><head>${head}</head><body><div id="app"></div><script type="application/json" id="data">${json}</script>${elements.join("\n")}<script>${built("page.js")}</script></body></html>`;
+}
+
+/** Writes a page, and returns its address. */
+export function written(name: string, fixture: Fixture, texts: { [id: string]: string } = {}): string {
   const path = join(OUT, `${name}.html`);
-  writeFileSync(path, html);
+  writeFileSync(path, htmlOf(fixture, texts));
   return `file://${path}`;
 }

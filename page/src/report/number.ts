@@ -18,11 +18,6 @@ export function isNumber(value: unknown): value is number {
   return typeof value === "number" && Number.isFinite(value);
 }
 
-/** The value, where it is a number. */
-export function numberOr<T>(value: unknown, otherwise: T): number | T {
-  return isNumber(value) ? value : otherwise;
-}
-
 /** A power of ten: "10⁻³". */
 export function exponent(power: number): string {
   return "10" + [...String(power)].map((c) => RAISED[c] ?? c).join("");

@@ -22,9 +22,6 @@ export function dataTable(options: TableOptions): HTMLElement {
   const body = rows.map((row) =>
     h("tr", {}, ...row.map((cell, column) => (column === 0 ? h("th", { scope: "row" }, cell) : h("td", { class: classOf(column) }, cell)))),
   );
-  return h(
-    "div",
-    { class: "scroll", tabindex: "0", role: "region", "aria-label": caption ?? "Table" },
-    h("table", { class: "data" }, ...(caption ? [h("caption", { class: "unseen" }, caption)] : []), h("thead", {}, h("tr", {}, ...head)), h("tbody", {}, ...body)),
-  );
+  const name = caption ? h("caption.unseen", {}, caption) : null;
+  return h("div.scroll", {}, h("table.data", {}, name, h("thead", {}, h("tr", {}, ...head)), h("tbody", {}, ...body)));
 }

@@ -37,24 +37,14 @@ export function copyButton(label: string, text: () => string): HTMLButtonElement
       button.textContent = words;
       window.setTimeout(() => (button.textContent = label), 1600);
     };
-    copy(text()).then(
+    // Frames of other pages may not copy, and pages of other machines have no clipboard
+    const copied = navigator.clipboard?.writeText(text()) ?? Promise.reject(new Error("no clipboard"));
+    copied.then(
       () => say("Copied"),
       () => say("The browser refused to copy"),
     );
   });
   return button;
-}
-
-/** Pages that are opened as files may lack the clipboard of the browser: then a selection is copied. */
-async function copy(text: string): Promise<void> {
-  if (navigator.clipboard) return navigator.clipboard.writeText(text);
-  const area = h("textarea.unseen", { readonly: true });
-  area.value = text;
-  document.body.append(area);
-  area.select();
-  const isDone = document.execCommand("copy");
-  area.remove();
-  if (!isDone) throw new Error("not copied");
 }
 
 /** Cells as a line of CSV. */

@@ -1,0 +1,137 @@
+// The page of a viewer: a run that goes on, its cancel button, its end, and slices with all voxels. A small server stands in for the command.
+
+import assert from "node:assert/strict";
+import { createServer, type Server, type ServerResponse } from "node:http";
+import type { AddressInfo } from "node:net";
+import { after, describe, it } from "node:test";
+import { deflateRawSync } from "node:zlib";
+import { close, open, pixels, skip, text } from "./browser.ts";
+import { type Fixture, fixture, htmlOf, written } from "./fixture.ts";
+
+/** What `tomolith view` answers. */
+class Viewer {
+  readonly asked: string[] = [];
+  private readonly server: Server;
+  private readonly listeners = new Set<ServerResponse>();
+
+  constructor(public shown: Fixture) {
+    shown.data.served = "/token/";
+    this.server = createServer((request, response) => {
+      const path = (request.url ?? "").replace("/token/", "");
+      this.asked.push(`${request.method} ${path}`);
+      const array = path.match(/^run\/(\d+)\/(?:volume|film)\/(\w+)$/);
+      if (path === "") response.setHeader("content-type", "text/html").end(htmlOf({ data: this.shown.data, blobs: new Map() }));
+      else if (path === "runs.json") response.end(JSON.stringify(this.shown.data));
+      else if (path === "events") {
+        response.writeHead(200, { "content-type": "text/event-stream" });
+        response.write(`data: ${JSON.stringify({ type: "states", states: this.shown.data.runs.map(({ state }) => state) })}\n\n`);
+        this.listeners.add(response);
+      } else if (array) response.end(deflateRawSync(this.shown.blobs.get(`blob-${array[1]}-${array[2]}`)!));
+      else if (path.startsWith("run/0/slice/")) response.end(sliceOf(path));
+      else response.writeHead(path.startsWith("cancel/") ? 202 : 404).end();
+    });
+  }
+
+  async start(): Promise<string> {
+    await new Promise<void>((resolve) => this.server.listen(0, "127.0.0.1", resolve));
+    return `http://127.0.0.1:${(this.server.address() as AddressInfo).port}/token/`;
+  }
+
+  tell(event: object): void {
+    for (const listener of this.listeners) listener.write(`data: ${JSON.stringify(event)}\n\n`);
+  }
+
+  stop(): void {
+    for (const listener of this.listeners) listener.end();
+    this.server.close();
+  }
+}
+
+/** A slice of 80 × 80 or 80 × 32 voxels in 16 bits, brighter to the right. */
+function sliceOf(path: string): Buffer {
+  const [height, width] = path.includes("axis=0") ? [80, 80] : [32, 80];
+  const codes = Uint16Array.from({ length: width * height }, (_, i) => Math.round((65535 * (i % width)) / (width - 1)));
+  return Buffer.concat([Buffer.from(`${JSON.stringify({ shape: [height, width], low: 0, high: 1, bits: 16 })}\n`), Buffer.from(codes.buffer)]);
+}
+
+function running(): Fixture {
+  const going = fixture();
+  const [run] = going.data.runs;
+  going.data.kind = "view";
+  Object.assign(run, { state: "running", report: null, texts: null, films: [], scene: null, history: {}, volumes: run.volumes.filter(({ kind }) => kind === "response") });
+  return going;
+}
+
+describe("a viewer", { skip }, () => {
+  let viewer: Viewer;
+  after(async () => {
+    await close();
+    viewer.stop();
+  });
+
+  it("follows a run, cancels it, and shows its result", async () => {
+    viewer = new Viewer(running());
+    const page = await open(await viewer.start());
+    assert.match(await text(page, ".live-run"), /^disc.*Cancel$/);
+    viewer.tell({ type: "stage", run: 0, name: "optimizing" });
+    viewer.tell({ type: "iteration", run: 0, row: { iteration: 3, loss: 5, seconds: 1 }, iterations: 12 });
+    await page.waitForFunction(() => document.querySelector(".live-run")?.textContent?.includes("optimizing: iteration 3 of at most 12"));
+    assert.equal(await page.$eval(".live progress", (bar) => (bar as HTMLProgressElement).value), 0.25);
+    viewer.tell({ type: "iteration", run: 0, row: { iteration: 4, loss: 4, seconds: 2 }, iterations: 12 });
+    await page.waitForSelector("#history");
+    await page.click(".live-run button");
+    await page.waitForFunction(() => document.querySelector(".live-run button")?.textContent === "Canceling…");
+    assert.ok(viewer.asked.includes("POST cancel/0"));
+
+    viewer.shown = fixture();
+    viewer.shown.data.served = "/token/";
+    viewer.tell({ type: "done", run: 0 });
+    await page.waitForSelector("#look .threshold");
+    assert.equal(await page.$(".live-run"), null);
+    assert.deepEqual(page.problems, []);
+    await page.close();
+  });
+
+  it("says why a run has failed", async () => {
+    viewer.stop();
+    viewer = new Viewer(running());
+    const page = await open(await viewer.start());
+    viewer.tell({ type: "failed", run: 0, message: "the dose is not finite" });
+    await page.waitForFunction(() => document.querySelector(".live-run .problem")?.textContent === "the dose is not finite");
+    await page.close();
+  });
+
+  it("shows new doses of a run that goes on", async () => {
+    viewer.stop();
+    viewer = new Viewer(running());
+    const page = await open(await viewer.start());
+    const first = await pixels(page, "#look .plane canvas");
+    viewer.shown.blobs.set("blob-0-response2", viewer.shown.blobs.get("blob-0-response2")!.map((code) => 255 - code));
+    viewer.tell({ type: "snapshot", run: 0 });
+    await page.waitForFunction(() => document.querySelector("#look [aria-busy]") === null);
+    await new Promise((resolve) => setTimeout(resolve, 500));
+    assert.notEqual(await pixels(page, "#look .plane canvas"), first);
+    await page.close();
+  });
+
+  it("takes finer slices from the server when they are there", async () => {
+    viewer.stop();
+    const fine = fixture();
+    const [run] = fine.data.runs;
+    const dose = run.volumes.find(({ kind }) => kind === "response")!;
+    dose.full = true;
+    run.report.optimization = { grid: { shape_zyx: [32, 80, 80], pitch_mm: 0.04, center_xyz_mm: [0, 0, 0] } };
+    const coarse = await open(written("coarse", fixture()));
+    const before = await pixels(coarse, "#look .plane canvas");
+    await coarse.close();
+    viewer = new Viewer(fine);
+    const page = await open(await viewer.start());
+    await page.waitForFunction(() => performance.getEntriesByType("resource").filter(({ name }) => name.includes("/slice/")).length >= 3);
+    await new Promise((resolve) => setTimeout(resolve, 300));
+    assert.notEqual(await pixels(page, "#look .plane canvas"), before);
+    assert.ok(viewer.asked.some((path) => /^GET run\/0\/slice\/response2\?axis=0&index=17$/.test(path)), viewer.asked.join(" "));
+    assert.equal(viewer.asked.filter((path) => path.includes("/slice/")).length, 3, "each slice is asked for once");
+    assert.deepEqual(page.problems, []);
+    await page.close();
+  });
+});
