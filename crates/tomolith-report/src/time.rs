@@ -113,6 +113,8 @@ pub(super) fn time_json(time: &TimeReport<'_>) -> Value {
             "contribution_mj": column(&|p| p.contribution_mj),
             "contrast": column(&|p| p.contrast),
             "jaccard": column(&|p| p.jaccard),
+            "solid_part": column(&|p| p.solid[0]),
+            "solid_void": column(&|p| p.solid[1]),
             "sent_mj": column(&|p| p.sent_mj),
         },
     })
