@@ -24,6 +24,8 @@ export interface Gel {
   curve: [number, number][];
   /** Thresholds at which the print is nearly as good as at the best one. */
   nearly: [number | null, number | null] | null;
+  /** Thresholds of the objective: void below the first, part above the second. */
+  objective: [number, number] | null;
   tolerance: number | null;
   iou(threshold: number): number | null;
   /** Exposure that gels at this threshold, % of the best one: more light, lower threshold. */
@@ -35,9 +37,10 @@ export interface Gel {
 }
 
 /** The part of the report that speaks of a species ("" for the first). */
-export function reportOf(run: Run, species: string): { evaluation: any; exposure: any } {
+export function reportOf(run: Run, species: string): { evaluation: any; exposure: any; window: [number, number] | null } {
   const named = (run.report?.species ?? []).find((one: { name: string }) => one.name === species);
-  return { evaluation: (named ?? run.report)?.evaluation ?? null, exposure: (named ?? run.report)?.exposure ?? null };
+  const own = named ?? run.report;
+  return { evaluation: own?.evaluation ?? null, exposure: own?.exposure ?? null, window: own?.objective_window ?? null };
 }
 
 /** The half width of a gray target's band; null where the target is part and void. */
@@ -50,7 +53,7 @@ export function bandOf(run: Run): number | null {
 
 /** Null where nothing says at what dose the resin gels. */
 export function gelOf(run: Run, species: string, response: Volume | null, labels: Volume | null): Gel | null {
-  const { evaluation, exposure } = reportOf(run, species);
+  const { evaluation, exposure, window } = reportOf(run, species);
   const counts = response && labels ? countsOf(response, labels) : null;
   const official = evaluation?.gel_threshold ?? null;
   // A run that goes on has no report yet
@@ -68,6 +71,7 @@ export function gelOf(run: Run, species: string, response: Volume | null, labels
     histogram: given ? { low: given.range[0], high: given.range[1], part: given.part, void: given.void } : (counts?.histogram ?? null),
     curve,
     nearly,
+    objective: window,
     tolerance: exposure?.tolerance ?? null,
     iou: (threshold) => (threshold === official ? evaluation.iou : null) ?? interpolated(curve, threshold) ?? counts?.iou(threshold) ?? null,
     percent: (threshold) => (best === null || threshold <= 0 ? null : (100 * best) / threshold),

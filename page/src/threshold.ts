@@ -120,7 +120,7 @@ class Chart {
   }
 
   private draw(): SVGElement {
-    const { histogram, nearly, curve, reported, high } = this.gel;
+    const { histogram, nearly, objective, curve, reported, high } = this.gel;
     const root = svg("svg", { width: this.width, height: HEIGHT, viewBox: `0 0 ${this.width} ${HEIGHT}`, role: "img", "aria-label": "Voxels of part and void per dose, and IoU per gel threshold" });
     if (nearly) {
       const [from, to] = [Math.max(nearly[0] ?? 0, 0), Math.min(nearly[1] ?? high, high)];
@@ -131,6 +131,9 @@ class Chart {
     }
     root.append(svg("text", { x: (this.width + EDGE.left - EDGE.right) / 2, y: HEIGHT - 6, "text-anchor": "middle" }, "dose"));
     if (histogram) root.append(...this.bars(histogram));
+    for (const at of objective ?? []) {
+      root.append(svg("line", { class: "aimed", x1: this.x(at), x2: this.x(at), y1: EDGE.top, y2: BOTTOM }, svg("title", {}, "a threshold of the objective: the void should stay below both, the part above")));
+    }
     if (curve.length > 1) {
       root.append(svg("path", { class: "curve", d: `M${curve.filter(([at]) => at <= high).map(([at, value]) => `${this.x(at).toFixed(1)},${y(value).toFixed(1)}`).join("L")}` }));
       for (const share of [0, 0.5, 1]) root.append(svg("text", { x: this.width - EDGE.right + 8, y: y(share) + 4 }, String(share)));

@@ -28,7 +28,7 @@
 //!               orders (scattering order by order: how far it is from Monte Carlo paths in part and void, over the part's mean dose)
 //! lights        frames, size and scale of each light's patterns; budget (time, turns, energies: those of the schedule where the job has one),
 //!               irradiance (of white in that schedule, and the most that the printer gives; else null)
-//! species       where a job names several: name, driven_by (factor of each light), evaluation, exposure and limits as above; the first is that of
+//! species       where a job names several: name, driven_by (factor of each light), evaluation, exposure, limits and objective_window as here; the first is that of
 //!               `evaluation`
 //! one_exposure  of several species: gel_dose (at which all of them gel), species and iou (of each then), where the lowest of them is the largest;
 //!               limited_by (the species with the lowest), percent and time_s as in exposure, of the lowest IoU
@@ -52,6 +52,7 @@
 //! process_window  of an objective that looks for it, before the patterns are written, on the optimization's voxels: outliers (the share left
 //!               out), thresholds (l and u of the objective), part_above, part_below, void_below (what all but the outliers are), window (part_above
 //!               − void_below), range (part_below − part_above), ipdr (its bound); else null
+//! objective_window  thresholds of the objective, where it has any: the void should stay below the first, the part above the second; else null
 //! time_to_print_s  of all lights: one after the other, or side by side in a schedule; null where times are not known
 //! movies        what a decoder makes of each movie
 //! notes         sentences: choices that were made
@@ -172,6 +173,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         "scenarios": data.scenarios,
         "process_window": data.found_window,
         "response": response,
+        "objective_window": data.window,
         "time_to_print_s": number(time_to_print_s(data)),
         "movies": movies,
         "notes": data.notes,
@@ -206,6 +208,7 @@ fn species_json(species: &SpeciesReport<'_>) -> Value {
         "driven_by": driven_by,
         "evaluation": evaluation_json(species.evaluation),
         "exposure": species.exposure,
+        "objective_window": species.window,
         "limits": species.limits.causes,
     })
 }

@@ -34,6 +34,8 @@ const BYTES_PER_FACE: f64 = 1000.0;
 const BYTES_PER_TRIANGLE: f64 = 200.0;
 /// Compressed size of a pattern value in the npz, the frames and the movie, beside 8 bytes of raw values.
 const BYTES_PER_PIXEL_ON_DISK: f64 = 10.0;
+/// The page holds up to 15 MB; the rest of what every run leaves is small.
+const BASE_ON_DISK_MB: f64 = 16.0;
 /// Bytes of dose.npy (4) and dose.vti (9: dose, target, label) per voxel, and some more.
 const BYTES_PER_VOXEL_ON_DISK: f64 = 20.0;
 /// Bytes of print.stl and print.ply per face of a cube of as many voxels as are evaluated: the part has about twelve triangles (50
@@ -282,7 +284,7 @@ impl Extent {
             + (self.canvas * self.stacked) as f64
             + fine * self.bytes_evaluated as f64
             + checkpoint;
-        (10.0 + bytes / 1e6) as u64
+        (BASE_ON_DISK_MB + bytes / 1e6) as u64
     }
 }
 
