@@ -26,44 +26,49 @@ export function surfaceNets(samples: Samples, level: number): Mesh {
   const { pitch, low } = samples;
   const [nx, ny, nz] = samples.shape.map((n) => n + 2);
   const field = padded(samples, level);
-  const strides = [1, nx, nx * ny];
-  // Corners of the cells of this layer and the one below it
-  const known = new Int32Array(2 * nx * ny);
+  const layer = nx * ny;
+  // From a cell's first corner to its others, and along the axes
+  const offsets = Int32Array.from({ length: 8 }, (_, corner) => (corner & 1) + ((corner >> 1) & 1) * nx + (corner >> 2) * layer);
+  const strides = [1, nx, layer];
+  // Corners of the surface in the cells of this layer and the one below it: cells two layers apart share a place
+  const both = 2 * layer;
+  const known = new Int32Array(both);
   const corners = new Growing(Float32Array);
   const triangles = new Growing(Uint32Array);
   const value = new Float32Array(8);
+  const middle = new Float64Array(3);
   let count = 0;
   for (let z = 0; z + 1 < nz; z++) {
     for (let y = 0; y + 1 < ny; y++) {
       for (let x = 0; x + 1 < nx; x++) {
-        const base = x + nx * (y + ny * z);
+        const base = x + nx * y + layer * z;
         let mask = 0;
         for (let corner = 0; corner < 8; corner++) {
-          const v = field[base + (corner & 1) + ((corner >> 1) & 1) * nx + (corner >> 2) * nx * ny];
-          value[corner] = v;
-          if (v >= 0) mask |= 1 << corner;
+          value[corner] = field[base + offsets[corner]];
+          if (value[corner] >= 0) mask |= 1 << corner;
         }
         if (mask === 0 || mask === 255) continue;
-        const [px, py, pz] = middleOfCrossings(value, mask);
+        middleOfCrossings(value, mask, middle);
         // The padding lies one voxel before the volume, and a voxel's value in its middle
-        corners.push(low[0] + (x + px - 0.5) * pitch[0], low[1] + (y + py - 0.5) * pitch[1], low[2] + (z + pz - 0.5) * pitch[2]);
-        const slot = (cx: number, cy: number, cz: number) => (cz & 1) * nx * ny + cy * nx + cx;
-        known[slot(x, y, z)] = count;
-        const at = [x, y, z];
+        corners.push3(low[0] + (x + middle[0] - 0.5) * pitch[0], low[1] + (y + middle[1] - 0.5) * pitch[1], low[2] + (z + middle[2] - 0.5) * pitch[2]);
+        known[base % both] = count;
+        const isIn = (mask & 1) !== 0;
         for (let axis = 0; axis < 3; axis++) {
-          const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
-          if (at[u] === 0 || at[v] === 0) continue;
-          const isIn = (mask & 1) !== 0;
           if (isIn === field[base + strides[axis]] >= 0) continue;
-          const cell = (du: number, dv: number) => {
-            const c = [x, y, z];
-            c[u] -= du;
-            c[v] -= dv;
-            return known[slot(c[0], c[1], c[2])];
-          };
-          const [a, b, c, d] = [count, cell(1, 0), cell(1, 1), cell(0, 1)];
-          if (isIn) triangles.push(a, b, c, a, c, d);
-          else triangles.push(a, c, b, a, d, c);
+          // The cells around the edge, a step back along the two other axes; the padding holds no edge at the low ends
+          if ((axis !== 0 && x === 0) || (axis !== 1 && y === 0) || (axis !== 2 && z === 0)) continue;
+          const u = strides[(axis + 1) % 3];
+          const v = strides[(axis + 2) % 3];
+          const b = known[(base - u) % both];
+          const c = known[(base - u - v) % both];
+          const d = known[(base - v) % both];
+          if (isIn) {
+            triangles.push3(count, b, c);
+            triangles.push3(count, c, d);
+          } else {
+            triangles.push3(count, c, b);
+            triangles.push3(count, d, c);
+          }
         }
         count++;
       }
@@ -90,10 +95,15 @@ function padded({ codes, values, shape }: Samples, level: number): Float32Array 
 /** Corners of the cell at the ends of its edges. */
 const EDGES = [0, 1, 2, 3, 4, 5, 6, 7, 0, 2, 1, 3, 4, 6, 5, 7, 0, 4, 1, 5, 2, 6, 3, 7];
 
-function middleOfCrossings(value: Float32Array, mask: number): [number, number, number] {
-  let [x, y, z, n] = [0, 0, 0, 0];
+/** The middle of the points at which the level passes the edges of a cell. */
+function middleOfCrossings(value: Float32Array, mask: number, middle: Float64Array): void {
+  let x = 0;
+  let y = 0;
+  let z = 0;
+  let n = 0;
   for (let i = 0; i < 24; i += 2) {
-    const [a, b] = [EDGES[i], EDGES[i + 1]];
+    const a = EDGES[i];
+    const b = EDGES[i + 1];
     if (((mask >> a) & 1) === ((mask >> b) & 1)) continue;
     const share = value[a] / (value[a] - value[b]);
     x += (a & 1) + share * ((b & 1) - (a & 1));
@@ -101,7 +111,9 @@ function middleOfCrossings(value: Float32Array, mask: number): [number, number, 
     z += (a >> 2) + share * ((b >> 2) - (a >> 2));
     n++;
   }
-  return [x / n, y / n, z / n];
+  middle[0] = x / n;
+  middle[1] = y / n;
+  middle[2] = z / n;
 }
 
 /** Rings of cells in which the nearest corner is looked for. */
@@ -153,37 +165,39 @@ export class Distance {
   }
 
   private off(x: number, y: number, z: number): number {
-    const [cx, cy, cz] = [this.place(x, 0), this.place(y, 1), this.place(z, 2)];
     const { corners } = this.mesh;
-    let [best, nearest] = [Number.POSITIVE_INFINITY, -1];
+    const [nx, ny, nz] = this.cells;
+    const cx = this.place(x, 0);
+    const cy = this.place(y, 1);
+    const cz = this.place(z, 2);
+    let best = Number.POSITIVE_INFINITY;
+    let nearest = -1;
     for (let ring = 0; ring <= RINGS; ring++) {
       // Nothing in a farther ring is nearer than this
       if (nearest >= 0 && best <= ((ring - 1) * this.size) ** 2) break;
-      this.eachOfRing(cx, cy, cz, ring, (i) => {
-        const d = (corners[3 * i] - x) ** 2 + (corners[3 * i + 1] - y) ** 2 + (corners[3 * i + 2] - z) ** 2;
-        if (d < best) [best, nearest] = [d, i];
-      });
-    }
-    if (nearest < 0) return RINGS * this.size;
-    const n = 3 * nearest;
-    const along = (x - corners[n]) * this.normals[n] + (y - corners[n + 1]) * this.normals[n + 1] + (z - corners[n + 2]) * this.normals[n + 2];
-    // Near the surface it is flat; farther off its nearest corner is as good as its nearest point
-    const distance = Math.sqrt(best);
-    return distance <= this.size ? along : Math.sign(along) * distance;
-  }
-
-  private eachOfRing(cx: number, cy: number, cz: number, ring: number, call: (corner: number) => void): void {
-    const [nx, ny, nz] = this.cells;
-    for (let z = Math.max(cz - ring, 0); z <= Math.min(cz + ring, nz - 1); z++) {
-      for (let y = Math.max(cy - ring, 0); y <= Math.min(cy + ring, ny - 1); y++) {
-        const isFace = Math.abs(z - cz) === ring || Math.abs(y - cy) === ring;
-        for (let x = cx - ring; x <= cx + ring; x += isFace || ring === 0 ? 1 : 2 * ring) {
-          if (x < 0 || x >= nx) continue;
-          const cell = x + nx * (y + ny * z);
-          for (let k = this.starts[cell]; k < this.starts[cell + 1]; k++) call(this.order[k]);
+      for (let gz = Math.max(cz - ring, 0); gz <= Math.min(cz + ring, nz - 1); gz++) {
+        for (let gy = Math.max(cy - ring, 0); gy <= Math.min(cy + ring, ny - 1); gy++) {
+          const isFace = Math.abs(gz - cz) === ring || Math.abs(gy - cy) === ring;
+          for (let gx = cx - ring; gx <= cx + ring; gx += isFace || ring === 0 ? 1 : 2 * ring) {
+            if (gx < 0 || gx >= nx) continue;
+            const cell = gx + nx * (gy + ny * gz);
+            for (let k = this.starts[cell]; k < this.starts[cell + 1]; k++) {
+              const i = 3 * this.order[k];
+              const d = (corners[i] - x) ** 2 + (corners[i + 1] - y) ** 2 + (corners[i + 2] - z) ** 2;
+              if (d < best) {
+                best = d;
+                nearest = i;
+              }
+            }
+          }
         }
       }
     }
+    if (nearest < 0) return RINGS * this.size;
+    const along = (x - corners[nearest]) * this.normals[nearest] + (y - corners[nearest + 1]) * this.normals[nearest + 1] + (z - corners[nearest + 2]) * this.normals[nearest + 2];
+    // Near the surface it is flat; farther off its nearest corner is as good as its nearest point
+    const distance = Math.sqrt(best);
+    return distance <= this.size ? along : Math.sign(along) * distance;
   }
 }
 
@@ -216,13 +230,15 @@ class Growing {
     this.array = new kind(1 << 15);
   }
 
-  push(...values: number[]): void {
-    if (this.used + values.length > this.array.length) {
+  push3(a: number, b: number, c: number): void {
+    if (this.used + 3 > this.array.length) {
       const larger = new this.kind(2 * this.array.length);
       larger.set(this.array);
       this.array = larger;
     }
-    for (const value of values) this.array[this.used++] = value;
+    this.array[this.used++] = a;
+    this.array[this.used++] = b;
+    this.array[this.used++] = c;
   }
 
   taken(): Float32Array | Uint32Array {
