@@ -5,15 +5,15 @@
 
 import { h } from "./dom.ts";
 import { bandOf, gelOf, reportOf } from "./gel.ts";
-import type { Legend, Volumes } from "./layers.ts";
+import type { Legend, Picture, Volumes } from "./layers.ts";
 import { choice, later, legendOf, speciesOf, volumesOf } from "./look.ts";
-import { deviation, palette, type Scale, token, viridis, word } from "./paint.ts";
+import { deviation, place, type Scale, token, viridis } from "./paint.ts";
 import { significant } from "./report/number.ts";
 import type { Context, Section } from "./section.ts";
 import { Stage } from "./stage.ts";
 import type { Mesh } from "./surface.ts";
 import { samplesOf, SurfaceClient } from "./surface_client.ts";
-import { type Axis, AXES, BODY, type Point, type Volume } from "./volume.ts";
+import { type Axis, AXES, BODY, type Point, type Slice, type Volume } from "./volume.ts";
 
 export const solid: Section = {
   id: "solid",
@@ -182,16 +182,42 @@ function shown({ run }: Context, stage: Stage, client: SurfaceClient, bodies: Vo
 }
 
 /** What fills the cut: the dose where the print is solid, or the target. */
-function cutPicture({ response, target }: Volumes, axis: Axis, mm: number, level: number | null) {
+function cutPicture({ response, target }: Volumes, axis: Axis, mm: number, level: number | null): Picture | null {
   const volume = level === null ? target : response;
   const slice = volume?.slice(axis, mm);
   if (!volume || !slice) return null;
   const scale: Scale = { low: 0, high: volume.info.high, logarithmic: false, map: viridis };
   const gray = token("--solid");
-  const colors = level === null ? Uint32Array.from(slice.values, (value) => (value >= 0.5 ? gray : 0)) : palette(slice.values, scale).map((color, code) => (slice.values[code] >= level ? color : word(0, 0)));
-  const pixels = new Uint32Array(slice.codes.length);
-  for (let i = 0; i < pixels.length; i++) pixels[i] = colors[slice.codes[i]];
-  return { ...slice, pixels };
+  const colors = Uint32Array.from({ length: 256 }, (_, i) => viridis(i / 255));
+  const color = (value: number) => (level === null ? gray : colors[Math.round(255 * Math.min(Math.max(place(scale, value), 0), 1))]);
+  return finer(slice, level ?? 0.5, color);
+}
+
+/** Pixels along an edge of a cut, about. */
+const CUT_PIXELS = 640;
+
+/** A slice with values between its voxels, so that its edge at a level lies where the surface is; clear below the level. */
+function finer(slice: Slice, level: number, color: (value: number) => number): Picture {
+  const { width, height, codes, values } = slice;
+  const factor = Math.max(1, Math.round(CUT_PIXELS / Math.max(width, height)));
+  const pixels = new Uint32Array(width * factor * height * factor);
+  const at = (x: number, y: number) => {
+    const value = values[codes[Math.min(Math.max(y, 0), height - 1) * width + Math.min(Math.max(x, 0), width - 1)]];
+    return Number.isNaN(value) ? 0 : value;
+  };
+  for (let row = 0, i = 0; row < height * factor; row++) {
+    const v = (row + 0.5) / factor - 0.5;
+    const y = Math.floor(v);
+    for (let column = 0; column < width * factor; column++, i++) {
+      const u = (column + 0.5) / factor - 0.5;
+      const x = Math.floor(u);
+      const top = at(x, y) + (u - x) * (at(x + 1, y) - at(x, y));
+      const bottom = at(x, y + 1) + (u - x) * (at(x + 1, y + 1) - at(x, y + 1));
+      const value = top + (v - y) * (bottom - top);
+      if (value >= level) pixels[i] = color(value);
+    }
+  }
+  return { ...slice, pixels, width: width * factor, height: height * factor, pitch: [slice.pitch[0] / factor, slice.pitch[1] / factor] };
 }
 
 /** Deviation up to which colors differ, µm: a round number, not smaller than most of them. */

@@ -47,6 +47,7 @@ export class Stage {
     this.renderer.localClippingEnabled = true;
     this.canvas = this.renderer.domElement;
     this.canvas.tabIndex = 0;
+    this.canvas.setAttribute("role", "img");
     this.camera.up.set(0, 0, 1);
     const light = new DirectionalLight(0xffffff, 2.2);
     light.position.set(-0.6, 0.9, 0.8);
