@@ -7,10 +7,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 use tokio::sync::broadcast;
 use tomolith::Result;
 use tomolith::grid::Volume;
-use tomolith::io::npy::read_volume;
 use tomolith::models::Run;
 use tomolith::report::compare::{ComparedRun, comparison, read_runs};
-use tomolith::report::page::{Page, PageKind, blob, page_data, volume};
+use tomolith::report::page::{Page, PageKind, Slices, blob, page_data, volume};
 
 /// Events that a page may be behind.
 const BACKLOG: usize = 256;
@@ -23,7 +22,7 @@ struct Shown {
     arrays: BTreeMap<String, Arc<Vec<u8>>>,
     /// Its dose on the job's voxels, where a file has it, and once somebody has asked for it.
     dose: Option<PathBuf>,
-    read: Option<Arc<Volume<f32>>>,
+    read: Option<Arc<Slices>>,
 }
 
 /// See the [module page](self).
@@ -111,31 +110,25 @@ impl Site {
         self.with_runs(|runs| runs.get(run)?.arrays.get(id).cloned())
     }
 
-    /// A slice of the dose on the job's voxels across an array axis: a line of JSON, and 16 bits a voxel.
+    /// A slice of the dose on the job's voxels across an array axis; None where there is none.
+    ///
+    /// # Errors
+    /// Those of reading the dose, which is done for the first slice.
     pub(super) fn slice(&self, run: usize, axis: usize, index: usize) -> Result<Option<Vec<u8>>> {
-        let (path, read) = self.with_runs(|runs| {
-            let run = runs.get(run);
-            (
-                run.and_then(|run| run.dose.clone()),
-                run.and_then(|run| run.read.clone()),
-            )
+        let known = self.with_runs(|runs| {
+            runs.get(run)
+                .map(|run| (run.dose.clone(), run.read.clone()))
         });
-        let dose = match (read, path) {
-            (Some(dose), _) => dose,
-            (None, None) => return Ok(None),
-            (None, Some(path)) => {
-                let (shape, values) = read_volume(&path)?;
-                let grid = tomolith::grid::VolumeGrid::centered(shape, 1.0);
-                let dose = Arc::new(Volume { grid, values });
+        let dose = match known {
+            Some((_, Some(dose))) => dose,
+            Some((Some(path), None)) => {
+                let dose = Arc::new(Slices::read(&path)?);
                 self.with_runs(|runs| runs[run].read = Some(Arc::clone(&dose)));
                 dose
             }
+            _ => return Ok(None),
         };
-        let shape = dose.grid.shape;
-        if axis > 2 || index >= shape[axis] {
-            return Ok(None);
-        }
-        Ok(Some(cut(&dose, axis, index)))
+        Ok(dose.cut(axis, index))
     }
 
     /// Tells all pages.
@@ -224,8 +217,7 @@ impl Shown {
         };
         let mut data = page.data["runs"][0].clone();
         data["name"] = run.name.into();
-        let dose = folder.join("dose.npy");
-        let dose = dose.is_file().then_some(dose);
+        let dose = run.dose;
         if let Some(all) = data["volumes"].as_array_mut().filter(|_| dose.is_some()) {
             let dose = all.iter_mut().find(|info| info["kind"] == "response");
             dose.into_iter().for_each(|info| info["full"] = true.into());
@@ -240,72 +232,5 @@ impl Shown {
             dose,
             read: None,
         })
-    }
-}
-
-/// A slice of a volume in 16 bits between its least and largest value.
-fn cut(volume: &Volume<f32>, axis: usize, index: usize) -> Vec<u8> {
-    let [nz, ny, nx] = volume.grid.shape;
-    let finite = || volume.values.iter().copied().filter(|v| v.is_finite());
-    let (low, high) = (
-        finite().fold(f32::INFINITY, f32::min),
-        finite().fold(f32::NEG_INFINITY, f32::max),
-    );
-    let (shape, places): ([usize; 2], Vec<usize>) = match axis {
-        0 => ([ny, nx], (index * ny * nx..(index + 1) * ny * nx).collect()),
-        1 => (
-            [nz, nx],
-            (0..nz)
-                .flat_map(|z| (0..nx).map(move |x| (z * ny + index) * nx + x))
-                .collect(),
-        ),
-        _ => (
-            [nz, ny],
-            (0..nz)
-                .flat_map(|z| (0..ny).map(move |y| (z * ny + y) * nx + index))
-                .collect(),
-        ),
-    };
-    let per_code = if high > low {
-        f32::from(u16::MAX) / (high - low)
-    } else {
-        0.0
-    };
-    let header = json!({ "shape": shape, "low": low, "high": high, "bits": 16 });
-    let mut bytes = format!("{header}\n").into_bytes();
-    let code = |i: usize| ((volume.values[i] - low) * per_code).round() as u16;
-    bytes.extend(places.into_iter().flat_map(|i| code(i).to_le_bytes()));
-    bytes
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use tomolith::grid::VolumeGrid;
-
-    #[test]
-    fn slices_across_each_axis_hold_their_voxels() {
-        let grid = VolumeGrid::centered([2, 3, 4], 0.1);
-        let volume = Volume::new(grid, (0..24).map(|i| i as f32).collect());
-        for (axis, index, expected) in [
-            (0, 1, (12..24).collect::<Vec<u32>>()),
-            (1, 2, vec![8, 9, 10, 11, 20, 21, 22, 23]),
-            (2, 3, vec![3, 7, 11, 15, 19, 23]),
-        ] {
-            let bytes = cut(&volume, axis, index);
-            let end = bytes.iter().position(|b| *b == b'\n').unwrap() + 1;
-            let header: Value = serde_json::from_slice(&bytes[..end]).unwrap();
-            assert_eq!(
-                (&header["low"], &header["high"]),
-                (&json!(0.0), &json!(23.0))
-            );
-            let codes = bytes[end..]
-                .chunks(2)
-                .map(|b| u16::from_le_bytes([b[0], b[1]]));
-            let values: Vec<u32> = codes
-                .map(|code| (f32::from(code) * 23.0 / 65535.0).round() as u32)
-                .collect();
-            assert_eq!(values, expected);
-        }
     }
 }

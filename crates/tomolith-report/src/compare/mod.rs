@@ -78,17 +78,19 @@ pub fn comparison(runs: &[ComparedRun]) -> Value {
 }
 
 /// The page.
-#[must_use]
-pub fn compare_page(runs: &[ComparedRun]) -> Page {
+///
+/// # Errors
+/// Those of reading a dose.
+pub fn compare_page(runs: &[ComparedRun]) -> Result<Page> {
     let title = format!("{} runs", runs.len());
-    let (all, blobs) = compared(runs);
+    let (all, blobs) = compared(runs)?;
     let mut data = page_data(PageKind::Compare, &title, "Tomolith", all);
     data["compare"] = comparison(runs);
-    Page {
+    Ok(Page {
         data,
         blobs,
         plain: tables::plain(runs),
-    }
+    })
 }
 
 /// Writes the page.
@@ -96,7 +98,7 @@ pub fn compare_page(runs: &[ComparedRun]) -> Page {
 /// # Errors
 /// [`Error::Io`].
 pub fn write_compare(path: &Path, runs: &[ComparedRun]) -> Result<()> {
-    let page = compare_page(runs).html();
+    let page = compare_page(runs)?.html();
     write_whole(path, |file| Ok(file.write_all(page.as_bytes())?))
 }
 

@@ -3,7 +3,7 @@
 use crate::page::Page;
 use serde_json::Value;
 use std::collections::BTreeMap;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Volume, VolumeGrid};
 use tomolith_io::npy::read_volume;
@@ -24,7 +24,7 @@ pub struct ComparedRun {
     /// The same, flat: key path → value.
     pub job: BTreeMap<String, String>,
     /// `dose.npy`, on the job's voxels; None where the folder has none.
-    pub dose: Option<Volume<f32>>,
+    pub dose: Option<PathBuf>,
     /// `report.html`; None where there is none, or one of an earlier version.
     pub page: Option<Page>,
     /// `history.csv`: column → numbers, not a number where there is none; empty for a simulation.
@@ -58,7 +58,7 @@ impl ComparedRun {
             || folder.display().to_string(),
             |name| name.to_string_lossy().into_owned(),
         );
-        let dose = dose_of(&folder.join("dose.npy"), &report)?;
+        let dose = Some(folder.join("dose.npy")).filter(|path| path.is_file());
         Ok(ComparedRun {
             name,
             report,
@@ -78,6 +78,32 @@ impl ComparedRun {
         } else {
             "optimization"
         }
+    }
+
+    /// The dose, where there is one. Its voxels lie in the box of those that the run was evaluated on.
+    ///
+    /// # Errors
+    /// As [`read_volume`].
+    pub(crate) fn read_dose(&self) -> Result<Option<Volume<f32>>> {
+        let Some(path) = &self.dose else {
+            return Ok(None);
+        };
+        let (shape, values) = read_volume(path)?;
+        let (Some(fine), Some(pitch)) = (
+            self.number("/evaluation/grid/shape_zyx/2"),
+            self.number("/evaluation/grid/pitch_mm"),
+        ) else {
+            return Ok(None);
+        };
+        let center = |axis: usize| self.number(&format!("/evaluation/grid/center_xyz_mm/{axis}"));
+        let pitch_mm = pitch * fine / shape[2].max(1) as f64;
+        let grid = VolumeGrid {
+            shape,
+            pitch_mm,
+            height_mm: pitch_mm,
+            center_mm: std::array::from_fn(|axis| center(axis).unwrap_or(0.0)),
+        };
+        Ok((!grid.is_empty()).then_some(Volume { grid, values }))
     }
 
     pub(super) fn number(&self, pointer: &str) -> Option<f64> {
@@ -149,27 +175,4 @@ pub(super) fn columns(text: &str) -> BTreeMap<String, Vec<f64>> {
         }
     }
     table
-}
-
-/// The dose of a run on its job's voxels, which lie in the box of those that it was judged on.
-fn dose_of(path: &Path, report: &Value) -> Result<Option<Volume<f32>>> {
-    if !path.exists() {
-        return Ok(None);
-    }
-    let (shape, values) = read_volume(path)?;
-    let number = |pointer: &str| report.pointer(pointer).and_then(Value::as_f64);
-    let (Some(fine), Some(pitch)) = (
-        number("/evaluation/grid/shape_zyx/2"),
-        number("/evaluation/grid/pitch_mm"),
-    ) else {
-        return Ok(None);
-    };
-    let center = |axis: usize| number(&format!("/evaluation/grid/center_xyz_mm/{axis}"));
-    let grid = VolumeGrid {
-        shape,
-        pitch_mm: pitch * fine / shape[2].max(1) as f64,
-        height_mm: pitch * fine / shape[2].max(1) as f64,
-        center_mm: std::array::from_fn(|axis| center(axis).unwrap_or(0.0)),
-    };
-    Ok((!grid.is_empty()).then_some(Volume { grid, values }))
 }

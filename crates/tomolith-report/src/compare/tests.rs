@@ -2,6 +2,7 @@ use super::run::{columns, flatten};
 use super::*;
 use std::collections::BTreeMap;
 use tomolith_core::grid::{Volume, VolumeGrid};
+use tomolith_core::run::Run;
 
 fn run(name: &str, iou: f64, memory: &str) -> ComparedRun {
     let mut flat = BTreeMap::new();
@@ -36,13 +37,23 @@ fn run(name: &str, iou: f64, memory: &str) -> ComparedRun {
 #[test]
 fn doses_of_all_runs_are_on_the_page() {
     let mut runs = [run("rays", 0.99, "10"), run("waves", 0.9, "10")];
-    runs[1].dose = Some(Volume::filled(VolumeGrid::centered([3, 4, 5], 0.1), 1.0));
-    let page = compare_page(&runs);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("dose.npy");
+    let dose = Volume::filled(VolumeGrid::centered([3, 4, 5], 0.1), 1.0);
+    tomolith_io::npy::write_volume(&path, &dose, &Run::new()).unwrap();
+    runs[1].dose = Some(path);
+    let grid = json!({ "shape_zyx": [6, 8, 10], "pitch_mm": 0.05, "center_xyz_mm": [0, 0, 1] });
+    runs[1].report["evaluation"]["grid"] = grid;
+    let page = compare_page(&runs).unwrap();
     assert_eq!(page.data["runs"][0]["volumes"], json!([]));
     let dose = &page.data["runs"][1]["volumes"][0];
     assert_eq!(
         (&dose["id"], &dose["shape_zyx"]),
         (&json!("response"), &json!([3, 4, 5]))
+    );
+    assert_eq!(
+        (&dose["pitch_mm"], &dose["center_xyz_mm"]),
+        (&json!(0.1), &json!([0.0, 0.0, 1.0]))
     );
     assert_eq!(page.blobs[0].0, "blob-1-response");
     // A number that is missing in a table is null
@@ -56,7 +67,7 @@ fn doses_of_all_runs_are_on_the_page() {
 #[test]
 fn nothing_is_best_of_a_run_that_prints_nothing_or_beside_another_model() {
     let mut runs = [run("rays", 0.99, "10"), run("dark", 0.99, "10")];
-    let compare = |runs: &[ComparedRun]| compare_page(runs).data["compare"].clone();
+    let compare = |runs: &[ComparedRun]| compare_page(runs).unwrap().data["compare"].clone();
     assert_eq!(compare(&runs)["prints"], json!([true, true]));
     runs[1].report["evaluation"]["part"] = json!({ "max": 0.0 });
     let said = compare(&runs);
@@ -145,7 +156,7 @@ fn runs_without_history_or_curves_still_make_a_page() {
     let mut bare = run("bare", 0.5, "1");
     bare.history.clear();
     bare.report["evaluation"] = json!({ "iou": 0.5 });
-    let page = compare_page(&[bare]);
+    let page = compare_page(&[bare]).unwrap();
     assert_eq!(page.data["runs"][0]["history"], json!({}));
     assert!(
         page.data["compare"]["warnings"]

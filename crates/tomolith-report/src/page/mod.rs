@@ -7,6 +7,7 @@
 pub mod blob;
 mod picture;
 mod scene;
+mod slices;
 mod texts;
 mod volumes;
 
@@ -17,6 +18,7 @@ use blob::{Film, packed};
 pub use scene::{FramePaths, LightPath, LightPaths, Outline, Scene};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
+pub use slices::Slices;
 use std::fmt::Write as _;
 use std::path::Path;
 use texts::Texts;
@@ -107,13 +109,16 @@ struct RunData<'a> {
     surface: Option<SurfaceInfo>,
 }
 
+/// Arrays by name, as text of the page.
+pub type Arrays = Vec<(String, String)>;
+
 /// A page before it is text: its data, and its arrays by name.
 #[derive(Clone, Debug)]
 pub struct Page {
     /// What [`PageData`](self) holds.
     pub data: Value,
     /// Arrays, as [`blob`] packs them, by the name of their element.
-    pub blobs: Vec<(String, String)>,
+    pub blobs: Arrays,
     /// What readers without a script see, HTML.
     pub plain: String,
 }
@@ -432,7 +437,10 @@ impl Page {
 pub(crate) const MARK: &str = " · Tomolith</title>";
 
 /// What a comparison holds of each run, and its arrays.
-pub(crate) fn compared(runs: &[ComparedRun]) -> (Vec<Value>, Vec<(String, String)>) {
+///
+/// # Errors
+/// Those of reading a dose.
+pub(crate) fn compared(runs: &[ComparedRun]) -> Result<(Vec<Value>, Arrays)> {
     let mut blobs = Vec::new();
     let most = MOST_BYTES / runs.len().max(1);
     let of = |(i, run): (usize, &ComparedRun)| {
@@ -445,8 +453,8 @@ pub(crate) fn compared(runs: &[ComparedRun]) -> (Vec<Value>, Vec<(String, String
             })
             .collect();
         let mut infos = Vec::new();
-        if let Some(dose) = &run.dose {
-            let (info, text) = volumes::dose(dose, most);
+        if let Some(dose) = run.read_dose()? {
+            let (info, text) = volumes::dose(&dose, most);
             blobs.push((format!("blob-{i}-response"), text));
             infos.push(json!(info));
         }
@@ -456,7 +464,7 @@ pub(crate) fn compared(runs: &[ComparedRun]) -> (Vec<Value>, Vec<(String, String
             blobs.push((format!("blob-{i}-target"), text));
             infos.push(info);
         }
-        json!({
+        Ok(json!({
             "name": run.name,
             "state": "done",
             "report": run.report,
@@ -467,10 +475,10 @@ pub(crate) fn compared(runs: &[ComparedRun]) -> (Vec<Value>, Vec<(String, String
             "films": [],
             "scene": null,
             "surface": null,
-        })
+        }))
     };
-    let all = runs.iter().enumerate().map(of).collect();
-    (all, blobs)
+    let all = runs.iter().enumerate().map(of).collect::<Result<_>>()?;
+    Ok((all, blobs))
 }
 
 impl Page {

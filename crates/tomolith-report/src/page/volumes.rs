@@ -1,5 +1,6 @@
 //! The volumes of a page: target, labels, bodies and response of each species, when voxels become solid, properties of the print.
 
+use super::Arrays;
 use super::blob::{Codes, NOTHING, deflate, majorities, means, packed, reduced_grid};
 use crate::number::significant;
 use crate::{ReportData, SpeciesReport};
@@ -186,14 +187,11 @@ fn sources<'a>(data: &'a ReportData<'a>) -> Vec<Source<'a>> {
 }
 
 /// The volumes of a report as text of at most so many bytes: reduced to [`EDGE`] voxels along an edge, and further where that is too much.
-pub(super) fn volumes(
-    data: &ReportData<'_>,
-    most_bytes: usize,
-) -> (Vec<VolumeInfo>, Vec<(String, String)>) {
+pub(super) fn volumes(data: &ReportData<'_>, most_bytes: usize) -> (Vec<VolumeInfo>, Arrays) {
     fitting(&sources(data), most_bytes)
 }
 
-fn fitting(sources: &[Source<'_>], most_bytes: usize) -> (Vec<VolumeInfo>, Vec<(String, String)>) {
+fn fitting(sources: &[Source<'_>], most_bytes: usize) -> (Vec<VolumeInfo>, Arrays) {
     let mut edge = EDGE;
     loop {
         let of = |(i, source): (usize, &Source<'_>)| {
@@ -235,10 +233,7 @@ pub fn volume(id: &str, name: &str, kind: &'static str, values: &Volume<f32>) ->
 }
 
 /// The target of a job before it runs.
-pub(super) fn target(
-    inside: &Volume<f32>,
-    labels: &Volume<u8>,
-) -> (Vec<VolumeInfo>, Vec<(String, String)>) {
+pub(super) fn target(inside: &Volume<f32>, labels: &Volume<u8>) -> (Vec<VolumeInfo>, Arrays) {
     let sources = [
         Source::numbers("target", None, "target", inside),
         Source::codes("labels", None, "labels", labels),
