@@ -344,7 +344,7 @@ fn collect(plan: &SweepPlan) -> Result<SweepOutcome> {
     let folder = plan.folder();
     let mut outcome = counted_up(plan, &table);
     pictures::remove_outdated(plan, &folder);
-    outcome.files.push(table.write(&folder)?);
+    outcome.files.extend(table.write(&folder)?);
     outcome
         .files
         .extend(pictures::write(plan, &table, &folder)?);

@@ -47,3 +47,4 @@ pub use file::Sweep;
 pub use plan::{Planned, SweepPlan, duration};
 pub use reproduce::{Host, Published, Reproduction, StudyCost, StudyRow, Verdict, reproduce};
 pub use study::Study;
+pub use table::TABLE_SCHEMA;

@@ -1,4 +1,4 @@
-//! What the runs of a sweep came to, collected from their folders: one row a run, as CSV.
+//! What the runs of a sweep came to, collected from their folders: one row a run, as CSV and as JSON.
 //!
 //! Columns: `run` (counted from 1), the axes, `state` (`done`, `failed`, `missing`), the metrics, `feasible`, `error`, `folder`. Numbers are as
 //! short as they can be read back exactly; what is not defined is empty.
@@ -6,13 +6,16 @@
 use crate::axes::named;
 use crate::metric;
 use crate::plan::{RUNS, SweepPlan};
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use tomolith::io::{read_text, write_whole};
 use tomolith::job::RunFolder;
 use tomolith::report::SCHEMA;
 use tomolith::{Error, Result};
+
+/// What `table.json` says that it is.
+pub const TABLE_SCHEMA: &str = "tomolith.sweep-table/1";
 
 /// What became of a run.
 #[derive(Clone, Debug, PartialEq)]
@@ -148,12 +151,43 @@ impl<'p> Table<'p> {
         row
     }
 
-    /// Writes `table.csv`.
-    pub(crate) fn write(&self, folder: &Path) -> Result<PathBuf> {
-        let path = folder.join("table.csv");
-        let text = self.csv();
-        write_whole(&path, |file| Ok(file.write_all(text.as_bytes())?))?;
-        Ok(path)
+    /// The same rows with their numbers, for the page.
+    fn json(&self) -> Value {
+        let sweep = &self.plan.sweep;
+        let row = |i: usize| {
+            let run = &self.plan.runs[i];
+            let (state, why) = match &self.states[i] {
+                State::Done(_) => ("done", None),
+                State::Failed(message) => ("failed", Some(message.as_str())),
+                State::Missing => ("missing", None),
+            };
+            let metrics = sweep.metrics.iter().map(|path| json!(self.metric(i, path)));
+            let values: Vec<Value> = run.point.values.iter().cloned().chain(metrics).collect();
+            let feasible = (state == "done").then(|| self.is_feasible(i));
+            json!({ "id": run.id, "values": values, "state": state, "feasible": feasible, "why": why })
+        };
+        let axes: Vec<&str> = sweep.axes.iter().map(|axis| axis.name.as_str()).collect();
+        json!({
+            "schema": TABLE_SCHEMA,
+            "axes": axes,
+            "metrics": sweep.metrics,
+            "rows": (0..self.plan.runs.len()).map(row).collect::<Vec<_>>(),
+            "best": self.best,
+        })
+    }
+
+    /// Writes `table.csv` and `table.json`.
+    pub(crate) fn write(&self, folder: &Path) -> Result<[PathBuf; 2]> {
+        let json = format!("{:#}\n", self.json());
+        let write = |(name, text): (&str, String)| {
+            let path = folder.join(name);
+            write_whole(&path, |file| Ok(file.write_all(text.as_bytes())?))?;
+            Ok(path)
+        };
+        Ok([
+            write(("table.csv", self.csv()))?,
+            write(("table.json", json))?,
+        ])
     }
 }
 

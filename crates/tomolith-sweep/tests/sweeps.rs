@@ -223,7 +223,8 @@ fn side_by_side_gives_the_bits_of_one_after_the_other_and_of_a_single_run() {
             "optimization.pw.svg",
             "runs",
             "sweep.json",
-            "table.csv"
+            "table.csv",
+            "table.json"
         ]
     );
 }

@@ -23,6 +23,7 @@ const EXAMPLES: &str = "\
 Examples:
   tomolith view out/01-gear
   tomolith view out/gear-lbfgs out/gear-osmo       several runs side by side
+  tomolith view out/threshold-map                  a sweep: maps, and a click opens a run
   tomolith view out/01-gear --port 8080            over SSH: ssh -L 8080:127.0.0.1:8080 HOST, then open the address here
 
 Ctrl-C ends it.";
@@ -30,7 +31,7 @@ Ctrl-C ends it.";
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct ViewArguments {
-    /// Folders of `run` and `simulate`
+    /// Folders of `run` and `simulate`, or the one of a `sweep`
     #[arg(required = true)]
     runs: Vec<PathBuf>,
     #[command(flatten)]

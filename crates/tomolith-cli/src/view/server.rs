@@ -104,6 +104,7 @@ fn router(known: Known) -> Router {
     Router::new()
         .route("/{token}/", get(page))
         .route("/{token}/runs.json", get(data))
+        .route("/{token}/open/{row}", get(open))
         .route("/{token}/events", get(events))
         .route("/{token}/cancel/{run}", post(cancel))
         .route("/{token}/run/{run}/slice/{id}", get(slice))
@@ -173,6 +174,19 @@ async fn page(State(known): State<Known>) -> Response {
 async fn data(State(known): State<Known>) -> Response {
     let text = known.site.data(&known.served()).to_string();
     ([(header::CONTENT_TYPE, "application/json")], text).into_response()
+}
+
+async fn open(State(known): State<Known>, Path((_, row)): Path<(String, usize)>) -> Response {
+    let site = Arc::clone(&known.site);
+    match tokio::task::spawn_blocking(move || site.open(row)).await {
+        Ok(Ok(Some(run))) => {
+            let text = serde_json::json!({ "run": run }).to_string();
+            ([(header::CONTENT_TYPE, "application/json")], text).into_response()
+        }
+        Ok(Ok(None)) => StatusCode::NOT_FOUND.into_response(),
+        Ok(Err(error)) => (StatusCode::GONE, error.to_string()).into_response(),
+        Err(_) => StatusCode::INTERNAL_SERVER_ERROR.into_response(),
+    }
 }
 
 async fn array(

@@ -5,14 +5,19 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 use tokio::sync::broadcast;
-use tomolith::Result;
 use tomolith::grid::Volume;
+use tomolith::io::read_text;
 use tomolith::models::Run;
 use tomolith::report::compare::{ComparedRun, comparison, read_runs};
 use tomolith::report::page::{Page, PageKind, Slices, blob, page_data, volume};
+use tomolith::{Error, Result};
+use tomolith_sweep::TABLE_SCHEMA;
 
 /// Events that a page may be behind.
 const BACKLOG: usize = 256;
+
+/// The rows of a sweep, in its folder.
+const TABLE: &str = "table.json";
 
 /// A run that is shown.
 struct Shown {
@@ -25,11 +30,22 @@ struct Shown {
     read: Option<Arc<Slices>>,
 }
 
+/// A sweep that is shown.
+struct SweepFolder {
+    folder: PathBuf,
+    /// Its rows, as `table.json` has them.
+    table: Value,
+    /// Where in the list of runs a row stands that was opened.
+    opened: Mutex<BTreeMap<usize, usize>>,
+}
+
 /// See the [module page](self).
 pub(super) struct Site {
     title: String,
     kind: PageKind,
     compare: Value,
+    /// A sweep: its folder, and which run of the list a row is once it was opened.
+    sweep: Option<SweepFolder>,
     runs: Mutex<Vec<Shown>>,
     events: broadcast::Sender<String>,
     /// What stops the run that goes on.
@@ -42,6 +58,11 @@ impl Site {
     /// # Errors
     /// As [`read_runs`]; [`tomolith::Error::Io`] for a run whose page is missing or of an earlier version.
     pub(super) fn of_runs(folders: &[PathBuf]) -> Result<Self> {
+        if let [folder] = folders
+            && folder.join(TABLE).is_file()
+        {
+            return Self::of_sweep(folder);
+        }
         let read = read_runs(folders)?;
         let compare = match read.len() {
             1 => Value::Null,
@@ -53,14 +74,80 @@ impl Site {
         };
         let runs = read.into_iter().zip(folders);
         let runs = runs.map(|(run, folder)| Shown::of(run, folder));
+        let runs = runs.collect::<Result<_>>()?;
         Ok(Site {
-            title,
-            kind: PageKind::View,
             compare,
-            runs: Mutex::new(runs.collect::<Result<_>>()?),
+            ..Site::new(&title, runs)
+        })
+    }
+
+    /// A sweep that has ended, or what there is of it.
+    fn of_sweep(folder: &Path) -> Result<Self> {
+        let path = folder.join(TABLE);
+        let bad =
+            |found: String| Error::format(&path, found, "the table of a sweep of this version");
+        let table: Value =
+            serde_json::from_str(&read_text(&path)?).map_err(|e| bad(e.to_string()))?;
+        if table["schema"] != TABLE_SCHEMA || !table["rows"].is_array() {
+            return Err(bad(format!("schema {}", table["schema"])));
+        }
+        let name = folder.file_name().unwrap_or(folder.as_os_str());
+        let mut table = table;
+        table["name"] = name.to_string_lossy().into();
+        table["toml"] = read_text(folder.join("sweep.json"))
+            .unwrap_or_default()
+            .into();
+        let sweep = SweepFolder {
+            folder: folder.to_owned(),
+            table,
+            opened: Mutex::default(),
+        };
+        Ok(Site {
+            sweep: Some(sweep),
+            ..Site::new(&name.to_string_lossy(), Vec::new())
+        })
+    }
+
+    fn new(title: &str, runs: Vec<Shown>) -> Self {
+        Site {
+            title: title.to_owned(),
+            kind: PageKind::View,
+            compare: Value::Null,
+            sweep: None,
+            runs: Mutex::new(runs),
             events: broadcast::channel(BACKLOG).0,
             cancel: None,
-        })
+        }
+    }
+
+    /// Loads the run of a row of a sweep; its place in the list of runs, None where the row has no run.
+    ///
+    /// # Errors
+    /// Those of reading it.
+    pub(super) fn open(&self, row: usize) -> Result<Option<usize>> {
+        let Some(sweep) = &self.sweep else {
+            return Ok(None);
+        };
+        let mut opened = sweep.opened.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(run) = opened.get(&row) {
+            return Ok(Some(*run));
+        }
+        let known = &sweep.table["rows"][row];
+        let id = known["id"]
+            .as_str()
+            .filter(|id| id.chars().all(|c| c.is_ascii_alphanumeric()));
+        let Some(id) = id.filter(|_| known["state"] == "done") else {
+            return Ok(None);
+        };
+        let folder = sweep.folder.join("runs").join(id);
+        let mut shown = Shown::of(ComparedRun::read(&folder)?, &folder)?;
+        shown.data["name"] = format!("run {}", row + 1).into();
+        let run = self.with_runs(|runs| {
+            runs.push(shown);
+            runs.len() - 1
+        });
+        opened.insert(row, run);
+        Ok(Some(run))
     }
 
     /// A run that begins.
@@ -76,12 +163,8 @@ impl Site {
             read: None,
         };
         Site {
-            title: part.to_owned(),
-            kind: PageKind::View,
-            compare: Value::Null,
-            runs: Mutex::new(vec![shown]),
-            events: broadcast::channel(BACKLOG).0,
             cancel: Some(Arc::clone(cancel)),
+            ..Site::new(part, vec![shown])
         }
     }
 
@@ -92,6 +175,7 @@ impl Site {
         let mut data = page_data(self.kind, &self.title, program, runs);
         data["served"] = served.into();
         data["compare"] = self.compare.clone();
+        data["sweep"] = json!(self.sweep.as_ref().map(|sweep| &sweep.table));
         data
     }
 
@@ -210,10 +294,8 @@ impl Site {
 
 impl Shown {
     fn of(run: ComparedRun, folder: &Path) -> Result<Self> {
-        let path = folder.join("report.html");
-        let page = match run.page {
-            Some(page) => page,
-            None => Page::read(&path)?,
+        let Some(page) = run.page else {
+            return Self::of_numbers(run, folder);
         };
         let mut data = page.data["runs"][0].clone();
         data["name"] = run.name.into();
@@ -230,6 +312,28 @@ impl Shown {
             data,
             arrays: arrays.collect(),
             dose,
+            read: None,
+        })
+    }
+
+    /// A run that left its numbers alone.
+    ///
+    /// # Errors
+    /// Those of reading a page that is there and cannot be read.
+    fn of_numbers(run: ComparedRun, folder: &Path) -> Result<Self> {
+        let path = folder.join("report.html");
+        if path.exists() {
+            Page::read(&path)?;
+        }
+        let history = run.history_json();
+        let data = json!({
+            "name": run.name, "state": "done", "report": run.report, "texts": null, "job": run.job_text, "history": history, "volumes": [],
+            "films": [], "scene": null, "surface": null,
+        });
+        Ok(Shown {
+            data,
+            arrays: BTreeMap::new(),
+            dose: None,
             read: None,
         })
     }

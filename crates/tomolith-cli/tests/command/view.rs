@@ -243,6 +243,41 @@ fn what_cannot_be_served_is_refused_before() {
     );
 }
 
+#[test]
+fn a_row_of_a_sweep_opens_its_run() {
+    let bench = Bench::new();
+    let sweep = "job = \"job.toml\"\nfolder = \"map\"\nmetrics = [\"evaluation.iou\"]\n[[axes]]\nkey = \"stop.iterations\"\nvalues = [1, 3]\n";
+    bench.write("sweep.toml", sweep);
+    bench.expect(0, "sweep sweep.toml --quiet");
+    let served = Served::start(&bench, "view map --no-browser");
+    let data: Value = serde_json::from_slice(&served.get("runs.json").1).unwrap();
+    let sweep = &data["sweep"];
+    assert_eq!(
+        (&sweep["name"], &sweep["axes"], &data["runs"]),
+        (
+            &"map".into(),
+            &serde_json::json!(["iterations"]),
+            &serde_json::json!([])
+        )
+    );
+    assert_eq!(sweep["rows"][1]["values"][0], 3);
+    let iou = &sweep["rows"][1]["values"][1];
+    let opened: Value = serde_json::from_slice(&served.get("open/1").1).unwrap();
+    assert_eq!(opened, serde_json::json!({ "run": 0 }));
+    let data: Value = serde_json::from_slice(&served.get("runs.json").1).unwrap();
+    assert_eq!(&data["runs"][0]["report"]["evaluation"]["iou"], iou);
+    // Opened once, whoever asks; a row that is not there has no run
+    assert_eq!(served.get("open/1").1, served.get("open/1").1);
+    assert_eq!(served.get("open/2").0, 404);
+    assert_eq!(served.interrupt(), Some(0));
+    bench.write("map/table.json", "{}");
+    assert!(
+        bench
+            .expect(2, "view map --no-browser")
+            .contains("table.json")
+    );
+}
+
 /// The events of a run until one of a kind.
 fn until(served: &Served, kind: &str) -> Vec<Value> {
     let mut stream = TcpStream::connect(("127.0.0.1", served.port)).unwrap();

@@ -1,7 +1,7 @@
 //! A run as it is read from its folder.
 
 use crate::page::Page;
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result};
@@ -104,6 +104,16 @@ impl ComparedRun {
             center_mm: std::array::from_fn(|axis| center(axis).unwrap_or(0.0)),
         };
         Ok((!grid.is_empty()).then_some(Volume { grid, values }))
+    }
+
+    /// `history.csv` as a page holds it: column → numbers, null where there is none.
+    #[must_use]
+    pub fn history_json(&self) -> Value {
+        let columns = self.history.iter().map(|(name, values)| {
+            let values = values.iter().map(|v| Some(*v).filter(|v| v.is_finite()));
+            (name.clone(), json!(values.collect::<Vec<_>>()))
+        });
+        Value::Object(columns.collect())
     }
 
     pub(super) fn number(&self, pointer: &str) -> Option<f64> {

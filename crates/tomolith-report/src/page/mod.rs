@@ -208,6 +208,7 @@ pub fn page_data(kind: PageKind, title: &str, program: &str, runs: Vec<Value>) -
         "headline": HEADLINE,
         "gray_headline": GRAY_HEADLINE,
         "compare": null,
+        "sweep": null,
         "runs": runs,
     })
 }
@@ -446,12 +447,7 @@ pub(crate) fn compared(runs: &[ComparedRun]) -> Result<(Vec<Value>, Arrays)> {
     let of = |(i, run): (usize, &ComparedRun)| {
         let first = run.page.as_ref().map(|page| &page.data["runs"][0]);
         let texts = first.map_or(Value::Null, |first| first["texts"].clone());
-        let history: Map<String, Value> = (run.history.iter())
-            .map(|(name, values)| {
-                let values = values.iter().map(|v| Some(*v).filter(|v| v.is_finite()));
-                (name.clone(), json!(values.collect::<Vec<_>>()))
-            })
-            .collect();
+        let history = run.history_json();
         let mut infos = Vec::new();
         if let Some(dose) = run.read_dose()? {
             let (info, text) = volumes::dose(&dose, most);
