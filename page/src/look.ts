@@ -116,7 +116,7 @@ function body(context: Context, volumes: Volumes, species: string, signal: Abort
     const place = point.map((mm, axis) => `${AXES[axis]} ${millimeters(mm)}`).join(", ");
     readout.textContent = `${place} mm  ·  ${layers.map((layer) => layer.value(point)).join("  ·  ")}`;
   };
-  planes = new Planes({ state, grid, signal, hover: (point) => readAt(point ?? planes!.at()) });
+  planes = new Planes({ state, grid: slices.gridOf(grid), signal, hover: (point) => readAt(point ?? planes!.at()) });
 
   const overlays = { part: true, print: gel !== null };
   const outlines = (layer: Layer) => (axis: Axis, mm: number): Outline[] => {

@@ -7,7 +7,7 @@
 import { h } from "./dom.ts";
 import type { Layer, Picture } from "./layers.ts";
 import type { State } from "./state.ts";
-import { ACROSS, AXES, type Axis, type Point, type Slice, type Volume } from "./volume.ts";
+import { ACROSS, AXES, type Axis, type Grid, type Point, type Slice } from "./volume.ts";
 
 /** Lines over a slice: where a value is reached. */
 export interface Outline {
@@ -29,7 +29,7 @@ export interface Shown {
 export interface PlanesOptions {
   state: State;
   /** Its voxels are the steps of the sliders. */
-  grid: Volume;
+  grid: Grid;
   signal: AbortSignal;
   /** The point under the pointer, or null when it leaves. */
   hover?: (point: Point | null, layer: Layer) => void;
@@ -49,7 +49,7 @@ export class Planes {
 
   constructor(readonly options: PlanesOptions) {
     const { state, signal, grid } = options;
-    this.center = middleOf(grid);
+    this.center = [...grid.center];
     const end = state.on(["at"], () => this.redraw(false));
     signal.addEventListener("abort", end);
     const redraw = () => this.redraw(true);
@@ -76,7 +76,7 @@ export class Planes {
   }
 
   at(): Point {
-    return this.options.state.get("at") ?? middleOf(this.options.grid);
+    return this.options.state.get("at") ?? this.options.grid.center;
   }
 
   moveTo(change: Partial<Record<Axis, number>>): void {
@@ -94,7 +94,7 @@ export class Planes {
     const moved = 1 - this.zoom / zoom;
     this.center = this.center.map((c, axis) => c + (around[axis] - c) * moved) as Point;
     this.zoom = zoom;
-    if (zoom === 1) this.center = middleOf(this.options.grid);
+    if (zoom === 1) this.center = [...this.options.grid.center];
     this.keepWithin();
     this.redraw(false);
   }
@@ -115,11 +115,7 @@ export class Planes {
   }
 }
 
-function middleOf(grid: Volume): Point {
-  return ([0, 1, 2] as const).map((axis) => (grid.range(axis)[0] + grid.range(axis)[1]) / 2) as Point;
-}
-
-function extent(grid: Volume, axis: Axis): number {
+function extent(grid: Grid, axis: Axis): number {
   return grid.range(axis)[1] - grid.range(axis)[0];
 }
 

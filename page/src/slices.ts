@@ -2,14 +2,7 @@
 
 import type { Run } from "./data.ts";
 import type { Store } from "./store.ts";
-import { ACROSS, AXES, type Axis, type Slice, valuesOf, type Volume } from "./volume.ts";
-
-/** The voxels of the job, of which the viewer has all. */
-interface FullGrid {
-  shape_zyx: [number, number, number];
-  pitch_mm: number;
-  center_xyz_mm: [number, number, number];
-}
+import { ACROSS, AXES, type Axis, Grid, type Slice, valuesOf, type Volume } from "./volume.ts";
 
 /** Full slices that are kept. */
 const KEPT = 60;
@@ -20,7 +13,8 @@ export class Slices {
   private readonly full = new Map<string, Slice>();
   /** What was asked for last in each plane of a volume. */
   private readonly asked = new Map<string, { key: string; timer: number }>();
-  private readonly grid: FullGrid | null;
+  /** The voxels of the job, of which the viewer has all. */
+  private readonly grid: Grid | null;
 
   constructor(
     run: Run,
@@ -29,23 +23,35 @@ export class Slices {
     /** Called when a better slice has come. */
     private readonly better: () => void,
   ) {
-    this.grid = (run.report?.optimization ?? run.report?.evaluation)?.grid ?? null;
+    const given = (run.report?.optimization ?? run.report?.evaluation)?.grid;
+    const [nz, ny, nx] = given?.shape_zyx ?? [0, 0, 0];
+    this.grid = given ? new Grid([nx, ny, nz], [given.pitch_mm, given.pitch_mm, given.pitch_mm], given.center_xyz_mm) : null;
+  }
+
+  /** The finest voxels that slices of a volume have. */
+  gridOf(volume: Volume): Grid {
+    return this.finer(volume) ?? volume;
   }
 
   of(volume: Volume, axis: Axis, mm: number): Slice | null {
     const reduced = volume.slice(axis, mm);
-    const { grid } = this;
-    if (!volume.info.full || grid === null || grid.pitch_mm > 0.99 * volume.info.pitch_mm) return reduced;
-    const index = Math.floor((mm - low(grid, axis)) / grid.pitch_mm + 1e-6);
-    if (index < 0 || index >= grid.shape_zyx[2 - axis]) return reduced;
+    const grid = this.finer(volume);
+    if (grid === null || reduced === null) return reduced;
+    const index = grid.index(axis, mm);
+    if (index < 0 || index >= grid.shape[axis]) return reduced;
     const key = `${volume.info.id}/${axis}/${index}`;
     const known = this.full.get(key);
     if (!known) this.ask(key, volume, grid, axis, index);
     return known ?? reduced;
   }
 
+  private finer(volume: Volume): Grid | null {
+    const { grid } = this;
+    return volume.info.full && grid !== null && grid.pitch[0] < 0.99 * volume.pitch[0] ? grid : null;
+  }
+
   /** One request a plane of a volume at a time: the last place asked for wins. */
-  private ask(key: string, volume: Volume, grid: FullGrid, axis: Axis, index: number): void {
+  private ask(key: string, volume: Volume, grid: Grid, axis: Axis, index: number): void {
     const plane = `${volume.info.id}/${axis}`;
     const before = this.asked.get(plane);
     if (before?.key === key) return;
@@ -58,9 +64,9 @@ export class Slices {
       const codes = slice.codes.slice();
       for (let row = 0; row < height; row++) codes.set(slice.codes.subarray((height - 1 - row) * width, (height - row) * width), row * width);
       const bits = slice.codes instanceof Uint16Array ? 16 : 8;
-      const corner: [number, number] = [low(grid, right), low(grid, up) + height * grid.pitch_mm];
+      const corner: [number, number] = [grid.range(right)[0], grid.range(up)[1]];
       const values = valuesOf(bits, slice.low, slice.high, volume.info.nan === null ? null : 2 ** bits - 1);
-      this.full.set(key, { axis, width, height, codes, values, pitch: [grid.pitch_mm, grid.pitch_mm], corner });
+      this.full.set(key, { axis, width, height, codes, values, pitch: [grid.pitch[right], grid.pitch[up]], corner });
       const oldest = this.full.keys().next();
       if (this.full.size > KEPT && !oldest.done) this.full.delete(oldest.value);
       this.better();
@@ -70,9 +76,4 @@ export class Slices {
     };
     this.asked.set(plane, { key, timer: window.setTimeout(() => void load().catch(failed), PAUSE) });
   }
-}
-
-/** Where the voxels begin along an axis, mm. */
-function low(grid: FullGrid, axis: Axis): number {
-  return grid.center_xyz_mm[axis] - (grid.shape_zyx[2 - axis] * grid.pitch_mm) / 2;
 }

@@ -112,7 +112,7 @@ async function draw(context: Context): Promise<HTMLElement> {
   const showCut = () => {
     const axis = (AXES as readonly string[]).indexOf(state.get("cut"));
     if (axis < 0) return stage.cut(null, 0, null);
-    const mm = (state.get("at") ?? middle(grid))[axis];
+    const mm = (state.get("at") ?? grid.center)[axis];
     stage.cut(axis as Axis, mm, cutPicture(volumes, axis as Axis, mm, mode() === "target" ? null : (state.get("threshold") ?? gel()?.reported ?? null)));
   };
   const showAll = () => {
@@ -226,10 +226,6 @@ function reachOf(off_um: Float32Array): number {
   const size = Math.max(sizes[Math.min(Math.floor(sizes.length * WITHIN), sizes.length - 1)] ?? 1, 1e-3);
   const power = 10 ** Math.floor(Math.log10(size));
   return ([1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10].find((n) => n * power >= size * (1 - 1e-6)) ?? 10) * power;
-}
-
-function middle(grid: Volume): Point {
-  return ([0, 1, 2] as const).map((axis) => (grid.range(axis)[0] + grid.range(axis)[1]) / 2) as Point;
 }
 
 /** The box of the voxels that are part; the whole volume where there are none. */

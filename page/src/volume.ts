@@ -32,31 +32,23 @@ export interface Slice {
   corner: [number, number];
 }
 
-export class Volume {
-  /** What a code stands for; NaN: no value. */
-  readonly values: Float32Array;
-  /** Number of voxels along x, y and z. */
-  readonly shape: Point;
-  /** Edges of a voxel along x, y and z, mm. */
-  readonly pitch: Point;
-
+/** A box of voxels. */
+export class Grid {
   constructor(
-    readonly info: VolumeInfo,
-    readonly codes: Uint8Array | Uint16Array,
-  ) {
-    const [nz, ny, nx] = info.shape_zyx;
-    this.shape = [nx, ny, nz];
-    this.pitch = [info.pitch_mm, info.pitch_mm, info.height_mm];
-    this.values = valuesOf(info.bits, info.low, info.high, info.nan);
-  }
+    /** Number of voxels along x, y and z. */
+    readonly shape: Point,
+    /** Edges of a voxel along x, y and z, mm. */
+    readonly pitch: Point,
+    readonly center: Point,
+  ) {}
 
-  /** Where the volume begins and ends along an axis, mm. */
+  /** Where the box begins and ends along an axis, mm. */
   range(axis: Axis): [number, number] {
     const half = (this.shape[axis] * this.pitch[axis]) / 2;
-    return [this.info.center_xyz_mm[axis] - half, this.info.center_xyz_mm[axis] + half];
+    return [this.center[axis] - half, this.center[axis] + half];
   }
 
-  /** The voxel at a coordinate; may lie outside of the volume. */
+  /** The voxel at a coordinate; may lie outside of the box. */
   index(axis: Axis, mm: number): number {
     return Math.floor((mm - this.range(axis)[0]) / this.pitch[axis] + 1e-6);
   }
@@ -64,6 +56,20 @@ export class Volume {
   /** The coordinate of the middle of a voxel, mm. */
   middle(axis: Axis, index: number): number {
     return this.range(axis)[0] + (index + 0.5) * this.pitch[axis];
+  }
+}
+
+export class Volume extends Grid {
+  /** What a code stands for; NaN: no value. */
+  readonly values: Float32Array;
+
+  constructor(
+    readonly info: VolumeInfo,
+    readonly codes: Uint8Array | Uint16Array,
+  ) {
+    const [nz, ny, nx] = info.shape_zyx;
+    super([nx, ny, nz], [info.pitch_mm, info.pitch_mm, info.height_mm], info.center_xyz_mm);
+    this.values = valuesOf(info.bits, info.low, info.high, info.nan);
   }
 
   /** The value at a point; null outside of the volume and where there is none. */

@@ -129,7 +129,7 @@ describe("a viewer", { skip }, () => {
     await page.waitForFunction(() => performance.getEntriesByType("resource").filter(({ name }) => name.includes("/slice/")).length >= 3);
     await new Promise((resolve) => setTimeout(resolve, 300));
     assert.notEqual(await pixels(page, "#look .plane canvas"), before);
-    assert.ok(viewer.asked.some((path) => /^GET run\/0\/slice\/response2\?axis=0&index=17$/.test(path)), viewer.asked.join(" "));
+    assert.ok(viewer.asked.some((path) => /^GET run\/0\/slice\/response2\?axis=0&index=16$/.test(path)), viewer.asked.join(" "));
     assert.equal(viewer.asked.filter((path) => path.includes("/slice/")).length, 3, "each slice is asked for once");
     assert.deepEqual(page.problems, []);
     await page.close();

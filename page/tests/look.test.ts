@@ -25,7 +25,7 @@ describe("planes and threshold", { skip }, () => {
     assert.match(await text(page, "#look .threshold-list dd:nth-of-type(2) b"), /^62\.5 %/);
     await slide(page, THRESHOLD_SLIDER, 1000 * THRESHOLD);
     assert.equal(Number(await text(page, IOU)).toFixed(3), reported.iou.toFixed(3));
-    assert.doesNotMatch(page.url(), /threshold/);
+    await page.waitForFunction(() => !location.hash.includes("threshold"));
     assert.deepEqual(page.problems, []);
     await page.close();
   });
@@ -132,20 +132,21 @@ describe("planes and threshold", { skip }, () => {
     const page = await open(written("large", large));
     const times = await page.$eval(THRESHOLD_SLIDER, async (element) => {
       const taken: number[] = [];
-      for (let i = 0; i < 12; i++) {
+      const frame = () => new Promise<number>((resolve) => requestAnimationFrame(() => resolve(performance.now())));
+      for (let i = 0; i < 20; i++) {
+        // Callbacks of a frame run in the order in which they were asked for: the drawing lies between these two
+        const before = frame();
         const begun = performance.now();
         (element as HTMLInputElement).value = String(400 + 20 * i);
         element.dispatchEvent(new Event("input", { bubbles: true }));
-        // The drawing waits for the next frame: its work is done before callbacks that are asked for later
-        await new Promise((resolve) => requestAnimationFrame(resolve));
-        const drawn = performance.now();
-        taken.push(drawn - begun);
-        await new Promise((resolve) => setTimeout(resolve, 30));
+        const input = performance.now() - begun;
+        const after = frame();
+        taken.push(input + (await after) - (await before));
       }
       return taken.sort((a, b) => a - b);
     });
-    // The quickest, as the machine of the tests may be busy; a frame of the screen is waited for, 17 ms
-    assert.ok(times[1] < 30 + 17, `${times.map((t) => t.toFixed(0)).join(" ")} ms`);
+    // The quickest, as other work may hold up the others
+    assert.ok(times[1] < 30, `${times.map((t) => t.toFixed(0)).join(" ")} ms`);
     await page.close();
   });
 });
