@@ -1,6 +1,6 @@
 //! The page: `report.html`, comparisons, what `tomolith view` serves. One file without any outside resource.
 //!
-//! The file holds its data ([`PageData`], JSON), arrays ([`blob`]) and the program that draws them (`page/` of the repository, TypeScript, built into
+//! The file holds its data (JSON; `PageData` of `page/src/data.ts` has every field with its meaning), arrays ([`blob`]) and the program that draws them (`page/` of the repository, TypeScript, built into
 //! `page.js` and `page.css` of this crate). Readers without a script see the result in words, warnings, the middle slices and the numbers.
 //! Volumes have at most 192 voxels along an edge and fewer where the file would become larger than 15 MB; `reduced` says by how much.
 
@@ -115,7 +115,7 @@ pub type Arrays = Vec<(String, String)>;
 /// A page before it is text: its data, and its arrays by name.
 #[derive(Clone, Debug)]
 pub struct Page {
-    /// What [`PageData`](self) holds.
+    /// `PageData` of `page/src/data.ts`.
     pub data: Value,
     /// Arrays, as [`blob`] packs them, by the name of their element.
     pub blobs: Arrays,

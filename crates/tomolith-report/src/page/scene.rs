@@ -41,7 +41,8 @@ pub struct LightPaths {
     pub frames: Vec<FramePaths>,
 }
 
-/// See the [module page](self).
+/// The machine of a job as a page draws it: in the frame of the vial, in which the part stands still; light of a frame comes from its azimuth,
+/// counter-clockwise from +x seen from above.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Scene {
     /// Radius that every frame lights, mm.
