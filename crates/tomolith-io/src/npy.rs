@@ -266,7 +266,10 @@ pub fn read_patterns(path: &Path) -> Result<Vec<PatternArrays>> {
         });
     }
     if lights.is_empty() {
-        let found = format!("the arrays {}", names.join(", "));
+        let found = match names.is_empty() {
+            true => "no arrays".to_owned(),
+            false => format!("the arrays {}", names.join(", ")),
+        };
         return Err(Error::format(path, found, PATTERNS));
     }
     Ok(lights)
