@@ -205,9 +205,7 @@ fn write_levels<T: Sample>(
         if level.shape.iter().all(|&n| n <= CHUNK) {
             return Ok(levels);
         }
-        for axis in 0..3 {
-            covered[axis] *= level.shape[axis].min(2);
-        }
+        covered = [0, 1, 2].map(|axis| covered[axis] * level.shape[axis].min(2));
         level = level.halved();
     }
 }
