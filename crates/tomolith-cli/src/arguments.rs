@@ -151,9 +151,9 @@ pub(crate) enum Command {
         #[arg(long)]
         json: bool,
     },
-    /// Turn a mesh into voxels: .npy, .vti or .png
+    /// Turn a mesh into voxels: .npy, .vti, .nrrd, .tif, .ome.zarr or .png
     Voxelize(VoxelizeArguments),
-    /// Turn a phantom (a part given by a formula) into voxels: .npy, .vti or .png
+    /// Turn a phantom (a part given by a formula) into voxels: .npy, .vti, .nrrd, .tif, .ome.zarr or .png
     Phantom(PhantomArguments),
     /// Compute every metric of the report, and every published one, for any dose and target
     Metrics(MetricsArguments),

@@ -25,7 +25,7 @@ Arrays are [z, y, x] or [y, x], of any number type; part is where the target is 
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct MetricsArguments {
-    /// Dose (or response): FILE.npy, or FILE.npz:NAME
+    /// Dose (or response): FILE.npy, .nrrd or .tif, or FILE.npz:NAME
     dose: String,
     /// Target: inside fraction, 0 and 1, or gray values
     target: String,

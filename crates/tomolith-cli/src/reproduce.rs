@@ -4,10 +4,9 @@ use crate::arguments::{Manner, command_line};
 use crate::screen::{mutter, say};
 use crate::sweep::Board;
 use clap::{ArgMatches, Args};
-use rustix::process::{Pid, Signal, kill_process};
 use serde_json::{Value, json};
+use std::ffi::OsString;
 use std::io::Read;
-use std::os::unix::process::CommandExt;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::thread::{self, available_parallelism};
@@ -43,14 +42,18 @@ pub(crate) struct ReproduceArguments {
     pub(crate) manner: Manner,
 }
 
-pub(crate) fn run(given: &ReproduceArguments, cancel: &Run) -> Result<bool> {
+pub(crate) fn run(given: &ReproduceArguments, itself: &[OsString], cancel: &Run) -> Result<bool> {
     let study = Study::read(&given.study, given.quick)?;
     let output = given.output.clone().unwrap_or_else(|| study.output());
     let own = || available_parallelism().map_or(1, usize::from);
     let threads = given.manner.threads.map_or_else(own, usize::from);
     let mut typed = Typed {
         manner: given.manner,
-        cancel,
+        itself: Itself {
+            program: itself,
+            threads: given.manner.threads.map(usize::from),
+            cancel,
+        },
     };
     if given.check {
         let costs = study.costs(&output, threads, &typed, cancel)?;
@@ -100,15 +103,7 @@ fn innermost<'a>(
 /// A study that was typed.
 struct Typed<'r> {
     manner: Manner,
-    cancel: &'r Run,
-}
-
-impl Typed<'_> {
-    /// How a command speaks and works.
-    fn manner_words(&self) -> Vec<String> {
-        let threads = self.manner.threads.map(|n| format!("--threads={n}"));
-        ["--json".to_owned()].into_iter().chain(threads).collect()
-    }
+    itself: Itself<'r>,
 }
 
 impl Host for Typed<'_> {
@@ -129,7 +124,7 @@ impl Host for Typed<'_> {
         }
     }
 
-    fn watch(&mut self, name: &str, plan: &SweepPlan) -> Box<dyn Watch> {
+    fn watch(&mut self, name: &str, plan: &SweepPlan) -> Box<dyn Watch + '_> {
         if !self.manner.json && !self.manner.quiet {
             mutter(&format!("{:>12} {name}", "Run"));
         }
@@ -137,6 +132,37 @@ impl Host for Typed<'_> {
     }
 
     fn must_be_command(&self, words: &[String], writes: bool) -> Result<()> {
+        self.itself.must_be_command(words, writes)
+    }
+
+    fn command(&mut self, words: &[String], folder: &Path) -> Result<Value> {
+        self.itself.command(words, folder)
+    }
+}
+
+/// This command in a process of its own, as studies run it: how it is started, its threads, and what ends it.
+#[derive(Clone, Copy, Debug)]
+pub struct Itself<'r> {
+    /// The program, and words before those of the command.
+    pub program: &'r [OsString],
+    /// Threads of the command; None for all cores.
+    pub threads: Option<usize>,
+    /// What ends it.
+    pub cancel: &'r Run,
+}
+
+impl Itself<'_> {
+    /// How a command speaks and works.
+    fn manner_words(&self) -> Vec<String> {
+        let threads = self.threads.map(|n| format!("--threads={n}"));
+        ["--json".to_owned()].into_iter().chain(threads).collect()
+    }
+
+    /// Refuses words that are no command, and such whose files would be among those of the study; see [`Host::must_be_command`].
+    ///
+    /// # Errors
+    /// [`Error::Config`].
+    pub fn must_be_command(&self, words: &[String], writes: bool) -> Result<()> {
         let mut all = command_line();
         let output = ["--output", "DIR"].into_iter().filter(|_| writes);
         let line = ["tomolith"].into_iter();
@@ -166,13 +192,21 @@ impl Host for Typed<'_> {
         }
     }
 
-    fn command(&mut self, words: &[String], folder: &Path) -> Result<Value> {
-        let own = std::env::current_exe().map_err(|e| Error::io(Path::new("tomolith"), e))?;
-        let mut command = Command::new(own);
-        command.current_dir(folder).args(words);
+    /// Runs a command in a folder; what it says at its end. See [`Host::command`].
+    ///
+    /// # Errors
+    /// [`Error::Canceled`]; [`Error::Unsupported`] with what the command says where it fails; [`Error::Io`].
+    pub fn command(&self, words: &[String], folder: &Path) -> Result<Value> {
+        let [program, first @ ..] = self.program else {
+            return Err(Error::unsupported("a command", "no program is named"));
+        };
+        let mut command = Command::new(program);
+        command.current_dir(folder).args(first).args(words);
         command.args(self.manner_words());
         // In a group of its own: Ctrl-C at a terminal is passed on once, and not told twice
-        let child = (command.process_group(0).stdin(Stdio::null()))
+        #[cfg(unix)]
+        std::os::unix::process::CommandExt::process_group(&mut command, 0);
+        let child = (command.stdin(Stdio::null()))
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
             .spawn();
@@ -212,7 +246,7 @@ fn ended(mut child: Child, cancel: &Run) -> std::io::Result<Output> {
             }
             if cancel.is_stop_asked() && !was_told {
                 was_told = true;
-                kill_process(Pid::from_child(&child), Signal::TERM)?;
+                ask_to_stop(&mut child)?;
             }
             thread::sleep(PAUSE);
         };
@@ -225,6 +259,18 @@ fn ended(mut child: Child, cancel: &Run) -> std::io::Result<Output> {
             stderr: of(err)?,
         })
     })
+}
+
+#[cfg(unix)]
+fn ask_to_stop(child: &mut Child) -> std::io::Result<()> {
+    use rustix::process::{Pid, Signal, kill_process};
+    Ok(kill_process(Pid::from_child(child), Signal::TERM)?)
+}
+
+/// Without signals it is ended.
+#[cfg(not(unix))]
+fn ask_to_stop(child: &mut Child) -> std::io::Result<()> {
+    child.kill()
 }
 
 fn all_of(pipe: Option<impl Read>) -> std::io::Result<Vec<u8>> {

@@ -2,7 +2,7 @@
 
 use crate::arguments::{JobArguments, Manner, must_be_a_place};
 use crate::screen::say;
-use crate::voxelize::{Kind, write_values};
+use crate::voxelize::{Kind, write_volume};
 use clap::Args;
 use serde_json::json;
 use std::path::PathBuf;
@@ -29,7 +29,7 @@ pub(crate) struct TraceArguments {
     /// Which light, from 0
     #[arg(long, default_value_t = 0)]
     light: usize,
-    /// Dose of these pixels at a value of 1: .npy [z, y, x], .vti, or .png of all slices, brightest = white
+    /// Dose of these pixels at a value of 1: .npy [z, y, x], .vti, .nrrd, .tif, .ome.zarr, or .png of all slices, brightest = white
     #[arg(long, short, value_name = "FILE")]
     output: Option<PathBuf>,
     #[command(flatten)]
@@ -71,12 +71,12 @@ pub(crate) fn run(given: &TraceArguments, job: &Job, cancel: &Run) -> Result<()>
         }
     }
     if let (Some(kind), Some(path)) = (kind, &given.output) {
-        if matches!(kind, Kind::Png) {
+        if kind == Kind::Picture {
             let largest = dose.values.iter().copied().fold(0.0, f32::max);
             let scale = if largest > 0.0 { 1.0 / largest } else { 1.0 };
             dose.values.iter_mut().for_each(|v| *v *= scale);
         }
-        write_values(path, kind, "dose", &dose, cancel)?;
+        write_volume(path, kind, "dose", &dose, cancel)?;
         if !given.manner.json && !given.manner.quiet {
             say(&format!("dose in {}", path.display()));
         }

@@ -7,9 +7,8 @@ use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 use tomolith::grid::{PatternGrid, Volume, VolumeGrid};
 use tomolith::io::frames::{FrameSet, write_picture};
-use tomolith::io::npy::write_volume;
 use tomolith::io::stl::write_stl;
-use tomolith::io::vti::{VtiValues, write_vti};
+use tomolith::io::volume::{ENDINGS, Values, VolumeFormat, write_values};
 use tomolith::job::Document;
 use tomolith::job::resources::{memory_budget_mb, require};
 use tomolith::kind::Section;
@@ -56,7 +55,7 @@ pub(crate) struct Sampling {
     /// 1 where at least half of the voxel is inside, else 0, in place of the inside fraction
     #[arg(long)]
     binary: bool,
-    /// New file: .npy [z, y, x], .vti for ParaView, .png with all slices from low z to high z side by side
+    /// New file: .npy [z, y, x], .vti for ParaView, .nrrd for 3D Slicer, .tif for ImageJ, .ome.zarr for napari, or .png with all slices from low z to high z side by side
     #[arg(long, short, value_name = "FILE")]
     output: PathBuf,
     #[command(flatten)]
@@ -296,28 +295,23 @@ fn as_option(mut error: Error) -> Error {
 }
 
 /// What a file name asks for.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Kind {
-    Npy,
-    Vti,
-    Png,
+    Volume,
+    Picture,
 }
 
 impl Kind {
     pub(crate) fn of(path: &Path) -> Result<Self> {
-        match path
-            .extension()
-            .and_then(|e| e.to_str())
-            .map(str::to_ascii_lowercase)
-            .as_deref()
-        {
-            Some("npy") => Ok(Kind::Npy),
-            Some("vti") => Ok(Kind::Vti),
-            Some("png") => Ok(Kind::Png),
+        if VolumeFormat::of(path).is_some() {
+            return Ok(Kind::Volume);
+        }
+        match path.extension() {
+            Some(extension) if extension.eq_ignore_ascii_case("png") => Ok(Kind::Picture),
             _ => Err(Error::config(
                 "--output",
                 format!("`{}` has another ending", path.display()),
-                "a file name ending in .npy, .vti or .png",
+                format!("a file name ending in .png, {ENDINGS}"),
             )),
         }
     }
@@ -325,16 +319,15 @@ impl Kind {
 
 fn write(path: &Path, kind: Kind, target: &Target, binary: bool, run: &Run) -> Result<()> {
     let Volume { grid, values } = &target.inside;
-    let bytes = || values.iter().map(|&v| v as u8).collect::<Vec<u8>>();
-    match kind {
-        Kind::Npy if binary => write_volume(path, &Volume::new(grid.clone(), bytes()), run),
-        Kind::Vti if binary => write_vti(path, grid, &[("inside", VtiValues::U8(&bytes()))], run),
-        kind => write_values(path, kind, "inside", &target.inside, run),
+    if kind == Kind::Volume && binary {
+        let bytes: Vec<u8> = values.iter().map(|&v| v as u8).collect();
+        return write_values(path, "inside", grid, Values::U8(&bytes), run);
     }
+    write_volume(path, kind, "inside", &target.inside, run)
 }
 
 /// Values as they are; in a picture, from 0 (black) to 1 (white).
-pub(crate) fn write_values(
+pub(crate) fn write_volume(
     path: &Path,
     kind: Kind,
     name: &str,
@@ -342,14 +335,11 @@ pub(crate) fn write_values(
     run: &Run,
 ) -> Result<()> {
     match kind {
-        Kind::Npy => write_volume(path, volume, run),
-        Kind::Vti => write_vti(
-            path,
-            &volume.grid,
-            &[(name, VtiValues::F32(&volume.values))],
-            run,
-        ),
-        Kind::Png => write_slices(path, volume),
+        Kind::Volume => {
+            let values = Values::F32(&volume.values);
+            write_values(path, name, &volume.grid, values, run)
+        }
+        Kind::Picture => write_slices(path, volume),
     }
 }
 

@@ -1,7 +1,7 @@
-//! Volumes of other programs: `.npy`, or one array of an `.npz`, of any number type, as f32 `[z, y, x]`.
+//! Volumes of other programs: `.npy`, `.nrrd`, the pages of a TIFF, or one array of an `.npz`, of any number type, as f32 `[z, y, x]`.
 //!
 //! Read are floats of 16, 32 and 64 bits, whole numbers of 8 to 64 bits with and without sign, and bool (true is 1), little or
-//! big endian, in C or Fortran order; an array of two dimensions is one slice. An `.npz` with several arrays needs the name of one: `results.npz:dose`.
+//! big endian, in C or Fortran order; an array of two dimensions is one slice. Pages of a TIFF are slices from the bottom, their top row +y. An `.npz` with several arrays needs the name of one: `results.npz:dose`.
 //!
 //! ```
 //! use tomolith_io::array::read_any;
@@ -13,19 +13,22 @@
 //! ```
 
 use super::numbers::Numbers;
+use super::slices::{is_tiff, read_volume};
 use std::path::Path;
 use tomolith_core::error::{Error, Result};
 
-const ACCEPTED: &str =
-    ".npy or .npz of floats, whole numbers or bool in two dimensions [y, x] or three [z, y, x]";
+const ACCEPTED: &str = ".npy, .nrrd, .tif or .npz of floats, whole numbers or bool in two dimensions [y, x] or three [z, y, x]";
 
-/// Reads `FILE.npy`, `FILE.npz` with one array, or `FILE.npz:NAME`: shape `[z, y, x]` and values, x fastest.
+/// Reads `FILE.npy`, `FILE.nrrd`, `FILE.tif`, `FILE.npz` with one array, or `FILE.npz:NAME`: shape `[z, y, x]` and values, x fastest.
 ///
 /// # Errors
 /// [`Error::Io`] when the file cannot be opened; [`Error::Format`] when it holds no
 /// such array.
 pub fn read_any(source: &str) -> Result<([usize; 3], Vec<f32>)> {
     let path = Path::new(source);
+    if is_tiff(path) {
+        return read_volume(path);
+    }
     let volume = Numbers::read(path, ACCEPTED)?.into_volume();
     volume.map_err(|found| Error::format(path, found, ACCEPTED))
 }
@@ -64,6 +67,27 @@ mod tests {
             message.contains("no array `does`") && message.contains("b.npz:dose"),
             "{message}"
         );
+    }
+
+    #[test]
+    fn formats_of_other_programs_are_the_numbers_that_were_written() {
+        use crate::volume::{Values, write_values};
+        use tomolith_core::grid::VolumeGrid;
+        use tomolith_core::run::Run;
+        let folder = tempfile::tempdir().unwrap();
+        let grid = VolumeGrid::centered([2, 3, 4], 0.1);
+        let dose: Vec<f32> = (0..24).map(|i| i as f32 - 3.5).collect();
+        let labels: Vec<u8> = (0..24).map(|i| i % 3).collect();
+        let expected: Vec<f32> = labels.iter().map(|&label| f32::from(label)).collect();
+        for ending in ["npy", "nrrd", "tif"] {
+            let read = |values| {
+                let path = folder.path().join(format!("a.{ending}"));
+                write_values(&path, "a", &grid, values, &Run::new()).unwrap();
+                read_any(path.to_str().unwrap()).unwrap()
+            };
+            assert_eq!(read(Values::F32(&dose)), ([2, 3, 4], dose.clone()));
+            assert_eq!(read(Values::U8(&labels)), ([2, 3, 4], expected.clone()));
+        }
     }
 
     #[test]

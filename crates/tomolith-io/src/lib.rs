@@ -15,12 +15,16 @@ pub mod movie;
 pub mod mp4;
 pub mod npy;
 mod npz;
+mod nrrd;
 mod numbers;
+mod ome_zarr;
 pub mod ply;
 pub mod series;
 pub mod slices;
 pub mod stack;
 pub mod stl;
+mod tiff_pages;
+pub mod volume;
 pub mod vti;
 pub mod whole;
 

@@ -1,14 +1,15 @@
-//! Numbers of NumPy files, whatever their type and order, as f32.
+//! Numbers of NumPy and NRRD files, whatever their type and order, as f32.
 //!
 //! Read are floats of 2, 4 and 8 bytes, whole numbers of 1 to 8 bytes with and without sign, and bool (true is 1), little or
 //! big endian, in C or Fortran order (`numpy.lib.format`, versions 1 to 3). What is cut off is told with the bytes that should
 //! be there.
 //!
-//! Where one array is asked for, it is that of an `.npy`, the only one of an `.npz`, or `FILE.npz:NAME`. Axes of length one
+//! Where one array is asked for, it is that of an `.npy` or [`.nrrd`](super::nrrd), the only one of an `.npz`, or `FILE.npz:NAME`. Axes of length one
 //! beside those that are asked for do not count: `[z, y, x, 1]` is `[z, y, x]`.
 
+use super::nrrd;
 use std::fs::File;
-use std::io::{BufReader, Read, Seek, SeekFrom};
+use std::io::{BufReader, ErrorKind, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result, nearest_name};
 use tomolith_core::files::open_regular;
@@ -36,19 +37,24 @@ const LONGEST_HEADER: u64 = 1 << 20;
 /// Most numbers of an array: what is larger is damaged, or fits into no memory.
 const MOST_NUMBERS: usize = 1 << 34;
 
-/// Whether a path names a NumPy file, or an array of one.
+/// Whether a path names a file of numbers, or an array of one.
 pub(super) fn is_array(path: &Path) -> bool {
     let (file, _) = file_and_name(path);
-    is_archive(&file)
-        || file
-            .extension()
-            .is_some_and(|e| e.eq_ignore_ascii_case("npy"))
+    is_archive(&file) || is_nrrd(&file) || ends_in(&file, "npy")
+}
+
+fn is_nrrd(file: &Path) -> bool {
+    ends_in(file, "nrrd")
+}
+
+fn ends_in(file: &Path, ending: &str) -> bool {
+    let extension = file.extension();
+    extension.is_some_and(|extension| extension.eq_ignore_ascii_case(ending))
 }
 
 /// Whether a file is an archive of arrays by its name.
 pub(super) fn is_archive(file: &Path) -> bool {
-    file.extension()
-        .is_some_and(|e| e.eq_ignore_ascii_case("npz"))
+    ends_in(file, "npz")
 }
 
 /// The file of `FILE.npz:NAME` and the name; of any other path the path.
@@ -73,7 +79,11 @@ impl Numbers {
             return archive.numbers(&name);
         }
         let (file, length) = opened(&path)?;
-        Self::parse(file, length).map_err(|found| Error::format(&path, found, accepted))
+        let numbers = match is_nrrd(&path) {
+            true => nrrd::read(file),
+            false => Self::parse(file, length),
+        };
+        numbers.map_err(|found| Error::format(&path, found, accepted))
     }
 
     /// The array with so many dimensions.
@@ -121,24 +131,8 @@ impl<T: Copy> Numbers<T> {
         value: fn(Element, &[u8]) -> T,
     ) -> Result<Self, String> {
         let header = Header::read(&mut file)?;
-        let count = header.count_of(length)?;
-        let size = header.element.kind.bytes();
-        let mut values = Vec::new();
-        if count > MOST_NUMBERS || values.try_reserve_exact(count).is_err() {
-            return Err(format!(
-                "an array {} that does not fit into memory ({MOST_NUMBERS} numbers at most)",
-                tuple(&header.shape)
-            ));
-        }
-        let mut block = vec![0u8; size * count.clamp(1, 1 << 16)];
-        while values.len() < count {
-            let now = &mut block[..size * (count - values.len()).min(1 << 16)];
-            file.read_exact(now).map_err(|e| format!("damaged: {e}"))?;
-            values.extend(
-                now.chunks_exact(size)
-                    .map(|bytes| value(header.element, bytes)),
-            );
-        }
+        header.count_of(length)?;
+        let mut values = header.element.read_as(&mut file, &header.shape, value)?;
         // An archive compares the checksum of an array at its end
         let end = file.read(&mut [0u8]);
         end.map_err(|e| format!("damaged: {e}"))?;
@@ -185,13 +179,13 @@ fn in_c_order<T: Copy>(shape: &[usize], values: &[T]) -> Vec<T> {
 
 /// How one number is stored.
 #[derive(Clone, Copy)]
-struct Element {
-    kind: Kind,
-    is_big_endian: bool,
+pub(super) struct Element {
+    pub(super) kind: Kind,
+    pub(super) is_big_endian: bool,
 }
 
 impl Kind {
-    fn bytes(self) -> usize {
+    pub(super) fn bytes(self) -> usize {
         match self {
             Kind::Float(bytes) | Kind::Signed(bytes) | Kind::Unsigned(bytes) => bytes,
             Kind::Bool => 1,
@@ -221,6 +215,41 @@ impl Element {
                 _ => return None,
             },
         })
+    }
+
+    /// The numbers of an array of this shape.
+    pub(super) fn read_all(self, file: impl Read, shape: &[usize]) -> Result<Vec<f32>, String> {
+        self.read_as(file, shape, Element::value)
+    }
+
+    fn read_as<T>(
+        self,
+        mut file: impl Read,
+        shape: &[usize],
+        value: fn(Element, &[u8]) -> T,
+    ) -> Result<Vec<T>, String> {
+        let count = shape.iter().try_fold(1usize, |n, &m| n.checked_mul(m));
+        let count = count.filter(|&count| count <= MOST_NUMBERS);
+        let mut values = Vec::new();
+        let Some(count) = count.filter(|&count| values.try_reserve_exact(count).is_ok()) else {
+            return Err(format!(
+                "an array {} that does not fit into memory ({MOST_NUMBERS} numbers at most)",
+                tuple(shape)
+            ));
+        };
+        let size = self.kind.bytes();
+        let mut block = vec![0u8; size * count.clamp(1, 1 << 16)];
+        while values.len() < count {
+            let now = &mut block[..size * (count - values.len()).min(1 << 16)];
+            file.read_exact(now).map_err(|e| match e.kind() {
+                ErrorKind::UnexpectedEof => {
+                    format!("truncated: no {count} numbers of {size} bytes")
+                }
+                _ => format!("damaged: {e}"),
+            })?;
+            values.extend(now.chunks_exact(size).map(|bytes| value(self, bytes)));
+        }
+        Ok(values)
     }
 
     /// The bits of a number.

@@ -1,7 +1,7 @@
 //! Gray slices: images, arrays and pages of a file that are read together.
 //!
 //! A stack is a folder of images or a pattern such as `slices/*.png`, in the order of the numbers in their names (see
-//! [`series`](super::series)); a TIFF of several pages; or a NumPy array `[z, y, x]` (`.npy`, `.npz` with one array, or
+//! [`series`](super::series)); a TIFF of several pages; or an array `[z, y, x]` (`.npy`, `.nrrd`, `.npz` with one array, or
 //! `FILE.npz:NAME`), whose index 0 is the most negative coordinate. Numbers of an array are what they are in an image: bool 0
 //! or 1, floats 0…1, 8 and 16 bits without sign up to their white.
 //!
@@ -167,20 +167,47 @@ fn read_all(files: &[PathBuf], stack: &Path) -> Result<Vec<Stored>> {
 
 /// The pages of a TIFF.
 fn read_pages(path: &Path) -> Result<Vec<Stored>> {
-    let extension = path.extension().unwrap_or_default();
-    if !["tif", "tiff"]
-        .iter()
-        .any(|tiff| extension.eq_ignore_ascii_case(tiff))
-    {
+    if !is_tiff(path) {
         let found = "neither a folder, nor a pattern, nor a TIFF, nor an array";
         return Err(not_a_stack(path, found));
     }
+    let pages = tiff_pages(path)?;
+    pages.iter().try_for_each(|page| check_values(page, path))?;
+    Ok(pages)
+}
+
+/// Whether a file is a TIFF by its name.
+pub(super) fn is_tiff(path: &Path) -> bool {
+    let extension = path.extension().unwrap_or_default();
+    let is_it = |tiff: &&str| extension.eq_ignore_ascii_case(tiff);
+    ["tif", "tiff"].iter().any(is_it)
+}
+
+/// The pages of a TIFF as an array `[z, y, x]` of the numbers that are stored.
+///
+/// # Errors
+/// As [`read_stack`], but of any numbers.
+pub(super) fn read_volume(path: &Path) -> Result<([usize; 3], Vec<f32>)> {
+    let pages = tiff_pages(path)?;
+    let size = |page: &Stored| [page.pixels.rows, page.pixels.columns];
+    let [rows, columns] = pages.first().map_or([0; 2], size);
+    let mut values = Vec::with_capacity(pages.len() * rows * columns);
+    for Stored { pixels, white } in &pages {
+        let stored = |&share: &f32| match *white {
+            1.0 => share,
+            white => (f64::from(share) * white).round() as f32,
+        };
+        values.extend(pixels.values.rchunks(columns).flatten().map(stored));
+    }
+    Ok(([pages.len(), rows, columns], values))
+}
+
+fn tiff_pages(path: &Path) -> Result<Vec<Stored>> {
     let bytes = read_regular(path)?;
     let mut slices = Vec::new();
     let mut pages = open_tiff(&bytes).map_err(|found| bad(path, found))?;
     loop {
         let page = tiff_page(&mut pages).map_err(|found| bad(path, found))?;
-        check_values(&page, path)?;
         push_slice(&mut slices, page, path, path)?;
         if !pages.more_images() {
             return Ok(slices);
@@ -220,7 +247,7 @@ fn not_a_stack(path: &Path, found: impl Into<String>) -> Error {
     Error::format(
         path,
         found,
-        "a folder of .png or .tif images of one size, a pattern such as `slices/*.png`, a .tif of several pages, or an array [z, y, x] (.npy, .npz)",
+        "a folder of .png or .tif images of one size, a pattern such as `slices/*.png`, a .tif of several pages, or an array [z, y, x] (.npy, .nrrd, .npz)",
     )
 }
 

@@ -1,9 +1,13 @@
-//! `sweep`: a job with many values of its keys.
+//! `sweep`: a job with many values of its keys. `reproduce`: the numbers of a paper beside those of sweeps, jobs and commands.
 
-use crate::work::{TomolithError, beside_telling, plain};
+use crate::work::{Observer, TomolithError, beside_telling, plain};
 use pyo3::prelude::*;
-use std::path::PathBuf;
-use tomolith_sweep::{Sweep, run};
+use serde_json::{Value, json};
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use tomolith::Result;
+use tomolith_cli::Itself;
+use tomolith_sweep::{Host, Study, StudyCost, Sweep, SweepEvent, SweepPlan, Watch, run};
 
 /// Runs a sweep file, as `tomolith sweep`, and returns its counts and its best job as a dict. Runs that were finished before stay. `threads`: 1 to 256, the
 /// cores of this machine without it; `progress` and `cancel` as in `Job.run`.
@@ -17,12 +21,7 @@ pub(crate) fn sweep(
     progress: Option<Py<PyAny>>,
     cancel: Option<Py<PyAny>>,
 ) -> PyResult<Py<PyAny>> {
-    let cores = || std::thread::available_parallelism().map_or(1, usize::from);
-    let threads = threads.unwrap_or_else(cores);
-    if !(1..=256).contains(&threads) {
-        let text = format!("threads: found {threads}; accepted: 1 to 256");
-        return Err(TomolithError::new_err(text));
-    }
+    let threads = usable(threads)?;
     let outcome = beside_telling(py, (progress, cancel), |told, cancel| {
         let mut sweep = Sweep::read(&file)?;
         if let Some(folder) = &folder {
@@ -31,4 +30,89 @@ pub(crate) fn sweep(
         run(&sweep.plan(threads, cancel)?, None, told, cancel)
     })?;
     Ok(plain(py, &outcome)?.unbind())
+}
+
+/// Runs a study, as `tomolith reproduce`, and returns its rows (the paper's number, Tomolith's, the verdict) and files as a dict. `study` is its folder, such as
+/// `papers/bclp`; `quick` takes a size that ends in minutes; `folder` is where results go, `out/papers/NAME` without it. What was finished before stays. The rest is as in
+/// `sweep`; events of a sweep have its name in the study in `of`.
+#[pyfunction]
+#[pyo3(signature = (study, *, quick=false, folder=None, threads=None, progress=None, cancel=None))]
+pub(crate) fn reproduce(
+    py: Python<'_>,
+    study: PathBuf,
+    quick: bool,
+    folder: Option<PathBuf>,
+    threads: Option<usize>,
+    progress: Option<Py<PyAny>>,
+    cancel: Option<Py<PyAny>>,
+) -> PyResult<Py<PyAny>> {
+    let count = usable(threads)?;
+    let python: OsString = py.import("sys")?.getattr("executable")?.extract()?;
+    let program = [python, "-m".into(), "tomolith".into()];
+    let found = beside_telling(py, (progress, cancel), |observer, cancel| {
+        let study = Study::read(&study, quick)?;
+        let folder = folder.unwrap_or_else(|| study.output());
+        let itself = Itself {
+            program: &program,
+            threads,
+            cancel,
+        };
+        let mut host = Told { observer, itself };
+        tomolith_sweep::reproduce(&study, &folder, count, &mut host, cancel)
+    })?;
+    Ok(plain(py, &found)?.unbind())
+}
+
+/// Threads to work with.
+fn usable(threads: Option<usize>) -> PyResult<usize> {
+    let cores = || std::thread::available_parallelism().map_or(1, usize::from);
+    match threads.unwrap_or_else(cores) {
+        threads @ 1..=256 => Ok(threads),
+        threads => {
+            let text = format!("threads: found {threads}; accepted: 1 to 256");
+            Err(TomolithError::new_err(text))
+        }
+    }
+}
+
+/// A study of which an observer is told.
+struct Told<'h, 'a> {
+    observer: &'h mut Observer<'a>,
+    itself: Itself<'h>,
+}
+
+impl Host for Told<'_, '_> {
+    fn begins(&mut self, costs: &[StudyCost]) {
+        self.observer
+            .tell(&json!({ "event": "study", "runs": costs }));
+    }
+
+    fn watch(&mut self, name: &str, _: &SweepPlan) -> Box<dyn Watch + '_> {
+        Box::new(OfStudy {
+            name: name.to_owned(),
+            observer: self.observer,
+        })
+    }
+
+    fn must_be_command(&self, words: &[String], writes: bool) -> Result<()> {
+        self.itself.must_be_command(words, writes)
+    }
+
+    fn command(&mut self, words: &[String], folder: &Path) -> Result<Value> {
+        self.itself.command(words, folder)
+    }
+}
+
+/// A sweep of a study.
+struct OfStudy<'h, 'a> {
+    name: String,
+    observer: &'h Observer<'a>,
+}
+
+impl Watch for OfStudy<'_, '_> {
+    fn event(&mut self, event: &SweepEvent) {
+        let mut event = json!(event);
+        event["of"] = json!(self.name);
+        self.observer.tell(&event);
+    }
 }

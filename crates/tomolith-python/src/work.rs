@@ -159,7 +159,7 @@ impl Observer<'_> {
         })
     }
 
-    fn tell(&self, event: &impl Serialize) {
+    pub(crate) fn tell(&self, event: &impl Serialize) {
         self.call(|py, object| {
             let event = (plain(py, event)?,);
             match object.hasattr("event")? {

@@ -5,6 +5,7 @@ import os
 import pickle
 import shutil
 import signal
+import subprocess
 import sys
 import tempfile
 import threading
@@ -139,6 +140,18 @@ class Runs(unittest.TestCase):
         (damaged / "report.json").write_text("[1, 2")
         with self.assertRaisesRegex(tomolith.TomolithError, "report.json: "):
             tomolith.Run.open(damaged)
+
+    def test_a_card_computes_where_the_job_names_one(self):
+        listed = subprocess.run([sys.executable, "-m", "tomolith", "devices", "--json"], capture_output=True, check=True)
+        cards = [card["name"] for card in json.loads(listed.stdout)["devices"]]
+        if not cards and "TOMOLITH_NEEDS_GPU" not in os.environ:
+            self.skipTest("no graphics card")
+        runs = [
+            tomolith.Job(GEAR, set=["stop.iterations=2", f"resources.device={json.dumps(device)}"], folder=self.folder / device[:3]).run()
+            for device in ("cpu", f"gpu:{cards[0]}")
+        ]
+        self.assertIn(f"on {cards[0]}", (runs[1].folder / "job.toml").read_text("utf-8"))
+        np.testing.assert_allclose(runs[1].dose, runs[0].dose, atol=0.01)
 
     def test_the_print_in_time_is_that_of_the_same_material(self):
         job = tomolith.Job(

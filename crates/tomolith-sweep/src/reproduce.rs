@@ -28,7 +28,7 @@ pub trait Host {
     /// Called once, when every job was checked and before any work.
     fn begins(&mut self, costs: &[StudyCost]);
     /// Who watches a sweep.
-    fn watch(&mut self, name: &str, plan: &SweepPlan) -> Box<dyn Watch>;
+    fn watch(&mut self, name: &str, plan: &SweepPlan) -> Box<dyn Watch + '_>;
     /// Refuses words that cannot be typed after `tomolith`, and files that they would leave where `writes` does not say so: at the key `command`
     /// or `writes`.
     ///

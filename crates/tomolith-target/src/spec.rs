@@ -37,7 +37,7 @@ pub struct TargetSpec {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub image: Option<PathBuf>,
     /// Gray slices, relative to the job, the first one at the bottom: a folder of .png or .tif files, a pattern such as
-    /// "slices/*.png", a .tif of several pages; or voxels `[z, y, x]` from bottom, front and left: .npy, .npz ("results.npz:mask")
+    /// "slices/*.png", a .tif of several pages; or voxels `[z, y, x]` from bottom, front and left: .npy, .nrrd, .npz ("results.npz:mask")
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub stack: Option<PathBuf>,
     /// Several bodies with roles, `[[target.body]]`; those without a file of their own share `mesh`

@@ -91,7 +91,7 @@ fn meshes_and_phantoms_become_voxels() {
     assert!(
         bench
             .expect(2, "phantom gear --pitch-mm 0.1 --output a.txt")
-            .contains(".npy, .vti or .png")
+            .contains(".png, .npy, .vti, .nrrd, .tif or .ome.zarr")
     );
     assert!(
         bench
@@ -117,6 +117,31 @@ fn what_an_evaluation_saw_has_the_numbers_of_its_report() {
     // The next run removes what it does not write
     bench.expect(0, "run job.toml -o out");
     assert!(!bench.path("out/evaluation").exists());
+}
+
+#[test]
+fn volumes_for_other_programs_hold_the_same_numbers() {
+    let bench = Bench::new();
+    let formats = r#"--set output.volumes=["nrrd","tiff","ome-zarr"]"#;
+    bench.expect(0, &format!("run job.toml -o out {formats}"));
+    let measured = |dose: &str, ending: &str| {
+        bench.json(&format!(
+            "metrics {dose} out/volumes/target.{ending} --labels out/volumes/label.{ending}"
+        ))
+    };
+    let expected = measured("out/dose.npy", "nrrd");
+    assert!(expected["evaluation"]["iou"].as_f64().unwrap() > 0.5);
+    for ending in ["nrrd", "tif"] {
+        let dose = format!("out/volumes/dose.{ending}");
+        assert_eq!(measured(&dose, ending), expected, "{ending}");
+    }
+    for array in ["dose", "target", "label"] {
+        let level = format!("out/volumes/{array}.ome.zarr/0/zarr.json");
+        assert!(bench.path(&level).is_file(), "{level}");
+    }
+    // The next run removes what it does not write
+    bench.expect(0, "run job.toml -o out");
+    assert!(!bench.path("out/volumes").exists());
 }
 
 #[test]

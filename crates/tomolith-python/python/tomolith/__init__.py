@@ -10,13 +10,26 @@ command: docs/python.md, docs/conventions.md, docs/job.md.
 """
 
 import os as _os
+from typing import TYPE_CHECKING as _TYPE_CHECKING
+from typing import Any as _Any
 
 from . import _native
-from ._native import Canceled, Job, ResolvedJob, Task, TomolithError, __version__, sweep
-from ._run import Run
+from ._native import Canceled, Job, ResolvedJob, Task, TomolithError, __version__, reproduce, sweep
 
-__all__ = ["Canceled", "Job", "ResolvedJob", "Run", "Task", "TomolithError", "__version__", "sweep"]
+if _TYPE_CHECKING:
+    from ._run import Run
+
+__all__ = ["Canceled", "Job", "ResolvedJob", "Run", "Task", "TomolithError", "__version__", "reproduce", "sweep"]
 
 # A forked child has none of the threads that calls compute with
 if hasattr(_os, "register_at_fork"):
     _os.register_at_fork(after_in_child=_native._forked)
+
+
+def __getattr__(name: str) -> _Any:
+    # Numpy comes with it, and takes longer to load than all that the command needs
+    if name == "Run":
+        from ._run import Run
+
+        return Run
+    raise AttributeError(f"module 'tomolith' has no attribute {name!r}")

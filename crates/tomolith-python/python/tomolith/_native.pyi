@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._run import Run
 
-__all__ = ["Canceled", "Job", "ResolvedJob", "Task", "TomolithError", "__version__", "_forked", "sweep"]
+__all__ = ["Canceled", "Job", "ResolvedJob", "Task", "TomolithError", "__version__", "_command", "_forked", "reproduce", "sweep"]
 
 _Path = str | PathLike[str]
 _Arrays = Any
@@ -114,4 +114,14 @@ def sweep(
     progress: _Progress = None,
     cancel: _Token | None = None,
 ) -> dict[str, Any]: ...
+def reproduce(
+    study: _Path,
+    *,
+    quick: bool = False,
+    folder: _Path | None = None,
+    threads: int | None = None,
+    progress: _Progress = None,
+    cancel: _Token | None = None,
+) -> dict[str, Any]: ...
+def _command(words: Sequence[str], itself: Sequence[str]) -> int: ...
 def _forked() -> None: ...

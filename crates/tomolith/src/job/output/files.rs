@@ -9,7 +9,8 @@ use crate::io::csv::{HistoryRow, write_history};
 use crate::io::frames::FrameSet;
 use crate::io::npy::{PatternPair, write_patterns, write_volume};
 use crate::io::stl::write_stl_pieces;
-use crate::io::vti::{VtiValues, write_vti};
+use crate::io::volume::{Values, write_values};
+use crate::io::vti::write_vti;
 use crate::io::write_whole;
 use crate::job::dose::written::Written;
 use crate::job::evaluate::Evaluated;
@@ -25,7 +26,7 @@ use crate::job::progress::{Event, Progress, left_out};
 use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::job::spec::file_names::of_network;
 use crate::job::spec::read::Job;
-use crate::job::spec::{LightSpec, MovieCoding};
+use crate::job::spec::{LightSpec, MovieCoding, VolumeFormat};
 use crate::kind::table_of;
 use crate::metrics::Evaluation;
 use crate::metrics::print::{PatternStats, Print};
@@ -39,6 +40,7 @@ use crate::report::{
     write_print,
 };
 use crate::units::concise;
+use std::collections::BTreeSet;
 use std::io::Write as _;
 use std::panic::resume_unwind;
 use std::path::Path;
@@ -130,13 +132,14 @@ pub(crate) fn all(
         if resolved.spec.output.evaluation {
             write_evaluation(evaluated, &new.join("evaluation"), run)?;
         }
+        write_volumes(done, &properties, &new.join("volumes"), run)?;
         write_vti(
             &new.join("dose.vti"),
             &evaluated.dose.grid,
             &[
-                ("dose", VtiValues::F32(&evaluated.dose.values)),
-                ("target", VtiValues::F32(&voxels.target.inside.values)),
-                ("label", VtiValues::U8(&voxels.labels.values)),
+                ("dose", Values::F32(&evaluated.dose.values)),
+                ("target", Values::F32(&voxels.target.inside.values)),
+                ("label", Values::U8(&voxels.labels.values)),
             ],
             &run.part(0.1),
         )
@@ -194,6 +197,42 @@ fn write_evaluation(evaluated: &Evaluated, folder: &Path, run: &Run) -> Result<(
         write_volume(&folder.join(name), volume, &run.aside())?;
     }
     write_volume(&folder.join("labels.npy"), &fine.labels, &run.aside())
+}
+
+/// All arrays on the job's voxels, in each of the formats that the job names.
+fn write_volumes(done: &Done<'_>, properties: &[Property], folder: &Path, run: &Run) -> Result<()> {
+    let formats = &done.resolved.spec.output.volumes;
+    if formats.is_empty() {
+        return Ok(());
+    }
+    std::fs::create_dir(folder).map_err(|e| Error::io(folder, e))?;
+    let (dose, others) = (&done.evaluated.dose, &done.evaluated.others);
+    let (target, labels) = (&done.voxels.target.inside, &done.voxels.labels);
+    let others = others.iter().enumerate().map(|(s, other)| {
+        let name = done.resolved.species_name(s + 1).unwrap_or_default();
+        (format!("dose_{name}"), &other.dose)
+    });
+    let properties = properties.iter().map(|p| (p.name.clone(), &p.values));
+    let volumes = [("dose".to_owned(), dose), ("target".to_owned(), target)].into_iter();
+    for (name, volume) in volumes.chain(others).chain(properties) {
+        let values = Values::F32(&volume.values);
+        write_in(formats, folder, (&name, values), &volume.grid, run)?;
+    }
+    let values = Values::U8(&labels.values);
+    write_in(formats, folder, ("label", values), &labels.grid, run)
+}
+
+fn write_in(
+    formats: &BTreeSet<VolumeFormat>,
+    folder: &Path,
+    (name, values): (&str, Values<'_>),
+    grid: &VolumeGrid,
+    run: &Run,
+) -> Result<()> {
+    formats.iter().try_for_each(|format| {
+        let path = folder.join(format!("{name}.{}", format.ending()));
+        write_values(&path, name, grid, values, &run.aside())
+    })
 }
 
 /// The job with every default written out, after the parameters of the response that it found.

@@ -12,7 +12,6 @@ use crate::job::spec::file_names::OUTPUTS;
 use crate::text::one_line;
 use serde_json::Value;
 use std::fs;
-use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
 
 /// What a run leaves in its folder.
@@ -97,12 +96,22 @@ fn locked(path: &Path) -> Result<fs::File> {
         }
         let of_handle = lock.metadata().map_err(not_lockable)?;
         // One that ended meanwhile took its file with it: what is locked is no longer there
-        let is_same =
-            |now: fs::Metadata| (now.dev(), now.ino()) == (of_handle.dev(), of_handle.ino());
-        if fs::symlink_metadata(&file).is_ok_and(is_same) {
+        if fs::symlink_metadata(&file).is_ok_and(|now| is_one_file(&now, &of_handle)) {
             return Ok(lock);
         }
     }
+}
+
+#[cfg(unix)]
+fn is_one_file(a: &fs::Metadata, b: &fs::Metadata) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    (a.dev(), a.ino()) == (b.dev(), b.ino())
+}
+
+/// Where files have no numbers, the times at which they were made tell them apart.
+#[cfg(not(unix))]
+fn is_one_file(a: &fs::Metadata, b: &fs::Metadata) -> bool {
+    a.created().ok() == b.created().ok()
 }
 
 /// Refuses a folder whose lock or checkpoint is a link: what is written there would end up elsewhere.

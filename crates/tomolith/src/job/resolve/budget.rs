@@ -40,6 +40,8 @@ pub(crate) fn extent(resolved: &ResolvedJob, family: &Family) -> Result<Extent> 
         fields: with_fields(spec, &resolved.kinds, resolved.shape.is_gray()) + cells,
         canvas: canvases.map(|canvas| canvas.len()).sum(),
         stacked: bytes_stacked(spec),
+        // Dose and target, and a label, and a level of eighths
+        bytes_of_volumes: spec.output.volumes.len() * 10,
         // Response and target, and a label
         bytes_evaluated: usize::from(spec.output.evaluation) * 9,
         is_noisy: family.monte_carlo_paths().is_some(),

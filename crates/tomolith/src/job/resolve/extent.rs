@@ -84,6 +84,8 @@ pub(crate) struct Extent {
     pub(crate) stacked: usize,
     /// Bytes of a voxel of the evaluation in `evaluation/`, 0 when it is not written.
     pub(crate) bytes_evaluated: usize,
+    /// Bytes of a voxel of the job in `volumes/`, 0 when it is not written.
+    pub(crate) bytes_of_volumes: usize,
     /// Whether the dose is drawn at random, which makes the surface rough.
     pub(crate) is_noisy: bool,
     /// Scenarios beside the job: as many models more.
@@ -138,6 +140,7 @@ impl Extent {
             glows: optics.scene().scatters() && optics.lights.iter().any(|l| l.map.is_some()),
             stacked: 0,
             bytes_evaluated: 0,
+            bytes_of_volumes: 0,
             is_noisy: false,
             scenarios: 0,
             working_mb: [0.0; 2],
@@ -283,6 +286,7 @@ impl Extent {
             + self.pixels as f64 * BYTES_PER_PIXEL_ON_DISK
             + (self.canvas * self.stacked) as f64
             + fine * self.bytes_evaluated as f64
+            + voxels * self.bytes_of_volumes as f64
             + checkpoint;
         (BASE_ON_DISK_MB + bytes / 1e6) as u64
     }
@@ -338,6 +342,7 @@ pub(crate) mod tests {
             glows: false,
             stacked: 0,
             bytes_evaluated: 0,
+            bytes_of_volumes: 0,
             is_noisy: false,
             scenarios: 0,
             working_mb: [0.0; 2],
@@ -396,5 +401,10 @@ pub(crate) mod tests {
         });
         let more = noisy.disk_mb() - even.disk_mb();
         assert!((12..=13).contains(&more), "{more} MB");
+        let with_volumes = Extent {
+            bytes_of_volumes: 40,
+            ..even.clone()
+        };
+        assert_eq!(with_volumes.disk_mb(), even.disk_mb() + 5);
     }
 }

@@ -11,13 +11,14 @@ use crate::text::file_name;
 pub(crate) const EXPOSURE: &str = "exposure.json";
 
 /// What a run may leave beside them and its properties, by name or by its first letters and its extension.
-pub(crate) const OUTPUTS: [&str; 13] = [
+pub(crate) const OUTPUTS: [&str; 14] = [
     "patterns.npz",
     "frames",
     "frames.npz",
     "dose.npy",
     "dose.vti",
     "evaluation",
+    "volumes",
     "print.stl",
     "print.ply",
     "history.csv",
@@ -41,7 +42,8 @@ pub(crate) fn of_network(name: &str) -> String {
 /// [`Error::Config`] with the names that are taken.
 pub(crate) fn must_differ(spec: &JobSpec) -> Result<()> {
     let of_every_run = OUTPUTS.map(|file| (file.to_owned(), "every run".to_owned()));
-    let mut taken: Vec<(String, String)> = of_every_run.into_iter().chain(movies(spec)).collect();
+    let of_every_run = of_every_run.into_iter().chain(volumes(spec));
+    let mut taken: Vec<(String, String)> = of_every_run.chain(movies(spec)).collect();
     for (file, key, name) in named(spec) {
         let is_same = |(other, _): &&(String, String)| other.eq_ignore_ascii_case(&file);
         let Some((_, owner)) = taken.iter().find(is_same) else {
@@ -70,6 +72,13 @@ pub(crate) fn of_lights(spec: &JobSpec) -> Vec<Option<&str>> {
         .iter()
         .map(|light| light.name.as_deref().filter(|_| several))
         .collect()
+}
+
+/// Names that `volumes/` takes besides those of arrays in the run folder.
+fn volumes(spec: &JobSpec) -> impl Iterator<Item = (String, String)> {
+    let names = ["target.npy", "label.npy"].into_iter();
+    let names = names.filter(|_| !spec.output.volumes.is_empty());
+    names.map(|name| (name.to_owned(), "output.volumes".to_owned()))
 }
 
 /// The movie of every light, in the format that the movies of networks have.
@@ -133,6 +142,16 @@ mod tests {
             assert!(error.contains(key) && error.contains(found), "{error}");
             assert!(error.contains("taken: dose, cure_time"), "{error}");
         }
+        let mut document = Document::toml("a.toml", FULL).unwrap();
+        document.set(&properties(&["label"])).unwrap();
+        must_differ(&JobSpec::from_document(&document).unwrap()).unwrap();
+        document.set("output.volumes=[\"nrrd\"]").unwrap();
+        let spec = JobSpec::from_document(&document).unwrap();
+        let error = must_differ(&spec).unwrap_err().to_string();
+        assert!(
+            error.contains("`label.npy` is a file of output.volumes"),
+            "{error}"
+        );
         let species = "species=[{ name = \"a\" }, { name = \"b\" }]";
         let mut document = Document::toml("a.toml", FULL).unwrap();
         document.set(species).unwrap();

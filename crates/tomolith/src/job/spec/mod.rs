@@ -38,7 +38,7 @@ pub use light::{
     LightBoundsSpec, LightPrinterSpec, LightResinSpec, LightSpec, ProjectorSpec, SelectionSpec,
 };
 pub use material::{Against, DiffusionSpec, MaterialSpec, PropertySpec, ScheduleSpec, SpeciesSpec};
-pub use output::{EvaluateSpec, Levelling, MovieCoding, OutputSpec};
+pub use output::{EvaluateSpec, Levelling, MovieCoding, OutputSpec, VolumeFormat};
 pub use resin::{DoseConvention, MapSpec, ResinSpec};
 use schemars::JsonSchema;
 pub use search::{

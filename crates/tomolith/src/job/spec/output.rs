@@ -2,6 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 use std::path::PathBuf;
 
 /// How much finer than a job's voxels those of an evaluation are at least.
@@ -68,6 +69,34 @@ pub struct OutputSpec {
     /// Whether `evaluation/` holds what the report's numbers are of: response, target and labels on the evaluation's voxels, for `tomolith metrics`. (`dose.npy` is
     /// the dose on the job's voxels.)
     pub evaluation: bool,
+    /// Formats of `volumes/`, which holds doses, target, labels and properties on the job's voxels for other programs: "nrrd" (3D Slicer, ITK), "tiff" (ImageJ, Fiji),
+    /// "ome-zarr" (napari, neuroglancer). `dose.npy` and `dose.vti` (ParaView) are written anyway.
+    pub volumes: BTreeSet<VolumeFormat>,
+}
+
+/// A format in which other programs open volumes.
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize, JsonSchema,
+)]
+#[serde(rename_all = "kebab-case")]
+pub enum VolumeFormat {
+    /// NRRD.
+    Nrrd,
+    /// TIFF of several pages, with the lengths that ImageJ reads.
+    Tiff,
+    /// OME-Zarr 0.5.
+    OmeZarr,
+}
+
+impl VolumeFormat {
+    /// What the names of its files end in.
+    pub(crate) fn ending(self) -> &'static str {
+        match self {
+            VolumeFormat::Nrrd => "nrrd",
+            VolumeFormat::Tiff => "tif",
+            VolumeFormat::OmeZarr => "ome.zarr",
+        }
+    }
 }
 
 /// How the movie's frames are coded.
@@ -106,6 +135,7 @@ impl Default for OutputSpec {
             rpm: 10.0,
             movie: MovieCoding::default(),
             evaluation: false,
+            volumes: BTreeSet::new(),
         }
     }
 }
