@@ -67,10 +67,20 @@ export function scalar(id: string, title: string, volume: Volume, slices: Pick<S
   const low = info.logarithmic ? Math.max(ends.low, ends.high * 1e-6) : info.kind === "response" ? Math.min(ends.low, 0) : ends.low;
   const scale: Scale = { low, high: ends.high, logarithmic: info.logarithmic && ends.high > 0, map: viridis };
   const unit = info.unit === "" ? "" : ` ${info.unit}`;
+  // Its colors never change: the picture of a slice is made once
+  const made = new WeakMap<Slice, Picture>();
+  const picture = (slice: Slice) => {
+    let known = made.get(slice);
+    if (!known) made.set(slice, (known = mapped(slice, (values) => palette(values, scale))));
+    return known;
+  };
   return {
     id,
     title,
-    picture: (axis, mm) => mapped(slices.of(volume, axis, mm), (values) => palette(values, scale)),
+    picture: (axis, mm) => {
+      const slice = slices.of(volume, axis, mm);
+      return slice && picture(slice);
+    },
     value: (point) => `${title.toLowerCase()} ${text(volume.at(point))}${unit}`,
     legend: () => ({ scale, label: info.unit === "" ? title : `${title}, ${info.unit}`, mark: threshold?.() ?? null }),
   };
@@ -83,7 +93,8 @@ function inside(target: Volume, slices: Slices): Layer {
     title: "Target",
     picture: (axis, mm) => {
       const color = token("--solid");
-      return mapped(slices.of(target, axis, mm), (values) => Uint32Array.from(values, (value) => faded(color, Math.min(Math.max(value, 0), 1))));
+      const slice = slices.of(target, axis, mm);
+      return slice && mapped(slice, (values) => Uint32Array.from(values, (value) => faded(color, Math.min(Math.max(value, 0), 1))));
     },
     value: (point) => `target ${text(target.at(point))}`,
     legend: () => ({ keys: [["var(--solid)", "part"], ["var(--picture)", "to stay liquid"]] }),
@@ -98,8 +109,8 @@ function solid(response: Volume, { bodies }: Volumes, slices: Slices, threshold:
     picture: (axis, mm) => {
       const color = token("--solid");
       const level = threshold();
-      const picture = mapped(slices.of(response, axis, mm), (values) => Uint32Array.from(values, (value) => (value >= level ? color : 0)));
-      return picture && withBodies(picture, bodies, slices, axis, mm);
+      const slice = slices.of(response, axis, mm);
+      return slice && withBodies(mapped(slice, (values) => Uint32Array.from(values, (value) => (value >= level ? color : 0))), bodies, slices, axis, mm);
     },
     value: (point) => {
       const value = response.at(point);
@@ -173,8 +184,7 @@ export function difference(a: Volume, b: Volume, slices: Pick<Slices, "of">, rea
   };
 }
 
-function mapped(slice: Slice | null, paletteOf: (values: Float32Array) => Uint32Array): Picture | null {
-  if (!slice) return null;
+function mapped(slice: Slice, paletteOf: (values: Float32Array) => Uint32Array): Picture {
   const { codes } = slice;
   const colors = paletteOf(slice.values);
   const pixels = new Uint32Array(codes.length);

@@ -11,7 +11,7 @@ import { significant } from "./report/number.ts";
 import type { Context, Section } from "./section.ts";
 import { Slices } from "./slices.ts";
 import { thresholdPanel } from "./threshold.ts";
-import { type Axis, AXES, type Point, type Volume } from "./volume.ts";
+import { type Axis, AXES, type Point, type Slice, type Volume } from "./volume.ts";
 
 export const look: Section = {
   id: "look",
@@ -123,7 +123,7 @@ function body(context: Context, volumes: Volumes, species: string, signal: Abort
     const out: Outline[] = [];
     const add = (volume: Volume | null, level: number, color: string) => {
       const slice = volume && slices.of(volume, axis, mm);
-      if (slice && Number.isFinite(level)) out.push({ slice, segments: contour(slice, level), color });
+      if (slice && Number.isFinite(level)) out.push({ slice, segments: lines(slice, level), color });
     };
     if (overlays.part && !["target", "error"].includes(layer.id) && band === null) add(volumes.target, 0.5, "--outline-part");
     if (overlays.print && !["print", "error"].includes(layer.id) && gel) add(volumes.response, threshold(), "--threshold-line");
@@ -190,6 +190,15 @@ function body(context: Context, volumes: Volumes, species: string, signal: Abort
     h("div.below-planes", {}, readout, legend),
     ...(gel ? [thresholdPanel(gel, state, signal)] : []),
   ];
+}
+
+/** Contours of a slice at the last level: moving the threshold leaves the part's outline as it is. */
+const drawn = new WeakMap<Slice, { level: number; segments: Float32Array }>();
+
+function lines(slice: Slice, level: number): Float32Array {
+  let known = drawn.get(slice);
+  if (known?.level !== level) drawn.set(slice, (known = { level, segments: contour(slice, level) }));
+  return known.segments;
 }
 
 /** Colors and what they mean. */

@@ -186,9 +186,10 @@ class PlaneView {
     if (this.painted === index) return;
     this.painted = index;
     const mm = grid.middle(axis, index);
+    const before = this.picture;
     this.picture = layer.picture(axis, mm);
     this.outlines = outlines?.(axis, mm) ?? [];
-    if (this.picture) {
+    if (this.picture && this.picture !== before) {
       const { width, height, pixels } = this.picture;
       [this.image.width, this.image.height] = [width, height];
       this.image.getContext("2d")?.putImageData(new ImageData(new Uint8ClampedArray(pixels.buffer), width, height), 0, 0);

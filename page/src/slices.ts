@@ -11,6 +11,8 @@ const PAUSE = 60;
 
 export class Slices {
   private readonly full = new Map<string, Slice>();
+  /** The last slice of each plane of a volume: a new threshold needs no new slices. */
+  private readonly last = new Map<string, { index: number; slice: Slice | null }>();
   /** What was asked for last in each plane of a volume. */
   private readonly asked = new Map<string, { key: string; timer: number }>();
   /** The voxels of the job, of which the viewer has all. */
@@ -34,7 +36,7 @@ export class Slices {
   }
 
   of(volume: Volume, axis: Axis, mm: number): Slice | null {
-    const reduced = volume.slice(axis, mm);
+    const reduced = this.reduced(volume, axis, mm);
     const grid = this.finer(volume);
     if (grid === null || reduced === null) return reduced;
     const index = grid.index(axis, mm);
@@ -43,6 +45,16 @@ export class Slices {
     const known = this.full.get(key);
     if (!known) this.ask(key, volume, grid, axis, index);
     return known ?? reduced;
+  }
+
+  private reduced(volume: Volume, axis: Axis, mm: number): Slice | null {
+    const plane = `${volume.info.id}/${axis}`;
+    const index = volume.index(axis, mm);
+    const last = this.last.get(plane);
+    if (last?.index === index) return last.slice;
+    const slice = volume.slice(axis, mm);
+    this.last.set(plane, { index, slice });
+    return slice;
   }
 
   private finer(volume: Volume): Grid | null {
