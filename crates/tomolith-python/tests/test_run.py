@@ -109,6 +109,12 @@ class Runs(unittest.TestCase):
         html = run._repr_html_()
         self.assertIn(f"iou {run.metrics['iou']:.4g}", html)
         self.assertIn("data:image/png;base64,iVBORw0KGgo", html)
+        # The page itself, in a frame
+        page = run.page(height=500)
+        self.assertEqual(page.html, (run.folder / "report.html").read_text("utf-8"))
+        frame = page._repr_html_()
+        self.assertTrue(frame.startswith('<iframe sandbox="allow-scripts" style="width: 100%; height: 500px'))
+        self.assertEqual(frame.count("<"), 2)  # what it holds is text of an attribute
         with mock.patch.dict(sys.modules, {"xarray": None}):
             with self.assertRaisesRegex(tomolith.TomolithError, "pip install xarray"):
                 run.to_xarray()

@@ -37,6 +37,18 @@ def _found(pattern: str, text: str) -> tuple[str, ...]:
     return found.groups()
 
 
+class Page:
+    """A page that a notebook shows in its output: in a frame of its own that reaches neither the notebook nor the network."""
+
+    def __init__(self, html: str, height: int) -> None:
+        self.html = html
+        self.height = height
+
+    def _repr_html_(self) -> str:
+        style = f"width: 100%; height: {self.height:d}px; border: 0"
+        return f'<iframe sandbox="allow-scripts" style="{style}" srcdoc="{escape(self.html)}"></iframe>'
+
+
 class Run:
     """The folder of a finished run or simulation; `Job.run` and `Job.simulate` return one, `Run.open(folder)` reads one.
 
@@ -190,6 +202,10 @@ class Run:
             of_each = {f"{kind}_{name}": array for name, array in zip(names, values)} if isinstance(values, list) else {kind: values}
             arrays |= of_each
         return xarray.Dataset({name: (("z", "y", "x"), array) for name, array in arrays.items()}, axes, {"folder": str(self.folder)})
+
+    def page(self, height: int = 800) -> Page:
+        """The page of the run (`report.html`) for a notebook's output, `height` pixels high; see docs/page.md."""
+        return Page(self._read("report.html", lambda path: path.read_text("utf-8")), height)
 
     def _headline(self) -> str:
         of = self.metrics
