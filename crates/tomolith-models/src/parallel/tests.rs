@@ -660,10 +660,7 @@ fn opposite_frames_are_one_view_and_change_nothing() {
         }
         let noise = check::noise(6, paired.output.len());
         let cotangent = HostField::from_slice(&noise);
-        let [a, b] = [&paired, &single].map(|model| {
-            let grad = check::adjoint(model, &cotangent);
-            grad
-        });
+        let [a, b] = [&paired, &single].map(|model| check::adjoint(model, &cotangent));
         assert!(difference(a.as_slice(), b.as_slice()) < 1e-6);
     }
 }

@@ -323,10 +323,7 @@ mod tests {
             );
             *value = (-(u * u + z * z) / (2.0 * 0.15f64.powi(2))).exp() as f32;
         }
-        let dose = |model: &dyn DoseModel<Field = HostField>| {
-            let dose = check::dose(model, &x);
-            dose
-        };
+        let dose = |model: &dyn DoseModel<Field = HostField>| check::dose(model, &x);
         let (a, b) = (dose(&spread), dose(&parallel));
         let mut off = a.clone();
         off.axpy(-1.0, &b);
