@@ -103,7 +103,7 @@ impl<F: Field> Adam<F> {
     /// The method with these parameters.
     ///
     /// # Errors
-    /// [`Error::Config`] naming the key that is out of range.
+    /// [`Error::Config`](tomolith_core::Error::Config) naming the key that is out of range.
     pub fn new(params: Params) -> Result<Self> {
         for (key, value) in [("step", params.step), ("epsilon", params.epsilon)] {
             above_zero(key, value)?;

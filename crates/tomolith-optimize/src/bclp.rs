@@ -95,7 +95,7 @@ impl<F: Field> Bclp<F> {
     /// The method with these parameters.
     ///
     /// # Errors
-    /// [`Error::Config`] for a step that is not above 0.
+    /// [`Error::Config`](tomolith_core::Error::Config) for a step that is not above 0.
     pub fn new(params: Params) -> Result<Self> {
         above_zero("step", params.step)?;
         Ok(Bclp {

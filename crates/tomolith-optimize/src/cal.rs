@@ -120,7 +120,7 @@ impl<F: Field> Cal<F> {
     /// The method with these parameters.
     ///
     /// # Errors
-    /// [`Error::Config`] naming the key that is out of range.
+    /// [`Error::Config`](tomolith_core::Error::Config) naming the key that is out of range.
     pub fn new(params: Params) -> Result<Self> {
         for (key, value) in [
             ("learning_rate", params.learning_rate),

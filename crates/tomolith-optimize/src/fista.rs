@@ -128,7 +128,7 @@ impl<F: Field> Fista<F> {
     /// The method with these parameters.
     ///
     /// # Errors
-    /// [`Error::Config`] naming the key that is out of range.
+    /// [`Error::Config`](tomolith_core::Error::Config) naming the key that is out of range.
     pub fn new(params: Params) -> Result<Self> {
         above_zero("curvature", params.curvature)?;
         above_zero("step", params.step.unwrap_or(1.0))?;

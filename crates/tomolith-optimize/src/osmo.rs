@@ -129,7 +129,7 @@ impl<F: Field> Osmo<F> {
     /// The method with these parameters.
     ///
     /// # Errors
-    /// [`Error::Config`] for an inhibition outside 0 to 1.
+    /// [`Error::Config`](tomolith_core::Error::Config) for an inhibition outside 0 to 1.
     pub fn new(params: Params) -> Result<Self> {
         in_range(
             (0.0..=1.0).contains(&params.inhibition),

@@ -30,7 +30,7 @@ pub fn noise(seed: u64, len: usize) -> Vec<f32> {
 /// Asserts that a number differs from what is expected by less than a tolerance.
 ///
 /// ```
-/// tomolith_core::near!(0.1 + 0.2, 0.3, 1e-12, "a sum");
+/// tomolith_core::near!(0.1f64 + 0.2, 0.3, 1e-12, "a sum");
 /// ```
 #[macro_export]
 macro_rules! near {
