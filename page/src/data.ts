@@ -16,7 +16,35 @@ export interface PageData {
   gray_headline: string[];
   /** What several runs are next to each other; null for one. */
   compare: Comparison | null;
+  /** The sweep that is viewed; its runs are added to the list as they are opened. */
+  sweep: SweepData | null;
   runs: Run[];
+}
+
+export interface SweepData {
+  name: string;
+  axes: string[];
+  /** Key paths of report.json. */
+  metrics: string[];
+  rows: SweepRow[];
+  /** Index of a row; null where none meets what the best one must. */
+  best: number | null;
+  /** The sweep file. */
+  toml: string;
+}
+
+/** The value of an axis may be a table of the job. */
+export type SweepValue = number | string | boolean | null | object;
+
+export interface SweepRow {
+  id: string;
+  /** Those of the axes, then of the metrics. */
+  values: SweepValue[];
+  state: "done" | "failed" | "missing";
+  /** Whether it meets what the best run must; null for a run that is not done. */
+  feasible: boolean | null;
+  /** Why it failed. */
+  why: string | null;
 }
 
 /** Numbers and keys of several runs; lists have one entry per run. */

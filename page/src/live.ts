@@ -90,6 +90,13 @@ export async function refetched(data: PageData): Promise<PageData> {
   return (await answer.json()) as PageData;
 }
 
+/** The place in the list of runs of a row of the sweep, which the viewer then reads. */
+export async function openedIn({ served }: PageData, row: number): Promise<number> {
+  const answer = await fetch(`${served}open/${row}`);
+  if (!answer.ok) throw new Error((await answer.text()) || `The viewer answered ${answer.status}: the folder of this run is not there.`);
+  return ((await answer.json()) as { run: number }).run;
+}
+
 /** Columns that a row has and the history has not begin with nothing. */
 function addRow(history: PageData["runs"][number]["history"], row: { [column: string]: number | null }): void {
   const length = Math.max(0, ...Object.values(history).map((column) => column.length));

@@ -3,15 +3,17 @@
 import "./base.css";
 import "./look.css";
 import "./report/report.css";
+import "./report/sweep/sweep.css";
 import type { PageData } from "./data.ts";
 import { h } from "./dom.ts";
 import { film } from "./film.ts";
 import { inTime } from "./in_time.ts";
-import { live, refetched } from "./live.ts";
+import { live, openedIn, refetched } from "./live.ts";
 import { look } from "./look.ts";
 import { comparison } from "./report/compare/index.ts";
 import { sections as reportSections } from "./report/index.ts";
 import { navigation, scrollTo } from "./report/nav.ts";
+import { Sweep } from "./report/sweep/index.ts";
 import type { Context, Section } from "./section.ts";
 import { solid } from "./solid.ts";
 import { State } from "./state.ts";
@@ -40,6 +42,9 @@ class Page {
   private stores: Store[];
   private ends = new Map<string, AbortController>();
   private redrawing = 0;
+  private readonly sweep: Sweep | null;
+  /** Place in the list of runs of the run of a sweep that is open. */
+  private opened: number | null = null;
 
   constructor(
     private data: PageData,
@@ -48,8 +53,9 @@ class Page {
     this.stores = data.runs.map((_, run) => new Store(data.served, run));
     this.state.on(["run"], () => this.draw());
     this.progress = live(data, { row: (run) => this.grow(run), replaced: (run) => void this.replace(run).catch((error: unknown) => console.warn(String(error))) });
+    this.sweep = data.sweep && new Sweep(data, data.sweep, this.state, (row) => this.open(row));
     this.draw();
-    this.stayAt(this.state.get("section"));
+    this.stayAt(this.state.get("section") || (this.state.get("opened") === null ? "" : "opened"));
   }
 
   /** Sections grow as their arrays are unpacked: the one that the address names stays in sight until the reader does something. */
@@ -63,23 +69,44 @@ class Page {
     for (const kind of ["wheel", "pointerdown", "keydown", "touchstart"]) window.addEventListener(kind, stop, { once: true, passive: true });
   }
 
-  private get index(): number {
-    return Math.min(this.state.get("run"), this.data.runs.length - 1);
+  /** The run that is shown; null where there is none. */
+  private get index(): number | null {
+    if (this.sweep) return this.opened;
+    return this.data.runs.length === 0 ? null : Math.min(this.state.get("run"), this.data.runs.length - 1);
+  }
+
+  /** Shows the run of a row of the sweep, or none. */
+  private async open(row: number | null): Promise<void> {
+    const opening = this.begin("opening");
+    if (this.opened !== null) {
+      this.opened = null;
+      this.draw();
+    }
+    if (row === null) return;
+    const run = await openedIn(this.data, row);
+    const { runs } = await refetched(this.data);
+    if (opening.aborted) return;
+    this.data.runs.push(...runs.slice(this.data.runs.length));
+    this.stores = this.data.runs.map((_, i) => this.stores[i] ?? new Store(this.data.served, i));
+    this.opened = run;
+    this.draw();
   }
 
   private draw(): void {
-    for (const end of this.ends.values()) end.abort();
-    this.ends.clear();
-    if (this.data.runs.length === 0) {
-      this.app.replaceChildren(h("p.problem", {}, "There is no run to show."));
-      return;
-    }
+    for (const section of SECTIONS) this.ends.get(section.id)?.abort();
     const mounted = SECTIONS.flatMap((section) => {
       const element = this.mount(section);
       return element ? [{ section, element }] : [];
     });
     const listed = mounted.map(({ section }) => section).filter(({ title }) => title !== "");
-    this.app.replaceChildren(...(this.progress ? [this.progress] : []), navigation(listed, this.state, this.begin("nav")), ...mounted.map(({ element }) => element));
+    const nav = navigation([...(this.sweep?.entries ?? []), ...listed], this.state, this.begin("nav"));
+    const above = [this.progress, ...(this.sweep?.sections ?? [])].filter((element) => element !== null);
+    // What stays is not moved: it keeps the focus
+    for (const child of [...this.app.children]) if (!above.includes(child as HTMLElement)) child.remove();
+    this.app.append(...above.filter((element) => !element.isConnected), ...mounted.map(({ element }) => element));
+    if (this.progress) this.progress.after(nav);
+    else this.app.prepend(nav);
+    if (this.index === null && !this.sweep) this.app.append(h("p.problem", {}, "There is no run to show."));
   }
 
   /** What a part of the page listens to ends when it is drawn again. */
@@ -92,8 +119,12 @@ class Page {
 
   /** A section that fails says so in its place and leaves the others alone. */
   private mount(section: Section): HTMLElement | null {
-    const { data, index, state, stores } = this;
-    const context: Context = { data, run: data.runs[index], index, state, store: stores[index], stores, gone: this.begin(section.id) };
+    const { index, state, sweep } = this;
+    if (index === null) return null;
+    const run = this.data.runs[index];
+    // Runs of a sweep that were opened before are no part of the page
+    const [data, stores] = sweep ? [{ ...this.data, runs: [run] }, [this.stores[index]]] : [this.data, this.stores];
+    const context: Context = { data, run, index: sweep ? 0 : index, state, store: this.stores[index], stores, gone: this.begin(section.id) };
     let body: HTMLElement | null;
     try {
       body = section.render(context);

@@ -24,11 +24,24 @@ export interface View {
   solid: string;
   /** Axis along which the 3D view is cut at the planes' point: x, y or z; "" for no cut. */
   cut: string;
+  /** Number of the run of a sweep that is open, from 1 as in its table; null for none. */
+  opened: number | null;
+  /** Numbers of the runs of a sweep that are compared. */
+  marked: number[];
+  /** Metrics of a sweep that are drawn, separated by commas; "" for the first. */
+  metric: string;
+  /** Axes of a sweep that are drawn across and up; "" for the first ones. */
+  x: string;
+  y: string;
+  /** How a sweep is drawn: map or axis; "" for what suits its rows. */
+  plot: string;
+  /** At which level a map holds each axis, separated by commas; "" for those of the best run. */
+  levels: string;
 }
 
 export type Key = keyof View;
 
-const START: View = { run: 0, section: "", species: "", layer: "", at: null, threshold: null, light: 0, frame: 0, row: null, time: null, solid: "", cut: "" };
+const START: View = { run: 0, section: "", species: "", layer: "", at: null, threshold: null, light: 0, frame: 0, row: null, time: null, solid: "", cut: "", opened: null, marked: [], metric: "", x: "", y: "", plot: "", levels: "" };
 
 export class State {
   private view: View;
@@ -104,10 +117,12 @@ export function parse(hash: string): View {
   view.run = whole("run");
   view.light = whole("light");
   view.frame = whole("frame");
-  for (const key of ["section", "species", "layer", "solid", "cut"] as const) view[key] = given.get(key) ?? "";
+  for (const key of ["section", "species", "layer", "solid", "cut", "metric", "x", "y", "plot", "levels"] as const) view[key] = given.get(key) ?? "";
   view.threshold = number("threshold");
   view.row = number("row");
   view.time = number("time");
+  view.opened = whole("opened") || null;
+  view.marked = (given.get("marked") ?? "").split(",").map(Number).filter((run) => Number.isInteger(run) && run > 0);
   const at = given.get("at")?.split(",").map(Number) ?? [];
   if (at.length === 3 && at.every(Number.isFinite)) view.at = [at[0], at[1], at[2]];
   return view;

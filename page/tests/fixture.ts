@@ -87,7 +87,7 @@ export function fixture(): Fixture {
     surface: null,
   };
   const data: PageData = {
-    schema: "tomolith.page/1", kind: "report", title: "disc", program: "Tomolith 0.1.0", served: null, compare: null,
+    schema: "tomolith.page/1", kind: "report", title: "disc", program: "Tomolith 0.1.0", served: null, compare: null, sweep: null,
     metrics: [{ name: "iou", title: "IoU", summary: "Volume in both print and part, divided by the volume in either.", unit: "", better: "higher" }],
     headline: ["iou"], gray_headline: [], runs: [run],
   };

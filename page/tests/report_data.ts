@@ -191,6 +191,7 @@ export function pageData(runs: Run[] = [run()]): PageData {
     headline: ["iou", "pw", "hausdorff_mm", "over_mm3"],
     gray_headline: ["rms_error"],
     compare: null,
+    sweep: null,
     runs,
   };
 }

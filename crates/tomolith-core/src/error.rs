@@ -3,6 +3,7 @@
 //! A variant carries values, not sentences: the program that shows it decides how. Errors of a job file start as
 //! [`Error::Config`] with the key path only; the job reader adds the [`Place`] (file and line).
 
+use crate::units::exact;
 use std::path::PathBuf;
 
 /// Position in a text file.
@@ -226,6 +227,31 @@ impl Error {
         }
         self
     }
+}
+
+/// Refuses the number at a key unless it is in range.
+///
+/// # Errors
+/// [`Error::Config`] with the number and what is accepted.
+pub fn in_range(
+    is_in: bool,
+    key: impl Into<String>,
+    value: impl std::fmt::LowerExp + std::fmt::Debug,
+    accepted: impl Into<String>,
+) -> Result<()> {
+    match is_in {
+        true => Ok(()),
+        false => Err(Error::refused(key, exact(value), accepted)),
+    }
+}
+
+/// Refuses a number at a key that is not finite and above 0.
+///
+/// # Errors
+/// As [`in_range`].
+pub fn above_zero(key: impl Into<String>, value: f64) -> Result<()> {
+    let is_above = value.is_finite() && value > 0.0;
+    in_range(is_above, key, value, "a finite number above 0")
 }
 
 /// The key, or what a message without one is about: the whole file, or the job where there is none.

@@ -7,7 +7,7 @@
 mod located;
 
 use self::located::{Failure, Fault};
-use crate::error::{Error, Result, nearest_name};
+use crate::error::{Error, Result, in_range, nearest_name};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
@@ -65,6 +65,14 @@ impl Section {
     ) -> Error {
         let key = format!("{}.{key}", self.path);
         Error::refused(key, found, accepted)
+    }
+
+    /// Refuses the number of a key unless it is in range.
+    ///
+    /// # Errors
+    /// [`Error::Config`] with the number and what is accepted.
+    pub fn in_range(&self, is_in: bool, key: &str, value: f64, accepted: &str) -> Result<()> {
+        in_range(is_in, key, value, accepted).map_err(|e| e.under(&self.path))
     }
 
     /// Reads the section into a parameter struct (use `#[serde(deny_unknown_fields)]` on it).

@@ -146,6 +146,7 @@ fn solve(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::near;
 
     /// Misra1a of NIST's Statistical Reference Datasets: y = b₁·(1 − e^(−b₂x)), certified values and standard deviations.
     #[test]
@@ -170,10 +171,7 @@ mod tests {
             2.707_007_524_1,
             7.266_868_823_6E-06,
         ]) {
-            assert!(
-                (found / certified - 1.0).abs() < 1e-6,
-                "{found} {certified}"
-            );
+            near!(found / certified, 1.0, 1e-6, "{found} {certified}");
         }
         assert!((found.cost / 1.245_513_889_4E-01 - 1.0).abs() < 1e-8);
     }

@@ -35,16 +35,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         PatternGrid::full_turn(angles, 0.0, voxels, voxels, pitch),
         Resin::absorbing(1.5, 0.1),
     );
-    let scene = OpticalScene {
-        vial: &IndexMatched { radius_mm: 5.0 },
-        lights: &[light],
-        optics: &[Optics::collimated(pitch)],
-        solid: None,
-        purpose: Purpose::Optimize,
-        dose_factor: 1.0,
-        probe_failed: None,
-        accelerator: None,
-    };
+    let (vial, lights) = (IndexMatched { radius_mm: 5.0 }, [light]);
+    let optics = [Optics::collimated(pitch)];
+    let scene = OpticalScene::new(&vial, &lights, &optics, Purpose::Optimize);
     let run = Run::new();
     let grid = VolumeGrid::centered([voxels; 3], pitch);
     let input = ModelInput::new(scene, &grid, &run)?;

@@ -8,6 +8,7 @@ use tomolith_core::check::noise;
 use tomolith_core::dose::DoseLayout;
 use tomolith_core::field::{Band, BandKernel, BandLoss, Bands, Field, HostField};
 use tomolith_core::grid::VolumeGrid;
+use tomolith_core::near;
 use tomolith_core::response::table::Beyond;
 use tomolith_core::response::{Identity, Logistic, Response, Table, logistic};
 use tomolith_gpu::{Gpu, GpuField};
@@ -97,10 +98,7 @@ fn values_gradients_and_slopes_are_those_of_the_host() {
                 let host = <HostField as Field>::Bands::new(&loss, &dose);
                 let card = <GpuField as Field>::Bands::new(&loss, &there);
                 let near = |found: f64, expected: f64, what: &str| {
-                    assert!(
-                        (found - expected).abs() < 2e-5 * expected.abs(),
-                        "{what}: {found} instead of {expected}"
-                    );
+                    near!(found, expected, 2e-5 * expected.abs(), "{what}");
                 };
                 near(card.value(&there), host.value(&dose), &what);
                 let (mut g, mut h) = (dose.zeros_like(), there.clone());

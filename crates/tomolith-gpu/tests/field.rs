@@ -35,16 +35,9 @@ mod tiny {
         let mut light = Light::new(pixels, Resin::absorbing(1.5, 0.1));
         let run = |i: usize| ((i % 4) as u32, (46 - i % 5) as u32);
         light.active = Some((0..12 * 90).map(run).collect());
-        let scene = OpticalScene {
-            vial: &IndexMatched { radius_mm: 3.0 },
-            lights: &[light],
-            optics: &[Optics::collimated(0.1)],
-            solid: None,
-            purpose: Purpose::Optimize,
-            dose_factor: 1.0,
-            probe_failed: None,
-            accelerator: None,
-        };
+        let (vial, lights) = (IndexMatched { radius_mm: 3.0 }, [light]);
+        let optics = [Optics::collimated(0.1)];
+        let scene = OpticalScene::new(&vial, &lights, &optics, Purpose::Optimize);
         let run = Run::new();
         let input = ModelInput::new(scene, &grid, &run).unwrap();
         parallel::Params::default().strips(&input).unwrap().unwrap()
@@ -219,6 +212,17 @@ fn bounds_of_one_light_and_of_two_hold_as_on_the_host() {
     }
 }
 
+fn latest<F>([x, step, gradient, change, image]: [&F; 5]) -> Latest<'_, F> {
+    Latest {
+        x,
+        step,
+        alpha: 0.7,
+        gradient,
+        change,
+        image,
+    }
+}
+
 #[test]
 fn pairs_give_the_products_and_directions_of_the_host() {
     let Some(gpu) = gpu(SMALL) else { return };
@@ -235,27 +239,9 @@ fn pairs_give_the_products_and_directions_of_the_host() {
         x.host.clamp(0.0, 0.8);
         x.card.clamp(0.0, 0.8);
         let slot = round as usize % slots;
-        let expected = host.record(
-            slot,
-            &Latest {
-                x: &x.host,
-                step: &step.host,
-                alpha: 0.7,
-                gradient: &gradient.host,
-                change: &change.host,
-                image: &image.host,
-            },
-            &bounds,
-        );
-        let latest = Latest {
-            x: &x.card,
-            step: &step.card,
-            alpha: 0.7,
-            gradient: &gradient.card,
-            change: &change.card,
-            image: &image.card,
-        };
-        let found = card.record(slot, &latest, &there);
+        let all = [&x, &step, &gradient, &change, &image];
+        let expected = host.record(slot, &latest(all.map(|both| &both.host)), &bounds);
+        let found = card.record(slot, &latest(all.map(|both| &both.card)), &there);
         for (found, expected) in [
             (&found.s_y, &expected.s_y),
             (&found.z_y, &expected.z_y),

@@ -3,9 +3,9 @@
 mod common;
 
 use common::{SMALL, gpu, smaller};
-use tomolith_core::check::noise;
-use tomolith_core::dose::{Accelerator, DoseModel, Run};
-use tomolith_core::field::Field;
+use tomolith_core::check::{self, noise};
+use tomolith_core::dose::{Accelerator, DoseLayout, DoseModel, Run};
+use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::{PatternGrid, Volume, VolumeGrid};
 use tomolith_core::kind::{Kind, Section};
 use tomolith_core::response::{Identity, Response};
@@ -97,16 +97,7 @@ impl Case {
             .iter()
             .map(|_| Optics::collimated(0.1))
             .collect();
-        let scene = OpticalScene {
-            vial: &*self.vial,
-            lights: &self.lights,
-            optics: &optics,
-            solid: None,
-            purpose: Purpose::Probe,
-            dose_factor: 1.0,
-            probe_failed: None,
-            accelerator: None,
-        };
+        let scene = OpticalScene::new(&*self.vial, &self.lights, &optics, Purpose::Probe);
         let run = Run::new();
         with(&ModelInput::new(scene, &self.grid, &run).unwrap())
     }
@@ -118,6 +109,15 @@ impl Case {
     fn strips(&self) -> tomolith_core::dose::strips::StripForm {
         self.with(|input| parallel::Params::default().strips(input).unwrap().unwrap())
     }
+}
+
+/// Noise on the voxels of a dose, 0 in what fills up its rows.
+fn noise_of(layout: &DoseLayout, seed: u64) -> Vec<f32> {
+    let mut values = noise(seed, layout.len());
+    let nz = layout.grid.shape[0];
+    let rows = values.chunks_mut(layout.row);
+    rows.for_each(|row| row[nz..].fill(0.0));
+    values
 }
 
 fn assert_near(found: &[f32], expected: &[f32], tolerance: f32, what: &str) {
@@ -145,37 +145,19 @@ fn doses_and_adjoints_are_those_of_the_processor() {
             let card = gpu.model(&form, &Run::new()).unwrap().unwrap();
             let kept = card.describe().contains("weights, kept");
             assert_eq!(kept, memory > 1 << 16, "{}", card.describe());
-            let mut x = host.new_patterns().unwrap();
-            let values: Vec<f32> = noise(1, x.len()).iter().map(|v| v.abs()).collect();
-            x.copy_from_host(&values);
-            let mut expected = host.new_dose().unwrap();
-            let mut found = card.new_dose().unwrap();
-            host.dose(&x, &mut expected, &Run::new()).unwrap();
-            card.dose(&x, &mut found, &Run::new()).unwrap();
+            let mut x = check::noisy_patterns(&*host, 1);
+            x.as_mut_slice().iter_mut().for_each(|v| *v = v.abs());
+            let [expected, found] = [&host, &card].map(|model| check::dose(&**model, &x));
             assert_near(found.as_slice(), expected.as_slice(), 5e-6, case.name);
-            let mut of_some = [host.new_dose().unwrap(), card.new_dose().unwrap()];
-            let frames = 2..5;
-            for (model, dose) in [&host, &card].into_iter().zip(&mut of_some) {
-                model
-                    .dose_of(frames.clone(), &x, dose, &Run::new())
-                    .unwrap();
-            }
-            let [expected, found] = &of_some;
+            let [expected, found] = [&host, &card].map(|model| {
+                let mut dose = model.new_dose().unwrap();
+                model.dose_of(2..5, &x, &mut dose, &Run::new()).unwrap();
+                dose
+            });
             assert_near(found.as_slice(), expected.as_slice(), 5e-6, case.name);
-            let mut cotangent = host.new_dose().unwrap();
-            let layout = &host.outputs()[0];
-            let nz = layout.grid.shape[0];
-            let values = noise(2, cotangent.len()).into_iter().enumerate();
-            let values: Vec<f32> = values
-                .map(|(i, v)| if i % layout.row < nz { v } else { 0.0 })
-                .collect();
-            cotangent.copy_from_host(&values);
-            let mut expected = host.new_patterns().unwrap();
-            let mut found = host.new_patterns().unwrap();
-            host.pullback(&x, &cotangent, &mut expected, &Run::new())
-                .unwrap();
-            card.pullback(&x, &cotangent, &mut found, &Run::new())
-                .unwrap();
+            let cotangent = HostField::from_slice(&noise_of(&host.outputs()[0], 2));
+            let both = [&host, &card].map(|model| check::adjoint(&**model, &cotangent));
+            let [expected, found] = both;
             assert_near(found.as_slice(), expected.as_slice(), 5e-6, case.name);
         }
     }
@@ -190,21 +172,10 @@ fn dose_and_adjoint_on_the_card_are_one_matrix() {
         form.dark = (0..pixels).map(|i| i % 11 == 3).collect();
         form.factor = 0.7;
         let model = GpuStrips::new(&gpu, &form, &Run::new()).unwrap();
-        let (mut x, mut c) = (
-            DoseModel::new_patterns(&model).unwrap(),
-            DoseModel::new_dose(&model).unwrap(),
-        );
-        x.copy_from_host(&noise(3, x.len()));
-        let layout = &form.geometry.output;
-        let nz = layout.grid.shape[0];
-        let values = noise(4, c.len()).into_iter().enumerate();
-        let values: Vec<f32> = values
-            .map(|(i, v)| if i % layout.row < nz { v } else { 0.0 })
-            .collect();
-        c.copy_from_host(&values);
-        let (mut dose, mut grad) = (c.zeros_like(), x.zeros_like());
-        model.dose(&x, &mut dose, &Run::new()).unwrap();
-        model.pullback(&x, &c, &mut grad, &Run::new()).unwrap();
+        let x = check::noisy_patterns(&model, 3);
+        let mut c = DoseModel::new_dose(&model).unwrap();
+        c.copy_from_host(&noise_of(&form.geometry.output, 4));
+        let (dose, grad) = (check::dose(&model, &x), check::adjoint(&model, &c));
         let (left, right) = (dose.dot(&c), grad.dot(&x));
         let size = dose.norm() * c.norm();
         assert!(
@@ -214,9 +185,7 @@ fn dose_and_adjoint_on_the_card_are_one_matrix() {
         );
         assert!(size > 0.0);
         // The same bits again
-        let mut again = dose.zeros_like();
-        model.dose(&x, &mut again, &Run::new()).unwrap();
-        assert_eq!(again.to_host(), dose.to_host());
+        assert_eq!(check::dose(&model, &x).to_host(), dose.to_host());
     }
 }
 
@@ -259,14 +228,7 @@ fn solved<F: Field>(model: &dyn DoseModel<Field = F>) -> (Vec<f32>, Vec<f64>) {
     let empty = |key: &str| Section::new(key, serde_json::json!({}));
     let objective = (row(objectives::<F>(), "threshold").build)(&empty("objective")).unwrap();
     let objective = objective.make(&input).unwrap();
-    let start = StartInput {
-        model,
-        target: &target,
-        labels: &labels,
-        response: &Identity,
-        limits: &limits,
-        absorption: None,
-    };
+    let start = StartInput::new(model, &target, &labels, &limits);
     let run = Run::new();
     let of_start = (row(starts::<F>(), "fbp").build)(&empty("start")).unwrap();
     let mut x = of_start
@@ -274,10 +236,7 @@ fn solved<F: Field>(model: &dyn DoseModel<Field = F>) -> (Vec<f32>, Vec<f64>) {
         .unwrap_or_else(|e| panic!("{}: {e}", model.describe()));
     let mut problem = Problem::new(model, &*objective, &limits, &run).unwrap();
     let method = (row(optimizers::<F>(), "lbfgs").build)(&empty("optimizer")).unwrap();
-    let stop = Stop {
-        iterations: 12,
-        ..Stop::default()
-    };
+    let stop = Stop::after(12);
     let mut method = method.make().unwrap();
     let outcome = tomolith_optimize::run(&mut problem, &mut *method, &mut x, &stop, None, &mut []);
     let losses = outcome

@@ -21,7 +21,7 @@ use crate::illumination::must_show;
 use crate::schedule::{Exposure, Schedule};
 use std::ops::Range;
 use tomolith_core::dose::{DoseModel, Run, ZCoupling, elements_of, frames_of};
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Error, Result, in_range};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::forward;
 use tomolith_core::units::exact;
@@ -111,13 +111,12 @@ impl<M: DoseModel<Field = HostField> + ?Sized> Diffused<M> {
         diffusion: f64,
         arcs: &[(Range<usize>, Vec<Span>)],
     ) -> Result<Self> {
-        if !(diffusion >= 0.0 && diffusion.is_finite()) {
-            return Err(Error::refused(
-                "diffusion_mm2_per_s",
-                exact(diffusion),
-                "a finite number, 0 or more",
-            ));
-        }
+        in_range(
+            diffusion >= 0.0 && diffusion.is_finite(),
+            "diffusion_mm2_per_s",
+            diffusion,
+            "a finite number, 0 or more",
+        )?;
         let ends: Vec<usize> = arcs.iter().map(|(frames, _)| frames.end).collect();
         let begins = arcs.iter().map(|(frames, _)| frames.start);
         if !begins.eq([0].into_iter().chain(ends.iter().copied()).take(arcs.len()))

@@ -19,11 +19,10 @@
 use crate::domain::Domain;
 use crate::mixing::Mixing;
 use crate::{Material, Readout, Requirement, State};
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Error, Result, above_zero};
 use tomolith_core::field::{BLOCK, HostField};
 use tomolith_core::parallel::InParallel;
 use tomolith_core::response::Response;
-use tomolith_core::units::exact;
 
 /// See the [module page](self).
 pub struct Memoryless {
@@ -51,13 +50,7 @@ impl Memoryless {
                 format!("{}, one for each species", mixing.species()),
             ));
         }
-        if !(gel_dose > 0.0 && gel_dose.is_finite()) {
-            return Err(Error::refused(
-                "gel_dose",
-                exact(gel_dose),
-                "a finite number above 0",
-            ));
-        }
+        above_zero("gel_dose", gel_dose)?;
         Ok(Memoryless {
             mixing,
             domain,

@@ -33,6 +33,13 @@ pub struct LightSource<'a> {
     pub patterns: &'a HostField,
 }
 
+impl<'a> LightSource<'a> {
+    /// Patterns and the model that shows them.
+    pub fn new(model: &'a Model, patterns: &'a HostField) -> Self {
+        LightSource { model, patterns }
+    }
+}
+
 /// Makes the dose model of a light (by its number) anew for an absorption; its layouts must stay.
 pub type Renew<'a> = dyn FnMut(usize, &Absorption) -> Result<Box<Model>> + 'a;
 

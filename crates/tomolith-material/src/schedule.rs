@@ -18,7 +18,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Error, Result, above_zero, in_range};
 use tomolith_core::units::exact;
 
 /// Times closer than that are one, s.
@@ -141,29 +141,25 @@ impl Turns {
             ("turns", self.turns),
             ("power", power),
         ] {
-            if !(value > 0.0 && value.is_finite()) {
-                return Err(Error::refused(key, exact(value), "a finite number above 0"));
-            }
+            above_zero(key, value)?;
         }
-        if !(self.duty > 0.0 && self.duty <= 1.0) {
-            return Err(Error::refused(
-                "duty",
-                exact(self.duty),
-                "a number above 0 and at most 1",
-            ));
-        }
+        in_range(
+            self.duty > 0.0 && self.duty <= 1.0,
+            "duty",
+            self.duty,
+            "a number above 0 and at most 1",
+        )?;
         for (key, value) in [
             ("dark_before_s", self.dark_before_s),
             ("dark_between_s", self.dark_between_s),
             ("dark_after_s", self.dark_after_s),
         ] {
-            if !(value >= 0.0 && value.is_finite()) {
-                return Err(Error::refused(
-                    key,
-                    exact(value),
-                    "a finite number of seconds, 0 or more",
-                ));
-            }
+            in_range(
+                value >= 0.0 && value.is_finite(),
+                key,
+                value,
+                "a finite number of seconds, 0 or more",
+            )?;
         }
         if self.frames as f64 * self.turns > MOST_EXPOSURES {
             return Err(Error::config(
@@ -452,6 +448,7 @@ impl Schedule {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tomolith_core::near;
 
     fn key_of(error: Error) -> String {
         match error {
@@ -485,10 +482,7 @@ mod tests {
         let frame_s = 3.0 / 7.0 * 0.7;
         let seconds = schedule.seconds(0);
         for (frame, times) in [3.0, 3.0, 3.0, 2.0, 2.0, 2.0, 2.0].into_iter().enumerate() {
-            assert!(
-                (seconds[frame] - times * frame_s).abs() < 1e-12,
-                "{seconds:?}"
-            );
+            near!(seconds[frame], times * frame_s, 1e-12, "{seconds:?}");
         }
         for longest in [0.05, 0.4, 1.0, 3.7, 100.0] {
             let blocks = schedule.blocks(longest).unwrap();

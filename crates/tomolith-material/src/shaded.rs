@@ -299,6 +299,7 @@ impl DoseModel for Shaded {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tomolith_core::near;
 
     #[test]
     fn the_exponential_is_that_of_the_library() {
@@ -306,10 +307,7 @@ mod tests {
         for i in -2000..=8000 {
             let depth = i as f32 * 0.01;
             let exact = (-f64::from(depth)).exp();
-            assert!(
-                (f64::from(less(depth)) / exact - 1.0).abs() < 6e-6,
-                "{depth}"
-            );
+            near!(f64::from(less(depth)) / exact, 1.0, 6e-6, "{depth}");
         }
         assert!(less(1e9) < 1e-37 && less(1e9) >= 0.0);
     }

@@ -23,13 +23,12 @@ use super::scan::{Plateau, Scan};
 use super::surface::{Deviation, MOST_TRIANGLES, SurfaceDistance, deviation, surface_distance};
 use std::sync::{Arc, OnceLock};
 use tomolith_core::dose::Run;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Error, Result, in_range};
 use tomolith_core::field::BLOCK;
 use tomolith_core::grid::{Patterns, Volume, VolumeGrid};
 use tomolith_core::parallel::InParallel;
 use tomolith_core::response::Response;
 use tomolith_core::target::label;
-use tomolith_core::units::exact;
 
 /// Sums over the pixels of all frames and lights, dark and masked ones included.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -163,13 +162,12 @@ impl<'a> Print<'a> {
             &wanted.grid,
             wanted.values.len(),
         )?;
-        if !(half_width.is_finite() && half_width >= 0.0) {
-            return Err(Error::refused(
-                "epsilon",
-                exact(half_width),
-                "a finite number, 0 or above",
-            ));
-        }
+        in_range(
+            half_width.is_finite() && half_width >= 0.0,
+            "epsilon",
+            half_width,
+            "a finite number, 0 or above",
+        )?;
         self.gray = Some((wanted, half_width));
         Ok(self)
     }
@@ -193,13 +191,12 @@ impl<'a> Print<'a> {
     /// # Errors
     /// [`Error::Config`] when it is not finite.
     pub fn with_threshold(mut self, threshold: f64) -> Result<Self> {
-        if !threshold.is_finite() {
-            return Err(Error::refused(
-                "evaluate.threshold",
-                exact(threshold),
-                "a finite number",
-            ));
-        }
+        in_range(
+            threshold.is_finite(),
+            "evaluate.threshold",
+            threshold,
+            "a finite number",
+        )?;
         self.threshold = Some(threshold);
         Ok(self)
     }
@@ -428,6 +425,7 @@ pub(super) mod samples {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tomolith_core::near;
     use tomolith_core::target::label::{OUTSIDE, PART, VOID};
 
     fn volume<T: Clone>(values: &[T]) -> Volume<T> {
@@ -536,10 +534,7 @@ mod tests {
         let [part, void] = print.printed();
         let measured = (part + void) as f64 * grid.voxel_mm3();
         assert!(pieces > 4 && void == 0);
-        assert!(
-            (volume / measured - 1.0).abs() < 5e-3,
-            "{volume} {measured}"
-        );
+        near!(volume / measured, 1.0, 5e-3, "{volume} {measured}");
     }
 
     #[test]

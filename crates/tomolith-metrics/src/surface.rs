@@ -381,6 +381,7 @@ fn distances(from: &Isosurface, to: &Isosurface, step: usize, run: &Run) -> Vec<
 mod tests {
     use super::*;
     use tomolith_core::grid::Volume;
+    use tomolith_core::near;
     use tomolith_core::target::label::{PART, VOID};
 
     /// 1 + signed depth under the surface of a sphere: level 1 is the sphere.
@@ -440,10 +441,7 @@ mod tests {
         assert_eq!(d.coarsened, 1);
         let near = compare(&grid, [1.2, 1.35], 0.2, usize::MAX);
         let few = compare_from(&grid, [1.2, 1.35], 0.2, (usize::MAX, 500));
-        assert!(
-            (few.mean_mm / near.mean_mm - 1.0).abs() < 0.03,
-            "{few:?} {near:?}"
-        );
+        near!(few.mean_mm / near.mean_mm, 1.0, 0.03, "{few:?} {near:?}");
         assert!((0.9..=1.0).contains(&(few.hausdorff_mm / near.hausdorff_mm)));
         let same = compare(&grid, [1.2, 1.2], 0.0, usize::MAX);
         assert!(same.hausdorff_mm < 1e-6, "{same:?}");

@@ -292,16 +292,9 @@ mod tests {
     }
 
     fn planned(lights: &[Light], wanted: Option<&Volume<u8>>) -> ModelPlan {
-        let scene = OpticalScene {
-            vial: &IndexMatched { radius_mm: 2.0 },
-            lights,
-            optics: &[Optics::collimated(0.1), Optics::collimated(0.1)],
-            solid: None,
-            purpose: Purpose::Optimize,
-            dose_factor: 1.0,
-            probe_failed: None,
-            accelerator: None,
-        };
+        let optics = [Optics::collimated(0.1), Optics::collimated(0.1)];
+        let vial = IndexMatched { radius_mm: 2.0 };
+        let scene = OpticalScene::new(&vial, lights, &optics, Purpose::Optimize);
         plan(None, scene, &grid(), wanted, &Run::new()).unwrap()
     }
 
@@ -338,20 +331,16 @@ mod tests {
 
     #[test]
     fn the_dose_is_that_of_patterns_spread_by_the_image_as_it_stands() {
-        let run = Run::new();
         let lights = lights();
-        let plain: Vec<Light> = lights
-            .iter()
-            .map(|light| Light {
-                point_spread: None,
-                ..light.clone()
-            })
-            .collect();
+        let plain = |light: &Light| Light {
+            point_spread: None,
+            ..light.clone()
+        };
+        let plain: Vec<Light> = lights.iter().map(plain).collect();
         // Unknowns that reach the part alone; the light beside them must not get lost
         let (blurred, plain) = (planned(&lights, Some(&wanted())), planned(&plain, None));
         let (blurred, plain) = (blurred.model, plain.model);
-        let mut x = blurred.new_patterns().unwrap();
-        x.copy_from_host(&check::noise(3, x.len()));
+        let mut x = check::noisy_patterns(&blurred, 3);
         x.as_mut_slice().iter_mut().for_each(|v| *v = v.abs());
         let mut y = plain.new_patterns().unwrap();
         assert!(x.len() < y.len() / 2);
@@ -364,24 +353,14 @@ mod tests {
             };
             all.fill_field(&images, y.as_mut_slice());
         }
-        let dose = |model: &dyn DoseModel<Field = HostField>, x: &HostField| {
-            let mut dose = model.new_dose().unwrap();
-            model.dose(x, &mut dose, &run).unwrap();
-            dose
-        };
-        let (found, expected) = (dose(&blurred, &x), dose(&plain, &y));
-        let mut off = found.clone();
-        off.axpy(-1.0, &expected);
-        assert!(off.norm() < 1e-5 * expected.norm(), "{}", off.norm());
-        let mut unspread = dose(&plain, &{
-            let mut y = plain.new_patterns().unwrap();
-            for (own, all) in blurred.patterns().iter().zip(plain.patterns()) {
-                all.fill_field(&own.patterns_of(x.as_slice()), y.as_mut_slice());
-            }
-            y
-        });
-        unspread.axpy(-1.0, &expected);
-        assert!(unspread.norm() > 0.05 * expected.norm());
+        let (found, expected) = (check::dose(&blurred, &x), check::dose(&plain, &y));
+        let (found, expected) = (found.as_slice(), expected.as_slice());
+        assert!(check::difference(found, expected) < 1e-5);
+        for (own, all) in blurred.patterns().iter().zip(plain.patterns()) {
+            all.fill_field(&own.patterns_of(x.as_slice()), y.as_mut_slice());
+        }
+        let unspread = check::dose(&plain, &y);
+        assert!(check::difference(unspread.as_slice(), expected) > 0.05);
     }
 
     #[test]

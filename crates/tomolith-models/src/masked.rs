@@ -240,11 +240,9 @@ mod tests {
         assert!((8 * 3 * 3..=8 * 4 * 5).contains(&share), "{share}");
         let mut full = model.new_patterns().unwrap();
         full.as_mut_slice().fill(1.0);
-        let mut plain = model.new_dose().unwrap();
-        model.dose(&full, &mut plain, &run).unwrap();
+        let plain = check::dose(&*model, &full);
         let darkened = MaskedModel::new(model, dark.clone(), 1.0);
-        let mut dose = darkened.new_dose().unwrap();
-        darkened.dose(&full, &mut dose, &run).unwrap();
+        let mut dose = check::dose(&darkened, &full);
         let layout = &darkened.outputs()[0];
         let [before, after] = [&plain, &dose].map(|field| layout.volume_of(field.as_slice()));
         for ((&place, &before), &after) in
@@ -272,18 +270,10 @@ mod tests {
 
     #[test]
     fn a_factor_multiplies_every_dose() {
-        let run = Run::new();
         let mut x = model().new_patterns().unwrap();
         x.copy_from_host(&check::noise(3, x.len()));
-        let dose_of = |model: &dyn DoseModel<Field = HostField>| {
-            let mut dose = model.new_dose().unwrap();
-            model.dose(&x, &mut dose, &run).unwrap();
-            dose
-        };
-        let (plain, scaled) = (
-            dose_of(model().as_ref()),
-            dose_of(&MaskedModel::new(model(), Vec::new(), 0.25)),
-        );
+        let plain = check::dose(&*model(), &x);
+        let scaled = check::dose(&MaskedModel::new(model(), Vec::new(), 0.25), &x);
         // A power of two: to the bit
         for (plain, scaled) in plain.as_slice().iter().zip(scaled.as_slice()) {
             assert_eq!(0.25 * plain, *scaled);

@@ -598,21 +598,12 @@ impl MatrixModel {
 mod tests {
     use super::*;
     use crate::parallel::Parallel;
-    use tomolith_core::check;
+    use tomolith_core::check::{self, difference};
     use tomolith_optics::light::Light;
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::{cylinder::Cylinder, index_matched::IndexMatched};
 
-    /// ‖a − b‖ / ‖b‖
-    fn difference(a: &[f32], b: &[f32]) -> f64 {
-        let square = |v: f64| v * v;
-        let error: f64 = a.iter().zip(b).map(|(a, b)| square(f64::from(a - b))).sum();
-        let size: f64 = b.iter().map(|&b| square(f64::from(b))).sum();
-        (error / size).sqrt()
-    }
-
     fn must_equal(matrix: &MatrixModel, model: &dyn DoseModel<Field = HostField>) {
-        let run = Run::new();
         let mut patterns: Vec<_> = Vec::new();
         let (mut x, mut y) = (
             model.new_patterns().unwrap(),
@@ -629,18 +620,9 @@ mod tests {
             own.fill_field(&other.patterns_of(x.as_slice()), y.as_mut_slice());
             patterns.push(images);
         }
-        let (mut a, mut b) = (
-            model.new_dose().unwrap(),
-            LinearOperator::new_dose(matrix).unwrap(),
-        );
-        model.dose(&x, &mut a, &run).unwrap();
-        matrix.dose(&y, &mut b, &run).unwrap();
+        let (a, b) = (check::dose(model, &x), check::dose(matrix, &y));
         assert!(difference(b.as_slice(), a.as_slice()) < 1e-6);
-        let cotangent = a.clone();
-        model
-            .pullback(&x.clone(), &cotangent, &mut x, &run)
-            .unwrap();
-        matrix.adjoint(&cotangent, &mut y, &run).unwrap();
+        let (x, y) = (check::adjoint(model, &a), check::adjoint(matrix, &a));
         for (own, other) in LinearOperator::patterns(matrix)
             .iter()
             .zip(model.patterns())

@@ -204,6 +204,7 @@ mod tests {
     use crate::parallel;
     use crate::rays::{self, Optics};
     use crate::wave::{self, incoherent_cone};
+    use tomolith_core::check;
     use tomolith_core::grid::PatternGrid;
     use tomolith_core::kind::Section;
     use tomolith_optics::light::Light;
@@ -338,8 +339,7 @@ mod tests {
             let mut x = straight.new_patterns().unwrap();
             let layout = &straight.patterns()[0];
             x.as_mut_slice()[layout.runs[6].offset + layout.runs[6].count as usize / 2] = 1.0;
-            let mut dose = straight.new_dose().unwrap();
-            straight.dose(&x, &mut dose, &Run::new()).unwrap();
+            let dose = check::dose(&*straight, &x);
             let dose = straight.outputs()[0].volume_of(dose.as_slice());
             let lit = |z: usize| (0..64).any(|i| *dose.at(z, i / 8, i % 8) > 1e-4);
             assert_eq!((0..6).filter(|z| lit(*z)).count(), 1);

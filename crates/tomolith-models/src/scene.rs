@@ -36,7 +36,27 @@ pub struct OpticalScene<'a> {
 /// Why whole voxels are not enough.
 pub(crate) const CUT: &str = "the target's surface cuts voxels into cells";
 
-impl OpticalScene<'_> {
+impl<'a> OpticalScene<'a> {
+    /// Whole voxels, on the processor.
+    #[must_use]
+    pub fn new(
+        vial: &'a dyn Vial,
+        lights: &'a [Light],
+        optics: &'a [Optics],
+        purpose: Purpose,
+    ) -> Self {
+        OpticalScene {
+            vial,
+            lights,
+            optics,
+            solid: None,
+            purpose,
+            dose_factor: 1.0,
+            probe_failed: None,
+            accelerator: None,
+        }
+    }
+
     /// Whether light is scattered anywhere.
     #[must_use]
     pub fn scatters(&self) -> bool {

@@ -165,6 +165,7 @@ mod tests {
     use crate::rays::{self, Optics};
     use crate::{Family, OpticalScene, Purpose, monte_carlo, planner, successive_orders};
     use std::sync::Arc;
+    use tomolith_core::check;
     use tomolith_core::grid::{PatternGrid, PixelMask, VolumeGrid};
     use tomolith_optics::phase::{Scattering, rayleigh::Rayleigh};
     use tomolith_optics::resin::Resin;
@@ -185,16 +186,7 @@ mod tests {
     }
 
     fn scene<'a>(lights: &'a [Light], optics: &'a [Optics]) -> OpticalScene<'a> {
-        OpticalScene {
-            vial: &VIAL,
-            lights,
-            optics,
-            solid: None,
-            purpose: Purpose::Optimize,
-            dose_factor: 1.0,
-            probe_failed: None,
-            accelerator: None,
-        }
+        OpticalScene::new(&VIAL, lights, optics, Purpose::Optimize)
     }
 
     fn part(grid: &VolumeGrid) -> Volume<u8> {
@@ -236,12 +228,10 @@ mod tests {
             let masked = planned(light.clone());
             // The gradient of an even dose is what was there, and 0 where no pixel may be lit
             let gradient = |plan: &planner::ModelPlan| {
-                let model = &plan.model;
-                let (mut x, mut c) = (model.new_patterns().unwrap(), model.new_dose().unwrap());
+                let mut c = plan.model.new_dose().unwrap();
                 c.fill(1.0);
-                let at = x.zeros_like();
-                model.pullback(&at, &c, &mut x, &Run::new()).unwrap();
-                model.patterns()[0].patterns_of(x.as_slice())
+                let x = check::adjoint(&plan.model, &c);
+                plan.model.patterns()[0].patterns_of(x.as_slice())
             };
             let (before, after) = (gradient(&plain), gradient(&masked));
             let mut lost = 0;
@@ -261,18 +251,13 @@ mod tests {
             assert!(lost > 5, "{family:?}: {lost}");
             assert!(masked.model.patterns()[0].len() < plain.model.patterns()[0].len());
             // Light of a pixel that may not be lit has no effect
-            let mut x = masked.model.new_patterns().unwrap();
-            x.fill(1.0);
+            let x = check::even_patterns(&masked.model, 1.0);
             assert_eq!(masked.dark.len(), x.len());
             let mut kept = x.clone();
             super::super::masked::darken(kept.as_mut_slice(), &masked.dark);
             assert_ne!(kept.as_slice(), x.as_slice());
-            let dose = |x: &HostField| {
-                let mut dose = masked.model.new_dose().unwrap();
-                masked.model.dose(x, &mut dose, &Run::new()).unwrap();
-                dose.as_slice().to_vec()
-            };
-            assert_eq!(dose(&x), dose(&kept));
+            let [whole, part] = [&x, &kept].map(|x| check::dose(&masked.model, x));
+            assert_eq!(whole.as_slice(), part.as_slice());
         }
     }
 
@@ -289,11 +274,9 @@ mod tests {
         let family: Family = Arc::new(matrix::Params { file });
         let (scene, run) = (scene(std::slice::from_ref(&light), &optics), Run::new());
         let plan = planner::plan(Some(&family), scene, &grid, None, &run).unwrap();
-        let mut x = plan.model.new_patterns().unwrap();
         let mut c = plan.model.new_dose().unwrap();
         c.fill(1.0);
-        let at = x.zeros_like();
-        plan.model.pullback(&at, &c, &mut x, &Run::new()).unwrap();
+        let x = check::adjoint(&plan.model, &c);
         let gradient = plan.model.patterns()[0].patterns_of(x.as_slice());
         let mut lit = 0;
         for (i, &value) in gradient.values.iter().enumerate() {

@@ -213,8 +213,7 @@ mod tests {
             .iter_mut()
             .zip(noise)
             .for_each(|(x, n)| *x = 1.0 + n);
-        let mut dose = model.new_dose().unwrap();
-        model.dose(&x, &mut dose, &run).unwrap();
+        let dose = check::dose(&model, &x);
         let alone: Vec<HostField> = (0..2)
             .map(|i| {
                 let light = model.of_light(i).unwrap();

@@ -1,8 +1,33 @@
 //! What every objective must do.
 
-use crate::Objective;
+use crate::{OBJECTIVES, Objective, ObjectiveInput};
+use serde_json::{Value, json};
+use std::sync::Arc;
 use tomolith_core::check::noise;
+use tomolith_core::check::small::SmallModel;
 use tomolith_core::field::{Field, HostField};
+use tomolith_core::kind::Section;
+use tomolith_core::response::Response;
+
+/// The objective `[objective.NAME]` with these parameters for the ring of a small model.
+///
+/// # Panics
+/// When it is refused.
+pub fn of_ring(
+    model: &SmallModel,
+    (name, parameters): (&str, Value),
+    response: Arc<dyn Response>,
+) -> Box<dyn Objective<HostField>> {
+    let (target, labels) = model.ring();
+    let input = ObjectiveInput {
+        layout: model.layout(),
+        labels: &labels,
+        target: &target,
+        response,
+    };
+    let section = Section::new("objective", json!({ name: parameters }));
+    section.read(OBJECTIVES).unwrap().make(&input).unwrap()
+}
 
 /// Checks an objective around a dose:
 ///

@@ -195,6 +195,7 @@ mod tests {
     use tomolith_core::check::small::SmallModel;
     use tomolith_core::dose::cells::Cells;
     use tomolith_core::grid::VolumeGrid;
+    use tomolith_core::near;
     use tomolith_core::response::{Identity, Logistic};
     use tomolith_core::target::label;
 
@@ -367,10 +368,7 @@ mod tests {
         gradient: [f32; 4],
     ) {
         let (found, slopes) = loss_of(kind, json, &[1.0, 1.0, 0.0, 0.0], &dose);
-        assert!(
-            (found - loss).abs() < 1e-6,
-            "{kind}: {found} instead of {loss}"
-        );
+        near!(found, loss, 1e-6, "{kind}");
         for (found, expected) in slopes.iter().zip(gradient) {
             assert!(
                 (found - expected).abs() < 1e-6,

@@ -51,7 +51,7 @@ use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicI64, Ordering};
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Error, Result, in_range};
 use tomolith_core::field::{BLOCK, Field};
 use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::parallel::{InParallel, elements};
@@ -100,24 +100,14 @@ impl Params {
     }
 
     fn validate(&self) -> Result<()> {
-        let refuse = |key: &str, value: f64, accepted: &str| {
-            Err(Error::refused(key, exact(value), accepted))
-        };
-        let outliers = self.outliers();
-        if !(outliers > 0.0 && outliers <= MOST_OUTLIERS) {
-            return refuse(
-                "outliers",
-                outliers,
-                "a share above 0 and at most 0.25; 0.02 is two voxels in a hundred",
-            );
-        }
-        if let Some(ipdr) = self.ipdr.filter(|ipdr| !(*ipdr > 0.0 && *ipdr <= 1.0)) {
-            return refuse("ipdr", ipdr, "a dose range above 0 and at most 1");
-        }
-        if !(0.001..=1.0).contains(&self.softness) {
-            return refuse("softness", self.softness, "a dose from 0.001 to 1");
-        }
-        Ok(())
+        let (outliers, ipdr) = (self.outliers(), self.ipdr.unwrap_or(1.0));
+        let accepted = "a share above 0 and at most 0.25; 0.02 is two voxels in a hundred";
+        let is_in = outliers > 0.0 && outliers <= MOST_OUTLIERS;
+        in_range(is_in, "outliers", outliers, accepted)?;
+        let accepted = "a dose range above 0 and at most 1";
+        in_range(ipdr > 0.0 && ipdr <= 1.0, "ipdr", ipdr, accepted)?;
+        let is_in = (0.001..=1.0).contains(&self.softness);
+        in_range(is_in, "softness", self.softness, "a dose from 0.001 to 1")
     }
 }
 
@@ -679,6 +669,7 @@ mod tests {
     use crate::check;
     use tomolith_core::check::noise;
     use tomolith_core::field::HostField;
+    use tomolith_core::near;
     use tomolith_core::response::Identity;
 
     fn window(inside: &[f32], params: Params) -> ProcessWindow {
@@ -819,10 +810,7 @@ mod tests {
                 (found.window, low - void),
                 (found.range, high - low),
             ] {
-                assert!(
-                    (found - expected).abs() < 1e-6,
-                    "{outliers}: {found}, {expected}"
-                );
+                near!(found, expected, 1e-6, "{outliers}");
             }
         }
         let found = told(0.1, Some(0.3));

@@ -281,6 +281,7 @@ impl Faces {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tomolith_core::near;
 
     const PLAIN: Uptake = Uptake {
         attenuation_per_mm: 9.0,
@@ -433,10 +434,7 @@ mod tests {
                 .map(|uptake| uptake.attenuation_per_mm * step)
                 .sum();
             // Each of some 15 faces is met to half a step
-            assert!(
-                (exact - sampled).abs() < 15.0 * 13.0 * step,
-                "{i}: {exact} {sampled}"
-            );
+            near!(exact, sampled, 15.0 * 13.0 * step, "{i}");
         }
     }
 }

@@ -17,9 +17,8 @@ use crate::trace::{Bath, Tracer};
 use crate::vial::Vial;
 use std::sync::Arc;
 use tomolith_core::dose::{PatternLayout, Quantity};
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Error, Result, in_range};
 use tomolith_core::grid::{PatternGrid, PixelMask, Volume, VolumeGrid};
-use tomolith_core::units::exact;
 
 /// One light: its pixels and what the resin does at its wavelength.
 #[derive(Clone, Debug)]
@@ -101,13 +100,12 @@ impl Light {
         }
         let resin = &self.resin;
         let absorbs = resin.absorption_per_mm > 0.0 && resin.absorption_per_mm.is_finite();
-        if !(resin.pure_radon || absorbs) {
-            return Err(Error::refused(
-                "resin.absorption_per_mm",
-                exact(resin.absorption_per_mm),
-                "a finite number > 0 (or `pure_radon = true`)",
-            ));
-        }
+        in_range(
+            resin.pure_radon || absorbs,
+            "resin.absorption_per_mm",
+            resin.absorption_per_mm,
+            "a finite number > 0 (or `pure_radon = true`)",
+        )?;
         Ok(())
     }
 

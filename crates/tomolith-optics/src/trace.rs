@@ -310,6 +310,7 @@ mod tests {
     use crate::vial::{
         cylinder::Cylinder, double_tube::DoubleTube, index_matched::IndexMatched, square::Square,
     };
+    use tomolith_core::near;
 
     fn vials() -> Vec<Box<dyn Vial>> {
         vec![
@@ -347,10 +348,7 @@ mod tests {
                     let balance = tracer
                         .trace(-10.0 + 0.05 * f64::from(i) + 1e-3, 0.3)
                         .balance;
-                    assert!(
-                        (balance.total() - 1.0).abs() < 1e-12,
-                        "{vial:?} {balance:?}"
-                    );
+                    near!(balance.total(), 1.0, 1e-12, "{vial:?} {balance:?}");
                 }
             }
         }
@@ -376,10 +374,7 @@ mod tests {
                 };
                 let way = (12.0f64.powi(2) - u * u).sqrt() - outer;
                 let expected = a.segments[0].power * (-0.15 * way).exp();
-                assert!(
-                    (b.segments[0].power - expected).abs() < 1e-12,
-                    "{vial:?} {u}"
-                );
+                near!(b.segments[0].power, expected, 1e-12, "{vial:?} {u}");
             }
         }
     }
@@ -396,10 +391,7 @@ mod tests {
         for u in [-8.5, -5.0, -0.1, 0.0, 2.0, 7.9, 8.6] {
             let segment = tracer.trace(u, 1.1).segments[0];
             let b = segment.from[0] * segment.direction[1] - segment.from[1] * segment.direction[0];
-            assert!(
-                (n_r * b.abs() - n_s * f64::abs(u)).abs() < 1e-9,
-                "u = {u}: {b}"
-            );
+            near!(n_r * b.abs(), n_s * f64::abs(u), 1e-9, "u = {u}: {b}");
         }
     }
 

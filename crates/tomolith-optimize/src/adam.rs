@@ -26,14 +26,13 @@
 
 use super::{
     BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
-    Requirements, SavedArray, Step, read, read_saved_field, read_saved_numbers,
+    Requirements, Step, read, read_saved_fields, read_saved_numbers,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Result, above_zero, in_range};
 use tomolith_core::field::Field;
 use tomolith_core::kind::{Kind, schema_of};
-use tomolith_core::units::exact;
 
 /// How the step changes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
@@ -104,17 +103,18 @@ impl<F: Field> Adam<F> {
     /// The method with these parameters.
     ///
     /// # Errors
-    /// [`Error::Config`] naming the key that is out of range.
+    /// [`Error::Config`](tomolith_core::Error::Config) naming the key that is out of range.
     pub fn new(params: Params) -> Result<Self> {
         for (key, value) in [("step", params.step), ("epsilon", params.epsilon)] {
-            if !(value.is_finite() && value > 0.0) {
-                return Err(Error::refused(key, exact(value), "a finite number above 0"));
-            }
+            above_zero(key, value)?;
         }
         for (key, value) in [("beta_1", params.beta_1), ("beta_2", params.beta_2)] {
-            if !(0.0..1.0).contains(&value) {
-                return Err(Error::refused(key, exact(value), "0 or above, below 1"));
-            }
+            in_range(
+                (0.0..1.0).contains(&value),
+                key,
+                value,
+                "0 or above, below 1",
+            )?;
         }
         Ok(Adam {
             params,
@@ -185,14 +185,11 @@ impl<F: Field> Optimizer<F> for Adam<F> {
     }
 
     fn memory(&self) -> Memory<'_> {
-        let arrays = self.fields.iter().flat_map(|fields| {
-            [("mean", &fields.mean), ("square", &fields.square)]
-                .map(|(name, field)| (name.to_owned(), SavedArray::of_field(field)))
-        });
-        Memory {
-            numbers: serde_json::json!({ "adam": self.steps }),
-            arrays: arrays.collect(),
-        }
+        let fields = (self.fields.as_ref()).map(|f| [("mean", &f.mean), ("square", &f.square)]);
+        Memory::of(
+            SavedNumbers { adam: self.steps },
+            fields.as_slice().as_flattened(),
+        )
     }
 
     fn restore(&mut self, memory: &mut dyn CheckpointReader, _: &Problem<F>, x: &F) -> Result<()> {
@@ -200,8 +197,8 @@ impl<F: Field> Optimizer<F> for Adam<F> {
         self.steps = adam;
         if adam > 0 {
             let mut fields = Self::fields(x);
-            read_saved_field(memory, "mean", &mut fields.mean)?;
-            read_saved_field(memory, "square", &mut fields.square)?;
+            let saved = &mut [("mean", &mut fields.mean), ("square", &mut fields.square)];
+            read_saved_fields(memory, saved)?;
             self.fields = Some(fields);
         }
         Ok(())

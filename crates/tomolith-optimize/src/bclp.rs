@@ -40,10 +40,9 @@ use super::{
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Result, above_zero};
 use tomolith_core::field::Field;
 use tomolith_core::kind::{Kind, schema_of};
-use tomolith_core::units::exact;
 
 /// The parameters of BCLP's descent.
 #[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
@@ -96,15 +95,9 @@ impl<F: Field> Bclp<F> {
     /// The method with these parameters.
     ///
     /// # Errors
-    /// [`Error::Config`] for a step that is not above 0.
+    /// [`Error::Config`](tomolith_core::Error::Config) for a step that is not above 0.
     pub fn new(params: Params) -> Result<Self> {
-        if !(params.step.is_finite() && params.step > 0.0) {
-            return Err(Error::refused(
-                "step",
-                exact(params.step),
-                "a finite number above 0",
-            ));
-        }
+        above_zero("step", params.step)?;
         Ok(Bclp {
             params,
             steps: 0,
@@ -175,10 +168,7 @@ impl<F: Field> Optimizer<F> for Bclp<F> {
     }
 
     fn memory(&self) -> Memory<'_> {
-        Memory {
-            numbers: serde_json::json!({ "bclp": self.steps }),
-            arrays: Vec::new(),
-        }
+        Memory::of::<F>(SavedNumbers { bclp: self.steps }, &[])
     }
 
     fn restore(&mut self, memory: &mut dyn CheckpointReader, _: &Problem<F>, _: &F) -> Result<()> {
@@ -193,6 +183,7 @@ mod tests {
     use super::*;
     use crate::reference::{Case, assert_near};
     use tomolith_core::field::HostField;
+    use tomolith_core::near;
 
     /// Eq. 4 with the identity response, p and q, for the ring with ε: cotangent of every voxel.
     fn cotangent(dose: &[f64], target: &[f64], [epsilon, p, q]: [f64; 3]) -> (f64, Vec<f64>) {
@@ -235,11 +226,7 @@ mod tests {
         for (found, row) in found.patterns.iter().zip(&found.outcome.history) {
             assert_near(found, &x, 2e-5, "patterns");
             let (loss, slopes) = cotangent(&case.dense.forward(&x), &target, [epsilon, p, q]);
-            assert!(
-                (row.loss - loss).abs() < 1e-5 * loss,
-                "{} for {loss}",
-                row.loss
-            );
+            near!(row.loss, loss, 1e-5 * loss, "{} for {loss}", row.loss);
             let gradient = case.dense.adjoint(&slopes);
             for (x, g) in x.iter_mut().zip(&gradient) {
                 *x = (*x - step * g).max(0.0);

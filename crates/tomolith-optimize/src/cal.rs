@@ -39,13 +39,12 @@ use super::filter::{Filter, target_projection};
 use super::gradient::momentum;
 use super::{
     BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
-    Requirements, SavedArray, Step, read, read_saved_field, read_saved_numbers,
+    Requirements, Step, read, read_saved_fields, read_saved_numbers,
 };
 use serde::{Deserialize, Serialize};
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Result, above_zero, in_range};
 use tomolith_core::field::{Bounds, Field};
 use tomolith_core::kind::{Kind, schema_of};
-use tomolith_core::units::exact;
 
 tomolith_core::keys! {
     /// The parameters of CAL.
@@ -121,20 +120,16 @@ impl<F: Field> Cal<F> {
     /// The method with these parameters.
     ///
     /// # Errors
-    /// [`Error::Config`] naming the key that is out of range.
+    /// [`Error::Config`](tomolith_core::Error::Config) naming the key that is out of range.
     pub fn new(params: Params) -> Result<Self> {
         for (key, value) in [
             ("learning_rate", params.learning_rate),
             ("sigmoid", params.sigmoid),
         ] {
-            if !(value.is_finite() && value > 0.0) {
-                return Err(Error::refused(key, exact(value), "a finite number above 0"));
-            }
+            above_zero(key, value)?;
         }
         momentum(params.momentum)?;
-        if !params.d_h.is_finite() {
-            return Err(Error::refused("d_h", exact(params.d_h), "a finite number"));
-        }
+        in_range(params.d_h.is_finite(), "d_h", params.d_h, "a finite number")?;
         Ok(Cal {
             params,
             saved: SavedNumbers::default(),
@@ -226,21 +221,15 @@ impl<F: Field> Optimizer<F> for Cal<F> {
     }
 
     fn memory(&self) -> Memory<'_> {
-        let arrays = self
-            .fields
-            .iter()
-            .map(|fields| ("delta".to_owned(), SavedArray::of_field(&fields.delta)));
-        Memory {
-            numbers: serde_json::json!(self.saved),
-            arrays: arrays.collect(),
-        }
+        let fields = self.fields.as_ref().map(|fields| ("delta", &fields.delta));
+        Memory::of(self.saved, fields.as_slice())
     }
 
     fn restore(&mut self, memory: &mut dyn CheckpointReader, _: &Problem<F>, x: &F) -> Result<()> {
         self.saved = read_saved_numbers(memory)?;
         if self.saved.cal > 0 {
             let mut fields = Fields::like(x);
-            read_saved_field(memory, "delta", &mut fields.delta)?;
+            read_saved_fields(memory, &mut [("delta", &mut fields.delta)])?;
             self.fields = Some(fields);
         }
         Ok(())
@@ -252,6 +241,7 @@ mod tests {
     use super::*;
     use crate::reference::{Case, assert_near, ramp};
     use std::f64::consts::PI;
+    use tomolith_core::error::Error;
     use tomolith_core::field::HostField;
 
     /// The iteration as the notes write it, with A = Fᵀ/φ and a dose that is a sum over angles.

@@ -97,10 +97,7 @@ impl TestProblem {
         problem = problem.with_target(self.target.clone());
         let mut x = self.model.new_patterns().map_err(text)?;
         x.as_mut_slice().fill(0.5);
-        let stop = Stop {
-            iterations,
-            ..Stop::default()
-        };
+        let stop = Stop::after(iterations);
         let (mut wrong, mut last) = (None, f64::INFINITY);
         let mut watch = |report: &StepReport<HostField>| {
             let inside = |&v: &f32| (0.0..=1.5).contains(&v);

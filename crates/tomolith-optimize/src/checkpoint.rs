@@ -29,7 +29,7 @@ use std::fs::File;
 use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Error, Result, above_zero};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::ranks::{Shares, together};
 use tomolith_core::run::Run;
@@ -181,15 +181,7 @@ impl Checkpoints {
     /// # Errors
     /// [`Error::Config`] for an interval that is not above 0.
     pub fn new(folder: impl Into<PathBuf>, fingerprint: u64, params: &Params) -> Result<Self> {
-        if let Some(every) = params.every_s
-            && !(every.is_finite() && every > 0.0)
-        {
-            return Err(Error::refused(
-                "checkpoint.every_s",
-                exact(every),
-                "a finite number above 0",
-            ));
-        }
+        above_zero("checkpoint.every_s", params.every_s.unwrap_or(1.0))?;
         Ok(Checkpoints {
             folder: folder.into(),
             fingerprint: format!("{fingerprint:016x}"),

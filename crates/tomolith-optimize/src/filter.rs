@@ -282,9 +282,11 @@ fn window(filter: Filter, f: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tomolith_core::check;
     use tomolith_core::dose::{DoseModel, Run};
     use tomolith_core::field::HostField;
     use tomolith_core::grid::{PatternGrid, Volume, VolumeGrid};
+    use tomolith_core::near;
     use tomolith_models::parallel::Parallel;
     use tomolith_optics::light::Light;
     use tomolith_optics::resin::Resin;
@@ -333,14 +335,10 @@ mod tests {
             let inverse = projection.inverse();
             let mut x = projection.patterns;
             x.scale(inverse as f32);
-            let mut dose = DoseModel::new_dose(&model).unwrap();
-            model.dose(&x, &mut dose, &Run::new()).unwrap();
+            let dose = check::dose(&model, &x);
             let dose = DoseModel::outputs(&model)[0].volume_of(dose.as_slice());
             let [found, expected] = [&dose, &wanted].map(|volume| *volume.at(2, 12, 12));
-            assert!(
-                (found / expected - 1.0).abs() < 0.05,
-                "{pitch:?}: {found} {expected}"
-            );
+            near!(found / expected, 1.0, 0.05, "{pitch:?}: {found} {expected}");
         }
     }
 
@@ -353,10 +351,7 @@ mod tests {
                 0 => 0.0,
                 _ => -2.0 / (PI * n).powi(2),
             };
-            assert!(
-                (f64::from(*value) - expected).abs() < 1e-6,
-                "at {n}: {value} instead of {expected}"
-            );
+            near!(f64::from(*value), expected, 1e-6, "at {n}: {value}");
         }
     }
 
@@ -372,10 +367,7 @@ mod tests {
             let n = i as f64 - 16.0;
             let expected = -4.0 / (PI * PI * (4.0 * n * n - 1.0));
             // The window acts on the sampled ramp, theirs on the ideal one: equal to the ringing of 33 samples
-            assert!(
-                (f64::from(*value) - expected).abs() < 4e-3,
-                "at {n}: {value} instead of {expected}"
-            );
+            near!(f64::from(*value), expected, 4e-3, "at {n}: {value}");
         }
     }
 
@@ -412,10 +404,7 @@ mod tests {
                 patterns.values.copy_from_slice(&row);
                 filter_rows(&mut patterns, Filter::RamLak).unwrap();
                 for (found, expected) in patterns.values.iter().zip(by_the_sum(&row)) {
-                    assert!(
-                        (f64::from(*found) - expected).abs() < 2e-6,
-                        "{n} columns: {found} instead of {expected}"
-                    );
+                    near!(f64::from(*found), expected, 2e-6, "{n} columns: {found}");
                 }
             }
         }

@@ -38,14 +38,13 @@
 
 use super::{
     BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
-    Requirements, SavedArray, Step, read, read_saved_field, read_saved_numbers,
+    Requirements, Step, read, read_saved_fields, read_saved_numbers,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Result, above_zero};
 use tomolith_core::field::Field;
 use tomolith_core::kind::{Kind, schema_of};
-use tomolith_core::units::exact;
 use tomolith_objective::penalty::PatternPenalty;
 
 /// When the extrapolation begins anew.
@@ -129,16 +128,10 @@ impl<F: Field> Fista<F> {
     /// The method with these parameters.
     ///
     /// # Errors
-    /// [`Error::Config`] naming the key that is out of range.
+    /// [`Error::Config`](tomolith_core::Error::Config) naming the key that is out of range.
     pub fn new(params: Params) -> Result<Self> {
-        let given = [("curvature", Some(params.curvature)), ("step", params.step)];
-        for (key, value) in given {
-            if let Some(value) = value
-                && !(value.is_finite() && value > 0.0)
-            {
-                return Err(Error::refused(key, exact(value), "a finite number above 0"));
-            }
-        }
+        above_zero("curvature", params.curvature)?;
+        above_zero("step", params.step.unwrap_or(1.0))?;
         Ok(Fista {
             params,
             saved: SavedNumbers {
@@ -304,14 +297,8 @@ impl<F: Field> Optimizer<F> for Fista<F> {
     }
 
     fn memory(&self) -> Memory<'_> {
-        let arrays = self.fields.iter().flat_map(|fields| {
-            [("before", &fields.before), ("dose", &fields.dose)]
-                .map(|(name, field)| (name.to_owned(), SavedArray::of_field(field)))
-        });
-        Memory {
-            numbers: serde_json::json!(self.saved),
-            arrays: arrays.collect(),
-        }
+        let fields = (self.fields.as_ref()).map(|f| [("before", &f.before), ("dose", &f.dose)]);
+        Memory::of(self.saved, fields.as_slice().as_flattened())
     }
 
     fn restore(
@@ -323,8 +310,8 @@ impl<F: Field> Optimizer<F> for Fista<F> {
         self.saved = read_saved_numbers(memory)?;
         if self.saved.lipschitz[0] > 0.0 {
             let mut fields = Self::fields(problem, x)?;
-            read_saved_field(memory, "before", &mut fields.before)?;
-            read_saved_field(memory, "dose", &mut fields.dose)?;
+            let saved = &mut [("before", &mut fields.before), ("dose", &mut fields.dose)];
+            read_saved_fields(memory, saved)?;
             self.fields = Some(fields);
         }
         Ok(())

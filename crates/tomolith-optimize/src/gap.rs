@@ -57,35 +57,15 @@ mod tests {
     use crate::{Limits, Optimizer, Outcome, Problem, Stop, StopReason, run};
     use serde_json::json;
     use std::sync::Arc;
-    use tomolith_core::check::noise;
-    use tomolith_core::check::small::SmallModel;
-    use tomolith_core::dose::{DoseModel, Run};
+    use tomolith_core::check::{self, small::SmallModel};
+    use tomolith_core::dose::Run;
     use tomolith_core::error::Error;
     use tomolith_core::field::{Field, HostField};
-    use tomolith_core::kind::Section;
-    use tomolith_core::response::{Identity, Logistic, Response};
-    use tomolith_objective::{OBJECTIVES, Objective, ObjectiveInput};
+    use tomolith_core::response::{Identity, Logistic};
+    use tomolith_objective::Objective;
+    use tomolith_objective::check::of_ring;
 
     const LIMITS: Limits = Limits { min: 0.0, max: 0.3 };
-
-    fn objective(
-        model: &SmallModel,
-        (name, json): (&str, serde_json::Value),
-        response: Arc<dyn Response>,
-    ) -> Box<dyn Objective<HostField>> {
-        let (target, labels) = model.ring();
-        let input = ObjectiveInput {
-            layout: model.layout(),
-            labels: &labels,
-            target: &target,
-            response,
-        };
-        let row = OBJECTIVES.iter().find(|row| row.name == name).unwrap();
-        (row.build)(&Section::new("objective", json))
-            .unwrap()
-            .make(&input)
-            .unwrap()
-    }
 
     fn outcome(
         model: &SmallModel,
@@ -95,16 +75,8 @@ mod tests {
     ) -> Result<Outcome, Error> {
         let run_control = Run::new();
         let mut problem = Problem::new(model, objective, &[LIMITS], &run_control)?;
-        let mut x = DoseModel::new_patterns(model)?;
-        x.fill(0.05);
+        let mut x = check::even_patterns(model, 0.05);
         run(&mut problem, optimizer, &mut x, stop, None, &mut [])
-    }
-
-    fn after(iterations: usize) -> Stop {
-        Stop {
-            iterations,
-            ..Stop::default()
-        }
     }
 
     #[test]
@@ -115,10 +87,10 @@ mod tests {
             (("process_window", json!({ "outliers": 0.1 })), 0.05),
         ] {
             let name = kind.0;
-            let objective = objective(&model, kind, Arc::new(Identity));
+            let objective = of_ring(&model, kind, Arc::new(Identity));
             let by = |iterations| {
                 let mut lbfgs = Lbfgs::new(Default::default()).unwrap();
-                outcome(&model, &*objective, &mut lbfgs, &after(iterations)).unwrap()
+                outcome(&model, &*objective, &mut lbfgs, &Stop::after(iterations)).unwrap()
             };
             let best = by(3000).gap().unwrap();
             assert!(best.relative() < near, "{name}: {best:?}");
@@ -130,22 +102,18 @@ mod tests {
                 );
             }
             // Any patterns within the bounds
-            let mut dose = DoseModel::new_dose(&model).unwrap();
             for seed in 0..50 {
-                let mut x = DoseModel::new_patterns(&model).unwrap();
-                let values: Vec<f32> = noise(seed, x.len())
-                    .iter()
-                    .map(|v| 0.15 + 0.15 * v)
-                    .collect();
-                x.copy_from_host(&values);
-                model.dose(&x, &mut dose, &Run::new()).unwrap();
-                assert!(objective.value(&dose) > best.bound, "{name}, {seed}");
+                let mut x = check::noisy_patterns(&model, seed);
+                x.scale(0.15);
+                x.shift(0.15);
+                let loss = objective.value(&check::dose(&model, &x));
+                assert!(loss > best.bound, "{name}, {seed}");
             }
         }
         // Another method ends at the same optimum
-        let l2 = objective(&model, ("l2", json!({})), Arc::new(Identity));
+        let l2 = of_ring(&model, ("l2", json!({})), Arc::new(Identity));
         let mut fista = Fista::new(Default::default()).unwrap();
-        let other = outcome(&model, &*l2, &mut fista, &after(2000))
+        let other = outcome(&model, &*l2, &mut fista, &Stop::after(2000))
             .unwrap()
             .gap()
             .unwrap();
@@ -157,10 +125,10 @@ mod tests {
         let model = SmallModel::new(18, 6, 9);
         let stop = Stop {
             gap: 0.5,
-            ..after(3000)
+            ..Stop::after(3000)
         };
         let kind = ("process_window", json!({ "outliers": 0.1 }));
-        let convex = objective(&model, kind, Arc::new(Identity));
+        let convex = of_ring(&model, kind, Arc::new(Identity));
         let mut lbfgs = Lbfgs::new(Default::default()).unwrap();
         let ended = outcome(&model, &*convex, &mut lbfgs, &stop).unwrap();
         let gap = ended.gap().unwrap();
@@ -170,12 +138,12 @@ mod tests {
             "{gap:?}"
         );
         let logistic = Arc::new(Logistic::new(Default::default()).unwrap());
-        let curved = objective(&model, ("l2", json!({})), logistic);
+        let curved = of_ring(&model, ("l2", json!({})), logistic);
         let mut lbfgs = Lbfgs::new(Default::default()).unwrap();
         let refused = outcome(&model, &*curved, &mut lbfgs, &stop);
         assert!(matches!(refused, Err(Error::Unsupported { what, .. }) if what == "stop.gap"));
         let mut lbfgs = Lbfgs::new(Default::default()).unwrap();
-        let without = outcome(&model, &*curved, &mut lbfgs, &after(5)).unwrap();
+        let without = outcome(&model, &*curved, &mut lbfgs, &Stop::after(5)).unwrap();
         assert_eq!(without.bound, None);
     }
 

@@ -24,11 +24,11 @@
 
 use super::{
     BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
-    Requirements, SavedArray, Step, read, read_saved_field, read_saved_numbers,
+    Requirements, Step, read, read_saved_fields, read_saved_numbers,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Error, Result, above_zero, in_range};
 use tomolith_core::field::Field;
 use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::units::exact;
@@ -100,15 +100,7 @@ impl<F: Field> Gradient<F> {
     /// # Errors
     /// [`Error::Config`] for a step that is not above 0.
     pub fn new(params: Params) -> Result<Self> {
-        if let Some(step) = params.step
-            && !(step.is_finite() && step > 0.0)
-        {
-            return Err(Error::refused(
-                "step",
-                exact(step),
-                "a finite number above 0",
-            ));
-        }
+        above_zero("step", params.step.unwrap_or(1.0))?;
         momentum(params.momentum)?;
         if params.momentum > 0.0 && params.step.is_none() {
             return Err(Error::config(
@@ -147,14 +139,8 @@ impl<F: Field> Gradient<F> {
 /// # Errors
 /// [`Error::Config`] naming the key.
 pub(super) fn momentum(value: f64) -> Result<()> {
-    if (0.0..1.0).contains(&value) {
-        return Ok(());
-    }
-    Err(Error::refused(
-        "momentum",
-        exact(value),
-        "0 or above, below 1",
-    ))
+    let is_in = (0.0..1.0).contains(&value);
+    in_range(is_in, "momentum", value, "0 or above, below 1")
 }
 
 impl<F: Field> Optimizer<F> for Gradient<F> {
@@ -220,14 +206,8 @@ impl<F: Field> Optimizer<F> for Gradient<F> {
             alpha: self.alpha,
             steps: self.steps,
         };
-        let arrays = self.fields.iter().flat_map(|fields| {
-            [("gradient", &fields.gradient), ("step", &fields.step)]
-                .map(|(name, field)| (name.to_owned(), SavedArray::of_field(field)))
-        });
-        Memory {
-            numbers: serde_json::json!(saved),
-            arrays: arrays.collect(),
-        }
+        let fields = (self.fields.as_ref()).map(|f| [("gradient", &f.gradient), ("step", &f.step)]);
+        Memory::of(saved, fields.as_slice().as_flattened())
     }
 
     fn restore(&mut self, memory: &mut dyn CheckpointReader, _: &Problem<F>, x: &F) -> Result<()> {
@@ -235,8 +215,11 @@ impl<F: Field> Optimizer<F> for Gradient<F> {
         (self.length, self.alpha, self.steps) = (saved.length, saved.alpha, saved.steps);
         if self.steps > 0 {
             let mut fields = Fields::like(x);
-            read_saved_field(memory, "gradient", &mut fields.gradient)?;
-            read_saved_field(memory, "step", &mut fields.step)?;
+            let saved = &mut [
+                ("gradient", &mut fields.gradient),
+                ("step", &mut fields.step),
+            ];
+            read_saved_fields(memory, saved)?;
             self.fields = Some(fields);
         }
         Ok(())

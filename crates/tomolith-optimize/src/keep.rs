@@ -244,19 +244,20 @@ mod tests {
     use super::*;
     use crate::cal::{Cal, Params};
     use crate::checkpoint;
+    use crate::reference::FREE;
     use crate::start::StartInput;
     use crate::{
         CheckpointReader, Checkpoints, Limits, Memory, Outcome, Requirements, Step, Stop,
         read_saved_numbers, run,
     };
+    use serde_json::json;
     use std::sync::Arc;
-    use tomolith_core::check::small::SmallModel;
-    use tomolith_core::dose::{DoseModel, Run};
+    use tomolith_core::check::{self, small::SmallModel};
+    use tomolith_core::dose::Run;
     use tomolith_core::error::{Error, Result};
     use tomolith_core::field::HostField;
-    use tomolith_core::kind::Section;
     use tomolith_core::response::Identity;
-    use tomolith_objective::{OBJECTIVES, ObjectiveInput};
+    use tomolith_objective::check::of_ring;
 
     /// A method that normalizes its doses and follows a script: how much of the target's projection its patterns are (the rest is
     /// even light), and what loss it claims.
@@ -325,23 +326,8 @@ mod tests {
     ) -> (HostField, f64, Result<Outcome>) {
         let model = SmallModel::new(16, 24, 1);
         let (target, labels) = model.ring();
-        let input = ObjectiveInput {
-            layout: model.layout(),
-            labels: &labels,
-            target: &target,
-            response: Arc::new(Identity),
-        };
-        let row = OBJECTIVES.iter().find(|row| row.name == "osmo").unwrap();
-        let section = Section::new("objective", serde_json::json!({}));
-        let objective = (row.build)(&section).unwrap().make(&input).unwrap();
-        let input = StartInput {
-            model: &model,
-            target: &target,
-            labels: &labels,
-            response: &Identity,
-            limits: &[Limits::default()],
-            absorption: None,
-        };
+        let objective = of_ring(&model, ("osmo", json!({})), Arc::new(Identity));
+        let input = StartInput::new(&model, &target, &labels, &FREE);
         let mut target = input.target_field().unwrap();
         if gray {
             target.scale(0.5);
@@ -350,11 +336,9 @@ mod tests {
         let mut problem = Problem::new(&model, &*objective, &[Limits::default()], &flag)
             .unwrap()
             .with_target(target);
-        let mut x = DoseModel::new_patterns(&model).unwrap();
-        x.fill(0.5);
+        let mut x = check::even_patterns(&model, 0.5);
         let outcome = run(&mut problem, optimizer, &mut x, &stop, checkpoints, &mut []);
-        let mut dose = DoseModel::new_dose(&model).unwrap();
-        model.dose(&x, &mut dose, &Run::new()).unwrap();
+        let dose = check::dose(&model, &x);
         let dose = model.layout().volume_of(dose.as_slice());
         let iou = quick(&labels.values, &dose.values).unwrap().0;
         (x, iou, outcome)
@@ -371,9 +355,8 @@ mod tests {
 
     fn steps(iterations: usize, keep: Keep) -> Stop {
         Stop {
-            iterations,
             keep,
-            ..Stop::default()
+            ..Stop::after(iterations)
         }
     }
 

@@ -32,17 +32,16 @@
 
 use super::{
     BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
-    Requirements, SavedArray, Step, read, read_saved_field, read_saved_numbers,
+    Requirements, SavedArray, Step, read, read_saved_fields, read_saved_numbers,
 };
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use tomolith_core::dose::PatternLayout;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Error, Result, in_range};
 use tomolith_core::field::{
     ColumnRun, Direction, Field, HalfRamp, HalfRampKernel, Latest, Pairs, Products,
 };
 use tomolith_core::kind::{Kind, schema_of};
-use tomolith_core::units::exact;
 
 tomolith_core::keys! {
     /// The parameters of L-BFGS with bounds.
@@ -248,13 +247,12 @@ impl<F: Field> Lbfgs<F> {
                 format!("1 to {most}"),
             ));
         }
-        if !(0.0..1.0).contains(&params.tolerance) {
-            return Err(Error::refused(
-                "tolerance",
-                exact(params.tolerance),
-                "0 or above, below 1",
-            ));
-        }
+        in_range(
+            (0.0..1.0).contains(&params.tolerance),
+            "tolerance",
+            params.tolerance,
+            "0 or above, below 1",
+        )?;
         Ok(Lbfgs {
             name: NAME,
             curvature: Curvature::new(params.memory),
@@ -388,18 +386,12 @@ impl<F: Field> Optimizer<F> for Lbfgs<F> {
     }
 
     fn memory(&self) -> Memory<'_> {
-        let mut arrays = Vec::new();
-        if let Some(fields) = &self.fields {
-            for (name, field) in [("gradient", &fields.gradient), ("step", &fields.step)] {
-                arrays.push((name.to_owned(), SavedArray::of_field(field)));
-            }
-            let parts = fields.pairs.parts().into_iter();
-            arrays.extend(parts.map(|part| (part.name.to_owned(), SavedArray::of_part(part))));
-        }
-        Memory {
-            numbers: serde_json::json!(self.curvature),
-            arrays,
-        }
+        let fields = (self.fields.as_ref()).map(|f| [("gradient", &f.gradient), ("step", &f.step)]);
+        let mut memory = Memory::of(&self.curvature, fields.as_slice().as_flattened());
+        let parts = self.fields.iter().flat_map(|fields| fields.pairs.parts());
+        let parts = parts.map(|part| (part.name.to_owned(), SavedArray::of_part(part)));
+        memory.arrays.extend(parts);
+        memory
     }
 
     fn restore(
@@ -417,8 +409,11 @@ impl<F: Field> Optimizer<F> for Lbfgs<F> {
         }
         if curvature.alpha.is_some() {
             let mut fields = Fields::like(x, self.params.memory, problem);
-            read_saved_field(memory, "gradient", &mut fields.gradient)?;
-            read_saved_field(memory, "step", &mut fields.step)?;
+            let saved = &mut [
+                ("gradient", &mut fields.gradient),
+                ("step", &mut fields.step),
+            ];
+            read_saved_fields(memory, saved)?;
             fields
                 .pairs
                 .restore(&mut |name, bytes| memory.array(name, bytes))?;
@@ -435,39 +430,20 @@ mod tests {
     use crate::gradient::{self, Gradient};
     use crate::{Limits, Outcome, Stop, run};
     use std::sync::Arc;
-    use tomolith_core::check::small::SmallModel;
-    use tomolith_core::dose::{DoseModel, Run};
+    use tomolith_core::check::{self, small::SmallModel};
+    use tomolith_core::dose::Run;
     use tomolith_core::field::HostField;
-    use tomolith_core::kind::{Kind, Section};
-    use tomolith_core::response::{Identity, Logistic, Response};
-    use tomolith_objective::{OBJECTIVES, Objective, ObjectiveInput};
+    use tomolith_core::near;
+    use tomolith_core::response::{Identity, Logistic};
+    use tomolith_objective::Objective;
+    use tomolith_objective::check::of_ring;
 
     fn objective(
         model: &SmallModel,
         name: &str,
         json: serde_json::Value,
     ) -> Box<dyn Objective<HostField>> {
-        through(Arc::new(Identity), model, name, json)
-    }
-
-    fn through(
-        response: Arc<dyn Response>,
-        model: &SmallModel,
-        name: &str,
-        json: serde_json::Value,
-    ) -> Box<dyn Objective<HostField>> {
-        let (target, labels) = model.ring();
-        let input = ObjectiveInput {
-            layout: model.layout(),
-            labels: &labels,
-            target: &target,
-            response,
-        };
-        let row: &Kind<_> = OBJECTIVES.iter().find(|row| row.name == name).unwrap();
-        (row.build)(&Section::new("objective", json))
-            .unwrap()
-            .make(&input)
-            .unwrap()
+        of_ring(model, (name, json), Arc::new(Identity))
     }
 
     fn solve(
@@ -478,8 +454,7 @@ mod tests {
     ) -> (HostField, Outcome) {
         let flag = Run::new();
         let mut problem = Problem::new(model, objective, &[Limits::default()], &flag).unwrap();
-        let mut x = model.new_patterns().unwrap();
-        x.fill(0.5);
+        let mut x = check::even_patterns(model, 0.5);
         let outcome = run(&mut problem, optimizer, &mut x, stop, None, &mut []).unwrap();
         (x, outcome)
     }
@@ -567,14 +542,10 @@ mod tests {
             "loss {} instead of {loss}",
             outcome.loss
         );
-        let mut found = model.new_dose().unwrap();
-        model.dose(&x, &mut found, &Run::new()).unwrap();
+        let found = check::dose(&model, &x);
         let found = model.layout().volume_of(found.as_slice());
         for (i, (found, expected)) in found.values.iter().zip(&dose).enumerate() {
-            assert!(
-                (f64::from(*found) - expected).abs() < 2e-3,
-                "voxel {i}: dose {found} instead of {expected}"
-            );
+            near!(f64::from(*found), expected, 2e-3, "voxel {i}: dose {found}");
         }
         let dark =
             x.as_slice().iter().filter(|&&v| v == 0.0).count() as f64 / x.as_slice().len() as f64;
@@ -592,10 +563,7 @@ mod tests {
             ("l1", serde_json::json!({})),
         ] {
             let objective = objective(&model, name, json);
-            let stop = Stop {
-                iterations: 40,
-                ..Stop::default()
-            };
+            let stop = Stop::after(40);
             let mut lbfgs = Lbfgs::new(Params::default()).unwrap();
             let (_, newton) = solve(&model, &*objective, &mut lbfgs, &stop);
             let mut gradient = Gradient::new(gradient::Params::default()).unwrap();
@@ -629,12 +597,9 @@ mod tests {
             ("bclp", serde_json::json!({"p": 4.0, "q": 0.5})),
         ] {
             let response = Arc::new(Logistic::new(Default::default()).unwrap());
-            let objective = through(response, &model, name, json.clone());
+            let objective = of_ring(&model, (name, json.clone()), response);
             let mut optimizer = Lbfgs::new(Params::default()).unwrap();
-            let stop = Stop {
-                iterations: 40,
-                ..Stop::default()
-            };
+            let stop = Stop::after(40);
             let (_, outcome) = solve(&model, &*objective, &mut optimizer, &stop);
             let losses: Vec<f64> = outcome.history.iter().map(|row| row.loss).collect();
             assert!(

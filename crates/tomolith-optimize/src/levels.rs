@@ -292,8 +292,8 @@ mod tests {
     use super::*;
     use crate::lbfgs::{self, Lbfgs};
     use crate::reference::Case;
-    use crate::{Limits, Stop, run};
-    use tomolith_core::check::small::SmallModel;
+    use crate::{Limits, Outcome, Stop, run};
+    use tomolith_core::check::{self, small::SmallModel};
     use tomolith_core::dose::{DoseModel, Run};
     use tomolith_core::grid::PatternGrid;
     use tomolith_objective::Objective;
@@ -313,31 +313,26 @@ mod tests {
         }
     }
 
+    /// What the default method makes of even patterns.
+    fn solved(problem: &mut Problem<HostField>, case: &Case, stop: &Stop) -> (HostField, Outcome) {
+        let mut x = check::even_patterns(&case.model, 0.5);
+        let mut lbfgs = Lbfgs::new(lbfgs::Params::default()).unwrap();
+        let outcome = run(problem, &mut lbfgs, &mut x, stop, None, &mut []);
+        (x, outcome.unwrap())
+    }
+
     /// Patterns of the ring, optimized without levels, and what becomes of them.
     fn improved(case: &Case, bits: u32, limits: Limits) -> (HostField, HostField, Gain) {
         let objective: Box<dyn Objective<HostField>> =
             case.objective("l2", serde_json::json!({ "void_weight": 5.0 }));
         let flag = Run::new();
         let mut problem = Problem::new(&case.model, &*objective, &[limits], &flag).unwrap();
-        let mut x = DoseModel::new_patterns(&case.model).unwrap();
-        x.fill(0.5);
-        let mut lbfgs = Lbfgs::new(lbfgs::Params::default()).unwrap();
-        run(
-            &mut problem,
-            &mut lbfgs,
-            &mut x,
-            &Stop::default(),
-            None,
-            &mut [],
-        )
-        .unwrap();
+        let (x, _) = solved(&mut problem, case, &Stop::default());
         let mut shown = projector(&case.model, bits);
         let (asked, gain) = improve(&mut problem, &x, &mut shown, bits).unwrap();
         let shown = shown(&asked).unwrap();
         // What is claimed is what the model says of what is shown
-        let mut dose = DoseModel::new_dose(&case.model).unwrap();
-        case.model.dose(&shown, &mut dose, &flag).unwrap();
-        let loss = objective.value(&dose);
+        let loss = objective.value(&check::dose(&case.model, &shown));
         assert!((loss - gain.loss).abs() <= 1e-6 * loss, "{loss} {gain:?}");
         (asked, shown, gain)
     }
@@ -436,18 +431,7 @@ mod tests {
         let flag = Run::new();
         let mut problem =
             Problem::new(&case.model, &*objective, &[Limits::default()], &flag).unwrap();
-        let mut x = DoseModel::new_patterns(&case.model).unwrap();
-        x.fill(0.5);
-        let mut lbfgs = Lbfgs::new(lbfgs::Params::default()).unwrap();
-        run(
-            &mut problem,
-            &mut lbfgs,
-            &mut x,
-            &Stop::default(),
-            None,
-            &mut [],
-        )
-        .unwrap();
+        let (x, _) = solved(&mut problem, &case, &Stop::default());
         let mut even = projector(&case.model, 3);
         let mut shown = |asked: &HostField| {
             let mut x = even(asked)?;
@@ -466,14 +450,7 @@ mod tests {
         let flag = Run::new();
         let mut problem =
             Problem::new(&case.model, &*objective, &[Limits::default()], &flag).unwrap();
-        let mut x = DoseModel::new_patterns(&case.model).unwrap();
-        x.fill(0.5);
-        let mut lbfgs = Lbfgs::new(lbfgs::Params::default()).unwrap();
-        let stop = Stop {
-            iterations: 500,
-            ..Stop::default()
-        };
-        let outcome = run(&mut problem, &mut lbfgs, &mut x, &stop, None, &mut []).unwrap();
+        let (x, outcome) = solved(&mut problem, &case, &Stop::after(500));
         assert_eq!(outcome.loss, 0.0);
         // All it takes is the dose of what is shown; rounding of the loss leaves thresholds a little apart
         let wide = serde_json::json!({ "lower": 0.75, "upper": 0.85, "ceiling": 1.1 });

@@ -24,7 +24,6 @@ pub mod osmo;
 mod penalized;
 pub mod pm;
 pub mod problem;
-pub mod published;
 #[cfg(test)]
 pub(crate) mod reference;
 pub mod requirements;
@@ -36,12 +35,12 @@ pub use free_response::{FreeParameter, FreeResponse, Respond};
 pub use gap::Gap;
 pub use keep::{Keep, KeptBy, KeptIterate};
 pub use problem::{Counters, Limits, Position, Problem};
-pub use published::PublishedScale;
 pub use requirements::Requirements;
 pub use run::{
     MeasuredPrint, Observer, Outcome, Row, StepReport, Stop, StopReason, relative_gradient, run,
     run_after,
 };
+use serde::Serialize;
 use serde::de::DeserializeOwned;
 pub use start::{InitialPatterns, STARTS, StartInput};
 use std::fmt::Debug;
@@ -114,6 +113,18 @@ pub struct SavedArray<'a> {
     pub bytes: Box<dyn Fn() -> std::borrow::Cow<'a, [u8]> + 'a>,
 }
 
+impl<'a> Memory<'a> {
+    /// Numbers, and fields with their names.
+    pub fn of<F: Field>(numbers: impl Serialize, fields: &[(&str, &'a F)]) -> Self {
+        let arrays = fields.iter();
+        let arrays = arrays.map(|&(name, field)| (name.to_owned(), SavedArray::of_field(field)));
+        Memory {
+            numbers: serde_json::json!(numbers),
+            arrays: arrays.collect(),
+        }
+    }
+}
+
 impl<'a> SavedArray<'a> {
     /// A field, as f32.
     pub fn of_field<F: Field>(field: &'a F) -> Self {
@@ -150,18 +161,19 @@ pub trait CheckpointReader {
     fn array(&mut self, name: &str, bytes: &mut [u8]) -> Result<()>;
 }
 
-/// Reads a field back from a saved memory.
+/// Reads fields back from a saved memory, by their names.
 ///
 /// # Errors
-/// When there is no array of that name and size.
-pub fn read_saved_field<F: Field>(
+/// When there is no array of such a name and size.
+pub fn read_saved_fields<F: Field>(
     reader: &mut dyn CheckpointReader,
-    name: &str,
-    field: &mut F,
+    fields: &mut [(&str, &mut F)],
 ) -> Result<()> {
-    let mut values = vec![0.0f32; field.len()];
-    reader.array(name, bytemuck::cast_slice_mut(&mut values))?;
-    field.copy_from_host(&values);
+    for (name, field) in fields {
+        let mut values = vec![0.0f32; field.len()];
+        reader.array(name, bytemuck::cast_slice_mut(&mut values))?;
+        field.copy_from_host(&values);
+    }
     Ok(())
 }
 

@@ -28,7 +28,7 @@
 //! and pixels below `inhibition` become it.
 //!
 //! **Scale** the patterns returned give the largest counted dose 1, so the objective's thresholds mean what they mean in the
-//! article, and the loss is that of the normalized dose. [`PublishedScale`](super::PublishedScale) brings them to a common mean.
+//! article, and the loss is that of the normalized dose. Divide by its mean in the part to compare it with an absolute one.
 //! `bounds.min` and `bounds.max` hold at that scale; where they cut, the largest dose is no longer 1 and a forward call is added.
 //!
 //! **Source** Rackson et al., Additive Manufacturing 48 (2021) 102367; Li et al. (2024), eqs. 11–20; edges: Chen et al., Micromachines
@@ -51,14 +51,13 @@ use super::alternating::AlternatingHalf;
 use super::filter::{Filter, target_projection};
 use super::{
     BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
-    Requirements, SavedArray, Step, read, read_saved_field, read_saved_numbers,
+    Requirements, Step, read, read_saved_fields, read_saved_numbers,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Result, in_range};
 use tomolith_core::field::{Bounds, Field};
 use tomolith_core::kind::{Kind, schema_of};
-use tomolith_core::units::exact;
 
 /// What a step is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
@@ -130,15 +129,14 @@ impl<F: Field> Osmo<F> {
     /// The method with these parameters.
     ///
     /// # Errors
-    /// [`Error::Config`] for an inhibition outside 0 to 1.
+    /// [`Error::Config`](tomolith_core::Error::Config) for an inhibition outside 0 to 1.
     pub fn new(params: Params) -> Result<Self> {
-        if !(0.0..=1.0).contains(&params.inhibition) {
-            return Err(Error::refused(
-                "inhibition",
-                exact(params.inhibition),
-                "0 to 1, a share of the largest pixel",
-            ));
-        }
+        in_range(
+            (0.0..=1.0).contains(&params.inhibition),
+            "inhibition",
+            params.inhibition,
+            "0 to 1, a share of the largest pixel",
+        )?;
         Ok(Osmo {
             params,
             steps: 0,
@@ -265,14 +263,8 @@ impl<F: Field> Optimizer<F> for Osmo<F> {
     }
 
     fn memory(&self) -> Memory<'_> {
-        let arrays = self
-            .fields
-            .iter()
-            .map(|fields| ("model".to_owned(), SavedArray::of_field(&fields.model)));
-        Memory {
-            numbers: serde_json::json!({ "osmo": self.steps }),
-            arrays: arrays.collect(),
-        }
+        let fields = self.fields.as_ref().map(|fields| ("model", &fields.model));
+        Memory::of(SavedNumbers { osmo: self.steps }, fields.as_slice())
     }
 
     fn restore(&mut self, memory: &mut dyn CheckpointReader, _: &Problem<F>, x: &F) -> Result<()> {
@@ -280,7 +272,7 @@ impl<F: Field> Optimizer<F> for Osmo<F> {
         self.steps = osmo;
         if osmo > 0 {
             let mut model = x.zeros_like();
-            read_saved_field(memory, "model", &mut model)?;
+            read_saved_fields(memory, &mut [("model", &mut model)])?;
             self.fields = Some(Fields {
                 model,
                 scratch: x.zeros_like(),
@@ -294,6 +286,7 @@ impl<F: Field> Optimizer<F> for Osmo<F> {
 mod tests {
     use super::*;
     use crate::reference::{Case, assert_near, ramp};
+    use tomolith_core::error::Error;
     use tomolith_core::field::HostField;
 
     const D_H: f64 = 0.9;

@@ -3,33 +3,20 @@
 use crate::{Limits, OPTIMIZERS, Problem, Stop};
 use serde_json::json;
 use std::sync::Arc;
-use tomolith_core::check::noise;
 use tomolith_core::check::small::SmallModel;
+use tomolith_core::check::{self, noise};
 use tomolith_core::dose::{DoseModel, Run};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::kind::Section;
 use tomolith_core::response::Identity;
+use tomolith_objective::Objective;
+use tomolith_objective::check::of_ring;
 use tomolith_objective::penalty::{PENALTIES, PatternPenalty, Penalties};
-use tomolith_objective::{OBJECTIVES, Objective, ObjectiveInput};
 
 const LIMITS: Limits = Limits { min: 0.0, max: 2.0 };
 
 fn objective(model: &SmallModel) -> Box<dyn Objective<HostField>> {
-    let (target, labels) = model.ring();
-    let input = ObjectiveInput {
-        layout: model.layout(),
-        labels: &labels,
-        target: &target,
-        response: Arc::new(Identity),
-    };
-    let row = OBJECTIVES
-        .iter()
-        .find(|row| row.name == "threshold")
-        .unwrap();
-    (row.build)(&Section::new("objective.threshold", json!({})))
-        .unwrap()
-        .make(&input)
-        .unwrap()
+    of_ring(model, ("threshold", json!({})), Arc::new(Identity))
 }
 
 fn penalties(model: &SmallModel, sparsity: f64, smoothness: f64) -> Penalties<HostField> {
@@ -46,9 +33,10 @@ fn penalties(model: &SmallModel, sparsity: f64, smoothness: f64) -> Penalties<Ho
 }
 
 fn patterns(model: &SmallModel) -> HostField {
-    let len = DoseModel::new_patterns(model).unwrap().len();
-    let values: Vec<f32> = noise(3, len).iter().map(|v| 0.5 + 0.4 * v).collect();
-    HostField::from_slice(&values)
+    let mut x = check::noisy_patterns(model, 3);
+    x.scale(0.4);
+    x.shift(0.5);
+    x
 }
 
 #[test]
@@ -149,19 +137,8 @@ fn every_optimizer_pays_for_light_and_for_roughness() {
             let section = tomolith_core::check::example(row);
             let mut optimizer = (row.build)(&section).unwrap().make().unwrap();
             let mut x = patterns(&model);
-            let stop = Stop {
-                iterations: 25,
-                ..Stop::default()
-            };
-            crate::run(
-                &mut problem,
-                optimizer.as_mut(),
-                &mut x,
-                &stop,
-                None,
-                &mut [],
-            )
-            .unwrap();
+            let stop = Stop::after(25);
+            crate::run(&mut problem, &mut *optimizer, &mut x, &stop, None, &mut []).unwrap();
             parts.each_ref().map(|part| part.value(&x))
         };
         let [plain, sparse, smooth] =

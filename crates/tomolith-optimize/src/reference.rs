@@ -7,13 +7,13 @@ use std::f64::consts::PI;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use tomolith_core::check::small::SmallModel;
-use tomolith_core::dose::{DoseModel, Run};
+use tomolith_core::dose::Run;
 use tomolith_core::error::Result;
 use tomolith_core::field::{Field, HostField};
-use tomolith_core::kind::Section;
 use tomolith_core::response::Identity;
 use tomolith_core::target::label;
-use tomolith_objective::{OBJECTIVES, Objective, ObjectiveInput, Sum};
+use tomolith_objective::check::of_ring;
+use tomolith_objective::{Objective, Sum};
 
 /// One slice of the small model: voxels `[y][x]`, pixels `[frame][column]`.
 pub(crate) struct Dense {
@@ -64,6 +64,12 @@ pub(crate) fn ramp(pixels: &[f64], columns: usize) -> Vec<f64> {
     });
     filtered.collect()
 }
+
+/// No bound but darkness.
+pub(crate) const FREE: [Limits; 1] = [Limits {
+    min: 0.0,
+    max: f64::INFINITY,
+}];
 
 /// Compares with a tolerance relative to the largest expected value.
 pub(crate) fn assert_near(found: &[f32], expected: &[f64], tolerance: f64, what: &str) {
@@ -153,16 +159,7 @@ impl Case {
         name: &str,
         json: serde_json::Value,
     ) -> Box<dyn Objective<HostField>> {
-        let (target, labels) = self.model.ring();
-        let input = ObjectiveInput {
-            layout: self.model.layout(),
-            labels: &labels,
-            target: &target,
-            response: Arc::new(Identity),
-        };
-        let row = OBJECTIVES.iter().find(|row| row.name == name).unwrap();
-        let section = Section::new(format!("objective.{name}"), json);
-        (row.build)(&section).unwrap().make(&input).unwrap()
+        of_ring(&self.model, (name, json), Arc::new(Identity))
     }
 
     pub(crate) fn weighed_objective(
@@ -209,14 +206,7 @@ impl Case {
         seen: &mut Vec<Vec<f32>>,
     ) -> (HostField, Result<Outcome>) {
         let (target, labels) = self.model.ring();
-        let input = StartInput {
-            model: &self.model,
-            target: &target,
-            labels: &labels,
-            response: &Identity,
-            limits: &[Limits::default()],
-            absorption: None,
-        };
+        let input = StartInput::new(&self.model, &target, &labels, &FREE);
         let flag = Run::new();
         let mut problem = Problem::new(&self.model, objective, &[Limits::default()], &flag)
             .unwrap()
@@ -224,13 +214,9 @@ impl Case {
             .unwrap()
             .with_target(input.target_field().unwrap())
             .with_edges(input.edge_field().unwrap());
-        let mut x = DoseModel::new_patterns(&self.model).unwrap();
         let start: Vec<f32> = self.start().iter().map(|&v| v as f32).collect();
-        x.copy_from_host(&start);
-        let stop = Stop {
-            iterations: steps,
-            ..Stop::default()
-        };
+        let mut x = HostField::from_slice(&start);
+        let stop = Stop::after(steps);
         let mut watch = |report: &StepReport<HostField>| {
             seen.push(report.patterns.to_host());
             ControlFlow::Continue(())

@@ -6,10 +6,9 @@ use super::{Counters, Gap, Optimizer, Position, Problem};
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
 use std::time::Instant;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Error, Result, above_zero, in_range};
 use tomolith_core::field::Field;
 use tomolith_core::run::Run;
-use tomolith_core::units::exact;
 
 tomolith_core::keys! {
     /// `[stop]` of a job: when to stop. A loss of zero always stops.
@@ -43,40 +42,33 @@ const STEADY: usize = 5;
 const GAP_EVERY: usize = 5;
 
 impl Stop {
+    /// After so many iterations.
+    #[must_use]
+    pub fn after(iterations: usize) -> Self {
+        Stop {
+            iterations,
+            ..Stop::default()
+        }
+    }
+
     /// Refuses numbers out of range.
     ///
     /// # Errors
     /// [`Error::Config`] naming the key.
     pub fn validate(&self) -> Result<()> {
-        let refuse = |key: &str, value: f64, accepted: &str| {
-            Err(Error::refused(
-                format!("stop.{key}"),
-                exact(value),
-                accepted,
-            ))
+        let from_zero = |key: &str, value: f64| {
+            let is_in = value.is_finite() && value >= 0.0;
+            in_range(is_in, key, value, "a finite number, 0 or above")
         };
-        if !(self.projected_gradient.is_finite() && self.projected_gradient >= 0.0) {
-            return refuse(
-                "projected_gradient",
-                self.projected_gradient,
-                "a finite number, 0 or above",
-            );
-        }
-        if !(self.change.is_finite() && self.change >= 0.0) {
-            return refuse("change", self.change, "a finite number, 0 or above");
-        }
-        if !(0.0..1.0).contains(&self.gap) {
-            return refuse("gap", self.gap, "0 or above, below 1");
-        }
-        if !(0.0..1.0).contains(&self.relative_loss) {
-            return refuse("relative_loss", self.relative_loss, "0 or above, below 1");
-        }
-        match self.seconds {
-            Some(s) if !(s.is_finite() && s > 0.0) => {
-                refuse("seconds", s, "a finite number above 0")
-            }
-            _ => Ok(()),
-        }
+        let share = |key: &str, value: f64| {
+            let is_in = (0.0..1.0).contains(&value);
+            in_range(is_in, key, value, "0 or above, below 1")
+        };
+        from_zero("stop.projected_gradient", self.projected_gradient)?;
+        from_zero("stop.change", self.change)?;
+        share("stop.gap", self.gap)?;
+        share("stop.relative_loss", self.relative_loss)?;
+        above_zero("stop.seconds", self.seconds.unwrap_or(1.0))
     }
 }
 

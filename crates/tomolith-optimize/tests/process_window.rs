@@ -2,45 +2,26 @@
 
 use serde_json::json;
 use std::sync::Arc;
-use tomolith_core::check::small::SmallModel;
-use tomolith_core::dose::{DoseModel, Run};
-use tomolith_core::field::{Field, HostField};
-use tomolith_core::kind::Section;
+use tomolith_core::check::{self, small::SmallModel};
+use tomolith_core::dose::Run;
 use tomolith_core::response::Identity;
-use tomolith_objective::{FoundWindow, OBJECTIVES, ObjectiveInput};
+use tomolith_objective::{FoundWindow, check::of_ring};
 use tomolith_optimize::lbfgs::Lbfgs;
 use tomolith_optimize::{Limits, Problem, Stop, run};
 
 /// What a process window with these keys reaches on a small ring.
 fn reached(keys: serde_json::Value) -> FoundWindow {
     let model = SmallModel::new(18, 6, 9);
-    let (target, labels) = model.ring();
-    let input = ObjectiveInput {
-        layout: model.layout(),
-        labels: &labels,
-        target: &target,
-        response: Arc::new(Identity),
-    };
-    let row = OBJECTIVES.iter().find(|row| row.name == "process_window");
-    let section = Section::new("objective", keys);
-    let objective = (row.unwrap().build)(&section)
-        .unwrap()
-        .make(&input)
-        .unwrap();
+    let keys = ("process_window", keys);
+    let objective = of_ring(&model, keys, Arc::new(Identity));
     let limits = [Limits { min: 0.0, max: 3.0 }];
     let control = Run::new();
     let mut problem = Problem::new(&model, &*objective, &limits, &control).unwrap();
-    let mut x = DoseModel::new_patterns(&model).unwrap();
-    x.fill(0.05);
-    let stop = Stop {
-        iterations: 200,
-        ..Stop::default()
-    };
+    let mut x = check::even_patterns(&model, 0.05);
+    let stop = Stop::after(200);
     let mut lbfgs = Lbfgs::new(Default::default()).unwrap();
     run(&mut problem, &mut lbfgs, &mut x, &stop, None, &mut []).unwrap();
-    let mut dose: HostField = DoseModel::new_dose(&model).unwrap();
-    DoseModel::dose(&model, &x, &mut dose, &control).unwrap();
-    objective.window(&dose).unwrap()
+    objective.window(&check::dose(&model, &x)).unwrap()
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 use tomolith_core::Error;
+use tomolith_core::near;
 use tomolith_core::response::curve::Curve;
 use tomolith_planning::buildup::{TurningVial, bessel_less_struve, wall_rate};
 use tomolith_planning::delivered::{area_cm2, delivered_j};
@@ -291,16 +292,10 @@ fn rates_of_a_turn() {
         };
         for (r, expected) in [(0.0, axis), (0.5, half), (1.0, wall)] {
             let found = vial.mean_rate(r);
-            assert!(
-                (found / expected - 1.0).abs() < 2.5e-3,
-                "{depth} {r}: {found}"
-            );
+            near!(found / expected, 1.0, 2.5e-3, "{depth} {r}: {found}");
             // To the digits that the table has
             let digits = 10f64.powf(-3.0 + expected.log10().floor() + 1.0);
-            assert!(
-                (found - expected).abs() < 0.6 * digits,
-                "{depth} {r}: {found}"
-            );
+            near!(found, expected, 0.6 * digits, "{depth} {r}");
         }
         near(vial.mean_rate(0.0), (-1.0 / depth).exp(), 1e-12);
         near(vial.mean_rate(1.0), wall_rate(1.0 / depth), 1e-9);

@@ -323,6 +323,7 @@ pub(super) fn examine(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tomolith_core::near;
     use tomolith_io::mesh::samples::{ball, cuboid, inverted, together};
 
     fn found(mesh: Mesh) -> (Mesh, Diagnosis) {
@@ -377,11 +378,7 @@ mod tests {
         let (_, diagnosis) = found(together(&[outer, cavity, lone]));
         let expected = [64.0, -1.0, 8.0];
         for (volume, expected) in diagnosis.shell_volumes_mm3.iter().zip(expected) {
-            assert!(
-                (volume - expected).abs() < 1e-9,
-                "{:?}",
-                diagnosis.shell_volumes_mm3
-            );
+            near!(volume, expected, 1e-9, "{:?}", diagnosis.shell_volumes_mm3);
         }
         assert_eq!(diagnosis.turned_shells_at, [[6.0; 3]]);
         assert_eq!(diagnosis.sentences().len(), 1);

@@ -388,6 +388,7 @@ mod tests {
     use crate::Placement;
     use crate::diagnosis::{Repair, examine};
     use std::path::Path;
+    use tomolith_core::near;
     use tomolith_io::mesh::samples::{ball, cuboid, inverted, together};
 
     fn sampled(mesh: Mesh, grid: &VolumeGrid) -> Volume<f32> {
@@ -435,10 +436,7 @@ mod tests {
                         .map(|(axis, &i)| overlap(low[axis], high[axis], i as f64))
                         .product();
                     let found = f64::from(*volume.at(iz, iy, ix));
-                    assert!(
-                        (found - exact).abs() < 1e-7,
-                        "{ix} {iy} {iz}: {found} {exact}"
-                    );
+                    near!(found, exact, 1e-7, "{ix} {iy} {iz}");
                 }
             }
         }
@@ -560,11 +558,7 @@ mod tests {
         }
         let grid = VolumeGrid::centered([40; 3], 0.1);
         let union = sampled(shifted, &grid);
-        assert!(
-            (volume(&union) - 15.0).abs() < 15.0 * 1e-3,
-            "{}",
-            volume(&union)
-        );
+        near!(volume(&union), 15.0, 15.0 * 1e-3, "{}", volume(&union));
         assert!(union.values.iter().all(|v| (0.0..=1.0).contains(v)));
         // Two balls at distance 1, radius 1: 2·4/3·π less a lens of π·(4 + 1)·(2 − 1)²/12
         let balls = together(&[
@@ -600,10 +594,7 @@ mod tests {
             let grid = VolumeGrid::centered([48; 3], pitch);
             let left = inside_fractions(&part, Some(&negative), &grid, &Run::new()).unwrap();
             let found = volume(&left);
-            assert!(
-                (found - (64.0 - 4.0 - 1.0)).abs() < 0.05,
-                "{pitch}: {found}"
-            );
+            near!(found, (64.0 - 4.0 - 1.0), 0.05, "{pitch}");
             for (i, value) in left.values.iter().enumerate() {
                 let [ix, iy, iz] = [i % 48, i / 48 % 48, i / (48 * 48)];
                 let taken = [grid.x(ix), grid.y(iy), grid.z(iz)];

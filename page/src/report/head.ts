@@ -8,7 +8,7 @@ import { isGray, report, type Evaluation } from "./schema.ts";
 
 export function head({ data, run }: Context): HTMLElement {
   const { part, evaluation, run: facts } = report(run);
-  const isOnly = data.runs.length === 1;
+  const isOnly = data.runs.length === 1 && !data.sweep;
   const created = facts?.created;
   return h(
     "div.head",

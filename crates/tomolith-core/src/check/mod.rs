@@ -6,6 +6,8 @@ pub mod model;
 pub mod small;
 pub mod taylor;
 
+use crate::dose::{DoseModel, Run};
+use crate::field::Field;
 use crate::kind::{Kind, Section};
 use serde_json::Value;
 
@@ -23,6 +25,88 @@ pub fn noise(seed: u64, len: usize) -> Vec<f32> {
             (z >> 40) as f32 / (1u64 << 23) as f32 - 1.0
         })
         .collect()
+}
+
+/// Asserts that a number differs from what is expected by less than a tolerance.
+///
+/// ```
+/// tomolith_core::near!(0.1f64 + 0.2, 0.3, 1e-12, "a sum");
+/// ```
+#[macro_export]
+macro_rules! near {
+    ($found:expr, $expected:expr, $tolerance:expr) => {
+        $crate::near!($found, $expected, $tolerance, "not near")
+    };
+    ($found:expr, $expected:expr, $tolerance:expr, $($what:tt)+) => {{
+        let (found, expected) = ($found, $expected);
+        let what = format_args!($($what)+);
+        assert!((found - expected).abs() < $tolerance, "{found} in place of {expected}: {what}");
+    }};
+}
+
+/// F(x).
+///
+/// # Panics
+/// When the model fails.
+pub fn dose<M: DoseModel + ?Sized>(model: &M, x: &M::Field) -> M::Field {
+    let mut dose = model.new_dose().unwrap();
+    model.dose(x, &mut dose, &Run::new()).unwrap();
+    dose
+}
+
+/// Fᵀc of a linear model.
+///
+/// # Panics
+/// When the model fails.
+pub fn adjoint<M: DoseModel + ?Sized>(model: &M, c: &M::Field) -> M::Field {
+    let (x, mut grad) = (model.new_patterns().unwrap(), model.new_patterns().unwrap());
+    model.pullback(&x, c, &mut grad, &Run::new()).unwrap();
+    grad
+}
+
+/// Patterns of one value.
+///
+/// # Panics
+/// When memory is short.
+pub fn even_patterns<M: DoseModel + ?Sized>(model: &M, value: f32) -> M::Field {
+    let mut x = model.new_patterns().unwrap();
+    x.fill(value);
+    x
+}
+
+/// Patterns of [`noise`].
+///
+/// # Panics
+/// When memory is short.
+pub fn noisy_patterns<M: DoseModel + ?Sized>(model: &M, seed: u64) -> M::Field {
+    let mut x = model.new_patterns().unwrap();
+    x.copy_from_host(&noise(seed, x.len()));
+    x
+}
+
+/// ‖a − b‖/‖b‖
+///
+/// # Panics
+/// When there are more of one than of the other.
+#[must_use]
+pub fn difference(a: &[f32], b: &[f32]) -> f64 {
+    assert_eq!(a.len(), b.len());
+    let pairs = a.iter().zip(b);
+    let error: f64 = pairs.map(|(a, b)| f64::from(a - b).powi(2)).sum();
+    (error / b.iter().map(|&b| f64::from(b).powi(2)).sum::<f64>()).sqrt()
+}
+
+/// The largest |a − b| over the largest |b|: no number, or infinite, where a NaN is met or every b is 0.
+///
+/// # Panics
+/// When there are more of one than of the other.
+#[must_use]
+pub fn largest_difference(a: &[f32], b: &[f32]) -> f32 {
+    assert_eq!(a.len(), b.len());
+    let larger = |m: f32, v: f32| if v > m || v.is_nan() { v } else { m };
+    let off = a.iter().zip(b).map(|(a, b)| (a - b).abs());
+    let off = off.fold(0.0, larger);
+    off / b.iter().map(|b| b.abs()).fold(0.0, larger)
 }
 
 /// The section of a row's example, `[family.kind]` or the first of `[[family]]`.

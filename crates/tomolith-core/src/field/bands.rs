@@ -25,7 +25,7 @@
 
 use super::BLOCK;
 use super::LANES;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, above_zero, in_range};
 use crate::parallel::InParallel;
 use crate::response::{Response, is_reached};
 use crate::units::exact;
@@ -117,13 +117,12 @@ impl Band {
                 "lower ≤ upper, neither a NaN",
             ));
         }
-        if !(self.weight >= 0.0 && self.weight.is_finite()) {
-            return Err(Error::refused(
-                "weight",
-                exact(self.weight),
-                "a finite number, 0 or above",
-            ));
-        }
+        in_range(
+            self.weight >= 0.0 && self.weight.is_finite(),
+            "weight",
+            self.weight,
+            "a finite number, 0 or above",
+        )?;
         Ok(())
     }
 }
@@ -365,9 +364,7 @@ impl BandLoss {
         response: Arc<dyn Response>,
     ) -> Result<Self> {
         for (key, value) in [("p", p), ("q", q)] {
-            if !(value.is_finite() && value > 0.0) {
-                return Err(Error::refused(key, exact(value), "a finite number above 0"));
-            }
+            above_zero(key, value)?;
         }
         if bands.len() != elements.len() || !elements.start.is_multiple_of(LANES) {
             return Err(Error::shape(

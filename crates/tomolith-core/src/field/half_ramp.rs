@@ -251,6 +251,7 @@ fn recur<'a>(columns: impl Iterator<Item = &'a mut [f32; LANES]>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::near;
     use std::f64::consts::PI;
 
     /// Frames of full rectangles.
@@ -328,10 +329,7 @@ mod tests {
                     let transposed: Vec<f64> = m.iter().map(|of_row| of_row[column]).collect();
                     let expected = sum(&transposed, &|i| mx[i]);
                     let found = f64::from(out.as_slice()[at(column)]);
-                    assert!(
-                        (found - expected).abs() < 1e-5,
-                        "{frame}, {row}, {column}: {found} instead of {expected}"
-                    );
+                    near!(found, expected, 1e-5, "{frame}, {row}, {column}");
                 }
             }
         }
@@ -346,10 +344,7 @@ mod tests {
         ramp.apply(&x, &mut px);
         ramp.apply(&y, &mut py);
         let (one, other) = (px.dot(&y), x.dot(&py));
-        assert!(
-            (one - other).abs() < 1e-5 * x.norm() * y.norm(),
-            "{one} and {other}"
-        );
+        near!(one, other, 1e-5 * x.norm() * y.norm());
         // The least gain is that of patterns without fine detail
         assert!(px.dot(&x) > 0.19 * x.dot(&x));
     }

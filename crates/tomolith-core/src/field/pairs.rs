@@ -621,6 +621,7 @@ impl Pairs<HostField> for HostPairs {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::near;
 
     /// What is left of a number that was stored.
     fn stored(value: f32) -> f32 {
@@ -752,10 +753,7 @@ mod tests {
                 (products.s_g[j], dot(&kept_s[j], &free)),
                 (products.z_g[j], dot(&kept_z[j], &free)),
             ] {
-                assert!(
-                    (found - expected).abs() < tolerance,
-                    "slot {j}: {found} instead of {expected}"
-                );
+                near!(found, expected, tolerance, "slot {j}");
             }
         }
         assert!((products.s_s - dot(&kept_s[newest], &kept_s[newest])).abs() < tolerance);
@@ -790,10 +788,7 @@ mod tests {
                 end
             };
             let found = f64::from(out.as_slice()[i]);
-            assert!(
-                (found - expected).abs() < 1e-5,
-                "element {i}: {found} instead of {expected}"
-            );
+            near!(found, expected, 1e-5, "element {i}");
             slope += expected * f64::from(g);
         }
         assert!((sums.slope - slope).abs() < tolerance);

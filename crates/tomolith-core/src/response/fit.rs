@@ -233,6 +233,7 @@ pub const KIND: Kind<BuildResponse> = Kind {
 mod tests {
     use super::*;
     use crate::check::noise;
+    use crate::near;
 
     fn points(params: &logistic::Params, jitter: f64) -> Curve {
         let doses: Vec<f64> = (0..60).map(|i| f64::from(i) / 40.0).collect();
@@ -304,10 +305,7 @@ mod tests {
             (found.steepness, 10.0, errors[2]),
             (found.midpoint, 0.5, errors[3]),
         ] {
-            assert!(
-                (found - truth).abs() < 3.0 * error,
-                "{found} {truth} {error}"
-            );
+            near!(found, truth, 3.0 * error, "{found} {truth} {error}");
         }
         assert!(errors[3] < 0.01 && errors[4] == 0.0, "{errors:?}");
         assert!(

@@ -207,6 +207,7 @@ fn exp(x: f32x8) -> f32x8 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::near;
 
     #[test]
     fn only_the_product_of_steepness_and_midpoint_counts_where_doses_may_be_scaled() {
@@ -252,10 +253,7 @@ mod tests {
         assert!((f64::from(slope) - 0.8 * 3.0 / 2f64.sqrt() * 0.5).abs() < 1e-5);
         for i in 0..30 {
             let dose = i as f32 * 0.05 - 0.2;
-            assert!(
-                (response.inverse(response.value(dose)) - dose).abs() < 1e-4,
-                "at {dose}"
-            );
+            near!(response.inverse(response.value(dose)), dose, 1e-4);
         }
     }
 

@@ -101,6 +101,7 @@ pub static RESPONSES: &[Kind<BuildResponse>] =
 mod tests {
     use super::*;
     use crate::check;
+    use crate::near;
 
     fn examples() -> Vec<Box<dyn Response>> {
         RESPONSES
@@ -134,10 +135,7 @@ mod tests {
             for i in 1..40 {
                 let dose = i as f32 * 0.025;
                 let back = response.inverse(response.value(dose));
-                assert!(
-                    (back - dose).abs() < 1e-4,
-                    "{response:?}: {dose} came back as {back}"
-                );
+                near!(back, dose, 1e-4, "{response:?}: {dose} came back as {back}");
             }
             for dose in [-1e30, -1e3, 0.0, 1e3, 1e30, f32::MAX, f32::MIN] {
                 let (value, slope) = response.value_and_slope(dose);

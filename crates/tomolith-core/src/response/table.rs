@@ -348,6 +348,7 @@ pub const KIND: Kind<BuildResponse> = Kind {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::near;
 
     /// Values and slopes of an independent implementation's formulas by hand: d = 0, 1, 3, 4 and m = 0, 1, 2, 6.
     #[test]
@@ -394,10 +395,7 @@ mod tests {
             let dose = i as f32 * 0.0025;
             let ((value, slope), (expected, rise)) =
                 (table.value_and_slope(dose), known.value_and_slope(dose));
-            assert!(
-                (value - expected).abs() < 2e-6,
-                "{dose}: {value} {expected}"
-            );
+            near!(value, expected, 2e-6, "{dose}");
             assert!((slope - rise).abs() < 5e-3, "{dose}: {slope} {rise}");
             assert!(
                 (table.inverse(expected) - known.inverse(expected)).abs() < 1e-5,

@@ -6,8 +6,9 @@ use crate::photopolymer::{Curing, Inhibitor, Network, Params, Photopolymer};
 use crate::print::{LightSource, PrintRun};
 use crate::schedule::{Power, Schedule, Turns};
 use std::ops::ControlFlow;
-use tomolith_core::check::small::SmallModel;
+use tomolith_core::check::{self, small::SmallModel};
 use tomolith_core::dose::{DoseModel, Run};
+use tomolith_core::near;
 use tomolith_core::response::Identity;
 
 /// A checkerboard of cells of `cell` voxels within the inscribed circle: half of it is part, by symmetry.
@@ -80,10 +81,7 @@ fn a_checkerboard_goes_through_three_phases_with_one_best_moment() {
         ..Turns::new(72, 72.0, 10.0)
     };
     let schedule = Schedule::of_turns(&[turns]).unwrap();
-    let light = LightSource {
-        model: &model,
-        patterns: &x,
-    };
+    let light = LightSource::new(&model, &x);
     let mut curves = Curves::new(&material, 0, &labels)
         .unwrap()
         .with_cure_times(&material)
@@ -162,10 +160,7 @@ fn a_checkerboard_goes_through_three_phases_with_one_best_moment() {
         .count() as f64;
     let [in_part, in_void] = top.gelled;
     let void = labels.values.iter().filter(|l| **l == label::VOID).count() as f64;
-    assert!(
-        (gelled - in_part * part - in_void * void).abs() < 0.5,
-        "{gelled}"
-    );
+    near!(gelled - in_part * part, in_void * void, 0.5, "{gelled}");
     let kept: Vec<f64> = curves.snapshots().iter().map(|s| s.0).collect();
     assert_eq!(kept, [0.0, 60.0]);
 }
@@ -180,10 +175,7 @@ fn contrast_repeats_with_every_turn_until_something_cures() {
         Memoryless::new(Mixing::identity(1), domain, vec![Box::new(Identity)], 1e6).unwrap();
     let schedule = Schedule::of_turns(&[Turns::new(36, 36.0, 3.0)]).unwrap();
     let mut curves = Curves::new(&material, 0, &labels).unwrap();
-    let light = LightSource {
-        model: &model,
-        patterns: &x,
-    };
+    let light = LightSource::new(&model, &x);
     let mut print = PrintRun::new(&material, &schedule, vec![light]).unwrap();
     watch(&mut print, &mut curves);
     let at = |seconds: f64| {
@@ -224,8 +216,7 @@ fn cure_times_are_interpolated_within_a_block() {
         domain,
     )
     .unwrap();
-    let mut x = DoseModel::new_patterns(&model).unwrap();
-    x.fill(1.0);
+    let x = check::even_patterns(&model, 1.0);
     // The middle gets 1 mJ/mm³ per turn of 8 s, evenly: 1.25 turns in all
     let turns = Turns {
         power: Power::EnergyPerTurn(1.0),
@@ -238,10 +229,7 @@ fn cure_times_are_interpolated_within_a_block() {
         let mut curves = Curves::new(&material, 0, &labels)
             .unwrap()
             .with_cure_times(&material);
-        let light = LightSource {
-            model: &model,
-            patterns: &x,
-        };
+        let light = LightSource::new(&model, &x);
         let mut print = PrintRun::new(&material, &schedule, vec![light])
             .unwrap()
             .with_step_s(step)
@@ -259,12 +247,8 @@ fn antagonists_do_not_count_as_imbued() {
     let mixing = Mixing::new(vec![vec![1.0, -2.0]]).unwrap();
     let network = Network::new("a", Curing::threshold(1.0));
     let material = Photopolymer::new(Params::new(vec![network]), mixing, domain).unwrap();
-    let mut x = DoseModel::new_patterns(&model).unwrap();
-    x.fill(1.0);
-    let light = LightSource {
-        model: &model,
-        patterns: &x,
-    };
+    let x = check::even_patterns(&model, 1.0);
+    let light = LightSource::new(&model, &x);
     // The antagonist shines in the second half only
     let late = Turns {
         dark_before_s: 4.0,

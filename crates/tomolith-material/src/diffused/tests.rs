@@ -113,10 +113,8 @@ fn it_is_an_exact_pair_with_one_arc_and_with_many() {
         check::model::model(&model, 3).unwrap();
         // Searches know that it is linear
         let run = Run::new();
-        let mut x = model.new_patterns().unwrap();
-        x.copy_from_host(&check::noise(8, x.len()));
-        let mut dose = model.new_dose().unwrap();
-        model.dose(&x, &mut dose, &run).unwrap();
+        let x = check::noisy_patterns(&model, 8);
+        let dose = check::dose(&model, &x);
         let terms = model.along(&x, &x, &run).unwrap().unwrap();
         let off = crate::apart(&dose, &terms[0]);
         assert!(terms.len() == 1 && off < 1e-5, "{off}");
@@ -146,10 +144,7 @@ fn arcs_of_single_frames_are_the_print_of_a_dose_that_wanders() {
     };
     let domain = domain_of(&model);
     let material = Photopolymer::new(params, Mixing::identity(1), domain).unwrap();
-    let light = print::LightSource {
-        model: &model,
-        patterns: &x,
-    };
+    let light = print::LightSource::new(&model, &x);
     let mut printing = print::PrintRun::new(&material, &schedule, vec![light]).unwrap();
     let state = printing
         .run(&Run::new(), &mut |_| ControlFlow::Continue(()))
@@ -158,8 +153,7 @@ fn arcs_of_single_frames_are_the_print_of_a_dose_that_wanders() {
     let distance = |arcs: usize| {
         let model = Box::new(SmallModel::new(11, 12, 1));
         let diffused = Diffused::of_schedule(model, 0.02, &schedule, arcs).unwrap();
-        let mut dose = diffused.new_dose().unwrap();
-        diffused.dose(&x, &mut dose, &Run::new()).unwrap();
+        let mut dose = check::dose(&diffused, &x);
         dose.axpy(-1.0, printed);
         dose.norm() / printed.norm()
     };

@@ -250,6 +250,7 @@ mod tests {
     use tomolith_core::check::noise;
     use tomolith_core::field::Field;
     use tomolith_core::grid::{Volume, VolumeGrid};
+    use tomolith_core::near;
 
     fn dot(a: &HostField, b: &HostField) -> f64 {
         a.dot(b)
@@ -397,9 +398,6 @@ mod tests {
         };
         let difference = (value(0.02) - value(-0.02)) / 0.04;
         let exact = dot(&grad, &along);
-        assert!(
-            (difference - exact).abs() < 2e-3 * exact.abs().max(0.1),
-            "{difference} {exact}"
-        );
+        near!(difference, exact, 2e-3 * exact.abs().max(0.1));
     }
 }

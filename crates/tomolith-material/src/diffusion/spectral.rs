@@ -228,6 +228,7 @@ mod tests {
     use crate::domain::Domain;
     use tomolith_core::check::noise;
     use tomolith_core::grid::{Volume, VolumeGrid};
+    use tomolith_core::near;
 
     #[test]
     fn nothing_changes_without_time_and_every_factor_is_that_of_its_mode() {
@@ -280,10 +281,7 @@ mod tests {
                 spectral.multiply(&mut field, &modes);
                 let found = domain.layout().volume_of(&field);
                 for (a, b) in mode.values.iter().zip(&found.values) {
-                    assert!(
-                        (f64::from(*a) * factor - f64::from(*b)).abs() < 2e-6,
-                        "{shape:?}"
-                    );
+                    near!(f64::from(*a) * factor, f64::from(*b), 2e-6, "{shape:?}");
                 }
             }
         }

@@ -2,6 +2,7 @@ use super::*;
 use crate::mixing::Mixing;
 use tomolith_core::check::noise;
 use tomolith_core::grid::VolumeGrid;
+use tomolith_core::near;
 
 fn oxygen(capacity: f64, diffusion: f64) -> Inhibitor {
     Inhibitor {
@@ -554,10 +555,7 @@ fn zeroth_order_and_dose_are_transposed_too() {
         .unwrap();
     let exact = dot(&grad[0], &d) - dot(&back.volumes[0], &d);
     let difference = (value(1e-4) - value(-1e-4)) / 2e-4;
-    assert!(
-        (difference / exact - 1.0).abs() < 1e-2,
-        "{difference} {exact}"
-    );
+    near!(difference / exact, 1.0, 1e-2, "{difference} {exact}");
 }
 
 #[test]

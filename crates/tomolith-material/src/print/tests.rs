@@ -8,6 +8,7 @@ use std::ops::Range;
 use tomolith_core::dose::{DoseLayout, LinearOperator, PatternLayout, Quantity, ZCoupling};
 use tomolith_core::grid::{PatternGrid, Volume, VolumeGrid};
 use tomolith_core::host_fields;
+use tomolith_core::near;
 use tomolith_core::target::label;
 
 const N: usize = 16;
@@ -161,10 +162,7 @@ fn along_a_row(cured: f64, irradiance: f64) -> (Vec<f32>, Vec<f64>, usize) {
             total.values.clone(),
         )))
     };
-    let light = LightSource {
-        model: &first,
-        patterns: &x,
-    };
+    let light = LightSource::new(&first, &x);
     let print = PrintRun::new(&material, &schedule, vec![light]).unwrap();
     let mut print = print
         .with_step_s(2.0)
@@ -189,11 +187,7 @@ fn cured_resin_shades_what_lies_behind_it_and_nothing_does_before() {
     assert_eq!(made, 39);
     // 0.05·2 mJ/mm², of which μ(1 − e^(−μh))/(μh) = 0.1951 per mm in the first voxel: 0.0195 a turn, gel after 15: not within ten
     let first = 0.1 * (-(-MU * PITCH).exp_m1()) / PITCH * 10.0;
-    assert!(
-        (f64::from(plain[0]) - (first - 0.1)).abs() < 1e-6,
-        "{}",
-        plain[0]
-    );
+    near!(f64::from(plain[0]), first - 0.1, 1e-6, "{}", plain[0]);
     assert_eq!(even, imbued);
     assert_eq!(plain, shaded);
     // Ten times the light: the first voxels cure within two turns, take more, and leave less
@@ -208,10 +202,7 @@ fn cured_resin_shades_what_lies_behind_it_and_nothing_does_before() {
 fn a_step_that_is_not_stable_is_refused_by_its_limit_and_others_end_early() {
     let (model, material, schedule) = (Cross::even(), material(1.0, 0.01), schedule(0.5));
     let x = LinearOperator::new_patterns(&model).unwrap();
-    let light = LightSource {
-        model: &model,
-        patterns: &x,
-    };
+    let light = LightSource::new(&model, &x);
     let print = || PrintRun::new(&material, &schedule, vec![light]).unwrap();
     // Four faces in a plane: h²/(4D) = 1.5625 s
     let Err(Error::Config { key, accepted, .. }) = print().with_step_s(1.6) else {
@@ -243,10 +234,7 @@ fn a_step_that_is_not_stable_is_refused_by_its_limit_and_others_end_early() {
 fn a_renewed_model_of_other_voxels_is_refused() {
     let (model, material, schedule) = (Cross::even(), material(2.0, 0.0), schedule(0.5));
     let x = LinearOperator::new_patterns(&model).unwrap();
-    let light = LightSource {
-        model: &model,
-        patterns: &x,
-    };
+    let light = LightSource::new(&model, &x);
     let mut renew = |_: usize, _: &Absorption| -> Result<Box<Model>> {
         Ok(Box::new(tomolith_core::check::small::SmallModel::new(
             N, 4, 1,

@@ -72,10 +72,7 @@ fn without_memory_it_is_the_dose_model_to_the_bit() {
     }
     // Printed in time it is the same dose, but for the order of its sums
     let schedule = printing.schedule();
-    let light = crate::print::LightSource {
-        model: &model,
-        patterns: &x,
-    };
+    let light = crate::print::LightSource::new(&model, &x);
     let mut print =
         crate::print::PrintRun::new(printing.material(), schedule, vec![light]).unwrap();
     let state = print
@@ -350,8 +347,7 @@ fn the_derivative_through_an_inhibitor_of_zeroth_order_is_that_of_differences() 
     let run = Run::new();
     let x = positive(model.new_patterns().unwrap().len(), 1);
     let sum = |x: &HostField| {
-        let mut dose = model.new_dose().unwrap();
-        model.dose(x, &mut dose, &run).unwrap();
+        let dose = check::dose(&model, x);
         let values = dose.as_slice().iter().map(|&v| f64::from(v));
         values.sum::<f64>()
     };

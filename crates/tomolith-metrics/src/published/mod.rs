@@ -349,6 +349,7 @@ fn band_errors(
 mod tests {
     use super::*;
     use tomolith_core::grid::VolumeGrid;
+    use tomolith_core::near;
     use tomolith_core::target::label::{OUTSIDE, PART, VOID};
 
     fn volume<T: Clone>(shape: [usize; 3], values: &[T]) -> Volume<T> {
@@ -404,10 +405,7 @@ mod tests {
             ("pw_worst_slice", -0.125),
         ] {
             let value = value_of(&found, name).unwrap_or_else(|| panic!("{name} is missing"));
-            assert!(
-                (value - expected).abs() < 1e-9,
-                "{name}: {value} instead of {expected}"
-            );
+            near!(value, expected, 1e-9, "{name}");
         }
         assert_eq!(value_of(&found, "light_in_part"), None);
         let mut names: Vec<&str> = found.iter().map(|n| n.name.as_str()).collect();

@@ -44,6 +44,7 @@ fn percentile(scan: &Scan<'_>, class: usize, percent: f64) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tomolith_core::near;
     use tomolith_core::target::label::{PART, VOID};
 
     #[test]
@@ -69,10 +70,7 @@ mod tests {
                 let next = sorted[(i + 1).min(sorted.len() - 1)];
                 let expected = sorted[i] + share * (next - sorted[i]);
                 let found = percentile(&scan, 0, percent).unwrap();
-                assert!(
-                    (found - expected).abs() < 1e-12,
-                    "{n} values, {percent} %: {found} {expected}"
-                );
+                near!(found, expected, 1e-12, "{n} values, {percent} %");
             }
         }
         let void = Scan::new(&[VOID], &[1.0]).unwrap();

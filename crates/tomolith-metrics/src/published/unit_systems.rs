@@ -105,6 +105,7 @@ impl UnitSystem {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tomolith_core::near;
 
     #[test]
     fn in_every_system_pattern_times_operator_is_the_dose() {
@@ -112,10 +113,7 @@ mod tests {
         for (mu, seconds) in [(0.05, 30.0), (0.3, 1.0), (1.0, 240.0)] {
             for system in UnitSystem::ALL {
                 let row = system.convert(3.0, 3.0 * mu, mu, seconds);
-                assert!(
-                    (row.pattern.0 * row.operator.0 - row.dose.0).abs() < 1e-12,
-                    "{row:?}"
-                );
+                near!(row.pattern.0 * row.operator.0, row.dose.0, 1e-12, "{row:?}");
             }
         }
     }

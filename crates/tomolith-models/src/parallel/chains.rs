@@ -54,6 +54,10 @@ pub(super) const LOOKED_UP: usize = 32;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Avx512(());
 
+#[cfg_attr(
+    not(target_arch = "x86_64"),
+    expect(unused_variables, reason = "no such machine")
+)]
 impl Avx512 {
     /// None where it was not detected.
     pub(super) fn detect() -> Option<Self> {
@@ -69,10 +73,6 @@ impl Avx512 {
     ///
     /// # Panics
     /// When an index, where they are near plus [`LOOKED_UP`], lies outside `source`, or lengths differ.
-    #[cfg_attr(
-        not(target_arch = "x86_64"),
-        expect(unused_variables, reason = "no such machine")
-    )]
     pub(super) fn add_gathered(
         self,
         out: &mut [f32],
@@ -89,10 +89,6 @@ impl Avx512 {
     }
 
     /// Appends what a chain lights in a tile, strip after strip; `keep` says which columns count.
-    #[cfg_attr(
-        not(target_arch = "x86_64"),
-        expect(unused_variables, reason = "no such machine")
-    )]
     pub(super) fn add_chain(
         self,
         chain: &Chain,
@@ -109,10 +105,6 @@ impl Avx512 {
 
     /// The taps of a chain; `slot` is the slot of column 0 of the view, `hop` the vectors from the lanes of one strip to
     /// those of the next.
-    #[cfg_attr(
-        not(target_arch = "x86_64"),
-        expect(unused_variables, reason = "no such machine")
-    )]
     pub(super) fn find_taps(
         self,
         taps: &mut Taps,
@@ -130,10 +122,6 @@ impl Avx512 {
 
     /// Adds to the voxels of a tile's single slice, `[row][across]` of the chain, what the taps bring of the pixels in
     /// `window`.
-    #[cfg_attr(
-        not(target_arch = "x86_64"),
-        expect(unused_variables, reason = "no such machine")
-    )]
     pub(super) fn add_taps(
         self,
         taps: &Taps,
@@ -149,10 +137,6 @@ impl Avx512 {
     }
 
     /// What the cotangent of a tile's single slice gives to the strips of a chain.
-    #[cfg_attr(
-        not(target_arch = "x86_64"),
-        expect(unused_variables, reason = "no such machine")
-    )]
     pub(super) fn chain_adjoint(
         self,
         chain: &Chain,
@@ -173,10 +157,6 @@ impl Avx512 {
     ///
     /// # Panics
     /// When a tap lies outside `source`.
-    #[cfg_attr(
-        not(target_arch = "x86_64"),
-        expect(unused_variables, reason = "no such machine")
-    )]
     pub(super) fn gather_tile(
         self,
         rows: &mut [&mut [f32]],

@@ -238,10 +238,9 @@ impl Mapped {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::LinearOperator;
     use crate::parallel::Parallel;
-    use crate::{DoseModel, LinearOperator, Run};
     use tomolith_core::check;
-    use tomolith_core::field::Field;
     use tomolith_core::grid::PatternGrid;
     use tomolith_optics::light::Light;
     use tomolith_optics::vial::index_matched::IndexMatched;
@@ -263,10 +262,8 @@ mod tests {
     }
 
     fn dose(model: &Parallel) -> Vec<f32> {
-        let mut x = LinearOperator::new_patterns(model).unwrap();
-        x.fill(1.0);
-        let mut dose = LinearOperator::new_dose(model).unwrap();
-        model.dose(&x, &mut dose, &Run::new()).unwrap();
+        let x = check::even_patterns(model, 1.0);
+        let dose = check::dose(model, &x);
         LinearOperator::outputs(model)[0]
             .volume_of(dose.as_slice())
             .values

@@ -291,6 +291,7 @@ mod tests {
     use tomolith_core::check;
     use tomolith_core::field::HostField;
     use tomolith_core::grid::Volume;
+    use tomolith_core::near;
     use tomolith_optics::light::Light;
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::{cylinder::Cylinder, index_matched::IndexMatched};
@@ -398,8 +399,7 @@ mod tests {
             let model = model(kernel, pixels.clone(), grid.clone());
             let volume = Volume::new(grid.clone(), image.clone());
             let cotangent = HostField::from_slice(&model.outputs()[0].field_of(&volume));
-            let mut grad = LinearOperator::new_patterns(&model).unwrap();
-            model.adjoint(&cotangent, &mut grad, &Run::new()).unwrap();
+            let grad = check::adjoint(&model, &cotangent);
             let found = model.patterns()[0].patterns_of(grad.as_slice());
             for (i, (&found, &expected)) in
                 found.values.iter().zip(expected.as_flattened()).enumerate()
@@ -444,8 +444,7 @@ mod tests {
             let model = model(kernel, pixels.clone(), grid.clone());
             let all = Volume::filled(grid.clone(), 1.0f32);
             let cotangent = HostField::from_slice(&model.outputs()[0].field_of(&all));
-            let mut grad = LinearOperator::new_patterns(&model).unwrap();
-            model.adjoint(&cotangent, &mut grad, &Run::new()).unwrap();
+            let grad = check::adjoint(&model, &cotangent);
             let found = f64::from(grad.as_slice()[2]);
             let expected = 0.3 * way / (0.1 * 0.1);
             assert!(
@@ -471,8 +470,7 @@ mod tests {
         let ones = |model: &Parallel| {
             let all = Volume::filled(model.outputs()[0].grid.clone(), 1.0f32);
             let cotangent = HostField::from_slice(&model.outputs()[0].field_of(&all));
-            let mut grad = LinearOperator::new_patterns(model).unwrap();
-            model.adjoint(&cotangent, &mut grad, &Run::new()).unwrap();
+            let grad = check::adjoint(model, &cotangent);
             model.patterns()[0].patterns_of(grad.as_slice()).values
         };
         for isa in crate::parallel::kernel::Isa::available() {
@@ -481,19 +479,13 @@ mod tests {
             let (of_plane, of_volume) = (ones(&plane), ones(&volume));
             for frame in (0..8).step_by(2) {
                 let middle = f64::from(of_plane[frame * 41 + 20]);
-                assert!(
-                    (middle / 32.0 - 1.0).abs() < 1e-5,
-                    "{isa:?} {frame}: {middle}"
-                );
+                near!(middle / 32.0, 1.0, 1e-5, "{isa:?} {frame}: {middle}");
             }
             // Columns 4 and 36 run along the outermost faces: inside or outside is rounding
             let within = |(i, _): &(usize, &f32)| ![4, 36].contains(&(i % 41));
             for (i, &value) in of_plane.iter().enumerate().filter(within) {
                 let twin = of_volume[(i / 41 * 2) * 41 + i % 41];
-                assert!(
-                    (value - twin).abs() < 1e-3 * 32.0,
-                    "{isa:?} {i}: {value} {twin}"
-                );
+                near!(value, twin, 1e-3 * 32.0, "{isa:?} {i}");
             }
             check::model::model(&plane, 3).unwrap_or_else(|e| panic!("{isa:?}: {e}"));
         }

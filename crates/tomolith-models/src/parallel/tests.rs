@@ -6,8 +6,9 @@ use super::views::Views;
 use super::walls::Walls;
 use super::*;
 use crate::selection;
-use tomolith_core::check;
+use tomolith_core::check::{self, difference};
 use tomolith_core::grid::{PatternGrid, Patterns, Volume};
+use tomolith_core::near;
 use tomolith_optics::resin::Resin;
 use tomolith_optics::trace::Tracer;
 use tomolith_optics::vial::{
@@ -142,18 +143,8 @@ fn isa_paths_agree() {
             })
             .collect();
         for other in &results[1..] {
-            let difference: f64 = results[0]
-                .values
-                .iter()
-                .zip(&other.values)
-                .map(|(a, b)| f64::from(a - b).powi(2))
-                .sum();
-            let size: f64 = other.values.iter().map(|&v| f64::from(v).powi(2)).sum();
-            assert!(
-                (difference / size).sqrt() < 1e-6,
-                "{vial:?}: {}",
-                (difference / size).sqrt()
-            );
+            let off = difference(&results[0].values, &other.values);
+            assert!(off < 1e-6, "{vial:?}: {off}");
         }
     }
 }
@@ -193,8 +184,7 @@ fn zeros_that_are_left_out_change_nothing() {
                 for ((to, few), many) in c.as_mut_slice().iter_mut().zip(few).zip(many) {
                     *to = if is_sparse { few } else { many - few };
                 }
-                let mut grad = LinearOperator::new_patterns(&model).unwrap();
-                model.adjoint(&c, &mut grad, &Run::new()).unwrap();
+                let grad = check::adjoint(&model, &c);
                 grad.as_slice().to_vec()
             };
             let sum = |a: Vec<f32>, b: Vec<f32>| -> Vec<f32> {
@@ -494,14 +484,10 @@ fn pure_radon_adjoint_of_a_disc_is_its_chord() {
             disc.values[grid.index(0, iy, ix)] = inside.count() as f32 / 64.0;
         }
     }
-    let mut grad = LinearOperator::new_patterns(&model).unwrap();
-    model
-        .adjoint(
-            &HostField::from_slice(&model.output.field_of(&disc)),
-            &mut grad,
-            &Run::new(),
-        )
-        .unwrap();
+    let grad = check::adjoint(
+        &model,
+        &HostField::from_slice(&model.output.field_of(&disc)),
+    );
     let images = model.patterns[0].patterns_of(grad.as_slice());
     let mut squares = 0.0;
     for frame in 0..5 {
@@ -515,10 +501,7 @@ fn pure_radon_adjoint_of_a_disc_is_its_chord() {
                 / (40.0 * h);
             if u.abs() < 0.95 * radius {
                 // A rim that runs along the rows is resolved to a fraction of a voxel
-                assert!(
-                    (f64::from(value) - chord).abs() < 0.65,
-                    "{column}: {value} {chord}"
-                );
+                near!(f64::from(value), chord, 0.65, "{column}: {value}");
             }
             squares += (f64::from(value) - chord).powi(2) / (5.0 * n as f64);
         }
@@ -552,13 +535,6 @@ fn a_single_pixel_lights_the_voxel_it_should() {
     }
     // Light enters at +y and weakens toward −y
     assert!(dose.at(7, 19, 4) > dose.at(7, 0, 4));
-}
-
-/// ‖a − b‖ / ‖b‖
-fn difference(a: &[f32], b: &[f32]) -> f64 {
-    let error: f64 = a.iter().zip(b).map(|(a, b)| f64::from(a - b).powi(2)).sum();
-    let size: f64 = b.iter().map(|&b| f64::from(b).powi(2)).sum();
-    (error / size).sqrt()
 }
 
 /// A model of so many slices, with as many rows.
@@ -684,11 +660,7 @@ fn opposite_frames_are_one_view_and_change_nothing() {
         }
         let noise = check::noise(6, paired.output.len());
         let cotangent = HostField::from_slice(&noise);
-        let [a, b] = [&paired, &single].map(|model| {
-            let mut grad = LinearOperator::new_patterns(model).unwrap();
-            model.adjoint(&cotangent, &mut grad, &Run::new()).unwrap();
-            grad
-        });
+        let [a, b] = [&paired, &single].map(|model| check::adjoint(model, &cotangent));
         assert!(difference(a.as_slice(), b.as_slice()) < 1e-6);
     }
 }
@@ -774,14 +746,8 @@ fn dose_by(vial: &dyn Vial, light: &Light, grid: &VolumeGrid, patterns: &Pattern
 }
 
 fn assert_alike(a: &[f32], b: &[f32], tolerance: f32, what: &str) {
-    let most = a.iter().copied().fold(0.0, f32::max);
-    assert!(most > 0.0, "{what}");
-    let off = a
-        .iter()
-        .zip(b)
-        .map(|(a, b)| (a - b).abs())
-        .fold(0.0, f32::max);
-    assert!(off <= tolerance * most, "{what}: {off} of {most}");
+    let off = check::largest_difference(b, a);
+    assert!(off <= tolerance, "{what}: {off}");
 }
 
 #[test]

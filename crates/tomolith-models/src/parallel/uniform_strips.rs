@@ -592,6 +592,7 @@ mod x86 {
 mod tests {
     use super::*;
     use tomolith_core::check::noise;
+    use tomolith_core::near;
 
     /// Rows of a tile at some angle: every tap and both directions of the strips' slope occur.
     fn rows(per_voxel: f64, per_row: f64) -> Rows {
@@ -646,10 +647,7 @@ mod tests {
                     }
                 }
                 for (found, expected) in out.iter().zip(&expected).take(rows.count * TILE) {
-                    assert!(
-                        (f64::from(*found) - expected).abs() < 3e-6,
-                        "{isa:?} {per_voxel}"
-                    );
+                    near!(f64::from(*found), expected, 3e-6, "{isa:?} {per_voxel}");
                 }
                 let product = |a: &[f32], b: &[f32]| -> f64 {
                     a.iter()
@@ -662,10 +660,7 @@ mod tests {
                     product(&out[..own], &integrals.value[..own]),
                     product(&source, &grad),
                 );
-                assert!(
-                    (forward - backward).abs() < 2e-5,
-                    "{isa:?} {per_voxel}: {forward} {backward}"
-                );
+                near!(forward, backward, 2e-5, "{isa:?} {per_voxel}");
             }
         }
     }

@@ -391,7 +391,7 @@ mod tests {
     use super::super::kernel::Isa;
     use super::*;
     use crate::{LinearOperator, Run};
-    use tomolith_core::check::{model::model, noise};
+    use tomolith_core::check::{self, model::model, noise};
     use tomolith_core::field::Field;
     use tomolith_optics::light::Light;
     use tomolith_optics::resin::Resin;
@@ -461,14 +461,8 @@ mod tests {
     }
 
     fn assert_near(found: &[f32], expected: &[f32], what: &str) {
-        let most = expected.iter().fold(0.0f32, |m, v| m.max(v.abs()));
-        assert!(most > 0.0 && found.len() == expected.len(), "{what}");
-        for (found, expected) in found.iter().zip(expected) {
-            assert!(
-                (found - expected).abs() <= 2e-6 * most,
-                "{what}: {found} {expected}"
-            );
-        }
+        let off = check::largest_difference(found, expected);
+        assert!(off <= 2e-6, "{what}: {off}");
     }
 
     #[test]

@@ -100,6 +100,7 @@ impl Accumulation {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tomolith_core::near;
     use tomolith_optics::resin::Uptake;
 
     #[test]
@@ -145,10 +146,7 @@ mod tests {
             let error = 4.0 / (DRAWS as f64).sqrt();
             for k in 0..2 {
                 let allowed = error * deviation(k);
-                assert!(
-                    (sums[k] - exact[k]).abs() < allowed,
-                    "{kind:?}: {sums:?} {exact:?}"
-                );
+                near!(sums[k], exact[k], allowed, "{kind:?}: {sums:?} {exact:?}");
             }
             deviation(0)
         };

@@ -376,6 +376,7 @@ mod tests {
     use super::*;
     use std::path::Path;
     use tomolith_core::kind::Section;
+    use tomolith_core::near;
     use tomolith_io::mesh::samples::{ball, cuboid, together as joined};
     use tomolith_target::phantom::Phantom;
     use tomolith_target::{MeshShape, Placement, Repair};
@@ -559,10 +560,7 @@ mod tests {
             // None where it is all of the voxel but a merged cell
             let (whole, error) = found.map_or((1.0, 1e-3), |(_, s)| (s, 1e-5));
             let height = [0.3, 1.0, 1.0, 1.0, 1.0, 1.0, 0.2][voxel % row];
-            assert!(
-                (s - whole * height).abs() < error,
-                "{voxel}: {s} of {whole}"
-            );
+            near!(s, whole * height, error, "{voxel}: {s} of {whole}");
             sum += f64::from(s);
         }
         assert!(sum > 50.0);

@@ -109,6 +109,7 @@ mod tests {
     use super::*;
     use crate::LinearOperator;
     use crate::rays::{Optics, Params};
+    use tomolith_core::check;
     use tomolith_core::field::Field;
     use tomolith_core::grid::PatternGrid;
     use tomolith_optics::light::Light;
@@ -136,8 +137,7 @@ mod tests {
             let light = Light::new(pixels, Resin::absorbing(1.5, 0.1));
             let params = Params::default();
             let rays = Rays::new(&vial, vec![light], &[optics], &params, grid.clone()).unwrap();
-            let mut x = LinearOperator::new_patterns(&rays).unwrap();
-            x.fill(1.0);
+            let x = check::even_patterns(&rays, 1.0);
             let mut weights: Vec<Box<Weight>> = vec![Box::new(|_| 1.0)];
             for axis in 0..3 {
                 weights.push(Box::new(move |direction| direction[axis]));

@@ -235,6 +235,7 @@ mod tests {
     use super::super::taps::{Ends, Signal, Taps};
     use super::*;
     use std::f64::consts::TAU;
+    use tomolith_core::near;
 
     /// 30 depths a step apart, 50 wanted ones, of light whose field has frequencies up to 0.3.
     fn sampling() -> Sampling {
@@ -330,9 +331,6 @@ mod tests {
         let found: f64 = (fields.iter().zip(&back))
             .flat_map(|(a, b)| a.iter().zip(b).map(|(a, b)| product(*a, *b)))
             .sum();
-        assert!(
-            (asked - found).abs() < 1e-9 * 50.0 * 300.0,
-            "{asked} {found}"
-        );
+        near!(asked, found, 1e-9 * 50.0 * 300.0);
     }
 }

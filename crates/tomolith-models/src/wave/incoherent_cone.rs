@@ -54,7 +54,7 @@
 use super::cones::{Cone, Cones};
 use super::lights::{Lights, beyond, heights_of, turning, working_bytes as working_bytes_of};
 use super::sampling::FIELDS_COST;
-use super::{Entrance, Settings};
+use super::{Entrance, Settings, check_errors};
 use crate::parallel;
 use crate::rays::Rays;
 use crate::{
@@ -68,7 +68,6 @@ use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::host_fields;
 use tomolith_core::kind::{Section, schema_of};
-use tomolith_core::units::exact;
 use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 
@@ -176,38 +175,13 @@ impl ModelFamily for Params {
 }
 
 fn params_of(section: &Section) -> Result<Params> {
-    let params: Params = section.parse()?;
-    for (key, value, range, accepted) in [
-        (
-            "half_angle_deg",
-            params.half_angle_deg,
-            0.0..=30.0,
-            "0 to 30 degrees",
-        ),
-        (
-            "focus_mm",
-            params.focus_mm,
-            f64::MIN..=f64::MAX,
-            "a finite number",
-        ),
-        (
-            "relative_error",
-            params.relative_error,
-            1e-6..=0.1,
-            "1e-6 to 0.1",
-        ),
-        (
-            "rotation_error",
-            params.rotation_error,
-            1e-6..=0.5,
-            "1e-6 to 0.5",
-        ),
-    ] {
-        if !range.contains(&value) {
-            return Err(section.refused(key, exact(value), accepted));
-        }
-    }
-    Ok(params)
+    let p: Params = section.parse()?;
+    let (angle, focus) = (p.half_angle_deg, p.focus_mm);
+    let is_narrow = (0.0..=30.0).contains(&angle);
+    section.in_range(is_narrow, "half_angle_deg", angle, "0 to 30 degrees")?;
+    section.in_range(focus.is_finite(), "focus_mm", focus, "a finite number")?;
+    check_errors(section, p.relative_error, p.rotation_error)?;
+    Ok(p)
 }
 
 /// See the [module page](self).
@@ -349,11 +323,7 @@ mod tests {
             );
             *value = (-(u * u + z * z) / (2.0 * 0.15f64.powi(2))).exp() as f32;
         }
-        let dose = |model: &dyn DoseModel<Field = HostField>| {
-            let mut dose = model.new_dose().unwrap();
-            model.dose(&x, &mut dose, &Run::new()).unwrap();
-            dose
-        };
+        let dose = |model: &dyn DoseModel<Field = HostField>| check::dose(model, &x);
         let (a, b) = (dose(&spread), dose(&parallel));
         let mut off = a.clone();
         off.axpy(-1.0, &b);

@@ -218,42 +218,37 @@ impl ModelFamily for Params {
 }
 
 fn params_of(section: &Section) -> Result<Params> {
-    let params: Params = section.parse()?;
-    let refused =
-        |key: &str, value: f64, accepted: &str| Err(section.refused(key, exact(value), accepted));
-    let (depth, turn) = (params.relative_error, params.rotation_error);
-    if !(1e-6..=0.1).contains(&depth) {
-        return refused("relative_error", depth, "1e-6 to 0.1");
+    let p: Params = section.parse()?;
+    let check = |is_in, key, value, accepted| section.in_range(is_in, key, value, accepted);
+    check_errors(section, p.relative_error, p.rotation_error)?;
+    let na = p.numerical_aperture.unwrap_or(1.0);
+    check(
+        na > 0.0 && na.is_finite(),
+        "numerical_aperture",
+        na,
+        "a number > 0",
+    )?;
+    let (edge, etendue) = (p.soft_edge, p.etendue_deg);
+    check((0.0..=1.0).contains(&edge), "soft_edge", edge, "0 to 1")?;
+    let focus = p.focus_mm;
+    check(focus.is_finite(), "focus_mm", focus, "a finite number")?;
+    let is_narrow = (0.0..=10.0).contains(&etendue);
+    check(is_narrow, "etendue_deg", etendue, "0 to 10 degrees")?;
+    if let Some(rings) = p.rings {
+        let found = rings as f64;
+        check((1..=6).contains(&rings), "rings", found, "1 to 6")?;
+        let accepted = "no such key, or rings of modes that have an angle: `etendue_deg` above 0";
+        check(etendue != 0.0, "rings", found, accepted)?;
     }
-    if !(1e-6..=0.5).contains(&turn) {
-        return refused("rotation_error", turn, "1e-6 to 0.5");
-    }
-    if let Some(na) = params.numerical_aperture
-        && !(na > 0.0 && na.is_finite())
-    {
-        return refused("numerical_aperture", na, "a number > 0");
-    }
-    if !(0.0..=1.0).contains(&params.soft_edge) {
-        return refused("soft_edge", params.soft_edge, "0 to 1");
-    }
-    if !params.focus_mm.is_finite() {
-        return refused("focus_mm", params.focus_mm, "a finite number");
-    }
-    if !(0.0..=10.0).contains(&params.etendue_deg) {
-        return refused("etendue_deg", params.etendue_deg, "0 to 10 degrees");
-    }
-    match params.rings {
-        Some(rings) if !(1..=6).contains(&rings) => {
-            return refused("rings", rings as f64, "1 to 6");
-        }
-        Some(rings) if params.etendue_deg == 0.0 => {
-            let accepted =
-                "no such key, or rings of modes that have an angle: `etendue_deg` above 0";
-            return refused("rings", rings as f64, accepted);
-        }
-        _ => {}
-    }
-    Ok(params)
+    Ok(p)
+}
+
+/// Refuses errors that no sampling gives.
+fn check_errors(section: &Section, depth: f64, turn: f64) -> Result<()> {
+    let is_in = (1e-6..=0.1).contains(&depth);
+    section.in_range(is_in, "relative_error", depth, "1e-6 to 0.1")?;
+    let is_in = (1e-6..=0.5).contains(&turn);
+    section.in_range(is_in, "rotation_error", turn, "1e-6 to 0.5")
 }
 
 /// How errors are shared among the parts of the sampling.

@@ -8,6 +8,7 @@ use tomolith_core::check;
 use tomolith_core::check::noise;
 use tomolith_core::field::Field;
 use tomolith_core::grid::PatternGrid;
+use tomolith_core::near;
 use tomolith_fourier::Complex;
 use tomolith_optics::resin::Resin;
 use tomolith_optics::vial::index_matched::IndexMatched;
@@ -505,10 +506,7 @@ fn a_grating_repeats_itself_at_the_talbot_distance() {
             (full[iy], expected),
         ] {
             // Orders walk apart by λ/p·d = 16 µm under the envelope: 1 − cosh-like terms of (16/90)²/2
-            assert!(
-                (found - size * expected).abs() < 0.02,
-                "{u}: {found} {expected}"
-            );
+            near!(found, size * expected, 0.02, "{u}: {found} {expected}");
         }
     }
 }
@@ -718,19 +716,11 @@ fn numbers_that_contradict_each_other_are_refused_with_numbers_that_work() {
 #[test]
 fn the_dose_along_a_line_is_the_quadratic_that_is_stated() {
     let model = Wave::new(&VIAL, vec![light(2)], &Params::default(), grid()).unwrap();
-    let run = Run::new();
-    let mut fields = [1, 2].map(|seed| {
-        let mut field = model.new_patterns().unwrap();
-        field.copy_from_host(&noise(seed, field.len()));
-        field
-    });
-    let [x, d] = &mut fields;
-    let terms = model.along(x, d, &run).unwrap().unwrap();
-    let mut at_x = model.new_dose().unwrap();
-    model.dose(x, &mut at_x, &run).unwrap();
-    x.axpy(0.7, d);
-    let mut expected = model.new_dose().unwrap();
-    model.dose(x, &mut expected, &run).unwrap();
+    let [mut x, d] = [1, 2].map(|seed| check::noisy_patterns(&model, seed));
+    let terms = model.along(&x, &d, &Run::new()).unwrap().unwrap();
+    let at_x = check::dose(&model, &x);
+    x.axpy(0.7, &d);
+    let mut expected = check::dose(&model, &x);
     let size = f64::from(expected.max_abs());
     expected.axpy(-1.0, &at_x);
     for (power, term) in (1..).zip(&terms) {

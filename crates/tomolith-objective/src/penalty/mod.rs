@@ -114,6 +114,7 @@ mod tests {
     use tomolith_core::dose::Quantity;
     use tomolith_core::error::Error;
     use tomolith_core::grid::PatternGrid;
+    use tomolith_core::near;
 
     /// Two lights, the second with gaps and an arc that does not close.
     pub(super) fn layouts() -> Vec<PatternLayout> {
@@ -144,10 +145,7 @@ mod tests {
         let mut gradient = x.zeros_like();
         gradient.fill(0.25);
         let value = penalty.add_gradient(&x, 2.0, &mut gradient);
-        assert!(
-            (value - penalty.value(&x)).abs() < 1e-9 * (1.0 + value),
-            "{name}"
-        );
+        near!(value, penalty.value(&x), 1e-9 * (1.0 + value), "{name}");
         let mut rest = gradient.clone();
         rest.as_mut_slice()
             .iter_mut()
@@ -155,10 +153,7 @@ mod tests {
         let slope = rest.dot(&step);
         let (along, there) = penalty.slope_along(&x, &step, 0.0);
         assert!((along - value).abs() < 1e-9 * (1.0 + value), "{name}");
-        assert!(
-            (there - slope).abs() < 1e-5 * rest.norm() * step.norm(),
-            "{name}: {there} {slope}"
-        );
+        near!(there, slope, 1e-5 * rest.norm() * step.norm(), "{name}");
         for alpha in [-0.3f32, 0.1, 0.5] {
             let mut moved = x.clone();
             moved.axpy(alpha, &step);

@@ -16,7 +16,7 @@
 //! ```
 
 use std::f64::consts::TAU;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Error, Result, in_range};
 use tomolith_core::text::file_name;
 use tomolith_core::units::{concise, exact};
 
@@ -25,13 +25,12 @@ use tomolith_core::units::{concise, exact};
 /// # Errors
 /// [`Error::Config`] when `rpm` or `arc` is not finite and positive, or there is no frame.
 pub fn frame_rate(rpm: f64, frames: usize, arc: f64) -> Result<f64> {
-    if !(rpm.is_finite() && rpm > 0.0) {
-        return Err(Error::refused(
-            "output.rpm",
-            exact(rpm),
-            "a finite number > 0, turns a minute",
-        ));
-    }
+    in_range(
+        rpm.is_finite() && rpm > 0.0,
+        "output.rpm",
+        rpm,
+        "a finite number > 0, turns a minute",
+    )?;
     if frames == 0 || !(arc.is_finite() && arc > 0.0) {
         return Err(Error::config(
             "light.angles",

@@ -10,9 +10,8 @@ use crate::random::Stream;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Result, in_range};
 use tomolith_core::kind::{Kind, Section, schema_of};
-use tomolith_core::units::exact;
 
 /// See the [module page](self).
 #[derive(Debug)]
@@ -75,13 +74,12 @@ fn build(section: &Section) -> Result<Box<dyn Phase>> {
     let total: f64 = params.parts.iter().map(|part| part.share).sum();
     let mut parts = Vec::with_capacity(params.parts.len());
     for (i, part) in params.parts.into_iter().enumerate() {
-        if !(part.share.is_finite() && part.share > 0.0) {
-            return Err(Error::refused(
-                format!("{}.share", key(i)),
-                exact(part.share),
-                "a finite number > 0",
-            ));
-        }
+        in_range(
+            part.share.is_finite() && part.share > 0.0,
+            format!("{}.share", key(i)),
+            part.share,
+            "a finite number > 0",
+        )?;
         let inner = Section::new(format!("{}.phase", key(i)), part.phase);
         parts.push((part.share / total, inner.read(PHASES)?));
     }

@@ -47,6 +47,7 @@ pub static PHASES: &[Kind<BuildPhase>] = &[
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tomolith_core::near;
 
     /// Bins of equal width in the cosine.
     const BINS: usize = 50;
@@ -81,11 +82,7 @@ mod tests {
             let expected: Vec<f64> = (0..BINS)
                 .map(|bin| probability(phase.as_ref(), bin))
                 .collect();
-            assert!(
-                (expected.iter().sum::<f64>() - 1.0).abs() < 1e-4,
-                "{}",
-                kind.name
-            );
+            near!(expected.iter().sum::<f64>(), 1.0, 1e-4, "{}", kind.name);
             let mut counts = [0.0; BINS];
             for i in 0..DRAWS {
                 let cosine = phase.draw(&mut Stream::new([5, 0, i, 0]));

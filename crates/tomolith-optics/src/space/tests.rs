@@ -7,6 +7,7 @@ use super::super::vial::ended::{End, Ended};
 use super::super::vial::square::Square;
 use super::*;
 use std::sync::Arc;
+use tomolith_core::near;
 use tomolith_io::mesh::samples::cuboid;
 
 const GLASS: Cylinder = Cylinder {
@@ -364,11 +365,7 @@ fn light_through_the_ends_of_a_vial_is_bent_there_and_level_light_does_not_see_t
     let sine = 0.3 / 1.09f64.sqrt() / 1.49;
     let length = 11.0 / (1.0 - sine * sine).sqrt();
     assert_eq!(path.segments.len(), 1);
-    assert!(
-        (path.segments[0].length - length).abs() < 1e-9,
-        "{:?}",
-        path.segments
-    );
+    near!(path.segments[0].length, length, 1e-9, "{:?}", path.segments);
     assert!((path.segments[0].ray.direction[0] - sine).abs() < 1e-12);
     assert!((path.balance.total() - 1.0).abs() < 1e-12);
     // Along the axis no wall is met but the ends: air to resin, resin to glass, glass to air
@@ -426,10 +423,7 @@ fn along_the_axis_of_a_closed_double_tube_light_passes_plate_and_surface() {
         ] {
             let path = at(x);
             assert!(path.segments.is_empty(), "{x} {up}");
-            assert!(
-                (path.balance.missed - through(&media)).abs() < 1e-12,
-                "{x} {up}"
-            );
+            near!(path.balance.missed, through(&media), 1e-12, "{x} {up}");
         }
         // Between the tubes: 11 mm of resin at 0.1 per mm
         let path = at(5.0);
@@ -633,14 +627,8 @@ fn a_diffuse_body_sends_back_its_share_by_lamberts_law() {
     }
     // Of the density 2·cos over the cosine: mean 2/3, mean square 1/2; five standard deviations
     let error = 5.0 / f64::from(paths).sqrt();
-    assert!(
-        (cosine - 2.0 / 3.0).abs() < error * (1.0f64 / 18.0).sqrt(),
-        "{cosine}"
-    );
-    assert!(
-        (square - 0.5).abs() < error * (1.0f64 / 12.0).sqrt(),
-        "{square}"
-    );
+    near!(cosine, 2.0 / 3.0, error * (1.0f64 / 18.0).sqrt());
+    near!(square, 0.5, error * (1.0f64 / 12.0).sqrt());
 }
 
 #[test]
@@ -785,11 +773,7 @@ fn light_scattered_in_two_unlike_halves_is_where_quadrature_puts_it() {
             .iter()
             .filter(|segment| segment.order == 1)
             .collect();
-        assert!(
-            (again[0].power - expected).abs() < 1e-7,
-            "{}",
-            again[0].power
-        );
+        near!(again[0].power, expected, 1e-7, "{}", again[0].power);
         let way = 2.0 - again[0].ray.from[0];
         mean[0] += way / f64::from(paths);
         mean[1] += way * way / f64::from(paths);
@@ -807,17 +791,11 @@ fn light_scattered_in_two_unlike_halves_is_where_quadrature_puts_it() {
     }
     // Five standard errors
     let error = |square: f64, mean: f64| 5.0 * ((square - mean * mean) / f64::from(paths)).sqrt();
-    assert!(
-        (mean[0] - depth).abs() < error(mean[1], mean[0]),
-        "{mean:?} {depth}"
-    );
+    near!(mean[0], depth, error(mean[1], mean[0]), "{mean:?}");
     for side in 0..2 {
         let allowed = error(squares[side], powers[side]);
         assert!(allowed < 0.05 * sides[side]);
-        assert!(
-            (powers[side] - sides[side]).abs() < allowed,
-            "{powers:?} {sides:?}"
-        );
+        near!(powers[side], sides[side], allowed, "{powers:?} {sides:?}");
     }
 }
 

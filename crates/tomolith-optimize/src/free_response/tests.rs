@@ -2,7 +2,7 @@ use super::*;
 use crate::checkpoint::{self, Checkpoints};
 use crate::{Limits, OPTIMIZERS, Outcome, Problem, Stop, StopReason, run};
 use serde_json::json;
-use tomolith_core::check::{noise, small::SmallModel};
+use tomolith_core::check::{self, noise, small::SmallModel};
 use tomolith_core::dose::{DoseModel, Run};
 use tomolith_core::field::HostField;
 use tomolith_core::grid::Volume;
@@ -53,8 +53,7 @@ impl Known {
             .map(|v| v.max(0.0))
             .collect();
         patterns.copy_from_host(&values);
-        let mut dose = DoseModel::new_dose(&model).unwrap();
-        model.dose(&patterns, &mut dose, &Run::new()).unwrap();
+        let dose = check::dose(&model, &patterns);
         let (mut target, labels) = model.ring();
         target.gray = true;
         let response = logistic_of(TRUE[0], TRUE[1]);
@@ -112,10 +111,7 @@ impl Known {
         let row = OPTIMIZERS.iter().find(|row| row.name == method).unwrap();
         let made = (row.build)(&tomolith_core::check::example(row)).unwrap();
         let mut method = made.make().unwrap();
-        let stop = Stop {
-            iterations,
-            ..Stop::default()
-        };
+        let stop = Stop::after(iterations);
         let outcome = run(
             &mut problem,
             method.as_mut(),
@@ -211,10 +207,7 @@ impl Known {
         let mut x = self.patterns.zeros_like();
         x.fill(0.4);
         let mut method = crate::lbfgs::Lbfgs::new(Default::default()).unwrap();
-        let stop = Stop {
-            iterations,
-            ..Stop::default()
-        };
+        let stop = Stop::after(iterations);
         let outcome = run(&mut problem, &mut method, &mut x, &stop, None, &mut []);
         let outcome = outcome.unwrap();
         assert!(outcome.response.is_empty());

@@ -3,41 +3,44 @@ use crate::checkpoint::Params;
 use crate::gradient::{self, Gradient};
 use crate::lbfgs::{self, Lbfgs};
 use crate::{CheckpointReader, Limits, Memory, OPTIMIZERS, Requirements, Step};
+use serde_json::json;
 use std::cell::Cell;
 use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
-use tomolith_core::check::small::SmallModel;
+use tomolith_core::check::{self, small::SmallModel};
 use tomolith_core::dose::{DoseModel, Run};
 use tomolith_core::field::HostField;
 use tomolith_core::forward;
 use tomolith_core::response::Identity;
-use tomolith_objective::{OBJECTIVES, Objective, ObjectiveInput};
+use tomolith_objective::Objective;
+use tomolith_objective::check::of_ring;
 
 type Observers<'a> = &'a mut [&'a mut dyn Observer<HostField>];
 
 fn objective(model: &SmallModel, name: &str) -> Box<dyn Objective<HostField>> {
-    let (target, labels) = model.ring();
-    let response = Arc::new(Identity);
-    let input = ObjectiveInput {
-        layout: model.layout(),
-        labels: &labels,
-        target: &target,
-        response,
-    };
-    let row = OBJECTIVES.iter().find(|row| row.name == name).unwrap();
-    let section = tomolith_core::kind::Section::new("objective", serde_json::json!({}));
-    (row.build)(&section).unwrap().make(&input).unwrap()
+    of_ring(model, (name, json!({})), Arc::new(Identity))
 }
 
 fn newton() -> Lbfgs<HostField> {
     Lbfgs::new(lbfgs::Params::default()).unwrap()
 }
 
+type Model = dyn DoseModel<Field = HostField>;
+
 /// A run on the ring from uniform patterns.
 fn go(
-    model: &dyn DoseModel<Field = HostField>,
+    model: &Model,
     objective: &dyn Objective<HostField>,
+    optimizer: &mut dyn Optimizer<HostField>,
+    stop: Stop,
+) -> (HostField, Result<Outcome>) {
+    go_on((model, objective), optimizer, stop, None, &mut [])
+}
+
+/// The same with checkpoints, watched.
+fn go_on(
+    (model, objective): (&Model, &dyn Objective<HostField>),
     optimizer: &mut dyn Optimizer<HostField>,
     stop: Stop,
     checkpoints: Option<&mut Checkpoints>,
@@ -45,8 +48,7 @@ fn go(
 ) -> (HostField, Result<Outcome>) {
     let flag = Run::new();
     let mut problem = Problem::new(model, objective, &[Limits::default()], &flag).unwrap();
-    let mut x = model.new_patterns().unwrap();
-    x.fill(0.5);
+    let mut x = check::even_patterns(model, 0.5);
     let outcome = run(
         &mut problem,
         optimizer,
@@ -58,11 +60,8 @@ fn go(
     (x, outcome)
 }
 
-fn steps(iterations: usize) -> Stop {
-    Stop {
-        iterations,
-        ..Stop::default()
-    }
+fn losses(outcome: &Outcome) -> Vec<f64> {
+    outcome.history.iter().map(|row| row.loss).collect()
 }
 
 #[test]
@@ -70,19 +69,17 @@ fn every_reason_to_stop_stops() {
     let model = SmallModel::new(16, 24, 1);
     let (threshold, l2) = (objective(&model, "threshold"), objective(&model, "l2"));
     let reason = |objective: &dyn Objective<HostField>, stop: Stop| {
-        go(&model, objective, &mut newton(), stop, None, &mut [])
-            .1
-            .unwrap()
+        go(&model, objective, &mut newton(), stop).1.unwrap()
     };
-    assert_eq!(reason(&*l2, steps(3)).reason, StopReason::Iterations);
-    assert_eq!(reason(&*l2, steps(0)).history.len(), 1);
-    let zero = reason(&*threshold, steps(500));
+    assert_eq!(reason(&*l2, Stop::after(3)).reason, StopReason::Iterations);
+    assert_eq!(reason(&*l2, Stop::after(0)).history.len(), 1);
+    let zero = reason(&*threshold, Stop::after(500));
     assert_eq!((zero.reason, zero.loss), (StopReason::ZeroLoss, 0.0));
     let small = reason(
         &*l2,
         Stop {
             projected_gradient: 0.01,
-            ..steps(500)
+            ..Stop::after(500)
         },
     );
     assert_eq!(small.reason, StopReason::ProjectedGradient);
@@ -93,11 +90,11 @@ fn every_reason_to_stop_stops() {
         let stop = Stop {
             relative_loss,
             first_loss,
-            ..steps(500)
+            ..Stop::after(500)
         };
         let outcome = reason(&*l2, stop);
         assert_eq!(outcome.reason, StopReason::Observer);
-        let losses: Vec<f64> = outcome.history.iter().map(|row| row.loss).collect();
+        let losses = losses(&outcome);
         let limit = relative_loss * first_loss.unwrap_or(losses[0]);
         let (last, before) = losses.split_last().unwrap();
         assert!(
@@ -114,26 +111,19 @@ fn every_reason_to_stop_stops() {
         .filter_map(|row| row.projected_gradient)
         .collect();
     assert!(norms.last().unwrap() <= &(0.01 * norms[0]));
-    assert_eq!(
-        reason(
-            &*l2,
-            Stop {
-                seconds: Some(1e-9),
-                ..steps(500)
-            }
-        )
-        .reason,
-        StopReason::WallTime
-    );
+    let hurried = Stop {
+        seconds: Some(1e-9),
+        ..Stop::after(500)
+    };
+    assert_eq!(reason(&*l2, hurried).reason, StopReason::WallTime);
     let mut third = |report: &StepReport<HostField>| match report.row.iteration {
         3 => ControlFlow::Break(()),
         _ => ControlFlow::Continue(()),
     };
-    let (_, outcome) = go(
-        &model,
-        &*l2,
+    let (_, outcome) = go_on(
+        (&model, &*l2),
         &mut newton(),
-        steps(9),
+        Stop::after(9),
         None,
         &mut [&mut third],
     );
@@ -144,7 +134,7 @@ fn every_reason_to_stop_stops() {
     );
     // One forward call at the start, one for the first length, and one of each a step
     assert_eq!((outcome.counters.forward, outcome.counters.adjoint), (5, 3));
-    let flat = reason(&*l2, steps(5000));
+    let flat = reason(&*l2, Stop::after(5000));
     assert_eq!(flat.reason, StopReason::NoProgress, "f32 ends somewhere");
 }
 
@@ -154,8 +144,7 @@ fn canceling_keeps_the_best() {
     let objective = objective(&model, "l2");
     let flag = Run::new();
     let mut problem = Problem::new(&model, &*objective, &[Limits::default()], &flag).unwrap();
-    let mut x = DoseModel::new_patterns(&model).unwrap();
-    x.fill(0.5);
+    let mut x = check::even_patterns(&model, 0.5);
     let mut cancel = |report: &StepReport<HostField>| {
         if report.row.iteration == 4 {
             flag.cancel();
@@ -166,7 +155,7 @@ fn canceling_keeps_the_best() {
         &mut problem,
         &mut newton(),
         &mut x,
-        &steps(50),
+        &Stop::after(50),
         None,
         &mut [&mut cancel],
     )
@@ -182,8 +171,7 @@ fn canceling_keeps_the_best() {
 }
 
 fn loss_of(model: &SmallModel, objective: &dyn Objective<HostField>, x: &HostField) -> f64 {
-    let mut dose = DoseModel::new_dose(model).unwrap();
-    model.dose(x, &mut dose, &Run::new()).unwrap();
+    let dose = check::dose(model, x);
     let loss = objective.value(&dose);
     // The loop's dose is a sum of steps, this one is computed at once
     (loss * 1e4).round() / 1e4
@@ -242,7 +230,7 @@ fn the_best_is_kept_when_the_loss_rises_and_when_it_is_no_number() {
         steps: Cell::new(0),
         losses: vec![3.0, 2.0, 5.0, 2.5],
     };
-    let (x, outcome) = go(&model, &*objective, &mut straight, steps(4), None, &mut []);
+    let (x, outcome) = go(&model, &*objective, &mut straight, Stop::after(4));
     let outcome = outcome.unwrap();
     let by = KeptBy::Loss;
     assert_eq!(
@@ -254,7 +242,7 @@ fn the_best_is_kept_when_the_loss_rises_and_when_it_is_no_number() {
         steps: Cell::new(0),
         losses: vec![3.0, 2.0, 5.0, f64::NAN],
     };
-    let (x, outcome) = go(&model, &*objective, &mut straight, steps(9), None, &mut []);
+    let (x, outcome) = go(&model, &*objective, &mut straight, Stop::after(9));
     assert!(
         matches!(outcome, Err(Error::NonFinite { iteration: 4, .. })),
         "{outcome:?}"
@@ -274,12 +262,10 @@ fn a_fixed_step_that_is_too_long_ends_at_the_best() {
         &model,
         &*objective,
         &mut Gradient::new(params).unwrap(),
-        steps(12),
-        None,
-        &mut [],
+        Stop::after(12),
     );
     let outcome = outcome.unwrap();
-    let losses: Vec<f64> = outcome.history.iter().map(|row| row.loss).collect();
+    let losses = losses(&outcome);
     assert!(
         losses.windows(2).any(|w| w[1] > w[0]),
         "the step is not too long: {losses:?}"
@@ -306,6 +292,17 @@ struct Twisted {
 }
 
 impl Twisted {
+    fn of(inner: SmallModel) -> Self {
+        Twisted {
+            inner,
+            every: None,
+            round: AtomicU64::new(0),
+            squared: false,
+            good_adjoints: u64::MAX,
+            adjoints: AtomicU64::new(0),
+        }
+    }
+
     fn gain(&self) -> f64 {
         1.0 + 0.2 * self.round.load(Ordering::Relaxed) as f64
     }
@@ -379,12 +376,12 @@ fn a_steady_loss_ends_the_run_by_equation_28() {
     let l2 = objective(&model, "l2");
     let stop = Stop {
         change: 0.01,
-        ..steps(500)
+        ..Stop::after(500)
     };
-    let (_, outcome) = go(&model, &*l2, &mut newton(), stop, None, &mut []);
+    let (_, outcome) = go(&model, &*l2, &mut newton(), stop);
     let outcome = outcome.unwrap();
     assert_eq!(outcome.reason, StopReason::Steady);
-    let losses: Vec<f64> = outcome.history.iter().map(|row| row.loss).collect();
+    let losses = losses(&outcome);
     let met = |k: usize| {
         let changes = (k - 4..=k).map(|i| (losses[i] - losses[i - 1]).abs());
         changes.sum::<f64>() / 5.0 <= 0.01 * losses[k]
@@ -395,9 +392,9 @@ fn a_steady_loss_ends_the_run_by_equation_28() {
     let stop = Stop {
         change: 0.01,
         change_after: last + 3,
-        ..steps(500)
+        ..Stop::after(500)
     };
-    let (_, outcome) = go(&model, &*l2, &mut newton(), stop, None, &mut []);
+    let (_, outcome) = go(&model, &*l2, &mut newton(), stop);
     let outcome = outcome.unwrap();
     assert_eq!(outcome.reason, StopReason::Steady);
     assert!(outcome.history.len() >= last + 4);
@@ -408,12 +405,8 @@ fn pairs_that_do_not_fit_are_refused_with_both_keys_before_any_work() {
     let inner = SmallModel::new(10, 8, 1);
     let l2 = objective(&inner, "l2");
     let twisted = Twisted {
-        every: None,
-        round: AtomicU64::new(0),
-        inner,
         squared: true,
-        good_adjoints: u64::MAX,
-        adjoints: AtomicU64::new(0),
+        ..Twisted::of(inner)
     };
     let flag = Run::new();
     let refusal = |row: &tomolith_core::kind::Kind<crate::BuildOptimizer>,
@@ -432,7 +425,7 @@ fn pairs_that_do_not_fit_are_refused_with_both_keys_before_any_work() {
             &mut problem,
             &mut *optimizer,
             &mut x,
-            &steps(1),
+            &Stop::after(1),
             None,
             &mut [],
         );
@@ -483,8 +476,7 @@ fn patterns_of_few_bits_stay_on_their_levels_in_every_step() {
             .unwrap()
             .with_bits(Some(4))
             .unwrap();
-        let mut x = DoseModel::new_patterns(&model).unwrap();
-        x.fill(0.5);
+        let mut x = check::even_patterns(&model, 0.5);
         let mut off = None;
         let mut watch = |report: &StepReport<HostField>| {
             // 16 levels from 0.25 to 1.75 are 0.1 apart
@@ -497,7 +489,7 @@ fn patterns_of_few_bits_stay_on_their_levels_in_every_step() {
             &mut problem,
             &mut *optimizer,
             &mut x,
-            &steps(15),
+            &Stop::after(15),
             None,
             &mut [&mut watch],
         );
@@ -521,14 +513,10 @@ fn a_gradient_that_is_no_number_stops_the_run_and_keeps_what_was_good() {
         let inner = SmallModel::new(16, 24, 1);
         let objective = objective(&inner, "l2");
         let model = Twisted {
-            every: None,
-            round: AtomicU64::new(0),
-            inner,
-            squared: false,
             good_adjoints: 3,
-            adjoints: AtomicU64::new(0),
+            ..Twisted::of(inner)
         };
-        let (x, outcome) = go(&model, &*objective, optimizer, steps(9), None, &mut []);
+        let (x, outcome) = go(&model, &*objective, optimizer, Stop::after(9));
         assert!(
             matches!(&outcome, Err(Error::NonFinite { what, iteration: 4, .. }) if what == "the gradient"),
             "{outcome:?}"
@@ -555,20 +543,11 @@ fn a_model_that_is_not_linear_is_searched_by_its_own_calls() {
         let inner = SmallModel::new(16, 24, 1);
         let objective = objective(&inner, "threshold");
         let model = Twisted {
-            every: None,
-            round: AtomicU64::new(0),
-            inner,
             squared: true,
-            good_adjoints: u64::MAX,
-            adjoints: AtomicU64::new(0),
+            ..Twisted::of(inner)
         };
-        let (_, outcome) = go(&model, &*objective, optimizer, steps(60), None, &mut []);
-        let losses: Vec<f64> = outcome
-            .unwrap()
-            .history
-            .iter()
-            .map(|row| row.loss)
-            .collect();
+        let (_, outcome) = go(&model, &*objective, optimizer, Stop::after(60));
+        let losses = losses(&outcome.unwrap());
         assert!(losses.windows(2).all(|w| w[1] <= w[0]), "{losses:?}");
         assert!(losses.last().unwrap() < &(1e-2 * losses[0]), "{losses:?}");
     }
@@ -578,19 +557,14 @@ fn a_model_that_is_not_linear_is_searched_by_its_own_calls() {
 fn a_model_that_becomes_another_is_measured_anew_and_resumed_to_the_same_bits() {
     let brighter = || Twisted {
         every: Some(3),
-        round: AtomicU64::new(0),
-        inner: SmallModel::new(10, 8, 2),
-        squared: false,
-        good_adjoints: u64::MAX,
-        adjoints: AtomicU64::new(0),
+        ..Twisted::of(SmallModel::new(10, 8, 2))
     };
     let objective = objective(&brighter().inner, "l2");
     let solve = |iterations: usize, checkpoints: Option<&mut Checkpoints>| {
-        let stop = steps(iterations);
+        let stop = Stop::after(iterations);
         let model = brighter();
-        let (x, outcome) = go(
-            &model,
-            &*objective,
+        let (x, outcome) = go_on(
+            (&model, &*objective),
             &mut newton(),
             stop,
             checkpoints,
@@ -623,11 +597,10 @@ fn a_checkpoint_of_another_job_or_cut_short_is_refused_in_one_sentence() {
     let checkpoints =
         |fingerprint| Checkpoints::new(folder.path(), fingerprint, &Params::default()).unwrap();
     let resume = |fingerprint| {
-        go(
-            &model,
-            &*objective,
+        go_on(
+            (&model, &*objective),
             &mut newton(),
-            steps(5),
+            Stop::after(5),
             Some(&mut checkpoints(fingerprint)),
             &mut [],
         )
@@ -640,11 +613,10 @@ fn a_checkpoint_of_another_job_or_cut_short_is_refused_in_one_sentence() {
         memory: 3,
         ..Default::default()
     });
-    let (_, outcome) = go(
-        &model,
-        &*objective,
+    let (_, outcome) = go_on(
+        (&model, &*objective),
         &mut other.unwrap(),
-        steps(9),
+        Stop::after(9),
         Some(&mut checkpoints(1)),
         &mut [],
     );
@@ -653,11 +625,10 @@ fn a_checkpoint_of_another_job_or_cut_short_is_refused_in_one_sentence() {
         "{outcome:?}"
     );
     let plain = Gradient::new(gradient::Params::default());
-    let (_, outcome) = go(
-        &model,
-        &*objective,
+    let (_, outcome) = go_on(
+        (&model, &*objective),
         &mut plain.unwrap(),
-        steps(9),
+        Stop::after(9),
         Some(&mut checkpoints(1)),
         &mut [],
     );
@@ -689,21 +660,19 @@ fn a_checkpoint_of_patterns_begins_anew_from_the_best() {
         contents: Contents::Patterns,
     };
     let mut checkpoints = Checkpoints::new(folder.path(), 1, &params).unwrap();
-    let (x, first) = go(
-        &model,
-        &*objective,
+    let (x, first) = go_on(
+        (&model, &*objective),
         &mut newton(),
-        steps(6),
+        Stop::after(6),
         Some(&mut checkpoints),
         &mut [],
     );
     let size = std::fs::metadata(checkpoints.file()).unwrap().len();
     assert!(size < 4 * x.len() as u64 + 8000, "{size} bytes");
-    let (_, second) = go(
-        &model,
-        &*objective,
+    let (_, second) = go_on(
+        (&model, &*objective),
         &mut newton(),
-        steps(3),
+        Stop::after(3),
         Some(&mut checkpoints),
         &mut [],
     );
@@ -760,10 +729,8 @@ impl DoseModel for Induced {
 fn a_dose_that_begins_beyond_a_threshold_is_optimized() {
     let model = Induced(SmallModel::new(16, 24, 1), 0.1);
     let objective = objective(&model.0, "l2");
-    let stop = steps(30);
-    let outcome = go(&model, &*objective, &mut newton(), stop, None, &mut [])
-        .1
-        .unwrap();
+    let stop = Stop::after(30);
+    let outcome = go(&model, &*objective, &mut newton(), stop).1.unwrap();
     let losses = &outcome.history;
     // A tiny step alone makes no dose: its length must come from the dose that is there
     assert!(losses[1].loss < 0.9 * losses[0].loss, "{losses:?}");

@@ -126,13 +126,13 @@ impl<F: Field> InitialPatterns<F> for Fbp {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Limits;
-    use crate::reference::{self, Dense};
+
+    use crate::reference::{self, Dense, FREE};
     use std::sync::Arc;
-    use tomolith_core::check::small::SmallModel;
+    use tomolith_core::check::{self, small::SmallModel};
     use tomolith_core::dose::DoseModel;
     use tomolith_core::grid::{PatternGrid, Volume, VolumeGrid};
-    use tomolith_core::response::Identity;
+
     use tomolith_core::target::{Target, label_voxels};
     use tomolith_models::parallel::Parallel;
     use tomolith_optics::absorption_map::AbsorptionMap;
@@ -146,14 +146,7 @@ mod tests {
         for n in [15, 16] {
             let model = SmallModel::new(n, 24, 1);
             let (target, labels) = model.ring();
-            let input = StartInput {
-                model: &model,
-                target: &target,
-                labels: &labels,
-                response: &Identity,
-                limits: &[Limits::default()],
-                absorption: None,
-            };
+            let input = StartInput::new(&model, &target, &labels, &FREE);
             let dense = Dense::new(&model);
             let wanted = dense.target();
             let projection = dense.adjoint(&wanted);
@@ -229,20 +222,15 @@ mod tests {
         let vial = IndexMatched { radius_mm: 3.2 };
         let model = Parallel::new(&vial, vec![light], grid.clone()).unwrap();
         let input = StartInput {
-            model: &model,
-            target: &target,
-            labels: &labels,
-            response: &Identity,
-            limits: &[Limits::default()],
             absorption: absorption.as_ref(),
+            ..StartInput::new(&model, &target, &labels, &FREE)
         };
         let params = Params {
             scale,
             ..Params::default()
         };
         let x = Fbp(params).patterns(&input, &Run::new()).unwrap();
-        let mut dose = DoseModel::new_dose(&model).unwrap();
-        model.dose(&x, &mut dose, &Run::new()).unwrap();
+        let dose = check::dose(&model, &x);
         let dose = DoseModel::outputs(&model)[0].volume_of(dose.as_slice());
         let mean = |is_right: bool| {
             let found: Vec<f64> = (0..grid.len())

@@ -307,10 +307,11 @@ fn taps(place: f64, n: usize, wrap: bool) -> Taps {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Limits;
+
+    use crate::reference::FREE;
     use tomolith_core::check::small::SmallModel;
     use tomolith_core::dose::DoseModel;
-    use tomolith_core::response::Identity;
+
     use tomolith_io::npy::{PatternPair, write_patterns};
 
     #[test]
@@ -369,14 +370,7 @@ mod tests {
     fn a_file_of_the_same_shape_is_taken_bit_for_bit_and_of_another_count_refused() {
         let model = SmallModel::new(8, 6, 2);
         let (target, labels) = model.ring();
-        let input = StartInput {
-            model: &model,
-            target: &target,
-            labels: &labels,
-            response: &Identity,
-            limits: &[Limits::default()],
-            absorption: None,
-        };
+        let input = StartInput::new(&model, &target, &labels, &FREE);
         let light = &DoseModel::patterns(&model)[0];
         let mut patterns = Patterns::dark(light.grid.clone());
         for (i, v) in patterns.values.iter_mut().enumerate() {

@@ -16,7 +16,7 @@ use tomolith_core::field::{Bounds, Field, HostField};
 use tomolith_core::grid::Volume;
 use tomolith_core::kind::{Kind, Read};
 use tomolith_core::parallel::elements;
-use tomolith_core::response::Response;
+use tomolith_core::response::{Identity, Response};
 use tomolith_core::target::{Target, label};
 use tomolith_objective::buffer::near_the_other_kind;
 
@@ -34,6 +34,25 @@ pub struct StartInput<'a, F: Field = HostField> {
     pub limits: &'a [Limits],
     /// Absorption of the active species in each voxel, array order; None where it is the same everywhere.
     pub absorption: Option<&'a Volume<f32>>,
+}
+
+impl<'a, F: Field> StartInput<'a, F> {
+    /// For a target that is a dose, in a resin that absorbs alike everywhere.
+    pub fn new(
+        model: &'a dyn DoseModel<Field = F>,
+        target: &'a Target,
+        labels: &'a Volume<u8>,
+        limits: &'a [Limits],
+    ) -> Self {
+        StartInput {
+            model,
+            target,
+            labels,
+            response: &Identity,
+            limits,
+            absorption: None,
+        }
+    }
 }
 
 /// Absorption below this part of the largest counts as none: no light makes up for it.
@@ -254,14 +273,13 @@ impl<F: Field> StartInput<'_, F> {
 mod tests {
     use super::*;
     use tomolith_core::check::example;
-    use tomolith_core::check::small::SmallModel;
+    use tomolith_core::check::{self, small::SmallModel};
     use tomolith_core::kind::Section;
-    use tomolith_core::response::{Identity, Logistic};
+    use tomolith_core::response::Logistic;
 
     /// Mean dose of part and of void.
     fn contrast(model: &SmallModel, labels: &Volume<u8>, x: &HostField) -> [f64; 2] {
-        let mut dose = model.new_dose().unwrap();
-        model.dose(x, &mut dose, &Run::new()).unwrap();
+        let dose = check::dose(model, x);
         let labels = model.layout().field_of(labels);
         [label::PART, label::VOID].map(|wanted| {
             let doses = dose
@@ -276,8 +294,7 @@ mod tests {
 
     /// A file of uniform patterns whose mean part dose is near 1.
     fn saved(model: &SmallModel, labels: &Volume<u8>, folder: &tempfile::TempDir) -> String {
-        let mut x = model.new_patterns().unwrap();
-        x.fill(1.0);
+        let mut x = check::even_patterns(model, 1.0);
         let [part, _] = contrast(model, labels, &x);
         x.fill(0.95 / part as f32);
         let shown = DoseModel::patterns(model)[0].patterns_of(x.as_slice());
@@ -351,14 +368,7 @@ mod tests {
         let model = SmallModel::new(32, 48, 3);
         let (target, labels) = model.ring();
         let limits = [Limits::default()];
-        let input = StartInput {
-            model: &model,
-            target: &target,
-            labels: &labels,
-            response: &Identity,
-            limits: &limits,
-            absorption: None,
-        };
+        let input = StartInput::new(&model, &target, &labels, &limits);
         let separation = |filter: &str| {
             let section = Section::new(
                 "start.fbp",

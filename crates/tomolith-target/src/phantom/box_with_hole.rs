@@ -12,8 +12,8 @@
 //! assert!((block.volume_mm3().unwrap() - exact).abs() < 1e-12);
 //! ```
 
-use super::{Body, BuildForm, Form, Prism, corners, positive, rectangle};
-use tomolith_core::error::{Error, Result};
+use super::{BuildForm, Form, corners, positive, rectangle, refused};
+use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
 
@@ -41,19 +41,10 @@ tomolith_core::keys! {
 
 fn build(section: &Section) -> Result<Form> {
     let p: Params = section.parse()?;
-    positive(
-        section,
-        &[
-            ("size_mm", p.size_mm),
-            ("height_mm", p.height_mm),
-            ("hole_mm", p.hole_mm),
-        ],
-    )?;
+    positive!(section, p, size_mm, height_mm, hole_mm);
     if p.hole_mm >= p.size_mm {
         let found = format!("{} in a block of {}", p.hole_mm, p.size_mm);
-        return Err(
-            Error::config("hole_mm", found, "a diameter below `size_mm`").under(&section.path),
-        );
+        return refused(section, "hole_mm", found, "a diameter below `size_mm`");
     }
     let x = p.hole_x_mm.0;
     if !x.is_finite() || 2.0 * x.abs() + p.hole_mm.0 > p.size_mm.0 {
@@ -61,21 +52,14 @@ fn build(section: &Section) -> Result<Form> {
             "a hole of {} at {} in a block of {}",
             p.hole_mm, p.hole_x_mm, p.size_mm
         );
-        return Err(
-            Error::config("hole_x_mm", found, "a place within the block").under(&section.path),
-        );
+        return refused(section, "hole_x_mm", found, "a place within the block");
     }
     let [edge, half, radius] = [p.size_mm, p.height_mm, p.hole_mm].map(|mm| mm.0 / 2.0);
     let area = 4.0 * edge * edge - std::f64::consts::PI * radius * radius;
-    Ok(Form {
-        body: Body::Prisms(vec![Prism {
-            outline: Box::new(move |p| {
-                rectangle(p, [0.0; 2], [edge; 2]).max(radius - (p[0] - x).hypot(p[1]))
-            }),
-            z: [-half, half],
-        }]),
-        hull: corners([edge, edge, half]),
-        round: 0.0,
-        volume_mm3: Some(area * 2.0 * half),
-    })
+    Ok(Form::upright(
+        move |p| rectangle(p, [0.0; 2], [edge; 2]).max(radius - (p[0] - x).hypot(p[1])),
+        half,
+        corners([edge, edge, half]),
+        Some(area * 2.0 * half),
+    ))
 }

@@ -12,8 +12,8 @@
 //! assert!((part.volume_mm3().unwrap() - 13.0).abs() < 1e-12);
 //! ```
 
-use super::{Body, BuildForm, Form, Prism, corners, positive, rectangle};
-use tomolith_core::error::{Error, Result};
+use super::{BuildForm, Form, corners, positive, rectangle, within};
+use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
 
@@ -39,14 +39,8 @@ tomolith_core::keys! {
 
 fn build(section: &Section) -> Result<Form> {
     let p: Params = section.parse()?;
-    positive(
-        section,
-        &[("size_mm", p.size_mm), ("height_mm", p.height_mm)],
-    )?;
-    if !(1..=1000).contains(&p.cells) {
-        let found = p.cells.to_string();
-        return Err(Error::config("cells", found, "a number from 1 to 1000").under(&section.path));
-    }
+    positive!(section, p, size_mm, height_mm);
+    within(section, "cells", p.cells, 1..=1000)?;
     let (edge, half) = (p.size_mm.0 / 2.0, p.height_mm.0 / 2.0);
     let cell = p.size_mm.0 / f64::from(p.cells);
     let solid = f64::from((p.cells * p.cells).div_ceil(2));
@@ -64,13 +58,10 @@ fn build(section: &Section) -> Result<Form> {
         };
         squares.max(rectangle(p, [0.0; 2], [edge; 2]))
     };
-    Ok(Form {
-        body: Body::Prisms(vec![Prism {
-            outline: Box::new(outline),
-            z: [-half, half],
-        }]),
-        hull: corners([edge, edge, half]),
-        round: 0.0,
-        volume_mm3: Some(solid * cell * cell * p.height_mm.0),
-    })
+    Ok(Form::upright(
+        outline,
+        half,
+        corners([edge, edge, half]),
+        Some(solid * cell * cell * p.height_mm.0),
+    ))
 }

@@ -48,10 +48,7 @@ const FOOT: [f64; 4] = [-0.375, -0.5, -0.125, -0.2];
 
 fn build(section: &Section) -> Result<Form> {
     let p: Params = section.parse()?;
-    positive(
-        section,
-        &[("size_mm", p.size_mm), ("height_mm", p.height_mm)],
-    )?;
+    positive!(section, p, size_mm, height_mm);
     let (size, half) = (p.size_mm.0, p.height_mm.0 / 2.0);
     let letter = move |p| {
         let each = [STEM, UPPER, LOWER].map(|r| to_rectangle(p, r, size));

@@ -10,7 +10,7 @@
 //! assert_eq!(disc.volume_mm3(), Some(std::f64::consts::PI)); // radius 1, height 1
 //! ```
 
-use super::{Body, BuildForm, Form, Prism, positive, rims};
+use super::{BuildForm, Form, positive, rims};
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
@@ -35,18 +35,12 @@ tomolith_core::keys! {
 
 fn build(section: &Section) -> Result<Form> {
     let p: Params = section.parse()?;
-    positive(
-        section,
-        &[("size_mm", p.size_mm), ("height_mm", p.height_mm)],
-    )?;
+    positive!(section, p, size_mm, height_mm);
     let (radius, half) = (p.size_mm.0 / 2.0, p.height_mm.0 / 2.0);
-    Ok(Form {
-        body: Body::Prisms(vec![Prism {
-            outline: Box::new(move |[x, y]| x.hypot(y) - radius),
-            z: [-half, half],
-        }]),
-        hull: rims(radius, [-half, half]),
-        round: 0.0,
-        volume_mm3: Some(std::f64::consts::PI * radius * radius * 2.0 * half),
-    })
+    Ok(Form::upright(
+        move |[x, y]| x.hypot(y) - radius,
+        half,
+        rims(radius, [-half, half]),
+        Some(std::f64::consts::PI * radius * radius * 2.0 * half),
+    ))
 }

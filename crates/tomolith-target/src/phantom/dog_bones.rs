@@ -15,8 +15,8 @@
 //! assert!((high[1] - low[1] - rows).abs() < 1e-12);
 //! ```
 
-use super::{Body, BuildForm, Form, Prism, corners, positive, rectangle};
-use tomolith_core::error::{Error, Result};
+use super::{BuildForm, Form, corners, positive, rectangle, within};
+use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
 
@@ -48,14 +48,8 @@ const FILLET: f64 = 12.7 / 63.5;
 
 fn build(section: &Section) -> Result<Form> {
     let p: Params = section.parse()?;
-    positive(
-        section,
-        &[("size_mm", p.size_mm), ("height_mm", p.height_mm)],
-    )?;
-    if !(1..=100).contains(&p.count) {
-        let found = p.count.to_string();
-        return Err(Error::config("count", found, "a number from 1 to 100").under(&section.path));
-    }
+    positive!(section, p, size_mm, height_mm);
+    within(section, "count", p.count, 1..=100)?;
     let (length, half) = (p.size_mm.0, p.height_mm.0 / 2.0);
     let pitch = 2.0 * GRIP * length;
     let first = -pitch * f64::from(p.count - 1) / 2.0;
@@ -72,15 +66,12 @@ fn build(section: &Section) -> Result<Form> {
         };
         bar(place).min(bar(place + 1.0))
     };
-    Ok(Form {
-        body: Body::Prisms(vec![Prism {
-            outline: Box::new(outline),
-            z: [-half, half],
-        }]),
-        hull: corners([length / 2.0, GRIP * length / 2.0 - first, half]),
-        round: 0.0,
-        volume_mm3: Some(f64::from(p.count) * bar_area() * length * length * p.height_mm.0),
-    })
+    Ok(Form::upright(
+        outline,
+        half,
+        corners([length / 2.0, GRIP * length / 2.0 - first, half]),
+        Some(f64::from(p.count) * bar_area() * length * length * p.height_mm.0),
+    ))
 }
 
 /// Signed distance to a bar of length 1 about the origin.

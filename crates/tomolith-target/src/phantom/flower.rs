@@ -44,10 +44,7 @@ tomolith_core::keys! {
 
 fn build(section: &Section) -> Result<Form> {
     let p: Params = section.parse()?;
-    positive(
-        section,
-        &[("size_mm", p.size_mm), ("height_mm", p.height_mm)],
-    )?;
+    positive!(section, p, size_mm, height_mm);
     let (radius, half) = (p.size_mm.0 / 2.0, p.height_mm.0 / 2.0);
     Ok(Form {
         body: Body::GrayFunction(GrayForm {

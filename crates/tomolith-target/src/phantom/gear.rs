@@ -15,9 +15,9 @@
 //! ```
 
 use super::wheel::Wheel;
-use super::{Body, BuildForm, Form, Prism, positive, rims};
+use super::{BuildForm, Form, positive, refused, rims};
 use std::f64::consts::PI;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::{Mm, concise};
 
@@ -45,10 +45,7 @@ tomolith_core::keys! {
 
 fn build(section: &Section) -> Result<Form> {
     let p: Params = section.parse()?;
-    positive(
-        section,
-        &[("size_mm", p.size_mm), ("height_mm", p.height_mm)],
-    )?;
+    positive!(section, p, size_mm, height_mm);
     let wheel = spur_gear(section, p.size_mm, p.teeth)?;
     let tip = wheel.tip;
     let bore = p.bore_mm.0 / 2.0;
@@ -59,33 +56,30 @@ fn build(section: &Section) -> Result<Form> {
             concise(2.0 * wheel.root)
         );
         let accepted = "a diameter ≥ 0 below the root circle";
-        return Err(Error::config("bore_mm", found, accepted).under(&section.path));
+        return refused(section, "bore_mm", found, accepted);
     }
     let half = p.height_mm.0 / 2.0;
-    Ok(Form {
-        body: Body::Prisms(vec![Prism {
-            outline: Box::new(move |p| {
-                // Without a bore the axis is no wall
-                let hole = if bore > 0.0 {
-                    bore - p[0].hypot(p[1])
-                } else {
-                    f64::NEG_INFINITY
-                };
-                wheel.distance(p).max(hole)
-            }),
-            z: [-half, half],
-        }]),
-        hull: rims(tip, [-half, half]),
-        round: 0.0,
-        volume_mm3: Some((wheel.area() - PI * bore * bore) * 2.0 * half),
-    })
+    Ok(Form::upright(
+        move |p| {
+            // Without a bore the axis is no wall
+            let hole = if bore > 0.0 {
+                bore - p[0].hypot(p[1])
+            } else {
+                f64::NEG_INFINITY
+            };
+            wheel.distance(p).max(hole)
+        },
+        half,
+        rims(tip, [-half, half]),
+        Some((wheel.area() - PI * bore * bore) * 2.0 * half),
+    ))
 }
 
 /// The outline of a gear `size_mm` wide over the tips.
 pub(super) fn spur_gear(section: &Section, size: Mm, teeth: u32) -> Result<Wheel> {
     if !(4..=500).contains(&teeth) {
         let accepted = "a number of teeth from 4 to 500";
-        return Err(Error::config("teeth", teeth.to_string(), accepted).under(&section.path));
+        return refused(section, "teeth", teeth.to_string(), accepted);
     }
     let tip = size.0 / 2.0;
     let module = size.0 / f64::from(teeth + 2);

@@ -18,7 +18,7 @@
 //! ```
 
 use super::waves::wave;
-use super::{Body, BuildForm, Form, GrayForm, corners, positive};
+use super::{Body, BuildForm, Form, GrayForm, corners, positive, within};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
@@ -49,16 +49,11 @@ tomolith_core::keys! {
 
 fn build(section: &Section) -> Result<Form> {
     let p: Params = section.parse()?;
-    positive(
-        section,
-        &[("size_mm", p.size_mm), ("height_mm", p.height_mm)],
-    )?;
+    positive!(section, p, size_mm, height_mm);
     let refused = |key: &str, found: String, accepted: &str| {
         Err(Error::config(key, found, accepted).under(&section.path))
     };
-    if !(1..=1000).contains(&p.periods) {
-        return refused("periods", p.periods.to_string(), "a number from 1 to 1000");
-    }
+    within(section, "periods", p.periods, 1..=1000)?;
     if !(p.gap_mm.0 >= 0.0 && p.gap_mm < p.size_mm) {
         let found = p.gap_mm.to_string();
         return refused("gap_mm", found, "0, or a length below `size_mm`");

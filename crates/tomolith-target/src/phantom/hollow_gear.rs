@@ -47,14 +47,7 @@ tomolith_core::keys! {
 
 fn build(section: &Section) -> Result<Form> {
     let p: Params = section.parse()?;
-    positive(
-        section,
-        &[
-            ("size_mm", p.size_mm),
-            ("height_mm", p.height_mm),
-            ("wall_mm", p.wall_mm),
-        ],
-    )?;
+    positive!(section, p, size_mm, height_mm, wall_mm);
     let wheel = spur_gear(section, p.size_mm, p.teeth)?;
     let refused = |key: &str, found: Mm, accepted: String| {
         Err(Error::config(key, found.to_string(), accepted).under(&section.path))

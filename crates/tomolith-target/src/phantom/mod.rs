@@ -25,11 +25,12 @@ mod wheel;
 
 use super::Shape;
 use super::placing::{Map, Placement, bounds};
+use std::fmt::Display;
+use std::ops::RangeInclusive;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Volume, VolumeGrid};
 use tomolith_core::kind::{Kind, Section};
 use tomolith_core::run::Run;
-use tomolith_core::units::Mm;
 
 /// Signed distance to an outline in the plane, mm: negative inside, growing by at most 1 per mm.
 pub type Outline = Box<dyn Fn([f64; 2]) -> f64 + Send + Sync>;
@@ -76,6 +77,24 @@ pub struct Form {
     pub round: f64,
     /// Its volume, where a closed form is known, mm³.
     pub volume_mm3: Option<f64>,
+}
+
+impl Form {
+    /// An outline drawn from `−half` to `half`; `hull` spans it.
+    fn upright(
+        outline: impl Fn([f64; 2]) -> f64 + Send + Sync + 'static,
+        half: f64,
+        hull: Vec<[f64; 3]>,
+        volume_mm3: Option<f64>,
+    ) -> Self {
+        let (outline, z) = (Box::new(outline), [-half, half]);
+        Form {
+            body: Body::Prisms(vec![Prism { outline, z }]),
+            hull,
+            round: 0.0,
+            volume_mm3,
+        }
+    }
 }
 
 /// Builds a form from its section.
@@ -187,17 +206,36 @@ impl Shape for Phantom {
     }
 }
 
-/// Refuses lengths that are not positive.
-fn positive(section: &Section, lengths: &[(&str, Mm)]) -> Result<()> {
-    for &(key, Mm(value)) in lengths {
-        if !(value.is_finite() && value > 0.0) {
-            return Err(
-                Error::config(key, Mm(value).to_string(), "a length > 0").under(&section.path)
-            );
-        }
-    }
-    Ok(())
+/// Refuses the value of a parameter.
+fn refused<T>(
+    section: &Section,
+    key: &str,
+    found: impl Display,
+    accepted: impl Into<String>,
+) -> Result<T> {
+    Err(Error::config(key, found.to_string(), accepted).under(&section.path))
 }
+
+/// Refuses a number of things that is out of range.
+fn within(section: &Section, key: &str, count: u32, range: RangeInclusive<u32>) -> Result<()> {
+    if range.contains(&count) {
+        return Ok(());
+    }
+    let accepted = format!("a number from {} to {}", range.start(), range.end());
+    refused(section, key, count, accepted)
+}
+
+/// Refuses lengths of parameters `p` that are not positive.
+macro_rules! positive {
+    ($section:expr, $p:expr, $($key:ident),+) => {
+        for (key, length) in [$((stringify!($key), $p.$key)),+] {
+            if !(length.0.is_finite() && length.0 > 0.0) {
+                return super::refused($section, key, length, "a length > 0");
+            }
+        }
+    };
+}
+use positive;
 
 /// Points on two circles about the z axis, a degree apart, for the hull of something round.
 fn rims(radius: f64, z: [f64; 2]) -> Vec<[f64; 3]> {

@@ -16,7 +16,7 @@
 //! assert!((part.volume_mm3().unwrap() / exact - 1.0).abs() < 1e-4);
 //! ```
 
-use super::{Body, BuildForm, Form, Prism, corners, positive, rectangle};
+use super::{BuildForm, Form, corners, positive, rectangle};
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
@@ -51,10 +51,7 @@ type Bar = ([f64; 2], [f64; 2]);
 
 fn build(section: &Section) -> Result<Form> {
     let p: Params = section.parse()?;
-    positive(
-        section,
-        &[("size_mm", p.size_mm), ("height_mm", p.height_mm)],
-    )?;
+    positive!(section, p, size_mm, height_mm);
     let (size, half) = (p.size_mm.0, p.height_mm.0 / 2.0);
     let bars = bars();
     let area: f64 =
@@ -67,15 +64,12 @@ fn build(section: &Section) -> Result<Form> {
             .map(|&(middle, half)| rectangle(p, middle, half));
         size * each.fold(frame, f64::min)
     };
-    Ok(Form {
-        body: Body::Prisms(vec![Prism {
-            outline: Box::new(outline),
-            z: [-half, half],
-        }]),
-        hull: corners([size / 2.0, size / 2.0, half]),
-        round: 0.0,
-        volume_mm3: Some(area * size * size * p.height_mm.0),
-    })
+    Ok(Form::upright(
+        outline,
+        half,
+        corners([size / 2.0, size / 2.0, half]),
+        Some(area * size * size * p.height_mm.0),
+    ))
 }
 
 /// All bars and the square, in a chart of size 1.

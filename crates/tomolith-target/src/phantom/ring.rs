@@ -11,9 +11,9 @@
 //! assert!((part.volume_mm3().unwrap() - exact).abs() < 1e-12);
 //! ```
 
-use super::{Body, BuildForm, Form, Prism, positive, rims};
+use super::{BuildForm, Form, positive, refused, rims};
 use std::f64::consts::PI;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
 
@@ -39,29 +39,17 @@ tomolith_core::keys! {
 
 fn build(section: &Section) -> Result<Form> {
     let p: Params = section.parse()?;
-    positive(
-        section,
-        &[
-            ("size_mm", p.size_mm),
-            ("height_mm", p.height_mm),
-            ("hole_mm", p.hole_mm),
-        ],
-    )?;
+    positive!(section, p, size_mm, height_mm, hole_mm);
     if p.hole_mm >= p.size_mm {
         let found = format!("{} in a ring of {}", p.hole_mm, p.size_mm);
-        return Err(
-            Error::config("hole_mm", found, "a diameter below `size_mm`").under(&section.path),
-        );
+        return refused(section, "hole_mm", found, "a diameter below `size_mm`");
     }
     let [outer, half, inner] = [p.size_mm, p.height_mm, p.hole_mm].map(|mm| mm.0 / 2.0);
     let (middle, width) = ((outer + inner) / 2.0, (outer - inner) / 2.0);
-    Ok(Form {
-        body: Body::Prisms(vec![Prism {
-            outline: Box::new(move |[x, y]| (x.hypot(y) - middle).abs() - width),
-            z: [-half, half],
-        }]),
-        hull: rims(outer, [-half, half]),
-        round: 0.0,
-        volume_mm3: Some(PI * (outer * outer - inner * inner) * 2.0 * half),
-    })
+    Ok(Form::upright(
+        move |[x, y]| (x.hypot(y) - middle).abs() - width,
+        half,
+        rims(outer, [-half, half]),
+        Some(PI * (outer * outer - inner * inner) * 2.0 * half),
+    ))
 }

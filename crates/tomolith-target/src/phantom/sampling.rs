@@ -402,6 +402,7 @@ fn plane_share(d: f64, slopes: [f64; 3]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tomolith_core::near;
 
     #[test]
     fn planes_cut_off_what_counting_points_says() {
@@ -421,10 +422,7 @@ mod tests {
         ] {
             for d in [-0.9, -0.31, -0.1, 0.0, 0.07, 0.4, 0.8] {
                 let (found, expected) = (plane_share(d, slopes), count(d, slopes));
-                assert!(
-                    (found - expected).abs() < 0.01,
-                    "{slopes:?} {d}: {found} {expected}"
-                );
+                near!(found, expected, 0.01, "{slopes:?} {d}");
             }
         }
         // A corner of the unit cube: legs of ½ cut off a tetrahedron of (½)³/6

@@ -14,9 +14,9 @@
 //! ```
 
 use super::wheel::Wheel;
-use super::{Body, BuildForm, Form, Prism, positive, rims};
+use super::{BuildForm, Form, positive, refused, rims};
 use std::f64::consts::PI;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
 
@@ -44,25 +44,14 @@ tomolith_core::keys! {
 
 fn build(section: &Section) -> Result<Form> {
     let p: Params = section.parse()?;
-    positive(
-        section,
-        &[
-            ("size_mm", p.size_mm),
-            ("height_mm", p.height_mm),
-            ("hub_mm", p.hub_mm),
-        ],
-    )?;
+    positive!(section, p, size_mm, height_mm, hub_mm);
     if !(2..=500).contains(&p.spokes) {
         let found = p.spokes.to_string();
-        return Err(
-            Error::config("spokes", found, "a number of spokes from 2 to 500").under(&section.path),
-        );
+        return refused(section, "spokes", found, "a number of spokes from 2 to 500");
     }
     if p.hub_mm >= p.size_mm {
         let found = format!("{} in a star of {}", p.hub_mm, p.size_mm);
-        return Err(
-            Error::config("hub_mm", found, "a diameter below `size_mm`").under(&section.path)
-        );
+        return refused(section, "hub_mm", found, "a diameter below `size_mm`");
     }
     let half_spoke = PI / f64::from(p.spokes) / 2.0;
     let wheel = Wheel {
@@ -73,13 +62,10 @@ fn build(section: &Section) -> Result<Form> {
         tip_angle: half_spoke,
     };
     let half = p.height_mm.0 / 2.0;
-    Ok(Form {
-        body: Body::Prisms(vec![Prism {
-            outline: Box::new(move |p| wheel.distance(p)),
-            z: [-half, half],
-        }]),
-        hull: rims(wheel.tip, [-half, half]),
-        round: 0.0,
-        volume_mm3: Some(wheel.area() * 2.0 * half),
-    })
+    Ok(Form::upright(
+        move |p| wheel.distance(p),
+        half,
+        rims(wheel.tip, [-half, half]),
+        Some(wheel.area() * 2.0 * half),
+    ))
 }

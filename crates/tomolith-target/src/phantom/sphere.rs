@@ -11,8 +11,6 @@
 //! ```
 
 use super::{Body, BuildForm, Form, positive};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
@@ -25,23 +23,17 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
     build,
 };
 
-/// Parameters of the sphere.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(deny_unknown_fields, default)]
-struct Params {
-    /// Diameter, mm (> 0)
-    size_mm: Mm,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params { size_mm: Mm(5.0) }
+tomolith_core::keys! {
+    /// Parameters of the sphere.
+    struct Params {
+        /// Diameter, mm (> 0)
+        size_mm: Mm = Mm(5.0),
     }
 }
 
 fn build(section: &Section) -> Result<Form> {
     let p: Params = section.parse()?;
-    positive(section, &[("size_mm", p.size_mm)])?;
+    positive!(section, p, size_mm);
     let radius = p.size_mm.0 / 2.0;
     Ok(Form {
         body: Body::Solid(Box::new(move |[x, y, z]| {

@@ -5,9 +5,9 @@
 //! surface.
 
 use super::waves::wave;
-use super::{Body, Form, corners, cuboid, positive};
+use super::{Body, Form, corners, cuboid, positive, refused, within};
 use std::f64::consts::TAU;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::Result;
 use tomolith_core::kind::Section;
 use tomolith_core::units::{Mm, concise};
 
@@ -42,18 +42,15 @@ pub(super) struct Waves {
 /// A cube of the wall that these waves make.
 pub(super) fn build(section: &Section, waves: &'static Waves) -> Result<Form> {
     let p: Params = section.parse()?;
-    positive(section, &[("size_mm", p.size_mm)])?;
-    if !(1..=100).contains(&p.cells) {
-        let found = p.cells.to_string();
-        return Err(Error::config("cells", found, "a number from 1 to 100").under(&section.path));
-    }
+    positive!(section, p, size_mm);
+    within(section, "cells", p.cells, 1..=100)?;
     let period = p.size_mm.0 / f64::from(p.cells);
     let thickest = waves.thickest * period;
     let wall = p.wall_mm.map_or(thickest, |mm| mm.0);
     if !(wall > 0.0 && wall <= thickest * (1.0 + 1e-9)) {
         let found = format!("{} with a period of {} mm", Mm(wall), concise(period));
         let accepted = format!("a thickness > 0, at most {} mm", concise(thickest));
-        return Err(Error::config("wall_mm", found, accepted).under(&section.path));
+        return refused(section, "wall_mm", found, accepted);
     }
     let half = p.size_mm.0 / 2.0;
     let turns = 1.0 / period;

@@ -161,10 +161,10 @@ fn sample(
     resolved: &mut ResolvedJob,
     cache: &mut RunCache,
     clock: &mut Clock<'_>,
-) -> Result<(Voxels, Vec<String>)> {
+) -> Result<(Vec<Voxels>, Vec<String>)> {
     let run = clock.stage("sampling the target");
-    let target = cache.target(resolved, &run.part(0.72))?;
-    let voxels = resolved.voxels_of(target, &resolved.grid, &run.part(0.08))?;
+    let targets = cache.targets(resolved, &run.part(0.72))?;
+    let voxels = resolved.voxels_of(targets, &resolved.grid, &run.part(0.08))?;
     let found = resolved.warnings_of(&voxels)?;
     for text in found.iter().cloned() {
         clock.progress.event(&Event::Warning { text });
@@ -180,7 +180,7 @@ fn sample(
 fn optimized(
     job: &Job,
     resolved: &ResolvedJob,
-    voxels: &Voxels,
+    voxels: &[Voxels],
     how: How<'_>,
     cache: &mut RunCache,
     clock: &mut Clock<'_>,
@@ -197,7 +197,7 @@ fn optimized(
 /// What the written patterns print.
 fn evaluated<'a>(
     job: &'a Job,
-    (resolved, voxels, mut warnings): (ResolvedJob, Voxels, Vec<String>),
+    (resolved, voxels, mut warnings): (ResolvedJob, Vec<Voxels>, Vec<String>),
     optimized: Optimized,
     leaves: Leaves,
     cache: &RunCache,

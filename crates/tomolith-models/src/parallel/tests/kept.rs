@@ -28,26 +28,17 @@ fn kept_entries_give_what_is_found_anew_and_pass_the_model_check() {
                     x[plain.patterns[0].elements_of(frame..frame + 1)].fill(0.0);
                 }
                 let [expected, dose] = [&plain, &kept].map(|model| dose_of(model, &x).values);
-                let scale = expected.iter().fold(0.0f32, |m, v| m.max(v.abs()));
-                for (e, d) in expected.iter().zip(&dose) {
-                    assert!((e - d).abs() < 2e-6 * scale, "{what}: {e} {d}");
-                }
+                let off = check::largest_difference(&dose, &expected);
+                assert!(off < 2e-6, "{what}: {off}");
                 let mut cotangent = LinearOperator::new_dose(&plain).unwrap();
                 let noise = check::noise(2, cotangent.len());
                 for (i, c) in cotangent.as_mut_slice().iter_mut().enumerate() {
                     *c = if i / 32 % 7 == 3 { noise[i] } else { 0.0 };
                 }
-                let [expected, gradient] = [&plain, &kept].map(|model| {
-                    let mut gradient = LinearOperator::new_patterns(model).unwrap();
-                    model
-                        .adjoint(&cotangent, &mut gradient, &Run::new())
-                        .unwrap();
-                    gradient.as_slice().to_vec()
-                });
-                let scale = expected.iter().fold(0.0f32, |m, v| m.max(v.abs()));
-                for (e, g) in expected.iter().zip(&gradient) {
-                    assert!((e - g).abs() < 2e-6 * scale, "{what}: {e} {g}");
-                }
+                let gradients = [&plain, &kept].map(|model| check::adjoint(model, &cotangent));
+                let [expected, gradient] = gradients.each_ref().map(HostField::as_slice);
+                let off = check::largest_difference(gradient, expected);
+                assert!(off < 2e-6, "{what}: {off}");
             }
         }
     }
@@ -90,7 +81,6 @@ fn entries_of_a_part_of_the_turn_serve_all_of_it() {
         check::model::model(&kept, 7).unwrap_or_else(|e| panic!("{vial:?} {shape:?}: {e}"));
         let x = check::noise(1, plain.patterns[0].len());
         let [expected, dose] = [&plain, &kept].map(|model| dose_of(model, &x).values);
-        let scale = expected.iter().fold(0.0f32, |m, v| m.max(v.abs()));
         // Some frames alone, within a part and across its end
         for some in [
             1..3,
@@ -107,14 +97,8 @@ fn entries_of_a_part_of_the_turn_serve_all_of_it() {
                 [dose, gradient]
             });
             for (expected, found) in own[0].each_ref().iter().zip(own[1].each_ref()) {
-                let (expected, found) = (expected.as_slice(), found.as_slice());
-                let scale = expected.iter().fold(0.0f32, |m, v| m.max(v.abs()));
-                for (e, d) in expected.iter().zip(found) {
-                    assert!(
-                        (e - d).abs() < 2e-5 * scale,
-                        "{vial:?} {shape:?} {some:?}: {e} {d}"
-                    );
-                }
+                let off = check::largest_difference(found.as_slice(), expected.as_slice());
+                assert!(off < 2e-5, "{vial:?} {shape:?} {some:?}: {off}");
             }
         }
         // Angles that do not quite repeat have as many updates
@@ -127,10 +111,9 @@ fn entries_of_a_part_of_the_turn_serve_all_of_it() {
         assert_eq!(apart.lights[0].turned.period, frames);
         let [some, all] = [&kept, &apart].map(LinearOperator::updates);
         assert_eq!(some, all, "{vial:?} {shape:?}");
-        for (e, d) in expected.iter().zip(&dose) {
-            // Strips of a turned frame are rounded otherwise
-            assert!((e - d).abs() < 1e-5 * scale, "{vial:?} {shape:?}: {e} {d}");
-        }
+        // Strips of a turned frame are rounded otherwise
+        let off = check::largest_difference(&dose, &expected);
+        assert!(off < 1e-5, "{vial:?} {shape:?}: {off}");
     }
 }
 

@@ -52,8 +52,7 @@ fn energies_of_cells_equal_a_brute_force_walk_and_add_up_to_the_plain_dose() {
                         .is_some_and(|[a, b]| a < t && t < b)
                 });
                 let model = whole.with_cells(Arc::clone(&solid));
-                let mut field = LinearOperator::new_dose(&model).unwrap();
-                DoseModel::dose(&model, &x, &mut field, &Run::new()).unwrap();
+                let field = check::dose(&model, &x);
                 let layout = &model.output;
                 let mean = layout.volume_of(field.as_slice());
                 let largest = f64::from(expected.values.iter().copied().fold(0.0, f32::max));
@@ -95,10 +94,8 @@ fn even_light_gives_both_cells_of_a_voxel_the_same_dose() {
             grid.clone(),
         )
         .with_cells(Arc::clone(&solid));
-        let mut x = LinearOperator::new_patterns(&model).unwrap();
-        x.fill(1.0);
-        let mut field = LinearOperator::new_dose(&model).unwrap();
-        DoseModel::dose(&model, &x, &mut field, &Run::new()).unwrap();
+        let x = check::even_patterns(&model, 1.0);
+        let field = check::dose(&model, &x);
         let (voxels, cells) = field.as_slice().split_at(model.output.voxels());
         // Forty frames of fluence 1
         let mut worst = 0.0f32;

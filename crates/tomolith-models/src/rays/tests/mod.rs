@@ -159,15 +159,13 @@ fn rays(vial: &dyn Vial, light: Light, optics: &Optics, params: &Params, grid: V
 }
 
 fn dose(model: &dyn DoseModel<Field = HostField>, x: &HostField) -> Volume<f32> {
-    let mut dose = model.new_dose().unwrap();
-    model.dose(x, &mut dose, &Run::new()).unwrap();
+    let dose = check::dose(model, x);
     model.outputs()[0].volume_of(dose.as_slice())
 }
 
 /// The dose of even patterns.
 fn lit(model: &Rays) -> Volume<f32> {
-    let mut x = LinearOperator::new_patterns(model).unwrap();
-    x.fill(1.0);
+    let x = check::even_patterns(model, 1.0);
     dose(model, &x)
 }
 
@@ -242,11 +240,7 @@ fn a_map_on_the_voxels_is_what_parallel_says_and_an_even_one_changes_nothing() {
         let rays = rays(&vial, light, &optics, &params, grid.clone());
         [dose(&parallel, &x), dose(&rays, &x)]
     };
-    let difference = |a: &Volume<f32>, b: &Volume<f32>| {
-        let pairs = || a.values.iter().zip(&b.values);
-        let squares: f64 = pairs().map(|(a, b)| f64::from(a - b).powi(2)).sum();
-        (squares / pairs().map(|(a, _)| f64::from(*a).powi(2)).sum::<f64>()).sqrt()
-    };
+    let difference = |a: &Volume<f32>, b: &Volume<f32>| check::difference(&b.values, &a.values);
     let map = |value: &dyn Fn(usize) -> f32| {
         let values: Vec<f32> = (0..16 * 16).map(value).collect();
         AbsorptionMap::new([1, 16, 16], 0.15, values.clone(), values).unwrap()
@@ -389,13 +383,7 @@ fn with_many_rays_it_is_what_parallel_says() {
             let optics = Optics::collimated(0.13);
             let model = rays(vial.as_ref(), light.clone(), &optics, &params, grid.clone());
             let found = dose(&model, &x);
-            let square = |f: &dyn Fn(f64, f64) -> f64| {
-                let pairs = expected.values.iter().zip(&found.values);
-                pairs
-                    .map(|(&a, &b)| f(a.into(), b.into()).powi(2))
-                    .sum::<f64>()
-            };
-            (square(&|a, b| a - b) / square(&|a, _| a)).sqrt()
+            check::difference(&found.values, &expected.values)
         };
         let (few, many) = (difference(4), difference(1024));
         assert!(many < left && few < left + 0.06, "{vial:?}: {few} {many}");
@@ -408,8 +396,7 @@ fn what_is_absorbed_is_what_the_account_says() {
     for (name, optics) in optics() {
         let light = light(1, 3, 3, 0.2);
         let model = rays(&GLASS, light, &optics, &Params::default(), grid.clone());
-        let mut x = LinearOperator::new_patterns(&model).unwrap();
-        x.fill(1.0);
+        let x = check::even_patterns(&model, 1.0);
         let sent = 9.0 * 0.2 * 0.2;
         let absorbed: f64 = dose(&model, &x)
             .values
@@ -454,8 +441,7 @@ fn a_frame_of_a_tilted_axis_is_the_level_frame_of_a_resin_that_leans() {
         &params,
         grid.clone(),
     );
-    let mut x = LinearOperator::new_patterns(&model).unwrap();
-    x.fill(1.0);
+    let x = check::even_patterns(&model, 1.0);
     let dose = dose(&model, &x);
     let height = |ix: usize| {
         let (mut sum, mut weight) = (0.0, 0.0);
@@ -525,8 +511,7 @@ fn walks_that_are_kept_are_those_that_are_walked() {
             );
             let column_rays = kept.cached_column_rays(&run).unwrap();
             assert_eq!(column_rays.is_some(), has_column_rays, "{name}");
-            let mut x = LinearOperator::new_patterns(&kept).unwrap();
-            x.copy_from_host(&check::noise(1, x.len()));
+            let x = check::noisy_patterns(&kept, 1);
             // Some of the frames only, on top of what is there
             let some = |model: &Rays| {
                 let mut dose = LinearOperator::new_dose(model).unwrap();
@@ -537,15 +522,12 @@ fn walks_that_are_kept_are_those_that_are_walked() {
             let back = |model: &Rays| {
                 let mut c = LinearOperator::new_dose(model).unwrap();
                 c.copy_from_host(&check::noise(2, c.len()));
-                let mut grad = LinearOperator::new_patterns(model).unwrap();
-                model.adjoint(&c, &mut grad, &Run::new()).unwrap();
+                let grad = check::adjoint(model, &c);
                 grad.as_slice().to_vec()
             };
             for [a, b] in [[some(&walked), some(&kept)], [back(&walked), back(&kept)]] {
-                let largest = a.iter().fold(0.0f32, |m, v| m.max(v.abs()));
-                for (a, b) in a.iter().zip(&b) {
-                    assert!((a - b).abs() < 1e-5 * largest, "{name}: {a} {b}");
-                }
+                let off = check::largest_difference(&b, &a);
+                assert!(off < 1e-5, "{name}: {off}");
             }
             assert!(
                 matrix_cache::RayMatrixCache::of(&walked, 100, &run)
@@ -593,21 +575,17 @@ fn rows_that_are_followed_together_leave_what_single_rays_leave() {
             assert!(together.has_column_rays() && !single.has_column_rays());
             let found = check::model::model(&together, 3).unwrap();
             assert!(found.adjoint_error < 1e-6, "{vial:?}: {found:?}");
-            let mut x = LinearOperator::new_patterns(&single).unwrap();
-            x.copy_from_host(&check::noise(1, x.len()));
+            let x = check::noisy_patterns(&single, 1);
             let mut c = LinearOperator::new_dose(&single).unwrap();
             c.copy_from_host(&check::noise(2, c.len()));
             let both = [&together, &single].map(|model| {
-                let mut grad = LinearOperator::new_patterns(model).unwrap();
-                model.adjoint(&c, &mut grad, &Run::new()).unwrap();
+                let grad = check::adjoint(model, &c);
                 (dose(model, &x).values, grad.as_slice().to_vec())
             });
             let [(a, of_a), (b, of_b)] = &both;
             for (a, b) in [(a, b), (of_a, of_b)] {
-                let largest = a.iter().fold(0.0f32, |m, v| m.max(v.abs()));
-                for (a, b) in a.iter().zip(b) {
-                    assert!((a - b).abs() < 2e-6 * largest, "{vial:?}: {a} {b}");
-                }
+                let off = check::largest_difference(b, a);
+                assert!(off < 2e-6, "{vial:?}: {off}");
             }
             let [a, b] = [&together, &single].map(|m| LinearOperator::updates(m) as f64);
             assert!((a / b - 1.0).abs() < 1e-4, "{vial:?}: {a} {b}");
@@ -721,13 +699,8 @@ fn an_image_beside_the_axis_is_a_part_of_a_larger_one_for_every_optics() {
                 }
                 dose(&model, &x)
             });
-            let most = a.values.iter().copied().fold(0.0, f32::max);
-            for (a, b) in a.values.iter().zip(&b.values) {
-                assert!(
-                    most > 0.0 && (a - b).abs() < 2e-6 * most,
-                    "{vial:?} {name}: {a} {b}"
-                );
-            }
+            let off = check::largest_difference(&b.values, &a.values);
+            assert!(off < 2e-6, "{vial:?} {name}: {off}");
         }
     }
 }
@@ -740,8 +713,7 @@ fn pixels_that_are_not_square_leave_the_energy_of_their_area() {
         light.pixels.pitch_mm = [0.3, 0.12];
         light.pixels.offset_mm = [-0.2, 0.1];
         let model = rays(&GLASS, light, &optics, &Params::default(), grid.clone());
-        let mut x = LinearOperator::new_patterns(&model).unwrap();
-        x.fill(1.0);
+        let x = check::even_patterns(&model, 1.0);
         let dose = dose(&model, &x);
         let absorbed: f64 = dose.values.iter().map(|&v| f64::from(v)).sum::<f64>() * 1e-3;
         let (sent, balance) = (9.0 * 0.3 * 0.12, model.balance(0, 0));

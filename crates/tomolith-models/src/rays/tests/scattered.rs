@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::monte_carlo;
+use tomolith_core::near;
 
 /// A cube of resin's worth of voxels in a ball of light: all that is scattered is deposited or leaves.
 #[test]
@@ -27,14 +28,10 @@ fn a_scattering_resin_is_an_exact_pair_whose_energy_is_accounted_for() {
     let found = check::model::model(&model, 3).unwrap();
     assert!(found.adjoint_error < 1e-6, "{found:?}");
     // Both kernels walk the same paths
-    let mut x = LinearOperator::new_patterns(&model).unwrap();
-    x.fill(1.0);
+    let x = check::even_patterns(&model, 1.0);
     let plain = dose(&build(&params, &light, &grid).plain(), &x);
     let wide = dose(&model, &x);
-    let largest = wide.values.iter().copied().fold(0.0, f32::max);
-    for (a, b) in plain.values.iter().zip(&wide.values) {
-        assert!((a - b).abs() < 1e-4 * largest, "{a} {b}");
-    }
+    assert!(check::largest_difference(&plain.values, &wide.values) < 1e-4);
     // Another seed is another matrix with the same mean
     let other = monte_carlo::Params {
         seed: 2,
@@ -76,15 +73,11 @@ fn a_scattering_resin_is_an_exact_pair_whose_energy_is_accounted_for() {
     light.pixels = PatternGrid::full_turn(1, 0.2, 3, 3, 0.2);
     let tall = VolumeGrid::centered([150, 44, 44], 0.1);
     let model = build(&params, &light, &tall);
-    let mut x = LinearOperator::new_patterns(&model).unwrap();
-    x.fill(1.0);
+    let x = check::even_patterns(&model, 1.0);
     let active = sum(&dose(&model, &x)) * 1e-3 / (9.0 * 0.04);
     let balance = model.balance(0, 0);
     assert!((balance.total() - 1.0).abs() < 1e-9);
-    assert!(
-        (active / balance.absorbed - 1.0).abs() < 2e-3,
-        "{active} {balance:?}"
-    );
+    near!(active / balance.absorbed, 1.0, 2e-3, "{active} {balance:?}");
 }
 
 /// Scattering of the resins below, 1/mm.
@@ -162,10 +155,8 @@ fn an_even_map_in_a_resin_that_scatters_changes_nothing() {
             lit(&monte_carlo::model(&GLASS, &[light], &[optics], &params, grid.clone()).unwrap())
         };
         let (plain, mapped) = (of(None), of(Some(([3, 4, 5], 0.5, vec![0.3; 60]))));
-        let most = plain.values.iter().copied().fold(0.0, f32::max);
-        for (a, b) in plain.values.iter().zip(&mapped.values) {
-            assert!((a - b).abs() < 2e-6 * most, "{smooth}: {a} {b}");
-        }
+        let off = check::largest_difference(&mapped.values, &plain.values);
+        assert!(off < 2e-6, "{smooth}: {off}");
     }
 }
 
@@ -277,9 +268,6 @@ fn scattered_light_is_an_exact_pair_with_cells_too() {
         let found = check::model::model(&model, 3).unwrap();
         assert!(found.adjoint_error < 1e-6, "{found:?}");
         let mean = dose(&model, &x);
-        let largest = expected.values.iter().copied().fold(0.0, f32::max);
-        for (a, b) in expected.values.iter().zip(&mean.values) {
-            assert!((a - b).abs() < 1e-6 * largest);
-        }
+        assert!(check::largest_difference(&mean.values, &expected.values) < 1e-6);
     }
 }

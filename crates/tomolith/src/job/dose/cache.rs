@@ -10,10 +10,8 @@
 use super::doses::{Exposed, LitRows};
 use crate::error::Result;
 use crate::field::{Field, HostField};
-use crate::job::resolve::identity::{as_floats, contents, hash, of_voxels, take_files};
+use crate::job::resolve::identity::{contents, hash, of_voxels};
 use crate::job::resolve::{ResolvedJob, Voxels};
-use crate::job::spec::JobSpec;
-use crate::job::spec::read::with_every_default;
 use crate::models::scenarios::SharedModel;
 use crate::models::{OpticalScene, PatternLayout, Run};
 use crate::optics::light::Light;
@@ -39,7 +37,7 @@ const MOST_VOXELS: usize = 1 << 20;
 #[derive(Default)]
 pub struct RunCache {
     model: Option<(u64, EvaluationModel)>,
-    target: Option<(u64, Target)>,
+    targets: Option<(u64, Vec<Target>)>,
     start: Option<(u64, BoundingStart)>,
 }
 
@@ -83,22 +81,22 @@ impl RunCache {
         });
     }
 
-    /// The target of a job on its grid: the one that is kept, where that is the same, else sampled, and kept.
+    /// The parts of a job on its grid: those that are kept, where they are the same, else sampled, and kept.
     ///
     /// # Errors
     /// As [`ResolvedJob::sampled`]; [`Error::Io`](crate::Error::Io) for a file that cannot be read.
-    pub(crate) fn target(&mut self, resolved: &ResolvedJob, run: &Run) -> Result<Target> {
+    pub(crate) fn targets(&mut self, resolved: &ResolvedJob, run: &Run) -> Result<Vec<Target>> {
         if resolved.grid.len() > MOST_VOXELS {
-            self.target = None;
+            self.targets = None;
             return resolved.sampled(&resolved.grid, run);
         }
-        let key = target_key(resolved)?;
-        let target = match self.target.take_if(|(own, _)| *own == key) {
-            Some((_, target)) => target,
+        let key = resolved.identity_of_parts()?;
+        let targets = match self.targets.take_if(|(own, _)| *own == key) {
+            Some((_, targets)) => targets,
             None => resolved.sampled(&resolved.grid, run)?,
         };
-        self.target = Some((key, target.clone()));
-        Ok(target)
+        self.targets = Some((key, targets.clone()));
+        Ok(targets)
     }
 
     /// Takes out the start that this key stands for.
@@ -141,32 +139,20 @@ pub(crate) fn key(resolved: &ResolvedJob, voxels: &Voxels) -> Result<Option<u64>
     if !is_evaluated_alike(resolved)? {
         return Ok(None);
     }
-    let mut tables = with_every_default(resolved.spec.clone()).to_value()?;
-    as_floats(&mut tables);
-    if let Some(map) = tables.as_object_mut() {
-        map.retain(|key, _| !UNREAD.contains(&key.as_str()));
-    }
+    let tables = resolved.tables(&UNREAD)?;
     let mut parts = vec![hash(tables.to_string().as_bytes())];
     parts.extend(of_voxels(voxels));
     contents(&tables, &resolved.base, &mut parts)?;
     Ok(Some(hash(bytemuck::cast_slice(&parts))))
 }
 
-/// What a job's target on its grid is known by.
-fn target_key(resolved: &ResolvedJob) -> Result<u64> {
-    let mut target = with_every_default(resolved.spec.clone()).target;
-    let mut parts = Vec::new();
-    take_files(&mut target, &resolved.base, &mut parts)?;
-    let grid = &resolved.grid;
-    parts.push(hash(format!("{target:?} {grid:?}").as_bytes()));
-    Ok(hash(bytemuck::cast_slice(&parts)))
-}
-
 /// What the start that bounds a run's pixels is known by, with the key of its model.
-pub(crate) fn start_key(model: u64, spec: &JobSpec) -> u64 {
-    let own = spec.start.pointer("/patterns/bounds_as");
-    let read = json!([own, spec.bounds, spec.stop.relative_loss.is_some()]).to_string();
-    hash(bytemuck::cast_slice(&[model, hash(read.as_bytes())]))
+pub(crate) fn start_key(model: u64, job: &ResolvedJob) -> Result<u64> {
+    let tables = job.tables(&[])?;
+    let own = tables.pointer("/start/patterns/bounds_as");
+    let has_part = job.stop().relative_loss.is_some();
+    let read = json!([own, tables["bounds"], has_part]).to_string();
+    Ok(hash(bytemuck::cast_slice(&[model, hash(read.as_bytes())])))
 }
 
 /// Whether one model serves optimization and evaluation.
@@ -176,8 +162,8 @@ fn is_evaluated_alike(resolved: &ResolvedJob) -> Result<bool> {
     };
     let is_joined = resolved.ranks.is_some()
         || resolved.mixing.is_some()
-        || resolved.has_cells
-        || !(resolved.others.is_empty() && resolved.scenarios.is_empty())
+        || resolved.first().has_cells
+        || !resolved.scenarios.is_empty()
         || resolved.is_optimized_in_time()
         || super::in_time::diffuses(resolved);
     let fine = resolved.fine_grid();

@@ -8,6 +8,7 @@ use crate::field::{Field as _, HostField};
 use crate::grid::{Patterns, Volume, VolumeGrid};
 use crate::job::dose::species::planned;
 use crate::job::resolve::ResolvedJob;
+use crate::job::resolve::optics::Optics;
 use crate::models::masked::MaskedModel;
 use crate::models::scenarios::SharedModel;
 use crate::models::{DoseLayout, DoseModel, Family, OpticalScene, Purpose, Run};
@@ -48,6 +49,7 @@ impl PartialEq for Exposed {
 /// What gives the doses of a job's patterns, by the model of the evaluation.
 pub(crate) struct Doses<'a> {
     job: &'a ResolvedJob,
+    optics: &'a Optics,
     workspace: Workspace,
     /// Per light, the rows that may be lit.
     lit: Vec<LitRows>,
@@ -58,22 +60,27 @@ pub(crate) struct Doses<'a> {
 
 /// Rows from the lowest to the highest that is not dark, per (frame, column): `(bottom, count)`.
 pub(crate) type LitRows = Vec<(u32, u32)>;
-/// Doses of the first and of further species, and what is said of the model.
-pub(crate) type Simulated = (Volume<f32>, Vec<Volume<f32>>, String);
+/// Doses of all species, and what is said of the model.
+pub(crate) type Simulated = (Vec<Volume<f32>>, String);
 
 impl<'a> Doses<'a> {
-    pub(crate) fn new(job: &'a ResolvedJob) -> Self {
-        Self::by(None, job)
-    }
-
-    /// The same by a model that is there already, where it has the doses asked for.
-    pub(crate) fn by(evaluation_model: Option<&'a EvaluationModel>, job: &'a ResolvedJob) -> Self {
+    /// In the light of the job or of one of its scenarios.
+    pub(crate) fn new(job: &'a ResolvedJob, optics: &'a Optics) -> Self {
         Doses {
             job,
+            optics,
             workspace: Workspace::default(),
             lit: Vec::new(),
             last: None,
+            evaluation_model: None,
+        }
+    }
+
+    /// The same by a model that is there already, where it has the doses asked for.
+    pub(crate) fn by(self, evaluation_model: Option<&'a EvaluationModel>) -> Self {
+        Doses {
             evaluation_model,
+            ..self
         }
     }
 
@@ -114,8 +121,8 @@ impl<'a> Doses<'a> {
             }
         };
         let model = model.as_ref();
-        let (dose, others) = simulated(model, patterns, &mut self.workspace, cancel)?;
-        Ok((dose, others, reason.clone()))
+        let doses = simulated(model, patterns, &mut self.workspace, cancel)?;
+        Ok((doses, reason.clone()))
     }
 
     fn made(&self, exposed: &Exposed, making: &Run) -> Result<(SharedModel, String)> {
@@ -133,18 +140,19 @@ impl<'a> Doses<'a> {
             refine: refine.max(1.0) as usize,
         };
         let lights = lit_alone(exposed.lights.clone(), self.lit.clone());
-        let family = (self.job.optics.model.as_ref(), purpose);
-        let (model, reason) = made(family, self.job, &lights, &exposed.grid, making)?;
+        let family = (self.optics.model.as_ref(), purpose);
+        let of = (self.job, self.optics);
+        let (model, reason) = made(family, of, &lights, &exposed.grid, making)?;
         Ok((Arc::new(model), reason))
     }
 
     /// Lets the next dose have the memory of an earlier one.
     pub(crate) fn give_back(&mut self, volume: Volume<f32>) {
-        self.workspace.values = volume.values;
+        self.workspace.values.push(volume.values);
     }
 }
 
-/// Dose of patterns on the job's voxels by a family for a purpose, the vial standing still.
+/// Dose of the first species from patterns on the job's voxels by a family for a purpose, the vial standing still.
 pub(crate) fn standing_by(
     model: (Option<&Family>, Purpose),
     job: &ResolvedJob,
@@ -153,9 +161,10 @@ pub(crate) fn standing_by(
 ) -> Result<Volume<f32>> {
     let lit = patterns.iter().map(lit_rows).collect();
     let lights = lit_alone(job.optics.lights_turning(1), lit);
-    let (model, _) = made(model, job, &lights, &job.grid, &cancel.part(0.1))?;
-    let (dose, _) = simulated(&model, patterns, &mut Workspace::default(), cancel)?;
-    Ok(dose)
+    let of = (job, &job.optics);
+    let (model, _) = made(model, of, &lights, &job.grid, &cancel.part(0.1))?;
+    let mut doses = simulated(&model, patterns, &mut Workspace::default(), cancel)?;
+    Ok(doses.swap_remove(0))
 }
 
 /// Lights of which only these rows are lit.
@@ -170,17 +179,17 @@ fn lit_alone(mut lights: Vec<Light>, lit: Vec<LitRows>) -> Vec<Light> {
 /// The model of a family (the cheapest that is exact, where none is named), and what is said of it.
 fn made(
     (family, purpose): (Option<&Family>, Purpose),
-    job: &ResolvedJob,
+    (job, optics): (&ResolvedJob, &Optics),
     lights: &[Light],
     grid: &VolumeGrid,
     making: &Run,
 ) -> Result<(MaskedModel, String)> {
-    let optics = OpticalScene {
+    let scene = OpticalScene {
         lights,
         purpose,
-        ..job.optics.scene()
+        ..optics.scene()
     };
-    let plan = planned(job, family, optics, grid, None, making)?;
+    let plan = planned(job, family, scene, grid, None, making)?;
     Ok((plan.model, plan.reason))
 }
 
@@ -188,16 +197,16 @@ fn made(
 #[derive(Default)]
 struct Workspace {
     field: HostField,
-    values: Vec<f32>,
+    values: Vec<Vec<f32>>,
 }
 
-/// Doses of the first and of further species.
+/// Doses of all species.
 fn simulated(
     model: &dyn DoseModel<Field = HostField>,
     patterns: &[Patterns],
     workspace: &mut Workspace,
     cancel: &Run,
-) -> Result<(Volume<f32>, Vec<Volume<f32>>)> {
+) -> Result<Vec<Volume<f32>>> {
     let mut x = model.new_patterns()?;
     for (layout, patterns) in model.patterns().iter().zip(patterns) {
         layout.fill_field(patterns, x.as_mut_slice());
@@ -208,13 +217,13 @@ fn simulated(
     }
     model.dose(&x, &mut workspace.field, &cancel.part(0.85))?;
     drop(x);
-    let values = std::mem::take(&mut workspace.values);
-    let (first, others) = (&model.outputs()[0], &model.outputs()[1..]);
-    let dose = first.volume_in(workspace.field.as_slice(), values);
-    let others = others
-        .iter()
-        .map(|own| own.volume_of(workspace.field.as_slice()));
-    Ok((dose, others.collect()))
+    let Workspace { field, values } = workspace;
+    let outputs = model.outputs().iter();
+    let doses = outputs.map(|own| {
+        let values = values.pop().unwrap_or_default();
+        own.volume_in(field.as_slice(), values)
+    });
+    Ok(doses.collect())
 }
 
 /// Rows from the lowest to the highest that is not dark, per (frame, column): `(bottom, count)`.
@@ -291,14 +300,14 @@ mod tests {
         ];
         for sub_angles in [1, 3] {
             let exposed = Exposed::new(&job.grid, job.optics.lights_turning(sub_angles));
-            let mut both = Doses::new(&job);
+            let mut both = Doses::new(&job, &job.optics);
             both.will_show(&[&all[0], &all[1]]);
             for patterns in &all {
-                let mut alone = Doses::new(&job);
+                let mut alone = Doses::new(&job, &job.optics);
                 alone.will_show(&[patterns]);
                 let [a, b] = [&mut both, &mut alone]
                     .map(|doses| doses.of(&exposed, patterns, &Run::new()).unwrap().0);
-                assert!(a.values.iter().any(|&v| v > 0.0));
+                assert!(a[0].values.iter().any(|&v| v > 0.0));
                 assert_eq!(a, b);
             }
         }

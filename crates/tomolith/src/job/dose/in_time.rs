@@ -6,11 +6,9 @@ use crate::field::HostField;
 use crate::grid::{Patterns, VolumeGrid};
 use crate::job::dose::species::joined;
 use crate::job::resolve::lights_in_time::Lights;
-use crate::job::resolve::material::{domain, material};
+use crate::job::resolve::material::domain;
 use crate::job::resolve::refinement::Level;
-use crate::job::resolve::schedule::schedule;
 use crate::job::resolve::{ResolvedJob, Voxels, at_section};
-use crate::job::spec::Against;
 use crate::models::{Family, HostModel, OpticalScene, Run, planner};
 use std::ops::ControlFlow;
 use tomolith_material::diffused::Diffused;
@@ -24,8 +22,7 @@ use tomolith_material::{Absorption, Material};
 
 /// Whether the doses of a job diffuse.
 pub(crate) fn diffuses(job: &ResolvedJob) -> bool {
-    let material = job.spec.material.as_ref();
-    material.is_some_and(|material| material.diffusion.is_some())
+    job.diffusion().is_some()
 }
 
 /// A model whose dose is that at the end of the schedule, where the job's dose diffuses.
@@ -33,18 +30,17 @@ pub(crate) fn diffuses(job: &ResolvedJob) -> bool {
 /// # Errors
 /// As [`Diffused::of_schedule`].
 pub(crate) fn diffused(job: &ResolvedJob, model: HostModel) -> Result<HostModel> {
-    let own = job.spec.material.as_ref();
-    let Some(diffusion) = own.and_then(|material| material.diffusion) else {
+    let Some(diffusion) = job.diffusion() else {
         return Ok(model);
     };
-    let given = job.spec.schedule.clone().unwrap_or_default();
+    let given = job.schedule().cloned().unwrap_or_default();
     let turns = if given.own_patterns {
         given.turns as usize
     } else {
         1
     };
     let arcs = diffusion.arcs.unwrap_or(turns);
-    let schedule = schedule(&job.spec)?;
+    let schedule = job.exposures()?;
     let diffused = Diffused::of_schedule(model, diffusion.mm2_per_s, &schedule, arcs);
     Ok(Box::new(
         diffused.map_err(|e| at_section("material.diffusion", e))?,
@@ -59,28 +55,21 @@ pub(crate) fn planned_in_time(
     job: &ResolvedJob,
     optics: (Option<&Family>, OpticalScene<'_>),
     level: &Level,
-    voxels: &[&Voxels],
+    voxels: &[Voxels],
     run: &Run,
 ) -> Result<planner::ModelPlan> {
     let rows = job.rows().unwrap_or_default();
-    let given = job.spec.schedule.clone().unwrap_or_default();
+    let given = job.schedule().cloned().unwrap_or_default();
     let join = |models: Vec<HostModel>| -> Result<HostModel> {
-        let schedule = schedule(&job.spec)?;
+        let schedule = job.exposures()?;
         let domain = domain(job, &level.grid)?;
-        let material = Box::new(material(&job.spec, job.mixing.as_deref(), domain)?);
-        Ok(match given.optimize {
-            Against::Exact => Box::new(Printing::new(models, schedule, material, given.step_s)?),
-            _ => {
-                let every = job.spec.stop.iterations.div_ceil(given.rounds + 1);
-                Box::new(Frozen::new(
-                    models,
-                    schedule,
-                    material,
-                    given.step_s,
-                    every,
-                )?)
-            }
-        })
+        let (material, step_s) = (Box::new(job.photopolymer(domain)?), given.step_s);
+        if given.is_exact() {
+            return Ok(Box::new(Printing::new(models, schedule, material, step_s)?));
+        }
+        let every = job.stop().iterations.div_ceil(given.rounds + 1);
+        let frozen = Frozen::new(models, schedule, material, step_s, every)?;
+        Ok(Box::new(frozen))
     };
     let mut plan = joined(&rows, optics, &level.grid, Some(voxels), run, join)?;
     plan.reason = format!("{}; against the degree of cure", plan.reason);
@@ -90,8 +79,7 @@ pub(crate) fn planned_in_time(
 impl ResolvedJob {
     /// Whether patterns are optimized against what they print in time.
     pub(crate) fn is_optimized_in_time(&self) -> bool {
-        let given = self.spec.schedule.as_ref();
-        given.is_some_and(|schedule| schedule.optimize != Against::Dose)
+        self.schedule().is_some_and(|own| own.optimizes_cure())
     }
 
     /// The factor of patterns of light `i` that would bring a dose of 1, so that species `s` becomes solid at the end of the schedule.
@@ -99,10 +87,10 @@ impl ResolvedJob {
         if !self.is_optimized_in_time() {
             return Ok(1.0);
         }
-        let energies = schedule(&self.spec)?.energies(i);
+        let energies = self.exposures()?.energies(i);
         let mean = energies.iter().sum::<f64>() / energies.len().max(1) as f64;
         let domain = Domain::new(VolumeGrid::centered([1, 1, 1], 0.1));
-        let material = material(&self.spec, self.mixing.as_deref(), domain)?;
+        let material = self.photopolymer(domain)?;
         let start = material.start()?;
         let Some(needed) = material.requirement(s) else {
             return Ok(1.0 / mean);
@@ -130,7 +118,7 @@ impl<'a> Shown<'a> {
     /// Models of the light as it is before anything cures.
     pub(crate) fn new(job: &'a ResolvedJob, patterns: &[Patterns], run: &'a Run) -> Result<Self> {
         let domain = domain(job, &job.grid)?;
-        let material = material(&job.spec, job.mixing.as_deref(), domain)?;
+        let material = job.photopolymer(domain)?;
         let lights = Lights::new(job, patterns.iter().map(lit_rows).collect(), run);
         let start = material.start()?;
         let mut models = Vec::with_capacity(patterns.len());
@@ -147,7 +135,7 @@ impl<'a> Shown<'a> {
         }
         Ok(Shown {
             material,
-            schedule: schedule(&job.spec)?,
+            schedule: job.exposures()?,
             lights,
             models,
             fields,
@@ -160,7 +148,7 @@ impl<'a> Shown<'a> {
     /// # Errors
     /// As [`PrintRun::run`].
     pub(crate) fn print(&self, look: &mut dyn FnMut(&Moment)) -> Result<()> {
-        let given = self.lights.job.spec.schedule.clone().unwrap_or_default();
+        let given = self.lights.job.schedule().cloned().unwrap_or_default();
         let sources = self.models.iter().zip(&self.fields);
         let sources = sources.map(|(model, patterns)| LightSource {
             model: model.as_ref(),

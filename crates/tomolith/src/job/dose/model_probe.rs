@@ -49,7 +49,7 @@ pub(crate) fn try_orders(
     job.optics.probe_failed = Some(why);
     // Their windows are compared with the job's: one model for all
     for scenario in &mut job.scenarios {
-        scenario.resolved.optics.probe_failed = Some(why);
+        scenario.optics.probe_failed = Some(why);
     }
     progress.event(&Event::Note { text });
     Ok(())
@@ -62,7 +62,7 @@ fn probe(job: &ResolvedJob, cancel: &Run) -> Result<Option<CrossCheck>> {
     if family.compared_with().is_none() {
         return Ok(None);
     }
-    let voxels = job.voxels(&grid)?;
+    let voxels = &job.voxels(&grid, &Run::new())?[0];
     let lights = job.optics.lights_turning(1);
     let optics = OpticalScene {
         lights: &lights,
@@ -75,13 +75,14 @@ fn probe(job: &ResolvedJob, cancel: &Run) -> Result<Option<CrossCheck>> {
         .collect();
     let layouts = straight.patterns().iter();
     let silhouettes: Vec<Patterns> = layouts.map(|layout| layout.patterns_of(&lit)).collect();
-    CrossCheck::of(job, &voxels, &silhouettes, PATHS, cancel)
+    CrossCheck::of(job, voxels, &silhouettes, PATHS, cancel)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::job::Job;
+    use crate::job::resolve::optics::Optics;
 
     /// What is said of a sphere in a resin that scatters so much per mm, and whether Monte Carlo paths are taken.
     fn tried(scattering: &str, model: &str) -> (Vec<String>, bool) {
@@ -102,13 +103,13 @@ mod tests {
         let mut job = ResolvedJob::under(&Job::read(&file, &[]).unwrap(), &Run::new()).unwrap();
         let mut said = Said(Vec::new());
         try_orders(&mut job, &mut said, &Run::new()).unwrap();
-        let by_paths = |job: &ResolvedJob| {
-            let family = job.optics.family(&job.grid).unwrap();
+        let by_paths = |optics: &Optics| {
+            let family = optics.family(&job.grid).unwrap();
             family.monte_carlo_paths().is_some()
         };
         // A scenario is compared with the job: by one model
-        let found = by_paths(&job);
-        let of_scenarios = job.scenarios.iter().map(|s| by_paths(&s.resolved));
+        let found = by_paths(&job.optics);
+        let of_scenarios = job.scenarios.iter().map(|s| by_paths(&s.optics));
         assert!(of_scenarios.into_iter().all(|own| own == found));
         (said.0, found)
     }

@@ -60,7 +60,7 @@ impl ResolvedJob {
             return Ok(());
         };
         let isa = Isa::in_use().name();
-        let tables = self.spec.to_value()?;
+        let tables = self.tables(&[])?;
         let ends = ["stop", "checkpoint", "evaluate"].map(|table| tables[table].to_string());
         let parts = [
             (fingerprint, "its job, files or memory differ from those of rank 0: all ranks need the same files, and resources.memory_gb says what each may use".to_owned()),
@@ -135,7 +135,7 @@ impl ResolvedJob {
 
     /// The patterns of a file that the job begins with, as this process's part of a level's; None where it begins otherwise, or alone.
     pub(crate) fn own_start(&self, level: &Level) -> Result<Option<Given>> {
-        let files = self.kinds.start.files();
+        let files = self.method.start.files();
         let Some(files) = files.filter(|_| self.ranks.is_some()) else {
             return Ok(None);
         };

@@ -7,22 +7,23 @@ use crate::job::resolve::refinement::Level;
 use crate::job::resolve::scenarios::Scenario;
 use crate::models::masked::MaskedModel;
 use crate::models::scenarios::{Scenarios, SharedModel};
-use crate::models::{HostModel, OpticalScene, Run};
+use crate::models::{HostModel, OpticalScene, Purpose, Run};
 use std::sync::Arc;
 
 impl Scenario {
     /// The dose of all pixels, in a process among ranks of its own frames, on the voxels of a level of `job`.
     fn model(&self, job: &ResolvedJob, level: &Level, cancel: &Run) -> Result<HostModel> {
-        let mut lights = job.own_lights(&self.resolved.optics.lights);
+        let mut lights = job.own_lights(&self.optics.lights);
         for (light, own) in lights.iter_mut().zip(&level.lights) {
             light.sub_angles = own.sub_angles;
         }
-        let optics = OpticalScene {
+        let scene = OpticalScene {
             lights: &lights,
-            ..self.resolved.optimizing()
+            purpose: Purpose::Optimize,
+            ..self.optics.scene()
         };
-        let asked = self.resolved.optics.model.as_ref();
-        let plan = planned(&self.resolved, asked, optics, &level.grid, None, cancel)?;
+        let asked = self.optics.model.as_ref();
+        let plan = planned(job, asked, scene, &level.grid, None, cancel)?;
         Ok(Box::new(plan.model))
     }
 }

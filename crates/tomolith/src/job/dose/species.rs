@@ -2,8 +2,8 @@
 
 use crate::error::Result;
 use crate::grid::{Volume, VolumeGrid};
+use crate::job::resolve::species::Row;
 use crate::job::resolve::{ResolvedJob, Voxels};
-use crate::job::spec::species::Row;
 use crate::models::masked::MaskedModel;
 use crate::models::planner::{self, ModelPlan};
 use crate::models::spectral::SpectralMixing;
@@ -21,7 +21,7 @@ pub(crate) fn planned(
     asked: Option<&Family>,
     optics: OpticalScene<'_>,
     grid: &VolumeGrid,
-    voxels: Option<&[&Voxels]>,
+    voxels: Option<&[Voxels]>,
     run: &Run,
 ) -> Result<ModelPlan> {
     let mut plan = match job.mixing.as_deref() {
@@ -54,7 +54,7 @@ pub(crate) fn joined(
     rows: &[Row],
     (asked, optics): (Option<&Family>, OpticalScene<'_>),
     grid: &VolumeGrid,
-    voxels: Option<&[&Voxels]>,
+    voxels: Option<&[Voxels]>,
     run: &Run,
     join: impl Fn(Vec<HostModel>) -> Result<HostModel>,
 ) -> Result<ModelPlan> {
@@ -99,7 +99,7 @@ pub(crate) fn joined(
 }
 
 /// Voxels that a light can help: those of species that it drives where they are wanted, of species that it inhibits where they are not.
-fn lit_by(rows: &[Row], light: usize, voxels: &[&Voxels]) -> Volume<u8> {
+fn lit_by(rows: &[Row], light: usize, voxels: &[Voxels]) -> Volume<u8> {
     let mut lit = Volume::filled(voxels[0].labels.grid.clone(), 0u8);
     for ((_, row), voxels) in rows.iter().zip(voxels) {
         let useful = match row[light] {

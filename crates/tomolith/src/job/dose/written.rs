@@ -10,7 +10,7 @@ use crate::io::read_text;
 use crate::io::stack::read_stack;
 use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::optics::Optics;
-use crate::job::spec::file_names::{EXPOSURE, of_lights};
+use crate::job::spec::file_names::EXPOSURE;
 use crate::models::Run;
 use serde_json::Value;
 use std::borrow::Cow;
@@ -32,7 +32,7 @@ impl Written {
     /// # Errors
     /// As [`quantize`] and [`Printer::expose`].
     pub(crate) fn of_raw(raw: Vec<Patterns>, job: &ResolvedJob) -> Result<Self> {
-        let bits = job.spec.evaluate.bit_depth;
+        let bits = job.evaluation().bit_depth;
         let Some(printers) = &job.printers else {
             let frames: Vec<Quantized> = raw
                 .iter()
@@ -67,7 +67,7 @@ impl Written {
         match (&self.frames, &self.raw, &job.printers) {
             (Some(frames), ..) => Ok(Cow::Borrowed(frames)),
             (None, Some(raw), Some(printers)) => {
-                exposed(printers, raw, job.spec.evaluate.bit_depth).map(Cow::Owned)
+                exposed(printers, raw, job.evaluation().bit_depth).map(Cow::Owned)
             }
             _ => Ok(Cow::Borrowed(&[])),
         }
@@ -97,9 +97,9 @@ pub(crate) fn read(job: &ResolvedJob, given: &Path, run: &Run) -> Result<(Writte
     let path = within.iter().find(|path| path.exists());
     let path = path.map_or(given, PathBuf::as_path);
     let (mut frames, mut notes) = (Vec::new(), Vec::new());
-    for i in 0..job.spec.light.len() {
+    for i in 0..job.optics.lights.len() {
         let Some(found) = frames_of(job, i, path, &mut notes)? else {
-            return wanted_of(path, &job.optics, &of_lights(&job.spec), run)
+            return wanted_of(path, &job.optics, &job.light_names(), run)
                 .and_then(|(wanted, raw)| of_patterns(job, wanted, raw, run))
                 .map(|written| (written, notes));
         };
@@ -134,7 +134,7 @@ fn of_patterns(
     if job.printers.is_some() {
         return Written::of_raw(raw.unwrap_or(shown), job);
     }
-    let bits = job.spec.evaluate.bit_depth;
+    let bits = job.evaluation().bit_depth;
     let frames = shown
         .iter()
         .map(|patterns| run.check().and_then(|()| quantize(patterns, bits)))
@@ -200,7 +200,7 @@ fn frames_of(
     path: &Path,
     notes: &mut Vec<String>,
 ) -> Result<Option<Quantized>> {
-    let name = of_lights(&job.spec)[i];
+    let name = job.light_names()[i];
     let grid = match &job.printers {
         Some(printers) => printers[i].canvas_grid(),
         None => job.optics.lights[i].pixels.clone(),

@@ -1,7 +1,7 @@
 //! Warnings about evaluations whose numbers mean nothing.
 
 use crate::grid::Patterns;
-use crate::job::spec::JobSpec;
+use crate::job::resolve::ResolvedJob;
 use crate::metrics::Evaluation;
 use crate::units::concise;
 
@@ -32,10 +32,10 @@ const HELD: f64 = 0.9;
 const GRAY_BITS: u32 = 6;
 
 /// Warns of patterns that an upper bound of the job holds nearly everywhere.
-pub(crate) fn of_bound(spec: &JobSpec, shown: &[Patterns]) -> Option<String> {
-    let largest = spec.bounds.max?;
-    let bits = spec.bounds.bits.unwrap_or(spec.evaluate.bit_depth);
-    if bits.min(spec.evaluate.bit_depth) < GRAY_BITS {
+pub(crate) fn of_bound(job: &ResolvedJob, shown: &[Patterns]) -> Option<String> {
+    let largest = job.bounds().max?;
+    let depth = job.evaluation().bit_depth;
+    if job.bounds().bits.unwrap_or(depth).min(depth) < GRAY_BITS {
         return None;
     }
     let values = || shown.iter().flat_map(|patterns| &patterns.values);
@@ -53,8 +53,8 @@ pub(crate) fn of_bound(spec: &JobSpec, shown: &[Patterns]) -> Option<String> {
 }
 
 /// Warns of a threshold that all doses of part and void miss on the same side.
-pub(crate) fn of_threshold(spec: &JobSpec, evaluation: &Evaluation) -> Option<String> {
-    let threshold = spec.evaluate.threshold?;
+pub(crate) fn of_threshold(job: &ResolvedJob, evaluation: &Evaluation) -> Option<String> {
+    let threshold = job.evaluation().threshold?;
     let spreads = || [evaluation.part, evaluation.void].into_iter().flatten();
     let highest = spreads().map(|s| f64::from(s.max)).reduce(f64::max)?;
     let lowest = spreads().map(|s| f64::from(s.min)).reduce(f64::min)?;

@@ -18,7 +18,7 @@ const BEFORE: f64 = 1.25;
 
 /// The machine of a job as pages draw it.
 pub(crate) fn scene(job: &ResolvedJob) -> Scene {
-    let [low, high] = job.shape.bounds_mm();
+    let [low, high] = job.shape().bounds_mm();
     let radius = |corner: [f64; 3]| corner[0].hypot(corner[1]);
     let corners = [low, high, [low[0], high[1], 0.0], [high[0], low[1], 0.0]];
     let walls = job.optics.vial.surfaces();

@@ -1,11 +1,11 @@
 //! What limits a print: the headline number from the optimization's view to the print's, one step after the other.
 
+use super::SpeciesPrint;
 use super::doubts::of_bound;
-use super::species::Steps;
 use crate::job::evaluate::{Evaluated, headline};
 use crate::job::optimize::Optimized;
+use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::refinement::moved_pixels;
-use crate::job::resolve::{ResolvedJob, Voxels, few_angles};
 use crate::metrics::{Better, Evaluation, Measure, MetricKind};
 use crate::optics::light::Light;
 
@@ -43,95 +43,61 @@ pub(crate) fn limits(
     optimized: Option<&Optimized>,
     is_toy: bool,
 ) -> Vec<PrintLimits> {
-    let job = Asked {
+    let asked = Asked {
         resolved,
         optimized,
-        unrounded: evaluated.unrounded,
         is_toy,
     };
-    let of = |kind: &MetricKind| {
-        let measured = |evaluation: &Evaluation| evaluation.measures.get(kind.name);
-        Steps {
-            optimized: evaluated.optimization.as_ref().and_then(measured),
-            written: evaluated.written,
-            standing: measured(&evaluated.standing),
-        }
-    };
-    let evaluation = &evaluated.evaluation;
-    let print = (evaluation, &evaluated.fine);
-    let first = job.species(resolved, 0, print, of(kind_of(evaluation)));
-    let others = resolved.others.iter().zip(&evaluated.others).enumerate();
-    let others = others.map(|(s, (resolved, print))| {
-        job.species(
-            resolved,
-            s + 1,
-            (&print.evaluation, &print.fine),
-            print.steps,
-        )
-    });
-    std::iter::once(first).chain(others).collect()
-}
-
-fn kind_of(evaluation: &Evaluation) -> &'static MetricKind {
-    headline(evaluation.half_width.is_some())
+    let prints = evaluated.species.iter().enumerate();
+    prints.map(|(s, print)| asked.limits(s, print)).collect()
 }
 
 /// What is the same for every species of a job.
 struct Asked<'a> {
     resolved: &'a ResolvedJob,
     optimized: Option<&'a Optimized>,
-    unrounded: Measure,
     is_toy: bool,
 }
 
 impl Asked<'_> {
-    /// Of species `s`, whose job this is: its print and the voxels of that.
-    fn species(
-        &self,
-        own: &ResolvedJob,
-        s: usize,
-        print: (&Evaluation, &Voxels),
-        steps: Steps,
-    ) -> PrintLimits {
-        if print.0.part.is_some_and(|part| part.max == 0.0) {
+    /// What limits the print of species `s`.
+    fn limits(&self, s: usize, print: &SpeciesPrint) -> PrintLimits {
+        let evaluation = &print.evaluation;
+        if evaluation.part.is_some_and(|part| part.max == 0.0) {
             let sentence = "The patterns leave no dose in the part: nothing prints.".to_owned();
             return PrintLimits {
                 sentence,
                 causes: Vec::new(),
             };
         }
-        let mut limits = self.measurements(own, s, print, steps).limits();
-        let has_time = print.0.measures.get("time_mm").is_some();
+        let mut limits = self.measurements(s, print).limits();
+        let has_time = evaluation.measures.get("time_mm").is_some();
         let of_time = self.optimized.filter(|_| s == 0 && has_time);
-        let kind = kind_of(print.0);
-        let of_time = of_time.and_then(|own| time::of_ceiling(&self.resolved.spec, own, kind));
+        let kind = headline(evaluation.half_width.is_some());
+        let of_time = of_time.and_then(|own| time::of_ceiling(self.resolved, own, kind));
         limits.causes.extend(of_time);
         limits
     }
 
-    fn measurements(
-        &self,
-        own: &ResolvedJob,
-        s: usize,
-        (evaluated, fine): (&Evaluation, &Voxels),
-        steps: Steps,
-    ) -> Measurements {
-        let (resolved, spec) = (self.resolved, &own.spec);
-        let kind = kind_of(evaluated);
+    fn measurements(&self, s: usize, print: &SpeciesPrint) -> Measurements {
+        let (resolved, evaluated) = (self.resolved, &print.evaluation);
+        let (optics, shape) = (&resolved.optics, resolved.species[s].shape.as_ref());
+        let kind = headline(evaluated.half_width.is_some());
+        let measured = |evaluation: &Evaluation| evaluation.measures.get(kind.name);
         let lights = acting_on(resolved, s);
         let finest = resolved.levels.last();
-        let (pixel_key, pixel_light) = coarsest_pixels(&resolved.optics.projector_kinds, &lights);
+        let (pixel_key, pixel_light) = coarsest_pixels(&optics.projector_kinds, &lights);
         let best = evaluated.curve.iter().map(|[_, iou]| *iou);
         Measurements {
             kind,
-            optimized: steps.optimized,
-            written: steps.written,
-            standing: steps.standing,
-            turning: evaluated.measures.get(kind.name),
-            unrounded: self.unrounded.filter(|_| s == 0),
+            optimized: print.optimization.as_ref().and_then(measured),
+            written: print.written,
+            standing: measured(&print.standing),
+            turning: measured(evaluated),
+            unrounded: print.unrounded,
             pitches_mm: [resolved.grid.pitch_mm, evaluated.grid.pitch_mm],
-            bits: spec.evaluate.bit_depth,
-            has_machine: spec.printer.is_some(),
+            bits: resolved.evaluation().bit_depth,
+            has_machine: resolved.printers.is_some(),
             arcs: Arcs::of(&lights),
             is_optimized_turning: finest.is_some_and(|level| {
                 let turning = |light: &&Light| light.pixels.frame_arc > 0.0;
@@ -146,28 +112,22 @@ impl Asked<'_> {
             pixel_light,
             is_simulated: self.optimized.is_none(),
             is_toy: self.is_toy,
-            has_few_angles: few_angles(spec).is_some()
+            has_few_angles: resolved.has_few_angles()
                 || (lights.iter())
-                    .any(|acting| moved_pixels(acting.light, own.shape.bounds_mm()) > WIDE_STEP),
-            lack: Lack::of(&resolved.spec, own, fine, &lights),
+                    .any(|acting| moved_pixels(acting.light, shape.bounds_mm()) > WIDE_STEP),
+            lack: Lack::of(resolved, shape, &print.fine, &lights),
             has_no_iterations: (self.optimized).is_some_and(|own| {
                 own.outcome
                     .history
                     .last()
                     .is_none_or(|row| row.iteration == 0)
             }),
-            has_own_sub_angles: resolved
-                .spec
-                .light
-                .iter()
-                .any(|light| light.sub_angles.is_some()),
-            is_held: (self.optimized)
-                .is_some_and(|own| of_bound(&resolved.spec, &own.raw).is_some()),
-            best: spec.evaluate.threshold.and(best.reduce(f64::max)),
-            ends: own
-                .shape
+            has_own_sub_angles: resolved.has_own_sub_angles(),
+            is_held: (self.optimized).is_some_and(|own| of_bound(resolved, &own.raw).is_some()),
+            best: resolved.evaluation().threshold.and(best.reduce(f64::max)),
+            ends: shape
                 .upright_mm()
-                .filter(|_| !own.shape.is_gray() && own.optics.scene().beyond_slices().is_none())
+                .filter(|_| !shape.is_gray() && optics.scene().beyond_slices().is_none())
                 .and_then(|z| Ends::worst(z, &lights)),
             falling: self.falling(s),
         }

@@ -13,11 +13,9 @@ pub(crate) mod objectives;
 pub(crate) mod prediction;
 pub(crate) mod property;
 pub(crate) mod scenarios;
-pub(crate) mod species;
 pub mod trace;
 
 use crate::error::Result;
-use crate::field::BLOCK;
 use crate::grid::{Patterns, Volume, VolumeGrid};
 use crate::job::dose::cache::EvaluationModel;
 use crate::job::dose::cross_check;
@@ -25,7 +23,7 @@ use crate::job::dose::cross_check::CrossCheck;
 use crate::job::dose::doses::{Doses, Exposed};
 use crate::job::progress::{Event, Progress, Snapshot};
 use crate::job::resolve::scheduled::too_bright;
-use crate::job::resolve::{ResolvedJob, Voxels};
+use crate::job::resolve::{ResolvedJob, Species, Voxels};
 use crate::metrics::print::{PatternStats, Print};
 use crate::metrics::published::slices::Slice;
 use crate::metrics::published::{self, Published};
@@ -40,33 +38,18 @@ use limits::ENOUGH_BITS;
 use noise::Noise;
 
 use serde::Serialize;
-use species::Others;
 use tomolith_core::parallel::InParallel;
 
 /// What patterns are worth.
 pub(crate) struct Evaluated {
-    /// Written patterns, turning vial, finer grid: the headline.
-    pub(crate) evaluation: Evaluation,
-    /// The same with the vial standing still during each frame.
-    pub(crate) standing: Evaluation,
-    /// Raw patterns on the optimization's own grid, when there are raw ones.
-    pub(crate) optimization: Option<Evaluation>,
-    /// Every one of several objectives there.
-    pub(crate) objectives: Vec<ObjectiveReport>,
-    /// The headline number of the written patterns on that grid, beside it.
-    pub(crate) written: Measure,
-    /// That of the headline by patterns for few levels before they are rounded.
-    pub(crate) unrounded: Measure,
+    /// What each species prints; that of the first is the headline.
+    pub(crate) species: Vec<SpeciesPrint>,
     /// Numbers of the headline as they were published.
     pub(crate) published: Vec<Published>,
     /// Numbers of each slice of the headline.
     pub(crate) slices: Vec<Slice>,
-    /// Dose of the headline, averaged to the optimization's voxels.
-    pub(crate) dose: Volume<f32>,
-    /// The target on the finer grid.
-    pub(crate) fine: Voxels,
-    /// Response of the headline on the finer grid.
-    pub(crate) response: Volume<f32>,
+    /// Every one of several objectives on the optimization's own grid.
+    pub(crate) objectives: Vec<ObjectiveReport>,
     /// What the bodies that are to stay dark get; None without any.
     pub(crate) keep_dark: Option<KeepDark>,
     /// What the print touches of the inserts; None without any.
@@ -81,14 +64,32 @@ pub(crate) struct Evaluated {
     pub(crate) model: String,
     /// The same patterns in time, where the job has a schedule.
     pub(crate) in_time: Option<InTime>,
-    /// The prints of further species.
-    pub(crate) others: Vec<species::Species>,
     /// All species at one exposure, where there are several.
     pub(crate) one_exposure: Option<OneExposure>,
     /// The same patterns in the job's scenarios.
     pub(crate) scenarios: Option<ScenarioTable>,
     /// What people should know.
     pub(crate) warnings: Vec<String>,
+}
+
+/// What a species prints.
+pub(crate) struct SpeciesPrint {
+    /// Written patterns, turning vial, finer grid.
+    pub(crate) evaluation: Evaluation,
+    /// The same with the vial standing still during each frame.
+    pub(crate) standing: Evaluation,
+    /// Raw patterns on the optimization's own grid, when there are raw ones.
+    pub(crate) optimization: Option<Evaluation>,
+    /// The headline number of the written patterns on that grid.
+    pub(crate) written: Measure,
+    /// That of the print that is evaluated, by patterns for few levels before they are rounded.
+    pub(crate) unrounded: Measure,
+    /// Its dose, averaged to the optimization's voxels.
+    pub(crate) dose: Volume<f32>,
+    /// Its target on the finer grid.
+    pub(crate) fine: Voxels,
+    /// Its response there.
+    pub(crate) response: Volume<f32>,
 }
 
 /// Responses in the bodies that are to stay dark, vial turning, beside those of the part.
@@ -139,14 +140,19 @@ impl std::fmt::Display for KeepDark {
 }
 
 impl Evaluated {
+    /// The headline.
+    pub(crate) fn first(&self) -> &SpeciesPrint {
+        &self.species[0]
+    }
+
     /// Dose at which the print is solid: that of all species together where they have one, else of the headline; None when nothing is.
     pub(crate) fn gel_dose(&self, job: &ResolvedJob) -> Option<f64> {
         if let Some(together) = &self.one_exposure {
             return Some(together.gel_dose);
         }
-        let response = job.response();
+        let response = &job.first().goal.response;
         let dose = |threshold: f64| f64::from(response.inverse(threshold as f32));
-        self.evaluation.gel_threshold.map(dose)
+        self.first().evaluation.gel_threshold.map(dose)
     }
 }
 
@@ -158,94 +164,105 @@ impl Evaluated {
 /// refuses.
 pub(crate) fn evaluate_patterns(
     job: &ResolvedJob,
-    voxels: &Voxels,
+    voxels: &[Voxels],
     shown: &[Patterns],
     raw: Option<&[Patterns]>,
     evaluation_model: Option<&EvaluationModel>,
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Evaluated> {
-    let schedule = job.spec.schedule.as_ref();
-    let in_time_share = schedule.map_or(0.0, |_| share::IN_TIME);
+    let in_time_share = if job.schedule().is_some() {
+        share::IN_TIME
+    } else {
+        0.0
+    };
     let printing = cancel.part(in_time_share);
     let cancel = &cancel.part(1.0 - in_time_share);
     let mut steps = EvaluationSteps::new(job, shown, evaluation_model, cancel);
-    let optimization = steps.on_own_voxels(voxels, raw)?;
+    let (optimization, objectives) = steps.on_own_voxels(voxels, raw)?;
     let text = steps.words();
     progress.event(&Event::Note { text });
     let fine = steps.fine_voxels(voxels)?;
-    let fine_of_others = species::voxels(job, &steps.grid, cancel)?;
     if raw.is_none() || !steps.looks_at_own() {
         steps.doses.will_show(&[shown]);
     }
-    let standing = steps.standing_still(&fine, &fine_of_others)?;
-    let written = steps.written;
-    let objectives = std::mem::take(&mut steps.objectives);
+    let standing = steps.standing_still(&fine)?;
+    let unrounded = steps.unrounded(&fine, raw)?;
     let (grid, sub_angles) = (steps.grid.clone(), steps.sub_angles);
     let [is_own_still, is_own_turning] =
         [&steps.still, &steps.turning].map(|exposed| steps.own == *exposed);
-    let unrounded =
-        raw.filter(|_| job.spec.evaluate.bit_depth < ENOUGH_BITS && !voxels.target.gray);
-    let unrounded = unrounded
-        .map(|raw| steps.unrounded(&fine, raw))
-        .transpose()?
-        .flatten();
-    let (dose, model, others) = steps.while_turning(fine_of_others)?;
-    let mean = averaged(&dose, &job.grid);
-    cancel.check()?;
-    let numbers = Numbers::of(job, &fine, dose, shown, cancel)?;
-    cancel.check()?;
-    let Numbers {
-        published,
-        slices,
-        response,
-        evaluation,
-    } = numbers;
-    let standing = standing.unwrap_or_else(|| evaluation.clone());
-    let head = |print: &Evaluation| print.measures.get(headline(voxels.target.gray).name);
-    let written = match &optimization {
-        Some(_) if is_own_turning => head(&evaluation),
-        Some(_) if is_own_still => head(&standing),
-        _ => written,
-    };
+    let measured_apart = std::mem::take(&mut steps.written);
+    let (doses, model) = steps.while_turning()?;
+    let mut of_publications = PublishedNumbers::default();
+    let mut species = Vec::with_capacity(job.species.len());
+    for (s, ((own, fine), dose)) in job.species.iter().zip(fine).zip(doses).enumerate() {
+        let mean = averaged(&dose, &job.grid);
+        cancel.check()?;
+        let is_first = (s == 0, cancel);
+        let (response, evaluation, numbers) = numbers((job, own), &fine, dose, shown, is_first)?;
+        cancel.check()?;
+        of_publications = numbers.unwrap_or(of_publications);
+        let evaluation = evaluation.with_sub_angles(sub_angles);
+        let standing = standing.get(s).unwrap_or(&evaluation).clone();
+        let optimization = optimization.get(s).cloned();
+        let head = |print: &Evaluation| print.measures.get(headline(fine.target.gray).name);
+        let written = match &optimization {
+            Some(_) if is_own_turning => head(&evaluation),
+            Some(_) if is_own_still => head(&standing),
+            _ => measured_apart.get(s).copied().flatten(),
+        };
+        species.push(SpeciesPrint {
+            evaluation,
+            standing,
+            optimization,
+            written,
+            unrounded: unrounded.get(s).copied().flatten(),
+            dose: mean,
+            fine,
+            response,
+        });
+    }
+    let (published, slices) = of_publications;
+    let first = &species[0];
     let shares = job.keep_dark(&grid)?;
-    let of_shares = |shares: &Volume<f32>| KeepDark::of(shares, &fine.labels, &response);
+    let of_shares =
+        |shares: &Volume<f32>| KeepDark::of(shares, &first.fine.labels, &first.response);
     let keep_dark = shares.as_ref().map(of_shares);
     let bodies = job.bodies(&grid, shares.as_ref())?;
     if let Some(dark) = &keep_dark {
         let text = format!("keep-dark bodies get {dark}");
         progress.event(&Event::Note { text });
     }
-    let contact = evaluation.gel_threshold.and_then(|threshold| {
-        let inside = &fine.target.inside;
-        Contact::of(job.shape.as_ref(), inside, &response, threshold)
+    let threshold = first.evaluation.gel_threshold;
+    let contact = threshold.and_then(|threshold| {
+        let inside = &first.fine.target.inside;
+        Contact::of(job.shape(), inside, &first.response, threshold)
     });
-    let own = (&response, evaluation.gel_threshold);
-    let scenarios = scenarios::table(job, &fine.labels.values, own, |other| {
-        let turning = Exposed::new(&grid, other.optics.lights_turning(sub_angles));
-        let mut doses = Doses::new(other);
+    let own = (&first.response, threshold);
+    let scenarios = scenarios::table(job, &first.fine.labels.values, own, |scenario| {
+        let turning = Exposed::new(&grid, scenario.optics.lights_turning(sub_angles));
+        let mut doses = Doses::new(job, &scenario.optics);
         doses.will_show(&[shown]);
-        let (dose, ..) = doses.of(&turning, shown, &cancel.aside())?;
-        Ok(other.responses(dose))
+        let (mut doses, _) = doses.of(&turning, shown, &cancel.aside())?;
+        Ok(job.first().goal.responses(doses.swap_remove(0)))
     })?;
     let in_time = in_time(job, voxels, shown, progress, &printing)?;
-    let noise = Noise::of(job, voxels, shown, cancel)?;
-    let agreement = CrossCheck::of(job, voxels, shown, cross_check::PATHS, cancel)?;
-    let warnings = doubts_of(job, shown, &evaluation, (&noise, &agreement), progress)?;
-    let one_exposure = together(job, &evaluation, &others, progress);
-    show(shown, (&mean, &response), &others, progress);
+    let noise = Noise::of(job, &voxels[0], shown, cancel)?;
+    let agreement = CrossCheck::of(job, &voxels[0], shown, cross_check::PATHS, cancel)?;
+    let warnings = doubts_of(
+        job,
+        shown,
+        &first.evaluation,
+        (&noise, &agreement),
+        progress,
+    )?;
+    let one_exposure = together(job, &species, progress);
+    show(shown, &species, progress);
     Ok(Evaluated {
-        evaluation,
-        standing,
-        optimization,
-        objectives,
-        written,
-        unrounded,
+        species,
         published,
         slices,
-        dose: mean,
-        fine,
-        response,
+        objectives,
         keep_dark,
         contact,
         bodies,
@@ -253,7 +270,6 @@ pub(crate) fn evaluate_patterns(
         agreement,
         model,
         in_time,
-        others,
         one_exposure,
         scenarios,
         warnings,
@@ -261,19 +277,14 @@ pub(crate) fn evaluate_patterns(
 }
 
 /// Copies for an observer that asked for them: the written patterns and what they print.
-fn show(
-    shown: &[Patterns],
-    (dose, print): (&Volume<f32>, &Volume<f32>),
-    others: &[species::Species],
-    progress: &mut dyn Progress,
-) {
+fn show(shown: &[Patterns], species: &[SpeciesPrint], progress: &mut dyn Progress) {
     let wants = progress.wants();
     if !wants.any() {
         return;
     }
-    let copies = |wanted: bool, first: &Volume<f32>, of: fn(&species::Species) -> &Volume<f32>| {
-        let all = std::iter::once(first).chain(others.iter().map(of));
-        all.filter(|_| wanted).cloned().collect()
+    let copies = |is_wanted: bool, of: fn(&SpeciesPrint) -> &Volume<f32>| {
+        let all = species.iter().filter(|_| is_wanted);
+        all.map(|own| of(own).clone()).collect()
     };
     progress.snapshot(Snapshot {
         iteration: None,
@@ -282,8 +293,8 @@ fn show(
         } else {
             Vec::new()
         },
-        dose: copies(wants.dose, dose, |other| &other.dose),
-        print: copies(wants.print, print, |other| &other.response),
+        dose: copies(wants.dose, |own| &own.dose),
+        print: copies(wants.print, |own| &own.response),
     });
 }
 
@@ -300,12 +311,8 @@ struct EvaluationSteps<'a> {
     turning: Exposed,
     sub_angles: usize,
     doses: Doses<'a>,
-    others: Others<'a>,
-    own_of_others: Vec<Voxels>,
-    /// Every one of several objectives on the optimization's voxels.
-    objectives: Vec<ObjectiveReport>,
-    /// The headline number of the written patterns on the optimization's voxels, where it is measured apart.
-    written: Measure,
+    /// The headline numbers of the written patterns on the optimization's voxels, where they are measured apart.
+    written: Vec<Measure>,
 }
 
 impl<'a> EvaluationSteps<'a> {
@@ -328,11 +335,8 @@ impl<'a> EvaluationSteps<'a> {
             still,
             turning,
             sub_angles,
-            doses: Doses::by(evaluation_model, job),
-            others: Others::new(job),
-            own_of_others: Vec::new(),
-            objectives: Vec::new(),
-            written: None,
+            doses: Doses::new(job, &job.optics).by(evaluation_model),
+            written: Vec::new(),
         }
     }
 
@@ -350,146 +354,144 @@ impl<'a> EvaluationSteps<'a> {
         format!("evaluating on {nx} × {ny} × {nz} voxels: {how}")
     }
 
-    /// The raw patterns on the optimization's voxels, where there are raw ones; and the written ones, where no later step looks at these.
+    /// The raw patterns on the optimization's voxels, of every species, where there are raw ones; and the written ones, where no later step looks at these.
     fn on_own_voxels(
         &mut self,
-        voxels: &Voxels,
+        voxels: &[Voxels],
         raw: Option<&[Patterns]>,
-    ) -> Result<Option<Evaluation>> {
+    ) -> Result<(Vec<Evaluation>, Vec<ObjectiveReport>)> {
         let Some(raw) = raw else {
-            return Ok(None);
+            return Ok((Vec::new(), Vec::new()));
         };
         let (job, cancel) = (self.job, self.cancel);
-        self.own_of_others = species::voxels(job, &job.grid, cancel)?;
         self.doses.will_show(&[raw, self.shown]);
-        let (dose, of_others, _) =
-            (self.doses).of(&self.own, raw, &cancel.part(share::OWN_DOSE))?;
-        (self.others).optimized(&self.own_of_others, of_others, cancel)?;
-        self.objectives = objectives::measured(job, voxels, &dose)?;
+        let (doses, _) = (self.doses).of(&self.own, raw, &cancel.part(share::OWN_DOSE))?;
+        let objectives = objectives::measured(job, &voxels[0], &doses[0])?;
         cancel.check()?;
-        let response = job.responses(dose);
-        let run = cancel.part(share::OWN_NUMBERS);
-        let evaluation = measure(job, voxels, &response, raw, run)?;
-        self.doses.give_back(response);
+        let evaluations = self.measured(voxels, doses, raw, share::OWN_NUMBERS)?;
         if !self.looks_at_own() {
-            let (dose, of_others, _) =
-                (self.doses).of(&self.own, self.shown, &cancel.part(share::OWN_DOSE))?;
-            (self.others).written(&self.own_of_others, of_others, cancel)?;
-            self.written = headline_of(job, voxels, dose, cancel.part(share::OWN_NUMBERS))?;
+            let run = cancel.part(share::OWN_DOSE);
+            let (doses, _) = (self.doses).of(&self.own, self.shown, &run)?;
+            self.written = self.headlines(voxels, doses, share::OWN_NUMBERS)?;
         }
         let sub_angles = job.optics.lights.iter().map(|light| light.sub_angles);
-        Ok(Some(
-            evaluation.with_sub_angles(sub_angles.max().unwrap_or(1)),
-        ))
+        let sub_angles = sub_angles.max().unwrap_or(1);
+        let evaluations = evaluations.into_iter();
+        let evaluations = evaluations.map(|own| own.with_sub_angles(sub_angles));
+        Ok((evaluations.collect(), objectives))
     }
 
-    fn fine_voxels(&self, own: &Voxels) -> Result<Voxels> {
+    fn fine_voxels(&self, own: &[Voxels]) -> Result<Vec<Voxels>> {
         if self.grid == self.job.grid {
-            return Ok(own.clone());
+            return Ok(own.to_vec());
         }
-        (self.job).voxels_under(&self.grid, &self.cancel.part(share::SAMPLING))
+        (self.job).voxels(&self.grid, &self.cancel.part(share::SAMPLING))
     }
 
-    /// The written patterns while the vial stands still; None where frames have no arc, so that it turns in none.
-    fn standing_still(
-        &mut self,
-        fine: &Voxels,
-        of_others: &[Voxels],
-    ) -> Result<Option<Evaluation>> {
+    /// The written patterns while the vial stands still, of every species; none where frames have no arc, so that it turns in none.
+    fn standing_still(&mut self, fine: &[Voxels]) -> Result<Vec<Evaluation>> {
         if self.still == self.turning {
-            return Ok(None);
+            return Ok(Vec::new());
         }
-        let (job, cancel) = (self.job, self.cancel);
-        let (dose, doses_of_others, _) =
-            (self.doses).of(&self.still, self.shown, &cancel.part(share::STANDING))?;
-        if self.own == self.still {
-            (self.others).written(&self.own_of_others, doses_of_others.clone(), cancel)?;
-        }
-        self.others.standing(of_others, doses_of_others, cancel)?;
-        let response = job.responses(dose);
-        let run = cancel.part(share::NUMBERS);
-        let standing = measure(job, fine, &response, self.shown, run)?;
-        self.doses.give_back(response);
-        Ok(Some(standing))
+        let run = self.cancel.part(share::STANDING);
+        let (doses, _) = (self.doses).of(&self.still, self.shown, &run)?;
+        self.measured(fine, doses, self.shown, share::NUMBERS)
     }
 
-    /// The headline number of raw patterns on the finer voxels, turning.
-    fn unrounded(&mut self, fine: &Voxels, raw: &[Patterns]) -> Result<Measure> {
-        let run = self.cancel.aside();
+    /// The headline numbers of raw patterns on the finer voxels, turning, where the written ones have few levels and targets are not gray.
+    fn unrounded(&mut self, fine: &[Voxels], raw: Option<&[Patterns]>) -> Result<Vec<Measure>> {
+        let is_gray = fine.iter().any(|own| own.target.gray);
+        let has_few = self.job.evaluation().bit_depth < ENOUGH_BITS && !is_gray;
+        let Some(raw) = raw.filter(|_| has_few) else {
+            return Ok(Vec::new());
+        };
         self.doses.will_show(&[raw, self.shown]);
-        let (dose, ..) = self.doses.of(&self.turning, raw, &run)?;
-        let found = headline_of(self.job, fine, dose, run)?;
+        let (doses, _) = (self.doses).of(&self.turning, raw, &self.cancel.aside())?;
+        let found = self.headlines(fine, doses, 0.0)?;
         self.doses.will_show(&[self.shown]);
         Ok(found)
     }
 
-    /// The dose of the written patterns while the vial turns, the model that gave it, and the prints of further species.
-    fn while_turning(
-        mut self,
-        of_others: Vec<Voxels>,
-    ) -> Result<(Volume<f32>, String, Vec<species::Species>)> {
-        let cancel = self.cancel;
-        let (dose, doses_of_others, model) =
-            (self.doses).of(&self.turning, self.shown, &cancel.part(share::TURNING))?;
-        drop(self.doses);
-        if self.own == self.turning {
-            (self.others).written(&self.own_of_others, doses_of_others.clone(), cancel)?;
+    /// The doses of the written patterns while the vial turns, and the model that gave them.
+    fn while_turning(mut self) -> Result<(Vec<Volume<f32>>, String)> {
+        let run = self.cancel.part(share::TURNING);
+        (self.doses).of(&self.turning, self.shown, &run)
+    }
+
+    /// The numbers of every species.
+    fn measured(
+        &mut self,
+        voxels: &[Voxels],
+        doses: Vec<Volume<f32>>,
+        patterns: &[Patterns],
+        share: f64,
+    ) -> Result<Vec<Evaluation>> {
+        let job = self.job;
+        let mut found = Vec::with_capacity(doses.len());
+        for ((own, voxels), dose) in job.species.iter().zip(voxels).zip(doses) {
+            let response = own.goal.responses(dose);
+            let run = self.cancel.part(share / job.species.len() as f64);
+            found.push(measure((job, own), voxels, &response, patterns, run)?);
+            self.doses.give_back(response);
         }
-        if self.still == self.turning {
-            (self.others).standing(&of_others, doses_of_others.clone(), cancel)?;
-        }
-        let others = (self.others).turning(of_others, doses_of_others, self.shown, cancel)?;
-        Ok((dose, model, others))
+        Ok(found)
+    }
+
+    /// The headline number of every species.
+    fn headlines(
+        &self,
+        voxels: &[Voxels],
+        doses: Vec<Volume<f32>>,
+        share: f64,
+    ) -> Result<Vec<Measure>> {
+        let job = self.job;
+        let each = job.species.iter().zip(voxels).zip(doses);
+        let each = each.map(|((own, voxels), dose)| {
+            let response = own.goal.responses(dose);
+            let run = self.cancel.part(share / job.species.len() as f64);
+            let print = print((job, own), voxels, &response, run)?;
+            Ok((headline(voxels.target.gray).measure)(&print))
+        });
+        each.collect()
     }
 }
 
-/// The numbers of the headline.
-struct Numbers {
-    published: Vec<Published>,
-    slices: Vec<Slice>,
-    response: Volume<f32>,
-    evaluation: Evaluation,
-}
+/// Numbers as they were published, and those of each slice.
+type PublishedNumbers = (Vec<Published>, Vec<Slice>);
 
-impl Numbers {
-    fn of(
-        job: &ResolvedJob,
-        fine: &Voxels,
-        dose: Volume<f32>,
-        shown: &[Patterns],
-        cancel: &Run,
-    ) -> Result<Self> {
-        let material = job.response();
-        let options = published::Options {
-            response: material.as_ref(),
-            gray: fine.target.gray,
-            patterns: shown,
-            trim_percent: job.spec.evaluate.trim_percent,
-            epsilon: job.half_width(),
-        };
-        let inside = &fine.target.inside;
-        let run = cancel.part(share::PUBLISHED);
-        let (published, slices, response, evaluation) = if material.is_identity() {
-            // The dose is the response: what was counted of one serves the other
-            let stats = PatternStats::of(shown);
-            let print = print_under(job, fine, &dose, run)?.with_patterns(stats);
-            let (published, slices) = published::of_print(&print, inside, &options)?;
-            let evaluation = evaluate(&print);
-            drop(print);
-            (published, slices, dose, evaluation)
-        } else {
-            let (published, slices) = published::by_slices(&dose, inside, &fine.labels, &options)?;
-            let response = job.responses(dose);
-            let evaluation = measure(job, fine, &response, shown, run)?;
-            (published, slices, response, evaluation)
-        };
-        Ok(Numbers {
-            published,
-            slices,
-            response,
-            evaluation: evaluation.with_sub_angles(job.evaluated_angles()),
-        })
+/// Response and numbers of a print that is evaluated; those of publications, too, where `is_published`.
+fn numbers(
+    (job, species): (&ResolvedJob, &Species),
+    fine: &Voxels,
+    dose: Volume<f32>,
+    shown: &[Patterns],
+    (is_published, cancel): (bool, &Run),
+) -> Result<(Volume<f32>, Evaluation, Option<PublishedNumbers>)> {
+    let material = species.goal.response.as_ref();
+    let options = published::Options {
+        response: material,
+        gray: fine.target.gray,
+        patterns: shown,
+        trim_percent: job.evaluation().trim_percent,
+        epsilon: half_width(species),
+    };
+    let inside = &fine.target.inside;
+    let run = cancel.part(share::PUBLISHED / job.species.len() as f64);
+    if material.is_identity() {
+        // The dose is the response: what was counted of one serves the other
+        let stats = PatternStats::of(shown);
+        let print = print((job, species), fine, &dose, run)?.with_patterns(stats);
+        let numbers = is_published.then(|| published::of_print(&print, inside, &options));
+        let numbers = numbers.transpose()?;
+        let evaluation = evaluate(&print);
+        drop(print);
+        return Ok((dose, evaluation, numbers));
     }
+    let by_slices = || published::by_slices(&dose, inside, &fine.labels, &options);
+    let numbers = is_published.then(by_slices).transpose()?;
+    let response = species.goal.responses(dose);
+    let evaluation = measure((job, species), fine, &response, shown, run)?;
+    Ok((response, evaluation, numbers))
 }
 
 /// What people should know of a print, told at once: how sure its model is, and what of its patterns and its job looks wrong.
@@ -511,9 +513,9 @@ fn doubts_of(
         .chain(agreement.and_then(|agreement| agreement.warning()))
         .chain(doubts::of_light(shown))
         .chain(doubts::of_dose(evaluation, shown))
-        .chain(doubts::of_bound(&job.spec, shown))
-        .chain(doubts::of_threshold(&job.spec, evaluation))
-        .chain(too_bright(&job.spec, shown)?)
+        .chain(doubts::of_bound(job, shown))
+        .chain(doubts::of_threshold(job, evaluation))
+        .chain(too_bright(job, shown)?)
         .collect();
     for text in warnings.iter().cloned() {
         progress.event(&Event::Warning { text });
@@ -524,74 +526,54 @@ fn doubts_of(
 /// All species at one exposure, and what each prints then, told at once.
 fn together(
     job: &ResolvedJob,
-    evaluation: &Evaluation,
-    others: &[species::Species],
+    prints: &[SpeciesPrint],
     progress: &mut dyn Progress,
 ) -> Option<OneExposure> {
-    let all: Vec<&Evaluation> = std::iter::once(evaluation)
-        .chain(others.iter().map(|own| &own.evaluation))
-        .collect();
-    let together = one_exposure(job, &all)?;
-    for text in of_each_species(job, &all, &together) {
-        progress.event(&Event::Note { text });
-    }
-    Some(together)
-}
-
-/// The prints of several species at one exposure.
-fn one_exposure(job: &ResolvedJob, evaluations: &[&Evaluation]) -> Option<OneExposure> {
-    let over_doses = |(s, (own, evaluation)): (usize, (&ResolvedJob, &&Evaluation))| {
-        let response = own.response();
-        let dose =
-            |&[threshold, iou]: &[f64; 2]| [f64::from(response.inverse(threshold as f32)), iou];
-        let curve: Vec<[f64; 2]> = evaluation.curve.iter().map(dose).collect();
-        (job.species_name(s).unwrap_or_default(), curve)
-    };
     // Gray values have no threshold that one dose could meet
-    if evaluations.iter().any(|own| own.half_width.is_some()) {
+    if prints.iter().any(|own| own.evaluation.half_width.is_some()) {
         return None;
     }
-    let species = job.species().zip(evaluations).enumerate();
-    let curves: Vec<_> = species.map(over_doses).collect();
-    OneExposure::of(&curves)
-}
-
-/// A line for each species of several: IoU at its own best threshold, and together with the others.
-fn of_each_species(
-    job: &ResolvedJob,
-    evaluations: &[&Evaluation],
-    together: &OneExposure,
-) -> Vec<String> {
-    let of_one = |(s, (evaluation, iou)): (usize, (&&Evaluation, &f64))| {
-        Some(format!(
-            "{}: IoU {:.4} at a threshold of {:.3}; {iou:.4} together with the others, where all networks gel at a dose of {:.3}",
-            job.species_name(s).unwrap_or_default(),
-            evaluation.measures.get("iou")?,
-            evaluation.gel_threshold?,
-            together.gel_dose
-        ))
+    let named = || {
+        let species = job.species.iter().zip(prints);
+        species.map(|(own, print)| (own.name.as_deref().unwrap_or_default(), own, print))
     };
-    let all = evaluations.iter().zip(&together.iou).enumerate();
-    all.filter_map(of_one).collect()
+    let over_doses = |(name, own, print): (_, &Species, &SpeciesPrint)| {
+        let response = &own.goal.response;
+        let dose =
+            |&[threshold, iou]: &[f64; 2]| [f64::from(response.inverse(threshold as f32)), iou];
+        let curve: Vec<[f64; 2]> = print.evaluation.curve.iter().map(dose).collect();
+        (name, curve)
+    };
+    let curves: Vec<_> = named().map(over_doses).collect();
+    let together = OneExposure::of(&curves)?;
+    for ((name, _, print), iou) in named().zip(&together.iou) {
+        let evaluation = &print.evaluation;
+        let alone = evaluation.measures.get("iou").zip(evaluation.gel_threshold);
+        if let Some((own, threshold)) = alone {
+            let text = format!(
+                "{name}: IoU {own:.4} at a threshold of {threshold:.3}; {iou:.4} together with the others, where all networks gel at a dose of {:.3}",
+                together.gel_dose
+            );
+            progress.event(&Event::Note { text });
+        }
+    }
+    Some(together)
 }
 
 /// The print in time on the job's voxels, where the job has a schedule.
 fn in_time(
     job: &ResolvedJob,
-    voxels: &Voxels,
+    voxels: &[Voxels],
     shown: &[Patterns],
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Option<InTime>> {
-    if job.spec.schedule.is_none() {
+    if job.schedule().is_none() {
         return Ok(None);
     }
     let text = "printing in time, on the job's voxels".to_owned();
     progress.event(&Event::Note { text });
-    let others = job.others.iter().map(|s| s.voxels(&job.grid));
-    let others = others.collect::<Result<Vec<_>>>()?;
-    let all: Vec<&Voxels> = std::iter::once(voxels).chain(&others).collect();
-    print_in_time(job, &all, shown, cancel)
+    print_in_time(job, voxels, shown, cancel)
 }
 
 /// Numbers of what is solid at this response.
@@ -607,7 +589,7 @@ pub(crate) fn measure_at(
         .with_inside(&voxels.target.inside)?
         .with_threshold(threshold)?
         .with_patterns(PatternStats::of(patterns));
-    if !job.spec.evaluate.surfaces {
+    if !job.evaluation().surfaces {
         print = print.without_distance();
     }
     Ok(evaluate(&print).with_sub_angles(job.evaluated_angles()))
@@ -635,18 +617,9 @@ pub(crate) fn headline(is_gray: bool) -> &'static MetricKind {
     if is_gray { &gray::RMS } else { &iou::KIND }
 }
 
-/// What the metrics look at.
+/// What the metrics look at, as a part of a run.
 pub(crate) fn print<'a>(
-    job: &ResolvedJob,
-    voxels: &'a Voxels,
-    response: &'a Volume<f32>,
-) -> Result<Print<'a>> {
-    print_under(job, voxels, response, Run::new())
-}
-
-/// The same as a part of a run.
-fn print_under<'a>(
-    job: &ResolvedJob,
+    (job, species): (&ResolvedJob, &Species),
     voxels: &'a Voxels,
     response: &'a Volume<f32>,
     run: Run,
@@ -655,41 +628,35 @@ fn print_under<'a>(
     let mut print = Print::under(&voxels.labels, response, run)?
         .with_most_triangles(job.most_triangles())
         .with_inside(inside)?
-        .with_response(job.response());
-    if !job.spec.evaluate.surfaces {
+        .with_response(species.goal.response.clone());
+    if !job.evaluation().surfaces {
         print = print.without_distance();
     }
     if voxels.target.gray {
-        print = print.with_gray(inside, job.half_width())?;
+        print = print.with_gray(inside, half_width(species))?;
     }
-    if let Some(threshold) = job.spec.evaluate.threshold {
+    if let Some(threshold) = job.evaluation().threshold {
         print = print.with_threshold(threshold)?;
     }
     Ok(print)
 }
 
-/// The headline number of a dose.
-pub(crate) fn headline_of(
-    job: &ResolvedJob,
-    voxels: &Voxels,
-    dose: Volume<f32>,
-    run: Run,
-) -> Result<Measure> {
-    let response = job.responses(dose);
-    let print = print_under(job, voxels, &response, run)?;
-    Ok((headline(voxels.target.gray).measure)(&print))
+/// Half width of the band round gray values: ε of the first objective that has one, or the BCLP paper's own where there is none.
+fn half_width(species: &Species) -> f64 {
+    let given = species.goal.epsilon();
+    given.unwrap_or(published::Options::default().epsilon)
 }
 
 /// The numbers of a print.
-pub(crate) fn measure(
-    job: &ResolvedJob,
+fn measure(
+    of: (&ResolvedJob, &Species),
     voxels: &Voxels,
     response: &Volume<f32>,
     patterns: &[Patterns],
     run: Run,
 ) -> Result<Evaluation> {
     let stats = PatternStats::of(patterns);
-    let print = print_under(job, voxels, response, run.part(1.0))?.with_patterns(stats);
+    let print = print(of, voxels, response, run.part(1.0))?.with_patterns(stats);
     let evaluation = evaluate(&print);
     // Numbers of a canceled run mean nothing
     run.check().map(|()| evaluation)
@@ -719,27 +686,6 @@ pub(crate) fn averaged(fine: &Volume<f32>, grid: &VolumeGrid) -> Volume<f32> {
     Volume {
         grid: grid.clone(),
         values,
-    }
-}
-
-impl ResolvedJob {
-    /// Half width of the band round gray values: ε of the first objective that has one, or the BCLP paper's own where there is none.
-    fn half_width(&self) -> f64 {
-        let given = self.kinds.epsilon();
-        given.unwrap_or(published::Options::default().epsilon)
-    }
-
-    /// What the material makes of a dose.
-    pub(crate) fn responses(&self, mut dose: Volume<f32>) -> Volume<f32> {
-        let response = self.response();
-        if !response.is_identity() {
-            dose.values.chunks_mut(BLOCK).par_each(|block| {
-                block
-                    .iter_mut()
-                    .for_each(|value| *value = response.value(*value))
-            });
-        }
-        dose
     }
 }
 

@@ -60,10 +60,10 @@ impl Noise {
         };
         let response = |family: &Family, purpose: Purpose| -> Result<Volume<f32>> {
             let dose = standing_by((Some(family), purpose), job, patterns, cancel)?;
-            Ok(job.responses(dose))
+            Ok(job.first().goal.responses(dose))
         };
         let measures = |response: &Volume<f32>| -> Result<[Measure; 2]> {
-            let print = print(job, voxels, response)?;
+            let print = print((job, job.first()), voxels, response, Run::new())?;
             Ok([(iou::KIND.measure)(&print), (pw::KIND.measure)(&print)])
         };
         let [training_iou, training_pw] = measures(&response(&family, Purpose::Probe)?)?;

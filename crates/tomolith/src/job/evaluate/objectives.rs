@@ -3,7 +3,7 @@
 use crate::error::Result;
 use crate::field::HostField;
 use crate::grid::Volume;
-use crate::job::resolve::method::JobObjective;
+use crate::job::resolve::goal::JobObjective;
 use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::metrics::gray::gray_errors;
 use crate::models::DoseLayout;
@@ -19,7 +19,7 @@ pub(crate) fn measured(
     voxels: &Voxels,
     dose: &Volume<f32>,
 ) -> Result<Vec<ObjectiveReport>> {
-    if job.spec.objectives.is_none() {
+    if !job.first().goal.is_list() {
         return Ok(Vec::new());
     }
     let layout = DoseLayout::new("dose", dose.grid.clone(), 0);
@@ -29,7 +29,7 @@ pub(crate) fn measured(
         dose,
         layout: &layout,
     };
-    let objectives = job.kinds.objectives().iter();
+    let objectives = job.first().goal.objectives().iter();
     objectives.map(|own| on.report(own)).collect()
 }
 
@@ -71,7 +71,7 @@ impl On<'_> {
             layout: self.layout,
             labels: &self.voxels.labels,
             target: &self.voxels.target,
-            response: self.job.response(),
+            response: self.job.first().goal.response.clone(),
         };
         let objective = own.build(&input, &self.job.base, true)?;
         let dose = HostField::from_slice(&self.layout.field_of(self.dose));
@@ -130,7 +130,7 @@ mod tests {
         let file = folder.path().join("job.toml");
         std::fs::write(&file, text).unwrap();
         let job = ResolvedJob::under(&Job::read(&file, &[]).unwrap(), &Run::new()).unwrap();
-        let mut voxels = job.voxels_under(&job.grid, &Run::new()).unwrap();
+        let mut voxels = job.voxels(&job.grid, &Run::new()).unwrap().remove(0);
         voxels.target.gray = true;
         voxels.target.inside.values.fill(0.0);
         voxels.labels.values.fill(label::VOID);

@@ -52,19 +52,16 @@ impl ResolvedJob {
         let shown = &written.shown;
         let voxels = self.own_voxels(run)?;
         let evaluated = evaluate_patterns(self, voxels, shown, None, None, &mut Silent, run)?;
-        let name = |s: usize| self.species_name(s).unwrap_or_default().to_owned();
-        let others = evaluated.others.into_iter().map(|other| other.evaluation);
-        let mut species = Vec::new();
-        for (i, other) in others.enumerate() {
-            if i == 0 {
-                species.push((name(0), evaluated.evaluation.clone()));
-            }
-            species.push((name(i + 1), other));
-        }
         let in_time = evaluated.in_time.as_ref().map(InTime::summary);
+        let is_several = self.species.len() > 1;
+        let named = self.species.iter().zip(&evaluated.species);
+        let named = named.filter(|_| is_several).map(|(own, print)| {
+            let name = own.name.clone().unwrap_or_default();
+            (name, print.evaluation.clone())
+        });
         Ok(Prediction {
-            evaluation: evaluated.evaluation,
-            species,
+            evaluation: evaluated.first().evaluation.clone(),
+            species: named.collect(),
             one_exposure: evaluated.one_exposure,
             in_time: in_time.unwrap_or_default(),
         })

@@ -3,6 +3,7 @@
 use crate::error::Result;
 use crate::grid::Volume;
 use crate::job::resolve::ResolvedJob;
+use crate::job::resolve::scenarios::{Scenario, name_of_join};
 use crate::metrics::published::percentiles;
 use crate::metrics::scan::Scan;
 use crate::report::{ScenarioRow, ScenarioTable};
@@ -16,14 +17,14 @@ pub(crate) fn table(
     resolved: &ResolvedJob,
     labels: &[u8],
     (own, threshold): (&Volume<f32>, Option<f64>),
-    mut response_of: impl FnMut(&ResolvedJob) -> Result<Volume<f32>>,
+    mut response_of: impl FnMut(&Scenario) -> Result<Volume<f32>>,
 ) -> Result<Option<ScenarioTable>> {
     if resolved.scenarios.is_empty() {
         return Ok(None);
     }
     let row = |name: &str, response: &Volume<f32>| -> Result<ScenarioRow> {
         let scan = Scan::new(labels, &response.values)?;
-        let [low, _, out] = percentiles(&scan, resolved.spec.evaluate.trim_percent);
+        let [low, _, out] = percentiles(&scan, resolved.evaluation().trim_percent);
         Ok(ScenarioRow {
             name: name.to_owned(),
             iou: scan.best_plateau().map(|plateau| plateau.iou),
@@ -35,9 +36,9 @@ pub(crate) fn table(
     };
     let mut rows = vec![row("the job", own)?];
     for scenario in &resolved.scenarios {
-        rows.push(row(&scenario.name, &response_of(&scenario.resolved)?)?);
+        rows.push(row(&scenario.name, &response_of(scenario)?)?);
     }
-    let of = resolved.spec.robust.of.name();
+    let of = name_of_join(resolved);
     Ok(Some(ScenarioTable::new(of, threshold, rows)))
 }
 
@@ -51,7 +52,7 @@ mod tests {
     fn every_scenario_is_evaluated() {
         let job = resolved(&["resin.absorption_per_mm = 0.3"], &[]).unwrap();
         let resolved = &job;
-        let labels = &job.own_voxels(&Run::new()).unwrap().labels;
+        let labels = &job.own_voxels(&Run::new()).unwrap()[0].labels;
         let own = Volume {
             grid: labels.grid.clone(),
             values: labels
@@ -60,7 +61,7 @@ mod tests {
                 .map(|&label| f32::from(label == crate::target::label::PART))
                 .collect(),
         };
-        let halved = |_: &ResolvedJob| {
+        let halved = |_: &Scenario| {
             Ok(Volume {
                 grid: own.grid.clone(),
                 values: own.values.iter().map(|v| 0.5 * v).collect(),

@@ -29,7 +29,6 @@ use crate::job::progress::Silent;
 use crate::job::resolve::multiresolution::{coarser_grid, coarser_lights, is_large_enough};
 use crate::job::resolve::refinement::Level;
 use crate::job::resolve::{ResolvedJob, Voxels};
-use crate::job::spec::{Ceiling, CeilingTolerance};
 use crate::metrics::print::Print;
 use crate::metrics::{MetricKind, gamma, iou, surface_deviation, ver};
 use crate::models::{Quantity, Run};
@@ -93,8 +92,8 @@ impl FoundCeiling {
 }
 
 /// Iterations that looking for ceilings takes in all, in those of the loop; 0 for a job that keeps the bound of its start. Those that it saves are left out: a search may find nothing.
-pub(crate) fn iterations(job: &ResolvedJob, voxels: &Voxels) -> usize {
-    let level = coarser_level(job, voxels.target.gray);
+pub(crate) fn iterations(job: &ResolvedJob, voxels: &[Voxels]) -> usize {
+    let level = coarser_level(job, voxels);
     level.map_or(0, |level| {
         let tried = level.until + 4 * level.until.div_ceil(3).min(EACH);
         tried.div_ceil(CHEAPER) + super::finest::TRY
@@ -107,10 +106,10 @@ pub(crate) fn iterations(job: &ResolvedJob, voxels: &Voxels) -> usize {
 /// [`Error::Canceled`].
 pub(crate) fn find(
     job: &ResolvedJob,
-    voxels: &Voxels,
+    voxels: &[Voxels],
     cancel: &Run,
 ) -> Result<Option<FoundCeiling>> {
-    let Some(level) = coarser_level(job, voxels.target.gray) else {
+    let Some(level) = coarser_level(job, voxels) else {
         return Ok(None);
     };
     match find_on(&level, job, voxels, cancel) {
@@ -123,7 +122,7 @@ pub(crate) fn find(
 fn find_on(
     level: &Level,
     job: &ResolvedJob,
-    voxels: &Voxels,
+    voxels: &[Voxels],
     cancel: &Run,
 ) -> Result<Option<FoundCeiling>> {
     let begin = Instant::now();
@@ -181,17 +180,15 @@ fn find_on(
 
 /// The start whose brightest pixel bounds all.
 fn bounding_start(job: &ResolvedJob) -> &dyn InitialPatterns {
-    let start = job.kinds.start.as_ref();
+    let start = job.method.start.as_ref();
     let named = start.files().and_then(|files| files.bounds_as.as_deref());
     named.unwrap_or(start)
 }
 
 /// Whether nothing in a job counts from its start or asks for coarser levels of its own.
 fn may_begin_elsewhere(job: &ResolvedJob) -> bool {
-    let (spec, stop) = (&job.spec, &job.spec.stop);
-    spec.multiresolution.is_none()
-        && stop.relative_loss.is_none()
-        && stop.projected_gradient.is_none()
+    let stop = job.stop();
+    !job.has_coarse_levels() && stop.relative_loss.is_none() && stop.projected_gradient.is_none()
 }
 
 fn finest(job: &ResolvedJob) -> &Level {
@@ -199,32 +196,27 @@ fn finest(job: &ResolvedJob) -> &Level {
 }
 
 /// The level on which ceilings are tried; None for a job that keeps the bound of its start.
-fn coarser_level(job: &ResolvedJob, is_gray: bool) -> Option<Level> {
-    let (spec, kinds, finest) = (&job.spec, &job.kinds, finest(job));
-    let all = std::iter::once(job).chain(&job.others);
-    let names_largest =
-        spec.bounds.max.is_some() || spec.light.iter().any(|light| light.bounds.max.is_some());
-    let has_given = kinds
-        .start
-        .files()
-        .is_some_and(|files| files.bounds_as.is_none());
-    let in_time = spec.schedule.is_some() || spec.material.is_some();
-    let has_scale = kinds.pairs().is_none()
-        || all.into_iter().any(|job| {
-            job.kinds.seeks_window() || job.kinds.common().any(|(_, common)| common.has_fields())
-        });
-    if spec.bounds.ceiling == Ceiling::Start
+fn coarser_level(job: &ResolvedJob, voxels: &[Voxels]) -> Option<Level> {
+    let (stop, method, finest) = (job.stop(), &job.method, finest(job));
+    let goals = job.species.iter().map(|own| &own.goal);
+    let mut lights = 0..job.optics.lights.len();
+    let names_largest = lights.any(|light| job.bounds_of(light).1.is_some());
+    let files = method.start.files();
+    let has_given = files.is_some_and(|files| files.bounds_as.is_none());
+    let has_scale = method.pairs().is_none()
+        || (goals.into_iter()).any(|goal| goal.seeks_window() || goal.has_fields());
+    if !job.bounds().seek_ceiling()
         || names_largest
         || has_given
-        || in_time
+        || job.schedule().is_some()
         || has_scale
-        || is_gray
-        || spec.evaluate.has_few_levels()
+        || voxels.iter().any(|own| own.target.gray)
+        || job.evaluation().has_few_levels()
         || !job.scenarios.is_empty()
-        || spec.bounds.bits.is_some()
-        || kinds.free.is_some()
-        || spec.stop.iterations == 0
-        || spec.stop.wall_s.is_some()
+        || job.bounds().bits.is_some()
+        || method.free.is_some()
+        || stop.iterations == 0
+        || stop.wall_s.is_some()
         || !is_large_enough(&job.optics, &job.grid, FACTOR)
     {
         return None;
@@ -232,7 +224,7 @@ fn coarser_level(job: &ResolvedJob, is_gray: bool) -> Option<Level> {
     Some(Level {
         grid: coarser_grid(&finest.grid, FACTOR),
         lights: coarser_lights(&finest.lights, FACTOR),
-        until: (2 * spec.stop.iterations).div_ceil(3).min(FIRST),
+        until: (2 * stop.iterations).div_ceil(3).min(FIRST),
     })
 }
 
@@ -310,8 +302,7 @@ impl Search<'_> {
         clip(&mut own, stage.model.patterns(), &limits)?;
         stage.improve_within(self.job, (&mut own, &limits), each, cancel)?;
         let qualities = stage.qualities(&own, true, cancel)?;
-        let tolerance = &self.job.spec.bounds.tolerance;
-        let is_good = are_good(tolerance, FACTOR, (&tried.points[0].qualities, &qualities));
+        let is_good = are_good(self.job, FACTOR, (&tried.points[0].qualities, &qualities));
         tried.points.push(CeilingPoint { factor, qualities });
         if is_good {
             tried.good = Some(tried.points.len() - 1);
@@ -322,11 +313,11 @@ impl Search<'_> {
 
 /// Whether every print is at least as good as another, within what a job tolerates, on pixels so many times as wide as the job's.
 pub(crate) fn are_good(
-    tolerance: &CeilingTolerance,
+    job: &ResolvedJob,
     wider: usize,
     (others, own): (&[Quality], &[Quality]),
 ) -> bool {
-    let wider = wider as f64;
+    let (wider, tolerance) = (wider as f64, &job.bounds().tolerance);
     let within = |(other, own): (&Quality, &Quality)| {
         // Where nothing is known of surfaces, that is not more
         let is_farther = own[2] > other[2] * (1.0 + tolerance.deviation);
@@ -346,7 +337,7 @@ impl Stage<'_> {
         let mut dose = self.model.new_dose()?;
         self.model.dose(&ones, &mut dose, cancel)?;
         let dose = self.model.outputs()[0].volume_of(dose.as_slice());
-        let pairs = self.voxels.labels.values.iter().zip(&dose.values);
+        let pairs = self.voxels[0].labels.values.iter().zip(&dose.values);
         let in_part = pairs.filter(|(label, _)| **label == label::PART);
         let (count, sum) = in_part.fold((0u64, 0.0), |(n, sum), (_, &dose)| {
             (n + 1, sum + f64::from(dose))
@@ -365,13 +356,13 @@ impl Stage<'_> {
         let model = self.model.as_ref();
         let objective = self.objective(job, 0)?;
         let problem = Problem::new(model, &objective, limits, cancel)?;
-        let minimized = job.kinds.on_host();
-        let penalties = minimized.penalties(model.patterns())?;
+        let search = job.method.on_host();
+        let penalties = search.penalties(model.patterns())?;
         let mut problem = problem.with_penalties(penalties);
-        let mut optimizer = minimized.optimizer()?;
+        let mut optimizer = search.optimizer()?;
         let stop = Stop {
             iterations,
-            keep: job.spec.stop.keep,
+            keep: job.stop().keep,
             ..Stop::default()
         };
         let outcome = optimize::run(&mut problem, optimizer.as_mut(), x, &stop, None, &mut [])?;
@@ -413,10 +404,9 @@ impl Stage<'_> {
     ) -> Result<Vec<Quality>> {
         let mut dose = self.model.new_dose()?;
         self.model.dose(x, &mut dose, cancel)?;
-        let voxels = self.all_voxels();
         let outputs = self.model.outputs().iter().enumerate();
         let of_output = outputs.map(|(i, layout)| {
-            let voxels = voxels.get(i).unwrap_or(&voxels[0]);
+            let voxels = self.voxels.get(i).unwrap_or(&self.voxels[0]);
             let dose: Volume<f32> = layout.volume_of(dose.as_slice());
             let print = Print::under(&voxels.labels, &dose, cancel.aside())?;
             let print = print.with_inside(&voxels.target.inside)?;

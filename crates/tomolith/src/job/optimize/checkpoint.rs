@@ -5,8 +5,6 @@ use crate::grid::Patterns;
 use crate::io::npy::{PatternPair, write_patterns};
 use crate::job::progress::{Event, Progress};
 use crate::job::resolve::ResolvedJob;
-use crate::job::resolve::identity::as_floats;
-use crate::job::spec::read::with_every_default;
 use crate::models::Run;
 use crate::optimize::Checkpoints;
 use crate::optimize::checkpoint::{CHECKPOINT, Contents};
@@ -135,25 +133,22 @@ pub(crate) fn keep(
     Ok(())
 }
 
+/// Tables that no checkpoint depends on.
+const UNIMPORTANT: [&str; 6] = [
+    "stop",
+    "checkpoint",
+    "evaluate",
+    "printer",
+    "output",
+    "resources",
+];
+
 /// The tables of a job that a checkpoint depends on, with every default written out, the memory that its optimizer has, and the kind of device, whose
 /// memory of earlier steps no other reads.
 pub(crate) fn tables(resolved: &ResolvedJob) -> Result<Value> {
-    let (spec, kinds) = (&resolved.spec, &resolved.kinds);
-    let mut tables = with_every_default(spec.clone()).to_value()?;
-    if let Some(pairs) = kinds.pairs() {
-        tables["optimizer"][kinds.method()]["memory"] = pairs.into();
-    }
-    if let Some(map) = tables.as_object_mut() {
-        for unimportant in [
-            "stop",
-            "checkpoint",
-            "evaluate",
-            "printer",
-            "output",
-            "resources",
-        ] {
-            map.remove(unimportant);
-        }
+    let (method, mut tables) = (&resolved.method, resolved.tables(&UNIMPORTANT)?);
+    if let Some(pairs) = method.pairs() {
+        tables["optimizer"][method.name()]["memory"] = (pairs as f64).into();
     }
     let device = if resolved.optics.card.is_some() {
         "gpu"
@@ -161,6 +156,5 @@ pub(crate) fn tables(resolved: &ResolvedJob) -> Result<Value> {
         "cpu"
     };
     tables["resources"] = serde_json::json!({ "device": device });
-    as_floats(&mut tables);
     Ok(tables)
 }

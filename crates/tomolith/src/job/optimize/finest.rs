@@ -112,7 +112,7 @@ impl GoOn<'_, '_> {
     }
 
     fn is_as_good(&self, own: &[Quality], other: &[Quality]) -> bool {
-        are_good(&self.job.spec.bounds.tolerance, 1, (other, own))
+        are_good(self.job, 1, (other, own))
     }
 
     /// Lowers the ceiling, and takes that where it prints as well.

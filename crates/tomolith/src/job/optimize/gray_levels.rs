@@ -26,7 +26,7 @@ pub(crate) fn improve(
     x: &HostField,
     progress: &mut dyn Progress,
 ) -> Result<Option<Levelled>> {
-    let evaluate = &job.spec.evaluate;
+    let evaluate = job.evaluation();
     if !evaluate.improves_levels() {
         return Ok(None);
     }

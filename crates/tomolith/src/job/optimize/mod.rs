@@ -93,14 +93,14 @@ pub(crate) struct CheckpointPlan<'a> {
 /// [`Error::Canceled`] and [`Error::NonFinite`] leave the best patterns so far in the checkpoint folder.
 pub(crate) fn optimize(
     job: &ResolvedJob,
-    voxels: &Voxels,
+    voxels: &[Voxels],
     plan: CheckpointPlan<'_>,
     cache: &mut RunCache,
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Optimized> {
     let (mut checkpoints, resumed) = open_checkpoints(job, voxels, plan, progress)?;
-    let key = cache::key(job, voxels)?;
+    let key = cache::key(job, &voxels[0])?;
     let mut evaluation_model = cache.take(key);
     let mut carried: Option<Vec<Patterns>> = None;
     let (mut bounds, mut of_start) = (Vec::new(), Vec::new());
@@ -147,7 +147,7 @@ pub(crate) fn optimize(
                 let is_closer;
                 (x, is_closer) = stage.closer(job, (x, &bounds), found, cancel)?;
                 if is_closer {
-                    sofar.rows = vec![Row::at(job.spec.stop.iterations / ceiling::SHARE)];
+                    sofar.rows = vec![Row::at(job.stop().iterations / ceiling::SHARE)];
                 }
             }
             (start, pixels) = (Some(x), Some(own));
@@ -238,14 +238,14 @@ pub(crate) fn optimize(
 /// The checkpoints of a run, and the level that it goes on in.
 fn open_checkpoints(
     job: &ResolvedJob,
-    voxels: &Voxels,
+    voxels: &[Voxels],
     plan: CheckpointPlan<'_>,
     progress: &mut dyn Progress,
 ) -> Result<(Checkpoints, Option<usize>)> {
     let tables = tables(job)?;
-    let fingerprint = job.agreed(fingerprint(&tables, voxels, &job.base))?;
+    let fingerprint = job.agreed(fingerprint(&tables, &voxels[0], &job.base))?;
     job.must_agree(fingerprint)?;
-    let checkpoints = Checkpoints::new(plan.folder, fingerprint, &job.spec.checkpoint)?;
+    let checkpoints = Checkpoints::new(plan.folder, fingerprint, job.checkpoint())?;
     let mut checkpoints = checkpoints.describing(tables);
     let resumed = if plan.resume || job.is_first() {
         resumes(&checkpoints, plan.resume, progress)
@@ -300,27 +300,16 @@ fn warnings_at_end(
     window: Option<&FoundWindow>,
     found: Option<&FoundResponse>,
 ) -> Vec<String> {
-    let (normalizes, bits) = (job.kinds.normalizes, job.spec.bounds.bits);
+    let (normalizes, bits) = (job.method.normalizes, job.bounds().bits);
     let idle = idle(&outcome.history, normalizes, bits);
     let of_window = window.and_then(FoundWindow::warning);
-    let of_response = job.kinds.free.as_ref().zip(found);
+    let of_response = job.method.free.as_ref().zip(found);
     let of_response = of_response.map(|(free, found)| free.at_ends(found));
     let of_response = of_response.into_iter().flatten();
     idle.into_iter()
         .chain(of_window)
         .chain(of_response)
         .collect()
-}
-
-impl ResolvedJob {
-    /// Name of a light for files: none when there is only one.
-    pub(crate) fn light_name(&self, i: usize) -> Option<&str> {
-        if self.spec.light.len() == 1 {
-            None
-        } else {
-            self.spec.light[i].name.as_deref()
-        }
-    }
 }
 
 #[cfg(test)]

@@ -20,7 +20,7 @@ const PAUSE: Duration = Duration::from_millis(20);
 ///
 /// # Errors
 /// What [`optimize`](crate::job::optimize::optimize) refuses before its first step; [`Error::Canceled`].
-pub(crate) fn rehearse(job: &ResolvedJob, voxels: &Voxels, cancel: &Run) -> Result<bool> {
+pub(crate) fn rehearse(job: &ResolvedJob, voxels: &[Voxels], cancel: &Run) -> Result<bool> {
     let limited = Run::new();
     let done = thread::scope(|threads| {
         let (over, wait) = channel::<()>();
@@ -47,7 +47,7 @@ pub(crate) fn rehearse(job: &ResolvedJob, voxels: &Voxels, cancel: &Run) -> Resu
 }
 
 /// A level up to its first iteration.
-fn begin(job: &ResolvedJob, voxels: &Voxels, level: &Level, run: &Run) -> Result<()> {
+fn begin(job: &ResolvedJob, voxels: &[Voxels], level: &Level, run: &Run) -> Result<()> {
     let level = Level {
         until: 0,
         ..level.clone()

@@ -37,7 +37,7 @@ type Times = Vec<[f64; 2]>;
 /// [`Error::Config`](crate::Error::Config) for a network whose dose depends on the power; those of the print.
 pub(crate) fn level(
     job: &ResolvedJob,
-    voxels: &[&Voxels],
+    voxels: &[Voxels],
     mut patterns: Vec<Patterns>,
     progress: &mut dyn Progress,
     run: &Run,
@@ -62,7 +62,7 @@ pub(crate) fn level(
         for (light, species) in follows.iter().enumerate() {
             if let Some(species) = species {
                 rescale(&mut patterns[light], &times[*species], end_s);
-                keep_below(&mut patterns[light], bound(job, light));
+                keep_below(&mut patterns[light], job.bounds_of(light).1);
             }
         }
     }
@@ -72,7 +72,7 @@ pub(crate) fn level(
 /// When the heights of each network are done; those that are not, by what they have of it at the end.
 fn times(
     job: &ResolvedJob,
-    voxels: &[&Voxels],
+    voxels: &[Voxels],
     patterns: &[Patterns],
     run: &Run,
 ) -> Result<(Vec<Times>, f64)> {
@@ -138,12 +138,7 @@ fn rescale(patterns: &mut Patterns, times: &Times, end_s: f64) {
     }
 }
 
-/// The brightest pixel that the job allows a light; none: as bright as is asked.
-fn bound(job: &ResolvedJob, light: usize) -> Option<f64> {
-    let spec = &job.spec;
-    spec.light[light].bounds.max.or(spec.bounds.max)
-}
-
+/// Darkens patterns whose brightest pixel is above what the job allows their light.
 fn keep_below(patterns: &mut Patterns, bound: Option<f64>) {
     let most = patterns.values.iter().copied().fold(0.0f32, f32::max);
     let Some(bound) = bound.filter(|b| f64::from(most) > *b) else {

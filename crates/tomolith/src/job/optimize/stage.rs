@@ -13,9 +13,12 @@ use crate::job::dose::scenarios::joined;
 use crate::job::dose::species::planned;
 use crate::job::progress::{Event, Progress};
 use crate::job::resolve::free_parameters::FoundResponse;
-use crate::job::resolve::method::{JobKinds, Minimized};
+use crate::job::resolve::goal::Goal;
+#[cfg(feature = "gpu")]
+use crate::job::resolve::goal::Objectives;
+use crate::job::resolve::method::Search;
 use crate::job::resolve::refinement::Level;
-use crate::job::resolve::{ResolvedJob, Voxels, refinement, scenarios};
+use crate::job::resolve::{ResolvedJob, Species, Voxels, refinement, scenarios};
 use crate::models::masked::{darken, pixels_through};
 use crate::models::scenarios::SharedModel;
 use crate::models::sharded::Sharded;
@@ -65,9 +68,8 @@ type Around<'a, 'p> = (
 /// One level, ready to be optimized.
 pub(crate) struct Stage<'a> {
     pub(crate) level: &'a Level,
-    pub(crate) voxels: Cow<'a, Voxels>,
-    /// Those of further species.
-    pub(crate) others: Vec<Voxels>,
+    /// Of every species.
+    pub(crate) voxels: Cow<'a, [Voxels]>,
     pub(crate) model: SharedModel,
     pub(crate) straight: Option<Box<dyn DoseModel<Field = HostField>>>,
     /// That of the job as it is, where `model` is that of all scenarios.
@@ -84,7 +86,7 @@ impl<'a> Stage<'a> {
     /// A level with its model, or with one that is there already.
     pub(crate) fn new(
         job: &ResolvedJob,
-        voxels: &'a Voxels,
+        voxels: &'a [Voxels],
         level: &'a Level,
         evaluation_model: Option<EvaluationModel>,
         progress: &mut dyn Progress,
@@ -93,16 +95,12 @@ impl<'a> Stage<'a> {
         let voxels = if level.grid == job.grid {
             Cow::Borrowed(voxels)
         } else {
-            Cow::Owned(job.voxels_under(&level.grid, &cancel.aside())?)
+            Cow::Owned(job.voxels(&level.grid, &cancel.aside())?)
         };
-        let others = job.others.iter();
-        let others = others.map(|other| other.voxels_under(&level.grid, &cancel.aside()));
-        let others = others.collect::<Result<Vec<_>>>()?;
         if let Some(EvaluationModel { model, reason, .. }) = evaluation_model {
             return Ok(Stage {
                 level,
                 voxels,
-                others,
                 model,
                 straight: None,
                 nominal: None,
@@ -111,16 +109,15 @@ impl<'a> Stage<'a> {
                 found: None,
             });
         }
-        let all: Vec<&Voxels> = std::iter::once(voxels.as_ref()).chain(&others).collect();
         let optics = OpticalScene {
             lights: &level.lights,
             ..job.optimizing()
         };
         let asked = job.optics.model.as_ref();
         let plan = if job.is_optimized_in_time() {
-            planned_in_time(job, (asked, optics), level, &all, cancel)?
+            planned_in_time(job, (asked, optics), level, &voxels, cancel)?
         } else {
-            planned(job, asked, optics, &level.grid, Some(&all), cancel)?
+            planned(job, asked, optics, &level.grid, Some(&voxels), cancel)?
         };
         let straight = plan.surrogate.as_deref();
         let known = straight.unwrap_or(&plan.model);
@@ -134,7 +131,6 @@ impl<'a> Stage<'a> {
         Ok(Stage {
             level,
             voxels,
-            others,
             model,
             straight: plan.surrogate,
             nominal,
@@ -169,16 +165,9 @@ impl<'a> Stage<'a> {
     ) -> Result<HostField> {
         let own = self.nominal.as_deref().unwrap_or(self.model.as_ref());
         let models = (own, self.straight.as_deref());
-        let mut x = starting_patterns(job, &self.all_voxels(), models, start, cancel)?;
+        let mut x = starting_patterns(job, &self.voxels, models, start, cancel)?;
         darken(x.as_mut_slice(), &self.dark);
         Ok(x)
-    }
-
-    /// The voxels of every species.
-    pub(crate) fn all_voxels(&self) -> Vec<&Voxels> {
-        std::iter::once(self.voxels.as_ref())
-            .chain(&self.others)
-            .collect()
     }
 
     /// What follows the last iteration: the response that was found, few levels, heights, and the process window. `raw` are the patterns in `x`.
@@ -205,7 +194,7 @@ impl<'a> Stage<'a> {
 
     /// Takes the response that an optimization found.
     fn find(&mut self, job: &ResolvedJob, outcome: &Outcome) -> Result<()> {
-        if let Some(free) = &job.kinds.free {
+        if let Some(free) = &job.method.free {
             self.found = free.found(&outcome.response)?;
         }
         Ok(())
@@ -220,22 +209,15 @@ impl<'a> Stage<'a> {
         Ok(sum)
     }
 
-    /// The kinds of the job, with thresholds that lie so many steps further apart.
-    fn kinds<'s>(&self, job: &'s ResolvedJob, wider: usize) -> Cow<'s, JobKinds> {
-        let wider = (wider > 0).then(|| refinement::widened(&job.kinds, wider));
-        wider
-            .flatten()
-            .map_or(Cow::Borrowed(&job.kinds), Cow::Owned)
-    }
-
     /// The loss of the one species of a model, for any fields, with the response that was found.
     #[cfg(feature = "gpu")]
     fn objective_on<F: Field>(
         &self,
         job: &ResolvedJob,
-        minimized: &Minimized<F>,
+        objectives: &Objectives<F>,
     ) -> Result<Sum<F>> {
-        let mut sum = job.objective(minimized, &self.model.outputs()[0], &self.voxels)?;
+        let layout = &self.model.outputs()[0];
+        let mut sum = job.objective(job.first(), objectives, layout, &self.voxels[0])?;
         if let Some(found) = &self.found {
             sum.set_response(&found.response)?;
         }
@@ -244,31 +226,30 @@ impl<'a> Stage<'a> {
 
     fn objective_of_job(&self, job: &ResolvedJob, wider: usize) -> Result<Sum<HostField>> {
         let outputs = self.model.outputs();
-        let own = |job: &ResolvedJob, layout: &DoseLayout, voxels: &Voxels| {
-            job.objective(self.kinds(job, wider).on_host(), layout, voxels)
+        let of = |own: &Species, layout: &DoseLayout, voxels: &Voxels| {
+            let goal = goal_of(own, wider);
+            job.objective(own, goal.on_host(), layout, voxels)
         };
-        if outputs.len() == 1 {
-            return own(job, &outputs[0], &self.voxels);
+        if let [output] = outputs {
+            return of(job.first(), output, &self.voxels[0]);
         }
-        // Scenarios ask the same of every output
-        let same = (job, self.voxels.as_ref());
-        let of_species = job.species().zip(self.all_voxels());
-        let asked = of_species.chain(std::iter::repeat_n(same, job.scenarios.len()));
+        // Scenarios, which one species has, ask the same of every output
+        let asked = job.species.iter().zip(self.voxels.iter()).cycle();
         let mut parts: Vec<(&DoseLayout, Box<dyn Objective<HostField>>)> = Vec::new();
-        for ((job, voxels), layout) in asked.zip(outputs) {
+        for ((own, voxels), layout) in asked.zip(outputs) {
             let alone = DoseLayout {
                 offset: 0,
                 ..layout.clone()
             };
-            parts.push((layout, Box::new(own(job, &alone, voxels)?)));
+            parts.push((layout, Box::new(of(own, &alone, voxels)?)));
         }
-        let joined = PerBlock::new(parts, scenarios::join(&job.spec));
+        let joined = PerBlock::new(parts, scenarios::join(job));
         Sum::new(vec![(1.0, Box::new(joined))])
     }
 
     pub(crate) fn limits(&self, job: &ResolvedJob, start: &HostField) -> Vec<Limits> {
-        let (model, normalizes) = (self.model.as_ref(), job.kinds.normalizes);
-        limits(&job.spec, model, start, normalizes)
+        let (model, normalizes) = (self.model.as_ref(), job.method.normalizes);
+        limits(job, model, start, normalizes)
     }
 
     /// The process window of patterns, where an objective looks for it.
@@ -278,7 +259,7 @@ impl<'a> Stage<'a> {
         x: &HostField,
         cancel: &Run,
     ) -> Result<Option<FoundWindow>> {
-        if !job.kinds.seeks_window() {
+        if !job.species.iter().any(|own| own.goal.seeks_window()) {
             return Ok(None);
         }
         let mut dose = self.model.new_dose()?;
@@ -300,13 +281,11 @@ impl<'a> Stage<'a> {
         progress: &mut dyn Progress,
         cancel: &Run,
     ) -> Result<Option<Vec<Patterns>>> {
-        let asked = job.spec.schedule.as_ref().is_some_and(|s| s.level_heights);
+        let asked = job.schedule().is_some_and(|own| own.level_heights);
         if !asked {
             return Ok(None);
         }
-        let own = job.species().map(|species| species.voxels(&job.grid));
-        let own = own.collect::<Result<Vec<_>>>()?;
-        let voxels: Vec<&Voxels> = own.iter().collect();
+        let voxels = job.voxels(&job.grid, &cancel.aside())?;
         row_balance::level(job, &voxels, raw.to_vec(), progress, cancel).map(Some)
     }
 
@@ -322,7 +301,7 @@ impl<'a> Stage<'a> {
         let model = self.model.as_ref();
         let objective = self.objective(job, 0)?;
         let mut problem = Problem::new(model, &objective, bounds, cancel)?
-            .with_penalties(job.kinds.on_host().penalties(model.patterns())?);
+            .with_penalties(job.method.on_host().penalties(model.patterns())?);
         gray_levels::improve(job, &mut problem, x, progress)
     }
 
@@ -344,11 +323,8 @@ impl<'a> Stage<'a> {
             if outcome.reason != StopReason::ZeroLoss || at >= until {
                 break;
             }
-            let mut widened = false;
-            for species in job.species() {
-                widened |= refinement::widened(&species.kinds, steps).is_some();
-            }
-            if !widened {
+            let is_wider = |own: &Species| refinement::widened(&own.goal, steps).is_some();
+            if !job.species.iter().any(is_wider) {
                 break;
             }
             progress.event(&Event::Note {
@@ -374,11 +350,11 @@ impl<'a> Stage<'a> {
     ) -> Result<Outcome> {
         let around = (bounds, checkpoints, sofar, progress);
         #[cfg(feature = "gpu")]
-        if let Some((model, minimized)) = self.on_card(job, wider, cancel)? {
-            let objective = self.objective_on(job, &minimized)?;
+        if let Some((model, objectives, search)) = self.on_card(job, wider, cancel)? {
+            let objective = self.objective_on(job, &objectives)?;
             let mut there = model.new_patterns()?;
             there.copy_from_host(x.as_slice());
-            let on_card = (&model as _, objective, &minimized);
+            let on_card = (&model as _, objective, &search);
             let ran = self.run_on((job, until), on_card, &mut there, around, cancel);
             let found = there.to_host();
             there.gpu().check()?;
@@ -386,7 +362,7 @@ impl<'a> Stage<'a> {
             return ran;
         }
         let objective = self.objective(job, wider)?;
-        let on_host = (self.model.as_ref() as _, objective, job.kinds.on_host());
+        let on_host = (self.model.as_ref() as _, objective, job.method.on_host());
         self.run_on((job, until), on_host, x, around, cancel)
     }
 
@@ -397,40 +373,40 @@ impl<'a> Stage<'a> {
         job: &ResolvedJob,
         wider: usize,
         cancel: &Run,
-    ) -> Result<Option<(GpuStrips, Minimized<GpuField>)>> {
+    ) -> Result<Option<(GpuStrips, Objectives<GpuField>, Search<GpuField>)>> {
         let (Some(card), Some(form)) = (&job.optics.card, self.model.strips()) else {
             return Ok(None);
         };
-        let kinds = self.kinds(job, wider);
+        let objectives = goal_of(job.first(), wider).on()?;
         let model = GpuStrips::new(card.gpu(), &form, cancel)?;
-        Ok(Some((model, kinds.on()?)))
+        Ok(Some((model, objectives, job.method.on()?)))
     }
 
     /// The same with model, objective and method for one kind of fields.
     fn run_on<F: Field>(
         &self,
         (job, until): (&ResolvedJob, usize),
-        (model, objective, minimized): (&dyn DoseModel<Field = F>, Sum<F>, &Minimized<F>),
+        (model, objective, search): (&dyn DoseModel<Field = F>, Sum<F>, &Search<F>),
         x: &mut F,
         (bounds, checkpoints, sofar, progress): Around<'_, '_>,
         cancel: &Run,
     ) -> Result<Outcome> {
         // What is watched on the way is the first species, the part
         let layout = model.outputs()[0].clone();
-        let spec = &job.spec;
-        let mut optimizer = minimized.optimizer()?;
+        let stop = job.stop();
+        let mut optimizer = search.optimizer()?;
         let fixed;
-        let problem = if let Some(free) = &job.kinds.free {
+        let problem = if let Some(free) = &job.method.free {
             Problem::with_free_response(model, free.objective(objective)?, bounds, cancel)?
         } else {
             fixed = objective;
             Problem::new(model, &fixed, bounds, cancel)?
         };
         let mut problem = problem
-            .with_penalties(minimized.penalties(model.patterns())?)
-            .with_bits(spec.bounds.bits)?;
-        let response = job.response();
-        let input = start_input(model, (&self.voxels, None), response.as_ref(), &[]);
+            .with_penalties(search.penalties(model.patterns())?)
+            .with_bits(job.bounds().bits)?;
+        let (response, voxels) = (job.first().goal.response.as_ref(), &self.voxels[0]);
+        let input = start_input(model, (voxels, None), response, &[]);
         if optimizer.requirements().target.is_some() {
             problem = problem.with_target(input.target_field()?);
         }
@@ -440,16 +416,16 @@ impl<'a> Stage<'a> {
         problem.counters = sofar.counters;
         let stop = Stop {
             iterations: until,
-            projected_gradient: spec.stop.projected_gradient.unwrap_or(0.0),
-            change: spec.stop.change.unwrap_or(0.0),
-            change_after: spec.stop.change_after.unwrap_or(0),
-            gap: spec.stop.gap.unwrap_or(0.0),
-            relative_loss: spec.stop.relative_loss.unwrap_or(0.0),
+            projected_gradient: stop.projected_gradient.unwrap_or(0.0),
+            change: stop.change.unwrap_or(0.0),
+            change_after: stop.change_after.unwrap_or(0),
+            gap: stop.gap.unwrap_or(0.0),
+            relative_loss: stop.relative_loss.unwrap_or(0.0),
             first_loss: sofar.first_loss,
-            seconds: spec.stop.wall_s,
-            keep: spec.stop.keep,
+            seconds: stop.wall_s,
+            keep: stop.keep,
         };
-        let mut labels = layout.field_of(&self.voxels.labels);
+        let mut labels = layout.field_of(&voxels.labels);
         labels.truncate(layout.voxels());
         let mut watch = Watch {
             job,
@@ -459,7 +435,7 @@ impl<'a> Stage<'a> {
             doses: model.outputs(),
             labels,
             layout,
-            is_gray: self.voxels.target.gray,
+            is_gray: voxels.target.gray,
             print: None,
             metrics_s: sofar.metrics_s,
             warnings: std::mem::take(&mut sofar.warnings),
@@ -478,6 +454,13 @@ impl<'a> Stage<'a> {
         sofar.warnings = watch.warnings;
         ran
     }
+}
+
+/// What is asked of a species, with thresholds that lie so many steps further apart.
+fn goal_of(species: &Species, wider: usize) -> Cow<'_, Goal> {
+    let wider = (wider > 0).then(|| refinement::widened(&species.goal, wider));
+    let goal = wider.flatten().map(Cow::Owned);
+    goal.unwrap_or(Cow::Borrowed(&species.goal))
 }
 
 /// The pixels whose light would pass a body that is to stay dark, when there is one.

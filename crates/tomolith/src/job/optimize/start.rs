@@ -5,10 +5,8 @@ use crate::error::{Error, Result};
 use crate::field::{Field, HostField};
 use crate::grid::Volume;
 use crate::job::dose::cache::{BoundingStart, RunCache, start_key};
-use crate::job::resolve::species::beginnings;
+use crate::job::resolve::species::{Row as SpeciesRow, beginnings};
 use crate::job::resolve::{ResolvedJob, Voxels};
-use crate::job::spec::JobSpec;
-use crate::job::spec::species::Row as SpeciesRow;
 use crate::models::{DoseModel, PatternLayout, Quantity, Run};
 use crate::objective::{Objective, Sum};
 use crate::optimize;
@@ -42,7 +40,7 @@ const GLIMMER: f64 = 0.01;
 /// roots of what straight light would begin with.
 pub(crate) fn starting_patterns(
     job: &ResolvedJob,
-    voxels: &[&Voxels],
+    voxels: &[Voxels],
     (model, straight): (
         &dyn DoseModel<Field = HostField>,
         Option<&dyn DoseModel<Field = HostField>>,
@@ -50,16 +48,16 @@ pub(crate) fn starting_patterns(
     start: &dyn InitialPatterns,
     cancel: &Run,
 ) -> Result<HostField> {
-    let bounds = &job.spec.bounds;
-    let given = job.spec.light.iter().map(|light| Limits {
-        min: light.bounds.min.unwrap_or(bounds.min),
-        max: light.bounds.max.or(bounds.max).unwrap_or(f64::INFINITY),
+    let given = (0..job.optics.lights.len()).map(|light| job.bounds_of(light));
+    let given = given.map(|(min, max)| Limits {
+        min,
+        max: max.unwrap_or(f64::INFINITY),
     });
     let limits: Vec<Limits> = given.collect();
-    let response = job.response();
+    let response = job.first().goal.response.as_ref();
     let absorption = job.optics.lights[0].absorption_on(&voxels[0].labels.grid);
-    let seen = (voxels[0], absorption.as_ref());
-    let input = |model| start_input(model, seen, response.as_ref(), &limits);
+    let seen = (&voxels[0], absorption.as_ref());
+    let input = |model| start_input(model, seen, response, &limits);
     let known = straight.unwrap_or(model);
     let mut x = match job.rows() {
         Some(rows) if !start.is_given() => {
@@ -71,7 +69,7 @@ pub(crate) fn starting_patterns(
         return Ok(x);
     }
     into_amplitudes(&mut x, GLIMMER)?;
-    if start.is_given() && job.kinds.start.is_given() {
+    if start.is_given() && job.method.start.is_given() {
         return Ok(x);
     }
     // A pupil takes light that rays would have brought
@@ -89,21 +87,20 @@ pub(crate) fn clip(x: &mut HostField, lights: &[PatternLayout], bounds: &[Limits
 /// Where each light begins: with the species that it drives most, as if it were alone.
 fn starting_lights(
     job: &ResolvedJob,
-    (rows, voxels): (&[SpeciesRow], &[&Voxels]),
+    (rows, voxels): (&[SpeciesRow], &[Voxels]),
     model: &dyn DoseModel<Field = HostField>,
     start: &dyn InitialPatterns,
     (limits, cancel): (&[Limits], &Run),
 ) -> Result<HostField> {
     let mut x = model.new_patterns()?;
-    let scenes: Vec<&ResolvedJob> = job.species().collect();
     for (i, begins) in beginnings(rows).into_iter().enumerate() {
         let (Some((s, factor)), Some(alone)) = (begins, model.of_light(i)) else {
             continue;
         };
-        let response = scenes[s].response();
+        let response = job.species[s].goal.response.as_ref();
         let absorption = job.optics.lights[i].absorption_on(&voxels[s].labels.grid);
-        let seen = (voxels[s], absorption.as_ref());
-        let input = start_input(&*alone, seen, response.as_ref(), &limits[i..=i]);
+        let seen = (&voxels[s], absorption.as_ref());
+        let input = start_input(&*alone, seen, response, &limits[i..=i]);
         let mut own = start.patterns(&input, cancel)?;
         own.scale((factor * job.dose_needed(s, i)?) as f32);
         x.as_mut_slice()[model.patterns()[i].range()].copy_from_slice(own.as_slice());
@@ -137,7 +134,7 @@ fn into_amplitudes(x: &mut HostField, glimmer: f64) -> Result<()> {
 /// pixels at the silhouette grow far beyond all others, and the projector's gray levels are spent on them. A method that
 /// normalizes its doses has a scale of its own, to which the start says nothing.
 pub(crate) fn limits(
-    spec: &JobSpec,
+    job: &ResolvedJob,
     model: &dyn DoseModel<Field = HostField>,
     start: &HostField,
     normalizes: bool,
@@ -151,21 +148,20 @@ pub(crate) fn limits(
         // A light that begins dark may become as bright as the others
         if own > 0.0 { own } else { of_all }
     };
-    let lights = model.patterns().iter().zip(&spec.light);
-    let limits = lights.map(|(layout, light)| {
-        let largest = if spec.species.is_empty() {
+    let lights = model.patterns().iter().enumerate();
+    let limits = lights.map(|(light, layout)| {
+        let largest = if job.mixing.is_none() {
             of_all
         } else {
             alone(layout)
         };
         let largest = f64::from(quantity.energy(largest));
-        let min = light.bounds.min.unwrap_or(spec.bounds.min);
+        let (min, max) = job.bounds_of(light);
         let natural = if largest > min && !normalizes {
             largest
         } else {
             f64::INFINITY
         };
-        let max = light.bounds.max.or(spec.bounds.max);
         Limits {
             min,
             max: max.unwrap_or(natural),
@@ -193,7 +189,7 @@ impl Stage<'_> {
         (cache, model): (&mut RunCache, Option<u64>),
         cancel: &Run,
     ) -> Result<FirstPatterns> {
-        let of_job = job.kinds.start.as_ref();
+        let of_job = job.method.start.as_ref();
         let files = of_job.files();
         let start = given.map_or(of_job, |given| given as _);
         let mut patterns = self.start(job, start, cancel)?;
@@ -201,7 +197,7 @@ impl Stage<'_> {
             None => (self.limits(job, &patterns), None),
             Some(own) => {
                 let model = model.filter(|_| !own.is_given());
-                let key = model.map(|model| start_key(model, &job.spec));
+                let key = model.map(|model| start_key(model, job)).transpose()?;
                 let own = match cache.take_start(key) {
                     Some(own) => own,
                     None => self.bounding(job, own, cancel)?,
@@ -231,7 +227,7 @@ impl Stage<'_> {
         cancel: &Run,
     ) -> Result<BoundingStart> {
         let patterns = self.start(job, start, cancel)?;
-        let is_asked = job.spec.stop.relative_loss.is_some();
+        let is_asked = job.stop().relative_loss.is_some();
         let mut dose = is_asked.then(|| self.model.new_dose()).transpose()?;
         if let Some(dose) = &mut dose {
             self.model.dose(&patterns, dose, cancel)?;

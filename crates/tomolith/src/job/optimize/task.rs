@@ -25,7 +25,7 @@ pub struct Task {
     pub start: HostField,
     /// The bounds of each light's pixels.
     pub limits: Vec<Limits>,
-    /// The target on the same voxels.
+    /// The target on the same voxels, of the first species.
     pub target: Target,
     /// Which of them are part, void, or do not count ([`label`](crate::target::label)).
     pub labels: Volume<u8>,
@@ -41,14 +41,14 @@ impl ResolvedJob {
             unreachable!("a job has a level")
         };
         let stage = Stage::new(self, self.own_voxels(run)?, level, None, &mut Silent, run)?;
-        let start = stage.start(self, self.kinds.start.as_ref(), run)?;
+        let start = stage.start(self, self.method.start.as_ref(), run)?;
         Ok(Task {
             limits: stage.limits(self, &start),
-            penalties: self.kinds.on_host().penalties(stage.model.patterns())?,
+            penalties: self.method.on_host().penalties(stage.model.patterns())?,
             objective: stage.objective(self, 0)?,
             start,
-            target: stage.voxels.target.clone(),
-            labels: stage.voxels.labels.clone(),
+            target: stage.voxels[0].target.clone(),
+            labels: stage.voxels[0].labels.clone(),
             model: stage.model,
         })
     }

@@ -54,14 +54,14 @@ fn started(model: &str) -> (Voxels, planner::ModelPlan, HostField) {
     std::fs::write(&file, text).unwrap();
     let job = Job::read(&file, &[]).unwrap();
     let resolved = ResolvedJob::under(&job, &Run::new()).unwrap();
-    let voxels = resolved.voxels(&resolved.grid).unwrap();
-    let (asked, wanted) = (resolved.optics.model.as_ref(), voxels.wanted());
+    let mut voxels = resolved.voxels(&resolved.grid, &Run::new()).unwrap();
+    let (asked, wanted) = (resolved.optics.model.as_ref(), voxels[0].wanted());
     let (optics, run) = (resolved.optimizing(), Run::new());
     let plan = planner::plan(asked, optics, &resolved.grid, Some(&wanted), &run).unwrap();
     let models = (&plan.model as _, plan.surrogate.as_deref());
-    let start = resolved.kinds.start.as_ref();
-    let x = starting_patterns(&resolved, &[&voxels], models, start, &Run::new()).unwrap();
-    (voxels, plan, x)
+    let start = resolved.method.start.as_ref();
+    let x = starting_patterns(&resolved, &voxels, models, start, &Run::new()).unwrap();
+    (voxels.remove(0), plan, x)
 }
 
 /// Dose of a model at the voxels of the part.
@@ -128,7 +128,7 @@ fn measured_iterations_thin_out_evenly() {
 }
 
 /// A gear in a matched vial, its job and voxels.
-fn gear(more: &str) -> (ResolvedJob, Voxels) {
+fn gear(more: &str) -> (ResolvedJob, Vec<Voxels>) {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("job.toml");
     let text = format!(
@@ -144,7 +144,7 @@ fn gear(more: &str) -> (ResolvedJob, Voxels) {
     );
     std::fs::write(&file, text).unwrap();
     let resolved = ResolvedJob::under(&Job::read(&file, &[]).unwrap(), &Run::new()).unwrap();
-    let voxels = resolved.voxels(&resolved.grid).unwrap();
+    let voxels = resolved.voxels(&resolved.grid, &Run::new()).unwrap();
     (resolved, voxels)
 }
 
@@ -155,7 +155,7 @@ fn raised_from(share: f64) -> (usize, f64, f64) {
     let mut found = ceiling::find(&resolved, &voxels, &run).unwrap().unwrap();
     let level = resolved.levels.last().unwrap();
     let stage = Stage::new(&resolved, &voxels, level, None, silent, &run).unwrap();
-    let start = resolved.kinds.start.as_ref();
+    let start = resolved.method.start.as_ref();
     let mut x = stage.start(&resolved, start, &run).unwrap();
     let highest = stage.limits(&resolved, &x);
     let mut bounds = highest.clone();

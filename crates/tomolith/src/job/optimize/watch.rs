@@ -81,10 +81,10 @@ impl Watch<'_> {
         if wants.dose || wants.print {
             let bytes = report.dose.host_bytes();
             let field = bytemuck::cast_slice(&bytes);
-            for (species, layout) in self.job.species().zip(self.doses) {
+            for (species, layout) in self.job.species.iter().zip(self.doses) {
                 let volume = layout.volume_of(field);
                 if wants.print {
-                    print.push(species.responses(volume.clone()));
+                    print.push(species.goal.responses(volume.clone()));
                 }
                 if wants.dose {
                     dose.push(volume);
@@ -100,7 +100,7 @@ impl Watch<'_> {
     }
 
     fn reached<F: Field>(&mut self, report: &StepReport<'_, F>) -> bool {
-        let stop = &self.job.spec.stop;
+        let stop = self.job.stop();
         let (loss, asked) = (stop.loss, stop.iou);
         let begin = Instant::now();
         self.print = self.measure(report, asked.is_some());
@@ -122,7 +122,7 @@ impl Watch<'_> {
         if !(decides || !self.is_gray && (last || is_measured(iteration))) {
             return None;
         }
-        let response = self.job.response();
+        let response = &self.job.first().goal.response;
         let bytes = report.dose.host_bytes();
         let dose = self.layout.voxels_of(bytemuck::cast_slice(&bytes));
         let values: Cow<'_, [f32]> = if response.is_identity() {

@@ -8,9 +8,10 @@ use crate::io::{must_be_free, read_text, write_folder_whole};
 use crate::job::dose::written;
 use crate::job::output::frames::Shown;
 use crate::job::progress::{Event, Progress, stage, watched};
-use crate::job::resolve::method::response;
+use crate::job::resolve::goal::response;
+use crate::job::resolve::machine::Showing;
 use crate::job::resolve::optics::Optics;
-use crate::job::resolve::resources::{memory_budget_mb, require};
+use crate::job::resolve::resources::require;
 use crate::job::resolve::{ResolvedJob, machine};
 use crate::job::spec::document::{Document, is_within};
 use crate::job::spec::file_names::of_lights;
@@ -179,13 +180,8 @@ pub fn export(
         .zip(&names)
         .map(|(frames, name)| frames.frames(*name))
         .collect();
-    let shown = Shown::new(
-        spec,
-        printers.as_deref(),
-        &names,
-        &frames,
-        gel_dose(job, run, progress)?,
-    )?;
+    let gel_dose = gel_dose(job, run, progress)?;
+    let shown = Shown::new(Showing::of(spec), printers.as_deref(), &frames, gel_dose)?;
     let part = spec.target.name();
     make_parent(folder)?;
     let written = write_folder_whole(folder, |aside| {
@@ -291,7 +287,7 @@ fn matrix_stages(
         "grid.pitch_mm",
         "memory for the matrix",
         needed_mb,
-        memory_budget_mb(resolved.spec.resources.memory_gb),
+        resolved.memory_budget_mb(),
         "fewer voxels, pixels or angles; try `--toy`",
     )?;
     progress.event(&Event::Note { text: plan.reason });

@@ -4,7 +4,7 @@ use super::folder::RunFolder;
 use super::frames::{Shown, ShownLight};
 use super::summary::{earlier, large};
 use crate::error::{Error, Result};
-use crate::grid::VolumeGrid;
+use crate::grid::{Volume, VolumeGrid};
 use crate::io::csv::{HistoryRow, write_history};
 use crate::io::frames::FrameSet;
 use crate::io::npy::{PatternPair, write_patterns, write_volume};
@@ -13,20 +13,19 @@ use crate::io::volume::{Values, write_values};
 use crate::io::vti::write_vti;
 use crate::io::write_whole;
 use crate::job::dose::written::Written;
-use crate::job::evaluate::Evaluated;
 use crate::job::evaluate::in_time::{InTime, NetworkInTime};
 use crate::job::evaluate::light_paths::scene;
 use crate::job::evaluate::limits::limits;
 use crate::job::evaluate::property::{Property, properties};
+use crate::job::evaluate::{Evaluated, SpeciesPrint};
 use crate::job::optimize::Optimized;
 use crate::job::optimize::gray_levels::sentence;
 use crate::job::output::folder::Leaves;
 use crate::job::output::frames::WrittenFrames;
 use crate::job::progress::{Event, Progress, left_out};
-use crate::job::resolve::{ResolvedJob, Voxels};
+use crate::job::resolve::{ResolvedJob, Species, Voxels};
 use crate::job::spec::file_names::of_network;
 use crate::job::spec::read::Job;
-use crate::job::spec::{LightSpec, MovieCoding, VolumeFormat};
 use crate::kind::table_of;
 use crate::metrics::Evaluation;
 use crate::metrics::print::{PatternStats, Print};
@@ -40,7 +39,6 @@ use crate::report::{
     write_print,
 };
 use crate::units::concise;
-use std::collections::BTreeSet;
 use std::io::Write as _;
 use std::panic::resume_unwind;
 use std::path::Path;
@@ -50,7 +48,7 @@ use tomolith_material::curves::{CurvePoint, IdealExposure};
 pub(crate) struct Done<'a> {
     pub(crate) job: &'a Job,
     pub(crate) resolved: ResolvedJob,
-    pub(crate) voxels: Voxels,
+    pub(crate) voxels: Vec<Voxels>,
     pub(crate) patterns: Written,
     pub(crate) evaluated: Evaluated,
     /// None for a simulation.
@@ -98,14 +96,8 @@ pub(crate) fn all(
         .map(|(i, levels)| levels.frames(resolved.light_name(i)))
         .collect();
     let gel_dose = evaluated.gel_dose(resolved);
-    let names: Vec<Option<&str>> = (0..frames.len()).map(|i| resolved.light_name(i)).collect();
-    let shown = Shown::new(
-        &resolved.spec,
-        resolved.printers.as_deref(),
-        &names,
-        &frames,
-        gel_dose,
-    )?;
+    let printers = resolved.printers.as_deref();
+    let shown = Shown::new(resolved.showing(), printers, &frames, gel_dose)?;
     let overrun = shown.overrun();
     if let Some(text) = overrun.clone() {
         progress.event(&Event::Warning { text });
@@ -116,30 +108,29 @@ pub(crate) fn all(
         }
         return numbers(done, folder, timings, (&shown, overrun));
     }
-    let properties = properties(resolved, evaluated)?;
+    let properties = properties(resolved, evaluated);
+    let first = evaluated.first();
     let arrays = || -> Result<()> {
         write_patterns(&new.join("patterns.npz"), &pairs, &run.part(0.2))?;
-        write_volume(&new.join("dose.npy"), &evaluated.dose, &run.part(0.05))?;
-        for (s, other) in evaluated.others.iter().enumerate() {
-            let name = resolved.species_name(s + 1).unwrap_or_default();
-            let file = new.join(format!("dose_{name}.npy"));
-            write_volume(&file, &other.dose, &run.aside())?;
+        let share = 0.05 / resolved.species.len() as f64;
+        for (name, dose) in doses(done) {
+            write_volume(&new.join(format!("{name}.npy")), dose, &run.part(share))?;
         }
         for property in &properties {
             let file = new.join(format!("{}.npy", property.name));
             write_volume(&file, &property.values, &run.aside())?;
         }
-        if resolved.spec.output.evaluation {
-            write_evaluation(evaluated, &new.join("evaluation"), run)?;
+        if resolved.output().evaluation {
+            write_evaluation(first, &new.join("evaluation"), run)?;
         }
         write_volumes(done, &properties, &new.join("volumes"), run)?;
         write_vti(
             &new.join("dose.vti"),
-            &evaluated.dose.grid,
+            &first.dose.grid,
             &[
-                ("dose", Values::F32(&evaluated.dose.values)),
-                ("target", Values::F32(&voxels.target.inside.values)),
-                ("label", Values::U8(&voxels.labels.values)),
+                ("dose", Values::F32(&first.dose.values)),
+                ("target", Values::F32(&voxels[0].target.inside.values)),
+                ("label", Values::U8(&voxels[0].labels.values)),
             ],
             &run.part(0.1),
         )
@@ -149,7 +140,7 @@ pub(crate) fn all(
         let arrays = scope.spawn(arrays);
         let written = shown.write(&new, &resolved.name, &sets, progress, &run.part(0.35));
         let written = written.and_then(|mut written| {
-            let surface = print(resolved, evaluated, &new, run.part(0.15));
+            let surface = print(resolved, first, &new, run.part(0.15));
             let warnings = &mut written.warnings;
             let deviation = left_out(SURFACE, surface, progress, warnings)?;
             Ok((written, deviation.flatten()))
@@ -187,11 +178,11 @@ pub(crate) fn all(
 }
 
 /// What the report's numbers are of.
-fn write_evaluation(evaluated: &Evaluated, folder: &Path, run: &Run) -> Result<()> {
+fn write_evaluation(print: &SpeciesPrint, folder: &Path, run: &Run) -> Result<()> {
     std::fs::create_dir(folder).map_err(|e| Error::io(folder, e))?;
-    let fine = &evaluated.fine;
+    let fine = &print.fine;
     for (name, volume) in [
-        ("response.npy", &evaluated.response),
+        ("response.npy", &print.response),
         ("target.npy", &fine.target.inside),
     ] {
         write_volume(&folder.join(name), volume, &run.aside())?;
@@ -201,44 +192,40 @@ fn write_evaluation(evaluated: &Evaluated, folder: &Path, run: &Run) -> Result<(
 
 /// All arrays on the job's voxels, in each of the formats that the job names.
 fn write_volumes(done: &Done<'_>, properties: &[Property], folder: &Path, run: &Run) -> Result<()> {
-    let formats = &done.resolved.spec.output.volumes;
+    let formats = &done.resolved.output().volumes;
     if formats.is_empty() {
         return Ok(());
     }
     std::fs::create_dir(folder).map_err(|e| Error::io(folder, e))?;
-    let (dose, others) = (&done.evaluated.dose, &done.evaluated.others);
-    let (target, labels) = (&done.voxels.target.inside, &done.voxels.labels);
-    let others = others.iter().enumerate().map(|(s, other)| {
-        let name = done.resolved.species_name(s + 1).unwrap_or_default();
-        (format!("dose_{name}"), &other.dose)
-    });
+    let write = |name: &str, grid: &VolumeGrid, values: Values<'_>| {
+        formats.iter().try_for_each(|format| {
+            let path = folder.join(format!("{name}.{}", format.ending()));
+            write_values(&path, name, grid, values, &run.aside())
+        })
+    };
+    let Voxels { target, labels, .. } = &done.voxels[0];
+    let target = std::iter::once(("target".to_owned(), &target.inside));
     let properties = properties.iter().map(|p| (p.name.clone(), &p.values));
-    let volumes = [("dose".to_owned(), dose), ("target".to_owned(), target)].into_iter();
-    for (name, volume) in volumes.chain(others).chain(properties) {
-        let values = Values::F32(&volume.values);
-        write_in(formats, folder, (&name, values), &volume.grid, run)?;
+    for (name, volume) in doses(done).chain(target).chain(properties) {
+        write(&name, &volume.grid, Values::F32(&volume.values))?;
     }
-    let values = Values::U8(&labels.values);
-    write_in(formats, folder, ("label", values), &labels.grid, run)
+    write("label", &labels.grid, Values::U8(&labels.values))
 }
 
-fn write_in(
-    formats: &BTreeSet<VolumeFormat>,
-    folder: &Path,
-    (name, values): (&str, Values<'_>),
-    grid: &VolumeGrid,
-    run: &Run,
-) -> Result<()> {
-    formats.iter().try_for_each(|format| {
-        let path = folder.join(format!("{name}.{}", format.ending()));
-        write_values(&path, name, grid, values, &run.aside())
+/// The doses of all species, by the names of their files: that of the first is `dose`.
+fn doses<'a>(done: &'a Done<'_>) -> impl Iterator<Item = (String, &'a Volume<f32>)> {
+    let species = done.resolved.species.iter().zip(&done.evaluated.species);
+    species.enumerate().map(|(s, (own, print))| {
+        let name = own.name.as_deref().filter(|_| s > 0);
+        let file = name.map_or("dose".to_owned(), |name| format!("dose_{name}"));
+        (file, &print.dose)
     })
 }
 
 /// The job with every default written out, after the parameters of the response that it found.
 fn described(done: &Done<'_>) -> Result<String> {
     let found = done.optimized.as_ref().and_then(|o| o.found.as_ref());
-    let found = done.resolved.kinds.free.as_ref().zip(found);
+    let found = done.resolved.method.free.as_ref().zip(found);
     let found = found.map_or_else(String::new, |(free, found)| found.comments(free));
     Ok(format!("{found}{}", done.job.complete().to_toml()?))
 }
@@ -258,7 +245,7 @@ fn numbers(
     let models = models(done);
     folder.describe(&described(done)?, &models)?;
     let headline = Headline::of(done, shown)?;
-    let properties = properties(&done.resolved, &done.evaluated)?;
+    let properties = properties(&done.resolved, &done.evaluated);
     let made = Made {
         movies: Vec::new(),
         deviation: None,
@@ -287,16 +274,11 @@ impl Headline {
         // One light after the other. A schedule says itself how long it takes, and its print when to stop
         let times = shown.lights().iter().map(|light| light.budget.time_s);
         let times = times.sum::<Option<f64>>();
-        let own_s = times.filter(|_| resolved.spec.schedule.is_none());
+        let own_s = times.filter(|_| resolved.schedule().is_none());
         let gel_dose = evaluated.gel_dose(resolved);
         let rate = gel_dose.zip(own_s);
-        let others = evaluated.others.iter().map(|other| &other.evaluation);
-        let all: Vec<_> = resolved
-            .species()
-            .zip(std::iter::once(&evaluated.evaluation).chain(others))
-            .collect();
-        let window = |(own, evaluation): (&ResolvedJob, &Evaluation)| {
-            let response = own.response();
+        let window = |(own, print): (&Species, &SpeciesPrint)| {
+            let (response, evaluation) = (&own.goal.response, &print.evaluation);
             let dose = |threshold: f64| f64::from(response.inverse(threshold as f32));
             // A resin that gels at a higher dose takes less of the same light
             let time_s = rate
@@ -311,14 +293,16 @@ impl Headline {
             done.optimized.as_ref(),
             done.job.is_toy,
         );
-        for (own, evaluation) in limits.iter_mut().zip(all.iter().map(|(_, print)| print)) {
-            own.sentence += &on_voxels(evaluation, resolved.extent.refine);
+        for (own, print) in limits.iter_mut().zip(&evaluated.species) {
+            own.sentence += &on_voxels(&print.evaluation, resolved.extent.refine);
             if done.job.is_toy && !own.sentence.contains(" toy ") {
                 own.sentence += &format!(" This is a toy of the job: {TOY}.");
             }
         }
         Ok(Headline {
-            exposures: all.iter().copied().map(window).collect(),
+            exposures: (resolved.species.iter().zip(&evaluated.species))
+                .map(window)
+                .collect(),
             one_exposure: one_exposure.map(|one| match rate {
                 Some((dose, seconds)) => one.in_time(dose, seconds),
                 None => one,
@@ -396,9 +380,15 @@ fn report(
         .shown
         .iter()
         .zip(exposures.lights())
-        .zip(&resolved.spec.light)
-        .map(|((shown, exposure), light)| LightReport {
-            name: light.name.as_deref().unwrap_or(""),
+        .zip(
+            resolved
+                .optics
+                .lights
+                .iter()
+                .zip(resolved.names_of_lights()),
+        )
+        .map(|((shown, exposure), (light, name))| LightReport {
+            name: name.unwrap_or(""),
             patterns: shown,
             bits: exposure.bits,
             full_scale: exposure.white,
@@ -408,6 +398,7 @@ fn report(
             irradiance: exposure.irradiance,
         })
         .collect();
+    let first = evaluated.first();
     let found = done.optimized.as_ref().and_then(|o| o.found.as_ref());
     let found_ceiling = done.optimized.as_ref().and_then(|o| o.ceiling.as_ref());
     let found_ceiling = found_ceiling.map(|found| &found.report);
@@ -420,14 +411,14 @@ fn report(
         exposure: headline.exposures.first().and_then(Option::as_ref),
         limits: &headline.limits[0],
         lights,
-        labels: &evaluated.fine.labels,
-        response: &evaluated.response,
-        inside: Some(&evaluated.fine.target.inside),
+        labels: &first.fine.labels,
+        response: &first.response,
+        inside: Some(&first.fine.target.inside),
         bodies: evaluated.bodies.as_ref(),
-        window: resolved.kinds.thresholds(),
-        evaluation: &evaluated.evaluation,
-        standing: Some(&evaluated.standing),
-        optimization: evaluated.optimization.as_ref(),
+        window: resolved.first().goal.thresholds(),
+        evaluation: &first.evaluation,
+        standing: Some(&first.standing),
+        optimization: first.optimization.as_ref(),
         objectives: &evaluated.objectives,
         published: published(done, exposures.lights())?,
         species: species(done, headline),
@@ -534,7 +525,7 @@ fn write_time(
         })?;
         let file = new.join(format!("cure_time{end}.npy"));
         write_volume(&file, &network.cure_times, &run.aside())?;
-        if done.resolved.spec.output.movie != MovieCoding::None {
+        if done.resolved.showing().has_movie() {
             let movie = network.write_movie(&new.join(format!("print{end}.mp4")), run);
             left_out(MOVIE_IN_TIME, movie, progress, warnings)?;
         }
@@ -561,26 +552,20 @@ fn species<'a>(done: &'a Done<'_>, headline: &'a Headline) -> Vec<SpeciesReport<
     let Some(rows) = &resolved.mixing else {
         return Vec::new();
     };
-    let first = (&evaluated.evaluation, &evaluated.fine, &evaluated.response);
-    let others = evaluated
-        .others
-        .iter()
-        .map(|other| (&other.evaluation, &other.fine, &other.response));
-    let prints = std::iter::once(first).chain(others);
     let said = headline.exposures.iter().zip(&headline.limits);
-    let species = rows.iter().zip(resolved.species()).zip(prints).zip(said);
+    let prints = resolved.species.iter().zip(&evaluated.species);
     let mut reports = Vec::with_capacity(rows.len());
-    for ((((name, row), resolved), (evaluation, fine, response)), (exposure, limits)) in species {
+    for (((name, row), (own, print)), (exposure, limits)) in rows.iter().zip(prints).zip(said) {
         let light =
-            |(light, &factor): (&LightSpec, &f64)| (light.name.clone().unwrap_or_default(), factor);
+            |(light, &factor): (Option<&str>, &f64)| (light.unwrap_or_default().to_owned(), factor);
         reports.push(SpeciesReport {
             name,
-            driven_by: resolved.spec.light.iter().zip(row).map(light).collect(),
-            evaluation,
-            labels: &fine.labels,
-            response,
-            inside: &fine.target.inside,
-            window: resolved.kinds.thresholds(),
+            driven_by: resolved.names_of_lights().zip(row).map(light).collect(),
+            evaluation: &print.evaluation,
+            labels: &print.fine.labels,
+            response: &print.response,
+            inside: &print.fine.target.inside,
+            window: own.goal.thresholds(),
             exposure: *exposure,
             limits,
         });
@@ -623,7 +608,7 @@ fn published(
 /// The brightest pixel and the dose that turns the resin solid in the units of publications. Doses of a job are relative: these
 /// are energies where the job says which dose the resin needs, and rates where it says how bright the machine is, too.
 fn unit_systems(done: &Done<'_>, exposures: &[ShownLight]) -> Result<Vec<Converted>> {
-    let resin = &done.resolved.spec.resin;
+    let resin = done.resolved.resin();
     let critical = resin.critical_dose_mj_per_mm3.filter(|_| !resin.pure_radon);
     let (Some(critical), Some(gel_dose)) = (critical, done.evaluated.gel_dose(&done.resolved))
     else {
@@ -663,7 +648,7 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
         source,
         ..
     } = done;
-    let spec = &resolved.spec;
+    let resin = resolved.resin();
     let [nz, ny, nx] = resolved.grid.shape;
     let mut facts = Vec::new();
     if job.is_toy {
@@ -673,9 +658,9 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
         ("Vial", resolved.optics.vial_kind.to_owned()),
         (
             "Resin",
-            match spec.resin.active_per_mm() {
-                0.0 => format!("n {}, no absorption", spec.resin.refractive_index),
-                active => format!("n {}, μ {active} per mm", spec.resin.refractive_index),
+            match resin.active_per_mm() {
+                0.0 => format!("n {}, no absorption", resin.refractive_index),
+                active => format!("n {}, μ {active} per mm", resin.refractive_index),
             },
         ),
         (
@@ -685,14 +670,17 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
                 concise(1e3 * resolved.grid.pitch_mm)
             ),
         ),
-        ("Evaluated on", evaluated_on(&evaluated.fine.labels.grid)),
+        (
+            "Evaluated on",
+            evaluated_on(&evaluated.first().fine.labels.grid),
+        ),
         ("Frames", resolved.extent.frames.to_string()),
     ]);
     if let Some(optimized) = optimized {
         let seconds = optimized.outcome.counters.model_s.max(1e-9);
         let calls = optimized.outcome.counters.forward + optimized.outcome.counters.adjoint;
         let speed = large(calls as f64 * optimized.updates as f64 / seconds);
-        facts.push(("Optimizer", resolved.kinds.method().to_owned()));
+        facts.push(("Optimizer", resolved.method.name().to_owned()));
         let (kept, history) = (optimized.outcome.kept, &optimized.outcome.history);
         let last = history.last().map_or(0, |row| row.iteration);
         if kept.iteration != last {
@@ -708,7 +696,10 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
             facts.push(("Response found", found.sentence()));
         }
         if let Some(levels) = &optimized.levels {
-            facts.push(("Levels", sentence(spec.evaluate.bit_depth, &levels.gain)));
+            facts.push((
+                "Levels",
+                sentence(resolved.evaluation().bit_depth, &levels.gain),
+            ));
         }
         facts.push(("Model", optimized.model.clone()));
         facts.push(("Speed", format!("{speed}voxel-angle updates per second")));
@@ -784,15 +775,15 @@ fn date(now: std::time::SystemTime) -> String {
 /// is off, as `print.ply`, where there is a target to compare it with.
 fn print(
     resolved: &ResolvedJob,
-    evaluated: &Evaluated,
+    first: &SpeciesPrint,
     folder: &Path,
     run: Run,
 ) -> Result<Option<Deviation>> {
     let writing = run.aside();
-    let mut print = Print::under(&evaluated.fine.labels, &evaluated.response, run)?
+    let mut print = Print::under(&first.fine.labels, &first.response, run)?
         .with_most_triangles(resolved.most_triangles())
-        .with_inside(&evaluated.fine.target.inside)?;
-    if let Some(threshold) = evaluated.evaluation.gel_threshold {
+        .with_inside(&first.fine.target.inside)?;
+    if let Some(threshold) = first.evaluation.gel_threshold {
         print = print.with_threshold(threshold)?;
     }
     let title = format!("{}, predicted print", resolved.name);

@@ -8,11 +8,9 @@ use crate::io::mp4::{check_movie, write_movie};
 use crate::io::stack::write_stack;
 use crate::io::write_whole;
 use crate::job::progress::{Event, Progress, left_out};
-use crate::job::resolve::machine::exposure;
-use crate::job::resolve::scheduled;
+use crate::job::resolve::machine::Showing;
 use crate::job::resolve::scheduled::Emitted;
 use crate::job::spec::file_names::EXPOSURE;
-use crate::job::spec::{JobSpec, MovieCoding};
 use crate::models::Run;
 use crate::report::number::significant;
 use crate::report::{Irradiance, MovieReport};
@@ -53,15 +51,14 @@ pub(crate) struct WrittenFrames {
 
 /// How a job is shown: frames, movies, times.
 pub(crate) struct Shown<'a> {
-    spec: &'a JobSpec,
-    names: &'a [Option<&'a str>],
+    showing: Showing<'a>,
     lights: Vec<ShownLight>,
 }
 
 impl<'a> Shown<'a> {
     /// Warns of a print that takes longer than the job allows.
     pub(crate) fn overrun(&self) -> Option<String> {
-        let asked = self.spec.printer.as_ref()?.time_s?;
+        let asked = self.showing.allowed_s()?;
         let times = self.lights.iter().map(|light| light.budget.time_s);
         let found: f64 = times.sum::<Option<f64>>()?;
         (found > asked * (1.0 + OVERRUN)).then(|| {
@@ -79,9 +76,8 @@ impl<'a> Shown<'a> {
     /// # Errors
     /// Those of the schedule.
     pub(crate) fn new(
-        spec: &'a JobSpec,
+        showing: Showing<'a>,
         printers: Option<&[Printer]>,
-        names: &'a [Option<&'a str>],
         frames: &[Quantized],
         gel_dose: Option<f64>,
     ) -> Result<Self> {
@@ -93,26 +89,14 @@ impl<'a> Shown<'a> {
             };
             let (grid, white) = (&frames.grid, f64::from(frames.full_scale));
             let (pixels, pixel_mm2) = (grid.rows * grid.columns, grid.pixel_mm2());
-            let scheduled = scheduled::budget(
-                spec,
-                i,
-                &Emitted {
-                    white,
-                    sums: &emitted,
-                    pixels: grid.frames() * pixels,
-                    pixel_mm2,
-                },
-            )?;
-            let (budget, irradiance) = match scheduled {
-                Some((budget, irradiance)) => (budget, Some(irradiance)),
-                None => {
-                    let exposure = exposure(spec, i, gel_dose);
-                    (
-                        exposure.budget(white, emitted.iter().sum(), pixels, pixel_mm2),
-                        None,
-                    )
-                }
+            let emitted = Emitted {
+                white,
+                sums: &emitted,
+                frames: grid.frames(),
+                pixels,
+                pixel_mm2,
             };
+            let (budget, irradiance) = showing.budget(i, &emitted, gel_dose)?;
             Ok(ShownLight {
                 bits: frames.bits,
                 white: frames.full_scale,
@@ -123,8 +107,7 @@ impl<'a> Shown<'a> {
         };
         let lights = frames.iter().enumerate().map(light);
         Ok(Shown {
-            spec,
-            names,
+            showing,
             lights: lights.collect::<Result<_>>()?,
         })
     }
@@ -144,12 +127,7 @@ impl<'a> Shown<'a> {
         run: &Run,
     ) -> Result<WrittenFrames> {
         write_frames(&folder.join("frames"), sets, &run.part(0.2))?;
-        if self
-            .spec
-            .printer
-            .as_ref()
-            .is_some_and(|printer| printer.stack)
-        {
+        if self.showing.is_stacked() {
             write_stack(&folder.join("frames.npz"), sets, &run.part(0.1))?;
         }
         let (mut written, mut lights) = (WrittenFrames::default(), Vec::new());
@@ -157,7 +135,7 @@ impl<'a> Shown<'a> {
             let movie = self.write_movie(folder, part, set, &run.part(0.7 / sets.len() as f64));
             let movie = left_out(MOVIE, movie, progress, &mut written.warnings)?.flatten();
             let arc = set.grid.frame_arc * set.grid.frames() as f64;
-            if arc == 0.0 && self.spec.output.movie != MovieCoding::None {
+            if arc == 0.0 && self.showing.has_movie() {
                 let text =
                     "a list of angles, or a single frame, has no frame rate: no movie is written"
                         .to_owned();
@@ -167,7 +145,7 @@ impl<'a> Shown<'a> {
             lights.push(self.light_json(i, set, name));
             written.movies.push(movie);
         }
-        let rpm = self.spec.output.rpm;
+        let rpm = self.showing.rpm();
         let exposure = json!({ "schema": "tomolith.exposure/1", "rpm": rpm, "lights": lights });
         write_whole(&folder.join(EXPOSURE), |file| {
             serde_json::to_writer_pretty(&mut *file, &exposure).map_err(std::io::Error::from)?;
@@ -184,11 +162,9 @@ impl<'a> Shown<'a> {
         set: &FrameSet<'_>,
         run: &Run,
     ) -> Result<Option<MovieReport>> {
-        let (coding, rpm) = (self.spec.output.movie, self.spec.output.rpm);
-        let ending = match coding {
-            MovieCoding::H264 => "mp4",
-            MovieCoding::Lossless => "mov",
-            MovieCoding::None => return Ok(None),
+        let rpm = self.showing.rpm();
+        let Some(ending) = self.showing.movie_ending() else {
+            return Ok(None);
         };
         let arc = set.grid.frame_arc * set.grid.frames() as f64;
         if arc == 0.0 {
@@ -197,7 +173,7 @@ impl<'a> Shown<'a> {
         let file = movie_name(part, set.light, rpm, ending);
         let path = folder.join(&file);
         let rate = frame_rate(rpm, set.grid.frames(), arc)?;
-        let check = if coding == MovieCoding::H264 {
+        let check = if ending == "mp4" {
             write_movie(&path, set, rate, &run.part(0.6))
                 .and_then(|()| check_movie(&path, set, &run.part(0.4)))
         } else {
@@ -214,13 +190,8 @@ impl<'a> Shown<'a> {
     }
 
     fn light_json(&self, i: usize, set: &FrameSet<'_>, movie: Option<&str>) -> Value {
-        let (spec, grid) = (&self.spec.light[i], set.grid);
-        let sense = self
-            .spec
-            .printer
-            .as_ref()
-            .and_then(|printer| printer.rotation)
-            .unwrap_or(spec.rotation);
+        let grid = set.grid;
+        let sense = self.showing.rotation(i);
         let degrees: Vec<f64> = grid
             .azimuths
             .iter()
@@ -228,7 +199,7 @@ impl<'a> Shown<'a> {
             .map(|a| (a.rem_euclid(TAU).to_degrees() * 1e9).round() / 1e9)
             .collect();
         json!({
-            "name": self.names[i],
+            "name": set.light,
             "movie": movie,
             "frames": grid.frames(),
             "columns": grid.columns,
@@ -236,7 +207,7 @@ impl<'a> Shown<'a> {
             "pixel_pitch_mm": grid.pitch_mm,
             "bits": set.bits,
             "white": set.full_scale,
-            "frame_rate": frame_rate(self.spec.output.rpm, grid.frames(), grid.frame_arc * grid.frames() as f64).ok(),
+            "frame_rate": frame_rate(self.showing.rpm(), grid.frames(), grid.frame_arc * grid.frames() as f64).ok(),
             "vial_turns": if sense == Rotation::Clockwise { "clockwise" } else { "counterclockwise" },
             "azimuth_deg": degrees,
             "budget": self.lights[i].budget,

@@ -2,13 +2,14 @@
 
 use super::folder::RunFolder;
 use crate::error::{Error, Result};
-use crate::job::resolve::identity::as_floats;
+use crate::job::resolve::identity::tables_of;
 use crate::job::spec::JobSpec;
 use crate::job::spec::document::Document;
-use crate::job::spec::read::{Job, with_every_default};
+use crate::job::spec::read::Job;
 use crate::optimize::checkpoint::differences;
-use serde_json::Value;
 
+/// Tables in which two jobs may differ.
+const ASIDE: [&str; 2] = ["output", "resources"];
 /// Differences that a message names.
 const NAMED: usize = 3;
 
@@ -30,6 +31,7 @@ pub(crate) fn must_be_same(job: &Job, resume: bool) -> Result<()> {
     let changes = match was {
         Ok(was) => {
             let mut found = Vec::new();
+            let tables = |spec| tables_of(spec, &ASIDE).unwrap_or_default();
             differences("", &tables(&was), &tables(&job.complete()), &mut found);
             if found.is_empty() {
                 return Ok(());
@@ -46,19 +48,6 @@ pub(crate) fn must_be_same(job: &Job, resume: bool) -> Result<()> {
         ),
         "another folder (--output DIR), or --overwrite to replace that run",
     )))
-}
-
-/// All tables of a job but where it is written.
-fn tables(spec: &JobSpec) -> Value {
-    let mut tables = with_every_default(spec.clone())
-        .to_value()
-        .unwrap_or_default();
-    if let Some(map) = tables.as_object_mut() {
-        map.remove("output");
-        map.remove("resources");
-    }
-    as_floats(&mut tables);
-    tables
 }
 
 /// The first differences, and how many there are beside them.

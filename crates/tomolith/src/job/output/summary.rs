@@ -1,10 +1,12 @@
 //! What a run and a check tell at their end.
 
+use crate::job::evaluate::SpeciesPrint;
 use crate::job::evaluate::in_time::{InTime, TimeSummary};
 pub use crate::job::evaluate::limits::Fall;
 use crate::job::output::files::{Done, Headline};
 use crate::job::output::folder::Leaves;
 use crate::job::progress::duration;
+use crate::job::resolve::Species;
 use crate::metrics::{Evaluation, Measure};
 use crate::objective::FoundWindow;
 use crate::optimize::{Gap, KeptBy, KeptIterate, StopReason};
@@ -435,6 +437,7 @@ pub(crate) fn summary(
     begin: Instant,
 ) -> Summary {
     let optimized = done.optimized.as_ref();
+    let first = done.evaluated.first();
     Summary {
         folder: folder.to_owned(),
         report: match done.leaves {
@@ -452,9 +455,9 @@ pub(crate) fn summary(
         gap: optimized.and_then(|o| o.outcome.gap()),
         found_window: optimized.and_then(|o| o.window),
         found_response: optimized.and_then(|o| Some(o.found.as_ref()?.sentence())),
-        evaluation: quality(&done.evaluated.evaluation),
-        standing: quality(&done.evaluated.standing),
-        optimization: done.evaluated.optimization.as_ref().map(quality),
+        evaluation: quality(&first.evaluation),
+        standing: quality(&first.standing),
+        optimization: first.optimization.as_ref().map(quality),
         exposure: headline.exposures.first().copied().flatten(),
         species: species(done, &headline),
         one_exposure: headline.one_exposure,
@@ -467,14 +470,14 @@ pub(crate) fn summary(
         one_moment: done.evaluated.in_time.as_ref().and_then(InTime::together),
         scenarios: done.evaluated.scenarios.clone(),
         print_time: time_sentence(
-            done.evaluated.evaluation.measures.get("time_mm"),
+            first.evaluation.measures.get("time_mm"),
             optimized.and_then(|o| Some(&o.ceiling.as_ref()?.report)),
         ),
         limits: headline.limits.into_iter().next().unwrap_or_default(),
-        required_iou: done.resolved.spec.evaluate.require_iou,
-        required_in_band: done.resolved.spec.evaluate.require_in_band,
-        evaluation_voxels: [2, 1, 0].map(|axis| done.evaluated.evaluation.grid.shape[axis]),
-        evaluation_pitch_mm: done.evaluated.evaluation.grid.pitch_mm,
+        required_iou: done.resolved.evaluation().require_iou,
+        required_in_band: done.resolved.evaluation().require_in_band,
+        evaluation_voxels: [2, 1, 0].map(|axis| first.evaluation.grid.shape[axis]),
+        evaluation_pitch_mm: first.evaluation.grid.pitch_mm,
         refine: done.resolved.extent.refine,
         seconds: begin.elapsed().as_secs_f64(),
     }
@@ -482,18 +485,18 @@ pub(crate) fn summary(
 
 /// Every species, where the job names several.
 fn species(done: &Done<'_>, headline: &Headline) -> Vec<SpeciesSummary> {
-    if done.evaluated.others.is_empty() {
+    let species = &done.resolved.species;
+    if species.len() == 1 {
         return Vec::new();
     }
-    let others = done.evaluated.others.iter().map(|other| &other.evaluation);
-    let all = std::iter::once(&done.evaluated.evaluation).chain(others);
-    let of = |(s, evaluation): (usize, &Evaluation)| SpeciesSummary {
-        name: done.resolved.species_name(s).unwrap_or_default().to_owned(),
-        evaluation: quality(evaluation),
+    let all = species.iter().zip(&done.evaluated.species).enumerate();
+    let of = |(s, (own, print)): (usize, (&Species, &SpeciesPrint))| SpeciesSummary {
+        name: own.name.clone().unwrap_or_default(),
+        evaluation: quality(&print.evaluation),
         exposure: headline.exposures[s],
         limits: headline.limits[s].clone(),
     };
-    all.enumerate().map(of).collect()
+    all.map(of).collect()
 }
 
 fn quality(evaluation: &Evaluation) -> Quality {

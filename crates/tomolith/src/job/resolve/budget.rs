@@ -1,10 +1,10 @@
 //! What a job takes of the memory budget, and what is lowered until it fits.
 
 use super::extent::{Extent, FIELDS_PER_SCENARIO};
-use super::method::JobKinds;
 use super::optics::Optics;
 use super::remarks::grid_key;
 use super::resources::{free_memory_mb, memory_budget_mb, require};
+use super::species::Species;
 use super::{cells, extent, refinement};
 use crate::error::Result;
 use crate::exposure::Printer;
@@ -31,13 +31,12 @@ pub(crate) fn extent(resolved: &ResolvedJob, family: &Family) -> Result<Extent> 
     let of_the_job = (grid, &resolved.optics.lights[..], spec.stop.iterations);
     let effort = refinement::effort(&resolved.levels, of_the_job, entries);
     let canvases = resolved.printers.iter().flatten().map(Printer::canvas_grid);
-    let cells = if resolved.has_cells { cells::FIELDS } else { 0 };
     Ok(Extent {
         effort: effort * (1 + spec.scenario.len()) as f64,
         cached_entries: kept.cached_entries,
         cached_bytes: kept.cached_bytes,
         finest: last.grid.clone(),
-        fields: with_fields(spec, &resolved.kinds, resolved.shape.is_gray()) + cells,
+        fields: with_fields(spec, &resolved.species),
         canvas: canvases.map(|canvas| canvas.len()).sum(),
         stacked: bytes_stacked(spec),
         // Dose and target, and a label, and a level of eighths
@@ -65,10 +64,10 @@ impl ResolvedJob {
         }
         if self.extent.memory < asked {
             let memory = self.extent.memory;
-            self.kinds.set_pairs(memory);
+            self.method.set_pairs(memory);
             self.warnings.push(format!(
                 "the memory budget (resources.memory_gb) is too small: optimizer.{}.memory is {memory}, not {asked}",
-                self.kinds.method()
+                self.method.name()
             ));
         }
         let asked = self.extent.refine;
@@ -144,14 +143,16 @@ const PER_SPECIES: usize = 2;
 const PER_PRINT: usize = 5;
 
 /// Objectives with numbers of their own for every voxel.
-pub(crate) fn with_fields(spec: &JobSpec, kinds: &JobKinds, gray: bool) -> usize {
-    let common = kinds.common();
-    let count = common
-        .filter(|(_, common)| gray || common.has_fields())
-        .count();
+fn with_fields(spec: &JobSpec, species: &[Species]) -> usize {
+    let of_one = |own: &Species| {
+        let is_gray = own.shape.is_gray();
+        let common = own.goal.common();
+        let fields = common.filter(|(_, common)| is_gray || common.has_fields());
+        fields.count() + if own.has_cells { cells::FIELDS } else { 0 }
+    };
     // Dose and target of each further species or scenario; state and snapshots of a print in time
-    count
-        + PER_SPECIES * spec.species.len().saturating_sub(1)
+    species.iter().map(of_one).sum::<usize>()
+        + PER_SPECIES * (species.len() - 1)
         + FIELDS_PER_SCENARIO * spec.scenario.len()
         + if spec.schedule.is_some() {
             PER_PRINT

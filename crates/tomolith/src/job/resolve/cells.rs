@@ -1,6 +1,7 @@
 //! Jobs with surface-aware cells: which objective asks for them, and whether the rest of the job can have them.
 
-use super::method::JobKinds;
+use super::goal::Goal;
+use super::method::Method;
 use crate::error::{Error, Result};
 use crate::models::Family;
 use crate::models::rays::solid::Solid;
@@ -13,15 +14,17 @@ pub(crate) const FIELDS: usize = 2;
 ///
 /// # Errors
 /// [`Error::Config`] with the key that asks for cells.
-pub(crate) fn must_fit(kinds: &JobKinds, shape: &dyn Shape, model: Option<&Family>) -> Result<()> {
-    let Some(key) = kinds.cells_key() else {
+pub(crate) fn must_fit(
+    (goal, method): (&Goal, &Method),
+    shape: &dyn Shape,
+    model: Option<&Family>,
+) -> Result<()> {
+    let Some(key) = goal.cells_key() else {
         return Ok(());
     };
     let whole_voxels = match model.filter(|model| !model.capabilities().has_cells) {
         Some(model) => Some(format!("[model.{}]", model.name())),
-        None if kinds.requirements.target.is_some() => {
-            Some(format!("[optimizer.{}]", kinds.method()))
-        }
+        None if method.needs_target() => Some(format!("[optimizer.{}]", method.name())),
         None => None,
     };
     let (found, accepted) = if !Solid::has_surface(shape) {

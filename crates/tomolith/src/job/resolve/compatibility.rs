@@ -76,13 +76,18 @@ impl Optics {
     ///
     /// # Errors
     /// [`Error::Config`] with both sizes.
-    pub(crate) fn must_hold(&self, spec: &JobSpec, shape: &dyn Shape) -> Result<Vec<String>> {
+    pub(crate) fn must_hold(
+        &self,
+        spec: &JobSpec,
+        shape: &dyn Shape,
+        wall_tolerance_mm: f64,
+    ) -> Result<Vec<String>> {
         let [low, high] = shape.bounds_mm();
         // A shape touches every face of its box, so some of it is this far from the axis
         let out = (0..2).map(|i| high[i].max(-low[i])).fold(0.0, f64::max);
         let resin = self.vial.resin_wall().inscribed_radius();
         let over = out - resin * (1.0 + 1e-9);
-        if over > self.wall_tolerance_mm {
+        if over > wall_tolerance_mm {
             // As short as the two can be told apart
             let [reaches, ends] = match [out, resin].map(concise) {
                 [reaches, ends] if reaches == ends => [out, resin].map(exact),
@@ -113,9 +118,8 @@ impl Optics {
     }
 
     /// Whether there is resin within the tolerance of a point (mm) that is in none.
-    fn touches(&self, [x, y, z]: [f64; 3]) -> bool {
+    fn touches(&self, [x, y, z]: [f64; 3], far: f64) -> bool {
         const AROUND: usize = 16;
-        let far = self.wall_tolerance_mm;
         let is_resin = |at: [f64; 3]| self.vial.in_resin(at);
         far > 0.0
             && !is_resin([x, y, z])
@@ -185,7 +189,7 @@ impl Optics {
             .collect()
     }
 
-    /// Checks the voxels: refuses a target that lies outside the resin or the grid, and tells what is beyond the reach.
+    /// Checks the voxels: refuses a target that lies outside the resin or the grid, up to a tolerance, and tells what is beyond the reach.
     ///
     /// # Errors
     /// [`Error::Config`] when there is nothing to print, or part of it cannot be.
@@ -194,6 +198,7 @@ impl Optics {
         inside: &Volume<f32>,
         labels: &Volume<u8>,
         gray: bool,
+        wall_tolerance_mm: f64,
     ) -> Result<Vec<String>> {
         let grid = &labels.grid;
         let [_, ny, nx] = grid.shape;
@@ -206,7 +211,8 @@ impl Optics {
                 }
                 part += 1;
                 if label == label::OUTSIDE {
-                    let touches = self.touches([grid.x(i % nx), grid.y(i / nx), grid.z(iz)]);
+                    let middle = [grid.x(i % nx), grid.y(i / nx), grid.z(iz)];
+                    let touches = self.touches(middle, wall_tolerance_mm);
                     cut += u64::from(touches);
                     stray += u64::from(!touches);
                 }
@@ -250,7 +256,7 @@ impl Optics {
                  (target.wall_tolerance_mm), and will not print",
                 mm3(cut),
                 mm3(part),
-                concise(self.wall_tolerance_mm)
+                concise(wall_tolerance_mm)
             ));
         }
         let hidden = self.in_bodies(inside, labels, gray);
@@ -359,7 +365,10 @@ mod tests {
             let grid = VolumeGrid::centered([4, 4, 4], 0.5);
             let inside = Volume::filled(grid.clone(), 1.0f32);
             let labels = Volume::filled(grid, label::PART);
-            optics.warnings(&inside, &labels, false).unwrap().join("\n")
+            optics
+                .warnings(&inside, &labels, false, 0.0)
+                .unwrap()
+                .join("\n")
         };
         let text = warned(&["obstacles=[{ mesh = \"body.stl\" }]"]);
         assert!(
@@ -403,11 +412,9 @@ mod tests {
             grid: grid.clone(),
             values: all().map(label).collect(),
         };
-        assert!(optics.warnings(&inside, &labels, false).is_err());
-        optics.wall_tolerance_mm = 0.005;
-        assert!(optics.warnings(&inside, &labels, false).is_err());
-        optics.wall_tolerance_mm = 0.0102;
-        let warnings = optics.warnings(&inside, &labels, false).unwrap();
+        let warned = |tolerance_mm| optics.warnings(&inside, &labels, false, tolerance_mm);
+        assert!(warned(0.0).is_err() && warned(0.005).is_err());
+        let warnings = warned(0.0102).unwrap();
         // A quarter of a ring from 0.99 to 1 mm, 5 µm high: 0.0000781 mm³
         let text = warnings
             .iter()
@@ -438,15 +445,11 @@ mod tests {
         let gear = crate::target::build(&gear, Path::new(""), "target").unwrap();
         let job = spec(&[]);
         let mut optics = Optics::new(&job, Path::new("")).unwrap();
-        assert!(optics.must_hold(&job, gear.as_ref()).unwrap().is_empty());
+        let held = |optics: &Optics, far| optics.must_hold(&job, gear.as_ref(), far);
+        assert!(held(&optics, 0.0).unwrap().is_empty());
         optics.vial = Box::new(IndexMatched { radius_mm: 2.499 });
-        optics.wall_tolerance_mm = 0.0005;
-        assert_eq!(
-            key(optics.must_hold(&job, gear.as_ref()).unwrap_err()),
-            "target"
-        );
-        optics.wall_tolerance_mm = 0.002;
-        let text = optics.must_hold(&job, gear.as_ref()).unwrap().join("");
+        assert_eq!(key(held(&optics, 0.0005).unwrap_err()), "target");
+        let text = held(&optics, 0.002).unwrap().join("");
         assert!(text.contains("0.001 mm into the wall"), "{text}");
     }
 
@@ -474,7 +477,7 @@ mod tests {
         .parse()
         .unwrap();
         let gear = crate::target::build(&gear, Path::new(""), "target").unwrap();
-        let held = |changes: &[&str]| optics(changes).must_hold(&spec(changes), gear.as_ref());
+        let held = |changes: &[&str]| optics(changes).must_hold(&spec(changes), gear.as_ref(), 0.0);
         // 60 columns reach 1.5 mm to each side, the gear 2.5 mm
         assert_eq!(
             key(held(&["light.pixels=[60, 64]"]).unwrap_err()),

@@ -3,7 +3,8 @@
 //! Any parameter of `[response.KIND]` that is a number can be one. Trials read the response's own table with other values in it, so that what a kind
 //! accepts is said in one place: the kind's. The method is in [`free_response`](crate::optimize::free_response).
 
-use super::method::{JobKinds, response};
+use super::goal::{Goal, response};
+use super::method::Method;
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::job::spec::JobSpec;
@@ -203,21 +204,21 @@ fn no_such(kind: &str, name: &str, known: &[(&str, Option<f64>)]) -> Error {
 ///
 /// # Errors
 /// [`Error::Config`].
-pub(crate) fn must_be_minimized(kinds: &JobKinds) -> Result<()> {
-    if kinds.free.is_none() {
+pub(crate) fn must_be_minimized(goal: &Goal, method: &Method) -> Result<()> {
+    if method.free.is_none() {
         return Ok(());
     }
-    if kinds.normalizes || kinds.requirements.target.is_some() {
+    if method.normalizes || method.needs_target() {
         return Err(Error::config(
             TABLE,
             format!(
                 "optimizer.{} follows a rule of its own and not the loss, which tells how good a response is",
-                kinds.method()
+                method.name()
             ),
             "a method that descends the loss: lbfgs, gradient, adam, bclp",
         ));
     }
-    let own = kinds.common().find(|(_, own)| own.response.is_some());
+    let own = goal.common().find(|(_, own)| own.response.is_some());
     match own {
         Some((path, _)) => Err(Error::config(
             format!("{path}.response"),

@@ -1,34 +1,24 @@
 //! The grid of a job: given, or round the target, cut by the resin and on the rows of the pixels.
 
 use super::optics::Optics;
+use super::species::Species;
 use crate::error::{Error, Result};
 use crate::grid::{PatternGrid, VolumeGrid};
 use crate::job::spec::{GridSpec, JobSpec};
-use crate::models::Run;
-use crate::target::{self, Resolution, Shape, default_grid};
+use crate::target::{Resolution, default_grid};
 use crate::units::concise;
-use std::path::Path;
 
 /// Parts of a voxel that are rounding of the job's lengths.
 const ROUNDING: f64 = 1e-6;
 
 /// The box of all that is to be printed, of all species.
-pub(crate) fn bounds_of(
-    spec: &JobSpec,
-    shape: &dyn Shape,
-    base: &Path,
-    run: &Run,
-) -> Result<[[f64; 3]; 2]> {
-    let [mut low, mut high] = shape.bounds_mm();
-    for (s, species) in spec.species.iter().enumerate().skip(1) {
-        let Some(own) = &species.target else { continue };
-        let key = format!("species[{s}].target");
-        let [l, h] = target::build_under(own, base, &key, run)?.bounds_mm();
-        for i in 0..3 {
-            (low[i], high[i]) = (low[i].min(l[i]), high[i].max(h[i]));
-        }
-    }
-    Ok([low, high])
+pub(crate) fn bounds_of(species: &[Species]) -> [[f64; 3]; 2] {
+    let boxes = species.iter().map(|own| own.shape.bounds_mm());
+    let both = |[al, ah]: [[f64; 3]; 2], [bl, bh]: [[f64; 3]; 2]| {
+        let low = std::array::from_fn(|i| al[i].min(bl[i]));
+        [low, std::array::from_fn(|i| ah[i].max(bh[i]))]
+    };
+    boxes.reduce(both).unwrap_or_default()
 }
 
 /// The grid of a job: given, or round the target and cut by the resin; and how far it was moved up to lie on the rows, mm.

@@ -2,7 +2,9 @@
 
 use crate::error::{Error, Result};
 use crate::field::BLOCK;
-use crate::job::resolve::Voxels;
+use crate::job::resolve::{ResolvedJob, Voxels};
+use crate::job::spec::JobSpec;
+use crate::job::spec::read::with_every_default;
 use serde_json::Value;
 use std::io::Read;
 use std::path::Path;
@@ -14,7 +16,7 @@ use crate::io::slices::stack_files;
 use crate::target::TargetSpec;
 
 /// 2 and 2.0 are the same number, however a job writes it.
-pub(crate) fn as_floats(value: &mut Value) {
+fn as_floats(value: &mut Value) {
     match value {
         Value::Number(number) => {
             if let Some(float) = number.as_f64() {
@@ -25,6 +27,16 @@ pub(crate) fn as_floats(value: &mut Value) {
         Value::Object(map) => map.values_mut().for_each(as_floats),
         _ => {}
     }
+}
+
+/// All tables of a job but some, with every default written out.
+pub(crate) fn tables_of(spec: &JobSpec, without: &[&str]) -> Result<Value> {
+    let mut tables = with_every_default(spec.clone()).to_value()?;
+    as_floats(&mut tables);
+    if let Some(map) = tables.as_object_mut() {
+        map.retain(|key, _| !without.contains(&key.as_str()));
+    }
+    Ok(tables)
 }
 
 /// What makes a checkpoint belong to this job: its tables and the content of their files, and the voxels in place of the
@@ -132,6 +144,22 @@ pub(crate) fn take_files(target: &mut TargetSpec, base: &Path, found: &mut Vec<u
         *file = file.file_name().map(Into::into).unwrap_or_default();
     }
     Ok(())
+}
+
+impl ResolvedJob {
+    /// What the parts of all species on the job's grid are known by.
+    ///
+    /// # Errors
+    /// [`Error::Io`] for a file that cannot be read.
+    pub(crate) fn identity_of_parts(&self) -> Result<u64> {
+        let mut parts = vec![hash(format!("{:?}", self.grid).as_bytes())];
+        for s in 0..self.species.len() {
+            let mut target = with_every_default(self.spec.of_species(s)).target;
+            take_files(&mut target, &self.base, &mut parts)?;
+            parts.push(hash(format!("{target:?}").as_bytes()));
+        }
+        Ok(hash(bytemuck::cast_slice(&parts)))
+    }
 }
 
 #[cfg(test)]

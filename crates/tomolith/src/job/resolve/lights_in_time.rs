@@ -15,15 +15,12 @@ use tomolith_material::shaded::Shaded;
 /// # Errors
 /// [`Error::Config`] with the model's reason.
 pub(crate) fn must_be_shaded(job: &ResolvedJob) -> Result<()> {
-    let own = job.spec.material.as_ref();
-    let photopolymer = own.and_then(|material| material.photopolymer.as_ref());
-    let shading = photopolymer.map_or(&[][..], |params| &params.shading);
     let run = Run::new();
     let lights = Lights::new(job, Vec::new(), &run);
     // Two slices are enough to change along z
     let map = AbsorptionMap::new([2, 1, 1], job.grid.pitch_mm, vec![0.0; 2], vec![0.0; 2])?;
     let map = Arc::new(map);
-    for (i, shading) in shading.iter().enumerate() {
+    for (i, shading) in job.spec.shading().iter().enumerate() {
         if lights.is_straight(shading.light)? {
             continue;
         }

@@ -1,10 +1,13 @@
 //! The machine of a job: one printer per light, and what the time that a print may take allows.
 
 use crate::error::{Error, Result};
-use crate::exposure::{ExposureBudget, Printer};
-use crate::job::resolve::method::JobKinds;
-use crate::job::spec::{JobSpec, LightSpec};
+use crate::exposure::{Budget, ExposureBudget, Printer, Rotation};
+use crate::job::resolve::ResolvedJob;
+use crate::job::resolve::goal::Goal;
+use crate::job::resolve::scheduled::{self, Emitted};
+use crate::job::spec::{JobSpec, LightSpec, MovieCoding};
 use crate::optics::light::Light;
+use crate::report::Irradiance;
 use crate::units::exact;
 use std::path::Path;
 
@@ -38,13 +41,13 @@ pub(crate) fn printers(
 ///
 /// # Errors
 /// [`Error::Config`] when the dose that turns the resin solid is not known.
-pub(crate) fn white_in_time(spec: &JobSpec, kinds: &JobKinds) -> Result<Option<(f64, f64)>> {
+pub(crate) fn white_in_time(spec: &JobSpec, goal: &Goal) -> Result<Option<(f64, f64)>> {
     let Some(seconds) = spec.printer.as_ref().and_then(|printer| printer.time_s) else {
         return Ok(None);
     };
-    let response = kinds.response.as_ref();
+    let response = goal.response.as_ref();
     let middle = || {
-        let thresholds = kinds.thresholds();
+        let thresholds = goal.thresholds();
         thresholds.map(|[lower, upper]| f64::midpoint(lower, upper))
     };
     let threshold = spec.evaluate.threshold.or_else(middle).ok_or_else(|| {
@@ -81,7 +84,7 @@ pub(crate) fn white_in_time(spec: &JobSpec, kinds: &JobKinds) -> Result<Option<(
 }
 
 /// What is known of the exposure of a light.
-pub(crate) fn exposure(spec: &JobSpec, light: usize, gel_dose: Option<f64>) -> ExposureBudget {
+fn exposure(spec: &JobSpec, light: usize, gel_dose: Option<f64>) -> ExposureBudget {
     let angles = spec.angles_of(light);
     let (_, frame_arc) = angles.azimuths(spec.light[light].rotation);
     ExposureBudget {
@@ -93,5 +96,81 @@ pub(crate) fn exposure(spec: &JobSpec, light: usize, gel_dose: Option<f64>) -> E
         frame_arc,
         critical_mj_per_mm3: spec.resin.critical_dose_mj_per_mm3,
         gel_dose,
+    }
+}
+
+/// How the patterns of a job are shown: by which machine, how fast, in which files.
+#[derive(Clone, Copy)]
+pub(crate) struct Showing<'a> {
+    spec: &'a JobSpec,
+}
+
+impl ResolvedJob {
+    /// How the patterns are shown.
+    pub(crate) fn showing(&self) -> Showing<'_> {
+        Showing::of(&self.spec)
+    }
+}
+
+impl<'a> Showing<'a> {
+    pub(crate) fn of(spec: &'a JobSpec) -> Self {
+        Showing { spec }
+    }
+
+    /// Time that the print may take, s.
+    pub(crate) fn allowed_s(self) -> Option<f64> {
+        self.spec.printer.as_ref()?.time_s
+    }
+
+    /// Whether all frames are written as one stack, too.
+    pub(crate) fn is_stacked(self) -> bool {
+        let printer = self.spec.printer.as_ref();
+        printer.is_some_and(|printer| printer.stack)
+    }
+
+    /// Turns of the vial per minute.
+    pub(crate) fn rpm(self) -> f64 {
+        self.spec.output.rpm
+    }
+
+    /// Whether a movie is asked for.
+    pub(crate) fn has_movie(self) -> bool {
+        self.movie_ending().is_some()
+    }
+
+    /// The ending of its file, by its coding: H.264 in `mp4`, lossless in `mov`.
+    pub(crate) fn movie_ending(self) -> Option<&'static str> {
+        match self.spec.output.movie {
+            MovieCoding::H264 => Some("mp4"),
+            MovieCoding::Lossless => Some("mov"),
+            MovieCoding::None => None,
+        }
+    }
+
+    /// The way that the vial turns before a light.
+    pub(crate) fn rotation(self, light: usize) -> Rotation {
+        let printer = self.spec.printer.as_ref();
+        let of_machine = printer.and_then(|printer| printer.rotation);
+        of_machine.unwrap_or(self.spec.light[light].rotation)
+    }
+
+    /// Times and energies of a light: those of the job's schedule, with how bright that shows it, or of a resin that is solid at a known dose (in units of
+    /// the job).
+    ///
+    /// # Errors
+    /// Those of the schedule.
+    pub(crate) fn budget(
+        self,
+        light: usize,
+        emitted: &Emitted<'_>,
+        gel_dose: Option<f64>,
+    ) -> Result<(Budget, Option<Irradiance>)> {
+        if let Some((budget, irradiance)) = scheduled::budget(self.spec, light, emitted)? {
+            return Ok((budget, Some(irradiance)));
+        }
+        let exposure = exposure(self.spec, light, gel_dose);
+        let (white, sum) = (emitted.white, emitted.sums.iter().sum());
+        let budget = exposure.budget(white, sum, emitted.pixels, emitted.pixel_mm2);
+        Ok((budget, None))
     }
 }

@@ -3,8 +3,8 @@
 use crate::error::{Error, Result};
 use crate::grid::{Volume, VolumeGrid};
 use crate::job::resolve::ResolvedJob;
-use crate::job::spec::JobSpec;
 use crate::job::spec::species::Row;
+use crate::job::spec::{DiffusionSpec, JobSpec};
 use crate::target::Role;
 use tomolith_core::parallel::table;
 use tomolith_material::diffusion::Scheme;
@@ -60,11 +60,26 @@ pub(crate) fn material(
     Photopolymer::new(params, Mixing::new(matrix)?, domain).map_err(|e| e.under(key))
 }
 
+impl ResolvedJob {
+    /// The material of the job in a domain.
+    ///
+    /// # Errors
+    /// [`Error::Config`].
+    pub(crate) fn photopolymer(&self, domain: Domain) -> Result<Photopolymer> {
+        material(&self.spec, self.mixing.as_deref(), domain)
+    }
+
+    /// How the dose diffuses; None where it stays.
+    pub(crate) fn diffusion(&self) -> Option<DiffusionSpec> {
+        let material = self.spec.material.as_ref();
+        material.and_then(|material| material.diffusion)
+    }
+}
+
 /// Voxels of resin between walls that nothing passes, and air where the job says so.
 pub(crate) fn domain(job: &ResolvedJob, grid: &VolumeGrid) -> Result<Domain> {
     let mut domain = Domain::new(grid.clone());
-    let own = job.spec.material.as_ref();
-    let photopolymer = own.and_then(|material| material.photopolymer.as_ref());
+    let (own, photopolymer) = (job.spec.material.as_ref(), job.spec.photopolymer());
     if photopolymer.is_some_and(|params| params.diffusion == Scheme::Faces) {
         domain = domain.with_walls(&resin(job, grid)?)?;
     }
@@ -83,7 +98,7 @@ pub(crate) fn resin(job: &ResolvedJob, grid: &VolumeGrid) -> Result<Volume<bool>
         optics.vial.in_resin(place) && !optics.in_obstacle(grid, i)
     };
     let mut values = table(grid.len(), holds);
-    if let Some(insert) = job.shape.body(Role::Insert) {
+    if let Some(insert) = job.first().shape.body(Role::Insert) {
         let shares = insert.sample(grid)?.values;
         let pairs = values.iter_mut().zip(shares);
         pairs.for_each(|(resin, share)| *resin &= share < 0.5);

@@ -51,6 +51,7 @@ pub(crate) mod clip;
 pub(crate) mod compatibility;
 pub(crate) mod extent;
 pub(crate) mod free_parameters;
+pub(crate) mod goal;
 pub(crate) mod grid;
 pub(crate) mod identity;
 pub(crate) mod light;
@@ -70,6 +71,7 @@ pub(crate) mod scenarios;
 pub(crate) mod schedule;
 pub(crate) mod scheduled;
 pub(crate) mod selection;
+mod settings;
 pub(crate) mod species;
 pub(crate) mod time_refusals;
 pub(crate) mod voxels;
@@ -84,48 +86,49 @@ use crate::job::spec::kinds::known_elsewhere;
 use crate::job::spec::read::Job;
 use crate::job::spec::species::{Row, at_species};
 use crate::models::parallel::kernel::Isa;
-use crate::models::{DoseLayout, OpticalScene, Purpose, Run, planner};
+use crate::models::{DoseLayout, Family, OpticalScene, Purpose, Run, planner};
 use crate::objective::{ObjectiveInput, Sum};
 use crate::optics::light::Light;
 use crate::optics::vial::Vial;
 use crate::optimize::Optimizer;
 use crate::ranks::Communicator;
-use crate::response::{Response, dose_for};
-use crate::target::{self, Role, Shape, label};
-use compatibility::wall_tolerance_mm;
+use crate::response::dose_for;
+use crate::target::Shape;
 use extent::Extent;
 use free_parameters::FoundResponse;
+use goal::Objectives;
 use grid::{bounds_of, grid_of, moved};
-use method::{JobKinds, Minimized, counted_as, try_kinds};
+use method::Method;
 use optics::Optics;
-use refinement::Level;
+use property::PropertyMap;
+use refinement::{Asked, Level};
 use remarks::{
-    ask_for_unit, at_target, chosen, given_patterns, must_be_seen, narrow_arc, on_its_own_grid,
-    part_of_a_turn, two_critical_doses,
+    chosen, few_angles, given_patterns, narrow_arc, on_its_own_grid, part_of_a_turn,
+    two_critical_doses,
 };
 use resources::{available_disk_mb, bytes_in, require};
 use scenarios::Scenario;
+use species::named;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
-pub(crate) use remarks::{at_section, few_angles};
+pub(crate) use remarks::at_section;
 
+pub(crate) use species::Species;
 pub(crate) use voxels::Voxels;
 
 /// A job that can be run.
 pub struct ResolvedJob {
-    /// The tables, whose kinds are [`kinds`](Self::kinds) and [`optics`](Self::optics); the machine's time may bound the pixels.
-    pub(crate) spec: JobSpec,
+    /// The tables, whose kinds are in the objects below; the machine's time may bound the pixels.
+    spec: JobSpec,
     /// The folder that files of the tables begin in.
     pub(crate) base: PathBuf,
     /// Name of the part.
     pub(crate) name: String,
-    /// The shape.
-    pub(crate) shape: Arc<dyn Shape>,
-    /// The kinds that the job names.
-    pub(crate) kinds: JobKinds,
-    /// Whether its surface cuts voxels of the optimization into cells.
-    pub(crate) has_cells: bool,
+    /// What hardens in the resin: one species at least.
+    pub(crate) species: Vec<Species>,
+    /// How patterns are searched.
+    pub(crate) method: Method,
     /// Vial and lights.
     pub(crate) optics: Optics,
     /// The machine, one per light.
@@ -138,10 +141,8 @@ pub struct ResolvedJob {
     pub(crate) extent: Extent,
     /// M, a row per species; None: one species that all lights drive alike.
     pub(crate) mixing: Option<Vec<Row>>,
-    /// What the map of each property makes of a response.
-    pub(crate) property_maps: Vec<Arc<dyn Response>>,
-    /// Further species, on the same voxels.
-    pub(crate) others: Vec<ResolvedJob>,
+    /// What the responses become.
+    pub(crate) properties: Vec<PropertyMap>,
     /// The same job with some keys set otherwise, on the same voxels.
     pub(crate) scenarios: Vec<Scenario>,
     /// Choices that were made.
@@ -150,8 +151,8 @@ pub struct ResolvedJob {
     pub(crate) warnings: Vec<String>,
     /// The processes that share the frames of the optimization; None: this one works alone.
     pub(crate) ranks: Option<Arc<dyn Communicator>>,
-    /// The target on the job's voxels, once a caller with a loop of its own has asked for it.
-    voxels: OnceLock<Voxels>,
+    /// The targets of all species on the job's voxels, once a caller with a loop of its own has asked for them.
+    voxels: OnceLock<Vec<Voxels>>,
 }
 
 impl ResolvedJob {
@@ -169,8 +170,7 @@ impl ResolvedJob {
     /// As [`new`](Self::new); [`Error::Canceled`].
     pub(crate) fn under(job: &Job, run: &Run) -> Result<Self> {
         Isa::asked()?;
-        Self::of_all_species(job, run)
-            .map_err(|e| with_others(&job.document, &job.base(), job.locate(e)))
+        Self::resolve(job, run).map_err(|e| with_others(&job.document, &job.base(), job.locate(e)))
     }
 
     /// The job's voxels; those of the optimization and the evaluation are finer.
@@ -179,10 +179,10 @@ impl ResolvedJob {
         &self.grid
     }
 
-    /// What is printed.
+    /// What is printed, of the first species.
     #[must_use]
     pub fn shape(&self) -> &dyn Shape {
-        self.shape.as_ref()
+        self.first().shape.as_ref()
     }
 
     /// What holds the resin.
@@ -208,146 +208,92 @@ impl ResolvedJob {
     /// # Errors
     /// [`Error::Config`].
     pub fn optimizer(&self) -> Result<Box<dyn Optimizer<HostField>>> {
-        self.kinds.on_host().optimizer()
+        self.method.on_host().optimizer()
     }
 
-    /// The target on the job's voxels, sampled once.
+    /// The targets of all species on the job's voxels, sampled once.
     ///
     /// # Errors
     /// As [`voxels`](Self::voxels), and where the start asks for doses that the material does not have.
-    pub(crate) fn own_voxels(&self, run: &Run) -> Result<&Voxels> {
+    pub(crate) fn own_voxels(&self, run: &Run) -> Result<&[Voxels]> {
         if let Some(known) = self.voxels.get() {
             return Ok(known);
         }
-        let voxels = self.voxels_under(&self.grid, &run.aside())?;
+        let voxels = self.voxels(&self.grid, &run.aside())?;
         self.must_start(&voxels)?;
         Ok(self.voxels.get_or_init(|| voxels))
     }
 
-    fn of_all_species(job: &Job, run: &Run) -> Result<Self> {
-        time_refusals::must_fit(&job.spec)?;
-        let of_first = |e| match job.spec.species.is_empty() {
-            true => e,
-            false => at_species(&job.spec, 0, e),
-        };
-        let mut resolved = Self::of_species(job, 0, None, run).map_err(of_first)?;
-        for s in 1..job.spec.species.len() {
-            let other = Self::of_species(job, s, Some(&resolved.grid), run);
-            resolved
-                .others
-                .push(other.map_err(|e| at_species(&job.spec, s, e))?);
-        }
-        species::must_fit(&resolved)?;
-        lights_in_time::must_be_shaded(&resolved)?;
-        resolved.scenarios = scenarios::of_job(job, &resolved, run)?;
-        Ok(resolved)
-    }
-
-    /// The job of one species; on these voxels where they are given.
-    pub(crate) fn of_species(
-        job: &Job,
-        s: usize,
-        on: Option<&VolumeGrid>,
-        run: &Run,
-    ) -> Result<Self> {
-        let spec = job.spec.of_species(s);
-        let mut optics = Optics::new(&spec, &job.base())?;
-        let printers = machine::printers(&spec, &job.base(), &optics.lights)?;
+    fn resolve(job: &Job, run: &Run) -> Result<Self> {
+        let (spec, base) = (&job.spec, job.base());
+        time_refusals::must_fit(spec)?;
+        let mut optics = Optics::new(spec, &base)?;
+        let printers = machine::printers(spec, &base, &optics.lights)?;
         let mut notes = optics.leave_dark(printers.as_deref().unwrap_or_default());
-        let kinds = JobKinds::read(&spec, &job.base()).map_err(known_elsewhere)?;
-        notes.extend(given_patterns(&kinds, &optics)?);
-        let shape = target::build_under(&spec.target, &job.base(), "target", run)
-            .map_err(|e| at_target(&spec, e))?;
-        let shape: Arc<dyn Shape> = Arc::from(shape);
-        let has_cells = kinds.cells_key().is_some();
-        try_kinds(&spec, &kinds, optics.model.as_ref(), shape.is_gray())
-            .map_err(known_elsewhere)?;
-        cells::must_fit(&kinds, shape.as_ref(), optics.model.as_ref())?;
-        time_refusals::must_be_whole(&spec, &kinds)?;
-        let property_maps = property::maps(&spec, &job.base())?;
-        counted_as(&spec, shape.is_gray())?;
-        let unit = ask_for_unit(&spec, &optics, shape.as_ref());
-        let placed = match on {
-            Some(grid) => Ok((grid.clone(), 0.0)),
-            None => grid_of(
-                &spec,
-                &optics,
-                bounds_of(&spec, shape.as_ref(), &job.base(), run)?,
-            ),
-        };
-        optics.wall_tolerance_mm =
-            wall_tolerance_mm(&spec, placed.as_ref().ok().map(|(grid, _)| grid))?;
-        // Light need reach only what is printed
-        let printed = shape.body(Role::Print).unwrap_or(shape.as_ref());
-        let touching = optics
-            .must_hold(&spec, printed)
-            .map_err(|e| e.asking(unit.as_deref()))?;
+        let method = Method::read(spec, &base).map_err(known_elsewhere)?;
+        notes.extend(given_patterns(&method, &optics)?);
+        let mut species = Species::of_job(job, &method, optics.model.as_ref(), run)?;
+        let properties = property::of_job(spec, &base)?;
+        let bounds_mm = bounds_of(&species);
+        let placed = grid_of(spec, &optics, bounds_mm);
+        let on = placed.as_ref().ok().map(|(grid, _)| grid);
+        let units = species::must_be_held(&mut species, spec, &optics, on)?;
         if spec.target.insert_shadow.unwrap_or(true) {
-            optics.add_inserts(shape.as_ref())?;
+            optics.add_inserts(species[0].shape.as_ref())?;
         }
         let (grid, moved_mm) = placed?;
         notes.extend(moved(moved_mm));
-        notes.extend(chosen(&spec, &kinds));
-        let is_coarse = optics.are_coarse(&grid);
-        must_be_seen(&spec, shape.as_ref(), &grid, unit.as_deref(), is_coarse)?;
-        time_refusals::must_be_stable(&spec, &grid)?;
-        let cut_off = clip::must_hold(&spec.grid, &grid, shape.as_ref(), run)?;
-        // A file that is missing is told before numbers that do not suit it
-        let covered = optics.family(&grid)?.check(&optics.scene(), &grid)?;
-        optics.must_be_evaluated(&spec)?;
-        let light = light::must_arrive(&optics, &grid)?;
-        for (path, common) in kinds.common() {
-            common
-                .check_files(&grid, &job.base())
-                .map_err(|e| e.under(path))?;
+        notes.extend(chosen(spec, &method));
+        let cut_off = species::must_be_on(&species, spec, &optics, &grid, run)?;
+        time_refusals::must_be_stable(spec, &grid)?;
+        let light = must_be_lit(spec, &optics, &species, &grid)?;
+        for (s, own) in species.iter().enumerate() {
+            for (path, common) in own.goal.common() {
+                let checked = common.check_files(&grid, &base).map_err(|e| e.under(path));
+                checked.map_err(|e| at_species(spec, s, e))?;
+            }
         }
-        let lit = optimizing(&optics, &shape, has_cells);
-        let family = planner::choose(optics.model.as_ref(), &lit, &grid)?;
-        let of = (&optics, family.as_ref());
-        let on_grid = (&grid, on.is_none());
-        let levels = refinement::levels((&spec, &kinds), of, on_grid, shape.bounds_mm());
-        let sharpened = refinement::sharpened((&spec, &kinds), family.as_ref(), &levels);
-        let kinds = sharpened.unwrap_or(kinds);
+        let family = family(&optics, &species, &grid)?;
+        let asked = Asked {
+            spec,
+            method: &method,
+            species: &species,
+        };
+        let levels = refinement::levels(asked, (&optics, family.as_ref()), &grid, bounds_mm);
+        let finest = &levels[levels.len() - 1];
+        if refinement::are_sharpened(asked, family.as_ref(), finest) {
+            for own in &mut species {
+                own.goal = refinement::sharpened(&own.goal).unwrap_or_else(|| own.goal.clone());
+            }
+        }
         let chosen = || refinement::evaluation_refine(&grid, &levels);
         let refine = spec.evaluate.refine.unwrap_or_else(chosen);
-        let memory = kinds.pairs().unwrap_or(0);
-        let extent = Extent::new(&optics, &grid, shape.bounds_mm(), refine, memory);
+        let memory = method.pairs().unwrap_or(0);
+        let extent = Extent::new(&optics, &grid, bounds_mm, refine, memory);
+        let of_shapes = species.iter().map(|own| own.shape.warnings()).collect();
         let mut resolved = ResolvedJob {
-            base: job.base(),
             name: spec.target.name(),
             warnings: [
-                shape.warnings(),
-                cut_off.into_iter().collect(),
-                few_angles(&spec).into_iter().collect(),
-                on_its_own_grid(&spec).into_iter().collect(),
-                narrow_arc(&spec).into_iter().collect(),
-                part_of_a_turn(&spec).into_iter().collect(),
-                two_critical_doses(&spec).into_iter().collect(),
-                scenarios::worst_of_one(&spec).into_iter().collect(),
-                optics.dark_inside(),
-                optics.of_meshes.clone(),
-                optics.through_walls(),
-                optics.moved_away(printed).into_iter().collect(),
-                optics.coarse(printed),
-                optics.coarse_voxels(&grid).into_iter().collect(),
-                touching,
+                named(&species, of_shapes),
+                cut_off,
+                on_its_own_grid(spec).into_iter().collect(),
+                two_critical_doses(spec).into_iter().collect(),
+                scenarios::worst_of_one(spec).into_iter().collect(),
                 light,
-                covered,
-                unit.into_iter().collect(),
+                units,
             ]
             .concat(),
             notes,
             ranks: None,
             voxels: OnceLock::new(),
-            shape,
-            has_cells,
             levels,
             mixing: spec.mixing()?,
-            property_maps,
-            others: Vec::new(),
+            properties,
+            species,
+            method,
             scenarios: Vec::new(),
-            kinds,
-            spec,
+            spec: spec.clone(),
+            base,
             optics,
             printers,
             grid,
@@ -355,6 +301,9 @@ impl ResolvedJob {
         };
         resolved.extent = budget::extent(&resolved, &family)?;
         resolved.finish(&job.folder())?;
+        species::must_fit(&resolved)?;
+        lights_in_time::must_be_shaded(&resolved)?;
+        resolved.scenarios = scenarios::of_job(&resolved)?;
         Ok(resolved)
     }
 
@@ -367,11 +316,6 @@ impl ResolvedJob {
         self.warnings.extend(notes.cloned());
         self.warnings.extend(multiresolution::left_out(self));
         self.bound_by_time()?;
-        let absorbs = self.spec.resin.absorption_per_mm.is_some_and(|a| a > 0.0);
-        if self.spec.resin.pure_radon && absorbs {
-            let text = "resin.pure_radon = true: the absorption is not used";
-            self.warnings.push(text.to_owned());
-        }
         self.fit_memory()?;
         // A checkpoint that is there gives its place to the next one
         let held = bytes_in(&folder.join("checkpoint")) / 1_000_000;
@@ -393,7 +337,7 @@ impl ResolvedJob {
 
     /// Bounds the pixels by what the machine can give in the time that it has.
     fn bound_by_time(&mut self) -> Result<()> {
-        let Some((white, seconds)) = machine::white_in_time(&self.spec, &self.kinds)? else {
+        let Some((white, seconds)) = machine::white_in_time(&self.spec, &self.first().goal)? else {
             return Ok(());
         };
         let max = self.spec.bounds.max.map_or(white, |max| max.min(white));
@@ -431,53 +375,43 @@ impl ResolvedJob {
 
     /// What light passes in the optimization, and the surface where an objective has cells.
     pub(crate) fn optimizing(&self) -> OpticalScene<'_> {
-        optimizing(&self.optics, &self.shape, self.has_cells)
+        optimizing(&self.optics, &self.species)
     }
 
-    /// Refuses a start that asks for doses which the material does not have, once the values of a gray target are known.
+    /// Refuses a start that asks for doses which the material does not have, once the values of gray targets are known.
     ///
     /// # Errors
     /// [`Error::Config`].
-    pub(crate) fn must_start(&self, voxels: &Voxels) -> Result<()> {
-        if !voxels.target.gray || !self.kinds.start.asks_for_doses() {
+    pub(crate) fn must_start(&self, voxels: &[Voxels]) -> Result<()> {
+        if !self.method.start.asks_for_doses() {
             return Ok(());
         }
-        let values = voxels
-            .target
-            .inside
-            .values
-            .iter()
-            .zip(&voxels.labels.values);
-        let counted = values.filter(|(_, label)| **label != label::OUTSIDE);
-        let highest = counted.fold(0.0f32, |highest, (&value, _)| highest.max(value));
-        dose_for(self.response().as_ref(), f64::from(highest))
-            .map(drop)
-            .map_err(|e| e.under("response"))
-    }
-
-    /// The response of the material.
-    pub(crate) fn response(&self) -> Arc<dyn Response> {
-        Arc::clone(&self.kinds.response)
+        for (s, (own, voxels)) in self.species.iter().zip(voxels).enumerate() {
+            let Some(highest) = voxels.highest_gray() else {
+                continue;
+            };
+            let dose = dose_for(own.goal.response.as_ref(), highest);
+            dose.map_err(|e| at_species(&self.spec, s, e.under("response")))?;
+        }
+        Ok(())
     }
 
     /// Takes the response that was found with the patterns, where one was.
     pub(crate) fn respond_as(&mut self, found: Option<&FoundResponse>) {
-        let Some(FoundResponse { response, .. }) = found else {
-            return;
-        };
-        self.kinds.set_response(response);
-        for scenario in &mut self.scenarios {
-            scenario.resolved.kinds.set_response(response);
+        if let Some(FoundResponse { response, .. }) = found {
+            let goals = self.species.iter_mut().map(|own| &mut own.goal);
+            goals.for_each(|goal| goal.set_response(response));
         }
     }
 
-    /// The sum of the objectives of the job, or of kinds that differ from its own in these alone.
+    /// The sum of the objectives of a species, or of some that differ from its own in a parameter or the kind of fields.
     ///
     /// # Errors
     /// [`Error::Config`].
     pub(crate) fn objective<F: Field>(
         &self,
-        minimized: &Minimized<F>,
+        species: &Species,
+        objectives: &Objectives<F>,
         layout: &DoseLayout,
         voxels: &Voxels,
     ) -> Result<Sum<F>> {
@@ -486,24 +420,66 @@ impl ResolvedJob {
             layout,
             labels,
             target,
-            response: self.response(),
+            response: Arc::clone(&species.goal.response),
         };
-        let sum = minimized.objective(&input, true);
+        let sum = objectives.sum(&input, true);
         sum.map(|sum| sum.scaled(layout.grid.voxel_mm3() / self.grid.voxel_mm3()))
     }
 }
 
-/// What light passes in an optimization for a shape.
-fn optimizing<'a>(
-    optics: &'a Optics,
-    shape: &'a Arc<dyn Shape>,
-    has_cells: bool,
-) -> OpticalScene<'a> {
+/// What light passes in an optimization for the parts of species.
+fn optimizing<'a>(optics: &'a Optics, species: &'a [Species]) -> OpticalScene<'a> {
+    let cells = species.iter().find(|own| own.has_cells);
     OpticalScene {
-        solid: has_cells.then_some(shape),
+        solid: cells.map(|own| &own.shape),
         purpose: Purpose::Optimize,
         ..optics.scene()
     }
+}
+
+/// The family of models of an optimization.
+fn family(optics: &Optics, species: &[Species], grid: &VolumeGrid) -> Result<Family> {
+    planner::choose(optics.model.as_ref(), &optimizing(optics, species), grid)
+}
+
+/// Refuses light that does not reach the resin, or that no model gives on a grid; says what may be wrong with it.
+///
+/// # Errors
+/// [`Error::Config`].
+fn must_be_lit(
+    spec: &JobSpec,
+    optics: &Optics,
+    species: &[Species],
+    grid: &VolumeGrid,
+) -> Result<Vec<String>> {
+    let each = species.iter().map(|own| {
+        let printed = own.printed();
+        let held = optics.must_hold(spec, printed, own.wall_tolerance_mm);
+        let moved = optics.moved_away(printed).into_iter();
+        Ok(moved.chain(optics.coarse(printed)).chain(held?).collect())
+    });
+    let of_parts = named(species, each.collect::<Result<Vec<Vec<String>>>>()?);
+    // A file that is missing is told before numbers that do not suit it
+    let covered = optics.family(grid)?.check(&optics.scene(), grid)?;
+    optics.must_be_evaluated(spec)?;
+    let light = light::must_arrive(optics, grid)?;
+    let absorbs = spec.resin.absorption_per_mm.is_some_and(|a| a > 0.0);
+    let unused = (spec.resin.pure_radon && absorbs)
+        .then(|| "resin.pure_radon = true: the absorption is not used".to_owned());
+    Ok([
+        few_angles(spec).into_iter().collect(),
+        narrow_arc(spec).into_iter().collect(),
+        part_of_a_turn(spec).into_iter().collect(),
+        optics.dark_inside(),
+        optics.of_meshes.clone(),
+        optics.through_walls(),
+        optics.coarse_voxels(grid).into_iter().collect(),
+        of_parts,
+        light,
+        covered,
+        unused.into_iter().collect(),
+    ]
+    .concat())
 }
 
 #[cfg(test)]

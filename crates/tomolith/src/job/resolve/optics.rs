@@ -55,8 +55,6 @@ pub(crate) struct Optics {
     pub(crate) model: Option<Family>,
     /// What every dose is multiplied by.
     pub(crate) dose_factor: f64,
-    /// How far the target may reach into a wall, mm.
-    pub(crate) wall_tolerance_mm: f64,
     /// Why light that scatters does not go order by order though it could ([`model_probe`](crate::job::dose::model_probe)).
     pub(crate) probe_failed: Option<&'static str>,
     /// Where models are computed; None: the processor.
@@ -134,7 +132,6 @@ impl Optics {
             bodies: obstacles.len(),
             model,
             dose_factor: 1.0,
-            wall_tolerance_mm: 0.0,
             probe_failed: None,
             card: Card::of(spec.resources.device.as_deref())?,
         };

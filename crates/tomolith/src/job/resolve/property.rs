@@ -8,7 +8,7 @@
 //! R is any response: a table or a logistic that was fitted to measured pairs (`tomolith calibrate`). Stiffness spans decades, so its
 //! logistic is one of log₁₀ (Wang et al. 2022, Supplementary Table 2).
 
-use super::method::response;
+use super::goal::response;
 use crate::error::{Error, Result};
 use crate::job::spec::{JobSpec, PropertySpec};
 use crate::kind::Section;
@@ -16,27 +16,46 @@ use crate::response::Response;
 use std::path::Path;
 use std::sync::Arc;
 
-/// The map of each property of a job, whose names are checked, too.
+/// What the responses of species become.
+pub(crate) struct PropertyMap {
+    pub(crate) name: String,
+    pub(crate) unit: String,
+    /// The species whose response is mapped, and the one by whose response that is divided first, where there is one.
+    pub(crate) of: usize,
+    pub(crate) over: Option<usize>,
+    pub(crate) map: Arc<dyn Response>,
+    /// Whether the map gives the decimal logarithm.
+    pub(crate) is_logarithmic: bool,
+}
+
+/// The properties of a job.
 ///
 /// # Errors
 /// [`Error::Config`].
-pub(crate) fn maps(spec: &JobSpec, base: &Path) -> Result<Vec<Arc<dyn Response>>> {
-    let map_of = |(i, property): (usize, &PropertySpec)| {
+pub(crate) fn of_job(spec: &JobSpec, base: &Path) -> Result<Vec<PropertyMap>> {
+    let names: Vec<&str> = spec.species.iter().map(|s| s.name.as_str()).collect();
+    let number = |key: String, name: Option<&str>| {
+        let Some(name) = name else { return Ok(None) };
+        let found = names.iter().position(|own| *own == name);
+        found.map(Some).ok_or_else(|| {
+            let accepted = match names.is_empty() {
+                true => "a job with [[species]], or no such key".to_owned(),
+                false => format!("one of {}", names.join(", ")),
+            };
+            Error::config(key, format!("no species is called {name:?}"), accepted)
+        })
+    };
+    let map_of = |(i, own): (usize, &PropertySpec)| {
         let key = format!("property[{i}]");
-        let names: Vec<&str> = spec.species.iter().map(|s| s.name.as_str()).collect();
-        for (part, name) in [("of", &property.of), ("over", &property.over)] {
-            if let Some(name) = name.as_deref().filter(|name| !names.contains(name)) {
-                return Err(Error::config(
-                    format!("{key}.{part}"),
-                    format!("no species is called {name:?}"),
-                    match names.is_empty() {
-                        true => "a job with [[species]], or no such key".to_owned(),
-                        false => format!("one of {}", names.join(", ")),
-                    },
-                ));
-            }
-        }
-        response(&Section::new(format!("{key}.map"), property.map.clone()).based(base))
+        let map = Section::new(format!("{key}.map"), own.map.clone()).based(base);
+        Ok(PropertyMap {
+            of: number(format!("{key}.of"), own.of.as_deref())?.unwrap_or(0),
+            over: number(format!("{key}.over"), own.over.as_deref())?,
+            map: response(&map)?,
+            name: own.name.clone(),
+            unit: own.unit.clone(),
+            is_logarithmic: own.log10,
+        })
     };
     spec.property.iter().enumerate().map(map_of).collect()
 }

@@ -3,8 +3,6 @@
 pub(crate) mod along_axis;
 pub(crate) mod field;
 
-pub(crate) use field::sides_key;
-
 use super::compatibility::is_part;
 use super::optics::Optics;
 use super::reach::field::{field_mm, is_cut_sideways};

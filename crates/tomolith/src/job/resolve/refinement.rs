@@ -20,12 +20,14 @@
 //!
 //! **Cells** are cut from voxels of half a pixel, as far as [`BUDGET_OF_CELLS`] allows: a mean over a cell does not hold the light within it.
 
-use super::method::JobKinds;
+use super::goal::Goal;
+use super::method::Method;
 use super::multiresolution::{coarser_grid, coarser_lights, is_large_enough};
 use super::optics::Optics;
+use super::species::Species;
 use crate::grid::VolumeGrid;
 use crate::job::spec::output::LEAST_REFINE;
-use crate::job::spec::{Against, JobSpec};
+use crate::job::spec::{JobSpec, ScheduleSpec};
 use crate::models::{ModelFamily, Refines};
 use crate::objective::{Chosen, threshold};
 use crate::optics::light::Light;
@@ -59,6 +61,14 @@ pub(crate) struct Level {
     pub(crate) lights: Vec<Light>,
     /// The iterations after it, counted from the start.
     pub(crate) until: usize,
+}
+
+/// What a job asks of its voxels.
+#[derive(Clone, Copy)]
+pub(crate) struct Asked<'a> {
+    pub(crate) spec: &'a JobSpec,
+    pub(crate) method: &'a Method,
+    pub(crate) species: &'a [Species],
 }
 
 impl Level {
@@ -107,14 +117,14 @@ fn updates(grid: &VolumeGrid, lights: &[Light]) -> f64 {
     ((nz + COLUMN) * ny * nx) as f64 * lights.iter().map(angles).sum::<usize>() as f64
 }
 
-/// The levels of a job, the finest last. One that does not stand `alone` shares its voxels with the job that it is a part of.
+/// The levels of a job, the finest last.
 pub(crate) fn levels(
-    (spec, kinds): (&JobSpec, &JobKinds),
+    asked: Asked<'_>,
     (optics, family): (&Optics, &dyn ModelFamily),
-    (grid, alone): (&VolumeGrid, bool),
+    grid: &VolumeGrid,
     bounds_mm: [[f64; 3]; 2],
 ) -> Vec<Level> {
-    let lights = &optics.lights;
+    let (spec, lights) = (asked.spec, &optics.lights);
     let iterations = spec.stop.iterations;
     if let Some(coarse) = &spec.multiresolution {
         let mut levels: Vec<Level> = (1..=coarse.levels)
@@ -134,8 +144,8 @@ pub(crate) fn levels(
         return levels;
     }
     let refines = family.capabilities().refines;
-    if !is_free((spec, kinds), refines) {
-        let has_cells = has_free_cells((spec, kinds), refines);
+    if !is_free(asked, refines) {
+        let has_cells = has_free_cells(asked, refines);
         let fine = has_cells.then(|| of_cells(spec, lights, grid));
         let grid = fine.unwrap_or_else(|| grid.clone());
         return vec![Level::new(grid, lights, iterations)];
@@ -160,7 +170,7 @@ pub(crate) fn levels(
         levels.push(Level::new(coarser_grid(grid, 2), &lights, half));
     }
     let is_chosen = spec.grid.refine.is_none() && fine != *grid;
-    let fine = if alone && is_chosen && is_dark_beyond((spec, kinds), lights) {
+    let fine = if is_chosen && is_dark_beyond(asked, lights) {
         within_lit_rows(fine, lights, bounds_mm)
     } else {
         fine
@@ -170,12 +180,18 @@ pub(crate) fn levels(
 }
 
 /// Whether rows of pixels that do not reach the part stay dark, nothing counts the voxels that they light, and no dose diffuses there.
-fn is_dark_beyond((spec, kinds): (&JobSpec, &JobKinds), lights: &[Light]) -> bool {
+fn is_dark_beyond(asked: Asked<'_>, lights: &[Light]) -> bool {
+    let Asked {
+        spec,
+        method,
+        species,
+    } = asked;
     let spreads = lights.iter().any(|light| light.point_spread.is_some());
+    let seeks = species.iter().any(|own| own.goal.seeks_window());
     let has_one_part = spec.species.len() <= 1 && spec.scenario.is_empty();
     let stays = spec.material.is_none();
-    let starts_dark = kinds.start.files().is_none() && spec.bounds.min == 0.0;
-    has_one_part && stays && starts_dark && !spreads && !kinds.seeks_window()
+    let starts_dark = method.start.files().is_none() && spec.bounds.min == 0.0;
+    has_one_part && stays && starts_dark && !spreads && !seeks
 }
 
 /// The slices of a grid that are lit by rows of pixels which reach the part.
@@ -252,24 +268,28 @@ pub(crate) fn note(levels: &[Level], grid: &VolumeGrid) -> Option<String> {
 
 /// Whether the program chooses the levels: the objective sees fractions, the model takes voxels of any width, and nothing is asked of the
 /// job's own voxels.
-fn is_free((spec, kinds): (&JobSpec, &JobKinds), refines: Refines) -> bool {
-    refines == Refines::Voxels && !asks_of_voxels(spec) && kinds.sees_fractions()
+fn is_free(asked: Asked<'_>, refines: Refines) -> bool {
+    let mut goals = asked.species.iter().map(|own| &own.goal);
+    refines == Refines::Voxels
+        && !asks_of_voxels(asked.spec)
+        && !asked.method.needs_target()
+        && goals.all(Goal::sees_fractions)
 }
 
 /// Whether a run ends by what the job's own voxels say, or prints in time on them.
 fn asks_of_voxels(spec: &JobSpec) -> bool {
     let in_time = spec.schedule.as_ref();
-    let is_in_time = in_time.is_some_and(|schedule| schedule.optimize != Against::Dose);
+    let is_in_time = in_time.is_some_and(ScheduleSpec::optimizes_cure);
     let of_loss = spec.stop.loss > 0.0 || spec.stop.relative_loss.is_some_and(|part| part > 0.0);
     spec.stop.iou.is_some() || of_loss || is_in_time
 }
 
 /// Whether the program chooses the voxels of a job with surface-aware cells.
-fn has_free_cells((spec, kinds): (&JobSpec, &JobKinds), refines: Refines) -> bool {
+fn has_free_cells(asked: Asked<'_>, refines: Refines) -> bool {
+    let mut species = asked.species.iter();
     refines == Refines::Cells
-        && !asks_of_voxels(spec)
-        && kinds.cells_key().is_some()
-        && !kinds.common().any(|(_, common)| common.has_fields())
+        && !asks_of_voxels(asked.spec)
+        && species.all(|own| own.has_cells && !own.goal.has_fields())
 }
 
 /// The voxels of a job with cells: at most half a pixel, as far as [`BUDGET_OF_CELLS`] allows. A mean over a cell does not hold the
@@ -352,30 +372,29 @@ fn turning_angles(spec: &JobSpec, lights: &[Light], part_mm: [[f64; 3]; 2]) -> V
 /// Power of the deviations on voxels that are fine enough.
 const EXPONENT: f64 = 4.0;
 
-/// The kinds of a job whose voxels the program chooses, at most half as wide as a pixel: with deviations to the power of [`EXPONENT`]. None elsewhere.
-pub(crate) fn sharpened(
-    (spec, kinds): (&JobSpec, &JobKinds),
-    family: &dyn ModelFamily,
-    levels: &[Level],
-) -> Option<JobKinds> {
-    let finest = levels.last()?;
-    let is_fine = across(&finest.grid, &finest.lights, 2.0) == 1;
-    let is_free =
-        spec.multiresolution.is_none() && is_free((spec, kinds), family.capabilities().refines);
-    (is_free && is_fine).then(|| kinds.with(Chosen::Exponent(EXPONENT)))?
+/// Whether deviations count to the power of [`EXPONENT`] where the job names none: on voxels that the program chooses, at most half as wide as a pixel.
+pub(crate) fn are_sharpened(asked: Asked<'_>, family: &dyn ModelFamily, finest: &Level) -> bool {
+    asked.spec.multiresolution.is_none()
+        && is_free(asked, family.capabilities().refines)
+        && across(&finest.grid, &finest.lights, 2.0) == 1
+}
+
+/// A goal with that power; None where its job names one, or another objective.
+pub(crate) fn sharpened(goal: &Goal) -> Option<Goal> {
+    goal.with(Chosen::Exponent(EXPONENT))
 }
 
 /// By how much a wider window lowers what the void may have.
 pub(crate) const WIDER: f64 = 0.05;
 
-/// The kinds of a job with a wider window: what the void may have at most is lower by `steps` of [`WIDER`]. None where the job names thresholds, or
+/// A goal with a wider window: what the void may have at most is lower by `steps` of [`WIDER`]. None where the job names thresholds, or
 /// no lower one is left.
-pub(crate) fn widened(kinds: &JobKinds, steps: usize) -> Option<JobKinds> {
+pub(crate) fn widened(goal: &Goal, steps: usize) -> Option<Goal> {
     let lower = threshold::LOWER - steps as f64 * WIDER;
     if lower < WIDER {
         return None;
     }
-    kinds.with(Chosen::Lower(lower))
+    goal.with(Chosen::Lower(lower))
 }
 
 #[cfg(test)]
@@ -383,12 +402,12 @@ mod tests {
 
     use super::*;
     use crate::job::Job;
-    use crate::models::{OpticalScene, planner};
+    use crate::models::{OpticalScene, Run, planner};
     use crate::target::Shape;
     use std::sync::Arc;
 
-    /// Levels of a small job, with further lines, and its kinds where their deviations are to another power.
-    fn levels_of(surface: &str, more: &[&str]) -> (Vec<Level>, Option<JobKinds>) {
+    /// Levels of a small job, with further lines, and whether its deviations are to another power.
+    fn levels_of(surface: &str, more: &[&str]) -> (Vec<Level>, bool) {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("job.toml");
         let text = format!(
@@ -415,10 +434,17 @@ mod tests {
         };
         let family = planner::choose(optics.model.as_ref(), &resolved, &grid).unwrap();
         let of = (&optics, family.as_ref());
-        let kinds = JobKinds::read(&job.spec, &job.base()).unwrap();
-        let levels = levels((&job.spec, &kinds), of, (&grid, true), bounds);
-        let sharpened = sharpened((&job.spec, &kinds), family.as_ref(), &levels);
-        (levels, sharpened)
+        let method = Method::read(&job.spec, &job.base()).unwrap();
+        let species = Species::of_job(&job, &method, None, &Run::new()).unwrap();
+        let asked = Asked {
+            spec: &job.spec,
+            method: &method,
+            species: &species,
+        };
+        let levels = levels(asked, of, &grid, bounds);
+        let are_sharpened = are_sharpened(asked, family.as_ref(), &levels[levels.len() - 1]);
+        let is_sharpened = are_sharpened && sharpened(&species[0].goal).is_some();
+        (levels, is_sharpened)
     }
 
     fn pitches(surface: &str, more: &[&str]) -> Vec<f64> {
@@ -428,7 +454,7 @@ mod tests {
 
     #[test]
     fn fourth_powers_are_those_of_fine_voxels_that_the_program_chose() {
-        let is_sharpened = |surface: &str, more: &[&str]| levels_of(surface, more).1.is_some();
+        let is_sharpened = |surface: &str, more: &[&str]| levels_of(surface, more).1;
         assert!(is_sharpened("fraction", &[]));
         assert!(is_sharpened("fraction", &["grid.refine=2"]));
         assert!(!is_sharpened("fraction", &["grid.refine=1"]));

@@ -1,6 +1,6 @@
 //! What is said of a job before it runs: doubts of the unit, few angles, choices that no line of the screen shows; and which key an error is of.
 
-use super::method::JobKinds;
+use super::method::Method;
 use super::optics::Optics;
 use super::resources::compared;
 use crate::error::{Error, Result};
@@ -198,7 +198,7 @@ pub(crate) fn part_of_a_turn(spec: &JobSpec) -> Option<String> {
 /// Two doses at which resin gels: that of plans by dose alone, and that of the print in time.
 pub(crate) fn two_critical_doses(spec: &JobSpec) -> Option<String> {
     let own = spec.resin.critical_dose_mj_per_mm3?;
-    let photopolymer = spec.material.as_ref()?.photopolymer.as_ref()?;
+    let photopolymer = spec.photopolymer()?;
     let of_networks = photopolymer
         .networks
         .iter()
@@ -219,8 +219,8 @@ pub(crate) fn two_critical_doses(spec: &JobSpec) -> Option<String> {
 }
 
 /// What a job chooses of its method that no line of the screen shows.
-pub(crate) fn chosen(spec: &JobSpec, kinds: &JobKinds) -> Vec<String> {
-    let edges = kinds.requirements.edges.map(|_|
+pub(crate) fn chosen(spec: &JobSpec, method: &Method) -> Vec<String> {
+    let edges = method.requirements.edges.map(|_|
         "optimizer.osmo.edges = true: each step ends with two more halves, at the part's surface",
     );
     let last = (spec.stop.keep == Keep::Last).then_some(
@@ -234,8 +234,8 @@ pub(crate) fn chosen(spec: &JobSpec, kinds: &JobKinds) -> Vec<String> {
 }
 
 /// Refuses patterns to start from that cannot be read or are of other lights; says where their shape is another one.
-pub(crate) fn given_patterns(kinds: &JobKinds, optics: &Optics) -> Result<Vec<String>> {
-    let Some(files) = kinds.start.files() else {
+pub(crate) fn given_patterns(method: &Method, optics: &Optics) -> Result<Vec<String>> {
+    let Some(files) = method.start.files() else {
         return Ok(Vec::new());
     };
     let key = "start.patterns.file";

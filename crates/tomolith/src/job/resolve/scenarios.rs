@@ -1,170 +1,70 @@
 //! The same patterns under scenarios: the job as it is, and the job with some keys set otherwise.
 //!
-//! A scenario differs from the job in what light meets or in where it comes from; part, voxels, patterns and objective are the job's. The
+//! A scenario differs from the job in what light meets or in where it comes from, so that alone is resolved again; part, voxels, patterns and objective are the job's. The
 //! optimization sees all of them at once ([`Scenarios`]), and the print of the written patterns is evaluated in each.
 //!
 //! **Limits** methods that minimize a loss; one species, no print in time, no coarse levels, no cells, patterns of more than five bits. Pixels
 //! that cannot light the part in the job as it is stay dark.
 
+use super::grid::bounds_of;
+use super::machine;
+use super::optics::Optics;
+use super::refinement::{Asked, Level, levels};
+use super::{family, must_be_lit};
 use crate::error::{Error, Result};
 use crate::grid::VolumeGrid;
 use crate::job::resolve::ResolvedJob;
-use crate::job::spec::document::{Document, is_within};
-use crate::job::spec::read::Job;
+use crate::job::spec::scenario::{at_scenario, must_be_told_apart};
 use crate::job::spec::{JobSpec, RobustOf, ScenarioSpec};
-use crate::models::Run;
 use crate::objective::Join;
 use crate::units::concise;
-use serde_json::Value;
+use serde_json::{Map, Value};
 
-/// Tables that a scenario may change.
-const TABLES: [&str; 5] = ["vial", "resin", "light", "motion", "bath"];
-
-/// A job beside the job.
+/// What light meets, where that is not what the job says.
 pub(crate) struct Scenario {
     /// Its name.
     pub(crate) name: String,
-    /// What light meets in it.
-    pub(crate) resolved: ResolvedJob,
+    /// Vial and lights.
+    pub(crate) optics: Optics,
+    /// What may be wrong with its light.
+    pub(crate) warnings: Vec<String>,
 }
 
 /// The scenarios of a job, on its voxels.
 ///
 /// # Errors
 /// [`Error::Config`] with `scenario[i]` and the key that makes the job invalid.
-pub(crate) fn of_job(job: &Job, resolved: &ResolvedJob, run: &Run) -> Result<Vec<Scenario>> {
-    must_be_told_apart(&job.spec)?;
-    let given = job.spec.scenario.iter().enumerate();
-    let scenarios = given.map(|(i, scenario)| {
-        let at = |error| at_scenario(i, scenario, error);
-        let own = changed(job, &scenario.set).map_err(at)?;
-        let name = scenario.name.clone();
+pub(crate) fn of_job(resolved: &ResolvedJob) -> Result<Vec<Scenario>> {
+    let given = &resolved.spec.scenario;
+    if given.is_empty() {
+        return Ok(Vec::new());
+    }
+    must_be_told_apart(&resolved.spec)?;
+    must_fit(resolved)?;
+    let scenario = |(i, own): (usize, &ScenarioSpec)| {
+        let name = own.name.clone();
         let name = name.unwrap_or_else(|| format!("scenario {}", i + 1));
-        let own = ResolvedJob::of_species(&own, 0, Some(&resolved.grid), run).map_err(at)?;
-        must_show_the_same(resolved, &own).map_err(at)?;
+        Scenario::new(resolved, name, &own.set).map_err(|error| at_scenario(i, own, error))
+    };
+    given.iter().enumerate().map(scenario).collect()
+}
+
+impl Scenario {
+    fn new(job: &ResolvedJob, name: String, set: &Map<String, Value>) -> Result<Self> {
+        let spec = job.spec.changed(set, &job.base)?;
+        let mut optics = Optics::new(&spec, &job.base)?;
+        let printers = machine::printers(&spec, &job.base, &optics.lights)?;
+        optics.leave_dark(printers.as_deref().unwrap_or_default());
+        if spec.target.insert_shadow.unwrap_or(true) {
+            optics.add_inserts(job.shape())?;
+        }
+        let warnings = must_be_lit(&spec, &optics, &job.species, &job.grid)?;
+        must_show_the_same(job, &spec, &optics)?;
         Ok(Scenario {
             name,
-            resolved: own,
+            optics,
+            warnings,
         })
-    });
-    let scenarios = scenarios.collect::<Result<Vec<_>>>()?;
-    if !scenarios.is_empty() {
-        must_fit(resolved)?;
-    }
-    Ok(scenarios)
-}
-
-/// Refuses scenarios that change nothing, and names that say nothing.
-fn must_be_told_apart(spec: &JobSpec) -> Result<()> {
-    let mut names = vec!["", "the job"];
-    for (i, scenario) in spec.scenario.iter().enumerate() {
-        if scenario.set.is_empty() {
-            return Err(Error::config(
-                format!("scenario[{i}].set"),
-                "no key: the job once more",
-                format!("keys of {}, and their values here", TABLES.join(", ")),
-            ));
-        }
-        let Some(name) = scenario.name.as_deref() else {
-            continue;
-        };
-        if names.contains(&name.trim()) {
-            return Err(Error::config(
-                format!("scenario[{i}].name"),
-                format!("found \"{name}\""),
-                "a name that neither the job nor another scenario has",
-            ));
-        }
-        names.push(name.trim());
-    }
-    Ok(())
-}
-
-/// Names the key of a scenario that caused an error of its job; if several could have, all keys that the scenario sets.
-pub(crate) fn at_scenario(i: usize, scenario: &ScenarioSpec, error: Error) -> Error {
-    let Error::Config {
-        key,
-        found,
-        accepted,
-        nearest,
-        ..
-    } = error
-    else {
-        return error;
-    };
-    // An assignment is blamed as one of the command line
-    let key = key.strip_prefix("--set ").unwrap_or(&key);
-    let key = key.split_once('=').map_or(key, |(key, _)| key);
-    let mut set = Vec::new();
-    let mut remember = |key: &str, _: &Value| {
-        set.push(key.to_owned());
-        Ok(())
-    };
-    let all = scenario.set.iter();
-    for (key, value) in all {
-        let _ = each_leaf(key, value, &mut remember);
-    }
-    // The first of a list needs no index
-    let same = |path: &str| path.replace("[0]", "");
-    let leads = |own: &&String| is_within(&same(key), &same(own)) || is_within(own, key);
-    let (own, found) = match (set.iter().find(leads), set.as_slice()) {
-        (Some(own), _) if is_within(key, own) => (format!(".{key}"), found),
-        (Some(own), _) => (format!(".{own}"), found),
-        (None, _) if key.is_empty() => (String::new(), found),
-        (None, [own]) => (format!(".{own}"), format!("`{key}`: {found}")),
-        (None, _) => (String::new(), format!("`{key}`: {found}")),
-    };
-    let name = scenario.name.as_ref();
-    Error::Config {
-        key: format!("scenario[{i}].set{own}"),
-        found: name.map_or_else(|| found.clone(), |name| format!("in \"{name}\", {found}")),
-        accepted,
-        nearest,
-        place: None,
-    }
-}
-
-/// The job with some keys set otherwise, and without scenarios.
-fn changed(job: &Job, set: &serde_json::Map<String, Value>) -> Result<Job> {
-    let mut spec = job.spec.clone();
-    spec.scenario.clear();
-    let tables = spec.to_value()?.to_string();
-    let mut document = Document::json(job.document.file.clone(), tables)?;
-    let mut seen: Vec<String> = Vec::new();
-    for (key, value) in set {
-        each_leaf(key, value, &mut |key, value| {
-            let table = key.split(['.', '[']).next().unwrap_or_default();
-            if !TABLES.contains(&table) {
-                let accepted = format!("a key of {}", TABLES.join(", "));
-                return Err(Error::config(
-                    key,
-                    "no key that a scenario may change",
-                    accepted,
-                ));
-            }
-            if seen.iter().any(|other| other == key) {
-                let found = "set twice: with dots in its name, and in a table";
-                return Err(Error::config(key, found, "once"));
-            }
-            seen.push(key.to_owned());
-            // Numbers, texts and lists are written alike in JSON and TOML
-            document.assign(&format!("{key}={value}")).map(drop)
-        })?;
-    }
-    Job::from_document(document)
-}
-
-/// Keys with dots in them and tables in tables say the same.
-fn each_leaf(
-    key: &str,
-    value: &Value,
-    with: &mut impl FnMut(&str, &Value) -> Result<()>,
-) -> Result<()> {
-    match value.as_object() {
-        None => with(key, value),
-        Some(table) => table
-            .iter()
-            .try_for_each(|(inner, value)| each_leaf(&format!("{key}.{inner}"), value, with)),
     }
 }
 
@@ -191,18 +91,26 @@ fn other_voxels(its: Option<VolumeGrid>, jobs: Option<VolumeGrid>) -> String {
 }
 
 /// Refuses a scenario that shows other images, or is computed on other voxels.
-fn must_show_the_same(job: &ResolvedJob, scenario: &ResolvedJob) -> Result<()> {
-    let images = |resolved: &ResolvedJob| -> Vec<_> {
-        let lights = resolved.optics.lights.iter();
-        lights.map(|light| light.pixels.shape()).collect()
+fn must_show_the_same(job: &ResolvedJob, spec: &JobSpec, optics: &Optics) -> Result<()> {
+    let asked = Asked {
+        spec,
+        method: &job.method,
+        species: &job.species,
     };
-    let voxels = |resolved: &ResolvedJob| resolved.levels.last().map(|level| level.grid.clone());
-    let (its, jobs) = (voxels(scenario), voxels(job));
+    let family = family(optics, &job.species, &job.grid)?;
+    let bounds_mm = bounds_of(&job.species);
+    let levels = levels(asked, (optics, family.as_ref()), &job.grid, bounds_mm);
+    let finest = |levels: &[Level]| levels.last().map(|level| level.grid.clone());
+    let (its, jobs) = (finest(&levels), finest(&job.levels));
     if its != jobs {
         // Rays want cubes, and parallel light does not
         return Err(Error::config("", other_voxels(its, jobs), OWN_VOXELS));
     }
-    if images(scenario) == images(job) {
+    let images = |optics: &Optics| -> Vec<_> {
+        let lights = optics.lights.iter();
+        lights.map(|light| light.pixels.shape()).collect()
+    };
+    if images(optics) == images(&job.optics) {
         return Ok(());
     }
     Err(Error::config(
@@ -215,7 +123,6 @@ fn must_show_the_same(job: &ResolvedJob, scenario: &ResolvedJob) -> Result<()> {
 /// Refuses what does not go with scenarios.
 fn must_fit(resolved: &ResolvedJob) -> Result<()> {
     let spec = &resolved.spec;
-    let needs_target = resolved.kinds.requirements.target.is_some();
     for (key, is_there, found, accepted) in [
         (
             "species",
@@ -237,13 +144,13 @@ fn must_fit(resolved: &ResolvedJob) -> Result<()> {
         ),
         (
             "objective",
-            resolved.has_cells,
+            resolved.first().has_cells,
             "voxels cut into cells",
             "surface = \"fraction\" or \"voxel\"",
         ),
         (
             "optimizer",
-            needs_target,
+            resolved.method.needs_target(),
             "a method that compares one dose with one target",
             "lbfgs, or another method that minimizes the loss",
         ),
@@ -274,18 +181,24 @@ pub(crate) fn worst_of_one(spec: &JobSpec) -> Option<String> {
 }
 
 /// How the losses of the scenarios become one.
-pub(crate) fn join(spec: &JobSpec) -> Join {
-    match spec.robust.of {
-        _ if spec.scenario.is_empty() => Join::Sum,
+pub(crate) fn join(job: &ResolvedJob) -> Join {
+    match job.spec.robust.of {
+        _ if job.scenarios.is_empty() => Join::Sum,
         RobustOf::Mean => Join::Mean,
         RobustOf::Worst => Join::Worst,
     }
 }
 
+/// What that is called.
+pub(crate) fn name_of_join(job: &ResolvedJob) -> &'static str {
+    job.spec.robust.of.name()
+}
+
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::job::ResolvedJob;
+    use crate::job::{Document, Job, ResolvedJob};
+    use crate::models::Run;
     use crate::objective::Objective;
     use std::path::Path;
 
@@ -344,14 +257,20 @@ pub(crate) mod tests {
         let finest = |scenarios: &[&str]| {
             let changes = ["grid={ pitch_mm = 0.1 }", "light[0].pixels=[28, 40]"];
             let job = resolved(scenarios, &changes).unwrap();
-            let grid = |resolved: &ResolvedJob| resolved.levels.last().unwrap().grid.clone();
-            let others = job.scenarios.iter().map(|own| grid(&own.resolved));
-            (grid(&job), others.collect::<Vec<_>>())
+            job.levels.last().unwrap().grid.clone()
         };
-        let (own, others) = finest(&["resin.absorption_per_mm = 0.3"]);
-        assert_eq!(others, std::slice::from_ref(&own));
-        let alone = finest(&[]).0;
+        let own = finest(&["resin.absorption_per_mm = 0.3"]);
+        let alone = finest(&[]);
         assert!(alone.shape[0] < own.shape[0] && alone.shape[1..] == own.shape[1..]);
+    }
+
+    #[test]
+    fn a_scenario_may_set_a_whole_list_of_tables() {
+        let light = "light = [{ pixels = [28, 12], angles = 16, offset_mm = [0.05, 0.0], projector = { collimated = { pixel_pitch_mm = 0.1 } } }]";
+        let job = resolved(&[light], &[]).unwrap();
+        let aside = |optics: &Optics| optics.lights[0].pixels.offset_mm[0].abs();
+        assert_eq!(aside(&job.optics), 0.0);
+        assert!((aside(&job.scenarios[0].optics) - 0.05).abs() < 1e-12);
     }
 
     #[test]

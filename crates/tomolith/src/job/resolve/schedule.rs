@@ -1,6 +1,7 @@
 //! The schedule of a job, and the frames that it shows.
 
 use crate::error::{Error, Result};
+use crate::job::resolve::ResolvedJob;
 use crate::job::spec::{Angles, JobSpec};
 use tomolith_material::schedule::{Schedule, Turns};
 
@@ -25,6 +26,16 @@ pub(crate) fn schedule(spec: &JobSpec) -> Result<Schedule> {
         })
         .collect();
     Schedule::of_turns(&turns).map_err(|error| at_schedule(spec, error))
+}
+
+impl ResolvedJob {
+    /// When which frame shines: the schedule of the job, or one turn.
+    ///
+    /// # Errors
+    /// [`Error::Config`].
+    pub(crate) fn exposures(&self) -> Result<Schedule> {
+        schedule(&self.spec)
+    }
 }
 
 impl JobSpec {

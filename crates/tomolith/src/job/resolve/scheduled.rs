@@ -7,6 +7,7 @@ use super::schedule::schedule;
 use crate::error::Result;
 use crate::exposure::Budget;
 use crate::grid::Patterns;
+use crate::job::resolve::ResolvedJob;
 use crate::job::spec::JobSpec;
 use crate::report::Irradiance;
 use crate::report::number::told_apart;
@@ -18,7 +19,9 @@ pub(crate) struct Emitted<'a> {
     pub(crate) white: f64,
     /// Sum of the intensities of all pixels of each frame, where white is 1.
     pub(crate) sums: &'a [f64],
-    /// Pixels of all frames.
+    /// How many frames there are.
+    pub(crate) frames: usize,
+    /// Pixels of a frame.
     pub(crate) pixels: usize,
     /// Area of a pixel, mm².
     pub(crate) pixel_mm2: f64,
@@ -46,7 +49,8 @@ pub(crate) fn budget(
     let angles = spec.light[i].angles.count().max(1) as f64;
     let turns = spec.light[i].turns.unwrap_or(given.turns);
     let budget = Budget {
-        light_used: emitted.sums.iter().sum::<f64>() / emitted.pixels.max(1) as f64,
+        light_used: emitted.sums.iter().sum::<f64>()
+            / (emitted.frames * emitted.pixels).max(1) as f64,
         white_mj_per_mm2: Some(emitted.white * all / angles),
         time_s: Some(match spec.light[i].turns {
             Some(_) => shone_until(&schedule, i),
@@ -81,7 +85,8 @@ fn unit(schedule: &Schedule, light: usize) -> f64 {
 }
 
 /// Warns of lights that must be brighter than the printer is, so that the times of the schedule cannot be kept.
-pub(crate) fn too_bright(spec: &JobSpec, shown: &[Patterns]) -> Result<Vec<String>> {
+pub(crate) fn too_bright(job: &ResolvedJob, shown: &[Patterns]) -> Result<Vec<String>> {
+    let spec = &job.spec;
     if spec.schedule.is_none() {
         return Ok(Vec::new());
     }
@@ -159,7 +164,8 @@ mod tests {
         let emitted = Emitted {
             white: 2.0,
             sums: &[1.0, 2.0, 4.0, 4.0],
-            pixels: 16,
+            frames: 4,
+            pixels: 4,
             pixel_mm2: 0.25,
         };
         let (budget, _) = budget(&spec, 0, &emitted).unwrap().unwrap();

@@ -1,15 +1,157 @@
-//! Several lights and several species: which light sees which resin, which species each drives, and the job of each species.
+//! What hardens in the resin: one species, or several, each with its part, its response and its objectives.
 //!
-//! Dose of species s: r_s = Σ_λ M_sλ q_λ, where q_λ is the dose of light λ alone ([`SpectralMixing`]). A species is a job that differs from
-//! the whole one in target, objective and response; all share lights, vial and voxels.
+//! Dose of species s: r_s = Σ_λ M_sλ q_λ, where q_λ is the dose of light λ alone ([`SpectralMixing`](crate::models::spectral::SpectralMixing)). All share
+//! lights, vial, voxels and method.
 //!
 //! **Limits** Methods that minimize a loss take several species; those that compare one dose with one target (`osmo`, `cal`, …) do not.
 //! Neither do voxels cut into cells, nor fewer bits than six.
 
+use super::clip;
+use super::compatibility::wall_tolerance_mm;
+use super::goal::Goal;
+use super::method::{Method, counted_as, try_kinds};
+use super::optics::Optics;
+use super::remarks::{ask_for_unit, at_target, must_be_seen};
+use super::{cells, time_refusals};
 use crate::error::{Error, Result};
+use crate::grid::VolumeGrid;
 use crate::job::resolve::ResolvedJob;
-use crate::job::spec::species::Row;
+use crate::job::spec::JobSpec;
+use crate::job::spec::kinds::known_elsewhere;
+use crate::job::spec::read::Job;
+pub(crate) use crate::job::spec::species::Row;
+use crate::job::spec::species::at_species;
+use crate::models::{Family, Run};
+use crate::target::{self, Role, Shape};
 use std::borrow::Cow;
+use std::sync::Arc;
+
+/// What hardens in the resin: its part, and what is asked of its dose.
+pub(crate) struct Species {
+    /// Its name; None in a job that names no species.
+    pub(crate) name: Option<String>,
+    /// The name of its part.
+    pub(crate) part: String,
+    /// Its part, and the bodies beside it.
+    pub(crate) shape: Arc<dyn Shape>,
+    /// What is asked of its dose.
+    pub(crate) goal: Goal,
+    /// Whether its surface cuts voxels of the optimization into cells.
+    pub(crate) has_cells: bool,
+    /// How far its part may reach into a wall, mm.
+    pub(crate) wall_tolerance_mm: f64,
+}
+
+impl Species {
+    /// All species of a job: one at least.
+    ///
+    /// # Errors
+    /// [`Error::Config`] for what does not go together, in the table of the species where that says it; those of files.
+    pub(crate) fn of_job(
+        job: &Job,
+        method: &Method,
+        model: Option<&Family>,
+        run: &Run,
+    ) -> Result<Vec<Self>> {
+        let spec = &job.spec;
+        let each = |s: usize| {
+            let name = spec.species.get(s).map(|own| own.name.clone());
+            let of_species = Self::read(name, &spec.of_species(s), job, (method, model), run);
+            of_species.map_err(|e| at_species(spec, s, e))
+        };
+        (0..spec.species.len().max(1)).map(each).collect()
+    }
+
+    fn read(
+        name: Option<String>,
+        spec: &JobSpec,
+        job: &Job,
+        (method, model): (&Method, Option<&Family>),
+        run: &Run,
+    ) -> Result<Self> {
+        let goal = Goal::read(spec, &job.base()).map_err(known_elsewhere)?;
+        let shape = target::build_under(&spec.target, &job.base(), "target", run)
+            .map_err(|e| at_target(spec, e))?;
+        let shape: Arc<dyn Shape> = Arc::from(shape);
+        try_kinds(spec, (&goal, method), model, shape.is_gray()).map_err(known_elsewhere)?;
+        cells::must_fit((&goal, method), shape.as_ref(), model)?;
+        time_refusals::must_be_whole(spec, &goal)?;
+        counted_as(spec, shape.is_gray())?;
+        Ok(Species {
+            name,
+            part: spec.target.name(),
+            has_cells: goal.cells_key().is_some(),
+            shape,
+            goal,
+            wall_tolerance_mm: 0.0,
+        })
+    }
+
+    /// What is printed of its shape.
+    pub(crate) fn printed(&self) -> &dyn Shape {
+        let printed = self.shape.body(Role::Print);
+        printed.unwrap_or(self.shape.as_ref())
+    }
+}
+
+/// Refuses parts that vial or light do not hold, on a grid if there is one; asks for the unit of those that are far too large or small.
+///
+/// # Errors
+/// [`Error::Config`] with both sizes.
+pub(crate) fn must_be_held(
+    species: &mut [Species],
+    spec: &JobSpec,
+    optics: &Optics,
+    grid: Option<&VolumeGrid>,
+) -> Result<Vec<String>> {
+    let mut units = Vec::new();
+    for (s, own) in species.iter_mut().enumerate() {
+        let of_species = spec.of_species(s);
+        let at = |error| at_species(spec, s, error);
+        own.wall_tolerance_mm = wall_tolerance_mm(&of_species, grid).map_err(at)?;
+        let unit = ask_for_unit(&of_species, optics, own.shape.as_ref());
+        // Light need reach only what is printed
+        let held = optics.must_hold(&of_species, own.printed(), own.wall_tolerance_mm);
+        held.map_err(|e| at(e.asking(unit.as_deref())))?;
+        units.push(unit.into_iter().collect());
+    }
+    Ok(named(species, units))
+}
+
+/// Refuses parts smaller than a voxel, or cut by the grid; says how much that cuts off.
+///
+/// # Errors
+/// [`Error::Config`] with both sizes.
+pub(crate) fn must_be_on(
+    species: &[Species],
+    spec: &JobSpec,
+    optics: &Optics,
+    grid: &VolumeGrid,
+    run: &Run,
+) -> Result<Vec<String>> {
+    let is_coarse = optics.are_coarse(grid);
+    let each = species.iter().enumerate().map(|(s, own)| {
+        let (of_species, shape) = (spec.of_species(s), own.shape.as_ref());
+        let unit = ask_for_unit(&of_species, optics, shape);
+        must_be_seen(&of_species, shape, grid, unit.as_deref(), is_coarse)
+            .and_then(|()| clip::must_hold(&spec.grid, grid, shape, run))
+            .map(|cut_off| cut_off.into_iter().collect())
+            .map_err(|e| at_species(spec, s, e))
+    });
+    Ok(named(species, each.collect::<Result<_>>()?))
+}
+
+/// Texts about each of several species, with its name before what does not hold for all of them.
+pub(crate) fn named(species: &[Species], texts: Vec<Vec<String>>) -> Vec<String> {
+    let is_of_all = |text: &String| texts.iter().all(|own| own.contains(text));
+    let mut all: Vec<String> = texts[0].iter().filter(|t| is_of_all(t)).cloned().collect();
+    for (own, texts) in species.iter().zip(&texts) {
+        let name = own.name.as_deref().unwrap_or_default();
+        let apart = texts.iter().filter(|text| !is_of_all(text));
+        all.extend(apart.map(|text| format!("{name}: {text}")));
+    }
+    all
+}
 
 /// Refuses what does not go with several species.
 ///
@@ -28,7 +170,7 @@ pub(crate) fn must_fit(resolved: &ResolvedJob) -> Result<()> {
             "another model, or no [[species]]",
         ));
     }
-    if resolved.species().any(|species| species.has_cells) {
+    if resolved.species.iter().any(|own| own.has_cells) {
         let found = "an objective whose surface cuts voxels into cells";
         return Err(Error::config(
             "species",
@@ -36,11 +178,10 @@ pub(crate) fn must_fit(resolved: &ResolvedJob) -> Result<()> {
             "surface = \"fraction\" or \"voxel\"",
         ));
     }
-    if resolved.others.is_empty() {
+    if resolved.species.len() == 1 {
         return Ok(());
     }
-    let needs = resolved.kinds.requirements;
-    if needs.target.is_some() {
+    if resolved.method.needs_target() {
         let found = "a method that compares one dose with one target";
         let accepted = "lbfgs, or another method that minimizes the loss, with several [[species]]";
         return Err(Error::config("optimizer", found, accepted));
@@ -81,14 +222,9 @@ impl ResolvedJob {
         }
     }
 
-    /// The species of the job, the first being this job itself.
-    pub(crate) fn species(&self) -> impl Iterator<Item = &ResolvedJob> {
-        std::iter::once(self).chain(&self.others)
-    }
-
-    /// Name of species `s`.
-    pub(crate) fn species_name(&self, s: usize) -> Option<&str> {
-        self.mixing.as_ref().map(|rows| rows[s].0.as_str())
+    /// The species that headline numbers are of: the first.
+    pub(crate) fn first(&self) -> &Species {
+        &self.species[0]
     }
 }
 
@@ -157,6 +293,19 @@ mod tests {
             .map(|resin| (resin.refractive_index, resin.attenuation_per_mm))
             .collect();
         assert_eq!(seen, [(1.5, 0.3), (1.6, 0.4)]);
+    }
+
+    #[test]
+    fn what_does_not_hold_for_all_species_is_told_with_a_name() {
+        let told = |changes: &[&str]| {
+            let warnings = resolved(changes).unwrap().warnings;
+            let of_pixels = |text: &String| text.contains("a pixel is 0.1 mm wide");
+            warnings.into_iter().find(of_pixels)
+        };
+        assert_eq!(told(&["grid.pitch_mm=0.04"]), None);
+        let small = "species[1].target.size_mm=0.08";
+        let text = told(&["grid.pitch_mm=0.04", small]).unwrap();
+        assert!(text.starts_with("stiff: light[0]: a pixel"), "{text}");
     }
 
     #[test]

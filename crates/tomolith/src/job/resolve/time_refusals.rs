@@ -1,7 +1,7 @@
 //! What a print in time cannot be: schedules and materials that are refused before any work, each at its key.
 
+use super::goal::Goal;
 use super::material::material;
-use super::method::JobKinds;
 use super::schedule::schedule;
 use crate::error::{Error, Result};
 use crate::grid::VolumeGrid;
@@ -123,10 +123,7 @@ fn must_have_thresholds(material: &Photopolymer, given: &ScheduleSpec) -> Result
 
 /// Refuses shading whose absorption before the cure is not that of the resin: patterns are evaluated in the one, and printed in the other.
 fn must_begin_as_the_resin(spec: &JobSpec) -> Result<()> {
-    let own = spec.material.as_ref();
-    let photopolymer = own.and_then(|material| material.photopolymer.as_ref());
-    let shading = photopolymer.map_or(&[][..], |params| &params.shading);
-    for (i, shading) in shading.iter().enumerate() {
+    for (i, shading) in spec.shading().iter().enumerate() {
         let at = |key: &str| format!("material.photopolymer.shading[{i}].{key}");
         let resin = spec.resin_of(shading.light);
         if resin.absorption_map.is_some() {
@@ -168,7 +165,7 @@ fn must_begin_as_the_resin(spec: &JobSpec) -> Result<()> {
 ///
 /// # Errors
 /// [`Error::Config`] at the key that asks for cells.
-pub(crate) fn must_be_whole(spec: &JobSpec, kinds: &JobKinds) -> Result<()> {
+pub(crate) fn must_be_whole(spec: &JobSpec, goal: &Goal) -> Result<()> {
     let own = spec.material.as_ref();
     let against = spec.schedule.as_ref().map(|given| given.optimize);
     let found = if own.is_some_and(|material| material.diffusion.is_some()) {
@@ -178,7 +175,7 @@ pub(crate) fn must_be_whole(spec: &JobSpec, kinds: &JobKinds) -> Result<()> {
     } else {
         return Ok(());
     };
-    match kinds.cells_key() {
+    match goal.cells_key() {
         Some(key) => Err(Error::config(key, found, "\"voxel\" or \"fraction\"")),
         None => Ok(()),
     }
@@ -234,9 +231,7 @@ fn must_be_one(material: &MaterialSpec, optimizes_dose: bool) -> Result<()> {
 
 /// Refuses networks that have the names of species in another order: a network is that of the species at its place.
 fn must_be_in_order(spec: &JobSpec, rows: &[Row]) -> Result<()> {
-    let photopolymer = spec.material.as_ref().and_then(|m| m.photopolymer.as_ref());
-    let networks = photopolymer.map_or(&[][..], |params| &params.networks);
-    for (s, (network, (own, _))) in networks.iter().zip(rows).enumerate() {
+    for (s, (network, (own, _))) in spec.networks().iter().zip(rows).enumerate() {
         if network.name != *own && rows.iter().any(|(name, _)| *name == network.name) {
             return Err(Error::config(
                 format!("material.photopolymer.networks[{s}].name"),
@@ -250,9 +245,7 @@ fn must_be_in_order(spec: &JobSpec, rows: &[Row]) -> Result<()> {
 
 /// Refuses what asks for an inhibitor where there is none.
 fn must_have_inhibitors(spec: &JobSpec, rows: &[Row], given: &ScheduleSpec) -> Result<()> {
-    let own = spec.material.as_ref();
-    let photopolymer = own.and_then(|material| material.photopolymer.as_ref());
-    let networks = photopolymer.map_or(&[][..], |params| &params.networks);
+    let (own, networks) = (spec.material.as_ref(), spec.networks());
     let has_air = own.is_some_and(|material| material.air_on_top);
     let stays_empty = |s: usize, inhibitor: &Inhibitor| {
         let is_made = rows
@@ -397,9 +390,6 @@ fn must_be_few(spec: &JobSpec, material: &Photopolymer, schedule: &Schedule) -> 
 
 /// The key of what diffuses fastest through the faces of voxels, mm²/s.
 fn fastest(spec: &JobSpec) -> (String, f64) {
-    let own = spec.material.as_ref();
-    let photopolymer = own.and_then(|material| material.photopolymer.as_ref());
-    let networks = photopolymer.map_or(&[][..], |params| &params.networks);
     let of = |(s, network): (usize, &Network)| {
         let at = format!("material.photopolymer.networks[{s}]");
         let dose = network.dose_diffusion_mm2_per_s;
@@ -411,7 +401,7 @@ fn fastest(spec: &JobSpec) -> (String, f64) {
         let dose = std::iter::once((format!("{at}.dose_diffusion_mm2_per_s"), dose));
         dose.chain(inhibitors).collect::<Vec<_>>()
     };
-    let all = networks.iter().enumerate().flat_map(of);
+    let all = spec.networks().iter().enumerate().flat_map(of);
     let fastest = all.max_by(|a, b| a.1.total_cmp(&b.1));
     fastest.unwrap_or_else(|| ("material.photopolymer".to_owned(), 0.0))
 }

@@ -1,10 +1,13 @@
 //! The target on voxels: what is part, what is void, what counts.
 
+use super::optics::Optics;
 use super::remarks::at_grid;
-use super::scenarios::at_scenario;
+use super::species::{Species, named};
 use crate::error::Result;
 use crate::grid::{Volume, VolumeGrid};
 use crate::job::resolve::ResolvedJob;
+use crate::job::spec::scenario::at_scenario;
+use crate::job::spec::species::at_species;
 use crate::models::{DoseLayout, Run};
 use crate::objective::voxel_weights::Ground;
 use crate::report;
@@ -24,38 +27,51 @@ pub(crate) struct Voxels {
 const SLIVER: f32 = 0.05;
 
 impl ResolvedJob {
-    /// The target on a grid.
+    /// The targets of all species on a grid.
     ///
     /// # Errors
-    /// As [`target::voxelize`].
-    pub(crate) fn voxels(&self, grid: &VolumeGrid) -> Result<Voxels> {
-        self.voxels_under(grid, &Run::new())
+    /// As [`target::voxelize`]; [`Error::Canceled`](crate::Error::Canceled).
+    pub(crate) fn voxels(&self, grid: &VolumeGrid, run: &Run) -> Result<Vec<Voxels>> {
+        let targets = self.sampled(grid, &run.part(0.9))?;
+        self.voxels_of(targets, grid, run)
     }
 
-    /// The same as a part of a run.
+    /// The inside fractions of their parts.
     ///
     /// # Errors
-    /// As [`voxels`](Self::voxels); [`Error::Canceled`].
-    pub(crate) fn voxels_under(&self, grid: &VolumeGrid, run: &Run) -> Result<Voxels> {
-        let target = self.sampled(grid, &run.part(0.9))?;
-        self.voxels_of(target, grid, run)
+    /// As [`voxels`](Self::voxels).
+    pub(crate) fn sampled(&self, grid: &VolumeGrid, run: &Run) -> Result<Vec<Target>> {
+        let share = 1.0 / self.species.len() as f64;
+        let sampled = |own: &Species| {
+            let (shape, run) = (own.shape.as_ref(), run.part(share));
+            let target = target::voxelize_under(shape, &own.part, grid, &run);
+            target.map_err(|e| at_grid(&self.spec, e))
+        };
+        self.species.iter().map(sampled).collect()
     }
 
-    /// The inside fractions of the target.
+    /// What counts, for these parts on a grid.
     ///
     /// # Errors
-    /// As [`voxels_under`](Self::voxels_under).
-    pub(crate) fn sampled(&self, grid: &VolumeGrid, run: &Run) -> Result<Target> {
-        let shape = self.shape.as_ref();
-        let target = target::voxelize_under(shape, &self.name, grid, run);
-        target.map_err(|e| at_grid(&self.spec, e))
+    /// As [`voxels`](Self::voxels).
+    pub(crate) fn voxels_of(
+        &self,
+        targets: Vec<Target>,
+        grid: &VolumeGrid,
+        run: &Run,
+    ) -> Result<Vec<Voxels>> {
+        let all = targets.into_iter().zip(&self.species);
+        all.map(|(target, own)| self.labeled(target, own, grid, run))
+            .collect()
     }
 
-    /// What counts, for a target on a grid.
-    ///
-    /// # Errors
-    /// As [`voxels_under`](Self::voxels_under).
-    pub(crate) fn voxels_of(&self, target: Target, grid: &VolumeGrid, run: &Run) -> Result<Voxels> {
+    fn labeled(
+        &self,
+        target: Target,
+        species: &Species,
+        grid: &VolumeGrid,
+        run: &Run,
+    ) -> Result<Voxels> {
         let counts = self.optics.counts(self.spec.grid.region, &self.grid);
         let mut labels = if self.optics.vial.is_invariant() {
             label_columns(&target, |[x, y]| counts([x, y, 0.0]))
@@ -63,7 +79,7 @@ impl ResolvedJob {
             label_voxels(&target, counts)
         };
         // There is no resin in an insert
-        if let Some(insert) = self.shape.body(Role::Insert) {
+        if let Some(insert) = species.shape.body(Role::Insert) {
             let inside = target::sampled(insert, grid, run)?.values;
             for (label, inside) in labels.values.iter_mut().zip(inside) {
                 *label = if inside >= 0.5 {
@@ -73,11 +89,8 @@ impl ResolvedJob {
                 };
             }
         }
-        let least = if self.kinds.sees_fractions() {
-            SLIVER
-        } else {
-            0.5
-        };
+        let sees_fractions = !self.method.needs_target() && species.goal.sees_fractions();
+        let least = if sees_fractions { SLIVER } else { 0.5 };
         Ok(Voxels {
             target,
             labels,
@@ -89,30 +102,42 @@ impl ResolvedJob {
     ///
     /// # Errors
     /// [`Error::Config`](crate::Error::Config) where nothing can be printed, or a part of it cannot.
-    pub(crate) fn warnings_of(&self, voxels: &Voxels) -> Result<Vec<String>> {
-        let (inside, labels, gray) = (&voxels.target.inside, &voxels.labels, voxels.target.gray);
-        let mut found = self.optics.warnings(inside, labels, gray)?;
-        let layout = DoseLayout::new("dose", labels.grid.clone(), 0);
-        let ground = Ground {
-            layout: &layout,
-            labels,
-            target: &voxels.target,
-            base: &self.base,
-        };
-        for objective in self.kinds.objectives() {
-            found.extend(objective.warnings(&ground)?);
-        }
+    pub(crate) fn warnings_of(&self, voxels: &[Voxels]) -> Result<Vec<String>> {
+        let mut found = self.warned(&self.optics, voxels)?;
+        let regions = self.species.iter().zip(voxels).map(|(own, voxels)| {
+            let layout = DoseLayout::new("dose", voxels.labels.grid.clone(), 0);
+            let ground = Ground {
+                layout: &layout,
+                labels: &voxels.labels,
+                target: &voxels.target,
+                base: &self.base,
+            };
+            let objectives = own.goal.objectives().iter();
+            let warnings = objectives.map(|objective| objective.warnings(&ground));
+            warnings.collect::<Result<Vec<_>>>().map(|all| all.concat())
+        });
+        found.extend(named(&self.species, regions.collect::<Result<_>>()?));
         let given = self.scenarios.iter().zip(&self.spec.scenario);
         for (i, (scenario, spec)) in given.enumerate() {
-            let at = |error| at_scenario(i, spec, error);
-            let own = scenario.resolved.optics.warnings(inside, labels, gray);
-            let of_scene = scenario.resolved.warnings.iter().cloned();
-            let all = own.map_err(at)?.into_iter().chain(of_scene);
-            let is_new = |text: &String| !found.contains(text) && !self.warnings.contains(text);
-            let new: Vec<String> = all.filter(is_new).collect();
+            let of_voxels = self.warned(&scenario.optics, voxels);
+            let of_voxels = of_voxels.map_err(|error| at_scenario(i, spec, error))?;
+            let all = of_voxels.iter().chain(&scenario.warnings);
+            let is_new = |text: &&String| !found.contains(text) && !self.warnings.contains(text);
+            let new: Vec<String> = all.filter(is_new).cloned().collect();
             found.extend(new.iter().map(|text| format!("{}: {text}", scenario.name)));
         }
         Ok(found)
+    }
+
+    /// What lies outside the resin, or beyond the reach of these optics.
+    fn warned(&self, optics: &Optics, voxels: &[Voxels]) -> Result<Vec<String>> {
+        let each = self.species.iter().zip(voxels).enumerate();
+        let each = each.map(|(s, (own, Voxels { target, labels, .. }))| {
+            let tolerance_mm = own.wall_tolerance_mm;
+            let found = optics.warnings(&target.inside, labels, target.gray, tolerance_mm);
+            found.map_err(|e| at_species(&self.spec, s, e))
+        });
+        Ok(named(&self.species, each.collect::<Result<_>>()?))
     }
 
     /// Share of each voxel that no light may pass, when the target has such bodies.
@@ -120,7 +145,7 @@ impl ResolvedJob {
     /// # Errors
     /// As [`target::voxelize`].
     pub(crate) fn keep_dark(&self, grid: &VolumeGrid) -> Result<Option<Volume<f32>>> {
-        let dark = self.shape.body(Role::KeepDark);
+        let dark = self.first().shape.body(Role::KeepDark);
         dark.map(|dark| target::sampled(dark, grid, &Run::new()))
             .transpose()
     }
@@ -134,7 +159,11 @@ impl ResolvedJob {
         grid: &VolumeGrid,
         dark: Option<&Volume<f32>>,
     ) -> Result<Option<Volume<u8>>> {
-        let insert = self.shape.body(Role::Insert).map(|body| body.sample(grid));
+        let insert = self
+            .first()
+            .shape
+            .body(Role::Insert)
+            .map(|body| body.sample(grid));
         let insert = insert.transpose()?;
         if dark.is_none() && insert.is_none() && self.optics.obstacles().is_empty() {
             return Ok(None);
@@ -157,6 +186,14 @@ impl ResolvedJob {
 }
 
 impl Voxels {
+    /// The highest value of a gray target that counts; None for one of part and void.
+    pub(crate) fn highest_gray(&self) -> Option<f64> {
+        let values = self.target.inside.values.iter().zip(&self.labels.values);
+        let counted = values.filter(|(_, label)| **label != label::OUTSIDE);
+        let highest = counted.fold(0.0f32, |highest, (&value, _)| highest.max(value));
+        self.target.gray.then_some(f64::from(highest))
+    }
+
     /// Voxels that light should reach: 1 where something is to be printed, else 0.
     pub(crate) fn wanted(&self) -> Volume<u8> {
         let (labels, inside) = (&self.labels.values, &self.target.inside.values);

@@ -487,7 +487,12 @@ fn passes(
     x.fill(1.0);
     let zeros = x.zeros_like();
     let (vector_s, ()) = timed(|| x.axpy(0.5, &zeros));
-    let objective = job.objective(job.kinds.on_host(), &model.outputs()[0], voxels)?;
+    let objective = job.objective(
+        job.first(),
+        job.first().goal.on_host(),
+        &model.outputs()[0],
+        voxels,
+    )?;
     model.dose(&x, &mut dose, run)?;
     objective.value_and_gradient(&dose, &mut gradient); // caches and pages wake up
     run.check()?;
@@ -506,7 +511,7 @@ fn cotangent_of_a_good_dose(
 ) -> Result<HostField> {
     let outputs = plan.model.outputs();
     let layout = &outputs[0];
-    let response = job.response();
+    let response = &job.first().goal.response;
     let wanted = Volume {
         grid: layout.grid.clone(),
         values: table(voxels.target.inside.values.len(), |i| {
@@ -519,7 +524,7 @@ fn cotangent_of_a_good_dose(
     dose.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&wanted));
     run.check()?;
     let mut cotangent = plan.model.new_dose()?;
-    let objective = job.objective(job.kinds.on_host(), layout, voxels)?;
+    let objective = job.objective(job.first(), job.first().goal.on_host(), layout, voxels)?;
     run.check()?;
     objective.value_and_gradient(&dose, &mut cotangent);
     run.check()?;

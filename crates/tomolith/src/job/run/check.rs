@@ -32,7 +32,7 @@ pub fn check(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<Pla
 pub fn picture(job: &Job, cancel: &Run) -> Result<Page> {
     let drawn = || {
         let resolved = resolved(job, cancel)?;
-        let voxels = resolved.voxels_under(&resolved.grid, cancel)?;
+        let voxels = &resolved.voxels(&resolved.grid, cancel)?[0];
         let program = concat!("Tomolith ", env!("CARGO_PKG_VERSION"));
         let text = job.complete().to_toml()?;
         let (inside, labels) = (&voxels.target.inside, &voxels.labels);
@@ -54,7 +54,7 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
     resolved.note_levels();
     let sampling = stage(progress, cancel, "sampling the target");
     let begin = Instant::now();
-    let voxels = (resolved.voxels_under(&resolved.grid, &sampling))?;
+    let voxels = resolved.voxels(&resolved.grid, &sampling)?;
     let sampling_s = begin.elapsed().as_secs_f64();
     resolved.must_start(&voxels)?;
     try_orders(&mut resolved, progress, &sampling)?;
@@ -67,28 +67,27 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
     warnings.extend(resolved.warnings_of(&voxels)?);
     // How much there is to time is not known beforehand
     let timing = stage(progress, cancel, "timing a few frames on this machine").aside();
-    let rates = benchmark::rates(&resolved, &voxels, sampling_s, &timing)?;
+    let rates = benchmark::rates(&resolved, &voxels[0], sampling_s, &timing)?;
     let paths = resolved.optics.family(&resolved.grid)?.monte_carlo_paths();
     let of_ceiling = iterations_of_ceiling(&resolved, &voxels);
     resolved.notes.extend(print_time(&resolved, of_ceiling));
     let work = Work {
         extent: &resolved.extent,
-        iterations: resolved.spec.stop.iterations + of_ceiling,
+        iterations: resolved.stop().iterations + of_ceiling,
         sub_angles: [
             mean_sub_angles(&resolved.optics.lights),
-            resolved.spec.evaluate.sub_angles as f64,
+            resolved.evaluation().sub_angles as f64,
         ],
         monte_carlo_paths: paths.map(|paths| paths.evaluating / paths.optimizing),
-        levels: resolved.spec.evaluate.improves_levels(),
-        wall_s: resolved.spec.stop.wall_s,
+        levels: resolved.evaluation().improves_levels(),
+        wall_s: resolved.stop().wall_s,
     };
     let cost = work.cost(&rates);
-    if resolved.spec.schedule.is_some() {
+    if resolved.schedule().is_some() {
         let text = "the seconds are those without the print in time, which comes on top";
         resolved.notes.push(text.to_owned());
     }
-    let memory_budget_mb =
-        crate::job::resolve::resources::memory_budget_mb(resolved.spec.resources.memory_gb);
+    let memory_budget_mb = resolved.memory_budget_mb();
     if let Some((text, is_much)) = work.of_scenarios(&rates, memory_budget_mb) {
         let told = if is_much {
             &mut warnings
@@ -115,7 +114,7 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
         memory_budget_mb,
         disk_mb: resolved.extent.disk_mb(),
         seconds: cost.optimization_s + cost.rest_s,
-        iterations: resolved.spec.stop.iterations,
+        iterations: resolved.stop().iterations,
         optimization_s: cost.optimization_s,
         updates_per_s: 1.0 / rates.calls.dose.per_update_s,
         notes: resolved.notes.clone(),
@@ -131,10 +130,10 @@ fn print_time(resolved: &ResolvedJob, of_ceiling: usize) -> Option<String> {
              then. bounds.max or printer.time_s set it beforehand"
         ));
     }
-    let (largest, [lower, upper]) = (resolved.spec.bounds.max?, resolved.kinds.thresholds()?);
-    let threshold = resolved.spec.evaluate.threshold;
+    let (largest, [lower, upper]) = (resolved.bounds().max?, resolved.first().goal.thresholds()?);
+    let threshold = resolved.evaluation().threshold;
     let gel = threshold.unwrap_or_else(|| f64::midpoint(lower, upper));
-    let is_dose = resolved.response().is_identity() && gel > 0.0;
+    let is_dose = resolved.first().goal.response.is_identity() && gel > 0.0;
     is_dose.then(|| {
         format!(
             "the print time M/t is at most about {} mm: bounds.max over a gel dose of {}",

@@ -6,7 +6,7 @@ use crate::job::dose::cache::RunCache;
 use crate::job::output::folder::Leaves;
 use crate::job::output::summary::Summary;
 use crate::job::progress::Progress;
-use crate::job::resolve::identity::{as_floats, contents, hash, take_files};
+use crate::job::resolve::identity::{contents, hash, tables_of, take_files};
 use crate::job::spec::read::{Job, with_every_default};
 use crate::models::Run;
 use serde_json::{Value, json};
@@ -65,14 +65,9 @@ impl Job {
     /// [`Error::Io`] for a file that cannot be read.
     pub fn identity(&self) -> Result<String> {
         let base = self.base();
-        let mut spec = with_every_default(self.spec.clone());
-        let mut parts = Vec::new();
+        let (mut spec, mut parts) = (self.spec.clone(), Vec::new());
         take_files(&mut spec.target, &base, &mut parts)?;
-        let mut tables = spec.to_value()?;
-        as_floats(&mut tables);
-        if let Some(map) = tables.as_object_mut() {
-            map.retain(|key, _| !ASIDE.contains(&key.as_str()));
-        }
+        let mut tables = tables_of(&spec, &ASIDE)?;
         parts.push(hash(tables.to_string().as_bytes()));
         if let Some(map) = tables.as_object_mut() {
             map.remove("target");

@@ -8,6 +8,7 @@ use crate::job::output::folder::Leaves;
 use crate::job::output::summary::Summary;
 use crate::job::progress::{Progress, watched};
 use crate::job::resolve::ResolvedJob;
+use crate::job::resolve::optics::Optics;
 use crate::job::spec::read::Job;
 use crate::models::Run;
 use crate::ranks::Communicator;
@@ -41,7 +42,7 @@ pub fn run_among(
 
 /// Refuses what cannot be shared.
 fn must_fit(resolved: &ResolvedJob, ranks: &dyn Communicator) -> Result<()> {
-    let (spec, size) = (&resolved.spec, ranks.size());
+    let size = ranks.size();
     for (i, light) in resolved.optics.lights.iter().enumerate() {
         let fewest = resolved
             .levels
@@ -56,14 +57,12 @@ fn must_fit(resolved: &ResolvedJob, ranks: &dyn Communicator) -> Result<()> {
             ));
         }
     }
-    let scenarios = resolved.scenarios.iter().map(|scenario| &scenario.resolved);
-    let all: Vec<&ResolvedJob> = std::iter::once(resolved).chain(scenarios).collect();
-    let families = all
-        .iter()
-        .map(|resolved| resolved.optics.family(&resolved.grid));
+    let scenarios = resolved.scenarios.iter().map(|scenario| &scenario.optics);
+    let all: Vec<&Optics> = std::iter::once(&resolved.optics).chain(scenarios).collect();
+    let families = all.iter().map(|optics| optics.family(&resolved.grid));
     let families = families.collect::<Result<Vec<_>>>()?;
-    let mut lights = all.iter().flat_map(|resolved| &resolved.optics.lights);
-    let has_heights = spec.schedule.as_ref().is_some_and(|s| s.level_heights);
+    let mut lights = all.iter().flat_map(|optics| &optics.lights);
+    let has_heights = resolved.schedule().is_some_and(|own| own.level_heights);
     for (key, is_there, found, accepted) in [
         (
             "schedule",
@@ -79,13 +78,13 @@ fn must_fit(resolved: &ResolvedJob, ranks: &dyn Communicator) -> Result<()> {
         ),
         (
             "evaluate.levels",
-            spec.evaluate.improves_levels(),
+            resolved.evaluation().improves_levels(),
             "patterns improved on few levels",
             "\"rounded\"",
         ),
         (
             "penalties",
-            resolved.kinds.penalizes_frames(),
+            resolved.method.penalizes_frames(),
             "a penalty between frames",
             "smoothness with angles = 0",
         ),

@@ -77,7 +77,7 @@ fn simulate_stages(
 
 /// Takes the response that the run found whose patterns these are, where its parameters were unknowns.
 fn respond_as_found(resolved: &mut ResolvedJob, source: &Path) -> Result<()> {
-    let Some(free) = resolved.kinds.free.clone() else {
+    let Some(free) = resolved.method.free.clone() else {
         return Ok(());
     };
     let folder = if source.is_dir() {

@@ -13,7 +13,6 @@
 //! JSON has the same keys. Duplicate keys, dates and numbers that are not finite are refused in both. Key paths are
 //! dotted, elements of lists are counted from 0: `light[0].pixels[1]`.
 
-use super::kinds::kinds_at;
 use super::profiles;
 use crate::error::{Error, Place, Result};
 use serde_json::{Map, Value};
@@ -24,15 +23,11 @@ use std::path::{Path, PathBuf};
 use tomolith_core::files::read_at_most;
 
 use json_places::JsonPlaces;
-pub(crate) use key_path::{at, parent};
-use key_path::{insert, steps};
-pub(crate) use key_path::{is_within, join};
+use key_path::replaced_by;
+pub(crate) use key_path::{at, is_within, join, parent, put};
 
 mod json_places;
 mod key_path;
-
-/// Deepest nesting of an override's key; far more than any job has.
-const DEEPEST: usize = 32;
 
 /// Largest file that is read as a job.
 const MOST_MB: u64 = 8;
@@ -188,22 +183,10 @@ impl Document {
     /// # Errors
     /// [`Error::Config`] that names the override.
     pub fn set(&mut self, assignment: &str) -> Result<()> {
-        let path = self.assign(assignment)?;
-        self.overridden(&path, format!("--set {assignment}"));
-        Ok(())
-    }
-
-    /// Sets one key as [`set`](Self::set) does, on behalf of somebody else than the command line; its path.
-    ///
-    /// # Errors
-    /// As [`set`](Self::set).
-    pub(crate) fn assign(&mut self, assignment: &str) -> Result<String> {
         // A key is set beside the name of a profile
-        profiles::open(self);
-        let no = |found: &str, accepted: &str| {
-            let option = format!("--set {assignment}");
-            Err(Error::config(option, found, accepted))
-        };
+        profiles::open(&mut self.root);
+        let option = format!("--set {assignment}");
+        let no = |found: &str, accepted: &str| Err(Error::config(&option, found, accepted));
         let refuse = |found| {
             let accepted = "KEY=VALUE with a dotted key, for example stop.iterations=10";
             no(found, accepted)
@@ -211,21 +194,16 @@ impl Document {
         let Some((key, text)) = assignment.split_once('=') else {
             return refuse("no `=` in it");
         };
-        let Some(steps) = steps(key.trim()) else {
-            return refuse("a key that cannot be read");
-        };
-        if steps.len() > DEEPEST {
-            return refuse("a key of too many parts");
-        }
         let value = match self.override_value(text.trim()) {
             Ok(value) => value,
             Err(Misread::Lines) => return refuse("more than one line"),
             Err(Misread::Value { found, accepted }) => return no(&found, &accepted),
         };
-        match insert(&mut self.root, &steps, value, "") {
+        match put(&mut self.root, key.trim(), value) {
             Ok(path) => {
-                self.replace_kind(&path);
-                Ok(path)
+                self.forget_replaced(&path);
+                self.overridden(&path, option);
+                Ok(())
             }
             Err([found, accepted]) => no(&found, &accepted),
         }
@@ -251,34 +229,26 @@ impl Document {
         self.overrides.get(inner)
     }
 
-    /// A kind given on the command line takes the place of the job's; the file of a target is relative to the current folder.
-    fn replace_kind(&mut self, path: &str) {
-        let (family, chosen) = path.rsplit_once('.').unwrap_or(("", path));
-        let kinds = kinds_at(family);
-        if !kinds.contains(&chosen) {
-            return;
-        }
-        // Bodies may be of the target's own mesh
-        let goes_with = |key: &str| (family, chosen, key) == ("target", "body", "mesh");
-        let others = |key: &str| key != chosen && kinds.contains(&key) && !goes_with(key);
-        let Some(Value::Object(table)) = at(&mut self.root, family) else {
+    /// Forgets where keys stood whose place a kind of the command line took; makes the file of a target relative to the current folder.
+    fn forget_replaced(&mut self, path: &str) {
+        let Some((family, is_replaced)) = replaced_by(path) else {
             return;
         };
-        table.retain(|key, _| !others(key));
         if family == "target"
-            && let Some(Value::String(file)) = table.get_mut(chosen).filter(|_| chosen != "phantom")
+            && !path.ends_with(".phantom")
+            && let Some(Value::String(file)) = at(&mut self.root, path)
             && let Ok(absolute) = std::path::absolute(&*file)
         {
             *file = absolute.to_string_lossy().into_owned();
         }
-        let gone = |key: &str| {
+        let is_gone = |key: &str| {
             let key = key
                 .strip_prefix(family)
                 .and_then(|key| key.strip_prefix('.'));
-            key.is_some_and(|key| others(key.split(['.', '[']).next().unwrap_or(key)))
+            key.is_some_and(|key| is_replaced(key.split(['.', '[']).next().unwrap_or(key)))
         };
-        self.places.retain(|key, _| !gone(key));
-        self.overrides.retain(|key, _| !gone(key));
+        self.places.retain(|key, _| !is_gone(key));
+        self.overrides.retain(|key, _| !is_gone(key));
     }
 
     /// Adds file, line and span to an [`Error::Config`] whose key (or a part of it) stands in this document; names the

@@ -97,8 +97,7 @@ fn named(spec: &JobSpec) -> Vec<Named> {
         let file = format!("dose_{}.npy", species.name);
         (file, format!("species[{s}].name"), species.name.clone())
     });
-    let photopolymer = spec.material.as_ref().and_then(|m| m.photopolymer.as_ref());
-    let networks = photopolymer.map_or(&[][..], |params| &params.networks);
+    let networks = spec.networks();
     let several = networks.iter().enumerate().filter(|_| networks.len() > 1);
     let networks = several.flat_map(|(n, network)| {
         let end = of_network(&network.name);

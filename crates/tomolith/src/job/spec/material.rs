@@ -6,7 +6,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;
-use tomolith_material::photopolymer::Params;
+use tomolith_material::photopolymer::{Network, Params, Shading};
 use tomolith_material::schedule::Power;
 
 /// What hardens, or is inhibited: r = Σ M·(dose of a light alone), with a target and a loss of its own.
@@ -153,20 +153,45 @@ pub struct PropertySpec {
     pub log10: bool,
 }
 
+impl ScheduleSpec {
+    /// Whether patterns are optimized against the degree of cure.
+    pub(crate) fn optimizes_cure(&self) -> bool {
+        self.optimize != Against::Dose
+    }
+
+    /// Whether that is by its exact derivative.
+    pub(crate) fn is_exact(&self) -> bool {
+        self.optimize == Against::Exact
+    }
+}
+
 impl JobSpec {
+    /// What cures after inhibitors are used up.
+    pub(crate) fn photopolymer(&self) -> Option<&Params> {
+        self.material.as_ref()?.photopolymer.as_ref()
+    }
+
+    /// Its networks.
+    pub(crate) fn networks(&self) -> &[Network] {
+        self.photopolymer().map_or(&[], |params| &params.networks)
+    }
+
+    /// What of it shades.
+    pub(crate) fn shading(&self) -> &[Shading] {
+        self.photopolymer().map_or(&[], |params| &params.shading)
+    }
+
     /// Whether a job optimizes against a resin with a memory, whose cure is no linear function of the patterns.
     pub(crate) fn optimizes_cure(&self) -> bool {
-        let has_memory = |material: &MaterialSpec| material.photopolymer.is_some();
-        let against = self.schedule.as_ref().map(|given| given.optimize);
-        against.is_some_and(|against| against != Against::Dose)
-            && self.material.as_ref().is_some_and(has_memory)
+        let schedule = self.schedule.as_ref();
+        schedule.is_some_and(ScheduleSpec::optimizes_cure) && self.photopolymer().is_some()
     }
 
     /// Whether an optimization shows all frames of the schedule, so that none may be left out.
     pub(crate) fn shows_every_frame(&self) -> bool {
         let diffuses = |material: &MaterialSpec| material.diffusion.is_some();
-        let against = self.schedule.as_ref().map(|given| given.optimize);
-        against.is_some_and(|against| against != Against::Dose)
+        let schedule = self.schedule.as_ref();
+        schedule.is_some_and(ScheduleSpec::optimizes_cure)
             || self.material.as_ref().is_some_and(diffuses)
     }
 }

@@ -19,6 +19,7 @@ pub mod profiles;
 pub mod read;
 pub mod reference_page;
 mod resin;
+pub(crate) mod scenario;
 pub mod schema;
 mod search;
 pub(crate) mod species;
@@ -233,7 +234,7 @@ fn fbp() -> Value {
 pub(crate) fn default_objective(spec: &JobSpec) -> Value {
     let target = &spec.target;
     let in_time = spec.schedule.as_ref();
-    if in_time.is_some_and(|schedule| schedule.optimize != Against::Dose) {
+    if in_time.is_some_and(ScheduleSpec::optimizes_cure) {
         return serde_json::json!({ "osp": { "lower": 0.8, "upper": 1.2, "surface": "fraction" } });
     }
     let is_gray = target.image.is_some() && target.gray != Some(false);

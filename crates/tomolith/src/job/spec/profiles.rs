@@ -63,9 +63,9 @@ impl Profile {
 }
 
 /// Makes a table of a name, so that keys can be set beside it.
-pub(crate) fn open(document: &mut Document) {
+pub(crate) fn open(root: &mut Value) {
     for table in TABLES {
-        if let Some(value @ Value::String(_)) = document.root.get_mut(table) {
+        if let Some(value @ Value::String(_)) = root.get_mut(table) {
             *value = json!({ "profile": value.take() });
         }
     }
@@ -75,10 +75,10 @@ pub(crate) fn open(document: &mut Document) {
 ///
 /// # Errors
 /// [`Error::Config`] for a name that no profile has; [`Error::Io`] and [`Error::Format`] for a file.
-pub(crate) fn fill(document: &mut Document, base: &Path) -> Result<()> {
-    open(document);
+pub(crate) fn fill(root: &mut Value, base: &Path) -> Result<()> {
+    open(root);
     for table in TABLES {
-        let Some(value) = document.root.get_mut(table) else {
+        let Some(value) = root.get_mut(table) else {
             continue;
         };
         let Some(name) = value

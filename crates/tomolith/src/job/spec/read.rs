@@ -64,7 +64,7 @@ impl Job {
     /// [`Error::Config`] with key path, file and line, or the override's name.
     pub fn from_document(mut document: Document) -> Result<Self> {
         let base = base_of(&document);
-        profiles::fill(&mut document, &base).map_err(|e| document.locate(e))?;
+        profiles::fill(&mut document.root, &base).map_err(|e| document.locate(e))?;
         let spec = JobSpec::from_document(&document).and_then(|spec| {
             validate::ranges(&spec).map_err(|e| document.locate(e))?;
             Ok(spec)

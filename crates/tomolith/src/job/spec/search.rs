@@ -107,6 +107,13 @@ pub struct BoundsSpec {
     pub bits: Option<u32>,
 }
 
+impl BoundsSpec {
+    /// Whether a low ceiling of the pixels is looked for.
+    pub(crate) fn seek_ceiling(&self) -> bool {
+        self.max.is_none() && self.ceiling == Ceiling::Lowest
+    }
+}
+
 /// What says how bright pixels may be.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]

@@ -109,7 +109,9 @@ impl JobSpec {
 
 /// Names the table of a species where a key of the whole job is blamed that the species sets itself.
 pub(crate) fn at_species(spec: &JobSpec, s: usize, error: Error) -> Error {
-    let own = &spec.species[s];
+    let Some(own) = spec.species.get(s) else {
+        return error;
+    };
     let sets = |key: &str| {
         let table = key.split(['.', '[']).next();
         match table {

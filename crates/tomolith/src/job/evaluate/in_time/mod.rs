@@ -188,11 +188,11 @@ impl NetworkInTime {
 /// [`Error::Config`] where models, schedule and material do not fit; [`Error::Canceled`].
 pub(crate) fn print_in_time(
     job: &ResolvedJob,
-    voxels: &[&Voxels],
+    voxels: &[Voxels],
     patterns: &[Patterns],
     run: &Run,
 ) -> Result<Option<InTime>> {
-    let Some(given) = &job.spec.schedule else {
+    let Some(given) = job.schedule() else {
         return Ok(None);
     };
     let shown = Shown::new(job, patterns, run)?;
@@ -208,11 +208,7 @@ pub(crate) fn print_in_time(
     shown.print(&mut |moment| watched.iter_mut().for_each(|watched| watched.look(moment)))?;
     let names = Material::species(material);
     let mut networks = Vec::with_capacity(names.len());
-    for ((watched, name), (job, voxels)) in watched
-        .into_iter()
-        .zip(names)
-        .zip(job.species().zip(voxels))
-    {
+    for ((watched, name), voxels) in watched.into_iter().zip(names).zip(voxels) {
         let mut network = watched.finish(material, name, job, voxels, patterns)?;
         let seconds: Vec<f64> = network.points.iter().map(|p| p.seconds).collect();
         network.sent_mj = sent_mj(&shown.schedule, patterns, &seconds);

@@ -2,7 +2,7 @@ use super::TimeSummary;
 use crate::error::Error;
 use crate::field::Field;
 use crate::job::evaluate::in_time::*;
-use crate::job::resolve::material::{domain, material, resin};
+use crate::job::resolve::material::{domain, resin};
 use crate::job::{Document, Job, ResolvedJob, Silent};
 use serde_json::Value;
 
@@ -267,7 +267,7 @@ fn bodies_and_inserts_are_walls() {
     assert!(walls > 20 && walls < held.values.len() / 4, "{walls}");
     // Light uses oxygen up in half of the box; what flows stays in the resin
     let domain = domain(&resolved, &resolved.grid).unwrap();
-    let material = material(&resolved.spec, None, domain).unwrap();
+    let material = resolved.photopolymer(domain).unwrap();
     let mut state = material.start().unwrap();
     let layout = material.domain().layout().clone();
     let half = Volume {

@@ -15,13 +15,10 @@ pub(crate) struct Acting<'a> {
 
 /// The lights that drive or inhibit species `s`.
 pub(crate) fn acting_on(job: &ResolvedJob, s: usize) -> Vec<Acting<'_>> {
-    let lights = job.optics.lights.iter().zip(&job.spec.light);
-    let is_several = job.optics.lights.len() > 1;
-    let all = lights.enumerate().map(|(index, (light, spec))| Acting {
-        index,
-        name: spec.name.as_deref().filter(|_| is_several),
-        light,
-    });
+    let lights = job.optics.lights.iter().zip(job.light_names());
+    let all = lights
+        .enumerate()
+        .map(|(index, (light, name))| Acting { index, name, light });
     let factor = |light: &Acting<'_>| match &job.mixing {
         Some(rows) => rows[s].1[light.index],
         None => 1.0,

@@ -1,10 +1,9 @@
 //! Why light leaves a part of the part without what it needs.
 
 use super::acting::Acting;
-use crate::job::resolve::reach::sides_key;
 use crate::job::resolve::{ResolvedJob, Voxels};
-use crate::job::spec::JobSpec;
 use crate::report::number::significant;
+use crate::target::Shape;
 
 /// Shares of the brightest pixel's contribution from which on leaving out what is below is felt.
 const FELT: f64 = 0.1;
@@ -25,22 +24,22 @@ pub(crate) struct Lack {
 impl Lack {
     /// Of a species on the voxels of its print, lit by these lights of a job.
     pub(crate) fn of(
-        job: &JobSpec,
-        own: &ResolvedJob,
+        job: &ResolvedJob,
+        shape: &dyn Shape,
         fine: &Voxels,
         lights: &[Acting<'_>],
     ) -> Option<Self> {
-        Self::of_resin(own)
-            .or_else(|| Self::of_motion(job, own))
-            .or_else(|| Self::of_place(job, own, fine))
+        Self::of_resin(job)
+            .or_else(|| Self::of_motion(job, shape))
+            .or_else(|| Self::of_place(job, fine))
             .or_else(|| Self::of_selection(lights))
     }
 
-    fn of_resin(own: &ResolvedJob) -> Option<Self> {
-        let is_dark = !own.optics.dark_inside().is_empty();
+    fn of_resin(job: &ResolvedJob) -> Option<Self> {
+        let is_dark = !job.optics.dark_inside().is_empty();
         is_dark.then(|| Lack {
             share: 1.0,
-            key: match own.spec.resin.attenuation_per_mm {
+            key: match job.resin().attenuation_per_mm {
                 Some(_) => "resin.attenuation_per_mm".to_owned(),
                 None => "resin.absorption_per_mm".to_owned(),
             },
@@ -50,11 +49,11 @@ impl Lack {
         })
     }
 
-    fn of_motion(job: &JobSpec, own: &ResolvedJob) -> Option<Self> {
-        let found = own.optics.unreached_moving(own.shape.as_ref())?;
+    fn of_motion(job: &ResolvedJob, shape: &dyn Shape) -> Option<Self> {
+        let found = job.optics.unreached_moving(shape)?;
         Some(Lack {
             share: found.share,
-            key: sides_key(job, &own.optics, found.light),
+            key: job.sides_key(found.light),
             verb: if found.is_cut { "change" } else { "raise" },
             found: "In some frames the part turns out of the light's field".to_owned(),
             comes_first: true,
@@ -62,28 +61,28 @@ impl Lack {
     }
 
     /// Of what lies too far from the axis, or above or below the light: whichever is more of the part.
-    fn of_place(job: &JobSpec, own: &ResolvedJob, fine: &Voxels) -> Option<Self> {
-        let both = [Self::of_field(job, own, fine), Self::of_heights(own, fine)];
+    fn of_place(job: &ResolvedJob, fine: &Voxels) -> Option<Self> {
+        let both = [Self::of_field(job, fine), Self::of_heights(job, fine)];
         let found = both.into_iter().flatten();
         found.max_by(|a, b| a.share.total_cmp(&b.share))
     }
 
-    fn of_field(job: &JobSpec, own: &ResolvedJob, fine: &Voxels) -> Option<Self> {
-        let found = own
+    fn of_field(job: &ResolvedJob, fine: &Voxels) -> Option<Self> {
+        let found = job
             .optics
             .unreached(&fine.target.inside, fine.target.gray)?;
         let percent = significant(100.0 * found.share, 2);
         Some(Lack {
             share: found.share,
-            key: sides_key(job, &own.optics, found.light),
+            key: job.sides_key(found.light),
             verb: if found.is_cut { "change" } else { "raise" },
             found: format!("Light does not reach {percent} % of the part from all sides"),
             comes_first: false,
         })
     }
 
-    fn of_heights(own: &ResolvedJob, fine: &Voxels) -> Option<Self> {
-        let found = own.optics.missed(&fine.target.inside, fine.target.gray)?;
+    fn of_heights(job: &ResolvedJob, fine: &Voxels) -> Option<Self> {
+        let found = job.optics.missed(&fine.target.inside, fine.target.gray)?;
         let percent = significant(100.0 * found.share, 2);
         Some(Lack {
             share: found.share,

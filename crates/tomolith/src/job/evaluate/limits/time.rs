@@ -6,7 +6,7 @@
 use crate::grid::Patterns;
 use crate::job::evaluate::limits::{Limit, MetricKind};
 use crate::job::optimize::Optimized;
-use crate::job::spec::JobSpec;
+use crate::job::resolve::ResolvedJob;
 use crate::report::Cause;
 use crate::report::number::significant;
 
@@ -16,7 +16,7 @@ const MUCH: f64 = 0.3;
 
 /// What a lower or a higher ceiling would change; None where it is not known. The cost in quality was not measured: it is 0.
 pub(crate) fn of_ceiling(
-    spec: &JobSpec,
+    job: &ResolvedJob,
     optimized: &Optimized,
     kind: &MetricKind,
 ) -> Option<Limit> {
@@ -26,7 +26,7 @@ pub(crate) fn of_ceiling(
     let (brightest, above) = above_half(&optimized.raw)?;
     let percent = significant(100.0 * above, 2);
     let half = significant(brightest / 2.0, 3);
-    let is_bounded = spec.bounds.max.is_some();
+    let is_bounded = job.bounds().max.is_some();
     let advice = if above < LITTLE {
         let or = match is_bounded {
             true => ", or leave it out",

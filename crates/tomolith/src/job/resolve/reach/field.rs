@@ -2,6 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::grid::PatternGrid;
+use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::optics::Optics;
 use crate::job::spec::JobSpec;
 use crate::optics::light::Light;
@@ -126,11 +127,13 @@ pub(crate) fn is_cut_along_axis(light: &Light) -> bool {
     of(field_mm(light)) != of(light.pixels.field_mm())
 }
 
-/// The key that moves the sides of a light's field.
-pub(crate) fn sides_key(spec: &JobSpec, optics: &Optics, i: usize) -> String {
-    match is_cut_sideways(&optics.lights[i]) {
-        true => narrowing(spec, i, SIDEWAYS).0,
-        false => format!("light[{i}].pixels"),
+impl ResolvedJob {
+    /// The key that moves the sides of a light's field.
+    pub(crate) fn sides_key(&self, light: usize) -> String {
+        match is_cut_sideways(&self.optics.lights[light]) {
+            true => narrowing(&self.spec, light, SIDEWAYS).0,
+            false => format!("light[{light}].pixels"),
+        }
     }
 }
 

@@ -26,13 +26,13 @@ pub(crate) fn parent(path: &str) -> &str {
 
 /// One step of a key path.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) enum Step {
+enum Step {
     Key(String),
     Index(usize),
 }
 
 /// `light[0].angles` and `light.0.angles` → the steps; None when it cannot be read.
-pub(crate) fn steps(path: &str) -> Option<Vec<Step>> {
+fn steps(path: &str) -> Option<Vec<Step>> {
     let mut steps = Vec::new();
     for part in path.split('.') {
         let (name, indices) = part.split_at(part.find('[').unwrap_or(part.len()));
@@ -57,6 +57,43 @@ pub(crate) fn at<'v>(root: &'v mut Value, path: &str) -> Option<&'v mut Value> {
     })
 }
 
+/// Deepest nesting of a key that is set; far more than any job has.
+const DEEPEST: usize = 32;
+
+/// Puts a value at a key; where it went, or what was found there instead and is accepted. A kind of which a job has one takes the place of the job's.
+pub(crate) fn put(root: &mut Value, key: &str, value: Value) -> Result<String, [String; 2]> {
+    let refuse = |found: &str| {
+        let accepted = "KEY=VALUE with a dotted key, for example stop.iterations=10";
+        Err([found.to_owned(), accepted.to_owned()])
+    };
+    let Some(steps) = steps(key) else {
+        return refuse("a key that cannot be read");
+    };
+    if steps.len() > DEEPEST {
+        return refuse("a key of too many parts");
+    }
+    let path = insert(root, &steps, value, "")?;
+    if let Some((family, is_replaced)) = replaced_by(&path)
+        && let Some(Value::Object(table)) = at(root, family)
+    {
+        table.retain(|key, _| !is_replaced(key));
+    }
+    Ok(path)
+}
+
+/// The family of a kind at a path, and whether it takes the place of a key beside it.
+pub(crate) fn replaced_by(path: &str) -> Option<(&str, impl Fn(&str) -> bool)> {
+    let (family, chosen) = path.rsplit_once('.').unwrap_or(("", path));
+    let kinds = kinds_at(family);
+    // Bodies may be of the target's own mesh
+    let goes_with = move |key: &str| (family, chosen, key) == ("target", "body", "mesh");
+    kinds
+        .contains(&chosen)
+        .then_some((family, move |key: &str| {
+            key != chosen && kinds.contains(&key) && !goes_with(key)
+        }))
+}
+
 /// Steps as they are written.
 fn dotted(steps: &[Step]) -> String {
     steps.iter().fold(String::new(), |path, step| match step {
@@ -66,7 +103,7 @@ fn dotted(steps: &[Step]) -> String {
 }
 
 /// Puts `value` where the steps lead, making tables on the way; returns the path, or what was found instead and is accepted.
-pub(crate) fn insert(
+fn insert(
     node: &mut Value,
     steps: &[Step],
     value: Value,

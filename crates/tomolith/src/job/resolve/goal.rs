@@ -1,0 +1,286 @@
+//! What a job asks of the dose of a species: the material's response and the objectives, read once.
+
+use crate::error::{Error, Result};
+use crate::field::{BLOCK, Field, HostField};
+use crate::grid::Volume;
+use crate::job::resolve::at_section;
+use crate::job::spec::JobSpec;
+use crate::kind::Section;
+use crate::objective::preset::SurfaceHandling;
+use crate::objective::voxel_weights::{Common, Ground};
+use crate::objective::{Chosen, MakeObjective, Objective, ObjectiveInput, Sum, objectives};
+use crate::report::number::significant;
+use crate::response::{RESPONSES, Response};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use tomolith_core::parallel::InParallel;
+
+/// What is asked of the dose of a species: parameters that are typed and in their ranges.
+#[derive(Clone)]
+pub(crate) struct Goal {
+    /// What the material makes of a dose.
+    pub(crate) response: Arc<dyn Response>,
+    on_host: Objectives<HostField>,
+    sections: Arc<[Section]>,
+    /// What the program chose of a single objective.
+    chosen: Option<Chosen>,
+}
+
+/// The objectives of a species, for fields F.
+#[derive(Clone)]
+pub(crate) struct Objectives<F: Field> {
+    all: Vec<JobObjective<F>>,
+    /// Where files begin.
+    base: PathBuf,
+}
+
+/// One objective of a job.
+#[derive(Clone)]
+pub(crate) struct JobObjective<F: Field = HostField> {
+    /// Its key, without the kind's name.
+    path: String,
+    /// Its key.
+    pub(crate) key: String,
+    pub(crate) common: Common,
+    pub(crate) response: Arc<dyn Response>,
+    of: Arc<dyn MakeObjective<F>>,
+}
+
+pub(crate) fn response(section: &Section) -> Result<Arc<dyn Response>> {
+    section.read(RESPONSES).map(Arc::from)
+}
+
+impl<F: Field> JobObjective<F> {
+    fn read(section: Section, job: &Arc<dyn Response>) -> Result<Self> {
+        let path = section.path.clone();
+        let (common, section) = Common::split(section)?;
+        let response = match &common.response {
+            Some(own) => response(&section.within("response", own.clone()))?,
+            None => Arc::clone(job),
+        };
+        let (kind, section) = section.kind(objectives::<F>())?;
+        Ok(JobObjective {
+            of: (kind.build)(&section)?,
+            key: section.path,
+            path,
+            common,
+            response,
+        })
+    }
+
+    /// What people should know of regions that change nothing.
+    pub(crate) fn warnings(&self, ground: &Ground<'_>) -> Result<Vec<String>> {
+        let grid = &ground.layout.grid;
+        let [nz, ny, nx] = grid.shape;
+        let empty = self.common.empty_regions(ground)?;
+        let say = |key: String| {
+            let so = if key == "region" {
+                "no voxel has this objective"
+            } else {
+                "it changes nothing"
+            };
+            format!(
+                "{}.{key} holds no voxel that counts, so {so}; voxels of this grid lie from z = {} to {} mm, up to {} mm from the axis: \
+                 change its radius_mm or z_mm, or leave it out",
+                self.path,
+                significant(grid.z(0), 3),
+                significant(grid.z(nz - 1), 3),
+                significant(grid.x(nx - 1).hypot(grid.y(ny - 1)), 3),
+            )
+        };
+        Ok(empty.into_iter().map(say).collect())
+    }
+
+    /// Whether voxels that the surface cuts have two doses.
+    pub(crate) fn has_cells(&self) -> bool {
+        self.of.surface() == SurfaceHandling::Cells
+    }
+
+    /// The objective of a dose; `on_grid` whether fields of voxels fit the input's grid.
+    pub(crate) fn build(
+        &self,
+        input: &ObjectiveInput<'_>,
+        base: &Path,
+        on_grid: bool,
+    ) -> Result<Box<dyn Objective<F>>> {
+        let mut input = input.clone();
+        input.response = Arc::clone(&self.response);
+        let at_key = |error: Error| at_section(&self.key, error.under(&self.key));
+        let mut objective = self.of.make(&input).map_err(at_key)?;
+        let ObjectiveInput {
+            layout,
+            labels,
+            target,
+            ..
+        } = input;
+        let ground = Ground {
+            layout,
+            labels,
+            target,
+            base,
+        };
+        let common = if on_grid {
+            self.common.clone()
+        } else {
+            self.common.clone().without_fields()
+        };
+        let voxel_weights = common.voxel_weights(&ground);
+        let voxel_weights = voxel_weights.map_err(|e| e.under(&self.path))?;
+        let weighed = objective.set_voxel_weights(&voxel_weights);
+        weighed.map_err(|e| at_section(&self.path, e.under(&self.path)))?;
+        if on_grid || self.common.knows_tolerance() {
+            objective
+                .must_be_reached()
+                .map_err(|e| e.under(&self.key))?;
+        }
+        Ok(objective)
+    }
+}
+
+impl<F: Field> Objectives<F> {
+    fn read(sections: &[Section], base: &Path, response: &Arc<dyn Response>) -> Result<Self> {
+        let objective = |own: &Section| JobObjective::read(own.clone(), response);
+        Ok(Objectives {
+            all: sections.iter().map(objective).collect::<Result<_>>()?,
+            base: base.to_owned(),
+        })
+    }
+
+    /// Their sum; `on_grid` whether fields of voxels fit the input's grid.
+    pub(crate) fn sum(&self, input: &ObjectiveInput<'_>, on_grid: bool) -> Result<Sum<F>> {
+        let build = |own: &JobObjective<F>| {
+            let objective = own.build(input, &self.base, on_grid)?;
+            Ok((own.common.weight, objective))
+        };
+        Sum::new(self.all.iter().map(build).collect::<Result<_>>()?)
+    }
+
+    /// Takes a parameter of the only objective that the program chooses; false where there are several, another one, or the job names it.
+    fn choose(&mut self, chosen: Chosen) -> bool {
+        let [own] = self.all.as_mut_slice() else {
+            return false;
+        };
+        let other = own.of.with(chosen);
+        if let Some(of) = &other {
+            own.of = Arc::clone(of);
+        }
+        other.is_some()
+    }
+}
+
+impl Goal {
+    /// Reads what the job of a species asks; `base` is where its files begin.
+    ///
+    /// # Errors
+    /// [`Error::Config`] with the key of what is no kind, or of a parameter.
+    pub(crate) fn read(spec: &JobSpec, base: &Path) -> Result<Self> {
+        let response = response(&Section::new("response", spec.response.clone()).based(base))?;
+        let sections = spec.objectives()?.into_iter();
+        let sections: Arc<[Section]> = sections.map(|own| own.based(base)).collect();
+        Ok(Goal {
+            on_host: Objectives::read(&sections, base, &response)?,
+            response,
+            sections,
+            chosen: None,
+        })
+    }
+
+    /// The objectives for fields of the host.
+    pub(crate) fn on_host(&self) -> &Objectives<HostField> {
+        &self.on_host
+    }
+
+    /// The same for fields of another kind.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    #[cfg_attr(
+        not(feature = "gpu"),
+        expect(dead_code, reason = "all fields are the host's")
+    )]
+    pub(crate) fn on<F: Field>(&self) -> Result<Objectives<F>> {
+        let mut own = Objectives::read(&self.sections, &self.on_host.base, &self.response)?;
+        if let Some(chosen) = self.chosen {
+            own.choose(chosen);
+        }
+        Ok(own)
+    }
+
+    /// Whether the job names them in a list.
+    pub(crate) fn is_list(&self) -> bool {
+        let first = self.sections.first();
+        first.is_some_and(|first| first.path.starts_with("objectives["))
+    }
+
+    /// The objectives.
+    pub(crate) fn objectives(&self) -> &[JobObjective] {
+        &self.on_host.all
+    }
+
+    /// Takes another response in place of the job's.
+    pub(crate) fn set_response(&mut self, response: &Arc<dyn Response>) {
+        for own in &mut self.on_host.all {
+            if own.common.response.is_none() {
+                own.response = Arc::clone(response);
+            }
+        }
+        self.response = Arc::clone(response);
+    }
+
+    /// What the material makes of a dose.
+    pub(crate) fn responses(&self, mut dose: Volume<f32>) -> Volume<f32> {
+        let response = self.response.as_ref();
+        if !response.is_identity() {
+            dose.values.chunks_mut(BLOCK).par_each(|block| {
+                block
+                    .iter_mut()
+                    .for_each(|value| *value = response.value(*value))
+            });
+        }
+        dose
+    }
+
+    /// What every objective may have, and its key.
+    pub(crate) fn common(&self) -> impl Iterator<Item = (&str, &Common)> {
+        (self.objectives().iter()).map(|own| (own.path.as_str(), &own.common))
+    }
+
+    /// Whether an objective has weights or bands of its own for every voxel.
+    pub(crate) fn has_fields(&self) -> bool {
+        self.common().any(|(_, common)| common.has_fields())
+    }
+
+    /// The key that asks for surface-aware cells, when there is one.
+    pub(crate) fn cells_key(&self) -> Option<String> {
+        let own = self.objectives().iter().find(|own| own.has_cells())?;
+        Some(format!("{}.surface", own.key))
+    }
+
+    /// Whether all objectives weigh a voxel by its inside fraction, and none has numbers of its own for the job's voxels.
+    pub(crate) fn sees_fractions(&self) -> bool {
+        let sees = |own: &JobObjective| own.of.surface() == SurfaceHandling::Fraction;
+        !self.has_fields() && self.objectives().iter().all(sees)
+    }
+
+    /// Whether an objective looks for the process window itself.
+    pub(crate) fn seeks_window(&self) -> bool {
+        self.objectives().iter().any(|own| own.of.seeks_window())
+    }
+
+    /// Thresholds [void, part] of the first objective, where it has any.
+    pub(crate) fn thresholds(&self) -> Option<[f64; 2]> {
+        self.objectives().first()?.of.thresholds()
+    }
+
+    /// Half width ε of the band round the target's values, of the first objective that has one.
+    pub(crate) fn epsilon(&self) -> Option<f64> {
+        self.objectives().iter().find_map(|own| own.of.epsilon())
+    }
+
+    /// The same with a parameter that the program chooses. None where the job has several objectives, another one, or names the parameter.
+    pub(crate) fn with(&self, chosen: Chosen) -> Option<Self> {
+        let mut other = self.clone();
+        other.chosen = Some(chosen);
+        other.on_host.choose(chosen).then_some(other)
+    }
+}

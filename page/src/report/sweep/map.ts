@@ -1,0 +1,55 @@
+// A heat map of a metric over two axes: a cell a run.
+
+import { h } from "../../dom.ts";
+import { legendOf } from "../../look.ts";
+import { channels, css } from "../../paint.ts";
+import { NONE, significant } from "../number.ts";
+import { mark } from "./mark.ts";
+import { type AxisColumn, type Column, heading, type Model, shareOf, textOf } from "./model.ts";
+
+/** Width of a character of the labels, px. */
+const CHARACTER = 7;
+
+/** Cells wider than this say no more, px. */
+const WIDEST = 76;
+
+/** The map of the rows that are at the chosen levels of the other axes. */
+export function map(model: Model, metric: Column, x: AxisColumn, y: AxisColumn, rows: readonly number[]): HTMLElement {
+  const [nx, ny] = [x.levels.length, y.levels.length];
+  const scale = model.scale(metric);
+  const cells = rows.map((row) => {
+    const [column, level] = [x.levelOf[row], y.levelOf[row]];
+    const value = model.number(row, metric);
+    const style = `grid-area: ${ny - level} / ${column + 2}`;
+    const isDone = model.rows[row].state === "done";
+    if (value === null || !scale) return mark(model, row, metric, { x: column, y: level }, style, isDone && h("span", {}, NONE));
+    const color = scale.map(shareOf(scale, value));
+    return mark(model, row, metric, { x: column, y: level }, `${style}; background-color: ${css(color)}; color: ${isBright(color) ? "#000" : "#fff"}`, h("span", {}, significant(value, 3)));
+  });
+  const labelsX = x.levels.map((value, i) => h("span.x", { style: `grid-area: ${ny + 1} / ${i + 2}` }, h("span", {}, textOf(value, 4))));
+  const labelsY = y.levels.map((value, i) => h("span.y", { style: `grid-area: ${ny - i} / 1` }, textOf(value, 4)));
+  const grid = h("div.sweep-map", { style: `--columns: ${nx}; max-width: ${nx * WIDEST + 90}px` }, ...labelsY, ...cells, ...labelsX);
+  thin(grid, labelsX);
+  return h(
+    "div",
+    {},
+    h("p.axis-name", {}, `↑ ${heading(y)}`),
+    grid,
+    h("p.axis-name.right", { style: `max-width: ${nx * WIDEST + 90}px` }, `${heading(x)} →`),
+    scale && legendOf({ scale, label: heading(metric), mark: null }),
+  );
+}
+
+function isBright(color: number): boolean {
+  const [red, green, blue] = channels(color);
+  return 0.3 * red + 0.59 * green + 0.11 * blue > 0.5;
+}
+
+/** Leaves labels out where they would overlap. */
+function thin(grid: HTMLElement, labels: readonly HTMLElement[]): void {
+  const widest = Math.max(...labels.map(({ textContent }) => textContent?.length ?? 0));
+  new ResizeObserver(() => {
+    const step = Math.ceil((widest * CHARACTER + 6) / Math.max(labels[0]?.clientWidth ?? 0, 1));
+    labels.forEach((label, i) => (label.style.visibility = i % step === 0 ? "" : "hidden"));
+  }).observe(grid);
+}
