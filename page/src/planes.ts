@@ -381,7 +381,7 @@ function stroke(context: CanvasRenderingContext2D, { segments, slice }: Outline,
 }
 
 /** The largest of 1, 2, 5 times a power of ten that is not longer. */
-export function niceLength(most: number): number {
+function niceLength(most: number): number {
   const power = 10 ** Math.floor(Math.log10(most));
   const times = [5, 2, 1].find((n) => n * power <= most * (1 + 1e-9)) ?? 1;
   return Number((times * power).toPrecision(3));
