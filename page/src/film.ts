@@ -3,7 +3,7 @@
 import type { FilmInfo } from "./data.ts";
 import { h } from "./dom.ts";
 import { lightPath } from "./light_path.ts";
-import { choice, later, legendOf } from "./look.ts";
+import { choice, later, legendOf } from "./controls.ts";
 import { inferno } from "./paint.ts";
 import { significant } from "./report/number.ts";
 import type { Context, Section } from "./section.ts";

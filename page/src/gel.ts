@@ -99,7 +99,7 @@ function interpolated(curve: [number, number][], at: number): number | null {
 const BINS = 120;
 
 /** How many voxels of part and void lie below each code. */
-export function countsOf(response: Volume, labels: Volume) {
+function countsOf(response: Volume, labels: Volume) {
   if (response.codes.length !== labels.codes.length) return null;
   const { values } = response;
   const codes = values.length;

@@ -3,7 +3,8 @@
 import type { VolumeInfo } from "./data.ts";
 import { contour } from "./contour.ts";
 import { h } from "./dom.ts";
-import { choice, infoOf, later, legendOf } from "./look.ts";
+import { choice, later, legendOf } from "./controls.ts";
+import { infoOf } from "./volumes.ts";
 import type { Layer } from "./layers.ts";
 import { palette, type Scale, viridis } from "./paint.ts";
 import { Planes } from "./planes.ts";

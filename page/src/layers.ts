@@ -4,6 +4,7 @@
 import { significant } from "./report/number.ts";
 import { deviation, faded, palette, place, type Scale, token, viridis } from "./paint.ts";
 import type { Slices } from "./slices.ts";
+import type { Volumes } from "./volumes.ts";
 import { type Axis, BODY, LABEL, type Point, type Slice, type Volume } from "./volume.ts";
 
 /** A slice as pixels. */
@@ -18,15 +19,6 @@ export interface Layer {
   /** The value at a point, for people. */
   value(point: Point): string;
   legend(): Legend;
-}
-
-/** Volumes of the chosen species. */
-export interface Volumes {
-  response: Volume | null;
-  target: Volume | null;
-  labels: Volume | null;
-  bodies: Volume | null;
-  others: Volume[];
 }
 
 /** Half width of the band of a gray target; null where the target is part and void. */

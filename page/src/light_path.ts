@@ -2,7 +2,7 @@
 
 import type { Ray, Run, Scene } from "./data.ts";
 import { h, svg } from "./dom.ts";
-import { infoOf } from "./look.ts";
+import { infoOf } from "./volumes.ts";
 import { faded, token } from "./paint.ts";
 import { significant } from "./report/number.ts";
 import type { Context } from "./section.ts";

@@ -1,17 +1,17 @@
 // The section in which a print is looked at: three linked planes and the threshold.
 
-import type { Run, VolumeInfo, VolumeKind } from "./data.ts";
 import { contour } from "./contour.ts";
+import { choice, later, legendOf, problem, toggle } from "./controls.ts";
 import { h } from "./dom.ts";
-import { bandOf, gelOf } from "./gel.ts";
-import { type Layer, layersOf, type Legend, type Volumes } from "./layers.ts";
-import { css } from "./paint.ts";
+import { bandOf, type Gel, gelOf } from "./gel.ts";
+import { type Layer, layersOf } from "./layers.ts";
 import { millimeters, type Outline, Planes, type Shown } from "./planes.ts";
-import { significant } from "./report/number.ts";
 import type { Context, Section } from "./section.ts";
 import { Slices } from "./slices.ts";
+import type { Key } from "./state.ts";
 import { thresholdPanel } from "./threshold.ts";
 import { type Axis, AXES, type Point, type Slice, type Volume } from "./volume.ts";
+import { chosenSpecies, speciesOf, type Volumes, volumesOf } from "./volumes.ts";
 
 export const look: Section = {
   id: "look",
@@ -19,62 +19,18 @@ export const look: Section = {
   render: (context) => (context.run.volumes.some(({ kind }) => kind === "response" || kind === "target") ? later(context, draw) : null),
 };
 
-/** The layer that stands for all layers side by side. */
-const ALL = "all";
-
-/** Draws when the arrays are there, and says what is wrong where they are not. */
-export function later(context: Context, make: (context: Context) => Promise<HTMLElement>): HTMLElement {
-  const place = h("div", { "aria-busy": "true" }, h("p.quiet", {}, "Unpacking the volumes…"));
-  make(context)
-    .then((element) => place.replaceChildren(element))
-    .catch((error: unknown) => place.replaceChildren(h("p.problem", { role: "alert" }, error instanceof Error ? error.message : String(error))))
-    .finally(() => place.removeAttribute("aria-busy"));
-  return place;
-}
-
-/** The volume of a kind, of a species ("" for the first). */
-export function infoOf(run: Run, kind: VolumeKind, species: string): VolumeInfo | undefined {
-  const ofKind = run.volumes.filter((info) => info.kind === kind);
-  return ofKind.find((info) => species !== "" && info.species === species) ?? ofKind[0];
-}
-
-/** Species that have a dose of their own. */
-export function speciesOf(run: Run): string[] {
-  return run.volumes.filter(({ kind, species }) => kind === "response" && species !== null).map(({ species }) => species ?? "");
-}
-
-/** The volumes of a species, and what could not be read. */
-export async function volumesOf(context: Context, species: string): Promise<{ volumes: Volumes; problems: string[] }> {
-  const { run, store } = context;
-  const problems: string[] = [];
-  const load = async (info: VolumeInfo | undefined): Promise<Volume | null> => {
-    if (!info) return null;
-    try {
-      return await store.volume(info);
-    } catch (error) {
-      problems.push(error instanceof Error ? error.message : String(error));
-      return null;
-    }
-  };
-  const one = (kind: VolumeKind) => load(infoOf(run, kind, species));
-  const others = run.volumes.filter(({ kind }) => kind === "cure_time" || kind === "property");
-  const [response, target, labels, bodies, ...rest] = await Promise.all([one("response"), one("target"), one("labels"), one("bodies"), ...others.map(load)]);
-  return { volumes: { response, target, labels, bodies, others: rest.filter((volume) => volume !== null) }, problems };
-}
-
 async function draw(context: Context): Promise<HTMLElement> {
   const { run, state, gone } = context;
-  const names = speciesOf(run);
   const place = h("div");
   let end = new AbortController();
   const show = async () => {
     end.abort();
-    end = new AbortController();
-    const ofSpecies = end;
-    const species = names.includes(state.get("species")) ? state.get("species") : "";
-    const { volumes, problems } = await volumesOf(context, species);
-    if (ofSpecies.signal.aborted) return;
-    place.replaceChildren(...problems.map((text) => h("p.problem", { role: "alert" }, text)), ...body(context, volumes, species, ofSpecies.signal));
+    const own = new AbortController();
+    end = own;
+    const { volumes, problems } = await volumesOf(context, chosenSpecies(context));
+    if (own.signal.aborted) return;
+    const grid = volumes.response ?? volumes.target;
+    place.replaceChildren(...problems.map(problem), ...(grid ? new Look(context, volumes, grid, own.signal).elements() : []));
   };
   const unlisten = state.on(["species"], () => void show());
   gone.addEventListener("abort", () => {
@@ -82,114 +38,145 @@ async function draw(context: Context): Promise<HTMLElement> {
     end.abort();
   });
   await show();
+  const names = speciesOf(run);
   return h("div", {}, names.length > 1 && speciesChoice(context, names), place);
 }
 
-/** Which of several species is shown. */
-export function speciesChoice({ state, gone }: Context, names: string[]): HTMLElement {
-  const current = () => (names.includes(state.get("species")) ? state.get("species") : names[0]);
-  return choice("Species", names.map((name) => [name, name]), current, (species) => state.set({ species, threshold: null }), (call) => gone.addEventListener("abort", state.on(["species"], call)));
+/** Which of several species is shown. Each has a threshold of its own. */
+function speciesChoice(context: Context, names: string[]): HTMLElement {
+  const { state, gone } = context;
+  const options = names.map((name): [string, string] => [name, name]);
+  return choice("Species", options, () => chosenSpecies(context) || names[0], (species) => state.set({ species, threshold: null }), (call) => gone.addEventListener("abort", state.on(["species"], call)));
 }
 
-/** A bar of buttons of which one is pressed. */
-export function choice(label: string, options: [value: string, text: string][], current: () => string, choose: (value: string) => void, listen: (call: () => void) => void): HTMLElement {
-  const buttons = options.map(([value, text]) => ({ value, button: h("button", { type: "button", click: () => choose(value) }, text) }));
-  const press = () => buttons.forEach(({ value, button }) => button.setAttribute("aria-pressed", String(value === current())));
-  listen(press);
-  press();
-  return h("div.choice", { role: "group", "aria-label": label }, ...buttons.map(({ button }) => button));
-}
+/** The layer that stands for the first four side by side. */
+const ALL = "all";
 
-function body(context: Context, volumes: Volumes, species: string, signal: AbortSignal): HTMLElement[] {
-  const { run, state, store } = context;
-  const grid = volumes.response ?? volumes.target;
-  if (!grid) return [];
-  const band = bandOf(run);
-  const gel = band === null ? gelOf(run, species, volumes.response, volumes.labels) : null;
-  const threshold = () => state.get("threshold") ?? gel?.reported ?? Number.POSITIVE_INFINITY;
+/** Lines would hide thin errors, and a shape needs no line around itself. */
+const WITHOUT = { part: ["target", "error"], print: ["print", "error"] };
 
-  let planes: Planes | null = null;
-  const slices = new Slices(run, store, signal, () => planes?.redraw(true));
-  const layers = layersOf(volumes, slices, gel && threshold, band);
-  const readout = h("p.readout", { "aria-live": "off" });
-  const readAt = (point: Point) => {
+/** Planes of the volumes of a species, with layers, outlines, legend and threshold. */
+class Look {
+  private readonly gel: Gel | null;
+  private readonly slices: Slices;
+  private readonly layers: Layer[];
+  private readonly planes: Planes;
+  private readonly readout = h("p.readout");
+  private readonly legend = h("div.color-legend");
+  private readonly outlined: { part: boolean; print: boolean };
+
+  constructor(
+    private readonly context: Context,
+    private readonly volumes: Volumes,
+    private readonly grid: Volume,
+    private readonly signal: AbortSignal,
+  ) {
+    const { run, state, store } = context;
+    const band = bandOf(run);
+    this.gel = band === null ? gelOf(run, chosenSpecies(context), volumes.response, volumes.labels) : null;
+    this.outlined = { part: volumes.target !== null && band === null, print: this.gel !== null && volumes.response !== null };
+    this.slices = new Slices(run, store, signal, () => this.planes.redraw(true));
+    this.layers = layersOf(volumes, this.slices, this.gel && (() => this.threshold), band);
+    this.planes = new Planes({ state, grid: this.slices.gridOf(grid), signal, hover: (point) => this.read(point ?? this.planes.at()) });
+  }
+
+  elements(): HTMLElement[] {
+    const { context, gel, grid, planes, signal } = this;
+    const controls = this.controls();
+    this.listen(["threshold"], () => {
+      planes.redraw(true);
+      this.showLegend();
+    });
+    this.listen(["layer", "plane"], () => this.arrange());
+    this.listen(["threshold", "at", "layer"], () => this.read(planes.at()));
+    this.arrange();
+    this.read(planes.at());
+    const reduced = grid.info.reduced > 1 && !grid.info.full ? ` Each voxel shown is the mean of ${grid.info.reduced}³ of the evaluation.` : "";
+    return [
+      h("p.quiet", {}, `Click to move the cut; drag the sliders, or choose a plane and press the arrow keys or turn the wheel. Double-click, + and − zoom, 0 shows all again.${reduced}`),
+      controls,
+      planes.element,
+      h("div.below-planes", {}, this.readout, this.legend),
+      ...(gel ? [thresholdPanel(gel, context.state, signal)] : []),
+    ];
+  }
+
+  private get threshold(): number {
+    return this.context.state.get("threshold") ?? this.gel?.reported ?? Number.POSITIVE_INFINITY;
+  }
+
+  /** The layers that are shown: all of them in one plane, or one in three planes. */
+  private get shown(): Layer[] {
+    const id = this.context.state.get("layer");
+    return id === ALL ? this.layers.slice(0, 4) : [this.layers.find((layer) => layer.id === id) ?? this.layers[0]];
+  }
+
+  private get isAll(): boolean {
+    return this.context.state.get("layer") === ALL;
+  }
+
+  private arrange(): void {
+    const { shown } = this;
+    const plane = this.context.state.get("plane");
+    const along: Axis = plane === "x" ? 0 : plane === "y" ? 1 : 2;
+    const planes = this.isAll
+      ? shown.map((layer): Shown => ({ axis: along, layer, title: layer.title, outlines: this.outlines(layer) }))
+      : ([2, 1, 0] as const).map((each): Shown => ({ axis: each, layer: shown[0], outlines: this.outlines(shown[0]) }));
+    this.planes.show(planes);
+    this.showLegend();
+  }
+
+  private showLegend(): void {
+    this.legend.replaceChildren(...this.shown.map((layer) => legendOf(layer.legend())));
+  }
+
+  private read(point: Point): void {
     const place = point.map((mm, axis) => `${AXES[axis]} ${millimeters(mm)}`).join(", ");
-    readout.textContent = `${place} mm  ·  ${layers.map((layer) => layer.value(point)).join("  ·  ")}`;
-  };
-  planes = new Planes({ state, grid: slices.gridOf(grid), signal, hover: (point) => readAt(point ?? planes!.at()) });
+    this.readout.textContent = `${place} mm  ·  ${this.layers.map((layer) => layer.value(point)).join("  ·  ")}`;
+  }
 
-  const overlays = { part: true, print: gel !== null };
-  const outlines = (layer: Layer) => (axis: Axis, mm: number): Outline[] => {
-    const out: Outline[] = [];
-    const add = (volume: Volume | null, level: number, color: string) => {
-      const slice = volume && slices.of(volume, axis, mm);
-      if (slice && Number.isFinite(level)) out.push({ slice, segments: lines(slice, level), color });
+  private outlines(layer: Layer): (axis: Axis, mm: number) => Outline[] {
+    const { target, response } = this.volumes;
+    const of = (volume: Volume | null, level: number, color: string, axis: Axis, mm: number): Outline[] => {
+      const slice = volume && this.slices.of(volume, axis, mm);
+      return slice ? [{ slice, segments: lines(slice, level), color }] : [];
     };
-    if (overlays.part && !["target", "error"].includes(layer.id) && band === null) add(volumes.target, 0.5, "--outline-part");
-    if (overlays.print && !["print", "error"].includes(layer.id) && gel) add(volumes.response, threshold(), "--threshold-line");
-    return out;
-  };
-  const legend = h("div.color-legend");
-  const find = () => layers.find(({ id }) => id === state.get("layer")) ?? layers[0];
-  let axisOfAll: Axis = 2;
-  const rearrange = () => {
-    const isAll = state.get("layer") === ALL;
-    const shown: Shown[] = isAll
-      ? layers.slice(0, 4).map((layer) => ({ axis: axisOfAll, layer, title: layer.title, outlines: outlines(layer) }))
-      : ([2, 1, 0] as const).map((axis) => ({ axis, layer: find(), outlines: outlines(find()) }));
-    planes!.show(shown);
-    axes.hidden = !isAll;
-    // Lines would hide thin errors, and a shape needs no line around itself
-    if (toggles.part) toggles.part.hidden = !isAll && ["target", "error"].includes(find().id);
-    if (toggles.print) toggles.print.hidden = !isAll && ["print", "error"].includes(find().id);
-    drawLegend();
-  };
-  const drawLegend = () => legend.replaceChildren(...(state.get("layer") === ALL ? layers.slice(0, 4) : [find()]).map((layer) => legendOf(layer.legend())));
+    return (axis, mm) => [
+      ...(this.outlined.part && !WITHOUT.part.includes(layer.id) ? of(target, 0.5, "--outline-part", axis, mm) : []),
+      ...(this.outlined.print && !WITHOUT.print.includes(layer.id) ? of(response, this.threshold, "--threshold-line", axis, mm) : []),
+    ];
+  }
 
-  const listen = (keys: Parameters<typeof state.on>[0]) => (call: () => void) => signal.addEventListener("abort", state.on(keys, call));
-  const options = layers.map(({ id, title }): [string, string] => [id, title]);
-  if (layers.length > 1) options.push([ALL, "Side by side"]);
-  const pressAxis = new EventTarget();
-  const axes = choice("Plane", [["2", "x–y"], ["1", "x–z"], ["0", "y–z"]], () => String(axisOfAll), (value) => {
-    axisOfAll = Number(value) as Axis;
-    rearrange();
-    pressAxis.dispatchEvent(new Event("change"));
-  }, (call) => pressAxis.addEventListener("change", call, { signal }));
-  const toggle = (name: keyof typeof overlays, text: string, color: string) =>
-    h("label", {}, h("input", { type: "checkbox", checked: overlays[name], change: (event: Event) => {
-      overlays[name] = (event.target as HTMLInputElement).checked;
-      planes!.redraw(true);
-    } }), h("i.stroke", { style: `background: var(${color})` }), text);
+  private controls(): HTMLElement {
+    const { layers } = this;
+    const { state } = this.context;
+    const options = layers.map(({ id, title }): [string, string] => [id, title]);
+    if (layers.length > 1) options.push([ALL, "Side by side"]);
+    const current = () => (this.isAll ? ALL : this.shown[0].id);
+    const choose = (layer: string) => state.set({ layer: layer === layers[0].id ? "" : layer });
+    const planes = choice("Plane", [["", "x–y"], ["y", "x–z"], ["x", "y–z"]], () => state.get("plane"), (plane) => state.set({ plane }), (call) => this.listen(["plane"], call));
+    const outline = (name: "part" | "print", color: string) => {
+      if (!this.outlined[name]) return null;
+      const changed = (checked: boolean) => {
+        this.outlined[name] = checked;
+        this.planes.redraw(true);
+      };
+      return toggle(`outline of the ${name}`, true, changed, h("i.stroke", { style: `background: var(${color})` }));
+    };
+    const [part, print] = [outline("part", "--outline-part"), outline("print", "--threshold-line")];
+    const fit = () => {
+      planes.hidden = !this.isAll;
+      if (part) part.hidden = !this.isAll && WITHOUT.part.includes(this.shown[0].id);
+      if (print) print.hidden = !this.isAll && WITHOUT.print.includes(this.shown[0].id);
+    };
+    this.listen(["layer"], fit);
+    fit();
+    return h("div.controls", {}, options.length > 1 && choice("Shown", options, current, choose, (call) => this.listen(["layer"], call)), planes, part, print);
+  }
 
-  const toggles = {
-    part: volumes.target && band === null ? toggle("part", "outline of the part", "--outline-part") : null,
-    print: gel && volumes.response ? toggle("print", "outline of the print", "--threshold-line") : null,
-  };
-
-  listen(["threshold"])(() => {
-    planes!.redraw(true);
-    drawLegend();
-  });
-  listen(["layer"])(rearrange);
-  listen(["threshold", "at", "layer"])(() => readAt(planes!.at()));
-  rearrange();
-  readAt(planes.at());
-
-  const reduced = grid.info.reduced > 1 && !grid.info.full ? ` Each voxel shown is the mean of ${grid.info.reduced}³ of the evaluation.` : "";
-  return [
-    h("p.quiet", {}, `Click to move the cut; drag the sliders, or choose a plane and press the arrow keys or turn the wheel. Double-click, + and − zoom, 0 shows all again.${reduced}`),
-    h(
-      "div.controls",
-      {},
-      options.length > 1 && choice("Shown", options, () => (state.get("layer") === ALL ? ALL : find().id), (layer) => state.set({ layer: layer === layers[0].id ? "" : layer }), listen(["layer"])),
-      axes,
-      toggles.part,
-      toggles.print,
-    ),
-    planes.element,
-    h("div.below-planes", {}, readout, legend),
-    ...(gel ? [thresholdPanel(gel, state, signal)] : []),
-  ];
+  private listen(keys: readonly Key[], call: () => void): void {
+    this.signal.addEventListener("abort", this.context.state.on(keys, call));
+  }
 }
 
 /** Contours of a slice at the last level: moving the threshold leaves the part's outline as it is. */
@@ -201,18 +188,3 @@ function lines(slice: Slice, level: number): Float32Array {
   return known.segments;
 }
 
-/** Colors and what they mean. */
-export function legendOf(legend: Legend): HTMLElement {
-  if ("keys" in legend) return h("p.color-keys", {}, ...legend.keys.map(([color, text]) => h("span", {}, h("i.tile", { style: `background: ${color}` }), text)));
-  const { scale, label, mark } = legend;
-  const stops = Array.from({ length: 17 }, (_, i) => css(scale.map(i / 16))).join(", ");
-  const share = mark === null || !Number.isFinite(mark) ? null : (mark - scale.low) / (scale.high - scale.low);
-  return h(
-    "div.color-scale",
-    {},
-    h("span", {}, significant(scale.low, 3)),
-    h("span.bar", { style: `background: linear-gradient(to right, ${stops})` }, share !== null && share >= 0 && share <= 1 && h("i", { style: `left: ${100 * share}%`, title: "gel threshold" })),
-    h("span", {}, significant(scale.high, 3)),
-    h("span.quiet", {}, scale.logarithmic ? `${label}, logarithmic` : label),
-  );
-}

@@ -31,7 +31,6 @@ function between(anchors: number[], share: number): number {
 export const viridis: Map = (share) => between(VIRIDIS, share);
 export const inferno: Map = (share) => between(INFERNO, share);
 export const deviation: Map = (share) => between(DEVIATION, share);
-export const grays: Map = (share) => word(Math.round(255 * Math.min(Math.max(share, 0), 1)) * 0x010101);
 
 /** Red, green and blue of a word, 0…1. */
 export function channels(pixel: number): [number, number, number] {

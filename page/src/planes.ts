@@ -66,7 +66,8 @@ export class Planes {
     const [x, y, z] = ([0, 1, 2] as const).map((axis) => extent(grid, axis));
     const isTriple = shown.length === 3 && new Set(shown.map(({ axis }) => axis)).size === 3;
     this.element.classList.toggle("flat", isTriple && z < FLAT * Math.min(x, y));
-    this.element.classList.toggle("wide", !isTriple && shown.length > 2);
+    const [right, up] = ACROSS[shown[0]?.axis ?? 2];
+    this.element.classList.toggle("pairs", !isTriple && shown.length === 4 && extent(grid, right) > 1.5 * extent(grid, up));
     this.element.replaceChildren(...this.views.map((view) => view.element));
   }
 
@@ -118,6 +119,9 @@ export class Planes {
 function extent(grid: Grid, axis: Axis): number {
   return grid.range(axis)[1] - grid.range(axis)[0];
 }
+
+/** In a lower plane the ruler would hide what is shown, px. */
+const SMALLEST_WITH_RULER = 90;
 
 class PlaneView {
   readonly element: HTMLElement;
@@ -258,6 +262,7 @@ class PlaneView {
   }
 
   private ruler(context: CanvasRenderingContext2D, width: number, height: number, ratio: number): void {
+    if (height < SMALLEST_WITH_RULER * ratio) return;
     const { perMm } = this.scale(width, height);
     const length = niceLength((0.3 * width) / perMm);
     const [left, bottom] = [12 * ratio, height - 12 * ratio];
@@ -381,7 +386,7 @@ function stroke(context: CanvasRenderingContext2D, { segments, slice }: Outline,
 }
 
 /** The largest of 1, 2, 5 times a power of ten that is not longer. */
-export function niceLength(most: number): number {
+function niceLength(most: number): number {
   const power = 10 ** Math.floor(Math.log10(most));
   const times = [5, 2, 1].find((n) => n * power <= most * (1 + 1e-9)) ?? 1;
   return Number((times * power).toPrecision(3));

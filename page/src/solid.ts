@@ -3,17 +3,20 @@
 // At the report's threshold the surface is the report's. At another one the worker makes it from the page's voxels, whose
 // deviations are good to about a tenth of a voxel.
 
+import { choice, later, legendOf, messageOf, problem, toggle } from "./controls.ts";
+import type { SurfaceInfo } from "./data.ts";
 import { h } from "./dom.ts";
 import { bandOf, gelOf, reportOf } from "./gel.ts";
-import type { Legend, Picture, Volumes } from "./layers.ts";
-import { choice, later, legendOf, speciesOf, volumesOf } from "./look.ts";
+import type { Legend, Picture } from "./layers.ts";
 import { deviation, place, type Scale, token, viridis } from "./paint.ts";
 import { significant } from "./report/number.ts";
 import type { Context, Section } from "./section.ts";
 import { Stage } from "./stage.ts";
+import type { Key } from "./state.ts";
 import type { Mesh } from "./surface.ts";
 import { samplesOf, SurfaceClient } from "./surface_client.ts";
 import { type Axis, AXES, BODY, type Point, type Slice, type Volume } from "./volume.ts";
+import { chosenSpecies, speciesOf, type Volumes, volumesOf } from "./volumes.ts";
 
 export const solid: Section = {
   id: "solid",
@@ -22,7 +25,7 @@ export const solid: Section = {
     const has = (kind: string) => context.run.volumes.some((info) => info.kind === kind);
     if (!has("target") && !context.run.surface) return null;
     if (document.createElement("canvas").getContext("webgl2") === null) {
-      return h("p.problem", { role: "alert" }, "This browser has no WebGL 2, so print and target cannot be shown in 3D. The slices above show the same volumes.");
+      return problem("This browser has no WebGL 2, so print and target cannot be shown in 3D. The slices above show the same volumes.");
     }
     return whenSeen(context, () => later(context, draw));
   },
@@ -44,142 +47,203 @@ function whenSeen({ gone }: Context, make: () => HTMLElement): HTMLElement {
   return place;
 }
 
-/** Share of the corners whose deviation has a color of its own; those beyond have the color of the end. */
-const WITHIN = 0.95;
-
 async function draw(context: Context): Promise<HTMLElement> {
-  const { run, state, store, gone } = context;
-  const names = speciesOf(run);
-  const chosen = () => (names.includes(state.get("species")) ? state.get("species") : "");
-  let { volumes, problems } = await volumesOf(context, chosen());
+  const { volumes, problems } = await volumesOf(context, chosenSpecies(context));
   const grid = volumes.response ?? volumes.target;
   if (!grid) throw new Error(problems.join(" ") || "The run has no volume to show.");
-  const band = bandOf(run);
-  const gel = () => (band === null ? gelOf(run, chosen(), volumes.response, volumes.labels) : null);
-  const isFirst = () => chosen() === "" || chosen() === names[0];
+  return new Solid(context, volumes, grid).element(problems);
+}
 
-  const [low, high] = boxOfPart(volumes.target ?? grid, grid);
-  const stage = new Stage(low, high, gone);
-  stage.canvas.setAttribute("aria-label", "Surfaces of print and target. Arrow keys turn the view, + and − zoom, 0 looks from the front again.");
-  const client = new SurfaceClient(gone);
-  const legend = h("div.color-legend");
-  const note = h("p.quiet", { role: "status" });
+/** Share of the corners whose deviation has a color of its own; those beyond have the color of the end. */
+const WITHIN = 0.95;
+/** Steps between the two ends of the colors. */
+const COLORS = 40;
+/** Of several thresholds in a row only the last one's surface is made, ms. */
+const PAUSE = 120;
 
-  const mode = () => (["target", "both"].includes(state.get("solid")) ? state.get("solid") : band === null && volumes.response ? "print" : "target");
-  let newest = 0;
-  const load = () => client.ask({ kind: "load", response: volumes.response && samplesOf(volumes.response), target: volumes.target && samplesOf(volumes.target) });
-  const showPrint = async () => {
-    const threshold = state.get("threshold");
-    const level = threshold ?? gel()?.reported ?? null;
-    const turn = ++newest;
-    if (mode() === "target" || level === null) {
+/** What the 3D view can show in color or clear over the print. */
+const MODES: [string, string][] = [["", "Print"], ["both", "Print and target"], ["target", "Target"]];
+
+class Solid {
+  private readonly stage: Stage;
+  private readonly client: SurfaceClient;
+  private readonly legend = h("div.color-legend");
+  private readonly note = h("p.quiet", { role: "status" });
+  private reported: number | null;
+  /** Counts what was asked for: an answer to an earlier question is too late. */
+  private newest = 0;
+
+  constructor(
+    private readonly context: Context,
+    private volumes: Volumes,
+    private readonly grid: Volume,
+  ) {
+    this.reported = this.thresholdOf(volumes);
+    const [low, high] = boxOfPart(volumes.target ?? grid, grid);
+    this.stage = new Stage(low, high, context.gone);
+    this.stage.canvas.setAttribute("aria-label", "Surfaces of print and target. Arrow keys turn the view, + and − zoom, 0 looks from the front again.");
+    this.client = new SurfaceClient(context.gone);
+  }
+
+  async element(problems: string[]): Promise<HTMLElement> {
+    this.listen(["threshold"], () => this.attempt(this.showPrint()));
+    this.listen(["threshold", "at", "cut"], () => this.showCut());
+    this.listen(["solid"], () => this.showAll());
+    this.listen(["species"], () => this.attempt(this.changeSpecies()));
+    await this.load();
+    this.showAll();
+    return h(
+      "div.solid",
+      {},
+      ...problems.map(problem),
+      h("p.quiet", {}, "Drag to turn, drag with the right button to move; click, then turn the wheel to zoom. The cut goes through the point that the planes above show."),
+      this.controls(),
+      this.stage.canvas,
+      h("div.below-planes", {}, this.note, this.legend),
+    );
+  }
+
+  /** The threshold of the print; null where nothing says when the resin gels, as for a gray target. */
+  private get level(): number | null {
+    if (this.reported === null || !this.volumes.response) return null;
+    return this.context.state.get("threshold") ?? this.reported;
+  }
+
+  private thresholdOf({ response, labels }: Volumes): number | null {
+    const { run } = this.context;
+    return bandOf(run) === null ? (gelOf(run, chosenSpecies(this.context), response, labels)?.reported ?? null) : null;
+  }
+
+  private get mode(): string {
+    const chosen = this.context.state.get("solid");
+    if (this.level === null) return "target";
+    return MODES.some(([mode]) => mode === chosen) ? chosen : "";
+  }
+
+  /** The surface that the command has made, where it is the one to show. */
+  private get official(): SurfaceInfo | null {
+    const { run, state } = this.context;
+    const isFirst = chosenSpecies(this.context) === "" || chosenSpecies(this.context) === speciesOf(run)[0];
+    return state.get("threshold") === null && isFirst && run.surface !== null && run.surface.triangles > 0 ? run.surface : null;
+  }
+
+  private load(): Promise<unknown> {
+    const { response, target } = this.volumes;
+    return this.client.ask({ kind: "load", response: response && samplesOf(response), target: target && samplesOf(target) });
+  }
+
+  private async changeSpecies(): Promise<void> {
+    this.volumes = (await volumesOf(this.context, chosenSpecies(this.context))).volumes;
+    this.reported = this.thresholdOf(this.volumes);
+    await this.load();
+    this.showAll();
+  }
+
+  private showAll(): void {
+    this.attempt(this.showPrint());
+    this.attempt(this.showTarget());
+    this.showCut();
+  }
+
+  private async showPrint(): Promise<void> {
+    const turn = ++this.newest;
+    const { level, official, stage, note } = this;
+    if (this.mode === "target" || level === null) {
       stage.remove("print");
-      legend.replaceChildren(legendOf({ keys: [["var(--solid)", "target"]] }));
+      this.legend.replaceChildren(legendOf({ keys: [["var(--solid)", "target"]] }));
       note.textContent = "";
       return;
     }
-    const official = threshold === null && isFirst() && run.surface !== null && run.surface.triangles > 0 ? run.surface : null;
-    note.textContent = official ? "" : "Making the surface…";
-    let mesh: Mesh;
-    let off_um: Float32Array | null;
-    if (official) {
-      const surface = await store.surface(official);
-      [mesh, off_um] = [surface as Mesh, surface.off_um];
-    } else {
-      // Of several thresholds in a row only the last is made
-      await new Promise((resolve) => setTimeout(resolve, 120));
-      if (turn !== newest) return;
-      const made = await client.ask({ kind: "print", level });
-      [mesh, off_um] = [made, made.off && made.off.map((mm) => 1000 * mm)];
-    }
-    if (turn !== newest || gone.aborted) return;
+    note.textContent = "Making the surface…";
+    if (!official) await new Promise((resolve) => setTimeout(resolve, PAUSE));
+    if (turn !== this.newest) return;
+    const { mesh, off_um } = official ? await this.ofCommand(official) : await this.atLevel(level);
+    if (turn !== this.newest || this.context.gone.aborted) return;
     const reach = off_um ? reachOf(off_um) : 0;
-    const colors = off_um && Uint32Array.from(off_um, (off) => deviation(Math.round(40 * (0.5 + off / (2 * reach))) / 40));
+    const colors = off_um && Uint32Array.from(off_um, (off) => deviation(Math.round(COLORS * (0.5 + off / (2 * reach))) / COLORS));
     stage.mesh("print", mesh, colors ? { colors } : { color: token("--solid") });
-    const keys: Legend = { scale: { low: -reach, high: reach, logarithmic: false, map: deviation }, label: "deviation from the target, µm: blue is too small, red too large", mark: null };
-    legend.replaceChildren(off_um ? legendOf(keys) : legendOf({ keys: [["var(--solid)", "print"]] }));
-    note.textContent = mesh.triangles.length === 0 ? "At this threshold nothing is solid." : official ? "The surface at the report’s threshold." : `The surface at a threshold of ${significant(level, 3)}, from the page’s voxels.`;
-  };
-  const showTarget = async () => {
-    if (mode() === "print") return stage.remove("target");
-    const mesh = await client.ask({ kind: "target" });
-    if (gone.aborted || mode() === "print") return;
-    stage.mesh("target", mesh, { color: token("--solid"), opacity: mode() === "both" ? 0.3 : 1 });
-  };
-  const failed = (error: unknown) => {
-    note.textContent = error instanceof Error ? error.message : String(error);
-  };
-  const showCut = () => {
-    const axis = (AXES as readonly string[]).indexOf(state.get("cut"));
-    if (axis < 0) return stage.cut(null, 0, null);
-    const mm = (state.get("at") ?? grid.center)[axis];
-    stage.cut(axis as Axis, mm, cutPicture(volumes, axis as Axis, mm, mode() === "target" ? null : (state.get("threshold") ?? gel()?.reported ?? null)));
-  };
-  const showAll = () => {
-    void showPrint().catch(failed);
-    void showTarget().catch(failed);
-    showCut();
-  };
+    const scale: Legend = { scale: { low: -reach, high: reach, logarithmic: false, map: deviation }, label: "deviation from the target, µm: blue is too small, red too large", mark: null };
+    this.legend.replaceChildren(legendOf(off_um ? scale : { keys: [["var(--solid)", "print"]] }));
+    const made = official ? "The surface at the report’s threshold." : `The surface at a threshold of ${significant(level, 3)}, from the page’s voxels.`;
+    note.textContent = mesh.triangles.length === 0 ? "At this threshold nothing is solid." : made;
+  }
 
-  const listen = (keys: Parameters<typeof state.on>[0], call: () => void) => gone.addEventListener("abort", state.on(keys, call));
-  listen(["threshold"], () => void showPrint().catch(failed));
-  listen(["threshold", "at", "cut"], showCut);
-  listen(["solid"], showAll);
-  listen(["species"], () => {
-    void volumesOf(context, chosen()).then(async (loaded) => {
-      volumes = loaded.volumes;
-      await load();
-      showAll();
-    }).catch(failed);
-  });
-  const extras = shown(context, stage, client, volumes.bodies);
-  await load();
-  showAll();
+  private async ofCommand(info: SurfaceInfo): Promise<{ mesh: Mesh; off_um: Float32Array | null }> {
+    const surface = await this.context.store.surface(info);
+    return { mesh: surface, off_um: surface.off_um };
+  }
 
-  const modes: [string, string][] = band === null && volumes.response ? [["print", "Print"], ["both", "Print and target"], ["target", "Target"]] : [["target", "Target"]];
-  const farthest = reportOf(run, chosen()).evaluation?.farthest?.at_xyz_mm as Point | undefined;
-  const view = (text: string, azimuth: number, elevation: number) => h("button", { type: "button", click: () => stage.look(azimuth, elevation) }, text);
-  return h(
-    "div.solid",
-    {},
-    ...problems.map((text) => h("p.problem", { role: "alert" }, text)),
-    h("p.quiet", {}, "Drag to turn, drag with the right button to move; click, then turn the wheel to zoom. The cut goes through the point that the planes above show."),
-    h(
+  private async atLevel(level: number): Promise<{ mesh: Mesh; off_um: Float32Array | null }> {
+    const made = await this.client.ask({ kind: "print", level });
+    return { mesh: made, off_um: made.off && made.off.map((mm) => 1000 * mm) };
+  }
+
+  private async showTarget(): Promise<void> {
+    if (this.mode === "") return this.stage.remove("target");
+    const mesh = await this.client.ask({ kind: "target" });
+    if (this.context.gone.aborted || this.mode === "") return;
+    this.stage.mesh("target", mesh, { color: token("--solid"), opacity: this.mode === "both" ? 0.3 : 1 });
+  }
+
+  private showCut(): void {
+    const { state } = this.context;
+    const axis = AXES.indexOf(state.get("cut") as (typeof AXES)[number]);
+    if (axis < 0) return this.stage.cut(null, 0, null);
+    const mm = (state.get("at") ?? this.grid.center)[axis];
+    this.stage.cut(axis as Axis, mm, cutPicture(this.volumes, axis as Axis, mm, this.mode === "target" ? null : this.level));
+  }
+
+  private controls(): HTMLElement {
+    const { stage } = this;
+    const { run, state } = this.context;
+    const view = (text: string, azimuth: number, elevation: number) => h("button", { type: "button", click: () => stage.look(azimuth, elevation) }, text);
+    const cuts: [string, string][] = [["", "Whole"], ["x", "Cut along x"], ["y", "Cut along y"], ["z", "Cut along z"]];
+    const farthest = reportOf(run, chosenSpecies(this.context)).evaluation?.farthest?.at_xyz_mm as Point | undefined;
+    return h(
       "div.controls",
       {},
-      modes.length > 1 && choice("Surface", modes, mode, (value) => state.set({ solid: value === modes[0][0] ? "" : value }), (call) => listen(["solid"], call)),
-      choice("Cut", [["", "Whole"], ["x", "Cut along x"], ["y", "Cut along y"], ["z", "Cut along z"]], () => state.get("cut"), (cut) => state.set({ cut }), (call) => listen(["cut"], call)),
+      this.level !== null && choice("Surface", MODES, () => this.mode, (solid) => state.set({ solid }), (call) => this.listen(["solid"], call)),
+      choice("Cut", cuts, () => state.get("cut"), (cut) => state.set({ cut }), (call) => this.listen(["cut"], call)),
       h("span.views", {}, view("From the front", -60, 30), view("From behind, below", 120, -30), view("From above", -90, 89.9)),
-      ...extras,
-      farthest && farthest.length === 3 && h("button", { type: "button", click: () => state.set({ at: farthest }) }, "Cut at the largest deviation"),
-    ),
-    stage.canvas,
-    h("div.below-planes", {}, note, legend),
-  );
+      ...this.extras(),
+      farthest?.length === 3 && h("button", { type: "button", click: () => state.set({ at: farthest, cut: state.get("cut") || "y" }) }, "Cut at the largest deviation"),
+    );
+  }
+
+  /** Boxes to tick for what else there is: bodies and the vial. */
+  private extras(): HTMLElement[] {
+    const { stage, client } = this;
+    const { bodies } = this.volumes;
+    const { scene } = this.context.run;
+    const present = bodies ? BODIES.filter(({ code }) => bodies.codes.includes(code)) : [];
+    const boxes = present.map(({ code, text, color }) => {
+      const show = async () => stage.mesh(text, await client.ask({ kind: "part", samples: samplesOf(bodies!), code }), { color: token(color), opacity: 0.75 });
+      this.attempt(show());
+      return toggle(text, true, (checked) => (checked ? this.attempt(show()) : stage.remove(text)));
+    });
+    if (scene && scene.walls.length > 0) {
+      const [from, to] = scene.z_mm;
+      const walls = scene.walls.map(({ points, height_mm }) => ({ points, low: height_mm?.[0] ?? from, high: height_mm?.[1] ?? to }));
+      boxes.push(toggle("vial", false, (checked) => (checked ? stage.walls("vial", walls, token("--quiet")) : stage.remove("vial"))));
+    }
+    return boxes;
+  }
+
+  /** Says in the note below the view what went wrong. */
+  private attempt(work: Promise<void>): void {
+    work.catch((error: unknown) => (this.note.textContent = messageOf(error)));
+  }
+
+  private listen(keys: readonly Key[], call: () => void): void {
+    this.context.gone.addEventListener("abort", this.context.state.on(keys, call));
+  }
 }
 
-/** Checkboxes for what else there is: bodies and the vial. */
-function shown({ run }: Context, stage: Stage, client: SurfaceClient, bodies: Volume | null): HTMLElement[] {
-  const toggle = (text: string, checked: boolean, show: () => void, hide: () => void) => {
-    const change = (event: Event) => ((event.target as HTMLInputElement).checked ? show() : hide());
-    if (checked) show();
-    return h("label", {}, h("input", { type: "checkbox", checked, change }), text);
-  };
-  const out: HTMLElement[] = [];
-  const kinds: [number, string, string][] = [[BODY.insert, "insert", "--ink"], [BODY.dark, "bodies that stay dark", "--void"], [BODY.obstacle, "obstacles", "--quiet"]];
-  for (const [code, text, color] of kinds) {
-    if (!bodies?.codes.includes(code)) continue;
-    const show = () => void client.ask({ kind: "part", samples: samplesOf(bodies), code }).then((mesh) => stage.mesh(text, mesh, { color: token(color), opacity: 0.75 }));
-    out.push(toggle(text, true, show, () => stage.remove(text)));
-  }
-  const { scene } = run;
-  if (scene && scene.walls.length > 0) {
-    const [from, to] = scene.z_mm;
-    const outlines = () => scene.walls.map(({ points, height_mm }) => ({ points, low: height_mm?.[0] ?? from, high: height_mm?.[1] ?? to }));
-    out.push(toggle("vial", false, () => stage.walls("vial", outlines(), token("--quiet")), () => stage.remove("vial")));
-  }
-  return out;
-}
+const BODIES = [
+  { code: BODY.insert, text: "insert", color: "--ink" },
+  { code: BODY.dark, text: "bodies that stay dark", color: "--void" },
+  { code: BODY.obstacle, text: "obstacles", color: "--quiet" },
+];
 
 /** What fills the cut: the dose where the print is solid, or the target. */
 function cutPicture({ response, target }: Volumes, axis: Axis, mm: number, level: number | null): Picture | null {

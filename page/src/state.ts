@@ -9,6 +9,8 @@ export interface View {
   species: string;
   /** What the planes show: id of a layer, "" for the dose. */
   layer: string;
+  /** The plane in which all layers are side by side, by its normal: x or y; "" for z. */
+  plane: string;
   /** The point in which the three planes meet, mm; null: the middle of the part. */
   at: [number, number, number] | null;
   /** Gel threshold of print, contours and error; null: the report's. */
@@ -41,7 +43,7 @@ export interface View {
 
 export type Key = keyof View;
 
-const START: View = { run: 0, section: "", species: "", layer: "", at: null, threshold: null, light: 0, frame: 0, row: null, time: null, solid: "", cut: "", opened: null, marked: [], metric: "", x: "", y: "", plot: "", levels: "" };
+const START: View = { run: 0, section: "", species: "", layer: "", plane: "", at: null, threshold: null, light: 0, frame: 0, row: null, time: null, solid: "", cut: "", opened: null, marked: [], metric: "", x: "", y: "", plot: "", levels: "" };
 
 export class State {
   private view: View;
@@ -117,7 +119,7 @@ export function parse(hash: string): View {
   view.run = whole("run");
   view.light = whole("light");
   view.frame = whole("frame");
-  for (const key of ["section", "species", "layer", "solid", "cut", "metric", "x", "y", "plot", "levels"] as const) view[key] = given.get(key) ?? "";
+  for (const key of ["section", "species", "layer", "plane", "solid", "cut", "metric", "x", "y", "plot", "levels"] as const) view[key] = given.get(key) ?? "";
   view.threshold = number("threshold");
   view.row = number("row");
   view.time = number("time");

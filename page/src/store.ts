@@ -11,9 +11,9 @@ export interface Film {
 
 /** The predicted surface as triangles, mm, and how far each corner is off the target, µm. */
 export interface Surface {
-  corners: Float32Array;
+  corners: Float32Array<ArrayBuffer>;
   off_um: Float32Array;
-  triangles: Uint32Array;
+  triangles: Uint32Array<ArrayBuffer>;
 }
 
 export class Store {

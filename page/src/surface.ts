@@ -202,7 +202,7 @@ export class Distance {
 }
 
 /** Outward normals of the corners: means over their triangles, by area. */
-export function normalsOf({ corners, triangles }: Mesh): Float32Array {
+function normalsOf({ corners, triangles }: Mesh): Float32Array {
   const normals = new Float32Array(corners.length);
   for (let t = 0; t < triangles.length; t += 3) {
     const [a, b, c] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];

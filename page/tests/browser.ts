@@ -39,6 +39,8 @@ export async function open(what: string | PageData, { width = 1400, dark = false
     protocolTimeout: 120_000,
   });
   const page = await browser.newPage();
+  // A machine that does other work takes its time
+  page.setDefaultTimeout(120_000);
   const problems: string[] = [];
   page.on("pageerror", (error) => problems.push(String(error)));
   await page.setViewport({ width, height: 900 });

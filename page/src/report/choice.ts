@@ -1,7 +1,7 @@
 // A few values of which one is chosen, named by a label, for what is no part of the address.
 
 import { h } from "../dom.ts";
-import { choice as bar } from "../look.ts";
+import { choice as bar } from "../controls.ts";
 
 export function choice<T extends string>(label: string, values: readonly T[], chosen: T, changed: (value: T) => void): HTMLElement {
   let current: string = chosen;

@@ -1,7 +1,8 @@
 // Gray targets: the response of the voxels of each gray value, against what was asked for.
 
 import { h } from "../dom.ts";
-import { infoOf, later } from "../look.ts";
+import { later } from "../controls.ts";
+import { infoOf } from "../volumes.ts";
 import type { Context } from "../section.ts";
 import { LABEL, type Volume } from "../volume.ts";
 import { chart, type Series } from "./chart.ts";

@@ -2,7 +2,8 @@
 
 import { h } from "../../dom.ts";
 import { difference, scalar, sameShape } from "../../layers.ts";
-import { infoOf, later, legendOf } from "../../look.ts";
+import { later, legendOf } from "../../controls.ts";
+import { infoOf } from "../../volumes.ts";
 import { Planes, type Shown } from "../../planes.ts";
 import type { Context } from "../../section.ts";
 import { Slices } from "../../slices.ts";
