@@ -10,26 +10,39 @@ import { type AxisColumn, type Column, heading, type Model, shareOf, textOf } fr
 /** Width of a character of the labels, px. */
 const CHARACTER = 7;
 
+/** Height of a label, px. */
+const LINE = 14;
+
 /** Cells wider than this say no more, px. */
 const WIDEST = 76;
+
+/** Height of a cell, and of the whole map where cells can be lower, px. */
+const CELL = { least: 6, most: 34, all: 720 };
+
+/** In more columns no value fits. */
+const COLUMNS_WITH_VALUES = 40;
 
 /** The map of the rows that are at the chosen levels of the other axes. */
 export function map(model: Model, metric: Column, x: AxisColumn, y: AxisColumn, rows: readonly number[]): HTMLElement {
   const [nx, ny] = [x.levels.length, y.levels.length];
   const scale = model.scale(metric);
+  const hasText = nx <= COLUMNS_WITH_VALUES;
   const cells = rows.map((row) => {
     const [column, level] = [x.levelOf[row], y.levelOf[row]];
     const value = model.number(row, metric);
     const style = `grid-area: ${ny - level} / ${column + 2}`;
     const isDone = model.rows[row].state === "done";
-    if (value === null || !scale) return mark(model, row, metric, { x: column, y: level }, style, isDone && h("span", {}, NONE));
+    if (value === null || !scale) return mark(model, row, metric, { x: column, y: level }, style, isDone && hasText && h("span", {}, NONE));
     const color = scale.map(shareOf(scale, value));
-    return mark(model, row, metric, { x: column, y: level }, `${style}; background-color: ${css(color)}; color: ${isBright(color) ? "#000" : "#fff"}`, h("span", {}, significant(value, 3)));
+    return mark(model, row, metric, { x: column, y: level }, `${style}; background-color: ${css(color)}; color: ${isBright(color) ? "#000" : "#fff"}`, hasText && h("span", {}, significant(value, 3)));
   });
   const labelsX = x.levels.map((value, i) => h("span.x", { style: `grid-area: ${ny + 1} / ${i + 2}` }, h("span", {}, textOf(value, 4))));
   const labelsY = y.levels.map((value, i) => h("span.y", { style: `grid-area: ${ny - i} / 1` }, textOf(value, 4)));
-  const grid = h("div.sweep-map", { style: `--columns: ${nx}; max-width: ${nx * WIDEST + 90}px` }, ...labelsY, ...cells, ...labelsX);
+  const height = Math.min(Math.max(CELL.all / ny, CELL.least), CELL.most);
+  const grid = h("div.sweep-map", { style: `--columns: ${nx}; --cell: ${height}px; gap: ${height > 16 ? 2 : 1}px; max-width: ${nx * WIDEST + 90}px` }, ...labelsY, ...cells, ...labelsX);
   thin(grid, labelsX);
+  const every = Math.ceil(LINE / height);
+  labelsY.forEach((label, i) => (label.style.visibility = i % every === 0 ? "" : "hidden"));
   return h(
     "div",
     {},
