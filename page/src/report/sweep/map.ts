@@ -1,7 +1,7 @@
 // A heat map of a metric over two axes: a cell a run.
 
 import { h } from "../../dom.ts";
-import { legendOf } from "../../look.ts";
+import { legendOf } from "../../controls.ts";
 import { channels, css } from "../../paint.ts";
 import { NONE, significant } from "../number.ts";
 import { mark } from "./mark.ts";

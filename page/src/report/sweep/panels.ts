@@ -1,7 +1,7 @@
 // Maps and plots of the chosen metrics, what they are drawn over, and how a reader moves through them.
 
 import { h, type Child } from "../../dom.ts";
-import { choice } from "../../look.ts";
+import { choice } from "../../controls.ts";
 import type { Key, State, View } from "../../state.ts";
 import { scrollTo } from "../nav.ts";
 import { part } from "../text.ts";
