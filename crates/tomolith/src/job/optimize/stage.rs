@@ -82,6 +82,10 @@ pub(crate) struct Stage<'a> {
     pub(crate) found: Option<FoundResponse>,
 }
 
+/// Model, objectives and method of a stage on a graphics card.
+#[cfg(feature = "gpu")]
+type OnCard = (GpuStrips, Objectives<GpuField>, Search<GpuField>);
+
 impl<'a> Stage<'a> {
     /// A level with its model, or with one that is there already.
     pub(crate) fn new(
@@ -368,12 +372,7 @@ impl<'a> Stage<'a> {
 
     /// Model and method on the job's graphics card, where it has one, and all of the stage has a form for it.
     #[cfg(feature = "gpu")]
-    fn on_card(
-        &self,
-        job: &ResolvedJob,
-        wider: usize,
-        cancel: &Run,
-    ) -> Result<Option<(GpuStrips, Objectives<GpuField>, Search<GpuField>)>> {
+    fn on_card(&self, job: &ResolvedJob, wider: usize, cancel: &Run) -> Result<Option<OnCard>> {
         let (Some(card), Some(form)) = (&job.optics.card, self.model.strips()) else {
             return Ok(None);
         };
