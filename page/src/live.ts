@@ -69,6 +69,8 @@ export function live(data: PageData, changes: Changes): HTMLElement | null {
       case "failed":
         run.state = "done";
         bar(event.run).end(event.message);
+        // The command ends with its run: nobody is there to be asked
+        if (data.runs.every(({ state }) => state !== "running")) events.close();
         break;
       case "done":
         bar(event.run).end(null);

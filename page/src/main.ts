@@ -168,14 +168,22 @@ class Page {
   }
 }
 
+/** The data, if they are those of a page that this program knows. */
+function checked(data: PageData | null): PageData {
+  const schema: PageData["schema"] = "tomolith.page/1";
+  if (data?.schema !== schema) throw new Error(`their schema is “${data?.schema ?? "missing"}”; this page shows “${schema}”.`);
+  if (!Array.isArray(data.runs)) throw new Error("the list of runs is missing.");
+  return data;
+}
+
 function start(): void {
   const app = document.getElementById("app");
   const text = document.getElementById("data")?.textContent;
   if (!app) return;
   try {
-    new Page(JSON.parse(text ?? "") as PageData, app);
+    new Page(checked(JSON.parse(text ?? "")), app);
   } catch (error) {
-    app.replaceChildren(h("p.problem", { role: "alert" }, `The data of this page could not be read: ${String(error)}`));
+    app.replaceChildren(h("p.problem", { role: "alert" }, `The data of this page could not be read: ${error instanceof Error ? error.message : String(error)}`));
   }
 }
 

@@ -78,7 +78,8 @@ describe("a viewer", { skip }, () => {
     await page.waitForFunction(() => document.querySelector(".live-run")?.textContent?.includes("optimizing: iteration 3 of at most 12"));
     assert.equal(await page.$eval(".live progress", (bar) => (bar as HTMLProgressElement).value), 0.25);
     viewer.tell({ type: "iteration", run: 0, row: { iteration: 4, loss: 4, seconds: 2 }, iterations: 12 });
-    await page.waitForSelector("#history");
+    await page.waitForSelector("#history .chart-box canvas");
+    assert.match(await text(page, "#history .note"), /^4 iterations, 2 s\.$/);
     await page.click(".live-run button");
     await page.waitForFunction(() => document.querySelector(".live-run button")?.textContent === "Canceling…");
     assert.ok(viewer.asked.includes("POST cancel/0"));
@@ -98,6 +99,9 @@ describe("a viewer", { skip }, () => {
     const page = await open(await viewer.start());
     viewer.tell({ type: "failed", run: 0, message: "the dose is not finite" });
     await page.waitForFunction(() => document.querySelector(".live-run .problem")?.textContent === "the dose is not finite");
+    viewer.stop();
+    await new Promise((resolve) => setTimeout(resolve, 500));
+    assert.equal(await page.$(".live > .problem:not([hidden])"), null, "nobody asks a viewer that has ended");
     await page.close();
   });
 

@@ -18,14 +18,18 @@ export type Cost = (typeof COSTS)[number];
 let chosen: Cost = "model calls";
 
 /** The choice of the cost, and a place whose charts follow it. */
-export function overCost(draw: (cost: Cost) => (HTMLElement | null)[]): HTMLElement {
+export function overCost(runs: readonly Run[], draw: (cost: Cost) => (HTMLElement | null)[]): HTMLElement {
+  // A run that goes on does not count its model calls
+  const costs = COSTS.filter((cost) => runs.some((run) => costOf(run, cost).some(isNumber)));
+  const first = costs.includes(chosen) ? chosen : (costs.at(-1) ?? chosen);
   const grid = h("div.charts");
-  const show = (cost: Cost) => {
+  const show = (cost: Cost) => grid.replaceChildren(...draw(cost).filter((plot) => plot !== null));
+  const choose = (cost: Cost) => {
     chosen = cost;
-    grid.replaceChildren(...draw(cost).filter((plot) => plot !== null));
+    show(cost);
   };
-  show(chosen);
-  return h("div", {}, choice("Over", COSTS, chosen, show), grid);
+  show(first);
+  return h("div", {}, choice("Over", costs, first, choose), grid);
 }
 
 /** A column of a history over a cost. */
@@ -54,7 +58,7 @@ export function history({ run }: Context): HTMLElement | null {
   const words = paragraphs([kept(report(run)), run.texts?.gap, levels(report(run).levels)]);
   const found = foundWindow(report(run).process_window);
   if (curves.length === 0 && words.length === 0 && !found) return null;
-  const plots = curves.length > 0 && overCost((cost) => curves.map((curve) => plotOf(run, curve, cost)));
+  const plots = curves.length > 0 && overCost([run], (cost) => curves.map((curve) => plotOf(run, curve, cost)));
   return h("div", {}, ...words, plots, summary(run), response(run), found);
 }
 
@@ -117,8 +121,9 @@ function summary(run: Run): HTMLElement | null {
   const coarse = first > 0 ? (run.history?.iteration?.[first] ?? 1) - 1 : 0;
   const finer =
     coarse > 0 ? ` After iteration ${coarse} the voxels became finer: earlier numbers belong to coarser voxels, and the gradient curve begins there.` : "";
-  const calls = `${significant(iterations, 6)} iterations, ${significant(dose, 6)} dose and ${significant(adjoint, 6)} adjoint calls${took}.`;
-  return h("p.note", {}, `${calls} Compare methods by model calls, not by iterations.${finer}`);
+  const calls = isNumber(dose) ? `, ${significant(dose, 6)} dose and ${significant(adjoint, 6)} adjoint calls` : "";
+  const compare = isNumber(dose) ? " Compare methods by model calls, not by iterations." : "";
+  return h("p.note", {}, `${significant(iterations, 6)} iterations${calls}${took}.${compare}${finer}`);
 }
 
 /** Parameters of the response that were found with the patterns. */

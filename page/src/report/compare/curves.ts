@@ -17,7 +17,7 @@ export function histories({ runs }: PageData): HTMLElement | null {
     return drawn && part(title, drawn);
   };
   const short = (run: Run) => (run.history?.iou ?? []).map((iou) => (isNumber(iou) ? 1 - iou : null));
-  const plots = overCost((cost) => [
+  const plots = overCost(runs, (cost) => [
     plot("Loss", { label: "loss", log: true }, (run) => run.history?.loss ?? [], cost),
     plot("Voxels that would print wrongly", { label: "1 − IoU", log: true }, short, cost),
     plot("Process window", { label: "response" }, (run) => run.history?.process_window ?? [], cost),
