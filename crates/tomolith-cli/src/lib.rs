@@ -37,7 +37,7 @@ use ranks::Ranks;
 pub use reproduce::Itself;
 use screen::{Screen, say};
 use std::ffi::OsString;
-use std::io::{ErrorKind, Write};
+use std::io::Write;
 use std::path::Path;
 use std::sync::Arc;
 use std::thread;
@@ -66,9 +66,14 @@ pub fn main_with(words: &[OsString], itself: &[OsString]) -> u8 {
         Err(code) => code,
     };
     // Nobody else does it where the process is not this program's
-    match std::io::stdout().flush() {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => refused_output(&error),
-        _ => code,
+    screen::take(std::io::stdout().flush());
+    match screen::unsaid() {
+        // What was asked for has not arrived
+        Some(error) => {
+            screen::mutter(&format!("error: standard output: {error}"));
+            REFUSED
+        }
+        None => code,
     }
 }
 
@@ -171,12 +176,11 @@ fn command(arguments: &Arguments, itself: &[OsString]) -> u8 {
             }
         }
     };
-    match screen::unsaid() {
-        Some(error) => refused_output(error),
-        // A launcher ends all ranks when one ends badly, and that is for rank 0 to tell
-        None if ranks::is_silent(ranks.as_ref()) => DONE,
-        None => code,
+    // A launcher ends all ranks when one ends badly, and that is for rank 0 to tell
+    if ranks::is_silent(ranks.as_ref()) {
+        return DONE;
     }
+    code
 }
 
 /// What was typed, or the end of the command: help and version are printed here, and slips of the keyboard.
@@ -193,16 +197,12 @@ fn arguments(words: &[OsString]) -> Result<Arguments, u8> {
             screen::say(&line.to_string());
             REFUSED
         }
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => refused_output(&error),
-        _ if said.use_stderr() => REFUSED,
-        _ => DONE,
+        printed if !said.use_stderr() => {
+            screen::take(printed);
+            DONE
+        }
+        _ => REFUSED,
     })
-}
-
-/// Standard output that cannot be written to: what was asked for has not arrived.
-fn refused_output(error: &std::io::Error) -> u8 {
-    screen::mutter(&format!("error: standard output: {error}"));
-    REFUSED
 }
 
 /// A command that is met when it ends without an error. Asked to stop it ends where it looks for the request, or else shortly after,

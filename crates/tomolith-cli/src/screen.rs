@@ -19,7 +19,12 @@ static REFUSED: OnceLock<std::io::Error> = OnceLock::new();
 
 /// Writes a line to standard output; a closed pipe is the reader's business. Names of parts and files steer no terminal.
 pub(crate) fn say(line: &str) {
-    if let Err(error) = writeln!(std::io::stdout(), "{}", printable(line))
+    take(writeln!(std::io::stdout(), "{}", printable(line)));
+}
+
+/// Notes why standard output took no more.
+pub(crate) fn take(written: std::io::Result<()>) {
+    if let Err(error) = written
         && error.kind() != ErrorKind::BrokenPipe
     {
         let _ = REFUSED.set(error);

@@ -19,6 +19,12 @@ const BACKLOG: usize = 256;
 /// The rows of a sweep, in its folder.
 const TABLE: &str = "table.json";
 
+/// The text of the sweep file whose results a folder holds, where it is still there.
+fn sweep_file(folder: &Path) -> Option<String> {
+    let owner: Value = serde_json::from_str(&read_text(folder.join("sweep.json")).ok()?).ok()?;
+    read_text(owner["sweep"].as_str()?).ok()
+}
+
 /// A run that is shown.
 struct Shown {
     /// As the page knows it.
@@ -94,9 +100,7 @@ impl Site {
         let name = folder.file_name().unwrap_or(folder.as_os_str());
         let mut table = table;
         table["name"] = name.to_string_lossy().into();
-        table["toml"] = read_text(folder.join("sweep.json"))
-            .unwrap_or_default()
-            .into();
+        table["toml"] = sweep_file(folder).unwrap_or_default().into();
         let sweep = SweepFolder {
             folder: folder.to_owned(),
             table,
@@ -299,7 +303,11 @@ impl Shown {
         };
         let mut data = page.data["runs"][0].clone();
         data["name"] = run.name.into();
-        let dose = run.dose;
+        // What the page shows is the response: slices of the dose serve where that is the dose itself
+        let mut keys = run.job.keys();
+        let is_dose = run.job.contains_key("response.identity")
+            && !keys.any(|key| key.starts_with("species[0].response"));
+        let dose = run.dose.filter(|_| is_dose);
         if let Some(all) = data["volumes"].as_array_mut().filter(|_| dose.is_some()) {
             let dose = all.iter_mut().find(|info| info["kind"] == "response");
             dose.into_iter().for_each(|info| info["full"] = true.into());

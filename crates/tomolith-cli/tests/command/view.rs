@@ -161,6 +161,16 @@ fn the_page_its_arrays_and_slices_of_the_dose_are_served() {
     assert_eq!(served.get("run/0/slice/response2?axis=7&index=0").0, 404);
     assert_eq!(served.get("run/0/slice/response2").0, 400);
 
+    // The dose is not what prints where the material has a response
+    bench.expect(0, "run job.toml --quiet --toy --output c --set response={logistic={midpoint=0.5,steepness=20}}");
+    let other = Served::start(&bench, "view c --no-browser");
+    let data: Value = serde_json::from_slice(&other.get("runs.json").1).unwrap();
+    let mut all = data["runs"][0]["volumes"].as_array().unwrap().iter();
+    assert!(
+        all.all(|info| info["full"] == false)
+            && other.get("run/0/slice/response2?axis=0&index=0").0 == 404
+    );
+
     // A run that vanishes: what was read stays, what was not says so
     fs::remove_dir_all(bench.path("b")).unwrap();
     assert_eq!(served.get("run/1/slice/response2?axis=0&index=0").0, 410);

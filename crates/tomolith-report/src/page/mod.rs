@@ -384,7 +384,7 @@ impl Page {
         format!(
             "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{}{MARK}\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><style>{}</style></head><body>\n\
-             <div id=\"app\"></div>\n<noscript>{}</noscript>\n<script type=\"application/json\" id=\"data\">{data}</script>\n{blobs}\
+             <div id=\"app\"><p>Where this line stays, the file was cut or changed, or the browser runs no scripts.</p></div>\n<noscript>{}</noscript>\n<script type=\"application/json\" id=\"data\">{data}</script>\n{blobs}\
              <script>{}</script></body></html>\n",
             escape(title),
             include_str!("../../page/page.css"),

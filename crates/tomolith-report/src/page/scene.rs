@@ -47,7 +47,7 @@ pub struct LightPaths {
 pub struct Scene {
     /// Radius that every frame lights, mm.
     pub lit_radius_mm: Option<f64>,
-    /// No part of the target is farther from the axis, mm.
+    /// The sides of the target reach so far from the axis, mm.
     pub part_radius_mm: f64,
     /// Lowest and highest of the target, mm.
     pub z_mm: [f64; 2],

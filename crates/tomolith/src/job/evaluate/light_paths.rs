@@ -19,8 +19,8 @@ const BEFORE: f64 = 1.25;
 /// The machine of a job as pages draw it.
 pub(crate) fn scene(job: &ResolvedJob) -> Scene {
     let [low, high] = job.shape().bounds_mm();
-    let radius = |corner: [f64; 3]| corner[0].hypot(corner[1]);
-    let corners = [low, high, [low[0], high[1], 0.0], [high[0], low[1], 0.0]];
+    // The sides of the box: the part reaches them, and its corners perhaps not
+    let sides = [low[0], low[1], high[0], high[1]].map(f64::abs);
     let walls = job.optics.vial.surfaces();
     let name = |i: usize| {
         if i == 0 {
@@ -36,7 +36,7 @@ pub(crate) fn scene(job: &ResolvedJob) -> Scene {
     let bodies = bodies.map_or(&[][..], |path| path.obstacles.as_slice());
     Scene {
         lit_radius_mm: Some(job.optics.reach_mm().0).filter(|mm| mm.is_finite()),
-        part_radius_mm: corners.into_iter().map(radius).fold(0.0, f64::max),
+        part_radius_mm: sides.into_iter().fold(0.0, f64::max),
         z_mm: [low[2], high[2]],
         walls,
         lights: (0..job.optics.lights.len())
