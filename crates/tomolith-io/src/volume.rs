@@ -3,7 +3,7 @@
 //! | ending | format | opened by |
 //! |---|---|---|
 //! | `.npy` | NumPy `[z, y, x]`; lengths are not in it | Python, Julia, MATLAB |
-//! | `.vti` | VTK image data ([`vti`](super::vti)) | ParaView, VisIt |
+//! | `.vti` | VTK image data ([`vti`]) | ParaView, VisIt |
 //! | `.nrrd` | NRRD | 3D Slicer, ITK |
 //! | `.tif`, `.tiff` | pages of a TIFF | ImageJ, Fiji |
 //! | `.zarr` | OME-Zarr 0.5, a folder | napari, neuroglancer |
