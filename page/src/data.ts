@@ -1,5 +1,5 @@
 // What the command writes into the page: types of the data and of what it names.
-// Rust (crates/tomolith-report/src/page.rs) makes numbers and sentences; the page draws them.
+// Rust (crates/tomolith-report/src/page) makes numbers and sentences; the page draws them.
 
 export interface PageData {
   schema: "tomolith.page/1";
@@ -143,7 +143,6 @@ export interface FilmInfo {
   angles_deg: number[];
   full_scale: number;
   pitch_mm: [number, number];
-  full: boolean;
 }
 
 export interface Scene {

@@ -59,7 +59,7 @@ export function fixture(): Fixture {
     volume("property4", "property", Uint8Array.from(voxels, (i) => (isSolid[i] ? code(dose(i)) : 255)), { name: "modulus", unit: "MPa", low: 1, high: 900, nan: 255, logarithmic: true }),
   ];
   const film: FilmInfo = {
-    id: "film0", light: "", frames: 12, rows: 10, columns: 16, of: [12, 10, 16], every: 1, binned: 1, angles_deg: Array.from({ length: 12 }, (_, k) => 30 * k), full_scale: 2, pitch_mm: [0.2, 0.2], full: false,
+    id: "film0", light: "", frames: 12, rows: 10, columns: 16, of: [12, 10, 16], every: 1, binned: 1, angles_deg: Array.from({ length: 12 }, (_, k) => 30 * k), full_scale: 2, pitch_mm: [0.2, 0.2],
   };
   const values = Uint8Array.from({ length: film.frames * film.rows * film.columns }, (_, i) => (Math.floor(i / film.columns / film.rows) * 20 + (i % film.columns) * 3) & 255);
   const voxel = PITCH ** 3;

@@ -571,6 +571,27 @@ mod tests {
     }
 
     #[test]
+    fn many_lights_share_the_room_for_patterns() {
+        let sample = Sample::new();
+        let evaluation = sample.evaluation();
+        let mut patterns = Patterns::dark(PatternGrid::full_turn(200, 0.0, 100, 100, 0.1));
+        let values = patterns.values.iter_mut().enumerate();
+        values.for_each(|(i, v)| *v = (i * 7919 % 10007) as f32);
+        let mut data = sample.data(&evaluation);
+        data.lights[0].patterns = &patterns;
+        data.lights = vec![data.lights[0]; 8];
+        let (text, page) = page_of(&data);
+        assert!(text.len() < 6_000_000, "{} bytes", text.len());
+        let info = &page.data["runs"][0]["films"][7];
+        assert_eq!(
+            (&info["frames"], &info["binned"], &info["rows"]),
+            (&200.into(), &3.into(), &34.into())
+        );
+        // The volumes keep their own
+        assert_eq!(page.data["runs"][0]["volumes"][0]["reduced"], 1);
+    }
+
+    #[test]
     fn large_volumes_are_reduced_until_they_fit() {
         let sample = Sample::new();
         let evaluation = sample.evaluation();

@@ -201,7 +201,7 @@ async fn array(
 
 async fn slice(
     State(known): State<Known>,
-    Path((_, run, _)): Path<(String, usize, String)>,
+    Path((_, run, id)): Path<(String, usize, String)>,
     RawQuery(query): RawQuery,
 ) -> Response {
     let query = query.unwrap_or_default();
@@ -220,7 +220,7 @@ async fn slice(
     };
     let site = Arc::clone(&known.site);
     // Reading a file may take a while
-    let cut = tokio::task::spawn_blocking(move || site.slice(run, axis, index)).await;
+    let cut = tokio::task::spawn_blocking(move || site.slice((run, &id), axis, index)).await;
     match cut {
         Ok(Ok(Some(bytes))) => binary(bytes),
         Ok(Ok(None)) => StatusCode::NOT_FOUND.into_response(),

@@ -9,7 +9,7 @@ use tomolith::grid::Volume;
 use tomolith::io::read_text;
 use tomolith::models::Run;
 use tomolith::report::compare::{ComparedRun, comparison, read_runs};
-use tomolith::report::page::{Page, PageKind, Slices, blob, page_data, volume};
+use tomolith::report::page::{Page, PageKind, Slices, bare_run, blob, page_data, volume};
 use tomolith::{Error, Result};
 use tomolith_sweep::TABLE_SCHEMA;
 
@@ -31,9 +31,16 @@ struct Shown {
     data: Value,
     /// Arrays by name, deflated.
     arrays: BTreeMap<String, Arc<Vec<u8>>>,
-    /// Its dose on the job's voxels, where a file has it, and once somebody has asked for it.
-    dose: Option<PathBuf>,
-    read: Option<Arc<Slices>>,
+    /// All voxels of one of its volumes.
+    full: Option<Arc<Full>>,
+}
+
+/// A volume of which slices with all voxels are served.
+struct Full {
+    id: String,
+    path: PathBuf,
+    /// Once somebody has asked for it.
+    read: Mutex<Option<Arc<Slices>>>,
 }
 
 /// A sweep that is shown.
@@ -156,16 +163,7 @@ impl Site {
 
     /// A run that begins.
     pub(super) fn of_job(part: &str, job: &str, cancel: &Arc<Run>) -> Self {
-        let data = json!({
-            "name": part, "state": "running", "report": null, "texts": null, "job": job, "history": {}, "volumes": [], "films": [],
-            "scene": null, "surface": null,
-        });
-        let shown = Shown {
-            data,
-            arrays: BTreeMap::new(),
-            dose: None,
-            read: None,
-        };
+        let shown = Shown::with(bare_run(part, "running", job), BTreeMap::new());
         Site {
             cancel: Some(Arc::clone(cancel)),
             ..Site::new(part, vec![shown])
@@ -202,21 +200,24 @@ impl Site {
     ///
     /// # Errors
     /// Those of reading the dose, which is done for the first slice.
-    pub(super) fn slice(&self, run: usize, axis: usize, index: usize) -> Result<Option<Vec<u8>>> {
-        let known = self.with_runs(|runs| {
-            runs.get(run)
-                .map(|run| (run.dose.clone(), run.read.clone()))
-        });
-        let dose = match known {
-            Some((_, Some(dose))) => dose,
-            Some((Some(path), None)) => {
-                let dose = Arc::new(Slices::read(&path)?);
-                self.with_runs(|runs| runs[run].read = Some(Arc::clone(&dose)));
-                dose
-            }
-            _ => return Ok(None),
+    pub(super) fn slice(
+        &self,
+        (run, id): (usize, &str),
+        axis: usize,
+        index: usize,
+    ) -> Result<Option<Vec<u8>>> {
+        let known = self.with_runs(|runs| runs.get(run)?.full.clone());
+        let Some(full) = known.filter(|full| full.id == id) else {
+            return Ok(None);
         };
-        Ok(dose.cut(axis, index))
+        // Pages ask for three planes at once: one of them reads, the others wait
+        let mut read = full.read.lock().unwrap_or_else(PoisonError::into_inner);
+        let slices = match &*read {
+            Some(slices) => Arc::clone(slices),
+            None => Arc::clone(read.insert(Arc::new(Slices::read(&full.path)?))),
+        };
+        drop(read);
+        Ok(slices.cut(axis, index))
     }
 
     /// Tells all pages.
@@ -297,9 +298,23 @@ impl Site {
 }
 
 impl Shown {
+    fn with(data: Value, arrays: BTreeMap<String, Arc<Vec<u8>>>) -> Self {
+        Shown {
+            data,
+            arrays,
+            full: None,
+        }
+    }
+
+    /// # Errors
+    /// Those of reading a page that is there and cannot be read.
     fn of(run: ComparedRun, folder: &Path) -> Result<Self> {
-        let Some(page) = run.page else {
-            return Self::of_numbers(run, folder);
+        let path = folder.join("report.html");
+        let page = match run.page {
+            // A run may leave its numbers alone
+            None if !path.exists() => return Ok(Self::with(run.bare(), BTreeMap::new())),
+            None => Page::read(&path)?,
+            Some(page) => page,
         };
         let mut data = page.data["runs"][0].clone();
         data["name"] = run.name.into();
@@ -307,42 +322,27 @@ impl Shown {
         let mut keys = run.job.keys();
         let is_dose = run.job.contains_key("response.identity")
             && !keys.any(|key| key.starts_with("species[0].response"));
-        let dose = run.dose.filter(|_| is_dose);
-        if let Some(all) = data["volumes"].as_array_mut().filter(|_| dose.is_some()) {
-            let dose = all.iter_mut().find(|info| info["kind"] == "response");
-            dose.into_iter().for_each(|info| info["full"] = true.into());
-        }
+        let mut volumes = data["volumes"].as_array_mut().into_iter().flatten();
+        let response = volumes.find(|info| info["kind"] == "response");
+        let full = response
+            .zip(run.dose.filter(|_| is_dose))
+            .map(|(info, path)| {
+                info["full"] = true.into();
+                let id = info["id"].as_str().unwrap_or_default().to_owned();
+                Arc::new(Full {
+                    id,
+                    path,
+                    read: Mutex::default(),
+                })
+            });
         let arrays = page.blobs.into_iter().filter_map(|(id, text)| {
             let id = id.strip_prefix("blob-0-")?.to_owned();
             Some((id, Arc::new(blob::deflated(&text)?)))
         });
+        let arrays = arrays.collect();
         Ok(Shown {
-            data,
-            arrays: arrays.collect(),
-            dose,
-            read: None,
-        })
-    }
-
-    /// A run that left its numbers alone.
-    ///
-    /// # Errors
-    /// Those of reading a page that is there and cannot be read.
-    fn of_numbers(run: ComparedRun, folder: &Path) -> Result<Self> {
-        let path = folder.join("report.html");
-        if path.exists() {
-            Page::read(&path)?;
-        }
-        let history = run.history_json();
-        let data = json!({
-            "name": run.name, "state": "done", "report": run.report, "texts": null, "job": run.job_text, "history": history, "volumes": [],
-            "films": [], "scene": null, "surface": null,
-        });
-        Ok(Shown {
-            data,
-            arrays: BTreeMap::new(),
-            dose: None,
-            read: None,
+            full,
+            ..Self::with(data, arrays)
         })
     }
 }

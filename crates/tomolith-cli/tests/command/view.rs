@@ -158,7 +158,13 @@ fn the_page_its_arrays_and_slices_of_the_dose_are_served() {
             .0,
         404
     );
-    assert_eq!(served.get("run/0/slice/response2?axis=7&index=0").0, 404);
+    for other in ["response2?axis=7&index=0", "target0?axis=0&index=0"] {
+        assert_eq!(
+            served.get(&format!("run/0/slice/{other}")).0,
+            404,
+            "{other}"
+        );
+    }
     assert_eq!(served.get("run/0/slice/response2").0, 400);
 
     // The dose is not what prints where the material has a response

@@ -1,6 +1,6 @@
 //! A run as it is read from its folder.
 
-use crate::page::Page;
+use crate::page::{Page, bare_run};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -106,14 +106,17 @@ impl ComparedRun {
         Ok((!grid.is_empty()).then_some(Volume { grid, values }))
     }
 
-    /// `history.csv` as a page holds it: column → numbers, null where there is none.
+    /// What a page shows of the numbers of the run, without its volumes.
     #[must_use]
-    pub fn history_json(&self) -> Value {
+    pub fn bare(&self) -> Value {
+        let mut data = bare_run(&self.name, "done", &self.job_text);
+        data["report"] = self.report.clone();
         let columns = self.history.iter().map(|(name, values)| {
             let values = values.iter().map(|v| Some(*v).filter(|v| v.is_finite()));
             (name.clone(), json!(values.collect::<Vec<_>>()))
         });
-        Value::Object(columns.collect())
+        data["history"] = Value::Object(columns.collect());
+        data
     }
 
     pub(super) fn number(&self, pointer: &str) -> Option<f64> {

@@ -109,22 +109,19 @@ pub(super) struct Film {
     pub(super) codes: Vec<u8>,
 }
 
-/// Pixels of all frames that a page holds of a light, at most.
-const FILM_PIXELS: usize = 6_000_000;
-
 impl Film {
-    /// Every n-th frame of patterns, and means of n × n pixels, so that few enough are left. `white` gets 255.
-    pub(super) fn of(patterns: &Patterns, white: f32) -> Self {
+    /// Every n-th frame of patterns, and means of n × n pixels, so that at most so many pixels are left. `white` gets 255.
+    pub(super) fn of(patterns: &Patterns, white: f32, most: usize) -> Self {
         let [frames, rows, columns] = patterns.grid.shape();
         // Fewer frames first, down to 180 of a turn, then fewer pixels
         let pixels = |every: usize, binned: usize| {
             frames.div_ceil(every) * rows.div_ceil(binned) * columns.div_ceil(binned)
         };
         let few = (frames / 180).max(1);
-        let every = (1..few).find(|&every| pixels(every, 1) <= FILM_PIXELS);
+        let every = (1..few).find(|&every| pixels(every, 1) <= most);
         let every = every.unwrap_or(few);
         let mut binned = 1;
-        while pixels(every, binned) > FILM_PIXELS {
+        while pixels(every, binned) > most && binned < rows.max(columns) {
             binned += 1;
         }
         let kept: Vec<usize> = (0..frames).step_by(every).collect();
@@ -220,11 +217,11 @@ mod tests {
     fn films_keep_white_and_what_is_packed_comes_back() {
         let mut patterns = Patterns::dark(PatternGrid::full_turn(3, 0.0, 2, 2, 0.1));
         patterns.values[5] = 4.0;
-        let film = Film::of(&patterns, 4.0);
+        let film = Film::of(&patterns, 4.0, 100);
         assert_eq!((film.frames.len(), film.binned, film.codes[5]), (3, 1, 255));
         let large = Patterns::dark(PatternGrid::full_turn(720, 0.0, 200, 300, 0.1));
-        let film = Film::of(&large, 1.0);
-        assert!(film.codes.len() <= FILM_PIXELS && film.frames.len() >= 180);
+        let film = Film::of(&large, 1.0, 3_000_000);
+        assert!(film.codes.len() <= 3_000_000 && film.frames.len() >= 180);
         assert_eq!(unpacked(&packed(&film.codes)), Some(film.codes));
         assert_eq!(unpacked("no base64!"), None);
     }

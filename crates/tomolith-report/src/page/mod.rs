@@ -80,7 +80,6 @@ struct FilmInfo<'a> {
     angles_deg: Vec<f64>,
     full_scale: f32,
     pitch_mm: [f64; 2],
-    full: bool,
 }
 
 /// The print's surface, as the page holds it.
@@ -167,18 +166,9 @@ pub fn check_page(
     scene: &Scene,
 ) -> Page {
     let (infos, arrays) = volumes::target(target, labels);
-    let run = json!({
-        "name": part,
-        "state": "check",
-        "report": null,
-        "texts": null,
-        "job": job,
-        "history": {},
-        "volumes": infos,
-        "films": [],
-        "scene": scene,
-        "surface": null,
-    });
+    let mut run = bare_run(part, "check", job);
+    run["volumes"] = json!(infos);
+    run["scene"] = json!(scene);
     let blobs = arrays.into_iter();
     Page {
         data: page_data(PageKind::Check, part, program, vec![run]),
@@ -187,6 +177,23 @@ pub fn check_page(
             .collect(),
         plain: format!("<h1>{}</h1><p>This page needs a script.</p>", escape(part)),
     }
+}
+
+/// What a page knows of a run before there are any results of it.
+#[must_use]
+pub fn bare_run(name: &str, state: &str, job: &str) -> Value {
+    json!({
+        "name": name,
+        "state": state,
+        "report": null,
+        "texts": null,
+        "job": job,
+        "history": {},
+        "volumes": [],
+        "films": [],
+        "scene": null,
+        "surface": null,
+    })
 }
 
 /// The data of a page with these runs.
@@ -250,10 +257,14 @@ fn history(rows: &[HistoryRow]) -> Map<String, Value> {
     columns.into_iter().map(column).chain(responses).collect()
 }
 
+/// Pixels of all frames of all lights that a page holds, at most.
+const FILM_PIXELS: usize = 3_000_000;
+
 fn films<'a>(data: &ReportData<'a>, blobs: &mut Vec<(String, String)>) -> Vec<FilmInfo<'a>> {
+    let most = FILM_PIXELS / data.lights.len().max(1);
     let of = |(i, light): (usize, &crate::LightReport<'a>)| {
         let grid = &light.patterns.grid;
-        let film = Film::of(light.patterns, light.full_scale);
+        let film = Film::of(light.patterns, light.full_scale, most);
         let id = format!("film{i}");
         blobs.push((id.clone(), packed(&film.codes)));
         FilmInfo {
@@ -270,7 +281,6 @@ fn films<'a>(data: &ReportData<'a>, blobs: &mut Vec<(String, String)>) -> Vec<Fi
                 .collect(),
             full_scale: light.full_scale,
             pitch_mm: grid.pitch_mm,
-            full: false,
         }
     };
     data.lights.iter().enumerate().map(of).collect()
@@ -447,7 +457,6 @@ pub(crate) fn compared(runs: &[ComparedRun]) -> Result<(Vec<Value>, Arrays)> {
     let of = |(i, run): (usize, &ComparedRun)| {
         let first = run.page.as_ref().map(|page| &page.data["runs"][0]);
         let texts = first.map_or(Value::Null, |first| first["texts"].clone());
-        let history = run.history_json();
         let mut infos = Vec::new();
         if let Some(dose) = run.read_dose()? {
             let (info, text) = volumes::dose(&dose, most);
@@ -460,18 +469,10 @@ pub(crate) fn compared(runs: &[ComparedRun]) -> Result<(Vec<Value>, Arrays)> {
             blobs.push((format!("blob-{i}-target"), text));
             infos.push(info);
         }
-        Ok(json!({
-            "name": run.name,
-            "state": "done",
-            "report": run.report,
-            "texts": texts,
-            "job": run.job_text,
-            "history": history,
-            "volumes": infos,
-            "films": [],
-            "scene": null,
-            "surface": null,
-        }))
+        let mut data = run.bare();
+        data["texts"] = texts;
+        data["volumes"] = infos.into();
+        Ok(data)
     };
     let all = runs.iter().enumerate().map(of).collect::<Result<_>>()?;
     Ok((all, blobs))

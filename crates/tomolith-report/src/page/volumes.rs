@@ -50,29 +50,24 @@ enum Values<'a> {
     Codes(&'a Volume<u8>),
 }
 
-impl<'a> Source<'a> {
-    fn numbers(
-        kind: &'static str,
-        species: Option<&'a str>,
-        name: &str,
-        volume: &'a Volume<f32>,
-    ) -> Self {
-        Source {
-            kind,
-            species,
-            name: name.to_owned(),
-            unit: "",
-            logarithmic: false,
-            edge: EDGE,
-            values: Values::Numbers(volume),
-        }
+impl<'a> From<&'a Volume<f32>> for Values<'a> {
+    fn from(volume: &'a Volume<f32>) -> Self {
+        Values::Numbers(volume)
     }
+}
 
-    fn codes(
+impl<'a> From<&'a Volume<u8>> for Values<'a> {
+    fn from(volume: &'a Volume<u8>) -> Self {
+        Values::Codes(volume)
+    }
+}
+
+impl<'a> Source<'a> {
+    fn new(
         kind: &'static str,
         species: Option<&'a str>,
         name: &str,
-        volume: &'a Volume<u8>,
+        values: impl Into<Values<'a>>,
     ) -> Self {
         Source {
             kind,
@@ -81,7 +76,7 @@ impl<'a> Source<'a> {
             unit: "",
             logarithmic: false,
             edge: EDGE,
-            values: Values::Codes(volume),
+            values: values.into(),
         }
     }
 
@@ -146,42 +141,42 @@ fn sources<'a>(data: &'a ReportData<'a>) -> Vec<Source<'a>> {
     if data.species.is_empty() {
         all.extend(
             data.inside
-                .map(|inside| Source::numbers("target", None, "target", inside)),
+                .map(|inside| Source::new("target", None, "target", inside)),
         );
-        all.push(Source::codes("labels", None, "labels", data.labels));
-        all.push(Source::numbers("response", None, "dose", data.response));
+        all.push(Source::new("labels", None, "labels", data.labels));
+        all.push(Source::new("response", None, "dose", data.response));
     }
     let of_species = |species: &'a SpeciesReport<'a>| {
         let name = Some(species.name);
         [
-            Source::numbers("target", name, "target", species.inside),
-            Source::codes("labels", name, "labels", species.labels),
-            Source::numbers("response", name, "dose", species.response),
+            Source::new("target", name, "target", species.inside),
+            Source::new("labels", name, "labels", species.labels),
+            Source::new("response", name, "dose", species.response),
         ]
     };
     all.extend(data.species.iter().flat_map(of_species));
     all.extend(
         data.bodies
-            .map(|bodies| Source::codes("bodies", None, "bodies", bodies)),
+            .map(|bodies| Source::new("bodies", None, "bodies", bodies)),
     );
     for network in &data.time {
         let name = (data.time.len() > 1).then_some(network.name);
         all.extend(network.cure_times.map(|times| Source {
             unit: "s",
-            ..Source::numbers("cure_time", name, "time of cure", times)
+            ..Source::new("cure_time", name, "time of cure", times)
         }));
         all.extend(network.snapshots.iter().map(|(seconds, degree)| {
             let moment = format!("degree of cure after {} s", significant(*seconds, 3));
             Source {
                 edge: EDGE_OF_MOMENTS,
-                ..Source::numbers("property", name, &moment, degree)
+                ..Source::new("property", name, &moment, degree)
             }
         }));
     }
     all.extend(data.maps.iter().map(|map| Source {
         unit: map.unit,
         logarithmic: map.is_logarithmic,
-        ..Source::numbers("property", None, map.name, map.values)
+        ..Source::new("property", None, map.name, map.values)
     }));
     all
 }
@@ -216,10 +211,8 @@ fn fitting(sources: &[Source<'_>], most_bytes: usize) -> (Vec<VolumeInfo>, Array
 
 /// The dose of a run on its job's voxels, as text of at most so many bytes.
 pub(super) fn dose(dose: &Volume<f32>, most_bytes: usize) -> (VolumeInfo, String) {
-    let (mut infos, mut texts) = fitting(
-        &[Source::numbers("response", None, "dose", dose)],
-        most_bytes,
-    );
+    let (mut infos, mut texts) =
+        fitting(&[Source::new("response", None, "dose", dose)], most_bytes);
     infos[0].id = "response".to_owned();
     (infos.remove(0), texts.remove(0).1)
 }
@@ -227,7 +220,7 @@ pub(super) fn dose(dose: &Volume<f32>, most_bytes: usize) -> (VolumeInfo, String
 /// What the page knows of a volume of a run that goes on, and its array, deflated.
 #[must_use]
 pub fn volume(id: &str, name: &str, kind: &'static str, values: &Volume<f32>) -> (Value, Vec<u8>) {
-    let source = Source::numbers(kind, None, name, values);
+    let source = Source::new(kind, None, name, values);
     let (info, codes) = source.reduced(id.to_owned(), source.factor(EDGE));
     (json!(info), deflate(&codes))
 }
@@ -235,8 +228,8 @@ pub fn volume(id: &str, name: &str, kind: &'static str, values: &Volume<f32>) ->
 /// The target of a job before it runs.
 pub(super) fn target(inside: &Volume<f32>, labels: &Volume<u8>) -> (Vec<VolumeInfo>, Arrays) {
     let sources = [
-        Source::numbers("target", None, "target", inside),
-        Source::codes("labels", None, "labels", labels),
+        Source::new("target", None, "target", inside),
+        Source::new("labels", None, "labels", labels),
     ];
     fitting(&sources, usize::MAX)
 }
