@@ -244,7 +244,8 @@ class Runs(unittest.TestCase):
 
         with self.assertRaises(tomolith.Canceled):
             self.long().run(resume=True, progress=stop_at_once, cancel=cancel)
-        self.assertGreater(iterations[0], 3)
+        # On from the last whole checkpoint: that of the iteration at hand where there was time to write it, else the one before
+        self.assertGreaterEqual(iterations[0], 3)
 
     def test_an_interrupt_ends_a_run(self):
         # Programs that were started in the background ignore interrupts

@@ -265,14 +265,21 @@ impl Document {
         if place.is_some() || key.starts_with("--") {
             return error;
         }
+        // An error that has its option keeps it, as one that has its place
+        let mut name = |option: &str| {
+            let from = format!(" (from {option})");
+            if !found.ends_with(&from) {
+                found.push_str(&from);
+            }
+        };
         if let Some(option) = self.option_for(key) {
-            found.push_str(&format!(" (from {option})"));
+            name(option);
             return error;
         }
         let mut path = key.as_str();
         loop {
             if let Some(option) = self.overrides.get(path) {
-                found.push_str(&format!(" (from {option})"));
+                name(option);
                 break;
             }
             if let Some(span) = self.places.get(path) {
@@ -583,7 +590,10 @@ mod tests {
             ),
             ("grid", "(from --set grid.pitch_mm=0.5 mm)"),
         ] {
-            let message = document.locate(Error::config(key, "x", "y")).to_string();
+            let located = document.locate(Error::config(key, "x", "y"));
+            let message = located.to_string();
+            // Located once, whoever locates it again
+            assert_eq!(document.locate(located).to_string(), message);
             assert_eq!(message, format!("{key}: x {option}; accepted: y"));
         }
         assert_eq!(line_of(&document, "vial.cylinder"), 3);
