@@ -121,10 +121,14 @@ impl Section {
     ///
     /// # Errors
     /// [`Error::Config`] when the section does not hold exactly one table, or the kind is not in `table`.
-    pub fn kind<'k, B>(&self, table: &'k [Kind<B>]) -> Result<(&'k Kind<B>, Section)> {
-        let names: Vec<&str> = table.iter().map(|kind| kind.name).collect();
+    pub fn kind<'k, B: 'k>(
+        &self,
+        table: impl IntoIterator<Item = &'k Kind<B>>,
+    ) -> Result<(&'k Kind<B>, Section)> {
+        let rows: Vec<&Kind<B>> = table.into_iter().collect();
+        let names: Vec<&str> = rows.iter().map(|kind| kind.name).collect();
         let (index, mut inner) = self.named(&names)?;
-        let row = &table[index];
+        let row = rows[index];
         inner.example = row.example;
         Ok((row, inner))
     }
@@ -416,6 +420,12 @@ pub struct Kind<B> {
     pub schema: fn() -> Schema,
     /// Reads one from its section: the object, or what makes one where that needs more than parameters.
     pub build: B,
+}
+
+impl<B> std::fmt::Debug for Kind<B> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name)
+    }
 }
 
 /// A table of JSON. (`collect` would sort the entries first, by code that is compiled anew for every iterator.)

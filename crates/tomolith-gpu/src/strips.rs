@@ -14,7 +14,8 @@ use std::ops::Range;
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 use tomolith_core::dose::strips::{LightStrips, StripForm, StripGeometry, Taps};
 use tomolith_core::dose::{
-    Accelerator, DoseLayout, DoseModel, LinearOperator, PatternLayout, Run, ZCoupling, frames_of,
+    Accelerator, DoseLayout, DoseModel, Facts, LinearOperator, PatternLayout, Run, Space,
+    ZCoupling, frames_of,
 };
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
@@ -516,22 +517,23 @@ fn pieces_of_frames(gpu: &Gpu, patterns: &[PatternLayout]) -> Vec<usize> {
 impl LinearOperator for GpuStrips {
     type Field = GpuField;
 
-    fn patterns(&self) -> &[PatternLayout] {
-        &self.geometry.of.patterns
+    fn facts(&self) -> Facts<'_> {
+        Facts {
+            patterns: &self.geometry.of.patterns,
+            outputs: std::slice::from_ref(&self.geometry.of.output),
+            z_coupling: ZCoupling::None,
+            is_linear: true,
+        }
     }
 
-    fn outputs(&self) -> &[DoseLayout] {
-        std::slice::from_ref(&self.geometry.of.output)
-    }
-
-    fn new_patterns(&self) -> Result<GpuField> {
-        let lengths = pieces_of_frames(&self.gpu, &self.geometry.of.patterns);
-        let field = GpuField::of_lengths(&self.gpu, lengths);
-        self.gpu.check().map(|()| field)
-    }
-
-    fn new_dose(&self) -> Result<GpuField> {
-        let field = GpuField::for_dose(&self.gpu, self.output());
+    fn new_field(&self, space: Space) -> Result<GpuField> {
+        let field = match space {
+            Space::Dose => GpuField::for_dose(&self.gpu, self.output()),
+            Space::Patterns => {
+                let lengths = pieces_of_frames(&self.gpu, &self.geometry.of.patterns);
+                GpuField::of_lengths(&self.gpu, lengths)
+            }
+        };
         self.gpu.check().map(|()| field)
     }
 
@@ -542,8 +544,7 @@ impl LinearOperator for GpuStrips {
         dose: &mut GpuField,
         run: &Run,
     ) -> Result<()> {
-        for (light, own) in tomolith_core::dose::own_frames(LinearOperator::patterns(self), &frames)
-        {
+        for (light, own) in tomolith_core::dose::own_frames(&self.geometry.of.patterns, &frames) {
             self.add_light(&self.geometry.lights[light], &own, x, dose, run)?;
         }
         self.gpu.submit();
@@ -557,17 +558,12 @@ impl LinearOperator for GpuStrips {
         grad: &mut GpuField,
         run: &Run,
     ) -> Result<()> {
-        for (light, own) in tomolith_core::dose::own_frames(LinearOperator::patterns(self), &frames)
-        {
+        for (light, own) in tomolith_core::dose::own_frames(&self.geometry.of.patterns, &frames) {
             let light = &self.geometry.lights[light];
             self.adjoint_light(light, &own, cotangent, grad, run)?;
         }
         self.gpu.submit();
         self.gpu.check()
-    }
-
-    fn z_coupling(&self) -> ZCoupling {
-        ZCoupling::None
     }
 
     fn updates(&self) -> u64 {
@@ -600,9 +596,9 @@ struct OnHost {
 impl OnHost {
     /// F(x) of some frames on the card.
     fn dose_there(&self, frames: Range<usize>, x: &HostField, run: &Run) -> Result<GpuField> {
-        let mut there = LinearOperator::new_patterns(&self.model)?;
+        let mut there = DoseModel::new_patterns(&self.model)?;
         there.copy_from_host(x.as_slice());
-        let mut dose = LinearOperator::new_dose(&self.model)?;
+        let mut dose = DoseModel::new_dose(&self.model)?;
         self.model.add_forward(frames, &there, &mut dose, run)?;
         Ok(dose)
     }
@@ -611,7 +607,13 @@ impl OnHost {
 impl DoseModel for OnHost {
     type Field = HostField;
 
-    tomolith_core::host_fields!(self => self.model.geometry.of.patterns, std::slice::from_ref(&self.model.geometry.of.output));
+    fn facts(&self) -> Facts<'_> {
+        LinearOperator::facts(&self.model)
+    }
+
+    fn new_field(&self, space: Space) -> Result<HostField> {
+        Ok(self.facts().host_field(space))
+    }
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         let all = 0..frames_of(&self.model.geometry.of.patterns);
@@ -643,21 +645,13 @@ impl DoseModel for OnHost {
         grad: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        let mut there = LinearOperator::new_dose(&self.model)?;
+        let mut there = DoseModel::new_dose(&self.model)?;
         there.copy_from_host(cotangent.as_slice());
-        let mut found = LinearOperator::new_patterns(&self.model)?;
+        let mut found = DoseModel::new_patterns(&self.model)?;
         found.copy_from_host(grad.as_slice());
         self.model.adjoint_of(frames, &there, &mut found, run)?;
         found.read_into(grad.as_mut_slice());
         self.model.gpu.check()
-    }
-
-    fn z_coupling(&self) -> ZCoupling {
-        ZCoupling::None
-    }
-
-    fn is_linear(&self) -> bool {
-        true
     }
 
     fn updates(&self) -> u64 {

@@ -5,7 +5,7 @@ mod common;
 use common::{SMALL, gpu};
 use std::sync::Arc;
 use tomolith_core::check::noise;
-use tomolith_core::dose::{LinearOperator, Run};
+use tomolith_core::dose::{DoseModel, Run};
 use tomolith_core::field::{
     Bounds, ColumnRun, CostKernel, Direction, Field, HalfRamp, HalfRampKernel, HostField, Latest,
     Pairs, PatternCost,
@@ -15,7 +15,7 @@ use tomolith_gpu::{Gpu, GpuField, GpuStrips};
 /// A field of the card with a few pieces: three frames of different length each.
 fn like(gpu: &Gpu) -> GpuField {
     GpuStrips::new(gpu, &tiny::form(), &Run::new())
-        .and_then(|model| LinearOperator::new_patterns(&model))
+        .and_then(|model| DoseModel::new_patterns(&model))
         .unwrap()
 }
 
@@ -308,7 +308,7 @@ fn pairs_give_the_products_and_directions_of_the_host() {
 fn the_half_ramp_and_penalties_are_those_of_the_host() {
     let Some(gpu) = gpu(SMALL) else { return };
     let model = GpuStrips::new(&gpu, &tiny::form(), &Run::new()).unwrap();
-    let like = LinearOperator::new_patterns(&model).unwrap();
+    let like = DoseModel::new_patterns(&model).unwrap();
     let runs = |layout: &tomolith_core::dose::PatternLayout| {
         let run = |run: &tomolith_core::dose::layout::PixelRun| ColumnRun {
             first: run.offset,
@@ -319,7 +319,7 @@ fn the_half_ramp_and_penalties_are_those_of_the_host() {
         frames.map(|runs| runs.iter().map(run).collect()).collect()
     };
     let ramp = HalfRamp {
-        frames: runs(&LinearOperator::patterns(&model)[0]),
+        frames: runs(&model.patterns()[0]),
     };
     let x = Both::noise(8, &like);
     let mut out = Both::noise(9, &like);

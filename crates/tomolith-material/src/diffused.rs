@@ -20,10 +20,11 @@ use crate::diffusion::spectral::{Modes, Spectral};
 use crate::illumination::must_show;
 use crate::schedule::{Exposure, Schedule};
 use std::ops::Range;
-use tomolith_core::dose::{DoseModel, Run, ZCoupling, elements_of, frames_of};
+use tomolith_core::dose::{
+    DoseModel, Facts, Renewal, Run, Space, ZCoupling, elements_of, frames_of,
+};
 use tomolith_core::error::{Error, Result, in_range};
 use tomolith_core::field::{Field, HostField};
-use tomolith_core::forward;
 use tomolith_core::units::exact;
 
 /// A span of even light, counted back from the end, s; its share of the energy.
@@ -220,8 +221,28 @@ fn spans_of(exposures: &[&Exposure], end_s: f64) -> Vec<Span> {
 impl<M: DoseModel<Field = HostField> + ?Sized> DoseModel for Diffused<M> {
     type Field = HostField;
 
-    forward!(self => *self.model; all but z_coupling, describe);
-    forward!(DoseModel, self => *self.model; of_light);
+    fn facts(&self) -> Facts<'_> {
+        Facts {
+            z_coupling: ZCoupling::Full,
+            ..self.model.facts()
+        }
+    }
+
+    fn new_field(&self, space: Space) -> Result<HostField> {
+        self.model.new_field(space)
+    }
+
+    fn updates(&self) -> u64 {
+        self.model.updates()
+    }
+
+    fn renewal(&self) -> Option<&dyn Renewal<HostField>> {
+        self.model.renewal()
+    }
+
+    fn of_light(&self, i: usize) -> Option<std::sync::Arc<crate::Model>> {
+        self.model.of_light(i)
+    }
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         if let [arc] = &self.arcs[..] {
@@ -287,10 +308,6 @@ impl<M: DoseModel<Field = HostField> + ?Sized> DoseModel for Diffused<M> {
             }
         }
         Ok(sums)
-    }
-
-    fn z_coupling(&self) -> ZCoupling {
-        ZCoupling::Full
     }
 
     fn describe(&self) -> String {

@@ -20,11 +20,10 @@ use crate::printing::Printing;
 use crate::schedule::Schedule;
 use crate::{Material, Model, State};
 use std::ops::{ControlFlow, Range};
-use std::sync::{PoisonError, RwLock};
-use tomolith_core::dose::{DoseModel, Run, ZCoupling};
+use std::sync::{Arc, PoisonError, RwLock};
+use tomolith_core::dose::{DoseModel, Facts, Renewal, Run, Space, ZCoupling};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{BLOCK, Field, HostField};
-use tomolith_core::forward;
 use tomolith_core::parallel::InParallel;
 use tomolith_core::response::Identity;
 
@@ -148,11 +147,52 @@ impl Frozen {
     }
 }
 
+impl Renewal<HostField> for Frozen {
+    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
+        let is_due = iteration > 1 && (iteration - 1).is_multiple_of(self.every);
+        if is_due {
+            self.simulate(x, &run.aside())?;
+        }
+        Ok(is_due)
+    }
+
+    fn memory(&self) -> Option<HostField> {
+        let taken = self.taken.read().unwrap_or_else(PoisonError::into_inner);
+        Some(taken.clone())
+    }
+
+    fn restore(&self, memory: &HostField) {
+        let mut taken = self.taken.write().unwrap_or_else(PoisonError::into_inner);
+        taken.copy_from(memory);
+    }
+}
+
 impl DoseModel for Frozen {
     type Field = HostField;
 
-    forward!(self => self.absorbed; all but z_coupling, is_linear, renew, is_renewed, memory, restore, describe);
-    forward!(DoseModel, self => self.absorbed; of_light);
+    fn facts(&self) -> Facts<'_> {
+        Facts {
+            z_coupling: ZCoupling::Full,
+            is_linear: false,
+            ..self.absorbed.facts()
+        }
+    }
+
+    fn new_field(&self, space: Space) -> Result<HostField> {
+        self.absorbed.new_field(space)
+    }
+
+    fn updates(&self) -> u64 {
+        self.absorbed.updates()
+    }
+
+    fn of_light(&self, i: usize) -> Option<Arc<Model>> {
+        self.absorbed.of_light(i)
+    }
+
+    fn renewal(&self) -> Option<&dyn Renewal<HostField>> {
+        Some(self)
+    }
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         self.absorbed.dose(x, dose, run)?;
@@ -194,36 +234,6 @@ impl DoseModel for Frozen {
         };
         terms.iter_mut().for_each(|term| self.scale(term));
         Ok(Some(terms))
-    }
-
-    fn z_coupling(&self) -> ZCoupling {
-        ZCoupling::Full
-    }
-
-    fn is_linear(&self) -> bool {
-        false
-    }
-
-    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
-        let is_due = iteration > 1 && (iteration - 1).is_multiple_of(self.every);
-        if is_due {
-            self.simulate(x, &run.aside())?;
-        }
-        Ok(is_due)
-    }
-
-    fn is_renewed(&self) -> bool {
-        true
-    }
-
-    fn memory(&self) -> Option<HostField> {
-        let taken = self.taken.read().unwrap_or_else(PoisonError::into_inner);
-        Some(taken.clone())
-    }
-
-    fn restore(&self, memory: &HostField) {
-        let mut taken = self.taken.write().unwrap_or_else(PoisonError::into_inner);
-        taken.copy_from(memory);
     }
 
     fn describe(&self) -> String {

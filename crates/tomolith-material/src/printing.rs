@@ -17,11 +17,11 @@ use crate::{Material, Model, State};
 use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::dose::{
-    DoseLayout, DoseModel, PatternLayout, Run, ZCoupling, elements_of, frames_of,
+    DoseLayout, DoseModel, Facts, PatternLayout, Renewal, Run, Space, ZCoupling, elements_of,
+    frames_of,
 };
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
-use tomolith_core::host_fields;
 use tomolith_core::units::concise;
 
 /// See the [module page](self).
@@ -329,10 +329,38 @@ struct Work {
     wanted: Vec<Range<usize>>,
 }
 
+impl Renewal<HostField> for Printing {
+    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
+        let mut any = false;
+        for (light, model) in self.optics.iter().enumerate() {
+            if let Some(model) = model.renewal() {
+                any |= model.renew(iteration, &self.of_light(light, x), run)?;
+            }
+        }
+        Ok(any)
+    }
+}
+
 impl DoseModel for Printing {
     type Field = HostField;
 
-    host_fields!(self => self.patterns, self.outputs);
+    fn facts(&self) -> Facts<'_> {
+        Facts {
+            patterns: &self.patterns,
+            outputs: &self.outputs,
+            z_coupling: if self.material.is_memoryless() {
+                ZCoupling::widest(self.optics.iter().map(|model| model.z_coupling()))
+            } else {
+                ZCoupling::Full
+            },
+            is_linear: self.material.is_memoryless()
+                && self.optics.iter().all(|model| model.is_linear()),
+        }
+    }
+
+    fn new_field(&self, space: Space) -> Result<HostField> {
+        Ok(self.facts().host_field(space))
+    }
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         if self.is_plain() {
@@ -438,35 +466,9 @@ impl DoseModel for Printing {
         self.optics.get(i).cloned()
     }
 
-    fn z_coupling(&self) -> ZCoupling {
-        if !self.material.is_memoryless() {
-            return ZCoupling::Full;
-        }
-        let wider = |a: ZCoupling, b: ZCoupling| match (a, b) {
-            (ZCoupling::Full, _) | (_, ZCoupling::Full) => ZCoupling::Full,
-            (ZCoupling::Halo(a), ZCoupling::Halo(b)) => ZCoupling::Halo(a.max(b)),
-            (ZCoupling::None, other) | (other, ZCoupling::None) => other,
-        };
-        let all = self.optics.iter().map(|model| model.z_coupling());
-        all.fold(ZCoupling::None, wider)
-    }
-
-    fn is_linear(&self) -> bool {
-        self.material.is_memoryless() && self.optics.iter().all(|model| model.is_linear())
-    }
-
-    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
-        let mut any = false;
-        for light in 0..self.optics.len() {
-            any |= self
-                .light(light)
-                .renew(iteration, &self.of_light(light, x), run)?;
-        }
-        Ok(any)
-    }
-
-    fn is_renewed(&self) -> bool {
-        self.optics.iter().any(|model| model.is_renewed())
+    fn renewal(&self) -> Option<&dyn Renewal<HostField>> {
+        let renewed = self.optics.iter().any(|model| model.renewal().is_some());
+        renewed.then_some(self as _)
     }
 
     fn updates(&self) -> u64 {

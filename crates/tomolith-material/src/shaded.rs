@@ -16,10 +16,9 @@
 use crate::{Absorption, Model};
 use std::ops::Range;
 use std::sync::Arc;
-use tomolith_core::dose::{DoseModel, Run};
+use tomolith_core::dose::{DoseModel, Facts, Renewal, Run, Space};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
-use tomolith_core::forward;
 use tomolith_core::parallel::{InParallel, elements, lines};
 
 /// Columns along z that a thread takes at least.
@@ -248,7 +247,21 @@ fn less(depth: f32) -> f32 {
 impl DoseModel for Shaded {
     type Field = HostField;
 
-    forward!(self => *self.model; all but describe);
+    fn facts(&self) -> Facts<'_> {
+        self.model.facts()
+    }
+
+    fn new_field(&self, space: Space) -> Result<HostField> {
+        self.model.new_field(space)
+    }
+
+    fn updates(&self) -> u64 {
+        self.model.updates()
+    }
+
+    fn renewal(&self) -> Option<&dyn Renewal<HostField>> {
+        self.model.renewal()
+    }
 
     fn pullback_of(
         &self,

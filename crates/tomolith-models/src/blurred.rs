@@ -10,9 +10,9 @@
 use super::{DoseModel, HostModel, PatternLayout, Run, ZCoupling, frames_of, own_frames};
 use std::ops::Range;
 use std::sync::Arc;
+use tomolith_core::dose::{Facts, Renewal, Space};
 use tomolith_core::error::Result;
 use tomolith_core::field::{Field, HostField};
-use tomolith_core::forward;
 use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
 use tomolith_optics::point_spread::PointSpread;
@@ -74,6 +74,22 @@ impl Blurred {
 
     fn all(&self) -> Range<usize> {
         0..frames_of(&self.patterns)
+    }
+
+    /// How far light reaches along z from its row, before and in the model.
+    fn z_reach(&self) -> ZCoupling {
+        let of_light = |(layout, spread): (&PatternLayout, &Option<Arc<PointSpread>>)| {
+            let rows = spread.as_ref().map_or(0, |spread| spread.reach()[1]);
+            rows as f64 * layout.grid.pitch_mm[1]
+        };
+        let lights = self.patterns.iter().zip(&self.spreads);
+        let reach = lights.map(of_light).fold(0.0, f64::max);
+        match self.model.z_coupling() {
+            ZCoupling::None if reach == 0.0 => ZCoupling::None,
+            ZCoupling::None => ZCoupling::Halo(reach),
+            ZCoupling::Halo(inner) => ZCoupling::Halo(inner + reach),
+            ZCoupling::Full => ZCoupling::Full,
+        }
     }
 
     /// Bx of some frames; the others are dark.
@@ -179,24 +195,45 @@ impl Carried<'_> {
     }
 }
 
+impl Renewal<HostField> for Blurred {
+    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
+        let lit = self.spread(&self.all(), x)?;
+        let renewal = self.model.renewal();
+        renewal.map_or(Ok(false), |model| model.renew(iteration, &lit, run))
+    }
+
+    fn memory(&self) -> Option<HostField> {
+        self.model.renewal()?.memory()
+    }
+
+    fn restore(&self, memory: &HostField) {
+        if let Some(renewal) = self.model.renewal() {
+            renewal.restore(memory);
+        }
+    }
+}
+
 impl DoseModel for Blurred {
     type Field = HostField;
 
-    forward!(self => *self.model; all but patterns, new_patterns, z_coupling, renew, describe);
-
-    fn patterns(&self) -> &[PatternLayout] {
-        &self.patterns
+    fn facts(&self) -> Facts<'_> {
+        Facts {
+            patterns: &self.patterns,
+            z_coupling: self.z_reach(),
+            ..self.model.facts()
+        }
     }
 
-    fn new_patterns(&self) -> Result<HostField> {
-        Ok(HostField::zeros(
-            self.patterns.iter().map(PatternLayout::len).sum(),
-        ))
+    fn new_field(&self, space: Space) -> Result<HostField> {
+        Ok(self.facts().host_field(space))
     }
 
-    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
-        self.model
-            .renew(iteration, &self.spread(&self.all(), x)?, run)
+    fn updates(&self) -> u64 {
+        self.model.updates()
+    }
+
+    fn renewal(&self) -> Option<&dyn Renewal<HostField>> {
+        self.model.renewal().map(|_| self as _)
     }
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
@@ -233,21 +270,6 @@ impl DoseModel for Blurred {
     fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
         let [x, d] = [self.spread(&self.all(), x)?, self.spread(&self.all(), d)?];
         self.model.along(&x, &d, run)
-    }
-
-    fn z_coupling(&self) -> ZCoupling {
-        let of_light = |(layout, spread): (&PatternLayout, &Option<Arc<PointSpread>>)| {
-            let rows = spread.as_ref().map_or(0, |spread| spread.reach()[1]);
-            rows as f64 * layout.grid.pitch_mm[1]
-        };
-        let lights = self.patterns.iter().zip(&self.spreads);
-        let reach = lights.map(of_light).fold(0.0, f64::max);
-        match self.model.z_coupling() {
-            ZCoupling::None if reach == 0.0 => ZCoupling::None,
-            ZCoupling::None => ZCoupling::Halo(reach),
-            ZCoupling::Halo(own) => ZCoupling::Halo(own + reach),
-            ZCoupling::Full => ZCoupling::Full,
-        }
     }
 
     fn describe(&self) -> String {

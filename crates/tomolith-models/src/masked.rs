@@ -8,12 +8,13 @@
 //! **Cost** a copy of the patterns per call, none where no pixel is dark and the factor is 1.
 
 use super::{DoseModel, HostModel, PatternLayout, Quantity, Run, elements_of};
+use crate::several::SharedModel;
 use std::borrow::Cow;
 use std::ops::Range;
 use tomolith_core::dose::strips::StripForm;
+use tomolith_core::dose::{Facts, Renewal, Space};
 use tomolith_core::error::Result;
 use tomolith_core::field::{BLOCK, Field, HostField};
-use tomolith_core::forward;
 use tomolith_core::grid::Volume;
 use tomolith_core::parallel::{InParallel, table};
 
@@ -129,14 +130,46 @@ pub fn darken(x: &mut [f32], dark: &[bool]) {
     });
 }
 
+impl Renewal<HostField> for MaskedModel {
+    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
+        let renewal = self.model.renewal();
+        renewal.map_or(Ok(false), |model| {
+            model.renew(iteration, &self.masked(x), run)
+        })
+    }
+
+    fn memory(&self) -> Option<HostField> {
+        self.model.renewal()?.memory()
+    }
+
+    fn restore(&self, memory: &HostField) {
+        if let Some(renewal) = self.model.renewal() {
+            renewal.restore(memory);
+        }
+    }
+}
+
 impl DoseModel for MaskedModel {
     type Field = HostField;
 
-    forward!(self => *self.model; all but renew, describe);
-    forward!(DoseModel, self => *self.model; of_light);
+    fn facts(&self) -> Facts<'_> {
+        self.model.facts()
+    }
 
-    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
-        self.model.renew(iteration, &self.masked(x), run)
+    fn new_field(&self, space: Space) -> Result<HostField> {
+        self.model.new_field(space)
+    }
+
+    fn updates(&self) -> u64 {
+        self.model.updates()
+    }
+
+    fn of_light(&self, i: usize) -> Option<SharedModel> {
+        self.model.of_light(i)
+    }
+
+    fn renewal(&self) -> Option<&dyn Renewal<HostField>> {
+        self.model.renewal().map(|_| self as _)
     }
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {

@@ -50,10 +50,10 @@ use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use tomolith_core::dose::{Facts, Space};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
-use tomolith_core::host_fields;
 use tomolith_core::parallel::{InParallel, lines};
 use tomolith_io::csr::Csr;
 
@@ -506,7 +506,22 @@ const CHUNK: usize = 1024;
 impl LinearOperator for MatrixModel {
     type Field = HostField;
 
-    host_fields!(self => self.patterns, std::slice::from_ref(&self.output));
+    fn facts(&self) -> Facts<'_> {
+        Facts {
+            patterns: &self.patterns,
+            outputs: std::slice::from_ref(&self.output),
+            z_coupling: if self.depth > 1 {
+                ZCoupling::None
+            } else {
+                ZCoupling::Full
+            },
+            is_linear: true,
+        }
+    }
+
+    fn new_field(&self, space: Space) -> Result<HostField> {
+        Ok(LinearOperator::facts(self).host_field(space))
+    }
 
     fn add_forward(
         &self,
@@ -558,14 +573,6 @@ impl LinearOperator for MatrixModel {
         run.check()
     }
 
-    fn z_coupling(&self) -> ZCoupling {
-        if self.depth > 1 {
-            ZCoupling::None
-        } else {
-            ZCoupling::Full
-        }
-    }
-
     fn updates(&self) -> u64 {
         self.updates
     }
@@ -607,9 +614,9 @@ mod tests {
         let mut patterns: Vec<_> = Vec::new();
         let (mut x, mut y) = (
             model.new_patterns().unwrap(),
-            LinearOperator::new_patterns(matrix).unwrap(),
+            DoseModel::new_patterns(matrix).unwrap(),
         );
-        for (i, (own, other)) in LinearOperator::patterns(matrix)
+        for (i, (own, other)) in DoseModel::patterns(matrix)
             .iter()
             .zip(model.patterns())
             .enumerate()
@@ -623,10 +630,7 @@ mod tests {
         let (a, b) = (check::dose(model, &x), check::dose(matrix, &y));
         assert!(difference(b.as_slice(), a.as_slice()) < 1e-6);
         let (x, y) = (check::adjoint(model, &a), check::adjoint(matrix, &a));
-        for (own, other) in LinearOperator::patterns(matrix)
-            .iter()
-            .zip(model.patterns())
-        {
+        for (own, other) in DoseModel::patterns(matrix).iter().zip(model.patterns()) {
             let (a, b) = (
                 other.patterns_of(x.as_slice()),
                 own.patterns_of(y.as_slice()),
@@ -676,12 +680,8 @@ mod tests {
         let csr = matrix_of(&model(1), &Run::new()).unwrap();
         let whole = model(19);
         let pixels = vec![light(19).pixels];
-        let matrix = MatrixModel::new(
-            &csr,
-            pixels,
-            LinearOperator::outputs(&whole)[0].grid.clone(),
-        )
-        .unwrap();
+        let matrix =
+            MatrixModel::new(&csr, pixels, DoseModel::outputs(&whole)[0].grid.clone()).unwrap();
         assert_eq!(matrix.depth, 19);
         must_equal(&matrix, &whole);
         check::model::model(&matrix, 5).unwrap();

@@ -6,9 +6,9 @@
 use crate::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling, elements_of};
 use std::ops::Range;
 use std::sync::Arc;
+use tomolith_core::dose::{Facts, Renewal, Space};
 use tomolith_core::error::Result;
 use tomolith_core::field::{Field, HostField};
-use tomolith_core::host_fields;
 
 /// A model that others share.
 pub type SharedModel = Arc<dyn DoseModel<Field = HostField>>;
@@ -63,10 +63,33 @@ impl<J> Several<J> {
     }
 }
 
+impl<J: Joint> Renewal<HostField> for Several<J> {
+    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
+        let mut any = false;
+        for (k, model) in self.models.iter().enumerate() {
+            if let Some(model) = model.renewal() {
+                any |= model.renew(iteration, &J::shown(self, k, x)?, run)?;
+            }
+        }
+        Ok(any)
+    }
+}
+
 impl<J: Joint> DoseModel for Several<J> {
     type Field = HostField;
 
-    host_fields!(self => self.patterns, self.outputs);
+    fn facts(&self) -> Facts<'_> {
+        Facts {
+            patterns: &self.patterns,
+            outputs: &self.outputs,
+            z_coupling: ZCoupling::widest(self.models.iter().map(|model| model.z_coupling())),
+            is_linear: self.models.iter().all(|model| model.is_linear()),
+        }
+    }
+
+    fn new_field(&self, space: Space) -> Result<HostField> {
+        Ok(self.facts().host_field(space))
+    }
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         dose.fill(0.0);
@@ -134,35 +157,9 @@ impl<J: Joint> DoseModel for Several<J> {
         Ok(Some(all))
     }
 
-    /// The coupling that reaches farthest.
-    fn z_coupling(&self) -> ZCoupling {
-        let reach = |coupling: ZCoupling| match coupling {
-            ZCoupling::None => 0.0,
-            ZCoupling::Halo(mm) => mm,
-            ZCoupling::Full => f64::INFINITY,
-        };
-        let reaches = self.models.iter().map(|model| reach(model.z_coupling()));
-        match reaches.fold(0.0, f64::max) {
-            0.0 => ZCoupling::None,
-            mm if mm.is_finite() => ZCoupling::Halo(mm),
-            _ => ZCoupling::Full,
-        }
-    }
-
-    fn is_linear(&self) -> bool {
-        self.models.iter().all(|model| model.is_linear())
-    }
-
-    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
-        let mut any = false;
-        for (k, model) in self.models.iter().enumerate() {
-            any |= model.renew(iteration, &J::shown(self, k, x)?, run)?;
-        }
-        Ok(any)
-    }
-
-    fn is_renewed(&self) -> bool {
-        self.models.iter().any(|model| model.is_renewed())
+    fn renewal(&self) -> Option<&dyn Renewal<HostField>> {
+        let renewed = self.models.iter().any(|model| model.renewal().is_some());
+        renewed.then_some(self as _)
     }
 
     fn updates(&self) -> u64 {

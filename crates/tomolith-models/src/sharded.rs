@@ -16,9 +16,9 @@ use crate::several::SharedModel;
 use crate::{DoseModel, Run};
 use std::ops::Range;
 use std::sync::Arc;
+use tomolith_core::dose::{Facts, Renewal, Space};
 use tomolith_core::error::Result;
 use tomolith_core::field::{Field, HostField};
-use tomolith_core::forward;
 use tomolith_core::ranks::{Communicator, together};
 
 /// A model of this rank's frames, whose dose is that of all ranks' frames; see the [module](self).
@@ -59,11 +59,20 @@ impl Sharded {
 impl DoseModel for Sharded {
     type Field = HostField;
 
-    forward!(self => *self.model; all but new_patterns, updates, describe);
+    fn facts(&self) -> Facts<'_> {
+        self.model.facts()
+    }
 
-    fn new_patterns(&self) -> Result<HostField> {
-        let patterns = self.model.new_patterns()?;
-        Ok(patterns.shared(Arc::clone(&self.ranks)))
+    fn new_field(&self, space: Space) -> Result<HostField> {
+        let field = self.model.new_field(space)?;
+        Ok(match space {
+            Space::Patterns => field.shared(Arc::clone(&self.ranks)),
+            Space::Dose => field,
+        })
+    }
+
+    fn renewal(&self) -> Option<&dyn Renewal<HostField>> {
+        self.model.renewal()
     }
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {

@@ -8,6 +8,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 use tomolith_core::check::noise;
 use tomolith_core::check::small::SmallModel;
+use tomolith_core::dose::DoseModel;
 use tomolith_core::dose::{LinearOperator, Run};
 use tomolith_core::error::Error;
 use tomolith_core::field::{Field, HostField};

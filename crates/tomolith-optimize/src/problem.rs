@@ -329,13 +329,14 @@ impl<'a, F: Field> Problem<'a, F> {
         done
     }
 
-    /// Lets the model [become another map](DoseModel::renew) before the step of an iteration, and says whether it did.
+    /// Lets the model [become another map](tomolith_core::dose::Renewal) before the step of an iteration, and says whether it did.
     ///
     /// # Errors
     /// [`Error::Canceled`], and what refuses a simulation.
     pub fn renew(&mut self, iteration: usize, x: &F) -> Result<bool> {
         let begin = Instant::now();
-        let done = self.model.renew(iteration, x, self.run);
+        let renewal = self.model.renewal();
+        let done = renewal.map_or(Ok(false), |model| model.renew(iteration, x, self.run));
         self.counters.model_s += begin.elapsed().as_secs_f64();
         done
     }
@@ -358,7 +359,7 @@ impl<'a, F: Field> Problem<'a, F> {
     #[must_use]
     pub fn has_lower_bound(&self) -> bool {
         self.model.is_linear()
-            && !self.model.is_renewed()
+            && self.model.renewal().is_none()
             && self.objective().is_convex()
             && self.penalties.is_convex()
             && self.bounds.pieces().all(|(_, _, upper)| upper.is_finite())

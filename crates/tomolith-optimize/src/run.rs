@@ -6,6 +6,7 @@ use super::{Counters, Gap, Optimizer, Position, Problem};
 use serde::{Deserialize, Serialize};
 use std::ops::ControlFlow;
 use std::time::Instant;
+use tomolith_core::dose::Renewal;
 use tomolith_core::error::{Error, Result, above_zero, in_range};
 use tomolith_core::field::Field;
 use tomolith_core::run::Run;
@@ -310,7 +311,7 @@ pub fn run_after<F: Field>(
         if let Some(reason) = state.reason_to_stop(problem, x, stop, observers) {
             let keeps = |own: &&mut Checkpoints| reason == StopReason::Canceled || own.keeps_end();
             if let Some(checkpoints) = checkpoints.as_deref_mut().filter(keeps) {
-                let memory = problem.model().memory();
+                let memory = problem.model().renewal().and_then(Renewal::memory);
                 let saved = state.saved(problem, optimizer, x, memory.as_ref());
                 keep(checkpoints, saved, problem.run(), observers)?;
             }
@@ -323,7 +324,7 @@ pub fn run_after<F: Field>(
             Err(error) => break Err(error),
         }
         if let Some(checkpoints) = checkpoints.as_deref_mut() {
-            let memory = problem.model().memory();
+            let memory = problem.model().renewal().and_then(Renewal::memory);
             let saved = state.saved(problem, optimizer, x, memory.as_ref());
             if checkpoints.is_due(&saved) {
                 keep(checkpoints, saved, problem.run(), observers)?;
@@ -397,10 +398,11 @@ fn begin<F: Field>(
             checkpoint.read_field("dose", &mut dose)?;
             let history = checkpoint.history().to_vec();
             let done = history.last().map_or(0, |row| row.iteration);
-            match problem.model().memory() {
-                Some(mut memory) => {
+            let renewal = problem.model().renewal();
+            match renewal.and_then(|model| Some((model, model.memory()?))) {
+                Some((model, mut memory)) => {
                     checkpoint.read_field("model", &mut memory)?;
-                    problem.model().restore(&memory);
+                    model.restore(&memory);
                 }
                 None => drop(problem.renew(done.max(1), x)?),
             }
@@ -537,7 +539,7 @@ impl<F: Field> State<F> {
         // A method at rest goes on while the response moves
         let is_settled = problem.is_response_settled(response_before(&self.history));
         // On other paths the loss may be above zero again
-        let goes_on = problem.model().is_renewed();
+        let goes_on = problem.model().renewal().is_some();
         // Ranks have clocks and signals of their own
         let is_asked = x.any(problem.is_stop_asked());
         let is_late = stop

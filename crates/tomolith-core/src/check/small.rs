@@ -1,6 +1,8 @@
 //! A small model for the checks: straight rays through a few slices, its matrix written down.
 
-use crate::dose::{DoseLayout, LinearOperator, PatternLayout, Quantity, Run, ZCoupling};
+use crate::dose::{
+    DoseLayout, Facts, LinearOperator, PatternLayout, Quantity, Run, Space, ZCoupling,
+};
 use crate::error::Result;
 use crate::field::HostField;
 use crate::grid::{PatternGrid, Volume, VolumeGrid};
@@ -102,7 +104,18 @@ impl SmallModel {
 impl LinearOperator for SmallModel {
     type Field = HostField;
 
-    crate::host_fields!(self => self.patterns, self.outputs);
+    fn facts(&self) -> Facts<'_> {
+        Facts {
+            patterns: &self.patterns,
+            outputs: &self.outputs,
+            z_coupling: ZCoupling::None,
+            is_linear: true,
+        }
+    }
+
+    fn new_field(&self, space: Space) -> Result<HostField> {
+        Ok(self.facts().host_field(space))
+    }
 
     fn add_forward(
         &self,
@@ -147,10 +160,6 @@ impl LinearOperator for SmallModel {
             }
         }
         Ok(())
-    }
-
-    fn z_coupling(&self) -> ZCoupling {
-        ZCoupling::None
     }
 
     fn updates(&self) -> u64 {

@@ -5,12 +5,11 @@
 //! Layouts say which pixel and which voxel an element of a field is.
 
 pub mod cells;
-mod forward;
 pub mod layout;
 pub mod strips;
 
 use crate::error::Result;
-use crate::field::Field;
+use crate::field::{Field, HostField};
 use crate::grid::VolumeGrid;
 pub use crate::run::{Run, Steps};
 pub use layout::{DoseLayout, PatternLayout, Quantity, elements_of, frames_of, own_frames};
@@ -29,6 +28,67 @@ pub enum ZCoupling {
     Full,
 }
 
+impl ZCoupling {
+    /// The coupling that reaches farthest of several; none of none.
+    pub fn widest(all: impl IntoIterator<Item = ZCoupling>) -> ZCoupling {
+        let wider = |a, b| match (a, b) {
+            (ZCoupling::Full, _) | (_, ZCoupling::Full) => ZCoupling::Full,
+            (ZCoupling::Halo(a), ZCoupling::Halo(b)) => ZCoupling::Halo(a.max(b)),
+            (ZCoupling::None, other) | (other, ZCoupling::None) => other,
+        };
+        all.into_iter().fold(ZCoupling::None, wider)
+    }
+}
+
+/// What a field of a model holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Space {
+    /// The patterns of all lights.
+    Patterns,
+    /// The doses of all species.
+    Dose,
+}
+
+/// What a dose model is, apart from its work. A model around another changes what differs: `Facts { is_linear: false, ..inner.facts() }`.
+#[derive(Clone, Copy, Debug)]
+pub struct Facts<'a> {
+    /// The layout of the patterns of each light.
+    pub patterns: &'a [PatternLayout],
+    /// The layout of the dose of each species.
+    pub outputs: &'a [DoseLayout],
+    /// How far a row reaches along z.
+    pub z_coupling: ZCoupling,
+    /// Whether F is linear, so that F(x + αd) = F(x) + αF(d): one dose call serves a whole line search.
+    pub is_linear: bool,
+}
+
+impl Facts<'_> {
+    /// Zeros in the memory of the host.
+    #[must_use]
+    pub fn host_field(&self, space: Space) -> HostField {
+        HostField::zeros(match space {
+            Space::Patterns => self.patterns.iter().map(PatternLayout::len).sum(),
+            Space::Dose => self.outputs.iter().map(DoseLayout::len).sum(),
+        })
+    }
+}
+
+/// How a map becomes another one between iterations: it draws other Monte Carlo paths, or simulates a print anew.
+pub trait Renewal<F> {
+    /// Before the step of an iteration (the first is 1) from patterns `x`: renews the map where the model's schedule wants it, and says whether
+    /// it did.
+    ///
+    /// # Errors
+    /// [`Error::Canceled`](crate::Error::Canceled), and what refuses a simulation.
+    fn renew(&self, iteration: usize, x: &F, run: &Run) -> Result<bool>;
+    /// What earlier patterns have left in the map, where the number of the iteration does not tell: checkpoints keep it.
+    fn memory(&self) -> Option<F> {
+        None
+    }
+    /// Makes the map that which had this [memory](Self::memory).
+    fn restore(&self, _memory: &F) {}
+}
+
 /// A map from patterns to dose with its exact derivative.
 ///
 /// Patterns of all lights lie one after the other in one field, and so do the doses of all species; the layouts say
@@ -37,10 +97,24 @@ pub trait DoseModel: Send + Sync {
     /// Where the numbers live.
     type Field: Field;
 
-    /// One per light.
-    fn patterns(&self) -> &[PatternLayout];
-    /// One per species.
-    fn outputs(&self) -> &[DoseLayout];
+    /// What the model is, apart from its work.
+    fn facts(&self) -> Facts<'_>;
+    /// The layouts of its patterns: [`Facts::patterns`].
+    fn patterns(&self) -> &[PatternLayout] {
+        self.facts().patterns
+    }
+    /// The layouts of its doses: [`Facts::outputs`].
+    fn outputs(&self) -> &[DoseLayout] {
+        self.facts().outputs
+    }
+    /// [`Facts::z_coupling`].
+    fn z_coupling(&self) -> ZCoupling {
+        self.facts().z_coupling
+    }
+    /// [`Facts::is_linear`].
+    fn is_linear(&self) -> bool {
+        self.facts().is_linear
+    }
     /// What the unknowns of all lights are.
     fn quantity(&self) -> Quantity {
         self.patterns()[0].quantity
@@ -49,16 +123,25 @@ pub trait DoseModel: Send + Sync {
     fn grid(&self) -> &VolumeGrid {
         &self.outputs()[0].grid
     }
+    /// Zeros as patterns or as a dose.
+    ///
+    /// # Errors
+    /// When there is not enough memory.
+    fn new_field(&self, space: Space) -> Result<Self::Field>;
     /// Dark patterns.
     ///
     /// # Errors
     /// When there is not enough memory.
-    fn new_patterns(&self) -> Result<Self::Field>;
+    fn new_patterns(&self) -> Result<Self::Field> {
+        self.new_field(Space::Patterns)
+    }
     /// Zero dose.
     ///
     /// # Errors
     /// When there is not enough memory.
-    fn new_dose(&self) -> Result<Self::Field>;
+    fn new_dose(&self) -> Result<Self::Field> {
+        self.new_field(Space::Dose)
+    }
     /// F(x); overwrites `dose`. By default that of all frames.
     ///
     /// # Errors
@@ -121,28 +204,10 @@ pub trait DoseModel: Send + Sync {
         self.dose(d, &mut term, run)?;
         Ok(Some(vec![term]))
     }
-    /// How far a row reaches along z.
-    fn z_coupling(&self) -> ZCoupling;
-    /// Whether F is linear, so that F(x + αd) = F(x) + αF(d): one dose call serves a whole line search.
-    fn is_linear(&self) -> bool;
-    /// Before the step of an iteration (the first is 1) from patterns `x`: draws other Monte Carlo paths, or simulates a print anew, where the model's
-    /// schedule wants it, and says whether it did. It is another map then.
-    ///
-    /// # Errors
-    /// [`Error::Canceled`](crate::Error::Canceled), and what refuses a simulation.
-    fn renew(&self, _iteration: usize, _x: &Self::Field, _run: &Run) -> Result<bool> {
-        Ok(false)
-    }
-    /// Whether [`renew`](Self::renew) ever does.
-    fn is_renewed(&self) -> bool {
-        false
-    }
-    /// What earlier patterns have left in the map, where it is more than the number of the iteration says: checkpoints keep it.
-    fn memory(&self) -> Option<Self::Field> {
+    /// How the map changes between iterations, if it ever does.
+    fn renewal(&self) -> Option<&dyn Renewal<Self::Field>> {
         None
     }
-    /// Makes the map that which had this [memory](Self::memory).
-    fn restore(&self, _memory: &Self::Field) {}
     /// Voxel-angle updates of one dose call after all masks: what throughput is counted in.
     fn updates(&self) -> u64;
     /// The model of light `i` alone, with one output, where the doses of the lights are computed one by one; None where they are not.
@@ -176,20 +241,13 @@ pub trait LinearOperator: Send + Sync {
     /// Where the numbers live.
     type Field: Field;
 
-    /// One per light.
-    fn patterns(&self) -> &[PatternLayout];
-    /// One per species.
-    fn outputs(&self) -> &[DoseLayout];
-    /// Dark patterns.
+    /// What the model is, apart from its work; `is_linear` is true.
+    fn facts(&self) -> Facts<'_>;
+    /// Zeros as patterns or as a dose.
     ///
     /// # Errors
     /// When there is not enough memory.
-    fn new_patterns(&self) -> Result<Self::Field>;
-    /// Zero dose.
-    ///
-    /// # Errors
-    /// When there is not enough memory.
-    fn new_dose(&self) -> Result<Self::Field>;
+    fn new_field(&self, space: Space) -> Result<Self::Field>;
     /// dose += A x, of these frames only.
     ///
     /// # Errors
@@ -221,17 +279,11 @@ pub trait LinearOperator: Send + Sync {
     ) -> Result<()>;
     /// Number of frames of all lights.
     fn frames(&self) -> usize {
-        frames_of(self.patterns())
+        frames_of(self.facts().patterns)
     }
-    /// How far a row reaches along z.
-    fn z_coupling(&self) -> ZCoupling;
-    /// As [`DoseModel::renew`], whatever the patterns are.
-    fn renew(&self, _iteration: usize) -> bool {
-        false
-    }
-    /// As [`DoseModel::is_renewed`].
-    fn is_renewed(&self) -> bool {
-        false
+    /// As [`DoseModel::renewal`].
+    fn renewal(&self) -> Option<&dyn Renewal<Self::Field>> {
+        None
     }
     /// Voxel-angle updates of one forward call after all masks.
     fn updates(&self) -> u64;
@@ -246,10 +298,28 @@ pub trait LinearOperator: Send + Sync {
 impl<A: LinearOperator> DoseModel for A {
     type Field = A::Field;
 
-    crate::forward!(LinearOperator, self => *self; patterns, outputs, new_patterns, new_dose, z_coupling, is_renewed, updates, strips, describe);
+    fn facts(&self) -> Facts<'_> {
+        LinearOperator::facts(self)
+    }
 
-    fn renew(&self, iteration: usize, _x: &Self::Field, _run: &Run) -> Result<bool> {
-        Ok(LinearOperator::renew(self, iteration))
+    fn new_field(&self, space: Space) -> Result<Self::Field> {
+        LinearOperator::new_field(self, space)
+    }
+
+    fn renewal(&self) -> Option<&dyn Renewal<Self::Field>> {
+        LinearOperator::renewal(self)
+    }
+
+    fn updates(&self) -> u64 {
+        LinearOperator::updates(self)
+    }
+
+    fn strips(&self) -> Option<StripForm> {
+        LinearOperator::strips(self)
+    }
+
+    fn describe(&self) -> String {
+        LinearOperator::describe(self)
     }
 
     fn dose_of(
@@ -271,9 +341,5 @@ impl<A: LinearOperator> DoseModel for A {
         run: &Run,
     ) -> Result<()> {
         self.adjoint_of(frames, cotangent, grad, run)
-    }
-
-    fn is_linear(&self) -> bool {
-        true
     }
 }

@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use tomolith_core::check;
 use tomolith_core::check::small::SmallModel;
 use tomolith_core::check::taylor::Remainders;
-use tomolith_core::forward;
+use tomolith_core::dose::{Facts, Renewal, Space};
 use tomolith_core::response::{Logistic, Response, logistic};
 
 fn small() -> SmallModel {
@@ -227,7 +227,25 @@ struct Counting(SmallModel, Arc<AtomicUsize>);
 impl DoseModel for Counting {
     type Field = HostField;
 
-    forward!(self => self.0; all);
+    fn facts(&self) -> Facts<'_> {
+        self.0.facts()
+    }
+
+    fn new_field(&self, space: Space) -> Result<HostField> {
+        self.0.new_field(space)
+    }
+
+    fn updates(&self) -> u64 {
+        self.0.updates()
+    }
+
+    fn renewal(&self) -> Option<&dyn Renewal<HostField>> {
+        self.0.renewal()
+    }
+
+    fn describe(&self) -> String {
+        self.0.describe()
+    }
 
     fn dose_of(
         &self,

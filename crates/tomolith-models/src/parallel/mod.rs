@@ -99,10 +99,10 @@ use std::ops::Range;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use tiles::{BLOCK, TILE, Tile, TileEntries};
 use tomolith_core::dose::strips::StripForm;
+use tomolith_core::dose::{Facts, Space};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField, LANES};
 use tomolith_core::grid::VolumeGrid;
-use tomolith_core::host_fields;
 use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
@@ -701,7 +701,18 @@ fn tile_rows<'a>(
 impl LinearOperator for Parallel {
     type Field = HostField;
 
-    host_fields!(self => self.patterns, std::slice::from_ref(&self.output));
+    fn facts(&self) -> Facts<'_> {
+        Facts {
+            patterns: &self.patterns,
+            outputs: std::slice::from_ref(&self.output),
+            z_coupling: ZCoupling::None,
+            is_linear: true,
+        }
+    }
+
+    fn new_field(&self, space: Space) -> Result<HostField> {
+        Ok(self.facts().host_field(space))
+    }
 
     fn add_forward(
         &self,
@@ -735,10 +746,6 @@ impl LinearOperator for Parallel {
             }
         }
         Ok(())
-    }
-
-    fn z_coupling(&self) -> ZCoupling {
-        ZCoupling::None
     }
 
     fn updates(&self) -> u64 {

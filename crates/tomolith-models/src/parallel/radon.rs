@@ -286,9 +286,10 @@ fn mean_of_clamped(a: f64, b: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Run;
     use crate::parallel::Parallel;
-    use crate::{LinearOperator, Run};
     use tomolith_core::check;
+    use tomolith_core::dose::DoseModel;
     use tomolith_core::field::HostField;
     use tomolith_core::grid::Volume;
     use tomolith_core::near;

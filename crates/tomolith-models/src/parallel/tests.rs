@@ -7,6 +7,7 @@ use super::walls::Walls;
 use super::*;
 use crate::selection;
 use tomolith_core::check::{self, difference};
+use tomolith_core::dose::DoseModel;
 use tomolith_core::grid::{PatternGrid, Patterns, Volume};
 use tomolith_core::near;
 use tomolith_optics::resin::Resin;
@@ -40,7 +41,7 @@ fn vials() -> Vec<Box<dyn Vial>> {
 }
 
 fn dose_of(model: &Parallel, patterns: &[f32]) -> Volume<f32> {
-    let mut dose = LinearOperator::new_dose(model).unwrap();
+    let mut dose = DoseModel::new_dose(model).unwrap();
     model
         .add_forward(
             0..model.frames(),
@@ -178,7 +179,7 @@ fn zeros_that_are_left_out_change_nothing() {
             let both: Vec<f32> = part.iter().zip(&rest).map(|(a, b)| a + b).collect();
             assert!(difference(&both, &all) < 1e-6, "{vial:?}, {isa:?}: dose");
             let adjoint = |seed: u64, is_sparse: bool| {
-                let mut c = LinearOperator::new_dose(&model).unwrap();
+                let mut c = DoseModel::new_dose(&model).unwrap();
                 let len = c.len();
                 let (few, many) = (sparse(seed, len), check::noise(9, len));
                 for ((to, few), many) in c.as_mut_slice().iter_mut().zip(few).zip(many) {
@@ -525,7 +526,7 @@ fn a_single_pixel_lights_the_voxel_it_should() {
     .unwrap();
     let mut patterns = tomolith_core::grid::Patterns::dark(light.pixels);
     patterns.values[(10 + 2) * 20 + 15] = 1.0; // frame 1, row 2, column 15
-    let mut field = LinearOperator::new_patterns(&model).unwrap();
+    let mut field = DoseModel::new_patterns(&model).unwrap();
     model.patterns[0].fill_field(&patterns, field.as_mut_slice());
     let dose = dose_of(&model, field.as_slice());
     for (i, &value) in dose.values.iter().enumerate() {
@@ -644,11 +645,11 @@ fn opposite_frames_are_one_view_and_change_nothing() {
         let single = Parallel::new(&vial, halves.to_vec(), grid).unwrap();
         assert_eq!(paired.lights[0].of_view.len(), 5);
         assert_eq!(single.lights[0].of_view.len(), 5);
-        assert_eq!(paired.updates(), single.updates());
+        assert_eq!(DoseModel::updates(&paired), DoseModel::updates(&single));
         check::model::model(&paired, 3).unwrap();
         let x = HostField::from_slice(&check::noise(5, paired.patterns[0].len()));
         let dose_of = |model: &Parallel, frames: Range<usize>| {
-            let mut dose = LinearOperator::new_dose(model).unwrap();
+            let mut dose = DoseModel::new_dose(model).unwrap();
             model
                 .add_forward(frames, &x, &mut dose, &Run::new())
                 .unwrap();
@@ -740,7 +741,7 @@ fn dose_by(vial: &dyn Vial, light: &Light, grid: &VolumeGrid, patterns: &Pattern
         ..light.clone()
     };
     let model = Parallel::new(vial, vec![light], grid.clone()).unwrap();
-    let mut x = LinearOperator::new_patterns(&model).unwrap();
+    let mut x = DoseModel::new_patterns(&model).unwrap();
     model.patterns[0].fill_field(patterns, x.as_mut_slice());
     dose_of(&model, x.as_slice()).values
 }

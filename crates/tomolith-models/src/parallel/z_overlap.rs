@@ -390,7 +390,7 @@ mod tests {
     use super::super::Parallel;
     use super::super::kernel::Isa;
     use super::*;
-    use crate::{LinearOperator, Run};
+    use crate::{DoseModel, LinearOperator, Run};
     use tomolith_core::check::{self, model::model, noise};
     use tomolith_core::field::Field;
     use tomolith_optics::light::Light;
@@ -439,11 +439,11 @@ mod tests {
     ) -> (Vec<f32>, Vec<f32>) {
         let model = Parallel::new(vial, vec![light], slices()).unwrap();
         assert_eq!(model.lights[0].levels.spread.is_some(), times == 1);
-        let mut x = LinearOperator::new_patterns(&model).unwrap();
+        let mut x = DoseModel::new_patterns(&model).unwrap();
         for (i, x) in x.as_mut_slice().iter_mut().enumerate() {
             *x = values[i / times];
         }
-        let mut dose = LinearOperator::new_dose(&model).unwrap();
+        let mut dose = DoseModel::new_dose(&model).unwrap();
         (model.add_forward(0..6, &x, &mut dose, &Run::new())).unwrap();
         let mut cotangent = dose.zeros_like();
         let row = model.outputs()[0].row;

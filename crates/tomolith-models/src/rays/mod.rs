@@ -77,13 +77,12 @@ use scatter_grid::ScatterGrid;
 use segment::{Lattice, Segment};
 use solid::Solid;
 use source::Source;
-use std::num::NonZeroUsize;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
+use tomolith_core::dose::{Facts, Renewal, Space};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{HostField, LANES};
 use tomolith_core::grid::VolumeGrid;
-use tomolith_core::host_fields;
 use tomolith_core::kind::{Section, schema_of};
 use tomolith_core::units::exact;
 use tomolith_optics::light::Light;
@@ -538,10 +537,34 @@ fn refuse(light: &Light, optics: &Optics) -> Result<()> {
     Ok(())
 }
 
+impl Renewal<HostField> for Rays {
+    /// Draws other paths, whatever the patterns are.
+    fn renew(&self, iteration: usize, _x: &HostField, _run: &Run) -> Result<bool> {
+        let round = (iteration.saturating_sub(1) / self.renew) as u64;
+        let renewed: Vec<bool> = self.sources.iter().map(|s| s.renew(round)).collect();
+        Ok(renewed.contains(&true))
+    }
+}
+
 impl LinearOperator for Rays {
     type Field = HostField;
 
-    host_fields!(self => self.patterns, std::slice::from_ref(&self.output));
+    fn facts(&self) -> Facts<'_> {
+        Facts {
+            patterns: &self.patterns,
+            outputs: std::slice::from_ref(&self.output),
+            z_coupling: if self.is_level {
+                ZCoupling::None
+            } else {
+                ZCoupling::Full
+            },
+            is_linear: true,
+        }
+    }
+
+    fn new_field(&self, space: Space) -> Result<HostField> {
+        Ok(self.facts().host_field(space))
+    }
 
     fn add_forward(
         &self,
@@ -664,25 +687,8 @@ impl LinearOperator for Rays {
         Ok(())
     }
 
-    fn renew(&self, iteration: usize) -> bool {
-        let Some(every) = NonZeroUsize::new(self.renew) else {
-            return false;
-        };
-        let round = (iteration.saturating_sub(1) / every) as u64;
-        let renewed: Vec<bool> = self.sources.iter().map(|s| s.renew(round)).collect();
-        renewed.contains(&true)
-    }
-
-    fn is_renewed(&self) -> bool {
-        self.renew > 0
-    }
-
-    fn z_coupling(&self) -> ZCoupling {
-        if self.is_level {
-            ZCoupling::None
-        } else {
-            ZCoupling::Full
-        }
+    fn renewal(&self) -> Option<&dyn Renewal<HostField>> {
+        (self.renew > 0).then_some(self as _)
     }
 
     /// Voxels that all segments pass: planes of each axis they cross, summed.

@@ -110,6 +110,7 @@ mod tests {
     use crate::LinearOperator;
     use crate::rays::{Optics, Params};
     use tomolith_core::check;
+    use tomolith_core::dose::DoseModel;
     use tomolith_core::field::Field;
     use tomolith_core::grid::PatternGrid;
     use tomolith_optics::light::Light;
@@ -143,7 +144,7 @@ mod tests {
                 weights.push(Box::new(move |direction| direction[axis]));
             }
             let run = Run::new();
-            let mut plain = LinearOperator::new_dose(&rays).unwrap();
+            let mut plain = DoseModel::new_dose(&rays).unwrap();
             let mut doses = vec![plain.clone(); 4];
             rays.add_weighted(0..1, &x, &weights, &mut doses, &run)
                 .unwrap();
@@ -155,7 +156,7 @@ mod tests {
                 let found = plain.dot(&doses[1 + axis]) / plain.dot(&plain);
                 assert!((found - expected).abs() < 1e-5, "{azimuth}: {axis} {found}");
             }
-            let mut grad = LinearOperator::new_patterns(&rays).unwrap();
+            let mut grad = DoseModel::new_patterns(&rays).unwrap();
             rays.collect_weighted(0..1, &doses, &weights, &mut grad, &run)
                 .unwrap();
             let norm: f64 = doses.iter().map(|dose| dose.dot(dose)).sum();

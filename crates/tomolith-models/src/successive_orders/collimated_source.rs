@@ -11,6 +11,7 @@ use crate::parallel::Parallel;
 use crate::{LinearOperator, Run};
 use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
+use tomolith_core::dose::DoseModel;
 use tomolith_core::error::Result;
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
@@ -54,10 +55,10 @@ impl UnscatteredSource for CollimatedSource {
     }
 
     fn fields(&self, frames: Range<usize>, x: &[f32], run: &Run) -> Result<Vec<HostField>> {
-        let mut weighted = LinearOperator::new_patterns(&self.parallel)?;
+        let mut weighted = DoseModel::new_patterns(&self.parallel)?;
         let of_channel = |weights: &Vec<f32>| {
             self.bins.fill(x, weights, weighted.as_mut_slice());
-            let mut field = LinearOperator::new_dose(&self.parallel)?;
+            let mut field = DoseModel::new_dose(&self.parallel)?;
             self.parallel
                 .add_forward(frames.clone(), &weighted, &mut field, run)?;
             Ok(field)
@@ -72,7 +73,7 @@ impl UnscatteredSource for CollimatedSource {
         grad: &mut [f32],
         run: &Run,
     ) -> Result<()> {
-        let mut own = LinearOperator::new_patterns(&self.parallel)?;
+        let mut own = DoseModel::new_patterns(&self.parallel)?;
         for (field, weights) in fields.iter().zip(&self.weights) {
             self.parallel
                 .adjoint_of(frames.clone(), field, &mut own, run)?;

@@ -10,6 +10,7 @@ use crate::rays::Rays;
 use crate::rays::weighted::Weight;
 use crate::{LinearOperator, Run};
 use std::ops::Range;
+use tomolith_core::dose::DoseModel;
 use tomolith_core::error::Result;
 use tomolith_core::field::HostField;
 
@@ -52,9 +53,9 @@ impl UnscatteredSource for DivergentSource {
     }
 
     fn fields(&self, frames: Range<usize>, x: &[f32], run: &Run) -> Result<Vec<HostField>> {
-        let mut binned = LinearOperator::new_patterns(&self.rays)?;
+        let mut binned = DoseModel::new_patterns(&self.rays)?;
         self.bins.fill(x, &self.even, binned.as_mut_slice());
-        let dark = |_| LinearOperator::new_dose(&self.rays);
+        let dark = |_| DoseModel::new_dose(&self.rays);
         let mut fields: Vec<HostField> = (self.channels.iter()).map(dark).collect::<Result<_>>()?;
         self.rays
             .add_weighted(frames, &binned, &self.weights, &mut fields, run)?;
@@ -68,7 +69,7 @@ impl UnscatteredSource for DivergentSource {
         grad: &mut [f32],
         run: &Run,
     ) -> Result<()> {
-        let mut own = LinearOperator::new_patterns(&self.rays)?;
+        let mut own = DoseModel::new_patterns(&self.rays)?;
         self.rays
             .collect_weighted(frames.clone(), fields, &self.weights, &mut own, run)?;
         self.bins.add_back(frames, own.as_slice(), &self.even, grad);

@@ -83,9 +83,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::Arc;
+use tomolith_core::dose::{Facts, Space};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
-use tomolith_core::forward;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::kind::{Section, schema_of};
 use tomolith_core::units::exact;
@@ -369,7 +369,16 @@ impl SuccessiveOrders {
 impl LinearOperator for SuccessiveOrders {
     type Field = HostField;
 
-    forward!(LinearOperator, self => *self.straight.operator(); patterns, outputs, new_patterns, new_dose);
+    fn facts(&self) -> Facts<'_> {
+        Facts {
+            z_coupling: ZCoupling::Full,
+            ..self.straight.operator().facts()
+        }
+    }
+
+    fn new_field(&self, space: Space) -> Result<HostField> {
+        self.straight.operator().new_field(space)
+    }
 
     fn add_forward(
         &self,
@@ -400,10 +409,6 @@ impl LinearOperator for SuccessiveOrders {
             scattered_light.add_adjoint(&frames, c, grad, run)?;
         }
         Ok(())
-    }
-
-    fn z_coupling(&self) -> ZCoupling {
-        ZCoupling::Full
     }
 
     fn updates(&self) -> u64 {

@@ -496,7 +496,7 @@ fn pixels_three_times_as_high_beside_the_axis_are_three_equal_ones() {
         )
         .unwrap();
         check::model::model(&model, 3).unwrap();
-        let layout = &LinearOperator::patterns(&model)[0];
+        let layout = &DoseModel::patterns(&model)[0];
         let mut x = vec![0.0; layout.len()];
         layout.fill_field(&patterns, &mut x);
         by_height.push(dose(&model, &x).values);

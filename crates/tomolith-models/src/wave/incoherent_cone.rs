@@ -59,14 +59,14 @@ use crate::parallel;
 use crate::rays::Rays;
 use crate::{
     Capabilities, Cost, DoseLayout, HostModel, LinearOperator, MakeFamily, ModelFamily, ModelInput,
-    ModelKind, OpticalScene, Run, TimedBy, ZCoupling,
+    ModelKind, OpticalScene, Run, TimedBy,
 };
 use std::ops::Range;
 use std::sync::Arc;
+use tomolith_core::dose::{Facts, Space};
 use tomolith_core::error::Result;
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::VolumeGrid;
-use tomolith_core::host_fields;
 use tomolith_core::kind::{Section, schema_of};
 use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
@@ -236,7 +236,18 @@ impl IncoherentCone {
 impl LinearOperator for IncoherentCone {
     type Field = HostField;
 
-    host_fields!(self => self.0.patterns, std::slice::from_ref(&self.0.output));
+    fn facts(&self) -> Facts<'_> {
+        Facts {
+            patterns: &self.0.patterns,
+            outputs: std::slice::from_ref(&self.0.output),
+            z_coupling: self.0.halo(),
+            is_linear: true,
+        }
+    }
+
+    fn new_field(&self, space: Space) -> Result<HostField> {
+        Ok(self.facts().host_field(space))
+    }
 
     fn add_forward(
         &self,
@@ -258,10 +269,6 @@ impl LinearOperator for IncoherentCone {
     ) -> Result<()> {
         let anywhere = grad.zeros_like();
         self.0.pull_back(frames, &anywhere, cotangent, grad, run)
-    }
-
-    fn z_coupling(&self) -> ZCoupling {
-        self.0.halo()
     }
 
     fn updates(&self) -> u64 {
@@ -315,7 +322,7 @@ mod tests {
         let spread =
             IncoherentCone::new(&VIAL, vec![light.clone()], &params, grid.clone()).unwrap();
         let parallel = Parallel::new(&VIAL, vec![light.clone()], grid).unwrap();
-        let mut x = LinearOperator::new_patterns(&spread).unwrap();
+        let mut x = DoseModel::new_patterns(&spread).unwrap();
         for (i, value) in x.as_mut_slice().iter_mut().enumerate() {
             let (u, z) = (
                 light.pixels.column_u(i / 20 % 24),

@@ -86,7 +86,7 @@ use super::parallel;
 use super::rays::Rays;
 use super::{
     Capabilities, Cost, DoseLayout, DoseModel, HostModel, MakeFamily, ModelFamily, ModelInput,
-    ModelKind, OpticalScene, Purpose, Quantity, Run, TimedBy, ZCoupling,
+    ModelKind, OpticalScene, Purpose, Quantity, Run, TimedBy,
 };
 use beam::{Beam, Spreading};
 pub use coherent::BandLimit;
@@ -101,10 +101,10 @@ use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, SQRT_2, TAU};
 use std::ops::Range;
 use std::sync::Arc;
+use tomolith_core::dose::{Facts, Space};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
-use tomolith_core::host_fields;
 use tomolith_core::kind::{Section, schema_of};
 use tomolith_core::units::{concise, exact};
 use tomolith_optics::light::Light;
@@ -479,7 +479,18 @@ fn modes_of(beam: &Beam, params: &Params) -> Vec<Mode> {
 impl DoseModel for Wave {
     type Field = HostField;
 
-    host_fields!(self => self.0.patterns, std::slice::from_ref(&self.0.output));
+    fn facts(&self) -> Facts<'_> {
+        Facts {
+            patterns: &self.0.patterns,
+            outputs: std::slice::from_ref(&self.0.output),
+            z_coupling: self.0.halo(),
+            is_linear: false,
+        }
+    }
+
+    fn new_field(&self, space: Space) -> Result<HostField> {
+        Ok(self.facts().host_field(space))
+    }
 
     fn pullback_of(
         &self,
@@ -510,14 +521,6 @@ impl DoseModel for Wave {
             light.add_along(layout, [x.as_slice(), d.as_slice()], doses, run)?;
         }
         Ok(Some(terms.into()))
-    }
-
-    fn z_coupling(&self) -> ZCoupling {
-        self.0.halo()
-    }
-
-    fn is_linear(&self) -> bool {
-        false
     }
 
     fn updates(&self) -> u64 {

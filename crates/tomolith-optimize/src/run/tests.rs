@@ -9,9 +9,8 @@ use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use tomolith_core::check::{self, small::SmallModel};
-use tomolith_core::dose::{DoseModel, Run};
+use tomolith_core::dose::{DoseModel, Facts, Renewal, Run, Space};
 use tomolith_core::field::HostField;
-use tomolith_core::forward;
 use tomolith_core::response::Identity;
 use tomolith_objective::Objective;
 use tomolith_objective::check::of_ring;
@@ -308,18 +307,33 @@ impl Twisted {
     }
 }
 
-impl DoseModel for Twisted {
-    type Field = HostField;
-
-    forward!(self => self.inner; all but is_linear, renew, is_renewed, describe);
-
+impl Renewal<HostField> for Twisted {
     fn renew(&self, iteration: usize, _x: &HostField, _run: &Run) -> Result<bool> {
         let round = self.every.map_or(0, |every| (iteration - 1) / every) as u64;
         Ok(self.round.swap(round, Ordering::Relaxed) != round)
     }
+}
 
-    fn is_renewed(&self) -> bool {
-        self.every.is_some()
+impl DoseModel for Twisted {
+    type Field = HostField;
+
+    fn facts(&self) -> Facts<'_> {
+        Facts {
+            is_linear: !self.squared,
+            ..self.inner.facts()
+        }
+    }
+
+    fn new_field(&self, space: Space) -> Result<HostField> {
+        self.inner.new_field(space)
+    }
+
+    fn updates(&self) -> u64 {
+        self.inner.updates()
+    }
+
+    fn renewal(&self) -> Option<&dyn Renewal<HostField>> {
+        self.every.map(|_| self as _)
     }
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
@@ -359,10 +373,6 @@ impl DoseModel for Twisted {
 
     fn along(&self, _: &HostField, _: &HostField, _: &Run) -> Result<Option<Vec<HostField>>> {
         Ok(None)
-    }
-
-    fn is_linear(&self) -> bool {
-        !self.squared
     }
 
     fn describe(&self) -> String {
@@ -687,7 +697,20 @@ struct Induced(SmallModel, f32);
 impl DoseModel for Induced {
     type Field = HostField;
 
-    forward!(self => self.0; all but is_linear, describe);
+    fn facts(&self) -> Facts<'_> {
+        Facts {
+            is_linear: false,
+            ..self.0.facts()
+        }
+    }
+
+    fn new_field(&self, space: Space) -> Result<HostField> {
+        self.0.new_field(space)
+    }
+
+    fn updates(&self) -> u64 {
+        self.0.updates()
+    }
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
         self.0.dose(x, dose, run)?;
@@ -714,10 +737,6 @@ impl DoseModel for Induced {
 
     fn dose_of(&self, _: Range<usize>, _: &HostField, _: &mut HostField, _: &Run) -> Result<()> {
         unreachable!("optimizers ask for all frames")
-    }
-
-    fn is_linear(&self) -> bool {
-        false
     }
 
     fn describe(&self) -> String {

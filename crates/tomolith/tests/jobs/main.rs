@@ -3,6 +3,7 @@
 mod bclp_orderings;
 mod co_optimize;
 mod drawn;
+mod foreign_model;
 mod in_time;
 mod layers;
 mod light_in_time;

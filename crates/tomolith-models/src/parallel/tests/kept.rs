@@ -2,6 +2,7 @@
 
 use super::*;
 use std::sync::Arc;
+use tomolith_core::dose::DoseModel;
 
 #[test]
 fn kept_entries_give_what_is_found_anew_and_pass_the_model_check() {
@@ -30,7 +31,7 @@ fn kept_entries_give_what_is_found_anew_and_pass_the_model_check() {
                 let [expected, dose] = [&plain, &kept].map(|model| dose_of(model, &x).values);
                 let off = check::largest_difference(&dose, &expected);
                 assert!(off < 2e-6, "{what}: {off}");
-                let mut cotangent = LinearOperator::new_dose(&plain).unwrap();
+                let mut cotangent = DoseModel::new_dose(&plain).unwrap();
                 let noise = check::noise(2, cotangent.len());
                 for (i, c) in cotangent.as_mut_slice().iter_mut().enumerate() {
                     *c = if i / 32 % 7 == 3 { noise[i] } else { 0.0 };
@@ -88,11 +89,11 @@ fn entries_of_a_part_of_the_turn_serve_all_of_it() {
             frames / quarters - 2..frames / quarters + 3,
         ] {
             let own = [&plain, &kept].map(|model| {
-                let mut dose = LinearOperator::new_dose(model).unwrap();
-                let mut given = LinearOperator::new_patterns(model).unwrap();
+                let mut dose = DoseModel::new_dose(model).unwrap();
+                let mut given = DoseModel::new_patterns(model).unwrap();
                 given.as_mut_slice().copy_from_slice(&x);
                 (model.add_forward(some.clone(), &given, &mut dose, &Run::new())).unwrap();
-                let mut gradient = LinearOperator::new_patterns(model).unwrap();
+                let mut gradient = DoseModel::new_patterns(model).unwrap();
                 (model.adjoint_of(some.clone(), &dose, &mut gradient, &Run::new())).unwrap();
                 [dose, gradient]
             });
@@ -148,9 +149,9 @@ fn a_stopped_run_keeps_no_half_of_the_entries() {
     );
     let grid = VolumeGrid::centered([21, 35, 37], 0.1);
     let model = keeping(vials()[0].as_ref(), light, grid);
-    let (run, x) = (Run::new(), LinearOperator::new_patterns(&model).unwrap());
+    let (run, x) = (Run::new(), DoseModel::new_patterns(&model).unwrap());
     run.cancel();
-    let mut dose = LinearOperator::new_dose(&model).unwrap();
+    let mut dose = DoseModel::new_dose(&model).unwrap();
     let stopped = model.add_forward(0..9, &x, &mut dose, &run);
     assert!(matches!(stopped, Err(Error::Canceled)));
     assert!(model.cache[0].get().is_none());
@@ -171,10 +172,10 @@ fn single_entries_of_a_slice_are_found_once_and_have_the_same_bits() {
             // Once to find them, once to read them
             let doses = [&plain, &kept, &kept].map(|model| dose_of(model, &x).values);
             assert!(doses[0] == doses[1] && doses[0] == doses[2], "{what}");
-            let mut cotangent = LinearOperator::new_dose(&plain).unwrap();
+            let mut cotangent = DoseModel::new_dose(&plain).unwrap();
             cotangent.as_mut_slice().copy_from_slice(&doses[0]);
             let [expected, found] = [&plain, &kept].map(|model| {
-                let mut gradient = LinearOperator::new_patterns(model).unwrap();
+                let mut gradient = DoseModel::new_patterns(model).unwrap();
                 let run = Run::new();
                 model.adjoint(&cotangent, &mut gradient, &run).unwrap();
                 gradient.as_slice().to_vec()

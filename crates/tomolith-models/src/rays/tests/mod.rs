@@ -339,7 +339,7 @@ fn both_kernels_equal_a_brute_force_walk_in_f64() {
                 if is_plain {
                     model = model.plain();
                 }
-                let mut x = LinearOperator::new_patterns(&model).unwrap();
+                let mut x = DoseModel::new_patterns(&model).unwrap();
                 let values = check::noise(1, x.len());
                 x.copy_from_host(&values.iter().map(|v| v.abs()).collect::<Vec<_>>());
                 let (exact, found) = (brute_force(&model, x.as_slice()), dose(&model, &x));
@@ -514,13 +514,13 @@ fn walks_that_are_kept_are_those_that_are_walked() {
             let x = check::noisy_patterns(&kept, 1);
             // Some of the frames only, on top of what is there
             let some = |model: &Rays| {
-                let mut dose = LinearOperator::new_dose(model).unwrap();
+                let mut dose = DoseModel::new_dose(model).unwrap();
                 dose.fill(0.5);
                 model.add_forward(1..4, &x, &mut dose, &Run::new()).unwrap();
                 dose.as_slice().to_vec()
             };
             let back = |model: &Rays| {
-                let mut c = LinearOperator::new_dose(model).unwrap();
+                let mut c = DoseModel::new_dose(model).unwrap();
                 c.copy_from_host(&check::noise(2, c.len()));
                 let grad = check::adjoint(model, &c);
                 grad.as_slice().to_vec()
@@ -576,7 +576,7 @@ fn rows_that_are_followed_together_leave_what_single_rays_leave() {
             let found = check::model::model(&together, 3).unwrap();
             assert!(found.adjoint_error < 1e-6, "{vial:?}: {found:?}");
             let x = check::noisy_patterns(&single, 1);
-            let mut c = LinearOperator::new_dose(&single).unwrap();
+            let mut c = DoseModel::new_dose(&single).unwrap();
             c.copy_from_host(&check::noise(2, c.len()));
             let both = [&together, &single].map(|model| {
                 let grad = check::adjoint(model, &c);
@@ -604,7 +604,7 @@ fn light_that_may_leave_its_slice_couples_slices() {
             &Params::default(),
             grid.clone(),
         );
-        let is_apart = matches!(LinearOperator::z_coupling(&model), ZCoupling::None);
+        let is_apart = matches!(DoseModel::z_coupling(&model), ZCoupling::None);
         assert_eq!(
             is_apart,
             ["collimated", "off axis"].contains(&name),
@@ -622,10 +622,7 @@ fn light_that_may_leave_its_slice_couples_slices() {
             &Params::default(),
             grid.clone(),
         );
-        assert!(matches!(
-            LinearOperator::z_coupling(&model),
-            ZCoupling::Full
-        ));
+        assert!(matches!(DoseModel::z_coupling(&model), ZCoupling::Full));
     }
 }
 
@@ -692,7 +689,7 @@ fn an_image_beside_the_axis_is_a_part_of_a_larger_one_for_every_optics() {
                     ..light(1, 1, 1, 0.2)
                 };
                 let model = rays(vial.as_ref(), light, &optics, &params, grid.clone());
-                let mut x = LinearOperator::new_patterns(&model).unwrap();
+                let mut x = DoseModel::new_patterns(&model).unwrap();
                 model.patterns[0].fill_field(patterns, x.as_mut_slice());
                 if patterns.grid == small {
                     check::model::model(&model, 3).unwrap();

@@ -64,10 +64,12 @@ fn a_scattering_resin_is_an_exact_pair_whose_energy_is_accounted_for() {
         &light,
         &grid,
     );
-    assert!(!LinearOperator::renew(&renewed, 2) && LinearOperator::renew(&renewed, 3));
+    let renewal = DoseModel::renewal(&renewed).unwrap();
+    let renew = |iteration| renewal.renew(iteration, &x, &Run::new()).unwrap();
+    assert!(!renew(2) && renew(3));
     let second = dose(&renewed, &x);
     assert!(second != wide && (sum(&second) / sum(&wide) - 1.0).abs() < 0.02);
-    assert!(LinearOperator::renew(&renewed, 1));
+    assert!(renew(1));
     assert_eq!(dose(&renewed, &x), wide);
     // In a grid that holds all the resin and the cells around it, dose is what the balance says was absorbed
     light.pixels = PatternGrid::full_turn(1, 0.2, 3, 3, 0.2);
@@ -211,7 +213,7 @@ fn what_cells_smear_out_comes_back_on_either_side_of_the_edge_of_a_pattern() {
         let model = monte_carlo::model(&GLASS, &lights, &optics, &params, grid.clone()).unwrap();
         let straight =
             monte_carlo::straight(&GLASS, &lights, &optics, &params, grid.clone()).unwrap();
-        let mut x = LinearOperator::new_patterns(&model).unwrap();
+        let mut x = DoseModel::new_patterns(&model).unwrap();
         for (i, x) in x.as_mut_slice().iter_mut().enumerate() {
             *x = f32::from(u8::from(i % 24 < 12));
         }
@@ -261,7 +263,7 @@ fn scattered_light_is_an_exact_pair_with_cells_too() {
         .unwrap()
     };
     for smooth in [1, 3] {
-        let mut x = LinearOperator::new_patterns(&whole(smooth)).unwrap();
+        let mut x = DoseModel::new_patterns(&whole(smooth)).unwrap();
         x.fill(1.0);
         let expected = dose(&whole(smooth), &x);
         let model = whole(smooth).with_cells(Arc::clone(&solid));

@@ -86,7 +86,7 @@ use crate::job::spec::kinds::known_elsewhere;
 use crate::job::spec::read::Job;
 use crate::job::spec::species::{Row, at_species};
 use crate::models::parallel::kernel::Isa;
-use crate::models::{DoseLayout, Family, OpticalScene, Purpose, Run, planner};
+use crate::models::{DoseLayout, Family, ModelKind, OpticalScene, Purpose, Run, planner};
 use crate::objective::{ObjectiveInput, Sum};
 use crate::optics::light::Light;
 use crate::optics::vial::Vial;
@@ -123,6 +123,8 @@ pub struct ResolvedJob {
     spec: JobSpec,
     /// The folder that files of the tables begin in.
     pub(crate) base: PathBuf,
+    /// Rows of models beyond [`MODELS`](crate::models::MODELS).
+    models: &'static [ModelKind],
     /// Name of the part.
     pub(crate) name: String,
     /// What hardens in the resin: one species at least.
@@ -170,7 +172,8 @@ impl ResolvedJob {
     /// As [`new`](Self::new); [`Error::Canceled`].
     pub(crate) fn under(job: &Job, run: &Run) -> Result<Self> {
         Isa::asked()?;
-        Self::resolve(job, run).map_err(|e| with_others(&job.document, &job.base(), job.locate(e)))
+        Self::resolve(job, run)
+            .map_err(|e| with_others((&job.document, job.models), &job.base(), job.locate(e)))
     }
 
     /// The job's voxels; those of the optimization and the evaluation are finer.
@@ -227,7 +230,7 @@ impl ResolvedJob {
     fn resolve(job: &Job, run: &Run) -> Result<Self> {
         let (spec, base) = (&job.spec, job.base());
         time_refusals::must_fit(spec)?;
-        let mut optics = Optics::new(spec, &base)?;
+        let mut optics = Optics::with_models(spec, &base, job.models)?;
         let printers = machine::printers(spec, &base, &optics.lights)?;
         let mut notes = optics.leave_dark(printers.as_deref().unwrap_or_default());
         let method = Method::read(spec, &base).map_err(known_elsewhere)?;
@@ -293,6 +296,7 @@ impl ResolvedJob {
             method,
             scenarios: Vec::new(),
             spec: spec.clone(),
+            models: job.models,
             base,
             optics,
             printers,

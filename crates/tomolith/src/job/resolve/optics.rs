@@ -13,7 +13,7 @@ use crate::job::spec::{
     DoseConvention, JobSpec, LightSpec, MapSpec, Region, ResinSpec, VialCommon,
 };
 use crate::kind::Section;
-use crate::models::{Family, MODELS, OpticalScene, Purpose, planner, rays};
+use crate::models::{Family, MODELS, ModelKind, OpticalScene, Purpose, planner, rays};
 use crate::optics::absorption_map::AbsorptionMap;
 use crate::optics::gradient::IndexGradient;
 use crate::optics::light::{Light, Selection};
@@ -67,6 +67,18 @@ impl Optics {
     /// # Errors
     /// [`Error::Config`], and what reading a map says; `base` is the folder of the job file.
     pub(crate) fn new(spec: &JobSpec, base: &Path) -> Result<Self> {
+        Self::with_models(spec, base, &[])
+    }
+
+    /// The same, where the model may also be one of these rows.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub(crate) fn with_models(
+        spec: &JobSpec,
+        base: &Path,
+        models: &'static [ModelKind],
+    ) -> Result<Self> {
         let (kind, section) = Section::new("vial", spec.vial.kind.clone())
             .based(base)
             .kind(VIALS)?;
@@ -75,7 +87,7 @@ impl Optics {
         let gradient = gradient_of(spec, vial.as_ref())?;
         let read = |value: &Value| {
             let section = Section::new("model", value.clone()).based(base);
-            let (kind, section) = section.kind(MODELS)?;
+            let (kind, section) = section.kind(MODELS.iter().chain(models))?;
             (kind.build.read)(&section)
         };
         let model = spec.model.as_ref().map(read).transpose()?;

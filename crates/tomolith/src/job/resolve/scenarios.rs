@@ -52,7 +52,7 @@ pub(crate) fn of_job(resolved: &ResolvedJob) -> Result<Vec<Scenario>> {
 impl Scenario {
     fn new(job: &ResolvedJob, name: String, set: &Map<String, Value>) -> Result<Self> {
         let spec = job.spec.changed(set, &job.base)?;
-        let mut optics = Optics::new(&spec, &job.base)?;
+        let mut optics = Optics::with_models(&spec, &job.base, job.models)?;
         let printers = machine::printers(&spec, &job.base, &optics.lights)?;
         optics.leave_dark(printers.as_deref().unwrap_or_default());
         if spec.target.insert_shadow.unwrap_or(true) {

@@ -11,7 +11,7 @@ use crate::error::{Error, Result};
 use crate::field::HostField;
 use crate::job::spec::JobSpec;
 use crate::kind::{MISSING, Section};
-use crate::models::MODELS;
+use crate::models::{MODELS, ModelKind};
 use crate::objective::objectives;
 use crate::objective::penalty::penalties;
 use crate::objective::voxel_weights::Common;
@@ -36,8 +36,12 @@ vial = { index_matched = { radius_mm = 8.0 } }
 light = [{ pixels = [128, 128], angles = 360, projector = { collimated = { pixel_pitch_mm = 0.05 } } }]
 "#;
 
-/// The first error of a document with all others of its keys, in the order of the file.
-pub(crate) fn with_others(document: &Document, base: &Path, first: Error) -> Error {
+/// The first error of a document with all others of its keys, in the order of the file; `models` are known beside the house's.
+pub(crate) fn with_others(
+    (document, models): (&Document, &'static [ModelKind]),
+    base: &Path,
+    first: Error,
+) -> Error {
     let mut copy = document.clone();
     let (mut told, mut touched) = (Vec::new(), Vec::new());
     let mut next = first;
@@ -56,7 +60,7 @@ pub(crate) fn with_others(document: &Document, base: &Path, first: Error) -> Err
             break;
         };
         touched.push(mended);
-        match read(&copy, base) {
+        match read((&copy, models), base) {
             Ok(()) => break,
             Err(error) => next = error,
         }
@@ -72,10 +76,10 @@ pub(crate) fn with_others(document: &Document, base: &Path, first: Error) -> Err
 }
 
 /// Reads a document as far as keys go: tables, parameters of kinds, ranges.
-fn read(document: &Document, base: &Path) -> Result<()> {
+fn read((document, models): (&Document, &'static [ModelKind]), base: &Path) -> Result<()> {
     let spec = JobSpec::from_document(document)?;
     let keys = || -> Result<()> {
-        kinds(&spec, base)?;
+        kinds((&spec, models), base)?;
         for s in 0..spec.species.len().max(1) {
             minimized(&spec.of_species(s), base)?;
         }
@@ -85,7 +89,7 @@ fn read(document: &Document, base: &Path) -> Result<()> {
 }
 
 /// What light meets, and the part.
-fn kinds(spec: &JobSpec, base: &Path) -> Result<()> {
+fn kinds((spec, models): (&JobSpec, &'static [ModelKind]), base: &Path) -> Result<()> {
     let section = |key: &str, value: &Value| Section::new(key, value.clone()).based(base);
     if let Some(phantom) = &spec.target.phantom {
         let (kind, section) = section("target.phantom", phantom).kind(PHANTOMS)?;
@@ -99,7 +103,7 @@ fn kinds(spec: &JobSpec, base: &Path) -> Result<()> {
         (kind.build)(&section)?;
     }
     if let Some(model) = &spec.model {
-        let (kind, section) = section("model", model).kind(MODELS)?;
+        let (kind, section) = section("model", model).kind(MODELS.iter().chain(models))?;
         (kind.build.read)(&section)?;
     }
     Ok(())

@@ -8,6 +8,7 @@ use super::{not_finite, profiles, validate};
 use crate::error::{Error, Result};
 use crate::exposure::PrinterSpec;
 use crate::job::spec::{Angles, JobSpec, default_objective};
+use crate::models::ModelKind;
 use crate::target::TargetSpec;
 use std::path::{Path, PathBuf};
 
@@ -36,6 +37,8 @@ pub struct Job {
     pub(crate) overwrite: bool,
     /// Whether it is a quick trial of the job that was read.
     pub(crate) is_toy: bool,
+    /// Rows of models beyond [`MODELS`](crate::models::MODELS).
+    pub(crate) models: &'static [ModelKind],
 }
 
 impl Job {
@@ -62,19 +65,28 @@ impl Job {
     ///
     /// # Errors
     /// [`Error::Config`] with key path, file and line, or the override's name.
-    pub fn from_document(mut document: Document) -> Result<Self> {
+    pub fn from_document(document: Document) -> Result<Self> {
+        Self::with_models(document, &[])
+    }
+
+    /// A job from a document, whose `[model]` may also be one of these rows: models of another crate.
+    ///
+    /// # Errors
+    /// As [`from_document`](Self::from_document).
+    pub fn with_models(mut document: Document, models: &'static [ModelKind]) -> Result<Self> {
         let base = base_of(&document);
         profiles::fill(&mut document.root, &base).map_err(|e| document.locate(e))?;
         let spec = JobSpec::from_document(&document).and_then(|spec| {
             validate::ranges(&spec).map_err(|e| document.locate(e))?;
             Ok(spec)
         });
-        let spec = spec.map_err(|first| with_others(&document, &base, first))?;
+        let spec = spec.map_err(|first| with_others((&document, models), &base, first))?;
         Ok(Job {
             document,
             spec,
             overwrite: false,
             is_toy: false,
+            models,
         })
     }
 
