@@ -6,8 +6,8 @@
 //! four largest sizes, and what 1024³ voxels with 1000 angles would take: the largest size times the larger power of the fitted one and the
 //! theory's (memory: N³). FOLDER gets four pictures. See docs/growth.md.
 //!
-//! `growth from FILE [FOLDER]` takes the sizes from the table in a page in place of measuring them; `growth one MODEL N` measures one size
-//! and prints dose and adjoint, processor s, and peak, MB.
+//! `growth from FILE [FOLDER]` takes the sizes from a file (docs/images/growth-sizes.txt) in place of measuring them; `growth one MODEL N`
+//! measures one size and prints dose and adjoint, processor s, and peak, MB.
 //! Processor time is of all threads (Linux).
 #![expect(clippy::print_stdout, reason = "a study prints its table")]
 
@@ -397,7 +397,7 @@ fn print_fits(all: &[(&Case, Vec<Size>)]) {
     println!("\n{ASSUMED}");
 }
 
-/// The sizes in the table of a page, as this program prints them.
+/// The sizes in a table, as this program prints it.
 fn read(file: &Path) -> Fallible<Vec<(&'static Case, Vec<Size>)>> {
     let text = std::fs::read_to_string(file)?;
     let of = |case: &'static Case| {
