@@ -369,7 +369,7 @@ fn buildup(given: &BuildupArguments) -> Result<()> {
     answer.finish(given.files.manner, given.files.output.as_deref(), &files)
 }
 
-/// Doses at the radii that are asked for against time, as a table and a plot.
+/// Doses at the radii of `--at` against time, as a table and a plot.
 fn over_time(given: &BuildupArguments, vial: &TurningVial) -> [String; 2] {
     let phase = given.phase_deg.to_radians();
     let mut rows: Vec<Vec<f64>> = Vec::new();
@@ -495,7 +495,7 @@ fn impulse(given: &ImpulseArguments) -> Result<()> {
     answer.finish(given.files.manner, given.files.output.as_deref(), &files)
 }
 
-/// Both profiles, each over its own largest value.
+/// Both profiles, each divided by its largest value.
 fn profile_plot(post: &Post, plain: &[[f64; 2]], corrected: &[[f64; 2]]) -> String {
     let normal = |profile: &[[f64; 2]]| -> Vec<[f64; 2]> {
         let most = profile

@@ -174,7 +174,7 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
     Ok(())
 }
 
-/// What a plan says beside its numbers.
+/// What a plan says besides its numbers.
 struct Beside {
     /// Process windows over the dose that gels, by the names of species.
     windows: Vec<(String, f64)>,

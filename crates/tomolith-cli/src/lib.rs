@@ -2,7 +2,7 @@
 //!
 //! [`main_with`] is the whole command: the program `tomolith` calls it, and so does the Python package, whose wheel brings the command along.
 //!
-//! Exit codes: 0 done · 1 ran, but the asked quality was not met · 2 could not run · 130 canceled.
+//! Exit codes: 0 done · 1 ran, but the required quality was not met · 2 could not run · 130 canceled.
 
 mod analyze;
 mod answer;
@@ -50,7 +50,7 @@ use view::Live;
 
 /// Done.
 const DONE: u8 = 0;
-/// Ran, but the asked quality was not met.
+/// Ran, but the required quality was not met.
 const NOT_MET: u8 = 1;
 /// Could not run.
 const REFUSED: u8 = 2;
@@ -68,7 +68,7 @@ pub fn main_with(words: &[OsString], itself: &[OsString]) -> u8 {
     // Nobody else does it where the process is not this program's
     screen::take(std::io::stdout().flush());
     match screen::unsaid() {
-        // What was asked for has not arrived
+        // The output did not reach its reader
         Some(error) => {
             screen::mutter(&format!("error: standard output: {error}"));
             REFUSED
@@ -249,7 +249,7 @@ fn remark_on_launcher(command: &Command) {
     }
 }
 
-/// `tomolith run`: whether all jobs met the quality that they ask for. A job that cannot run is told, and the next one begins.
+/// `tomolith run`: whether all jobs met the quality that they require. For a job that cannot run it prints the error, and begins the next one.
 fn runs(given: &RunArguments, ranks: Option<&Ranks>) -> Result<bool> {
     prepare(given.manner)?;
     let several = given.jobs.len() > 1;
@@ -302,7 +302,7 @@ fn runs(given: &RunArguments, ranks: Option<&Ranks>) -> Result<bool> {
     }
 }
 
-/// One job: whether the asked quality was met.
+/// One job: whether the required quality was met.
 fn run(
     file: &Path,
     given: &RunArguments,
@@ -340,7 +340,7 @@ fn watched(job: &Job, given: &RunArguments, cancel: &Arc<Run>) -> Result<bool> {
     Ok(summary.is_met())
 }
 
-/// `tomolith simulate`: whether the asked quality was met.
+/// `tomolith simulate`: whether the required quality was met.
 fn simulate(given: &SimulateArguments) -> Result<bool> {
     ranks::must_be_alone("simulate")?;
     prepare(given.manner)?;
@@ -365,7 +365,7 @@ fn print(given: &SimulateArguments) -> Result<bool> {
     simulate(given)
 }
 
-/// `tomolith sweep`: whether no run failed, and one meets what is asked.
+/// `tomolith sweep`: whether no run failed, and one meets `best.where`.
 fn sweep(given: &sweep::SweepArguments, ranks: Option<&Ranks>) -> Result<bool> {
     prepare(given.manner)?;
     let manner = given.manner.of_rank(ranks);
@@ -472,7 +472,7 @@ fn prepare(manner: Manner) -> Result<()> {
 /// Requests to stop that follow each other within this time are one.
 const ECHO: Duration = Duration::from_millis(300);
 
-/// What is said when a stop is asked for, by people or by a launcher.
+/// The line on the screen after a request to stop, by people or by a launcher.
 const STOPPING: &str = "\nstopping: the iteration at hand is given 0.4 s";
 const STOPPING_RANKS: &str = "\nasked to stop: ranks stop after this iteration. Where one of them has died the launcher ends the others, and \
     `--resume` goes on from the last checkpoint";

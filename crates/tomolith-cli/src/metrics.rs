@@ -288,7 +288,7 @@ fn labels(given: &MetricsArguments, target: &Volume<f32>) -> Result<Volume<u8>> 
     ))
 }
 
-/// Refuses arrays without a voxel of the part: nothing can be said of its print.
+/// Refuses arrays without a voxel of the part: such a print has no metrics.
 fn must_have_part(given: &MetricsArguments, labels: &Volume<u8>) -> Result<()> {
     if labels.values.contains(&PART) {
         return Ok(());

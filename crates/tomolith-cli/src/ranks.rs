@@ -1,7 +1,7 @@
 //! The processes that an MPI launcher started with this one (feature `mpi`): `mpirun -n 2 tomolith run …`.
 //!
 //! Without the feature, and where the launcher started one process, there are none. MPI ends when the last holder of the ranks lets go of
-//! them: after everything was said, since a launcher ends all processes when one of them has ended badly.
+//! them: after all output, since a launcher ends all processes when one of them has ended badly.
 
 use std::sync::Arc;
 use tomolith::ranks::{Communicator, together};
@@ -105,7 +105,7 @@ mod world {
 
     /// The ranks, where there are several; whether a panic of one of them ends all, which might wait for it for ever.
     pub(crate) fn started(panic_ends_all: bool) -> Option<Ranks> {
-        // The work runs in a thread of its own, one call at a time
+        // The work runs in a separate thread, one call at a time
         let (universe, _) = mpi::initialize_with_threading(Threading::Serialized)?;
         let world = universe.world();
         let (rank, size) = (world.rank() as usize, world.size() as usize);

@@ -1,4 +1,4 @@
-//! `tomolith reproduce`: the numbers of a paper beside ours.
+//! `tomolith reproduce`: the numbers of a paper next to ours.
 
 use crate::arguments::{Manner, command_line};
 use crate::screen::{mutter, say};
@@ -140,7 +140,7 @@ impl Host for Typed<'_> {
     }
 }
 
-/// This command in a process of its own, as studies run it: how it is started, its threads, and what ends it.
+/// This command in a separate process, as studies run it: how it is started, its threads, and what ends it.
 #[derive(Clone, Copy, Debug)]
 pub struct Itself<'r> {
     /// The program, and words before those of the command.
@@ -203,7 +203,7 @@ impl Itself<'_> {
         let mut command = Command::new(program);
         command.current_dir(folder).args(first).args(words);
         command.args(self.manner_words());
-        // In a group of its own: Ctrl-C at a terminal is passed on once, and not told twice
+        // In a separate process group: Ctrl-C at a terminal reaches the command once, not twice
         #[cfg(unix)]
         std::os::unix::process::CommandExt::process_group(&mut command, 0);
         let child = (command.stdin(Stdio::null()))
@@ -233,7 +233,7 @@ impl Itself<'_> {
 /// How often a request to stop is looked for while a command works.
 const PAUSE: Duration = Duration::from_millis(50);
 
-/// What a command said until it ended; a request to stop is passed on to it once.
+/// What a command printed until it ended; a request to stop is passed on to it once.
 fn ended(mut child: Child, cancel: &Run) -> std::io::Result<Output> {
     let (out, err) = (child.stdout.take(), child.stderr.take());
     thread::scope(|scope| {

@@ -31,7 +31,7 @@ pub(crate) fn take(written: std::io::Result<()>) {
     }
 }
 
-/// Tells why something that was said did not arrive; None when all of it did.
+/// Why some of the output did not reach the screen; None when all of it did.
 pub(crate) fn unsaid() -> Option<&'static std::io::Error> {
     REFUSED.get()
 }
@@ -95,7 +95,7 @@ impl Screen {
         }
     }
 
-    /// Nothing but what is said elsewhere.
+    /// No lines of progress.
     pub(crate) fn silent() -> Self {
         Screen {
             style: Style::Quiet,

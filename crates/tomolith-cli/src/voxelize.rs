@@ -229,7 +229,7 @@ fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>, run: &Run
     Ok(())
 }
 
-/// The voxels that are asked for: round the part, or exactly so many of this edge about its middle.
+/// The grid of the options: round the part, or exactly so many voxels of this edge about its middle.
 fn grid_of(given: &Sampling, bounds: [[f64; 3]; 2]) -> Result<VolumeGrid> {
     // The pitch alone says whether it can be used
     let from_pitch = |pitch| default_grid(bounds, Resolution::Pitch(pitch)).map_err(as_option);

@@ -62,7 +62,7 @@ pub enum Error {
     Io {
         /// The file or folder.
         path: PathBuf,
-        /// What the system said.
+        /// The message of the system.
         source: std::io::Error,
     },
     /// A file could be read but does not hold what it should.
@@ -115,7 +115,7 @@ pub enum Error {
     /// A graphics card is not there, or failed.
     #[error("graphics card {name}: {found}")]
     Device {
-        /// The card, or what was asked for.
+        /// The card, or the name that the job gives.
         name: String,
         /// What is wrong.
         found: String,

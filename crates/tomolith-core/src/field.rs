@@ -4,7 +4,7 @@
 //! one in this machine's memory; a device has its own. The meaning of an element (which pixel, which voxel) is in the
 //! model's layouts.
 //!
-//! Every operation has a name, and none takes code of the host. What an operation needs beside fields and numbers is plain data
+//! Every operation has a name, and none takes code of the host. What an operation needs besides fields and numbers is plain data
 //! that a backend compiles once, for where its fields live: [`Bounds`], [`BandLoss`] (bands, weights, response), [`PatternCost`].
 //!
 //! **What a backend implements**

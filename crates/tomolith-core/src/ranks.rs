@@ -89,7 +89,7 @@ pub trait Communicator: Debug + Send + Sync {
     }
 }
 
-/// What a rank tells of its work: it is done, asked to stop, or failed.
+/// What a rank reports of its work: it is done, got a request to stop, or failed.
 fn code<T>(own: &Result<T>) -> f32 {
     match own {
         Ok(_) => 0.0,
@@ -102,7 +102,7 @@ fn code<T>(own: &Result<T>) -> f32 {
 ///
 /// # Errors
 /// This rank's own; [`Error::Rank`] where another failed, and where rank 0 failed too, which then speaks for all; [`Error::Canceled`] where
-/// another was asked to stop.
+/// another got a request to stop.
 pub fn together<T>(ranks: &dyn Communicator, own: Result<T>) -> Result<T> {
     let all = ranks.gather(&[code(&own)]);
     let mut codes: Vec<f32> = all.into_iter().flatten().collect();
@@ -237,14 +237,14 @@ pub struct Threads {
 #[derive(Debug, Default)]
 struct Exchange {
     told: Vec<Option<Vec<f64>>>,
-    /// What all have told in the last round.
+    /// What all have reported in the last round.
     heard: Arc<Vec<Vec<f64>>>,
     rounds: usize,
     is_left: bool,
 }
 
 impl Threads {
-    /// So many ranks, each for a thread of its own.
+    /// So many ranks, each for a separate thread.
     #[must_use]
     pub fn ranks(size: usize) -> Vec<Self> {
         let told = vec![None; size];

@@ -34,7 +34,7 @@ const WHOLE: u64 = 1 << 52;
 pub struct Run {
     signal: Arc<Signal>,
     gauge: Arc<AtomicU64>,
-    /// Of the gauge: how much this part is, and how much of it was told or given to parts of its own.
+    /// Of the gauge: how much this part is, and how much of it is done or given to its parts.
     share: u64,
     used: AtomicU64,
 }

@@ -42,7 +42,7 @@ pub fn label_voxels(target: &Target, counts: impl Fn([f64; 3]) -> bool + Sync) -
     })
 }
 
-/// As [`label_voxels`], where the same columns of voxels count at every height: each is asked for once.
+/// As [`label_voxels`], where the same columns of voxels count at every height: each column is looked up once.
 pub fn label_columns(target: &Target, counts: impl Fn([f64; 2]) -> bool + Sync) -> Volume<u8> {
     let grid = &target.inside.grid;
     let [_, ny, nx] = grid.shape;

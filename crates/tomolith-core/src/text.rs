@@ -42,7 +42,7 @@ fn written_out(text: &str, is_written_out: impl Fn(char) -> bool) -> Cow<'_, str
     Cow::Owned(written)
 }
 
-/// Bytes of a name that a file can have beside what is put before and after it: systems take 255.
+/// Bytes of a name that a file can have besides its prefix and suffix: systems take 255.
 const LONGEST: usize = 120;
 
 /// The text as a part of a file's name: of letters, digits, `-`, `_` and `.`, others being replaced, and cut where it is too

@@ -4,7 +4,7 @@
 //! [`MOST_RECORDED`] kernels, or when a model says that what it recorded takes long ([`Gpu::submit`]). At most [`MOST_IN_FLIGHT`] lists wait
 //! on the card, so that a run that is canceled stops within a few of them.
 //!
-//! **Errors.** The first error of the card (lost, out of memory, a refused command) is kept; from then on nothing is recorded, reads give zeros, and
+//! **Errors.** The first error of the card (lost, out of memory, a refused command) is stored; from then on nothing is recorded, reads give zeros, and
 //! [`Gpu::check`] says what happened. Models call it, so a run ends with that error and not with the zeros.
 //!
 //! **Limits.** A binding is never larger than the adapter allows ([`Gpu::binding_bytes`]); a field is cut into pieces that fit. Kernels use
@@ -32,7 +32,7 @@ const COPIED: u64 = 64 << 20;
 const SMALL_COPY: u64 = 1 << 20;
 /// Copies on their way to the host.
 const COPIES: usize = 3;
-/// Bytes that kept buffers without an owner may have.
+/// Bytes that free buffers may take while they wait for reuse.
 const MOST_KEPT: u64 = 4 << 30;
 
 /// What a graphics card is called, for people.
@@ -157,7 +157,7 @@ impl Gpu {
     /// Takes a graphics card.
     ///
     /// # Errors
-    /// [`Error::Device`] when there is none that was asked for, or it cannot be used.
+    /// [`Error::Device`] when the named card does not exist, or cannot be used.
     pub fn open(asked: &Asked<'_>) -> Result<Self> {
         Self::smaller(asked, u64::MAX, u64::MAX)
     }
@@ -603,7 +603,7 @@ fn memory_of(_: &wgpu::Adapter) -> Option<u64> {
     None
 }
 
-/// No card is there that was asked for; what there is instead.
+/// The error for a card that does not exist, with the cards that do.
 fn missing(asked: &Asked<'_>, all: &[(wgpu::Adapter, Adapter)]) -> Error {
     let names: Vec<String> = all
         .iter()
@@ -627,7 +627,7 @@ fn missing(asked: &Asked<'_>, all: &[(wgpu::Adapter, Adapter)]) -> Error {
     }
 }
 
-/// Memory of the card. What is dropped is kept for the next of its size.
+/// Memory of the card. A dropped buffer waits for the next request of its size.
 pub(crate) struct Buffer {
     gpu: Gpu,
     raw: Option<wgpu::Buffer>,

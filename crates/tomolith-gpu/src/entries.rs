@@ -3,7 +3,7 @@
 //! A *chunk* is the views whose entries fit a binding. Its matrix is there twice, each time as rows of (column, weight): the voxels' rows with
 //! slots as columns, and the slots' rows with voxels as columns. Both are found from the strips by the same formula
 //! ([`tomolith_core::dose::strips`]), so dose and adjoint are the same matrix but for the rounding of a weight. A pass counts the entries of
-//! every row, the host adds the counts up, and another pass writes them. Entries are kept where memory allows; else only the counts are, and every
+//! every row, the host adds the counts up, and another pass writes them. Entries are stored where memory allows; else only the counts are, and every
 //! call writes the entries anew.
 
 use crate::device::{Buffer, Gpu, THREADS};
@@ -47,7 +47,7 @@ pub(crate) struct Chunk {
     by_voxel: Rows,
     /// Found when the first adjoint asks for it: an evaluation never does.
     by_slot: OnceLock<Rows>,
-    /// Whether entries are kept.
+    /// Whether entries are stored.
     keeps: bool,
 }
 
@@ -165,7 +165,7 @@ impl DeviceStrips {
         (rows, pairs)
     }
 
-    /// Writes the entries of some views, and keeps them.
+    /// Writes the entries of some views, and stores them.
     fn keep(&self, gpu: &Gpu, views: &Range<usize>, axis: Axis, rows: &mut Rows) {
         let into = gpu.buffer(rows.bytes());
         self.written(gpu, views, axis, rows, &into);
@@ -256,7 +256,7 @@ fn strips_of_slots(light: &LightStrips) -> (Vec<[u32; 2]>, Vec<u32>) {
 pub(crate) struct Product<'a> {
     pub(crate) strips: &'a DeviceStrips,
     pub(crate) chunk: &'a Chunk,
-    /// Where entries are written that are not kept.
+    /// Where entries are written that are not stored.
     pub(crate) scratch: &'a Option<Buffer>,
     /// Vectors of four lanes.
     pub(crate) lanes: usize,

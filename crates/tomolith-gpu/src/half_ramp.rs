@@ -1,6 +1,6 @@
 //! The half ramp of patterns on the card: one thread a row of pixels of a frame, through all columns and back.
 //!
-//! What M leaves at pixels that are no elements matters for Mᵀ, so a pass works in a rectangle of columns and rows beside the field, a
+//! What M leaves at pixels that are no elements matters for Mᵀ, so a pass works in a rectangle of columns and rows in addition to the field, a
 //! few frames at a time.
 
 use crate::device::{Buffer, Gpu, THREADS};

@@ -4,7 +4,7 @@
 //! slot, multiplied with the entries of a chunk of views ([`entries`](crate::entries)), and added to the dose; the adjoint goes back the same way.
 //!
 //! **Cost** per dose or adjoint: an entry is read once and used for all lanes of a row; lanes are read once an entry, mostly from the card's
-//! caches. Memory beside fields: strips (48 bytes each), the lanes of a chunk, and 16 bytes an entry where entries are kept.
+//! caches. Memory in addition to fields: strips (48 bytes each), the lanes of a chunk, and 16 bytes an entry where entries are stored.
 
 use crate::device::{Adapter, Buffer, Gpu, THREADS};
 use crate::entries::{Chunk, DeviceStrips, Product, RowsOf};
@@ -20,7 +20,7 @@ use tomolith_core::dose::{
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 
-/// Part of the card's memory that kept entries may take.
+/// Part of the card's memory that stored entries may take.
 const KEPT_SHARE: f64 = 0.4;
 /// The same where the card does not say how much it has, bytes.
 const KEPT: u64 = 2_100_000_000;
@@ -29,7 +29,7 @@ const KEPT: u64 = 2_100_000_000;
 struct Geometry {
     of: Arc<StripGeometry>,
     lights: Vec<DeviceLight>,
-    /// Where entries are written that are not kept.
+    /// Where entries are written that are not stored.
     scratch: Option<Buffer>,
     /// Bytes of all entries.
     entry_bytes: u64,

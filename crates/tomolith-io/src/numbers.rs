@@ -1,11 +1,11 @@
 //! Numbers of NumPy and NRRD files, whatever their type and order, as f32.
 //!
 //! Read are floats of 2, 4 and 8 bytes, whole numbers of 1 to 8 bytes with and without sign, and bool (true is 1), little or
-//! big endian, in C or Fortran order (`numpy.lib.format`, versions 1 to 3). What is cut off is told with the bytes that should
+//! big endian, in C or Fortran order (`numpy.lib.format`, versions 1 to 3). The error of a file that is cut off states the bytes that should
 //! be there.
 //!
-//! Where one array is asked for, it is that of an `.npy` or [`.nrrd`](super::nrrd), the only one of an `.npz`, or `FILE.npz:NAME`. Axes of length one
-//! beside those that are asked for do not count: `[z, y, x, 1]` is `[z, y, x]`.
+//! Where a caller needs one array, it is that of an `.npy` or [`.nrrd`](super::nrrd), the only one of an `.npz`, or `FILE.npz:NAME`. Axes of length one
+//! in addition to those that the caller needs do not count: `[z, y, x, 1]` is `[z, y, x]`.
 
 use super::nrrd;
 use std::fs::File;
@@ -443,7 +443,7 @@ impl Archive {
         names
     }
 
-    /// The name of the array that is asked for, or of the only one.
+    /// The name of the array that the caller names, or of the only one.
     ///
     /// # Errors
     /// [`Error::Format`] with the names that there are.

@@ -1,6 +1,6 @@
 //! Numbered files of a folder, in the order of their numbers: `slice_2` before `slice_10`.
 //!
-//! Hidden files, such as those that macOS leaves beside others (`._01.png`), belong to no series. Names that leave the order
+//! Hidden files, such as those that macOS writes next to others (`._01.png`), belong to no series. Names that leave the order
 //! or the place of a file in doubt are refused: a number twice (`1.png` and `01.png`), decimals of several lengths (`0.5` and
 //! `0.25`), a gap, files of several series in one folder.
 //!

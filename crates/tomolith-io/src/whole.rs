@@ -238,7 +238,7 @@ impl Drop for Aside {
     }
 }
 
-/// A hidden name beside `path` to write to.
+/// A hidden name next to `path` to write to.
 fn aside(path: &Path) -> Result<Aside> {
     let aside = hidden(path)?;
     let mut known = asides();
@@ -246,7 +246,7 @@ fn aside(path: &Path) -> Result<Aside> {
     Ok(Aside(aside))
 }
 
-/// A hidden name beside `path` that no other writer uses.
+/// A hidden name next to `path` that no other writer uses.
 fn hidden(path: &Path) -> Result<PathBuf> {
     static COUNT: AtomicU64 = AtomicU64::new(0);
     let name = path.file_name().ok_or_else(|| {

@@ -266,13 +266,13 @@ impl Curves {
         self.requirement_mj
     }
 
-    /// Readouts that were kept, and when.
+    /// Stored readouts, and their times.
     #[must_use]
     pub fn snapshots(&self) -> &[(f64, Volume<f32>)] {
         &self.snapshots
     }
 
-    /// When each voxel gelled, s (file order); ∞ where it did not. None where that was not asked for.
+    /// When each voxel gelled, s (file order); ∞ where it did not. None where the caller does not want it.
     #[must_use]
     pub fn cure_times(&self, material: &dyn Material) -> Option<Volume<f32>> {
         let cure = self.cure.as_ref()?;

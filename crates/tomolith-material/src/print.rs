@@ -18,10 +18,10 @@ use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::units::exact;
 
-/// The longest step that is chosen without being asked for, s.
+/// The longest step of a schedule that names none, s.
 const LONGEST_S: f64 = 1.0;
 
-/// Steps that a print has at least, without being asked for.
+/// The fewest steps of a print whose schedule names none.
 const FEWEST_STEPS: f64 = 100.0;
 
 /// A light of the print: its dose model and its patterns, a field of that model.
@@ -217,7 +217,7 @@ pub fn default_step_s(material: &dyn Material, schedule: &Schedule) -> f64 {
     plain.min(material.longest_step_s())
 }
 
-/// The longest stable step where a step is longer, s: with five digits, none of them rounded up, so that what is said is accepted.
+/// The longest stable step where a step is longer, s: with five digits, none of them rounded up, so that the number in the message is accepted.
 #[must_use]
 pub fn exceeded_limit_s(material: &dyn Material, step_s: f64) -> Option<f64> {
     let limit = material.longest_step_s();

@@ -325,7 +325,7 @@ impl Printing {
 struct Work {
     light: Vec<Illumination>,
     of_energy: Vec<HostField>,
-    /// Frames of each light whose gradient is asked for.
+    /// Frames of each light whose gradient the caller wants.
     wanted: Vec<Range<usize>>,
 }
 

@@ -12,7 +12,7 @@ use tomolith_core::target::label;
 pub(super) const FINE_BITS: u32 = 10;
 pub(super) const FINE: usize = 1 << FINE_BITS;
 pub(super) const COARSE: usize = 1 << (32 - FINE_BITS);
-/// Threads that get tables of their own, at most.
+/// Threads that get separate tables, at most.
 pub(super) const TABLES: usize = 16;
 /// Whole numbers in the order of the floats: −0 and +0 are the same.
 pub(super) fn key(value: f32) -> u32 {

@@ -10,7 +10,7 @@
 //! with w = 0.01 (a two-hundredth of the range): as many voxels on the better filled side of the band's edges as one step farther inside or outside,
 //! whichever is more. An optimization that leaves a voxel alone once it is within the band gathers voxels there (Li et al., Additive
 //! Manufacturing 94 (2024) 104447, section 3.4.2, which sees such peaks at ε = 0.2 and 0.1 and gives no number). Not defined for ε below 3·w:
-//! the edges of so narrow a band cannot be told from the errors about 0, which are the most frequent.
+//! the edges of so narrow a band cannot be distinguished from the errors about 0, which are the most frequent.
 //!
 //! ```
 //! use tomolith_metrics::error_histogram::ErrorHistogram;

@@ -1,6 +1,6 @@
 //! How well a gray target is reproduced: the share of voxels in the band, and errors of the response.
 //!
-//! With the gray value f asked for and the response m of each voxel that counts, and the half width ε of the band (that of
+//! With the gray value f of the target and the response m of each voxel that counts, and the half width ε of the band (that of
 //! the objective: Li et al., Additive Manufacturing 94 (2024) 104447, eq. 1, ask for |m − f| ≤ ε):
 //!
 //! ```text

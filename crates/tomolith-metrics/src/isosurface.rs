@@ -98,7 +98,7 @@ pub fn isosurface(volume: &Volume<f32>, level: f64) -> Isosurface {
     isosurface_of(&volume.grid, level, rows_of(&volume.values), &Run::new())
 }
 
-/// The value that stands for "not gelled" beside a level: 0, or less when the level itself is not above 0.
+/// The value that stands for "not gelled" next to a level: 0, or less when the level itself is not above 0.
 #[must_use]
 pub fn beyond(level: f64) -> f32 {
     if level > 0.0 { 0.0 } else { level as f32 - 1.0 }
@@ -176,7 +176,7 @@ pub fn isosurface_within(
     Some(surface)
 }
 
-/// The same surface in pieces from below to above, each with corners of its own, so that it is never held whole: where two
+/// The same surface in pieces from below to above, each with separate corners, so that it is never held whole: where two
 /// pieces meet both have the same corners, to the last bit. Empty pieces are left out.
 ///
 /// # Errors

@@ -2,7 +2,7 @@
 //!
 //! Labels say what each voxel should become, the response what the dose makes of it; the print is what is above the gel
 //! threshold: the one that was given, else the best one. Work that several metrics share (counts over thresholds,
-//! distances of surfaces) is done once, when it is first asked for.
+//! distances of surfaces) is done once, when it is first needed.
 //!
 //! ```
 //! use tomolith_core::grid::{Volume, VolumeGrid};
@@ -103,7 +103,7 @@ impl<'a> Print<'a> {
         Self::under(labels, response, Run::new())
     }
 
-    /// The same as a part of a run. When that is canceled, numbers that are asked for afterwards mean nothing.
+    /// The same as a part of a run. When that is canceled, numbers that are computed afterwards mean nothing.
     ///
     /// # Errors
     /// As [`new`](Self::new); [`Error::Canceled`].
@@ -150,7 +150,7 @@ impl<'a> Print<'a> {
         Ok(self)
     }
 
-    /// Says that the target is gray: the values asked for, and the half width of the band around them, in units of the
+    /// Says that the target is gray: its values, and the half width of the band around them, in units of the
     /// response.
     ///
     /// # Errors

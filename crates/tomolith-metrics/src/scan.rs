@@ -12,8 +12,8 @@
 //! 1. One pass counts part and void voxels in 2²² buckets, the top 22 bits of the f32 (ordered like the numbers). In the
 //!    gaps between buckets IoU is then exact, and inside a bucket it is bounded by the counts before and after it.
 //! 2. Buckets whose bounds leave a question open (can the best IoU be in here? does it cross 0.95 of the best, or the best − 0.01, here? does
-//!    a threshold or a rank that is asked for lie in here?) are counted once more by their low 10 bits: one bin is one f32
-//!    value, and nothing remains open. What was opened is kept for later questions.
+//!    a threshold or a rank that the caller needs lie in here?) are counted once more by their low 10 bits: one bin is one f32
+//!    value, and nothing remains open. Later questions reuse the bins that were opened.
 //!
 //! Everything is whole numbers compared as fractions, so the result is exact and does not depend on the order.
 //!
@@ -83,7 +83,7 @@ impl<'a> Scan<'a> {
         Self::under(labels, response, Run::new())
     }
 
-    /// The same as a part of a run. When that is canceled later, numbers that are asked for mean nothing.
+    /// The same as a part of a run. When that is canceled later, its answers mean nothing.
     ///
     /// # Errors
     /// As [`new`](Self::new); [`Error::Canceled`].

@@ -42,11 +42,11 @@ use tomolith_core::dose::Run;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::parallel::{InParallel, table};
 
-/// Voxels up to which surfaces are taken on the print's own grid.
+/// Voxels up to which surfaces are taken on the grid of the print.
 const FULL_RESOLUTION: usize = 200_000_000;
 /// Triangles of one surface up to which it is used; a smooth part has about a million at 400³ voxels.
 pub(super) const MOST_TRIANGLES: usize = 4_000_000;
-/// Corners that are asked for one after the other, each with the answer of the one before.
+/// Corners whose nearest points are looked up one after the other, each search beginning at the answer of the one before.
 const RUN: usize = 1024;
 
 /// Share of the work on a print that distances are; of these, finding a surface, and the distances to it.

@@ -359,7 +359,7 @@ mod tests {
             ..light.clone()
         };
         let plain: Vec<Light> = lights.iter().map(plain).collect();
-        // Unknowns that reach the part alone; the light beside them must not get lost
+        // Unknowns that reach the part alone; the light that spreads to their neighbors must not get lost
         let (blurred, plain) = (planned(&lights, Some(&wanted())), planned(&plain, None));
         let (blurred, plain) = (blurred.model, plain.model);
         let mut x = check::noisy_patterns(&blurred, 3);

@@ -37,9 +37,9 @@ pub type ModelKind = Kind<MakeFamily>;
 /// What the doses of a model are for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {
-    /// Doses are asked for again and again: what is worth keeping between calls is kept.
+    /// Doses are computed again and again: the model stores between calls what saves time.
     Optimize,
-    /// One dose that judges patterns, on voxels so many times as fine as the job's: sharper than the optimization's.
+    /// One dose that evaluates patterns, on voxels so many times as fine as the job's: sharper than the optimization's.
     Evaluate {
         /// How many times as fine.
         refine: usize,
@@ -117,12 +117,12 @@ impl Capabilities {
     }
 }
 
-/// What a model takes beside patterns and doses.
+/// Memory of a model in addition to patterns and doses.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Cost {
-    /// What is kept of rays where they are few ([`Rays::cached`]); None where nothing ever is.
+    /// The stored rays, where they are few ([`Rays::cached`]); None of a model that stores none.
     pub cached_entries: Option<CachedEntries>,
-    /// What else is kept between the calls of an optimization, bytes, 0 where that is too much; None where nothing ever is.
+    /// What else is stored between the calls of an optimization, bytes, 0 where that is too much; None of a model that stores nothing.
     pub cached_bytes: Option<f64>,
     /// Memory of frames at work, bytes; 0 where that is little.
     pub working_bytes: usize,
@@ -209,7 +209,7 @@ pub trait ModelFamily: fmt::Debug + Send + Sync {
         "another model, or no [model] for the cheapest that is exact"
     }
 
-    /// Refuses parameters that do not fit a scene, before any work; returns what is to be said of those that do.
+    /// Refuses parameters that do not fit a scene, before any work; returns the notes on those that do.
     ///
     /// # Errors
     /// [`Error::Config`](tomolith_core::Error::Config) of numbers that contradict each other.
@@ -217,7 +217,7 @@ pub trait ModelFamily: fmt::Debug + Send + Sync {
         Ok(Vec::new())
     }
 
-    /// What a model takes beside patterns and doses, before it is built.
+    /// Memory of a model in addition to patterns and doses, before it is built.
     ///
     /// # Errors
     /// As [`check`](Self::check).
@@ -239,7 +239,7 @@ pub trait ModelFamily: fmt::Debug + Send + Sync {
         Ok(None)
     }
 
-    /// Whether a model for [`Purpose::Optimize`] has the doses, to the bit, of one for [`Purpose::Evaluate`] on the same voxels, and keeps no more
+    /// Whether a model for [`Purpose::Optimize`] has the doses, to the bit, of one for [`Purpose::Evaluate`] on the same voxels, and stores no more
     /// between calls, so that one model serves both.
     fn evaluates_alike(&self, _scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> bool {
         false

@@ -2,7 +2,7 @@
 //!
 //! # Model
 //! dose = A x with a stored matrix A: measured, or computed by any program. Dose sums rows of A, the adjoint rows of Aᵀ
-//! (kept beside A), so both are exact transposes and do not depend on the number of threads.
+//! (stored next to A), so both are exact transposes and do not depend on the number of threads.
 //!
 //! # Shapes
 //! Rows of the file are voxels in array order `[z, y, x]`, columns are pixels in array order `[angle, row, column]`, the

@@ -56,7 +56,7 @@ pub fn choose(
     }
 }
 
-/// Why a family does not cover a scene on a grid: its own reason, or voxels of which it knows the width alone.
+/// Why a family does not cover a scene on a grid: the family's reason, or voxels that are no cubes.
 fn unsupported(
     family: &dyn ModelFamily,
     scene: &OpticalScene<'_>,

@@ -1,6 +1,6 @@
 //! One set of patterns under several scenarios: a vial that is a little wider, a resin that absorbs a little more, an axis that is off.
 //!
-//! **What it models.** The same images are shown whatever the machine does, and each scenario makes its own dose of them: one output per
+//! **What it models.** The same images are shown whatever the machine does, and each scenario makes another dose of them: one output per
 //! scenario, all of one field.
 //!
 //! **Equation** with F_k the dose of scenario k and c its part of the cotangent
@@ -114,7 +114,7 @@ impl Joint for SameImages {
         c.as_mut_slice().copy_from_slice(own);
     }
 
-    /// The gradient of a model is 0 where nobody asked for it.
+    /// The gradient of a model is 0 where the caller does not want it.
     fn gather(
         all: &Scenarios,
         k: usize,

@@ -1,7 +1,7 @@
 //! Several models that act as one: what a sum over lights ([`spectral`](super::spectral)) and the same light under several scenarios
 //! ([`scenarios`](super::scenarios)) have in common.
 //!
-//! Each model has patterns and a dose of its own. How these follow from the joint ones and back is all that a [`Joint`] says.
+//! Each model has its patterns and its dose. How these follow from the joint ones and back is all that a [`Joint`] says.
 
 use crate::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling, elements_of};
 use std::ops::Range;

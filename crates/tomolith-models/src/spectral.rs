@@ -1,7 +1,7 @@
 //! Several lights that drive several species: r = M q.
 //!
 //! # Model
-//! Light λ alone gives the dose q_λ, by a model of its own. Species s hardens, or is inhibited, by
+//! Light λ alone gives the dose q_λ, by a separate model. Species s hardens, or is inhibited, by
 //!
 //! ```text
 //! r_s = Σ_λ M_sλ q_λ

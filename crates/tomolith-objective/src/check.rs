@@ -178,7 +178,7 @@ fn remainder(
         // One below the noise still tells that it fell
         let (first, last) = (remainders[0], remainders[clear.clamp(2, 4) - 1]);
         let order = (first.1 / last.1).log2() / (first.0 / last.0).log2();
-        // Terms of second order may cancel by chance; then what is left must be small beside the slope
+        // Terms of second order may cancel by chance; then what is left must be small compared with the slope
         if order < 1.7 && last.1 > 2e-3 * last.0 * slope.abs() {
             return Err(format!(
                 "the Taylor remainder falls with order {order:.2}, not 2: {remainders:?}"

@@ -1,4 +1,4 @@
-//! Penalty minimization: part above d_h, void below d_l, and nothing asked near the surface.
+//! Penalty minimization: part above d_h, void below d_l; voxels near the surface do not count.
 //!
 //! **Equation** part in [d_h, ∞) with weight ρ₁, void in (−∞, d_l] with weight ρ₂, p = q; voxels within `buffer_mm` of a voxel
 //! of the other kind have weight 0

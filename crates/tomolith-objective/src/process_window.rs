@@ -322,7 +322,7 @@ struct WindowLoss {
     price_of_range: f64,
 }
 
-/// The process window that doses have without the objective's own share of outliers, exactly.
+/// The exact process window of doses without the share `outliers`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct FoundWindow {
     /// Share ν of the part that is left out at either end; of the void as much, or with "gamma" as many voxels.
@@ -339,7 +339,7 @@ pub struct FoundWindow {
     pub window: f64,
     /// `part_below` − `part_above`.
     pub range: f64,
-    /// The bound of the range that was asked for.
+    /// The bound of the range, `ipdr`.
     pub ipdr: Option<f64>,
 }
 

@@ -10,7 +10,7 @@
 //!
 //! **Source** the norm in place of a largest value: Li et al., Additive Manufacturing 94 (2024) 104447, section 2.3.1 (there over voxels).
 //!
-//! **Cost** a copy of each block per call, beside the objectives' own passes.
+//! **Cost** a copy of each block per call, in addition to the passes of the objectives.
 
 use super::{FoundWindow, Objective};
 use std::ops::Range;

@@ -1,6 +1,6 @@
 //! Resin whose absorption changes from place to place: square cells in the plane, or cubes in space.
 //!
-//! Cells lie centered on the axis and on z = 0, unless told otherwise; a map of one level holds at all heights. Beyond it the resin has its plain numbers.
+//! Cells lie centered on the axis and on z = 0 unless the caller places them; a map of one level holds at all heights. Beyond it the resin has its plain numbers.
 //! A ray meets the cells one after the other; within each Beer–Lambert holds with the cell's numbers.
 
 use super::projector::Ray;
@@ -89,7 +89,7 @@ impl AbsorptionMap {
         f64::from(self.total.iter().copied().fold(0.0, f32::max))
     }
 
-    /// Refuses a map whose attenuation leaves no room for so much scattering beside the absorption.
+    /// Refuses a map whose attenuation is less than its absorption plus so much scattering.
     ///
     /// # Errors
     /// [`Error::Config`] at `resin.absorption_map.attenuation`.

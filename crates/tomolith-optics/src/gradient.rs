@@ -16,7 +16,7 @@
 //! |---|---|---|---|---|
 //! | `quadratic_per_mm2` | 1/mm² | n from 1 to 4 in the resin | 0 | q |
 //! | `quartic_per_mm4` | 1/mm⁴ | n from 1 to 4 in the resin | 0 | p |
-//! | `step_mm` | mm | 1e-3 to 10 | a curve is at most 1e-3 mm beside its chord; a quarter of the resin's radius | length of a chord |
+//! | `step_mm` | mm | 1e-3 to 10 | a curve is at most 1e-3 mm from its chord; a quarter of the resin's radius | length of a chord |
 //!
 //! # Limits
 //! The error of a path falls with the square of `step_mm` (tests of `optics/space`: Luneburg's lens). Where a wall is met the last chord is cut.
@@ -67,7 +67,7 @@ impl Params {
         };
         let of_radius = |i: u32| gradient.curvature(radius * f64::from(i) / 64.0);
         let sharpest = (0..=64).map(of_radius).fold(0.0, f64::max);
-        // A chord s of a circle of curvature κ is s²κ/8 beside it
+        // A chord s of a circle of curvature κ is s²κ/8 from it
         let longest = (8.0 * BESIDE_MM / sharpest).sqrt();
         gradient.step_mm = self
             .step_mm
@@ -76,7 +76,7 @@ impl Params {
     }
 }
 
-/// How far a curve may be beside its chords, mm.
+/// How far a curve may be from its chords, mm.
 const BESIDE_MM: f64 = 1e-3;
 
 /// See the [module page](self).

@@ -1,6 +1,6 @@
 //! How a projector spreads the light of a pixel over its neighbors: a measured point spread function.
 //!
-//! A pixel that shows x lights the pixel i rows below and j columns beside it with x·K\[i, j\]. Light is spread over the image, not made or lost: Σ K = 1.
+//! A pixel that shows x lights the pixel i rows below and j columns to its right with x·K\[i, j\]. Light is spread over the image, not made or lost: Σ K = 1.
 //!
 //! ```text
 //! lit[r, c] = Σ_ij K[i, j]·x[r − i, c − j]

@@ -179,7 +179,7 @@ fn nearer(a: Option<Crossing>, b: Option<Crossing>) -> Option<Crossing> {
     }
 }
 
-/// Faces of the ends, beside up to four of a curve.
+/// Faces of the ends, in addition to up to four of a curve.
 const TOP_FACE: u8 = 4;
 const BOTTOM_FACE: u8 = 5;
 

@@ -18,7 +18,7 @@ use tomolith_objective::{BandObjective, Bands};
 /// Checks an optimizer on a small convex problem whose least loss is known to be 0: least squares against the dose of patterns
 /// most of whose pixels are dark, within bounds.
 ///
-/// - after 100 steps the loss is below a thousandth of its start (not asked of a method that normalizes its doses, which follows a
+/// - after 100 steps the loss is below a thousandth of its start (not required of a method that normalizes its doses, which follows a
 ///   rule of its own; its largest wanted dose is 1);
 /// - no pixel ever leaves the bounds, and the loss never rises when the method says so;
 /// - a run that is cut off and resumed from its checkpoint has the bits of the uninterrupted one;

@@ -112,7 +112,7 @@ pub struct Checkpoints {
     level: usize,
     /// Whether a run goes on from what it finds in the folder.
     resumes: bool,
-    /// Whether the end of a run is kept, for one with more iterations.
+    /// Whether a run writes a checkpoint at its end, for one with more iterations.
     keeps_end: bool,
     last: Instant,
     /// Of the last one written.
@@ -231,12 +231,12 @@ impl Checkpoints {
         self.resumes = false;
     }
 
-    /// Nobody will go on from the end of the run: only what comes before it is kept.
+    /// Nobody will go on from the end of the run: checkpoints are written before it only.
     pub fn leave_out_end(&mut self) {
         self.keeps_end = false;
     }
 
-    /// Whether a run that is not asked to stop keeps its end.
+    /// Whether a run that ends by itself leaves a checkpoint of its end.
     pub(super) fn keeps_end(&self) -> bool {
         self.keeps_end
     }
@@ -262,7 +262,7 @@ impl Checkpoints {
         saved.patterns.any(is_due)
     }
 
-    /// Time between two checkpoints of so many bytes: as asked, else 50 times what the last one took, or is expected to take,
+    /// Time between two checkpoints of so many bytes: that of the job, else 50 times what the last one took, or is expected to take,
     /// and 10 s at least.
     fn wait(&self, bytes: usize) -> Duration {
         let expected = || Duration::from_secs_f64(bytes as f64 / RATE);
@@ -271,7 +271,7 @@ impl Checkpoints {
         })
     }
 
-    /// What the last checkpoint of a run that was asked to stop may hold, to be written within so long a time: everything, where it is
+    /// What the last checkpoint after a request to stop may hold, to be written within so long a time: everything, where it is
     /// expected to be there by then; else the patterns, where there is no checkpoint of this run to go on from; else nothing.
     fn contents_within<F: Field>(&self, left: Duration, saved: &Saved<'_, F>) -> Option<Contents> {
         let expected = Duration::from_secs_f64(self.bytes(saved) as f64 / RATE);

@@ -1,15 +1,15 @@
 //! Which iterate of a run its patterns are.
 //!
-//! A method that never raises its loss ends at its best. Of any other one the best iterate is kept beside the present one, by the
+//! A method that never raises its loss ends at its best. Of any other one the best iterate is stored next to the present one, by the
 //! measure that the method improves:
 //!
 //! - one that descends the loss: the lowest loss;
-//! - one that [normalizes](super::Optimizer::normalizes) its doses, and whose loss only watches: the best print on the job's own
+//! - one that [normalizes](super::Optimizer::normalizes) its doses, and whose loss is only reported: the best print on the job's
 //!   voxels, as [`quick`] sees it. That is the best IoU over thresholds, and where it is 1 the widest process window. Row 0 of its
 //!   history is the job's `[start]`, at another scale and no iterate of the method, so it is never kept. A gray target has no IoU: its
-//!   last iterate is kept.
+//!   last iterate is the result.
 //!
-//! Of equal iterates the later one is kept.
+//! Of equal iterates the later one wins.
 //!
 //! **Cost** one more pattern field for methods that may raise the loss; a pass over the dose a step where the print decides.
 
@@ -48,7 +48,7 @@ pub enum KeptBy {
 pub struct KeptIterate {
     /// Steps that led to it.
     pub iteration: usize,
-    /// Why it was kept.
+    /// Why it is the result.
     pub by: KeptBy,
 }
 

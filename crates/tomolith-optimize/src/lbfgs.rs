@@ -28,7 +28,7 @@
 //!
 //! **Cost** one forward and one adjoint call a step, one forward more at the first. Vector work is one pass over the pairs for
 //! all products, one for their combination, one to move, and P twice (see [`Pairs`]). Memory: 4m + 20 bytes per pixel
-//! beside x (pairs are stored in 16 bits) and two dose fields.
+//! in addition to x (pairs are stored in 16 bits) and two dose fields.
 
 use super::{
     BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,

@@ -2,7 +2,7 @@
 //!
 //! With b bits a pixel shows one of 2^b levels of the full scale s (`tomolith_optics::exposure::quantize`), and with few bits plain
 //! rounding loses what the optimization reached. After the optimization, [`improve`] therefore descends once more, on the patterns
-//! that are *shown*: y is what the machine is asked for, Q(y) what it shows, and the gradient at Q(y) moves y.
+//! that are *shown*: y is the input of the machine, Q(y) what it shows, and the gradient at Q(y) moves y.
 //!
 //! ```text
 //! v ← m·v + ∇L(Q(y))        y ← min(max(y − t·v, min), s)        m = 0.8
@@ -17,7 +17,7 @@
 //! shares of the brightest pixel (of each light), 1 to 0.18, are tried with plain rounding, and three quarters of the one with the least loss are
 //! taken: the steps win back what is cut off at the top. The largest y stays s, so that the levels stay where they are.
 //!
-//! **Error diffusion** is tried beside it, at the same full scales: a pixel carries what its level lacks to the same pixel of the next frame, whose
+//! **Error diffusion** is tried as well, at the same full scales: a pixel carries what its level lacks to the same pixel of the next frame, whose
 //! light takes nearly the same path ([`diffused`]). Where the loss is least that way, its patterns are taken.
 //!
 //! **Source** The gradient at the rounded values moves values that are not rounded: the straight-through estimator of Bengio, Léonard and
@@ -36,7 +36,7 @@ use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::Patterns;
 
-/// Full scales that are tried with plain rounding beside that of the brightest pixel, over it.
+/// Full scales that are tried with plain rounding besides the brightest pixel, as shares of it.
 const SCALES: [f32; 7] = [0.85, 0.7, 0.55, 0.45, 0.35, 0.25, 0.18];
 /// What is taken of the best of them.
 const LOWER: f32 = 0.75;

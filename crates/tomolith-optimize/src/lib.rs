@@ -64,7 +64,7 @@ pub trait Optimizer<F: Field>: Send {
     /// What it needs of a problem: [`run()`] refuses another one before any work.
     fn requirements(&self) -> Requirements;
     /// Whether it is published with doses divided by their largest: then its patterns have that scale, it follows a rule of its
-    /// own, and the loss only watches.
+    /// own, and the loss is only reported.
     fn normalizes(&self) -> bool {
         false
     }

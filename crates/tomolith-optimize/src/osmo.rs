@@ -11,7 +11,7 @@
 //!
 //! **Edges** `edges = true` (Chen et al. 2023) ends a step with two more halves that correct voxels at the part's surface alone: those of the
 //! part that have a void neighbor by a face are pushed up, those of the void that have a part neighbor down. Only the abstract of that
-//! article was at hand: that there are two more halves, one for either side of the edge, is said there; that their corrections are those of
+//! article was at hand: it says that there are two more halves, one for either side of the edge; that their corrections are those of
 //! the first two is our reading.
 //!
 //! The corrections are −½·∂L/∂dose of the objective, its positive and its negative part, so any objective drives the method;

@@ -186,7 +186,7 @@ impl Case {
         }
     }
 
-    /// The patterns that were kept, and how it went.
+    /// The patterns of the result, and the history.
     pub(crate) fn try_run(
         &self,
         objective: &dyn Objective<HostField>,

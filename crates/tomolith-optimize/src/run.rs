@@ -203,7 +203,7 @@ impl<F, O: FnMut(&StepReport<F>) -> ControlFlow<()>> Observer<F> for O {
 /// What a run came to.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome {
-    /// Loss of the patterns that were kept.
+    /// Loss of the patterns that are the result.
     pub loss: f64,
     /// Which patterns these are.
     pub kept: KeptIterate,
@@ -211,7 +211,7 @@ pub struct Outcome {
     pub reason: StopReason,
     /// A row per step, and one for the start.
     pub history: Vec<Row>,
-    /// Parameters of the response with the patterns that were kept, where these are [unknowns](super::free_response); else empty.
+    /// Parameters of the response with the patterns that are the result, where these are [unknowns](super::free_response); else empty.
     pub response: Vec<f64>,
     /// A loss that no patterns within the bounds go below, of the run's last voxels; None where there is no such [bound](super::Gap).
     pub bound: Option<f64>,

@@ -70,7 +70,7 @@ impl ResponseFit {
     /// The logistic of least squares; `asymmetry` says whether ν is fitted.
     ///
     /// # Errors
-    /// [`Error::Config`] for too few points, points that fall, and numbers without a logarithm where one is asked for.
+    /// [`Error::Config`] for too few points, points that fall, and numbers without a logarithm on a logarithmic axis.
     pub fn logistic(measured: &[[f64; 2]], axes: Axes, asymmetry: bool) -> Result<Self> {
         let curve = on_axes(measured, axes)?;
         let fit = logistic(&curve, asymmetry)?;

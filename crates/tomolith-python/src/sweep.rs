@@ -1,4 +1,4 @@
-//! `sweep`: a job with many values of its keys. `reproduce`: the numbers of a paper beside those of sweeps, jobs and commands.
+//! `sweep`: a job with many values of its keys. `reproduce`: the numbers of a paper next to those of sweeps, jobs and commands.
 
 use crate::work::{Observer, TomolithError, beside_telling, plain};
 use pyo3::prelude::*;
@@ -75,7 +75,7 @@ fn usable(threads: Option<usize>) -> PyResult<usize> {
     }
 }
 
-/// A study of which an observer is told.
+/// A study that reports its events to an observer.
 struct Told<'h, 'a> {
     observer: &'h mut Observer<'a>,
     itself: Itself<'h>,

@@ -1,4 +1,4 @@
-//! Long work of a call: it runs beside Python, tells an observer what happens, and ends at Ctrl-C or when its `cancel` is set.
+//! Long work of a call: it runs in a thread next to Python's, sends events to an observer, and ends at Ctrl-C or when its `cancel` is set.
 
 use crate::arrays::{of_patterns, of_volume, one_or_list};
 use pyo3::create_exception;
@@ -54,7 +54,7 @@ pub(crate) fn must_have_threads() -> PyResult<()> {
     Ok(())
 }
 
-/// Does work without Python's lock, in a thread of its own, while this one listens to signals.
+/// Does work without Python's lock, in a separate thread, while this one listens to signals.
 pub(crate) fn beside<T: Send>(
     py: Python<'_>,
     work: impl FnOnce(&Run) -> Result<T, Error> + Send,
@@ -209,7 +209,7 @@ fn wants_of(names: &Bound<'_, PyAny>) -> PyResult<Wants> {
     Ok(wants)
 }
 
-/// The iteration, and those copies that were asked for.
+/// The iteration, and those copies that the observer wants.
 fn copies(py: Python<'_>, snapshot: Snapshot) -> PyResult<Bound<'_, PyDict>> {
     let copies = PyDict::new(py);
     copies.set_item("iteration", snapshot.iteration)?;
@@ -232,7 +232,7 @@ impl Watch for Observer<'_> {
     }
 }
 
-/// As [`beside`], for work that tells an observer what happens, and that may be canceled.
+/// As [`beside`], for work that sends events to an observer and may be canceled.
 pub(crate) fn beside_telling<T: Send>(
     py: Python<'_>,
     (object, cancel): (Option<Py<PyAny>>, Option<Py<PyAny>>),

@@ -17,7 +17,7 @@
 //!               there), tolerance (how much worse it may get), and low, best, high of each of: percent (exposures, % of the best one), time_s (null
 //!               where the job gives no times), dose and threshold (what gels, in units of the job and of the response; null for gray targets; the
 //!               highest belongs to the shortest exposure); reported_percent (the exposure of all other numbers: 100, unless the job sets a
-//!               threshold or is gray). An end without limit is null; all of it is null where it cannot be said
+//!               threshold or is gray). An end without limit is null; all of it is null where the report cannot state it
 //! limits        what makes the print worse, the largest loss first: cause (grid, levels, turning, optics, iterations), loss_in_iou (or
 //!               loss_in_rms_error; below 0: a gain), key (the one to change), advice
 //! published     numbers with other authors' signs or normalizations: value, unit, source, note; slices; unit_systems;

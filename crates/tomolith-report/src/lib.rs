@@ -140,7 +140,7 @@ pub struct SpeciesReport<'a> {
     pub inside: &'a Volume<f32>,
     /// Thresholds of its objective, where it has any.
     pub window: Option<[f64; 2]>,
-    /// Over which exposures it is nearly as good as at its own best one.
+    /// Over which exposures it is nearly as good as at the best one of this species.
     pub exposure: Option<ExposureWindow>,
     /// What limits it.
     pub limits: &'a PrintLimits,
@@ -158,7 +158,7 @@ pub struct ReportData<'a> {
     pub facts: Vec<(String, String)>,
     /// What gave the doses: `("optimization", "parallel (…): …")`.
     pub models: Vec<(&'static str, String)>,
-    /// Over which exposures the print is nearly as good as at the best one, where that can be said.
+    /// Over which exposures the print is nearly as good as at the best one, where this is known.
     pub exposure: Option<&'a ExposureWindow>,
     /// What limits the print; of the first of several species.
     pub limits: &'a PrintLimits,

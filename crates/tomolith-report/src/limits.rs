@@ -18,7 +18,7 @@ pub enum Cause {
     Iterations,
     /// The part's flat ends lie within rows of pixels.
     Ends,
-    /// The exposure that was asked for is not the best one.
+    /// The exposure of `evaluate.threshold` is not the best one.
     Exposure,
     /// The brightest pixel, which says how long the print takes.
     Time,

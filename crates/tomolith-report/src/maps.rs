@@ -51,7 +51,7 @@ pub struct ColorScale {
 pub struct Cell {
     /// Its number; none where it is not defined.
     pub value: Option<f64>,
-    /// Whether it meets what is asked.
+    /// Whether the run meets the conditions of `best.where`.
     pub is_feasible: bool,
     /// Whether no other is better.
     pub is_best: bool,
@@ -210,7 +210,7 @@ pub fn heat_maps(
     sheet.svg(&title)
 }
 
-/// How guides are told apart: in words, and as SVG has it.
+/// How guides differ: in words, and as SVG has it.
 const STROKES: [(&str, &str); 6] = [
     ("dashed", "7 5"),
     ("dotted", "1.5 4"),

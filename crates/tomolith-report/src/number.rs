@@ -50,7 +50,7 @@ pub fn significant(value: f64, digits: usize) -> String {
     format!("{}{size}", if value < 0.0 { "−" } else { "" })
 }
 
-/// Numbers beside each other, with `digits` significant digits or as many more, up to 7, as tell those apart that differ.
+/// Numbers of one row, with `digits` significant digits, or as many more, up to 7, as it takes to print different numbers differently.
 ///
 /// ```
 /// use tomolith_report::number::told_apart;

@@ -270,7 +270,7 @@ impl Plot {
         self.legend.push((class.to_owned(), name.to_owned()));
     }
 
-    /// The finished drawing as a file of its own, with the colors of a report on its card; `title` is read by screen readers.
+    /// The finished drawing as a separate file, with the colors of a report on its card; `title` is read by screen readers.
     #[must_use]
     pub fn file(&self, title: &str) -> String {
         let above = self.above();

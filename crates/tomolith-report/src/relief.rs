@@ -8,7 +8,7 @@ use tomolith_metrics::surface::Deviation;
 /// Colors where the print is too small and where it is too large, those of errors on the page.
 const TOO_SMALL: [u8; 3] = [47, 111, 208];
 const TOO_LARGE: [u8; 3] = [214, 69, 80];
-/// Share of the corners whose deviation has a color of its own; those beyond have the color of the end.
+/// Share of the corners whose deviation lies within the color scale; those beyond have the color of its end.
 const WITHIN: f64 = 0.95;
 /// Ends of the colors within a power of ten.
 const ENDS: [f64; 11] = [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0];

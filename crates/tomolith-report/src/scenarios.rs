@@ -11,7 +11,7 @@ use tomolith_metrics::Measure;
 pub struct ScenarioRow {
     /// Its name.
     pub name: String,
-    /// Best IoU, at a threshold of its own.
+    /// Best IoU, at the threshold that is best in this scenario.
     pub iou: Measure,
     /// IoU at the job's threshold.
     pub iou_at_threshold: Measure,

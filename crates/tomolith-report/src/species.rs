@@ -1,4 +1,4 @@
-//! Several species at one exposure. A print has only one, so species that are best at doses of their own are printed together only where their networks gel at
+//! Several species at one exposure. A print has only one, so species that are best at different doses are printed together only where their networks gel at
 //! doses of that ratio.
 //!
 //! **Definition** Of all doses, the one at which the lowest IoU of all species is the largest, every network gelling at that dose; of all times of a print in time,
@@ -267,7 +267,7 @@ fn border(mut good: f64, mut bad: f64, is_good: &dyn Fn(f64) -> bool) -> f64 {
     good
 }
 
-/// A curve between its points; None beside them.
+/// A curve between its points; None outside of them.
 fn value_at(curve: &[[f64; 2]], place: f64) -> Option<f64> {
     let above = curve.partition_point(|point| point[0] < place);
     let high = curve.get(above)?;

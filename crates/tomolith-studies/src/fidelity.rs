@@ -1,7 +1,7 @@
-//! Which patterns print best: starts, published methods, earlier defaults and today's default on six targets, all judged alike.
+//! Which patterns print best: starts, published methods, earlier defaults and today's default on six targets, all evaluated alike.
 //!
 //! Every row is a whole job of the program. Its written patterns (8 bits) are evaluated by `simulate` on voxels of a quarter of a pixel while
-//! the vial turns (4 angles a frame), under one job for all rows of a target. *Ceiling*: optimized on the judge's own voxels, 150 iterations,
+//! the vial turns (4 angles a frame), under one job for all rows of a target. *Ceiling*: optimized on the voxels of the evaluation, 150 iterations,
 //! 4 angles a frame. Prints the tables of docs/fidelity.md.
 //!
 //!     cargo run --release -p tomolith-studies -- fidelity boat.stl            # all targets, in glass and index-matched; an hour
@@ -177,7 +177,7 @@ pub(crate) fn study(arguments: &[String]) -> Result<(), Box<dyn std::error::Erro
     Ok(())
 }
 
-/// Runs a row and judges what it wrote.
+/// Runs a row and evaluates the patterns that it wrote.
 fn judged(
     case: &Case,
     matched: bool,

@@ -420,7 +420,7 @@ fn passing(history: &[Row], setting: &Setting) {
     );
 }
 
-/// B = 10 and 25 at each ε, beside the published losses.
+/// B = 10 and 25 at each ε, next to the published losses.
 fn published(wanted: &Wanted<'_>, voxels: usize) -> Result<(), Error> {
     for steepness in [10.0, 25.0] {
         println!("\n**B = {steepness}**; published for B = 10: {PUBLISHED:?}\n");

@@ -1,7 +1,7 @@
 //! How time and memory of every dose model grow: `growth [LARGEST] [FOLDER]`.
 //!
 //! A ball in the middle of N³ voxels, N × N pixels as wide as voxels, N frames of a full turn, for N = 32, 48, 64, 96, 128, … up to LARGEST
-//! (default 128); a model whose next size would take more than two minutes ends before it. Each size runs in a process of its own, which
+//! (default 128); a model whose next size would take more than two minutes ends before it. Each size runs in a separate process, which
 //! builds the job's model and calls dose and adjoint until half a second of processor time has gone, a call of more than a minute once. Prints a table, exponents fitted to N = 64 and above and to the
 //! four largest sizes, and what 1024³ voxels with 1000 angles would take: the largest size times the larger power of the fitted one and the
 //! theory's (memory: N³). FOLDER gets four pictures. See docs/growth.md.
@@ -32,7 +32,7 @@ struct Case {
     /// Exponent of the dose's time in N.
     theory: f64,
     why: &'static str,
-    /// What the estimate at 1024 takes for granted, beside the powers.
+    /// What the estimate at 1024 assumes, besides the powers.
     assumes: &'static str,
 }
 
@@ -184,7 +184,7 @@ fn measure(case: &Case, n: usize) -> Fallible<()> {
     Ok(())
 }
 
-/// One size in a process of its own.
+/// One size in a separate process.
 fn in_a_process(case: &Case, n: usize) -> Fallible<Size> {
     let output = Command::new(env::current_exe()?)
         .args(["growth", "one", case.name, &n.to_string()])

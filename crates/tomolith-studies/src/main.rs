@@ -3,7 +3,7 @@
 //!     cargo run --release -p tomolith-studies -- fidelity boat.stl
 //!
 //! Without a name it lists what there is. The papers' studies are jobs and sweeps in `papers/` (`tomolith reproduce`); here stands what no job can say:
-//! models beside arrays of other programs, noise, growth, the evaluated prints of all defaults.
+//! models next to arrays of other programs, noise, growth, the evaluated prints of all defaults.
 #![expect(clippy::print_stderr, reason = "a program says why it ends")]
 
 mod fidelity;

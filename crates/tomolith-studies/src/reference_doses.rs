@@ -1,4 +1,4 @@
-//! Doses of fixed patterns beside those of Dr.TVAM: `reference_doses FOLDER`.
+//! Doses of fixed patterns next to those of Dr.TVAM: `reference_doses FOLDER`.
 //!
 //! FOLDER holds `drtvam_patterns_36x64x96.npz` (`patterns` [angle, row, column]) and doses of them, `drtvam_CASE.npz` (`dose_zyx`): 64³
 //! voxels over 4 mm, pixels of 0.0625 mm, resin n 1.48 in an index-matched bath of radius 3.5 mm (`im`) or in a cylinder 3.5/4 mm, n

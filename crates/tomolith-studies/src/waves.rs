@@ -40,7 +40,7 @@ fn sampling_of(model: &Wave) -> String {
     described[begin..end].to_owned()
 }
 
-/// |ψ|² `[x][u][z]` at some depths of n³ voxels, `off` voxels beside their planes.
+/// |ψ|² `[x][u][z]` at some depths of n³ voxels, `off` voxels from their planes.
 fn light_of_twin(twin: &Twin, x: &[f64], off: f64) -> Vec<Vec<f64>> {
     let planes = (0..twin.n).step_by(5);
     planes

@@ -1,6 +1,6 @@
-//! Runs side by side: who is next, what is told, how it stops, what is collected at the end.
+//! Runs side by side: which run is next, which events the caller sees, how a sweep stops, what it collects at the end.
 //!
-//! Each of the slots has a pool of threads of its own and takes the first run that waits and whose start is settled. Nothing of a run's result
+//! Each of the slots has a pool of threads and takes the first waiting run whose start is settled. Nothing of a run's result
 //! depends on which slot takes it or when. A request to stop is passed on to every run at work.
 
 use crate::pictures;
@@ -110,7 +110,7 @@ pub struct SweepOutcome {
     pub failed: usize,
     /// Those that have not been run.
     pub missing: usize,
-    /// The best run: number, values, metrics; none where none meets what is asked, and of a share.
+    /// The best run: number, values, metrics. None where no run meets `best.where`; None of a share, which does not know the other runs.
     pub best: Option<BestRun>,
     /// Table, pictures, best job; empty for a share.
     pub files: Vec<PathBuf>,
@@ -133,7 +133,7 @@ pub struct BestRun {
 }
 
 impl SweepOutcome {
-    /// Whether no run failed or is missing, and something meets what is asked; of a share, whether none failed.
+    /// Whether no run failed or is missing, and one meets `best.where`; of a share, whether no run failed.
     #[must_use]
     pub fn is_met(&self) -> bool {
         self.failed == 0 && (self.is_share || self.missing == 0 && self.best.is_some())
@@ -708,7 +708,7 @@ impl Slot<'_> {
         }
     }
 
-    /// What a run may start from: those of its neighbors that did not fail, in place of the nearest that did its own; None while that is not settled.
+    /// What a run may start from: its neighbors that did not fail, and in place of the nearest one that failed, the neighbor of that one. None until this is settled.
     fn start_of(&self, i: usize, board: &Board) -> Option<Vec<usize>> {
         let parents = |i: usize| self.plan.runs[i].parents.iter().map(|&p| board.firsts[p]);
         let mut from = Vec::new();

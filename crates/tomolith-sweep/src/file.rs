@@ -22,7 +22,7 @@ pub struct Sweep {
     pub(crate) best: Best,
     /// Lines over the maps, as they are written, with both sides of their equations.
     pub(crate) guides: Vec<(String, [Expression; 2])>,
-    /// All that is collected: those that are asked for, then what the best needs.
+    /// All metrics that are collected: those of `metrics`, then those that `[best]` needs.
     pub(crate) metrics: Vec<String>,
     pub(crate) base: Document,
     /// Processes that share this machine's memory.

@@ -8,7 +8,7 @@
 //! | runs side by side, shares, merging | `engine` |
 //! | folders of runs → rows, CSV | `table`, `metric` |
 //! | rows → maps and curves | `pictures`, drawn by `tomolith-report` |
-//! | a paper's numbers beside those of sweeps, jobs and commands | `study`, `commands`, `figures`, `reproduce` |
+//! | a paper's numbers next to those of sweeps, jobs and commands | `study`, `commands`, `figures`, `reproduce` |
 //!
 //! The manual is docs/sweeps.md. A run's folder is named by the identity of its job ([`Job::identity`](tomolith::job::Job::identity)), so that
 //! what is finished is found again whatever else has changed in the sweep.

@@ -6,7 +6,7 @@ use tomolith::error::nearest_name;
 use tomolith::metrics::METRICS;
 use tomolith::{Error, Result};
 
-/// Tables of a report, and numbers of an evaluation beside its metrics.
+/// Tables of a report, and numbers of an evaluation besides its metrics.
 const TABLES: [&str; 18] = [
     "evaluation",
     "optimization",
@@ -101,7 +101,7 @@ const FIELDS: [(&str, &[&str]); 5] = [
     ),
 ];
 
-/// Refuses, before any run, what no report has; `key` is where it is asked for.
+/// Refuses, before any run, a metric that no report has; `key` is the key that names it.
 ///
 /// # Errors
 /// [`Error::Config`] with the nearest name.

@@ -53,7 +53,7 @@ fn picture(plan: &SweepPlan, table: &Table<'_>, metric: &str) -> String {
     let caption = caption(plan, table, metric);
     let cell = |i: usize| Cell {
         value: table.metric(i, metric),
-        // Where nothing is asked of the best, there is nothing to outline
+        // Without `best.where` there is no feasible region to outline
         is_feasible: plan.sweep.best.conditions.is_empty() || table.is_feasible(i),
         is_best: table.best == Some(i),
         has_failed: matches!(table.states[i], State::Failed(_)),
@@ -122,7 +122,7 @@ fn guides(plan: &SweepPlan) -> Vec<Guide> {
         }
     };
     let guides = plan.sweep.guides.iter().map(guide);
-    // One that lies beside the map is no line in its legend
+    // A guide outside of the map gets no line in the legend
     guides.filter(|guide| !guide.points.is_empty()).collect()
 }
 

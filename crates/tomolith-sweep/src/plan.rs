@@ -542,7 +542,7 @@ impl SweepPlan {
 /// How what is accepted begins where a key takes whole numbers.
 const WHOLE: &str = "a whole number";
 
-/// How an option of the command line is told that set a key, or something that the key does not go with.
+/// How an error names the option of the command line that set a key, or set something that conflicts with it.
 const OPTIONS: [&str; 2] = [" (from --set ", " (with --set "];
 
 /// What was found, without the option that it is from: one of an axis, or the folder of a run.

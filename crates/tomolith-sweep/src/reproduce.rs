@@ -1,6 +1,6 @@
 //! A study run and compared with what is published: one table, the pictures of its sweeps.
 //!
-//! The sweeps do the work, so that finished runs are never redone and a killed study goes on. Here their numbers are only laid beside the
+//! The sweeps do the work, so that finished runs are never redone and a killed study goes on. Here their numbers are only set next to the
 //! published ones. A verdict is computed where the study states a tolerance or a comparison; elsewhere the study says why.
 
 use crate::axes::label;
@@ -259,7 +259,7 @@ enum RunResult {
     Nothing(Verdict),
 }
 
-/// Runs a study and writes `table.md` and `table.csv` into the folder of its results, beside a folder for each thing that is run.
+/// Runs a study and writes `table.md` and `table.csv` into the folder of its results, next to a folder for each run.
 ///
 /// # Errors
 /// [`Error::Config`] for sweeps and jobs that cannot run, before any does; [`Error::Canceled`]; [`Error::Io`]. A run or a command that fails
@@ -503,7 +503,7 @@ fn ours(
 ) -> Result<f64, Verdict> {
     let of = |name: &str| named.get(name).copied();
     let missing = |why: &str| Verdict::Missing(why.to_owned());
-    // Rows without a number have said why; what follows from them is not there either
+    // Rows without a number state the reason; rows that follow from them have none either
     let unknown = || Verdict::NotCompared("an earlier row has no number".to_owned());
     let parsed = |text: &String| text.parse::<Condition>().ok();
     if let Some(value) = &row.value {

@@ -1,7 +1,7 @@
 //! What is wrong with a mesh, in words, and the mesh made closed and outward.
 //!
 //! A solid is what lies where the winding number is positive. That needs a closed surface that looks outward, so a mesh
-//! goes through these steps, and every change is said in [`Diagnosis::sentences`]:
+//! goes through these steps, and [`Diagnosis::sentences`] reports every change:
 //!
 //! 1. **Doubles**: vertices on the two sides of a crack (1e-5 of the diagonal) are welded when that closes edges; copies of
 //!    triangles, and walls without thickness, are dropped.
@@ -263,7 +263,7 @@ fn place(at: [f64; 3]) -> String {
 /// Examines a mesh and makes it closed and outward.
 ///
 /// # Errors
-/// [`Error::Mesh`] when it encloses no volume, or cannot be repaired safely and that is not asked for; [`Error::Canceled`].
+/// [`Error::Mesh`] when it encloses no volume, or cannot be repaired safely and the caller does not force it; [`Error::Canceled`].
 pub(super) fn examine(
     mut mesh: Mesh,
     path: &Path,

@@ -1,7 +1,7 @@
 //! Targets: mesh, image or phantom → what each voxel should become.
 //!
 //! *What must it do, and who does it.* A [`Target`] is an inside fraction per voxel (1 part, 0 void, between at the
-//! surface), or gray values to be reproduced. It can be asked for again on a finer grid: evaluation does that.
+//! surface), or gray values to be reproduced. It can be sampled again on a finer grid: evaluation does that.
 //!
 //! | kind of shape | file |
 //! |---|---|
@@ -76,7 +76,7 @@ pub trait Shape: std::fmt::Debug + Send + Sync {
     fn volume_mm3(&self) -> Option<f64> {
         None
     }
-    /// The bodies of a role, as a shape of their own; what is printed is the shape itself.
+    /// The bodies of a role, as a separate shape; what is printed is the shape itself.
     fn body(&self, role: Role) -> Option<&dyn Shape> {
         let _ = role;
         None

@@ -59,7 +59,7 @@ pub struct Products {
 pub struct Direction {
     /// Factor of P·g.
     pub scale: f32,
-    /// Length of the projected gradient step beside which the direction is measured.
+    /// Length of the projected gradient step with which the direction is compared.
     pub length: f32,
     /// Factors of the s_j, 0 for slots not in use.
     pub along_s: Vec<f32>,
@@ -69,7 +69,7 @@ pub struct Direction {
     pub stretch: f32,
 }
 
-/// Sums over a direction brought into the bounds, and over the projected gradient step of its length beside it.
+/// Sums over a direction brought into the bounds, and over the projected gradient step of its length.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DirectionSums {
     /// g·p of p = clip(x + stretch·d) − x, `clip` bringing into the bounds
@@ -88,7 +88,7 @@ pub struct PairsPart<'a> {
     pub name: &'static str,
     /// How many bytes.
     pub len: usize,
-    /// The bytes, fetched when they are asked for.
+    /// The bytes, fetched on first use.
     pub bytes: Box<dyn Fn() -> Cow<'a, [u8]> + 'a>,
 }
 

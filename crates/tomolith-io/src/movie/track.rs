@@ -5,7 +5,7 @@
 /// What the frames are coded in.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Codec<'a> {
-    /// Units of H.264, each after its length in so many bytes; parameter sets beside them.
+    /// Units of H.264, each after its length in so many bytes; parameter sets separately.
     H264 {
         parameter_sets: Vec<&'a [u8]>,
         length_size: usize,

@@ -54,7 +54,7 @@ pub(crate) struct Step<'a> {
     air: Option<f32>,
 }
 
-/// A row of voxels beside another one: values, shares of D.
+/// A row of voxels next to another one: values, shares of D.
 type Row<'a> = (&'a [f32], Option<&'a [f32]>);
 
 #[inline(always)]

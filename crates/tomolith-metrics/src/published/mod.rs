@@ -1,4 +1,4 @@
-//! Numbers of the dose as the publications define them, so that they can be laid beside theirs.
+//! Numbers of the dose as the publications define them, so that they can be compared with theirs.
 //!
 //! [`METRICS`](super::METRICS) are of the response; these are of the dose, each with its source. They work on anybody's arrays: a dose,
 //! a target and labels ([`label`](tomolith_core::target::label)) of the same voxels.
@@ -168,7 +168,7 @@ pub fn of_print(
         return Err(Error::shape("target", dose.grid.shape, target.grid.shape));
     }
     let run = print.run();
-    // One look for all that is asked below
+    // One pass for all numbers below
     let lowest = scan.part().map(|p| f64::from(p.min));
     scan.look_at(lowest.as_slice(), &order::ranks(scan, options.trim_percent));
     let slices = slices::slices_under(dose, labels, options.trim_percent, &run.part(SLICES));

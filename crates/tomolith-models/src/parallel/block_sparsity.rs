@@ -16,7 +16,7 @@ use tomolith_core::parallel::{InParallel, table};
 /// weights are read less often), shorter ones are more often empty.
 const SHORT: usize = 5;
 
-/// What a block costs beside its vectors, if a vector costs 1: its weights and slots are read once. Vectors of a block of five cost 1.2 to 1.7 times as
+/// What a block costs in addition to its vectors, if a vector costs 1: its weights and slots are read once. Vectors of a block of five cost 1.2 to 1.7 times as
 /// much as those of one of sixteen (measured).
 const COST_OF_BLOCK: f64 = 2.0;
 

@@ -1,14 +1,14 @@
-//! The matrix of a slice, found once and kept between calls.
+//! The matrix of a slice, found once and stored between calls.
 //!
-//! An optimization asks for doses again and again. Where the entries (column, voxel, weight) of all frames take at most [`MOST`] bytes, they are
-//! kept, by patches of 2 × 2 voxels ([`patches`]): what few rows of pixels bring takes less time to sum than to find. What all angles of a
+//! An optimization computes doses again and again. Where the entries (column, voxel, weight) of all frames take at most [`MOST`] bytes, they are
+//! stored, by patches of 2 × 2 voxels ([`patches`]): what few rows of pixels bring takes less time to sum than to find. What all angles of a
 //! frame bring from a column to a voxel is one entry, so that a frame averaged over four angles costs little more than one that stands
-//! still. Views that repeat those of a quarter turn before have the same entries, turned: only those of the first quarter are found and kept, and
-//! serve all ([`kept`](super::kept)). Dose and adjoint are sums along the same entries. Whether they are kept depends on the job alone, so a resumed
+//! still. Views that repeat those of a quarter turn before have the same entries, turned: only those of the first quarter are found and stored, and
+//! serve all ([`kept`](super::kept)). Dose and adjoint are sums along the same entries. Whether they are stored depends on the job alone, so a resumed
 //! run has the bits of the uninterrupted one.
 //!
 //! # Cost
-//! 20 bytes for each column of each frame that lights a patch, and the time of one dose that is not kept; a quarter of both where quarters
+//! 20 bytes for each column of each frame that lights a patch, and the time of one dose without stored entries; a quarter of both where quarters
 //! repeat.
 
 use super::block_sparsity::{NonzeroBlocks, NonzeroTile};
@@ -28,7 +28,7 @@ use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 
-/// Most bytes that are kept.
+/// Most bytes that are stored.
 const MOST: f64 = (1u64 << 31) as f64;
 
 /// Bytes of an entry: a slot, and weights of the patch.
@@ -38,7 +38,7 @@ const BYTES: f64 = (size_of::<u32>() + size_of::<[f32; VOXELS]>()) as f64;
 pub(super) const EDGE: usize = 2;
 const PATCHES: usize = TILE / EDGE;
 
-/// Bytes that an optimization keeps of these lights; None where that would be too much, or rows have no lanes.
+/// Bytes that an optimization stores of these lights; None where that would be too much, or rows have no lanes.
 pub(super) fn bytes(lights: &[Light], vial: &dyn Vial, grid: &VolumeGrid) -> Option<f64> {
     let turned = Turned::of_lights(vial, lights, grid);
     let of_light = |(light, turned): (&Light, &Turned)| {

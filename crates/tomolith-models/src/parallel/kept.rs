@@ -1,4 +1,4 @@
-//! Dose and adjoint along entries that are kept.
+//! Dose and adjoint along stored entries.
 //!
 //! Entries are those of the first part of the turn ([`turned`](super::turned)). They serve all parts at once: a slot holds the lanes of the pixels that
 //! its column stands for, part after part, and a voxel those of the voxels that it is turned to. What is read of an entry is so used for up to four
@@ -33,7 +33,7 @@ fn bands(lanes: usize) -> usize {
     (OF_BANDS / (lanes * size_of::<f32>()).max(1)).clamp(1, BANDS)
 }
 
-/// Bytes of the lanes of bands beside those of all pixels.
+/// Bytes of the lanes of bands in addition to those of all pixels.
 pub(super) fn bytes_of_bands(lights: &[Light], grid: &VolumeGrid) -> f64 {
     let of_light = |light: &Light| {
         let pixels = &light.pixels;
@@ -401,7 +401,7 @@ mod tests {
     fn views_of_any_part_ask_for_those_of_the_first() {
         assert_eq!(repeated(&(0..40), 20), [0..8, 8..16, 16..20]);
         assert_eq!(repeated(&(25..30), 20), [5..8, 8..10]);
-        // Around the end of a part: the first to the last of a group that are asked for
+        // Around the end of a part: the first to the last of a group that the caller wants
         assert_eq!(repeated(&(18..27), 20), [0..7, 18..20]);
         assert_eq!(repeated(&(5..22), 20), [0..8, 8..16, 16..20]);
         assert!(repeated(&(3..3), 20).is_empty());

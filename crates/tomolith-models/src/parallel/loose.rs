@@ -1,8 +1,8 @@
 //! Single entries that a slice needs, found once.
 //!
 //! Most tiles of a slice are lit by uniform strips and chains ([`plane`](super::plane)). Where strips begin or end within a tile, or a
-//! resin wall cuts it, entries are found one by one: two tiles in a hundred took a third of the time of a slice. A model that is asked
-//! again and again keeps them, where they take about [`MOST`] bytes a light at most. Sums along them have the same order, and so the
+//! resin wall cuts it, entries are found one by one: two tiles in a hundred took a third of the time of a slice. A model that is called
+//! again and again stores them, where they take about [`MOST`] bytes a light at most. Sums along them have the same order, and so the
 //! same bits.
 
 use super::Parallel;
@@ -13,13 +13,13 @@ use tomolith_core::error::Result;
 use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
 
-/// Bytes that are kept of a light at most, by [`OF_MEETING`].
+/// Most bytes that are stored of a light, by [`OF_MEETING`].
 const MOST: usize = 128 << 20;
 
 /// Bytes of a tile and a beam, roughly: three columns cross a voxel at most times, each with a slot and a weight.
 const OF_MEETING: usize = 3 * TILE * TILE * (size_of::<u32>() + size_of::<f32>());
 
-/// Bytes that are kept at most of these lights in a slice of so many voxels.
+/// Most bytes that are stored of these lights in a slice of so many voxels.
 pub(super) fn bytes(lights: &[Light], voxels: usize) -> f64 {
     let of_light = |light: &Light| {
         let beams = light.pixels.frames() * light.sub_angles.max(1);
@@ -95,7 +95,7 @@ impl Parallel {
         plan.enumerate(self.path, beam, meeting, &local, found);
     }
 
-    /// Entries of a tile and a beam: those that are kept, or found anew in `own`.
+    /// Entries of a tile and a beam: the stored ones, or those found anew in `own`.
     pub(super) fn loose_entries<'a>(
         &self,
         (plan, kept): (&LightPlan, Option<&'a Loose>),

@@ -35,8 +35,8 @@
 //! # Cost
 //! One *update* is one voxel lit by one frame: about two fused multiply-adds and two loads of one float each, shared
 //! geometry aside. Where light can be reversed (pure Radon, straight light, every frame with its opposite), two frames
-//! share these: see `views.rs`. An optimization keeps the entries of all frames where they are few, and joins the angles of a frame:
-//! see `cached.rs`. Memory beside the fields: lanes of all pixels once (views·columns·nz floats), and 2.1 GB of such entries at most.
+//! share these: see `views.rs`. An optimization stores the entries of all frames where they are few, and joins the angles of a frame:
+//! see `cached.rs`. Memory in addition to the fields: lanes of all pixels once (views·columns·nz floats), and 2.1 GB of such entries at most.
 //!
 //! # Example
 //! Uniform light of 1 mJ/mm² from four sides through an index-matched cylinder makes, at the axis, four times
@@ -162,7 +162,7 @@ impl ModelFamily for Params {
         })
     }
 
-    /// Where no entries are kept: sums along these have another order.
+    /// Where no entries are stored: sums along these have another order.
     fn evaluates_alike(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> bool {
         cached::bytes(scene.lights, scene.vial, grid).is_none()
     }
@@ -206,10 +206,10 @@ pub struct Parallel {
     orbits: Vec<Vec<usize>>,
     kernel: Kernel,
     path: KernelPath,
-    /// Lanes of pixels, kept between calls.
+    /// Lanes of pixels, reused between calls.
     scratch: Mutex<Vec<HostField>>,
     updates: OnceLock<u64>,
-    /// Whether the entries of all frames are kept from the first call on; they, of each light, once they are known; those of a slice.
+    /// Whether the first call stores the entries of all frames; then the entries of each light; then the single entries of a slice.
     caches: bool,
     cache: Vec<OnceLock<CachedEntries>>,
     loose: Vec<OnceLock<Loose>>,
@@ -220,7 +220,7 @@ const GROUP: usize = 8;
 /// Rows of lanes that one thread does in a row.
 const TOGETHER: usize = 256;
 
-/// Floats of dose that stay in a second-level cache of 2 MB beside the columns that light them.
+/// Floats of dose that stay in a second-level cache of 2 MB together with the columns that light them.
 const CACHED: usize = 320 << 10;
 
 impl Parallel {
@@ -246,8 +246,8 @@ impl Parallel {
         Self::planned(vial, (lights, kernel), grid, false, run)
     }
 
-    /// The same; `caches` keeps the entries (column, voxel, weight) of all frames from the first call on, which is worth it where a dose is asked for
-    /// again and again, and their memory is there ([`cached`]). Of a slice it keeps those that its fast kernels do not find.
+    /// The same; `caches` stores the entries (column, voxel, weight) of all frames in the first call, which is worth it where doses are computed
+    /// again and again, and their memory is there ([`cached`]). Of a slice it stores those that its fast kernels do not find.
     fn planned(
         vial: &dyn Vial,
         (lights, kernel): (Vec<Light>, Kernel),
@@ -303,7 +303,7 @@ impl Parallel {
         self
     }
 
-    /// The entries that are kept of a light; None where none are.
+    /// The stored entries of a light; None where none are.
     fn cache(&self, light: usize, run: &Run) -> Result<Option<&CachedEntries>> {
         if self.caches && self.cache[light].get().is_none() {
             // Whoever comes first; all would find the same
@@ -314,7 +314,7 @@ impl Parallel {
         Ok(self.cache[light].get())
     }
 
-    /// The single entries that are kept of a light of a slice; None where none are.
+    /// The stored single entries of a light of a slice; None where none are.
     fn loose(&self, light: usize, run: &Run) -> Result<Option<&Loose>> {
         if self.caches && self.loose[light].get().is_none() {
             let found = Loose::of(self, &self.lights[light], run)?;

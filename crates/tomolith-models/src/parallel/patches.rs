@@ -529,7 +529,7 @@ mod tests {
                     assert!((summed[at] - rows[at] - sum).abs() < 1e-5);
                 }
             }
-            // What is left out, and lanes beside the block, stay as they are
+            // What is left out, and lanes outside of the block, stay as they are
             if !all {
                 let left_out = place(0, 0)..place(0, lanes);
                 assert_eq!(summed[left_out.clone()], rows[left_out]);

@@ -40,7 +40,7 @@ impl KernelPath {
 
 /// What is known of one light before any pattern.
 pub(super) struct LightPlan {
-    /// Of all views, or of the first part where entries are kept.
+    /// Of all views, or of the first part where entries are stored.
     pub(super) beams: Vec<Beam>,
     pub(super) views: Views,
     pub(super) turned: Turned,
@@ -106,7 +106,7 @@ fn lit(views: &Views, columns: usize, by_frame: &[(u16, u16)]) -> Vec<(u16, u16)
 }
 
 impl LightPlan {
-    /// For a light, whose entries the model keeps or not.
+    /// For a light, whose entries the model stores or not.
     pub(super) fn new(
         vial: &dyn Vial,
         (light, kernel, turned, keeps): (&Light, Kernel, Turned, bool),
@@ -123,7 +123,7 @@ impl LightPlan {
         };
         let views = Views::of(vial, light);
         let pixels = views.pixels(&light.pixels);
-        // Entries that are kept are found once, from the first part
+        // Stored entries are found once, from the first part
         let mut found_from = pixels.clone();
         if keeps {
             found_from.azimuths.truncate(turned.period);

@@ -165,7 +165,7 @@ pub(super) struct Local {
     pub(super) across_step: u32,
     /// First row and first voxel across of the tile on the grid.
     pub(super) origin: [f32; 2],
-    /// Bit i of a row says whether voxel i across is asked for.
+    /// Bit i of a row says whether the caller wants voxel i across.
     pub(super) wanted: [u32; TILE],
 }
 
@@ -234,7 +234,7 @@ pub(super) struct Meeting {
     pub(super) uniform_strips: bool,
 }
 
-/// Neighboring strips that are asked together first whether they meet a tile.
+/// Neighboring strips that are tested together first for whether they meet a tile.
 const TOGETHER: usize = 16;
 
 /// Between which numbers all edges and spans of some neighboring strips lie: `[least, largest]`.

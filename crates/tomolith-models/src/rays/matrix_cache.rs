@@ -1,12 +1,12 @@
 //! Cached ray matrix: what every pixel leaves in every voxel, stored where it fits.
 //!
 //! Rays on coarse voxels, those through the cells of a solid above all, take far longer to trace than to sum. Up to [`MOST`]
-//! entries their walks are done once, the rays of a pixel are added up, and dose and adjoint are sums along stored rows
-//! (those of [`matrix`](crate::matrix)). Whether walks are kept depends on the job alone, so a resumed run has the bits
+//! entries they are traced once, the rays of a pixel are added up, and dose and adjoint are sums along stored rows
+//! (those of [`matrix`](crate::matrix)). Whether they are stored depends on the job alone, so a resumed run has the bits
 //! of the uninterrupted one.
 //!
 //! # Cost
-//! 16 bytes an entry, while they are made and after, 2.1 GB at most; what is walked before it is known to be too much, at most a
+//! 16 bytes an entry, while they are made and after, 2.1 GB at most; rays that are traced before their number is known to be too large, at most a
 //! sixteenth of one call and some more.
 
 use super::Rays;
@@ -26,7 +26,7 @@ pub const MOST: usize = 1 << 27;
 /// Bytes of an entry, by place and by pixel.
 pub const BYTES: usize = 16;
 
-/// What is kept, in entries: for each pixel, for each voxel that its light crosses in a plane, and for each update.
+/// The size of the cache in entries: for each pixel, for each voxel that its light crosses in a plane, and for each update.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CachedEntries {
     /// Of a pixel.
@@ -36,7 +36,7 @@ pub struct CachedEntries {
 }
 
 impl CachedEntries {
-    /// Every pixel's own.
+    /// Entries of single pixels.
     pub const SINGLE: CachedEntries = CachedEntries {
         per_pixel: 1.0,
         per_update: 1.0,

@@ -294,7 +294,7 @@ pub struct Rays {
     /// Iterations after which other paths are drawn; 0: never.
     renew: usize,
     updates: OnceLock<u64>,
-    /// Whether walks are kept where they are few.
+    /// Whether traced rays are stored where they are few.
     caches: bool,
     /// They, once it is known.
     cache: OnceLock<Option<RayMatrixCache>>,
@@ -419,14 +419,14 @@ impl Rays {
     }
 
     /// Caches what every pixel, or all rows of a column, leave in every voxel from the first call on, where that is at most 2.1 GB; not where
-    /// light is scattered. Worth it where a dose is asked for more than once or twice.
+    /// light is scattered. Worth it for more than one or two doses.
     #[must_use]
     pub fn cached(mut self) -> Self {
         self.caches = self.scatter_grid.is_none();
         self
     }
 
-    /// The walks that are kept; None where none are.
+    /// The stored rays; None where none are.
     fn cache(&self, run: &Run) -> Result<Option<&RayMatrixCache>> {
         if self.caches && !self.has_column_rays() && self.cache.get().is_none() {
             // Whoever comes first; all would find the same
@@ -437,7 +437,7 @@ impl Rays {
         Ok(self.cache.get().and_then(Option::as_ref))
     }
 
-    /// The column rays that are kept, of all lights; None where none are.
+    /// The stored column rays of all lights; None where none are.
     fn cached_column_rays(&self, run: &Run) -> Result<Option<&ColumnRaysCache>> {
         if self.caches && self.has_column_rays() && self.cached_column_rays.get().is_none() {
             let most = matrix_cache::MOST * matrix_cache::BYTES / column_rays::BYTES;

@@ -65,7 +65,7 @@ impl Lattice {
         height
     }
 
-    /// The part of a path segment that lies in the grid, and its major axis; None when it passes beside.
+    /// The part of a path segment that lies in the grid, and its major axis; None when it misses the grid.
     ///
     /// `energy_mm2`: what a pixel of value 1 sends along this path segment's ray, in mm² of area times its power.
     pub(super) fn segment(

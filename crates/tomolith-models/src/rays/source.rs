@@ -124,14 +124,14 @@ impl Source {
         }
     }
 
-    /// The samples of a column's pixels: along the axis as far beside the even ones, within their spacing, as the column's place says.
+    /// The samples of a column's pixels: along the axis shifted from the even ones, within their spacing, by an amount that follows from the column's place.
     /// Level rays of one height meet one slice of voxels; heights that all columns shared would light some slices more than
     /// others, in every voxel alike. A single ray stays in the middle. The place, not the number, decides: an image
     /// beside the axis has the rays of a larger one.
     fn samples_of(&self, column: usize) -> impl Iterator<Item = Sample> {
         let count = self.samples.len();
         let place = self.pixels.column_u(column) / self.pixels.pitch_mm[0];
-        // Half a spacing is added so that no pixel beside or on the axis lies at the leap from 1 to 0
+        // Half a spacing is added so that no pixel on or next to the axis lies at the leap from 1 to 0
         let beside = (0.5 + place * GOLDEN).rem_euclid(1.0) - 0.5;
         let beside = if count > 1 {
             beside / count as f64

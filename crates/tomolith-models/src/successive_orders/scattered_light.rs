@@ -274,7 +274,7 @@ fn cell_edges(vial: &dyn Vial, delta_scaled: &DeltaScaledPhase, params: &Params)
 }
 
 /// Cells of order 1 along an edge of one of the later orders: as long as 0.4 mm at μ = 1, and 20 of them across, but no more than where
-/// no edge is asked for, so that smaller cells are smaller in all orders.
+/// the job names no edge, so that smaller cells are smaller in all orders.
 fn cells_of_later_orders([edge, usual]: [f64; 2], mu: f64, radius: f64) -> usize {
     let longest = (0.4 / mu).min(radius / 10.0);
     let count = |edge: f64| (longest / edge).floor().max(1.0);

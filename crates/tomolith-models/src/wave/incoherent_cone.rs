@@ -24,7 +24,7 @@
 //!
 //! # Limits
 //! As `wave`: an index-matched vial, no scattering, no bodies. All rays of a cone take the way of its middle one through the resin. Pixels
-//! have soft edges (`cones`): beside a sharp edge light overshoots by 0.6 %, also below 0.
+//! have soft edges (`cones`): next to a sharp edge light overshoots by 0.6 %, also below 0.
 //!
 //! # Cost
 //! As `wave`, with a pullback that costs as much as a dose.
@@ -187,7 +187,7 @@ fn params_of(section: &Section) -> Result<Params> {
 /// See the [module page](self).
 pub struct IncoherentCone(Lights<Cones<f32>>);
 
-/// Bytes that frames at work take beside patterns and doses.
+/// Bytes that frames at work take in addition to patterns and doses.
 fn working_bytes(
     vial: &dyn Vial,
     lights: &[Light],

@@ -135,7 +135,7 @@ impl<P: Propagation<f32>> Lights<P> {
             .sum()
     }
 
-    /// The sampling of the lights, and what `more` says of each, for people; lights that are alike are said once.
+    /// The sampling of the lights, and what `more` says of each, for people; equal lights share one line.
     pub(super) fn described(&self, more: impl Fn(&P) -> String) -> String {
         let of_light = |light: &WaveLight<f32, P>| {
             let s = &light.propagation.windows().sampling;
@@ -225,7 +225,7 @@ fn windows_of<T: Number>(
 /// Operations of the Fourier transforms of a frame's dose and pullback at most: some ten minutes of a core.
 const MOST_WORK: f64 = 3e12;
 
-/// Bytes of frames of a light at work, `doses` at a time, beside patterns and one dose; `kernels`: complex numbers for each frequency that are kept, of
+/// Bytes of frames of a light at work, `doses` at a time, in addition to patterns and one dose; `kernels`: complex numbers for each frequency that are kept, of
 /// so many depths.
 pub(super) fn working_bytes(
     vial: &dyn Vial,

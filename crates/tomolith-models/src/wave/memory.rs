@@ -1,4 +1,4 @@
-//! Working memory of frames beside patterns and doses, estimated before it is allocated.
+//! Working memory of frames in addition to patterns and doses, estimated before it is allocated.
 //!
 //! # Equation
 //! ```text
@@ -23,7 +23,7 @@ pub(super) fn frames_together(bytes: usize, threads: usize) -> usize {
 /// Complex numbers of the size of a spectrum that a frame needs on its way back: its own, at a depth, kernels, sums.
 const SPECTRA: usize = 6;
 
-/// Fields that wait for each other on their way between depths, beside those they are interpolated from.
+/// Fields that wait for each other on their way between depths, in addition to those they are interpolated from.
 const WAITING: usize = 8;
 
 impl<T: Number> Windows<T> {

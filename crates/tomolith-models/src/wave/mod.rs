@@ -301,7 +301,7 @@ impl Wave {
     }
 }
 
-/// Bytes that frames at work take beside patterns and a dose, in an optimization or in one dose.
+/// Bytes that frames at work take in addition to patterns and a dose, in an optimization or in one dose.
 fn working_bytes(
     vial: &dyn Vial,
     lights: &[Light],
@@ -323,7 +323,7 @@ fn working_bytes(
     lights.iter().enumerate().map(of_light).sum()
 }
 
-/// Refuses pixels, voxels, wavelength and aperture that contradict each other, before any work; what is said of those that do not.
+/// Refuses pixels, voxels, wavelength and aperture that contradict each other, before any work; returns the notes on those that do not.
 fn must_fit(lights: &[Light], params: &Params, grid: &VolumeGrid) -> Result<Vec<String>> {
     let mut warnings = Vec::new();
     for (i, light) in lights.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! How finely the wave of a light is sampled: window, depths, lateral samples.
 //!
 //! Distances of samples along and across the light follow from the [`Taps`] that interpolate them, for light that fills the band evenly: the fewest that
-//! keep to the errors asked for. Where that saves time, fields are interpolated from those at fewer depths ([`depth_interpolation`](super::depth_interpolation)), closer samples
+//! stay within the allowed errors. Where that saves time, fields are interpolated from those at fewer depths ([`depth_interpolation`](super::depth_interpolation)), closer samples
 //! from those that are computed, and voxels from few of them. Errors that have nothing to do with each other add up as squares: [`WINDOW`]² + [`FIELDS`]² + [`LIGHT`]² ≤ 1.
 
 use super::Settings;
@@ -12,7 +12,7 @@ use super::window::{Side, operations, smooth, wide};
 use std::f64::consts::FRAC_1_SQRT_2;
 use tomolith_core::units::concise;
 
-/// Shares of the error asked for: of the window, and of the depths; where fields are interpolated, of those and of light between them.
+/// Shares of the allowed error: of the window, and of the depths; where fields are interpolated, of those and of light between them.
 const WINDOW: f64 = 0.3;
 const PLANES: f64 = 0.95;
 const FIELDS: f64 = 0.85;

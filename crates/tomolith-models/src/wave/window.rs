@@ -7,7 +7,7 @@
 //! (t − P + D)⁺/L, t < P/2, comes back from the far side of the window and is seen,      (D − t)⁺/L, t > P/2, is missed
 //! ```
 //! L the length of the pattern. P = 2D leaves neither: the limit of Matsushima & Shimobaba, eq. 13 and 20 to 22. Of light that fills the band, few components
-//! travel so far: the window is the smallest that, at every depth, loses and repeats no more power than the error asked for squared.
+//! travel so far: the window is the smallest that, at every depth, loses and repeats no more power than the allowed error squared.
 //!
 //! # Source
 //! Matsushima & Shimobaba, Opt. Express 17 (2009) 19662.

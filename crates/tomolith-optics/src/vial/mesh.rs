@@ -124,7 +124,7 @@ const OPEN_ENDS: [f64; 2] = [20.0, 21.0];
 const LEVEL: f64 = 1e-6;
 /// Directions in which the distance from the axis to a wall is looked up.
 const LOOKS: u32 = 256;
-/// How far beside an edge the next look goes: far less than from one look to the next.
+/// How far from an edge the next line of sight goes: far less than from one line to the next.
 const ASIDE: f64 = 1e-6;
 
 /// Radius of a circle about the axis, at the height of the origin, that the wall does not enter.
@@ -139,7 +139,7 @@ fn inscribed(wall: &Surface) -> f64 {
     };
     let distance = |i: u32| {
         let angle = TAU * f64::from(i) / f64::from(LOOKS);
-        // Rounding may lead a look along an edge between its triangles: then another one beside it
+        // Rounding may lead a line along an edge between its triangles: then another one next to it
         let asides = [0.0, ASIDE, -ASIDE];
         asides.into_iter().find_map(|aside| look(angle + aside))
     };

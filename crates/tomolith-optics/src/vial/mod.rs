@@ -81,7 +81,7 @@ pub trait Vial: std::fmt::Debug + Send + Sync {
         })
     }
 
-    /// Index of what surrounds the vial, given the index asked for and the resin's.
+    /// Index of what surrounds the vial, given the index in the job and that of the resin.
     fn surrounding_index(&self, asked: f64, _resin: f64) -> f64 {
         asked
     }

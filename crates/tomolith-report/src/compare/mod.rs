@@ -1,4 +1,4 @@
-//! Several runs on one page: numbers side by side, curves laid over each other, doses beside each other, and which keys of the jobs differ.
+//! Several runs on one page: numbers side by side, curves laid over each other, doses next to each other, and which keys of the jobs differ.
 //!
 //! A run is read from its folder: `report.json`, `history.csv`, `job.toml`, `dose.npy`, and the target of its `report.html`. Nothing is computed again, so
 //! that runs of other machines and other days can be compared.
@@ -17,7 +17,7 @@ use tables::{differing, evaluation_model_of, is_fair, prints, warnings};
 use tomolith_core::error::{Error, Result};
 use tomolith_io::{open_regular, write_whole};
 
-/// Runs on one page, at most: lines of more cannot be told apart.
+/// Runs on one page, at most: nobody can distinguish the lines of more.
 const MOST: usize = 12;
 
 /// Reads run folders; folders of the same name are called by their whole path.

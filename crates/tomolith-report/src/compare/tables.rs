@@ -57,7 +57,7 @@ pub(super) fn evaluation_model_of(run: &ComparedRun) -> Option<&str> {
     model.split([' ', ',', ':']).next()
 }
 
-/// Whether some of the part turns solid in a run; of gray targets, which have no IoU, and earlier reports it is not asked.
+/// Whether some of the part turns solid in a run; true for gray targets, which have no IoU, and for earlier reports.
 pub(super) fn prints(run: &ComparedRun) -> bool {
     run.number("/evaluation/iou") != Some(0.0) && run.number("/evaluation/part/max") != Some(0.0)
 }

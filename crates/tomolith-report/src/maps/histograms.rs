@@ -1,4 +1,4 @@
-//! Histograms side by side over one scale, as one SVG file: those of several runs, with the band that each was asked for.
+//! Histograms side by side over one scale, as one SVG file: those of several runs, with the band of each objective.
 //!
 //! Each panel shows shares of its own voxels, logarithmically, with 0 below the decades: peaks at the edges of a band and the few voxels
 //! with the largest errors are both seen. Bins are joined until a panel has about a hundred of them.
@@ -23,9 +23,9 @@ use crate::plot::Axis;
 const BINS: f64 = 100.0;
 /// Height of a panel, of its width.
 const FLAT: f64 = 0.9;
-/// Room beside what is shown, of its extent.
+/// Margin on either side, as a share of what is shown.
 const BESIDE: f64 = 0.04;
-/// How series are drawn and told apart.
+/// How series are drawn, so that they differ.
 pub(super) const SERIES: [(&str, &str); 4] = [
     ("part", "teal"),
     ("void", "orange"),

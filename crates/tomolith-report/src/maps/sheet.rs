@@ -10,7 +10,7 @@ const AMONG: [f64; 2] = [230.0, 200.0];
 const LEFT: f64 = 76.0;
 const BELOW: f64 = 62.0;
 const ABOVE: f64 = 34.0;
-/// Room of a label's letter; between a panel and its name, beside labels on the left and below it.
+/// Room of a label's letter; between a panel and its name, around labels on the left and below it.
 pub(super) const GLYPH: f64 = 7.0;
 const NAME_LEFT: f64 = 36.0;
 const NAME_BELOW: f64 = 42.0;

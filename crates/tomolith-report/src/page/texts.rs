@@ -68,7 +68,7 @@ fn facts(data: &ReportData<'_>) -> Vec<(String, String)> {
     data.facts.iter().cloned().chain(lights).collect()
 }
 
-/// Over which exposures each species stays nearly as good, or why that is not said.
+/// Over which exposures the print of each species stays nearly as good, or why the report cannot say so.
 fn exposures(data: &ReportData<'_>) -> Vec<String> {
     if data.species.len() > 1 {
         let of = |species: &SpeciesReport<'_>| {

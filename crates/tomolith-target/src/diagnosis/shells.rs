@@ -263,7 +263,7 @@ mod tests {
     #[test]
     fn bodies_keep_their_cavities_and_what_lies_in_a_cavity_is_a_body_of_its_own() {
         let cube = |half: f64, x: f64| cuboid([x - half, -half, -half], [x + half, half, half]);
-        // A box with a cavity, in it a ball of wood with a hole; beside it a small box, inside out
+        // A box with a cavity, in it a ball of wood with a hole; next to it a small box, inside out
         let all = [
             cube(1.0, 0.0),
             cube(4.0, 0.0),

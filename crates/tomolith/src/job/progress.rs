@@ -65,14 +65,14 @@ pub struct Wants {
 }
 
 impl Wants {
-    /// Whether anything is asked for.
+    /// Whether the observer wants any copy.
     #[must_use]
     pub fn any(self) -> bool {
         self.patterns || self.dose || self.print
     }
 }
 
-/// Copies of what a run has at this moment; lists that were not asked for are empty.
+/// Copies of what a run has at this moment; lists that the observer does not want are empty.
 #[derive(Clone, Debug)]
 pub struct Snapshot {
     /// The iteration, 0 for the start; None for the written patterns while the vial turns, which are evaluated.
@@ -90,12 +90,12 @@ pub trait Progress {
     /// Called for each event, in order, from the thread that runs the job.
     fn event(&mut self, event: &Event);
 
-    /// Which copies to take at the next iteration, and of what is evaluated in the end; asked after every event. One of several ranks takes none.
+    /// Which copies to take at the next iteration, and of what is evaluated in the end. The run calls this after every event; one of several ranks takes no copies.
     fn wants(&self) -> Wants {
         Wants::default()
     }
 
-    /// Called with the copies that were asked for, behind the event of their iteration.
+    /// Called with the copies of [`wants`](Self::wants), after the event of their iteration.
     fn snapshot(&mut self, snapshot: Snapshot) {
         drop(snapshot);
     }
@@ -142,8 +142,8 @@ const PAUSE: Duration = Duration::from_millis(200);
 const KNOWN: f64 = 0.02;
 const SEEN: Duration = Duration::from_secs(1);
 
-/// Does `work` in a thread of its own, while this one tells how far the stage at hand is. What the work itself tells is told
-/// from this thread too, and the work waits for that.
+/// Does `work` in a separate thread, while this one reports how far the current stage is. The events of the work are also sent
+/// from this thread, and the work waits for that.
 pub(crate) fn watched<T: Send>(
     progress: &mut dyn Progress,
     run: &Run,
@@ -220,7 +220,7 @@ impl Progress for Relay {
 /// How far the stage at hand is.
 struct Gauge {
     begin: Instant,
-    /// What was told last, 0 before anything was.
+    /// The share that was reported last, 0 before the first report.
     done: f64,
     /// An optimization tells its iterations instead.
     iterates: bool,
@@ -257,7 +257,7 @@ impl Gauge {
         progress.event(&Event::Part { done, left_s });
     }
 
-    /// A stage of which some was told has come to its end.
+    /// Ends a stage of which a part has been reported.
     fn end(&mut self, progress: &mut dyn Progress) {
         if self.done > 0.0 {
             self.tell(1.0, progress);

@@ -45,7 +45,7 @@ use std::sync::Arc;
 /// # Errors
 /// [`Error::Config`], [`Error::Mesh`], [`Error::Resources`], … before any heavy work for input that cannot be used, or a folder
 /// that holds a finished run of another job;
-/// [`Error::NonFinite`] and [`Error::Canceled`] with the best patterns kept in `checkpoint/`; [`Error::Io`].
+/// [`Error::NonFinite`] and [`Error::Canceled`] with the best patterns left in `checkpoint/`; [`Error::Io`].
 pub fn run(job: &Job, resume: bool, progress: &mut dyn Progress, cancel: &Run) -> Result<Summary> {
     run_leaving(job, resume, Leaves::All, progress, cancel)
 }

@@ -30,7 +30,7 @@ const UNREAD: [&str; 8] = [
     "resources",
 ];
 
-/// Voxels of the largest target that is kept: 4 MB of shares.
+/// Voxels of the largest target that is cached: 4 MB of shares.
 const MOST_VOXELS: usize = 1 << 20;
 
 /// What a run hands to the next one in the same process; empty at first.
@@ -81,7 +81,7 @@ impl RunCache {
         });
     }
 
-    /// The parts of a job on its grid: those that are kept, where they are the same, else sampled, and kept.
+    /// The parts of a job on its grid: the cached ones where they are the same; else samples and caches them.
     ///
     /// # Errors
     /// As [`ResolvedJob::sampled`]; [`Error::Io`](crate::Error::Io) for a file that cannot be read.
@@ -105,14 +105,14 @@ impl RunCache {
         (Some(own) == key).then_some(start)
     }
 
-    /// Keeps a start under its key, where it is no larger than a target that is kept.
+    /// Caches a start under its key, where it is no larger than the largest cached target.
     pub(crate) fn put_start(&mut self, key: Option<u64>, start: BoundingStart) {
         let dose = start.dose.as_ref().map_or(0, Field::len);
         let is_small = start.patterns.len().max(dose) <= MOST_VOXELS;
         self.start = key.filter(|_| is_small).map(|key| (key, start));
     }
 
-    /// The model that is kept.
+    /// The cached model.
     pub(crate) fn evaluation_model(&self) -> Option<&EvaluationModel> {
         self.model.as_ref().map(|(_, model)| model)
     }
@@ -207,7 +207,7 @@ mod tests {
         evaluate = { refine = 1, sub_angles = 1 }
     "#;
 
-    /// Runs the job with changes by what is kept; its report without what is of the time, and its patterns.
+    /// Runs the job with changes and this cache; its report without times, and its patterns.
     fn ran(cache: &mut RunCache, changes: &[&str], folder: &Path) -> (serde_json::Value, Vec<u8>) {
         let file = folder.join("job.toml");
         std::fs::write(&file, PLANE).unwrap();

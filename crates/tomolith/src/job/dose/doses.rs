@@ -60,7 +60,7 @@ pub(crate) struct Doses<'a> {
 
 /// Rows from the lowest to the highest that is not dark, per (frame, column): `(bottom, count)`.
 pub(crate) type LitRows = Vec<(u32, u32)>;
-/// Doses of all species, and what is said of the model.
+/// Doses of all species, and the notes on the model.
 pub(crate) type Simulated = (Vec<Volume<f32>>, String);
 
 impl<'a> Doses<'a> {
@@ -76,7 +76,7 @@ impl<'a> Doses<'a> {
         }
     }
 
-    /// The same by a model that is there already, where it has the doses asked for.
+    /// The same by a model that exists already, where it has these doses.
     pub(crate) fn by(self, evaluation_model: Option<&'a EvaluationModel>) -> Self {
         Doses {
             evaluation_model,
@@ -176,7 +176,7 @@ fn lit_alone(mut lights: Vec<Light>, lit: Vec<LitRows>) -> Vec<Light> {
     lights
 }
 
-/// The model of a family (the cheapest that is exact, where none is named), and what is said of it.
+/// The model of a family (the cheapest that is exact, where none is named), and the notes on it.
 fn made(
     (family, purpose): (Option<&Family>, Purpose),
     (job, optics): (&ResolvedJob, &Optics),

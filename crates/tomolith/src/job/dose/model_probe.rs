@@ -3,8 +3,8 @@
 //! A job that names no model takes [`successive_orders`](crate::models::successive_orders) where it covers vial and lights. How near it comes to Monte Carlo paths is known for some scenes
 //! only (docs/scattering.md), so the job itself is tried: the part on a grid of at most 32 voxels along an edge, lit evenly through
 //! its silhouettes. Where an error of more than 1 % of the part's mean dose is seen, or cells would be too many for a machine, Monte
-//! Carlo paths are taken instead, and that is said. The probe knows nothing of patterns, so a run, its `check` and a later `simulate` decide
-//! alike. Who names `[model.successive_orders]` gets it, and a warning from the patterns' own error.
+//! Carlo paths are taken instead, and a line of the screen says so. The probe knows nothing of patterns, so a run, its `check` and a later `simulate` decide
+//! alike. A job that names `[model.successive_orders]` gets it, and a warning from the error of its patterns.
 
 use super::cross_check::CrossCheck;
 use crate::error::{Error, Result};
@@ -84,7 +84,7 @@ mod tests {
     use crate::job::Job;
     use crate::job::resolve::optics::Optics;
 
-    /// What is said of a sphere in a resin that scatters so much per mm, and whether Monte Carlo paths are taken.
+    /// The note on a sphere in a resin that scatters so much per mm, and whether Monte Carlo paths are taken.
     fn tried(scattering: &str, model: &str) -> (Vec<String>, bool) {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("job.toml");

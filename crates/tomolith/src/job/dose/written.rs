@@ -246,7 +246,7 @@ fn frames_of(
     }))
 }
 
-/// White of a movie, from the file beside it that names it.
+/// White of a movie, from the `exposure.json` in its folder that names it.
 fn white_beside(path: &Path) -> Option<f32> {
     let text = read_text(path.with_file_name(EXPOSURE)).ok()?;
     let exposure: Value = serde_json::from_str(&text).ok()?;

@@ -108,7 +108,7 @@ fn in_pieces(
     }
 }
 
-/// Whether a triangle lies on one side of the grid, farther than the voxels beside it.
+/// Whether a triangle lies on one side of the grid, farther than the voxels next to it.
 fn is_beyond(corners: &[[f64; 3]; 3], grid: &VolumeGrid) -> bool {
     let [low, high] = grid.bounds_mm();
     let far = 2.0 * grid.pitch_mm;

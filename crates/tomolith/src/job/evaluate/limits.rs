@@ -167,7 +167,7 @@ struct Measurements {
     arcs: Option<Arcs>,
     /// Whether the optimization counted the turning already.
     is_optimized_turning: bool,
-    /// Whether the optimizer looked at voxels as fine as the evaluation's: the job's own then limit nothing.
+    /// Whether the optimization's voxels were as fine as the evaluation's: the job's voxels then limit nothing.
     saw_finer: bool,
     /// The key of the pixels' size.
     pixel_key: String,

@@ -48,7 +48,7 @@ pub(crate) struct Evaluated {
     pub(crate) published: Vec<Published>,
     /// Numbers of each slice of the headline.
     pub(crate) slices: Vec<Slice>,
-    /// Every one of several objectives on the optimization's own grid.
+    /// Every one of several objectives on the optimization's grid.
     pub(crate) objectives: Vec<ObjectiveReport>,
     /// What the bodies that are to stay dark get; None without any.
     pub(crate) keep_dark: Option<KeepDark>,
@@ -78,7 +78,7 @@ pub(crate) struct SpeciesPrint {
     pub(crate) evaluation: Evaluation,
     /// The same with the vial standing still during each frame.
     pub(crate) standing: Evaluation,
-    /// Raw patterns on the optimization's own grid, when there are raw ones.
+    /// Raw patterns on the optimization's grid, when there are raw ones.
     pub(crate) optimization: Option<Evaluation>,
     /// The headline number of the written patterns on that grid.
     pub(crate) written: Measure,
@@ -92,7 +92,7 @@ pub(crate) struct SpeciesPrint {
     pub(crate) response: Volume<f32>,
 }
 
-/// Responses in the bodies that are to stay dark, vial turning, beside those of the part.
+/// Responses in the bodies that are to stay dark, vial turning, next to those of the part.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub(crate) struct KeepDark {
     /// Their volume, mm³.
@@ -276,7 +276,7 @@ pub(crate) fn evaluate_patterns(
     })
 }
 
-/// Copies for an observer that asked for them: the written patterns and what they print.
+/// Copies for an observer that wants them: the written patterns and what they print.
 fn show(shown: &[Patterns], species: &[SpeciesPrint], progress: &mut dyn Progress) {
     let wants = progress.wants();
     if !wants.any() {
@@ -494,7 +494,7 @@ fn numbers(
     Ok((response, evaluation, numbers))
 }
 
-/// What people should know of a print, told at once: how sure its model is, and what of its patterns and its job looks wrong.
+/// Warnings of a print, sent at once: how sure its model is, and what looks wrong in its patterns and its job.
 fn doubts_of(
     job: &ResolvedJob,
     shown: &[Patterns],
@@ -523,7 +523,7 @@ fn doubts_of(
     Ok(warnings)
 }
 
-/// All species at one exposure, and what each prints then, told at once.
+/// All species at one exposure, and what each prints then, reported at once.
 fn together(
     job: &ResolvedJob,
     prints: &[SpeciesPrint],
@@ -599,7 +599,7 @@ pub(crate) fn measure_at(
 mod share {
     /// The print in time, of a job that has a schedule: what it takes depends on the schedule, and was not measured. The others share the rest.
     pub(crate) const IN_TIME: f64 = 0.5;
-    /// Dose and numbers of the raw and of the written patterns on the job's own voxels, each.
+    /// Dose and numbers of the raw and of the written patterns, each on the job's voxels.
     pub(crate) const OWN_DOSE: f64 = 0.04;
     pub(crate) const OWN_NUMBERS: f64 = 0.03;
     /// The finer voxels.
@@ -641,7 +641,7 @@ pub(crate) fn print<'a>(
     Ok(print)
 }
 
-/// Half width of the band round gray values: ε of the first objective that has one, or the BCLP paper's own where there is none.
+/// Half width of the band round gray values: ε of the first objective that has one, or that of the BCLP paper where there is none.
 fn half_width(species: &Species) -> f64 {
     let given = species.goal.epsilon();
     given.unwrap_or(published::Options::default().epsilon)

@@ -84,7 +84,7 @@ impl Noise {
         }))
     }
 
-    /// What people must know when the patterns fit their own paths, or when these are too few to tell.
+    /// The warning when the patterns fit the paths that they were optimized with, or when these are too few to decide.
     pub(crate) fn warning(&self) -> Option<String> {
         let both = [self.misfit(), self.loudness()];
         both.into_iter()
@@ -205,7 +205,7 @@ mod tests {
                 .unwrap()
                 .contains("IoU 1.0000 on these paths, 0.7700")
         );
-        // 3 % in the void is too much to tell, and is said too
+        // 3 % in the void is too much to decide, and the warning names it too
         let quiet = |independent: f64| Noise {
             void: 0.012,
             ..noise(independent)

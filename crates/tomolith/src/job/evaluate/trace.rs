@@ -55,7 +55,7 @@ impl From<PathSegment> for TracedSegment {
     }
 }
 
-/// Rays of the job's own model, or of its optics; refuses jobs whose light is not made of rays.
+/// Rays of the job's model, or of its optics; refuses jobs whose light is not made of rays.
 fn rays(resolved: &ResolvedJob) -> Result<Rays> {
     let family = resolved.optics.family(&resolved.grid)?;
     let none = || {

@@ -12,7 +12,7 @@
 //! **Start** The optimization goes on from what was found there, which stands for a tenth of its iterations. From there boat, dog-bones and cuvette of docs/fidelity.md print the same
 //! with a fifth less of them; the double tube loses 0.0011 in IoU with a fifth less, and 0.0005 with a tenth. Where pixels are so few that the start has the lower loss, it begins there.
 //!
-//! **Several lights** have ceilings of their own, at one factor below the brightest pixel of each. **Species**: each print must be good enough.
+//! **Several lights** have one ceiling each, at one factor below the brightest pixel of each. **Species**: each print must be good enough.
 //!
 //! **Limits** The bound of the start stays where a job names `bounds.max` or `printer.time_s`, starts from given patterns, rounds in every step, prints in time, ends
 //! after some seconds (`stop.wall_s`), is gray, has few levels or scenarios, looks for a process window or a response, weighs voxels by files, or uses another method than `lbfgs`;
@@ -91,7 +91,7 @@ impl FoundCeiling {
     }
 }
 
-/// Iterations that looking for ceilings takes in all, in those of the loop; 0 for a job that keeps the bound of its start. Those that it saves are left out: a search may find nothing.
+/// Iterations that looking for ceilings takes in all, in those of the loop; 0 for a job that stays within the bound of its start. Those that it saves are left out: a search may find nothing.
 pub(crate) fn iterations(job: &ResolvedJob, voxels: &[Voxels]) -> usize {
     let level = coarser_level(job, voxels);
     level.map_or(0, |level| {
@@ -100,7 +100,7 @@ pub(crate) fn iterations(job: &ResolvedJob, voxels: &[Voxels]) -> usize {
     })
 }
 
-/// Looks for the ceilings of a job; None where it keeps the bound of its start.
+/// Looks for the ceilings of a job; None where it stays within the bound of its start.
 ///
 /// # Errors
 /// [`Error::Canceled`].
@@ -114,7 +114,7 @@ pub(crate) fn find(
     };
     match find_on(&level, job, voxels, cancel) {
         Err(Error::Canceled) => Err(Error::Canceled),
-        // Pixels of twice the width may be too wide for the model, or miss the part; what is wrong with the job itself is told by its own level
+        // Pixels of twice the width may be too wide for the model, or miss the part; errors of the job itself show on its own level
         found => Ok(found.ok().flatten()),
     }
 }
@@ -195,7 +195,7 @@ fn finest(job: &ResolvedJob) -> &Level {
     job.levels.last().expect("a job has a level")
 }
 
-/// The level on which ceilings are tried; None for a job that keeps the bound of its start.
+/// The level on which ceilings are tried; None for a job that stays within the bound of its start.
 fn coarser_level(job: &ResolvedJob, voxels: &[Voxels]) -> Option<Level> {
     let (stop, method, finest) = (job.stop(), &job.method, finest(job));
     let goals = job.species.iter().map(|own| &own.goal);

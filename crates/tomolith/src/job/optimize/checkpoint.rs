@@ -1,4 +1,4 @@
-//! Going on with a run that was cut off: which checkpoint belongs to a job, and what is kept where none was written.
+//! Going on with a run that was cut off: which checkpoint belongs to a job, and what a run leaves that wrote none.
 
 use crate::error::{Error, Result};
 use crate::grid::Patterns;
@@ -82,7 +82,7 @@ const KEPT: &str = "patterns.npz";
 /// How long writing them may take after a request to stop, which has waited for the step at hand already.
 const PATIENCE: Duration = Duration::from_millis(200);
 
-/// Writes the best patterns of a run that did not end well; of one that was asked to stop, where there is time for them.
+/// Writes the best patterns of a run that did not end well; after a request to stop only if time suffices.
 pub(crate) fn keep(
     resolved: &ResolvedJob,
     raw: &[Patterns],

@@ -10,7 +10,7 @@ use crate::models::PatternLayout;
 use crate::optimize::Problem;
 use crate::optimize::levels::{self, Gain};
 
-/// What the machine is asked for, and what that brings.
+/// The input of the machine, and the light that it gives for it.
 pub(crate) struct Levelled {
     pub(crate) asked: Vec<Patterns>,
     pub(crate) gain: Gain,

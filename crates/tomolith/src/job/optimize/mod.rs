@@ -56,7 +56,7 @@ pub(crate) struct Optimized {
     pub(crate) found: Option<FoundResponse>,
     /// The ceiling of the pixels, where the program looked for one.
     pub(crate) ceiling: Option<FoundCeiling>,
-    /// That it did nothing, or could not be kept.
+    /// Warnings, which have been sent.
     pub(crate) warnings: Vec<String>,
 }
 
@@ -82,7 +82,7 @@ pub(crate) struct CheckpointPlan<'a> {
     pub(crate) folder: &'a Path,
     /// Whether it goes on from the one that is there.
     pub(crate) resume: bool,
-    /// Whether its end is kept, for a run with more iterations.
+    /// Whether it writes a checkpoint at its end, for a run with more iterations.
     pub(crate) keeps_end: bool,
 }
 
@@ -262,7 +262,7 @@ fn open_checkpoints(
     Ok((checkpoints, resumed))
 }
 
-/// What an optimization came to, whose warnings are told.
+/// The result of an optimization; its warnings have been sent.
 fn optimized(
     job: &ResolvedJob,
     stage: Stage<'_>,

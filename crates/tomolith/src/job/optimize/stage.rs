@@ -57,7 +57,7 @@ pub(crate) struct EndOfLevel {
     pub(crate) window: Option<FoundWindow>,
 }
 
-/// What a run on a level works with beside what it minimizes: bounds, checkpoints, what was done before, and who is told.
+/// What a run on a level needs besides the problem: bounds, checkpoints, the work of earlier levels, and the observer.
 type Around<'a, 'p> = (
     &'a [Limits],
     Option<&'a mut Checkpoints>,
@@ -455,7 +455,7 @@ impl<'a> Stage<'a> {
     }
 }
 
-/// What is asked of a species, with thresholds that lie so many steps further apart.
+/// The goal of a species, with thresholds that lie so many steps further apart.
 fn goal_of(species: &Species, wider: usize) -> Cow<'_, Goal> {
     let wider = (wider > 0).then(|| refinement::widened(&species.goal, wider));
     let goal = wider.flatten().map(Cow::Owned);

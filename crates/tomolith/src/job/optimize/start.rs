@@ -132,7 +132,7 @@ fn into_amplitudes(x: &mut HostField, glimmer: f64) -> Result<()> {
 
 /// The bounds of every light. Where the job sets no upper one it is the largest pixel of the start: without a bound a few
 /// pixels at the silhouette grow far beyond all others, and the projector's gray levels are spent on them. A method that
-/// normalizes its doses has a scale of its own, to which the start says nothing.
+/// normalizes its doses has another scale, about which the start says nothing.
 pub(crate) fn limits(
     job: &ResolvedJob,
     model: &dyn DoseModel<Field = HostField>,

@@ -43,7 +43,7 @@ pub(crate) fn is_measured(iteration: usize) -> bool {
     iteration.is_multiple_of(step)
 }
 
-/// Tells progress, measures the print now and then, and stops at the loss or IoU that was asked for.
+/// Reports progress, measures the print now and then, and stops at the loss or IoU of `[stop]`.
 pub(crate) struct Watch<'a> {
     pub(crate) job: &'a ResolvedJob,
     /// Iterations of all levels.
@@ -66,7 +66,7 @@ pub(crate) struct Watch<'a> {
 }
 
 impl Watch<'_> {
-    /// Copies for an observer that asked for them.
+    /// Copies for an observer that wants them.
     fn show<F: Field>(&mut self, report: &StepReport<'_, F>) {
         let wants = self.progress.wants();
         if !wants.any() || self.job.ranks.is_some() {

@@ -55,7 +55,7 @@ pub(crate) struct Done<'a> {
     pub(crate) optimized: Option<Optimized>,
     /// Where the patterns of a simulation came from.
     pub(crate) source: Option<&'a Path>,
-    /// Which files are asked for.
+    /// Which files the caller wants.
     pub(crate) leaves: Leaves,
     pub(crate) warnings: Vec<String>,
 }
@@ -230,7 +230,7 @@ fn described(done: &Done<'_>) -> Result<String> {
     Ok(format!("{found}{}", done.job.complete().to_toml()?))
 }
 
-/// The files of a run whose numbers alone are asked for.
+/// The files of a run that leaves its numbers only.
 fn numbers(
     done: &Done<'_>,
     folder: &RunFolder,
@@ -352,7 +352,7 @@ struct Made<'a> {
     warnings: Vec<String>,
 }
 
-/// The models that gave the doses, by what they were asked for.
+/// The models that gave the doses, by purpose.
 fn models(done: &Done<'_>) -> Vec<(&'static str, String)> {
     let optimized = done.optimized.as_ref();
     let optimized = optimized.map(|optimized| ("optimization", optimized.model.clone()));

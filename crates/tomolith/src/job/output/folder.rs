@@ -337,7 +337,7 @@ impl RunFolder {
 }
 
 /// Takes back what a run that failed laid in the folder. What cannot be removed is left: the error that ended the run is the one
-/// to be told, and the next run removes it.
+/// to be reported, and the next run removes it.
 impl Drop for RunFolder {
     fn drop(&mut self) {
         let _ = fs::remove_dir_all(self.new_files());

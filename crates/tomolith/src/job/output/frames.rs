@@ -116,7 +116,7 @@ impl<'a> Shown<'a> {
         &self.lights
     }
 
-    /// Writes frames, movies, the stack when it is asked for, and `exposure.json`; the movies are read back. Lights whose
+    /// Writes frames, movies, the stack where the job wants it, and `exposure.json`; the movies are read back. Lights whose
     /// frames make no movie (a list of angles) have none.
     pub(crate) fn write(
         &self,
@@ -154,7 +154,7 @@ impl<'a> Shown<'a> {
         Ok(written)
     }
 
-    /// The movie of a light, read back; None where it has no frame rate, or none is asked for.
+    /// The movie of a light, read back; None where it has no frame rate, or the job wants no movie.
     fn write_movie(
         &self,
         folder: &Path,

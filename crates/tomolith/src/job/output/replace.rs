@@ -50,7 +50,7 @@ pub(crate) fn must_be_same(job: &Job, resume: bool) -> Result<()> {
     )))
 }
 
-/// The first differences, and how many there are beside them.
+/// The first differences, and how many more there are.
 fn named(found: &[String]) -> String {
     let (first, rest) = found.split_at(found.len().min(NAMED));
     let first = first.join(", ");

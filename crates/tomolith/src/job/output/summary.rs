@@ -44,9 +44,9 @@ pub struct GrayQuality {
     pub in_band: Measure,
     /// Root of the mean square error.
     pub rms_error: Measure,
-    /// Largest error where a gray value of at least ½ was asked for.
+    /// Largest error where the gray value of the target is at least ½.
     pub max_error_part: Measure,
-    /// Largest error where less was asked for.
+    /// Largest error where it is less.
     pub max_error_void: Measure,
 }
 
@@ -78,7 +78,7 @@ pub struct SpeciesSummary {
     pub name: String,
     /// The written patterns while the vial turns, on the finer grid, at its own best threshold.
     pub evaluation: Quality,
-    /// Over which exposures it is nearly as good as at its own best one; None where that cannot be said.
+    /// Over which exposures it is nearly as good as at the best one of this species; None where this is unknown.
     pub exposure: Option<ExposureWindow>,
     /// What limits it.
     pub limits: PrintLimits,
@@ -112,7 +112,7 @@ pub struct Summary {
     pub standing: Quality,
     /// The unquantized patterns on the optimization grid; None for a simulation of patterns that are quantized only.
     pub optimization: Option<Quality>,
-    /// Over which exposures the print is nearly as good as at the best one; None where that cannot be said.
+    /// Over which exposures the print is nearly as good as at the best one; None where this is unknown.
     pub exposure: Option<ExposureWindow>,
     /// Every species where a job names several, the first being that of the numbers above; else empty.
     pub species: Vec<SpeciesSummary>,
@@ -191,7 +191,7 @@ impl Summary {
         }
     }
 
-    /// What is said of the exposure: one sentence where there is one exposure, else one of each species.
+    /// Sentences about the exposure: one where there is one exposure, else one of each species.
     fn exposures(&self) -> Vec<String> {
         if let Some(one) = &self.one_exposure {
             return vec![one.sentence()];
@@ -393,7 +393,7 @@ fn in_column(value: f64) -> String {
     format!("{:.4}", value + 0.0)
 }
 
-/// Which iterate was kept, and why, when it is not the last one.
+/// Which iterate is the result, and why, when it is not the last one.
 pub(crate) fn earlier(kept: KeptIterate, iterations: usize) -> String {
     let (iteration, why) = (kept.iteration, kept.by.words());
     format!("iteration {iteration} of {iterations} ({why})")

@@ -142,7 +142,7 @@ const PER_SPECIES: usize = 2;
 
 const PER_PRINT: usize = 5;
 
-/// Objectives with numbers of their own for every voxel.
+/// Objectives with numbers per voxel.
 fn with_fields(spec: &JobSpec, species: &[Species]) -> usize {
     let of_one = |own: &Species| {
         let is_gray = own.shape.is_gray();

@@ -7,10 +7,10 @@ use crate::models::Family;
 use crate::models::rays::solid::Solid;
 use crate::target::Shape;
 
-/// What cells need, in arrays per voxel of an objective with fields: energies on either side, and bands of their own.
+/// What cells need, in arrays per voxel of an objective with fields: energies on either side, and bands for each cell.
 pub(crate) const FIELDS: usize = 2;
 
-/// Refuses cells of a target without a surface, and beside a model or a method that knows whole voxels only.
+/// Refuses cells of a target without a surface, and with a model or a method that knows whole voxels only.
 ///
 /// # Errors
 /// [`Error::Config`] with the key that asks for cells.

@@ -46,7 +46,7 @@ pub(crate) fn wall_tolerance_mm(spec: &JobSpec, grid: Option<&VolumeGrid>) -> Re
 }
 
 impl Optics {
-    /// Refuses an evaluation that a model with voxels and frames of its own cannot give.
+    /// Refuses an evaluation on voxels or frames for which a stored model has no entries.
     ///
     /// # Errors
     /// [`Error::Config`].
@@ -88,7 +88,7 @@ impl Optics {
         let resin = self.vial.resin_wall().inscribed_radius();
         let over = out - resin * (1.0 + 1e-9);
         if over > wall_tolerance_mm {
-            // As short as the two can be told apart
+            // With the fewest digits that distinguish the two
             let [reaches, ends] = match [out, resin].map(concise) {
                 [reaches, ends] if reaches == ends => [out, resin].map(exact),
                 short => short,
@@ -506,7 +506,7 @@ mod tests {
             "evaluate"
         );
         optics(&own).must_be_evaluated(&own).unwrap();
-        // The file is looked for beside the job
+        // The file is looked for in the folder of the job
         let grid = VolumeGrid::centered([2, 2, 2], 0.1);
         let found = optics(&own);
         let missing = found.family(&grid).unwrap().check(&found.scene(), &grid);

@@ -32,7 +32,7 @@ const BASE_MB: f64 = 50.0;
 const BYTES_PER_FACE: f64 = 1000.0;
 /// Bytes of a triangle of a print that is rough: its corners, its place in the tree that measures distances, the distances.
 const BYTES_PER_TRIANGLE: f64 = 200.0;
-/// Compressed size of a pattern value in the npz, the frames and the movie, beside 8 bytes of raw values.
+/// Compressed size of a pattern value in the npz, the frames and the movie, in addition to 8 bytes of raw values.
 const BYTES_PER_PIXEL_ON_DISK: f64 = 10.0;
 /// The page holds up to 15 MB; the rest of what every run leaves is small.
 const BASE_ON_DISK_MB: f64 = 16.0;
@@ -43,7 +43,7 @@ const BYTES_PER_VOXEL_ON_DISK: f64 = 20.0;
 const BYTES_PER_FACE_ON_DISK: f64 = 870.0;
 /// Bytes of print.stl per voxel that is evaluated, where noise makes the dose cross the threshold in most of them: 1.7 triangles measured.
 const BYTES_PER_NOISY_VOXEL_ON_DISK: f64 = 100.0;
-/// Pattern vectors of an optimizer beside its memory of 2m.
+/// Pattern vectors of an optimizer in addition to its memory of 2m.
 pub(crate) const VECTORS: usize = 4;
 /// Dose and target of a scenario, as objectives with fields.
 pub(crate) const FIELDS_PER_SCENARIO: usize = 2;
@@ -66,7 +66,7 @@ pub(crate) struct Extent {
     pub(crate) pixels: usize,
     /// Columns of all frames of all lights.
     pub(crate) columns: usize,
-    /// Most rows of a light beside the grid, where the kernel may run along them.
+    /// Rows of pixels at the heights of the grid, of the light that has the most of them; None where the kernel does not run along rows.
     pub(crate) rows: Option<usize>,
     /// The optimizer's memory m.
     pub(crate) memory: usize,
@@ -74,11 +74,11 @@ pub(crate) struct Extent {
     pub(crate) fields: usize,
     /// Pixels of all frames on the machine's canvases, 0 without a machine.
     pub(crate) canvas: usize,
-    /// The walks of its rays that the model keeps where they are few.
+    /// The traced rays that the model stores where they are few.
     pub(crate) cached_entries: Option<CachedEntries>,
-    /// What else the model keeps, bytes, 0 where that is too much.
+    /// What else the model stores, bytes, 0 where that is too much.
     pub(crate) cached_bytes: Option<f64>,
-    /// Whether voxels take their own part of scattered light.
+    /// Whether each voxel takes its part of the scattered light.
     pub(crate) glows: bool,
     /// Bytes of a canvas pixel in `frames.npz`, 0 when it is not written.
     pub(crate) stacked: usize,
@@ -88,7 +88,7 @@ pub(crate) struct Extent {
     pub(crate) bytes_of_volumes: usize,
     /// Whether the dose is drawn at random, which makes the surface rough.
     pub(crate) is_noisy: bool,
-    /// Scenarios beside the job: as many models more.
+    /// Scenarios in addition to the job: as many models more.
     pub(crate) scenarios: usize,
     /// Memory of frames at work, MB: in the optimization, and in the evaluation.
     pub(crate) working_mb: [f64; 2],
@@ -164,7 +164,7 @@ impl Extent {
         1.0 + self.scenarios as f64
     }
 
-    /// Bytes of walks that are kept: about 1.7 voxels of every voxel plane that a pixel's light crosses.
+    /// Bytes of stored rays: about 1.7 voxels of every voxel plane that a pixel's light crosses.
     fn bytes_of_walks(&self) -> f64 {
         let planes = self.finest.shape.iter().copied().max().unwrap_or(0) as f64;
         let ways = self.cached_entries.map_or(0.0, |walks| walks.per_pixel);
@@ -303,7 +303,7 @@ pub(crate) fn whole_mb(parts: [f64; 3]) -> u64 {
     (BASE_MB + parts.iter().sum::<f64>()) as u64
 }
 
-/// Rows of pixels beside a grid, of the light that has the most of them; None where the kernel does not run along rows.
+/// Rows of pixels at the heights of a grid, of the light that has the most of them; None where the kernel does not run along rows.
 fn rows_beside(optics: &Optics, grid: &VolumeGrid) -> Option<usize> {
     let [bottom, top] = grid.bounds_mm().map(|corner| corner[2]);
     let rows = |light: &Light| {

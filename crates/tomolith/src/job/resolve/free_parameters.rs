@@ -1,7 +1,7 @@
 //! `[co_optimize]`: parameters of the response that are found together with the patterns.
 //!
 //! Any parameter of `[response.KIND]` that is a number can be one. Trials read the response's own table with other values in it, so that what a kind
-//! accepts is said in one place: the kind's. The method is in [`free_response`](crate::optimize::free_response).
+//! accepts is stated in one place: the kind's. The method is in [`free_response`](crate::optimize::free_response).
 
 use super::goal::{Goal, response};
 use super::method::Method;

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use tomolith_core::parallel::InParallel;
 
-/// What is asked of the dose of a species: parameters that are typed and in their ranges.
+/// The goal of the dose of a species: objectives and response, as typed parameters in their ranges.
 #[derive(Clone)]
 pub(crate) struct Goal {
     /// What the material makes of a dose.
@@ -245,7 +245,7 @@ impl Goal {
         (self.objectives().iter()).map(|own| (own.path.as_str(), &own.common))
     }
 
-    /// Whether an objective has weights or bands of its own for every voxel.
+    /// Whether an objective has weights or bands per voxel.
     pub(crate) fn has_fields(&self) -> bool {
         self.common().any(|(_, common)| common.has_fields())
     }
@@ -256,7 +256,7 @@ impl Goal {
         Some(format!("{}.surface", own.key))
     }
 
-    /// Whether all objectives weigh a voxel by its inside fraction, and none has numbers of its own for the job's voxels.
+    /// Whether all objectives weigh a voxel by its inside fraction, and none has a number for each of the job's voxels.
     pub(crate) fn sees_fractions(&self) -> bool {
         let sees = |own: &JobObjective| own.of.surface() == SurfaceHandling::Fraction;
         !self.has_fields() && self.objectives().iter().all(sees)

@@ -79,7 +79,7 @@ pub(crate) fn moved(moved_mm: f64) -> Option<String> {
 
 /// Moves a grid along z, by half a voxel at most, so that a face of its slices lies on the edge of a row of pixels.
 ///
-/// Slices as high as the rows, but half a row beside them, see the mean of two rows: patterns whose rows alternate between
+/// Slices as high as the rows, but half a row off, see the mean of two rows: patterns whose rows alternate between
 /// bright and dark would look even to the optimization, and nothing would damp them. On a gear with
 /// `surface = "fraction"` that took the IoU of the written patterns from 0.98 to 0.52. A grid that would no longer hold the
 /// target (`[low, high]` along z, mm) stays where it is.

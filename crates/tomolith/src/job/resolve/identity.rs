@@ -136,7 +136,7 @@ fn hash_on(sum: u64, bytes: &[u8]) -> u64 {
 pub(crate) fn take_files(target: &mut TargetSpec, base: &Path, found: &mut Vec<u64>) -> Result<()> {
     for file in target.files_mut() {
         let path = base.join(&*file);
-        // A stack is a folder, or a pattern of names; what is missing is told where it is read
+        // A stack is a folder, or a pattern of names; whoever reads it reports what is missing
         let files = stack_files(&path).unwrap_or_default();
         for file in files.iter().filter(|file| file.is_file()) {
             found.push(content(file)?);

@@ -122,7 +122,7 @@ mod tests {
     fn light_that_cannot_reach_the_resin_is_refused_with_where_it_ends() {
         let tilted = "motion.tilt_deg=1";
         assert!(found(&[tilted]).unwrap().is_empty());
-        // A vial 300 mm beside the axis: nothing meets it
+        // A vial 300 mm off the axis: nothing meets it
         let Err(Error::Config {
             key, found: text, ..
         }) = found(&["motion.offset_mm=[0, 300]"])

@@ -51,7 +51,7 @@ fn at_shading(i: usize, error: Error) -> Error {
 pub(crate) struct Lights<'a> {
     pub(crate) job: &'a ResolvedJob,
     pub(crate) lights: Vec<Light>,
-    /// Straight light in resin where nothing has cured, once it is asked for.
+    /// Straight light in resin where nothing has cured, made on first use.
     pub(crate) plain: Vec<OnceLock<Option<Arc<tomolith_material::Model>>>>,
     pub(crate) run: &'a Run,
 }

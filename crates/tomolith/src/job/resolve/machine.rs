@@ -133,7 +133,7 @@ impl<'a> Showing<'a> {
         self.spec.output.rpm
     }
 
-    /// Whether a movie is asked for.
+    /// Whether the job wants a movie.
     pub(crate) fn has_movie(self) -> bool {
         self.movie_ending().is_some()
     }

@@ -26,7 +26,7 @@ use std::sync::Arc;
 pub(crate) struct Method {
     /// Where the optimizer begins.
     pub(crate) start: Arc<dyn InitialPatterns>,
-    /// What the optimizer needs beside it.
+    /// What else the optimizer needs.
     pub(crate) requirements: Requirements,
     /// Whether it divides doses by their largest.
     pub(crate) normalizes: bool,
@@ -249,7 +249,7 @@ struct Are {
     tolerant: bool,
 }
 
-/// Refuses what an optimizer cannot have beside it, with the key of the other.
+/// Refuses a setting that the optimizer cannot work with, with the key of that setting.
 fn fit_together(spec: &JobSpec, needs: &Requirements, is: Are) -> Result<()> {
     let method = format!("optimizer.{}", needs.name);
     for (reason, is_there, key, other) in [

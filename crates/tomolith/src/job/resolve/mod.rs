@@ -1,4 +1,4 @@
-//! A job as objects: model, objective, start and evaluation, for programs with a loop of their own.
+//! A job as objects: model, objective, start and evaluation, for the layers below and for programs with another loop.
 //!
 //! A [`Job`] says what is wanted; a [`ResolvedJob`] has read its files, built its shape, vial, lights and grid, and refused what does not fit
 //! together. Its [`Task`](crate::job::Task) is what an optimizer needs, on the finest voxels of the optimization; what patterns print is
@@ -153,7 +153,7 @@ pub struct ResolvedJob {
     pub(crate) warnings: Vec<String>,
     /// The processes that share the frames of the optimization; None: this one works alone.
     pub(crate) ranks: Option<Arc<dyn Communicator>>,
-    /// The targets of all species on the job's voxels, once a caller with a loop of its own has asked for them.
+    /// The targets of all species on the job's voxels, sampled on first use by a caller with another loop.
     voxels: OnceLock<Vec<Voxels>>,
 }
 
@@ -408,7 +408,7 @@ impl ResolvedJob {
         }
     }
 
-    /// The sum of the objectives of a species, or of some that differ from its own in a parameter or the kind of fields.
+    /// The sum of the objectives of a species, or of variants that differ from them in a parameter or the kind of fields.
     ///
     /// # Errors
     /// [`Error::Config`].
@@ -463,7 +463,7 @@ fn must_be_lit(
         Ok(moved.chain(optics.coarse(printed)).chain(held?).collect())
     });
     let of_parts = named(species, each.collect::<Result<Vec<Vec<String>>>>()?);
-    // A file that is missing is told before numbers that do not suit it
+    // A missing file is reported before numbers that do not suit it
     let covered = optics.family(grid)?.check(&optics.scene(), grid)?;
     optics.must_be_evaluated(spec)?;
     let light = light::must_arrive(optics, grid)?;

@@ -1,4 +1,4 @@
-//! Tables → objects: vial, lights, bodies and the model between them; whether they fit is told in [`compatibility`](super::compatibility).
+//! Tables → objects: vial, lights, bodies and the model between them; whether they fit is checked in [`compatibility`](super::compatibility).
 
 use super::card::Card;
 use super::point_spread;
@@ -362,7 +362,7 @@ fn bath_of(spec: &JobSpec, vial: &dyn Vial) -> Result<Option<Bath>> {
     }))
 }
 
-/// The absorption map of each light, whose resin may scatter in its own way; none where the job has none.
+/// The absorption map of each light, whose resin may scatter differently; none where the job has none.
 fn maps_of(spec: &JobSpec, base: &Path) -> Result<Vec<Arc<AbsorptionMap>>> {
     let Some(map) = &spec.resin.absorption_map else {
         return Ok(Vec::new());

@@ -85,7 +85,7 @@ impl Optics {
         })
     }
 
-    /// A part that turns out of the field of a light, because the vial stands beside the rotation axis or the axis runs out: as a share, that of
+    /// A part that turns out of the field of a light, because the vial stands off the rotation axis or the axis runs out: as a share, that of
     /// the distance from the axis.
     pub(crate) fn unreached_moving(&self, shape: &dyn Shape) -> Option<Unreached> {
         let motion = self.paths.first()?.motion;
@@ -193,7 +193,7 @@ mod tests {
             "{}",
             cut.warning()
         );
-        // A field from 0.1 mm beside the axis on
+        // A field that begins 0.1 mm from the axis
         let beside = beyond(&[vial, "light.offset_mm=[3.3, 0]"]).unwrap();
         assert_eq!((beside.reach_mm, beside.share), (0.0, 1.0));
         assert!(

@@ -1,13 +1,13 @@
 //! The voxels and pixels on which patterns are optimized, from coarse to fine.
 //!
 //! **Voxels finer than pixels.** A print has details that a voxel as large as a pixel does not see, so an objective that weighs a voxel by the
-//! share that is part (`surface = "fraction"`, the default) is asked on voxels of a quarter of a pixel, as far as [`BUDGET`] allows. Along z
+//! share that is part (`surface = "fraction"`, the default) is optimized on voxels of a quarter of a pixel, as far as [`BUDGET`] allows. Along z
 //! they stay as high as a row of pixels: collimated light is the same at all heights of a row, and the share of a voxel that is part says
 //! all that finer slices would. A voxel of height q and width p/4 costs 16 times a cube of the pixel, where cubes of p/4 would cost 64
 //! times.
 //!
 //! **Turning.** Where the vial turns by more than half a pixel at the rim of the part during a frame, the frame is averaged at up to
-//! [`MOST_ANGLES`] angles, which cost little where the model keeps its entries and as much as so many frames that stand still elsewhere.
+//! [`MOST_ANGLES`] angles, which cost little where the model stores its entries, and elsewhere as much as so many frames that stand still.
 //!
 //! **Fourth powers.** On such voxels [`threshold`] counts deviations to the power of [`EXPONENT`] unless the job names one: the largest decide what prints
 //! wrong. On voxels as wide as a pixel that prints less well (docs/choices.md).
@@ -15,7 +15,7 @@
 //! **No higher than the light.** Light stays at its height, so rows of pixels that reach no part stay dark, and slices that only these rows light have no dose:
 //! such slices are left out.
 //!
-//! **Coarse first** only where the job's own voxels cost more than the budget: half of the iterations run on half as many frames,
+//! **Coarse first** only where the job's voxels cost more than the budget: half of the iterations run on half as many frames,
 //! pixels and voxels along every axis. Elsewhere coarse iterations would save a third of the time and print less well (docs/choices.md).
 //!
 //! **Cells** are cut from voxels of half a pixel, as far as [`BUDGET_OF_CELLS`] allows: a mean over a cell does not hold the light within it.
@@ -42,12 +42,12 @@ const COLUMN: usize = 64;
 const PER_PIXEL: f64 = 4.0;
 /// The same where voxels are cut into cells.
 const CELLS_PER_PIXEL: f64 = 2.0;
-/// Voxel-angle updates of a dose by rays through cells that are affordable: 0.3 to 5 s on two cores, with and without kept walks.
+/// Voxel-angle updates of a dose by rays through cells that are affordable: 0.3 to 5 s on two cores, with and without stored rays.
 const BUDGET_OF_CELLS: f64 = 8e8;
 /// Angles at which a frame is averaged at most.
 const MOST_ANGLES: usize = 4;
-/// Angles of a frame that count against the budget at most: more are free where the model keeps its entries, and cost up to twice the time where they
-/// are too many to keep.
+/// Angles of a frame that count against the budget at most: more are free where the model stores its entries, and cost up to twice the time where they
+/// are too many to store.
 const PAID_ANGLES: usize = 2;
 /// Rounding of lengths, in voxels.
 const ROUNDING: f64 = 1e-6;
@@ -82,7 +82,7 @@ impl Level {
     }
 }
 
-/// Lights whose frames are averaged at so many angles, each light's its own.
+/// Lights whose frames are averaged at so many angles, a number for each light.
 fn turned(lights: &[Light], sub_angles: &[usize]) -> Vec<Light> {
     let turned = |(light, &sub_angles): (&Light, &usize)| Light {
         sub_angles,
@@ -91,8 +91,8 @@ fn turned(lights: &[Light], sub_angles: &[usize]) -> Vec<Light> {
     lights.iter().zip(sub_angles).map(turned).collect()
 }
 
-/// What the iterations of all levels cost, relative to `iterations` on the job's own voxels. `entries`: what the model keeps on the finest voxels
-/// and on the job's own, 0 where it keeps none; calls take as long as these are many.
+/// What the iterations of all levels cost, relative to `iterations` on the job's voxels. `entries`: what the model stores on the finest voxels
+/// and on the job's, 0 where it stores none; the time of a call is proportional to them.
 pub(crate) fn effort(
     levels: &[Level],
     (grid, lights, iterations): (&VolumeGrid, &[Light], usize),

@@ -1,4 +1,4 @@
-//! What is said of a job before it runs: doubts of the unit, few angles, choices that no line of the screen shows; and which key an error is of.
+//! Remarks on a job before it runs: a doubtful unit, few angles, choices that no line of the screen shows. Also finds the key that an error belongs to.
 
 use super::method::Method;
 use super::optics::Optics;
@@ -25,7 +25,7 @@ pub(crate) fn grid_key(spec: &JobSpec) -> String {
     key.to_owned()
 }
 
-/// Says which key asked for voxels that the memory does not hold.
+/// Finds the key that leads to more voxels than the memory holds.
 pub(crate) fn at_grid(spec: &JobSpec, error: Error) -> Error {
     match error {
         Error::Resources {

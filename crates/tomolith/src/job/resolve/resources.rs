@@ -49,7 +49,7 @@ pub fn available_disk_mb(path: &Path) -> Option<u64> {
         let absolute = std::path::absolute(path).ok()?;
         let existing = absolute.ancestors().find(|p| p.exists())?;
         let stat = rustix::fs::statvfs(existing).ok()?;
-        // Systems without blocks (/proc) hold no files: that writing fails there is told by who tries
+        // Systems without blocks (/proc) hold no files: whoever writes there reports that it fails
         (stat.f_blocks > 0).then(|| stat.f_bavail.saturating_mul(stat.f_frsize) / 1_000_000)
     }
     #[cfg(not(unix))]
@@ -87,7 +87,7 @@ pub fn require(
     }
 }
 
-/// What is needed beside what there is.
+/// The memory or disk that is needed, and what there is.
 pub(crate) fn compared(what: &str, needed_mb: u64, available_mb: u64) -> String {
     let available = match available_mb {
         0 => "less than 1".to_owned(),

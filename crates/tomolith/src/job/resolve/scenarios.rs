@@ -253,7 +253,7 @@ pub(crate) mod tests {
 
     #[test]
     fn a_scenario_has_the_voxels_of_the_job_where_the_program_chooses_them() {
-        // Rows of pixels beside the part: alone, the job leaves out the slices that they light
+        // Rows of pixels outside of the part: alone, the job leaves out the slices that they light
         let finest = |scenarios: &[&str]| {
             let changes = ["grid={ pitch_mm = 0.1 }", "light[0].pixels=[28, 40]"];
             let job = resolved(scenarios, &changes).unwrap();

@@ -48,7 +48,7 @@ impl JobSpec {
     }
 }
 
-/// The turns of its own of a light that an error calls `light[i`.
+/// `light.turns` of a light that an error calls `light[i`.
 fn turns_of(spec: &JobSpec, light: &str) -> Option<f64> {
     let i: usize = light.strip_prefix("light[")?.parse().ok()?;
     spec.light.get(i)?.turns

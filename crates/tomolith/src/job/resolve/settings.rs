@@ -60,7 +60,7 @@ impl ResolvedJob {
         self.spec.schedule.as_ref()
     }
 
-    /// Whether the job asks for coarser levels of its own.
+    /// Whether the job sets coarser levels (`[multiresolution]`).
     pub(crate) fn has_coarse_levels(&self) -> bool {
         self.spec.multiresolution.is_some()
     }

@@ -26,15 +26,15 @@ use crate::target::{self, Role, Shape};
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// What hardens in the resin: its part, and what is asked of its dose.
+/// What hardens in the resin: its part, and the goal of its dose.
 pub(crate) struct Species {
     /// Its name; None in a job that names no species.
     pub(crate) name: Option<String>,
     /// The name of its part.
     pub(crate) part: String,
-    /// Its part, and the bodies beside it.
+    /// Its part, and the other bodies of the target.
     pub(crate) shape: Arc<dyn Shape>,
-    /// What is asked of its dose.
+    /// The goal of its dose.
     pub(crate) goal: Goal,
     /// Whether its surface cuts voxels of the optimization into cells.
     pub(crate) has_cells: bool,

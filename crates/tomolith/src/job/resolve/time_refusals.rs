@@ -290,7 +290,7 @@ fn must_have_inhibitors(spec: &JobSpec, rows: &[Row], given: &ScheduleSpec) -> R
     Ok(())
 }
 
-/// Refuses patterns of their own for every turn where turns are all alike.
+/// Refuses separate patterns for every turn where all turns are alike.
 fn must_tell_turns_apart(spec: &JobSpec, given: &ScheduleSpec) -> Result<()> {
     if !given.own_patterns {
         return Ok(());

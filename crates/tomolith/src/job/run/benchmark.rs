@@ -2,7 +2,7 @@
 //!
 //! The model that the optimizer asks and that of the evaluation are made for a small sample of the job's pixels, and for a larger one: the line
 //! through both tells what a call costs at any size from what grows with it. A sample is some frames; where a model takes pixels alone, of
-//! each frame only some blocks of pixels, spread evenly, so that the answer takes seconds whatever a ray costs. The optimizer's adjoint is asked for what
+//! each frame only some blocks of pixels, spread evenly, so that the answer takes seconds whatever a ray costs. The optimizer's adjoint is timed on what
 //! the objective says of a good dose, one that is off by half a percent and blurred at surfaces: bands that most voxels keep
 //! make it cheap, as they do in a run. One pass of the objective is timed as well, and the metrics on two copies of the
 //! target.
@@ -310,7 +310,7 @@ fn by_optimizer(
             break;
         }
     }
-    // Pixels that are taken alone and take long leave nothing to be told from them
+    // Single pixels that take long are timed well enough: no more of them are needed
     let is_enough = timed_by == TimedBy::Pixels && calls[calls.len() - 1].seconds() > LONG_S;
     if !sample.is_all(job) && !is_enough {
         let (more, next_plan) = measure(sample.grown(times))?;
@@ -392,12 +392,12 @@ fn in_groups(frames: usize, (wanted, together): (usize, usize)) -> Vec<usize> {
 /// What the calls of a model take.
 #[derive(Clone)]
 struct Calls {
-    /// What was asked for, and the frames of all lights that there are.
+    /// The frames to time, and all frames of all lights.
     sample: Sample,
     frames: usize,
     layouts: Vec<PatternLayout>,
     updates: u64,
-    /// Making it, what the first dose takes beyond others, a dose, an adjoint (0 if none was asked for).
+    /// Making it, what the first dose takes beyond others, a dose, an adjoint (0 if none was timed).
     seconds: [f64; 4],
 }
 
@@ -543,7 +543,7 @@ fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
     (start.elapsed().as_secs_f64().max(1e-7), result)
 }
 
-/// Seconds per voxel to measure a print on voxels `refine` times finer, beside what measuring any print takes: the target is
+/// Seconds per voxel to measure a print on voxels `refine` times finer, in addition to what measuring any print takes: the target is
 /// taken for its dose, so that surfaces are as long as a good print's, and as close to the part's.
 fn measuring(voxels: &Voxels, refine: usize, run: &Run) -> Result<f64> {
     let longest = voxels.labels.grid.shape.iter().copied().max().unwrap_or(1);

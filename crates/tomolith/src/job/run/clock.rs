@@ -7,10 +7,10 @@ use crate::optimize::Counters;
 use crate::report::Timing;
 use std::time::Instant;
 
-/// The stage whose parts are told apart.
+/// The stage whose parts are timed separately.
 pub(crate) const OPTIMIZING: &str = "optimizing";
 
-/// Tells the stages, and keeps how long they took.
+/// Announces the stages, and records how long they took.
 pub(crate) struct Clock<'p> {
     pub(crate) begin: Instant,
     stages: Vec<(&'static str, Instant)>,

@@ -17,7 +17,7 @@ const LARGE_MEMORY: f64 = 0.25;
 /// Passes over the dose of an iteration, the line search's included.
 const PASSES: f64 = 5.0;
 
-/// Forward and adjoint calls beside those of the iterations: the start, its dose, the raw patterns' dose.
+/// Forward and adjoint calls in addition to those of the iterations: the start, its dose, the raw patterns' dose.
 const OTHER_CALLS: f64 = 4.0;
 
 /// Models of the evaluation: on the job's voxels for raw and for written patterns, on finer ones standing and turning.

@@ -18,7 +18,7 @@ use std::path::Path;
 
 /// Simulates patterns of an earlier run under a job; everything but the optimization.
 ///
-/// The outputs go beside the run, to its folder's name with `-simulated`, or to a folder that the command line names:
+/// The outputs go next to the run, into a folder of its name with `-simulated`, or to a folder that the command line names:
 /// never into the folder of a run, whose history and checkpoint belong to other patterns.
 ///
 /// # Errors

@@ -1,8 +1,8 @@
 //! All keys of a job that are at fault, and not only the one that was met first.
 //!
 //! A copy of the job is read again and again, each time without what was found last: a misspelt key takes the nearest name, a value that is refused is
-//! left out, a value that is missing is that of an example. What follows from such a repair alone is not told: keys in and around one that was
-//! told, and whatever a key cannot have beside others.
+//! left out, a value that is missing is that of an example. Errors that follow from such a repair alone are left out: those of keys in and around one that was
+//! reported, and those of keys that exclude others.
 
 use super::document::{Document, at, is_within, join, parent};
 use super::kinds::families;
@@ -24,7 +24,7 @@ use crate::target::PHANTOMS;
 use serde_json::Value;
 use std::path::Path;
 
-/// Most errors that are told, and most repairs.
+/// Most errors that are reported, and most repairs.
 const MOST: usize = 20;
 const REPAIRS: usize = 60;
 
@@ -36,7 +36,7 @@ vial = { index_matched = { radius_mm = 8.0 } }
 light = [{ pixels = [128, 128], angles = 360, projector = { collimated = { pixel_pitch_mm = 0.05 } } }]
 "#;
 
-/// The first error of a document with all others of its keys, in the order of the file; `models` are known beside the house's.
+/// The first error of a document with all others of its keys, in the order of the file; `models` are known in addition to those of `MODELS`.
 pub(crate) fn with_others(
     (document, models): (&Document, &'static [ModelKind]),
     base: &Path,
@@ -166,7 +166,7 @@ fn key_of(error: &Error) -> Option<&str> {
     }
 }
 
-/// Whether an error is in or around a key that was told, or changed.
+/// Whether an error is in or around a key that was reported, or changed.
 fn follows(touched: &[String], error: &Error) -> bool {
     let key = key_of(error).unwrap_or_default();
     touched

@@ -183,7 +183,7 @@ impl Document {
     /// # Errors
     /// [`Error::Config`] that names the override.
     pub fn set(&mut self, assignment: &str) -> Result<()> {
-        // A key is set beside the name of a profile
+        // The job names a profile and sets a key as well
         profiles::open(&mut self.root);
         let option = format!("--set {assignment}");
         let no = |found: &str, accepted: &str| Err(Error::config(&option, found, accepted));
@@ -265,7 +265,7 @@ impl Document {
         if place.is_some() || key.starts_with("--") {
             return error;
         }
-        // An error that has its option keeps it, as one that has its place
+        // An error that names its option, or its place, stays as it is
         let mut name = |option: &str| {
             let from = format!(" (from {option})");
             if !found.ends_with(&from) {

@@ -10,7 +10,7 @@ use crate::text::file_name;
 /// Name of the file that says how frames and movies are to be shown.
 pub(crate) const EXPOSURE: &str = "exposure.json";
 
-/// What a run may leave beside them and its properties, by name or by its first letters and its extension.
+/// What a run may leave in addition to them and its properties, by name or by its first letters and its extension.
 pub(crate) const OUTPUTS: [&str; 14] = [
     "patterns.npz",
     "frames",

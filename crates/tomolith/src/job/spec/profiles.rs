@@ -62,7 +62,7 @@ impl Profile {
     }
 }
 
-/// Makes a table of a name, so that keys can be set beside it.
+/// Makes a table of a name, so that other keys can be set in it.
 pub(crate) fn open(root: &mut Value) {
     for table in TABLES {
         if let Some(value @ Value::String(_)) = root.get_mut(table) {

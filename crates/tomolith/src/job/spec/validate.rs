@@ -16,7 +16,7 @@ use std::collections::BTreeSet;
 const MOST_RPM: f64 = 1000.0;
 /// Strongest absorption, 1/mm: light is gone within a hundredth of a millimeter.
 const MOST_ABSORPTION: f64 = 100.0;
-/// Weakest absorption, 1/mm: doses of far less are no longer told from 0.
+/// Weakest absorption, 1/mm: doses of far less are indistinguishable from 0.
 const LEAST_ABSORPTION: f64 = 1e-9;
 
 /// Largest limit of a pixel, mJ/mm²: its dose, squared and summed, is still a number.

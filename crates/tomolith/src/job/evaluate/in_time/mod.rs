@@ -1,6 +1,6 @@
 //! The print in time: the written patterns of a job with a schedule, shown turn by turn to the job's material.
 //!
-//! Runs and simulations do it beside their evaluation, on the job's own voxels, in the light of the model of the evaluation. Equations and units:
+//! Runs and simulations do it after their evaluation, on the job's voxels, in the light of the model of the evaluation. Equations and units:
 //! `docs/material.md`. Shading makes the light anew every [`ScheduleSpec::shading_every_s`](crate::job::spec::ScheduleSpec).
 //!
 //! **Limits** Walls are those of the vial, of bodies and of inserts. With `diffusion = "spectral"` and a dose that diffuses walls are those of the
@@ -118,7 +118,7 @@ pub(crate) struct NetworkInTime {
 }
 
 impl InTime {
-    /// What is said of every network at the end.
+    /// The closing lines about every network.
     pub(crate) fn summary(&self) -> Vec<TimeSummary> {
         let of = |network: &NetworkInTime| {
             let best_s = network.phases.curing_end_s;

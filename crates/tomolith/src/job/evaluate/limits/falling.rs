@@ -29,7 +29,7 @@ impl Fall {
             .find(|row| row.iteration == end.iteration - last)?;
         let share = 1.0 - end.loss / before.loss;
         let all = end.iteration;
-        // Where no step lowered the loss nothing can be said of more steps
+        // Where no step lowered the loss, the history says nothing about more steps
         let has_fallen = end.loss < history.first()?.loss;
         (last > 0 && share >= 0.0 && has_fallen).then_some(Fall { share, last, all })
     }

@@ -1,7 +1,7 @@
 //! Whether the print lasts longer than it need, or would be better if it lasted longer: what the brightest pixels say of that.
 //!
 //! **Rule** Of the prints of docs/fidelity.md below eight ceilings, those with at most 1 % of their light above half of the ceiling were as good below the half, and those with
-//! more than 30 % there lost up to 0.03 in IoU against twice the ceiling. What lies between is not told apart. A run that looked for its ceiling has seen more.
+//! more than 30 % there lost up to 0.03 in IoU against twice the ceiling. Between these the light does not show which it is. A run that searched for its ceiling knows more.
 
 use crate::grid::Patterns;
 use crate::job::evaluate::limits::{Limit, MetricKind};

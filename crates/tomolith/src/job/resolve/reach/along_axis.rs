@@ -366,7 +366,7 @@ mod tests {
             for (found, v) in lit.on_axis.into_iter().zip([-1.6, 1.6]) {
                 assert!((found - (v / cos + lifted)).abs() < 1e-9, "{tilt}: {found}");
             }
-            // A ray u beside the axis enters at √(R² − u²) and passes the axis at u·cos τ/√(n² − sin² τ) (Bouguer's invariant); heights where it is
+            // A ray at the distance u from the axis enters at √(R² − u²) and passes the axis at u·cos τ/√(n² − sin² τ) (Bouguer's invariant); heights where it is
             // 2 mm before and behind the axis
             let across = (1.47f64.powi(2) - sin * sin).sqrt();
             let heights = |u: f64, v: f64| {

@@ -68,7 +68,7 @@ impl Optics {
         ([low, high], out): ([f64; 2], f64),
     ) -> Result<()> {
         let lit = self.lit_heights(i);
-        // Less than half a pixel is said when the voxels are known
+        // Less than half a pixel is reported when the voxels are known
         let half = self.lights[i].pixels.pitch_mm[1] / 2.0;
         let [bottom, top] = lit.on_axis;
         if low >= bottom - half && high <= top + half {

@@ -81,11 +81,11 @@ pub(crate) fn put(root: &mut Value, key: &str, value: Value) -> Result<String, [
     Ok(path)
 }
 
-/// The family of a kind at a path, and whether it takes the place of a key beside it.
+/// The family of a kind at a path, and whether it excludes another key of its table.
 pub(crate) fn replaced_by(path: &str) -> Option<(&str, impl Fn(&str) -> bool)> {
     let (family, chosen) = path.rsplit_once('.').unwrap_or(("", path));
     let kinds = kinds_at(family);
-    // Bodies may be of the target's own mesh
+    // Bodies may be of the mesh of the target
     let goes_with = move |key: &str| (family, chosen, key) == ("target", "body", "mesh");
     kinds
         .contains(&chosen)

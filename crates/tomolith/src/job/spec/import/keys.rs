@@ -146,7 +146,7 @@ impl Keys {
         self.needed(key, table)
     }
 
-    /// Keys that mean nothing here; nothing need be said of a switch that is off.
+    /// Keys that mean nothing here; a switch that is off gets no note.
     pub(crate) fn leave_out(&mut self, keys: &[&'static str], why: &str, notes: &mut Vec<String>) {
         let mut found = Vec::new();
         for key in keys {
