@@ -34,7 +34,7 @@ Examples:
   tomolith export out/01-gear --output gear-frames  frames and movie for a machine
   tomolith compare out/01-gear out/02-gyroid        runs side by side on one page
   tomolith sweep examples/sweeps/threshold-map.toml many runs, one table, maps
-  tomolith reproduce papers/dual-color              the numbers of a paper beside ours
+  tomolith reproduce papers/dual-color              the numbers of a paper next to ours
 
 Exit codes: 0 done, 1 asked quality not met, 2 could not run, 130 canceled";
 
@@ -87,7 +87,7 @@ pub(crate) enum Command {
     Print(SimulateArguments),
     /// Run a job with many values of its keys: a table, maps, the best job
     Sweep(SweepArguments),
-    /// Run the study of a paper: its numbers beside ours, with a verdict for each
+    /// Run the study of a paper: its numbers next to ours, with a verdict for each
     Reproduce(ReproduceArguments),
     /// Check a job without running it: plan, memory, time, warnings
     Check(CheckArguments),

@@ -102,7 +102,7 @@ pub(crate) fn profiles(name: Option<&str>) -> Result<()> {
             say(&format!("{named:<32}  {}", profile.summary()));
         }
         say(
-            "\n`tomolith profiles NAME` prints one with its source. A file NAME.toml beside a job is one, too: printer = \"NAME.toml\"",
+            "\n`tomolith profiles NAME` prints one with its source. A file NAME.toml next to a job is one, too: printer = \"NAME.toml\"",
         );
         return Ok(());
     };

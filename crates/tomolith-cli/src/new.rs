@@ -27,7 +27,7 @@ Examples:
 pub(crate) struct NewArguments {
     /// The job file to write; `-` prints it
     file: PathBuf,
-    /// A mesh (.stl, .obj, .ply, .3mf) beside the job, or a phantom (`tomolith kinds target.phantom`) [default: gear]
+    /// A mesh (.stl, .obj, .ply, .3mf) next to the job, or a phantom (`tomolith kinds target.phantom`) [default: gear]
     #[arg(long, value_name = "FILE|PHANTOM")]
     part: Option<String>,
     /// Longest edge of the part, mm; a mesh keeps its size without it, a phantom has 5
@@ -217,11 +217,11 @@ fn text(answers: &Answers, [columns, rows]: [usize; 2]) -> String {
     let size = answers.size_mm.map(concise);
     let target = match (is_mesh(&answers.part), size) {
         (true, Some(size)) => format!(
-            "mesh = {}          # beside this file\nsize_mm = {size}                  # its longest edge; leave it out for the size of the file",
+            "mesh = {}          # next to this file\nsize_mm = {size}                  # its longest edge; leave it out for the size of the file",
             quoted(&answers.part)
         ),
         (true, None) => format!(
-            "mesh = {}          # beside this file\n# unit = \"in\"                  # where the file's numbers are no mm",
+            "mesh = {}          # next to this file\n# unit = \"in\"                  # where the file's numbers are no mm",
             quoted(&answers.part)
         ),
         (false, size) => format!(

@@ -107,7 +107,7 @@ pub enum Error {
         reason: String,
     },
     /// One of several processes that work on a job could not go on.
-    #[error("rank {rank} could not go on, so all ranks stop: what it met is told there")]
+    #[error("rank {rank} could not go on, so all ranks stop: its output says why")]
     Rank {
         /// Which, from 0.
         rank: usize,

@@ -273,11 +273,11 @@ pub trait ModelFamily: fmt::Debug + Send + Sync {
 
     /// What to say of it where no cheaper family is in question.
     fn merit(&self) -> String {
-        "as asked".to_owned()
+        "as the job names it".to_owned()
     }
 
     /// What to say where a job names it though a cheaper family covers the scene, too.
     fn despite(&self, cheaper: &str, _scene: &OpticalScene<'_>) -> String {
-        format!("as asked; [model.{cheaper}] covers these optics too and is faster")
+        format!("as the job names it; [model.{cheaper}] covers these optics too and is faster")
     }
 }

@@ -209,9 +209,9 @@ impl ModelFamily for Params {
 
     fn despite(&self, cheaper: &str, scene: &OpticalScene<'_>) -> String {
         match scene.scatterer() {
-            None => "as asked; nothing scatters".to_owned(),
+            None => "as the job names it; nothing scatters".to_owned(),
             Some(reason) => {
-                format!("{reason}; as asked, [model.{cheaper}] covers it without noise")
+                format!("{reason}; as the job names it; [model.{cheaper}] covers it without noise")
             }
         }
     }

@@ -654,7 +654,7 @@ impl<F: Field> Objective<F> for ProcessWindow {
 
     fn set_voxel_weights(&mut self, voxel_weights: &VoxelWeights) -> Result<()> {
         if !voxel_weights.tolerance.is_empty() {
-            let found = "a tolerance beside process_window, which has no bands to widen";
+            let found = "a tolerance of process_window, which has no bands to widen";
             let accepted = "no tolerance; region and weights count";
             return Err(Error::config("tolerance", found, accepted));
         }

@@ -278,7 +278,7 @@ pub fn fit(path: &Path) -> Result<DoseFit> {
         ["diameter_mm"] => {
             let radius = table.pairs("radius_mm", "diameter_mm")?;
             let Some(&[radius, _]) = radius.first() else {
-                return refuse("no radius_mm beside the diameters");
+                return refuse("diameters without radius_mm");
             };
             fit_diameter(&table.pairs(dose, "diameter_mm")?, radius)
         }

@@ -97,7 +97,7 @@ impl Axis {
         if spec.key.is_some() == spec.cases.is_some() {
             let (found, accepted) = match spec.cases {
                 Some(_) => (
-                    "found a key beside cases",
+                    "found both a key and cases",
                     "cases alone, whose `set` names the keys",
                 ),
                 None => (

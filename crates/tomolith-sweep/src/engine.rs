@@ -298,7 +298,7 @@ pub fn merge(plan: &SweepPlan, others: &[PathBuf]) -> Result<SweepOutcome> {
             return Err(Error::config(
                 "--merge",
                 format!("`{}` holds {runs}", other.display()),
-                "a folder in which a share of this sweep was run, with the same files beside it",
+                "a folder in which a share of this sweep was run, with the same files next to it",
             ));
         }
         for i in firsts(&plan.runs) {

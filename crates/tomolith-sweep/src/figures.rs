@@ -79,7 +79,7 @@ pub(crate) fn check(spec: &StudySpec) -> Result<()> {
         let histogram = figure.histogram.as_deref();
         if histogram.is_some() != figure.slices.is_empty() {
             let found = match histogram {
-                Some(_) => "beside slices".to_owned(),
+                Some(_) => "together with slices".to_owned(),
                 None => "neither it nor slices".to_owned(),
             };
             return refuse("histogram", found, "either a histogram or slices");

@@ -159,7 +159,7 @@ fn zeros(a: usize, last: [f64; 2], off: &dyn Fn([f64; 2]) -> Option<f64>) -> Vec
 fn caption(plan: &SweepPlan, table: &Table<'_>, metric: &str) -> String {
     let best = &plan.sweep.best;
     let Some(i) = table.best else {
-        return "No run meets what is asked.".to_owned();
+        return "No run meets the conditions of best.where.".to_owned();
     };
     let number = |path: &str| {
         table

@@ -106,7 +106,7 @@ impl RunSpec {
         }
         let (key, _) = keys.into_iter().find(|(_, is_given)| *is_given)?;
         let accepted = "keys of a job among the words, \"--set\", \"KEY=VALUE\"; or a run with a job or a sweep";
-        Some((key, "beside command", accepted))
+        Some((key, "together with command", accepted))
     }
 }
 
@@ -241,7 +241,7 @@ impl RowSpec {
     fn at_odds(&self) -> Option<(&'static str, String, &'static str)> {
         let beside = |&(key, other, accepted): &(&'static str, &'static str, &'static str)| {
             let are_both = self.has(key) && self.has(other);
-            are_both.then(|| (key, format!("beside {other}"), accepted))
+            are_both.then(|| (key, format!("together with {other}"), accepted))
         };
         let without = |&(key, other, accepted): &(&'static str, &'static str, &'static str)| {
             let is_alone = self.has(key) && !self.has(other);
@@ -645,7 +645,7 @@ fn check_row(spec: &StudySpec, row: &RowSpec, at: &str, named: &BTreeSet<&str>) 
         }
         let of_many = ["at", "best", "over"].into_iter().find(|key| row.has(key));
         if let (Some(key), None) = (of_many, &spec.runs[of].sweep) {
-            let found = format!("beside of = \"{of}\", which is no sweep");
+            let found = format!("together with of = \"{of}\", which is no sweep");
             return refuse(key, found, "a run with a sweep; without it the only run");
         }
     }

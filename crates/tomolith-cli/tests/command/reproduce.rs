@@ -297,25 +297,25 @@ fn keys_of_a_row_that_contradict_each_other_are_refused_with_both() {
             "take = \"max\"",
             "share_of = \"lower < 0.5\"",
             "rows[1].metric",
-            "beside share_of",
+            "together with share_of",
         ),
         (
             "metric = \"optimization.pw\"",
             "share_of = \"lower < 0.5\"",
             "rows[1].take",
-            "beside share_of",
+            "together with share_of",
         ),
         (
             "over = [\"lower < 0.6\"]",
             "over = []\nbest = true",
             "rows[1].best",
-            "beside over",
+            "together with over",
         ),
         (
             "says = \"yes\"",
             "published = 1",
             "rows[2].holds",
-            "beside published",
+            "together with published",
         ),
         (
             "says = \"fair\"",
@@ -333,13 +333,13 @@ fn keys_of_a_row_that_contradict_each_other_are_refused_with_both() {
             "says = \"fair\"",
             "says = \"fair\"\npublished = 1",
             "rows[5].says",
-            "beside published",
+            "together with published",
         ),
         (
             "says = \"fair\"",
             "differs = \"it rained\"",
             "rows[5].differs",
-            "beside under_specified",
+            "together with under_specified",
         ),
         (
             "sweep = \"sweep.toml\"",
@@ -351,13 +351,13 @@ fn keys_of_a_row_that_contradict_each_other_are_refused_with_both() {
             "writes = true",
             "writes = true\nset = { a = 1 }",
             "runs.voxel.set",
-            "beside command",
+            "together with command",
         ),
         (
             "of = \"voxel\"",
             "of = \"voxel\"\nbest = true",
             "rows[3].best",
-            "beside of = \\\"voxel\\\", which is no sweep",
+            "together with of = \\\"voxel\\\", which is no sweep",
         ),
     ];
     for (from, to, key, found) in odd {

@@ -151,7 +151,7 @@ fn marks(panels: &[HistogramPanel]) -> Vec<Option<String>> {
         .map(|((name, _), (_, color))| Some(format!("{color}: {name}")))
         .collect();
     let has_band = panels.iter().any(|panel| panel.band.is_some());
-    marks.push(has_band.then_some("shaded: what is asked for".to_owned()));
+    marks.push(has_band.then_some("shaded: the band of the objective".to_owned()));
     marks
 }
 
@@ -243,6 +243,6 @@ mod tests {
         );
         assert_eq!(svg.matches("class=\"band\"").count(), 2);
         assert_eq!(svg.matches("a &lt; b").count(), 2);
-        assert!(svg.contains("teal: part · shaded: what is asked for"));
+        assert!(svg.contains("teal: part · shaded: the band of the objective"));
     }
 }

@@ -108,7 +108,7 @@ fn slips_name_their_keys() {
         ),
         (
             serde_json::json!({ "key": "a.k", "cases": [{ "name": "a" }] }),
-            "axes[0].key: found a key beside cases",
+            "axes[0].key: found both a key and cases",
         ),
         (
             serde_json::json!({ "name": "k", "cases": [{ "name": "a" }, { "name": "a" }] }),

@@ -152,7 +152,7 @@ pub fn export(
                 "`{}` has no patterns: it was run with --keep metrics",
                 run.display()
             ),
-            "a run that kept them",
+            "a run that left them",
         ));
     }
     let (shown, raw) = written::wanted_of(&run.join("patterns.npz"), &optics, &names, cancel)?;

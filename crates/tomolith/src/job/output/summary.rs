@@ -268,7 +268,11 @@ impl fmt::Display for Summary {
                 None => "met".to_owned(),
                 Some(found) => format!("NOT met: {found}"),
             };
-            writeln!(f, "{:>28} {asked:9.4} {verdict}", format!("asked ({key})"))?;
+            writeln!(
+                f,
+                "{:>28} {asked:9.4} {verdict}",
+                format!("required ({key})")
+            )?;
         }
         let time = self.print_time.clone();
         let texts = (self.all_limits().into_iter()).chain(self.exposures());
@@ -402,7 +406,7 @@ pub(crate) fn earlier(kept: KeptIterate, iterations: usize) -> String {
 /// Why an optimization ended, in words.
 fn words(reason: StopReason) -> &'static str {
     match reason {
-        StopReason::Iterations => "as many as were asked for",
+        StopReason::Iterations => "all of `stop.iterations`",
         StopReason::ZeroLoss => "the loss is zero",
         StopReason::ProjectedGradient => "the projected gradient is small enough",
         StopReason::Steady => "the loss hardly changes any more",

@@ -222,7 +222,7 @@ pub(crate) fn must_be_minimized(goal: &Goal, method: &Method) -> Result<()> {
     match own {
         Some((path, _)) => Err(Error::config(
             format!("{path}.response"),
-            "an objective with a response of its own beside [co_optimize], which changes that of the job",
+            "an objective with a response, in a job with [co_optimize], which changes the response of the job",
             "only one of the two",
         )),
         None => Ok(()),

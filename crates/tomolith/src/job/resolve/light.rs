@@ -86,7 +86,7 @@ fn ends(account: &PowerBalance) -> String {
     let parts = [
         ("is reflected at the walls", account.reflected),
         (
-            "passes beside the vial, or through its walls only",
+            "misses the vial, or passes through its walls only",
             account.missed,
         ),
         ("ends at bodies", account.blocked),
@@ -130,7 +130,7 @@ mod tests {
             panic!("accepted");
         };
         assert!(
-            key == "light[0]" && text.contains("100.0 % passes beside"),
+            key == "light[0]" && text.contains("100.0 % misses"),
             "{text}"
         );
         // From water into glass of index 1.2 at 80° to its face's normal along z: total reflection

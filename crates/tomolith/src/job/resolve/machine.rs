@@ -54,7 +54,7 @@ pub(crate) fn white_in_time(spec: &JobSpec, goal: &Goal) -> Result<Option<(f64, 
         Error::config(
             "printer.time_s",
             "a time, but no dose at which the resin turns solid",
-            "evaluate.threshold beside it",
+            "evaluate.threshold as well",
         )
     })?;
     let [low, high] = response.range();

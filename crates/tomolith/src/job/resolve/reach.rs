@@ -39,7 +39,7 @@ impl Unreached {
         } = self;
         let times = (100.0 * farthest_mm / reach_mm - 1e-6).ceil() / 100.0;
         let advice = match (reach_mm > 0.0, is_cut) {
-            (false, _) => "what it lights lies beside the axis: use a smaller `offset_mm`, or more columns in `pixels` or `selection`".to_owned(),
+            (false, _) => "what it lights lies off the axis: use a smaller `offset_mm`, or more columns in `pixels` or `selection`".to_owned(),
             (true, true) => "`offset_mm`, `selection` or a map of the printer cut its field: leave it wider".to_owned(),
             (true, false) => format!("use {} times as many columns in `pixels`", significant(times, 3)),
         };

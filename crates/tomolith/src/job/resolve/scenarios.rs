@@ -164,7 +164,7 @@ fn must_fit(resolved: &ResolvedJob) -> Result<()> {
         if is_there {
             return Err(Error::config(
                 key,
-                format!("{found}, beside [[scenario]]"),
+                format!("{found}, in a job with [[scenario]]"),
                 accepted,
             ));
         }

@@ -86,7 +86,7 @@ fn must_be_times(given: &ScheduleSpec, schedule: &Schedule) -> Result<()> {
         return Err(Error::config(
             "schedule.snapshots",
             format!("found {}", given.snapshots),
-            format!("at most {MOST_SNAPSHOTS}: each is kept as a volume"),
+            format!("at most {MOST_SNAPSHOTS}: each is stored as a volume"),
         ));
     }
     Ok(())

@@ -92,18 +92,20 @@ fn write_family(page: &mut String, family: &KindFamily) {
         let common = schema_of::<Common>().to_value();
         let mut rows = Vec::new();
         collect(&common, &common, "", &mut rows);
-        page.push_str("\nKeys of every entry of `[[objectives]]`, beside its kind:\n");
+        page.push_str("\nKeys of every entry of `[[objectives]]`, besides its kind:\n");
         write_rows(page, &rows);
     }
     if family.name == "vial" {
         let common = schema_of::<VialCommon>().to_value();
         let mut rows = Vec::new();
         collect(&common, &common, "", &mut rows);
-        page.push_str("\nKeys of `[vial]`, beside its kind:\n");
+        page.push_str("\nKeys of `[vial]`, besides its kind:\n");
         write_rows(page, &rows);
     }
     if family.name == "penalties" {
-        page.push_str("\nEvery entry of `[[penalties]]` needs its `weight`, λ, beside its kind.\n");
+        page.push_str(
+            "\nEvery entry of `[[penalties]]` needs its `weight`, λ, besides its kind.\n",
+        );
     }
     for kind in &family.kinds {
         let _ = write!(page, "\n**`{}`** {}\n", kind.name, kind.summary);

@@ -85,7 +85,7 @@ fn printer(spec: &JobSpec) -> Result<()> {
                 return Err(Error::config(
                     format!("light[{i}].printer"),
                     "what the machine is to this light, in a job without a machine",
-                    "a table [printer] beside it, which may be empty",
+                    "a table [printer] in the job, which may be empty",
                 ));
             }
             None => {}
@@ -99,7 +99,7 @@ fn printer(spec: &JobSpec) -> Result<()> {
                 return Err(Error::config(
                     format!("light[{i}].{key}"),
                     "a key of the print in time, in a job without a schedule",
-                    "a table [schedule] beside it",
+                    "a table [schedule] in the job",
                 ));
             }
         }
@@ -471,7 +471,7 @@ fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
         return Err(Error::config(
             "stop.change_after",
             format!("{after} iterations without a change to look at"),
-            "stop.change beside it, or neither",
+            "both stop.change and stop.change_after, or neither",
         ));
     }
     optional(stop.gap.filter(|gap| *gap != 0.0), |v| {
@@ -647,7 +647,7 @@ fn co_optimized(spec: &JobSpec) -> Result<()> {
         (
             "species",
             !spec.species.is_empty(),
-            "several species, each with a response, beside [co_optimize], which knows one response",
+            "several species, each with a response, in a job with [co_optimize], which changes one response",
         ),
         (
             "printer.time_s",

@@ -29,7 +29,7 @@ pub struct VialSpec {
     pub kind: Value,
 }
 
-/// Keys of `[vial]` beside its kind.
+/// Keys of `[vial]` besides its kind.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct VialCommon {
