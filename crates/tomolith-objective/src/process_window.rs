@@ -267,7 +267,7 @@ impl Search {
         } else {
             return true;
         }
-        self.jump *= 4;
+        self.jump = (4 * self.jump).min(1 << 60);
         let newton = ((self.goal - count) / (next - count)).floor();
         let inside = |at: i64| at >= self.low && at < self.high;
         let middle = self.low + (self.high - self.low) / 2;

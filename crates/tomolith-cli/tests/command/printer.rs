@@ -263,6 +263,7 @@ fn frames(folder: &Path) -> Vec<Picture> {
 }
 
 #[test]
+#[ignore = "slow"]
 fn the_movie_alone_makes_the_right_part_on_machines_of_all_flips_and_turns() {
     let bench = bench();
     for number in 0..10 {

@@ -325,6 +325,7 @@ fn a_quality_that_is_not_met_ends_with_one() {
 }
 
 #[test]
+#[ignore = "slow"]
 fn every_species_must_have_the_quality_that_is_asked() {
     let bench = bench();
     let job = concat!(
@@ -431,6 +432,7 @@ fn killed_in(bench: &Bench, line: &str, phase: Phase, random: &mut Random) -> bo
 /// One run, `kill −9` thirty times at random moments of every phase and resumed each time, on changing numbers of
 /// threads: what is visible is whole at any moment, and the end has the bits of the uninterrupted run.
 #[test]
+#[ignore = "slow"]
 #[cfg(unix)]
 fn thirty_kills_leave_the_bits_of_the_uninterrupted_run() {
     let bench = bench();
@@ -574,6 +576,7 @@ fn several_lights_and_objectives_go_from_end_to_end() {
 }
 
 #[test]
+#[ignore = "slow"]
 fn no_light_reaches_a_body_that_is_to_stay_dark() {
     let bench = bench();
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/11-bodies.toml");
@@ -652,6 +655,7 @@ fn the_job_of_a_run_whose_window_widened_makes_the_same_patterns() {
 }
 
 #[test]
+#[ignore = "slow"]
 fn scattered_light_of_cones_is_held_against_monte_carlo_paths() {
     let bench = bench();
     let cone = "light.projector={telecentric={pixel_pitch_mm=0.1,aperture_radius_mm=4.0,working_distance_mm=40.0}}";
@@ -742,6 +746,7 @@ fn kinds_and_schema_name_every_kind() {
 }
 
 #[test]
+#[ignore = "slow"]
 fn every_example_is_sound() {
     let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
     let mut seen = 0;
@@ -757,6 +762,7 @@ fn every_example_is_sound() {
 
 /// What is wrong without being refused is said while the command runs, and stands in the report.
 #[test]
+#[ignore = "slow"]
 fn numbers_that_mean_little_come_with_a_warning() {
     let bench = bench();
     for (i, (settings, part)) in [

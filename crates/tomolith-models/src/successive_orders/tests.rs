@@ -80,6 +80,7 @@ fn dose(model: &dyn DoseModel<Field = HostField>, x: &[f32]) -> Volume<f32> {
 }
 
 #[test]
+#[ignore = "slow"]
 fn every_vial_and_phase_is_an_exact_pair() {
     // Its loops are short: called from one of rayon's threads they take 9 s of processor, from outside 22
     rayon::scope(|_| pairs_of_every_vial_and_phase());
@@ -140,6 +141,7 @@ fn plane_albedo(albedo: f64) -> f64 {
 }
 
 #[test]
+#[ignore = "slow"]
 fn a_half_space_sends_back_what_chandrasekhar_computes() {
     // Four square beams on flat walls, 24 mm of resin at μ_t = 1 behind each
     let vial = Square {
@@ -238,6 +240,7 @@ fn two_bars() -> Vec<f32> {
 }
 
 #[test]
+#[ignore = "slow"]
 fn scattered_light_of_cones_and_tilted_light_is_that_of_monte_carlo_paths_where_it_is_bright_and_dark()
  {
     let glass = Cylinder {
@@ -316,6 +319,7 @@ fn scattered_light_of_cones_and_tilted_light_is_that_of_monte_carlo_paths_where_
 }
 
 #[test]
+#[ignore = "slow"]
 fn it_agrees_with_monte_carlo_paths_in_every_vial_and_phase() {
     let vials: [&dyn Vial; 3] = [
         &BATH,
@@ -364,6 +368,7 @@ fn it_agrees_with_monte_carlo_paths_in_every_vial_and_phase() {
 }
 
 #[test]
+#[ignore = "slow"]
 fn light_that_wanders_far_above_what_is_lit_comes_back() {
     // Scattered fifteen times before it is absorbed: with one free path of resin above and below 5.5 % of the dose would be missing
     let grid = VolumeGrid::centered([8, 16, 16], 0.25);
@@ -387,6 +392,7 @@ fn light_that_wanders_far_above_what_is_lit_comes_back() {
 }
 
 #[test]
+#[ignore = "slow"]
 fn cones_without_an_opening_are_collimated_light() {
     let grid = VolumeGrid::centered([16, 32, 32], 0.125);
     let glass = Cylinder {
@@ -416,6 +422,7 @@ fn cones_without_an_opening_are_collimated_light() {
 }
 
 #[test]
+#[ignore = "slow"]
 fn smaller_cells_change_less_and_less() {
     let grid = VolumeGrid::centered([12, 24, 24], 0.125);
     let x = {
@@ -470,6 +477,7 @@ fn what_it_does_not_cover_is_refused_with_the_reason() {
 }
 
 #[test]
+#[ignore = "slow"]
 fn pixels_three_times_as_high_beside_the_axis_are_three_equal_ones() {
     // Cells of 0.48 mm hold 4 columns, and 4 or 12 rows; light is made sharper by a thousandth less where its pixels are larger
     let scattering = of(Rayleigh {}, 0.2);

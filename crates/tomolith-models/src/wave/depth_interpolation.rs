@@ -79,7 +79,8 @@ impl<T: Number> Ring<T> {
             out.resize(len, zero());
         }
         for first in (0..len).step_by(BLOCK) {
-            let lanes = (self.row - first).min(BLOCK);
+            // 0 where no field was kept: then all sums are 0
+            let lanes = self.row.saturating_sub(first).min(BLOCK);
             for ((sum, slots), out) in sums.iter().zip(&slots).zip(outs.iter_mut()) {
                 let mut parts = [[T::zero(); BLOCK]; 2];
                 for ((to, slots), weights) in parts.iter_mut().zip(slots).zip(&sum.weights) {

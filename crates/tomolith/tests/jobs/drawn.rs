@@ -242,6 +242,7 @@ fn frames_that_make_no_movie_are_a_warning() {
 }
 
 #[test]
+#[ignore = "slow"]
 fn what_check_accepts_run_does_not_refuse() {
     let seconds = std::env::var("TOMOLITH_FUZZ_SECONDS")
         .ok()

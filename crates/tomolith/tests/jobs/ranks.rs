@@ -149,6 +149,7 @@ fn difference(one: &Job, other: &Job) -> Difference {
 }
 
 #[test]
+#[ignore = "slow"]
 fn ranks_make_the_patterns_of_a_process_alone() {
     for (size, changes) in [
         (2, vec![]),

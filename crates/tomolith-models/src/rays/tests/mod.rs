@@ -191,6 +191,7 @@ fn every_vial_with_every_optics_is_an_exact_pair() {
 }
 
 #[test]
+#[ignore = "slow"]
 fn a_resin_that_differs_from_place_to_place_is_an_exact_pair() {
     let grid = VolumeGrid::centered([9, 14, 13], 0.2);
     let values: Vec<f32> = (0..60).map(|i| 0.1 + 0.05 * (i * 7 % 13) as f32).collect();

@@ -111,6 +111,7 @@ fn milk(
 }
 
 #[test]
+#[ignore = "slow"]
 fn a_resin_that_scatters_and_differs_from_place_to_place_is_an_exact_pair() {
     let grid = VolumeGrid::centered([9, 14, 13], 0.2);
     let [solid, _] = solids(&grid);
