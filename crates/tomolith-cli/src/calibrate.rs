@@ -13,9 +13,10 @@ use tomolith::job::export::{calibrate as of_job, draw};
 use tomolith::report::number::significant;
 use tomolith::units::concise;
 use tomolith::{Error, Result};
+use tomolith_planning::absorbance::{self, Attenuation, Coefficient, Medium};
 use tomolith_planning::discs::{self, Discs};
 use tomolith_planning::gray::{CurveForm, GrayCurve, Polynomial};
-use tomolith_planning::measured::{csv, curve, read_pairs};
+use tomolith_planning::measured::{Columns, csv, curve, read_pairs};
 use tomolith_planning::quantity::{AREAL_DOSE, IRRADIANCE};
 use tomolith_planning::response::{Axes, ResponseFit};
 use tomolith_planning::{kinetics, voxel};
@@ -27,6 +28,7 @@ Examples:
   tomolith calibrate gray examples/calibration/gray-visible.csv --output gray
   tomolith calibrate response examples/calibration/stiffness.csv --log-response --output stiffness
   tomolith calibrate kinetics examples/calibration/balls-uv.csv --at 20 --output balls
+  tomolith calibrate absorbance examples/calibration/absorbance.csv --output resin
   tomolith calibrate discs --canvas 1920 1080 --pixel-pitch-mm 0.0138 --irradiance 25 --from 20 --to 400 --output discs
   tomolith calibrate dose examples/calibration/discs.csv --output dose
 Frames: border, checkerboard, crosshair, gray_steps, siemens_star, axis_lines, orientation";
@@ -62,6 +64,8 @@ enum Fit {
     Response(ResponseArguments),
     /// Inhibitor and kinetics from curing times: irradiance (mW/cm²), time (s)
     Kinetics(KineticsArguments),
+    /// Absorption and scattering from a spectrometer's absorbance: path_mm, resin, with_particles
+    Absorbance(AbsorbanceArguments),
     /// Images for a calibration print: discs at rising doses in a resin at rest
     Discs(DiscsArguments),
     /// Critical dose and penetration depth from what the discs became: discs.csv with a column filled
@@ -133,6 +137,15 @@ struct KineticsArguments {
 }
 
 #[derive(Debug, Args)]
+struct AbsorbanceArguments {
+    #[command(flatten)]
+    measured: Measured,
+    /// Share of what the particles take that they scatter; 1 when left out, as titania at 405 nm
+    #[arg(long)]
+    albedo: Option<f64>,
+}
+
+#[derive(Debug, Args)]
 struct DiscsArguments {
     /// Pixels of the device
     #[arg(long, num_args = 2, value_names = ["COLUMNS", "ROWS"], required = true)]
@@ -175,6 +188,7 @@ impl CalibrateArguments {
             Some(Fit::Gray(given)) => given.measured.manner,
             Some(Fit::Response(given)) => given.measured.manner,
             Some(Fit::Kinetics(given)) => given.measured.manner,
+            Some(Fit::Absorbance(given)) => given.measured.manner,
             Some(Fit::Discs(given)) => given.manner,
             Some(Fit::Dose(given)) => given.measured.manner,
         }
@@ -188,6 +202,7 @@ pub(crate) fn calibrate(given: &CalibrateArguments) -> Result<()> {
         Some(Fit::Gray(given)) => gray(given),
         Some(Fit::Response(given)) => response(given),
         Some(Fit::Kinetics(given)) => of_times(given),
+        Some(Fit::Absorbance(given)) => of_absorbance(given),
         Some(Fit::Discs(given)) => print_of_discs(given),
         Some(Fit::Dose(given)) => dose(given),
     }
@@ -415,6 +430,79 @@ fn of_times(given: &KineticsArguments) -> Result<()> {
     let files = [
         ("kinetics.csv", csv(&names, &rows)),
         ("kinetics.svg", kinetics::plot(&table, &fit)),
+    ];
+    answer.finish(
+        given.measured.manner,
+        given.measured.output.as_deref(),
+        &files,
+    )
+}
+
+/// Absorbance from which on stray light inside a spectrometer decides what it shows.
+const STRAY_LIGHT: f64 = 3.0;
+
+fn of_absorbance(given: &AbsorbanceArguments) -> Result<()> {
+    let path = &given.measured.table;
+    let table = Columns::read(path)?;
+    table.only(&["path_mm", "resin", "with_particles"])?;
+    let liquid = |column: &'static str| {
+        let readings = table.pairs("path_mm", column)?;
+        Attenuation::fit(column, &readings).map_err(|e| in_file(e, path))
+    };
+    let resin = liquid("resin")?;
+    let turbid = table
+        .has("with_particles")
+        .then(|| liquid("with_particles"));
+    let turbid = turbid.transpose()?;
+    if given.albedo.is_some() && turbid.is_none() {
+        return Err(Error::config(
+            "--albedo",
+            format!(
+                "an albedo, and no readings in `with_particles` of {}",
+                path.display()
+            ),
+            "readings of the resin with particles, or no --albedo",
+        ));
+    }
+    let medium = Medium::new(&resin, turbid.as_ref(), given.albedo.unwrap_or(1.0));
+    let medium = medium.map_err(|e| in_file(e, path))?;
+    let mut liquids = vec![("resin", &resin)];
+    liquids.extend(turbid.as_ref().map(|turbid| ("with particles", turbid)));
+    let mut answer = Answer::default();
+    let per_mm = |c: Coefficient| format!("{} per mm", with_error(c.per_mm, c.error));
+    let mut job_table = format!(
+        "# Fitted by `tomolith calibrate absorbance`\n[resin]\nabsorption_per_mm = {}\n",
+        concise(medium.absorption.per_mm)
+    );
+    answer.line("absorption", per_mm(medium.absorption));
+    if let Some(scattering) = medium.scattering {
+        answer.line("scattering", per_mm(scattering));
+        let line = format!("scattering_per_mm = {}\n", concise(scattering.per_mm));
+        job_table.push_str(&line);
+    }
+    for (name, liquid) in &liquids {
+        if let Some(cuvette) = liquid.cuvette {
+            let text = format!(
+                "shows {} with no path: the cuvette",
+                significant(cuvette, 3)
+            );
+            answer.line(name, text);
+        }
+        let highest = liquid.readings.iter().map(|r| r[1]).fold(0.0, f64::max);
+        if highest > STRAY_LIGHT {
+            answer.warn(format!(
+                "an absorbance of {} ({name}): stray light makes such readings too small; take a shorter path",
+                concise(highest)
+            ));
+        }
+    }
+    answer.set("absorption", medium.absorption);
+    answer.set("scattering", medium.scattering);
+    answer.set("resin", &resin);
+    answer.set("with_particles", &turbid);
+    let files = [
+        ("resin.toml", job_table),
+        ("absorbance.svg", absorbance::plot(&liquids)),
     ];
     answer.finish(
         given.measured.manner,

@@ -138,6 +138,25 @@ impl Columns {
         })
     }
 
+    /// Refuses columns with other names than these.
+    ///
+    /// # Errors
+    /// [`Error::Format`] for the first of them.
+    pub fn only(&self, names: &[&str]) -> Result<()> {
+        let other = self
+            .names
+            .iter()
+            .find(|name| !names.contains(&name.as_str()));
+        match other {
+            None => Ok(()),
+            Some(name) => Err(Error::format(
+                self.path.clone(),
+                format!("a column `{name}`"),
+                format!("a first line with names: {}", names.join(", ")),
+            )),
+        }
+    }
+
     /// Whether a column has a number anywhere.
     #[must_use]
     pub fn has(&self, name: &str) -> bool {

@@ -191,6 +191,65 @@ fn kinetics_fit_curing_times_and_say_when_light_never_cures() {
 }
 
 #[test]
+fn a_spectrometer_gives_absorption_and_scattering() {
+    let bench = Bench::new();
+    // 0.12 and 0.31 per mm, with 0.04 of the cuvette: A = 0.04 + μ·L/ln 10
+    let row = |path: f64| {
+        let of = |per_mm: f64| 0.04 + per_mm * path / std::f64::consts::LN_10;
+        format!("{path},{},{}\n", of(0.12), of(0.31))
+    };
+    let head = "path_mm,resin,with_particles\n";
+    let rows: String = [2.0, 5.0, 10.0].map(row).concat();
+    bench.write("a.csv", &format!("{head}{rows}"));
+    let found = bench.json("calibrate absorbance a.csv --output fit");
+    near(&found["absorption"]["per_mm"], 0.12, 1e-9);
+    near(&found["scattering"]["per_mm"], 0.19, 1e-9);
+    near(&found["resin"]["cuvette"], 0.04, 1e-9);
+    assert!(
+        bench
+            .read("fit/resin.toml")
+            .contains("scattering_per_mm = 0.19")
+    );
+    assert!(bench.read("fit/absorbance.svg").starts_with("<svg xmlns"));
+    // Particles that absorb a quarter of what they take: 0.12 + 0.25·0.19
+    let found = bench.json("calibrate absorbance a.csv --albedo 0.75");
+    near(&found["absorption"]["per_mm"], 0.1675, 1e-9);
+    near(&found["scattering"]["per_mm"], 0.1425, 1e-9);
+
+    bench.write("clear.csv", "path_mm,resin\n10,0.5\n10,0.52\n");
+    let said = bench.expect(0, "calibrate absorbance clear.csv");
+    assert!(
+        said.contains("0.1174 ± 0.0023 per mm") && !said.contains("scattering"),
+        "{said}"
+    );
+    bench.refuse(
+        "calibrate absorbance clear.csv --albedo 1",
+        &["--albedo", "with_particles"],
+    );
+    bench.refuse(
+        "calibrate absorbance a.csv --albedo 1.2",
+        &["--albedo", "1.2"],
+    );
+    for (text, part) in [
+        (
+            "path_mm,resin,with_particles\n10,0.5,0.4\n",
+            "more attenuation with particles",
+        ),
+        ("path_mm,resin,particles\n10,0.5,0.4\n", "`particles`"),
+        ("path_mm,resin\n0,0.5\n", "above 0 mm"),
+        ("path_mm,resin\n5,0.5\n10,0.4\n", "rise with the path"),
+        ("path_mm,with_particles\n10,0.4\n", "no column `resin`"),
+        ("path_mm,resin\n10,\n", "no readings"),
+    ] {
+        bench.write("bad.csv", text);
+        bench.refuse("calibrate absorbance bad.csv", &["bad.csv", part]);
+    }
+    bench.write("dark.csv", "path_mm,resin\n10,3.4\n");
+    let warnings = &bench.json("calibrate absorbance dark.csv")["warnings"];
+    assert!(warnings.to_string().contains("stray light"), "{warnings}");
+}
+
+#[test]
 fn discs_are_drawn_and_their_result_is_read() {
     let bench = Bench::new();
     let line = "calibrate discs --canvas 100 60 --pixel-pitch-mm 0.1 --irradiance 20 --from 10 --to 160 --grid 5 3";
