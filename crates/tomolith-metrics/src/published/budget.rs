@@ -31,16 +31,16 @@ pub fn light_budget(dose: &Volume<f32>, labels: &Volume<u8>, patterns: &[Pattern
         .chunks(BLOCK)
         .zip(labels.values.chunks(BLOCK))
         .par_map(|(dose, labels)| {
-            let mut sums = [0.0; 3];
-            for (&d, &l) in dose.iter().zip(labels) {
-                let at = match l {
-                    label::PART => 0,
-                    label::VOID => 1,
-                    _ => 2,
-                };
-                sums[at] += f64::from(d);
+            // In registers, whatever the label
+            let [mut part, mut void, mut outside] = [0.0; 3];
+            for (&dose, &own) in dose.iter().zip(labels) {
+                let dose = f64::from(dose);
+                let (is_part, is_void) = (own == label::PART, own == label::VOID);
+                part += if is_part { dose } else { 0.0 };
+                void += if is_void { dose } else { 0.0 };
+                outside += if is_part || is_void { 0.0 } else { dose };
             }
-            sums
+            [part, void, outside]
         });
     let voxel = dose.grid.voxel_mm3();
     let of = |at: usize| voxel * sums.iter().map(|s| s[at]).sum::<f64>();

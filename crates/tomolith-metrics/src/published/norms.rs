@@ -52,29 +52,39 @@ pub(super) struct BandError {
 }
 
 impl BandError {
-    /// Counts a voxel whose response is so far beyond its band (below 0: within). Until [`joined`](Self::joined), `l2` is
-    /// the sum of squares.
-    fn add(&mut self, error: f64) {
-        self.voxels += 1;
-        if error > ROUNDING {
-            self.violated += 1;
-            self.l1 += error;
-            self.l2 += error * error;
-            self.largest = self.largest.max(error);
+    /// Both together; `l2` of all three are sums of squares.
+    fn and(self, other: BandError) -> BandError {
+        BandError {
+            voxels: self.voxels + other.voxels,
+            violated: self.violated + other.violated,
+            l1: self.l1 + other.l1,
+            l2: self.l2 + other.l2,
+            largest: self.largest.max(other.largest),
         }
+    }
+
+    /// Counts a voxel whose response is so far beyond its band (below 0: within), without a branch to guess.
+    fn add(&mut self, error: f64) {
+        let is_out = error > ROUNDING;
+        let error = if is_out { error } else { 0.0 };
+        self.voxels += 1;
+        self.violated += u64::from(is_out);
+        self.l1 += error;
+        self.l2 += error * error;
+        self.largest = if error > self.largest {
+            error
+        } else {
+            self.largest
+        };
     }
 
     /// The error of all blocks.
     fn joined<'b>(blocks: impl Iterator<Item = &'b BandError>) -> BandError {
-        let mut total = blocks.fold(BandError::default(), |a, b| BandError {
-            voxels: a.voxels + b.voxels,
-            violated: a.violated + b.violated,
-            l1: a.l1 + b.l1,
-            l2: a.l2 + b.l2,
-            largest: a.largest.max(b.largest),
-        });
-        total.l2 = total.l2.sqrt();
-        total
+        let total = blocks.fold(BandError::default(), |a, b| a.and(*b));
+        BandError {
+            l2: total.l2.sqrt(),
+            ..total
+        }
     }
 }
 
@@ -85,27 +95,40 @@ pub(super) fn band_errors(
     tolerances: [f64; 2],
     response: &dyn Response,
 ) -> [[BandError; 3]; 2] {
-    let labels = &band.labels.values;
     let is_identity = response.is_identity();
-    let blocks: Vec<[[BandError; 3]; 2]> =
-        dose.values.chunks(BLOCK).enumerate().par_map(|(b, block)| {
-            let mut sums = [[BandError::default(); 3]; 2];
-            for (k, &d) in block.iter().enumerate() {
-                let i = b * BLOCK + k;
-                let region = match labels[i] {
-                    label::PART => 1,
-                    label::VOID => 2,
-                    _ => continue,
-                };
-                let value = if is_identity { d } else { response.value(d) };
-                let off = (f64::from(value) - band.value(i)).abs();
-                for (sums, tolerance) in sums.iter_mut().zip(tolerances) {
-                    sums[0].add(off - tolerance);
-                    sums[region].add(off - tolerance);
-                }
+    let regions = [label::PART, label::VOID];
+    let blocks = dose.values.chunks(BLOCK).enumerate();
+    let blocks: Vec<[[BandError; 3]; 2]> = blocks.par_map_with(Vec::new, |off, (b, block)| {
+        let labels = &band.labels.values[b * BLOCK..][..block.len()];
+        let of_regions = regions.map(|region| {
+            off.clear();
+            if labels.contains(&region) {
+                let own = (b * BLOCK..).zip(block.iter().zip(labels));
+                let own = own.filter(|(_, (_, label))| **label == region);
+                off.extend(own.map(|(i, (&dose, _))| {
+                    let value = if is_identity {
+                        dose
+                    } else {
+                        response.value(dose)
+                    };
+                    (f64::from(value) - band.value(i)).abs()
+                }));
+            }
+            let mut sums = [BandError::default(); 2];
+            for off in &*off {
+                let errors = tolerances.map(|tolerance| off - tolerance);
+                sums.iter_mut()
+                    .zip(errors)
+                    .for_each(|(sums, error)| sums.add(error));
             }
             sums
         });
+        let [part, void] = of_regions;
+        [0, 1].map(|tolerance| {
+            let (part, void) = (part[tolerance], void[tolerance]);
+            [part.and(void), part, void]
+        })
+    });
     std::array::from_fn(|tolerance| {
         std::array::from_fn(|region| {
             BandError::joined(blocks.iter().map(|b| &b[tolerance][region]))

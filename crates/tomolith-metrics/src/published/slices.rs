@@ -52,7 +52,7 @@ pub(super) fn slices_under(
             pairs.map(|(d, _)| *d).collect()
         };
         let (part, void) = (of(label::PART), of(label::VOID));
-        slice(dose.grid.z(iz), part, void, trim_percent)
+        slice(dose.grid.z(iz), &part, &void, trim_percent)
     };
     let slices = dose.values.chunks(size);
     let steps = run.steps(dose.grid.shape[0]);
@@ -66,11 +66,11 @@ pub(super) fn slices_under(
     slices.into_iter().flatten().collect()
 }
 
-fn slice(z_mm: f64, mut part: Vec<f32>, mut void: Vec<f32>, alpha: f64) -> Slice {
+fn slice(z_mm: f64, part: &[f32], void: &[f32], alpha: f64) -> Slice {
     let least = part.iter().copied().reduce(f32::min);
     let wrong = least.map(|min| void.iter().filter(|d| **d > min).count());
-    let [low, high, out] = ends(&mut part, &mut void, 0.0);
-    let [low_trimmed, high_trimmed, out_trimmed] = ends(&mut part, &mut void, alpha);
+    let [low, high, out] = ends(part, void, 0.0);
+    let [low_trimmed, high_trimmed, out_trimmed] = ends(part, void, alpha);
     let less = |a: Measure, b: Measure| Some(a? - b?);
     Slice {
         z_mm,
@@ -85,7 +85,7 @@ fn slice(z_mm: f64, mut part: Vec<f32>, mut void: Vec<f32>, alpha: f64) -> Slice
 }
 
 /// Percentiles α and 100 − α of the part, 100 − α of the void.
-fn ends(part: &mut [f32], void: &mut [f32], alpha: f64) -> [Measure; 3] {
+fn ends(part: &[f32], void: &[f32], alpha: f64) -> [Measure; 3] {
     [
         percentile(part, alpha),
         percentile(part, 100.0 - alpha),
@@ -93,19 +93,41 @@ fn ends(part: &mut [f32], void: &mut [f32], alpha: f64) -> [Measure; 3] {
     ]
 }
 
-/// Linear between order statistics; the values change places.
-fn percentile(values: &mut [f32], percent: f64) -> Measure {
+/// Linear between order statistics.
+fn percentile(values: &[f32], percent: f64) -> Measure {
     let last = values.len().checked_sub(1)?;
     let place = last as f64 * percent / 100.0;
     let (i, share) = (place.floor() as usize, place.fract());
-    let (_, low, above) = values.select_nth_unstable_by(i, f32::total_cmp);
-    let low = f64::from(*low);
-    let high = above
-        .iter()
-        .copied()
-        .reduce(f32::min)
-        .map_or(low, f64::from);
+    // From whichever end is nearer: few values lie beyond a trimmed one
+    let [low, high] = if 2 * i < last {
+        at_rank(values.iter().copied(), i + 1)
+    } else {
+        let [above, own] = at_rank(values.iter().map(|value| -value), last - i);
+        [-own, -above]
+    };
+    let [low, high] = [low, high].map(f64::from);
     Some(low + share * (high - low))
+}
+
+/// Values that are sorted at a time, at least.
+const SORTED: usize = 64;
+
+/// The values before and at a rank, 0 = the smallest, which has none before it but itself. There are as many values.
+fn at_rank(values: impl Iterator<Item = f32>, rank: usize) -> [f32; 2] {
+    let mut smallest: Vec<f32> = Vec::with_capacity(2 * rank + SORTED);
+    let mut bound = f32::INFINITY;
+    for value in values {
+        if smallest.len() <= rank || value < bound {
+            if smallest.len() == smallest.capacity() {
+                smallest.select_nth_unstable_by(rank, f32::total_cmp);
+                smallest.truncate(rank + 1);
+                bound = smallest[rank];
+            }
+            smallest.push(value);
+        }
+    }
+    let (before, &mut own, _) = smallest.select_nth_unstable_by(rank, f32::total_cmp);
+    [before.iter().copied().reduce(f32::max).unwrap_or(own), own]
 }
 
 /// The worst slice of each kind.
@@ -169,5 +191,29 @@ mod tests {
             (found[0].pw_trimmed, found[0].ipdr_trimmed),
             (Some(0.375), Some(0.125))
         );
+    }
+
+    #[test]
+    fn percentiles_are_those_of_all_values_in_order() {
+        // Many values, some of them equal, more than are sorted at a time
+        let values: Vec<f32> = (0..5000)
+            .map(|i| (i * 7919 % 1009) as f32 / 7.0 - 50.0)
+            .collect();
+        for count in [1, 2, 3, 100, 5000] {
+            let (values, mut sorted) = (&values[..count], values[..count].to_vec());
+            sorted.sort_by(f32::total_cmp);
+            for percent in [0.0, 0.025, 3.0, 49.9, 50.0, 60.0, 99.975, 100.0] {
+                let place = (count - 1) as f64 * percent / 100.0;
+                let at = |i: f64| f64::from(sorted[i as usize]);
+                let [low, high] = [at(place.floor()), at(place.ceil())];
+                let expected = low + place.fract() * (high - low);
+                assert_eq!(
+                    percentile(values, percent),
+                    Some(expected),
+                    "{count} {percent}"
+                );
+            }
+        }
+        assert_eq!(percentile(&[], 50.0), None);
     }
 }

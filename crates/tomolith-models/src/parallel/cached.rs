@@ -12,7 +12,7 @@
 //! repeat.
 
 use super::block_sparsity::{NonzeroBlocks, NonzeroTile};
-use super::kernel::{Block, Isa, MAX_BLOCK};
+use super::kernel::{Block, MAX_BLOCK};
 use super::patches::{self, ColumnEntry, Patches, VOXELS};
 use super::plan::{KernelPath, LightPlan};
 use super::tiles::{Local, Slots, TILE, Tile, TileEntries};
@@ -38,9 +38,36 @@ const BYTES: f64 = (size_of::<u32>() + size_of::<[f32; VOXELS]>()) as f64;
 pub(super) const EDGE: usize = 2;
 const PATCHES: usize = TILE / EDGE;
 
+/// How a model finds the entries of a slice.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Finding {
+    /// Voxel by voxel, in each call.
+    ByVoxels,
+    /// Patch by patch, in each call: those of the first part of the turn serve all of it.
+    ByPatches,
+    /// Patch by patch in the first call, which stores them.
+    Once,
+}
+
+impl Finding {
+    /// Whether entries are those of patches, from the first part of the turn.
+    pub(super) fn is_by_patches(self) -> bool {
+        self != Finding::ByVoxels
+    }
+}
+
+/// How a model of a single call finds its entries.
+pub(super) fn of_one_call(lights: &[Light], vial: &dyn Vial, grid: &VolumeGrid) -> Finding {
+    let turned = Turned::of_lights(vial, lights, grid, Finding::ByPatches);
+    match turned.iter().all(Turned::repeats) {
+        true => Finding::ByPatches,
+        false => Finding::ByVoxels,
+    }
+}
+
 /// Bytes that an optimization stores of these lights; None where that would be too much, or rows have no lanes.
 pub(super) fn bytes(lights: &[Light], vial: &dyn Vial, grid: &VolumeGrid) -> Option<f64> {
-    let turned = Turned::of_lights(vial, lights, grid);
+    let turned = Turned::of_lights(vial, lights, grid, Finding::Once);
     let of_light = |(light, turned): (&Light, &Turned)| {
         BYTES * expected(light, vial, grid) / turned.parts as f64
     };
@@ -50,7 +77,7 @@ pub(super) fn bytes(lights: &[Light], vial: &dyn Vial, grid: &VolumeGrid) -> Opt
 
 /// Whether entries of a part of the turn serve all of it, for all lights.
 pub(super) fn repeats(lights: &[Light], vial: &dyn Vial, grid: &VolumeGrid) -> bool {
-    Turned::of_lights(vial, lights, grid)
+    Turned::of_lights(vial, lights, grid, Finding::Once)
         .iter()
         .all(Turned::repeats)
 }
@@ -76,12 +103,13 @@ fn expected(light: &Light, vial: &dyn Vial, grid: &VolumeGrid) -> f64 {
 
 /// Entries of a light from the views of the first part of the turn, by tile and group of views.
 pub(super) struct CachedEntries {
-    /// `[tile][group]`
+    /// `[tile][group]`; none where they are found in each call.
     groups: Vec<Group>,
     per_tile: usize,
 }
 
 /// What a group of views brings to a tile; slots are counted from the first one of the group on.
+#[derive(Default)]
 struct Group {
     patches: Patches,
     /// Slots of all entries, each once.
@@ -153,6 +181,9 @@ impl Finder {
 /// What adding light to tiles needs, made once a thread.
 #[derive(Default)]
 pub(super) struct Bench {
+    /// What finds entries that are not stored, and what it found last.
+    finder: Finder,
+    found: Group,
     /// Which slots of a group are lit.
     lit: Vec<bool>,
     /// Which entries of a patch count.
@@ -188,7 +219,18 @@ impl Group {
     }
 }
 
+/// A tile with its number, and views of a group.
+pub(super) type Place<'a> = (usize, &'a Tile, &'a Range<usize>);
+
 impl CachedEntries {
+    /// Finds entries in each call.
+    pub(super) fn in_each_call() -> Self {
+        CachedEntries {
+            groups: Vec::new(),
+            per_tile: 0,
+        }
+    }
+
     /// Finds all entries of a light.
     pub(super) fn of(
         plan: &LightPlan,
@@ -208,6 +250,11 @@ impl CachedEntries {
             groups: found.into_iter().flatten().collect(),
             per_tile: groups(0..period).count(),
         })
+    }
+
+    /// Whether they are stored.
+    pub(super) fn is_kept(&self) -> bool {
+        self.per_tile > 0
     }
 
     /// Pairs of frame and voxel that are lit, as [`LightPlan::updates_in`] counts them.
@@ -240,22 +287,34 @@ impl CachedEntries {
         entries * BYTES as usize
     }
 
-    fn group(&self, tile: usize, views: &Range<usize>) -> &Group {
-        &self.groups[tile * self.per_tile + views.start / GROUP]
+    /// What the group that views belong to brings to a tile.
+    fn group<'a>(
+        &'a self,
+        (path, plan): (KernelPath, &LightPlan),
+        (index, tile, views): Place,
+        (finder, found): (&mut Finder, &'a mut Group),
+    ) -> &'a Group {
+        if self.is_kept() {
+            return &self.groups[index * self.per_tile + views.start / GROUP];
+        }
+        let first = first_of_group(views);
+        let all = first..(first + GROUP).min(plan.turned.period);
+        *found = Group::of(finder.find(path, plan, (index, tile), all));
+        found
     }
 
     /// Adds to the voxels of a tile what views of a group bring; `slots` has the lanes of all slots of the light.
     pub(super) fn add(
         &self,
-        (isa, columns): (Isa, usize),
-        (tile, views): (usize, &Range<usize>),
+        (path, plan): (KernelPath, &LightPlan),
+        place: Place<'_>,
         (slots, nonzero): (&[f32], &NonzeroBlocks),
         rows: &mut [&mut [f32]],
         bench: &mut Bench,
     ) {
-        let group = self.group(tile, views);
-        let first = first_of_group(views) * columns;
-        let own = slots_of(views, columns);
+        let group = self.group((path, plan), place, (&mut bench.finder, &mut bench.found));
+        let first = first_of_group(place.2) * plan.columns;
+        let own = slots_of(place.2, plan.columns);
         let is_whole = is_whole(&own, group);
         for (i, &block) in nonzero.blocks.iter().enumerate() {
             let lit = group.light(&mut bench.lit, |slot| {
@@ -280,28 +339,31 @@ impl CachedEntries {
                     }
                     if !entries.is_empty() {
                         let out = voxels_of(lines, x * EDGE, block, &mut bench.outside);
-                        patches::gather(isa, out, source, entries, block);
+                        patches::gather(path.isa, out, source, entries, block);
                     }
                 }
             }
         }
     }
 
-    /// Adds to the lanes of views of a group, and of no others, what the cotangent of a tile gives (transpose of [`add`](Self::add)).
+    /// Adds to the lanes of views of a group, and of no others, what the cotangent of a tile's voxels gives (transpose of [`add`](Self::add)).
     pub(super) fn collect(
         &self,
-        (isa, columns): (Isa, usize),
-        (index, views): (usize, &Range<usize>),
-        (tile, nx): (&Tile, usize),
+        (path, plan): (KernelPath, &LightPlan),
+        place: Place<'_>,
         (cotangent, nonzero, of_tile): (&[f32], &NonzeroBlocks, &NonzeroTile),
         lanes: &mut [f32],
         bench: &mut Bench,
     ) {
-        let group = self.group(index, views);
-        if group.lit_by.is_empty() || of_tile.is_empty() {
+        if of_tile.is_empty() {
             return;
         }
-        let own = slots_of(views, columns);
+        let group = self.group((path, plan), place, (&mut bench.finder, &mut bench.found));
+        if group.lit_by.is_empty() {
+            return;
+        }
+        let size = place.1.size;
+        let own = slots_of(place.2, plan.columns);
         let is_whole = is_whole(&own, group);
         let dark = [0.0; MAX_BLOCK * LANES];
         for (i, &block) in nonzero.blocks.iter().enumerate() {
@@ -315,8 +377,8 @@ impl CachedEntries {
                 let voxel = |corner: usize| {
                     let x = patch % PATCHES * EDGE + corner % EDGE;
                     let y = patch / PATCHES * EDGE + corner / EDGE;
-                    let voxel = (tile.start[1] + y) * nx + tile.start[0] + x;
-                    let is_inside = x < tile.size[0] && y < tile.size[1];
+                    let voxel = y * size[0] + x;
+                    let is_inside = x < size[0] && y < size[1];
                     (is_inside && nonzero.any_in(voxel, i)).then_some(voxel)
                 };
                 let voxels = [0, 1, 2, 3].map(voxel);
@@ -333,7 +395,7 @@ impl CachedEntries {
                 if !is_whole {
                     entries = entries.choose(&mut bench.chosen, |slot| own.contains(&slot));
                 }
-                patches::spread(isa, lanes, values, entries, block);
+                patches::spread(path.isa, lanes, values, entries, block);
             }
         }
     }

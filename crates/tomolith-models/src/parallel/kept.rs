@@ -158,10 +158,9 @@ impl Parallel {
                             return;
                         }
                         steps.add(1);
-                        let own = (self.path.isa, plan.columns);
                         cache.add(
-                            own,
-                            (*index, group),
+                            (self.path, plan),
+                            (*index, &self.tiles[*index], group),
                             (source, &nonzero),
                             &mut rows,
                             &mut desk.bench,
@@ -380,11 +379,9 @@ impl Parallel {
         for group in groups {
             let own = group.start - groups[0].start..group.end - groups[0].start;
             let lanes = &mut lanes[own.start * per_view..own.end * per_view];
-            let at = (index, group);
             cache.collect(
-                (self.path.isa, plan.columns),
-                at,
-                (&local, tile.size[0]),
+                (self.path, plan),
+                (index, tile, group),
                 given,
                 lanes,
                 &mut desk.bench,

@@ -155,6 +155,28 @@ pub(crate) fn accumulate(
     }
 }
 
+/// out[i] += weights[i] · source[first[i] + tap], eight at a time with AVX2, to the bits of the plain sum. The first of eight neighbors is the lowest, and the
+/// others lie within sixteen elements from it on.
+///
+/// # Panics
+/// Without AVX2; when sixteen elements from a first one on reach beyond `source`, or lengths differ.
+pub(super) fn add_looked_up(
+    out: &mut [f32],
+    weights: &[f32],
+    source: &[f32],
+    (first, tap): (&[u32], usize),
+) {
+    assert!(out.len() == weights.len() && out.len() == first.len());
+    #[cfg(target_arch = "x86_64")]
+    {
+        assert!(std::arch::is_x86_feature_detected!("avx2"), "no AVX2");
+        // SAFETY: AVX2 was detected.
+        unsafe { x86::add_looked_up(out, weights, source, (first, tap)) }
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    unreachable!("no AVX2: {tap} {}", source.len());
+}
+
 /// The highest slot, 0 when there is none.
 #[inline]
 fn highest(slots: &[u32]) -> u32 {
@@ -246,6 +268,42 @@ mod x86 {
                 let to = out.as_mut_ptr().add(begin * LANES);
                 with_count!(n, half, (to, base, row * LANES, entries), [1 2 3 4 5 6]);
             }
+        }
+    }
+
+    /// See [`add_looked_up`](super::add_looked_up).
+    #[target_feature(enable = "avx2")]
+    pub(super) fn add_looked_up(
+        out: &mut [f32],
+        weights: &[f32],
+        source: &[f32],
+        (first, tap): (&[u32], usize),
+    ) {
+        let (eights, rest) = out.as_chunks_mut::<8>();
+        let (of_eights, of_rest) = weights.as_chunks::<8>();
+        let (firsts, firsts_of_rest) = first.as_chunks::<8>();
+        for ((out, weights), first) in eights.iter_mut().zip(of_eights).zip(firsts) {
+            let window = &source[first[0] as usize + tap..][..16];
+            // SAFETY: the window has sixteen floats, and all others eight.
+            unsafe {
+                let place = _mm256_sub_epi32(
+                    _mm256_loadu_si256(first.as_ptr().cast()),
+                    _mm256_set1_epi32(first[0] as i32),
+                );
+                let [low, high] = [0, 8].map(|i| _mm256_loadu_ps(window.as_ptr().add(i)));
+                let is_high = _mm256_cmpgt_epi32(place, _mm256_set1_epi32(7));
+                let value = _mm256_blendv_ps(
+                    _mm256_permutevar8x32_ps(low, place),
+                    _mm256_permutevar8x32_ps(high, place),
+                    _mm256_castsi256_ps(is_high),
+                );
+                let term = _mm256_mul_ps(_mm256_loadu_ps(weights.as_ptr()), value);
+                let sum = _mm256_add_ps(_mm256_loadu_ps(out.as_ptr()), term);
+                _mm256_storeu_ps(out.as_mut_ptr(), sum);
+            }
+        }
+        for ((out, weight), first) in rest.iter_mut().zip(of_rest).zip(firsts_of_rest) {
+            *out += weight * source[*first as usize + tap];
         }
     }
 

@@ -86,7 +86,7 @@ use crate::{
     ModelKind, OpticalScene, PatternLayout, Purpose, Refines, Run, Steps, ZCoupling, own_frames,
 };
 use block_sparsity::{NeededEntries, NonzeroBlocks};
-use cached::CachedEntries;
+use cached::{CachedEntries, Finding};
 use chains::GUARD;
 use gather::Gatherer;
 use kernel::Isa;
@@ -162,18 +162,24 @@ impl ModelFamily for Params {
         })
     }
 
-    /// Where no entries are stored: sums along these have another order.
+    /// Where neither finds entries by patches: sums along these have another order, which depends on how parts of the turn are joined.
     fn evaluates_alike(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> bool {
-        cached::bytes(scene.lights, scene.vial, grid).is_none()
+        let (lights, vial) = (scene.lights, scene.vial);
+        cached::bytes(lights, vial, grid).is_none()
+            && !cached::of_one_call(lights, vial, grid).is_by_patches()
     }
 
     fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
         let (scene, grid) = (&input.scene, input.grid.clone());
         let lights = scene.lights.to_vec();
         let is_kept = || grid.shape[0] == 1 || cached::bytes(&lights, scene.vial, &grid).is_some();
-        let caches = scene.purpose == Purpose::Optimize && is_kept();
+        let finding = match scene.purpose {
+            Purpose::Optimize if is_kept() => Finding::Once,
+            Purpose::Evaluate { .. } => cached::of_one_call(&lights, scene.vial, &grid),
+            Purpose::Optimize | Purpose::Probe => Finding::ByVoxels,
+        };
         let of = (lights, self.kernel);
-        let model = Parallel::planned(scene.vial, of, grid, caches, input.run)?;
+        let model = Parallel::planned(scene.vial, of, grid, finding, input.run)?;
         Ok(Box::new(model))
     }
 
@@ -209,8 +215,8 @@ pub struct Parallel {
     /// Lanes of pixels, reused between calls.
     scratch: Mutex<Vec<HostField>>,
     updates: OnceLock<u64>,
-    /// Whether the first call stores the entries of all frames; then the entries of each light; then the single entries of a slice.
-    caches: bool,
+    /// How entries are found; those of each light by patches; the single entries of a slice that are stored.
+    finding: Finding,
     cache: Vec<OnceLock<CachedEntries>>,
     loose: Vec<OnceLock<Loose>>,
 }
@@ -243,16 +249,16 @@ impl Parallel {
         grid: VolumeGrid,
         run: &Run,
     ) -> Result<Self> {
-        Self::planned(vial, (lights, kernel), grid, false, run)
+        Self::planned(vial, (lights, kernel), grid, Finding::ByVoxels, run)
     }
 
-    /// The same; `caches` stores the entries (column, voxel, weight) of all frames in the first call, which is worth it where doses are computed
-    /// again and again, and their memory is there ([`cached`]). Of a slice it stores those that its fast kernels do not find.
+    /// The same; to find the entries (column, voxel, weight) of all frames once is worth it where a dose is asked for
+    /// again and again, and their memory is there ([`cached`]). Of a slice those are kept that its fast kernels do not find.
     fn planned(
         vial: &dyn Vial,
         (lights, kernel): (Vec<Light>, Kernel),
         grid: VolumeGrid,
-        caches: bool,
+        finding: Finding,
         run: &Run,
     ) -> Result<Self> {
         if grid.is_empty() {
@@ -263,7 +269,7 @@ impl Parallel {
             ));
         }
         let [_, ny, nx] = grid.shape;
-        let turned = Turned::of_lights(vial, &lights, &grid);
+        let turned = Turned::of_lights(vial, &lights, &grid, finding);
         let repeats = turned.iter().all(Turned::repeats);
         let tiles = Tile::cover([nx, ny], repeats && !turned.is_empty());
         let orbits = (turned.first()).map_or_else(Vec::new, |turned| turned.orbits(&tiles));
@@ -274,7 +280,7 @@ impl Parallel {
             check_kernel(kernel, &light, vial)?;
             must_be_even(kernel, &light, vial)?;
             let layout = light.layout(offset);
-            let own = (&light, kernel, turned, caches);
+            let own = (&light, kernel, turned, finding);
             plans.push(LightPlan::new(vial, own, &layout, &grid, &tiles, run));
             run.check()?;
             offset += layout.len();
@@ -283,7 +289,7 @@ impl Parallel {
         Ok(Parallel {
             cache: plans.iter().map(|_| OnceLock::new()).collect(),
             loose: plans.iter().map(|_| OnceLock::new()).collect(),
-            caches,
+            finding,
             lights: plans,
             patterns,
             output: DoseLayout::new("dose", grid, 0),
@@ -303,12 +309,15 @@ impl Parallel {
         self
     }
 
-    /// The stored entries of a light; None where none are.
+    /// The entries of a light by patches; None where they are found voxel by voxel.
     fn cache(&self, light: usize, run: &Run) -> Result<Option<&CachedEntries>> {
-        if self.caches && self.cache[light].get().is_none() {
+        if self.finding.is_by_patches() && self.cache[light].get().is_none() {
             // Whoever comes first; all would find the same
             let plan = &self.lights[light];
-            let found = CachedEntries::of(plan, self.path, &self.tiles, run)?;
+            let found = match self.finding {
+                Finding::Once => CachedEntries::of(plan, self.path, &self.tiles, run)?,
+                Finding::ByPatches | Finding::ByVoxels => CachedEntries::in_each_call(),
+            };
             let _ = self.cache[light].set(found);
         }
         Ok(self.cache[light].get())
@@ -316,7 +325,7 @@ impl Parallel {
 
     /// The stored single entries of a light of a slice; None where none are.
     fn loose(&self, light: usize, run: &Run) -> Result<Option<&Loose>> {
-        if self.caches && self.loose[light].get().is_none() {
+        if self.finding == Finding::Once && self.loose[light].get().is_none() {
             let found = Loose::of(self, &self.lights[light], run)?;
             let _ = self.loose[light].set(found);
         }
@@ -767,7 +776,9 @@ impl Parallel {
         let nz = self.output.grid.shape[0];
         let of_light = |(light, plan): (usize, &LightPlan)| {
             let kept = (!self.is_plane()).then(|| self.cache(light, &Run::new()));
-            if let Some(Ok(Some(cache))) = kept {
+            if let Some(Ok(Some(cache))) = kept
+                && cache.is_kept()
+            {
                 return cache.updates(plan, nz);
             }
             let tiles = self.tiles.iter().enumerate();

@@ -1,6 +1,7 @@
 //! What is known of one light before any pattern: its beams, where they meet the tiles, which lanes are lit.
 
 use super::block_sparsity::{NeededEntries, NonzeroBlocks, NonzeroTile};
+use super::cached::Finding;
 use super::chains::{Avx512, Chain};
 use super::is_straight;
 use super::kernel::{Block, Isa, accumulate};
@@ -40,7 +41,7 @@ impl KernelPath {
 
 /// What is known of one light before any pattern.
 pub(super) struct LightPlan {
-    /// Of all views, or of the first part where entries are stored.
+    /// Of all views, or of the first part where entries are found by patches.
     pub(super) beams: Vec<Beam>,
     pub(super) views: Views,
     pub(super) turned: Turned,
@@ -106,10 +107,10 @@ fn lit(views: &Views, columns: usize, by_frame: &[(u16, u16)]) -> Vec<(u16, u16)
 }
 
 impl LightPlan {
-    /// For a light, whose entries the model stores or not.
+    /// For a light, whose entries the model finds so.
     pub(super) fn new(
         vial: &dyn Vial,
-        (light, kernel, turned, keeps): (&Light, Kernel, Turned, bool),
+        (light, kernel, turned, finding): (&Light, Kernel, Turned, Finding),
         layout: &PatternLayout,
         grid: &VolumeGrid,
         tiles: &[Tile],
@@ -123,9 +124,8 @@ impl LightPlan {
         };
         let views = Views::of(vial, light);
         let pixels = views.pixels(&light.pixels);
-        // Stored entries are found once, from the first part
         let mut found_from = pixels.clone();
-        if keeps {
+        if finding.is_by_patches() {
             found_from.azimuths.truncate(turned.period);
         }
         let beams = beams(vial, (light, kernel), &found_from, grid, &deposit);
@@ -160,10 +160,10 @@ impl LightPlan {
             until_canceled.map(|beam| meeting(tile, beam)).collect()
         };
         let meetings = tiles.iter().par_map(of_tile).concat();
-        let wide = KernelPath::of(Isa::in_use()).wide;
+        let path = KernelPath::of(Isa::in_use());
         let (rows, slices) = (Intervals::of_rows(&pixels), Intervals::of_slices(grid));
-        let overlaps = ZOverlaps::new(&rows, &slices, wide);
-        let levels = Levels::new(&rows, &slices, &overlaps, wide);
+        let overlaps = ZOverlaps::new(&rows, &slices, path);
+        let levels = Levels::new(&rows, &slices, &overlaps, path);
         let lit_by = |overlaps: &ZOverlaps| -> Vec<(u16, u16)> {
             let vectors = |&run| {
                 let (first, end) = overlaps.lanes_of(run);

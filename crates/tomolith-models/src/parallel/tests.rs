@@ -556,8 +556,12 @@ fn light_of_slices(nz: usize, resin: Resin, columns: usize, pitch: f64) -> (Ligh
 
 /// A model that keeps its entries.
 fn keeping(vial: &dyn Vial, light: Light, grid: VolumeGrid) -> Parallel {
+    finding(Finding::Once, vial, light, grid)
+}
+
+fn finding(finding: Finding, vial: &dyn Vial, light: Light, grid: VolumeGrid) -> Parallel {
     let of = (vec![light], Kernel::default());
-    Parallel::planned(vial, of, grid, true, &Run::new()).unwrap()
+    Parallel::planned(vial, of, grid, finding, &Run::new()).unwrap()
 }
 
 #[test]

@@ -5,6 +5,7 @@
 //! before: the matrix of a slice is that of the first part of the turn. [`cached`](super::cached) finds that part alone, and [`kept`](super::kept)
 //! turns fields in place of entries.
 
+use super::cached::Finding;
 use super::tiles::Tile;
 use super::views::{SAME, Views};
 use std::f64::consts::FRAC_PI_2;
@@ -12,7 +13,8 @@ use tomolith_core::grid::VolumeGrid;
 use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 
-/// Rows of pixels or slices above which parts are not served together: an entry is used often enough, and turned lanes no longer stay in the cache.
+/// Rows of pixels or slices above which parts are not served together where entries are kept: an entry is used often enough, and turned lanes no longer
+/// stay in the cache.
 const MOST_ROWS: usize = 96;
 
 /// How the views of a light repeat those of its first part.
@@ -29,12 +31,22 @@ pub(super) struct Turned {
 }
 
 impl Turned {
-    /// Of each light: of all of them, or of none, because they share their tiles; of none in a single slice, and where rows are long.
-    pub(super) fn of_lights(vial: &dyn Vial, lights: &[Light], grid: &VolumeGrid) -> Vec<Self> {
+    /// Of each light: of all of them, or of none, because they share their tiles; of none in a single slice, and where rows are long, unless entries are
+    /// found by patches in each call.
+    pub(super) fn of_lights(
+        vial: &dyn Vial,
+        lights: &[Light],
+        grid: &VolumeGrid,
+        finding: Finding,
+    ) -> Vec<Self> {
         let of_light = |light| Self::of(vial, light, grid, &Views::of(vial, light));
         let turned: Vec<Self> = lights.iter().map(of_light).collect();
         let nz = grid.shape[0];
-        let is_short = |light: &Light| nz > 1 && nz.min(light.pixels.rows) <= MOST_ROWS;
+        let most = match finding {
+            Finding::ByPatches => usize::MAX,
+            Finding::ByVoxels | Finding::Once => MOST_ROWS,
+        };
+        let is_short = |light: &Light| nz > 1 && nz.min(light.pixels.rows) <= most;
         if lights.iter().all(is_short) && turned.iter().all(Self::repeats) {
             return turned;
         }

@@ -5,7 +5,9 @@
 
 use super::TOGETHER;
 use super::block_sparsity::is_nonzero;
-use super::chains::{Avx512, LOOKED_UP};
+use super::chains::LOOKED_UP;
+use super::kernel::{self, Isa};
+use super::plan::KernelPath;
 use crate::layout::{PixelRun, row_of};
 use tomolith_core::dose::strips;
 use tomolith_core::field::{HostField, LANES};
@@ -76,7 +78,7 @@ impl Levels {
         rows: &Intervals,
         slices: &Intervals,
         all: &ZOverlaps,
-        wide: Option<Avx512>,
+        path: KernelPath,
     ) -> Self {
         let row = row_of(slices.count());
         let lit = |row: &usize| all.lit[*row].1 > all.lit[*row].0;
@@ -101,9 +103,9 @@ impl Levels {
         Levels {
             row,
             used: (end - first).div_ceil(LANES),
-            overlaps: ZOverlaps::new(rows, &lit, wide),
+            overlaps: ZOverlaps::new(rows, &lit, path),
             spread: Some(Spread {
-                overlaps: ZOverlaps::new(&lit, slices, wide),
+                overlaps: ZOverlaps::new(&lit, slices, path),
                 row,
                 row_of_slices: row_of(slices.count()),
             }),
@@ -170,7 +172,7 @@ impl Spread {
 /// Overlaps of rows and lanes, in both directions.
 #[derive(Clone, Debug)]
 pub(super) struct ZOverlaps {
-    wide: Option<Avx512>,
+    path: KernelPath,
     rows: usize,
     lanes: usize,
     /// Rows → lanes: taps · lanes weights, tap-major, and the first row of each lane.
@@ -187,20 +189,22 @@ struct Taps {
     weights: Vec<Vec<f32>>,
     /// Where `first` starts, when it grows by one from each to the next: equal pitches.
     consecutive: Option<usize>,
-    /// Whether the first taps of sixteen neighbors lie within [`LOOKED_UP`] elements.
-    near: bool,
+    /// Whether the first taps of sixteen neighbors lie within [`LOOKED_UP`] elements, and those of eight within half of that.
+    near: [bool; 2],
 }
 
 impl Taps {
     /// out[i] += Σ weight · source[first + tap]
-    fn apply(&self, wide: Option<Avx512>, source: &[f32], out: &mut [f32]) {
+    fn apply(&self, path: KernelPath, source: &[f32], out: &mut [f32]) {
         for (tap, weights) in self.weights.iter().enumerate() {
             if let Some(start) = self.consecutive {
                 for ((o, &w), &s) in out.iter_mut().zip(weights).zip(&source[start + tap..]) {
                     *o += w * s;
                 }
-            } else if let Some(wide) = wide {
-                wide.add_gathered(out, weights, source, (&self.first, tap), self.near);
+            } else if let Some(wide) = path.wide {
+                wide.add_gathered(out, weights, source, (&self.first, tap), self.near[0]);
+            } else if path.isa == Isa::Avx2 && self.near[1] {
+                kernel::add_looked_up(out, weights, source, (&self.first, tap));
             } else {
                 for ((o, &w), &first) in out.iter_mut().zip(weights).zip(&self.first) {
                     *o += w * source[first as usize + tap];
@@ -274,10 +278,13 @@ impl Taps {
             .first()
             .filter(|_| steps_by_one)
             .map(|&start| start as usize);
-        let near = first.chunks(LANES).all(|some| {
-            let within = some[0]..some[0] + LOOKED_UP as u32;
-            some.iter().all(|first| within.contains(first))
-        });
+        let are_near = |count: usize| {
+            first.chunks(count).all(|some| {
+                let within = some[0]..some[0] + 2 * count as u32;
+                some.iter().all(|first| within.contains(first))
+            })
+        };
+        let near = [LANES, LANES / 2].map(are_near);
         Taps {
             first,
             weights,
@@ -293,7 +300,7 @@ impl Taps {
 
 impl ZOverlaps {
     /// Overlaps of rows (lowest first) with lanes.
-    pub(super) fn new(rows: &Intervals, lanes: &Intervals, wide: Option<Avx512>) -> Self {
+    pub(super) fn new(rows: &Intervals, lanes: &Intervals, path: KernelPath) -> Self {
         let overlap = |lane: usize, row: usize| lanes.overlap(lane, rows, row);
         let [row_count, lane_count] = [rows, lanes].map(Intervals::count);
         let to_rows = Taps::new(row_count, lane_count, |row, lane| overlap(lane, row));
@@ -305,7 +312,7 @@ impl ZOverlaps {
             })
             .collect();
         ZOverlaps {
-            wide,
+            path,
             rows: row_count,
             lanes: lane_count,
             to_lanes: Taps::new(lane_count, row_count, overlap),
@@ -359,7 +366,7 @@ impl ZOverlaps {
         buffer.fill(0.0);
         buffer[low..low + values.len()].copy_from_slice(values);
         self.to_lanes
-            .apply(self.wide, buffer, &mut lanes[..self.lanes]);
+            .apply(self.path, buffer, &mut lanes[..self.lanes]);
     }
 
     /// Lanes → the rows of a run (transpose of [`add_expanded`](Self::add_expanded)); `values` are overwritten.
@@ -380,7 +387,7 @@ impl ZOverlaps {
         buffer[self.lanes..].fill(0.0);
         rows.fill(0.0);
         self.to_rows
-            .apply(self.wide, buffer, &mut rows[..self.rows]);
+            .apply(self.path, buffer, &mut rows[..self.rows]);
         values.copy_from_slice(&rows[run.bottom as usize..][..run.count as usize]);
     }
 }
@@ -388,7 +395,6 @@ impl ZOverlaps {
 #[cfg(test)]
 mod tests {
     use super::super::Parallel;
-    use super::super::kernel::Isa;
     use super::*;
     use crate::{DoseModel, LinearOperator, Run};
     use tomolith_core::check::{self, model::model, noise};
@@ -506,7 +512,6 @@ mod tests {
 
     #[test]
     fn registers_are_looked_up_as_memory_is() {
-        let Some(wide) = Avx512::detect() else { return };
         let of = |low: f64, pitch_mm: f64, count: usize| Intervals {
             lows_mm: (0..count).map(|i| low + i as f64 * pitch_mm).collect(),
             pitch_mm,
@@ -520,22 +525,27 @@ mod tests {
             (-20.0, 5.5, 19),
         ] {
             let lanes = of(low, pitch, count);
-            let [plain, fast] = [None, Some(wide)].map(|wide| ZOverlaps::new(&rows, &lanes, wide));
             let run = PixelRun {
                 offset: 0,
                 bottom: 0,
                 count: 53,
             };
-            let results = [plain, fast].map(|overlaps| {
+            let of_path = |isa: &Isa| {
+                let overlaps = ZOverlaps::new(&rows, &lanes, KernelPath::of(*isa));
                 let mut buffers = [(); 2].map(|()| vec![0.0; overlaps.buffer()]);
                 let [buffer, others] = &mut buffers;
                 let (mut expanded, mut collected) = (vec![0.0; count], vec![0.0; 53]);
                 overlaps.add_expanded(&noise(1, 53), run, &mut expanded, buffer);
                 overlaps.collect(&noise(2, count), run, &mut collected, buffer, others);
                 (expanded, collected)
-            });
-            assert_near(&results[1].0, &results[0].0, "rows to lanes");
-            assert_near(&results[1].1, &results[0].1, "lanes to rows");
+            };
+            let plain = of_path(&Isa::Scalar);
+            for isa in Isa::available() {
+                let found = of_path(&isa);
+                assert_near(&found.0, &plain.0, "rows to lanes");
+                assert_near(&found.1, &plain.1, "lanes to rows");
+                assert!(isa != Isa::Avx2 || found == plain);
+            }
         }
     }
 }

@@ -142,6 +142,46 @@ fn what_is_kept_takes_the_memory_that_was_said() {
 }
 
 #[test]
+fn entries_found_in_each_call_give_the_bits_of_those_that_are_kept() {
+    // More views than a group has in each quarter; slices, and rows of pixels under more slices; so many rows that what is kept does not serve all quarters
+    for (shape, rows) in [([20, 36, 36], 30), ([40, 36, 36], 20), ([110, 20, 20], 100)] {
+        for vial in vials().iter().take(2) {
+            let mut light = Light::new(
+                PatternGrid::full_turn(44, 0.2, rows, 45, 0.11),
+                Resin::absorbing(1.48, 0.2),
+            );
+            light.sub_angles = 2;
+            let grid = VolumeGrid::centered(shape, 0.1);
+            let each = [Finding::Once, Finding::ByPatches];
+            let models = each.map(|own| finding(own, vial.as_ref(), light.clone(), grid.clone()));
+            assert!(models[1].lights[0].turned.repeats());
+            let x = check::noise(1, models[0].patterns[0].len());
+            let some = 3..17;
+            let [(kept, of_kept), (found, of_found)] = models.each_ref().map(|model| {
+                let mut dose = LinearOperator::new_dose(model).unwrap();
+                let mut given = LinearOperator::new_patterns(model).unwrap();
+                given.as_mut_slice().copy_from_slice(&x);
+                (model.add_forward(some.clone(), &given, &mut dose, &Run::new())).unwrap();
+                let mut gradient = LinearOperator::new_patterns(model).unwrap();
+                (model.adjoint_of(some.clone(), &dose, &mut gradient, &Run::new())).unwrap();
+                (dose, gradient)
+            });
+            let is_alike = models[0].lights[0].turned.repeats();
+            assert_eq!(is_alike, rows < 100);
+            for (kept, found) in [(&kept, &found), (&of_kept, &of_found)] {
+                let off = check::largest_difference(found.as_slice(), kept.as_slice());
+                assert!(
+                    off <= if is_alike { 0.0 } else { 1e-5 },
+                    "{vial:?} {shape:?}: {off}"
+                );
+            }
+            let [all, as_many] = models.each_ref().map(LinearOperator::updates);
+            assert_eq!(all, as_many);
+        }
+    }
+}
+
+#[test]
 fn a_stopped_run_keeps_no_half_of_the_entries() {
     let light = Light::new(
         PatternGrid::full_turn(9, 0.2, 19, 40, 0.1),
