@@ -20,7 +20,7 @@ use super::error_histogram::ErrorHistogram;
 use super::gray::{GrayErrors, gray_errors};
 use super::isosurface::{Isosurface, beyond, isosurface_of, isosurface_pieces};
 use super::scan::{Plateau, Scan};
-use super::surface::{Deviation, MOST_TRIANGLES, SurfaceDistance, deviation, surface_distance};
+use super::surface::{Compared, Deviation, MOST_TRIANGLES, SurfaceDistance, compared, deviation};
 use std::sync::{Arc, OnceLock};
 use tomolith_core::dose::Run;
 use tomolith_core::error::{Error, Result, in_range};
@@ -78,7 +78,7 @@ pub struct Print<'a> {
     scan: Scan<'a>,
     best: OnceLock<Option<Plateau>>,
     above: OnceLock<[u64; 2]>,
-    distance: OnceLock<Option<SurfaceDistance>>,
+    compared: OnceLock<Option<Compared>>,
     errors: OnceLock<Option<GrayErrors>>,
     run: Run,
 }
@@ -130,7 +130,7 @@ impl<'a> Print<'a> {
             run,
             best: OnceLock::new(),
             above: OnceLock::new(),
-            distance: OnceLock::new(),
+            compared: OnceLock::new(),
             errors: OnceLock::new(),
         })
     }
@@ -340,33 +340,9 @@ impl<'a> Print<'a> {
         isosurface_of(self.grid(), threshold, fill, &self.run)
     }
 
-    /// The same surface in pieces from below to above, so that it is never held whole; see [`isosurface_pieces`].
-    ///
-    /// # Errors
-    /// What `take` refuses; [`Error::Canceled`].
-    pub fn surface_pieces<E: From<Error>>(
-        &self,
-        take: impl FnMut(&Isosurface) -> std::result::Result<(), E>,
-    ) -> std::result::Result<(), E> {
-        let Some(threshold) = self.gel_threshold() else {
-            return Ok(());
-        };
-        let fill = |i, row: &mut [f32]| self.printed_row(i, threshold, row);
-        isosurface_pieces(self.grid(), threshold, fill, take, &self.run)
-    }
-
     /// Response of a row of voxels that begins at a position, nothing outside of the resin.
     pub(super) fn printed_row(&self, first: usize, threshold: f64, row: &mut [f32]) {
-        let outside = beyond(threshold);
-        let (labels, response) = (&self.labels.values, &self.response.values);
-        let voxels = labels[first..].iter().zip(&response[first..]);
-        for (value, (&label, &response)) in row.iter_mut().zip(voxels) {
-            *value = if label == label::OUTSIDE {
-                outside
-            } else {
-                response
-            };
-        }
+        printed_row((self.labels, self.response), first, threshold, row);
     }
 
     /// Inside fraction of a row of voxels, or 0 and 1 by label when none is known.
@@ -390,11 +366,51 @@ impl<'a> Print<'a> {
         deviation(self)
     }
 
+    /// The same from the [distances](Self::distance) that were measured; `None` where none were.
+    #[must_use]
+    pub fn into_measured_deviation(mut self) -> Option<Deviation> {
+        let compared = self.compared.take().flatten()?;
+        compared.deviation(&self)
+    }
+
     /// Distances between the print's surface and the target's; `None` when one of them is empty, and where they are left out.
     #[must_use]
     pub fn distance(&self) -> Option<SurfaceDistance> {
-        let measured = || self.has_distance.then(|| surface_distance(self)).flatten();
-        *self.distance.get_or_init(measured)
+        let measured = || self.has_distance.then(|| compared(self)).flatten();
+        let compared = self.compared.get_or_init(measured).as_ref();
+        compared.map(|compared| compared.distance)
+    }
+}
+
+/// The surface of what gels at a threshold, in pieces from below to above, so that it is never held whole; see [`isosurface_pieces`]. Nothing is counted.
+///
+/// # Errors
+/// What `take` refuses; [`Error::Canceled`].
+pub fn surface_pieces<E: From<Error>>(
+    (labels, response): (&Volume<u8>, &Volume<f32>),
+    threshold: f64,
+    take: impl FnMut(&Isosurface) -> std::result::Result<(), E>,
+    run: &Run,
+) -> std::result::Result<(), E> {
+    let fill = |i, row: &mut [f32]| printed_row((labels, response), i, threshold, row);
+    isosurface_pieces(&labels.grid, threshold, fill, take, run)
+}
+
+/// See [`Print::printed_row`].
+fn printed_row(
+    (labels, response): (&Volume<u8>, &Volume<f32>),
+    first: usize,
+    threshold: f64,
+    row: &mut [f32],
+) {
+    let outside = beyond(threshold);
+    let voxels = labels.values[first..].iter().zip(&response.values[first..]);
+    for (value, (&label, &response)) in row.iter_mut().zip(voxels) {
+        *value = if label == label::OUTSIDE {
+            outside
+        } else {
+            response
+        };
     }
 }
 
@@ -523,18 +539,51 @@ mod tests {
         };
         let print = Print::new(&labels, &response).unwrap();
         let (mut volume, mut pieces) = (0.0, 0);
-        print
-            .surface_pieces(|piece| -> Result<()> {
-                // Signed tetrahedra from the origin add up over the pieces of a closed surface
-                volume += piece.volume_mm3();
-                pieces += 1;
-                Ok(())
-            })
-            .unwrap();
+        let take = |piece: &Isosurface| -> Result<()> {
+            // Signed tetrahedra from the origin add up over the pieces of a closed surface
+            volume += piece.volume_mm3();
+            pieces += 1;
+            Ok(())
+        };
+        let threshold = print.gel_threshold().unwrap();
+        surface_pieces((&labels, &response), threshold, take, &Run::new()).unwrap();
         let [part, void] = print.printed();
         let measured = (part + void) as f64 * grid.voxel_mm3();
         assert!(pieces > 4 && void == 0);
         near!(volume / measured, 1.0, 5e-3, "{volume} {measured}");
+    }
+
+    #[test]
+    fn distances_that_were_measured_have_the_deviation_of_the_surface() {
+        let grid = VolumeGrid::centered([24, 24, 24], 0.1);
+        let ball = |radius: f64| -> Volume<f32> {
+            let at = |i: usize| [grid.x(i % 24), grid.y(i / 24 % 24), grid.z(i / 576)];
+            let depth = |[x, y, z]: [f64; 3]| (0.5 + radius - x.hypot(y).hypot(z)) as f32;
+            Volume::new(
+                grid.clone(),
+                (0..grid.len()).map(|i| depth(at(i))).collect(),
+            )
+        };
+        let (inside, response) = (ball(0.7), ball(0.8));
+        let of = |&share: &f32| if share >= 0.5 { PART } else { VOID };
+        let labels = Volume::new(grid.clone(), inside.values.iter().map(of).collect());
+        let print = || {
+            let print = Print::new(&labels, &response).unwrap();
+            print
+                .with_inside(&inside)
+                .unwrap()
+                .with_threshold(0.5)
+                .unwrap()
+        };
+        let measured = print();
+        assert!(measured.distance().is_some());
+        let found = measured.into_measured_deviation();
+        assert!(found.is_some());
+        assert_eq!(found, print().deviation());
+        assert_eq!(print().into_measured_deviation(), None);
+        let some = print().with_most_corners(50);
+        assert!(some.distance().is_some());
+        assert_eq!(some.into_measured_deviation(), None);
     }
 
     #[test]

@@ -112,6 +112,24 @@ pub struct Deviation {
     pub coarsened: usize,
 }
 
+impl Deviation {
+    /// Signs distances by which body is without the other.
+    fn of(print: &Print<'_>, surface: Isosurface, distances_mm: &[f32], coarsened: usize) -> Self {
+        let signed = |i: usize| {
+            let at_mm = surface.corners[i].map(f64::from);
+            let share = value_at(print.grid(), at_mm, |i, row| print.target_row(i, row));
+            let off_um = 1e3 * distances_mm[i];
+            if share < 0.5 { off_um } else { -off_um }
+        };
+        let off_um = table(distances_mm.len(), signed);
+        Deviation {
+            surface,
+            off_um,
+            coarsened,
+        }
+    }
+}
+
 /// Signed distances of the print's surface, `None` when one of the surfaces is empty. Where the target has no print at all, there is no
 /// surface to show it.
 pub(super) fn deviation(print: &Print<'_>) -> Option<Deviation> {
@@ -123,25 +141,30 @@ pub(super) fn deviation(print: &Print<'_>) -> Option<Deviation> {
         ..
     } = surfaces(print, FULL_RESOLUTION)?;
     let distances = distances(&printed, &target, 1, &run.part(NEAREST));
-    if run.is_canceled() {
-        return None;
+    let distances: Vec<f32> = distances.iter().map(|sample| sample.0).collect();
+    (!run.is_canceled()).then(|| Deviation::of(print, printed, &distances, coarsened))
+}
+
+/// Distances of surfaces, and what a [`Deviation`] takes of them.
+pub(super) struct Compared {
+    pub(super) distance: SurfaceDistance,
+    printed: Isosurface,
+    /// Of all corners of the print's surface, mm; of none where only some were looked at.
+    of_print: Vec<f32>,
+}
+
+impl Compared {
+    /// The signed distances, where they were taken from all corners.
+    pub(super) fn deviation(self, print: &Print<'_>) -> Option<Deviation> {
+        let coarsened = self.distance.coarsened;
+        let is_whole = self.of_print.len() == self.printed.corners.len();
+        is_whole.then(|| Deviation::of(print, self.printed, &self.of_print, coarsened))
     }
-    let signed = |i: usize| {
-        let (at_mm, distance) = (printed.corners[i].map(f64::from), distances[i].0);
-        let share = value_at(print.grid(), at_mm, |i, row| print.target_row(i, row));
-        1e3 * if share < 0.5 { distance } else { -distance }
-    };
-    let off_um = table(distances.len(), signed);
-    Some(Deviation {
-        surface: printed,
-        off_um,
-        coarsened,
-    })
 }
 
 /// Distances for a print, `None` when one of the surfaces is empty.
-pub(super) fn surface_distance(print: &Print<'_>) -> Option<SurfaceDistance> {
-    surface_distance_on(print, FULL_RESOLUTION)
+pub(super) fn compared(print: &Print<'_>) -> Option<Compared> {
+    compared_on(print, FULL_RESOLUTION)
 }
 
 /// The print's surface and the target's.
@@ -182,7 +205,7 @@ fn surfaces(print: &Print<'_>, most_voxels: usize) -> Option<Surfaces> {
     })
 }
 
-fn surface_distance_on(print: &Print<'_>, most_voxels: usize) -> Option<SurfaceDistance> {
+fn compared_on(print: &Print<'_>, most_voxels: usize) -> Option<Compared> {
     let grid = print.grid();
     let Surfaces {
         threshold,
@@ -208,6 +231,11 @@ fn surface_distance_on(print: &Print<'_>, most_voxels: usize) -> Option<SurfaceD
         let response = value_at(grid, at_mm, |i, row| print.printed_row(i, threshold, row));
         farthest(at_mm, response > threshold)
     };
+    let is_whole = steps[0] == 1;
+    let of_print = samples.iter().map(|sample| sample.0);
+    let of_print = of_print
+        .take(if is_whole { samples.len() } else { 0 })
+        .collect();
     samples.extend(back);
     samples.par_sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
     let area: f64 = samples.iter().map(|s| s.1).sum();
@@ -216,12 +244,17 @@ fn surface_distance_on(print: &Print<'_>, most_voxels: usize) -> Option<SurfaceD
         below += s.1;
         below >= 0.95 * area
     });
-    Some(SurfaceDistance {
+    let distance = SurfaceDistance {
         mean_mm: samples.iter().map(|s| f64::from(s.0) * s.1).sum::<f64>() / area,
         p95_mm: f64::from(p95?.0),
         hausdorff_mm: f64::from(samples.last()?.0),
         farthest,
         coarsened,
+    };
+    Some(Compared {
+        distance,
+        printed,
+        of_print,
     })
 }
 
@@ -428,7 +461,7 @@ mod tests {
             .with_threshold(1.0)
             .unwrap()
             .with_most_corners(corners);
-        surface_distance_on(&print, most).unwrap()
+        compared_on(&print, most).unwrap().distance
     }
 
     #[test]

@@ -158,11 +158,11 @@ fn entries_found_in_each_call_give_the_bits_of_those_that_are_kept() {
             let x = check::noise(1, models[0].patterns[0].len());
             let some = 3..17;
             let [(kept, of_kept), (found, of_found)] = models.each_ref().map(|model| {
-                let mut dose = LinearOperator::new_dose(model).unwrap();
-                let mut given = LinearOperator::new_patterns(model).unwrap();
+                let mut dose = DoseModel::new_dose(model).unwrap();
+                let mut given = DoseModel::new_patterns(model).unwrap();
                 given.as_mut_slice().copy_from_slice(&x);
                 (model.add_forward(some.clone(), &given, &mut dose, &Run::new())).unwrap();
-                let mut gradient = LinearOperator::new_patterns(model).unwrap();
+                let mut gradient = DoseModel::new_patterns(model).unwrap();
                 (model.adjoint_of(some.clone(), &dose, &mut gradient, &Run::new())).unwrap();
                 (dose, gradient)
             });

@@ -27,6 +27,7 @@ use crate::job::resolve::{ResolvedJob, Species, Voxels};
 use crate::metrics::print::{PatternStats, Print};
 use crate::metrics::published::slices::Slice;
 use crate::metrics::published::{self, Published};
+use crate::metrics::surface::Deviation;
 use crate::metrics::{Evaluation, Measure, MetricKind, evaluate, gray, iou};
 use crate::models::Run;
 use crate::report::{ObjectiveReport, OneExposure, ScenarioTable};
@@ -90,6 +91,8 @@ pub(crate) struct SpeciesPrint {
     pub(crate) fine: Voxels,
     /// Its response there.
     pub(crate) response: Volume<f32>,
+    /// How far its surface is off, of the headline; None where that was not measured.
+    pub(crate) deviation: Option<Deviation>,
 }
 
 /// Responses in the bodies that are to stay dark, vial turning, next to those of the part.
@@ -199,9 +202,14 @@ pub(crate) fn evaluate_patterns(
         let mean = averaged(&dose, &job.grid);
         cancel.check()?;
         let is_first = (s == 0, cancel);
-        let (response, evaluation, numbers) = numbers((job, own), &fine, dose, shown, is_first)?;
+        let Measured {
+            response,
+            evaluation,
+            deviation,
+            published,
+        } = numbers((job, own), &fine, dose, shown, is_first)?;
         cancel.check()?;
-        of_publications = numbers.unwrap_or(of_publications);
+        of_publications = published.unwrap_or(of_publications);
         let evaluation = evaluation.with_sub_angles(sub_angles);
         let standing = standing.get(s).unwrap_or(&evaluation).clone();
         let optimization = optimization.get(s).cloned();
@@ -220,6 +228,7 @@ pub(crate) fn evaluate_patterns(
             dose: mean,
             fine,
             response,
+            deviation,
         });
     }
     let (published, slices) = of_publications;
@@ -459,14 +468,22 @@ impl<'a> EvaluationSteps<'a> {
 /// Numbers as they were published, and those of each slice.
 type PublishedNumbers = (Vec<Published>, Vec<Slice>);
 
-/// Response and numbers of a print that is evaluated; those of publications, too, where `is_published`.
+/// What is measured of a print.
+struct Measured {
+    response: Volume<f32>,
+    evaluation: Evaluation,
+    deviation: Option<Deviation>,
+    published: Option<PublishedNumbers>,
+}
+
+/// Measures a print; of the first one its surface and the numbers of publications, too.
 fn numbers(
     (job, species): (&ResolvedJob, &Species),
     fine: &Voxels,
     dose: Volume<f32>,
     shown: &[Patterns],
-    (is_published, cancel): (bool, &Run),
-) -> Result<(Volume<f32>, Evaluation, Option<PublishedNumbers>)> {
+    (is_first, cancel): (bool, &Run),
+) -> Result<Measured> {
     let material = species.goal.response.as_ref();
     let options = published::Options {
         response: material,
@@ -477,21 +494,31 @@ fn numbers(
     };
     let inside = &fine.target.inside;
     let run = cancel.part(share::PUBLISHED / job.species.len() as f64);
-    if material.is_identity() {
-        // The dose is the response: what was counted of one serves the other
-        let stats = PatternStats::of(shown);
-        let print = print((job, species), fine, &dose, run)?.with_patterns(stats);
-        let numbers = is_published.then(|| published::of_print(&print, inside, &options));
-        let numbers = numbers.transpose()?;
-        let evaluation = evaluate(&print);
-        drop(print);
-        return Ok((dose, evaluation, numbers));
+    let is_dose = material.is_identity();
+    let mut published = None;
+    if is_first && !is_dose {
+        let numbers = published::by_slices(&dose, inside, &fine.labels, &options);
+        published = Some(numbers?);
     }
-    let by_slices = || published::by_slices(&dose, inside, &fine.labels, &options);
-    let numbers = is_published.then(by_slices).transpose()?;
-    let response = species.goal.responses(dose);
-    let evaluation = measure((job, species), fine, &response, shown, run)?;
-    Ok((response, evaluation, numbers))
+    let response = if is_dose {
+        dose
+    } else {
+        species.goal.responses(dose)
+    };
+    let stats = PatternStats::of(shown);
+    let print = print((job, species), fine, &response, run)?.with_patterns(stats);
+    if is_first && is_dose {
+        // The dose is the response: what was counted of one serves the other
+        published = Some(published::of_print(&print, inside, &options)?);
+    }
+    let evaluation = evaluate(&print);
+    let deviation = is_first.then(|| print.into_measured_deviation());
+    Ok(Measured {
+        evaluation,
+        deviation: deviation.flatten(),
+        published,
+        response,
+    })
 }
 
 /// Warnings of a print, sent at once: how sure its model is, and what looks wrong in its patterns and its job.

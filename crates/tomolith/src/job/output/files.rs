@@ -28,7 +28,8 @@ use crate::job::spec::file_names::of_network;
 use crate::job::spec::read::Job;
 use crate::kind::table_of;
 use crate::metrics::Evaluation;
-use crate::metrics::print::{PatternStats, Print};
+use crate::metrics::isosurface::Isosurface;
+use crate::metrics::print::{PatternStats, Print, surface_pieces};
 use crate::metrics::published::unit_systems::{Converted, UnitSystem};
 use crate::metrics::surface::Deviation;
 use crate::models::Run;
@@ -39,6 +40,7 @@ use crate::report::{
     write_print,
 };
 use crate::units::concise;
+use std::borrow::Cow;
 use std::io::Write as _;
 use std::panic::resume_unwind;
 use std::path::Path;
@@ -345,7 +347,7 @@ const TOY: &str = "what it prints says little of what the job prints";
 struct Made<'a> {
     properties: &'a [Property],
     movies: Vec<MovieReport>,
-    deviation: Option<Deviation>,
+    deviation: Option<Cow<'a, Deviation>>,
     timings: Vec<Timing>,
     models: Vec<(&'static str, String)>,
     /// What was left out.
@@ -438,7 +440,7 @@ fn report(
             .and_then(|o| o.levels.as_ref())
             .map(|levels| levels.gain),
         ceiling: found_ceiling,
-        deviation: made.deviation.as_ref(),
+        deviation: made.deviation.as_deref(),
         movies: made.movies,
         scene: Some(&scene(resolved)),
         job_text: &job.complete().to_toml()?,
@@ -773,27 +775,37 @@ fn date(now: std::time::SystemTime) -> String {
 
 /// The predicted surface on all voxels of the evaluation, as `print.stl`; and the one that its distances are measured on, with how far it
 /// is off, as `print.ply`, where there is a target to compare it with.
-fn print(
+fn print<'a>(
     resolved: &ResolvedJob,
-    first: &SpeciesPrint,
+    first: &'a SpeciesPrint,
     folder: &Path,
     run: Run,
-) -> Result<Option<Deviation>> {
-    let writing = run.aside();
-    let mut print = Print::under(&first.fine.labels, &first.response, run)?
-        .with_most_triangles(resolved.most_triangles())
-        .with_inside(&first.fine.target.inside)?;
-    if let Some(threshold) = first.evaluation.gel_threshold {
-        print = print.with_threshold(threshold)?;
-    }
-    let title = format!("{}, predicted print", resolved.name);
+) -> Result<Option<Cow<'a, Deviation>>> {
+    let (labels, response) = (&first.fine.labels, &first.response);
+    let (threshold, writing) = (first.evaluation.gel_threshold, run.aside());
     write_stl_pieces(
         &folder.join("print.stl"),
-        &title,
-        |put| print.surface_pieces(|piece| put(&piece.corners, &piece.triangles)),
+        &format!("{}, predicted print", resolved.name),
+        |put| {
+            let Some(threshold) = threshold else {
+                return Ok(());
+            };
+            let take = |piece: &Isosurface| put(&piece.corners, &piece.triangles);
+            surface_pieces((labels, response), threshold, take, &run)
+        },
         &writing,
     )?;
-    let deviation = print.deviation();
+    let deviation = match (&first.deviation, threshold) {
+        (_, None) => None,
+        (Some(measured), _) => Some(Cow::Borrowed(measured)),
+        (None, Some(threshold)) => {
+            let print = Print::under(labels, response, run)?
+                .with_most_triangles(resolved.most_triangles())
+                .with_inside(&first.fine.target.inside)?
+                .with_threshold(threshold)?;
+            print.deviation().map(Cow::Owned)
+        }
+    };
     if let Some(deviation) = &deviation {
         write_print(&folder.join("print.ply"), &resolved.name, deviation)?;
     }
