@@ -31,8 +31,18 @@ export function toggle(text: string, checked: boolean, changed: (checked: boolea
   return h("label", {}, h("input", { type: "checkbox", checked, change }), mark, text);
 }
 
-/** A bar of buttons of which one is pressed. */
+/** More buttons than this would hide what they choose. */
+const MOST_BUTTONS = 7;
+
+/** A bar of buttons of which one is pressed; a list where there are many. */
 export function choice(label: string, options: [value: string, text: string][], current: () => string, choose: (value: string) => void, listen: (call: () => void) => void): HTMLElement {
+  if (options.length > MOST_BUTTONS) {
+    const list = h("select", { change: () => choose(list.value) }, ...options.map(([value, text]) => h("option", { value }, text)));
+    const press = () => (list.value = current());
+    listen(press);
+    press();
+    return h("label", {}, label, list);
+  }
   const buttons = options.map(([value, text]) => ({ value, button: h("button", { type: "button", click: () => choose(value) }, text) }));
   const press = () => buttons.forEach(({ value, button }) => button.setAttribute("aria-pressed", String(value === current())));
   listen(press);

@@ -73,7 +73,9 @@ export interface Metric {
 export interface Run {
   /** Name of the run folder. */
   name: string;
-  state: "done" | "running" | "check";
+  state: "done" | "running" | "check" | "failed" | "canceled";
+  /** Half width of the band of a gray target, while no report says it. */
+  band?: number;
   /** report.json as it is; its keys are documented in crates/tomolith-report/src/json.rs. */
   report: any;
   /** Null for a run of another version. */
@@ -146,6 +148,8 @@ export interface FilmInfo {
 }
 
 export interface Scene {
+  /** Whether rays of any frame are those of another one, turned. */
+  is_round?: boolean;
   /** Radius that every frame lights. */
   lit_radius_mm: number | null;
   part_radius_mm: number;

@@ -46,9 +46,9 @@ export function reportOf(run: Run, species: string): { evaluation: any; exposure
 /** The half width of a gray target's band; null where the target is part and void. */
 export function bandOf(run: Run): number | null {
   const evaluation = run.report?.evaluation;
-  const half = evaluation?.band_half_width ?? null;
+  const half = evaluation?.band_half_width ?? run.band ?? null;
   // A band without width: differences are compared with their root mean square
-  return half === 0 ? (evaluation.rms_error ?? null) : half;
+  return half === 0 ? (evaluation?.rms_error ?? null) : half;
 }
 
 /** Null where nothing says at what dose the resin gels. */

@@ -5,12 +5,13 @@ import { contour } from "./contour.ts";
 import { h } from "./dom.ts";
 import { choice, later, legendOf } from "./controls.ts";
 import { infoOf } from "./volumes.ts";
-import type { Layer } from "./layers.ts";
+import { bandOf } from "./gel.ts";
+import { fate, type Layer, sameShape } from "./layers.ts";
 import { palette, type Scale, viridis } from "./paint.ts";
-import { Planes } from "./planes.ts";
+import { type Outline, Planes } from "./planes.ts";
 import { clock, significant } from "./report/number.ts";
 import type { Context, Section } from "./section.ts";
-import type { Volume } from "./volume.ts";
+import type { Axis, Volume } from "./volume.ts";
 
 export const inTime: Section = {
   id: "in-time",
@@ -42,9 +43,12 @@ const STEPS = 500;
 
 async function draw({ run, state, store }: Context, info: VolumeInfo, signal: AbortSignal): Promise<HTMLElement> {
   const volume = await store.volume(info);
-  const targetInfo = infoOf(run, "target", info.species ?? "");
-  // Without the target its outline is missing, and nothing else
-  const target = targetInfo ? await store.volume(targetInfo).catch(() => null) : null;
+  const volumeOf = async (kind: VolumeInfo["kind"]) => {
+    const found = infoOf(run, kind, info.species ?? "");
+    return found ? store.volume(found) : null;
+  };
+  // Without the target its outline and the error are missing, and nothing else
+  const [target, labels, bodies] = await Promise.all((["target", "labels", "bodies"] as const).map((kind) => volumeOf(kind).catch(() => null)));
   const network = networkOf(run.report, info.species);
   const last = info.high;
   const best: number | null = network?.best_s ?? null;
@@ -52,7 +56,7 @@ async function draw({ run, state, store }: Context, info: VolumeInfo, signal: Ab
   const solid = solidVolume(volume);
 
   const scale: Scale = { low: Math.min(info.low, last), high: last, logarithmic: false, map: viridis };
-  const layer: Layer = {
+  const growth: Layer = {
     id: "growth",
     title: "Time of cure",
     picture: (axis, mm) => {
@@ -70,25 +74,28 @@ async function draw({ run, state, store }: Context, info: VolumeInfo, signal: Ab
     },
     legend: () => ({ scale, label: "solid after, s", mark: null }),
   };
+  const asked = labels ?? target;
+  const error = asked && sameShape(asked, volume) && bandOf(run) === null ? fate(volume, { target, labels, bodies }, { of: (one, axis, mm) => one.slice(axis, mm) }, (at) => at <= time()) : null;
+  const layer = () => (error && state.get("growth") === error.id ? error : growth);
   const readout = h("p.readout");
+  const legend = h("div.color-legend");
   const planes = new Planes({
     state,
     grid: volume,
     signal,
     hover: (point) => {
-      readout.textContent = layer.value(point ?? planes.at());
+      readout.textContent = layer().value(point ?? planes.at());
     },
   });
-  planes.show(
-    ([2, 1, 0] as const).map((axis) => ({
-      axis,
-      layer,
-      outlines: (along, mm) => {
-        const slice = target?.slice(along, mm);
-        return slice ? [{ slice, segments: contour(slice, 0.5), color: "--outline-growth" }] : [];
-      },
-    })),
-  );
+  const outlines = (along: Axis, mm: number): Outline[] => {
+    const slice = layer() === growth ? target?.slice(along, mm) : null;
+    return slice ? [{ slice, segments: contour(slice, 0.5), color: "--outline-growth" }] : [];
+  };
+  const show = () => {
+    planes.show(([2, 1, 0] as const).map((axis) => ({ axis, layer: layer(), outlines })));
+    legend.replaceChildren(legendOf(layer().legend()));
+  };
+  show();
 
   const slider = h("input", { type: "range", min: 0, max: STEPS, step: 1, "aria-label": "Time", input: () => state.set({ time: (Number(slider.value) / STEPS) * last }) });
   const text = h("output");
@@ -96,12 +103,12 @@ async function draw({ run, state, store }: Context, info: VolumeInfo, signal: Ab
     const now = time();
     slider.value = String(Math.round((now / last) * STEPS));
     slider.setAttribute("aria-valuetext", clock(now));
-    const jaccard = at(network?.curves?.seconds, network?.curves?.jaccard, now);
-    text.replaceChildren(h("b", {}, clock(now)), `  ${significant(solid(now), 3)} mm³ solid${jaccard === null ? "" : `, Jaccard index ${significant(jaccard, 3)}`}`);
+    const iou = at(network?.curves?.seconds, network?.curves?.jaccard, now);
+    text.replaceChildren(h("b", {}, clock(now)), `  ${significant(solid(now), 3)} mm³ solid${iou === null ? "" : `, IoU ${significant(iou, 3)}`}`);
     planes.redraw(true);
-    readout.textContent = layer.value(planes.at());
+    readout.textContent = layer().value(planes.at());
   };
-  const end = state.on(["time", "at"], update);
+  const ends = [state.on(["time", "at"], update), state.on(["growth"], () => [show(), update()])];
   const play = h("button", { type: "button" }, "Play");
   let timer = 0;
   const stop = () => {
@@ -119,17 +126,18 @@ async function draw({ run, state, store }: Context, info: VolumeInfo, signal: Ab
     }, 50);
   });
   signal.addEventListener("abort", () => {
-    end();
+    ends.forEach((end) => end());
     stop();
   });
   update();
   return h(
     "div",
     {},
-    h("p.quiet", {}, "What is solid at a moment, colored by when it became solid. The line is the part’s outline."),
+    h("p.quiet", {}, `What is solid at a moment, colored by when it became solid. The line is the part’s outline.${error ? " The error shows what is missing and what is too much at that moment." : ""}`),
+    error && choice("Shown", [["", growth.title], [error.id, error.title]], () => state.get("growth"), (id) => state.set({ growth: id }), (call) => signal.addEventListener("abort", state.on(["growth"], call))),
     h("div.time-controls", {}, play, slider, text, best !== null && h("button", { type: "button", click: () => state.set({ time: null }) }, `Best moment: ${clock(best)}`)),
     planes.element,
-    h("div.below-planes", {}, readout, legendOf(layer.legend())),
+    h("div.below-planes", {}, readout, legend),
   );
 }
 

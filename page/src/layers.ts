@@ -35,7 +35,7 @@ export function layersOf(volumes: Volumes, slices: Slices, threshold: (() => num
   if (target) all.push(band === null ? inside(target, slices) : scalar("target", "Target", target, slices, null));
   if (response && threshold) all.push(solid(response, volumes, slices, threshold));
   if (response && target && sameShape(response, target)) {
-    if (threshold) all.push(fate(response, volumes, slices, threshold));
+    if (threshold) all.push(fate(response, volumes, slices, (dose) => dose >= threshold()));
     else if (band !== null) all.push(difference(response, target, slices, REACH * band, "Error", "dose − target"));
   }
   for (const volume of volumes.others) all.push(scalar(volume.info.id, nameOf(volume), volume, slices, null));
@@ -112,36 +112,35 @@ function solid(response: Volume, { bodies }: Volumes, slices: Slices, threshold:
   };
 }
 
-/** Where print and target differ. */
-function fate(response: Volume, { target, labels, bodies }: Volumes, slices: Slices, threshold: () => number): Layer {
+/** Where print and target differ; a value of the volume says whether a voxel is solid. */
+export function fate(volume: Volume, { target, labels, bodies }: Omit<Volumes, "response" | "others">, slices: Pick<Slices, "of">, isSolidAt: (value: number) => boolean): Layer {
   const isPart = (label: number | null, share: number | null) => (label === null ? (share ?? 0) >= 0.5 : label === LABEL.part);
   return {
     id: "error",
     title: "Error",
     picture: (axis, mm) => {
-      const [dose, share, label] = [response, target, labels].map((volume) => volume && slices.of(volume, axis, mm));
-      if (!dose) return null;
-      const level = threshold();
+      const [own, share, label] = [volume, target, labels].map((volume) => volume && slices.of(volume, axis, mm));
+      if (!own) return null;
+      const solid = own.values.map((value) => Number(isSolidAt(value)));
       const [right, missing, excess, outside] = [faded(token("--solid"), 0.55), token("--missing"), token("--excess"), faded(token("--solid"), 0.2)];
-      const pixels = new Uint32Array(dose.codes.length);
+      const pixels = new Uint32Array(own.codes.length);
       // A full slice of one volume may come before that of another
-      const fits = (slice: Slice | null): slice is Slice => slice !== null && slice.width === dose.width && slice.height === dose.height;
+      const fits = (slice: Slice | null): slice is Slice => slice !== null && slice.width === own.width && slice.height === own.height;
       const [withShare, withLabel] = [fits(share) ? share : null, fits(label) ? label : null];
       for (let i = 0; i < pixels.length; i++) {
-        const isSolid = dose.values[dose.codes[i]] >= level;
+        const isSolid = solid[own.codes[i]] === 1;
         const code = withLabel ? withLabel.codes[i] : null;
         if (code === LABEL.outside) pixels[i] = isSolid ? outside : 0;
         else if (isPart(code, withShare ? withShare.values[withShare.codes[i]] : null)) pixels[i] = isSolid ? right : missing;
         else pixels[i] = isSolid ? excess : 0;
       }
-      return withBodies({ ...dose, pixels }, bodies, slices, axis, mm);
+      return withBodies({ ...own, pixels }, bodies, slices, axis, mm);
     },
     value: (point) => {
-      const value = response.at(point);
+      const value = volume.at(point);
       const label = labels ? labels.at(point) : null;
-      if (value === null) return "–";
       if (label === LABEL.outside) return "not counted";
-      const isSolid = value >= threshold();
+      const isSolid = value !== null && isSolidAt(value);
       if (isPart(label, target ? target.at(point) : null)) return isSolid ? "solid, as it should" : "missing";
       return isSolid ? "too much" : "liquid, as it should";
     },
@@ -184,11 +183,16 @@ function mapped(slice: Slice, paletteOf: (values: Float32Array) => Uint32Array):
   return { ...slice, pixels };
 }
 
-const BODIES: Record<number, { color: string; text: string }> = {
+export const BODIES: Record<number, { color: string; text: string }> = {
   [BODY.dark]: { color: "--void", text: "body that must stay dark" },
   [BODY.insert]: { color: "--ink", text: "insert" },
   [BODY.obstacle]: { color: "--quiet", text: "obstacle" },
 };
+
+/** What else than resin is at a point; null where there is none. */
+export function bodyAt(bodies: Volume | null, point: Point): string | null {
+  return BODIES[bodies?.at(point) ?? BODY.none]?.text ?? null;
+}
 
 function bodyKeys(bodies: Volume | null): [string, string][] {
   if (!bodies) return [];
@@ -196,7 +200,7 @@ function bodyKeys(bodies: Volume | null): [string, string][] {
   return Object.entries(BODIES).filter(([code]) => present.has(Number(code))).map(([, { color, text }]) => [`var(${color})`, text]);
 }
 
-function withBodies(picture: Picture, bodies: Volume | null, slices: Slices, axis: Axis, mm: number): Picture {
+export function withBodies(picture: Picture, bodies: Volume | null, slices: Pick<Slices, "of">, axis: Axis, mm: number): Picture {
   const slice = bodies && slices.of(bodies, axis, mm);
   if (!slice || slice.codes.length !== picture.pixels.length) return picture;
   const colors = Uint32Array.from({ length: 256 }, (_, code) => (BODIES[code] ? faded(token(BODIES[code].color), 0.75) : 0));

@@ -2,11 +2,12 @@
 
 import type { Ray, Run, Scene } from "./data.ts";
 import { h, svg } from "./dom.ts";
-import { infoOf } from "./volumes.ts";
+import { BODIES, withBodies } from "./layers.ts";
 import { faded, token } from "./paint.ts";
 import { significant } from "./report/number.ts";
 import type { Context } from "./section.ts";
-import { ACROSS } from "./volume.ts";
+import { ACROSS, type Volume } from "./volume.ts";
+import { infoOf } from "./volumes.ts";
 
 type Flat = [number, number][];
 
@@ -14,26 +15,29 @@ type Flat = [number, number][];
 export function lightPath({ run, state, store }: Pick<Context, "run" | "state" | "store">, scene: Scene, light: number, angle: (() => number) | null, signal: AbortSignal): HTMLElement {
   const top = h("div");
   const side = h("div");
+  const bodyKeys = h("span.color-keys");
   const caption = h("p.quiet", { role: "status" });
   const frames = scene.lights[light]?.frames ?? [];
   const last = frames.length - 1;
   const slider = h("input", { type: "range", min: 0, max: last, step: 1, "aria-label": "Frame", input: () => state.set({ frame: Number(slider.value) }) });
-  let picture: { url: string; left: number; top: number; width: number; height: number } | null = null;
+  let seen: Seen = { picture: null, bodies: [] };
 
   const update = () => {
     const wanted = angle?.() ?? null;
     const own = Math.min(state.get("frame"), last);
     slider.value = String(own);
-    const shown = wanted === null ? (frames[own] ?? null) : nearest(frames, wanted);
-    top.replaceChildren(topView(scene, shown?.rays ?? [], picture));
-    side.replaceChildren(sideView(scene, shown?.rays ?? []));
+    const there = wanted === null ? (frames[own] ?? null) : nearest(frames, wanted);
+    const shown = there !== null && wanted !== null && scene.is_round ? turned(there, wanted) : there;
+    top.replaceChildren(topView(scene, shown?.rays ?? [], seen.picture));
+    side.replaceChildren(sideView(scene, shown?.rays ?? [], seen.bodies));
     const isOther = shown !== null && wanted !== null && apart(shown.angle_deg, wanted) > 0.05;
     const from = shown === null ? "" : `Light from ${significant(shown.angle_deg, 4)}°${isOther ? ", the nearest frame whose rays the page has" : ""}.`;
     caption.textContent = `${from}${lit(scene)}`.trim();
   };
   update();
   const takePicture = async () => {
-    picture = await pictureOf(run, store, state.get("at")?.[2] ?? null);
+    seen = await seenIn(run, store, state.get("at")?.[2] ?? null);
+    bodyKeys.replaceChildren(...seen.bodies.map(({ color, text }) => key(color, text)));
     update();
   };
   // Without the part's picture the paths still say what they say
@@ -56,7 +60,7 @@ export function lightPath({ run, state, store }: Pick<Context, "run" | "state" |
         {},
         h("figcaption", {}, "From the side, light from the left"),
         side,
-        h("p.color-keys", {}, key("--void", "light in the resin"), key("--quiet", "light outside"), key("--solid", "part"), scene.lit_radius_mm !== null && key("--accent", "radius that every frame lights")),
+        h("p.color-keys", {}, key("--void", "light in the resin"), key("--quiet", "light outside"), key("--solid", "part"), scene.lit_radius_mm !== null && key("--accent", "radius that every frame lights"), bodyKeys),
       ),
     ),
   );
@@ -76,13 +80,20 @@ function nearest<T extends { angle_deg: number }>(frames: T[], angle: number): T
   return frames.reduce<T | null>((best, one) => (best !== null && apart(best.angle_deg, angle) <= apart(one.angle_deg, angle) ? best : one), null);
 }
 
+/** Rays of another frame of a machine that is the same from all sides. */
+function turned({ angle_deg, rays }: { angle_deg: number; rays: Ray[] }, to: number): { angle_deg: number; rays: Ray[] } {
+  const by = ((to - angle_deg) * Math.PI) / 180;
+  const [c, s] = [Math.cos(by), Math.sin(by)];
+  return { angle_deg: to, rays: rays.map((ray) => ({ ...ray, points: ray.points.map(([x, y, z]) => [c * x - s * y, s * x + c * y, z]) })) };
+}
+
 /** The smaller of the angles between two directions, degrees. */
 function apart(a: number, b: number): number {
   const turn = Math.abs(a - b) % 360;
   return Math.min(turn, 360 - turn);
 }
 
-function topView(scene: Scene, rays: Ray[], picture: { url: string; left: number; top: number; width: number; height: number } | null): SVGElement {
+function topView(scene: Scene, rays: Ray[], picture: Seen["picture"]): SVGElement {
   const around = Math.max(...scene.walls.flatMap(({ points }) => points.map(([x, y]) => Math.hypot(x, y))), scene.part_radius_mm) * 1.22;
   const root = view([-around, around], [-around, around], "Light path from above");
   for (const wall of scene.walls) root.append(outline(wall.points, "wall", wall.name));
@@ -94,7 +105,7 @@ function topView(scene: Scene, rays: Ray[], picture: { url: string; left: number
   return root;
 }
 
-function sideView(scene: Scene, rays: Ray[]): SVGElement {
+function sideView(scene: Scene, rays: Ray[], bodies: Seen["bodies"]): SVGElement {
   // Along the light: horizontally from the first point of a ray to its last
   const middle = rays[rays.length >> 1]?.points ?? [];
   const [first, last] = [middle[0] ?? [-1, 0, 0], middle[middle.length - 1] ?? [1, 0, 0]];
@@ -113,6 +124,13 @@ function sideView(scene: Scene, rays: Ray[]): SVGElement {
   }
   const r = scene.part_radius_mm;
   root.append(outline([[-r, low], [r, low], [r, high], [-r, high]], "part", "part"));
+  for (const { columns, z, color, text } of bodies) {
+    const reach = columns.map(along);
+    const [left, right] = [Math.min(...reach), Math.max(...reach)];
+    const box = outline([[left, z[0]], [right, z[0]], [right, z[1]], [left, z[1]]], "body", text);
+    box.setAttribute("style", `color: var(${color})`);
+    root.append(box);
+  }
   if (scene.lit_radius_mm !== null) {
     for (const x of [-scene.lit_radius_mm, scene.lit_radius_mm]) root.append(svg("line", { class: "lit", x1: x, x2: x, y1: -high - margin, y2: -low + margin }));
   }
@@ -151,21 +169,57 @@ function clipped([x, y]: [number, number], [toX, toY]: [number, number], around:
   return [x + share * (toX - x), y + share * (toY - y)];
 }
 
-/** The target's slice, to lie below the rays. */
-async function pictureOf(run: Run, store: Context["store"], z: number | null) {
-  const info = infoOf(run, "target", "");
-  if (!info) return null;
-  const volume = await store.volume(info);
-  const slice = volume.slice(2, z ?? (volume.range(2)[0] + volume.range(2)[1]) / 2);
+/** What the volumes show of the part and of what else is in the resin. */
+interface Seen {
+  /** A slice of the target and the bodies, to lie below the rays. */
+  picture: { url: string; left: number; top: number; width: number; height: number } | null;
+  /** Where each kind of body is: its columns from above, and its height. */
+  bodies: { columns: [number, number][]; z: [number, number]; color: string; text: string }[];
+}
+
+async function seenIn(run: Run, store: Context["store"], z: number | null): Promise<Seen> {
+  const [target, bodies] = await Promise.all((["target", "bodies"] as const).map(async (kind) => {
+    const info = infoOf(run, kind, "");
+    return info ? store.volume(info) : null;
+  }));
+  return { picture: target && pictureOf(target, bodies, z), bodies: bodies ? boxesOf(bodies) : [] };
+}
+
+function pictureOf(target: Volume, bodies: Volume | null, z: number | null): Seen["picture"] {
+  const [low, high] = target.range(2);
+  const at = target.nearest([0, 0, z ?? (low + high) / 2])[2];
+  const slice = target.slice(2, at);
   if (!slice) return null;
   const color = token("--solid");
-  const top = volume.info.high;
+  const top = target.info.high;
   const colors = Uint32Array.from(slice.values, (value) => faded(color, Math.min(Math.max(value / top, 0), 1) * 0.75));
   const pixels = new Uint32Array(slice.codes.length);
   for (let i = 0; i < pixels.length; i++) pixels[i] = colors[slice.codes[i]];
+  withBodies({ ...slice, pixels }, bodies, { of: (volume, axis, mm) => volume.slice(axis, mm) }, 2, at);
   const canvas = document.createElement("canvas");
   [canvas.width, canvas.height] = [slice.width, slice.height];
   canvas.getContext("2d")?.putImageData(new ImageData(new Uint8ClampedArray(pixels.buffer), slice.width, slice.height), 0, 0);
   const [right, up] = ACROSS[2];
-  return { url: canvas.toDataURL(), left: volume.range(right)[0], top: volume.range(up)[1], width: slice.width * slice.pitch[0], height: slice.height * slice.pitch[1] };
+  return { url: canvas.toDataURL(), left: target.range(right)[0], top: target.range(up)[1], width: slice.width * slice.pitch[0], height: slice.height * slice.pitch[1] };
+}
+
+function boxesOf(bodies: Volume): Seen["bodies"] {
+  const [nx, ny, nz] = bodies.shape;
+  return Object.entries(BODIES).flatMap(([code, { color, text }]) => {
+    const columns: [number, number][] = [];
+    const heights = new Set<number>();
+    for (let i = 0; i < nx * ny; i++) {
+      let isIn = false;
+      for (let k = 0; k < nz; k++) {
+        if (bodies.codes[k * nx * ny + i] !== Number(code)) continue;
+        isIn = true;
+        heights.add(k);
+      }
+      if (isIn) columns.push([bodies.middle(0, i % nx), bodies.middle(1, Math.floor(i / nx))]);
+    }
+    if (columns.length === 0) return [];
+    const half = bodies.pitch[2] / 2;
+    const z: [number, number] = [bodies.middle(2, Math.min(...heights)) - half, bodies.middle(2, Math.max(...heights)) + half];
+    return [{ columns, z, color, text }];
+  });
 }

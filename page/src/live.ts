@@ -1,6 +1,7 @@
 // Runs that go on while they are looked at: stage, progress, a button that cancels. The viewer sends what happens as server-sent events.
 
 import type { PageData, Run } from "./data.ts";
+import { messageOf } from "./controls.ts";
 import { h } from "./dom.ts";
 import { clock } from "./report/number.ts";
 
@@ -10,14 +11,19 @@ type Happening =
   | { type: "part"; run: number; fraction: number; left_s: number | null }
   | { type: "iteration"; run: number; row: { [column: string]: number | null }; iterations: number | null }
   | { type: "snapshot" | "done"; run: number }
-  | { type: "failed"; run: number; message: string };
+  | { type: "failed" | "canceled"; run: number; message: string };
 
 export interface Changes {
   /** A row was added to the history of a run. */
   row(run: number): void;
   /** Arrays or numbers of a run are new. */
   replaced(run: number): void;
+  /** A run has ended without a result. */
+  ended(run: number): void;
 }
+
+/** What is left of a run without a result. */
+const LAST = "This page shows what there was last; it cannot be loaded again.";
 
 /** Follows the runs of a viewer. Null where the page is a file. */
 export function live(data: PageData, changes: Changes): HTMLElement | null {
@@ -67,8 +73,10 @@ export function live(data: PageData, changes: Changes): HTMLElement | null {
         changes.row(event.run);
         break;
       case "failed":
-        run.state = "done";
-        bar(event.run).end(event.message);
+      case "canceled":
+        run.state = event.type;
+        bar(event.run).end(`${event.message} ${LAST}`);
+        changes.ended(event.run);
         // The command ends with its run: nobody is there to be asked
         if (data.runs.every(({ state }) => state !== "running")) events.close();
         break;
@@ -113,21 +121,30 @@ class Bar {
   private readonly progress = h("progress", { max: 1 });
   private readonly text = h("span.quiet", {}, "waiting");
   private readonly cancel: HTMLButtonElement;
+  private readonly refusal = h("span.problem", { role: "alert", hidden: true });
   readonly element: HTMLElement;
   private name = "";
 
   constructor(run: string, cancel: () => Promise<Response>) {
     this.cancel = h("button", { type: "button" }, "Cancel");
-    this.cancel.addEventListener("click", () => {
-      this.cancel.disabled = true;
-      this.cancel.textContent = "Canceling…";
-      cancel().catch(() => {
-        this.cancel.disabled = false;
-        this.cancel.textContent = "Cancel";
-      });
-    });
+    const press = (text: string, disabled: boolean) => {
+      this.cancel.textContent = text;
+      this.cancel.disabled = disabled;
+    };
+    const ask = async () => {
+      press("Canceling…", true);
+      this.refusal.hidden = true;
+      const answer = await cancel();
+      if (!answer.ok) throw new Error(`The viewer refused to cancel the run (it answered ${answer.status}).`);
+    };
+    const failed = (error: unknown) => {
+      press("Cancel", false);
+      this.refusal.hidden = false;
+      this.refusal.textContent = error instanceof TypeError ? "The viewer does not answer, so the run was not canceled." : messageOf(error);
+    };
+    this.cancel.addEventListener("click", () => void ask().catch(failed));
     this.progress.setAttribute("aria-label", `Progress of ${run}`);
-    this.element = h("div.live-run", {}, h("b", {}, run), this.progress, this.text, this.cancel);
+    this.element = h("div.live-run", {}, h("b", {}, run), this.progress, this.text, this.cancel, this.refusal);
   }
 
   stage(name: string): void {

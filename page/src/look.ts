@@ -4,7 +4,7 @@ import { contour } from "./contour.ts";
 import { choice, later, legendOf, problem, toggle } from "./controls.ts";
 import { h } from "./dom.ts";
 import { bandOf, type Gel, gelOf } from "./gel.ts";
-import { type Layer, layersOf } from "./layers.ts";
+import { bodyAt, type Layer, layersOf } from "./layers.ts";
 import { millimeters, type Outline, Planes, type Shown } from "./planes.ts";
 import type { Context, Section } from "./section.ts";
 import { Slices } from "./slices.ts";
@@ -21,18 +21,24 @@ export const look: Section = {
 
 async function draw(context: Context): Promise<HTMLElement> {
   const { run, state, gone } = context;
-  const place = h("div");
+  const place = h("div.look-place");
   let end = new AbortController();
+  let last: Look | null = null;
   const show = async () => {
-    end.abort();
     const own = new AbortController();
+    const before = end;
     end = own;
     const { volumes, problems } = await volumesOf(context, chosenSpecies(context));
+    before.abort();
     if (own.signal.aborted) return;
     const grid = volumes.response ?? volumes.target;
-    place.replaceChildren(...problems.map(problem), ...(grid ? new Look(context, volumes, grid, own.signal).elements() : []));
+    const focused = place.contains(document.activeElement) ? (document.activeElement?.getAttribute("aria-label") ?? null) : null;
+    last = grid && new Look(context, volumes, grid, last, own.signal);
+    place.replaceChildren(...problems.map(problem), ...(last ? last.elements() : []));
+    if (focused !== null) place.querySelector<HTMLElement>(`[aria-label="${CSS.escape(focused)}"]`)?.focus({ preventScroll: true });
   };
   const unlisten = state.on(["species"], () => void show());
+  context.renewed.addEventListener("renewed", () => void show(), { signal: gone });
   gone.addEventListener("abort", () => {
     unlisten();
     end.abort();
@@ -63,21 +69,27 @@ class Look {
   private readonly planes: Planes;
   private readonly readout = h("p.readout");
   private readonly legend = h("div.color-legend");
+  /** What can be outlined, and whose outline the reader has hidden. */
   private readonly outlined: { part: boolean; print: boolean };
+  private readonly hidden: Set<"part" | "print">;
 
   constructor(
     private readonly context: Context,
     private readonly volumes: Volumes,
     private readonly grid: Volume,
+    /** What was shown before: its lines and its zoom are kept. */
+    before: Look | null,
     private readonly signal: AbortSignal,
   ) {
     const { run, state, store } = context;
     const band = bandOf(run);
     this.gel = band === null ? gelOf(run, chosenSpecies(context), volumes.response, volumes.labels) : null;
+    this.hidden = before?.hidden ?? new Set();
     this.outlined = { part: volumes.target !== null && band === null, print: this.gel !== null && volumes.response !== null };
     this.slices = new Slices(run, store, signal, () => this.planes.redraw(true));
     this.layers = layersOf(volumes, this.slices, this.gel && (() => this.threshold), band);
     this.planes = new Planes({ state, grid: this.slices.gridOf(grid), signal, hover: (point) => this.read(point ?? this.planes.at()) });
+    if (before) [this.planes.zoom, this.planes.center] = [before.planes.zoom, before.planes.center];
   }
 
   elements(): HTMLElement[] {
@@ -91,7 +103,7 @@ class Look {
     this.listen(["threshold", "at", "layer"], () => this.read(planes.at()));
     this.arrange();
     this.read(planes.at());
-    const reduced = grid.info.reduced > 1 && !grid.info.full ? ` Each voxel shown is the mean of ${grid.info.reduced}³ of the evaluation.` : "";
+    const reduced = grid.info.reduced > 1 && !grid.info.full ? ` Each voxel shown is the mean of ${grid.info.reduced}³ of the ${context.run.report ? "evaluation" : "optimization"}.` : "";
     return [
       h("p.quiet", {}, `Click to move the cut; drag the sliders, or choose a plane and press the arrow keys or turn the wheel. Double-click, + and − zoom, 0 shows all again.${reduced}`),
       controls,
@@ -132,18 +144,20 @@ class Look {
 
   private read(point: Point): void {
     const place = point.map((mm, axis) => `${AXES[axis]} ${millimeters(mm)}`).join(", ");
-    this.readout.textContent = `${place} mm  ·  ${this.layers.map((layer) => layer.value(point)).join("  ·  ")}`;
+    const body = bodyAt(this.volumes.bodies, point);
+    this.readout.textContent = [`${place} mm`, ...this.layers.map((layer) => layer.value(point)), ...(body === null ? [] : [body])].join("  ·  ");
   }
 
   private outlines(layer: Layer): (axis: Axis, mm: number) => Outline[] {
     const { target, response } = this.volumes;
+    const has = (name: "part" | "print") => this.outlined[name] && !this.hidden.has(name) && !WITHOUT[name].includes(layer.id);
     const of = (volume: Volume | null, level: number, color: string, axis: Axis, mm: number): Outline[] => {
       const slice = volume && this.slices.of(volume, axis, mm);
       return slice ? [{ slice, segments: lines(slice, level), color }] : [];
     };
     return (axis, mm) => [
-      ...(this.outlined.part && !WITHOUT.part.includes(layer.id) ? of(target, 0.5, "--outline-part", axis, mm) : []),
-      ...(this.outlined.print && !WITHOUT.print.includes(layer.id) ? of(response, this.threshold, "--threshold-line", axis, mm) : []),
+      ...(has("part") ? of(target, 0.5, "--outline-part", axis, mm) : []),
+      ...(has("print") ? of(response, this.threshold, "--threshold-line", axis, mm) : []),
     ];
   }
 
@@ -158,10 +172,11 @@ class Look {
     const outline = (name: "part" | "print", color: string) => {
       if (!this.outlined[name]) return null;
       const changed = (checked: boolean) => {
-        this.outlined[name] = checked;
+        if (checked) this.hidden.delete(name);
+        else this.hidden.add(name);
         this.planes.redraw(true);
       };
-      return toggle(`outline of the ${name}`, true, changed, h("i.stroke", { style: `background: var(${color})` }));
+      return toggle(`outline of the ${name}`, !this.hidden.has(name), changed, h("i.stroke", { style: `background: var(${color})` }));
     };
     const [part, print] = [outline("part", "--outline-part"), outline("print", "--threshold-line")];
     const fit = () => {

@@ -24,6 +24,9 @@ const ORDER = [...comparison.map(({ id }) => id), "head", "limits", "warnings", 
 
 const SECTIONS = ordered([look, solid, inTime, film, ...reportSections]);
 
+/** Sections that take new volumes of a run that goes on without being drawn anew. */
+const RENEWING = ["look", "solid"];
+
 /** Sections that show rows of the history, and how often they are drawn again while a run goes on, ms. */
 const GROWING = ["history", "histories"];
 const REDRAW_MS = 700;
@@ -41,6 +44,7 @@ class Page {
   private readonly progress: HTMLElement | null;
   private stores: Store[];
   private ends = new Map<string, AbortController>();
+  private readonly contexts = new Map<string, Context>();
   private redrawing = 0;
   private readonly sweep: Sweep | null;
   /** Place in the list of runs of the run of a sweep that is open. */
@@ -52,7 +56,11 @@ class Page {
   ) {
     this.stores = data.runs.map((_, run) => new Store(data.served, run));
     this.state.on(["run"], () => this.draw());
-    this.progress = live(data, { row: (run) => this.grow(run), replaced: (run) => void this.replace(run).catch((error: unknown) => console.warn(String(error))) });
+    this.progress = live(data, {
+      row: (run) => this.grow(run),
+      replaced: (run) => void this.replace(run).catch((error: unknown) => console.warn(String(error))),
+      ended: () => this.redraw(["head"]),
+    });
     this.sweep = data.sweep && new Sweep(data, data.sweep, this.state, (row) => this.open(row));
     this.draw();
     this.stayAt(this.state.get("section") || (this.state.get("opened") === null ? "" : "opened"));
@@ -124,7 +132,8 @@ class Page {
     const run = this.data.runs[index];
     // Runs of a sweep that were opened before are no part of the page
     const [data, stores] = sweep ? [{ ...this.data, runs: [run] }, [this.stores[index]]] : [this.data, this.stores];
-    const context: Context = { data, run, index: sweep ? 0 : index, state, store: this.stores[index], stores, gone: this.begin(section.id) };
+    const context: Context = { data, run, index: sweep ? 0 : index, state, store: this.stores[index], stores, gone: this.begin(section.id), renewed: new EventTarget() };
+    this.contexts.set(section.id, context);
     let body: HTMLElement | null;
     try {
       body = section.render(context);
@@ -144,14 +153,24 @@ class Page {
     }, REDRAW_MS);
   }
 
-  /** A run has new numbers and arrays. While it goes on only its dose is new. */
+  /** A run has new numbers and arrays. While it goes on only its volumes are new. */
   private async replace(run: number): Promise<void> {
     const fresh = await refetched(this.data);
     this.data.runs[run] = fresh.runs[run];
     this.stores[run] = new Store(this.data.served, run);
     if (run !== this.index && this.data.runs.length === 1) return;
-    if (fresh.runs[run].state === "running") this.redraw([...GROWING, "look"]);
-    else this.draw();
+    if (fresh.runs[run].state !== "running") return this.draw();
+    const [old, first] = [0, 1].map((isFirst) => RENEWING.filter((id) => (document.getElementById(id) === null) === (isFirst === 1)));
+    this.redraw([...GROWING, ...first]);
+    for (const id of old) this.renew(id, run);
+  }
+
+  /** Gives a section the new volumes of the run that it shows. */
+  private renew(id: string, run: number): void {
+    const context = this.contexts.get(id);
+    if (!context || run !== this.index) return;
+    Object.assign(context, { run: this.data.runs[run], store: this.stores[run], stores: this.stores });
+    context.renewed.dispatchEvent(new Event("renewed"));
   }
 
   /** Draws some sections again. What has the focus keeps it. */

@@ -77,16 +77,13 @@ export class Planes {
   }
 
   at(): Point {
-    return this.options.state.get("at") ?? this.options.grid.center;
+    const { state, grid } = this.options;
+    return grid.nearest(state.get("at") ?? grid.center);
   }
 
   moveTo(change: Partial<Record<Axis, number>>): void {
     const { state, grid } = this.options;
-    const at = this.at().map((mm, axis) => {
-      const [low, high] = grid.range(axis as Axis);
-      return Math.min(Math.max(change[axis as Axis] ?? mm, low + 1e-4), high - 1e-4);
-    });
-    state.set({ at: at as Point });
+    state.set({ at: grid.nearest(this.at().map((mm, axis) => change[axis as Axis] ?? mm) as Point) });
   }
 
   /** Magnifies by a factor, with a point of the plane left where it is. */

@@ -6,7 +6,7 @@ import type { Store } from "./store.ts";
 
 export interface Context {
   data: PageData;
-  /** The run that is shown. */
+  /** The run that is shown. While it goes on it is replaced, and the arrays with it; `renewed` then dispatches "renewed". */
   run: Run;
   index: number;
   state: State;
@@ -16,6 +16,7 @@ export interface Context {
   stores: Store[];
   /** Ends when another run is shown or new data arrive: give it to `addEventListener`, or listen to it to tidy up. */
   gone: AbortSignal;
+  renewed: EventTarget;
 }
 
 export interface Section {

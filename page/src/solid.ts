@@ -72,6 +72,8 @@ class Solid {
   private reported: number | null;
   /** Counts what was asked for: an answer to an earlier question is too late. */
   private newest = 0;
+  private isNew = false;
+  private isRenewing = false;
 
   constructor(
     private readonly context: Context,
@@ -88,10 +90,11 @@ class Solid {
   async element(problems: string[]): Promise<HTMLElement> {
     this.listen(["threshold"], () => this.attempt(this.showPrint()));
     this.listen(["threshold", "at", "cut"], () => this.showCut());
-    this.listen(["solid"], () => this.showAll());
-    this.listen(["species"], () => this.attempt(this.changeSpecies()));
+    this.listen(["solid"], () => this.attempt(this.showAll()));
+    this.listen(["species"], () => this.attempt(this.reload()));
+    this.context.renewed.addEventListener("renewed", () => this.attempt(this.renew()), { signal: this.context.gone });
     await this.load();
-    this.showAll();
+    this.attempt(this.showAll());
     return h(
       "div.solid",
       {},
@@ -132,17 +135,31 @@ class Solid {
     return this.client.ask({ kind: "load", response: response && samplesOf(response), target: target && samplesOf(target) });
   }
 
-  private async changeSpecies(): Promise<void> {
+  /** Shows the newest volumes of a run that goes on; those that come while others are drawn are left out. */
+  private async renew(): Promise<void> {
+    this.isNew = true;
+    if (this.isRenewing) return;
+    this.isRenewing = true;
+    try {
+      while (this.isNew && !this.context.gone.aborted) {
+        this.isNew = false;
+        await this.reload();
+      }
+    } finally {
+      this.isRenewing = false;
+    }
+  }
+
+  private async reload(): Promise<void> {
     this.volumes = (await volumesOf(this.context, chosenSpecies(this.context))).volumes;
     this.reported = this.thresholdOf(this.volumes);
     await this.load();
-    this.showAll();
+    await this.showAll();
   }
 
-  private showAll(): void {
-    this.attempt(this.showPrint());
-    this.attempt(this.showTarget());
+  private async showAll(): Promise<void> {
     this.showCut();
+    await Promise.all([this.showPrint(), this.showTarget()]);
   }
 
   private async showPrint(): Promise<void> {
@@ -189,7 +206,7 @@ class Solid {
     const { state } = this.context;
     const axis = AXES.indexOf(state.get("cut") as (typeof AXES)[number]);
     if (axis < 0) return this.stage.cut(null, 0, null);
-    const mm = (state.get("at") ?? this.grid.center)[axis];
+    const mm = this.grid.nearest(state.get("at") ?? this.grid.center)[axis];
     this.stage.cut(axis as Axis, mm, cutPicture(this.volumes, axis as Axis, mm, this.mode === "target" ? null : this.level));
   }
 

@@ -22,6 +22,8 @@ export interface View {
   row: number | null;
   /** Moment of the print in time, s; null: the best one. */
   time: number | null;
+  /** What the print in time shows: error; "" for the times of cure. */
+  growth: string;
   /** What the 3D view shows: the print, the target or both. */
   solid: string;
   /** Axis along which the 3D view is cut at the planes' point: x, y or z; "" for no cut. */
@@ -43,7 +45,7 @@ export interface View {
 
 export type Key = keyof View;
 
-const START: View = { run: 0, section: "", species: "", layer: "", plane: "", at: null, threshold: null, light: 0, frame: 0, row: null, time: null, solid: "", cut: "", opened: null, marked: [], metric: "", x: "", y: "", plot: "", levels: "" };
+const START: View = { run: 0, section: "", species: "", layer: "", plane: "", at: null, threshold: null, light: 0, frame: 0, row: null, time: null, growth: "", solid: "", cut: "", opened: null, marked: [], metric: "", x: "", y: "", plot: "", levels: "" };
 
 export class State {
   private view: View;
@@ -119,7 +121,7 @@ export function parse(hash: string): View {
   view.run = whole("run");
   view.light = whole("light");
   view.frame = whole("frame");
-  for (const key of ["section", "species", "layer", "plane", "solid", "cut", "metric", "x", "y", "plot", "levels"] as const) view[key] = given.get(key) ?? "";
+  for (const key of ["section", "species", "layer", "plane", "growth", "solid", "cut", "metric", "x", "y", "plot", "levels"] as const) view[key] = given.get(key) ?? "";
   view.threshold = number("threshold");
   view.row = number("row");
   view.time = number("time");

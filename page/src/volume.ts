@@ -48,6 +48,14 @@ export class Grid {
     return [this.center[axis] - half, this.center[axis] + half];
   }
 
+  /** The nearest point within the box. */
+  nearest(point: Point): Point {
+    return point.map((mm, axis) => {
+      const [low, high] = this.range(axis as Axis);
+      return Math.min(Math.max(mm, low + 1e-4), high - 1e-4);
+    }) as Point;
+  }
+
   /** The voxel at a coordinate; may lie outside of the box. */
   index(axis: Axis, mm: number): number {
     return Math.floor((mm - this.range(axis)[0]) / this.pitch[axis] + 1e-6);

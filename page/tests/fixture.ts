@@ -79,7 +79,7 @@ export function fixture(): Fixture {
     volumes: volumes.map(({ info }) => info),
     films: [film],
     scene: {
-      lit_radius_mm: 1.4, part_radius_mm: 1, z_mm: [-HALF_HEIGHT_MM, HALF_HEIGHT_MM],
+      is_round: true, lit_radius_mm: 1.4, part_radius_mm: 1, z_mm: [-HALF_HEIGHT_MM, HALF_HEIGHT_MM],
       walls: [{ name: "outer wall", points: circle(2.4) }, { name: "inner wall", points: circle(2) }],
       lights: [{ name: "", frames: film.angles_deg.map((angle_deg, frame) => ({ frame, angle_deg, rays: rays(angle_deg) })) }],
       obstacles: [],

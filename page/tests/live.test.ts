@@ -5,12 +5,14 @@ import { createServer, type Server, type ServerResponse } from "node:http";
 import type { AddressInfo } from "node:net";
 import { after, describe, it } from "node:test";
 import { deflateRawSync } from "node:zlib";
-import { close, open, pixels, skip, text } from "./browser.ts";
+import { close, open, pixels, settled, skip, text } from "./browser.ts";
 import { type Fixture, fixture, htmlOf, written } from "./fixture.ts";
 
 /** What `tomolith view` answers. */
 class Viewer {
   readonly asked: string[] = [];
+  /** What a request to cancel is answered with. */
+  cancels = 202;
   private readonly server: Server;
   private readonly listeners = new Set<ServerResponse>();
 
@@ -28,7 +30,7 @@ class Viewer {
         this.listeners.add(response);
       } else if (array) response.end(deflateRawSync(this.shown.blobs.get(`blob-${array[1]}-${array[2]}`)!));
       else if (path.startsWith("run/0/slice/")) response.end(sliceOf(path));
-      else response.writeHead(path.startsWith("cancel/") ? 202 : 404).end();
+      else response.writeHead(path.startsWith("cancel/") ? this.cancels : 404).end();
     });
   }
 
@@ -58,7 +60,7 @@ function running(): Fixture {
   const going = fixture();
   const [run] = going.data.runs;
   going.data.kind = "view";
-  Object.assign(run, { state: "running", report: null, texts: null, films: [], scene: null, history: {}, volumes: run.volumes.filter(({ kind }) => kind === "response") });
+  Object.assign(run, { state: "running", report: null, texts: null, films: [], scene: null, history: {}, volumes: run.volumes.filter(({ kind }) => ["response", "target", "labels"].includes(kind)) });
   return going;
 }
 
@@ -74,12 +76,13 @@ describe("a viewer", { skip }, () => {
     const page = await open(await viewer.start());
     assert.match(await text(page, ".live-run"), /^disc.*Cancel$/);
     viewer.tell({ type: "stage", run: 0, name: "optimizing" });
-    viewer.tell({ type: "iteration", run: 0, row: { iteration: 3, loss: 5, seconds: 1 }, iterations: 12 });
+    viewer.tell({ type: "iteration", run: 0, row: { iteration: 3, loss: 5, seconds: 1, forward_calls: 7, adjoint_calls: 3 }, iterations: 12 });
     await page.waitForFunction(() => document.querySelector(".live-run")?.textContent?.includes("optimizing: iteration 3 of at most 12"));
     assert.equal(await page.$eval(".live progress", (bar) => (bar as HTMLProgressElement).value), 0.25);
-    viewer.tell({ type: "iteration", run: 0, row: { iteration: 4, loss: 4, seconds: 2 }, iterations: 12 });
+    viewer.tell({ type: "iteration", run: 0, row: { iteration: 4, loss: 4, seconds: 2, forward_calls: 9, adjoint_calls: 4 }, iterations: 12 });
     await page.waitForSelector("#history .chart-box canvas");
-    assert.match(await text(page, "#history .note"), /^4 iterations, 2 s\.$/);
+    assert.match(await text(page, "#history .note"), /^4 iterations, 9 dose and 4 adjoint calls, 2 s\./);
+    assert.match(await text(page, "#history .chosen [aria-pressed=true]"), /^model calls$/);
     await page.click(".live-run button");
     await page.waitForFunction(() => document.querySelector(".live-run button")?.textContent === "Canceling…");
     assert.ok(viewer.asked.includes("POST cancel/0"));
@@ -93,28 +96,60 @@ describe("a viewer", { skip }, () => {
     await page.close();
   });
 
-  it("says why a run has failed", async () => {
+  it("says why a run has ended without a result, and keeps the last picture", async () => {
+    for (const [type, message, head] of [["failed", "the dose is not finite", /a run that failed/], ["canceled", "The run was canceled.", /a run that was canceled/]] as const) {
+      viewer.stop();
+      viewer = new Viewer(running());
+      const page = await open(await viewer.start());
+      assert.match(await text(page, "#head .brand"), /a run that goes on/);
+      const before = await pixels(page, "#look .plane canvas");
+      viewer.tell({ type, run: 0, message });
+      await page.waitForSelector(".live-run .problem:not([hidden])");
+      assert.ok((await text(page, ".live-run .problem")).startsWith(`${message} This page shows what there was last`));
+      assert.match(await text(page, "#head .brand"), head);
+      viewer.stop();
+      await new Promise((resolve) => setTimeout(resolve, 500));
+      assert.equal(await page.$(".live > .problem:not([hidden])"), null, "nobody asks a viewer that has ended");
+      assert.equal(await pixels(page, "#look .plane canvas"), before);
+      assert.deepEqual(page.problems, []);
+      await page.close();
+    }
+  });
+
+  it("says that a run could not be canceled", async () => {
     viewer.stop();
     viewer = new Viewer(running());
+    viewer.cancels = 403;
     const page = await open(await viewer.start());
-    viewer.tell({ type: "failed", run: 0, message: "the dose is not finite" });
-    await page.waitForFunction(() => document.querySelector(".live-run .problem")?.textContent === "the dose is not finite");
-    viewer.stop();
-    await new Promise((resolve) => setTimeout(resolve, 500));
-    assert.equal(await page.$(".live > .problem:not([hidden])"), null, "nobody asks a viewer that has ended");
+    await page.click(".live-run button");
+    await page.waitForSelector(".live-run .problem:not([hidden])");
+    assert.match(await text(page, ".live-run .problem"), /refused to cancel the run \(it answered 403\)/);
+    assert.equal(await page.$eval(".live-run button", (button) => (button as HTMLButtonElement).disabled), false);
     await page.close();
   });
 
-  it("shows new doses of a run that goes on", async () => {
+  it("shows new doses of a run that goes on against its target", async () => {
     viewer.stop();
     viewer = new Viewer(running());
     const page = await open(await viewer.start());
-    const first = await pixels(page, "#look .plane canvas");
-    viewer.shown.blobs.set("blob-0-response2", viewer.shown.blobs.get("blob-0-response2")!.map((code) => 255 - code));
+    const iou = () => text(page, "#look .threshold-list dd:nth-of-type(3) b");
+    assert.ok(Number(await iou()) > 0.8, await iou());
+    assert.deepEqual(await page.$$eval("#look [aria-label=Shown] button", (all) => all.map(({ textContent }) => textContent)), ["Dose", "Target", "Print", "Error", "Side by side"]);
+    await page.click("#look [aria-label=Shown] button:nth-of-type(4)");
+    await page.$eval("#solid", (element) => element.scrollIntoView());
+    await page.waitForFunction(() => /surface at a threshold/.test(document.querySelector("#solid .below-planes")?.textContent ?? ""));
+    await page.$eval("#look", (element) => element.scrollIntoView());
+    const [first, canvas] = [await pixels(page, "#look .plane canvas"), await page.$("#solid canvas")];
+    const best = await iou();
+    viewer.shown.blobs.set("blob-0-response2", viewer.shown.blobs.get("blob-0-response2")!.map((code, i) => (i % 40 > 20 ? code >> 2 : code)));
     viewer.tell({ type: "snapshot", run: 0 });
-    await page.waitForFunction(() => document.querySelector("#look [aria-busy]") === null);
-    await new Promise((resolve) => setTimeout(resolve, 500));
+    await page.waitForFunction((before) => document.querySelector("#look .threshold-list dd:nth-of-type(3) b")?.textContent !== before, {}, best);
+    await settled(page);
     assert.notEqual(await pixels(page, "#look .plane canvas"), first);
+    assert.ok(Number(await iou()) < Number(best) - 0.1, await iou());
+    assert.equal(await page.$eval("#look [aria-label=Shown] [aria-pressed=true]", ({ textContent }) => textContent), "Error");
+    assert.ok(await canvas!.evaluate((element) => element.isConnected), "the 3D view stays");
+    assert.deepEqual(page.problems, []);
     await page.close();
   });
 

@@ -143,14 +143,61 @@ describe("the page", { skip }, () => {
     await page.close();
   });
 
+  it("turns the rays of a round vial to the chosen frame, and says elsewhere which frame's they are", async () => {
+    for (const [is_round, said] of [[true, /^Light from 180°\. Every/], [false, /^Light from 0°, the nearest frame whose rays the page has\./]] as const) {
+      const few = fixture();
+      const scene = few.data.runs[0].scene!;
+      scene.is_round = is_round;
+      const opposite = scene.lights[0].frames[6].rays;
+      scene.lights[0].frames = scene.lights[0].frames.slice(0, 1);
+      const page = await open(written(`few-rays-${is_round}`, few), { hash: "frame=6" });
+      assert.match(await text(page, "#film .paths .quiet"), said);
+      const [x] = opposite[0].points[1];
+      const d = (await page.$eval("#film .ray.resin", (path) => path.getAttribute("d")))!;
+      assert.equal(d.startsWith(`M${x.toFixed(4)},`), is_round, d);
+      await page.close();
+    }
+  });
+
   it("shows what is solid at a moment", async () => {
     const page = await open(address);
     const shown = () => text(page, "#in-time output");
-    assert.match(await shown(), /^30 s .*Jaccard index 0\.9$/);
+    assert.match(await shown(), /^30 s .*IoU 0\.9$/);
     const before = await pixels(page, "#in-time .plane canvas");
     await slide(page, "#in-time .time-controls input", 500);
-    assert.match(await shown(), /^1 min 0 s .*Jaccard index 0\.7$/);
+    assert.match(await shown(), /^1 min 0 s .*IoU 0\.7$/);
     assert.notEqual(await pixels(page, "#in-time .plane canvas"), before);
+    const grown = await pixels(page, "#in-time .plane canvas");
+    await page.click("#in-time .choice button:nth-of-type(2)");
+    await settled(page);
+    assert.notEqual(await pixels(page, "#in-time .plane canvas"), grown);
+    assert.match(await text(page, "#in-time .below-planes"), /missing.*too much/);
+    await page.close();
+  });
+
+  it("clamps a point of the address to the volume", async () => {
+    const page = await open(address, { hash: "at=99,-99,0" });
+    assert.match(await text(page, "#look .readout"), /^x 1\.600, y −1\.600, z 0\.000 mm/);
+    await page.close();
+  });
+
+  it("lists many layers, and names a body under the pointer", async () => {
+    const many = fixture();
+    const [run] = many.data.runs;
+    const property = run.volumes.find(({ kind }) => kind === "property")!;
+    for (let i = 0; i < 4; i++) {
+      run.volumes.push({ ...property, id: `more${i}`, name: `degree of cure after ${i} s` });
+      many.blobs.set(`blob-0-more${i}`, many.blobs.get(`blob-0-${property.id}`)!);
+    }
+    const dose = run.volumes.find(({ kind }) => kind === "response")!;
+    run.volumes.push({ ...dose, id: "bodies", kind: "bodies", low: 0, high: 255 });
+    many.blobs.set("blob-0-bodies", many.blobs.get(`blob-0-${dose.id}`)!.map((code) => (code > 250 ? 2 : 0)));
+    const page = await open(written("many", many));
+    assert.match(await text(page, "#look .readout"), /insert$/);
+    await page.select("#look .controls select", "more3");
+    await page.waitForFunction(() => location.hash.includes("layer=more3"));
+    assert.equal(await page.$eval("#film .path-view .body title", ({ textContent }) => textContent), "insert");
+    assert.deepEqual(page.problems, []);
     await page.close();
   });
 

@@ -1,4 +1,5 @@
-// Builds the page and the tests, then runs these with Node's own runner. `npm test -- look` runs the files whose name holds "look".
+// Builds the page and the tests, then runs these with Node's own runner. `npm test -- look` runs the files whose name holds "look",
+// `npm test -- look threshold` the tests of them whose name holds "threshold".
 // The browser is Chromium: the one that the variable CHROMIUM names, or /usr/bin/chromium.
 
 import * as esbuild from "esbuild";
@@ -25,6 +26,6 @@ await esbuild.build({
   packages: "external",
   sourcemap: "inline",
 });
-const { status } = spawnSync(process.execPath, ["--test", "--test-concurrency=1", "--enable-source-maps", ...tests.map((file) => join(out, file.replace(/\.ts$/, ".mjs")))], { stdio: "inherit" });
+const { status } = spawnSync(process.execPath, ["--test", ...(process.argv[3] ? [`--test-name-pattern=${process.argv[3]}`] : []), "--test-concurrency=1", "--enable-source-maps", ...tests.map((file) => join(out, file.replace(/\.ts$/, ".mjs")))], { stdio: "inherit" });
 rmSync(out, { recursive: true, force: true });
 process.exit(status ?? 1);

@@ -261,6 +261,36 @@ describe("a sweep in the viewer", { skip }, () => {
     await page.close();
   });
 
+  it("draws a large map on one canvas, and finds the cell under the pointer", async () => {
+    const n = 150;
+    const rows = Array.from({ length: n * n }, (_, i) => done([i % n, Math.floor(i / n), 0.5 + (i % n) / 400, 0.1, 1]));
+    rows[75 * n + 7] = { id: "", values: [7, 75, null, null, null], state: "failed", feasible: null, why: "no dose" };
+    const { page } = await show({ ...crossed(), axes: ["across", "up"], rows, best: 149 });
+    assert.ok((await page.$$(".mark")).length < 20, "cells are no elements");
+    const canvas = (await page.$(".sweep-cells"))!;
+    await canvas.evaluate((element) => element.scrollIntoView({ block: "center" }));
+    const box = (await canvas.boundingBox())!;
+    const at = (column: number, level: number) => [box.x + ((column + 0.5) / n) * box.width, box.y + ((n - 1 - level + 0.5) / n) * box.height] as const;
+    const began = Date.now();
+    await page.mouse.move(...at(7, 75));
+    await page.mouse.move(at(7, 75)[0] + 0.3, at(7, 75)[1]);
+    await page.waitForSelector(".chart-tip:not([hidden])");
+    assert.ok(Date.now() - began < 2000);
+    assert.match(await text(page, ".sweep-panels .chart-tip"), /^Run 11258, failed.*no dose$/);
+    await page.mouse.move(...at(20, 100));
+    await page.mouse.move(at(20, 100)[0] + 0.3, at(20, 100)[1]);
+    await page.mouse.down();
+    await page.mouse.up();
+    await page.waitForFunction(() => location.hash.includes("opened=15021"));
+    await page.$eval('.mark[data-row="15020"]', (one) => (one as HTMLElement).focus());
+    await page.keyboard.press("ArrowRight");
+    await page.keyboard.press("ArrowUp");
+    assert.equal(await page.evaluate(() => (document.activeElement as HTMLElement).dataset.row), String(101 * n + 21));
+    assert.ok((await page.$$(".mark")).length < 20);
+    assert.deepEqual(page.problems, []);
+    await page.close();
+  });
+
   it("is a curve over one axis, of numbers or names", async () => {
     for (const values of [[30, 10, 20], ["osmo", "as it is", { ospw: { lower: 0.4 } }]]) {
       const { page } = await show(single(values), { hash: "metric=evaluation.iou,history.loss" });

@@ -22,7 +22,13 @@ export function head({ data, run }: Context): HTMLElement {
   );
 }
 
-const BRANDS: Record<Run["state"], string> = { done: "Tomolith print report", running: "Tomolith, a run that goes on", check: "Tomolith, a job before it runs" };
+const BRANDS: Record<Run["state"], string> = {
+  done: "Tomolith print report",
+  running: "Tomolith, a run that goes on",
+  check: "Tomolith, a job before it runs",
+  failed: "Tomolith, a run that failed",
+  canceled: "Tomolith, a run that was canceled",
+};
 
 /** Characters of a fact that needs the room of two. */
 const LONG = 60;

@@ -43,11 +43,11 @@ function charts(own: TimeReport): HTMLElement {
   const [from, to] = own.window_s ?? [];
   const window: Mark[] = isNumber(from) && isNumber(to) ? [{ name: "within 0.01 of the best", color: "--threshold", from, to }] : [];
   const quality = chart({
-    title: "Jaccard index and contrast over time",
+    title: "IoU and contrast over time",
     x,
     y: { label: "share", from: 0, to: 1 },
     series: [
-      line("Jaccard index", "--ink", "jaccard"),
+      line("IoU", "--ink", "jaccard"),
       line("part that is solid", "--part", "solid_part"),
       line("void that is solid", "--void", "solid_void"),
       line("contrast of the dose", "--quiet", "contrast", { style: "dashed" }),
@@ -84,7 +84,7 @@ function moments(own: TimeReport): HTMLElement {
   const rows = [
     ["First voxel solid", s(own.induction_end_s)],
     ["Best moment", s(own.best_s)],
-    ["Jaccard index then", significant(own.best_jaccard, 4)],
+    ["IoU then", significant(own.best_jaccard, 4)],
     ["Sent to the vial by then", quantity(own.best_mj, "mJ")],
     ["Within 0.01 of the best", (own.window_s ?? []).map(s).join(" to ") || "–"],
     ["Ideal exposure", s(own.ideal_exposure_s)],

@@ -5,6 +5,7 @@ import { choice } from "../../controls.ts";
 import type { Key, State, View } from "../../state.ts";
 import { scrollTo } from "../nav.ts";
 import { part } from "../text.ts";
+import { Cells } from "./cells.ts";
 import { map } from "./map.ts";
 import { neighbor } from "./mark.ts";
 import { type AxisColumn, type Column, heading, type Model, textOf } from "./model.ts";
@@ -57,7 +58,7 @@ export class Panels {
 
   /** Gives the focus to the run. */
   focus(row: number): void {
-    this.marks().find(({ dataset }) => Number(dataset.row) === row)?.focus();
+    this.marks(row).find(({ dataset }) => Number(dataset.row) === row)?.focus();
   }
 
   private get shown(): Column[] {
@@ -151,7 +152,9 @@ export class Panels {
     this.state.set({ levels: levels.join(",") });
   }
 
-  private marks(): HTMLElement[] {
+  /** The marks that are there; those of some rows are there in any case. */
+  private marks(...rows: number[]): HTMLElement[] {
+    for (const panel of this.plots.querySelectorAll(".part")) for (const row of rows) Cells.around(panel)?.mark(row);
     return [...this.plots.querySelectorAll<HTMLElement>(".mark")];
   }
 
@@ -161,7 +164,8 @@ export class Panels {
     const marked = new Set(this.state.get("marked"));
     this.compare.hidden = marked.size < 2;
     this.compare.textContent = `Compare ${marked.size} marked runs`;
-    for (const one of this.marks()) {
+    const rows = [...marked, ...(opened === null ? [] : [opened])].map((run) => run - 1);
+    for (const one of this.marks(...rows)) {
       const run = Number(one.dataset.row) + 1;
       one.classList.toggle("opened", run === opened);
       one.classList.toggle("marked", marked.has(run));
@@ -195,7 +199,9 @@ export class Panels {
       this.actions.toggle(Number(one.dataset.row));
     } else if (event.key.startsWith("Arrow")) {
       event.preventDefault();
-      neighbor([...one.closest(".part")!.querySelectorAll<HTMLElement>(".mark")], one, event.key)?.focus();
+      const cells = Cells.around(one);
+      const next = cells ? cells.neighbor(Number(one.dataset.row), event.key) : neighbor([...one.closest(".part")!.querySelectorAll<HTMLElement>(".mark")], one, event.key);
+      next?.focus();
     }
   }
 
