@@ -2,7 +2,7 @@
 // Rust (crates/tomolith-report/src/page) makes numbers and sentences; the page draws them.
 
 export interface PageData {
-  schema: "tomolith.page/1";
+  schema: "tomolith.page/2";
   kind: "report" | "compare" | "check" | "view";
   title: string;
   program: string;

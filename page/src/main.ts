@@ -189,7 +189,7 @@ class Page {
 
 /** The data, if they are those of a page that this program knows. */
 function checked(data: PageData | null): PageData {
-  const schema: PageData["schema"] = "tomolith.page/1";
+  const schema: PageData["schema"] = "tomolith.page/2";
   if (data?.schema !== schema) throw new Error(`their schema is “${data?.schema ?? "missing"}”; this page shows “${schema}”.`);
   if (!Array.isArray(data.runs)) throw new Error("the list of runs is missing.");
   return data;

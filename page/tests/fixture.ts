@@ -3,7 +3,7 @@
 import { readFileSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { fileURLToPath } from "node:url";
-import { deflateRawSync } from "node:zlib";
+import { deflateSync } from "node:zlib";
 import type { FilmInfo, PageData, Run, VolumeInfo } from "../src/data.ts";
 import { LABEL } from "../src/volume.ts";
 
@@ -87,7 +87,7 @@ export function fixture(): Fixture {
     surface: null,
   };
   const data: PageData = {
-    schema: "tomolith.page/1", kind: "report", title: "disc", program: "Tomolith 0.1.0", served: null, compare: null, sweep: null,
+    schema: "tomolith.page/2", kind: "report", title: "disc", program: "Tomolith 0.1.0", served: null, compare: null, sweep: null,
     metrics: [{ name: "iou", title: "IoU", summary: "Volume in both print and part, divided by the volume in either.", unit: "", better: "higher" }],
     headline: ["iou"], gray_headline: [], runs: [run],
   };
@@ -110,7 +110,7 @@ function rays(angle_deg: number) {
 
 /** The page as the command makes it. `texts` replace those of elements. */
 export function htmlOf({ data, blobs }: Fixture, texts: { [id: string]: string } = {}): string {
-  const elements = [...blobs].map(([id, bytes]) => `<script type="text/plain" id="${id}">${texts[id] ?? deflateRawSync(bytes).toString("base64")}</script>`);
+  const elements = [...blobs].map(([id, bytes]) => `<script type="text/plain" id="${id}">${texts[id] ?? deflateSync(bytes).toString("base64")}</script>`);
   const json = texts.data ?? JSON.stringify(data).replaceAll("<", "\\u003c");
   const built = (file: string) => readFileSync(join(OUT, file), "utf8");
   const head = `<meta charset="utf-8"><title>Tomolith</title><meta name="viewport" content="width=device-width, initial-scale=1"><style>${built("page.css")}</style>`;

@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { createServer, type Server, type ServerResponse } from "node:http";
 import type { AddressInfo } from "node:net";
 import { after, describe, it } from "node:test";
-import { deflateRawSync } from "node:zlib";
+import { deflateSync } from "node:zlib";
 import { close, open, pixels, settled, skip, text } from "./browser.ts";
 import { type Fixture, fixture, htmlOf, written } from "./fixture.ts";
 
@@ -28,7 +28,7 @@ class Viewer {
         response.writeHead(200, { "content-type": "text/event-stream" });
         response.write(`data: ${JSON.stringify({ type: "states", states: this.shown.data.runs.map(({ state }) => state) })}\n\n`);
         this.listeners.add(response);
-      } else if (array) response.end(deflateRawSync(this.shown.blobs.get(`blob-${array[1]}-${array[2]}`)!));
+      } else if (array) response.end(deflateSync(this.shown.blobs.get(`blob-${array[1]}-${array[2]}`)!));
       else if (path.startsWith("run/0/slice/")) response.end(sliceOf(path));
       else response.writeHead(path.startsWith("cancel/") ? this.cancels : 404).end();
     });

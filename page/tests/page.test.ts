@@ -78,7 +78,7 @@ describe("the page", { skip }, () => {
     const page = await open(written("no-data", fixture(), { data: "{" }));
     assert.match(await text(page, "#app .problem"), /could not be read/);
     await page.close();
-    for (const [data, message] of [["null", /their schema is “missing”/], ['{"schema": "tomolith.page/9"}', /their schema is “tomolith.page\/9”/], ['{"schema": "tomolith.page/1"}', /the list of runs is missing/]] as const) {
+    for (const [data, message] of [["null", /their schema is “missing”/], ['{"schema": "tomolith.page/9"}', /their schema is “tomolith.page\/9”/], ['{"schema": "tomolith.page/2"}', /the list of runs is missing/]] as const) {
       const other = await open(written("other-data", fixture(), { data }));
       assert.match(await text(other, "#app .problem"), message);
       await other.close();

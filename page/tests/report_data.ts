@@ -182,7 +182,7 @@ export function run(name = "wheel"): Run {
 
 export function pageData(runs: Run[] = [run()]): PageData {
   return {
-    schema: "tomolith.page/1",
+    schema: "tomolith.page/2",
     kind: runs.length > 1 ? "compare" : "report",
     title: runs[0].name,
     program: "Tomolith 0.1.0",

@@ -334,7 +334,13 @@ fn watched(job: &Job, given: &RunArguments, cancel: &Arc<Run>) -> Result<bool> {
     ranks::must_be_alone("run --open")?;
     let mut live = Live::start(job, given.address, given.manner, cancel)?;
     let summary = job::run_leaving(job, given.resume, Leaves::All, &mut live, cancel);
-    let summary = summary.inspect_err(|error| live.fail(&error.to_string()))?;
+    let summary = match summary {
+        Ok(summary) => summary,
+        Err(error) => {
+            live.fail(&error);
+            return Err(error);
+        }
+    };
     live.screen().finish(&summary);
     live.finish(&summary.folder, cancel)?;
     Ok(summary.is_met())

@@ -262,6 +262,9 @@ mod tests {
             iterations: 20,
             loss: 1.0,
             projected_gradient: None,
+            forward_calls: 1,
+            adjoint_calls: 1,
+            print: None,
             elapsed_s,
             updates_per_s: 1.0,
         };

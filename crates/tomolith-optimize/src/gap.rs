@@ -35,18 +35,6 @@ impl Gap {
             (self.loss - self.bound) / self.loss
         }
     }
-
-    /// In words; None where the bound says nothing that a loss above 0 does not.
-    #[must_use]
-    pub fn sentence(&self) -> Option<String> {
-        (self.bound > 0.0).then(|| {
-            format!(
-                "no patterns within the bounds have a loss below {:.4e} ({:.1} % below that of these patterns)",
-                self.bound,
-                100.0 * self.relative()
-            )
-        })
-    }
 }
 
 #[cfg(test)]
@@ -148,10 +136,8 @@ mod tests {
     }
 
     #[test]
-    fn words_say_nothing_of_a_bound_below_zero() {
+    fn the_gap_is_relative_to_the_loss() {
         let of = |bound| Gap { loss: 2.0, bound };
-        assert_eq!(of(-1.0).sentence(), None);
         assert_eq!((of(1.5).relative(), of(2.1).relative()), (0.25, 0.0));
-        assert!(of(1.5).sentence().unwrap().contains("25.0 %"));
     }
 }

@@ -199,9 +199,10 @@ fn wants_of(names: &Bound<'_, PyAny>) -> PyResult<Wants> {
             "patterns" => wants.patterns = true,
             "dose" => wants.dose = true,
             "print" => wants.print = true,
+            "target" => wants.target = true,
             other => {
                 return Err(TomolithError::new_err(format!(
-                    "wants: found `{other}`; accepted: \"patterns\", \"dose\", \"print\" in a list"
+                    "wants: found `{other}`; accepted: \"patterns\", \"dose\", \"print\", \"target\" in a list"
                 )));
             }
         }
@@ -217,7 +218,13 @@ fn copies(py: Python<'_>, snapshot: Snapshot) -> PyResult<Bound<'_, PyDict>> {
         let images = snapshot.patterns.into_iter().map(|p| of_patterns(py, p));
         copies.set_item("patterns", one_or_list(py, images)?)?;
     }
-    for (name, volumes) in [("dose", snapshot.dose), ("print", snapshot.print)] {
+    let target = snapshot.target.into_iter().map(|own| own.inside).collect();
+    let all = [
+        ("dose", snapshot.dose),
+        ("print", snapshot.print),
+        ("target", target),
+    ];
+    for (name, volumes) in all {
         if !volumes.is_empty() {
             let volumes = volumes.into_iter().map(|volume| of_volume(py, volume));
             copies.set_item(name, one_or_list(py, volumes)?)?;

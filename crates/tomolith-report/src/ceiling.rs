@@ -1,10 +1,11 @@
 //! The ceiling of the pixels that a run looked for: what was tried, on pixels of twice the width, and what was chosen.
 
 use super::latitude::ExposureWindow;
-use super::number::significant;
+use super::number::{self, significant};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use tomolith_metrics::Evaluation;
+use tomolith_optimize::Gap;
 
 /// IoU, VER, mean surface deviation (mm) and Γ (%) of a print.
 pub type Quality = [f64; 4];
@@ -141,9 +142,9 @@ impl CeilingReport {
         match &self.finest {
             Some(trial) if changed_by != 1.0 => found + &trial.sentence(),
             _ => format!(
-                "{found}on pixels of twice the width that changes IoU by {:+.4} and VER by {:+.4}",
-                change(0),
-                change(1),
+                "{found}on pixels of twice the width that changes IoU by {} and VER by {}",
+                number::change(change(0), 4),
+                number::change(change(1), 4),
             ),
         }
     }
@@ -166,11 +167,14 @@ impl FinestTrial {
     fn sentence(&self) -> String {
         let change = |i: usize| change(i, [&self.before, &self.after]);
         format!(
-            "on the finest voxels {} times the ceiling changed IoU by {:+.4}, VER by {:+.4} and Γ by {:+.1} %",
+            "on the finest voxels {} times the ceiling changed IoU by {}, VER by {} and Γ by {} %",
             significant(self.tried, 3),
-            change(0),
-            change(1),
-            100.0 * change(3) / self.before.first().map_or(f64::NAN, |own| own[3]),
+            number::change(change(0), 4),
+            number::change(change(1), 4),
+            number::change(
+                100.0 * change(3) / self.before.first().map_or(f64::NAN, |own| own[3]),
+                1
+            ),
         )
     }
 }
@@ -179,6 +183,19 @@ impl FinestTrial {
 fn change(i: usize, [from, to]: [&[Quality]; 2]) -> f64 {
     let of = |prints: &[Quality]| prints.first().map_or(f64::NAN, |own| own[i]);
     of(to) - of(from)
+}
+
+/// How far a loss is from the lowest one; None where the bound says nothing that a loss above 0 does not.
+#[must_use]
+pub fn gap_sentence(gap: Gap) -> Option<String> {
+    let percent = 100.0 * gap.relative();
+    (gap.bound > 0.0).then(|| {
+        format!(
+            "no patterns within the bounds have a loss below {} ({} % below that of these patterns)",
+            significant(gap.bound, 5),
+            significant(percent, 3)
+        )
+    })
 }
 
 /// How long a print takes, in a sentence: M/t, and how many times an even exposure where its dose is known. None for prints without a time.

@@ -19,7 +19,9 @@ pub mod scenarios;
 pub mod species;
 pub mod time;
 
-pub use ceiling::{CeilingPoint, CeilingReport, FinestTrial, Quality, TradeOff, time_sentence};
+pub use ceiling::{
+    CeilingPoint, CeilingReport, FinestTrial, Quality, TradeOff, gap_sentence, time_sentence,
+};
 /// What `report.json` says that it is.
 pub const SCHEMA: &str = "tomolith.report/1";
 

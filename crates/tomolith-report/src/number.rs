@@ -50,6 +50,23 @@ pub fn significant(value: f64, digits: usize) -> String {
     format!("{}{size}", if value < 0.0 { "−" } else { "" })
 }
 
+/// By how much a number has changed, with a sign and so many decimals.
+///
+/// ```
+/// use tomolith_report::number::change;
+/// assert_eq!([change(0.00123, 4), change(-0.25, 1), change(-1e-9, 4)], ["+0.0012", "−0.2", "0"]);
+/// ```
+#[must_use]
+pub fn change(value: f64, decimals: usize) -> String {
+    let size = trimmed(&format!("{:.decimals$}", value.abs()));
+    match size.as_str() {
+        "0" => size,
+        _ if value.is_nan() => "–".to_owned(),
+        _ if value < 0.0 => format!("−{size}"),
+        _ => format!("+{size}"),
+    }
+}
+
 /// Numbers of one row, with `digits` significant digits, or as many more, up to 7, as it takes to print different numbers differently.
 ///
 /// ```

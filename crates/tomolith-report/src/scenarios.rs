@@ -3,6 +3,7 @@
 //! All of them gel at one dose, that of the job: nobody knows which scenario a print is. The window over scenarios is the least dose of the
 //! part in any of them less the largest of the void in any of them, both trimmed (`evaluate.trim_percent`).
 
+use crate::number::significant;
 use serde::Serialize;
 use tomolith_metrics::Measure;
 
@@ -66,7 +67,7 @@ impl ScenarioTable {
     /// In words.
     #[must_use]
     pub fn sentence(&self) -> String {
-        let number = |m: Measure| m.map_or_else(|| "–".to_owned(), |m| format!("{m:.4}"));
+        let number = |m: Measure| significant(m.unwrap_or(f64::NAN), 4);
         let own = self.rows.first();
         let alone = own.and_then(|row| row.part_low.zip(row.void_high));
         let count = self.rows.len().saturating_sub(1);

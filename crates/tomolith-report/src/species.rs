@@ -145,7 +145,7 @@ impl OneMoment {
         let [from, to] = self.window_s;
         let said = told_apart(&[from, self.seconds, to], 3);
         format!(
-            "All networks together are best after {} s{}, when {} mJ have been sent to the vial: Jaccard index {}; {} limits it. The lowest is at most \
+            "All networks together are best after {} s{}, when {} mJ have been sent to the vial: IoU {}; {} limits it. The lowest is at most \
              {TOLERANCE} worse from {} s to {} s.",
             said[1],
             in_minutes(self.seconds),

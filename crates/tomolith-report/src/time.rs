@@ -156,7 +156,7 @@ impl TimeReport<'_> {
             return format!("Nothing becomes solid within {} s. {why}", s(end));
         };
         let mut text = format!(
-            "The first voxel is solid after {} s. The print is best after {}: solid and part then overlap with a Jaccard index of {}, and \
+            "The first voxel is solid after {} s. The print is best after {}: solid and part then overlap with an IoU of {}, and \
          {} mJ have been sent to the vial.",
             s(begin),
             minutes(best.seconds),

@@ -9,12 +9,18 @@ use serde_json::{Value, json};
 use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
-use tomolith::Result;
+use tomolith::grid::VolumeGrid;
 use tomolith::job::{Event, Job, Progress, Snapshot, Wants};
 use tomolith::models::Run;
+use tomolith::optimize::MeasuredPrint;
+use tomolith::report::page::{served_response, served_target};
+use tomolith::{Error, Result};
 
 /// Copies of the dose are taken at most this often.
 const PAUSE: Duration = Duration::from_millis(1500);
+
+/// What becomes of a run that is canceled.
+const CANCELED: &str = "The run was canceled and the command has ended. The same command with `--resume` goes on from the checkpoint, where it has left one.";
 
 /// See the [module page](self).
 pub(crate) struct Live {
@@ -22,6 +28,8 @@ pub(crate) struct Live {
     site: Arc<Site>,
     server: Server,
     last: Option<Instant>,
+    /// The voxels whose target the page has.
+    known: Option<VolumeGrid>,
 }
 
 impl Live {
@@ -44,6 +52,7 @@ impl Live {
             site,
             server,
             last: None,
+            known: None,
         })
     }
 
@@ -62,9 +71,13 @@ impl Live {
         Ok(())
     }
 
-    /// Says that the run has ended without a result.
-    pub(crate) fn fail(&self, message: &str) {
-        self.site.fail(message);
+    /// Tells pages that the run has ended without a result, and why.
+    pub(crate) fn fail(self, error: &Error) {
+        match error {
+            Error::Canceled => self.site.fail("canceled", CANCELED),
+            error => self.site.fail("failed", &error.to_string()),
+        }
+        self.server.end();
     }
 }
 
@@ -83,11 +96,18 @@ impl Progress for Live {
                 iterations,
                 loss,
                 projected_gradient,
+                forward_calls,
+                adjoint_calls,
+                print,
                 elapsed_s,
                 ..
             } => {
+                let of = |number: fn(&MeasuredPrint) -> Option<f64>| {
+                    print.as_ref().and_then(number).and_then(finite)
+                };
                 let row = json!({
                     "iteration": iteration, "loss": finite(*loss), "projected_gradient": projected_gradient.and_then(finite), "seconds": elapsed_s,
+                    "forward_calls": forward_calls, "adjoint_calls": adjoint_calls, "iou": of(|print| print.iou), "process_window": of(|print| print.process_window),
                 });
                 self.site.add_row(&row);
                 json!({ "type": "iteration", "run": 0, "row": row, "iterations": iterations })
@@ -99,18 +119,30 @@ impl Progress for Live {
     }
 
     fn wants(&self) -> Wants {
+        let is_due = self.last.is_none_or(|last| last.elapsed() >= PAUSE);
         Wants {
-            print: self.last.is_none_or(|last| last.elapsed() >= PAUSE),
+            print: is_due,
+            target: is_due,
             ..Wants::default()
         }
     }
 
     fn snapshot(&mut self, snapshot: Snapshot) {
         self.last = Some(Instant::now());
-        for (i, print) in snapshot.print.iter().enumerate() {
-            self.site
-                .show(&format!("response{i}"), "dose", "response", print);
+        let is_one = snapshot.target.len() == 1;
+        for (i, (print, asked)) in snapshot.print.iter().zip(&snapshot.target).enumerate() {
+            let name = Some(asked.species.as_str()).filter(|_| !is_one);
+            if self.known.as_ref() != Some(&print.grid) {
+                let (inside, labels) = (&asked.inside, &asked.labels);
+                self.site.show(served_target(i, name, inside, labels));
+                asked
+                    .band
+                    .into_iter()
+                    .for_each(|band| self.site.set_band(band));
+            }
+            self.site.show(served_response(i, name, print));
         }
+        self.known = snapshot.print.first().map(|print| print.grid.clone());
         self.site
             .tell(&json!({ "type": "snapshot", "run": 0, "iteration": snapshot.iteration }));
     }

@@ -15,14 +15,19 @@ use futures_util::stream::{Stream, once, unfold};
 use std::convert::Infallible;
 use std::net::{Ipv4Addr, SocketAddr, TcpListener};
 use std::sync::Arc;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 use tokio::runtime::{Builder, Runtime};
 use tokio::sync::broadcast::error::RecvError;
+use tokio::sync::oneshot;
+use tokio::task::JoinHandle;
 use tomolith::models::Run;
 use tomolith::{Error, Result};
 
 /// How long the end of a command waits for a look at the request to stop.
 const PAUSE: Duration = Duration::from_millis(100);
+
+/// How long the end of a run without a result waits for pages to hear of it.
+const LONGEST: Duration = Duration::from_secs(1);
 
 /// Where a page may load what: from itself alone.
 const POLICY: &str = "default-src 'none'; script-src 'unsafe-inline' blob:; worker-src blob:; style-src 'unsafe-inline'; img-src data: blob:; connect-src 'self'; \
@@ -39,6 +44,9 @@ struct Known {
 /// See the [module page](self).
 pub(super) struct Server {
     runtime: Runtime,
+    serving: JoinHandle<()>,
+    /// Asks it to end when pages have heard all.
+    end: oneshot::Sender<()>,
     known: Known,
 }
 
@@ -69,12 +77,20 @@ impl Server {
             .build()
             .map_err(refused)?;
         let router = router(known.clone());
-        runtime.spawn(async move {
+        let (end, ended) = oneshot::channel();
+        let serving = runtime.spawn(async move {
             if let Ok(listener) = tokio::net::TcpListener::from_std(listener) {
-                let _ = axum::serve(listener, router).await;
+                let served = axum::serve(listener, router);
+                let ended = served.with_graceful_shutdown(async { drop(ended.await) });
+                let _ = ended.await;
             }
         });
-        Ok(Server { runtime, known })
+        Ok(Server {
+            runtime,
+            serving,
+            end,
+            known,
+        })
     }
 
     /// The address of the page.
@@ -87,6 +103,16 @@ impl Server {
     pub(super) fn serve_until(self, cancel: &Run) {
         while !cancel.is_canceled() {
             std::thread::sleep(PAUSE);
+        }
+        self.runtime.shutdown_background();
+    }
+
+    /// Ends when the pages have heard what was said last, or after a while.
+    pub(super) fn end(self) {
+        let _ = self.end.send(());
+        let begin = Instant::now();
+        while !self.serving.is_finished() && begin.elapsed() < LONGEST {
+            std::thread::sleep(PAUSE / 10);
         }
         self.runtime.shutdown_background();
     }
@@ -245,10 +271,11 @@ async fn cancel(State(known): State<Known>, Path((_, run)): Path<(String, usize)
 }
 
 async fn events(State(known): State<Known>) -> Sse<impl Stream<Item = Result<Event, Infallible>>> {
-    let next = |mut heard: tokio::sync::broadcast::Receiver<String>| async move {
+    let next = |heard: Option<tokio::sync::broadcast::Receiver<String>>| async move {
+        let mut heard = heard?;
         loop {
             match heard.recv().await {
-                Ok(text) => return Some((Ok(Event::default().data(text)), heard)),
+                Ok(text) => return Some((Ok(Event::default().data(text)), Some(heard))),
                 // Who is behind goes on with what is new
                 Err(RecvError::Lagged(_)) => {}
                 Err(RecvError::Closed) => return None,

@@ -3,13 +3,12 @@
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use tokio::sync::broadcast;
-use tomolith::grid::Volume;
 use tomolith::io::read_text;
 use tomolith::models::Run;
 use tomolith::report::compare::{ComparedRun, comparison, read_runs};
-use tomolith::report::page::{Page, PageKind, Slices, bare_run, blob, page_data, volume};
+use tomolith::report::page::{Page, PageKind, Served, Slices, bare_run, blob, page_data};
 use tomolith::{Error, Result};
 use tomolith_sweep::TABLE_SCHEMA;
 
@@ -60,7 +59,8 @@ pub(super) struct Site {
     /// A sweep: its folder, and which run of the list a row is once it was opened.
     sweep: Option<SweepFolder>,
     runs: Mutex<Vec<Shown>>,
-    events: broadcast::Sender<String>,
+    /// None once nothing more will be said.
+    events: Mutex<Option<broadcast::Sender<String>>>,
     /// What stops the run that goes on.
     cancel: Option<Arc<Run>>,
 }
@@ -126,7 +126,7 @@ impl Site {
             compare: Value::Null,
             sweep: None,
             runs: Mutex::new(runs),
-            events: broadcast::channel(BACKLOG).0,
+            events: Mutex::new(Some(broadcast::channel(BACKLOG).0)),
             cancel: None,
         }
     }
@@ -222,8 +222,10 @@ impl Site {
 
     /// Tells all pages.
     pub(super) fn tell(&self, event: &Value) {
-        // Without pages nobody hears it
-        let _ = self.events.send(event.to_string());
+        if let Some(events) = &*self.events() {
+            // Without pages nobody hears it
+            let _ = events.send(event.to_string());
+        }
     }
 
     /// The first event that a page hears: the state of every run.
@@ -233,8 +235,9 @@ impl Site {
         json!({ "type": "states", "states": states })
     }
 
-    pub(super) fn listen(&self) -> broadcast::Receiver<String> {
-        self.events.subscribe()
+    /// None once nothing more will be said.
+    pub(super) fn listen(&self) -> Option<broadcast::Receiver<String>> {
+        self.events().as_ref().map(broadcast::Sender::subscribe)
     }
 
     /// Asks the run to stop; whether there is one.
@@ -264,17 +267,24 @@ impl Site {
         });
     }
 
-    /// Shows a volume of the run that goes on in place of an earlier one of the same name.
-    pub(super) fn show(&self, id: &str, name: &str, kind: &'static str, values: &Volume<f32>) {
-        let (info, deflated) = volume(id, name, kind, values);
+    /// Shows volumes of the run that goes on in place of earlier ones of the same names.
+    pub(super) fn show(&self, volumes: Served) {
         self.with_runs(|runs| {
             let run = &mut runs[0];
-            run.arrays.insert(id.to_owned(), Arc::new(deflated));
-            if let Some(all) = run.data["volumes"].as_array_mut() {
-                all.retain(|other| other["id"] != id);
-                all.push(info);
+            for (info, packed) in volumes {
+                let id = info["id"].as_str().unwrap_or_default().to_owned();
+                if let Some(all) = run.data["volumes"].as_array_mut() {
+                    all.retain(|other| other["id"] != info["id"]);
+                    all.push(info);
+                }
+                run.arrays.insert(id, Arc::new(packed));
             }
         });
+    }
+
+    /// Says of the run that goes on by how much gray values may be off.
+    pub(super) fn set_band(&self, half_width: f64) {
+        self.with_runs(|runs| runs[0].data["band"] = json!(half_width));
     }
 
     /// Puts the finished run in the place of the one that went on.
@@ -286,10 +296,15 @@ impl Site {
         Ok(())
     }
 
-    /// Says that the run has ended without a result.
-    pub(super) fn fail(&self, message: &str) {
-        self.with_runs(|runs| runs[0].data["state"] = "done".into());
-        self.tell(&json!({ "type": "failed", "run": 0, "message": message }));
+    /// Says that the run has ended without a result, and why, and that nothing more will be said.
+    pub(super) fn fail(&self, state: &'static str, message: &str) {
+        self.with_runs(|runs| runs[0].data["state"] = state.into());
+        self.tell(&json!({ "type": state, "run": 0, "message": message }));
+        self.events().take();
+    }
+
+    fn events(&self) -> MutexGuard<'_, Option<broadcast::Sender<String>>> {
+        self.events.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     fn with_runs<T>(&self, work: impl FnOnce(&mut Vec<Shown>) -> T) -> T {

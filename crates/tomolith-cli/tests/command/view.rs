@@ -294,8 +294,8 @@ fn a_row_of_a_sweep_opens_its_run() {
     );
 }
 
-/// The events of a run until one of a kind.
-fn until(served: &Served, kind: &str) -> Vec<Value> {
+/// The events that the server sends.
+fn events(served: &Served) -> impl Iterator<Item = Value> + Send + use<> {
     let mut stream = TcpStream::connect(("127.0.0.1", served.port)).unwrap();
     stream
         .set_read_timeout(Some(Duration::from_secs(120)))
@@ -306,20 +306,21 @@ fn until(served: &Served, kind: &str) -> Vec<Value> {
         "GET /{token}/events HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\n\r\n"
     )
     .unwrap();
-    let mut events = Vec::new();
-    for line in BufReader::new(stream).lines() {
-        let line = line.unwrap();
-        let Some(text) = line.strip_prefix("data: ") else {
-            continue;
-        };
-        let event: Value = serde_json::from_str(text).unwrap();
+    let lines = BufReader::new(stream).lines().map_while(Result::ok);
+    lines.filter_map(|line| serde_json::from_str(line.strip_prefix("data: ")?).ok())
+}
+
+/// Events until one of a kind.
+fn until(events: &mut impl Iterator<Item = Value>, kind: &str) -> Vec<Value> {
+    let mut told = Vec::new();
+    for event in events {
         let is_last = event["type"] == kind || event["states"][0] == kind;
-        events.push(event);
+        told.push(event);
         if is_last {
-            return events;
+            return told;
         }
     }
-    panic!("{kind} did not come: {events:?}")
+    panic!("{kind} did not come: {told:?}")
 }
 
 #[test]
@@ -331,12 +332,22 @@ fn a_run_is_watched_to_its_end_and_its_result_stays() {
     );
     let running: Value = serde_json::from_slice(&served.get("runs.json").1).unwrap();
     assert!(running["runs"][0]["state"] == "running" || running["runs"][0]["state"] == "done");
-    let events = until(&served, "done");
-    let rows = events.iter().filter(|event| event["type"] == "iteration");
+    let events = until(&mut events(&served), "done");
+    let rows: Vec<&Value> = events
+        .iter()
+        .filter(|event| event["type"] == "iteration")
+        .collect();
     assert!(
-        rows.count() > 1 || events[0]["states"][0] == "done",
+        rows.len() > 1 || events[0]["states"][0] == "done",
         "{events:?}"
     );
+    for event in rows {
+        let row = &event["row"];
+        assert!(
+            row["forward_calls"].as_u64() > Some(0) && row["adjoint_calls"].is_u64(),
+            "{event}"
+        );
+    }
     let data: Value = serde_json::from_slice(&served.get("runs.json").1).unwrap();
     assert_eq!(
         (
@@ -349,14 +360,51 @@ fn a_run_is_watched_to_its_end_and_its_result_stays() {
 }
 
 #[test]
+fn the_page_hears_why_a_run_failed() {
+    let bench = Bench::new();
+    let mut served = Served::start(
+        &bench,
+        "run job.toml --open --no-browser --quiet -o a --set stop.iterations=4000",
+    );
+    let mut events = events(&served);
+    let _ = until(&mut events, "iteration");
+    fs::remove_dir_all(bench.path("a")).unwrap();
+    bench.write("a", "no folder");
+    let told = until(&mut events, "failed");
+    let message = told.last().unwrap()["message"].as_str().unwrap();
+    assert!(message.contains("a/"), "{message}");
+    assert_eq!(events.next(), None, "nothing follows");
+    assert_eq!(served.child.wait().unwrap().code(), Some(2));
+}
+
+#[test]
 fn the_page_can_stop_a_run() {
     let bench = Bench::new();
     let mut served = Served::start(
         &bench,
         "run job.toml --open --no-browser --quiet -o a --set grid.pitch_mm=0.02 --set light.angles=600 --set stop.iterations=5000 --set evaluate.refine=1",
     );
-    let _ = until(&served, "iteration");
+    let mut events = events(&served);
+    let _ = until(&mut events, "snapshot");
+    // The dose is shown against what is asked for, on the same voxels
+    let data: Value = serde_json::from_slice(&served.get("runs.json").1).unwrap();
+    let volumes = data["runs"][0]["volumes"].as_array().unwrap();
+    let shape = |kind: &str| {
+        let of_kind = volumes.iter().find(|info| info["kind"] == kind);
+        of_kind.unwrap_or_else(|| panic!("{kind}: {volumes:?}"))["shape_zyx"].clone()
+    };
+    assert_eq!(
+        (shape("target"), shape("labels")),
+        (shape("response"), shape("response"))
+    );
+    assert_eq!(served.get("run/0/volume/labels0").0, 200);
     assert_eq!(served.post("cancel/0"), 202);
+    let told = until(&mut events, "canceled");
+    let last = told.last().unwrap()["message"].as_str().unwrap();
+    assert!(
+        last.contains("canceled") && last.contains("--resume"),
+        "{last}"
+    );
     assert_eq!(served.child.wait().unwrap().code(), Some(130));
     assert!(bench.path("a/checkpoint").is_dir() && !bench.path("a/report.html").exists());
 }

@@ -278,14 +278,14 @@ fn best_threshold(list: &mut List, scan: &Scan<'_>) {
         BHATTACHARYA,
         "dose",
         best.map(|b| b.middle()),
-        "middle of the longest range of best Jaccard index",
+        "middle of the longest range of best IoU",
     );
     list.add(
         "jaccard",
         BHATTACHARYA,
         "",
         best.map(|b| b.iou),
-        "Jaccard index (IoU) there",
+        "IoU there",
     );
 }
 

@@ -1,10 +1,10 @@
-//! Arrays as the page holds them: reduced to what a file can carry, 8 bits a value, deflated, in base64.
+//! Arrays as the page holds them: reduced to what a file can carry, 8 bits a value, deflated (zlib, whose checksum tells a damaged array), in base64.
 //!
 //! A value is `low + code/top·(high − low)`, where `top` is 255, or 254 where 255 stands for no value.
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use flate2::{Compression, write::DeflateEncoder};
+use flate2::{Compression, write::ZlibEncoder};
 use std::io::Write as _;
 use tomolith_core::grid::{Patterns, VolumeGrid};
 use tomolith_core::parallel::InParallel;
@@ -142,9 +142,9 @@ impl Film {
     }
 }
 
-/// Bytes without a header of zlib.
+/// Bytes as zlib packs them.
 pub(super) fn deflate(bytes: &[u8]) -> Vec<u8> {
-    let mut encoder = DeflateEncoder::new(Vec::new(), Compression::new(6));
+    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::new(6));
     // Writing into a vector cannot fail
     let deflated = encoder.write_all(bytes).and_then(|()| encoder.finish());
     deflated.unwrap_or_default()
@@ -165,7 +165,7 @@ pub fn deflated(text: &str) -> Option<Vec<u8>> {
 #[must_use]
 pub fn unpacked(text: &str) -> Option<Vec<u8>> {
     let mut bytes = Vec::new();
-    let mut decoder = flate2::write::DeflateDecoder::new(&mut bytes);
+    let mut decoder = flate2::write::ZlibDecoder::new(&mut bytes);
     decoder.write_all(&deflated(text)?).ok()?;
     decoder.finish().ok()?;
     Some(bytes)
@@ -224,5 +224,12 @@ mod tests {
         assert!(film.codes.len() <= 3_000_000 && film.frames.len() >= 180);
         assert_eq!(unpacked(&packed(&film.codes)), Some(film.codes));
         assert_eq!(unpacked("no base64!"), None);
+        // A byte that was changed on the way is noticed wherever it lies
+        let whole = deflate(&[7; 1000]);
+        for place in 2..whole.len() {
+            let mut damaged = whole.clone();
+            damaged[place] ^= 4;
+            assert_eq!(unpacked(&STANDARD.encode(&damaged)), None, "byte {place}");
+        }
     }
 }

@@ -27,11 +27,11 @@ use tomolith_core::grid::Volume;
 use tomolith_io::csv::HistoryRow;
 use tomolith_metrics::surface::Deviation;
 use tomolith_metrics::{Better, METRICS};
-pub use volumes::volume;
+pub use volumes::{Served, served_response, served_target};
 use volumes::{VolumeInfo, volumes};
 
 /// What the data of a page say that they are.
-pub const SCHEMA: &str = "tomolith.page/1";
+pub const SCHEMA: &str = "tomolith.page/2";
 
 /// Numbers at the head of the page.
 const HEADLINE: [&str; 9] = [

@@ -1,7 +1,7 @@
 //! Sentences of the page: plain text, keys between grave accents.
 
 use crate::number::significant;
-use crate::{ReportData, SpeciesReport, time_sentence};
+use crate::{ReportData, SpeciesReport, gap_sentence, time_sentence};
 use serde::Serialize;
 use tomolith_metrics::Evaluation;
 
@@ -47,7 +47,7 @@ impl<'a> Texts<'a> {
                 })
                 .collect(),
             scenarios: data.scenarios.map(crate::ScenarioTable::sentence),
-            gap: data.gap.and_then(|gap| gap.sentence()),
+            gap: data.gap.and_then(gap_sentence),
             ceiling: data.ceiling.map(crate::CeilingReport::sentence),
         }
     }

@@ -217,12 +217,39 @@ pub(super) fn dose(dose: &Volume<f32>, most_bytes: usize) -> (VolumeInfo, String
     (infos.remove(0), texts.remove(0).1)
 }
 
-/// What the page knows of a volume of a run that goes on, and its array, deflated.
+/// What the page knows of volumes of a run that goes on, and their arrays, packed.
+pub type Served = Vec<(Value, Vec<u8>)>;
+
+/// The response of a species of a run that goes on; the species has a name where there are several.
 #[must_use]
-pub fn volume(id: &str, name: &str, kind: &'static str, values: &Volume<f32>) -> (Value, Vec<u8>) {
-    let source = Source::new(kind, None, name, values);
-    let (info, codes) = source.reduced(id.to_owned(), source.factor(EDGE));
-    (json!(info), deflate(&codes))
+pub fn served_response(i: usize, species: Option<&str>, response: &Volume<f32>) -> Served {
+    served(i, &[Source::new("response", species, "dose", response)])
+}
+
+/// What is asked of a species of a run that goes on.
+#[must_use]
+pub fn served_target(
+    i: usize,
+    species: Option<&str>,
+    inside: &Volume<f32>,
+    labels: &Volume<u8>,
+) -> Served {
+    served(
+        i,
+        &[
+            Source::new("target", species, "target", inside),
+            Source::new("labels", species, "labels", labels),
+        ],
+    )
+}
+
+fn served(i: usize, sources: &[Source<'_>]) -> Served {
+    let of = |source: &Source<'_>| {
+        let id = format!("{}{i}", source.kind);
+        let (info, codes) = source.reduced(id, source.factor(EDGE));
+        (json!(info), deflate(&codes))
+    };
+    sources.iter().map(of).collect()
 }
 
 /// The target of a job before it runs.

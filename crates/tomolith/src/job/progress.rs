@@ -3,6 +3,7 @@
 use crate::error::{Error, Result};
 use crate::grid::{Patterns, Volume};
 use crate::models::Run;
+use crate::optimize::MeasuredPrint;
 use serde::Serialize;
 use std::io::ErrorKind;
 use std::panic::resume_unwind;
@@ -39,6 +40,13 @@ pub enum Event {
         loss: f64,
         /// Norm of the projected gradient, relative to the first; none at the start.
         projected_gradient: Option<f64>,
+        /// Calls of the model so far: doses, and their adjoints.
+        forward_calls: u64,
+        /// See there.
+        adjoint_calls: u64,
+        /// IoU and process window of the print at this iteration; they are measured now and then.
+        #[serde(flatten)]
+        print: Option<MeasuredPrint>,
         /// Seconds since the optimization began.
         elapsed_s: f64,
         /// Voxel-angle updates per second of model time.
@@ -62,13 +70,15 @@ pub struct Wants {
     pub dose: bool,
     /// The response of every species: what the material makes of its dose.
     pub print: bool,
+    /// What is asked of every species, on the voxels of its response.
+    pub target: bool,
 }
 
 impl Wants {
     /// Whether the observer wants any copy.
     #[must_use]
     pub fn any(self) -> bool {
-        self.patterns || self.dose || self.print
+        self.patterns || self.dose || self.print || self.target
     }
 }
 
@@ -83,6 +93,21 @@ pub struct Snapshot {
     pub dose: Vec<Volume<f32>>,
     /// Per species, on the voxels of the optimization; of the written patterns on those of the evaluation.
     pub print: Vec<Volume<f32>>,
+    /// Per species, on the voxels of `print`.
+    pub target: Vec<Asked>,
+}
+
+/// What is asked of a species.
+#[derive(Clone, Debug)]
+pub struct Asked {
+    /// Its name; empty where it is the only one.
+    pub species: String,
+    /// The share of each voxel that is part, or its gray value.
+    pub inside: Volume<f32>,
+    /// What each voxel counts as ([`label`](crate::target::label)).
+    pub labels: Volume<u8>,
+    /// Half width of the band around gray values; None for a target of part and void.
+    pub band: Option<f64>,
 }
 
 /// Observer of a run.

@@ -21,7 +21,7 @@ use crate::job::dose::cache::EvaluationModel;
 use crate::job::dose::cross_check;
 use crate::job::dose::cross_check::CrossCheck;
 use crate::job::dose::doses::{Doses, Exposed};
-use crate::job::progress::{Event, Progress, Snapshot};
+use crate::job::progress::{Asked, Event, Progress, Snapshot};
 use crate::job::resolve::scheduled::too_bright;
 use crate::job::resolve::{ResolvedJob, Species, Voxels};
 use crate::metrics::print::{PatternStats, Print};
@@ -266,7 +266,7 @@ pub(crate) fn evaluate_patterns(
         progress,
     )?;
     let one_exposure = together(job, &species, progress);
-    show(shown, &species, progress);
+    show(shown, (&job.species, &species), progress);
     Ok(Evaluated {
         species,
         published,
@@ -286,7 +286,11 @@ pub(crate) fn evaluate_patterns(
 }
 
 /// Copies for an observer that wants them: the written patterns and what they print.
-fn show(shown: &[Patterns], species: &[SpeciesPrint], progress: &mut dyn Progress) {
+fn show(
+    shown: &[Patterns],
+    (all, species): (&[Species], &[SpeciesPrint]),
+    progress: &mut dyn Progress,
+) {
     let wants = progress.wants();
     if !wants.any() {
         return;
@@ -295,6 +299,7 @@ fn show(shown: &[Patterns], species: &[SpeciesPrint], progress: &mut dyn Progres
         let all = species.iter().filter(|_| is_wanted);
         all.map(|own| of(own).clone()).collect()
     };
+    let each = all.iter().zip(species).filter(|_| wants.target);
     progress.snapshot(Snapshot {
         iteration: None,
         patterns: if wants.patterns {
@@ -304,6 +309,7 @@ fn show(shown: &[Patterns], species: &[SpeciesPrint], progress: &mut dyn Progres
         },
         dose: copies(wants.dose, |own| &own.dose),
         print: copies(wants.print, |own| &own.response),
+        target: each.map(|(own, print)| asked(own, &print.fine)).collect(),
     });
 }
 
@@ -672,6 +678,16 @@ pub(crate) fn print<'a>(
 fn half_width(species: &Species) -> f64 {
     let given = species.goal.epsilon();
     given.unwrap_or(published::Options::default().epsilon)
+}
+
+/// What is asked of a species, for an observer.
+pub(crate) fn asked(species: &Species, voxels: &Voxels) -> Asked {
+    Asked {
+        species: species.name.clone().unwrap_or_default(),
+        inside: voxels.target.inside.clone(),
+        labels: voxels.labels.clone(),
+        band: voxels.target.gray.then(|| half_width(species)),
+    }
 }
 
 /// The numbers of a print.

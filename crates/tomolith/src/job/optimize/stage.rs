@@ -434,7 +434,7 @@ impl<'a> Stage<'a> {
             doses: model.outputs(),
             labels,
             layout,
-            is_gray: voxels.target.gray,
+            voxels: &self.voxels,
             print: None,
             metrics_s: sofar.metrics_s,
             warnings: std::mem::take(&mut sofar.warnings),

@@ -1,8 +1,9 @@
 //! What is looked at after each iteration: progress, the print now and then, and whether it is good enough.
 
 use crate::field::{Field, HostField};
+use crate::job::evaluate::asked;
 use crate::job::progress::{Event, Progress, Snapshot};
-use crate::job::resolve::ResolvedJob;
+use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::metrics::quick::quick;
 use crate::metrics::scan::Scan;
 use crate::models::{DoseLayout, PatternLayout};
@@ -56,8 +57,8 @@ pub(crate) struct Watch<'a> {
     pub(crate) labels: Vec<u8>,
     /// Where those lie.
     pub(crate) layout: DoseLayout,
-    /// A gray target has no IoU worth following.
-    pub(crate) is_gray: bool,
+    /// Of every species.
+    pub(crate) voxels: &'a [Voxels],
     /// The print after the last step, where it was measured.
     pub(crate) print: Option<MeasuredPrint>,
     pub(crate) metrics_s: f64,
@@ -91,11 +92,15 @@ impl Watch<'_> {
                 }
             }
         }
+        let each = self.job.species.iter().zip(self.voxels);
+        let each = each.filter(|_| wants.target);
+        let target = each.map(|(own, voxels)| asked(own, voxels)).collect();
         self.progress.snapshot(Snapshot {
             iteration: Some(report.row.iteration),
             patterns,
             dose,
             print,
+            target,
         });
     }
 
@@ -119,7 +124,9 @@ impl Watch<'_> {
     ) -> Option<MeasuredPrint> {
         let iteration = report.row.iteration;
         let last = iteration == self.iterations;
-        if !(decides || !self.is_gray && (last || is_measured(iteration))) {
+        // A gray target has no IoU worth following
+        let is_gray = self.voxels[0].target.gray;
+        if !(decides || !is_gray && (last || is_measured(iteration))) {
             return None;
         }
         let response = &self.job.first().goal.response;
@@ -156,16 +163,20 @@ impl<F: Field> Observer<F> for Watch<'_> {
     fn on_step(&mut self, report: &StepReport<'_, F>) -> ControlFlow<()> {
         let row = report.row;
         let calls = (row.forward + row.adjoint) as f64;
+        let is_reached = self.reached(report);
         self.progress.event(&Event::Iteration {
             iteration: row.iteration,
             iterations: self.iterations,
             loss: row.loss,
             projected_gradient: report.relative_gradient,
+            forward_calls: row.forward,
+            adjoint_calls: row.adjoint,
+            print: self.print,
             elapsed_s: row.seconds,
             updates_per_s: calls * self.updates as f64 / report.counters.model_s.max(1e-9),
         });
         self.show(report);
-        if self.reached(report) {
+        if is_reached {
             ControlFlow::Break(())
         } else {
             ControlFlow::Continue(())

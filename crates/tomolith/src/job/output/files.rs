@@ -36,8 +36,8 @@ use crate::models::Run;
 use crate::optimize::{Row, relative_gradient};
 use crate::report::{
     CeilingReport, ExposureWindow, LightReport, MapReport, MovieReport, OneExposure, PrintLimits,
-    ReportData, SpeciesReport, TimePoint, TimeReport, Timing, time, write_html, write_json,
-    write_print,
+    ReportData, SpeciesReport, TimePoint, TimeReport, Timing, gap_sentence, time, write_html,
+    write_json, write_print,
 };
 use crate::units::concise;
 use std::borrow::Cow;
@@ -688,7 +688,7 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
         if kept.iteration != last {
             facts.push(("Kept", earlier(kept, last)));
         }
-        if let Some(text) = optimized.outcome.gap().and_then(|gap| gap.sentence()) {
+        if let Some(text) = optimized.outcome.gap().and_then(gap_sentence) {
             facts.push(("Lowest loss", text));
         }
         if let Some(window) = optimized.window {

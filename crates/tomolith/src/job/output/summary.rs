@@ -11,7 +11,7 @@ use crate::metrics::{Evaluation, Measure};
 use crate::objective::FoundWindow;
 use crate::optimize::{Gap, KeptBy, KeptIterate, StopReason};
 use crate::report::{
-    ExposureWindow, OneExposure, OneMoment, PrintLimits, ScenarioTable, time_sentence,
+    ExposureWindow, OneExposure, OneMoment, PrintLimits, ScenarioTable, gap_sentence, time_sentence,
 };
 use crate::units::{concise, counted};
 use serde::Serialize;
@@ -221,7 +221,7 @@ impl fmt::Display for Summary {
             if let Some(kept) = self.kept.filter(|kept| kept.iteration != iterations) {
                 writeln!(f, "{:>28} {}", "kept", earlier(kept, iterations))?;
             }
-            if let Some(text) = self.gap.and_then(|gap| gap.sentence()) {
+            if let Some(text) = self.gap.and_then(gap_sentence) {
                 writeln!(f, "{:>28} {text}", "lowest loss")?;
             }
             if let Some(window) = &self.found_window {

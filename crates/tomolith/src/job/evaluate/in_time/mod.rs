@@ -55,7 +55,7 @@ impl std::fmt::Display for TimeSummary {
         };
         write!(
             f,
-            "{}: first solid {}, best {} (Jaccard {}{})",
+            "{}: first solid {}, best {} (IoU {}{})",
             self.name,
             seconds(self.induction_end_s),
             seconds(self.best_s),
