@@ -149,7 +149,7 @@ export interface FilmInfo {
 
 export interface Scene {
   /** Whether rays of any frame are those of another one, turned. */
-  is_round?: boolean;
+  is_round: boolean;
   /** Radius that every frame lights. */
   lit_radius_mm: number | null;
   part_radius_mm: number;

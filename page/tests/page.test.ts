@@ -2,6 +2,7 @@
 
 import assert from "node:assert/strict";
 import { after, describe, it } from "node:test";
+import { deflateSync } from "node:zlib";
 import type { Page } from "puppeteer-core";
 import { close, open, pixels, settled, skip, slide, text } from "./browser.ts";
 import { fixture, written } from "./fixture.ts";
@@ -175,10 +176,16 @@ describe("the page", { skip }, () => {
     await page.close();
   });
 
-  it("clamps a point of the address to the volume", async () => {
+  it("clamps a point of the address to the volume, and refuses an array of which a byte was changed", async () => {
     const page = await open(address, { hash: "at=99,-99,0" });
     assert.match(await text(page, "#look .readout"), /^x 1\.600, y −1\.600, z 0\.000 mm/);
     await page.close();
+    const whole = fixture();
+    const packed = deflateSync(whole.blobs.get("blob-0-response2")!);
+    packed[packed.length - 1] ^= 1;
+    const damaged = await open(written("checksum", whole, { "blob-0-response2": packed.toString("base64") }));
+    assert.match(await text(damaged, "#look"), /The array “response2” is damaged or missing: it cannot be unpacked/);
+    await damaged.close();
   });
 
   it("lists many layers, and names a body under the pointer", async () => {

@@ -45,6 +45,8 @@ pub struct LightPaths {
 /// counter-clockwise from +x seen from above.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Scene {
+    /// Whether rays of any frame are those of another one, turned: every wall is a circle about the axis, and no body lies in the light.
+    pub is_round: bool,
     /// Radius that every frame lights, mm.
     pub lit_radius_mm: Option<f64>,
     /// The sides of the target reach so far from the axis, mm.

@@ -7,8 +7,8 @@ use crate::optics::surface::Surface;
 use crate::optics::vial::CrossSection;
 use crate::report::page::{FramePaths, LightPath, LightPaths, Outline, Scene};
 
-/// Frames of a turn whose rays are drawn, columns of a frame, and rows of its middle column.
-const FRAMES: usize = 24;
+/// Frames of a turn whose rays are drawn: where those of one frame are those of all, turned, and elsewhere; columns of a frame, and rows of its middle column.
+const FRAMES: [usize; 2] = [24, 120];
 const COLUMNS: usize = 17;
 const ROWS: usize = 5;
 /// Corners of a circle.
@@ -29,12 +29,14 @@ pub(crate) fn scene(job: &ResolvedJob) -> Scene {
             "wall"
         }
     };
+    let bodies = job.optics.paths.first();
+    let bodies = bodies.map_or(&[][..], |path| path.obstacles.as_slice());
+    let is_round = bodies.is_empty() && walls.iter().all(|(surface, _)| is_round(surface));
     let walls = (walls.iter().enumerate())
         .filter_map(|(i, (surface, _))| outline(name(i), surface))
         .collect();
-    let bodies = job.optics.paths.first();
-    let bodies = bodies.map_or(&[][..], |path| path.obstacles.as_slice());
     Scene {
+        is_round,
         lit_radius_mm: Some(job.optics.reach_mm().0).filter(|mm| mm.is_finite()),
         part_radius_mm: sides.into_iter().fold(0.0, f64::max),
         z_mm: [low[2], high[2]],
@@ -42,13 +44,21 @@ pub(crate) fn scene(job: &ResolvedJob) -> Scene {
         lights: (0..job.optics.lights.len())
             .map(|light| LightPaths {
                 name: job.light_name(light).unwrap_or("").to_owned(),
-                frames: frames(job, light),
+                frames: frames(job, light, FRAMES[usize::from(!is_round)]),
             })
             .collect(),
         obstacles: (bodies.iter())
             .filter_map(|body| outline("body in the light", &body.surface))
             .collect(),
     }
+}
+
+/// Whether a turn about the axis changes nothing.
+fn is_round(surface: &Surface) -> bool {
+    matches!(
+        surface,
+        Surface::Prism(CrossSection::Circle(_)) | Surface::Can(CrossSection::Circle(_), _)
+    )
 }
 
 /// A surface in a horizontal cut; of a mesh nothing.
@@ -84,8 +94,8 @@ fn spread(count: usize, most: usize) -> Vec<usize> {
     }
 }
 
-/// Rays of some frames of a light.
-fn frames(job: &ResolvedJob, light: usize) -> Vec<FramePaths> {
+/// Rays of some frames of a light, so many at most.
+fn frames(job: &ResolvedJob, light: usize, most: usize) -> Vec<FramePaths> {
     let (own, path) = (&job.optics.lights[light], &job.optics.paths[light]);
     let vial = job.optics.vial.as_ref();
     let tracer = SpaceTracer::new(
@@ -100,7 +110,7 @@ fn frames(job: &ResolvedJob, light: usize) -> Vec<FramePaths> {
     let outer = walls.first().map(|(surface, _)| surface);
     let begin = BEFORE * vial.outer_radius_mm();
     let pixels = &own.pixels;
-    let every = pixels.frames().div_ceil(FRAMES).max(1);
+    let every = pixels.frames().div_ceil(most).max(1);
     let (middle_row, middle_column) = (pixels.rows / 2, pixels.columns / 2);
     let columns = spread(pixels.columns, COLUMNS).into_iter();
     let rows = spread(pixels.rows, ROWS).into_iter();
