@@ -35,7 +35,7 @@ pub use import::{Files, Imported, import, sinogram};
 pub use optimize::task::Task;
 pub use output::folder::Leaves;
 pub use output::summary::{Plan, Quality, Summary};
-pub use progress::{Asked, Event, Progress, Silent, Snapshot, Wants};
+pub use progress::{Event, Progress, Silent, Snapshot, SpeciesTarget, Wants};
 pub use read::Job;
 pub use resolve::ResolvedJob;
 pub use run::many::{JobRequirements, requirements, run_here};

@@ -94,12 +94,12 @@ pub struct Snapshot {
     /// Per species, on the voxels of the optimization; of the written patterns on those of the evaluation.
     pub print: Vec<Volume<f32>>,
     /// Per species, on the voxels of `print`.
-    pub target: Vec<Asked>,
+    pub target: Vec<SpeciesTarget>,
 }
 
 /// What is asked of a species.
 #[derive(Clone, Debug)]
-pub struct Asked {
+pub struct SpeciesTarget {
     /// Its name; empty where it is the only one.
     pub species: String,
     /// The share of each voxel that is part, or its gray value.

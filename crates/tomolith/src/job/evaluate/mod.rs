@@ -21,7 +21,7 @@ use crate::job::dose::cache::EvaluationModel;
 use crate::job::dose::cross_check;
 use crate::job::dose::cross_check::CrossCheck;
 use crate::job::dose::doses::{Doses, Exposed};
-use crate::job::progress::{Asked, Event, Progress, Snapshot};
+use crate::job::progress::{Event, Progress, Snapshot};
 use crate::job::resolve::scheduled::too_bright;
 use crate::job::resolve::{ResolvedJob, Species, Voxels};
 use crate::metrics::print::{PatternStats, Print};
@@ -309,7 +309,7 @@ fn show(
         },
         dose: copies(wants.dose, |own| &own.dose),
         print: copies(wants.print, |own| &own.response),
-        target: each.map(|(own, print)| asked(own, &print.fine)).collect(),
+        target: each.map(|(own, print)| print.fine.shown(own)).collect(),
     });
 }
 
@@ -496,7 +496,7 @@ fn numbers(
         gray: fine.target.gray,
         patterns: shown,
         trim_percent: job.evaluation().trim_percent,
-        epsilon: half_width(species),
+        epsilon: species.half_width(),
     };
     let inside = &fine.target.inside;
     let run = cancel.part(share::PUBLISHED / job.species.len() as f64);
@@ -666,28 +666,12 @@ pub(crate) fn print<'a>(
         print = print.without_distance();
     }
     if voxels.target.gray {
-        print = print.with_gray(inside, half_width(species))?;
+        print = print.with_gray(inside, species.half_width())?;
     }
     if let Some(threshold) = job.evaluation().threshold {
         print = print.with_threshold(threshold)?;
     }
     Ok(print)
-}
-
-/// Half width of the band round gray values: ε of the first objective that has one, or that of the BCLP paper where there is none.
-fn half_width(species: &Species) -> f64 {
-    let given = species.goal.epsilon();
-    given.unwrap_or(published::Options::default().epsilon)
-}
-
-/// What is asked of a species, for an observer.
-pub(crate) fn asked(species: &Species, voxels: &Voxels) -> Asked {
-    Asked {
-        species: species.name.clone().unwrap_or_default(),
-        inside: voxels.target.inside.clone(),
-        labels: voxels.labels.clone(),
-        band: voxels.target.gray.then(|| half_width(species)),
-    }
 }
 
 /// The numbers of a print.

@@ -1,7 +1,6 @@
 //! What is looked at after each iteration: progress, the print now and then, and whether it is good enough.
 
 use crate::field::{Field, HostField};
-use crate::job::evaluate::asked;
 use crate::job::progress::{Event, Progress, Snapshot};
 use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::metrics::quick::quick;
@@ -94,7 +93,7 @@ impl Watch<'_> {
         }
         let each = self.job.species.iter().zip(self.voxels);
         let each = each.filter(|_| wants.target);
-        let target = each.map(|(own, voxels)| asked(own, voxels)).collect();
+        let target = each.map(|(own, voxels)| voxels.shown(own)).collect();
         self.progress.snapshot(Snapshot {
             iteration: Some(report.row.iteration),
             patterns,

@@ -43,6 +43,12 @@ pub(crate) struct Species {
 }
 
 impl Species {
+    /// Half width of the band around gray values: ε of the first objective that has one, or that of the BCLP paper.
+    pub(crate) fn half_width(&self) -> f64 {
+        let given = self.goal.epsilon();
+        given.unwrap_or(crate::metrics::published::Options::default().epsilon)
+    }
+
     /// All species of a job: one at least.
     ///
     /// # Errors

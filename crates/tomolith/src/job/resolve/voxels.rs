@@ -5,6 +5,7 @@ use super::remarks::at_grid;
 use super::species::{Species, named};
 use crate::error::Result;
 use crate::grid::{Volume, VolumeGrid};
+use crate::job::progress::SpeciesTarget;
 use crate::job::resolve::ResolvedJob;
 use crate::job::spec::scenario::at_scenario;
 use crate::job::spec::species::at_species;
@@ -21,6 +22,18 @@ pub(crate) struct Voxels {
     pub(crate) labels: Volume<u8>,
     /// Smallest inside fraction of voxels that light should reach.
     least: f32,
+}
+
+impl Voxels {
+    /// The target of a species, for an observer.
+    pub(crate) fn shown(&self, species: &Species) -> SpeciesTarget {
+        SpeciesTarget {
+            species: species.name.clone().unwrap_or_default(),
+            inside: self.target.inside.clone(),
+            labels: self.labels.clone(),
+            band: self.target.gray.then(|| species.half_width()),
+        }
+    }
 }
 
 /// Smallest inside fraction that light should reach where the objective sees fractions: thinner slivers are left to chance.
