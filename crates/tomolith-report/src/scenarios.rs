@@ -107,7 +107,7 @@ mod tests {
         assert!((table.worst_iou.unwrap() - 0.94).abs() < 1e-12);
         let text = table.sentence();
         assert!(
-            text.contains("2 scenarios") && text.contains("-0.0500") && text.contains("0.3000"),
+            text.contains("2 scenarios") && text.contains("window −0.05 (the job 0.3)"),
             "{text}"
         );
         assert!(text.contains("(at 0.95; the job 0.9800)"), "{text}");

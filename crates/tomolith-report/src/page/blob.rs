@@ -224,12 +224,13 @@ mod tests {
         assert!(film.codes.len() <= 3_000_000 && film.frames.len() >= 180);
         assert_eq!(unpacked(&packed(&film.codes)), Some(film.codes));
         assert_eq!(unpacked("no base64!"), None);
-        // A byte that was changed on the way is noticed wherever it lies
+        // A byte that was changed on the way is noticed wherever it lies, but for bits that only fill up a byte
         let whole = deflate(&[7; 1000]);
         for place in 2..whole.len() {
             let mut damaged = whole.clone();
             damaged[place] ^= 4;
-            assert_eq!(unpacked(&STANDARD.encode(&damaged)), None, "byte {place}");
+            let found = unpacked(&STANDARD.encode(&damaged));
+            assert!(found.is_none_or(|bytes| bytes == [7; 1000]), "byte {place}");
         }
     }
 }
