@@ -110,6 +110,6 @@ mod tests {
             text.contains("2 scenarios") && text.contains("window −0.05 (the job 0.3)"),
             "{text}"
         );
-        assert!(text.contains("(at 0.95; the job 0.9800)"), "{text}");
+        assert!(text.contains("(at 0.95; the job 0.98)"), "{text}");
     }
 }

@@ -5,7 +5,7 @@
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use flate2::{Compression, write::ZlibEncoder};
-use std::io::Write as _;
+use std::io::{Read as _, Write as _};
 use tomolith_core::grid::{Patterns, VolumeGrid};
 use tomolith_core::parallel::InParallel;
 
@@ -164,10 +164,9 @@ pub fn deflated(text: &str) -> Option<Vec<u8>> {
 /// The bytes of text of the page; None where it is no such text.
 #[must_use]
 pub fn unpacked(text: &str) -> Option<Vec<u8>> {
-    let mut bytes = Vec::new();
-    let mut decoder = flate2::write::ZlibDecoder::new(&mut bytes);
-    decoder.write_all(&deflated(text)?).ok()?;
-    decoder.finish().ok()?;
+    let (packed, mut bytes) = (deflated(text)?, Vec::new());
+    let mut decoder = flate2::read::ZlibDecoder::new(packed.as_slice());
+    decoder.read_to_end(&mut bytes).ok()?;
     Some(bytes)
 }
 
