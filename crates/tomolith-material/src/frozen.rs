@@ -5,8 +5,8 @@
 //! and what is left of them at its end. Where voxels are alone this is exact for any x: their inhibitor takes what it takes. A voxel into which dose diffused, or
 //! whose network did not feel an antagonist, has more dose than drive: c is negative there, so that r is the degree of cure of the last simulation everywhere.
 //!
-//! **Rounds** [`renew`](DoseModel::renew) simulates the print of the patterns anew after every so many iterations, so that a method solves, simulates
-//! and solves again. Before the first time c is what the start of the material holds. c is the [memory](DoseModel::memory) that checkpoints keep.
+//! **Rounds** [`renew`](Renewal::renew) simulates the print of the patterns anew after every so many iterations, so that a method solves, simulates
+//! and solves again. Before the first time c is what the start of the material holds. c is the [memory](Renewal::memory) that checkpoints keep.
 //!
 //! **Source** the quasi-linear tier of `docs/material.md`.
 //!
