@@ -173,7 +173,7 @@ impl ResolvedJob {
     pub(crate) fn under(job: &Job, run: &Run) -> Result<Self> {
         Isa::asked()?;
         Self::resolve(job, run)
-            .map_err(|e| with_others((&job.document, job.models), &job.base(), job.locate(e)))
+            .map_err(|e| with_others(&job.document, job.models, &job.base(), job.locate(e)))
     }
 
     /// The job's voxels; those of the optimization and the evaluation are finer.

@@ -38,7 +38,8 @@ light = [{ pixels = [128, 128], angles = 360, projector = { collimated = { pixel
 
 /// The first error of a document with all others of its keys, in the order of the file; `models` are known in addition to those of `MODELS`.
 pub(crate) fn with_others(
-    (document, models): (&Document, &'static [ModelKind]),
+    document: &Document,
+    models: &'static [ModelKind],
     base: &Path,
     first: Error,
 ) -> Error {
@@ -60,7 +61,7 @@ pub(crate) fn with_others(
             break;
         };
         touched.push(mended);
-        match read((&copy, models), base) {
+        match read(&copy, models, base) {
             Ok(()) => break,
             Err(error) => next = error,
         }
@@ -76,10 +77,10 @@ pub(crate) fn with_others(
 }
 
 /// Reads a document as far as keys go: tables, parameters of kinds, ranges.
-fn read((document, models): (&Document, &'static [ModelKind]), base: &Path) -> Result<()> {
+fn read(document: &Document, models: &'static [ModelKind], base: &Path) -> Result<()> {
     let spec = JobSpec::from_document(document)?;
     let keys = || -> Result<()> {
-        kinds((&spec, models), base)?;
+        kinds(&spec, models, base)?;
         for s in 0..spec.species.len().max(1) {
             minimized(&spec.of_species(s), base)?;
         }
@@ -89,7 +90,7 @@ fn read((document, models): (&Document, &'static [ModelKind]), base: &Path) -> R
 }
 
 /// What light meets, and the part.
-fn kinds((spec, models): (&JobSpec, &'static [ModelKind]), base: &Path) -> Result<()> {
+fn kinds(spec: &JobSpec, models: &'static [ModelKind], base: &Path) -> Result<()> {
     let section = |key: &str, value: &Value| Section::new(key, value.clone()).based(base);
     if let Some(phantom) = &spec.target.phantom {
         let (kind, section) = section("target.phantom", phantom).kind(PHANTOMS)?;

@@ -80,7 +80,7 @@ impl Job {
             validate::ranges(&spec).map_err(|e| document.locate(e))?;
             Ok(spec)
         });
-        let spec = spec.map_err(|first| with_others((&document, models), &base, first))?;
+        let spec = spec.map_err(|first| with_others(&document, models, &base, first))?;
         Ok(Job {
             document,
             spec,
