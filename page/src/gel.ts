@@ -59,7 +59,8 @@ export function gelOf(run: Run, species: string, response: Volume | null, labels
   // A run that goes on has no report yet
   const reported = official ?? counts?.best() ?? null;
   const high = response?.info.high ?? evaluation?.histogram?.range?.[1] ?? null;
-  if (reported === null || high === null) return null;
+  // Where there is no dose at all nothing gels at any threshold
+  if (reported === null || high === null || high <= 0) return null;
   const curve = withPoint(evaluation?.iou_curve ?? counts?.curve() ?? [], [reported, evaluation?.iou ?? null]);
   const best = exposure?.threshold?.best ?? null;
   const given = evaluation?.histogram;
@@ -135,10 +136,12 @@ function countsOf(response: Volume, labels: Volume) {
     return part + wrong > 0 ? right / (part + wrong) : null;
   };
   const curve = () => Array.from({ length: BINS + 1 }, (_, i): [number, number] => [(high * i) / BINS, iou((high * i) / BINS) ?? 0]);
+  // At a threshold of 0 all would be solid, also what gets no light
+  const best = (): [number, number] => curve().slice(1).reduce((best, point) => (point[1] > best[1] ? point : best));
   return {
     curve,
-    /** The threshold with the largest IoU; null where there is no part. */
-    best: () => (part > 0 ? curve().reduce((best, point) => (point[1] > best[1] ? point : best))[0] : null),
+    /** The threshold with the largest IoU, or the highest one where no threshold prints any of the part; null where there is no part. */
+    best: () => (part === 0 ? null : best()[1] > 0 ? best()[0] : high),
     histogram: { low: 0, high, part: binned(below[0]), void: binned(below[1]) } satisfies Histogram,
     iou,
     tooMuch: (threshold: number) => solid(threshold).wrong * voxel,

@@ -328,6 +328,6 @@ function boxOfPart(target: Volume, grid: Volume): [Point, Point] {
   }
   const volume = high[0] < 0 ? grid : target;
   const ends = high[0] < 0 ? [[0, 0, 0], grid.shape.map((n) => n - 1)] : [low, high];
-  return ends.map((end) => end.map((index, axis) => volume.middle(axis as Axis, index)) as Point) as [Point, Point];
+  return ends.map((end, side) => end.map((index, axis) => volume.middle(axis as Axis, index) + (side - 0.5) * volume.pitch[axis]) as Point) as [Point, Point];
 }
 

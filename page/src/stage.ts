@@ -20,8 +20,10 @@ export interface MeshLook {
   whole?: boolean;
 }
 
-/** Parts rarely fill the ball around their box: the camera may be this much nearer. */
-const FILL = 0.88;
+/** How much of the view the box of the part fills. */
+const FILL = 0.97;
+/** Signs of the corners of a box around its middle. */
+const CORNERS = Array.from({ length: 8 }, (_, i): Point => [i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1]);
 
 export class Stage {
   readonly canvas: HTMLCanvasElement;
@@ -81,15 +83,24 @@ export class Stage {
   look(azimuth: number, elevation: number): void {
     this.view = [azimuth, elevation];
     const middle = new Vector3(...this.low).add(new Vector3(...this.high)).multiplyScalar(0.5);
-    const radius = 0.5 * Math.hypot(...this.high.map((mm, axis) => mm - this.low[axis]));
+    const half = new Vector3(...this.high).sub(middle);
+    const radius = half.length();
     const [a, e] = [azimuth, Math.min(Math.max(elevation, -89.9), 89.9)].map((degrees) => (degrees * Math.PI) / 180);
-    // The narrower of the two angles of view holds the ball around all
-    const half = (this.camera.fov * Math.PI) / 360;
-    const distance = (radius / Math.sin(Math.min(half, Math.atan(Math.tan(half) * this.camera.aspect)))) * FILL;
+    const toward = new Vector3(Math.cos(a) * Math.cos(e), Math.sin(a) * Math.cos(e), Math.sin(e));
+    const right = new Vector3(-Math.sin(a), Math.cos(a), 0);
+    const above = toward.clone().cross(right);
+    // So far away that every corner of the box is in view
+    const tangent = FILL * Math.tan((this.camera.fov * Math.PI) / 360);
+    const distance = Math.max(
+      ...CORNERS.map((signs) => {
+        const corner = new Vector3(...signs).multiply(half);
+        return corner.dot(toward) + Math.max(Math.abs(corner.dot(above)), Math.abs(corner.dot(right)) / this.camera.aspect) / tangent;
+      }),
+    );
     this.camera.near = radius / 50;
     this.camera.far = 30 * radius;
     this.controls.target.copy(middle);
-    this.camera.position.set(Math.cos(a) * Math.cos(e), Math.sin(a) * Math.cos(e), Math.sin(e)).multiplyScalar(distance).add(middle);
+    this.camera.position.copy(toward).multiplyScalar(distance).add(middle);
     this.camera.updateProjectionMatrix();
     this.controls.update();
     this.draw();

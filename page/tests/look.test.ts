@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { after, describe, it } from "node:test";
 import { close, open, pixels, settled, skip, slide, text } from "./browser.ts";
+import { LABEL } from "../src/volume.ts";
 import { fixture, THRESHOLD, written } from "./fixture.ts";
 
 const TOP = "#look .plane:nth-of-type(1) canvas";
@@ -34,6 +35,33 @@ describe("planes and threshold", { skip }, () => {
     const page = await open(address, { hash: `threshold=${THRESHOLD + 1e-6}` });
     assert.ok(Math.abs(Number(await text(page, IOU)) - reported.iou) < 5e-4);
     await page.close();
+  });
+
+  it("shows nothing solid where there is no dose, and nothing of the part where only the void gets one", async () => {
+    const shown = () => {
+      const dark = fixture();
+      Object.assign(dark.data.runs[0].report.evaluation, { gel_threshold: null, iou: 0 });
+      dark.data.runs[0].report.exposure = null;
+      dark.data.runs[0].volumes.length = 3;
+      return dark;
+    };
+    const dark = shown();
+    dark.data.runs[0].volumes[2].high = 0;
+    dark.blobs.set("blob-0-response2", dark.blobs.get("blob-0-response2")!.fill(0));
+    const page = await open(written("dark", dark));
+    assert.deepEqual(await page.$$eval("#look [aria-label=Shown] button", (all) => all.map(({ textContent }) => textContent)), ["Dose", "Target", "Side by side"]);
+    assert.equal(await page.$("#look .threshold"), null);
+    assert.deepEqual(page.problems, []);
+    await page.close();
+
+    const aside = shown();
+    const labels = aside.blobs.get("blob-0-labels1")!;
+    aside.blobs.set("blob-0-response2", Uint8Array.from(labels, (label, i) => (label === LABEL.void ? i % 256 : 0)));
+    const other = await open(written("aside", aside));
+    assert.equal(await text(other, IOU), "0");
+    assert.equal(await other.$eval(THRESHOLD_SLIDER, (slider) => (slider as HTMLInputElement).value), "1000");
+    assert.deepEqual(other.problems, []);
+    await other.close();
   });
 
   it("moves the contour and the print with the threshold", async () => {

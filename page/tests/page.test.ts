@@ -12,10 +12,10 @@ async function toSolid(page: Page): Promise<void> {
   await page.waitForSelector("#solid canvas, #solid .problem", { timeout: 60_000 });
 }
 
-/** How many different colors a picture of an element has, as a sign that something is drawn. */
-async function colors(page: Page, selector: string): Promise<number> {
+/** How many different colors a picture of an element has, from a row of pixels on, as a sign that something is drawn. */
+async function colors(page: Page, selector: string, { from = 0, rows = 0 } = {}): Promise<number> {
   const png = await (await page.$(selector))!.screenshot({ encoding: "base64" });
-  return page.evaluate(async (source) => {
+  return page.evaluate(async (source, from, rows) => {
     const image = new Image();
     image.src = `data:image/png;base64,${source}`;
     await image.decode();
@@ -23,8 +23,10 @@ async function colors(page: Page, selector: string): Promise<number> {
     [canvas.width, canvas.height] = [image.width, image.height];
     const context = canvas.getContext("2d")!;
     context.drawImage(image, 0, 0);
-    return new Set(new Uint32Array(context.getImageData(0, 0, canvas.width, canvas.height).data.buffer)).size;
-  }, png);
+    // Corners are rounded
+    const [x, width] = rows > 0 ? [40, canvas.width - 80] : [0, canvas.width];
+    return new Set(new Uint32Array(context.getImageData(x, from < 0 ? canvas.height + from : from, width, rows || canvas.height).data.buffer)).size;
+  }, png, from, rows);
 }
 
 after(close);
@@ -115,6 +117,20 @@ describe("the page", { skip }, () => {
     }
     await page.waitForFunction(() => location.hash.includes("cut=y"));
     assert.ok((await colors(page, "#solid canvas")) > 50);
+    assert.deepEqual(page.problems, []);
+    await page.close();
+  });
+
+  it("holds a target of a few voxels in view", async () => {
+    const tiny = fixture();
+    const [nz, ny, nx] = tiny.data.runs[0].volumes[0].shape_zyx;
+    tiny.blobs.set("blob-0-target0", Uint8Array.from({ length: nx * ny * nz }, (_, i) => ([[i % nx, nx], [Math.floor(i / nx) % ny, ny], [Math.floor(i / nx / ny), nz]].every(([at, n]) => at === n / 2 || at === n / 2 - 1) ? 255 : 0)));
+    const page = await open(written("tiny", tiny), { hash: "solid=target" });
+    await toSolid(page);
+    await page.waitForFunction(() => document.querySelector("#solid .color-legend")?.textContent === "target");
+    await page.waitForNetworkIdle();
+    assert.ok((await colors(page, "#solid canvas")) > 50);
+    for (const from of [4, -8]) assert.equal(await colors(page, "#solid canvas", { from, rows: 4 }), 1, `rows from ${from}`);
     assert.deepEqual(page.problems, []);
     await page.close();
   });
