@@ -1,11 +1,11 @@
-//! Level light: one path for all rows of a column.
+//! Collimated light through what is the same at all heights: one path for all rows of a column.
 //!
-//! Where nothing changes with height, the rays of all rows of a column run above each other. They make a [`ColumnRay`]: its way through
-//! the plane is walked once, and in each voxel of the plane the lanes along z take what the rows bring, by the
-//! [kernel of `parallel`](crate::parallel::kernel).
+//! Where nothing changes with height, the rays of all rows of a column run above each other, level or slanted. They make a
+//! [`ColumnRay`]: its way through the plane is walked once, and in each voxel of the plane the lanes along z take what the
+//! rows bring, by the [kernel of `parallel`](crate::parallel::kernel), or by that of [slanted rays](super::slanted).
 //!
 //! # Equation
-//! With the deposit d of the way in a voxel (x, y) of the plane, lane(z) = Σ x(row) over the rows in slice z:
+//! Of level rays, with the deposit d of the way in a voxel (x, y) of the plane, lane(z) = Σ x(row) over the rows in slice z:
 //!
 //! ```text
 //! forward   dose(x, y, z) += d(x, y) · lane(z)
@@ -14,32 +14,43 @@
 //! These are the entries of the single rays, so it is the same matrix but for the rounding of sums.
 //!
 //! # Cost
-//! A traced ray for each column and sample, and one multiply-add for each voxel. Ways that are [kept](Rays::cached) take 8 bytes a voxel of
-//! the plane.
+//! A traced ray for each column and sample, and one multiply-add for each voxel, about five times as much where rays are slanted. Ways that are
+//! [kept](Rays::cached) take 8 bytes a voxel of the plane, 16 where they are slanted.
 
+use super::slanted::{self, Slant};
 use super::{Rays, traversal};
 use crate::parallel::kernel::{Block, Entries, Isa, MAX_BLOCK, accumulate};
 use crate::{DoseLayout, Run};
 use std::ops::Range;
 use tomolith_core::error::Result;
 use tomolith_core::field::LANES;
-use tomolith_core::parallel::{InParallel, lines, table};
+use tomolith_core::parallel::{InParallel, table};
+use tomolith_optics::space::PathSegment;
 use traversal::Ways;
 
-/// The rays that one sample sends from all rows of a column.
+/// The rays that one sample sends from rows of a column.
 pub(super) struct ColumnRay {
-    /// Element of the lowest row that lies in the grid, and the slice of each row from there on.
+    /// Element of the lowest row, elements from one row to the next, and the lane of each row from there on.
     first: usize,
-    slices: Vec<u32>,
-    /// Voxels (x, y) on the way, as rows of the dose, and what a pixel of value 1 leaves in each.
-    places: Vec<u32>,
-    deposits: Vec<f32>,
+    stride: usize,
+    lanes: Vec<u32>,
+    form: Form,
     /// Voxels that one of its rays passes, as they are counted.
     passed: f64,
 }
 
-/// Bytes of a voxel of the plane on the way of a column ray.
-pub(super) const BYTES: usize = 8;
+/// Which way the rays of a column run.
+enum Form {
+    /// Lanes are slices of the grid. Voxels (x, y) on the way, as rows of the dose, and what a pixel of value 1 leaves in each.
+    Level {
+        places: Vec<u32>,
+        deposits: Vec<f32>,
+    },
+    Slanted(Slant),
+}
+
+/// Bytes of a voxel of the plane on the way of a column ray, level or slanted.
+pub(super) const BYTES: [usize; 2] = [8, 16];
 
 /// Column rays that are taken together: their lanes stay in the second-level cache.
 const CHUNK: usize = 256;
@@ -50,12 +61,37 @@ const TASKS: usize = 4;
 impl ColumnRay {
     /// Voxels that its rays pass.
     pub(super) fn updates(&self) -> f64 {
-        self.passed * self.slices.len() as f64
+        self.passed * self.lanes.len() as f64
     }
 
     /// The rows of this column ray, and the lane of each.
     fn rows(&self) -> impl Iterator<Item = (usize, usize)> {
-        (self.first..).zip(self.slices.iter().map(|&z| z as usize))
+        let pixels = (self.first..).step_by(self.stride);
+        pixels.zip(self.lanes.iter().map(|&lane| lane as usize))
+    }
+
+    /// The values of its rows by lanes, of which there are `row` where they are slices.
+    fn values(&self, x: &[f32], row: usize) -> Vec<f32> {
+        let mut values = vec![0.0; self.lanes_of(row)];
+        self.rows()
+            .for_each(|(pixel, lane)| values[lane] += x[pixel]);
+        values
+    }
+
+    fn lanes_of(&self, row: usize) -> usize {
+        match &self.form {
+            Form::Level { .. } => row,
+            Form::Slanted(slant) => slant.heights.len(),
+        }
+    }
+
+    /// Numbers that it consists of, in those of a way.
+    fn numbers(&self) -> usize {
+        self.lanes.len()
+            + match &self.form {
+                Form::Level { places, .. } => places.len(),
+                Form::Slanted(slant) => slant.numbers(),
+            }
     }
 }
 
@@ -70,9 +106,7 @@ impl ColumnRaysCache {
             for pairs in model.chunks(light, 0..layout.grid.frames()) {
                 run.check()?;
                 let column_rays = model.column_rays(light, pairs, |_| true);
-                let of_column_ray =
-                    |column_ray: &ColumnRay| column_ray.places.len() + column_ray.slices.len();
-                numbers += column_rays.iter().map(of_column_ray).sum::<usize>();
+                numbers += column_rays.iter().map(ColumnRay::numbers).sum::<usize>();
                 if numbers > most {
                     return Ok(None);
                 }
@@ -103,54 +137,94 @@ impl Rays {
         let (source, layout) = (&self.sources[light], &self.patterns[light]);
         let columns = layout.grid.columns;
         let area = layout.grid.pixel_mm2() / source.rays() as f64;
-        let step = layout.grid.pitch_mm[1] / self.lattice.pitch();
-        let (slices, row) = (self.lattice.counts[2] as f64, self.output.row);
+        let step = source.row_step_mm() / self.lattice.pitch();
         let of_pair = |pair: usize| {
             let (run, mut found) = (layout.runs[pair], Vec::new());
             let pixels = run.offset..run.offset + run.count as usize;
             if !pixels.clone().any(&wants) {
                 return found;
             }
-            source.for_each_path_segment(
-                pair / columns,
-                pair % columns,
-                run.bottom as usize,
-                |mut path_segment| {
-                    let lowest = self.lattice.to_first_slice(&mut path_segment.ray);
-                    let Some((axis, way)) = self.lattice.segment(&path_segment, area, 0) else {
-                        return;
-                    };
-                    let heights = (0..pixels.len()).map(|i| (lowest + step * i as f64).floor());
-                    let below = heights.clone().take_while(|&z| z < 0.0).count();
-                    let voxels = way.passed() as usize + 8;
-                    let mut column_ray = ColumnRay {
-                        first: pixels.start + below,
-                        slices: (heights.skip(below))
-                            .take_while(|&z| z < slices)
-                            .map(|z| z as u32)
-                            .collect(),
-                        places: Vec::with_capacity(voxels),
-                        deposits: Vec::with_capacity(voxels),
-                        passed: way.passed(),
-                    };
-                    let ways = Ways::new(&self.lattice, axis);
-                    traversal::for_each(self.gait, ways, &way, |voxel, deposit| {
-                        column_ray.places.push((voxel / row) as u32);
-                        column_ray.deposits.push(deposit);
-                    });
-                    found.push(column_ray);
-                },
-            );
+            let (frame, column, bottom) = (pair / columns, pair % columns, run.bottom as usize);
+            source.for_each_path_segment(frame, column, bottom, |path| {
+                if source.is_level() {
+                    found.extend(self.level(path, area, &pixels, step));
+                } else {
+                    found.extend(self.slanted(path, area, &pixels, step));
+                }
+            });
             found
         };
         let by_pair: Vec<Vec<ColumnRay>> = pairs.into_iter().par_map(of_pair);
         by_pair.into_iter().flatten().collect()
     }
+
+    /// The column ray of level light; `step`: slices from row to row.
+    fn level(
+        &self,
+        mut path: PathSegment,
+        area: f64,
+        pixels: &Range<usize>,
+        step: f64,
+    ) -> Option<ColumnRay> {
+        let slices = self.lattice.counts[2] as f64;
+        let lowest = self.lattice.to_first_slice(&mut path.ray);
+        let (axis, way) = self.lattice.segment(&path, area, 0)?;
+        let heights = (0..pixels.len()).map(|i| (lowest + step * i as f64).floor());
+        let below = heights.clone().take_while(|&z| z < 0.0).count();
+        let within = heights.skip(below).take_while(|&z| z < slices);
+        let voxels = way.passed() as usize + 8;
+        let (mut places, mut deposits) = (Vec::with_capacity(voxels), Vec::with_capacity(voxels));
+        traversal::for_each(
+            self.gait,
+            Ways::new(&self.lattice, axis),
+            &way,
+            |voxel, deposit| {
+                places.push((voxel / self.output.row) as u32);
+                deposits.push(deposit);
+            },
+        );
+        Some(ColumnRay {
+            first: pixels.start + below,
+            stride: 1,
+            lanes: within.map(|z| z as u32).collect(),
+            form: Form::Level { places, deposits },
+            passed: way.passed(),
+        })
+    }
+
+    /// The column rays of slanted light: one of all rows, or of every second, third… where slices are higher than rows, so that no two
+    /// begin in one slice.
+    fn slanted(
+        &self,
+        path: PathSegment,
+        area: f64,
+        pixels: &Range<usize>,
+        step: f64,
+    ) -> Vec<ColumnRay> {
+        let ways = slanted::ways(&self.lattice, &path, area);
+        let (lowest, passed) = (self.lattice.place(path.ray.from)[2], ways.len() as f64);
+        let (slices, pitch) = (self.lattice.counts[2], self.lattice.pitch());
+        let stride = (1.0 / step - 1e-9).ceil().max(1.0) as usize;
+        let of_class = |class: usize| {
+            let rows = (class..pixels.len()).step_by(stride);
+            let heights = rows.map(|row| lowest + step * row as f64);
+            let (slant, below, lanes) = Slant::new(&path, pitch, ways.clone(), heights, slices)?;
+            Some(ColumnRay {
+                first: pixels.start + class + below * stride,
+                stride,
+                lanes,
+                form: Form::Slanted(slant),
+                passed,
+            })
+        };
+        (0..stride.min(pixels.len())).filter_map(of_class).collect()
+    }
 }
 
-/// The vectors of lanes that some column rays light, in blocks that the kernel takes.
+/// The vectors of lanes that some level column rays light, in blocks that the kernel takes.
 fn blocks(column_rays: &[ColumnRay], layout: &DoseLayout) -> Vec<Block> {
-    let lit = || column_rays.iter().flat_map(|column_ray| &column_ray.slices);
+    let is_level = |column_ray: &&ColumnRay| matches!(column_ray.form, Form::Level { .. });
+    let lit = || (column_rays.iter().filter(is_level)).flat_map(|column_ray| &column_ray.lanes);
     let (low, high) = (lit().min(), lit().max());
     let (Some(&low), Some(&high)) = (low, high) else {
         return Vec::new();
@@ -168,32 +242,42 @@ fn blocks(column_rays: &[ColumnRay], layout: &DoseLayout) -> Vec<Block> {
 pub(super) fn add(column_rays: &[ColumnRay], layout: &DoseLayout, x: &[f32], dose: &mut [f32]) {
     let (isa, row) = (Isa::in_use(), layout.row);
     let blocks = blocks(column_rays, layout);
-    let mut lanes = vec![0.0; column_rays.len() * row];
-    lines(&mut lanes, row, |i, lane| {
-        let rows = column_rays[i].rows();
-        rows.for_each(|(pixel, z)| lane[z] += x[pixel]);
-    });
+    let values: Vec<Vec<f32>> = column_rays
+        .iter()
+        .par_map(|column_ray: &ColumnRay| column_ray.values(x, row));
     let is_lit = table(column_rays.len(), |i| {
         column_rays[i].rows().any(|(pixel, _)| x[pixel] != 0.0)
     });
-    let [_, ny, nx] = layout.grid.shape;
+    let [nz, ny, nx] = layout.grid.shape;
     let tasks = TASKS * rayon::current_num_threads();
     let rows = ny.div_ceil(tasks) * nx;
     dose.chunks_mut(rows * row)
         .enumerate()
         .par_each(|(task, dose)| {
             let own = (task * rows) as u32..((task + 1) * rows) as u32;
+            let at = |place: u32| (place - own.start) as usize * row;
             for (i, column_ray) in column_rays.iter().enumerate().filter(|&(i, _)| is_lit[i]) {
-                let entries = column_ray.places.iter().zip(&column_ray.deposits);
-                for (&place, deposit) in entries.filter(|(place, _)| own.contains(place)) {
-                    let voxels = &mut dose[(place - own.start) as usize * row..][..row];
-                    let entry = Entries {
-                        slots: &[i as u32],
-                        weights: std::slice::from_ref(deposit),
-                    };
-                    for &block in &blocks {
-                        let out = &mut voxels[block.first * LANES..][..block.count * LANES];
-                        accumulate(isa, out, &lanes, entry, block);
+                match &column_ray.form {
+                    Form::Level { places, deposits } => {
+                        let entries = places.iter().zip(deposits);
+                        for (&place, deposit) in entries.filter(|(place, _)| own.contains(place)) {
+                            let voxels = &mut dose[at(place)..][..row];
+                            let entry = Entries {
+                                slots: &[0],
+                                weights: std::slice::from_ref(deposit),
+                            };
+                            for &block in &blocks {
+                                let out = &mut voxels[block.first * LANES..][..block.count * LANES];
+                                accumulate(isa, out, &values[i], entry, block);
+                            }
+                        }
+                    }
+                    Form::Slanted(slant) => {
+                        let mut room = slant.room();
+                        for &way in slant.ways_in(&own) {
+                            let voxels = &mut dose[at(way.place)..][..nz];
+                            slant.add(isa, &values[i], way, &mut room, voxels);
+                        }
                     }
                 }
             }
@@ -202,19 +286,31 @@ pub(super) fn add(column_rays: &[ColumnRay], layout: &DoseLayout, x: &[f32], dos
 
 /// grad += what column rays collect of a cotangent
 pub(super) fn collect(column_rays: &[ColumnRay], layout: &DoseLayout, c: &[f32], grad: &mut [f32]) {
-    let isa = Isa::in_use();
+    let (isa, row) = (Isa::in_use(), layout.row);
+    let slices = layout.grid.shape[0];
     let blocks = blocks(column_rays, layout);
     let of_column_ray = |column_ray: &ColumnRay| {
-        let mut lane = vec![0.0; layout.row];
-        let entries = Entries {
-            slots: &column_ray.places,
-            weights: &column_ray.deposits,
-        };
-        for &block in &blocks {
-            let out = &mut lane[block.first * LANES..][..block.count * LANES];
-            accumulate(isa, out, c, entries, block);
+        let mut lanes = vec![0.0; column_ray.lanes_of(row)];
+        match &column_ray.form {
+            Form::Level { places, deposits } => {
+                let entries = Entries {
+                    slots: places,
+                    weights: deposits,
+                };
+                for &block in &blocks {
+                    let out = &mut lanes[block.first * LANES..][..block.count * LANES];
+                    accumulate(isa, out, c, entries, block);
+                }
+            }
+            Form::Slanted(slant) => {
+                let [mut room, ..] = slant.room();
+                for &way in &slant.ways {
+                    let voxels = &c[way.place as usize * row..][..slices];
+                    slant.collect(isa, voxels, way, &mut room, &mut lanes);
+                }
+            }
         }
-        lane
+        lanes
     };
     let lanes: Vec<Vec<f32>> = column_rays.iter().par_map(of_column_ray);
     for (column_ray, lane) in column_rays.iter().zip(lanes) {

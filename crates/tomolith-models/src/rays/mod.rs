@@ -29,7 +29,7 @@
 //! A point ray per sample: where voxels are smaller than the distance of rays, dose is grainy; the energy is right.
 //!
 //! # Cost
-//! About 1.7 voxels per ray and voxel plane; level light through what is the same at all heights: a ray per column (`column_rays.rs`). Where a round vial turns about its own axis, rays are traced
+//! About 1.7 voxels per ray and voxel plane; collimated light through what is the same at all heights: a ray per column (`column_rays.rs`). Where a round vial turns about its own axis, rays are traced
 //! once for all frames; elsewhere they are traced again in every call, so memory does not grow with their number. Where
 //! what all pixels leave is at most 2.1 GB, a model that is [`cached`](Rays::cached) stores it: `matrix_cache.rs`.
 //!
@@ -61,6 +61,7 @@ mod column_rays;
 pub mod matrix_cache;
 mod scatter_grid;
 mod segment;
+mod slanted;
 pub mod solid;
 mod source;
 mod traversal;
@@ -219,9 +220,14 @@ impl Optics {
         }
     }
 
-    /// Whether its light is normal to the axis, and nothing in it changes that.
+    /// Whether the light of all rows goes the same way, one above the other.
+    fn is_alike_along_z(&self) -> bool {
+        self.projector.is_collimated() && self.obstacles.is_empty()
+    }
+
+    /// Whether the axis of its light is normal to the vial's.
     fn is_level(&self) -> bool {
-        self.projector.is_collimated() && self.motion.tilt_rad == 0.0 && self.obstacles.is_empty()
+        self.motion.tilt_rad == 0.0
     }
 
     /// Why its light is not collimated, normal to the axis of a vial that turns about it; None when it is.
@@ -246,10 +252,21 @@ impl Optics {
     }
 }
 
-/// Whether light that nothing scatters stays in the slice that it comes in, and goes the same way in all slices.
-fn are_level(vial: &dyn Vial, lights: &[Light], optics: &[Optics]) -> bool {
+/// Whether light that nothing scatters goes the same way in all slices.
+fn are_alike_along_z(vial: &dyn Vial, lights: &[Light], optics: &[Optics]) -> bool {
     let is_flat = |light: &Light| light.map.as_ref().is_none_or(|map| map.is_flat());
-    vial.is_invariant() && optics.iter().all(Optics::is_level) && lights.iter().all(is_flat)
+    vial.is_invariant() && optics.iter().all(Optics::is_alike_along_z) && lights.iter().all(is_flat)
+}
+
+/// Whether the rays of all rows of a column are followed together: where light goes the same way in all slices, and is slanted only where a voxel
+/// takes little of it (`slanted.rs`).
+fn are_in_columns(vial: &dyn Vial, (lights, optics): (&[Light], &[Optics]), pitch_mm: f64) -> bool {
+    let takes_little = |(light, optics): (&Light, &Optics)| {
+        let most = light.map.as_ref().map_or(0.0, |map| map.most_per_mm());
+        let most = most.max(light.resin.attenuation_per_mm) * pitch_mm;
+        optics.is_level() || most <= slanted::MOST_ABSORBED
+    };
+    are_alike_along_z(vial, lights, optics) && lights.iter().zip(optics).all(takes_little)
 }
 
 /// How a pixel's light is followed.
@@ -288,7 +305,7 @@ pub struct Rays {
     gait: Gait,
     /// Whether light stays in the slice that it comes in, the same way in all slices.
     is_level: bool,
-    /// Whether such light is followed for all rows of a column at once.
+    /// Whether rays are followed for all rows of a column at once, where that gives the same.
     by_rows: bool,
     accumulation: Accumulation,
     /// Iterations after which other paths are drawn; 0: never.
@@ -403,8 +420,11 @@ impl Rays {
             lattice: Lattice::new(&output),
             scatter_grid,
             solid: None,
-            is_level: are_level(vial, lights, optics) && emission.scattered.is_none(),
-            by_rows: true,
+            is_level: are_alike_along_z(vial, lights, optics)
+                && optics.iter().all(Optics::is_level)
+                && emission.scattered.is_none(),
+            by_rows: are_in_columns(vial, (lights, optics), output.grid.pitch_mm)
+                && emission.scattered.is_none(),
             sources,
             patterns,
             output,
@@ -440,7 +460,7 @@ impl Rays {
     /// The stored column rays of all lights; None where none are.
     fn cached_column_rays(&self, run: &Run) -> Result<Option<&ColumnRaysCache>> {
         if self.caches && self.has_column_rays() && self.cached_column_rays.get().is_none() {
-            let most = matrix_cache::MOST * matrix_cache::BYTES / column_rays::BYTES;
+            let most = matrix_cache::MOST * matrix_cache::BYTES / column_rays::BYTES[0];
             let _ = self
                 .cached_column_rays
                 .set(ColumnRaysCache::of(self, most, run)?);
@@ -471,8 +491,7 @@ impl Rays {
 
     /// Whether rays are followed for all rows of a column at once.
     fn has_column_rays(&self) -> bool {
-        self.is_level
-            && self.by_rows
+        self.by_rows
             && self.solid.is_none()
             && self.accumulation == Accumulation::Integral
             && self.output.row.is_multiple_of(LANES)
@@ -484,11 +503,11 @@ impl Rays {
         params: &Params,
         (grid, has_cells): (&VolumeGrid, bool),
     ) -> CachedEntries {
-        let in_rows = are_level(vial, lights, optics)
+        let in_columns = are_in_columns(vial, (lights, optics), grid.pitch_mm)
             && !has_cells
             && params.accumulation == Accumulation::Integral
             && grid.shape[0] > 1;
-        if !in_rows {
+        if !in_columns {
             return CachedEntries::SINGLE;
         }
         let (mut columns, mut pixels, mut rays) = (0, 0, 0);
@@ -498,7 +517,8 @@ impl Rays {
             pixels += layout.len();
             rays = rays.max(params.rays_per_pixel * light.sub_angles.max(1));
         }
-        let per_update = columns as f64 / pixels.max(1) as f64 * column_rays::BYTES as f64
+        let per_update = columns as f64 / pixels.max(1) as f64
+            * column_rays::BYTES[usize::from(!optics.iter().all(Optics::is_level))] as f64
             / matrix_cache::BYTES as f64;
         CachedEntries {
             per_pixel: per_update * rays as f64,

@@ -58,6 +58,11 @@ impl Lattice {
         self.pitch
     }
 
+    /// A place in voxels from the low corner.
+    pub(super) fn place(&self, point: [f64; 3]) -> [f64; 3] {
+        std::array::from_fn(|i| (point[i] - self.low[i]) / self.pitch)
+    }
+
     /// Moves a ray to the middle of the lowest slice; the height where it was, in voxels from the low end.
     pub(super) fn to_first_slice(&self, ray: &mut Ray) -> f64 {
         let height = (ray.from[2] - self.low[2]) / self.pitch;

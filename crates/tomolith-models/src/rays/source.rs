@@ -101,6 +101,16 @@ impl Source {
         self.seed.is_some()
     }
 
+    /// Whether the axis is normal to the optical axis.
+    pub(super) fn is_level(&self) -> bool {
+        self.motion.tilt_rad == 0.0
+    }
+
+    /// What lies between the heights of two rows' rays above one place, mm: the rows stand across the optical axis, which may lean.
+    pub(super) fn row_step_mm(&self) -> f64 {
+        self.pixels.pitch_mm[1] / self.motion.tilt_rad.cos()
+    }
+
     /// Rays per pixel and frame.
     pub(super) fn rays(&self) -> usize {
         self.samples.len() * self.sub_angles

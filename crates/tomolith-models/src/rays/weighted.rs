@@ -137,7 +137,9 @@ mod tests {
             };
             let light = Light::new(pixels, Resin::absorbing(1.5, 0.1));
             let params = Params::default();
-            let rays = Rays::new(&vial, vec![light], &[optics], &params, grid.clone()).unwrap();
+            let rays = Rays::new(&vial, vec![light], &[optics], &params, grid.clone())
+                .unwrap()
+                .plain();
             let x = check::even_patterns(&rays, 1.0);
             let mut weights: Vec<Box<Weight>> = vec![Box::new(|_| 1.0)];
             for axis in 0..3 {

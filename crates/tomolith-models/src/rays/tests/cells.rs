@@ -58,7 +58,8 @@ fn energies_of_cells_equal_a_brute_force_walk_and_add_up_to_the_plain_dose() {
                 let largest = f64::from(expected.values.iter().copied().fold(0.0, f32::max));
                 for (a, b) in expected.values.iter().zip(&mean.values) {
                     let error = f64::from((a - b).abs()) / largest;
-                    assert!(error < 1e-6, "{name}, plain {is_plain}: {error:e}");
+                    // Tilted light without cells runs in columns
+                    assert!(error < 5e-6, "{name}, plain {is_plain}: {error:e}");
                 }
                 let cells = &field.as_slice()[layout.voxels()..];
                 for ((voxel, (_, s)), cell) in layout

@@ -547,7 +547,7 @@ fn rows_that_are_followed_together_leave_what_single_rays_leave() {
         center_mm: [0.03, -0.02, 0.413],
         ..VolumeGrid::centered([20, 17, 18], 0.1)
     };
-    let mut light = light(5, 18, 11, 0.16);
+    let mut light = light(5, 18, 11, 0.15);
     light.sub_angles = 2;
     light.pixels.frame_arc = 0.3;
     light.active = Some(
@@ -563,19 +563,35 @@ fn rows_that_are_followed_together_leave_what_single_rays_leave() {
         map: Some(Arc::new(map)),
         ..light.clone()
     };
-    let aside = optics().remove(2).1;
-    for vial in vials() {
+    let level = optics().remove(2).1;
+    // Half a row higher than a slice: two classes. Rays rise and fall, and the last runs rather along the axis than across
+    let tilted = |tilt_rad| Optics {
+        motion: Motion {
+            tilt_rad,
+            ..level.motion
+        },
+        ..level.clone()
+    };
+    let ways = [level.clone(), tilted(0.3), tilted(-0.2), tilted(1.2)];
+    for (vial, optics) in vials()
+        .iter()
+        .flat_map(|vial| ways.iter().map(move |way| (vial, way)))
+    {
+        let tilt_rad = optics.motion.tilt_rad;
         for (light, reflections) in [(&light, true), (&mapped, false)] {
             let params = Params {
                 rays_per_pixel: 3,
                 reflections,
                 ..Params::default()
             };
-            let build = || rays(vial.as_ref(), light.clone(), &aside, &params, grid.clone());
+            let build = || rays(vial.as_ref(), light.clone(), optics, &params, grid.clone());
             let (together, single) = (build(), build().plain());
             assert!(together.has_column_rays() && !single.has_column_rays());
             let found = check::model::model(&together, 3).unwrap();
-            assert!(found.adjoint_error < 1e-6, "{vial:?}: {found:?}");
+            assert!(
+                found.adjoint_error < 1e-6,
+                "{vial:?}, {tilt_rad}: {found:?}"
+            );
             let x = check::noisy_patterns(&single, 1);
             let mut c = DoseModel::new_dose(&single).unwrap();
             c.copy_from_host(&check::noise(2, c.len()));
@@ -586,10 +602,14 @@ fn rows_that_are_followed_together_leave_what_single_rays_leave() {
             let [(a, of_a), (b, of_b)] = &both;
             for (a, b) in [(a, b), (of_a, of_b)] {
                 let off = check::largest_difference(b, a);
-                assert!(off < 2e-6, "{vial:?}: {off}");
+                // The map takes up to a tenth of the light over a slanted way through a voxel: some 0.008 · 0.1², of two ways
+                let exact = if tilt_rad == 0.0 { 2e-6 } else { 1.5e-4 };
+                assert!(off < exact, "{vial:?}, {tilt_rad}: {off}");
             }
-            let [a, b] = [&together, &single].map(|m| LinearOperator::updates(m) as f64);
-            assert!((a / b - 1.0).abs() < 1e-4, "{vial:?}: {a} {b}");
+            if tilt_rad == 0.0 {
+                let [a, b] = [&together, &single].map(|m| LinearOperator::updates(m) as f64);
+                assert!((a / b - 1.0).abs() < 1e-4, "{vial:?}: {a} {b}");
+            }
         }
     }
 }
