@@ -13,7 +13,7 @@ use tomolith::job::export::{calibrate as of_job, draw};
 use tomolith::report::number::significant;
 use tomolith::units::concise;
 use tomolith::{Error, Result};
-use tomolith_planning::absorbance::{self, Attenuation, Coefficient, Medium};
+use tomolith_planning::absorbance::{self, Attenuation, Coefficient, MediumFit};
 use tomolith_planning::discs::{self, Discs};
 use tomolith_planning::gray::{CurveForm, GrayCurve, Polynomial};
 use tomolith_planning::measured::{Columns, csv, curve, read_pairs};
@@ -464,7 +464,7 @@ fn of_absorbance(given: &AbsorbanceArguments) -> Result<()> {
             "readings of the resin with particles, or no --albedo",
         ));
     }
-    let medium = Medium::new(&resin, turbid.as_ref(), given.albedo.unwrap_or(1.0));
+    let medium = MediumFit::new(&resin, turbid.as_ref(), given.albedo.unwrap_or(1.0));
     let medium = medium.map_err(|e| in_file(e, path))?;
     let mut liquids = vec![("resin", &resin)];
     liquids.extend(turbid.as_ref().map(|turbid| ("with particles", turbid)));

@@ -64,7 +64,7 @@ pub(crate) fn import(given: &ImportArguments) -> Result<()> {
     let [from, to] = [folder(&given.theirs)?, folder(&given.output)?];
     let path = |file: &str| placed(file, &from, &to);
     let bounds = |file: &str| bounds_of(&to.join(path(file)));
-    let files = job::Files {
+    let files = job::ImportFiles {
         path: &path,
         bounds: &bounds,
     };

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use tomolith::grid::{PatternGrid, Volume, VolumeGrid};
 use tomolith::io::frames::{FrameSet, write_picture};
 use tomolith::io::stl::write_stl;
-use tomolith::io::volume::{ENDINGS, Values, VolumeFormat, write_values};
+use tomolith::io::volume::{ENDINGS, Values, VolumeFileFormat, write_values};
 use tomolith::job::Document;
 use tomolith::job::resources::{memory_budget_mb, require};
 use tomolith::kind::Section;
@@ -303,7 +303,7 @@ pub(crate) enum Kind {
 
 impl Kind {
     pub(crate) fn of(path: &Path) -> Result<Self> {
-        if VolumeFormat::of(path).is_some() {
+        if VolumeFileFormat::of(path).is_some() {
             return Ok(Kind::Volume);
         }
         match path.extension() {

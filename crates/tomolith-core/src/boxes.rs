@@ -10,10 +10,10 @@
 //! [`of_small`](BoxTree::of_small) things; 0.2 µs to find the first triangle on a ray.
 //!
 //! ```
-//! use tomolith_core::boxes::{Bounds, BoxTree};
+//! use tomolith_core::boxes::{AlignedBox, BoxTree};
 //! use tomolith_core::run::Run;
 //! // A hundred beads on the x axis, 1 mm apart
-//! let boxes: Vec<Bounds> = (0..100).map(|i| Bounds::around([[f64::from(i), 0.0, 0.0]], 0.1)).collect();
+//! let boxes: Vec<AlignedBox> = (0..100).map(|i| AlignedBox::around([[f64::from(i), 0.0, 0.0]], 0.1)).collect();
 //! let tree = BoxTree::of(&boxes, &Run::new());
 //! let mut met = Vec::new();
 //! tree.along([42.0, -9.0, 0.0], [0.0, 1.0, 0.0], f64::INFINITY, |places| {
@@ -54,28 +54,28 @@ type Point = [f32; 3];
 
 /// A box: its lowest and its highest corner.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bounds {
+pub struct AlignedBox {
     low: Point,
     high: Point,
 }
 
-impl Bounds {
+impl AlignedBox {
     /// The box of nothing.
-    pub const EMPTY: Bounds = Bounds {
+    pub const EMPTY: AlignedBox = AlignedBox {
         low: [f32::INFINITY; 3],
         high: [f32::NEG_INFINITY; 3],
     };
 
     /// The box of some points.
     pub fn of(points: impl IntoIterator<Item = Point>) -> Self {
-        let mut bounds = Bounds::EMPTY;
+        let mut bounds = AlignedBox::EMPTY;
         points.into_iter().for_each(|point| bounds.add(point));
         bounds
     }
 
     /// The box of points, wider by `margin` on all sides and rounded outward.
     pub fn around(points: impl IntoIterator<Item = [f64; 3]>, margin: f64) -> Self {
-        let mut bounds = Bounds::EMPTY;
+        let mut bounds = AlignedBox::EMPTY;
         for point in points {
             bounds.low = std::array::from_fn(|i| bounds.low[i].min(below(point[i] - margin)));
             bounds.high = std::array::from_fn(|i| bounds.high[i].max(above(point[i] + margin)));
@@ -103,8 +103,8 @@ impl Bounds {
         std::array::from_fn(|i| self.low[i] + self.high[i])
     }
 
-    fn joined(self, other: Bounds) -> Bounds {
-        Bounds {
+    fn joined(self, other: AlignedBox) -> AlignedBox {
+        AlignedBox {
             low: std::array::from_fn(|i| self.low[i].min(other.low[i])),
             high: std::array::from_fn(|i| self.high[i].max(other.high[i])),
         }
@@ -134,8 +134,8 @@ struct Children {
 }
 
 impl Children {
-    fn new(boxes: &[Bounds; SPLIT]) -> Self {
-        let lanes = |of: &dyn Fn(&Bounds) -> f32| f32x4::new(boxes.each_ref().map(of));
+    fn new(boxes: &[AlignedBox; SPLIT]) -> Self {
+        let lanes = |of: &dyn Fn(&AlignedBox) -> f32| f32x4::new(boxes.each_ref().map(of));
         Children {
             low: [0, 1, 2].map(|axis| lanes(&|b| b.low[axis])),
             high: [0, 1, 2].map(|axis| lanes(&|b| b.high[axis])),
@@ -242,7 +242,7 @@ impl BoxTree {
     ///
     /// A tree that was not ready when the run was canceled answers wrong.
     #[must_use]
-    pub fn of(boxes: &[Bounds], run: &Run) -> Self {
+    pub fn of(boxes: &[AlignedBox], run: &Run) -> Self {
         let middle = |i: u32| boxes[i as usize].twice_the_middle();
         let leaf = |things: &[u32]| (joined(boxes, things.iter().copied()), ());
         let split = |keys: &mut [Key]| least_surface(keys, boxes);
@@ -257,7 +257,7 @@ impl BoxTree {
     pub fn of_small<L: Send>(
         count: usize,
         middle: impl Fn(u32) -> Point + Sync,
-        leaf: impl Fn(&[u32]) -> (Bounds, L) + Sync,
+        leaf: impl Fn(&[u32]) -> (AlignedBox, L) + Sync,
         run: &Run,
     ) -> (Self, Vec<L>) {
         Self::build(count, middle, &longest, leaf, run)
@@ -267,7 +267,7 @@ impl BoxTree {
         count: usize,
         middle: impl Fn(u32) -> Point + Sync,
         split: &Split<'_>,
-        leaf: impl Fn(&[u32]) -> (Bounds, L) + Sync,
+        leaf: impl Fn(&[u32]) -> (AlignedBox, L) + Sync,
         run: &Run,
     ) -> (Self, Vec<L>) {
         let mut keys: Vec<Key> = table(count, |i| (middle(i as u32), i as u32));
@@ -289,7 +289,7 @@ impl BoxTree {
             row.map(|i| leaf(&tree.order[tree.places(i)]))
                 .collect::<Vec<_>>()
         });
-        let (bounds, kept): (Vec<Bounds>, Vec<L>) = rows.into_iter().flatten().unzip();
+        let (bounds, kept): (Vec<AlignedBox>, Vec<L>) = rows.into_iter().flatten().unzip();
         tree.set_boxes(&bounds);
         (tree, kept)
     }
@@ -316,17 +316,19 @@ impl BoxTree {
     }
 
     /// Puts a box around what is below each node.
-    fn set_boxes(&mut self, leaves: &[Bounds]) {
-        let mut whole = vec![Bounds::EMPTY; self.nodes.len()];
+    fn set_boxes(&mut self, leaves: &[AlignedBox]) {
+        let mut whole = vec![AlignedBox::EMPTY; self.nodes.len()];
         for number in (0..self.nodes.len()).rev() {
             let node = &mut self.nodes[number];
             let boxes = node.links.map(|link| match link {
-                none if none.is_none() => Bounds::EMPTY,
+                none if none.is_none() => AlignedBox::EMPTY,
                 leaf if leaf.is_leaf() => leaves[leaf.number()],
                 child => whole[child.number()],
             });
             node.children = Children::new(&boxes);
-            whole[number] = boxes.into_iter().fold(Bounds::EMPTY, Bounds::joined);
+            whole[number] = boxes
+                .into_iter()
+                .fold(AlignedBox::EMPTY, AlignedBox::joined);
         }
     }
 
@@ -474,7 +476,7 @@ fn sort(keys: &mut [Key], cuts: &mut [Cut], level: usize, split: &Split<'_>, run
 
 /// Halves along the longest edge of the box of the middles.
 fn longest(keys: &mut [Key]) -> usize {
-    let extent = Bounds::of(keys.iter().map(|key| key.0)).extent();
+    let extent = AlignedBox::of(keys.iter().map(|key| key.0)).extent();
     let axis = (0..3).fold(0, |a, b| if extent[b] > extent[a] { b } else { a });
     let half = keys.len() / 2;
     keys.select_nth_unstable_by(half, |a, b| a.0[axis].total_cmp(&b.0[axis]));
@@ -482,8 +484,8 @@ fn longest(keys: &mut [Key]) -> usize {
 }
 
 /// Cuts where the surfaces of the two boxes, each times the number of things in it, have the least sum; halves what lies at one point.
-fn least_surface(keys: &mut [Key], boxes: &[Bounds]) -> usize {
-    let middles = Bounds::of(keys.iter().map(|key| key.0));
+fn least_surface(keys: &mut [Key], boxes: &[AlignedBox]) -> usize {
+    let middles = AlignedBox::of(keys.iter().map(|key| key.0));
     let extent = middles.extent();
     let bin = |key: &Key, axis: usize| {
         let share = (key.0[axis] - middles.low[axis]) / extent[axis];
@@ -491,17 +493,17 @@ fn least_surface(keys: &mut [Key], boxes: &[Bounds]) -> usize {
     };
     let mut best = (f32::INFINITY, 0, 0);
     for axis in (0..3).filter(|&axis| extent[axis] > 0.0) {
-        let mut bins = [(Bounds::EMPTY, 0usize); BINS];
+        let mut bins = [(AlignedBox::EMPTY, 0usize); BINS];
         for key in keys.iter() {
             let (bounds, count) = &mut bins[bin(key, axis)];
             *bounds = bounds.joined(boxes[key.1 as usize]);
             *count += 1;
         }
-        let both = |a: (Bounds, usize), b: (Bounds, usize)| (a.0.joined(b.0), a.1 + b.1);
-        let cost = |part: (Bounds, usize)| part.0.surface() * part.1 as f32;
+        let both = |a: (AlignedBox, usize), b: (AlignedBox, usize)| (a.0.joined(b.0), a.1 + b.1);
+        let cost = |part: (AlignedBox, usize)| part.0.surface() * part.1 as f32;
         for cut in 1..BINS {
             let [low, high] = [&bins[..cut], &bins[cut..]]
-                .map(|side| side.iter().copied().fold((Bounds::EMPTY, 0), both));
+                .map(|side| side.iter().copied().fold((AlignedBox::EMPTY, 0), both));
             if low.1 > 0 && high.1 > 0 && cost(low) + cost(high) < best.0 {
                 best = (cost(low) + cost(high), axis, cut);
             }
@@ -516,8 +518,8 @@ fn least_surface(keys: &mut [Key], boxes: &[Bounds]) -> usize {
 }
 
 /// The box of some of the things.
-fn joined(boxes: &[Bounds], things: impl Iterator<Item = u32>) -> Bounds {
-    things.fold(Bounds::EMPTY, |all, i| all.joined(boxes[i as usize]))
+fn joined(boxes: &[AlignedBox], things: impl Iterator<Item = u32>) -> AlignedBox {
+    things.fold(AlignedBox::EMPTY, |all, i| all.joined(boxes[i as usize]))
 }
 
 #[cfg(test)]
@@ -551,7 +553,7 @@ mod tests {
     }
 
     fn tree(boxes: &[[[f64; 3]; 2]]) -> BoxTree {
-        let bounds: Vec<Bounds> = boxes.iter().map(|&b| Bounds::around(b, 0.0)).collect();
+        let bounds: Vec<AlignedBox> = boxes.iter().map(|&b| AlignedBox::around(b, 0.0)).collect();
         BoxTree::of(&bounds, &Run::new())
     }
 
@@ -578,7 +580,7 @@ mod tests {
         let run = Run::new();
         run.cancel();
         let at = |i: u32| [i as f32, 0.0, 0.0];
-        let leaf = |things: &[u32]| (Bounds::of(things.iter().map(|&i| at(i))), things.len());
+        let leaf = |things: &[u32]| (AlignedBox::of(things.iter().map(|&i| at(i))), things.len());
         let (_, counts) = BoxTree::of_small(40_000, at, leaf, &run);
         assert_eq!(counts.iter().sum::<usize>(), 40_000);
         assert!(counts.into_iter().all(|count| (1..=LEAF).contains(&count)));
@@ -665,9 +667,9 @@ mod tests {
         let points: Vec<Point> = (0..500).map(|_| [0; 3].map(|_| random() as f32)).collect();
         let of = |i: &u32| points[*i as usize];
         let run = Run::new();
-        let leaf = |things: &[u32]| (Bounds::of(things.iter().map(of)), things.to_vec());
+        let leaf = |things: &[u32]| (AlignedBox::of(things.iter().map(of)), things.to_vec());
         let (small, kept) = BoxTree::of_small(points.len(), |i| of(&i), leaf, &run);
-        let bounds: Vec<Bounds> = points.iter().map(|&p| Bounds::of([p])).collect();
+        let bounds: Vec<AlignedBox> = points.iter().map(|&p| AlignedBox::of([p])).collect();
         let any = BoxTree::of(&bounds, &run);
         let squared = |a: Point, b: Point| (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f32>();
         for _ in 0..200 {

@@ -84,7 +84,7 @@ impl Values<'_> {
 
 /// A format of volumes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum VolumeFormat {
+pub enum VolumeFileFormat {
     /// NumPy.
     Npy,
     /// VTK image data.
@@ -97,17 +97,17 @@ pub enum VolumeFormat {
     OmeZarr,
 }
 
-impl VolumeFormat {
+impl VolumeFileFormat {
     /// The format of a name; None for endings that no format has.
     #[must_use]
     pub fn of(path: &Path) -> Option<Self> {
         let ending = path.extension()?.to_str()?.to_ascii_lowercase();
         match &ending[..] {
-            "npy" => Some(VolumeFormat::Npy),
-            "vti" => Some(VolumeFormat::Vti),
-            "nrrd" => Some(VolumeFormat::Nrrd),
-            "tif" | "tiff" => Some(VolumeFormat::Tiff),
-            "zarr" => Some(VolumeFormat::OmeZarr),
+            "npy" => Some(VolumeFileFormat::Npy),
+            "vti" => Some(VolumeFileFormat::Vti),
+            "nrrd" => Some(VolumeFileFormat::Nrrd),
+            "tif" | "tiff" => Some(VolumeFileFormat::Tiff),
+            "zarr" => Some(VolumeFileFormat::OmeZarr),
             _ => None,
         }
     }
@@ -126,17 +126,17 @@ pub fn write_values(
 ) -> Result<()> {
     values.must_fit(grid, name, path)?;
     let another = || Error::format(path, "another ending", ENDINGS);
-    match VolumeFormat::of(path).ok_or_else(another)? {
-        VolumeFormat::Npy => write_whole_under(path, (run, values.bytes()), |file| {
+    match VolumeFileFormat::of(path).ok_or_else(another)? {
+        VolumeFileFormat::Npy => write_whole_under(path, (run, values.bytes()), |file| {
             Ok(match values {
                 Values::F32(values) => write_array(file, &grid.shape, values),
                 Values::U8(values) => write_array(file, &grid.shape, values),
             }?)
         }),
-        VolumeFormat::Vti => vti::write_vti(path, grid, &[(name, values)], run),
-        VolumeFormat::Nrrd => nrrd::write(path, name, grid, values, run),
-        VolumeFormat::Tiff => tiff_pages::write(path, grid, values, run),
-        VolumeFormat::OmeZarr => ome_zarr::write(path, name, grid, values, run),
+        VolumeFileFormat::Vti => vti::write_vti(path, grid, &[(name, values)], run),
+        VolumeFileFormat::Nrrd => nrrd::write(path, name, grid, values, run),
+        VolumeFileFormat::Tiff => tiff_pages::write(path, grid, values, run),
+        VolumeFileFormat::OmeZarr => ome_zarr::write(path, name, grid, values, run),
     }
 }
 

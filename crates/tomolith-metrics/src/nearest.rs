@@ -13,7 +13,7 @@
 //! ```
 
 use super::isosurface::Isosurface;
-use tomolith_core::boxes::{Bounds, BoxTree, LEAF};
+use tomolith_core::boxes::{AlignedBox, BoxTree, LEAF};
 use tomolith_core::run::Run;
 use wide::f32x4;
 
@@ -60,7 +60,7 @@ impl TriangleTree {
         let corners = |i: u32| surface.triangles[i as usize].map(|c| surface.corners[c as usize]);
         let leaf = |items: &[u32]| {
             let mut triangles = [[[0.0; 3]; 3]; LEAF];
-            let mut bounds = Bounds::EMPTY;
+            let mut bounds = AlignedBox::EMPTY;
             for (triangle, &item) in triangles.iter_mut().zip(items) {
                 *triangle = corners(item);
                 triangle.iter().for_each(|&corner| bounds.add(corner));

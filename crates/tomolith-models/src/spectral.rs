@@ -32,10 +32,10 @@ use tomolith_core::field::{BLOCK, Field, HostField};
 use tomolith_core::parallel::InParallel;
 
 /// Models of single lights, and the matrix M.
-pub type SpectralMixing = Several<Mixing>;
+pub type SpectralMixing = Several<SpectralWeights>;
 
 /// M, a row per species.
-pub struct Mixing(Vec<Vec<f32>>);
+pub struct SpectralWeights(Vec<Vec<f32>>);
 
 impl SpectralMixing {
     /// The doses of `species` (name, row of M) by models of one light each.
@@ -93,7 +93,7 @@ impl SpectralMixing {
         let rows = species.iter();
         let matrix = rows.map(|(_, row)| row.iter().map(|&m| m as f32).collect());
         Ok(Several {
-            joint: Mixing(matrix.collect()),
+            joint: SpectralWeights(matrix.collect()),
             models: lights.into_iter().map(SharedModel::from).collect(),
             patterns,
             outputs,
@@ -119,7 +119,7 @@ fn add_scaled(sum: &mut [f32], m: f32, v: &[f32]) {
     blocks.par_each(|(sum, v)| sum.iter_mut().zip(v).for_each(|(s, &v)| *s += m * v));
 }
 
-impl Joint for Mixing {
+impl Joint for SpectralWeights {
     fn parts(all: &SpectralMixing, frames: &Range<usize>) -> Vec<(usize, Range<usize>)> {
         own_frames(&all.patterns, frames).collect()
     }
@@ -218,7 +218,7 @@ mod tests {
             .map(|i| {
                 let light = model.of_light(i).unwrap();
                 let mut q = light.new_dose().unwrap();
-                let own = Mixing::shown(&model, i, &x).unwrap();
+                let own = SpectralWeights::shown(&model, i, &x).unwrap();
                 light.dose(&own, &mut q, &run).unwrap();
                 q
             })

@@ -14,7 +14,7 @@ use super::projector::Ray;
 use super::trace;
 use super::vial::CrossSection;
 use std::sync::Arc;
-use tomolith_core::boxes::{Bounds, BoxTree};
+use tomolith_core::boxes::{AlignedBox, BoxTree};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::run::Run;
 use tomolith_core::vector::{cross, dot, minus, unit};
@@ -237,8 +237,8 @@ impl Net {
             return Err(Error::config(key, "no triangles", "a closed mesh"));
         }
         let corners = |i: usize| mesh.corners(i);
-        let boxes: Vec<Bounds> = (0..mesh.triangles.len())
-            .map(|i| Bounds::around(corners(i), TOUCH))
+        let boxes: Vec<AlignedBox> = (0..mesh.triangles.len())
+            .map(|i| AlignedBox::around(corners(i), TOUCH))
             .collect();
         let tree = BoxTree::of(&boxes, &Run::new());
         let order = tree.order().iter();

@@ -14,11 +14,11 @@
 //! empty cuvette. **Limits** scattered light that still reaches the detector makes μ₂ too small.
 //!
 //! ```
-//! use tomolith_planning::absorbance::{Attenuation, Medium};
+//! use tomolith_planning::absorbance::{Attenuation, MediumFit};
 //! let ten = std::f64::consts::LN_10;
 //! let clear = Attenuation::fit("resin", &[[10.0, 1.3 / ten]]).unwrap(); // 0.13 per mm
 //! let turbid = Attenuation::fit("with_particles", &[[5.0, 0.2 + 1.5 / ten], [10.0, 0.2 + 3.0 / ten]]).unwrap(); // 0.3 per mm
-//! let medium = Medium::new(&clear, Some(&turbid), 0.9).unwrap();
+//! let medium = MediumFit::new(&clear, Some(&turbid), 0.9).unwrap();
 //! assert!((medium.absorption.per_mm - (0.13 + 0.1 * 0.17)).abs() < 1e-12);
 //! assert!((medium.scattering.unwrap().per_mm - 0.9 * 0.17).abs() < 1e-12);
 //! assert!((turbid.cuvette.unwrap() - 0.2).abs() < 1e-9);
@@ -106,14 +106,14 @@ impl Attenuation {
 
 /// A resin as a job names it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Medium {
+pub struct MediumFit {
     /// μ_a.
     pub absorption: Coefficient,
     /// μ_s, of a resin with particles.
     pub scattering: Option<Coefficient>,
 }
 
-impl Medium {
+impl MediumFit {
     /// Eqs. 22 and 23: of a resin without and with particles of this albedo.
     ///
     /// # Errors
@@ -124,7 +124,7 @@ impl Medium {
         }
         let clear = resin.total;
         let Some(turbid) = with.map(|w| w.total) else {
-            return Ok(Medium {
+            return Ok(MediumFit {
                 absorption: clear,
                 scattering: None,
             });
@@ -150,7 +150,7 @@ impl Medium {
                 .sum::<Option<f64>>()
                 .map(f64::sqrt)
         };
-        Ok(Medium {
+        Ok(MediumFit {
             absorption: Coefficient {
                 per_mm: clear.per_mm + (1.0 - albedo) * particles,
                 error: error(albedo, 1.0 - albedo),
@@ -212,7 +212,7 @@ mod tests {
             readings: Vec::new(),
         };
         let (clear, turbid) = (with_error(0.1, Some(0.003)), with_error(0.3, Some(0.004)));
-        let of = |albedo| Medium::new(&clear, Some(&turbid), albedo).unwrap();
+        let of = |albedo| MediumFit::new(&clear, Some(&turbid), albedo).unwrap();
         let white = of(1.0);
         assert_eq!(white.absorption, clear.total); // particles that only scatter change nothing of it
         assert!((white.scattering.unwrap().error.unwrap() - 0.005).abs() < 1e-12);
@@ -220,7 +220,7 @@ mod tests {
         assert!((black.absorption.per_mm - 0.3).abs() < 1e-12);
         assert!((black.absorption.error.unwrap() - 0.004).abs() < 1e-12);
         assert_eq!(black.scattering.unwrap().per_mm, 0.0);
-        let unknown = Medium::new(&with_error(0.1, None), Some(&turbid), 1.0).unwrap();
+        let unknown = MediumFit::new(&with_error(0.1, None), Some(&turbid), 1.0).unwrap();
         assert_eq!(unknown.scattering.unwrap().error, None);
     }
 }

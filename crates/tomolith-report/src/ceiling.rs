@@ -8,7 +8,7 @@ use tomolith_metrics::Evaluation;
 use tomolith_optimize::Gap;
 
 /// IoU, VER, mean surface deviation (mm) and Γ (%) of a print.
-pub type Quality = [f64; 4];
+pub type CeilingQuality = [f64; 4];
 
 /// A ceiling that was tried.
 #[derive(Clone, Debug, PartialEq)]
@@ -16,7 +16,7 @@ pub struct CeilingPoint {
     /// Ceiling over the brightest pixel within the bound of the start.
     pub factor: f64,
     /// Of every print.
-    pub qualities: Vec<Quality>,
+    pub qualities: Vec<CeilingQuality>,
 }
 
 /// What another ceiling than the one found brought on the voxels that the optimization ended on.
@@ -25,9 +25,9 @@ pub struct FinestTrial {
     /// The other ceiling over the one found: 2, or 1/√2 where hardly any light lies above that.
     pub tried: f64,
     /// Prints below the ceiling that was found; without surfaces.
-    pub before: Vec<Quality>,
+    pub before: Vec<CeilingQuality>,
     /// Some iterations later, below the other.
-    pub after: Vec<Quality>,
+    pub after: Vec<CeilingQuality>,
     /// By how much the ceiling therefore changed; 1: not at all.
     pub changed_by: f64,
 }
@@ -180,8 +180,8 @@ impl FinestTrial {
 }
 
 /// By how much a number of the first print differs.
-fn change(i: usize, [from, to]: [&[Quality]; 2]) -> f64 {
-    let of = |prints: &[Quality]| prints.first().map_or(f64::NAN, |own| own[i]);
+fn change(i: usize, [from, to]: [&[CeilingQuality]; 2]) -> f64 {
+    let of = |prints: &[CeilingQuality]| prints.first().map_or(f64::NAN, |own| own[i]);
     of(to) - of(from)
 }
 
@@ -224,8 +224,8 @@ pub(super) fn ceiling_json(ceiling: &CeilingReport, rows: &[TradeOff]) -> Value 
             .filter(|v| v.is_finite())
             .map_or(Value::Null, Value::from)
     };
-    let quality = |[iou, ver, mean, gamma]: &Quality| json!({ "iou": number(*iou), "ver": number(*ver), "surface_mean_mm": number(*mean), "gamma": number(*gamma) });
-    let prints = |own: &[Quality]| own.iter().map(quality).collect::<Vec<_>>();
+    let quality = |[iou, ver, mean, gamma]: &CeilingQuality| json!({ "iou": number(*iou), "ver": number(*ver), "surface_mean_mm": number(*mean), "gamma": number(*gamma) });
+    let prints = |own: &[CeilingQuality]| own.iter().map(quality).collect::<Vec<_>>();
     let point = |point: &CeilingPoint| json!({ "factor": point.factor, "prints": prints(&point.qualities) });
     let finest = |trial: &FinestTrial| {
         let [before, after] = [&trial.before, &trial.after].map(|own| prints(own));

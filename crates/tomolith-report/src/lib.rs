@@ -20,7 +20,7 @@ pub mod species;
 pub mod time;
 
 pub use ceiling::{
-    CeilingPoint, CeilingReport, FinestTrial, Quality, TradeOff, gap_sentence, time_sentence,
+    CeilingPoint, CeilingQuality, CeilingReport, FinestTrial, TradeOff, gap_sentence, time_sentence,
 };
 /// What `report.json` says that it is.
 pub const SCHEMA: &str = "tomolith.report/1";

@@ -45,6 +45,6 @@ pub use axes::{MOST_RUNS, SweepPoint};
 pub use engine::{BestRun, Shard, SweepEvent, SweepOutcome, Watch, merge, run};
 pub use file::Sweep;
 pub use plan::{Planned, SweepPlan, duration};
-pub use reproduce::{Host, Published, Reproduction, StudyCost, StudyRow, Verdict, reproduce};
+pub use reproduce::{Host, PublishedValue, Reproduction, StudyCost, StudyRow, Verdict, reproduce};
 pub use study::Study;
 pub use table::TABLE_SCHEMA;

@@ -118,7 +118,7 @@ impl fmt::Display for Verdict {
 /// What a paper says; in JSON a number, words or null.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
-pub enum Published {
+pub enum PublishedValue {
     /// A number.
     Number(f64),
     /// Words.
@@ -127,12 +127,12 @@ pub enum Published {
     Nothing,
 }
 
-impl fmt::Display for Published {
+impl fmt::Display for PublishedValue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Published::Number(number) => f.write_str(&significant(*number, 4)),
-            Published::Words(words) => f.write_str(words),
-            Published::Nothing => f.write_str("–"),
+            PublishedValue::Number(number) => f.write_str(&significant(*number, 4)),
+            PublishedValue::Words(words) => f.write_str(words),
+            PublishedValue::Nothing => f.write_str("–"),
         }
     }
 }
@@ -143,7 +143,7 @@ pub struct StudyRow {
     /// What it is.
     pub quantity: String,
     /// What is published.
-    pub published: Published,
+    pub published: PublishedValue,
     /// Ours.
     pub ours: Option<f64>,
     /// Ours over the published number, where that is not 0.
@@ -656,11 +656,11 @@ pub(crate) fn is_at(plan: &SweepPlan, i: usize, at: &Map<String, Value>) -> bool
 fn compared(row: &RowSpec, ours: Result<f64, Verdict>, is_quick: bool) -> StudyRow {
     let ours_number = ours.as_ref().ok().copied();
     let pair = ours_number.zip(row.published);
-    let words = || row.says.clone().map(Published::Words);
-    let published = row.published.map(Published::Number).or_else(words);
+    let words = || row.says.clone().map(PublishedValue::Words);
+    let published = row.published.map(PublishedValue::Number).or_else(words);
     StudyRow {
         quantity: row.quantity.clone(),
-        published: published.unwrap_or(Published::Nothing),
+        published: published.unwrap_or(PublishedValue::Nothing),
         ours: ours_number,
         ratio: pair
             .filter(|(_, published)| *published != 0.0)
@@ -780,9 +780,9 @@ fn csv(rows: &[StudyRow]) -> String {
     for row in rows {
         let (verdict, because) = row.verdict.parts();
         let published = match &row.published {
-            Published::Number(number) => number.to_string(),
-            Published::Words(words) => field(words),
-            Published::Nothing => String::new(),
+            PublishedValue::Number(number) => number.to_string(),
+            PublishedValue::Words(words) => field(words),
+            PublishedValue::Nothing => String::new(),
         };
         let cells = [
             field(&row.quantity),

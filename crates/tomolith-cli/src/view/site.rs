@@ -8,7 +8,7 @@ use tokio::sync::broadcast;
 use tomolith::io::read_text;
 use tomolith::models::Run;
 use tomolith::report::compare::{ComparedRun, comparison, read_runs};
-use tomolith::report::page::{Page, PageKind, Served, Slices, bare_run, blob, page_data};
+use tomolith::report::page::{Page, PageKind, Served, VolumeSlices, bare_run, blob, page_data};
 use tomolith::{Error, Result};
 use tomolith_sweep::TABLE_SCHEMA;
 
@@ -39,7 +39,7 @@ struct Full {
     id: String,
     path: PathBuf,
     /// Once somebody has asked for it.
-    read: Mutex<Option<Arc<Slices>>>,
+    read: Mutex<Option<Arc<VolumeSlices>>>,
 }
 
 /// A sweep that is shown.
@@ -214,7 +214,7 @@ impl Site {
         let mut read = full.read.lock().unwrap_or_else(PoisonError::into_inner);
         let slices = match &*read {
             Some(slices) => Arc::clone(slices),
-            None => Arc::clone(read.insert(Arc::new(Slices::read(&full.path)?))),
+            None => Arc::clone(read.insert(Arc::new(VolumeSlices::read(&full.path)?))),
         };
         drop(read);
         Ok(slices.cut(axis, index))

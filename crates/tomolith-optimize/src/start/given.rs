@@ -65,12 +65,12 @@ pub const fn kind<F: Field>() -> Kind<BuildStart<F>> {
         summary: "patterns of a file: those of an earlier run, or of another program",
         example: "[start.patterns]\nfile = \"patterns.npz\"",
         schema: schema_of::<Params>,
-        build: |section| Ok(Box::new(Files::read(section)?)),
+        build: |section| Ok(Box::new(GivenFiles::read(section)?)),
     }
 }
 
 /// Patterns of files, as a job begins with them.
-pub struct Files<F: Field = HostField> {
+pub struct GivenFiles<F: Field = HostField> {
     /// Those that it begins with.
     pub first: OfFile,
     /// The start whose largest pixel bounds the pixels; None: these patterns.
@@ -83,13 +83,13 @@ pub struct Files<F: Field = HostField> {
     pub step: Option<[OfFile; 2]>,
 }
 
-impl<F: Field> fmt::Debug for Files<F> {
+impl<F: Field> fmt::Debug for GivenFiles<F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "Files({:?}, scaled: {})", self.first, self.scaled)
+        write!(f, "GivenFiles({:?}, scaled: {})", self.first, self.scaled)
     }
 }
 
-impl<F: Field> Files<F> {
+impl<F: Field> GivenFiles<F> {
     fn read(section: &Section) -> Result<Self> {
         let params: Params = section.parse()?;
         let bounds_as = |own| section.within("bounds_as", own).read(starts::<F>());
@@ -113,7 +113,7 @@ impl<F: Field> Files<F> {
             ));
         }
         let to = or.last().unwrap_or(&first).clone();
-        Ok(Files {
+        Ok(GivenFiles {
             first,
             bounds_as: params.bounds_as.map(bounds_as).transpose()?,
             scaled: params.scaled,
@@ -168,12 +168,12 @@ impl<F: Field> InitialPatterns<F> for OfFile {
     }
 }
 
-impl<F: Field> InitialPatterns<F> for Files<F> {
+impl<F: Field> InitialPatterns<F> for GivenFiles<F> {
     fn is_given(&self) -> bool {
         true
     }
 
-    fn files(&self) -> Option<&Files<F>> {
+    fn files(&self) -> Option<&GivenFiles<F>> {
         Some(self)
     }
 
@@ -346,7 +346,7 @@ mod tests {
     #[test]
     fn starts_to_choose_among_need_what_chooses_and_a_step_needs_two_files() {
         let read = |table: serde_json::Value| {
-            let found = Files::<HostField>::read(&Section::new("start.patterns", table));
+            let found = GivenFiles::<HostField>::read(&Section::new("start.patterns", table));
             found.map(|files| files.step.map(|step| step.map(|of| of.0)))
         };
         let refusal = |table| read(table).unwrap_err().to_string();

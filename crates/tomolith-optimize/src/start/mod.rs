@@ -9,7 +9,7 @@ pub mod level;
 pub mod lsqr;
 
 use super::Limits;
-pub use given::Files;
+pub use given::GivenFiles;
 use tomolith_core::dose::{DoseLayout, DoseModel, Quantity, Run};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Bounds, Field, HostField};
@@ -74,7 +74,7 @@ pub trait InitialPatterns<F: Field = HostField>: std::fmt::Debug + Send + Sync {
         !self.is_given()
     }
     /// The files that a job begins with, where it begins with files.
-    fn files(&self) -> Option<&Files<F>> {
+    fn files(&self) -> Option<&GivenFiles<F>> {
         None
     }
 }

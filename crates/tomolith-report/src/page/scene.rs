@@ -5,7 +5,7 @@ use serde::Serialize;
 
 /// A closed line in a horizontal cut, mm.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Outline {
+pub struct SceneOutline {
     /// What it is, for people.
     pub name: String,
     /// Its corners `[x, y]`, mm.
@@ -54,9 +54,9 @@ pub struct Scene {
     /// Lowest and highest of the target, mm.
     pub z_mm: [f64; 2],
     /// Walls from outside to inside.
-    pub walls: Vec<Outline>,
+    pub walls: Vec<SceneOutline>,
     /// Rays.
     pub lights: Vec<LightPaths>,
     /// Bodies in the light.
-    pub obstacles: Vec<Outline>,
+    pub obstacles: Vec<SceneOutline>,
 }

@@ -8,7 +8,7 @@ use tomolith_io::npy::read_volume;
 
 /// A volume from which slices are cut.
 #[derive(Clone, Debug)]
-pub struct Slices {
+pub struct VolumeSlices {
     shape: [usize; 3],
     values: Vec<f32>,
     low: f32,
@@ -18,7 +18,7 @@ pub struct Slices {
 /// Values that one thread looks through at a time.
 const BLOCK: usize = 1 << 20;
 
-impl Slices {
+impl VolumeSlices {
     /// Those of an array of numbers in a file.
     ///
     /// # Errors
@@ -40,7 +40,7 @@ impl Slices {
         let high = ends
             .iter()
             .fold(f32::NEG_INFINITY, |high, end| high.max(end[1]));
-        Slices {
+        VolumeSlices {
             shape,
             values,
             low,
@@ -88,7 +88,7 @@ mod tests {
 
     #[test]
     fn slices_across_each_axis_hold_their_voxels() {
-        let volume = Slices::of([2, 3, 4], (0..24u8).map(f32::from).collect());
+        let volume = VolumeSlices::of([2, 3, 4], (0..24u8).map(f32::from).collect());
         for (axis, index, expected) in [
             (0, 1, (12..24).collect::<Vec<u32>>()),
             (1, 2, vec![8, 9, 10, 11, 20, 21, 22, 23]),

@@ -11,7 +11,7 @@
 
 use super::edges::Edges;
 use super::shells::Groups;
-use tomolith_core::boxes::{Bounds, BoxTree};
+use tomolith_core::boxes::{AlignedBox, BoxTree};
 use tomolith_core::error::Result;
 use tomolith_core::parallel::InParallel;
 use tomolith_core::run::Run;
@@ -99,8 +99,8 @@ impl<'a> Search<'a> {
     fn new(mesh: &'a Mesh, edges: &'a Edges, run: &Run) -> Self {
         let [low, high] = mesh.bounds();
         let touch = TOUCH * dot(minus(high, low), minus(high, low)).sqrt();
-        let boxes: Vec<Bounds> = (0..mesh.triangles.len())
-            .map(|t| Bounds::around(mesh.corners(t), touch))
+        let boxes: Vec<AlignedBox> = (0..mesh.triangles.len())
+            .map(|t| AlignedBox::around(mesh.corners(t), touch))
             .collect();
         let planes = (0..mesh.triangles.len())
             .map(|t| plane(mesh.corners(t), touch))

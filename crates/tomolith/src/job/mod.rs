@@ -31,7 +31,7 @@ pub use dose::cache::RunCache;
 pub use evaluate::in_time::TimeSummary;
 pub use evaluate::prediction::Prediction;
 pub use folder::RunFolder;
-pub use import::{Files, Imported, import, sinogram};
+pub use import::{ImportFiles, Imported, import, sinogram};
 pub use optimize::task::Task;
 pub use output::folder::Leaves;
 pub use output::summary::{Plan, Quality, Summary};

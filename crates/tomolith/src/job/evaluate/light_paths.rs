@@ -5,7 +5,7 @@ use crate::optics::projector::Ray;
 use crate::optics::space::{SpaceTracer, TraceLimits};
 use crate::optics::surface::Surface;
 use crate::optics::vial::CrossSection;
-use crate::report::page::{FramePaths, LightPath, LightPaths, Outline, Scene};
+use crate::report::page::{FramePaths, LightPath, LightPaths, Scene, SceneOutline};
 
 /// Frames of a turn whose rays are drawn: where those of one frame are those of all, turned, and elsewhere; columns of a frame, and rows of its middle column.
 const FRAMES: [usize; 2] = [24, 120];
@@ -62,7 +62,7 @@ fn is_round(surface: &Surface) -> bool {
 }
 
 /// A surface in a horizontal cut; of a mesh nothing.
-fn outline(name: &str, surface: &Surface) -> Option<Outline> {
+fn outline(name: &str, surface: &Surface) -> Option<SceneOutline> {
     let (Surface::Prism(curve) | Surface::Can(curve, _)) = surface else {
         return None;
     };
@@ -77,7 +77,7 @@ fn outline(name: &str, surface: &Surface) -> Option<Outline> {
             vec![[half, half], [-half, half], [-half, -half], [half, -half]]
         }
     };
-    Some(Outline {
+    Some(SceneOutline {
         name: name.to_owned(),
         points,
     })

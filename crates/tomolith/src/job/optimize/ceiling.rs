@@ -37,7 +37,7 @@ use crate::optimize;
 use crate::optimize::start::InitialPatterns;
 use crate::optimize::start::given::Given;
 use crate::optimize::{Limits, Problem, Stop, StopReason};
-use crate::report::{CeilingPoint, CeilingReport, Quality};
+use crate::report::{CeilingPoint, CeilingQuality, CeilingReport};
 use crate::target::label;
 use std::time::Instant;
 
@@ -315,10 +315,10 @@ impl Search<'_> {
 pub(crate) fn are_good(
     job: &ResolvedJob,
     wider: usize,
-    (others, own): (&[Quality], &[Quality]),
+    (others, own): (&[CeilingQuality], &[CeilingQuality]),
 ) -> bool {
     let (wider, tolerance) = (wider as f64, &job.bounds().tolerance);
-    let within = |(other, own): (&Quality, &Quality)| {
+    let within = |(other, own): (&CeilingQuality, &CeilingQuality)| {
         // Where nothing is known of surfaces, that is not more
         let is_farther = own[2] > other[2] * (1.0 + tolerance.deviation);
         own[0] >= other[0] - wider * tolerance.iou
@@ -401,7 +401,7 @@ impl Stage<'_> {
         x: &HostField,
         has_surfaces: bool,
         cancel: &Run,
-    ) -> Result<Vec<Quality>> {
+    ) -> Result<Vec<CeilingQuality>> {
         let mut dose = self.model.new_dose()?;
         self.model.dose(x, &mut dose, cancel)?;
         let outputs = self.model.outputs().iter().enumerate();

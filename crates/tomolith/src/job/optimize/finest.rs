@@ -16,7 +16,7 @@ use crate::job::progress::Progress;
 use crate::job::resolve::ResolvedJob;
 use crate::models::Run;
 use crate::optimize::{Limits, Outcome, StopReason};
-use crate::report::{FinestTrial, Quality};
+use crate::report::{CeilingQuality, FinestTrial};
 use std::time::Instant;
 
 /// Iterations below the double. With four, prints of docs/fidelity.md below half of their ceiling gain more than is tolerated, and those below their ceiling
@@ -111,12 +111,16 @@ impl GoOn<'_, '_> {
         stage.run(asked, (x, bounds), None, sofar, self.progress, self.cancel)
     }
 
-    fn is_as_good(&self, own: &[Quality], other: &[Quality]) -> bool {
+    fn is_as_good(&self, own: &[CeilingQuality], other: &[CeilingQuality]) -> bool {
         are_good(self.job, 1, (other, own))
     }
 
     /// Lowers the ceiling, and takes that where it prints as well.
-    fn lower(&mut self, ended: Ended<'_>, before: Vec<Quality>) -> Result<(Outcome, FinestTrial)> {
+    fn lower(
+        &mut self,
+        ended: Ended<'_>,
+        before: Vec<CeilingQuality>,
+    ) -> Result<(Outcome, FinestTrial)> {
         let bounds = scaled(ended.bounds, ended.highest, LOWER);
         let mut x = ended.x.clone();
         let mut outcome = self.on(&mut x, &bounds, &ended.outcome)?;
@@ -138,7 +142,11 @@ impl GoOn<'_, '_> {
     }
 
     /// Doubles the ceiling, and raises it where that prints better.
-    fn raise(&mut self, ended: Ended<'_>, before: Vec<Quality>) -> Result<(Outcome, FinestTrial)> {
+    fn raise(
+        &mut self,
+        ended: Ended<'_>,
+        before: Vec<CeilingQuality>,
+    ) -> Result<(Outcome, FinestTrial)> {
         let lowest = ended.bounds.to_vec();
         let mut x = ended.x.clone();
         let limits = scaled(&lowest, ended.highest, 2.0);

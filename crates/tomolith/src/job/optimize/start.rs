@@ -11,7 +11,7 @@ use crate::models::{DoseModel, PatternLayout, Quantity, Run};
 use crate::objective::{Objective, Sum};
 use crate::optimize;
 use crate::optimize::Limits;
-use crate::optimize::start::given::{Files, Given, OfFile};
+use crate::optimize::start::given::{Given, GivenFiles, OfFile};
 use crate::optimize::start::{InitialPatterns, StartInput};
 use crate::response::Response;
 
@@ -240,7 +240,7 @@ impl Stage<'_> {
     fn brighten(
         &self,
         job: &ResolvedJob,
-        files: &Files,
+        files: &GivenFiles,
         x: &mut HostField,
         bounds: &[Limits],
         cancel: &Run,

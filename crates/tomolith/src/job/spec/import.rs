@@ -19,7 +19,7 @@
 //!   "projector": { "type": "collimated", "n_patterns": 200, "resx": 200, "resy": 20, "pixel_size": 0.05, "distance": 20,
 //!                  "motion": "circular" },
 //!   "sensor": { "type": "dda", "scalex": 5, "scaley": 5, "scalez": 1.25, "film": { "resx": 100, "resy": 100, "resz": 50 } } }"#;
-//! let job = tomolith::job::import(theirs, &tomolith::job::Files::unread()).unwrap();
+//! let job = tomolith::job::import(theirs, &tomolith::job::ImportFiles::unread()).unwrap();
 //! assert!(job.text.contains("radius_mm = 2.9"));
 //! assert!(job.text.contains("pitch_mm = 0.025")); // voxels of 0.05 × 0.05 × 0.025 mm become cubes
 //! ```
@@ -56,22 +56,22 @@ pub struct Imported {
 struct Ours<'a> {
     sections: Vec<(String, Value)>,
     notes: Vec<String>,
-    files: &'a Files<'a>,
+    files: &'a ImportFiles<'a>,
 }
 
 /// The files that a job names.
-pub struct Files<'a> {
+pub struct ImportFiles<'a> {
     /// The path that our job has for a file of theirs.
     pub path: &'a dyn Fn(&str) -> String,
     /// The box of a mesh of theirs, lowest and highest corner, where it can be read.
     pub bounds: &'a dyn Fn(&str) -> Option<[[f64; 3]; 2]>,
 }
 
-impl Files<'_> {
+impl ImportFiles<'_> {
     /// Files whose paths stay as they are, and which are not read.
     #[must_use]
-    pub fn unread() -> Files<'static> {
-        Files {
+    pub fn unread() -> ImportFiles<'static> {
+        ImportFiles {
             path: &|file| file.to_owned(),
             bounds: &|_| None,
         }
@@ -112,7 +112,7 @@ impl Ours<'_> {
 ///
 /// # Errors
 /// [`Error::Config`] for a value that cannot be mapped, [`Error::Unsupported`] for text that is no JSON.
-pub fn import(theirs: &str, files: &Files<'_>) -> Result<Imported> {
+pub fn import(theirs: &str, files: &ImportFiles<'_>) -> Result<Imported> {
     let value: Value = serde_json::from_str(theirs).map_err(|e| Error::Unsupported {
         what: "the job to import".to_owned(),
         reason: format!("it is no JSON ({e}), as jobs of Dr.TVAM are"),

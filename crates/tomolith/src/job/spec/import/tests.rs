@@ -1,7 +1,7 @@
 use crate::job::spec::import::*;
 
 fn import(theirs: &str) -> Result<Imported> {
-    crate::job::spec::import::import(theirs, &Files::unread())
+    crate::job::spec::import::import(theirs, &ImportFiles::unread())
 }
 
 const THEIRS: &str = r#"{
@@ -275,7 +275,7 @@ fn files_get_the_paths_that_are_asked_for() {
         "\"n_patterns\"",
         "\"patterns\": \"start.npz\", \"n_patterns\"",
     );
-    let files = Files {
+    let files = ImportFiles {
         path: &|file| format!("../{file}"),
         // 10 × 4 × 1 of the file's units
         bounds: &|_| Some([[0.0; 3], [10.0, 4.0, 1.0]]),
