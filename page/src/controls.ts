@@ -21,6 +21,17 @@ export function problem(text: string): HTMLElement {
   return h("p.problem", { role: "alert" }, text);
 }
 
+/** A place for what goes wrong later; hidden while nothing does. */
+export function trouble(): { element: HTMLElement; say: (text: string | null) => void } {
+  const element = problem("");
+  const say = (text: string | null) => {
+    element.textContent = text;
+    element.hidden = text === null;
+  };
+  say(null);
+  return { element, say };
+}
+
 export function messageOf(error: unknown): string {
   return error instanceof Error ? error.message : String(error);
 }

@@ -1,7 +1,7 @@
 // The section in which a print is looked at: three linked planes and the threshold.
 
 import { contour } from "./contour.ts";
-import { choice, later, legendOf, problem, toggle } from "./controls.ts";
+import { choice, later, legendOf, problem, toggle, trouble } from "./controls.ts";
 import { h } from "./dom.ts";
 import { bandOf, type Gel, gelOf } from "./gel.ts";
 import { bodyAt, type Layer, layersOf } from "./layers.ts";
@@ -69,6 +69,7 @@ class Look {
   private readonly planes: Planes;
   private readonly readout = h("p.readout");
   private readonly legend = h("div.color-legend");
+  private readonly trouble = trouble();
   /** What can be outlined, and whose outline the reader has hidden. */
   private readonly outlined: { part: boolean; print: boolean };
   private readonly hidden: Set<"part" | "print">;
@@ -86,7 +87,10 @@ class Look {
     this.gel = band === null ? gelOf(run, chosenSpecies(context), volumes.response, volumes.labels) : null;
     this.hidden = before?.hidden ?? new Set();
     this.outlined = { part: volumes.target !== null && band === null, print: this.gel !== null && volumes.response !== null };
-    this.slices = new Slices(run, store, signal, () => this.planes.redraw(true));
+    this.slices = new Slices(run, store, signal, (reason) => {
+      this.trouble.say(reason);
+      if (reason === null) this.planes.redraw(true);
+    });
     this.layers = layersOf(volumes, this.slices, this.gel && (() => this.threshold), band);
     this.planes = new Planes({ state, grid: this.slices.gridOf(grid), signal, hover: (point) => this.read(point ?? this.planes.at()) });
     if (before) [this.planes.zoom, this.planes.center] = [before.planes.zoom, before.planes.center];
@@ -108,6 +112,7 @@ class Look {
       h("p.quiet", {}, `Click to move the cut; drag the sliders, or choose a plane and press the arrow keys or turn the wheel. Double-click, + and − zoom, 0 shows all again.${reduced}`),
       controls,
       planes.element,
+      this.trouble.element,
       h("div.below-planes", {}, this.readout, this.legend),
       ...(gel ? [thresholdPanel(gel, context.state, signal)] : []),
     ];

@@ -1,8 +1,9 @@
 // Slices for drawing: at once from what the page holds; where a viewer has finer voxels than the page, the full slice follows.
 
+import { messageOf } from "./controls.ts";
 import type { Run } from "./data.ts";
 import type { Store } from "./store.ts";
-import { ACROSS, AXES, type Axis, Grid, type Slice, valuesOf, type Volume } from "./volume.ts";
+import { ACROSS, type Axis, Grid, type Slice, valuesOf, type Volume } from "./volume.ts";
 
 /** Full slices that are kept. */
 const KEPT = 60;
@@ -22,8 +23,8 @@ export class Slices {
     run: Run,
     private readonly store: Store,
     private readonly signal: AbortSignal,
-    /** Called when a better slice has come. */
-    private readonly better: () => void,
+    /** Called when a better slice has come, and with the reason when it has not. */
+    private readonly came: (reason: string | null) => void,
   ) {
     const given = (run.report?.optimization ?? run.report?.evaluation)?.grid;
     const [nz, ny, nx] = given?.shape_zyx ?? [0, 0, 0];
@@ -81,10 +82,10 @@ export class Slices {
       this.full.set(key, { axis, width, height, codes, values, pitch: [grid.pitch[right], grid.pitch[up]], corner });
       const oldest = this.full.keys().next();
       if (this.full.size > KEPT && !oldest.done) this.full.delete(oldest.value);
-      this.better();
+      this.came(null);
     };
     const failed = (error: unknown) => {
-      if (!this.signal.aborted) console.warn(`The full slice of ${volume.info.name} along ${AXES[axis]} did not come: ${String(error)}`);
+      if (!this.signal.aborted) this.came(`The slices with all voxels did not come, so fewer are shown: ${messageOf(error)}`);
     };
     this.asked.set(plane, { key, timer: window.setTimeout(() => void load().catch(failed), PAUSE) });
   }

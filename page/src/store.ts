@@ -43,7 +43,7 @@ export class Store {
   /** One slice with all voxels of the run, from the server. */
   async slice(info: VolumeInfo, axis: number, index: number, signal: AbortSignal): Promise<{ shape: [number, number]; low: number; high: number; codes: Uint8Array | Uint16Array }> {
     const answer = await fetch(`${this.served}run/${this.run}/slice/${info.id}?axis=${axis}&index=${index}`, { signal });
-    if (!answer.ok) throw new Error(`the viewer answered ${answer.status}`);
+    if (!answer.ok) throw new Error((await answer.text()) || `the viewer answered ${answer.status}`);
     const bytes = new Uint8Array(await answer.arrayBuffer());
     const end = bytes.indexOf(10);
     const head = JSON.parse(new TextDecoder().decode(bytes.subarray(0, end)));

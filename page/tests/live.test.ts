@@ -5,7 +5,7 @@ import { createServer, type Server, type ServerResponse } from "node:http";
 import type { AddressInfo } from "node:net";
 import { after, describe, it } from "node:test";
 import { deflateSync } from "node:zlib";
-import { close, open, pixels, settled, skip, text } from "./browser.ts";
+import { close, open, pixels, settled, skip, slide, text } from "./browser.ts";
 import { type Fixture, fixture, htmlOf, written } from "./fixture.ts";
 
 /** What `tomolith view` answers. */
@@ -13,6 +13,8 @@ class Viewer {
   readonly asked: string[] = [];
   /** What a request to cancel is answered with. */
   cancels = 202;
+  /** Why it has no slices any more. */
+  lost: string | null = null;
   private readonly server: Server;
   private readonly listeners = new Set<ServerResponse>();
 
@@ -29,7 +31,7 @@ class Viewer {
         response.write(`data: ${JSON.stringify({ type: "states", states: this.shown.data.runs.map(({ state }) => state) })}\n\n`);
         this.listeners.add(response);
       } else if (array) response.end(deflateSync(this.shown.blobs.get(`blob-${array[1]}-${array[2]}`)!));
-      else if (path.startsWith("run/0/slice/")) response.end(sliceOf(path));
+      else if (path.startsWith("run/0/slice/")) this.lost === null ? response.end(sliceOf(path)) : response.writeHead(410).end(this.lost);
       else response.writeHead(path.startsWith("cancel/") ? this.cancels : 404).end();
     });
   }
@@ -170,6 +172,14 @@ describe("a viewer", { skip }, () => {
     assert.notEqual(await pixels(page, "#look .plane canvas"), before);
     assert.ok(viewer.asked.some((path) => /^GET run\/0\/slice\/response2\?axis=0&index=16$/.test(path)), viewer.asked.join(" "));
     assert.equal(viewer.asked.filter((path) => path.includes("/slice/")).length, 3, "each slice is asked for once");
+    assert.equal(await page.$("#look .problem:not([hidden])"), null);
+    viewer.lost = "out/disc/dose.npy: the file is missing";
+    await slide(page, "#look .plane input[type=range]", 5);
+    await page.waitForSelector("#look .problem:not([hidden])");
+    assert.match(await text(page, "#look .problem:not([hidden])"), /^The slices with all voxels did not come, so fewer are shown: out\/disc\/dose.npy: the file is missing$/);
+    viewer.lost = null;
+    await slide(page, "#look .plane input[type=range]", 9);
+    await page.waitForFunction(() => document.querySelector("#look .problem:not([hidden])") === null);
     assert.deepEqual(page.problems, []);
     await page.close();
   });

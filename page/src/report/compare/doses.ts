@@ -2,7 +2,7 @@
 
 import { h } from "../../dom.ts";
 import { difference, scalar, sameShape } from "../../layers.ts";
-import { later, legendOf } from "../../controls.ts";
+import { later, legendOf, trouble } from "../../controls.ts";
 import { infoOf } from "../../volumes.ts";
 import { Planes, type Shown } from "../../planes.ts";
 import type { Context } from "../../section.ts";
@@ -30,7 +30,12 @@ export function doses(context: Context): HTMLElement | null {
 async function draw(context: Context): Promise<HTMLElement> {
   const { state, gone } = context;
   let all: Planes[] = [];
-  const { read, problems } = await load(context, () => all.forEach((planes) => planes.redraw(true)));
+  const unread = trouble();
+  const came = (reason: string | null) => {
+    if (reason === null) all.forEach((planes) => planes.redraw(true));
+    else unread.say(reason);
+  };
+  const { read, problems } = await load(context, came);
   const [first, ...others] = read;
   if (!first || others.length === 0) throw new Error(problems[0] ?? "Fewer than two runs hold a dose.");
   const ends = { low: Math.min(...read.map(({ volume }) => volume.info.low)), high: Math.max(...read.map(({ volume }) => volume.info.high)) };
@@ -70,19 +75,20 @@ async function draw(context: Context): Promise<HTMLElement> {
     ...paragraphs(["Written patterns, vial turning, on one scale. A click, a slider or an arrow key moves all planes."], "quiet"),
     ...unlike.map(({ name }) => h("p.note", {}, `No difference is drawn for ${name}: its voxels differ from those of ${first.name}.`)),
     choice("Plane", names, "x–y", (name) => show(PLANES[name])),
+    unread.element,
     place,
   );
 }
 
 /** The doses that can be read, and why others cannot. */
-async function load({ data, stores, gone }: Context, better: () => void): Promise<{ read: Dose[]; problems: string[] }> {
+async function load({ data, stores, gone }: Context, came: (reason: string | null) => void): Promise<{ read: Dose[]; problems: string[] }> {
   const problems: string[] = [];
   const one = async (i: number): Promise<Dose | null> => {
     const run = data.runs[i];
     const info = infoOf(run, "response", "");
     if (!info) return null;
     try {
-      return { name: run.name, volume: await stores[i].volume(info), slices: new Slices(run, stores[i], gone, better) };
+      return { name: run.name, volume: await stores[i].volume(info), slices: new Slices(run, stores[i], gone, (reason) => came(reason && `${run.name}: ${reason}`)) };
     } catch (error) {
       problems.push(`${run.name}: ${error instanceof Error ? error.message : String(error)}`);
       return null;
