@@ -198,8 +198,23 @@ fn left(segment: &Segment, a: f32) -> f32 {
     (-segment.rate * (a - segment.enter)).min(0.0).exp()
 }
 
-/// The plain twin: calls `visit(voxel, deposit)` for every piece in a slab.
-fn plain(ways: Ways, slab: usize, segment: &Segment, mut visit: impl FnMut(usize, f32)) {
+/// The plain twin: calls `visit(voxel, deposit)` for every piece in a slab. Compiled for AVX2, too, which rounds down in one instruction: the same
+/// bits.
+fn plain(ways: Ways, slab: usize, segment: &Segment, visit: impl FnMut(usize, f32)) {
+    #[cfg(target_arch = "x86_64")]
+    if std::arch::is_x86_feature_detected!("avx2") {
+        #[target_feature(enable = "avx2")]
+        fn avx2(ways: Ways, slab: usize, segment: &Segment, visit: impl FnMut(usize, f32)) {
+            walk(ways, slab, segment, visit);
+        }
+        // SAFETY: AVX2 was detected.
+        return unsafe { avx2(ways, slab, segment, visit) };
+    }
+    walk(ways, slab, segment, visit);
+}
+
+#[inline(always)]
+fn walk(ways: Ways, slab: usize, segment: &Segment, mut visit: impl FnMut(usize, f32)) {
     let end = ((slab + 1) * SLAB).min(ways.counts[0] as usize);
     for cell in slab * SLAB..end {
         let (begin, end) = (
