@@ -4,6 +4,8 @@
 //! through whatever optics the model has (Nicolet et al. 2024 call the straight case a Radon filter); it says how much, too. With
 //! `min_contribution` pixels that bring less than this share of what the best pixel of their light brings stay dark.
 //!
+//! *Background.* Where a light has a smallest value above 0, pixels that miss the part have it, too: they are unknowns.
+//!
 //! *May be lit.* [`PixelMask`](tomolith_core::grid::PixelMask)s say so: a part of the projector, an image, corners of a vial, dead pixels of a machine.
 //!
 //! **Fields.** The unknowns of a (frame, column) are one run of rows, from the lowest to the highest that is chosen. Pixels between
@@ -64,7 +66,8 @@ pub fn chosen(
             let (bottom, first) = (run.bottom as usize, run.offset);
             (0..run.count as usize).map(move |i| {
                 let at = [slot / columns, rows - 1 - bottom - i, slot % columns];
-                brought(first + i) > 0.0 && selection.allows(at)
+                let is_lit = brought(first + i) > 0.0 || selection.has_background;
+                is_lit && selection.allows(at)
             })
         };
         let frames = layout

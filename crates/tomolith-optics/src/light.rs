@@ -125,6 +125,8 @@ pub struct Selection {
     pub masks: Vec<Arc<PixelMask>>,
     /// Share of the best pixel's light that a pixel must bring to the part, 0 to below 1.
     pub min_contribution: f64,
+    /// Whether the projector's background also lights pixels whose light misses the part.
+    pub has_background: bool,
 }
 
 impl Selection {

@@ -669,6 +669,31 @@ fn pixels_that_may_not_be_lit_or_cannot_be_or_bring_little_stay_dark() {
     assert!(few > 0 && few + 48 < all, "{few} {all}");
 }
 
+#[test]
+fn a_background_lights_pixels_that_miss_the_part_and_none_that_may_not_be_lit() {
+    let bench = Bench::new();
+    let background = 0.01;
+    let light = "pixels = [32, 16]\nselection.columns = [1, 31]";
+    let dark = wanted(&bench, "dark", light, "");
+    let tables = format!("[bounds]\nmin = {background}\n");
+    let lit = wanted(&bench, "lit", light, &tables);
+    let mut missing = 0;
+    for (i, (&dark, &lit)) in dark.iter().zip(&lit).enumerate() {
+        let (row, column) = (i / 32 % 16, i % 32);
+        if column == 0 {
+            assert_eq!([dark, lit], [0.0; 2], "{i}");
+            continue;
+        }
+        assert!(lit >= background, "{i}: {lit}");
+        // A corner of the image is far from the part, which more light there cannot help
+        if [row, column] == [0, 1] {
+            assert_eq!([dark, lit], [0.0, background], "{i}");
+            missing += 1;
+        }
+    }
+    assert_eq!(missing, 24);
+}
+
 /// Where nothing can be written, every command that prints ends with 2 and one line.
 #[test]
 #[cfg(target_os = "linux")]

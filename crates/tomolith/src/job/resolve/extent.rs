@@ -60,7 +60,7 @@ pub(crate) struct Extent {
     pub(crate) refine: usize,
     /// Frames of all lights.
     pub(crate) frames: usize,
-    /// Pixels whose light can meet the target, of all lights.
+    /// Pixels whose light can meet the target or is a background, of all lights.
     pub(crate) active_pixels: usize,
     /// All pixels of all lights.
     pub(crate) pixels: usize,
@@ -116,7 +116,11 @@ impl Extent {
             let (sin, cos) = optics.tilt_rad().abs().sin_cos();
             let seen = (high[2] - low[2]) * cos + 2.0 * radius * sin;
             let rows = (seen / along).ceil() as usize + 1;
-            light.pixels.frames() * lit(0, across).min(columns) * lit(1, along).min(rows)
+            let most = match light.selection.has_background {
+                true => [usize::MAX; 2],
+                false => [columns, rows],
+            };
+            light.pixels.frames() * lit(0, across).min(most[0]) * lit(1, along).min(most[1])
         };
         Extent {
             grid: grid.clone(),

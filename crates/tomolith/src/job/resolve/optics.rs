@@ -132,6 +132,7 @@ impl Optics {
             let pixels = &light.pixels;
             light.selection =
                 selection_of(&own.selection, place, pixels, vial.as_ref(), &paths[i])?;
+            light.selection.has_background = own.bounds.min.unwrap_or(spec.bounds.min) > 0.0;
             light.point_spread = point_spread::of_light((i, own), &light.pixels, base)?;
         }
         let mut optics = Optics {

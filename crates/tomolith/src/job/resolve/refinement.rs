@@ -190,7 +190,8 @@ fn is_dark_beyond(asked: Asked<'_>, lights: &[Light]) -> bool {
     let seeks = species.iter().any(|own| own.goal.seeks_window());
     let has_one_part = spec.species.len() <= 1 && spec.scenario.is_empty();
     let stays = spec.material.is_none();
-    let starts_dark = method.start.files().is_none() && spec.bounds.min == 0.0;
+    let is_lit = lights.iter().any(|light| light.selection.has_background);
+    let starts_dark = method.start.files().is_none() && !is_lit;
     has_one_part && stays && starts_dark && !spreads && !seeks
 }
 
@@ -535,7 +536,12 @@ mod tests {
         let (slices, [low, high]) = shape(&["light[0].offset_mm=[0,0.05]"]);
         assert_eq!(slices, 10);
         assert!((low + 0.5).abs() < 1e-9 && (high - 0.5).abs() < 1e-9);
-        for asked in ["grid.refine=4", "bounds.min=0.1", "bounds.max=2"] {
+        for asked in [
+            "grid.refine=4",
+            "bounds.min=0.1",
+            "light[0].bounds.min=0.1",
+            "bounds.max=2",
+        ] {
             let is_whole = asked != "bounds.max=2";
             assert_eq!(shape(&[asked]).0, if is_whole { 10 } else { 8 }, "{asked}");
         }

@@ -37,6 +37,7 @@ pub(crate) fn selection_of(
     let selection = Selection {
         masks: masks.into_iter().map(Arc::new).collect(),
         min_contribution: spec.min_contribution,
+        has_background: false,
     };
     let [low, high] = selection.field_mm(pixels);
     if low[0] >= high[0] || low[1] >= high[1] {

@@ -92,7 +92,7 @@ impl Default for MultiresolutionSpec {
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct BoundsSpec {
-    /// Smallest value, ≥ 0.
+    /// Smallest value, ≥ 0: the projector's background, which also lights pixels that miss the part.
     pub min: f64,
     /// Largest value; when left out, what `ceiling` says, and never more than the largest pixel of the start (no limit for a dark start).
     #[serde(skip_serializing_if = "Option::is_none")]
