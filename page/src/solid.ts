@@ -180,9 +180,10 @@ class Solid {
     const colors = off_um && Uint32Array.from(off_um, (off) => deviation(Math.round(COLORS * (0.5 + off / (2 * reach))) / COLORS));
     stage.mesh("print", mesh, colors ? { colors } : { color: token("--solid") });
     const scale: Legend = { scale: { low: -reach, high: reach, logarithmic: false, map: deviation }, label: "deviation from the target, µm: blue is too small, red too large", mark: null };
-    this.legend.replaceChildren(legendOf(off_um ? scale : { keys: [["var(--solid)", "print"]] }));
+    const isEmpty = mesh.triangles.length === 0;
+    this.legend.replaceChildren(...(isEmpty ? [] : [legendOf(off_um ? scale : { keys: [["var(--solid)", "print"]] })]));
     const made = official ? "The surface at the report’s threshold." : `The surface at a threshold of ${significant(level, 3)}, from the page’s voxels.`;
-    note.textContent = mesh.triangles.length === 0 ? "At this threshold nothing is solid." : made;
+    note.textContent = isEmpty ? "At this threshold nothing is solid." : made;
   }
 
   private async ofCommand(info: SurfaceInfo): Promise<{ mesh: Mesh; off_um: Float32Array | null }> {
