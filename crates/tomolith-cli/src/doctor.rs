@@ -82,12 +82,7 @@ fn line(name: &str, text: &str) {
 fn machine() -> Result<Vec<(&'static str, String)>> {
     let isa = Isa::asked()?;
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    let gb = |mb: Option<u64>| {
-        mb.map_or_else(
-            || "not known".to_owned(),
-            |mb| format!("{:.1} GB", mb as f64 / 1e3),
-        )
-    };
+    let gb = |mb: u64| format!("{:.1} GB", mb as f64 / 1e3);
     let budget = resources::memory_budget_mb(None);
     Ok(vec![
         (
@@ -105,11 +100,16 @@ fn machine() -> Result<Vec<(&'static str, String)>> {
         ),
         (
             "memory",
-            format!(
-                "{} free, of which a run plans with {}",
-                gb(resources::free_memory_mb()),
-                gb(budget)
-            ),
+            match (resources::free_memory_mb(), budget) {
+                (Some(free), Some(planned)) => {
+                    format!(
+                        "{} free, of which a run plans with {}",
+                        gb(free),
+                        gb(planned)
+                    )
+                }
+                _ => "not known here: `resources.memory_gb` bounds what a run takes".to_owned(),
+            },
         ),
         (
             "disk here",

@@ -434,8 +434,10 @@ fn read_changed(file: &Path, changes: &JobChanges, output: Option<&Path>) -> Res
     let set: Vec<String> = changes.set.iter().cloned().chain(device).collect();
     let mut job = match file.as_os_str() == "-" {
         true => Job::changed(Document::from_stdin()?, &set)?,
-        false if RunFolder::holds_a_run(file) => return Err(of_folder(file)),
-        false => Job::read(file, &set)?,
+        false => {
+            refuse_results(file)?;
+            Job::read(file, &set)?
+        }
     };
     if changes.toy {
         job = job.toy();
@@ -446,17 +448,32 @@ fn read_changed(file: &Path, changes: &JobChanges, output: Option<&Path>) -> Res
     })
 }
 
-/// What to do with a run folder that is given for a job.
-fn of_folder(folder: &Path) -> Error {
+/// Says what to do with a folder of results that is given for a job.
+fn refuse_results(folder: &Path) -> Result<()> {
     let shown = folder.display();
-    Error::config(
+    let (what, next) = if RunFolder::holds_a_run(folder) {
+        (
+            "run",
+            format!(
+                "`tomolith run {shown}/job.toml -o {shown} --resume` goes on with this run, `tomolith view {shown}` shows it, \
+                 `tomolith expose {shown}` plans its exposure, `tomolith compare {shown} OTHER` sets it next to another"
+            ),
+        )
+    } else if folder.join("sweep.json").is_file() {
+        (
+            "sweep",
+            format!(
+                "`tomolith view {shown}` shows its maps and runs, `tomolith sweep` with its sweep file goes on with it"
+            ),
+        )
+    } else {
+        return Ok(());
+    };
+    Err(Error::config(
         "JOB",
-        format!("`{shown}` is the folder of a run"),
-        format!(
-            "a job file: `tomolith run {shown}/job.toml -o {shown} --resume` goes on with this run, `tomolith expose {shown}` plans its exposure, \
-             `tomolith compare {shown} OTHER` puts it beside another, {shown}/report.html shows it"
-        ),
-    )
+        format!("`{shown}` is the folder of a {what}"),
+        format!("a job file; {next}"),
+    ))
 }
 
 fn prepare(manner: Manner) -> Result<()> {

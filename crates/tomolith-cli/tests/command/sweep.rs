@@ -82,6 +82,17 @@ fn the_commands_of_the_list_make_the_runs_that_merging_collects() {
         bench.path("share/best/report.json").is_file()
             && !bench.path("share/best/dose.npy").exists()
     );
+    // Folders of results that are given for a job
+    for (folder, what) in [("share", "sweep"), ("share/best", "run")] {
+        let refused = bench.ended(2, &format!("run {folder}"));
+        let message = String::from_utf8(refused.stderr).unwrap();
+        for part in [
+            format!("`{folder}` is the folder of a {what}"),
+            format!("`tomolith view {folder}`"),
+        ] {
+            assert!(message.contains(&part), "{part} is not in: {message}");
+        }
+    }
 }
 
 #[test]
