@@ -115,7 +115,8 @@ fn machine() -> Result<Vec<(&'static str, String)>> {
             "disk here",
             format!(
                 "{} free",
-                gb(resources::available_disk_mb(std::path::Path::new(".")))
+                resources::available_disk_mb(std::path::Path::new("."))
+                    .map_or_else(|| "not known".into(), gb)
             ),
         ),
         ("cards", cards()),
