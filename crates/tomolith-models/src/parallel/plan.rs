@@ -8,7 +8,7 @@ use super::kernel::{Block, Isa, accumulate};
 use super::mapped::Mapped;
 use super::radon::{self, Kernel};
 use super::strips::{self, Beam};
-use super::tiles::{self, Deposit, Local, Meeting, Slots, TILE, Tile, TileEdges, TileEntries};
+use super::tiles::{self, Deposit, Local, Meeting, Slots, Spans, TILE, Tile, TileEntries};
 use super::turned::Turned;
 use super::uniform_strips::UniformStrips;
 use super::views::Views;
@@ -143,18 +143,15 @@ impl LightPlan {
             let strips = || UniformStrips::new(beam, &pixels, grid, &deposit);
             may_be_uniform.then(strips).flatten()
         });
-        let bounds: Vec<Vec<TileEdges>> = beams.iter().par_map(TileEdges::of_beam);
-        let meeting = |tile,
-                       ((beam, uniform), bounds): (
-            (&Beam, &Option<UniformStrips>),
-            &Vec<TileEdges>,
-        )| {
-            let meeting = tiles::meeting(beam, bounds, uniform.as_ref(), &walls, tile);
-            Meeting {
-                chain: meeting.chain && is_even,
-                ..meeting
-            }
-        };
+        let bounds: Vec<Vec<Spans>> = beams.iter().par_map(Spans::of_beam);
+        let meeting =
+            |tile, ((beam, uniform), bounds): ((&Beam, &Option<UniformStrips>), &Vec<Spans>)| {
+                let meeting = tiles::meeting(beam, bounds, uniform.as_ref(), &walls, tile);
+                Meeting {
+                    chain: meeting.chain && is_even,
+                    ..meeting
+                }
+            };
         let steps = run.steps(tiles.len());
         let of_tile = |tile| -> Vec<Meeting> {
             steps.add(1);

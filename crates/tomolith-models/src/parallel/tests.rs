@@ -1,7 +1,7 @@
 //! What the parallel model must get right.
 
 use super::strips::{Beam, Columns, Major, Strip};
-use super::tiles::{TileEdges, meeting};
+use super::tiles::{Spans, meeting};
 use super::views::Views;
 use super::walls::Walls;
 use super::*;
@@ -717,9 +717,9 @@ fn strips_asked_together_meet_the_tiles_that_each_meets_alone() {
             columns: Columns::default(),
         };
         // Edges without limits leave every strip to be asked alone
-        let open = vec![TileEdges::OPEN; TileEdges::of_beam(&beam).len()];
+        let open = vec![Spans::OPEN; Spans::of_beam(&beam).len()];
         for tile in &tiles {
-            let found = meeting(&beam, &TileEdges::of_beam(&beam), None, &walls, tile);
+            let found = meeting(&beam, &Spans::of_beam(&beam), None, &walls, tile);
             assert_eq!(found, meeting(&beam, &open, None, &walls, tile));
             met += usize::from(found.end > found.first);
         }

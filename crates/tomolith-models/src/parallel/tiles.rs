@@ -197,7 +197,7 @@ impl Local {
 
     /// Whether any strip within bounds may light the tile (never wrong when it says no): rounding keeps the order of sums
     /// and, as rows are not negative, of products.
-    fn may_meet_any(&self, bounds: &TileEdges) -> bool {
+    fn may_meet_any(&self, bounds: &Spans) -> bool {
         let rows = [self.origin[0], self.origin[0] + self.rows as f32];
         if bounds.span[1] <= rows[0] || bounds.span[0] >= rows[1] {
             return false;
@@ -239,28 +239,28 @@ const TOGETHER: usize = 16;
 
 /// Between which numbers all edges and spans of some neighboring strips lie: `[least, largest]`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct TileEdges {
+pub(super) struct Spans {
     offset: [f32; 2],
     slope: [f32; 2],
     span: [f32; 2],
 }
 
-impl TileEdges {
+impl Spans {
     /// No bounds.
     #[cfg(test)]
-    pub(super) const OPEN: TileEdges = TileEdges {
+    pub(super) const OPEN: Spans = Spans {
         offset: [f32::NEG_INFINITY, f32::INFINITY],
         slope: [0.0; 2],
         span: [f32::NEG_INFINITY, f32::INFINITY],
     };
 
     /// Of a beam's strips, a few at a time.
-    pub(super) fn of_beam(beam: &Beam) -> Vec<TileEdges> {
+    pub(super) fn of_beam(beam: &Beam) -> Vec<Spans> {
         let ends = [f32::INFINITY, f32::NEG_INFINITY];
         let add = |[low, high]: [f32; 2], value: f32| [low.min(value), high.max(value)];
         let of_some = |strips: &[Strip]| {
             let edges = || strips.iter().flat_map(|strip| strip.edges);
-            TileEdges {
+            Spans {
                 offset: edges().map(|e| e[0]).fold(ends, add),
                 slope: edges().map(|e| e[1]).fold(ends, add),
                 span: strips.iter().flat_map(|s| s.span).fold(ends, add),
@@ -273,7 +273,7 @@ impl TileEdges {
 /// How a beam, whose strips have these bounds, and a tile meet.
 pub(super) fn meeting(
     beam: &Beam,
-    bounds: &[TileEdges],
+    bounds: &[Spans],
     uniform: Option<&UniformStrips>,
     walls: &Walls,
     tile: &Tile,

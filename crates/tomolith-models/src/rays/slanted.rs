@@ -32,6 +32,9 @@ use tomolith_optics::space::PathSegment;
 /// Attenuation over a voxel pitch, at most.
 pub(super) const MOST_ABSORBED: f64 = 0.1;
 
+/// Slices that a way rises by, at least: what light of hardly any tilt is rounded up to.
+const LEAST_SPAN: f32 = 1e-6;
+
 /// `$f` as it is, or compiled for AVX2.
 macro_rules! dispatch {
     ($isa:expr, $f:ident($($argument:expr),*)) => {
@@ -105,7 +108,7 @@ pub(super) fn ways(lattice: &Lattice, path: &PathSegment, energy_mm2: f64) -> Ve
             ways.push(Way {
                 place: place as u32,
                 rise: a.min(b) as f32,
-                span: ((a - b).abs() as f32).max(1e-6),
+                span: ((a - b).abs() as f32).max(LEAST_SPAN),
                 deposit: pass(step) as f32,
             });
         }
@@ -183,6 +186,7 @@ impl Slant {
             of_lanes[lane] = (height - height.floor()) as f32;
         }
         let rise = path.ray.direction[2];
+        let rise = rise.abs().max(1e-9).copysign(rise);
         let slant = Slant {
             first: first as i32,
             heights: of_lanes,
@@ -217,10 +221,10 @@ impl Slant {
     /// A, p − h, 1/δ and β of a way.
     fn on(&self, way: Way) -> (i32, [f32; 3]) {
         let whole = way.rise.floor();
-        (
-            whole as i32,
-            [way.rise - whole, 1.0 / way.span, self.bend * way.span],
-        )
+        // A bound that only light which hardly rises reaches, whose span is rounded up
+        let most = MOST_ABSORBED as f32;
+        let bend = (self.bend * way.span).clamp(-most, most);
+        (whole as i32, [way.rise - whole, 1.0 / way.span, bend])
     }
 
     /// Lanes with a part in the slices 0 to `slices` of three that begin at `bottom`.
