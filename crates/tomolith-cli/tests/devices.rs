@@ -5,6 +5,10 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 const GEAR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/01-gear.toml");
+const SCATTERING: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../examples/13-scattering.toml"
+);
 
 fn tomolith(arguments: &[&str]) -> Output {
     let command = env!("CARGO_BIN_EXE_tomolith");
@@ -23,12 +27,27 @@ fn card() -> Option<String> {
     name
 }
 
-fn run(device: &str, folder: &Path, more: &[&str]) -> Output {
+fn run(job: &str, device: &str, folder: &Path, more: &[&str]) -> Output {
     let folder = folder.to_str().unwrap();
-    let mut arguments = vec!["run", GEAR, "--toy", "--quiet", "--device", device];
+    let mut arguments = vec!["run", job, "--toy", "--quiet", "--device", device];
     arguments.extend(["--output", folder]);
     arguments.extend(more);
     tomolith(&arguments)
+}
+
+fn done(output: &Output) {
+    let text = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{text}");
+}
+
+fn report(folder: &Path) -> serde_json::Value {
+    serde_json::from_str(&std::fs::read_to_string(folder.join("report.json")).unwrap()).unwrap()
+}
+
+/// Asserts that two runs print alike.
+fn assert_alike(one: &Path, other: &Path) {
+    let [one, other] = [one, other].map(|run| report(run)["evaluation"]["iou"].as_f64().unwrap());
+    assert!((one - other).abs() < 1e-3, "{one} {other}");
 }
 
 #[test]
@@ -42,7 +61,7 @@ fn a_card_that_is_not_there_is_refused_with_what_there_is() {
         ("tpu", "resources.device: found \"tpu\""),
         ("gpu:", "resources.device: found \"gpu:\""),
     ] {
-        let refused = run(device, &folder.path().join("run"), &[]);
+        let refused = run(GEAR, device, &folder.path().join("run"), &[]);
         let text = String::from_utf8_lossy(&refused.stderr).into_owned();
         assert_eq!(refused.status.code(), Some(2), "{text}");
         assert!(text.contains(expected), "{text}");
@@ -58,31 +77,35 @@ fn a_card_prints_what_the_processor_prints_and_resumes_to_the_bit() {
     let at = |name: &str| folder.path().join(name);
     let steps = |n: u32| format!("stop.iterations={n}");
     let (six, ten) = (steps(6), steps(10));
-    let done = |output: Output| {
-        let text = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(output.status.success(), "{text}");
-    };
-    done(run(&device, &at("card"), &["--set", &ten]));
-    done(run("cpu", &at("processor"), &["--set", &ten]));
-    let report = |name: &str| -> serde_json::Value {
-        serde_json::from_str(&std::fs::read_to_string(at(name).join("report.json")).unwrap())
-            .unwrap()
-    };
-    let iou = |name: &str| report(name)["evaluation"]["iou"].as_f64().unwrap();
-    assert!(
-        (iou("card") - iou("processor")).abs() < 1e-3,
-        "{} {}",
-        iou("card"),
-        iou("processor")
-    );
-    assert!(report("card").to_string().contains("parallel (on "));
-    done(run(&device, &at("resumed"), &["--set", &six]));
+    done(&run(GEAR, &device, &at("card"), &["--set", &ten]));
+    done(&run(GEAR, "cpu", &at("processor"), &["--set", &ten]));
+    assert_alike(&at("card"), &at("processor"));
+    assert!(report(&at("card")).to_string().contains("parallel (on "));
+    done(&run(GEAR, &device, &at("resumed"), &["--set", &six]));
     // Another device has another memory of the steps
-    let refused = run("cpu", &at("resumed"), &["--set", &ten, "--resume"]);
+    let refused = run(GEAR, "cpu", &at("resumed"), &["--set", &ten, "--resume"]);
     let text = String::from_utf8_lossy(&refused.stderr).into_owned();
     assert_eq!(refused.status.code(), Some(2), "{text}");
     assert!(text.contains("resources.device"), "{text}");
-    done(run(&device, &at("resumed"), &["--set", &ten, "--resume"]));
+    done(&run(
+        GEAR,
+        &device,
+        &at("resumed"),
+        &["--set", &ten, "--resume"],
+    ));
     let patterns = |name: &str| std::fs::read(at(name).join("patterns.npz")).unwrap();
     assert!(patterns("resumed") == patterns("card"));
+}
+
+#[test]
+fn light_that_scatters_prints_on_a_card_what_it_prints_on_the_processor() {
+    let Some(name) = card() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let five = ["--set", "stop.iterations=5"];
+    done(&run(SCATTERING, &format!("gpu:{name}"), &at("card"), &five));
+    done(&run(SCATTERING, "cpu", &at("processor"), &five));
+    assert_alike(&at("card"), &at("processor"));
+    let text = report(&at("card")).to_string();
+    assert!(text.contains("successive_orders (parallel (on "), "{text}");
 }

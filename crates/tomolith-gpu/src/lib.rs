@@ -6,7 +6,11 @@
 //!
 //! A software adapter is never taken unless it is named. The tests run on Mesa's `lavapipe` where no card is there.
 
+mod accelerator;
 mod bands;
+mod bins;
+mod cells;
+mod convolution;
 mod costs;
 mod device;
 mod entries;
@@ -14,6 +18,7 @@ mod field;
 mod half_ramp;
 mod pairs;
 mod passes;
+mod scattered;
 mod strips;
 
 pub use bands::GpuBands;

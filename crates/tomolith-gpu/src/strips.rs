@@ -1,24 +1,25 @@
 //! Dose models of light in strips, computed on the card.
 //!
 //! **Model** [`tomolith_core::dose::strips`]: what the `parallel` model of the processor gives of its geometry. Pixels are spread over the lanes of their
-//! slot, multiplied with the entries of a chunk of views ([`entries`](crate::entries)), and added to the dose; the adjoint goes back the same way.
+//! slot, multiplied with the entries of a chunk of views ([`entries`](crate::entries)), and added to the dose; the adjoint goes back the same way. What is
+//! scattered out of this light is added by [`scattered`](crate::scattered).
 //!
 //! **Cost** per dose or adjoint: an entry is read once and used for all lanes of a row; lanes are read once an entry, mostly from the card's
 //! caches. Memory in addition to fields: strips (48 bytes each), the lanes of a chunk, and 16 bytes an entry where entries are stored.
 
+use crate::bins::Pixels;
 use crate::device::{Adapter, Buffer, Gpu, THREADS};
 use crate::entries::{Chunk, DeviceStrips, Product, RowsOf};
 use crate::field::GpuField;
 use crate::passes::ENTRY;
+use crate::scattered::DeviceScattered;
 use std::ops::Range;
 use std::sync::{Arc, Mutex, PoisonError, Weak};
 use tomolith_core::dose::strips::{LightStrips, StripForm, StripGeometry, Taps};
 use tomolith_core::dose::{
-    Accelerator, DoseLayout, DoseModel, Facts, LinearOperator, PatternLayout, Run, Space,
-    ZCoupling, frames_of,
+    DoseLayout, Facts, LinearOperator, PatternLayout, Run, Space, ZCoupling,
 };
 use tomolith_core::error::{Error, Result};
-use tomolith_core::field::{Field, HostField};
 
 /// Part of the card's memory that stored entries may take.
 const KEPT_SHARE: f64 = 0.4;
@@ -34,6 +35,7 @@ struct Geometry {
     /// Bytes of all entries.
     entry_bytes: u64,
     updates: u64,
+    scattered: Vec<DeviceScattered>,
 }
 
 struct DeviceLight {
@@ -109,13 +111,17 @@ impl Geometry {
             let largest = chunks().map(Chunk::bytes).max().unwrap_or(0);
             scratch = Some(gpu.buffer(largest));
         }
+        let own = |light| DeviceScattered::new(gpu, light, of.output.row, run);
+        let scattered = of.scattered.iter().map(own).collect::<Result<Vec<_>>>()?;
         gpu.check()?;
+        let of_scattered = scattered.iter().map(DeviceScattered::updates);
         Ok(Geometry {
             of: of.clone(),
             lights,
             scratch,
             entry_bytes: all,
-            updates: pairs * of.output.grid.shape[0] as u64,
+            updates: pairs * of.output.grid.shape[0] as u64 + of_scattered.sum::<u64>(),
+            scattered,
         })
     }
 }
@@ -201,6 +207,31 @@ impl GpuStrips {
             lit: Arc::new(gpu.upload(bytemuck::cast_slice(&bits))),
             has_dark: !form.dark.is_empty(),
             factor: form.factor,
+        })
+    }
+
+    /// The card.
+    pub(crate) fn gpu(&self) -> &Gpu {
+        &self.gpu
+    }
+
+    /// The scattered part of a light, and the light's pixels in a field.
+    fn scattered<'a>(
+        &'a self,
+        light: usize,
+        field: &'a GpuField,
+    ) -> impl Iterator<Item = (&'a DeviceScattered, Pixels<'a>)> {
+        let of_light = move |own: &&DeviceScattered| own.light == light;
+        let scattered = self.geometry.scattered.iter().filter(of_light);
+        scattered.map(move |own| {
+            let pixels = Pixels {
+                field,
+                runs: &self.geometry.lights[light].runs,
+                lit: &self.lit,
+                has_dark: self.has_dark,
+                factor: self.factor,
+            };
+            (own, pixels)
         })
     }
 
@@ -455,7 +486,6 @@ impl GpuStrips {
 
 /// A binding must hold the lanes of a view and those of a few voxels.
 fn must_fit(gpu: &Gpu, geometry: &StripGeometry) -> Result<()> {
-    let most = gpu.binding_bytes();
     let of_lanes = |light: &LightStrips| 16 * light.to_lanes.first.len().div_ceil(4) as u64;
     let row = 4 * geometry.output.row as u64;
     let views = geometry
@@ -480,7 +510,13 @@ fn must_fit(gpu: &Gpu, geometry: &StripGeometry) -> Result<()> {
         .chain(strips)
         .chain([row])
         .max();
-    let needed = needed.unwrap_or(0);
+    let advice = "fewer angles, rows or columns";
+    must_be_bound(gpu, needed.unwrap_or(0), advice)
+}
+
+/// A binding must hold so many bytes; `advice` takes fewer.
+pub(crate) fn must_be_bound(gpu: &Gpu, needed: u64, advice: &str) -> Result<()> {
+    let most = gpu.binding_bytes();
     if needed <= most {
         return Ok(());
     }
@@ -491,7 +527,7 @@ fn must_fit(gpu: &Gpu, geometry: &StripGeometry) -> Result<()> {
         ),
         needed_mb: needed.div_ceil(1_000_000),
         available_mb: Some(most / 1_000_000),
-        advice: "use the processor (--device cpu), or fewer angles, rows or columns".to_owned(),
+        advice: format!("use the processor (--device cpu), or {advice}"),
     })
 }
 
@@ -521,7 +557,11 @@ impl LinearOperator for GpuStrips {
         Facts {
             patterns: &self.geometry.of.patterns,
             outputs: std::slice::from_ref(&self.geometry.of.output),
-            z_coupling: ZCoupling::None,
+            z_coupling: if self.geometry.scattered.is_empty() {
+                ZCoupling::None
+            } else {
+                ZCoupling::Full
+            },
             is_linear: true,
         }
     }
@@ -546,6 +586,10 @@ impl LinearOperator for GpuStrips {
     ) -> Result<()> {
         for (light, own) in tomolith_core::dose::own_frames(&self.geometry.of.patterns, &frames) {
             self.add_light(&self.geometry.lights[light], &own, x, dose, run)?;
+            for (scattered, pixels) in self.scattered(light, x) {
+                let voxels: Vec<_> = self.voxels_of(dose).collect();
+                scattered.add(&own, &pixels, &voxels, run)?;
+            }
         }
         self.gpu.submit();
         self.gpu.check()
@@ -559,8 +603,12 @@ impl LinearOperator for GpuStrips {
         run: &Run,
     ) -> Result<()> {
         for (light, own) in tomolith_core::dose::own_frames(&self.geometry.of.patterns, &frames) {
-            let light = &self.geometry.lights[light];
-            self.adjoint_light(light, &own, cotangent, grad, run)?;
+            let of_light = &self.geometry.lights[light];
+            self.adjoint_light(of_light, &own, cotangent, grad, run)?;
+            for (scattered, pixels) in self.scattered(light, grad) {
+                let voxels: Vec<_> = self.voxels_of(cotangent).collect();
+                scattered.add_adjoint(&own, &voxels, &pixels, run)?;
+            }
         }
         self.gpu.submit();
         self.gpu.check()
@@ -583,100 +631,16 @@ impl LinearOperator for GpuStrips {
         let of_all = memory_bytes.map_or_else(String::new, |all| {
             format!(" of {:.1} GB", all as f64 * 1e-9)
         });
-        format!("parallel (on {name}; {size:.2} GB{of_all} are weights, {entries})")
-    }
-}
-
-/// A model on the card whose fields are the host's.
-struct OnHost {
-    model: GpuStrips,
-    form: StripForm,
-}
-
-impl OnHost {
-    /// F(x) of some frames on the card.
-    fn dose_there(&self, frames: Range<usize>, x: &HostField, run: &Run) -> Result<GpuField> {
-        let mut there = DoseModel::new_patterns(&self.model)?;
-        there.copy_from_host(x.as_slice());
-        let mut dose = DoseModel::new_dose(&self.model)?;
-        self.model.add_forward(frames, &there, &mut dose, run)?;
-        Ok(dose)
-    }
-}
-
-impl DoseModel for OnHost {
-    type Field = HostField;
-
-    fn facts(&self) -> Facts<'_> {
-        LinearOperator::facts(&self.model)
-    }
-
-    fn new_field(&self, space: Space) -> Result<HostField> {
-        Ok(self.facts().host_field(space))
-    }
-
-    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
-        let all = 0..frames_of(&self.model.geometry.of.patterns);
-        let there = self.dose_there(all, x, run)?;
-        there.read_into(dose.as_mut_slice());
-        self.model.gpu.check()
-    }
-
-    fn dose_of(
-        &self,
-        frames: Range<usize>,
-        x: &HostField,
-        dose: &mut HostField,
-        run: &Run,
-    ) -> Result<()> {
-        let there = self.dose_there(frames, x, run)?;
-        let mut own = dose.zeros_like();
-        there.read_into(own.as_mut_slice());
-        self.model.gpu.check()?;
-        dose.axpy(1.0, &own);
-        Ok(())
-    }
-
-    fn pullback_of(
-        &self,
-        frames: Range<usize>,
-        _x: &HostField,
-        cotangent: &HostField,
-        grad: &mut HostField,
-        run: &Run,
-    ) -> Result<()> {
-        let mut there = DoseModel::new_dose(&self.model)?;
-        there.copy_from_host(cotangent.as_slice());
-        let mut found = DoseModel::new_patterns(&self.model)?;
-        found.copy_from_host(grad.as_slice());
-        self.model.adjoint_of(frames, &there, &mut found, run)?;
-        found.read_into(grad.as_mut_slice());
-        self.model.gpu.check()
-    }
-
-    fn updates(&self) -> u64 {
-        LinearOperator::updates(&self.model)
-    }
-
-    fn strips(&self) -> Option<StripForm> {
-        Some(self.form.clone())
-    }
-
-    fn describe(&self) -> String {
-        LinearOperator::describe(&self.model)
-    }
-}
-
-impl Accelerator for Gpu {
-    fn model(
-        &self,
-        form: &StripForm,
-        run: &Run,
-    ) -> Result<Option<Box<dyn DoseModel<Field = HostField>>>> {
-        Ok(Some(Box::new(OnHost {
-            model: GpuStrips::new(self, form, run)?,
-            form: form.clone(),
-        })))
+        let straight = format!("parallel (on {name}; {size:.2} GB{of_all} are weights, {entries})");
+        let scattered = self.geometry.scattered.iter();
+        let scattered: Vec<&str> = scattered.map(|own| &*own.summary).collect();
+        if scattered.is_empty() {
+            return straight;
+        }
+        format!(
+            "successive_orders ({straight}; scattered light on {})",
+            scattered.join(" and ")
+        )
     }
 }
 

@@ -3,6 +3,8 @@
 mod common;
 
 use common::{SMALL, gpu, smaller};
+use std::collections::BTreeMap;
+use std::sync::Arc;
 use tomolith_core::check::{self, noise};
 use tomolith_core::dose::{Accelerator, DoseLayout, DoseModel, Run};
 use tomolith_core::field::{Field, HostField};
@@ -12,9 +14,13 @@ use tomolith_core::response::{Identity, Response};
 use tomolith_core::target::{Target, label_voxels};
 use tomolith_gpu::GpuStrips;
 use tomolith_models::rays::Optics;
-use tomolith_models::{HostModel, ModelFamily, ModelInput, OpticalScene, Purpose, parallel};
+use tomolith_models::{Family, HostModel, ModelInput, OpticalScene, Purpose};
+use tomolith_models::{parallel, successive_orders};
 use tomolith_objective::{ObjectiveInput, objectives};
 use tomolith_optics::light::Light;
+use tomolith_optics::phase::henyey_greenstein::HenyeyGreenstein;
+use tomolith_optics::phase::rayleigh::Rayleigh;
+use tomolith_optics::phase::{Phase, Scattering};
 use tomolith_optics::resin::Resin;
 use tomolith_optics::vial::Vial;
 use tomolith_optics::vial::cylinder::Cylinder;
@@ -23,21 +29,27 @@ use tomolith_optics::vial::index_matched::IndexMatched;
 use tomolith_optimize::start::starts;
 use tomolith_optimize::{Limits, Problem, StartInput, Stop, optimizers};
 
-/// A vial, a light and voxels.
+/// A model of a vial, its lights and voxels.
 struct Case {
     name: &'static str,
+    family: Family,
     vial: Box<dyn Vial>,
     lights: Vec<Light>,
+    optics: Vec<Optics>,
     grid: VolumeGrid,
+    /// The smallest bindings that it fits.
+    binding: u64,
 }
 
 fn cases() -> Vec<Case> {
     let matched = || Box::new(IndexMatched { radius_mm: 1.6 }) as Box<dyn Vial>;
-    let glass = Box::new(Cylinder {
-        inner_radius_mm: 1.3,
-        outer_radius_mm: 1.6,
-        refractive_index: 1.58,
-    });
+    let glass = || -> Box<dyn Vial> {
+        Box::new(Cylinder {
+            inner_radius_mm: 1.3,
+            outer_radius_mm: 1.6,
+            refractive_index: 1.58,
+        })
+    };
     let tube = Box::new(DoubleTube {
         radii_mm: [1.6, 1.5, 0.7, 0.6],
         outer_refractive_index: 1.5,
@@ -59,55 +71,102 @@ fn cases() -> Vec<Case> {
         sub_angles: 3,
         ..light(pixels(9, 30, 34), absorbing)
     };
+    let clear = |lights: &[Light]| vec![Optics::collimated(0.1); lights.len()];
+    let straight = |name, vial, lights: Vec<Light>, grid| Case {
+        name,
+        family: Arc::new(parallel::Params::default()),
+        vial,
+        optics: clear(&lights),
+        lights,
+        grid,
+        binding: SMALL,
+    };
     vec![
+        straight(
+            "pure Radon, frames in pairs",
+            matched(),
+            vec![light(pixels(12, 26, 40), Resin::pure_radon(1.5))],
+            grid(24),
+        ),
+        straight(
+            "absorbing, slices finer than rows",
+            matched(),
+            vec![light(pixels(10, 14, 36), absorbing)],
+            VolumeGrid::centered([70, 31, 32], 0.02),
+        ),
+        straight("glass, turning frames", glass(), vec![turning], grid(27)),
+        // Several pieces of patterns, of the dose and of the kernels of later orders
         Case {
-            name: "pure Radon, frames in pairs",
-            vial: matched(),
-            lights: vec![light(pixels(12, 26, 40), Resin::pure_radon(1.5))],
-            grid: grid(24),
+            family: Arc::new(successive_orders::Params {
+                cell_mm: Some(0.4),
+                ..successive_orders::Params::default()
+            }),
+            optics: vec![scattering(Rayleigh {})],
+            ..straight(
+                "scattered light",
+                matched(),
+                vec![light(pixels(34, 16, 36), absorbing)],
+                VolumeGrid::centered([14, 33, 34], 0.09),
+            )
         },
-        Case {
-            name: "absorbing, slices finer than rows",
-            vial: matched(),
-            lights: vec![light(pixels(10, 14, 36), absorbing)],
-            grid: VolumeGrid::centered([70, 31, 32], 0.02),
-        },
-        Case {
-            name: "glass, turning frames",
-            vial: glass,
-            lights: vec![turning],
-            grid: grid(27),
-        },
-        Case {
-            name: "a tube in a tube, two lights",
-            vial: tube,
-            lights: vec![
+        straight(
+            "a tube in a tube, two lights",
+            tube,
+            vec![
                 light(pixels(7, 26, 36), absorbing),
                 light(pixels(5, 22, 30), absorbing),
             ],
-            grid: grid(20),
+            grid(20),
+        ),
+        // Kernels of all parities, later orders on larger cells, and a light that is not scattered
+        Case {
+            family: Arc::new(successive_orders::Params {
+                cell_mm: Some(0.065),
+                ..successive_orders::Params::default()
+            }),
+            optics: vec![
+                Optics::collimated(0.1),
+                scattering(HenyeyGreenstein { g: 0.3 }),
+            ],
+            binding: 32 << 20,
+            ..straight(
+                "scattered light of the second of two, on small cells in glass",
+                glass(),
+                vec![
+                    light(pixels(5, 22, 30), absorbing),
+                    light(pixels(7, 12, 36), absorbing),
+                ],
+                VolumeGrid::centered([12, 29, 30], 0.09),
+            )
         },
     ]
 }
 
+/// Collimated light that the resin scatters.
+fn scattering(phase: impl Phase + 'static) -> Optics {
+    Optics {
+        scattering: Some(Scattering {
+            per_mm: 0.15,
+            phase: Arc::new(phase),
+        }),
+        ..Optics::collimated(0.1)
+    }
+}
+
 impl Case {
     fn with<T>(&self, with: impl FnOnce(&ModelInput<'_>) -> T) -> T {
-        let optics: Vec<Optics> = self
-            .lights
-            .iter()
-            .map(|_| Optics::collimated(0.1))
-            .collect();
-        let scene = OpticalScene::new(&*self.vial, &self.lights, &optics, Purpose::Probe);
+        let (lights, optics) = (&self.lights, &self.optics);
+        let scene = OpticalScene::new(&*self.vial, lights, optics, Purpose::Probe);
         let run = Run::new();
         with(&ModelInput::new(scene, &self.grid, &run).unwrap())
     }
 
     fn host(&self) -> HostModel {
-        self.with(|input| parallel::Params::default().build(input).unwrap())
+        self.with(|input| self.family.build(input).unwrap())
     }
 
     fn strips(&self) -> tomolith_core::dose::strips::StripForm {
-        self.with(|input| parallel::Params::default().strips(input).unwrap().unwrap())
+        self.with(|input| self.family.strips(input).unwrap().unwrap())
     }
 }
 
@@ -137,10 +196,10 @@ fn assert_near(found: &[f32], expected: &[f32], tolerance: f32, what: &str) {
 fn doses_and_adjoints_are_those_of_the_processor() {
     // Small bindings; entries that are kept, and entries that are found anew
     for (most, memory) in [(SMALL, u64::MAX), (128 << 20, u64::MAX), (SMALL, 1 << 16)] {
-        let Some(gpu) = smaller(most, memory) else {
-            return;
-        };
         for case in cases() {
+            let Some(gpu) = smaller(most.max(case.binding), memory) else {
+                return;
+            };
             let (host, form) = (case.host(), case.strips());
             let card = gpu.model(&form, &Run::new()).unwrap().unwrap();
             let kept = card.describe().contains("weights, kept");
@@ -165,8 +224,8 @@ fn doses_and_adjoints_are_those_of_the_processor() {
 
 #[test]
 fn dose_and_adjoint_on_the_card_are_one_matrix() {
-    let Some(gpu) = gpu(SMALL) else { return };
     for case in cases() {
+        let Some(gpu) = gpu(case.binding) else { return };
         let mut form = case.strips();
         let pixels: usize = form.geometry.patterns.iter().map(|p| p.len()).sum();
         form.dark = (0..pixels).map(|i| i % 11 == 3).collect();
@@ -251,12 +310,13 @@ fn solved<F: Field>(model: &dyn DoseModel<Field = F>) -> (Vec<f32>, Vec<f64>) {
 /// Every kernel that an optimization runs, in the languages of Metal and DX12.
 #[test]
 fn kernels_are_those_of_other_interfaces_too() {
-    let Some(gpu) = gpu(SMALL) else { return };
+    let mut sources = BTreeMap::new();
     for case in cases() {
+        let Some(gpu) = gpu(case.binding) else { return };
         let model = GpuStrips::new(&gpu, &case.strips(), &Run::new()).unwrap();
         solved(&model);
+        sources.extend(gpu.sources());
     }
-    let sources = gpu.sources();
     assert!(sources.len() > 25, "{}", sources.len());
     for (name, text) in sources {
         let module = naga::front::wgsl::parse_str(&text);
@@ -287,8 +347,8 @@ fn kernels_are_those_of_other_interfaces_too() {
 
 #[test]
 fn a_whole_optimization_goes_the_way_of_the_processor() {
-    let Some(gpu) = gpu(SMALL) else { return };
-    for case in cases().into_iter().take(3) {
+    for case in cases().into_iter().take(4) {
+        let Some(gpu) = gpu(case.binding) else { return };
         let (_, expected) = solved(&*case.host());
         let model = GpuStrips::new(&gpu, &case.strips(), &Run::new()).unwrap();
         let (_, found) = solved(&model);

@@ -113,6 +113,16 @@ impl Sharpen {
         }
     }
 
+    /// Strength along x, y, z.
+    pub(super) fn strength(&self) -> [f32; 3] {
+        self.strength
+    }
+
+    /// The cells that are sharpened.
+    pub(super) fn is_full(&self) -> &IsFull {
+        &self.is_full
+    }
+
     /// The sharper field. Its own transpose.
     pub(super) fn of(&self, field: &[f32]) -> Vec<f32> {
         let [nz, ny, nx] = self.layout.grid.shape;

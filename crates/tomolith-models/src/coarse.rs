@@ -15,9 +15,9 @@ pub(super) struct Coarse {
     pub(super) layout: DoseLayout,
     fine: DoseLayout,
     /// Along x, y, z: the cell below each voxel's middle, and the weight of the next one.
-    places: [Vec<(usize, f32)>; 3],
+    pub(super) places: [Vec<(usize, f32)>; 3],
     /// Part of each (y, x) of voxels that gets its dose; None: all of all.
-    shares: Option<Arc<Vec<f32>>>,
+    pub(super) shares: Option<Arc<Vec<f32>>>,
 }
 
 impl Coarse {

@@ -239,6 +239,14 @@ pub trait ModelFamily: fmt::Debug + Send + Sync {
         Ok(None)
     }
 
+    /// The model of [`unscattered`](Self::unscattered) light as data.
+    ///
+    /// # Errors
+    /// As [`build`](Self::build).
+    fn unscattered_strips(&self, input: &ModelInput<'_>) -> Result<Option<StripForm>> {
+        self.strips(input)
+    }
+
     /// Whether a model for [`Purpose::Optimize`] has the doses, to the bit, of one for [`Purpose::Evaluate`] on the same voxels, and stores no more
     /// between calls, so that one model serves both.
     fn evaluates_alike(&self, _scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> bool {

@@ -11,6 +11,7 @@ use super::{
     Run,
 };
 use std::sync::Arc;
+use tomolith_core::dose::strips::StripForm;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
 use tomolith_core::grid::{Volume, VolumeGrid};
@@ -117,9 +118,11 @@ pub fn plan(
         dark = narrow(&mut lights, &all, None);
     }
     if let Some(wanted) = wanted {
-        let unscattered = built(family.as_ref(), &input.lit_by(&lights), &|input| {
-            family.unscattered(input)
-        })?;
+        let unscattered = built(
+            &input.lit_by(&lights),
+            &|input| family.unscattered_strips(input),
+            &|input| family.unscattered(input),
+        )?;
         let brought = contributions(unscattered.as_ref(), wanted, run)?;
         dark = narrow(
             &mut lights,
@@ -137,7 +140,9 @@ pub fn plan(
         let model = family.build(&input.lit_by(&widened(&lights)))?;
         Box::new(Blurred::new(model, layouts(&lights), &lights)) as HostModel
     } else {
-        built(family.as_ref(), &input, &|input| family.build(input))?
+        built(&input, &|input| family.strips(input), &|input| {
+            family.build(input)
+        })?
     };
     let model = MaskedModel::new(model, dark.clone(), factor);
     Ok(ModelPlan {
@@ -152,16 +157,16 @@ pub fn plan(
     })
 }
 
-/// The model of a family, where the scene says that it is computed; `build` builds it on the processor.
+/// A model, where the scene says that it is computed: of its `form` there, of what `build` builds on the processor.
 fn built(
-    family: &dyn ModelFamily,
     input: &ModelInput<'_>,
+    form: &dyn Fn(&ModelInput<'_>) -> Result<Option<StripForm>>,
     build: &dyn Fn(&ModelInput<'_>) -> Result<HostModel>,
 ) -> Result<HostModel> {
     let Some(accelerator) = input.scene.accelerator else {
         return build(input);
     };
-    let form = family.strips(input)?;
+    let form = form(input)?;
     let there = form.map(|form| accelerator.model(&form, input.run));
     match there.transpose()?.flatten() {
         Some(model) => Ok(model),

@@ -6,6 +6,7 @@
 
 pub mod cells;
 pub mod layout;
+pub mod scattered;
 pub mod strips;
 
 use crate::error::Result;

@@ -1,4 +1,5 @@
-//! A dose model as plain data, for a backend that computes it where its fields live: light that runs in strips, the same in all slices.
+//! A dose model as plain data, for a backend that computes it where its fields live: light that runs in strips, the same in all slices,
+//! and what is scattered out of it ([`scattered`](super::scattered)).
 //!
 //! **Equation** For a voxel with the coordinates (r, a) along and across a beam, in voxels, the weight of a strip is
 //!
@@ -15,6 +16,7 @@
 //!
 //! **Shapes** A *slot* is a column of a view, `view·columns + column`; a view is a frame, or two frames that see the plane along the same lines.
 
+use super::scattered::ScatteredLight;
 use super::{DoseLayout, PatternLayout};
 use std::sync::Arc;
 
@@ -117,6 +119,8 @@ pub struct StripGeometry {
     pub tiles: Vec<Tile>,
     /// One per light.
     pub lights: Vec<LightStrips>,
+    /// What is scattered out of them; none where nothing scatters.
+    pub scattered: Vec<ScatteredLight>,
 }
 
 /// A model: its geometry, pixels that stay dark, and a factor of all light.
@@ -128,4 +132,16 @@ pub struct StripForm {
     pub dark: Arc<[bool]>,
     /// Of all light.
     pub factor: f32,
+}
+
+impl StripForm {
+    /// All pixels of a geometry, and all of their light.
+    #[must_use]
+    pub fn new(geometry: StripGeometry) -> Self {
+        StripForm {
+            geometry: Arc::new(geometry),
+            dark: Arc::new([]),
+            factor: 1.0,
+        }
+    }
 }

@@ -5,7 +5,6 @@ use super::radon::Kernel;
 use super::strips::{Beam, Major};
 use super::tiles::Tile;
 use super::{Parallel, Run, Vial, VolumeGrid};
-use std::sync::Arc;
 use tomolith_core::dose::strips::{self, LightStrips, ResinRow, StripForm, StripGeometry};
 use tomolith_core::error::Result;
 use tomolith_core::parallel::InParallel;
@@ -24,18 +23,24 @@ pub(super) fn form(
         return Ok(None);
     }
     let model = Parallel::under(vial, lights.to_vec(), kernel, grid.clone(), run)?;
-    let tiles = model.tiles.iter().map(tile).collect();
-    let lights = model.lights.iter().map(|plan| plan.strips(grid));
-    Ok(Some(StripForm {
-        geometry: Arc::new(StripGeometry {
+    Ok(Some(StripForm::new(model.geometry())))
+}
+
+impl Parallel {
+    /// The geometry of a model for which [`form`] has one.
+    pub(crate) fn geometry(&self) -> StripGeometry {
+        let lights = self
+            .lights
+            .iter()
+            .map(|plan| plan.strips(&self.output.grid));
+        StripGeometry {
             lights: lights.collect(),
-            patterns: model.patterns,
-            output: model.output,
-            tiles,
-        }),
-        dark: Arc::new([]),
-        factor: 1.0,
-    }))
+            scattered: Vec::new(),
+            patterns: self.patterns.clone(),
+            output: self.output.clone(),
+            tiles: self.tiles.iter().map(tile).collect(),
+        }
+    }
 }
 
 fn tile(tile: &Tile) -> strips::Tile {

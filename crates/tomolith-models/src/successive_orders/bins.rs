@@ -3,6 +3,7 @@
 use crate::PatternLayout;
 use crate::cell_blur::CellBlur;
 use std::ops::Range;
+use tomolith_core::dose::scattered;
 use tomolith_core::grid::PatternGrid;
 use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
@@ -91,6 +92,19 @@ impl Bins {
         let low = grid.field_mm()[0][1];
         let edge = |row: u32| low + f64::from(row) * grid.pitch_mm[1];
         [edge(run.bottom), edge(run.bottom + run.count)]
+    }
+
+    /// The bins as data.
+    pub(super) fn form(&self) -> scattered::Bins {
+        let share = |share: &Share| scattered::Share {
+            bin: share.bin as u32,
+            parts: share.parts,
+        };
+        scattered::Bins {
+            columns: self.columns.iter().map(share).collect(),
+            rows: self.rows.iter().map(share).collect(),
+            scale: self.scale(),
+        }
     }
 
     /// What becomes of pixels that are taken together.

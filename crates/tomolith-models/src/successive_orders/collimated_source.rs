@@ -6,7 +6,7 @@
 use super::bins::Bins;
 use super::harmonics::Harmonic;
 use super::scattered_light::DeltaScaledPhase;
-use super::unscattered_source::{Channel, UnscatteredSource};
+use super::unscattered_source::{Channel, SourceForm, UnscatteredSource};
 use crate::parallel::Parallel;
 use crate::{LinearOperator, Run};
 use std::f64::consts::FRAC_PI_2;
@@ -84,6 +84,14 @@ impl UnscatteredSource for CollimatedSource {
 
     fn updates(&self) -> u64 {
         self.channels.len() as u64 * LinearOperator::updates(&self.parallel)
+    }
+
+    fn form(&self) -> Option<SourceForm> {
+        Some(SourceForm {
+            bins: self.bins.form(),
+            cells: self.parallel.geometry(),
+            weights: self.weights.clone(),
+        })
     }
 }
 

@@ -5,7 +5,8 @@
 //! order, so the bits do not depend on the number of threads.
 
 use std::sync::Arc;
-use tomolith_core::parallel::{InParallel, elements};
+use tomolith_core::dose::scattered::KernelSpectrum;
+use tomolith_core::parallel::{InParallel, elements, table};
 use tomolith_fourier::{Complex, ComplexToReal, Fft, RealToComplex};
 
 /// Half the Fourier transform of a padded field.
@@ -46,6 +47,22 @@ impl Convolver {
             to_z,
             from_z,
             padded,
+        }
+    }
+
+    /// Elements along x, y, z of the arrays that are transformed.
+    pub(super) fn padded(&self) -> [usize; 3] {
+        self.padded
+    }
+
+    /// A kernel as data.
+    pub(super) fn form(&self, kernel: &Kernel) -> KernelSpectrum {
+        let [px, py, _] = self.padded;
+        let nk = self.frequencies();
+        let place = |i: usize| ((i % nk) * px + i / nk % px) * py + i / (nk * px);
+        KernelSpectrum {
+            values: table(self.len(), |i| kernel.values[place(i)]),
+            is_odd: kernel.is_odd,
         }
     }
 

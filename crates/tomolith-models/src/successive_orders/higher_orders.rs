@@ -9,6 +9,7 @@ use crate::cell_blur::{CellBlur, Sharpen, full_cells};
 use crate::coarse::Coarse;
 use crate::{DoseLayout, Run};
 use std::sync::Arc;
+use tomolith_core::dose::scattered::{self, LaterOrders, OnCells};
 use tomolith_core::error::Result;
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
@@ -130,6 +131,23 @@ impl HigherOrders {
         };
         higher.weights = higher.count_orders(run)?;
         Ok(higher)
+    }
+
+    /// These orders as data.
+    pub(super) fn form(&self) -> LaterOrders {
+        let moment = |moment: &Moment| scattered::Moment {
+            scattered: moment.scattered,
+            channel: moment.straight,
+        };
+        let sharpen = [&self.given, &self.seen];
+        LaterOrders {
+            cells: on_cells(&self.coarse, &self.convolver, sharpen, &self.kernels),
+            factor: self.factor,
+            between: self.between.strength(),
+            resin: self.resin.clone(),
+            moments: self.moments.iter().map(moment).collect(),
+            weights: self.weights.iter().map(|w| w * FLUENCE).collect(),
+        }
     }
 
     pub(super) fn edge_mm(&self) -> f64 {
@@ -351,6 +369,26 @@ impl HigherOrders {
                 values.iter_mut().for_each(|v| *v += share * value);
             }
         });
+    }
+}
+
+/// Cells of one size as data, with the sharpenings of sources and of what voxels see.
+pub(super) fn on_cells(
+    coarse: &Coarse,
+    convolver: &Convolver,
+    [given, seen]: [&Sharpen; 2],
+    kernels: &[Kernel],
+) -> OnCells {
+    OnCells {
+        layout: coarse.layout.clone(),
+        padded: convolver.padded(),
+        is_full: Arc::clone(given.is_full()),
+        sharpened: [given.strength(), seen.strength()],
+        kernels: kernels
+            .iter()
+            .map(|kernel| convolver.form(kernel))
+            .collect(),
+        places: coarse.places.clone(),
     }
 }
 

@@ -83,6 +83,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::Arc;
+use tomolith_core::dose::strips::{StripForm, StripGeometry};
 use tomolith_core::dose::{Facts, Space};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
@@ -177,6 +178,23 @@ impl ModelFamily for Params {
         }))
     }
 
+    fn strips(&self, input: &ModelInput<'_>) -> Result<Option<StripForm>> {
+        let OpticalScene { vial, optics, .. } = input.scene;
+        if input.scene.unscattered_beyond_slices().is_some() {
+            return Ok(None);
+        }
+        let lights = input.scene.lights.to_vec();
+        let model = model_in(vial, lights, optics, self, input.grid.clone(), input.run)?;
+        Ok(model.form())
+    }
+
+    fn unscattered_strips(&self, input: &ModelInput<'_>) -> Result<Option<StripForm>> {
+        if input.scene.unscattered_beyond_slices().is_some() {
+            return Ok(None);
+        }
+        parallel::Params::default().strips(input)
+    }
+
     fn unscattered(&self, input: &ModelInput<'_>) -> Result<HostModel> {
         let OpticalScene { vial, optics, .. } = input.scene;
         let lights = input.scene.lights.to_vec();
@@ -252,8 +270,8 @@ fn model_in(
     let layout = DoseLayout::new("dose", grid.clone(), 0);
     let mut plans = Vec::new();
     let (mut offset, mut first_frame) = (0, 0);
-    for (light, optics) in lights.iter_mut().zip(optics) {
-        let place = (offset, first_frame);
+    for (number, (light, optics)) in lights.iter_mut().zip(optics).enumerate() {
+        let place = (number, offset, first_frame);
         offset += light.layout(0).len();
         first_frame += light.pixels.frames();
         if let Some(scattering) = &optics.scattering {
@@ -363,6 +381,18 @@ impl SuccessiveOrders {
             self.straight = OnVoxels::Divergent(Box::new(rays.cached()));
         }
         self
+    }
+
+    /// The model as data; None where its light is not collimated.
+    fn form(&self) -> Option<StripForm> {
+        let OnVoxels::Collimated(parallel) = &self.straight else {
+            return None;
+        };
+        let scattered = self.scattered_lights.iter().map(ScatteredLight::form);
+        Some(StripForm::new(StripGeometry {
+            scattered: scattered.collect::<Option<_>>()?,
+            ..parallel.geometry()
+        }))
     }
 }
 

@@ -6,7 +6,7 @@ use super::convolver::{Convolver, Kernel};
 use super::divergent_source::DivergentSource;
 use super::free_flight::{FreeFlightKernel, Pattern};
 use super::harmonics::{Harmonic, coefficients};
-use super::higher_orders::{HigherOrders, resin_of};
+use super::higher_orders::{HigherOrders, on_cells, resin_of};
 use super::unscattered_source::{Channel, UnscatteredSource};
 use super::{Params, by_rays};
 use crate::cell_blur::{CellBlur, Sharpen, full_cells};
@@ -16,6 +16,8 @@ use crate::{DoseLayout, Run};
 use std::f64::consts::PI;
 use std::ops::Range;
 use std::sync::Arc;
+use tomolith_core::dose::scattered;
+use tomolith_core::dose::strips::StripForm;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
@@ -73,7 +75,8 @@ impl DeltaScaledPhase {
 
 /// See the [module page](self).
 pub(super) struct ScatteredLight {
-    /// Where this light's pixels lie in a pattern field, and its frames among all.
+    /// Which light it is, where its pixels lie in a pattern field, and its frames among all.
+    light: usize,
     pixels: Range<usize>,
     frames: Range<usize>,
     /// Unscattered light on cells.
@@ -97,7 +100,7 @@ impl ScatteredLight {
         delta_scaled: &DeltaScaledPhase,
         params: &Params,
         fine: &DoseLayout,
-        (offset, first_frame): (usize, usize),
+        (number, offset, first_frame): (usize, usize, usize),
         run: &Run,
     ) -> Result<Self> {
         let edges = cell_edges(vial, delta_scaled, params);
@@ -156,6 +159,7 @@ impl ScatteredLight {
         );
         let shares = Arc::new(resin_of(vial, &fine.grid));
         Ok(ScatteredLight {
+            light: number,
             pixels: offset..offset + len,
             frames,
             given: Sharpen::new(&layout, &is_full, of_bins + mean + mean),
@@ -187,6 +191,22 @@ impl ScatteredLight {
             self.higher.edge_mm(),
             self.higher.orders()
         )
+    }
+
+    /// What is scattered out of this light, one of several, as data; None where its unscattered light has no such form.
+    pub(super) fn form(&self) -> Option<scattered::ScatteredLight> {
+        let source = self.straight.form()?;
+        let sharpen = [&self.given, &self.seen];
+        Some(scattered::ScatteredLight {
+            light: self.light,
+            bins: source.bins,
+            cells: StripForm::new(source.cells),
+            weights: source.weights,
+            shares: self.coarse.shares.clone()?,
+            once: on_cells(&self.coarse, &self.convolver, sharpen, &self.kernels),
+            later: self.higher.form(),
+            summary: self.describe(),
+        })
     }
 
     /// Which of this light's frames are among these of all lights.

@@ -1,0 +1,111 @@
+//! Light that is scattered out of light in strips, as plain data for a backend.
+//!
+//! **Equation** Of channel k the light of [`bins`](ScatteredLight::bins) on cells is c_k: a pixel counts times the channel's weight of its (frame, column).
+//! S is a [sharpening](OnCells::sharpened), K a convolution of fields on cells, I an interpolation from cells to voxels, times the part of a voxel that is resin:
+//!
+//! ```text
+//! dose += I₁ S₁ Σ_k K₁_k S₁′ c_k                                   scattered once
+//! m₁    = K · T S₂′ R c                                            T: channels → moments, R: means over `factor`³ cells
+//! m_n+1 = K · (σ ρ S₂″ m_n)                                        σ of a moment, ρ the part of a cell that is resin
+//! dose += I₂ S₂ Σ_{n≥1} w_n · (moment 0 of m_n+1)                  scattered n + 1 times
+//! ```
+//!
+//! S adds to a cell, for each neighbor along an axis with the strength a, a·(own − neighbor), where both cells are all resin. Source and discretization: the
+//! `successive_orders` model of the crate of models.
+
+use super::DoseLayout;
+use super::strips::StripForm;
+use std::sync::Arc;
+
+/// Two neighboring bins share a pixel along an axis; the second has what the first leaves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Share {
+    /// The first.
+    pub bin: u32,
+    /// Part of either.
+    pub parts: [f32; 2],
+}
+
+/// Pixels that are taken together to larger ones.
+#[derive(Clone, Debug)]
+pub struct Bins {
+    /// Of each column of pixels.
+    pub columns: Vec<Share>,
+    /// Of each row of pixels, from below.
+    pub rows: Vec<Share>,
+    /// Value of a bin per value of a pixel that lies in it.
+    pub scale: f32,
+}
+
+/// The Fourier transform of a kernel, divided by the number of elements of the padded array.
+#[derive(Clone, Debug)]
+pub struct KernelSpectrum {
+    /// `[k_y][k_x][k_z]`, k_z to half the padded length: the real part of an even kernel, the imaginary of an odd one.
+    pub values: Vec<f32>,
+    /// Which of both.
+    pub is_odd: bool,
+}
+
+/// Fields on cells of one size.
+#[derive(Clone, Debug)]
+pub struct OnCells {
+    /// The cells.
+    pub layout: DoseLayout,
+    /// Elements along x, y, z of the arrays that are transformed: zeros behind the cells keep light from coming round.
+    pub padded: [usize; 3],
+    /// Whether each element of the layout is a cell that is all resin.
+    pub is_full: Arc<Vec<bool>>,
+    /// Strengths along x, y, z of the sharpenings: of unscattered light as a source, of what voxels see.
+    pub sharpened: [[f32; 3]; 2],
+    /// Of order 1 one a channel; of later orders one a pair of moments a ≤ b, row by row.
+    pub kernels: Vec<KernelSpectrum>,
+    /// Along x, y, z, of each voxel: the cell below its middle, and the weight of the next one.
+    pub places: [Vec<(usize, f32)>; 3],
+}
+
+/// A moment of scattered light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moment {
+    /// What the resin sends on of it, 1/mm.
+    pub scattered: f32,
+    /// The channel that it has of unscattered light, and its part of it; None where it has none.
+    pub channel: Option<(usize, f32)>,
+}
+
+/// Light that is scattered twice or more.
+#[derive(Clone, Debug)]
+pub struct LaterOrders {
+    /// Its cells, as large as those of order 1 or larger.
+    pub cells: OnCells,
+    /// Cells of order 1 along an edge of one of these.
+    pub factor: usize,
+    /// Strengths of the sharpening between orders.
+    pub between: [f32; 3],
+    /// Part of each (y, x) of cells that is resin.
+    pub resin: Vec<f32>,
+    /// The moments, that of the fluence first.
+    pub moments: Vec<Moment>,
+    /// Weight of the fluence moment of each order.
+    pub weights: Vec<f32>,
+}
+
+/// What is scattered out of one light.
+#[derive(Clone, Debug)]
+pub struct ScatteredLight {
+    /// Which light.
+    pub light: usize,
+    /// Its pixels in bins.
+    pub bins: Bins,
+    /// Light of bins, on the cells of order 1.
+    pub cells: StripForm,
+    /// Of each channel the weight of each (frame, column).
+    pub weights: Vec<Vec<f32>>,
+    /// Part of each (y, x) of voxels that is resin.
+    pub shares: Arc<Vec<f32>>,
+    /// Cells of light that is scattered once.
+    pub once: OnCells,
+    /// Light that is scattered twice or more.
+    pub later: LaterOrders,
+    /// Cells and orders, for people.
+    pub summary: String,
+}

@@ -1,0 +1,262 @@
+//! Light that is scattered, computed on the card.
+//!
+//! **Model** [`tomolith_core::dose::scattered`], the `successive_orders` model of the processor as data. Unscattered light on cells is a [`GpuStrips`] of the
+//! bins, all else are fields on cells ([`cells`](crate::cells), [`convolution`](crate::convolution)). All moments of an order are done at once; every element
+//! is one thread's sum in one order, so dose and adjoint have the same bits in every run.
+
+use crate::bins::{DeviceBins, Pixels};
+use crate::cells::{DeviceCells, Matrix};
+use crate::convolution::Convolution;
+use crate::device::{Buffer, Gpu};
+use crate::strips::{GpuStrips, must_be_bound};
+use std::ops::Range;
+use tomolith_core::dose::scattered::{LaterOrders, ScatteredLight};
+use tomolith_core::dose::{DoseModel, LinearOperator, Run};
+use tomolith_core::error::Result;
+
+/// What is scattered out of one light.
+pub(crate) struct DeviceScattered {
+    gpu: Gpu,
+    pub(crate) light: usize,
+    pub(crate) summary: String,
+    bins: DeviceBins,
+    /// Light of bins on cells.
+    straight: GpuStrips,
+    channels: usize,
+    /// Part of each (y, x) of voxels that is resin.
+    shares: Buffer,
+    once: DeviceCells,
+    later: DeviceOrders,
+}
+
+/// Light that is scattered twice or more.
+struct DeviceOrders {
+    cells: DeviceCells,
+    factor: usize,
+    between: [f32; 3],
+    /// Part of each (y, x) of cells that is resin.
+    resin: Buffer,
+    /// What the resin sends on of each moment, 1/mm.
+    scattered: Buffer,
+    /// Channels → moments, moments → channels, and the weight of each order.
+    numbers: Buffer,
+    channels: usize,
+    moments: usize,
+    orders: usize,
+}
+
+/// The pieces of a dose, each with its columns of voxels.
+pub(crate) type Voxels<'a> = [(Range<usize>, &'a Buffer)];
+
+impl DeviceScattered {
+    /// Of a light on a card; `row` is that of voxels.
+    pub(crate) fn new(gpu: &Gpu, of: &ScatteredLight, row: usize, run: &Run) -> Result<Self> {
+        must_be_bound(gpu, largest(of), "a larger model.successive_orders.cell_mm")?;
+        let channels = of.weights.len();
+        let layout = &of.cells.geometry.patterns[0];
+        let matrix = [(0..channels).collect()];
+        Ok(DeviceScattered {
+            gpu: gpu.clone(),
+            light: of.light,
+            summary: of.summary.clone(),
+            bins: DeviceBins::new(gpu, &of.bins, layout, &of.weights),
+            straight: GpuStrips::new(gpu, &of.cells, run)?,
+            channels,
+            shares: gpu.upload(bytemuck::cast_slice(&of.shares)),
+            once: DeviceCells::new(gpu, &of.once, &matrix, row),
+            later: DeviceOrders::new(gpu, &of.later, channels, row),
+        })
+    }
+
+    /// Cells that are lit by bins, of all channels.
+    pub(crate) fn updates(&self) -> u64 {
+        self.channels as u64 * LinearOperator::updates(&self.straight)
+    }
+
+    /// dose += scattered light of some frames
+    pub(crate) fn add(
+        &self,
+        frames: &Range<usize>,
+        pixels: &Pixels<'_>,
+        dose: &Voxels<'_>,
+        run: &Run,
+    ) -> Result<()> {
+        let [given, seen] = self.once.sharpened;
+        let bins = DoseModel::new_patterns(&self.straight)?;
+        let sources = self.once.fields(self.channels);
+        let means = self.later.cells.fields(self.channels);
+        for channel in 0..self.channels {
+            self.bins.fill(&self.gpu, channel, pixels, &bins);
+            let mut light = DoseModel::new_dose(&self.straight)?;
+            (self.straight).add_forward(frames.clone(), &bins, &mut light, run)?;
+            let light = &light.pieces()[0];
+            self.once.sharpen(given, 1, (light, 0), (&sources, channel));
+            let (near, to) = ((&self.once, light), (&means, channel));
+            self.later.cells.restrict(near, self.later.factor, to);
+        }
+        let arrived = self
+            .once
+            .convolution
+            .apply(&sources, [self.channels, 1], false);
+        let arrived = self.once.sharper(seen, &arrived);
+        self.spread(&self.once, &arrived, dose);
+        let arrived = self.later.forward(&means, run)?;
+        self.spread(&self.later.cells, &arrived, dose);
+        Ok(())
+    }
+
+    /// Pixels of some frames += transpose of [`add`](Self::add) on a cotangent
+    pub(crate) fn add_adjoint(
+        &self,
+        frames: &Range<usize>,
+        cotangent: &Voxels<'_>,
+        pixels: &Pixels<'_>,
+        run: &Run,
+    ) -> Result<()> {
+        let [given, seen] = self.once.sharpened;
+        let arrived = self.gathered(&self.once, cotangent);
+        let arrived = self.once.sharper(seen, &arrived);
+        let sources = self
+            .once
+            .convolution
+            .apply(&arrived, [1, self.channels], true);
+        let arrived = self.gathered(&self.later.cells, cotangent);
+        let means = self.later.adjoint(&arrived, run)?;
+        let mut bins = DoseModel::new_patterns(&self.straight)?;
+        for channel in 0..self.channels {
+            let light = DoseModel::new_dose(&self.straight)?;
+            let near = &light.pieces()[0];
+            self.once.sharpen(given, 1, (&sources, channel), (near, 0));
+            let (from, near) = ((&means, channel), (&self.once, near));
+            self.later.cells.prolong(from, self.later.factor, near);
+            (self.straight).adjoint_of(frames.clone(), &light, &mut bins, run)?;
+            self.bins
+                .add_back(&self.gpu, (channel, frames), &bins, pixels);
+        }
+        Ok(())
+    }
+
+    fn spread(&self, cells: &DeviceCells, field: &Buffer, dose: &Voxels<'_>) {
+        for piece in dose {
+            cells.spread(field, &self.shares, piece);
+        }
+    }
+
+    fn gathered(&self, cells: &DeviceCells, voxels: &Voxels<'_>) -> Buffer {
+        let field = cells.dark(1);
+        for piece in voxels {
+            cells.gather(&field, &self.shares, piece);
+        }
+        field
+    }
+}
+
+impl DeviceOrders {
+    fn new(gpu: &Gpu, of: &LaterOrders, channels: usize, row: usize) -> Self {
+        let moments = of.moments.len();
+        // Kernels of pairs a ≤ b, row by row
+        let row_of = |a: usize| (0..a).map(|i| moments - i).sum::<usize>();
+        let kernel = |a: usize, b: usize| row_of(a.min(b)) + a.abs_diff(b);
+        let of_row = |a| (0..moments).map(|b| kernel(a, b)).collect();
+        let matrix: Vec<Vec<usize>> = (0..moments).map(of_row).collect();
+        let mut numbers = vec![0.0; 2 * moments * channels];
+        for (m, moment) in of.moments.iter().enumerate() {
+            if let Some((channel, weight)) = moment.channel {
+                numbers[m * channels + channel] = weight;
+                numbers[(moments + channel) * moments + m] = weight;
+            }
+        }
+        numbers.extend(&of.weights);
+        let scattered: Vec<f32> = of.moments.iter().map(|moment| moment.scattered).collect();
+        DeviceOrders {
+            cells: DeviceCells::new(gpu, &of.cells, &matrix, row),
+            factor: of.factor,
+            between: of.between,
+            resin: gpu.upload(bytemuck::cast_slice(&of.resin)),
+            scattered: gpu.upload(bytemuck::cast_slice(&scattered)),
+            numbers: gpu.upload(bytemuck::cast_slice(&numbers)),
+            channels,
+            moments,
+            orders: of.weights.len(),
+        }
+    }
+
+    fn matrix(&self, first: usize, [rows, columns]: [usize; 2]) -> Matrix<'_> {
+        Matrix {
+            of: &self.numbers,
+            first,
+            rows,
+            columns,
+        }
+    }
+
+    /// The weight of an order.
+    fn weight(&self, order: usize) -> Matrix<'_> {
+        self.matrix(2 * self.moments * self.channels + order, [1, 1])
+    }
+
+    /// What voxels see, of the channels of unscattered light on these cells.
+    fn forward(&self, means: &Buffer, run: &Run) -> Result<Buffer> {
+        let (cells, [given, seen]) = (&self.cells, self.cells.sharpened);
+        let (channels, count) = (self.channels, self.moments);
+        let sources = cells.fields(channels);
+        cells.sharpen(given, channels, (means, 0), (&sources, 0));
+        let sent = cells.fields(count);
+        cells.mix(&self.matrix(0, [count, channels]), &sources, &sent, false);
+        let mut moments = cells.convolution.apply(&sent, [count, count], false);
+        let sum = cells.dark(1);
+        for order in 0..self.orders {
+            run.check()?;
+            cells.gpu().check()?;
+            cells.sharpen(self.between, count, (&moments, 0), (&sent, 0));
+            cells.scale(count, &sent, &self.scattered, &self.resin);
+            // Of the last order only the fluence is wanted
+            let wanted = if order + 1 == self.orders { 1 } else { count };
+            moments = cells.convolution.apply(&sent, [count, wanted], false);
+            cells.mix(&self.weight(order), &moments, &sum, true);
+        }
+        Ok(cells.sharper(seen, &sum))
+    }
+
+    /// Transpose of [`forward`](Self::forward).
+    fn adjoint(&self, arrived: &Buffer, run: &Run) -> Result<Buffer> {
+        let (cells, [given, seen]) = (&self.cells, self.cells.sharpened);
+        let (channels, count) = (self.channels, self.moments);
+        let arrived = cells.sharper(seen, arrived);
+        let moments = cells.dark(count);
+        // Of the last order only the fluence is there
+        let mut there = 1;
+        for order in (0..self.orders).rev() {
+            run.check()?;
+            cells.gpu().check()?;
+            cells.mix(&self.weight(order), &arrived, &moments, true);
+            let sent = cells.convolution.apply(&moments, [there, count], true);
+            cells.scale(count, &sent, &self.scattered, &self.resin);
+            cells.sharpen(self.between, count, (&sent, 0), (&moments, 0));
+            there = count;
+        }
+        let sent = cells.convolution.apply(&moments, [there, count], true);
+        let sources = cells.fields(channels);
+        let back = self.matrix(channels * count, [channels, count]);
+        cells.mix(&back, &sent, &sources, false);
+        let means = cells.fields(channels);
+        cells.sharpen(given, channels, (&sources, 0), (&means, 0));
+        Ok(means)
+    }
+}
+
+/// Bytes of the largest array that a kernel sees at once.
+fn largest(of: &ScatteredLight) -> u64 {
+    let (channels, moments) = (of.weights.len(), of.later.moments.len());
+    let slots = of.weights.first().map_or(0, Vec::len);
+    let spectra = [
+        (&of.once, channels),
+        (&of.later.cells, moments.max(channels)),
+    ];
+    let of_spectra = spectra.map(|(cells, count)| {
+        let fields = 4 * (count * cells.layout.len()) as u64;
+        fields.max(Convolution::bytes(cells, count))
+    });
+    let others = [channels * slots, of.shares.len()].map(|n| 4 * n as u64);
+    of_spectra.into_iter().chain(others).max().unwrap_or(0)
+}
