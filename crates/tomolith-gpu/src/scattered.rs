@@ -163,7 +163,7 @@ impl DeviceOrders {
         for (m, moment) in of.moments.iter().enumerate() {
             if let Some((channel, weight)) = moment.channel {
                 numbers[m * channels + channel] = weight;
-                numbers[(moments + channel) * moments + m] = weight;
+                numbers[(channels + channel) * moments + m] = weight;
             }
         }
         numbers.extend(&of.weights);

@@ -18,9 +18,9 @@ use tomolith_models::{Family, HostModel, ModelInput, OpticalScene, Purpose};
 use tomolith_models::{parallel, successive_orders};
 use tomolith_objective::{ObjectiveInput, objectives};
 use tomolith_optics::light::Light;
-use tomolith_optics::phase::henyey_greenstein::HenyeyGreenstein;
 use tomolith_optics::phase::rayleigh::Rayleigh;
 use tomolith_optics::phase::{Phase, Scattering};
+use tomolith_optics::random::Stream;
 use tomolith_optics::resin::Resin;
 use tomolith_optics::vial::Vial;
 use tomolith_optics::vial::cylinder::Cylinder;
@@ -101,12 +101,13 @@ fn cases() -> Vec<Case> {
                 cell_mm: Some(0.4),
                 ..successive_orders::Params::default()
             }),
-            optics: vec![scattering(Rayleigh {})],
+            optics: vec![scattering(Rayleigh {}, 0.15)],
+            binding: 128 << 10,
             ..straight(
                 "scattered light",
                 matched(),
-                vec![light(pixels(34, 16, 36), absorbing)],
-                VolumeGrid::centered([14, 33, 34], 0.09),
+                vec![light(pixels(76, 16, 36), absorbing)],
+                VolumeGrid::centered([20, 33, 34], 0.09),
             )
         },
         straight(
@@ -120,33 +121,41 @@ fn cases() -> Vec<Case> {
         ),
         // Kernels of all parities, later orders on larger cells, and a light that is not scattered
         Case {
-            family: Arc::new(successive_orders::Params {
-                cell_mm: Some(0.065),
-                ..successive_orders::Params::default()
-            }),
-            optics: vec![
-                Optics::collimated(0.1),
-                scattering(HenyeyGreenstein { g: 0.3 }),
-            ],
-            binding: 32 << 20,
+            family: Arc::new(successive_orders::Params::default()),
+            optics: vec![Optics::collimated(0.1), scattering(Forward, 0.7)],
+            binding: 8 << 20,
             ..straight(
                 "scattered light of the second of two, on small cells in glass",
                 glass(),
                 vec![
                     light(pixels(5, 22, 30), absorbing),
-                    light(pixels(7, 12, 36), absorbing),
+                    light(pixels(7, 6, 36), Resin::absorbing(1.4849, 3.0)),
                 ],
-                VolumeGrid::centered([12, 29, 30], 0.09),
+                VolumeGrid::centered([6, 29, 30], 0.09),
             )
         },
     ]
 }
 
+/// More light goes on than comes back: moments of degree 1, whose kernels are odd, and no others.
+#[derive(Debug)]
+struct Forward;
+
+impl Phase for Forward {
+    fn density(&self, cosine: f64) -> f64 {
+        0.5 + 0.4 * cosine
+    }
+
+    fn draw(&self, _: &mut Stream) -> f64 {
+        unreachable!("orders draw nothing")
+    }
+}
+
 /// Collimated light that the resin scatters.
-fn scattering(phase: impl Phase + 'static) -> Optics {
+fn scattering(phase: impl Phase + 'static, per_mm: f64) -> Optics {
     Optics {
         scattering: Some(Scattering {
-            per_mm: 0.15,
+            per_mm,
             phase: Arc::new(phase),
         }),
         ..Optics::collimated(0.1)
@@ -245,6 +254,7 @@ fn dose_and_adjoint_on_the_card_are_one_matrix() {
         assert!(size > 0.0);
         // The same bits again
         assert_eq!(check::dose(&model, &x).to_host(), dose.to_host());
+        assert_eq!(check::adjoint(&model, &c).to_host(), grad.to_host());
     }
 }
 
@@ -311,7 +321,8 @@ fn solved<F: Field>(model: &dyn DoseModel<Field = F>) -> (Vec<f32>, Vec<f64>) {
 #[test]
 fn kernels_are_those_of_other_interfaces_too() {
     let mut sources = BTreeMap::new();
-    for case in cases() {
+    // The last has no kernels of its own, and takes long in software
+    for case in cases().into_iter().take(5) {
         let Some(gpu) = gpu(case.binding) else { return };
         let model = GpuStrips::new(&gpu, &case.strips(), &Run::new()).unwrap();
         solved(&model);
