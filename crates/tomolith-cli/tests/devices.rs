@@ -44,10 +44,9 @@ fn report(folder: &Path) -> serde_json::Value {
     serde_json::from_str(&std::fs::read_to_string(folder.join("report.json")).unwrap()).unwrap()
 }
 
-/// Asserts that two runs print alike.
-fn assert_alike(one: &Path, other: &Path) {
-    let [one, other] = [one, other].map(|run| report(run)["evaluation"]["iou"].as_f64().unwrap());
-    assert!((one - other).abs() < 1e-3, "{one} {other}");
+/// A number of the evaluations of two runs.
+fn both(number: &str, runs: [&Path; 2]) -> [f64; 2] {
+    runs.map(|run| report(run)["evaluation"][number].as_f64().unwrap())
 }
 
 #[test]
@@ -79,7 +78,8 @@ fn a_card_prints_what_the_processor_prints_and_resumes_to_the_bit() {
     let (six, ten) = (steps(6), steps(10));
     done(&run(GEAR, &device, &at("card"), &["--set", &ten]));
     done(&run(GEAR, "cpu", &at("processor"), &["--set", &ten]));
-    assert_alike(&at("card"), &at("processor"));
+    let [card, processor] = both("iou", [&at("card"), &at("processor")]);
+    assert!((card - processor).abs() < 1e-3, "{card} {processor}");
     assert!(report(&at("card")).to_string().contains("parallel (on "));
     done(&run(GEAR, &device, &at("resumed"), &["--set", &six]));
     // Another device has another memory of the steps
@@ -102,10 +102,14 @@ fn light_that_scatters_prints_on_a_card_what_it_prints_on_the_processor() {
     let Some(name) = card() else { return };
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name);
-    let five = ["--set", "stop.iterations=5"];
+    // Cells as large as they may be: software takes long for small ones
+    let cells = "model.successive_orders.cell_mm=1.9";
+    let five = ["--set", "stop.iterations=5", "--set", cells];
     done(&run(SCATTERING, &format!("gpu:{name}"), &at("card"), &five));
     done(&run(SCATTERING, "cpu", &at("processor"), &five));
-    assert_alike(&at("card"), &at("processor"));
+    // How far doses in the part are spread: 0.07
+    let [card, processor] = both("cv", [&at("card"), &at("processor")]);
+    assert!((card - processor).abs() < 1e-5, "{card} {processor}");
     let text = report(&at("card")).to_string();
     assert!(text.contains("successive_orders (parallel (on "), "{text}");
 }
