@@ -219,8 +219,8 @@ fn unnamed(value: Option<&Value>, names: &[&str]) -> (String, String) {
     (format!("found {found}"), accepted)
 }
 
-/// The keys of a table of a job, each with its default. The struct reads and writes such tables, refuses keys that it does not have, and
-/// has a schema.
+/// The keys of a table of a job, each with its default; an `Option` without one is None, and is not written then. The struct reads and writes
+/// such tables, refuses keys that it does not have, and has a schema.
 ///
 /// ```
 /// tomolith_core::keys! {
@@ -229,29 +229,40 @@ fn unnamed(value: Option<&Value>, names: &[&str]) -> (String, String) {
 ///     pub struct Params {
 ///         /// Number of teeth (4 to 500)
 ///         pub teeth: u32 = 12,
+///         /// Diameter of the bore, mm
+///         pub bore_mm: Option<f64>,
 ///     }
 /// }
-/// assert_eq!(Params::default().teeth, 12);
+/// assert_eq!(Params::default(), Params { teeth: 12, bore_mm: None });
 /// ```
 #[macro_export]
 macro_rules! keys {
-    ($(#[$about:meta])* $seen:vis struct $name:ident {
-        $($(#[$of_key:meta])* $shown:vis $key:ident: $type:ty = $default:expr,)*
-    }) => {
+    // The fields and the defaults of the keys that were read, and the rest
+    (@ $about:tt [$($fields:tt)*] [$($defaults:tt)*]
+        $(#[$of_key:meta])* $shown:vis $key:ident: Option<$type:ty>, $($rest:tt)*) => {
+        $crate::keys!(@ $about
+            [$($fields)* $(#[$of_key])* #[serde(skip_serializing_if = "Option::is_none")] $shown $key: Option<$type>,]
+            [$($defaults)* $key: None,] $($rest)*);
+    };
+    (@ $about:tt [$($fields:tt)*] [$($defaults:tt)*]
+        $(#[$of_key:meta])* $shown:vis $key:ident: $type:ty = $default:expr, $($rest:tt)*) => {
+        $crate::keys!(@ $about
+            [$($fields)* $(#[$of_key])* $shown $key: $type,] [$($defaults)* $key: $default,] $($rest)*);
+    };
+    (@ [$(#[$about:meta])* $seen:vis $name:ident] [$($fields:tt)*] [$($defaults:tt)*]) => {
         $(#[$about])*
         #[derive(Clone, Debug, ::serde::Serialize, ::serde::Deserialize, ::schemars::JsonSchema)]
         #[serde(default, deny_unknown_fields)]
-        $seen struct $name {
-            $($(#[$of_key])* $shown $key: $type,)*
-        }
+        $seen struct $name { $($fields)* }
 
         impl Default for $name {
             fn default() -> Self {
-                $name {
-                    $($key: $default,)*
-                }
+                $name { $($defaults)* }
             }
         }
+    };
+    ($(#[$about:meta])* $seen:vis struct $name:ident { $($keys:tt)* }) => {
+        $crate::keys!(@ [$(#[$about])* $seen $name] [] [] $($keys)*);
     };
 }
 
@@ -280,7 +291,7 @@ fn synonym<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
     let (_, names) = SYNONYMS.iter().find(|(other, _)| *other == word)?;
     let mut found = names
         .iter()
-        .filter_map(|name| known.iter().find(|own| *own == name));
+        .filter_map(|name| known.iter().find(|key| *key == name));
     found.next().copied()
 }
 

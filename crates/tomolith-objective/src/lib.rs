@@ -728,11 +728,7 @@ mod tests {
             .unwrap();
         let dose = some_dose(model.layout());
         let losses = [1, 2, 8].map(|threads| {
-            let pool = rayon::ThreadPoolBuilder::new()
-                .num_threads(threads)
-                .build()
-                .unwrap();
-            pool.install(|| objective.value(&dose)).to_bits()
+            tomolith_core::check::on_threads(threads, || objective.value(&dose)).to_bits()
         });
         assert_eq!(losses[0], losses[1]);
         assert_eq!(losses[0], losses[2]);

@@ -78,11 +78,9 @@ tomolith_core::keys! {
         /// What outliers are counted in: "pw" (default), a share of either region, or "gamma", a share of the part in both
         pub measure: WindowMeasure = WindowMeasure::Pw,
         /// Share ν of voxels that may lie on the wrong side, above 0 and at most 0.25 (default 0.05; 0.1 with `measure = "gamma"`)
-        #[serde(skip_serializing_if = "Option::is_none")]
-        pub outliers: Option<f64> = None,
+        pub outliers: Option<f64>,
         /// Bound of the dose range in the part without the outliers at either end, above 0 and at most 1 (default: none)
-        #[serde(skip_serializing_if = "Option::is_none")]
-        pub ipdr: Option<f64> = None,
+        pub ipdr: Option<f64>,
         /// Dose τ by which a voxel may be wrong before it costs in full, 0.001 to 1 (default 0.1)
         pub softness: f64 = 0.1,
         /// How voxels cut by the surface are weighed: "fraction" (default), "voxel", or "cells" with a dose on either side
@@ -817,10 +815,7 @@ mod tests {
         // Two voxels are in its tail
         assert!((found.thresholds[1] - 0.55).abs() < 2e-3, "{found:?}");
         let text = found.sentence();
-        assert!(
-            text.contains("10 % of outliers") && text.contains("0.3500 (bound 0.3)"),
-            "{text}"
-        );
+        tomolith_core::contains!(text, "10 % of outliers", "0.3500 (bound 0.3)");
         assert!(
             found
                 .warning()

@@ -27,13 +27,13 @@ tomolith_core::keys! {
     /// The parameters of the threshold objective.
     pub struct Params {
         /// Largest response of void voxels without penalty, below `upper` (default 0.7)
-        pub lower: Option<f64> = None,
+        pub lower: Option<f64>,
         /// Smallest response of part voxels without penalty (default 0.9)
-        pub upper: Option<f64> = None,
+        pub upper: Option<f64>,
         /// Largest response of part voxels without penalty, at least `upper` (default 1)
         pub ceiling: f64 = 1.0,
         /// Power of the distance from the band, above 0 (default 2; 4 where the program chooses voxels of at most half a pixel)
-        pub exponent: Option<f64> = None,
+        pub exponent: Option<f64>,
         /// Weight of part voxels, 0 or above (default 1)
         pub part_weight: f64 = 1.0,
         /// Weight of void voxels, 0 or above (default 1)

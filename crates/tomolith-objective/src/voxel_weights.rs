@@ -59,17 +59,13 @@ tomolith_core::keys! {
         /// ω: factor of this objective in the sum, 0 or above (default 1)
         pub weight: f64 = 1.0,
         /// Which voxels count (default: all)
-        #[serde(skip_serializing_if = "Option::is_none")]
-        pub region: Option<RegionSpec> = None,
+        pub region: Option<RegionSpec>,
         /// Weight per voxel (default: 1 everywhere)
-        #[serde(skip_serializing_if = "Option::is_none")]
-        pub weights: Option<WeightsSpec> = None,
+        pub weights: Option<WeightsSpec>,
         /// Tolerance per voxel, in units of the response (default: 0 everywhere)
-        #[serde(skip_serializing_if = "Option::is_none")]
-        pub tolerance: Option<ToleranceSpec> = None,
+        pub tolerance: Option<ToleranceSpec>,
         /// Response of this objective, one kind (default: the job's)
-        #[serde(skip_serializing_if = "Option::is_none")]
-        pub response: Option<Value> = None,
+        pub response: Option<Value>,
     }
 }
 
@@ -89,21 +85,18 @@ pub enum Of {
     Void,
 }
 
-/// A region: voxels that all given keys hold.
-#[derive(Clone, Debug, Default, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct RegionSpec {
-    /// "all" (default), "part" or "void"
-    pub of: Of,
-    /// Distance from the axis, [from, to] mm
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub radius_mm: Option<[Mm; 2]>,
-    /// Height, [from, to] mm
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub z_mm: Option<[Mm; 2]>,
-    /// A mask: voxels that are not 0 count
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub file: Option<PathBuf>,
+tomolith_core::keys! {
+    /// A region: voxels that all given keys hold.
+    pub struct RegionSpec {
+        /// "all" (default), "part" or "void"
+        pub of: Of = Of::default(),
+        /// Distance from the axis, [from, to] mm
+        pub radius_mm: Option<[Mm; 2]>,
+        /// Height, [from, to] mm
+        pub z_mm: Option<[Mm; 2]>,
+        /// A mask: voxels that are not 0 count
+        pub file: Option<PathBuf>,
+    }
 }
 
 tomolith_core::keys! {
@@ -114,8 +107,7 @@ tomolith_core::keys! {
         /// Weight of void voxels, 0 or above (default 1)
         pub void: f64 = 1.0,
         /// Weights per voxel, 0 or above
-        #[serde(skip_serializing_if = "Option::is_none")]
-        pub file: Option<PathBuf> = None,
+        pub file: Option<PathBuf>,
         /// Factors of the weight in regions
         #[serde(skip_serializing_if = "Vec::is_empty")]
         pub regions: Vec<RegionValue> = Vec::new(),
@@ -124,25 +116,23 @@ tomolith_core::keys! {
         /// Void voxels this near to the part do not count, mm (default 0)
         pub buffer_void_mm: Mm = Mm(0.0),
         /// Gray targets: gradient at which a voxel has half its weight, 1/mm, above 0 (default: none loses any)
-        #[serde(skip_serializing_if = "Option::is_none")]
-        pub edge_per_mm: Option<f64> = None,
+        pub edge_per_mm: Option<f64>,
     }
 }
 
-/// Tolerance per voxel.
-#[derive(Clone, Debug, Default, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct ToleranceSpec {
-    /// In the part, 0 or above (default 0)
-    pub part: f64,
-    /// In the void, 0 or above (default 0)
-    pub void: f64,
-    /// Added per voxel, 0 or above
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub file: Option<PathBuf>,
-    /// Added in regions
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub regions: Vec<RegionValue>,
+tomolith_core::keys! {
+    /// Tolerance per voxel.
+    pub struct ToleranceSpec {
+        /// In the part, 0 or above (default 0)
+        pub part: f64 = 0.0,
+        /// In the void, 0 or above (default 0)
+        pub void: f64 = 0.0,
+        /// Added per voxel, 0 or above
+        pub file: Option<PathBuf>,
+        /// Added in regions
+        #[serde(skip_serializing_if = "Vec::is_empty")]
+        pub regions: Vec<RegionValue> = Vec::new(),
+    }
 }
 
 /// A number of the voxels in a region.

@@ -29,9 +29,9 @@ tomolith_core::keys! {
         /// Stop when the loss falls to this part of the first one, 0 or above and below 1 (default 0: only at 0)
         pub relative_loss: f64 = 0.0,
         /// The loss that counts as the first one, where it is not that of the start
-        pub first_loss: Option<f64> = None,
+        pub first_loss: Option<f64>,
         /// Stop after this many seconds, above 0; no limit when it is not given
-        pub seconds: Option<f64> = None,
+        pub seconds: Option<f64>,
         /// Which patterns are returned: "best" (default) by the measure that the method improves, or "last"
         pub keep: Keep = Keep::Best,
     }

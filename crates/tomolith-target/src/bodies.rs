@@ -73,22 +73,19 @@ impl Role {
     }
 }
 
-/// One body of a target: a mesh, or some of its components, and its role.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct BodySpec {
-    /// Mesh file, relative to the job (default: `target.mesh`)
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub mesh: Option<PathBuf>,
-    /// Unit of this body's own file: "mm", "um", "cm", "m" or "inch" (default: `target.mesh_unit`)
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub mesh_unit: Option<MeshUnit>,
-    /// Which connected components of the file, counted from 1, the largest first (default: all)
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub components: Option<Vec<usize>>,
-    /// "print" (default), "insert", "keep-dark" or "ignore"
-    #[serde(default)]
-    pub role: Role,
+tomolith_core::keys! {
+    /// One body of a target: a mesh, or some of its components, and its role.
+    #[derive(PartialEq)]
+    pub struct BodySpec {
+        /// Mesh file, relative to the job (default: `target.mesh`)
+        pub mesh: Option<PathBuf>,
+        /// Unit of this body's own file: "mm", "um", "cm", "m" or "inch" (default: `target.mesh_unit`)
+        pub mesh_unit: Option<MeshUnit>,
+        /// Which connected components of the file, counted from 1, the largest first (default: all)
+        pub components: Option<Vec<usize>>,
+        /// "print" (default), "insert", "keep-dark" or "ignore"
+        pub role: Role = Role::default(),
+    }
 }
 
 /// Placed bodies.
@@ -539,9 +536,9 @@ mod tests {
             text.starts_with("target.body[0].components: no body has component 2"),
             "{text}"
         );
-        assert!(
-            text.contains("1 (63.0000 about (2.000, 2.000, 2.000)), 2 (8.0000 about"),
-            "{text}"
+        tomolith_core::contains!(
+            text,
+            "1 (63.0000 about (2.000, 2.000, 2.000)), 2 (8.0000 about"
         );
         assert!(two("{ components = [1, 3] }").contains("component 3"));
         assert!(two("{ components = [0] }").contains("component 0"));

@@ -6,8 +6,6 @@ use super::diagnosis::Repair;
 use super::phantom::Phantom;
 use super::placing::Placement;
 use super::{Assembly, BodySpec, GrayImage, MeshShape, MeshUnit, PHANTOMS, Shape, mesh_unit};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Volume, VolumeGrid};
@@ -19,64 +17,48 @@ use tomolith_core::units::Mm;
 use tomolith_io::image::GrayPixels;
 use tomolith_io::slices::{Slices, read_image, read_stack};
 
-/// What should be printed: exactly one of `mesh`, `phantom`, `image`, `stack` and `body`, and how it is placed.
-#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct TargetSpec {
-    /// Mesh file, relative to the job: .stl, .obj, .ply or .3mf
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub mesh: Option<PathBuf>,
-    /// Unit of the mesh file: "mm" (default), "um", "cm", "m" or "inch"; a .3mf file states its own
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub mesh_unit: Option<MeshUnit>,
-    /// Part by formula: a name, or a table with parameters such as `phantom.gear = { teeth = 16 }`
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    #[schemars(schema_with = "phantom_schema")]
-    pub phantom: Option<serde_json::Value>,
-    /// Gray image, relative to the job: .png or .tif; row 0 is +y, columns grow with +x, black is 0 and white is 1
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub image: Option<PathBuf>,
-    /// Gray slices, relative to the job, the first one at the bottom: a folder of .png or .tif files, a pattern such as
-    /// "slices/*.png", a .tif of several pages; or voxels `[z, y, x]` from bottom, front and left: .npy, .nrrd, .npz ("results.npz:mask")
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub stack: Option<PathBuf>,
-    /// Several bodies with roles, `[[target.body]]`; those without a file of their own share `mesh`
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub body: Option<Vec<BodySpec>>,
-    /// Whether inserts cast shadows (default true); false lets light pass them as if they were resin
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub insert_shadow: Option<bool>,
-    /// Whether pixels are values to be reproduced and not shares of a part (images: true; stacks: true when any pixel is
-    /// neither black nor white)
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub gray: Option<bool>,
-    /// Name of the part, for files and titles (default: the file's name, or the phantom's)
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub name: Option<String>,
-    /// Longest edge of the box after the rotation, mm (> 0; default: true size); for an image or a stack its width, which it needs
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub size_mm: Option<Mm>,
-    /// Factor on all lengths (> 0; default 1), instead of `size_mm`
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub scale: Option<f64>,
-    /// Angles about x, y and z, degrees, counter-clockwise, in this order about fixed axes (default 0)
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub rotate_deg: Option<[f64; 3]>,
-    /// Where the middle of the box goes (with `center = false`: the origin of the file), mm (default 0)
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub offset_mm: Option<[Mm; 3]>,
-    /// Whether the middle of the box is brought to the origin first (default true)
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub center: Option<bool>,
-    /// How far repairs of a mesh may go: "safe" (default: flaws whose repair is a guess are refused) or "force"
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub repair: Option<Repair>,
-    /// Height along z of what an image is drawn to, or of a whole stack, mm (> 0; images and stacks only)
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub height_mm: Option<Mm>,
-    /// How far it may reach into a wall of the vial, mm (≥ 0; default: a hundredth of a voxel); what lies there is not printed
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub wall_tolerance_mm: Option<Mm>,
+tomolith_core::keys! {
+    /// What should be printed: exactly one of `mesh`, `phantom`, `image`, `stack` and `body`, and how it is placed.
+    #[derive(PartialEq)]
+    pub struct TargetSpec {
+        /// Mesh file, relative to the job: .stl, .obj, .ply or .3mf
+        pub mesh: Option<PathBuf>,
+        /// Unit of the mesh file: "mm" (default), "um", "cm", "m" or "inch"; a .3mf file states its own
+        pub mesh_unit: Option<MeshUnit>,
+        /// Part by formula: a name, or a table with parameters such as `phantom.gear = { teeth = 16 }`
+        #[schemars(schema_with = "phantom_schema")]
+        pub phantom: Option<serde_json::Value>,
+        /// Gray image, relative to the job: .png or .tif; row 0 is +y, columns grow with +x, black is 0 and white is 1
+        pub image: Option<PathBuf>,
+        /// Gray slices, relative to the job, the first one at the bottom: a folder of .png or .tif files, a pattern such as
+        /// "slices/*.png", a .tif of several pages; or voxels `[z, y, x]` from bottom, front and left: .npy, .nrrd, .npz ("results.npz:mask")
+        pub stack: Option<PathBuf>,
+        /// Several bodies with roles, `[[target.body]]`; those without a file of their own share `mesh`
+        pub body: Option<Vec<BodySpec>>,
+        /// Whether inserts cast shadows (default true); false lets light pass them as if they were resin
+        pub insert_shadow: Option<bool>,
+        /// Whether pixels are values to be reproduced and not shares of a part (images: true; stacks: true when any pixel is
+        /// neither black nor white)
+        pub gray: Option<bool>,
+        /// Name of the part, for files and titles (default: the file's name, or the phantom's)
+        pub name: Option<String>,
+        /// Longest edge of the box after the rotation, mm (> 0; default: true size); for an image or a stack its width, which it needs
+        pub size_mm: Option<Mm>,
+        /// Factor on all lengths (> 0; default 1), instead of `size_mm`
+        pub scale: Option<f64>,
+        /// Angles about x, y and z, degrees, counter-clockwise, in this order about fixed axes (default 0)
+        pub rotate_deg: Option<[f64; 3]>,
+        /// Where the middle of the box goes (with `center = false`: the origin of the file), mm (default 0)
+        pub offset_mm: Option<[Mm; 3]>,
+        /// Whether the middle of the box is brought to the origin first (default true)
+        pub center: Option<bool>,
+        /// How far repairs of a mesh may go: "safe" (default: flaws whose repair is a guess are refused) or "force"
+        pub repair: Option<Repair>,
+        /// Height along z of what an image is drawn to, or of a whole stack, mm (> 0; images and stacks only)
+        pub height_mm: Option<Mm>,
+        /// How far it may reach into a wall of the vial, mm (≥ 0; default: a hundredth of a voxel); what lies there is not printed
+        pub wall_tolerance_mm: Option<Mm>,
+    }
 }
 
 /// A name of the table, or a table with one name.
@@ -130,8 +112,8 @@ impl TargetSpec {
             .iter_mut()
             .flatten()
             .filter_map(|b| b.mesh.as_mut());
-        let own = [&mut self.mesh, &mut self.image, &mut self.stack];
-        own.into_iter().flatten().chain(bodies)
+        let files = [&mut self.mesh, &mut self.image, &mut self.stack];
+        files.into_iter().flatten().chain(bodies)
     }
 
     fn placement(&self) -> Placement {

@@ -115,7 +115,7 @@ tomolith_core::keys! {
         /// Share of D that cured resin has, 0 to 1.
         pub cured_diffusion: f64 = 1.0,
         /// K of the smooth consumption r·O/(O + K), above 0; none: of zeroth order.
-        pub half_saturation: Option<f64> = None,
+        pub half_saturation: Option<f64>,
         /// Whether air on top holds it at 1.
         pub from_air: bool = true,
     }

@@ -130,7 +130,7 @@ tomolith_core::keys! {
         /// Error of the intensity between lateral samples, 1e-6 to 0.5.
         pub rotation_error: f64 = 0.03,
         /// Numerical aperture of the projector's lens.
-        pub numerical_aperture: Option<f64> = None,
+        pub numerical_aperture: Option<f64>,
         /// Share of the frequency band over which it fades, 0 to 1; 0: cut sharply, as published.
         pub soft_edge: f64 = 0.25,
         /// Distance of the focal plane behind the axis, along the light, mm.
@@ -142,7 +142,7 @@ tomolith_core::keys! {
         /// Half angle of the cone of modes in resin, degrees, 0 to 10.
         pub etendue_deg: f64 = 0.0,
         /// Rings of modes about the middle one, 1 to 6; 2 when left out. Only with an étendue.
-        pub rings: Option<usize> = None,
+        pub rings: Option<usize>,
     }
 }
 

@@ -82,11 +82,9 @@ tomolith_core::keys! {
     #[derive(PartialEq)]
     pub struct PrinterSpec {
         /// Pixels of the device, [columns, rows]; as many as the patterns need when left out.
-        #[serde(skip_serializing_if = "Option::is_none")]
-        pub canvas: Option<[usize; 2]> = None,
+        pub canvas: Option<[usize; 2]>,
         /// Size of a device pixel at the vial, one number or [right, up]; the light's pixel pitch when left out.
-        #[serde(skip_serializing_if = "Option::is_none")]
-        pub pixel_pitch_mm: Option<Pitch> = None,
+        pub pixel_pitch_mm: Option<Pitch>,
         /// Where the middle of the patterns lies, device pixels [right, up] of the canvas' middle.
         pub offset_px: [f64; 2] = [0.0; 2],
         /// Mirrors left and right, before the turn.
@@ -106,32 +104,24 @@ tomolith_core::keys! {
         /// Places of several copies, device pixels [right, up] of `offset_px`; one copy in the middle when left out.
         pub copies_px: Vec<[f64; 2]> = vec![[0.0; 2]],
         /// Sense in which the machine turns the vial, seen from above; the light's `rotation` when left out.
-        #[serde(skip_serializing_if = "Option::is_none")]
-        pub rotation: Option<Rotation> = None,
+        pub rotation: Option<Rotation>,
         /// Azimuth from which the light of the first frame arrives, degrees; that of the light's first angle when left out.
-        #[serde(skip_serializing_if = "Option::is_none")]
-        pub start_deg: Option<f64> = None,
+        pub start_deg: Option<f64>,
         /// Value (level over highest level) and intensity of the device, points [value, intensity]; proportional when left out.
-        #[serde(skip_serializing_if = "Option::is_none")]
-        pub gray_curve: Option<Vec<[f64; 2]>> = None,
+        pub gray_curve: Option<Vec<[f64; 2]>>,
         /// The same from a file with two columns (numbers parted by commas, blanks or tabs; lines with # are skipped).
-        #[serde(skip_serializing_if = "Option::is_none")]
-        pub gray_curve_file: Option<PathBuf> = None,
+        pub gray_curve_file: Option<PathBuf>,
         /// Brightness of each device pixel, an image of the canvas' size, relative to job file (.png, .tif or .npy).
-        #[serde(skip_serializing_if = "Option::is_none")]
-        pub flat_field: Option<PathBuf> = None,
+        pub flat_field: Option<PathBuf>,
         /// Device pixels that stay dark, an image of the canvas' size: white (0.5 or more) is dead.
-        #[serde(skip_serializing_if = "Option::is_none")]
-        pub dead_pixels: Option<PathBuf> = None,
+        pub dead_pixels: Option<PathBuf>,
         /// Images a second that the device shows; frames that follow faster are refused.
         pub refresh_hz: f64 = 60.0,
         /// Irradiance of the brightest device pixel at the highest level, at the vial.
-        #[serde(skip_serializing_if = "Option::is_none")]
-        pub peak_irradiance_mw_per_cm2: Option<f64> = None,
+        pub peak_irradiance_mw_per_cm2: Option<f64>,
         /// Longest time that the print may take, s: with the peak irradiance and resin.critical_dose_mj_per_mm3 it bounds
         /// the pixels.
-        #[serde(skip_serializing_if = "Option::is_none")]
-        pub time_s: Option<f64> = None,
+        pub time_s: Option<f64>,
         /// Also writes all frames as one array, frames.npz.
         pub stack: bool = false,
     }
@@ -612,7 +602,7 @@ fn order(
 ) -> Result<Vec<usize>> {
     let frames = pattern.frames();
     let full = (pattern.frame_arc * frames as f64 - TAU).abs() < 1e-9;
-    let forward = spec.rotation.is_none_or(|own| own == rotation);
+    let forward = spec.rotation.is_none_or(|turns| turns == rotation);
     let first = match spec.start_deg {
         None => 0,
         Some(start) if !full => {

@@ -19,8 +19,7 @@ tomolith_core::keys! {
         /// Periods along an edge (1 to 100)
         cells: u32 = 2,
         /// Mean thickness of the wall, mm (> 0; at most, and by default, a fifth of a period, an eighth for the diamond)
-        #[serde(skip_serializing_if = "Option::is_none")]
-        wall_mm: Option<Mm> = None,
+        wall_mm: Option<Mm>,
     }
 }
 

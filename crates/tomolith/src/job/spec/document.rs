@@ -577,10 +577,7 @@ mod tests {
         let message = document
             .locate(Error::config("light[0].pixels", "found 4", "more"))
             .to_string();
-        assert!(
-            message.contains("from --set light[0].pixels=[4, 5]"),
-            "{message}"
-        );
+        tomolith_core::contains!(message, "from --set light[0].pixels=[4, 5]");
         // What is inside an overridden list, and what an override changed inside a table, is not blamed on the file
         for (key, option) in [
             ("light[0].pixels[1]", "(from --set light[0].pixels=[4, 5])"),

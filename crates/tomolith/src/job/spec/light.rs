@@ -66,49 +66,43 @@ pub struct LightSpec {
     pub projector: ProjectorSpec,
 }
 
-/// What the resin is at the wavelength of one light; what is left out is that of `[resin]`.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct LightResinSpec {
-    /// Refractive index, 1 to 4.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub refractive_index: Option<f64>,
-    /// Napierian absorption of the active species, 1/mm, > 0.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub absorption_per_mm: Option<f64>,
-    /// Napierian attenuation by everything, 1/mm; absorption + scattering of this light where one of these is given and this is not.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub attenuation_per_mm: Option<f64>,
-    /// Napierian scattering, 1/mm.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub scattering_per_mm: Option<f64>,
+tomolith_core::keys! {
+    /// What the resin is at the wavelength of one light; what is left out is that of `[resin]`.
+    #[derive(PartialEq)]
+    pub struct LightResinSpec {
+        /// Refractive index, 1 to 4.
+        pub refractive_index: Option<f64>,
+        /// Napierian absorption of the active species, 1/mm, > 0.
+        pub absorption_per_mm: Option<f64>,
+        /// Napierian attenuation by everything, 1/mm; absorption + scattering of this light where one of these is given and this is not.
+        pub attenuation_per_mm: Option<f64>,
+        /// Napierian scattering, 1/mm.
+        pub scattering_per_mm: Option<f64>,
+    }
 }
 
-/// Limits of one light's pattern values; what is left out is that of `[bounds]`.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct LightBoundsSpec {
-    /// Smallest value, ≥ 0.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub min: Option<f64>,
-    /// Largest value.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub max: Option<f64>,
+tomolith_core::keys! {
+    /// Limits of one light's pattern values; what is left out is that of `[bounds]`.
+    #[derive(PartialEq)]
+    pub struct LightBoundsSpec {
+        /// Smallest value, ≥ 0.
+        pub min: Option<f64>,
+        /// Largest value.
+        pub max: Option<f64>,
+    }
 }
 
-/// What the machine is to one light; what is left out is that of `[printer]`.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct LightPrinterSpec {
-    /// Value (level over highest level) and intensity of the device, points [value, intensity].
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub gray_curve: Option<Vec<[f64; 2]>>,
-    /// The same from a file with two columns.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub gray_curve_file: Option<PathBuf>,
-    /// Irradiance of the brightest device pixel at the highest level, at the vial.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub peak_irradiance_mw_per_cm2: Option<f64>,
+tomolith_core::keys! {
+    /// What the machine is to one light; what is left out is that of `[printer]`.
+    #[derive(PartialEq)]
+    pub struct LightPrinterSpec {
+        /// Value (level over highest level) and intensity of the device, points [value, intensity].
+        pub gray_curve: Option<Vec<[f64; 2]>>,
+        /// The same from a file with two columns.
+        pub gray_curve_file: Option<PathBuf>,
+        /// Irradiance of the brightest device pixel at the highest level, at the vial.
+        pub peak_irradiance_mw_per_cm2: Option<f64>,
+    }
 }
 
 impl LightPrinterSpec {
@@ -122,23 +116,25 @@ impl JobSpec {
     #[must_use]
     pub fn printer_of(&self, light: usize) -> Option<PrinterSpec> {
         let mut printer = self.printer.clone()?;
-        let own = &self.light[light].printer;
-        if own.has_curve() {
-            printer.gray_curve.clone_from(&own.gray_curve);
-            printer.gray_curve_file.clone_from(&own.gray_curve_file);
+        let of_light = &self.light[light].printer;
+        if of_light.has_curve() {
+            printer.gray_curve.clone_from(&of_light.gray_curve);
+            printer
+                .gray_curve_file
+                .clone_from(&of_light.gray_curve_file);
         }
-        let peak = own.peak_irradiance_mw_per_cm2;
+        let peak = of_light.peak_irradiance_mw_per_cm2;
         printer.peak_irradiance_mw_per_cm2 = peak.or(printer.peak_irradiance_mw_per_cm2);
         Some(printer)
     }
 
     /// Blames what is wrong with the machine of a light on the light where it is the light that says it.
     pub(crate) fn at_printer_of(&self, light: usize, mut error: Error) -> Error {
-        let own = &self.light[light].printer;
+        let of_light = &self.light[light].printer;
         if let Error::Config { key, .. } = &mut error {
-            let is_curve = key.starts_with("printer.gray_curve") && own.has_curve();
+            let is_curve = key.starts_with("printer.gray_curve") && of_light.has_curve();
             let is_peak =
-                key.starts_with("printer.peak") && own.peak_irradiance_mw_per_cm2.is_some();
+                key.starts_with("printer.peak") && of_light.peak_irradiance_mw_per_cm2.is_some();
             if is_curve || is_peak {
                 *key = format!("light[{light}].{key}");
             }
@@ -147,24 +143,21 @@ impl JobSpec {
     }
 }
 
-/// Which pixels of a light may be lit.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct SelectionSpec {
-    /// Columns that may be lit, [first, count]; the optical axis stays in the middle of all columns.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub columns: Option<[usize; 2]>,
-    /// Rows that may be lit, [first, count], row 0 = top; the optical axis stays in the middle of all rows.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub rows: Option<[usize; 2]>,
-    /// Image of all pixels, relative to the job file (.png, .tif or .npy): those that are 0 (black) stay dark.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub mask: Option<PathBuf>,
-    /// Pixels whose middle ray meets the vial closer than this to an edge of its outer wall stay dark (square vials and meshes).
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub corner_radius_mm: Option<Mm>,
-    /// Switches off pixels that deliver less than this fraction of the best pixel's dose to the part, 0 to below 1.
-    pub min_contribution: f64,
+tomolith_core::keys! {
+    /// Which pixels of a light may be lit.
+    #[derive(PartialEq)]
+    pub struct SelectionSpec {
+        /// Columns that may be lit, [first, count]; the optical axis stays in the middle of all columns.
+        pub columns: Option<[usize; 2]>,
+        /// Rows that may be lit, [first, count], row 0 = top; the optical axis stays in the middle of all rows.
+        pub rows: Option<[usize; 2]>,
+        /// Image of all pixels, relative to the job file (.png, .tif or .npy): those that are 0 (black) stay dark.
+        pub mask: Option<PathBuf>,
+        /// Pixels whose middle ray meets the vial closer than this to an edge of its outer wall stay dark (square vials and meshes).
+        pub corner_radius_mm: Option<Mm>,
+        /// Switches off pixels that deliver less than this fraction of the best pixel's dose to the part, 0 to below 1.
+        pub min_contribution: f64 = 0.0,
+    }
 }
 
 impl SelectionSpec {

@@ -58,43 +58,42 @@ pub struct DiffusionSpec {
     pub arcs: Option<usize>,
 }
 
-/// Frames are shown turn by turn, all lights side by side.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct ScheduleSpec {
-    /// Duration of a turn, s; that of `output.rpm` when left out, which follows it where the job does not set it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub seconds_per_turn: Option<f64>,
-    /// How many turns, above 0; a broken number ends within a turn.
-    pub turns: f64,
-    /// Share of a frame's time in which it shines, above 0 to 1.
-    pub duty: f64,
-    /// How strong a pattern value of 1 is: { energy_mj_per_mm2 = 1.0 } in all turns (the meaning of pattern files), {
-    /// energy_per_turn_mj_per_mm2 = … }, or { irradiance_mw_per_mm2 = … }. `light.power` says it of one light.
-    pub power: Power,
-    /// Dark time before the first turn, s.
-    pub dark_before_s: f64,
-    /// Dark time between turns, s.
-    pub dark_between_s: f64,
-    /// Dark time after the last turn, s.
-    pub dark_after_s: f64,
-    /// Longest step of time, s; a hundredth of the print, at most 1 s and what is stable, when left out.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub step_s: Option<f64>,
-    /// How often the light is computed anew where cured resin shades, s.
-    pub shading_every_s: f64,
-    /// Pictures of the print as it grows.
-    pub snapshots: usize,
-    /// What the patterns are optimized against: the "dose" alone, as without a schedule; the degree of cure at the end of the schedule (1: solid)
-    /// with the inhibitor "frozen" as the last of several simulations found it; or the same through time by its "exact" derivative, for small jobs.
-    pub optimize: Against,
-    /// Simulations of the print during an optimization against "frozen".
-    pub rounds: usize,
-    /// Whether every turn has patterns of its own. Only optimize = "exact" and `material.diffusion` tell one turn from another.
-    pub own_patterns: bool,
-    /// Whether rows of the optimized patterns are made brighter or darker, until what is solid at each height has absorbed what the part needs
-    /// there at one and the same time.
-    pub level_heights: bool,
+tomolith_core::keys! {
+    /// Frames are shown turn by turn, all lights side by side.
+    #[derive(PartialEq)]
+    pub struct ScheduleSpec {
+        /// Duration of a turn, s; that of `output.rpm` when left out, which follows it where the job does not set it.
+        pub seconds_per_turn: Option<f64>,
+        /// How many turns, above 0; a broken number ends within a turn.
+        pub turns: f64 = 1.0,
+        /// Share of a frame's time in which it shines, above 0 to 1.
+        pub duty: f64 = 1.0,
+        /// How strong a pattern value of 1 is: { energy_mj_per_mm2 = 1.0 } in all turns (the meaning of pattern files), {
+        /// energy_per_turn_mj_per_mm2 = … }, or { irradiance_mw_per_mm2 = … }. `light.power` says it of one light.
+        pub power: Power = Power::default(),
+        /// Dark time before the first turn, s.
+        pub dark_before_s: f64 = 0.0,
+        /// Dark time between turns, s.
+        pub dark_between_s: f64 = 0.0,
+        /// Dark time after the last turn, s.
+        pub dark_after_s: f64 = 0.0,
+        /// Longest step of time, s; a hundredth of the print, at most 1 s and what is stable, when left out.
+        pub step_s: Option<f64>,
+        /// How often the light is computed anew where cured resin shades, s.
+        pub shading_every_s: f64 = 2.0,
+        /// Pictures of the print as it grows.
+        pub snapshots: usize = 8,
+        /// What the patterns are optimized against: the "dose" alone, as without a schedule; the degree of cure at the end of the schedule (1: solid)
+        /// with the inhibitor "frozen" as the last of several simulations found it; or the same through time by its "exact" derivative, for small jobs.
+        pub optimize: Against = Against::Dose,
+        /// Simulations of the print during an optimization against "frozen".
+        pub rounds: usize = 4,
+        /// Whether every turn has patterns of its own. Only optimize = "exact" and `material.diffusion` tell one turn from another.
+        pub own_patterns: bool = false,
+        /// Whether rows of the optimized patterns are made brighter or darker, until what is solid at each height has absorbed what the part needs
+        /// there at one and the same time.
+        pub level_heights: bool = false,
+    }
 }
 
 /// What patterns are optimized against.
@@ -108,27 +107,6 @@ pub enum Against {
     Frozen,
     /// The degree of cure.
     Exact,
-}
-
-impl Default for ScheduleSpec {
-    fn default() -> Self {
-        ScheduleSpec {
-            seconds_per_turn: None,
-            turns: 1.0,
-            duty: 1.0,
-            power: Power::default(),
-            dark_before_s: 0.0,
-            dark_between_s: 0.0,
-            dark_after_s: 0.0,
-            step_s: None,
-            shading_every_s: 2.0,
-            snapshots: 8,
-            optimize: Against::Dose,
-            rounds: 4,
-            own_patterns: false,
-            level_heights: false,
-        }
-    }
 }
 
 /// A property of the printed material, such as its modulus: a map of a species' response, or of the ratio of two.

@@ -144,54 +144,37 @@ pub struct JobSpec {
     pub output: OutputSpec,
 }
 
-/// What a run may use of the computer.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct ResourcesSpec {
-    /// Memory that the run plans with, GB (10⁹ bytes); 80 % of the computer's, or of its container's, when left out. A job that needs more is
-    /// refused before any work. Results do not depend on what else runs.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub memory_gb: Option<f64>,
-    /// Where doses are computed: "cpu" (the default), "gpu" (the first graphics card), "gpu:NAME" (a card whose name contains this), or "auto" (a card
-    /// where there is one that is large enough, else the processor). Needs a program with the feature `gpu`; patterns differ by rounding.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub device: Option<String>,
+tomolith_core::keys! {
+    /// What a run may use of the computer.
+    #[derive(PartialEq)]
+    pub struct ResourcesSpec {
+        /// Memory that the run plans with, GB (10⁹ bytes); 80 % of the computer's, or of its container's, when left out. A job that needs more is
+        /// refused before any work. Results do not depend on what else runs.
+        pub memory_gb: Option<f64>,
+        /// Where doses are computed: "cpu" (the default), "gpu" (the first graphics card), "gpu:NAME" (a card whose name contains this), or "auto" (a card
+        /// where there is one that is large enough, else the processor). Needs a program with the feature `gpu`; patterns differ by rounding.
+        pub device: Option<String>,
+    }
 }
 
-/// Where the dose is computed: cubic voxels.
-///
-/// Without a shape, the grid is the target's box with a margin of 10 % and at least 4 voxels on each side.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct GridSpec {
-    /// Edge of a voxel; the (smaller) pixel pitch of the first light when neither pitch nor shape is given.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub pitch_mm: Option<Mm>,
-    /// Counts [x, y, z]; the pitch then follows the target, or is `pitch_mm`.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub shape: Option<[usize; 3]>,
-    /// How many times finer than the job's the optimization's voxels are, across the axis; along z they are as high as a row of pixels. When left out: with
-    /// `surface = "fraction"` and level light up to a quarter of a pixel, with `"cells"` up to half a pixel, as far as the time allows; else 1.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub refine: Option<usize>,
-    /// Which voxels count: the whole `box`, or the `cylinder` about the axis that is inscribed in it.
-    pub region: Region,
-    /// Accepts a grid (`shape` × `pitch_mm`) that is too small for the part; only what lies in the grid is printed.
-    pub clip: bool,
-    /// Moves the grid along z, by half a voxel at most, so that its slices lie on rows of pixels of the first light.
-    pub on_rows: bool,
-}
-
-impl Default for GridSpec {
-    fn default() -> Self {
-        GridSpec {
-            pitch_mm: None,
-            refine: None,
-            shape: None,
-            region: Region::Box,
-            clip: false,
-            on_rows: true,
-        }
+tomolith_core::keys! {
+    /// Where the dose is computed: cubic voxels.
+    ///
+    /// Without a shape, the grid is the target's box with a margin of 10 % and at least 4 voxels on each side.
+    pub struct GridSpec {
+        /// Edge of a voxel; the (smaller) pixel pitch of the first light when neither pitch nor shape is given.
+        pub pitch_mm: Option<Mm>,
+        /// Counts [x, y, z]; the pitch then follows the target, or is `pitch_mm`.
+        pub shape: Option<[usize; 3]>,
+        /// How many times finer than the job's the optimization's voxels are, across the axis; along z they are as high as a row of pixels. When left out: with
+        /// `surface = "fraction"` and level light up to a quarter of a pixel, with `"cells"` up to half a pixel, as far as the time allows; else 1.
+        pub refine: Option<usize>,
+        /// Which voxels count: the whole `box`, or the `cylinder` about the axis that is inscribed in it.
+        pub region: Region = Region::Box,
+        /// Accepts a grid (`shape` × `pitch_mm`) that is too small for the part; only what lies in the grid is printed.
+        pub clip: bool = false,
+        /// Moves the grid along z, by half a voxel at most, so that its slices lie on rows of pixels of the first light.
+        pub on_rows: bool = true,
     }
 }
 
@@ -343,7 +326,10 @@ impl JobSpec {
 
     /// Movies turn as fast as the schedule.
     fn turn_at_one_speed(&mut self, has_rpm: bool) -> Result<()> {
-        let seconds = self.schedule.as_ref().and_then(|own| own.seconds_per_turn);
+        let seconds = self
+            .schedule
+            .as_ref()
+            .and_then(|table| table.seconds_per_turn);
         let Some(seconds) = seconds.filter(|s| *s > 0.0) else {
             return Ok(());
         };

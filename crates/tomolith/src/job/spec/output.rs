@@ -11,35 +11,31 @@ pub(crate) const LEAST_REFINE: usize = 2;
 /// The most bits at which patterns are improved on their levels; with more, rounding costs next to nothing (docs/choices.md).
 const MOST_BITS: u32 = 5;
 
-/// How the written patterns are evaluated: their dose is simulated again, turning and on a finer grid.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct EvaluateSpec {
-    /// Bits to which patterns are quantized, 1 to 16.
-    pub bit_depth: u32,
-    /// How patterns are put on the levels of 5 bits or fewer: "optimized" on these levels after the optimization, or "rounded". With more bits they
-    /// are rounded.
-    pub levels: Levelling,
-    /// Angles at which the arc of a frame is averaged.
-    pub sub_angles: usize,
-    /// How many times finer than the job's the voxels of the evaluation are; lowered, with a warning, where the memory budget is too small. When left out: as fine as the
-    /// optimization's, up to 3·10⁷ voxels, and at least 2.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub refine: Option<usize>,
-    /// Dose at which the resin turns solid; the one with the best IoU when left out.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub threshold: Option<f64>,
-    /// Percent of the voxels that trimmed metrics leave out at each end, in part and in void, 0 to below 50.
-    pub trim_percent: f64,
-    /// Whether distances between the surfaces of print and target are measured. They take most of the time of a small evaluation, and a sweep that collects none
-    /// leaves them out.
-    pub surfaces: bool,
-    /// IoU that the evaluation must reach: below it the command ends with exit code 1.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub require_iou: Option<f64>,
-    /// Gray targets: share of the voxels that must be in their bands, 0 to 1; below it the command ends with exit code 1.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub require_in_band: Option<f64>,
+tomolith_core::keys! {
+    /// How the written patterns are evaluated: their dose is simulated again, turning and on a finer grid.
+    pub struct EvaluateSpec {
+        /// Bits to which patterns are quantized, 1 to 16.
+        pub bit_depth: u32 = 8,
+        /// How patterns are put on the levels of 5 bits or fewer: "optimized" on these levels after the optimization, or "rounded". With more bits they
+        /// are rounded.
+        pub levels: Levelling = Levelling::Optimized,
+        /// Angles at which the arc of a frame is averaged.
+        pub sub_angles: usize = 4,
+        /// How many times finer than the job's the voxels of the evaluation are; lowered, with a warning, where the memory budget is too small. When left out: as fine as the
+        /// optimization's, up to 3·10⁷ voxels, and at least 2.
+        pub refine: Option<usize>,
+        /// Dose at which the resin turns solid; the one with the best IoU when left out.
+        pub threshold: Option<f64>,
+        /// Percent of the voxels that trimmed metrics leave out at each end, in part and in void, 0 to below 50.
+        pub trim_percent: f64 = 0.025,
+        /// Whether distances between the surfaces of print and target are measured. They take most of the time of a small evaluation, and a sweep that collects none
+        /// leaves them out.
+        pub surfaces: bool = true,
+        /// IoU that the evaluation must reach: below it the command ends with exit code 1.
+        pub require_iou: Option<f64>,
+        /// Gray targets: share of the voxels that must be in their bands, 0 to 1; below it the command ends with exit code 1.
+        pub require_in_band: Option<f64>,
+    }
 }
 
 /// How patterns come to few levels.
@@ -54,24 +50,23 @@ pub enum Levelling {
     Rounded,
 }
 
-/// What is written, and where.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct OutputSpec {
-    /// The run folder, relative to the current folder; `out/` and the job's name when left out.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub folder: Option<PathBuf>,
-    /// Turns of the vial per minute: gives the movie its frame rate.
-    pub rpm: f64,
-    /// The movie: "h264" (default; 8 bits, within a few levels, every player shows it), "lossless" (PNG frames in a
-    /// QuickTime file, every level exact at any bit depth) or "none".
-    pub movie: MovieCoding,
-    /// Whether `evaluation/` holds what the report's numbers are of: response, target and labels on the evaluation's voxels, for `tomolith metrics`. (`dose.npy` is
-    /// the dose on the job's voxels.)
-    pub evaluation: bool,
-    /// Formats of `volumes/`, which holds doses, target, labels and properties on the job's voxels for other programs: "nrrd" (3D Slicer, ITK), "tiff" (ImageJ, Fiji),
-    /// "ome-zarr" (napari, neuroglancer). `dose.npy` and `dose.vti` (ParaView) are written anyway.
-    pub volumes: BTreeSet<VolumeFormat>,
+tomolith_core::keys! {
+    /// What is written, and where.
+    pub struct OutputSpec {
+        /// The run folder, relative to the current folder; `out/` and the job's name when left out.
+        pub folder: Option<PathBuf>,
+        /// Turns of the vial per minute: gives the movie its frame rate.
+        pub rpm: f64 = 10.0,
+        /// The movie: "h264" (default; 8 bits, within a few levels, every player shows it), "lossless" (PNG frames in a
+        /// QuickTime file, every level exact at any bit depth) or "none".
+        pub movie: MovieCoding = MovieCoding::default(),
+        /// Whether `evaluation/` holds what the report's numbers are of: response, target and labels on the evaluation's voxels, for `tomolith metrics`. (`dose.npy` is
+        /// the dose on the job's voxels.)
+        pub evaluation: bool = false,
+        /// Formats of `volumes/`, which holds doses, target, labels and properties on the job's voxels for other programs: "nrrd" (3D Slicer, ITK), "tiff" (ImageJ, Fiji),
+        /// "ome-zarr" (napari, neuroglancer). `dose.npy` and `dose.vti` (ParaView) are written anyway.
+        pub volumes: BTreeSet<VolumeFormat> = BTreeSet::new(),
+    }
 }
 
 /// A format in which other programs open volumes.
@@ -110,34 +105,6 @@ pub enum MovieCoding {
     Lossless,
     /// No movie.
     None,
-}
-
-impl Default for EvaluateSpec {
-    fn default() -> Self {
-        EvaluateSpec {
-            bit_depth: 8,
-            levels: Levelling::Optimized,
-            sub_angles: 4,
-            refine: None,
-            threshold: None,
-            trim_percent: 0.025,
-            surfaces: true,
-            require_iou: None,
-            require_in_band: None,
-        }
-    }
-}
-
-impl Default for OutputSpec {
-    fn default() -> Self {
-        OutputSpec {
-            folder: None,
-            rpm: 10.0,
-            movie: MovieCoding::default(),
-            evaluation: false,
-            volumes: BTreeSet::new(),
-        }
-    }
 }
 
 impl EvaluateSpec {

@@ -335,6 +335,7 @@ fn each_file(value: &mut serde_json::Value, change: &dyn Fn(&str) -> PathBuf) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::job::tests::job_of;
 
     #[test]
     fn a_sweep_is_told_from_a_job() {
@@ -399,13 +400,10 @@ mod tests {
 
     #[test]
     fn counts_that_are_those_of_a_toy_are_told_as_such() {
-        let folder = tempfile::tempdir().unwrap();
-        let file = folder.path().join("job.toml");
         let text = "target.phantom = \"gear\"\ntarget.size_mm = 3\nvial.index_matched.radius_mm = 4\n\
              [resin]\nrefractive_index = 1.5\nabsorption_per_mm = 0.1\n\
              [[light]]\npixels = [60, 40]\nangles = 60\nprojector.collimated.pixel_pitch_mm = 0.1\n";
-        std::fs::write(&file, text).unwrap();
-        let job = Job::read(&file, &[]).unwrap();
+        let job = job_of(text, &[]);
         let said = |job: &Job, key: &str| {
             let error = Error::config(key, "found", "more of them");
             job.locate(error).to_string().contains("`--toy` counts")

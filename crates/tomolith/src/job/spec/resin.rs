@@ -8,35 +8,30 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::path::PathBuf;
 
-/// The resin at the light's wavelength.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct ResinSpec {
-    /// Refractive index, 1 to 4.
-    pub refractive_index: f64,
-    /// Napierian absorption of the active species, 1/mm, > 0: what makes dose. Required, except with `pure_radon`, which does not use it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub absorption_per_mm: Option<f64>,
-    /// Total Napierian attenuation, 1/mm; absorption + scattering when left out.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub attenuation_per_mm: Option<f64>,
-    /// Refractive index that changes with the distance from the axis; from 1 to 4 everywhere in the resin.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub gradient: Option<gradient::Params>,
-    /// Absorption that changes from place to place.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub absorption_map: Option<MapSpec>,
-    /// Napierian scattering, 1/mm; a part of the total attenuation.
-    pub scattering_per_mm: f64,
-    /// Phase function of the scattering, `[resin.phase.KIND]`.
-    pub phase: Value,
-    /// Dose is the plain sum of fluence, with no absorption at all (the Radon convention of the literature).
-    pub pure_radon: bool,
-    /// Definition of dose: "energy" (default), absorbed per volume, or "drtvam", that times (n_surrounding/n_resin)², as in Dr.TVAM.
-    pub dose_convention: DoseConvention,
-    /// Dose at which the resin turns solid, mJ/mm³; ties the relative dose to exposure.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub critical_dose_mj_per_mm3: Option<f64>,
+tomolith_core::keys! {
+    /// The resin at the light's wavelength.
+    pub struct ResinSpec {
+        /// Refractive index, 1 to 4.
+        pub refractive_index: f64 = 1.5,
+        /// Napierian absorption of the active species, 1/mm, > 0: what makes dose. Required, except with `pure_radon`, which does not use it.
+        pub absorption_per_mm: Option<f64>,
+        /// Total Napierian attenuation, 1/mm; absorption + scattering when left out.
+        pub attenuation_per_mm: Option<f64>,
+        /// Refractive index that changes with the distance from the axis; from 1 to 4 everywhere in the resin.
+        pub gradient: Option<gradient::Params>,
+        /// Absorption that changes from place to place.
+        pub absorption_map: Option<MapSpec>,
+        /// Napierian scattering, 1/mm; a part of the total attenuation.
+        pub scattering_per_mm: f64 = 0.0,
+        /// Phase function of the scattering, `[resin.phase.KIND]`.
+        pub phase: Value = kind("rayleigh"),
+        /// Dose is the plain sum of fluence, with no absorption at all (the Radon convention of the literature).
+        pub pure_radon: bool = false,
+        /// Definition of dose: "energy" (default), absorbed per volume, or "drtvam", that times (n_surrounding/n_resin)², as in Dr.TVAM.
+        pub dose_convention: DoseConvention = DoseConvention::Energy,
+        /// Dose at which the resin turns solid, mJ/mm³; ties the relative dose to exposure.
+        pub critical_dose_mj_per_mm3: Option<f64>,
+    }
 }
 
 /// What a dose counts.
@@ -71,22 +66,5 @@ impl ResinSpec {
         self.absorption_per_mm
             .filter(|_| !self.pure_radon)
             .unwrap_or(0.0)
-    }
-}
-
-impl Default for ResinSpec {
-    fn default() -> Self {
-        ResinSpec {
-            refractive_index: 1.5,
-            absorption_per_mm: None,
-            attenuation_per_mm: None,
-            gradient: None,
-            absorption_map: None,
-            scattering_per_mm: 0.0,
-            phase: kind("rayleigh"),
-            pure_radon: false,
-            dose_convention: DoseConvention::Energy,
-            critical_dose_mj_per_mm3: None,
-        }
     }
 }

@@ -46,65 +46,45 @@ impl RobustOf {
     }
 }
 
-/// Parameters of the response that are unknowns, too: found together with the patterns, within ranges.
-///
-/// Li et al. (2024), section 3.4.1, propose it; docs/material.md says how. It says what a resin of this form could do at best, and which one.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct CoOptimizeSpec {
-    /// Parameters of `[response.KIND]` and the range of each, [smallest, largest], as `{ steepness = [10.0, 150.0], midpoint = [0.3, 0.7] }`.
-    /// The search begins at the values of `[response.KIND]`, brought into the ranges. A range above 0 is searched along its logarithm.
-    pub response: BTreeMap<String, [f64; 2]>,
-    /// Part of its range to which a parameter is found, above 0, at most 0.25. The optimization does not end by `stop.change`,
-    /// `stop.projected_gradient` or for want of progress while a step moves one by more.
-    pub tolerance: f64,
-}
-
-impl Default for CoOptimizeSpec {
-    fn default() -> Self {
-        CoOptimizeSpec {
-            response: BTreeMap::new(),
-            tolerance: 1e-3,
-        }
+tomolith_core::keys! {
+    /// Parameters of the response that are unknowns, too: found together with the patterns, within ranges.
+    ///
+    /// Li et al. (2024), section 3.4.1, propose it; docs/material.md says how. It says what a resin of this form could do at best, and which one.
+    pub struct CoOptimizeSpec {
+        /// Parameters of `[response.KIND]` and the range of each, [smallest, largest], as `{ steepness = [10.0, 150.0], midpoint = [0.3, 0.7] }`.
+        /// The search begins at the values of `[response.KIND]`, brought into the ranges. A range above 0 is searched along its logarithm.
+        pub response: BTreeMap<String, [f64; 2]> = BTreeMap::new(),
+        /// Part of its range to which a parameter is found, above 0, at most 0.25. The optimization does not end by `stop.change`,
+        /// `stop.projected_gradient` or for want of progress while a step moves one by more.
+        pub tolerance: f64 = 1e-3,
     }
 }
 
-/// A start from coarser levels: each has half the voxels, pixels and frames along every axis of the next.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct MultiresolutionSpec {
-    /// Number of coarser levels, 1 to 6.
-    pub levels: usize,
-    /// Iterations on each of them.
-    pub iterations: usize,
-}
-
-impl Default for MultiresolutionSpec {
-    fn default() -> Self {
-        MultiresolutionSpec {
-            levels: 1,
-            iterations: 20,
-        }
+tomolith_core::keys! {
+    /// A start from coarser levels: each has half the voxels, pixels and frames along every axis of the next.
+    pub struct MultiresolutionSpec {
+        /// Number of coarser levels, 1 to 6.
+        pub levels: usize = 1,
+        /// Iterations on each of them.
+        pub iterations: usize = 20,
     }
 }
 
-/// Limits of pattern values, in units of the response's dose.
-#[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct BoundsSpec {
-    /// Smallest value, ≥ 0: the projector's background, which also lights pixels that miss the part.
-    pub min: f64,
-    /// Largest value; when left out, what `ceiling` says, and never more than the largest pixel of the start (no limit for a dark start).
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub max: Option<f64>,
-    /// How bright pixels may be where neither `max` nor `printer.time_s` says so: "lowest" (default; the lowest ceiling at which the print is as good as without
-    /// one, since a print lasts as long as its brightest pixel), or as bright as the brightest of the "start".
-    pub ceiling: Ceiling,
-    /// By how much a print may be worse with the ceiling than without it.
-    pub tolerance: CeilingTolerance,
-    /// Bits to which patterns are rounded in every step, 1 to 16; no rounding when left out.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub bits: Option<u32>,
+tomolith_core::keys! {
+    /// Limits of pattern values, in units of the response's dose.
+    pub struct BoundsSpec {
+        /// Smallest value, ≥ 0: the projector's background, which also lights pixels that miss the part.
+        pub min: f64 = 0.0,
+        /// Largest value; when left out, what `ceiling` says, and never more than the largest pixel of the start (no limit for a dark start).
+        pub max: Option<f64>,
+        /// How bright pixels may be where neither `max` nor `printer.time_s` says so: "lowest" (default; the lowest ceiling at which the print is as good as without
+        /// one, since a print lasts as long as its brightest pixel), or as bright as the brightest of the "start".
+        pub ceiling: Ceiling = Ceiling::default(),
+        /// By how much a print may be worse with the ceiling than without it.
+        pub tolerance: CeilingTolerance = CeilingTolerance::default(),
+        /// Bits to which patterns are rounded in every step, 1 to 16; no rounding when left out.
+        pub bits: Option<u32>,
+    }
 }
 
 impl BoundsSpec {
@@ -125,80 +105,46 @@ pub enum Ceiling {
     Start,
 }
 
-/// By how much a print may be worse with the lowest ceiling than without it.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct CeilingTolerance {
-    /// IoU that may be lost, 0 to 1.
-    pub iou: f64,
-    /// VER that may be added, 0 to 1.
-    pub ver: f64,
-    /// Share by which the mean surface deviation may grow, 0 to 1.
-    pub deviation: f64,
-    /// Share by which Γ, the range of exposures that print nearly as well, may shrink, 0 to 1.
-    pub latitude: f64,
-}
-
-impl Default for CeilingTolerance {
-    fn default() -> Self {
-        CeilingTolerance {
-            iou: 0.001,
-            ver: 0.005,
-            deviation: 0.05,
-            latitude: 0.25,
-        }
+tomolith_core::keys! {
+    /// By how much a print may be worse with the lowest ceiling than without it.
+    #[derive(PartialEq)]
+    pub struct CeilingTolerance {
+        /// IoU that may be lost, 0 to 1.
+        pub iou: f64 = 0.001,
+        /// VER that may be added, 0 to 1.
+        pub ver: f64 = 0.005,
+        /// Share by which the mean surface deviation may grow, 0 to 1.
+        pub deviation: f64 = 0.05,
+        /// Share by which Γ, the range of exposures that print nearly as well, may shrink, 0 to 1.
+        pub latitude: f64 = 0.25,
     }
 }
 
-/// When the optimization ends: at the first of these.
-#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct StopSpec {
-    /// Iterations of the optimizer.
-    pub iterations: usize,
-    /// Norm of the projected gradient, relative to that of the start, at which it ends.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub projected_gradient: Option<f64>,
-    /// Mean change of the loss over five steps, relative to the loss, at which it ends (0.001 in the BCLP paper); 0: never.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub change: Option<f64>,
-    /// Iterations after which `change` is looked at; 0 when left out. From patterns that are good already the loss changes little while
-    /// the print still does.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub change_after: Option<usize>,
-    /// Part of the loss by which patterns could still be better at most, at which it ends: 0.05 is 5 %. For linear models and convex
-    /// objectives; looked at after every fifth iteration.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub gap: Option<f64>,
-    /// Loss at which the optimization ends; it always ends at 0.
-    pub loss: f64,
-    /// Part of the first loss at which it ends, 0 to below 1. With `start.patterns.bounds_as` the first loss is that of the start named there.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub relative_loss: Option<f64>,
-    /// IoU on the optimization's grid at which it ends, 0 to 1; not for gray targets.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub iou: Option<f64>,
-    /// Wall time after which it ends, s.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub wall_s: Option<f64>,
-    /// Which patterns the run ends with: the "best" by the measure that the method improves (the loss; for `osmo` and `cal` the IoU on
-    /// the job's voxels, and where that is 1 the process window), or those of the "last" iteration.
-    pub keep: Keep,
-}
-
-impl Default for StopSpec {
-    fn default() -> Self {
-        StopSpec {
-            iterations: 45,
-            projected_gradient: None,
-            change: None,
-            change_after: None,
-            gap: None,
-            loss: 0.0,
-            relative_loss: None,
-            iou: None,
-            wall_s: None,
-            keep: Keep::Best,
-        }
+tomolith_core::keys! {
+    /// When the optimization ends: at the first of these.
+    pub struct StopSpec {
+        /// Iterations of the optimizer.
+        pub iterations: usize = 45,
+        /// Norm of the projected gradient, relative to that of the start, at which it ends.
+        pub projected_gradient: Option<f64>,
+        /// Mean change of the loss over five steps, relative to the loss, at which it ends (0.001 in the BCLP paper); 0: never.
+        pub change: Option<f64>,
+        /// Iterations after which `change` is looked at; 0 when left out. From patterns that are good already the loss changes little while
+        /// the print still does.
+        pub change_after: Option<usize>,
+        /// Part of the loss by which patterns could still be better at most, at which it ends: 0.05 is 5 %. For linear models and convex
+        /// objectives; looked at after every fifth iteration.
+        pub gap: Option<f64>,
+        /// Loss at which the optimization ends; it always ends at 0.
+        pub loss: f64 = 0.0,
+        /// Part of the first loss at which it ends, 0 to below 1. With `start.patterns.bounds_as` the first loss is that of the start named there.
+        pub relative_loss: Option<f64>,
+        /// IoU on the optimization's grid at which it ends, 0 to 1; not for gray targets.
+        pub iou: Option<f64>,
+        /// Wall time after which it ends, s.
+        pub wall_s: Option<f64>,
+        /// Which patterns the run ends with: the "best" by the measure that the method improves (the loss; for `osmo` and `cal` the IoU on
+        /// the job's voxels, and where that is 1 the process window), or those of the "last" iteration.
+        pub keep: Keep = Keep::Best,
     }
 }

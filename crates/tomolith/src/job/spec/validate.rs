@@ -1,16 +1,17 @@
 //! Ranges of every key, before any work.
 
 use super::file_names;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, in_range};
 use crate::exposure::movie::FASTEST;
 use crate::exposure::{PrinterSpec, shown_rate};
 use crate::job::spec::species::at_species;
 use crate::job::spec::{
-    Angles, BoundsSpec, CeilingTolerance, DoseConvention, JobSpec, LightPrinterSpec, LightSpec,
-    OutputSpec, ResinSpec, SelectionSpec,
+    Angles, BoundsSpec, DoseConvention, JobSpec, LightPrinterSpec, LightSpec, OutputSpec,
+    ResinSpec, SelectionSpec,
 };
 use crate::units::exact;
 use std::collections::BTreeSet;
+use std::ops::RangeInclusive;
 
 /// Fastest turn of a vial, 1/min.
 const MOST_RPM: f64 = 1000.0;
@@ -29,7 +30,7 @@ const MOST_FRAMES: usize = 100_000;
 /// Most angles averaged in one frame.
 const MOST_SUB_ANGLES: usize = 64;
 /// Refractive indices of anything transparent.
-const INDEX: &str = "a refractive index, 1 to 4";
+const INDEX: RangeInclusive<f64> = 1.0..=4.0;
 
 /// Checks every number of the tables.
 ///
@@ -42,30 +43,20 @@ pub fn ranges(spec: &JobSpec) -> Result<()> {
     for i in 0..spec.light.len() {
         resin(&spec.resin_of(i)).map_err(|e| e.under(&format!("light[{i}]")))?;
     }
-    within(
-        "vial.surrounding_index",
-        spec.vial.common.surrounding_index,
-        1.0,
-        4.0,
-        INDEX,
-    )?;
+    let (index, key) = (spec.vial.common.surrounding_index, "vial.surrounding_index");
+    within(key, index, INDEX, "a refractive index")?;
     if let Some(bath) = &spec.bath {
-        within(
-            "bath.absorption_per_mm",
-            bath.absorption_per_mm,
-            0.0,
-            MOST_ABSORPTION,
-            "1/mm, 0 to 100",
-        )?;
+        let (key, strongest) = ("bath.absorption_per_mm", 0.0..=MOST_ABSORPTION);
+        within(key, bath.absorption_per_mm, strongest, "1/mm")?;
         positive("bath.radius_mm", bath.radius_mm.0, "mm")?;
     }
     lights(&spec.light)?;
     species(spec)?;
     bounds_and_stop(spec)?;
     evaluate_and_output(spec)?;
-    if let Some(memory_gb) = spec.resources.memory_gb {
-        positive("resources.memory_gb", memory_gb, "GB")?;
-    }
+    optional(spec.resources.memory_gb, |gb| {
+        positive("resources.memory_gb", gb, "GB")
+    })?;
     printer(spec)
 }
 
@@ -128,7 +119,7 @@ fn at_speed(spec: &JobSpec, i: usize, mut error: Error) -> Error {
     let device = spec.printer.as_ref().map(|printer| printer.refresh_hz);
     let schedule = spec.schedule.as_ref();
     if let Error::Config { key, .. } = &mut error
-        && schedule.is_some_and(|own| own.seconds_per_turn.is_some())
+        && schedule.is_some_and(|table| table.seconds_per_turn.is_some())
     {
         "schedule.seconds_per_turn".clone_into(key);
     } else if let Error::Config { key, .. } = &mut error
@@ -155,13 +146,8 @@ fn grid(spec: &JobSpec) -> Result<()> {
 }
 
 fn resin(resin: &ResinSpec) -> Result<()> {
-    within(
-        "resin.refractive_index",
-        resin.refractive_index,
-        1.0,
-        4.0,
-        INDEX,
-    )?;
+    let key = "resin.refractive_index";
+    within(key, resin.refractive_index, INDEX, "a refractive index")?;
     absorption(resin)?;
     if let Some(attenuation) = resin.attenuation_per_mm {
         // What the absorption is worth with `pure_radon`, which does not use it, is still no more than the attenuation
@@ -169,12 +155,11 @@ fn resin(resin: &ResinSpec) -> Result<()> {
         let accepted = format!(
             "a number of at least resin.absorption_per_mm + resin.scattering_per_mm = {least}, in 1/mm"
         );
-        within(
+        in_range(
+            attenuation >= least && attenuation.is_finite(),
             "resin.attenuation_per_mm",
             attenuation,
-            least,
-            f64::MAX,
-            &accepted,
+            accepted,
         )?;
     }
     not_negative("resin.scattering_per_mm", resin.scattering_per_mm, "1/mm")?;
@@ -195,10 +180,9 @@ fn resin(resin: &ResinSpec) -> Result<()> {
             "resin.dose_convention = \"energy\"",
         ));
     }
-    match resin.critical_dose_mj_per_mm3 {
-        Some(dose) => positive("resin.critical_dose_mj_per_mm3", dose, "mJ/mm³"),
-        None => Ok(()),
-    }
+    optional(resin.critical_dose_mj_per_mm3, |dose| {
+        positive("resin.critical_dose_mj_per_mm3", dose, "mJ/mm³")
+    })
 }
 
 fn absorption(resin: &ResinSpec) -> Result<()> {
@@ -215,11 +199,11 @@ fn absorption(resin: &ResinSpec) -> Result<()> {
             let accepted = format!(
                 "at least {LEAST_ABSORPTION:e} per mm, or resin.pure_radon = true for the plain sum of fluence"
             );
-            refuse(key, exact(absorption), accepted)
+            Err(Error::refused(key, exact(absorption), accepted))
         }
         Some(absorption) if absorption > MOST_ABSORPTION => {
             let accepted = format!("at most {MOST_ABSORPTION} per mm: light must reach the part");
-            refuse(key, exact(absorption), accepted)
+            Err(Error::refused(key, exact(absorption), accepted))
         }
         Some(absorption) => not_negative(key, absorption, "1/mm"),
     }
@@ -304,19 +288,13 @@ fn species(spec: &JobSpec) -> Result<()> {
 }
 
 fn light(light: &LightSpec) -> Result<()> {
-    within(
-        "wavelength_nm",
-        light.wavelength_nm,
-        100.0,
-        20_000.0,
-        "nm, 100 to 20000",
-    )?;
+    within("wavelength_nm", light.wavelength_nm, 100.0..=20_000.0, "nm")?;
     for (i, n) in light.pixels.into_iter().enumerate() {
         count(&format!("pixels[{i}]"), n, 1, LARGEST_EDGE)?;
     }
     for (i, mm) in light.offset_mm.into_iter().enumerate() {
         let key = format!("offset_mm[{i}]");
-        within(&key, mm.0, -1000.0, 1000.0, "mm, -1000 to 1000")?;
+        within(&key, mm.0, -1000.0..=1000.0, "mm")?;
     }
     selection(light).map_err(|e| e.under("selection"))?;
     if let Some(sub_angles) = light.sub_angles {
@@ -329,20 +307,13 @@ fn light(light: &LightSpec) -> Result<()> {
             arc_deg,
         } => {
             count("angles", *frames, 1, MOST_FRAMES)?;
-            within(
-                "angles.start_deg",
-                *start_deg,
-                -360.0,
-                360.0,
-                "degrees, -360 to 360",
-            )?;
-            positive("angles.arc_deg", *arc_deg, "degrees, at most 360")?;
-            within(
+            within("angles.start_deg", *start_deg, -360.0..=360.0, "degrees")?;
+            let is_arc = *arc_deg > 0.0 && *arc_deg <= 360.0;
+            in_range(
+                is_arc,
                 "angles.arc_deg",
                 *arc_deg,
-                0.0,
-                360.0,
-                "degrees, more than 0 and at most 360",
+                "degrees, above 0 and at most 360",
             )
         }
         Angles::List(list) => {
@@ -355,13 +326,8 @@ fn light(light: &LightSpec) -> Result<()> {
                 return Err(Error::config("angles.list_deg", found, accepted));
             }
             list.iter().enumerate().try_for_each(|(i, angle)| {
-                within(
-                    &format!("angles.list_deg[{i}]"),
-                    *angle,
-                    -3600.0,
-                    3600.0,
-                    "degrees, -3600 to 3600",
-                )
+                let key = format!("angles.list_deg[{i}]");
+                within(&key, *angle, -3600.0..=3600.0, "degrees")
             })
         }
     }
@@ -393,79 +359,73 @@ fn selection(light: &LightSpec) -> Result<()> {
     optional(corner_radius_mm.map(|mm| mm.0), |mm| {
         positive("corner_radius_mm", mm, "mm")
     })?;
-    let accepted = "a share of the best pixel's, 0 to 0.999";
-    within("min_contribution", *min_contribution, 0.0, 0.999, accepted)
+    let what = "a share of the best pixel's";
+    within("min_contribution", *min_contribution, 0.0..=0.999, what)
 }
 
 fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
     let BoundsSpec { min, max, bits, .. } = spec.bounds;
-    let CeilingTolerance {
-        iou,
-        ver,
-        deviation,
-        latitude,
-    } = spec.bounds.tolerance;
+    let tolerance = &spec.bounds.tolerance;
     for (name, value) in [
-        ("iou", iou),
-        ("ver", ver),
-        ("deviation", deviation),
-        ("latitude", latitude),
+        ("iou", tolerance.iou),
+        ("ver", tolerance.ver),
+        ("deviation", tolerance.deviation),
+        ("latitude", tolerance.latitude),
     ] {
         within(
             &format!("bounds.tolerance.{name}"),
             value,
-            0.0,
-            1.0,
-            "0 to 1",
+            0.0..=1.0,
+            "a part",
         )?;
     }
-    within(
-        "bounds.min",
-        min,
-        0.0,
-        MOST_LIGHT,
-        &format!("0 to {MOST_LIGHT:e} mJ/mm²: light cannot be taken away"),
-    )?;
-    optional(max, |max| {
-        positive("bounds.max", max, "mJ/mm²")?;
-        above("bounds.max", max, "bounds.min", min)
-    })?;
+    let background = |key: &str, least: f64| {
+        let accepted = format!("0 to {MOST_LIGHT:e} mJ/mm²: light cannot be taken away");
+        in_range((0.0..=MOST_LIGHT).contains(&least), key, least, accepted)
+    };
+    background("bounds.min", min)?;
+    optional(max, |max| above("bounds.max", max, "bounds.min", min))?;
     for (i, light) in spec.light.iter().enumerate() {
         let key = |name: &str| format!("light[{i}].bounds.{name}");
-        let accepted = format!("0 to {MOST_LIGHT:e} mJ/mm²: light cannot be taken away");
-        optional(light.bounds.min, |own| {
-            within(&key("min"), own, 0.0, MOST_LIGHT, &accepted)
-        })?;
+        optional(light.bounds.min, |least| background(&key("min"), least))?;
         let least = light.bounds.min.unwrap_or(min);
         let from = match light.bounds.min {
             Some(_) => key("min"),
             None => "bounds.min".to_owned(),
         };
-        optional(light.bounds.max, |own| {
-            positive(&key("max"), own, "mJ/mm²")?;
-            above(&key("max"), own, &from, least)
+        optional(light.bounds.max, |most| {
+            above(&key("max"), most, &from, least)
         })?;
         optional(max.filter(|_| light.bounds.max.is_none()), |most| {
             let accepted = format!("less than bounds.max = {most}");
-            match least < most {
-                true => Ok(()),
-                false => refuse(&from, exact(least), accepted),
-            }
+            in_range(least < most, &from, least, accepted)
         })?;
     }
-    optional(bits.map(f64::from), |v| {
-        within("bounds.bits", v, 1.0, 16.0, "1 to 16 bits")
-    })?;
-    if let Some(coarse) = &spec.multiresolution {
-        within(
-            "multiresolution.levels",
-            coarse.levels as f64,
-            1.0,
-            6.0,
-            "1 to 6 levels",
-        )?;
-    }
     let stop = &spec.stop;
+    let levels = spec
+        .multiresolution
+        .as_ref()
+        .map(|coarse| coarse.levels as f64);
+    let never = |part: Option<f64>| part.filter(|part| *part != 0.0);
+    for (key, value, range, what) in [
+        ("bounds.bits", bits.map(f64::from), 1.0..=16.0, "bits"),
+        ("multiresolution.levels", levels, 1.0..=6.0, "levels"),
+        (
+            "stop.gap",
+            never(stop.gap),
+            1e-6..=0.99,
+            "a part of the loss (0: never)",
+        ),
+        (
+            "stop.relative_loss",
+            never(stop.relative_loss),
+            1e-12..=0.99,
+            "a part of the first loss (0: never)",
+        ),
+        ("stop.iou", stop.iou, 0.0..=1.0, "an IoU"),
+    ] {
+        optional(value, |value| within(key, value, range.clone(), what))?;
+    }
     optional(stop.change, |v| not_negative("stop.change", v, ""))?;
     if let (Some(after), None) = (stop.change_after, stop.change) {
         return Err(Error::config(
@@ -474,20 +434,9 @@ fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
             "both stop.change and stop.change_after, or neither",
         ));
     }
-    optional(stop.gap.filter(|gap| *gap != 0.0), |v| {
-        let accepted = "a part of the loss, 0.000001 to 0.99, or 0: never";
-        within("stop.gap", v, 1e-6, 0.99, accepted)
-    })?;
     not_negative("stop.loss", stop.loss, "")?;
-    optional(stop.relative_loss.filter(|part| *part != 0.0), |v| {
-        let accepted = "a part of the first loss, 1e-12 to 0.99, or 0: never";
-        within("stop.relative_loss", v, 1e-12, 0.99, accepted)
-    })?;
     optional(stop.projected_gradient, |v| {
         not_negative("stop.projected_gradient", v, "")
-    })?;
-    optional(stop.iou, |v| {
-        within("stop.iou", v, 0.0, 1.0, "a number from 0 to 1")
     })?;
     optional(stop.wall_s, |v| positive("stop.wall_s", v, "s"))?;
     optional(spec.checkpoint.every_s, |v| {
@@ -497,57 +446,50 @@ fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
 
 fn evaluate_and_output(spec: &JobSpec) -> Result<()> {
     let evaluate = &spec.evaluate;
-    count("evaluate.bit_depth", evaluate.bit_depth as usize, 1, 16)?;
-    count(
-        "evaluate.sub_angles",
-        evaluate.sub_angles,
-        1,
-        MOST_SUB_ANGLES,
-    )?;
-    if let Some(refine) = evaluate.refine {
-        count("evaluate.refine", refine, 1, 32)?;
+    let refine = evaluate.refine.unwrap_or(1);
+    for (key, value, most) in [
+        ("evaluate.bit_depth", evaluate.bit_depth as usize, 16),
+        ("evaluate.sub_angles", evaluate.sub_angles, MOST_SUB_ANGLES),
+        ("evaluate.refine", refine, 32),
+    ] {
+        count(key, value, 1, most)?;
     }
-    optional(evaluate.threshold, |v| {
-        within("evaluate.threshold", v, 1e-6, 1e6, "a dose, 1e-6 to 1e6")
-    })?;
-    within(
-        "evaluate.trim_percent",
-        evaluate.trim_percent,
-        0.0,
-        49.9,
-        "per cent, 0 to 49.9",
-    )?;
-    optional(evaluate.require_iou, |v| {
-        within("evaluate.require_iou", v, 0.0, 1.0, "a number from 0 to 1")
-    })?;
-    optional(evaluate.require_in_band, |v| {
-        within(
+    let trim = Some(evaluate.trim_percent);
+    for (key, value, range, what) in [
+        (
+            "evaluate.threshold",
+            evaluate.threshold,
+            1e-6..=1e6,
+            "a dose",
+        ),
+        ("evaluate.trim_percent", trim, 0.0..=49.9, "per cent"),
+        (
+            "evaluate.require_iou",
+            evaluate.require_iou,
+            0.0..=1.0,
+            "an IoU",
+        ),
+        (
             "evaluate.require_in_band",
-            v,
-            0.0,
-            1.0,
-            "a number from 0 to 1",
-        )
-    })?;
+            evaluate.require_in_band,
+            0.0..=1.0,
+            "a part",
+        ),
+    ] {
+        optional(value, |value| within(key, value, range.clone(), what))?;
+    }
     positive("output.rpm", spec.output.rpm, "turns per minute")?;
     if spec.output.rpm > MOST_RPM {
         let schedule = spec.schedule.as_ref();
-        let key = match schedule.and_then(|own| own.seconds_per_turn) {
+        let key = match schedule.and_then(|table| table.seconds_per_turn) {
             Some(_) => "schedule.seconds_per_turn",
             None => "output.rpm",
         };
-        return Err(Error::config(
-            key,
-            format!("found {} turns per minute", exact(spec.output.rpm)),
-            format!("at most {MOST_RPM} turns per minute"),
-        ));
+        let accepted = format!("at most {MOST_RPM} turns per minute");
+        return Err(Error::refused(key, exact(spec.output.rpm), accepted));
     }
-    if spec
-        .output
-        .folder
-        .as_ref()
-        .is_some_and(|folder| folder.as_os_str().is_empty())
-    {
+    let folder = spec.output.folder.as_deref();
+    if folder.is_some_and(|folder| folder.as_os_str().is_empty()) {
         return Err(Error::config(
             "output.folder",
             "found an empty path",
@@ -570,54 +512,40 @@ fn optional(value: Option<f64>, check: impl Fn(f64) -> Result<()>) -> Result<()>
     value.map_or(Ok(()), check)
 }
 
-fn refuse(key: &str, value: impl std::fmt::Display, accepted: String) -> Result<()> {
-    Err(Error::config(key, format!("found {value}"), accepted))
-}
-
 fn positive(key: &str, value: f64, unit: &str) -> Result<()> {
-    if value > 0.0 && value.is_finite() {
-        return Ok(());
-    }
-    refuse(
-        key,
-        exact(value),
-        format!("a number > 0 {unit}").trim_end().to_owned(),
-    )
+    let is_in = value > 0.0 && value.is_finite();
+    in_range(is_in, key, value, format!("a number > 0 {unit}"))
 }
 
 fn not_negative(key: &str, value: f64, unit: &str) -> Result<()> {
-    if value >= 0.0 && value.is_finite() {
-        return Ok(());
-    }
-    refuse(
+    let is_in = value >= 0.0 && value.is_finite();
+    in_range(
+        is_in,
         key,
-        exact(value),
-        format!("a number, 0 or more {unit}").trim_end().to_owned(),
+        value,
+        format!("a number, 0 or more {unit}").trim_end(),
     )
 }
 
-fn within(key: &str, value: f64, least: f64, most: f64, accepted: &str) -> Result<()> {
-    if value >= least && value <= most {
-        Ok(())
-    } else {
-        refuse(key, exact(value), accepted.to_owned())
-    }
+fn within(key: &str, value: f64, range: RangeInclusive<f64>, what: &str) -> Result<()> {
+    let accepted = format!(
+        "{what}, {} to {}",
+        exact(*range.start()),
+        exact(*range.end())
+    );
+    in_range(range.contains(&value), key, value, accepted)
 }
 
 /// The largest value of pixels, which some room must lie below.
 fn above(key: &str, value: f64, least_key: &str, least: f64) -> Result<()> {
-    if value > least && value <= MOST_LIGHT {
-        return Ok(());
-    }
+    positive(key, value, "mJ/mm²")?;
     let accepted = format!("more than {least_key} = {least}, up to {MOST_LIGHT:e} mJ/mm²");
-    refuse(key, exact(value), accepted)
+    in_range(value > least && value <= MOST_LIGHT, key, value, accepted)
 }
 
 fn count(key: &str, value: usize, least: usize, most: usize) -> Result<()> {
-    if (least..=most).contains(&value) {
-        return Ok(());
-    }
-    refuse(key, value, format!("a whole number from {least} to {most}"))
+    let accepted = format!("a whole number from {least} to {most}");
+    in_range((least..=most).contains(&value), key, value, accepted)
 }
 
 /// Refuses numbers out of range, and tables of the job that do not go with unknowns of the response.
@@ -625,23 +553,24 @@ fn count(key: &str, value: usize, least: usize, most: usize) -> Result<()> {
 /// # Errors
 /// [`Error::Config`].
 fn co_optimized(spec: &JobSpec) -> Result<()> {
-    let Some(own) = &spec.co_optimize else {
+    let Some(unknowns) = &spec.co_optimize else {
         return Ok(());
     };
-    if own.response.is_empty() {
+    if unknowns.response.is_empty() {
         return Err(Error::config(
             "co_optimize.response",
             "no parameter",
             "one or more with their ranges, for example steepness = [10.0, 150.0]; or leave [co_optimize] out",
         ));
     }
-    if !(own.tolerance > 0.0 && own.tolerance <= 0.25) {
-        return Err(Error::config(
-            "co_optimize.tolerance",
-            format!("found {}", exact(own.tolerance)),
-            "a part of the ranges, above 0, at most 0.25",
-        ));
-    }
+    let is_part = unknowns.tolerance > 0.0 && unknowns.tolerance <= 0.25;
+    let accepted = "a part of the ranges, above 0, at most 0.25";
+    in_range(
+        is_part,
+        "co_optimize.tolerance",
+        unknowns.tolerance,
+        accepted,
+    )?;
     let time_s = spec.printer.as_ref().and_then(|printer| printer.time_s);
     for (key, is_there, found) in [
         (

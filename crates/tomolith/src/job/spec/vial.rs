@@ -29,27 +29,16 @@ pub struct VialSpec {
     pub kind: Value,
 }
 
-/// Keys of `[vial]` besides its kind.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct VialCommon {
-    /// Refractive index of what surrounds the vial: 1 for air, the bath's for a bath.
-    pub surrounding_index: f64,
-    /// The lower end of the resin; without it the resin has no end.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub bottom: Option<EndSpec>,
-    /// The upper end of the resin.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub top: Option<EndSpec>,
-}
-
-impl Default for VialCommon {
-    fn default() -> Self {
-        VialCommon {
-            surrounding_index: 1.0,
-            bottom: None,
-            top: None,
-        }
+tomolith_core::keys! {
+    /// Keys of `[vial]` besides its kind.
+    #[derive(PartialEq)]
+    pub struct VialCommon {
+        /// Refractive index of what surrounds the vial: 1 for air, the bath's for a bath.
+        pub surrounding_index: f64 = 1.0,
+        /// The lower end of the resin; without it the resin has no end.
+        pub bottom: Option<EndSpec>,
+        /// The upper end of the resin.
+        pub top: Option<EndSpec>,
     }
 }
 
