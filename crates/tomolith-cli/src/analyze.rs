@@ -1,10 +1,9 @@
 //! `tomolith analyze`: what a printer and a resin allow, from formulas.
 
-use crate::answer::{Answer, percent};
+use crate::answer::{Answer, Files, percent};
 use crate::arguments::Manner;
 use clap::{Args, Subcommand};
 use serde_json::json;
-use std::path::PathBuf;
 use tomolith::report::number::significant;
 use tomolith::report::plot::{Axis, Plot};
 use tomolith::{Error, Result};
@@ -121,15 +120,6 @@ struct ImpulseArguments {
     files: Files,
 }
 
-#[derive(Debug, Args)]
-struct Files {
-    /// New folder for table (CSV) and plots (SVG)
-    #[arg(long, short, value_name = "DIR")]
-    output: Option<PathBuf>,
-    #[command(flatten)]
-    manner: Manner,
-}
-
 impl AnalyzeArguments {
     pub(crate) fn manner(&self) -> Manner {
         match &self.what {
@@ -243,7 +233,7 @@ fn voxel(given: &VoxelArguments) -> Result<()> {
     answer.set("crossing_mm", crossing);
     answer.set("crossing_as_published_mm", setup.crossing_mm());
     let files = voxel_files(given, &setup);
-    answer.finish(given.files.manner, given.files.output.as_deref(), &files)
+    answer.finish(&given.files, &files)
 }
 
 /// Sizes against the radius of the vial, as a table and a plot.
@@ -366,7 +356,7 @@ fn buildup(given: &BuildupArguments) -> Result<()> {
         ("radial.csv", rate),
         ("radial.svg", rate_plot),
     ];
-    answer.finish(given.files.manner, given.files.output.as_deref(), &files)
+    answer.finish(&given.files, &files)
 }
 
 /// Doses at the radii of `--at` against time, as a table and a plot.
@@ -492,7 +482,7 @@ fn impulse(given: &ImpulseArguments) -> Result<()> {
             .iter()
             .map(|(name, text)| (name.as_str(), text.clone())),
     );
-    answer.finish(given.files.manner, given.files.output.as_deref(), &files)
+    answer.finish(&given.files, &files)
 }
 
 /// Both profiles, each divided by its largest value.

@@ -2,11 +2,22 @@
 
 use crate::arguments::Manner;
 use crate::screen::{mutter, say};
+use clap::Args;
 use serde_json::{Value, json};
-use std::path::Path;
+use std::path::PathBuf;
 use tomolith::Result;
 use tomolith::report::number::significant;
 use tomolith_planning::measured::write_folder;
+
+/// Where files of an answer go, and how it is told.
+#[derive(Debug, Args)]
+pub(crate) struct Files {
+    /// New folder for tables (CSV, TOML) and plots (SVG)
+    #[arg(long, short, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+    #[command(flatten)]
+    pub(crate) manner: Manner,
+}
 
 /// What was found: lines of a name and a value for people, an object for programs.
 #[derive(Default)]
@@ -30,13 +41,8 @@ impl Answer {
     }
 
     /// Writes files where a folder is named, and says what was found.
-    pub(crate) fn finish(
-        mut self,
-        manner: Manner,
-        output: Option<&Path>,
-        files: &[(&str, String)],
-    ) -> Result<()> {
-        if let Some(folder) = output {
+    pub(crate) fn finish(mut self, to: &Files, files: &[(&str, String)]) -> Result<()> {
+        if let Some(folder) = &to.output {
             write_folder(folder, files)?;
             let names: Vec<&str> = files.iter().map(|file| file.0).collect();
             self.line(
@@ -46,7 +52,7 @@ impl Answer {
             self.set("folder", folder);
             self.set("files", names);
         }
-        self.tell(manner);
+        self.tell(to.manner);
         Ok(())
     }
 

@@ -214,6 +214,14 @@ pub(crate) struct Manner {
 }
 
 impl Manner {
+    /// As usual, but for `--json`.
+    pub(crate) fn with_json(json: bool) -> Self {
+        Manner {
+            json,
+            ..Manner::default()
+        }
+    }
+
     /// The same, or silence on a rank that does not speak.
     pub(crate) fn of_rank(self, ranks: Option<&Ranks>) -> Self {
         let speaks = !ranks::is_silent(ranks);

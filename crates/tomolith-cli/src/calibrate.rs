@@ -1,6 +1,6 @@
 //! `tomolith calibrate`: frames for setting a machine up, and fits of what was measured.
 
-use crate::answer::{Answer, percent, with_error};
+use crate::answer::{Answer, Files, percent, with_error};
 use crate::arguments::Manner;
 use crate::screen::say;
 use clap::{Args, Subcommand, ValueEnum};
@@ -77,11 +77,8 @@ enum Fit {
 struct Measured {
     /// CSV file
     table: PathBuf,
-    /// New folder for the fit's files and its plot
-    #[arg(long, short, value_name = "DIR")]
-    output: Option<PathBuf>,
     #[command(flatten)]
-    manner: Manner,
+    files: Files,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -185,12 +182,12 @@ impl CalibrateArguments {
     pub(crate) fn manner(&self) -> Manner {
         match &self.fit {
             None => self.manner,
-            Some(Fit::Gray(given)) => given.measured.manner,
-            Some(Fit::Response(given)) => given.measured.manner,
-            Some(Fit::Kinetics(given)) => given.measured.manner,
-            Some(Fit::Absorbance(given)) => given.measured.manner,
+            Some(Fit::Gray(given)) => given.measured.files.manner,
+            Some(Fit::Response(given)) => given.measured.files.manner,
+            Some(Fit::Kinetics(given)) => given.measured.files.manner,
+            Some(Fit::Absorbance(given)) => given.measured.files.manner,
             Some(Fit::Discs(given)) => given.manner,
-            Some(Fit::Dose(given)) => given.measured.manner,
+            Some(Fit::Dose(given)) => given.measured.files.manner,
         }
     }
 }
@@ -256,11 +253,7 @@ fn gray(given: &GrayArguments) -> Result<()> {
         ("gray_curve.csv", found.file("mW/cm2")),
         ("gray_curve.svg", found.plot(&table, &fits)),
     ];
-    answer.finish(
-        given.measured.manner,
-        given.measured.output.as_deref(),
-        &files,
-    )
+    answer.finish(&given.measured.files, &files)
 }
 
 /// Names the file in errors of what it holds.
@@ -331,7 +324,7 @@ fn response(given: &ResponseArguments) -> Result<()> {
     answer.line("left over (rms)", significant(fit.rms, 3) + unit);
     answer.set("rms", fit.rms);
     answer.set("job_table", fit.job_table());
-    if given.measured.output.is_none() {
+    if given.measured.files.output.is_none() {
         for line in fit.job_table().lines() {
             answer.line("|", line);
         }
@@ -340,11 +333,7 @@ fn response(given: &ResponseArguments) -> Result<()> {
         ("response.toml", fit.job_table()),
         ("response.svg", fit.plot()),
     ];
-    answer.finish(
-        given.measured.manner,
-        given.measured.output.as_deref(),
-        &files,
-    )
+    answer.finish(&given.measured.files, &files)
 }
 
 fn of_times(given: &KineticsArguments) -> Result<()> {
@@ -431,11 +420,7 @@ fn of_times(given: &KineticsArguments) -> Result<()> {
         ("kinetics.csv", csv(&names, &rows)),
         ("kinetics.svg", kinetics::plot(&table, &fit)),
     ];
-    answer.finish(
-        given.measured.manner,
-        given.measured.output.as_deref(),
-        &files,
-    )
+    answer.finish(&given.measured.files, &files)
 }
 
 /// Absorbance from which on stray light inside a spectrometer decides what it shows.
@@ -504,11 +489,7 @@ fn of_absorbance(given: &AbsorbanceArguments) -> Result<()> {
         ("resin.toml", job_table),
         ("absorbance.svg", absorbance::plot(&liquids)),
     ];
-    answer.finish(
-        given.measured.manner,
-        given.measured.output.as_deref(),
-        &files,
-    )
+    answer.finish(&given.measured.files, &files)
 }
 
 fn print_of_discs(given: &DiscsArguments) -> Result<()> {
@@ -644,11 +625,7 @@ fn dose(given: &DoseArguments) -> Result<()> {
         files.push(("resin.toml", table));
     }
     answer.set("fit", &fit);
-    answer.finish(
-        given.measured.manner,
-        given.measured.output.as_deref(),
-        &files,
-    )
+    answer.finish(&given.measured.files, &files)
 }
 
 /// Frames for setting a machine up.

@@ -95,27 +95,15 @@ fn command(arguments: &Arguments, itself: &[OsString]) -> u8 {
         Command::Sweep(given) => (given.manner, sweep(given, ranks.as_ref())),
         Command::Reproduce(given) => (given.manner, reproduce(given, itself)),
         Command::Kinds { family, name, json } => {
-            let manner = Manner {
-                json: *json,
-                ..Manner::default()
-            };
-            (
-                manner,
-                help::kinds(family.as_deref(), name.as_deref(), *json).map(|()| true),
-            )
+            let told = help::kinds(family.as_deref(), name.as_deref(), *json);
+            (Manner::with_json(*json), told.map(|()| true))
         }
         Command::Profiles { name } => (
             Manner::default(),
             help::profiles(name.as_deref()).map(|()| true),
         ),
         Command::Schema { markdown } => (Manner::default(), help::schema(*markdown).map(|()| true)),
-        Command::Doctor { json } => {
-            let manner = Manner {
-                json: *json,
-                ..Manner::default()
-            };
-            (manner, doctor::doctor(*json))
-        }
+        Command::Doctor { json } => (Manner::with_json(*json), doctor::doctor(*json)),
         Command::Completions { shell } => {
             shell::completions(*shell);
             (Manner::default(), Ok(true))

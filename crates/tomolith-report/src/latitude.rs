@@ -257,9 +257,9 @@ mod tests {
         });
         let window = ExposureWindow::new(&evaluation, &Identity, Some(50.0)).unwrap();
         let text = window.sentence();
-        assert!(
-            text.contains("from 99.96 % to 100.02 % of it (from 62.48 s to 62.51 s"),
-            "{text}"
+        tomolith_core::contains!(
+            text,
+            "from 99.96 % to 100.02 % of it (from 62.48 s to 62.51 s"
         );
     }
 
@@ -272,11 +272,7 @@ mod tests {
         });
         let window = ExposureWindow::new(&evaluation, &Identity, None).unwrap();
         assert_eq!(window.percent.ascending(), [None, Some(100.0), None]);
-        assert!(
-            window.sentence().contains("at any of it"),
-            "{}",
-            window.sentence()
-        );
+        tomolith_core::contains!(window.sentence(), "at any of it");
         let json = serde_json::to_value(window).unwrap();
         assert!(json["threshold"]["high"].is_null() && json["time_s"].is_null());
         evaluation.latitude = None;

@@ -644,10 +644,7 @@ mod tests {
         let mut data = sample.data(&evaluation);
         data.inside = Some(&wanted);
         let (page, _) = page_of(&data);
-        assert!(
-            page.contains("100 % of the voxels lies within ±0.05"),
-            "{page}"
-        );
+        tomolith_core::contains!(page, "100 % of the voxels lies within ±0.05");
         let json = json::report_json(&data);
         let rms = json["evaluation"]["rms_error"].as_f64().unwrap();
         assert!((rms - 0.04).abs() < 1e-6, "{rms}");

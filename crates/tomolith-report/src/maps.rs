@@ -23,7 +23,7 @@ pub mod histograms;
 pub mod profiles;
 mod sheet;
 
-use sheet::{Frame, GLYPH, LabelMargins, Sheet, Ticks, add, panel_size, shortened};
+use sheet::{Frame, GLYPH, LabelMargins, Sheet, Ticks, draw, panel_size, shortened};
 
 /// Height of a curve, of its width.
 const FLAT: f64 = 0.66;
@@ -230,18 +230,13 @@ fn draw_guides(body: &mut String, frame: &Frame, [columns, rows]: [usize; 2], gu
             let (x, y) = (part(*x, columns), part(*y, rows));
             let is_inside = (0.0..=1.0).contains(&x) && (0.0..=1.0).contains(&y);
             if is_inside {
-                add(
-                    &mut path,
-                    format_args!("{letter}{:.1} {:.1}", frame.x(x), frame.y(y)),
-                );
+                draw!(path, "{letter}{:.1} {:.1}", frame.x(x), frame.y(y));
             }
             letter = if is_inside { 'L' } else { 'M' };
         }
-        add(
+        draw!(
             body,
-            format_args!(
-                "<path class=\"under\" d=\"{path}\"/><path class=\"guide\" stroke-dasharray=\"{dashes}\" d=\"{path}\"/>"
-            ),
+            "<path class=\"under\" d=\"{path}\"/><path class=\"guide\" stroke-dasharray=\"{dashes}\" d=\"{path}\"/>"
         );
     }
 }
@@ -348,11 +343,9 @@ fn map(
     } else {
         String::new()
     };
-    add(
+    draw!(
         body,
-        format_args!(
-            "<path class=\"halo\" d=\"{outline}\"/><path class=\"edge\" d=\"{outline}\"/>"
-        ),
+        "<path class=\"halo\" d=\"{outline}\"/><path class=\"edge\" d=\"{outline}\"/>"
     );
     for (i, _) in panel
         .cells
@@ -366,11 +359,9 @@ fn map(
             top + 0.5 * height,
             (0.42 * width.min(height)).clamp(4.0, 24.0),
         );
-        add(
+        draw!(
             body,
-            format_args!(
-                "<circle class=\"best\" cx=\"{cx:.1}\" cy=\"{cy:.1}\" r=\"{r:.1}\"/><circle class=\"ring\" cx=\"{cx:.1}\" cy=\"{cy:.1}\" r=\"{r:.1}\"/>"
-            ),
+            "<circle class=\"best\" cx=\"{cx:.1}\" cy=\"{cy:.1}\" r=\"{r:.1}\"/><circle class=\"ring\" cx=\"{cx:.1}\" cy=\"{cy:.1}\" r=\"{r:.1}\"/>"
         );
     }
     frame.title(body, &panel.title);
@@ -441,36 +432,32 @@ fn draw_cell(
     let shape =
         format!("x=\"{left:.2}\" y=\"{top:.2}\" width=\"{width:.2}\" height=\"{height:.2}\"");
     let Some(value) = cell.value else {
-        add(body, format_args!("<rect class=\"failed\" {shape}/>"));
+        draw!(body, "<rect class=\"failed\" {shape}/>");
         if cell.has_failed {
             let (r, cx, cy) = (
                 0.18 * width.min(height),
                 left + 0.5 * width,
                 top + 0.5 * height,
             );
-            add(
+            draw!(
                 body,
-                format_args!(
-                    "<path class=\"cross\" d=\"M{:.1} {:.1}l{:.1} {:.1}m0 {:.1}l{:.1} {:.1}\"/>",
-                    cx - r,
-                    cy - r,
-                    2.0 * r,
-                    2.0 * r,
-                    -2.0 * r,
-                    -2.0 * r,
-                    2.0 * r
-                ),
+                "<path class=\"cross\" d=\"M{:.1} {:.1}l{:.1} {:.1}m0 {:.1}l{:.1} {:.1}\"/>",
+                cx - r,
+                cy - r,
+                2.0 * r,
+                2.0 * r,
+                -2.0 * r,
+                -2.0 * r,
+                2.0 * r
             );
         }
         return;
     };
     let color = viridis(values.place(value));
-    add(
+    draw!(
         body,
-        format_args!(
-            "<rect class=\"cell\" fill=\"{}\" stroke=\"{0}\" stroke-width=\".4\" {shape}/>",
-            hex(color)
-        ),
+        "<rect class=\"cell\" fill=\"{}\" stroke=\"{0}\" stroke-width=\".4\" {shape}/>",
+        hex(color)
     );
 }
 
@@ -508,17 +495,15 @@ fn numbers(
         let middle = frame.left + ((i % columns) as f64 + 0.5) * width;
         let line = frame.top + ((rows - 1 - i / columns) as f64 + 0.5) * height;
         let half = 0.5 * GLYPH * text.chars().count() as f64;
-        add(
+        draw!(
             body,
-            format_args!(
-                "<rect class=\"plate\" fill=\"{}\" x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"13\"/>\
+            "<rect class=\"plate\" fill=\"{}\" x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"13\"/>\
                  <text class=\"small\" style=\"fill:{ink}\" x=\"{middle:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{text}</text>",
-                hex(color),
-                middle - half,
-                line - 6.5,
-                2.0 * half,
-                line + 4.0,
-            ),
+            hex(color),
+            middle - half,
+            line - 6.5,
+            2.0 * half,
+            line + 4.0
         );
     }
     left_out
@@ -582,12 +567,11 @@ fn draw_curve(body: &mut String, frame: &Frame, (curve, most): (&PlotCurve, usiz
     let heights = placed(values, (frame.height / 45.0) as usize);
     for (part, _) in &heights {
         let at = frame.y(*part);
-        add(
+        draw!(
             body,
-            format_args!(
-                "<path class=\"grid\" d=\"M{:.1} {at:.1}h{:.1}\"/>",
-                frame.left, frame.width
-            ),
+            "<path class=\"grid\" d=\"M{:.1} {at:.1}h{:.1}\"/>",
+            frame.left,
+            frame.width
         );
     }
     frame.axes(body, [&curve.name, ""], &ticks, &heights);
@@ -603,36 +587,34 @@ fn draw_curve(body: &mut String, frame: &Frame, (curve, most): (&PlotCurve, usiz
         for point in &curve.points {
             let place = at(point);
             if let Some([x, y]) = place {
-                add(&mut path, format_args!("{letter}{x:.1} {y:.1}"));
+                draw!(path, "{letter}{x:.1} {y:.1}");
             }
             letter = if place.is_some() { 'L' } else { 'M' };
         }
-        add(body, format_args!("<path class=\"line\" d=\"{path}\"/>"));
+        draw!(body, "<path class=\"line\" d=\"{path}\"/>");
     }
     for point in &curve.points {
         let Some([x, y]) = at(point) else {
             if point.1.has_failed {
                 let (x, y) = (frame.x(across.place(point.0)), frame.y(0.03));
-                add(
+                draw!(
                     body,
-                    format_args!(
-                        "<path class=\"cross\" d=\"M{:.1} {:.1}l8 8m0 -8l-8 8\"/>",
-                        x - 4.0,
-                        y - 4.0
-                    ),
+                    "<path class=\"cross\" d=\"M{:.1} {:.1}l8 8m0 -8l-8 8\"/>",
+                    x - 4.0,
+                    y - 4.0
                 );
             }
             continue;
         };
         let class = if point.1.is_feasible { "dot" } else { "out" };
-        add(
+        draw!(
             body,
-            format_args!("<circle class=\"{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3.4\"/>"),
+            "<circle class=\"{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3.4\"/>"
         );
         if point.1.is_best {
-            add(
+            draw!(
                 body,
-                format_args!("<circle class=\"ring\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"8\"/>"),
+                "<circle class=\"ring\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"8\"/>"
             );
         }
     }
@@ -655,24 +637,20 @@ impl Sheet {
         for i in 0..steps {
             let color = hex(viridis((f64::from(i) + 0.5) / f64::from(steps)));
             let top = first.top + first.height - f64::from(i + 1) * step;
-            add(
-                &mut self.body,
-                format_args!(
-                    "<rect fill=\"{color}\" x=\"{left:.1}\" y=\"{top:.2}\" width=\"16\" height=\"{:.2}\"/>",
-                    step + 0.3
-                ),
+            draw!(
+                self.body,
+                "<rect fill=\"{color}\" x=\"{left:.1}\" y=\"{top:.2}\" width=\"16\" height=\"{:.2}\"/>",
+                step + 0.3
             );
         }
         for (value, label) in values.ticks() {
             let y = first.y(values.place(value));
-            add(
-                &mut self.body,
-                format_args!(
-                    "<path class=\"frame\" d=\"M{:.1} {y:.1}h4\"/><text class=\"small\" x=\"{:.1}\" y=\"{:.1}\">{label}</text>",
-                    left + 16.0,
-                    left + 24.0,
-                    y + 4.0
-                ),
+            draw!(
+                self.body,
+                "<path class=\"frame\" d=\"M{:.1} {y:.1}h4\"/><text class=\"small\" x=\"{:.1}\" y=\"{:.1}\">{label}</text>",
+                left + 16.0,
+                left + 24.0,
+                y + 4.0
             );
         }
     }

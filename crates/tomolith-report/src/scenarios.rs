@@ -68,15 +68,15 @@ impl ScenarioTable {
     #[must_use]
     pub fn sentence(&self) -> String {
         let number = |m: Measure| significant(m.unwrap_or(f64::NAN), 4);
-        let own = self.rows.first();
-        let alone = own.and_then(|row| row.part_low.zip(row.void_high));
+        let job = self.rows.first();
+        let alone = job.and_then(|row| row.part_low.zip(row.void_high));
         let count = self.rows.len().saturating_sub(1);
         format!(
             "over the job and {count} scenario{}: IoU at least {} at the job's threshold ({}; the job {}), trimmed window {} (the job {})",
             if count == 1 { "" } else { "s" },
             number(self.worst_iou),
             self.worst().map_or("none", |row| row.name.as_str()),
-            number(own.and_then(|row| row.iou_at_threshold)),
+            number(job.and_then(|row| row.iou_at_threshold)),
             number(self.window),
             number(alone.map(|(low, high)| low - high))
         )
@@ -106,10 +106,7 @@ mod tests {
         assert!((table.window.unwrap() + 0.05).abs() < 1e-12); // 0.7 − 0.75
         assert!((table.worst_iou.unwrap() - 0.94).abs() < 1e-12);
         let text = table.sentence();
-        assert!(
-            text.contains("2 scenarios") && text.contains("window −0.05 (the job 0.3)"),
-            "{text}"
-        );
+        tomolith_core::contains!(text, "2 scenarios", "window −0.05 (the job 0.3)");
         assert!(text.contains("(at 0.95; the job 0.98)"), "{text}");
     }
 }

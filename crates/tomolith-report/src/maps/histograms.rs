@@ -16,7 +16,7 @@
 //! ```
 
 use super::placed;
-use super::sheet::{Frame, LabelMargins, Sheet, Ticks, add};
+use super::sheet::{Frame, LabelMargins, Sheet, Ticks, draw};
 use crate::plot::Axis;
 
 /// Bins of a panel, at most.
@@ -166,14 +166,12 @@ fn draw(
     if let Some([from, to]) = panel.band {
         // A band of no width is a line
         let (left, right) = (across(from), across(to));
-        add(
+        draw!(
             body,
-            format_args!(
-                "<rect class=\"band\" x=\"{left:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\"/>",
-                frame.top,
-                (right - left).max(1.5),
-                frame.height
-            ),
+            "<rect class=\"band\" x=\"{left:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\"/>",
+            frame.top,
+            (right - left).max(1.5),
+            frame.height
         );
     }
     let base = frame.y(0.0);
@@ -183,12 +181,9 @@ fn draw(
         for (i, &share) in shares.iter().enumerate() {
             let top = frame.y(y.place(share).clamp(0.0, 1.0));
             let to = across(ends[0] + (i + 1) as f64 * width);
-            add(&mut path, format_args!("V{top:.1}H{to:.1}"));
+            draw!(path, "V{top:.1}H{to:.1}");
         }
-        add(
-            body,
-            format_args!("<path class=\"{class}\" d=\"{path}V{base:.1}Z\"/>"),
-        );
+        draw!(body, "<path class=\"{class}\" d=\"{path}V{base:.1}Z\"/>");
     }
     frame.title(body, &panel.title);
     let below = Ticks::level(placed(x, (frame.width / 60.0) as usize));

@@ -12,7 +12,7 @@
 
 use super::histograms::SERIES;
 use super::placed;
-use super::sheet::{Frame, LabelMargins, Sheet, Ticks, add};
+use super::sheet::{Frame, LabelMargins, Sheet, Ticks, draw};
 use crate::plot::Axis;
 
 /// Height of a panel, of its width.
@@ -67,19 +67,17 @@ fn draw(body: &mut String, frame: &Frame, panel: &ProfilePanel, [x, y]: &[Axis; 
         for (i, &[at, value]) in points.iter().enumerate() {
             let letter = if i == 0 { 'M' } else { 'L' };
             let (left, top) = (frame.x(x.place(at)), frame.y(y.place(value)));
-            add(&mut path, format_args!("{letter}{left:.1} {top:.1}"));
+            draw!(path, "{letter}{left:.1} {top:.1}");
         }
-        add(
+        draw!(
             body,
-            format_args!("<path class=\"{class}\" style=\"fill:none\" d=\"{path}\"/>"),
+            "<path class=\"{class}\" style=\"fill:none\" d=\"{path}\"/>"
         );
         if let &[[at, value]] = &points[..] {
             let (left, top) = (frame.x(x.place(at)), frame.y(y.place(value)));
-            add(
+            draw!(
                 body,
-                format_args!(
-                    "<circle class=\"{class}\" cx=\"{left:.1}\" cy=\"{top:.1}\" r=\"3\"/>"
-                ),
+                "<circle class=\"{class}\" cx=\"{left:.1}\" cy=\"{top:.1}\" r=\"3\"/>"
             );
         }
     }

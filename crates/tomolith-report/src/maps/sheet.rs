@@ -1,7 +1,16 @@
 //! The sheet of a picture of many runs: its panels side by side, the frame of each, title, caption and marks.
 
 use crate::number::escape;
-use std::fmt::Write as _;
+
+/// Adds an element, whose text is formatted, to a picture.
+macro_rules! draw {
+    ($body:expr, $($text:tt)+) => {{
+        use std::fmt::Write as _;
+        // Writing into a string cannot fail
+        let _ = write!($body, $($text)+);
+    }};
+}
+pub(super) use draw;
 
 /// Width and height of a panel's drawing, alone and among others.
 const ALONE: [f64; 2] = [460.0, 400.0];
@@ -93,10 +102,7 @@ impl Frame {
             };
         for (part, label) in &x.labels {
             let (at, label) = (self.x(*part), escape(label));
-            add(
-                body,
-                format_args!("<path class=\"frame\" d=\"M{at:.1} {bottom:.1}v4\"/>"),
-            );
+            draw!(body, "<path class=\"frame\" d=\"M{at:.1} {bottom:.1}v4\"/>");
             let place = match x.are_upright {
                 true => format!(
                     "transform=\"translate({:.1} {:.1}) rotate(-90)\" text-anchor=\"end\"",
@@ -108,63 +114,49 @@ impl Frame {
                     bottom + 17.0
                 ),
             };
-            add(
-                body,
-                format_args!("<text class=\"small\" {place}>{label}</text>"),
-            );
+            draw!(body, "<text class=\"small\" {place}>{label}</text>");
         }
         for (part, label) in y {
             let at = self.y(*part);
-            add(
+            draw!(
                 body,
-                format_args!(
-                    "<path class=\"frame\" d=\"M{:.1} {at:.1}h4\"/><text class=\"small\" x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{}</text>",
-                    self.left - 4.0,
-                    self.left - 8.0,
-                    at + 4.0,
-                    escape(label)
-                ),
+                "<path class=\"frame\" d=\"M{:.1} {at:.1}h4\"/><text class=\"small\" x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"end\">{}</text>",
+                self.left - 4.0,
+                self.left - 8.0,
+                at + 4.0,
+                escape(label)
             );
         }
         let (middle, upright) = (
             f64::midpoint(self.left, right),
             f64::midpoint(self.top, bottom),
         );
-        add(
+        draw!(
             body,
-            format_args!(
-                "<rect class=\"frame\" x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\"/>\
+            "<rect class=\"frame\" x=\"{:.1}\" y=\"{:.1}\" width=\"{:.1}\" height=\"{:.1}\"/>\
              <text x=\"{middle:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text>\
              <text transform=\"translate({:.1} {upright:.1}) rotate(-90)\" text-anchor=\"middle\">{}</text>",
-                self.left,
-                self.top,
-                self.width,
-                self.height,
-                name_below,
-                escape(names[0]),
-                self.left - self.margins.left + 20.0,
-                escape(names[1])
-            ),
+            self.left,
+            self.top,
+            self.width,
+            self.height,
+            name_below,
+            escape(names[0]),
+            self.left - self.margins.left + 20.0,
+            escape(names[1])
         );
     }
 
     pub(super) fn title(&self, body: &mut String, title: &str) {
         let x = self.left + 0.5 * self.width;
         let title = shortened(title, ((self.width + LEFT - 10.0) / GLYPH) as usize);
-        add(
+        draw!(
             body,
-            format_args!(
-                "<text class=\"small\" x=\"{x:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text>",
-                self.top - 8.0,
-                escape(&title)
-            ),
+            "<text class=\"small\" x=\"{x:.1}\" y=\"{:.1}\" text-anchor=\"middle\">{}</text>",
+            self.top - 8.0,
+            escape(&title)
         );
     }
-}
-
-pub(super) fn add(body: &mut String, element: std::fmt::Arguments<'_>) {
-    // Writing into a string cannot fail
-    let _ = body.write_fmt(element);
 }
 
 /// A text of at most so many letters: what is left out is in the middle, since many names begin alike.
@@ -259,21 +251,17 @@ impl Sheet {
         let lines = wrapped(caption, ((self.width() - 32.0) / LETTER) as usize);
         self.lines = lines.len();
         let [_, height] = self.size();
-        add(
-            &mut self.body,
-            format_args!(
-                "<text class=\"title\" x=\"16\" y=\"28\">{}</text>",
-                escape(title)
-            ),
+        draw!(
+            self.body,
+            "<text class=\"title\" x=\"16\" y=\"28\">{}</text>",
+            escape(title)
         );
         for (line, below) in lines.iter().rev().zip(1..) {
             let y = height - f64::from(below) * FOOT - 12.0;
-            add(
-                &mut self.body,
-                format_args!(
-                    "<text class=\"small\" x=\"16\" y=\"{y:.1}\">{}</text>",
-                    escape(line)
-                ),
+            draw!(
+                self.body,
+                "<text class=\"small\" x=\"16\" y=\"{y:.1}\">{}</text>",
+                escape(line)
             );
         }
     }
@@ -287,13 +275,11 @@ impl Sheet {
             .cloned()
             .collect::<Vec<_>>()
             .join(" · ");
-        add(
-            &mut self.body,
-            format_args!(
-                "<text class=\"small muted\" x=\"16\" y=\"{:.1}\">{}</text>",
-                height - 12.0,
-                escape(&text)
-            ),
+        draw!(
+            self.body,
+            "<text class=\"small muted\" x=\"16\" y=\"{:.1}\">{}</text>",
+            height - 12.0,
+            escape(&text)
         );
     }
 

@@ -111,6 +111,12 @@ bit_depth = 8
 folder = "out/part"
 "#;
 
+    /// A job of this text, with these keys set otherwise.
+    pub(crate) fn job_of(text: &str, changes: &[&str]) -> Job {
+        let changes: Vec<String> = changes.iter().map(|&change| change.to_owned()).collect();
+        Job::changed(Document::toml("job.toml", text).unwrap(), &changes).unwrap()
+    }
+
     fn read(text: &str) -> Result<JobSpec, Error> {
         JobSpec::from_document(&Document::toml("a.toml", text)?)
     }

@@ -256,7 +256,7 @@ fn joined(mut all: LitRows, other: LitRows) -> LitRows {
 mod tests {
     use super::*;
     use crate::grid::PatternGrid;
-    use crate::job::Job;
+    use crate::job::tests::job_of;
 
     #[test]
     fn lit_rows_span_all_light_from_below() {
@@ -282,10 +282,7 @@ mod tests {
             vial = { index_matched = { radius_mm = 2.0 } }
             light = [{ pixels = [20, 14], angles = 12, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
         "#;
-        let folder = tempfile::tempdir().unwrap();
-        let file = folder.path().join("job.toml");
-        std::fs::write(&file, text).unwrap();
-        let job = ResolvedJob::under(&Job::read(&file, &[]).unwrap(), &Run::new()).unwrap();
+        let job = ResolvedJob::under(&job_of(text, &[]), &Run::new()).unwrap();
         let lights = &job.optics.lights;
         let lit = |is_lit: &dyn Fn(usize) -> bool| {
             let mut patterns = Patterns::dark(lights[0].pixels.clone());

@@ -81,13 +81,11 @@ fn probe(job: &ResolvedJob, cancel: &Run) -> Result<Option<CrossCheck>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::Job;
     use crate::job::resolve::optics::Optics;
+    use crate::job::tests::job_of;
 
     /// The note on a sphere in a resin that scatters so much per mm, and whether Monte Carlo paths are taken.
     fn tried(scattering: &str, model: &str) -> (Vec<String>, bool) {
-        let folder = tempfile::tempdir().unwrap();
-        let file = folder.path().join("job.toml");
         let text = format!(
             r#"
             target = {{ phantom = {{ sphere = {{}} }}, size_mm = 2.0 }}
@@ -99,8 +97,7 @@ mod tests {
             {model}
             "#
         );
-        std::fs::write(&file, text).unwrap();
-        let mut job = ResolvedJob::under(&Job::read(&file, &[]).unwrap(), &Run::new()).unwrap();
+        let mut job = ResolvedJob::under(&job_of(&text, &[]), &Run::new()).unwrap();
         let mut said = Said(Vec::new());
         try_orders(&mut job, &mut said, &Run::new()).unwrap();
         let by_paths = |optics: &Optics| {

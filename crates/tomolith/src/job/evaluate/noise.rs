@@ -213,10 +213,7 @@ mod tests {
         assert_eq!(quiet(0.995).warning(), None);
         assert!(!quiet(0.77).warning().unwrap().contains("leave a noise"));
         let text = noise(0.995).warning().unwrap();
-        assert!(
-            text.contains("a noise of 3.0 %") && text.contains("now 4; about 9 paths a pixel"),
-            "{text}"
-        );
+        tomolith_core::contains!(text, "a noise of 3.0 %", "now 4; about 9 paths a pixel");
         assert!(
             noise(0.77)
                 .warning()

@@ -111,7 +111,7 @@ impl On<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::Job;
+    use crate::job::tests::job_of;
     use crate::models::Run;
 
     /// 4 × 4 voxels of 1 mm, whose centers are 0.71, 1.58 and 2.12 mm from the axis, all of gray value 0.
@@ -126,10 +126,7 @@ mod tests {
             {objectives}
             "#
         );
-        let folder = tempfile::tempdir().unwrap();
-        let file = folder.path().join("job.toml");
-        std::fs::write(&file, text).unwrap();
-        let job = ResolvedJob::under(&Job::read(&file, &[]).unwrap(), &Run::new()).unwrap();
+        let job = ResolvedJob::under(&job_of(&text, &[]), &Run::new()).unwrap();
         let mut voxels = job.voxels(&job.grid, &Run::new()).unwrap().remove(0);
         voxels.target.gray = true;
         voxels.target.inside.values.fill(0.0);

@@ -1,8 +1,8 @@
 use super::start::starting_patterns;
 use super::watch::{idle, is_measured};
 use crate::field::HostField;
-use crate::job::Job;
 use crate::job::optimize::*;
+use crate::job::tests::job_of;
 use crate::models::{DoseModel, planner};
 use crate::optimize::Row;
 
@@ -10,15 +10,8 @@ use crate::optimize::Row;
 fn a_run_that_stayed_at_its_start_says_so() {
     let history = |losses: &[f64]| -> Vec<Row> {
         let row = |(iteration, &loss): (usize, &f64)| Row {
-            response: Vec::new(),
-            print: None,
-            iteration,
             loss,
-            projected_gradient: None,
-            step: None,
-            forward: 0,
-            adjoint: 0,
-            seconds: 0.0,
+            ..Row::at(iteration)
         };
         losses.iter().enumerate().map(row).collect()
     };
@@ -35,8 +28,6 @@ fn a_run_that_stayed_at_its_start_says_so() {
 
 /// A job whose light spreads: its voxels, its models, and where it begins.
 fn started(model: &str) -> (Voxels, planner::ModelPlan, HostField) {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("job.toml");
     let text = format!(
         r#"
         target = {{ phantom = {{ sphere = {{}} }}, size_mm = 0.02 }}
@@ -51,8 +42,7 @@ fn started(model: &str) -> (Voxels, planner::ModelPlan, HostField) {
         stop = {{ iterations = 1 }}
         "#
     );
-    std::fs::write(&file, text).unwrap();
-    let job = Job::read(&file, &[]).unwrap();
+    let job = job_of(&text, &[]);
     let resolved = ResolvedJob::under(&job, &Run::new()).unwrap();
     let mut voxels = resolved.voxels(&resolved.grid, &Run::new()).unwrap();
     let (asked, wanted) = (resolved.optics.model.as_ref(), voxels[0].wanted());
@@ -129,8 +119,6 @@ fn measured_iterations_thin_out_evenly() {
 
 /// A gear in a matched vial, its job and voxels.
 fn gear(more: &str) -> (ResolvedJob, Vec<Voxels>) {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("job.toml");
     let text = format!(
         r#"
         target = {{ phantom = {{ gear = {{}} }}, size_mm = 2.0 }}
@@ -142,8 +130,7 @@ fn gear(more: &str) -> (ResolvedJob, Vec<Voxels>) {
         {more}
         "#
     );
-    std::fs::write(&file, text).unwrap();
-    let resolved = ResolvedJob::under(&Job::read(&file, &[]).unwrap(), &Run::new()).unwrap();
+    let resolved = ResolvedJob::under(&job_of(&text, &[]), &Run::new()).unwrap();
     let voxels = resolved.voxels(&resolved.grid, &Run::new()).unwrap();
     (resolved, voxels)
 }

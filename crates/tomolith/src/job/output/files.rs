@@ -217,8 +217,8 @@ fn write_volumes(done: &Done<'_>, properties: &[Property], folder: &Path, run: &
 /// The doses of all species, by the names of their files: that of the first is `dose`.
 fn doses<'a>(done: &'a Done<'_>) -> impl Iterator<Item = (String, &'a Volume<f32>)> {
     let species = done.resolved.species.iter().zip(&done.evaluated.species);
-    species.enumerate().map(|(s, (own, print))| {
-        let name = own.name.as_deref().filter(|_| s > 0);
+    species.enumerate().map(|(s, (named, print))| {
+        let name = named.name.as_deref().filter(|_| s > 0);
         let file = name.map_or("dose".to_owned(), |name| format!("dose_{name}"));
         (file, &print.dose)
     })
@@ -279,8 +279,8 @@ impl Headline {
         let own_s = times.filter(|_| resolved.schedule().is_none());
         let gel_dose = evaluated.gel_dose(resolved);
         let rate = gel_dose.zip(own_s);
-        let window = |(own, print): (&Species, &SpeciesPrint)| {
-            let (response, evaluation) = (&own.goal.response, &print.evaluation);
+        let window = |(species, print): (&Species, &SpeciesPrint)| {
+            let (response, evaluation) = (&species.goal.response, &print.evaluation);
             let dose = |threshold: f64| f64::from(response.inverse(threshold as f32));
             // A resin that gels at a higher dose takes less of the same light
             let time_s = rate
@@ -295,10 +295,10 @@ impl Headline {
             done.optimized.as_ref(),
             done.job.is_toy,
         );
-        for (own, print) in limits.iter_mut().zip(&evaluated.species) {
-            own.sentence += &on_voxels(&print.evaluation, resolved.extent.refine);
-            if done.job.is_toy && !own.sentence.contains(" toy ") {
-                own.sentence += &format!(" This is a toy of the job: {TOY}.");
+        for (limits, print) in limits.iter_mut().zip(&evaluated.species) {
+            limits.sentence += &on_voxels(&print.evaluation, resolved.extent.refine);
+            if done.job.is_toy && !limits.sentence.contains(" toy ") {
+                limits.sentence += &format!(" This is a toy of the job: {TOY}.");
             }
         }
         Ok(Headline {
@@ -557,7 +557,7 @@ fn species<'a>(done: &'a Done<'_>, headline: &'a Headline) -> Vec<SpeciesReport<
     let said = headline.exposures.iter().zip(&headline.limits);
     let prints = resolved.species.iter().zip(&evaluated.species);
     let mut reports = Vec::with_capacity(rows.len());
-    for (((name, row), (own, print)), (exposure, limits)) in rows.iter().zip(prints).zip(said) {
+    for (((name, row), (species, print)), (exposure, limits)) in rows.iter().zip(prints).zip(said) {
         let light =
             |(light, &factor): (Option<&str>, &f64)| (light.unwrap_or_default().to_owned(), factor);
         reports.push(SpeciesReport {
@@ -567,7 +567,7 @@ fn species<'a>(done: &'a Done<'_>, headline: &'a Headline) -> Vec<SpeciesReport<
             labels: &print.fine.labels,
             response: &print.response,
             inside: &print.fine.target.inside,
-            window: own.goal.thresholds(),
+            window: species.goal.thresholds(),
             exposure: *exposure,
             limits,
         });
@@ -736,38 +736,19 @@ fn date(now: std::time::SystemTime) -> String {
     let seconds = now
         .duration_since(std::time::UNIX_EPOCH)
         .map_or(0, |d| d.as_secs());
-    let (mut days, minutes) = (seconds / 86_400, seconds % 86_400 / 60);
-    let is_leap = |year: u64| {
-        year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400))
-    };
-    let mut year = 1970;
-    while days >= 365 + u64::from(is_leap(year)) {
-        days -= 365 + u64::from(is_leap(year));
-        year += 1;
-    }
-    let lengths = [
-        31,
-        28 + u64::from(is_leap(year)),
-        31,
-        30,
-        31,
-        30,
-        31,
-        31,
-        30,
-        31,
-        30,
-        31,
-    ];
-    let mut month = 0;
-    while days >= lengths[month] {
-        days -= lengths[month];
-        month += 1;
-    }
+    let (days, minutes) = (seconds / 86_400, seconds % 86_400 / 60);
+    // Counted from 1 March of the year 0 on, years end with the leap day, and 400 of them have 146,097 days
+    let days = days + 719_468;
+    let (era, day) = (days / 146_097, days % 146_097);
+    let year = (day - day / 1460 + day / 36_524 - day / 146_096) / 365;
+    let day = day - (365 * year + year / 4 - year / 100);
+    // From March on months have 31, 30, 31, 30, 31, 31, 30, … days: 153 each five
+    let month = (5 * day + 2) / 153;
     format!(
-        "{year}-{:02}-{:02} {:02}:{:02} UTC",
-        month + 1,
-        days + 1,
+        "{}-{:02}-{:02} {:02}:{:02} UTC",
+        400 * era + year + month / 10,
+        (month + 2) % 12 + 1,
+        day - (153 * month + 2) / 5 + 1,
         minutes / 60,
         minutes % 60
     )
@@ -817,8 +798,10 @@ fn history(optimized: &Optimized) -> Vec<HistoryRow> {
     let names = optimized.found.iter().flat_map(|found| &found.values);
     let names: Vec<&String> = names.map(|(name, _)| name).collect();
     let response = |row: &Row| {
-        let own = names.iter().zip(&row.response);
-        own.map(|(name, value)| ((*name).clone(), *value)).collect()
+        let found = names.iter().zip(&row.response);
+        found
+            .map(|(name, value)| ((*name).clone(), *value))
+            .collect()
     };
     let line = |row: &Row| HistoryRow {
         iteration: row.iteration,

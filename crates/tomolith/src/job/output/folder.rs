@@ -401,10 +401,7 @@ mod tests {
                 RunFolder::open(&path, "job").unwrap_err(),
             ] {
                 let text = error.to_string();
-                assert!(
-                    text.contains(name) && text.contains("symbolic link"),
-                    "{text}"
-                );
+                tomolith_core::contains!(text, name, "symbolic link");
             }
             assert!(link.is_symlink());
             fs::remove_file(&link).unwrap();

@@ -93,12 +93,11 @@ mod tests {
         // What is written where is not the job
         must_be_same(&job(&path, "output.rpm=8"), false).unwrap();
         let message = must_be_same(&other, false).unwrap_err().to_string();
-        for part in [
+        tomolith_core::contains!(
+            message,
             "finished run of another job: stop.iterations was 40, is 41",
-            "--overwrite",
-        ] {
-            assert!(message.contains(part), "{part} is not in {message}");
-        }
+            "--overwrite"
+        );
         must_be_same(&other.clone().overwriting(), false).unwrap();
         // Without a checkpoint there is nothing to go on from
         assert!(must_be_same(&other, true).is_err());

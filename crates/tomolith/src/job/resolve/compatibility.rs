@@ -371,10 +371,7 @@ mod tests {
                 .join("\n")
         };
         let text = warned(&["obstacles=[{ mesh = \"body.stl\" }]"]);
-        assert!(
-            text.contains("1 of 8 mm³ of the target lie inside"),
-            "{text}"
-        );
+        tomolith_core::contains!(text, "1 of 8 mm³ of the target lie inside");
         assert!(!warned(&[]).contains("lie inside [[obstacles]]"));
     }
 
@@ -420,10 +417,7 @@ mod tests {
             .iter()
             .find(|w| w.contains("touches a wall"))
             .unwrap();
-        assert!(
-            text.contains("7.8625e-5") && text.contains("0.0102 mm"),
-            "{text}"
-        );
+        tomolith_core::contains!(text, "7.8625e-5", "0.0102 mm");
     }
 
     #[test]

@@ -176,11 +176,7 @@ mod tests {
         let within = (0..64).filter(|i| near(i / 8, i % 8)).count();
         assert_eq!(found.share, 1.0 - within as f64 / 64.0);
         assert!((found.farthest_mm - 3.5 * 2f64.sqrt()).abs() < 1e-12);
-        assert!(
-            found.warning().contains("use 1.55 times as many columns"),
-            "{}",
-            found.warning()
-        );
+        tomolith_core::contains!(found.warning(), "use 1.55 times as many columns");
         assert_eq!(beyond(&[vial, "light.pixels=[200, 64]"]), None);
         let cut = beyond(&[
             vial,
@@ -188,19 +184,11 @@ mod tests {
             "light.selection.columns=[50, 150]",
         ])
         .unwrap();
-        assert!(
-            cut.warning().contains("leave it wider"),
-            "{}",
-            cut.warning()
-        );
+        tomolith_core::contains!(cut.warning(), "leave it wider");
         // A field that begins 0.1 mm from the axis
         let beside = beyond(&[vial, "light.offset_mm=[3.3, 0]"]).unwrap();
         assert_eq!((beside.reach_mm, beside.share), (0.0, 1.0));
-        assert!(
-            beside.warning().contains("smaller `offset_mm`"),
-            "{}",
-            beside.warning()
-        );
+        tomolith_core::contains!(beside.warning(), "smaller `offset_mm`");
     }
 
     #[test]
@@ -223,10 +211,7 @@ mod tests {
         }
         for beyond in ["motion.offset_mm=[0, -0.8]", "motion.axis_runout_mm=0.8"] {
             let text = warned(beyond).unwrap();
-            assert!(
-                text.contains("up to 3.3 mm") && text.contains("ends at 3.2 mm"),
-                "{text}"
-            );
+            tomolith_core::contains!(text, "up to 3.3 mm", "ends at 3.2 mm");
         }
     }
 

@@ -400,17 +400,14 @@ pub(crate) fn widened(goal: &Goal, steps: usize) -> Option<Goal> {
 
 #[cfg(test)]
 mod tests {
-
     use super::*;
-    use crate::job::Job;
+    use crate::job::tests::job_of;
     use crate::models::{OpticalScene, Run, planner};
     use crate::target::Shape;
     use std::sync::Arc;
 
     /// Levels of a small job, with further lines, and whether its deviations are to another power.
     fn levels_of(surface: &str, more: &[&str]) -> (Vec<Level>, bool) {
-        let folder = tempfile::tempdir().unwrap();
-        let file = folder.path().join("job.toml");
         let text = format!(
             r#"
             target = {{ phantom = {{ sphere = {{}} }}, size_mm = 0.8 }}
@@ -421,9 +418,7 @@ mod tests {
             objective = {{ threshold = {{ surface = "{surface}" }} }}
             "#
         );
-        std::fs::write(&file, text).unwrap();
-        let more: Vec<String> = more.iter().map(|&s| s.to_owned()).collect();
-        let job = Job::read(&file, &more).unwrap();
+        let job = job_of(&text, more);
         let optics = Optics::new(&job.spec, &job.base()).unwrap();
         let grid = VolumeGrid::centered([10, 10, 10], 0.1);
         let bounds = [[-0.4; 3], [0.4; 3]];
@@ -471,8 +466,6 @@ mod tests {
 
     #[test]
     fn every_light_is_averaged_at_its_own_angles() {
-        let folder = tempfile::tempdir().unwrap();
-        let file = folder.path().join("job.toml");
         let text = r#"
             target = { phantom = { sphere = {} }, size_mm = 0.8 }
             grid = { pitch_mm = 0.1 }
@@ -489,10 +482,8 @@ mod tests {
             angles = 6
             projector = { collimated = { pixel_pitch_mm = 0.1 } }
         "#;
-        std::fs::write(&file, text).unwrap();
         let angles = |more: &[&str]| {
-            let more: Vec<String> = more.iter().map(|&s| s.to_owned()).collect();
-            let job = Job::read(&file, &more).unwrap();
+            let job = job_of(text, more);
             let optics = Optics::new(&job.spec, &job.base()).unwrap();
             let bounds = [[-0.4; 3], [0.4; 3]];
             turning_angles(&job.spec, &optics.lights, bounds)
@@ -502,7 +493,7 @@ mod tests {
         assert_eq!(angles(&["light[1].sub_angles=3"]), [2, 3]);
         assert_eq!(angles(&["light[0].sub_angles=1"]), [1, 4]);
         let levels = |sub_angles: &[usize]| {
-            let job = Job::read(&file, &[]).unwrap();
+            let job = job_of(text, &[]);
             let optics = Optics::new(&job.spec, &job.base()).unwrap();
             let grid = VolumeGrid::centered([10, 10, 10], 0.1);
             let fine = grid.refined(2);

@@ -124,10 +124,9 @@ mod tests {
         require("grid", "memory", 10, Some(10), "").unwrap();
         require("grid", "memory", 10, None, "").unwrap();
         let message = require("grid", "memory", 10, Some(0), "").unwrap_err();
-        assert!(
-            message
-                .to_string()
-                .contains("10 MB needed, less than 1 MB available")
+        tomolith_core::contains!(
+            message.to_string(),
+            "10 MB needed, less than 1 MB available"
         );
         let message = require(
             "grid.pitch_mm",

@@ -39,6 +39,16 @@ fn measurements() -> Measurements {
     }
 }
 
+#[track_caller]
+fn begins(text: &str, with: &str) {
+    assert!(text.starts_with(with), "{text}");
+}
+
+#[track_caller]
+fn ends(text: &str, with: &str) {
+    assert!(text.ends_with(with), "{text}");
+}
+
 fn losses(limits: &PrintLimits) -> Vec<(Cause, f64)> {
     let losses = limits.causes.iter();
     losses
@@ -66,12 +76,9 @@ fn rounding_is_told_from_the_voxels_that_see_it() {
     );
     let losses = losses(&limits);
     assert_eq!(losses, [(Cause::Levels, 0.01), (Cause::Optics, 0.003)]);
-    assert!(
-        limits.causes[0]
-            .advice
-            .starts_with("Written with 2 bits the print has IoU 0.987 instead of 0.997."),
-        "{}",
-        limits.causes[0].advice
+    begins(
+        &limits.causes[0].advice,
+        "Written with 2 bits the print has IoU 0.987 instead of 0.997.",
     );
 }
 
@@ -101,11 +108,9 @@ fn the_largest_loss_comes_first_and_names_the_key() {
         ..measurements()
     };
     let said = toy.limits().sentence;
-    assert!(
-        said.ends_with(
-            "rotation +0.001. This is a toy of the job: run without `--toy` before you change it."
-        ),
-        "{said}"
+    ends(
+        &said,
+        "rotation +0.001. This is a toy of the job: run without `--toy` before you change it.",
     );
     // Nothing to gain, nothing to change
     let advice = |i: usize| limits.causes[i].advice.as_str();
@@ -141,19 +146,11 @@ fn a_part_beyond_the_light_needs_a_larger_field() {
         measured.limits()
     };
     let limits = said(0.8, 0.24, "light.pixels");
-    assert!(
-        limits
-            .sentence
-            .ends_with("To improve, raise `light.pixels`."),
-        "{}",
-        limits.sentence
-    );
+    ends(&limits.sentence, "To improve, raise `light.pixels`.");
     let advice = &limits.causes[0].advice;
-    assert!(
-        advice.ends_with(
-            "Light does not reach 24 % of the part from all sides: raise `light.pixels`."
-        ),
-        "{advice}"
+    ends(
+        advice,
+        "Light does not reach 24 % of the part from all sides: raise `light.pixels`.",
     );
     // Half of all sides are enough for a good print
     let good = said(0.985, 1.0, "light.offset_mm").sentence;
@@ -183,17 +180,9 @@ fn what_follows_from_the_light_comes_behind_it_where_the_part_turns_out_of_it() 
         };
         measured.limits().sentence
     };
-    assert!(
-        said(0.91).ends_with("To improve, raise `light[0].pixels`."),
-        "{}",
-        said(0.91)
-    );
+    ends(&said(0.91), "To improve, raise `light[0].pixels`.");
     // Where the light lacks nothing, the grid does
-    assert!(
-        said(0.9995).ends_with("To improve, lower `grid.pitch_mm`."),
-        "{}",
-        said(0.9995)
-    );
+    ends(&said(0.9995), "To improve, lower `grid.pitch_mm`.");
 }
 
 #[test]
@@ -210,13 +199,7 @@ fn turning_that_the_optimization_did_not_see_is_not_counted_twice() {
         losses(&limits)[..2],
         [(Cause::Turning, 0.017), (Cause::Optics, 0.002)]
     );
-    assert!(
-        limits
-            .sentence
-            .ends_with("To improve, raise `light.sub_angles`."),
-        "{}",
-        limits.sentence
-    );
+    ends(&limits.sentence, "To improve, raise `light.sub_angles`.");
 }
 
 #[test]
@@ -244,25 +227,17 @@ fn the_losses_of_a_run_add_up_to_what_is_missing() {
     let sum: f64 = limits.causes.iter().map(|l| l.loss).sum();
     assert!((1.0 - sum - 0.975).abs() < 1e-12);
     assert_eq!(limits.causes[0].cause, Cause::Optics);
-    assert!(
-        limits
-            .sentence
-            .ends_with("To improve, try a lower `light[0].projector.collimated.pixel_pitch_mm`.")
+    ends(
+        &limits.sentence,
+        "To improve, try a lower `light[0].projector.collimated.pixel_pitch_mm`.",
     );
 }
 
 #[test]
 fn what_remains_belongs_to_the_iterations_while_the_loss_falls() {
     let row = |iteration: usize, loss: f64| Row {
-        response: Vec::new(),
-        print: None,
-        iteration,
         loss,
-        projected_gradient: None,
-        step: None,
-        forward: 0,
-        adjoint: 0,
-        seconds: 0.0,
+        ..Row::at(iteration)
     };
     let history = |end: f64| -> Vec<Row> {
         let mut rows: Vec<Row> = (0..=30).map(|i| row(i, 100.0)).collect();
@@ -323,9 +298,10 @@ fn flat_ends_within_rows_are_what_limits_a_prism() {
     };
     let limits = gear.limits();
     assert_eq!(losses(&limits)[0], (Cause::Ends, 0.008));
-    assert!(limits.causes[0].advice.starts_with(
-        "The part ends at z = −1.5 and 1.5 mm, inside rows of pixels, but light ends with a row, at −1.512 and 1.512 mm. 0.8 % of the part's volume lies between."
-    ), "{}", limits.causes[0].advice);
+    begins(
+        &limits.causes[0].advice,
+        "The part ends at z = −1.5 and 1.5 mm, inside rows of pixels, but light ends with a row, at −1.512 and 1.512 mm. 0.8 % of the part's volume lies between.",
+    );
     // The light's share is what is left
     assert!(
         (limits.causes[1].loss - 0.007).abs() < 1e-9 && limits.causes[1].cause == Cause::Optics
@@ -396,12 +372,9 @@ fn a_threshold_that_is_far_off_and_too_few_sides_are_named() {
         is_optimized_turning: true,
         ..measurements()
     };
-    assert!(
-        off.limits()
-            .sentence
-            .ends_with("exposure −0.980. To improve, change `evaluate.threshold`."),
-        "{}",
-        off.limits().sentence
+    ends(
+        &off.limits().sentence,
+        "exposure −0.980. To improve, change `evaluate.threshold`.",
     );
     let few = Measurements {
         turning: Some(0.5),
@@ -410,21 +383,13 @@ fn a_threshold_that_is_far_off_and_too_few_sides_are_named() {
         has_few_angles: true,
         ..measurements()
     };
-    assert!(
-        few.limits()
-            .sentence
-            .ends_with("To improve, raise `light.angles`.")
-    );
+    ends(&few.limits().sentence, "To improve, raise `light.angles`.");
     let held = Measurements {
         has_few_angles: false,
         is_held: true,
         ..few
     };
-    assert!(
-        held.limits()
-            .sentence
-            .ends_with("To improve, raise `bounds.max`.")
-    );
+    ends(&held.limits().sentence, "To improve, raise `bounds.max`.");
     // What was given is not improved by a key of the job
     let given = Measurements {
         turning: Some(0.5),
@@ -449,13 +414,13 @@ fn what_was_not_measured_is_not_said() {
         ..measurements()
     };
     let said = patterns.limits().sentence;
-    assert!(
-        said.starts_with("Predicted IoU 0.975 (unwritten, on the job's grid: 1.000): "),
-        "{said}"
+    begins(
+        &said,
+        "Predicted IoU 0.975 (unwritten, on the job's grid: 1.000): ",
     );
-    assert!(
-        said.ends_with("To improve, make the patterns anew: lower `grid.pitch_mm`."),
-        "{said}"
+    ends(
+        &said,
+        "To improve, make the patterns anew: lower `grid.pitch_mm`.",
     );
     // Of frames it is not known what was wanted
     let frames = Measurements {
@@ -496,12 +461,9 @@ fn the_error_of_a_gray_print_rises_where_an_iou_falls() {
         ..measurements()
     }
     .limits();
-    assert!(
-        limits.sentence.starts_with(
-            "Predicted rms error 0.128 (the optimizer saw 0.126): 8 bits +0.004, finer grid −0.002."
-        ),
-        "{}",
-        limits.sentence
+    begins(
+        &limits.sentence,
+        "Predicted rms error 0.128 (the optimizer saw 0.126): 8 bits +0.004, finer grid −0.002.",
     );
     assert_eq!(
         losses(&limits)[..2],
