@@ -423,10 +423,7 @@ mod tests {
         write_frames(&other, &[waves(1.0, 12).frames(None)], &Run::new()).unwrap();
         fs::copy(other.join("frame_0003.png"), &third).unwrap();
         let text = read_frames(&place).unwrap_err().to_string();
-        assert!(
-            text.contains("frame_0003.png") && text.contains("12 bits"),
-            "{text}"
-        );
+        tomolith_core::contains!(text, "frame_0003.png", "12 bits");
         let empty = folder.path().join("empty");
         fs::create_dir(&empty).unwrap();
         assert!(matches!(read_frames(&empty), Err(Error::Format { .. })));

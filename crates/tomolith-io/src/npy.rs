@@ -345,10 +345,7 @@ mod tests {
         let bytes = std::fs::read(&path).unwrap();
         assert_eq!(&bytes[..6], b"\x93NUMPY");
         let header = String::from_utf8_lossy(&bytes[..128]);
-        assert!(
-            header.contains("'<f4'") && header.contains("'fortran_order': False"),
-            "{header}"
-        );
+        tomolith_core::contains!(header, "'<f4'", "'fortran_order': False");
         assert!(header.contains("(2, 3, 4)"), "{header}");
         // Element [1, 2, 3] is the last one in the file
         assert_eq!(bytes[bytes.len() - 4..], 23f32.sqrt().to_le_bytes());
@@ -438,9 +435,9 @@ mod tests {
             .unwrap();
         npz.finish().unwrap();
         let text = read_patterns(&path).unwrap_err().to_string();
-        assert!(
-            text.contains("patterns: an array of 2 dimensions, shape (1, 1), instead of 3"),
-            "{text}"
+        tomolith_core::contains!(
+            text,
+            "patterns: an array of 2 dimensions, shape (1, 1), instead of 3"
         );
     }
 

@@ -712,10 +712,10 @@ mod tests {
                 .to_string()
         };
         let text = found(700);
-        assert!(
-            text.contains("its array `second` ends at byte ")
-                && text.contains("the file has 700 bytes"),
-            "{text}"
+        tomolith_core::contains!(
+            text,
+            "its array `second` ends at byte ",
+            "the file has 700 bytes"
         );
         assert!(found(300).contains("array `first`"));
         let text = found(whole.len() - 10);

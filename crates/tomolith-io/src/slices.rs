@@ -293,10 +293,7 @@ mod tests {
         // One of another size
         write("s_12.png", 3, 0);
         let text = read_stack(&pattern).unwrap_err().to_string();
-        assert!(
-            text.contains("s_12.png: slice 3 has 3 × 1 pixels") && text.contains("2 × 1"),
-            "{text}"
-        );
+        tomolith_core::contains!(text, "s_12.png: slice 3 has 3 × 1 pixels", "2 × 1");
         let none = read_stack(&folder.path().join("x*.png"))
             .unwrap_err()
             .to_string();

@@ -736,13 +736,7 @@ mod tests {
     #[test]
     fn threads_do_not_matter() {
         let volume = sphere(24, 1.1, [0.0; 3]);
-        let run = |threads| {
-            let pool = rayon::ThreadPoolBuilder::new()
-                .num_threads(threads)
-                .build()
-                .unwrap();
-            pool.install(|| isosurface(&volume, 1.0))
-        };
+        let run = |threads| tomolith_core::check::on_threads(threads, || isosurface(&volume, 1.0));
         assert_eq!(run(1), run(3));
         let empty = isosurface(&volume, 5.0);
         assert_eq!(empty, Isosurface::default());

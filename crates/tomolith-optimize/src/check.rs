@@ -6,8 +6,8 @@ use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
-use tomolith_core::check::noise;
 use tomolith_core::check::small::SmallModel;
+use tomolith_core::check::{noise, on_threads};
 use tomolith_core::dose::DoseModel;
 use tomolith_core::dose::{LinearOperator, Run};
 use tomolith_core::error::Error;
@@ -148,11 +148,7 @@ impl TestProblem {
     }
 
     fn ignores_threads(&self, method: &dyn MakeOptimizer) -> Result<(), String> {
-        let runs = [1, 2, 8].map(|threads| {
-            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
-            pool.map_err(|e| e.to_string())?
-                .install(|| self.run(method, 12, None))
-        });
+        let runs = [1, 2, 8].map(|threads| on_threads(threads, || self.run(method, 12, None)));
         let [one, two, eight] = runs;
         let one = one?;
         same("two threads", &one, &two?)?;

@@ -808,15 +808,8 @@ mod tests {
     /// Writes a checkpoint whose values are the number of its iteration; the last array does something when its turn comes.
     fn write(checkpoints: &mut Checkpoints, run: &Run, iteration: usize, at_last: impl Fn()) {
         let history = [Row {
-            response: Vec::new(),
-            print: None,
-            iteration,
             loss: 1.0,
-            projected_gradient: None,
-            step: None,
-            forward: 0,
-            adjoint: 0,
-            seconds: 0.0,
+            ..Row::at(iteration)
         }];
         let values = vec![iteration as f32; VALUES];
         let field = HostField::from_slice(&values);

@@ -9,6 +9,13 @@ use tomolith::job::{self, Job, Leaves, Silent, run_leaving};
 use tomolith::models::Run;
 use tomolith_sweep::{Shard, Sweep, SweepEvent, SweepOutcome, SweepPlan, Watch, merge, run};
 
+/// All these parts are in a text.
+macro_rules! contains {
+    ($text:expr, $($part:expr),+ $(,)?) => {
+        $(assert!($text.contains($part), "{:?} is not in: {}", $part, $text);)+
+    };
+}
+
 /// A disc of 24 × 24 voxels, 24 frames.
 const JOB: &str = r#"
 target = { phantom = { cylinder = { size_mm = 1.2, height_mm = 0.1 } } }
@@ -126,10 +133,7 @@ fn files_of_others_are_not_replaced() {
     let plan = bench.plan("mine");
     let begun = run(&plan, None, &mut Told::default(), &Run::new());
     let text = begun.map(drop).unwrap_err().to_string();
-    assert!(
-        text.contains("holds files that are no results, such as `best.toml`"),
-        "{text}"
-    );
+    contains!(text, "holds files that are no results, such as `best.toml`");
     assert_eq!(fs::read(bench.path("mine/best.toml")).unwrap(), b"mine");
 }
 
@@ -334,14 +338,13 @@ fn two_sweep_files_have_two_folders_and_a_file_that_moved_keeps_its_own() {
         run(&plan.unwrap(), None, &mut Told::default(), &Run::new()).map(|_| ())
     };
     let message = whole("other.toml").unwrap_err().to_string();
-    for part in [
+    contains!(
+        message,
         "folder: ",
         "holds the sweep of",
         "sweep.toml",
-        "--output DIR",
-    ] {
-        assert!(message.contains(part), "{part} is not in: {message}");
-    }
+        "--output DIR"
+    );
     whole("sweep.toml").unwrap();
     fs::remove_file(bench.path("sweep.toml")).unwrap();
     whole("other.toml").unwrap();
@@ -355,12 +358,11 @@ fn a_share_of_the_memory_that_holds_no_run_is_told_at_its_own_key() {
     };
     // One run needs 1 to 50 MB
     let message = bench.refusal(&of(0.05, 1000));
-    for part in [
+    contains!(
+        message,
         "resources.side_by_side: 0 MB are left for each run, and one needs about",
-        "at a time in 50 MB; or a larger resources.memory_gb",
-    ] {
-        assert!(message.contains(part), "{part} is not in: {message}");
-    }
+        "at a time in 50 MB; or a larger resources.memory_gb"
+    );
     fs::write(bench.path("sweep.toml"), of(0.05, 1)).unwrap();
     bench.plan("out");
 }
@@ -379,10 +381,7 @@ fn a_run_that_fails_is_noted_and_tried_again() {
     assert!(!outcome.is_met());
     let table = bench.table("out");
     let line = table.lines().nth(3).unwrap();
-    assert!(
-        line.contains(",failed,") && line.contains("holds files that are not from a run"),
-        "{line}"
-    );
+    contains!(line, ",failed,", "holds files that are not from a run");
     fs::remove_file(&foreign).unwrap();
     let mut told = Told::default();
     run(&plan, None, &mut told, &Run::new()).unwrap();

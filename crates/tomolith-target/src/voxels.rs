@@ -657,13 +657,8 @@ mod tests {
     fn results_do_not_depend_on_the_number_of_threads() {
         let mesh = together(&[ball([0.0; 3], 1.0, 3), ball([0.7, 0.2, 0.1], 1.0, 3)]);
         let grid = VolumeGrid::centered([31, 30, 29], 0.13);
-        let with = |threads| {
-            let pool = rayon::ThreadPoolBuilder::new()
-                .num_threads(threads)
-                .build()
-                .unwrap();
-            pool.install(|| sampled(mesh.clone(), &grid))
-        };
+        let with =
+            |threads| tomolith_core::check::on_threads(threads, || sampled(mesh.clone(), &grid));
         let one = with(1);
         assert_eq!(one, with(2));
         assert_eq!(one, with(8));

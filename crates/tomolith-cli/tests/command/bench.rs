@@ -92,6 +92,20 @@ impl Bench {
         said(code, line, &self.output(line, &self.path("nothing")))
     }
 
+    /// What a line said that must end with a code, with all these parts in it.
+    pub(crate) fn says(&self, code: i32, line: &str, parts: &[&str]) -> String {
+        let said = self.expect(code, line);
+        contains(&said, line, parts);
+        said
+    }
+
+    /// A refusal: one message with all these parts.
+    pub(crate) fn refuse(&self, line: &str, parts: &[&str]) {
+        let said = self.says(2, line, parts);
+        let is_one = said.contains("error: ") && said.matches("accepted:").count() <= 1;
+        assert!(is_one, "{line}: {said}");
+    }
+
     /// The last line of a command with `--json`.
     pub(crate) fn json(&self, line: &str) -> Value {
         let said = self.expect(0, &format!("{line} --json"));
@@ -111,6 +125,26 @@ pub(crate) fn said(code: i32, line: &str, output: &Output) -> String {
     }
     let words = said.split_whitespace().filter(|word| *word != "│");
     words.collect::<Vec<_>>().join(" ")
+}
+
+/// All these parts are in what a line said.
+pub(crate) fn contains(said: &str, line: &str, parts: &[&str]) {
+    for part in parts {
+        assert!(said.contains(part), "{line}: `{part}` is not in: {said}");
+    }
+}
+
+/// An `.npy` file.
+pub(crate) fn npy(descr: &str, shape: &str, data: &[u8]) -> Vec<u8> {
+    let text = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': ({shape}), }}");
+    let text = format!("{text:<117}\n");
+    [b"\x93NUMPY\x01\x00\x76\x00", text.as_bytes(), data].concat()
+}
+
+/// An `.npy` file of f64.
+pub(crate) fn doubles(shape: &str, values: &[f64]) -> Vec<u8> {
+    let bytes = values.iter().flat_map(|v| v.to_le_bytes());
+    npy("<f8", shape, &bytes.collect::<Vec<u8>>())
 }
 
 /// A file in JSON.

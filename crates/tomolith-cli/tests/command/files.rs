@@ -1,6 +1,6 @@
 //! Files that other programs made: movies, frames, arrays, meshes.
 
-use crate::bench::{Bench, JOB, said};
+use crate::bench::{Bench, JOB, contains, npy, said};
 use serde_json::Value;
 use std::fs;
 use std::process::Command;
@@ -12,19 +12,6 @@ impl Bench {
         let mut arrays = read_patterns(&self.path(folder).join("patterns.npz")).unwrap();
         arrays.remove(0).shown
     }
-}
-
-fn contains(text: &str, parts: &[&str]) {
-    for part in parts {
-        assert!(text.contains(part), "`{part}` is not in: {text}");
-    }
-}
-
-/// An `.npy` file.
-fn npy(descr: &str, shape: &str, data: &[u8]) -> Vec<u8> {
-    let text = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': ({shape}), }}");
-    let text = format!("{text:<117}\n");
-    [b"\x93NUMPY\x01\x00\x76\x00", text.as_bytes(), data].concat()
 }
 
 #[test]
@@ -47,8 +34,8 @@ fn a_lossless_movie_is_the_frames_bit_for_bit() {
         "simulate job.toml --patterns alone.mov --quiet --output b",
     );
     assert_eq!(bench.shown("a"), bench.shown("b"));
-    contains(
-        &bench.expect(2, "run job.toml --set output.movie=divx"),
+    bench.refuse(
+        "run job.toml --set output.movie=divx",
         &["output.movie", "h264", "lossless"],
     );
 }
@@ -59,15 +46,12 @@ fn movies_that_need_ffmpeg_say_so_or_go_through_it() {
     bench.write("movie.mkv", b"\x1a\x45\xdf\xa3 and so on");
     bench.write("text.mp4", b"no movie");
     let line = "simulate job.toml --patterns movie.mkv --quiet --output a";
-    contains(
-        &bench.expect(2, line),
-        &[
+    bench.refuse(line, &[
             "movie.mkv: a Matroska or WebM file, which the program ffmpeg can read, but it is not installed",
             "ffmpeg -i movie.mkv -pix_fmt gray frames/frame_%04d.png",
-        ],
-    );
-    contains(
-        &bench.expect(2, "simulate job.toml --patterns text.mp4 --output a"),
+        ]);
+    bench.refuse(
+        "simulate job.toml --patterns text.mp4 --output a",
         &["text.mp4: no movie: it begins with `no movie`"],
     );
     for (name, start, what) in [
@@ -82,8 +66,10 @@ fn movies_that_need_ffmpeg_say_so_or_go_through_it() {
         ("a.ts", &[0x47; 376], "an MPEG transport stream"),
     ] {
         bench.write(name, start);
-        let text = bench.expect(2, &format!("simulate job.toml --patterns {name}"));
-        contains(&text, &[what, "the program ffmpeg can read"]);
+        bench.refuse(
+            &format!("simulate job.toml --patterns {name}"),
+            &[what, "the program ffmpeg can read"],
+        );
     }
     if cfg!(not(unix)) {
         return;
@@ -133,7 +119,11 @@ fn movies_that_need_ffmpeg_say_so_or_go_through_it() {
         ("echo nonsense".to_owned(), "cannot be read"),
     ] {
         script(&body);
-        contains(&said(2, line, &bench.output(line, &programs)), &[found]);
+        contains(
+            &said(2, line, &bench.output(line, &programs)),
+            line,
+            &[found],
+        );
     }
 }
 
@@ -161,10 +151,7 @@ fn gray_frames_may_be_stored_in_color() {
     let shown = bench.shown("a");
     assert!((shown[5 * 512 + 100] - 55.0 / 255.0).abs() < 1e-6);
     save(7, 1);
-    contains(
-        &bench.expect(2, line),
-        &["07.png: a colored pixel in row 0, column 0"],
-    );
+    bench.refuse(line, &["07.png: a colored pixel in row 0, column 0"]);
 }
 
 #[test]
@@ -203,23 +190,21 @@ fn patterns_are_numbers_of_any_type() {
 
     let whole = npy("|u1", "24, 16, 32", &bytes);
     bench.write("cut.npy", &whole[..5000]);
-    let text = bench.expect(2, "simulate job.toml --patterns cut.npy --output d");
-    contains(
-        &text,
-        &[
+    bench.refuse("simulate job.toml --patterns cut.npy --output d", &[
             "truncated: an array (24, 16, 32) of 1 bytes a number takes 12416 bytes with its header, 5000 are there",
-        ],
-    );
+        ]);
     let patterns = fs::read(bench.path("c/patterns.npz")).unwrap();
     bench.write("cut.npz", &patterns[..patterns.len() / 2]);
-    let text = bench.expect(2, "simulate job.toml --patterns cut.npz --output d");
-    contains(
-        &text,
+    bench.refuse(
+        "simulate job.toml --patterns cut.npz --output d",
         &["cut.npz: truncated: its array `patterns", "ends at byte"],
     );
     bench.write("flat.npy", &npy("|u1", "24, 512", &bytes));
-    let text = bench.expect(2, "simulate job.toml --patterns flat.npy --output d");
-    contains(&text, &["2 dimensions, shape (24, 512), instead of 3"]);
+    let text = bench.says(
+        2,
+        "simulate job.toml --patterns flat.npy --output d",
+        &["2 dimensions, shape (24, 512), instead of 3"],
+    );
     assert!(!text.contains("Some("), "{text}");
 }
 
@@ -257,15 +242,16 @@ fn a_mesh_in_another_unit_is_asked_for_it() {
         ),
     ] {
         bench.write("mesh.toml", job(name).as_bytes());
-        contains(&bench.expect(2, "check mesh.toml"), &[asked]);
+        bench.refuse("check mesh.toml", &[asked]);
         bench.expect(
             0,
             &format!("check mesh.toml --set target.mesh_unit=\"{unit}\""),
         );
     }
     let line = "voxelize meters.obj --pitch-mm 0.1 --output v.npy";
-    contains(
-        &bench.expect(0, line),
+    bench.says(
+        0,
+        line,
         &[
             "no voxel is at least half inside",
             "is its file in meters? give --mesh-unit \"m\"",
@@ -276,18 +262,14 @@ fn a_mesh_in_another_unit_is_asked_for_it() {
     assert_eq!(found["part_voxels"], 20 * 20 * 10);
     bench.write("image.png", b"");
     bench.write("mesh.toml", job("image.png").as_bytes());
-    contains(
-        &bench.expect(2, "check mesh.toml"),
+    bench.refuse(
+        "check mesh.toml",
         &["target.mesh: ", "is an image", "`target.image`"],
     );
     bench.write("text.stl", b"Dear colleague,\nthe part is attached.\n");
-    let text = bench.expect(2, "voxelize text.stl --pitch-mm 0.1 --output x.npy");
-    contains(
-        &text,
-        &[
+    let text = bench.says(2, "voxelize text.stl --pitch-mm 0.1 --output x.npy", &[
             "a text without a facet (it begins with `Dear colleague,`), neither an ASCII nor a binary STL file",
-        ],
-    );
+        ]);
     assert!(!text.contains("truncated"), "{text}");
 }
 
@@ -298,10 +280,7 @@ fn a_repaired_mesh_can_be_saved() {
     let open = obj([1.0, 2.0, 3.0]).replace("f 5 6 8 7\n", "");
     bench.write("open.obj", open.as_bytes());
     let line = "voxelize open.obj --pitch-mm 0.1 --output v.npy --save-mesh fixed.stl";
-    contains(
-        &bench.expect(0, line),
-        &["The mesh is open", "written fixed.stl"],
-    );
+    bench.says(0, line, &["The mesh is open", "written fixed.stl"]);
     let found = bench.json("voxelize fixed.stl --pitch-mm 0.1 --output w.npy");
     assert_eq!(found["warnings"], serde_json::json!([]));
     assert!((found["exact_volume_mm3"].as_f64().unwrap() - 6.0).abs() < 1e-5);
@@ -309,11 +288,10 @@ fn a_repaired_mesh_can_be_saved() {
         read_volume(&bench.path("v.npy")).unwrap(),
         read_volume(&bench.path("w.npy")).unwrap()
     );
-    let text = bench.expect(
-        2,
+    bench.refuse(
         "voxelize open.obj --pitch-mm 0.1 --output v.npy --save-mesh fixed.obj",
+        &["--save-mesh", ".stl"],
     );
-    contains(&text, &["--save-mesh", ".stl"]);
     // Neither the mesh nor what somebody has is replaced
     let before = fs::read(bench.path("fixed.stl")).unwrap();
     for line in [
@@ -332,8 +310,8 @@ fn a_grid_that_cuts_the_part_is_refused_or_says_what_is_lost() {
     let bench = Bench::new();
     bench.write("box.obj", obj([2.0, 2.0, 2.0]).as_bytes());
     let line = "voxelize box.obj --pitch-mm 0.1 --shape 20 20 15 --output v.npy";
-    contains(
-        &bench.expect(2, line),
+    bench.refuse(
+        line,
         &[
             "--shape: a grid of 2 × 2 × 1.5 mm cuts the part, which is 2 × 2 × 2 mm",
             "--clip",
@@ -341,8 +319,9 @@ fn a_grid_that_cuts_the_part_is_refused_or_says_what_is_lost() {
     );
     assert!(!bench.path("v.npy").exists());
     let clip = format!("{line} --clip");
-    contains(
-        &bench.expect(0, &clip),
+    bench.says(
+        0,
+        &clip,
         &["the grid cuts the part: 25 % of its volume is lost"],
     );
     let lost = bench.json(&clip.replace("v.npy", "w.npy"))["lost_share"]
@@ -375,8 +354,10 @@ fn frames_are_shown_in_the_order_of_their_numbers() {
     };
     assert_eq!(dose("plain", "b"), dose("a/frames", "c"));
     fs::remove_file(bench.path("plain/7.png")).unwrap();
-    let text = bench.expect(2, "simulate job.toml --patterns plain --output d");
-    contains(&text, &["`6.png`, then `8.png`: a number is missing"]);
+    bench.refuse(
+        "simulate job.toml --patterns plain --output d",
+        &["`6.png`, then `8.png`: a number is missing"],
+    );
 }
 
 /// A voxel array as the target of a job, and dose and target with a last axis of one.
@@ -388,9 +369,9 @@ fn arrays_of_other_programs_are_targets_and_doses() {
     bench.write("mask.npy", &npy("|u1", "10, 12, 20", &voxels));
     bench.write("mask4.npy", &npy("|b1", "10, 12, 20, 1", &voxels));
     let job = "--set target={stack=\"mask.npy\",size_mm=2,height_mm=1} --set grid={pitch_mm=0.1}";
-    let found = bench.expect(0, &format!("check job.toml {job}"));
-    contains(
-        &found,
+    bench.says(
+        0,
+        &format!("check job.toml {job}"),
         &["the largest value in it is 1 of 255: it is read as a mask"],
     );
     let found = bench.expect(
@@ -420,12 +401,11 @@ fn what_is_no_regular_file_is_refused_at_once() {
         "metrics f.png f.png",
         "import f.png --output x.toml",
     ] {
-        contains(&bench.expect(2, line), &["a device, a FIFO or a socket"]);
+        bench.says(2, line, &["a device, a FIFO or a socket"]);
     }
     bench.write("long.toml", "a".repeat(9_000_000).as_bytes());
-    let text = bench.expect(2, "check long.toml");
-    contains(
-        &text,
+    bench.refuse(
+        "check long.toml",
         &["a file of 9.0 MB; accepted: a file of 8 MB at most"],
     );
 }

@@ -5,7 +5,6 @@ mod begin;
 mod bench;
 mod commands;
 mod files;
-mod handedness;
 mod pages;
 mod planning;
 mod printer;

@@ -4,20 +4,6 @@ use crate::bench::{Bench, JOB};
 use serde_json::Value;
 use std::fs;
 
-impl Bench {
-    /// A refusal: one message with all these parts.
-    fn refuse(&self, line: &str, parts: &[&str]) {
-        let said = self.expect(2, line);
-        for part in parts {
-            assert!(said.contains(part), "{line}: `{part}` is not in: {said}");
-        }
-        assert!(
-            said.contains("error: ") && said.matches("accepted:").count() <= 1,
-            "{line}: {said}"
-        );
-    }
-}
-
 /// A data file of the examples.
 fn example(name: &str) -> String {
     format!(
@@ -52,11 +38,11 @@ fn a_gray_curve_goes_from_the_power_meter_to_the_job() {
         &format!("{JOB}[printer]\ngray_curve_file = \"curve/gray_curve.csv\"\n"),
     );
     bench.expect(0, "check job.toml --quiet");
-    let said = bench.expect(
+    bench.says(
         0,
         &format!("calibrate gray {}", example("gray-visible.csv")),
+        &["usable from gray 86.1 to 239.1"],
     );
-    assert!(said.contains("usable from gray 86.1 to 239.1"), "{said}");
     bench.refuse(
         &format!(
             "calibrate gray {} --form quadratic",
@@ -80,8 +66,7 @@ fn a_gray_curve_goes_from_the_power_meter_to_the_job() {
     );
     // A black point of 0 has no share to be off by
     bench.write("black.csv", "0,0\n128,4\n255,8.1\n");
-    let said = bench.expect(0, "calibrate gray black.csv");
-    assert!(said.contains("off by up to 0 %, usable"), "{said}");
+    bench.says(0, "calibrate gray black.csv", &["off by up to 0 %, usable"]);
     // Falling is told before the missing top
     bench.write("low.csv", "10,3\n30,2\n");
     bench.refuse("calibrate gray low.csv", &["falls from 3 to 2"]);
@@ -380,8 +365,7 @@ fn discs_are_drawn_and_their_result_is_read() {
     );
     bench.refuse(&format!("{line} --output print"), &["is not empty"]);
     let bare = "calibrate discs --pixel-pitch-mm 0.1 --irradiance 20 --from 10 --to 160";
-    let said = bench.expect(2, &format!("{bare} --output other"));
-    assert!(said.contains("--canvas"), "{said}");
+    bench.refuse(&format!("{bare} --output other"), &["--canvas"]);
     for (change, parts) in [
         ("--to 5", ["--from", "doses from 10 to 5"]),
         (
@@ -456,11 +440,7 @@ fn a_run_is_planned_for_a_machine_and_a_resin() {
     near(&found["pw_percent"], 100.0 * pw, 1e-3);
     // No time prints all of the part and nothing else
     assert!(pw < 0.0 && found["pw_s"].is_null(), "{found}");
-    let said = bench.expect(0, "expose b");
-    assert!(
-        said.contains("nearly as good") && said.contains("delivered light"),
-        "{said}"
-    );
+    bench.says(0, "expose b", &["nearly as good", "delivered light"]);
 
     bench.refuse("expose a", &["--irradiance", "how bright the machine is"]);
     bench.refuse(
@@ -531,15 +511,14 @@ fn designs_are_analyzed() {
         38.4 * (8.0f64 / 12.0).exp(),
         1e-6,
     );
-    let slow = bench.expect(0, &format!("{voxel} --dose-time-s 4 --turn-deg-per-s 2"));
-    assert!(slow.contains("not every angle is shown"), "{slow}");
+    bench.says(
+        0,
+        &format!("{voxel} --dose-time-s 4 --turn-deg-per-s 2"),
+        &["not every angle is shown"],
+    );
     // 3° a frame at 8 mm are 419 µm, a pixel is 16
     let fast = "analyze voxel --pixels 1000 --fps 60 --penetration-mm 10 --dose-time-s 100 --turn-deg-per-s 180";
-    let fast = bench.expect(0, fast);
-    assert!(
-        fast.contains("none: the angle step decides at every radius"),
-        "{fast}"
-    );
+    bench.says(0, fast, &["none: the angle step decides at every radius"]);
     bench.refuse(
         "analyze impulse --pixels 16 --width 0.5 --radius 0.99",
         &["--radius", "no voxel of the disc holds a part of the post"],

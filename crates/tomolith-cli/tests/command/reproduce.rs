@@ -1,6 +1,6 @@
 //! `tomolith reproduce` as it is typed: a study of two runs and a command, done again, and slips in its file.
 
-use crate::bench::Bench;
+use crate::bench::{Bench, contains};
 use serde_json::Value;
 
 /// A disc of 24 × 24 voxels, 24 frames.
@@ -128,7 +128,7 @@ fn a_study_lays_published_numbers_beside_ours_and_goes_on_where_it_was() {
         bench.read("out/papers/disc-quick/table.md"),
         bench.read("out/papers/disc-quick/table.csv"),
     );
-    for part in [
+    let parts = [
         "6 rows (quick size): 3 reproduced, 1 differs, 1 under-specified, 1 not compared.",
         "| the larger PW \\| of both | 7 | ",
         "| differs, because nobody, \"never\" measured it | Fig. 2 |",
@@ -137,9 +137,8 @@ fn a_study_lays_published_numbers_beside_ours_and_goes_on_where_it_was() {
         "no run of this size has these values",
         "## All of the map\n\n| lower | own IoU |\n|---|---|\n| 0.3 | ",
         "![map/optimization.pw.svg](map/optimization.pw.svg)",
-    ] {
-        assert!(table.contains(part), "{part} is not in: {table}");
-    }
+    ];
+    contains(&table, "", &parts);
     assert!(
         csv.contains("differs,\"nobody, \"\"never\"\" measured it\",Fig. 2\n"),
         "{csv}"
@@ -192,10 +191,10 @@ fn a_difference_that_nobody_explains_and_a_command_that_fails_are_exit_code_1() 
 fn values_that_no_run_of_the_full_size_has_are_refused_and_a_quick_size_may_lack_them() {
     let slip = STUDY.replace("at = { lower = 0.7 }", "at = { lower = 0.77 }");
     let bench = bench_of(&slip);
-    let message = bench.expect(2, "reproduce disc --check");
-    for part in ["rows[4].at", "no run has these values"] {
-        assert!(message.contains(part), "{message}");
-    }
+    bench.refuse(
+        "reproduce disc --check",
+        &["rows[4].at", "no run has these values"],
+    );
     bench.stdout(0, "reproduce disc --quick --check --json");
 }
 
@@ -211,9 +210,7 @@ fn refused(study: &str, parts: &[&str]) {
             error["file"].as_str().unwrap_or(""),
             error["line"]
         );
-        for part in parts {
-            assert!(said.contains(part), "{part} is not in: {said}");
-        }
+        contains(&said, line, parts);
         assert!(!bench.path("out").exists(), "{study}");
     }
 }
@@ -279,9 +276,7 @@ fn figures_lay_the_histograms_of_runs_side_by_side() {
     let bench = bench_of(&figure("optimization.histogram", "map"));
     bench.stdout(0, "reproduce disc --quick --json");
     let picture = bench.read("out/papers/disc-quick/doses.svg");
-    for part in ["lower = 0.3", "teal: part · orange: void"] {
-        assert!(picture.contains(part), "{part} is not in: {picture}");
-    }
+    contains(&picture, "", &["lower = 0.3", "teal: part · orange: void"]);
     let table = bench.read("out/papers/disc-quick/table.md");
     assert!(table.contains("![doses.svg](doses.svg)"), "{table}");
     // No target of part and void has errors: no picture, and no fault
@@ -375,8 +370,7 @@ fn results_do_not_lie_among_files_of_the_study() {
     for output in ["map/disc", "map/../map/disc/", "link", "."] {
         let line = format!("reproduce map/disc --quick --output {output}");
         for line in [format!("{line} --check"), line] {
-            let said = bench.expect(2, &line);
-            assert!(said.contains("--output: results in `"), "{said}");
+            let said = bench.says(2, &line, &["--output: results in `"]);
             assert!(said.contains("map/disc/study.toml`"), "{said}");
         }
         assert!(!bench.path("map/disc/map").exists());

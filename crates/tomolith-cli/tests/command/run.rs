@@ -1,6 +1,6 @@
 //! Whole runs of the command, on a job that takes a moment.
 
-use crate::bench::{Bench, json};
+use crate::bench::{Bench, contains, json};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
@@ -179,13 +179,8 @@ fn says_how_to_expose_and_what_limits(report: &Value, said: &str) {
     let missing = 1.0 - report["evaluation"]["iou"].as_f64().unwrap();
     assert!((losses.iter().sum::<f64>() - missing).abs() < 1e-9);
     let key = limits[0]["key"].as_str().unwrap();
-    for part in [
-        "Predicted IoU ",
-        &format!("`{key}`."),
-        "At the best exposure resin gels at a dose of ",
-    ] {
-        assert!(said.contains(part), "{part}: {said}");
-    }
+    let gels = "At the best exposure resin gels at a dose of ";
+    contains(said, "", &["Predicted IoU ", &format!("`{key}`."), gels]);
     assert!(
         !report["warnings"].to_string().contains("IoU"),
         "said twice"
@@ -520,13 +515,8 @@ fn ctrl_c_ends_with_130_and_keeps_the_best() {
 #[test]
 fn a_loss_that_is_no_number_stops_with_the_iteration() {
     let bench = bench();
-    let output = bench
-        .command("run job.toml --set objective.threshold.exponent=100 --set bounds.min=1e6")
-        .output()
-        .unwrap();
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(message.contains("at iteration 0"), "{message}");
+    let line = "run job.toml --set objective.threshold.exponent=100 --set bounds.min=1e6";
+    bench.refuse(line, &["at iteration 0"]);
     assert!(bench.path("out/job/checkpoint/patterns.npz").exists());
 }
 
@@ -563,16 +553,8 @@ fn several_lights_and_objectives_go_from_end_to_end() {
         ["out/two", "again"].map(|folder| json(&bench.path(folder).join("report.json")));
     assert_eq!(again["evaluation"], report["evaluation"]);
     assert_eq!(report["lights"].as_array().unwrap().len(), 2);
-    let output = bench
-        .command("simulate two.toml --patterns out/two/patterns.npz --set light[1].angles=21")
-        .output()
-        .unwrap();
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(
-        message.contains("expected shape [21, 24, 48], found [20, 24, 48]"),
-        "{message}"
-    );
+    let line = "simulate two.toml --patterns out/two/patterns.npz --set light[1].angles=21";
+    bench.refuse(line, &["expected shape [21, 24, 48], found [20, 24, 48]"]);
 }
 
 #[test]
@@ -647,9 +629,11 @@ fn the_job_of_a_run_whose_window_widened_makes_the_same_patterns() {
         stop.iterations = 60
         "#;
     fs::write(bench.path("disc.toml"), job).unwrap();
-    let wide = bench.command("run disc.toml -o wide").output().unwrap();
-    let said = String::from_utf8_lossy(&wide.stdout) + String::from_utf8_lossy(&wide.stderr);
-    assert!(said.contains("the thresholds now move 0.05"), "{said}");
+    bench.says(
+        0,
+        "run disc.toml -o wide",
+        &["the thresholds now move 0.05"],
+    );
     bench.stdout(0, "run wide/job.toml -o again");
     assert_same_bits(&bench.path("again"), &bits(&bench.path("wide")), "again");
 }
@@ -680,9 +664,11 @@ fn scattered_light_of_cones_is_held_against_monte_carlo_paths() {
 fn check_tells_the_plan_and_changes_nothing() {
     let bench = bench();
     let said = bench.stdout(0, "check job.toml");
-    for part in ["gear", "parallel", "memory", "time", "30 frames"] {
-        assert!(said.contains(part), "{part} is not in {said}");
-    }
+    contains(
+        &said,
+        "",
+        &["gear", "parallel", "memory", "time", "30 frames"],
+    );
     assert!(!bench.path("out").exists());
     let plan: Value = serde_json::from_str(&bench.stdout(0, "check job.toml --json")).unwrap();
     assert!(plan["memory_mb"].as_u64().unwrap() > 0 && plan["seconds"].as_f64().unwrap() > 0.0);
@@ -740,9 +726,7 @@ fn kinds_and_schema_name_every_kind() {
             }
         }
     }
-    let output = bench.command("kinds vail").output().unwrap();
-    assert_eq!(output.status.code(), Some(2));
-    assert!(String::from_utf8_lossy(&output.stderr).contains("did you mean `vial`?"));
+    bench.refuse("kinds vail", &["did you mean `vial`?"]);
 }
 
 #[test]
@@ -802,13 +786,8 @@ fn numbers_that_mean_little_come_with_a_warning() {
     .into_iter()
     .enumerate()
     {
-        let output = bench
-            .command(&format!("run job.toml --output w{i} {settings}"))
-            .output()
-            .unwrap();
-        let message = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(0), "{settings}: {message}");
-        assert!(message.contains(part), "{settings}: {message}");
+        let output = bench.ended(0, &format!("run job.toml --output w{i} {settings}"));
+        contains(&String::from_utf8_lossy(&output.stderr), settings, &[part]);
         let report = json(&bench.path(&format!("w{i}/report.json")));
         if settings.contains("angles") {
             // The vial stands while the only frame is shown, or those of a list are
@@ -820,10 +799,7 @@ fn numbers_that_mean_little_come_with_a_warning() {
             .any(|text| text.as_str().unwrap().contains(part));
         assert!(told, "{settings}: {warnings:?}");
     }
-    let plain = bench
-        .command("run job.toml --output plain")
-        .output()
-        .unwrap();
+    let plain = bench.ended(0, "run job.toml --output plain");
     let message = String::from_utf8_lossy(&plain.stderr);
     for part in [
         "direction",
@@ -882,15 +858,9 @@ fn a_grid_that_moves_onto_the_rows_says_so() {
     let origin = |folder: &str| {
         let bytes = fs::read(bench.path(folder).join("dose.vti")).unwrap();
         let text = String::from_utf8_lossy(&bytes[..400]).into_owned();
-        let origin = text
-            .split("Origin=\"")
-            .nth(1)
-            .unwrap()
-            .split('"')
-            .next()
-            .unwrap()
-            .to_owned();
-        origin.split(' ').nth(2).unwrap().parse::<f64>().unwrap()
+        let (_, origin) = text.split_once("Origin=\"").unwrap();
+        let z = origin.split(['"', ' ']).nth(2).unwrap();
+        z.parse::<f64>().unwrap()
     };
     let note = "the grid is moved up by 0.05 mm, so that its slices lie on rows of pixels";
     // Eighteen slices lie on an even number of rows; on 25 rows they move by half of one
@@ -903,17 +873,9 @@ fn a_grid_that_moves_onto_the_rows_says_so() {
             0.0,
         ),
     ] {
-        let settings = settings
-            .split_whitespace()
-            .map(|word| format!(" {word}"))
-            .collect::<String>();
-        let run = bench
-            .command(&format!("run job.toml --output {folder}{settings}"))
-            .output()
-            .unwrap();
+        let run = bench.ended(0, &format!("run job.toml --output {folder} {settings}"));
         let message = String::from_utf8_lossy(&run.stderr);
-        assert_eq!(run.status.code(), Some(0), "{message}");
-        let check = bench.stdout(0, &format!("check job.toml{settings}"));
+        let check = bench.stdout(0, &format!("check job.toml {settings}"));
         for said in [&*message, &*check] {
             assert_eq!(said.contains(note), place != 0.0, "{folder}: {said}");
         }

@@ -248,14 +248,12 @@ fn what_cannot_be_served_is_refused_before() {
         ("run job.toml -o b --port 8080", "without `--open`"),
         ("run job.toml job.toml --open", "one job"),
     ] {
-        let found = bench.expect(2, &format!("{line} --no-browser"));
-        assert!(found.contains(said), "{line}: {found}");
+        bench.refuse(&format!("{line} --no-browser"), &[said]);
     }
     bench.write("a/report.html", "<html>an earlier version");
-    let found = bench.expect(2, "view a --no-browser");
-    assert!(
-        found.contains("report.html") && found.contains("no page of Tomolith"),
-        "{found}"
+    bench.refuse(
+        "view a --no-browser",
+        &["report.html", "no page of Tomolith"],
     );
 }
 
@@ -287,11 +285,7 @@ fn a_row_of_a_sweep_opens_its_run() {
     assert_eq!(served.get("open/2").0, 404);
     assert_eq!(served.interrupt(), Some(0));
     bench.write("map/table.json", "{}");
-    assert!(
-        bench
-            .expect(2, "view map --no-browser")
-            .contains("table.json")
-    );
+    bench.refuse("view map --no-browser", &["table.json"]);
 }
 
 /// The events that the server sends.

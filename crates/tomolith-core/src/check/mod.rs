@@ -44,6 +44,32 @@ macro_rules! near {
     }};
 }
 
+/// Asserts that a text has all of these parts.
+///
+/// ```
+/// tomolith_core::contains!("size_mm: found -1; accepted: a length > 0", "size_mm", "found -1");
+/// ```
+#[macro_export]
+macro_rules! contains {
+    ($text:expr, $($part:expr),+ $(,)?) => {
+        match &$text {
+            text => {
+                let text: &str = AsRef::<str>::as_ref(text);
+                $(assert!(text.contains($part), "{:?} is not in: {text}", $part);)+
+            }
+        }
+    };
+}
+
+/// What some work comes to on so many threads.
+///
+/// # Panics
+/// Where the machine cannot start them.
+pub fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+    pool.build().unwrap().install(work)
+}
+
 /// F(x).
 ///
 /// # Panics

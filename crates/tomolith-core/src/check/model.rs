@@ -259,12 +259,8 @@ fn same_bits_on_any_thread_count<M: DoseModel + ?Sized>(
 ) -> Result<(), Error> {
     let mut results = Vec::new();
     for threads in [1, 2, 8] {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .map_err(|e| failed("threads", e.to_string()))?;
         let (mut dose, mut grad) = (model.new_dose()?, model.new_patterns()?);
-        pool.install(|| {
+        super::on_threads(threads, || {
             model
                 .dose(x, &mut dose, run)
                 .and_then(|()| model.pullback(x, &dose, &mut grad, run))

@@ -188,10 +188,7 @@ mod tests {
         let file = folder.path().join("curve.csv");
         std::fs::write(&file, "dose,response\n0,0\nx").unwrap();
         let text = Curve::read(&file).unwrap_err().to_string();
-        assert!(
-            text.contains("curve.csv") && text.contains("line 3"),
-            "{text}"
-        );
+        crate::contains!(text, "curve.csv", "line 3");
     }
 
     #[test]

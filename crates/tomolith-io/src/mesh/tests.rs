@@ -106,11 +106,7 @@ fn ascii_stl_is_read_however_it_is_laid_out() {
     }
     let cut = read(text.replace("endsolid part", "").as_bytes(), "stl").unwrap();
     assert_eq!(cut.mesh, plain);
-    assert!(
-        cut.notes[0].contains("without `endsolid`"),
-        "{:?}",
-        cut.notes
-    );
+    tomolith_core::contains!(cut.notes[0], "without `endsolid`");
     // Nothing of a facet is lost without a word
     for (from, to, found) in [
         (
@@ -172,11 +168,7 @@ fn obj_is_read_in_any_encoding_with_colors_and_weights() {
     }
     let weighted = read(text.replacen("v 1 2 3", "v 1 2 3 2.5", 1).as_bytes(), "obj").unwrap();
     assert_eq!(weighted.mesh, plain);
-    assert!(
-        weighted.notes[0].contains("the first on line 9"),
-        "{:?}",
-        weighted.notes
-    );
+    tomolith_core::contains!(weighted.notes[0], "the first on line 9");
     for (more, found) in [
         ("v 1 2\n", "line 22: `` in place of a coordinate"),
         ("f 1 2 0\n", "line 22: a face refers to vertex `0`"),
@@ -386,11 +378,7 @@ fn items_that_are_not_printable_are_left_out_with_a_word() {
     for no in ["0", "false"] {
         let file = read(&build(&format!("printable=\"{no}\"")), "3mf").unwrap();
         assert_eq!(file.mesh.triangles.len(), 12);
-        assert!(
-            file.notes[0].contains("1 item of the build, which"),
-            "{:?}",
-            file.notes
-        );
+        tomolith_core::contains!(file.notes[0], "1 item of the build, which");
     }
     assert!(refused(&build("printable=\"no\""), "3mf").contains("printable = `no`"));
     let none = model(

@@ -19,10 +19,24 @@ fn threshold(inhibitors: Vec<Inhibitor>, dose: f64) -> Params {
     }])
 }
 
+fn domain(shape: [usize; 3]) -> Domain {
+    Domain::new(VolumeGrid::centered(shape, 0.05))
+}
+
 fn build(params: Params, shape: [usize; 3]) -> Photopolymer {
     let lights = Mixing::identity(params.networks.len());
-    let domain = Domain::new(VolumeGrid::centered(shape, 0.05));
-    Photopolymer::new(params, lights, domain).unwrap()
+    Photopolymer::new(params, lights, domain(shape)).unwrap()
+}
+
+fn by_rate(name: &str, rate_per_s: f64, exponent: f64, gel_conversion: f64) -> Network {
+    Network::new(
+        name,
+        Curing::RateLaw {
+            rate_per_s,
+            exponent,
+            gel_conversion,
+        },
+    )
 }
 
 fn key_of(result: Result<Photopolymer>) -> (String, String) {
@@ -100,27 +114,15 @@ fn a_step_is_the_printed_balance_of_a_voxel() {
 #[test]
 fn what_cannot_be_is_named_by_its_key() {
     let one = |network: Network| {
-        Photopolymer::new(
-            Params::new(vec![network]),
-            Mixing::identity(1),
-            Domain::new(VolumeGrid::centered([2, 2, 2], 0.05)),
-        )
+        let params = Params::new(vec![network]);
+        Photopolymer::new(params, Mixing::identity(1), domain([2; 3]))
     };
     let plain = || Network::new("a", Curing::threshold(1.0));
     let with = |inhibitor: Inhibitor| Network {
         inhibitors: vec![oxygen(1.0, 0.0), inhibitor],
         ..plain()
     };
-    let rate = |exponent: f64| {
-        Network::new(
-            "a",
-            Curing::RateLaw {
-                rate_per_s: 1.0,
-                exponent,
-                gel_conversion: 0.2,
-            },
-        )
-    };
+    let rate = |exponent: f64| by_rate("a", 1.0, exponent, 0.2);
     for (network, key) in [
         (
             Network::new("a", Curing::threshold(0.0)),
@@ -174,8 +176,12 @@ fn what_cannot_be_is_named_by_its_key() {
             shading: vec![shading],
             ..Params::new(vec![plain()])
         };
-        let domain = Domain::new(VolumeGrid::centered([2, 2, 2], 0.05));
-        key_of(Photopolymer::new(params, Mixing::identity(1), domain)).0
+        key_of(Photopolymer::new(
+            params,
+            Mixing::identity(1),
+            domain([2; 3]),
+        ))
+        .0
     };
     assert_eq!(shaded(shading), "shading[0].light");
     let below = Shading {
@@ -197,15 +203,15 @@ fn what_cannot_be_is_named_by_its_key() {
         shading: vec![shading],
         ..Params::new(vec![bleached])
     };
-    let domain = Domain::new(VolumeGrid::centered([2, 2, 2], 0.05));
     let both = Mixing::new(vec![vec![1.0, 0.5]]).unwrap();
-    assert_eq!(key_of(Photopolymer::new(params, both, domain)).0, "shading");
+    let refused = key_of(Photopolymer::new(params, both, domain([2; 3])));
+    assert_eq!(refused.0, "shading");
     // Modes know no air
     let spectral = Params {
         diffusion: Scheme::Spectral,
         ..threshold(vec![oxygen(1.0, 1e-4)], 1.0)
     };
-    let domain = Domain::new(VolumeGrid::centered([4; 3], 0.05)).with_air_on_top();
+    let domain = domain([4; 3]).with_air_on_top();
     let (key, accepted) = key_of(Photopolymer::new(spectral, Mixing::identity(1), domain));
     assert!(
         key == "diffusion" && accepted.contains("faces"),
@@ -407,14 +413,7 @@ fn everything(scheme: Scheme) -> Photopolymer {
         inhibitors: vec![smooth, tempo],
         bleaching_mm3_per_mj: 0.2,
         gel_width: 1.0,
-        ..Network::new(
-            "acrylate",
-            Curing::RateLaw {
-                rate_per_s: 0.6,
-                exponent: 0.5,
-                gel_conversion: 0.3,
-            },
-        )
+        ..by_rate("acrylate", 0.6, 0.5, 0.3)
     };
     let second = Network {
         dose_diffusion_mm2_per_s: 5e-5,
@@ -448,15 +447,11 @@ fn middle(material: &Photopolymer) -> (State, [HostField; 2]) {
     for (i, volume) in state.volumes.iter_mut().enumerate() {
         *volume = noise_on(domain, 20 + i as u64, [0.1, 0.6]);
     }
-    let lights = [
-        noise_on(domain, 1, [0.3, 1.5]),
-        noise_on(domain, 2, [0.2, 1.0]),
-    ];
-    (state, lights)
-}
-
-fn dot(a: &HostField, b: &HostField) -> f64 {
-    a.dot(b)
+    let lights = [(1, [0.3, 1.5]), (2, [0.2, 1.0])];
+    (
+        state,
+        lights.map(|(seed, range)| noise_on(domain, seed, range)),
+    )
 }
 
 #[test]
@@ -465,16 +460,11 @@ fn the_pullback_of_a_step_is_the_transpose_of_its_derivative() {
         let material = everything(scheme);
         let domain = material.domain();
         let (state, lights) = middle(&material);
-        let c: Vec<HostField> = (0..state.volumes.len())
-            .map(|i| noise_on(domain, 50 + i as u64, [-1.0, 1.0]))
-            .collect();
-        let d: Vec<HostField> = (0..state.volumes.len())
-            .map(|i| noise_on(domain, 80 + i as u64, [-1.0, 1.0]))
-            .collect();
-        let of_light = [
-            noise_on(domain, 91, [-1.0, 1.0]),
-            noise_on(domain, 92, [-1.0, 1.0]),
-        ];
+        let signed = |seed| noise_on(domain, seed, [-1.0, 1.0]);
+        let each = 0..state.volumes.len() as u64;
+        let [c, d] =
+            [50, 80].map(|from| each.clone().map(|i| signed(from + i)).collect::<Vec<_>>());
+        let of_light = [91, 92].map(signed);
         // L of the bleached initiator is a constant of the step
         let fixed = material.chains[0].initiator.unwrap()[1];
         let value = |e: f32| {
@@ -491,12 +481,8 @@ fn the_pullback_of_a_step_is_the_transpose_of_its_derivative() {
                 .for_each(|(l, d)| l.axpy(e, d));
             let views = [lights[0].as_slice(), lights[1].as_slice()];
             material.step(&mut state, &views, 1.0).unwrap();
-            state
-                .volumes
-                .iter()
-                .zip(&c)
-                .map(|(v, c)| dot(v, c))
-                .sum::<f64>()
+            let pairs = state.volumes.iter().zip(&c);
+            pairs.map(|(v, c)| v.dot(c)).sum::<f64>()
         };
         let mut back = State {
             seconds: 0.0,
@@ -509,9 +495,9 @@ fn the_pullback_of_a_step_is_the_transpose_of_its_derivative() {
             .unwrap();
         let by_state: f64 = (0..c.len())
             .filter(|i| *i != fixed)
-            .map(|i| dot(&back.volumes[i], &d[i]))
+            .map(|i| back.volumes[i].dot(&d[i]))
             .sum();
-        let by_light: f64 = (0..2).map(|l| dot(&grad[l], &of_light[l])).sum();
+        let by_light: f64 = (0..2).map(|l| grad[l].dot(&of_light[l])).sum();
         let exact = by_state + by_light;
         assert!(
             by_state.abs() > 0.1 && by_light.abs() > 0.1,
@@ -533,17 +519,14 @@ fn zeroth_order_and_dose_are_transposed_too() {
     let mut state = material.start().unwrap();
     state.volumes[0] = noise_on(domain, 3, [0.0, 0.8]);
     let light = noise_on(domain, 4, [0.0, 1.0]);
-    let c = [
-        noise_on(domain, 5, [-1.0, 1.0]),
-        noise_on(domain, 6, [-1.0, 1.0]),
-    ];
-    let d = noise_on(domain, 7, [-1.0, 1.0]);
+    let [a, b, d] = [5, 6, 7].map(|seed| noise_on(domain, seed, [-1.0, 1.0]));
+    let c = [a, b];
     let value = |e: f32| {
         let (mut state, mut light) = (state.clone(), light.clone());
         light.axpy(e, &d);
         state.volumes[0].axpy(-e, &d);
         material.step(&mut state, &[light.as_slice()], 1.0).unwrap();
-        dot(&state.volumes[0], &c[0]) + dot(&state.volumes[1], &c[1])
+        state.volumes[0].dot(&c[0]) + state.volumes[1].dot(&c[1])
     };
     let mut back = State {
         seconds: 0.0,
@@ -553,7 +536,7 @@ fn zeroth_order_and_dose_are_transposed_too() {
     material
         .pullback_step(&state, &[light.as_slice()], 1.0, &mut back, &mut grad)
         .unwrap();
-    let exact = dot(&grad[0], &d) - dot(&back.volumes[0], &d);
+    let exact = grad[0].dot(&d) - back.volumes[0].dot(&d);
     let difference = (value(1e-4) - value(-1e-4)) / 2e-4;
     near!(difference / exact, 1.0, 1e-2, "{difference} {exact}");
 }
@@ -565,11 +548,7 @@ fn the_same_bits_on_any_number_of_threads() {
         let (state, lights) = middle(&material);
         let views = [lights[0].as_slice(), lights[1].as_slice()];
         let of = |threads: usize| {
-            let pool = rayon::ThreadPoolBuilder::new()
-                .num_threads(threads)
-                .build()
-                .unwrap();
-            pool.install(|| {
+            tomolith_core::check::on_threads(threads, || {
                 let mut after = state.clone();
                 for _ in 0..3 {
                     material.step(&mut after, &views, 1.0).unwrap();
@@ -616,14 +595,7 @@ fn misfit(balls: &[[f64; 2]], [inhibitor, back, bleaching, rate, m]: [f64; 5]) -
     let network = Network {
         inhibitors: vec![oxygen(inhibitor * unit, back * h * h / 2.0)],
         bleaching_mm3_per_mj: bleaching / unit,
-        ..Network::new(
-            "balls",
-            Curing::RateLaw {
-                rate_per_s: rate * unit.powf(-m),
-                exponent: m,
-                gel_conversion: 1.0 - (-1.0f64).exp(),
-            },
-        )
+        ..by_rate("balls", rate * unit.powf(-m), m, 1.0 - (-1.0f64).exp())
     };
     let domain = Domain::new(VolumeGrid::centered([1, 1, 1], h)).with_air_on_top();
     let material =

@@ -300,11 +300,7 @@ fn outputs_are_overwritten_and_bits_do_not_depend_on_threads() {
     let run = Run::new();
     let x = positive(printing.new_patterns().unwrap().len(), 5);
     let of = |threads: usize, before: f32| {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .unwrap();
-        pool.install(|| {
+        tomolith_core::check::on_threads(threads, || {
             let (mut dose, mut grad) = (printing.new_dose().unwrap(), x.zeros_like());
             dose.fill(before);
             grad.fill(before);

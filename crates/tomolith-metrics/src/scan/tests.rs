@@ -247,11 +247,7 @@ fn many_blocks_give_the_same_numbers_for_any_number_of_threads() {
         .map(|l| 0.3 * f32::from(*l) + 0.5 * dice.next())
         .collect();
     let run = |threads| {
-        let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(threads)
-            .build()
-            .unwrap();
-        pool.install(|| {
+        tomolith_core::check::on_threads(threads, || {
             let scan = Scan::new(&labels, &response).unwrap();
             (
                 scan.part(),

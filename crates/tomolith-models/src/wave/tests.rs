@@ -45,6 +45,22 @@ fn settings(error: f64) -> Settings {
     }
 }
 
+/// A focal plane that lies so far behind the axis.
+fn focused(focus_mm: f64) -> Params {
+    Params {
+        focus_mm,
+        ..Params::default()
+    }
+}
+
+/// An aperture.
+fn through(aperture: f64) -> Params {
+    Params {
+        numerical_aperture: Some(aperture),
+        ..Params::default()
+    }
+}
+
 /// A light in f64, and the layouts of its patterns and of its dose.
 type Precise = (WaveLight<f64, Coherent<f64>>, PatternLayout, DoseLayout);
 
@@ -166,20 +182,10 @@ fn modes_of_the_page(light: &Light, params: &Params) -> Vec<[f64; 2]> {
 fn dose_is_the_direct_sum_over_frequencies() {
     for (name, params, finer) in [
         ("plain", Params::default(), 1),
-        (
-            "aperture",
-            Params {
-                numerical_aperture: Some(0.2),
-                ..Params::default()
-            },
-            1,
-        ),
+        ("aperture", through(0.2), 1),
         (
             "focus behind the axis, voxels of half the rows' distance",
-            Params {
-                focus_mm: 2e-3,
-                ..Params::default()
-            },
+            focused(2e-3),
             2,
         ),
         (
@@ -321,14 +327,13 @@ fn derivative_error(model: &Precise) -> f64 {
 
 #[test]
 fn what_frames_at_work_take_is_what_is_reckoned() {
-    let one_thread = rayon::ThreadPoolBuilder::new().num_threads(1).build();
     for model in [
         precise(&light(2), &Params::default(), settings(1e-3), grid()),
         interpolating(settings(1e-3)).1,
     ] {
         let (built, pixels, layout) = &model;
         let x = amplitudes(1, pixels.len());
-        let kept = one_thread.as_ref().unwrap().install(|| {
+        let kept = check::on_threads(1, || {
             let run = Run::new();
             let mut doses = [vec![0.0; layout.len()], vec![0.0; layout.len()]];
             let doses = doses.each_mut().map(Vec::as_mut_slice);
@@ -452,10 +457,7 @@ fn a_gaussian_beam_widens_as_its_closed_form() {
     };
     // Voxels 1 µm apart in a plane cannot reach a Rayleigh length: the focal plane moves instead
     for focus in [0.0, 0.5, 1.5, 3.0] {
-        let params = Params {
-            focus_mm: focus,
-            ..Params::default()
-        };
+        let params = focused(focus);
         let found = along_the_light(&light, &x, &params, &grid);
         for ix in [0, 40, 60, 120] {
             let depth = -grid.x(ix) - focus;
@@ -487,10 +489,7 @@ fn a_grating_repeats_itself_at_the_talbot_distance() {
     assert!((talbot / (2.0 * period * period * k) - 1.0).abs() < 1e-3);
     let grid = VolumeGrid::centered([2, 16, 1], 0.002);
     let at = |focus: f64| {
-        let params = Params {
-            focus_mm: focus,
-            ..Params::default()
-        };
+        let params = focused(focus);
         along_the_light(&light, &x, &params, &grid)
     };
     let (here, half, full) = (at(0.0), at(0.5 * talbot), at(talbot));
@@ -520,10 +519,7 @@ fn two_slits_interfere_with_the_spacing_of_young() {
         f64::from(u8::from((u.abs() - slit / 2.0).abs() < 0.0011)) * (-(z / 0.022).powi(2)).exp()
     });
     let grid = VolumeGrid::centered([2, 101, 1], 0.002);
-    let params = Params {
-        focus_mm: distance,
-        ..Params::default()
-    };
+    let params = focused(distance);
     let found = along_the_light(&light, &x, &params, &grid);
     let fringe = 405e-6 / 1.5 * distance / slit;
     // In units of the middle: cos²(πu/fringe) times that of a slit's two pixels
@@ -543,10 +539,7 @@ fn energy_of_a_frame_is_the_same_at_all_depths() {
     let grid = VolumeGrid::centered([64, 64, 3], 0.001);
     let mut energies = Vec::new();
     for focus in [0.0, 0.02, 0.1] {
-        let params = Params {
-            focus_mm: focus,
-            ..Params::default()
-        };
+        let params = focused(focus);
         let found = along_the_light(&light, &x, &params, &grid);
         energies.push(found.iter().skip(1).step_by(3).sum::<f64>());
     }
@@ -622,10 +615,7 @@ fn what_is_deleted_lies_beyond_the_limits_of_matsushima_and_shimobaba() {
 fn a_hundredth_of_the_pixels_aperture_still_gives_light() {
     let pixels = PatternGrid::full_turn(1, 0.0, 100, 100, 2e-3);
     let light = Light::new(pixels, Resin::pure_radon(1.5));
-    let params = Params {
-        numerical_aperture: Some(1.05e-3),
-        ..Params::default()
-    };
+    let params = through(1.05e-3);
     let grid = VolumeGrid::centered([2, 6, 6], 2e-3);
     let model = precise(&light, &params, settings(1e-2), grid);
     let dose = dose_of(&model, &vec![1.0; 100 * 100]);
@@ -643,10 +633,7 @@ fn half_a_turn_is_warned_of_where_the_other_half_is_another() {
         let mut light = light(8);
         light.resin = resin;
         light.pixels.frame_arc = arc / 8.0;
-        let params = Params {
-            focus_mm,
-            ..Params::default()
-        };
+        let params = focused(focus_mm);
         must_fit(&[light], &params, &grid()).unwrap().join("; ")
     };
     let (clear, absorbing) = (Resin::pure_radon(1.5), Resin::absorbing(1.5, 20.0));
@@ -669,10 +656,6 @@ fn numbers_that_contradict_each_other_are_refused_with_numbers_that_work() {
         Ok(model) => model.describe(),
     };
     let default = Params::default();
-    let na = |na: f64| Params {
-        numerical_aperture: Some(na),
-        ..Params::default()
-    };
     let fine = Light::new(
         PatternGrid::full_turn(2, 0.0, 8, 8, 1e-4),
         Resin::pure_radon(1.5),
@@ -683,18 +666,15 @@ fn numbers_that_contradict_each_other_are_refused_with_numbers_that_work() {
         found.starts_with("light[0].projector.collimated.pixel_pitch_mm: at least 0.000135 mm"),
         "{found}"
     );
-    let found = refused(fine.clone(), &na(0.4), small.clone());
+    let found = refused(fine.clone(), &through(0.4), small.clone());
     assert!(found.starts_with("wave ("), "{found}");
-    let found = refused(fine, &na(1.6), small);
+    let found = refused(fine, &through(1.6), small);
     assert!(found.contains("below 1.5"), "{found}");
-    let found = refused(light(2), &na(0.5), grid());
+    let found = refused(light(2), &through(0.5), grid());
     assert!(found.contains("at most 0.35797"), "{found}");
     let found = refused(light(2), &default, VolumeGrid::centered([4, 4, 4], 0.5e-3));
     assert!(found.contains("0.000400 mm"), "{found}");
-    let far = Params {
-        focus_mm: 1e6,
-        ..Params::default()
-    };
+    let far = focused(1e6);
     let found = refused(light(2), &far, grid());
     assert!(
         found.starts_with("model.wave: a focal plane closer to the axis"),

@@ -34,7 +34,7 @@ tomolith_core::keys! {
         /// Weight of pairs of the same pixel in neighboring frames, 0 or above (default 0)
         pub angles: f64 = 0.0,
         /// Differences above this cost in proportion and not squared, above 0 (default: all are squared)
-        pub edge: Option<f64> = None,
+        pub edge: Option<f64>,
     }
 }
 

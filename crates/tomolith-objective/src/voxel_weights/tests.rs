@@ -256,10 +256,7 @@ fn a_band_that_no_dose_reaches_is_refused_unless_it_is_widened() {
         let section = Section::new("objective.l2", serde_json::json!({"surface": surface}));
         let mut objective = (kind.build)(&section).unwrap().make(&input).unwrap();
         let text = objective.must_be_reached().unwrap_err().to_string();
-        assert!(
-            text.contains("from 1 to 1") && text.contains("0 to 0.8"),
-            "{text}"
-        );
+        tomolith_core::contains!(text, "from 1 to 1", "0 to 0.8");
         let tolerance = vec![0.25; room.layout.len()];
         objective
             .set_voxel_weights(&VoxelWeights {

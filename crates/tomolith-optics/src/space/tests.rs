@@ -24,6 +24,15 @@ fn tracer(vial: &dyn Vial, polarization: Polarization, limits: TraceLimits) -> S
     SpaceTracer::new(vial, resin(), 1.0, polarization, limits)
 }
 
+/// A box from corner to corner.
+fn block([low, high]: [[f64; 3]; 2], material: BodyMaterial) -> Obstacle {
+    let net = Net::new(&cuboid(low, high), "mesh").unwrap();
+    Obstacle {
+        surface: Surface::Net(Arc::new(net)),
+        material,
+    }
+}
+
 fn level(u: f64, azimuth: f64) -> Ray {
     let (sin, cos) = azimuth.sin_cos();
     Ray {
@@ -40,10 +49,8 @@ fn level_rays_do_what_the_tracer_of_the_plane_says() {
         refractive_index: 1.54,
     };
     let double = DoubleTube {
-        radii_mm: [9.0, 8.0, 3.0, 2.5],
-        outer_refractive_index: 1.5,
-        inner_refractive_index: 1.52,
         core_refractive_index: 1.0,
+        ..TUBE
     };
     for vial in [&GLASS as &dyn Vial, &square, &double] {
         for polarization in [Polarization::Unpolarized, Polarization::S, Polarization::P] {
@@ -155,16 +162,9 @@ fn scattered_light_is_accounted_for_and_its_first_order_is_where_quadrature_puts
 
 #[test]
 fn black_bodies_take_the_light_behind_them_and_clear_ones_of_the_resin_s_index_do_nothing() {
-    let body = Surface::Net(Arc::new(
-        Net::new(&cuboid([-1.0; 3], [1.0; 3]), "mesh").unwrap(),
-    ));
     let with = |material| {
-        tracer(&GLASS, Polarization::Unpolarized, TraceLimits::default()).with_obstacles(vec![
-            Obstacle {
-                surface: body.clone(),
-                material,
-            },
-        ])
+        tracer(&GLASS, Polarization::Unpolarized, TraceLimits::default())
+            .with_obstacles(vec![block([[-1.0; 3], [1.0; 3]], material)])
     };
     let plain = tracer(&GLASS, Polarization::Unpolarized, TraceLimits::default());
     let ray = level(0.3, 0.0);
@@ -188,14 +188,11 @@ fn black_bodies_take_the_light_behind_them_and_clear_ones_of_the_resin_s_index_d
 
 #[test]
 fn a_metal_sends_back_what_its_index_says() {
-    let body = Net::new(&cuboid([-1.0; 3], [1.0; 3]), "mesh").unwrap();
-    let metal = Obstacle {
-        surface: Surface::Net(Arc::new(body)),
-        material: BodyMaterial::Metal {
-            refractive_index: 1.5,
-            extinction_coefficient: 2.8,
-        },
+    let metal = BodyMaterial::Metal {
+        refractive_index: 1.5,
+        extinction_coefficient: 2.8,
     };
+    let metal = block([[-1.0; 3], [1.0; 3]], metal);
     let plain = tracer(&GLASS, Polarization::Unpolarized, TraceLimits::default());
     let path = plain.with_obstacles(vec![metal]).trace(level(0.0, 0.0));
     // Normal incidence from 1.49: (0.01² + 2.8²)/(2.99² + 2.8²)
@@ -211,12 +208,7 @@ fn a_metal_sends_back_what_its_index_says() {
 
 #[test]
 fn a_body_that_reaches_through_a_wall_takes_its_place() {
-    let body = |from: f64, to: f64, material| Obstacle {
-        surface: Surface::Net(Arc::new(
-            Net::new(&cuboid([from, -1.0, -1.0], [to, 1.0, 1.0]), "mesh").unwrap(),
-        )),
-        material,
-    };
+    let body = |from, to, material| block([[from, -1.0, -1.0], [to, 1.0, 1.0]], material);
     let clear = BodyMaterial::Dielectric {
         refractive_index: 1.49,
     };
@@ -585,12 +577,7 @@ fn absorption_from_cell_to_cell_adds_up_along_a_ray() {
             let of = |segment: &PathSegment| segment.length * segment.uptake.attenuation_per_mm;
             path.segments.iter().map(of).sum::<f64>()
         };
-        let length = |path: &RayPath| {
-            path.segments
-                .iter()
-                .map(|segment| segment.length)
-                .sum::<f64>()
-        };
+        let length = |path: &RayPath| path.segments.iter().map(|s| s.length).sum::<f64>();
         assert!((length(&a) - length(&b)).abs() < 1e-9 && a.segments.len() > 3);
         let taken = b.segments[0].power * (1.0 - (-depth(&a)).exp());
         assert!((a.balance.absorbed - taken).abs() < 1e-12);
@@ -599,11 +586,8 @@ fn absorption_from_cell_to_cell_adds_up_along_a_ray() {
 
 #[test]
 fn a_diffuse_body_sends_back_its_share_by_lamberts_law() {
-    let wall = cuboid([-3.0, -3.0, -3.0], [0.0, 3.0, 3.0]);
-    let body = Obstacle {
-        surface: Surface::Net(Arc::new(Net::new(&wall, "mesh").unwrap())),
-        material: BodyMaterial::Diffuse { reflectance: 0.7 },
-    };
+    let diffuse = BodyMaterial::Diffuse { reflectance: 0.7 };
+    let body = block([[-3.0; 3], [0.0, 3.0, 3.0]], diffuse);
     let limits = TraceLimits {
         orders: 1,
         ..TraceLimits::default()
@@ -634,10 +618,8 @@ fn a_diffuse_body_sends_back_its_share_by_lamberts_law() {
 #[test]
 fn segments_alone_are_those_of_the_whole_path() {
     let tube = DoubleTube {
-        radii_mm: [9.0, 8.0, 3.0, 2.5],
-        outer_refractive_index: 1.5,
-        inner_refractive_index: 1.52,
         core_refractive_index: 1.0,
+        ..TUBE
     };
     let mut milk = resin();
     milk.attenuation_per_mm = 0.6;
@@ -645,12 +627,7 @@ fn segments_alone_are_those_of_the_whole_path() {
         per_mm: 0.5,
         phase: Arc::new(super::super::phase::isotropic::Isotropic {}),
     };
-    let body = Obstacle {
-        surface: Surface::Net(Arc::new(
-            Net::new(&cuboid([3.2, -1.0, -1.0], [4.0, 1.0, 1.0]), "mesh").unwrap(),
-        )),
-        material: BodyMaterial::Mirror,
-    };
+    let body = block([[3.2, -1.0, -1.0], [4.0, 1.0, 1.0]], BodyMaterial::Mirror);
     for reflections in [false, true] {
         let limits = TraceLimits {
             reflections,

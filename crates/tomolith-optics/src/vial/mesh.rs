@@ -420,10 +420,7 @@ mod tests {
     #[test]
     fn walls_that_cross_or_are_open_are_refused() {
         let text = cuvette([3.5, 2.0, 4.0]).unwrap_err().to_string();
-        assert!(
-            text.contains("vial.mesh.inner") && text.contains("cross"),
-            "{text}"
-        );
+        tomolith_core::contains!(text, "vial.mesh.inner", "cross");
         let outer = cuboid([-3.0; 3], [3.0; 3]);
         let inner = cuboid([-1.0; 3], [1.0; 3]);
         let refused = |outer: &Mesh, inner: &Mesh| {

@@ -25,6 +25,10 @@ fn newton() -> Lbfgs<HostField> {
     Lbfgs::new(lbfgs::Params::default()).unwrap()
 }
 
+fn gradient() -> Gradient<HostField> {
+    Gradient::new(gradient::Params::default()).unwrap()
+}
+
 type Model = dyn DoseModel<Field = HostField>;
 
 /// A run on the ring from uniform patterns.
@@ -74,13 +78,11 @@ fn every_reason_to_stop_stops() {
     assert_eq!(reason(&*l2, Stop::after(0)).history.len(), 1);
     let zero = reason(&*threshold, Stop::after(500));
     assert_eq!((zero.reason, zero.loss), (StopReason::ZeroLoss, 0.0));
-    let small = reason(
-        &*l2,
-        Stop {
-            projected_gradient: 0.01,
-            ..Stop::after(500)
-        },
-    );
+    let small = Stop {
+        projected_gradient: 0.01,
+        ..Stop::after(500)
+    };
+    let small = reason(&*l2, small);
     assert_eq!(small.reason, StopReason::ProjectedGradient);
     // Half of what there is to gain
     let (end, start) = (small.loss, small.history[0].loss);
@@ -516,10 +518,7 @@ fn patterns_of_few_bits_stay_on_their_levels_in_every_step() {
 
 #[test]
 fn a_gradient_that_is_no_number_stops_the_run_and_keeps_what_was_good() {
-    for optimizer in [
-        &mut newton() as &mut dyn Optimizer<_>,
-        &mut Gradient::new(gradient::Params::default()).unwrap(),
-    ] {
+    for optimizer in [&mut newton() as &mut dyn Optimizer<_>, &mut gradient()] {
         let inner = SmallModel::new(16, 24, 1);
         let objective = objective(&inner, "l2");
         let model = Twisted {
@@ -532,24 +531,15 @@ fn a_gradient_that_is_no_number_stops_the_run_and_keeps_what_was_good() {
             "{outcome:?}"
         );
         assert!(x.as_slice().iter().all(|v| v.is_finite() && *v >= 0.0));
-        assert!(
-            loss_of(&model.inner, &*objective, &x)
-                < 0.5
-                    * loss_of(
-                        &model.inner,
-                        &*objective,
-                        &HostField::from_slice(&vec![0.5; x.len()])
-                    )
-        );
+        let start = HostField::from_slice(&vec![0.5; x.len()]);
+        let [end, begin] = [&x, &start].map(|x| loss_of(&model.inner, &*objective, x));
+        assert!(end < 0.5 * begin, "{end} {begin}");
     }
 }
 
 #[test]
 fn a_model_that_is_not_linear_is_searched_by_its_own_calls() {
-    for optimizer in [
-        &mut newton() as &mut dyn Optimizer<_>,
-        &mut Gradient::new(gradient::Params::default()).unwrap(),
-    ] {
+    for optimizer in [&mut newton() as &mut dyn Optimizer<_>, &mut gradient()] {
         let inner = SmallModel::new(16, 24, 1);
         let objective = objective(&inner, "threshold");
         let model = Twisted {
@@ -571,15 +561,9 @@ fn a_model_that_becomes_another_is_measured_anew_and_resumed_to_the_same_bits() 
     };
     let objective = objective(&brighter().inner, "l2");
     let solve = |iterations: usize, checkpoints: Option<&mut Checkpoints>| {
-        let stop = Stop::after(iterations);
-        let model = brighter();
-        let (x, outcome) = go_on(
-            (&model, &*objective),
-            &mut newton(),
-            stop,
-            checkpoints,
-            &mut [],
-        );
+        let (stop, model) = (Stop::after(iterations), brighter());
+        let problem = (&model as &Model, &*objective);
+        let (x, outcome) = go_on(problem, &mut newton(), stop, checkpoints, &mut []);
         (x, outcome.unwrap())
     };
     let (x, whole) = solve(7, None);
@@ -606,46 +590,27 @@ fn a_checkpoint_of_another_job_or_cut_short_is_refused_in_one_sentence() {
     let folder = tempfile::tempdir().unwrap();
     let checkpoints =
         |fingerprint| Checkpoints::new(folder.path(), fingerprint, &Params::default()).unwrap();
-    let resume = |fingerprint| {
-        go_on(
-            (&model, &*objective),
-            &mut newton(),
-            Stop::after(5),
-            Some(&mut checkpoints(fingerprint)),
-            &mut [],
-        )
-        .1
+    let resume_by = |optimizer: &mut dyn Optimizer<HostField>, fingerprint| {
+        let (stop, checkpoints) = (Stop::after(5), &mut checkpoints(fingerprint));
+        let problem = (&model as &Model, &*objective);
+        go_on(problem, optimizer, stop, Some(checkpoints), &mut []).1
     };
+    let resume = |fingerprint| resume_by(&mut newton(), fingerprint);
     resume(1).unwrap();
     let refusal = resume(2).unwrap_err().to_string();
     assert!(refusal.contains("a checkpoint of another job"), "{refusal}");
-    let other = Lbfgs::new(lbfgs::Params {
+    let few = lbfgs::Params {
         memory: 3,
         ..Default::default()
-    });
-    let (_, outcome) = go_on(
-        (&model, &*objective),
-        &mut other.unwrap(),
-        Stop::after(9),
-        Some(&mut checkpoints(1)),
-        &mut [],
-    );
-    assert!(
-        matches!(outcome, Err(Error::Unsupported { .. })),
-        "{outcome:?}"
-    );
-    let plain = Gradient::new(gradient::Params::default());
-    let (_, outcome) = go_on(
-        (&model, &*objective),
-        &mut plain.unwrap(),
-        Stop::after(9),
-        Some(&mut checkpoints(1)),
-        &mut [],
-    );
-    assert!(
-        matches!(outcome, Err(Error::Unsupported { .. })),
-        "{outcome:?}"
-    );
+    };
+    let (mut few, mut plain) = (Lbfgs::new(few).unwrap(), gradient());
+    for other in [&mut few as &mut dyn Optimizer<_>, &mut plain] {
+        let outcome = resume_by(other, 1);
+        assert!(
+            matches!(outcome, Err(Error::Unsupported { .. })),
+            "{outcome:?}"
+        );
+    }
     // Cut anywhere
     let file = checkpoints(1).file();
     let whole = std::fs::read(&file).unwrap();
@@ -670,22 +635,22 @@ fn a_checkpoint_of_patterns_begins_anew_from_the_best() {
         contents: Contents::Patterns,
     };
     let mut checkpoints = Checkpoints::new(folder.path(), 1, &params).unwrap();
-    let (x, first) = go_on(
-        (&model, &*objective),
-        &mut newton(),
-        Stop::after(6),
-        Some(&mut checkpoints),
-        &mut [],
-    );
-    let size = std::fs::metadata(checkpoints.file()).unwrap().len();
+    let file = checkpoints.file();
+    let problem = (&model as &Model, &*objective);
+    let mut after = |steps| {
+        let stop = Stop::after(steps);
+        go_on(
+            problem,
+            &mut newton(),
+            stop,
+            Some(&mut checkpoints),
+            &mut [],
+        )
+    };
+    let (x, first) = after(6);
+    let size = std::fs::metadata(&file).unwrap().len();
     assert!(size < 4 * x.len() as u64 + 8000, "{size} bytes");
-    let (_, second) = go_on(
-        (&model, &*objective),
-        &mut newton(),
-        Stop::after(3),
-        Some(&mut checkpoints),
-        &mut [],
-    );
+    let (_, second) = after(3);
     let (first, second) = (first.unwrap(), second.unwrap());
     assert_eq!(second.history.len(), 4);
     assert!((second.history[0].loss - first.loss).abs() < 1e-5 * first.loss);

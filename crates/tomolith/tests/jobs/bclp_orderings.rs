@@ -1,11 +1,10 @@
 //! BCLP in physical units: the parameter sweeps of Li et al. 2024, section 3.4, on a small picture. 500 voxels a cm and α = 0.001 per cm, as in their
 //! Supplementary Table 1; 64² voxels for their 512², so the orderings are theirs and not the losses.
 
-use serde_json::Value;
-use std::path::Path;
+use crate::{Finished, image, job_of};
 use tomolith::grid::Volume;
 use tomolith::io::npy;
-use tomolith::job::{Document, Job, ResolvedJob, Silent, run};
+use tomolith::job::{Job, ResolvedJob, Silent};
 use tomolith::models::Run;
 
 const JOB: &str = r#"
@@ -20,15 +19,8 @@ const JOB: &str = r#"
 "#;
 
 fn job(changes: &[&str]) -> Job {
-    let image = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/images/rings.png");
-    let mut document = Document::toml("bclp.toml", JOB).unwrap();
-    document
-        .set(&format!("target.image={:?}", image.display().to_string()))
-        .unwrap();
-    for change in changes {
-        document.set(change).unwrap();
-    }
-    Job::from_document(document).unwrap()
+    let image = image("target.image", "rings.png");
+    job_of(JOB, &[&[&*image], changes].concat()).unwrap()
 }
 
 /// What a run ends with.
@@ -41,20 +33,16 @@ struct Ended {
 }
 
 fn ended(changes: &[&str]) -> Ended {
-    let folder = tempfile::tempdir().unwrap();
-    let own = folder.path().join("run");
-    let job = job(changes).with_folder(&own, "--output");
-    run(&job, false, &mut Silent, &Run::new()).unwrap();
-    let report: Value =
-        serde_json::from_slice(&std::fs::read(own.join("report.json")).unwrap()).unwrap();
+    let run = Finished::run(job(changes), &mut Silent);
+    let report = run.report();
     let number = |key: &str| report["published"][key]["value"].as_f64().unwrap();
-    let history = std::fs::read_to_string(own.join("history.csv")).unwrap();
+    let history = run.read("history.csv");
     let loss = history.lines().last().unwrap().split(',').nth(1).unwrap();
     Ended {
         loss: loss.parse().unwrap(),
         out: number("bclp_l0"),
         largest: number("bclp_linf"),
-        dose: npy::read_volume(&own.join("dose.npy")).unwrap().1,
+        dose: npy::read_volume(&run.path("dose.npy")).unwrap().1,
     }
 }
 

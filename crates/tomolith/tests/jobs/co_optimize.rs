@@ -1,8 +1,10 @@
 //! Jobs whose response has unknown parameters: what they find is in every file of the run, and the print is evaluated with it.
 
+use crate::{image, job_of};
 use serde_json::Value;
 use std::path::Path;
 use tomolith::Error;
+use tomolith::check::on_threads;
 use tomolith::job::{self, Document, Event, Job, Progress, Silent};
 use tomolith::models::Run;
 
@@ -20,13 +22,9 @@ const JOB: &str = r#"
 "#;
 
 fn read(changes: &[&str], folder: &Path) -> Result<Job, Error> {
-    let image = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/images/rings.png");
-    let mut document = Document::toml("rings.toml", JOB)?;
-    document.set(&format!("target.image={:?}", image.display().to_string()))?;
-    for change in changes {
-        document.set(change)?;
-    }
-    Ok(Job::from_document(document)?.with_folder(folder, "--output"))
+    let image = image("target.image", "rings.png");
+    let job = job_of(JOB, &[&[&*image], changes].concat())?;
+    Ok(job.with_folder(folder, "--output"))
 }
 
 fn report(folder: &Path) -> Value {
@@ -145,11 +143,8 @@ fn a_run_that_was_cut_off_or_has_other_threads_has_the_same_bits() {
     for threads in [1, 3] {
         let own = place.path().join(format!("threads-{threads}"));
         let job = read(&[], &own).unwrap();
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
-        pool.build()
-            .unwrap()
-            .install(|| job::run(&job, false, &mut Silent, &Run::new()))
-            .unwrap();
+        let run = || job::run(&job, false, &mut Silent, &Run::new());
+        on_threads(threads, run).unwrap();
         assert_eq!(rows(&own), rows(&whole), "{threads} threads");
     }
 }
@@ -244,9 +239,6 @@ fn what_cannot_be_an_unknown_is_refused_before_work() {
         ),
     ] {
         let message = refused(changes);
-        assert!(
-            message.contains(key) && message.contains(said),
-            "{changes:?}: {message}"
-        );
+        tomolith_core::contains!(message, key, said);
     }
 }

@@ -1,8 +1,8 @@
 //! A print that takes longer than `printer.time_s` allows.
 
+use crate::{Finished, job_of};
 use serde_json::Value;
-use tomolith::job::{Document, Job, Silent, run};
-use tomolith::models::Run;
+use tomolith::job::Silent;
 
 const JOB: &str = r#"
     target = { phantom = { sphere = {} }, size_mm = 1.2 }
@@ -17,14 +17,7 @@ const JOB: &str = r#"
 
 /// The report of the job with a change.
 fn report(change: &str) -> Value {
-    let folder = tempfile::tempdir().unwrap();
-    let own = folder.path().join("run");
-    let mut document = Document::toml("time.toml", JOB).unwrap();
-    document.set(change).unwrap();
-    let job = Job::from_document(document).unwrap();
-    let job = job.with_folder(&own, "--output");
-    run(&job, false, &mut Silent, &Run::new()).unwrap();
-    serde_json::from_slice(&std::fs::read(own.join("report.json")).unwrap()).unwrap()
+    Finished::run(job_of(JOB, &[change]).unwrap(), &mut Silent).report()
 }
 
 #[test]
@@ -42,8 +35,5 @@ fn a_print_that_takes_longer_than_allowed_is_warned_of() {
     let late = report("objective={ threshold = { lower = 0.2, upper = 2.5, ceiling = 3.0 } }");
     assert!(seconds(&late) > 41.0, "{}", seconds(&late));
     let warnings = late.to_string();
-    assert!(
-        warnings.contains("s where printer.time_s allows 40 s"),
-        "{warnings}"
-    );
+    tomolith_core::contains!(warnings, "s where printer.time_s allows 40 s");
 }

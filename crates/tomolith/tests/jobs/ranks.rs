@@ -1,11 +1,12 @@
 //! One job on several ranks, each a thread of this process: the same patterns as a process alone makes, up to the order of sums.
 
+use crate::job_of;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
 use std::time::Duration;
 use tomolith::io::npy::read_patterns;
-use tomolith::job::{self, Document, Event, Job, Leaves, Progress, Silent, Summary};
+use tomolith::job::{self, Event, Job, Leaves, Progress, Silent, Summary};
 use tomolith::models::Run;
 use tomolith::ranks::{Communicator, Threads};
 use tomolith::{Error, Result};
@@ -52,11 +53,7 @@ const PENALTIES: &str = "penalties=[{smoothness={}, weight=1e-3}, {sparsity={}, 
 
 /// A job with keys set otherwise, in a folder of its own.
 fn job(folder: &Path, changes: &[&str]) -> Job {
-    let mut document = Document::toml(folder.join("job.toml"), JOB).unwrap();
-    for change in changes {
-        document.set(change).unwrap();
-    }
-    let job = Job::from_document(document).unwrap();
+    let job = job_of(JOB, changes).unwrap();
     job.with_folder(&folder.join("run"), "--output")
 }
 
@@ -234,43 +231,29 @@ fn monte_carlo_paths_that_only_a_trial_takes_are_refused_too() {
     let job = job(folder.path(), &keys);
     let found = on_ranks(2, |_| job.clone(), false, usize::MAX);
     let text = found[0].as_ref().unwrap_err().to_string();
-    assert!(
-        text.contains("Monte Carlo paths, which would be others in a share"),
-        "{text}"
-    );
+    tomolith_core::contains!(text, "Monte Carlo paths, which would be others in a share");
     assert!(found[1].is_err());
 }
 
 #[test]
-fn a_rank_with_another_job_ends_all_of_them() {
+fn a_rank_with_another_job_or_that_would_stop_elsewhere_ends_all_of_them() {
     let folder = tempfile::tempdir().unwrap();
-    let own = |rank| match rank {
-        1 => job(folder.path(), &["resin.absorption_per_mm=0.2"]),
-        _ => job(folder.path(), &[]),
-    };
-    let found = on_ranks(2, own, false, usize::MAX);
-    assert!(
-        matches!(&found[0], Err(Error::Rank { rank: 1 })),
-        "{found:?}"
-    );
-    let message = found[1].as_ref().unwrap_err().to_string();
-    assert!(message.contains("differ from those of rank 0"), "{message}");
-}
-
-#[test]
-fn a_rank_that_would_stop_elsewhere_ends_all_of_them() {
-    let folder = tempfile::tempdir().unwrap();
-    let own = |rank| match rank {
-        1 => job(folder.path(), &["stop.change=0.5"]),
-        _ => job(folder.path(), &[]),
-    };
-    let found = on_ranks(2, own, false, usize::MAX);
-    assert!(
-        matches!(&found[0], Err(Error::Rank { rank: 1 })),
-        "{found:?}"
-    );
-    let message = found[1].as_ref().unwrap_err().to_string();
-    assert!(message.contains("its [stop], [checkpoint]"), "{message}");
+    for (change, part) in [
+        ("resin.absorption_per_mm=0.2", "differ from those of rank 0"),
+        ("stop.change=0.5", "its [stop], [checkpoint]"),
+    ] {
+        let of_rank = |rank| match rank {
+            1 => job(folder.path(), &[change]),
+            _ => job(folder.path(), &[]),
+        };
+        let found = on_ranks(2, of_rank, false, usize::MAX);
+        assert!(
+            matches!(&found[0], Err(Error::Rank { rank: 1 })),
+            "{found:?}"
+        );
+        let message = found[1].as_ref().unwrap_err().to_string();
+        tomolith_core::contains!(message, part);
+    }
 }
 
 #[test]

@@ -1,10 +1,9 @@
 //! A whole two-color job: two gray designs become two sets of patterns, two movies and a map of stiffness (Wang et al. 2022, supplement).
 
+use crate::{Finished, image, job_of};
 use serde_json::Value;
-use std::path::Path;
 use tomolith::io::npy;
-use tomolith::job::{Document, Job, Silent, run};
-use tomolith::models::Run;
+use tomolith::job::Silent;
 
 const JOB: &str = r#"
     target = { size_mm = 1.2, height_mm = 0.1, gray = true }
@@ -35,30 +34,12 @@ const JOB: &str = r#"
 
 /// The report of a run with these changes, its folder, and what is said at its end.
 fn report(changes: &[String]) -> (Value, tempfile::TempDir, String) {
-    let images = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/images");
-    let image = |name: &str| format!("{:?}", images.join(name).display().to_string());
-    let mut document = Document::toml("two.toml", JOB).unwrap();
-    let epoxy = format!(
-        "species[1].target={{ image = {}, size_mm = 1.2, height_mm = 0.1 }}",
-        image("rings.png")
-    );
-    let targets = [format!("target.image={}", image("wheel-all.png")), epoxy];
-    for change in targets.iter().chain(changes) {
-        document.set(change).unwrap();
-    }
-    let folder = tempfile::tempdir().unwrap();
-    let own = folder.path().join("run");
-    let job = Job::from_document(document).unwrap();
-    let summary = run(
-        &job.with_folder(&own, "--output"),
-        false,
-        &mut Silent,
-        &Run::new(),
-    )
-    .unwrap();
-    let text = std::fs::read(own.join("report.json")).unwrap();
-    let report = serde_json::from_slice(&text).unwrap();
-    (report, folder, summary.to_string())
+    let rings = image("image", "rings.png");
+    let epoxy = format!("species[1].target={{ {rings}, size_mm = 1.2, height_mm = 0.1 }}");
+    let targets = [image("target.image", "wheel-all.png"), epoxy];
+    let job = job_of(JOB, &[&targets, changes].concat()).unwrap();
+    let run = Finished::run(job, &mut Silent);
+    (run.report(), run.place, run.summary.to_string())
 }
 
 /// What limits a species are the steps from a perfect print to the predicted one.
@@ -130,10 +111,7 @@ fn two_species_are_judged_at_one_exposure() {
     assert_eq!(report["limits"], report["species"][0]["limits"]);
     assert_limits_add_up(&report["species"][1]);
     assert!(html.contains("Finer pixels of uv may bring more"), "{said}");
-    assert!(
-        said.contains("acrylate:") && said.contains("epoxy:"),
-        "{said}"
-    );
+    tomolith_core::contains!(said, "acrylate:", "epoxy:");
     let percent = |end: &str| report["one_exposure"]["percent"][end].as_f64();
     assert!(percent("low").is_none_or(|low| low < 100.0) && percent("best") == Some(100.0));
     assert!(report["species"][1]["exposure"]["dose"]["best"].is_number());
@@ -167,14 +145,8 @@ fn two_gray_designs_become_two_movies_and_a_map_of_stiffness() {
     assert!(stiff > 30.0 * soft, "{soft} {stiff}");
     // Gray values have no IoU: each species has an exposure of its own
     assert!(report["one_exposure"].is_null());
-    assert!(
-        said.contains("acrylate: The best exposure has an rms error"),
-        "{said}"
-    );
-    assert!(
-        said.contains("epoxy: The best exposure has an rms error"),
-        "{said}"
-    );
+    tomolith_core::contains!(said, "acrylate: The best exposure has an rms error");
+    tomolith_core::contains!(said, "epoxy: The best exposure has an rms error");
     let html = std::fs::read_to_string(own.join("report.html")).unwrap();
     assert!(html.contains("That is acrylate. epoxy: The response of"));
     assert!(html.contains("modulus") && html.contains("MPa"));

@@ -1,9 +1,9 @@
 //! Two lights with a gray curve, a brightness and an exposure time of their own.
 
+use crate::{Finished, job_of};
 use serde_json::Value;
 use tomolith::Error;
-use tomolith::job::{Document, Job, ResolvedJob, Silent, run};
-use tomolith::models::Run;
+use tomolith::job::{Job, ResolvedJob, Silent};
 
 const JOB: &str = r#"
     target = { phantom = { sphere = {} }, size_mm = 1.2 }
@@ -21,19 +21,11 @@ const JOB: &str = r#"
 "#;
 
 fn job(changes: &[&str]) -> Result<Job, Error> {
-    let mut document = Document::toml("two.toml", JOB).unwrap();
-    for change in changes {
-        document.set(change).unwrap();
-    }
-    Job::from_document(document)
+    job_of(JOB, changes)
 }
 
 fn report(changes: &[&str]) -> Value {
-    let folder = tempfile::tempdir().unwrap();
-    let own = folder.path().join("run");
-    let job = job(changes).unwrap().with_folder(&own, "--output");
-    run(&job, false, &mut Silent, &Run::new()).unwrap();
-    serde_json::from_slice(&std::fs::read(own.join("report.json")).unwrap()).unwrap()
+    Finished::run(job(changes).unwrap(), &mut Silent).report()
 }
 
 #[test]

@@ -137,13 +137,13 @@ pub(super) const WRONG: &[Wrong] = &[
         "[stop]",
         "[bounds]\nbits = 0\n[stop]",
         "bits",
-        &["bounds.bits", "found 0", "1 to 16 bits"],
+        &["bounds.bits", "found 0", "bits, 1 to 16"],
     ),
     (
         "[stop]",
         "[bounds]\nbits = 17\n[stop]",
         "bits",
-        &["bounds.bits", "found 17", "1 to 16 bits"],
+        &["bounds.bits", "found 17", "bits, 1 to 16"],
     ),
     (
         "[stop]",

@@ -1,6 +1,7 @@
 //! Folders, overrides, resuming and disks.
 
 use super::*;
+use crate::bench::doubles;
 
 #[test]
 fn a_folder_that_is_not_ours_is_left_alone() {
@@ -8,12 +9,9 @@ fn a_folder_that_is_not_ours_is_left_alone() {
     let foreign = bench.path("thesis");
     fs::create_dir(&foreign).unwrap();
     fs::write(foreign.join("chapter.tex"), "mine").unwrap();
-    let output = bench.tomolith(JOB, &["--output", &foreign.display().to_string()]);
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    for part in ["output.folder", "not from a run", "(from --output /"] {
-        assert!(flat(&message).contains(part), "{part}: {message}");
-    }
+    let parts = ["output.folder", "not from a run", "(from --output /"];
+    let folder = foreign.display().to_string();
+    let message = bench.refused(JOB, &["--output", &folder], &parts);
     assert!(!message.contains("line"), "blamed on the file: {message}");
     assert_eq!(fs::read_dir(&foreign).unwrap().count(), 1);
 }
@@ -26,15 +24,9 @@ fn an_error_after_the_folder_was_taken_leaves_it_as_it_was() {
     let late = ["--set", "grid.pitch_mm=2.5"];
     let new = bench.path("new").display().to_string();
     for more in [&late[..], &[&late[..], &["--output", &new]].concat()] {
-        let output = bench.tomolith(JOB, more);
-        let message = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{message}");
-        for part in [
-            "grid.pitch_mm: no voxel of the grid is half filled",
-            "(from --set grid.pitch_mm=2.5)",
-        ] {
-            assert!(flat(&message).contains(part), "{part}: {message}");
-        }
+        let blamed = "(from --set grid.pitch_mm=2.5)";
+        let parts = ["grid.pitch_mm: no voxel of the grid is half filled", blamed];
+        bench.refused(JOB, more, &parts);
     }
     assert_eq!(bench.earlier(), before);
     assert!(!bench.run_folder().join(".new").exists());
@@ -52,19 +44,10 @@ fn a_finished_run_of_another_job_is_replaced_only_when_asked() {
     )
     .unwrap();
     let refused = |more: &[&str], parts: &[&str]| {
-        let output = tomolith(&file, more);
-        let message = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{message}");
-        for part in [
-            "output.folder",
-            "holds a finished run of another job",
-            "--overwrite",
-        ]
-        .iter()
-        .chain(parts)
-        {
-            assert!(flat(&message).contains(part), "{part}: {message}");
-        }
+        let message = said(2, "", &tomolith(&file, more));
+        let finished = "holds a finished run of another job";
+        contains(&message, "", &["output.folder", finished, "--overwrite"]);
+        contains(&message, "", parts);
     };
     refused(&[], &["cannot be read"]);
     assert_eq!(bench.earlier(), before);
@@ -93,15 +76,11 @@ fn a_finished_run_of_another_job_is_replaced_only_when_asked() {
 #[test]
 fn too_little_memory_is_said_with_the_estimate() {
     let bench = Bench::beside_a_run();
-    let before = bench.earlier();
-    let output = bench.tomolith(JOB, &["--set", "grid.shape=[9000, 9000, 9000]"]);
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(
-        flat(&message).contains("grid.shape: memory") && flat(&message).contains("MB needed"),
-        "{message}"
+    let job = JOB.replace(
+        "pitch_mm = 0.1\n",
+        "pitch_mm = 0.1\nshape = [9000, 9000, 9000]\n",
     );
-    assert_eq!(bench.earlier(), before);
+    bench.refused_before_work(&job, &["grid.shape: memory", "MB needed"]);
 }
 
 #[test]
@@ -139,13 +118,8 @@ fn what_an_option_set_is_not_blamed_on_the_file() {
             "resin.phase.henyey_greenstein.g",
         ),
     ] {
-        let output = bench.tomolith(JOB, &["--set", option]);
-        let message = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{option}: {message}");
-        let parts = [format!("error: {key}: "), format!("(from --set {option})")];
-        for part in parts {
-            assert!(flat(&message).contains(&part), "{part}: {message}");
-        }
+        let [error, from] = [format!("error: {key}: "), format!("(from --set {option})")];
+        let message = bench.refused(JOB, &["--set", option], &[&error, &from]);
         assert!(!message.contains("job.toml"), "{option}: {message}");
     }
 }
@@ -156,16 +130,11 @@ fn resuming_notices_that_a_file_of_the_job_has_other_content() {
     let job = JOB.replace("[stop]", "[response.table]\nfile = \"curve.csv\"\n[stop]");
     fs::write(bench.path("curve.csv"), "0 0\n0.5 0.4\n1 1\n").unwrap();
     assert!(bench.tomolith(&job, &["--quiet"]).status.success());
-    let resume = || bench.tomolith(&job, &["--resume", "--quiet"]);
-    assert!(resume().status.success());
+    let resume = ["--resume", "--quiet"];
+    assert!(bench.tomolith(&job, &resume).status.success());
     fs::write(bench.path("curve.csv"), "0 0\n0.5 0.6\n1 1\n").unwrap();
-    let output = resume();
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(
-        flat(&message).contains("the content of a file that the job names, have changed"),
-        "{message}"
-    );
+    let changed = "the content of a file that the job names, have changed";
+    bench.refused(&job, &resume, &[changed]);
 }
 
 #[test]
@@ -173,15 +142,9 @@ fn resuming_says_what_to_do_and_what_has_changed() {
     let bench = Bench::beside_a_run();
     assert!(bench.tomolith(JOB, &["--quiet"]).status.success());
     let refused = |more: &[&str], parts: &[&str]| {
-        let output = bench.tomolith(JOB, &[&["--resume"], more].concat());
-        let message = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{message}");
-        for part in ["error: --resume: leave it out to begin anew"]
-            .iter()
-            .chain(parts)
-        {
-            assert!(flat(&message).contains(part), "{part}: {message}");
-        }
+        let advice = "error: --resume: leave it out to begin anew";
+        let more = [&["--resume"], more].concat();
+        bench.refused(JOB, &more, &[&[advice], parts].concat());
     };
     refused(
         &[
@@ -210,15 +173,8 @@ fn resuming_says_what_to_do_and_what_has_changed() {
     // What resuming does not depend on may change
     fs::write(&file, &whole).unwrap();
     let more = ["--resume", "--quiet", "--set", "stop.iterations=3"];
-    let output = bench.tomolith(
-        JOB,
-        &[&more[..], &["--set", "objective.threshold.part_weight=1"]].concat(),
-    );
-    assert!(
-        output.status.success(),
-        "{}",
-        String::from_utf8_lossy(&output.stderr)
-    );
+    let more = [&more[..], &["--set", "objective.threshold.part_weight=1"]].concat();
+    said(0, "", &bench.tomolith(JOB, &more));
 }
 
 #[test]
@@ -238,17 +194,29 @@ fn a_simulation_never_mixes_with_a_run() {
             .output()
             .unwrap()
     };
-    let output = simulate(&["--output", &run.display().to_string()]);
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    for part in ["output.folder", "holds a run", "(from --output"] {
-        assert!(flat(&message).contains(part), "{part}: {message}");
-    }
+    let message = said(2, "", &simulate(&["--output", &run.display().to_string()]));
+    contains(
+        &message,
+        "",
+        &["output.folder", "holds a run", "(from --output"],
+    );
     assert!(simulate(&[]).status.success());
     assert!(bench.path("run-simulated/report.json").exists());
     assert!(!bench.path("run-simulated/history.csv").exists());
     assert!(simulate(&[]).status.success(), "over a simulation");
     assert_eq!(bench.earlier(), before);
+}
+
+impl Bench {
+    /// What a command says that may write files of so many blocks, and must end with this code.
+    #[cfg(unix)]
+    fn on_small_disk(&self, blocks: u32, code: i32, line: &str) -> String {
+        let command = env!("CARGO_BIN_EXE_tomolith");
+        let line = format!("trap '' XFSZ; ulimit -f {blocks}; exec {command} {line}");
+        let mut shell = Command::new("sh");
+        shell.current_dir(self.temp.path()).args(["-c", &line]);
+        said(code, &line, &shell.output().unwrap())
+    }
 }
 
 /// A disk that is full in the middle of a file: one message, the file's, and nothing of the libraries behind it.
@@ -260,37 +228,18 @@ fn a_full_disk_ends_with_one_message() {
     let before = bench.earlier();
     // Patterns take 277 kB, the checkpoint of the patterns alone less than 150 kB (blocks of 512 or 1024 bytes)
     let checkpoint = "--set checkpoint.contents=patterns";
-    let line = format!(
-        "trap '' XFSZ; ulimit -f 260; exec {} run {} --quiet --overwrite {checkpoint}",
-        env!("CARGO_BIN_EXE_tomolith"),
-        bench.path("job.toml").display()
-    );
-    let output = Command::new("sh").args(["-c", &line]).output().unwrap();
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(
-        flat(&message).contains("patterns.npz: File too large"),
-        "{message}"
-    );
-    assert!(!message.contains("ZipWriter"), "{message}");
-    assert!(
-        flat(&message).contains("print and report of this run are missing"),
-        "{message}"
-    );
+    let run = format!("run job.toml --quiet --overwrite {checkpoint}");
+    let missing = "print and report of this run are missing";
     // A matrix of some megabytes stops in the same place
-    let line = format!(
-        "trap '' XFSZ; ulimit -f 260; exec {} export-matrix {} --output {}",
-        env!("CARGO_BIN_EXE_tomolith"),
-        bench.path("job.toml").display(),
-        bench.path("matrix.npz").display()
-    );
-    let output = Command::new("sh").args(["-c", &line]).output().unwrap();
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    assert!(
-        flat(&message).contains("matrix.npz: File too large") && !message.contains("ZipWriter"),
-        "{message}"
-    );
+    let matrix = "export-matrix job.toml --output matrix.npz";
+    for (line, parts) in [
+        (&*run, &["patterns.npz: File too large", missing][..]),
+        (matrix, &["matrix.npz: File too large"]),
+    ] {
+        let message = bench.on_small_disk(260, 2, line);
+        contains(&message, line, parts);
+        assert!(!message.contains("ZipWriter"), "{message}");
+    }
     let unchanged = |files: Vec<(PathBuf, Vec<u8>)>| -> Vec<_> {
         let of_run = |path: &PathBuf| path.ends_with("job.toml") || path.ends_with("report.json");
         files.into_iter().filter(|(path, _)| of_run(path)).collect()
@@ -316,24 +265,11 @@ fn a_disk_that_is_full_during_the_optimization_is_a_warning() {
     // With thirty pairs a checkpoint takes 1.4 MB, the largest output 1.1 MB; the limit is 1.3 MB
     let settings = "--set stop.iterations=30 --set optimizer.lbfgs.memory=30 --set checkpoint.every_s=0.0001 \
                     --set objective.threshold.lower=0.99 --set objective.threshold.upper=1.0 --set evaluate.refine=2";
-    let line = format!(
-        "trap '' XFSZ; ulimit -f 2600; exec {} run {} --overwrite {settings}",
-        env!("CARGO_BIN_EXE_tomolith"),
-        file.display()
-    );
-    let output = Command::new("sh").args(["-c", &line]).output().unwrap();
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(0), "{message}");
-    assert_eq!(
-        message.matches("no checkpoint can be written").count(),
-        1,
-        "{message}"
-    );
+    let message = bench.on_small_disk(2600, 0, &format!("run job.toml --overwrite {settings}"));
+    let warning = "no checkpoint can be written";
+    assert_eq!(message.matches(warning).count(), 1, "{message}");
     let report = fs::read_to_string(bench.run_folder().join("report.json")).unwrap();
-    assert!(
-        report.contains("no checkpoint can be written"),
-        "not in the report"
-    );
+    contains(&report, "", &[warning]);
     let left = fs::read_dir(bench.run_folder().join("checkpoint")).unwrap();
     let names: Vec<_> = left.map(|entry| entry.unwrap().file_name()).collect();
     assert!(
@@ -345,17 +281,11 @@ fn a_disk_that_is_full_during_the_optimization_is_a_warning() {
 #[test]
 fn dead_pixels_that_leave_the_part_in_the_dark_are_blamed() {
     let bench = Bench::beside_a_run();
-    let header = "{'descr': '<f4', 'fortran_order': False, 'shape': (24, 48), }";
-    let header = format!("{header:<117}\n");
-    let mut bytes = b"\x93NUMPY\x01\x00".to_vec();
-    bytes.extend(u16::try_from(header.len()).unwrap().to_le_bytes());
-    bytes.extend(header.as_bytes());
-    bytes.extend([1.0f32.to_le_bytes(); 24 * 48].concat());
-    fs::write(bench.path("dead.npy"), bytes).unwrap();
+    bench.write("dead.npy", &doubles("24, 48", &[1.0; 24 * 48]));
     let job = JOB.replace("[stop]", "[printer]\ndead_pixels = \"dead.npy\"\n[stop]");
     let parts = [
         "error: printer.dead_pixels: the field reaches 0 mm sideways",
         "another map",
     ];
-    refused(&bench, &job, &parts);
+    bench.refused_before_work(&job, &parts);
 }

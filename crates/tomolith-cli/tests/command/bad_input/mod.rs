@@ -5,7 +5,7 @@ mod folders;
 mod slips;
 mod targets;
 
-use crate::bench::Bench;
+use crate::bench::{Bench, contains, said};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -69,6 +69,20 @@ impl Bench {
         // The earlier run is of no job that could be compared
         tomolith(&file, &[more, &["--overwrite"]].concat())
     }
+
+    /// The message of a job that must be refused with exit code 2 and all of `parts` in it.
+    fn refused(&self, job: &str, more: &[&str], parts: &[&str]) -> String {
+        let output = self.tomolith(job, more);
+        contains(&said(2, job, &output), job, parts);
+        String::from_utf8(output.stderr).unwrap()
+    }
+
+    /// The same, and earlier outputs are as they were.
+    fn refused_before_work(&self, job: &str, parts: &[&str]) {
+        let before = self.earlier();
+        self.refused(job, &[], parts);
+        assert_eq!(self.earlier(), before, "{parts:?} changed earlier outputs");
+    }
 }
 
 fn tomolith(job: &Path, more: &[&str]) -> Output {
@@ -88,37 +102,8 @@ fn every_slip_is_named_with_key_line_and_what_is_accepted() {
         assert!(JOB.contains(from), "{from:?} is not in the job");
         let job = JOB.replacen(from, to, 1);
         let line = 1 + job[..job.find(mark).unwrap()].matches('\n').count();
-        let output = bench.tomolith(&job, &[]);
-        let message = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(2), "{to:?}: {message}");
         let place = format!("job.toml:{line}:");
-        for part in parts.iter().copied().chain([place.as_str()]) {
-            assert!(
-                flat(&message).contains(part),
-                "{to:?}: `{part}` is not in\n{message}"
-            );
-        }
+        bench.refused(&job, &[], &[*parts, &[place.as_str()]].concat());
         assert_eq!(bench.earlier(), before, "{to:?} changed earlier outputs");
     }
-}
-
-/// A message without the line breaks and the frame of its display.
-fn flat(message: &str) -> String {
-    let words = message.split_whitespace().filter(|word| *word != "│");
-    words.collect::<Vec<_>>().join(" ")
-}
-
-/// The message of a job that must be refused: exit code 2, earlier outputs as they were, and all of `parts` in it.
-fn refused(bench: &Bench, job: &str, parts: &[&str]) {
-    let before = bench.earlier();
-    let output = bench.tomolith(job, &[]);
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    for part in parts {
-        assert!(
-            flat(&message).contains(part),
-            "`{part}` is not in\n{message}"
-        );
-    }
-    assert_eq!(bench.earlier(), before, "{parts:?} changed earlier outputs");
 }
