@@ -7,8 +7,9 @@
 //! **Errors.** The first error of the card (lost, out of memory, a refused command) is stored; from then on nothing is recorded, reads give zeros, and
 //! [`Gpu::check`] says what happened. Models call it, so a run ends with that error and not with the zeros.
 //!
-//! **Limits.** A binding is never larger than the adapter allows ([`Gpu::binding_bytes`]); a field is cut into pieces that fit. Kernels use
-//! at most 8 storage buffers, 256 threads a group, 16 kB of shared memory, and no type or operation that WebGPU leaves optional.
+//! **Limits.** A binding is never larger than the adapter allows ([`Gpu::binding_bytes`]); a field is cut into pieces that fit. Of everything else
+//! a card is asked for what WebGPU guarantees and no more, so a kernel that needs 9 storage buffers, 512 threads a group, 32 kB of shared memory, or a type or operation
+//! that WebGPU leaves optional, is refused on every card alike.
 
 use crate::strips::Geometries;
 use std::collections::HashMap;
@@ -178,10 +179,13 @@ impl Gpu {
         let Some((adapter, described)) = all.iter().find(is_asked) else {
             return Err(missing(asked, &all));
         };
+        let own = adapter.limits();
         let limits = wgpu::Limits {
-            max_storage_buffers_per_shader_stage: 8,
-            ..adapter.limits()
-        };
+            max_storage_buffer_binding_size: own.max_storage_buffer_binding_size,
+            max_buffer_size: own.max_buffer_size,
+            ..wgpu::Limits::default()
+        }
+        .or_worse_values_from(&own);
         let device = adapter.request_device(&wgpu::DeviceDescriptor {
             label: Some("tomolith"),
             required_limits: limits,
@@ -650,6 +654,33 @@ impl Drop for Buffer {
         {
             idle.bytes += self.size;
             idle.buffers.entry(self.size).or_default().push(raw);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_webgpu_does_not_guarantee_is_refused_on_every_card() {
+        for (threads, is_taken) in [(256, true), (512, false)] {
+            let named = |_| Gpu::open(&Asked::Named("llvmpipe"));
+            let Ok(gpu) = Gpu::open(&Asked::Any).or_else(named) else {
+                return;
+            };
+            let source = || {
+                format!(
+                    "@group(0) @binding(0) var<uniform> p: vec4<u32>;
+                    @group(0) @binding(1) var<storage, read_write> out: array<u32>;
+                    @compute @workgroup_size({threads}) fn main() {{ out[0] = p.x; }}"
+                )
+            };
+            let out = gpu.buffer(4);
+            gpu.run("large", &source, &[7], &[&out], 1);
+            let found = gpu.read(&[(&out, 4)]);
+            assert_eq!(gpu.check().is_ok(), is_taken, "{:?}", gpu.check());
+            assert_eq!(found[0] == 7, is_taken);
         }
     }
 }
