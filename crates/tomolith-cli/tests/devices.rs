@@ -76,6 +76,15 @@ fn a_card_prints_what_the_processor_prints_and_resumes_to_the_bit() {
     let at = |name: &str| folder.path().join(name);
     let steps = |n: u32| format!("stop.iterations={n}");
     let (six, ten) = (steps(6), steps(10));
+    let arguments = ["check", GEAR, "--toy", "--device", &device];
+    let checked = tomolith(&arguments);
+    done(&checked);
+    let text = String::from_utf8_lossy(&checked.stdout).into_owned();
+    let says = "up to its first iteration the optimization takes ";
+    assert!(
+        text.contains(says) && text.contains(" MB of the "),
+        "{text}"
+    );
     done(&run(GEAR, &device, &at("card"), &["--set", &ten]));
     done(&run(GEAR, "cpu", &at("processor"), &["--set", &ten]));
     let [card, processor] = both("iou", [&at("card"), &at("processor")]);

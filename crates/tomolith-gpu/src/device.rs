@@ -134,11 +134,13 @@ struct Recorder {
     in_flight: Vec<wgpu::SubmissionIndex>,
 }
 
-/// Buffers that nobody uses at present, by size.
+/// Buffers that nobody uses at present, by size; and the bytes of those that somebody uses, now and at most.
 #[derive(Default)]
 struct Idle {
     buffers: HashMap<u64, Vec<wgpu::Buffer>>,
     bytes: u64,
+    used: u64,
+    most_used: u64,
 }
 
 /// A copy on its way to the host: where it arrives, its bytes, and the commands that make it.
@@ -265,6 +267,15 @@ impl Gpu {
         self.0.adapter.memory_bytes
     }
 
+    /// The most memory that was in use at a time since this was asked last, bytes.
+    #[must_use]
+    pub fn most_used(&self) -> u64 {
+        let mut idle = locked(&self.0.idle);
+        let most = idle.most_used;
+        idle.most_used = idle.used;
+        most
+    }
+
     pub(crate) fn geometries(&self) -> &Geometries {
         &self.0.geometries
     }
@@ -303,6 +314,8 @@ impl Gpu {
         let mut idle = locked(&self.0.idle);
         let kept = idle.buffers.get_mut(&size).and_then(Vec::pop);
         let raw = kept.inspect(|_| idle.bytes -= size);
+        idle.used += size;
+        idle.most_used = idle.most_used.max(idle.used);
         drop(idle);
         let raw = raw.unwrap_or_else(|| {
             self.0.device.create_buffer(&wgpu::BufferDescriptor {
@@ -649,6 +662,7 @@ impl Buffer {
 impl Drop for Buffer {
     fn drop(&mut self) {
         let mut idle = locked(&self.gpu.0.idle);
+        idle.used -= self.size;
         if idle.bytes + self.size <= MOST_KEPT
             && let Some(raw) = self.raw.take()
         {

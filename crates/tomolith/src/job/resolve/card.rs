@@ -70,6 +70,16 @@ mod with_gpu {
         pub(crate) fn gpu(&self) -> &Gpu {
             &self.gpu
         }
+
+        /// The most of its memory that was in use at a time since this was asked last, for people; None where nothing was.
+        pub(crate) fn memory_used(&self) -> Option<String> {
+            let (bytes, adapter) = (self.gpu.most_used(), self.gpu.adapter());
+            let of_all = adapter
+                .memory_bytes
+                .map_or_else(String::new, |all| format!(" of the {} MB", all / 1_000_000));
+            let used = bytes.div_ceil(1_000_000);
+            (bytes > 0).then(|| format!("{used} MB{of_all} of {}", adapter.name))
+        }
     }
 
     fn opened(name: &str) -> Result<Gpu> {
@@ -127,6 +137,10 @@ mod without {
                         .to_owned(),
                 }),
             }
+        }
+
+        pub(crate) fn memory_used(&self) -> Option<String> {
+            match *self {}
         }
     }
 

@@ -9,6 +9,7 @@ use crate::job::optimize::{iterations_of_ceiling, rehearse};
 use crate::job::output::summary::Plan;
 use crate::job::progress::{Progress, stage, watched};
 use crate::job::resolve::ResolvedJob;
+use crate::job::resolve::card::Card;
 use crate::job::spec::read::Job;
 use crate::models::Run;
 use crate::report::number::significant;
@@ -59,9 +60,14 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
     resolved.must_start(&voxels)?;
     try_orders(&mut resolved, progress, &sampling)?;
     let trying = stage(progress, cancel, "trying the start of the optimization").aside();
+    let memory_used = |job: &ResolvedJob| job.optics.card.as_ref().and_then(Card::memory_used);
+    let _earlier = memory_used(&resolved);
     if !rehearse(&resolved, &voxels, &trying)? {
         let text = "the start of the optimization takes too long to be tried here: a run may still find fault with it";
         resolved.notes.push(text.to_owned());
+    } else if let Some(memory) = memory_used(&resolved) {
+        let text = format!("up to its first iteration the optimization takes {memory}");
+        resolved.notes.push(text);
     }
     let mut warnings = resolved.warnings.clone();
     warnings.extend(resolved.warnings_of(&voxels)?);
