@@ -62,11 +62,14 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
     let trying = stage(progress, cancel, "trying the start of the optimization").aside();
     let memory_used = |job: &ResolvedJob| job.optics.card.as_ref().and_then(Card::memory_used);
     let _earlier = memory_used(&resolved);
-    if !rehearse(&resolved, &voxels, &trying)? {
+    let is_tried = rehearse(&resolved, &voxels, &trying)?;
+    if !is_tried {
         let text = "the start of the optimization takes too long to be tried here: a run may still find fault with it";
         resolved.notes.push(text.to_owned());
-    } else if let Some(memory) = memory_used(&resolved) {
-        let text = format!("up to its first iteration the optimization takes {memory}");
+    }
+    if let Some(memory) = memory_used(&resolved) {
+        let least = if is_tried { "" } else { "at least " };
+        let text = format!("the start of the optimization takes {least}{memory}");
         resolved.notes.push(text);
     }
     let mut warnings = resolved.warnings.clone();
