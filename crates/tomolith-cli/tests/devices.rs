@@ -80,7 +80,8 @@ fn a_card_prints_what_the_processor_prints_and_resumes_to_the_bit() {
     let checked = tomolith(&arguments);
     done(&checked);
     let text = String::from_utf8_lossy(&checked.stdout).into_owned();
-    let says = "up to its first iteration the optimization takes ";
+    // In software it may take too long to be tried to its end
+    let says = "the start of the optimization takes ";
     assert!(
         text.contains(says) && text.contains(" MB of the "),
         "{text}"
