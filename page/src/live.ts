@@ -153,7 +153,9 @@ class Bar {
   }
 
   part(fraction: number, left_s: number | null): void {
-    this.show(fraction, `${Math.round(100 * fraction)} %${left_s === null ? "" : `, ${clock(left_s)} left`}`);
+    // What comes after a part that is done has yet to say how long it takes
+    if (fraction >= 1) this.show(null, null);
+    else this.show(fraction, `${Math.round(100 * fraction)} %${left_s === null ? "" : `, ${clock(left_s)} left`}`);
   }
 
   iteration(iteration: number | null, iterations: number | null): void {

@@ -136,10 +136,12 @@ fn is_no_run(folder: &Path) -> Option<&'static str> {
         Some("there is no such folder")
     } else if !folder.is_dir() {
         Some("a file, not a folder")
-    } else if !folder.join("report.json").is_file() {
-        Some("no report.json in it, so no run has ended here")
-    } else {
+    } else if folder.join("report.json").is_file() {
         None
+    } else if folder.join("checkpoint").is_dir() {
+        Some("its run has not ended: `tomolith run JOB --open` shows a run while it goes on")
+    } else {
+        Some("no report.json in it, so no run has ended here")
     }
 }
 

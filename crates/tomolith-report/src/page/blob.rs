@@ -6,6 +6,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use flate2::{Compression, write::ZlibEncoder};
 use std::io::{Read as _, Write as _};
+use std::ops::Range;
 use tomolith_core::grid::{Patterns, VolumeGrid};
 use tomolith_core::parallel::InParallel;
 
@@ -61,42 +62,64 @@ pub(super) fn reduced_grid(grid: &VolumeGrid, factor: usize) -> VolumeGrid {
     }
 }
 
-/// What `of` makes of the positions of each block of `factor`³ voxels, in the order of the array.
+/// What `of` makes of each block of `factor`³ voxels, in the order of the array. It gets the positions of the block's rows.
 pub(super) fn blocks<T: Send>(
     grid: &VolumeGrid,
     factor: usize,
-    of: impl Fn(&mut dyn Iterator<Item = usize>) -> T + Sync,
+    of: impl Fn(&[Range<usize>]) -> T + Sync,
 ) -> Vec<T> {
     let [nz, ny, nx] = grid.shape;
     let part = |i: usize, n: usize| i * factor..((i + 1) * factor).min(n);
     let slices: Vec<Vec<T>> = (0..nz.div_ceil(factor)).par_map(|z| {
-        let places =
-            (0..ny.div_ceil(factor)).flat_map(|y| (0..nx.div_ceil(factor)).map(move |x| (y, x)));
-        let of_block = |(y, x)| {
-            let rows = part(z, nz).flat_map(|iz| part(y, ny).map(move |iy| (iz, iy)));
-            of(&mut rows.flat_map(|(iz, iy)| part(x, nx).map(move |ix| (iz * ny + iy) * nx + ix)))
-        };
-        places.map(of_block).collect()
+        let mut rows = Vec::with_capacity(factor * factor);
+        let mut found = Vec::with_capacity(ny.div_ceil(factor) * nx.div_ceil(factor));
+        for y in 0..ny.div_ceil(factor) {
+            for x in 0..nx.div_ceil(factor) {
+                rows.clear();
+                for iz in part(z, nz) {
+                    for iy in part(y, ny) {
+                        let row = (iz * ny + iy) * nx;
+                        let across = part(x, nx);
+                        rows.push(row + across.start..row + across.end);
+                    }
+                }
+                found.push(of(&rows));
+            }
+        }
+        found
     });
     slices.into_iter().flatten().collect()
 }
 
 /// The mean of each block, of its values that are numbers; NaN where there is none.
 pub(super) fn means(grid: &VolumeGrid, values: &[f32], factor: usize) -> Vec<f32> {
-    blocks(grid, factor, |voxels| {
-        let finite = voxels.map(|i| values[i]).filter(|v| v.is_finite());
-        let (sum, count) = finite.fold((0.0f64, 0u32), |(s, n), v| (s + f64::from(v), n + 1));
+    blocks(grid, factor, |rows| {
+        let (mut sum, mut count) = (0.0, 0u32);
+        for row in rows {
+            for &value in &values[row.clone()] {
+                if value.is_finite() {
+                    sum += f64::from(value);
+                    count += 1;
+                }
+            }
+        }
         (sum / f64::from(count)) as f32
     })
 }
 
 /// The most frequent code of each block; of equally frequent ones the highest.
 pub(super) fn majorities(grid: &VolumeGrid, codes: &[u8], factor: usize) -> Vec<u8> {
-    blocks(grid, factor, |voxels| {
+    blocks(grid, factor, |rows| {
         let mut counts = [0u32; 256];
-        voxels.for_each(|i| counts[usize::from(codes[i])] += 1);
-        let best = (0..=255u8).max_by_key(|&code| counts[usize::from(code)]);
-        best.unwrap_or_default()
+        let mut best = (0, 0);
+        for row in rows {
+            for &code in &codes[row.clone()] {
+                let count = &mut counts[usize::from(code)];
+                *count += 1;
+                best = best.max((*count, code));
+            }
+        }
+        best.1
     })
 }
 
@@ -210,6 +233,12 @@ mod tests {
         // z 0 and 1, y 0 and 1, x 0 and 1: 0, 1, 5, 6, 10, 11, 15, 16; the last: z = 2, x = 4
         assert_eq!((mean[0], mean[5]), (8.0, 26.5));
         assert_eq!(majorities(&grid, &[7; 30], 2), [7; 6]);
+        // Three of eight are 9, three 4: the higher one; the last block has a single voxel
+        let mut codes = [0; 30];
+        [0, 1, 5].map(|i| codes[i] = 9);
+        [6, 10, 11].map(|i| codes[i] = 4);
+        codes[24] = 2;
+        assert_eq!(majorities(&grid, &codes, 2), [9, 0, 0, 0, 0, 2]);
     }
 
     #[test]

@@ -49,8 +49,8 @@ pub(super) fn slices(data: &ReportData<'_>) -> String {
     let (width, height) = (nx.div_ceil(factor), ny.div_ceil(factor));
     let draw = |palette: &[Color],
                 code: &(dyn Fn(&mut dyn Iterator<Item = usize>) -> u8 + Sync)| {
-        let codes = blocks(&plane, factor, |pixels| {
-            code(&mut pixels.map(|i| z * ny * nx + i))
+        let codes = blocks(&plane, factor, |rows| {
+            code(&mut rows.iter().cloned().flatten().map(|i| z * ny * nx + i))
         });
         // y grows upward, rows of a picture downward
         let picture = Picture::new(width, height, |x, y| codes[(height - 1 - y) * width + x]);
