@@ -235,8 +235,12 @@ mod tests {
         assert_eq!(majorities(&grid, &[7; 30], 2), [7; 6]);
         // Three of eight are 9, three 4: the higher one; the last block has a single voxel
         let mut codes = [0; 30];
-        [0, 1, 5].map(|i| codes[i] = 9);
-        [6, 10, 11].map(|i| codes[i] = 4);
+        for i in [0, 1, 5] {
+            codes[i] = 9;
+        }
+        for i in [6, 10, 11] {
+            codes[i] = 4;
+        }
         codes[24] = 2;
         assert_eq!(majorities(&grid, &codes, 2), [9, 0, 0, 0, 0, 2]);
     }
