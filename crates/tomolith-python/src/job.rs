@@ -4,13 +4,14 @@ use crate::resolved::ResolvedJob;
 use crate::work::{TomolithError, beside, beside_telling, plain, raised};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use serde_json::Value;
 use std::path::{Path, PathBuf};
 use tomolith::job::{self, Document, Summary};
 
 /// A job: its tables, checked.
 ///
-/// `source` is the path of a job file (TOML or JSON) or a dict of its tables (docs/job.md), which may hold numbers and arrays of numpy, and paths; `set` lists
-/// changes as `"stop.iterations=10"`; `folder` is the run folder, `out/NAME` without it. A key or value that cannot be used raises `TomolithError` with the
+/// `source` is the path of a job file (TOML or JSON) or a dict of its tables (docs/job.md), which may hold numbers and arrays of numpy, and paths; `set` holds
+/// changes, as a dict of dotted keys, `{"stop.iterations": 10}`, or a list, `["stop.iterations=10"]`; `folder` is the run folder, `out/NAME` without it. A key or value that cannot be used raises `TomolithError` with the
 /// key, the line, and what is accepted. Jobs can be pickled.
 #[pyclass(module = "tomolith", frozen)]
 pub(crate) struct Job(job::Job);
@@ -18,8 +19,12 @@ pub(crate) struct Job(job::Job);
 #[pymethods]
 impl Job {
     #[new]
-    #[pyo3(signature = (source, *, set=Vec::new(), folder=None))]
-    fn new(source: &Bound<'_, PyAny>, set: Vec<String>, folder: Option<PathBuf>) -> PyResult<Self> {
+    #[pyo3(signature = (source, *, set=None, folder=None))]
+    fn new(
+        source: &Bound<'_, PyAny>,
+        set: Option<&Bound<'_, PyAny>>,
+        folder: Option<PathBuf>,
+    ) -> PyResult<Self> {
         let mut document = match source.cast::<PyDict>() {
             Ok(tables) => {
                 let text = text_of(tables)?;
@@ -28,7 +33,8 @@ impl Job {
             Err(_) => Document::read(&source.extract::<PathBuf>()?),
         }
         .map_err(raised)?;
-        set.iter()
+        let changes = set.map_or(Ok(Vec::new()), changes_of)?;
+        (changes.iter())
             .try_for_each(|change| document.set(change))
             .map_err(raised)?;
         let job = job::Job::from_document(document).map_err(raised)?;
@@ -133,6 +139,41 @@ impl Job {
 
     fn __repr__(&self) -> String {
         format!("<tomolith.Job {}>", self.0.name())
+    }
+}
+
+/// Changes of keys, each as `--set` takes it.
+fn changes_of(given: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
+    let Ok(changes) = given.cast::<PyDict>() else {
+        return given.extract();
+    };
+    let change = |(key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
+        let alone = PyDict::new(given.py());
+        alone.set_item("value", value)?;
+        let text = text_of(&alone)?;
+        let table: Value =
+            serde_json::from_str(&text).map_err(|e| TomolithError::new_err(format!("set: {e}")))?;
+        let key = key.extract::<String>()?;
+        Ok(format!("{key}={}", toml_of(&table["value"])))
+    };
+    changes.iter().map(change).collect()
+}
+
+/// A value as TOML writes it within a line. There is no null: it stays a word, which the document refuses by name.
+fn toml_of(value: &Value) -> String {
+    match value {
+        Value::Array(items) => {
+            let items: Vec<String> = items.iter().map(toml_of).collect();
+            format!("[{}]", items.join(", "))
+        }
+        Value::Object(table) => {
+            let pair = |(key, value): (&String, &Value)| {
+                format!("{} = {}", Value::String(key.clone()), toml_of(value))
+            };
+            let pairs: Vec<String> = table.iter().map(pair).collect();
+            format!("{{ {} }}", pairs.join(", "))
+        }
+        other => other.to_string(),
     }
 }
 

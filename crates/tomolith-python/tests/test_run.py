@@ -40,6 +40,17 @@ class Jobs(unittest.TestCase):
         same = tomolith.Job({**GEAR, "light": [light], "output": {"folder": Path("out/x")}})
         self.assertEqual(same.tables["light"], tomolith.Job(GEAR).tables["light"])
 
+    def test_changes_are_a_dict_or_a_list(self):
+        changes = {"light[0].angles": np.int64(40), "grid.pitch_mm": 0.2, "target": {"phantom": {"sphere": {"size_mm": 2.0}}}, "output.volumes": ["nrrd", "tiff"]}
+        listed = ["light[0].angles=40", "grid.pitch_mm=0.2", "target={phantom={sphere={size_mm=2.0}}}", 'output.volumes=["nrrd", "tiff"]']
+        self.assertEqual(tomolith.Job(GEAR, set=changes).tables, tomolith.Job(GEAR, set=listed).tables)
+        for refused, words in [({"stop.iteratons": 3}, "did you mean `iterations`?"), ({"stop.iterations": None}, "stop.iterations=null")]:
+            with self.subTest(refused), self.assertRaises(tomolith.TomolithError) as raised:
+                tomolith.Job(GEAR, set=refused)
+            self.assertIn(words, str(raised.exception))
+        with self.assertRaises(TypeError):
+            tomolith.Job(GEAR, set="stop.iterations=3")
+
     def test_a_pickled_job_is_the_same_from_any_folder(self):
         job = tomolith.Job(EXAMPLES / "01-gear.toml", set=["stop.iterations=7"])
         of_tables = tomolith.Job(GEAR, folder="somewhere")

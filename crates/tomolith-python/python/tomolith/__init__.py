@@ -1,7 +1,7 @@
 """Patterns for tomographic volumetric printing, and what they print.
 
     import tomolith
-    run = tomolith.Job("examples/01-gear.toml", set=["stop.iterations=10"]).run()
+    run = tomolith.Job("examples/01-gear.toml", set={"stop.iterations": 10}).run()
     print(run.metrics["iou"], run.dose.shape)
 
 `Job` is a job file, `Run` what its run has left, `ResolvedJob` the same job as objects, `Task` its dose model and loss over numpy arrays, for

@@ -37,7 +37,7 @@ class Job:
         cls,
         source: _Path | Mapping[str, Any],
         *,
-        set: Sequence[str] = ...,
+        set: Mapping[str, Any] | Sequence[str] | None = None,
         folder: _Path | None = None,
     ) -> Job: ...
     @property
