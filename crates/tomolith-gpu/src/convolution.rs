@@ -52,8 +52,9 @@ struct Lines {
     to: Numbers,
 }
 
-/// Products of a dispatch, and of a submission: below 100 ms on a small card.
+/// Products of a dispatch at most: below 100 ms on a small card.
 const MOST_PRODUCTS: usize = 1 << 29;
+/// A dispatch of more products than these is submitted by itself.
 const MOST_TOGETHER: usize = 1 << 26;
 
 impl Convolution {
