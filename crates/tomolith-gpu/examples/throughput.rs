@@ -6,10 +6,10 @@
 
 use std::error::Error;
 use std::time::Instant;
-use tomolith_core::dose::{DoseModel, Run};
+use tomolith_core::dose::Run;
 use tomolith_core::field::Field;
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
-use tomolith_gpu::{Asked, Gpu, GpuStrips};
+use tomolith_gpu::{Asked, Gpu, model_on};
 use tomolith_models::rays::Optics;
 use tomolith_models::{ModelFamily, ModelInput, OpticalScene, Purpose, parallel};
 use tomolith_optics::light::Light;
@@ -42,25 +42,23 @@ fn main() -> Result<(), Box<dyn Error>> {
     let grid = VolumeGrid::centered([voxels; 3], pitch);
     let input = ModelInput::new(scene, &grid, &run)?;
     let begin = Instant::now();
-    let form = parallel::Params::default()
-        .strips(&input)?
-        .ok_or("no form")?;
+    let form = parallel::Params::default().form(&input)?.ok_or("no form")?;
     println!(
         "geometry on the processor {:.3} s",
         begin.elapsed().as_secs_f64()
     );
     let begin = Instant::now();
-    let model = GpuStrips::new(&gpu, &form, &run)?;
+    let model = model_on(&gpu, &form, &run)?;
     println!(
         "entries on the card {:.3} s: {}",
         begin.elapsed().as_secs_f64(),
-        DoseModel::describe(&model)
+        model.describe()
     );
-    let updates = DoseModel::updates(&model) as f64;
+    let updates = model.updates() as f64;
     println!("{updates:.3e} updates a call");
-    let mut x = DoseModel::new_patterns(&model)?;
+    let mut x = model.new_patterns()?;
     x.fill(1.0);
-    let mut dose = DoseModel::new_dose(&model)?;
+    let mut dose = model.new_dose()?;
     let mut grad = x.zeros_like();
     let timed =
         |what: &str, per: f64, unit: &str, work: &mut dyn FnMut() -> Result<(), Box<dyn Error>>| {

@@ -1,27 +1,53 @@
-//! Models on the card whose fields are the host's: patterns are copied there, doses back.
+//! Dose models of forms on the card, with fields there or on the host: then patterns are copied there, doses back.
 
 use crate::device::Gpu;
 use crate::field::GpuField;
 use crate::strips::GpuStrips;
 use std::ops::Range;
-use tomolith_core::dose::strips::StripForm;
-use tomolith_core::dose::{Accelerator, DoseModel, Facts, LinearOperator, Run, Space};
+use tomolith_core::dose::form::Form;
+use tomolith_core::dose::{Accelerator, DoseModel, Facts, Run, Space, frames_of};
 use tomolith_core::error::Result;
 use tomolith_core::field::{Field, HostField};
 
+/// The model of a form on a card.
+///
+/// # Errors
+/// [`Error::Device`](tomolith_core::Error::Device), [`Error::Canceled`](tomolith_core::Error::Canceled);
+/// [`Error::Resources`](tomolith_core::Error::Resources) where the card is too small.
+pub fn model_on(gpu: &Gpu, form: &Form, run: &Run) -> Result<Box<dyn DoseModel<Field = GpuField>>> {
+    Ok(match form {
+        Form::Strips(form) => Box::new(GpuStrips::new(gpu, form, run)?),
+    })
+}
+
 /// A model on the card whose fields are the host's.
 struct OnHost {
-    model: GpuStrips,
-    form: StripForm,
+    gpu: Gpu,
+    model: Box<dyn DoseModel<Field = GpuField>>,
+    form: Form,
 }
 
 impl OnHost {
+    /// Numbers of the host on the card.
+    fn there(&self, space: Space, values: &HostField) -> Result<GpuField> {
+        let mut there = self.model.new_field(space)?;
+        there.copy_from_host(values.as_slice());
+        Ok(there)
+    }
+
+    /// Where a derivative is taken; nothing where the place does not matter.
+    fn place(&self, x: &HostField) -> Result<GpuField> {
+        if self.model.is_linear() {
+            return Ok(GpuField::zeros(&self.gpu, 0, 1));
+        }
+        self.there(Space::Patterns, x)
+    }
+
     /// F(x) of some frames on the card.
     fn dose_there(&self, frames: Range<usize>, x: &HostField, run: &Run) -> Result<GpuField> {
-        let mut there = DoseModel::new_patterns(&self.model)?;
-        there.copy_from_host(x.as_slice());
-        let mut dose = DoseModel::new_dose(&self.model)?;
-        self.model.add_forward(frames, &there, &mut dose, run)?;
+        let x = self.there(Space::Patterns, x)?;
+        let mut dose = self.model.new_dose()?;
+        self.model.dose_of(frames, &x, &mut dose, run)?;
         Ok(dose)
     }
 }
@@ -30,7 +56,7 @@ impl DoseModel for OnHost {
     type Field = HostField;
 
     fn facts(&self) -> Facts<'_> {
-        LinearOperator::facts(&self.model)
+        self.model.facts()
     }
 
     fn new_field(&self, space: Space) -> Result<HostField> {
@@ -38,10 +64,9 @@ impl DoseModel for OnHost {
     }
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
-        let all = 0..LinearOperator::frames(&self.model);
-        let there = self.dose_there(all, x, run)?;
+        let there = self.dose_there(0..frames_of(self.patterns()), x, run)?;
         there.read_into(dose.as_mut_slice());
-        self.model.gpu().check()
+        self.gpu.check()
     }
 
     fn dose_of(
@@ -54,7 +79,7 @@ impl DoseModel for OnHost {
         let there = self.dose_there(frames, x, run)?;
         let mut own = dose.zeros_like();
         there.read_into(own.as_mut_slice());
-        self.model.gpu().check()?;
+        self.gpu.check()?;
         dose.axpy(1.0, &own);
         Ok(())
     }
@@ -62,41 +87,54 @@ impl DoseModel for OnHost {
     fn pullback_of(
         &self,
         frames: Range<usize>,
-        _x: &HostField,
+        x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        let mut there = DoseModel::new_dose(&self.model)?;
-        there.copy_from_host(cotangent.as_slice());
-        let mut found = DoseModel::new_patterns(&self.model)?;
-        found.copy_from_host(grad.as_slice());
-        self.model.adjoint_of(frames, &there, &mut found, run)?;
+        let (x, cotangent) = (self.place(x)?, self.there(Space::Dose, cotangent)?);
+        let mut found = self.there(Space::Patterns, grad)?;
+        (self.model).pullback_of(frames, &x, &cotangent, &mut found, run)?;
         found.read_into(grad.as_mut_slice());
-        self.model.gpu().check()
+        self.gpu.check()
+    }
+
+    fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
+        let (x, d) = (self.place(x)?, self.there(Space::Patterns, d)?);
+        let Some(terms) = self.model.along(&x, &d, run)? else {
+            return Ok(None);
+        };
+        let mut found = Vec::new();
+        for term in terms {
+            let mut own = self.new_dose()?;
+            term.read_into(own.as_mut_slice());
+            found.push(own);
+        }
+        self.gpu.check().map(|()| Some(found))
     }
 
     fn updates(&self) -> u64 {
-        LinearOperator::updates(&self.model)
+        self.model.updates()
     }
 
-    fn strips(&self) -> Option<StripForm> {
+    fn form(&self) -> Option<Form> {
         Some(self.form.clone())
     }
 
     fn describe(&self) -> String {
-        LinearOperator::describe(&self.model)
+        self.model.describe()
     }
 }
 
 impl Accelerator for Gpu {
     fn model(
         &self,
-        form: &StripForm,
+        form: &Form,
         run: &Run,
     ) -> Result<Option<Box<dyn DoseModel<Field = HostField>>>> {
         Ok(Some(Box::new(OnHost {
-            model: GpuStrips::new(self, form, run)?,
+            gpu: self.clone(),
+            model: model_on(self, form, run)?,
             form: form.clone(),
         })))
     }

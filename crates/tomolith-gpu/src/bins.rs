@@ -4,6 +4,7 @@
 
 use crate::device::{Buffer, Gpu, THREADS};
 use crate::field::GpuField;
+use crate::mask::{IS_LIT, Mask};
 use crate::passes::ENTRY;
 use std::ops::Range;
 use tomolith_core::dose::PatternLayout;
@@ -29,11 +30,7 @@ pub(crate) struct Pixels<'a> {
     pub(crate) field: &'a GpuField,
     /// Offset, lowest row, rows and frame of each column of pixels.
     pub(crate) runs: &'a Buffer,
-    /// A bit per pixel that is not dark, where any is.
-    pub(crate) lit: &'a Buffer,
-    pub(crate) has_dark: bool,
-    /// Of all light.
-    pub(crate) factor: f32,
+    pub(crate) mask: &'a Mask,
 }
 
 impl DeviceBins {
@@ -78,8 +75,8 @@ impl DeviceBins {
             piece.end,
             channel * self.slots,
         ];
-        let has_dark = u32::from(pixels.has_dark);
-        let scale = (self.scale * pixels.factor).to_bits();
+        let has_dark = u32::from(pixels.mask.has_dark);
+        let scale = (self.scale * pixels.mask.factor).to_bits();
         (numbers.map(|n| n as u32).into_iter())
             .chain([has_dark, scale])
             .collect()
@@ -100,7 +97,7 @@ impl DeviceBins {
                     &self.columns,
                     &self.rows,
                     &self.weights,
-                    pixels.lit,
+                    &*pixels.mask.lit,
                 ];
                 let groups = (own.len() as u64).div_ceil(u64::from(THREADS));
                 gpu.run("fill bins", &fill, &parameters, &buffers, groups);
@@ -134,7 +131,7 @@ impl DeviceBins {
                     &self.columns,
                     &self.rows,
                     &self.weights,
-                    pixels.lit,
+                    &*pixels.mask.lit,
                 ];
                 let groups = ((slots * self.pixels[1]) as u64).div_ceil(u64::from(THREADS));
                 gpu.run("bins to pixels", &add_back, &parameters, &buffers, groups);
@@ -173,10 +170,7 @@ fn head(own: &str, written: &str, read: &str) -> String {
 @group(0) @binding(5) var<storage, read> of_rows: array<vec4<u32>>;
 @group(0) @binding(6) var<storage, read> weights: array<f32>;
 @group(0) @binding(7) var<storage, read> lit: array<u32>;
-fn is_lit(element: u32) -> bool {{
-    return p.has_dark == 0u || ((lit[element / 32u] >> (element % 32u)) & 1u) == 1u;
-}}
-"
+{IS_LIT}"
     )
 }
 

@@ -11,10 +11,10 @@
 //! a card is asked for what WebGPU guarantees and no more, so a kernel that needs 9 storage buffers, 512 threads a group, 32 kB of shared memory, or a type or operation
 //! that WebGPU leaves optional, is refused on every card alike.
 
-use crate::strips::Geometries;
+use std::any::Any;
 use std::collections::HashMap;
 use std::fmt;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::parallel::InParallel;
 
@@ -123,7 +123,8 @@ struct Inner {
     /// Memory that the host sees and nobody uses at present: small, large.
     staging: Mutex<[Vec<wgpu::Buffer>; 2]>,
     failure: Arc<Mutex<Option<String>>>,
-    geometries: Geometries,
+    /// What models of this card share.
+    shared: Mutex<Vec<Weak<dyn Any + Send + Sync>>>,
 }
 
 #[derive(Default)]
@@ -235,7 +236,7 @@ impl Gpu {
             idle: Mutex::default(),
             staging: Mutex::default(),
             failure,
-            geometries: Geometries::default(),
+            shared: Mutex::default(),
         })))
     }
 
@@ -276,8 +277,24 @@ impl Gpu {
         most
     }
 
-    pub(crate) fn geometries(&self) -> &Geometries {
-        &self.0.geometries
+    /// What a model in use has already, as `is_same` finds it; else it is made.
+    pub(crate) fn shared<T: Any + Send + Sync>(
+        &self,
+        is_same: impl Fn(&T) -> bool,
+        make: impl FnOnce() -> Result<T>,
+    ) -> Result<Arc<T>> {
+        let in_use = |all: &mut Vec<Weak<dyn Any + Send + Sync>>| {
+            all.retain(|own| own.strong_count() > 0);
+            let mut own = all.iter().filter_map(|own| own.upgrade()?.downcast().ok());
+            own.find(|own: &Arc<T>| is_same(own))
+        };
+        if let Some(found) = in_use(&mut locked(&self.0.shared)) {
+            return Ok(found);
+        }
+        let made = Arc::new(make()?);
+        let weak: Weak<T> = Arc::downgrade(&made);
+        locked(&self.0.shared).push(weak);
+        Ok(made)
     }
 
     /// Whether two are the same card.

@@ -11,10 +11,11 @@ use crate::bins::Pixels;
 use crate::device::{Adapter, Buffer, Gpu, THREADS};
 use crate::entries::{Chunk, DeviceStrips, Product, RowsOf};
 use crate::field::GpuField;
+use crate::mask::Mask;
 use crate::passes::ENTRY;
 use crate::scattered::DeviceScattered;
 use std::ops::Range;
-use std::sync::{Arc, Mutex, PoisonError, Weak};
+use std::sync::Arc;
 use tomolith_core::dose::strips::{LightStrips, StripForm, StripGeometry, Taps};
 use tomolith_core::dose::{
     DoseLayout, Facts, LinearOperator, PatternLayout, Run, Space, ZCoupling,
@@ -76,13 +77,10 @@ impl DeviceTaps {
 
 /// A dose model whose fields are on a graphics card.
 #[derive(Clone)]
-pub struct GpuStrips {
+pub(crate) struct GpuStrips {
     gpu: Gpu,
     geometry: Arc<Geometry>,
-    /// A bit per pixel that is not dark; one word where none is.
-    lit: Arc<Buffer>,
-    has_dark: bool,
-    factor: f32,
+    mask: Mask,
 }
 
 impl Geometry {
@@ -187,32 +185,17 @@ impl GpuStrips {
     ///
     /// # Errors
     /// [`Error::Device`], [`Error::Canceled`]; [`Error::Resources`] where a slice or a frame does not fit a binding of the card.
-    pub fn new(gpu: &Gpu, form: &StripForm, run: &Run) -> Result<Self> {
+    pub(crate) fn new(gpu: &Gpu, form: &StripForm, run: &Run) -> Result<Self> {
         must_fit(gpu, &form.geometry)?;
-        let geometry = match gpu.kept_geometry(&form.geometry) {
-            Some(geometry) => geometry,
-            None => {
-                let geometry = Arc::new(Geometry::new(gpu, &form.geometry, run)?);
-                gpu.keep_geometry(&geometry);
-                geometry
-            }
-        };
-        let mut bits = vec![0u32; form.dark.len().div_ceil(32).max(1)];
-        for (i, dark) in form.dark.iter().enumerate() {
-            bits[i / 32] |= u32::from(!dark) << (i % 32);
-        }
+        let geometry = gpu.shared(
+            |own: &Geometry| Arc::ptr_eq(&own.of, &form.geometry),
+            || Geometry::new(gpu, &form.geometry, run),
+        )?;
         Ok(GpuStrips {
             gpu: gpu.clone(),
             geometry,
-            lit: Arc::new(gpu.upload(bytemuck::cast_slice(&bits))),
-            has_dark: !form.dark.is_empty(),
-            factor: form.factor,
+            mask: Mask::new(gpu, form),
         })
-    }
-
-    /// The card.
-    pub(crate) fn gpu(&self) -> &Gpu {
-        &self.gpu
     }
 
     /// The scattered part of a light, and the light's pixels in a field.
@@ -227,9 +210,7 @@ impl GpuStrips {
             let pixels = Pixels {
                 field,
                 runs: &self.geometry.lights[light].runs,
-                lit: &self.lit,
-                has_dark: self.has_dark,
-                factor: self.factor,
+                mask: &self.mask,
             };
             (own, pixels)
         })
@@ -270,8 +251,8 @@ impl GpuStrips {
                 frames.start as u32,
                 frames.end as u32,
                 light.to_lanes.count as u32,
-                u32::from(self.has_dark),
-                self.factor.to_bits(),
+                u32::from(self.mask.has_dark),
+                self.mask.factor.to_bits(),
             ];
             let taps = &light.to_lanes;
             let buffers = [
@@ -281,7 +262,7 @@ impl GpuStrips {
                 &light.sources,
                 &taps.first,
                 &taps.weights,
-                &*self.lit,
+                &*self.mask.lit,
             ];
             let groups = ((4 * slots * light.lanes) as u64).div_ceil(u64::from(THREADS));
             self.gpu
@@ -315,8 +296,8 @@ impl GpuStrips {
                     light.to_rows.taps as u32,
                     light.to_lanes.count as u32,
                     4 * light.lanes as u32,
-                    u32::from(self.has_dark),
-                    self.factor.to_bits(),
+                    u32::from(self.mask.has_dark),
+                    self.mask.factor.to_bits(),
                 ];
                 let taps = &light.to_rows;
                 let buffers = [
@@ -326,7 +307,7 @@ impl GpuStrips {
                     &light.slot_of,
                     &taps.first,
                     &taps.weights,
-                    &*self.lit,
+                    &*self.mask.lit,
                 ];
                 let groups = ((runs * rows) as u64).div_ceil(u64::from(THREADS));
                 self.gpu
@@ -641,32 +622,6 @@ impl LinearOperator for GpuStrips {
             "successive_orders ({straight}; scattered light on {})",
             scattered.join(" and ")
         )
-    }
-}
-
-/// Geometries that models of a card share.
-#[derive(Default)]
-pub(crate) struct Geometries(Mutex<Vec<Weak<Geometry>>>);
-
-impl Gpu {
-    fn kept_geometry(&self, of: &Arc<StripGeometry>) -> Option<Arc<Geometry>> {
-        let mut all = self
-            .geometries()
-            .0
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner);
-        all.retain(|own| own.strong_count() > 0);
-        let alive = all.iter().filter_map(Weak::upgrade);
-        alive.into_iter().find(|own| Arc::ptr_eq(&own.of, of))
-    }
-
-    fn keep_geometry(&self, geometry: &Arc<Geometry>) {
-        let mut all = self
-            .geometries()
-            .0
-            .lock()
-            .unwrap_or_else(PoisonError::into_inner);
-        all.push(Arc::downgrade(geometry));
     }
 }
 

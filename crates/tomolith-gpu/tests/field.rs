@@ -5,22 +5,22 @@ mod common;
 use common::{SMALL, gpu};
 use std::sync::Arc;
 use tomolith_core::check::noise;
-use tomolith_core::dose::{DoseModel, Run};
+use tomolith_core::dose::Run;
 use tomolith_core::field::{
     Bounds, ColumnRun, CostKernel, Direction, Field, HalfRamp, HalfRampKernel, HostField, Latest,
     Pairs, PatternCost,
 };
-use tomolith_gpu::{Gpu, GpuField, GpuStrips};
+use tomolith_gpu::{Gpu, GpuField, model_on};
 
 /// A field of the card with a few pieces: three frames of different length each.
 fn like(gpu: &Gpu) -> GpuField {
-    GpuStrips::new(gpu, &tiny::form(), &Run::new())
-        .and_then(|model| DoseModel::new_patterns(&model))
+    model_on(gpu, &tiny::form(), &Run::new())
+        .and_then(|model| model.new_patterns())
         .unwrap()
 }
 
 mod tiny {
-    use tomolith_core::dose::strips::StripForm;
+    use tomolith_core::dose::form::Form;
     use tomolith_core::grid::{PatternGrid, VolumeGrid};
     use tomolith_models::rays::Optics;
     use tomolith_models::{ModelFamily, ModelInput, OpticalScene, Purpose, Run, parallel};
@@ -29,7 +29,7 @@ mod tiny {
     use tomolith_optics::vial::index_matched::IndexMatched;
 
     /// 12 frames of 90 columns and 50 rows, not all of them active.
-    pub(crate) fn form() -> StripForm {
+    pub(crate) fn form() -> Form {
         let grid = VolumeGrid::centered([40, 24, 24], 0.1);
         let pixels = PatternGrid::full_turn(12, 0.0, 50, 90, 0.05);
         let mut light = Light::new(pixels, Resin::absorbing(1.5, 0.1));
@@ -40,7 +40,7 @@ mod tiny {
         let scene = OpticalScene::new(&vial, &lights, &optics, Purpose::Optimize);
         let run = Run::new();
         let input = ModelInput::new(scene, &grid, &run).unwrap();
-        parallel::Params::default().strips(&input).unwrap().unwrap()
+        parallel::Params::default().form(&input).unwrap().unwrap()
     }
 }
 
@@ -307,8 +307,8 @@ fn pairs_give_the_products_and_directions_of_the_host() {
 #[test]
 fn the_half_ramp_and_penalties_are_those_of_the_host() {
     let Some(gpu) = gpu(SMALL) else { return };
-    let model = GpuStrips::new(&gpu, &tiny::form(), &Run::new()).unwrap();
-    let like = DoseModel::new_patterns(&model).unwrap();
+    let model = model_on(&gpu, &tiny::form(), &Run::new()).unwrap();
+    let like = model.new_patterns().unwrap();
     let runs = |layout: &tomolith_core::dose::PatternLayout| {
         let run = |run: &tomolith_core::dose::layout::PixelRun| ColumnRun {
             first: run.offset,

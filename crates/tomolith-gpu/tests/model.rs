@@ -6,13 +6,14 @@ use common::{SMALL, gpu, smaller};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use tomolith_core::check::{self, noise};
+use tomolith_core::dose::form::Form;
 use tomolith_core::dose::{Accelerator, DoseLayout, DoseModel, Run};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::{PatternGrid, Volume, VolumeGrid};
 use tomolith_core::kind::{Kind, Section};
 use tomolith_core::response::{Identity, Response};
 use tomolith_core::target::{Target, label_voxels};
-use tomolith_gpu::GpuStrips;
+use tomolith_gpu::model_on;
 use tomolith_models::rays::Optics;
 use tomolith_models::{Family, HostModel, ModelInput, OpticalScene, Purpose};
 use tomolith_models::{parallel, successive_orders};
@@ -174,8 +175,8 @@ impl Case {
         self.with(|input| self.family.build(input).unwrap())
     }
 
-    fn strips(&self) -> tomolith_core::dose::strips::StripForm {
-        self.with(|input| self.family.strips(input).unwrap().unwrap())
+    fn form(&self) -> Form {
+        self.with(|input| self.family.form(input).unwrap().unwrap())
     }
 }
 
@@ -209,7 +210,7 @@ fn doses_and_adjoints_are_those_of_the_processor() {
             let Some(gpu) = smaller(most.max(case.binding), memory) else {
                 return;
             };
-            let (host, form) = (case.host(), case.strips());
+            let (host, form) = (case.host(), case.form());
             let card = gpu.model(&form, &Run::new()).unwrap().unwrap();
             let kept = card.describe().contains("weights, kept");
             assert_eq!(kept, memory > 1 << 16, "{}", card.describe());
@@ -235,15 +236,14 @@ fn doses_and_adjoints_are_those_of_the_processor() {
 fn dose_and_adjoint_on_the_card_are_one_matrix() {
     for case in cases() {
         let Some(gpu) = gpu(case.binding) else { return };
-        let mut form = case.strips();
-        let pixels: usize = form.geometry.patterns.iter().map(|p| p.len()).sum();
-        form.dark = (0..pixels).map(|i| i % 11 == 3).collect();
-        form.factor = 0.7;
-        let model = GpuStrips::new(&gpu, &form, &Run::new()).unwrap();
-        let x = check::noisy_patterns(&model, 3);
-        let mut c = DoseModel::new_dose(&model).unwrap();
-        c.copy_from_host(&noise_of(&form.geometry.output, 4));
-        let (dose, grad) = (check::dose(&model, &x), check::adjoint(&model, &c));
+        let pixels: usize = case.host().patterns().iter().map(|p| p.len()).sum();
+        let dark: Vec<bool> = (0..pixels).map(|i| i % 11 == 3).collect();
+        let form = case.form().masked(&dark, 0.7);
+        let model = &*model_on(&gpu, &form, &Run::new()).unwrap();
+        let x = check::noisy_patterns(model, 3);
+        let mut c = model.new_dose().unwrap();
+        c.copy_from_host(&noise_of(&model.outputs()[0], 4));
+        let (dose, grad) = (check::dose(model, &x), check::adjoint(model, &c));
         let (left, right) = (dose.dot(&c), grad.dot(&x));
         let size = dose.norm() * c.norm();
         assert!(
@@ -253,8 +253,8 @@ fn dose_and_adjoint_on_the_card_are_one_matrix() {
         );
         assert!(size > 0.0);
         // The same bits again
-        assert_eq!(check::dose(&model, &x).to_host(), dose.to_host());
-        assert_eq!(check::adjoint(&model, &c).to_host(), grad.to_host());
+        assert_eq!(check::dose(model, &x).to_host(), dose.to_host());
+        assert_eq!(check::adjoint(model, &c).to_host(), grad.to_host());
     }
 }
 
@@ -324,8 +324,8 @@ fn kernels_are_those_of_other_interfaces_too() {
     // The last has no kernels of its own, and takes long in software
     for case in cases().into_iter().take(5) {
         let Some(gpu) = gpu(case.binding) else { return };
-        let model = GpuStrips::new(&gpu, &case.strips(), &Run::new()).unwrap();
-        solved(&model);
+        let model = model_on(&gpu, &case.form(), &Run::new()).unwrap();
+        solved(&*model);
         sources.extend(gpu.sources());
     }
     assert!(sources.len() > 25, "{}", sources.len());
@@ -361,8 +361,8 @@ fn a_whole_optimization_goes_the_way_of_the_processor() {
     for case in cases().into_iter().take(4) {
         let Some(gpu) = gpu(case.binding) else { return };
         let (_, expected) = solved(&*case.host());
-        let model = GpuStrips::new(&gpu, &case.strips(), &Run::new()).unwrap();
-        let (_, found) = solved(&model);
+        let model = model_on(&gpu, &case.form(), &Run::new()).unwrap();
+        let (_, found) = solved(&*model);
         assert!(
             expected[12] < 0.7 * expected[0],
             "{}: {expected:?}",

@@ -10,7 +10,7 @@ use super::scene::OpticalScene;
 use super::{DoseModel, Run};
 use std::fmt;
 use std::sync::Arc;
-use tomolith_core::dose::strips::StripForm;
+use tomolith_core::dose::form::Form;
 use tomolith_core::error::Result;
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
@@ -235,7 +235,7 @@ pub trait ModelFamily: fmt::Debug + Send + Sync {
     ///
     /// # Errors
     /// As [`build`](Self::build).
-    fn strips(&self, _input: &ModelInput<'_>) -> Result<Option<StripForm>> {
+    fn form(&self, _input: &ModelInput<'_>) -> Result<Option<Form>> {
         Ok(None)
     }
 
@@ -243,8 +243,8 @@ pub trait ModelFamily: fmt::Debug + Send + Sync {
     ///
     /// # Errors
     /// As [`build`](Self::build).
-    fn unscattered_strips(&self, input: &ModelInput<'_>) -> Result<Option<StripForm>> {
-        self.strips(input)
+    fn unscattered_form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
+        self.form(input)
     }
 
     /// Whether a model for [`Purpose::Optimize`] has the doses, to the bit, of one for [`Purpose::Evaluate`] on the same voxels, and stores no more

@@ -11,7 +11,7 @@ use super::{DoseModel, HostModel, PatternLayout, Quantity, Run, elements_of};
 use crate::several::SharedModel;
 use std::borrow::Cow;
 use std::ops::Range;
-use tomolith_core::dose::strips::StripForm;
+use tomolith_core::dose::form::Form;
 use tomolith_core::dose::{Facts, Renewal, Space};
 use tomolith_core::error::Result;
 use tomolith_core::field::{BLOCK, Field, HostField};
@@ -206,13 +206,8 @@ impl DoseModel for MaskedModel {
         self.model.along(&self.masked(x), &self.masked(d), run)
     }
 
-    fn strips(&self) -> Option<StripForm> {
-        let form = self.model.strips()?;
-        Some(StripForm {
-            dark: self.dark.clone().into(),
-            factor: self.factor * form.factor,
-            ..form
-        })
+    fn form(&self) -> Option<Form> {
+        Some(self.model.form()?.masked(&self.dark, self.factor))
     }
 
     fn describe(&self) -> String {

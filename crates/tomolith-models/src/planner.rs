@@ -11,7 +11,7 @@ use super::{
     Run,
 };
 use std::sync::Arc;
-use tomolith_core::dose::strips::StripForm;
+use tomolith_core::dose::form::Form;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
 use tomolith_core::grid::{Volume, VolumeGrid};
@@ -120,7 +120,7 @@ pub fn plan(
     if let Some(wanted) = wanted {
         let unscattered = built(
             &input.lit_by(&lights),
-            &|input| family.unscattered_strips(input),
+            &|input| family.unscattered_form(input),
             &|input| family.unscattered(input),
         )?;
         let brought = contributions(unscattered.as_ref(), wanted, run)?;
@@ -140,7 +140,7 @@ pub fn plan(
         let model = family.build(&input.lit_by(&widened(&lights)))?;
         Box::new(Blurred::new(model, layouts(&lights), &lights)) as HostModel
     } else {
-        built(&input, &|input| family.strips(input), &|input| {
+        built(&input, &|input| family.form(input), &|input| {
             family.build(input)
         })?
     };
@@ -160,7 +160,7 @@ pub fn plan(
 /// A model, where the scene says that it is computed: of its `form` there, of what `build` builds on the processor.
 fn built(
     input: &ModelInput<'_>,
-    form: &dyn Fn(&ModelInput<'_>) -> Result<Option<StripForm>>,
+    form: &dyn Fn(&ModelInput<'_>) -> Result<Option<Form>>,
     build: &dyn Fn(&ModelInput<'_>) -> Result<HostModel>,
 ) -> Result<HostModel> {
     let Some(accelerator) = input.scene.accelerator else {

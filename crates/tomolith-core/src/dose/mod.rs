@@ -5,6 +5,7 @@
 //! Layouts say which pixel and which voxel an element of a field is.
 
 pub mod cells;
+pub mod form;
 pub mod layout;
 pub mod scattered;
 pub mod strips;
@@ -13,10 +14,10 @@ use crate::error::Result;
 use crate::field::{Field, HostField};
 use crate::grid::VolumeGrid;
 pub use crate::run::{Run, Steps};
+use form::Form;
 pub use layout::{DoseLayout, PatternLayout, Quantity, elements_of, frames_of, own_frames};
 use std::ops::Range;
 use std::sync::Arc;
-use strips::StripForm;
 
 /// How far along z a pattern row reaches: whether a job may be cut into z slabs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -216,7 +217,7 @@ pub trait DoseModel: Send + Sync {
         None
     }
     /// The model as data, for a backend that computes it where its fields live; None where there is no such form.
-    fn strips(&self) -> Option<StripForm> {
+    fn form(&self) -> Option<Form> {
         None
     }
     /// One line for people: which model, which kernel.
@@ -232,7 +233,7 @@ pub trait Accelerator: std::fmt::Debug + Send + Sync {
     /// too small.
     fn model(
         &self,
-        form: &StripForm,
+        form: &Form,
         run: &Run,
     ) -> Result<Option<Box<dyn DoseModel<Field = crate::field::HostField>>>>;
 }
@@ -288,8 +289,8 @@ pub trait LinearOperator: Send + Sync {
     }
     /// Voxel-angle updates of one forward call after all masks.
     fn updates(&self) -> u64;
-    /// As [`DoseModel::strips`].
-    fn strips(&self) -> Option<StripForm> {
+    /// As [`DoseModel::form`].
+    fn form(&self) -> Option<Form> {
         None
     }
     /// One line for people.
@@ -315,8 +316,8 @@ impl<A: LinearOperator> DoseModel for A {
         LinearOperator::updates(self)
     }
 
-    fn strips(&self) -> Option<StripForm> {
-        LinearOperator::strips(self)
+    fn form(&self) -> Option<Form> {
+        LinearOperator::form(self)
     }
 
     fn describe(&self) -> String {

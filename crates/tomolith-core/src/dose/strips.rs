@@ -16,9 +16,9 @@
 //!
 //! **Shapes** A *slot* is a column of a view, `view·columns + column`; a view is a frame, or two frames that see the plane along the same lines.
 
+use super::form::Masked;
 use super::scattered::ScatteredLight;
 use super::{DoseLayout, PatternLayout};
-use std::sync::Arc;
 
 /// A bundle of light on the grid of a plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
@@ -123,25 +123,5 @@ pub struct StripGeometry {
     pub scattered: Vec<ScatteredLight>,
 }
 
-/// A model: its geometry, pixels that stay dark, and a factor of all light.
-#[derive(Clone, Debug)]
-pub struct StripForm {
-    /// Shared by models that differ in the rest.
-    pub geometry: Arc<StripGeometry>,
-    /// One per pixel, or none at all.
-    pub dark: Arc<[bool]>,
-    /// Of all light.
-    pub factor: f32,
-}
-
-impl StripForm {
-    /// All pixels of a geometry, and all of their light.
-    #[must_use]
-    pub fn new(geometry: StripGeometry) -> Self {
-        StripForm {
-            geometry: Arc::new(geometry),
-            dark: Arc::new([]),
-            factor: 1.0,
-        }
-    }
-}
+/// A model of strips.
+pub type StripForm = Masked<StripGeometry>;

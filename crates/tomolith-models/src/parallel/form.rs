@@ -5,7 +5,8 @@ use super::radon::Kernel;
 use super::strips::{Beam, Major};
 use super::tiles::Tile;
 use super::{Parallel, Run, Vial, VolumeGrid};
-use tomolith_core::dose::strips::{self, LightStrips, ResinRow, StripForm, StripGeometry};
+use tomolith_core::dose::form::{Form, Masked};
+use tomolith_core::dose::strips::{self, LightStrips, ResinRow, StripGeometry};
 use tomolith_core::error::Result;
 use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
@@ -17,13 +18,13 @@ pub(super) fn form(
     kernel: Kernel,
     grid: &VolumeGrid,
     run: &Run,
-) -> Result<Option<StripForm>> {
+) -> Result<Option<Form>> {
     let is_even = lights.iter().all(|light| light.map.is_none());
     if grid.shape[0] == 1 || kernel != Kernel::DistanceDriven || !is_even {
         return Ok(None);
     }
     let model = Parallel::under(vial, lights.to_vec(), kernel, grid.clone(), run)?;
-    Ok(Some(StripForm::new(model.geometry())))
+    Ok(Some(Form::Strips(Masked::new(model.geometry()))))
 }
 
 impl Parallel {

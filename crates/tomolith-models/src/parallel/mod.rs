@@ -98,7 +98,7 @@ use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use tiles::{BLOCK, TILE, Tile, TileEntries};
-use tomolith_core::dose::strips::StripForm;
+use tomolith_core::dose::form::Form;
 use tomolith_core::dose::{Facts, Space};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField, LANES};
@@ -183,7 +183,7 @@ impl ModelFamily for Params {
         Ok(Box::new(model))
     }
 
-    fn strips(&self, input: &ModelInput<'_>) -> Result<Option<StripForm>> {
+    fn form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
         let scene = &input.scene;
         form::form(scene.vial, scene.lights, self.kernel, input.grid, input.run)
     }

@@ -83,7 +83,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::Arc;
-use tomolith_core::dose::strips::{StripForm, StripGeometry};
+use tomolith_core::dose::form::{Form, Masked};
+use tomolith_core::dose::strips::StripGeometry;
 use tomolith_core::dose::{Facts, Space};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
@@ -178,21 +179,21 @@ impl ModelFamily for Params {
         }))
     }
 
-    fn strips(&self, input: &ModelInput<'_>) -> Result<Option<StripForm>> {
+    fn form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
         let OpticalScene { vial, optics, .. } = input.scene;
         if input.scene.unscattered_beyond_slices().is_some() {
             return Ok(None);
         }
         let lights = input.scene.lights.to_vec();
         let model = model_in(vial, lights, optics, self, input.grid.clone(), input.run)?;
-        Ok(model.form())
+        Ok(model.to_form())
     }
 
-    fn unscattered_strips(&self, input: &ModelInput<'_>) -> Result<Option<StripForm>> {
+    fn unscattered_form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
         if input.scene.unscattered_beyond_slices().is_some() {
             return Ok(None);
         }
-        parallel::Params::default().strips(input)
+        parallel::Params::default().form(input)
     }
 
     fn unscattered(&self, input: &ModelInput<'_>) -> Result<HostModel> {
@@ -384,15 +385,15 @@ impl SuccessiveOrders {
     }
 
     /// The model as data; None where its light is not collimated.
-    fn form(&self) -> Option<StripForm> {
+    fn to_form(&self) -> Option<Form> {
         let OnVoxels::Collimated(parallel) = &self.straight else {
             return None;
         };
         let scattered = self.scattered_lights.iter().map(ScatteredLight::form);
-        Some(StripForm::new(StripGeometry {
+        Some(Form::Strips(Masked::new(StripGeometry {
             scattered: scattered.collect::<Option<_>>()?,
             ..parallel.geometry()
-        }))
+        })))
     }
 }
 

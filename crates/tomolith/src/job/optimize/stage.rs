@@ -32,7 +32,7 @@ use std::borrow::Cow;
 use std::sync::Arc;
 use std::time::Instant;
 #[cfg(feature = "gpu")]
-use tomolith_gpu::{GpuField, GpuStrips};
+use tomolith_gpu::{GpuField, model_on};
 
 /// What the levels before have done.
 #[derive(Default)]
@@ -84,7 +84,11 @@ pub(crate) struct Stage<'a> {
 
 /// Model, objectives and method of a stage on a graphics card.
 #[cfg(feature = "gpu")]
-type OnCard = (GpuStrips, Objectives<GpuField>, Search<GpuField>);
+type OnCard = (
+    Box<dyn DoseModel<Field = GpuField>>,
+    Objectives<GpuField>,
+    Search<GpuField>,
+);
 
 impl<'a> Stage<'a> {
     /// A level with its model, or with one that is there already.
@@ -358,7 +362,7 @@ impl<'a> Stage<'a> {
             let objective = self.objective_on(job, &objectives)?;
             let mut there = model.new_patterns()?;
             there.copy_from_host(x.as_slice());
-            let on_card = (&model as _, objective, &search);
+            let on_card = (model.as_ref(), objective, &search);
             let ran = self.run_on((job, until), on_card, &mut there, around, cancel);
             let found = there.to_host();
             there.gpu().check()?;
@@ -373,11 +377,11 @@ impl<'a> Stage<'a> {
     /// Model and method on the job's graphics card, where it has one, and all of the stage has a form for it.
     #[cfg(feature = "gpu")]
     fn on_card(&self, job: &ResolvedJob, wider: usize, cancel: &Run) -> Result<Option<OnCard>> {
-        let (Some(card), Some(form)) = (&job.optics.card, self.model.strips()) else {
+        let (Some(card), Some(form)) = (&job.optics.card, self.model.form()) else {
             return Ok(None);
         };
         let objectives = goal_of(job.first(), wider).on()?;
-        let model = GpuStrips::new(card.gpu(), &form, cancel)?;
+        let model = model_on(card.gpu(), &form, cancel)?;
         Ok(Some((model, objectives, job.method.on()?)))
     }
 

@@ -1,7 +1,7 @@
 //! Where a job is computed: on the processor, or on a graphics card.
 //!
 //! `resources.device` is `"cpu"`, `"gpu"` (the first real card), `"gpu:NAME"` (one whose name contains this), or `"auto"`: a card where there is one that is
-//! large enough, else the processor. What has no form for a card ([`DoseModel::strips`](crate::dose::DoseModel::strips)) stays on the processor.
+//! large enough, else the processor. What has no form for a card ([`DoseModel::form`](crate::dose::DoseModel::form)) stays on the processor.
 
 use crate::dose::Accelerator;
 use crate::error::Result;
@@ -33,7 +33,7 @@ pub(crate) use without::Card;
 #[cfg(feature = "gpu")]
 mod with_gpu {
     use super::{Accelerator, Result};
-    use crate::dose::strips::StripForm;
+    use crate::dose::form::Form;
     use crate::error::Error;
     use crate::models::{HostModel, Run};
     use std::sync::{Mutex, PoisonError};
@@ -102,7 +102,7 @@ mod with_gpu {
     }
 
     impl Accelerator for Card {
-        fn model(&self, form: &StripForm, run: &Run) -> Result<Option<HostModel>> {
+        fn model(&self, form: &Form, run: &Run) -> Result<Option<HostModel>> {
             match self.gpu.model(form, run) {
                 Err(Error::Resources { .. }) if self.gives_way => Ok(None),
                 other => other,
@@ -114,7 +114,7 @@ mod with_gpu {
 #[cfg(not(feature = "gpu"))]
 mod without {
     use super::{Accelerator, Result};
-    use crate::dose::strips::StripForm;
+    use crate::dose::form::Form;
     use crate::error::Error;
     use crate::models::{HostModel, Run};
 
@@ -145,7 +145,7 @@ mod without {
     }
 
     impl Accelerator for Card {
-        fn model(&self, _: &StripForm, _: &Run) -> Result<Option<HostModel>> {
+        fn model(&self, _: &Form, _: &Run) -> Result<Option<HostModel>> {
             match *self {}
         }
     }

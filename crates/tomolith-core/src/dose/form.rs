@@ -1,0 +1,52 @@
+//! Dose models as plain data, for a backend that computes them where its fields live.
+
+use super::strips::StripForm;
+use std::sync::Arc;
+
+/// A dose model as plain data.
+#[derive(Clone, Debug)]
+pub enum Form {
+    /// Light in strips, and what is scattered out of it.
+    Strips(StripForm),
+}
+
+impl Form {
+    /// The same with dark pixels (a mark per pixel, or none at all), and all light times a factor.
+    #[must_use]
+    pub fn masked(self, dark: &[bool], factor: f32) -> Self {
+        match self {
+            Form::Strips(form) => Form::Strips(form.masked(dark, factor)),
+        }
+    }
+}
+
+/// A geometry, pixels that stay dark, and a factor of all light: F(D·x) for D = 0 or the factor.
+#[derive(Clone, Debug)]
+pub struct Masked<G> {
+    /// Shared by models that differ in the rest.
+    pub geometry: Arc<G>,
+    /// One per pixel, or none at all.
+    pub dark: Arc<[bool]>,
+    /// Of all light.
+    pub factor: f32,
+}
+
+impl<G> Masked<G> {
+    /// All pixels of a geometry, and all of their light.
+    #[must_use]
+    pub fn new(geometry: G) -> Self {
+        Masked {
+            geometry: Arc::new(geometry),
+            dark: Arc::new([]),
+            factor: 1.0,
+        }
+    }
+
+    fn masked(self, dark: &[bool], factor: f32) -> Self {
+        Masked {
+            dark: dark.into(),
+            factor: factor * self.factor,
+            ..self
+        }
+    }
+}
