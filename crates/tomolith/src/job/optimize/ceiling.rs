@@ -81,6 +81,20 @@ impl FoundCeiling {
         self.largest.is_some()
     }
 
+    /// Whether the ceiling times a factor may print well on the finest level: not where IoU or VER lost more than twice what they may when the search
+    /// tried it. Surfaces say nothing here, as in all trials of that level.
+    pub(crate) fn may_become(&self, factor: f64, job: &ResolvedJob) -> bool {
+        let points = &self.report.points;
+        let asked = self.report.chosen.map_or(1.0, |i| points[i].factor) * factor;
+        let tried = (points.iter()).find(|point| (point.factor / asked - 1.0).abs() < 1e-6);
+        tried.is_none_or(|tried| {
+            let without_surfaces =
+                |&[iou, ver, _, gamma]: &CeilingQuality| [iou, ver, f64::NAN, gamma];
+            let qualities: Vec<_> = tried.qualities.iter().map(without_surfaces).collect();
+            are_good(job, 2 * FACTOR, (&points[0].qualities, &qualities))
+        })
+    }
+
     /// Lowers bounds to the ceilings; `level` says for which frames the bounds are.
     pub(crate) fn lower(&self, bounds: &mut [Limits], level: &Level) {
         let found = self.largest.iter().flatten().zip(&self.frames);

@@ -2,7 +2,8 @@
 //!
 //! **Method** After the last iteration the ceiling falls by √2 where little light lies above that, else it is doubled, and some iterations more show what the print is then.
 //! A lower one that prints as well as the job tolerates is taken. Where the double prints better than that, the ceiling rises by √2, and where that is not enough once more,
-//! each time for some iterations. The history goes on with what is taken.
+//! each time for some iterations. The history goes on with what is taken. A lower one that the coarser level refused by far is not tried: of the published boat that saves a sixth
+//! of the optimization.
 //!
 //! **What is compared** IoU, VER and Γ. The mean deviation is not: on these voxels it changes from iteration to iteration by up to a tenth, whatever the ceiling is, where a
 //! twentieth is tolerated.
@@ -47,6 +48,10 @@ pub(crate) fn settle(
     cancel: &Run,
 ) -> Result<Outcome> {
     let begin = Instant::now();
+    let has_slack = excess(ended.x, stage, ended.bounds, LOWER) < SLACK;
+    if has_slack && !found.may_become(LOWER, job) {
+        return Ok(ended.outcome);
+    }
     let qualities = stage.qualities(ended.x, false, cancel)?;
     let mut go_on = GoOn {
         stage,
@@ -57,7 +62,6 @@ pub(crate) fn settle(
     };
     let seconds = |outcome: &Outcome| outcome.history.last().map_or(0.0, |row| row.seconds);
     let in_loop = seconds(&ended.outcome);
-    let has_slack = excess(ended.x, stage, ended.bounds, LOWER) < SLACK;
     let (outcome, trial) = match has_slack {
         true => go_on.lower(ended, qualities)?,
         false => go_on.raise(ended, qualities)?,
