@@ -42,7 +42,7 @@ mod tests {
     use super::*;
     use crate::fista::Fista;
     use crate::lbfgs::Lbfgs;
-    use crate::{Limits, Optimizer, Outcome, Problem, Stop, StopReason, run};
+    use crate::{Counters, Limits, Optimizer, Outcome, Problem, Stop, StopReason, run};
     use serde_json::json;
     use std::sync::Arc;
     use tomolith_core::check::{self, small::SmallModel};
@@ -101,11 +101,20 @@ mod tests {
         // Another method ends at the same optimum
         let l2 = of_ring(&model, ("l2", json!({})), Arc::new(Identity));
         let mut fista = Fista::new(Default::default()).unwrap();
-        let other = outcome(&model, &*l2, &mut fista, &Stop::after(2000))
-            .unwrap()
-            .gap()
-            .unwrap();
-        assert!(other.relative() < 1e-2, "{other:?}");
+        let other = outcome(&model, &*l2, &mut fista, &Stop::after(2000)).unwrap();
+        let gap = other.gap().unwrap();
+        assert!(gap.relative() < 1e-2, "{gap:?}");
+        // The bound is looked for after the last row
+        let Counters {
+            model_s,
+            objective_s,
+            ..
+        } = other.counters;
+        let of_loop = other.history.last().unwrap().seconds;
+        assert!(
+            model_s + objective_s <= of_loop,
+            "{model_s} + {objective_s} of {of_loop} s"
+        );
     }
 
     #[test]

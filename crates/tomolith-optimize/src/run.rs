@@ -333,7 +333,18 @@ pub fn run_after<F: Field>(
     };
     problem.set_patient(false);
     if result.as_ref().is_ok_and(|r| *r != StopReason::Canceled) {
+        // It comes after the last row, so its seconds are none of the loop's
+        let Counters {
+            model_s,
+            objective_s,
+            ..
+        } = problem.counters;
         state.tighten(problem, x)?;
+        problem.counters = Counters {
+            model_s,
+            objective_s,
+            ..problem.counters
+        };
     }
     let loss = state.keeper.best().loss;
     let response = state.keeper.best().response.clone();

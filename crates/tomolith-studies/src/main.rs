@@ -6,6 +6,7 @@
 //! models next to arrays of other programs, noise, growth, the evaluated prints of all defaults.
 #![expect(clippy::print_stderr, reason = "a program says why it ends")]
 
+mod cards;
 mod fidelity;
 mod flower;
 mod growth;
@@ -19,7 +20,13 @@ use std::process::ExitCode;
 type Study = fn(&[String]) -> Result<(), Box<dyn Error>>;
 
 /// Name, what comes after it, what it measures, and the study.
-const STUDIES: [(&str, &str, &str, Study); 6] = [
+const STUDIES: [(&str, &str, &str, Study); 7] = [
+    (
+        "cards",
+        "CARD [MESH | -] [DIVISOR]",
+        "whole jobs, doses and adjoints on a graphics card beside the processor",
+        cards::study,
+    ),
     (
         "fidelity",
         "[BOAT] [TARGETS] [ROWS] [glass | matched]",

@@ -127,6 +127,7 @@ impl GoOn<'_, '_> {
     ) -> Result<(Outcome, FinestTrial)> {
         let bounds = scaled(ended.bounds, ended.highest, LOWER);
         let mut x = ended.x.clone();
+        let metrics_s = self.sofar.metrics_s;
         let mut outcome = self.on(&mut x, &bounds, &ended.outcome)?;
         let mut trial = FinestTrial {
             tried: LOWER,
@@ -141,6 +142,7 @@ impl GoOn<'_, '_> {
             ended.bounds.clone_from_slice(&bounds);
         } else {
             outcome = ended.outcome;
+            self.sofar.metrics_s = metrics_s;
         }
         Ok((outcome, trial))
     }
