@@ -133,6 +133,16 @@ pub(crate) fn keep(
     Ok(())
 }
 
+/// Says what is left where a card failed that held the patterns.
+pub(crate) fn lost(folder: &Path, progress: &mut dyn Progress) {
+    let left = match folder.join(CHECKPOINT).exists() {
+        true => "; `--resume` goes on from the last checkpoint",
+        false => ", and there is no checkpoint to resume",
+    };
+    let text = format!("the card held the patterns, and they are lost{left}");
+    progress.event(&Event::Note { text });
+}
+
 /// Tables that no checkpoint depends on.
 const UNIMPORTANT: [&str; 6] = [
     "stop",

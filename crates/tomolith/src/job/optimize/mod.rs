@@ -26,7 +26,7 @@ use crate::optimize::start::given::Given;
 use crate::optimize::{Checkpoints, Outcome, Row, StopReason};
 use ceiling::FoundCeiling;
 pub(crate) use ceiling::iterations as iterations_of_ceiling;
-use checkpoint::{begin_anew, keep, resumes, tables};
+use checkpoint::{begin_anew, keep, lost, resumes, tables};
 use gray_levels::Levelled;
 pub(crate) use rehearsal::rehearse;
 pub(crate) use stage::Stage;
@@ -227,7 +227,10 @@ pub(crate) fn optimize(
                 ))
             }
             Err(error) => {
-                keep(job, &raw, plan.folder, progress, cancel)?;
+                match error {
+                    Error::Device { .. } => lost(plan.folder, progress),
+                    _ => keep(job, &raw, plan.folder, progress, cancel)?,
+                }
                 Err(at_section("optimizer", error))
             }
         };
