@@ -287,7 +287,7 @@ impl From<Keep> for Leaves {
 
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Examples:\n  tomolith simulate gear.toml --patterns out/gear/patterns.npz\n  tomolith simulate gear.toml --patterns frames/ --set resin.absorption_per_mm=0.1"
+    after_help = "Examples:\n  tomolith simulate gear.toml --patterns out/gear/patterns.npz\n  tomolith simulate gear.toml --patterns frames/ --set resin.absorption_per_mm=0.1\n  tomolith print slow.toml --patterns out/slow/patterns.npz      needs [schedule]: how many turns, how long"
 )]
 pub(crate) struct SimulateArguments {
     #[command(flatten)]

@@ -11,7 +11,7 @@ use tomolith::report::number::significant;
 
 const EXPORT: &str = "\
 Examples:
-  tomolith export out/01-gear --printer opencal.toml --output gear-opencal
+  tomolith export out/01-gear --printer opencal --output gear-opencal
   tomolith export out/01-gear --set printer.flip_horizontal=true --set output.rpm=12 --output gear-12
 Patterns are not optimized or simulated again; `tomolith simulate` on the frames predicts what they print";
 
@@ -20,8 +20,8 @@ Patterns are not optimized or simulated again; `tomolith simulate` on the frames
 pub(crate) struct ExportArguments {
     /// Folder of a run
     run: PathBuf,
-    /// TOML file with the table `printer` of the machine; that of the run when left out
-    #[arg(long, value_name = "FILE")]
+    /// A machine by name (`tomolith profiles`), or a TOML file with its table `printer`; that of the run when left out
+    #[arg(long, value_name = "PROFILE|FILE")]
     printer: Option<PathBuf>,
     /// Change a key of the run's job: `--set output.rpm=12` (repeatable)
     #[arg(long, value_name = "KEY=VALUE")]

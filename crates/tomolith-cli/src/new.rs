@@ -111,9 +111,15 @@ pub(crate) fn new(given: &NewArguments) -> Result<()> {
     let trial = Job::from_document(document([64, 64])?)?;
     let shape = build_under(&trial.spec.target, &trial.base(), "target", &Run::new())
         .map_err(|e| trial.locate(e))?;
-    let pixels = pixels(&answers, shape.bounds_mm());
-    let job = Job::from_document(document(pixels)?)?;
-    let resolved = ResolvedJob::new(&job)?;
+    let bounds_mm = shape.bounds_mm();
+    let mut pixels = pixels(&answers, 1.0, bounds_mm);
+    let resolve = |pixels| ResolvedJob::new(&Job::from_document(document(pixels)?)?);
+    let mut resolved = resolve(pixels)?;
+    let widening = widening(&resolved);
+    if widening > 1.0 {
+        pixels = self::pixels(&answers, widening, bounds_mm);
+        resolved = resolve(pixels)?;
+    }
     for warning in resolved.warnings() {
         mutter(&format!("{:>12} {warning}", "warning"));
     }
@@ -130,12 +136,24 @@ pub(crate) fn new(given: &NewArguments) -> Result<()> {
     Ok(())
 }
 
-/// As many pixels as light the part from every side, and eight more.
-fn pixels(answers: &Answers, [low, high]: [[f64; 3]; 2]) -> [usize; 2] {
+/// How much farther from the axis level light must aim than it passes it: a round vial in air bends it inwards (Snell, with the angle of incidence from
+/// the distance of the axis).
+fn widening(resolved: &ResolvedJob) -> f64 {
+    let light = &resolved.lights()[0];
+    let resin = light.resin.refractive_index;
+    resin
+        / resolved
+            .vial()
+            .surrounding_index(light.surrounding_index, resin)
+}
+
+/// As many pixels as light the part from every side, and eight more; an even number, as projectors have.
+fn pixels(answers: &Answers, widening: f64, [low, high]: [[f64; 3]; 2]) -> [usize; 2] {
     let reach = (0..2).map(|i| high[i].max(-low[i])).fold(0.0, f64::hypot);
     // Light meets the axis at the middle row: the higher end counts twice
     let height = 2.0 * high[2].max(-low[2]);
-    [2.0 * reach, height].map(|mm| (mm / answers.pixel_mm).ceil() as usize + 8)
+    let count = |mm: f64| (mm / answers.pixel_mm).ceil() as usize + 8;
+    [2.0 * reach * widening, height].map(|mm| count(mm).next_multiple_of(2))
 }
 
 /// What the options say, what is asked for, or the defaults.
@@ -148,7 +166,8 @@ fn answers(given: &NewArguments, may_ask: bool) -> Result<Answers> {
     };
     let number = |option: Option<f64>, words: &str, default: f64| match option {
         Some(value) => Ok(value),
-        None if asks => number(words, default),
+        None if asks && default == 0.0 => number(words, default, zero_or_more),
+        None if asks => number(words, default, above_zero),
         None => Ok(default),
     };
     let size_mm = match given.size_mm {
@@ -197,12 +216,16 @@ fn asked(words: &str, default: &str) -> Result<String> {
     Ok(if line.is_empty() { default } else { line }.to_owned())
 }
 
-/// Asks for a number until there is one.
-fn number(words: &str, default: f64) -> Result<f64> {
+/// Asks for a number until there is one that is accepted.
+fn number(
+    words: &str,
+    default: f64,
+    accepted: fn(&str) -> std::result::Result<f64, String>,
+) -> Result<f64> {
     loop {
-        match asked(words, &concise(default))?.parse() {
+        match accepted(&asked(words, &concise(default))?) {
             Ok(value) => return Ok(value),
-            Err(_) => mutter("a number, please"),
+            Err(what) => mutter(&what),
         }
     }
 }

@@ -127,6 +127,9 @@ fn planned(given: &SweepArguments, ranks: Option<&Ranks>, cancel: &Run) -> Resul
         ));
     }
     let mut sweep = Sweep::read(&given.sweep)?;
+    if !given.manner.quiet && !given.manner.json && !given.list {
+        mutter(&format!("{:>12} its jobs", "Reading"));
+    }
     if let Some(folder) = &given.output {
         sweep = sweep.with_folder(folder);
     }

@@ -126,7 +126,10 @@ impl Columns {
             match row {
                 Some(row) if row.len() <= names.len() => rows.push(row),
                 _ => {
-                    let accepted = format!("at most {} numbers: {}", names.len(), head);
+                    let accepted = format!(
+                        "finite numbers with a decimal point, at most {} a line: {head}",
+                        names.len()
+                    );
                     return Err(bad(*number, format!("`{line}`"), accepted));
                 }
             }

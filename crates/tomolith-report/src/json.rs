@@ -57,6 +57,7 @@
 //! movies        what a decoder makes of each movie
 //! notes         sentences: choices that were made
 //! warnings      sentences
+//! is_toy        whether the job was run with `--toy`
 //! run           program, models that gave the doses (with their kernels on this machine), date and times: all that may differ between two equal runs
 //! ```
 //!
@@ -178,6 +179,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         "movies": movies,
         "notes": data.notes,
         "warnings": data.warnings,
+        "is_toy": data.is_toy,
         "run": {
             "program": data.program,
             "models": models,

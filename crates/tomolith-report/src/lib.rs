@@ -156,6 +156,8 @@ pub struct ReportData<'a> {
     pub program: &'a str,
     /// Date and time, as text; may be empty.
     pub created: &'a str,
+    /// Whether the job is a toy: `--toy`.
+    pub is_toy: bool,
     /// Short facts for the head of the page: `("Vial", "cylinder, 7.6 mm")`.
     pub facts: Vec<(String, String)>,
     /// What gave the doses: `("optimization", "parallel (…): …")`.
@@ -375,6 +377,7 @@ mod tests {
                 part: "disc <script>alert(1)</script>",
                 program: "Tomolith",
                 created: "",
+                is_toy: false,
                 facts: vec![("Vial".to_owned(), "\"none\"".to_owned())],
                 models: vec![("evaluation", "parallel: one slice serves all".to_owned())],
                 exposure: None,

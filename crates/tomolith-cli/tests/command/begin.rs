@@ -16,13 +16,11 @@ fn a_new_job_holds_what_was_said_and_runs() {
     let vial = &job.spec.vial.kind["cylinder"];
     assert_eq!(vial["outer_radius_mm"].as_f64(), Some(3.5));
     assert_eq!(job.spec.resin.absorption_per_mm, Some(0.1));
-    // A sphere of 2 mm, and eight pixels more
-    let [columns, rows] = job.spec.light[0].pixels;
-    assert!(
-        (28..40).contains(&columns) && rows == 28,
-        "{columns} × {rows}"
-    );
-    assert_eq!(bench.json("check part.toml")["frames"], 40);
+    // The box of a sphere of 2 mm, across its corners 1.48 times as wide before light is bent into the resin, and eight pixels more
+    assert_eq!(job.spec.light[0].pixels, [50, 28]);
+    let checked = bench.json("check part.toml");
+    assert_eq!(checked["frames"], 40);
+    assert!(!checked.to_string().contains("reaches only"), "{checked}");
     // Nothing is written over
     bench.refuse(line, &["part.toml"]);
     bench.expect(0, "new named.toml --resin sr399-tpo --printer opencal");

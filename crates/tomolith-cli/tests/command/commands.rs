@@ -270,6 +270,21 @@ fn runs_are_compared_and_exported() {
         "export a --printer job.toml --output c",
         &["holds no [printer]"],
     );
+    bench.refuse(
+        "export a --printer opencol --output c",
+        &["did you mean `opencal`", "(from --printer opencol)"],
+    );
+    let of_profile = bench.json("export a --printer opencal --output profile");
+    assert_eq!(
+        of_profile["lights"][0]["canvas"],
+        serde_json::json!([1920, 1080])
+    );
+    bench.expect(0, "run job.toml --toy --output toy --quiet");
+    bench.says(
+        0,
+        "export toy --output of_toy",
+        &["the frames of a toy of the job"],
+    );
     // What an export does not read changes nothing, and is refused
     for key in [
         "resin.absorption_per_mm",

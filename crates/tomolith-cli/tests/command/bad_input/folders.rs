@@ -14,6 +14,9 @@ fn a_folder_that_is_not_ours_is_left_alone() {
     let message = bench.refused(JOB, &["--output", &folder], &parts);
     assert!(!message.contains("line"), "blamed on the file: {message}");
     assert_eq!(fs::read_dir(&foreign).unwrap().count(), 1);
+    fs::create_dir(foreign.join("checkpoint")).unwrap();
+    let parts = ["holds a checkpoint, but no job.toml that a run wrote"];
+    bench.refused(JOB, &["--output", &folder], &parts);
 }
 
 #[test]

@@ -30,7 +30,12 @@ pub(crate) fn resumes(
                 ),
             }),
             Ok(None) => {}
-            Err(_) => remove(&file)?,
+            Err(_) => {
+                remove(&file)?;
+                let text = "the folder held a checkpoint of another job, or a broken one; this run begins anew, and it is removed";
+                let text = text.to_owned();
+                progress.event(&Event::Note { text });
+            }
         }
         remove(&file.with_file_name(KEPT))?;
         return Ok(None);

@@ -98,7 +98,11 @@ pub fn job_of_run(run: &Path, printer: Option<&Path>, overrides: &[String]) -> R
         ));
     }
     let mut document = Document::read(&file)?;
-    if let Some(machine) = printer {
+    let profile = printer.and_then(|name| name.to_str().filter(|_| name.extension().is_none()));
+    if let (Some(name), Value::Object(root)) = (profile, &mut document.root) {
+        root.insert("printer".to_owned(), name.into());
+        document.overridden("printer", format!("--printer {name}"));
+    } else if let Some(machine) = printer {
         let other = Document::read(machine)?;
         let table = other.root.get("printer").cloned().ok_or_else(|| {
             Error::config(
@@ -219,6 +223,11 @@ fn rounded_anew(run: &Path, bits: u32) -> Option<String> {
 fn gel_dose(job: &Job, run: &Path, progress: &mut dyn Progress) -> Result<Option<f64>> {
     let text = read_text(run.join("report.json")).unwrap_or_default();
     let report: Value = serde_json::from_str(&text).unwrap_or_default();
+    if report["is_toy"] == true {
+        let text = "these are the frames of a toy of the job, whose pixels are three times as large: for a machine, run the job without `--toy`";
+        let text = text.to_owned();
+        progress.event(&Event::Warning { text });
+    }
     if report
         .pointer("/evaluation/part/max")
         .and_then(Value::as_f64)

@@ -408,6 +408,7 @@ fn report(
         part: &resolved.name,
         program: concat!("Tomolith ", env!("CARGO_PKG_VERSION")),
         created: &date(std::time::SystemTime::now()),
+        is_toy: done.job.is_toy,
         facts: facts(done),
         models: made.models,
         exposure: headline.exposures.first().and_then(Option::as_ref),

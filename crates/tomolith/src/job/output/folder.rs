@@ -155,10 +155,13 @@ impl RunFolder {
         if ours || !entries.any(|entry| entry.is_ok_and(is_foreign)) {
             return Ok(());
         }
-        refuse(format!(
-            "`{}` holds files that are not from a run",
-            path.display()
-        ))
+        let what = match path.join(CHECKPOINT).is_dir() {
+            true => {
+                "holds a checkpoint, but no job.toml that a run wrote: it is missing or was changed"
+            }
+            false => "holds files that are not from a run",
+        };
+        refuse(format!("`{}` {what}", path.display()))
     }
 
     /// The job of the run that has ended here; None where none has.
