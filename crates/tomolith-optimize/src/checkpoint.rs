@@ -106,6 +106,8 @@ pub struct Checkpoints {
     folder: PathBuf,
     fingerprint: String,
     job: Value,
+    /// See [`remember`](Self::remember).
+    found: Value,
     every: Option<Duration>,
     contents: Contents,
     /// Of the levels of a job, the one that is optimized.
@@ -134,6 +136,8 @@ struct Header {
     /// The tables of the job, to say what has changed.
     #[serde(default)]
     job: Value,
+    #[serde(default)]
+    found: Value,
     contents: Contents,
     level: usize,
     best: Best,
@@ -186,6 +190,7 @@ impl Checkpoints {
             folder: folder.into(),
             fingerprint: format!("{fingerprint:016x}"),
             job: Value::Null,
+            found: Value::Null,
             every: params
                 .every_s
                 .map(|s| Duration::try_from_secs_f64(s).unwrap_or(Duration::MAX)),
@@ -205,6 +210,11 @@ impl Checkpoints {
     pub fn describing(mut self, job: Value) -> Self {
         self.job = job;
         self
+    }
+
+    /// From here on checkpoints hold what was found before the loop, for a run that goes on.
+    pub fn remember(&mut self, found: Value) {
+        self.found = found;
     }
 
     /// From here on checkpoints are of this level, counted from 0: patterns of other levels may have other pixels.
@@ -355,6 +365,7 @@ impl Checkpoints {
             format: FORMAT,
             fingerprint: self.fingerprint.clone(),
             job: self.job.clone(),
+            found: self.found.clone(),
             contents,
             level: self.level,
             best: saved.best,
@@ -646,6 +657,12 @@ impl Checkpoint {
     #[must_use]
     pub fn level(&self) -> usize {
         self.header.level
+    }
+
+    /// What was found before the loop ([`Checkpoints::remember`]); null where nothing was said.
+    #[must_use]
+    pub fn found(&self) -> &Value {
+        &self.header.found
     }
 
     /// Steps done when it was written.

@@ -11,7 +11,7 @@ use tomolith_optimize::Gap;
 pub type CeilingQuality = [f64; 4];
 
 /// A ceiling that was tried.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CeilingPoint {
     /// Ceiling over the brightest pixel within the bound of the start.
     pub factor: f64,
@@ -20,7 +20,7 @@ pub struct CeilingPoint {
 }
 
 /// What another ceiling than the one found brought on the voxels that the optimization ended on.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FinestTrial {
     /// The other ceiling over the one found: 2, or 1/√2 where hardly any light lies above that.
     pub tried: f64,
@@ -33,7 +33,7 @@ pub struct FinestTrial {
 }
 
 /// What a search for the lowest ceiling found.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CeilingReport {
     /// The brightest pixel of all lights within the bound of the start, for the frames of the run, mJ/mm².
     pub brightest: f64,

@@ -36,9 +36,10 @@ use crate::objective::Objective;
 use crate::optimize;
 use crate::optimize::start::InitialPatterns;
 use crate::optimize::start::given::Given;
-use crate::optimize::{Limits, Problem, Stop, StopReason};
+use crate::optimize::{Checkpoints, Limits, Problem, Stop, StopReason};
 use crate::report::{CeilingPoint, CeilingQuality, CeilingReport};
 use crate::target::label;
+use serde::{Deserialize, Serialize};
 use std::time::Instant;
 
 /// How much wider pixels, frames and voxels are where ceilings are tried.
@@ -57,12 +58,14 @@ const CORNERS: usize = 20_000;
 const MOST_HALVES: i32 = 8;
 
 /// Ceilings that were found.
+#[derive(Serialize, Deserialize)]
 pub(crate) struct FoundCeiling {
     /// Of each light, for the frames of the finest level; None where no ceiling below the start's bound is good enough.
     largest: Option<Vec<f64>>,
     /// Frames of each light on that level.
     frames: Vec<usize>,
     /// Patterns below the lowest ceiling that is good enough, to go on from; None where none is, and where the job begins with its start nevertheless.
+    #[serde(skip)]
     patterns: Option<Vec<Patterns>>,
     /// What was tried.
     pub(crate) report: CeilingReport,
@@ -112,6 +115,30 @@ pub(crate) fn iterations(job: &ResolvedJob, voxels: &[Voxels]) -> usize {
         let tried = level.until + 4 * level.until.div_ceil(3).min(EACH);
         tried.div_ceil(CHEAPER) + super::finest::TRY
     })
+}
+
+/// [`find`], or what the checkpoint says was found before the run was cut off.
+///
+/// # Errors
+/// As [`find`], and where the checkpoint cannot be read.
+pub(crate) fn find_once(
+    job: &ResolvedJob,
+    voxels: &[Voxels],
+    (checkpoints, is_resumed): (&mut Checkpoints, bool),
+    cancel: &Run,
+) -> Result<Option<FoundCeiling>> {
+    let earlier = match is_resumed {
+        true => checkpoints.open()?,
+        false => None,
+    };
+    let earlier = earlier.and_then(|earlier| serde_json::from_value(earlier.found().clone()).ok());
+    // A list of one: nothing that was found is not nothing that is known
+    let [found]: [Option<FoundCeiling>; 1] = match earlier {
+        Some(found) => found,
+        None => [find(job, voxels, cancel)?],
+    };
+    checkpoints.remember(serde_json::to_value([&found]).unwrap_or_default());
+    Ok(found)
 }
 
 /// Looks for the ceilings of a job; None where it stays within the bound of its start.

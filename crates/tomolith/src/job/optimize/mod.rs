@@ -106,12 +106,8 @@ pub(crate) fn optimize(
     let (mut bounds, mut of_start) = (Vec::new(), Vec::new());
     let mut pixels: Option<Vec<&PatternGrid>> = None;
     let mut sofar = SoFar::default();
-    if resumed.is_some() && iterations_of_ceiling(job, voxels) > 0 {
-        let text = "the lowest ceiling of the pixels is looked for again: no checkpoint holds it";
-        let text = text.to_owned();
-        progress.event(&Event::Note { text });
-    }
-    let mut ceiling = ceiling::find(job, voxels, cancel)?;
+    let of_run = (&mut checkpoints, resumed.is_some());
+    let mut ceiling = ceiling::find_once(job, voxels, of_run, cancel)?;
     if let Some(found) = &ceiling {
         let text = found.report.sentence();
         progress.event(&Event::Note { text });

@@ -5,6 +5,7 @@ use crate::job::optimize::*;
 use crate::job::tests::job_of;
 use crate::models::{DoseModel, planner};
 use crate::optimize::Row;
+use crate::report::CeilingPoint;
 
 #[test]
 fn a_run_that_stayed_at_its_start_says_so() {
@@ -140,6 +141,14 @@ fn raised_from(share: f64) -> (usize, f64, f64) {
     let (resolved, voxels) = gear("");
     let (run, silent) = (Run::new(), &mut crate::job::progress::Silent);
     let mut found = ceiling::find(&resolved, &voxels, &run).unwrap().unwrap();
+    // As a checkpoint holds it
+    let stored = serde_json::to_string(&found).unwrap();
+    let again: FoundCeiling = serde_json::from_str(&stored).unwrap();
+    assert_eq!(again.report, found.report);
+    assert_eq!(serde_json::to_string(&again).unwrap(), stored);
+    // The search has not tried the ceilings of this test
+    found.report.points.truncate(1);
+    found.report.chosen = None;
     let level = resolved.levels.last().unwrap();
     let stage = Stage::new(&resolved, &voxels, level, None, silent, &run).unwrap();
     let start = resolved.method.start.as_ref();
@@ -176,6 +185,26 @@ fn a_ceiling_rises_where_it_costs_quality_on_the_finest_level_and_falls_where_it
     assert_eq!(raised_from(0.5), (20, 1.0, 0.5));
     let (last, by, _) = raised_from(0.3);
     assert_eq!((last, by), (28, std::f64::consts::SQRT_2));
+}
+
+#[test]
+fn a_ceiling_that_the_coarser_level_refused_by_far_is_not_tried_again() {
+    let (resolved, voxels) = gear("");
+    let found = ceiling::find(&resolved, &voxels, &Run::new());
+    let mut found = found.unwrap().unwrap();
+    let lower = std::f64::consts::FRAC_1_SQRT_2;
+    let point = |factor: f64, lost: f64| CeilingPoint {
+        factor,
+        qualities: vec![[1.0 - lost, 0.0, f64::NAN, 10.0]],
+    };
+    for (lost, is_tried) in [(0.0039, true), (0.0041, false)] {
+        let tried = [(1.0, 0.0), (0.5, 0.0), (0.25, 0.02), (0.5 * lower, lost)];
+        found.report.points = tried.map(|(factor, lost)| point(factor, lost)).into();
+        found.report.chosen = Some(1);
+        assert_eq!(found.may_become(lower, &resolved), is_tried, "{lost}");
+    }
+    found.report.points.truncate(3);
+    assert!(found.may_become(lower, &resolved));
 }
 
 #[test]
