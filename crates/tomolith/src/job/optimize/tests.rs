@@ -120,6 +120,11 @@ fn measured_iterations_thin_out_evenly() {
 
 /// A gear in a matched vial, its job and voxels.
 fn gear(more: &str) -> (ResolvedJob, Vec<Voxels>) {
+    gear_for(20, more)
+}
+
+/// The same for so many iterations.
+fn gear_for(iterations: usize, more: &str) -> (ResolvedJob, Vec<Voxels>) {
     let text = format!(
         r#"
         target = {{ phantom = {{ gear = {{}} }}, size_mm = 2.0 }}
@@ -127,7 +132,7 @@ fn gear(more: &str) -> (ResolvedJob, Vec<Voxels>) {
         resin = {{ refractive_index = 1.5, absorption_per_mm = 0.1 }}
         vial = {{ index_matched = {{ radius_mm = 2.0 }} }}
         light = [{{ pixels = [48, 24], angles = 48, projector = {{ collimated = {{ pixel_pitch_mm = 0.05 }} }} }}]
-        stop = {{ iterations = 20 }}
+        stop = {{ iterations = {iterations} }}
         {more}
         "#
     );
@@ -189,9 +194,9 @@ fn a_ceiling_rises_where_it_costs_quality_on_the_finest_level_and_falls_where_it
 
 #[test]
 fn a_ceiling_that_the_coarser_level_refused_by_far_is_not_tried_again() {
-    let (resolved, voxels) = gear("");
-    let found = ceiling::find(&resolved, &voxels, &Run::new());
-    let mut found = found.unwrap().unwrap();
+    let (few, voxels) = gear("");
+    let (resolved, _) = gear_for(30, "");
+    let mut found = (ceiling::find(&few, &voxels, &Run::new()).unwrap()).unwrap();
     let lower = std::f64::consts::FRAC_1_SQRT_2;
     let point = |factor: f64, lost: f64| CeilingPoint {
         factor,
@@ -202,6 +207,7 @@ fn a_ceiling_that_the_coarser_level_refused_by_far_is_not_tried_again() {
         found.report.points = tried.map(|(factor, lost)| point(factor, lost)).into();
         found.report.chosen = Some(1);
         assert_eq!(found.may_become(lower, &resolved), is_tried, "{lost}");
+        assert!(found.may_become(lower, &few));
     }
     found.report.points.truncate(3);
     assert!(found.may_become(lower, &resolved));
