@@ -5,6 +5,10 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 const GEAR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/01-gear.toml");
+const CONE: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../examples/12-tilted-cone.toml"
+);
 const SCATTERING: &str = concat!(
     env!("CARGO_MANIFEST_DIR"),
     "/../../examples/13-scattering.toml"
@@ -105,6 +109,21 @@ fn a_card_prints_what_the_processor_prints_and_resumes_to_the_bit() {
     ));
     let patterns = |name: &str| std::fs::read(at(name).join("patterns.npz")).unwrap();
     assert!(patterns("resumed") == patterns("card"));
+}
+
+#[test]
+fn tilted_cones_print_on_a_card_what_they_print_on_the_processor() {
+    let Some(name) = card() else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    let five = ["--set", "stop.iterations=5"];
+    done(&run(CONE, &format!("gpu:{name}"), &at("card"), &five));
+    done(&run(CONE, "cpu", &at("processor"), &five));
+    let [card, processor] = both("iou", [&at("card"), &at("processor")]);
+    assert!((card - processor).abs() < 1e-3, "{card} {processor}");
+    let text = report(&at("card")).to_string();
+    let says = "exact line integrals (on ";
+    assert!(text.contains(says) && text.contains(" are rays)"), "{text}");
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use crate::device::Gpu;
 use crate::field::GpuField;
+use crate::rays::GpuRays;
 use crate::strips::GpuStrips;
 use std::ops::Range;
 use tomolith_core::dose::form::Form;
@@ -17,6 +18,7 @@ use tomolith_core::field::{Field, HostField};
 pub fn model_on(gpu: &Gpu, form: &Form, run: &Run) -> Result<Box<dyn DoseModel<Field = GpuField>>> {
     Ok(match form {
         Form::Strips(form) => Box::new(GpuStrips::new(gpu, form, run)?),
+        Form::Rays(form) => Box::new(GpuRays::new(gpu, form, run)?),
     })
 }
 

@@ -33,6 +33,10 @@ const COPIED: u64 = 64 << 20;
 const SMALL_COPY: u64 = 1 << 20;
 /// Copies on their way to the host.
 const COPIES: usize = 3;
+/// Part of a card's memory that models may store between calls.
+const STORED_SHARE: f64 = 0.4;
+/// The same where the card does not say how much it has, bytes.
+const STORED: u64 = 2_100_000_000;
 /// Bytes that free buffers may take while they wait for reuse.
 const MOST_KEPT: u64 = 4 << 30;
 
@@ -266,6 +270,21 @@ impl Gpu {
     #[must_use]
     pub fn memory_bytes(&self) -> Option<u64> {
         self.0.adapter.memory_bytes
+    }
+
+    /// Bytes that what models store between calls may take.
+    pub(crate) fn stored_bytes(&self) -> u64 {
+        let share = |bytes| (STORED_SHARE * bytes as f64) as u64;
+        self.memory_bytes().map_or(STORED, share)
+    }
+
+    /// The card with so much of something in its memory, for people.
+    pub(crate) fn with(&self, bytes: u64, what: &str) -> String {
+        let gigabytes = |bytes: u64| bytes as f64 * 1e-9;
+        let all = self.memory_bytes().map(gigabytes);
+        let of_all = all.map_or_else(String::new, |all| format!(" of {all:.1} GB"));
+        let (name, size) = (&self.0.adapter.name, gigabytes(bytes));
+        format!("on {name}; {size:.2} GB{of_all} are {what}")
     }
 
     /// The most memory that was in use at a time since this was asked last, bytes.

@@ -8,7 +8,7 @@
 //! caches. Memory in addition to fields: strips (48 bytes each), the lanes of a chunk, and 16 bytes an entry where entries are stored.
 
 use crate::bins::Pixels;
-use crate::device::{Adapter, Buffer, Gpu, THREADS};
+use crate::device::{Buffer, Gpu, THREADS};
 use crate::entries::{Chunk, DeviceStrips, Product, RowsOf};
 use crate::field::GpuField;
 use crate::mask::Mask;
@@ -21,11 +21,6 @@ use tomolith_core::dose::{
     DoseLayout, Facts, LinearOperator, PatternLayout, Run, Space, ZCoupling,
 };
 use tomolith_core::error::{Error, Result};
-
-/// Part of the card's memory that stored entries may take.
-const KEPT_SHARE: f64 = 0.4;
-/// The same where the card does not say how much it has, bytes.
-const KEPT: u64 = 2_100_000_000;
 
 /// The geometry of a model on the card.
 struct Geometry {
@@ -95,11 +90,8 @@ impl Geometry {
         }
         let chunks = || lights.iter().flat_map(|light| &light.chunks);
         let all: u64 = chunks().map(|chunk| 2 * chunk.bytes()).sum();
-        let budget = gpu
-            .memory_bytes()
-            .map_or(KEPT, |bytes| (KEPT_SHARE * bytes as f64) as u64);
         let mut scratch = None;
-        if all <= budget {
+        if all <= gpu.stored_bytes() {
             for light in &mut lights {
                 for chunk in &mut light.chunks {
                     chunk.keep(gpu, &light.strips);
@@ -513,7 +505,7 @@ pub(crate) fn must_be_bound(gpu: &Gpu, needed: u64, advice: &str) -> Result<()> 
 }
 
 /// Lengths of pieces of a pattern field: whole frames, each piece no larger than a binding.
-fn pieces_of_frames(gpu: &Gpu, patterns: &[PatternLayout]) -> Vec<usize> {
+pub(crate) fn pieces_of_frames(gpu: &Gpu, patterns: &[PatternLayout]) -> Vec<usize> {
     let most = gpu.binding_bytes() as usize / 4;
     let mut lengths = vec![0];
     for layout in patterns {
@@ -605,14 +597,8 @@ impl LinearOperator for GpuStrips {
         } else {
             "kept"
         };
-        let size = self.geometry.entry_bytes as f64 * 1e-9;
-        let Adapter {
-            name, memory_bytes, ..
-        } = self.gpu.adapter();
-        let of_all = memory_bytes.map_or_else(String::new, |all| {
-            format!(" of {:.1} GB", all as f64 * 1e-9)
-        });
-        let straight = format!("parallel (on {name}; {size:.2} GB{of_all} are weights, {entries})");
+        let place = self.gpu.with(self.geometry.entry_bytes, "weights");
+        let straight = format!("parallel ({place}, {entries})");
         let scattered = self.geometry.scattered.iter();
         let scattered: Vec<&str> = scattered.map(|own| &*own.summary).collect();
         if scattered.is_empty() {

@@ -1,13 +1,16 @@
 //! Doses, adjoints, losses and whole optimizations on a card beside those of the processor.
 
 mod common;
+#[path = "common/models.rs"]
+mod models;
 
 use common::{SMALL, gpu, smaller};
+use models::{assert_near, assert_portable, noise_of};
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use tomolith_core::check::{self, noise};
+use tomolith_core::check;
 use tomolith_core::dose::form::Form;
-use tomolith_core::dose::{Accelerator, DoseLayout, DoseModel, Run};
+use tomolith_core::dose::{Accelerator, DoseModel, Run};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::{PatternGrid, Volume, VolumeGrid};
 use tomolith_core::kind::{Kind, Section};
@@ -180,28 +183,6 @@ impl Case {
     }
 }
 
-/// Noise on the voxels of a dose, 0 in what fills up its rows.
-fn noise_of(layout: &DoseLayout, seed: u64) -> Vec<f32> {
-    let mut values = noise(seed, layout.len());
-    let nz = layout.grid.shape[0];
-    let rows = values.chunks_mut(layout.row);
-    rows.for_each(|row| row[nz..].fill(0.0));
-    values
-}
-
-fn assert_near(found: &[f32], expected: &[f32], tolerance: f32, what: &str) {
-    let most = expected.iter().fold(0.0f32, |m, v| m.max(v.abs()));
-    assert!(most > 0.0 && found.len() == expected.len(), "{what}");
-    let worst = (found.iter().zip(expected).enumerate())
-        .max_by(|a, b| (a.1.0 - a.1.1).abs().total_cmp(&(b.1.0 - b.1.1).abs()))
-        .unwrap();
-    let (i, (found, expected)) = worst;
-    assert!(
-        (found - expected).abs() <= tolerance * most,
-        "{what}: element {i} is {found} instead of {expected}, the largest {most}"
-    );
-}
-
 #[test]
 fn doses_and_adjoints_are_those_of_the_processor() {
     // Small bindings; entries that are kept, and entries that are found anew
@@ -329,31 +310,7 @@ fn kernels_are_those_of_other_interfaces_too() {
         sources.extend(gpu.sources());
     }
     assert!(sources.len() > 25, "{}", sources.len());
-    for (name, text) in sources {
-        let module = naga::front::wgsl::parse_str(&text);
-        let module = module.unwrap_or_else(|e| panic!("{name}: {}", e.emit_to_string(&text)));
-        let flags = naga::valid::ValidationFlags::all();
-        let capabilities = naga::valid::Capabilities::empty();
-        let info = naga::valid::Validator::new(flags, capabilities).validate(&module);
-        let info = info.unwrap_or_else(|e| panic!("{name}: {e:?}"));
-        let storage = module
-            .global_variables
-            .iter()
-            .filter(|(_, variable)| matches!(variable.space, naga::AddressSpace::Storage { .. }));
-        assert!(
-            storage.count() <= 8,
-            "{name} has more than eight storage buffers"
-        );
-        let (options, pipeline) = Default::default();
-        let metal = naga::back::msl::write_string(&module, &info, &options, &pipeline);
-        metal.unwrap_or_else(|e| panic!("{name}: {e}"));
-        let (mut text, options, pipeline) = (String::new(), Default::default(), Default::default());
-        let mut writer = naga::back::hlsl::Writer::new(&mut text, &options, &pipeline);
-        writer
-            .write(&module, &info, None)
-            .unwrap_or_else(|e| panic!("{name}: {e}"));
-        assert!(text.contains("numthreads(256, 1, 1)"), "{name}");
-    }
+    assert_portable(&sources);
 }
 
 #[test]

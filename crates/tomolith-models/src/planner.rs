@@ -16,6 +16,10 @@ use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
 use tomolith_core::grid::{Volume, VolumeGrid};
 
+/// What is said of a model that stays on the processor of a job with a card.
+const ON_PROCESSOR: &str =
+    "; computed on the processor: it has no form for the card, or is too large for it";
+
 /// A dose model, and why it was chosen.
 pub struct ModelPlan {
     /// The model, with its dark pixels and the factor of its doses.
@@ -145,12 +149,11 @@ pub fn plan(
         })?
     };
     let model = MaskedModel::new(model, dark.clone(), factor);
+    let why = why(family.as_ref(), &input.scene, grid);
+    let is_left = scene.accelerator.is_some() && model.form().is_none();
+    let place = if is_left { ON_PROCESSOR } else { "" };
     Ok(ModelPlan {
-        reason: format!(
-            "{}: {}",
-            model.describe(),
-            why(family.as_ref(), &input.scene, grid)
-        ),
+        reason: format!("{}: {why}{place}", model.describe()),
         model,
         dark,
         surrogate,
@@ -210,6 +213,7 @@ mod tests {
     use crate::rays::{self, Optics};
     use crate::wave::{self, incoherent_cone};
     use tomolith_core::check;
+    use tomolith_core::dose::Accelerator;
     use tomolith_core::grid::PatternGrid;
     use tomolith_core::kind::Section;
     use tomolith_optics::light::Light;
@@ -253,6 +257,28 @@ mod tests {
             Err(Error::Config { key, .. }) => key,
             Err(other) => panic!("{other}"),
         }
+    }
+
+    /// A card too small for any model.
+    #[derive(Debug)]
+    struct TooSmall;
+
+    impl Accelerator for TooSmall {
+        fn model(&self, _: &Form, _: &Run) -> Result<Option<HostModel>> {
+            Ok(None)
+        }
+    }
+
+    #[test]
+    fn what_a_card_does_not_take_is_said_to_be_on_the_processor() {
+        let level = [Optics::collimated(0.1)];
+        let plain = around(&level, None);
+        let beside_card = OpticalScene {
+            accelerator: Some(&TooSmall),
+            ..plain
+        };
+        let [without, with] = [plain, beside_card].map(|scene| planned(None, scene, light()));
+        assert_eq!(with, without + ON_PROCESSOR);
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Dose models as plain data, for a backend that computes them where its fields live.
 
+use super::rays::RayForm;
 use super::strips::StripForm;
 use std::sync::Arc;
 
@@ -8,6 +9,8 @@ use std::sync::Arc;
 pub enum Form {
     /// Light in strips, and what is scattered out of it.
     Strips(StripForm),
+    /// Rays of any direction.
+    Rays(RayForm),
 }
 
 impl Form {
@@ -16,6 +19,7 @@ impl Form {
     pub fn masked(self, dark: &[bool], factor: f32) -> Self {
         match self {
             Form::Strips(form) => Form::Strips(form.masked(dark, factor)),
+            Form::Rays(form) => Form::Rays(form.masked(dark, factor)),
         }
     }
 }

@@ -58,6 +58,7 @@
 pub mod accumulation;
 mod batch;
 mod column_rays;
+mod form;
 pub mod matrix_cache;
 mod scatter_grid;
 mod segment;
@@ -80,6 +81,7 @@ use solid::Solid;
 use source::Source;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
+use tomolith_core::dose::form::Form;
 use tomolith_core::dose::{Facts, Renewal, Space};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{HostField, LANES};
@@ -168,17 +170,18 @@ impl ModelFamily for Params {
     }
 
     fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
-        let OpticalScene { vial, optics, .. } = input.scene;
-        let mut params = self.clone();
-        if let Purpose::Evaluate { refine } = input.scene.purpose {
-            params.rays_per_pixel *= refine * refine;
-        }
-        let lights = input.scene.lights.to_vec();
-        let model = Rays::new(vial, lights, optics, &params, input.grid.clone())?;
+        let model = self.on_voxels(input)?;
         Ok(input.with_cells(match input.scene.purpose {
             Purpose::Optimize => model.cached(),
             _ => model,
         }))
+    }
+
+    fn form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
+        if input.cells.is_some() {
+            return Ok(None);
+        }
+        self.on_voxels(input)?.to_form(input.run)
     }
 
     fn rays(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Option<Result<Rays>> {
@@ -190,6 +193,19 @@ impl ModelFamily for Params {
             self,
             grid.clone(),
         ))
+    }
+}
+
+impl Params {
+    /// The model on whole voxels, for the purpose of the scene.
+    fn on_voxels(&self, input: &ModelInput<'_>) -> Result<Rays> {
+        let OpticalScene { vial, optics, .. } = input.scene;
+        let mut params = self.clone();
+        if let Purpose::Evaluate { refine } = input.scene.purpose {
+            params.rays_per_pixel *= refine * refine;
+        }
+        let lights = input.scene.lights.to_vec();
+        Rays::new(vial, lights, optics, &params, input.grid.clone())
     }
 }
 

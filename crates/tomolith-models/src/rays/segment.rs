@@ -5,6 +5,7 @@
 //! most two cells of b and two of c: three pieces, which vectors of sixteen cells can treat alike.
 
 use crate::layout::DoseLayout;
+use tomolith_core::dose::rays::RaySegment;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_optics::projector::Ray;
 use tomolith_optics::space::PathSegment;
@@ -61,6 +62,28 @@ impl Lattice {
     /// A place in voxels from the low corner.
     pub(super) fn place(&self, point: [f64; 3]) -> [f64; 3] {
         std::array::from_fn(|i| (point[i] - self.low[i]) / self.pitch)
+    }
+
+    /// x and y of the low corner, in voxels from the axis of the vial.
+    pub(super) fn corner(&self) -> [f32; 2] {
+        [self.low[0], self.low[1]].map(|low| (low / self.pitch) as f32)
+    }
+
+    /// A path segment as data, wherever it lies; `energy_mm2` as for [`segment`](Self::segment).
+    pub(super) fn ray(&self, path: &PathSegment, energy_mm2: f64) -> RaySegment {
+        let ([x, y, _], [dx, dy, _]) = (path.ray.from, path.ray.direction);
+        // Of light along the axis any point
+        let nearest = -(x * dx + y * dy) / (dx * dx + dy * dy).max(1e-6);
+        let [x, y, z] = path.ray.at(nearest);
+        let span = [-nearest, path.length - nearest];
+        RaySegment {
+            nearest: [x, y, z - self.low[2]].map(|v| (v / self.pitch) as f32),
+            rate: (path.uptake.attenuation_per_mm * self.pitch) as f32,
+            direction: path.ray.direction.map(|v| v as f32),
+            energy: (path.uptake.active_per_mm * path.power * energy_mm2 / self.pitch.powi(2))
+                as f32,
+            span: span.map(|v| (v / self.pitch) as f32),
+        }
     }
 
     /// Moves a ray to the middle of the lowest slice; the height where it was, in voxels from the low end.

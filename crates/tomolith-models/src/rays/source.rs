@@ -190,6 +190,19 @@ impl Source {
         }
     }
 
+    /// The azimuths that a frame is averaged over.
+    pub(super) fn azimuths(&self, frame: usize) -> impl Iterator<Item = f64> {
+        let (middle, count) = (self.pixels.azimuths[frame], self.sub_angles as f64);
+        (0..self.sub_angles)
+            .map(move |sub| middle + ((sub as f64 + 0.5) / count - 0.5) * self.pixels.frame_arc)
+    }
+
+    /// Where every frame has the same segments, they as seen at azimuth 0, and the first of each pixel (column by column from the lowest row), and one more.
+    pub(super) fn shared(&self) -> Option<(&[PathSegment], &[u32])> {
+        let shared = self.shared.as_ref()?;
+        Some((&shared.segments, &shared.starts))
+    }
+
     /// Calls `visit` with every segment of the light of a pixel (row counted from below) in a frame.
     pub(super) fn for_each_path_segment(
         &self,
@@ -198,9 +211,7 @@ impl Source {
         row: usize,
         mut visit: impl FnMut(PathSegment),
     ) {
-        for sub in 0..self.sub_angles {
-            let within = (sub as f64 + 0.5) / self.sub_angles as f64 - 0.5;
-            let azimuth = self.pixels.azimuths[frame] + within * self.pixels.frame_arc;
+        for (sub, azimuth) in self.azimuths(frame).enumerate() {
             if let Some(seed) = self.seed() {
                 let exposure = frame * self.sub_angles + sub;
                 self.trace_scattered((column, row), (azimuth, exposure, seed), &mut visit);

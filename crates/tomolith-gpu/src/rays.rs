@@ -1,0 +1,477 @@
+//! Dose models of rays, computed on the card.
+//!
+//! **Model** [`tomolith_core::dose::rays`]: what the `rays` model of the processor gives of its light. A thread follows the segments of one pixel from voxel to
+//! voxel, with the formulas of the processor (`rays/traversal` of the crate of models). Dose and adjoint are two visitors of the same walk, so they are one matrix.
+//!
+//! **Sums** The adjoint sums along the rays of its pixel, in their order. In the dose many rays meet in a voxel at once, and sums of f32 would depend on
+//! their order. So deposits are whole multiples of a unit, added to 64 bits a voxel by two atomic sums of 32 (the upper one only where the lower carries):
+//! the same bits in every run. The unit is a power of two, 2⁻³⁰ of the largest deposit that any pixel could leave, to twice that. A deposit is rounded by
+//! half a unit and 2³³ of them fit, so nothing overflows, and a dose of n deposits is wrong by some √n·2⁻³¹ of the largest.
+//!
+//! **Cost** two sums and some sixty operations for a voxel that a segment passes; segments (40 bytes each) are read once a dose, from the caches
+//! where all frames share them. Memory in addition to fields: segments, and 8 bytes a voxel during a dose.
+
+use crate::device::{Buffer, Gpu, THREADS};
+use crate::field::GpuField;
+use crate::mask::{IS_LIT, Mask};
+use crate::passes::{ENTRY, Operand, Pass};
+use crate::strips::{must_be_bound, pieces_of_frames};
+use std::ops::Range;
+use std::sync::Arc;
+use tomolith_core::dose::rays::{LightRays, RayForm, RayGeometry, RaySegment};
+use tomolith_core::dose::{Facts, LinearOperator, PatternLayout, Run, Space, own_frames};
+use tomolith_core::error::{Error, Result};
+use tomolith_core::field::Field;
+
+/// Voxels that the rays of a submission pass, about: below 100 ms on a small card.
+const MOST_PASSED: u64 = 1 << 27;
+
+/// The geometry of a model on the card.
+struct Geometry {
+    of: Arc<RayGeometry>,
+    lights: Vec<DeviceLight>,
+    bytes: u64,
+    /// The largest deposit in a voxel, for a pixel of value 1.
+    most: f32,
+}
+
+/// The rays of one light.
+struct DeviceLight {
+    /// Offset, lowest row, rows and frame of each column of pixels.
+    runs: Buffer,
+    turns: Buffer,
+    /// Turns of a frame.
+    exposures: usize,
+    is_shared: bool,
+    /// Rows of pixels in a column, at most.
+    rows: usize,
+    /// Slots of a submission.
+    together: usize,
+    chunks: Vec<Chunk>,
+}
+
+/// The segments of some columns: of every frame where all frames share them, else counted through all frames.
+struct Chunk {
+    columns: Range<usize>,
+    /// The first pixel with segments here, and the first segment of each.
+    first_pixel: usize,
+    starts: Buffer,
+    segments: Buffer,
+}
+
+/// A dose model whose fields are on a graphics card.
+pub(crate) struct GpuRays {
+    gpu: Gpu,
+    geometry: Arc<Geometry>,
+    mask: Mask,
+}
+
+impl Geometry {
+    fn new(gpu: &Gpu, of: &Arc<RayGeometry>, run: &Run) -> Result<Self> {
+        let segments = || of.lights.iter().flat_map(|light| &light.segments);
+        let bytes = (segments().count() * size_of::<RaySegment>()) as u64;
+        must_be_stored(gpu, bytes)?;
+        let mut lights = Vec::new();
+        for (light, layout) in of.lights.iter().zip(&of.patterns) {
+            run.check()?;
+            let frame = 4 * (layout.grid.rows * layout.grid.columns) as u64;
+            must_be_bound(gpu, frame, "fewer rows or columns")?;
+            lights.push(DeviceLight::new(gpu, light, layout, of.updates)?);
+        }
+        let energy = segments().fold(0.0f32, |most, own| most.max(own.energy));
+        gpu.check()?;
+        Ok(Geometry {
+            of: of.clone(),
+            lights,
+            bytes,
+            // A cell of the major axis is passed on at most the diagonal of a voxel
+            most: energy * 3f32.sqrt(),
+        })
+    }
+}
+
+/// Segments are stored between calls.
+fn must_be_stored(gpu: &Gpu, bytes: u64) -> Result<()> {
+    let most = gpu.stored_bytes();
+    if bytes <= most {
+        return Ok(());
+    }
+    Err(Error::Resources {
+        what: format!("memory for rays on {}", gpu.adapter().name),
+        needed_mb: bytes.div_ceil(1_000_000),
+        available_mb: Some(most / 1_000_000),
+        advice:
+            "use the processor (--device cpu), or fewer angles, pixels or model.rays.rays_per_pixel"
+                .to_owned(),
+    })
+}
+
+impl DeviceLight {
+    fn new(gpu: &Gpu, light: &LightRays, layout: &PatternLayout, updates: u64) -> Result<Self> {
+        let columns = layout.grid.columns;
+        let runs: Vec<[u32; 4]> = (layout.runs.iter().enumerate())
+            .map(|(i, run)| {
+                [
+                    run.offset as u32,
+                    run.bottom,
+                    run.count,
+                    (i / columns.max(1)) as u32,
+                ]
+            })
+            .collect();
+        let still = vec![[1.0, 0.0]];
+        let turns = light.turns.as_ref().unwrap_or(&still);
+        let slots = runs.len().max(1);
+        Ok(DeviceLight {
+            runs: gpu.upload(bytemuck::cast_slice(&runs)),
+            turns: gpu.upload(bytemuck::cast_slice(turns)),
+            exposures: (turns.len() / layout.grid.frames().max(1)).max(1),
+            is_shared: light.turns.is_some(),
+            rows: runs.iter().map(|run| run[2] as usize).max().unwrap_or(0),
+            together: (MOST_PASSED / (updates / slots as u64 + 1)).max(1) as usize,
+            chunks: chunks(gpu, light, layout)?,
+        })
+    }
+
+    /// The slots of a chunk that belong to some frames.
+    fn slots(&self, chunk: &Chunk, frames: &Range<usize>, columns: usize) -> Range<usize> {
+        let own = &chunk.columns;
+        if self.is_shared {
+            return frames.start * own.len()..frames.end * own.len();
+        }
+        let of_frames = frames.start * columns..frames.end * columns;
+        own.start.max(of_frames.start)..own.end.min(of_frames.end)
+    }
+}
+
+/// Columns of pixels in chunks whose segments fit a binding.
+fn chunks(gpu: &Gpu, light: &LightRays, layout: &PatternLayout) -> Result<Vec<Chunk>> {
+    let (rows, all) = match light.turns {
+        Some(_) => (Some(layout.grid.rows), layout.grid.columns),
+        None => (None, layout.runs.len()),
+    };
+    let pixels = |columns: Range<usize>| match rows {
+        Some(rows) => columns.start * rows..columns.end * rows,
+        None => {
+            let elements = layout.elements_of_columns(columns);
+            elements.start - layout.offset..elements.end - layout.offset
+        }
+    };
+    let segments = |columns: Range<usize>| {
+        let own = pixels(columns);
+        light.starts[own.start] as usize..light.starts[own.end] as usize
+    };
+    let bytes = |columns: Range<usize>| {
+        let starts = 4 * (pixels(columns.clone()).len() + 1);
+        starts.max(segments(columns).len() * size_of::<RaySegment>()) as u64
+    };
+    let (mut chunks, mut begin) = (Vec::new(), 0);
+    while begin < all {
+        must_be_bound(gpu, bytes(begin..begin + 1), "fewer rays per pixel")?;
+        // The most columns that fit
+        let fitting =
+            (begin + 1..all).take_while(|&end| bytes(begin..end + 1) <= gpu.binding_bytes());
+        let columns = begin..begin + 1 + fitting.count();
+        let (own, pixels) = (segments(columns.clone()), pixels(columns.clone()));
+        let starts: Vec<u32> = (light.starts[pixels.start..=pixels.end].iter())
+            .map(|start| start - own.start as u32)
+            .collect();
+        begin = columns.end;
+        chunks.push(Chunk {
+            columns,
+            first_pixel: pixels.start,
+            starts: gpu.upload(bytemuck::cast_slice(&starts)),
+            segments: gpu.upload(bytemuck::cast_slice(&light.segments[own])),
+        });
+    }
+    Ok(chunks)
+}
+
+/// Fields that rays go between: pieces of patterns and of voxels.
+struct Walk<'a> {
+    name: &'static str,
+    source: &'a dyn Fn() -> String,
+    patterns: &'a GpuField,
+    /// One or two buffers of each piece of a dose.
+    voxels: Vec<(Range<usize>, Vec<&'a Buffer>)>,
+    /// Of the values of pixels.
+    scale: f32,
+}
+
+impl GpuRays {
+    /// The model of a form on a card.
+    ///
+    /// # Errors
+    /// [`Error::Device`], [`Error::Canceled`]; [`Error::Resources`] where rays do not fit the card, or those of a column or a frame a binding.
+    pub(crate) fn new(gpu: &Gpu, form: &RayForm, run: &Run) -> Result<Self> {
+        let geometry = gpu.shared(
+            |own: &Geometry| Arc::ptr_eq(&own.of, &form.geometry),
+            || Geometry::new(gpu, &form.geometry, run),
+        )?;
+        Ok(GpuRays {
+            gpu: gpu.clone(),
+            geometry,
+            mask: Mask::new(gpu, form),
+        })
+    }
+
+    /// Follows the rays of some frames, counted through all lights.
+    fn follow(&self, frames: &Range<usize>, walk: &Walk<'_>, run: &Run) -> Result<()> {
+        for (light, own) in own_frames(&self.geometry.of.patterns, frames) {
+            let columns = self.geometry.of.patterns[light].grid.columns;
+            let of_light = &self.geometry.lights[light];
+            for chunk in &of_light.chunks {
+                let slots = of_light.slots(chunk, &own, columns);
+                for first in slots.clone().step_by(of_light.together) {
+                    run.check()?;
+                    self.gpu.check()?;
+                    let together = first..slots.end.min(first + of_light.together);
+                    self.follow_slots((light, chunk), &together, walk);
+                    self.gpu.submit();
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Follows the rays of some slots between all pieces.
+    fn follow_slots(&self, (light, chunk): (usize, &Chunk), slots: &Range<usize>, walk: &Walk<'_>) {
+        let own = &self.geometry.lights[light];
+        let RayGeometry {
+            patterns,
+            output,
+            corner,
+            ..
+        } = &*self.geometry.of;
+        let layout = &patterns[light];
+        let (columns, first_column, image_rows) = match own.is_shared {
+            true => (chunk.columns.len(), chunk.columns.start, layout.grid.rows),
+            false => (layout.grid.columns, 0, 0),
+        };
+        let frames = slots.start / columns..slots.end.div_ceil(columns);
+        let elements = layout.elements_of(frames);
+        let [nz, ny, nx] = output.grid.shape;
+        let places = walk.patterns.ranges().zip(walk.patterns.pieces());
+        for (range, piece) in places {
+            if range.start >= elements.end || elements.start >= range.end {
+                continue;
+            }
+            for (k, (voxels, buffers)) in walk.voxels.iter().enumerate() {
+                let numbers = [
+                    slots.len(),
+                    own.rows,
+                    slots.start,
+                    columns,
+                    first_column,
+                    layout.grid.columns,
+                    image_rows,
+                    layout.offset + chunk.first_pixel,
+                    own.exposures,
+                    usize::from(own.is_shared) * own.exposures,
+                    range.start,
+                    range.end,
+                    voxels.start,
+                    voxels.end,
+                    nx,
+                    ny,
+                    nz,
+                    output.row,
+                    usize::from(self.mask.has_dark),
+                    usize::from(k > 0),
+                ];
+                let numbers = numbers.map(|n| n as u32).into_iter();
+                let scales = [corner[0], corner[1], walk.scale * self.mask.factor];
+                let parameters: Vec<u32> = numbers.chain(scales.map(f32::to_bits)).collect();
+                let mut all = vec![
+                    &chunk.segments,
+                    &chunk.starts,
+                    &own.turns,
+                    &own.runs,
+                    &*self.mask.lit,
+                    piece,
+                ];
+                all.extend(buffers);
+                let groups = ((slots.len() * own.rows) as u64).div_ceil(u64::from(THREADS));
+                self.gpu
+                    .run(walk.name, walk.source, &parameters, &all, groups);
+            }
+        }
+    }
+}
+
+/// The unit of deposits none of which is larger than `most`; NaN where that is no number.
+fn unit_of(most: f32) -> f32 {
+    // Far above the smallest number: its inverse is one, too
+    let exponent = most.log2().ceil().max(-90.0);
+    if most.is_finite() {
+        (exponent - 30.0).exp2()
+    } else {
+        f32::NAN
+    }
+}
+
+impl LinearOperator for GpuRays {
+    type Field = GpuField;
+
+    fn facts(&self) -> Facts<'_> {
+        Facts {
+            patterns: &self.geometry.of.patterns,
+            outputs: std::slice::from_ref(&self.geometry.of.output),
+            z_coupling: self.geometry.of.z_coupling,
+            is_linear: true,
+        }
+    }
+
+    fn new_field(&self, space: Space) -> Result<GpuField> {
+        let geometry = &self.geometry.of;
+        let field = match space {
+            Space::Dose => GpuField::for_dose(&self.gpu, &geometry.output),
+            Space::Patterns => {
+                let lengths = pieces_of_frames(&self.gpu, &geometry.patterns);
+                GpuField::of_lengths(&self.gpu, lengths)
+            }
+        };
+        self.gpu.check().map(|()| field)
+    }
+
+    fn add_forward(
+        &self,
+        frames: Range<usize>,
+        x: &GpuField,
+        dose: &mut GpuField,
+        run: &Run,
+    ) -> Result<()> {
+        let most = x.max_abs() * self.mask.factor * self.geometry.most;
+        if most == 0.0 {
+            return self.gpu.check();
+        }
+        let unit = unit_of(most);
+        let zeros = || GpuField::of_lengths(&self.gpu, dose.lengths().to_vec());
+        let (low, high) = (zeros(), zeros());
+        let words = low.pieces().iter().zip(high.pieces());
+        let walk = Walk {
+            name: "dose of rays",
+            source: &dose_source,
+            patterns: x,
+            voxels: dose
+                .ranges()
+                .zip(words)
+                .map(|(range, (low, high))| (range, vec![low, high]))
+                .collect(),
+            scale: 1.0 / unit,
+        };
+        self.follow(&frames, &walk, run)?;
+        let pass = Pass {
+            name: "sums of rays",
+            functions: "",
+            body: SUMS,
+            numbers: [[unit, 0.0, 0.0, 0.0], [0.0; 4], [0.0; 4]],
+        };
+        let operands = [
+            Operand::written("y", dose.pieces()),
+            Operand::read("low_words", low.pieces()).words(),
+            Operand::read("high_words", high.pieces()).words(),
+        ];
+        pass.each(&self.gpu, &operands, dose.lengths());
+        self.gpu.submit();
+        self.gpu.check()
+    }
+
+    fn adjoint_of(
+        &self,
+        frames: Range<usize>,
+        cotangent: &GpuField,
+        grad: &mut GpuField,
+        run: &Run,
+    ) -> Result<()> {
+        let pieces = cotangent.ranges().zip(cotangent.pieces());
+        let walk = Walk {
+            name: "adjoint of rays",
+            source: &adjoint_source,
+            patterns: grad,
+            voxels: pieces.map(|(range, piece)| (range, vec![piece])).collect(),
+            scale: 1.0,
+        };
+        self.follow(&frames, &walk, run)?;
+        self.gpu.check()
+    }
+
+    fn updates(&self) -> u64 {
+        self.geometry.of.updates
+    }
+
+    fn describe(&self) -> String {
+        let place = self.gpu.with(self.geometry.bytes, "rays");
+        format!("{} ({place})", self.geometry.of.summary)
+    }
+}
+
+/// A sum in units → what is added to a dose.
+const SUMS: &str = "
+    var low = low_words[i];
+    var high = high_words[i];
+    let is_negative = high >= 0x80000000u;
+    if (is_negative) {
+        low = ~low + 1u;
+        high = ~high + u32(low == 0u);
+    }
+    let size = p.a.x * (f32(high) * 4294967296.0 + f32(low));
+    y[i] += select(size, -size, is_negative);
+";
+
+fn dose_source() -> String {
+    format!(
+        "{}{IS_LIT}
+@group(0) @binding(6) var<storage, read> x: array<f32>;
+@group(0) @binding(7) var<storage, read_write> low_words: array<atomic<u32>>;
+@group(0) @binding(8) var<storage, read_write> high_words: array<atomic<u32>>;
+var<private> value: f32;
+fn visit(voxel: u32, deposit: f32) {{
+    if (voxel < p.low || voxel >= p.high) {{ return; }}
+    let units = i32(round(value * deposit));
+    if (units == 0) {{ return; }}
+    let word = bitcast<u32>(units);
+    let before = atomicAdd(&low_words[voxel - p.low], word);
+    let carry = u32(before > 0xffffffffu - word) - u32(units < 0);
+    if (carry != 0u) {{ atomicAdd(&high_words[voxel - p.low], carry); }}
+}}
+{ENTRY}
+    let own = pixel(group * 256u + thread);
+    if (own.x == 0xffffffffu) {{ return; }}
+    if (!is_lit(own.x)) {{ return; }}
+    value = p.scale * x[own.x - p.begin];
+    if (value == 0.0) {{ return; }}
+    for (var turn = 0u; turn < p.turns; turn++) {{
+        let azimuth = turns[own.w * p.turn_step + turn];
+        for (var i = own.y; i < own.z; i++) {{ follow(i, azimuth); }}
+    }}
+}}",
+        include_str!("shaders/rays.wgsl")
+    )
+}
+
+fn adjoint_source() -> String {
+    format!(
+        "{}{IS_LIT}
+@group(0) @binding(6) var<storage, read_write> gradient: array<f32>;
+@group(0) @binding(7) var<storage, read> c: array<f32>;
+var<private> sum: f32;
+fn visit(voxel: u32, deposit: f32) {{
+    if (voxel >= p.low && voxel < p.high) {{ sum += deposit * c[voxel - p.low]; }}
+}}
+{ENTRY}
+    let own = pixel(group * 256u + thread);
+    if (own.x == 0xffffffffu) {{ return; }}
+    sum = 0.0;
+    if (is_lit(own.x)) {{
+        for (var turn = 0u; turn < p.turns; turn++) {{
+            let azimuth = turns[own.w * p.turn_step + turn];
+            for (var i = own.y; i < own.z; i++) {{ follow(i, azimuth); }}
+        }}
+    }}
+    let before = select(0.0, gradient[own.x - p.begin], p.adds == 1u);
+    gradient[own.x - p.begin] = before + p.scale * sum;
+}}",
+        include_str!("shaders/rays.wgsl")
+    )
+}

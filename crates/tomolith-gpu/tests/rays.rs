@@ -1,0 +1,341 @@
+//! Doses and adjoints of rays on a card beside those of the processor.
+
+mod common;
+#[path = "common/models.rs"]
+mod models;
+
+use common::{SMALL, gpu, smaller};
+use models::{assert_near, assert_portable, noise_of};
+use std::sync::Arc;
+use tomolith_core::Error;
+use tomolith_core::check;
+use tomolith_core::dose::form::Form;
+use tomolith_core::dose::{Accelerator, DoseModel, Run, frames_of};
+use tomolith_core::field::{Field, HostField};
+use tomolith_core::grid::{PatternGrid, VolumeGrid};
+use tomolith_gpu::model_on;
+use tomolith_models::rays::accumulation::Accumulation;
+use tomolith_models::rays::{Optics, Params, Rays};
+use tomolith_models::{ModelFamily, ModelInput, OpticalScene, Purpose};
+use tomolith_optics::light::Light;
+use tomolith_optics::motion::Motion;
+use tomolith_optics::projector::diverging::Diverging;
+use tomolith_optics::projector::telecentric::Telecentric;
+use tomolith_optics::resin::Resin;
+use tomolith_optics::vial::Vial;
+use tomolith_optics::vial::cylinder::Cylinder;
+use tomolith_optics::vial::index_matched::IndexMatched;
+use tomolith_optics::vial::square::Square;
+
+/// A model of a vial, its lights and voxels.
+struct Case {
+    name: &'static str,
+    params: Params,
+    vial: Box<dyn Vial>,
+    lights: Vec<Light>,
+    optics: Vec<Optics>,
+    grid: VolumeGrid,
+}
+
+fn glass() -> Box<dyn Vial> {
+    Box::new(Cylinder {
+        inner_radius_mm: 1.5,
+        outer_radius_mm: 1.7,
+        refractive_index: 1.54,
+    })
+}
+
+/// A full turn of frames whose pixels are not all active.
+fn light(frames: usize, absorption_per_mm: f64) -> Light {
+    let (rows, columns) = (21, 31);
+    let pixels = PatternGrid::full_turn(frames, 0.1, rows, columns, 0.1);
+    let mut light = Light::new(pixels, Resin::absorbing(1.48, absorption_per_mm));
+    let run = |i: usize| ((i % 3) as u32, (rows - 3 - i % 4) as u32);
+    light.active = Some((0..frames * columns).map(run).collect());
+    light
+}
+
+fn cone() -> Optics {
+    Optics {
+        projector: Arc::new(Telecentric {
+            pixel_pitch_mm: [0.1; 2],
+            aperture_radius_mm: 2.0,
+            working_distance_mm: 20.0,
+            focus_mm: 0.1,
+        }),
+        ..Optics::collimated(0.1)
+    }
+}
+
+fn tilted(optics: Optics, tilt_rad: f64) -> Optics {
+    let motion = Motion {
+        tilt_rad,
+        ..optics.motion
+    };
+    Optics { motion, ..optics }
+}
+
+fn cases() -> Vec<Case> {
+    let case = |name, vial, light, optics| Case {
+        name,
+        params: Params::default(),
+        vial,
+        lights: vec![light],
+        optics: vec![optics],
+        grid: VolumeGrid::centered([18, 25, 26], 0.09),
+    };
+    let square = || -> Box<dyn Vial> {
+        Box::new(Square {
+            inner_width_mm: 2.6,
+            outer_width_mm: 3.0,
+            refractive_index: 1.5,
+        })
+    };
+    let off_axis = Optics {
+        motion: Motion {
+            offset_mm: [0.1, -0.05],
+            axis_runout_mm: 0.03,
+            axis_runout_rad: 0.4,
+            ..Motion::default()
+        },
+        ..Optics::collimated(0.1)
+    };
+    let diverging = Optics {
+        projector: Arc::new(Diverging::new([0.1; 2], 12.0)),
+        ..Optics::collimated(0.1)
+    };
+    let clear = Light {
+        resin: Resin::pure_radon(1.48),
+        ..light(4, 0.3)
+    };
+    let turning = Light {
+        sub_angles: 3,
+        ..light(5, 0.3)
+    };
+    let mut aside = VolumeGrid::centered([18, 25, 26], 0.09);
+    aside.center_mm = [0.2, -0.1, 0.15];
+    vec![
+        case("a cone in glass", glass(), light(7, 0.3), cone()),
+        case(
+            "tilted light",
+            glass(),
+            light(5, 0.2),
+            tilted(Optics::collimated(0.1), 0.12),
+        ),
+        case(
+            "a square vial",
+            square(),
+            light(5, 0.3),
+            Optics::collimated(0.1),
+        ),
+        case("level light off the axis", glass(), light(5, 0.3), off_axis),
+        Case {
+            grid: aside,
+            ..case(
+                "turning frames, voxels aside",
+                glass(),
+                turning,
+                tilted(diverging.clone(), 0.12),
+            )
+        },
+        Case {
+            params: Params {
+                reflections: true,
+                ..Params::default()
+            },
+            ..case(
+                "reflections in a square vial",
+                square(),
+                light(3, 0.3),
+                cone(),
+            )
+        },
+        Case {
+            lights: vec![light(4, 0.3), clear],
+            optics: vec![diverging, tilted(cone(), 0.05)],
+            ..case(
+                "two lights",
+                Box::new(IndexMatched { radius_mm: 1.7 }),
+                light(1, 0.3),
+                cone(),
+            )
+        },
+        // More than half of the light is left in a voxel
+        case("dense resin", square(), light(4, 9.0), cone()),
+        Case {
+            grid: VolumeGrid::centered([1, 25, 26], 0.09),
+            ..case("a single slice", glass(), light(5, 0.3), cone())
+        },
+    ]
+}
+
+impl Case {
+    fn with<T>(&self, with: impl FnOnce(&ModelInput<'_>) -> T) -> T {
+        let (lights, optics) = (&self.lights, &self.optics);
+        let scene = OpticalScene::new(&*self.vial, lights, optics, Purpose::Probe);
+        let run = Run::new();
+        with(&ModelInput::new(scene, &self.grid, &run).unwrap())
+    }
+
+    /// Every ray by itself: those of columns share the shares of slices, which are right to 1e-5.
+    fn host(&self) -> Rays {
+        let lights = self.lights.clone();
+        let grid = self.grid.clone();
+        let rays = Rays::new(&*self.vial, lights, &self.optics, &self.params, grid);
+        rays.unwrap().plain()
+    }
+
+    fn form(&self) -> Form {
+        self.with(|input| self.params.form(input).unwrap().unwrap())
+    }
+}
+
+/// In the mean within 1e-5. A face along which a ray hardly slants is crossed δ/slope early or late, where coordinates are wrong by δ: on the processor
+/// 1e-6 of a voxel in these grids, too; so single values may differ by more.
+fn assert_alike(found: &[f32], expected: &[f32], what: &str) {
+    assert_near(found, expected, 5e-5, what);
+    let difference = check::difference(found, expected);
+    assert!(difference < 1e-5, "{what}: {difference}");
+}
+
+#[test]
+fn doses_and_adjoints_are_those_of_the_processor() {
+    // Small bindings, and those that every card has
+    for most in [SMALL, 128 << 20] {
+        let Some(gpu) = gpu(most) else { return };
+        for case in cases() {
+            let host: &dyn DoseModel<Field = HostField> = &case.host();
+            let card = gpu.model(&case.form(), &Run::new()).unwrap().unwrap();
+            let card = &*card;
+            assert_eq!(card.patterns(), host.patterns());
+            let updates = card.updates() as f64 / host.updates() as f64;
+            assert!((updates - 1.0).abs() < 1e-3, "{}: {updates}", case.name);
+            // Of either sign, as a search has them
+            for x in [
+                check::noisy_patterns(host, 1),
+                check::even_patterns(host, 1.0),
+            ] {
+                let [expected, found] = [host, card].map(|model| check::dose(model, &x));
+                assert_alike(found.as_slice(), expected.as_slice(), case.name);
+                let [expected, found] = [host, card].map(|model| {
+                    let mut dose = model.new_dose().unwrap();
+                    dose.fill(0.25);
+                    model.dose_of(1..3, &x, &mut dose, &Run::new()).unwrap();
+                    dose
+                });
+                assert_alike(found.as_slice(), expected.as_slice(), case.name);
+            }
+            let cotangent = HostField::from_slice(&noise_of(&host.outputs()[0], 2));
+            let [expected, found] = [host, card].map(|model| check::adjoint(model, &cotangent));
+            assert_alike(found.as_slice(), expected.as_slice(), case.name);
+        }
+    }
+}
+
+#[test]
+fn dose_and_adjoint_on_the_card_are_one_matrix() {
+    let Some(gpu) = gpu(SMALL) else { return };
+    for case in cases() {
+        let pixels: usize = case.lights.iter().map(|light| light.layout(0).len()).sum();
+        let dark: Vec<bool> = (0..pixels).map(|i| i % 11 == 3).collect();
+        let form = case.form().masked(&dark, 0.7);
+        let model = &*model_on(&gpu, &form, &Run::new()).unwrap();
+        let x = check::noisy_patterns(model, 3);
+        let mut c = model.new_dose().unwrap();
+        c.copy_from_host(&noise_of(&model.outputs()[0], 4));
+        let (dose, grad) = (check::dose(model, &x), check::adjoint(model, &c));
+        let (left, right) = (dose.dot(&c), grad.dot(&x));
+        let size = dose.norm() * c.norm();
+        assert!(
+            (left - right).abs() < 1e-6 * size,
+            "{}: {left} {right} of {size}",
+            case.name
+        );
+        let marks = dark.iter().zip(grad.to_host());
+        assert!(marks.into_iter().all(|(&dark, grad)| !dark || grad == 0.0));
+        // The same bits again
+        assert_eq!(check::dose(model, &x).to_host(), dose.to_host());
+        assert_eq!(check::adjoint(model, &c).to_host(), grad.to_host());
+        // Frames one by one
+        let (mut sum, mut alone) = (model.new_dose().unwrap(), grad.zeros_like());
+        for frame in 0..frames_of(model.patterns()) {
+            let own = frame..frame + 1;
+            model
+                .dose_of(own.clone(), &x, &mut sum, &Run::new())
+                .unwrap();
+            model
+                .pullback_of(own, &x, &c, &mut alone, &Run::new())
+                .unwrap();
+        }
+        assert_near(&sum.to_host(), &dose.to_host(), 1e-6, case.name);
+        assert_eq!(alone.to_host(), grad.to_host());
+    }
+}
+
+/// What the largest pixel is does not matter to the dose of others: a deposit is rounded to 2⁻³⁰ of the largest.
+#[test]
+fn a_faint_pixel_beside_a_bright_one_has_its_dose() {
+    let Some(gpu) = gpu(128 << 20) else { return };
+    let case = &cases()[0];
+    let model = &*model_on(&gpu, &case.form(), &Run::new()).unwrap();
+    let mut values = vec![0.0; model.new_patterns().unwrap().len()];
+    let dose = |values: &[f32]| {
+        let mut x = model.new_patterns().unwrap();
+        x.copy_from_host(values);
+        check::dose(model, &x).to_host()
+    };
+    values[250] = 1.0;
+    let bright = dose(&values);
+    values[1270] = 1e-3;
+    let both = dose(&values);
+    values[250] = 0.0;
+    let faint = dose(&values);
+    let left: Vec<f32> = both.iter().zip(&bright).map(|(a, b)| a - b).collect();
+    // f32 next to a dose of the bright one
+    assert_near(&left, &faint, 3e-4, "faint");
+}
+
+#[test]
+fn what_is_no_number_leaves_no_number() {
+    let Some(gpu) = gpu(128 << 20) else { return };
+    let model = &*model_on(&gpu, &cases()[0].form(), &Run::new()).unwrap();
+    for bad in [f32::NAN, f32::INFINITY] {
+        let mut values = vec![1.0; model.new_patterns().unwrap().len()];
+        values[77] = bad;
+        let mut x = model.new_patterns().unwrap();
+        x.copy_from_host(&values);
+        let dose = check::dose(model, &x).to_host();
+        assert!(dose.iter().any(|v| !v.is_finite()));
+    }
+}
+
+/// Every kernel of rays, in the languages of Metal and DX12.
+#[test]
+fn kernels_are_those_of_other_interfaces_too() {
+    let Some(gpu) = gpu(SMALL) else { return };
+    let model = &*model_on(&gpu, &cases()[0].form(), &Run::new()).unwrap();
+    check::adjoint(model, &check::dose(model, &check::noisy_patterns(model, 1)));
+    let sources = gpu.sources().into_iter().collect();
+    assert_portable(&sources);
+    for name in ["dose of rays", "sums of rays", "adjoint of rays"] {
+        assert!(sources.contains_key(name), "{name}");
+    }
+}
+
+#[test]
+fn what_does_not_fit_is_refused_and_what_is_random_has_no_form() {
+    let case = &cases()[0];
+    let Some(small) = smaller(SMALL, 1 << 16) else {
+        return;
+    };
+    let refused = small.model(&case.form(), &Run::new()).err();
+    assert!(
+        matches!(refused, Some(Error::Resources { .. })),
+        "{refused:?}"
+    );
+    let random = Params {
+        accumulation: Accumulation::Simple,
+        ..Params::default()
+    };
+    assert!(case.with(|input| random.form(input).unwrap()).is_none());
+}

@@ -1,0 +1,140 @@
+//! The model as data that a backend computes elsewhere: see [`tomolith_core::dose::rays`].
+
+use super::{Accumulation, Rays, matrix_cache};
+use crate::{LinearOperator, Run};
+use std::ops::Range;
+use tomolith_core::dose::form::{Form, Masked};
+use tomolith_core::dose::rays::{LightRays, RayGeometry, RaySegment};
+use tomolith_core::error::Result;
+use tomolith_core::parallel::InParallel;
+
+/// Largest number of segments: 2.1 GB.
+const MOST: usize = matrix_cache::MOST * matrix_cache::BYTES / size_of::<RaySegment>();
+
+/// Frames of a light, at most, of which the passed voxels are counted.
+const COUNTED: usize = 16;
+
+/// The rays of some columns of pixels: how many segments each pixel has, the segments, and the voxels that they pass.
+#[derive(Default)]
+struct Followed {
+    counts: Vec<u32>,
+    segments: Vec<RaySegment>,
+    passed: f64,
+}
+
+impl Rays {
+    /// The form of a model of whole voxels; None of random accumulation, and where there are more segments than [`MOST`].
+    pub(super) fn to_form(&self, run: &Run) -> Result<Option<Form>> {
+        if self.accumulation != Accumulation::Integral {
+            return Ok(None);
+        }
+        let (mut lights, mut segments, mut updates) = (Vec::new(), 0, 0.0);
+        for light in 0..self.sources.len() {
+            let of_light = match self.shared_rays(light) {
+                Some(shared) => Some((shared, self.counted(light, run)?)),
+                None => self.all_rays(light, MOST - segments, run)?,
+            };
+            let Some((own, passed)) = of_light else {
+                return Ok(None);
+            };
+            segments += own.segments.len();
+            if segments > MOST {
+                return Ok(None);
+            }
+            updates += passed;
+            lights.push(own);
+        }
+        Ok(Some(Form::Rays(Masked::new(RayGeometry {
+            patterns: self.patterns.clone(),
+            output: self.output.clone(),
+            corner: self.lattice.corner(),
+            lights,
+            z_coupling: self.facts().z_coupling,
+            updates: updates as u64,
+            summary: self.describe(),
+        }))))
+    }
+
+    /// Area that one ray of a pixel stands for, mm².
+    fn area(&self, light: usize) -> f64 {
+        self.patterns[light].grid.pixel_mm2() / self.sources[light].rays() as f64
+    }
+
+    /// The rays of a light whose frames all have the same.
+    fn shared_rays(&self, light: usize) -> Option<LightRays> {
+        let (paths, starts) = self.sources[light].shared()?;
+        let area = self.area(light);
+        let frames = 0..self.patterns[light].grid.frames();
+        let azimuths = frames.flat_map(|frame| self.sources[light].azimuths(frame));
+        let turn = |azimuth: f64| [azimuth.cos() as f32, azimuth.sin() as f32];
+        Some(LightRays {
+            segments: paths
+                .iter()
+                .map(|path| self.lattice.ray(path, area))
+                .collect(),
+            starts: starts.to_vec(),
+            turns: Some(azimuths.map(turn).collect()),
+        })
+    }
+
+    /// About how many voxels the rays of all frames of a light pass.
+    fn counted(&self, light: usize, run: &Run) -> Result<f64> {
+        let layout = &self.patterns[light];
+        let (frames, columns) = (layout.grid.frames(), layout.grid.columns);
+        let (mut passed, mut pixels) = (0.0, 0);
+        for frame in (0..frames).step_by(frames.div_ceil(COUNTED).max(1)) {
+            run.check()?;
+            let pairs = frame * columns..(frame + 1) * columns;
+            let followed: Vec<f64> = pairs.par_map(|pair| self.follow(light, pair).passed);
+            passed += followed.into_iter().sum::<f64>();
+            pixels += layout.elements_of(frame..frame + 1).len();
+        }
+        Ok(passed * layout.len() as f64 / pixels.max(1) as f64)
+    }
+
+    /// The rays of a light whose frames have different ones, and the voxels that they pass; None of more than `most` segments.
+    fn all_rays(&self, light: usize, most: usize, run: &Run) -> Result<Option<(LightRays, f64)>> {
+        let (mut segments, mut starts, mut passed) = (Vec::new(), vec![0], 0.0);
+        for pairs in self.chunks(light, 0..self.patterns[light].grid.frames()) {
+            run.check()?;
+            let followed: Vec<Followed> = pairs.par_map(|pair| self.follow(light, pair));
+            for own in followed {
+                for count in own.counts {
+                    starts.push(starts[starts.len() - 1] + count);
+                }
+                segments.extend(own.segments);
+                passed += own.passed;
+            }
+            if segments.len() > most {
+                return Ok(None);
+            }
+        }
+        let own = LightRays {
+            segments,
+            starts,
+            turns: None,
+        };
+        Ok(Some((own, passed)))
+    }
+
+    /// The rays of one column of pixels, counted through all frames, that meet the grid.
+    fn follow(&self, light: usize, pair: usize) -> Followed {
+        let layout = &self.patterns[light];
+        let (columns, area) = (layout.grid.columns, self.area(light));
+        let run = layout.runs[pair];
+        let rows: Range<u32> = run.bottom..run.bottom + run.count;
+        let mut found = Followed::default();
+        for row in rows {
+            let before = found.segments.len();
+            let (frame, column) = (pair / columns, pair % columns);
+            self.sources[light].for_each_path_segment(frame, column, row as usize, |path| {
+                if let Some((_, segment)) = self.lattice.segment(&path, area, 0) {
+                    found.passed += segment.passed();
+                    found.segments.push(self.lattice.ray(&path, area));
+                }
+            });
+            found.counts.push((found.segments.len() - before) as u32);
+        }
+        found
+    }
+}
