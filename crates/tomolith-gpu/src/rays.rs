@@ -251,12 +251,16 @@ impl GpuRays {
         let frames = slots.start / columns..slots.end.div_ceil(columns);
         let elements = layout.elements_of(frames);
         let [nz, ny, nx] = output.grid.shape;
+        let plane = (nx * output.row).max(1);
         let places = walk.patterns.ranges().zip(walk.patterns.pieces());
         for (range, piece) in places {
             if range.start >= elements.end || elements.start >= range.end {
                 continue;
             }
             for (k, (voxels, buffers)) in walk.voxels.iter().enumerate() {
+                // The grid between the lowest and the highest y of the piece
+                let lines = voxels.start / plane..voxels.end.div_ceil(plane).min(ny);
+                let first = lines.start * plane;
                 let numbers = [
                     slots.len(),
                     own.rows,
@@ -270,17 +274,18 @@ impl GpuRays {
                     usize::from(own.is_shared) * own.exposures,
                     range.start,
                     range.end,
-                    voxels.start,
-                    voxels.end,
+                    voxels.start - first,
+                    voxels.end - first,
                     nx,
-                    ny,
+                    lines.len(),
                     nz,
                     output.row,
                     usize::from(self.mask.has_dark),
                     usize::from(k > 0),
                 ];
                 let numbers = numbers.map(|n| n as u32).into_iter();
-                let scales = [corner[0], corner[1], walk.scale * self.mask.factor];
+                let low_y = corner[1] + lines.start as f32;
+                let scales = [corner[0], low_y, walk.scale * self.mask.factor];
                 let parameters: Vec<u32> = numbers.chain(scales.map(f32::to_bits)).collect();
                 let mut all = vec![
                     &chunk.segments,

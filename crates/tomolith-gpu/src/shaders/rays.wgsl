@@ -1,4 +1,4 @@
-// A thread follows the rays of one pixel of a slot, a column of pixels in a frame
+// A thread follows the rays of one pixel of a slot, a column of pixels in a frame, through the voxels `low` to `high` of a grid
 struct Parameters {
     slots: u32, rows: u32, first_slot: u32, columns: u32,
     first_column: u32, all_columns: u32, image_rows: u32, first_pixel: u32,
