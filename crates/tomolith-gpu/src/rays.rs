@@ -33,14 +33,19 @@ struct Geometry {
     bytes: u64,
     /// The largest deposit in a voxel, for a pixel of value 1.
     most: f32,
+    /// The element of each voxel that takes the light inside of a surface; nothing where none cuts voxels.
+    inside: Buffer,
+    /// One over the share of its voxel that each element has, where any are cut.
+    weights: Option<GpuField>,
 }
 
 /// The rays of one light.
 struct DeviceLight {
     /// Offset, lowest row, rows and frame of each column of pixels.
     runs: Buffer,
-    turns: Buffer,
-    /// Turns of a frame.
+    /// Turns of all frames, one at least.
+    turns: usize,
+    /// Those of a frame.
     exposures: usize,
     is_shared: bool,
     /// Rows of pixels in a column, at most.
@@ -53,7 +58,7 @@ struct DeviceLight {
 /// The segments of some columns: of every frame where all frames share them, else counted through all frames.
 struct Chunk {
     columns: Range<usize>,
-    /// The first pixel with segments here, and the first segment of each.
+    /// The first pixel with segments here, and behind the turns the first segment of each.
     first_pixel: usize,
     starts: Buffer,
     segments: Buffer,
@@ -78,7 +83,19 @@ impl Geometry {
             must_be_bound(gpu, frame, "fewer rows or columns")?;
             lights.push(DeviceLight::new(gpu, light, layout, of.updates)?);
         }
-        let energy = segments().fold(0.0f32, |most, own| most.max(own.energy));
+        let energy = segments().fold(0.0f32, |most, own| most.max(own.energy.abs()));
+        let (mut inside, mut weights) = (Vec::new(), None);
+        if let Some(cells) = &of.output.cells {
+            must_be_bound(gpu, 4 * of.output.voxels() as u64, "fewer voxels")?;
+            inside.extend(0..of.output.voxels() as u32);
+            for (cell, (voxel, _)) in (inside.len() as u32..).zip(cells.iter()) {
+                inside[voxel] = cell;
+            }
+            let mut field = GpuField::for_dose(gpu, &of.output);
+            let shares = cells.shares(of.output.len());
+            field.copy_from_host(&shares.iter().map(|s| s.recip()).collect::<Vec<f32>>());
+            weights = Some(field);
+        }
         gpu.check()?;
         Ok(Geometry {
             of: of.clone(),
@@ -86,6 +103,8 @@ impl Geometry {
             bytes,
             // A cell of the major axis is passed on at most the diagonal of a voxel
             most: energy * 3f32.sqrt(),
+            inside: gpu.upload(bytemuck::cast_slice(&inside)),
+            weights,
         })
     }
 }
@@ -124,12 +143,12 @@ impl DeviceLight {
         let slots = runs.len().max(1);
         Ok(DeviceLight {
             runs: gpu.upload(bytemuck::cast_slice(&runs)),
-            turns: gpu.upload(bytemuck::cast_slice(turns)),
+            turns: turns.len(),
             exposures: (turns.len() / layout.grid.frames().max(1)).max(1),
             is_shared: light.turns.is_some(),
             rows: runs.iter().map(|run| run[2] as usize).max().unwrap_or(0),
             together: (MOST_PASSED / (updates / slots as u64 + 1)).max(1) as usize,
-            chunks: chunks(gpu, light, layout)?,
+            chunks: chunks(gpu, light, turns, layout)?,
         })
     }
 
@@ -145,7 +164,12 @@ impl DeviceLight {
 }
 
 /// Columns of pixels in chunks whose segments fit a binding.
-fn chunks(gpu: &Gpu, light: &LightRays, layout: &PatternLayout) -> Result<Vec<Chunk>> {
+fn chunks(
+    gpu: &Gpu,
+    light: &LightRays,
+    turns: &[[f32; 2]],
+    layout: &PatternLayout,
+) -> Result<Vec<Chunk>> {
     let (rows, all) = match light.turns {
         Some(_) => (Some(layout.grid.rows), layout.grid.columns),
         None => (None, layout.runs.len()),
@@ -162,7 +186,7 @@ fn chunks(gpu: &Gpu, light: &LightRays, layout: &PatternLayout) -> Result<Vec<Ch
         light.starts[own.start] as usize..light.starts[own.end] as usize
     };
     let bytes = |columns: Range<usize>| {
-        let starts = 4 * (pixels(columns.clone()).len() + 1);
+        let starts = 4 * (2 * turns.len() + pixels(columns.clone()).len() + 1);
         starts.max(segments(columns).len() * size_of::<RaySegment>()) as u64
     };
     let (mut chunks, mut begin) = (Vec::new(), 0);
@@ -173,9 +197,13 @@ fn chunks(gpu: &Gpu, light: &LightRays, layout: &PatternLayout) -> Result<Vec<Ch
             (begin + 1..all).take_while(|&end| bytes(begin..end + 1) <= gpu.binding_bytes());
         let columns = begin..begin + 1 + fitting.count();
         let (own, pixels) = (segments(columns.clone()), pixels(columns.clone()));
-        let starts: Vec<u32> = (light.starts[pixels.start..=pixels.end].iter())
-            .map(|start| start - own.start as u32)
-            .collect();
+        let mut starts: Vec<u32> = turns.as_flattened().iter().map(|v| v.to_bits()).collect();
+        let from_first = |start: &u32| start - own.start as u32;
+        starts.extend(
+            light.starts[pixels.start..=pixels.end]
+                .iter()
+                .map(from_first),
+        );
         begin = columns.end;
         chunks.push(Chunk {
             columns,
@@ -258,8 +286,10 @@ impl GpuRays {
                 continue;
             }
             for (k, (voxels, buffers)) in walk.voxels.iter().enumerate() {
-                // The grid between the lowest and the highest y of the piece
-                let lines = voxels.start / plane..voxels.end.div_ceil(plane).min(ny);
+                // The grid between the lowest and the highest y of the piece, all of it for cells
+                let has_cells = voxels.end > output.voxels();
+                let low = if has_cells { 0 } else { voxels.start / plane };
+                let lines = low..voxels.end.div_ceil(plane).min(ny);
                 let first = lines.start * plane;
                 let numbers = [
                     slots.len(),
@@ -282,6 +312,8 @@ impl GpuRays {
                     output.row,
                     usize::from(self.mask.has_dark),
                     usize::from(k > 0),
+                    2 * own.turns,
+                    first,
                 ];
                 let numbers = numbers.map(|n| n as u32).into_iter();
                 let low_y = corner[1] + lines.start as f32;
@@ -290,9 +322,9 @@ impl GpuRays {
                 let mut all = vec![
                     &chunk.segments,
                     &chunk.starts,
-                    &own.turns,
                     &own.runs,
                     &*self.mask.lit,
+                    &self.geometry.inside,
                     piece,
                 ];
                 all.extend(buffers);
@@ -366,17 +398,22 @@ impl LinearOperator for GpuRays {
             scale: 1.0 / unit,
         };
         self.follow(&frames, &walk, run)?;
-        let pass = Pass {
-            name: "sums of rays",
-            functions: "",
-            body: SUMS,
-            numbers: [[unit, 0.0, 0.0, 0.0], [0.0; 4], [0.0; 4]],
-        };
-        let operands = [
+        let mut operands = vec![
             Operand::written("y", dose.pieces()),
             Operand::read("low_words", low.pieces()).words(),
             Operand::read("high_words", high.pieces()).words(),
         ];
+        let mut pass = Pass {
+            name: "sums of rays",
+            functions: SUM,
+            body: "y[i] += p.a.x * sum(low_words[i], high_words[i]);",
+            numbers: [[unit, 0.0, 0.0, 0.0], [0.0; 4], [0.0; 4]],
+        };
+        if let Some(weights) = &self.geometry.weights {
+            operands.push(Operand::read("weights", weights.pieces()));
+            pass.name = "sums of rays in cells";
+            pass.body = "y[i] += p.a.x * weights[i] * sum(low_words[i], high_words[i]);";
+        }
         pass.each(&self.gpu, &operands, dose.lengths());
         self.gpu.submit();
         self.gpu.check()
@@ -389,6 +426,12 @@ impl LinearOperator for GpuRays {
         grad: &mut GpuField,
         run: &Run,
     ) -> Result<()> {
+        let in_cells = self.geometry.weights.as_ref().map(|weights| {
+            let mut own = cotangent.clone();
+            own.multiply(weights);
+            own
+        });
+        let cotangent = in_cells.as_ref().unwrap_or(cotangent);
         let pieces = cotangent.ranges().zip(cotangent.pieces());
         let walk = Walk {
             name: "adjoint of rays",
@@ -411,17 +454,15 @@ impl LinearOperator for GpuRays {
     }
 }
 
-/// A sum in units → what is added to a dose.
-const SUMS: &str = "
-    var low = low_words[i];
-    var high = high_words[i];
+/// A sum of 64 bits as a number.
+const SUM: &str = "
+fn sum(low: u32, high: u32) -> f32 {
     let is_negative = high >= 0x80000000u;
-    if (is_negative) {
-        low = ~low + 1u;
-        high = ~high + u32(low == 0u);
-    }
-    let size = p.a.x * (f32(high) * 4294967296.0 + f32(low));
-    y[i] += select(size, -size, is_negative);
+    let a = select(low, ~low + 1u, is_negative);
+    let b = select(high, ~high + u32(low == 0u), is_negative);
+    let size = f32(b) * 4294967296.0 + f32(a);
+    return select(size, -size, is_negative);
+}
 ";
 
 fn dose_source() -> String {
@@ -431,25 +472,20 @@ fn dose_source() -> String {
 @group(0) @binding(7) var<storage, read_write> low_words: array<atomic<u32>>;
 @group(0) @binding(8) var<storage, read_write> high_words: array<atomic<u32>>;
 var<private> value: f32;
-fn visit(voxel: u32, deposit: f32) {{
-    if (voxel < p.low || voxel >= p.high) {{ return; }}
+fn visit(i: u32, deposit: f32) {{
     let units = i32(round(value * deposit));
     if (units == 0) {{ return; }}
     let word = bitcast<u32>(units);
-    let before = atomicAdd(&low_words[voxel - p.low], word);
+    let before = atomicAdd(&low_words[i], word);
     let carry = u32(before > 0xffffffffu - word) - u32(units < 0);
-    if (carry != 0u) {{ atomicAdd(&high_words[voxel - p.low], carry); }}
+    if (carry != 0u) {{ atomicAdd(&high_words[i], carry); }}
 }}
 {ENTRY}
     let own = pixel(group * 256u + thread);
     if (own.x == 0xffffffffu) {{ return; }}
     if (!is_lit(own.x)) {{ return; }}
     value = p.scale * x[own.x - p.begin];
-    if (value == 0.0) {{ return; }}
-    for (var turn = 0u; turn < p.turns; turn++) {{
-        let azimuth = turns[own.w * p.turn_step + turn];
-        for (var i = own.y; i < own.z; i++) {{ follow(i, azimuth); }}
-    }}
+    if (value != 0.0) {{ follow_all(own); }}
 }}",
         include_str!("shaders/rays.wgsl")
     )
@@ -461,19 +497,12 @@ fn adjoint_source() -> String {
 @group(0) @binding(6) var<storage, read_write> gradient: array<f32>;
 @group(0) @binding(7) var<storage, read> c: array<f32>;
 var<private> sum: f32;
-fn visit(voxel: u32, deposit: f32) {{
-    if (voxel >= p.low && voxel < p.high) {{ sum += deposit * c[voxel - p.low]; }}
-}}
+fn visit(i: u32, deposit: f32) {{ sum += deposit * c[i]; }}
 {ENTRY}
     let own = pixel(group * 256u + thread);
     if (own.x == 0xffffffffu) {{ return; }}
     sum = 0.0;
-    if (is_lit(own.x)) {{
-        for (var turn = 0u; turn < p.turns; turn++) {{
-            let azimuth = turns[own.w * p.turn_step + turn];
-            for (var i = own.y; i < own.z; i++) {{ follow(i, azimuth); }}
-        }}
-    }}
+    if (is_lit(own.x)) {{ follow_all(own); }}
     let before = select(0.0, gradient[own.x - p.begin], p.adds == 1u);
     gradient[own.x - p.begin] = before + p.scale * sum;
 }}",

@@ -183,10 +183,10 @@ impl<'a> ModelInput<'a> {
     }
 
     /// Rays, with cells where a surface cuts voxels.
-    pub(crate) fn with_cells(&self, model: Rays) -> HostModel {
+    pub(crate) fn with_cells(&self, model: Rays) -> Rays {
         match &self.cells {
-            Some(cells) => Box::new(model.with_cells(Arc::clone(cells))),
-            None => Box::new(model),
+            Some(cells) => model.with_cells(Arc::clone(cells)),
+            None => model,
         }
     }
 }

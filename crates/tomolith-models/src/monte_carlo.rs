@@ -179,14 +179,14 @@ impl ModelFamily for Params {
         let scene = &input.scene;
         let (lights, grid) = (scene.lights, input.grid.clone());
         let model = model(scene.vial, lights, scene.optics, params, grid)?;
-        Ok(input.with_cells(model))
+        Ok(Box::new(input.with_cells(model)))
     }
 
     fn unscattered(&self, input: &ModelInput<'_>) -> Result<HostModel> {
         let scene = &input.scene;
         let (lights, grid) = (scene.lights, input.grid.clone());
         let model = straight(scene.vial, lights, scene.optics, self, grid)?;
-        Ok(input.with_cells(model))
+        Ok(Box::new(input.with_cells(model)))
     }
 
     fn rays(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Option<Result<Rays>> {

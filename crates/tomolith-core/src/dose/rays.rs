@@ -8,6 +8,9 @@
 //!
 //! and the adjoint collects with the same weights. Source and discretization: the `rays` model of the crate of models.
 //!
+//! Where a surface cuts voxels ([`cells`](super::cells)), segments end at it. With the share s of its voxel that an element of a dose has (1 of a whole
+//! voxel), it gets 1/s of what is left there.
+//!
 //! **Shapes** Where frames see the vial alike, a light has the segments of one image, which every exposure turns about the axis; else each active pixel has
 //! its own. An *exposure* is a frame, or one of the angles that a frame is averaged over.
 
@@ -24,7 +27,7 @@ pub struct RaySegment {
     pub rate: f32,
     /// Unit direction.
     pub direction: [f32; 3],
-    /// Deposit right behind its begin, for a pixel of value 1.
+    /// Deposit right behind its begin, for a pixel of value 1; negative of a segment inside of the surface that cuts voxels.
     pub energy: f32,
     /// Where it begins, in the resin, and ends: the way from `nearest` on.
     pub span: [f32; 2],

@@ -5,18 +5,18 @@ struct Parameters {
     turns: u32, turn_step: u32, begin: u32, end: u32,
     low: u32, high: u32, nx: u32, ny: u32,
     nz: u32, row: u32, has_dark: u32, adds: u32,
-    corner_x: f32, corner_y: f32, scale: f32,
+    first_start: u32, first_voxel: u32, corner_x: f32, corner_y: f32, scale: f32,
 }
 @group(0) @binding(0) var<uniform> p: Parameters;
 // Nearest point and rate, direction and energy, span
 @group(0) @binding(1) var<storage, read> segments: array<vec2<f32>>;
-// First segment of each pixel
+// First segment of each pixel, and before them the cosine and sine of each azimuth
 @group(0) @binding(2) var<storage, read> starts: array<u32>;
-// Cosines and sines of azimuths
-@group(0) @binding(3) var<storage, read> turns: array<vec2<f32>>;
 // First element, lowest row, rows, frame
-@group(0) @binding(4) var<storage, read> runs: array<vec4<u32>>;
-@group(0) @binding(5) var<storage, read> lit: array<u32>;
+@group(0) @binding(3) var<storage, read> runs: array<vec4<u32>>;
+@group(0) @binding(4) var<storage, read> lit: array<u32>;
+// Elements that light inside of a surface is left in, of each voxel
+@group(0) @binding(5) var<storage, read> inside: array<u32>;
 
 // (1 - exp(-x))/x for |x| up to 0.5, to 1e-8
 fn phi(x: f32) -> f32 {
@@ -54,7 +54,8 @@ fn follow(i: u32, turn: vec2<f32>) {
     // Over a cell of the major axis
     let step = 1.0 / abs(direction.x);
     let rate = height.y * select(-step, step, direction.x > 0.0);
-    let energy = rise.y * step;
+    let energy = abs(rise.y) * step;
+    let is_inside = rise.y < 0.0;
     let slope = direction.yz / direction.x;
     let offset = place.yz - slope * place.x;
     let ends = place.x + span * direction.x;
@@ -92,7 +93,9 @@ fn follow(i: u32, turn: vec2<f32>) {
             power -= rate * deposit;
             let other = select(select(after, middle, piece == 1u), before, piece == 0u);
             if (way > 0.0 && all(other >= vec2(0.0)) && all(other < counts.yz)) {
-                visit(u32(cell) * strides.x + u32(other.x) * strides.y + u32(other.y) * strides.z, deposit);
+                var element = u32(cell) * strides.x + u32(other.x) * strides.y + u32(other.y) * strides.z;
+                if (is_inside) { element = inside[p.first_voxel + element] - p.first_voxel; }
+                if (element >= p.low && element < p.high) { visit(element - p.low, deposit); }
             }
         }
     }
@@ -110,5 +113,14 @@ fn pixel(t: u32) -> vec4<u32> {
     let element = run.x + i;
     if (i >= run.z || element < p.begin || element >= p.end) { return none; }
     let k = select(column * p.image_rows + run.y + i, element - p.first_pixel, p.image_rows == 0u);
-    return vec4(element, starts[k], starts[k + 1u], frame);
+    return vec4(element, starts[p.first_start + k], starts[p.first_start + k + 1u], frame);
+}
+
+// Follows the segments of a pixel, at every azimuth of its frame
+fn follow_all(own: vec4<u32>) {
+    for (var turn = 0u; turn < p.turns; turn++) {
+        let k = 2u * (own.w * p.turn_step + turn);
+        let azimuth = bitcast<vec2<f32>>(vec2(starts[k], starts[k + 1u]));
+        for (var i = own.y; i < own.z; i++) { follow(i, azimuth); }
+    }
 }

@@ -8,7 +8,7 @@ use tomolith_core::dose::DoseLayout;
 pub(crate) fn noise_of(layout: &DoseLayout, seed: u64) -> Vec<f32> {
     let mut values = noise(seed, layout.len());
     let nz = layout.grid.shape[0];
-    let rows = values.chunks_mut(layout.row);
+    let rows = values[..layout.voxels()].chunks_mut(layout.row);
     rows.for_each(|row| row[nz..].fill(0.0));
     values
 }

@@ -1,5 +1,6 @@
 //! The model as data that a backend computes elsewhere: see [`tomolith_core::dose::rays`].
 
+use super::solid::Pieces;
 use super::{Accumulation, Rays, matrix_cache};
 use crate::{LinearOperator, Run};
 use std::ops::Range;
@@ -7,6 +8,8 @@ use tomolith_core::dose::form::{Form, Masked};
 use tomolith_core::dose::rays::{LightRays, RayGeometry, RaySegment};
 use tomolith_core::error::Result;
 use tomolith_core::parallel::InParallel;
+use tomolith_optics::projector::Ray;
+use tomolith_optics::space::PathSegment;
 
 /// Largest number of segments: 2.1 GB.
 const MOST: usize = matrix_cache::MOST * matrix_cache::BYTES / size_of::<RaySegment>();
@@ -23,7 +26,7 @@ struct Followed {
 }
 
 impl Rays {
-    /// The form of a model of whole voxels; None of random accumulation, and where there are more segments than [`MOST`].
+    /// The form of a model; None of random accumulation, and where there are more segments than [`MOST`].
     pub(super) fn to_form(&self, run: &Run) -> Result<Option<Form>> {
         if self.accumulation != Accumulation::Integral {
             return Ok(None);
@@ -62,7 +65,9 @@ impl Rays {
 
     /// The rays of a light whose frames all have the same.
     fn shared_rays(&self, light: usize) -> Option<LightRays> {
-        let (paths, starts) = self.sources[light].shared()?;
+        // Frames see a surface that cuts voxels each from another side
+        let shared = self.sources[light].shared();
+        let (paths, starts) = shared.filter(|_| self.solid.is_none())?;
         let area = self.area(light);
         let frames = 0..self.patterns[light].grid.frames();
         let azimuths = frames.flat_map(|frame| self.sources[light].azimuths(frame));
@@ -123,18 +128,46 @@ impl Rays {
         let (columns, area) = (layout.grid.columns, self.area(light));
         let run = layout.runs[pair];
         let rows: Range<u32> = run.bottom..run.bottom + run.count;
-        let mut found = Followed::default();
+        let (mut found, mut pieces) = (Followed::default(), Pieces::default());
         for row in rows {
             let before = found.segments.len();
             let (frame, column) = (pair / columns, pair % columns);
-            self.sources[light].for_each_path_segment(frame, column, row as usize, |path| {
+            let mut add = |path: PathSegment, is_inside: bool| {
                 if let Some((_, segment)) = self.lattice.segment(&path, area, 0) {
                     found.passed += segment.passed();
-                    found.segments.push(self.lattice.ray(&path, area));
+                    let ray = self.lattice.ray(&path, area);
+                    let energy = if is_inside { -ray.energy } else { ray.energy };
+                    found.segments.push(RaySegment { energy, ..ray });
                 }
+            };
+            self.sources[light].for_each_path_segment(frame, column, row as usize, |path| {
+                let Some(solid) = &self.solid else {
+                    return add(path, false);
+                };
+                solid.inside(&path.ray, path.length, &mut pieces);
+                let mut at = 0.0;
+                for &[from, to] in pieces.found() {
+                    add(part(&path, [at, from]), false);
+                    add(part(&path, [from, to]), true);
+                    at = to;
+                }
+                add(part(&path, [at, path.length]), false);
             });
             found.counts.push((found.segments.len() - before) as u32);
         }
         found
+    }
+}
+
+/// The part of a path segment from one place on it to another, mm.
+fn part(path: &PathSegment, [from, to]: [f64; 2]) -> PathSegment {
+    PathSegment {
+        ray: Ray {
+            from: path.ray.at(from),
+            ..path.ray
+        },
+        length: to - from,
+        power: path.power * (-path.uptake.attenuation_per_mm * from).exp(),
+        ..*path
     }
 }

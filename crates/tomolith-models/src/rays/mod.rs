@@ -170,18 +170,15 @@ impl ModelFamily for Params {
     }
 
     fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
-        let model = self.on_voxels(input)?;
-        Ok(input.with_cells(match input.scene.purpose {
+        let model = self.model(input)?;
+        Ok(Box::new(match input.scene.purpose {
             Purpose::Optimize => model.cached(),
             _ => model,
         }))
     }
 
     fn form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
-        if input.cells.is_some() {
-            return Ok(None);
-        }
-        self.on_voxels(input)?.to_form(input.run)
+        self.model(input)?.to_form(input.run)
     }
 
     fn rays(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Option<Result<Rays>> {
@@ -197,15 +194,16 @@ impl ModelFamily for Params {
 }
 
 impl Params {
-    /// The model on whole voxels, for the purpose of the scene.
-    fn on_voxels(&self, input: &ModelInput<'_>) -> Result<Rays> {
+    /// The model for the purpose of the scene.
+    fn model(&self, input: &ModelInput<'_>) -> Result<Rays> {
         let OpticalScene { vial, optics, .. } = input.scene;
         let mut params = self.clone();
         if let Purpose::Evaluate { refine } = input.scene.purpose {
             params.rays_per_pixel *= refine * refine;
         }
         let lights = input.scene.lights.to_vec();
-        Rays::new(vial, lights, optics, &params, input.grid.clone())
+        let model = Rays::new(vial, lights, optics, &params, input.grid.clone())?;
+        Ok(input.with_cells(model))
     }
 }
 
