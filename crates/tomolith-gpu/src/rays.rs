@@ -2,6 +2,7 @@
 //!
 //! **Model** [`tomolith_core::dose::rays`]: what the `rays` model of the processor gives of its light. A thread follows the segments of one pixel from voxel to
 //! voxel, with the formulas of the processor (`rays/traversal` of the crate of models). Dose and adjoint are two visitors of the same walk, so they are one matrix.
+//! Light inside of a surface that cuts voxels goes to the inside cells; what an element has is then multiplied by one over its share.
 //!
 //! **Sums** The adjoint sums along the rays of its pixel, in their order. In the dose many rays meet in a voxel at once, and sums of f32 would depend on
 //! their order. So deposits are whole multiples of a unit, added to 64 bits a voxel by two atomic sums of 32 (the upper one only where the lower carries):
@@ -9,7 +10,7 @@
 //! half a unit and 2³³ of them fit, so nothing overflows, and a dose of n deposits is wrong by some √n·2⁻³¹ of the largest.
 //!
 //! **Cost** two sums and some sixty operations for a voxel that a segment passes; segments (40 bytes each) are read once a dose, from the caches
-//! where all frames share them. Memory in addition to fields: segments, and 8 bytes a voxel during a dose.
+//! where all frames share them. Memory in addition to fields: segments, 8 bytes a voxel during a dose, and as many with cells.
 
 use crate::device::{Buffer, Gpu, THREADS};
 use crate::field::GpuField;
@@ -28,7 +29,7 @@ const MOST_PASSED: u64 = 1 << 27;
 
 /// The geometry of a model on the card.
 struct Geometry {
-    of: Arc<RayGeometry>,
+    data: Arc<RayGeometry>,
     lights: Vec<DeviceLight>,
     bytes: u64,
     /// The largest deposit in a voxel, for a pixel of value 1.
@@ -72,33 +73,33 @@ pub(crate) struct GpuRays {
 }
 
 impl Geometry {
-    fn new(gpu: &Gpu, of: &Arc<RayGeometry>, run: &Run) -> Result<Self> {
-        let segments = || of.lights.iter().flat_map(|light| &light.segments);
+    fn new(gpu: &Gpu, data: &Arc<RayGeometry>, run: &Run) -> Result<Self> {
+        let segments = || data.lights.iter().flat_map(|light| &light.segments);
         let bytes = (segments().count() * size_of::<RaySegment>()) as u64;
         must_be_stored(gpu, bytes)?;
         let mut lights = Vec::new();
-        for (light, layout) in of.lights.iter().zip(&of.patterns) {
+        for (light, layout) in data.lights.iter().zip(&data.patterns) {
             run.check()?;
             let frame = 4 * (layout.grid.rows * layout.grid.columns) as u64;
             must_be_bound(gpu, frame, "fewer rows or columns")?;
-            lights.push(DeviceLight::new(gpu, light, layout, of.updates)?);
+            lights.push(DeviceLight::new(gpu, light, layout, data.updates)?);
         }
-        let energy = segments().fold(0.0f32, |most, own| most.max(own.energy.abs()));
+        let energy = segments().fold(0.0f32, |most, segment| most.max(segment.energy.abs()));
         let (mut inside, mut weights) = (Vec::new(), None);
-        if let Some(cells) = &of.output.cells {
-            must_be_bound(gpu, 4 * of.output.voxels() as u64, "fewer voxels")?;
-            inside.extend(0..of.output.voxels() as u32);
+        if let Some(cells) = &data.output.cells {
+            must_be_bound(gpu, 4 * data.output.voxels() as u64, "fewer voxels")?;
+            inside.extend(0..data.output.voxels() as u32);
             for (cell, (voxel, _)) in (inside.len() as u32..).zip(cells.iter()) {
                 inside[voxel] = cell;
             }
-            let mut field = GpuField::for_dose(gpu, &of.output);
-            let shares = cells.shares(of.output.len());
+            let mut field = GpuField::for_dose(gpu, &data.output);
+            let shares = cells.shares(data.output.len());
             field.copy_from_host(&shares.iter().map(|s| s.recip()).collect::<Vec<f32>>());
             weights = Some(field);
         }
         gpu.check()?;
         Ok(Geometry {
-            of: of.clone(),
+            data: data.clone(),
             lights,
             bytes,
             // A cell of the major axis is passed on at most the diagonal of a voxel
@@ -154,12 +155,12 @@ impl DeviceLight {
 
     /// The slots of a chunk that belong to some frames.
     fn slots(&self, chunk: &Chunk, frames: &Range<usize>, columns: usize) -> Range<usize> {
-        let own = &chunk.columns;
+        let columns_here = &chunk.columns;
         if self.is_shared {
-            return frames.start * own.len()..frames.end * own.len();
+            return frames.start * columns_here.len()..frames.end * columns_here.len();
         }
         let of_frames = frames.start * columns..frames.end * columns;
-        own.start.max(of_frames.start)..own.end.min(of_frames.end)
+        columns_here.start.max(of_frames.start)..columns_here.end.min(of_frames.end)
     }
 }
 
@@ -182,8 +183,8 @@ fn chunks(
         }
     };
     let segments = |columns: Range<usize>| {
-        let own = pixels(columns);
-        light.starts[own.start] as usize..light.starts[own.end] as usize
+        let Range { start, end } = pixels(columns);
+        light.starts[start] as usize..light.starts[end] as usize
     };
     let bytes = |columns: Range<usize>| {
         let starts = 4 * (2 * turns.len() + pixels(columns.clone()).len() + 1);
@@ -196,9 +197,9 @@ fn chunks(
         let fitting =
             (begin + 1..all).take_while(|&end| bytes(begin..end + 1) <= gpu.binding_bytes());
         let columns = begin..begin + 1 + fitting.count();
-        let (own, pixels) = (segments(columns.clone()), pixels(columns.clone()));
+        let (segments, pixels) = (segments(columns.clone()), pixels(columns.clone()));
         let mut starts: Vec<u32> = turns.as_flattened().iter().map(|v| v.to_bits()).collect();
-        let from_first = |start: &u32| start - own.start as u32;
+        let from_first = |start: &u32| start - segments.start as u32;
         starts.extend(
             light.starts[pixels.start..=pixels.end]
                 .iter()
@@ -209,7 +210,7 @@ fn chunks(
             columns,
             first_pixel: pixels.start,
             starts: gpu.upload(bytemuck::cast_slice(&starts)),
-            segments: gpu.upload(bytemuck::cast_slice(&light.segments[own])),
+            segments: gpu.upload(bytemuck::cast_slice(&light.segments[segments])),
         });
     }
     Ok(chunks)
@@ -233,7 +234,7 @@ impl GpuRays {
     /// [`Error::Device`], [`Error::Canceled`]; [`Error::Resources`] where rays do not fit the card, or those of a column or a frame a binding.
     pub(crate) fn new(gpu: &Gpu, form: &RayForm, run: &Run) -> Result<Self> {
         let geometry = gpu.shared(
-            |own: &Geometry| Arc::ptr_eq(&own.of, &form.geometry),
+            |known: &Geometry| Arc::ptr_eq(&known.data, &form.geometry),
             || Geometry::new(gpu, &form.geometry, run),
         )?;
         Ok(GpuRays {
@@ -245,15 +246,15 @@ impl GpuRays {
 
     /// Follows the rays of some frames, counted through all lights.
     fn follow(&self, frames: &Range<usize>, walk: &Walk<'_>, run: &Run) -> Result<()> {
-        for (light, own) in own_frames(&self.geometry.of.patterns, frames) {
-            let columns = self.geometry.of.patterns[light].grid.columns;
-            let of_light = &self.geometry.lights[light];
-            for chunk in &of_light.chunks {
-                let slots = of_light.slots(chunk, &own, columns);
-                for first in slots.clone().step_by(of_light.together) {
+        for (light, frames) in own_frames(&self.geometry.data.patterns, frames) {
+            let columns = self.geometry.data.patterns[light].grid.columns;
+            let device = &self.geometry.lights[light];
+            for chunk in &device.chunks {
+                let slots = device.slots(chunk, &frames, columns);
+                for first in slots.clone().step_by(device.together) {
                     run.check()?;
                     self.gpu.check()?;
-                    let together = first..slots.end.min(first + of_light.together);
+                    let together = first..slots.end.min(first + device.together);
                     self.follow_slots((light, chunk), &together, walk);
                     self.gpu.submit();
                 }
@@ -264,15 +265,15 @@ impl GpuRays {
 
     /// Follows the rays of some slots between all pieces.
     fn follow_slots(&self, (light, chunk): (usize, &Chunk), slots: &Range<usize>, walk: &Walk<'_>) {
-        let own = &self.geometry.lights[light];
+        let device = &self.geometry.lights[light];
         let RayGeometry {
             patterns,
             output,
             corner,
             ..
-        } = &*self.geometry.of;
+        } = &*self.geometry.data;
         let layout = &patterns[light];
-        let (columns, first_column, image_rows) = match own.is_shared {
+        let (columns, first_column, image_rows) = match device.is_shared {
             true => (chunk.columns.len(), chunk.columns.start, layout.grid.rows),
             false => (layout.grid.columns, 0, 0),
         };
@@ -293,15 +294,15 @@ impl GpuRays {
                 let first = lines.start * plane;
                 let numbers = [
                     slots.len(),
-                    own.rows,
+                    device.rows,
                     slots.start,
                     columns,
                     first_column,
                     layout.grid.columns,
                     image_rows,
                     layout.offset + chunk.first_pixel,
-                    own.exposures,
-                    usize::from(own.is_shared) * own.exposures,
+                    device.exposures,
+                    usize::from(device.is_shared) * device.exposures,
                     range.start,
                     range.end,
                     voxels.start - first,
@@ -312,7 +313,7 @@ impl GpuRays {
                     output.row,
                     usize::from(self.mask.has_dark),
                     usize::from(k > 0),
-                    2 * own.turns,
+                    2 * device.turns,
                     first,
                 ];
                 let numbers = numbers.map(|n| n as u32).into_iter();
@@ -322,13 +323,13 @@ impl GpuRays {
                 let mut all = vec![
                     &chunk.segments,
                     &chunk.starts,
-                    &own.runs,
+                    &device.runs,
                     &*self.mask.lit,
                     &self.geometry.inside,
                     piece,
                 ];
                 all.extend(buffers);
-                let groups = ((slots.len() * own.rows) as u64).div_ceil(u64::from(THREADS));
+                let groups = ((slots.len() * device.rows) as u64).div_ceil(u64::from(THREADS));
                 self.gpu
                     .run(walk.name, walk.source, &parameters, &all, groups);
             }
@@ -352,15 +353,15 @@ impl LinearOperator for GpuRays {
 
     fn facts(&self) -> Facts<'_> {
         Facts {
-            patterns: &self.geometry.of.patterns,
-            outputs: std::slice::from_ref(&self.geometry.of.output),
-            z_coupling: self.geometry.of.z_coupling,
+            patterns: &self.geometry.data.patterns,
+            outputs: std::slice::from_ref(&self.geometry.data.output),
+            z_coupling: self.geometry.data.z_coupling,
             is_linear: true,
         }
     }
 
     fn new_field(&self, space: Space) -> Result<GpuField> {
-        let geometry = &self.geometry.of;
+        let geometry = &self.geometry.data;
         let field = match space {
             Space::Dose => GpuField::for_dose(&self.gpu, &geometry.output),
             Space::Patterns => {
@@ -427,9 +428,9 @@ impl LinearOperator for GpuRays {
         run: &Run,
     ) -> Result<()> {
         let in_cells = self.geometry.weights.as_ref().map(|weights| {
-            let mut own = cotangent.clone();
-            own.multiply(weights);
-            own
+            let mut weighted = cotangent.clone();
+            weighted.multiply(weights);
+            weighted
         });
         let cotangent = in_cells.as_ref().unwrap_or(cotangent);
         let pieces = cotangent.ranges().zip(cotangent.pieces());
@@ -445,12 +446,12 @@ impl LinearOperator for GpuRays {
     }
 
     fn updates(&self) -> u64 {
-        self.geometry.of.updates
+        self.geometry.data.updates
     }
 
     fn describe(&self) -> String {
         let place = self.gpu.with(self.geometry.bytes, "rays");
-        format!("{} ({place})", self.geometry.of.summary)
+        format!("{} ({place})", self.geometry.data.summary)
     }
 }
 
@@ -481,11 +482,11 @@ fn visit(i: u32, deposit: f32) {{
     if (carry != 0u) {{ atomicAdd(&high_words[i], carry); }}
 }}
 {ENTRY}
-    let own = pixel(group * 256u + thread);
-    if (own.x == 0xffffffffu) {{ return; }}
-    if (!is_lit(own.x)) {{ return; }}
-    value = p.scale * x[own.x - p.begin];
-    if (value != 0.0) {{ follow_all(own); }}
+    let found = pixel(group * 256u + thread);
+    if (found.element == 0xffffffffu) {{ return; }}
+    if (!is_lit(found.element)) {{ return; }}
+    value = p.scale * x[found.element - p.begin];
+    if (value != 0.0) {{ follow_all(found); }}
 }}",
         include_str!("shaders/rays.wgsl")
     )
@@ -499,12 +500,12 @@ fn adjoint_source() -> String {
 var<private> sum: f32;
 fn visit(i: u32, deposit: f32) {{ sum += deposit * c[i]; }}
 {ENTRY}
-    let own = pixel(group * 256u + thread);
-    if (own.x == 0xffffffffu) {{ return; }}
+    let found = pixel(group * 256u + thread);
+    if (found.element == 0xffffffffu) {{ return; }}
     sum = 0.0;
-    if (is_lit(own.x)) {{ follow_all(own); }}
-    let before = select(0.0, gradient[own.x - p.begin], p.adds == 1u);
-    gradient[own.x - p.begin] = before + p.scale * sum;
+    if (is_lit(found.element)) {{ follow_all(found); }}
+    let i = found.element - p.begin;
+    gradient[i] = select(0.0, gradient[i], p.adds == 1u) + p.scale * sum;
 }}",
         include_str!("shaders/rays.wgsl")
     )

@@ -300,12 +300,12 @@ fn dose_and_adjoint_on_the_card_are_one_matrix() {
         // Frames one by one
         let (mut sum, mut alone) = (model.new_dose().unwrap(), grad.zeros_like());
         for frame in 0..frames_of(model.patterns()) {
-            let own = frame..frame + 1;
+            let frame = frame..frame + 1;
             model
-                .dose_of(own.clone(), &x, &mut sum, &Run::new())
+                .dose_of(frame.clone(), &x, &mut sum, &Run::new())
                 .unwrap();
             model
-                .pullback_of(own, &x, &c, &mut alone, &Run::new())
+                .pullback_of(frame, &x, &c, &mut alone, &Run::new())
                 .unwrap();
         }
         assert_near(&sum.to_host(), &dose.to_host(), 1e-6, case.name);

@@ -101,9 +101,12 @@ fn follow(i: u32, turn: vec2<f32>) {
     }
 }
 
-// The pixel of a thread: its element, the first of its segments and the one behind the last, and its frame; no element where there is none
-fn pixel(t: u32) -> vec4<u32> {
-    let none = vec4(0xffffffffu, 0u, 0u, 0u);
+// A pixel: its element, the first of its segments and the one behind the last, and its frame
+struct Pixel { element: u32, first: u32, end: u32, frame: u32 }
+
+// The pixel of a thread; no element where there is none
+fn pixel(t: u32) -> Pixel {
+    let none = Pixel(0xffffffffu, 0u, 0u, 0u);
     if (t / p.rows >= p.slots) { return none; }
     let slot = p.first_slot + t / p.rows;
     let frame = slot / p.columns;
@@ -113,14 +116,14 @@ fn pixel(t: u32) -> vec4<u32> {
     let element = run.x + i;
     if (i >= run.z || element < p.begin || element >= p.end) { return none; }
     let k = select(column * p.image_rows + run.y + i, element - p.first_pixel, p.image_rows == 0u);
-    return vec4(element, starts[p.first_start + k], starts[p.first_start + k + 1u], frame);
+    return Pixel(element, starts[p.first_start + k], starts[p.first_start + k + 1u], frame);
 }
 
 // Follows the segments of a pixel, at every azimuth of its frame
-fn follow_all(own: vec4<u32>) {
+fn follow_all(found: Pixel) {
     for (var turn = 0u; turn < p.turns; turn++) {
-        let k = 2u * (own.w * p.turn_step + turn);
+        let k = 2u * (found.frame * p.turn_step + turn);
         let azimuth = bitcast<vec2<f32>>(vec2(starts[k], starts[k + 1u]));
-        for (var i = own.y; i < own.z; i++) { follow(i, azimuth); }
+        for (var i = found.first; i < found.end; i++) { follow(i, azimuth); }
     }
 }

@@ -37,15 +37,15 @@ impl Rays {
                 Some(shared) => Some((shared, self.counted(light, run)?)),
                 None => self.all_rays(light, MOST - segments, run)?,
             };
-            let Some((own, passed)) = of_light else {
+            let Some((rays, passed)) = of_light else {
                 return Ok(None);
             };
-            segments += own.segments.len();
+            segments += rays.segments.len();
             if segments > MOST {
                 return Ok(None);
             }
             updates += passed;
-            lights.push(own);
+            lights.push(rays);
         }
         Ok(Some(Form::Rays(Masked::new(RayGeometry {
             patterns: self.patterns.clone(),
@@ -103,23 +103,23 @@ impl Rays {
         for pairs in self.chunks(light, 0..self.patterns[light].grid.frames()) {
             run.check()?;
             let followed: Vec<Followed> = pairs.par_map(|pair| self.follow(light, pair));
-            for own in followed {
-                for count in own.counts {
+            for column in followed {
+                for count in column.counts {
                     starts.push(starts[starts.len() - 1] + count);
                 }
-                segments.extend(own.segments);
-                passed += own.passed;
+                segments.extend(column.segments);
+                passed += column.passed;
             }
             if segments.len() > most {
                 return Ok(None);
             }
         }
-        let own = LightRays {
+        let rays = LightRays {
             segments,
             starts,
             turns: None,
         };
-        Ok(Some((own, passed)))
+        Ok(Some((rays, passed)))
     }
 
     /// The rays of one column of pixels, counted through all frames, that meet the grid.
