@@ -16,7 +16,7 @@ use tomolith::gpu::{Asked, Gpu, model_on};
 use tomolith::grid::{PatternGrid, VolumeGrid};
 use tomolith::job::{self, Document, Job, Silent};
 use tomolith::models::rays::Optics;
-use tomolith::models::{ModelFamily, ModelInput, OpticalScene, Purpose, Run, parallel};
+use tomolith::models::{ModelFamily, ModelInput, OpticalScene, Purpose, Run, parallel, rays};
 use tomolith::optics::light::Light;
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::index_matched::IndexMatched;
@@ -33,7 +33,7 @@ const BENCHMARK: Size = Size {
 };
 
 /// A whole job: title, size, what fills the vial and stands around it, iterations.
-const JOBS: [(&str, Size, &str, usize); 7] = [
+const JOBS: [(&str, Size, &str, usize); 8] = [
     (
         "published benchmark, index-matched",
         BENCHMARK,
@@ -64,6 +64,18 @@ const JOBS: [(&str, Size, &str, usize); 7] = [
         },
         "vial.index_matched.radius_mm = 8.0\nresin = { refractive_index = 1.4849, absorption_per_mm = 0.1 }",
         40,
+    ),
+    (
+        "tilted light, cylinder",
+        Size {
+            voxels: 128,
+            frames: 120,
+            pixels: 200,
+            ..BENCHMARK
+        },
+        "motion.tilt_deg = 6.8\nvial.cylinder = { inner_radius_mm = 6.0, outer_radius_mm = 7.0, refractive_index = 1.54 }\n\
+         resin = { refractive_index = 1.347, absorption_per_mm = 0.08 }",
+        20,
     ),
     ("waves, 10 mm", waves(10.0), WAVES, 2),
     ("waves, 1 mm", waves(1.0), WAVES, 2),
@@ -130,13 +142,22 @@ pub(crate) fn study(arguments: &[String]) -> Result<(), Failure> {
         };
         println!("| {title} | {row}");
     }
-    println!("\n| voxels, frames | updates a call | dose/s | adjoint/s |\n|---|---|---|---|");
-    for (voxels, frames) in [(1024, 1000), (512, 1000), (256, 360), (128, 90)] {
+    println!(
+        "\n| model, voxels, frames | updates a call | dose/s | adjoint/s |\n|---|---|---|---|"
+    );
+    let (strips, rays) = (parallel::Params::default(), rays::Params::default());
+    let models: [(&dyn ModelFamily, usize, usize); 6] = [
+        (&strips, 1024, 1000),
+        (&strips, 512, 1000),
+        (&strips, 256, 360),
+        (&strips, 128, 90),
+        (&rays, 256, 360),
+        (&rays, 128, 90),
+    ];
+    for (family, voxels, frames) in models {
         let size = [voxels, frames].map(|n| (n / divisor.max(1)).max(8));
-        match rates(&gpu, size) {
-            Ok(row) => println!("| {}³, {} | {row} |", size[0], size[1]),
-            Err(why) => println!("| {}³, {} | refused: {why} | | |", size[0], size[1]),
-        }
+        let row = rates(&gpu, family, size).unwrap_or_else(|why| format!("refused: {why} | |"));
+        println!("| {}, {}³, {} | {row} |", family.name(), size[0], size[1]);
     }
     Ok(gpu.check()?)
 }
@@ -209,7 +230,11 @@ fn line(card: &Value, processor: &Value) -> String {
 
 /// Updates a call, and rates of dose and adjoint: an absorbing, index-matched cylinder that touches the sides of a cube of voxels, as many columns and
 /// rows of pixels as voxels across and up.
-fn rates(gpu: &Gpu, [voxels, frames]: [usize; 2]) -> Result<String, Failure> {
+fn rates(
+    gpu: &Gpu,
+    family: &dyn ModelFamily,
+    [voxels, frames]: [usize; 2],
+) -> Result<String, Failure> {
     /// Calls that are timed together.
     const CALLS: u32 = 4;
     let pitch = 10.0 / voxels as f64;
@@ -220,7 +245,7 @@ fn rates(gpu: &Gpu, [voxels, frames]: [usize; 2]) -> Result<String, Failure> {
     let scene = OpticalScene::new(&vial, &lights, &optics, Purpose::Optimize);
     let grid = VolumeGrid::centered([voxels; 3], pitch);
     let input = ModelInput::new(scene, &grid, &run)?;
-    let form = (parallel::Params::default().form(&input)?).ok_or("the model has no form")?;
+    let form = family.form(&input)?.ok_or("the model has no form")?;
     let model = model_on(gpu, &form, &run)?;
     let updates = model.updates() as f64;
     let mut x = model.new_patterns()?;
