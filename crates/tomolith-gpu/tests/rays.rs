@@ -18,6 +18,7 @@ use tomolith_gpu::model_on;
 use tomolith_models::rays::accumulation::Accumulation;
 use tomolith_models::rays::{Optics, Params, Rays};
 use tomolith_models::{ModelFamily, ModelInput, OpticalScene, Purpose};
+use tomolith_optics::absorption_map::AbsorptionMap;
 use tomolith_optics::light::Light;
 use tomolith_optics::motion::Motion;
 use tomolith_optics::projector::diverging::Diverging;
@@ -131,6 +132,12 @@ fn cases() -> Vec<Case> {
         sub_angles: 3,
         ..light(5, 0.3)
     };
+    let values: Vec<f32> = (0..60).map(|i| 0.1 + 0.05 * (i * 7 % 13) as f32).collect();
+    let map = AbsorptionMap::new([3, 4, 5], 0.5, values.clone(), values).unwrap();
+    let uneven = Light {
+        map: Some(Arc::new(map)),
+        ..light(4, 0.3)
+    };
     let mut aside = VolumeGrid::centered([18, 25, 26], 0.09);
     aside.center_mm = [0.2, -0.1, 0.15];
     vec![
@@ -183,6 +190,7 @@ fn cases() -> Vec<Case> {
             solid: Some(ball()),
             ..case("surface cells", glass(), light(4, 0.3), cone())
         },
+        case("an absorption map", glass(), uneven, cone()),
         // More than half of the light is left in a voxel
         case("dense resin", square(), light(4, 9.0), cone()),
         Case {
