@@ -2,6 +2,7 @@
 
 use super::rays::RayForm;
 use super::strips::StripForm;
+use super::waves::WaveForm;
 use std::sync::Arc;
 
 /// A dose model as plain data.
@@ -11,6 +12,8 @@ pub enum Form {
     Strips(StripForm),
     /// Rays of any direction.
     Rays(RayForm),
+    /// Light that spreads from a focal plane.
+    Waves(WaveForm),
 }
 
 impl Form {
@@ -20,6 +23,7 @@ impl Form {
         match self {
             Form::Strips(form) => Form::Strips(form.masked(dark, factor)),
             Form::Rays(form) => Form::Rays(form.masked(dark, factor)),
+            Form::Waves(form) => Form::Waves(form.masked(dark, factor)),
         }
     }
 }

@@ -10,6 +10,7 @@ pub mod layout;
 pub mod rays;
 pub mod scattered;
 pub mod strips;
+pub mod waves;
 
 use crate::error::Result;
 use crate::field::{Field, HostField};

@@ -15,6 +15,8 @@ use super::light::Propagation;
 use super::number::Number;
 use super::spectrum::{Scratch, Windows, complex, zero};
 use std::f64::consts::TAU;
+use std::ops::Range;
+use tomolith_core::dose::waves::{FieldTap, Transfer, WaveMode};
 use tomolith_fourier::Complex;
 
 /// Where W falls.
@@ -151,16 +153,27 @@ impl<T: Number> Coherent<T> {
 
     /// Deletes of a spectrum what would come back from the far side of the window at this depth.
     pub(super) fn limit_to(&self, mode: &Mode, depth: f64, spectrum: &mut [Complex<T>]) {
-        let [bu, bz] = self.windows.sampling.band.map(|b| b as i64);
         let [nu, _] = self.windows.counts();
+        let rows = spectrum.chunks_exact_mut(nu);
+        for (row, passing) in rows.zip(self.passing(mode, depth)) {
+            row[..passing.start].fill(zero());
+            row[passing.end..].fill(zero());
+        }
+    }
+
+    /// The frequencies along u that pass at a depth, of each along z.
+    fn passing(&self, mode: &Mode, depth: f64) -> impl Iterator<Item = Range<usize>> {
+        let [bu, bz] = self.windows.sampling.band.map(|b| b as i64);
+        let [window_u, window_z] = self.windows.window;
+        let [mode_u, mode_z] = mode.frequency;
         let k2 = self.beam.wavenumber.powi(2);
         let [gu, gz] = self.windows.sampling.guard;
-        for (row, fz) in spectrum.chunks_exact_mut(nu).zip(-bz..=bz) {
-            let z = fz as f64 / self.windows.window[1] + mode.frequency[1];
+        (-bz..=bz).map(move |fz| {
+            let z = fz as f64 / window_z + mode_z;
             // u²·x² ≤ g_u²·w² and z²·x² ≤ g_z²·w²
             let most = ((k2 - z * z) * gu * gu / (depth * depth + gu * gu))
                 .min(k2 - z * z - z * z * depth * depth / (gz * gz));
-            let reach = |at: f64| (at - mode.frequency[0]) * self.windows.window[0];
+            let reach = |at: f64| (at - mode_u) * window_u;
             let edge = most.max(0.0).sqrt();
             let (low, high) = if most < 0.0 {
                 (1, 0)
@@ -171,9 +184,8 @@ impl<T: Number> Coherent<T> {
             };
             let low = low.clamp(-bu, bu + 1);
             let high = high.clamp(low - 1, bu);
-            row[..(low + bu) as usize].fill(zero());
-            row[(high + 1 + bu) as usize..].fill(zero());
-        }
+            (low + bu) as usize..(high + 1 + bu) as usize
+        })
     }
 
     /// How much less of a component the tapered limit leaves at a depth.
@@ -354,6 +366,49 @@ impl<T: Number> Coherent<T> {
             self.windows.add_at(depth, (second, row), weight, own);
         });
     }
+}
+
+impl Coherent<f32> {
+    /// The modes as data; None with a tapered limit.
+    pub(super) fn modes_form(&self) -> Option<Vec<WaveMode>> {
+        let numbers = |values: &[Complex<f32>]| values.iter().map(|v| [v.re, v.im]).collect();
+        let depths = 0..self.windows.sampling.transformed().count;
+        let mode_form = |(wave, mode): (usize, &Mode)| {
+            let rows = |depth| self.passing(mode, self.depth(depth));
+            let passing = depths.clone().flat_map(rows);
+            WaveMode {
+                weight: f32::of(mode.weight),
+                transfer: Transfer::Steps {
+                    start: numbers(&self.starts[wave]),
+                    step: numbers(&self.steps[wave]),
+                    passing: passing
+                        .map(|p| [p.start, p.end].map(|i| i as u32))
+                        .collect(),
+                },
+            }
+        };
+        let modes = self.modes.iter().enumerate();
+        (self.limit == BandLimit::Hard).then(|| modes.map(mode_form).collect())
+    }
+
+    /// Of each depth where light is wanted the fields that it is a sum of, and the transpose.
+    pub(super) fn sums_form(&self) -> [Vec<Vec<FieldTap>>; 2] {
+        (self.interpolation.as_ref()).map_or_else(
+            || alone(self.windows.sampling.along.computed.count),
+            DepthInterpolation::form,
+        )
+    }
+}
+
+/// Sums of the field of the same depth alone.
+pub(super) fn alone(depths: usize) -> [Vec<Vec<FieldTap>>; 2] {
+    let field = |depth: usize| {
+        vec![FieldTap {
+            field: depth as u32,
+            weights: [1.0; 2],
+        }]
+    };
+    [(); 2].map(|()| (0..depths).map(field).collect())
 }
 
 /// What is on its way back: fields are sent some depths later than the image comes by.

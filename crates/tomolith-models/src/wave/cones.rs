@@ -17,6 +17,7 @@ use super::number::Number;
 use super::spectrum::{Scratch, Windows, zero};
 use super::taps::Signal;
 use std::f64::consts::{PI, TAU};
+use tomolith_core::dose::waves::{Transfer, WaveMode};
 use tomolith_fourier::Complex;
 
 /// Directions of the light of a pixel.
@@ -161,6 +162,16 @@ impl<T: Number> Cones<T> {
             transfers: (0..depths.count).map(transfer).collect(),
             windows,
         }
+    }
+}
+
+impl Cones<f32> {
+    /// The cone as data: a single mode.
+    pub(super) fn modes_form(&self) -> Vec<WaveMode> {
+        vec![WaveMode {
+            weight: 1.0,
+            transfer: Transfer::Each(self.transfers.clone()),
+        }]
     }
 }
 

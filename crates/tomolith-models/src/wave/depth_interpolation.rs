@@ -18,6 +18,7 @@ use super::resample::mirrored;
 use super::sampling::Sampling;
 use super::spectrum::zero;
 use std::ops::Range;
+use tomolith_core::dose::waves::FieldTap;
 use tomolith_core::field::LANES;
 use tomolith_fourier::Complex;
 
@@ -157,6 +158,23 @@ impl<T: Number> DepthInterpolation<T> {
         }
         own.kept = own.most_kept();
         Some(own)
+    }
+
+    /// Both sums as data.
+    pub(super) fn form(&self) -> [Vec<Vec<FieldTap>>; 2]
+    where
+        T: Into<f32>,
+    {
+        let of = |sum: &Sum<T>| {
+            let weights = sum.weights[0].iter().zip(&sum.weights[1]);
+            let taps = sum.fields.iter().zip(weights);
+            taps.map(|(&field, (&re, &im))| FieldTap {
+                field,
+                weights: [re.into(), im.into()],
+            })
+            .collect()
+        };
+        [&self.forth, &self.back].map(|sums| sums.iter().map(of).collect())
     }
 
     /// How many fields between those that are sent back at once wait for.

@@ -12,6 +12,7 @@ use super::number::Number;
 use super::resample::{Places, mirrored};
 use super::sampling::Sampling;
 use std::ops::Range;
+use tomolith_core::dose::waves::{Axis, Rotation};
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
 
 /// Voxels along an edge of a tile.
@@ -93,6 +94,29 @@ impl FrameRotation {
             uptake,
             focus,
             lateral,
+        }
+    }
+
+    /// The turning voxels as data.
+    pub(super) fn form(&self, sampling: &Sampling) -> Rotation {
+        let depths = sampling.along.last();
+        let along = Axis {
+            from: depths.at(0),
+            step: depths.step,
+            count: depths.count,
+        };
+        let Places { from, step, count } = self.lateral;
+        Rotation {
+            azimuths: self.azimuths.clone(),
+            sub_angles: self.sub_angles,
+            in_resin: self.in_resin.clone(),
+            focus: self.focus,
+            active: self.uptake.active,
+            attenuation: self.uptake.attenuation,
+            wall: self.uptake.wall,
+            entrance: self.uptake.entrance,
+            along: (along, sampling.along.taps.form()),
+            across: (Axis { from, step, count }, sampling.across.taps.form()),
         }
     }
 

@@ -51,7 +51,9 @@
 //! assert!((dose.values.iter().sum::<f32>() - 1.0).abs() < 1e-3); // nothing is lost
 //! ```
 
+use super::coherent::alone;
 use super::cones::{Cone, Cones};
+use super::light::Propagation;
 use super::lights::{Lights, beyond, heights_of, turning, working_bytes as working_bytes_of};
 use super::sampling::FIELDS_COST;
 use super::{Entrance, Settings, check_errors};
@@ -63,6 +65,7 @@ use crate::{
 };
 use std::ops::Range;
 use std::sync::Arc;
+use tomolith_core::dose::form::Form;
 use tomolith_core::dose::{Facts, Space};
 use tomolith_core::error::Result;
 use tomolith_core::field::{Field, HostField};
@@ -162,6 +165,16 @@ impl ModelFamily for Params {
             self,
             grid,
         )?))
+    }
+
+    fn form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
+        let (lights, grid) = (input.scene.lights.to_vec(), input.grid.clone());
+        let model = IncoherentCone::new(input.scene.vial, lights, self, grid)?;
+        Ok(LinearOperator::form(&model))
+    }
+
+    fn unscattered_form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
+        parallel::Params::default().form(input)
     }
 
     /// Straight light through the same pixels.
@@ -273,6 +286,16 @@ impl LinearOperator for IncoherentCone {
 
     fn updates(&self) -> u64 {
         self.0.updates()
+    }
+
+    /// Not of a single slice.
+    fn form(&self) -> Option<Form> {
+        let spreading = |cones: &Cones<f32>| {
+            let depths = cones.windows().sampling.along.computed.count;
+            Some((cones.modes_form(), alone(depths)))
+        };
+        let summary = self.0.described(|_| String::new());
+        self.0.form(spreading, (KIND.name, summary))
     }
 
     fn describe(&self) -> String {

@@ -9,6 +9,7 @@ use super::spectrum::{Scratch, Windows};
 use crate::{PatternLayout, Run};
 use std::ops::Range;
 use std::sync::Mutex;
+use tomolith_core::dose::waves;
 use tomolith_core::error::Result;
 use tomolith_core::parallel::InParallel;
 use tomolith_fourier::Complex;
@@ -35,6 +36,9 @@ pub(super) trait Propagation<T: Number>: Send + Sync {
     /// Multiplications and additions of the Fourier transforms of one frame's dose and pullback.
     fn operations(&self) -> f64;
 }
+
+/// How light spreads, as data: its modes, sums of fields at depths, and their transpose.
+pub(super) type SpreadingForm = (Vec<waves::WaveMode>, [Vec<Vec<waves::FieldTap>>; 2]);
 
 /// Light and voxels of one light.
 pub(super) struct WaveLight<T: Number, P: Propagation<T>> {
@@ -320,6 +324,21 @@ impl<T: Number, P: Propagation<T>> WaveLight<T, P> {
         self.propagation
             .send_back(&computed, self.row, scratch, take);
         scratch.computed = computed;
+    }
+}
+
+impl<P: Propagation<f32>> WaveLight<f32, P> {
+    /// The light as data.
+    pub(super) fn form(&self, (modes, [forth, back]): SpreadingForm) -> waves::WaveLight {
+        let windows = self.propagation.windows();
+        waves::WaveLight {
+            transforms: windows.form(),
+            modes,
+            forth,
+            back,
+            closer: self.resample.form(),
+            rotation: self.turn.form(&windows.sampling),
+        }
     }
 }
 

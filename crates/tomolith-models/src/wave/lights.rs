@@ -2,7 +2,7 @@
 
 use super::beam::Spreading;
 use super::frame_rotation::{FrameRotation, Uptake};
-use super::light::{Propagation, WaveLight};
+use super::light::{Propagation, SpreadingForm, WaveLight};
 use super::number::Number;
 use super::sampling::{Sampling, SamplingRequirements};
 use super::spectrum::{Heights, Windows};
@@ -11,6 +11,8 @@ use super::{Entrance, Settings};
 use crate::parallel::is_straight;
 use crate::{DoseLayout, PatternLayout, Run, ZCoupling};
 use std::ops::Range;
+use tomolith_core::dose::form::{Form, Masked};
+use tomolith_core::dose::waves::WaveGeometry;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
@@ -126,6 +128,28 @@ impl<P: Propagation<f32>> Lights<P> {
         self.each()
             .map(|(light, p)| (light.turn.columns() * heights * p.grid.frames()) as u64)
             .sum()
+    }
+
+    /// The model as data; None of a single slice, and where `spreading` gives none.
+    pub(super) fn form(
+        &self,
+        spreading: impl Fn(&P) -> Option<SpreadingForm>,
+        (model, summary): (&'static str, String),
+    ) -> Option<Form> {
+        if self.output.grid.shape[0] == 1 {
+            return None;
+        }
+        let of_light = |light: &WaveLight<f32, P>| Some(light.form(spreading(&light.propagation)?));
+        Some(Form::Waves(Masked::new(WaveGeometry {
+            patterns: self.patterns.clone(),
+            output: self.output.clone(),
+            z_coupling: self.halo(),
+            is_linear: P::IS_LINEAR,
+            lights: self.lights.iter().map(of_light).collect::<Option<_>>()?,
+            updates: self.updates(),
+            model,
+            summary,
+        })))
     }
 
     /// Operations of the Fourier transforms of a dose and a pullback.

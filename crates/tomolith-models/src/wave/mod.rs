@@ -101,6 +101,7 @@ use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, SQRT_2, TAU};
 use std::ops::Range;
 use std::sync::Arc;
+use tomolith_core::dose::form::Form;
 use tomolith_core::dose::{Facts, Space};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
@@ -207,6 +208,15 @@ impl ModelFamily for Params {
         Ok(Box::new(Wave::new(input.scene.vial, lights, self, grid)?))
     }
 
+    fn form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
+        let (lights, grid) = (input.scene.lights.to_vec(), input.grid.clone());
+        Ok(Wave::new(input.scene.vial, lights, self, grid)?.form())
+    }
+
+    fn unscattered_form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
+        parallel::Params::default().form(input)
+    }
+
     /// Straight light through the same pixels.
     fn unscattered(&self, input: &ModelInput<'_>) -> Result<HostModel> {
         parallel::Params::default().build(input)
@@ -292,6 +302,14 @@ impl Wave {
             patterns.quantity = Quantity::Amplitude;
         }
         Ok(Wave(lights))
+    }
+
+    /// How it is sampled, for people.
+    fn summary(&self) -> String {
+        self.0.described(|waves| match waves.modes.len() {
+            1 => String::new(),
+            n => format!(", {n} modes"),
+        })
     }
 
     /// Additions and multiplications of the Fourier transforms of a dose and a pullback together.
@@ -527,11 +545,13 @@ impl DoseModel for Wave {
         self.0.updates()
     }
 
+    /// Not of a single slice, nor with a tapered band limit.
+    fn form(&self) -> Option<Form> {
+        let spreading = |waves: &Coherent<f32>| Some((waves.modes_form()?, waves.sums_form()));
+        self.0.form(spreading, (KIND.name, self.summary()))
+    }
+
     fn describe(&self) -> String {
-        let modes = |propagation: &Coherent<f32>| match propagation.modes.len() {
-            1 => String::new(),
-            n => format!(", {n} modes"),
-        };
-        format!("wave ({})", self.0.described(modes))
+        format!("wave ({})", self.summary())
     }
 }

@@ -10,6 +10,7 @@
 use super::number::Number;
 use super::sampling::Sampling;
 use super::taps::Taps;
+use tomolith_core::dose::waves::{Interpolation, SparseRows};
 
 /// Where samples along u lie.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,6 +66,16 @@ impl<T: Number> Rows<T> {
     }
 }
 
+impl Rows<f32> {
+    fn form(&self) -> SparseRows {
+        let entries = self.slots.iter().zip(&self.weights);
+        SparseRows {
+            starts: self.starts.clone(),
+            entries: entries.map(|(&slot, &weight)| (slot, weight)).collect(),
+        }
+    }
+}
+
 /// An interpolation and its transpose.
 struct Step<T> {
     forth: Rows<T>,
@@ -96,6 +107,15 @@ impl<T: Number> Step<T> {
     }
 }
 
+impl Step<f32> {
+    fn form(&self) -> Interpolation {
+        Interpolation {
+            forth: self.forth.form(),
+            back: self.back.form(),
+        }
+    }
+}
+
 /// The interpolations of one light.
 pub(super) struct Resample<T> {
     across: Option<Step<T>>,
@@ -103,6 +123,13 @@ pub(super) struct Resample<T> {
     /// Depths that are computed, and samples along u after the first step.
     depths: usize,
     width: usize,
+}
+
+impl Resample<f32> {
+    /// The interpolations as data: along u, along the depth.
+    pub(super) fn form(&self) -> [Option<Interpolation>; 2] {
+        [&self.across, &self.along].map(|step| step.as_ref().map(Step::form))
+    }
 }
 
 impl<T: Number> Resample<T> {

@@ -12,6 +12,7 @@ use super::window::{Side, operations};
 use std::f64::consts::TAU;
 use std::ops::Range;
 use std::sync::Arc;
+use tomolith_core::dose::waves::{Comb, Transforms};
 use tomolith_fourier::Complex;
 use tomolith_fourier::Fft;
 
@@ -481,6 +482,33 @@ impl<T: Number> Windows<T> {
             of(mz, self.pixels[0]) + of(mu, nz),
             of(self.heights.2, nu) + of(self.sampling.across.computed.count, self.voxels),
         ]
+    }
+}
+
+impl Windows<f32> {
+    /// The transforms as data.
+    pub(super) fn form(&self) -> Transforms {
+        let lateral = self.sampling.across.computed.count;
+        let (first, stride, high) = self.heights;
+        Transforms {
+            padded: self.sampling.padded,
+            band: self.sampling.band,
+            shifts: self.shifts.iter().map(|s| [s.re, s.im]).collect(),
+            samples: [
+                Comb {
+                    length: lateral,
+                    first: self.samples.start.rem_euclid(lateral as i64) as usize,
+                    stride: 1,
+                    count: self.width(),
+                },
+                Comb {
+                    length: high,
+                    first,
+                    stride,
+                    count: self.voxels,
+                },
+            ],
+        }
     }
 }
 

@@ -17,6 +17,7 @@
 
 use super::lattice::Lattice;
 use std::f64::consts::TAU;
+use tomolith_core::dose::waves::PlaceTaps;
 
 /// Rows of a table: linear between them, weights are right to (π·B/512)²/8 < 5·10⁻⁶ for B cycles a sample.
 const ROWS: usize = 512;
@@ -214,6 +215,16 @@ impl Taps {
             tables: (0..=lower).map(of).collect(),
             ends,
             last: lattice.count as i64 - 1,
+        }
+    }
+
+    /// The weights as data.
+    pub(super) fn form(&self) -> PlaceTaps {
+        PlaceTaps {
+            taps: self.taps,
+            tables: self.tables.clone(),
+            last: self.last as usize,
+            is_turned: self.ends == Ends::Both,
         }
     }
 
