@@ -9,6 +9,7 @@ const CONE: &str = concat!(
     env!("CARGO_MANIFEST_DIR"),
     "/../../examples/12-tilted-cone.toml"
 );
+const WAVES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/17-waves.toml");
 const SCATTERING: &str = concat!(
     env!("CARGO_MANIFEST_DIR"),
     "/../../examples/13-scattering.toml"
@@ -112,18 +113,19 @@ fn a_card_prints_what_the_processor_prints_and_resumes_to_the_bit() {
 }
 
 #[test]
-fn tilted_cones_print_on_a_card_what_they_print_on_the_processor() {
+fn tilted_cones_and_waves_print_on_a_card_what_they_print_on_the_processor() {
     let Some(name) = card() else { return };
     let folder = tempfile::tempdir().unwrap();
     let at = |name: &str| folder.path().join(name);
-    let five = ["--set", "stop.iterations=5"];
-    done(&run(CONE, &format!("gpu:{name}"), &at("card"), &five));
-    done(&run(CONE, "cpu", &at("processor"), &five));
-    let [card, processor] = both("iou", [&at("card"), &at("processor")]);
-    assert!((card - processor).abs() < 1e-3, "{card} {processor}");
-    let text = report(&at("card")).to_string();
-    let says = "exact line integrals (on ";
-    assert!(text.contains(says) && text.contains(" are rays)"), "{text}");
+    let five = ["--set", "stop.iterations=5", "--overwrite"];
+    for (job, model) in [(CONE, "exact line integrals (on "), (WAVES, "wave (on ")] {
+        done(&run(job, &format!("gpu:{name}"), &at("card"), &five));
+        done(&run(job, "cpu", &at("processor"), &five));
+        let [card, processor] = both("iou", [&at("card"), &at("processor")]);
+        assert!((card - processor).abs() < 1e-3, "{card} {processor}");
+        let text = report(&at("card")).to_string();
+        assert!(text.contains(model), "{text}");
+    }
 }
 
 #[test]

@@ -4,6 +4,7 @@ use crate::device::Gpu;
 use crate::field::GpuField;
 use crate::rays::GpuRays;
 use crate::strips::GpuStrips;
+use crate::waves::GpuWaves;
 use std::ops::Range;
 use tomolith_core::dose::form::Form;
 use tomolith_core::dose::{Accelerator, DoseModel, Facts, Run, Space, frames_of};
@@ -19,6 +20,7 @@ pub fn model_on(gpu: &Gpu, form: &Form, run: &Run) -> Result<Box<dyn DoseModel<F
     Ok(match form {
         Form::Strips(form) => Box::new(GpuStrips::new(gpu, form, run)?),
         Form::Rays(form) => Box::new(GpuRays::new(gpu, form, run)?),
+        Form::Waves(form) => Box::new(GpuWaves::new(gpu, form, run)?),
     })
 }
 

@@ -1,19 +1,13 @@
 //! Convolutions of fields on cells, as products of Fourier transforms of zero-padded arrays.
 //!
-//! Many fields `[y][x][z]` lie one after the other and are transformed at once, axis by axis, to half spectra `[k_y][k_x][k_z]`. An axis is
-//! transformed by its definition,
+//! Many fields `[y][x][z]` lie one after the other and are transformed at once, axis by axis, to half spectra `[k_y][k_x][k_z]`
+//! ([`transforms`](crate::transforms)). Zeros that pad a line are not stored, nor are results on the way back that no cell has.
 //!
-//! ```text
-//! out_j = Σ_k in_k·e^(∓2πi·jk/n)
-//! ```
-//! since lines are short (cells are large: n is rarely above 200), half of the inputs are zeros that are left out, as is half of the results on the way
-//! back, and the sums of a line keep one order.
-//!
-//! **Cost** for N³ cells about 20·N⁴ multiplications a field and direction. Memory: 32 bytes a cell and field, twice.
+//! **Cost** memory: 32 bytes a cell and field, twice.
 
 use crate::device::{Buffer, Gpu, THREADS};
 use crate::passes::ENTRY;
-use std::f64::consts::PI;
+use crate::transforms::{Lines, Transform};
 use tomolith_core::dose::scattered::OnCells;
 
 /// Fields on cells of one size and the kernels that they meet.
@@ -23,8 +17,8 @@ pub(crate) struct Convolution {
     cells: [usize; 3],
     padded: [usize; 3],
     row: usize,
-    /// cos and sin of 2π·i/n along y, x, z.
-    tables: [Buffer; 3],
+    /// Along y, x, z, there and back.
+    transforms: [[Transform; 2]; 3],
     /// Kernels that share a binding: the first of them, and the one behind the last.
     kernels: Vec<([usize; 2], Buffer)>,
     /// Of each (row, column) of the matrix of kernels: twice the number of its kernel, and 1 more where that is odd.
@@ -32,30 +26,15 @@ pub(crate) struct Convolution {
     columns: usize,
 }
 
-/// How a kernel reads or writes the lines of an axis.
-#[derive(Clone, Copy, PartialEq)]
-enum Numbers {
-    /// Fields, whose z lines are padded to rows.
-    Real,
-    Complex,
-}
-
 /// Lines of one axis: `[outer][k][inner]`.
-struct Lines {
+struct Axis {
     outer: usize,
     inner: usize,
-    inputs: usize,
-    outputs: usize,
+    /// Numbers of a line, and those of its transform that are stored.
+    counts: [usize; 2],
     /// Elements from one outer number to the next.
     strides: [usize; 2],
-    from: Numbers,
-    to: Numbers,
 }
-
-/// Products of a dispatch at most: below 100 ms on a small card.
-const MOST_PRODUCTS: usize = 1 << 29;
-/// A dispatch of more products than these is submitted by itself.
-const MOST_TOGETHER: usize = 1 << 26;
 
 impl Convolution {
     /// Of fields on cells, with the matrix of their kernels: of each (row, column) the number of its kernel.
@@ -77,7 +56,7 @@ impl Convolution {
             gpu: gpu.clone(),
             cells: [ny, nx, nz],
             row: of.layout.row,
-            tables: padded.map(|n| gpu.upload(bytemuck::cast_slice(&turns(n)))),
+            transforms: padded.map(|n| [-1, 1].map(|sign| Transform::new(gpu, n, sign))),
             padded,
             kernels: of.kernels.chunks(most).enumerate().map(upload).collect(),
             pairs: gpu.upload(bytemuck::cast_slice(&pairs)),
@@ -114,73 +93,54 @@ impl Convolution {
     fn transform(&self, fields: &Buffer, count: usize) -> Buffer {
         let ([ny, nx, nz], [py, px, _]) = (self.cells, self.padded);
         let half = self.half();
-        let along_z = Lines {
+        let along_z = Axis {
             outer: count * ny * nx,
             inner: 1,
-            inputs: nz,
-            outputs: half,
+            counts: [nz, half],
             strides: [self.row, half],
-            from: Numbers::Real,
-            to: Numbers::Complex,
         };
-        let along_x = Lines::complex(count * ny, half, [nx, px]);
-        let along_y = Lines::complex(count, px * half, [ny, py]);
-        let planes = self.pass(2, &along_z, -1.0, fields);
-        let planes = self.pass(1, &along_x, -1.0, &planes);
-        self.pass(0, &along_y, -1.0, &planes)
+        let along_x = Axis::complex(count * ny, half, [nx, px]);
+        let along_y = Axis::complex(count, px * half, [ny, py]);
+        let planes = self.pass((2, &FROM_FIELDS), &along_z, 8, fields);
+        let planes = self.pass((1, &FORTH), &along_x, 8, &planes);
+        self.pass((0, &FORTH), &along_y, 8, &planes)
     }
 
     fn fields_of(&self, spectra: Buffer, count: usize) -> Buffer {
         let ([ny, nx, nz], [py, px, _]) = (self.cells, self.padded);
         let half = self.half();
-        let along_y = Lines::complex(count, px * half, [py, ny]);
-        let along_x = Lines::complex(count * ny, half, [px, nx]);
-        let along_z = Lines {
+        let along_y = Axis::complex(count, px * half, [py, ny]);
+        let along_x = Axis::complex(count * ny, half, [px, nx]);
+        let along_z = Axis {
             outer: count * ny * nx,
             inner: 1,
-            inputs: half,
-            outputs: nz,
+            counts: [half, nz],
             strides: [half, self.row],
-            from: Numbers::Complex,
-            to: Numbers::Real,
         };
-        let planes = self.pass(0, &along_y, 1.0, &spectra);
-        let planes = self.pass(1, &along_x, 1.0, &planes);
-        self.pass(2, &along_z, 1.0, &planes)
+        let planes = self.pass((0, &BACK), &along_y, 8, &spectra);
+        let planes = self.pass((1, &BACK), &along_x, 8, &planes);
+        self.pass((2, &TO_FIELDS), &along_z, 4, &planes)
     }
 
-    /// Transforms the lines of an axis into a new array.
-    fn pass(&self, axis: usize, lines: &Lines, sign: f32, source: &Buffer) -> Buffer {
-        let element = if lines.to == Numbers::Real { 4 } else { 8 };
+    /// Transforms the lines of an axis into a new array, of elements of so many bytes.
+    fn pass(
+        &self,
+        (axis, (kernel, way)): (usize, &(Lines, usize)),
+        lines: &Axis,
+        element: usize,
+        source: &Buffer,
+    ) -> Buffer {
         let out = (self.gpu).buffer((element * lines.outer * lines.strides[1]) as u64);
-        let products = lines.inner * lines.inputs * lines.outputs;
-        let together = (MOST_PRODUCTS / products).max(1);
-        for begin in (0..lines.outer).step_by(together) {
-            let count = together.min(lines.outer - begin);
-            let parameters = [
-                count as u32,
-                begin as u32,
-                lines.inner as u32,
-                lines.inputs as u32,
-                lines.outputs as u32,
-                lines.strides[0] as u32,
-                lines.strides[1] as u32,
-                self.padded[axis] as u32,
-                sign.to_bits(),
-            ];
-            let groups = (count * lines.inner * lines.outputs).div_ceil(THREADS as usize);
-            let (from, to) = (lines.from, lines.to);
-            self.gpu.run(
-                lines.name(),
-                &|| transform(from, to),
-                &parameters,
-                &[&out, source, &self.tables[axis]],
-                groups as u64,
-            );
-            if count * products > MOST_TOGETHER {
-                self.gpu.submit();
-            }
-        }
+        let [inputs, outputs] = lines.counts;
+        let [stride, out_stride] = lines.strides;
+        let n = self.padded[axis];
+        let parameters = [lines.inner, inputs, outputs, stride, out_stride, n].map(|n| n as u32);
+        self.transforms[axis][*way].run(
+            kernel,
+            lines.outer * lines.inner,
+            &parameters,
+            &[&out, source],
+        );
         out
     }
 
@@ -224,77 +184,75 @@ fn values_of(kernel: &tomolith_core::dose::scattered::KernelSpectrum) -> &[f32] 
     &kernel.values
 }
 
-impl Lines {
+impl Axis {
     fn complex(outer: usize, inner: usize, [inputs, outputs]: [usize; 2]) -> Self {
-        Lines {
+        Axis {
             outer,
             inner,
-            inputs,
-            outputs,
+            counts: [inputs, outputs],
             strides: [inputs * inner, outputs * inner],
-            from: Numbers::Complex,
-            to: Numbers::Complex,
-        }
-    }
-
-    fn name(&self) -> &'static str {
-        match (self.from, self.to) {
-            (Numbers::Real, _) => "transform of fields",
-            (_, Numbers::Real) => "transform to fields",
-            _ => "transform",
         }
     }
 }
 
-/// cos and sin of 2π·i/n.
-fn turns(n: usize) -> Vec<[f32; 2]> {
-    let turn = |i: usize| {
-        let (sin, cos) = (2.0 * PI * i as f64 / n as f64).sin_cos();
-        [cos as f32, sin as f32]
-    };
-    (0..n).map(turn).collect()
+/// Kernels of lines, and which way they go: 0 there, 1 back.
+const FROM_FIELDS: (Lines, usize) = (
+    Lines {
+        name: "transform of fields",
+        functions: || {
+            let load =
+                "if (i < p.inputs) { return vec2(source[at(line, i)], 0.0); } return vec2(0.0);";
+            lines(["vec2<f32>", "f32"], load, "value")
+        },
+        are_neighbors: false,
+    },
+    0,
+);
+const FORTH: (Lines, usize) = (
+    Lines {
+        name: "transform",
+        functions: complex_lines,
+        are_neighbors: true,
+    },
+    0,
+);
+const BACK: (Lines, usize) = (
+    Lines {
+        name: "transform back",
+        functions: complex_lines,
+        are_neighbors: true,
+    },
+    1,
+);
+const TO_FIELDS: (Lines, usize) = (
+    Lines {
+        name: "transform to fields",
+        functions: || {
+            // The other half of the spectrum of a real line is its conjugate
+            let load = "if (i < p.inputs) { return source[at(line, i)]; } return source[at(line, p.n - i)] * vec2(1.0, -1.0);";
+            lines(["f32", "vec2<f32>"], load, "value.x")
+        },
+        are_neighbors: false,
+    },
+    1,
+);
+
+fn complex_lines() -> String {
+    let load = "if (i < p.inputs) { return source[at(line, i)]; } return vec2(0.0);";
+    lines(["vec2<f32>"; 2], load, "value")
 }
 
-fn transform(from: Numbers, to: Numbers) -> String {
-    let element = |numbers| match numbers {
-        Numbers::Real => "f32",
-        Numbers::Complex => "vec2<f32>",
-    };
-    let (source, out) = (element(from), element(to));
-    let (value, sum) = match (from, to) {
-        (Numbers::Real, _) => ("vec2(source[at], 0.0)", "sum"),
-        (_, Numbers::Complex) => ("source[at]", "sum"),
-        // Of a half spectrum every frequency but the first and the last stands for two
-        (_, Numbers::Real) => (
-            "source[at] * select(2.0, 1.0, k == 0u || k + 1u == p.inputs)",
-            "sum.x",
-        ),
-    };
+/// Elements that are written and read, what number i of a line is, and what is stored of its transform.
+fn lines([out, source]: [&str; 2], load: &str, stored: &str) -> String {
     format!(
-        "struct Parameters {{ count: u32, first: u32, inner: u32, inputs: u32, outputs: u32, stride: u32, out_stride: u32, n: u32, sign: f32 }}
+        "struct Parameters {{ lines: u32, first: u32, inner: u32, inputs: u32, outputs: u32, stride: u32, out_stride: u32, n: u32 }}
 @group(0) @binding(0) var<uniform> p: Parameters;
-@group(0) @binding(1) var<storage, read_write> out: array<{out}>;
-@group(0) @binding(2) var<storage, read> source: array<{source}>;
-@group(0) @binding(3) var<storage, read> turns: array<vec2<f32>>;
-{ENTRY}
-    let t = group * 256u + thread;
-    let inner = t % p.inner;
-    let j = t / p.inner % p.outputs;
-    let number = t / (p.inner * p.outputs);
-    if (number >= p.count) {{ return; }}
-    let outer = p.first + number;
-    var at = outer * p.stride + inner;
-    var turn = 0u;
-    var sum = vec2(0.0);
-    for (var k = 0u; k < p.inputs; k++) {{
-        let value = {value};
-        let w = vec2(turns[turn].x, p.sign * turns[turn].y);
-        sum += vec2(value.x * w.x - value.y * w.y, value.y * w.x + value.x * w.y);
-        at += p.inner;
-        turn += j;
-        if (turn >= p.n) {{ turn -= p.n; }}
-    }}
-    out[outer * p.out_stride + j * p.inner + inner] = {sum};
+@group(0) @binding(2) var<storage, read_write> out: array<{out}>;
+@group(0) @binding(3) var<storage, read> source: array<{source}>;
+fn at(line: u32, i: u32) -> u32 {{ return line / p.inner * p.stride + i * p.inner + line % p.inner; }}
+fn load(line: u32, i: u32) -> vec2<f32> {{ {load} }}
+fn store(line: u32, i: u32, value: vec2<f32>) {{
+    if (i < p.outputs) {{ out[line / p.inner * p.out_stride + i * p.inner + line % p.inner] = {stored}; }}
 }}"
     )
 }

@@ -22,6 +22,8 @@ mod passes;
 mod rays;
 mod scattered;
 mod strips;
+mod transforms;
+mod waves;
 
 pub use accelerator::model_on;
 pub use bands::GpuBands;

@@ -3,9 +3,12 @@
 mod common;
 #[path = "common/models.rs"]
 mod models;
+#[path = "common/portable.rs"]
+mod portable;
 
 use common::{SMALL, gpu, smaller};
-use models::{assert_near, assert_portable, noise_of};
+use models::{assert_near, noise_of};
+use portable::assert_portable;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use tomolith_core::check;

@@ -3,9 +3,12 @@
 mod common;
 #[path = "common/models.rs"]
 mod models;
+#[path = "common/portable.rs"]
+mod portable;
 
 use common::{SMALL, gpu, smaller};
-use models::{assert_near, assert_portable, noise_of};
+use models::{assert_near, noise_of};
+use portable::assert_portable;
 use std::sync::Arc;
 use tomolith_core::Error;
 use tomolith_core::check;
@@ -366,7 +369,7 @@ fn kernels_are_those_of_other_interfaces_too() {
         let model = &*model_on(&gpu, &case.form(), &Run::new()).unwrap();
         check::adjoint(model, &check::dose(model, &check::noisy_patterns(model, 1)));
     }
-    let sources = gpu.sources().into_iter().collect();
+    let sources: BTreeMap<_, _> = gpu.sources().into_iter().collect();
     assert_portable(&sources);
     for name in ["dose of rays", "sums of rays in cells", "adjoint of rays"] {
         assert!(sources.contains_key(name), "{name}");
