@@ -9,6 +9,7 @@ mod portable;
 use common::{SMALL, gpu, smaller};
 use models::{assert_near, noise_of};
 use portable::assert_portable;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use tomolith_core::Error;
 use tomolith_core::check;
