@@ -112,9 +112,10 @@ class Runs(unittest.TestCase):
         np.testing.assert_allclose(run.target[inside], means, atol=0.06)
         np.testing.assert_array_equal(run.labels == 2, run.target >= 0.5)
         np.testing.assert_allclose(z[inside][0] - 0.1, task.box_mm[0][2], atol=1e-9)
-        # The numbers are of voxels twice as fine
+        # The numbers are of voxels twice as fine, which see more of the edges
         union, common = (run.print | (run.target >= 0.5)).sum(), (run.print & (run.target >= 0.5)).sum()
-        self.assertAlmostEqual(common / union, run.metrics["iou"], delta=0.08)
+        self.assertGreater(common / union, 0.94)
+        self.assertAlmostEqual(common / union, run.metrics["iou"], delta=0.11)
         self.assertTrue((np.diff(run.history["iteration"]) > 0).all())
         self.assertLess(run.history["loss"][-1], run.history["loss"][0])
         html = run._repr_html_()
