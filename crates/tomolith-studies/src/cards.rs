@@ -1,8 +1,10 @@
 //! What a graphics card does in the time of the processor: whole jobs on both, and doses and adjoints alone. Prints the tables of docs/cards.md.
 //!
-//!     cargo run --release -p tomolith-studies -- cards H200              # a card by part of its name; an hour with a processor of 16 cores
-//!     cargo run --release -p tomolith-studies -- cards H200 boat.stl     # the published benchmark's own part
-//!     cargo run --release -p tomolith-studies -- cards llvmpipe - 16     # voxels, pixels and frames of a sixteenth: minutes in software
+//! ```sh
+//! cargo run --release -p tomolith-studies -- cards H200              # a card by part of its name; an hour with a processor of 16 cores
+//! cargo run --release -p tomolith-studies -- cards H200 boat.stl     # the part of the published benchmark
+//! cargo run --release -p tomolith-studies -- cards llvmpipe - 16     # voxels, pixels and frames of a sixteenth: minutes in software
+//! ```
 //!
 //! The program needs no other file, so the one binary may be carried to a machine with a card. Without a mesh a gyroid stands in for the boat. Run
 //! folders go to `out/cards/`.
