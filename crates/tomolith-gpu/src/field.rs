@@ -11,7 +11,8 @@ use crate::half_ramp::GpuHalfRamp;
 use crate::pairs::GpuPairs;
 use crate::passes::{Operand, Pass};
 use std::borrow::Cow;
-use tomolith_core::dose::DoseLayout;
+use tomolith_core::dose::{DoseLayout, PatternLayout, Space};
+use tomolith_core::error::Result;
 use tomolith_core::field::{Bounds, Field, Secant, StepSums};
 
 /// A [`Field`] on a graphics card.
@@ -89,6 +90,20 @@ impl GpuField {
     #[must_use]
     pub fn for_dose(gpu: &Gpu, layout: &DoseLayout) -> Self {
         Self::zeros(gpu, layout.offset + layout.len(), layout.row)
+    }
+
+    /// Zeros as patterns or as a dose of a model.
+    pub(crate) fn of_space(
+        gpu: &Gpu,
+        space: Space,
+        patterns: &[PatternLayout],
+        output: &DoseLayout,
+    ) -> Result<Self> {
+        let field = match space {
+            Space::Dose => Self::for_dose(gpu, output),
+            Space::Patterns => Self::of_lengths(gpu, pieces_of_frames(gpu, patterns)),
+        };
+        gpu.check().map(|()| field)
     }
 
     /// Zeros in pieces of these lengths.
@@ -266,6 +281,25 @@ impl GpuField {
         pass.each(&self.gpu, &operands, &self.lengths);
         Vec::new()
     }
+}
+
+/// Lengths of pieces of a pattern field: whole frames, each piece no larger than a binding.
+fn pieces_of_frames(gpu: &Gpu, patterns: &[PatternLayout]) -> Vec<usize> {
+    let most = gpu.binding_bytes() as usize / 4;
+    let mut lengths = vec![0];
+    for layout in patterns {
+        let columns = layout.grid.columns.max(1);
+        for runs in layout.runs.chunks(columns) {
+            let frame: usize = runs.iter().map(|run| run.count as usize).sum();
+            let last = lengths.len() - 1;
+            if lengths[last] + frame > most {
+                lengths.push(0);
+            }
+            let last = lengths.len() - 1;
+            lengths[last] += frame;
+        }
+    }
+    lengths
 }
 
 impl Field for GpuField {

@@ -16,7 +16,7 @@ use crate::device::{Buffer, Gpu, THREADS};
 use crate::field::GpuField;
 use crate::mask::{IS_LIT, Mask};
 use crate::passes::{ENTRY, Operand, Pass};
-use crate::strips::{must_be_bound, pieces_of_frames};
+use crate::strips::must_be_bound;
 use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::dose::rays::{LightRays, RayForm, RayGeometry, RaySegment};
@@ -361,15 +361,10 @@ impl LinearOperator for GpuRays {
     }
 
     fn new_field(&self, space: Space) -> Result<GpuField> {
-        let geometry = &self.geometry.data;
-        let field = match space {
-            Space::Dose => GpuField::for_dose(&self.gpu, &geometry.output),
-            Space::Patterns => {
-                let lengths = pieces_of_frames(&self.gpu, &geometry.patterns);
-                GpuField::of_lengths(&self.gpu, lengths)
-            }
-        };
-        self.gpu.check().map(|()| field)
+        let RayGeometry {
+            patterns, output, ..
+        } = &*self.geometry.data;
+        GpuField::of_space(&self.gpu, space, patterns, output)
     }
 
     fn add_forward(

@@ -504,25 +504,6 @@ pub(crate) fn must_be_bound(gpu: &Gpu, needed: u64, advice: &str) -> Result<()> 
     })
 }
 
-/// Lengths of pieces of a pattern field: whole frames, each piece no larger than a binding.
-pub(crate) fn pieces_of_frames(gpu: &Gpu, patterns: &[PatternLayout]) -> Vec<usize> {
-    let most = gpu.binding_bytes() as usize / 4;
-    let mut lengths = vec![0];
-    for layout in patterns {
-        let columns = layout.grid.columns.max(1);
-        for runs in layout.runs.chunks(columns) {
-            let frame: usize = runs.iter().map(|run| run.count as usize).sum();
-            let last = lengths.len() - 1;
-            if lengths[last] + frame > most {
-                lengths.push(0);
-            }
-            let last = lengths.len() - 1;
-            lengths[last] += frame;
-        }
-    }
-    lengths
-}
-
 impl LinearOperator for GpuStrips {
     type Field = GpuField;
 
@@ -540,14 +521,7 @@ impl LinearOperator for GpuStrips {
     }
 
     fn new_field(&self, space: Space) -> Result<GpuField> {
-        let field = match space {
-            Space::Dose => GpuField::for_dose(&self.gpu, self.output()),
-            Space::Patterns => {
-                let lengths = pieces_of_frames(&self.gpu, &self.geometry.of.patterns);
-                GpuField::of_lengths(&self.gpu, lengths)
-            }
-        };
-        self.gpu.check().map(|()| field)
+        GpuField::of_space(&self.gpu, space, &self.geometry.of.patterns, self.output())
     }
 
     fn add_forward(

@@ -1,9 +1,10 @@
 //! What a graphics card does in the time of the processor: whole jobs on both, and doses and adjoints alone. Prints the tables of docs/cards.md.
 //!
 //! ```sh
-//! cargo run --release -p tomolith-studies -- cards H200              # a card by part of its name; an hour with a processor of 16 cores
+//! cargo run --release -p tomolith-studies -- cards H200              # a card by part of its name
 //! cargo run --release -p tomolith-studies -- cards H200 boat.stl     # the part of the published benchmark
 //! cargo run --release -p tomolith-studies -- cards llvmpipe - 16     # voxels, pixels and frames of a sixteenth: minutes in software
+//! cargo run --release -p tomolith-studies -- cards H200 - 1 waves    # the jobs whose titles hold a word, or "rates"
 //! ```
 //!
 //! The program needs no other file, so the one binary may be carried to a machine with a card. Without a mesh a gyroid stands in for the boat. Run
@@ -124,7 +125,9 @@ impl Size {
 
 pub(crate) fn study(arguments: &[String]) -> Result<(), Failure> {
     let Some(card) = arguments.first() else {
-        return Err("cards CARD [MESH | -] [DIVISOR]: `tomolith devices` lists cards".into());
+        return Err(
+            "cards CARD [MESH | -] [DIVISOR] [WORD]: `tomolith devices` lists cards".into(),
+        );
     };
     let mesh = arguments.get(1).filter(|mesh| *mesh != "-");
     let divisor = arguments.get(2).map_or(Ok(1), |n| n.parse::<usize>())?;
@@ -133,7 +136,12 @@ pub(crate) fn study(arguments: &[String]) -> Result<(), Failure> {
     println!(
         "| job | loop s: card, processor | pixels, start, ceiling s | evaluation s | IoU |\n|---|---|---|---|---|"
     );
-    for (title, size, scene, iterations) in JOBS {
+    let is_asked = |title: &str| {
+        arguments
+            .get(3)
+            .is_none_or(|word| title.contains(word.as_str()))
+    };
+    for (title, size, scene, iterations) in JOBS.into_iter().filter(|job| is_asked(job.0)) {
         let size = size.over(divisor.max(1));
         let title = format!("{title}, {}³", size.voxels);
         let text = job_text(size, scene, iterations, mesh);
@@ -156,7 +164,7 @@ pub(crate) fn study(arguments: &[String]) -> Result<(), Failure> {
         (&rays, 256, 360),
         (&rays, 128, 90),
     ];
-    for (family, voxels, frames) in models {
+    for (family, voxels, frames) in models.into_iter().filter(|_| is_asked("rates")) {
         let size = [voxels, frames].map(|n| (n / divisor.max(1)).max(8));
         let row = rates(&gpu, family, size).unwrap_or_else(|why| format!("refused: {why} | |"));
         println!("| {}, {}³, {} | {row} |", family.name(), size[0], size[1]);

@@ -23,7 +23,7 @@ type Study = fn(&[String]) -> Result<(), Box<dyn Error>>;
 const STUDIES: [(&str, &str, &str, Study); 7] = [
     (
         "cards",
-        "CARD [MESH | -] [DIVISOR]",
+        "CARD [MESH | -] [DIVISOR] [WORD]",
         "whole jobs, doses and adjoints on a graphics card beside the processor",
         cards::study,
     ),

@@ -13,7 +13,7 @@ mod rotation;
 use crate::device::{Buffer, Gpu};
 use crate::field::GpuField;
 use crate::mask::Mask;
-use crate::strips::{must_be_bound, pieces_of_frames};
+use crate::strips::must_be_bound;
 use crate::transforms::Transform;
 use propagation::{Batch, DevicePropagation};
 use rotation::DeviceRotation;
@@ -219,14 +219,10 @@ impl DoseModel for GpuWaves {
     }
 
     fn new_field(&self, space: Space) -> Result<GpuField> {
-        let field = match space {
-            Space::Dose => GpuField::for_dose(&self.gpu, &self.form().output),
-            Space::Patterns => GpuField::of_lengths(
-                &self.gpu,
-                pieces_of_frames(&self.gpu, &self.form().patterns),
-            ),
-        };
-        self.gpu.check().map(|()| field)
+        let WaveGeometry {
+            patterns, output, ..
+        } = self.form();
+        GpuField::of_space(&self.gpu, space, patterns, output)
     }
 
     fn dose_of(

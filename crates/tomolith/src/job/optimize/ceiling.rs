@@ -86,9 +86,9 @@ impl FoundCeiling {
         self.largest.is_some()
     }
 
-    /// Whether the ceiling times a factor may print well on the finest level: not where IoU or VER lost more than twice what they may when the search
-    /// tried it: of that the published boat and the one of 9.5 mm lose 0.4 times there. Surfaces say nothing here, as in all trials of that level. What a job
-    /// of few iterations gains from some more is larger than all that.
+    /// Whether the ceiling times a factor may print well on the finest level. Not where the search tried it and IoU or VER lost more than twice what they may:
+    /// on the finest level the published boat and the one of 9.5 mm still lose a third of that, which is too much. Surfaces are left out, as in all trials of that
+    /// level. Jobs of few iterations try it: they gain more from the trial's iterations than the ceiling costs.
     pub(crate) fn may_become(&self, factor: f64, job: &ResolvedJob) -> bool {
         let points = &self.report.points;
         let asked = self.report.chosen.map_or(1.0, |i| points[i].factor) * factor;

@@ -2,7 +2,7 @@
 //!
 //! **Method** After the last iteration the ceiling falls by √2 where little light lies above that, else it is doubled, and some iterations more show what the print is then.
 //! A lower one that prints as well as the job tolerates is taken. Where the double prints better than that, the ceiling rises by √2, and where that is not enough once more,
-//! each time for some iterations. The history goes on with what is taken. A lower one that the coarser level refused by far is not tried: of the published boat that saves a sixth
+//! each time for some iterations. The history goes on with what is taken. A lower one that the coarser level refused by far is not tried: of the published boat that saves an eighth
 //! of the optimization.
 //!
 //! **What is compared** IoU, VER and Γ. The mean deviation is not: on these voxels it changes from iteration to iteration by up to a tenth, whatever the ceiling is, where a

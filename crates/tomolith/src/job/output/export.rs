@@ -98,7 +98,8 @@ pub fn job_of_run(run: &Path, printer: Option<&Path>, overrides: &[String]) -> R
         ));
     }
     let mut document = Document::read(&file)?;
-    let profile = printer.and_then(|name| name.to_str().filter(|_| name.extension().is_none()));
+    let is_name = |name: &&Path| name.extension().is_none() && !name.is_file();
+    let profile = printer.filter(is_name).and_then(Path::to_str);
     if let (Some(name), Value::Object(root)) = (profile, &mut document.root) {
         root.insert("printer".to_owned(), name.into());
         document.overridden("printer", format!("--printer {name}"));
