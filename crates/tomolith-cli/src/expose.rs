@@ -11,6 +11,7 @@ use tomolith::exposure::PrinterSpec;
 use tomolith::io::read_text;
 use tomolith::job::export::job_of_run;
 use tomolith::job::{Angles, Job};
+use tomolith::report::json::read as read_report;
 use tomolith::report::number::significant;
 use tomolith::units::concise;
 use tomolith::{Error, Result};
@@ -73,11 +74,10 @@ pub(crate) struct ExposeArguments {
     pub(crate) manner: Manner,
 }
 
-/// A JSON file of the run folder.
-fn json_of(run: &Path, name: &str) -> Result<Value> {
-    let path = run.join(name);
-    let text = read_text(&path)?;
-    serde_json::from_str(&text)
+/// `exposure.json` of a run folder.
+fn exposure_of(run: &Path) -> Result<Value> {
+    let path = run.join("exposure.json");
+    serde_json::from_str(&read_text(&path)?)
         .map_err(|e| Error::format(path, e.to_string(), "the file of a run of Tomolith"))
 }
 
@@ -95,7 +95,7 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
     let job = job_of_run(&given.run, given.printer.as_deref(), &[])?;
     let i = light(given, &job)?;
     let printer = job.spec.printer_of(i).unwrap_or_default();
-    let exposure = json_of(&given.run, "exposure.json")?;
+    let exposure = exposure_of(&given.run)?;
     let shown = shown(given, &job, i, &printer, &exposure["lights"][i])?;
     let machine = machine(given, &job, &printer, &shown)?;
     let critical = match &given.critical_dose {
@@ -115,7 +115,7 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
             )
         })?,
     };
-    let report = json_of(&given.run, "report.json")?;
+    let report = read_report(&given.run)?;
     // Several species have one exposure, where a dose makes all of them solid
     let together = &report["one_exposure"];
     let reported_percent = report["exposure"]["reported_percent"].as_f64();

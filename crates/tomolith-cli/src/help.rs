@@ -55,10 +55,16 @@ pub(crate) fn kinds(family: Option<&str>, name: Option<&str>, json: bool) -> Res
 
 /// All families with their kinds, and all tables, a line each.
 fn list(families: &[KindFamily], tables: &[TablePage]) {
+    let kinds = families.iter().flat_map(|family| &family.kinds);
+    let names = kinds.map(|page| page.name.len());
+    let wide = names
+        .chain(tables.iter().map(|table| table.name.len()))
+        .max()
+        .unwrap_or_default();
     for family in families {
         say(&format!("{}: {}", family.name, family.summary));
         for page in &family.kinds {
-            say(&format!("  {:<16} {}", page.name, page.summary));
+            say(&format!("  {:<wide$}  {}", page.name, page.summary));
         }
         say("");
     }
@@ -66,7 +72,7 @@ fn list(families: &[KindFamily], tables: &[TablePage]) {
     for table in tables {
         let summary = table.summary.split(". ").next().unwrap_or_default();
         say(&format!(
-            "  {:<16} {}",
+            "  {:<wide$}  {}",
             table.name,
             summary.trim_end_matches('.')
         ));

@@ -67,11 +67,30 @@ use super::ceiling::ceiling_json;
 use super::time::time_json;
 use super::{LightReport, MapReport, ObjectiveReport, ReportData, SpeciesReport};
 use serde_json::{Map, Value, json};
+use std::path::Path;
+use tomolith_core::error::{Error, Result};
 use tomolith_core::kind::table_of;
+use tomolith_io::read_text;
 use tomolith_metrics::Evaluation;
 use tomolith_metrics::error_histogram::ErrorHistogram;
 use tomolith_metrics::evaluation::Histogram;
 use tomolith_metrics::spread::Spread;
+
+/// Reads the report of a run from its folder.
+///
+/// # Errors
+/// [`Error::Io`] where there is none that can be read; [`Error::Format`] when it is none of this version.
+pub fn read(folder: &Path) -> Result<Value> {
+    let path = folder.join("report.json");
+    let text = read_text(&path)?;
+    let refused = |found: String| Error::format(&path, found, "the report of a run of this version");
+    let report: Value = serde_json::from_str(&text).map_err(|e| refused(e.to_string()))?;
+    match report["schema"].as_str() {
+        Some(super::SCHEMA) => Ok(report),
+        Some(other) => Err(refused(format!("a report of the schema {other}"))),
+        None => Err(refused("a report that does not say its schema".to_owned())),
+    }
+}
 
 /// A number, or null.
 fn number(value: impl Into<Option<f64>>) -> Value {

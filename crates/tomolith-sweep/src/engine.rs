@@ -6,7 +6,7 @@
 use crate::pictures;
 use crate::plan::{RUNS, SweepPlan, firsts, of_run};
 use crate::spec::KeepSpec;
-use crate::table::{State, Table, failure, report, state};
+use crate::table::{State, Table, failure, state};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use std::collections::BTreeSet;
@@ -19,6 +19,7 @@ use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
+use tomolith::report::json::read as read_report;
 use tomolith::io::npy::must_be_whole;
 use tomolith::io::write_whole;
 use tomolith::job::{self, Document, Job, RunCache, RunFolder, Silent, folder::TAKEN};
@@ -479,7 +480,7 @@ fn damage(plan: &SweepPlan, i: usize) -> Option<Error> {
     let arrays = [PATTERNS, "dose.npy"].map(|name| folder.join(name));
     let mut arrays = arrays.iter().filter(|file| file.exists());
     let is_whole = |()| arrays.try_for_each(|file| must_be_whole(file));
-    report(&folder).map(drop).and_then(is_whole).err()
+    read_report(&folder).map(drop).and_then(is_whole).err()
 }
 
 fn ids(plan: &SweepPlan, runs: &[usize]) -> Vec<String> {

@@ -2,13 +2,13 @@
 
 use crate::plan::SweepPlan;
 use crate::study::{Study, StudySpec};
-use crate::table::report;
 use serde::Deserialize;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use tomolith::io::write_whole;
+use tomolith::report::json::read as read_report;
 use tomolith::report::maps::histograms::{HistogramPanel, histograms};
 use tomolith::report::maps::profiles::{ProfilePanel, profiles};
 use tomolith::{Error, Result};
@@ -208,7 +208,7 @@ fn of_run(panel: &PanelSpec, plan: Option<&&SweepPlan>) -> Vec<Titled> {
             words if words.is_empty() => own(),
             words => words,
         };
-        (title, report(&plan.run_folder(i)).unwrap_or_default())
+        (title, read_report(&plan.run_folder(i)).unwrap_or_default())
     };
     (0..plan.runs.len()).map(of_index).collect()
 }

@@ -11,8 +11,8 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use tomolith::io::{read_text, write_whole};
 use tomolith::job::RunFolder;
-use tomolith::report::SCHEMA;
-use tomolith::{Error, Result};
+use tomolith::report::json::read as read_report;
+use tomolith::Result;
 
 /// What `table.json` says that it is.
 pub const TABLE_SCHEMA: &str = "tomolith.sweep-table/1";
@@ -94,7 +94,7 @@ impl<'p> Table<'p> {
         let Some(&first) = done.first() else {
             return Vec::new();
         };
-        let report = report(&self.plan.run_folder(first)).unwrap_or_default();
+        let report = read_report(&self.plan.run_folder(first)).unwrap_or_default();
         let is_empty = |path: &&String| done.iter().all(|&i| self.metric(i, path).is_none());
         let doubt = |path: &String| match metric::number(&report, path) {
             Err(why) => format!("{why}: its column is empty"),
@@ -198,22 +198,6 @@ pub(crate) fn failure(plan: &SweepPlan, i: usize) -> PathBuf {
     path.into()
 }
 
-/// The report of a run.
-///
-/// # Errors
-/// [`Error::Io`]; [`Error::Format`] for one that is none.
-pub(crate) fn report(folder: &Path) -> Result<Value> {
-    let path = folder.join("report.json");
-    let text = read_text(&path)?;
-    let refused = |found: String| Error::format(path.clone(), found, "the report of a run");
-    let report: Value = serde_json::from_str(&text).map_err(|e| refused(e.to_string()))?;
-    match report["schema"].as_str() {
-        Some(SCHEMA) => Ok(report),
-        Some(other) => Err(refused(format!("a report of the schema {other}"))),
-        None => Err(refused("no report".to_owned())),
-    }
-}
-
 /// What a run's folder holds.
 pub(crate) fn state(plan: &SweepPlan, i: usize) -> Result<State> {
     let folder = plan.run_folder(i);
@@ -223,7 +207,7 @@ pub(crate) fn state(plan: &SweepPlan, i: usize) -> Result<State> {
         let message = noted.and_then(|value| value["message"].as_str().map(str::to_owned));
         return Ok(message.map_or(State::Missing, State::Failed));
     }
-    let report = match report(&folder) {
+    let report = match read_report(&folder) {
         Ok(report) => report,
         // The next call makes it anew
         Err(error) => return Ok(State::Failed(error.to_string())),

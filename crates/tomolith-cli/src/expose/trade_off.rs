@@ -1,6 +1,6 @@
 //! `tomolith expose RUN --trade-off`: quality against time, and the job of a chosen ceiling.
 
-use super::{ExposeArguments, json_of};
+use super::ExposeArguments;
 use crate::answer::Answer;
 use serde::Deserialize as _;
 use std::io::Write;
@@ -8,12 +8,13 @@ use std::path::Path;
 use tomolith::io::{read_text, write_whole};
 use tomolith::job::{Document, Job};
 use tomolith::report::TradeOff;
+use tomolith::report::json::read as read_report;
 use tomolith::report::number::significant;
 use tomolith::{Error, Result};
 
 /// Shows the ceilings that a run tried, and writes the job of one.
 pub(super) fn trade_off(given: &ExposeArguments) -> Result<()> {
-    let report = json_of(&given.run, "report.json")?;
+    let report = read_report(&given.run)?;
     let rows = Vec::<TradeOff>::deserialize(&report["ceiling"]["trade_off"]).map_err(|_| {
         Error::config(
             "RUN",

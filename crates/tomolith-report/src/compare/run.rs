@@ -37,17 +37,10 @@ impl ComparedRun {
     /// # Errors
     /// [`Error::Format`] when it is no folder of a run; [`Error::Io`] when its report cannot be read.
     pub fn read(folder: &Path) -> Result<Self> {
-        let path = folder.join("report.json");
-        let refused = |path: &Path, found: String| Error::format(path, found, ACCEPTED);
         if let Some(found) = is_no_run(folder) {
-            return Err(refused(folder, found.to_owned()));
+            return Err(Error::format(folder, found, ACCEPTED));
         }
-        let text = read_text(&path)?;
-        let bad = |found: String| refused(&path, found);
-        let report: Value = serde_json::from_str(&text).map_err(|e| bad(e.to_string()))?;
-        if report["schema"] != crate::SCHEMA {
-            return Err(bad(format!("schema {}", report["schema"])));
-        }
+        let report = crate::json::read(folder)?;
         let job_text = read_text(folder.join("job.toml")).unwrap_or_default();
         let job: Value = toml::from_str(&job_text).unwrap_or_default();
         let mut flat = BTreeMap::new();

@@ -381,6 +381,15 @@ impl JobSpec {
     /// # Errors
     /// [`Error::Config`] when a value cannot be written as TOML.
     pub fn to_toml(&self) -> Result<String> {
+        if let Some(folder) = &self.output.folder
+            && folder.to_str().is_none()
+        {
+            return Err(Error::config(
+                "output.folder",
+                format!("`{}`, which is no Unicode text", folder.display()),
+                "a path of Unicode text, which job.toml can hold",
+            ));
+        }
         toml::to_string(self.erased())
             .map_err(|e| Error::config("", e.to_string(), "a job that TOML can hold"))
     }

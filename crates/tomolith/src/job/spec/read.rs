@@ -264,9 +264,11 @@ impl Job {
             && self.is_toy
             && (key.ends_with("pixels") || key.starts_with("grid"))
         {
-            accepted.push_str(
-                "; `--toy` counts in pixels and voxels three times as large as the job's",
-            );
+            let toy = "; `--toy` counts in pixels and voxels three times as large as the job's";
+            // An error may pass here twice
+            if !accepted.ends_with(toy) {
+                accepted.push_str(toy);
+            }
         }
         error
     }
