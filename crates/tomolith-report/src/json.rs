@@ -83,7 +83,8 @@ use tomolith_metrics::spread::Spread;
 pub fn read(folder: &Path) -> Result<Value> {
     let path = folder.join("report.json");
     let text = read_text(&path)?;
-    let refused = |found: String| Error::format(&path, found, "the report of a run of this version");
+    let refused =
+        |found: String| Error::format(&path, found, "the report of a run of this version");
     let report: Value = serde_json::from_str(&text).map_err(|e| refused(e.to_string()))?;
     match report["schema"].as_str() {
         Some(super::SCHEMA) => Ok(report),

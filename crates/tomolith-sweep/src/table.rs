@@ -9,10 +9,10 @@ use crate::plan::{RUNS, SweepPlan};
 use serde_json::{Value, json};
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use tomolith::Result;
 use tomolith::io::{read_text, write_whole};
 use tomolith::job::RunFolder;
 use tomolith::report::json::read as read_report;
-use tomolith::Result;
 
 /// What `table.json` says that it is.
 pub const TABLE_SCHEMA: &str = "tomolith.sweep-table/1";

@@ -4,6 +4,7 @@ use crate::error::{Error, Result};
 use crate::field::BLOCK;
 use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::job::spec::JobSpec;
+use crate::job::spec::job_files::files_in;
 use crate::job::spec::read::with_every_default;
 use serde_json::Value;
 use std::io::Read;
@@ -60,45 +61,11 @@ pub(crate) fn of_voxels(voxels: &Voxels) -> [u64; 2] {
     [labels, inside].map(|hashes| hash(bytemuck::cast_slice(&hashes)))
 }
 
-/// Keys that name a file, or a list of files: fields, curves, maps, a matrix, the walls of a vial, bodies in the light, pixels that stay dark, other
-/// starts.
-const FILES: [&str; 12] = [
-    "file",
-    "or",
-    "image",
-    "absorption",
-    "attenuation",
-    "outer",
-    "inner",
-    "mesh",
-    "mask",
-    "psf",
-    "flat_field",
-    "dead_pixels",
-];
-
 /// Hashes of the contents of all files that tables name, in the order of their keys.
 pub(crate) fn contents(tables: &Value, base: &Path, found: &mut Vec<u64>) -> Result<()> {
-    match tables {
-        Value::Array(list) => list.iter().try_for_each(|v| contents(v, base, found)),
-        Value::Object(map) => map.iter().try_for_each(|(key, value)| {
-            // Those of a scenario are whole paths: "vial.mesh.outer"
-            let name = key.rsplit('.').next().unwrap_or(key);
-            match FILES.contains(&name) {
-                true => files(value, base, found),
-                false => contents(value, base, found),
-            }
-        }),
-        _ => Ok(()),
-    }
-}
-
-/// Hashes of the files that the value of a key names; of a table, of those that it names in turn.
-fn files(value: &Value, base: &Path, found: &mut Vec<u64>) -> Result<()> {
-    match value {
-        Value::String(file) => found.push(content(&base.join(file))?),
-        Value::Array(list) => list.iter().try_for_each(|v| files(v, base, found))?,
-        table => contents(table, base, found)?,
+    let mut tables = tables.clone();
+    for file in tables.as_object_mut().map(files_in).unwrap_or_default() {
+        found.push(content(&base.join(file.as_str().unwrap_or_default()))?);
     }
     Ok(())
 }
@@ -173,12 +140,17 @@ mod tests {
             "vial": { "mesh": { "outer": "o.stl", "inner": "i.stl", "refractive_index": 1.5 } },
             "obstacles": [{ "mesh": "b.stl", "scale": 1.0 }],
             "model": { "matrix": { "file": "m.npz" } },
+            "printer": { "gray_curve_file": "g.csv" },
+            "scenario": [{ "set": { "light[0].selection.mask": "s.npy" } }],
+            "start": { "patterns": { "file": "p.npz", "or": ["q.npz"] } },
         });
         let hashes = || {
             let mut found = Vec::new();
             contents(&tables, folder.path(), &mut found).map(|()| found)
         };
-        let files = ["o.stl", "i.stl", "b.stl", "m.npz"];
+        let files = [
+            "o.stl", "i.stl", "b.stl", "m.npz", "g.csv", "s.npy", "p.npz", "q.npz",
+        ];
         for name in files {
             assert!(hashes().is_err(), "{name} is not there yet");
             std::fs::write(folder.path().join(name), "1").unwrap();

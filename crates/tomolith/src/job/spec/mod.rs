@@ -10,6 +10,7 @@ mod angles;
 pub mod document;
 pub(crate) mod file_names;
 pub mod import;
+pub(crate) mod job_files;
 pub mod kinds;
 mod light;
 mod material;

@@ -2,6 +2,7 @@
 
 use super::all_errors::with_others;
 use super::document::Document;
+use super::job_files::{absolute, make_absolute};
 use super::kinds::{KindFamily, families, with_defaults};
 use super::output::LEAST_REFINE;
 use super::{not_finite, profiles, validate};
@@ -137,60 +138,38 @@ impl Job {
     #[must_use]
     pub fn complete(&self) -> JobSpec {
         let mut spec = with_every_default(self.spec.clone());
-        let absolute = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
-        let tables = spec
-            .objective
-            .iter_mut()
-            .chain(spec.objectives.iter_mut().flatten());
-        let tables = tables.chain([&mut spec.response, &mut spec.start]);
-        for table in tables.chain(&mut spec.model) {
-            each_file(table, &|file| absolute(&self.base().join(file)));
-        }
-        for species in &mut spec.species {
-            for table in species.objective.iter_mut().chain(&mut species.response) {
-                each_file(table, &|file| absolute(&self.base().join(file)));
-            }
-        }
-        for property in &mut spec.property {
-            each_file(&mut property.map, &|file| absolute(&self.base().join(file)));
-        }
-        spec.output.folder = Some(absolute(&self.folder()));
         let base = self.base();
-        let own = spec.species.iter_mut().filter_map(|s| s.target.as_mut());
-        let targets = std::iter::once(&mut spec.target).chain(own);
-        for file in targets.flat_map(TargetSpec::files_mut) {
-            *file = absolute(&base.join(&*file));
+        let objectives = spec.objectives.iter_mut().flatten();
+        let tables = spec.objective.iter_mut().chain(objectives);
+        let tables = tables.chain([&mut spec.response, &mut spec.start, &mut spec.vial.kind]);
+        let of_species = spec
+            .species
+            .iter_mut()
+            .flat_map(|s| s.objective.iter_mut().chain(&mut s.response));
+        let maps = spec.property.iter_mut().map(|property| &mut property.map);
+        let tables = tables.chain(&mut spec.model).chain(of_species).chain(maps);
+        for table in tables.filter_map(serde_json::Value::as_object_mut) {
+            make_absolute(table, &base);
         }
-        for file in spec.printer.iter_mut().flat_map(PrinterSpec::files_mut) {
-            *file = absolute(&self.base().join(&*file));
+        for scenario in &mut spec.scenario {
+            make_absolute(&mut scenario.set, &base);
         }
-        for light in &mut spec.light {
-            for file in light
-                .printer
-                .gray_curve_file
-                .iter_mut()
-                .chain(&mut light.psf)
-            {
-                *file = absolute(&self.base().join(&*file));
-            }
+        let others = spec.species.iter_mut().filter_map(|s| s.target.as_mut());
+        let targets = std::iter::once(&mut spec.target).chain(others);
+        let printers = spec.printer.iter_mut().flat_map(PrinterSpec::files_mut);
+        let lights = spec.light.iter_mut().flat_map(|light| {
+            let curve = light.printer.gray_curve_file.iter_mut();
+            curve.chain(&mut light.psf).chain(&mut light.selection.mask)
+        });
+        let maps = spec.resin.absorption_map.iter_mut();
+        let maps =
+            maps.flat_map(|map| std::iter::once(&mut map.absorption).chain(&mut map.attenuation));
+        let files = targets.flat_map(TargetSpec::files_mut).chain(printers);
+        let bodies = spec.obstacles.iter_mut().map(|body| &mut body.mesh);
+        for file in files.chain(lights).chain(maps).chain(bodies) {
+            *file = absolute(&base, file);
         }
-        for wall in ["/mesh/outer", "/mesh/inner"] {
-            if let Some(file) = spec.vial.kind.pointer_mut(wall) {
-                let path = absolute(&self.base().join(file.as_str().unwrap_or_default()));
-                *file = path.display().to_string().into();
-            }
-        }
-        for obstacle in &mut spec.obstacles {
-            obstacle.mesh = absolute(&self.base().join(&obstacle.mesh));
-        }
-        for mask in spec.light.iter_mut().flat_map(|l| &mut l.selection.mask) {
-            *mask = absolute(&base.join(&*mask));
-        }
-        if let Some(map) = &mut spec.resin.absorption_map {
-            for file in std::iter::once(&mut map.absorption).chain(&mut map.attenuation) {
-                *file = absolute(&self.base().join(&*file));
-            }
-        }
+        spec.output.folder = Some(absolute(Path::new(""), &self.folder()));
         spec
     }
 
@@ -321,19 +300,6 @@ pub(crate) fn with_every_default(mut spec: JobSpec) -> JobSpec {
     spec
 }
 
-/// Changes every `file` of a table and the tables in it.
-fn each_file(value: &mut serde_json::Value, change: &dyn Fn(&str) -> PathBuf) {
-    let Some(map) = value.as_object_mut() else {
-        return;
-    };
-    for (key, value) in map {
-        match value.as_str().filter(|_| key == "file").map(change) {
-            Some(file) => *value = file.to_string_lossy().into_owned().into(),
-            None => each_file(value, change),
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -345,6 +311,25 @@ mod tests {
         let error = Job::from_document(Document::toml("sweep.toml", sweep).unwrap());
         let error = error.unwrap_err().to_string();
         assert!(error.contains("a sweep where a job is read"), "{error}");
+    }
+
+    #[test]
+    fn a_whole_job_names_its_files_from_anywhere() {
+        let changes = [
+            "start={ patterns = { file = \"a.npz\", or = [\"b.npz\"] } }",
+            "scenario=[{ set = { \"light[0].selection.mask\" = \"c.npy\" } }]",
+        ];
+        let job = job_of(crate::job::tests::FULL, &changes).complete();
+        let tables = job.to_value().unwrap();
+        for (place, name) in [
+            ("/start/patterns/file", "a.npz"),
+            ("/start/patterns/or/0", "b.npz"),
+            ("/scenario/0/set/light[0].selection.mask", "c.npy"),
+        ] {
+            let file = tables.pointer(place).and_then(|v| v.as_str()).unwrap();
+            assert!(Path::new(file).is_absolute(), "{place}: {file}");
+            assert!(file.ends_with(name), "{place}: {file}");
+        }
     }
 
     #[test]
