@@ -3,12 +3,30 @@
 use super::latitude::ExposureWindow;
 use super::number::{self, significant};
 use serde::{Deserialize, Serialize};
-use serde_json::{Value, json};
 use tomolith_metrics::Evaluation;
 use tomolith_optimize::Gap;
 
-/// IoU, VER, mean surface deviation (mm) and Γ (%) of a print.
-pub type CeilingQuality = [f64; 4];
+/// How good a print is; None: unknown, as surfaces are where they are left out.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct CeilingQuality {
+    /// IoU.
+    pub iou: Option<f64>,
+    /// VER.
+    pub ver: Option<f64>,
+    /// Mean deviation of the surface, mm.
+    pub surface_mean_mm: Option<f64>,
+    /// Γ, %.
+    pub gamma: Option<f64>,
+}
+
+impl CeilingQuality {
+    /// The four in this order; not a number where one is unknown.
+    #[must_use]
+    pub fn numbers(&self) -> [f64; 4] {
+        let all = [self.iou, self.ver, self.surface_mean_mm, self.gamma];
+        all.map(|value| value.unwrap_or(f64::NAN))
+    }
+}
 
 /// A ceiling that was tried.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -16,6 +34,7 @@ pub struct CeilingPoint {
     /// Ceiling over the brightest pixel within the bound of the start.
     pub factor: f64,
     /// Of every print.
+    #[serde(rename = "prints")]
     pub qualities: Vec<CeilingQuality>,
 }
 
@@ -96,7 +115,7 @@ impl CeilingReport {
         let is_changed = (changed_by - 1.0).abs() > 1e-9;
         let tried = |(i, point): (usize, &CeilingPoint)| {
             let worst = |i: usize, worse: fn(f64, f64) -> f64| {
-                let values = point.qualities.iter().map(|quality| quality[i]);
+                let values = point.qualities.iter().map(|quality| quality.numbers()[i]);
                 values.filter(|value| value.is_finite()).reduce(worse)
             };
             TradeOff {
@@ -172,7 +191,11 @@ impl FinestTrial {
             number::change(change(0), 4),
             number::change(change(1), 4),
             number::change(
-                100.0 * change(3) / self.before.first().map_or(f64::NAN, |own| own[3]),
+                100.0 * change(3)
+                    / self
+                        .before
+                        .first()
+                        .map_or(f64::NAN, |print| print.numbers()[3]),
                 1
             ),
         )
@@ -181,7 +204,8 @@ impl FinestTrial {
 
 /// By how much a number of the first print differs.
 fn change(i: usize, [from, to]: [&[CeilingQuality]; 2]) -> f64 {
-    let of = |prints: &[CeilingQuality]| prints.first().map_or(f64::NAN, |own| own[i]);
+    let of =
+        |prints: &[CeilingQuality]| prints.first().map_or(f64::NAN, |print| print.numbers()[i]);
     of(to) - of(from)
 }
 
@@ -217,30 +241,6 @@ pub fn time_sentence(time_mm: Option<f64>, ceiling: Option<&CeilingReport>) -> O
     ))
 }
 
-/// For `report.json`.
-pub(super) fn ceiling_json(ceiling: &CeilingReport, rows: &[TradeOff]) -> Value {
-    let number = |value: f64| {
-        Some(value)
-            .filter(|v| v.is_finite())
-            .map_or(Value::Null, Value::from)
-    };
-    let quality = |[iou, ver, mean, gamma]: &CeilingQuality| json!({ "iou": number(*iou), "ver": number(*ver), "surface_mean_mm": number(*mean), "gamma": number(*gamma) });
-    let prints = |own: &[CeilingQuality]| own.iter().map(quality).collect::<Vec<_>>();
-    let point = |point: &CeilingPoint| json!({ "factor": point.factor, "prints": prints(&point.qualities) });
-    let finest = |trial: &FinestTrial| {
-        let [before, after] = [&trial.before, &trial.after].map(|own| prints(own));
-        json!({ "tried": trial.tried, "before": before, "after": after, "changed_by": trial.changed_by })
-    };
-    json!({
-        "brightest": number(ceiling.brightest),
-        "even_dose": number(ceiling.even_dose),
-        "chosen": ceiling.chosen,
-        "points": ceiling.points.iter().map(point).collect::<Vec<_>>(),
-        "finest": ceiling.finest.as_ref().map(finest),
-        "trade_off": rows,
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -251,8 +251,17 @@ mod tests {
         let point = |factor: f64| CeilingPoint {
             factor,
             qualities: vec![
-                [0.9 + 0.01 * factor, 0.1, 0.01, 5.0],
-                [0.95, 0.2, f64::NAN, 5.0],
+                CeilingQuality {
+                    iou: Some(0.9 + 0.01 * factor),
+                    ver: Some(0.1),
+                    surface_mean_mm: Some(0.01),
+                    gamma: Some(5.0),
+                },
+                CeilingQuality {
+                    iou: Some(0.95),
+                    ver: Some(0.2),
+                    ..CeilingQuality::default()
+                },
             ],
         };
         CeilingReport {

@@ -1,69 +1,7 @@
-//! `report.json`.
-//!
-//! ```text
-//! schema        "tomolith.report/1"
-//! part          name of the part
-//! evaluation    the numbers of metrics::METRICS on the finer grid, from the written patterns, vial turning;
-//!               with gel_threshold, farthest (the place of hausdorff_mm, and whether print or target is without the other there),
-//!               band_half_width (gray targets), sub_angles, grid, part and void (response: min, max, mean, deviation), notes,
-//!               iou_curve, histogram (voxels of part and void per bin of the response over a range), errors (gray targets, else null: bright
-//!               and dark voxels per bin of response − gray value, 800 bins from −1 to 1, or to the power of ten that holds all; band, the
-//!               objective's; band_edge_peak, how many times more voxels are at its edges than a little inside or outside), and standing_still: the same without turning
-//! optimization  the same on the optimization's grid; and objectives, one for each entry of the job's `objectives` (none of a job with `objective`):
-//!               key, weight (its factor in the sum), loss (its own, without that factor; null for cells and for prints in time), voxels (those
-//!               that count: in its region, and with a weight above 0), rms_error and max_error (its response against the gray values over
-//!               these, each once whatever it weighs; null for a target of part and void)
-//! exposure      over which exposures the print stays nearly as good as at the best one: measure (iou, or rms_error of gray targets), best (its value
-//!               there), tolerance (how much worse it may get), and low, best, high of each of: percent (exposures, % of the best one), time_s (null
-//!               where the job gives no times), dose and threshold (what gels, in units of the job and of the response; null for gray targets; the
-//!               highest belongs to the shortest exposure); reported_percent (the exposure of all other numbers: 100, unless the job sets a
-//!               threshold or is gray). An end without limit is null; all of it is null where the report cannot state it
-//! limits        what makes the print worse, the largest loss first: cause (grid, levels, turning, optics, iterations), loss_in_iou (or
-//!               loss_in_rms_error; below 0: a gain), key (the one to change), advice
-//! published     numbers with other authors' signs or normalizations: value, unit, source, note; slices; unit_systems;
-//!               keep_dark (responses in the bodies that are to stay dark: volume_mm3, mean, largest, part_mean);
-//!               insert (what of the inserts' surface is touched: insert_mm2 in all, target_mm2 by the target, print_mm2 by the print, share
-//!               of the print's in all, of_target: of what the target touches, the share that the print touches);
-//!               paths (scattering by Monte Carlo paths: their numbers, IoU and PW on the optimization's and on independent ones, noise per voxel);
-//!               orders (scattering order by order: how far it is from Monte Carlo paths in part and void, over the part's mean dose)
-//! lights        frames, size and scale of each light's patterns; budget (time, turns, energies: those of the schedule where the job has one),
-//!               irradiance (of white in that schedule, and the most that the printer gives; else null)
-//! species       where a job names several: name, driven_by (factor of each light), evaluation, exposure, limits and objective_window as here; the first is that of
-//!               `evaluation`
-//! one_exposure  of several species: gel_dose (at which all of them gel), species and iou (of each then), where the lowest of them is the largest;
-//!               limited_by (the species with the lowest), percent and time_s as in exposure, of the lowest IoU
-//! time          the print in time where the job has a schedule, per network: name, induction_end_s (the first voxel is solid), best_s and
-//!               best_jaccard, window_s (within 0.01 of the best), ideal_exposure_s, requirement_mj, largest_share_of_requirement (where it is
-//!               never met), best_mj (energy that all lights have sent to the vial by best_s), evaluation (what is solid at best_s), curves
-//! one_moment    of several networks: seconds (when the lowest Jaccard index is the largest), networks, jaccard, limited_by, sent_mj, window_s; else null
-//! properties    of the printed material: name, unit, and min, median, max where something is solid
-//! history       how many iterations and model calls, the last loss, the last projected gradient relative to the first;
-//!               kept: the iteration whose patterns these are, and by what it was kept (loss, print, last);
-//!               lower_bound: a loss that no patterns within the bounds go below (linear models, convex objectives), gap: (loss − lower_bound)/loss
-//! levels        patterns that were improved on few levels: loss of plain rounding, loss, full scale over the brightest pixel, steps,
-//!               model calls; else null
-//! ceiling       of the pixels, where the run looked for one: brightest (without a ceiling, mJ/mm²), even_dose (mean in the part with all pixels at 1), points (factor of that, and of every print iou, ver,
-//!               surface_mean_mm and gamma, on pixels of twice the width), chosen (which of them; null: none is good enough), finest (that one on the finest voxels: tried, another ceiling over it; before and after,
-//!               the prints below both; changed_by, what the ceiling was multiplied by), trade_off (what was tried and what the run took, the longest print first: brightest, time_mm, time_s, iou, ver,
-//!               surface_mean_mm, is_chosen, is_evaluated: by the run's evaluation, not on pixels of twice the width); else null
-//! scenarios     where a job has any: of (mean or worst), threshold (the job's), window (least of the part − largest of the void over all of
-//!               them, trimmed), worst_iou (at that threshold), rows (the job, then each scenario: name, iou, iou_at_threshold, gamma,
-//!               part_low, void_high); else null
-//! process_window  of an objective that looks for it, before the patterns are written, on the optimization's voxels: outliers (the share left
-//!               out), thresholds (l and u of the objective), part_above, part_below, void_below (what all but the outliers are), window (part_above
-//!               − void_below), range (part_below − part_above), ipdr (its bound); else null
-//! objective_window  thresholds of the objective, where it has any: the void should stay below the first, the part above the second; else null
-//! time_to_print_s  of all lights: one after the other, or side by side in a schedule; null where times are not known
-//! movies        what a decoder makes of each movie
-//! notes         sentences: choices that were made
-//! warnings      sentences
-//! is_toy        whether the job was run with `--toy`
-//! run           program, models that gave the doses (with their kernels on this machine), date and times: all that may differ between two equal runs
-//! ```
+//! `report.json`: its keys are in `docs/report.md`.
 //!
 //! What is not defined is null; no number is infinite or not a number.
 
-use super::ceiling::ceiling_json;
 use super::time::time_json;
 use super::{LightReport, MapReport, ObjectiveReport, ReportData, SpeciesReport};
 use serde_json::{Map, Value, json};
@@ -190,7 +128,11 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         "properties": data.maps.iter().map(map_json).collect::<Vec<_>>(),
         "history": history,
         "levels": data.levels,
-        "ceiling": data.ceiling.map(|own| ceiling_json(own, &data.trade_off())),
+        "ceiling": data.ceiling.map(|ceiling| {
+            let mut ceiling = json!(ceiling);
+            ceiling["trade_off"] = json!(data.trade_off());
+            ceiling
+        }),
         "scenarios": data.scenarios,
         "process_window": data.found_window,
         "response": response,

@@ -482,6 +482,25 @@ mod tests {
         assert_eq!(other, json);
     }
 
+    #[test]
+    fn the_page_in_docs_has_every_key_of_the_report() {
+        let page = include_str!("../../../docs/report.md");
+        let sample = Sample::new();
+        let json = json::report_json(&sample.data(&sample.evaluation()));
+        let metrics = tomolith_metrics::METRICS.iter().map(|kind| kind.name);
+        let metrics: Vec<_> = metrics.collect();
+        let is_told =
+            |key: &&String| page.contains(&format!("`{key}`")) || metrics.contains(&key.as_str());
+        let keys = |value: &serde_json::Value| value.as_object().unwrap().clone();
+        let (all, evaluation) = (keys(&json), keys(&json["evaluation"]));
+        let missing: Vec<_> = all
+            .keys()
+            .chain(evaluation.keys())
+            .filter(|key| !is_told(key))
+            .collect();
+        assert!(missing.is_empty(), "{missing:?}");
+    }
+
     /// A page without the program that draws it.
     fn text_of(page: &str) -> &str {
         &page[..page.rfind("<script>").unwrap()]

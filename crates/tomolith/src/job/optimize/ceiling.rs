@@ -96,8 +96,10 @@ impl FoundCeiling {
         tried
             .filter(|_| job.stop().iterations >= SETTLED)
             .is_none_or(|tried| {
-                let without_surfaces =
-                    |&[iou, ver, _, gamma]: &CeilingQuality| [iou, ver, f64::NAN, gamma];
+                let without_surfaces = |print: &CeilingQuality| CeilingQuality {
+                    surface_mean_mm: None,
+                    ..*print
+                };
                 let qualities: Vec<_> = tried.qualities.iter().map(without_surfaces).collect();
                 are_good(job, 2 * FACTOR, (&points[0].qualities, &qualities))
             })
@@ -365,6 +367,7 @@ pub(crate) fn are_good(
 ) -> bool {
     let (wider, tolerance) = (wider as f64, &job.bounds().tolerance);
     let within = |(other, own): (&CeilingQuality, &CeilingQuality)| {
+        let [other, own] = [other, own].map(CeilingQuality::numbers);
         // Where nothing is known of surfaces, that is not more
         let is_farther = own[2] > other[2] * (1.0 + tolerance.deviation);
         own[0] >= other[0] - wider * tolerance.iou
@@ -441,7 +444,7 @@ impl Stage<'_> {
         }
     }
 
-    /// IoU, VER, mean deviation (mm) and Γ of every output; the deviation is NaN where surfaces are left out.
+    /// How good every output is; nothing of its surface where surfaces are left out.
     pub(crate) fn qualities(
         &self,
         x: &HostField,
@@ -460,14 +463,13 @@ impl Stage<'_> {
                 true => print.with_most_corners(CORNERS),
                 false => print.without_distance(),
             };
-            let measure = |kind: &MetricKind| (kind.measure)(&print).unwrap_or(f64::NAN);
-            Ok([
-                &iou::KIND,
-                &ver::KIND,
-                &surface_deviation::MEAN,
-                &gamma::KIND,
-            ]
-            .map(measure))
+            let measure = |kind: &MetricKind| (kind.measure)(&print).filter(|v| v.is_finite());
+            Ok(CeilingQuality {
+                iou: measure(&iou::KIND),
+                ver: measure(&ver::KIND),
+                surface_mean_mm: measure(&surface_deviation::MEAN),
+                gamma: measure(&gamma::KIND),
+            })
         });
         let found = of_output.collect::<Result<Vec<_>>>()?;
         cancel.check()?;

@@ -5,7 +5,7 @@ use crate::job::optimize::*;
 use crate::job::tests::job_of;
 use crate::models::{DoseModel, planner};
 use crate::optimize::Row;
-use crate::report::CeilingPoint;
+use crate::report::{CeilingPoint, CeilingQuality};
 
 #[test]
 fn a_run_that_stayed_at_its_start_says_so() {
@@ -146,7 +146,10 @@ fn raised_from(share: f64) -> (usize, f64, f64) {
     let (resolved, voxels) = gear("");
     let (run, silent) = (Run::new(), &mut crate::job::progress::Silent);
     let mut found = ceiling::find(&resolved, &voxels, &run).unwrap().unwrap();
-    // As a checkpoint holds it
+    // As a checkpoint holds it, also where a print had no surface
+    let mut blank = found.report.points[0].clone();
+    blank.qualities[0].surface_mean_mm = None;
+    found.report.points.push(blank);
     let stored = serde_json::to_string(&found).unwrap();
     let again: FoundCeiling = serde_json::from_str(&stored).unwrap();
     assert_eq!(again.report, found.report);
@@ -200,7 +203,12 @@ fn a_ceiling_that_the_coarser_level_refused_by_far_is_not_tried_again() {
     let lower = std::f64::consts::FRAC_1_SQRT_2;
     let point = |factor: f64, lost: f64| CeilingPoint {
         factor,
-        qualities: vec![[1.0 - lost, 0.0, f64::NAN, 10.0]],
+        qualities: vec![CeilingQuality {
+            iou: Some(1.0 - lost),
+            ver: Some(0.0),
+            surface_mean_mm: None,
+            gamma: Some(10.0),
+        }],
     };
     for (lost, is_tried) in [(0.0039, true), (0.0041, false)] {
         let tried = [(1.0, 0.0), (0.5, 0.0), (0.25, 0.02), (0.5 * lower, lost)];
