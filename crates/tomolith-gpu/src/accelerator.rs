@@ -2,12 +2,13 @@
 
 use crate::device::Gpu;
 use crate::field::GpuField;
+use crate::paths::GpuPaths;
 use crate::rays::GpuRays;
 use crate::strips::GpuStrips;
 use crate::waves::GpuWaves;
 use std::ops::Range;
 use tomolith_core::dose::form::Form;
-use tomolith_core::dose::{Accelerator, DoseModel, Facts, Run, Space, frames_of};
+use tomolith_core::dose::{Accelerator, DoseModel, Facts, Renewal, Run, Space, frames_of};
 use tomolith_core::error::Result;
 use tomolith_core::field::{Field, HostField};
 
@@ -20,6 +21,7 @@ pub fn model_on(gpu: &Gpu, form: &Form, run: &Run) -> Result<Box<dyn DoseModel<F
     Ok(match form {
         Form::Strips(form) => Box::new(GpuStrips::new(gpu, form, run)?),
         Form::Rays(form) => Box::new(GpuRays::new(gpu, form, run)?),
+        Form::Paths(form) => Box::new(GpuPaths::new(gpu, form, run)?),
         Form::Waves(form) => Box::new(GpuWaves::new(gpu, form, run)?),
     })
 }
@@ -53,6 +55,13 @@ impl OnHost {
         let mut dose = self.model.new_dose()?;
         self.model.dose_of(frames, &x, &mut dose, run)?;
         Ok(dose)
+    }
+}
+
+impl Renewal<HostField> for OnHost {
+    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
+        let renewal = self.model.renewal();
+        renewal.map_or(Ok(false), |model| model.renew(iteration, &self.place(x)?, run))
     }
 }
 
@@ -115,6 +124,10 @@ impl DoseModel for OnHost {
             found.push(own);
         }
         self.gpu.check().map(|()| Some(found))
+    }
+
+    fn renewal(&self) -> Option<&dyn Renewal<HostField>> {
+        self.model.renewal().map(|_| self as _)
     }
 
     fn updates(&self) -> u64 {

@@ -2,11 +2,10 @@
 //!
 //! Fields are `[y][x][z]` with padded rows, several one after the other in one array. Formulas: [`tomolith_core::dose::scattered`].
 
-use crate::convolution::Convolution;
 use crate::device::{Buffer, Gpu, THREADS};
 use crate::passes::ENTRY;
 use std::ops::Range;
-use tomolith_core::dose::scattered::OnCells;
+use tomolith_core::dose::scattered::CellGrid;
 
 /// Cells of one size.
 pub(crate) struct DeviceCells {
@@ -14,9 +13,6 @@ pub(crate) struct DeviceCells {
     /// Along x, y, z, and elements of a row.
     shape: [u32; 4],
     is_full: Buffer,
-    /// Of unscattered light as a source, of what voxels see.
-    pub(crate) sharpened: [[f32; 3]; 2],
-    pub(crate) convolution: Convolution,
     /// Along x, y, z one after the other: of each voxel the cell below its middle and the weight of the next one.
     places: Buffer,
     /// Along x, y, z one after the other: of each cell the first voxel that it is interpolated to, and the one behind the last.
@@ -38,8 +34,8 @@ pub(crate) struct Matrix<'a> {
 }
 
 impl DeviceCells {
-    /// Cells whose fields meet a matrix of kernels; `row` is that of voxels.
-    pub(crate) fn new(gpu: &Gpu, of: &OnCells, matrix: &[Vec<usize>], row: usize) -> Self {
+    /// Cells on a card; `row` is that of voxels.
+    pub(crate) fn new(gpu: &Gpu, of: &CellGrid, row: usize) -> Self {
         let [nz, ny, nx] = of.layout.grid.shape;
         let is_full: Vec<u32> = of.is_full.iter().map(|&full| u32::from(full)).collect();
         let places = of.places.iter().flatten();
@@ -55,8 +51,6 @@ impl DeviceCells {
             gpu: gpu.clone(),
             shape: [nx, ny, nz, of.layout.row].map(|n| n as u32),
             is_full: gpu.upload(bytemuck::cast_slice(&is_full)),
-            sharpened: of.sharpened,
-            convolution: Convolution::new(gpu, of, matrix),
             places: gpu.upload(bytemuck::cast_slice(&places)),
             ranges: gpu.upload(bytemuck::cast_slice(&ranges)),
             voxels: [vx, vy, vz, row as u32],

@@ -39,7 +39,7 @@ struct Axis {
 impl Convolution {
     /// Of fields on cells, with the matrix of their kernels: of each (row, column) the number of its kernel.
     pub(crate) fn new(gpu: &Gpu, of: &OnCells, matrix: &[Vec<usize>]) -> Self {
-        let [nz, ny, nx] = of.layout.grid.shape;
+        let [nz, ny, nx] = of.grid.layout.grid.shape;
         let [px, py, pz] = of.padded;
         let padded = [py, px, pz];
         let own = Self::frequencies(of.padded);
@@ -55,7 +55,7 @@ impl Convolution {
         Convolution {
             gpu: gpu.clone(),
             cells: [ny, nx, nz],
-            row: of.layout.row,
+            row: of.grid.layout.row,
             transforms: padded.map(|n| [-1, 1].map(|sign| Transform::new(gpu, n, sign))),
             padded,
             kernels: of.kernels.chunks(most).enumerate().map(upload).collect(),

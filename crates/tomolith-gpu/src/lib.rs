@@ -19,6 +19,7 @@ mod half_ramp;
 mod mask;
 mod pairs;
 mod passes;
+mod paths;
 mod rays;
 mod scattered;
 mod strips;

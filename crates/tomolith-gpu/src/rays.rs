@@ -20,7 +20,7 @@ use crate::strips::must_be_bound;
 use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::dose::rays::{LightRays, RayForm, RayGeometry, RaySegment};
-use tomolith_core::dose::{Facts, LinearOperator, PatternLayout, Run, Space, own_frames};
+use tomolith_core::dose::{DoseLayout, Facts, LinearOperator, PatternLayout, Run, Space, own_frames};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::Field;
 
@@ -28,12 +28,12 @@ use tomolith_core::field::Field;
 const MOST_PASSED: u64 = 1 << 27;
 
 /// The geometry of a model on the card.
-struct Geometry {
+pub(crate) struct Geometry {
     data: Arc<RayGeometry>,
     lights: Vec<DeviceLight>,
     bytes: u64,
-    /// The largest deposit in a voxel, for a pixel of value 1.
-    most: f32,
+    /// The largest of a segment, for a pixel of value 1.
+    energy: f32,
     /// The element of each voxel that takes the light inside of a surface; nothing where none cuts voxels.
     inside: Buffer,
     /// One over the share of its voxel that each element has, where any are cut.
@@ -51,8 +51,6 @@ struct DeviceLight {
     is_shared: bool,
     /// Rows of pixels in a column, at most.
     rows: usize,
-    /// Slots of a submission.
-    together: usize,
     chunks: Vec<Chunk>,
 }
 
@@ -82,7 +80,7 @@ impl Geometry {
             run.check()?;
             let frame = 4 * (layout.grid.rows * layout.grid.columns) as u64;
             must_be_bound(gpu, frame, "fewer rows or columns")?;
-            lights.push(DeviceLight::new(gpu, light, layout, data.updates)?);
+            lights.push(DeviceLight::new(gpu, light, layout)?);
         }
         let energy = segments().fold(0.0f32, |most, segment| most.max(segment.energy.abs()));
         let (mut inside, mut weights) = (Vec::new(), None);
@@ -102,8 +100,7 @@ impl Geometry {
             data: data.clone(),
             lights,
             bytes,
-            // A cell of the major axis is passed on at most the diagonal of a voxel
-            most: energy * 3f32.sqrt(),
+            energy,
             inside: gpu.upload(bytemuck::cast_slice(&inside)),
             weights,
         })
@@ -127,7 +124,7 @@ fn must_be_stored(gpu: &Gpu, bytes: u64) -> Result<()> {
 }
 
 impl DeviceLight {
-    fn new(gpu: &Gpu, light: &LightRays, layout: &PatternLayout, updates: u64) -> Result<Self> {
+    fn new(gpu: &Gpu, light: &LightRays, layout: &PatternLayout) -> Result<Self> {
         let columns = layout.grid.columns;
         let runs: Vec<[u32; 4]> = (layout.runs.iter().enumerate())
             .map(|(i, run)| {
@@ -141,14 +138,12 @@ impl DeviceLight {
             .collect();
         let still = vec![[1.0, 0.0]];
         let turns = light.turns.as_ref().unwrap_or(&still);
-        let slots = runs.len().max(1);
         Ok(DeviceLight {
             runs: gpu.upload(bytemuck::cast_slice(&runs)),
             turns: turns.len(),
             exposures: (turns.len() / layout.grid.frames().max(1)).max(1),
             is_shared: light.turns.is_some(),
             rows: runs.iter().map(|run| run[2] as usize).max().unwrap_or(0),
-            together: (MOST_PASSED / (updates / slots as u64 + 1)).max(1) as usize,
             chunks: chunks(gpu, light, turns, layout)?,
         })
     }
@@ -216,15 +211,25 @@ fn chunks(
     Ok(chunks)
 }
 
-/// Fields that rays go between: pieces of patterns and of voxels.
-struct Walk<'a> {
-    name: &'static str,
-    source: &'a dyn Fn() -> String,
-    patterns: &'a GpuField,
+/// Fields that light goes between: pieces of patterns and of voxels (or cells).
+pub(crate) struct Walk<'a> {
+    pub(crate) name: &'static str,
+    pub(crate) source: &'a dyn Fn() -> String,
+    pub(crate) patterns: &'a GpuField,
+    /// The voxels, and x and y of their lowest corner, in voxels from the axis of the vial.
+    pub(crate) output: &'a DoseLayout,
+    pub(crate) corner: [f32; 2],
     /// One or two buffers of each piece of a dose.
-    voxels: Vec<(Range<usize>, Vec<&'a Buffer>)>,
+    pub(crate) voxels: Vec<(Range<usize>, Vec<&'a Buffer>)>,
     /// Of the values of pixels.
-    scale: f32,
+    pub(crate) scale: f32,
+    /// Whether what pixels get is added to what they have.
+    pub(crate) adds: bool,
+    /// What binding 5 is, and the numbers behind those of all kernels.
+    pub(crate) table: &'a Buffer,
+    pub(crate) numbers: Vec<u32>,
+    /// Voxels that all light passes, about: what submissions are cut by.
+    pub(crate) updates: u64,
 }
 
 impl GpuRays {
@@ -244,35 +249,79 @@ impl GpuRays {
         })
     }
 
-    /// Follows the rays of some frames, counted through all lights.
-    fn follow(&self, frames: &Range<usize>, walk: &Walk<'_>, run: &Run) -> Result<()> {
-        for (light, frames) in own_frames(&self.geometry.data.patterns, frames) {
-            let columns = self.geometry.data.patterns[light].grid.columns;
-            let device = &self.geometry.lights[light];
-            for chunk in &device.chunks {
-                let slots = device.slots(chunk, &frames, columns);
-                for first in slots.clone().step_by(device.together) {
-                    run.check()?;
-                    self.gpu.check()?;
-                    let together = first..slots.end.min(first + device.together);
-                    self.follow_slots((light, chunk), &together, walk);
-                    self.gpu.submit();
-                }
+    /// Follows the rays of some frames of a light.
+    pub(crate) fn follow(
+        &self,
+        (light, frames): (usize, &Range<usize>),
+        walk: &Walk<'_>,
+        run: &Run,
+    ) -> Result<()> {
+        let layout = &self.geometry.data.patterns[light];
+        let (device, all) = (&self.geometry.lights[light], layout.runs.len().max(1) as u64);
+        let most = (MOST_PASSED / (walk.updates / all + 1)).max(1) as usize;
+        for chunk in &device.chunks {
+            let slots = device.slots(chunk, frames, layout.grid.columns);
+            for first in slots.clone().step_by(most) {
+                run.check()?;
+                self.gpu.check()?;
+                let together = first..slots.end.min(first + most);
+                self.follow_slots((light, chunk), &together, walk);
+                self.gpu.submit();
             }
         }
         Ok(())
     }
 
+    /// The largest energy of a segment, for a pixel of value 1.
+    pub(crate) fn brightest(&self) -> f32 {
+        self.mask.factor * self.geometry.energy
+    }
+
+    /// The factor of all light.
+    pub(crate) fn factor(&self) -> f32 {
+        self.mask.factor
+    }
+
+    /// What models of this geometry store of it.
+    pub(crate) fn stored_bytes(&self) -> u64 {
+        self.geometry.bytes
+    }
+
+    /// A walk of unscattered light between patterns, whose values count `scale` times, and voxels.
+    fn walk<'a>(
+        &'a self,
+        (name, source): (&'static str, &'a dyn Fn() -> String),
+        patterns: &'a GpuField,
+        voxels: Vec<(Range<usize>, Vec<&'a Buffer>)>,
+        scale: f32,
+    ) -> Walk<'a> {
+        let data = &self.geometry.data;
+        Walk {
+            name,
+            source,
+            patterns,
+            output: &data.output,
+            corner: data.corner,
+            voxels,
+            scale,
+            adds: false,
+            table: &self.geometry.inside,
+            numbers: Vec::new(),
+            updates: data.updates,
+        }
+    }
+
+    /// Follows the rays of some frames, counted through all lights.
+    fn follow_all(&self, frames: &Range<usize>, walk: &Walk<'_>, run: &Run) -> Result<()> {
+        let mut lights = own_frames(&self.geometry.data.patterns, frames);
+        lights.try_for_each(|(light, frames)| self.follow((light, &frames), walk, run))
+    }
+
     /// Follows the rays of some slots between all pieces.
     fn follow_slots(&self, (light, chunk): (usize, &Chunk), slots: &Range<usize>, walk: &Walk<'_>) {
         let device = &self.geometry.lights[light];
-        let RayGeometry {
-            patterns,
-            output,
-            corner,
-            ..
-        } = &*self.geometry.data;
-        let layout = &patterns[light];
+        let layout = &self.geometry.data.patterns[light];
+        let (output, corner) = (walk.output, walk.corner);
         let (columns, first_column, image_rows) = match device.is_shared {
             true => (chunk.columns.len(), chunk.columns.start, layout.grid.rows),
             false => (layout.grid.columns, 0, 0),
@@ -312,20 +361,21 @@ impl GpuRays {
                     nz,
                     output.row,
                     usize::from(self.mask.has_dark),
-                    usize::from(k > 0),
+                    usize::from(walk.adds || k > 0),
                     2 * device.turns,
                     first,
                 ];
                 let numbers = numbers.map(|n| n as u32).into_iter();
                 let low_y = corner[1] + lines.start as f32;
                 let scales = [corner[0], low_y, walk.scale * self.mask.factor];
-                let parameters: Vec<u32> = numbers.chain(scales.map(f32::to_bits)).collect();
+                let numbers = numbers.chain(scales.map(f32::to_bits));
+                let parameters: Vec<u32> = numbers.chain(walk.numbers.iter().copied()).collect();
                 let mut all = vec![
                     &chunk.segments,
                     &chunk.starts,
                     &device.runs,
                     &*self.mask.lit,
-                    &self.geometry.inside,
+                    walk.table,
                     piece,
                 ];
                 all.extend(buffers);
@@ -337,8 +387,10 @@ impl GpuRays {
     }
 }
 
-/// The unit of deposits none of which is larger than `most`; NaN where that is no number.
-fn unit_of(most: f32) -> f32 {
+/// The unit of deposits of segments none of which has a larger energy; NaN where that is no number.
+pub(crate) fn unit_of(energy: f32) -> f32 {
+    // A cell of the major axis is passed on at most the diagonal of a voxel
+    let most = energy * 3f32.sqrt();
     // Far above the smallest number: its inverse is one, too
     let exponent = most.log2().ceil().max(-90.0);
     if most.is_finite() {
@@ -374,43 +426,20 @@ impl LinearOperator for GpuRays {
         dose: &mut GpuField,
         run: &Run,
     ) -> Result<()> {
-        let most = x.max_abs() * self.mask.factor * self.geometry.most;
-        if most == 0.0 {
+        let energy = x.max_abs() * self.brightest();
+        if energy == 0.0 {
             return self.gpu.check();
         }
-        let unit = unit_of(most);
+        let unit = unit_of(energy);
         let zeros = || GpuField::of_lengths(&self.gpu, dose.lengths().to_vec());
         let (low, high) = (zeros(), zeros());
         let words = low.pieces().iter().zip(high.pieces());
-        let walk = Walk {
-            name: "dose of rays",
-            source: &dose_source,
-            patterns: x,
-            voxels: dose
-                .ranges()
-                .zip(words)
-                .map(|(range, (low, high))| (range, vec![low, high]))
-                .collect(),
-            scale: 1.0 / unit,
-        };
-        self.follow(&frames, &walk, run)?;
-        let mut operands = vec![
-            Operand::written("y", dose.pieces()),
-            Operand::read("low_words", low.pieces()).words(),
-            Operand::read("high_words", high.pieces()).words(),
-        ];
-        let mut pass = Pass {
-            name: "sums of rays",
-            functions: SUM,
-            body: "y[i] += p.a.x * sum(low_words[i], high_words[i]);",
-            numbers: [[unit, 0.0, 0.0, 0.0], [0.0; 4], [0.0; 4]],
-        };
-        if let Some(weights) = &self.geometry.weights {
-            operands.push(Operand::read("weights", weights.pieces()));
-            pass.name = "sums of rays in cells";
-            pass.body = "y[i] += p.a.x * weights[i] * sum(low_words[i], high_words[i]);";
-        }
-        pass.each(&self.gpu, &operands, dose.lengths());
+        let voxels = dose.ranges().zip(words);
+        let voxels = voxels.map(|(range, (low, high))| (range, vec![low, high]));
+        let kernel: (_, &dyn Fn() -> String) = ("dose of rays", &dose_source);
+        let walk = self.walk(kernel, x, voxels.collect(), 1.0 / unit);
+        self.follow_all(&frames, &walk, run)?;
+        add_sums([&low, &high], unit, self.geometry.weights.as_ref(), dose);
         self.gpu.submit();
         self.gpu.check()
     }
@@ -429,14 +458,10 @@ impl LinearOperator for GpuRays {
         });
         let cotangent = in_cells.as_ref().unwrap_or(cotangent);
         let pieces = cotangent.ranges().zip(cotangent.pieces());
-        let walk = Walk {
-            name: "adjoint of rays",
-            source: &adjoint_source,
-            patterns: grad,
-            voxels: pieces.map(|(range, piece)| (range, vec![piece])).collect(),
-            scale: 1.0,
-        };
-        self.follow(&frames, &walk, run)?;
+        let voxels = pieces.map(|(range, piece)| (range, vec![piece]));
+        let kernel: (_, &dyn Fn() -> String) = ("adjoint of rays", &adjoint_source);
+        let walk = self.walk(kernel, grad, voxels.collect(), 1.0);
+        self.follow_all(&frames, &walk, run)?;
         self.gpu.check()
     }
 
@@ -445,9 +470,35 @@ impl LinearOperator for GpuRays {
     }
 
     fn describe(&self) -> String {
-        let place = self.gpu.with(self.geometry.bytes, "rays");
+        let place = self.gpu.with(self.stored_bytes(), "rays");
         format!("{} ({place})", self.geometry.data.summary)
     }
+}
+
+/// dose += sums of 64 bits, in this unit and times weights where there are any
+pub(crate) fn add_sums(
+    [low, high]: [&GpuField; 2],
+    unit: f32,
+    weights: Option<&GpuField>,
+    dose: &GpuField,
+) {
+    let mut operands = vec![
+        Operand::written("y", dose.pieces()),
+        Operand::read("low_words", low.pieces()).words(),
+        Operand::read("high_words", high.pieces()).words(),
+    ];
+    let mut pass = Pass {
+        name: "sums of rays",
+        functions: SUM,
+        body: "y[i] += p.a.x * sum(low_words[i], high_words[i]);",
+        numbers: [[unit, 0.0, 0.0, 0.0], [0.0; 4], [0.0; 4]],
+    };
+    if let Some(weights) = weights {
+        operands.push(Operand::read("weights", weights.pieces()));
+        pass.name = "sums of rays in cells";
+        pass.body = "y[i] += p.a.x * weights[i] * sum(low_words[i], high_words[i]);";
+    }
+    pass.each(dose.gpu(), &operands, dose.lengths());
 }
 
 /// A sum of 64 bits as a number.
@@ -462,8 +513,51 @@ fn sum(low: u32, high: u32) -> f32 {
 ";
 
 fn dose_source() -> String {
+    adding(&head("", VOXELS))
+}
+
+fn adjoint_source() -> String {
+    collecting(&head("", VOXELS))
+}
+
+/// What all kernels have, with `numbers` behind their parameters, and `follow` and `reach` of a light.
+pub(crate) fn head(numbers: &str, light: &str) -> String {
     format!(
-        "{}{IS_LIT}
+        "struct Parameters {{
+    slots: u32, rows: u32, first_slot: u32, columns: u32,
+    first_column: u32, all_columns: u32, image_rows: u32, first_pixel: u32,
+    turns: u32, turn_step: u32, begin: u32, end: u32,
+    low: u32, high: u32, nx: u32, ny: u32,
+    nz: u32, row: u32, has_dark: u32, adds: u32,
+    first_start: u32, first_voxel: u32, corner_x: f32, corner_y: f32, scale: f32,
+    {numbers}
+}}
+@group(0) @binding(0) var<uniform> p: Parameters;
+{}{IS_LIT}{light}",
+        include_str!("shaders/rays.wgsl")
+    )
+}
+
+/// Unscattered light on voxels and cells.
+const VOXELS: &str = "
+// Elements that light inside of a surface is left in, of each voxel
+@group(0) @binding(5) var<storage, read> inside: array<u32>;
+var<private> is_inside: bool;
+fn reach(found: u32, deposit: f32) {
+    var element = found;
+    if (is_inside) { element = inside[p.first_voxel + element] - p.first_voxel; }
+    if (element >= p.low && element < p.high) { visit(element - p.low, deposit); }
+}
+fn follow(own: Segment, element: u32, path: u32) {
+    is_inside = own.energy < 0.0;
+    walk(Segment(own.at, own.rate, own.along, abs(own.energy), own.span));
+}
+";
+
+/// The kernel that adds up what light leaves.
+pub(crate) fn adding(head: &str) -> String {
+    format!(
+        "{head}
 @group(0) @binding(6) var<storage, read> x: array<f32>;
 @group(0) @binding(7) var<storage, read_write> low_words: array<atomic<u32>>;
 @group(0) @binding(8) var<storage, read_write> high_words: array<atomic<u32>>;
@@ -482,14 +576,14 @@ fn visit(i: u32, deposit: f32) {{
     if (!is_lit(found.element)) {{ return; }}
     value = p.scale * x[found.element - p.begin];
     if (value != 0.0) {{ follow_all(found); }}
-}}",
-        include_str!("shaders/rays.wgsl")
+}}"
     )
 }
 
-fn adjoint_source() -> String {
+/// The kernel that collects what light meets.
+pub(crate) fn collecting(head: &str) -> String {
     format!(
-        "{}{IS_LIT}
+        "{head}
 @group(0) @binding(6) var<storage, read_write> gradient: array<f32>;
 @group(0) @binding(7) var<storage, read> c: array<f32>;
 var<private> sum: f32;
@@ -501,7 +595,6 @@ fn visit(i: u32, deposit: f32) {{ sum += deposit * c[i]; }}
     if (is_lit(found.element)) {{ follow_all(found); }}
     let i = found.element - p.begin;
     gradient[i] = select(0.0, gradient[i], p.adds == 1u) + p.scale * sum;
-}}",
-        include_str!("shaders/rays.wgsl")
+}}"
     )
 }

@@ -10,7 +10,7 @@ use crate::convolution::Convolution;
 use crate::device::{Buffer, Gpu};
 use crate::strips::{GpuStrips, must_be_bound};
 use std::ops::Range;
-use tomolith_core::dose::scattered::{LaterOrders, ScatteredLight};
+use tomolith_core::dose::scattered::{LaterOrders, OnCells, ScatteredLight};
 use tomolith_core::dose::{DoseModel, LinearOperator, Run};
 use tomolith_core::error::Result;
 
@@ -25,13 +25,31 @@ pub(crate) struct DeviceScattered {
     channels: usize,
     /// Part of each (y, x) of voxels that is resin.
     shares: Buffer,
-    once: DeviceCells,
+    once: DeviceOnCells,
     later: DeviceOrders,
+}
+
+/// Fields on cells of one size, and the kernels that they meet.
+struct DeviceOnCells {
+    cells: DeviceCells,
+    /// Of unscattered light as a source, of what voxels see.
+    sharpened: [[f32; 3]; 2],
+    convolution: Convolution,
+}
+
+impl DeviceOnCells {
+    fn new(gpu: &Gpu, of: &OnCells, matrix: &[Vec<usize>], row: usize) -> Self {
+        DeviceOnCells {
+            cells: DeviceCells::new(gpu, &of.grid, row),
+            sharpened: of.sharpened,
+            convolution: Convolution::new(gpu, of, matrix),
+        }
+    }
 }
 
 /// Light that is scattered twice or more.
 struct DeviceOrders {
-    cells: DeviceCells,
+    on: DeviceOnCells,
     factor: usize,
     between: [f32; 3],
     /// Part of each (y, x) of cells that is resin.
@@ -63,7 +81,7 @@ impl DeviceScattered {
             straight: GpuStrips::new(gpu, &of.cells, run)?,
             channels,
             shares: gpu.upload(bytemuck::cast_slice(&of.shares)),
-            once: DeviceCells::new(gpu, &of.once, &matrix, row),
+            once: DeviceOnCells::new(gpu, &of.once, &matrix, row),
             later: DeviceOrders::new(gpu, &of.later, channels, row),
         })
     }
@@ -83,25 +101,25 @@ impl DeviceScattered {
     ) -> Result<()> {
         let [given, seen] = self.once.sharpened;
         let bins = DoseModel::new_patterns(&self.straight)?;
-        let sources = self.once.fields(self.channels);
-        let means = self.later.cells.fields(self.channels);
+        let sources = self.once.cells.fields(self.channels);
+        let means = self.later.on.cells.fields(self.channels);
         for channel in 0..self.channels {
             self.bins.fill(&self.gpu, channel, pixels, &bins);
             let mut light = DoseModel::new_dose(&self.straight)?;
             (self.straight).add_forward(frames.clone(), &bins, &mut light, run)?;
             let light = &light.pieces()[0];
-            self.once.sharpen(given, 1, (light, 0), (&sources, channel));
-            let (near, to) = ((&self.once, light), (&means, channel));
-            self.later.cells.restrict(near, self.later.factor, to);
+            self.once.cells.sharpen(given, 1, (light, 0), (&sources, channel));
+            let (near, to) = ((&self.once.cells, light), (&means, channel));
+            self.later.on.cells.restrict(near, self.later.factor, to);
         }
         let arrived = self
             .once
             .convolution
             .apply(&sources, [self.channels, 1], false);
-        let arrived = self.once.sharper(seen, &arrived);
-        self.spread(&self.once, &arrived, dose);
+        let arrived = self.once.cells.sharper(seen, &arrived);
+        self.spread(&self.once.cells, &arrived, dose);
         let arrived = self.later.forward(&means, run)?;
-        self.spread(&self.later.cells, &arrived, dose);
+        self.spread(&self.later.on.cells, &arrived, dose);
         Ok(())
     }
 
@@ -114,21 +132,21 @@ impl DeviceScattered {
         run: &Run,
     ) -> Result<()> {
         let [given, seen] = self.once.sharpened;
-        let arrived = self.gathered(&self.once, cotangent);
-        let arrived = self.once.sharper(seen, &arrived);
+        let arrived = self.gathered(&self.once.cells, cotangent);
+        let arrived = self.once.cells.sharper(seen, &arrived);
         let sources = self
             .once
             .convolution
             .apply(&arrived, [1, self.channels], true);
-        let arrived = self.gathered(&self.later.cells, cotangent);
+        let arrived = self.gathered(&self.later.on.cells, cotangent);
         let means = self.later.adjoint(&arrived, run)?;
         let mut bins = DoseModel::new_patterns(&self.straight)?;
         for channel in 0..self.channels {
             let light = DoseModel::new_dose(&self.straight)?;
             let near = &light.pieces()[0];
-            self.once.sharpen(given, 1, (&sources, channel), (near, 0));
-            let (from, near) = ((&means, channel), (&self.once, near));
-            self.later.cells.prolong(from, self.later.factor, near);
+            self.once.cells.sharpen(given, 1, (&sources, channel), (near, 0));
+            let (from, near) = ((&means, channel), (&self.once.cells, near));
+            self.later.on.cells.prolong(from, self.later.factor, near);
             (self.straight).adjoint_of(frames.clone(), &light, &mut bins, run)?;
             self.bins
                 .add_back(&self.gpu, (channel, frames), &bins, pixels);
@@ -169,7 +187,7 @@ impl DeviceOrders {
         numbers.extend(&of.weights);
         let scattered: Vec<f32> = of.moments.iter().map(|moment| moment.scattered).collect();
         DeviceOrders {
-            cells: DeviceCells::new(gpu, &of.cells, &matrix, row),
+            on: DeviceOnCells::new(gpu, &of.cells, &matrix, row),
             factor: of.factor,
             between: of.between,
             resin: gpu.upload(bytemuck::cast_slice(&of.resin)),
@@ -197,13 +215,14 @@ impl DeviceOrders {
 
     /// What voxels see, of the channels of unscattered light on these cells.
     fn forward(&self, means: &Buffer, run: &Run) -> Result<Buffer> {
-        let (cells, [given, seen]) = (&self.cells, self.cells.sharpened);
+        let (cells, convolution) = (&self.on.cells, &self.on.convolution);
+        let [given, seen] = self.on.sharpened;
         let (channels, count) = (self.channels, self.moments);
         let sources = cells.fields(channels);
         cells.sharpen(given, channels, (means, 0), (&sources, 0));
         let sent = cells.fields(count);
         cells.mix(&self.matrix(0, [count, channels]), &sources, &sent, false);
-        let mut moments = cells.convolution.apply(&sent, [count, count], false);
+        let mut moments = convolution.apply(&sent, [count, count], false);
         let sum = cells.dark(1);
         for order in 0..self.orders {
             run.check()?;
@@ -212,7 +231,7 @@ impl DeviceOrders {
             cells.scale(count, &sent, &self.scattered, &self.resin);
             // Of the last order only the fluence is wanted
             let wanted = if order + 1 == self.orders { 1 } else { count };
-            moments = cells.convolution.apply(&sent, [count, wanted], false);
+            moments = convolution.apply(&sent, [count, wanted], false);
             cells.mix(&self.weight(order), &moments, &sum, true);
         }
         Ok(cells.sharper(seen, &sum))
@@ -220,7 +239,8 @@ impl DeviceOrders {
 
     /// Transpose of [`forward`](Self::forward).
     fn adjoint(&self, arrived: &Buffer, run: &Run) -> Result<Buffer> {
-        let (cells, [given, seen]) = (&self.cells, self.cells.sharpened);
+        let (cells, convolution) = (&self.on.cells, &self.on.convolution);
+        let [given, seen] = self.on.sharpened;
         let (channels, count) = (self.channels, self.moments);
         let arrived = cells.sharper(seen, arrived);
         let moments = cells.dark(count);
@@ -230,12 +250,12 @@ impl DeviceOrders {
             run.check()?;
             cells.gpu().check()?;
             cells.mix(&self.weight(order), &arrived, &moments, true);
-            let sent = cells.convolution.apply(&moments, [there, count], true);
+            let sent = convolution.apply(&moments, [there, count], true);
             cells.scale(count, &sent, &self.scattered, &self.resin);
             cells.sharpen(self.between, count, (&sent, 0), (&moments, 0));
             there = count;
         }
-        let sent = cells.convolution.apply(&moments, [there, count], true);
+        let sent = convolution.apply(&moments, [there, count], true);
         let sources = cells.fields(channels);
         let back = self.matrix(channels * count, [channels, count]);
         cells.mix(&back, &sent, &sources, false);
@@ -254,7 +274,7 @@ fn largest(of: &ScatteredLight) -> u64 {
         (&of.later.cells, moments.max(channels)),
     ];
     let of_spectra = spectra.map(|(cells, count)| {
-        let fields = 4 * (count * cells.layout.len()) as u64;
+        let fields = 4 * (count * cells.grid.layout.len()) as u64;
         fields.max(Convolution::bytes(cells, count))
     });
     let others = [channels * slots, of.shares.len()].map(|n| 4 * n as u64);

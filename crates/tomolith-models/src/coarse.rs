@@ -6,6 +6,7 @@
 
 use crate::layout::DoseLayout;
 use std::sync::Arc;
+use tomolith_core::dose::scattered::CellGrid;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::parallel::InParallel;
 
@@ -15,7 +16,7 @@ pub(super) struct Coarse {
     pub(super) layout: DoseLayout,
     fine: DoseLayout,
     /// Along x, y, z: the cell below each voxel's middle, and the weight of the next one.
-    pub(super) places: [Vec<(usize, f32)>; 3],
+    places: [Vec<(usize, f32)>; 3],
     /// Part of each (y, x) of voxels that gets its dose; None: all of all.
     pub(super) shares: Option<Arc<Vec<f32>>>,
 }
@@ -71,6 +72,15 @@ impl Coarse {
         Coarse {
             shares: Some(shares),
             ..self
+        }
+    }
+
+    /// As data, with the cells that are all resin.
+    pub(super) fn form(&self, is_full: Arc<Vec<bool>>) -> CellGrid {
+        CellGrid {
+            layout: self.layout.clone(),
+            is_full,
+            places: self.places.clone(),
         }
     }
 

@@ -69,7 +69,9 @@ use super::{
     Capabilities, Family, HostModel, MakeFamily, ModelFamily, ModelInput, ModelKind,
     MonteCarloPaths, OpticalScene, Purpose, TimedBy,
 };
+use std::borrow::Cow;
 use std::sync::Arc;
+use tomolith_core::dose::form::Form;
 use tomolith_core::error::Result;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::kind::{Section, schema_of};
@@ -108,6 +110,28 @@ tomolith_core::keys! {
 const EVALUATING: usize = 16;
 
 impl Params {
+    /// The parameters for the purpose of a scene.
+    fn for_purpose(&self, scene: &OpticalScene<'_>) -> Cow<'_, Self> {
+        match scene.purpose {
+            Purpose::Evaluate { refine } => Cow::Owned(self.for_evaluation(refine)),
+            _ => Cow::Borrowed(self),
+        }
+    }
+
+    /// The model of these parameters.
+    fn scattered(&self, input: &ModelInput<'_>) -> Result<Rays> {
+        let OpticalScene { vial, lights, optics, .. } = input.scene;
+        let model = model(vial, lights, optics, self, input.grid.clone())?;
+        Ok(input.with_cells(model))
+    }
+
+    /// Its unscattered light.
+    fn straight(&self, input: &ModelInput<'_>) -> Result<Rays> {
+        let OpticalScene { vial, lights, optics, .. } = input.scene;
+        let model = straight(vial, lights, optics, self, input.grid.clone())?;
+        Ok(input.with_cells(model))
+    }
+
     /// What a result is evaluated by, on voxels `refine` times as fine: independent paths, sixteen times as many, on cells half as large that give
     /// back what they smear out, so that what the optimization's cells smooth away shows like noise does.
     fn for_evaluation(&self, refine: usize) -> Self {
@@ -172,21 +196,22 @@ impl ModelFamily for Params {
     }
 
     fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
-        let params = match input.scene.purpose {
-            Purpose::Evaluate { refine } => &self.for_evaluation(refine),
-            _ => self,
-        };
-        let scene = &input.scene;
-        let (lights, grid) = (scene.lights, input.grid.clone());
-        let model = model(scene.vial, lights, scene.optics, params, grid)?;
-        Ok(Box::new(input.with_cells(model)))
+        Ok(Box::new(self.for_purpose(&input.scene).scattered(input)?))
+    }
+
+    fn form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
+        let params = self.for_purpose(&input.scene);
+        let (model, straight) = (params.scattered(input)?, params.straight(input)?);
+        let light = (input.scene.lights, input.scene.optics);
+        model.to_path_form(&straight, light, &limits(&params), input.run)
     }
 
     fn unscattered(&self, input: &ModelInput<'_>) -> Result<HostModel> {
-        let scene = &input.scene;
-        let (lights, grid) = (scene.lights, input.grid.clone());
-        let model = straight(scene.vial, lights, scene.optics, self, grid)?;
-        Ok(Box::new(input.with_cells(model)))
+        Ok(Box::new(self.straight(input)?))
+    }
+
+    fn unscattered_form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
+        self.straight(input)?.to_form(input.run)
     }
 
     fn rays(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Option<Result<Rays>> {
@@ -262,12 +287,16 @@ fn emission(params: &Params, scattered: Option<Scattered>) -> Emission {
     Emission {
         rays_per_pixel: params.paths_per_pixel,
         accumulation: params.accumulation,
-        limits: TraceLimits {
-            reflections: params.reflections,
-            least_power: params.least_power,
-            orders: params.orders,
-            ..TraceLimits::default()
-        },
+        limits: limits(params),
         scattered,
+    }
+}
+
+fn limits(params: &Params) -> TraceLimits {
+    TraceLimits {
+        reflections: params.reflections,
+        least_power: params.least_power,
+        orders: params.orders,
+        ..TraceLimits::default()
     }
 }

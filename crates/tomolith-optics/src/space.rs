@@ -318,6 +318,19 @@ impl SpaceTracer {
         self
     }
 
+    /// The wall at which light leaves even, straight resin for ever: its curve, and between which heights it stands, mm. None where light may come
+    /// back, where the resin differs from place to place, and of a net.
+    #[must_use]
+    pub fn last_wall(&self) -> Option<(CrossSection, [f64; 2])> {
+        let is_last = self.lets_go && self.resin_depth == self.walls.len();
+        let is_even = self.map.is_none() && self.resin.gradient.is_none();
+        match self.walls.last().filter(|_| is_last && is_even)? {
+            Surface::Prism(curve) => Some((*curve, [f64::NEG_INFINITY, f64::INFINITY])),
+            Surface::Can(curve, ends) => Some((*curve, *ends)),
+            Surface::Net(_) => None,
+        }
+    }
+
     /// Follows one ray, unscattered light only; where it begins along its line does not matter.
     #[must_use]
     pub fn trace(&self, ray: Ray) -> RayPath {

@@ -1,5 +1,6 @@
 //! Dose models as plain data, for a backend that computes them where its fields live.
 
+use super::paths::PathForm;
 use super::rays::RayForm;
 use super::strips::StripForm;
 use super::waves::WaveForm;
@@ -12,6 +13,8 @@ pub enum Form {
     Strips(StripForm),
     /// Rays of any direction.
     Rays(RayForm),
+    /// The same, with random paths of what is scattered.
+    Paths(PathForm),
     /// Light that spreads from a focal plane.
     Waves(WaveForm),
 }
@@ -23,6 +26,7 @@ impl Form {
         match self {
             Form::Strips(form) => Form::Strips(form.masked(dark, factor)),
             Form::Rays(form) => Form::Rays(form.masked(dark, factor)),
+            Form::Paths(form) => Form::Paths(form.masked(dark, factor)),
             Form::Waves(form) => Form::Waves(form.masked(dark, factor)),
         }
     }

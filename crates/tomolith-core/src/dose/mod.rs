@@ -7,6 +7,7 @@
 pub mod cells;
 pub mod form;
 pub mod layout;
+pub mod paths;
 pub mod rays;
 pub mod scattered;
 pub mod strips;

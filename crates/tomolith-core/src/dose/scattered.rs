@@ -46,21 +46,28 @@ pub struct KernelSpectrum {
     pub is_odd: bool,
 }
 
+/// Cells of one size among voxels.
+#[derive(Clone, Debug)]
+pub struct CellGrid {
+    /// The cells.
+    pub layout: DoseLayout,
+    /// Whether each element of the layout is a cell that is all resin.
+    pub is_full: Arc<Vec<bool>>,
+    /// Along x, y, z, of each voxel: the cell below its middle, and the weight of the next one.
+    pub places: [Vec<(usize, f32)>; 3],
+}
+
 /// Fields on cells of one size.
 #[derive(Clone, Debug)]
 pub struct OnCells {
     /// The cells.
-    pub layout: DoseLayout,
+    pub grid: CellGrid,
     /// Elements along x, y, z of the arrays that are transformed: zeros behind the cells keep light from coming round.
     pub padded: [usize; 3],
-    /// Whether each element of the layout is a cell that is all resin.
-    pub is_full: Arc<Vec<bool>>,
     /// Strengths along x, y, z of the sharpenings: of unscattered light as a source, of what voxels see.
     pub sharpened: [[f32; 3]; 2],
     /// Of order 1 one a channel; of later orders one a pair of moments a ≤ b, row by row.
     pub kernels: Vec<KernelSpectrum>,
-    /// Along x, y, z, of each voxel: the cell below its middle, and the weight of the next one.
-    pub places: [Vec<(usize, f32)>; 3],
 }
 
 /// A moment of scattered light.

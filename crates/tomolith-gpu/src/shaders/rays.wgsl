@@ -1,13 +1,4 @@
 // A thread follows the rays of one pixel of a slot, a column of pixels in a frame, through the voxels `low` to `high` of a grid
-struct Parameters {
-    slots: u32, rows: u32, first_slot: u32, columns: u32,
-    first_column: u32, all_columns: u32, image_rows: u32, first_pixel: u32,
-    turns: u32, turn_step: u32, begin: u32, end: u32,
-    low: u32, high: u32, nx: u32, ny: u32,
-    nz: u32, row: u32, has_dark: u32, adds: u32,
-    first_start: u32, first_voxel: u32, corner_x: f32, corner_y: f32, scale: f32,
-}
-@group(0) @binding(0) var<uniform> p: Parameters;
 // Nearest point and rate, direction and energy, span
 @group(0) @binding(1) var<storage, read> segments: array<vec2<f32>>;
 // First segment of each pixel, and before them the cosine and sine of each azimuth
@@ -15,8 +6,9 @@ struct Parameters {
 // First element, lowest row, rows, frame
 @group(0) @binding(3) var<storage, read> runs: array<vec4<u32>>;
 @group(0) @binding(4) var<storage, read> lit: array<u32>;
-// Elements that light inside of a surface is left in, of each voxel
-@group(0) @binding(5) var<storage, read> inside: array<u32>;
+
+// A straight piece of a ray: a point of its line, attenuation, direction, deposit right behind its begin, begin and end
+struct Segment { at: vec3<f32>, rate: f32, along: vec3<f32>, energy: f32, span: vec2<f32> }
 
 // (1 - exp(-x))/x for |x| up to 0.5, to 1e-8
 fn phi(x: f32) -> f32 {
@@ -33,19 +25,23 @@ fn left(rate: f32, way: f32) -> f32 {
     return exp(min(-rate * way, 0.0));
 }
 
-// Visits the voxels that a segment passes, with what a pixel of value 1 leaves in each
-fn follow(i: u32, turn: vec2<f32>) {
+// A stored segment as seen from an azimuth
+fn segment(i: u32, turn: vec2<f32>) -> Segment {
     let nearest = segments[5u * i];
     let height = segments[5u * i + 1u];
     let flat = segments[5u * i + 2u];
     let rise = segments[5u * i + 3u];
-    let span = segments[5u * i + 4u];
     let at = vec3(turn.x * nearest.x - turn.y * nearest.y, turn.y * nearest.x + turn.x * nearest.y, height.x);
     let along = vec3(turn.x * flat.x - turn.y * flat.y, turn.y * flat.x + turn.x * flat.y, rise.x);
-    let size = abs(along);
+    return Segment(at, height.y, along, rise.y, segments[5u * i + 4u]);
+}
+
+// Calls `reach` with the voxels that a segment passes, and what a pixel of value 1 leaves in each
+fn walk(own: Segment) {
+    let size = abs(own.along);
     let axis = select(select(2u, 1u, size.y >= size.z), 0u, size.x >= size.y && size.x >= size.z);
-    let place = by_axis(at, axis);
-    let direction = by_axis(along, axis);
+    let place = by_axis(own.at, axis);
+    let direction = by_axis(own.along, axis);
     // The lowest faces of the grid; coordinates count from the axis of the vial, where f32 are finest
     let corner = by_axis(vec3(p.corner_x, p.corner_y, 0.0), axis);
     let counts = by_axis(vec3(f32(p.nx), f32(p.ny), f32(p.nz)), axis);
@@ -53,12 +49,11 @@ fn follow(i: u32, turn: vec2<f32>) {
     let strides = select(select(steps.zxy, steps.yxz, axis == 1u), steps, axis == 0u);
     // Over a cell of the major axis
     let step = 1.0 / abs(direction.x);
-    let rate = height.y * select(-step, step, direction.x > 0.0);
-    let energy = abs(rise.y) * step;
-    let is_inside = rise.y < 0.0;
+    let rate = own.rate * select(-step, step, direction.x > 0.0);
+    let energy = own.energy * step;
     let slope = direction.yz / direction.x;
     let offset = place.yz - slope * place.x;
-    let ends = place.x + span * direction.x;
+    let ends = place.x + own.span * direction.x;
     var low = max(min(ends.x, ends.y), corner.x);
     var high = min(max(ends.x, ends.y), corner.x + counts.x);
     // Where the others are in the grid; hardly any slope changes nothing
@@ -93,9 +88,7 @@ fn follow(i: u32, turn: vec2<f32>) {
             power -= rate * deposit;
             let other = select(select(after, middle, piece == 1u), before, piece == 0u);
             if (way > 0.0 && all(other >= vec2(0.0)) && all(other < counts.yz)) {
-                var element = u32(cell) * strides.x + u32(other.x) * strides.y + u32(other.y) * strides.z;
-                if (is_inside) { element = inside[p.first_voxel + element] - p.first_voxel; }
-                if (element >= p.low && element < p.high) { visit(element - p.low, deposit); }
+                reach(u32(cell) * strides.x + u32(other.x) * strides.y + u32(other.y) * strides.z, deposit);
             }
         }
     }
@@ -119,11 +112,13 @@ fn pixel(t: u32) -> Pixel {
     return Pixel(element, starts[p.first_start + k], starts[p.first_start + k + 1u], frame);
 }
 
-// Follows the segments of a pixel, at every azimuth of its frame
+// Follows the segments of a pixel, at every azimuth of its frame; each has its number
 fn follow_all(found: Pixel) {
     for (var turn = 0u; turn < p.turns; turn++) {
         let k = 2u * (found.frame * p.turn_step + turn);
         let azimuth = bitcast<vec2<f32>>(vec2(starts[k], starts[k + 1u]));
-        for (var i = found.first; i < found.end; i++) { follow(i, azimuth); }
+        for (var i = found.first; i < found.end; i++) {
+            follow(segment(i, azimuth), found.element, turn * (found.end - found.first) + i - found.first);
+        }
     }
 }

@@ -17,6 +17,15 @@ const MOST: usize = matrix_cache::MOST * matrix_cache::BYTES / size_of::<RaySegm
 /// Frames of a light, at most, of which the passed voxels are counted.
 const COUNTED: usize = 16;
 
+/// Which segments a form is to have.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Wanted {
+    /// Those that meet voxels.
+    InGrid,
+    /// All: from elsewhere light is scattered to voxels, too.
+    All,
+}
+
 /// The rays of some columns of pixels: how many segments each pixel has, the segments, and the voxels that they pass.
 #[derive(Default)]
 struct Followed {
@@ -26,8 +35,14 @@ struct Followed {
 }
 
 impl Rays {
-    /// The form of a model; None of random accumulation, and where there are more segments than [`MOST`].
-    pub(super) fn to_form(&self, run: &Run) -> Result<Option<Form>> {
+    /// The form of a model; None where [`geometry`](Self::geometry) is.
+    pub(crate) fn to_form(&self, run: &Run) -> Result<Option<Form>> {
+        let geometry = self.geometry(Wanted::InGrid, run)?;
+        Ok(geometry.map(|geometry| Form::Rays(Masked::new(geometry))))
+    }
+
+    /// Unscattered light as data; None of random accumulation, and where there are more segments than [`MOST`].
+    pub(super) fn geometry(&self, wanted: Wanted, run: &Run) -> Result<Option<RayGeometry>> {
         if self.accumulation != Accumulation::Integral {
             return Ok(None);
         }
@@ -35,7 +50,7 @@ impl Rays {
         for light in 0..self.sources.len() {
             let of_light = match self.shared_rays(light) {
                 Some(shared) => Some((shared, self.counted(light, run)?)),
-                None => self.all_rays(light, MOST - segments, run)?,
+                None => self.all_rays((light, wanted), MOST - segments, run)?,
             };
             let Some((rays, passed)) = of_light else {
                 return Ok(None);
@@ -47,7 +62,7 @@ impl Rays {
             updates += passed;
             lights.push(rays);
         }
-        Ok(Some(Form::Rays(Masked::new(RayGeometry {
+        Ok(Some(RayGeometry {
             patterns: self.patterns.clone(),
             output: self.output.clone(),
             corner: self.lattice.corner(),
@@ -55,11 +70,11 @@ impl Rays {
             z_coupling: self.facts().z_coupling,
             updates: updates as u64,
             summary: self.describe(),
-        }))))
+        }))
     }
 
     /// Area that one ray of a pixel stands for, mm².
-    fn area(&self, light: usize) -> f64 {
+    pub(super) fn area(&self, light: usize) -> f64 {
         self.patterns[light].grid.pixel_mm2() / self.sources[light].rays() as f64
     }
 
@@ -90,7 +105,7 @@ impl Rays {
         for frame in (0..frames).step_by(frames.div_ceil(COUNTED).max(1)) {
             run.check()?;
             let pairs = frame * columns..(frame + 1) * columns;
-            let followed: Vec<f64> = pairs.par_map(|pair| self.follow(light, pair).passed);
+            let followed: Vec<f64> = pairs.par_map(|pair| self.follow((light, Wanted::InGrid), pair).passed);
             passed += followed.into_iter().sum::<f64>();
             pixels += layout.elements_of(frame..frame + 1).len();
         }
@@ -98,11 +113,16 @@ impl Rays {
     }
 
     /// The rays of a light whose frames have different ones, and the voxels that they pass; None of more than `most` segments.
-    fn all_rays(&self, light: usize, most: usize, run: &Run) -> Result<Option<(LightRays, f64)>> {
+    fn all_rays(
+        &self,
+        (light, wanted): (usize, Wanted),
+        most: usize,
+        run: &Run,
+    ) -> Result<Option<(LightRays, f64)>> {
         let (mut segments, mut starts, mut passed) = (Vec::new(), vec![0], 0.0);
         for pairs in self.chunks(light, 0..self.patterns[light].grid.frames()) {
             run.check()?;
-            let followed: Vec<Followed> = pairs.par_map(|pair| self.follow(light, pair));
+            let followed: Vec<Followed> = pairs.par_map(|pair| self.follow((light, wanted), pair));
             for column in followed {
                 for count in column.counts {
                     starts.push(starts[starts.len() - 1] + count);
@@ -122,8 +142,8 @@ impl Rays {
         Ok(Some((rays, passed)))
     }
 
-    /// The rays of one column of pixels, counted through all frames, that meet the grid.
-    fn follow(&self, light: usize, pair: usize) -> Followed {
+    /// The rays of one column of pixels, counted through all frames.
+    fn follow(&self, (light, wanted): (usize, Wanted), pair: usize) -> Followed {
         let layout = &self.patterns[light];
         let (columns, area) = (layout.grid.columns, self.area(light));
         let run = layout.runs[pair];
@@ -133,8 +153,9 @@ impl Rays {
             let before = found.segments.len();
             let (frame, column) = (pair / columns, pair % columns);
             let mut add = |path: PathSegment, is_inside: bool| {
-                if let Some((_, segment)) = self.lattice.segment(&path, area, 0) {
-                    found.passed += segment.passed();
+                let in_grid = self.lattice.segment(&path, area, 0);
+                if in_grid.is_some() || wanted == Wanted::All {
+                    found.passed += in_grid.map_or(0.0, |(_, segment)| segment.passed());
                     let ray = self.lattice.ray(&path, area);
                     let energy = if is_inside { -ray.energy } else { ray.energy };
                     found.segments.push(RaySegment { energy, ..ray });

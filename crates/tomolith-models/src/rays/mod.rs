@@ -60,6 +60,7 @@ mod batch;
 mod column_rays;
 mod form;
 pub mod matrix_cache;
+mod path_form;
 mod scatter_grid;
 mod segment;
 mod slanted;

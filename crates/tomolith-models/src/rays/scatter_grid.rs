@@ -12,6 +12,7 @@ use crate::cell_blur::{CellBlur, Sharpen, full_cells};
 use crate::coarse::Coarse;
 use std::borrow::Cow;
 use std::sync::Arc;
+use tomolith_core::dose::scattered::CellGrid;
 use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 
@@ -64,6 +65,16 @@ impl ScatterGrid {
     /// Whether cells hold a light's fluence instead of its dose.
     pub(super) fn is_fluence(&self, light: usize) -> bool {
         self.takes[light].is_some()
+    }
+
+    /// The cells as data; also how much they are sharpened. None where they hold fluence.
+    pub(super) fn form(&self) -> Option<(CellGrid, Option<[f32; 3]>)> {
+        if self.takes.iter().any(Option::is_some) {
+            return None;
+        }
+        let is_full = self.sharpen.as_ref().map(|s| Arc::clone(s.is_full()));
+        let sharpened = self.sharpen.as_ref().map(Sharpen::strength);
+        Some((self.coarse.form(is_full.unwrap_or_default()), sharpened))
     }
 
     /// Dark cells.

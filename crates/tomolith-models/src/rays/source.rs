@@ -18,7 +18,7 @@ pub(super) struct Source {
     pub(super) pixels: PatternGrid,
     projector: Arc<dyn Projector>,
     motion: Motion,
-    tracer: SpaceTracer,
+    pub(super) tracer: SpaceTracer,
     samples: Vec<Sample>,
     sub_angles: usize,
     /// Seed of the paths of scattered light; None: unscattered light only.
@@ -81,6 +81,11 @@ impl Source {
     /// Draws the paths of another round; whether it is another one.
     pub(super) fn renew(&self, round: u64) -> bool {
         self.round.swap(round, Ordering::Relaxed) != round
+    }
+
+    /// Seed of the first paths; None: unscattered light only.
+    pub(super) fn first_seed(&self) -> Option<u64> {
+        self.seed
     }
 
     /// Seed of the present paths; None: unscattered light only.

@@ -380,15 +380,13 @@ pub(super) fn on_cells(
     kernels: &[Kernel],
 ) -> OnCells {
     OnCells {
-        layout: coarse.layout.clone(),
+        grid: coarse.form(Arc::clone(given.is_full())),
         padded: convolver.padded(),
-        is_full: Arc::clone(given.is_full()),
         sharpened: [given.strength(), seen.strength()],
         kernels: kernels
             .iter()
             .map(|kernel| convolver.form(kernel))
             .collect(),
-        places: coarse.places.clone(),
     }
 }
 

@@ -43,6 +43,10 @@ impl Phase for HenyeyGreenstein {
         let root = (1.0 - g * g) / (1.0 - g + 2.0 * g * xi);
         ((1.0 + g * g - root * root) / (2.0 * g)).clamp(-1.0, 1.0)
     }
+
+    fn henyey_greenstein(&self) -> Option<f64> {
+        Some(self.g)
+    }
 }
 
 /// Row of [`PHASES`](super::PHASES).

@@ -19,6 +19,10 @@ impl Phase for Isotropic {
     fn draw(&self, random: &mut Stream) -> f64 {
         2.0 * random.uniform() - 1.0
     }
+
+    fn henyey_greenstein(&self) -> Option<f64> {
+        Some(0.0)
+    }
 }
 
 /// Row of [`PHASES`](super::PHASES).

@@ -21,6 +21,11 @@ pub trait Phase: std::fmt::Debug + Send + Sync {
 
     /// Draws a cosine.
     fn draw(&self, random: &mut Stream) -> f64;
+
+    /// Its mean cosine, where it is Henyey and Greenstein's (0: isotropic): a backend that draws by itself has their formula.
+    fn henyey_greenstein(&self) -> Option<f64> {
+        None
+    }
 }
 
 /// What scatters in a resin.
