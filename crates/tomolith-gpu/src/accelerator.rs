@@ -61,7 +61,9 @@ impl OnHost {
 impl Renewal<HostField> for OnHost {
     fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
         let renewal = self.model.renewal();
-        renewal.map_or(Ok(false), |model| model.renew(iteration, &self.place(x)?, run))
+        renewal.map_or(Ok(false), |model| {
+            model.renew(iteration, &self.place(x)?, run)
+        })
     }
 }
 

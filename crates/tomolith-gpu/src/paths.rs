@@ -34,6 +34,8 @@ use tomolith_core::field::Field;
 const FAR: f32 = 1e6;
 /// How much more an event takes than a voxel that a segment passes, where light passes some ten cells from one event to the next.
 const EVENT: u64 = 4;
+/// Events of a path, about; few have more.
+const EVENTS: usize = 16;
 
 /// What models of a geometry share.
 struct Geometry {
@@ -122,6 +124,7 @@ impl GpuPaths {
                 table: &self.geometry.tables[light],
                 numbers: self.numbers(paths),
                 updates: EVENT * paths.updates,
+                ways: EVENTS,
             };
             self.straight.follow((light, &frames), &walk, run)?;
         }

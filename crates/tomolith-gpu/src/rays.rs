@@ -20,12 +20,17 @@ use crate::strips::must_be_bound;
 use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::dose::rays::{LightRays, RayForm, RayGeometry, RaySegment};
-use tomolith_core::dose::{DoseLayout, Facts, LinearOperator, PatternLayout, Run, Space, own_frames};
+use tomolith_core::dose::{
+    DoseLayout, Facts, LinearOperator, PatternLayout, Run, Space, own_frames,
+};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::Field;
 
 /// Voxels that the rays of a submission pass, about: below 100 ms on a small card.
 const MOST_PASSED: u64 = 1 << 27;
+/// Rounds of its loops that a thread may take: Mesa's software adapter ends it after 65,535, and says nothing. A voxel takes four.
+const MOST_ROUNDS: usize = 1 << 15;
+const ROUNDS: usize = 4;
 
 /// The geometry of a model on the card.
 pub(crate) struct Geometry {
@@ -49,8 +54,9 @@ struct DeviceLight {
     /// Those of a frame.
     exposures: usize,
     is_shared: bool,
-    /// Rows of pixels in a column, at most.
+    /// Rows of pixels in a column, and segments of a pixel in a frame, at most.
     rows: usize,
+    deepest: usize,
     chunks: Vec<Chunk>,
 }
 
@@ -138,11 +144,19 @@ impl DeviceLight {
             .collect();
         let still = vec![[1.0, 0.0]];
         let turns = light.turns.as_ref().unwrap_or(&still);
+        let exposures = (turns.len() / layout.grid.frames().max(1)).max(1);
         Ok(DeviceLight {
             runs: gpu.upload(bytemuck::cast_slice(&runs)),
             turns: turns.len(),
-            exposures: (turns.len() / layout.grid.frames().max(1)).max(1),
+            exposures,
             is_shared: light.turns.is_some(),
+            deepest: exposures
+                * light
+                    .starts
+                    .windows(2)
+                    .map(|own| own[1] - own[0])
+                    .max()
+                    .unwrap_or(0) as usize,
             rows: runs.iter().map(|run| run[2] as usize).max().unwrap_or(0),
             chunks: chunks(gpu, light, turns, layout)?,
         })
@@ -230,6 +244,8 @@ pub(crate) struct Walk<'a> {
     pub(crate) numbers: Vec<u32>,
     /// Voxels that all light passes, about: what submissions are cut by.
     pub(crate) updates: u64,
+    /// Ways through the voxels, or cells, that the light of a segment takes, about.
+    pub(crate) ways: usize,
 }
 
 impl GpuRays {
@@ -257,7 +273,10 @@ impl GpuRays {
         run: &Run,
     ) -> Result<()> {
         let layout = &self.geometry.data.patterns[light];
-        let (device, all) = (&self.geometry.lights[light], layout.runs.len().max(1) as u64);
+        let (device, all) = (
+            &self.geometry.lights[light],
+            layout.runs.len().max(1) as u64,
+        );
         let most = (MOST_PASSED / (walk.updates / all + 1)).max(1) as usize;
         for chunk in &device.chunks {
             let slots = device.slots(chunk, frames, layout.grid.columns);
@@ -308,6 +327,7 @@ impl GpuRays {
             table: &self.geometry.inside,
             numbers: Vec::new(),
             updates: data.updates,
+            ways: 1,
         }
     }
 
@@ -326,6 +346,8 @@ impl GpuRays {
             true => (chunk.columns.len(), chunk.columns.start, layout.grid.rows),
             false => (layout.grid.columns, 0, 0),
         };
+        let across = output.grid.shape.into_iter().max().unwrap_or(1);
+        let most = (MOST_ROUNDS / (ROUNDS * walk.ways * across)).max(1);
         let frames = slots.start / columns..slots.end.div_ceil(columns);
         let elements = layout.elements_of(frames);
         let [nz, ny, nx] = output.grid.shape;
@@ -335,7 +357,10 @@ impl GpuRays {
             if range.start >= elements.end || elements.start >= range.end {
                 continue;
             }
-            for (k, (voxels, buffers)) in walk.voxels.iter().enumerate() {
+            let parts = (0..device.deepest.max(1)).step_by(most);
+            let parts =
+                parts.flat_map(|first| walk.voxels.iter().map(move |voxels| (first, voxels)));
+            for (k, (first_segment, (voxels, buffers))) in parts.enumerate() {
                 // The grid between the lowest and the highest y of the piece, all of it for cells
                 let has_cells = voxels.end > output.voxels();
                 let low = if has_cells { 0 } else { voxels.start / plane };
@@ -364,6 +389,8 @@ impl GpuRays {
                     usize::from(walk.adds || k > 0),
                     2 * device.turns,
                     first,
+                    first_segment,
+                    first_segment + most,
                 ];
                 let numbers = numbers.map(|n| n as u32).into_iter();
                 let low_y = corner[1] + lines.start as f32;
@@ -529,7 +556,7 @@ pub(crate) fn head(numbers: &str, light: &str) -> String {
     turns: u32, turn_step: u32, begin: u32, end: u32,
     low: u32, high: u32, nx: u32, ny: u32,
     nz: u32, row: u32, has_dark: u32, adds: u32,
-    first_start: u32, first_voxel: u32, corner_x: f32, corner_y: f32, scale: f32,
+    first_start: u32, first_voxel: u32, first_segment: u32, end_segment: u32, corner_x: f32, corner_y: f32, scale: f32,
     {numbers}
 }}
 @group(0) @binding(0) var<uniform> p: Parameters;

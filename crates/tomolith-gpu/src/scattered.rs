@@ -108,7 +108,9 @@ impl DeviceScattered {
             let mut light = DoseModel::new_dose(&self.straight)?;
             (self.straight).add_forward(frames.clone(), &bins, &mut light, run)?;
             let light = &light.pieces()[0];
-            self.once.cells.sharpen(given, 1, (light, 0), (&sources, channel));
+            self.once
+                .cells
+                .sharpen(given, 1, (light, 0), (&sources, channel));
             let (near, to) = ((&self.once.cells, light), (&means, channel));
             self.later.on.cells.restrict(near, self.later.factor, to);
         }
@@ -144,7 +146,9 @@ impl DeviceScattered {
         for channel in 0..self.channels {
             let light = DoseModel::new_dose(&self.straight)?;
             let near = &light.pieces()[0];
-            self.once.cells.sharpen(given, 1, (&sources, channel), (near, 0));
+            self.once
+                .cells
+                .sharpen(given, 1, (&sources, channel), (near, 0));
             let (from, near) = ((&means, channel), (&self.once.cells, near));
             self.later.on.cells.prolong(from, self.later.factor, near);
             (self.straight).adjoint_of(frames.clone(), &light, &mut bins, run)?;

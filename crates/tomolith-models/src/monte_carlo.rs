@@ -120,14 +120,24 @@ impl Params {
 
     /// The model of these parameters.
     fn scattered(&self, input: &ModelInput<'_>) -> Result<Rays> {
-        let OpticalScene { vial, lights, optics, .. } = input.scene;
+        let OpticalScene {
+            vial,
+            lights,
+            optics,
+            ..
+        } = input.scene;
         let model = model(vial, lights, optics, self, input.grid.clone())?;
         Ok(input.with_cells(model))
     }
 
     /// Its unscattered light.
     fn straight(&self, input: &ModelInput<'_>) -> Result<Rays> {
-        let OpticalScene { vial, lights, optics, .. } = input.scene;
+        let OpticalScene {
+            vial,
+            lights,
+            optics,
+            ..
+        } = input.scene;
         let model = straight(vial, lights, optics, self, input.grid.clone())?;
         Ok(input.with_cells(model))
     }

@@ -112,13 +112,12 @@ fn pixel(t: u32) -> Pixel {
     return Pixel(element, starts[p.first_start + k], starts[p.first_start + k + 1u], frame);
 }
 
-// Follows the segments of a pixel, at every azimuth of its frame; each has its number
+// Follows some of the segments of a pixel, counted through all azimuths of its frame
 fn follow_all(found: Pixel) {
-    for (var turn = 0u; turn < p.turns; turn++) {
-        let k = 2u * (found.frame * p.turn_step + turn);
-        let azimuth = bitcast<vec2<f32>>(vec2(starts[k], starts[k + 1u]));
-        for (var i = found.first; i < found.end; i++) {
-            follow(segment(i, azimuth), found.element, turn * (found.end - found.first) + i - found.first);
-        }
+    let count = found.end - found.first;
+    for (var i = p.first_segment; i < min(p.end_segment, p.turns * count); i++) {
+        let turn = 2u * (found.frame * p.turn_step + i / count);
+        let azimuth = bitcast<vec2<f32>>(vec2(starts[turn], starts[turn + 1u]));
+        follow(segment(found.first + i % count, azimuth), found.element, i);
     }
 }

@@ -105,7 +105,8 @@ impl Rays {
         for frame in (0..frames).step_by(frames.div_ceil(COUNTED).max(1)) {
             run.check()?;
             let pairs = frame * columns..(frame + 1) * columns;
-            let followed: Vec<f64> = pairs.par_map(|pair| self.follow((light, Wanted::InGrid), pair).passed);
+            let followed: Vec<f64> =
+                pairs.par_map(|pair| self.follow((light, Wanted::InGrid), pair).passed);
             passed += followed.into_iter().sum::<f64>();
             pixels += layout.elements_of(frame..frame + 1).len();
         }

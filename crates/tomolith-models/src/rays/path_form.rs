@@ -50,7 +50,8 @@ impl Rays {
         };
         let pitch = cells.layout.grid.pitch_mm;
         let [x, y] = grid.lattice.corner();
-        let [low, lowest] = [&self.output, &cells.layout].map(|layout| layout.grid.bounds_mm()[0][2]);
+        let [low, lowest] =
+            [&self.output, &cells.layout].map(|layout| layout.grid.bounds_mm()[0][2]);
         let edge = (pitch / self.output.grid.pitch_mm).round() as usize;
         let (is_round, half) = match curve {
             CrossSection::Circle(radius) => (true, radius),
@@ -136,7 +137,11 @@ fn inverse(phase: &dyn Phase) -> Vec<f32> {
         let wanted = whole * k as f64 / INTERVALS as f64;
         let i = below.partition_point(|&sum| sum < wanted).clamp(1, STEPS);
         let (low, high) = (below[i - 1], below[i]);
-        let part = if high > low { (wanted - low) / (high - low) } else { 0.0 };
+        let part = if high > low {
+            (wanted - low) / (high - low)
+        } else {
+            0.0
+        };
         angle((i - 1) as f64 + part).cos() as f32
     };
     (0..=INTERVALS).map(cosine).collect()
@@ -153,14 +158,27 @@ mod tests {
         // Rayleigh's distribution of the cosine c is ½ + ⅜(c + c³/3)
         for (k, &c) in inverse(&Rayleigh {}).iter().enumerate() {
             let c = f64::from(c);
-            near!(0.5 + 0.375 * (c + c.powi(3) / 3.0), k as f64 / INTERVALS as f64, 1e-6, "{k}");
+            near!(
+                0.5 + 0.375 * (c + c.powi(3) / 3.0),
+                k as f64 / INTERVALS as f64,
+                1e-6,
+                "{k}"
+            );
         }
         // With straight lines between its places, a narrow lobe keeps its mean cosine
         for g in [-0.5, 0.9, 0.99] {
             let table = inverse(&HenyeyGreenstein { g });
             let pairs = table.windows(2).map(|c| f64::from(c[0] + c[1]) / 2.0);
-            near!(pairs.sum::<f64>() / INTERVALS as f64, g, 1e-3 * (1.0 - g.abs()), "{g}");
+            near!(
+                pairs.sum::<f64>() / INTERVALS as f64,
+                g,
+                1e-3 * (1.0 - g.abs()),
+                "{g}"
+            );
         }
-        assert_eq!(form_of(&HenyeyGreenstein { g: 0.3 }), PhaseForm::HenyeyGreenstein(0.3));
+        assert_eq!(
+            form_of(&HenyeyGreenstein { g: 0.3 }),
+            PhaseForm::HenyeyGreenstein(0.3)
+        );
     }
 }

@@ -1,0 +1,455 @@
+//! Random paths of scattered light on a card beside those of the processor.
+
+mod common;
+#[path = "common/models.rs"]
+mod models;
+#[path = "common/portable.rs"]
+mod portable;
+
+use common::{SMALL, gpu, smaller};
+use models::{assert_near, noise_of};
+use portable::assert_portable;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use tomolith_core::Error;
+use tomolith_core::check;
+use tomolith_core::dose::form::Form;
+use tomolith_core::dose::{Accelerator, DoseLayout, Run, frames_of};
+use tomolith_core::field::{Field, HostField};
+use tomolith_core::grid::{PatternGrid, VolumeGrid};
+use tomolith_gpu::{Gpu, model_on};
+use tomolith_models::monte_carlo::{self, Params};
+use tomolith_models::rays::accumulation::Accumulation;
+use tomolith_models::rays::{Optics, Rays};
+use tomolith_models::{HostModel, ModelFamily, ModelInput, OpticalScene, Purpose};
+use tomolith_optics::light::Light;
+use tomolith_optics::motion::Motion;
+use tomolith_optics::phase::henyey_greenstein::HenyeyGreenstein;
+use tomolith_optics::phase::isotropic::Isotropic;
+use tomolith_optics::phase::rayleigh::Rayleigh;
+use tomolith_optics::phase::{Phase, Scattering};
+use tomolith_optics::projector::telecentric::Telecentric;
+use tomolith_optics::resin::Resin;
+use tomolith_optics::vial::Vial;
+use tomolith_optics::vial::cylinder::Cylinder;
+use tomolith_optics::vial::double_tube::DoubleTube;
+use tomolith_optics::vial::ended::{End, Ended};
+use tomolith_optics::vial::index_matched::IndexMatched;
+use tomolith_optics::vial::square::Square;
+
+/// A model of a vial, its lights and voxels.
+struct Case {
+    name: &'static str,
+    params: Params,
+    vial: Box<dyn Vial>,
+    lights: Vec<Light>,
+    optics: Vec<Optics>,
+    grid: VolumeGrid,
+    purpose: Purpose,
+}
+
+/// What scatters, 1/mm, in resin that absorbs 0.1/mm.
+const MILK: f64 = 0.6;
+
+fn light(frames: usize) -> Light {
+    let (rows, columns) = (21, 31);
+    let pixels = PatternGrid::full_turn(frames, 0.1, rows, columns, 0.1);
+    let mut light = Light::new(pixels, Resin::absorbing(1.48, 0.1));
+    light.resin.attenuation_per_mm += MILK;
+    // Not all pixels are active
+    let run = |i: usize| ((i % 3) as u32, (rows - 3 - i % 4) as u32);
+    light.active = Some((0..frames * columns).map(run).collect());
+    light
+}
+
+fn scattering(optics: Optics, phase: impl Phase + 'static) -> Optics {
+    let phase = Arc::new(phase);
+    Optics {
+        scattering: Some(Scattering {
+            per_mm: MILK,
+            phase,
+        }),
+        ..optics
+    }
+}
+
+fn glass() -> Box<dyn Vial> {
+    Box::new(Cylinder {
+        inner_radius_mm: 1.5,
+        outer_radius_mm: 1.7,
+        refractive_index: 1.54,
+    })
+}
+
+fn cone() -> Optics {
+    Optics {
+        projector: Arc::new(Telecentric {
+            pixel_pitch_mm: [0.1; 2],
+            aperture_radius_mm: 2.0,
+            working_distance_mm: 20.0,
+            focus_mm: 0.1,
+        }),
+        ..Optics::collimated(0.1)
+    }
+}
+
+fn cases() -> Vec<Case> {
+    let level = || Optics::collimated(0.1);
+    let case = |name, vial, optics| Case {
+        name,
+        params: Params::default(),
+        vial,
+        lights: vec![light(4)],
+        optics: vec![optics],
+        grid: VolumeGrid::centered([18, 25, 26], 0.09),
+        purpose: Purpose::Optimize,
+    };
+    let square = Box::new(Square {
+        inner_width_mm: 2.6,
+        outer_width_mm: 3.0,
+        refractive_index: 1.5,
+    });
+    let plate = End {
+        z_mm: -0.6,
+        thickness_mm: 0.2,
+    };
+    let lid = End {
+        z_mm: 0.7,
+        thickness_mm: 0.0,
+    };
+    let ended = Ended::new(glass(), Some(plate), Some(lid)).unwrap();
+    let matched = || Box::new(IndexMatched { radius_mm: 1.7 });
+    let tilted = Optics {
+        motion: Motion {
+            tilt_rad: 0.1,
+            ..Motion::default()
+        },
+        ..level()
+    };
+    let clear = Light {
+        resin: Resin::absorbing(1.48, 0.3),
+        ..light(3)
+    };
+    vec![
+        case(
+            "forward light in glass",
+            glass(),
+            scattering(level(), HenyeyGreenstein { g: 0.7 }),
+        ),
+        case("a cone", matched(), scattering(cone(), Isotropic {})),
+        Case {
+            lights: vec![Light {
+                sub_angles: 3,
+                ..light(4)
+            }],
+            ..case(
+                "turning frames of a square vial",
+                square,
+                scattering(level(), Rayleigh {}),
+            )
+        },
+        case(
+            "a vial with ends",
+            Box::new(ended),
+            scattering(level(), HenyeyGreenstein { g: -0.3 }),
+        ),
+        Case {
+            lights: vec![light(3), clear, light(2)],
+            optics: vec![
+                scattering(tilted, Rayleigh {}),
+                level(),
+                scattering(level(), Isotropic {}),
+            ],
+            ..case("three lights, one of them clear", matched(), level())
+        },
+        Case {
+            purpose: Purpose::Evaluate { refine: 1 },
+            params: Params {
+                paths_per_pixel: 1,
+                least_power: 0.3,
+                ..Params::default()
+            },
+            ..case("sharpened cells", glass(), scattering(level(), Rayleigh {}))
+        },
+    ]
+}
+
+impl Case {
+    fn with<T>(&self, with: impl FnOnce(&ModelInput<'_>) -> T) -> T {
+        let scene = OpticalScene::new(&*self.vial, &self.lights, &self.optics, self.purpose);
+        let run = Run::new();
+        with(&ModelInput::new(scene, &self.grid, &run).unwrap())
+    }
+
+    fn host(&self, params: &Params) -> HostModel {
+        self.with(|input| params.build(input).unwrap())
+    }
+
+    fn form(&self, params: &Params) -> Option<Form> {
+        self.with(|input| params.form(input).unwrap())
+    }
+
+    fn card(&self, gpu: &Gpu, params: &Params) -> HostModel {
+        let form = self.form(params).unwrap();
+        gpu.model(&form, &Run::new()).unwrap().unwrap()
+    }
+
+    fn seeded(&self, seed: u64) -> Params {
+        Params {
+            seed,
+            ..self.params.clone()
+        }
+    }
+}
+
+/// A card with bindings that hold the cells of a case, but not its voxels.
+fn small() -> Option<Gpu> {
+    gpu(SMALL)
+}
+
+#[test]
+fn dose_and_adjoint_on_the_card_are_one_matrix_of_a_seed() {
+    for case in cases() {
+        let Some(gpu) = small() else { return };
+        let pixels: usize = case.lights.iter().map(|light| light.layout(0).len()).sum();
+        let dark: Vec<bool> = (0..pixels).map(|i| i % 11 == 3).collect();
+        let model_of = |seed| {
+            let form = case.form(&case.seeded(seed)).unwrap().masked(&dark, 0.7);
+            model_on(&gpu, &form, &Run::new()).unwrap()
+        };
+        let model = &*model_of(1);
+        let x = check::noisy_patterns(model, 3);
+        let mut c = model.new_dose().unwrap();
+        c.copy_from_host(&noise_of(&model.outputs()[0], 4));
+        let (dose, grad) = (check::dose(model, &x), check::adjoint(model, &c));
+        let (left, right) = (dose.dot(&c), grad.dot(&x));
+        let size = dose.norm() * c.norm();
+        assert!(
+            (left - right).abs() < 1e-6 * size,
+            "{}: {left} {right} of {size}",
+            case.name
+        );
+        let marks = dark.iter().zip(grad.to_host());
+        assert!(marks.into_iter().all(|(&dark, grad)| !dark || grad == 0.0));
+        // The same bits again, also of a model that is made again; another seed is another matrix
+        assert_eq!(check::dose(model, &x).to_host(), dose.to_host());
+        assert_eq!(check::adjoint(model, &c).to_host(), grad.to_host());
+        assert_eq!(check::dose(&*model_of(1), &x).to_host(), dose.to_host());
+        assert_ne!(check::dose(&*model_of(2), &x).to_host(), dose.to_host());
+        // Frames one by one
+        let (mut sum, mut alone) = (model.new_dose().unwrap(), grad.zeros_like());
+        for frame in 0..frames_of(model.patterns()) {
+            let frame = frame..frame + 1;
+            model
+                .dose_of(frame.clone(), &x, &mut sum, &Run::new())
+                .unwrap();
+            model
+                .pullback_of(frame, &x, &c, &mut alone, &Run::new())
+                .unwrap();
+        }
+        assert_near(&sum.to_host(), &dose.to_host(), 1e-6, case.name);
+        assert_eq!(alone.to_host(), grad.to_host());
+    }
+}
+
+#[test]
+fn unscattered_light_is_that_of_the_processor() {
+    let Some(gpu) = small() else { return };
+    for case in cases() {
+        let params = Params {
+            orders: 0,
+            ..case.params.clone()
+        };
+        let (host, card) = (case.host(&params), case.card(&gpu, &params));
+        assert_eq!(card.patterns(), host.patterns());
+        let x = check::noisy_patterns(&*host, 1);
+        let [expected, found] = [&host, &card].map(|model| check::dose(&**model, &x));
+        assert_near(found.as_slice(), expected.as_slice(), 5e-5, case.name);
+        let difference = check::difference(found.as_slice(), expected.as_slice());
+        assert!(difference < 1e-5, "{}: {difference}", case.name);
+    }
+}
+
+/// Sums of a dose with weights that even, odd, flat and steep errors of scattered light change.
+fn moments(case: &Case, dose: &HostField) -> Vec<f64> {
+    let grid = &case.grid;
+    let volume = DoseLayout::new("dose", grid.clone(), 0).volume_of(dose.as_slice());
+    let mut sums = vec![0.0; 5];
+    let [nz, ny, nx] = grid.shape;
+    for (i, value) in volume.values.iter().enumerate() {
+        let (x, y, z) = (grid.x(i % nx), grid.y(i / nx % ny), grid.z(i / nx / ny));
+        let weights = [
+            1.0,
+            f64::from(u8::from(x.hypot(y) < 0.5)),
+            f64::from(u8::from(z.abs() > 0.25 * nz as f64 * grid.pitch_mm)),
+            1.0 + x,
+            1.0 + (4.0 * y).cos(),
+        ];
+        let pairs = sums.iter_mut().zip(weights);
+        pairs.for_each(|(sum, weight)| *sum += weight * f64::from(*value));
+    }
+    sums
+}
+
+/// Mean and its standard deviation of moments of scattered light, from several seeds.
+fn scattered(case: &Case, seeds: u64, model: &dyn Fn(&Params) -> HostModel) -> Vec<[f64; 2]> {
+    let x = check::even_patterns(&*case.host(&case.params), 1.0);
+    let of = |params: &Params| moments(case, &check::dose(&*model(params), &x));
+    let straight = of(&Params {
+        orders: 0,
+        ..case.params.clone()
+    });
+    let all: Vec<Vec<f64>> = (1..=seeds).map(|seed| of(&case.seeded(seed))).collect();
+    let count = seeds as f64;
+    let mean_of = |i: usize| {
+        let values = || all.iter().map(|sums| sums[i] - straight[i]);
+        let mean = values().sum::<f64>() / count;
+        let squares: f64 = values().map(|v| (v - mean).powi(2)).sum();
+        [mean, (squares / (count - 1.0) / count).sqrt()]
+    };
+    (0..straight.len()).map(mean_of).collect()
+}
+
+#[test]
+fn scattered_light_is_that_of_the_processor_within_the_noise_of_both() {
+    /// Of either.
+    const SEEDS: u64 = 24;
+    let Some(gpu) = gpu(128 << 20) else { return };
+    for case in cases() {
+        let host = scattered(&case, SEEDS, &|params| case.host(params));
+        let card = scattered(&case, SEEDS, &|params| case.card(&gpu, params));
+        for (i, ([expected, a], [found, b])) in host.into_iter().zip(card).enumerate() {
+            let (noise, name) = (a.hypot(b), case.name);
+            let what = format!("{name}, {i}: {found} ± {b} in place of {expected} ± {a}");
+            assert!((found - expected).abs() < 3.0 * noise, "{what}");
+            // An error of 2 % would be found
+            assert!(3.0 * noise < 0.02 * expected, "{what}");
+        }
+    }
+}
+
+#[test]
+fn what_paths_leave_in_all_of_the_resin_is_what_the_balance_says() {
+    let Some(gpu) = gpu(128 << 20) else { return };
+    let mut case = cases().swap_remove(3);
+    // Even light through the middle of a vial that ends within the grid
+    case.lights[0].pixels = PatternGrid::full_turn(3, 0.2, 3, 3, 0.2);
+    case.lights[0].active = None;
+    case.grid = VolumeGrid::centered([30, 44, 44], 0.1);
+    let params = Params {
+        paths_per_pixel: 1024,
+        smooth: 1,
+        ..case.params.clone()
+    };
+    let (vial, lights, optics) = (&*case.vial, &case.lights, &case.optics);
+    let rays: Rays = monte_carlo::model(vial, lights, optics, &params, case.grid.clone()).unwrap();
+    let card = case.card(&gpu, &params);
+    let dose = check::dose(&*card, &check::even_patterns(&*card, 1.0));
+    let left: f64 = dose.as_slice().iter().map(|&v| f64::from(v)).sum();
+    let sent = 3.0 * 9.0 * 0.04;
+    let frames = (0..3).map(|frame| rays.balance(0, frame).absorbed);
+    let expected = frames.sum::<f64>() / 3.0;
+    let found = left * 1e-3 / sent;
+    // 27 648 paths, whose parts absorbed are spread by less than 0.2
+    assert!(
+        (found - expected).abs() < 3.0 * 0.2 / 27_648f64.sqrt() * 2f64.sqrt(),
+        "{found} {expected}"
+    );
+}
+
+#[test]
+fn paths_are_drawn_anew_and_are_the_same_again_in_the_same_round() {
+    let Some(gpu) = small() else { return };
+    let case = &cases()[0];
+    let params = |seed, renew| Params {
+        renew,
+        ..case.seeded(seed)
+    };
+    let model = case.card(&gpu, &params(u64::from(u32::MAX), 2));
+    let x = check::even_patterns(&*model, 1.0);
+    let first = check::dose(&*model, &x);
+    let renewal = model.renewal().unwrap();
+    let renew = |iteration| renewal.renew(iteration, &x, &Run::new()).unwrap();
+    assert!(!renew(2) && renew(3) && !renew(4));
+    let second = check::dose(&*model, &x);
+    assert_ne!(first.as_slice(), second.as_slice());
+    // The next seed, with a carry
+    let next = case.card(&gpu, &params(1 << 32, 0));
+    assert_eq!(check::dose(&*next, &x).as_slice(), second.as_slice());
+    assert!(next.renewal().is_none());
+    assert!(renew(1));
+    assert_eq!(check::dose(&*model, &x).as_slice(), first.as_slice());
+}
+
+/// Every kernel of paths, in the languages of Metal and DX12.
+#[test]
+fn kernels_are_those_of_other_interfaces_too() {
+    let Some(gpu) = small() else { return };
+    for case in cases() {
+        let model = &*model_on(&gpu, &case.form(&case.params).unwrap(), &Run::new()).unwrap();
+        check::adjoint(model, &check::dose(model, &check::noisy_patterns(model, 1)));
+    }
+    let sources: BTreeMap<_, _> = gpu.sources().into_iter().collect();
+    assert_portable(&sources);
+    for name in ["dose of paths", "sums of rays", "adjoint of paths"] {
+        assert!(sources.contains_key(name), "{name}");
+    }
+}
+
+#[test]
+fn what_is_no_number_leaves_no_number() {
+    let Some(gpu) = gpu(128 << 20) else { return };
+    let model = cases()[0].card(&gpu, &cases()[0].params);
+    for bad in [f32::NAN, f32::INFINITY] {
+        let mut x = check::even_patterns(&*model, 1.0);
+        x.as_mut_slice()[77] = bad;
+        let dose = check::dose(&*model, &x);
+        assert!(dose.as_slice().iter().any(|v| !v.is_finite()));
+    }
+}
+
+#[test]
+fn what_does_not_fit_is_refused_and_what_a_form_cannot_say_has_none() {
+    let case = &cases()[0];
+    let Some(small) = smaller(SMALL, 1 << 16) else {
+        return;
+    };
+    let form = case.form(&case.params).unwrap();
+    let refused = small.model(&form, &Run::new()).err();
+    assert!(
+        matches!(refused, Some(Error::Resources { .. })),
+        "{refused:?}"
+    );
+    let fine = Params {
+        smooth: 1,
+        ..case.params.clone()
+    };
+    let Some(tight) = gpu(16 << 10) else { return };
+    let refused = tight.model(&case.form(&fine).unwrap(), &Run::new()).err();
+    assert!(
+        matches!(refused, Some(Error::Resources { .. })),
+        "{refused:?}"
+    );
+    for params in [
+        Params {
+            accumulation: Accumulation::Simple,
+            ..case.params.clone()
+        },
+        Params {
+            reflections: true,
+            ..case.params.clone()
+        },
+    ] {
+        assert!(case.form(&params).is_none());
+    }
+    let tube = Case {
+        vial: Box::new(DoubleTube {
+            radii_mm: [1.6, 1.5, 0.7, 0.6],
+            outer_refractive_index: 1.5,
+            inner_refractive_index: 1.5,
+            core_refractive_index: 1.33,
+        }),
+        ..cases().swap_remove(0)
+    };
+    assert!(tube.form(&tube.params).is_none());
+}
