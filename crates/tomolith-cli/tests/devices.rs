@@ -15,6 +15,11 @@ const SCATTERING: &str = concat!(
     "/../../examples/13-scattering.toml"
 );
 
+const PATHS: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../examples/15-scattering-cone.toml"
+);
+
 fn tomolith(arguments: &[&str]) -> Output {
     let command = env!("CARGO_BIN_EXE_tomolith");
     Command::new(command).args(arguments).output().unwrap()
@@ -143,4 +148,34 @@ fn light_that_scatters_prints_on_a_card_what_it_prints_on_the_processor() {
     assert!((card - processor).abs() < 1e-5, "{card} {processor}");
     let text = report(&at("card")).to_string();
     assert!(text.contains("successive_orders (parallel (on "), "{text}");
+}
+
+#[test]
+fn random_paths_on_a_card_print_what_the_processor_prints_and_resume_to_the_bit() {
+    let Some(name) = card() else { return };
+    let device = format!("gpu:{name}");
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    // Other paths from the fifth and from the ninth iteration on
+    let steps = |n: u32| format!("stop.iterations={n}");
+    let (six, ten) = (steps(6), steps(10));
+    let often = ["--set", "model.monte_carlo.renew=4", "--set"];
+    let set = |n| [&often[..], &[n]].concat();
+    done(&run(PATHS, &device, &at("card"), &set(&ten)));
+    done(&run(PATHS, "cpu", &at("processor"), &set(&ten)));
+    let [card, processor] = both("iou", [&at("card"), &at("processor")]);
+    assert!((card - processor).abs() < 0.02, "{card} {processor}");
+    let [card, processor] = both("cv", [&at("card"), &at("processor")]);
+    assert!((card / processor - 1.0).abs() < 0.05, "{card} {processor}");
+    let text = report(&at("card")).to_string();
+    assert!(
+        text.contains("monte_carlo, 4 per pixel and frame, Monte Carlo paths of scattered light and exact line integrals (on "),
+        "{text}"
+    );
+    // Its first paths are those of the sixth iteration again
+    done(&run(PATHS, &device, &at("resumed"), &set(&six)));
+    let more = [&set(&ten)[..], &["--resume"]].concat();
+    done(&run(PATHS, &device, &at("resumed"), &more));
+    let patterns = |name: &str| std::fs::read(at(name).join("patterns.npz")).unwrap();
+    assert!(patterns("resumed") == patterns("card"));
 }

@@ -40,7 +40,8 @@
 //! nowhere.
 //!
 //! # Cost
-//! Paths are traced again in every call, so memory does not grow with their number.
+//! Paths are traced again in every call, so memory does not grow with their number. On a graphics card they are drawn there, from other random numbers
+//! ([`tomolith_core::dose::paths`]).
 //!
 //! # Example
 //! A pixel of light through 4 mm of a resin that scatters: e^(−4.4) of it passes untouched, and much more leaves scattered.

@@ -4,7 +4,7 @@
 //! cargo run --release -p tomolith-studies -- cards H200              # a card by part of its name
 //! cargo run --release -p tomolith-studies -- cards H200 boat.stl     # the part of the published benchmark
 //! cargo run --release -p tomolith-studies -- cards llvmpipe - 16     # voxels, pixels and frames of a sixteenth: minutes in software
-//! cargo run --release -p tomolith-studies -- cards H200 - 1 waves    # the jobs whose titles hold a word, or "rates"
+//! cargo run --release -p tomolith-studies -- cards H200 - 1 waves    # the jobs whose titles hold a word, or "rates", "paths"
 //! ```
 //!
 //! The program needs no other file, so the one binary may be carried to a machine with a card. Without a mesh a gyroid stands in for the boat. Run
@@ -19,10 +19,14 @@ use tomolith::gpu::{Asked, Gpu, model_on};
 use tomolith::grid::{PatternGrid, VolumeGrid};
 use tomolith::job::{self, Document, Job, Silent};
 use tomolith::models::rays::Optics;
-use tomolith::models::{ModelFamily, ModelInput, OpticalScene, Purpose, Run, parallel, rays};
+use tomolith::models::{
+    DoseModel, ModelFamily, ModelInput, OpticalScene, Purpose, Run, monte_carlo, parallel, rays,
+};
 use tomolith::optics::light::Light;
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::index_matched::IndexMatched;
+
+use crate::scatter_noise;
 
 type Failure = Box<dyn std::error::Error>;
 
@@ -169,7 +173,51 @@ pub(crate) fn study(arguments: &[String]) -> Result<(), Failure> {
         let row = rates(&gpu, family, size).unwrap_or_else(|why| format!("refused: {why} | |"));
         println!("| {}, {}³, {} | {row} |", family.name(), size[0], size[1]);
     }
+    println!(
+        "\n| random paths of a pixel | paths | 10⁶ paths/s: card, processor | noise of a voxel %: card, processor |\n|---|---|---|---|"
+    );
+    for paths in [1, 4, 16].into_iter().filter(|_| is_asked("paths")) {
+        let row =
+            of_paths(&gpu, paths, divisor).unwrap_or_else(|why| format!("refused: {why} | | |"));
+        println!("| {paths} | {row}");
+    }
     Ok(gpu.check()?)
+}
+
+/// Paths, rates and noise of doses of both devices, in the scene of the study `scatter_noise`.
+fn of_paths(gpu: &Gpu, paths_per_pixel: usize, divisor: usize) -> Result<String, Failure> {
+    let params = |seed| monte_carlo::Params {
+        paths_per_pixel,
+        seed,
+        ..monte_carlo::Params::default()
+    };
+    scatter_noise::with_scene(divisor.max(1), |input| {
+        let pixels = input.scene.lights[0].layout(0).len();
+        let paths = (pixels * paths_per_pixel) as f64;
+        let run = Run::new();
+        let of = |dose: &dyn Fn(u64) -> Result<(f64, Vec<f32>), Failure>| {
+            let all: Result<Vec<_>, _> = (0..scatter_noise::SEEDS).map(dose).collect();
+            let (seconds, doses): (Vec<f64>, Vec<Vec<f32>>) = all?.into_iter().unzip();
+            let least = seconds.into_iter().fold(f64::INFINITY, f64::min);
+            let [noise, _] = scatter_noise::noise(&doses);
+            Ok::<_, Failure>([1e-6 * paths / least, 100.0 * noise])
+        };
+        let card = of(&|seed| {
+            let form = params(seed).form(input)?.ok_or("the model has no form")?;
+            timed(&*model_on(gpu, &form, &run)?)
+        })?;
+        let processor = of(&|seed| timed(&*params(seed).build(input)?))?;
+        let both = |i: usize| format!("{:.2}, {:.2}", card[i], processor[i]);
+        Ok(format!("{paths:.1e} | {} | {} |", both(0), both(1)))
+    })
+}
+
+/// Seconds of the second dose of all pixels at 1, with its copy to the host, and that dose.
+fn timed<F: Field>(model: &dyn DoseModel<Field = F>) -> Result<(f64, Vec<f32>), Failure> {
+    scatter_noise::even_dose(model)?;
+    let begin = Instant::now();
+    let dose = scatter_noise::even_dose(model)?;
+    Ok((begin.elapsed().as_secs_f64(), dose))
 }
 
 /// The job file of a row.

@@ -12,13 +12,15 @@ use std::time::Instant;
 use tomolith::field::Field;
 use tomolith::grid::{PatternGrid, VolumeGrid};
 use tomolith::models::rays::Optics;
-use tomolith::models::{DoseModel, Run, monte_carlo};
+use tomolith::models::{
+    DoseModel, ModelFamily, ModelInput, OpticalScene, Purpose, Run, monte_carlo,
+};
 use tomolith::optics::light::Light;
 use tomolith::optics::phase::{Scattering, rayleigh::Rayleigh};
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::square::Square;
 
-const SEEDS: u64 = 5;
+pub(crate) const SEEDS: u64 = 5;
 
 pub(crate) fn study(_: &[String]) -> Result<(), Box<dyn Error>> {
     println!("| paths | smooth | s per dose | noise, % | largest, % | s × %² |");
@@ -44,12 +46,34 @@ pub(crate) fn study(_: &[String]) -> Result<(), Box<dyn Error>> {
 
 /// The dose of all pixels at 1, model included.
 fn dose(paths_per_pixel: usize, smooth: usize, seed: u64) -> Result<Vec<f32>, tomolith::Error> {
+    let params = monte_carlo::Params {
+        paths_per_pixel,
+        smooth,
+        seed,
+        ..monte_carlo::Params::default()
+    };
+    with_scene(1, |input| even_dose(&*params.build(input)?))
+}
+
+/// The dose of all pixels at 1.
+pub(crate) fn even_dose<F: Field>(
+    model: &dyn DoseModel<Field = F>,
+) -> Result<Vec<f32>, tomolith::Error> {
+    let mut x = model.new_patterns()?;
+    x.fill(1.0);
+    let mut dose = model.new_dose()?;
+    model.dose(&x, &mut dose, &Run::new())?;
+    Ok(model.outputs()[0].volume_of(&dose.to_host()).values)
+}
+
+/// Calls `with` with the scene, of so many times fewer frames.
+pub(crate) fn with_scene<T>(divisor: usize, with: impl FnOnce(&ModelInput<'_>) -> T) -> T {
     let vial = Square {
         inner_width_mm: 7.0,
         outer_width_mm: 8.0,
         refractive_index: 1.24,
     };
-    let pixels = PatternGrid::full_turn(200, 0.0, 20, 200, 0.05);
+    let pixels = PatternGrid::full_turn((200 / divisor).max(1), 0.0, 20, 200, 0.05);
     let mut light = Light::new(pixels, Resin::absorbing(1.347, 0.009));
     light.resin.attenuation_per_mm = 0.09;
     light.surrounding_index = 1.0;
@@ -58,23 +82,19 @@ fn dose(paths_per_pixel: usize, smooth: usize, seed: u64) -> Result<Vec<f32>, to
         per_mm: 0.081,
         phase: Arc::new(Rayleigh {}),
     });
-    let params = monte_carlo::Params {
-        paths_per_pixel,
-        smooth,
-        seed,
-        ..monte_carlo::Params::default()
-    };
-    let grid = VolumeGrid::centered([50, 100, 100], 0.05);
-    let model = monte_carlo::model(&vial, &[light], &[optics], &params, grid)?;
-    let mut x = model.new_patterns()?;
-    x.fill(1.0);
-    let mut dose = model.new_dose()?;
-    model.dose(&x, &mut dose, &Run::new())?;
-    Ok(model.outputs()[0].volume_of(dose.as_slice()).values)
+    let (grid, run) = (VolumeGrid::centered([50, 100, 100], 0.05), Run::new());
+    let (lights, optics) = ([light], [optics]);
+    let scene = OpticalScene::new(&vial, &lights, &optics, Purpose::Optimize);
+    with(&ModelInput {
+        scene,
+        grid: &grid,
+        cells: None,
+        run: &run,
+    })
 }
 
 /// Mean and largest of the standard deviation over the mean, of bright voxels.
-fn noise(doses: &[Vec<f32>]) -> [f64; 2] {
+pub(crate) fn noise(doses: &[Vec<f32>]) -> [f64; 2] {
     let count = doses.len() as f64;
     let of_voxel = |i: usize| {
         let values = doses.iter().map(|d| f64::from(d[i]));
