@@ -18,6 +18,7 @@ use crate::cells::DeviceCells;
 use crate::device::{Buffer, Gpu};
 use crate::field::GpuField;
 use crate::rays::{GpuRays, Walk, add_sums, adding, collecting, head, unit_of};
+use crate::scattered::voxels_of;
 use crate::strips::must_be_bound;
 use std::ops::Range;
 use std::sync::Arc;
@@ -173,13 +174,6 @@ impl GpuPaths {
         let voxels = (self.data().edge * self.data().edge) as f32;
         (self.straight.brightest() / voxels).max(self.straight.factor() * by_chance)
     }
-
-    /// Columns of voxels in each piece of a dose.
-    fn voxels_of<'a>(&self, dose: &'a GpuField) -> Vec<(Range<usize>, &'a Buffer)> {
-        let row = self.data().straight.output.row;
-        let columns = dose.ranges().map(|own| own.start / row..own.end / row);
-        columns.zip(dose.pieces()).collect()
-    }
 }
 
 /// Fields that paths go between.
@@ -239,7 +233,7 @@ impl LinearOperator for GpuPaths {
         add_sums([&low, &high], unit, None, &sums);
         let sums = &sums.pieces()[0];
         let sharp = self.sharper(sums);
-        for piece in self.voxels_of(dose) {
+        for piece in voxels_of(dose, self.data().straight.output.row) {
             let seen = sharp.as_ref().unwrap_or(sums);
             (self.geometry.cells).spread(seen, &self.geometry.shares, &piece);
         }
@@ -255,7 +249,7 @@ impl LinearOperator for GpuPaths {
     ) -> Result<()> {
         (self.straight).adjoint_of(frames.clone(), cotangent, grad, run)?;
         let gathered = self.geometry.cells.dark(1);
-        for piece in self.voxels_of(cotangent) {
+        for piece in voxels_of(cotangent, self.data().straight.output.row) {
             (self.geometry.cells).gather(&gathered, &self.geometry.shares, &piece);
         }
         let seen = self.sharper(&gathered).unwrap_or(gathered);

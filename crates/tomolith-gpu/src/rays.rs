@@ -12,14 +12,17 @@
 //! **Cost** two sums and some sixty operations for a voxel that a segment passes; segments (40 bytes each) are read once a dose, from the caches
 //! where all frames share them. Memory in addition to fields: segments, 8 bytes a voxel during a dose, and as many with cells.
 
+use crate::bins::Pixels;
 use crate::device::{Buffer, Gpu, THREADS};
 use crate::field::GpuField;
 use crate::mask::{IS_LIT, Mask};
 use crate::passes::{ENTRY, Operand, Pass};
+use crate::scattered::{DeviceScattered, voxels_of};
 use crate::strips::must_be_bound;
 use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::dose::rays::{LightRays, RayForm, RayGeometry, RaySegment};
+use tomolith_core::dose::scattered::{DirectionHarmonic, ScatteredLight};
 use tomolith_core::dose::{
     DoseLayout, Facts, LinearOperator, PatternLayout, Run, Space, own_frames,
 };
@@ -43,6 +46,7 @@ pub(crate) struct Geometry {
     inside: Buffer,
     /// One over the share of its voxel that each element has, where any are cut.
     weights: Option<GpuField>,
+    scattered: Vec<DeviceScattered>,
 }
 
 /// The rays of one light.
@@ -101,6 +105,12 @@ impl Geometry {
             field.copy_from_host(&shares.iter().map(|s| s.recip()).collect::<Vec<f32>>());
             weights = Some(field);
         }
+        let scattered = |light: &ScatteredLight| {
+            let pixels = &data.patterns[light.light];
+            DeviceScattered::new(gpu, light, pixels, data.output.row, run)
+        };
+        let scattered = data.scattered.iter().map(scattered);
+        let scattered = scattered.collect::<Result<_>>()?;
         gpu.check()?;
         Ok(Geometry {
             data: data.clone(),
@@ -109,6 +119,7 @@ impl Geometry {
             energy,
             inside: gpu.upload(bytemuck::cast_slice(&inside)),
             weights,
+            scattered,
         })
     }
 }
@@ -313,8 +324,16 @@ impl GpuRays {
         patterns: &'a GpuField,
         voxels: Vec<(Range<usize>, Vec<&'a Buffer>)>,
         scale: f32,
+        harmonic: Option<&DirectionHarmonic>,
     ) -> Walk<'a> {
         let data = &self.geometry.data;
+        let numbers = |own: &DirectionHarmonic| {
+            [
+                own.degree as u32,
+                own.order as i32 as u32,
+                own.scale.to_bits(),
+            ]
+        };
         Walk {
             name,
             source,
@@ -325,10 +344,96 @@ impl GpuRays {
             scale,
             adds: false,
             table: &self.geometry.inside,
-            numbers: Vec::new(),
+            numbers: harmonic.map(numbers).into_iter().flatten().collect(),
             updates: data.updates,
             ways: 1,
         }
+    }
+
+    /// dose += unscattered light of some frames, of each ray the part that a harmonic of its direction says.
+    pub(crate) fn add(
+        &self,
+        frames: &Range<usize>,
+        x: &GpuField,
+        dose: &mut GpuField,
+        harmonic: Option<&DirectionHarmonic>,
+        run: &Run,
+    ) -> Result<()> {
+        let energy = x.max_abs() * self.brightest();
+        if energy == 0.0 {
+            return self.gpu.check();
+        }
+        let unit = unit_of(energy);
+        let zeros = || GpuField::of_lengths(&self.gpu, dose.lengths().to_vec());
+        let (low, high) = (zeros(), zeros());
+        let words = low.pieces().iter().zip(high.pieces());
+        let voxels = dose.ranges().zip(words);
+        let voxels = voxels.map(|(range, (low, high))| (range, vec![low, high]));
+        let kernel: (_, &dyn Fn() -> String) = match harmonic {
+            None => ("dose of rays", &|| adding(&head("", &voxels_of_rays(EVEN)))),
+            Some(_) => ("dose of weighted rays", &|| {
+                adding(&head(HARMONIC, &voxels_of_rays(WEIGHTED)))
+            }),
+        };
+        let walk = self.walk(kernel, x, voxels.collect(), 1.0 / unit, harmonic);
+        self.follow_all(frames, &walk, run)?;
+        add_sums([&low, &high], unit, self.geometry.weights.as_ref(), dose);
+        self.gpu.submit();
+        self.gpu.check()
+    }
+
+    /// Pixels of some frames = transpose of [`add`](Self::add)
+    pub(crate) fn collect(
+        &self,
+        frames: &Range<usize>,
+        cotangent: &GpuField,
+        grad: &mut GpuField,
+        harmonic: Option<&DirectionHarmonic>,
+        run: &Run,
+    ) -> Result<()> {
+        let in_cells = self.geometry.weights.as_ref().map(|weights| {
+            let mut weighted = cotangent.clone();
+            weighted.multiply(weights);
+            weighted
+        });
+        let cotangent = in_cells.as_ref().unwrap_or(cotangent);
+        let pieces = cotangent.ranges().zip(cotangent.pieces());
+        let voxels = pieces.map(|(range, piece)| (range, vec![piece]));
+        let kernel: (_, &dyn Fn() -> String) = match harmonic {
+            None => ("adjoint of rays", &|| {
+                collecting(&head("", &voxels_of_rays(EVEN)))
+            }),
+            Some(_) => ("adjoint of weighted rays", &|| {
+                collecting(&head(HARMONIC, &voxels_of_rays(WEIGHTED)))
+            }),
+        };
+        let walk = self.walk(kernel, grad, voxels.collect(), 1.0, harmonic);
+        self.follow_all(frames, &walk, run)?;
+        self.gpu.check()
+    }
+
+    /// What is scattered out of the lights of some frames, with the light's own frames and pixels.
+    fn scattered<'a>(
+        &'a self,
+        frames: &'a Range<usize>,
+        field: &'a GpuField,
+    ) -> impl Iterator<Item = (&'a DeviceScattered, Range<usize>, Pixels<'a>)> {
+        let lights = own_frames(&self.geometry.data.patterns, frames);
+        lights.flat_map(move |(light, own)| {
+            let of_light = self
+                .geometry
+                .scattered
+                .iter()
+                .filter(move |s| s.light == light);
+            of_light.map(move |scattered| {
+                let pixels = Pixels {
+                    field,
+                    runs: &self.geometry.lights[light].runs,
+                    mask: &self.mask,
+                };
+                (scattered, own.clone(), pixels)
+            })
+        })
     }
 
     /// Follows the rays of some frames, counted through all lights.
@@ -453,21 +558,11 @@ impl LinearOperator for GpuRays {
         dose: &mut GpuField,
         run: &Run,
     ) -> Result<()> {
-        let energy = x.max_abs() * self.brightest();
-        if energy == 0.0 {
-            return self.gpu.check();
+        self.add(&frames, x, dose, None, run)?;
+        let voxels = voxels_of(dose, self.geometry.data.output.row);
+        for (scattered, frames, pixels) in self.scattered(&frames, x) {
+            scattered.add(&frames, &pixels, &voxels, run)?;
         }
-        let unit = unit_of(energy);
-        let zeros = || GpuField::of_lengths(&self.gpu, dose.lengths().to_vec());
-        let (low, high) = (zeros(), zeros());
-        let words = low.pieces().iter().zip(high.pieces());
-        let voxels = dose.ranges().zip(words);
-        let voxels = voxels.map(|(range, (low, high))| (range, vec![low, high]));
-        let kernel: (_, &dyn Fn() -> String) = ("dose of rays", &dose_source);
-        let walk = self.walk(kernel, x, voxels.collect(), 1.0 / unit);
-        self.follow_all(&frames, &walk, run)?;
-        add_sums([&low, &high], unit, self.geometry.weights.as_ref(), dose);
-        self.gpu.submit();
         self.gpu.check()
     }
 
@@ -478,22 +573,17 @@ impl LinearOperator for GpuRays {
         grad: &mut GpuField,
         run: &Run,
     ) -> Result<()> {
-        let in_cells = self.geometry.weights.as_ref().map(|weights| {
-            let mut weighted = cotangent.clone();
-            weighted.multiply(weights);
-            weighted
-        });
-        let cotangent = in_cells.as_ref().unwrap_or(cotangent);
-        let pieces = cotangent.ranges().zip(cotangent.pieces());
-        let voxels = pieces.map(|(range, piece)| (range, vec![piece]));
-        let kernel: (_, &dyn Fn() -> String) = ("adjoint of rays", &adjoint_source);
-        let walk = self.walk(kernel, grad, voxels.collect(), 1.0);
-        self.follow_all(&frames, &walk, run)?;
+        self.collect(&frames, cotangent, grad, None, run)?;
+        let voxels = voxels_of(cotangent, self.geometry.data.output.row);
+        for (scattered, frames, pixels) in self.scattered(&frames, grad) {
+            scattered.add_adjoint(&frames, &voxels, &pixels, run)?;
+        }
         self.gpu.check()
     }
 
     fn updates(&self) -> u64 {
-        self.geometry.data.updates
+        let scattered = self.geometry.scattered.iter();
+        self.geometry.data.updates + scattered.map(DeviceScattered::updates).sum::<u64>()
     }
 
     fn describe(&self) -> String {
@@ -501,7 +591,6 @@ impl LinearOperator for GpuRays {
         format!("{} ({place})", self.geometry.data.summary)
     }
 }
-
 /// dose += sums of 64 bits, in this unit and times weights where there are any
 pub(crate) fn add_sums(
     [low, high]: [&GpuField; 2],
@@ -539,14 +628,6 @@ fn sum(low: u32, high: u32) -> f32 {
 }
 ";
 
-fn dose_source() -> String {
-    adding(&head("", VOXELS))
-}
-
-fn adjoint_source() -> String {
-    collecting(&head("", VOXELS))
-}
-
 /// What all kernels have, with `numbers` behind their parameters, and `follow` and `reach` of a light.
 pub(crate) fn head(numbers: &str, light: &str) -> String {
     format!(
@@ -565,21 +646,50 @@ pub(crate) fn head(numbers: &str, light: &str) -> String {
     )
 }
 
-/// Unscattered light on voxels and cells.
-const VOXELS: &str = "
+/// Unscattered light on voxels and cells, of each segment a part.
+fn voxels_of_rays(part: &str) -> String {
+    format!(
+        "
 // Elements that light inside of a surface is left in, of each voxel
 @group(0) @binding(5) var<storage, read> inside: array<u32>;
 var<private> is_inside: bool;
-fn reach(found: u32, deposit: f32) {
+fn reach(found: u32, deposit: f32) {{
     var element = found;
-    if (is_inside) { element = inside[p.first_voxel + element] - p.first_voxel; }
-    if (element >= p.low && element < p.high) { visit(element - p.low, deposit); }
-}
-fn follow(own: Segment, element: u32, path: u32) {
+    if (is_inside) {{ element = inside[p.first_voxel + element] - p.first_voxel; }}
+    if (element >= p.low && element < p.high) {{ visit(element - p.low, deposit); }}
+}}
+{part}
+fn follow(own: Segment, element: u32, path: u32) {{
     is_inside = own.energy < 0.0;
-    walk(Segment(own.at, own.rate, own.along, abs(own.energy), own.span));
+    walk(Segment(own.at, own.rate, own.along, part(own.along) * abs(own.energy), own.span));
+}}
+"
+    )
 }
-";
+
+/// All of a segment.
+const EVEN: &str = "fn part(along: vec3<f32>) -> f32 { return 1.0; }";
+
+/// The part that a [harmonic](DirectionHarmonic) of its direction says, which is no more than 1 of it; its numbers.
+const HARMONIC: &str = "degree: u32, order: i32, norm: f32";
+const WEIGHTED: &str = "
+fn part(along: vec3<f32>) -> f32 {
+    let order = u32(abs(p.order));
+    var around = vec2(1.0, 0.0);
+    var value = p.norm;
+    for (var i = 0u; i < order; i++) {
+        around = vec2(around.x * along.x - around.y * along.y, around.y * along.x + around.x * along.y);
+        value *= f32(2u * i + 1u);
+    }
+    // Legendre's function by upward recursion
+    var below = 0.0;
+    for (var k = order + 1u; k <= p.degree; k++) {
+        let next = (f32(2u * k - 1u) * along.z * value - f32(k + order - 1u) * below) / f32(k - order);
+        below = value;
+        value = next;
+    }
+    return value * select(around.x, around.y, p.order < 0);
+}";
 
 /// The kernel that adds up what light leaves.
 pub(crate) fn adding(head: &str) -> String {

@@ -1,6 +1,6 @@
 //! Light that is scattered, computed on the card.
 //!
-//! **Model** [`tomolith_core::dose::scattered`], the `successive_orders` model of the processor as data. Unscattered light on cells is a [`GpuStrips`] of the
+//! **Model** [`tomolith_core::dose::scattered`], the `successive_orders` model of the processor as data. Unscattered light on cells is a [`GpuStrips`] or a [`GpuRays`] of the
 //! bins, all else are fields on cells ([`cells`](crate::cells), [`convolution`](crate::convolution)). All moments of an order are done at once; every element
 //! is one thread's sum in one order, so dose and adjoint have the same bits in every run.
 
@@ -8,10 +8,15 @@ use crate::bins::{DeviceBins, Pixels};
 use crate::cells::{DeviceCells, Matrix};
 use crate::convolution::Convolution;
 use crate::device::{Buffer, Gpu};
+use crate::field::GpuField;
+use crate::rays::GpuRays;
 use crate::strips::{GpuStrips, must_be_bound};
+use std::borrow::Cow;
 use std::ops::Range;
-use tomolith_core::dose::scattered::{LaterOrders, OnCells, ScatteredLight};
-use tomolith_core::dose::{DoseModel, LinearOperator, Run};
+use tomolith_core::dose::scattered::{
+    DirectionHarmonic, LaterOrders, LightOnCells, OnCells, ScatteredLight,
+};
+use tomolith_core::dose::{DoseModel, LinearOperator, PatternLayout, Run};
 use tomolith_core::error::Result;
 
 /// What is scattered out of one light.
@@ -20,13 +25,63 @@ pub(crate) struct DeviceScattered {
     pub(crate) light: usize,
     pub(crate) summary: String,
     bins: DeviceBins,
-    /// Light of bins on cells.
-    straight: GpuStrips,
+    source: DeviceSource,
     channels: usize,
     /// Part of each (y, x) of voxels that is resin.
     shares: Buffer,
     once: DeviceOnCells,
     later: DeviceOrders,
+}
+
+/// Light of bins on cells.
+enum DeviceSource {
+    Strips(GpuStrips),
+    Rays(GpuRays, Vec<DirectionHarmonic>),
+}
+
+impl DeviceSource {
+    fn model(&self) -> &dyn DoseModel<Field = GpuField> {
+        match self {
+            DeviceSource::Strips(strips) => strips,
+            DeviceSource::Rays(rays, _) => rays,
+        }
+    }
+
+    /// The light of bins on cells, of a channel.
+    fn light(
+        &self,
+        channel: usize,
+        frames: &Range<usize>,
+        bins: &GpuField,
+        run: &Run,
+    ) -> Result<GpuField> {
+        let mut light = self.model().new_dose()?;
+        match self {
+            DeviceSource::Strips(own) => own.add_forward(frames.clone(), bins, &mut light, run)?,
+            DeviceSource::Rays(rays, harmonics) => {
+                let weighted = Some(&harmonics[channel]);
+                rays.add(frames, bins, &mut light, weighted, run)?;
+            }
+        }
+        Ok(light)
+    }
+
+    /// Bins of some frames = transpose of [`light`](Self::light).
+    fn collect(
+        &self,
+        channel: usize,
+        frames: &Range<usize>,
+        light: &GpuField,
+        bins: &mut GpuField,
+        run: &Run,
+    ) -> Result<()> {
+        match self {
+            DeviceSource::Strips(own) => own.adjoint_of(frames.clone(), light, bins, run),
+            DeviceSource::Rays(rays, harmonics) => {
+                rays.collect(frames, light, bins, Some(&harmonics[channel]), run)
+            }
+        }
+    }
 }
 
 /// Fields on cells of one size, and the kernels that they meet.
@@ -66,19 +121,48 @@ struct DeviceOrders {
 /// The pieces of a dose, each with its columns of voxels.
 pub(crate) type Voxels<'a> = [(Range<usize>, &'a Buffer)];
 
+/// They, of rows of so many elements.
+pub(crate) fn voxels_of(dose: &GpuField, row: usize) -> Vec<(Range<usize>, &Buffer)> {
+    let columns = dose.ranges().map(|own| own.start / row..own.end / row);
+    columns.zip(dose.pieces()).collect()
+}
+
 impl DeviceScattered {
-    /// Of a light on a card; `row` is that of voxels.
-    pub(crate) fn new(gpu: &Gpu, of: &ScatteredLight, row: usize, run: &Run) -> Result<Self> {
-        must_be_bound(gpu, largest(of), "a larger model.successive_orders.cell_mm")?;
-        let channels = of.weights.len();
-        let layout = &of.cells.geometry.patterns[0];
+    /// Of a light that has these pixels on a card; `row` is that of voxels.
+    pub(crate) fn new(
+        gpu: &Gpu,
+        of: &ScatteredLight,
+        pixels: &PatternLayout,
+        row: usize,
+        run: &Run,
+    ) -> Result<Self> {
+        let slots = pixels.runs.len();
+        must_be_bound(
+            gpu,
+            largest(of, slots),
+            "a larger model.successive_orders.cell_mm",
+        )?;
+        let channels = of.source.channels();
+        let (source, layout, weights) = match &of.source {
+            LightOnCells::Strips(form, weights) => {
+                let source = DeviceSource::Strips(GpuStrips::new(gpu, form, run)?);
+                (source, &form.geometry.patterns[0], Cow::Borrowed(weights))
+            }
+            LightOnCells::Rays(form, harmonics) => {
+                let rays = GpuRays::new(gpu, form, run)?;
+                // Rays are weighted instead
+                let even = vec![vec![1.0; slots]; channels];
+                let source = DeviceSource::Rays(rays, harmonics.clone());
+                (source, &form.geometry.patterns[0], Cow::Owned(even))
+            }
+        };
         let matrix = [(0..channels).collect()];
         Ok(DeviceScattered {
             gpu: gpu.clone(),
             light: of.light,
             summary: of.summary.clone(),
-            bins: DeviceBins::new(gpu, &of.bins, layout, &of.weights),
-            straight: GpuStrips::new(gpu, &of.cells, run)?,
+            bins: DeviceBins::new(gpu, &of.bins, layout, &weights),
+            source,
             channels,
             shares: gpu.upload(bytemuck::cast_slice(&of.shares)),
             once: DeviceOnCells::new(gpu, &of.once, &matrix, row),
@@ -88,7 +172,7 @@ impl DeviceScattered {
 
     /// Cells that are lit by bins, of all channels.
     pub(crate) fn updates(&self) -> u64 {
-        self.channels as u64 * LinearOperator::updates(&self.straight)
+        self.channels as u64 * self.source.model().updates()
     }
 
     /// dose += scattered light of some frames
@@ -100,13 +184,12 @@ impl DeviceScattered {
         run: &Run,
     ) -> Result<()> {
         let [given, seen] = self.once.sharpened;
-        let bins = DoseModel::new_patterns(&self.straight)?;
+        let bins = self.source.model().new_patterns()?;
         let sources = self.once.cells.fields(self.channels);
         let means = self.later.on.cells.fields(self.channels);
         for channel in 0..self.channels {
             self.bins.fill(&self.gpu, channel, pixels, &bins);
-            let mut light = DoseModel::new_dose(&self.straight)?;
-            (self.straight).add_forward(frames.clone(), &bins, &mut light, run)?;
+            let light = self.source.light(channel, frames, &bins, run)?;
             let light = &light.pieces()[0];
             self.once
                 .cells
@@ -142,16 +225,17 @@ impl DeviceScattered {
             .apply(&arrived, [1, self.channels], true);
         let arrived = self.gathered(&self.later.on.cells, cotangent);
         let means = self.later.adjoint(&arrived, run)?;
-        let mut bins = DoseModel::new_patterns(&self.straight)?;
+        let mut bins = self.source.model().new_patterns()?;
         for channel in 0..self.channels {
-            let light = DoseModel::new_dose(&self.straight)?;
+            let light = self.source.model().new_dose()?;
             let near = &light.pieces()[0];
             self.once
                 .cells
                 .sharpen(given, 1, (&sources, channel), (near, 0));
             let (from, near) = ((&means, channel), (&self.once.cells, near));
             self.later.on.cells.prolong(from, self.later.factor, near);
-            (self.straight).adjoint_of(frames.clone(), &light, &mut bins, run)?;
+            self.source
+                .collect(channel, frames, &light, &mut bins, run)?;
             self.bins
                 .add_back(&self.gpu, (channel, frames), &bins, pixels);
         }
@@ -269,10 +353,9 @@ impl DeviceOrders {
     }
 }
 
-/// Bytes of the largest array that a kernel sees at once.
-fn largest(of: &ScatteredLight) -> u64 {
-    let (channels, moments) = (of.weights.len(), of.later.moments.len());
-    let slots = of.weights.first().map_or(0, Vec::len);
+/// Bytes of the largest array that a kernel sees at once, where a light has so many columns of pixels in all frames.
+fn largest(of: &ScatteredLight, slots: usize) -> u64 {
+    let (channels, moments) = (of.source.channels(), of.later.moments.len());
     let spectra = [
         (&of.once, channels),
         (&of.later.cells, moments.max(channels)),

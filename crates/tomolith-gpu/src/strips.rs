@@ -13,9 +13,10 @@ use crate::entries::{Chunk, DeviceStrips, Product, RowsOf};
 use crate::field::GpuField;
 use crate::mask::Mask;
 use crate::passes::ENTRY;
-use crate::scattered::DeviceScattered;
+use crate::scattered::{DeviceScattered, voxels_of};
 use std::ops::Range;
 use std::sync::Arc;
+use tomolith_core::dose::scattered::ScatteredLight;
 use tomolith_core::dose::strips::{LightStrips, StripForm, StripGeometry, Taps};
 use tomolith_core::dose::{
     DoseLayout, Facts, LinearOperator, PatternLayout, Run, Space, ZCoupling,
@@ -101,7 +102,10 @@ impl Geometry {
             let largest = chunks().map(Chunk::bytes).max().unwrap_or(0);
             scratch = Some(gpu.buffer(largest));
         }
-        let own = |light| DeviceScattered::new(gpu, light, of.output.row, run);
+        let own = |light: &ScatteredLight| {
+            let pixels = &of.patterns[light.light];
+            DeviceScattered::new(gpu, light, pixels, of.output.row, run)
+        };
         let scattered = of.scattered.iter().map(own).collect::<Result<Vec<_>>>()?;
         gpu.check()?;
         let of_scattered = scattered.iter().map(DeviceScattered::updates);
@@ -534,7 +538,7 @@ impl LinearOperator for GpuStrips {
         for (light, own) in tomolith_core::dose::own_frames(&self.geometry.of.patterns, &frames) {
             self.add_light(&self.geometry.lights[light], &own, x, dose, run)?;
             for (scattered, pixels) in self.scattered(light, x) {
-                let voxels: Vec<_> = self.voxels_of(dose).collect();
+                let voxels = voxels_of(dose, self.output().row);
                 scattered.add(&own, &pixels, &voxels, run)?;
             }
         }
@@ -553,7 +557,7 @@ impl LinearOperator for GpuStrips {
             let of_light = &self.geometry.lights[light];
             self.adjoint_light(of_light, &own, cotangent, grad, run)?;
             for (scattered, pixels) in self.scattered(light, grad) {
-                let voxels: Vec<_> = self.voxels_of(cotangent).collect();
+                let voxels = voxels_of(cotangent, self.output().row);
                 scattered.add_adjoint(&own, &voxels, &pixels, run)?;
             }
         }

@@ -25,8 +25,11 @@ use tomolith_models::{Family, HostModel, ModelInput, OpticalScene, Purpose};
 use tomolith_models::{parallel, successive_orders};
 use tomolith_objective::{ObjectiveInput, objectives};
 use tomolith_optics::light::Light;
+use tomolith_optics::motion::Motion;
+use tomolith_optics::phase::henyey_greenstein::HenyeyGreenstein;
 use tomolith_optics::phase::rayleigh::Rayleigh;
 use tomolith_optics::phase::{Phase, Scattering};
+use tomolith_optics::projector::telecentric::Telecentric;
 use tomolith_optics::random::Stream;
 use tomolith_optics::resin::Resin;
 use tomolith_optics::vial::Vial;
@@ -104,10 +107,7 @@ fn cases() -> Vec<Case> {
         straight("glass, turning frames", glass(), vec![turning], grid(27)),
         // Several pieces of patterns, of the dose and of the kernels of later orders
         Case {
-            family: Arc::new(successive_orders::Params {
-                cell_mm: Some(0.4),
-                ..successive_orders::Params::default()
-            }),
+            family: orders(0.4),
             optics: vec![scattering(Rayleigh {}, 0.15)],
             binding: 128 << 10,
             ..straight(
@@ -141,7 +141,57 @@ fn cases() -> Vec<Case> {
                 VolumeGrid::centered([6, 29, 30], 0.09),
             )
         },
+        // Harmonics of all degrees, and pixels of a level light beside those of a tilted one
+        Case {
+            family: orders(0.4),
+            optics: vec![Optics {
+                projector: Arc::new(Telecentric {
+                    pixel_pitch_mm: [0.1; 2],
+                    aperture_radius_mm: 3.0,
+                    working_distance_mm: 20.0,
+                    focus_mm: 0.1,
+                }),
+                ..scattering(HenyeyGreenstein { g: 0.4 }, 0.15)
+            }],
+            binding: 1 << 20,
+            ..straight(
+                "scattered light of a cone",
+                glass(),
+                vec![light(pixels(11, 16, 36), absorbing)],
+                VolumeGrid::centered([20, 33, 34], 0.09),
+            )
+        },
+        Case {
+            family: orders(0.4),
+            optics: vec![
+                scattering(Rayleigh {}, 0.15),
+                Optics {
+                    motion: Motion {
+                        tilt_rad: 0.2,
+                        ..Motion::default()
+                    },
+                    ..scattering(Rayleigh {}, 0.2)
+                },
+            ],
+            binding: 1 << 20,
+            ..straight(
+                "scattered light of a level and a tilted light",
+                matched(),
+                vec![
+                    light(pixels(5, 16, 36), absorbing),
+                    light(pixels(6, 14, 30), absorbing),
+                ],
+                VolumeGrid::centered([20, 33, 34], 0.09),
+            )
+        },
     ]
+}
+
+fn orders(cell_mm: f64) -> Family {
+    Arc::new(successive_orders::Params {
+        cell_mm: Some(cell_mm),
+        ..successive_orders::Params::default()
+    })
 }
 
 /// More light goes on than comes back: moments of degree 1, whose kernels are odd, and no others.
@@ -181,6 +231,14 @@ impl Case {
         self.with(|input| self.family.build(input).unwrap())
     }
 
+    /// How near doses of both are, and how exact a pair is on a card: rays are sums in another order, from other coordinates (`rays.rs`).
+    fn tolerances(&self) -> (f32, f64) {
+        match self.form() {
+            Form::Strips(_) => (5e-6, 2e-7),
+            _ => (5e-5, 1e-6),
+        }
+    }
+
     fn form(&self) -> Form {
         self.with(|input| self.family.form(input).unwrap().unwrap())
     }
@@ -195,23 +253,29 @@ fn doses_and_adjoints_are_those_of_the_processor() {
                 return;
             };
             let (host, form) = (case.host(), case.form());
+            if memory == 1 << 16 && !matches!(form, Form::Strips(_)) {
+                continue;
+            }
             let card = gpu.model(&form, &Run::new()).unwrap().unwrap();
-            let kept = card.describe().contains("weights, kept");
-            assert_eq!(kept, memory > 1 << 16, "{}", card.describe());
+            if let Form::Strips(_) = form {
+                let kept = card.describe().contains("weights, kept");
+                assert_eq!(kept, memory > 1 << 16, "{}", card.describe());
+            }
+            let (near, _) = case.tolerances();
             let mut x = check::noisy_patterns(&*host, 1);
             x.as_mut_slice().iter_mut().for_each(|v| *v = v.abs());
             let [expected, found] = [&host, &card].map(|model| check::dose(&**model, &x));
-            assert_near(found.as_slice(), expected.as_slice(), 5e-6, case.name);
+            assert_near(found.as_slice(), expected.as_slice(), near, case.name);
             let [expected, found] = [&host, &card].map(|model| {
                 let mut dose = model.new_dose().unwrap();
                 model.dose_of(2..5, &x, &mut dose, &Run::new()).unwrap();
                 dose
             });
-            assert_near(found.as_slice(), expected.as_slice(), 5e-6, case.name);
+            assert_near(found.as_slice(), expected.as_slice(), near, case.name);
             let cotangent = HostField::from_slice(&noise_of(&host.outputs()[0], 2));
             let both = [&host, &card].map(|model| check::adjoint(&**model, &cotangent));
             let [expected, found] = both;
-            assert_near(found.as_slice(), expected.as_slice(), 5e-6, case.name);
+            assert_near(found.as_slice(), expected.as_slice(), near, case.name);
         }
     }
 }
@@ -231,7 +295,7 @@ fn dose_and_adjoint_on_the_card_are_one_matrix() {
         let (left, right) = (dose.dot(&c), grad.dot(&x));
         let size = dose.norm() * c.norm();
         assert!(
-            (left - right).abs() < 2e-7 * size,
+            (left - right).abs() < case.tolerances().1 * size,
             "{}: {left} {right} of {size}",
             case.name
         );
@@ -305,8 +369,8 @@ fn solved<F: Field>(model: &dyn DoseModel<Field = F>) -> (Vec<f32>, Vec<f64>) {
 #[test]
 fn kernels_are_those_of_other_interfaces_too() {
     let mut sources = BTreeMap::new();
-    // The last has no kernels of its own, and takes long in software
-    for case in cases().into_iter().take(5) {
+    // One has no kernels of its own, and takes long in software
+    for (_, case) in cases().into_iter().enumerate().filter(|(i, _)| *i != 5) {
         let Some(gpu) = gpu(case.binding) else { return };
         let model = model_on(&gpu, &case.form(), &Run::new()).unwrap();
         solved(&*model);

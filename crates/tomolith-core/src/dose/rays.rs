@@ -9,12 +9,13 @@
 //! and the adjoint collects with the same weights. Source and discretization: the `rays` model of the crate of models.
 //!
 //! Where a surface cuts voxels ([`cells`](super::cells)), segments end at it. With the share s of its voxel that an element of a dose has (1 of a whole
-//! voxel), it gets 1/s of what is left there.
+//! voxel), it gets 1/s of what is left there. What is scattered out of this light is added: [`scattered`](super::scattered).
 //!
 //! **Shapes** Where frames see the vial alike, a light has the segments of one image, which every exposure turns about the axis; else each active pixel has
 //! its own. An *exposure* is a frame, or one of the angles that a frame is averaged over.
 
 use super::form::Masked;
+use super::scattered::ScatteredLight;
 use super::{DoseLayout, PatternLayout, ZCoupling};
 
 /// A straight piece of a ray in resin. Lengths are in voxels.
@@ -56,9 +57,11 @@ pub struct RayGeometry {
     pub corner: [f32; 2],
     /// One per light.
     pub lights: Vec<LightRays>,
+    /// What is scattered out of them order by order, one a light that is.
+    pub scattered: Vec<ScatteredLight>,
     /// How far a row reaches along z.
     pub z_coupling: ZCoupling,
-    /// Voxels that all segments pass.
+    /// Voxels that all segments pass; none of scattered light.
     pub updates: u64,
     /// The model, for people.
     pub summary: String,

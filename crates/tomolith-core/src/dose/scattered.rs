@@ -1,6 +1,7 @@
-//! Light that is scattered out of light in strips, as plain data for a backend.
+//! Light that is scattered out of light in strips or rays, as plain data for a backend.
 //!
-//! **Equation** Of channel k the light of [`bins`](ScatteredLight::bins) on cells is c_k: a pixel counts times the channel's weight of its (frame, column).
+//! **Equation** Of channel k the light of [`bins`](ScatteredLight::bins) on cells is c_k: in strips a pixel counts times the channel's weight of its (frame, column), and
+//! a ray times the channel's [harmonic](DirectionHarmonic) of its direction.
 //! S is a [sharpening](OnCells::sharpened), K a convolution of fields on cells, I an interpolation from cells to voxels, times the part of a voxel that is resin:
 //!
 //! ```text
@@ -14,6 +15,7 @@
 //! `successive_orders` model of the crate of models.
 
 use super::DoseLayout;
+use super::rays::RayForm;
 use super::strips::StripForm;
 use std::sync::Arc;
 
@@ -96,6 +98,38 @@ pub struct LaterOrders {
     pub weights: Vec<f32>,
 }
 
+/// A real spherical harmonic of a unit direction (x, y, z): `scale` · P_l^|m|(z)/(1 − z²)^(|m|/2) times the real part of (x + iy)^|m|, or, for m < 0, the
+/// imaginary one. No direction has more than 1 of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DirectionHarmonic {
+    /// l.
+    pub degree: usize,
+    /// m.
+    pub order: isize,
+    /// The norm, and √2 where m is not 0.
+    pub scale: f32,
+}
+
+/// Light of bins on cells, a field of each channel.
+#[derive(Clone, Debug)]
+pub enum LightOnCells {
+    /// Strips, with the weight of each (frame, column) of pixels for each channel.
+    Strips(StripForm, Vec<Vec<f32>>),
+    /// Rays, with the harmonic of each channel.
+    Rays(RayForm, Vec<DirectionHarmonic>),
+}
+
+impl LightOnCells {
+    /// How many fields there are.
+    #[must_use]
+    pub fn channels(&self) -> usize {
+        match self {
+            LightOnCells::Strips(_, weights) => weights.len(),
+            LightOnCells::Rays(_, harmonics) => harmonics.len(),
+        }
+    }
+}
+
 /// What is scattered out of one light.
 #[derive(Clone, Debug)]
 pub struct ScatteredLight {
@@ -103,10 +137,8 @@ pub struct ScatteredLight {
     pub light: usize,
     /// Its pixels in bins.
     pub bins: Bins,
-    /// Light of bins, on the cells of order 1.
-    pub cells: StripForm,
-    /// Of each channel the weight of each (frame, column).
-    pub weights: Vec<Vec<f32>>,
+    /// Their light, on the cells of order 1.
+    pub source: LightOnCells,
     /// Part of each (y, x) of voxels that is resin.
     pub shares: Arc<Vec<f32>>,
     /// Cells of light that is scattered once.

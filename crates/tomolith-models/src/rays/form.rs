@@ -37,8 +37,13 @@ struct Followed {
 impl Rays {
     /// The form of a model; None where [`geometry`](Self::geometry) is.
     pub(crate) fn to_form(&self, run: &Run) -> Result<Option<Form>> {
-        let geometry = self.geometry(Wanted::InGrid, run)?;
+        let geometry = self.in_grid(run)?;
         Ok(geometry.map(|geometry| Form::Rays(Masked::new(geometry))))
+    }
+
+    /// Rays that meet voxels as data; None where [`geometry`](Self::geometry) is.
+    pub(crate) fn in_grid(&self, run: &Run) -> Result<Option<RayGeometry>> {
+        self.geometry(Wanted::InGrid, run)
     }
 
     /// Unscattered light as data; None of random accumulation, and where there are more segments than [`MOST`].
@@ -67,6 +72,7 @@ impl Rays {
             output: self.output.clone(),
             corner: self.lattice.corner(),
             lights,
+            scattered: Vec::new(),
             z_coupling: self.facts().z_coupling,
             updates: updates as u64,
             summary: self.describe(),

@@ -6,12 +6,14 @@
 use super::bins::Bins;
 use super::harmonics::Harmonic;
 use super::scattered_light::DeltaScaledPhase;
-use super::unscattered_source::{Channel, SourceForm, UnscatteredSource};
+use super::unscattered_source::{Channel, UnscatteredSource};
 use crate::parallel::Parallel;
 use crate::{LinearOperator, Run};
 use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
 use tomolith_core::dose::DoseModel;
+use tomolith_core::dose::scattered::{self, LightOnCells};
+use tomolith_core::dose::strips::StripForm;
 use tomolith_core::error::Result;
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
@@ -86,12 +88,10 @@ impl UnscatteredSource for CollimatedSource {
         self.channels.len() as u64 * LinearOperator::updates(&self.parallel)
     }
 
-    fn form(&self) -> Option<SourceForm> {
-        Some(SourceForm {
-            bins: self.bins.form(),
-            cells: self.parallel.geometry(),
-            weights: self.weights.clone(),
-        })
+    fn form(&self, _run: &Run) -> Result<Option<(scattered::Bins, LightOnCells)>> {
+        let cells = StripForm::new(self.parallel.geometry());
+        let light = LightOnCells::Strips(cells, self.weights.clone());
+        Ok(Some((self.bins.form(), light)))
     }
 }
 

@@ -4,6 +4,7 @@
 //! that direction: rays are traced once for all a, and walked once for each.
 
 use super::bins::Bins;
+use super::harmonics::Harmonic;
 use super::scattered_light::DeltaScaledPhase;
 use super::unscattered_source::{Channel, UnscatteredSource};
 use crate::rays::Rays;
@@ -11,6 +12,8 @@ use crate::rays::weighted::Weight;
 use crate::{LinearOperator, Run};
 use std::ops::Range;
 use tomolith_core::dose::DoseModel;
+use tomolith_core::dose::rays::RayForm;
+use tomolith_core::dose::scattered::{self, LightOnCells};
 use tomolith_core::error::Result;
 use tomolith_core::field::HostField;
 
@@ -19,6 +22,7 @@ pub(super) struct DivergentSource {
     bins: Bins,
     /// Light of bins on cells.
     rays: Rays,
+    harmonics: Vec<Harmonic>,
     channels: Vec<Channel>,
     weights: Vec<Box<Weight>>,
     /// 1 for each (frame, column): bins of pixels as bright as these.
@@ -34,12 +38,13 @@ impl DivergentSource {
         DivergentSource {
             channels: harmonics.iter().map(channel).collect(),
             weights: harmonics
-                .into_iter()
-                .map(|harmonic| -> Box<Weight> {
+                .iter()
+                .map(|&harmonic| -> Box<Weight> {
                     let norm = harmonic.norm();
                     Box::new(move |direction| norm * harmonic.form(direction))
                 })
                 .collect(),
+            harmonics,
             bins,
             rays,
             even,
@@ -78,5 +83,16 @@ impl UnscatteredSource for DivergentSource {
 
     fn updates(&self) -> u64 {
         self.channels.len() as u64 * LinearOperator::updates(&self.rays)
+    }
+
+    fn form(&self, run: &Run) -> Result<Option<(scattered::Bins, LightOnCells)>> {
+        let harmonics = self.harmonics.iter().map(|harmonic| harmonic.to_form());
+        let harmonics = harmonics.collect();
+        let light = |rays| LightOnCells::Rays(RayForm::new(rays), harmonics);
+        Ok(self
+            .rays
+            .in_grid(run)?
+            .map(light)
+            .map(|light| (self.bins.form(), light)))
     }
 }

@@ -4,6 +4,7 @@
 //! the factor (−1)^m).
 
 use std::f64::consts::{PI, SQRT_2};
+use tomolith_core::dose::scattered::DirectionHarmonic;
 use tomolith_optics::phase::Phase;
 
 /// Degree and order of a harmonic.
@@ -40,6 +41,16 @@ impl Harmonic {
         let m = self.m.unsigned_abs();
         let ratio: f64 = (self.l - m + 1..=self.l + m).map(|i| i as f64).product();
         ((2 * self.l + 1) as f64 / (4.0 * PI * ratio)).sqrt()
+    }
+
+    /// As data.
+    pub(super) fn to_form(self) -> DirectionHarmonic {
+        let around = if self.m == 0 { 1.0 } else { SQRT_2 };
+        DirectionHarmonic {
+            degree: self.l,
+            order: self.m,
+            scale: (self.norm() * around) as f32,
+        }
     }
 
     /// Sign of Y(−d)/Y(d) with one coordinate of d turned over: x, y, z.

@@ -84,6 +84,7 @@ use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::dose::form::{Form, Masked};
+use tomolith_core::dose::rays::RayGeometry;
 use tomolith_core::dose::strips::StripGeometry;
 use tomolith_core::dose::{Facts, Space};
 use tomolith_core::error::{Error, Result};
@@ -166,13 +167,7 @@ impl ModelFamily for Params {
     }
 
     fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
-        let OpticalScene { vial, optics, .. } = input.scene;
-        let mut params = self.clone();
-        if let Purpose::Evaluate { refine } = input.scene.purpose {
-            params.rays_per_pixel = Some(params.rays() * refine * refine);
-        }
-        let lights = input.scene.lights.to_vec();
-        let model = model_in(vial, lights, optics, &params, input.grid.clone(), input.run)?;
+        let model = self.model(input)?;
         Ok(Box::new(match input.scene.purpose {
             Purpose::Optimize => model.cached(),
             _ => model,
@@ -180,20 +175,20 @@ impl ModelFamily for Params {
     }
 
     fn form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
-        let OpticalScene { vial, optics, .. } = input.scene;
-        if input.scene.unscattered_beyond_slices().is_some() {
-            return Ok(None);
-        }
-        let lights = input.scene.lights.to_vec();
-        let model = model_in(vial, lights, optics, self, input.grid.clone(), input.run)?;
-        Ok(model.to_form())
+        self.model(input)?.to_form(input.run)
     }
 
     fn unscattered_form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
-        if input.scene.unscattered_beyond_slices().is_some() {
-            return Ok(None);
+        if input.scene.unscattered_beyond_slices().is_none() {
+            return parallel::Params::default().form(input);
         }
-        parallel::Params::default().form(input)
+        let OpticalScene {
+            vial,
+            lights,
+            optics,
+            ..
+        } = input.scene;
+        by_rays(vial, lights.to_vec(), optics, self, input.grid)?.to_form(input.run)
     }
 
     fn unscattered(&self, input: &ModelInput<'_>) -> Result<HostModel> {
@@ -211,6 +206,19 @@ impl ModelFamily for Params {
                 ..monte_carlo::Params::default()
             })
         })
+    }
+}
+
+impl Params {
+    /// The model for the purpose of the scene.
+    fn model(&self, input: &ModelInput<'_>) -> Result<SuccessiveOrders> {
+        let OpticalScene { vial, optics, .. } = input.scene;
+        let mut params = self.clone();
+        if let Purpose::Evaluate { refine } = input.scene.purpose {
+            params.rays_per_pixel = Some(params.rays() * refine * refine);
+        }
+        let lights = input.scene.lights.to_vec();
+        model_in(vial, lights, optics, &params, input.grid.clone(), input.run)
     }
 }
 
@@ -384,16 +392,28 @@ impl SuccessiveOrders {
         self
     }
 
-    /// The model as data; None where its light is not collimated.
-    fn to_form(&self) -> Option<Form> {
-        let OnVoxels::Collimated(parallel) = &self.straight else {
-            return None;
-        };
-        let scattered = self.scattered_lights.iter().map(ScatteredLight::form);
-        Some(Form::Strips(Masked::new(StripGeometry {
-            scattered: scattered.collect::<Option<_>>()?,
-            ..parallel.geometry()
-        })))
+    /// The model as data; None where there are too many rays.
+    fn to_form(&self, run: &Run) -> Result<Option<Form>> {
+        let of_light = |light: &ScatteredLight| light.form(run).transpose();
+        let of_lights = self.scattered_lights.iter().map_while(of_light);
+        let scattered = of_lights.collect::<Result<Vec<_>>>()?;
+        if scattered.len() < self.scattered_lights.len() {
+            return Ok(None);
+        }
+        Ok(match &self.straight {
+            OnVoxels::Collimated(parallel) => Some(Form::Strips(Masked::new(StripGeometry {
+                scattered,
+                ..parallel.geometry()
+            }))),
+            OnVoxels::Divergent(rays) => rays.in_grid(run)?.map(|geometry| {
+                Form::Rays(Masked::new(RayGeometry {
+                    scattered,
+                    z_coupling: ZCoupling::Full,
+                    summary: self.describe(),
+                    ..geometry
+                }))
+            }),
+        })
     }
 }
 

@@ -17,7 +17,6 @@ use std::f64::consts::PI;
 use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::dose::scattered;
-use tomolith_core::dose::strips::StripForm;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
@@ -194,19 +193,25 @@ impl ScatteredLight {
     }
 
     /// What is scattered out of this light, one of several, as data; None where its unscattered light has no such form.
-    pub(super) fn form(&self) -> Option<scattered::ScatteredLight> {
-        let source = self.straight.form()?;
+    ///
+    /// # Errors
+    /// When the run is canceled.
+    pub(super) fn form(&self, run: &Run) -> Result<Option<scattered::ScatteredLight>> {
+        let (Some((bins, source)), Some(shares)) =
+            (self.straight.form(run)?, self.coarse.shares.clone())
+        else {
+            return Ok(None);
+        };
         let sharpen = [&self.given, &self.seen];
-        Some(scattered::ScatteredLight {
+        Ok(Some(scattered::ScatteredLight {
             light: self.light,
-            bins: source.bins,
-            cells: StripForm::new(source.cells),
-            weights: source.weights,
-            shares: self.coarse.shares.clone()?,
+            bins,
+            source,
+            shares,
             once: on_cells(&self.coarse, &self.convolver, sharpen, &self.kernels),
             later: self.higher.form(),
             summary: self.describe(),
-        })
+        }))
     }
 
     /// Which of this light's frames are among these of all lights.

@@ -3,8 +3,7 @@
 use super::harmonics::Harmonic;
 use crate::Run;
 use std::ops::Range;
-use tomolith_core::dose::scattered::Bins;
-use tomolith_core::dose::strips::StripGeometry;
+use tomolith_core::dose::scattered::{Bins, LightOnCells};
 use tomolith_core::error::Result;
 use tomolith_core::field::HostField;
 
@@ -18,13 +17,6 @@ impl Channel {
         let found = self.0.iter().find(|(own, _)| *own == harmonic);
         found.map(|&(_, weight)| weight)
     }
-}
-
-/// See [`UnscatteredSource::form`].
-pub(super) struct SourceForm {
-    pub(super) bins: Bins,
-    pub(super) cells: StripGeometry,
-    pub(super) weights: Vec<Vec<f32>>,
 }
 
 /// The unscattered light of one light on cells, by direction. Light on cells is smooth where the cells are, so pixels are taken together
@@ -54,8 +46,9 @@ pub(super) trait UnscatteredSource: Send + Sync {
     /// Cells that are lit by pixels, of all fields.
     fn updates(&self) -> u64;
 
-    /// The source as data: its bins, their light on cells, and the weights of each channel; None where it has no such form.
-    fn form(&self) -> Option<SourceForm> {
-        None
-    }
+    /// The source as data: its bins, and their light on cells; None where that is too much.
+    ///
+    /// # Errors
+    /// [`Error::Canceled`](tomolith_core::Error::Canceled).
+    fn form(&self, run: &Run) -> Result<Option<(Bins, LightOnCells)>>;
 }
