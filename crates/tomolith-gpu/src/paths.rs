@@ -167,7 +167,7 @@ impl GpuPaths {
         Some(self.geometry.cells.sharper(strength, field))
     }
 
-    /// The largest energy that a segment on cells may have, for a pixel of value 1: no event leaves more than it finds, but for light that lives on by chance.
+    /// The largest energy that a segment on cells may have, for a pixel of value 1: an event sends on less than it meets, or, by chance, `least`.
     fn brightest(&self) -> f32 {
         let paths = self.data().lights.iter().flatten();
         let by_chance = paths.fold(0.0f32, |most, paths| most.max(paths.least));

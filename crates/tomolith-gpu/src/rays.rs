@@ -2,7 +2,7 @@
 //!
 //! **Model** [`tomolith_core::dose::rays`]: what the `rays` model of the processor gives of its light. A thread follows the segments of one pixel from voxel to
 //! voxel, with the formulas of the processor (`rays/traversal` of the crate of models). Dose and adjoint are two visitors of the same walk, so they are one matrix.
-//! Light inside of a surface that cuts voxels goes to the inside cells; what an element has is then multiplied by one over its share.
+//! What is scattered out of these rays is added by [`scattered`](crate::scattered), whose light on cells is that of rays weighted by a harmonic of their direction. Light inside of a surface that cuts voxels goes to the inside cells; what an element has is then multiplied by one over its share.
 //!
 //! **Sums** The adjoint sums along the rays of its pixel, in their order. In the dose many rays meet in a voxel at once, and sums of f32 would depend on
 //! their order. So deposits are whole multiples of a unit, added to 64 bits a voxel by two atomic sums of 32 (the upper one only where the lower carries):
@@ -369,12 +369,12 @@ impl GpuRays {
         let words = low.pieces().iter().zip(high.pieces());
         let voxels = dose.ranges().zip(words);
         let voxels = voxels.map(|(range, (low, high))| (range, vec![low, high]));
-        let kernel: (_, &dyn Fn() -> String) = match harmonic {
-            None => ("dose of rays", &|| adding(&head("", &voxels_of_rays(EVEN)))),
-            Some(_) => ("dose of weighted rays", &|| {
-                adding(&head(HARMONIC, &voxels_of_rays(WEIGHTED)))
-            }),
+        let name = match harmonic {
+            None => "dose of rays",
+            Some(_) => "dose of weighted rays",
         };
+        let source = || adding(&on_voxels(harmonic.is_some()));
+        let kernel: (_, &dyn Fn() -> String) = (name, &source);
         let walk = self.walk(kernel, x, voxels.collect(), 1.0 / unit, harmonic);
         self.follow_all(frames, &walk, run)?;
         add_sums([&low, &high], unit, self.geometry.weights.as_ref(), dose);
@@ -399,14 +399,12 @@ impl GpuRays {
         let cotangent = in_cells.as_ref().unwrap_or(cotangent);
         let pieces = cotangent.ranges().zip(cotangent.pieces());
         let voxels = pieces.map(|(range, piece)| (range, vec![piece]));
-        let kernel: (_, &dyn Fn() -> String) = match harmonic {
-            None => ("adjoint of rays", &|| {
-                collecting(&head("", &voxels_of_rays(EVEN)))
-            }),
-            Some(_) => ("adjoint of weighted rays", &|| {
-                collecting(&head(HARMONIC, &voxels_of_rays(WEIGHTED)))
-            }),
+        let name = match harmonic {
+            None => "adjoint of rays",
+            Some(_) => "adjoint of weighted rays",
         };
+        let source = || collecting(&on_voxels(harmonic.is_some()));
+        let kernel: (_, &dyn Fn() -> String) = (name, &source);
         let walk = self.walk(kernel, grad, voxels.collect(), 1.0, harmonic);
         self.follow_all(frames, &walk, run)?;
         self.gpu.check()
@@ -646,9 +644,13 @@ pub(crate) fn head(numbers: &str, light: &str) -> String {
     )
 }
 
-/// Unscattered light on voxels and cells, of each segment a part.
-fn voxels_of_rays(part: &str) -> String {
-    format!(
+/// Unscattered light on voxels and cells; weighted by a harmonic of its direction, or all of it.
+fn on_voxels(is_weighted: bool) -> String {
+    let (numbers, part) = match is_weighted {
+        true => (HARMONIC, WEIGHTED),
+        false => ("", EVEN),
+    };
+    let light = format!(
         "
 // Elements that light inside of a surface is left in, of each voxel
 @group(0) @binding(5) var<storage, read> inside: array<u32>;
@@ -664,7 +666,8 @@ fn follow(own: Segment, element: u32, path: u32) {{
     walk(Segment(own.at, own.rate, own.along, part(own.along) * abs(own.energy), own.span));
 }}
 "
-    )
+    );
+    head(numbers, &light)
 }
 
 /// All of a segment.

@@ -348,6 +348,24 @@ fn a_faint_pixel_beside_a_bright_one_has_its_dose() {
     assert_near(&left, &faint, 3e-4, "faint");
 }
 
+/// Mesa's software adapter ends a thread that takes too long, without a word.
+#[test]
+fn every_ray_of_a_pixel_with_many_is_followed() {
+    let Some(gpu) = gpu(128 << 20) else { return };
+    let mut case = cases().swap_remove(0);
+    case.params.rays_per_pixel = 4096;
+    case.lights[0].pixels = PatternGrid::full_turn(2, 0.1, 2, 2, 0.1);
+    case.lights[0].active = None;
+    let host: &dyn DoseModel<Field = HostField> = &case.host();
+    let card = gpu.model(&case.form(), &Run::new()).unwrap().unwrap();
+    let x = check::even_patterns(host, 1.0);
+    let [expected, found] = [host, &*card].map(|model| check::dose(model, &x));
+    assert_alike(&found, &expected, &case);
+    let cotangent = HostField::from_slice(&noise_of(&host.outputs()[0], 2));
+    let [expected, found] = [host, &*card].map(|model| check::adjoint(model, &cotangent));
+    assert_alike(&found, &expected, &case);
+}
+
 #[test]
 fn what_is_no_number_leaves_no_number() {
     let Some(gpu) = gpu(128 << 20) else { return };
