@@ -392,14 +392,27 @@ impl PatternLayout {
             "patterns of another shape"
         );
         let (rows, columns) = (self.grid.rows, self.grid.columns);
-        for (slot, run) in self.runs.iter().enumerate() {
-            let (frame, column) = (slot / columns, slot % columns);
-            let image = &patterns.values[frame * rows * columns..][..rows * columns];
-            for i in 0..run.count as usize {
-                let energy = image[(rows - 1 - run.bottom as usize - i) * columns + column];
-                field[run.offset + i] = self.quantity.value(energy);
-            }
+        if patterns.values.is_empty() {
+            return;
         }
+        let mut rest = &mut field[self.range()];
+        let images = patterns.values.chunks(rows * columns);
+        let frames = self.runs.chunks(columns).zip(images).map(|(runs, image)| {
+            let active = runs.iter().map(|run| run.count as usize).sum();
+            let (own, others) = std::mem::take(&mut rest).split_at_mut(active);
+            rest = others;
+            (runs, image, own)
+        });
+        frames.par_each(|(runs, image, mut own)| {
+            for (column, run) in runs.iter().enumerate() {
+                let (values, others) = own.split_at_mut(run.count as usize);
+                own = others;
+                for (i, value) in values.iter_mut().enumerate() {
+                    let energy = image[(rows - 1 - run.bottom as usize - i) * columns + column];
+                    *value = self.quantity.value(energy);
+                }
+            }
+        });
     }
 }
 

@@ -623,6 +623,7 @@ pub(crate) fn measure_at(
     let mut print = Print::under(&voxels.labels, response, Run::new())?
         .with_most_triangles(job.most_triangles())
         .with_inside(&voxels.target.inside)?
+        .with_target_surface(&voxels.surface)
         .with_threshold(threshold)?
         .with_patterns(PatternStats::of(patterns));
     if !job.evaluation().surfaces {
@@ -664,6 +665,7 @@ pub(crate) fn print<'a>(
     let mut print = Print::under(&voxels.labels, response, run)?
         .with_most_triangles(job.most_triangles())
         .with_inside(inside)?
+        .with_target_surface(&voxels.surface)
         .with_response(species.goal.response.clone());
     if !job.evaluation().surfaces {
         print = print.without_distance();
