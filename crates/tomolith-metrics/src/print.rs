@@ -592,6 +592,12 @@ mod tests {
         };
         let measured = print();
         assert!(measured.distance().is_some());
+        // Two prints of one target share its surface, and their numbers are those of each alone
+        let shared = Arc::default();
+        for threshold in [0.5, 0.4] {
+            let at = |print: Print<'_>| print.with_threshold(threshold).unwrap().distance();
+            assert_eq!(at(print().with_target_surface(&shared)), at(print()));
+        }
         let found = measured.into_measured_deviation();
         assert!(found.is_some());
         assert_eq!(found, print().deviation());
