@@ -382,7 +382,7 @@ impl Checkpoints {
                     let array = SavedArray::of_field(field);
                     ((*name).to_owned(), array)
                 });
-                self.write_file(&header, (arrays.collect(), &check), run)?;
+                self.write_file(&header, arrays.collect(), &check, run)?;
             }
             None => {
                 let patterns = SavedArray::of_field(saved.patterns);
@@ -396,7 +396,7 @@ impl Checkpoints {
                     let memory = saved.memory.arrays.into_iter();
                     arrays.extend(memory.map(|(name, array)| (format!("memory.{name}"), array)));
                 }
-                self.write_file(&header, (arrays, &check), run)?;
+                self.write_file(&header, arrays, &check, run)?;
             }
         }
         self.cost = Some(begin.elapsed());
@@ -439,7 +439,8 @@ impl Checkpoints {
     fn write_file(
         &self,
         header: &Header,
-        (arrays, check): (Vec<(String, SavedArray)>, &dyn Fn() -> Result<()>),
+        arrays: Vec<(String, SavedArray)>,
+        check: &dyn Fn() -> Result<()>,
         run: &Run,
     ) -> Result<()> {
         let file = self.file();

@@ -161,9 +161,10 @@ mod lost_card {
 
     impl Progress for Loses<'_> {
         fn event(&mut self, event: &Event) {
-            match event {
-                Event::Note { text } if self.is_lost => self.notes.push(text.clone()),
-                _ => {}
+            if let Event::Note { text } = event
+                && self.is_lost
+            {
+                self.notes.push(text.clone());
             }
             if !self.is_lost && (self.is_time)(event) {
                 self.is_lost = true;
@@ -214,26 +215,7 @@ mod lost_card {
         let whole = place.path().join("whole");
         run(&device, &whole, false, &mut crate::job::Silent).unwrap();
         let patterns = |folder: &Path| read_patterns(&folder.join("patterns.npz")).unwrap();
-        let at_stage = |wanted: &'static str| move |event: &Event| matches!(event, Event::Stage { name } if name == wanted);
-        let in_loop = |event: &Event| matches!(event, Event::Iteration { iteration: 3, .. });
-        let (starts, ends) = (
-            at_stage(OPTIMIZING),
-            at_stage("evaluating the written patterns"),
-        );
-        let cases: [(&str, &dyn Fn(&Event) -> bool, &str); 3] = [
-            ("start", &starts, ""),
-            (
-                "loop",
-                &in_loop,
-                "the card held the patterns, and they are lost; `--resume` goes on from the last checkpoint",
-            ),
-            (
-                "evaluation",
-                &ends,
-                "`--resume` goes on from the last checkpoint",
-            ),
-        ];
-        for (name, is_time, left) in cases {
+        let loses_at = |name: &str, is_time: &dyn Fn(&Event) -> bool, left: &str| {
             let folder = place.path().join(name);
             let mut loses = Loses {
                 device: &device,
@@ -246,18 +228,23 @@ mod lost_card {
                 matches!(ended, Err(Error::Device { .. })),
                 "{name}: {ended:?}"
             );
-            assert!(
-                loses.is_lost && loses.notes.iter().any(|note| note.contains(left))
-                    || left.is_empty(),
-                "{name}: {:?}",
-                loses.notes
-            );
+            let notes = loses.notes.join("\n");
+            assert!(loses.is_lost && notes.contains(left), "{name}: {notes}");
             for file in ["report.json", "patterns.npz", "dose.npy", ".new"] {
                 assert!(!folder.join(file).exists(), "{name}: {file}");
             }
             // The card is there again
             run(&device, &folder, true, &mut crate::job::Silent).unwrap();
             assert_eq!(patterns(&folder), patterns(&whole), "{name}");
-        }
+        };
+        let begins =
+            |event: &Event, stage: &str| matches!(event, Event::Stage { name } if name == stage);
+        loses_at("start", &|event| begins(event, OPTIMIZING), "");
+        let in_loop = |event: &Event| matches!(event, Event::Iteration { iteration: 3, .. });
+        let left = "`--resume` goes on from the last checkpoint";
+        let lost = format!("the card held the patterns, and they are lost; {left}");
+        loses_at("loop", &in_loop, &lost);
+        let evaluating = "evaluating the written patterns";
+        loses_at("evaluation", &|event| begins(event, evaluating), left);
     }
 }
