@@ -286,10 +286,20 @@ impl BoxTree {
         tree.firsts.push(count as u32);
         let rows = (0..leaves).step_by(LEAVES_AT_ONCE).par_map(|first| {
             let row = first..(first + LEAVES_AT_ONCE).min(leaves);
-            row.map(|i| leaf(&tree.order[tree.places(i)]))
-                .collect::<Vec<_>>()
+            let (mut bounds, mut kept) =
+                (Vec::with_capacity(row.len()), Vec::with_capacity(row.len()));
+            for (own, thing) in row.map(|i| leaf(&tree.order[tree.places(i)])) {
+                bounds.push(own);
+                kept.push(thing);
+            }
+            (bounds, kept)
         });
-        let (bounds, kept): (Vec<AlignedBox>, Vec<L>) = rows.into_iter().flatten().unzip();
+        // Whole rows are moved at once, to memory that never grows
+        let (mut bounds, mut kept) = (Vec::with_capacity(leaves), Vec::with_capacity(leaves));
+        for (mut of_row, mut things) in rows {
+            bounds.append(&mut of_row);
+            kept.append(&mut things);
+        }
         tree.set_boxes(&bounds);
         (tree, kept)
     }

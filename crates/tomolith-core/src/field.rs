@@ -17,6 +17,7 @@
 //! | [`Field::Bands`] | the band loss and its derivatives ([`BandKernel`]) | [`BandLoss`] |
 //! | [`Field::Costs`] | penalties on patterns ([`CostKernel`]) | [`PatternCost`] |
 //! | [`Field::HalfRamp`] | a filter along rows of pixels ([`HalfRampKernel`]) | [`HalfRamp`] |
+//! | [`Counter`] | ranges and histograms over labels | [`Field::counter`] |
 //! | [`DoseModel`](crate::dose::DoseModel) | a model whose fields these are | |
 //!
 //! A pattern field may be one rank's share of the frames ([`HostField::shared`]): what these operations sum or compare is then that of all
@@ -40,14 +41,17 @@
 
 pub mod bands;
 pub mod costs;
+pub mod counter;
 pub(crate) mod group;
 pub mod half_ramp;
 mod pairs;
 
+use crate::error::Result;
 use crate::parallel::InParallel;
 use crate::ranks::Communicator;
 pub use bands::{Band, BandKernel, BandLoss, Bands, HostBands};
 pub use costs::{CostKernel, HostCosts, PatternCost};
+pub use counter::Counter;
 pub use half_ramp::{ColumnRun, HalfRamp, HalfRampKernel, HostHalfRamp};
 pub use pairs::{Direction, DirectionSums, HostPairs, Latest, Pairs, PairsPart, Products};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
@@ -189,6 +193,17 @@ pub trait Field: Clone + Send + Sync + 'static {
     fn fill(&mut self, value: f32);
     /// Copies to host memory.
     fn to_host(&self) -> Vec<f32>;
+    /// What counts the voxels of such doses where they live, by labels of its first elements; None where they are as well read in place.
+    fn counter(&self, _labels: &[u8]) -> Option<Box<dyn Counter<Self>>> {
+        None
+    }
+    /// Whether what was read of it is true: the memory that it lives in may be lost.
+    ///
+    /// # Errors
+    /// [`Error::Device`](crate::Error::Device)
+    fn check(&self) -> Result<()> {
+        Ok(())
+    }
     /// The bytes of the elements (f32), copied only where they live elsewhere.
     fn host_bytes(&self) -> Cow<'_, [u8]> {
         Cow::Owned(bytemuck::cast_slice(&self.to_host()).to_vec())

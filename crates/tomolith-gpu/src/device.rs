@@ -336,6 +336,11 @@ impl Gpu {
         }
     }
 
+    /// Takes the card away, as a driver does that fails: whatever comes next ends with an error. For tests.
+    pub fn destroy(&self) {
+        self.0.device.destroy();
+    }
+
     fn has_failed(&self) -> bool {
         locked(&self.0.failure).is_some()
     }

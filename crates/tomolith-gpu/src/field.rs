@@ -6,6 +6,7 @@
 
 use crate::bands::GpuBands;
 use crate::costs::GpuCosts;
+use crate::counter::GpuCounter;
 use crate::device::{Buffer, Gpu};
 use crate::half_ramp::GpuHalfRamp;
 use crate::pairs::GpuPairs;
@@ -13,7 +14,7 @@ use crate::passes::{Operand, Pass};
 use std::borrow::Cow;
 use tomolith_core::dose::{DoseLayout, PatternLayout, Space};
 use tomolith_core::error::Result;
-use tomolith_core::field::{Bounds, Field, Secant, StepSums};
+use tomolith_core::field::{Bounds, Counter, Field, Secant, StepSums};
 
 /// A [`Field`] on a graphics card.
 pub struct GpuField {
@@ -337,6 +338,14 @@ impl Field for GpuField {
         let mut values = vec![0.0; self.len];
         self.read_into(&mut values);
         values
+    }
+
+    fn counter(&self, labels: &[u8]) -> Option<Box<dyn Counter<Self>>> {
+        Some(Box::new(GpuCounter::new(labels, self)))
+    }
+
+    fn check(&self) -> Result<()> {
+        self.gpu.check()
     }
 
     fn host_bytes(&self) -> Cow<'_, [u8]> {

@@ -12,6 +12,7 @@ mod bins;
 mod cells;
 mod convolution;
 mod costs;
+mod counter;
 mod device;
 mod entries;
 mod field;

@@ -167,9 +167,22 @@ impl Pass<'_> {
 
     /// Does it with all elements; the largest `s0`.
     pub(crate) fn most(&self, gpu: &Gpu, operands: &[Operand<'_>], lengths: &[usize]) -> u32 {
-        let Pending { buffer, rows, .. } = self.begin(gpu, operands, lengths, (1, Combine::Most));
-        let found = gpu.read(&[(&buffer, 4 * rows as u64)]);
-        words(&found).into_iter().max().unwrap_or(0)
+        self.mosts(gpu, operands, lengths, 1)[0]
+    }
+
+    /// Does it with all elements; the largest `s0`, `s1`, … up to `count` of them.
+    pub(crate) fn mosts(
+        &self,
+        gpu: &Gpu,
+        operands: &[Operand<'_>],
+        lengths: &[usize],
+        count: usize,
+    ) -> Vec<u32> {
+        let Pending { buffer, rows, .. } =
+            self.begin(gpu, operands, lengths, (count, Combine::Most));
+        let found = words(&gpu.read(&[(&buffer, 4 * (rows * count) as u64)]));
+        let of = |k: usize| found.iter().skip(k).step_by(count).copied().max();
+        (0..count).map(|k| of(k).unwrap_or(0)).collect()
     }
 
     fn begin(

@@ -2,7 +2,7 @@
 //!
 //! A value's *key* is a whole number that rises with it; a *bucket* is all values whose keys share the top 22 bits.
 
-use super::spread::{Sums, block_sums};
+use super::spread::Sums;
 use std::ops::Range;
 use tomolith_core::dose::Steps;
 use tomolith_core::field::BLOCK;
@@ -74,6 +74,17 @@ pub(super) fn class(label: u8) -> Option<usize> {
     }
 }
 
+/// Neighboring voxels of one class, as long as they go, with their class.
+pub(super) fn runs(labels: &[u8]) -> impl Iterator<Item = (usize, Range<usize>)> {
+    let mut end = 0;
+    let runs = labels.chunk_by(|a, b| a == b).map(move |run| {
+        let begin = end;
+        end += run.len();
+        (class(run[0]), begin..end)
+    });
+    runs.filter_map(|(class, run)| Some((class?, run)))
+}
+
 /// Whole blocks for each thread.
 pub(super) fn shares(len: usize) -> Vec<Range<usize>> {
     let blocks = len.div_ceil(BLOCK);
@@ -96,12 +107,16 @@ pub(super) fn count_share(labels: &[u8], response: &[f32], blocks: &Steps<'_>) -
         .take_while(|_| !blocks.is_canceled())
         .map(|(labels, values)| {
             blocks.add(1);
-            for (&label, &value) in labels.iter().zip(values) {
-                if let Some(class) = class(label) {
+            let mut sums = [Sums::EMPTY; 2];
+            for (class, run) in runs(labels) {
+                let mut own = sums[class];
+                for &value in &values[run] {
                     table[(key(value) >> FINE_BITS) as usize][class] += 1;
+                    own.add(value);
                 }
+                sums[class] = own;
             }
-            [label::PART, label::VOID].map(|wanted| block_sums(labels, values, wanted))
+            sums
         })
         .collect();
     (table, sums)
@@ -110,6 +125,15 @@ pub(super) fn count_share(labels: &[u8], response: &[f32], blocks: &Steps<'_>) -
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn runs_are_neighbors_of_one_class() {
+        use label::{OUTSIDE, PART, VOID};
+        let labels = [OUTSIDE, PART, PART, VOID, OUTSIDE, VOID, VOID];
+        let found: Vec<_> = runs(&labels).collect();
+        assert_eq!(found, [(0, 1..3), (1, 3..4), (1, 5..7)]);
+        assert_eq!(runs(&[]).count(), 0);
+    }
 
     #[test]
     fn keys_keep_the_order_of_numbers() {

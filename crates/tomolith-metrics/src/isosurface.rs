@@ -15,7 +15,7 @@
 //!
 //! # Shapes, limits, cost
 //! Volume `[z, y, x]`; triangles counter-clockwise seen from outside (from the side below the level). Up to 2³² − 1
-//! corners. Two passes over the volume, slabs of planes in parallel, the same result for any number of threads;
+//! corners. One pass over the volume, slabs of planes in parallel, the same result for any number of threads;
 //! 400³ voxels take well under a second on two cores.
 //!
 //! ```
@@ -30,6 +30,7 @@
 
 use std::ops::Range;
 use std::sync::LazyLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use tomolith_core::dose::Run;
 use tomolith_core::error::Error;
 use tomolith_core::grid::{Volume, VolumeGrid};
@@ -40,10 +41,8 @@ use tomolith_core::vector::{cross, dot, minus};
 const SLAB: usize = 8;
 /// How near a corner may come to the end of its cell edge, as a fraction of the edge.
 const MARGIN: f64 = 1.0 / 1024.0;
-/// Corners that are held at the same time when the surface is made in pieces, where a slab has no more: with their triangles 9 MB.
-const AT_ONCE: usize = 1 << 18;
-/// An edge without corner.
-const NONE: u32 = u32::MAX;
+/// Voxels that are compared at a time.
+const COMPARED: usize = 64;
 
 /// A closed triangle surface in mm.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -120,7 +119,7 @@ pub fn isosurface_of(
     isosurface_within(grid, level, fill, usize::MAX, run).unwrap_or_default()
 }
 
-/// As [`isosurface_of`]; None, before any of it is made, where it has more than `most` corners.
+/// As [`isosurface_of`]; None where it has more than `most` corners: then no more are made.
 pub fn isosurface_within(
     grid: &VolumeGrid,
     level: f64,
@@ -133,45 +132,34 @@ pub fn isosurface_within(
     }
     let march = March::new(grid, level, &fill);
     let slabs = slabs(grid);
-    let passes = run.steps(2 * slabs.len());
-    let go_on = || {
-        passes.add(1);
-        !passes.is_canceled()
-    };
-    let counts: Vec<usize> = slabs.iter().par_map(|slab| {
-        if go_on() {
-            march.count(slab.clone())
-        } else {
-            0
+    let steps = run.steps(slabs.len());
+    let corners = AtomicUsize::new(0);
+    let parts: Vec<Isosurface> = slabs.into_iter().par_map(|slab| {
+        steps.add(1);
+        if steps.is_canceled() || corners.load(Ordering::Relaxed) > most {
+            return Isosurface::default();
         }
-    });
-    if counts.iter().sum::<usize>() > most {
-        return None;
-    }
-    let firsts: Vec<u32> = counts
-        .iter()
-        .scan(0, |next, count| {
-            *next += count;
-            Some((*next - count) as u32)
-        })
-        .collect();
-    let parts: Vec<Isosurface> = slabs.into_iter().zip(firsts).par_map(|(slab, first)| {
-        if go_on() {
-            march.triangulate(slab, first, Last::Next)
-        } else {
-            Isosurface::default()
-        }
+        let part = march.triangulate(slab, Last::Next);
+        corners.fetch_add(part.corners.len(), Ordering::Relaxed);
+        part
     });
     if run.is_canceled() {
         return Some(Isosurface::default());
     }
+    let corners = corners.into_inner();
+    if corners > most {
+        return None;
+    }
     let mut surface = Isosurface {
-        corners: Vec::with_capacity(counts.iter().sum()),
+        corners: Vec::with_capacity(corners),
         triangles: Vec::with_capacity(parts.iter().map(|p| p.triangles.len()).sum()),
     };
     for part in parts {
+        // The corners on a slab's last plane are the first of the next slab
+        let first = surface.corners.len() as u32;
+        let triangles = part.triangles.into_iter().map(|t| t.map(|i| first + i));
+        surface.triangles.extend(triangles);
         surface.corners.extend(part.corners);
-        surface.triangles.extend(part.triangles);
     }
     Some(surface)
 }
@@ -193,33 +181,17 @@ pub fn isosurface_pieces<E: From<Error>>(
     }
     let march = March::new(grid, level, &fill);
     let slabs = slabs(grid);
-    let counts: Vec<usize> = slabs.iter().par_map(|slab| march.count(slab.clone()));
     let steps = run.steps(slabs.len());
-    for some in batches(&counts, AT_ONCE) {
+    for some in slabs.chunks(rayon::current_num_threads()) {
         run.check()?;
         steps.add(some.len());
-        let pieces: Vec<Isosurface> = slabs[some]
-            .iter()
-            .par_map(|slab| march.triangulate(slab.clone(), 0, Last::Own));
+        let pieces: Vec<Isosurface> =
+            (some.iter()).par_map(|slab| march.triangulate(slab.clone(), Last::Own));
         for piece in pieces.iter().filter(|piece| !piece.is_empty()) {
             take(piece)?;
         }
     }
     Ok(())
-}
-
-/// Neighbors that have no more than `most` together, or one that has more.
-fn batches(counts: &[usize], most: usize) -> Vec<Range<usize>> {
-    let (mut batches, mut first, mut sum) = (Vec::new(), 0, 0);
-    for (i, count) in counts.iter().enumerate() {
-        if i > first && sum + count > most {
-            batches.push(first..i);
-            (first, sum) = (i, 0);
-        }
-        sum += count;
-    }
-    batches.push(first..counts.len());
-    batches
 }
 
 fn slabs(grid: &VolumeGrid) -> Vec<Range<usize>> {
@@ -237,7 +209,7 @@ struct Plane {
     inside: Vec<u8>,
     /// Per row: whether anything is inside.
     rows: Vec<bool>,
-    /// Number of the corner on the edge toward +x and toward +y.
+    /// Number of the corner on the edge toward +x and toward +y, where the surface crosses it; elsewhere anything.
     along: [Vec<u32>; 2],
 }
 
@@ -282,15 +254,16 @@ impl<'a, F: Fn(usize, &mut [f32]) + Sync> March<'a, F> {
     /// Fills padded plane `k`: plane 0 and the last one are padding, plane k holds slice k − 1.
     fn load(&self, k: usize, plane: &mut Plane) {
         let (w, h) = (self.width, self.height);
-        plane.values.clear();
-        plane.values.resize(w * h, self.pad);
-        plane.inside.clear();
-        plane.inside.resize(w * h, 0);
-        plane.rows.clear();
-        plane.rows.resize(h, false);
-        if k == 0 || k > self.grid.shape[0] {
+        let is_padding = k == 0 || k > self.grid.shape[0];
+        if is_padding || plane.values.is_empty() {
+            plane.values = vec![self.pad; w * h];
+            plane.inside = vec![0; w * h];
+            plane.rows = vec![false; h];
+        }
+        if is_padding {
             return;
         }
+        // The frame of padding stays as it is
         for y in 1..h - 1 {
             let row = y * w + 1..(y + 1) * w - 1;
             let values = &mut plane.values[row.clone()];
@@ -302,33 +275,6 @@ impl<'a, F: Fn(usize, &mut [f32]) + Sync> March<'a, F> {
             }
             plane.rows[y] = any == 1;
         }
-    }
-
-    /// Corners that a slab owns: on the edges of the lower plane of each layer, and on the upright edges above it.
-    fn count(&self, slab: Range<usize>) -> usize {
-        let w = self.width;
-        let (mut low, mut high) = (Plane::default(), Plane::default());
-        self.load(slab.start, &mut low);
-        slab.map(|k| {
-            self.load(k + 1, &mut high);
-            let mut count = 0;
-            for y in 0..self.height {
-                let here = &low.inside[y * w..(y + 1) * w];
-                let above = &high.inside[y * w..(y + 1) * w];
-                if low.rows[y] {
-                    count += differences(&here[..w - 1], &here[1..]);
-                }
-                if y + 1 < self.height && (low.rows[y] || low.rows[y + 1]) {
-                    count += differences(here, &low.inside[(y + 1) * w..(y + 2) * w]);
-                }
-                if low.rows[y] || high.rows[y] {
-                    count += differences(here, above);
-                }
-            }
-            std::mem::swap(&mut low, &mut high);
-            count
-        })
-        .sum()
     }
 
     /// Numbers the corners on the flat edges of a plane, and appends them to `corners` when they are this slab's own.
@@ -343,8 +289,7 @@ impl<'a, F: Fn(usize, &mut [f32]) + Sync> March<'a, F> {
         let mut own = corners;
         let mut next = first;
         for along in &mut plane.along {
-            along.clear();
-            along.resize(w * h, NONE);
+            along.resize(w * h, 0);
         }
         for y in 0..h {
             for (axis, step) in [(0, 1), (1, w)] {
@@ -352,18 +297,17 @@ impl<'a, F: Fn(usize, &mut [f32]) + Sync> March<'a, F> {
                 if there >= h || !(plane.rows[y] || plane.rows[there]) {
                     continue;
                 }
-                for x in 0..w - 1 + axis {
-                    let i = y * w + x;
-                    if plane.inside[i] == plane.inside[i + step] {
-                        continue;
-                    }
+                let (row, len) = (y * w, w - 1 + axis);
+                let [here, beyond] = [row, row + step].map(|i| &plane.inside[i..][..len]);
+                differences(here, beyond, |x| {
+                    let i = row + x;
                     plane.along[axis][i] = next;
                     next += 1;
                     if let Some(corners) = own.as_mut() {
                         let f = self.fraction(plane.values[i], plane.values[i + step]);
                         corners.push(self.position([x, y, k], axis, f));
                     }
-                }
+                });
             }
         }
     }
@@ -383,31 +327,27 @@ impl<'a, F: Fn(usize, &mut [f32]) + Sync> March<'a, F> {
         })
     }
 
-    /// The triangles of a slab and the corners it owns, which are numbered from `first` on in the order they are made.
-    fn triangulate(&self, slab: Range<usize>, first: u32, last: Last) -> Isosurface {
+    /// The triangles of a slab and the corners it owns, numbered from 0 on in the order they are made; those on its last plane follow.
+    fn triangulate(&self, slab: Range<usize>, last: Last) -> Isosurface {
         let (w, h) = (self.width, self.height);
         let mut surface = Isosurface::default();
-        let next = |surface: &Isosurface| first + surface.corners.len() as u32;
+        let next = |surface: &Isosurface| surface.corners.len() as u32;
         let (mut low, mut high) = (Plane::default(), Plane::default());
-        let mut upright = vec![NONE; w * h];
+        let mut upright = vec![0; w * h];
         self.load(slab.start, &mut low);
-        self.number_flat(slab.start, &mut low, first, Some(&mut surface.corners));
+        self.number_flat(slab.start, &mut low, 0, Some(&mut surface.corners));
         let end = slab.end;
         for k in slab {
             self.load(k + 1, &mut high);
-            upright.fill(NONE);
-            for y in 0..h {
-                if !(low.rows[y] || high.rows[y]) {
-                    continue;
-                }
-                for (x, number) in upright[y * w..(y + 1) * w].iter_mut().enumerate() {
-                    let i = y * w + x;
-                    if low.inside[i] != high.inside[i] {
-                        let f = self.fraction(low.values[i], high.values[i]);
-                        *number = next(&surface);
-                        surface.corners.push(self.position([x, y, k], 2, f));
-                    }
-                }
+            for y in (0..h).filter(|&y| low.rows[y] || high.rows[y]) {
+                let row = y * w;
+                let [here, above] = [&low, &high].map(|plane| &plane.inside[row..][..w]);
+                differences(here, above, |x| {
+                    let i = row + x;
+                    let f = self.fraction(low.values[i], high.values[i]);
+                    upright[i] = next(&surface);
+                    surface.corners.push(self.position([x, y, k], 2, f));
+                });
             }
             let number = next(&surface);
             let own = (k + 1 < end || last == Last::Own).then_some(&mut surface.corners);
@@ -460,8 +400,14 @@ impl<'a, F: Fn(usize, &mut [f32]) + Sync> March<'a, F> {
     }
 }
 
-fn differences(a: &[u8], b: &[u8]) -> usize {
-    a.iter().zip(b).map(|(x, y)| usize::from(x ^ y)).sum()
+/// Does something at every place where two rows differ: they do in few.
+fn differences(a: &[u8], b: &[u8], mut at: impl FnMut(usize)) {
+    let chunks = a.chunks(COMPARED).zip(b.chunks(COMPARED));
+    for (i, (a, b)) in chunks.enumerate().filter(|(_, (a, b))| a != b) {
+        let places = a.iter().zip(b).enumerate();
+        let places = places.filter(|(_, (a, b))| a != b);
+        places.for_each(|(x, _)| at(i * COMPARED + x));
+    }
 }
 
 /// Triangles of each of the 256 cases, as edges of the cell. Corner bits: x 1, y 2, z 4 (bit number = corner).
@@ -700,7 +646,6 @@ mod tests {
 
     #[test]
     fn pieces_make_the_same_surface() {
-        assert_eq!(batches(&[3, 1, 9, 0, 4], 5), [0..2, 2..3, 3..5]);
         let volume = sphere(12 * SLAB, 1.1, [0.1, 0.0, -0.2]);
         let whole = isosurface(&volume, 1.0);
         let flat = |surface: &Isosurface| -> Vec<[[f32; 3]; 3]> {

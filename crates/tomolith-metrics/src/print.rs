@@ -20,7 +20,9 @@ use super::error_histogram::ErrorHistogram;
 use super::gray::{GrayErrors, gray_errors};
 use super::isosurface::{Isosurface, beyond, isosurface_of, isosurface_pieces};
 use super::scan::{Plateau, Scan};
-use super::surface::{Compared, Deviation, MOST_TRIANGLES, SurfaceDistance, compared, deviation};
+use super::surface::{
+    Compared, Deviation, MOST_TRIANGLES, SurfaceDistance, TargetSurface, compared, deviation,
+};
 use std::sync::{Arc, OnceLock};
 use tomolith_core::dose::Run;
 use tomolith_core::error::{Error, Result, in_range};
@@ -73,6 +75,7 @@ pub struct Print<'a> {
     threshold: Option<f64>,
     gray: Option<(&'a Volume<f32>, f64)>,
     has_distance: bool,
+    target_surface: Arc<TargetSurface>,
     most_triangles: usize,
     most_corners: usize,
     scan: Scan<'a>,
@@ -124,6 +127,7 @@ impl<'a> Print<'a> {
             threshold: None,
             gray: None,
             has_distance: true,
+            target_surface: Arc::default(),
             most_triangles: MOST_TRIANGLES,
             most_corners: usize::MAX,
             scan: Scan::under(&labels.values, &response.values, run.part(COUNTING))?,
@@ -208,6 +212,13 @@ impl<'a> Print<'a> {
         self
     }
 
+    /// Shares the target's surface with other prints of the same labels and inside fraction.
+    #[must_use]
+    pub fn with_target_surface(mut self, shared: &Arc<TargetSurface>) -> Self {
+        self.target_surface = shared.clone();
+        self
+    }
+
     /// Measures distances between surfaces of at most so many triangles each, averaging voxels until they have no more; at most 4·10⁶.
     #[must_use]
     pub fn with_most_triangles(mut self, most: usize) -> Self {
@@ -220,6 +231,10 @@ impl<'a> Print<'a> {
     pub fn with_most_corners(mut self, most: usize) -> Self {
         self.most_corners = most.max(1);
         self
+    }
+
+    pub(super) fn target_surface(&self) -> &TargetSurface {
+        &self.target_surface
     }
 
     pub(super) fn most_triangles(&self) -> usize {
@@ -577,6 +592,12 @@ mod tests {
         };
         let measured = print();
         assert!(measured.distance().is_some());
+        // Two prints of one target share its surface, and their numbers are those of each alone
+        let shared = Arc::default();
+        for threshold in [0.5, 0.4] {
+            let at = |print: Print<'_>| print.with_threshold(threshold).unwrap().distance();
+            assert_eq!(at(print().with_target_surface(&shared)), at(print()));
+        }
         let found = measured.into_measured_deviation();
         assert!(found.is_some());
         assert_eq!(found, print().deviation());

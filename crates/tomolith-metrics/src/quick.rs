@@ -14,27 +14,44 @@
 //! ```
 
 use super::buckets::{class, shares};
+use tomolith_core::field::counter::{BINS, Counter};
 use tomolith_core::field::{BLOCK, LANES};
 use tomolith_core::parallel::InParallel;
 use tomolith_core::target::label;
-
-/// Thresholds.
-const BINS: usize = 1024;
 
 /// Smallest and largest response of part and void.
 type Ranges = [[f32; 2]; 2];
 /// Part and void voxels per bin.
 type Table = Vec<[u64; 2]>;
 
+/// Best IoU, and process window where there is void.
+type Measured = (f64, Option<f64>);
+
 /// Best IoU, and process window where there is void; `None` without part, or when a response is no finite number.
 #[must_use]
-pub fn quick(labels: &[u8], response: &[f32]) -> Option<(f64, Option<f64>)> {
-    let [part, void] = ranges(labels, response);
+pub fn quick(labels: &[u8], response: &[f32]) -> Option<Measured> {
+    let counts = |low, scale| counts(labels, response, low, scale);
+    measured(ranges(labels, response), counts)
+}
+
+/// The same of a response that lives elsewhere: the same numbers, to the last bit.
+#[must_use]
+pub fn quick_of<F>(counter: &dyn Counter<F>, response: &F) -> Option<Measured> {
+    let counts = |low, scale| counter.counts(response, low, scale);
+    measured(counter.ranges(response), counts)
+}
+
+fn measured([part, void]: Ranges, counts: impl FnOnce(f32, f32) -> Table) -> Option<Measured> {
     let (low, high) = (part[0].min(void[0]), part[1].max(void[1]));
     if part[0] > part[1] || !(low.is_finite() && high.is_finite()) {
         return None;
     }
-    let table = counts(labels, response, low, high);
+    let scale = if high > low {
+        BINS as f32 / (high - low)
+    } else {
+        0.0
+    };
+    let table = counts(low, scale);
     let parts: u64 = table.iter().map(|bin| bin[0]).sum();
     let mut above = [0, 0];
     let mut best = 0.0f64;
@@ -88,12 +105,7 @@ fn widen(lanes: &mut [[[f32; LANES]; 2]; 2], labels: &[u8], values: &[f32]) {
     }
 }
 
-fn counts(labels: &[u8], response: &[f32], low: f32, high: f32) -> Table {
-    let scale = if high > low {
-        BINS as f32 / (high - low)
-    } else {
-        0.0
-    };
+fn counts(labels: &[u8], response: &[f32], low: f32, scale: f32) -> Table {
     let empty = || vec![[0; 2]; BINS];
     let tables = shares(labels.len()).into_iter().par_map(|share| {
         let mut table: Table = empty();

@@ -41,7 +41,7 @@
 mod iou;
 
 use super::buckets::{
-    Bucket, Counts, FINE, FINE_BITS, Share, class, count_share, key, shares, value_of,
+    Bucket, Counts, FINE, FINE_BITS, Share, class, count_share, key, runs, shares, value_of,
 };
 use super::spread::{Spread, Sums, spread};
 use iou::Fraction;
@@ -216,8 +216,8 @@ impl<'a> Scan<'a> {
         (rank < total).then_some(at)
     }
 
-    /// Looks at the buckets of some thresholds and ranks `(class, rank)` in one pass, with those of the best IoU: questions
-    /// about them cost nothing afterwards.
+    /// Looks at the buckets of some thresholds and ranks `(class, rank)` in one pass, with those of the best IoU and round it:
+    /// questions about them cost nothing afterwards.
     pub(super) fn look_at(&self, thresholds: &[f64], ranks: &[(usize, u64)]) {
         let places = thresholds.iter().map(|&t| self.bucket_at(t));
         let of_thresholds = places.filter(|(_, within)| *within).map(|(at, _)| at);
@@ -264,13 +264,15 @@ impl<'a> Scan<'a> {
                         .zip(self.response[share].chunks(BLOCK))
                         .take_while(|_| !steps.is_canceled())
                         .inspect(|_| steps.add(1));
-                    for (&label, &value) in blocks.flat_map(|(l, r)| l.iter().zip(r)) {
-                        let Some(class) = class(label) else { continue };
-                        let key = key(value);
-                        let place = (key >> FINE_BITS).wrapping_sub(first) as usize;
-                        let slot = slots.get(place).copied().unwrap_or(u32::MAX);
-                        if slot != u32::MAX {
-                            table[slot as usize * FINE + key as usize % FINE][class] += 1;
+                    for (labels, values) in blocks {
+                        for (class, run) in runs(labels) {
+                            for key in values[run].iter().map(|&value| key(value)) {
+                                let place = (key >> FINE_BITS).wrapping_sub(first) as usize;
+                                let slot = slots.get(place).copied().unwrap_or(u32::MAX);
+                                if slot != u32::MAX {
+                                    table[slot as usize * FINE + key as usize % FINE][class] += 1;
+                                }
+                            }
                         }
                     }
                     table

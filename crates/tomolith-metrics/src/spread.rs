@@ -26,31 +26,29 @@ pub(super) struct Sums {
     pub(super) first: f32,
 }
 
-/// Sums over the voxels of one label in one block, relative to the first of them (no cancellation in the variance).
-pub(super) fn block_sums(labels: &[u8], values: &[f32], wanted: u8) -> Sums {
-    let first = labels
-        .iter()
-        .position(|&l| l == wanted)
-        .map_or(0.0, |i| values[i]);
-    let mut sums = Sums {
+impl Sums {
+    pub(super) const EMPTY: Sums = Sums {
         count: 0,
         min: f32::INFINITY,
         max: f32::NEG_INFINITY,
         sum: 0.0,
         squares: 0.0,
-        first,
+        first: 0.0,
     };
-    for (&label, &value) in labels.iter().zip(values) {
-        if label == wanted {
-            let off = f64::from(value) - f64::from(first);
-            sums.count += 1;
-            sums.min = sums.min.min(value);
-            sums.max = sums.max.max(value);
-            sums.sum += off;
-            sums.squares += off * off;
+
+    /// Adds a voxel, as its difference to the first one: no cancellation in the variance.
+    #[inline(always)]
+    pub(super) fn add(&mut self, value: f32) {
+        if self.count == 0 {
+            self.first = value;
         }
+        let off = f64::from(value) - f64::from(self.first);
+        self.count += 1;
+        self.min = if value < self.min { value } else { self.min };
+        self.max = if value > self.max { value } else { self.max };
+        self.sum += off;
+        self.squares += off * off;
     }
-    sums
 }
 
 /// Joins blocks in their order (Chan's update of mean and variance).

@@ -38,6 +38,7 @@ use super::nearest::TriangleTree;
 use super::print::Print;
 use rayon::slice::ParallelSliceMut;
 use serde::Serialize;
+use std::sync::{Arc, Mutex, PoisonError};
 use tomolith_core::dose::Run;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::parallel::{InParallel, table};
@@ -140,7 +141,7 @@ pub(super) fn deviation(print: &Print<'_>) -> Option<Deviation> {
         run,
         ..
     } = surfaces(print, FULL_RESOLUTION)?;
-    let distances = distances(&printed, &target, 1, &run.part(NEAREST));
+    let distances = distances(&printed, &target.tree, 1, &run.part(NEAREST));
     let distances: Vec<f32> = distances.iter().map(|sample| sample.0).collect();
     (!run.is_canceled()).then(|| Deviation::of(print, printed, &distances, coarsened))
 }
@@ -167,11 +168,50 @@ pub(super) fn compared(print: &Print<'_>) -> Option<Compared> {
     compared_on(print, FULL_RESOLUTION)
 }
 
+/// A target's surface, made when it is first needed: prints of one target on the same voxels may share it.
+#[derive(Default)]
+pub struct TargetSurface(Mutex<Option<Arc<Reference>>>);
+
+/// A target's surface, ready for queries.
+struct Reference {
+    /// Voxels per edge that were averaged.
+    coarsened: usize,
+    surface: Isosurface,
+    tree: TriangleTree,
+}
+
+impl TargetSurface {
+    /// On voxels that are averaged so far; None where it has more than `most` corners.
+    fn of(
+        &self,
+        print: &Print<'_>,
+        coarsened: usize,
+        most: usize,
+        run: &Run,
+    ) -> Option<Arc<Reference>> {
+        let mut made = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let is_same =
+            |own: &&Arc<Reference>| own.coarsened == coarsened && own.surface.corners.len() <= most;
+        if let Some(found) = made.as_ref().filter(is_same) {
+            return Some(found.clone());
+        }
+        let fill = |i, row: &mut [f32]| print.target_row(i, row);
+        let surface = surface(print.grid(), coarsened, 0.5, fill, most, run)?;
+        let reference = Arc::new(Reference {
+            coarsened,
+            tree: TriangleTree::under(&surface, run),
+            surface,
+        });
+        *made = Some(reference.clone());
+        Some(reference)
+    }
+}
+
 /// The print's surface and the target's.
 struct Surfaces {
     threshold: f64,
     printed: Isosurface,
-    target: Isosurface,
+    target: Arc<Reference>,
     /// Voxels per edge that were averaged.
     coarsened: usize,
     /// What is left of measuring them.
@@ -189,14 +229,13 @@ fn surfaces(print: &Print<'_>, most_voxels: usize) -> Option<Surfaces> {
     let (printed, target) = loop {
         let fill = |i, row: &mut [f32]| print.printed_row(i, threshold, row);
         let printed = surface(grid, coarsened, threshold, fill, most, &run.part(FINDING));
-        let fill = |i, row: &mut [f32]| print.target_row(i, row);
-        let target = || surface(grid, coarsened, 0.5, fill, most, &run.part(FINDING));
+        let target = || (print.target_surface()).of(print, coarsened, most, &run.part(FINDING));
         if let Some(both) = printed.and_then(|printed| Some((printed, target()?))) {
             break both;
         }
         coarsened += 1;
     };
-    (!printed.is_empty() && !target.is_empty()).then_some(Surfaces {
+    (!printed.is_empty() && !target.surface.is_empty()).then_some(Surfaces {
         threshold,
         printed,
         target,
@@ -215,9 +254,10 @@ fn compared_on(print: &Print<'_>, most_voxels: usize) -> Option<Compared> {
         run,
     } = surfaces(print, most_voxels)?;
     let each = |surface: &Isosurface| surface.corners.len().div_ceil(print.most_corners()).max(1);
-    let steps = [each(&printed), each(&target)];
-    let mut samples = distances(&printed, &target, steps[0], &run.part(NEAREST));
-    let back = distances(&target, &printed, steps[1], &run.part(NEAREST));
+    let steps = [each(&printed), each(&target.surface)];
+    let mut samples = distances(&printed, &target.tree, steps[0], &run.part(NEAREST));
+    let of_print = TriangleTree::under(&printed, &run);
+    let back = distances(&target.surface, &of_print, steps[1], &run.part(NEAREST));
     if run.is_canceled() {
         return None;
     }
@@ -227,7 +267,7 @@ fn compared_on(print: &Print<'_>, most_voxels: usize) -> Option<Compared> {
         let share = value_at(grid, at_mm, |i, row| print.target_row(i, row));
         farthest(at_mm, share < 0.5)
     } else {
-        let at_mm = target.corners[place(of_target, steps[1])].map(f64::from);
+        let at_mm = target.surface.corners[place(of_target, steps[1])].map(f64::from);
         let response = value_at(grid, at_mm, |i, row| print.printed_row(i, threshold, row));
         farthest(at_mm, response > threshold)
     };
@@ -374,9 +414,8 @@ fn place(i: usize, step: usize) -> usize {
     i * step + ((i as f64 * golden).fract() * step as f64) as usize
 }
 
-/// For one of every `step` corners of `from`: the distance to `to`, mm, and its share of the area, mm².
-fn distances(from: &Isosurface, to: &Isosurface, step: usize, run: &Run) -> Vec<(f32, f64)> {
-    let tree = TriangleTree::under(to, run);
+/// For one of every `step` corners of `from`: the distance to the triangles of a tree, mm, and its share of the area, mm².
+fn distances(from: &Isosurface, tree: &TriangleTree, step: usize, run: &Run) -> Vec<(f32, f64)> {
     let own = 0..from.corners.len() / step;
     let own: Vec<usize> = own.map(|i| place(i, step)).collect();
     let runs = run.steps(own.len().div_ceil(RUN));

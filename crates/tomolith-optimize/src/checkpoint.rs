@@ -352,7 +352,7 @@ impl Checkpoints {
     /// Writes a checkpoint.
     ///
     /// # Errors
-    /// [`Error::Io`]; [`Error::Canceled`], and the one before stays.
+    /// [`Error::Io`]; [`Error::Canceled`] and [`Error::Device`], and the one before stays.
     fn write<F: Field>(
         &mut self,
         saved: Saved<'_, F>,
@@ -361,6 +361,7 @@ impl Checkpoints {
     ) -> Result<()> {
         let begin = Instant::now();
         let whole = self.whole(&saved);
+        let check = || saved.patterns.check();
         let header = Header {
             format: FORMAT,
             fingerprint: self.fingerprint.clone(),
@@ -381,7 +382,7 @@ impl Checkpoints {
                     let array = SavedArray::of_field(field);
                     ((*name).to_owned(), array)
                 });
-                self.write_file(&header, arrays.collect(), run)?;
+                self.write_file(&header, arrays.collect(), &check, run)?;
             }
             None => {
                 let patterns = SavedArray::of_field(saved.patterns);
@@ -395,7 +396,7 @@ impl Checkpoints {
                     let memory = saved.memory.arrays.into_iter();
                     arrays.extend(memory.map(|(name, array)| (format!("memory.{name}"), array)));
                 }
-                self.write_file(&header, arrays, run)?;
+                self.write_file(&header, arrays, &check, run)?;
             }
         }
         self.cost = Some(begin.elapsed());
@@ -434,11 +435,12 @@ impl Checkpoints {
         }
     }
 
-    /// Writes header and arrays aside, then renames.
+    /// Writes header and arrays aside, then renames, if a check says that what was read of the arrays is true.
     fn write_file(
         &self,
         header: &Header,
         arrays: Vec<(String, SavedArray)>,
+        check: &dyn Fn() -> Result<()>,
         run: &Run,
     ) -> Result<()> {
         let file = self.file();
@@ -478,6 +480,7 @@ impl Checkpoints {
                 file.write_all(&bytes)?;
                 sums.push(checksum(&bytes));
             }
+            check()?;
             let sums = sums.into_iter().flat_map(u64::to_le_bytes);
             Ok(file.write_all(&sums.collect::<Vec<u8>>())?)
         })

@@ -25,6 +25,9 @@ use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::Arc;
 
+/// Voxels of a square that changes from the order of fields to that of arrays, along z and along x: 16 kB.
+const SQUARE: usize = 64;
+
 /// What a pattern value means to a model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
@@ -191,19 +194,30 @@ impl DoseLayout {
         if values.is_empty() {
             return Volume::new(self.grid.clone(), values);
         }
-        // Sixteen slices at a time, so that a cache line of the field is used whole
-        values
-            .chunks_mut(nx * ny * LANES)
-            .enumerate()
-            .par_each(|(slab, out)| {
-                let depth = out.len() / (nx * ny);
-                for pixel in 0..nx * ny {
-                    let lanes = &field[pixel * self.row + slab * LANES..][..depth];
-                    for (iz, &value) in lanes.iter().enumerate() {
-                        out[iz * nx * ny + pixel] = value;
+        let mut rows: Vec<Vec<&mut [f32]>> = (0..ny).map(|_| Vec::with_capacity(nz)).collect();
+        for (i, line) in values.chunks_mut(nx).enumerate() {
+            rows[i % ny].push(line);
+        }
+        // In squares: the field has neighbors along z together, the array those along x
+        let rows = rows.into_iter().zip(field.chunks(self.row * nx));
+        rows.par_each(|(mut lines, field)| {
+            let mut square = [[0.0f32; SQUARE]; SQUARE];
+            for (slab, lines) in lines.chunks_mut(SQUARE).enumerate() {
+                for first in (0..nx).step_by(SQUARE) {
+                    let width = SQUARE.min(nx - first);
+                    for x in 0..width {
+                        let column = (first + x) * self.row + slab * SQUARE;
+                        let column = &field[column..][..lines.len()];
+                        for (line, &value) in square.iter_mut().zip(column) {
+                            line[x] = value;
+                        }
+                    }
+                    for (line, own) in lines.iter_mut().zip(&square) {
+                        line[first..][..width].copy_from_slice(&own[..width]);
                     }
                 }
-            });
+            }
+        });
         Volume::new(self.grid.clone(), values)
     }
 
@@ -378,14 +392,27 @@ impl PatternLayout {
             "patterns of another shape"
         );
         let (rows, columns) = (self.grid.rows, self.grid.columns);
-        for (slot, run) in self.runs.iter().enumerate() {
-            let (frame, column) = (slot / columns, slot % columns);
-            let image = &patterns.values[frame * rows * columns..][..rows * columns];
-            for i in 0..run.count as usize {
-                let energy = image[(rows - 1 - run.bottom as usize - i) * columns + column];
-                field[run.offset + i] = self.quantity.value(energy);
-            }
+        if patterns.values.is_empty() {
+            return;
         }
+        let mut rest = &mut field[self.range()];
+        let images = patterns.values.chunks(rows * columns);
+        let frames = self.runs.chunks(columns).zip(images).map(|(runs, image)| {
+            let active = runs.iter().map(|run| run.count as usize).sum();
+            let (own, others) = std::mem::take(&mut rest).split_at_mut(active);
+            rest = others;
+            (runs, image, own)
+        });
+        frames.par_each(|(runs, image, mut own)| {
+            for (column, run) in runs.iter().enumerate() {
+                let (values, others) = own.split_at_mut(run.count as usize);
+                own = others;
+                for (i, value) in values.iter_mut().enumerate() {
+                    let energy = image[(rows - 1 - run.bottom as usize - i) * columns + column];
+                    *value = self.quantity.value(energy);
+                }
+            }
+        });
     }
 }
 

@@ -11,6 +11,7 @@
 //! **Source** Li et al., Additive Manufacturing 94 (2024) 104447, supplement S.8, eq. SE.19. For 0 < p < ∞ the same is an
 //! objective, `bclp`.
 
+use super::super::buckets::runs;
 use tomolith_core::field::BLOCK;
 use tomolith_core::grid::Volume;
 use tomolith_core::parallel::InParallel;
@@ -96,34 +97,25 @@ pub(super) fn band_errors(
     response: &dyn Response,
 ) -> [[BandError; 3]; 2] {
     let is_identity = response.is_identity();
-    let regions = [label::PART, label::VOID];
     let blocks = dose.values.chunks(BLOCK).enumerate();
-    let blocks: Vec<[[BandError; 3]; 2]> = blocks.par_map_with(Vec::new, |off, (b, block)| {
-        let labels = &band.labels.values[b * BLOCK..][..block.len()];
-        let of_regions = regions.map(|region| {
-            off.clear();
-            if labels.contains(&region) {
-                let own = (b * BLOCK..).zip(block.iter().zip(labels));
-                let own = own.filter(|(_, (_, label))| **label == region);
-                off.extend(own.map(|(i, (&dose, _))| {
-                    let value = if is_identity {
-                        dose
-                    } else {
-                        response.value(dose)
-                    };
-                    (f64::from(value) - band.value(i)).abs()
-                }));
+    let blocks: Vec<[[BandError; 3]; 2]> = blocks.par_map(|(b, block)| {
+        let begin = b * BLOCK;
+        let mut sums = [[BandError::default(); 2]; 2];
+        for (class, run) in runs(&band.labels.values[begin..][..block.len()]) {
+            let mut own = sums[class];
+            for i in run {
+                let value = match is_identity {
+                    true => block[i],
+                    false => response.value(block[i]),
+                };
+                let off = (f64::from(value) - band.value(begin + i)).abs();
+                for (own, tolerance) in own.iter_mut().zip(tolerances) {
+                    own.add(off - tolerance);
+                }
             }
-            let mut sums = [BandError::default(); 2];
-            for off in &*off {
-                let errors = tolerances.map(|tolerance| off - tolerance);
-                sums.iter_mut()
-                    .zip(errors)
-                    .for_each(|(sums, error)| sums.add(error));
-            }
-            sums
-        });
-        let [part, void] = of_regions;
+            sums[class] = own;
+        }
+        let [part, void] = sums;
         [0, 1].map(|tolerance| {
             let (part, void) = (part[tolerance], void[tolerance]);
             [part.and(void), part, void]

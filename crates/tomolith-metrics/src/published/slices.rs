@@ -1,11 +1,11 @@
 //! The same numbers slice by slice: how even a print is along the axis (Pellizzon et al., figure 15).
 
+use super::super::buckets::runs;
 use super::{List, Measure};
 use serde::Serialize;
 use tomolith_core::dose::Run;
 use tomolith_core::grid::Volume;
 use tomolith_core::parallel::InParallel;
-use tomolith_core::target::label;
 
 /// Numbers of one slice perpendicular to the axis; not defined without part, or without void.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -47,11 +47,11 @@ pub(super) fn slices_under(
     let [_, ny, nx] = dose.grid.shape;
     let size = (nx * ny).max(1);
     let each = |(iz, (values, labels)): (usize, (&[f32], &[u8]))| {
-        let of = |wanted: u8| -> Vec<f32> {
-            let pairs = values.iter().zip(labels).filter(|(_, l)| **l == wanted);
-            pairs.map(|(d, _)| *d).collect()
-        };
-        let (part, void) = (of(label::PART), of(label::VOID));
+        let [mut part, mut void] = [const { Vec::new() }; 2];
+        for (class, run) in runs(labels) {
+            let own = if class == 0 { &mut part } else { &mut void };
+            own.extend_from_slice(&values[run]);
+        }
         slice(dose.grid.z(iz), &part, &void, trim_percent)
     };
     let slices = dose.values.chunks(size);

@@ -147,20 +147,26 @@ impl Scan<'_> {
         best_of(&mut pieces.iter().filter(|p| p.closed.is_none()).map(|p| p.low))
     }
 
-    /// Buckets that may hold the best IoU.
+    /// Buckets that may hold the best IoU, and those in which IoU may come near it or leave it, by either rule.
     pub(super) fn candidates(&self) -> Vec<usize> {
         let pieces = self.pieces(&Opened::new());
         // Attained for sure: below all values, and between any two buckets
         let exact = pieces.iter().filter(|p| p.closed.is_none()).map(|p| p.low);
         let between = self.buckets.iter().map(|b| self.iou(b.above));
-        let Some(at_least) = best_of(&mut exact.chain(between)) else {
+        let at_least = best_of(&mut exact.chain(between));
+        let at_most = best_of(&mut pieces.iter().map(|p| p.high));
+        let Some((at_least, at_most)) = at_least.zip(at_most) else {
             return Vec::new();
         };
-        pieces
-            .iter()
-            .filter(|p| p.high.compare(&at_least, 1, 1).is_ge())
-            .filter_map(|p| p.closed)
-            .collect()
+        let is_open = |p: &&Piece| {
+            let may_be_best = p.high.compare(&at_least, 1, 1).is_ge();
+            let may_be_edge = [Fraction::is_near, Fraction::is_hardly_below]
+                .iter()
+                .any(|rule| rule(&p.high, &at_least) && !rule(&p.low, &at_most));
+            may_be_best || may_be_edge
+        };
+        let open = pieces.iter().filter(is_open);
+        open.filter_map(|p| p.closed).collect()
     }
 
     /// The longest plateau of the best IoU; `None` when there is no part, or no threshold prints any of it.
@@ -222,7 +228,6 @@ impl Scan<'_> {
         best: &Fraction,
         is_near: impl Fn(&Fraction, &Fraction) -> bool,
     ) -> Vec<(f64, f64)> {
-        self.open_edges(best);
         let mut runs: Vec<(f64, f64)> = Vec::new();
         let mut was_near = false;
         for piece in self.pieces(&self.opened()) {
@@ -235,18 +240,6 @@ impl Scan<'_> {
             was_near = near;
         }
         runs
-    }
-
-    /// Looks at the buckets in which IoU comes near its best or leaves it, by either rule, in one pass.
-    fn open_edges(&self, best: &Fraction) {
-        let is_edge = |p: &Piece| {
-            [Fraction::is_near, Fraction::is_hardly_below]
-                .iter()
-                .any(|rule| rule(&p.high, best) && !rule(&p.low, best))
-        };
-        let pieces = self.pieces(&self.opened());
-        let edges = pieces.iter().filter(|p| is_edge(p));
-        self.open(&edges.filter_map(|p| p.closed).collect::<Vec<_>>());
     }
 
     /// IoU at about `samples` thresholds from the lowest allowed one to the largest response: pairs of a threshold and

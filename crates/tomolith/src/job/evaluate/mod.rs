@@ -191,7 +191,7 @@ pub(crate) fn evaluate_patterns(
     }
     let standing = steps.standing_still(&fine)?;
     let unrounded = steps.unrounded(&fine, raw)?;
-    let (grid, sub_angles) = (steps.grid.clone(), steps.sub_angles);
+    let (grid, sub_angles, stats) = (steps.grid.clone(), steps.sub_angles, steps.stats);
     let [is_own_still, is_own_turning] =
         [&steps.still, &steps.turning].map(|exposed| steps.own == *exposed);
     let measured_apart = std::mem::take(&mut steps.written);
@@ -207,7 +207,7 @@ pub(crate) fn evaluate_patterns(
             evaluation,
             deviation,
             published,
-        } = numbers((job, own), &fine, dose, shown, is_first)?;
+        } = numbers((job, own), &fine, dose, (shown, stats), is_first)?;
         cancel.check()?;
         of_publications = published.unwrap_or(of_publications);
         let evaluation = evaluation.with_sub_angles(sub_angles);
@@ -326,6 +326,8 @@ struct EvaluationSteps<'a> {
     turning: Exposed,
     sub_angles: usize,
     doses: Doses<'a>,
+    /// Sums over the written patterns.
+    stats: PatternStats,
     /// The headline numbers of the written patterns on the optimization's voxels, where they are measured apart.
     written: Vec<Measure>,
 }
@@ -351,6 +353,7 @@ impl<'a> EvaluationSteps<'a> {
             turning,
             sub_angles,
             doses: Doses::new(job, &job.optics).by(evaluation_model),
+            stats: PatternStats::of(shown),
             written: Vec::new(),
         }
     }
@@ -383,7 +386,8 @@ impl<'a> EvaluationSteps<'a> {
         let (doses, _) = (self.doses).of(&self.own, raw, &cancel.part(share::OWN_DOSE))?;
         let objectives = objectives::measured(job, &voxels[0], &doses[0])?;
         cancel.check()?;
-        let evaluations = self.measured(voxels, doses, raw, share::OWN_NUMBERS)?;
+        let stats = PatternStats::of(raw);
+        let evaluations = self.measured(voxels, doses, stats, share::OWN_NUMBERS)?;
         if !self.looks_at_own() {
             let run = cancel.part(share::OWN_DOSE);
             let (doses, _) = (self.doses).of(&self.own, self.shown, &run)?;
@@ -410,7 +414,7 @@ impl<'a> EvaluationSteps<'a> {
         }
         let run = self.cancel.part(share::STANDING);
         let (doses, _) = (self.doses).of(&self.still, self.shown, &run)?;
-        self.measured(fine, doses, self.shown, share::NUMBERS)
+        self.measured(fine, doses, self.stats, share::NUMBERS)
     }
 
     /// The headline numbers of raw patterns on the finer voxels, turning, where the written ones have few levels and targets are not gray.
@@ -438,7 +442,7 @@ impl<'a> EvaluationSteps<'a> {
         &mut self,
         voxels: &[Voxels],
         doses: Vec<Volume<f32>>,
-        patterns: &[Patterns],
+        stats: PatternStats,
         share: f64,
     ) -> Result<Vec<Evaluation>> {
         let job = self.job;
@@ -446,7 +450,7 @@ impl<'a> EvaluationSteps<'a> {
         for ((own, voxels), dose) in job.species.iter().zip(voxels).zip(doses) {
             let response = own.goal.responses(dose);
             let run = self.cancel.part(share / job.species.len() as f64);
-            found.push(measure((job, own), voxels, &response, patterns, run)?);
+            found.push(measure((job, own), voxels, &response, stats, run)?);
             self.doses.give_back(response);
         }
         Ok(found)
@@ -487,7 +491,7 @@ fn numbers(
     (job, species): (&ResolvedJob, &Species),
     fine: &Voxels,
     dose: Volume<f32>,
-    shown: &[Patterns],
+    (shown, stats): (&[Patterns], PatternStats),
     (is_first, cancel): (bool, &Run),
 ) -> Result<Measured> {
     let material = species.goal.response.as_ref();
@@ -511,7 +515,6 @@ fn numbers(
     } else {
         species.goal.responses(dose)
     };
-    let stats = PatternStats::of(shown);
     let print = print((job, species), fine, &response, run)?.with_patterns(stats);
     if is_first && is_dose {
         // The dose is the response: what was counted of one serves the other
@@ -620,6 +623,7 @@ pub(crate) fn measure_at(
     let mut print = Print::under(&voxels.labels, response, Run::new())?
         .with_most_triangles(job.most_triangles())
         .with_inside(&voxels.target.inside)?
+        .with_target_surface(&voxels.surface)
         .with_threshold(threshold)?
         .with_patterns(PatternStats::of(patterns));
     if !job.evaluation().surfaces {
@@ -661,6 +665,7 @@ pub(crate) fn print<'a>(
     let mut print = Print::under(&voxels.labels, response, run)?
         .with_most_triangles(job.most_triangles())
         .with_inside(inside)?
+        .with_target_surface(&voxels.surface)
         .with_response(species.goal.response.clone());
     if !job.evaluation().surfaces {
         print = print.without_distance();
@@ -679,10 +684,9 @@ fn measure(
     of: (&ResolvedJob, &Species),
     voxels: &Voxels,
     response: &Volume<f32>,
-    patterns: &[Patterns],
+    stats: PatternStats,
     run: Run,
 ) -> Result<Evaluation> {
-    let stats = PatternStats::of(patterns);
     let print = print(of, voxels, response, run.part(1.0))?.with_patterns(stats);
     let evaluation = evaluate(&print);
     // Numbers of a canceled run mean nothing

@@ -29,6 +29,7 @@ use crate::optimize::start::InitialPatterns;
 use crate::optimize::{Checkpoints, Counters, Limits, Outcome, Problem, Row, Stop, StopReason};
 use crate::units::concise;
 use std::borrow::Cow;
+use std::cell::OnceCell;
 use std::sync::Arc;
 use std::time::Instant;
 #[cfg(feature = "gpu")]
@@ -438,6 +439,7 @@ impl<'a> Stage<'a> {
             doses: model.outputs(),
             labels,
             layout,
+            counter: OnceCell::new(),
             voxels: &self.voxels,
             print: None,
             metrics_s: sofar.metrics_s,

@@ -1,13 +1,14 @@
 //! What is looked at after each iteration: progress, the print now and then, and whether it is good enough.
 
-use crate::field::{Field, HostField};
+use crate::field::{Counter, Field, HostField};
 use crate::job::progress::{Event, Progress, Snapshot};
 use crate::job::resolve::{ResolvedJob, Voxels};
-use crate::metrics::quick::quick;
+use crate::metrics::quick::{quick, quick_of};
 use crate::metrics::scan::Scan;
 use crate::models::{DoseLayout, PatternLayout};
 use crate::optimize::{DiskSpace, MeasuredPrint, Observer, Row, StepReport};
 use std::borrow::Cow;
+use std::cell::OnceCell;
 use std::ops::ControlFlow;
 use std::time::Instant;
 use tomolith_core::parallel::table;
@@ -44,7 +45,7 @@ pub(crate) fn is_measured(iteration: usize) -> bool {
 }
 
 /// Reports progress, measures the print now and then, and stops at the loss or IoU of `[stop]`.
-pub(crate) struct Watch<'a> {
+pub(crate) struct Watch<'a, F> {
     pub(crate) job: &'a ResolvedJob,
     /// Iterations of all levels.
     pub(crate) iterations: usize,
@@ -56,6 +57,8 @@ pub(crate) struct Watch<'a> {
     pub(crate) labels: Vec<u8>,
     /// Where those lie.
     pub(crate) layout: DoseLayout,
+    /// What counts doses by these labels where they live, once it is needed.
+    pub(crate) counter: OnceCell<Option<Box<dyn Counter<F>>>>,
     /// Of every species.
     pub(crate) voxels: &'a [Voxels],
     /// The print after the last step, where it was measured.
@@ -65,9 +68,9 @@ pub(crate) struct Watch<'a> {
     pub(crate) progress: &'a mut dyn Progress,
 }
 
-impl Watch<'_> {
+impl<F: Field> Watch<'_, F> {
     /// Copies for an observer that wants them.
-    fn show<F: Field>(&mut self, report: &StepReport<'_, F>) {
+    fn show(&mut self, report: &StepReport<'_, F>) {
         let wants = self.progress.wants();
         if !wants.any() || self.job.ranks.is_some() {
             return;
@@ -103,7 +106,7 @@ impl Watch<'_> {
         });
     }
 
-    fn reached<F: Field>(&mut self, report: &StepReport<'_, F>) -> bool {
+    fn reached(&mut self, report: &StepReport<'_, F>) -> bool {
         let stop = self.job.stop();
         let (loss, asked) = (stop.loss, stop.iou);
         let begin = Instant::now();
@@ -116,11 +119,7 @@ impl Watch<'_> {
     }
 
     /// Metrics of the dose at hand: exact and always when they decide, else now and then, and over some thresholds only.
-    fn measure<F: Field>(
-        &self,
-        report: &StepReport<'_, F>,
-        decides: bool,
-    ) -> Option<MeasuredPrint> {
+    fn measure(&self, report: &StepReport<'_, F>, decides: bool) -> Option<MeasuredPrint> {
         let iteration = report.row.iteration;
         let last = iteration == self.iterations;
         // A gray target has no IoU worth following
@@ -129,6 +128,17 @@ impl Watch<'_> {
             return None;
         }
         let response = &self.job.first().goal.response;
+        let print = |(iou, process_window)| MeasuredPrint {
+            iou: Some(iou),
+            process_window,
+        };
+        let has_cells = self.layout.len() != self.layout.voxels();
+        if !decides && response.is_identity() && !has_cells {
+            let counter = || report.dose.counter(&self.labels);
+            if let Some(counter) = self.counter.get_or_init(counter) {
+                return quick_of(counter.as_ref(), report.dose).map(print);
+            }
+        }
         let bytes = report.dose.host_bytes();
         let dose = self.layout.voxels_of(bytemuck::cast_slice(&bytes));
         let values: Cow<'_, [f32]> = if response.is_identity() {
@@ -139,10 +149,7 @@ impl Watch<'_> {
         if decides {
             return exact(&self.labels, &values);
         }
-        quick(&self.labels, &values).map(|(iou, process_window)| MeasuredPrint {
-            iou: Some(iou),
-            process_window,
-        })
+        quick(&self.labels, &values).map(print)
     }
 }
 
@@ -158,7 +165,7 @@ fn exact(labels: &[u8], response: &[f32]) -> Option<MeasuredPrint> {
     })
 }
 
-impl<F: Field> Observer<F> for Watch<'_> {
+impl<F: Field> Observer<F> for Watch<'_, F> {
     fn on_step(&mut self, report: &StepReport<'_, F>) -> ControlFlow<()> {
         let row = report.row;
         let calls = (row.forward + row.adjoint) as f64;

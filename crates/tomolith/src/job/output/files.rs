@@ -784,6 +784,7 @@ fn print<'a>(
             let print = Print::under(labels, response, run)?
                 .with_most_triangles(resolved.most_triangles())
                 .with_inside(&first.fine.target.inside)?
+                .with_target_surface(&first.fine.surface)
                 .with_threshold(threshold)?;
             print.deviation().map(Cow::Owned)
         }

@@ -11,7 +11,7 @@ use crate::optics::light::Light;
 use crate::report::number::significant;
 use crate::target::Shape;
 use crate::units::concise;
-use tomolith_core::parallel::InParallel;
+use tomolith_core::parallel::{InParallel, table};
 
 /// What of a part lies beyond the reach of a light.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,12 +59,12 @@ impl Optics {
         let grid = &inside.grid;
         let [_, ny, nx] = grid.shape;
         let (reach_mm, light) = self.reach_mm();
+        let radii = table(nx * ny, |i| grid.x(i % nx).hypot(grid.y(i / nx)));
         let of_slice = |inside: &[f32]| {
             let [mut part, mut beyond] = [0u64; 2];
             let mut farthest = 0.0f64;
-            for (i, &inside) in inside.iter().enumerate() {
+            for (&inside, &radius) in inside.iter().zip(&radii) {
                 if is_part(inside, gray) {
-                    let radius = grid.x(i % nx).hypot(grid.y(i / nx));
                     part += 1;
                     beyond += u64::from(radius > reach_mm);
                     farthest = farthest.max(radius);

@@ -9,10 +9,12 @@ use crate::job::progress::SpeciesTarget;
 use crate::job::resolve::ResolvedJob;
 use crate::job::spec::scenario::at_scenario;
 use crate::job::spec::species::at_species;
+use crate::metrics::surface::TargetSurface;
 use crate::models::{DoseLayout, Run};
 use crate::objective::voxel_weights::Ground;
 use crate::report;
 use crate::target::{self, Role, Target, label, label_columns, label_voxels};
+use std::sync::Arc;
 use tomolith_core::parallel::table;
 
 /// The target on a grid.
@@ -20,6 +22,8 @@ use tomolith_core::parallel::table;
 pub(crate) struct Voxels {
     pub(crate) target: Target,
     pub(crate) labels: Volume<u8>,
+    /// Its surface, which all prints of it share.
+    pub(crate) surface: Arc<TargetSurface>,
     /// Smallest inside fraction of voxels that light should reach.
     least: f32,
 }
@@ -107,6 +111,7 @@ impl ResolvedJob {
         Ok(Voxels {
             target,
             labels,
+            surface: Arc::default(),
             least,
         })
     }

@@ -142,3 +142,109 @@ fn an_observer_has_copies_of_every_iteration_and_of_what_is_evaluated() {
         8 * written.dose[0].values.len()
     );
 }
+
+/// A card that is lost in the middle of a run.
+#[cfg(feature = "gpu")]
+mod lost_card {
+    use super::*;
+    use crate::io::npy::read_patterns;
+    use crate::job::resolve::card::Card;
+    use std::path::Path;
+
+    /// Destroys the card at an event, and remembers the notes after that.
+    struct Loses<'a> {
+        device: &'a str,
+        is_time: &'a dyn Fn(&Event) -> bool,
+        is_lost: bool,
+        notes: Vec<String>,
+    }
+
+    impl Progress for Loses<'_> {
+        fn event(&mut self, event: &Event) {
+            if let Event::Note { text } = event
+                && self.is_lost
+            {
+                self.notes.push(text.clone());
+            }
+            if !self.is_lost && (self.is_time)(event) {
+                self.is_lost = true;
+                let card = Card::of(Some(self.device)).unwrap().unwrap();
+                card.gpu().destroy();
+            }
+        }
+    }
+
+    const GEAR: &str = r#"
+        target = { phantom = "gear", size_mm = 2.0 }
+        grid = { pitch_mm = 0.1 }
+        resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }
+        vial = { index_matched = { radius_mm = 2.0 } }
+        light = [{ pixels = [28, 12], angles = 16, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
+        stop = { iterations = 6 }
+        checkpoint = { every_s = 1e-9 }
+    "#;
+
+    fn run(
+        device: &str,
+        folder: &Path,
+        resume: bool,
+        progress: &mut dyn Progress,
+    ) -> Result<Summary> {
+        let text = format!("{GEAR}resources = {{ device = \"{device}\" }}");
+        let job = Job::from_document(Document::toml(Path::new("gear.toml"), &text)?)?;
+        super::super::run(
+            &job.with_folder(folder, "--output"),
+            resume,
+            progress,
+            &Run::new(),
+        )
+    }
+
+    #[test]
+    fn a_run_that_loses_its_card_leaves_nothing_half_says_what_is_left_and_goes_on() {
+        let Some(adapter) = tomolith_gpu::adapters().into_iter().next() else {
+            let is_needed = std::env::var_os("TOMOLITH_NEEDS_GPU").is_some();
+            assert!(
+                !is_needed,
+                "TOMOLITH_NEEDS_GPU is set, and there is no card"
+            );
+            return;
+        };
+        let device = format!("gpu:{}", adapter.name);
+        let place = tempfile::tempdir().unwrap();
+        let whole = place.path().join("whole");
+        run(&device, &whole, false, &mut crate::job::Silent).unwrap();
+        let patterns = |folder: &Path| read_patterns(&folder.join("patterns.npz")).unwrap();
+        let loses_at = |name: &str, is_time: &dyn Fn(&Event) -> bool, left: &str| {
+            let folder = place.path().join(name);
+            let mut loses = Loses {
+                device: &device,
+                is_time,
+                is_lost: false,
+                notes: Vec::new(),
+            };
+            let ended = run(&device, &folder, false, &mut loses);
+            assert!(
+                matches!(ended, Err(Error::Device { .. })),
+                "{name}: {ended:?}"
+            );
+            let notes = loses.notes.join("\n");
+            assert!(loses.is_lost && notes.contains(left), "{name}: {notes}");
+            for file in ["report.json", "patterns.npz", "dose.npy", ".new"] {
+                assert!(!folder.join(file).exists(), "{name}: {file}");
+            }
+            // The card is there again
+            run(&device, &folder, true, &mut crate::job::Silent).unwrap();
+            assert_eq!(patterns(&folder), patterns(&whole), "{name}");
+        };
+        let begins =
+            |event: &Event, stage: &str| matches!(event, Event::Stage { name } if name == stage);
+        loses_at("start", &|event| begins(event, OPTIMIZING), "");
+        let in_loop = |event: &Event| matches!(event, Event::Iteration { iteration: 3, .. });
+        let left = "`--resume` goes on from the last checkpoint";
+        let lost = format!("the card held the patterns, and they are lost; {left}");
+        loses_at("loop", &in_loop, &lost);
+        let evaluating = "evaluating the written patterns";
+        loses_at("evaluation", &|event| begins(event, evaluating), left);
+    }
+}

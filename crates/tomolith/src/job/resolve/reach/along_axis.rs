@@ -195,14 +195,16 @@ impl Optics {
         let farthest = f64::hypot(high[0].max(-low[0]), high[1].max(-low[1]));
         let step = farthest / (DISTANCES - 1) as f64;
         let by_distance = table(DISTANCES, |i| lit.within(i as f64 * step));
-        let lit_at =
-            |x: f64, y: f64| by_distance[((x.hypot(y) / step).ceil() as usize).min(DISTANCES - 1)];
+        let places = table(nx * ny, |i| {
+            let distance = grid.x(i % nx).hypot(grid.y(i / nx));
+            ((distance / step).ceil() as usize).min(DISTANCES - 1)
+        });
         let of_slice = |(iz, inside): (usize, &[f32])| {
             let z = grid.z(iz);
             let mut found = Beyond::default();
-            for (i, &inside) in inside.iter().enumerate() {
+            for (&inside, &place) in inside.iter().zip(&places) {
                 if is_part(inside, gray) {
-                    found.add(z, lit_at(grid.x(i % nx), grid.y(i / nx)));
+                    found.add(z, by_distance[place]);
                 }
             }
             found
