@@ -110,13 +110,8 @@ pub struct ObjectiveInput<'a> {
     pub response: Arc<dyn Response>,
 }
 
-/// An objective with its parameters, before it knows a target.
+/// An objective with its parameters in their ranges, before it knows a target.
 pub trait MakeObjective<F: Field = HostField>: Debug + Send + Sync {
-    /// Refuses parameters out of range, as a row does when it [reads](BuildObjective) them.
-    ///
-    /// # Errors
-    /// [`Error::Config`] with the key of the parameter.
-    fn check(&self) -> Result<()>;
     /// The objective for a target.
     ///
     /// # Errors
@@ -151,17 +146,16 @@ pub enum Chosen {
     Exponent(f64),
 }
 
-/// Reads the parameters of an objective from its section.
+/// Reads the parameters of an objective from its section; refuses those out of range.
 pub type BuildObjective<F = HostField> = Read<Arc<dyn MakeObjective<F>>>;
 
-/// The `build` of a row whose parameters are P.
-fn read<F: Field, P>(section: &Section) -> Result<Arc<dyn MakeObjective<F>>>
-where
-    P: MakeObjective<F> + DeserializeOwned + 'static,
-{
-    let params: P = section.parse()?;
-    params.check().map_err(|e| e.under(&section.path))?;
-    Ok(Arc::new(params))
+/// The `build` of a row: reads its parameters P and makes an objective of those in their ranges.
+fn read<F: Field, P: DeserializeOwned, M: MakeObjective<F> + 'static>(
+    section: &Section,
+    make: impl FnOnce(&P) -> Result<M>,
+) -> Result<Arc<dyn MakeObjective<F>>> {
+    let made = make(&section.parse()?).map_err(|e| e.under(&section.path))?;
+    Ok(Arc::new(made))
 }
 
 /// Every objective, for doses in host memory.
