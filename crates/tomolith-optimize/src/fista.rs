@@ -45,7 +45,6 @@ use serde::{Deserialize, Serialize};
 use tomolith_core::error::{Result, above_zero};
 use tomolith_core::field::Field;
 use tomolith_core::kind::{Kind, schema_of};
-use tomolith_objective::penalty::PatternPenalty;
 
 /// When the extrapolation begins anew.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]

@@ -15,7 +15,7 @@ use tomolith_core::dose::{DoseModel, PatternLayout, Quantity, Run};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Bounds, Field};
 use tomolith_objective::Objective;
-use tomolith_objective::penalty::{PatternPenalty, Penalties};
+use tomolith_objective::penalty::Penalties;
 
 /// Smallest and largest value of a light's pixels, mJ/mm² (energy, also for models whose unknown is the amplitude).
 #[derive(Clone, Copy, Debug, PartialEq)]
