@@ -322,13 +322,7 @@ mod tests {
 
     fn random_patterns(seed: u64, frames: usize) -> Patterns {
         let mut patterns = Patterns::dark(PatternGrid::full_turn(frames, 0.0, 4, 5, 0.1));
-        let mut state = seed;
-        for value in &mut patterns.values {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1);
-            *value = (state >> 40) as f32 * 1e-7;
-        }
+        patterns.values = tomolith_core::check::noise(seed, patterns.values.len());
         patterns
     }
 
