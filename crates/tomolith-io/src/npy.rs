@@ -318,11 +318,13 @@ mod tests {
     use ndarray::{Array3, ShapeBuilder};
     use ndarray_npy::{NpzReader, NpzWriter};
     use std::fs::File;
+    use tomolith_core::check::noise;
     use tomolith_core::grid::{PatternGrid, VolumeGrid};
 
     fn random_patterns(seed: u64, frames: usize) -> Patterns {
         let mut patterns = Patterns::dark(PatternGrid::full_turn(frames, 0.0, 4, 5, 0.1));
-        patterns.values = tomolith_core::check::noise(seed, patterns.values.len());
+        let light = noise(seed, patterns.values.len()).into_iter();
+        patterns.values = light.map(f32::abs).collect();
         patterns
     }
 
