@@ -1,7 +1,7 @@
 //! Materials in the light of the `parallel` model: what diffuses, prints and shades there, against models that know it exactly.
 
 use std::sync::Arc;
-use tomolith::check::taylor::Remainders;
+use tomolith::check::{self, taylor::Remainders};
 use tomolith::field::{Field, HostField};
 use tomolith::grid::{PatternGrid, Volume, VolumeGrid};
 use tomolith::models::parallel::Parallel;
@@ -52,14 +52,8 @@ fn patterns(model: &Model) -> HostField {
     x
 }
 
-fn noise(like: &HostField, seed: u32) -> HostField {
-    let mut field = like.zeros_like();
-    let mut state = seed;
-    for v in field.as_mut_slice() {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        *v = (state >> 8) as f32 / 8_388_608.0 - 1.0;
-    }
-    field
+fn noise(like: &HostField, seed: u64) -> HostField {
+    HostField::from_slice(&check::noise(seed, like.len()))
 }
 
 /// A disc off the axis that absorbs more.

@@ -383,7 +383,7 @@ impl<'a> Stage<'a> {
         };
         let objectives = goal_of(job.first(), wider).on()?;
         let model = model_on(card.gpu(), &form, cancel)?;
-        Ok(Some((model, objectives, job.method.optimizer_on()?)))
+        Ok(Some((model, objectives, job.method.optimizer()?)))
     }
 
     /// The same with model, objective and method for one kind of fields.

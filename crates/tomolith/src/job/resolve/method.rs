@@ -14,9 +14,7 @@ use crate::models::{DoseLayout, Family, PatternLayout};
 use crate::objective::penalty::{MakePenalty, PENALTIES, Penalties};
 use crate::objective::{Objective, ObjectiveInput};
 use crate::optimize::start::{InitialPatterns, STARTS};
-use crate::optimize::{
-    BuildOptimizer, MakeOptimizer, OPTIMIZERS, Optimizer, Requirements, optimizers,
-};
+use crate::optimize::{BuildOptimizer, OPTIMIZERS, Optimizer, Requirements, optimizers};
 use crate::response::{Response, dose_for};
 use crate::target::{Target, label, label_voxels};
 use crate::units::exact;
@@ -34,12 +32,11 @@ pub(crate) struct Method {
     pub(crate) normalizes: bool,
     /// Which parameters of the response are unknowns.
     pub(crate) free: Option<FreeParameters>,
-    on_host: Arc<dyn MakeOptimizer>,
     optimizer: Section,
+    /// How many steps the optimizer remembers, where it remembers any.
+    pairs: Option<usize>,
     /// Each with its weight.
     penalties: Vec<(f64, Arc<dyn MakePenalty>)>,
-    /// How many steps the optimizer remembers, where that is not what the job says.
-    memory: Option<usize>,
 }
 
 /// A penalty and its weight.
@@ -61,36 +58,23 @@ impl Method {
         let optimizer = section("optimizer", &spec.optimizer);
         let penalties = spec.penalties.iter().enumerate().map(penalty);
         let penalties = penalties.collect::<Result<_>>()?;
-        let on_host = optimizer.read(OPTIMIZERS)?;
-        let method = on_host.make()?;
+        let made = optimizer.read(OPTIMIZERS)?;
+        let method = made.make()?;
         Ok(Method {
             start: Arc::from(section("start", &spec.start).read(STARTS)?),
             requirements: method.requirements(),
             normalizes: method.normalizes(),
             free: FreeParameters::of(spec, base)?,
-            on_host,
             optimizer,
             penalties,
-            memory: None,
+            pairs: made.pairs(),
         })
     }
 
-    /// A new optimizer.
-    pub(crate) fn optimizer(&self) -> Result<Box<dyn Optimizer<HostField>>> {
-        self.on_host.make()
-    }
-
-    /// The same for fields of another kind.
-    ///
-    /// # Errors
-    /// As [`read`](Self::read).
-    #[cfg_attr(
-        not(feature = "gpu"),
-        expect(dead_code, reason = "all fields are the host's")
-    )]
-    pub(crate) fn optimizer_on<F: Field>(&self) -> Result<Box<dyn Optimizer<F>>> {
+    /// A new optimizer for fields F.
+    pub(crate) fn optimizer<F: Field>(&self) -> Result<Box<dyn Optimizer<F>>> {
         let optimizer = self.optimizer.read(optimizers::<F>())?;
-        let remembering = self.memory.and_then(|pairs| optimizer.with_pairs(pairs));
+        let remembering = self.pairs.and_then(|pairs| optimizer.with_pairs(pairs));
         remembering.unwrap_or(optimizer).make()
     }
 
@@ -107,15 +91,12 @@ impl Method {
 
     /// How many steps the optimizer remembers, where it remembers any.
     pub(crate) fn pairs(&self) -> Option<usize> {
-        self.on_host.pairs()
+        self.pairs
     }
 
     /// Lets the optimizer remember so many steps, where it remembers any.
     pub(crate) fn set_pairs(&mut self, pairs: usize) {
-        if let Some(optimizer) = self.on_host.with_pairs(pairs) {
-            self.on_host = optimizer;
-        }
-        self.memory = Some(pairs);
+        self.pairs = self.pairs.map(|_| pairs);
     }
 
     /// Whether a penalty compares pixels of different frames.
