@@ -1,7 +1,7 @@
 //! Response of a material from measured pairs, ready for a job.
 //!
 //! **What it models** dose → conversion, modulus or index: the generalized logistic or the nearest table that never falls, both by
-//! [`fit`](tomolith_core::response::fit), on linear or logarithmic axes.
+//! [`fit`], on linear or logarithmic axes.
 //!
 //! **Shape** `n` pairs in, a TOML table `[response.logistic]` or `[response.table]` out. **Limits** no kind of response has a logarithmic dose: such a
 //! logistic becomes a table of 33 points over the measured doses.

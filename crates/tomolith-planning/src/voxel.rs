@@ -63,7 +63,7 @@ impl Setup {
     /// Checks every number.
     ///
     /// # Errors
-    /// [`Error::Config`] with the option that is not above 0.
+    /// [`Error::Config`](tomolith_core::Error::Config) with the option that is not above 0.
     pub fn check(&self) -> Result<()> {
         for (key, value) in [
             ("--pixels", self.pixels),
