@@ -6,20 +6,23 @@ use crate::screen::say;
 use clap::{Args, Subcommand, ValueEnum};
 use serde_json::json;
 use std::path::{Path, PathBuf};
+use tomolith::columns::{Columns, read_pairs};
+use tomolith::error::above_zero;
 use tomolith::exposure::{CALIBRATIONS, Calibration, PrinterSpec};
 use tomolith::grid::PatternGrid;
 use tomolith::job::Job;
 use tomolith::job::export::{calibrate as of_job, draw};
 use tomolith::report::number::significant;
+use tomolith::response::curve::Curve;
 use tomolith::units::concise;
 use tomolith::{Error, Result};
 use tomolith_planning::absorbance::{self, Attenuation, Coefficient, MediumFit};
 use tomolith_planning::discs::{self, Discs};
 use tomolith_planning::gray::{CurveForm, GrayCurve, Polynomial};
-use tomolith_planning::measured::{Columns, csv, curve, read_pairs};
+use tomolith_planning::kinetics;
+use tomolith_planning::measured::csv;
 use tomolith_planning::quantity::{AREAL_DOSE, IRRADIANCE};
 use tomolith_planning::response::{Axes, ResponseFit};
-use tomolith_planning::{kinetics, voxel};
 
 const CALIBRATE: &str = "\
 Examples:
@@ -206,10 +209,10 @@ pub(crate) fn calibrate(given: &CalibrateArguments) -> Result<()> {
 }
 
 fn gray(given: &GrayArguments) -> Result<()> {
-    voxel::above_zero("--top", Some(given.top))?;
+    above_zero("--top", given.top)?;
     let path = &given.measured.table;
-    let table =
-        curve(&read_pairs(path, "gray value and irradiance")?).map_err(|e| in_file(e, path))?;
+    let table = Curve::of_pairs(&read_pairs(path, "gray value and irradiance")?)
+        .map_err(|e| in_file(e, path))?;
     let form = match given.form {
         GrayForm::Monotone => CurveForm::Monotone,
         GrayForm::Line => CurveForm::Line,
@@ -340,7 +343,7 @@ fn of_times(given: &KineticsArguments) -> Result<()> {
     let path = &given.measured.table;
     let at = given.at.as_ref();
     let at = at.map(|text| IRRADIANCE.parse("--at", text)).transpose()?;
-    let table = curve(&read_pairs(path, "irradiance (mW/cm²) and time (s)")?)
+    let table = Curve::of_pairs(&read_pairs(path, "irradiance (mW/cm²) and time (s)")?)
         .map_err(|e| in_file(e, path))?;
     let fit = kinetics::fit(&table).map_err(|e| in_file(e, path))?;
     let resin = &fit.kinetics;
@@ -554,7 +557,7 @@ const POOR_FIT: f64 = 0.25;
 const DEEPEST_MM: f64 = 300.0;
 
 fn dose(given: &DoseArguments) -> Result<()> {
-    voxel::above_zero("--penetration-mm", given.penetration_mm)?;
+    above_zero("--penetration-mm", given.penetration_mm.unwrap_or(1.0))?;
     let path = &given.measured.table;
     let fit = discs::fit(path).map_err(|e| in_file(e, path))?;
     let mut answer = Answer::default();

@@ -279,8 +279,8 @@ fn labels(given: &MetricsArguments, target: &Volume<f32>) -> Result<Volume<u8>> 
                 }
             },
         };
-        let inside = grid.x(i % nx).hypot(grid.y(i / nx % ny)) < radius;
-        Ok(if inside { label } else { OUTSIDE })
+        let [x, y, _] = grid.middle(i);
+        Ok(if x.hypot(y) < radius { label } else { OUTSIDE })
     };
     Ok(Volume::new(
         grid.clone(),

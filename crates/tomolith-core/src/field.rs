@@ -340,6 +340,14 @@ impl HostField {
         }
     }
 
+    /// What blocks of this rank's elements found, block after block, summed over all ranks.
+    fn totals<const N: usize>(&self, blocks: &[[f64; N]]) -> [f64; N] {
+        let add = |sums: [f64; N], block: &[f64; N]| std::array::from_fn(|i| sums[i] + block[i]);
+        let mut sums = blocks.iter().fold([0.0; N], add);
+        self.add_up(&mut sums);
+        sums
+    }
+
     /// The largest of all ranks of a number that each has, where this field is one rank's share; else the number.
     #[must_use]
     pub fn largest(&self, own: f32) -> f32 {
@@ -505,7 +513,7 @@ impl Field for HostField {
     }
 
     fn project_step(&mut self, x: &Self, gradient: &Self, t: f32, bounds: &Bounds) -> StepSums {
-        let sums: Vec<StepSums> = bounds
+        let sums: Vec<[f64; 2]> = bounds
             .split_mut(self.as_mut_slice())
             .into_iter()
             .zip(bounds.split(x.as_slice()))
@@ -515,16 +523,9 @@ impl Field for HostField {
                 for ((step, x), gradient) in step.iter_mut().zip(x).zip(gradient) {
                     *step = clamp(x - t * gradient, b.lower, b.upper) - x;
                 }
-                StepSums {
-                    slope: dot_block(gradient, step),
-                    square: dot_block(step, step),
-                }
+                [dot_block(gradient, step), dot_block(step, step)]
             });
-        let mut all = sums.iter().fold([0.0; 2], |[slope, square], sums| {
-            [slope + sums.slope, square + sums.square]
-        });
-        self.add_up(&mut all);
-        let [slope, square] = all;
+        let [slope, square] = self.totals(&sums);
         StepSums { slope, square }
     }
 
@@ -564,13 +565,13 @@ impl Field for HostField {
     fn secant(&self, before: &Self, after: &Self) -> Secant {
         assert_eq!(self.len, before.len, "fields of different length");
         assert_eq!(self.len, after.len, "fields of different length");
-        let sums: Vec<Secant> = self
+        let sums: Vec<[f64; 3]> = self
             .as_slice()
             .chunks(BLOCK)
             .zip(before.as_slice().chunks(BLOCK))
             .zip(after.as_slice().chunks(BLOCK))
             .par_map(|((step, before), after)| {
-                let mut sums = Secant::default();
+                let [mut pp, mut py, mut yy] = [0.0; 3];
                 for ((&p, &before), &after) in step.iter().zip(before).zip(after) {
                     let y = if p == 0.0 {
                         0.0
@@ -578,17 +579,13 @@ impl Field for HostField {
                         f64::from(after) - f64::from(before)
                     };
                     let p = f64::from(p);
-                    sums.pp += p * p;
-                    sums.py += p * y;
-                    sums.yy += y * y;
+                    pp += p * p;
+                    py += p * y;
+                    yy += y * y;
                 }
-                sums
+                [pp, py, yy]
             });
-        let mut all = sums.iter().fold([0.0; 3], |[pp, py, yy], sums| {
-            [pp + sums.pp, py + sums.py, yy + sums.yy]
-        });
-        self.add_up(&mut all);
-        let [pp, py, yy] = all;
+        let [pp, py, yy] = self.totals(&sums);
         Secant { pp, py, yy }
     }
 

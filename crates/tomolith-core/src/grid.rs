@@ -80,6 +80,17 @@ impl VolumeGrid {
         self.center_mm[2] + sample(iz, self.shape[0], self.height_mm)
     }
 
+    /// Center `[x, y, z]` of the voxel at a position in an array, mm.
+    #[must_use]
+    pub fn middle(&self, index: usize) -> [f64; 3] {
+        let [_, ny, nx] = self.shape;
+        [
+            self.x(index % nx),
+            self.y(index / nx % ny),
+            self.z(index / (nx * ny)),
+        ]
+    }
+
     /// Position of `[iz, iy, ix]` in an array.
     #[must_use]
     pub fn index(&self, iz: usize, iy: usize, ix: usize) -> usize {
@@ -146,6 +157,12 @@ impl<T> Volume<T> {
     /// These values, x fastest, z slowest.
     #[must_use]
     pub fn new(grid: VolumeGrid, values: Vec<T>) -> Self {
+        Volume { grid, values }
+    }
+
+    /// The value of each voxel from its center `[x, y, z]`, mm.
+    pub fn from_fn(grid: VolumeGrid, value: impl FnMut([f64; 3]) -> T) -> Self {
+        let values = (0..grid.len()).map(|i| grid.middle(i)).map(value).collect();
         Volume { grid, values }
     }
 

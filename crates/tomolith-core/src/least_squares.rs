@@ -117,7 +117,8 @@ fn normal(
 }
 
 /// A small system of equations, by elimination with the largest pivot; not finite where it has no one solution.
-fn solve(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
+#[must_use]
+pub fn solve(mut a: Vec<Vec<f64>>, mut b: Vec<f64>) -> Vec<f64> {
     let n = b.len();
     for i in 0..n {
         let pivot = (i..n)

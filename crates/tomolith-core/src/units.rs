@@ -40,6 +40,26 @@ pub fn concise(value: f64) -> String {
     exact(format!("{value:.5e}").parse().unwrap_or(value) + 0.0)
 }
 
+/// The number at the beginning of a text, None where there is none, and the unit behind it.
+///
+/// ```
+/// use tomolith_core::units::number_and_unit;
+/// assert_eq!(number_and_unit("1e3 m"), (Some(1000.0), "m"));
+/// assert_eq!(number_and_unit("1em"), (Some(1.0), "em")); // the e of an exponent has a number behind it
+/// ```
+#[must_use]
+pub fn number_and_unit(text: &str) -> (Option<f64>, &str) {
+    let is_exponent = |i: usize, c: char| {
+        let behind = |n: char| n.is_ascii_digit() || n == '-' || n == '+';
+        matches!(c, 'e' | 'E') && text[i + 1..].starts_with(behind)
+    };
+    let unit = text
+        .char_indices()
+        .find(|&(i, c)| c.is_alphabetic() && !is_exponent(i, c));
+    let (number, unit) = text.split_at(unit.map_or(text.len(), |(i, _)| i));
+    (number.trim().parse().ok(), unit.trim())
+}
+
 /// A length in millimeters: a finite number, or a string such as `"8 mm"`, `"13.7 um"`, `"0.8 cm"`, `"405 nm"`.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd, Default, Serialize)]
 #[serde(transparent)]
@@ -55,15 +75,10 @@ impl fmt::Display for Mm {
 impl Mm {
     fn parse(text: &str) -> Result<Self, String> {
         let text = text.trim();
-        let split = text
-            .find(|c: char| c.is_alphabetic() && c != 'e' && c != 'E')
-            .unwrap_or(text.len());
-        let (number, unit) = text.split_at(split);
-        let value: f64 = number
-            .trim()
-            .parse()
-            .map_err(|_| format!("`{text}` is not a length; accepted: a number in mm, or \"8 mm\", \"13.7 um\", \"0.8 cm\""))?;
-        let factor = match unit.trim() {
+        let (number, unit) = number_and_unit(text);
+        let value = number
+            .ok_or_else(|| format!("`{text}` is not a length; accepted: a number in mm, or \"8 mm\", \"13.7 um\", \"0.8 cm\""))?;
+        let factor = match unit {
             "" | "mm" => 1.0,
             "um" | "µm" | "μm" => 1e-3,
             "nm" => 1e-6,

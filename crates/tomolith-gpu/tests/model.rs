@@ -310,18 +310,13 @@ fn dose_and_adjoint_on_the_card_are_one_matrix() {
 fn solved<F: Field>(model: &dyn DoseModel<Field = F>) -> (Vec<f32>, Vec<f64>) {
     let grid = model.grid().clone();
     let half = 0.5 * grid.pitch_mm * grid.shape[1] as f64;
-    let ring = |[x, y]: [f64; 2]| {
+    let ring = |[x, y, _]: [f64; 3]| {
         let from_middle = (x.hypot(y) / half - 0.5).abs();
         (1.5 - from_middle / 0.1).clamp(0.0, 1.0) as f32
     };
-    let mut inside = Volume::filled(grid.clone(), 0.0f32);
-    let [_, ny, nx] = grid.shape;
-    for (i, value) in inside.values.iter_mut().enumerate() {
-        *value = ring([grid.x(i % nx), grid.y(i / nx % ny)]);
-    }
     let target = Target {
         name: "ring".to_owned(),
-        inside,
+        inside: Volume::from_fn(grid, ring),
         gray: false,
     };
     let labels = label_voxels(&target, |[x, y, _]| x.hypot(y) < 0.8 * half);

@@ -318,17 +318,13 @@ mod tests {
     use ndarray::{Array3, ShapeBuilder};
     use ndarray_npy::{NpzReader, NpzWriter};
     use std::fs::File;
+    use tomolith_core::check::noise;
     use tomolith_core::grid::{PatternGrid, VolumeGrid};
 
     fn random_patterns(seed: u64, frames: usize) -> Patterns {
         let mut patterns = Patterns::dark(PatternGrid::full_turn(frames, 0.0, 4, 5, 0.1));
-        let mut state = seed;
-        for value in &mut patterns.values {
-            state = state
-                .wrapping_mul(6_364_136_223_846_793_005)
-                .wrapping_add(1);
-            *value = (state >> 40) as f32 * 1e-7;
-        }
+        let light = noise(seed, patterns.values.len()).into_iter();
+        patterns.values = light.map(f32::abs).collect();
         patterns
     }
 

@@ -178,26 +178,16 @@ impl Coarse {
 mod tests {
     use super::*;
     use tomolith_core::check::noise;
+    use tomolith_core::grid::Volume;
 
     #[test]
     fn a_dose_that_is_linear_in_space_is_interpolated_exactly_and_gather_is_the_transpose() {
         let grid = VolumeGrid::centered([9, 11, 14], 0.1);
         let fine = DoseLayout::new("dose", grid, 0);
         let coarse = Coarse::new(&fine, 4);
-        let linear = |x: f64, y: f64, z: f64| (1.0 + 2.0 * x - 3.0 * y + 0.5 * z) as f32;
-        let fill = |layout: &DoseLayout| {
-            let mut values = vec![0.0; layout.len()];
-            let [nz, ny, nx] = layout.grid.shape;
-            for iz in 0..nz {
-                for iy in 0..ny {
-                    for ix in 0..nx {
-                        let g = &layout.grid;
-                        values[layout.index(iz, iy, ix)] = linear(g.x(ix), g.y(iy), g.z(iz));
-                    }
-                }
-            }
-            values
-        };
+        let linear = |[x, y, z]: [f64; 3]| (1.0 + 2.0 * x - 3.0 * y + 0.5 * z) as f32;
+        let fill =
+            |layout: &DoseLayout| layout.field_of(&Volume::from_fn(layout.grid.clone(), linear));
         let (cells, expected) = (fill(&coarse.layout), fill(&fine));
         let mut found = vec![0.0; fine.len()];
         coarse.spread(&cells, &mut found);

@@ -9,7 +9,7 @@
 //! singular at L = 0, where it is set to 0; p < 1 as in [`band`](super::band). **Cost** one pass; a power other than 1 and 2
 //! costs a `powf` per voxel outside its band.
 
-use super::preset::{AroundTarget, Preset, SurfaceHandling, not_negative, positive};
+use super::preset::{BandPreset, SurfaceHandling, not_negative, positive};
 use super::{BuildObjective, read};
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
@@ -33,31 +33,19 @@ tomolith_core::keys! {
     }
 }
 
-impl Preset for Params {
-    type Bands = AroundTarget;
-
-    #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
-    fn bands(&self) -> Result<AroundTarget> {
-        not_negative("epsilon", self.epsilon)?;
-        positive("p", self.p)?;
-        positive("q", self.q)?;
-        not_negative("part_weight", self.part_weight)?;
-        not_negative("void_weight", self.void_weight)?;
-        Ok(AroundTarget {
-            half_width: self.epsilon as f32,
-            part_weight: self.part_weight as f32,
-            void_weight: self.void_weight as f32,
-            p: self.p,
-            q: self.q,
-        })
-    }
-    fn surface(&self) -> SurfaceHandling {
-        self.surface
-    }
-
-    fn epsilon(&self) -> Option<f64> {
-        Some(self.epsilon)
-    }
+#[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
+fn preset(params: &Params) -> Result<BandPreset> {
+    let Params { epsilon, p, q, .. } = *params;
+    not_negative("epsilon", epsilon)?;
+    positive("p", p)?;
+    positive("q", q)?;
+    not_negative("part_weight", params.part_weight)?;
+    not_negative("void_weight", params.void_weight)?;
+    let weights = [params.part_weight as f32, params.void_weight as f32];
+    Ok(BandPreset {
+        epsilon: Some(epsilon),
+        ..BandPreset::around_target(epsilon as f32, weights, [p, q], params.surface)
+    })
 }
 
 /// The row of the table.
@@ -68,6 +56,6 @@ pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
         summary: "band-constrained Lp norm: the target plus or minus epsilon",
         example: "[objective.bclp]\nepsilon = 0.05\np = 2\nq = 1",
         schema: schema_of::<Params>,
-        build: read::<F, Params>,
+        build: |section| read(section, preset),
     }
 }

@@ -8,7 +8,7 @@
 //! **Parameters** those of [`l1`](super::least::Params). **Limits** not convex through a sigmoid. **Cost** one pass; the
 //! response costs about 2 ns per voxel.
 
-use super::least::{Params, ToPower};
+use super::least::{Params, to_power};
 use super::{BuildObjective, read};
 use tomolith_core::field::Field;
 use tomolith_core::kind::{Kind, schema_of};
@@ -21,6 +21,6 @@ pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
         summary: "DM: the response (use [response.logistic]) equals the target, in absolute deviation",
         example: "[objective.dose_matching]",
         schema: schema_of::<Params>,
-        build: read::<F, ToPower<1>>,
+        build: |section| read(section, |params| to_power(1.0, params)),
     }
 }

@@ -9,9 +9,8 @@
 //! do not like. **Cost** the label pass of [`band`](super::band); 12 bytes per voxel more for a gray target.
 //! **Check** doses 1, 2, 3, 4 with the first two part: 0 + 1 + 9 + 16 = 26.
 
-use super::preset::{AroundTarget, Preset, SurfaceHandling, not_negative};
+use super::preset::{BandPreset, SurfaceHandling, not_negative};
 use super::{BuildObjective, read};
-use serde::Deserialize;
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
 use tomolith_core::kind::{Kind, schema_of};
@@ -28,35 +27,19 @@ tomolith_core::keys! {
     }
 }
 
-/// Bands of width 0 to a power: what each of the rows reads.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(transparent)]
-pub(super) struct ToPower<const POWER: u8>(Params);
-
-impl<const POWER: u8> Preset for ToPower<POWER> {
-    type Bands = AroundTarget;
-
-    #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
-    fn bands(&self) -> Result<AroundTarget> {
-        let Params {
-            part_weight,
-            void_weight,
-            ..
-        } = self.0;
-        not_negative("part_weight", part_weight)?;
-        not_negative("void_weight", void_weight)?;
-        Ok(AroundTarget {
-            half_width: 0.0,
-            part_weight: part_weight as f32,
-            void_weight: void_weight as f32,
-            p: f64::from(POWER),
-            q: f64::from(POWER),
-        })
-    }
-
-    fn surface(&self) -> SurfaceHandling {
-        self.0.surface
-    }
+/// Bands of width 0 to a power.
+#[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
+pub(super) fn to_power(power: f64, params: &Params) -> Result<BandPreset> {
+    let (part, void) = (params.part_weight, params.void_weight);
+    not_negative("part_weight", part)?;
+    not_negative("void_weight", void)?;
+    let weights = [part as f32, void as f32];
+    Ok(BandPreset::around_target(
+        0.0,
+        weights,
+        [power; 2],
+        params.surface,
+    ))
 }
 
 /// The row of least squares.
@@ -67,7 +50,7 @@ pub const fn l2<F: Field>() -> Kind<BuildObjective<F>> {
         summary: "least squares: part to 1, void to 0, or gray values as they are",
         example: "[objective.l2]",
         schema: schema_of::<Params>,
-        build: read::<F, ToPower<2>>,
+        build: |section| read(section, |params| to_power(2.0, params)),
     }
 }
 
@@ -79,6 +62,6 @@ pub const fn l1<F: Field>() -> Kind<BuildObjective<F>> {
         summary: "least absolute deviation: part to 1, void to 0, or gray values as they are",
         example: "[objective.l1]",
         schema: schema_of::<Params>,
-        build: read::<F, ToPower<1>>,
+        build: |section| read(section, |params| to_power(1.0, params)),
     }
 }

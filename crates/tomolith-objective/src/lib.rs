@@ -110,13 +110,8 @@ pub struct ObjectiveInput<'a> {
     pub response: Arc<dyn Response>,
 }
 
-/// An objective with its parameters, before it knows a target.
+/// An objective with its parameters in their ranges, before it knows a target.
 pub trait MakeObjective<F: Field = HostField>: Debug + Send + Sync {
-    /// Refuses parameters out of range, as a row does when it [reads](BuildObjective) them.
-    ///
-    /// # Errors
-    /// [`Error::Config`] with the key of the parameter.
-    fn check(&self) -> Result<()>;
     /// The objective for a target.
     ///
     /// # Errors
@@ -151,17 +146,16 @@ pub enum Chosen {
     Exponent(f64),
 }
 
-/// Reads the parameters of an objective from its section.
+/// Reads the parameters of an objective from its section; refuses those out of range.
 pub type BuildObjective<F = HostField> = Read<Arc<dyn MakeObjective<F>>>;
 
-/// The `build` of a row whose parameters are P.
-fn read<F: Field, P>(section: &Section) -> Result<Arc<dyn MakeObjective<F>>>
-where
-    P: MakeObjective<F> + DeserializeOwned + 'static,
-{
-    let params: P = section.parse()?;
-    params.check().map_err(|e| e.under(&section.path))?;
-    Ok(Arc::new(params))
+/// The `build` of a row: reads its parameters P and makes an objective of those in their ranges.
+fn read<F: Field, P: DeserializeOwned, M: MakeObjective<F> + 'static>(
+    section: &Section,
+    make: impl FnOnce(&P) -> Result<M>,
+) -> Result<Arc<dyn MakeObjective<F>>> {
+    let made = make(&section.parse()?).map_err(|e| e.under(&section.path))?;
+    Ok(Arc::new(made))
 }
 
 /// Every objective, for doses in host memory.
@@ -191,6 +185,7 @@ pub const fn objectives<F: Field>() -> &'static [Kind<BuildObjective<F>>] {
 mod tests {
     use super::*;
     use crate::check;
+    use serde_json::{Value, json};
     use tomolith_core::check::example;
     use tomolith_core::check::small::SmallModel;
     use tomolith_core::dose::cells::Cells;
@@ -215,6 +210,11 @@ mod tests {
 
     fn row(name: &str) -> &'static Kind<BuildObjective> {
         OBJECTIVES.iter().find(|row| row.name == name).unwrap()
+    }
+
+    fn made(name: &str, json: Value, input: &ObjectiveInput) -> Box<dyn Objective<HostField>> {
+        let objective = (row(name).build)(&Section::new("objective", json)).unwrap();
+        objective.make(input).unwrap()
     }
 
     /// A dose between −0.2 and 1.4.
@@ -269,7 +269,6 @@ mod tests {
     #[test]
     fn every_row_takes_another_response() {
         let model = SmallModel::new(18, 2, 21);
-        let (target, labels) = model.ring();
         let dose = some_dose(model.layout());
         let [own, other]: [Arc<dyn Response>; 2] = [
             Arc::new(Identity),
@@ -277,8 +276,8 @@ mod tests {
         ];
         for row in OBJECTIVES {
             let make = |response: &Arc<dyn Response>| {
-                let input = input(model.layout(), &labels, &target, Arc::clone(response));
-                let made = (row.build)(&example(row)).unwrap().make(&input).unwrap();
+                let parameters = (row.name, example(row).value);
+                let made = check::of_ring(&model, parameters, Arc::clone(response));
                 Sum::new(vec![(2.0, made)]).unwrap()
             };
             let mut changed = make(&own);
@@ -297,16 +296,12 @@ mod tests {
     #[test]
     fn every_power_passes_the_check() {
         let model = SmallModel::new(18, 2, 21);
-        let (target, labels) = model.ring();
         let dose = some_dose(model.layout());
-        let input = input(model.layout(), &labels, &target, Arc::new(Identity));
         for p in [0.5, 1.0, 1.5, 2.0, 3.0, 8.0] {
             for q in [0.5, 1.0, 2.0, 5.0] {
-                let json = serde_json::json!({"p": p, "q": q, "epsilon": 0.1, "part_weight": 2.0, "void_weight": 0.5});
-                let objective = (row("bclp").build)(&Section::new("objective.bclp", json))
-                    .unwrap()
-                    .make(&input)
-                    .unwrap();
+                let json =
+                    json!({"p": p, "q": q, "epsilon": 0.1, "part_weight": 2.0, "void_weight": 0.5});
+                let objective = check::of_ring(&model, ("bclp", json), Arc::new(Identity));
                 check::objective(&*objective, &dose)
                     .unwrap_or_else(|e| panic!("p = {p}, q = {q}: {e}"));
             }
@@ -339,34 +334,29 @@ mod tests {
         }
     }
 
-    /// One row of voxels with given labels, and a loss with its gradient, in array order.
-    fn loss_of(kind: &str, json: serde_json::Value, part: &[f32], dose: &[f32]) -> (f64, Vec<f32>) {
-        let grid = VolumeGrid::centered([1, 1, part.len()], 1.0);
-        let layout = DoseLayout::new("dose", grid.clone(), 0);
+    /// The loss of a dose field on one row of voxels with these inside shares, and its gradient. A field that is longer than the row has
+    /// cells: first the doses outside, then those inside.
+    fn loss_of(kind: &str, json: Value, inside: &[f32], field: &[f32]) -> (f64, Vec<f32>) {
+        let grid = VolumeGrid::centered([1, 1, inside.len()], 1.0);
+        let mut layout = DoseLayout::new("dose", grid.clone(), 0);
         let target = Target {
             name: "row".into(),
-            inside: Volume::new(grid.clone(), part.to_vec()),
+            inside: Volume::new(grid, inside.to_vec()),
             gray: false,
         };
+        if field.len() > inside.len() {
+            let cells = Cells::new(&layout, &target.inside);
+            layout = layout.with_cells(Arc::new(cells));
+        }
         let labels = tomolith_core::target::label_voxels(&target, |_| true);
         let input = input(&layout, &labels, &target, Arc::new(Identity));
-        let objective = (row(kind).build)(&Section::new("objective", json))
-            .unwrap()
-            .make(&input)
-            .unwrap();
-        let dose = HostField::from_slice(&layout.field_of(&Volume::new(grid, dose.to_vec())));
+        let dose = HostField::from_slice(field);
         let mut gradient = dose.zeros_like();
-        let loss = objective.value_and_gradient(&dose, &mut gradient);
-        (loss, layout.volume_of(gradient.as_slice()).values)
+        let loss = made(kind, json, &input).value_and_gradient(&dose, &mut gradient);
+        (loss, gradient.as_slice().to_vec())
     }
 
-    fn assert_loss(
-        kind: &str,
-        json: serde_json::Value,
-        dose: [f32; 4],
-        loss: f64,
-        gradient: [f32; 4],
-    ) {
+    fn assert_loss(kind: &str, json: Value, dose: [f32; 4], loss: f64, gradient: [f32; 4]) {
         let (found, slopes) = loss_of(kind, json, &[1.0, 1.0, 0.0, 0.0], &dose);
         near!(found, loss, 1e-6, "{kind}");
         for (found, expected) in slopes.iter().zip(gradient) {
@@ -379,7 +369,7 @@ mod tests {
 
     #[test]
     fn published_values_of_threshold_and_least_squares() {
-        let threshold = |lower: f64, upper: f64, exponent: f64| serde_json::json!({"lower": lower, "upper": upper, "exponent": exponent});
+        let threshold = |lower: f64, upper: f64, exponent: f64| json!({"lower": lower, "upper": upper, "exponent": exponent});
         let dose = [0.5, 0.97, 0.92, 0.5];
         assert_loss(
             "threshold",
@@ -423,33 +413,33 @@ mod tests {
         }
         assert_loss(
             "l2",
-            serde_json::json!({}),
+            json!({}),
             [1.0, 2.0, 3.0, 4.0],
             26.0,
             [0.0, 2.0, 6.0, 8.0],
         );
         assert_loss(
             "l1",
-            serde_json::json!({}),
+            json!({}),
             [1.0, 2.0, 3.0, 4.0],
             8.0,
             [0.0, 1.0, 1.0, 1.0],
         );
         assert_loss(
             "osmo",
-            serde_json::json!({"d_h": 0.9, "d_l": 0.85}),
+            json!({"d_h": 0.9, "d_l": 0.85}),
             [0.5, 2.0, 0.95, 0.5],
             0.16 + 0.01,
             [-0.8, 0.0, 0.2, 0.0],
         );
         assert_loss(
             "pm",
-            serde_json::json!({"d_h": 0.8, "d_l": 0.7, "rho_1": 3.0}),
+            json!({"d_h": 0.8, "d_l": 0.7, "rho_1": 3.0}),
             [0.5, 2.0, 0.9, 0.5],
             0.9 + 0.2,
             [-3.0, 0.0, 1.0, 0.0],
         );
-        let window = |w: f64| serde_json::json!({"lower": 0.7, "upper": 0.9, "w": w});
+        let window = |w: f64| json!({"lower": 0.7, "upper": 0.9, "w": w});
         assert_loss(
             "ospw",
             window(0.0),
@@ -464,7 +454,7 @@ mod tests {
             0.16 + 0.04,
             [-0.8, 0.0, 0.4, 0.0],
         );
-        let both = serde_json::json!({"lower": 0.7, "upper": 0.9});
+        let both = json!({"lower": 0.7, "upper": 0.9});
         assert_loss(
             "osp",
             both.clone(),
@@ -484,7 +474,7 @@ mod tests {
         let slope = |e: f64| (e / norm) as f32;
         assert_loss(
             "bclp",
-            serde_json::json!({"epsilon": 0.1}),
+            json!({"epsilon": 0.1}),
             [0.55, 1.05, 0.15, 0.0],
             norm,
             [-slope(0.35), 0.0, slope(0.05), 0.0],
@@ -494,70 +484,37 @@ mod tests {
     #[test]
     fn published_value_of_a_surface_fraction() {
         // s = 0.8 inside at dose 0.2, 0.2 outside: 0.8·0.75² + 0.2·0 with thresholds 0.9 and 0.95
-        let json = serde_json::json!({"lower": 0.9, "upper": 0.95, "surface": "fraction"});
+        let json = json!({"lower": 0.9, "upper": 0.95, "surface": "fraction"});
         let (loss, gradient) = loss_of("threshold", json, &[0.8], &[0.2]);
         assert!((loss - 0.8 * 0.75f64.powi(2)).abs() < 1e-6);
         assert!((gradient[0] + 0.8 * 1.5).abs() < 1e-6);
     }
 
-    /// Voxels of these inside shares with doses [inside, outside]: the loss, and its gradients likewise.
-    fn loss_of_cells(
-        kind: &str,
-        json: serde_json::Value,
-        inside: &[f32],
-        doses: &[[f32; 2]],
-    ) -> (f64, Vec<[f32; 2]>) {
-        let grid = VolumeGrid::centered([1, 1, inside.len()], 1.0);
-        let layout = DoseLayout::new("dose", grid.clone(), 0);
-        let target = Target {
-            name: "row".into(),
-            inside: Volume::new(grid, inside.to_vec()),
-            gray: false,
-        };
-        let cells = Cells::new(&layout, &target.inside);
-        let layout = layout.with_cells(Arc::new(cells));
-        let labels = tomolith_core::target::label_voxels(&target, |_| true);
-        let input = input(&layout, &labels, &target, Arc::new(Identity));
-        let objective = (row(kind).build)(&Section::new("objective", json))
-            .unwrap()
-            .make(&input)
-            .unwrap();
-        let field = [1, 0].map(|i| doses.iter().map(move |d| d[i]));
-        let field: Vec<f32> = field.into_iter().flatten().collect();
-        let dose = HostField::from_slice(&field);
-        let mut gradient = dose.zeros_like();
-        let loss = objective.value_and_gradient(&dose, &mut gradient);
-        let (outside, inside) = gradient.as_slice().split_at(doses.len());
-        let pairs = inside.iter().zip(outside).map(|(&i, &o)| [i, o]);
-        (loss, pairs.collect())
-    }
-
     #[test]
     fn published_values_of_surface_aware_cells() {
         // Inside volumes 0.2 and 2, outside 0.8 and 2: shares 0.2 and 0.5
-        let threshold = serde_json::json!({"lower": 0.9, "upper": 0.95, "surface": "cells"});
-        let doses = [[0.2, 0.1], [0.96, 0.92]];
+        let threshold = json!({"lower": 0.9, "upper": 0.95, "surface": "cells"});
         for (kind, json, inside, doses, loss, gradient) in [
             (
                 "threshold",
                 threshold,
                 &[0.2, 0.5][..],
-                &doses[..],
+                &[0.1, 0.92, 0.2, 0.96][..],
                 0.2 * 0.75 * 0.75 + 0.5 * 0.02 * 0.02,
-                vec![[-0.3, 0.0], [0.0, 0.02]],
+                &[0.0, 0.02, -0.3, 0.0][..],
             ),
             (
                 "l2",
-                serde_json::json!({"surface": "cells"}),
-                &[0.2][..],
-                &[[0.4, 0.3]][..],
+                json!({"surface": "cells"}),
+                &[0.2],
+                &[0.3, 0.4],
                 0.144,
-                vec![[-0.24, 0.48]],
+                &[0.48, -0.24],
             ),
         ] {
-            let (found, slopes) = loss_of_cells(kind, json, inside, doses);
+            let (found, slopes) = loss_of(kind, json, inside, doses);
             assert!((found - loss).abs() < 1e-6, "{kind}: {found}");
-            for (a, b) in slopes.iter().flatten().zip(gradient.iter().flatten()) {
+            for (a, b) in slopes.iter().zip(gradient) {
                 assert!((a - b).abs() < 1e-6, "{kind}: {slopes:?}");
             }
         }
@@ -574,7 +531,7 @@ mod tests {
             .with_cells(Arc::new(Cells::new(&plain, &halves)));
         for (layout, surface) in [(&plain, "cells"), (&cut, "voxel"), (&cut, "fraction")] {
             let input = input(layout, &labels, &target, Arc::new(Identity));
-            let section = Section::new("objective", serde_json::json!({ "surface": surface }));
+            let section = Section::new("objective", json!({ "surface": surface }));
             let Err(Error::Unsupported { what, .. }) =
                 (row("threshold").build)(&section).unwrap().make(&input)
             else {
@@ -587,7 +544,7 @@ mod tests {
     #[test]
     fn a_loss_of_zero_has_a_gradient_of_zero_whatever_the_powers() {
         for (p, q) in [(2.0, 1.0), (0.5, 0.25), (0.7, 3.0), (1.0, 0.5)] {
-            let json = serde_json::json!({"p": p, "q": q, "epsilon": 0.25});
+            let json = json!({"p": p, "q": q, "epsilon": 0.25});
             let (loss, gradient) = loss_of("bclp", json, &[1.0, 0.0], &[0.75, 0.25]);
             assert_eq!((loss, gradient), (0.0, vec![0.0, 0.0]), "p = {p}, q = {q}");
         }
@@ -606,10 +563,7 @@ mod tests {
         let zero = HostField::zeros(layout.len());
         let build = |labels: &Volume<u8>| {
             let input = input(&layout, labels, &target, Arc::new(Identity));
-            (row("l2").build)(&Section::new("objective.l2", serde_json::json!({})))
-                .unwrap()
-                .make(&input)
-                .unwrap()
+            made("l2", json!({}), &input)
         };
         assert_eq!(build(&labels).value(&zero), 0.0);
         labels.values[5] = label::PART;
@@ -628,32 +582,16 @@ mod tests {
     #[test]
     fn parameters_out_of_range_are_named() {
         for (kind, json, key) in [
-            (
-                "threshold",
-                serde_json::json!({"lower": 0.95, "upper": 0.95}),
-                "lower",
-            ),
-            (
-                "threshold",
-                serde_json::json!({"lower": 0.9, "upper": 1.05}),
-                "ceiling",
-            ),
-            (
-                "threshold",
-                serde_json::json!({"exponent": 0.0}),
-                "exponent",
-            ),
-            (
-                "threshold",
-                serde_json::json!({"void_weight": -1.0}),
-                "void_weight",
-            ),
-            ("threshold", serde_json::json!({"uper": 0.9}), "uper"),
-            ("ospw", serde_json::json!({"w": -0.1}), "w"),
-            ("bclp", serde_json::json!({"p": 0}), "p"),
-            ("bclp", serde_json::json!({"epsilon": -1}), "epsilon"),
-            ("pm", serde_json::json!({"buffer_mm": -1.0}), "buffer_mm"),
-            ("osmo", serde_json::json!({"d_l": 2.0}), "d_l"),
+            ("threshold", json!({"lower": 0.95, "upper": 0.95}), "lower"),
+            ("threshold", json!({"lower": 0.9, "upper": 1.05}), "ceiling"),
+            ("threshold", json!({"exponent": 0.0}), "exponent"),
+            ("threshold", json!({"void_weight": -1.0}), "void_weight"),
+            ("threshold", json!({"uper": 0.9}), "uper"),
+            ("ospw", json!({"w": -0.1}), "w"),
+            ("bclp", json!({"p": 0}), "p"),
+            ("bclp", json!({"epsilon": -1}), "epsilon"),
+            ("pm", json!({"buffer_mm": -1.0}), "buffer_mm"),
+            ("osmo", json!({"d_l": 2.0}), "d_l"),
         ] {
             let path = format!("objective.{kind}");
             let Err(Error::Config { key: found, .. }) =
@@ -685,11 +623,8 @@ mod tests {
         let labels = tomolith_core::target::label_voxels(&target, |_| true);
         let input = input(&layout, &labels, &target, Arc::new(Identity));
         for (buffer, voxels) in [(0.0, 3.0), (0.5, 2.0), (1.0, 1.0)] {
-            let json = serde_json::json!({"d_h": 1.0, "d_l": 0.5, "buffer_mm": buffer});
-            let objective = (row("pm").build)(&Section::new("objective.pm", json))
-                .unwrap()
-                .make(&input)
-                .unwrap();
+            let json = json!({"d_h": 1.0, "d_l": 0.5, "buffer_mm": buffer});
+            let objective = made("pm", json, &input);
             // Every part voxel that counts lacks 1
             assert_eq!(
                 objective.value(&HostField::zeros(layout.len())),
@@ -702,13 +637,9 @@ mod tests {
     #[test]
     fn a_sum_is_the_weighted_sum_and_passes_the_check() {
         let model = SmallModel::new(18, 2, 21);
-        let (target, labels) = model.ring();
-        let input = input(model.layout(), &labels, &target, Arc::new(Identity));
         let build = |name: &str| {
-            (row(name).build)(&example(row(name)))
-                .unwrap()
-                .make(&input)
-                .unwrap()
+            let parameters = (name, example(row(name)).value);
+            check::of_ring(&model, parameters, Arc::new(Identity))
         };
         let sum = Sum::new(vec![(0.5, build("threshold")), (2.0, build("l2"))]).unwrap();
         let dose = some_dose(model.layout());
@@ -720,12 +651,8 @@ mod tests {
     #[test]
     fn the_same_bits_for_any_number_of_threads() {
         let model = SmallModel::new(40, 1, 130);
-        let (target, labels) = model.ring();
-        let input = input(model.layout(), &labels, &target, Arc::new(Identity));
-        let objective = (row("threshold").build)(&example(row("threshold")))
-            .unwrap()
-            .make(&input)
-            .unwrap();
+        let parameters = ("threshold", example(row("threshold")).value);
+        let objective = check::of_ring(&model, parameters, Arc::new(Identity));
         let dose = some_dose(model.layout());
         let losses = [1, 2, 8].map(|threads| {
             tomolith_core::check::on_threads(threads, || objective.value(&dose)).to_bits()

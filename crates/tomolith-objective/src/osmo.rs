@@ -9,7 +9,7 @@
 //! method's normalization by the largest dose is not part of the loss. **Cost** the label pass of [`band`](super::band).
 
 use super::band::Band;
-use super::preset::{PartAndVoid, Preset, SurfaceHandling, below, finite};
+use super::preset::{BandPreset, SurfaceHandling, below, finite};
 use super::{BuildObjective, read};
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
@@ -27,28 +27,17 @@ tomolith_core::keys! {
     }
 }
 
-impl Preset for Params {
-    type Bands = PartAndVoid;
-
-    #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
-    fn bands(&self) -> Result<PartAndVoid> {
-        finite("d_h", self.d_h)?;
-        finite("d_l", self.d_l)?;
-        below("d_l", self.d_l, "d_h", self.d_h)?;
-        Ok(PartAndVoid {
-            part: Band::above(self.d_h as f32),
-            void: Band::below(self.d_l as f32),
-            p: 2.0,
-            q: 2.0,
-        })
-    }
-    fn surface(&self) -> SurfaceHandling {
-        self.surface
-    }
-
-    fn thresholds(&self) -> Option<[f64; 2]> {
-        Some([self.d_l, self.d_h])
-    }
+#[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
+fn preset(params: &Params) -> Result<BandPreset> {
+    let Params { d_h, d_l, surface } = *params;
+    finite("d_h", d_h)?;
+    finite("d_l", d_l)?;
+    below("d_l", d_l, "d_h", d_h)?;
+    let bands = [Band::above(d_h as f32), Band::below(d_l as f32)];
+    Ok(BandPreset {
+        thresholds: Some([d_l, d_h]),
+        ..BandPreset::new(bands, [2.0; 2], surface)
+    })
 }
 
 /// The row of the table.
@@ -59,6 +48,6 @@ pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
         summary: "OSMO's implicit loss: part above D_h, void below D_l, squared",
         example: "[objective.osmo]\nd_h = 0.9\nd_l = 0.85",
         schema: schema_of::<Params>,
-        build: read::<F, Params>,
+        build: |section| read(section, preset),
     }
 }

@@ -14,16 +14,11 @@
 //! **Cost** the label pass of [`band`](super::band); the buffer costs two distance transforms once.
 
 use super::band::Band;
-use super::preset::{
-    BuildBands, PartAndVoid, SurfaceHandling, below, finite, not_negative, positive,
-};
-use super::{BoxedObjective, BuildObjective, MakeObjective, ObjectiveInput, read};
+use super::preset::{BandPreset, SurfaceHandling, below, finite, not_negative, positive};
+use super::{BuildObjective, read};
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
-use tomolith_core::grid::Volume;
 use tomolith_core::kind::{Kind, schema_of};
-use tomolith_core::parallel::elements;
-use tomolith_core::target::label;
 use tomolith_core::units::Mm;
 
 tomolith_core::keys! {
@@ -46,35 +41,23 @@ tomolith_core::keys! {
     }
 }
 
-impl Params {
-    #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
-    fn bands(&self) -> Result<PartAndVoid> {
-        finite("d_h", self.d_h)?;
-        finite("d_l", self.d_l)?;
-        not_negative("rho_1", self.rho_1)?;
-        not_negative("rho_2", self.rho_2)?;
-        positive("p", self.p)?;
-        not_negative("buffer_mm", self.buffer_mm.0)?;
-        below("d_l", self.d_l, "d_h", self.d_h)?;
-        Ok(PartAndVoid {
-            part: Band::above(self.d_h as f32).weighing(self.rho_1 as f32),
-            void: Band::below(self.d_l as f32).weighing(self.rho_2 as f32),
-            p: self.p,
-            q: self.p,
-        })
-    }
-
-    /// The labels, voxels of the buffer as if outside.
-    fn eroded(&self, input: &ObjectiveInput) -> Volume<u8> {
-        let mut labels = input.labels.clone();
-        let buffer = super::buffer::near_the_other_kind(input.target, self.buffer_mm.0);
-        elements(&mut labels.values, |i, l| {
-            if buffer[i] {
-                *l = label::OUTSIDE;
-            }
-        });
-        labels
-    }
+#[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
+fn preset(params: &Params) -> Result<BandPreset> {
+    let Params { d_h, d_l, .. } = *params;
+    finite("d_h", d_h)?;
+    finite("d_l", d_l)?;
+    not_negative("rho_1", params.rho_1)?;
+    not_negative("rho_2", params.rho_2)?;
+    positive("p", params.p)?;
+    not_negative("buffer_mm", params.buffer_mm.0)?;
+    below("d_l", d_l, "d_h", d_h)?;
+    let part = Band::above(d_h as f32).weighing(params.rho_1 as f32);
+    let void = Band::below(d_l as f32).weighing(params.rho_2 as f32);
+    Ok(BandPreset {
+        thresholds: Some([d_l, d_h]),
+        buffer_mm: params.buffer_mm.0,
+        ..BandPreset::new([part, void], [params.p; 2], params.surface)
+    })
 }
 
 /// The row of the table.
@@ -85,29 +68,6 @@ pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
         summary: "penalty minimization: part above d_h, void below d_l, a free buffer at the surface",
         example: "[objective.pm]\nd_h = 0.8\nd_l = 0.7\nbuffer_mm = 0.05",
         schema: schema_of::<Params>,
-        build: read::<F, Params>,
-    }
-}
-
-impl<F: Field> MakeObjective<F> for Params {
-    fn check(&self) -> Result<()> {
-        self.bands().map(drop)
-    }
-
-    fn make(&self, input: &ObjectiveInput) -> BoxedObjective<F> {
-        let bands = self.bands()?;
-        if self.buffer_mm.0 == 0.0 || input.target.gray {
-            bands.build(self.surface, input)
-        } else {
-            bands.build_with_labels(self.surface, input, &self.eroded(input))
-        }
-    }
-
-    fn surface(&self) -> SurfaceHandling {
-        self.surface
-    }
-
-    fn thresholds(&self) -> Option<[f64; 2]> {
-        Some([self.d_l, self.d_h])
+        build: |section| read(section, preset),
     }
 }

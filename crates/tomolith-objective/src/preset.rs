@@ -1,13 +1,14 @@
 //! What the presets share: how part and void become bands.
 
 use super::band::{Band, BandObjective, Bands};
-use super::{BoxedObjective, Chosen, MakeObjective, ObjectiveInput};
+use super::buffer::near_the_other_kind;
+use super::{BoxedObjective, Chosen, MakeObjective, ObjectiveInput, threshold};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::fmt::Debug;
+use std::borrow::Cow;
 use std::sync::Arc;
 use tomolith_core::dose::DoseLayout;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Error, Result, in_range};
 use tomolith_core::field::Field;
 use tomolith_core::grid::Volume;
 use tomolith_core::parallel::{elements, table};
@@ -56,125 +57,156 @@ impl SurfaceHandling {
     }
 }
 
-/// Parameters that are bands and powers, and nothing else: a preset of the band objective.
-pub trait Preset: Debug + Send + Sync + Sized + 'static {
-    /// What they are for a target.
-    type Bands: BuildBands;
-    /// The bands and powers.
-    ///
-    /// # Errors
-    /// [`Error::Config`] with the key of a parameter out of range.
-    fn bands(&self) -> Result<Self::Bands>;
-    /// How voxels that the surface cuts are weighed.
-    fn surface(&self) -> SurfaceHandling;
+/// A preset of the band objective: parameters in their ranges.
+#[derive(Clone, Debug)]
+pub(crate) struct BandPreset {
+    pub(crate) part: Band,
+    pub(crate) void: Band,
+    /// Powers of the distance and of the norm.
+    pub(crate) p: f64,
+    pub(crate) q: f64,
+    pub(crate) surface: SurfaceHandling,
+    /// Half the width of the bands around the values of a gray target; None for a preset that refuses one.
+    pub(crate) gray_half_width: Option<f32>,
+    /// Voxels this near to one of the other kind do not count, mm.
+    pub(crate) buffer_mm: f64,
     /// As [`MakeObjective::thresholds`].
-    fn thresholds(&self) -> Option<[f64; 2]> {
-        None
-    }
+    pub(crate) thresholds: Option<[f64; 2]>,
     /// As [`MakeObjective::epsilon`].
-    fn epsilon(&self) -> Option<f64> {
-        None
-    }
-    /// As [`MakeObjective::with`].
-    fn with(&self, _chosen: Chosen) -> Option<Self> {
-        None
-    }
+    pub(crate) epsilon: Option<f64>,
+    /// Parameters of which the program chooses those that are None.
+    pub(crate) open: Option<threshold::Params>,
 }
 
-/// Bands and powers that a target makes an objective.
-pub trait BuildBands {
-    /// The objective of a target.
-    ///
-    /// # Errors
-    /// [`Error::Unsupported`] for a target or a surface that they do not go with, [`Error::Config`] for bands out of range.
-    fn build<F: Field>(
-        &self,
+impl BandPreset {
+    /// Bands of part and void.
+    pub(crate) fn new([part, void]: [Band; 2], [p, q]: [f64; 2], surface: SurfaceHandling) -> Self {
+        BandPreset {
+            part,
+            void,
+            p,
+            q,
+            surface,
+            gray_half_width: None,
+            buffer_mm: 0.0,
+            thresholds: None,
+            epsilon: None,
+            open: None,
+        }
+    }
+
+    /// Bands around 1 in the part and 0 in the void, or around the values of a gray target.
+    pub(crate) fn around_target(
+        half_width: f32,
+        [of_part, of_void]: [f32; 2],
+        powers: [f64; 2],
         surface: SurfaceHandling,
-        input: &ObjectiveInput,
-    ) -> BoxedObjective<F>;
-}
-
-impl<F: Field, P: Preset> MakeObjective<F> for P {
-    fn check(&self) -> Result<()> {
-        self.bands().map(drop)
+    ) -> Self {
+        let around = |value, weight| Band::new(value - half_width, value + half_width, weight);
+        let bands = [around(1.0, of_part), around(0.0, of_void)];
+        BandPreset {
+            gray_half_width: Some(half_width),
+            ..BandPreset::new(bands, powers, surface)
+        }
     }
 
+    fn part_and_void(&self, input: &ObjectiveInput) -> Result<Bands> {
+        must_be_part_and_void(input)?;
+        self.surface.must_fit(input.layout)?;
+        let labels = if self.buffer_mm > 0.0 {
+            Cow::Owned(without_buffer(input, self.buffer_mm))
+        } else {
+            Cow::Borrowed(input.labels)
+        };
+        if self.surface == SurfaceHandling::Voxel {
+            return Ok(Bands::labels(
+                input.layout.field_of(&labels),
+                &[(label::PART, self.part), (label::VOID, self.void)],
+            ));
+        }
+        let Shares { inside, scale } = Shares::new(self.surface, input, &labels)?;
+        Ok(Bands::Shared {
+            inside,
+            part: self.part,
+            void: self.void,
+            scale,
+            widen: Vec::new(),
+        })
+    }
+
+    fn around_values(&self, half_width: f32, input: &ObjectiveInput) -> Result<Bands> {
+        if self.surface != SurfaceHandling::Voxel {
+            return Err(self.surface.refused(
+                "the target is gray, so its values are not inside fractions; use surface = \"voxel\"",
+            ));
+        }
+        let values = input.layout.field_of(&input.target.inside);
+        let labels = input.layout.field_of(input.labels);
+        let shifted = |by: f32| -> Arc<[f32]> { values.iter().map(|v| v + by).collect() };
+        let lower = shifted(-half_width);
+        let upper = if half_width == 0.0 {
+            lower.clone()
+        } else {
+            shifted(half_width)
+        };
+        let weight = labels.iter().map(|&label| match label {
+            label::PART => self.part.weight,
+            label::VOID => self.void.weight,
+            _ => 0.0,
+        });
+        Ok(Bands::Voxels {
+            lower,
+            upper,
+            weight: weight.collect(),
+        })
+    }
+}
+
+impl<F: Field> MakeObjective<F> for BandPreset {
     fn make(&self, input: &ObjectiveInput) -> BoxedObjective<F> {
-        self.bands()?.build(Preset::surface(self), input)
+        check_shape("labels", &input.labels.grid.shape, input)?;
+        check_shape("target", &input.target.inside.grid.shape, input)?;
+        let bands = match self.gray_half_width {
+            Some(half_width) if input.target.gray => self.around_values(half_width, input)?,
+            _ => self.part_and_void(input)?,
+        };
+        Ok(Box::new(BandObjective::<F>::new(
+            input.layout.range(),
+            bands,
+            self.p,
+            self.q,
+            input.response.clone(),
+        )?))
     }
 
     fn surface(&self) -> SurfaceHandling {
-        Preset::surface(self)
+        self.surface
     }
 
     fn thresholds(&self) -> Option<[f64; 2]> {
-        Preset::thresholds(self)
+        self.thresholds
     }
 
     fn epsilon(&self) -> Option<f64> {
-        Preset::epsilon(self)
+        self.epsilon
     }
 
     fn with(&self, chosen: Chosen) -> Option<Arc<dyn MakeObjective<F>>> {
-        let other = Preset::with(self, chosen)?;
+        let other = self.open.as_ref()?.with(chosen)?;
         Some(Arc::new(other))
     }
 }
 
-/// The powers of a band objective and the bands of part and void.
-#[derive(Clone, Copy, Debug)]
-pub struct PartAndVoid {
-    /// Band of part voxels.
-    pub part: Band,
-    /// Band of void voxels.
-    pub void: Band,
-    /// Power of the distance.
-    pub p: f64,
-    /// Power of the norm.
-    pub q: f64,
-}
-
-impl BuildBands for PartAndVoid {
-    fn build<F: Field>(
-        &self,
-        surface: SurfaceHandling,
-        input: &ObjectiveInput,
-    ) -> BoxedObjective<F> {
-        self.build_with_labels(surface, input, input.labels)
-    }
-}
-
-impl PartAndVoid {
-    /// As [`build`](BuildBands::build), with other labels than the input's.
-    ///
-    /// # Errors
-    /// As [`build`](BuildBands::build).
-    pub fn build_with_labels<F: Field>(
-        &self,
-        surface: SurfaceHandling,
-        input: &ObjectiveInput,
-        labels: &Volume<u8>,
-    ) -> BoxedObjective<F> {
-        check_shape("labels", &labels.grid.shape, input)?;
-        must_be_part_and_void(input)?;
-        surface.must_fit(input.layout)?;
-        let bands = if surface == SurfaceHandling::Voxel {
-            Bands::labels(
-                input.layout.field_of(labels),
-                &[(label::PART, self.part), (label::VOID, self.void)],
-            )
-        } else {
-            let Shares { inside, scale } = Shares::new(surface, input, labels)?;
-            Bands::Shared {
-                inside,
-                part: self.part,
-                void: self.void,
-                scale,
-                widen: Vec::new(),
-            }
-        };
-        finish(bands, self.p, self.q, input)
-    }
+/// The labels, voxels of a buffer at the surface as if outside.
+fn without_buffer(input: &ObjectiveInput, buffer_mm: f64) -> Volume<u8> {
+    let mut labels = input.labels.clone();
+    let buffer = near_the_other_kind(input.target, buffer_mm);
+    elements(&mut labels.values, |i, l| {
+        if buffer[i] {
+            *l = label::OUTSIDE;
+        }
+    });
+    labels
 }
 
 /// Which share of each element of a dose field is part.
@@ -267,85 +299,6 @@ fn must_be_part_and_void(input: &ObjectiveInput) -> Result<()> {
     ))
 }
 
-/// Bands around the target's own values: `[f − half_width, f + half_width]`, part and void weighed apart.
-#[derive(Clone, Copy, Debug)]
-pub struct AroundTarget {
-    /// Half the width of the bands, in units of the response.
-    pub half_width: f32,
-    /// Weight of part voxels.
-    pub part_weight: f32,
-    /// Weight of void voxels.
-    pub void_weight: f32,
-    /// Power of the distance.
-    pub p: f64,
-    /// Power of the norm.
-    pub q: f64,
-}
-
-impl BuildBands for AroundTarget {
-    /// f is 1 in the part and 0 in the void, or the gray values of a gray target.
-    fn build<F: Field>(
-        &self,
-        surface: SurfaceHandling,
-        input: &ObjectiveInput,
-    ) -> BoxedObjective<F> {
-        let around = |value: f32, weight: f32| {
-            Band::new(value - self.half_width, value + self.half_width, weight)
-        };
-        if !input.target.gray {
-            let bands = PartAndVoid {
-                part: around(1.0, self.part_weight),
-                void: around(0.0, self.void_weight),
-                p: self.p,
-                q: self.q,
-            };
-            return bands.build(surface, input);
-        }
-        if surface != SurfaceHandling::Voxel {
-            return Err(surface.refused(
-                "the target is gray, so its values are not inside fractions; use surface = \"voxel\"",
-            ));
-        }
-        check_shape("labels", &input.labels.grid.shape, input)?;
-        finish(self.gray(input), self.p, self.q, input)
-    }
-}
-
-impl AroundTarget {
-    fn gray(&self, input: &ObjectiveInput) -> Bands {
-        let values = input.layout.field_of(&input.target.inside);
-        let labels = input.layout.field_of(input.labels);
-        let shifted = |by: f32| -> Arc<[f32]> { values.iter().map(|v| v + by).collect() };
-        let lower = shifted(-self.half_width);
-        let upper = if self.half_width == 0.0 {
-            lower.clone()
-        } else {
-            shifted(self.half_width)
-        };
-        let weight = labels.iter().map(|&label| match label {
-            label::PART => self.part_weight,
-            label::VOID => self.void_weight,
-            _ => 0.0,
-        });
-        Bands::Voxels {
-            lower,
-            upper,
-            weight: weight.collect(),
-        }
-    }
-}
-
-fn finish<F: Field>(bands: Bands, p: f64, q: f64, input: &ObjectiveInput) -> BoxedObjective<F> {
-    check_shape("target", &input.target.inside.grid.shape, input)?;
-    Ok(Box::new(BandObjective::<F>::new(
-        input.layout.range(),
-        bands,
-        p,
-        q,
-        input.response.clone(),
-    )?))
-}
-
 fn check_shape(what: &str, found: &[usize; 3], input: &ObjectiveInput) -> Result<()> {
     let expected = input.layout.grid.shape;
     if *found == expected {
@@ -368,15 +321,8 @@ const HIGHEST_POWER: f64 = 100.0;
 /// # Errors
 /// [`Error::Config`] naming the key.
 pub(crate) fn finite(key: &str, value: f64) -> Result<()> {
-    if value.abs() <= LARGEST {
-        Ok(())
-    } else {
-        Err(Error::config(
-            key,
-            format!("found {value:?}"),
-            format!("a number from {:e} to {LARGEST:e}", -LARGEST),
-        ))
-    }
+    let accepted = format!("a number from {:e} to {LARGEST:e}", -LARGEST);
+    in_range(value.abs() <= LARGEST, key, value, accepted)
 }
 
 /// Refuses what is no power above 0.
@@ -384,15 +330,8 @@ pub(crate) fn finite(key: &str, value: f64) -> Result<()> {
 /// # Errors
 /// [`Error::Config`] naming the key.
 pub(crate) fn positive(key: &str, value: f64) -> Result<()> {
-    if value > 0.0 && value <= HIGHEST_POWER {
-        Ok(())
-    } else {
-        Err(Error::config(
-            key,
-            format!("found {value:?}"),
-            format!("a number above 0 and at most {HIGHEST_POWER}"),
-        ))
-    }
+    let accepted = format!("a number above 0 and at most {HIGHEST_POWER}");
+    in_range(value > 0.0 && value <= HIGHEST_POWER, key, value, accepted)
 }
 
 /// Refuses what is below 0 or too large for a weight or a width.
@@ -400,15 +339,8 @@ pub(crate) fn positive(key: &str, value: f64) -> Result<()> {
 /// # Errors
 /// [`Error::Config`] naming the key.
 pub(crate) fn not_negative(key: &str, value: f64) -> Result<()> {
-    if (0.0..=LARGEST).contains(&value) {
-        Ok(())
-    } else {
-        Err(Error::config(
-            key,
-            format!("found {value:?}"),
-            format!("a number from 0 to {LARGEST:e}"),
-        ))
-    }
+    let accepted = format!("a number from 0 to {LARGEST:e}");
+    in_range((0.0..=LARGEST).contains(&value), key, value, accepted)
 }
 
 /// Refuses `low` at or above `high`.

@@ -97,7 +97,8 @@ impl Params {
         })
     }
 
-    fn validate(&self) -> Result<()> {
+    /// The same, in their ranges.
+    fn validated(&self) -> Result<Self> {
         let (outliers, ipdr) = (self.outliers(), self.ipdr.unwrap_or(1.0));
         let accepted = "a share above 0 and at most 0.25; 0.02 is two voxels in a hundred";
         let is_in = outliers > 0.0 && outliers <= MOST_OUTLIERS;
@@ -105,7 +106,8 @@ impl Params {
         let accepted = "a dose range above 0 and at most 1";
         in_range(ipdr > 0.0 && ipdr <= 1.0, "ipdr", ipdr, accepted)?;
         let is_in = (0.001..=1.0).contains(&self.softness);
-        in_range(is_in, "softness", self.softness, "a dose from 0.001 to 1")
+        in_range(is_in, "softness", self.softness, "a dose from 0.001 to 1")?;
+        Ok(self.clone())
     }
 }
 
@@ -120,20 +122,16 @@ pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
         summary: "the widest process window itself, up to a share of outliers, within a bound of the dose range in the part",
         example: "[objective.process_window]\noutliers = 0.05\nipdr = 0.3",
         schema: schema_of::<Params>,
-        build: read::<F, Params>,
+        build: |section| read(section, Params::validated),
     }
 }
 
 impl<F: Field> MakeObjective<F> for Params {
-    fn check(&self) -> Result<()> {
-        self.validate()
-    }
-
     fn make(&self, input: &ObjectiveInput) -> BoxedObjective<F> {
-        self.validate()?;
+        let params = self.validated()?;
         let shares = Shares::new(self.surface, input, input.labels)?;
         let (elements, response) = (input.layout.range(), Arc::clone(&input.response));
-        let objective = ProcessWindow::new(elements, shares, self.clone(), response)?;
+        let objective = ProcessWindow::new(elements, shares, params, response)?;
         Ok(Box::new(objective))
     }
 
@@ -849,7 +847,7 @@ mod tests {
                 "softness",
             ),
         ] {
-            let Err(Error::Config { key: found, .. }) = params.validate() else {
+            let Err(Error::Config { key: found, .. }) = params.validated() else {
                 panic!("{key} was taken")
             };
             assert_eq!(found, key);

@@ -139,7 +139,7 @@ impl Objective<HostField> for PerBlock {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{OBJECTIVES, ObjectiveInput, check};
+    use crate::{OBJECTIVES, check};
     use tomolith_core::check::example;
     use tomolith_core::check::small::SmallModel;
     use tomolith_core::response::Identity;
@@ -147,16 +147,10 @@ mod tests {
     #[test]
     fn the_sum_over_species_passes_the_check_and_each_sees_its_own_block() {
         let model = SmallModel::new(12, 2, 7);
-        let (target, labels) = model.ring();
-        let input = ObjectiveInput {
-            layout: model.layout(),
-            labels: &labels,
-            target: &target,
-            response: Arc::new(Identity),
-        };
         let of = |name: &str| {
             let row = OBJECTIVES.iter().find(|row| row.name == name).unwrap();
-            (row.build)(&example(row)).unwrap().make(&input).unwrap()
+            let parameters = (name, example(row).value);
+            check::of_ring(&model, parameters, Arc::new(Identity))
         };
         let first = model.layout().clone();
         let second = DoseLayout {

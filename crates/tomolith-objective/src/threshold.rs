@@ -16,7 +16,7 @@
 //! **Check** doses .5, .97 (part), .92, .5 (void) with lower .9 and upper .95 cost 0.45² + 0.02² = 0.2029.
 
 use super::band::Band;
-use super::preset::{PartAndVoid, Preset, SurfaceHandling, below, finite, not_negative, positive};
+use super::preset::{BandPreset, SurfaceHandling, below, finite, not_negative, positive};
 use super::{BuildObjective, Chosen, read};
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
@@ -50,55 +50,51 @@ pub const UPPER: f64 = 0.9;
 /// The exponent of the publications.
 const PUBLISHED: f64 = 2.0;
 
-impl Preset for Params {
-    type Bands = PartAndVoid;
-
-    #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
-    fn bands(&self) -> Result<PartAndVoid> {
-        let lower = self.lower.unwrap_or(LOWER);
-        let upper = self.upper.unwrap_or(UPPER);
-        finite("lower", lower)?;
-        finite("upper", upper)?;
-        finite("ceiling", self.ceiling)?;
-        let exponent = self.exponent.unwrap_or(PUBLISHED);
-        positive("exponent", exponent)?;
-        not_negative("part_weight", self.part_weight)?;
-        not_negative("void_weight", self.void_weight)?;
-        below("lower", lower, "upper", upper)?;
-        if self.ceiling < upper {
-            return Err(tomolith_core::Error::config(
-                "ceiling",
-                format!(
-                    "ceiling {} is below upper {}",
-                    exact(self.ceiling),
-                    exact(upper)
-                ),
-                "ceiling ≥ upper",
-            ));
-        }
-        Ok(PartAndVoid {
-            part: Band::new(upper as f32, self.ceiling as f32, self.part_weight as f32),
-            void: Band::below(lower as f32).weighing(self.void_weight as f32),
-            p: exponent,
-            q: exponent,
-        })
+#[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
+fn preset(params: &Params) -> Result<BandPreset> {
+    let lower = params.lower.unwrap_or(LOWER);
+    let upper = params.upper.unwrap_or(UPPER);
+    finite("lower", lower)?;
+    finite("upper", upper)?;
+    finite("ceiling", params.ceiling)?;
+    let exponent = params.exponent.unwrap_or(PUBLISHED);
+    positive("exponent", exponent)?;
+    not_negative("part_weight", params.part_weight)?;
+    not_negative("void_weight", params.void_weight)?;
+    below("lower", lower, "upper", upper)?;
+    if params.ceiling < upper {
+        return Err(tomolith_core::Error::config(
+            "ceiling",
+            format!(
+                "ceiling {} is below upper {}",
+                exact(params.ceiling),
+                exact(upper)
+            ),
+            "ceiling ≥ upper",
+        ));
     }
+    let weight = params.part_weight as f32;
+    let part = Band::new(upper as f32, params.ceiling as f32, weight);
+    let void = Band::below(lower as f32).weighing(params.void_weight as f32);
+    Ok(BandPreset {
+        thresholds: Some([lower, upper]),
+        open: Some(params.clone()),
+        ..BandPreset::new([part, void], [exponent; 2], params.surface)
+    })
+}
 
-    fn surface(&self) -> SurfaceHandling {
-        self.surface
-    }
-
-    fn thresholds(&self) -> Option<[f64; 2]> {
-        Some([self.lower.unwrap_or(LOWER), self.upper.unwrap_or(UPPER)])
-    }
-
-    fn with(&self, chosen: Chosen) -> Option<Self> {
+impl Params {
+    /// The preset with a parameter that the program chooses; None where the job names it.
+    pub(super) fn with(&self, chosen: Chosen) -> Option<BandPreset> {
         let mut params = self.clone();
-        let is_named = match chosen {
+        let named = match chosen {
             Chosen::Lower(lower) => params.lower.replace(lower).or(self.upper),
             Chosen::Exponent(exponent) => params.exponent.replace(exponent),
         };
-        is_named.is_none().then_some(params)
+        match named {
+            Some(_) => None,
+            None => preset(&params).ok(),
+        }
     }
 }
 
@@ -113,6 +109,6 @@ pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
         summary: "part between an upper threshold and the ceiling, void below a lower threshold",
         example: "[objective.threshold]\nlower = 0.7\nupper = 0.9",
         schema: schema_of::<Params>,
-        build: read::<F, Params>,
+        build: |section| read(section, preset),
     }
 }

@@ -467,11 +467,10 @@ impl RegionValue {
 
 /// Whether a voxel lies in ranges of the distance from the axis and of the height.
 fn holds([radius_mm, z_mm]: [Option<[Mm; 2]>; 2], grid: &VolumeGrid, i: usize) -> bool {
-    let [_, ny, nx] = grid.shape;
+    let [x, y, z] = grid.middle(i);
     let within =
         |range: Option<[Mm; 2]>, v: f64| range.is_none_or(|[low, high]| v >= low.0 && v <= high.0);
-    within(radius_mm, grid.x(i % nx).hypot(grid.y(i / nx % ny)))
-        && within(z_mm, grid.z(i / (nx * ny)))
+    within(radius_mm, x.hypot(y)) && within(z_mm, z)
 }
 
 /// Refuses a range whose ends are not in order.

@@ -14,9 +14,8 @@
 //! **Parameters** see [`Params`] and [`WindowParams`]. **Cost** the label pass of [`band`](super::band).
 
 use super::band::Band;
-use super::preset::{PartAndVoid, Preset, SurfaceHandling, below, finite, not_negative};
+use super::preset::{BandPreset, SurfaceHandling, below, finite, not_negative};
 use super::{BuildObjective, read};
-use serde::Deserialize;
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
 use tomolith_core::kind::{Kind, schema_of};
@@ -48,44 +47,41 @@ tomolith_core::keys! {
 }
 
 /// Squared distances from the bands of thresholds.
-fn squared(lower: f64, upper: f64, [part, void]: [Band; 2]) -> Result<PartAndVoid> {
+fn squared(thresholds: [f64; 2], bands: [Band; 2], surface: SurfaceHandling) -> Result<BandPreset> {
+    let [lower, upper] = thresholds;
     finite("lower", lower)?;
     finite("upper", upper)?;
     below("lower", lower, "upper", upper)?;
-    Ok(PartAndVoid {
-        part,
-        void,
-        p: 2.0,
-        q: 2.0,
+    Ok(BandPreset {
+        thresholds: Some(thresholds),
+        ..BandPreset::new(bands, [2.0; 2], surface)
     })
 }
 
-/// What the rows of `l2n` and `osp` read.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(transparent)]
-struct Sided<const BOTH: bool>(Params);
+#[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
+fn both_sides(params: &Params) -> Result<BandPreset> {
+    let thresholds @ [lower, upper] = [params.lower, params.upper];
+    let bands = [Band::exactly(upper as f32), Band::exactly(lower as f32)];
+    squared(thresholds, bands, params.surface)
+}
 
-impl<const BOTH: bool> Preset for Sided<BOTH> {
-    type Bands = PartAndVoid;
+#[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
+fn one_side(params: &Params) -> Result<BandPreset> {
+    let thresholds @ [lower, upper] = [params.lower, params.upper];
+    let bands = [Band::above(upper as f32), Band::below(lower as f32)];
+    squared(thresholds, bands, params.surface)
+}
 
-    #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
-    fn bands(&self) -> Result<PartAndVoid> {
-        let Params { lower, upper, .. } = self.0;
-        let (l, u) = (lower as f32, upper as f32);
-        let bands = match BOTH {
-            true => [Band::exactly(u), Band::exactly(l)],
-            false => [Band::above(u), Band::below(l)],
-        };
-        squared(lower, upper, bands)
-    }
-
-    fn surface(&self) -> SurfaceHandling {
-        self.0.surface
-    }
-
-    fn thresholds(&self) -> Option<[f64; 2]> {
-        Some([self.0.lower, self.0.upper])
-    }
+#[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
+fn with_window(params: &WindowParams) -> Result<BandPreset> {
+    let thresholds @ [lower, upper] = [params.lower, params.upper];
+    not_negative("w", params.w)?;
+    let part = Band::new(upper as f32, (upper + params.w) as f32, 1.0);
+    squared(
+        thresholds,
+        [part, Band::below(lower as f32)],
+        params.surface,
+    )
 }
 
 /// The row of L2N.
@@ -96,7 +92,7 @@ pub const fn l2n<F: Field>() -> Kind<BuildObjective<F>> {
         summary: "L2N: part to the upper threshold, void to the lower one, both sides",
         example: "[objective.l2n]\nlower = 0.7\nupper = 0.9",
         schema: schema_of::<Params>,
-        build: read::<F, Sided<true>>,
+        build: |section| read(section, both_sides),
     }
 }
 
@@ -108,28 +104,7 @@ pub const fn osp<F: Field>() -> Kind<BuildObjective<F>> {
         summary: "OSP: part above the upper threshold, void below the lower one",
         example: "[objective.osp]\nlower = 0.7\nupper = 0.9",
         schema: schema_of::<Params>,
-        build: read::<F, Sided<false>>,
-    }
-}
-
-impl Preset for WindowParams {
-    type Bands = PartAndVoid;
-
-    #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
-    fn bands(&self) -> Result<PartAndVoid> {
-        let WindowParams {
-            lower, upper, w, ..
-        } = *self;
-        not_negative("w", w)?;
-        let part = Band::new(upper as f32, (upper + w) as f32, 1.0);
-        squared(lower, upper, [part, Band::below(lower as f32)])
-    }
-    fn surface(&self) -> SurfaceHandling {
-        self.surface
-    }
-
-    fn thresholds(&self) -> Option<[f64; 2]> {
-        Some([self.lower, self.upper])
+        build: |section| read(section, one_side),
     }
 }
 
@@ -141,6 +116,6 @@ pub const fn ospw<F: Field>() -> Kind<BuildObjective<F>> {
         summary: "OSPW(w): part between the upper threshold and w above it, void below the lower one",
         example: "[objective.ospw]\nlower = 0.7\nupper = 0.9\nw = 0.0",
         schema: schema_of::<WindowParams>,
-        build: read::<F, WindowParams>,
+        build: |section| read(section, with_window),
     }
 }

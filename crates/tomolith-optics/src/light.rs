@@ -71,13 +71,8 @@ impl Light {
     pub fn absorption_on(&self, grid: &VolumeGrid) -> Option<Volume<f32>> {
         let map = self.map.as_ref()?;
         let plain = self.resin.uptake();
-        let [nz, ny, nx] = grid.shape;
-        let middle = |i: usize| {
-            let (iz, iy, ix) = (i / (ny * nx), i / nx % ny, i % nx);
-            [grid.x(ix), grid.y(iy), grid.z(iz)]
-        };
-        let values = (0..nz * ny * nx).map(|i| map.uptake(middle(i), plain).active_per_mm as f32);
-        Some(Volume::new(grid.clone(), values.collect()))
+        let absorption = |middle| map.uptake(middle, plain).active_per_mm as f32;
+        Some(Volume::from_fn(grid.clone(), absorption))
     }
 
     /// Traces its level rays through a vial and its bath, with the resin's plain numbers.

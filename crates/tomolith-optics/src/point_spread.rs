@@ -23,8 +23,8 @@
 //! assert_eq!((spread.reach(), spread.at(0, -1), spread.at(0, 0)), ([1, 0], 0.25, 0.5));
 //! ```
 
-use crate::exposure::maps::read_table;
 use std::path::Path;
+use tomolith_core::columns::read_pairs;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::units::exact;
 use tomolith_io::image::read_gray;
@@ -124,7 +124,7 @@ impl PointSpread {
     pub fn read(path: &Path, pitch_mm: [f64; 2]) -> Result<Self> {
         let extension = path.extension().unwrap_or_default().to_string_lossy();
         match extension.to_ascii_lowercase().as_str() {
-            "csv" | "txt" => Self::round(&read_table(path)?, pitch_mm),
+            "csv" | "txt" => Self::round(&read_pairs(path, "radius and light")?, pitch_mm),
             "npy" => {
                 let ([rows, columns], values) = read_matrix(path)?;
                 Self::new([columns, rows], &values)

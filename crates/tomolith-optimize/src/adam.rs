@@ -14,15 +14,6 @@
 //!
 //! **Parameters** see [`Params`]. **Limits** none but memory; built for noisy gradients, which a dose model's are not. The loss may
 //! rise, the best patterns are kept. **Cost** one forward and one adjoint call a step; four pattern fields.
-//!
-//! ```
-//! use tomolith_core::kind::Section;
-//! use tomolith_optimize::OPTIMIZERS;
-//! let row = OPTIMIZERS.iter().find(|row| row.name == "adam").unwrap();
-//! let build = |value| (row.build)(&Section::new("optimizer.adam", value));
-//! assert!(build(serde_json::json!({"step": 0.02})).is_ok());
-//! assert!(build(serde_json::json!({"beta_1": 1.0})).is_err()); // the mean would never see a gradient
-//! ```
 
 use super::{
     BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,

@@ -22,16 +22,6 @@
 //!
 //! **Parameters** see [`Params`]. **Limits** a step that is too long makes the loss rise; the best patterns are kept. **Cost** one
 //! forward and one adjoint call a step; two pattern fields.
-//!
-//! ```
-//! use tomolith_core::kind::Section;
-//! use tomolith_optimize::OPTIMIZERS;
-//! let row = OPTIMIZERS.iter().find(|row| row.name == "bclp").unwrap();
-//! let build = |value| (row.build)(&Section::new("optimizer.bclp", value));
-//! assert!(build(serde_json::json!({"step": 0.5, "alternate": true})).is_ok()); // OSMO's η = ½
-//! let refusal = build(serde_json::json!({})).err().unwrap().to_string();
-//! assert!(refusal.starts_with("optimizer.bclp.step")); // no step fits all units, so it must be given
-//! ```
 
 use super::alternating::AlternatingHalf;
 use super::{

@@ -308,12 +308,8 @@ mod tests {
     fn the_filtered_projection_has_the_dose_whatever_the_pitches_are() {
         // A smooth blob, the same at all heights, on voxels of 0.1 mm
         let grid = VolumeGrid::centered([4, 24, 24], 0.1);
-        let blob = |x: f64, y: f64| (-(x * x + y * y) / 0.3).exp() as f32;
-        let values = (0..grid.len()).map(|i| blob(grid.x(i % 24), grid.y(i / 24 % 24)));
-        let wanted = Volume {
-            values: values.collect(),
-            grid: grid.clone(),
-        };
+        let blob = |[x, y, _]: [f64; 3]| (-(x * x + y * y) / 0.3).exp() as f32;
+        let wanted = Volume::from_fn(grid.clone(), blob);
         for pitch in [[0.1, 0.1], [0.05, 0.1], [0.1, 0.04], [0.15, 0.05]] {
             let count = |mm: f64, pitch: f64| (mm / pitch).round() as usize;
             let pixels = PatternGrid {

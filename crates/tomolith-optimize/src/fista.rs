@@ -26,15 +26,6 @@
 //! **Parameters** see [`Params`]. **Limits** linear models, convex objectives; the loss may rise, the best patterns are kept. Kinks
 //! (p = 1) have no L: the doubling stops at 1024 times the first. **Cost** one call each way a step; at the start two calls a
 //! power iteration; four pattern fields and a dose field.
-//!
-//! ```
-//! use tomolith_core::kind::Section;
-//! use tomolith_optimize::OPTIMIZERS;
-//! let row = OPTIMIZERS.iter().find(|row| row.name == "fista").unwrap();
-//! let fista = (row.build)(&Section::new("optimizer.fista", serde_json::json!({"restart": "none"}))).unwrap().make().unwrap();
-//! assert!(!fista.is_monotone()); // extrapolation overshoots now and then
-//! assert!(fista.requirements().convex.is_some()); // L is a bound only there
-//! ```
 
 use super::{
     BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
@@ -45,7 +36,6 @@ use serde::{Deserialize, Serialize};
 use tomolith_core::error::{Result, above_zero};
 use tomolith_core::field::Field;
 use tomolith_core::kind::{Kind, schema_of};
-use tomolith_objective::penalty::PatternPenalty;
 
 /// When the extrapolation begins anew.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]

@@ -11,16 +11,6 @@
 //!
 //! **Parameters** see [`Params`]. **Cost** one forward and one adjoint call a step; 12 bytes read and 4 written per pixel to make
 //! the step, 12 for its secant, 12 to move. Memory: three pattern vectors (step and two gradients).
-//!
-//! ```
-//! use tomolith_core::kind::Section;
-//! use tomolith_optimize::OPTIMIZERS;
-//! let row = OPTIMIZERS.iter().find(|row| row.name == "gradient").unwrap();
-//! let fixed = Section::new("optimizer.gradient", serde_json::json!({"step": 0.5, "momentum": 0.9}));
-//! assert!(!(row.build)(&fixed).unwrap().make().unwrap().is_monotone()); // a fixed step may raise the loss
-//! let lost = Section::new("optimizer.gradient", serde_json::json!({"momentum": 0.9}));
-//! assert!((row.build)(&lost).is_err()); // an automatic length has no use for momentum
-//! ```
 
 use super::{
     BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,

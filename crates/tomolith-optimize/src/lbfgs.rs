@@ -611,45 +611,6 @@ mod tests {
     }
 
     #[test]
-    fn parameters_out_of_range_are_named() {
-        for (params, name) in [
-            (
-                Params {
-                    memory: 0,
-                    ..Params::default()
-                },
-                "memory",
-            ),
-            (
-                Params {
-                    memory: 31,
-                    ..Params::default()
-                },
-                "memory",
-            ),
-            (
-                Params {
-                    tolerance: -1.0,
-                    ..Params::default()
-                },
-                "tolerance",
-            ),
-            (
-                Params {
-                    tolerance: f64::NAN,
-                    ..Params::default()
-                },
-                "tolerance",
-            ),
-        ] {
-            let Err(Error::Config { key, .. }) = Lbfgs::<HostField>::new(params) else {
-                panic!("{name} was accepted")
-            };
-            assert_eq!(key, name);
-        }
-    }
-
-    #[test]
     fn a_method_that_remembers_pairs_may_be_told_to_remember_fewer() {
         for row in crate::OPTIMIZERS {
             let method = (row.build)(&tomolith_core::check::example(row)).unwrap();

@@ -243,6 +243,8 @@ pub const fn optimizers<F: Field>() -> &'static [Kind<BuildOptimizer<F>>] {
 mod tests {
     use super::*;
     use crate::check;
+    use serde_json::json;
+    use tomolith_core::error::Error;
 
     #[test]
     fn every_row_passes_the_check() {
@@ -250,5 +252,45 @@ mod tests {
             let method = (row.build)(&tomolith_core::check::example(row)).unwrap();
             check::optimizer(&*method).unwrap_or_else(|e| panic!("{}: {e}", row.name));
         }
+    }
+
+    #[test]
+    fn parameters_out_of_range_are_named() {
+        for (kind, json, key) in [
+            ("lbfgs", json!({"memory": 0}), "memory"),
+            ("lbfgs", json!({"memory": 31}), "memory"),
+            ("lbfgs", json!({"tolerance": -1.0}), "tolerance"),
+            ("gradient", json!({"step": 0.0}), "step"),
+            ("gradient", json!({"momentum": 0.9}), "momentum"),
+            ("fista", json!({"curvature": 0.0}), "curvature"),
+            ("fista", json!({"step": -1.0}), "step"),
+            ("adam", json!({"step": 0.0}), "step"),
+            ("adam", json!({"beta_1": 1.0}), "beta_1"),
+            ("osmo", json!({"inhibition": -0.1}), "inhibition"),
+            ("osmo", json!({"inhibition": 1.1}), "inhibition"),
+            ("cal", json!({"learning_rate": 0.0}), "learning_rate"),
+            ("cal", json!({"sigmoid": -1.0}), "sigmoid"),
+            ("cal", json!({"momentum": 1.0}), "momentum"),
+            ("cal", json!({"filter": "ramlak"}), "filter"),
+            // No step fits all units, so it must be given
+            ("bclp", json!({}), "step"),
+        ] {
+            let section = Section::new("optimizer", json!({ kind: json }));
+            let Err(Error::Config { key: found, .. }) = section.read(OPTIMIZERS) else {
+                panic!("{kind}.{key} was accepted")
+            };
+            assert_eq!(found, format!("optimizer.{kind}.{key}"));
+        }
+        // A program can give what no job can
+        let lbfgs = lbfgs::Params {
+            tolerance: f64::NAN,
+            ..Default::default()
+        };
+        let osmo = osmo::Params {
+            inhibition: f64::NAN,
+            ..Default::default()
+        };
+        let made: [Result<Box<dyn Optimizer<HostField>>>; 2] = [lbfgs.make(), osmo.make()];
+        assert!(made.iter().all(Result::is_err));
     }
 }

@@ -37,15 +37,6 @@
 //! **Parameters** see [`Params`]. **Limits** linear models; the loss may rise, the iterate with the best print is [kept](super::keep); a dose that is zero
 //! everywhere ends the run (thresholds so low that the void half takes all light). **Cost** a forward and an adjoint call for each
 //! half, one of each more at the first; three pattern fields, the target, and the marks of edges.
-//!
-//! ```
-//! use tomolith_core::kind::Section;
-//! use tomolith_optimize::OPTIMIZERS;
-//! let row = OPTIMIZERS.iter().find(|row| row.name == "osmo").unwrap();
-//! let osmo = (row.build)(&Section::new("optimizer.osmo", serde_json::json!({"filter": "hamming"}))).unwrap().make().unwrap();
-//! assert!(osmo.normalizes() && !osmo.is_monotone()); // doses are relative to the largest
-//! assert!(osmo.requirements().linear.is_some()); // projecting a correction is what an adjoint does
-//! ```
 
 use super::alternating::AlternatingHalf;
 use super::filter::{Filter, target_projection};
@@ -286,7 +277,6 @@ impl<F: Field> Optimizer<F> for Osmo<F> {
 mod tests {
     use super::*;
     use crate::reference::{Case, assert_near, ramp};
-    use tomolith_core::error::Error;
     use tomolith_core::field::HostField;
 
     const D_H: f64 = 0.9;
@@ -452,17 +442,5 @@ mod tests {
         let refusal = outcome.unwrap_err().to_string();
         assert!(refusal.contains("zero everywhere"), "{refusal}");
         assert_near(patterns.as_slice(), &case.start(), 1e-6, "the start");
-    }
-
-    #[test]
-    fn an_inhibition_out_of_range_is_named() {
-        for inhibition in [-0.1, 1.1, f64::NAN] {
-            let params = Params {
-                inhibition,
-                ..Params::default()
-            };
-            let refusal = Osmo::<HostField>::new(params).err().unwrap();
-            assert!(matches!(refusal, Error::Config { key, .. } if key == "inhibition"));
-        }
     }
 }

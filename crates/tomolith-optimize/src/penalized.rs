@@ -11,7 +11,7 @@ use tomolith_core::kind::Section;
 use tomolith_core::response::Identity;
 use tomolith_objective::Objective;
 use tomolith_objective::check::of_ring;
-use tomolith_objective::penalty::{PENALTIES, PatternPenalty, Penalties};
+use tomolith_objective::penalty::{PENALTIES, Penalties};
 
 const LIMITS: Limits = Limits { min: 0.0, max: 2.0 };
 

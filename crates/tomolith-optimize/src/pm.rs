@@ -10,15 +10,6 @@
 //!
 //! **Parameters** see [`Params`]. **Limits** as [`lbfgs`]: with p = 1 the loss never rises but the method may stop
 //! early, at a kink. **Cost** as there, at most 128 bytes per pixel a step.
-//!
-//! ```
-//! use tomolith_core::kind::Section;
-//! use tomolith_optimize::OPTIMIZERS;
-//! let row = OPTIMIZERS.iter().find(|row| row.name == "pm").unwrap();
-//! let pm = (row.build)(&Section::new("optimizer.pm", serde_json::json!({})))?.make()?;
-//! assert!(pm.is_monotone() && !pm.normalizes()); // it searches, and doses stay absolute
-//! # Ok::<(), tomolith_core::Error>(())
-//! ```
 
 use super::lbfgs::{self, Lbfgs};
 use super::{BuildOptimizer, MakeOptimizer, Optimizer, read};

@@ -15,7 +15,7 @@ use tomolith_core::dose::{DoseModel, PatternLayout, Quantity, Run};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Bounds, Field};
 use tomolith_objective::Objective;
-use tomolith_objective::penalty::{PatternPenalty, Penalties};
+use tomolith_objective::penalty::Penalties;
 
 /// Smallest and largest value of a light's pixels, mJ/mm² (energy, also for models whose unknown is the amplitude).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -294,27 +294,10 @@ impl<'a, F: Field> Problem<'a, F> {
         })
     }
 
-    /// Whether there is a target.
-    #[must_use]
-    pub fn has_target(&self) -> bool {
-        self.target.is_some()
-    }
-
     /// What stops the work.
     #[must_use]
     pub fn run(&self) -> &'a Run {
         self.run
-    }
-
-    /// Whether the user asked to stop.
-    #[must_use]
-    pub fn is_stop_asked(&self) -> bool {
-        self.run.is_stop_asked()
-    }
-
-    /// Whether a first request to stop waits for the end of a step.
-    pub fn set_patient(&self, patient: bool) {
-        self.run.set_patient(patient);
     }
 
     /// F(x), counted.
@@ -346,11 +329,7 @@ impl<'a, F: Field> Problem<'a, F> {
     /// # Errors
     /// [`Error::Canceled`].
     pub fn gradient(&mut self, x: &F, at: &Position<F>, gradient: &mut F) -> Result<()> {
-        let begin = Instant::now();
-        let done = self.model.pullback(x, &at.cotangent, gradient, self.run);
-        self.counters.model_s += begin.elapsed().as_secs_f64();
-        self.counters.adjoint += 1;
-        done?;
+        self.project(x, &at.cotangent, gradient)?;
         self.penalties.add_gradient(x, 1.0, gradient);
         Ok(())
     }
@@ -481,10 +460,13 @@ impl<'a, F: Field> Problem<'a, F> {
     /// # Errors
     /// [`Error::Canceled`], or not enough memory.
     pub fn evaluate_at(&mut self, x: &mut F) -> Result<Position<F>> {
-        self.project_onto_bounds(x);
-        let mut dose = self.model.new_dose()?;
-        self.dose(x, &mut dose)?;
-        self.place_at(x, dose)
+        let mut at = Position {
+            dose: self.model.new_dose()?,
+            cotangent: self.model.new_dose()?,
+            loss: f64::NAN,
+        };
+        self.evaluate(x, &mut at)?;
+        Ok(at)
     }
 
     /// The position of patterns whose dose is known.
@@ -492,15 +474,13 @@ impl<'a, F: Field> Problem<'a, F> {
     /// # Errors
     /// When there is not enough memory.
     pub fn place_at(&mut self, x: &F, dose: F) -> Result<Position<F>> {
-        let mut cotangent = self.model.new_dose()?;
-        let loss = self.timed(|objective, penalties| {
-            objective.value_and_gradient(&dose, &mut cotangent) + penalties.value(x)
-        });
-        Ok(Position {
+        let mut at = Position {
             dose,
-            cotangent,
-            loss,
-        })
+            cotangent: self.model.new_dose()?,
+            loss: f64::NAN,
+        };
+        self.weigh(x, &mut at);
+        Ok(at)
     }
 
     /// Takes a full step, `step` = x̄ − x, whatever the loss does; one forward call.
@@ -525,13 +505,9 @@ impl<'a, F: Field> Problem<'a, F> {
         slope: f64,
         at: &mut Position<F>,
     ) -> Result<LineSearchResult> {
-        if !self.model.is_linear() {
-            return match self.along(x, step)? {
-                Some(curve) => Ok(self.search_curve(x, step, slope, (&curve, at))),
-                None => self.backtrack(x, step, slope, at),
-            };
-        }
-        self.dose(step, &mut at.cotangent)?;
+        let Some(mut course) = self.course(x, step, at)? else {
+            return self.backtrack(x, step, slope, at);
+        };
         let Position {
             dose,
             cotangent,
@@ -540,15 +516,11 @@ impl<'a, F: Field> Problem<'a, F> {
         let found = self.timed(|objective, penalties| {
             let found = segment_minimum(*loss, slope, |alpha| {
                 sum(
-                    objective.slope_along(dose, cotangent, alpha),
+                    course.slope(objective, (dose, cotangent), alpha),
                     penalties.slope_along(x, step, alpha),
                 )
             });
-            *loss = if found.alpha == 0.0 {
-                objective.value_and_gradient(dose, cotangent)
-            } else {
-                objective.advance(dose, cotangent, found.alpha)
-            };
+            *loss = course.advance(objective, (dose, cotangent), found.alpha);
             found
         });
         if found.alpha != 0.0 {
@@ -558,51 +530,19 @@ impl<'a, F: Field> Problem<'a, F> {
         Ok(found)
     }
 
-    /// α ↦ F(x + αd) − F(x) where it is a polynomial; counted as a forward call for each coefficient.
-    fn along(&mut self, x: &F, d: &F) -> Result<Option<Vec<F>>> {
+    /// The dose along d from a position, None where it is no polynomial; counted as a forward call for each coefficient.
+    fn course(&mut self, x: &F, d: &F, at: &mut Position<F>) -> Result<Option<Course<F>>> {
+        if self.model.is_linear() {
+            self.dose(d, &mut at.cotangent)?;
+            return Ok(Some(Course::Line));
+        }
         let begin = Instant::now();
-        let curve = self.model.along(x, d, self.run);
+        let terms = self.model.along(x, d, self.run);
         self.counters.model_s += begin.elapsed().as_secs_f64();
-        if let Ok(Some(curve)) = &curve {
-            self.counters.forward += curve.len() as u64;
-        }
-        curve
-    }
-
-    /// The search where the dose along the segment is a polynomial of α: exact, as for a linear model.
-    fn search_curve(
-        &mut self,
-        x: &mut F,
-        step: &F,
-        slope: f64,
-        (curve, at): (&[F], &mut Position<F>),
-    ) -> LineSearchResult {
-        let Position {
-            dose,
-            cotangent,
-            loss,
-        } = at;
-        let mut place = dose.clone();
-        let found = self.timed(|objective, penalties| {
-            let found = segment_minimum(*loss, slope, |alpha| {
-                place.clone_from(dose);
-                advance_on(curve, alpha, &mut place, cotangent);
-                sum(
-                    objective.slope_along(&place, cotangent, 0.0),
-                    penalties.slope_along(x, step, alpha),
-                )
-            });
-            if found.alpha != 0.0 {
-                advance_on(curve, found.alpha, dose, cotangent);
-            }
-            *loss = objective.value_and_gradient(dose, cotangent);
-            found
-        });
-        if found.alpha != 0.0 {
-            x.move_along(step, found.alpha, self.bounds(x));
-        }
-        at.loss += self.timed(|_, penalties| penalties.value(x));
-        found
+        let Some(terms) = terms? else { return Ok(None) };
+        self.counters.forward += terms.len() as u64;
+        let place = at.dose.clone();
+        Ok(Some(Course::Curve { terms, place }))
     }
 
     /// The search for models whose dose is no polynomial of the step: shrinks the step until the loss falls enough (Armijo), one
@@ -678,41 +618,31 @@ impl<'a, F: Field> Problem<'a, F> {
         if sums.slope >= 0.0 {
             return Ok(unit);
         }
-        let curve = if self.model.is_linear() {
-            None
-        } else {
-            self.along(x, direction)?
+        let mut course = match self.course(x, direction, at)? {
+            Some(course) => course,
+            None => {
+                // The secant of a step that is tiny
+                let mut moved = x.clone();
+                moved.move_along(direction, 1.0, self.bounds(x));
+                self.dose(&moved, &mut at.cotangent)?;
+                at.cotangent.axpy(-1.0, &at.dose);
+                Course::Line
+            }
         };
-        if self.model.is_linear() {
-            self.dose(direction, &mut at.cotangent)?;
-        } else if curve.is_none() {
-            // The secant of a step that is tiny
-            let mut moved = x.clone();
-            moved.move_along(direction, 1.0, self.bounds(x));
-            self.dose(&moved, &mut at.cotangent)?;
-            at.cotangent.axpy(-1.0, &at.dose);
-        }
         let Position {
             dose,
             cotangent,
             loss,
         } = at;
-        let mut place = curve.as_ref().map(|_| dose.clone());
         let length = self.timed(|objective, penalties| {
-            let length = ray_minimum(*loss, sums.slope, |a| {
-                let of_dose = match (&curve, &mut place) {
-                    (Some(curve), Some(place)) => {
-                        place.clone_from(dose);
-                        advance_on(curve, a, place, cotangent);
-                        objective.slope_along(place, cotangent, 0.0)
-                    }
-                    _ => objective.slope_along(dose, cotangent, a),
-                };
-                sum(of_dose, penalties.slope_along(x, direction, a))
-            });
-            *loss = objective.value_and_gradient(dose, cotangent) + penalties.value(x);
-            length
+            ray_minimum(*loss, sums.slope, |alpha| {
+                sum(
+                    course.slope(objective, (dose, cotangent), alpha),
+                    penalties.slope_along(x, direction, alpha),
+                )
+            })
         });
+        self.weigh(x, at);
         Ok(unit * length)
     }
 
@@ -721,6 +651,50 @@ impl<'a, F: Field> Problem<'a, F> {
         let result = work(self.objective.get(), &self.penalties);
         self.counters.objective_s += begin.elapsed().as_secs_f64();
         result
+    }
+}
+
+/// The dose along a step from a position, where no place on it needs a forward call.
+enum Course<F> {
+    /// dose + α·step, the step's dose in the place of the cotangent.
+    Line,
+    /// Terms of α, α², …; the cotangent and `place` are work space.
+    Curve { terms: Vec<F>, place: F },
+}
+
+impl<F: Field> Course<F> {
+    /// L and dL/dα at α.
+    fn slope(
+        &mut self,
+        objective: &dyn Objective<F>,
+        (dose, cotangent): (&F, &mut F),
+        alpha: f32,
+    ) -> (f64, f64) {
+        match self {
+            Course::Line => objective.slope_along(dose, cotangent, alpha),
+            Course::Curve { terms, place } => {
+                place.clone_from(dose);
+                advance_on(terms, alpha, place, cotangent);
+                objective.slope_along(place, cotangent, 0.0)
+            }
+        }
+    }
+
+    /// Goes to α, leaves the cotangent there, and returns L.
+    fn advance(
+        &self,
+        objective: &dyn Objective<F>,
+        (dose, cotangent): (&mut F, &mut F),
+        alpha: f32,
+    ) -> f64 {
+        match self {
+            Course::Line if alpha != 0.0 => return objective.advance(dose, cotangent, alpha),
+            Course::Curve { terms, .. } if alpha != 0.0 => {
+                advance_on(terms, alpha, dose, cotangent);
+            }
+            _ => {}
+        }
+        objective.value_and_gradient(dose, cotangent)
     }
 }
 

@@ -66,7 +66,7 @@ impl Requirements {
                 "",
             ),
             (
-                self.target.filter(|_| !problem.has_target()),
+                self.target.filter(|_| problem.target().is_err()),
                 "a problem without a target".to_owned(),
                 "",
             ),

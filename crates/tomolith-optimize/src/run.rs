@@ -301,7 +301,7 @@ pub fn run_after<F: Field>(
         });
     };
     let mut checkpoints = checkpoints;
-    problem.set_patient(true);
+    problem.run().set_patient(true);
     let result = loop {
         match state.look_at_gap(problem, x, stop) {
             Ok(()) => {}
@@ -331,7 +331,7 @@ pub fn run_after<F: Field>(
             }
         }
     };
-    problem.set_patient(false);
+    problem.run().set_patient(false);
     if result.as_ref().is_ok_and(|r| *r != StopReason::Canceled) {
         // It comes after the last row, so its seconds are none of the loop's
         let Counters {
@@ -552,7 +552,7 @@ impl<F: Field> State<F> {
         // On other paths the loss may be above zero again
         let goes_on = problem.model().renewal().is_some();
         // Ranks have clocks and signals of their own
-        let is_asked = x.any(problem.is_stop_asked());
+        let is_asked = x.any(problem.run().is_stop_asked());
         let is_late = stop
             .seconds
             .is_some_and(|limit| x.any(row.seconds >= limit));

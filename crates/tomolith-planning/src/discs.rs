@@ -22,9 +22,10 @@
 //! assert!((found.critical_mj_per_cm2 - 10.0).abs() < 1e-6 && (found.length_mm - 1.5).abs() < 1e-9);
 //! ```
 
-use crate::measured::{Columns, csv};
+use crate::measured::csv;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
+use tomolith_core::columns::Columns;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::PatternGrid;
 use tomolith_core::least_squares::minimize;

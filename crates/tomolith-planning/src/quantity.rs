@@ -11,6 +11,7 @@
 //! ```
 
 use tomolith_core::error::{Error, Result};
+use tomolith_core::units::number_and_unit;
 
 /// What a number can be, and the units it may have.
 #[derive(Debug)]
@@ -88,21 +89,10 @@ impl UnitFamily {
             .replace('²', "2")
             .replace('³', "3")
             .replace(['µ', 'μ'], "u");
-        let plain = plain.trim();
-        let split = plain
-            .char_indices()
-            .find(|(i, c)| {
-                // The e of 1e3 belongs to the number
-                let exponent = matches!(c, 'e' | 'E')
-                    && plain[i + 1..]
-                        .starts_with(|n: char| n.is_ascii_digit() || n == '-' || n == '+');
-                c.is_alphabetic() && !exponent
-            })
-            .map_or(plain.len(), |(i, _)| i);
-        let (number, unit) = (plain[..split].trim(), plain[split..].trim());
+        let (number, unit) = number_and_unit(&plain);
         let refuse = |found: String, accepted: String| Err(Error::config(key, found, accepted));
-        let value = match number.parse::<f64>() {
-            Ok(value) if value.is_finite() && value > 0.0 => value,
+        let value = match number {
+            Some(value) if value.is_finite() && value > 0.0 => value,
             _ => return refuse(format!("found `{text}`"), accepted()),
         };
         if unit.is_empty() {

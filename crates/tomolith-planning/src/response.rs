@@ -1,7 +1,7 @@
 //! Response of a material from measured pairs, ready for a job.
 //!
 //! **What it models** dose → conversion, modulus or index: the generalized logistic or the nearest table that never falls, both by
-//! [`fit`](tomolith_core::response::fit), on linear or logarithmic axes.
+//! [`fit`], on linear or logarithmic axes.
 //!
 //! **Shape** `n` pairs in, a TOML table `[response.logistic]` or `[response.table]` out. **Limits** no kind of response has a logarithmic dose: such a
 //! logistic becomes a table of 33 points over the measured doses.
@@ -17,11 +17,12 @@
 //! assert!(fit.job_table().contains("[response.table]"));
 //! ```
 
-use crate::measured::curve;
-use std::fmt::Write as _;
+use std::sync::Arc;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::response::curve::Curve;
-use tomolith_core::response::fit::{LogisticFit, logistic};
+use tomolith_core::response::fit::{self, LogisticFit};
+use tomolith_core::response::table::{self, Beyond};
+use tomolith_core::response::{Logistic, Response, Table, logistic};
 use tomolith_core::units::concise;
 use tomolith_report::plot::{Axis, Plot};
 
@@ -62,6 +63,8 @@ pub struct ResponseFit {
     pub logistic: Option<LogisticFit>,
     /// The points of the table on these axes; None for a logistic.
     pub table: Option<Curve>,
+    /// The one or the other as a job has it.
+    response: Arc<dyn Response>,
     /// Root mean square of what is left, on the axis of the response.
     pub rms: f64,
 }
@@ -73,10 +76,11 @@ impl ResponseFit {
     /// [`Error::Config`] for too few points, points that fall, and numbers without a logarithm on a logarithmic axis.
     pub fn logistic(measured: &[[f64; 2]], axes: Axes, asymmetry: bool) -> Result<Self> {
         let curve = on_axes(measured, axes)?;
-        let fit = logistic(&curve, asymmetry)?;
+        let fit = fit::logistic(&curve, asymmetry)?;
         Ok(ResponseFit {
             axes,
             measured: measured.to_vec(),
+            response: Arc::new(Logistic::new(fit.params.clone())?),
             rms: fit.rms,
             logistic: Some(fit),
             table: None,
@@ -106,6 +110,7 @@ impl ResponseFit {
             measured: measured.to_vec(),
             rms: 0.0,
             logistic: None,
+            response: Arc::new(Table::new(&level.doses, &level.responses, Beyond::Flat)?),
             table: Some(level),
         };
         let rest = |[dose, response]: &[f64; 2]| fit.at(*dose) - axes.response(*response);
@@ -115,21 +120,9 @@ impl ResponseFit {
     }
 
     /// Response, on its axis, to a dose as it was given.
+    #[expect(clippy::cast_possible_truncation, reason = "responses are f32")]
     fn at(&self, dose: f64) -> f64 {
-        let dose = self.axes.dose(dose);
-        if let Some(LogisticFit { params: p, .. }) = &self.logistic {
-            let u = 1.0 / (1.0 + (-p.steepness * (dose - p.midpoint)).exp());
-            return p.lower + (p.upper - p.lower) * u.powf(1.0 / p.asymmetry);
-        }
-        let Some(table) = &self.table else {
-            return f64::NAN;
-        };
-        // Straight lines are near enough for a picture
-        let n = table.doses.len();
-        let k = table.doses.partition_point(|d| *d < dose).clamp(1, n - 1);
-        let share = (dose - table.doses[k - 1]) / (table.doses[k] - table.doses[k - 1]);
-        let (a, b) = (table.responses[k - 1], table.responses[k]);
-        a + share.clamp(0.0, 1.0) * (b - a)
+        f64::from(self.response.value(self.axes.dose(dose) as f32))
     }
 
     /// Width of the dose axis over which the logistic goes from 10 % to 90 % of its rise; None for a table.
@@ -157,44 +150,27 @@ impl ResponseFit {
         if self.axes.log_response {
             text += ". The response is the decimal logarithm of what was measured: targets and bands are in these units";
         }
-        text.push('\n');
-        // Writing into a string cannot fail
-        match (&self.logistic, &self.table) {
-            (Some(fit), _) if !self.axes.log_dose => {
-                let p = &fit.params;
-                let _ = write!(
-                    text,
-                    "[response.logistic]\nlower = {}\nupper = {}\nsteepness = {}\nmidpoint = {}\n",
-                    float(p.lower),
-                    float(p.upper),
-                    float(p.steepness),
-                    float(p.midpoint)
-                );
-                if p.asymmetry != 1.0 {
-                    let _ = writeln!(text, "asymmetry = {}", float(p.asymmetry));
-                }
+        let logistic = self.logistic.as_ref().filter(|_| !self.axes.log_dose);
+        let (name, keys) = match (logistic, &self.table) {
+            (Some(LogisticFit { params: p, .. }), _) => {
+                let params = logistic::Params {
+                    lower: six_digits(p.lower),
+                    upper: six_digits(p.upper),
+                    steepness: six_digits(p.steepness),
+                    midpoint: six_digits(p.midpoint),
+                    asymmetry: six_digits(p.asymmetry),
+                };
+                ("logistic", toml::to_string(&params))
             }
-            _ => {
-                let doses = match &self.table {
-                    Some(table) => table.doses.clone(),
-                    None => self.sampled(SAMPLES),
-                };
-                let list = |values: Vec<f64>| -> String {
-                    values.into_iter().map(float).collect::<Vec<_>>().join(", ")
-                };
-                let responses = match &self.table {
-                    Some(table) => table.responses.clone(),
-                    None => doses.iter().map(|d| self.at(*d)).collect(),
-                };
-                let _ = write!(
-                    text,
-                    "[response.table]\ndose = [{}]\nresponse = [{}]\nbeyond = \"flat\"\n",
-                    list(doses),
-                    list(responses)
-                );
+            (None, Some(table)) => ("table", table_of(&table.doses, &table.responses)),
+            (None, None) => {
+                let doses = self.sampled(SAMPLES);
+                let responses: Vec<f64> = doses.iter().map(|dose| self.at(*dose)).collect();
+                ("table", table_of(&doses, &responses))
             }
-        }
-        text
+        };
+        // Numbers and words are always TOML
+        format!("{text}\n[response.{name}]\n{}", keys.unwrap_or_default())
     }
 
     /// Lowest and highest of the measured doses (0) or responses (1).
@@ -254,14 +230,20 @@ impl ResponseFit {
     }
 }
 
-/// A number for TOML.
-fn float(value: f64) -> String {
-    let text = concise(value);
-    if text.contains(['.', 'e']) {
-        text
-    } else {
-        text + ".0"
-    }
+/// A number that was fitted: the digits beyond are noise.
+fn six_digits(value: f64) -> f64 {
+    concise(value).parse().unwrap_or(value)
+}
+
+/// The keys of a tabulated response.
+fn table_of(doses: &[f64], responses: &[f64]) -> std::result::Result<String, toml::ser::Error> {
+    let list = |values: &[f64]| values.iter().map(|value| six_digits(*value)).collect();
+    toml::to_string(&table::Params {
+        dose: list(doses),
+        response: list(responses),
+        file: None,
+        beyond: Beyond::Flat,
+    })
 }
 
 /// The points on other axes.
@@ -279,5 +261,5 @@ fn on_axes(measured: &[[f64; 2]], axes: Axes) -> Result<Curve> {
         }
     }
     let map = |[dose, response]: &[f64; 2]| [axes.dose(*dose), axes.response(*response)];
-    curve(&measured.iter().map(map).collect::<Vec<_>>())
+    Curve::of_pairs(&measured.iter().map(map).collect::<Vec<_>>())
 }

@@ -9,7 +9,6 @@ use tomolith_planning::delivered::{area_cm2, delivered_j};
 use tomolith_planning::gray::{CurveForm, GrayCurve, Polynomial};
 use tomolith_planning::impulse::Post;
 use tomolith_planning::kinetics::{self, Kinetics};
-use tomolith_planning::measured::curve;
 use tomolith_planning::response::{Axes, ResponseFit};
 use tomolith_planning::voxel::Setup;
 use tomolith_planning::wang::{BALLS_UV, BALLS_VISIBLE, GRAY_UV, GRAY_VISIBLE, STIFFNESS};
@@ -29,7 +28,10 @@ fn worst(fit: &Polynomial, table: &Curve) -> f64 {
 
 #[test]
 fn printed_gray_fits_are_the_least_squares_of_the_table() {
-    let (visible, uv) = (curve(&GRAY_VISIBLE).unwrap(), curve(&GRAY_UV).unwrap());
+    let (visible, uv) = (
+        Curve::of_pairs(&GRAY_VISIBLE).unwrap(),
+        Curve::of_pairs(&GRAY_UV).unwrap(),
+    );
     let quadratic = Polynomial::fit(&visible, 2).unwrap();
     let [c0, c1, c2] = quadratic.coefficients[..] else {
         panic!()
@@ -59,7 +61,7 @@ fn printed_gray_fits_are_the_least_squares_of_the_table() {
 
 #[test]
 fn a_monotone_curve_has_every_point_and_rises_where_the_quadratic_falls() {
-    let table = curve(&GRAY_VISIBLE).unwrap();
+    let table = Curve::of_pairs(&GRAY_VISIBLE).unwrap();
     let found = GrayCurve::new(&table, 255.0, CurveForm::Monotone).unwrap();
     for [gray, irradiance] in GRAY_VISIBLE {
         near(found.at(gray), irradiance, 1e-6);
@@ -77,7 +79,7 @@ fn a_monotone_curve_has_every_point_and_rises_where_the_quadratic_falls() {
     };
     let said = error.to_string();
     assert!(said.contains("usable from gray 86.15 to 239.06"), "{said}");
-    assert!(GrayCurve::new(&curve(&GRAY_UV).unwrap(), 255.0, CurveForm::Line).is_ok());
+    assert!(GrayCurve::new(&Curve::of_pairs(&GRAY_UV).unwrap(), 255.0, CurveForm::Line).is_ok());
 }
 
 #[test]
@@ -106,7 +108,9 @@ fn tables_that_fall_or_are_negative_name_the_range_that_is_usable() {
             ["gray values from 0 to 230", "--top"],
         ),
     ] {
-        let Err(error) = GrayCurve::new(&curve(pairs).unwrap(), 255.0, CurveForm::Monotone) else {
+        let Err(error) =
+            GrayCurve::new(&Curve::of_pairs(pairs).unwrap(), 255.0, CurveForm::Monotone)
+        else {
             panic!("{pairs:?} was taken")
         };
         let said = error.to_string();
@@ -120,7 +124,7 @@ fn delivered_light_of_both_examples() {
     // UV: 30 600 frames of 0.04 s; 11.3 mm × 20 mm, in the text 2.3 cm²
     let seconds = 30_600.0 * 0.04;
     near(seconds, 1224.0, 1e-9);
-    let table = curve(&GRAY_UV).unwrap();
+    let table = Curve::of_pairs(&GRAY_UV).unwrap();
     for (form, area, gray) in [
         (CurveForm::Line, 2.26, 147.6),
         (CurveForm::Line, 2.3, 145.1),
@@ -169,7 +173,7 @@ fn balls(series: &[[f64; 3]], table: &[[f64; 2]]) -> Curve {
     let pairs = series
         .iter()
         .map(|[gray, seconds, _]| [irradiance(table, *gray), *seconds]);
-    curve(&pairs.collect::<Vec<_>>()).unwrap()
+    Curve::of_pairs(&pairs.collect::<Vec<_>>()).unwrap()
 }
 
 #[test]
@@ -200,14 +204,14 @@ fn kinetics_come_back_from_their_own_times() {
         .iter()
         .map(|i| [*i, made_of.time_s(*i).unwrap()])
         .collect();
-    let fit = kinetics::fit(&curve(&pairs).unwrap()).unwrap();
+    let fit = kinetics::fit(&Curve::of_pairs(&pairs).unwrap()).unwrap();
     near(fit.kinetics.min_irradiance, 3.0, 1e-4);
     near(fit.kinetics.supply_per_s, 0.004, 1e-6);
     near(fit.kinetics.order, 0.5, 1e-4);
     near(fit.kinetics.inhibitor_dose(), 750.0, 0.2);
     assert!(fit.worst() < 1e-6);
     assert!(fit.errors.unwrap().iter().all(Option::is_some));
-    let few = kinetics::fit(&curve(&pairs[..3]).unwrap());
+    let few = kinetics::fit(&Curve::of_pairs(&pairs[..3]).unwrap());
     assert!(matches!(few, Err(Error::Config { key, .. }) if key == "irradiance"));
     // A best m below its range ends at 0, and has no error
     let beyond = Kinetics {
@@ -217,7 +221,7 @@ fn kinetics_come_back_from_their_own_times() {
     let pairs: Vec<[f64; 2]> = (pairs.iter())
         .map(|[i, _]| [*i, beyond.time_s(*i).unwrap()])
         .collect();
-    let fit = kinetics::fit(&curve(&pairs).unwrap()).unwrap();
+    let fit = kinetics::fit(&Curve::of_pairs(&pairs).unwrap()).unwrap();
     assert_eq!(fit.kinetics.order, 0.0);
     let [others @ .., of_order] = fit.errors.unwrap();
     assert!(others.iter().all(|e| e.is_some_and(|e| e > 0.0)) && of_order.is_none());

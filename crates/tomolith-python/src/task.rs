@@ -14,7 +14,6 @@ use tomolith::field::{Field, HostField};
 use tomolith::grid::{Patterns, Volume};
 use tomolith::job;
 use tomolith::objective::Objective;
-use tomolith::objective::penalty::PatternPenalty;
 
 /// What an optimizer needs: dose model F, loss, start and bounds, on the finest voxels of the optimization.
 ///

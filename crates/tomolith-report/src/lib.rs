@@ -319,14 +319,12 @@ mod tests {
     impl Sample {
         pub(crate) fn new() -> Self {
             let grid = VolumeGrid::centered([6, 20, 22], 0.1);
-            let radius = |i: usize| (grid.x(i % 22).powi(2) + grid.y(i / 22 % 20).powi(2)).sqrt();
-            let label = |i: usize| match radius(i) {
+            let radius = |[x, y, _]: [f64; 3]| (x.powi(2) + y.powi(2)).sqrt();
+            let label = |middle| match radius(middle) {
                 r if r > 1.0 => OUTSIDE,
                 r if r > 0.5 => VOID,
                 _ => PART,
             };
-            let labels = (0..grid.len()).map(label).collect();
-            let response = (0..grid.len()).map(|i| (1.3 - radius(i)) as f32).collect();
             let mut patterns = Patterns::dark(PatternGrid::full_turn(9, 0.0, 4, 6, 0.1));
             patterns
                 .values
@@ -346,8 +344,8 @@ mod tests {
                 response: vec![("steepness".to_owned(), 10.0 + i as f64)],
             };
             Sample {
-                labels: Volume::new(grid.clone(), labels),
-                response: Volume::new(grid, response),
+                labels: Volume::from_fn(grid.clone(), label),
+                response: Volume::from_fn(grid, |middle| (1.3 - radius(middle)) as f32),
                 patterns,
                 history: (0..5).map(row).collect(),
                 limits: PrintLimits {

@@ -50,11 +50,10 @@ pub fn cut_off(grid: &VolumeGrid, shape: &dyn Shape, run: &Run) -> Result<Option
         let high = (middle + half).min(bounds[1][axis]);
         ((high - low) / fine.pitch_mm).max(0.0)
     };
-    let [_, ny, nx] = fine.shape;
     let (mut all, mut kept) = (0.0, 0.0);
     for (i, &value) in values.iter().enumerate().filter(|(_, value)| **value > 0.0) {
         let value = f64::from(value);
-        let middle = [fine.x(i % nx), fine.y(i / nx % ny), fine.z(i / (nx * ny))];
+        let middle = fine.middle(i);
         all += value;
         kept += value
             * (0..3)

@@ -596,8 +596,7 @@ mod tests {
             let found = volume(&left);
             near!(found, (64.0 - 4.0 - 1.0), 0.05, "{pitch}");
             for (i, value) in left.values.iter().enumerate() {
-                let [ix, iy, iz] = [i % 48, i / 48 % 48, i / (48 * 48)];
-                let taken = [grid.x(ix), grid.y(iy), grid.z(iz)];
+                let taken = grid.middle(i);
                 let half = pitch / 2.0;
                 let in_rod = taken[0].abs() + half < 0.5 && taken[1].abs() + half < 0.5;
                 let in_flush = taken.iter().all(|v| v - half > 1.0);
@@ -617,11 +616,7 @@ mod tests {
             .fold(1.0f32, |a, b| a.min(*b));
         assert!(f64::from(least) >= STEP, "{least:e}");
         for (i, value) in values.iter().enumerate() {
-            let away: f64 = [grid.x(i % 67), grid.y(i / 67 % 67), grid.z(i / (67 * 67))]
-                .iter()
-                .map(|v| v * v)
-                .sum::<f64>()
-                .sqrt();
+            let away = grid.middle(i).iter().map(|v| v * v).sum::<f64>().sqrt();
             // Half a diagonal of a voxel; the ball of triangles is up to 1 % smaller
             if away > 2.0 + 0.061 {
                 assert_eq!(*value, 0.0);

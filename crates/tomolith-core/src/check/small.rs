@@ -81,18 +81,14 @@ impl SmallModel {
     pub fn ring(&self) -> (Target, Volume<u8>) {
         let grid = self.layout().grid.clone();
         let n = grid.shape[1] as f64;
-        let mut inside = Volume::filled(grid.clone(), 0.0f32);
-        for (i, value) in inside.values.iter_mut().enumerate() {
-            let (ix, iy) = (i % grid.shape[2], i / grid.shape[2] % grid.shape[1]);
-            let (x, y) = (grid.x(ix) / n, grid.y(iy) / n);
+        let is_ring = |[x, y, _]: [f64; 3]| {
+            let (x, y) = (x / n, y / n);
             let (radius, angle) = (x.hypot(y), y.atan2(x));
-            if (0.15..0.36).contains(&radius) && !(radius > 0.27 && (3.0 * angle).cos() > 0.8) {
-                *value = 1.0;
-            }
-        }
+            (0.15..0.36).contains(&radius) && !(radius > 0.27 && (3.0 * angle).cos() > 0.8)
+        };
         let target = Target {
             name: "ring".to_owned(),
-            inside,
+            inside: Volume::from_fn(grid, |middle| f32::from(is_ring(middle))),
             gray: false,
         };
         let labels = label_voxels(&target, |[x, y, _]| x.hypot(y) < n / 2.0);

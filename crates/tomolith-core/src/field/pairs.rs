@@ -439,9 +439,9 @@ impl BlockRef<'_> {
         direction: &Direction,
         fields: &DirectionBlock,
         out: &mut [f32],
-    ) -> DirectionSums {
+    ) -> [f64; 4] {
         let slots = self.slots;
-        let mut sums = DirectionSums::default();
+        let mut sums = [0.0; 4];
         let [scale, length, stretch] =
             [-direction.scale, -direction.length, direction.stretch].map(f32x8::splat);
         let splat = |factors: &[f32]| factors.iter().map(|&v| f32x8::splat(v)).collect::<Vec<_>>();
@@ -489,10 +489,8 @@ impl BlockRef<'_> {
                 gradient_slope += gradient.products(projected);
                 gradient_square += projected.products(projected);
             }
-            sums.slope += total(slope);
-            sums.square += total(square);
-            sums.gradient_slope += total(gradient_slope);
-            sums.gradient_square += total(gradient_square);
+            let of_chunk = [slope, square, gradient_slope, gradient_square].map(total);
+            sums = std::array::from_fn(|i| sums[i] + of_chunk[i]);
         }
         sums
     }
@@ -566,7 +564,7 @@ impl Pairs<HostField> for HostPairs {
         bounds: &Bounds,
         out: &mut HostField,
     ) -> DirectionSums {
-        let sums: Vec<DirectionSums> = self
+        let sums: Vec<[f64; 4]> = self
             .blocks()
             .into_iter()
             .zip(&bounds.blocks)
@@ -588,15 +586,7 @@ impl Pairs<HostField> for HostPairs {
                     out,
                 )
             });
-        let mut all = [0.0; 4];
-        for of_block in &sums {
-            all[0] += of_block.slope;
-            all[1] += of_block.square;
-            all[2] += of_block.gradient_slope;
-            all[3] += of_block.gradient_square;
-        }
-        x.add_up(&mut all);
-        let [slope, square, gradient_slope, gradient_square] = all;
+        let [slope, square, gradient_slope, gradient_square] = x.totals(&sums);
         DirectionSums {
             slope,
             square,
@@ -636,14 +626,7 @@ mod tests {
 
     /// Numbers between −1 and 1 that look random.
     fn noise(len: usize, seed: u32) -> HostField {
-        let mut state = seed.wrapping_mul(747_796_405) | 1;
-        let values: Vec<f32> = (0..len)
-            .map(|_| {
-                state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-                (state >> 8) as f32 / 8_388_608.0 - 1.0
-            })
-            .collect();
-        HostField::from_slice(&values)
+        HostField::from_slice(&crate::check::noise(u64::from(seed), len))
     }
 
     #[test]

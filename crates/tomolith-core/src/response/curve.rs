@@ -1,18 +1,17 @@
 //! Measured curves: two columns, dose and response.
 //!
-//! A text file with a pair of numbers per line, separated by a comma, semicolon, tab or blanks; a first line of words is a
-//! header, `#` begins a comment. Rows are sorted by dose; equal doses are averaged.
+//! A file is a table of [two columns](read_pairs). Rows are sorted by dose; equal doses are averaged.
 //!
 //! ```
 //! use tomolith_core::response::curve::Curve;
-//! let curve = Curve::parse("dose;conversion\n0.2; 0.25\n0; 0 # dark\n0.4; 0.125").unwrap();
+//! let curve = Curve::of_pairs(&[[0.2, 0.25], [0.0, 0.0], [0.4, 0.125]]).unwrap();
 //! assert_eq!(curve.doses, [0.0, 0.2, 0.4]);
 //! // 0.25 and 0.125 fall with dose: the nearest curve that does not has their mean
 //! assert_eq!(curve.monotone().responses, [0.0, 0.1875, 0.1875]);
 //! ```
 
+use crate::columns::read_pairs;
 use crate::error::{Error, Result};
-use crate::files::read_text;
 use crate::units::{counted, exact};
 use std::path::Path;
 
@@ -81,55 +80,22 @@ impl Curve {
         Ok(curve)
     }
 
-    /// The points of a text.
+    /// Pairs of dose and response in any order.
     ///
     /// # Errors
-    /// [`Error::Config`] naming the line.
-    pub fn parse(text: &str) -> Result<Self> {
-        let (mut doses, mut responses) = (Vec::new(), Vec::new());
-        let mut is_first = true;
-        for (i, line) in text.lines().enumerate() {
-            let line = line
-                .split('#')
-                .next()
-                .unwrap_or_default()
-                .trim()
-                .trim_start_matches('\u{feff}');
-            if line.is_empty() {
-                continue;
-            }
-            let separators = |c: char| c == ',' || c == ';' || c.is_whitespace();
-            let cells: Vec<&str> = line
-                .split(separators)
-                .filter(|cell| !cell.is_empty())
-                .collect();
-            let numbers: Vec<f64> = cells.iter().filter_map(|cell| cell.parse().ok()).collect();
-            match numbers[..] {
-                [dose, response] if cells.len() == 2 => {
-                    doses.push(dose);
-                    responses.push(response);
-                }
-                [] if is_first => {}
-                _ => {
-                    return Err(Error::config(
-                        format!("line {}", i + 1),
-                        format!("found {line:?}"),
-                        "two numbers, dose and response",
-                    ));
-                }
-            }
-            is_first = false;
-        }
-        Curve::new(&doses, &responses)
+    /// As [`new`](Self::new).
+    pub fn of_pairs(pairs: &[[f64; 2]]) -> Result<Self> {
+        let column = |c: usize| -> Vec<f64> { pairs.iter().map(|pair| pair[c]).collect() };
+        Curve::new(&column(0), &column(1))
     }
 
-    /// The points of a file.
+    /// The points of a file with two columns.
     ///
     /// # Errors
-    /// [`Error::Io`], and [`Error::Format`] naming the line.
+    /// As [`read_pairs`]; [`Error::Format`] for what [`new`](Self::new) refuses.
     pub fn read(path: &Path) -> Result<Self> {
-        let text = read_text(path)?;
-        Curve::parse(&text).map_err(|e| match e {
+        let pairs = read_pairs(path, "dose and response")?;
+        Curve::of_pairs(&pairs).map_err(|e| match e {
             Error::Config {
                 key,
                 found,
@@ -169,27 +135,6 @@ impl Curve {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn lines_that_hold_no_pair_are_named() {
-        for (text, wrong) in [
-            ("0,0\n1,a", "line 2"),
-            ("0 0\n\n1 2 3", "line 3"),
-            ("0,0", "dose"),
-            ("a,b\nc,d", "line 2"),
-            ("0,0\n1,nan", "response[1]"),
-        ] {
-            let Err(Error::Config { key, .. }) = Curve::parse(text) else {
-                panic!("{text:?} was accepted")
-            };
-            assert_eq!(key, wrong, "{text:?}");
-        }
-        let folder = tempfile::tempdir().unwrap();
-        let file = folder.path().join("curve.csv");
-        std::fs::write(&file, "dose,response\n0,0\nx").unwrap();
-        let text = Curve::read(&file).unwrap_err().to_string();
-        crate::contains!(text, "curve.csv", "line 3");
-    }
 
     #[test]
     fn the_monotone_curve_is_the_nearest_of_all() {

@@ -25,7 +25,7 @@
 //! ```
 
 use super::{BuildResponse, Response, ResponseForm};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, in_range};
 use crate::field::Lanes;
 use crate::field::group::Group;
 use crate::kind::Kind;
@@ -57,14 +57,12 @@ impl Params {
             ("midpoint", self.midpoint, 1e9, false),
             ("asymmetry", self.asymmetry, 100.0, true),
         ] {
-            if value.is_nan() || value.abs() > most || (positive && value <= 0.0) {
-                let accepted = if positive {
-                    format!("a number above 0 and at most {most:e}")
-                } else {
-                    format!("a number from {:e} to {most:e}", -most)
-                };
-                return Err(Error::config(key, format!("found {value:?}"), accepted));
-            }
+            let accepted = match positive {
+                true => format!("a number above 0 and at most {most:e}"),
+                false => format!("a number from {:e} to {most:e}", -most),
+            };
+            let is_in = value.abs() <= most && (!positive || value > 0.0);
+            in_range(is_in, key, value, accepted)?;
         }
         if self.lower >= self.upper {
             return Err(Error::config(

@@ -293,10 +293,8 @@ mod tests {
         let volume = domain.layout().volume_of(now.as_slice());
         let (mut mass, mut variance) = (0.0, [0.0; 3]);
         for (i, &v) in volume.values.iter().enumerate() {
-            let g = &volume.grid;
-            let (iz, iy, ix) = (i / 729, i / 27 % 27, i % 27);
             mass += f64::from(v);
-            for (sum, at) in variance.iter_mut().zip([g.x(ix), g.y(iy), g.z(iz)]) {
+            for (sum, at) in variance.iter_mut().zip(volume.grid.middle(i)) {
                 *sum += f64::from(v) * at * at;
             }
         }

@@ -1,7 +1,7 @@
 use super::*;
 use crate::mixing::Mixing;
 use tomolith_core::check::noise;
-use tomolith_core::grid::VolumeGrid;
+use tomolith_core::grid::{Volume, VolumeGrid};
 use tomolith_core::near;
 
 fn oxygen(capacity: f64, diffusion: f64) -> Inhibitor {
@@ -300,14 +300,12 @@ fn both_schemes_agree_where_both_are_exact_enough() {
         let mut state = material.start().unwrap();
         let layout = material.domain().layout();
         let grid = material.domain().grid();
-        let mut light = material.domain().zeros();
-        for i in 0..grid.len() {
-            let (iz, iy, ix) = (i / 120, i / 10 % 12, i % 10);
-            let r2 = grid.x(ix).powi(2) + grid.y(iy).powi(2) + grid.z(iz).powi(2);
-            light.as_mut_slice()[layout.index(iz, iy, ix)] = (0.04 * (-r2 / 0.03).exp()) as f32;
-        }
+        let light = layout.field_of(&Volume::from_fn(grid.clone(), |middle| {
+            let r2: f64 = middle.iter().map(|v| v * v).sum();
+            (0.04 * (-r2 / 0.03).exp()) as f32
+        }));
         for _ in 0..60 {
-            material.step(&mut state, &[light.as_slice()], 0.5).unwrap();
+            material.step(&mut state, &[&light], 0.5).unwrap();
         }
         state
     };

@@ -18,6 +18,7 @@
 use super::lattice::Lattice;
 use std::f64::consts::TAU;
 use tomolith_core::dose::waves::PlaceTaps;
+use tomolith_core::least_squares::solve;
 
 /// Rows of a table: linear between them, weights are right to (π·B/512)²/8 < 5·10⁻⁶ for B cycles a sample.
 const ROWS: usize = 512;
@@ -323,30 +324,6 @@ fn mean_square(table: &Table, taps: usize, lower: usize) -> f64 {
         .map(|row| table.weights(taps, first, row).1)
         .sum();
     sum / (rows + 1) as f64
-}
-
-/// Gauss with pivots, for a handful of unknowns.
-fn solve(mut matrix: Vec<Vec<f64>>, mut right: Vec<f64>) -> Vec<f64> {
-    let n = right.len();
-    for i in 0..n {
-        let largest = |&a: &usize, &b: &usize| matrix[a][i].abs().total_cmp(&matrix[b][i].abs());
-        let pivot = (i..n).max_by(largest).unwrap_or(i);
-        matrix.swap(i, pivot);
-        right.swap(i, pivot);
-        for j in i + 1..n {
-            let factor = matrix[j][i] / matrix[i][i];
-            let (above, below) = matrix.split_at_mut(j);
-            for (to, from) in below[0][i..].iter_mut().zip(&above[i][i..]) {
-                *to -= factor * from;
-            }
-            right[j] -= factor * right[i];
-        }
-    }
-    for i in (0..n).rev() {
-        let known: f64 = (i + 1..n).map(|j| matrix[i][j] * right[j]).sum();
-        right[i] = (right[i] - known) / matrix[i][i];
-    }
-    right
 }
 
 #[cfg(test)]

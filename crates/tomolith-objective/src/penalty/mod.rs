@@ -1,9 +1,8 @@
 //! Penalties on patterns: R of the one equation.
 //!
-//! *What must it do, and who does it.* A [`PatternPenalty`] is a function of the patterns alone, with its gradient and its
-//! course along a step; the table [`PENALTIES`] holds them, and [`Penalties`] is their weighted sum, which a
-//! `Problem` of an optimization adds to the loss. A job lists them as `[[penalties]]`, one kind each, with `weight`
-//! = λ.
+//! *What must it do, and who does it.* A penalty is a function of the patterns alone, as data: a [`PatternCost`]. The table [`PENALTIES`]
+//! holds what makes them, and [`Penalties`] is their weighted sum, with its gradient and its course along a step, which a `Problem` of an
+//! optimization adds to the loss. A job lists them as `[[penalties]]`, one kind each, with `weight` = λ.
 
 pub mod smoothness;
 pub mod sparsity;
@@ -11,33 +10,21 @@ mod weighted;
 
 use serde::de::DeserializeOwned;
 use std::fmt::Debug;
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 use tomolith_core::dose::PatternLayout;
 use tomolith_core::error::Result;
-use tomolith_core::field::{CostKernel, Field, HostField, PatternCost};
+use tomolith_core::field::PatternCost;
 use tomolith_core::kind::{Kind, Read, Section};
 pub use weighted::Penalties;
 
-/// A real-valued function of the patterns. It knows no optics.
-pub trait PatternPenalty<F: Field>: Send + Sync {
-    /// R(x)
-    fn value(&self, x: &F) -> f64;
-    /// gradient ← gradient + scale·∂R/∂x; returns R(x).
-    fn add_gradient(&self, x: &F, scale: f64, gradient: &mut F) -> f64;
-    /// α ↦ (R, dR/dα) of x + α·step, for line searches, without a temporary field.
-    fn slope_along(&self, x: &F, step: &F, alpha: f32) -> (f64, f64);
-    /// Whether R is convex.
-    fn is_convex(&self) -> bool;
-}
-
 /// A penalty with its parameters, before it knows any patterns.
-pub trait MakePenalty<F: Field = HostField>: Debug + Send + Sync {
+pub trait MakePenalty: Debug + Send + Sync {
     /// The penalty on patterns of these layouts, one per light, one after the other in the field.
     ///
     /// # Errors
     /// [`Error::Config`](tomolith_core::Error::Config) with the key of a parameter out of range; never for parameters that a row
     /// [read](BuildPenalty).
-    fn make(&self, lights: &[PatternLayout]) -> Result<Box<dyn PatternPenalty<F>>>;
+    fn make(&self, lights: &[PatternLayout]) -> Result<PatternCost>;
     /// Whether it compares pixels of different frames.
     fn joins_frames(&self) -> bool {
         false
@@ -45,66 +32,20 @@ pub trait MakePenalty<F: Field = HostField>: Debug + Send + Sync {
 }
 
 /// Reads the parameters of a penalty from its section.
-pub type BuildPenalty<F = HostField> = Read<Arc<dyn MakePenalty<F>>>;
+pub type BuildPenalty = Read<Arc<dyn MakePenalty>>;
 
 /// The `build` of a row whose parameters are P; refuses those out of range.
-fn read<F: Field, P>(section: &Section) -> Result<Arc<dyn MakePenalty<F>>>
+fn read<P>(section: &Section) -> Result<Arc<dyn MakePenalty>>
 where
-    P: MakePenalty<F> + DeserializeOwned + 'static,
+    P: MakePenalty + DeserializeOwned + 'static,
 {
     let params: P = section.parse()?;
     params.make(&[]).map_err(|e| e.under(&section.path))?;
     Ok(Arc::new(params))
 }
 
-/// Every penalty, for patterns in host memory.
-pub static PENALTIES: &[Kind<BuildPenalty>] = penalties();
-
-/// Every penalty, wherever patterns live.
-#[must_use]
-pub const fn penalties<F: Field>() -> &'static [Kind<BuildPenalty<F>>] {
-    const { &[sparsity::kind(), smoothness::kind()] }
-}
-
-/// A penalty that is plain data, compiled by the field's backend when it sees the first patterns.
-pub struct CostPenalty<F: Field> {
-    cost: Arc<PatternCost>,
-    /// The penalty where patterns live.
-    kernel: OnceLock<F::Costs>,
-}
-
-impl<F: Field> CostPenalty<F> {
-    /// The penalty of these data.
-    #[must_use]
-    pub fn new(cost: PatternCost) -> Self {
-        CostPenalty {
-            cost: Arc::new(cost),
-            kernel: OnceLock::new(),
-        }
-    }
-
-    fn kernel(&self, x: &F) -> &F::Costs {
-        self.kernel.get_or_init(|| F::Costs::new(&self.cost, x))
-    }
-}
-
-impl<F: Field> PatternPenalty<F> for CostPenalty<F> {
-    fn value(&self, x: &F) -> f64 {
-        self.kernel(x).value(x)
-    }
-
-    fn add_gradient(&self, x: &F, scale: f64, gradient: &mut F) -> f64 {
-        self.kernel(x).add_gradient(x, scale, gradient)
-    }
-
-    fn slope_along(&self, x: &F, step: &F, alpha: f32) -> (f64, f64) {
-        self.kernel(x).slope_along(x, step, alpha)
-    }
-
-    fn is_convex(&self) -> bool {
-        self.cost.is_convex()
-    }
-}
+/// Every penalty.
+pub static PENALTIES: &[Kind<BuildPenalty>] = &[sparsity::KIND, smoothness::KIND];
 
 #[cfg(test)]
 mod tests {
@@ -113,6 +54,7 @@ mod tests {
     use tomolith_core::check::example;
     use tomolith_core::dose::Quantity;
     use tomolith_core::error::Error;
+    use tomolith_core::field::{Field, HostField};
     use tomolith_core::grid::PatternGrid;
     use tomolith_core::near;
 
@@ -136,8 +78,16 @@ mod tests {
         HostField::from_slice(&values)
     }
 
+    /// A penalty of weight 1 where patterns live.
+    pub(super) fn alone(cost: PatternCost) -> Penalties<HostField> {
+        Penalties::new(vec![(1.0, cost)]).unwrap()
+    }
+
     /// Value, gradient and course along a step belong together; the gradient is the derivative.
-    fn check_penalty(name: &str, penalty: &dyn PatternPenalty<HostField>, len: usize) {
+    fn check_penalty(name: &str, section: &Section, row: &Kind<BuildPenalty>) {
+        let layouts = layouts();
+        let len = layouts.iter().map(PatternLayout::len).sum();
+        let penalty = alone((row.build)(section).unwrap().make(&layouts).unwrap());
         let (x, step) = (
             patterns(len, 3),
             HostField::from_slice(&check::noise(9, len)),
@@ -182,42 +132,21 @@ mod tests {
 
     #[test]
     fn every_row_is_a_value_with_its_gradient() {
-        let layouts = layouts();
-        let len = layouts.iter().map(PatternLayout::len).sum();
         for row in PENALTIES {
-            check_penalty(
-                row.name,
-                &*(row.build)(&example(row)).unwrap().make(&layouts).unwrap(),
-                len,
-            );
+            check_penalty(row.name, &example(row), row);
         }
-        for json in [
-            serde_json::json!({"rows": 0.0, "columns": 2.0, "angles": 0.5}),
-            serde_json::json!({"edge": 0.2}),
+        for (row, json) in [
+            (
+                smoothness::KIND,
+                serde_json::json!({"rows": 0.0, "columns": 2.0, "angles": 0.5}),
+            ),
+            (smoothness::KIND, serde_json::json!({"edge": 0.2})),
+            (sparsity::KIND, serde_json::json!({"exponent": 1.0})),
+            (sparsity::KIND, serde_json::json!({"exponent": 1.5})),
+            (sparsity::KIND, serde_json::json!({"exponent": 4.0})),
         ] {
-            let section = Section::new("penalties[0].smoothness", json.clone());
-            check_penalty(
-                &json.to_string(),
-                &*(smoothness::kind().build)(&section)
-                    .unwrap()
-                    .make(&layouts)
-                    .unwrap(),
-                len,
-            );
-        }
-        for exponent in [1.0, 1.5, 4.0] {
-            let section = Section::new(
-                "penalties[0].sparsity",
-                serde_json::json!({"exponent": exponent}),
-            );
-            check_penalty(
-                &format!("power {exponent}"),
-                &*(sparsity::kind().build)(&section)
-                    .unwrap()
-                    .make(&layouts)
-                    .unwrap(),
-                len,
-            );
+            let section = Section::new("penalties[0]", json.clone());
+            check_penalty(&json.to_string(), &section, &row);
         }
     }
 

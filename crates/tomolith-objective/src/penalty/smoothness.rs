@@ -14,14 +14,14 @@
 //! **Source** Tikhonov's H¹ penalty; the rounded total variation is Charbonnier et al., IEEE Trans. Image Process. 6
 //! (1997) 298. **Parameters** see [`Params`]. **Cost** one pass over the patterns, three neighbors a pixel.
 
-use super::{BuildPenalty, CostPenalty, MakePenalty, PatternPenalty, read};
+use super::{BuildPenalty, MakePenalty, read};
 use crate::preset::{not_negative, positive};
 use std::f64::consts::TAU;
 use tomolith_core::dose::PatternLayout;
 use tomolith_core::dose::layout::PixelRun;
 use tomolith_core::error::{Error, Result};
+use tomolith_core::field::PatternCost;
 use tomolith_core::field::costs::{FramePairs, PixelPairs};
-use tomolith_core::field::{Field, PatternCost};
 use tomolith_core::kind::{Kind, schema_of};
 
 tomolith_core::keys! {
@@ -42,7 +42,7 @@ tomolith_core::keys! {
 ///
 /// # Errors
 /// [`Error::Config`] for a negative weight, no weight at all, or an edge that is not above 0.
-pub fn smoothness<F: Field>(params: &Params, lights: &[PatternLayout]) -> Result<CostPenalty<F>> {
+pub fn smoothness(params: &Params, lights: &[PatternLayout]) -> Result<PatternCost> {
     for (key, weight) in [
         ("rows", params.rows),
         ("columns", params.columns),
@@ -62,10 +62,10 @@ pub fn smoothness<F: Field>(params: &Params, lights: &[PatternLayout]) -> Result
     for light in lights {
         frames.extend(frames_of(params, light, frames.len()));
     }
-    Ok(CostPenalty::new(PatternCost::Differences {
+    Ok(PatternCost::Differences {
         frames,
         edge: params.edge,
-    }))
+    })
 }
 
 /// The frames of a light; the first is the `first` of all.
@@ -126,20 +126,17 @@ fn overlap(a: &PixelRun, b: &PixelRun, weight: f64) -> Option<PixelPairs> {
 }
 
 /// The row of the table.
-#[must_use]
-pub const fn kind<F: Field>() -> Kind<BuildPenalty<F>> {
-    Kind {
-        name: "smoothness",
-        summary: "differences between neighboring pixels and frames: squared, or a smoothed total variation",
-        example: "[[penalties]]\nsmoothness = { rows = 1.0, columns = 1.0, angles = 0.5 }\nweight = 1e-3",
-        schema: schema_of::<Params>,
-        build: read::<F, Params>,
-    }
-}
+pub const KIND: Kind<BuildPenalty> = Kind {
+    name: "smoothness",
+    summary: "differences between neighboring pixels and frames: squared, or a smoothed total variation",
+    example: "[[penalties]]\nsmoothness = { rows = 1.0, columns = 1.0, angles = 0.5 }\nweight = 1e-3",
+    schema: schema_of::<Params>,
+    build: read::<Params>,
+};
 
-impl<F: Field> MakePenalty<F> for Params {
-    fn make(&self, lights: &[PatternLayout]) -> Result<Box<dyn PatternPenalty<F>>> {
-        Ok(Box::new(smoothness(self, lights)?))
+impl MakePenalty for Params {
+    fn make(&self, lights: &[PatternLayout]) -> Result<PatternCost> {
+        smoothness(self, lights)
     }
 
     fn joins_frames(&self) -> bool {
@@ -149,9 +146,11 @@ impl<F: Field> MakePenalty<F> for Params {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Penalties;
+    use super::super::tests::alone;
     use super::*;
     use tomolith_core::dose::Quantity;
-    use tomolith_core::field::HostField;
+    use tomolith_core::field::{Field, HostField};
     use tomolith_core::grid::PatternGrid;
 
     fn of_weights(
@@ -159,14 +158,14 @@ mod tests {
         columns: f64,
         angles: f64,
         lights: &[PatternLayout],
-    ) -> CostPenalty<HostField> {
+    ) -> Penalties<HostField> {
         let params = Params {
             rows,
             columns,
             angles,
             edge: None,
         };
-        smoothness(&params, lights).unwrap()
+        alone(smoothness(&params, lights).unwrap())
     }
 
     #[test]

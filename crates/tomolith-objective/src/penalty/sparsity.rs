@@ -12,20 +12,22 @@
 //!
 //! ```
 //! use tomolith_core::field::{Field, HostField};
-//! use tomolith_objective::penalty::{PatternPenalty, sparsity::sparsity};
+//! use tomolith_objective::penalty::{Penalties, sparsity::sparsity};
 //! let x = HostField::from_slice(&[0.5, 0.0, 1.0]);
 //! let mut gradient = x.zeros_like();
-//! let value = sparsity(2.0).unwrap().add_gradient(&x, 1.0, &mut gradient);
+//! let penalty = Penalties::new(vec![(1.0, sparsity(2.0)?)])?;
+//! let value = penalty.add_gradient(&x, 1.0, &mut gradient);
 //! assert_eq!((value, gradient.as_slice()), (1.25, &[1.0, 0.0, 2.0][..])); // 0.25 + 1; slopes 2·x
+//! # Ok::<(), tomolith_core::Error>(())
 //! ```
 
-use super::{BuildPenalty, CostPenalty, MakePenalty, PatternPenalty, read};
+use super::{BuildPenalty, MakePenalty, read};
 use crate::preset::positive;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::dose::PatternLayout;
 use tomolith_core::error::Result;
-use tomolith_core::field::{Field, PatternCost};
+use tomolith_core::field::PatternCost;
 use tomolith_core::kind::{Kind, schema_of};
 
 /// The parameters of sparsity.
@@ -46,42 +48,38 @@ impl Default for Params {
 ///
 /// # Errors
 /// [`Error::Config`](tomolith_core::Error::Config) when M is not above 0.
-pub fn sparsity<F: Field>(exponent: f64) -> Result<CostPenalty<F>> {
+pub fn sparsity(exponent: f64) -> Result<PatternCost> {
     positive("exponent", exponent)?;
-    Ok(CostPenalty::new(PatternCost::Power { exponent }))
+    Ok(PatternCost::Power { exponent })
 }
 
 /// The row of the table.
-#[must_use]
-pub const fn kind<F: Field>() -> Kind<BuildPenalty<F>> {
-    Kind {
-        name: "sparsity",
-        summary: "sum of |x| to a power: penalizes bright pixels",
-        example: "[[penalties]]\nsparsity = { exponent = 4.0 }\nweight = 1e-3",
-        schema: schema_of::<Params>,
-        build: read::<F, Params>,
-    }
-}
+pub const KIND: Kind<BuildPenalty> = Kind {
+    name: "sparsity",
+    summary: "sum of |x| to a power: penalizes bright pixels",
+    example: "[[penalties]]\nsparsity = { exponent = 4.0 }\nweight = 1e-3",
+    schema: schema_of::<Params>,
+    build: read::<Params>,
+};
 
-impl<F: Field> MakePenalty<F> for Params {
-    fn make(&self, _: &[PatternLayout]) -> Result<Box<dyn PatternPenalty<F>>> {
-        Ok(Box::new(sparsity(self.exponent)?))
+impl MakePenalty for Params {
+    fn make(&self, _: &[PatternLayout]) -> Result<PatternCost> {
+        sparsity(self.exponent)
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::tests::alone;
     use super::*;
-    use tomolith_core::field::HostField;
+    use tomolith_core::field::{Field, HostField};
 
     #[test]
     fn the_total_light_has_the_slope_one_in_the_dark_too() {
         let x = HostField::zeros(3);
         let mut gradient = x.zeros_like();
-        assert_eq!(
-            sparsity(1.0).unwrap().add_gradient(&x, 3.0, &mut gradient),
-            0.0
-        );
+        let penalty = alone(sparsity(1.0).unwrap());
+        assert_eq!(penalty.add_gradient(&x, 3.0, &mut gradient), 0.0);
         assert_eq!(gradient.as_slice(), [3.0; 3]);
     }
 }

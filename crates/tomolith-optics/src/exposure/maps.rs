@@ -1,8 +1,7 @@
-//! Maps of a device: one number per pixel from an image or an array, and tables of two columns.
+//! Maps of a device: one number per pixel from an image or an array.
 
 use std::path::Path;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::files::read_text;
 use tomolith_io::image::read_gray;
 use tomolith_io::npy::read_matrix;
 
@@ -43,32 +42,4 @@ pub fn read_map(path: &Path, size: [usize; 2], as_what: &str) -> Result<Vec<f32>
         ))),
         None => Ok(values),
     }
-}
-
-/// Two columns of numbers, parted by commas, semicolons, blanks or tabs; empty lines and lines with # are skipped.
-pub(crate) fn read_table(path: &Path) -> Result<Vec<[f64; 2]>> {
-    let text = read_text(path)?;
-    let mut points = Vec::new();
-    for (i, line) in text.lines().enumerate() {
-        let line = line.trim();
-        if line.is_empty() || line.starts_with('#') {
-            continue;
-        }
-        let numbers: Vec<Option<f64>> = line
-            .split([',', ';', ' ', '\t'])
-            .filter(|word| !word.is_empty())
-            .map(|word| word.parse().ok())
-            .collect();
-        match numbers[..] {
-            [Some(value), Some(intensity)] => points.push([value, intensity]),
-            _ => {
-                return Err(Error::format(
-                    path,
-                    format!("line {}: `{line}`", i + 1),
-                    "two numbers a line, value and intensity",
-                ));
-            }
-        }
-    }
-    Ok(points)
 }

@@ -54,6 +54,7 @@ use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::f64::consts::{PI, TAU};
 use std::path::{Path, PathBuf};
+use tomolith_core::columns::read_pairs;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{PatternGrid, Patterns, PixelMask};
 use tomolith_core::parallel::InParallel;
@@ -645,8 +646,8 @@ fn curve(spec: &PrinterSpec, base: &Path) -> Result<Option<ToneCurve>> {
     let Some(file) = &spec.gray_curve_file else {
         return Ok(None);
     };
-    let points =
-        super::maps::read_table(&base.join(file)).map_err(|e| at_key("gray_curve_file", e))?;
+    let points = read_pairs(&base.join(file), "value and intensity");
+    let points = points.map_err(|e| at_key("gray_curve_file", e))?;
     ToneCurve::new(&points, "printer.gray_curve_file").map(Some)
 }
 

@@ -19,14 +19,6 @@
 //! **Source** Li et al. (2024), eqs. 2, 3 and SE.10–SE.13; with `offset` Rackson et al. (2021).
 //!
 //! **Parameters** see [`Params`]. **Limits** linear models only. **Cost** one adjoint and, to fit, one forward call; the filter.
-//!
-//! ```
-//! use tomolith_core::kind::Section;
-//! use tomolith_optimize::STARTS;
-//! let row = STARTS.iter().find(|row| row.name == "fbp").unwrap();
-//! let section = Section::new("start.fbp", serde_json::json!({"filter": "hann", "scale": "analytic"}));
-//! assert!((row.build)(&section).is_ok());
-//! ```
 
 use super::{BuildStart, InitialPatterns, StartInput};
 use crate::filter::{Filter, Projection};
@@ -201,13 +193,9 @@ mod tests {
     /// mean dose in each half, less a rim of two voxels.
     fn disc_in_halves(right: f32, scale: StartScale) -> (Vec<f32>, [f64; 2]) {
         let grid = VolumeGrid::centered([1, 64, 64], 0.1);
-        let radius = |i: usize| grid.x(i % 64).hypot(grid.y(i / 64));
-        let inside: Vec<f32> = (0..grid.len())
-            .map(|i| f32::from(radius(i) < 2.0))
-            .collect();
         let target = Target {
             name: "disc".to_owned(),
-            inside: Volume::new(grid.clone(), inside),
+            inside: Volume::from_fn(grid.clone(), |[x, y, _]| f32::from(x.hypot(y) < 2.0)),
             gray: false,
         };
         let labels = label_voxels(&target, |[x, y, _]| x.hypot(y) < 3.2);
@@ -234,7 +222,10 @@ mod tests {
         let dose = DoseModel::outputs(&model)[0].volume_of(dose.as_slice());
         let mean = |is_right: bool| {
             let found: Vec<f64> = (0..grid.len())
-                .filter(|&i| radius(i) < 1.8 && (grid.x(i % 64) > 0.0) == is_right)
+                .filter(|&i| {
+                    let [x, y, _] = grid.middle(i);
+                    x.hypot(y) < 1.8 && (x > 0.0) == is_right
+                })
                 .map(|i| f64::from(dose.values[i]))
                 .collect();
             found.iter().sum::<f64>() / found.len() as f64

@@ -341,18 +341,10 @@ mod tests {
             let half = grid.pitch_mm / 2.0;
             // The rims of round parts are polygons of 360 corners: they miss the circle by 4e-5 of the radius
             let slack = half + 1e-3;
-            for iz in 0..grid.shape[0] {
-                for iy in 0..grid.shape[1] {
-                    for ix in 0..grid.shape[2] {
-                        let p = [grid.x(ix), grid.y(iy), grid.z(iz)];
-                        let out = (0..3).any(|i| p[i] < low[i] - slack || p[i] > high[i] + slack);
-                        assert!(
-                            !out || *volume.at(iz, iy, ix) == 0.0,
-                            "{} at {p:?}",
-                            kind.name
-                        );
-                    }
-                }
+            for (i, &value) in volume.values.iter().enumerate() {
+                let p = grid.middle(i);
+                let out = (0..3).any(|i| p[i] < low[i] - slack || p[i] > high[i] + slack);
+                assert!(!out || value == 0.0, "{} at {p:?}", kind.name);
             }
         }
     }

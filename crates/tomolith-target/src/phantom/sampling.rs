@@ -443,23 +443,18 @@ mod tests {
         };
         let at = |i: usize| sample(i, POINTS, grid.pitch_mm / POINTS as f64);
         let (mut worst, mut squares, mut cut) = (0.0f64, 0.0, 0);
-        for iz in 0..n {
-            for iy in 0..n {
-                for ix in 0..n {
-                    let middle = [grid.x(ix), grid.y(iy), grid.z(iz)];
-                    if surface(middle).abs() > grid.pitch_mm {
-                        continue;
-                    }
-                    let inside = (0..POINTS.pow(3)).filter(|i| {
-                        let [x, y, z] = [i % POINTS, i / POINTS % POINTS, i / POINTS / POINTS];
-                        surface([middle[0] + at(x), middle[1] + at(y), middle[2] + at(z)]) < 0.0
-                    });
-                    let exact = inside.count() as f64 / POINTS.pow(3) as f64;
-                    let error = f64::from(*found.at(iz, iy, ix)) - exact;
-                    (worst, squares, cut) =
-                        (worst.max(error.abs()), squares + error * error, cut + 1);
-                }
+        for (i, &share) in found.values.iter().enumerate() {
+            let middle = grid.middle(i);
+            if surface(middle).abs() > grid.pitch_mm {
+                continue;
             }
+            let inside = (0..POINTS.pow(3)).filter(|i| {
+                let [x, y, z] = [i % POINTS, i / POINTS % POINTS, i / POINTS / POINTS];
+                surface([middle[0] + at(x), middle[1] + at(y), middle[2] + at(z)]) < 0.0
+            });
+            let exact = inside.count() as f64 / POINTS.pow(3) as f64;
+            let error = f64::from(share) - exact;
+            (worst, squares, cut) = (worst.max(error.abs()), squares + error * error, cut + 1);
         }
         [worst, (squares / f64::from(cut)).sqrt()]
     }

@@ -90,19 +90,14 @@ fn errors_in_a_disc(key: &str, runs: [[f32; 2]; 3], changes: &[&str]) -> [f32; 3
     let resolved = ResolvedJob::new(&job(&[])).unwrap();
     let task = resolved.task(&Run::new()).unwrap();
     let grid = task.target.inside.grid.clone();
-    let [_, ny, nx] = grid.shape;
     // A quarter of the inscribed circle's area
-    let is_disc = |i: usize| {
-        let (x, y) = (grid.x(i % nx) - 0.2, grid.y(i / nx % ny));
-        x.hypot(y) < 0.32
-    };
+    let is_disc = |[x, y, _]: [f64; 3]| (x - 0.2).hypot(y) < 0.32;
     let folder = tempfile::tempdir().unwrap();
     runs.map(|[inside, outside]| {
-        let of = |i: usize| if is_disc(i) { inside } else { outside };
-        let values = (0..grid.len()).map(of).collect();
+        let number = |middle| if is_disc(middle) { inside } else { outside };
         let file = folder.path().join("disc.npy");
-        let grid = grid.clone();
-        npy::write_volume(&file, &Volume { grid, values }, &Run::new()).unwrap();
+        let numbers = Volume::from_fn(grid.clone(), number);
+        npy::write_volume(&file, &numbers, &Run::new()).unwrap();
         let file = format!(
             "objectives[0].{key}={{ file = {:?} }}",
             file.display().to_string()
@@ -110,7 +105,7 @@ fn errors_in_a_disc(key: &str, runs: [[f32; 2]; 3], changes: &[&str]) -> [f32; 3
         let dose = ended(&[changes, &[&file]].concat()).dose;
         let pairs = dose.iter().zip(&task.target.inside.values).enumerate();
         let squares = pairs
-            .filter(|(i, _)| is_disc(*i))
+            .filter(|(i, _)| is_disc(grid.middle(*i)))
             .map(|(_, (a, b))| (a - b).powi(2));
         squares.sum::<f32>().sqrt()
     })

@@ -1,7 +1,7 @@
 //! Materials in the light of the `parallel` model: what diffuses, prints and shades there, against models that know it exactly.
 
 use std::sync::Arc;
-use tomolith::check::taylor::Remainders;
+use tomolith::check::{self, taylor::Remainders};
 use tomolith::field::{Field, HostField};
 use tomolith::grid::{PatternGrid, Volume, VolumeGrid};
 use tomolith::models::parallel::Parallel;
@@ -52,28 +52,16 @@ fn patterns(model: &Model) -> HostField {
     x
 }
 
-fn noise(like: &HostField, seed: u32) -> HostField {
-    let mut field = like.zeros_like();
-    let mut state = seed;
-    for v in field.as_mut_slice() {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        *v = (state >> 8) as f32 / 8_388_608.0 - 1.0;
-    }
-    field
+fn noise(like: &HostField, seed: u64) -> HostField {
+    HostField::from_slice(&check::noise(seed, like.len()))
 }
 
 /// A disc off the axis that absorbs more.
 fn disc(more: f32) -> Volume<f32> {
-    let grid = grid();
-    let [_, ny, nx] = grid.shape;
-    let of = |i: usize| {
-        let (x, y) = (grid.x(i % nx) - 0.5, grid.y(i / nx % ny) + 0.3);
-        MU as f32 + if x.hypot(y) < 0.8 { more } else { 0.0 }
-    };
-    Volume {
-        values: (0..grid.len()).map(of).collect(),
-        grid,
-    }
+    Volume::from_fn(grid(), |[x, y, _]| {
+        let is_inside = (x - 0.5).hypot(y + 0.3) < 0.8;
+        MU as f32 + if is_inside { more } else { 0.0 }
+    })
 }
 
 fn dose(model: &Model, x: &HostField) -> HostField {
@@ -293,16 +281,10 @@ fn exact(own_patterns: bool) -> Printing {
 fn loss(model: &Printing, x: &HostField, gradient: Option<&mut HostField>) -> f64 {
     let run = Run::new();
     let layout = &model.outputs()[0];
-    let wanted = Volume {
-        values: (0..layout.grid.len())
-            .map(|i| {
-                let (x, y) = (layout.grid.x(i % 40), layout.grid.y(i / 40 % 40));
-                let comb = x.hypot(y) < 1.5 && (x * 2.5).floor() as i64 % 2 == 0;
-                if comb { 1.1 } else { 0.6 }
-            })
-            .collect(),
-        grid: layout.grid.clone(),
-    };
+    let wanted = Volume::from_fn(layout.grid.clone(), |[x, y, _]| {
+        let comb = x.hypot(y) < 1.5 && (x * 2.5).floor() as i64 % 2 == 0;
+        if comb { 1.1 } else { 0.6 }
+    });
     let mut off = dose(model, x);
     off.axpy(-1.0, &HostField::from_slice(&layout.field_of(&wanted)));
     let value = 0.5 * off.dot(&off);

@@ -342,7 +342,7 @@ pub(super) const WRONG: &[Wrong] = &[
         "[stop]",
         "[checkpoint]\nevery_s = \"often\"\n[stop]",
         "often",
-        &["checkpoint.every_s", "seconds above 0, or \"auto\""],
+        &["checkpoint.every_s", "a number"],
     ),
     // More than a machine holds
     (

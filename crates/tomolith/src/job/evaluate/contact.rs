@@ -165,10 +165,9 @@ mod tests {
         let grid = VolumeGrid::centered([30, 40, 40], 0.1);
         let inside = shape.sample_under(&grid, &run).unwrap();
         // The upper half is printed
-        let [_, ny, nx] = grid.shape;
         let mut response = inside.clone();
         for (i, value) in response.values.iter_mut().enumerate() {
-            *value *= f32::from(grid.z(i / (nx * ny)) > 0.0);
+            *value *= f32::from(grid.middle(i)[2] > 0.0);
         }
         let found = Contact::of(shape.as_ref(), &inside, &response, 0.5).unwrap();
         assert!((found.insert_mm2 - 82.0).abs() < 1e-9, "{found:?}");

@@ -405,10 +405,9 @@ impl Stage<'_> {
         let model = self.model.as_ref();
         let objective = self.objective(job, 0)?;
         let problem = Problem::new(model, &objective, limits, cancel)?;
-        let search = job.method.on_host();
-        let penalties = search.penalties(model.patterns())?;
+        let penalties = job.method.penalties(model.patterns())?;
         let mut problem = problem.with_penalties(penalties);
-        let mut optimizer = search.optimizer()?;
+        let mut optimizer = job.method.optimizer()?;
         let stop = Stop {
             iterations,
             keep: job.stop().keep,

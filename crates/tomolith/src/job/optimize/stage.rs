@@ -16,7 +16,6 @@ use crate::job::resolve::free_parameters::FoundResponse;
 use crate::job::resolve::goal::Goal;
 #[cfg(feature = "gpu")]
 use crate::job::resolve::goal::Objectives;
-use crate::job::resolve::method::Search;
 use crate::job::resolve::refinement::Level;
 use crate::job::resolve::{ResolvedJob, Species, Voxels, refinement, scenarios};
 use crate::models::masked::{darken, pixels_through};
@@ -26,7 +25,9 @@ use crate::models::{DoseLayout, DoseModel, OpticalScene, Run};
 use crate::objective::{FoundWindow, Objective, PerBlock, Sum};
 use crate::optimize;
 use crate::optimize::start::InitialPatterns;
-use crate::optimize::{Checkpoints, Counters, Limits, Outcome, Problem, Row, Stop, StopReason};
+use crate::optimize::{
+    Checkpoints, Counters, Limits, Optimizer, Outcome, Problem, Row, Stop, StopReason,
+};
 use crate::units::concise;
 use std::borrow::Cow;
 use std::cell::OnceCell;
@@ -88,7 +89,7 @@ pub(crate) struct Stage<'a> {
 type OnCard = (
     Box<dyn DoseModel<Field = GpuField>>,
     Objectives<GpuField>,
-    Search<GpuField>,
+    Box<dyn Optimizer<GpuField>>,
 );
 
 impl<'a> Stage<'a> {
@@ -310,7 +311,7 @@ impl<'a> Stage<'a> {
         let model = self.model.as_ref();
         let objective = self.objective(job, 0)?;
         let mut problem = Problem::new(model, &objective, bounds, cancel)?
-            .with_penalties(job.method.on_host().penalties(model.patterns())?);
+            .with_penalties(job.method.penalties(model.patterns())?);
         gray_levels::improve(job, &mut problem, x, progress)
     }
 
@@ -359,11 +360,11 @@ impl<'a> Stage<'a> {
     ) -> Result<Outcome> {
         let around = (bounds, checkpoints, sofar, progress);
         #[cfg(feature = "gpu")]
-        if let Some((model, objectives, search)) = self.on_card(job, wider, cancel)? {
+        if let Some((model, objectives, optimizer)) = self.on_card(job, wider, cancel)? {
             let objective = self.objective_on(job, &objectives)?;
             let mut there = model.new_patterns()?;
             there.copy_from_host(x.as_slice());
-            let on_card = (model.as_ref(), objective, &search);
+            let on_card = (model.as_ref(), objective, optimizer);
             let ran = self.run_on((job, until), on_card, &mut there, around, cancel);
             let found = there.to_host();
             there.gpu().check()?;
@@ -371,7 +372,7 @@ impl<'a> Stage<'a> {
             return ran;
         }
         let objective = self.objective(job, wider)?;
-        let on_host = (self.model.as_ref() as _, objective, job.method.on_host());
+        let on_host = (self.model.as_ref() as _, objective, job.method.optimizer()?);
         self.run_on((job, until), on_host, x, around, cancel)
     }
 
@@ -383,14 +384,18 @@ impl<'a> Stage<'a> {
         };
         let objectives = goal_of(job.first(), wider).on()?;
         let model = model_on(card.gpu(), &form, cancel)?;
-        Ok(Some((model, objectives, job.method.on()?)))
+        Ok(Some((model, objectives, job.method.optimizer()?)))
     }
 
     /// The same with model, objective and method for one kind of fields.
     fn run_on<F: Field>(
         &self,
         (job, until): (&ResolvedJob, usize),
-        (model, objective, search): (&dyn DoseModel<Field = F>, Sum<F>, &Search<F>),
+        (model, objective, mut optimizer): (
+            &dyn DoseModel<Field = F>,
+            Sum<F>,
+            Box<dyn Optimizer<F>>,
+        ),
         x: &mut F,
         (bounds, checkpoints, sofar, progress): Around<'_, '_>,
         cancel: &Run,
@@ -398,7 +403,6 @@ impl<'a> Stage<'a> {
         // What is watched on the way is the first species, the part
         let layout = model.outputs()[0].clone();
         let stop = job.stop();
-        let mut optimizer = search.optimizer()?;
         let fixed;
         let problem = if let Some(free) = &job.method.free {
             Problem::with_free_response(model, free.objective(objective)?, bounds, cancel)?
@@ -407,7 +411,7 @@ impl<'a> Stage<'a> {
             Problem::new(model, &fixed, bounds, cancel)?
         };
         let mut problem = problem
-            .with_penalties(search.penalties(model.patterns())?)
+            .with_penalties(job.method.penalties(model.patterns())?)
             .with_bits(job.bounds().bits)?;
         let (response, voxels) = (job.first().goal.response.as_ref(), &self.voxels[0]);
         let input = start_input(model, (voxels, None), response, &[]);

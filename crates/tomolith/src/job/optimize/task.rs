@@ -44,7 +44,7 @@ impl ResolvedJob {
         let start = stage.start(self, self.method.start.as_ref(), run)?;
         Ok(Task {
             limits: stage.limits(self, &start),
-            penalties: self.method.on_host().penalties(stage.model.patterns())?,
+            penalties: self.method.penalties(stage.model.patterns())?,
             objective: stage.objective(self, 0)?,
             start,
             target: stage.voxels[0].target.clone(),

@@ -211,7 +211,7 @@ impl Optics {
                 }
                 part += 1;
                 if label == label::OUTSIDE {
-                    let middle = [grid.x(i % nx), grid.y(i / nx), grid.z(iz)];
+                    let middle = grid.middle(iz * size + i);
                     let touches = self.touches(middle, wall_tolerance_mm);
                     cut += u64::from(touches);
                     stray += u64::from(!touches);
@@ -314,7 +314,7 @@ impl Optics {
             return 0;
         }
         let grid = &labels.grid;
-        let hidden = |i: usize| is_part(inside.values[i], gray) && self.in_obstacle(grid, i);
+        let hidden = |i: usize| is_part(inside.values[i], gray) && self.in_obstacle(grid.middle(i));
         table(grid.len(), hidden)
             .iter()
             .filter(|hidden| **hidden)
@@ -391,24 +391,10 @@ mod tests {
             height_mm: 0.005,
             center_mm: [0.75, 0.75, 0.0],
         };
-        let radius = |i: usize| grid.x(i % 300).hypot(grid.y(i / 300));
-        let all = || 0..grid.len();
-        let inside = Volume {
-            grid: grid.clone(),
-            values: all()
-                .map(|i| f32::from(u8::from(radius(i) > 0.99)))
-                .collect(),
-        };
-        let in_resin = |i: usize| {
-            optics
-                .vial
-                .in_resin([grid.x(i % 300), grid.y(i / 300), 0.0])
-        };
-        let label = |i: usize| [label::OUTSIDE, label::PART][usize::from(in_resin(i))];
-        let labels = Volume {
-            grid: grid.clone(),
-            values: all().map(label).collect(),
-        };
+        let inside = Volume::from_fn(grid.clone(), |[x, y, _]| f32::from(x.hypot(y) > 0.99));
+        let labels = Volume::from_fn(grid.clone(), |middle| {
+            [label::OUTSIDE, label::PART][usize::from(optics.vial.in_resin(middle))]
+        });
         let warned = |tolerance_mm| optics.warnings(&inside, &labels, false, tolerance_mm);
         assert!(warned(0.0).is_err() && warned(0.005).is_err());
         let warnings = warned(0.0102).unwrap();

@@ -91,11 +91,10 @@ pub(crate) fn domain(job: &ResolvedJob, grid: &VolumeGrid) -> Result<Domain> {
 
 /// Which voxels hold resin: those in the vial, but in no body and no insert.
 pub(crate) fn resin(job: &ResolvedJob, grid: &VolumeGrid) -> Result<Volume<bool>> {
-    let [_, ny, nx] = grid.shape;
     let optics = &job.optics;
     let holds = |i: usize| {
-        let place = [grid.x(i % nx), grid.y(i / nx % ny), grid.z(i / (nx * ny))];
-        optics.vial.in_resin(place) && !optics.in_obstacle(grid, i)
+        let middle = grid.middle(i);
+        optics.vial.in_resin(middle) && !optics.in_obstacle(middle)
     };
     let mut values = table(grid.len(), holds);
     if let Some(insert) = job.first().shape.body(Role::Insert) {

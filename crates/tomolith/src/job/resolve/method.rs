@@ -11,10 +11,10 @@ use crate::job::spec::all_errors::penalty_weight;
 use crate::kind::{Kind, Section};
 use crate::models::cells::Cells;
 use crate::models::{DoseLayout, Family, PatternLayout};
-use crate::objective::penalty::{MakePenalty, Penalties, penalties};
+use crate::objective::penalty::{MakePenalty, PENALTIES, Penalties};
 use crate::objective::{Objective, ObjectiveInput};
 use crate::optimize::start::{InitialPatterns, STARTS};
-use crate::optimize::{BuildOptimizer, MakeOptimizer, Optimizer, Requirements, optimizers};
+use crate::optimize::{BuildOptimizer, OPTIMIZERS, Optimizer, Requirements, optimizers};
 use crate::response::{Response, dose_for};
 use crate::target::{Target, label, label_voxels};
 use crate::units::exact;
@@ -32,56 +32,20 @@ pub(crate) struct Method {
     pub(crate) normalizes: bool,
     /// Which parameters of the response are unknowns.
     pub(crate) free: Option<FreeParameters>,
-    on_host: Search<HostField>,
     optimizer: Section,
-    penalties: Vec<Value>,
-    /// How many steps the optimizer remembers, where that is not what the job says.
-    memory: Option<usize>,
-}
-
-/// Optimizer and penalties for fields F.
-pub(crate) struct Search<F: Field> {
+    /// How many steps the optimizer remembers, where it remembers any.
+    pairs: Option<usize>,
     /// Each with its weight.
-    penalties: Vec<(f64, Arc<dyn MakePenalty<F>>)>,
-    optimizer: Arc<dyn MakeOptimizer<F>>,
+    penalties: Vec<(f64, Arc<dyn MakePenalty>)>,
 }
 
 /// A penalty and its weight.
-fn penalty<F: Field>((i, value): (usize, &Value)) -> Result<(f64, Arc<dyn MakePenalty<F>>)> {
+fn penalty((i, value): (usize, &Value)) -> Result<(f64, Arc<dyn MakePenalty>)> {
     let mut section = Section::new(format!("penalties[{i}]"), value.clone());
     let own = section.value.as_object_mut();
     let weight = own.and_then(|map| map.remove("weight"));
     let weight = penalty_weight(i, weight.as_ref())?;
-    Ok((weight, section.read(penalties::<F>())?))
-}
-
-impl<F: Field> Search<F> {
-    fn read(optimizer: &Section, penalties: &[Value]) -> Result<Self> {
-        let penalties = penalties.iter().enumerate().map(penalty);
-        Ok(Search {
-            penalties: penalties.collect::<Result<_>>()?,
-            optimizer: optimizer.read(optimizers::<F>())?,
-        })
-    }
-
-    /// A new optimizer.
-    pub(crate) fn optimizer(&self) -> Result<Box<dyn Optimizer<F>>> {
-        self.optimizer.make()
-    }
-
-    /// The sum of the penalties.
-    pub(crate) fn penalties(&self, lights: &[PatternLayout]) -> Result<Penalties<F>> {
-        let build =
-            |(weight, own): &(f64, Arc<dyn MakePenalty<F>>)| Ok((*weight, own.make(lights)?));
-        Penalties::new(self.penalties.iter().map(build).collect::<Result<_>>()?)
-    }
-
-    /// Lets the optimizer remember so many steps, where it remembers any.
-    fn set_memory(&mut self, pairs: usize) {
-        if let Some(optimizer) = self.optimizer.with_pairs(pairs) {
-            self.optimizer = optimizer;
-        }
-    }
+    Ok((weight, section.read(PENALTIES)?))
 }
 
 impl Method {
@@ -92,39 +56,32 @@ impl Method {
     pub(crate) fn read(spec: &JobSpec, base: &Path) -> Result<Self> {
         let section = |key: &str, value: &Value| Section::new(key, value.clone()).based(base);
         let optimizer = section("optimizer", &spec.optimizer);
-        let on_host: Search<HostField> = Search::read(&optimizer, &spec.penalties)?;
-        let method = on_host.optimizer()?;
+        let penalties = spec.penalties.iter().enumerate().map(penalty);
+        let penalties = penalties.collect::<Result<_>>()?;
+        let made = optimizer.read(OPTIMIZERS)?;
+        let method = made.make()?;
         Ok(Method {
             start: Arc::from(section("start", &spec.start).read(STARTS)?),
             requirements: method.requirements(),
             normalizes: method.normalizes(),
             free: FreeParameters::of(spec, base)?,
-            on_host,
             optimizer,
-            penalties: spec.penalties.clone(),
-            memory: None,
+            penalties,
+            pairs: made.pairs(),
         })
     }
 
-    /// Optimizer and penalties for fields of the host.
-    pub(crate) fn on_host(&self) -> &Search<HostField> {
-        &self.on_host
+    /// A new optimizer for fields F.
+    pub(crate) fn optimizer<F: Field>(&self) -> Result<Box<dyn Optimizer<F>>> {
+        let optimizer = self.optimizer.read(optimizers::<F>())?;
+        let remembering = self.pairs.and_then(|pairs| optimizer.with_pairs(pairs));
+        remembering.unwrap_or(optimizer).make()
     }
 
-    /// The same for fields of another kind.
-    ///
-    /// # Errors
-    /// As [`read`](Self::read).
-    #[cfg_attr(
-        not(feature = "gpu"),
-        expect(dead_code, reason = "all fields are the host's")
-    )]
-    pub(crate) fn on<F: Field>(&self) -> Result<Search<F>> {
-        let mut own = Search::read(&self.optimizer, &self.penalties)?;
-        if let Some(pairs) = self.memory {
-            own.set_memory(pairs);
-        }
-        Ok(own)
+    /// The sum of the penalties.
+    pub(crate) fn penalties<F: Field>(&self, lights: &[PatternLayout]) -> Result<Penalties<F>> {
+        let make = |(weight, own): &(f64, Arc<dyn MakePenalty>)| Ok((*weight, own.make(lights)?));
+        Penalties::new(self.penalties.iter().map(make).collect::<Result<_>>()?)
     }
 
     /// The optimizer's name in a job.
@@ -134,18 +91,17 @@ impl Method {
 
     /// How many steps the optimizer remembers, where it remembers any.
     pub(crate) fn pairs(&self) -> Option<usize> {
-        self.on_host.optimizer.pairs()
+        self.pairs
     }
 
     /// Lets the optimizer remember so many steps, where it remembers any.
     pub(crate) fn set_pairs(&mut self, pairs: usize) {
-        self.on_host.set_memory(pairs);
-        self.memory = Some(pairs);
+        self.pairs = self.pairs.map(|_| pairs);
     }
 
     /// Whether a penalty compares pixels of different frames.
     pub(crate) fn penalizes_frames(&self) -> bool {
-        let mut penalties = self.on_host.penalties.iter();
+        let mut penalties = self.penalties.iter();
         penalties.any(|(_, own)| own.joins_frames())
     }
 
@@ -188,7 +144,7 @@ pub(crate) fn try_kinds(
     };
     let objective = goal.on_host().sum(&input, false)?;
     solid_at(spec, response.as_ref())?;
-    method.on_host().penalties(&[])?;
+    method.penalties::<HostField>(&[])?;
     let is = Are {
         linear: model.is_none_or(|model| model.capabilities().is_linear()),
         in_time: spec.optimizes_cure(),

@@ -211,7 +211,7 @@ impl ResolvedJob {
     /// # Errors
     /// [`Error::Config`].
     pub fn optimizer(&self) -> Result<Box<dyn Optimizer<HostField>>> {
-        self.method.on_host().optimizer()
+        self.method.optimizer()
     }
 
     /// The targets of all species on the job's voxels, sampled once.

@@ -196,12 +196,10 @@ impl Optics {
         path.map_or(&[], |path| &path.obstacles[..self.bodies])
     }
 
-    /// Whether the middle of a voxel lies in one of them.
-    pub(super) fn in_obstacle(&self, grid: &VolumeGrid, i: usize) -> bool {
-        let [_, ny, nx] = grid.shape;
-        let middle = [grid.x(i % nx), grid.y(i / nx % ny), grid.z(i / (nx * ny))];
+    /// Whether a place lies in one of them.
+    pub(super) fn in_obstacle(&self, place: [f64; 3]) -> bool {
         let mut bodies = self.obstacles().iter();
-        bodies.any(|body| body.surface.contains(middle))
+        bodies.any(|body| body.surface.contains(place))
     }
 
     /// Warns of bodies that reach through a wall of the vial.

@@ -107,13 +107,13 @@ mod tests {
             ("0, 0\n0.1, 0\n", "no light"),
             ("0, 1\n", "a single radius, 0 mm"),
             ("0.2, 1\n", "a single radius, 0.2 mm"),
-            ("0, nan\n0.1, 0\n", "NaN at 0 mm"),
+            ("0, nan\n0.1, 0\n", "line 1: `0, nan`"),
             ("0.1, 1\n0.2, 0\n", "radii from 0.1 to 0.2 mm"),
             (
                 "0, 1\n2.1, 0\n",
                 "43 × 43 pixels, more than an image of 24 × 20",
             ),
-            ("radius, light\n", "line 1"),
+            ("radius, light\n", "no line of numbers"),
         ] {
             let (key, found) = refused(text, &[]);
             assert!(

@@ -186,7 +186,7 @@ impl ResolvedJob {
         if dark.is_none() && insert.is_none() && self.optics.obstacles().is_empty() {
             return Ok(None);
         }
-        let obstacle = |i| report::OBSTACLE * u8::from(self.optics.in_obstacle(grid, i));
+        let obstacle = |i| report::OBSTACLE * u8::from(self.optics.in_obstacle(grid.middle(i)));
         let mut bodies = Volume::new(grid.clone(), table(grid.len(), obstacle));
         for (mark, shares) in [(report::DARK, dark), (report::INSERT, insert.as_ref())] {
             let shares = shares.into_iter().flat_map(|shares| &shares.values);

@@ -13,7 +13,7 @@ use crate::job::spec::JobSpec;
 use crate::kind::{MISSING, Section};
 use crate::models::{MODELS, ModelKind};
 use crate::objective::objectives;
-use crate::objective::penalty::penalties;
+use crate::objective::penalty::PENALTIES;
 use crate::objective::voxel_weights::Common;
 use crate::optics::projector::PROJECTORS;
 use crate::optics::vial::VIALS;
@@ -130,7 +130,7 @@ fn minimized(spec: &JobSpec, base: &Path) -> Result<()> {
             .as_object_mut()
             .and_then(|map| map.remove("weight"));
         penalty_weight(i, weight.as_ref())?;
-        section.read(penalties::<HostField>())?;
+        section.read(PENALTIES)?;
     }
     section("optimizer", &spec.optimizer).read(optimizers::<HostField>())?;
     section("start", &spec.start).read(STARTS)?;

@@ -408,12 +408,7 @@ mod tests {
     fn what_is_missed_is_counted_and_the_remedy_reaches_it() {
         // A disc of 2 mm of voxels of 0.1 mm, ±0.5 mm high
         let grid = VolumeGrid::centered([10, 40, 40], 0.1);
-        let values = (0..grid.len()).map(|i| {
-            let (x, y) = (grid.x(i % 40), grid.y(i / 40 % 40));
-            f32::from(u8::from(x.hypot(y) < 2.0))
-        });
-        let values = values.collect();
-        let part = Volume { grid, values };
+        let part = Volume::from_fn(grid, |[x, y, _]| f32::from(x.hypot(y) < 2.0));
         let missed = |changes: &[&str]| {
             let all = [&[VIAL, INDEX][..], changes].concat();
             optics(&all).missed(&part, false)

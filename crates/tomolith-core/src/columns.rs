@@ -1,0 +1,236 @@
+//! Tables of numbers in text files.
+//!
+//! [`read_pairs`] reads two columns; [`Columns`] reads tables with named columns, in which cells may be empty.
+//!
+//! ```
+//! use tomolith_core::columns::Columns;
+//! let table = Columns::parse("dose,cured\n1.5,0\n3, 1\n# a comment\n6,", "discs.csv".as_ref()).unwrap();
+//! assert_eq!(table.pairs("dose", "cured").unwrap(), [[1.5, 0.0], [3.0, 1.0]]); // rows without a value are left out
+//! ```
+
+use crate::error::{Error, Result, nearest_name};
+use crate::files::read_text;
+use crate::units::counted;
+use std::path::{Path, PathBuf};
+
+/// All pairs of a file with two columns, which messages call `what`; a first line of words is a header.
+///
+/// # Errors
+/// [`Error::Io`], [`Error::Format`] naming the line.
+pub fn read_pairs(path: &Path, what: &str) -> Result<Vec<[f64; 2]>> {
+    let text = text_of(path)?;
+    let refused = |found| Error::format(path, found, format!("two numbers a line: {what}"));
+    let table = Columns::parse(&text, path).map_err(|error| match error {
+        Error::Format { found, .. } => refused(found),
+        other => other,
+    })?;
+    if table.rows.is_empty() {
+        return Err(refused("no line of numbers".to_owned()));
+    }
+    let pair = |(line, row): &(usize, Vec<Option<f64>>)| match row[..] {
+        [Some(a), Some(b), ref rest @ ..] if rest.iter().all(Option::is_none) => Ok([a, b]),
+        _ => {
+            let numbers = counted(row.iter().flatten().count(), "number");
+            Err(refused(format!(
+                "line {line}: {numbers} in {}",
+                counted(row.len(), "column")
+            )))
+        }
+    };
+    table.rows.iter().map(pair).collect()
+}
+
+/// The text of a table.
+fn text_of(path: &Path) -> Result<String> {
+    let is_no_table = |found: &str| Error::format(path, found, "a table as CSV text");
+    if path.is_dir() {
+        return Err(is_no_table("a folder"));
+    }
+    read_text(path)
+}
+
+/// A table with names.
+#[derive(Clone, Debug)]
+pub struct Columns {
+    path: PathBuf,
+    names: Vec<String>,
+    /// With the number of their line.
+    rows: Vec<(usize, Vec<Option<f64>>)>,
+}
+
+impl Columns {
+    /// The table of a file.
+    ///
+    /// # Errors
+    /// [`Error::Io`], [`Error::Format`] naming the line.
+    pub fn read(path: &Path) -> Result<Self> {
+        Columns::parse(&text_of(path)?, path)
+    }
+
+    /// The table of a text: names first (none where the first line is numbers), cells parted by commas, semicolons or tabs, else by blanks; what
+    /// follows a # is skipped.
+    ///
+    /// # Errors
+    /// [`Error::Format`] naming the line.
+    pub fn parse(text: &str, path: &Path) -> Result<Self> {
+        let bad = |line: usize, found: String, accepted: String| {
+            Error::format(path, format!("line {line}: {found}"), accepted)
+        };
+        let strip = |line: &'_ str| -> String {
+            let line = line.split('#').next().unwrap_or_default();
+            line.trim_start_matches('\u{feff}').trim().to_owned()
+        };
+        let lines: Vec<(usize, String)> = text
+            .lines()
+            .enumerate()
+            .map(|(i, line)| (i + 1, strip(line)))
+            .filter(|(_, line)| !line.is_empty())
+            .collect();
+        let Some((_, head)) = lines.first() else {
+            return Err(bad(1, "an empty file".to_owned(), "a table".to_owned()));
+        };
+        let cells = |line: &str| -> Vec<String> {
+            if line.contains([',', ';', '\t']) {
+                let cells = line.split([',', ';', '\t']);
+                cells.map(|cell| cell.trim().to_owned()).collect()
+            } else {
+                line.split_whitespace().map(str::to_owned).collect()
+            }
+        };
+        let names = cells(head);
+        let is_head = names.iter().all(|name| name.parse::<f64>().is_err());
+        let lines = &lines[usize::from(is_head)..];
+        let mut rows = Vec::new();
+        for (number, line) in lines {
+            let row: Option<Vec<Option<f64>>> = cells(line.as_str())
+                .iter()
+                .map(|cell| match cell.parse::<f64>() {
+                    _ if cell.is_empty() => Some(None),
+                    Ok(value) if value.is_finite() => Some(Some(value)),
+                    _ => None,
+                })
+                .collect();
+            match row {
+                Some(row) if row.iter().skip(names.len()).all(Option::is_none) => {
+                    rows.push((*number, row));
+                }
+                _ => {
+                    let accepted = format!(
+                        "finite numbers with a decimal point, at most {} a line: {head}",
+                        names.len()
+                    );
+                    return Err(bad(*number, format!("`{line}`"), accepted));
+                }
+            }
+        }
+        Ok(Columns {
+            path: path.to_owned(),
+            names,
+            rows,
+        })
+    }
+
+    /// Refuses columns with other names than these.
+    ///
+    /// # Errors
+    /// [`Error::Format`] for the first of them.
+    pub fn only(&self, names: &[&str]) -> Result<()> {
+        let other = self
+            .names
+            .iter()
+            .find(|name| !names.contains(&name.as_str()));
+        match other {
+            None => Ok(()),
+            Some(name) => Err(Error::format(
+                self.path.clone(),
+                format!("a column `{name}`"),
+                format!("a first line with names: {}", names.join(", ")),
+            )),
+        }
+    }
+
+    /// Whether a column has a number anywhere.
+    #[must_use]
+    pub fn has(&self, name: &str) -> bool {
+        self.column(name)
+            .is_some_and(|i| self.rows.iter().any(|(_, row)| cell(row, i).is_some()))
+    }
+
+    fn column(&self, name: &str) -> Option<usize> {
+        self.names.iter().position(|n| n == name)
+    }
+
+    /// Two columns, where a row has both.
+    ///
+    /// # Errors
+    /// [`Error::Format`] for a column that is not there.
+    pub fn pairs(&self, first: &str, second: &str) -> Result<Vec<[f64; 2]>> {
+        let find = |name: &str| {
+            self.column(name).ok_or_else(|| {
+                let names = || self.names.iter().map(String::as_str);
+                let guess = nearest_name(name, names())
+                    .map(|near| format!(" (is `{near}` meant to be it?)"))
+                    .unwrap_or_default();
+                Error::format(
+                    self.path.clone(),
+                    format!("no column `{name}`{guess}"),
+                    format!("a first line with names, `{name}` among them"),
+                )
+            })
+        };
+        let (a, b) = (find(first)?, find(second)?);
+        let both = |(_, row): &(_, Vec<_>)| Some([cell(row, a)?, cell(row, b)?]);
+        Ok(self.rows.iter().filter_map(both).collect())
+    }
+}
+
+fn cell(row: &[Option<f64>], column: usize) -> Option<f64> {
+    row.get(column).copied().flatten()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pairs_are_read_however_they_are_parted() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("pairs.csv");
+        for text in [
+            "0,1\n2,3",
+            "\u{feff}value; light in mW\n0; 1 # dark\n\n2; 3;\n",
+            "# measured\na, b\n0\t1\n  2   3\n",
+        ] {
+            std::fs::write(&file, text).unwrap();
+            let found = read_pairs(&file, "value and light").unwrap();
+            assert_eq!(found, [[0.0, 1.0], [2.0, 3.0]], "{text:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_table_of_pairs_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("pairs.csv");
+        for (text, wrong) in [
+            ("0,0\n1,a", "line 2: `1,a`"),
+            ("0 0\n\n1 2 3", "line 3: `1 2 3`"),
+            ("0,0,1\n1,1,2", "line 1: 3 numbers in 3 columns"),
+            ("0,0\n1,", "line 2: 1 number in 2 columns"),
+            ("a,b\nc,d", "line 2: `c,d`"),
+            ("0,0\n1,nan", "line 2: `1,nan`"),
+            ("a,b", "no line of numbers"),
+            ("", "an empty file"),
+        ] {
+            std::fs::write(&file, text).unwrap();
+            let said = read_pairs(&file, "dose and response")
+                .unwrap_err()
+                .to_string();
+            crate::contains!(said, "pairs.csv", wrong, "dose and response");
+        }
+        std::fs::write(&file, [0xff, 0xfe, 0]).unwrap();
+        for (path, found) in [(file.as_path(), "not UTF-8"), (folder.path(), "a folder")] {
+            let said = Columns::read(path).unwrap_err().to_string();
+            crate::contains!(said, found);
+        }
+    }
+}
