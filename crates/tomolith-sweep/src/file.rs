@@ -4,7 +4,7 @@ use crate::axes::{Axis, SweepPoint, named, words};
 use crate::expression::{Condition, Expression};
 use crate::metric;
 use crate::spec::{KeepSpec, SweepSpec};
-use serde_json::{Map, Value};
+use serde_json::Value;
 use std::path::{Path, PathBuf};
 use tomolith::job::{Document, Job};
 use tomolith::kind::Section;
@@ -247,13 +247,10 @@ impl Sweep {
     pub(crate) fn change(&self, key: &str, value: &Value) -> String {
         let is_file = ["target.mesh", "target.image", "target.stack"].contains(&key);
         let folder = self.document.file.parent().unwrap_or(Path::new(""));
-        match value
-            .as_str()
-            .filter(|_| is_file)
-            .map(|file| std::path::absolute(folder.join(file)))
-        {
-            Some(Ok(file)) => format!("{key}={}", inline(&Value::from(file.to_string_lossy()))),
-            _ => format!("{key}={}", inline(value)),
+        let file = value.as_str().filter(|_| is_file);
+        match file.map(|file| std::path::absolute(folder.join(file))) {
+            Some(Ok(file)) => Document::assignment(key, &Value::from(file.to_string_lossy())),
+            _ => Document::assignment(key, value),
         }
     }
 
@@ -471,41 +468,4 @@ fn must_be_shares(spec: &SweepSpec) -> Result<()> {
         ));
     }
     Ok(())
-}
-/// A value as TOML in one line.
-fn inline(value: &Value) -> String {
-    match value {
-        Value::Array(list) => format!(
-            "[{}]",
-            list.iter().map(inline).collect::<Vec<_>>().join(", ")
-        ),
-        Value::Object(map) => inline_table(map),
-        // Its escapes are TOML's, too
-        other => other.to_string(),
-    }
-}
-
-fn inline_table(map: &Map<String, Value>) -> String {
-    let entry = |(key, value): (&String, &Value)| {
-        format!("{} = {}", Value::from(key.as_str()), inline(value))
-    };
-    format!(
-        "{{ {} }}",
-        map.iter().map(entry).collect::<Vec<_>>().join(", ")
-    )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn values_survive_toml() {
-        let value = serde_json::json!({ "ospw": { "w": 0.5, "a b": ["x\"y", true, 1e-7] } });
-        let mut document = Document::toml("a.toml", "objective = 1").unwrap();
-        document
-            .set(&format!("objective={}", inline(&value)))
-            .unwrap();
-        assert_eq!(document.root["objective"], value);
-    }
 }
