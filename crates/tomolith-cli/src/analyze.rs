@@ -4,6 +4,7 @@ use crate::answer::{Answer, Files, percent};
 use crate::arguments::Manner;
 use clap::{Args, Subcommand};
 use serde_json::json;
+use tomolith::error::above_zero;
 use tomolith::report::number::significant;
 use tomolith::report::plot::{Axis, Plot};
 use tomolith::{Error, Result};
@@ -11,7 +12,7 @@ use tomolith_planning::buildup::{TurningVial, wall_rate};
 use tomolith_planning::impulse::Post;
 use tomolith_planning::measured::csv;
 use tomolith_planning::quantity::{IRRADIANCE, VOLUMETRIC_DOSE};
-use tomolith_planning::voxel::{Setup, above_zero};
+use tomolith_planning::voxel::Setup;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -145,8 +146,8 @@ fn steps(from: f64, to: f64) -> impl Iterator<Item = f64> {
 }
 
 fn voxel(given: &VoxelArguments) -> Result<()> {
-    above_zero("--radius-mm", Some(given.radius_mm))?;
-    above_zero("--penetration-mm", Some(given.penetration_mm))?;
+    above_zero("--radius-mm", given.radius_mm)?;
+    above_zero("--penetration-mm", given.penetration_mm)?;
     let dose_time_s = match (given.dose_time_s, &given.critical_dose, &given.irradiance) {
         (None, Some(dose), Some(irradiance)) => {
             let dose = VOLUMETRIC_DOSE.parse("--critical-dose", dose)?;
@@ -283,10 +284,10 @@ fn voxel_files(given: &VoxelArguments, setup: &Setup) -> [(&'static str, String)
 /// Refuses numbers of a turning vial that cannot be.
 fn must_turn(given: &BuildupArguments) -> Result<()> {
     for (key, value) in [
-        ("--radius-mm", Some(given.radius_mm)),
-        ("--penetration-mm", Some(given.penetration_mm)),
-        ("--dose-time-s", given.dose_time_s),
-        ("--seconds", Some(given.seconds)),
+        ("--radius-mm", given.radius_mm),
+        ("--penetration-mm", given.penetration_mm),
+        ("--dose-time-s", given.dose_time_s.unwrap_or(1.0)),
+        ("--seconds", given.seconds),
     ] {
         above_zero(key, value)?;
     }

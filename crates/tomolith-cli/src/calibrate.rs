@@ -2,10 +2,11 @@
 
 use crate::answer::{Answer, Files, percent, with_error};
 use crate::arguments::Manner;
-use crate::screen::say;
+use crate::screen::{done, say};
 use clap::{Args, Subcommand, ValueEnum};
 use serde_json::json;
 use std::path::{Path, PathBuf};
+use tomolith::error::above_zero;
 use tomolith::exposure::{CALIBRATIONS, Calibration, PrinterSpec};
 use tomolith::grid::PatternGrid;
 use tomolith::job::Job;
@@ -16,10 +17,10 @@ use tomolith::{Error, Result};
 use tomolith_planning::absorbance::{self, Attenuation, Coefficient, MediumFit};
 use tomolith_planning::discs::{self, Discs};
 use tomolith_planning::gray::{CurveForm, GrayCurve, Polynomial};
+use tomolith_planning::kinetics;
 use tomolith_planning::measured::{Columns, csv, curve, read_pairs};
 use tomolith_planning::quantity::{AREAL_DOSE, IRRADIANCE};
 use tomolith_planning::response::{Axes, ResponseFit};
-use tomolith_planning::{kinetics, voxel};
 
 const CALIBRATE: &str = "\
 Examples:
@@ -206,7 +207,7 @@ pub(crate) fn calibrate(given: &CalibrateArguments) -> Result<()> {
 }
 
 fn gray(given: &GrayArguments) -> Result<()> {
-    voxel::above_zero("--top", Some(given.top))?;
+    above_zero("--top", given.top)?;
     let path = &given.measured.table;
     let table =
         curve(&read_pairs(path, "gray value and irradiance")?).map_err(|e| in_file(e, path))?;
@@ -554,7 +555,7 @@ const POOR_FIT: f64 = 0.25;
 const DEEPEST_MM: f64 = 300.0;
 
 fn dose(given: &DoseArguments) -> Result<()> {
-    voxel::above_zero("--penetration-mm", given.penetration_mm)?;
+    above_zero("--penetration-mm", given.penetration_mm.unwrap_or(1.0))?;
     let path = &given.measured.table;
     let fit = discs::fit(path).map_err(|e| in_file(e, path))?;
     let mut answer = Answer::default();
@@ -673,12 +674,10 @@ fn frames(given: &CalibrateArguments) -> Result<()> {
             ));
         }
     };
-    if given.manner.json {
-        say(&json!({ "event": "done", "files": files }).to_string());
-    } else if !given.manner.quiet {
+    done(given.manner, json!({ "files": files }), || {
         files
             .iter()
             .for_each(|file| say(&file.display().to_string()));
-    }
+    });
     Ok(())
 }

@@ -7,6 +7,7 @@ use crate::arguments::Manner;
 use clap::Args;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
+use tomolith::error::above_zero;
 use tomolith::exposure::PrinterSpec;
 use tomolith::io::read_text;
 use tomolith::job::export::job_of_run;
@@ -18,7 +19,6 @@ use tomolith::{Error, Result};
 use tomolith_planning::delivered::ShownFrames;
 use tomolith_planning::plan::{ExposurePlan, Machine, Window};
 use tomolith_planning::quantity::{IRRADIANCE, POWER, VOLUMETRIC_DOSE};
-use tomolith_planning::voxel::above_zero;
 
 /// Images a second of a machine that the job does not name.
 const REFRESH_HZ: f64 = 240.0;
@@ -90,8 +90,8 @@ pub(crate) fn expose(given: &ExposeArguments) -> Result<()> {
     if given.trade_off {
         return trade_off::trade_off(given);
     }
-    above_zero("--rpm", given.rpm)?;
-    above_zero("--within-s", given.within_s)?;
+    above_zero("--rpm", given.rpm.unwrap_or(1.0))?;
+    above_zero("--within-s", given.within_s.unwrap_or(1.0))?;
     let job = job_of_run(&given.run, given.printer.as_deref(), &[])?;
     let i = light(given, &job)?;
     let printer = job.spec.printer_of(i).unwrap_or_default();

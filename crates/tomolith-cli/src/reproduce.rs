@@ -1,7 +1,7 @@
 //! `tomolith reproduce`: the numbers of a paper next to ours.
 
 use crate::arguments::{Manner, command_line};
-use crate::screen::{mutter, say};
+use crate::screen::{done, mutter, say};
 use crate::sweep::Board;
 use clap::{ArgMatches, Args};
 use serde_json::{Value, json};
@@ -61,13 +61,7 @@ pub(crate) fn run(given: &ReproduceArguments, itself: &[OsString], cancel: &Run)
         return Ok(true);
     }
     let found = reproduce(&study, &output, threads, &mut typed, cancel)?;
-    if given.manner.json {
-        let mut line = json!(found);
-        line["event"] = "done".into();
-        say(&line.to_string());
-    } else if !given.manner.quiet {
-        say(found.to_string().trim_end());
-    }
+    done(given.manner, &found, || say(found.to_string().trim_end()));
     Ok(found.is_met())
 }
 

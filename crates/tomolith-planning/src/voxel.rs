@@ -19,7 +19,7 @@
 //! ```
 
 use serde::Serialize;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Result, above_zero};
 
 /// A printer with its resin.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,11 +66,11 @@ impl Setup {
     /// [`Error::Config`] with the option that is not above 0.
     pub fn check(&self) -> Result<()> {
         for (key, value) in [
-            ("--pixels", Some(self.pixels)),
-            ("--fps", Some(self.fps)),
-            ("--dose-time-s", Some(self.dose_time_s)),
-            ("--penetration-mm", Some(self.penetration_mm)),
-            ("--turn-deg-per-s", self.turn_deg_per_s),
+            ("--pixels", self.pixels),
+            ("--fps", self.fps),
+            ("--dose-time-s", self.dose_time_s),
+            ("--penetration-mm", self.penetration_mm),
+            ("--turn-deg-per-s", self.turn_deg_per_s.unwrap_or(1.0)),
         ] {
             above_zero(key, value)?;
         }
@@ -130,18 +130,5 @@ impl Setup {
         // Beyond the radius at which a half turn is covered both grow in proportion
         self.crossing_mm()
             .filter(|radius| self.curing_s(*radius) <= self.half_turn_s())
-    }
-}
-
-/// Refuses what is not a number above 0.
-///
-/// # Errors
-/// [`Error::Config`] with the key.
-pub fn above_zero(key: &str, value: Option<f64>) -> Result<()> {
-    match value {
-        Some(value) if !(value.is_finite() && value > 0.0) => {
-            Err(Error::refused(key, value, "a number above 0"))
-        }
-        _ => Ok(()),
     }
 }

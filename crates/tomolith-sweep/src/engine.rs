@@ -12,7 +12,6 @@ use serde_json::{Map, Value, json};
 use std::collections::BTreeSet;
 use std::fmt;
 use std::fs;
-use std::io::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
@@ -20,7 +19,7 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 use tomolith::io::npy::must_be_whole;
-use tomolith::io::write_whole;
+use tomolith::io::write_text;
 use tomolith::job::{self, Document, Job, RunCache, RunFolder, Silent, folder::TAKEN};
 use tomolith::kind::table_of;
 use tomolith::models::Run;
@@ -353,7 +352,7 @@ fn collect(plan: &SweepPlan) -> Result<SweepOutcome> {
     match table.best {
         Some(i) => {
             let text = best_job(plan, &table, i)?;
-            write_whole(&file, |out| Ok(out.write_all(text.as_bytes())?))?;
+            write_text(&file, &text)?;
             outcome.files.push(file);
         }
         // One of an earlier call would be wrong
@@ -795,7 +794,7 @@ impl Slot<'_> {
                 let error = of_run(error);
                 let text = json!({ "values": self.plan.words(run), "message": error.to_string() })
                     .to_string();
-                match write_whole(&note, |file| Ok(file.write_all(text.as_bytes())?)) {
+                match write_text(&note, &text) {
                     Ok(()) => Some(Told::Ended {
                         run,
                         state: State::Failed(error.to_string()),

@@ -4,9 +4,8 @@ use crate::axes::{self, MORE_THAN, RUNS_TOO_MANY, SweepPoint, mixed, named};
 use crate::file::Sweep;
 use serde_json::Value;
 use std::collections::HashMap;
-use std::io::Write;
 use std::path::{Path, PathBuf};
-use tomolith::io::{read_text, write_whole};
+use tomolith::io::{read_text, write_text};
 use tomolith::job::resources::memory_budget_mb;
 use tomolith::job::{self, Job, RunFolder, Silent};
 use tomolith::models::Run;
@@ -189,9 +188,7 @@ impl Sweep {
         let file = &self.document.file;
         let file = std::path::absolute(file).unwrap_or_else(|_| file.clone());
         let text = serde_json::json!({ "sweep": file }).to_string();
-        write_whole(&folder.join(OWNER), |out| {
-            Ok(out.write_all(text.as_bytes())?)
-        })
+        write_text(&folder.join(OWNER), &text)
     }
 
     /// The points; where they are too many, with the time they would take.

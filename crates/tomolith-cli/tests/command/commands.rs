@@ -416,7 +416,7 @@ fn the_unit_systems_of_a_dose_want_all_that_their_formulas_need() {
     bench.refuse(line, &["--brightest"]);
     bench.refuse(
         &format!("{line} --brightest 0 --exposure-s 10"),
-        &["--brightest", "a number > 0"],
+        &["--brightest", "a finite number above 0"],
     );
 }
 
