@@ -132,6 +132,19 @@ impl Axis {
     }
 }
 
+/// A path through points; one that is not there parts it.
+pub(crate) fn polyline(points: impl Iterator<Item = Option<[f64; 2]>>) -> String {
+    let (mut path, mut letter) = (String::new(), 'M');
+    for point in points {
+        if let Some([x, y]) = point {
+            // Writing into a string cannot fail
+            let _ = write!(path, "{letter}{x:.1} {y:.1}");
+        }
+        letter = if point.is_some() { 'L' } else { 'M' };
+    }
+    path
+}
+
 /// 1, 2 or 5 times a power of ten, not smaller than `step`.
 fn nice_step(step: f64) -> f64 {
     let power = 10f64.powf(step.log10().floor());
@@ -197,16 +210,7 @@ impl Plot {
 
     /// Points joined by a line.
     pub fn line(&mut self, points: &[[f64; 2]], class: &str, name: &str) {
-        let mut path = String::new();
-        for (i, p) in points.iter().enumerate() {
-            let _ = write!(
-                path,
-                "{}{:.1} {:.1}",
-                if i == 0 { 'M' } else { 'L' },
-                self.px(p[0]),
-                self.py(p[1])
-            );
-        }
+        let path = polyline(points.iter().map(|&[x, y]| Some([self.px(x), self.py(y)])));
         self.add(format_args!("<path class=\"s-{class}\" d=\"{path}\"/>"));
         if !name.is_empty() {
             self.legend.push((class.to_owned(), name.to_owned()));
