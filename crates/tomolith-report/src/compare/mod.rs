@@ -10,6 +10,7 @@ mod tables;
 use crate::page::{MARK, Page, PageKind, compared, page_data, word};
 use rows::rows;
 pub use run::ComparedRun;
+pub(crate) use run::columns;
 use serde_json::{Value, json};
 use std::io::Read as _;
 use std::path::Path;
