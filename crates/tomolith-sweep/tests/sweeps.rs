@@ -703,17 +703,6 @@ fn a_sweep_that_cannot_be_is_refused_before_any_run() {
             vec!["axes[0].kee", "did you mean `key`?", "line 3"],
         ),
         (
-            SWEEP.replace("lower < upper", "lower > upper + 1"),
-            vec![
-                "when: all 9 points are left out: 9 by \"lower > upper + 1\"",
-                "line 4",
-            ],
-        ),
-        (
-            SWEEP.replace("lower < upper", "lower < 0.1/(upper - 0.4)"),
-            vec!["when[0]: a side of ", "is inf at lower = 0.3, upper = 0.4"],
-        ),
-        (
             SWEEP.replace("job = ", "# job = "),
             vec!["job: the key is missing", "job = \"job.toml\""],
         ),
