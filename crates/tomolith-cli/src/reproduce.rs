@@ -12,8 +12,9 @@ use std::process::{Child, Command, Output, Stdio};
 use std::thread::{self, available_parallelism};
 use std::time::Duration;
 use tomolith::models::Run;
+use tomolith::units::duration;
 use tomolith::{Error, Result};
-use tomolith_sweep::{Host, Study, StudyCost, SweepPlan, Watch, duration, reproduce};
+use tomolith_sweep::{Host, Study, StudyCost, SweepPlan, Watch, reproduce};
 
 const EXAMPLES: &str = "\
 Examples:

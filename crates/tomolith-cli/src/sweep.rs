@@ -10,11 +10,9 @@ use std::path::PathBuf;
 use std::thread::available_parallelism;
 use tomolith::models::Run;
 use tomolith::report::number::significant;
-use tomolith::units::counted;
+use tomolith::units::{counted, duration};
 use tomolith::{Error, Result};
-use tomolith_sweep::{
-    Shard, Sweep, SweepEvent, SweepOutcome, SweepPlan, Watch, duration, merge, run,
-};
+use tomolith_sweep::{Shard, Sweep, SweepEvent, SweepOutcome, SweepPlan, Watch, merge, run};
 
 const EXAMPLES: &str = "\
 Examples:

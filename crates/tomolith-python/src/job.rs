@@ -153,7 +153,10 @@ fn changes_of(given: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
         let text = text_of(&alone)?;
         let table: Value =
             serde_json::from_str(&text).map_err(|e| TomolithError::new_err(format!("set: {e}")))?;
-        Ok(Document::assignment(&key.extract::<String>()?, &table["value"]))
+        Ok(Document::assignment(
+            &key.extract::<String>()?,
+            &table["value"],
+        ))
     };
     changes.iter().map(change).collect()
 }

@@ -5,7 +5,6 @@
 
 use crate::pictures;
 use crate::plan::{RUNS, SweepPlan, firsts, of_run};
-use crate::spec::KeepSpec;
 use crate::table::{State, Table, failure, state};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
@@ -20,7 +19,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 use tomolith::io::npy::must_be_whole;
 use tomolith::io::write_text;
-use tomolith::job::{self, Document, Job, RunCache, RunFolder, Silent, folder::TAKEN};
+use tomolith::job::{self, Document, Job, Leaves, RunCache, RunFolder, Silent, folder::TAKEN};
 use tomolith::kind::table_of;
 use tomolith::models::Run;
 use tomolith::report::json::read as read_report;
@@ -464,9 +463,9 @@ fn is_ready(plan: &SweepPlan, i: usize, from: &[usize]) -> bool {
     }
     let has = |name: &str| folder.join(name).exists();
     let has_all = match plan.sweep.spec.keep {
-        KeepSpec::Metrics => true,
-        KeepSpec::Patterns => has(PATTERNS),
-        KeepSpec::All => has(PATTERNS) && has("report.html"),
+        Leaves::Metrics => true,
+        Leaves::Patterns => has(PATTERNS),
+        Leaves::All => has(PATTERNS) && has("report.html"),
     };
     let is_cold = plan.sweep.spec.warm_start.is_none();
     has_all && (is_cold || started_from(&folder) == Some(ids(plan, from)))
@@ -738,7 +737,7 @@ impl Slot<'_> {
                 return state(self.plan, i);
             }
             let job = self.job(i, from)?;
-            let leaves = self.plan.sweep.spec.keep.leaves();
+            let leaves = self.plan.sweep.spec.keep;
             match job::run_here(&job, true, leaves, cache, &mut Silent, &cancel) {
                 Ok(_) => return state(self.plan, i),
                 Err(Error::Unsupported { reason, .. }) if reason == TAKEN => {

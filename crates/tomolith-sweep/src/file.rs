@@ -3,10 +3,10 @@
 use crate::axes::{Axis, SweepPoint, named, words};
 use crate::expression::{Condition, Expression};
 use crate::metric;
-use crate::spec::{KeepSpec, SweepSpec};
+use crate::spec::SweepSpec;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
-use tomolith::job::{Document, Job};
+use tomolith::job::{Document, Job, Leaves};
 use tomolith::kind::Section;
 use tomolith::metrics::surface_deviation::{HAUSDORFF, MEAN, P95};
 use tomolith::{Error, Result};
@@ -238,7 +238,7 @@ impl Sweep {
     pub(crate) fn leaves_surfaces_out(&self) -> bool {
         let of_surfaces = [MEAN.name, P95.name, HAUSDORFF.name, "farthest"];
         let is_one = |path: &String| of_surfaces.iter().any(|name| path.contains(name));
-        self.spec.keep != KeepSpec::All
+        self.spec.keep != Leaves::All
             && !self.metrics.iter().any(is_one)
             && self.base.root.pointer("/evaluate/surfaces").is_none()
     }
@@ -459,7 +459,7 @@ fn must_be_shares(spec: &SweepSpec) -> Result<()> {
     {
         return Err(Error::refused("resources.memory_gb", gb, "GB, above 0"));
     }
-    if spec.warm_start.is_some() && spec.keep == KeepSpec::Metrics {
+    if spec.warm_start.is_some() && spec.keep == Leaves::Metrics {
         let accepted = "keep = \"patterns\" or \"all\"";
         return Err(Error::config(
             "warm_start",

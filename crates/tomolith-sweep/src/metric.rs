@@ -152,7 +152,8 @@ fn unknown(path: &str, key: &str, word: &str, names: &[&str], table: &str) -> Er
         key: key.to_owned(),
         found: format!("`{path}` is in no report.json"),
         accepted,
-        nearest: nearest_name(word, names.iter().copied()).map(|name| format!("{table}{dot}{name}")),
+        nearest: nearest_name(word, names.iter().copied())
+            .map(|name| format!("{table}{dot}{name}")),
         place: None,
     }
 }

@@ -8,7 +8,7 @@ use crate::commands::filled_in;
 use crate::engine::{self, Watch};
 use crate::expression::{Condition, Expression};
 use crate::metric;
-use crate::plan::{SweepPlan, duration, must_be_made_for_results};
+use crate::plan::{SweepPlan, must_be_made_for_results};
 use crate::study::{ColumnSpec, RowSpec, RunSpec, Study, Take};
 use crate::table::{State, Table, field};
 use serde::Serialize;
@@ -20,7 +20,7 @@ use std::path::{Path, PathBuf};
 use tomolith::io::{read_text, write_text, write_whole};
 use tomolith::models::Run;
 use tomolith::report::number::significant;
-use tomolith::units::counted;
+use tomolith::units::{counted, duration};
 use tomolith::{Error, Result};
 
 /// Whoever has a study run: shows it, and runs commands.
