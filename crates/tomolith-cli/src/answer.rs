@@ -1,7 +1,7 @@
 //! What the commands that plan and calibrate found: lines for people, an object for programs, files where a folder is named.
 
 use crate::arguments::Manner;
-use crate::screen::{mutter, say};
+use crate::screen::{done, mutter, say};
 use clap::Args;
 use serde_json::{Value, json};
 use std::path::PathBuf;
@@ -57,19 +57,16 @@ impl Answer {
     }
 
     pub(crate) fn tell(mut self, manner: Manner) {
-        if manner.json {
-            let warnings = std::mem::take(&mut self.warnings);
-            self.set("warnings", warnings);
-            self.set("event", "done");
-            say(&Value::Object(self.object).to_string());
-        } else if !manner.quiet {
-            self.warnings
+        let warnings = std::mem::take(&mut self.warnings);
+        self.set("warnings", &warnings);
+        done(manner, self.object, || {
+            warnings
                 .iter()
                 .for_each(|text| mutter(&format!("{:>22} {text}", "warning")));
             self.lines
                 .iter()
                 .for_each(|(name, text)| say(&format!("{name:>22} {text}")));
-        }
+        });
     }
 }
 

@@ -334,3 +334,31 @@ pub(crate) fn must_have_folder(option: &str, output: &Path) -> Result<()> {
         _ => Ok(()),
     }
 }
+
+/// Refuses a file whose name has none of these endings, the first of which an error names.
+pub(crate) fn must_end_in(option: &str, file: &Path, endings: &[&str]) -> Result<()> {
+    let extension = file.extension().unwrap_or_default();
+    if endings
+        .iter()
+        .any(|end| extension.eq_ignore_ascii_case(end))
+    {
+        return Ok(());
+    }
+    Err(Error::config(
+        option,
+        format!("`{}` has another ending", file.display()),
+        format!("a file name ending in .{}", endings[0]),
+    ))
+}
+
+/// What names of files of web pages end in.
+pub(crate) const PAGE: [&str; 2] = ["html", "htm"];
+
+/// An error about a key as one about the option that gives it: `evaluate.trim_percent` → `--trim-percent`.
+pub(crate) fn as_option(mut error: Error) -> Error {
+    if let Error::Config { key, .. } = &mut error {
+        let name = key.rsplit('.').next().unwrap_or_default();
+        *key = format!("--{}", name.replace('_', "-"));
+    }
+    error
+}

@@ -2,7 +2,7 @@
 
 use crate::answer::{Answer, Files, percent, with_error};
 use crate::arguments::Manner;
-use crate::screen::say;
+use crate::screen::{done, say};
 use clap::{Args, Subcommand, ValueEnum};
 use serde_json::json;
 use std::path::{Path, PathBuf};
@@ -676,12 +676,10 @@ fn frames(given: &CalibrateArguments) -> Result<()> {
             ));
         }
     };
-    if given.manner.json {
-        say(&json!({ "event": "done", "files": files }).to_string());
-    } else if !given.manner.quiet {
+    done(given.manner, json!({ "files": files }), || {
         files
             .iter()
             .for_each(|file| say(&file.display().to_string()));
-    }
+    });
     Ok(())
 }

@@ -1,13 +1,12 @@
 //! `tomolith compare`: several runs on one page.
 
-use crate::arguments::{Manner, must_have_folder};
-use crate::screen::say;
+use crate::arguments::{Manner, PAGE, must_end_in, must_have_folder};
+use crate::screen::{done, say};
 use clap::Args;
-use std::ffi::OsStr;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
+use tomolith::Result;
 use tomolith::io::must_be_new;
 use tomolith::report::compare::{compare_json, is_comparison, read_runs, write_compare};
-use tomolith::{Error, Result};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -28,40 +27,16 @@ pub(crate) struct CompareArguments {
 }
 
 pub(crate) fn compare(given: &CompareArguments) -> Result<()> {
-    must_be_page("--output", &given.output)?;
+    must_end_in("--output", &given.output, &PAGE)?;
     must_have_folder("--output", &given.output)?;
     if !is_comparison(&given.output) {
         must_be_new("--output", &given.output)?;
     }
     let runs = read_runs(&given.runs)?;
     write_compare(&given.output, &runs)?;
-    if given.manner.json {
-        let mut line = compare_json(&runs);
-        line["event"] = "done".into();
-        line["page"] = given.output.display().to_string().into();
-        say(&line.to_string());
-    } else if !given.manner.quiet {
-        say(&given.output.display().to_string());
-    }
+    let page = given.output.display().to_string();
+    let mut found = compare_json(&runs);
+    found["page"] = page.as_str().into();
+    done(given.manner, found, || say(&page));
     Ok(())
-}
-
-/// Refuses a file that is not called a web page.
-///
-/// # Errors
-/// [`Error::Config`].
-pub(crate) fn must_be_page(option: &str, file: &Path) -> Result<()> {
-    let is_page = |e: &OsStr| {
-        ["html", "htm"]
-            .iter()
-            .any(|page| e.eq_ignore_ascii_case(page))
-    };
-    if file.extension().is_some_and(is_page) {
-        return Ok(());
-    }
-    Err(Error::config(
-        option,
-        format!("`{}` has another ending", file.display()),
-        "a file name ending in .html: the page is a web page",
-    ))
 }

@@ -1,7 +1,10 @@
 //! `tomolith doctor`: what this machine has, and whether the program computes on it what closed forms say.
 
-use crate::screen::say;
-use serde_json::{Value, json};
+use crate::arguments::Manner;
+use crate::screen::{done, say};
+use serde::Serialize;
+use serde_json::json;
+use std::collections::BTreeMap;
 use std::time::Instant;
 use tomolith::field::Field;
 use tomolith::job::{Document, Job, ResolvedJob, Silent, resources, run};
@@ -34,6 +37,7 @@ output = { movie = "none" }
 const PRINTS: f64 = 0.9;
 
 /// A check against what is known.
+#[derive(Serialize)]
 struct Check {
     name: &'static str,
     found: String,
@@ -51,26 +55,17 @@ pub(crate) fn doctor(json: bool) -> Result<bool> {
     }
     let checks = [middle()?, pair()?, gear()?];
     let is_right = checks.iter().all(|check| check.is_right);
-    if json {
-        let machine: serde_json::Map<String, Value> = machine
-            .iter()
-            .map(|(name, text)| ((*name).to_owned(), json!(text)))
-            .collect();
-        let checks = checks.each_ref().map(
-            |check| json!({ "name": check.name, "found": check.found, "is_right": check.is_right }),
-        );
-        let found =
-            json!({ "event": "done", "machine": machine, "checks": checks, "is_right": is_right });
-        say(&found.to_string());
-        return Ok(is_right);
-    }
-    for check in &checks {
-        let verdict = if check.is_right { "right" } else { "WRONG" };
-        line(check.name, &format!("{verdict}: {}", check.found));
-    }
-    if !is_right {
-        say("this program computes wrongly on this machine: please report these lines");
-    }
+    let machine: BTreeMap<&str, String> = machine.into_iter().collect();
+    let found = json!({ "machine": machine, "checks": checks, "is_right": is_right });
+    done(Manner::with_json(json), found, || {
+        for check in &checks {
+            let verdict = if check.is_right { "right" } else { "WRONG" };
+            line(check.name, &format!("{verdict}: {}", check.found));
+        }
+        if !is_right {
+            say("this program computes wrongly on this machine: please report these lines");
+        }
+    });
     Ok(is_right)
 }
 

@@ -1,7 +1,7 @@
 //! `tomolith export`: frames for a machine.
 
 use crate::arguments::Manner;
-use crate::screen::{Screen, say};
+use crate::screen::{Screen, done, say};
 use clap::Args;
 use std::path::PathBuf;
 use tomolith::Result;
@@ -39,13 +39,7 @@ pub(crate) fn export(given: &ExportArguments, cancel: &Run) -> Result<()> {
     let mut screen = Screen::new(given.manner);
     let exported = of_run(&job, &given.run, &given.output, &mut screen, cancel)?;
     drop(screen);
-    if given.manner.json {
-        let mut line = serde_json::to_value(&exported).unwrap_or_default();
-        line["event"] = "done".into();
-        say(&line.to_string());
-    } else if !given.manner.quiet {
-        show(&exported);
-    }
+    done(given.manner, &exported, || show(&exported));
     Ok(())
 }
 

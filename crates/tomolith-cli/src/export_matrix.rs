@@ -1,15 +1,14 @@
 //! `tomolith export-matrix`: the dose model of a small job as a sparse matrix.
 
-use crate::arguments::must_be_a_place;
-use crate::arguments::{JobArguments, Manner};
-use crate::screen::{Screen, say};
+use crate::arguments::{JobArguments, Manner, must_be_a_place, must_end_in};
+use crate::screen::{Screen, done, say};
 use clap::Args;
 use serde_json::json;
 use std::path::PathBuf;
+use tomolith::Result;
 use tomolith::job::Job;
 use tomolith::job::export::matrix;
 use tomolith::models::Run;
-use tomolith::{Error, Result};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -30,25 +29,18 @@ pub(crate) struct MatrixArguments {
 }
 
 pub(crate) fn export_matrix(given: &MatrixArguments, job: &Job, cancel: &Run) -> Result<()> {
-    if given.output.extension().is_none_or(|e| e != "npz") {
-        return Err(Error::config(
-            "--output",
-            format!("`{}` has another ending", given.output.display()),
-            "a file name ending in .npz",
-        ));
-    }
+    must_end_in("--output", &given.output, &["npz"])?;
     must_be_a_place("--output", &given.output)?;
     let mut screen = Screen::new(given.manner);
     let [rows, columns, entries] = matrix(job, &given.output, &mut screen, cancel)?;
     drop(screen);
-    if given.manner.json {
-        let line = json!({ "event": "done", "file": given.output, "rows": rows, "columns": columns, "entries": entries });
-        say(&line.to_string());
-    } else if !given.manner.quiet {
+    let found =
+        json!({ "file": given.output, "rows": rows, "columns": columns, "entries": entries });
+    done(given.manner, found, || {
         say(&format!(
             "{rows} voxels × {columns} pixels, {entries} entries in {}",
             given.output.display()
         ));
-    }
+    });
     Ok(())
 }

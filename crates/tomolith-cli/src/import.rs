@@ -1,14 +1,13 @@
 //! `tomolith import`: a job or a sinogram of another program as ours.
 
 use crate::arguments::Manner;
-use crate::screen::say;
+use crate::screen::{self, say};
 use clap::Args;
 use serde_json::json;
-use std::io::Write;
 use std::path::{Component, Path, PathBuf};
 use tomolith::io::mesh::read_mesh;
 use tomolith::io::npy::{PatternPair, write_patterns};
-use tomolith::io::{must_be_new, read_text, write_whole};
+use tomolith::io::{must_be_new, read_text, write_text};
 use tomolith::models::Run;
 use tomolith::{Error, Result, job};
 
@@ -69,22 +68,19 @@ pub(crate) fn import(given: &ImportArguments) -> Result<()> {
         bounds: &bounds,
     };
     let ours = job::import(&text, &files).map_err(named)?;
-    write_whole(&given.output, |file| {
-        Ok(file.write_all(ours.text.as_bytes())?)
-    })?;
+    write_text(&given.output, &ours.text)?;
     done(given, "job", &ours.notes)
 }
 
 /// Says what was written, and what people should know of it.
 fn done(given: &ImportArguments, what: &str, notes: &[String]) -> Result<()> {
-    if given.manner.json {
-        say(&json!({ "event": "done", "file": given.output, "notes": notes }).to_string());
-    } else if !given.manner.quiet {
+    let found = json!({ "file": given.output, "notes": notes });
+    screen::done(given.manner, found, || {
         for note in notes {
             say(&format!("note: {note}"));
         }
         say(&format!("{what} in {}", given.output.display()));
-    }
+    });
     Ok(())
 }
 

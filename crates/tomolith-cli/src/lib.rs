@@ -29,8 +29,8 @@ mod view;
 mod voxelize;
 
 use arguments::{
-    Arguments, Command, JobArguments, JobChanges, Manner, RunArguments, SimulateArguments,
-    command_line, must_be_a_place,
+    Arguments, Command, JobArguments, JobChanges, Manner, PAGE, RunArguments, SimulateArguments,
+    command_line, must_be_a_place, must_end_in,
 };
 use clap::FromArgMatches;
 use ranks::Ranks;
@@ -42,7 +42,7 @@ use std::path::Path;
 use std::sync::Arc;
 use std::thread;
 use std::time::{Duration, Instant};
-use tomolith::io::{give_up, write_whole};
+use tomolith::io::{give_up, write_text};
 use tomolith::job::{self, Document, Job, Leaves, RunFolder};
 use tomolith::models::Run;
 use tomolith::{Error, Result};
@@ -383,16 +383,13 @@ fn reproduce(given: &reproduce::ReproduceArguments, itself: &[OsString]) -> Resu
 fn check(given: &arguments::CheckArguments) -> Result<bool> {
     prepare(given.manner)?;
     if let Some(file) = &given.picture {
-        compare::must_be_page("--picture", file)?;
+        must_end_in("--picture", file, &PAGE)?;
         must_be_a_place("--picture", file)?;
     }
     let job = read(&given.job, None)?;
     let cancel = cancel_on_ctrl_c(given.manner);
     if let Some(file) = &given.picture {
-        let page = job::picture(&job, &cancel)?.html();
-        write_whole(file, |out| {
-            Ok(std::io::Write::write_all(out, page.as_bytes())?)
-        })?;
+        write_text(file, &job::picture(&job, &cancel)?.html())?;
     }
     // Its answer is one line of JSON
     let mut screen = if given.manner.json {
@@ -401,13 +398,7 @@ fn check(given: &arguments::CheckArguments) -> Result<bool> {
         Screen::new(given.manner)
     };
     let plan = job::check(&job, &mut screen, &cancel)?;
-    if given.manner.json {
-        let mut line = serde_json::to_value(&plan).unwrap_or_default();
-        line["event"] = "done".into();
-        say(&line.to_string());
-    } else if !given.manner.quiet {
-        say(plan.to_string().trim_end());
-    }
+    screen::done(given.manner, &plan, || say(plan.to_string().trim_end()));
     Ok(true)
 }
 

@@ -1,9 +1,10 @@
 //! `tomolith metrics`: all metrics of any dose against any target.
 
-use crate::arguments::Manner;
-use crate::screen::say;
+use crate::arguments::{Manner, as_option};
+use crate::screen::{done, say};
 use clap::Args;
 use serde_json::{Value, json};
+use tomolith::error::above_zero;
 use tomolith::grid::{Volume, VolumeGrid};
 use tomolith::io::array::read_any;
 use tomolith::io::npy::place_of;
@@ -13,7 +14,7 @@ use tomolith::metrics::published::{Options, of_print, value_of};
 use tomolith::metrics::{Evaluation, METRICS, Published, evaluate};
 use tomolith::report::json::evaluation_json;
 use tomolith::target::label::{OUTSIDE, PART, VOID};
-use tomolith::units::{concise, exact};
+use tomolith::units::concise;
 use tomolith::{Error, Result};
 
 const EXAMPLES: &str = "\
@@ -65,13 +66,7 @@ pub(crate) struct MetricsArguments {
 
 pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
     let pitch_mm = given.pitch_mm.unwrap_or(1.0);
-    if !(pitch_mm.is_finite() && pitch_mm > 0.0) {
-        return Err(Error::refused(
-            "--pitch-mm",
-            exact(pitch_mm),
-            "a number > 0, mm",
-        ));
-    }
+    above_zero("--pitch-mm", pitch_mm)?;
     let units = Units::of(given)?;
     let (shape, values) = read_finite(&given.dose)?;
     let grid = VolumeGrid::centered(shape, pitch_mm);
@@ -94,26 +89,24 @@ pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
         trim_percent: given.trim_percent,
         ..Options::default()
     };
-    let (numbers, slices) = of_print(&print, &target, &options).map_err(as_dashed)?;
+    let (numbers, slices) = of_print(&print, &target, &options).map_err(as_option)?;
     let systems = units.and_then(|units| units.systems(&numbers));
-    if given.manner.json {
-        let mut line = json!({
-            "event": "done", "evaluation": evaluation_json(&evaluation), "published": numbers, "slices": slices,
-        });
-        if given.pitch_mm.is_none() {
-            in_voxels(&mut line);
-        }
-        line["unit_systems"] = json!(systems);
-        line["lengths_in"] = json!(if given.pitch_mm.is_some() {
-            "mm"
-        } else {
+    let mut found = json!({
+        "evaluation": evaluation_json(&evaluation), "published": numbers, "slices": slices,
+    });
+    let unit = match given.pitch_mm {
+        Some(_) => "mm",
+        None => {
+            in_voxels(&mut found);
             "voxel"
-        });
-        say(&line.to_string());
-    } else if !given.manner.quiet {
+        }
+    };
+    found["unit_systems"] = json!(systems);
+    found["lengths_in"] = unit.into();
+    done(given.manner, found, || {
         show(&evaluation, &numbers, given.pitch_mm.is_some());
         systems.iter().flatten().for_each(show_system);
-    }
+    });
     Ok(())
 }
 
@@ -161,9 +154,7 @@ impl Units {
             ("--brightest", brightest),
             ("--exposure-s", exposure_s),
         ] {
-            if !(value.is_finite() && value > 0.0) {
-                return Err(Error::refused(key, exact(value), "a number > 0"));
-            }
+            above_zero(key, value)?;
         }
         Ok(Some(Units {
             brightest,
@@ -210,22 +201,6 @@ fn read_finite(source: &str) -> Result<([usize; 3], Vec<f32>)> {
         )),
         None => Ok((shape, values)),
     }
-}
-
-/// An error about a job's threshold, as one about the option.
-fn as_option(mut error: Error) -> Error {
-    if let Error::Config { key, .. } = &mut error {
-        "--threshold".clone_into(key);
-    }
-    error
-}
-
-/// An error of a parameter as one of the option that gives it: `trim_percent` → `--trim-percent`.
-fn as_dashed(mut error: Error) -> Error {
-    if let Error::Config { key, .. } = &mut error {
-        *key = format!("--{}", key.replace('_', "-"));
-    }
-    error
 }
 
 /// Gray values as the dose should have them: 0 to 1.

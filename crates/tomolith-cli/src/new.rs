@@ -7,7 +7,7 @@ use crate::screen::{mutter, say};
 use clap::Args;
 use std::io::{BufRead, IsTerminal, Write};
 use std::path::{Path, PathBuf};
-use tomolith::io::write_whole;
+use tomolith::io::write_text;
 use tomolith::job::{Document, Job, ResolvedJob};
 use tomolith::models::Run;
 use tomolith::target::build_under;
@@ -128,7 +128,7 @@ pub(crate) fn new(given: &NewArguments) -> Result<()> {
         say(text.trim_end());
         return Ok(());
     }
-    write_whole(&given.file, |out| Ok(out.write_all(text.as_bytes())?))?;
+    write_text(&given.file, &text)?;
     let file = given.file.display();
     say(&format!(
         "{file} is written; `tomolith check {file}` says what it costs, `tomolith run {file}` runs it"

@@ -1,7 +1,7 @@
 //! `tomolith reproduce`: the numbers of a paper next to ours.
 
 use crate::arguments::{Manner, command_line};
-use crate::screen::{mutter, say};
+use crate::screen::{done, mutter, say};
 use crate::sweep::Board;
 use clap::{ArgMatches, Args};
 use serde_json::{Value, json};
@@ -12,8 +12,9 @@ use std::process::{Child, Command, Output, Stdio};
 use std::thread::{self, available_parallelism};
 use std::time::Duration;
 use tomolith::models::Run;
+use tomolith::units::duration;
 use tomolith::{Error, Result};
-use tomolith_sweep::{Host, Study, StudyCost, SweepPlan, Watch, duration, reproduce};
+use tomolith_sweep::{Host, Study, StudyCost, SweepPlan, Watch, reproduce};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -61,13 +62,7 @@ pub(crate) fn run(given: &ReproduceArguments, itself: &[OsString], cancel: &Run)
         return Ok(true);
     }
     let found = reproduce(&study, &output, threads, &mut typed, cancel)?;
-    if given.manner.json {
-        let mut line = json!(found);
-        line["event"] = "done".into();
-        say(&line.to_string());
-    } else if !given.manner.quiet {
-        say(found.to_string().trim_end());
-    }
+    done(given.manner, &found, || say(found.to_string().trim_end()));
     Ok(found.is_met())
 }
 

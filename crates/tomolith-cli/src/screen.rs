@@ -2,6 +2,7 @@
 
 use crate::arguments::Manner;
 use indicatif::{ProgressBar, ProgressStyle};
+use serde::Serialize;
 use std::io::{ErrorKind, IsTerminal, Write};
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
@@ -39,6 +40,21 @@ pub(crate) fn unsaid() -> Option<&'static std::io::Error> {
 /// Writes a line to standard error, which nobody may be reading.
 pub(crate) fn mutter(line: &str) {
     let _ = writeln!(std::io::stderr(), "{}", printable(line));
+}
+
+/// The end of a command: what it found as a line of JSON, or in words, or nothing.
+pub(crate) fn done(manner: Manner, found: impl Serialize, words: impl FnOnce()) {
+    if manner.json {
+        say_json(found);
+    } else if !manner.quiet {
+        words();
+    }
+}
+
+fn say_json(found: impl Serialize) {
+    let mut line = serde_json::to_value(found).unwrap_or_default();
+    line["event"] = "done".into();
+    say(&line.to_string());
 }
 
 enum Style {
@@ -108,11 +124,7 @@ impl Screen {
     pub(crate) fn finish(&mut self, summary: &Summary) {
         self.clear();
         match self.style {
-            Style::Json { .. } => {
-                let mut line = serde_json::to_value(summary).unwrap_or_default();
-                line["event"] = "done".into();
-                say(&line.to_string());
-            }
+            Style::Json { .. } => say_json(summary),
             Style::Quiet => {}
             Style::Plain { .. } | Style::Bar { .. } => {
                 say(summary.to_string().trim_end());

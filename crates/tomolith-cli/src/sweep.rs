@@ -2,7 +2,7 @@
 
 use crate::arguments::Manner;
 use crate::ranks::{Ranks, agreed};
-use crate::screen::{mutter, new_bar, say};
+use crate::screen::{done, mutter, new_bar, say};
 use clap::Args;
 use indicatif::ProgressBar;
 use std::io::IsTerminal;
@@ -10,11 +10,9 @@ use std::path::PathBuf;
 use std::thread::available_parallelism;
 use tomolith::models::Run;
 use tomolith::report::number::significant;
-use tomolith::units::counted;
+use tomolith::units::{counted, duration};
 use tomolith::{Error, Result};
-use tomolith_sweep::{
-    Shard, Sweep, SweepEvent, SweepOutcome, SweepPlan, Watch, duration, merge, run,
-};
+use tomolith_sweep::{Shard, Sweep, SweepEvent, SweepOutcome, SweepPlan, Watch, merge, run};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -140,13 +138,8 @@ fn planned(given: &SweepArguments, ranks: Option<&Ranks>, cancel: &Run) -> Resul
 }
 
 fn finish(outcome: &SweepOutcome, manner: Manner) {
-    if manner.json {
-        let mut line = serde_json::to_value(outcome).unwrap_or_default();
-        line["event"] = "done".into();
-        say(&line.to_string());
-    } else if !manner.quiet {
-        say(outcome.to_string().trim_end());
-    } else if !outcome.is_met() {
+    done(manner, outcome, || say(outcome.to_string().trim_end()));
+    if manner.quiet && !manner.json && !outcome.is_met() {
         let text = outcome.to_string();
         let why = text.lines().next().unwrap_or_default();
         mutter(&format!(

@@ -1,7 +1,7 @@
 //! `tomolith voxelize` and `tomolith phantom`: parts as voxels, for anybody's use.
 
-use crate::arguments::{Manner, must_be_a_place};
-use crate::screen::say;
+use crate::arguments::{Manner, as_option, must_be_a_place, must_end_in};
+use crate::screen::{done, say};
 use clap::Args;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -96,16 +96,7 @@ pub(crate) struct PhantomArguments {
 pub(crate) fn voxelize(given: &VoxelizeArguments, run: &Run) -> Result<()> {
     let unit = |name: &String| MeshUnit::ALL.into_iter().find(|unit| unit.name() == name);
     if let Some(file) = &given.save_mesh {
-        if !file
-            .extension()
-            .is_some_and(|e| e.eq_ignore_ascii_case("stl"))
-        {
-            return Err(Error::config(
-                "--save-mesh",
-                format!("`{}` has another ending", file.display()),
-                "a file name ending in .stl",
-            ));
-        }
+        must_end_in("--save-mesh", file, &["stl"])?;
         must_be_a_place("--save-mesh", file)?;
     }
     let spec = TargetSpec {
@@ -198,14 +189,12 @@ fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>, run: &Run
         let percent = (1000.0 * lost).round() / 10.0;
         format!("the grid cuts the part: {percent} % of its volume is lost")
     }));
-    if given.manner.json {
-        let line = json!({
-            "event": "done", "file": given.output, "part": target.name, "shape_zyx": grid.shape, "pitch_mm": grid.pitch_mm,
-            "center_xyz_mm": grid.center_mm, "part_voxels": part, "volume_mm3": volume_mm3, "exact_volume_mm3": exact,
-            "lost_share": lost, "mesh_file": saved, "warnings": warnings,
-        });
-        say(&line.to_string());
-    } else if !given.manner.quiet {
+    let found = json!({
+        "file": given.output, "part": target.name, "shape_zyx": grid.shape, "pitch_mm": grid.pitch_mm,
+        "center_xyz_mm": grid.center_mm, "part_voxels": part, "volume_mm3": volume_mm3, "exact_volume_mm3": exact,
+        "lost_share": lost, "mesh_file": saved, "warnings": warnings,
+    });
+    done(given.manner, found, || {
         let exact = exact.map_or(String::new(), |exact| {
             format!(" (exactly {} mm³)", concise(exact))
         });
@@ -225,7 +214,7 @@ fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>, run: &Run
         for file in std::iter::once(given.output.as_path()).chain(saved) {
             say(&format!("{:>10} {}", "written", file.display()));
         }
-    }
+    });
     Ok(())
 }
 
@@ -274,24 +263,14 @@ fn grid_of(given: &Sampling, bounds: [[f64; 3]; 2]) -> Result<VolumeGrid> {
 /// Longest edges of parts for which nobody asks whether the file has another unit, mm.
 const EXPECTED_MM: [f64; 2] = [0.05, 1000.0];
 
-/// An error about the unit of a mesh, as one about the option.
-fn as_target_option(mut error: Error) -> Error {
-    if let Error::Config { key, .. } = &mut error {
-        let options = ["mesh_unit", "size_mm", "rotate_deg"];
-        let named = |name: &&&str| key.strip_prefix("target.") == Some(**name);
-        if let Some(name) = options.iter().find(named) {
-            *key = format!("--{}", name.replace('_', "-"));
-        }
+/// An error about a key of the target, as one about the option where it has one.
+fn as_target_option(error: Error) -> Error {
+    let is_option =
+        |key: &str| ["target.mesh_unit", "target.size_mm", "target.rotate_deg"].contains(&key);
+    match &error {
+        Error::Config { key, .. } if is_option(key) => as_option(error),
+        _ => error,
     }
-    error
-}
-
-/// An error about a key of a grid, as one about the option of that name.
-fn as_option(mut error: Error) -> Error {
-    if let Error::Config { key, .. } = &mut error {
-        *key = format!("--{}", key.replace('_', "-"));
-    }
-    error
 }
 
 /// What a file name asks for.

@@ -191,6 +191,26 @@ impl schemars::JsonSchema for Mm {
     }
 }
 
+/// A time for people: from milliseconds to years.
+///
+/// ```
+/// use tomolith_core::units::duration;
+/// let times = [0.008, 3.0, 4e3, 1e5, 3e9].map(duration);
+/// assert_eq!(times, ["8 ms", "3.0 s", "67 min", "27.8 h", "95 years"]);
+/// ```
+#[must_use]
+pub fn duration(seconds: f64) -> String {
+    match seconds {
+        s if s < 0.1 => format!("{:.0} ms", 1e3 * s),
+        s if s < 10.0 => format!("{s:.1} s"),
+        s if s < 100.0 => format!("{s:.0} s"),
+        s if s < 6e3 => format!("{:.0} min", s / 60.0),
+        s if s < 172_800.0 => format!("{:.1} h", s / 3600.0),
+        s if s < 6.3e7 => format!("{:.0} days", s / 86_400.0),
+        s => format!("{:.0} years", s / 31_557_600.0),
+    }
+}
+
 /// A number of things.
 ///
 /// ```

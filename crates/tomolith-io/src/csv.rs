@@ -11,9 +11,8 @@
 //! );
 //! ```
 
-use super::whole::write_whole;
+use super::whole::write_text;
 use std::fmt::Write as _;
-use std::io::Write as _;
 use std::path::Path;
 use tomolith_core::error::Result;
 use tomolith_core::units::exact;
@@ -91,9 +90,7 @@ pub fn history_text(rows: &[HistoryRow]) -> String {
 /// # Errors
 /// [`Error::Io`](tomolith_core::Error::Io).
 pub fn write_history(path: &Path, rows: &[HistoryRow]) -> Result<()> {
-    write_whole(path, |file| {
-        Ok(file.write_all(history_text(rows).as_bytes())?)
-    })
+    write_text(path, &history_text(rows))
 }
 
 #[cfg(test)]

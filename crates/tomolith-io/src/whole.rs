@@ -66,7 +66,15 @@ pub fn write_whole<T>(
     write_whole_under(path, (&Run::new(), 0), write)
 }
 
-/// The same as a part of a run, which is done after so many bytes.
+/// Writes a text.
+///
+/// # Errors
+/// [`Error::Io`] with the path; `path` is then as it was.
+pub fn write_text(path: &Path, text: &str) -> Result<()> {
+    write_whole(path, |file| Ok(file.write_all(text.as_bytes())?))
+}
+
+/// As [`write_whole`], as a part of a run, which is done after so many bytes.
 ///
 /// # Errors
 /// As [`write_whole`]; [`Error::Canceled`], with `path` as it was.

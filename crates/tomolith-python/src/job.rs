@@ -153,28 +153,12 @@ fn changes_of(given: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
         let text = text_of(&alone)?;
         let table: Value =
             serde_json::from_str(&text).map_err(|e| TomolithError::new_err(format!("set: {e}")))?;
-        let key = key.extract::<String>()?;
-        Ok(format!("{key}={}", toml_of(&table["value"])))
+        Ok(Document::assignment(
+            &key.extract::<String>()?,
+            &table["value"],
+        ))
     };
     changes.iter().map(change).collect()
-}
-
-/// A value as TOML writes it within a line. There is no null: it stays a word, which the document refuses by name.
-fn toml_of(value: &Value) -> String {
-    match value {
-        Value::Array(items) => {
-            let items: Vec<String> = items.iter().map(toml_of).collect();
-            format!("[{}]", items.join(", "))
-        }
-        Value::Object(table) => {
-            let pair = |(key, value): (&String, &Value)| {
-                format!("{} = {}", Value::String(key.clone()), toml_of(value))
-            };
-            let pairs: Vec<String> = table.iter().map(pair).collect();
-            format!("{{ {} }}", pairs.join(", "))
-        }
-        other => other.to_string(),
-    }
 }
 
 /// The run of a folder, and what the command says at its end.

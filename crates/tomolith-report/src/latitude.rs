@@ -159,10 +159,7 @@ impl ExposureWindow {
             from_to(&self.percent, "%")
         );
         if let Some(time) = &self.time_s {
-            let best = time.best.map_or_else(String::new, |best| {
-                format!(", best {} s", significant(best, 3))
-            });
-            text += &format!(" ({}{best})", from_to(time, "s"));
+            text += &times(time);
         }
         text.push('.');
         if let Some(reported) = self.reported_percent
@@ -190,6 +187,14 @@ pub(super) fn from_to(bracket: &Bracket, unit: &str) -> String {
         (None, Some(b)) => format!("up to {b} {unit}"),
         (None, None) => "at any".to_owned(),
     }
+}
+
+/// Times of exposures and the best of them, s, as the end of a sentence.
+pub(super) fn times(time: &Bracket) -> String {
+    let best = time.best.map_or_else(String::new, |best| {
+        format!(", best {} s", significant(best, 3))
+    });
+    format!(" ({}{best})", from_to(time, "s"))
 }
 
 #[cfg(test)]

@@ -30,14 +30,13 @@ pub use limits::{Cause, Limit, PrintLimits};
 pub use objectives::ObjectiveReport;
 pub use scenarios::{ScenarioRow, ScenarioTable};
 pub use species::{OneExposure, OneMoment};
-use std::io::Write;
 use std::path::Path;
 pub use time::{TimePoint, TimeReport};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Patterns, Volume};
 use tomolith_io::csv::HistoryRow;
 use tomolith_io::mp4::MovieCheck;
-use tomolith_io::write_whole;
+use tomolith_io::write_text;
 use tomolith_metrics::Evaluation;
 use tomolith_metrics::surface::Deviation;
 use tomolith_objective::FoundWindow;
@@ -275,11 +274,7 @@ impl ReportData<'_> {
 /// # Errors
 /// [`Error::Io`].
 pub fn write_json(path: &Path, data: &ReportData<'_>) -> Result<()> {
-    let value = json::report_json(data);
-    write_whole(path, |file| {
-        serde_json::to_writer_pretty(&mut *file, &value).map_err(std::io::Error::from)?;
-        Ok(file.write_all(b"\n")?)
-    })
+    write_text(path, &format!("{:#}\n", json::report_json(data)))
 }
 
 /// Writes `print.ply`: the print's surface in mm, with colors, and `deviation_um` at each corner (positive where the print is too large).
@@ -295,8 +290,7 @@ pub fn write_print(path: &Path, part: &str, deviation: &Deviation) -> Result<()>
 /// # Errors
 /// [`Error::Io`], or [`Error::Shape`] when the volumes do not belong together.
 pub fn write_html(path: &Path, data: &ReportData<'_>) -> Result<()> {
-    let page = page::report_page(data)?.html();
-    write_whole(path, |file| Ok(file.write_all(page.as_bytes())?))
+    write_text(path, &page::report_page(data)?.html())
 }
 
 #[cfg(test)]

@@ -16,7 +16,7 @@
 
 use super::number::significant;
 use super::picture::{hex, viridis};
-use super::plot::Axis;
+use super::plot::{Axis, polyline};
 use std::collections::BTreeSet;
 
 pub mod histograms;
@@ -206,8 +206,7 @@ pub fn heat_maps(
             .zip(strokes)
             .map(|(guide, (stroke, _))| Some(format!("{stroke}: {}", guide.name))),
     );
-    sheet.marks(&marks);
-    sheet.svg(&title)
+    sheet.svg(&title, &marks)
 }
 
 /// How guides differ: in words, and as SVG has it.
@@ -224,16 +223,11 @@ const STROKES: [(&str, &str); 6] = [
 fn draw_guides(body: &mut String, frame: &Frame, [columns, rows]: [usize; 2], guides: &[Guide]) {
     let part = |place: f64, cells: usize| (place + 0.5) / cells.max(1) as f64;
     for (guide, (_, dashes)) in guides.iter().zip(STROKES.iter().cycle()) {
-        let mut path = String::new();
-        let mut letter = 'M';
-        for [x, y] in &guide.points {
-            let (x, y) = (part(*x, columns), part(*y, rows));
+        let path = polyline(guide.points.iter().map(|&[x, y]| {
+            let (x, y) = (part(x, columns), part(y, rows));
             let is_inside = (0.0..=1.0).contains(&x) && (0.0..=1.0).contains(&y);
-            if is_inside {
-                draw!(path, "{letter}{:.1} {:.1}", frame.x(x), frame.y(y));
-            }
-            letter = if is_inside { 'L' } else { 'M' };
-        }
+            is_inside.then(|| [frame.x(x), frame.y(y)])
+        }));
         draw!(
             body,
             "<path class=\"under\" d=\"{path}\"/><path class=\"guide\" stroke-dasharray=\"{dashes}\" d=\"{path}\"/>"
@@ -285,8 +279,7 @@ pub fn curves(title: &str, curves: &[PlotCurve], caption: &str) -> String {
             .any(|c| c.has_failed)
             .then_some("×: failed".to_owned()),
     ];
-    sheet.marks(&marks);
-    sheet.svg(title)
+    sheet.svg(title, &marks)
 }
 
 /// Parts of an edge in the middle of equal cells, and their labels: so many that they do not touch.
@@ -582,15 +575,7 @@ fn draw_curve(body: &mut String, frame: &Frame, (curve, most): (&PlotCurve, usiz
         ])
     };
     if curve.is_joined {
-        let mut path = String::new();
-        let mut letter = 'M';
-        for point in &curve.points {
-            let place = at(point);
-            if let Some([x, y]) = place {
-                draw!(path, "{letter}{x:.1} {y:.1}");
-            }
-            letter = if place.is_some() { 'L' } else { 'M' };
-        }
+        let path = polyline(curve.points.iter().map(at));
         draw!(body, "<path class=\"line\" d=\"{path}\"/>");
     }
     for point in &curve.points {

@@ -1,15 +1,16 @@
-//! Line and step plots as SVG, that take their colors from the page or bring them along.
+//! Lines, dots and bands as an SVG file.
 //!
 //! Sizes are in units of a 480 wide view box, so that labels stay readable on a telephone. Colors are CSS classes
-//! (`s-…` for strokes, `f-…` for areas: part, void, accent, gel, still, window), so the plot follows light and dark.
+//! (`s-…` for strokes, `f-…` for areas: part, void, accent, gel, still, window), those of a report on its card.
 //!
 //! ```
 //! use tomolith_report::plot::{Axis, Plot};
 //! let mut plot = Plot::new(Axis::linear("time, s", 0.0, 4.0), Axis::linear("dose", 0.0, 16.0));
 //! plot.line(&[[0.0, 0.0], [2.0, 4.0], [4.0, 16.0]], "accent", "t²");
 //! plot.dots(&[[1.0, 1.0], [3.0, 9.0]], "void", "measured");
-//! assert_eq!(plot.svg("a page's").matches("<circle").count(), 2);
-//! assert!(plot.file("a file's").starts_with("<svg xmlns="));
+//! let file = plot.file("a parabola");
+//! assert!(file.starts_with("<svg xmlns="));
+//! assert_eq!(file.matches("<circle").count(), 2);
 //! ```
 
 use super::number::{escape, exponent, significant};
@@ -63,8 +64,7 @@ impl Axis {
     }
 
     /// Decades, and 0 below them, which has no logarithm.
-    #[must_use]
-    pub fn log_with_zero(label: &str, low: f64, high: f64) -> Self {
+    pub(crate) fn log_with_zero(label: &str, low: f64, high: f64) -> Self {
         Axis {
             zero: true,
             ..Axis::log(label, low, high)
@@ -132,6 +132,19 @@ impl Axis {
     }
 }
 
+/// A path through points; one that is not there parts it.
+pub(crate) fn polyline(points: impl Iterator<Item = Option<[f64; 2]>>) -> String {
+    let (mut path, mut letter) = (String::new(), 'M');
+    for point in points {
+        if let Some([x, y]) = point {
+            // Writing into a string cannot fail
+            let _ = write!(path, "{letter}{x:.1} {y:.1}");
+        }
+        letter = if point.is_some() { 'L' } else { 'M' };
+    }
+    path
+}
+
 /// 1, 2 or 5 times a power of ten, not smaller than `step`.
 fn nice_step(step: f64) -> f64 {
     let power = 10f64.powf(step.log10().floor());
@@ -197,46 +210,14 @@ impl Plot {
 
     /// Points joined by a line.
     pub fn line(&mut self, points: &[[f64; 2]], class: &str, name: &str) {
-        let mut path = String::new();
-        for (i, p) in points.iter().enumerate() {
-            let _ = write!(
-                path,
-                "{}{:.1} {:.1}",
-                if i == 0 { 'M' } else { 'L' },
-                self.px(p[0]),
-                self.py(p[1])
-            );
-        }
+        let path = polyline(points.iter().map(|&[x, y]| Some([self.px(x), self.py(y)])));
         self.add(format_args!("<path class=\"s-{class}\" d=\"{path}\"/>"));
         if !name.is_empty() {
             self.legend.push((class.to_owned(), name.to_owned()));
         }
     }
 
-    /// Marks points that are 0 on an axis whose decades cannot show it, and says so at the first of them.
-    pub fn zeros(&mut self, points: &[[f64; 2]], class: &str) {
-        if !self.y.zero {
-            return;
-        }
-        let zeros: Vec<[f64; 2]> = points.iter().copied().filter(|p| p[1] <= 0.0).collect();
-        zeros.iter().for_each(|point| self.dot(*point, class));
-        if let Some(&[x, _]) = zeros.first() {
-            let (x, y) = (self.px(x), self.py(0.0));
-            // On the side where there is room
-            let (x, anchor) = if x > f64::midpoint(LEFT, WIDTH - RIGHT) {
-                (x - 16.0, "end")
-            } else {
-                (x + 9.0, "start")
-            };
-            self.add(format_args!(
-                "<text class=\"zero\" x=\"{x:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\">exactly 0</text>",
-                y - 4.0
-            ));
-        }
-    }
-
-    /// A dot.
-    pub fn dot(&mut self, point: [f64; 2], class: &str) {
+    fn dot(&mut self, point: [f64; 2], class: &str) {
         let (x, y) = (self.px(point[0]), self.py(point[1]));
         self.add(format_args!(
             "<circle class=\"f-{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4\"/>"
@@ -249,53 +230,9 @@ impl Plot {
         self.legend.push((class.to_owned(), name.to_owned()));
     }
 
-    /// Equal bins over the range of x, as a filled staircase.
-    pub fn steps(&mut self, range: [f64; 2], heights: &[f64], class: &str, name: &str) {
-        let base = HEIGHT - BOTTOM;
-        let width = (range[1] - range[0]) / heights.len().max(1) as f64;
-        let mut path = format!("M{:.1} {base}", self.px(range[0]));
-        for (i, &height) in heights.iter().enumerate() {
-            let to = self.px(range[0] + width * (i + 1) as f64);
-            let top = if height > 0.0 {
-                self.py(height).min(base)
-            } else {
-                base
-            };
-            let _ = write!(path, "V{top:.1}H{to:.1}");
-        }
-        let _ = write!(path, "V{base}Z");
-        self.add(format_args!(
-            "<path class=\"f-{class} s-{class}\" d=\"{path}\"/>"
-        ));
-        self.legend.push((class.to_owned(), name.to_owned()));
-    }
-
-    /// The finished drawing as a separate file, with the colors of a report on its card; `title` is read by screen readers.
-    #[must_use]
-    pub fn file(&self, title: &str) -> String {
-        let above = self.above();
-        let style = include_str!("plot.css");
-        let body = self.svg(title);
-        let (_, inner) = body.split_once('>').unwrap_or(("", &body));
-        format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" width=\"{}\" height=\"{}\" viewBox=\"0 {above} {WIDTH} {}\" \
-             role=\"img\" aria-label=\"{}\"><style><![CDATA[{style}]]></style>\
-             <rect x=\"0\" y=\"{above}\" width=\"100%\" height=\"100%\" fill=\"#fff\"/>{inner}\n",
-            2.0 * WIDTH,
-            2.0 * (HEIGHT - above),
-            HEIGHT - above,
-            escape(title),
-        )
-    }
-
-    /// Without names nothing stands above the plot.
-    fn above(&self) -> f64 {
-        if self.legend.is_empty() { 22.0 } else { 0.0 }
-    }
-
     /// The finished drawing; `title` is read by screen readers.
     #[must_use]
-    pub fn svg(&self, title: &str) -> String {
+    pub fn file(&self, title: &str) -> String {
         let (right, bottom) = (WIDTH - RIGHT, HEIGHT - BOTTOM);
         let mut grid = String::new();
         for (value, label) in self.y.ticks(5) {
@@ -315,26 +252,20 @@ impl Plot {
                 bottom + 18.0
             );
         }
-        if self.y.zero {
-            // The axis is broken between 0 and its lowest decade
-            let y = self.py(0.0) - 0.5 * ZERO * (bottom - TOP);
-            let _ = write!(
-                grid,
-                "<path class=\"break\" d=\"M{} {:.1}l10 -5M{} {:.1}l10 -5\"/>",
-                LEFT - 5.0,
-                y + 5.0,
-                LEFT - 5.0,
-                y + 9.0
-            );
-        }
-        let above = self.above();
+        // Without names nothing stands above the plot
+        let above = if self.legend.is_empty() { 22.0 } else { 0.0 };
         let middle = f64::midpoint(LEFT, right);
         let upright = f64::midpoint(TOP, bottom);
+        let style = include_str!("plot.css");
         format!(
-            "<svg class=\"plot\" viewBox=\"0 {above} {WIDTH} {}\" role=\"img\" aria-label=\"{}\">{grid}\
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" width=\"{}\" height=\"{}\" viewBox=\"0 {above} {WIDTH} {}\" \
+             role=\"img\" aria-label=\"{}\"><style><![CDATA[{style}]]></style>\
+             <rect x=\"0\" y=\"{above}\" width=\"100%\" height=\"100%\" fill=\"#fff\"/>{grid}\
              <path class=\"axis\" d=\"M{LEFT} {TOP}V{bottom}H{right}\"/>{}{}\
              <text class=\"label\" x=\"{middle}\" y=\"{}\" text-anchor=\"middle\">{}</text>\
-             <text class=\"label\" transform=\"translate(14 {upright}) rotate(-90)\" text-anchor=\"middle\">{}</text></svg>",
+             <text class=\"label\" transform=\"translate(14 {upright}) rotate(-90)\" text-anchor=\"middle\">{}</text></svg>\n",
+            2.0 * WIDTH,
+            2.0 * (HEIGHT - above),
             HEIGHT - above,
             escape(title),
             self.body,
@@ -405,31 +336,13 @@ mod tests {
             [0.0, 1.0, 1000.0, 1e-9].map(|v| axis.place(v)),
             [0.0, ZERO, 1.0, ZERO]
         );
-        let points = [[0.0, 10.0], [1.0, 1e-3], [2.0, 0.0], [3.0, 0.0]];
-        let svg = |y: Axis| {
-            let mut plot = Plot::new(Axis::linear("x", 0.0, 3.0), y);
-            plot.line(&points, "a", "");
-            plot.zeros(&points, "a");
-            plot.svg("t")
-        };
-        let with = svg(Axis::log_with_zero("y", 1e-3, 10.0));
-        assert_eq!(
-            (
-                with.matches("<circle").count(),
-                with.matches("exactly 0").count()
-            ),
-            (2, 1)
-        );
-        assert!(with.contains(&format!("L{:.1} {:.1}", WIDTH - RIGHT, HEIGHT - BOTTOM)));
-        let without = svg(Axis::linear("y", 0.0, 10.0));
-        assert!(!without.contains("exactly 0") && !without.contains("<circle"));
     }
 
     #[test]
     fn values_land_where_they_should() {
         let mut plot = Plot::new(Axis::linear("x", 0.0, 2.0), Axis::log("y", 1.0, 100.0));
         plot.line(&[[0.0, 1.0], [1.0, 10.0], [2.0, 100.0]], "a", "a < b");
-        let svg = plot.svg("t");
+        let svg = plot.file("t");
         let (mid_x, mid_y) = (
             f64::midpoint(LEFT, WIDTH - RIGHT),
             f64::midpoint(TOP, HEIGHT - BOTTOM),
@@ -456,9 +369,8 @@ mod tests {
     fn flat_and_empty_data_make_a_plot_without_nan() {
         let mut plot = Plot::new(Axis::linear("x", 3.0, 3.0), Axis::log("y", 0.0, 0.0));
         plot.line(&[], "a", "");
-        plot.steps([0.0, 1.0], &[], "b", "b");
         plot.line(&[[3.0, 0.0]], "a", "");
-        let svg = plot.svg("t");
+        let svg = plot.file("t");
         assert!(!svg.contains("NaN") && !svg.contains("inf"), "{svg}");
     }
 }

@@ -9,7 +9,6 @@ use super::latitude::Bracket;
 use super::number::{significant, told_apart};
 use super::time::in_minutes;
 use serde::Serialize;
-use std::fmt::Write as _;
 use tomolith_metrics::latitude::TOLERANCE;
 
 /// What several species become together.
@@ -88,10 +87,7 @@ impl OneExposure {
             latitude::from_to(&self.percent, "%"),
         );
         if let Some(time) = &self.time_s {
-            let best = time.best.map_or_else(String::new, |best| {
-                format!(", best {} s", significant(best, 3))
-            });
-            let _ = write!(text, " ({}{best})", latitude::from_to(time, "s"));
+            text += &latitude::times(time);
         }
         text.push('.');
         text

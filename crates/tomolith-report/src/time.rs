@@ -91,31 +91,29 @@ pub fn csv(points: &[TimePoint]) -> String {
 }
 
 pub(super) fn time_json(time: &TimeReport<'_>) -> Value {
-    let number = |v: Option<f64>| v.filter(|v| v.is_finite()).map_or(Value::Null, Value::from);
-    let column = |of: &dyn Fn(&TimePoint) -> f64| -> Vec<Value> {
-        time.points.iter().map(|p| number(Some(of(p)))).collect()
-    };
+    // What is not finite is null
+    let column = |of: fn(&TimePoint) -> f64| time.points.iter().map(of).collect::<Vec<_>>();
     let evaluation = time.evaluation.map(super::json::evaluation_json);
     json!({
         "name": time.name,
-        "induction_end_s": number(time.phases_s[0]),
-        "best_s": number(time.phases_s[1]),
-        "best_jaccard": number(time.best().map(|p| p.jaccard)),
-        "best_mj": number(time.best().map(|p| p.sent_mj)),
+        "induction_end_s": time.phases_s[0],
+        "best_s": time.phases_s[1],
+        "best_jaccard": time.best().map(|p| p.jaccard),
+        "best_mj": time.best().map(|p| p.sent_mj),
         "window_s": time.window_s(),
-        "ideal_exposure_s": number(time.ideal_s),
-        "requirement_mj": number(time.requirement_mj),
-        "largest_share_of_requirement": number(time.reached),
+        "ideal_exposure_s": time.ideal_s,
+        "requirement_mj": time.requirement_mj,
+        "largest_share_of_requirement": time.reached,
         "evaluation": evaluation.unwrap_or_default(),
         "curves": {
-            "seconds": column(&|p| p.seconds),
-            "imbued_mj": column(&|p| p.imbued_mj),
-            "contribution_mj": column(&|p| p.contribution_mj),
-            "contrast": column(&|p| p.contrast),
-            "jaccard": column(&|p| p.jaccard),
-            "solid_part": column(&|p| p.solid[0]),
-            "solid_void": column(&|p| p.solid[1]),
-            "sent_mj": column(&|p| p.sent_mj),
+            "seconds": column(|p| p.seconds),
+            "imbued_mj": column(|p| p.imbued_mj),
+            "contribution_mj": column(|p| p.contribution_mj),
+            "contrast": column(|p| p.contrast),
+            "jaccard": column(|p| p.jaccard),
+            "solid_part": column(|p| p.solid[0]),
+            "solid_void": column(|p| p.solid[1]),
+            "sent_mj": column(|p| p.sent_mj),
         },
     })
 }

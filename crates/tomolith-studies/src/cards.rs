@@ -1,11 +1,5 @@
-//! What a graphics card does in the time of the processor: whole jobs on both, and doses and adjoints alone. Prints the tables of docs/cards.md.
-//!
-//! ```sh
-//! cargo run --release -p tomolith-studies -- cards H200              # a card by part of its name
-//! cargo run --release -p tomolith-studies -- cards H200 boat.stl     # the part of the published benchmark
-//! cargo run --release -p tomolith-studies -- cards llvmpipe - 16     # voxels, pixels and frames of a sixteenth: minutes in software
-//! cargo run --release -p tomolith-studies -- cards H200 - 1 waves    # the jobs whose titles hold a word, or "rates", "paths"
-//! ```
+//! What a graphics card does in the time of the processor: whole jobs on both, and doses and adjoints alone: the tables of docs/cards.md, which has
+//! the commands.
 //!
 //! The program needs no other file, so the one binary may be carried to a machine with a card. Without a mesh a gyroid stands in for the boat. Run
 //! folders go to `out/cards/`.

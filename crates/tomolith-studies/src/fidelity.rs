@@ -1,13 +1,9 @@
-//! Which patterns print best: starts, published methods, earlier defaults and today's default on six targets, all evaluated alike.
+//! Which patterns print best: the tables of docs/fidelity.md, which says how rows are made.
 //!
 //! Every row is a whole job of the program. Its written patterns (8 bits) are evaluated by `simulate` on voxels of a quarter of a pixel while
-//! the vial turns (4 angles a frame), under one job for all rows of a target. *Ceiling*: optimized on the voxels of the evaluation, 150 iterations,
-//! 4 angles a frame. Prints the tables of docs/fidelity.md.
+//! the vial turns (4 angles a frame), under one job for all rows of a target. Run folders go to `out/fidelity/`.
 //!
-//!     cargo run --release -p tomolith-studies -- fidelity boat.stl            # all targets, in glass and index-matched; an hour
 //!     cargo run --release -p tomolith-studies -- fidelity boat.stl bones,star default,ceiling glass
-//!
-//! Run folders go to `out/fidelity/`.
 #![expect(clippy::print_stdout, reason = "a study prints its table")]
 
 use serde_json::Value;

@@ -1,14 +1,8 @@
-//! How time and memory of every dose model grow: `growth [LARGEST] [FOLDER]`.
+//! How time and memory of every dose model grow: `growth [LARGEST] [FOLDER]`, see docs/growth.md.
 //!
-//! A ball in the middle of N³ voxels, N × N pixels as wide as voxels, N frames of a full turn, for N = 32, 48, 64, 96, 128, … up to LARGEST
-//! (default 128); a model whose next size would take more than two minutes ends before it. Each size runs in a separate process, which
-//! builds the job's model and calls dose and adjoint until half a second of processor time has gone, a call of more than a minute once. Prints a table, exponents fitted to N = 64 and above and to the
-//! four largest sizes, and what 1024³ voxels with 1000 angles would take: the largest size times the larger power of the fitted one and the
-//! theory's (memory: N³). FOLDER gets four pictures. See docs/growth.md.
-//!
-//! `growth from FILE [FOLDER]` takes the sizes from a file (docs/images/growth-sizes.txt) in place of measuring them; `growth one MODEL N`
-//! measures one size and prints dose and adjoint, processor s, and peak, MB.
-//! Processor time is of all threads (Linux).
+//! N = 32, 48, 64, 96, 128, … up to LARGEST (default 128), each in a separate process, which calls dose and adjoint until half a second of
+//! processor time (of all threads; Linux) has gone, a call of more than a minute once. FOLDER gets four pictures. `growth from FILE [FOLDER]`
+//! takes the sizes from a file in place of measuring them; `growth one MODEL N` prints dose and adjoint, processor s, and peak, MB, of one.
 #![expect(clippy::print_stdout, reason = "a study prints its table")]
 
 use std::env;
@@ -32,8 +26,6 @@ struct Case {
     /// Exponent of the dose's time in N.
     theory: f64,
     why: &'static str,
-    /// What the estimate at 1024 assumes, besides the powers.
-    assumes: &'static str,
 }
 
 const CLEAR: &str = "{ refractive_index = 1.5, absorption_per_mm = 0.05 }";
@@ -47,7 +39,6 @@ const CASES: [Case; 6] = [
         pitch_mm: 0.05,
         theory: 4.0,
         why: "voxels × frames",
-        assumes: "an update of a voxel reads from caches, as at the largest size",
     },
     Case {
         name: "rays",
@@ -55,7 +46,6 @@ const CASES: [Case; 6] = [
         pitch_mm: 0.05,
         theory: 4.0,
         why: "pixels × frames × voxels along a ray",
-        assumes: "segments are followed anew in every call: keeping them would take 10¹² entries",
     },
     Case {
         name: "successive_orders",
@@ -63,7 +53,6 @@ const CASES: [Case; 6] = [
         pitch_mm: 0.05,
         theory: 4.0,
         why: "voxels × frames",
-        assumes: "all light grows as unscattered light does, faster than measured: scattered light lies on coarser cells",
     },
     Case {
         name: "monte_carlo",
@@ -72,7 +61,6 @@ const CASES: [Case; 6] = [
         pitch_mm: 0.05,
         theory: 4.0,
         why: "pixels × frames × cells along a path",
-        assumes: "one path a pixel, as measured: the default of four takes four times as long",
     },
     Case {
         name: "wave",
@@ -80,7 +68,6 @@ const CASES: [Case; 6] = [
         pitch_mm: 0.0016,
         theory: 4.0,
         why: "frames × depths × a plane's Fourier transform, N² log N",
-        assumes: "depths and the width of transforms grow as N",
     },
     Case {
         name: "incoherent_cone",
@@ -88,7 +75,6 @@ const CASES: [Case; 6] = [
         pitch_mm: 0.0016,
         theory: 4.0,
         why: "frames × depths × a plane's Fourier transform, N² log N",
-        assumes: "depths and the width of transforms grow as N",
     },
 ];
 
@@ -251,11 +237,8 @@ fn grown(case: &Case, largest: usize) -> Fallible<Vec<Size>> {
         }
         let size = in_a_process(case, n)?;
         println!(
-            "| {} | {n} | {} | {} | {:.0} |",
-            case.name,
-            significant(size.dose_s, 2),
-            significant(size.adjoint_s, 2),
-            size.peak_mb
+            "| {} | {n} | {:.1e} | {:.1e} | {:.0} |",
+            case.name, size.dose_s, size.adjoint_s, size.peak_mb
         );
         sizes.push(size);
     }
@@ -317,56 +300,7 @@ fn picture(all: &[(&Case, Vec<Size>)], shown: Shown) -> String {
     plot.file(shown.title)
 }
 
-/// Cores of the machine that the sizes were measured on, and of a large one of the same kind.
-const CORES: f64 = 2.0;
-const MANY_CORES: f64 = 64.0;
-/// How many such cores a GPU counts as: its 67·10¹² operations a second over a core's 0.19·10¹² (32 lanes of multiply-add at 3 GHz); its 3.3·10¹²
-/// bytes a second over a core's 10¹⁰ say nearly the same.
-const GPU_CORES: f64 = 350.0;
-/// Memory of that GPU, GB.
-const GPU_GB: f64 = 80.0;
-
-const ASSUMED: &str = "Assumed: time grows from the largest size by the larger of the fitted and the theory's exponent, memory by N³. Work is shared \
-    evenly: two cores take half of the processor time, 64 a sixty-fourth, if memory keeps up. A GPU counts as 350 such cores: 67·10¹² operations a \
-    second over a core's 0.19·10¹², 3.3·10¹² bytes a second over a core's 10¹⁰, if its kernels come as near to both as ours on a core; there is none \
-    yet, and nothing was measured on one. 40 iterations are 80 calls; the memory holds the model, the target, patterns, gradient and dose, and not the pairs of L-BFGS, 4.3 GB each.";
-
-/// Seconds as people say them.
-fn duration(seconds: f64) -> String {
-    match seconds {
-        s if s < 100.0 => format!("{} s", significant(s, 2)),
-        s if s < 6e3 => format!("{} min", significant(s / 60.0, 2)),
-        s if s < 172_800.0 => format!("{} h", significant(s / 3600.0, 2)),
-        s => format!("{} days", significant(s / 86_400.0, 2)),
-    }
-}
-
-/// A row of what 1024³ voxels with 1000 angles would take.
-fn estimate(case: &Case, sizes: &[Size]) -> String {
-    let grown = |of: fn(&Size) -> f64| {
-        let power = exponent(sizes, of).max(case.theory);
-        at_1024(sizes, power, of) * 1000.0 / 1024.0
-    };
-    let pair_s = grown(|s| s.dose_s) + grown(|s| s.adjoint_s);
-    let peak_gb = at_1024(sizes, 3.0, |s| s.peak_mb) / 1024.0;
-    let fits = if peak_gb < GPU_GB {
-        ""
-    } else {
-        ", more than it has"
-    };
-    let largest = sizes.last().map_or(0, |size| size.n);
-    format!(
-        "| {} | {largest} | {} | {} | {}{fits} | {} | {peak_gb:.0} | {} |",
-        case.name,
-        duration(pair_s / CORES),
-        duration(pair_s / MANY_CORES),
-        duration(pair_s / GPU_CORES),
-        duration(40.0 * pair_s / MANY_CORES),
-        case.assumes
-    )
-}
-
-/// Exponents of all models, and what they come to.
+/// Exponents of all models, and what they come to at 1024: time by the larger of the fitted and the theory's, memory by N³.
 fn print_fits(all: &[(&Case, Vec<Size>)]) {
     println!(
         "\n| model | exponent of the dose: from 64, of the four largest | theory | of the adjoint | of the peak | a dose of 1024³ × 1000, processor h | its peak, GB |"
@@ -387,14 +321,6 @@ fn print_fits(all: &[(&Case, Vec<Size>)]) {
             at_1024(sizes, 3.0, |s| s.peak_mb) / 1024.0
         );
     }
-    println!(
-        "\n| model | from N | a dose and an adjoint of 1024³ × 1000: this machine | 64 such cores | a GPU | 40 iterations, 64 cores | memory, GB | assumes |"
-    );
-    println!("|---|---|---|---|---|---|---|---|");
-    for (case, sizes) in all {
-        println!("{}", estimate(case, sizes));
-    }
-    println!("\n{ASSUMED}");
 }
 
 /// The sizes in a table, as this program prints it.
@@ -420,30 +346,10 @@ fn row(line: &str) -> Option<Size> {
     };
     Some(Size {
         n: n.parse().ok()?,
-        dose_s: number(dose)?,
-        adjoint_s: number(adjoint)?,
-        peak_mb: number(peak)?,
+        dose_s: dose.parse().ok()?,
+        adjoint_s: adjoint.parse().ok()?,
+        peak_mb: peak.parse().ok()?,
     })
-}
-
-/// A number as it is printed, such as 7.2·10⁻⁴ and 1,496.
-fn number(text: &str) -> Option<f64> {
-    let alone = text
-        .strip_prefix("10")
-        .filter(|rest| rest.starts_with(|c: char| !c.is_ascii()));
-    let split = text.split_once("·10").or(alone.map(|power| ("1", power)));
-    let Some((digits, power)) = split else {
-        return text.replace(',', "").parse().ok();
-    };
-    let plain = |c: char| match c {
-        '⁻' => Some('-'),
-        _ => "⁰¹²³⁴⁵⁶⁷⁸⁹"
-            .chars()
-            .position(|s| s == c)
-            .and_then(|i| char::from_digit(i as u32, 10)),
-    };
-    let power: String = power.chars().map(plain).collect::<Option<_>>()?;
-    Some(digits.parse::<f64>().ok()? * 10f64.powi(power.parse().ok()?))
 }
 
 fn write_pictures(all: &[(&Case, Vec<Size>)], folder: &Path) -> Fallible<()> {
@@ -492,29 +398,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_are_read_as_they_are_printed() {
-        for value in [7.2e-4, 0.0018, 31.0, 1496.0, 1e-5, 2.5e-9] {
-            let read = number(&significant(value, 4)).unwrap();
-            assert!((read / value - 1.0).abs() < 1e-12, "{value}: {read}");
-        }
-        let size = row("32 | 7.2·10⁻⁴ | 9·10⁻⁴ | 13 |").unwrap();
-        assert_eq!((size.n, size.peak_mb), (32, 13.0));
+    fn a_size_is_read_as_it_is_printed() {
+        let size = row("32 | 0.00072 | 9.0e-7 | 1496 |").unwrap();
+        let numbers = [size.dose_s, size.adjoint_s, size.peak_mb];
+        assert_eq!((size.n, numbers), (32, [7.2e-4, 9e-7, 1496.0]));
         assert!(row("4.10 | 4: voxels × frames | 3.99 | 2.57 | 0.031 | 28 |").is_none());
-    }
-
-    #[test]
-    fn an_estimate_is_the_power_law_of_its_sizes() {
-        // 2·N⁴·10⁻⁹ s a dose, the same an adjoint, 10⁻⁵·N³ MB
-        let size = |n: usize| Size {
-            n,
-            dose_s: 2e-9 * (n as f64).powi(4),
-            adjoint_s: 2e-9 * (n as f64).powi(4),
-            peak_mb: 1e-5 * (n as f64).powi(3),
-        };
-        let sizes: Vec<Size> = [64, 96, 128, 192].map(size).to_vec();
-        // 4·10⁻⁹·1024⁴·1000/1024 s of one core are 4295 s
-        let text = estimate(&CASES[0], &sizes);
-        let expected = "| parallel | 192 | 36 min | 67 s | 12 s | 45 min | 10 | ";
-        assert!(text.starts_with(expected), "{text}");
     }
 }

@@ -8,7 +8,7 @@ use crate::expression::Condition;
 use crate::spec::{AxisSpec, CaseSpec, DrawSpec, RangeSpec, SampleSpec};
 use serde_json::{Map, Value};
 use std::collections::BTreeSet;
-use tomolith::units::concise;
+use tomolith::units::{concise, duration};
 use tomolith::{Error, Result};
 
 /// Runs, at most; combinations that are looked at, at most.
@@ -353,15 +353,17 @@ fn number(value: f64, whole: bool) -> Value {
 /// The points of a sweep, in the order of its table.
 ///
 /// # Errors
-/// [`Error::Config`] for conditions that no point meets.
+/// [`Error::Config`] for conditions that no point meets, and too many points.
 pub(crate) fn points(
     axes: &[Axis],
     when: &[Condition],
     sample: Option<SampleSpec>,
+    one_s: OneRun<'_>,
 ) -> Result<Vec<SweepPoint>> {
+    let count = combinations(axes, sample, one_s)?;
     let mut sieve = Sieve::new(axes, when);
     let points = match sample {
-        None => grid(axes, &mut sieve)?,
+        None => grid(axes, &mut sieve, count, one_s)?,
         Some(SampleSpec::Random(draw)) => random(axes, draw, &mut sieve)?,
         Some(SampleSpec::LatinHypercube(draw)) => {
             let mut points = Vec::new();
@@ -380,9 +382,6 @@ pub(crate) fn points(
             found,
             "conditions that some points of the axes meet",
         ));
-    }
-    if points.len() > MOST_RUNS {
-        return Err(too_many(points.len() as f64));
     }
     Ok(points)
 }
@@ -455,11 +454,11 @@ pub(crate) fn words(axes: &[Axis], point: &SweepPoint) -> String {
 ///
 /// # Errors
 /// [`Error::Config`] where these are too many to look at.
-pub(crate) fn combinations(axes: &[Axis], sample: Option<SampleSpec>) -> Result<f64> {
+fn combinations(axes: &[Axis], sample: Option<SampleSpec>, one_s: OneRun<'_>) -> Result<f64> {
     let Some((key, draw)) = sample.map(SampleSpec::drawing) else {
         let count: f64 = axes.iter().map(|axis| axis.values().len() as f64).product();
         return match count > MOST_COMBINATIONS {
-            true => Err(too_many(count)),
+            true => Err(too_many(count, one_s)),
             false => Ok(count),
         };
     };
@@ -471,35 +470,37 @@ pub(crate) fn combinations(axes: &[Axis], sample: Option<SampleSpec>) -> Result<
             "1 or more",
         )),
         count if count > MOST_RUNS => {
-            let found = format!("{count}{RUNS_TOO_MANY}");
-            Err(Error::config(
-                key,
-                found,
-                format!("{MOST_RUNS} runs at most"),
-            ))
+            let accepted = format!("{MOST_RUNS} runs at most");
+            Err(Error::config(key, counted(count as f64, one_s), accepted))
         }
         count => Ok(count as f64),
     }
 }
 
-/// How a refusal that counts too many runs ends.
-pub(crate) const RUNS_TOO_MANY: &str = " runs";
+/// Seconds of one run, where its job can be run.
+pub(crate) type OneRun<'a> = &'a dyn Fn() -> Option<f64>;
 
-fn too_many(count: f64) -> Error {
+fn too_many(count: f64, one_s: OneRun<'_>) -> Error {
     let accepted = format!(
         "{MOST_RUNS} runs at most: fewer or shorter axes, conditions in `when`, or a [sample]"
     );
-    let found = match count > COUNTED {
-        true => format!("{MORE_THAN}{COUNTED:.0}{RUNS_TOO_MANY}"),
-        false => format!("{count:.0}{RUNS_TOO_MANY}"),
+    Error::config("axes", counted(count, one_s), accepted)
+}
+
+/// So many runs, and the time they would take.
+fn counted(count: f64, one_s: OneRun<'_>) -> String {
+    let (more_than, count) = match count > COUNTED {
+        true => ("more than ", COUNTED),
+        false => ("", count),
     };
-    Error::config("axes", found, accepted)
+    let time = one_s().map_or_else(String::new, |one| {
+        format!(" of about {}: {}", duration(one), duration(count * one))
+    });
+    format!("{more_than}{count:.0} runs{time}")
 }
 
 /// Larger numbers of runs are not written out.
 const COUNTED: f64 = 1e12;
-/// How a refusal begins that does not write their number out.
-pub(crate) const MORE_THAN: &str = "more than ";
 
 /// The number of an axis at a point.
 pub(crate) fn named(axes: &[Axis], point: &SweepPoint, name: &str) -> Option<f64> {
@@ -508,7 +509,12 @@ pub(crate) fn named(axes: &[Axis], point: &SweepPoint, name: &str) -> Option<f64
 }
 
 /// All combinations, the last axis fastest.
-fn grid(axes: &[Axis], sieve: &mut Sieve<'_>) -> Result<Vec<SweepPoint>> {
+fn grid(
+    axes: &[Axis],
+    sieve: &mut Sieve<'_>,
+    count: f64,
+    one_s: OneRun<'_>,
+) -> Result<Vec<SweepPoint>> {
     let counts: Vec<usize> = axes.iter().map(|axis| axis.values().len()).collect();
     let mut index = vec![0; axes.len()];
     let mut points = Vec::new();
@@ -530,7 +536,7 @@ fn grid(axes: &[Axis], sieve: &mut Sieve<'_>) -> Result<Vec<SweepPoint>> {
             points.push(point);
         }
         if points.len() > MOST_RUNS {
-            return Err(too_many(combinations(axes, None)?));
+            return Err(too_many(count, one_s));
         }
         let Some(turn) = (0..axes.len()).rev().find(|&i| index[i] + 1 < counts[i]) else {
             return Ok(points);

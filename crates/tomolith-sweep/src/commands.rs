@@ -1,9 +1,9 @@
 //! Commands of a study: the folders of runs that their words name, checked before any work, and filled in after it.
 
 use crate::plan::SweepPlan;
-use crate::spec::KeepSpec;
 use crate::study::{RunSpec, Study, StudySpec};
 use std::collections::BTreeMap;
+use tomolith::job::Leaves;
 use tomolith::{Error, Result};
 
 /// A folder that a word names: `{NAME}` is that of a job, `{NAME[2]}` that of a sweep's third run.
@@ -33,12 +33,12 @@ impl<'w> Reference<'w> {
     }
 
     /// A file that the folder of a run which leaves so much never holds, and those that it holds.
-    fn missing(&self, keep: KeepSpec) -> Option<(&'w str, String)> {
+    fn missing(&self, keep: Leaves) -> Option<(&'w str, String)> {
         let left: &[&str] = match keep {
-            KeepSpec::Metrics => &LEFT[..3],
-            KeepSpec::Patterns => &LEFT,
+            Leaves::Metrics => &LEFT[..3],
+            Leaves::Patterns => &LEFT,
             // What a whole run folder holds depends on its job
-            KeepSpec::All => return None,
+            Leaves::All => return None,
         };
         let file = self.file.filter(|file| !left.contains(file))?;
         Some((file, left.join(", ")))
@@ -176,7 +176,7 @@ mod tests {
         assert_eq!(names("objective={l2={}}"), []);
         assert_eq!(names("{rays[2]}/job.toml"), [("rays", Some(2))]);
         let files = |word: &'static str| {
-            let found = references(word).map(|of| of.missing(KeepSpec::Patterns));
+            let found = references(word).map(|of| of.missing(Leaves::Patterns));
             found
                 .map(|missing| missing.map(|(file, _)| file))
                 .collect::<Vec<_>>()

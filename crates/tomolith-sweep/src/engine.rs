@@ -5,14 +5,12 @@
 
 use crate::pictures;
 use crate::plan::{RUNS, SweepPlan, firsts, of_run};
-use crate::spec::KeepSpec;
 use crate::table::{State, Table, failure, state};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 use std::collections::BTreeSet;
 use std::fmt;
 use std::fs;
-use std::io::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
@@ -20,8 +18,8 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 use tomolith::io::npy::must_be_whole;
-use tomolith::io::write_whole;
-use tomolith::job::{self, Document, Job, RunCache, RunFolder, Silent, folder::TAKEN};
+use tomolith::io::write_text;
+use tomolith::job::{self, Document, Job, Leaves, RunCache, RunFolder, Silent, folder::TAKEN};
 use tomolith::kind::table_of;
 use tomolith::models::Run;
 use tomolith::report::json::read as read_report;
@@ -353,7 +351,7 @@ fn collect(plan: &SweepPlan) -> Result<SweepOutcome> {
     match table.best {
         Some(i) => {
             let text = best_job(plan, &table, i)?;
-            write_whole(&file, |out| Ok(out.write_all(text.as_bytes())?))?;
+            write_text(&file, &text)?;
             outcome.files.push(file);
         }
         // One of an earlier call would be wrong
@@ -465,9 +463,9 @@ fn is_ready(plan: &SweepPlan, i: usize, from: &[usize]) -> bool {
     }
     let has = |name: &str| folder.join(name).exists();
     let has_all = match plan.sweep.spec.keep {
-        KeepSpec::Metrics => true,
-        KeepSpec::Patterns => has(PATTERNS),
-        KeepSpec::All => has(PATTERNS) && has("report.html"),
+        Leaves::Metrics => true,
+        Leaves::Patterns => has(PATTERNS),
+        Leaves::All => has(PATTERNS) && has("report.html"),
     };
     let is_cold = plan.sweep.spec.warm_start.is_none();
     has_all && (is_cold || started_from(&folder) == Some(ids(plan, from)))
@@ -739,7 +737,7 @@ impl Slot<'_> {
                 return state(self.plan, i);
             }
             let job = self.job(i, from)?;
-            let leaves = self.plan.sweep.spec.keep.leaves();
+            let leaves = self.plan.sweep.spec.keep;
             match job::run_here(&job, true, leaves, cache, &mut Silent, &cancel) {
                 Ok(_) => return state(self.plan, i),
                 Err(Error::Unsupported { reason, .. }) if reason == TAKEN => {
@@ -795,7 +793,7 @@ impl Slot<'_> {
                 let error = of_run(error);
                 let text = json!({ "values": self.plan.words(run), "message": error.to_string() })
                     .to_string();
-                match write_whole(&note, |file| Ok(file.write_all(text.as_bytes())?)) {
+                match write_text(&note, &text) {
                     Ok(()) => Some(Told::Ended {
                         run,
                         state: State::Failed(error.to_string()),

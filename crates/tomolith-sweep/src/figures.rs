@@ -5,9 +5,8 @@ use crate::study::{Study, StudySpec};
 use serde::Deserialize;
 use serde_json::Value;
 use std::collections::BTreeMap;
-use std::io::Write;
 use std::path::{Path, PathBuf};
-use tomolith::io::write_whole;
+use tomolith::io::write_text;
 use tomolith::report::json::read as read_report;
 use tomolith::report::maps::histograms::{HistogramPanel, histograms};
 use tomolith::report::maps::profiles::{ProfilePanel, profiles};
@@ -141,7 +140,7 @@ pub(crate) fn write(
         };
         let Some(svg) = svg else { continue };
         let file = output.join(format!("{}.svg", figure.name));
-        write_whole(&file, |out| Ok(out.write_all(svg.as_bytes())?))?;
+        write_text(&file, &svg)?;
         files.push(file);
     }
     Ok(files)

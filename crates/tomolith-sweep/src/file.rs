@@ -3,10 +3,10 @@
 use crate::axes::{Axis, SweepPoint, named, words};
 use crate::expression::{Condition, Expression};
 use crate::metric;
-use crate::spec::{KeepSpec, SweepSpec};
-use serde_json::{Map, Value};
+use crate::spec::SweepSpec;
+use serde_json::Value;
 use std::path::{Path, PathBuf};
-use tomolith::job::{Document, Job};
+use tomolith::job::{Document, Job, Leaves};
 use tomolith::kind::Section;
 use tomolith::metrics::surface_deviation::{HAUSDORFF, MEAN, P95};
 use tomolith::{Error, Result};
@@ -238,7 +238,7 @@ impl Sweep {
     pub(crate) fn leaves_surfaces_out(&self) -> bool {
         let of_surfaces = [MEAN.name, P95.name, HAUSDORFF.name, "farthest"];
         let is_one = |path: &String| of_surfaces.iter().any(|name| path.contains(name));
-        self.spec.keep != KeepSpec::All
+        self.spec.keep != Leaves::All
             && !self.metrics.iter().any(is_one)
             && self.base.root.pointer("/evaluate/surfaces").is_none()
     }
@@ -247,13 +247,10 @@ impl Sweep {
     pub(crate) fn change(&self, key: &str, value: &Value) -> String {
         let is_file = ["target.mesh", "target.image", "target.stack"].contains(&key);
         let folder = self.document.file.parent().unwrap_or(Path::new(""));
-        match value
-            .as_str()
-            .filter(|_| is_file)
-            .map(|file| std::path::absolute(folder.join(file)))
-        {
-            Some(Ok(file)) => format!("{key}={}", inline(&Value::from(file.to_string_lossy()))),
-            _ => format!("{key}={}", inline(value)),
+        let file = value.as_str().filter(|_| is_file);
+        match file.map(|file| std::path::absolute(folder.join(file))) {
+            Some(Ok(file)) => Document::assignment(key, &Value::from(file.to_string_lossy())),
+            _ => Document::assignment(key, value),
         }
     }
 
@@ -462,7 +459,7 @@ fn must_be_shares(spec: &SweepSpec) -> Result<()> {
     {
         return Err(Error::refused("resources.memory_gb", gb, "GB, above 0"));
     }
-    if spec.warm_start.is_some() && spec.keep == KeepSpec::Metrics {
+    if spec.warm_start.is_some() && spec.keep == Leaves::Metrics {
         let accepted = "keep = \"patterns\" or \"all\"";
         return Err(Error::config(
             "warm_start",
@@ -471,41 +468,4 @@ fn must_be_shares(spec: &SweepSpec) -> Result<()> {
         ));
     }
     Ok(())
-}
-/// A value as TOML in one line.
-fn inline(value: &Value) -> String {
-    match value {
-        Value::Array(list) => format!(
-            "[{}]",
-            list.iter().map(inline).collect::<Vec<_>>().join(", ")
-        ),
-        Value::Object(map) => inline_table(map),
-        // Its escapes are TOML's, too
-        other => other.to_string(),
-    }
-}
-
-fn inline_table(map: &Map<String, Value>) -> String {
-    let entry = |(key, value): (&String, &Value)| {
-        format!("{} = {}", Value::from(key.as_str()), inline(value))
-    };
-    format!(
-        "{{ {} }}",
-        map.iter().map(entry).collect::<Vec<_>>().join(", ")
-    )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn values_survive_toml() {
-        let value = serde_json::json!({ "ospw": { "w": 0.5, "a b": ["x\"y", true, 1e-7] } });
-        let mut document = Document::toml("a.toml", "objective = 1").unwrap();
-        document
-            .set(&format!("objective={}", inline(&value)))
-            .unwrap();
-        assert_eq!(document.root["objective"], value);
-    }
 }

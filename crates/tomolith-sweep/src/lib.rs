@@ -44,7 +44,7 @@ mod table;
 pub use axes::{MOST_RUNS, SweepPoint};
 pub use engine::{BestRun, Shard, SweepEvent, SweepOutcome, Watch, merge, run};
 pub use file::Sweep;
-pub use plan::{Planned, SweepPlan, duration};
+pub use plan::{Planned, SweepPlan};
 pub use reproduce::{Host, PublishedValue, Reproduction, StudyCost, StudyRow, Verdict, reproduce};
 pub use study::Study;
 pub use table::TABLE_SCHEMA;

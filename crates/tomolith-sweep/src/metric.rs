@@ -6,48 +6,53 @@ use tomolith::error::nearest_name;
 use tomolith::metrics::METRICS;
 use tomolith::{Error, Result};
 
-/// Tables of a report, and numbers of an evaluation besides its metrics.
-const TABLES: [&str; 18] = [
-    "evaluation",
-    "optimization",
-    "exposure",
-    "limits",
-    "published",
-    "lights",
-    "species",
-    "one_exposure",
-    "time",
-    "properties",
-    "history",
-    "levels",
-    "scenarios",
-    "process_window",
-    "response",
-    "movies",
-    "run",
-    "part",
-];
-const MORE: [&str; 3] = ["gel_threshold", "band_half_width", "sub_angles"];
-/// What stands in the errors of a gray target.
-const ERRORS: [&str; 5] = ["band_edge_peak", "range", "band", "part", "void"];
-/// What stands in each entry of `optimization.objectives`.
-const OBJECTIVE: [&str; 6] = ["key", "weight", "loss", "voxels", "rms_error", "max_error"];
-/// What stands in each entry of `published.slices`.
-const OF_A_SLICE: [&str; 8] = [
-    "z_mm",
-    "part",
-    "void",
-    "pw",
-    "ipdr",
-    "ver",
-    "pw_trimmed",
-    "ipdr_trimmed",
-];
-/// What stands in tables that every report has with the same names, or not at all.
-const FIELDS: [(&str, &[&str]); 5] = [
-    (
-        "history",
-        &[
+/// What stands in a table of a report, `""` for the whole, where every report has the same names there or none; indices are `[]`.
+fn names(table: &str, is_end: bool) -> Option<Vec<&'static str>> {
+    let names: &[&str] = match table {
+        "" => &[
+            "evaluation",
+            "optimization",
+            "exposure",
+            "limits",
+            "published",
+            "lights",
+            "species",
+            "one_exposure",
+            "time",
+            "properties",
+            "history",
+            "levels",
+            "scenarios",
+            "process_window",
+            "response",
+            "movies",
+            "run",
+            "part",
+        ],
+        // They hold tables, too, in which a path does not end
+        "evaluation" | "optimization" if is_end => {
+            let more = ["gel_threshold", "band_half_width", "sub_angles"];
+            return Some(METRICS.iter().map(|m| m.name).chain(more).collect());
+        }
+        "evaluation.errors" | "optimization.errors" => {
+            &["band_edge_peak", "range", "band", "part", "void"]
+        }
+        // Lists
+        "optimization.objectives" | "published.slices" => &[],
+        "optimization.objectives[]" => {
+            &["key", "weight", "loss", "voxels", "rms_error", "max_error"]
+        }
+        "published.slices[]" => &[
+            "z_mm",
+            "part",
+            "void",
+            "pw",
+            "ipdr",
+            "ver",
+            "pw_trimmed",
+            "ipdr_trimmed",
+        ],
+        "history" => &[
             "iterations",
             "loss",
             "projected_gradient",
@@ -57,10 +62,7 @@ const FIELDS: [(&str, &[&str]); 5] = [
             "lower_bound",
             "gap",
         ],
-    ),
-    (
-        "exposure",
-        &[
+        "exposure" => &[
             "measure",
             "best",
             "tolerance",
@@ -70,10 +72,7 @@ const FIELDS: [(&str, &[&str]); 5] = [
             "time_s",
             "reported_percent",
         ],
-    ),
-    (
-        "levels",
-        &[
+        "levels" => &[
             "rounded_loss",
             "diffused_loss",
             "loss",
@@ -81,14 +80,8 @@ const FIELDS: [(&str, &[&str]); 5] = [
             "steps",
             "calls",
         ],
-    ),
-    (
-        "scenarios",
-        &["of", "threshold", "rows", "window", "worst_iou"],
-    ),
-    (
-        "process_window",
-        &[
+        "scenarios" => &["of", "threshold", "rows", "window", "worst_iou"],
+        "process_window" => &[
             "outliers",
             "thresholds",
             "part_above",
@@ -98,8 +91,10 @@ const FIELDS: [(&str, &[&str]); 5] = [
             "range",
             "ipdr",
         ],
-    ),
-];
+        _ => return None,
+    };
+    Some(names.to_vec())
+}
 
 /// Refuses, before any run, a metric that no report has; `key` is the key that names it.
 ///
@@ -108,52 +103,23 @@ const FIELDS: [(&str, &[&str]); 5] = [
 pub(crate) fn must_exist(path: &str, key: &str) -> Result<()> {
     must_be_closed(path, key)?;
     let steps: Vec<&str> = path.split(['.', '[']).collect();
-    if !TABLES.contains(&steps[0]) {
-        return Err(unknown(path, key, steps[0], TABLES.iter().copied(), ""));
+    let mut table = String::new();
+    for (i, step) in steps.iter().enumerate() {
+        if step.ends_with(']') {
+            table.push_str("[]");
+            continue;
+        }
+        let names = names(&table, i + 1 == steps.len());
+        if let Some(names) = names.filter(|names| !names.contains(step)) {
+            return Err(unknown(path, key, step, &names, &table));
+        }
+        let dot = if table.is_empty() { "" } else { "." };
+        table = format!("{table}{dot}{step}");
     }
-    let Some(&name) = steps.get(1) else {
+    if steps.len() == 1 || names(&table, true).is_some() {
         let found = format!("`{path}` is a whole table of report.json");
-        return Err(Error::config(
-            key,
-            found,
-            "a number in it, such as evaluation.iou",
-        ));
-    };
-    let table = format!("{}.", steps[0]);
-    let is_evaluation = ["evaluation", "optimization"].contains(&steps[0]);
-    if is_evaluation && steps.len() == 2 {
-        let names = || METRICS.iter().map(|metric| metric.name).chain(MORE);
-        if !names().any(|known| known == name) {
-            return Err(unknown(path, key, name, names(), &table));
-        }
-    }
-    if let (true, "errors", Some(word)) = (is_evaluation, name, steps.get(2))
-        && !ERRORS.contains(word)
-    {
-        let table = format!("{table}errors.");
-        return Err(unknown(path, key, word, ERRORS.iter().copied(), &table));
-    }
-    if let ("optimization", "objectives", Some(word)) = (steps[0], name, steps.get(3))
-        && !OBJECTIVE.contains(word)
-    {
-        return Err(unknown(
-            path,
-            key,
-            word,
-            OBJECTIVE.iter().copied(),
-            "optimization.objectives[…].",
-        ));
-    }
-    if (steps[0], name) == ("published", "slices") {
-        let number = steps.get(3).copied().unwrap_or_default();
-        if !OF_A_SLICE.contains(&number) {
-            let names = OF_A_SLICE.iter().copied();
-            return Err(unknown(path, key, number, names, "published.slices[…]."));
-        }
-    }
-    let fields = FIELDS.iter().find(|(table, _)| *table == steps[0]);
-    if let Some((_, fields)) = fields.filter(|(_, fields)| !fields.contains(&name)) {
-        return Err(unknown(path, key, name, fields.iter().copied(), &table));
+        let accepted = "a number in it, such as evaluation.iou";
+        return Err(Error::config(key, found, accepted));
     }
     Ok(())
 }
@@ -174,22 +140,20 @@ fn must_be_closed(path: &str, key: &str) -> Result<()> {
     Ok(())
 }
 
-fn unknown<'a>(
-    path: &str,
-    key: &str,
-    word: &str,
-    names: impl Iterator<Item = &'a str> + Clone,
-    table: &str,
-) -> Error {
-    let all = names.clone().collect::<Vec<_>>().join(", ");
+fn unknown(path: &str, key: &str, word: &str, names: &[&str], table: &str) -> Error {
+    let (all, table) = (names.join(", "), table.replace("[]", "[…]"));
+    let accepted = match (table.as_str(), names) {
+        ("", _) => format!("a path that begins with one of {all}"),
+        (table, []) => format!("{table} with an index from 0, [min], [max] or [mean]"),
+        (table, _) => format!("{table}. with one of {all}"),
+    };
+    let dot = if table.is_empty() { "" } else { "." };
     Error::Config {
         key: key.to_owned(),
         found: format!("`{path}` is in no report.json"),
-        accepted: match table {
-            "" => format!("a path that begins with one of {all}"),
-            table => format!("{table} with one of {all}"),
-        },
-        nearest: nearest_name(word, names).map(|name| format!("{table}{name}")),
+        accepted,
+        nearest: nearest_name(word, names.iter().copied())
+            .map(|name| format!("{table}{dot}{name}")),
         place: None,
     }
 }
@@ -376,27 +340,17 @@ mod tests {
             rms_error: None,
             max_error: None,
         };
-        let objective = serde_json::to_value(objective).unwrap();
-        assert!(
-            objective
-                .as_object()
-                .unwrap()
-                .keys()
-                .all(|key| OBJECTIVE.contains(&key.as_str())),
-            "{objective}"
-        );
         let scenarios = tomolith::report::ScenarioTable::new("mean", None, Vec::new());
         for (table, value) in [
-            ("exposure", serde_json::to_value(exposure).unwrap()),
-            ("scenarios", serde_json::to_value(scenarios).unwrap()),
+            ("exposure", serde_json::to_value(exposure)),
+            ("scenarios", serde_json::to_value(scenarios)),
+            ("optimization.objectives[]", serde_json::to_value(objective)),
         ] {
-            let (_, fields) = FIELDS.iter().find(|(name, _)| *name == table).unwrap();
+            let (names, value) = (names(table, true).unwrap(), value.unwrap());
             let there: Vec<&String> = value.as_object().unwrap().keys().collect();
-            assert_eq!(there.len(), fields.len(), "{table}: {there:?}");
-            assert!(
-                there.iter().all(|key| fields.contains(&key.as_str())),
-                "{there:?}"
-            );
+            assert_eq!(there.len(), names.len(), "{table}: {there:?}");
+            let is_known = |key: &&String| names.contains(&key.as_str());
+            assert!(there.iter().all(is_known), "{there:?}");
         }
     }
 }

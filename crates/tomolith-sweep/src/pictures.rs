@@ -6,10 +6,9 @@ use crate::expression::Expression;
 use crate::plan::SweepPlan;
 use crate::table::{State, Table};
 use serde_json::Value;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use tomolith::Result;
-use tomolith::io::{read_text, write_whole};
+use tomolith::io::{read_text, write_text};
 use tomolith::report::maps::{Cell, ColorScale, Guide, Panel, PlotCurve, curves, heat_maps};
 use tomolith::report::number::significant;
 
@@ -21,7 +20,7 @@ pub(crate) fn write(plan: &SweepPlan, table: &Table<'_>, folder: &Path) -> Resul
     let file = |path: &String| {
         let file = folder.join(file_name(path));
         let svg = picture(plan, table, path);
-        write_whole(&file, |out| Ok(out.write_all(svg.as_bytes())?))?;
+        write_text(&file, &svg)?;
         Ok(file)
     };
     if plan.sweep.axes.is_empty() {

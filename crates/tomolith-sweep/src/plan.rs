@@ -1,12 +1,11 @@
 //! From a sweep file to its runs: every job read and checked, its identity, its share of the memory, where it starts.
 
-use crate::axes::{self, MORE_THAN, RUNS_TOO_MANY, SweepPoint, mixed, named};
+use crate::axes::{self, SweepPoint, mixed, named};
 use crate::file::Sweep;
 use serde_json::Value;
 use std::collections::HashMap;
-use std::io::Write;
 use std::path::{Path, PathBuf};
-use tomolith::io::{read_text, write_whole};
+use tomolith::io::{read_text, write_text};
 use tomolith::job::resources::memory_budget_mb;
 use tomolith::job::{self, Job, RunFolder, Silent};
 use tomolith::models::Run;
@@ -189,47 +188,13 @@ impl Sweep {
         let file = &self.document.file;
         let file = std::path::absolute(file).unwrap_or_else(|_| file.clone());
         let text = serde_json::json!({ "sweep": file }).to_string();
-        write_whole(&folder.join(OWNER), |out| {
-            Ok(out.write_all(text.as_bytes())?)
-        })
+        write_text(&folder.join(OWNER), &text)
     }
 
     /// The points; where they are too many, with the time they would take.
     fn points(&self, cancel: &Run) -> Result<Vec<SweepPoint>> {
-        let counted = axes::combinations(&self.axes, self.spec.sample);
-        let points = counted.and_then(|_| axes::points(&self.axes, &self.when, self.spec.sample));
-        points.map_err(|error| match error {
-            Error::Config {
-                key,
-                found,
-                accepted,
-                nearest,
-                place,
-            } if found.ends_with(RUNS_TOO_MANY) => {
-                let count: f64 = found
-                    .trim_start_matches(MORE_THAN)
-                    .split(' ')
-                    .next()
-                    .and_then(|n| n.parse().ok())
-                    .unwrap_or(0.0);
-                let found = match self.seconds(cancel) {
-                    Some(one) => format!(
-                        "{found} of about {}: {}",
-                        duration(one),
-                        duration(count * one)
-                    ),
-                    None => found,
-                };
-                Error::Config {
-                    key,
-                    found,
-                    accepted,
-                    nearest,
-                    place,
-                }
-            }
-            other => other,
-        })
+        let one_s = || self.seconds(cancel);
+        axes::points(&self.axes, &self.when, self.spec.sample, &one_s)
     }
 
     /// How long one run takes, where the first point's job can be run.
@@ -530,7 +495,7 @@ impl SweepPlan {
                 "--output".to_owned(),
                 folder,
                 "--keep".to_owned(),
-                self.sweep.spec.keep.word().to_owned(),
+                self.sweep.spec.keep.name().to_owned(),
                 "--resume".to_owned(),
             ]);
             words.join(" ")
@@ -668,19 +633,6 @@ fn quoted(word: &str) -> String {
     }
 }
 
-/// Seconds, minutes, hours, days or years.
-pub fn duration(seconds: f64) -> String {
-    match seconds {
-        s if s < 0.1 => format!("{:.0} ms", 1e3 * s),
-        s if s < 10.0 => format!("{s:.1} s"),
-        s if s < 100.0 => format!("{s:.0} s"),
-        s if s < 6e3 => format!("{:.0} min", s / 60.0),
-        s if s < 172_800.0 => format!("{:.1} h", s / 3600.0),
-        s if s < 6.3e7 => format!("{:.0} days", s / 86_400.0),
-        s => format!("{:.0} years", s / 31_557_600.0),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -748,9 +700,5 @@ mod tests {
     fn words_survive_the_shell() {
         assert_eq!(quoted("out/a-b=1"), "out/a-b=1");
         assert_eq!(quoted("it's {}"), "'it'\\''s {}'");
-        assert_eq!(
-            [0.008, 3.0, 4e3, 1e5, 3e9].map(duration),
-            ["8 ms", "3.0 s", "67 min", "27.8 h", "95 years"]
-        );
     }
 }

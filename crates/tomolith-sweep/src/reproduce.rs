@@ -8,7 +8,7 @@ use crate::commands::filled_in;
 use crate::engine::{self, Watch};
 use crate::expression::{Condition, Expression};
 use crate::metric;
-use crate::plan::{SweepPlan, duration, must_be_made_for_results};
+use crate::plan::{SweepPlan, must_be_made_for_results};
 use crate::study::{ColumnSpec, RowSpec, RunSpec, Study, Take};
 use crate::table::{State, Table, field};
 use serde::Serialize;
@@ -17,10 +17,10 @@ use std::collections::BTreeMap;
 use std::fmt::{self, Write as _};
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
-use tomolith::io::{read_text, write_whole};
+use tomolith::io::{read_text, write_text, write_whole};
 use tomolith::models::Run;
 use tomolith::report::number::significant;
-use tomolith::units::counted;
+use tomolith::units::{counted, duration};
 use tomolith::{Error, Result};
 
 /// Whoever has a study run: shows it, and runs commands.
@@ -275,9 +275,7 @@ pub fn reproduce(
     host.begins(&costs(study, &results, cancel)?);
     std::fs::create_dir_all(output).map_err(|e| Error::io(output, e))?;
     let owner = serde_json::json!({ "study": study.folder }).to_string();
-    write_whole(&output.join(OWNER), |out| {
-        Ok(out.write_all(owner.as_bytes())?)
-    })?;
+    write_text(&output.join(OWNER), &owner)?;
     let mut figures = Vec::new();
     for (name, plan) in &results {
         if let RunResult::Sweep(plan) = plan {
@@ -311,7 +309,7 @@ pub fn reproduce(
     ];
     for (name, text) in tables {
         let file = output.join(name);
-        write_whole(&file, |out| Ok(out.write_all(text.as_bytes())?))?;
+        write_text(&file, &text)?;
         all.files.push(file);
     }
     Ok(all)

@@ -15,8 +15,8 @@ pub(crate) struct SweepSpec {
     /// Where results go, relative to the current folder.
     pub(crate) folder: Option<PathBuf>,
     /// What each run leaves.
-    #[serde(default)]
-    pub(crate) keep: KeepSpec,
+    #[serde(default = "numbers")]
+    pub(crate) keep: Leaves,
     /// Numbers of `report.json`, by their key paths.
     #[serde(default = "metrics")]
     pub(crate) metrics: Vec<String>,
@@ -53,7 +53,7 @@ impl SweepSpec {
         SweepSpec {
             job,
             folder: None,
-            keep: KeepSpec::default(),
+            keep: numbers(),
             metrics: Vec::new(),
             when: Vec::new(),
             set: Map::new(),
@@ -64,39 +64,6 @@ impl SweepSpec {
             guides: Vec::new(),
             warm_start: None,
             resources: ResourcesSpec::default(),
-        }
-    }
-}
-
-/// What a run leaves.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub(crate) enum KeepSpec {
-    /// Numbers.
-    #[default]
-    Metrics,
-    /// And patterns.
-    Patterns,
-    /// A whole run folder.
-    All,
-}
-
-impl KeepSpec {
-    /// The same for a run.
-    pub(crate) fn leaves(self) -> Leaves {
-        match self {
-            KeepSpec::Metrics => Leaves::Metrics,
-            KeepSpec::Patterns => Leaves::Patterns,
-            KeepSpec::All => Leaves::All,
-        }
-    }
-
-    /// As it is written.
-    pub(crate) fn word(self) -> &'static str {
-        match self {
-            KeepSpec::Metrics => "metrics",
-            KeepSpec::Patterns => "patterns",
-            KeepSpec::All => "all",
         }
     }
 }
@@ -220,6 +187,11 @@ pub(crate) struct ResourcesSpec {
     pub(crate) memory_gb: Option<f64>,
     /// Runs at a time.
     pub(crate) side_by_side: Option<usize>,
+}
+
+/// What runs of a sweep leave unless it says otherwise.
+fn numbers() -> Leaves {
+    Leaves::Metrics
 }
 
 fn metrics() -> Vec<String> {

@@ -7,12 +7,12 @@ use crate::file::Sweep;
 use crate::metric;
 use crate::plan::SweepPlan;
 use crate::reproduce::is_at;
-use crate::spec::{AxisSpec, KeepSpec, SweepSpec};
+use crate::spec::{AxisSpec, SweepSpec};
 use serde::Deserialize;
 use serde_json::{Map, Value};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
-use tomolith::job::Document;
+use tomolith::job::{Document, Leaves};
 use tomolith::kind::Section;
 use tomolith::{Error, Result};
 
@@ -519,8 +519,8 @@ impl Study {
         }
         let mut runs = self.spec.runs.values();
         let is_read = runs.any(|run| run.reads().any(|read| read == name));
-        if is_read && spec.keep == KeepSpec::Metrics {
-            spec.keep = KeepSpec::Patterns;
+        if is_read && spec.keep == Leaves::Metrics {
+            spec.keep = Leaves::Patterns;
         }
         let is_axis =
             |path: &String, spec: &SweepSpec| spec.axes.iter().any(|axis| axis.is_named(path));

@@ -7,10 +7,9 @@ use crate::axes::named;
 use crate::metric;
 use crate::plan::{RUNS, SweepPlan};
 use serde_json::{Value, json};
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use tomolith::Result;
-use tomolith::io::{read_text, write_whole};
+use tomolith::io::{read_text, write_text};
 use tomolith::job::RunFolder;
 use tomolith::report::json::read as read_report;
 
@@ -181,7 +180,7 @@ impl<'p> Table<'p> {
         let json = format!("{:#}\n", self.json());
         let write = |(name, text): (&str, String)| {
             let path = folder.join(name);
-            write_whole(&path, |file| Ok(file.write_all(text.as_bytes())?))?;
+            write_text(&path, &text)?;
             Ok(path)
         };
         Ok([

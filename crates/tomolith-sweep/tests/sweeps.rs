@@ -156,7 +156,10 @@ fn damaged_runs_are_done_again_and_told() {
         "{:?}",
         outcome.warnings
     );
-    for part in ["report.json: no report", "patterns.npz: truncated"] {
+    for part in [
+        "report.json: a report that does not say its schema",
+        "patterns.npz: truncated",
+    ] {
         let told = outcome.warnings.iter().filter(|text| text.contains(part));
         assert_eq!(told.count(), 1, "{part}: {:?}", outcome.warnings);
     }
@@ -701,17 +704,6 @@ fn a_sweep_that_cannot_be_is_refused_before_any_run() {
         (
             axis("kee = \"a\""),
             vec!["axes[0].kee", "did you mean `key`?", "line 3"],
-        ),
-        (
-            SWEEP.replace("lower < upper", "lower > upper + 1"),
-            vec![
-                "when: all 9 points are left out: 9 by \"lower > upper + 1\"",
-                "line 4",
-            ],
-        ),
-        (
-            SWEEP.replace("lower < upper", "lower < 0.1/(upper - 0.4)"),
-            vec!["when[0]: a side of ", "is inf at lower = 0.3, upper = 0.4"],
         ),
         (
             SWEEP.replace("job = ", "# job = "),

@@ -3,9 +3,8 @@
 use super::ExposeArguments;
 use crate::answer::Answer;
 use serde::Deserialize as _;
-use std::io::Write;
 use std::path::Path;
-use tomolith::io::{read_text, write_whole};
+use tomolith::io::{read_text, write_text};
 use tomolith::job::{Document, Job};
 use tomolith::report::TradeOff;
 use tomolith::report::json::read as read_report;
@@ -83,5 +82,5 @@ fn write_job(run: &Path, file: &Path, largest: f64) -> Result<()> {
     let mut document = Document::toml(&path, &text)?;
     document.set(&format!("bounds.max={largest}"))?;
     let text = Job::from_document(document)?.complete().to_toml()?;
-    write_whole(file, |out| Ok(out.write_all(text.as_bytes())?))
+    write_text(file, &text)
 }

@@ -5,7 +5,7 @@ use super::site::Site;
 use super::{Address, tell};
 use crate::arguments::Manner;
 use crate::screen::Screen;
-use serde_json::{Value, json};
+use serde_json::json;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -102,11 +102,10 @@ impl Progress for Live {
                 elapsed_s,
                 ..
             } => {
-                let of = |number: fn(&MeasuredPrint) -> Option<f64>| {
-                    print.as_ref().and_then(number).and_then(finite)
-                };
+                let of =
+                    |number: fn(&MeasuredPrint) -> Option<f64>| print.as_ref().and_then(number);
                 let row = json!({
-                    "iteration": iteration, "loss": finite(*loss), "projected_gradient": projected_gradient.and_then(finite), "seconds": elapsed_s,
+                    "iteration": iteration, "loss": loss, "projected_gradient": projected_gradient, "seconds": elapsed_s,
                     "forward_calls": forward_calls, "adjoint_calls": adjoint_calls, "iou": of(|print| print.iou), "process_window": of(|print| print.process_window),
                 });
                 self.site.add_row(&row);
@@ -146,8 +145,4 @@ impl Progress for Live {
         self.site
             .tell(&json!({ "type": "snapshot", "run": 0, "iteration": snapshot.iteration }));
     }
-}
-
-fn finite(value: f64) -> Option<Value> {
-    serde_json::Number::from_f64(value).map(Value::Number)
 }

@@ -55,7 +55,7 @@ fn a_new_job_that_cannot_be_is_refused_and_not_written() {
 #[test]
 fn the_doctor_finds_closed_forms() {
     let bench = Bench::with(&[]);
-    let found: Value = serde_json::from_str(&bench.stdout(0, "doctor --json")).unwrap();
+    let found = bench.json("doctor");
     assert_eq!(found["is_right"], true, "{found}");
     let checks = found["checks"].as_array().unwrap();
     assert_eq!(checks.len(), 3);

@@ -106,6 +106,14 @@ impl Bench {
         assert!(is_one, "{line}: {said}");
     }
 
+    /// The lines of JSON of a line that must end with this code.
+    pub(crate) fn events(&self, code: i32, line: &str) -> Vec<Value> {
+        let text = self.stdout(code, line);
+        text.lines()
+            .map(|line| serde_json::from_str(line).unwrap())
+            .collect()
+    }
+
     /// The last line of a command with `--json`.
     pub(crate) fn json(&self, line: &str) -> Value {
         let said = self.expect(0, &format!("{line} --json"));

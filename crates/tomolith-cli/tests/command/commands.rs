@@ -416,7 +416,7 @@ fn the_unit_systems_of_a_dose_want_all_that_their_formulas_need() {
     bench.refuse(line, &["--brightest"]);
     bench.refuse(
         &format!("{line} --brightest 0 --exposure-s 10"),
-        &["--brightest", "a number > 0"],
+        &["--brightest", "a finite number above 0"],
     );
 }
 
@@ -446,8 +446,7 @@ fn files_go_into_folders_that_exist_and_pages_are_web_pages() {
 fn light_that_is_scattered_is_traced() {
     let bench = Bench::new();
     let line = "trace job.toml --pixel 0,16,8 --set resin.scattering_per_mm=0.3 --json";
-    let said = bench.expect(0, line);
-    let traced: Value = serde_json::from_str(said.trim().lines().next().unwrap()).unwrap();
+    let traced = &bench.events(0, line)[0];
     let account = traced["result"]["account"].as_object().unwrap();
     let total: f64 = account.values().map(|v| v.as_f64().unwrap()).sum();
     assert!((total - 1.0).abs() < 1e-9, "{account:?}");

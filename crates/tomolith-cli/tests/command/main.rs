@@ -4,6 +4,7 @@ mod bad_input;
 mod begin;
 mod bench;
 mod commands;
+mod devices;
 mod files;
 mod pages;
 mod planning;

@@ -90,24 +90,17 @@ fn bench_of(study: &str) -> Bench {
     ])
 }
 
-fn events(bench: &Bench, line: &str) -> Vec<Value> {
-    let text = bench.stdout(0, line);
-    text.lines()
-        .map(|line| serde_json::from_str(line).unwrap())
-        .collect()
-}
-
 #[test]
 fn a_study_lays_published_numbers_beside_ours_and_goes_on_where_it_was() {
     let bench = bench_of(STUDY);
     // What it costs is said without any work
-    let said = events(&bench, "reproduce disc --quick --check --json");
+    let said = bench.events(0, "reproduce disc --quick --check --json");
     assert_eq!(
         (said.len(), said[0]["runs"][0]["runs"].as_u64()),
         (1, Some(2))
     );
     assert!(!bench.path("out").exists());
-    let said = events(&bench, "reproduce disc --quick --json");
+    let said = bench.events(0, "reproduce disc --quick --json");
     let rows = said[said.len() - 1]["rows"].as_array().unwrap();
     assert_eq!(rows[1]["published"], 7.0);
     assert_eq!(rows[5]["published"], "fair");
@@ -149,7 +142,7 @@ fn a_study_lays_published_numbers_beside_ours_and_goes_on_where_it_was() {
             .is_file()
     );
     // Again: nothing is run, and the tables are the same
-    let again = events(&bench, "reproduce disc --quick --json");
+    let again = bench.events(0, "reproduce disc --quick --json");
     let sweep = again
         .iter()
         .find(|event| event["event"] == "sweep")
@@ -406,7 +399,7 @@ fn a_command_is_left_out_with_the_run_whose_folder_it_reads() {
         true,
     );
     let bench = bench_of(&study.replace("quick = { axes", "quick = { skip = true, axes"));
-    let said = events(&bench, "reproduce disc --quick --check --json");
+    let said = bench.events(0, "reproduce disc --quick --check --json");
     assert_eq!(
         said[0]["runs"][1]["left_out"],
         "needs run `map`: full size only"

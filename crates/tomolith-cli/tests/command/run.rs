@@ -346,13 +346,9 @@ fn every_species_must_have_the_quality_that_is_asked() {
 #[test]
 fn json_lines_and_silence_are_kept() {
     let bench = bench();
-    let lines = bench.stdout(0, "run job.toml --json");
-    let events: Vec<Value> = lines
-        .lines()
-        .map(|line| serde_json::from_str(line).unwrap())
-        .collect();
+    let events = bench.events(0, "run job.toml --json");
     let of = |name: &str| events.iter().filter(|e| e["event"] == name).count();
-    assert!(of("stage") >= 4 && of("iteration") >= 2, "{lines}");
+    assert!(of("stage") >= 4 && of("iteration") >= 2, "{events:?}");
     assert_eq!(events.last().unwrap()["event"], "done");
     let losses: Vec<f64> = events.iter().filter_map(|e| e["loss"].as_f64()).collect();
     assert!(
@@ -670,7 +666,7 @@ fn check_tells_the_plan_and_changes_nothing() {
         &["gear", "parallel", "memory", "time", "30 frames"],
     );
     assert!(!bench.path("out").exists());
-    let plan: Value = serde_json::from_str(&bench.stdout(0, "check job.toml --json")).unwrap();
+    let plan = bench.json("check job.toml");
     assert!(plan["memory_mb"].as_u64().unwrap() > 0 && plan["seconds"].as_f64().unwrap() > 0.0);
     let of_time = |bound: &str| {
         let said = bench.stdout(0, &format!("check job.toml --set {bound}"));
@@ -844,8 +840,7 @@ fn the_closing_lines_say_on_which_voxels() {
         said.contains("d/report.json") && !said.contains("report.html"),
         "{said}"
     );
-    let lines = bench.stdout(0, "run job.toml --output c --json --toy");
-    let done: Value = serde_json::from_str(lines.lines().last().unwrap()).unwrap();
+    let done = bench.json("run job.toml --output c --toy");
     assert_eq!(done["refine"], 2);
     let pitch = done["evaluation_pitch_mm"].as_f64().unwrap();
     assert!((pitch - 0.15).abs() < 1e-12, "{pitch}");

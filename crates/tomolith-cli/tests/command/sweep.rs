@@ -53,8 +53,7 @@ fn a_killed_sweep_called_again_is_an_uninterrupted_one() {
     child.kill().unwrap();
     child.wait().unwrap();
     assert!(!bench.path("killed/table.csv").exists());
-    let text = bench.stdout(0, "sweep sweep.toml --output killed --json");
-    let first: Value = serde_json::from_str(text.lines().next().unwrap()).unwrap();
+    let first = &bench.events(0, "sweep sweep.toml --output killed --json")[0];
     assert!(first["finished"].as_u64().unwrap() >= 1, "{first}");
     assert_eq!(bench.table("killed"), bench.table("whole"));
 }

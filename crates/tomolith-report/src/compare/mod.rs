@@ -10,12 +10,13 @@ mod tables;
 use crate::page::{MARK, Page, PageKind, compared, page_data, word};
 use rows::rows;
 pub use run::ComparedRun;
+pub(crate) use run::columns;
 use serde_json::{Value, json};
-use std::io::{Read as _, Write as _};
+use std::io::Read as _;
 use std::path::Path;
 use tables::{differing, evaluation_model_of, is_fair, prints, warnings};
 use tomolith_core::error::{Error, Result};
-use tomolith_io::{open_regular, write_whole};
+use tomolith_io::{open_regular, write_text};
 
 /// Runs on one page, at most: nobody can distinguish the lines of more.
 const MOST: usize = 12;
@@ -99,7 +100,7 @@ pub fn compare_page(runs: &[ComparedRun]) -> Result<Page> {
 /// [`Error::Io`].
 pub fn write_compare(path: &Path, runs: &[ComparedRun]) -> Result<()> {
     let page = compare_page(runs)?.html();
-    write_whole(path, |file| Ok(file.write_all(page.as_bytes())?))
+    write_text(path, &page)
 }
 
 /// Whether a file is a page of [`write_compare`].

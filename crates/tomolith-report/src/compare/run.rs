@@ -104,11 +104,7 @@ impl ComparedRun {
     pub fn bare(&self) -> Value {
         let mut data = bare_run(&self.name, "done", &self.job_text);
         data["report"] = self.report.clone();
-        let columns = self.history.iter().map(|(name, values)| {
-            let values = values.iter().map(|v| Some(*v).filter(|v| v.is_finite()));
-            (name.clone(), json!(values.collect::<Vec<_>>()))
-        });
-        data["history"] = Value::Object(columns.collect());
+        data["history"] = json!(self.history);
         data
     }
 
@@ -162,8 +158,8 @@ pub(super) fn flatten(path: &str, value: &Value, flat: &mut BTreeMap<String, Str
     }
 }
 
-/// Columns of a table with a header; a cell that cannot be read as a number becomes NaN.
-pub(super) fn columns(text: &str) -> BTreeMap<String, Vec<f64>> {
+/// Columns of a table with a header; a cell that cannot be read as a number becomes NaN, which is null in JSON.
+pub(crate) fn columns(text: &str) -> BTreeMap<String, Vec<f64>> {
     let mut lines = text.lines();
     let names: Vec<&str> = lines
         .next()

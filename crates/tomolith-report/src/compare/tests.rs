@@ -35,6 +35,14 @@ fn run(name: &str, iou: f64, memory: &str) -> ComparedRun {
 }
 
 #[test]
+fn numbers_that_are_not_finite_are_null_in_json() {
+    assert_eq!(
+        json!([f64::NAN, f64::INFINITY, 0.5]),
+        json!([null, null, 0.5])
+    );
+}
+
+#[test]
 fn doses_of_all_runs_are_on_the_page() {
     let mut runs = [run("rays", 0.99, "10"), run("waves", 0.9, "10")];
     let folder = tempfile::tempdir().unwrap();

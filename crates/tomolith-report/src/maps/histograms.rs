@@ -138,21 +138,21 @@ pub fn histograms(title: &str, x: &str, panels: &[HistogramPanel], caption: &str
         let frame = sheet.frame(i);
         draw(&mut sheet.body, &frame, panel, drawn, &axes);
     }
-    sheet.marks(&marks(panels));
-    sheet.svg(title)
-}
-
-/// What the colors mean.
-fn marks(panels: &[HistogramPanel]) -> Vec<Option<String>> {
-    let longest = panels.iter().max_by_key(|panel| panel.series.len());
-    let series = longest.into_iter().flat_map(|panel| &panel.series);
-    let named = series.zip(SERIES.iter().cycle());
-    let mut marks: Vec<_> = named
-        .map(|((name, _), (_, color))| Some(format!("{color}: {name}")))
-        .collect();
+    let mut marks = colors(panels.iter().map(|panel| &panel.series));
     let has_band = panels.iter().any(|panel| panel.band.is_some());
     marks.push(has_band.then_some("shaded: the band of the objective".to_owned()));
-    marks
+    sheet.svg(title, &marks)
+}
+
+/// The colors of the series of panels, which have the same names.
+pub(super) fn colors<'p, T: 'p>(
+    panels: impl Iterator<Item = &'p Vec<(String, T)>>,
+) -> Vec<Option<String>> {
+    let longest = panels.max_by_key(|series| series.len());
+    let named = longest.into_iter().flatten().zip(SERIES.iter().cycle());
+    named
+        .map(|((name, _), (_, color))| Some(format!("{color}: {name}")))
+        .collect()
 }
 
 fn draw(

@@ -10,10 +10,10 @@
 //! assert_eq!(svg.matches("L").count() >= 2, true);
 //! ```
 
-use super::histograms::SERIES;
+use super::histograms::{SERIES, colors};
 use super::placed;
 use super::sheet::{Frame, LabelMargins, Sheet, Ticks, draw};
-use crate::plot::Axis;
+use crate::plot::{Axis, polyline};
 
 /// Height of a panel, of its width.
 const FLAT: f64 = 0.9;
@@ -51,30 +51,19 @@ pub fn profiles(title: &str, names: [&str; 2], panels: &[ProfilePanel], caption:
         let frame = sheet.frame(i);
         draw(&mut sheet.body, &frame, panel, &axes);
     }
-    let longest = panels.iter().max_by_key(|panel| panel.series.len());
-    let series = longest.into_iter().flat_map(|panel| &panel.series);
-    let marks: Vec<_> = series
-        .zip(SERIES.iter().cycle())
-        .map(|((name, _), (_, color))| Some(format!("{color}: {name}")))
-        .collect();
-    sheet.marks(&marks);
-    sheet.svg(title)
+    sheet.svg(title, &colors(panels.iter().map(|panel| &panel.series)))
 }
 
 fn draw(body: &mut String, frame: &Frame, panel: &ProfilePanel, [x, y]: &[Axis; 2]) {
     for ((_, points), (class, _)) in panel.series.iter().zip(SERIES.iter().cycle()) {
-        let mut path = String::new();
-        for (i, &[at, value]) in points.iter().enumerate() {
-            let letter = if i == 0 { 'M' } else { 'L' };
-            let (left, top) = (frame.x(x.place(at)), frame.y(y.place(value)));
-            draw!(path, "{letter}{left:.1} {top:.1}");
-        }
+        let place = |&[at, value]: &[f64; 2]| [frame.x(x.place(at)), frame.y(y.place(value))];
+        let path = polyline(points.iter().map(|point| Some(place(point))));
         draw!(
             body,
             "<path class=\"{class}\" style=\"fill:none\" d=\"{path}\"/>"
         );
-        if let &[[at, value]] = &points[..] {
-            let (left, top) = (frame.x(x.place(at)), frame.y(y.place(value)));
+        if let [point] = &points[..] {
+            let [left, top] = place(point);
             draw!(
                 body,
                 "<circle class=\"{class}\" cx=\"{left:.1}\" cy=\"{top:.1}\" r=\"3\"/>"

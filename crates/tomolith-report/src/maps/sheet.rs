@@ -266,30 +266,18 @@ impl Sheet {
         }
     }
 
-    /// What the marks mean, in one line below all.
-    pub(super) fn marks(&mut self, marks: &[Option<String>]) {
-        let [_, height] = self.size();
-        let text = marks
-            .iter()
-            .flatten()
-            .cloned()
-            .collect::<Vec<_>>()
-            .join(" · ");
-        draw!(
-            self.body,
-            "<text class=\"small muted\" x=\"16\" y=\"{:.1}\">{}</text>",
-            height - 12.0,
-            escape(&text)
-        );
-    }
-
-    pub(super) fn svg(&self, title: &str) -> String {
+    /// The file, with what its marks mean in one line below all.
+    pub(super) fn svg(&self, title: &str, marks: &[Option<String>]) -> String {
         let [width, height] = self.size();
+        let marks: Vec<&str> = marks.iter().flatten().map(String::as_str).collect();
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.0}\" height=\"{height:.0}\" viewBox=\"0 0 {width:.0} {height:.0}\" \
-             role=\"img\" aria-label=\"{}\">{STYLE}<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>{}</svg>\n",
+             role=\"img\" aria-label=\"{}\">{STYLE}<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>{}\
+             <text class=\"small muted\" x=\"16\" y=\"{:.1}\">{}</text></svg>\n",
             escape(title),
-            self.body
+            self.body,
+            height - 12.0,
+            escape(&marks.join(" · "))
         )
     }
 }

@@ -11,20 +11,21 @@ mod slices;
 mod texts;
 mod volumes;
 
-use crate::compare::ComparedRun;
+use crate::compare::{ComparedRun, columns};
 use crate::number::{escape, significant};
 use crate::{ReportData, json};
 use blob::{Film, packed};
 pub use scene::{FramePaths, LightPath, LightPaths, Scene, SceneOutline};
 use serde::Serialize;
-use serde_json::{Map, Value, json};
+use serde_json::{Value, json};
 pub use slices::VolumeSlices;
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
 use texts::Texts;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::Volume;
-use tomolith_io::csv::HistoryRow;
+use tomolith_io::csv::history_text;
 use tomolith_metrics::surface::Deviation;
 use tomolith_metrics::{Better, METRICS};
 pub use volumes::{Served, served_response, served_target};
@@ -101,7 +102,7 @@ struct RunData<'a> {
     report: Value,
     texts: Texts<'a>,
     job: &'a str,
-    history: Map<String, Value>,
+    history: BTreeMap<String, Vec<f64>>,
     volumes: Vec<VolumeInfo>,
     films: Vec<FilmInfo<'a>>,
     scene: Option<&'a Scene>,
@@ -142,7 +143,7 @@ pub fn report_page(data: &ReportData<'_>) -> Result<Page> {
         report: json::report_json(data),
         texts,
         job: data.job_text,
-        history: history(data.history),
+        history: columns(&history_text(data.history)),
         volumes: infos,
         films,
         scene: data.scene,
@@ -227,34 +228,6 @@ pub(crate) fn word(better: Better) -> &'static str {
         Better::Lower => "lower",
         Better::Neutral => "none",
     }
-}
-
-/// A column per name: null where a row has no number.
-fn history(rows: &[HistoryRow]) -> Map<String, Value> {
-    type Of = fn(&HistoryRow) -> Option<f64>;
-    let columns: [(&str, Of); 9] = [
-        ("iteration", |row| Some(row.iteration as f64)),
-        ("loss", |row| Some(row.loss)),
-        ("projected_gradient", |row| row.projected_gradient),
-        ("step", |row| row.step),
-        ("forward_calls", |row| Some(row.forward_calls as f64)),
-        ("adjoint_calls", |row| Some(row.adjoint_calls as f64)),
-        ("seconds", |row| Some(row.seconds)),
-        ("iou", |row| row.iou),
-        ("process_window", |row| row.process_window),
-    ];
-    let number = |value: Option<f64>| value.filter(|v| v.is_finite());
-    let column = |(name, of): (&str, Of)| {
-        let values: Vec<Option<f64>> = rows.iter().map(|row| number(of(row))).collect();
-        (name.to_owned(), json!(values))
-    };
-    let names = rows.first().map_or(&[][..], |row| row.response.as_slice());
-    let responses = names.iter().enumerate().map(|(i, (name, _))| {
-        let value = |row: &HistoryRow| number(row.response.get(i).map(|(_, value)| *value));
-        let values: Vec<Option<f64>> = rows.iter().map(value).collect();
-        (format!("response.{name}"), json!(values))
-    });
-    columns.into_iter().map(column).chain(responses).collect()
 }
 
 /// Pixels of all frames of all lights that a page holds, at most.

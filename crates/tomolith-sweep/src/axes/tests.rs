@@ -1,5 +1,14 @@
 use super::*;
 
+/// Points of axes whose runs take nobody knows how long.
+fn points(
+    axes: &[Axis],
+    when: &[Condition],
+    sample: Option<SampleSpec>,
+) -> Result<Vec<SweepPoint>> {
+    super::points(axes, when, sample, &|| None)
+}
+
 fn axis(text: serde_json::Value, is_drawn: bool) -> Result<Axis> {
     Axis::new(&serde_json::from_value(text).unwrap(), "axes[0]", is_drawn)
 }
@@ -203,10 +212,10 @@ fn a_condition_that_divides_by_zero_is_refused_with_the_point() {
 #[test]
 fn a_thousand_million_runs_are_refused_with_their_number() {
     let axes = vec![linear("x", 1.0, 1000.0, 1.0); 3];
-    let message = combinations(&axes, None).unwrap_err().to_string();
+    let message = combinations(&axes, None, &|| None).unwrap_err().to_string();
     assert!(message.starts_with("axes: 1000000000 runs"), "{message}");
     let axes = vec![linear("x", 1.0, 1000.0, 1.0); 100];
-    let message = combinations(&axes, None).unwrap_err().to_string();
+    let message = combinations(&axes, None, &|| None).unwrap_err().to_string();
     let expected = "axes: more than 1000000000000 runs; accepted: ";
     assert!(message.starts_with(expected), "{message}");
     assert!(points(&vec![linear("x", 1.0, 400.0, 1.0); 2], &[], None).is_err());
@@ -252,7 +261,9 @@ fn draws_are_the_same_everywhere_and_fill_every_part() {
     );
     for (count, start) in [(0, "found 0"), (1_000_000_000, "1000000000 runs")] {
         let sample = SampleSpec::Random(DrawSpec { count, seed: 0 });
-        let message = combinations(&axes, Some(sample)).unwrap_err().to_string();
+        let message = combinations(&axes, Some(sample), &|| None)
+            .unwrap_err()
+            .to_string();
         let expected = format!("sample.random.count: {start}");
         assert!(message.starts_with(&expected), "{message}");
     }

@@ -298,16 +298,6 @@ pub(crate) fn stage(progress: &mut dyn Progress, cancel: &Run, name: &str) -> Ru
     stage
 }
 
-/// Seconds, minutes or hours.
-pub(crate) fn duration(seconds: f64) -> String {
-    match seconds {
-        s if s < 10.0 => format!("{s:.1} s"),
-        s if s < 100.0 => format!("{s:.0} s"),
-        s if s < 6000.0 => format!("{:.0} min", s / 60.0),
-        s => format!("{:.1} h", s / 3600.0),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

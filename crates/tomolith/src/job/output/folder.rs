@@ -10,12 +10,14 @@ use crate::error::{Error, Result};
 use crate::io::read_text;
 use crate::job::spec::file_names::OUTPUTS;
 use crate::text::one_line;
+use serde::Deserialize;
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// What a run leaves in its folder.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Leaves {
     /// Numbers: `job.toml`, `report.json`, `history.csv`.
     Metrics,
@@ -24,6 +26,18 @@ pub enum Leaves {
     /// Everything.
     #[default]
     All,
+}
+
+impl Leaves {
+    /// As `--keep` takes it.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Leaves::Metrics => "metrics",
+            Leaves::Patterns => "patterns",
+            Leaves::All => "all",
+        }
+    }
 }
 
 /// Why a folder is refused in which another process works.

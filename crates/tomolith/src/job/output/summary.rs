@@ -5,7 +5,6 @@ use crate::job::evaluate::in_time::{InTime, TimeSummary};
 pub use crate::job::evaluate::limits::Fall;
 use crate::job::output::files::{Done, Headline};
 use crate::job::output::folder::Leaves;
-use crate::job::progress::duration;
 use crate::job::resolve::Species;
 use crate::metrics::{Evaluation, Measure};
 use crate::objective::FoundWindow;
@@ -13,7 +12,7 @@ use crate::optimize::{Gap, KeptBy, KeptIterate, StopReason};
 use crate::report::{
     ExposureWindow, OneExposure, OneMoment, PrintLimits, ScenarioTable, gap_sentence, time_sentence,
 };
-use crate::units::{concise, counted};
+use crate::units::{concise, counted, duration};
 use serde::Serialize;
 use std::fmt;
 use std::path::{Path, PathBuf};

@@ -2,12 +2,11 @@
 //!
 //! An optimization that ends before its last iteration takes less.
 
-use crate::job::progress::duration;
 use crate::job::resolve::extent::{Extent, VECTORS};
 use crate::job::run::benchmark::{CallRates, Rates};
 use crate::optics::light::Light;
 use crate::optimize::levels;
-use crate::units::counted;
+use crate::units::{counted, duration};
 
 /// Seconds that scenarios may take, and share of the memory, before that is worth a warning.
 const LONG_S: f64 = 600.0;

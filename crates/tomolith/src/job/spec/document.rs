@@ -209,6 +209,20 @@ impl Document {
         }
     }
 
+    /// What [`Document::set`] takes to give a key a value: TOML in one line, where null, of which TOML has none, stays a word that is refused.
+    ///
+    /// ```
+    /// use tomolith::job::Document;
+    /// let value = serde_json::json!({ "ospw": { "w": 0.5, "a b": ["x\"y", true, 1e-7] } });
+    /// let mut job = Document::toml("part.toml", "").unwrap();
+    /// job.set(&Document::assignment("objective", &value)).unwrap();
+    /// assert_eq!(job.root["objective"], value);
+    /// ```
+    #[must_use]
+    pub fn assignment(key: &str, value: &Value) -> String {
+        format!("{key}={}", in_line(value))
+    }
+
     /// Remembers that a key comes from an option of the command line: what the file says there is no longer at fault.
     pub(crate) fn overridden(&mut self, path: &str, option: String) {
         self.places.retain(|key, _| !is_within(key, path));
@@ -462,6 +476,25 @@ impl Document {
 enum Misread {
     Lines,
     Value { found: String, accepted: String },
+}
+
+/// A value as TOML in one line.
+fn in_line(value: &Value) -> String {
+    match value {
+        Value::Array(list) => {
+            let list: Vec<String> = list.iter().map(in_line).collect();
+            format!("[{}]", list.join(", "))
+        }
+        Value::Object(table) => {
+            let entry = |(key, value): (&String, &Value)| {
+                format!("{} = {}", Value::from(key.as_str()), in_line(value))
+            };
+            let entries: Vec<String> = table.iter().map(entry).collect();
+            format!("{{ {} }}", entries.join(", "))
+        }
+        // Its escapes are TOML's, too
+        other => other.to_string(),
+    }
 }
 
 #[cfg(test)]
