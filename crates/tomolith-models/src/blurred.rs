@@ -1,4 +1,5 @@
-//! A model whose pixels spread their light over their neighbors before it enters the vial: F(Bx), with the derivative Bᵀ·F′(Bx)ᵀ.
+//! Pixels that spread their light over their neighbors before it enters the vial: F(Bx), with the derivative Bᵀ·F′(Bx)ᵀ, which
+//! [`MaskedModel`](super::masked::MaskedModel) makes of a model F.
 //!
 //! B is the [`PointSpread`] of each light, frame by frame: linear, so a line polynomial of F stays one. F has more active pixels than the
 //! patterns: all that their light is spread to.
@@ -7,12 +8,9 @@
 //!
 //! **Cost** of a frame: its active pixels times those of the spread, as sums along z.
 
-use super::{DoseModel, HostModel, PatternLayout, Run, ZCoupling, frames_of, own_frames};
+use super::{PatternLayout, ZCoupling, own_frames};
 use std::ops::Range;
 use std::sync::Arc;
-use tomolith_core::dose::{Facts, Renewal, Space};
-use tomolith_core::error::Result;
-use tomolith_core::field::{Field, HostField};
 use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
 use tomolith_optics::point_spread::PointSpread;
@@ -52,39 +50,33 @@ fn dilated(
     (0..columns).map(of).collect()
 }
 
-/// See the [module page](self).
-pub(crate) struct Blurred {
-    model: HostModel,
+/// B of every light; see the [module page](self).
+pub(crate) struct Spreads {
     /// Of the patterns before they are spread.
-    patterns: Vec<PatternLayout>,
+    pub(crate) patterns: Vec<PatternLayout>,
     /// One per light; None: every pixel keeps its light.
-    spreads: Vec<Option<Arc<PointSpread>>>,
+    lights: Vec<Option<Arc<PointSpread>>>,
 }
 
-impl Blurred {
-    /// A model of lights that are [`widened`], for the patterns of the lights as they are.
-    pub(crate) fn new(model: HostModel, patterns: Vec<PatternLayout>, lights: &[Light]) -> Self {
-        let spreads = lights.iter().map(|light| light.point_spread.clone());
-        Blurred {
-            model,
+impl Spreads {
+    /// Those of the lights, for their patterns.
+    pub(crate) fn new(patterns: Vec<PatternLayout>, lights: &[Light]) -> Self {
+        let lights = lights.iter().map(|light| light.point_spread.clone());
+        Spreads {
             patterns,
-            spreads: spreads.collect(),
+            lights: lights.collect(),
         }
     }
 
-    fn all(&self) -> Range<usize> {
-        0..frames_of(&self.patterns)
-    }
-
-    /// How far light reaches along z from its row, before and in the model.
-    fn z_reach(&self) -> ZCoupling {
+    /// How far light reaches along z from its row, before and in a model.
+    pub(crate) fn z_reach(&self, model: ZCoupling) -> ZCoupling {
         let of_light = |(layout, spread): (&PatternLayout, &Option<Arc<PointSpread>>)| {
             let rows = spread.as_ref().map_or(0, |spread| spread.reach()[1]);
             rows as f64 * layout.grid.pitch_mm[1]
         };
-        let lights = self.patterns.iter().zip(&self.spreads);
+        let lights = self.patterns.iter().zip(&self.lights);
         let reach = lights.map(of_light).fold(0.0, f64::max);
-        match self.model.z_coupling() {
+        match model {
             ZCoupling::None if reach == 0.0 => ZCoupling::None,
             ZCoupling::None => ZCoupling::Halo(reach),
             ZCoupling::Halo(inner) => ZCoupling::Halo(inner + reach),
@@ -92,20 +84,8 @@ impl Blurred {
         }
     }
 
-    /// Bx of some frames; the others are dark.
-    fn spread(&self, frames: &Range<usize>, x: &HostField) -> Result<HostField> {
-        let mut lit = self.model.new_patterns()?;
-        self.carry(
-            frames,
-            (&self.patterns, x.as_slice()),
-            (self.model.patterns(), lit.as_mut_slice()),
-            1,
-        );
-        Ok(lit)
-    }
-
     /// to ← B·from of some frames, or Bᵀ·from where the sign is −1: the same sums with the spread turned about its middle.
-    fn carry(
+    pub(crate) fn carry(
         &self,
         frames: &Range<usize>,
         (from_layouts, from): (&[PatternLayout], &[f32]),
@@ -115,17 +95,11 @@ impl Blurred {
         for (light, own) in own_frames(&self.patterns, frames) {
             let (source, sink) = (&from_layouts[light], &to_layouts[light]);
             let elements = sink.elements_of(own.clone());
-            let Some(spread) = &self.spreads[light] else {
+            let Some(spread) = &self.lights[light] else {
                 to[elements].copy_from_slice(&from[source.elements_of(own)]);
                 continue;
             };
-            let mut rest = &mut to[elements];
-            let mut images = Vec::with_capacity(own.len());
-            for frame in own {
-                let image;
-                (image, rest) = rest.split_at_mut(sink.elements_of(frame..frame + 1).len());
-                images.push((frame, image));
-            }
+            let images = sink.split_frames(own, &mut to[elements]);
             images.into_iter().par_each(|(frame, image)| {
                 let carried = Carried {
                     source,
@@ -136,6 +110,15 @@ impl Blurred {
                 carried.frame(frame, from, image);
             });
         }
+    }
+
+    /// What to add to the description of a model.
+    pub(crate) fn describe(&self) -> String {
+        let of = |spread: &Arc<PointSpread>| {
+            let [columns, rows] = spread.reach().map(|n| 2 * n + 1);
+            format!(", spread over {columns} × {rows} pixels")
+        };
+        self.lights.iter().flatten().map(of).collect()
     }
 }
 
@@ -195,100 +178,14 @@ impl Carried<'_> {
     }
 }
 
-impl Renewal<HostField> for Blurred {
-    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
-        let lit = self.spread(&self.all(), x)?;
-        let renewal = self.model.renewal();
-        renewal.map_or(Ok(false), |model| model.renew(iteration, &lit, run))
-    }
-
-    fn memory(&self) -> Option<HostField> {
-        self.model.renewal()?.memory()
-    }
-
-    fn restore(&self, memory: &HostField) {
-        if let Some(renewal) = self.model.renewal() {
-            renewal.restore(memory);
-        }
-    }
-}
-
-impl DoseModel for Blurred {
-    type Field = HostField;
-
-    fn facts(&self) -> Facts<'_> {
-        Facts {
-            patterns: &self.patterns,
-            z_coupling: self.z_reach(),
-            ..self.model.facts()
-        }
-    }
-
-    fn new_field(&self, space: Space) -> Result<HostField> {
-        Ok(self.facts().host_field(space))
-    }
-
-    fn updates(&self) -> u64 {
-        self.model.updates()
-    }
-
-    fn renewal(&self) -> Option<&dyn Renewal<HostField>> {
-        self.model.renewal().map(|_| self as _)
-    }
-
-    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
-        self.model.dose(&self.spread(&self.all(), x)?, dose, run)
-    }
-
-    fn pullback_of(
-        &self,
-        frames: Range<usize>,
-        x: &HostField,
-        cotangent: &HostField,
-        grad: &mut HostField,
-        run: &Run,
-    ) -> Result<()> {
-        let lit = self.spread(&frames, x)?;
-        let mut own = lit.zeros_like();
-        (self.model).pullback_of(frames.clone(), &lit, cotangent, &mut own, run)?;
-        let (from, to) = (self.model.patterns(), grad.as_mut_slice());
-        self.carry(&frames, (from, own.as_slice()), (&self.patterns, to), -1);
-        Ok(())
-    }
-
-    fn dose_of(
-        &self,
-        frames: Range<usize>,
-        x: &HostField,
-        dose: &mut HostField,
-        run: &Run,
-    ) -> Result<()> {
-        let lit = self.spread(&frames, x)?;
-        self.model.dose_of(frames, &lit, dose, run)
-    }
-
-    fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
-        let [x, d] = [self.spread(&self.all(), x)?, self.spread(&self.all(), d)?];
-        self.model.along(&x, &d, run)
-    }
-
-    fn describe(&self) -> String {
-        let of = |spread: &Arc<PointSpread>| {
-            let [columns, rows] = spread.reach().map(|n| 2 * n + 1);
-            format!(", spread over {columns} × {rows} pixels")
-        };
-        let spreads: String = self.spreads.iter().flatten().map(of).collect();
-        self.model.describe() + &spreads
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::planner::{ModelPlan, plan};
     use crate::rays::Optics;
-    use crate::{OpticalScene, Purpose};
+    use crate::{DoseModel, OpticalScene, Purpose, Run};
     use tomolith_core::check;
+    use tomolith_core::field::Field;
     use tomolith_core::grid::{PatternGrid, Patterns, Volume, VolumeGrid};
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::index_matched::IndexMatched;

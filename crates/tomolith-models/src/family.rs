@@ -3,6 +3,7 @@
 //! One file or folder a family, and one row in [`MODELS`](crate::MODELS). A [`ModelFamily`] is a family with its parameters, as the row reads
 //! them from a job. The [planner](crate::planner) and the job ask it whatever they need to know, and know no family by name.
 
+use super::parallel;
 use super::rays::Rays;
 use super::rays::matrix_cache::CachedEntries;
 use super::rays::solid::Solid;
@@ -53,7 +54,8 @@ pub enum Purpose {
 pub struct Capabilities {
     /// What is linear in the family's stead, for people; None: its dose is linear in the patterns.
     pub linear_instead: Option<&'static str>,
-    /// Whether its light has a linear relative without spread, [`ModelFamily::unscattered`], that starts and shadows are found with.
+    /// Whether its light spreads and no rays stand for it: starts and shadows are found with straight light through the same pixels, its linear
+    /// relative.
     pub has_surrogate: bool,
     /// What of its light predicts, when it is timed, the time of all.
     pub timed_by: TimedBy,
@@ -244,6 +246,9 @@ pub trait ModelFamily: fmt::Debug + Send + Sync {
     /// # Errors
     /// As [`build`](Self::build).
     fn unscattered_form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
+        if self.capabilities().has_surrogate {
+            return parallel::Params::default().form(input);
+        }
         self.form(input)
     }
 
@@ -258,6 +263,9 @@ pub trait ModelFamily: fmt::Debug + Send + Sync {
     /// # Errors
     /// As [`build`](Self::build).
     fn unscattered(&self, input: &ModelInput<'_>) -> Result<HostModel> {
+        if self.capabilities().has_surrogate {
+            return parallel::Params::default().build(input);
+        }
         let mut input = input.clone();
         input.scene.purpose = Purpose::Probe;
         self.build(&input)
@@ -265,7 +273,7 @@ pub trait ModelFamily: fmt::Debug + Send + Sync {
 
     /// Single rays of the same light, to see where it goes; None where no rays stand for it.
     fn rays(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Option<Result<Rays>> {
-        Some(scene.rays(grid))
+        (!self.capabilities().has_surrogate).then(|| scene.rays(grid))
     }
 
     /// What it draws at random; None: nothing.

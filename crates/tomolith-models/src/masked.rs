@@ -1,5 +1,5 @@
-//! A model whose pixels give less light, or none: F(D·x) with D = 0 or a common factor per pixel, and its derivative
-//! D·F′(D·x)ᵀ.
+//! A model whose pixels give less light, or none, or spread it: F(B·D·x) with D = 0 or a common factor per pixel, B the
+//! [spread](super::blurred) of their light where there is one, and the derivative D·Bᵀ·F′(B·D·x)ᵀ.
 //!
 //! The factor is that of a dose convention (`resin.dose_convention`). Rays that may not pass a place are taken away in this way: [`pixels_through`] finds them by the adjoint of an indicator,
 //! which is positive exactly for the pixels that bring light there. An active run of rows cannot have holes; this can.
@@ -7,7 +7,8 @@
 //!
 //! **Cost** a copy of the patterns per call, none where no pixel is dark and the factor is 1.
 
-use super::{DoseModel, HostModel, PatternLayout, Quantity, Run, elements_of};
+use super::blurred::Spreads;
+use super::{DoseModel, HostModel, PatternLayout, Quantity, Run, elements_of, frames_of};
 use crate::several::SharedModel;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -18,9 +19,10 @@ use tomolith_core::field::{BLOCK, Field, HostField};
 use tomolith_core::grid::Volume;
 use tomolith_core::parallel::{InParallel, table};
 
-/// A model with dark pixels, a factor, both or none: the one place for either.
+/// A model with dark pixels, a factor, spread light, all or none of these: the one place for each.
 pub struct MaskedModel {
     model: HostModel,
+    spreads: Option<Spreads>,
     /// One per pixel, or none at all.
     dark: Vec<bool>,
     factor: f32,
@@ -72,10 +74,17 @@ impl MaskedModel {
         };
         let masked = MaskedModel {
             model,
+            spreads: None,
             dark: Vec::new(),
             factor: factor as f32,
         };
         masked.and_dark(dark)
+    }
+
+    /// The same of pixels whose light is spread over those of the model. It has no dark pixels yet.
+    pub(crate) fn with_spreads(mut self, spreads: Spreads) -> Self {
+        self.spreads = Some(spreads);
+        self
     }
 
     /// The same with further dark pixels; an empty list has none.
@@ -87,7 +96,7 @@ impl MaskedModel {
         if dark.is_empty() {
             return self;
         }
-        let pixels: usize = self.model.patterns().iter().map(PatternLayout::len).sum();
+        let pixels: usize = self.patterns().iter().map(PatternLayout::len).sum();
         assert_eq!(dark.len(), pixels, "one mark per active pixel");
         if self.dark.is_empty() {
             self.dark = dark;
@@ -106,6 +115,23 @@ impl MaskedModel {
         let mut x = x.clone();
         self.dim(0..x.len(), &mut x);
         Cow::Owned(x)
+    }
+
+    /// All frames.
+    fn all(&self) -> Range<usize> {
+        0..frames_of(self.patterns())
+    }
+
+    /// What the model is lit with: B·D·x of some frames. Where light is spread, the other frames are dark.
+    fn lit<'x>(&self, frames: &Range<usize>, x: &'x HostField) -> Result<Cow<'x, HostField>> {
+        let x = self.masked(x);
+        let Some(spreads) = &self.spreads else {
+            return Ok(x);
+        };
+        let mut lit = self.model.new_patterns()?;
+        let to = (self.model.patterns(), lit.as_mut_slice());
+        spreads.carry(frames, (&spreads.patterns, x.as_slice()), to, 1);
+        Ok(Cow::Owned(lit))
     }
 
     /// x ← D·x in some elements
@@ -134,7 +160,7 @@ impl Renewal<HostField> for MaskedModel {
     fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
         let renewal = self.model.renewal();
         renewal.map_or(Ok(false), |model| {
-            model.renew(iteration, &self.masked(x), run)
+            model.renew(iteration, &*self.lit(&self.all(), x)?, run)
         })
     }
 
@@ -153,11 +179,22 @@ impl DoseModel for MaskedModel {
     type Field = HostField;
 
     fn facts(&self) -> Facts<'_> {
-        self.model.facts()
+        let facts = self.model.facts();
+        match &self.spreads {
+            None => facts,
+            Some(spreads) => Facts {
+                patterns: &spreads.patterns,
+                z_coupling: spreads.z_reach(facts.z_coupling),
+                ..facts
+            },
+        }
     }
 
     fn new_field(&self, space: Space) -> Result<HostField> {
-        self.model.new_field(space)
+        match &self.spreads {
+            None => self.model.new_field(space),
+            Some(_) => Ok(self.facts().host_field(space)),
+        }
     }
 
     fn updates(&self) -> u64 {
@@ -173,7 +210,7 @@ impl DoseModel for MaskedModel {
     }
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
-        self.model.dose(&self.masked(x), dose, run)
+        self.model.dose(&*self.lit(&self.all(), x)?, dose, run)
     }
 
     fn pullback_of(
@@ -184,8 +221,15 @@ impl DoseModel for MaskedModel {
         grad: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        let x = self.masked(x);
-        (self.model).pullback_of(frames.clone(), &x, cotangent, grad, run)?;
+        let lit = self.lit(&frames, x)?;
+        if let Some(spreads) = &self.spreads {
+            let mut back = lit.zeros_like();
+            (self.model).pullback_of(frames.clone(), &lit, cotangent, &mut back, run)?;
+            let from = (self.model.patterns(), back.as_slice());
+            spreads.carry(&frames, from, (&spreads.patterns, grad.as_mut_slice()), -1);
+        } else {
+            (self.model).pullback_of(frames.clone(), &lit, cotangent, grad, run)?;
+        }
         for (range, _) in elements_of(self.patterns(), &frames) {
             self.dim(range, grad);
         }
@@ -199,19 +243,29 @@ impl DoseModel for MaskedModel {
         dose: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        self.model.dose_of(frames, &self.masked(x), dose, run)
+        let lit = self.lit(&frames, x)?;
+        self.model.dose_of(frames, &lit, dose, run)
     }
 
     fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
-        self.model.along(&self.masked(x), &self.masked(d), run)
+        let [x, d] = [self.lit(&self.all(), x)?, self.lit(&self.all(), d)?];
+        self.model.along(&x, &d, run)
     }
 
+    /// None of spread light.
     fn form(&self) -> Option<Form> {
+        if self.spreads.is_some() {
+            return None;
+        }
         Some(self.model.form()?.masked(&self.dark, self.factor))
     }
 
     fn describe(&self) -> String {
         let mut text = self.model.describe();
+        text += &self
+            .spreads
+            .as_ref()
+            .map_or(String::new(), Spreads::describe);
         if self.factor != 1.0 {
             text += &format!(", dose times {:.6}", self.factor);
         }

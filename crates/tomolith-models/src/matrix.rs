@@ -43,7 +43,7 @@
 
 use super::{
     Capabilities, DoseLayout, DoseModel, HostModel, LinearOperator, MakeFamily, ModelFamily,
-    ModelInput, ModelKind, OpticalScene, PatternLayout, Quantity, Run, ZCoupling,
+    ModelInput, ModelKind, OpticalScene, PatternLayout, Quantity, Run, ZCoupling, elements_of,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -530,7 +530,7 @@ impl LinearOperator for MatrixModel {
         dose: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        let range = self.elements_of(frames);
+        let range = self.elements_of(&frames);
         let layout = &self.output;
         let items = layout.grid.shape[0] / self.depth;
         let x = x.as_slice();
@@ -555,7 +555,7 @@ impl LinearOperator for MatrixModel {
     ) -> Result<()> {
         let (cotangent, all) = (cotangent.as_slice(), 0..usize::MAX);
         let ranks = CHUNK.div_ceil(self.depth);
-        let elements = self.elements_of(frames);
+        let elements = self.elements_of(&frames);
         let first = elements.start / self.depth;
         grad.as_mut_slice()[elements]
             .chunks_mut(ranks * self.depth)
@@ -584,20 +584,11 @@ impl LinearOperator for MatrixModel {
 }
 
 impl MatrixModel {
-    /// Elements of the pattern field that belong to frames.
-    fn elements_of(&self, frames: Range<usize>) -> Range<usize> {
-        let offset = |frame: usize| {
-            let mut first = 0;
-            for layout in &self.patterns {
-                let count = layout.grid.frames();
-                if frame < first + count {
-                    return layout.elements_of(frame - first..count).start;
-                }
-                first += count;
-            }
-            self.patterns.iter().map(PatternLayout::len).sum()
-        };
-        offset(frames.start)..offset(frames.end)
+    /// Elements of the pattern field that belong to frames: those of neighboring frames are neighbors, across lights too.
+    fn elements_of(&self, frames: &Range<usize>) -> Range<usize> {
+        let mut parts = elements_of(&self.patterns, frames).map(|(part, _)| part);
+        let first = parts.next().unwrap_or_default();
+        first.start..parts.last().map_or(first.end, |last| last.end)
     }
 }
 

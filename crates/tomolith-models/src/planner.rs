@@ -3,7 +3,7 @@
 //! Like the planner of a Fourier-transform library: the rows of [`MODELS`] are tried in the order of what they cost, and the first one
 //! that covers the optics is taken. A job may name a family instead; what it does not cover is refused with the reason.
 
-use super::blurred::{Blurred, widened};
+use super::blurred::{Spreads, widened};
 use super::masked::MaskedModel;
 use super::selection::{chosen, contributions, layouts, narrow};
 use super::{
@@ -142,13 +142,15 @@ pub fn plan(
         .map(|model| Box::new(MaskedModel::new(model, dark.clone(), factor)) as HostModel);
     let model = if lights.iter().any(|light| light.point_spread.is_some()) {
         let model = family.build(&input.lit_by(&widened(&lights)))?;
-        Box::new(Blurred::new(model, layouts(&lights), &lights)) as HostModel
+        let spreads = Spreads::new(layouts(&lights), &lights);
+        MaskedModel::new(model, Vec::new(), factor).with_spreads(spreads)
     } else {
-        built(&input, &|input| family.form(input), &|input| {
+        let model = built(&input, &|input| family.form(input), &|input| {
             family.build(input)
-        })?
+        })?;
+        MaskedModel::new(model, Vec::new(), factor)
     };
-    let model = MaskedModel::new(model, dark.clone(), factor);
+    let model = model.and_dark(dark.clone());
     let why = why(family.as_ref(), &input.scene, grid);
     let is_left = scene.accelerator.is_some() && model.form().is_none();
     let place = if is_left { ON_PROCESSOR } else { "" };

@@ -14,128 +14,57 @@
 //! of a dose for each, one after the other.
 
 use crate::HostModel;
+use crate::several::Several;
 pub use crate::several::SharedModel;
-use crate::several::{Joint, Several};
-use std::ops::Range;
-use tomolith_core::dose::{DoseLayout, PatternLayout};
+use tomolith_core::dose::DoseLayout;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::field::HostField;
 
-/// Several models of the same images; see the [module](self).
-pub type Scenarios = Several<SameImages>;
-
-/// The models are lit by the same images, and each has its output.
-pub struct SameImages;
-
-impl Scenarios {
-    /// The first model and how the dose may differ from it. Each model has one output, on the same voxels, and lights of the same pixels.
-    ///
-    /// # Errors
-    /// [`Error::Unsupported`] for models that do not fit the first one.
-    pub fn new(first: SharedModel, others: Vec<HostModel>) -> Result<Self> {
-        let mut models = vec![first];
-        models.extend(others.into_iter().map(SharedModel::from));
-        let refuse = |reason: &str| Error::unsupported("a scenario", reason);
-        let mut outputs: Vec<DoseLayout> = Vec::with_capacity(models.len());
-        for model in &models {
-            let [own] = model.outputs() else {
-                return Err(refuse("its model has several outputs"));
-            };
-            let is_same = |other: &DoseLayout| other.grid == own.grid && other.len() == own.len();
-            if !outputs.first().is_none_or(is_same) {
-                return Err(refuse("its voxels are not those of the job"));
-            }
-            let images = |model: &SharedModel| -> Vec<_> {
-                let lights = model.patterns().iter();
-                lights.map(|p| (p.grid.shape(), p.quantity)).collect()
-            };
-            if images(model) != images(&models[0]) {
-                return Err(refuse("its lights have other pixels or frames"));
-            }
-            let offset = outputs.last().map_or(0, |last| last.range().end);
-            outputs.push(DoseLayout {
-                offset,
-                ..own.clone()
-            });
+/// The first model and how the dose may differ from it. Each model has one output, on the same voxels, and lights of the same pixels.
+///
+/// # Errors
+/// [`Error::Unsupported`] for models that do not fit the first one.
+pub fn joined(first: SharedModel, others: Vec<HostModel>) -> Result<Several> {
+    let mut models = vec![first];
+    models.extend(others.into_iter().map(SharedModel::from));
+    let refuse = |reason: &str| Error::unsupported("a scenario", reason);
+    let mut outputs: Vec<DoseLayout> = Vec::with_capacity(models.len());
+    for model in &models {
+        let [own] = model.outputs() else {
+            return Err(refuse("its model has several outputs"));
+        };
+        let is_same = |other: &DoseLayout| other.grid == own.grid && other.len() == own.len();
+        if !outputs.first().is_none_or(is_same) {
+            return Err(refuse("its voxels are not those of the job"));
         }
-        Ok(Several {
-            patterns: models[0].patterns().to_vec(),
-            models,
-            outputs,
-            joint: SameImages,
-        })
-    }
-}
-
-/// Runs of pixels that two layouts of the same images both have, in the fields of either.
-fn each_common(
-    a: &PatternLayout,
-    b: &PatternLayout,
-    mut with: impl FnMut(Range<usize>, Range<usize>),
-) {
-    for (a, b) in a.runs.iter().zip(&b.runs) {
-        let begin = a.bottom.max(b.bottom);
-        let end = (a.bottom + a.count).min(b.bottom + b.count);
-        if begin < end {
-            let of = |offset: usize, bottom: u32| {
-                offset + (begin - bottom) as usize..offset + (end - bottom) as usize
-            };
-            with(of(a.offset, a.bottom), of(b.offset, b.bottom));
+        let images = |model: &SharedModel| -> Vec<_> {
+            let lights = model.patterns().iter();
+            lights.map(|p| (p.grid.shape(), p.quantity)).collect()
+        };
+        if images(model) != images(&models[0]) {
+            return Err(refuse("its lights have other pixels or frames"));
         }
+        let offset = outputs.last().map_or(0, |last| last.range().end);
+        outputs.push(DoseLayout {
+            offset,
+            ..own.clone()
+        });
     }
-}
-
-impl Joint for SameImages {
-    fn parts(all: &Scenarios, frames: &Range<usize>) -> Vec<(usize, Range<usize>)> {
-        let models = 0..all.models.len();
-        models.map(|k| (k, frames.clone())).collect()
-    }
-
-    fn shown(all: &Scenarios, k: usize, x: &HostField) -> Result<HostField> {
-        if k == 0 {
-            return Ok(x.clone());
-        }
-        let mut own = all.models[k].new_patterns()?;
-        for (from, to) in all.patterns.iter().zip(all.models[k].patterns()) {
-            each_common(from, to, |from, to| {
-                own.as_mut_slice()[to].copy_from_slice(&x.as_slice()[from]);
-            });
-        }
-        Ok(own)
-    }
-
-    fn add(all: &Scenarios, k: usize, q: &HostField, doses: &mut HostField) {
-        let block = doses.as_mut_slice()[all.outputs[k].range()].iter_mut();
-        block.zip(q.as_slice()).for_each(|(sum, q)| *sum += q);
-    }
-
-    fn split(all: &Scenarios, k: usize, cotangent: &HostField, c: &mut HostField) {
-        let own = &cotangent.as_slice()[all.outputs[k].range()];
-        c.as_mut_slice().copy_from_slice(own);
-    }
-
-    /// The gradient of a model is 0 where the caller does not want it.
-    fn gather(
-        all: &Scenarios,
-        k: usize,
-        _frames: Range<usize>,
-        own: &HostField,
-        grad: &mut HostField,
-    ) {
-        for (to, from) in all.patterns.iter().zip(all.models[k].patterns()) {
-            each_common(to, from, |to, from| {
-                let pixels = grad.as_mut_slice()[to].iter_mut();
-                pixels
-                    .zip(&own.as_slice()[from])
-                    .for_each(|(grad, own)| *grad += own);
-            });
-        }
-    }
-
-    fn describe(all: &Scenarios) -> String {
-        let models = all.models.len();
-        format!("{models} scenarios, the job: {}", all.models[0].describe())
-    }
+    let one = |row: usize| {
+        (0..models.len())
+            .map(|k| f32::from(u8::from(k == row)))
+            .collect()
+    };
+    Ok(Several {
+        matrix: (0..models.len()).map(one).collect(),
+        lit: vec![0..models[0].patterns().len(); models.len()],
+        patterns: models[0].patterns().to_vec(),
+        models,
+        outputs,
+        describe: |all| {
+            let models = all.models.len();
+            format!("{models} scenarios, the job: {}", all.models[0].describe())
+        },
+    })
 }
 
 #[cfg(test)]
@@ -168,9 +97,9 @@ mod tests {
         ]
     }
 
-    fn scenarios() -> Scenarios {
+    fn scenarios() -> Several {
         let [job, others @ ..] = models();
-        Scenarios::new(job.into(), others.into()).unwrap()
+        joined(job.into(), others.into()).unwrap()
     }
 
     #[test]
@@ -198,7 +127,7 @@ mod tests {
 
     #[test]
     fn other_images_are_refused() {
-        let refused = Scenarios::new(
+        let refused = joined(
             model_of(0.2, 20, None).into(),
             vec![model_of(0.2, 18, None)],
         );

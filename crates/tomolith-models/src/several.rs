@@ -1,81 +1,127 @@
-//! Several models that act as one: what a sum over lights ([`spectral`](super::spectral)) and the same light under several scenarios
-//! ([`scenarios`](super::scenarios)) have in common.
+//! Several models that act as one: a sum over lights ([`spectral`](super::spectral)), or the same light under several scenarios
+//! ([`scenarios`](super::scenarios)).
 //!
-//! Each model has its patterns and its dose. How these follow from the joint ones and back is all that a [`Joint`] says.
+//! Each model has its patterns, which are those of some of the joint lights, and its dose q. The joint doses are r = M q, with a row of M per
+//! output and a column per model.
 
-use crate::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling, elements_of};
+use crate::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling, elements_of, frames_of};
 use std::ops::Range;
 use std::sync::Arc;
+use tomolith_core::dose::layout::PixelRun;
 use tomolith_core::dose::{Facts, Renewal, Space};
 use tomolith_core::error::Result;
-use tomolith_core::field::{Field, HostField};
+use tomolith_core::field::{BLOCK, Field, HostField};
+use tomolith_core::parallel::InParallel;
 
 /// A model that others share.
 pub type SharedModel = Arc<dyn DoseModel<Field = HostField>>;
 
 /// Models that act as one; see the [module](self).
-pub struct Several<J> {
+pub struct Several {
     pub(crate) models: Vec<SharedModel>,
     pub(crate) patterns: Vec<PatternLayout>,
     pub(crate) outputs: Vec<DoseLayout>,
-    pub(crate) joint: J,
+    /// M, a row per output.
+    pub(crate) matrix: Vec<Vec<f32>>,
+    /// Which of the joint lights each model has.
+    pub(crate) lit: Vec<Range<usize>>,
+    pub(crate) describe: fn(&Several) -> String,
 }
 
-/// What the patterns and the dose of one of several models have to do with the joint ones. Models count as `k`.
-pub trait Joint: Send + Sync + Sized {
-    /// The models that show some of the joint frames, and which of their own frames these are.
-    fn parts(all: &Several<Self>, frames: &Range<usize>) -> Vec<(usize, Range<usize>)>;
-
-    /// The patterns of a model.
-    ///
-    /// # Errors
-    /// When there is not enough memory.
-    fn shown(all: &Several<Self>, k: usize, x: &HostField) -> Result<HostField>;
-
-    /// doses += what they have of the dose `q` of a model.
-    fn add(all: &Several<Self>, k: usize, q: &HostField, doses: &mut HostField);
-
-    /// The cotangent of a model: the transpose of [`add`](Self::add). Overwrites `c`.
-    fn split(all: &Several<Self>, k: usize, cotangent: &HostField, c: &mut HostField);
-
-    /// grad += the gradient of a model, of some of its frames: the transpose of [`shown`](Self::shown).
-    fn gather(
-        all: &Several<Self>,
-        k: usize,
-        frames: Range<usize>,
-        own: &HostField,
-        grad: &mut HostField,
-    );
-
-    /// As [`DoseModel::of_light`].
-    fn of_light(_all: &Several<Self>, _i: usize) -> Option<SharedModel> {
-        None
-    }
-
-    /// As [`DoseModel::describe`].
-    fn describe(all: &Several<Self>) -> String;
+/// sum += m·v
+fn add_scaled(sum: &mut [f32], m: f32, v: &[f32]) {
+    let blocks = sum.chunks_mut(BLOCK).zip(v.chunks(BLOCK));
+    blocks.par_each(|(sum, v)| sum.iter_mut().zip(v).for_each(|(s, &v)| *s += m * v));
 }
 
-impl<J> Several<J> {
+impl Several {
     /// The part of a run that one of the models has.
     fn part(&self, run: &Run) -> Run {
         run.part(1.0 / self.models.len() as f64)
     }
+
+    /// The models that show some of the joint frames, and which of their own frames these are.
+    fn parts(&self, frames: &Range<usize>) -> impl Iterator<Item = (usize, Range<usize>)> {
+        let of_model = |(k, lit): (usize, &Range<usize>)| {
+            let first = frames_of(&self.patterns[..lit.start]);
+            let end = first + frames_of(&self.patterns[lit.clone()]);
+            let own = frames.start.clamp(first, end) - first..frames.end.clamp(first, end) - first;
+            (!own.is_empty()).then_some((k, own))
+        };
+        self.lit.iter().enumerate().filter_map(of_model)
+    }
+
+    /// Runs of pixels that a model has and the joint patterns have, in the joint field and in that of the model.
+    fn each_common(&self, k: usize, mut with: impl FnMut(Range<usize>, Range<usize>)) {
+        let joint = self.patterns[self.lit[k].clone()].iter();
+        let layouts = joint.zip(self.models[k].patterns());
+        for (joint, own) in layouts.flat_map(|(joint, own)| joint.runs.iter().zip(&own.runs)) {
+            let begin = joint.bottom.max(own.bottom);
+            let end = (joint.bottom + joint.count).min(own.bottom + own.count);
+            if begin < end {
+                let of = |run: &PixelRun| {
+                    let first = run.offset + (begin - run.bottom) as usize;
+                    first..first + (end - begin) as usize
+                };
+                with(of(joint), of(own));
+            }
+        }
+    }
+
+    /// The patterns of a model.
+    pub(crate) fn shown(&self, k: usize, x: &HostField) -> Result<HostField> {
+        let mut own = self.models[k].new_patterns()?;
+        self.each_common(k, |from, to| {
+            own.as_mut_slice()[to].copy_from_slice(&x.as_slice()[from]);
+        });
+        Ok(own)
+    }
+
+    /// grad += the gradient of a model: the transpose of [`shown`](Self::shown).
+    fn gather(&self, k: usize, own: &HostField, grad: &mut HostField) {
+        self.each_common(k, |to, from| {
+            let pixels = grad.as_mut_slice()[to].iter_mut();
+            let own = &own.as_slice()[from];
+            pixels.zip(own).for_each(|(grad, own)| *grad += own);
+        });
+    }
+
+    /// Every output that a model drives, and what its dose counts there.
+    fn driven(&self, k: usize) -> impl Iterator<Item = (Range<usize>, f32)> {
+        let rows = self.outputs.iter().zip(&self.matrix);
+        let all = rows.map(move |(layout, row)| (layout.range(), row[k]));
+        all.filter(|(_, m)| *m != 0.0)
+    }
+
+    /// doses += M_·k q
+    fn add(&self, k: usize, q: &HostField, doses: &mut HostField) {
+        for (range, m) in self.driven(k) {
+            add_scaled(&mut doses.as_mut_slice()[range], m, q.as_slice());
+        }
+    }
+
+    /// c ← M_·kᵀ cotangent
+    fn split(&self, k: usize, cotangent: &HostField, c: &mut HostField) {
+        c.fill(0.0);
+        for (range, m) in self.driven(k) {
+            add_scaled(c.as_mut_slice(), m, &cotangent.as_slice()[range]);
+        }
+    }
 }
 
-impl<J: Joint> Renewal<HostField> for Several<J> {
+impl Renewal<HostField> for Several {
     fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
         let mut any = false;
         for (k, model) in self.models.iter().enumerate() {
             if let Some(model) = model.renewal() {
-                any |= model.renew(iteration, &J::shown(self, k, x)?, run)?;
+                any |= model.renew(iteration, &self.shown(k, x)?, run)?;
             }
         }
         Ok(any)
     }
 }
 
-impl<J: Joint> DoseModel for Several<J> {
+impl DoseModel for Several {
     type Field = HostField;
 
     fn facts(&self) -> Facts<'_> {
@@ -95,8 +141,8 @@ impl<J: Joint> DoseModel for Several<J> {
         dose.fill(0.0);
         let mut q = self.models[0].new_dose()?;
         for (k, model) in self.models.iter().enumerate() {
-            model.dose(&J::shown(self, k, x)?, &mut q, &self.part(run))?;
-            J::add(self, k, &q, dose);
+            model.dose(&self.shown(k, x)?, &mut q, &self.part(run))?;
+            self.add(k, &q, dose);
         }
         Ok(())
     }
@@ -109,10 +155,10 @@ impl<J: Joint> DoseModel for Several<J> {
         run: &Run,
     ) -> Result<()> {
         let mut q = self.models[0].new_dose()?;
-        for (k, own) in J::parts(self, &frames) {
+        for (k, own) in self.parts(&frames) {
             q.fill(0.0);
-            self.models[k].dose_of(own, &J::shown(self, k, x)?, &mut q, &self.part(run))?;
-            J::add(self, k, &q, dose);
+            self.models[k].dose_of(own, &self.shown(k, x)?, &mut q, &self.part(run))?;
+            self.add(k, &q, dose);
         }
         Ok(())
     }
@@ -129,12 +175,12 @@ impl<J: Joint> DoseModel for Several<J> {
             grad.as_mut_slice()[range].fill(0.0);
         }
         let mut c = self.models[0].new_dose()?;
-        for (k, own) in J::parts(self, &frames) {
-            J::split(self, k, cotangent, &mut c);
+        for (k, own) in self.parts(&frames) {
+            self.split(k, cotangent, &mut c);
             let (model, part) = (&self.models[k], self.part(run));
             let mut back = model.new_patterns()?;
-            model.pullback_of(own.clone(), &J::shown(self, k, x)?, &c, &mut back, &part)?;
-            J::gather(self, k, own, &back, grad);
+            model.pullback_of(own, &self.shown(k, x)?, &c, &mut back, &part)?;
+            self.gather(k, &back, grad);
         }
         Ok(())
     }
@@ -143,7 +189,7 @@ impl<J: Joint> DoseModel for Several<J> {
     fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
         let mut all: Vec<HostField> = Vec::new();
         for (k, model) in self.models.iter().enumerate() {
-            let [x, d] = [J::shown(self, k, x)?, J::shown(self, k, d)?];
+            let [x, d] = [self.shown(k, x)?, self.shown(k, d)?];
             let Some(powers) = model.along(&x, &d, run)? else {
                 return Ok(None);
             };
@@ -151,7 +197,7 @@ impl<J: Joint> DoseModel for Several<J> {
                 if power == all.len() {
                     all.push(self.new_dose()?);
                 }
-                J::add(self, k, q, &mut all[power]);
+                self.add(k, q, &mut all[power]);
             }
         }
         Ok(Some(all))
@@ -167,10 +213,13 @@ impl<J: Joint> DoseModel for Several<J> {
     }
 
     fn of_light(&self, i: usize) -> Option<SharedModel> {
-        J::of_light(self, i)
+        let mut lit = self.models.iter().zip(&self.lit);
+        let is_alone = self.lit.iter().filter(|lit| lit.contains(&i)).count() == 1;
+        let model = lit.find(|(_, lit)| is_alone && **lit == (i..i + 1));
+        model.map(|(model, _)| model.clone())
     }
 
     fn describe(&self) -> String {
-        J::describe(self)
+        (self.describe)(self)
     }
 }

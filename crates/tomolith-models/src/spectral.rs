@@ -24,152 +24,80 @@
 //! One call of every light's model, and one pass over its dose per species that it drives. Memory: patterns and dose of one light at a
 //! time.
 
-use crate::several::{Joint, Several, SharedModel};
-use crate::{DoseLayout, HostModel, PatternLayout, own_frames};
-use std::ops::Range;
+use crate::several::{Several, SharedModel};
+use crate::{DoseLayout, HostModel, PatternLayout};
 use tomolith_core::error::{Error, Result};
-use tomolith_core::field::{BLOCK, Field, HostField};
-use tomolith_core::parallel::InParallel;
 
-/// Models of single lights, and the matrix M.
-pub type SpectralMixing = Several<SpectralWeights>;
-
-/// M, a row per species.
-pub struct SpectralWeights(Vec<Vec<f32>>);
-
-impl SpectralMixing {
-    /// The doses of `species` (name, row of M) by models of one light each.
-    ///
-    /// # Errors
-    /// [`Error::Shape`] for rows of another length, or models on different voxels; [`Error::Unsupported`] for cut voxels.
-    ///
-    /// # Panics
-    /// When there is no light.
-    pub fn new(lights: Vec<HostModel>, species: &[(String, Vec<f64>)]) -> Result<Self> {
-        let own = lights[0].outputs()[0].clone();
-        for light in &lights {
-            let [layout] = light.outputs() else {
-                return Err(Error::unsupported(
-                    "a light's model of several doses",
-                    "what a light drives is mixed here; models of one dose",
-                ));
-            };
-            if layout.cells.is_some() {
-                return Err(Error::unsupported(
-                    "voxels cut by the surface",
-                    "several species have several surfaces; whole voxels",
-                ));
-            }
-            if layout.grid != own.grid {
-                return Err(Error::shape(
-                    "voxels of each light",
-                    own.grid.shape,
-                    layout.grid.shape,
-                ));
-            }
+/// The doses of `species` (name, row of M) by models of one light each.
+///
+/// # Errors
+/// [`Error::Shape`] for rows of another length, or models on different voxels; [`Error::Unsupported`] for cut voxels.
+///
+/// # Panics
+/// When there is no light.
+pub fn mixed(lights: Vec<HostModel>, species: &[(String, Vec<f64>)]) -> Result<Several> {
+    let own = lights[0].outputs()[0].clone();
+    for light in &lights {
+        let [layout] = light.outputs() else {
+            return Err(Error::unsupported(
+                "a light's model of several doses",
+                "what a light drives is mixed here; models of one dose",
+            ));
+        };
+        if layout.cells.is_some() {
+            return Err(Error::unsupported(
+                "voxels cut by the surface",
+                "several species have several surfaces; whole voxels",
+            ));
         }
-        let mut outputs = Vec::with_capacity(species.len());
-        for (name, row) in species {
-            if row.len() != lights.len() {
-                return Err(Error::shape(
-                    format!("what drives {name}, per light"),
-                    vec![lights.len()],
-                    vec![row.len()],
-                ));
-            }
-            let offset = outputs
-                .last()
-                .map_or(0, |last: &DoseLayout| last.range().end);
-            outputs.push(DoseLayout::new(name, own.grid.clone(), offset));
-        }
-        let mut offset = 0;
-        let mut patterns = Vec::with_capacity(lights.len());
-        for layout in lights.iter().flat_map(|light| light.patterns()) {
-            let active: Vec<_> = layout.runs.iter().map(|r| (r.bottom, r.count)).collect();
-            let moved = PatternLayout::new(layout.grid.clone(), layout.quantity, offset, &active);
-            offset += moved.len();
-            patterns.push(moved);
-        }
-        let rows = species.iter();
-        let matrix = rows.map(|(_, row)| row.iter().map(|&m| m as f32).collect());
-        Ok(Several {
-            joint: SpectralWeights(matrix.collect()),
-            models: lights.into_iter().map(SharedModel::from).collect(),
-            patterns,
-            outputs,
-        })
-    }
-
-    /// M, a row per species.
-    #[must_use]
-    pub fn matrix(&self) -> &[Vec<f32>] {
-        &self.joint.0
-    }
-
-    /// Every species of a joint field, and what the light brings it.
-    fn driven(&self, light: usize) -> impl Iterator<Item = (Range<usize>, f32)> {
-        let rows = self.outputs.iter().zip(self.matrix());
-        rows.map(move |(layout, row)| (layout.range(), row[light]))
-    }
-}
-
-/// sum += m·v
-fn add_scaled(sum: &mut [f32], m: f32, v: &[f32]) {
-    let blocks = sum.chunks_mut(BLOCK).zip(v.chunks(BLOCK));
-    blocks.par_each(|(sum, v)| sum.iter_mut().zip(v).for_each(|(s, &v)| *s += m * v));
-}
-
-impl Joint for SpectralWeights {
-    fn parts(all: &SpectralMixing, frames: &Range<usize>) -> Vec<(usize, Range<usize>)> {
-        own_frames(&all.patterns, frames).collect()
-    }
-
-    fn shown(all: &SpectralMixing, light: usize, x: &HostField) -> Result<HostField> {
-        let own = all.patterns[light].range();
-        Ok(HostField::from_slice(&x.as_slice()[own]))
-    }
-
-    /// doses += M_·λ q
-    fn add(all: &SpectralMixing, light: usize, q: &HostField, doses: &mut HostField) {
-        for (range, m) in all.driven(light).filter(|(_, m)| *m != 0.0) {
-            add_scaled(&mut doses.as_mut_slice()[range], m, q.as_slice());
+        if layout.grid != own.grid {
+            return Err(Error::shape(
+                "voxels of each light",
+                own.grid.shape,
+                layout.grid.shape,
+            ));
         }
     }
-
-    /// c ← M_·λᵀ cotangent
-    fn split(all: &SpectralMixing, light: usize, cotangent: &HostField, c: &mut HostField) {
-        c.fill(0.0);
-        for (range, m) in all.driven(light) {
-            add_scaled(c.as_mut_slice(), m, &cotangent.as_slice()[range]);
+    let mut outputs = Vec::with_capacity(species.len());
+    for (name, row) in species {
+        if row.len() != lights.len() {
+            return Err(Error::shape(
+                format!("what drives {name}, per light"),
+                vec![lights.len()],
+                vec![row.len()],
+            ));
         }
+        let offset = outputs
+            .last()
+            .map_or(0, |last: &DoseLayout| last.range().end);
+        outputs.push(DoseLayout::new(name, own.grid.clone(), offset));
     }
-
-    fn gather(
-        all: &SpectralMixing,
-        light: usize,
-        frames: Range<usize>,
-        own: &HostField,
-        grad: &mut HostField,
-    ) {
-        let layout = &all.patterns[light];
-        let range = layout.elements_of(frames);
-        let own = &own.as_slice()[range.start - layout.offset..range.end - layout.offset];
-        grad.as_mut_slice()[range].copy_from_slice(own);
+    let mut offset = 0;
+    let mut patterns = Vec::with_capacity(lights.len());
+    for layout in lights.iter().flat_map(|light| light.patterns()) {
+        let active: Vec<_> = layout.runs.iter().map(|r| (r.bottom, r.count)).collect();
+        let moved = PatternLayout::new(layout.grid.clone(), layout.quantity, offset, &active);
+        offset += moved.len();
+        patterns.push(moved);
     }
-
-    fn of_light(all: &SpectralMixing, i: usize) -> Option<SharedModel> {
-        all.models.get(i).cloned()
-    }
-
-    fn describe(all: &SpectralMixing) -> String {
-        let lights: Vec<String> = all.models.iter().map(|light| light.describe()).collect();
-        format!(
-            "{} species by {} lights ({})",
-            all.outputs.len(),
-            lights.len(),
-            lights.join("; ")
-        )
-    }
+    let rows = species.iter();
+    let matrix = rows.map(|(_, row)| row.iter().map(|&m| m as f32).collect());
+    Ok(Several {
+        matrix: matrix.collect(),
+        lit: (0..lights.len()).map(|light| light..light + 1).collect(),
+        models: lights.into_iter().map(SharedModel::from).collect(),
+        patterns,
+        outputs,
+        describe: |all| {
+            let lights: Vec<String> = all.models.iter().map(|light| light.describe()).collect();
+            format!(
+                "{} species by {} lights ({})",
+                all.outputs.len(),
+                lights.len(),
+                lights.join("; ")
+            )
+        },
+    })
 }
 
 #[cfg(test)]
@@ -178,6 +106,7 @@ mod tests {
     use crate::parallel::Parallel;
     use crate::{DoseModel, Run};
     use tomolith_core::check;
+    use tomolith_core::field::{Field, HostField};
     use tomolith_core::grid::{PatternGrid, VolumeGrid};
     use tomolith_optics::light::Light;
     use tomolith_optics::resin::Resin;
@@ -190,13 +119,13 @@ mod tests {
         Box::new(Parallel::new(&IndexMatched { radius_mm: 2.0 }, vec![light], grid).unwrap())
     }
 
-    fn mixing() -> SpectralMixing {
+    fn mixing() -> Several {
         let species = [
             ("acrylate".to_owned(), vec![1.0, 0.25]),
             ("epoxy".to_owned(), vec![0.0, 2.0]),
             ("inhibited".to_owned(), vec![1.5, -1.0]),
         ];
-        SpectralMixing::new(vec![light(6, 20, 0.2), light(9, 16, 0.4)], &species).unwrap()
+        mixed(vec![light(6, 20, 0.2), light(9, 16, 0.4)], &species).unwrap()
     }
 
     #[test]
@@ -218,12 +147,12 @@ mod tests {
             .map(|i| {
                 let light = model.of_light(i).unwrap();
                 let mut q = light.new_dose().unwrap();
-                let own = SpectralWeights::shown(&model, i, &x).unwrap();
+                let own = model.shown(i, &x).unwrap();
                 light.dose(&own, &mut q, &run).unwrap();
                 q
             })
             .collect();
-        for (layout, row) in model.outputs().iter().zip(model.matrix()) {
+        for (layout, row) in model.outputs().iter().zip(&model.matrix) {
             for (i, &found) in dose.as_slice()[layout.range()].iter().enumerate() {
                 let expected = row[0] * alone[0].as_slice()[i] + row[1] * alone[1].as_slice()[i];
                 assert!((found - expected).abs() <= 1e-5, "{found} {expected}");

@@ -23,12 +23,11 @@
 //! assert_eq!((spread.reach(), spread.at(0, -1), spread.at(0, 0)), ([1, 0], 0.25, 0.5));
 //! ```
 
+use crate::exposure::maps::read_plane;
 use std::path::Path;
 use tomolith_core::columns::read_pairs;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::units::exact;
-use tomolith_io::image::read_gray;
-use tomolith_io::npy::read_matrix;
 
 /// Light per pixel round a lit one; the sum is 1.
 #[derive(Clone, Debug, PartialEq)]
@@ -123,17 +122,11 @@ impl PointSpread {
     /// As [`new`](Self::new) and [`round`](Self::round); [`Error::Io`] and [`Error::Format`] of the file.
     pub fn read(path: &Path, pitch_mm: [f64; 2]) -> Result<Self> {
         let extension = path.extension().unwrap_or_default().to_string_lossy();
-        match extension.to_ascii_lowercase().as_str() {
-            "csv" | "txt" => Self::round(&read_pairs(path, "radius and light")?, pitch_mm),
-            "npy" => {
-                let ([rows, columns], values) = read_matrix(path)?;
-                Self::new([columns, rows], &values)
-            }
-            _ => {
-                let image = read_gray(path)?;
-                Self::new([image.columns, image.rows], &image.values)
-            }
+        if ["csv", "txt"].contains(&extension.to_ascii_lowercase().as_str()) {
+            return Self::round(&read_pairs(path, "radius and light")?, pitch_mm);
         }
+        let ([rows, columns], values) = read_plane(path)?;
+        Self::new([columns, rows], &values)
     }
 
     /// Columns and rows on either side of the middle.

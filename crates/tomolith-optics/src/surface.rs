@@ -38,8 +38,6 @@ pub struct Crossing {
     pub distance: f64,
     /// Unit normal, against the ray.
     pub normal: [f64; 3],
-    /// Which face of the surface: rays of one bundle share it (0 for nets and circles).
-    pub face: u8,
 }
 
 impl Surface {
@@ -168,7 +166,6 @@ fn end_ahead(z: f64, ray: &Ray) -> Option<Crossing> {
     (z.is_finite() && slope != 0.0).then(|| Crossing {
         distance: (z - ray.from[2]) / slope,
         normal: [0.0, 0.0, -slope.signum()],
-        face: if slope > 0.0 { TOP_FACE } else { BOTTOM_FACE },
     })
 }
 
@@ -178,10 +175,6 @@ fn nearer(a: Option<Crossing>, b: Option<Crossing>) -> Option<Crossing> {
         (a, b) => a.or(b),
     }
 }
-
-/// Faces of the ends, in addition to up to four of a curve.
-const TOP_FACE: u8 = 4;
-const BOTTOM_FACE: u8 = 5;
 
 /// A crossing of the plane's curve: distance, normal against the ray, face.
 type PlaneCrossing = Option<(f64, [f64; 2], u8)>;
@@ -196,12 +189,10 @@ fn across(
     if flat < LEAST_SLANT {
         return None;
     }
-    let (distance, normal, face) =
-        cross(curve, [ray.from[0], ray.from[1]], [dx / flat, dy / flat])?;
+    let (distance, normal, _) = cross(curve, [ray.from[0], ray.from[1]], [dx / flat, dy / flat])?;
     Some(Crossing {
         distance: distance / flat,
         normal: [normal[0], normal[1], 0.0],
-        face,
     })
 }
 
@@ -267,7 +258,6 @@ impl Net {
         nearest.map(|(distance, place)| Crossing {
             distance,
             normal: self.triangles[place].normal_against(ray.direction),
-            face: 0,
         })
     }
 

@@ -336,6 +336,22 @@ impl PatternLayout {
         begin(columns.start)..begin(columns.end)
     }
 
+    /// The [elements of some frames](Self::elements_of), frame by frame; `elements` are those.
+    #[must_use]
+    pub fn split_frames<'a, T>(
+        &self,
+        frames: Range<usize>,
+        mut elements: &'a mut [T],
+    ) -> Vec<(usize, &'a mut [T])> {
+        let of_frame = |frame: usize| {
+            let count = self.elements_of(frame..frame + 1).len();
+            let (own, rest) = std::mem::take(&mut elements).split_at_mut(count);
+            elements = rest;
+            (frame, own)
+        };
+        frames.map(of_frame).collect()
+    }
+
     /// Number of active pixels.
     #[must_use]
     pub fn len(&self) -> usize {

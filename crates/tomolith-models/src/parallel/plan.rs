@@ -252,19 +252,12 @@ impl LightPlan {
         lanes_of: impl Fn(usize) -> &'a [f32] + Sync,
         grad: &mut [f32],
     ) {
-        let mut pieces = Vec::with_capacity(frames.len());
-        let mut rest = &mut grad[layout.elements_of(frames.clone())];
+        let elements = &mut grad[layout.elements_of(frames.clone())];
         let of_frames = &layout.runs[frames.start * self.columns..frames.end * self.columns];
-        for runs in of_frames.chunks(self.columns) {
-            let len = runs.iter().map(|r| r.count as usize).sum();
-            let (piece, tail) = rest.split_at_mut(len);
-            pieces.push(piece);
-            rest = tail;
-        }
-        pieces
+        layout
+            .split_frames(frames, elements)
             .into_iter()
             .zip(of_frames.chunks(self.columns))
-            .zip(frames)
             .par_each_with(
                 || {
                     [
@@ -272,7 +265,7 @@ impl LightPlan {
                         vec![0.0; self.levels.overlaps.buffer()],
                     ]
                 },
-                |[buffer, rows], ((mut piece, runs), frame)| {
+                |[buffer, rows], ((frame, mut piece), runs)| {
                     for (column, run) in runs.iter().enumerate() {
                         let (values, tail) = piece.split_at_mut(run.count as usize);
                         if run.count > 0 {

@@ -57,8 +57,6 @@ use super::light::Propagation;
 use super::lights::{Lights, beyond, heights_of, turning, working_bytes as working_bytes_of};
 use super::sampling::FIELDS_COST;
 use super::{Entrance, Settings, check_errors};
-use crate::parallel;
-use crate::rays::Rays;
 use crate::{
     Capabilities, Cost, DoseLayout, HostModel, LinearOperator, MakeFamily, ModelFamily, ModelInput,
     ModelKind, OpticalScene, Run, TimedBy,
@@ -171,19 +169,6 @@ impl ModelFamily for Params {
         let (lights, grid) = (input.scene.lights.to_vec(), input.grid.clone());
         let model = IncoherentCone::new(input.scene.vial, lights, self, grid)?;
         Ok(LinearOperator::form(&model))
-    }
-
-    fn unscattered_form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
-        parallel::Params::default().form(input)
-    }
-
-    /// Straight light through the same pixels.
-    fn unscattered(&self, input: &ModelInput<'_>) -> Result<HostModel> {
-        parallel::Params::default().build(input)
-    }
-
-    fn rays(&self, _scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> Option<Result<Rays>> {
-        None
     }
 }
 

@@ -272,14 +272,7 @@ impl<T: Number, P: Propagation<T>> WaveLight<T, P> {
         run: &Run,
     ) -> Result<()> {
         let columns = layout.grid.columns;
-        let mut rest = grad;
-        let mut frames = Vec::with_capacity(own.len());
-        for frame in own {
-            let len = layout.elements_of(frame..frame + 1).len();
-            let (own, others) = rest.split_at_mut(len);
-            frames.push((frame, own));
-            rest = others;
-        }
+        let frames = layout.split_frames(own, grad);
         frames.into_iter().par_each(|(frame, grad)| {
             grad.fill(T::zero());
             // Dark patterns of waves are stationary: there F′ = 0

@@ -82,8 +82,6 @@ mod taps;
 mod tests;
 mod window;
 
-use super::parallel;
-use super::rays::Rays;
 use super::{
     Capabilities, Cost, DoseLayout, DoseModel, HostModel, MakeFamily, ModelFamily, ModelInput,
     ModelKind, OpticalScene, Purpose, Quantity, Run, TimedBy,
@@ -211,19 +209,6 @@ impl ModelFamily for Params {
     fn form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
         let (lights, grid) = (input.scene.lights.to_vec(), input.grid.clone());
         Ok(Wave::new(input.scene.vial, lights, self, grid)?.form())
-    }
-
-    fn unscattered_form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
-        parallel::Params::default().form(input)
-    }
-
-    /// Straight light through the same pixels.
-    fn unscattered(&self, input: &ModelInput<'_>) -> Result<HostModel> {
-        parallel::Params::default().build(input)
-    }
-
-    fn rays(&self, _scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> Option<Result<Rays>> {
-        None
     }
 }
 

@@ -26,9 +26,9 @@
 //! assert_eq!(border.values.iter().filter(|v| **v == 255).count(), 2 * 64 + 2 * 46);
 //! ```
 
-use super::placing::{Placing, size_of, turn};
-use super::printer::{PrinterSpec, device_pitch};
-use super::quantize::Quantized;
+use super::placing::Placing;
+use super::printer::PrinterSpec;
+use super::quantize::{Quantized, check_bits};
 use std::f64::consts::PI;
 use tomolith_core::error::{Error, Result, nearest_name};
 use tomolith_core::grid::PatternGrid;
@@ -85,23 +85,12 @@ impl Calibration {
     /// [`Error::Config`] for numbers out of range.
     pub fn new(spec: &PrinterSpec, field: &PatternGrid, bits: u32) -> Result<Self> {
         spec.ranges()?;
-        if !(1..=16).contains(&bits) {
-            return Err(Error::refused("bit_depth", bits, "a whole number 1…16"));
-        }
-        let sign = |flip: bool| if flip { -1.0 } else { 1.0 };
-        let mut placing = Placing {
-            canvas: [1, 1],
-            pattern: size_of(field),
-            pattern_pitch: field.pitch_mm,
-            pitch: device_pitch(spec, field),
-            turn: turn(spec.quarter_turns, spec.rotation_deg),
-            flips: [sign(spec.flip_horizontal), sign(spec.flip_vertical)],
-            offset: spec.offset_px,
-        };
+        check_bits(bits)?;
+        let mut placing = Placing::new(spec, field, [0.0; 2]);
         let axis_mm = spec.axis_offset_mm.0;
-        placing.canvas = spec
-            .canvas
-            .unwrap_or_else(|| placing.needed([axis_mm, axis_mm]));
+        if spec.canvas.is_none() {
+            placing.canvas = placing.needed([axis_mm, axis_mm]);
+        }
         Ok(Calibration {
             placing,
             axis_mm,

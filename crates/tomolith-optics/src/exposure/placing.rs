@@ -25,6 +25,7 @@
 //! other both are exact copies; where they do not, the way there and back is a blur of about one pixel, which is what the
 //! vial gets.
 
+use super::printer::{PrinterSpec, device_pitch};
 use tomolith_core::grid::PatternGrid;
 
 /// Areas (in pattern pixels) are multiples of this, so that rounding makes no neighbors of pixels that only touch.
@@ -57,6 +58,20 @@ pub(super) fn turn(quarters: u32, degrees: f64) -> [f64; 2] {
 }
 
 impl Placing {
+    /// A copy of patterns so many pixels right and up; without a canvas in the table, one pixel stands for it.
+    pub(super) fn new(spec: &PrinterSpec, pattern: &PatternGrid, copy: [f64; 2]) -> Self {
+        let sign = |flip: bool| if flip { -1.0 } else { 1.0 };
+        Placing {
+            canvas: spec.canvas.unwrap_or([1, 1]),
+            pattern: size_of(pattern),
+            pattern_pitch: pattern.pitch_mm,
+            pitch: device_pitch(spec, pattern),
+            turn: turn(spec.quarter_turns, spec.rotation_deg),
+            flips: [sign(spec.flip_horizontal), sign(spec.flip_vertical)],
+            offset: [spec.offset_px[0] + copy[0], spec.offset_px[1] + copy[1]],
+        }
+    }
+
     /// The place on the device of a point of the pattern, pixels right and up of the middle.
     pub(super) fn place_of(&self, u: f64, z: f64) -> [f64; 2] {
         let [x, y] = [self.flips[0] * u, self.flips[1] * z];

@@ -46,7 +46,7 @@
 //! ```
 
 use super::maps::read_map;
-use super::placing::{Overlaps, Placing, size_of, turn};
+use super::placing::{Overlaps, Placing};
 use super::quantize::Quantized;
 use super::tone::{Tone, ToneCurve};
 use schemars::JsonSchema;
@@ -545,17 +545,8 @@ pub(super) fn device_pitch(spec: &PrinterSpec, pattern: &PatternGrid) -> [f64; 2
 fn placings(spec: &PrinterSpec, pattern: &PatternGrid, shifts: &[f64]) -> Result<Vec<Placing>> {
     let most = shifts.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let least = shifts.iter().copied().fold(f64::INFINITY, f64::min);
-    let sign = |flip: bool| if flip { -1.0 } else { 1.0 };
-    let of_copy = |copy: &[f64; 2]| Placing {
-        canvas: spec.canvas.unwrap_or([1, 1]),
-        pattern: size_of(pattern),
-        pattern_pitch: pattern.pitch_mm,
-        pitch: device_pitch(spec, pattern),
-        turn: turn(spec.quarter_turns, spec.rotation_deg),
-        flips: [sign(spec.flip_horizontal), sign(spec.flip_vertical)],
-        offset: [spec.offset_px[0] + copy[0], spec.offset_px[1] + copy[1]],
-    };
-    let mut placings: Vec<Placing> = spec.copies_px.iter().map(of_copy).collect();
+    let copies = spec.copies_px.iter();
+    let mut placings: Vec<_> = copies.map(|c| Placing::new(spec, pattern, *c)).collect();
     for (i, a) in placings.iter().enumerate() {
         for (j, b) in placings.iter().enumerate().skip(i + 1) {
             if a.overlap([b.offset[0] - a.offset[0], b.offset[1] - a.offset[1]]) {

@@ -74,11 +74,17 @@ pub fn quantize(patterns: &Patterns, bits: u32) -> Result<Quantized> {
     })
 }
 
+/// Refuses a bit depth that no level fits into.
+pub(super) fn check_bits(bits: u32) -> Result<()> {
+    if (1..=16).contains(&bits) {
+        return Ok(());
+    }
+    Err(Error::refused("bit_depth", bits, "a whole number 1…16"))
+}
+
 /// Whether patterns can be brought to a bit depth.
 pub(super) fn check(patterns: &Patterns, bits: u32) -> Result<()> {
-    if !(1..=16).contains(&bits) {
-        return Err(Error::refused("bit_depth", bits, "a whole number 1…16"));
-    }
+    check_bits(bits)?;
     let wrong = |block: &[f32]| {
         block
             .iter()

@@ -8,6 +8,7 @@ use super::super::vial::square::Square;
 use super::*;
 use std::sync::Arc;
 use tomolith_core::near;
+use tomolith_core::units::Mm;
 use tomolith_io::mesh::samples::cuboid;
 
 const GLASS: Cylinder = Cylinder {
@@ -121,14 +122,6 @@ fn with_reflections_all_light_is_found_again() {
 
 #[test]
 fn scattered_light_is_accounted_for_and_its_first_order_is_where_quadrature_puts_it() {
-    use super::super::phase::isotropic::Isotropic;
-    let per_mm = 0.5;
-    let mut dull = resin();
-    dull.attenuation_per_mm = 0.1 + per_mm;
-    let scattering = Scattering {
-        per_mm,
-        phase: Arc::new(Isotropic {}),
-    };
     let vial = super::super::vial::index_matched::IndexMatched { radius_mm: 2.0 };
     let run = |orders: usize| {
         let limits = TraceLimits {
@@ -136,11 +129,10 @@ fn scattered_light_is_accounted_for_and_its_first_order_is_where_quadrature_puts
             least_power: 0.0,
             ..TraceLimits::default()
         };
-        SpaceTracer::new(&vial, dull, 1.0, Polarization::Unpolarized, limits)
-            .in_scattering(Some(scattering.clone()))
+        milk(&vial, resin(), limits)
     };
     // Mean power of the scattered segment: (μ_s/μ_t)(1 − e^(−μ_t·4)), whatever was drawn
-    let expected = per_mm / 0.6 * (1.0 - (-2.4f64).exp());
+    let expected = MILK_PER_MM / 0.6 * (1.0 - (-2.4f64).exp());
     let ray = level(0.0, 0.0);
     let (mut depth, mut cosine) = (0.0, 0.0);
     let paths: u32 = 20_000;
@@ -343,7 +335,10 @@ fn along_a_curve_bouguers_invariant_is_kept_and_without_a_gradient_it_is_straigh
 
 #[test]
 fn light_through_the_ends_of_a_vial_is_bent_there_and_level_light_does_not_see_them() {
-    let end = |z_mm, thickness_mm| Some(End { z_mm, thickness_mm });
+    let end = |z_mm, thickness_mm| {
+        let [z_mm, thickness_mm] = [z_mm, thickness_mm].map(Mm);
+        Some(End { z_mm, thickness_mm })
+    };
     let vial = Ended::new(Box::new(GLASS), end(-5.0, 1.0), end(6.0, 0.0)).unwrap();
     let ended = tracer(&vial, Polarization::Unpolarized, TraceLimits::default());
     let open = tracer(&GLASS, Polarization::Unpolarized, TraceLimits::default());
@@ -385,7 +380,10 @@ const TUBE: DoubleTube = DoubleTube {
 
 /// The tube with a plate of 1 mm under −5 mm, and another over 6 mm of this thickness.
 fn closed_tube(tube: DoubleTube, lid_mm: f64) -> Ended {
-    let end = |z_mm, thickness_mm| Some(End { z_mm, thickness_mm });
+    let end = |z_mm, thickness_mm| {
+        let [z_mm, thickness_mm] = [z_mm, thickness_mm].map(Mm);
+        Some(End { z_mm, thickness_mm })
+    };
     Ended::new(Box::new(tube), end(-5.0, 1.0), end(6.0, lid_mm)).unwrap()
 }
 
@@ -621,12 +619,6 @@ fn segments_alone_are_those_of_the_whole_path() {
         core_refractive_index: 1.0,
         ..TUBE
     };
-    let mut milk = resin();
-    milk.attenuation_per_mm = 0.6;
-    let scattering = Scattering {
-        per_mm: 0.5,
-        phase: Arc::new(super::super::phase::isotropic::Isotropic {}),
-    };
     let body = block([[3.2, -1.0, -1.0], [4.0, 1.0, 1.0]], BodyMaterial::Mirror);
     for reflections in [false, true] {
         let limits = TraceLimits {
@@ -636,9 +628,7 @@ fn segments_alone_are_those_of_the_whole_path() {
         };
         for vial in [&GLASS as &dyn Vial, &tube] {
             for bodies in [vec![], vec![body.clone()]] {
-                let tracer = SpaceTracer::new(vial, milk, 1.0, Polarization::Unpolarized, limits)
-                    .in_scattering(Some(scattering.clone()))
-                    .with_obstacles(bodies);
+                let tracer = milk(vial, resin(), limits).with_obstacles(bodies);
                 for i in 0..100 {
                     let ray = level(0.1 * i as f64 - 5.0, 0.3 * i as f64);
                     let draws = || Stream::new([1, 2, i, 3]);

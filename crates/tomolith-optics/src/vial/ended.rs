@@ -18,9 +18,10 @@
 //!
 //! # Example
 //! ```
+//! use tomolith_core::units::Mm;
 //! use tomolith_optics::vial::{Vial, cylinder::Cylinder, ended::{End, Ended}};
 //! let glass = Cylinder { inner_radius_mm: 8.0, outer_radius_mm: 8.7, refractive_index: 1.58 };
-//! let bottom = End { z_mm: -10.0, thickness_mm: 1.0 };
+//! let bottom = End { z_mm: Mm(-10.0), thickness_mm: Mm(1.0) };
 //! let vial = Ended::new(Box::new(glass), Some(bottom), None).unwrap();
 //! assert!(vial.in_resin([0.0, 0.0, -9.9]) && !vial.in_resin([0.0, 0.0, -10.1]));
 //! ```
@@ -35,30 +36,12 @@ use tomolith_core::units::{Mm, exact};
 /// Keys of `[vial.bottom]` and `[vial.top]`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct EndSpec {
+pub struct End {
     /// Where the resin ends.
     pub z_mm: Mm,
     /// Thickness of the plate there; 0: the resin meets the surroundings.
     #[serde(default)]
     pub thickness_mm: Mm,
-}
-
-/// An end of the resin.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct End {
-    /// Where the resin ends, mm.
-    pub z_mm: f64,
-    /// Thickness of the plate there, mm.
-    pub thickness_mm: f64,
-}
-
-impl From<EndSpec> for End {
-    fn from(spec: EndSpec) -> Self {
-        End {
-            z_mm: spec.z_mm.0,
-            thickness_mm: spec.thickness_mm.0,
-        }
-    }
 }
 
 /// See the [module page](self).
@@ -81,12 +64,13 @@ impl Ended {
             let refused = |key: String, found: String, accepted: &str| {
                 Err(Error::config(key, found, accepted))
             };
-            if !end.z_mm.is_finite() {
-                let found = format!("found {}", exact(end.z_mm));
+            let [z_mm, thickness_mm] = [end.z_mm.0, end.thickness_mm.0];
+            if !z_mm.is_finite() {
+                let found = format!("found {}", exact(z_mm));
                 return refused(format!("{key}.z_mm"), found, "a finite number");
             }
-            if !(end.thickness_mm.is_finite() && end.thickness_mm >= 0.0) {
-                let found = format!("found {}", exact(end.thickness_mm));
+            if !(thickness_mm.is_finite() && thickness_mm >= 0.0) {
+                let found = format!("found {}", exact(thickness_mm));
                 return refused(format!("{key}.thickness_mm"), found, "a finite number >= 0");
             }
             if !vial.is_invariant() {
@@ -96,13 +80,13 @@ impl Ended {
                     "an index-matched, round or square vial, or a double tube",
                 );
             }
-            if vial.walls().len() == 1 && end.thickness_mm > 0.0 {
+            if vial.walls().len() == 1 && thickness_mm > 0.0 {
                 let found = "a plate on a vial without walls".into();
                 return refused(format!("{key}.thickness_mm"), found, "0");
             }
         }
-        let z = |end: Option<End>, none: f64| end.map_or(none, |e| e.z_mm);
-        let thickness = |end: Option<End>| end.map_or(0.0, |e| e.thickness_mm);
+        let z = |end: Option<End>, none: f64| end.map_or(none, |e| e.z_mm.0);
+        let thickness = |end: Option<End>| end.map_or(0.0, |e| e.thickness_mm.0);
         let resin = [z(bottom, f64::NEG_INFINITY), z(top, f64::INFINITY)];
         if resin[0] >= resin[1] {
             return Err(Error::config(
@@ -180,8 +164,8 @@ mod tests {
     use tomolith_io::mesh::samples::cuboid;
 
     const AT: End = End {
-        z_mm: 3.0,
-        thickness_mm: 1.0,
+        z_mm: Mm(3.0),
+        thickness_mm: Mm(1.0),
     };
 
     fn key(vial: impl Vial + 'static, bottom: Option<End>, top: Option<End>) -> String {
@@ -200,7 +184,7 @@ mod tests {
         };
         assert_eq!(key(glass.clone(), Some(AT), Some(AT)), "vial.bottom.z_mm");
         let thin = End {
-            thickness_mm: -1.0,
+            thickness_mm: Mm(-1.0),
             ..AT
         };
         assert_eq!(
@@ -208,7 +192,7 @@ mod tests {
             "vial.top.thickness_mm"
         );
         let nowhere = End {
-            z_mm: f64::NAN,
+            z_mm: Mm(f64::NAN),
             ..AT
         };
         assert_eq!(key(glass, Some(nowhere), None), "vial.bottom.z_mm");
@@ -228,8 +212,8 @@ mod tests {
             core_refractive_index: 1.0,
         };
         let bottom = End {
-            z_mm: -4.0,
-            thickness_mm: 0.5,
+            z_mm: Mm(-4.0),
+            thickness_mm: Mm(0.5),
         };
         let vial = Ended::new(Box::new(tube), Some(bottom), Some(AT)).unwrap();
         let heights = |(surface, _): &(Surface, Medium)| match surface {

@@ -4,6 +4,17 @@ use super::*;
 use std::sync::Arc;
 use tomolith_core::dose::DoseModel;
 
+/// Dose of some frames, and what it gives their pixels as a cotangent.
+fn both_ways(model: &Parallel, frames: Range<usize>, x: &[f32]) -> [HostField; 2] {
+    let run = Run::new();
+    let mut dose = DoseModel::new_dose(model).unwrap();
+    let x = HostField::from_slice(x);
+    (model.add_forward(frames.clone(), &x, &mut dose, &run)).unwrap();
+    let mut gradient = DoseModel::new_patterns(model).unwrap();
+    (model.adjoint_of(frames, &dose, &mut gradient, &run)).unwrap();
+    [dose, gradient]
+}
+
 #[test]
 fn kept_entries_give_what_is_found_anew_and_pass_the_model_check() {
     for vial in vials() {
@@ -88,16 +99,8 @@ fn entries_of_a_part_of_the_turn_serve_all_of_it() {
             0..frames / 2 + 2,
             frames / quarters - 2..frames / quarters + 3,
         ] {
-            let own = [&plain, &kept].map(|model| {
-                let mut dose = DoseModel::new_dose(model).unwrap();
-                let mut given = DoseModel::new_patterns(model).unwrap();
-                given.as_mut_slice().copy_from_slice(&x);
-                (model.add_forward(some.clone(), &given, &mut dose, &Run::new())).unwrap();
-                let mut gradient = DoseModel::new_patterns(model).unwrap();
-                (model.adjoint_of(some.clone(), &dose, &mut gradient, &Run::new())).unwrap();
-                [dose, gradient]
-            });
-            for (expected, found) in own[0].each_ref().iter().zip(own[1].each_ref()) {
+            let own = [&plain, &kept].map(|model| both_ways(model, some.clone(), &x));
+            for (expected, found) in own[0].iter().zip(&own[1]) {
                 let off = check::largest_difference(found.as_slice(), expected.as_slice());
                 assert!(off < 2e-5, "{vial:?} {shape:?} {some:?}: {off}");
             }
@@ -156,19 +159,10 @@ fn entries_found_in_each_call_give_the_bits_of_those_that_are_kept() {
             let models = each.map(|own| finding(own, vial.as_ref(), light.clone(), grid.clone()));
             assert!(models[1].lights[0].turned.repeats());
             let x = check::noise(1, models[0].patterns[0].len());
-            let some = 3..17;
-            let [(kept, of_kept), (found, of_found)] = models.each_ref().map(|model| {
-                let mut dose = DoseModel::new_dose(model).unwrap();
-                let mut given = DoseModel::new_patterns(model).unwrap();
-                given.as_mut_slice().copy_from_slice(&x);
-                (model.add_forward(some.clone(), &given, &mut dose, &Run::new())).unwrap();
-                let mut gradient = DoseModel::new_patterns(model).unwrap();
-                (model.adjoint_of(some.clone(), &dose, &mut gradient, &Run::new())).unwrap();
-                (dose, gradient)
-            });
+            let [kept, found] = models.each_ref().map(|model| both_ways(model, 3..17, &x));
             let is_alike = models[0].lights[0].turned.repeats();
             assert_eq!(is_alike, rows < 100);
-            for (kept, found) in [(&kept, &found), (&of_kept, &of_found)] {
+            for (kept, found) in kept.iter().zip(&found) {
                 let off = check::largest_difference(found.as_slice(), kept.as_slice());
                 assert!(
                     off <= if is_alike { 0.0 } else { 1e-5 },
@@ -204,6 +198,7 @@ fn single_entries_of_a_slice_are_found_once_and_have_the_same_bits() {
     for vial in vials() {
         for isa in Isa::available() {
             let (light, grid) = light_of_slices(1, Resin::absorbing(1.48, 0.2), 45, 0.11);
+            let said = loose::bytes(&[light.clone()], 35 * 37);
             let plain = Parallel::new(vial.as_ref(), vec![light.clone()], grid.clone());
             let kept = keeping(vial.as_ref(), light, grid);
             let (plain, kept) = (plain.unwrap().with_isa(isa), kept.with_isa(isa));
@@ -222,17 +217,6 @@ fn single_entries_of_a_slice_are_found_once_and_have_the_same_bits() {
             });
             assert_eq!(expected, found, "{what}");
             let loose = kept.loose(0, &Run::new()).unwrap().unwrap();
-            let light = Light::new(
-                PatternGrid::full_turn(9, 0.2, 1, 45, 0.11),
-                Resin::absorbing(1.48, 0.2),
-            );
-            let said = loose::bytes(
-                &[Light {
-                    sub_angles: 2,
-                    ..light
-                }],
-                35 * 37,
-            );
             assert!(
                 loose.bytes() > 0 && (loose.bytes() as f64) < said,
                 "{what}: {}, {said}",

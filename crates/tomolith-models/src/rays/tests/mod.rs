@@ -5,6 +5,7 @@ use tomolith_core::check;
 use tomolith_core::field::Field;
 use tomolith_core::grid::{PatternGrid, Patterns, Volume};
 use tomolith_core::kind::Section;
+use tomolith_core::units::Mm;
 use tomolith_io::mesh::samples::{ball, cuboid};
 use tomolith_optics::absorption_map::AbsorptionMap;
 use tomolith_optics::gradient::IndexGradient;
@@ -50,7 +51,10 @@ fn vials() -> Vec<Box<dyn Vial>> {
 
 /// Vials with a plate below and a free surface above.
 fn ended() -> Vec<Box<dyn Vial>> {
-    let end = |z_mm, thickness_mm| Some(End { z_mm, thickness_mm });
+    let end = |z_mm, thickness_mm| {
+        let [z_mm, thickness_mm] = [z_mm, thickness_mm].map(Mm);
+        Some(End { z_mm, thickness_mm })
+    };
     vials()
         .into_iter()
         .map(|vial| {

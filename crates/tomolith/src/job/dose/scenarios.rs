@@ -6,7 +6,7 @@ use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::refinement::Level;
 use crate::job::resolve::scenarios::Scenario;
 use crate::models::masked::MaskedModel;
-use crate::models::scenarios::{Scenarios, SharedModel};
+use crate::models::scenarios::{self, SharedModel};
 use crate::models::{HostModel, OpticalScene, Purpose, Run};
 use std::sync::Arc;
 
@@ -45,7 +45,7 @@ pub(crate) fn joined(
     let others = resolved.scenarios.iter();
     let others = others.map(|own| own.model(resolved, level, cancel));
     let first: SharedModel = Arc::new(model);
-    let all = Scenarios::new(first.clone(), others.collect::<Result<_>>()?)?;
+    let all = scenarios::joined(first.clone(), others.collect::<Result<_>>()?)?;
     // What is dark in the job is so in all
     let all = MaskedModel::new(Box::new(all), dark.to_vec(), 1.0);
     Ok((Arc::new(all), Some(first)))

@@ -6,7 +6,7 @@ use crate::job::resolve::species::Row;
 use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::models::masked::MaskedModel;
 use crate::models::planner::{self, ModelPlan};
-use crate::models::spectral::SpectralMixing;
+use crate::models::spectral;
 use crate::models::{DoseModel, Family, HostModel, OpticalScene, Run};
 
 /// The model of a job's lights: that of all together, or one for each and M; its dose diffuses where the job's does.
@@ -46,7 +46,7 @@ pub(crate) fn planned(
 }
 
 fn mixed(lights: Vec<HostModel>, rows: &[Row]) -> Result<HostModel> {
-    Ok(Box::new(SpectralMixing::new(lights, rows)?))
+    Ok(Box::new(spectral::mixed(lights, rows)?))
 }
 
 /// Models of one light each, joined by `join`; their surrogates are mixed.

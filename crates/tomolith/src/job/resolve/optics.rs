@@ -24,7 +24,7 @@ use crate::optics::projector::PROJECTORS;
 use crate::optics::resin::Resin;
 use crate::optics::surface::{Net, Surface, meeting};
 use crate::optics::trace::Bath;
-use crate::optics::vial::ended::{End, Ended};
+use crate::optics::vial::ended::Ended;
 use crate::optics::vial::{CrossSection, VIALS, Vial};
 use crate::target::{MeshShape, Placement, Repair, Role, Shape};
 use crate::units::{concise, exact};
@@ -289,8 +289,7 @@ fn with_ends(vial: Box<dyn Vial>, spec: &VialCommon) -> Result<Box<dyn Vial>> {
     if spec.bottom.is_none() && spec.top.is_none() {
         return Ok(vial);
     }
-    let [bottom, top] = [spec.bottom, spec.top].map(|end| end.map(End::from));
-    Ok(Box::new(Ended::new(vial, bottom, top)?))
+    Ok(Box::new(Ended::new(vial, spec.bottom, spec.top)?))
 }
 
 /// How the resin's index changes, with the chords that suit the vial; refused where the index leaves the range of an even resin, or where a chord is no length.

@@ -1,7 +1,7 @@
 //! The same patterns under scenarios: the job as it is, and the job with some keys set otherwise.
 //!
 //! A scenario differs from the job in what light meets or in where it comes from, so that alone is resolved again; part, voxels, patterns and objective are the job's. The
-//! optimization sees all of them at once ([`Scenarios`]), and the print of the written patterns is evaluated in each.
+//! optimization sees all of them at once ([`scenarios`](crate::models::scenarios)), and the print of the written patterns is evaluated in each.
 //!
 //! **Limits** methods that minimize a loss; one species, no print in time, no coarse levels, no cells, patterns of more than five bits. Pixels
 //! that cannot light the part in the job as it is stay dark.

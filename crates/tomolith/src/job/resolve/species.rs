@@ -1,6 +1,6 @@
 //! What hardens in the resin: one species, or several, each with its part, its response and its objectives.
 //!
-//! Dose of species s: r_s = Σ_λ M_sλ q_λ, where q_λ is the dose of light λ alone ([`SpectralMixing`](crate::models::spectral::SpectralMixing)). All share
+//! Dose of species s: r_s = Σ_λ M_sλ q_λ, where q_λ is the dose of light λ alone ([`spectral`](crate::models::spectral)). All share
 //! lights, vial, voxels and method.
 //!
 //! **Limits** Methods that minimize a loss take several species; those that compare one dose with one target (`osmo`, `cal`, …) do not.

@@ -2,7 +2,7 @@
 
 use crate::error::Result;
 use crate::optics::obstacle::BodyMaterial;
-use crate::optics::vial::ended::EndSpec;
+use crate::optics::vial::ended::End;
 use crate::units::Mm;
 use schemars::JsonSchema;
 use serde::de::{MapAccess, Visitor};
@@ -36,9 +36,9 @@ tomolith_core::keys! {
         /// Refractive index of what surrounds the vial: 1 for air, the bath's for a bath.
         pub surrounding_index: f64 = 1.0,
         /// The lower end of the resin; without it the resin has no end.
-        pub bottom: Option<EndSpec>,
+        pub bottom: Option<End>,
         /// The upper end of the resin.
-        pub top: Option<EndSpec>,
+        pub top: Option<End>,
     }
 }
 
