@@ -18,10 +18,20 @@ pub(super) const CHUNK: usize = 1 << 14;
 pub(super) type Bundles = [Vec<Segment>; 3];
 
 /// Segments of unscattered light on voxels, of its pieces inside a solid apart, and of scattered light on coarse cells.
-pub(super) type RayBatch = [Bundles; 3];
-pub(super) const STRAIGHT: usize = 0;
-pub(super) const INSIDE: usize = 1;
-pub(super) const SCATTERED: usize = 2;
+#[derive(Default)]
+pub(super) struct RayBatch {
+    pub(super) straight: Bundles,
+    pub(super) inside: Bundles,
+    pub(super) scattered: Bundles,
+}
+
+/// What a segment is one of in [`RayBatch`].
+#[derive(Clone, Copy)]
+pub(super) enum Place {
+    Straight,
+    Inside,
+    Scattered,
+}
 
 impl Rays {
     /// (Frame, column) pairs of some frames of a light, in runs that send about [`CHUNK`] rays each.
@@ -114,13 +124,18 @@ impl Rays {
                     };
                     let mut push = |place, piece| found.push((place, axis, piece));
                     match &self.solid {
-                        _ if scatter_grid.is_some() => push(SCATTERED, segment),
-                        None => push(STRAIGHT, segment),
+                        _ if scatter_grid.is_some() => push(Place::Scattered, segment),
+                        None => push(Place::Straight, segment),
                         Some(solid) => {
                             solid.inside(&path_segment.ray, path_segment.length, &mut pieces);
                             let step = path_segment.ray.direction[axis] / lattice.pitch();
                             segment.cut(step, pieces.found(), |is_inside, piece| {
-                                push(if is_inside { INSIDE } else { STRAIGHT }, piece);
+                                let place = if is_inside {
+                                    Place::Inside
+                                } else {
+                                    Place::Straight
+                                };
+                                push(place, piece);
                             });
                         }
                     }
@@ -133,10 +148,15 @@ impl Rays {
             }
             found
         };
-        let by_pair: Vec<Vec<(usize, usize, Segment)>> = pairs.into_iter().par_map(of_pair);
+        let by_pair: Vec<Vec<(Place, usize, Segment)>> = pairs.into_iter().par_map(of_pair);
         let mut lit = RayBatch::default();
         for (place, axis, segment) in by_pair.into_iter().flatten() {
-            lit[place][axis].push(segment);
+            let bundles = match place {
+                Place::Straight => &mut lit.straight,
+                Place::Inside => &mut lit.inside,
+                Place::Scattered => &mut lit.scattered,
+            };
+            bundles[axis].push(segment);
         }
         lit
     }

@@ -10,7 +10,7 @@
 //! sixteenth of one call and some more.
 
 use super::Rays;
-use super::batch::{INSIDE, RayBatch, STRAIGHT};
+use super::batch::RayBatch;
 use super::segment::Segment;
 use super::traversal::{self, Ways};
 use crate::matrix::Rows;
@@ -131,7 +131,7 @@ impl Rays {
     /// What the rays of some pixels leave, in the order of pixels and places; `lit` has all segments of these.
     fn entries(&self, lit: &RayBatch, pixels: Range<usize>) -> impl Iterator<Item = Entry> {
         let inside = self.output.voxels() as u32;
-        let bundles: Vec<(Ways, &[Segment], u32)> = [(&lit[STRAIGHT], 0), (&lit[INSIDE], inside)]
+        let bundles: Vec<(Ways, &[Segment], u32)> = [(&lit.straight, 0), (&lit.inside, inside)]
             .into_iter()
             .flat_map(|(bundles, first)| (0..3).map(move |axis| (axis, &bundles[axis], first)))
             .map(|(axis, segments, first)| {

@@ -74,7 +74,6 @@ use crate::{
     ModelKind, OpticalScene, PatternLayout, Purpose, Refines, Run, TimedBy, ZCoupling, own_frames,
 };
 use accumulation::Accumulation;
-use batch::{INSIDE, SCATTERED, STRAIGHT};
 use column_rays::{ColumnRay, ColumnRaysCache};
 use matrix_cache::{CachedEntries, RayMatrixCache};
 use scatter_grid::ScatterGrid;
@@ -646,14 +645,14 @@ impl LinearOperator for Rays {
             let is_lit = |pixel: usize| x[pixel] != 0.0;
             self.for_each_chunk((light, own), is_lit, run, |lit| {
                 match &mut split {
-                    None => self.add(&self.lattice, &lit[STRAIGHT], x, dose),
+                    None => self.add(&self.lattice, &lit.straight, x, dose),
                     Some([outside, inside]) => {
-                        self.add(&self.lattice, &lit[STRAIGHT], x, outside);
-                        self.add(&self.lattice, &lit[INSIDE], x, inside);
+                        self.add(&self.lattice, &lit.straight, x, outside);
+                        self.add(&self.lattice, &lit.inside, x, inside);
                     }
                 }
                 if let (Some(scatter_grid), Some(cells)) = (&self.scatter_grid, &mut cells) {
-                    self.add(&scatter_grid.lattice, &lit[SCATTERED], x, cells);
+                    self.add(&scatter_grid.lattice, &lit.scattered, x, cells);
                 }
             })?;
             if let (Some(scatter_grid), Some(cells)) = (&self.scatter_grid, &cells) {
@@ -708,14 +707,14 @@ impl LinearOperator for Rays {
                 run,
                 |lit| {
                     match &split {
-                        None => self.collect(&self.lattice, &lit[STRAIGHT], c, grad),
+                        None => self.collect(&self.lattice, &lit.straight, c, grad),
                         Some([outside, inside]) => {
-                            self.collect(&self.lattice, &lit[STRAIGHT], outside, grad);
-                            self.collect(&self.lattice, &lit[INSIDE], inside, grad);
+                            self.collect(&self.lattice, &lit.straight, outside, grad);
+                            self.collect(&self.lattice, &lit.inside, inside, grad);
                         }
                     }
                     if let Some((scatter_grid, cells)) = &scatter_grid {
-                        self.collect(&scatter_grid.lattice, &lit[SCATTERED], cells, grad);
+                        self.collect(&scatter_grid.lattice, &lit.scattered, cells, grad);
                     }
                 },
             )?;
@@ -742,8 +741,8 @@ impl LinearOperator for Rays {
                         continue;
                     }
                     let lit = self.bundles(light, pairs, |_| true);
-                    let segments = lit.iter().flatten().flatten();
-                    total += segments.map(Segment::passed).sum::<f64>();
+                    let bundles = lit.straight.iter().chain(&lit.inside).chain(&lit.scattered);
+                    total += bundles.flatten().map(Segment::passed).sum::<f64>();
                 }
             }
             total as u64

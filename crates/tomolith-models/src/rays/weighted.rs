@@ -1,7 +1,7 @@
 //! Unscattered light by direction: the dose of rays that are weighted by a function of their direction in the resin.
 
 use super::Rays;
-use super::batch::{Bundles, STRAIGHT};
+use super::batch::Bundles;
 use super::segment::{Lattice, Segment};
 use crate::{DoseLayout, Run, own_frames};
 use std::ops::Range;
@@ -27,7 +27,7 @@ impl Rays {
             let is_lit = |pixel: usize| x[pixel] != 0.0;
             self.for_each_chunk((light, own), is_lit, run, |lit| {
                 for (weight, dose) in weights.iter().zip(&mut *doses) {
-                    let bundles = weighted(&lit[STRAIGHT], weight);
+                    let bundles = weighted(&lit.straight, weight);
                     self.add(&self.lattice, &bundles, x, dose.as_mut_slice());
                 }
             })?;
@@ -53,7 +53,7 @@ impl Rays {
                 run,
                 |lit| {
                     for (weight, c) in weights.iter().zip(cotangents) {
-                        let bundles = weighted(&lit[STRAIGHT], weight);
+                        let bundles = weighted(&lit.straight, weight);
                         self.collect(&self.lattice, &bundles, c.as_slice(), grad);
                     }
                 },
