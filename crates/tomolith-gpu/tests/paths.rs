@@ -17,6 +17,7 @@ use tomolith_core::dose::form::Form;
 use tomolith_core::dose::{Accelerator, DoseLayout, Run, frames_of};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
+use tomolith_core::units::Mm;
 use tomolith_gpu::{Gpu, model_on};
 use tomolith_models::monte_carlo::{self, Params};
 use tomolith_models::rays::accumulation::Accumulation;
@@ -110,12 +111,12 @@ fn cases() -> Vec<Case> {
         refractive_index: 1.5,
     });
     let plate = End {
-        z_mm: -0.6,
-        thickness_mm: 0.2,
+        z_mm: Mm(-0.6),
+        thickness_mm: Mm(0.2),
     };
     let lid = End {
-        z_mm: 0.7,
-        thickness_mm: 0.0,
+        z_mm: Mm(0.7),
+        thickness_mm: Mm(0.0),
     };
     let ended = Ended::new(glass(), Some(plate), Some(lid)).unwrap();
     let matched = || Box::new(IndexMatched { radius_mm: 1.7 });

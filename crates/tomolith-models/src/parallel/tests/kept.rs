@@ -198,7 +198,7 @@ fn single_entries_of_a_slice_are_found_once_and_have_the_same_bits() {
     for vial in vials() {
         for isa in Isa::available() {
             let (light, grid) = light_of_slices(1, Resin::absorbing(1.48, 0.2), 45, 0.11);
-            let said = loose::bytes(&[light.clone()], 35 * 37);
+            let said = loose::bytes(std::slice::from_ref(&light), 35 * 37);
             let plain = Parallel::new(vial.as_ref(), vec![light.clone()], grid.clone());
             let kept = keeping(vial.as_ref(), light, grid);
             let (plain, kept) = (plain.unwrap().with_isa(isa), kept.with_isa(isa));
