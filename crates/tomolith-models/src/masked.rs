@@ -1,5 +1,5 @@
 //! A model whose pixels give less light, or none, or spread it: F(B·D·x) with D = 0 or a common factor per pixel, B the
-//! [spread](super::blurred) of their light where there is one, and the derivative D·Bᵀ·F′(B·D·x)ᵀ.
+//! spread of their light where there is one, and the derivative D·Bᵀ·F′(B·D·x)ᵀ.
 //!
 //! The factor is that of a dose convention (`resin.dose_convention`). Rays that may not pass a place are taken away in this way: [`pixels_through`] finds them by the adjoint of an indicator,
 //! which is positive exactly for the pixels that bring light there. An active run of rows cannot have holes; this can.
