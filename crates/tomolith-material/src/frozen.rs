@@ -14,22 +14,21 @@
 //!
 //! **Cost** that of the light, and one print in time per round. Memory: a volume per network.
 
-use crate::memoryless::Memoryless;
+use crate::illumination::factor;
+use crate::lights::Lights;
 use crate::print::{LightSource, PrintRun};
-use crate::printing::Printing;
 use crate::schedule::Schedule;
 use crate::{Material, Model, State};
 use std::ops::{ControlFlow, Range};
 use std::sync::{Arc, PoisonError, RwLock};
-use tomolith_core::dose::{DoseModel, Facts, Renewal, Run, Space, ZCoupling};
+use tomolith_core::dose::{DoseModel, Facts, Renewal, Run, Space, elements_of};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{BLOCK, Field, HostField};
 use tomolith_core::parallel::InParallel;
-use tomolith_core::response::Identity;
 
 /// See the [module page](self).
 pub struct Frozen {
-    absorbed: Printing,
+    lights: Lights,
     material: Box<dyn Material>,
     step_s: Option<f64>,
     /// 1/E_d per network, mm³/mJ.
@@ -43,7 +42,7 @@ impl Frozen {
     /// A print of these lights, simulated anew every so many iterations.
     ///
     /// # Errors
-    /// As [`Printing::new`]; [`Error::Unsupported`] for a network whose gel dose depends on the power.
+    /// As [`Printing::new`](crate::printing::Printing::new); [`Error::Unsupported`] for a network whose gel dose depends on the power.
     pub fn new(
         optics: Vec<Box<Model>>,
         schedule: Schedule,
@@ -51,9 +50,9 @@ impl Frozen {
         step_s: Option<f64>,
         every: usize,
     ) -> Result<Self> {
-        let drives = material.drives().clone();
-        let mut per_dose = Vec::with_capacity(drives.species());
-        for s in 0..drives.species() {
+        let species = material.drives().species();
+        let mut per_dose = Vec::with_capacity(species);
+        for s in 0..species {
             let Some(needed) = material.requirement(s) else {
                 return Err(Error::unsupported(
                     "a frozen inhibitor",
@@ -62,15 +61,12 @@ impl Frozen {
             };
             per_dose.push((1.0 / needed.dose) as f32);
         }
-        let responses = per_dose.iter().map(|_| Box::new(Identity) as _).collect();
-        let sum = Memoryless::new(drives, material.domain().clone(), responses, 1.0)?;
-        let absorbed = Printing::new(optics, schedule, Box::new(sum), None)?;
-        let taken = absorbed.new_dose()?;
+        let lights = Lights::new(optics, schedule, material.as_ref())?;
         let frozen = Frozen {
-            absorbed,
+            taken: RwLock::new(lights.facts().host_field(Space::Dose)),
+            lights,
             step_s,
             per_dose,
-            taken: RwLock::new(taken),
             every: every.max(1),
             material,
         };
@@ -84,25 +80,20 @@ impl Frozen {
     /// # Errors
     /// Those of the print.
     pub fn simulate(&self, x: &HostField, run: &Run) -> Result<()> {
-        let lights = self.absorbed.patterns().len();
-        let own: Vec<HostField> = self
-            .absorbed
-            .patterns()
-            .iter()
-            .map(|layout| HostField::from_slice(&x.as_slice()[layout.range()]))
+        let own: Vec<HostField> = (0..self.lights.optics.len())
+            .map(|light| self.lights.of_light(light, x))
             .collect();
-        let sources = (0..lights).map(|l| LightSource {
-            model: self.absorbed.light(l),
-            patterns: &own[l],
-        });
-        let schedule = self.absorbed.schedule();
+        let models = self.lights.optics.iter().map(AsRef::as_ref);
+        let sources = models.zip(&own);
+        let sources = sources.map(|(model, patterns)| LightSource { model, patterns });
+        let schedule = &self.lights.schedule;
         let mut print = PrintRun::new(self.material.as_ref(), schedule, sources.collect())?;
         if let Some(step_s) = self.step_s {
             print = print.with_step_s(step_s)?;
         }
         let end = print.run(run, &mut |_| ControlFlow::Continue(()))?;
-        let mut drive = self.absorbed.new_dose()?;
-        self.absorbed.dose(x, &mut drive, run)?;
+        let mut drive = self.new_dose()?;
+        self.drive(x, &mut drive, run)?;
         self.take(&end, Some(&drive));
         Ok(())
     }
@@ -110,7 +101,7 @@ impl Frozen {
     /// c of a state that this drive has led to (None: the start).
     fn take(&self, state: &State, drive: Option<&HostField>) {
         let mut taken = self.taken.write().unwrap_or_else(PoisonError::into_inner);
-        for (s, output) in self.absorbed.outputs().iter().enumerate() {
+        for (s, output) in self.lights.outputs.iter().enumerate() {
             let Some(needed) = self.material.requirement(s) else {
                 continue;
             };
@@ -137,7 +128,69 @@ impl Frozen {
     }
 }
 
+/// sum += weight·energy.
+fn add(weight: f32, energy: &[f32], sum: &mut [f32]) {
+    if weight == 0.0 {
+        return;
+    }
+    let chunks = sum.chunks_mut(BLOCK).zip(energy.chunks(BLOCK));
+    chunks.par_each(|(sum, energy)| {
+        let pairs = sum.iter_mut().zip(energy);
+        pairs.for_each(|(sum, e)| *sum += weight * e);
+    });
+}
+
 impl Frozen {
+    /// A_s(x), the drive of each network.
+    fn drive(&self, x: &HostField, drive: &mut HostField, run: &Run) -> Result<()> {
+        drive.fill(0.0);
+        for (light, model) in self.lights.optics.iter().enumerate() {
+            let own = self.lit(light, x);
+            let mut of_light = model.new_dose()?;
+            model.dose(&own, &mut of_light, &run.aside())?;
+            self.mix(light, &of_light, drive);
+        }
+        Ok(())
+    }
+
+    /// The patterns of a light, as strong as in all of the schedule.
+    fn lit(&self, light: usize, x: &HostField) -> HostField {
+        let mut own = self.lights.of_light(light, x);
+        self.scale_by_energy(light, &mut own);
+        own
+    }
+
+    /// Values of a light times the factor of all energy of their frames.
+    fn scale_by_energy(&self, light: usize, x: &mut HostField) {
+        let patterns = self.lights.light(light).patterns();
+        for (frame, energy) in self.lights.schedule.energies(light).into_iter().enumerate() {
+            for (range, quantity) in elements_of(patterns, &(frame..frame + 1)) {
+                let factor = factor(quantity, energy);
+                let values = x.as_mut_slice()[range].iter_mut();
+                values.for_each(|v| *v *= factor);
+            }
+        }
+    }
+
+    /// drive += what the dose of a light is worth to every network.
+    fn mix(&self, light: usize, of_light: &HostField, drive: &mut HostField) {
+        for (s, output) in self.lights.outputs.iter().enumerate() {
+            let weight = self.material.drives().row(s)[light];
+            let drive = &mut drive.as_mut_slice()[output.range()];
+            add(weight, of_light.as_slice(), drive);
+        }
+    }
+
+    /// The transpose of [`mix`](Self::mix) over all networks.
+    fn unmix(&self, light: usize, cotangent: &HostField, of_light: &mut HostField) {
+        of_light.fill(0.0);
+        for (s, output) in self.lights.outputs.iter().enumerate() {
+            let weight = self.material.drives().row(s)[light];
+            let cotangent = &cotangent.as_slice()[output.range()];
+            add(weight, cotangent, of_light.as_mut_slice());
+        }
+    }
+
     /// Doses as degrees of cure.
     fn scale(&self, doses: &mut HostField) {
         for (output, &per_dose) in self.outputs().iter().zip(&self.per_dose) {
@@ -171,23 +224,19 @@ impl DoseModel for Frozen {
     type Field = HostField;
 
     fn facts(&self) -> Facts<'_> {
-        Facts {
-            z_coupling: ZCoupling::Full,
-            is_linear: false,
-            ..self.absorbed.facts()
-        }
+        self.lights.facts()
     }
 
     fn new_field(&self, space: Space) -> Result<HostField> {
-        self.absorbed.new_field(space)
+        Ok(self.facts().host_field(space))
     }
 
     fn updates(&self) -> u64 {
-        self.absorbed.updates()
+        self.lights.optics.iter().map(|model| model.updates()).sum()
     }
 
     fn of_light(&self, i: usize) -> Option<Arc<Model>> {
-        self.absorbed.of_light(i)
+        self.lights.optics.get(i).cloned()
     }
 
     fn renewal(&self) -> Option<&dyn Renewal<HostField>> {
@@ -195,7 +244,7 @@ impl DoseModel for Frozen {
     }
 
     fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
-        self.absorbed.dose(x, dose, run)?;
+        self.drive(x, dose, run)?;
         let taken = self.taken.read().unwrap_or_else(PoisonError::into_inner);
         for (output, &per_dose) in self.outputs().iter().zip(&self.per_dose) {
             let blocks = dose.as_mut_slice()[output.range()].chunks_mut(BLOCK);
@@ -218,7 +267,23 @@ impl DoseModel for Frozen {
     ) -> Result<()> {
         let mut scaled = cotangent.clone();
         self.scale(&mut scaled);
-        self.absorbed.pullback_of(frames, x, &scaled, grad, run)
+        for (light, frames) in self.lights.own_frames(&frames).into_iter().enumerate() {
+            if frames.is_empty() {
+                continue;
+            }
+            let model = self.lights.light(light);
+            let own = self.lit(light, x);
+            let mut of_light = model.new_dose()?;
+            self.unmix(light, &scaled, &mut of_light);
+            let mut back = model.new_patterns()?;
+            model.pullback_of(frames.clone(), &own, &of_light, &mut back, &run.aside())?;
+            self.scale_by_energy(light, &mut back);
+            let grad = &mut grad.as_mut_slice()[self.lights.ranges[light].clone()];
+            for (range, _) in elements_of(model.patterns(), &frames) {
+                grad[range.clone()].copy_from_slice(&back.as_slice()[range]);
+            }
+        }
+        Ok(())
     }
 
     fn dose_of(&self, _: Range<usize>, _: &HostField, _: &mut HostField, _: &Run) -> Result<()> {
@@ -229,9 +294,19 @@ impl DoseModel for Frozen {
     }
 
     fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
-        let Some(mut terms) = self.absorbed.along(x, d, run)? else {
-            return Ok(None);
-        };
+        let mut terms: Vec<HostField> = Vec::new();
+        for (light, model) in self.lights.optics.iter().enumerate() {
+            let [x, d] = [x, d].map(|v| self.lit(light, v));
+            let Some(own) = model.along(&x, &d, &run.aside())? else {
+                return Ok(None);
+            };
+            for (i, term) in own.iter().enumerate() {
+                if terms.len() == i {
+                    terms.push(self.new_dose()?);
+                }
+                self.mix(light, term, &mut terms[i]);
+            }
+        }
         terms.iter_mut().for_each(|term| self.scale(term));
         Ok(Some(terms))
     }
@@ -239,7 +314,7 @@ impl DoseModel for Frozen {
     fn describe(&self) -> String {
         format!(
             "{}, less what inhibitors take",
-            self.absorbed.light(0).describe()
+            self.lights.light(0).describe()
         )
     }
 }
@@ -250,9 +325,11 @@ mod tests {
     use crate::domain::Domain;
     use crate::mixing::Mixing;
     use crate::photopolymer::{Curing, Inhibitor, Network, Params, Photopolymer};
-    use crate::schedule::Turns;
+    use crate::printing::Printing;
+    use crate::schedule::{Power, Turns};
     use tomolith_core::check;
     use tomolith_core::check::small::SmallModel;
+    use tomolith_core::dose::frames_of;
     use tomolith_core::near;
 
     fn material(diffusion: f64, domain: Domain) -> Photopolymer {
@@ -306,7 +383,7 @@ mod tests {
     }
 
     fn both_of(model: &Frozen, x: &HostField, material: Photopolymer) -> (Vec<f32>, Vec<f32>) {
-        let schedule = model.absorbed.schedule().clone();
+        let schedule = model.lights.schedule.clone();
         let optics = vec![Box::new(optics()) as Box<Model>];
         let printing = Printing::new(optics, schedule, Box::new(material), None);
         let run = Run::new();
@@ -316,10 +393,29 @@ mod tests {
         (degree.as_slice().to_vec(), own.as_slice().to_vec())
     }
 
+    /// Two networks in two lights, one of which works against the first network.
+    fn in_two_lights() -> Frozen {
+        let mixing = Mixing::new(vec![vec![1.0, -0.4], vec![0.0, 2.0]]).unwrap();
+        let networks = [0.3, 0.7].map(|dose| Network::new("resin", Curing::threshold(dose)));
+        let domain = Domain::new(optics().layout().grid.clone());
+        let material = Photopolymer::new(Params::new(networks.to_vec()), mixing, domain).unwrap();
+        let first = Turns {
+            power: Power::Irradiance(0.3),
+            ..Turns::new(12, 6.0, 1.5)
+        };
+        let schedule = Schedule::of_turns(&[first, Turns::new(12, 4.0, 2.0)]).unwrap();
+        let optics: Vec<Box<Model>> = vec![Box::new(optics()), Box::new(optics())];
+        Frozen::new(optics, schedule, Box::new(material), None, 5).unwrap()
+    }
+
     #[test]
     fn its_derivative_is_exact() {
-        let model = frozen(0.05);
-        let (x, run) = (patterns(&model), Run::new());
+        derivative_is_exact(&frozen(0.05));
+        derivative_is_exact(&in_two_lights());
+    }
+
+    fn derivative_is_exact(model: &Frozen) {
+        let (x, run) = (patterns(model), Run::new());
         model.simulate(&x, &run).unwrap();
         let mut d = x.clone();
         d.scale(0.1);
@@ -337,6 +433,11 @@ mod tests {
         let c = HostField::from_slice(&check::noise(9, terms[0].len()));
         let mut back = x.zeros_like();
         model.pullback(&x, &c, &mut back, &run).unwrap();
+        let (mut part, all) = (x.zeros_like(), frames_of(model.patterns()));
+        for frames in [0..5, 5..all - 1, all - 1..all] {
+            model.pullback_of(frames, &x, &c, &mut part, &run).unwrap();
+        }
+        assert!(part.as_slice() == back.as_slice());
         let (forth, back) = (terms[0].dot(&c), back.dot(&d));
         near!(forth, back, 1e-5 * forth.abs().max(1.0));
     }

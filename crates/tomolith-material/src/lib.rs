@@ -1,8 +1,7 @@
 //! The print in time: when which frame shines ([`schedule`]), and what the resin makes of it ([`Material`]).
 //!
 //! *What must it do, and who does it.* A material has a [`State`] on the voxels, a step through a block of time in which lights are even, the
-//! step's transpose, and a readout: a volume of the state that bands, metrics and thresholds look at. [`memoryless::Memoryless`] is today's
-//! response; [`photopolymer::Photopolymer`] has inhibitors, diffusion, curing, bleaching and shading. [`print::PrintRun`] steps a material through a
+//! step's transpose, and a readout: a volume of the state that bands, metrics and thresholds look at. [`photopolymer::Photopolymer`] has inhibitors, diffusion, curing, bleaching and shading. [`print::PrintRun`] steps a material through a
 //! schedule and says what is printed when; [`printing::Printing`] is the same as a dose model, with its derivative; [`diffused::Diffused`] is the
 //! linear special case of a dose that diffuses.
 //!
@@ -30,7 +29,7 @@ pub mod domain;
 pub mod frozen;
 pub mod heights;
 mod illumination;
-pub mod memoryless;
+mod lights;
 pub mod mixing;
 pub mod photopolymer;
 pub mod print;
@@ -45,7 +44,6 @@ use tomolith_core::dose::DoseModel;
 use tomolith_core::error::Result;
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::Volume;
-use tomolith_core::response::{Identity, Response};
 
 /// A dose model on this machine.
 pub type Model = dyn DoseModel<Field = HostField>;
@@ -136,10 +134,6 @@ pub trait Material: Send + Sync {
     ) -> Result<()>;
     /// What is looked at, per network.
     fn readout(&self, species: usize) -> Readout;
-    /// A scalar response of the readout: what bands and metrics see where it is not the readout itself.
-    fn response(&self, _species: usize) -> &dyn Response {
-        &Identity
-    }
     /// The longest step that is stable, s.
     fn longest_step_s(&self) -> f64 {
         f64::INFINITY
@@ -152,10 +146,6 @@ pub trait Material: Send + Sync {
     }
     /// The dose model of a light was made anew from [`absorption`](Self::absorption).
     fn light_was_renewed(&self, _state: &mut State, _light: usize) {}
-    /// No memory but the sum of all energy: the whole print is one block.
-    fn is_memoryless(&self) -> bool {
-        false
-    }
 }
 
 /// Largest difference between two fields.

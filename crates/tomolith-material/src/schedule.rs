@@ -244,7 +244,7 @@ impl Schedule {
     /// Lights that are shown side by side, each turn by turn; it ends with the last of them.
     ///
     /// # Errors
-    /// [`Error::Config`] with the key under `light[i]`.
+    /// [`Error::Config`] with the key under `light[i]`, or at `schedule` for no light at all and an end that is not finite.
     pub fn of_turns(lights: &[Turns]) -> Result<Self> {
         let mut exposures = Vec::new();
         let mut end_s = 0.0f64;
@@ -254,60 +254,14 @@ impl Schedule {
                 .map_err(|e| e.under(&format!("light[{light}]")))?;
             end_s = end_s.max(turns.exposures(light, &mut exposures));
         }
-        let frames = lights.iter().map(Turns::model_frames).collect();
-        Self::new(exposures, end_s, frames)
-    }
-
-    /// Any exposures, in any order, of lights whose dose models have so many `frames`.
-    ///
-    /// # Errors
-    /// [`Error::Config`] (key `schedule…`) when there is none, or for one that is of no light or frame, takes no time, has no power, or lies
-    /// outside of 0 to `end_s`.
-    pub fn new(mut exposures: Vec<Exposure>, end_s: f64, frames: Vec<usize>) -> Result<Self> {
-        if exposures.is_empty() || !end_s.is_finite() {
+        // Energy within a time that is too short is more power than a number holds
+        let shines = |e: &Exposure| e.seconds > 0.0 && e.irradiance_mw_per_mm2.is_finite();
+        if exposures.is_empty() || !end_s.is_finite() || !exposures.iter().all(shines) {
             return Err(Error::config(
                 "schedule",
                 format!("{} exposures, end at {} s", exposures.len(), exact(end_s)),
-                "at least one exposure, and a finite end",
+                "at least one exposure, a finite end, times above 0 and finite powers",
             ));
-        }
-        for (i, e) in exposures.iter().enumerate() {
-            let refuse = |key: &str, found: String, accepted: String| {
-                Err(Error::refused(
-                    format!("schedule.exposures[{i}].{key}"),
-                    found,
-                    accepted,
-                ))
-            };
-            let Some(&count) = frames.get(e.light) else {
-                return refuse(
-                    "light",
-                    e.light.to_string(),
-                    format!("0 to {}", frames.len().saturating_sub(1)),
-                );
-            };
-            if e.frame >= count {
-                return refuse(
-                    "frame",
-                    e.frame.to_string(),
-                    format!("one of the {count} frames of light {}", e.light),
-                );
-            }
-            for (key, value) in [
-                ("seconds", e.seconds),
-                ("irradiance_mw_per_mm2", e.irradiance_mw_per_mm2),
-            ] {
-                if !(value > 0.0 && value.is_finite()) {
-                    return refuse(key, exact(value), "a finite number above 0".to_owned());
-                }
-            }
-            if !(e.begin_s >= 0.0 && e.end_s() <= end_s + SAME_S * (1.0 + end_s)) {
-                return refuse(
-                    "begin_s",
-                    format!("{} for {} s", exact(e.begin_s), exact(e.seconds)),
-                    format!("within 0 and {} s", exact(end_s)),
-                );
-            }
         }
         exposures.sort_by(|a, b| {
             let order = a.begin_s.total_cmp(&b.begin_s);
@@ -316,7 +270,7 @@ impl Schedule {
         Ok(Schedule {
             exposures,
             end_s,
-            frames,
+            frames: lights.iter().map(Turns::model_frames).collect(),
         })
     }
 
@@ -548,20 +502,24 @@ mod tests {
                 },
                 "light[0].turns",
             ),
+            (
+                Turns {
+                    seconds_per_turn: 1e-310,
+                    ..plain
+                },
+                "schedule",
+            ),
+            (
+                Turns {
+                    dark_before_s: f64::MAX,
+                    dark_after_s: f64::MAX,
+                    ..plain
+                },
+                "schedule",
+            ),
         ] {
             assert_eq!(key_of(Schedule::of_turns(&[turns]).unwrap_err()), key);
         }
-        let exposure = Exposure {
-            light: 0,
-            frame: 3,
-            begin_s: 0.0,
-            seconds: 1.0,
-            irradiance_mw_per_mm2: 1.0,
-        };
-        let error = Schedule::new(vec![exposure], 1.0, vec![3]).unwrap_err();
-        assert_eq!(key_of(error), "schedule.exposures[0].frame");
-        let error = Schedule::new(vec![exposure], 0.5, vec![4]).unwrap_err();
-        assert_eq!(key_of(error), "schedule.exposures[0].begin_s");
         let schedule = Schedule::of_turns(&[plain]).unwrap();
         assert_eq!(key_of(schedule.blocks(0.0).unwrap_err()), "step_s");
     }

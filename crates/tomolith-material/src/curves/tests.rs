@@ -1,6 +1,5 @@
 use super::*;
 use crate::domain_of;
-use crate::memoryless::Memoryless;
 use crate::mixing::Mixing;
 use crate::photopolymer::{Curing, Inhibitor, Network, Params, Photopolymer};
 use crate::print::{LightSource, PrintRun};
@@ -9,7 +8,6 @@ use std::ops::ControlFlow;
 use tomolith_core::check::{self, small::SmallModel};
 use tomolith_core::dose::{DoseModel, Run};
 use tomolith_core::near;
-use tomolith_core::response::Identity;
 
 /// A checkerboard of cells of `cell` voxels within the inscribed circle: half of it is part, by symmetry.
 fn checkerboard(model: &SmallModel, cell: usize) -> Volume<u8> {
@@ -171,8 +169,8 @@ fn contrast_repeats_with_every_turn_until_something_cures() {
     let labels = checkerboard(&model, 4);
     let x = patterns(&model, &labels);
     let domain = domain_of(&model);
-    let material =
-        Memoryless::new(Mixing::identity(1), domain, vec![Box::new(Identity)], 1e6).unwrap();
+    let params = Params::new(vec![Network::new("a", Curing::threshold(1e6))]);
+    let material = Photopolymer::new(params, Mixing::identity(1), domain).unwrap();
     let schedule = Schedule::of_turns(&[Turns::new(36, 36.0, 3.0)]).unwrap();
     let mut curves = Curves::new(&material, 0, &labels).unwrap();
     let light = LightSource::new(&model, &x);
@@ -268,8 +266,8 @@ fn antagonists_do_not_count_as_imbued() {
 fn what_cannot_be_watched_is_named() {
     let model = SmallModel::new(5, 4, 1);
     let domain = domain_of(&model);
-    let material =
-        Memoryless::new(Mixing::identity(1), domain, vec![Box::new(Identity)], 1.0).unwrap();
+    let params = Params::new(vec![Network::new("a", Curing::threshold(1.0))]);
+    let material = Photopolymer::new(params, Mixing::identity(1), domain).unwrap();
     let labels = Volume::filled(model.layout().grid.clone(), label::VOID);
     let Err(Error::Config { key, .. }) = Curves::new(&material, 0, &labels) else {
         panic!()

@@ -1,7 +1,6 @@
 use super::*;
 use crate::diffusion::Scheme;
 use crate::domain_of;
-use crate::memoryless::Memoryless;
 use crate::mixing::Mixing;
 use crate::photopolymer::{Curing, Inhibitor, Network, Params, Photopolymer};
 use crate::schedule::Turns;
@@ -10,27 +9,11 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use tomolith_core::check;
 use tomolith_core::check::small::SmallModel;
 use tomolith_core::check::taylor::Remainders;
-use tomolith_core::dose::{Facts, Renewal, Space};
-use tomolith_core::response::{Logistic, Response, logistic};
+use tomolith_core::dose::{Facts, Renewal, Space, ZCoupling, frames_of};
+use tomolith_core::field::Field;
 
 fn small() -> SmallModel {
     SmallModel::new(9, 12, 3)
-}
-
-fn logistic() -> Box<dyn Response> {
-    Box::new(Logistic::new(logistic::Params::default()).unwrap())
-}
-
-fn memoryless(mixing: Mixing, turns: &[Turns]) -> Printing {
-    let domain = domain_of(&small());
-    let responses = (0..mixing.species()).map(|_| logistic()).collect();
-    let lights = mixing.lights();
-    let material = Memoryless::new(mixing, domain, responses, 0.5).unwrap();
-    let optics = (0..lights)
-        .map(|_| Box::new(small()) as Box<Model>)
-        .collect();
-    let schedule = Schedule::of_turns(turns).unwrap();
-    Printing::new(optics, schedule, Box::new(material), None).unwrap()
 }
 
 fn positive(len: usize, seed: u64) -> HostField {
@@ -40,62 +23,6 @@ fn positive(len: usize, seed: u64) -> HostField {
 
 fn bits(field: &HostField) -> Vec<u32> {
     field.as_slice().iter().map(|v| v.to_bits()).collect()
-}
-
-#[test]
-fn without_memory_it_is_the_dose_model_to_the_bit() {
-    let run = Run::new();
-    let (model, printing) = (
-        small(),
-        memoryless(Mixing::identity(1), &[Turns::new(12, 7.0, 49.0)]),
-    );
-    let x = positive(printing.new_patterns().unwrap().len(), 1);
-    let (mut a, mut b) = (
-        DoseModel::new_dose(&model).unwrap(),
-        printing.new_dose().unwrap(),
-    );
-    model.dose(&x, &mut a, &run).unwrap();
-    printing.dose(&x, &mut b, &run).unwrap();
-    assert_eq!(bits(&a), bits(&b));
-    let (mut p, mut q) = (x.zeros_like(), x.zeros_like());
-    model.pullback(&x, &a, &mut p, &run).unwrap();
-    printing.pullback(&x, &b, &mut q, &run).unwrap();
-    assert_eq!(bits(&p), bits(&q));
-    let along = printing.along(&x, &p, &run).unwrap().unwrap();
-    let plain = DoseModel::along(&model, &x, &p, &run).unwrap().unwrap();
-    assert!(along.len() == 1 && bits(&along[0]) == bits(&plain[0]));
-    assert!(printing.is_linear());
-    // What the response makes of it is what it always made
-    for dose in a.as_slice() {
-        let found = printing.material().response(0).value(*dose);
-        assert_eq!(found.to_bits(), logistic().value(*dose).to_bits());
-    }
-    // Printed in time it is the same dose, but for the order of its sums
-    let schedule = printing.schedule();
-    let light = crate::print::LightSource::new(&model, &x);
-    let mut print =
-        crate::print::PrintRun::new(printing.material(), schedule, vec![light]).unwrap();
-    let state = print
-        .run(&run, &mut |_| std::ops::ControlFlow::Continue(()))
-        .unwrap();
-    let off = crate::apart(&state.volumes[0], &a);
-    assert!(off < 1e-5 * a.max_abs(), "{off}");
-}
-
-#[test]
-fn lights_are_mixed_linearly_where_there_is_no_memory() {
-    let turns = [
-        Turns {
-            power: crate::schedule::Power::Irradiance(0.3),
-            ..Turns::new(12, 6.0, 1.5)
-        },
-        Turns::new(12, 4.0, 2.0),
-    ];
-    let mixing = Mixing::new(vec![vec![1.0, -0.4], vec![0.0, 2.0], vec![0.5, 0.5]]).unwrap();
-    let printing = memoryless(mixing, &turns);
-    assert_eq!(printing.outputs().len(), 3);
-    assert_eq!(printing.patterns().len(), 2);
-    check::model::model(&printing, 4).unwrap();
 }
 
 /// Smooth consumption, a rate law, D that falls: everything that has a derivative.
@@ -194,13 +121,8 @@ fn the_gradient_through_time_passes_a_taylor_test() {
 
 #[test]
 fn the_gradient_of_some_frames_is_that_part_of_the_whole() {
-    let with_memory = [1, 2].map(in_time);
-    let without = memoryless(
-        Mixing::new(vec![vec![1.0, 0.5]]).unwrap(),
-        &[Turns::new(12, 7.0, 49.0), Turns::new(12, 3.0, 9.0)],
-    );
     let run = Run::new();
-    for printing in with_memory.iter().chain([&without]) {
+    for printing in [1, 2].map(in_time) {
         let x = positive(printing.new_patterns().unwrap().len(), 7);
         let c = positive(printing.new_dose().unwrap().len(), 8);
         let mut whole = x.zeros_like();
@@ -314,7 +236,7 @@ fn outputs_are_overwritten_and_bits_do_not_depend_on_threads() {
 }
 
 #[test]
-fn what_needs_a_sum_over_frames_is_refused_with_memory() {
+fn what_needs_a_sum_over_frames_is_refused() {
     let printing = in_time(1);
     let (x, run) = (printing.new_patterns().unwrap(), Run::new());
     assert!(printing.along(&x, &x, &run).unwrap().is_none());
@@ -328,7 +250,8 @@ fn what_needs_a_sum_over_frames_is_refused_with_memory() {
 fn lights_that_do_not_fit_are_named() {
     let schedule = Schedule::of_turns(&[Turns::new(11, 1.0, 1.0)]).unwrap();
     let domain = domain_of(&small());
-    let material = Memoryless::new(Mixing::identity(1), domain, vec![logistic()], 0.5).unwrap();
+    let params = Params::new(vec![Network::new("a", Curing::threshold(0.5))]);
+    let material = Photopolymer::new(params, Mixing::identity(1), domain).unwrap();
     let optics: Vec<Box<Model>> = vec![Box::new(small())];
     let Err(Error::Config { key, found, .. }) =
         Printing::new(optics, schedule, Box::new(material), None)
@@ -339,43 +262,4 @@ fn lights_that_do_not_fit_are_named() {
         key == "light[0].frames" && found.contains("11") && found.contains("12"),
         "{found}"
     );
-}
-
-#[test]
-fn the_derivative_through_an_inhibitor_of_zeroth_order_is_that_of_differences() {
-    let oxygen = Inhibitor {
-        capacity_mj_per_mm3: 0.15,
-        diffusion_mm2_per_s: 0.05,
-        ..Inhibitor::default()
-    };
-    let network = Network {
-        inhibitors: vec![oxygen],
-        ..Network::new("resin", Curing::threshold(0.3))
-    };
-    let domain = domain_of(&small());
-    let material =
-        Photopolymer::new(Params::new(vec![network]), Mixing::identity(1), domain).unwrap();
-    let schedule = Schedule::of_turns(&[Turns::new(12, 10.0, 3.0)]).unwrap();
-    let optics: Vec<Box<Model>> = vec![Box::new(small())];
-    let model = Printing::new(optics, schedule, Box::new(material), None).unwrap();
-    let run = Run::new();
-    let x = positive(model.new_patterns().unwrap().len(), 1);
-    let sum = |x: &HostField| {
-        let dose = check::dose(&model, x);
-        let values = dose.as_slice().iter().map(|&v| f64::from(v));
-        values.sum::<f64>()
-    };
-    let mut ones = model.new_dose().unwrap();
-    ones.fill(1.0);
-    let mut gradient = x.zeros_like();
-    model.pullback(&x, &ones, &mut gradient, &run).unwrap();
-    let step = 1e-2;
-    let moved = |by: f32| {
-        let mut moved = x.clone();
-        moved.shift(by);
-        sum(&moved)
-    };
-    let slope = (moved(step) - moved(-step)) / (2.0 * f64::from(step));
-    let found: f64 = gradient.as_slice().iter().map(|&v| f64::from(v)).sum();
-    assert!((found / slope - 1.0).abs() < 0.02, "{found} {slope}");
 }
