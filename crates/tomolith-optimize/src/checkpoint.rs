@@ -47,14 +47,57 @@ pub enum Contents {
     Patterns,
 }
 
-tomolith_core::keys! {
-    /// `[checkpoint]` of a job.
-    pub struct Params {
-        /// Seconds between checkpoints, above 0 (default: at least ten, and so that they cost less than 2 % of the time)
-        pub every_s: Option<f64>,
-        /// What they hold: "all" (default; resuming is exact) or "patterns" (small; resuming begins anew from them)
-        pub contents: Contents = Contents::All,
+/// `[checkpoint]` of a job.
+#[derive(Clone, Debug, Default, Deserialize, Serialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Params {
+    /// Seconds between checkpoints, above 0; "auto" (default): at least ten, and so that they cost less than 2 % of the time
+    #[serde(with = "seconds_or_auto")]
+    #[schemars(
+        schema_with = "seconds_or_auto_schema",
+        default = "seconds_or_auto::auto"
+    )]
+    pub every_s: Option<f64>,
+    /// What they hold: "all" (default; resuming is exact) or "patterns" (small; resuming begins anew from them)
+    pub contents: Contents,
+}
+
+/// `None` is written as "auto", so that a job with every default written out names it.
+mod seconds_or_auto {
+    use serde::de::{Error, Unexpected};
+    use serde::{Deserialize, Deserializer, Serializer};
+    use serde_json::Value;
+
+    const EXPECTED: &str = "seconds above 0, or \"auto\"";
+
+    pub(super) fn auto() -> &'static str {
+        "auto"
     }
+
+    pub(super) fn serialize<S: Serializer>(every: &Option<f64>, to: S) -> Result<S::Ok, S::Error> {
+        match every {
+            Some(seconds) => to.serialize_f64(*seconds),
+            None => to.serialize_str(auto()),
+        }
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<Option<f64>, D::Error> {
+        let value = Value::deserialize(from)?;
+        match &value {
+            Value::String(word) if word == auto() => Ok(None),
+            Value::String(word) => Err(D::Error::invalid_value(Unexpected::Str(word), &EXPECTED)),
+            Value::Number(number) => Ok(number.as_f64()),
+            other => Err(D::Error::custom(format!(
+                "found {other}, expected {EXPECTED}"
+            ))),
+        }
+    }
+}
+
+fn seconds_or_auto_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+    schemars::json_schema!({
+        "anyOf": [{ "type": "number", "exclusiveMinimum": 0 }, { "const": "auto" }]
+    })
 }
 
 /// Writes checkpoints to a folder from time to time, and reads one back.
@@ -706,6 +749,18 @@ impl CheckpointReader for Checkpoint {
 mod tests {
     use super::*;
     use serde_json::json;
+
+    #[test]
+    fn an_interval_is_seconds_or_auto_and_is_written_out() {
+        let read = |text: &str| toml::from_str::<Params>(text);
+        assert_eq!(read("").unwrap().every_s, None);
+        assert_eq!(read("every_s = \"auto\"").unwrap().every_s, None);
+        assert_eq!(read("every_s = 2.5").unwrap().every_s, Some(2.5));
+        assert_eq!(read("every_s = 3").unwrap().every_s, Some(3.0));
+        assert!(read("every_s = \"often\"").is_err() && read("every_s = true").is_err());
+        let written = toml::to_string(&Params::default()).unwrap();
+        assert!(written.contains("every_s = \"auto\""), "{written}");
+    }
 
     #[test]
     fn the_first_checkpoint_waits_as_its_bytes_say_and_later_ones_as_it_took() {

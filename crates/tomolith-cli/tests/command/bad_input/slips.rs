@@ -318,7 +318,7 @@ pub(super) const WRONG: &[Wrong] = &[
         "[stop]",
         "[checkpoint]\nevery_s = \"often\"\n[stop]",
         "often",
-        &["checkpoint.every_s", "a number"],
+        &["checkpoint.every_s", "seconds above 0, or \"auto\""],
     ),
     // More than a machine holds
     (
