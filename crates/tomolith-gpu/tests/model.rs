@@ -7,7 +7,7 @@ mod models;
 mod portable;
 
 use common::{SMALL, gpu, smaller};
-use models::{assert_near, noise_of};
+use models::{assert_near, assert_one_matrix, noise_of, some_dark};
 use portable::assert_portable;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -285,24 +285,11 @@ fn dose_and_adjoint_on_the_card_are_one_matrix() {
     for case in cases() {
         let Some(gpu) = gpu(case.binding) else { return };
         let pixels: usize = case.host().patterns().iter().map(|p| p.len()).sum();
-        let dark: Vec<bool> = (0..pixels).map(|i| i % 11 == 3).collect();
+        let dark = some_dark(pixels);
         let form = case.form().masked(&dark, 0.7);
         let model = &*model_on(&gpu, &form, &Run::new()).unwrap();
-        let x = check::noisy_patterns(model, 3);
-        let mut c = model.new_dose().unwrap();
-        c.copy_from_host(&noise_of(&model.outputs()[0], 4));
-        let (dose, grad) = (check::dose(model, &x), check::adjoint(model, &c));
-        let (left, right) = (dose.dot(&c), grad.dot(&x));
-        let size = dose.norm() * c.norm();
-        assert!(
-            (left - right).abs() < case.tolerances().1 * size,
-            "{}: {left} {right} of {size}",
-            case.name
-        );
-        assert!(size > 0.0);
-        // The same bits again
-        assert_eq!(check::dose(model, &x).to_host(), dose.to_host());
-        assert_eq!(check::adjoint(model, &c).to_host(), grad.to_host());
+        let [_, dose] = assert_one_matrix(model, &dark, case.tolerances().1, case.name);
+        assert!(dose.norm() > 0.0);
     }
 }
 

@@ -7,14 +7,14 @@ mod models;
 mod portable;
 
 use common::{SMALL, gpu, smaller};
-use models::{assert_near, noise_of};
+use models::{assert_near, assert_one_matrix, some_dark};
 use portable::assert_portable;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use tomolith_core::Error;
 use tomolith_core::check;
 use tomolith_core::dose::form::Form;
-use tomolith_core::dose::{Accelerator, DoseLayout, Run, frames_of};
+use tomolith_core::dose::{Accelerator, DoseLayout, Run};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
 use tomolith_core::units::Mm;
@@ -213,43 +213,16 @@ fn dose_and_adjoint_on_the_card_are_one_matrix_of_a_seed() {
     for case in cases() {
         let Some(gpu) = small() else { return };
         let pixels: usize = case.lights.iter().map(|light| light.layout(0).len()).sum();
-        let dark: Vec<bool> = (0..pixels).map(|i| i % 11 == 3).collect();
+        let dark = some_dark(pixels);
         let model_of = |seed| {
             let form = case.form(&case.seeded(seed)).unwrap().masked(&dark, 0.7);
             model_on(&gpu, &form, &Run::new()).unwrap()
         };
         let model = &*model_of(1);
-        let x = check::noisy_patterns(model, 3);
-        let mut c = model.new_dose().unwrap();
-        c.copy_from_host(&noise_of(&model.outputs()[0], 4));
-        let (dose, grad) = (check::dose(model, &x), check::adjoint(model, &c));
-        let (left, right) = (dose.dot(&c), grad.dot(&x));
-        let size = dose.norm() * c.norm();
-        assert!(
-            (left - right).abs() < 1e-6 * size,
-            "{}: {left} {right} of {size}",
-            case.name
-        );
-        let marks = dark.iter().zip(grad.to_host());
-        assert!(marks.into_iter().all(|(&dark, grad)| !dark || grad == 0.0));
-        // The same bits again, also of a model that is made again; another seed is another matrix
-        assert_eq!(check::dose(model, &x).to_host(), dose.to_host());
-        assert_eq!(check::adjoint(model, &c).to_host(), grad.to_host());
+        let [x, dose] = assert_one_matrix(model, &dark, 1e-6, case.name);
+        // The same bits of a model that is made again; another seed is another matrix
         assert_eq!(check::dose(&*model_of(1), &x).to_host(), dose.to_host());
         assert_ne!(check::dose(&*model_of(2), &x).to_host(), dose.to_host());
-        // Frames one by one
-        let (mut sum, mut alone) = (model.new_dose().unwrap(), grad.zeros_like());
-        for frame in 0..frames_of(model.patterns()) {
-            let frame = frame..frame + 1;
-            model
-                .dose_of(frame.clone(), &x, &mut sum, &Run::new())
-                .unwrap();
-            model
-                .pullback_of(frame, &x, &c, &mut alone, &Run::new())
-                .unwrap();
-        }
-        assert_near(&sum.to_host(), &dose.to_host(), 1e-6, case.name);
-        assert_eq!(alone.to_host(), grad.to_host());
     }
 }
 

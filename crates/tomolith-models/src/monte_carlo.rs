@@ -119,27 +119,20 @@ impl Params {
         }
     }
 
-    /// The model of these parameters.
-    fn scattered(&self, input: &ModelInput<'_>) -> Result<Rays> {
-        let OpticalScene {
-            vial,
-            lights,
-            optics,
-            ..
-        } = input.scene;
-        let model = model(vial, lights, optics, self, input.grid.clone())?;
-        Ok(input.with_cells(model))
-    }
-
-    /// Its unscattered light.
-    fn straight(&self, input: &ModelInput<'_>) -> Result<Rays> {
-        let OpticalScene {
-            vial,
-            lights,
-            optics,
-            ..
-        } = input.scene;
-        let model = straight(vial, lights, optics, self, input.grid.clone())?;
+    /// What [`model`] or [`straight`] makes of these parameters.
+    fn made(
+        &self,
+        input: &ModelInput<'_>,
+        make: fn(&dyn Vial, &[Light], &[Optics], &Self, VolumeGrid) -> Result<Rays>,
+    ) -> Result<Rays> {
+        let scene = input.scene;
+        let model = make(
+            scene.vial,
+            scene.lights,
+            scene.optics,
+            self,
+            input.grid.clone(),
+        )?;
         Ok(input.with_cells(model))
     }
 
@@ -207,22 +200,22 @@ impl ModelFamily for Params {
     }
 
     fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
-        Ok(Box::new(self.for_purpose(&input.scene).scattered(input)?))
+        Ok(Box::new(self.for_purpose(&input.scene).made(input, model)?))
     }
 
     fn form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
         let params = self.for_purpose(&input.scene);
-        let (model, straight) = (params.scattered(input)?, params.straight(input)?);
+        let (model, straight) = (params.made(input, model)?, params.made(input, straight)?);
         let light = (input.scene.lights, input.scene.optics);
         model.to_path_form(&straight, light, &limits(&params), input.run)
     }
 
     fn unscattered(&self, input: &ModelInput<'_>) -> Result<HostModel> {
-        Ok(Box::new(self.straight(input)?))
+        Ok(Box::new(self.made(input, straight)?))
     }
 
     fn unscattered_form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
-        self.straight(input)?.to_form(input.run)
+        self.made(input, straight)?.to_form(input.run)
     }
 
     fn rays(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Option<Result<Rays>> {
