@@ -110,6 +110,9 @@ tomolith_core::keys! {
 /// Paths of the judgment for each of the optimization.
 const EVALUATING: usize = 16;
 
+/// What makes a model: [`model`] or [`straight`].
+type Make = fn(&dyn Vial, &[Light], &[Optics], &Params, VolumeGrid) -> Result<Rays>;
+
 impl Params {
     /// The parameters for the purpose of a scene.
     fn for_purpose(&self, scene: &OpticalScene<'_>) -> Cow<'_, Self> {
@@ -120,11 +123,7 @@ impl Params {
     }
 
     /// What [`model`] or [`straight`] makes of these parameters.
-    fn made(
-        &self,
-        input: &ModelInput<'_>,
-        make: fn(&dyn Vial, &[Light], &[Optics], &Self, VolumeGrid) -> Result<Rays>,
-    ) -> Result<Rays> {
+    fn made(&self, input: &ModelInput<'_>, make: Make) -> Result<Rays> {
         let scene = input.scene;
         let model = make(
             scene.vial,
