@@ -12,9 +12,9 @@ use std::ops::Range;
 use tomolith_core::field::LANES;
 use tomolith_core::parallel::{InParallel, table};
 
-/// Vectors of 16 lanes in a short block at most. Longer blocks, up to [`MAX_BLOCK`], are faster where little is 0 (their
-/// weights are read less often), shorter ones are more often empty.
-const SHORT: usize = 5;
+/// Vectors of 16 lanes in a short and in a long block at most. Longer blocks are faster where little is 0 (their weights are read less often), shorter ones
+/// are more often empty.
+pub(super) const LENGTHS: [usize; 2] = [5, MAX_BLOCK];
 
 /// What a block costs in addition to its vectors, if a vector costs 1: its weights and slots are read once. Vectors of a block of five cost 1.2 to 1.7 times as
 /// much as those of one of sixteen (measured).
@@ -66,15 +66,20 @@ pub(super) struct NonzeroBlocks {
 
 impl NonzeroBlocks {
     /// Of rows of `row` vectors, of which `used` count; in short blocks where so many of them are empty that it pays.
-    pub(super) fn of(lanes: &[f32], row: usize, used: usize) -> Self {
-        let [short, long] = Self::in_blocks(lanes, row, used);
+    pub(super) fn of(lanes: &[f32], row: usize, used: usize, lengths: [usize; 2]) -> Self {
+        let [short, long] = Self::in_blocks(lanes, row, used, lengths);
         short.or(long)
     }
 
-    /// The same in short and in long blocks. Vectors that are empty in all rows, at either end, are in no block.
-    pub(super) fn in_blocks(lanes: &[f32], row: usize, used: usize) -> [Self; 2] {
-        let long: Vec<Block> = cut(row, nonzero_vectors(lanes, row, used), MAX_BLOCK).collect();
-        let parts = |block: &Block| cut(row, block.first..block.first + block.count, SHORT);
+    /// The same in short and in long blocks, of `lengths` vectors at most. Vectors that are empty in all rows, at either end, are in no block.
+    pub(super) fn in_blocks(
+        lanes: &[f32],
+        row: usize,
+        used: usize,
+        [shorter, longest]: [usize; 2],
+    ) -> [Self; 2] {
+        let long: Vec<Block> = cut(row, nonzero_vectors(lanes, row, used), longest).collect();
+        let parts = |block: &Block| cut(row, block.first..block.first + block.count, shorter);
         let short: Vec<Block> = long.iter().flat_map(parts).collect();
         let rows = table(lanes.len() / (row * LANES), |i| {
             bits_of(&lanes[i * row * LANES..][..row * LANES], &short)
@@ -166,9 +171,16 @@ impl NonzeroBlocks {
 
     /// What reading all blocks that hold anything costs, if a vector costs 1.
     fn cost(&self) -> f64 {
-        let nonzero: u64 = (self.rows.iter())
-            .map(|bits| u64::from(bits.count_ones()))
-            .sum();
+        self.cost_of_blocks(self.rows.iter())
+    }
+
+    /// The same of these rows alone.
+    pub(super) fn cost_of(&self, rows: &[usize]) -> f64 {
+        self.cost_of_blocks(rows.iter().map(|&row| &self.rows[row]))
+    }
+
+    fn cost_of_blocks<'a>(&self, rows: impl Iterator<Item = &'a u64>) -> f64 {
+        let nonzero: u64 = rows.map(|bits| u64::from(bits.count_ones())).sum();
         let vectors: usize = self.blocks.iter().map(|block| block.count).sum();
         let of_block = vectors as f64 / self.blocks.len().max(1) as f64 + COST_OF_BLOCK;
         nonzero as f64 * of_block
@@ -332,7 +344,7 @@ mod tests {
                     }
                 }
             }
-            NonzeroBlocks::of(&lanes, row, used)
+            NonzeroBlocks::of(&lanes, row, used, LENGTHS)
         };
         let counts = |nonzero: &NonzeroBlocks| -> Vec<usize> {
             nonzero.blocks.iter().map(|b| b.count).collect()
@@ -367,7 +379,7 @@ mod tests {
             for [i, vector] in places {
                 lanes[(i * row + vector) * LANES + 15] = 1.0;
             }
-            let nonzero = NonzeroBlocks::of(&lanes, row, used);
+            let nonzero = NonzeroBlocks::of(&lanes, row, used, LENGTHS);
             let ranges = nonzero.blocks.iter().map(|b| b.first..b.first + b.count);
             (ranges.collect::<Vec<_>>(), nonzero.any(1))
         };
@@ -387,7 +399,7 @@ mod tests {
         lanes[351 * LANES] = 1.0;
         lanes[(row + 349) * LANES] = f32::NAN;
         lanes[2 * row * LANES] = 1.0;
-        let nonzero = NonzeroBlocks::of(&lanes, row, used);
+        let nonzero = NonzeroBlocks::of(&lanes, row, used, LENGTHS);
         assert!(
             !nonzero.any(0),
             "what lies beyond the lanes in use does not count"

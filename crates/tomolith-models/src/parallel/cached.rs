@@ -12,7 +12,7 @@
 //! repeat.
 
 use super::block_sparsity::{NonzeroBlocks, NonzeroTile};
-use super::kernel::{Block, MAX_BLOCK};
+use super::kernel::{Block, Isa, MAX_BLOCK};
 use super::patches::{self, ColumnEntry, Patches, VOXELS};
 use super::plan::{KernelPath, LightPlan};
 use super::tiles::{Local, Slots, TILE, Tile, TileEntries};
@@ -219,6 +219,42 @@ impl Group {
     }
 }
 
+/// Lanes that are read soon. They lie far apart, so that the processor would wait for each; asked for ahead, a few with every patch, they are in the cache.
+struct Ahead<'a> {
+    /// Slots of each step, counted from `first` on.
+    slots: std::slice::Chunks<'a, u32>,
+    first: usize,
+    block: usize,
+    lanes: &'a [f32],
+    nonzero: &'a NonzeroBlocks,
+}
+
+impl Ahead<'_> {
+    fn go_on(&mut self) {
+        let Some(&block) = self.nonzero.blocks.get(self.block) else {
+            return;
+        };
+        for &slot in self.slots.next().unwrap_or_default() {
+            let slot = self.first + slot as usize;
+            if self.nonzero.any_in(slot, self.block) {
+                let from = (slot * block.row + block.first) * LANES;
+                patches::prefetch(&self.lanes[from..from + block.count * LANES]);
+            }
+        }
+    }
+}
+
+/// A cotangent of which a tile's voxels are read, as rows of lanes.
+pub(super) struct TileCotangent<'a> {
+    pub(super) values: &'a [f32],
+    /// Which rows hold anything, and which of those of the tile.
+    pub(super) nonzero: &'a NonzeroBlocks,
+    pub(super) of_tile: NonzeroTile,
+    /// The row of the tile's first voxel, and rows from one line of voxels to the next.
+    pub(super) first: usize,
+    pub(super) line: usize,
+}
+
 /// A tile with its number, and views of a group.
 pub(super) type Place<'a> = (usize, &'a Tile, &'a Range<usize>);
 
@@ -327,9 +363,11 @@ impl CachedEntries {
             let dark = group.lit_by.len() - lit;
             let chooses = !is_whole || 4 * dark * block.count > 3 * group.lit_by.len();
             let source = &slots[first * block.row * LANES..];
+            let mut ahead = self.ahead((path, plan, place), (group, i), (slots, nonzero));
             for (y, lines) in rows.chunks_mut(EDGE).enumerate() {
                 let across = lines[0].len() / (block.row * LANES);
                 for x in 0..across.div_ceil(EDGE) {
+                    ahead.go_on();
                     let Some(mut entries) = group.patches.of(y * PATCHES + x, 0) else {
                         continue;
                     };
@@ -346,16 +384,46 @@ impl CachedEntries {
         }
     }
 
+    /// What is read after block `i` of a group: its next block, else the first one of the tile's next group. Nothing where blocks are long: there it saves no time.
+    fn ahead<'a>(
+        &'a self,
+        (path, plan, (index, _, views)): (KernelPath, &LightPlan, Place),
+        (group, i): (&'a Group, usize),
+        (slots, nonzero): (&'a [f32], &'a NonzeroBlocks),
+    ) -> Ahead<'a> {
+        let is_last = i + 1 == nonzero.blocks.len();
+        let next = views.start / GROUP + 1;
+        let (first, lit_by, block) = match is_last {
+            _ if path.isa != Isa::Avx2 => (0, [].as_slice(), 0),
+            false => (first_of_group(views), group.lit_by.as_slice(), i + 1),
+            true if next < self.per_tile => {
+                let group = &self.groups[index * self.per_tile + next];
+                (next * GROUP, group.lit_by.as_slice(), 0)
+            }
+            true => (0, [].as_slice(), 0),
+        };
+        Ahead {
+            slots: lit_by.chunks(lit_by.len().div_ceil(PATCHES * PATCHES).max(1)),
+            first: first * plan.columns,
+            block,
+            lanes: slots,
+            nonzero,
+        }
+    }
+
     /// Adds to the lanes of views of a group, and of no others, what the cotangent of a tile's voxels gives (transpose of [`add`](Self::add)).
     pub(super) fn collect(
         &self,
         (path, plan): (KernelPath, &LightPlan),
         place: Place<'_>,
-        (cotangent, nonzero, of_tile): (&[f32], &NonzeroBlocks, &NonzeroTile),
+        cotangent: &TileCotangent,
         lanes: &mut [f32],
         bench: &mut Bench,
     ) {
-        if of_tile.is_empty() {
+        let TileCotangent {
+            values, nonzero, ..
+        } = *cotangent;
+        if cotangent.of_tile.is_empty() {
             return;
         }
         let group = self.group((path, plan), place, (&mut bench.finder, &mut bench.found));
@@ -367,7 +435,7 @@ impl CachedEntries {
         let is_whole = is_whole(&own, group);
         let dark = [0.0; MAX_BLOCK * LANES];
         for (i, &block) in nonzero.blocks.iter().enumerate() {
-            if !of_tile.any_in(i) {
+            if !cotangent.of_tile.any_in(i) {
                 continue;
             }
             for patch in 0..PATCHES * PATCHES {
@@ -377,7 +445,7 @@ impl CachedEntries {
                 let voxel = |corner: usize| {
                     let x = patch % PATCHES * EDGE + corner % EDGE;
                     let y = patch / PATCHES * EDGE + corner / EDGE;
-                    let voxel = y * size[0] + x;
+                    let voxel = cotangent.first + y * cotangent.line + x;
                     let is_inside = x < size[0] && y < size[1];
                     (is_inside && nonzero.any_in(voxel, i)).then_some(voxel)
                 };
@@ -388,7 +456,7 @@ impl CachedEntries {
                 let values = voxels.map(|voxel| match voxel {
                     Some(voxel) => {
                         let from = (voxel * block.row + block.first) * LANES;
-                        &cotangent[from..from + block.count * LANES]
+                        &values[from..from + block.count * LANES]
                     }
                     None => &dark[..block.count * LANES],
                 });

@@ -8,7 +8,8 @@
 //! Some views alone are those of all, with lanes of the others dark; groups that hold none of them are left out.
 
 use super::block_sparsity::NonzeroBlocks;
-use super::cached::{Bench, CachedEntries};
+use super::cached::{Bench, CachedEntries, TileCotangent};
+use super::patches;
 use super::plan::LightPlan;
 use super::{DoseLayout, Parallel, TILE, Tile, groups, tile_rows};
 use crate::Run;
@@ -134,7 +135,9 @@ impl Parallel {
         let mut lanes = self.borrow_scratch(wide.slots * wide.row);
         self.expand_parts((light, wide), (views, sides), x, lanes.as_mut_slice());
         let source = lanes.as_slice();
-        let nonzero = NonzeroBlocks::of(source, wide.row / LANES, wide.parts * wide.part / LANES);
+        let (row, used) = (wide.row / LANES, wide.parts * wide.part / LANES);
+        let lengths = patches::block_lengths(self.path.isa);
+        let nonzero = NonzeroBlocks::of(source, row, used, lengths);
         let steps = run.steps(self.tiles.len() * groups.len());
         let DoseLayout { row, grid, .. } = &self.output;
         let mut rows: Vec<_> = tile_rows(&self.tiles, dose, *row, grid.shape[2]);
@@ -268,8 +271,11 @@ impl Parallel {
         let wide = Wide::of(plan);
         let of_rows = self.of_rows(plan, cotangent);
         let cotangent = of_rows.as_ref().map_or(cotangent, HostField::as_slice);
-        let nonzero =
-            NonzeroBlocks::in_blocks(cotangent, plan.levels.row / LANES, plan.levels.used);
+        let (row, lengths) = (
+            plan.levels.row / LANES,
+            patches::block_lengths(self.path.isa),
+        );
+        let nonzero = NonzeroBlocks::in_blocks(cotangent, row, plan.levels.used, lengths);
         let given = (&views, cotangent, &nonzero);
         let groups = repeated(&views, plan.turned.period);
         let (len, per_view) = (wide.slots * wide.row, plan.columns * wide.row);
@@ -341,6 +347,30 @@ impl Parallel {
             .flat_map(|at| (0..wide.parts).map(move |part| plan.turned.place_in(part, at)))
             .map(|[x, y]| y * nx + x)
             .collect();
+        let per_view = plan.columns * wide.row;
+        let mut collect = |cotangent: &TileCotangent, bench: &mut Bench| {
+            for group in groups {
+                let own = group.start - groups[0].start..group.end - groups[0].start;
+                let lanes = &mut lanes[own.start * per_view..own.end * per_view];
+                let place = (index, tile, group);
+                cache.collect((self.path, plan), place, cotangent, lanes, bench);
+            }
+        };
+        if wide.parts == 1 && wide.row == row {
+            let [short, long] = nonzero;
+            let nonzero = match short.cost_of(&places) < long.cost_of(&places) {
+                true => short,
+                false => long,
+            };
+            let cotangent = TileCotangent {
+                values: cotangent,
+                nonzero,
+                of_tile: nonzero.of_tile(tile, nx),
+                first: places[0],
+                line: nx,
+            };
+            return collect(&cotangent, &mut desk.bench);
+        }
         let sizes = (wide.parts, wide.part / LANES);
         let nonzero_there = NonzeroBlocks::side_by_side(nonzero, wide.row / LANES, sizes, &places);
         let local = Tile {
@@ -374,19 +404,14 @@ impl Parallel {
                 }
             }
         }
-        let per_view = plan.columns * wide.row;
-        let given = (desk.turned.as_slice(), &nonzero_there, &of_tile);
-        for group in groups {
-            let own = group.start - groups[0].start..group.end - groups[0].start;
-            let lanes = &mut lanes[own.start * per_view..own.end * per_view];
-            cache.collect(
-                (self.path, plan),
-                (index, tile, group),
-                given,
-                lanes,
-                &mut desk.bench,
-            );
-        }
+        let cotangent = TileCotangent {
+            values: desk.turned.as_slice(),
+            nonzero: &nonzero_there,
+            of_tile,
+            first: 0,
+            line: tile.size[0],
+        };
+        collect(&cotangent, &mut desk.bench);
     }
 }
 

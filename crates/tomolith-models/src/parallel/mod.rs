@@ -85,7 +85,7 @@ use crate::{
     Capabilities, Cost, DoseLayout, HostModel, LinearOperator, MakeFamily, ModelFamily, ModelInput,
     ModelKind, OpticalScene, PatternLayout, Purpose, Refines, Run, Steps, ZCoupling, own_frames,
 };
-use block_sparsity::{NeededEntries, NonzeroBlocks};
+use block_sparsity::{LENGTHS, NeededEntries, NonzeroBlocks};
 use cached::{CachedEntries, Finding};
 use chains::GUARD;
 use gather::Gatherer;
@@ -381,7 +381,7 @@ impl Parallel {
             plan,
             views,
             source,
-            nonzero: NonzeroBlocks::of(slots, row / LANES, plan.levels.used),
+            nonzero: NonzeroBlocks::of(slots, row / LANES, plan.levels.used, LENGTHS),
         };
         let steps = run.steps(self.tiles.len() * groups(expanded.views.clone()).count());
         let neighbors = neighbors(row);
@@ -494,7 +494,7 @@ impl Parallel {
         let chunk = views.len().div_ceil(4 * rayon::current_num_threads());
         let chunks = chunks(views.clone(), chunk);
         let neighbors = neighbors(row);
-        let nonzero = NonzeroBlocks::of(cotangent, row / LANES, plan.levels.used);
+        let nonzero = NonzeroBlocks::of(cotangent, row / LANES, plan.levels.used, LENGTHS);
         let of_tiles = self.tiles.iter().par_map(|tile| nonzero.of_tile(tile, nx));
         let per_view = plan.columns * row;
         let used = GUARD * row..(plan.lit.len() + GUARD) * row;
