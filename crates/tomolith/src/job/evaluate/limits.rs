@@ -92,18 +92,14 @@ impl Asked<'_> {
             kind,
             optimized: print.optimization.as_ref().and_then(measured),
             written: print.written,
-            standing: measured(&print.standing),
+            standing: print.standing.as_ref().and_then(measured),
             turning: measured(evaluated),
             unrounded: print.unrounded,
             pitches_mm: [resolved.grid.pitch_mm, evaluated.grid.pitch_mm],
             bits: resolved.evaluation().bit_depth,
             has_machine: resolved.printers.is_some(),
             arcs: Arcs::of(&lights),
-            is_optimized_turning: finest.is_some_and(|level| {
-                let turning = |light: &&Light| light.pixels.frame_arc > 0.0;
-                let mut turning = level.lights.iter().filter(turning).peekable();
-                turning.peek().is_some() && turning.all(|light| light.sub_angles > 1)
-            }),
+            is_optimized_turning: resolved.optimizes_turning(),
             saw_finer: finest.is_some_and(|level| {
                 level.grid.pitch_mm < resolved.grid.pitch_mm
                     && level.grid.pitch_mm <= evaluated.grid.pitch_mm

@@ -77,8 +77,8 @@ pub(crate) struct Evaluated {
 pub(crate) struct SpeciesPrint {
     /// Written patterns, turning vial, finer grid.
     pub(crate) evaluation: Evaluation,
-    /// The same with the vial standing still during each frame.
-    pub(crate) standing: Evaluation,
+    /// The same with the vial standing still during each frame; None where the optimization counted the turning, so that nothing asks for it.
+    pub(crate) standing: Option<Evaluation>,
     /// Raw patterns on the optimization's grid, when there are raw ones.
     pub(crate) optimization: Option<Evaluation>,
     /// The headline number of the written patterns on that grid.
@@ -181,7 +181,8 @@ pub(crate) fn evaluate_patterns(
     };
     let printing = cancel.part(in_time_share);
     let cancel = &cancel.part(1.0 - in_time_share);
-    let mut steps = EvaluationSteps::new(job, shown, evaluation_model, cancel);
+    let counts_turning = raw.is_some() && job.optimizes_turning();
+    let mut steps = EvaluationSteps::new(job, (shown, counts_turning), evaluation_model, cancel);
     let (optimization, objectives) = steps.on_own_voxels(voxels, raw)?;
     let text = steps.words();
     progress.event(&Event::Note { text });
@@ -194,6 +195,7 @@ pub(crate) fn evaluate_patterns(
     let (grid, sub_angles, stats) = (steps.grid.clone(), steps.sub_angles, steps.stats);
     let [is_own_still, is_own_turning] =
         [&steps.still, &steps.turning].map(|exposed| steps.own == *exposed);
+    let is_still = steps.still == steps.turning;
     let measured_apart = std::mem::take(&mut steps.written);
     let (doses, model) = steps.while_turning()?;
     let mut of_publications = PublishedNumbers::default();
@@ -211,12 +213,15 @@ pub(crate) fn evaluate_patterns(
         cancel.check()?;
         of_publications = published.unwrap_or(of_publications);
         let evaluation = evaluation.with_sub_angles(sub_angles);
-        let standing = standing.get(s).unwrap_or(&evaluation).clone();
+        let standing = match is_still {
+            true => Some(evaluation.clone()),
+            false => standing.get(s).cloned(),
+        };
         let optimization = optimization.get(s).cloned();
         let head = |print: &Evaluation| print.measures.get(headline(fine.target.gray).name);
         let written = match &optimization {
             Some(_) if is_own_turning => head(&evaluation),
-            Some(_) if is_own_still => head(&standing),
+            Some(_) if is_own_still => standing.as_ref().and_then(head),
             _ => measured_apart.get(s).copied().flatten(),
         };
         species.push(SpeciesPrint {
@@ -325,6 +330,8 @@ struct EvaluationSteps<'a> {
     still: Exposed,
     turning: Exposed,
     sub_angles: usize,
+    /// Whether the print of a vial that stands still is asked for: where the optimization did not count the turning, or that dose is there already.
+    has_standing: bool,
     doses: Doses<'a>,
     /// Sums over the written patterns.
     stats: PatternStats,
@@ -335,7 +342,7 @@ struct EvaluationSteps<'a> {
 impl<'a> EvaluationSteps<'a> {
     fn new(
         job: &'a ResolvedJob,
-        shown: &'a [Patterns],
+        (shown, counts_turning): (&'a [Patterns], bool),
         evaluation_model: Option<&'a EvaluationModel>,
         cancel: &'a Run,
     ) -> Self {
@@ -343,11 +350,13 @@ impl<'a> EvaluationSteps<'a> {
         let grid = job.fine_grid();
         let [still, turning] =
             [1, sub_angles].map(|n| Exposed::new(&grid, job.optics.lights_turning(n)));
+        let own = Exposed::new(&job.grid, job.optics.lights.clone());
         EvaluationSteps {
             job,
             shown,
             cancel,
-            own: Exposed::new(&job.grid, job.optics.lights.clone()),
+            has_standing: still != turning && (own == still || !counts_turning),
+            own,
             grid,
             still,
             turning,
@@ -367,7 +376,10 @@ impl<'a> EvaluationSteps<'a> {
         let [nz, ny, nx] = self.grid.shape;
         let how = match self.sub_angles {
             1 => "the vial stands still during each frame".to_owned(),
-            n => format!("standing still, and turning ({n} angles per frame)"),
+            n if self.has_standing => {
+                format!("standing still, and turning ({n} angles per frame)")
+            }
+            n => format!("turning ({n} angles per frame)"),
         };
         format!("evaluating on {nx} × {ny} × {nz} voxels: {how}")
     }
@@ -407,9 +419,9 @@ impl<'a> EvaluationSteps<'a> {
         (self.job).voxels(&self.grid, &self.cancel.part(share::SAMPLING))
     }
 
-    /// The written patterns while the vial stands still, of every species; none where frames have no arc, so that it turns in none.
+    /// The written patterns while the vial stands still, of every species; none where nothing asks for them.
     fn standing_still(&mut self, fine: &[Voxels]) -> Result<Vec<Evaluation>> {
-        if self.still == self.turning {
+        if !self.has_standing {
             return Ok(Vec::new());
         }
         let run = self.cancel.part(share::STANDING);
@@ -433,7 +445,11 @@ impl<'a> EvaluationSteps<'a> {
 
     /// The doses of the written patterns while the vial turns, and the model that gave them.
     fn while_turning(mut self) -> Result<(Vec<Volume<f32>>, String)> {
-        let run = self.cancel.part(share::TURNING);
+        let of_standing = match self.has_standing {
+            true => 0.0,
+            false => share::STANDING + share::NUMBERS,
+        };
+        let run = self.cancel.part(share::TURNING + of_standing);
         (self.doses).of(&self.turning, self.shown, &run)
     }
 

@@ -107,8 +107,8 @@ pub struct Summary {
     pub found_response: Option<String>,
     /// The written patterns while the vial turns, on the finer grid: the headline.
     pub evaluation: Quality,
-    /// The same with the vial standing still during each frame.
-    pub standing: Quality,
+    /// The same with the vial standing still during each frame; None where the optimization counted the turning.
+    pub standing: Option<Quality>,
     /// The unquantized patterns on the optimization grid; None for a simulation of patterns that are quantized only.
     pub optimization: Option<Quality>,
     /// Over which exposures the print is nearly as good as at the best one; None where this is unknown.
@@ -245,7 +245,9 @@ impl fmt::Display for Summary {
         if let Some(optimization) = &self.optimization {
             row(f, "unwritten, on the job's grid", optimization)?;
         }
-        row(f, "written, standing still", &self.standing)?;
+        if let Some(standing) = &self.standing {
+            row(f, "written, standing still", standing)?;
+        }
         row(f, "written, turning", &self.evaluation)?;
         for species in self.species.iter().skip(1) {
             heads(f, &format!("{}:", species.name), &species.evaluation)?;
@@ -459,7 +461,7 @@ pub(crate) fn summary(
         found_window: optimized.and_then(|o| o.window),
         found_response: optimized.and_then(|o| Some(o.found.as_ref()?.sentence())),
         evaluation: quality(&first.evaluation),
-        standing: quality(&first.standing),
+        standing: first.standing.as_ref().map(quality),
         optimization: first.optimization.as_ref().map(quality),
         exposure: headline.exposures.first().copied().flatten(),
         species: species(done, &headline),

@@ -377,6 +377,15 @@ impl ResolvedJob {
         }
     }
 
+    /// Whether the optimization counts that the vial turns during each frame.
+    pub(crate) fn optimizes_turning(&self) -> bool {
+        let turns = |light: &&Light| light.pixels.frame_arc > 0.0;
+        self.levels.last().is_some_and(|level| {
+            let mut turning = level.lights.iter().filter(turns).peekable();
+            turning.peek().is_some() && turning.all(|light| light.sub_angles > 1)
+        })
+    }
+
     /// What light passes in the optimization, and the surface where an objective has cells.
     pub(crate) fn optimizing(&self) -> OpticalScene<'_> {
         optimizing(&self.optics, &self.species)
