@@ -7,7 +7,6 @@ use crate::job::optimize::Optimized;
 use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::refinement::moved_pixels;
 use crate::metrics::{Better, Evaluation, Measure, MetricKind};
-use crate::optics::light::Light;
 
 use crate::report::number::significant;
 use crate::report::{Cause, Limit, PrintLimits};
