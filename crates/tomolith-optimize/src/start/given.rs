@@ -257,21 +257,24 @@ pub fn resample(given: &Patterns, to: &PatternGrid) -> Patterns {
     let columns = axis(to.columns, from.columns, false, &|i| {
         place(to.column_u(i) - from.offset_mm[0], 0, from.columns)
     });
-    let image = |k: usize| given.frame(k);
     patterns
         .values
         .chunks_mut(to.rows * to.columns)
         .zip(&frames)
         .par_each(|(out, frame)| {
+            // Up to four lines of samples are near a line of pixels: two of each of two frames
+            let mut near: Vec<(&[f32], f64)> = Vec::with_capacity(4);
             for (line, row) in out.chunks_mut(to.columns).zip(&rows) {
+                near.clear();
+                for (k, wk) in present(frame) {
+                    let lines = |j: usize| &given.frame(k)[j * from.columns..][..from.columns];
+                    near.extend(present(row).map(|(j, wj)| (lines(j), wk * wj)));
+                }
                 for (value, column) in line.iter_mut().zip(&columns) {
                     let mut sum = 0.0;
-                    for (k, wk) in frame.iter().filter(|t| t.1 > 0.0) {
-                        for (j, wj) in row.iter().filter(|t| t.1 > 0.0) {
-                            for (i, wi) in column.iter().filter(|t| t.1 > 0.0) {
-                                let v = image(*k)[j * from.columns + i];
-                                sum += wk * wj * wi * f64::from(v);
-                            }
+                    for (samples, weight) in &near {
+                        for (i, wi) in present(column) {
+                            sum += weight * wi * f64::from(samples[i]);
                         }
                     }
                     *value = (sum * per_frame) as f32;
@@ -283,6 +286,11 @@ pub fn resample(given: &Patterns, to: &PatternGrid) -> Patterns {
 
 /// Two samples and their weights.
 type Taps = [(usize, f64); 2];
+
+/// Those that count.
+fn present(taps: &Taps) -> impl Iterator<Item = (usize, f64)> {
+    taps.iter().copied().filter(|tap| tap.1 > 0.0)
+}
 
 /// The neighbors of a place among `n` samples, which end half a sample beyond the outermost unless they wrap round.
 #[expect(
