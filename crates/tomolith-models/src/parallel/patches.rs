@@ -165,7 +165,7 @@ impl<'a> PatchEntries<'a> {
     }
 }
 
-/// Vectors of 16 lanes in a short and in a long block at most. A path that sums sixteen lanes at a time gains nothing from long blocks, and in blocks of three the
+/// Vectors of 16 lanes in a short and in a long block at most. With AVX2 24 lanes are summed at a time, so that long blocks gain nothing, and in blocks of three the
 /// columns of a group of views and the voxels of a tile stay in a second-level cache of 512 kB, as processors without AVX-512 have it.
 pub(super) fn block_lengths(isa: Isa) -> [usize; 2] {
     match isa {
@@ -467,9 +467,9 @@ mod x86 {
         _mm512_loadu_ps, _mm512_storeu_ps, _mm512_set1_ps, _mm512_fmadd_ps,
         gather, gather_wide, spread, spread_wide
     );
-    // Of 16 they hold eight: two are a line of the cache
+    // Of 16 they hold twelve; a column and a weight fill the rest
     kernels!(
-        "avx2,fma", __m256, 8, 2, [1 2],
+        "avx2,fma", __m256, 8, 3, [1 2 3],
         _mm256_loadu_ps, _mm256_storeu_ps, _mm256_set1_ps, _mm256_fmadd_ps,
         gather_avx2, gather_half, spread_avx2, spread_half
     );
