@@ -7,6 +7,7 @@ pub mod small;
 pub mod taylor;
 
 use crate::dose::{DoseModel, Run};
+use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::kind::{Kind, Section};
 use serde_json::Value;
@@ -27,6 +28,23 @@ pub fn noise(seed: u64, len: usize) -> Vec<f32> {
         .collect()
 }
 
+/// Numbers from 0 to below 1 that look random, one after the other, from [`noise`].
+pub fn random(seed: u64) -> impl FnMut() -> f32 {
+    let mut numbers = noise(seed, 1 << 16).into_iter().cycle();
+    move || 0.5 + 0.5 * numbers.next().unwrap_or_default()
+}
+
+/// Asserts that a result is the refusal of a key.
+///
+/// # Panics
+/// When it is another one, or none.
+pub fn refuses<T>(result: Result<T>, key: &str) {
+    match result.map(drop) {
+        Err(Error::Config { key: found, .. }) => assert_eq!(found, key),
+        other => panic!("{key} is not refused, but {other:?}"),
+    }
+}
+
 /// Asserts that a number differs from what is expected by less than a tolerance.
 ///
 /// ```
@@ -34,7 +52,7 @@ pub fn noise(seed: u64, len: usize) -> Vec<f32> {
 /// ```
 #[macro_export]
 macro_rules! near {
-    ($found:expr, $expected:expr, $tolerance:expr) => {
+    ($found:expr, $expected:expr, $tolerance:expr $(,)?) => {
         $crate::near!($found, $expected, $tolerance, "not near")
     };
     ($found:expr, $expected:expr, $tolerance:expr, $($what:tt)+) => {{
@@ -135,7 +153,7 @@ pub fn largest_difference(a: &[f32], b: &[f32]) -> f32 {
     off / b.iter().map(|b| b.abs()).fold(0.0, larger)
 }
 
-/// The section of a row's example, `[family.kind]` or the first of `[[family]]`.
+/// The section of a row's example, `[family.kind]` at any depth or the first of `[[family]]`.
 ///
 /// # Panics
 /// When the example does not name the row's kind.
@@ -144,8 +162,8 @@ pub fn example<B>(row: &Kind<B>) -> Section {
         toml::from_str(row.example).unwrap_or_else(|e| panic!("example of {}: {e}", row.name));
     let mut path = Vec::new();
     let mut value = serde_json::to_value(value).unwrap();
-    // Down to the kind: `[family.kind]`
-    for _ in 0..2 {
+    // Down to the kind
+    while path.last().is_none_or(|key| key != row.name) {
         // Of a list `[[family]]` the first
         if let Value::Array(list) = value {
             value = list.into_iter().next().unwrap();
@@ -158,6 +176,5 @@ pub fn example<B>(row: &Kind<B>) -> Section {
         path.push(key);
         value = inner;
     }
-    assert_eq!(path[1], row.name, "the example names another kind");
     Section::new(path.join("."), value)
 }

@@ -411,10 +411,7 @@ mod tests {
         for period in [2.0, 3.0, 5.0, 10.0, 20.0, 40.0, 64.0] {
             let expected = 1.41 * (PI / period).sin().sqrt();
             let found = gain(1.0 / period);
-            assert!(
-                (found / expected - 1.0).abs() < 0.03,
-                "period {period}: {found} instead of {expected}"
-            );
+            near!(found / expected, 1.0, 0.03, "period {period}");
         }
         assert!((gain(0.0) / gain(0.5) - 0.14).abs() < 0.01);
     }

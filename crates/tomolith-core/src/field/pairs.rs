@@ -633,17 +633,14 @@ mod tests {
     fn rounding_goes_to_the_nearest_sixteen_bits() {
         for value in [0.0, -0.0, 1.0, -2.5, 0.333_333_3, 1e-30, -7e20] {
             let back = stored(value);
-            assert!(
-                (back - value).abs() <= value.abs() / 256.0,
-                "{value} became {back}"
-            );
+            let off = (back - value).abs();
+            assert!(off <= value.abs() / 256.0, "{value} became {back}");
         }
         // Halfway between 1 and 1 + 2⁻⁷: to even
         assert_eq!(stored(1.0 + 2f32.powi(-8)), 1.0);
         assert_eq!(stored(1.0 + 3.0 * 2f32.powi(-8)), 1.0 + 2f32.powi(-6));
     }
 
-    /// Both passes against sums written down one element at a time; two lights, lengths that are no multiples of anything.
     #[test]
     fn lanes_beyond_the_last_element_are_no_part_of_the_sums() {
         let bounds = Bounds::of_pieces([(17, 0.1, 0.5)]);
@@ -665,6 +662,7 @@ mod tests {
         assert_eq!((squares, sums.slope), ([0.125 * 0.125; 2], -0.125 * 0.125));
     }
 
+    /// Against sums written down one element at a time; two lights, lengths that are no multiples of anything.
     #[test]
     fn both_passes_agree_with_plain_sums() {
         let lens = [70_003usize, 1_017];

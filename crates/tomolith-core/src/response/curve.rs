@@ -11,8 +11,8 @@
 //! ```
 
 use crate::columns::read_pairs;
-use crate::error::{Error, Result};
-use crate::units::{counted, exact};
+use crate::error::{Error, Result, in_range};
+use crate::units::counted;
 use std::path::Path;
 
 /// Points of a measured response, by ascending dose, no dose twice.
@@ -44,11 +44,7 @@ impl Curve {
         }
         for (key, list) in [("dose", doses), ("response", responses)] {
             if let Some(i) = list.iter().position(|v| !v.is_finite()) {
-                return Err(Error::refused(
-                    format!("{key}[{i}]"),
-                    exact(list[i]),
-                    "a finite number",
-                ));
+                in_range(false, format!("{key}[{i}]"), list[i], "a finite number")?;
             }
         }
         let mut rows: Vec<(f64, f64)> = doses

@@ -348,7 +348,9 @@ pub const KIND: Kind<BuildResponse> = Kind {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::check::refuses;
     use crate::near;
+    use serde_json::json;
 
     /// Values and slopes of an independent implementation's formulas by hand: d = 0, 1, 3, 4 and m = 0, 1, 2, 6.
     #[test]
@@ -397,10 +399,7 @@ mod tests {
                 (table.value_and_slope(dose), known.value_and_slope(dose));
             near!(value, expected, 2e-6, "{dose}");
             assert!((slope - rise).abs() < 5e-3, "{dose}: {slope} {rise}");
-            assert!(
-                (table.inverse(expected) - known.inverse(expected)).abs() < 1e-5,
-                "{dose}"
-            );
+            near!(table.inverse(expected), known.inverse(expected), 1e-5);
         }
         assert_eq!(table.value_and_slope(7.0), (exact(1.0) as f32, 0.0));
         assert_eq!(table.inverse(2.0), 1.0);
@@ -417,51 +416,25 @@ mod tests {
         let values: Vec<f32> = (0..=1000).map(|i| table.value(i as f32 * 1e-3)).collect();
         assert!(values.windows(2).all(|w| w[1] >= w[0] - 1e-6));
         assert!(values[200..=400].iter().all(|v| (v - 0.1).abs() < 1e-6));
-        assert!(
-            (table.inverse(0.1) - 0.2).abs() < 1e-6,
-            "the lowest dose of the stretch"
-        );
+        near!(table.inverse(0.1), 0.2, 1e-6);
     }
 
     #[test]
     fn a_table_that_falls_is_refused_with_its_key() {
-        let build = |json: serde_json::Value| {
-            let Err(Error::Config { key, found, .. }) =
-                (KIND.build)(&Section::new("response.table", json))
-            else {
-                panic!("it was accepted")
-            };
-            (key, found)
-        };
-        let (key, found) =
-            build(serde_json::json!({"dose": [0, 1, 2], "response": [0.0, 0.5, 0.4]}));
-        assert_eq!(
-            (key.as_str(), found.as_str()),
-            (
-                "response.table.response[2]",
-                "found 0.4 after 0.5: the response falls with dose"
-            )
-        );
+        let build = |json| (KIND.build)(&Section::new("response.table", json));
+        let falls = json!({"dose": [0, 1, 2], "response": [0.0, 0.5, 0.4]});
+        let text = build(falls).unwrap_err().to_string();
+        let expected =
+            "response.table.response[2]: found 0.4 after 0.5: the response falls with dose;";
+        assert!(text.starts_with(expected), "{text}");
         for (json, key) in [
-            (
-                serde_json::json!({"dose": [0, 2, 1], "response": [0, 1, 2]}),
-                "response.table.dose[2]",
-            ),
-            (
-                serde_json::json!({"dose": [0, 1], "response": [1, 1]}),
-                "response.table.response",
-            ),
-            (
-                serde_json::json!({"dose": [0, 1], "response": [1]}),
-                "response.table.response",
-            ),
-            (serde_json::json!({}), "response.table.dose"),
-            (
-                serde_json::json!({"file": "nowhere.csv"}),
-                "response.table.file",
-            ),
+            (json!({"dose": [0, 2, 1], "response": [0, 1, 2]}), "dose[2]"),
+            (json!({"dose": [0, 1], "response": [1, 1]}), "response"),
+            (json!({"dose": [0, 1], "response": [1]}), "response"),
+            (json!({}), "dose"),
+            (json!({"file": "nowhere.csv"}), "file"),
         ] {
-            assert_eq!(build(json).0, key);
+            refuses(build(json), &format!("response.table.{key}"));
         }
     }
 
@@ -469,8 +442,7 @@ mod tests {
     fn a_file_is_found_beside_the_job() {
         let folder = tempfile::tempdir().unwrap();
         std::fs::write(folder.path().join("m.csv"), "0,0\n1,2\n").unwrap();
-        let section = Section::new("response.table", serde_json::json!({"file": "m.csv"}))
-            .based(folder.path());
+        let section = Section::new("response.table", json!({"file": "m.csv"})).based(folder.path());
         assert_eq!((KIND.build)(&section).unwrap().value(0.25), 0.5);
     }
 }
