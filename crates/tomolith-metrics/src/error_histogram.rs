@@ -23,9 +23,9 @@
 //! ```
 
 use super::Measure;
+use super::buckets::class;
 use rayon::prelude::*;
 use tomolith_core::field::BLOCK;
-use tomolith_core::target::label;
 
 /// Bins from −reach to reach.
 const BINS: usize = 800;
@@ -96,10 +96,8 @@ fn counted(
     reach: f64,
 ) -> Vec<[u64; 2]> {
     for ((&label, &m), &f) in labels.iter().zip(response).zip(wanted) {
-        let class = match label {
-            label::PART => 0,
-            label::VOID => 1,
-            _ => continue,
+        let Some(class) = class(label) else {
+            continue;
         };
         let bin = (f64::from(m) - f64::from(f) + reach) / (2.0 * reach) * BINS as f64;
         counts[(bin.max(0.0) as usize).min(BINS - 1)][class] += 1;

@@ -40,27 +40,19 @@ pub const KIND: MetricKind = MetricKind {
 
 #[cfg(test)]
 mod tests {
-    use super::super::print::PatternStats;
     use super::*;
-    use tomolith_core::grid::{Volume, VolumeGrid};
+    use crate::print::{PatternStats, samples::row};
 
     #[test]
     fn is_mean_over_maximum() {
-        let grid = VolumeGrid::centered([0, 0, 0], 0.5);
-        let (labels, response) = (Volume::new(grid.clone(), vec![]), Volume::new(grid, vec![]));
-        let measure = |sum, max| {
-            let stats = PatternStats {
-                pixels: 8,
-                sum,
-                max,
-            };
-            super::measure(&Print::new(&labels, &response).unwrap().with_patterns(stats))
+        let (labels, response) = (row(&[]), row(&[]));
+        let print = || Print::new(&labels, &response).unwrap();
+        let of = |sum, max| {
+            let pixels = 8;
+            measure(&print().with_patterns(PatternStats { pixels, sum, max }))
         };
-        assert_eq!(measure(6.0, 3.0), Some(0.25));
-        assert_eq!(measure(0.0, 0.0), None);
-        assert_eq!(
-            super::measure(&Print::new(&labels, &response).unwrap()),
-            None
-        );
+        assert_eq!(of(6.0, 3.0), Some(0.25));
+        assert_eq!(of(0.0, 0.0), None);
+        assert_eq!(measure(&print()), None);
     }
 }

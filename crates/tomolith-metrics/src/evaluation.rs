@@ -1,16 +1,4 @@
 //! All numbers of a print, and the curves of the report.
-//!
-//! ```
-//! use tomolith_core::grid::{Volume, VolumeGrid};
-//! use tomolith_metrics::{evaluate, print::Print};
-//! use tomolith_core::target::label::{PART, VOID};
-//! let grid = VolumeGrid::centered([1, 1, 3], 0.1);
-//! let labels = Volume { grid: grid.clone(), values: vec![VOID, PART, VOID] };
-//! let response = Volume { grid, values: vec![0.2, 0.9, 0.4] };
-//! let evaluation = evaluate(&Print::new(&labels, &response).unwrap());
-//! assert_eq!(evaluation.measures.get("iou"), Some(1.0));
-//! assert_eq!(evaluation.measures.get("eta"), None); // no patterns were given
-//! ```
 
 use super::error_histogram::ErrorHistogram;
 use super::latitude::{Latitude, latitude};
@@ -158,18 +146,18 @@ fn notes(print: &Print<'_>) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::print::samples::row;
     use tomolith_core::grid::Volume;
     use tomolith_core::target::label::{OUTSIDE, PART, VOID};
-
-    fn volume<T: Clone>(shape: [usize; 3], values: &[T]) -> Volume<T> {
-        Volume::new(VolumeGrid::centered(shape, 0.1), values.to_vec())
-    }
 
     #[test]
     fn two_slices_that_differ_are_both_counted() {
         // Upper slice right, lower slice wrong: numbers are of the whole volume, not of either slice
-        let labels = volume([2, 1, 4], &[VOID, PART, PART, VOID, VOID, PART, PART, VOID]);
-        let response = volume([2, 1, 4], &[0.1, 0.9, 0.9, 0.1, 0.8, 0.2, 0.9, 0.1]);
+        let grid = VolumeGrid::centered([2, 1, 4], 0.1);
+        let labels = vec![VOID, PART, PART, VOID, VOID, PART, PART, VOID];
+        let response = vec![0.1, 0.9, 0.9, 0.1, 0.8, 0.2, 0.9, 0.1];
+        let labels = Volume::new(grid.clone(), labels);
+        let response = Volume::new(grid, response);
         let evaluation = evaluate(&Print::new(&labels, &response).unwrap());
         let get = |name| evaluation.measures.get(name).unwrap();
         // t in [0.1, 0.2): 4 of 4 + 1
@@ -178,15 +166,8 @@ mod tests {
         assert!((get("ver") - 0.125).abs() < 1e-12);
         assert!((get("over_mm3") - 1e-3).abs() < 1e-12);
         assert_eq!(get("under_mm3"), 0.0);
-        assert_eq!(
-            evaluation
-                .histogram
-                .counts
-                .iter()
-                .map(|c| c[0] + c[1])
-                .sum::<u64>(),
-            8
-        );
+        let counts = evaluation.histogram.counts.iter().flatten();
+        assert_eq!(counts.sum::<u64>(), 8);
     }
 
     #[test]
@@ -199,8 +180,7 @@ mod tests {
             (vec![PART; 2], vec![1e30, 1e38]),
             (vec![PART, VOID], vec![-1e38, 1e38]),
         ] {
-            let labels = volume([1, 1, labels.len()], &labels);
-            let response = volume([1, 1, response.len()], &response);
+            let (labels, response) = (row(&labels), row(&response));
             let evaluation = evaluate(&Print::new(&labels, &response).unwrap());
             let json = serde_json::to_value(&evaluation.measures).unwrap();
             assert_eq!(json.as_object().unwrap().len(), METRICS.len());
@@ -216,28 +196,9 @@ mod tests {
     #[test]
     fn the_table_has_the_names_of_the_report() {
         let names: Vec<&str> = METRICS.iter().map(|m| m.name).collect();
-        assert_eq!(
-            names,
-            [
-                "iou",
-                "best_threshold",
-                "ver",
-                "pw",
-                "ipdr",
-                "gamma",
-                "eta",
-                "time_mm",
-                "cv",
-                "over_mm3",
-                "under_mm3",
-                "surface_mean_mm",
-                "surface_p95_mm",
-                "hausdorff_mm",
-                "in_band",
-                "rms_error",
-                "max_error_part",
-                "max_error_void"
-            ]
-        );
+        let surfaces = "surface_mean_mm surface_p95_mm hausdorff_mm";
+        let gray = "in_band rms_error max_error_part max_error_void";
+        let others = "iou best_threshold ver pw ipdr gamma eta time_mm cv over_mm3 under_mm3";
+        assert_eq!(names.join(" "), format!("{others} {surfaces} {gray}"));
     }
 }

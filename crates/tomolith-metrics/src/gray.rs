@@ -27,11 +27,10 @@
 //! assert!((measures.get("max_error_void").unwrap() - 0.25).abs() < 1e-6);
 //! ```
 
-use super::print::Print;
+use super::buckets::class;
 use super::{Better, Measure, MetricKind};
 use tomolith_core::field::BLOCK;
 use tomolith_core::parallel::InParallel;
-use tomolith_core::target::label;
 
 /// Parts of the half width by which a voxel may leave the band through rounding to f32.
 const ROUNDING: f64 = 1e-5;
@@ -76,10 +75,8 @@ impl Sums {
     fn of(labels: &[u8], response: &[f32], wanted: &[f32], half_width: f64) -> Self {
         let mut sums = Sums::default();
         for ((&label, &m), &f) in labels.iter().zip(response).zip(wanted) {
-            let class = match label {
-                label::PART => 0,
-                label::VOID => 1,
-                _ => continue,
+            let Some(class) = class(label) else {
+                continue;
             };
             let (m, f) = (f64::from(m), f64::from(f));
             let error = (m - f).abs();
@@ -138,24 +135,9 @@ pub const IN_BAND: MetricKind = MetricKind {
     measure: |print| print.gray_errors().map(|errors| errors.in_band),
 };
 
-const fn error(
-    name: &'static str,
-    title: &'static str,
-    summary: &'static str,
-    measure: fn(&Print<'_>) -> Measure,
-) -> MetricKind {
-    MetricKind {
-        name,
-        title,
-        summary,
-        unit: "response",
-        better: Better::Lower,
-        measure,
-    }
-}
-
 /// Row of [`METRICS`](super::METRICS): the rms error.
-pub const RMS: MetricKind = error(
+pub const RMS: MetricKind = MetricKind::error(
+    "response",
     "rms_error",
     "Rms error",
     "Root mean square difference between response and gray value.",
@@ -163,7 +145,8 @@ pub const RMS: MetricKind = error(
 );
 
 /// Row of [`METRICS`](super::METRICS): the largest error of bright voxels.
-pub const MAX_PART: MetricKind = error(
+pub const MAX_PART: MetricKind = MetricKind::error(
+    "response",
     "max_error_part",
     "Largest error, bright",
     "Largest error where the target's gray value is at least ½.",
@@ -171,7 +154,8 @@ pub const MAX_PART: MetricKind = error(
 );
 
 /// Row of [`METRICS`](super::METRICS): the largest error of dark voxels.
-pub const MAX_VOID: MetricKind = error(
+pub const MAX_VOID: MetricKind = MetricKind::error(
+    "response",
     "max_error_void",
     "Largest error, dark",
     "Largest error where the target's gray value is below ½.",

@@ -34,15 +34,13 @@ pub const KIND: MetricKind = MetricKind {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::print::samples::near;
-    use tomolith_core::grid::{Volume, VolumeGrid};
+    use crate::print::samples::{near, row};
     use tomolith_core::target::label::{OUTSIDE, PART, VOID};
 
     #[test]
     fn of_a_given_threshold() {
-        let grid = VolumeGrid::centered([1, 1, 6], 0.5);
-        let labels = Volume::new(grid.clone(), vec![PART, PART, PART, VOID, VOID, OUTSIDE]);
-        let response = Volume::new(grid, vec![0.9, 0.8, 0.3, 0.5, 0.1, 2.0]);
+        let labels = row(&[PART, PART, PART, VOID, VOID, OUTSIDE]);
+        let response = row(&[0.9, 0.8, 0.3, 0.5, 0.1, 2.0]);
         let print = Print::new(&labels, &response)
             .unwrap()
             .with_threshold(0.6)

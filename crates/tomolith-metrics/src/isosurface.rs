@@ -73,12 +73,6 @@ impl Isosurface {
         0.5 * dot(n, n).sqrt()
     }
 
-    /// Area, mm².
-    #[must_use]
-    pub fn area_mm2(&self) -> f64 {
-        (0..self.triangles.len()).map(|i| self.area_of(i)).sum()
-    }
-
     /// Enclosed volume, mm³: Σ of signed tetrahedra.
     #[must_use]
     pub fn volume_mm3(&self) -> f64 {
@@ -94,7 +88,8 @@ impl Isosurface {
 /// The surface around what is above `level`.
 #[must_use]
 pub fn isosurface(volume: &Volume<f32>, level: f64) -> Isosurface {
-    isosurface_of(&volume.grid, level, rows_of(&volume.values), &Run::new())
+    let fill = rows_of(&volume.values);
+    isosurface_within(&volume.grid, level, fill, usize::MAX, &Run::new()).unwrap_or_default()
 }
 
 /// The value that stands for "not gelled" next to a level: 0, or less when the level itself is not above 0.
@@ -103,23 +98,13 @@ pub fn beyond(level: f64) -> f32 {
     if level > 0.0 { 0.0 } else { level as f32 - 1.0 }
 }
 
-/// Rows of an array, for [`isosurface_of`].
+/// Rows of an array, for [`isosurface_within`].
 pub fn rows_of(values: &[f32]) -> impl Fn(usize, &mut [f32]) + Sync {
     |first, row| row.copy_from_slice(&values[first..][..row.len()])
 }
 
 /// As [`isosurface`], of values that `fill` writes: a row of voxels along x that begins at a position of the array. Empty when
-/// the run is canceled.
-pub fn isosurface_of(
-    grid: &VolumeGrid,
-    level: f64,
-    fill: impl Fn(usize, &mut [f32]) + Sync,
-    run: &Run,
-) -> Isosurface {
-    isosurface_within(grid, level, fill, usize::MAX, run).unwrap_or_default()
-}
-
-/// As [`isosurface_of`]; None where it has more than `most` corners: then no more are made.
+/// the run is canceled; None where it has more than `most` corners: then no more are made.
 pub fn isosurface_within(
     grid: &VolumeGrid,
     level: f64,
@@ -497,20 +482,14 @@ mod tests {
     use super::*;
     use std::collections::HashMap;
     use std::f64::consts::PI;
+    use tomolith_core::check::{on_threads, random};
 
     fn sphere(n: usize, radius: f64, center: [f64; 3]) -> Volume<f32> {
         let grid = VolumeGrid::centered([n, n + 1, n + 2], 4.0 / n as f64);
-        let mut volume = Volume::filled(grid.clone(), 0.0);
-        for iz in 0..grid.shape[0] {
-            for iy in 0..grid.shape[1] {
-                for ix in 0..grid.shape[2] {
-                    let p = minus([grid.x(ix), grid.y(iy), grid.z(iz)], center);
-                    volume.values[grid.index(iz, iy, ix)] =
-                        (radius + 1.0 - dot(p, p).sqrt()) as f32;
-                }
-            }
-        }
-        volume
+        Volume::from_fn(grid, |at| {
+            let p = minus(at, center);
+            (radius + 1.0 - dot(p, p).sqrt()) as f32
+        })
     }
 
     /// Every directed edge once, and its reverse once.
@@ -568,10 +547,13 @@ mod tests {
         let errors: Vec<[f64; 2]> = [16, 32, 64]
             .map(|n| {
                 let surface = isosurface(&sphere(n, 1.2, center), 1.0);
+                let area: f64 = (0..surface.triangles.len())
+                    .map(|i| surface.area_of(i))
+                    .sum();
                 assert_closed(&surface);
                 let (r2, r3) = (1.2f64.powi(2), 1.2f64.powi(3));
                 [
-                    (surface.area_mm2() / (4.0 * PI * r2) - 1.0).abs(),
+                    (area / (4.0 * PI * r2) - 1.0).abs(),
                     (surface.volume_mm3() / (4.0 / 3.0 * PI * r3) - 1.0).abs(),
                 ]
             })
@@ -588,15 +570,8 @@ mod tests {
     #[test]
     fn noise_gives_a_closed_surface_even_at_the_border_of_the_grid() {
         let grid = VolumeGrid::centered([21, 13, 17], 0.1);
-        let mut state = 9u64;
-        let values: Vec<f32> = (0..grid.len())
-            .map(|_| {
-                state = state
-                    .wrapping_mul(6_364_136_223_846_793_005)
-                    .wrapping_add(1_442_695_040_888_963_407);
-                (state >> 40) as f32 / 16_777_216.0
-            })
-            .collect();
+        let mut random = random(9);
+        let values = (0..grid.len()).map(|_| random()).collect();
         let volume = Volume { grid, values };
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("noise.stl");
@@ -630,10 +605,7 @@ mod tests {
         // A slab that ends at x = 0.3: value 1 − (x − 0.3), level 1
         let mut grid = VolumeGrid::centered([4, 4, 8], 0.5);
         grid.center_mm = [0.1, 5.0, -3.0];
-        let mut volume = Volume::filled(grid.clone(), 0.0f32);
-        for (i, value) in volume.values.iter_mut().enumerate() {
-            *value = (1.3 - grid.x(i % 8)) as f32;
-        }
+        let volume = Volume::from_fn(grid, |[x, ..]| (1.3 - x) as f32);
         let surface = isosurface(&volume, 1.0);
         let right: Vec<_> = surface
             .corners
@@ -681,7 +653,7 @@ mod tests {
     #[test]
     fn threads_do_not_matter() {
         let volume = sphere(24, 1.1, [0.0; 3]);
-        let run = |threads| tomolith_core::check::on_threads(threads, || isosurface(&volume, 1.0));
+        let run = |threads| on_threads(threads, || isosurface(&volume, 1.0));
         assert_eq!(run(1), run(3));
         let empty = isosurface(&volume, 5.0);
         assert_eq!(empty, Isosurface::default());

@@ -56,7 +56,7 @@ pub mod under_mm3;
 pub mod ver;
 
 pub use evaluation::{Evaluation, Measures, evaluate};
-pub use published::{Published, published};
+pub use published::Published;
 
 /// A number, or none where it is not defined.
 pub type Measure = Option<f64>;
@@ -88,6 +88,26 @@ pub struct MetricKind {
     pub measure: fn(&Print<'_>) -> Measure,
 }
 
+impl MetricKind {
+    /// A row of an error, the smaller the better.
+    const fn error(
+        unit: &'static str,
+        name: &'static str,
+        title: &'static str,
+        summary: &'static str,
+        measure: fn(&Print<'_>) -> Measure,
+    ) -> Self {
+        MetricKind {
+            name,
+            title,
+            summary,
+            unit,
+            better: Better::Lower,
+            measure,
+        }
+    }
+}
+
 /// Every metric, in the order of the report.
 pub static METRICS: &[MetricKind] = &[
     iou::KIND,
@@ -114,134 +134,64 @@ pub static METRICS: &[MetricKind] = &[
 mod tests {
     use super::*;
     use crate::print::samples::measured;
-    use tomolith_core::target::label::{OUTSIDE as O, PART as P, VOID as V};
+    use tomolith_core::target::label::{OUTSIDE, PART, VOID};
+
+    /// Metric, voxels as label (part, void or outside) and response, value, and why.
+    const BY_HAND: &str = "
+iou | P0.9 P0.8 P0.3 V0.5 V0.1 O2 | 0.75 | three of 3 + 1, from 0.1 on
+iou | V0.1 V0.2 | none | no part
+iou | V0 P0 | 0 | no print
+iou | | none | nothing
+best_threshold | V0.4 P0.9 O0.6 | 0.65 | the middle of the gap
+best_threshold | P0.8 | 0.4 | from 0 on
+best_threshold | V0.8 | none | no part
+ver | P0.5 P0.9 V0.6 V0.5 V0.1 O0.9 | 0.2 | 0.5 is the weakest; 0.6 is wrong, an equal 0.5 is not
+ver | P1 | 0 | no void
+ver | V1 | none | no part
+ipdr | P0.9 P0.7 V5 O9 | 0.2 | inside the part
+ipdr | V1 | none | no part
+pw | P0.9 P0.7 V0.4 O3 | 0.3 | a gap
+pw | P0.9 P0.3 V0.4 | -0.1 | an overlap
+pw | P1 | none | no void
+pw | V1 | none | no part
+cv | P1 P3 V9 O9 | 0.5 | mean 2, deviation 1
+cv | P0 | none | a mean of 0
+cv | V1 | none | no part
+gamma | V0.375 P0.875 | 50 | from 0.375 to 0.875
+gamma | V0.375 P7 | 62.5 | the scale ends at 1
+gamma | V1 | none | no part
+gamma | V0 P0 | none | no print
+over_mm3 | P0.9 P0.5 V0.6 V0.3 O9 | 0.125 | a threshold in [0.3, 0.5) prints both and one of the void
+over_mm3 | P0 V0 | 0 | no print
+over_mm3 | O1 | none | no voxel that counts
+under_mm3 | P0.9 P0.8 P0.1 V0.3 V0.3 V0.2 O0 | 0.125 | the weak one is lost rather than three of the void printed
+under_mm3 | P0.9 P0.2 V0.5 V0.4 V0.3 | 0.125 | a threshold from 0.5 to 0.9
+under_mm3 | P0 V0 | 0.125 | no print
+under_mm3 | O1 | none | no voxel that counts
+";
 
     #[test]
     fn every_definition_by_hand() {
-        type Row = (
-            MetricKind,
-            &'static [u8],
-            &'static [f32],
-            Option<f64>,
-            &'static str,
-        );
-        let rows: [Row; 30] = [
-            (
-                iou::KIND,
-                &[P, P, P, V, V, O],
-                &[0.9, 0.8, 0.3, 0.5, 0.1, 2.0],
-                Some(0.75),
-                "three of 3 + 1, from 0.1 on",
-            ),
-            (iou::KIND, &[V, V], &[0.1, 0.2], None, "no part"),
-            (iou::KIND, &[V, P], &[0.0, 0.0], Some(0.0), "no print"),
-            (iou::KIND, &[], &[], None, "nothing"),
-            (
-                best_threshold::KIND,
-                &[V, P, O],
-                &[0.4, 0.9, 0.6],
-                Some(0.65),
-                "the middle of the gap",
-            ),
-            (best_threshold::KIND, &[P], &[0.8], Some(0.4), "from 0 on"),
-            (best_threshold::KIND, &[V], &[0.8], None, "no part"),
-            (
-                ver::KIND,
-                &[P, P, V, V, V, O],
-                &[0.5, 0.9, 0.6, 0.5, 0.1, 0.9],
-                Some(0.2),
-                "0.5 is the weakest; 0.6 is wrong, an equal 0.5 is not",
-            ),
-            (ver::KIND, &[P], &[1.0], Some(0.0), "no void"),
-            (ver::KIND, &[V], &[1.0], None, "no part"),
-            (
-                ipdr::KIND,
-                &[P, P, V, O],
-                &[0.9, 0.7, 5.0, 9.0],
-                Some(0.2),
-                "inside the part",
-            ),
-            (ipdr::KIND, &[V], &[1.0], None, "no part"),
-            (
-                pw::KIND,
-                &[P, P, V, O],
-                &[0.9, 0.7, 0.4, 3.0],
-                Some(0.3),
-                "a gap",
-            ),
-            (
-                pw::KIND,
-                &[P, P, V],
-                &[0.9, 0.3, 0.4],
-                Some(-0.1),
-                "an overlap",
-            ),
-            (pw::KIND, &[P], &[1.0], None, "no void"),
-            (pw::KIND, &[V], &[1.0], None, "no part"),
-            (
-                cv::KIND,
-                &[P, P, V, O],
-                &[1.0, 3.0, 9.0, 9.0],
-                Some(0.5),
-                "mean 2, deviation 1",
-            ),
-            (cv::KIND, &[P], &[0.0], None, "a mean of 0"),
-            (cv::KIND, &[V], &[1.0], None, "no part"),
-            (
-                gamma::KIND,
-                &[V, P],
-                &[0.375, 0.875],
-                Some(50.0),
-                "from 0.375 to 0.875",
-            ),
-            (
-                gamma::KIND,
-                &[V, P],
-                &[0.375, 7.0],
-                Some(62.5),
-                "the scale ends at 1",
-            ),
-            (gamma::KIND, &[V], &[1.0], None, "no part"),
-            (gamma::KIND, &[V, P], &[0.0, 0.0], None, "no print"),
-            (
-                over_mm3::KIND,
-                &[P, P, V, V, O],
-                &[0.9, 0.5, 0.6, 0.3, 9.0],
-                Some(0.125),
-                "a threshold in [0.3, 0.5) prints both and one of the void",
-            ),
-            (over_mm3::KIND, &[P, V], &[0.0, 0.0], Some(0.0), "no print"),
-            (over_mm3::KIND, &[O], &[1.0], None, "no voxel that counts"),
-            (
-                under_mm3::KIND,
-                &[P, P, P, V, V, V, O],
-                &[0.9, 0.8, 0.1, 0.3, 0.3, 0.2, 0.0],
-                Some(0.125),
-                "the weak voxel is lost rather than three of the void printed",
-            ),
-            (
-                under_mm3::KIND,
-                &[P, P, V, V, V],
-                &[0.9, 0.2, 0.5, 0.4, 0.3],
-                Some(0.125),
-                "a threshold from 0.5 to 0.9",
-            ),
-            (
-                under_mm3::KIND,
-                &[P, V],
-                &[0.0, 0.0],
-                Some(0.125),
-                "no print",
-            ),
-            (under_mm3::KIND, &[O], &[1.0], None, "no voxel that counts"),
-        ];
-        for (kind, labels, response, expected, why) in rows {
-            let found = measured(kind.measure, labels, response);
-            let is_near = match (found, expected) {
-                (Some(found), Some(expected)) => (found - expected).abs() < 1e-6,
-                (found, expected) => found == expected,
+        for row in BY_HAND.trim().lines() {
+            let columns: Vec<&str> = row.split('|').map(str::trim).collect();
+            let [name, voxels, expected, _] = columns[..] else {
+                panic!("{row}")
             };
-            assert!(is_near, "{}, {why}: {found:?}", kind.name);
+            let kind = METRICS.iter().find(|kind| kind.name == name).unwrap();
+            let voxels = voxels.split_whitespace().map(|voxel| voxel.split_at(1));
+            let (labels, response): (Vec<u8>, Vec<f32>) = voxels
+                .map(|(label, response)| {
+                    let labels = [("P", PART), ("V", VOID), ("O", OUTSIDE)];
+                    let (_, label) = labels.into_iter().find(|(of, _)| *of == label).unwrap();
+                    (label, response.parse::<f32>().unwrap())
+                })
+                .unzip();
+            let found = measured(kind.measure, &labels, &response);
+            assert_eq!(found.is_none(), expected == "none", "{row}: {found:?}");
+            if let Some(found) = found {
+                let expected: f64 = expected.parse().unwrap();
+                assert!((found - expected).abs() < 1e-6, "{row}: {found}");
+            }
         }
     }
 }

@@ -4,10 +4,11 @@
 //! start well. Exact up to f32.
 //!
 //! ```
+//! use tomolith_core::run::Run;
 //! use tomolith_metrics::isosurface::Isosurface;
 //! use tomolith_metrics::nearest::TriangleTree;
 //! let surface = Isosurface { corners: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], triangles: vec![[0, 1, 2]] };
-//! let tree = TriangleTree::new(&surface);
+//! let tree = TriangleTree::new(&surface, &Run::new());
 //! assert_eq!(tree.distance([0.2, 0.2, 0.5], f32::INFINITY), 0.5); // above its face
 //! assert_eq!(tree.distance([-3.0, 4.0, 0.0], f32::INFINITY), 18f32.sqrt()); // nearest to the corner (0, 1, 0)
 //! ```
@@ -48,15 +49,9 @@ impl Leaf {
 }
 
 impl TriangleTree {
-    /// Builds the tree.
+    /// Builds the tree. One that was not ready when the run was canceled answers wrong.
     #[must_use]
-    pub fn new(surface: &Isosurface) -> Self {
-        Self::under(surface, &Run::new())
-    }
-
-    /// The same until the run is canceled: a tree that is not in order answers wrong.
-    #[must_use]
-    pub fn under(surface: &Isosurface, run: &Run) -> Self {
+    pub fn new(surface: &Isosurface, run: &Run) -> Self {
         let corners = |i: u32| surface.triangles[i as usize].map(|c| surface.corners[c as usize]);
         let leaf = |items: &[u32]| {
             let mut triangles = [[[0.0; 3]; 3]; LEAF];
@@ -129,13 +124,8 @@ fn to_segments(p: [f32x4; 3], a: [f32x4; 3], b: [f32x4; 3]) -> f32x4 {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn random(state: &mut u64) -> f32 {
-        *state = state
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (*state >> 40) as f32 / 16_777_216.0
-    }
+    use tomolith_core::check::random;
+    use tomolith_core::near;
 
     /// The plain twin of [`squared_distances`], of a triangle.
     fn squared_distance(p: Point, triangle: &[Point; 3]) -> f32 {
@@ -166,21 +156,21 @@ mod tests {
     #[test]
     fn the_tree_finds_what_a_search_of_all_triangles_finds() {
         for count in [1, 2, 3, 4, 5, 16, 17, 64, 65, 1000] {
-            let mut state = count as u64;
+            let mut random = random(count as u64);
             let corners: Vec<Point> = (0..3 * count)
                 .map(|i| {
                     // Small triangles all over the place, some degenerate
                     let size = if i % 9 == 8 { 0.0 } else { 0.1 };
-                    std::array::from_fn(|_| random(&mut state) * size + (i / 3 % 7) as f32 * 0.13)
+                    std::array::from_fn(|_| random() * size + (i / 3 % 7) as f32 * 0.13)
                 })
                 .collect();
             let triangles = (0..count as u32)
                 .map(|i| [3 * i, 3 * i + 1, 3 * i + 2])
                 .collect();
             let surface = Isosurface { corners, triangles };
-            let tree = TriangleTree::new(&surface);
+            let tree = TriangleTree::new(&surface, &Run::new());
             for _ in 0..200 {
-                let p: Point = std::array::from_fn(|_| 2.0 * random(&mut state) - 0.5);
+                let p: Point = std::array::from_fn(|_| 2.0 * random() - 0.5);
                 let brute = surface
                     .triangles
                     .iter()
@@ -190,10 +180,7 @@ mod tests {
                 for bound in [f32::INFINITY, brute, 1.5 * brute] {
                     // Boxes are rounded, so a rival that is equal up to f32 may win
                     let found = tree.distance(p, bound);
-                    assert!(
-                        (found - brute).abs() <= 2e-7 * (1.0 + brute),
-                        "{found} {brute}"
-                    );
+                    near!(found, brute, 2e-7 * (1.0 + brute), "{found} {brute}");
                 }
             }
         }
@@ -217,7 +204,7 @@ mod tests {
 
     #[test]
     fn no_triangles_are_infinitely_far_away() {
-        let tree = TriangleTree::new(&Isosurface::default());
+        let tree = TriangleTree::new(&Isosurface::default(), &Run::new());
         assert_eq!(tree.distance([0.0; 3], f32::INFINITY), f32::INFINITY);
     }
 }

@@ -18,7 +18,7 @@
 
 use super::error_histogram::ErrorHistogram;
 use super::gray::{GrayErrors, gray_errors};
-use super::isosurface::{Isosurface, beyond, isosurface_of, isosurface_pieces};
+use super::isosurface::{Isosurface, beyond, isosurface_pieces};
 use super::scan::{Plateau, Scan};
 use super::surface::{
     Compared, Deviation, MOST_TRIANGLES, SurfaceDistance, TargetSurface, compared, deviation,
@@ -345,16 +345,6 @@ impl<'a> Print<'a> {
         })
     }
 
-    /// The predicted print's surface; voxels outside of the resin are not printed. Empty when nothing is printed.
-    #[must_use]
-    pub fn surface(&self) -> Isosurface {
-        let Some(threshold) = self.gel_threshold() else {
-            return Isosurface::default();
-        };
-        let fill = |i, row: &mut [f32]| self.printed_row(i, threshold, row);
-        isosurface_of(self.grid(), threshold, fill, &self.run)
-    }
-
     /// Response of a row of voxels that begins at a position, nothing outside of the resin.
     pub(super) fn printed_row(&self, first: usize, threshold: f64, row: &mut [f32]) {
         printed_row((self.labels, self.response), first, threshold, row);
@@ -435,16 +425,43 @@ pub(super) mod samples {
     use super::*;
     use crate::Measure;
 
-    /// What a metric says of a row of voxels, 0.5 mm each, without inside fraction and patterns.
+    /// A row of voxels, 0.5 mm each.
+    pub(crate) fn row<T: Clone>(values: &[T]) -> Volume<T> {
+        let grid = VolumeGrid::centered([1, 1, values.len()], 0.5);
+        Volume::new(grid, values.to_vec())
+    }
+
+    /// ½ and the depth under the surface of a ball about a point of the axis x: ½ at the surface.
+    pub(crate) fn ball(grid: &VolumeGrid, radius: f64, x0: f64) -> Volume<f32> {
+        let depth = |[x, y, z]: [f64; 3]| radius - (x - x0).hypot(y).hypot(z);
+        Volume::from_fn(grid.clone(), |at| (0.5 + depth(at)) as f32)
+    }
+
+    /// Part where at least half is inside, else void.
+    pub(crate) fn labeled(inside: &Volume<f32>) -> Volume<u8> {
+        let label = |&share: &f32| [label::VOID, label::PART][usize::from(share >= 0.5)];
+        let labels = inside.values.iter().map(label).collect();
+        Volume::new(inside.grid.clone(), labels)
+    }
+
+    /// The print of a response that gels at ½, with the target's inside fraction.
+    pub(crate) fn print_of<'a>(
+        labels: &'a Volume<u8>,
+        inside: &'a Volume<f32>,
+        response: &'a Volume<f32>,
+    ) -> Print<'a> {
+        let print = Print::new(labels, response).unwrap();
+        let print = print.with_inside(inside).unwrap();
+        print.with_threshold(0.5).unwrap()
+    }
+
+    /// What a metric says of a row of voxels without inside fraction and patterns.
     pub(crate) fn measured(
         measure: fn(&Print<'_>) -> Measure,
         labels: &[u8],
         response: &[f32],
     ) -> Measure {
-        let grid = VolumeGrid::centered([1, 1, labels.len()], 0.5);
-        let labels = Volume::new(grid.clone(), labels.to_vec());
-        let response = Volume::new(grid, response.to_vec());
-        measure(&Print::new(&labels, &response).unwrap())
+        measure(&Print::new(&row(labels), &row(response)).unwrap())
     }
 
     /// Whether a number is the expected one up to f32.
@@ -455,58 +472,38 @@ pub(super) mod samples {
 
 #[cfg(test)]
 mod tests {
+    use super::samples::{ball, labeled, print_of, row};
     use super::*;
     use tomolith_core::near;
     use tomolith_core::target::label::{OUTSIDE, PART, VOID};
 
-    fn volume<T: Clone>(values: &[T]) -> Volume<T> {
-        Volume::new(
-            VolumeGrid::centered([1, 1, values.len()], 0.5),
-            values.to_vec(),
-        )
-    }
-
     #[test]
     fn a_given_threshold_replaces_the_best_one() {
-        let (labels, response) = (
-            volume(&[VOID, PART, PART, OUTSIDE]),
-            volume(&[0.3, 0.6, 0.9, 5.0]),
-        );
-        let print = Print::new(&labels, &response).unwrap();
-        assert_eq!(print.printed(), [2, 0]);
-        let print = print.with_threshold(0.25).unwrap();
-        assert_eq!(
-            Print::new(&labels, &response)
-                .unwrap()
-                .with_threshold(0.25)
-                .unwrap()
-                .printed(),
-            [2, 1]
-        );
-        assert_eq!(print.gel_threshold(), Some(0.25));
-        assert!(
-            Print::new(&labels, &response)
-                .unwrap()
-                .with_threshold(f64::NAN)
-                .is_err()
-        );
+        let labels = row(&[VOID, PART, PART, OUTSIDE]);
+        let response = row(&[0.3, 0.6, 0.9, 5.0]);
+        let print = || Print::new(&labels, &response).unwrap();
+        assert_eq!(print().printed(), [2, 0]);
+        let given = print().with_threshold(0.25).unwrap();
+        assert_eq!(given.printed(), [2, 1]);
+        assert_eq!(given.gel_threshold(), Some(0.25));
+        assert!(print().with_threshold(f64::NAN).is_err());
     }
 
     #[test]
     fn arrays_that_do_not_fit_are_refused() {
-        let (labels, response) = (volume(&[VOID, PART]), volume(&[0.3, 0.6, 0.9]));
+        let (labels, response) = (row(&[VOID, PART]), row(&[0.3, 0.6, 0.9]));
         assert!(matches!(
             Print::new(&labels, &response),
             Err(Error::Shape { .. })
         ));
-        let short = volume(&[0.1, 0.2]);
+        let short = row(&[0.1, 0.2]);
         assert!(
             Print::new(&labels, &short)
                 .unwrap()
                 .with_inside(&response)
                 .is_err()
         );
-        let mut torn = volume(&[0.1, 0.2]);
+        let mut torn = row(&[0.1, 0.2]);
         torn.values.pop();
         assert!(matches!(
             Print::new(&labels, &torn),
@@ -536,22 +533,9 @@ mod tests {
     fn the_surface_in_pieces_holds_the_volume_that_is_measured() {
         // An egg that reaches beyond several slabs, and a shell round it that does not gel
         let grid = VolumeGrid::centered([64, 48, 48], 0.1);
-        let height = |i: usize| {
-            let [x, y, z] = [grid.x(i % 48), grid.y(i / 48 % 48), grid.z(i / (48 * 48))];
-            1.5 - (x.hypot(y) / 1.9).hypot(z / 2.8)
-        };
-        let response = Volume {
-            values: (0..grid.len()).map(|i| height(i) as f32).collect(),
-            grid: grid.clone(),
-        };
-        let labels = Volume {
-            values: response
-                .values
-                .iter()
-                .map(|&v| if v > 0.5 { PART } else { VOID })
-                .collect(),
-            grid: grid.clone(),
-        };
+        let height = |[x, y, z]: [f64; 3]| 1.5 - (x.hypot(y) / 1.9).hypot(z / 2.8);
+        let response = Volume::from_fn(grid.clone(), |at| height(at) as f32);
+        let labels = labeled(&response);
         let print = Print::new(&labels, &response).unwrap();
         let (mut volume, mut pieces) = (0.0, 0);
         let take = |piece: &Isosurface| -> Result<()> {
@@ -571,25 +555,9 @@ mod tests {
     #[test]
     fn distances_that_were_measured_have_the_deviation_of_the_surface() {
         let grid = VolumeGrid::centered([24, 24, 24], 0.1);
-        let ball = |radius: f64| -> Volume<f32> {
-            let at = |i: usize| [grid.x(i % 24), grid.y(i / 24 % 24), grid.z(i / 576)];
-            let depth = |[x, y, z]: [f64; 3]| (0.5 + radius - x.hypot(y).hypot(z)) as f32;
-            Volume::new(
-                grid.clone(),
-                (0..grid.len()).map(|i| depth(at(i))).collect(),
-            )
-        };
-        let (inside, response) = (ball(0.7), ball(0.8));
-        let of = |&share: &f32| if share >= 0.5 { PART } else { VOID };
-        let labels = Volume::new(grid.clone(), inside.values.iter().map(of).collect());
-        let print = || {
-            let print = Print::new(&labels, &response).unwrap();
-            print
-                .with_inside(&inside)
-                .unwrap()
-                .with_threshold(0.5)
-                .unwrap()
-        };
+        let (inside, response) = (ball(&grid, 0.7, 0.0), ball(&grid, 0.8, 0.0));
+        let labels = labeled(&inside);
+        let print = || print_of(&labels, &inside, &response);
         let measured = print();
         assert!(measured.distance().is_some());
         // Two prints of one target share its surface, and their numbers are those of each alone
@@ -609,9 +577,9 @@ mod tests {
 
     #[test]
     fn what_lies_outside_of_the_resin_is_no_print() {
-        let (labels, response) = (volume(&[OUTSIDE, VOID, PART]), volume(&[9.0, 0.0, 1.0]));
+        let (labels, response) = (row(&[OUTSIDE, VOID, PART]), row(&[9.0, 0.0, 1.0]));
         let print = Print::new(&labels, &response).unwrap();
-        let surface = print.surface();
+        let surface = print.deviation().unwrap().surface;
         assert!(surface.corners.iter().all(|c| c[0] > 0.0), "{surface:?}");
         assert_eq!(surface.triangles.len(), 8);
     }

@@ -130,19 +130,14 @@ fn counts(labels: &[u8], response: &[f32], low: f32, scale: f32) -> Table {
 mod tests {
     use super::*;
     use crate::scan::Scan;
+    use tomolith_core::check::random;
     use tomolith_core::target::label::{OUTSIDE, PART, VOID};
 
     #[test]
     fn it_is_at_most_the_exact_one_and_close_to_it() {
         for seed in 1..20u64 {
             let n = 20_000;
-            let mut state = seed;
-            let mut dice = || {
-                state = state
-                    .wrapping_mul(6_364_136_223_846_793_005)
-                    .wrapping_add(1_442_695_040_888_963_407);
-                (state >> 40) as f32 / 16_777_216.0
-            };
+            let mut dice = random(seed);
             let labels: Vec<u8> = (0..n)
                 .map(|_| [OUTSIDE, VOID, PART][(dice() * 3.0) as usize])
                 .collect();

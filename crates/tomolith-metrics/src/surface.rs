@@ -199,7 +199,7 @@ impl TargetSurface {
         let surface = surface(print.grid(), coarsened, 0.5, fill, most, run)?;
         let reference = Arc::new(Reference {
             coarsened,
-            tree: TriangleTree::under(&surface, run),
+            tree: TriangleTree::new(&surface, run),
             surface,
         });
         *made = Some(reference.clone());
@@ -256,7 +256,7 @@ fn compared_on(print: &Print<'_>, most_voxels: usize) -> Option<Compared> {
     let each = |surface: &Isosurface| surface.corners.len().div_ceil(print.most_corners()).max(1);
     let steps = [each(&printed), each(&target.surface)];
     let mut samples = distances(&printed, &target.tree, steps[0], &run.part(NEAREST));
-    let of_print = TriangleTree::under(&printed, &run);
+    let of_print = TriangleTree::new(&printed, &run);
     let back = distances(&target.surface, &of_print, steps[1], &run.part(NEAREST));
     if run.is_canceled() {
         return None;
@@ -452,24 +452,10 @@ fn distances(from: &Isosurface, tree: &TriangleTree, step: usize, run: &Run) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::print::samples::{ball, labeled, print_of};
     use tomolith_core::grid::Volume;
     use tomolith_core::near;
     use tomolith_core::target::label::{PART, VOID};
-
-    /// 1 + signed depth under the surface of a sphere: level 1 is the sphere.
-    fn sphere(grid: &VolumeGrid, radius: f64, x0: f64) -> Volume<f32> {
-        let mut volume = Volume::filled(grid.clone(), 0.0f32);
-        for iz in 0..grid.shape[0] {
-            for iy in 0..grid.shape[1] {
-                for ix in 0..grid.shape[2] {
-                    let r = ((grid.x(ix) - x0).powi(2) + grid.y(iy).powi(2) + grid.z(iz).powi(2))
-                        .sqrt();
-                    volume.values[grid.index(iz, iy, ix)] = (1.0 + radius - r) as f32;
-                }
-            }
-        }
-        volume
-    }
 
     fn compare(grid: &VolumeGrid, radii: [f64; 2], shift: f64, most: usize) -> SurfaceDistance {
         compare_from(grid, radii, shift, (most, usize::MAX))
@@ -482,24 +468,9 @@ mod tests {
         shift: f64,
         (most, corners): (usize, usize),
     ) -> SurfaceDistance {
-        let response = sphere(grid, radii[1], shift);
-        let mut inside = sphere(grid, radii[0], 0.0);
-        let labels = Volume::new(
-            grid.clone(),
-            inside
-                .values
-                .iter()
-                .map(|&v| if v >= 1.0 { PART } else { VOID })
-                .collect(),
-        );
-        inside.values.iter_mut().for_each(|v| *v -= 0.5); // ½ at the surface
-        let print = Print::new(&labels, &response)
-            .unwrap()
-            .with_inside(&inside)
-            .unwrap()
-            .with_threshold(1.0)
-            .unwrap()
-            .with_most_corners(corners);
+        let (inside, response) = (ball(grid, radii[0], 0.0), ball(grid, radii[1], shift));
+        let labels = labeled(&inside);
+        let print = print_of(&labels, &inside, &response).with_most_corners(corners);
         compared_on(&print, most).unwrap().distance
     }
 
@@ -523,21 +494,11 @@ mod tests {
     fn a_rough_surface_is_averaged_until_there_is_memory_for_it() {
         // Every other voxel of a block gels: hundreds of triangles where a smooth block has some
         let grid = VolumeGrid::centered([32, 32, 32], 0.1);
-        let labels = Volume {
-            values: vec![PART; grid.len()],
-            grid: grid.clone(),
-        };
+        let labels = Volume::filled(grid.clone(), PART);
         let parity = |i: usize| (i % 32 + i / 32 % 32 + i / 1024) % 2;
-        let response = Volume {
-            values: (0..grid.len()).map(|i| parity(i) as f32 + 0.2).collect(),
-            grid,
-        };
-        let print = || {
-            Print::new(&labels, &response)
-                .unwrap()
-                .with_threshold(0.5)
-                .unwrap()
-        };
+        let values = (0..grid.len()).map(|i| parity(i) as f32 + 0.2).collect();
+        let response = Volume::new(grid, values);
+        let print = || print_of(&labels, &response, &response);
         let rough = print().deviation().unwrap();
         let few = print().with_most_triangles(20_000).deviation().unwrap();
         assert_eq!(rough.coarsened, 1);
@@ -550,16 +511,9 @@ mod tests {
     fn a_print_that_is_too_large_is_positive_all_over_and_one_that_is_too_small_negative() {
         let grid = VolumeGrid::centered([40, 41, 42], 0.1);
         for (radius, expected) in [(1.35, 150.0), (1.05, -150.0)] {
-            let (response, mut inside) = (sphere(&grid, radius, 0.0), sphere(&grid, 1.2, 0.0));
-            let label = |&v: &f32| if v >= 1.0 { PART } else { VOID };
-            let labels = Volume {
-                values: inside.values.iter().map(label).collect(),
-                grid: grid.clone(),
-            };
-            inside.values.iter_mut().for_each(|v| *v -= 0.5);
-            let print = Print::new(&labels, &response).unwrap();
-            let print = print.with_inside(&inside).unwrap();
-            let found = print.with_threshold(1.0).unwrap().deviation().unwrap();
+            let (inside, response) = (ball(&grid, 1.2, 0.0), ball(&grid, radius, 0.0));
+            let labels = labeled(&inside);
+            let found = print_of(&labels, &inside, &response).deviation().unwrap();
             assert_eq!(found.off_um.len(), found.surface.corners.len());
             for off in &found.off_um {
                 assert!((off - expected).abs() < 4.0, "{off} {expected}");
@@ -570,32 +524,15 @@ mod tests {
     #[test]
     fn the_place_of_the_largest_deviation_is_told_and_what_is_wrong_there() {
         let grid = VolumeGrid::centered([40, 40, 40], 0.1);
-        let part = |i: usize| {
-            let [x, y, z] = [grid.x(i % 40), grid.y(i / 40 % 40), grid.z(i / 1600)];
-            x.hypot(y).hypot(z) < 1.0
-        };
-        let labels = Volume {
-            values: (0..grid.len())
-                .map(|i| if part(i) { PART } else { VOID })
-                .collect(),
-            grid: grid.clone(),
-        };
-        let farthest = |changed: [usize; 3], value: f32| {
-            let mut response = Volume {
-                values: (0..grid.len())
-                    .map(|i| f32::from(u8::from(part(i))))
-                    .collect(),
-                grid: grid.clone(),
-            };
-            let [x, y, z] = changed;
+        let inside = Volume::from_fn(grid.clone(), |[x, y, z]| {
+            f32::from(u8::from(x.hypot(y).hypot(z) < 1.0))
+        });
+        let labels = labeled(&inside);
+        let farthest = |[x, y, z]: [usize; 3], value: f32| {
+            let mut response = inside.clone();
             response.values[grid.index(z, y, x)] = value;
-            let print = Print::new(&labels, &response).unwrap();
-            print
-                .with_threshold(0.5)
-                .unwrap()
-                .distance()
-                .unwrap()
-                .farthest
+            let print = print_of(&labels, &inside, &response);
+            print.distance().unwrap().farthest
         };
         // A loose speck at (1.55, 1.45, −1.05) mm; a hole in the middle of the part, at (0.05, 0.05, 0.05) mm
         for (voxel, value, side) in [
@@ -636,12 +573,8 @@ mod tests {
         let mut grid = VolumeGrid::centered([4, 6, 8], 0.5);
         grid.center_mm = [1.0, 2.0, 3.0];
         let at = |g: &VolumeGrid, i: usize| {
-            let (x, y, z) = (
-                i % g.shape[2],
-                i / g.shape[2] % g.shape[1],
-                i / g.shape[2] / g.shape[1],
-            );
-            (g.x(x) + 10.0 * g.y(y) + 100.0 * g.z(z)) as f32
+            let [x, y, z] = g.middle(i);
+            (x + 10.0 * y + 100.0 * z) as f32
         };
         let fill = |first, row: &mut [f32]| {
             for (i, value) in (first..).zip(row) {
@@ -660,10 +593,8 @@ mod tests {
         let grid = VolumeGrid::centered([4, 4, 4], 1.0);
         let labels = Volume::filled(grid.clone(), VOID);
         let response = Volume::filled(grid, 1.0f32);
-        let print = Print::new(&labels, &response)
-            .unwrap()
-            .with_threshold(0.5)
-            .unwrap();
+        let nothing = Volume::filled(response.grid.clone(), 0.0);
+        let print = print_of(&labels, &nothing, &response);
         assert_eq!(print.distance(), None);
     }
 }

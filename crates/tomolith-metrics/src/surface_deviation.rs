@@ -2,45 +2,12 @@
 //!
 //! `surface_mean_mm` and `surface_p95_mm` are over the area of both surfaces, `hausdorff_mm` is the largest distance of
 //! all, both ways; see [`surface`](super::surface). None when one of the surfaces is empty.
-//!
-//! A slab that ends at x = 0 is printed up to x = 0.1 mm, and its other faces are right:
-//! ```
-//! use tomolith_core::grid::{Volume, VolumeGrid};
-//! use tomolith_metrics::{evaluate, print::Print};
-//! use tomolith_core::target::label::{PART, VOID};
-//! let grid = VolumeGrid::centered([1, 1, 40], 0.1);
-//! let ramp = |end: f64| (0..40).map(|i| (0.5 - (grid.x(i) - end)).clamp(0.0, 1.0) as f32).collect::<Vec<_>>();
-//! let inside = Volume { grid: grid.clone(), values: ramp(0.0) };
-//! let response = Volume { grid: grid.clone(), values: ramp(0.1) };
-//! let labels = Volume { values: inside.values.iter().map(|&s| if s >= 0.5 { PART } else { VOID }).collect(), grid };
-//! let print = Print::new(&labels, &response).unwrap().with_inside(&inside).unwrap().with_threshold(0.5).unwrap();
-//! let measures = evaluate(&print).measures;
-//! assert!((measures.get("hausdorff_mm").unwrap() - 0.1).abs() < 1e-5); // the face that is off
-//! assert!(measures.get("surface_mean_mm").unwrap() < 0.01); // nearly all of the surface is right,
-//! assert!(measures.get("surface_p95_mm").unwrap() < 0.1); // more than 95 % of it
-//! ```
 
-use super::print::Print;
-use super::{Better, Measure, MetricKind};
-
-const fn row(
-    name: &'static str,
-    title: &'static str,
-    summary: &'static str,
-    measure: fn(&Print<'_>) -> Measure,
-) -> MetricKind {
-    MetricKind {
-        name,
-        title,
-        summary,
-        unit: "mm",
-        better: Better::Lower,
-        measure,
-    }
-}
+use super::MetricKind;
 
 /// Row of [`METRICS`](super::METRICS): the mean.
-pub const MEAN: MetricKind = row(
+pub const MEAN: MetricKind = MetricKind::error(
+    "mm",
     "surface_mean_mm",
     "Surface deviation, mean",
     "Mean distance between the print's surface and the target's.",
@@ -48,7 +15,8 @@ pub const MEAN: MetricKind = row(
 );
 
 /// Row of [`METRICS`](super::METRICS): the 95th percentile.
-pub const P95: MetricKind = row(
+pub const P95: MetricKind = MetricKind::error(
+    "mm",
     "surface_p95_mm",
     "Surface deviation, 95 %",
     "95 % of the print's surface is closer to the target's surface than this.",
@@ -56,7 +24,8 @@ pub const P95: MetricKind = row(
 );
 
 /// Row of [`METRICS`](super::METRICS): the largest distance.
-pub const HAUSDORFF: MetricKind = row(
+pub const HAUSDORFF: MetricKind = MetricKind::error(
+    "mm",
     "hausdorff_mm",
     "Surface deviation, largest",
     "The largest distance between the print's surface and the target's (Hausdorff).",
@@ -66,8 +35,8 @@ pub const HAUSDORFF: MetricKind = row(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::print::samples::measured;
-    use tomolith_core::grid::{Volume, VolumeGrid};
+    use crate::print::Print;
+    use crate::print::samples::{measured, row};
     use tomolith_core::target::label::{OUTSIDE, PART, VOID};
 
     #[test]
@@ -83,9 +52,7 @@ mod tests {
 
     #[test]
     fn distances_that_are_left_out_are_not_measured() {
-        let grid = VolumeGrid::centered([1, 1, 2], 0.5);
-        let labels = Volume::new(grid.clone(), vec![VOID, PART]);
-        let response = Volume::new(grid, vec![0.0, 1.0]);
+        let (labels, response) = (row(&[VOID, PART]), row(&[0.0, 1.0]));
         let print = || Print::new(&labels, &response).unwrap();
         assert!((MEAN.measure)(&print()).is_some());
         assert_eq!((MEAN.measure)(&print().without_distance()), None);

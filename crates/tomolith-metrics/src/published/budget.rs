@@ -10,37 +10,21 @@ use tomolith_core::grid::{Patterns, Volume};
 use tomolith_core::parallel::InParallel;
 use tomolith_core::target::label;
 
-/// Energies of a print, in the unit of its doses times mm³.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LightBudget {
-    /// Sent by the projectors.
-    pub sent: f64,
-    /// Absorbed in the part.
-    pub part: f64,
-    /// Absorbed in the void.
-    pub void: f64,
-    /// Absorbed in voxels of the grid that do not count.
-    pub outside: f64,
-}
-
-/// The budget of patterns and their dose; labels are of the dose's voxels.
-#[must_use]
-pub fn light_budget(dose: &Volume<f32>, labels: &Volume<u8>, patterns: &[Patterns]) -> LightBudget {
-    let sums: Vec<[f64; 3]> = dose
+/// Energies of patterns and their dose, in the unit of doses times mm³: sent by the projectors, absorbed in the part, and in the void.
+fn light_budget(dose: &Volume<f32>, labels: &Volume<u8>, patterns: &[Patterns]) -> [f64; 3] {
+    let sums: Vec<[f64; 2]> = dose
         .values
         .chunks(BLOCK)
         .zip(labels.values.chunks(BLOCK))
         .par_map(|(dose, labels)| {
             // In registers, whatever the label
-            let [mut part, mut void, mut outside] = [0.0; 3];
+            let [mut part, mut void] = [0.0; 2];
             for (&dose, &own) in dose.iter().zip(labels) {
                 let dose = f64::from(dose);
-                let (is_part, is_void) = (own == label::PART, own == label::VOID);
-                part += if is_part { dose } else { 0.0 };
-                void += if is_void { dose } else { 0.0 };
-                outside += if is_part || is_void { 0.0 } else { dose };
+                part += if own == label::PART { dose } else { 0.0 };
+                void += if own == label::VOID { dose } else { 0.0 };
             }
-            [part, void, outside]
+            [part, void]
         });
     let voxel = dose.grid.voxel_mm3();
     let of = |at: usize| voxel * sums.iter().map(|s| s[at]).sum::<f64>();
@@ -51,12 +35,7 @@ pub fn light_budget(dose: &Volume<f32>, labels: &Volume<u8>, patterns: &[Pattern
             .par_map(|b| b.iter().map(|&x| f64::from(x)).sum());
         sums.iter().sum::<f64>() * light.grid.pixel_mm2()
     });
-    LightBudget {
-        sent: sent.sum(),
-        part: of(0),
-        void: of(1),
-        outside: of(2),
-    }
+    [sent.sum(), of(0), of(1)]
 }
 
 pub(super) fn list(
@@ -65,31 +44,31 @@ pub(super) fn list(
     labels: &Volume<u8>,
     patterns: &[Patterns],
 ) {
-    let budget = light_budget(dose, labels, patterns);
-    let share = |energy: f64| (budget.sent > 0.0).then(|| energy / budget.sent);
+    let [sent, part, void] = light_budget(dose, labels, patterns);
+    let share = |energy: f64| (sent > 0.0).then(|| energy / sent);
     list.add(
         "light_sent",
         TOMOLITH,
         "dose × mm³",
-        (!patterns.is_empty()).then_some(budget.sent),
+        (!patterns.is_empty()).then_some(sent),
         "Σ pattern value × pixel area: mJ if doses are in mJ/mm³, else relative",
     );
     list.add(
         "light_in_part",
         TOMOLITH,
         "",
-        share(budget.part),
+        share(part),
         "share of it that is absorbed in the part",
     );
     list.add(
         "light_in_void",
         TOMOLITH,
         "",
-        share(budget.void),
+        share(void),
         "share of it that is absorbed in the void",
     );
-    let absorbed = budget.part + budget.void;
-    let useful = (absorbed > 0.0).then(|| budget.part / absorbed);
+    let absorbed = part + void;
+    let useful = (absorbed > 0.0).then(|| part / absorbed);
     list.add(
         "dose_in_part",
         TOMOLITH,
@@ -112,17 +91,7 @@ mod tests {
         let grid = VolumeGrid::centered([1, 1, 3], 0.5);
         let dose = Volume::new(grid.clone(), vec![4.0, 2.0, 1.0]);
         let labels = Volume::new(grid, vec![PART, VOID, OUTSIDE]);
-        let budget = light_budget(&dose, &labels, &[patterns.clone()]);
         // 8·0.25 mJ sent; a voxel is 0.125 mm³
-        assert_eq!(
-            budget,
-            LightBudget {
-                sent: 2.0,
-                part: 0.5,
-                void: 0.25,
-                outside: 0.125
-            }
-        );
         let mut numbers = List::default();
         list(&mut numbers, &dose, &labels, &[patterns]);
         let values: Vec<_> = numbers.0.iter().map(|n| n.value.unwrap()).collect();

@@ -24,13 +24,15 @@
 //!
 //! ```
 //! use tomolith_core::grid::{Volume, VolumeGrid};
-//! use tomolith_metrics::published::{Options, published, value_of};
+//! use tomolith_metrics::print::Print;
+//! use tomolith_metrics::published::{Options, of_print, value_of};
 //! use tomolith_core::target::label::{PART, VOID};
 //! let grid = VolumeGrid::centered([1, 1, 4], 0.1);
 //! let volume = |values: &[f32]| Volume { grid: grid.clone(), values: values.to_vec() };
 //! let (dose, target) = (volume(&[0.2, 0.8, 0.9, 0.4]), volume(&[0.0, 1.0, 1.0, 0.0]));
 //! let labels = Volume { grid: grid.clone(), values: vec![VOID, PART, PART, VOID] };
-//! let numbers = published(&dose, &target, &labels, &Options::default()).unwrap();
+//! let print = Print::new(&labels, &dose).unwrap();
+//! let (numbers, _) = of_print(&print, &target, &Options::default()).unwrap();
 //! let near = |name: &str, expected: f64| (value_of(&numbers, name).unwrap() - expected).abs() < 1e-6;
 //! assert!(near("pw", 0.4) && near("ipdr", 0.1)); // 0.8 − 0.4, 0.9 − 0.8
 //! ```
@@ -49,10 +51,9 @@ use super::scan::Scan;
 use norms::TargetBand;
 use serde::Serialize;
 use slices::Slice;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Error, Result, in_range};
 use tomolith_core::grid::{Patterns, Volume};
 use tomolith_core::response::{Identity, Response};
-use tomolith_core::units::exact;
 
 /// A number as it was published.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -105,58 +106,19 @@ impl Default for Options<'_> {
 
 impl Options<'_> {
     fn validate(&self) -> Result<()> {
-        let within = |key: &str, value: f64, end: f64, accepted: &str| {
-            if (0.0..end).contains(&value) {
-                return Ok(());
-            }
-            Err(Error::refused(key, exact(value), accepted))
-        };
-        within(
-            "epsilon",
-            self.epsilon,
-            f64::INFINITY,
-            "a finite number, 0 or above",
-        )?;
-        within(
-            "trim_percent",
-            self.trim_percent,
-            50.0,
-            "per cent, 0 to below 50",
-        )
+        let (epsilon, trim) = (self.epsilon, self.trim_percent);
+        let is_in = epsilon.is_finite() && epsilon >= 0.0;
+        in_range(is_in, "epsilon", epsilon, "a finite number, 0 or above")?;
+        let is_in = (0.0..50.0).contains(&trim);
+        in_range(is_in, "trim_percent", trim, "per cent, 0 to below 50")
     }
 }
 
-/// Every published number of a dose; all three volumes are of the same voxels.
+/// Every published number of a print whose response is the dose, with the numbers of every slice that some of them are made of
+/// ([`slices`]). The target is of the same voxels; what the metrics count of the print is counted once.
 ///
 /// # Errors
-/// [`Error::Shape`] when they are not; [`Error::NonFinite`] when the dose of a part or void voxel is not finite;
-/// [`Error::Config`] for options out of range.
-pub fn published(
-    dose: &Volume<f32>,
-    target: &Volume<f32>,
-    labels: &Volume<u8>,
-    options: &Options<'_>,
-) -> Result<Vec<Published>> {
-    by_slices(dose, target, labels, options).map(|(numbers, _)| numbers)
-}
-
-/// As [`published`], with the numbers of every slice ([`slices`](slices::slices)), which some of them are made of.
-///
-/// # Errors
-/// As [`published`].
-pub fn by_slices(
-    dose: &Volume<f32>,
-    target: &Volume<f32>,
-    labels: &Volume<u8>,
-    options: &Options<'_>,
-) -> Result<(Vec<Published>, Vec<Slice>)> {
-    of_print(&Print::new(labels, dose)?, target, options)
-}
-
-/// As [`by_slices`], of a print whose response is the dose: what the metrics count of it is counted once.
-///
-/// # Errors
-/// As [`published`].
+/// [`Error::Shape`] when it is not; [`Error::Config`] for options out of range; [`Error::Canceled`].
 pub fn of_print(
     print: &Print<'_>,
     target: &Volume<f32>,
@@ -171,7 +133,7 @@ pub fn of_print(
     // One pass for all numbers below
     let lowest = scan.part().map(|p| f64::from(p.min));
     scan.look_at(lowest.as_slice(), &order::ranks(scan, options.trim_percent));
-    let slices = slices::slices_under(dose, labels, options.trim_percent, &run.part(SLICES));
+    let slices = slices::slices(dose, labels, options.trim_percent, &run.part(SLICES));
     run.check()?;
     let mut list = List::default();
     ranges(&mut list, scan);
@@ -348,27 +310,26 @@ fn band_errors(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tomolith_core::grid::VolumeGrid;
+    use crate::print::samples::row;
+    use tomolith_core::check::refuses;
     use tomolith_core::near;
     use tomolith_core::target::label::{OUTSIDE, PART, VOID};
 
-    fn volume<T: Clone>(shape: [usize; 3], values: &[T]) -> Volume<T> {
-        Volume::new(VolumeGrid::centered(shape, 0.1), values.to_vec())
+    fn numbers_of(
+        labels: &[u8],
+        dose: &[f32],
+        target: &[f32],
+        options: &Options<'_>,
+    ) -> Result<Vec<Published>> {
+        let (labels, dose) = (row(labels), row(dose));
+        let print = Print::new(&labels, &dose)?;
+        Ok(of_print(&print, &row(target), options)?.0)
     }
 
     fn numbers(labels: &[u8], dose: &[f32], options: &Options<'_>) -> Vec<Published> {
-        let shape = [1, 1, labels.len()];
-        let target: Vec<f32> = labels
-            .iter()
-            .map(|l| f32::from(u8::from(*l == PART)))
-            .collect();
-        published(
-            &volume(shape, dose),
-            &volume(shape, &target),
-            &volume(shape, labels),
-            options,
-        )
-        .unwrap()
+        let target = labels.iter().map(|l| f32::from(u8::from(*l == PART)));
+        let target: Vec<f32> = target.collect();
+        numbers_of(labels, dose, &target, options).unwrap()
     }
 
     /// Doses that f32 holds exactly: part 0.5, 0.75, 1.25; void 0.25, 0.5, 0.625; outside 2.
@@ -439,34 +400,23 @@ mod tests {
 
     #[test]
     fn wrong_shapes_and_options_are_refused() {
-        let dose = volume([1, 1, 2], &[0.5f32, 0.2]);
-        let labels = volume([1, 1, 2], &[PART, VOID]);
-        let short = volume([1, 1, 1], &[1.0f32]);
-        let refused = published(&dose, &short, &labels, &Options::default());
+        let of = |dose: [f32; 2], target: &[f32], options: &Options<'_>| {
+            numbers_of(&[PART, VOID], &dose, target, options)
+        };
+        let (dose, plain) = ([0.5, 0.2], Options::default());
+        let refused = of(dose, &[1.0], &plain);
         assert!(matches!(refused, Err(Error::Shape { what, .. }) if what == "target"));
-        for (options, wanted) in [
-            (
-                Options {
-                    epsilon: -1.0,
-                    ..Options::default()
-                },
-                "epsilon",
-            ),
-            (
-                Options {
-                    trim_percent: 50.0,
-                    ..Options::default()
-                },
-                "trim_percent",
-            ),
-        ] {
-            let refused = published(&dose, &dose, &labels, &options);
-            assert!(matches!(refused, Err(Error::Config { key, .. }) if key == wanted));
-        }
-        let bad = volume([1, 1, 2], &[f32::NAN, 0.2]);
-        assert!(matches!(
-            published(&bad, &bad, &labels, &Options::default()),
-            Err(Error::NonFinite { .. })
-        ));
+        let epsilon = Options {
+            epsilon: -1.0,
+            ..plain
+        };
+        let trim_percent = Options {
+            trim_percent: 50.0,
+            ..plain
+        };
+        refuses(of(dose, &dose, &epsilon), "epsilon");
+        refuses(of(dose, &dose, &trim_percent), "trim_percent");
+        let bad = of([f32::NAN, 0.2], &dose, &plain);
+        assert!(matches!(bad, Err(Error::NonFinite { .. })));
     }
 }

@@ -134,22 +134,15 @@ const ROUNDING: f64 = 1e-7;
 #[cfg(test)]
 mod tests {
     use super::*;
-    use tomolith_core::grid::VolumeGrid;
+    use crate::print::samples::row;
     use tomolith_core::response::{Identity, Logistic};
     use tomolith_core::target::label::{OUTSIDE, PART, VOID};
 
-    fn volume<T: Clone>(values: &[T]) -> Volume<T> {
-        Volume::new(
-            VolumeGrid::centered([1, 1, values.len()], 0.5),
-            values.to_vec(),
-        )
-    }
-
     #[test]
     fn norms_by_hand() {
-        let labels = volume(&[PART, PART, VOID, VOID, OUTSIDE]);
-        let target = volume(&[1.0, 1.0, 0.0, 0.0, 1.0]);
-        let dose = volume(&[0.5, 1.25, 0.25, 0.0, 9.0]);
+        let labels = row(&[PART, PART, VOID, VOID, OUTSIDE]);
+        let target = row(&[1.0, 1.0, 0.0, 0.0, 1.0]);
+        let dose = row(&[0.5, 1.25, 0.25, 0.0, 9.0]);
         let band = TargetBand {
             target: &target,
             labels: &labels,
@@ -168,10 +161,10 @@ mod tests {
 
     #[test]
     fn gray_targets_and_responses_are_measured_in_units_of_the_response() {
-        let labels = volume(&[PART, VOID]);
-        let target = volume(&[0.7, 0.3]);
+        let labels = row(&[PART, VOID]);
+        let target = row(&[0.7, 0.3]);
         let response = Logistic::new(Default::default()).unwrap();
-        let dose = volume(&[response.inverse(0.7), 0.5]);
+        let dose = row(&[response.inverse(0.7), 0.5]);
         let band = TargetBand {
             target: &target,
             labels: &labels,
@@ -190,7 +183,7 @@ mod tests {
         let n = 3 * BLOCK / 2;
         let labels: Vec<u8> = (0..n).map(|i| [PART, VOID, OUTSIDE][i % 3]).collect();
         let values: Vec<f32> = (0..n).map(|i| (i * 7919 % 1009) as f32 / 1009.0).collect();
-        let (labels, dose) = (volume(&labels), volume(&values));
+        let (labels, dose) = (row(&labels), row(&values));
         let band = TargetBand {
             target: &dose,
             labels: &labels,

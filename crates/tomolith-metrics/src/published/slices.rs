@@ -28,17 +28,9 @@ pub struct Slice {
     pub ipdr_trimmed: Measure,
 }
 
-/// Every slice, from the lowest z; `trim_percent` as in [`Options`](super::Options). All arrays are of the same voxels.
-///
-/// # Panics
-/// When they have different lengths.
-#[must_use]
-pub fn slices(dose: &Volume<f32>, labels: &Volume<u8>, trim_percent: f64) -> Vec<Slice> {
-    slices_under(dose, labels, trim_percent, &Run::new())
-}
-
-/// The same; without the slices that a run was canceled before.
-pub(super) fn slices_under(
+/// Every slice, from the lowest z, without those that a run was canceled before; `trim_percent` as in
+/// [`Options`](super::Options). All arrays are of the same voxels.
+pub(super) fn slices(
     dose: &Volume<f32>,
     labels: &Volume<u8>,
     trim_percent: f64,
@@ -175,7 +167,7 @@ mod tests {
             0.75, 1.0, 0.25, 0.5, 0.5, 0.75, 0.25, 9.0, 0.0, 0.0, 0.0, 9.0,
         ];
         let dose = Volume::new(grid.clone(), values);
-        let found = slices(&dose, &Volume::new(grid, labels), 25.0);
+        let found = slices(&dose, &Volume::new(grid, labels), 25.0, &Run::new());
         let numbers = |s: &Slice| (s.z_mm, s.pw, s.ipdr, s.ver);
         assert_eq!(
             numbers(&found[0]),

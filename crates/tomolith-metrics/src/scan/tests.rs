@@ -1,8 +1,12 @@
 use super::*;
+use tomolith_core::check::{on_threads, random};
 use tomolith_core::target::label::{OUTSIDE, PART, VOID};
 
-/// Everything by sorting: pieces of the threshold axis with their IoU as a fraction.
-fn brute_pieces(labels: &[u8], response: &[f32]) -> Vec<(f64, f64, u128, u128)> {
+/// From, to, and the IoU between them as a fraction.
+type Piece = (f64, f64, u128, u128);
+
+/// Everything by sorting: pieces of the threshold axis.
+fn brute_pieces(labels: &[u8], response: &[f32]) -> Vec<Piece> {
     let counted: Vec<(f32, u8)> = response
         .iter()
         .copied()
@@ -31,9 +35,13 @@ fn brute_pieces(labels: &[u8], response: &[f32]) -> Vec<(f64, f64, u128, u128)> 
         .collect()
 }
 
-fn brute_best(pieces: &[(f64, f64, u128, u128)]) -> Option<Plateau> {
-    let best = pieces.iter().max_by(|a, b| (a.2 * b.3).cmp(&(b.2 * a.3)))?;
-    let is_best = |p: &(f64, f64, u128, u128)| p.2 * best.3 == best.2 * p.3;
+fn highest(pieces: &[Piece]) -> Option<&Piece> {
+    pieces.iter().max_by(|a, b| (a.2 * b.3).cmp(&(b.2 * a.3)))
+}
+
+fn brute_best(pieces: &[Piece]) -> Option<Plateau> {
+    let best = highest(pieces)?;
+    let is_best = |p: &Piece| p.2 * best.3 == best.2 * p.3;
     if best.2 == 0 {
         return None;
     }
@@ -54,11 +62,8 @@ fn brute_best(pieces: &[(f64, f64, u128, u128)]) -> Option<Plateau> {
     longest
 }
 
-fn brute_length(pieces: &[(f64, f64, u128, u128)]) -> f64 {
-    let best = pieces
-        .iter()
-        .max_by(|a, b| (a.2 * b.3).cmp(&(b.2 * a.3)))
-        .unwrap();
+fn brute_length(pieces: &[Piece]) -> f64 {
+    let best = highest(pieces).unwrap();
     pieces
         .iter()
         .filter(|p| 20 * p.2 * best.3 > 19 * best.2 * p.3)
@@ -67,10 +72,9 @@ fn brute_length(pieces: &[(f64, f64, u128, u128)]) -> f64 {
 }
 
 /// The run of pieces round a threshold whose IoU is at least the best − 1/100.
-fn brute_round(pieces: &[(f64, f64, u128, u128)], best: &Plateau) -> (f64, f64) {
-    let top = pieces.iter().max_by(|a, b| (a.2 * b.3).cmp(&(b.2 * a.3)));
-    let (above, below) = top.map(|p| (p.2, p.3)).unwrap();
-    let is_near = |p: &(f64, f64, u128, u128)| 100 * p.2 * below + below * p.3 >= 100 * above * p.3;
+fn brute_round(pieces: &[Piece], best: &Plateau) -> (f64, f64) {
+    let (_, _, above, below) = *highest(pieces).unwrap();
+    let is_near = |p: &Piece| 100 * p.2 * below + below * p.3 >= 100 * above * p.3;
     let of_best = pieces.iter().position(|p| p.0 == best.from).unwrap();
     let before = pieces[..of_best].iter().rev().take_while(|p| is_near(p));
     let after = pieces[of_best..].iter().take_while(|p| is_near(p));
@@ -78,48 +82,37 @@ fn brute_round(pieces: &[(f64, f64, u128, u128)], best: &Plateau) -> (f64, f64) 
     (from, after.last().unwrap().1)
 }
 
-struct Dice(u64);
-impl Dice {
-    fn next(&mut self) -> f32 {
-        self.0 = self
-            .0
-            .wrapping_mul(6_364_136_223_846_793_005)
-            .wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 40) as f32 / 16_777_216.0
-    }
-}
-
 /// Responses of many kinds: overlapping, separated, few values, tiny steps, negative, constant.
 fn cases() -> Vec<(Vec<u8>, Vec<f32>)> {
     let mut cases = Vec::new();
     for seed in 0..240u64 {
-        let mut dice = Dice(seed);
-        let n = 1 + (dice.next() * 120.0) as usize;
+        let mut dice = random(seed);
+        let n = 1 + (dice() * 120.0) as usize;
         let kind = seed % 8;
         let mut labels = Vec::new();
         let mut response = Vec::new();
         for _ in 0..n {
-            let label = [OUTSIDE, VOID, VOID, PART, PART][(dice.next() * 5.0) as usize];
+            let label = [OUTSIDE, VOID, VOID, PART, PART][(dice() * 5.0) as usize];
             let shift = f32::from(label) * 0.2;
             labels.push(label);
             response.push(match kind {
-                0 => dice.next() + shift,
-                1 => f32::from(label) + 0.3 * dice.next(),
-                2 => (dice.next() * 5.0).floor() / 4.0,
+                0 => dice() + shift,
+                1 => f32::from(label) + 0.3 * dice(),
+                2 => (dice() * 5.0).floor() / 4.0,
                 // All in a few buckets: only the low bits differ
-                3 => f32::from_bits(0.75f32.to_bits() + (dice.next() * 3000.0) as u32),
-                4 => dice.next() - 0.7 + shift,
+                3 => f32::from_bits(0.75f32.to_bits() + (dice() * 3000.0) as u32),
+                4 => dice() - 0.7 + shift,
                 5 => 0.5,
                 6 => {
                     if label == OUTSIDE {
                         f32::NAN
                     } else {
-                        -dice.next()
+                        -dice()
                     }
                 }
                 _ => {
-                    (dice.next() * 3.0).floor() * if dice.next() < 0.5 { 0.0 } else { -0.0 }
-                        + (dice.next() * 2.0).floor()
+                    (dice() * 3.0).floor() * if dice() < 0.5 { 0.0 } else { -0.0 }
+                        + (dice() * 2.0).floor()
                 }
             });
         }
@@ -238,16 +231,16 @@ fn spreads_are_those_of_the_definition() {
 #[test]
 fn many_blocks_give_the_same_numbers_for_any_number_of_threads() {
     let n = 5 * BLOCK + 777;
-    let mut dice = Dice(5);
+    let mut dice = random(5);
     let labels: Vec<u8> = (0..n)
         .map(|i| if i % 3 == 0 { PART } else { VOID })
         .collect();
     let response: Vec<f32> = labels
         .iter()
-        .map(|l| 0.3 * f32::from(*l) + 0.5 * dice.next())
+        .map(|l| 0.3 * f32::from(*l) + 0.5 * dice())
         .collect();
     let run = |threads| {
-        tomolith_core::check::on_threads(threads, || {
+        on_threads(threads, || {
             let scan = Scan::new(&labels, &response).unwrap();
             (
                 scan.part(),

@@ -523,8 +523,8 @@ fn numbers(
     let is_dose = material.is_identity();
     let mut published = None;
     if is_first && !is_dose {
-        let numbers = published::by_slices(&dose, inside, &fine.labels, &options);
-        published = Some(numbers?);
+        let print = Print::new(&fine.labels, &dose)?;
+        published = Some(published::of_print(&print, inside, &options)?);
     }
     let response = if is_dose {
         dose
