@@ -33,7 +33,7 @@ pub fn of_ring(
 ///
 /// - the gradient is the derivative: the remainder L(d + hv) − L(d) − h·g·v falls with h² (for directions v that keep away from
 ///   voxels at whose band's edge the slope jumps; so it holds for every power, also p ≤ 1);
-/// - `value`, `value_and_gradient`, `value_along`, `slope_along` and `advance` agree, the values bit for bit;
+/// - `value`, `value_and_gradient`, `slope_along` and `advance` agree, the values bit for bit;
 /// - one that claims to be convex has slopes that never fall along a line;
 /// - whatever stood in `grad` before is overwritten.
 ///
@@ -76,7 +76,6 @@ fn agreement(
         let (mut advanced, mut cotangent) = (dose.clone(), step.clone());
         for (what, found) in [
             ("value", objective.value(&there)),
-            ("value_along", objective.value_along(dose, step, alpha)),
             ("slope_along", along),
             (
                 "advance",

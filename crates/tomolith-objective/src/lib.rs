@@ -43,11 +43,7 @@ pub trait Objective<F: Field>: Send + Sync {
     fn value(&self, dose: &F) -> f64;
     /// L(dose), and ∂L/∂dose written over `grad`; the value equals [`value`](Self::value) bit for bit.
     fn value_and_gradient(&self, dose: &F, grad: &mut F) -> f64;
-    /// L(dose + α·step), for line searches, without a temporary field.
-    fn value_along(&self, dose: &F, step: &F, alpha: f32) -> f64 {
-        self.slope_along(dose, step, alpha).0
-    }
-    /// α ↦ (L, dL/dα) of dose + α·step.
+    /// α ↦ (L, dL/dα) of dose + α·step, for line searches, without a temporary field.
     fn slope_along(&self, dose: &F, step: &F, alpha: f32) -> (f64, f64);
     /// Ends a line search in one pass: dose ← dose + α·step, step ← ∂L/∂dose there; returns L there, bit for bit what
     /// [`value_and_gradient`](Self::value_and_gradient) gives at the new dose.
@@ -186,25 +182,77 @@ mod tests {
     use super::*;
     use crate::check;
     use serde_json::{Value, json};
-    use tomolith_core::check::example;
     use tomolith_core::check::small::SmallModel;
+    use tomolith_core::check::{example, noise, refuses};
     use tomolith_core::dose::cells::Cells;
     use tomolith_core::grid::VolumeGrid;
     use tomolith_core::near;
     use tomolith_core::response::{Identity, Logistic};
     use tomolith_core::target::label;
 
-    fn input<'a>(
-        layout: &'a DoseLayout,
-        labels: &'a Volume<u8>,
-        target: &'a Target,
-        response: Arc<dyn Response>,
-    ) -> ObjectiveInput<'a> {
-        ObjectiveInput {
-            layout,
-            labels,
-            target,
-            response,
+    /// Voxels and what they should become, for objectives of them.
+    #[derive(Clone)]
+    pub(crate) struct Room {
+        pub(crate) layout: DoseLayout,
+        pub(crate) labels: Volume<u8>,
+        pub(crate) target: Target,
+    }
+
+    impl Room {
+        /// All voxels of a grid with these inside shares.
+        pub(crate) fn of(shape: [usize; 3], inside: &[f32], gray: bool) -> Self {
+            let grid = VolumeGrid::centered(shape, 0.5);
+            let target = Target {
+                name: "room".into(),
+                inside: Volume::new(grid.clone(), inside.to_vec()),
+                gray,
+            };
+            Room {
+                layout: DoseLayout::new("dose", grid, 0),
+                labels: tomolith_core::target::label_voxels(&target, |_| true),
+                target,
+            }
+        }
+
+        /// A row of voxels.
+        pub(crate) fn row(inside: &[f32], gray: bool) -> Self {
+            Self::of([1, 1, inside.len()], inside, gray)
+        }
+
+        fn ring(model: &SmallModel) -> Self {
+            let (target, labels) = model.ring();
+            Room {
+                layout: model.layout().clone(),
+                labels,
+                target,
+            }
+        }
+
+        /// With cells in the voxels that the surface cuts.
+        pub(crate) fn cut(mut self) -> Self {
+            let cells = Cells::new(&self.layout, &self.target.inside);
+            self.layout = self.layout.with_cells(Arc::new(cells));
+            self
+        }
+
+        pub(crate) fn input(&self, response: Arc<dyn Response>) -> ObjectiveInput<'_> {
+            ObjectiveInput {
+                layout: &self.layout,
+                labels: &self.labels,
+                target: &self.target,
+                response,
+            }
+        }
+
+        pub(crate) fn make(&self, kind: &str, json: Value) -> BoxedObjective<HostField> {
+            let section = Section::new("objective", json!({ kind: json }));
+            section
+                .read(OBJECTIVES)?
+                .make(&self.input(Arc::new(Identity)))
+        }
+
+        pub(crate) fn build(&self, kind: &str, json: Value) -> Box<dyn Objective<HostField>> {
+            self.make(kind, json).unwrap()
         }
     }
 
@@ -212,37 +260,25 @@ mod tests {
         OBJECTIVES.iter().find(|row| row.name == name).unwrap()
     }
 
-    fn made(name: &str, json: Value, input: &ObjectiveInput) -> Box<dyn Objective<HostField>> {
-        let objective = (row(name).build)(&Section::new("objective", json)).unwrap();
-        objective.make(input).unwrap()
-    }
-
     /// A dose between −0.2 and 1.4.
     fn some_dose(layout: &DoseLayout) -> HostField {
-        let values: Vec<f32> = tomolith_core::check::noise(5, layout.len())
-            .iter()
-            .map(|v| 0.6 + 0.8 * v)
-            .collect();
-        HostField::from_slice(&values)
+        let mut dose = HostField::from_slice(&noise(5, layout.len()));
+        dose.scale(0.8);
+        dose.shift(0.6);
+        dose
     }
 
     #[test]
     fn every_row_passes_the_check_with_either_response_and_surface() {
         let model = SmallModel::new(18, 2, 21);
-        let (mut target, labels) = model.ring();
+        let mut plain = Room::ring(&model);
         // Some voxels that the surface cuts
-        for (i, s) in target
-            .inside
-            .values
-            .iter_mut()
-            .enumerate()
-            .filter(|(i, _)| i % 7 == 0)
-        {
+        let some = plain.target.inside.values.iter_mut().enumerate();
+        for (i, s) in some.step_by(7) {
             *s = (*s + 0.37 * (i % 3) as f32).min(1.0);
         }
-        let cells = Cells::new(model.layout(), &target.inside);
-        assert!(cells.len() > 5);
-        let cut = model.layout().clone().with_cells(Arc::new(cells));
+        let cut = plain.clone().cut();
+        assert!(cut.layout.len() > plain.layout.len() + 5);
         let responses: [Arc<dyn Response>; 2] = [
             Arc::new(Identity),
             Arc::new(Logistic::new(Default::default()).unwrap()),
@@ -250,16 +286,12 @@ mod tests {
         for row in OBJECTIVES {
             for response in &responses {
                 for surface in ["voxel", "fraction", "cells"] {
-                    let layout = if surface == "cells" {
-                        &cut
-                    } else {
-                        model.layout()
-                    };
-                    let input = input(layout, &labels, &target, response.clone());
+                    let room = if surface == "cells" { &cut } else { &plain };
+                    let input = room.input(response.clone());
                     let mut section = example(row);
                     section.value["surface"] = surface.into();
                     let objective = (row.build)(&section).unwrap().make(&input).unwrap();
-                    check::objective(&*objective, &some_dose(layout))
+                    check::objective(&*objective, &some_dose(&room.layout))
                         .unwrap_or_else(|e| panic!("{} ({response:?}, {surface}): {e}", row.name));
                 }
             }
@@ -311,15 +343,14 @@ mod tests {
     #[test]
     fn gray_targets_are_reproduced_or_refused() {
         let model = SmallModel::new(10, 2, 5);
-        let (mut target, labels) = model.ring();
-        target.gray = true;
-        for (i, value) in target.inside.values.iter_mut().enumerate() {
+        let mut room = Room::ring(&model);
+        room.target.gray = true;
+        for (i, value) in room.target.inside.values.iter_mut().enumerate() {
             *value = (i % 10) as f32 / 10.0;
         }
-        let input = input(model.layout(), &labels, &target, Arc::new(Identity));
-        let gray = HostField::from_slice(&model.layout().field_of(&target.inside));
+        let gray = HostField::from_slice(&model.layout().field_of(&room.target.inside));
         for row in OBJECTIVES {
-            let built = (row.build)(&example(row)).unwrap().make(&input);
+            let built = room.make(row.name, example(row).value);
             if ["l2", "l1", "dose_matching", "bclp"].contains(&row.name) {
                 let objective = built.unwrap();
                 assert_eq!(objective.value(&gray), 0.0, "{}", row.name);
@@ -337,22 +368,15 @@ mod tests {
     /// The loss of a dose field on one row of voxels with these inside shares, and its gradient. A field that is longer than the row has
     /// cells: first the doses outside, then those inside.
     fn loss_of(kind: &str, json: Value, inside: &[f32], field: &[f32]) -> (f64, Vec<f32>) {
-        let grid = VolumeGrid::centered([1, 1, inside.len()], 1.0);
-        let mut layout = DoseLayout::new("dose", grid.clone(), 0);
-        let target = Target {
-            name: "row".into(),
-            inside: Volume::new(grid, inside.to_vec()),
-            gray: false,
-        };
+        let mut room = Room::row(inside, false);
         if field.len() > inside.len() {
-            let cells = Cells::new(&layout, &target.inside);
-            layout = layout.with_cells(Arc::new(cells));
+            room = room.cut();
         }
-        let labels = tomolith_core::target::label_voxels(&target, |_| true);
-        let input = input(&layout, &labels, &target, Arc::new(Identity));
         let dose = HostField::from_slice(field);
         let mut gradient = dose.zeros_like();
-        let loss = made(kind, json, &input).value_and_gradient(&dose, &mut gradient);
+        let loss = room
+            .build(kind, json)
+            .value_and_gradient(&dose, &mut gradient);
         (loss, gradient.as_slice().to_vec())
     }
 
@@ -360,115 +384,49 @@ mod tests {
         let (found, slopes) = loss_of(kind, json, &[1.0, 1.0, 0.0, 0.0], &dose);
         near!(found, loss, 1e-6, "{kind}");
         for (found, expected) in slopes.iter().zip(gradient) {
-            assert!(
-                (found - expected).abs() < 1e-6,
-                "{kind}: {slopes:?} instead of {gradient:?}"
-            );
+            near!(found, expected, 1e-6, "{kind}: {slopes:?}");
         }
     }
 
+    /// Preset, its keys, doses of two part and two void voxels, loss, and gradient.
+    const PUBLISHED: &str = r#"
+threshold | {"lower": 0.9, "upper": 0.95, "exponent": 2} | [0.5, 0.97, 0.92, 0.5] | 0.2029 | [-0.9, 0, 0.04, 0]
+threshold | {"lower": 0.4, "upper": 0.95, "exponent": 2} | [0.5, 0.97, 0.92, 0.5] | 0.4829 | [-0.9, 0, 1.04, 0.2]
+threshold | {"lower": 0.9, "upper": 0.99, "exponent": 2} | [0.5, 0.97, 0.92, 0.5] | 0.2409 | [-0.98, -0.04, 0.04, 0]
+threshold | {"lower": 0.9, "upper": 0.95, "exponent": 1} | [0.5, 1.1, 0.92, 0.5] | 0.57 | [-1, 1, 1, 0]
+l2 | {} | [1, 2, 3, 4] | 26 | [0, 2, 6, 8]
+l1 | {} | [1, 2, 3, 4] | 8 | [0, 1, 1, 1]
+osmo | {"d_h": 0.9, "d_l": 0.85} | [0.5, 2, 0.95, 0.5] | 0.17 | [-0.8, 0, 0.2, 0]
+pm | {"d_h": 0.8, "d_l": 0.7, "rho_1": 3} | [0.5, 2, 0.9, 0.5] | 1.1 | [-3, 0, 1, 0]
+ospw | {"lower": 0.7, "upper": 0.9, "w": 0} | [0.5, 1, 0.9, 0.5] | 0.21 | [-0.8, 0.2, 0.4, 0]
+ospw | {"lower": 0.7, "upper": 0.9, "w": 0.1} | [0.5, 1, 0.9, 0.5] | 0.2 | [-0.8, 0, 0.4, 0]
+osp | {"lower": 0.7, "upper": 0.9} | [0.5, 3, 0.9, 0.5] | 0.2 | [-0.8, 0, 0.4, 0]
+l2n | {"lower": 0.7, "upper": 0.9} | [0.5, 1, 0.9, 0.5] | 0.25 | [-0.8, 0.2, 0.4, -0.4]
+"#;
+
     #[test]
     fn published_values_of_threshold_and_least_squares() {
-        let threshold = |lower: f64, upper: f64, exponent: f64| json!({"lower": lower, "upper": upper, "exponent": exponent});
-        let dose = [0.5, 0.97, 0.92, 0.5];
-        assert_loss(
-            "threshold",
-            threshold(0.9, 0.95, 2.0),
-            dose,
-            0.2029,
-            [-0.9, 0.0, 0.04, 0.0],
-        );
-        assert_loss(
-            "threshold",
-            threshold(0.4, 0.95, 2.0),
-            dose,
-            0.4829,
-            [-0.9, 0.0, 1.04, 0.2],
-        );
-        assert_loss(
-            "threshold",
-            threshold(0.9, 0.99, 2.0),
-            dose,
-            0.2409,
-            [-0.98, -0.04, 0.04, 0.0],
-        );
-        assert_loss(
-            "threshold",
-            threshold(0.9, 0.95, 1.0),
-            [0.5, 1.1, 0.92, 0.5],
-            0.57,
-            [-1.0, 1.0, 1.0, 0.0],
-        );
+        for row in PUBLISHED.trim().lines() {
+            let columns: Vec<&str> = row.split(" | ").collect();
+            let [kind, keys, dose, loss, gradient] = columns[..] else {
+                panic!("{row}")
+            };
+            let numbers = |text: &str| serde_json::from_str::<[f32; 4]>(text).unwrap();
+            let (keys, loss) = (keys.parse().unwrap(), loss.parse().unwrap());
+            assert_loss(kind, keys, numbers(dose), loss, numbers(gradient));
+        }
         // Whole powers are multiplied out, others are powers: 0.45^K + 0.02^K and its derivatives
         for exponent in [3.0, 3.5, 4.0, 5.0, 8.0, 9.0] {
             let term = |r: f64| r.powf(exponent);
             let slope = |r: f64| (exponent * r.powf(exponent - 1.0)) as f32;
             assert_loss(
                 "threshold",
-                threshold(0.9, 0.95, exponent),
-                dose,
+                json!({"lower": 0.9, "upper": 0.95, "exponent": exponent}),
+                [0.5, 0.97, 0.92, 0.5],
                 term(0.45) + term(0.02),
                 [-slope(0.45), 0.0, slope(0.02), 0.0],
             );
         }
-        assert_loss(
-            "l2",
-            json!({}),
-            [1.0, 2.0, 3.0, 4.0],
-            26.0,
-            [0.0, 2.0, 6.0, 8.0],
-        );
-        assert_loss(
-            "l1",
-            json!({}),
-            [1.0, 2.0, 3.0, 4.0],
-            8.0,
-            [0.0, 1.0, 1.0, 1.0],
-        );
-        assert_loss(
-            "osmo",
-            json!({"d_h": 0.9, "d_l": 0.85}),
-            [0.5, 2.0, 0.95, 0.5],
-            0.16 + 0.01,
-            [-0.8, 0.0, 0.2, 0.0],
-        );
-        assert_loss(
-            "pm",
-            json!({"d_h": 0.8, "d_l": 0.7, "rho_1": 3.0}),
-            [0.5, 2.0, 0.9, 0.5],
-            0.9 + 0.2,
-            [-3.0, 0.0, 1.0, 0.0],
-        );
-        let window = |w: f64| json!({"lower": 0.7, "upper": 0.9, "w": w});
-        assert_loss(
-            "ospw",
-            window(0.0),
-            [0.5, 1.0, 0.9, 0.5],
-            0.16 + 0.01 + 0.04,
-            [-0.8, 0.2, 0.4, 0.0],
-        );
-        assert_loss(
-            "ospw",
-            window(0.1),
-            [0.5, 1.0, 0.9, 0.5],
-            0.16 + 0.04,
-            [-0.8, 0.0, 0.4, 0.0],
-        );
-        let both = json!({"lower": 0.7, "upper": 0.9});
-        assert_loss(
-            "osp",
-            both.clone(),
-            [0.5, 3.0, 0.9, 0.5],
-            0.16 + 0.04,
-            [-0.8, 0.0, 0.4, 0.0],
-        );
-        assert_loss(
-            "l2n",
-            both,
-            [0.5, 1.0, 0.9, 0.5],
-            0.16 + 0.01 + 0.04 + 0.04,
-            [-0.8, 0.2, 0.4, -0.4],
-        );
         // (0.35² + 0.05²)^½ with both gradients divided by it
         let norm = (0.35f64.powi(2) + 0.05f64.powi(2)).sqrt();
         let slope = |e: f64| (e / norm) as f32;
@@ -523,18 +481,13 @@ mod tests {
     #[test]
     fn cells_are_no_voxels_and_voxels_no_cells() {
         let model = SmallModel::new(10, 2, 5);
-        let (target, labels) = model.ring();
-        let halves = Volume::filled(labels.grid.clone(), 0.5);
-        let plain = model.layout().clone();
-        let cut = plain
-            .clone()
-            .with_cells(Arc::new(Cells::new(&plain, &halves)));
-        for (layout, surface) in [(&plain, "cells"), (&cut, "voxel"), (&cut, "fraction")] {
-            let input = input(layout, &labels, &target, Arc::new(Identity));
-            let section = Section::new("objective", json!({ "surface": surface }));
-            let Err(Error::Unsupported { what, .. }) =
-                (row("threshold").build)(&section).unwrap().make(&input)
-            else {
+        let plain = Room::ring(&model);
+        let mut cut = plain.clone();
+        cut.target.inside.values.fill(0.5);
+        let cut = cut.cut();
+        for (room, surface) in [(&plain, "cells"), (&cut, "voxel"), (&cut, "fraction")] {
+            let made = room.make("threshold", json!({ "surface": surface }));
+            let Err(Error::Unsupported { what, .. }) = made else {
                 panic!("{surface} was accepted");
             };
             assert!(what.contains(surface), "{what}");
@@ -552,26 +505,16 @@ mod tests {
 
     #[test]
     fn voxels_outside_and_padding_count_nothing_and_no_number_is_seen() {
-        let grid = VolumeGrid::centered([3, 2, 2], 1.0);
-        let layout = DoseLayout::new("dose", grid.clone(), 0);
-        let target = Target {
-            name: "all".into(),
-            inside: Volume::filled(grid.clone(), 1.0),
-            gray: false,
-        };
-        let mut labels = Volume::filled(grid, label::OUTSIDE);
-        let zero = HostField::zeros(layout.len());
-        let build = |labels: &Volume<u8>| {
-            let input = input(&layout, labels, &target, Arc::new(Identity));
-            made("l2", json!({}), &input)
-        };
-        assert_eq!(build(&labels).value(&zero), 0.0);
-        labels.values[5] = label::PART;
-        let objective = build(&labels);
+        let mut room = Room::of([3, 2, 2], &[1.0; 12], false);
+        room.labels.values.fill(label::OUTSIDE);
+        let zero = HostField::zeros(room.layout.len());
+        assert_eq!(room.build("l2", json!({})).value(&zero), 0.0);
+        room.labels.values[5] = label::PART;
+        let objective = room.build("l2", json!({}));
         assert_eq!(objective.value(&zero), 1.0);
         for value in [f32::NAN, f32::INFINITY] {
             let mut dose = zero.clone();
-            dose.as_mut_slice()[layout.index(1, 0, 1)] = value;
+            dose.as_mut_slice()[room.layout.index(1, 0, 1)] = value;
             assert!(
                 !objective.value(&dose).is_finite(),
                 "a dose of {value} went unseen"
@@ -593,13 +536,8 @@ mod tests {
             ("pm", json!({"buffer_mm": -1.0}), "buffer_mm"),
             ("osmo", json!({"d_l": 2.0}), "d_l"),
         ] {
-            let path = format!("objective.{kind}");
-            let Err(Error::Config { key: found, .. }) =
-                (row(kind).build)(&Section::new(&path, json))
-            else {
-                panic!("{path}.{key} was accepted")
-            };
-            assert_eq!(found, format!("{path}.{key}"));
+            let section = Section::new("objective", json!({ kind: json }));
+            refuses(section.read(OBJECTIVES), &format!("objective.{kind}.{key}"));
         }
         let bands = Bands::labels(vec![0], &[(0, Band::new(0.5, 0.4, 1.0))]);
         assert!(
@@ -612,25 +550,13 @@ mod tests {
     #[test]
     fn the_buffer_of_penalty_minimization_is_free() {
         // Six voxels of 0.5 mm, three of them part; within 0.5 mm only the two at the surface
-        let grid = VolumeGrid::centered([1, 1, 6], 0.5);
-        let layout = DoseLayout::new("dose", grid.clone(), 0);
-        let values = vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0];
-        let target = Target {
-            name: "wall".into(),
-            inside: Volume { grid, values },
-            gray: false,
-        };
-        let labels = tomolith_core::target::label_voxels(&target, |_| true);
-        let input = input(&layout, &labels, &target, Arc::new(Identity));
+        let room = Room::row(&[0.0, 0.0, 0.0, 1.0, 1.0, 1.0], false);
+        let dark = HostField::zeros(room.layout.len());
         for (buffer, voxels) in [(0.0, 3.0), (0.5, 2.0), (1.0, 1.0)] {
             let json = json!({"d_h": 1.0, "d_l": 0.5, "buffer_mm": buffer});
-            let objective = made("pm", json, &input);
             // Every part voxel that counts lacks 1
-            assert_eq!(
-                objective.value(&HostField::zeros(layout.len())),
-                voxels,
-                "buffer {buffer}"
-            );
+            let loss = room.build("pm", json).value(&dark);
+            assert_eq!(loss, voxels, "buffer {buffer}");
         }
     }
 

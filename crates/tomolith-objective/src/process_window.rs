@@ -663,7 +663,7 @@ impl<F: Field> Objective<F> for ProcessWindow {
 mod tests {
     use super::*;
     use crate::check;
-    use tomolith_core::check::noise;
+    use tomolith_core::check::{noise, refuses};
     use tomolith_core::field::HostField;
     use tomolith_core::near;
     use tomolith_core::response::Identity;
@@ -709,10 +709,7 @@ mod tests {
             let field = HostField::from_slice(&dose);
             let loss = Objective::<HostField>::value(&window(&inside, params), &field);
             // The softness rounds a tail's corner by half of itself
-            assert!(
-                (loss - (1.0 - a + b)).abs() <= 1e-3,
-                "{measure:?}: {loss}, {a} {b}"
-            );
+            near!(loss, (1.0 - a + b), 1e-3, "{measure:?}: {loss}, {a} {b}");
         }
     }
 
@@ -847,10 +844,7 @@ mod tests {
                 "softness",
             ),
         ] {
-            let Err(Error::Config { key: found, .. }) = params.validated() else {
-                panic!("{key} was taken")
-            };
-            assert_eq!(found, key);
+            refuses(params.validated(), key);
         }
         let shares = Shares::of(vec![1.0; 8]);
         let only = ProcessWindow::new(0..8, shares, Params::default(), Arc::new(Identity));

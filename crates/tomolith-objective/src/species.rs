@@ -142,6 +142,7 @@ mod tests {
     use crate::{OBJECTIVES, check};
     use tomolith_core::check::example;
     use tomolith_core::check::small::SmallModel;
+    use tomolith_core::near;
     use tomolith_core::response::Identity;
 
     #[test]
@@ -175,10 +176,7 @@ mod tests {
             let both = joined(join);
             check::objective(&both, &field).unwrap();
             let found = both.value(&field);
-            assert!(
-                (found - expected).abs() <= 1e-12 * expected,
-                "{join:?}: {found}"
-            );
+            near!(found, expected, 1e-12 * expected, "{join:?}: {found}");
         }
         assert_eq!(joined(Join::Sum).value(&field), sum);
         assert!(norm <= alone[1] && norm > 0.9 * alone[1]);

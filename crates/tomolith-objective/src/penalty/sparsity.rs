@@ -23,24 +23,16 @@
 
 use super::{BuildPenalty, MakePenalty, read};
 use crate::preset::positive;
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use tomolith_core::dose::PatternLayout;
 use tomolith_core::error::Result;
 use tomolith_core::field::PatternCost;
 use tomolith_core::kind::{Kind, schema_of};
 
-/// The parameters of sparsity.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Params {
-    /// M: power of the pixel values, above 0 (default 4)
-    pub exponent: f64,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params { exponent: 4.0 }
+tomolith_core::keys! {
+    /// The parameters of sparsity.
+    pub struct Params {
+        /// M: power of the pixel values, above 0 (default 4)
+        pub exponent: f64 = 4.0,
     }
 }
 
