@@ -167,10 +167,6 @@ impl<F: Field> Optimizer<F> for Adam<F> {
         })
     }
 
-    fn is_monotone(&self) -> bool {
-        false
-    }
-
     fn requirements(&self) -> Requirements {
         Requirements::of("adam")
     }
@@ -214,12 +210,8 @@ mod tests {
                 beta_2: 0.95,
                 epsilon: 1e-3,
             };
-            let found = case.run(
-                &*objective,
-                &mut Adam::<HostField>::new(params).unwrap(),
-                8,
-                None,
-            );
+            let mut adam = Adam::<HostField>::new(params).unwrap();
+            let found = case.run(&*objective, &mut adam, 8, None);
             let marked = case.marked_target();
             let mut x = case.start();
             let (mut m, mut v) = (vec![0.0; x.len()], vec![0.0; x.len()]);
@@ -246,12 +238,8 @@ mod tests {
                     x[i] = (x[i] - step * mean / (square.sqrt() + 1e-3)).max(0.0);
                 }
                 let at = usize::try_from(k).unwrap();
-                assert_near(
-                    &found.patterns[at],
-                    &x,
-                    1e-4,
-                    &format!("{schedule:?}, step {k}"),
-                );
+                let what = format!("{schedule:?}, step {k}");
+                assert_near(&found.patterns[at], &x, 1e-4, &what);
             }
         }
     }

@@ -149,10 +149,6 @@ impl<F: Field> Optimizer<F> for Bclp<F> {
         })
     }
 
-    fn is_monotone(&self) -> bool {
-        false
-    }
-
     fn requirements(&self) -> Requirements {
         Requirements::of("bclp")
     }
@@ -172,8 +168,13 @@ impl<F: Field> Optimizer<F> for Bclp<F> {
 mod tests {
     use super::*;
     use crate::reference::{Case, assert_near};
+    use serde_json::json;
     use tomolith_core::field::HostField;
     use tomolith_core::near;
+
+    fn bclp(step: f64, alternate: bool) -> Bclp<HostField> {
+        Bclp::new(Params { step, alternate }).unwrap()
+    }
 
     /// Eq. 4 with the identity response, p and q, for the ring with ε: cotangent of every voxel.
     fn cotangent(dose: &[f64], target: &[f64], [epsilon, p, q]: [f64; 3]) -> (f64, Vec<f64>) {
@@ -201,17 +202,8 @@ mod tests {
     fn it_follows_equation_5_step_by_step() {
         let (epsilon, p, q, step) = (0.05, 2.0, 1.0, 0.4);
         let case = Case::new();
-        let objective = case.objective("bclp", serde_json::json!({"epsilon": epsilon}));
-        let params = Params {
-            step,
-            alternate: false,
-        };
-        let found = case.run(
-            &*objective,
-            &mut Bclp::<HostField>::new(params).unwrap(),
-            8,
-            None,
-        );
+        let objective = case.objective("bclp", json!({"epsilon": epsilon}));
+        let found = case.run(&*objective, &mut bclp(step, false), 8, None);
         let (mut x, target) = (case.start(), case.marked_target());
         for (found, row) in found.patterns.iter().zip(&found.outcome.history) {
             assert_near(found, &x, 2e-5, "patterns");
@@ -228,17 +220,8 @@ mod tests {
     fn alternate_handling_follows_s_10_step_by_step() {
         // Part above 1.2, void below 0.4, p = q = 2, η = ½: even iterations of theirs correct the void, odd ones the part
         let case = Case::new();
-        let objective = case.objective("osmo", serde_json::json!({"d_h": 1.2, "d_l": 0.4}));
-        let params = Params {
-            step: 0.5,
-            alternate: true,
-        };
-        let found = case.run(
-            &*objective,
-            &mut Bclp::<HostField>::new(params).unwrap(),
-            8,
-            None,
-        );
+        let objective = case.objective("osmo", json!({"d_h": 1.2, "d_l": 0.4}));
+        let found = case.run(&*objective, &mut bclp(0.5, true), 8, None);
         let (mut x, target) = (case.start(), case.marked_target());
         for (k, found) in found.patterns.iter().enumerate() {
             assert_near(found, &x, 2e-5, "patterns");
@@ -267,19 +250,10 @@ mod tests {
     fn penalties_of_pm_follow_the_same_descent() {
         // Li et al., section 3.2: PM as projected gradient, p = 1, both weights and a buffer of one voxel
         let case = Case::new();
-        let json = serde_json::json!({"d_h": 0.8, "d_l": 0.3, "rho_1": 2.0, "rho_2": 0.5, "buffer_mm": 1.0});
+        let json = json!({"d_h": 0.8, "d_l": 0.3, "rho_1": 2.0, "rho_2": 0.5, "buffer_mm": 1.0});
         let objective = case.objective("pm", json);
         let step = 0.02;
-        let params = Params {
-            step,
-            alternate: false,
-        };
-        let found = case.run(
-            &*objective,
-            &mut Bclp::<HostField>::new(params).unwrap(),
-            8,
-            None,
-        );
+        let found = case.run(&*objective, &mut bclp(step, false), 8, None);
         let (mut x, target) = (case.start(), case.marked_target());
         let eroded = case.without_neighbors_of_the_other_kind();
         assert!(eroded.iter().any(|e| *e) && eroded.iter().any(|e| !e));
@@ -305,11 +279,7 @@ mod tests {
                     _ => {}
                 }
             }
-            assert!(
-                (row.loss - loss).abs() < 1e-4 * loss,
-                "step {k}: {} for {loss}",
-                row.loss
-            );
+            near!(row.loss, loss, 1e-4 * loss, "step {k}");
             let gradient = case.dense.adjoint(&slopes);
             for (x, g) in x.iter_mut().zip(&gradient) {
                 *x = (*x - step * g).max(0.0);

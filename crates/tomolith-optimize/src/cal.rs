@@ -193,10 +193,6 @@ impl<F: Field> Optimizer<F> for Cal<F> {
         })
     }
 
-    fn is_monotone(&self) -> bool {
-        false
-    }
-
     fn requirements(&self) -> Requirements {
         Requirements {
             linear: Some("the error of the object is projected to the patterns by the adjoint"),
@@ -303,19 +299,11 @@ mod tests {
                 ..Params::default()
             };
             let expected = published(&case, &params, bits.map(|b: u32| f64::from(1 << b)));
-            let found = case.run(
-                &*objective,
-                &mut Cal::<HostField>::new(params).unwrap(),
-                5,
-                bits,
-            );
+            let mut cal = Cal::<HostField>::new(params).unwrap();
+            let found = case.run(&*objective, &mut cal, 5, bits);
             for (k, expected) in expected.iter().enumerate() {
-                assert_near(
-                    &found.patterns[k + 1],
-                    expected,
-                    5e-5,
-                    &format!("momentum {momentum}, {bits:?} bits, step {}", k + 1),
-                );
+                let what = format!("momentum {momentum}, {bits:?} bits, step {}", k + 1);
+                assert_near(&found.patterns[k + 1], expected, 5e-5, &what);
             }
             let change: f64 = expected[0]
                 .iter()

@@ -3,13 +3,11 @@
 use crate::checkpoint::Params;
 use crate::{Checkpoints, Limits, MakeOptimizer, Outcome, Problem, StepReport, Stop, run};
 use std::ops::ControlFlow;
-use std::path::PathBuf;
+use std::path::Path;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU32, Ordering};
 use tomolith_core::check::small::SmallModel;
-use tomolith_core::check::{noise, on_threads};
-use tomolith_core::dose::DoseModel;
-use tomolith_core::dose::{LinearOperator, Run};
+use tomolith_core::check::{dose, even_patterns, noisy_patterns, on_threads};
+use tomolith_core::dose::Run;
 use tomolith_core::error::Error;
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::response::Identity;
@@ -24,9 +22,11 @@ use tomolith_objective::{BandObjective, Bands};
 /// - a run that is cut off and resumed from its checkpoint has the bits of the uninterrupted one;
 /// - the same bits for 1, 2 and 8 threads.
 ///
+/// Its checkpoint lies in `folder`, which holds none before.
+///
 /// # Errors
 /// What is wrong, in one sentence.
-pub fn optimizer(method: &dyn MakeOptimizer) -> Result<(), String> {
+pub fn optimizer(method: &dyn MakeOptimizer, folder: &Path) -> Result<(), String> {
     let normalizes = method.make().map_err(text)?.normalizes();
     let problem = TestProblem::new(normalizes)?;
     let whole = problem.run(method, 100, None)?;
@@ -37,7 +37,7 @@ pub fn optimizer(method: &dyn MakeOptimizer) -> Result<(), String> {
             losses[0], whole.1.loss
         ));
     }
-    problem.resumes(method)?;
+    problem.resumes(method, folder)?;
     problem.ignores_threads(method)
 }
 
@@ -55,15 +55,11 @@ type Done = (HostField, Outcome);
 impl TestProblem {
     fn new(normalizes: bool) -> Result<Self, String> {
         let model = SmallModel::new(14, 20, 3);
-        let mut patterns = model.new_patterns().map_err(text)?;
-        let values = noise(3, patterns.as_slice().len());
-        for (x, v) in patterns.as_mut_slice().iter_mut().zip(values) {
-            *x = if v > 0.4 { v } else { 0.0 };
+        let mut patterns = noisy_patterns(&model, 3);
+        for x in patterns.as_mut_slice() {
+            *x = if *x > 0.4 { *x } else { 0.0 };
         }
-        let mut dose = model.new_dose().map_err(text)?;
-        model
-            .add_forward(0..model.frames(), &patterns, &mut dose, &Run::new())
-            .map_err(text)?;
+        let mut dose = dose(&model, &patterns);
         if normalizes {
             dose.scale(1.0 / dose.max_abs());
         }
@@ -96,8 +92,7 @@ impl TestProblem {
         let mut problem =
             Problem::new(&self.model, &self.objective, &[LIMITS], &run_flag).map_err(text)?;
         problem = problem.with_target(self.target.clone());
-        let mut x = self.model.new_patterns().map_err(text)?;
-        x.as_mut_slice().fill(0.5);
+        let mut x = even_patterns(&self.model, 0.5);
         let stop = Stop::after(iterations);
         let (mut wrong, mut last) = (None, f64::INFINITY);
         let mut watch = |report: &StepReport<HostField>| {
@@ -133,12 +128,11 @@ impl TestProblem {
         wrong.map_or(Ok((x, outcome)), Err)
     }
 
-    fn resumes(&self, method: &dyn MakeOptimizer) -> Result<(), String> {
+    fn resumes(&self, method: &dyn MakeOptimizer, folder: &Path) -> Result<(), String> {
         let whole = self.run(method, 20, None)?;
-        let folder = Folder::new();
         for iterations in [0, 1, 7, 8, 20] {
             let params = Params::default();
-            let mut checkpoints = Checkpoints::new(&folder.0, 42, &params).map_err(text)?;
+            let mut checkpoints = Checkpoints::new(folder, 42, &params).map_err(text)?;
             let part = self.run(method, iterations, Some(&mut checkpoints))?;
             if iterations == 20 {
                 same("a resumed run", &whole, &part)?;
@@ -184,26 +178,4 @@ fn same(what: &str, a: &Done, b: &Done) -> Result<(), String> {
 
 fn text(error: Error) -> String {
     error.to_string()
-}
-
-/// A folder that is gone when the check is over.
-struct Folder(PathBuf);
-
-impl Folder {
-    fn new() -> Self {
-        static COUNT: AtomicU32 = AtomicU32::new(0);
-        let name = format!(
-            "tomolith-check-{}-{}",
-            std::process::id(),
-            COUNT.fetch_add(1, Ordering::Relaxed)
-        );
-        Folder(std::env::temp_dir().join(name))
-    }
-}
-
-impl Drop for Folder {
-    fn drop(&mut self) {
-        // Nothing can be done about a folder that stays behind
-        let _ = std::fs::remove_dir_all(&self.0);
-    }
 }

@@ -274,10 +274,6 @@ impl<F: Field> Optimizer<F> for Fista<F> {
         })
     }
 
-    fn is_monotone(&self) -> bool {
-        false
-    }
-
     fn requirements(&self) -> Requirements {
         Requirements {
             linear: Some("the dose of an extrapolated point is a combination of two doses"),
@@ -312,10 +308,11 @@ impl<F: Field> Optimizer<F> for Fista<F> {
 mod tests {
     use super::*;
     use crate::Limits;
-    use crate::reference::{Case, Dense, assert_near};
-    use tomolith_core::check::small::SmallModel;
+    use crate::reference::{Case, assert_near};
+    use serde_json::json;
     use tomolith_core::dose::Run;
     use tomolith_core::field::HostField;
+    use tomolith_core::near;
 
     fn fista(params: Params) -> Fista<HostField> {
         Fista::new(params).unwrap()
@@ -324,7 +321,7 @@ mod tests {
     #[test]
     fn it_follows_beck_and_teboulle_step_by_step() {
         let case = Case::new();
-        let objective = case.objective("l2", serde_json::json!({}));
+        let objective = case.objective("l2", json!({}));
         // Both rules restart near step 28; later losses are too alike for f32 to tell a rise
         let step = 0.9;
         for restart in [Restart::None, Restart::Gradient, Restart::Loss] {
@@ -372,12 +369,8 @@ mod tests {
                 t = if again { 1.0 } else { next };
                 restarts += usize::from(again);
                 before = std::mem::replace(&mut x, new);
-                assert_near(
-                    &found.patterns[k],
-                    &x,
-                    1e-4,
-                    &format!("{restart:?}, step {k}"),
-                );
+                let what = format!("{restart:?}, step {k}");
+                assert_near(&found.patterns[k], &x, 1e-4, &what);
             }
             assert_eq!(
                 restart == Restart::None,
@@ -389,8 +382,8 @@ mod tests {
 
     #[test]
     fn the_power_iteration_finds_the_largest_curvature() {
-        let model = SmallModel::new(14, 20, 1);
-        let dense = Dense::new(&model);
+        let case = Case::of(14, 20);
+        let dense = &case.dense;
         let mut v = vec![1.0; 14 * 20];
         let mut square = 0.0;
         for _ in 0..500 {
@@ -398,8 +391,7 @@ mod tests {
             square = w.iter().map(|w| w * w).sum::<f64>().sqrt();
             v = w.iter().map(|w| w / square).collect();
         }
-        let case = Case::of(model, 14, 20);
-        let objective = case.objective("l2", serde_json::json!({}));
+        let objective = case.objective("l2", json!({}));
         let flag = Run::new();
         let mut problem =
             Problem::new(&case.model, &*objective, &[Limits::default()], &flag).unwrap();
@@ -407,17 +399,13 @@ mod tests {
         let method = fista(Params::default());
         let mut fields = Fista::fields(&problem, &x).unwrap();
         let found = method.largest_curvature(&mut problem, &mut fields).unwrap();
-        assert!(
-            (found / (2.0 * square) - 1.0).abs() < 0.01,
-            "{found} for {}",
-            2.0 * square
-        );
+        near!(found / (2.0 * square), 1.0, 0.01, "{found}");
     }
 
     #[test]
     fn a_curvature_that_is_too_small_is_found_out() {
         let case = Case::new();
-        let objective = case.objective("l2", serde_json::json!({}));
+        let objective = case.objective("l2", json!({}));
         let good = case.run(&*objective, &mut fista(Params::default()), 30, None);
         let params = Params {
             curvature: 0.05,
@@ -439,7 +427,7 @@ mod tests {
     #[test]
     fn rounding_near_a_loss_of_zero_raises_no_l() {
         let case = Case::new();
-        let objective = case.objective("l2n", serde_json::json!({"lower": 0.85, "upper": 0.9}));
+        let objective = case.objective("l2n", json!({"lower": 0.85, "upper": 0.9}));
         let params = Params {
             restart: Restart::None,
             ..Params::default()
@@ -464,8 +452,8 @@ mod tests {
     #[test]
     fn an_objective_that_is_not_convex_is_refused_with_both_keys() {
         let case = Case::new();
-        let objective = case.objective("bclp", serde_json::json!({"p": 0.5}));
-        let (_, outcome) = case.try_run(&*objective, &mut fista(Params::default()), 3, None);
+        let objective = case.objective("bclp", json!({"p": 0.5}));
+        let (.., outcome) = case.try_run(&*objective, &mut fista(Params::default()), 3, None);
         let refusal = outcome.unwrap_err().to_string();
         tomolith_core::contains!(refusal, "optimizer.fista", "objective");
     }

@@ -42,11 +42,11 @@ mod tests {
     use super::*;
     use crate::fista::Fista;
     use crate::lbfgs::Lbfgs;
-    use crate::{Counters, Limits, Optimizer, Outcome, Problem, Stop, StopReason, run};
+    use crate::reference::solve;
+    use crate::{Counters, Limits, Optimizer, Outcome, Stop, StopReason};
     use serde_json::json;
     use std::sync::Arc;
     use tomolith_core::check::{self, small::SmallModel};
-    use tomolith_core::dose::Run;
     use tomolith_core::error::Error;
     use tomolith_core::field::{Field, HostField};
     use tomolith_core::response::{Identity, Logistic};
@@ -61,10 +61,7 @@ mod tests {
         optimizer: &mut dyn Optimizer<HostField>,
         stop: &Stop,
     ) -> Result<Outcome, Error> {
-        let run_control = Run::new();
-        let mut problem = Problem::new(model, objective, &[LIMITS], &run_control)?;
-        let mut x = check::even_patterns(model, 0.05);
-        run(&mut problem, optimizer, &mut x, stop, None, &mut [])
+        solve((model, objective), (LIMITS, 0.05), optimizer, stop).1
     }
 
     #[test]

@@ -77,6 +77,17 @@ pub(super) struct Best {
     pub(super) response: Vec<f64>,
 }
 
+impl Best {
+    fn at<F: Field>(problem: &Problem<F>, at: &Position<F>, iteration: usize, score: f64) -> Self {
+        Best {
+            iteration,
+            loss: at.loss,
+            score,
+            response: problem.response_values().to_vec(),
+        }
+    }
+}
+
 /// What iterates are compared by.
 enum Measure {
     Loss,
@@ -154,12 +165,7 @@ impl<F: Field> Keeper<F> {
         Keeper {
             measure,
             is_safe: optimizer.is_monotone(),
-            best: Best {
-                iteration: 0,
-                loss: at.loss,
-                score,
-                response: problem.response_values().to_vec(),
-            },
+            best: Best::at(problem, at, 0, score),
             patterns: None,
         }
     }
@@ -181,12 +187,7 @@ impl<F: Field> Keeper<F> {
     /// The present patterns are the best: the model has become another one, and what was measured before says nothing.
     pub(super) fn begin_anew(&mut self, problem: &Problem<F>, at: &Position<F>, iteration: usize) {
         self.patterns = None;
-        self.best = Best {
-            iteration,
-            loss: at.loss,
-            score: self.measure.score(problem, at),
-            response: problem.response_values().to_vec(),
-        };
+        self.best = Best::at(problem, at, iteration, self.measure.score(problem, at));
     }
 
     /// Before a step: the patterns, where the step could lose the best of them.
@@ -212,12 +213,7 @@ impl<F: Field> Keeper<F> {
         let score = self.measure.score(problem, at);
         if score <= self.best.score || matches!(self.measure, Measure::Last) {
             self.patterns = None;
-            self.best = Best {
-                iteration,
-                loss: at.loss,
-                score,
-                response: problem.response_values().to_vec(),
-            };
+            self.best = Best::at(problem, at, iteration, score);
         } else {
             self.go_back(before);
         }
@@ -244,12 +240,9 @@ mod tests {
     use super::*;
     use crate::cal::{Cal, Params};
     use crate::checkpoint;
-    use crate::reference::FREE;
+    use crate::reference::{FREE, Scripted};
     use crate::start::StartInput;
-    use crate::{
-        CheckpointReader, Checkpoints, Limits, Memory, Outcome, Requirements, Step, Stop,
-        read_saved_numbers, run,
-    };
+    use crate::{Checkpoints, Limits, Outcome, Stop, run};
     use serde_json::json;
     use std::sync::Arc;
     use tomolith_core::check::{self, small::SmallModel};
@@ -258,64 +251,6 @@ mod tests {
     use tomolith_core::field::HostField;
     use tomolith_core::response::Identity;
     use tomolith_objective::check::of_ring;
-
-    /// A method that normalizes its doses and follows a script: how much of the target's projection its patterns are (the rest is
-    /// even light), and what loss it claims.
-    struct Scripted {
-        script: Vec<(f32, f64)>,
-        done: usize,
-    }
-
-    impl Optimizer<HostField> for Scripted {
-        fn step(
-            &mut self,
-            problem: &mut Problem<HostField>,
-            x: &mut HostField,
-            at: &mut Position<HostField>,
-        ) -> Result<Step> {
-            let (share, loss) = self.script[self.done];
-            self.done += 1;
-            let (target, mut projected) = (problem.target()?.clone(), x.zeros_like());
-            problem.project(x, &target, &mut projected)?;
-            x.fill(1.0 - share);
-            x.axpy(share / projected.max_abs(), &projected);
-            problem.evaluate(x, at)?;
-            at.loss = loss;
-            Ok(Step {
-                projected_gradient: 1.0,
-                length: 1.0,
-            })
-        }
-
-        fn is_monotone(&self) -> bool {
-            false
-        }
-
-        fn requirements(&self) -> Requirements {
-            Requirements::of("scripted")
-        }
-
-        fn normalizes(&self) -> bool {
-            true
-        }
-
-        fn memory(&self) -> Memory<'_> {
-            Memory {
-                numbers: self.done.into(),
-                arrays: Vec::new(),
-            }
-        }
-
-        fn restore(
-            &mut self,
-            memory: &mut dyn CheckpointReader,
-            _: &Problem<HostField>,
-            _: &HostField,
-        ) -> Result<()> {
-            self.done = read_saved_numbers(memory)?;
-            Ok(())
-        }
-    }
 
     /// A run on the ring, whose target may be made gray: patterns, print, and what the run says.
     fn go(
@@ -346,9 +281,18 @@ mod tests {
 
     const SCRIPT: [(f32, f64); 4] = [(0.0, 1.0), (1.0, 3.0), (0.0, 2.0), (0.0, 4.0)];
 
-    fn scripted(script: &[(f32, f64)]) -> Scripted {
+    /// A method that normalizes its doses: so much of the target's projection its patterns are (the rest is even light).
+    fn scripted(script: &[(f32, f64)]) -> Scripted<f32> {
         Scripted {
             script: script.to_vec(),
+            show: |share, problem, x| {
+                let (target, mut projected) = (problem.target()?.clone(), x.zeros_like());
+                problem.project(x, &target, &mut projected)?;
+                x.fill(1.0 - share);
+                x.axpy(share / projected.max_abs(), &projected);
+                Ok(())
+            },
+            normalizes: true,
             done: 0,
         }
     }

@@ -240,13 +240,8 @@ impl<F: Field> Lbfgs<F> {
     /// [`Error::Config`] naming the key that is out of range.
     pub fn new(params: Params) -> Result<Self> {
         let most = F::Pairs::MAX_MEMORY;
-        if !(1..=most).contains(&params.memory) {
-            return Err(Error::refused(
-                "memory",
-                params.memory,
-                format!("1 to {most}"),
-            ));
-        }
+        let is_in = (1..=most).contains(&params.memory);
+        in_range(is_in, "memory", params.memory, format!("1 to {most}"))?;
         in_range(
             (0.0..1.0).contains(&params.tolerance),
             "tolerance",
@@ -428,21 +423,18 @@ impl<F: Field> Optimizer<F> for Lbfgs<F> {
 mod tests {
     use super::*;
     use crate::gradient::{self, Gradient};
-    use crate::{Limits, Outcome, Stop, run};
+    use crate::reference::{self, Dense};
+    use crate::{Limits, Outcome, Stop};
+    use serde_json::{Value, json};
     use std::sync::Arc;
     use tomolith_core::check::{self, small::SmallModel};
-    use tomolith_core::dose::Run;
     use tomolith_core::field::HostField;
     use tomolith_core::near;
     use tomolith_core::response::{Identity, Logistic};
     use tomolith_objective::Objective;
     use tomolith_objective::check::of_ring;
 
-    fn objective(
-        model: &SmallModel,
-        name: &str,
-        json: serde_json::Value,
-    ) -> Box<dyn Objective<HostField>> {
+    fn objective(model: &SmallModel, name: &str, json: Value) -> Box<dyn Objective<HostField>> {
         of_ring(model, (name, json), Arc::new(Identity))
     }
 
@@ -452,43 +444,28 @@ mod tests {
         optimizer: &mut dyn Optimizer<HostField>,
         stop: &Stop,
     ) -> (HostField, Outcome) {
-        let flag = Run::new();
-        let mut problem = Problem::new(model, objective, &[Limits::default()], &flag).unwrap();
-        let mut x = check::even_patterns(model, 0.5);
-        let outcome = run(&mut problem, optimizer, &mut x, stop, None, &mut []).unwrap();
-        (x, outcome)
+        let limits = (Limits::default(), 0.5);
+        let (x, outcome) = reference::solve((model, objective), limits, optimizer, stop);
+        (x, outcome.unwrap())
+    }
+
+    fn never_rises(outcome: &Outcome) -> bool {
+        outcome.history.windows(2).all(|w| w[1].loss <= w[0].loss)
     }
 
     /// The optimum of Σ w(Ax − b)², x ≥ 0, by projected gradient steps in f64 on the written-down matrix: least loss, dose, share
     /// of dark pixels, and the projected gradient's norm relative to that at the start.
-    fn plain_optimum(
-        matrix: &[Vec<(usize, f64)>],
-        pixels: usize,
-        wanted: &[f64],
-        weight: &[f64],
-    ) -> (f64, Vec<f64>, f64, f64) {
-        let forward = |x: &[f64]| -> Vec<f64> {
-            let row = |row: &Vec<(usize, f64)>| row.iter().map(|&(j, a)| a * x[j]).sum();
-            matrix.iter().map(row).collect()
-        };
+    fn plain_optimum(matrix: &Dense, wanted: &[f64], weight: &[f64]) -> (f64, Vec<f64>, f64, f64) {
+        let forward = |x: &[f64]| matrix.forward(x);
         let gradient = |dose: &[f64]| -> Vec<f64> {
-            let mut g = vec![0.0; pixels];
-            for (i, row) in matrix.iter().enumerate() {
-                let r = 2.0 * weight[i] * (dose[i] - wanted[i]);
-                row.iter().for_each(|&(j, a)| g[j] += a * r);
-            }
-            g
+            let rest = (0..dose.len()).map(|i| 2.0 * weight[i] * (dose[i] - wanted[i]));
+            matrix.adjoint(&rest.collect::<Vec<_>>())
         };
+        let pixels = gradient(wanted).len();
         // Largest row sum times largest column sum bounds the square of a matrix's norm
-        let rows: f64 = matrix
-            .iter()
-            .map(|row| row.iter().map(|e| e.1).sum())
-            .fold(0.0, f64::max);
-        let mut columns = vec![0.0f64; pixels];
-        for (row, weight) in matrix.iter().zip(weight) {
-            row.iter().for_each(|&(j, a)| columns[j] += a * weight);
-        }
-        let t = 1.0 / (2.0 * rows * columns.iter().fold(0.0, |a, &b| f64::max(a, b)));
+        let largest = |sums: Vec<f64>| sums.into_iter().fold(0.0, f64::max);
+        let rows = largest(forward(&vec![1.0; pixels]));
+        let t = 1.0 / (2.0 * rows * largest(matrix.adjoint(weight)));
         let norm = |x: &[f64], g: &[f64]| {
             let square: f64 = x
                 .iter()
@@ -517,7 +494,7 @@ mod tests {
     #[test]
     fn agrees_with_a_plain_optimum_at_which_most_pixels_are_dark() {
         let model = SmallModel::new(16, 48, 1);
-        let objective = objective(&model, "l2", serde_json::json!({"void_weight": 5.0}));
+        let objective = objective(&model, "l2", json!({"void_weight": 5.0}));
         let (target, labels) = model.ring();
         let wanted: Vec<f64> = target.inside.values.iter().map(|&v| f64::from(v)).collect();
         let weight: Vec<f64> = labels
@@ -525,8 +502,8 @@ mod tests {
             .iter()
             .map(|&l| [0.0, 5.0, 1.0][usize::from(l)])
             .collect();
-        let (matrix, pixels) = model.matrix();
-        let (loss, dose, dark, optimality) = plain_optimum(&matrix, pixels, &wanted, &weight);
+        let matrix = Dense::new(&model);
+        let (loss, dose, dark, optimality) = plain_optimum(&matrix, &wanted, &weight);
         assert!(dark > 0.8, "only {dark} of the pixels are at the bound");
         assert!(optimality < 1e-6, "the plain optimum is none: {optimality}");
 
@@ -537,11 +514,7 @@ mod tests {
         };
         let mut optimizer = Lbfgs::new(Params::default()).unwrap();
         let (x, outcome) = solve(&model, &*objective, &mut optimizer, &stop);
-        assert!(
-            (outcome.loss - loss).abs() < 1e-5 * loss,
-            "loss {} instead of {loss}",
-            outcome.loss
-        );
+        near!(outcome.loss, loss, 1e-5 * loss, "the least loss");
         let found = check::dose(&model, &x);
         let found = model.layout().volume_of(found.as_slice());
         for (i, (found, expected)) in found.values.iter().zip(&dose).enumerate() {
@@ -556,11 +529,11 @@ mod tests {
     fn needs_fewer_steps_than_the_gradient_and_never_rises() {
         let model = SmallModel::new(40, 60, 2);
         for (name, json) in [
-            ("threshold", serde_json::json!({})),
-            ("ospw", serde_json::json!({})),
-            ("l2", serde_json::json!({})),
-            ("bclp", serde_json::json!({})),
-            ("l1", serde_json::json!({})),
+            ("threshold", json!({})),
+            ("ospw", json!({})),
+            ("l2", json!({})),
+            ("bclp", json!({})),
+            ("l1", json!({})),
         ] {
             let objective = objective(&model, name, json);
             let stop = Stop::after(40);
@@ -568,13 +541,7 @@ mod tests {
             let (_, newton) = solve(&model, &*objective, &mut lbfgs, &stop);
             let mut gradient = Gradient::new(gradient::Params::default()).unwrap();
             let (_, plain) = solve(&model, &*objective, &mut gradient, &stop);
-            for outcome in [&newton, &plain] {
-                let losses: Vec<f64> = outcome.history.iter().map(|row| row.loss).collect();
-                assert!(
-                    losses.windows(2).all(|w| w[1] <= w[0]),
-                    "{name}: {losses:?}"
-                );
-            }
+            assert!(never_rises(&newton) && never_rises(&plain), "{name}");
             assert!(
                 newton.loss <= plain.loss,
                 "{name}: {} against {}",
@@ -591,22 +558,19 @@ mod tests {
     fn the_loss_never_rises_through_a_sigmoid_or_with_singular_powers() {
         let model = SmallModel::new(24, 36, 2);
         for (name, json) in [
-            ("dose_matching", serde_json::json!({})),
-            ("bclp", serde_json::json!({})),
-            ("bclp", serde_json::json!({"p": 0.5, "q": 0.5})),
-            ("bclp", serde_json::json!({"p": 4.0, "q": 0.5})),
+            ("dose_matching", json!({})),
+            ("bclp", json!({})),
+            ("bclp", json!({"p": 0.5, "q": 0.5})),
+            ("bclp", json!({"p": 4.0, "q": 0.5})),
         ] {
             let response = Arc::new(Logistic::new(Default::default()).unwrap());
             let objective = of_ring(&model, (name, json.clone()), response);
             let mut optimizer = Lbfgs::new(Params::default()).unwrap();
             let stop = Stop::after(40);
             let (_, outcome) = solve(&model, &*objective, &mut optimizer, &stop);
-            let losses: Vec<f64> = outcome.history.iter().map(|row| row.loss).collect();
-            assert!(
-                losses.windows(2).all(|w| w[1] <= w[0]),
-                "{name} {json}: {losses:?}"
-            );
-            assert!(outcome.loss < 0.7 * losses[0], "{name} {json}: {losses:?}");
+            let first = outcome.history[0].loss;
+            assert!(never_rises(&outcome), "{name} {json}: {outcome:?}");
+            assert!(outcome.loss < 0.7 * first, "{name} {json}: {first}");
         }
     }
 

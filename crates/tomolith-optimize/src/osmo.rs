@@ -229,10 +229,6 @@ impl<F: Field> Optimizer<F> for Osmo<F> {
         })
     }
 
-    fn is_monotone(&self) -> bool {
-        false
-    }
-
     fn requirements(&self) -> Requirements {
         Requirements {
             linear: Some("a correction of the object is projected to the patterns by the adjoint"),
@@ -374,12 +370,9 @@ mod tests {
                 };
                 let found = case.run(&*objective, &mut osmo(params), 4, None);
                 for step in 1..=4 {
-                    assert_near(
-                        &found.patterns[step],
-                        &expected[step * halves],
-                        2e-5,
-                        &format!("{filter:?}, {count:?}, step {step}"),
-                    );
+                    let what = format!("{filter:?}, {count:?}, step {step}");
+                    let expected = &expected[step * halves];
+                    assert_near(&found.patterns[step], expected, 2e-5, &what);
                 }
                 // Row 0 is the job's start; the method's own costs a call each way
                 let counters = found.outcome.counters;
@@ -438,7 +431,8 @@ mod tests {
         // The void's correction, a hundredfold, takes all light at once
         let json = serde_json::json!({"d_h": 0.02, "d_l": 0.01});
         let objective = case.weighed_objective("osmo", json, 1000.0);
-        let (patterns, outcome) = case.try_run(&objective, &mut osmo(Params::default()), 4, None);
+        let (patterns, _, outcome) =
+            case.try_run(&objective, &mut osmo(Params::default()), 4, None);
         let refusal = outcome.unwrap_err().to_string();
         assert!(refusal.contains("zero everywhere"), "{refusal}");
         assert_near(patterns.as_slice(), &case.start(), 1e-6, "the start");

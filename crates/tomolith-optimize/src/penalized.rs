@@ -8,6 +8,7 @@ use tomolith_core::check::{self, noise};
 use tomolith_core::dose::{DoseModel, Run};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::kind::Section;
+use tomolith_core::near;
 use tomolith_core::response::Identity;
 use tomolith_objective::Objective;
 use tomolith_objective::check::of_ring;
@@ -32,6 +33,16 @@ fn penalties(model: &SmallModel, sparsity: f64, smoothness: f64) -> Penalties<Ho
     Penalties::new(vec![(sparsity, sparse), (smoothness, smooth)]).unwrap()
 }
 
+fn problem<'a>(
+    model: &'a SmallModel,
+    objective: &'a dyn Objective<HostField>,
+    [sparsity, smoothness]: [f64; 2],
+    run: &'a Run,
+) -> Problem<'a, HostField> {
+    let problem = Problem::new(model, objective, &[LIMITS], run).unwrap();
+    problem.with_penalties(penalties(model, sparsity, smoothness))
+}
+
 fn patterns(model: &SmallModel) -> HostField {
     let mut x = check::noisy_patterns(model, 3);
     x.scale(0.4);
@@ -43,9 +54,7 @@ fn patterns(model: &SmallModel) -> HostField {
 fn loss_and_gradient_are_those_of_the_sum() {
     let model = SmallModel::new(18, 12, 5);
     let (objective, run) = (objective(&model), Run::new());
-    let mut problem = Problem::new(&model, &*objective, &[LIMITS], &run)
-        .unwrap()
-        .with_penalties(penalties(&model, 0.3, 0.2));
+    let mut problem = problem(&model, &*objective, [0.3, 0.2], &run);
     let mut x = patterns(&model);
     let at = problem.evaluate_at(&mut x).unwrap();
     let alone = objective.value(&at.dose);
@@ -61,19 +70,14 @@ fn loss_and_gradient_are_those_of_the_sum() {
     };
     let difference = (loss(1e-2) - loss(-1e-2)) / 2e-2;
     let slope = gradient.dot(&direction);
-    assert!(
-        (difference - slope).abs() < 2e-3 * slope.abs().max(1.0),
-        "{slope}, differences {difference}"
-    );
+    near!(difference, slope, 2e-3 * slope.abs().max(1.0));
 }
 
 #[test]
 fn a_search_ends_where_the_whole_sum_is_lowest() {
     let model = SmallModel::new(18, 12, 5);
     let (objective, run) = (objective(&model), Run::new());
-    let mut problem = Problem::new(&model, &*objective, &[LIMITS], &run)
-        .unwrap()
-        .with_penalties(penalties(&model, 30.0, 2.0));
+    let mut problem = problem(&model, &*objective, [30.0, 2.0], &run);
     let mut x = patterns(&model);
     let mut at = problem.evaluate_at(&mut x).unwrap();
     let mut gradient = x.zeros_like();
@@ -89,12 +93,7 @@ fn a_search_ends_where_the_whole_sum_is_lowest() {
     // What it says is what there is
     let mut again = x.clone();
     let placed = problem.evaluate_at(&mut again).unwrap();
-    assert!(
-        (placed.loss - at.loss).abs() < 1e-6 * at.loss,
-        "{} {}",
-        placed.loss,
-        at.loss
-    );
+    near!(placed.loss, at.loss, 1e-6 * at.loss);
     // No other place on the segment is much lower
     for alpha in (1..20).map(|i| i as f32 / 20.0) {
         let mut there = from.clone();
@@ -114,28 +113,19 @@ fn every_optimizer_pays_for_light_and_for_roughness() {
     let objective = objective(&model);
     let parts = [penalties(&model, 1.0, 0.0), penalties(&model, 0.0, 1.0)];
     for row in OPTIMIZERS {
-        let example = tomolith_core::check::example(row);
-        let needs = (row.build)(&example)
-            .unwrap()
-            .make()
-            .unwrap()
-            .requirements();
+        let method = (row.build)(&check::example(row)).unwrap();
+        let needs = method.make().unwrap().requirements();
         if needs.unpenalized.is_some() {
             let flag = Run::new();
-            let problem = Problem::new(&model, &*objective, &[LIMITS], &flag)
-                .unwrap()
-                .with_penalties(penalties(&model, 1.0, 0.0));
+            let problem = problem(&model, &*objective, [1.0, 0.0], &flag);
             let refused = needs.check(&problem).unwrap_err().to_string();
             assert!(refused.contains("penalties"), "{}: {refused}", row.name);
             continue;
         }
         let run = |sparsity: f64, smoothness: f64| {
             let flag = Run::new();
-            let mut problem = Problem::new(&model, &*objective, &[LIMITS], &flag)
-                .unwrap()
-                .with_penalties(penalties(&model, sparsity, smoothness));
-            let section = tomolith_core::check::example(row);
-            let mut optimizer = (row.build)(&section).unwrap().make().unwrap();
+            let mut problem = problem(&model, &*objective, [sparsity, smoothness], &flag);
+            let mut optimizer = method.make().unwrap();
             let mut x = patterns(&model);
             let stop = Stop::after(25);
             crate::run(&mut problem, &mut *optimizer, &mut x, &stop, None, &mut []).unwrap();

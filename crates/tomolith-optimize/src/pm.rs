@@ -13,24 +13,16 @@
 
 use super::lbfgs::{self, Lbfgs};
 use super::{BuildOptimizer, MakeOptimizer, Optimizer, read};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
 use tomolith_core::kind::{Kind, schema_of};
 
-/// The parameters of penalty minimization's solver.
-#[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Params {
-    /// Number of pairs remembered, 1 to 30 (default 10)
-    pub memory: usize,
-}
-
-impl Default for Params {
-    fn default() -> Self {
-        Params { memory: 10 }
+tomolith_core::keys! {
+    /// The parameters of penalty minimization's solver.
+    pub struct Params {
+        /// Number of pairs remembered, 1 to 30 (default 10)
+        pub memory: usize = 10,
     }
 }
 

@@ -12,7 +12,7 @@ use super::free_response::FreeResponse;
 use std::sync::OnceLock;
 use std::time::Instant;
 use tomolith_core::dose::{DoseModel, PatternLayout, Quantity, Run};
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Error, Result, in_range};
 use tomolith_core::field::{Bounds, Field};
 use tomolith_objective::Objective;
 use tomolith_objective::penalty::Penalties;
@@ -169,14 +169,9 @@ impl<'a, F: Field> Problem<'a, F> {
     /// # Errors
     /// [`Error::Config`] for other than 1 to 16 bits.
     pub fn with_bits(mut self, bits: Option<u32>) -> Result<Self> {
-        if let Some(bits) = bits
-            && !(1..=16).contains(&bits)
-        {
-            return Err(Error::refused(
-                "bounds.bits",
-                bits,
-                "1 to 16 bits, or leave the key out for patterns that are not rounded",
-            ));
+        if let Some(bits) = bits {
+            let accepted = "1 to 16 bits, or leave the key out for patterns that are not rounded";
+            in_range((1..=16).contains(&bits), "bounds.bits", bits, accepted)?;
         }
         self.levels = bits.map(|bits| 1 << bits);
         Ok(self)

@@ -1,13 +1,16 @@
 //! What tests need to follow a method step by step: the small model as a matrix in f64, the ring, and a run that keeps every
 //! iterate. Nothing here uses the code under test but the run itself.
 
-use super::{Limits, Optimizer, Outcome, Problem, StepReport, Stop, run};
+use super::{
+    CheckpointReader, Limits, Memory, Optimizer, Outcome, Position, Problem, Requirements, Step,
+    StepReport, Stop, read_saved_numbers, run,
+};
 use crate::start::StartInput;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 use std::sync::Arc;
-use tomolith_core::check::small::SmallModel;
-use tomolith_core::dose::Run;
+use tomolith_core::check::{self, small::SmallModel};
+use tomolith_core::dose::{DoseModel, Run};
 use tomolith_core::error::Result;
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::response::Identity;
@@ -85,6 +88,72 @@ pub(crate) fn assert_near(found: &[f32], expected: &[f64], tolerance: f64, what:
     }
 }
 
+/// What a method makes of even patterns within limits.
+pub(crate) fn solve(
+    (model, objective): (&Model, &dyn Objective<HostField>),
+    (limits, even): (Limits, f32),
+    optimizer: &mut dyn Optimizer<HostField>,
+    stop: &Stop,
+) -> (HostField, Result<Outcome>) {
+    let flag = Run::new();
+    let mut problem = Problem::new(model, objective, &[limits], &flag).unwrap();
+    let mut x = check::even_patterns(model, even);
+    let outcome = run(&mut problem, optimizer, &mut x, stop, None, &mut []);
+    (x, outcome)
+}
+
+/// Any model with fields of the host.
+pub(crate) type Model = dyn DoseModel<Field = HostField>;
+
+/// A method that follows a script: what its patterns are, and what loss it claims.
+pub(crate) struct Scripted<S> {
+    pub(crate) script: Vec<(S, f64)>,
+    pub(crate) show: fn(&S, &mut Problem<HostField>, &mut HostField) -> Result<()>,
+    pub(crate) normalizes: bool,
+    pub(crate) done: usize,
+}
+
+impl<S: Send> Optimizer<HostField> for Scripted<S> {
+    fn step(
+        &mut self,
+        problem: &mut Problem<HostField>,
+        x: &mut HostField,
+        at: &mut Position<HostField>,
+    ) -> Result<Step> {
+        let (shown, loss) = &self.script[self.done];
+        self.done += 1;
+        (self.show)(shown, problem, x)?;
+        problem.evaluate(x, at)?;
+        at.loss = *loss;
+        Ok(Step {
+            projected_gradient: 1.0,
+            length: 1.0,
+        })
+    }
+
+    fn requirements(&self) -> Requirements {
+        Requirements::of("scripted")
+    }
+
+    fn normalizes(&self) -> bool {
+        self.normalizes
+    }
+
+    fn memory(&self) -> Memory<'_> {
+        Memory::of::<HostField>(self.done, &[])
+    }
+
+    fn restore(
+        &mut self,
+        memory: &mut dyn CheckpointReader,
+        _: &Problem<HostField>,
+        _: &HostField,
+    ) -> Result<()> {
+        self.done = read_saved_numbers(memory)?;
+        Ok(())
+    }
+}
+
 /// The ring on a small model.
 pub(crate) struct Case {
     pub(crate) model: SmallModel,
@@ -101,10 +170,11 @@ pub(crate) struct Followed {
 
 impl Case {
     pub(crate) fn new() -> Self {
-        Self::of(SmallModel::new(13, 18, 1), 13, 18)
+        Self::of(13, 18)
     }
 
-    pub(crate) fn of(model: SmallModel, n: usize, frames: usize) -> Self {
+    pub(crate) fn of(n: usize, frames: usize) -> Self {
+        let model = SmallModel::new(n, frames, 1);
         Case {
             dense: Dense::new(&model),
             model,
@@ -129,20 +199,13 @@ impl Case {
         let n = self.n;
         let alone = |i: usize| {
             let (x, y) = (i % n, i / n);
-            let mut neighbors = Vec::new();
-            if x > 0 {
-                neighbors.push(i - 1);
-            }
-            if x + 1 < n {
-                neighbors.push(i + 1);
-            }
-            if y > 0 {
-                neighbors.push(i - n);
-            }
-            if y + 1 < n {
-                neighbors.push(i + n);
-            }
-            neighbors.iter().all(|&j| part[j] == part[i])
+            let neighbors = [
+                (x > 0).then(|| i - 1),
+                (x + 1 < n).then(|| i + 1),
+                (y > 0).then(|| i - n),
+                (y + 1 < n).then(|| i + n),
+            ];
+            neighbors.iter().flatten().all(|&j| part[j] == part[i])
         };
         (0..n * n).map(alone).collect()
     }
@@ -178,33 +241,21 @@ impl Case {
         steps: usize,
         bits: Option<u32>,
     ) -> Followed {
-        let mut patterns = Vec::new();
-        let (_, outcome) = self.watched(objective, optimizer, steps, bits, &mut patterns);
+        let (_, patterns, outcome) = self.try_run(objective, optimizer, steps, bits);
         Followed {
             patterns,
             outcome: outcome.unwrap(),
         }
     }
 
-    /// The patterns of the result, and the history.
+    /// The patterns of the result, every iterate, and the history.
     pub(crate) fn try_run(
         &self,
         objective: &dyn Objective<HostField>,
         optimizer: &mut dyn Optimizer<HostField>,
         steps: usize,
         bits: Option<u32>,
-    ) -> (HostField, Result<Outcome>) {
-        self.watched(objective, optimizer, steps, bits, &mut Vec::new())
-    }
-
-    fn watched(
-        &self,
-        objective: &dyn Objective<HostField>,
-        optimizer: &mut dyn Optimizer<HostField>,
-        steps: usize,
-        bits: Option<u32>,
-        seen: &mut Vec<Vec<f32>>,
-    ) -> (HostField, Result<Outcome>) {
+    ) -> (HostField, Vec<Vec<f32>>, Result<Outcome>) {
         let (target, labels) = self.model.ring();
         let input = StartInput::new(&self.model, &target, &labels, &FREE);
         let flag = Run::new();
@@ -216,7 +267,7 @@ impl Case {
             .with_edges(input.edge_field().unwrap());
         let start: Vec<f32> = self.start().iter().map(|&v| v as f32).collect();
         let mut x = HostField::from_slice(&start);
-        let stop = Stop::after(steps);
+        let (stop, mut seen) = (Stop::after(steps), Vec::new());
         let mut watch = |report: &StepReport<HostField>| {
             seen.push(report.patterns.to_host());
             ControlFlow::Continue(())
@@ -229,6 +280,6 @@ impl Case {
             None,
             &mut [&mut watch],
         );
-        (x, outcome)
+        (x, seen, outcome)
     }
 }

@@ -1,12 +1,14 @@
 use super::*;
 use crate::checkpoint::{self, Checkpoints};
+use crate::reference::{Model, solve};
 use crate::{Limits, OPTIMIZERS, Outcome, Problem, Stop, StopReason, run};
 use serde_json::json;
-use tomolith_core::check::{self, noise, small::SmallModel};
-use tomolith_core::dose::{DoseModel, Run};
+use tomolith_core::check::{self, small::SmallModel};
+use tomolith_core::dose::Run;
 use tomolith_core::field::HostField;
 use tomolith_core::grid::Volume;
 use tomolith_core::kind::Section;
+use tomolith_core::near;
 use tomolith_core::response::{Logistic, logistic};
 use tomolith_core::target::Target;
 use tomolith_objective::{OBJECTIVES, ObjectiveInput};
@@ -47,12 +49,8 @@ impl Known {
     }
 
     fn of(model: SmallModel) -> Self {
-        let mut patterns = DoseModel::new_patterns(&model).unwrap();
-        let values: Vec<f32> = noise(7, patterns.len())
-            .iter()
-            .map(|v| v.max(0.0))
-            .collect();
-        patterns.copy_from_host(&values);
+        let mut patterns = check::noisy_patterns(&model, 7);
+        patterns.clamp(0.0, f32::INFINITY);
         let dose = check::dose(&model, &patterns);
         let (mut target, labels) = model.ring();
         target.gray = true;
@@ -82,6 +80,14 @@ impl Known {
         made.make(&input).unwrap()
     }
 
+    /// Least squares with this response.
+    fn with_response(&self, values: &[f64]) -> Box<dyn Objective<HostField>> {
+        let mut own = self.objective(json!({ "epsilon": 0.0, "q": 2.0 }));
+        let response = logistic_of(values[0], values[1]);
+        own.set_response(&response).unwrap();
+        own
+    }
+
     fn free(&self, ranges: [[f64; 2]; 2], start: [f64; 2]) -> FreeResponse<'_, HostField> {
         let parameters = ["steepness", "midpoint"].into_iter().zip(ranges).zip(start);
         let parameters = parameters.map(|((name, range), start)| FreeParameter {
@@ -104,7 +110,7 @@ impl Known {
         checkpoints: Option<&mut Checkpoints>,
     ) -> (HostField, Outcome) {
         let flag = Run::new();
-        let limits = [Limits { min: 0.0, max: 1.0 }];
+        let limits = [LIMITS];
         let mut problem = Problem::with_free_response(&self.model, free, &limits, &flag).unwrap();
         let mut x = self.patterns.zeros_like();
         x.fill(0.4);
@@ -123,6 +129,8 @@ impl Known {
         (x, outcome.unwrap())
     }
 }
+
+const LIMITS: Limits = Limits { min: 0.0, max: 1.0 };
 
 const WIDE: [[f64; 2]; 2] = [[5.0, 100.0], [0.2, 0.8]];
 
@@ -153,9 +161,7 @@ fn a_search_never_raises_the_loss_and_leaves_the_objective_with_what_it_found() 
     free.fit(&known.dose, &[]).unwrap();
     let loss = free.objective().value(&known.dose);
     assert!(loss < first, "{loss} {first}");
-    let mut own = known.objective(json!({ "epsilon": 0.0, "q": 2.0 }));
-    own.set_response(&logistic_of(free.values()[0], free.values()[1]))
-        .unwrap();
+    let own = known.with_response(free.values());
     assert_eq!(own.value(&known.dose), loss);
 }
 
@@ -199,17 +205,10 @@ fn no_cell_of_a_sweep_does_better_by_one_percent() {
 impl Known {
     /// The loss of a run whose response is given.
     fn fixed(&self, steepness: f64, midpoint: f64, iterations: usize) -> f64 {
-        let mut own = self.objective(json!({ "epsilon": 0.0, "q": 2.0 }));
-        own.set_response(&logistic_of(steepness, midpoint)).unwrap();
-        let flag = Run::new();
-        let limits = [Limits { min: 0.0, max: 1.0 }];
-        let mut problem = Problem::new(&self.model, &*own, &limits, &flag).unwrap();
-        let mut x = self.patterns.zeros_like();
-        x.fill(0.4);
+        let own = self.with_response(&[steepness, midpoint]);
         let mut method = crate::lbfgs::Lbfgs::new(Default::default()).unwrap();
-        let stop = Stop::after(iterations);
-        let outcome = run(&mut problem, &mut method, &mut x, &stop, None, &mut []);
-        let outcome = outcome.unwrap();
+        let (problem, stop) = ((&self.model as &Model, &*own), Stop::after(iterations));
+        let outcome = solve(problem, (LIMITS, 0.4), &mut method, &stop).1.unwrap();
         assert!(outcome.response.is_empty());
         outcome.loss
     }
@@ -242,17 +241,9 @@ fn the_response_of_the_patterns_that_are_kept_is_told() {
     let known = Known::new();
     for method in ["lbfgs", "adam"] {
         let (x, outcome) = known.run(known.free(WIDE, [10.0, 0.5]), method, 12, None);
-        let mut dose = known.dose.zeros_like();
-        known.model.dose(&x, &mut dose, &Run::new()).unwrap();
-        let mut own = known.objective(json!({ "epsilon": 0.0, "q": 2.0 }));
-        own.set_response(&logistic_of(outcome.response[0], outcome.response[1]))
-            .unwrap();
-        let loss = own.value(&dose);
-        assert!(
-            (loss - outcome.loss).abs() <= 1e-5 * loss,
-            "{method}: {loss} {}",
-            outcome.loss
-        );
+        let own = known.with_response(&outcome.response);
+        let loss = own.value(&check::dose(&known.model, &x));
+        near!(loss, outcome.loss, 1e-5 * loss, "{method}");
     }
 }
 
@@ -260,7 +251,7 @@ fn the_response_of_the_patterns_that_are_kept_is_told() {
 fn a_method_at_rest_goes_on_while_the_response_moves() {
     let known = Known::new();
     let flag = Run::new();
-    let limits = [Limits { min: 0.0, max: 1.0 }];
+    let limits = [LIMITS];
     let free = known.free(WIDE, [10.0, 0.5]);
     let mut problem = Problem::with_free_response(&known.model, free, &limits, &flag).unwrap();
     let mut x = known.patterns.clone();

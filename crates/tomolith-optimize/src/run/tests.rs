@@ -2,9 +2,9 @@ use super::*;
 use crate::checkpoint::Params;
 use crate::gradient::{self, Gradient};
 use crate::lbfgs::{self, Lbfgs};
-use crate::{CheckpointReader, Limits, Memory, OPTIMIZERS, Requirements, Step};
+use crate::reference::{Model, Scripted, solve};
+use crate::{Limits, OPTIMIZERS};
 use serde_json::json;
-use std::cell::Cell;
 use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -29,8 +29,6 @@ fn gradient() -> Gradient<HostField> {
     Gradient::new(gradient::Params::default()).unwrap()
 }
 
-type Model = dyn DoseModel<Field = HostField>;
-
 /// A run on the ring from uniform patterns.
 fn go(
     model: &Model,
@@ -38,7 +36,8 @@ fn go(
     optimizer: &mut dyn Optimizer<HostField>,
     stop: Stop,
 ) -> (HostField, Result<Outcome>) {
-    go_on((model, objective), optimizer, stop, None, &mut [])
+    let limits = (Limits::default(), 0.5);
+    solve((model, objective), limits, optimizer, &stop)
 }
 
 /// The same with checkpoints, watched.
@@ -179,47 +178,15 @@ fn loss_of(model: &SmallModel, objective: &dyn Objective<HostField>, x: &HostFie
 }
 
 /// A method that walks straight ahead, to raise the loss or to break it.
-struct Straight {
-    steps: Cell<usize>,
-    losses: Vec<f64>,
-}
-
-impl Optimizer<HostField> for Straight {
-    fn step(
-        &mut self,
-        _: &mut Problem<HostField>,
-        x: &mut HostField,
-        at: &mut Position<HostField>,
-    ) -> Result<Step> {
-        let step = self.steps.get();
-        self.steps.set(step + 1);
-        at.loss = self.losses[step];
-        x.fill(step as f32 + 1.0);
-        Ok(Step {
-            projected_gradient: 1.0,
-            length: 1.0,
-        })
-    }
-
-    fn is_monotone(&self) -> bool {
-        false
-    }
-
-    fn requirements(&self) -> Requirements {
-        Requirements::of("straight")
-    }
-
-    fn memory(&self) -> Memory<'_> {
-        Memory::default()
-    }
-
-    fn restore(
-        &mut self,
-        _: &mut dyn CheckpointReader,
-        _: &Problem<HostField>,
-        _: &HostField,
-    ) -> Result<()> {
-        Ok(())
+fn straight(losses: [f64; 4]) -> Scripted<f32> {
+    Scripted {
+        script: (1u8..).map(f32::from).zip(losses).collect(),
+        show: |value, _, x| {
+            x.fill(*value);
+            Ok(())
+        },
+        normalizes: false,
+        done: 0,
     }
 }
 
@@ -227,11 +194,8 @@ impl Optimizer<HostField> for Straight {
 fn the_best_is_kept_when_the_loss_rises_and_when_it_is_no_number() {
     let model = SmallModel::new(6, 4, 1);
     let objective = objective(&model, "l2");
-    let mut straight = Straight {
-        steps: Cell::new(0),
-        losses: vec![3.0, 2.0, 5.0, 2.5],
-    };
-    let (x, outcome) = go(&model, &*objective, &mut straight, Stop::after(4));
+    let mut rising = straight([3.0, 2.0, 5.0, 2.5]);
+    let (x, outcome) = go(&model, &*objective, &mut rising, Stop::after(4));
     let outcome = outcome.unwrap();
     let by = KeptBy::Loss;
     assert_eq!(
@@ -239,11 +203,8 @@ fn the_best_is_kept_when_the_loss_rises_and_when_it_is_no_number() {
         (2.0, KeptIterate { iteration: 2, by })
     );
     assert_eq!(x.as_slice()[0], 2.0);
-    let mut straight = Straight {
-        steps: Cell::new(0),
-        losses: vec![3.0, 2.0, 5.0, f64::NAN],
-    };
-    let (x, outcome) = go(&model, &*objective, &mut straight, Stop::after(9));
+    let mut broken = straight([3.0, 2.0, 5.0, f64::NAN]);
+    let (x, outcome) = go(&model, &*objective, &mut broken, Stop::after(9));
     assert!(
         matches!(outcome, Err(Error::NonFinite { iteration: 4, .. })),
         "{outcome:?}"
@@ -251,43 +212,14 @@ fn the_best_is_kept_when_the_loss_rises_and_when_it_is_no_number() {
     assert_eq!(x.as_slice()[0], 2.0);
 }
 
-#[test]
-fn a_fixed_step_that_is_too_long_ends_at_the_best() {
-    let model = SmallModel::new(16, 24, 1);
-    let objective = objective(&model, "l2");
-    let params = gradient::Params {
-        step: Some(8.0),
-        ..gradient::Params::default()
-    };
-    let (x, outcome) = go(
-        &model,
-        &*objective,
-        &mut Gradient::new(params).unwrap(),
-        Stop::after(12),
-    );
-    let outcome = outcome.unwrap();
-    let losses = losses(&outcome);
-    assert!(
-        losses.windows(2).any(|w| w[1] > w[0]),
-        "the step is not too long: {losses:?}"
-    );
-    assert_eq!(
-        outcome.loss,
-        losses.iter().copied().fold(f64::INFINITY, f64::min)
-    );
-    assert_eq!(
-        loss_of(&model, &*objective, &x),
-        (outcome.loss * 1e4).round() / 1e4
-    );
-}
-
-/// A model around another: dose of x², as for amplitudes; adjoints that are no numbers from some call on; and a fifth brighter
-/// after every so many iterations.
+/// A model around another: dose of x², as for amplitudes; adjoints that are no numbers from some call on; a fifth brighter
+/// after every so many iterations; and no dose at all below an induction, max(0, F(x) − c).
 struct Twisted {
     inner: SmallModel,
     every: Option<usize>,
     round: AtomicU64,
     squared: bool,
+    induction: f32,
     good_adjoints: u64,
     adjoints: AtomicU64,
 }
@@ -299,6 +231,7 @@ impl Twisted {
             every: None,
             round: AtomicU64::new(0),
             squared: false,
+            induction: 0.0,
             good_adjoints: u64::MAX,
             adjoints: AtomicU64::new(0),
         }
@@ -321,7 +254,7 @@ impl DoseModel for Twisted {
 
     fn facts(&self) -> Facts<'_> {
         Facts {
-            is_linear: !self.squared,
+            is_linear: !self.squared && self.induction == 0.0,
             ..self.inner.facts()
         }
     }
@@ -344,7 +277,12 @@ impl DoseModel for Twisted {
             x.as_mut_slice().iter_mut().for_each(|v| *v *= *v);
         }
         x.scale(self.gain() as f32);
-        self.inner.dose(&x, dose, run)
+        self.inner.dose(&x, dose, run)?;
+        if self.induction > 0.0 {
+            let values = dose.as_mut_slice().iter_mut();
+            values.for_each(|v| *v = (*v - self.induction).max(0.0));
+        }
+        Ok(())
     }
 
     fn pullback_of(
@@ -355,7 +293,11 @@ impl DoseModel for Twisted {
         grad: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        self.inner.pullback_of(frames, x, cotangent, grad, run)?;
+        let mut cotangent = cotangent.clone();
+        if self.induction > 0.0 {
+            cotangent.keep_positive(&check::dose(self, x));
+        }
+        self.inner.pullback_of(frames, x, &cotangent, grad, run)?;
         grad.scale(self.gain() as f32);
         if self.squared {
             grad.as_mut_slice()
@@ -656,63 +598,13 @@ fn a_checkpoint_of_patterns_begins_anew_from_the_best() {
     assert!((second.history[0].loss - first.loss).abs() < 1e-5 * first.loss);
 }
 
-/// max(0, F(x) − c): no dose at all below a threshold, and no polynomial along a line.
-struct Induced(SmallModel, f32);
-
-impl DoseModel for Induced {
-    type Field = HostField;
-
-    fn facts(&self) -> Facts<'_> {
-        Facts {
-            is_linear: false,
-            ..self.0.facts()
-        }
-    }
-
-    fn new_field(&self, space: Space) -> Result<HostField> {
-        self.0.new_field(space)
-    }
-
-    fn updates(&self) -> u64 {
-        self.0.updates()
-    }
-
-    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
-        self.0.dose(x, dose, run)?;
-        let values = dose.as_mut_slice().iter_mut();
-        values.for_each(|v| *v = (*v - self.1).max(0.0));
-        Ok(())
-    }
-
-    fn pullback_of(
-        &self,
-        frames: Range<usize>,
-        x: &HostField,
-        cotangent: &HostField,
-        grad: &mut HostField,
-        run: &Run,
-    ) -> Result<()> {
-        let mut dose = self.new_dose()?;
-        self.0.dose(x, &mut dose, run)?;
-        let mut c = cotangent.clone();
-        let pairs = c.as_mut_slice().iter_mut().zip(dose.as_slice());
-        pairs.for_each(|(c, dose)| *c = if *dose > self.1 { *c } else { 0.0 });
-        self.0.pullback_of(frames, x, &c, grad, run)
-    }
-
-    fn dose_of(&self, _: Range<usize>, _: &HostField, _: &mut HostField, _: &Run) -> Result<()> {
-        unreachable!("optimizers ask for all frames")
-    }
-
-    fn describe(&self) -> String {
-        "induced".to_owned()
-    }
-}
-
 #[test]
 fn a_dose_that_begins_beyond_a_threshold_is_optimized() {
-    let model = Induced(SmallModel::new(16, 24, 1), 0.1);
-    let objective = objective(&model.0, "l2");
+    let model = Twisted {
+        induction: 0.1,
+        ..Twisted::of(SmallModel::new(16, 24, 1))
+    };
+    let objective = objective(&model.inner, "l2");
     let stop = Stop::after(30);
     let outcome = go(&model, &*objective, &mut newton(), stop).1.unwrap();
     let losses = &outcome.history;

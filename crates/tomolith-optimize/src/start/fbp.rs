@@ -92,8 +92,8 @@ impl<F: Field> InitialPatterns<F> for Fbp {
         let lights = input.model.patterns();
         let voxel_mm3 = input.model.grid().voxel_mm3();
         let fluence = input.over_absorption(&wanted, 1)?;
-        let projection =
-            Projection::new(x, lights, &fluence)?.filtered(lights, self.0.filter, voxel_mm3)?;
+        let filter = (self.0.filter, voxel_mm3);
+        let projection = Projection::filtered(x, lights, &fluence, filter)?;
         if projection.patterns.any(run.is_canceled()) {
             return Err(Error::Canceled);
         }
@@ -124,6 +124,7 @@ mod tests {
     use tomolith_core::check::{self, small::SmallModel};
     use tomolith_core::dose::DoseModel;
     use tomolith_core::grid::{PatternGrid, Volume, VolumeGrid};
+    use tomolith_core::near;
 
     use tomolith_core::target::{Target, label_voxels};
     use tomolith_models::parallel::Parallel;
@@ -181,12 +182,7 @@ mod tests {
         let x: Vec<f64> = rows.iter().map(|v| factor * v).collect();
         let dose = dense.forward(&x);
         let middle = 24 * n + 24;
-        assert!(
-            (dose[middle] / blob[middle] - 0.964).abs() < 0.005,
-            "{} for {}",
-            dose[middle],
-            blob[middle]
-        );
+        near!(dose[middle] / blob[middle], 0.964, 0.005);
     }
 
     /// A disc of 4 mm in a map of 0.001 per mm in its left half and another number in its right one; the patterns of the start, and the

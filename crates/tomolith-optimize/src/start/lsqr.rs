@@ -166,6 +166,7 @@ mod tests {
     use crate::reference::FREE;
     use tomolith_core::field::HostField;
     use tomolith_core::grid::{PatternGrid, VolumeGrid};
+    use tomolith_core::near;
 
     use tomolith_core::target::Target;
     use tomolith_io::csr::Csr;
@@ -239,10 +240,7 @@ mod tests {
             });
             let x = lsqr.solve(&masked, &d).unwrap();
             for (found, expected) in x.as_slice().iter().zip(by_hand(a, wanted, damping * size)) {
-                assert!(
-                    (f64::from(*found) - expected).abs() < 1e-5,
-                    "damping {damping}: {found}"
-                );
+                near!(f64::from(*found), expected, 1e-5, "damping {damping}");
             }
         }
     }

@@ -144,8 +144,13 @@ impl<F: Field> StartInput<'_, F> {
             let of = |&label: &u8| if label == label::PART { part } else { 0.0 };
             field = labels.iter().map(of).collect();
         }
+        self.dose_of(&field)
+    }
+
+    /// A dose whose first output has these elements.
+    fn dose_of(&self, elements: &[f32]) -> Result<F> {
         let mut dose = self.model.new_dose()?;
-        dose.write(layout.offset, &field);
+        dose.write(self.layout()?.offset, elements);
         Ok(dose)
     }
 
@@ -233,9 +238,7 @@ impl<F: Field> StartInput<'_, F> {
                 _ => 0.0,
             };
         });
-        let mut field = self.model.new_dose()?;
-        field.write(layout.offset, &layout.field_of(&target));
-        Ok(field)
+        self.dose_of(&layout.field_of(&target))
     }
 
     /// Marks at the part's surface as a [`Problem`](super::Problem::with_edges) wants them.
@@ -249,9 +252,7 @@ impl<F: Field> StartInput<'_, F> {
             layout.grid.clone(),
             near.into_iter().map(f32::from).collect(),
         );
-        let mut field = self.model.new_dose()?;
-        field.write(layout.offset, &layout.field_of(&marks));
-        Ok(field)
+        self.dose_of(&layout.field_of(&marks))
     }
 
     fn bounds(&self) -> Result<Bounds> {
