@@ -288,6 +288,15 @@ mod tests {
         active_per_mm: 9.0,
     };
 
+    fn values() -> Vec<f32> {
+        (0..60).map(|i| 0.1 + (i * 7 % 13) as f32).collect()
+    }
+
+    /// Unlike cells of 0.7 mm.
+    fn cells() -> AbsorptionMap {
+        AbsorptionMap::new([3, 4, 5], 0.7, values(), values()).unwrap()
+    }
+
     fn pieces(map: &AbsorptionMap, ray: Ray, length: f64) -> Vec<(f64, f64, f64)> {
         let mut found = Vec::new();
         map.for_each_piece(&ray, length, PLAIN, |from, to, uptake| {
@@ -333,17 +342,15 @@ mod tests {
 
     #[test]
     fn a_map_about_another_point_is_moved() {
-        let values: Vec<f32> = (0..60).map(|i| 0.1 + (i * 7 % 13) as f32).collect();
-        let map = || AbsorptionMap::new([3, 4, 5], 0.7, values.clone(), values.clone()).unwrap();
         let by = [0.3, -0.2, 1.1];
-        let moved = map().about(by);
+        let moved = cells().about(by);
         let direction = [0.6, 0.64, 0.48];
         let from = [-1.5, -1.4, -0.9];
         let there = Ray {
             from: std::array::from_fn(|i| from[i] + by[i]),
             direction,
         };
-        let [here, there] = [(map(), Ray { from, direction }), (moved, there)]
+        let [here, there] = [(cells(), Ray { from, direction }), (moved, there)]
             .map(|(map, ray)| pieces(&map, ray, 4.0));
         assert_eq!(here.len(), there.len());
         for (a, b) in here.iter().zip(&there) {
@@ -354,7 +361,7 @@ mod tests {
             center_mm: by,
             ..grid.clone()
         };
-        let [own, other] = [(map(), grid), (map().about(by), elsewhere)]
+        let [own, other] = [(cells(), grid), (cells().about(by), elsewhere)]
             .map(|(map, grid)| map.means(&grid, 9.0).values);
         let worst = own.iter().zip(&other).map(|(a, b)| (a - b).abs());
         assert!(worst.fold(0.0, f32::max) < 1e-5);
@@ -362,8 +369,7 @@ mod tests {
 
     #[test]
     fn means_over_voxels_are_those_of_what_they_cover() {
-        let values: Vec<f32> = (0..60).map(|i| 0.1 + (i * 7 % 13) as f32).collect();
-        let map = AbsorptionMap::new([3, 4, 5], 0.7, values.clone(), values.clone()).unwrap();
+        let (map, values) = (cells(), values());
         // Voxels of half a cell on the faces of the cells: each lies in one, or beyond
         let half = VolumeGrid::centered([8, 10, 12], 0.35);
         let means = map.means(&half, 9.0);
@@ -413,8 +419,7 @@ mod tests {
 
     #[test]
     fn along_any_ray_the_pieces_are_its_length_and_sampling_agrees() {
-        let values: Vec<f32> = (0..60).map(|i| 0.1 + (i * 7 % 13) as f32).collect();
-        let map = AbsorptionMap::new([3, 4, 5], 0.7, values.clone(), values).unwrap();
+        let map = cells();
         for i in 0..50 {
             let angle = 0.37 * f64::from(i);
             let from = [

@@ -117,6 +117,7 @@ pub fn reflected_by_metal(cos1: f64, n1: f64, [n, k]: [f64; 2]) -> [f64; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tomolith_core::near;
 
     fn at(angle: f64, n1: f64, n2: f64) -> Option<([f64; 2], Transmittance)> {
         refract([angle.cos(), angle.sin()], [-1.0, 0.0], n1, n2)
@@ -126,10 +127,7 @@ mod tests {
     fn brewster_angle_passes_all_p_light() {
         let (n1, n2) = (1.0f64, 1.4849);
         let (_, t) = at((n2 / n1).atan(), n1, n2).unwrap();
-        assert!(
-            (t.p - 1.0).abs() < 1e-14,
-            "p light is reflected at Brewster's angle: {t:?}"
-        );
+        near!(t.p, 1.0, 1e-14, "p light is reflected at Brewster's angle");
         assert!(t.s < 0.88, "s light is not");
     }
 

@@ -317,10 +317,13 @@ mod tests {
     use super::*;
     use tomolith_io::mesh::samples::cuboid;
 
+    fn net(mesh: &Mesh) -> Surface {
+        Surface::Net(Arc::new(Net::new(mesh, "mesh").unwrap()))
+    }
+
     #[test]
     fn bodies_whose_edges_alone_cross_meet() {
         let along = cuboid([-3.0, -1.0, -1.0], [3.0, 1.0, 1.0]);
-        let net = |mesh: &Mesh| Surface::Net(Arc::new(Net::new(mesh, "mesh").unwrap()));
         let across = |half: f64| cuboid([-1.0, -half, -0.5], [1.0, half, 0.5]);
         // No vertex of either is in the other
         let meeting = |mesh: &Mesh, surface: &Surface| {
@@ -338,26 +341,23 @@ mod tests {
     fn a_box_of_triangles_is_met_where_a_square_prism_is() {
         let mesh = cuboid([-2.0, -2.0, -50.0], [2.0, 2.0, 50.0]);
         assert!(mesh.signed_volume() > 0.0);
-        let net = Surface::Net(Arc::new(Net::new(&mesh, "mesh").unwrap()));
+        let tall = net(&mesh);
         let prism = Surface::Prism(CrossSection::Square(2.0));
         let short = cuboid([-2.0, -2.0, -1.0], [2.0, 2.0, 0.7]);
-        let short = Surface::Net(Arc::new(Net::new(&short, "mesh").unwrap()));
+        let short = net(&short);
         let can = Surface::Can(CrossSection::Square(2.0), [-1.0, 0.7]);
         for i in 0..400 {
             let angle = 0.1 + f64::from(i) * 0.0314;
             let height = 0.05 * f64::from(i) - 10.0;
             let from = [9.0 * angle.cos(), 9.0 * angle.sin(), height];
-            met_alike(
-                &can,
-                &short,
-                &Ray::through(from, [0.01 * f64::from(i) - 2.0, 0.7, -0.2]),
-            );
+            let to = [0.01 * f64::from(i) - 2.0, 0.7, -0.2];
+            met_alike(&can, &short, &Ray::through(from, to));
         }
         for i in 0..200 {
             let angle = 0.1 + f64::from(i) * 0.0314;
             let from = [9.0 * angle.cos(), 9.0 * angle.sin(), 0.3];
             let to = [0.01 * f64::from(i) - 1.0, 0.7, -0.4];
-            met_alike(&prism, &net, &Ray::through(from, to));
+            met_alike(&prism, &tall, &Ray::through(from, to));
         }
     }
 
@@ -389,7 +389,7 @@ mod tests {
 
     #[test]
     fn rays_along_edges_and_through_corners_of_triangles_pass_none_by() {
-        let cube = Surface::Net(Arc::new(Net::new(&fine_cube(16), "mesh").unwrap()));
+        let cube = net(&fine_cube(16));
         for (i, j) in (-31..32).flat_map(|i| (-31..32).map(move |j| (i, j))) {
             // On corners, on edges, on diagonals, and in between
             let at = [f64::from(i) / 32.0, f64::from(j) / 32.0];

@@ -215,6 +215,10 @@ mod tests {
         Calibration::new(&spec, &PatternGrid::full_turn(1, 0.0, 60, 40, 0.1), bits).unwrap()
     }
 
+    fn drawn(toml: &str, name: &str) -> Vec<u16> {
+        calibration(toml, 8).draw(name).unwrap().values
+    }
+
     #[test]
     fn every_frame_is_drawn_and_uses_black_and_white() {
         for (name, _) in CALIBRATIONS {
@@ -223,20 +227,15 @@ mod tests {
             assert_eq!(frame.values.iter().min(), Some(&0), "{name}");
             assert_eq!(frame.values.iter().max(), Some(&1023), "{name}");
         }
-        let steps = calibration("canvas = [128, 96]", 8)
-            .draw("gray_steps")
-            .unwrap()
-            .values;
+        let steps = drawn("canvas = [128, 96]", "gray_steps");
         let row: Vec<u16> = (0..16).map(|i| steps[i * 8 + 4]).collect();
         assert_eq!(row, (0..16).map(|i| i * 17).collect::<Vec<u16>>());
     }
 
     #[test]
     fn the_squares_of_the_checkerboard_are_square() {
-        let frame = calibration("canvas = [128, 96]", 8)
-            .draw("checkerboard")
-            .unwrap();
-        let at = |row: usize, column: usize| frame.values[row * 128 + column];
+        let values = drawn("canvas = [128, 96]", "checkerboard");
+        let at = |row: usize, column: usize| values[row * 128 + column];
         // Twelve pixels along both edges, from the middle of the canvas
         for i in 0..12 {
             assert_eq!(at(48, 64), at(48 + i, 64 + i));
@@ -248,24 +247,18 @@ mod tests {
     #[test]
     fn the_axis_is_drawn_where_the_machine_has_it() {
         // 0.7 mm right of the middle of the patterns, which lie 10 pixels right: column 64 + 10 + 7
-        let frame = calibration(
-            "canvas = [128, 96]\noffset_px = [10, 0]\naxis_offset_mm = 0.7",
-            8,
-        )
-        .draw("crosshair")
-        .unwrap();
-        let top: Vec<usize> = (0..128).filter(|c| frame.values[*c] == 255).collect();
+        let machine = "canvas = [128, 96]\noffset_px = [10, 0]\naxis_offset_mm = 0.7";
+        let values = drawn(machine, "crosshair");
+        let top: Vec<usize> = (0..128).filter(|c| values[*c] == 255).collect();
         assert_eq!(top, [80, 81]);
         // On a device that lies on its side the axis is a row
-        let frame = calibration("canvas = [128, 96]\nquarter_turns = 1", 8)
-            .draw("axis_lines")
-            .unwrap();
-        assert!((0..128).all(|c| frame.values[48 * 128 + c] == 255));
+        let values = drawn("canvas = [128, 96]\nquarter_turns = 1", "axis_lines");
+        assert!((0..128).all(|c| values[48 * 128 + c] == 255));
     }
 
     #[test]
     fn the_letter_follows_turns_and_flips() {
-        let letter = |toml: &str| calibration(toml, 8).draw("orientation").unwrap().values;
+        let letter = |toml: &str| drawn(toml, "orientation");
         let upright = letter("canvas = [60, 60]");
         let turned = letter("canvas = [60, 60]\nquarter_turns = 1");
         let flipped = letter("canvas = [60, 60]\nflip_horizontal = true");

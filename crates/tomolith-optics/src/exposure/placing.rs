@@ -335,6 +335,7 @@ pub(super) fn size_of(grid: &PatternGrid) -> [usize; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tomolith_core::near;
 
     fn plain(canvas: [usize; 2], pattern: [usize; 2]) -> Placing {
         Placing {
@@ -360,32 +361,12 @@ mod tests {
     fn grids_that_fall_on_each_other_are_copied_bit_for_bit() {
         let pattern: Vec<f32> = (0..6).map(|i| (i as f32 * 0.37).sin().abs()).collect();
         let f = |i: usize| f64::from(pattern[i]);
-        let (o, placing) = (0.0, plain([5, 4], [3, 2]));
-        assert_eq!(
-            shown(&placing, &pattern, 0.0),
-            [
-                o,
-                o,
-                o,
-                o,
-                o,
-                o,
-                f(0),
-                f(1),
-                f(2),
-                o,
-                o,
-                f(3),
-                f(4),
-                f(5),
-                o,
-                o,
-                o,
-                o,
-                o,
-                o
-            ]
-        );
+        let placing = plain([5, 4], [3, 2]);
+        let mut expected = [0.0; 20];
+        for (i, at) in [6, 7, 8, 11, 12, 13].into_iter().enumerate() {
+            expected[at] = f(i);
+        }
+        assert_eq!(shown(&placing, &pattern, 0.0), expected);
         // One pixel right and down; one pixel of axis offset moves along u
         let moved = Placing {
             offset: [1.0, -1.0],
@@ -442,10 +423,7 @@ mod tests {
             let sent: f64 = device.iter().sum::<f64>() * area(pitch);
             let light: f64 = pattern.iter().map(|&v| f64::from(v)).sum();
             let wanted = light * area(pattern_pitch);
-            assert!(
-                (sent / wanted - 1.0).abs() < 1e-6,
-                "{pitch:?} {degrees}: {sent} {wanted}"
-            );
+            near!(sent / wanted, 1.0, 1e-6, "{pitch:?} {degrees}");
             let mut back = vec![0.0; pattern.len()];
             placing.overlaps(shift).back(|j| device[j], &mut back);
             let got: f64 = back.iter().sum::<f64>() * area(pattern_pitch);
@@ -468,32 +446,24 @@ mod tests {
             assert!((found - expected).abs() < 1e-8, "{device:?}");
         }
         let miss = placing.miss(0.0).unwrap();
-        assert!(
-            (miss[0] + 0.2).abs() < 1e-9 && miss[1].abs() < 1e-9,
-            "{miss:?}"
-        );
+        near!(miss[0], -0.2, 1e-9);
+        near!(miss[1], 0.0, 1e-9);
     }
 
     #[test]
     fn needs_grow_with_turns_and_offsets() {
         let placing = plain([1, 1], [30, 10]);
         assert_eq!(placing.needed([0.0, 0.0]), [30, 10]);
-        assert_eq!(
-            Placing {
-                turn: turn(1, 0.0),
-                ..placing.clone()
-            }
-            .needed([0.0; 2]),
-            [10, 30]
-        );
-        assert_eq!(
-            Placing {
-                offset: [-5.0, 2.0],
-                ..placing.clone()
-            }
-            .needed([0.0; 2]),
-            [40, 14]
-        );
+        let turned = Placing {
+            turn: turn(1, 0.0),
+            ..placing.clone()
+        };
+        assert_eq!(turned.needed([0.0; 2]), [10, 30]);
+        let moved = Placing {
+            offset: [-5.0, 2.0],
+            ..placing.clone()
+        };
+        assert_eq!(moved.needed([0.0; 2]), [40, 14]);
         assert_eq!(placing.needed([-0.1, 0.3]), [36, 10]);
         assert!(placing.overlap([29.0, 0.0]) && !placing.overlap([30.0, 0.0]));
         assert!(placing.overlap([29.0, 9.0]) && !placing.overlap([0.0, -10.0]));

@@ -55,7 +55,7 @@ use std::borrow::Cow;
 use std::f64::consts::{PI, TAU};
 use std::path::{Path, PathBuf};
 use tomolith_core::columns::read_pairs;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Error, Result, in_range};
 use tomolith_core::grid::{PatternGrid, Patterns, PixelMask};
 use tomolith_core::parallel::InParallel;
 use tomolith_core::units::{Mm, Pitch, exact};
@@ -129,14 +129,8 @@ tomolith_core::keys! {
 }
 
 fn within(key: &str, value: f64, [least, most]: [f64; 2], accepted: &str) -> Result<()> {
-    if value >= least && value <= most {
-        return Ok(());
-    }
-    Err(Error::refused(
-        format!("printer.{key}"),
-        exact(value),
-        accepted,
-    ))
+    let is_in = value >= least && value <= most;
+    in_range(is_in, format!("printer.{key}"), value, accepted)
 }
 
 impl PrinterSpec {

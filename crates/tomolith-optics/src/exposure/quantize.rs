@@ -25,7 +25,7 @@
 //! assert_eq!(quantized.patterns().values, [0.0, 1.0, 2.0, 3.0]);
 //! ```
 
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Error, Result, in_range};
 use tomolith_core::field::BLOCK;
 use tomolith_core::grid::{PatternGrid, Patterns};
 use tomolith_core::parallel::{InParallel, table};
@@ -76,10 +76,8 @@ pub fn quantize(patterns: &Patterns, bits: u32) -> Result<Quantized> {
 
 /// Refuses a bit depth that no level fits into.
 pub(super) fn check_bits(bits: u32) -> Result<()> {
-    if (1..=16).contains(&bits) {
-        return Ok(());
-    }
-    Err(Error::refused("bit_depth", bits, "a whole number 1…16"))
+    let is_in = (1..=16).contains(&bits);
+    in_range(is_in, "bit_depth", bits, "a whole number 1…16")
 }
 
 /// Whether patterns can be brought to a bit depth.
@@ -141,6 +139,7 @@ impl Quantized {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tomolith_core::check::refuses;
 
     fn patterns(values: Vec<f32>) -> Patterns {
         Patterns {
@@ -190,16 +189,11 @@ mod tests {
             (0.0, vec![0.0; 4])
         );
         for bad in [f32::NAN, f32::INFINITY, -1e-9] {
-            assert!(matches!(
-                quantize(&patterns(vec![0.0, bad]), 8),
-                Err(Error::NonFinite { .. })
-            ));
+            let refused = quantize(&patterns(vec![0.0, bad]), 8);
+            assert!(matches!(refused, Err(Error::NonFinite { .. })));
         }
         for bits in [0, 17] {
-            assert!(matches!(
-                quantize(&patterns(vec![1.0]), bits),
-                Err(Error::Config { .. })
-            ));
+            refuses(quantize(&patterns(vec![1.0]), bits), "bit_depth");
         }
     }
 }

@@ -52,6 +52,7 @@ pub static PHASES: &[Kind<BuildPhase>] = &[
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tomolith_core::check::example;
     use tomolith_core::near;
 
     /// Bins of equal width in the cosine.
@@ -80,10 +81,7 @@ mod tests {
     #[test]
     fn every_example_integrates_to_one_and_draws_what_its_density_says() {
         for kind in PHASES {
-            let document: serde_json::Value = toml::from_str(kind.example).unwrap();
-            let section = Section::new("resin.phase", document["resin"]["phase"].clone());
-            let (row, inner) = section.kind(PHASES).unwrap();
-            let phase = (row.build)(&inner).unwrap();
+            let phase = (kind.build)(&example(kind)).unwrap();
             let expected: Vec<f64> = (0..BINS)
                 .map(|bin| probability(phase.as_ref(), bin))
                 .collect();

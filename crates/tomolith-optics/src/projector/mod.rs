@@ -13,7 +13,7 @@ pub mod telecentric;
 use crate::vial::positive;
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section};
-use tomolith_core::units::{Pitch, exact};
+use tomolith_core::units::Pitch;
 
 /// A straight line with a direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,23 +88,20 @@ fn pixel_pitch(section: &Section, Pitch(mm): Pitch) -> Result<[f64; 2]> {
 
 /// Refuses anything but a finite number ≥ 0.
 fn not_negative(section: &Section, key: &str, value: f64) -> Result<f64> {
-    if value.is_finite() && value >= 0.0 {
-        return Ok(value);
-    }
-    Err(section.refused(key, exact(value), "a finite number >= 0"))
+    let is_in = value.is_finite() && value >= 0.0;
+    section.in_range(is_in, key, value, "a finite number >= 0")?;
+    Ok(value)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tomolith_core::check::example;
 
     #[test]
     fn every_example_builds_and_images_its_points() {
         for kind in PROJECTORS {
-            let document: serde_json::Value = toml::from_str(kind.example).unwrap();
-            let section = Section::new("projector", document["light"]["projector"].clone());
-            let (row, inner) = section.kind(PROJECTORS).unwrap();
-            let projector = (row.build)(&inner).unwrap();
+            let projector = (kind.build)(&example(kind)).unwrap();
             let aim = [0.7, -0.4];
             let principal = projector.ray(aim, [0.0, 0.0]);
             assert!(principal.direction[0] < 0.0, "light comes from +x");

@@ -18,9 +18,8 @@ use super::{BuildProjector, Projector, Ray, not_negative, pixel_pitch};
 use crate::vial::positive;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::error::Result;
-use tomolith_core::kind::{Kind, Section, schema_of};
-use tomolith_core::units::{Mm, Pitch, exact};
+use tomolith_core::kind::{Kind, schema_of};
+use tomolith_core::units::{Mm, Pitch};
 
 /// See the [module page](self).
 #[derive(Clone, Debug, PartialEq)]
@@ -81,6 +80,13 @@ pub const KIND: Kind<BuildProjector> = Kind {
     schema: schema_of::<Params>,
     build: |section| {
         let params: Params = section.parse()?;
+        let focus_mm = params.focus_mm.0;
+        section.in_range(
+            focus_mm.is_finite(),
+            "focus_mm",
+            focus_mm,
+            "a finite number",
+        )?;
         Ok(Box::new(Telecentric {
             pixel_pitch_mm: pixel_pitch(section, params.pixel_pitch_mm)?,
             aperture_radius_mm: not_negative(
@@ -93,14 +99,7 @@ pub const KIND: Kind<BuildProjector> = Kind {
                 "working_distance_mm",
                 params.working_distance_mm.0,
             )?,
-            focus_mm: finite(section, "focus_mm", params.focus_mm.0)?,
+            focus_mm,
         }))
     },
 };
-
-fn finite(section: &Section, key: &str, value: f64) -> Result<f64> {
-    if value.is_finite() {
-        return Ok(value);
-    }
-    Err(section.refused(key, exact(value), "a finite number"))
-}

@@ -350,9 +350,13 @@ mod tests {
     use super::*;
     use tomolith_io::mesh::samples::cuboid;
 
+    fn vial(outer: &Mesh, inner: &Mesh) -> Result<MeshVial> {
+        MeshVial::new(outer, inner, 1.47, "vial.mesh")
+    }
+
     fn cuvette(inner: [f64; 3]) -> Result<MeshVial> {
         let outer = cuboid([-3.0, -3.0, -5.0], [3.0, 3.0, 5.0]);
-        MeshVial::new(&outer, &cuboid(inner.map(|v| -v), inner), 1.47, "vial.mesh")
+        vial(&outer, &cuboid(inner.map(|v| -v), inner))
     }
 
     #[test]
@@ -376,19 +380,17 @@ mod tests {
         };
         let mut inner = turned(2.0);
         inner.vertices.iter_mut().for_each(|v| v[2] *= 0.8);
-        let vial = MeshVial::new(&turned(3.0), &inner, 1.47, "vial.mesh").unwrap();
+        let vial = vial(&turned(3.0), &inner).unwrap();
         let fits = vial.resin_wall().inscribed_radius();
         assert!((1.999..=2.0).contains(&fits), "{fits}");
     }
 
-    /// A box without its caps, of which the last `caps` triangles are.
+    /// A box without its caps.
     fn tube(half: f64, height: f64) -> Mesh {
         let mut mesh = cuboid([-half, -half, -height], [half, half, height]);
-        let level = |mesh: &Mesh, t: &[u32; 3]| {
-            t.iter()
-                .all(|&v| mesh.vertices[v as usize][2] == mesh.vertices[t[0] as usize][2])
-        };
-        let sides = mesh.triangles.iter().filter(|t| !level(&mesh, t));
+        let height = |v: u32| mesh.vertices[v as usize][2];
+        let is_level = |t: &[u32; 3]| t.iter().all(|&v| height(v) == height(t[0]));
+        let sides = mesh.triangles.iter().filter(|t| !is_level(t));
         mesh.triangles = sides.copied().collect();
         assert_eq!(mesh.triangles.len(), 8);
         mesh
@@ -396,10 +398,10 @@ mod tests {
 
     #[test]
     fn tubes_that_are_open_at_their_ends_go_on_there() {
-        let vial = MeshVial::new(&tube(3.0, 5.0), &tube(2.5, 5.0), 1.47, "vial.mesh").unwrap();
-        let fits = vial.resin_wall().inscribed_radius();
+        let open = vial(&tube(3.0, 5.0), &tube(2.5, 5.0)).unwrap();
+        let fits = open.resin_wall().inscribed_radius();
         assert!((2.49..=2.5).contains(&fits), "{fits}");
-        assert!(vial.in_resin([2.4, -2.4, 40.0]) && !vial.in_resin([2.6, 0.0, 40.0]));
+        assert!(open.in_resin([2.4, -2.4, 40.0]) && !open.in_resin([2.6, 0.0, 40.0]));
         // A cup: closed below, open above
         let cup = |half: f64, bottom: f64| {
             let mut mesh = cuboid([-half, -half, bottom], [half, half, 5.0]);
@@ -408,12 +410,12 @@ mod tests {
             mesh.triangles = kept.copied().collect();
             mesh
         };
-        let vial = MeshVial::new(&cup(3.0, -5.0), &cup(2.5, -4.0), 1.47, "vial.mesh").unwrap();
-        assert!(vial.in_resin([0.0, 0.0, 40.0]) && !vial.in_resin([0.0, 0.0, -4.5]));
+        let held = vial(&cup(3.0, -5.0), &cup(2.5, -4.0)).unwrap();
+        assert!(held.in_resin([0.0, 0.0, 40.0]) && !held.in_resin([0.0, 0.0, -4.5]));
         // The same ring, but a gap beside
         let mut torn = tube(2.5, 5.0);
         torn.triangles.pop();
-        let text = MeshVial::new(&tube(3.0, 5.0), &torn, 1.47, "vial.mesh").unwrap_err();
+        let text = vial(&tube(3.0, 5.0), &torn).unwrap_err();
         assert!(text.to_string().contains("edges are open"), "{text}");
     }
 
@@ -423,15 +425,11 @@ mod tests {
         tomolith_core::contains!(text, "vial.mesh.inner", "cross");
         let outer = cuboid([-3.0; 3], [3.0; 3]);
         let inner = cuboid([-1.0; 3], [1.0; 3]);
-        let refused = |outer: &Mesh, inner: &Mesh| {
-            MeshVial::new(outer, inner, 1.5, "vial.mesh")
-                .unwrap_err()
-                .to_string()
-        };
+        let refused = |inner: &Mesh| vial(&outer, inner).unwrap_err().to_string();
         let mut open = inner.clone();
         open.triangles.pop();
-        assert!(refused(&outer, &open).contains("3 edges are open"));
+        assert!(refused(&open).contains("3 edges are open"));
         let beside = cuboid([1.0; 3], [2.0; 3]);
-        assert!(refused(&outer, &beside).contains("origin"));
+        assert!(refused(&beside).contains("origin"));
     }
 }

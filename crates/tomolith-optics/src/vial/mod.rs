@@ -14,7 +14,7 @@ pub mod square;
 use crate::surface::Surface;
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section};
-use tomolith_core::units::{Mm, exact};
+use tomolith_core::units::Mm;
 
 /// The curve of a wall in the plane z = const, centered on the axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -151,18 +151,16 @@ pub static VIALS: &[Kind<BuildVial>] = &[
 
 /// Refuses anything but a finite number > 0.
 pub(crate) fn positive(section: &Section, key: &str, value: f64) -> Result<f64> {
-    if value.is_finite() && value > 0.0 {
-        return Ok(value);
-    }
-    Err(section.refused(key, exact(value), "a finite number > 0"))
+    let is_in = value.is_finite() && value > 0.0;
+    section.in_range(is_in, key, value, "a finite number > 0")?;
+    Ok(value)
 }
 
 /// Refuses anything but a refractive index of something transparent.
 pub(crate) fn index(section: &Section, key: &str, value: f64) -> Result<f64> {
-    if (1.0..=4.0).contains(&value) {
-        return Ok(value);
-    }
-    Err(section.refused(key, exact(value), "a refractive index, 1 to 4"))
+    let is_in = (1.0..=4.0).contains(&value);
+    section.in_range(is_in, key, value, "a refractive index, 1 to 4")?;
+    Ok(value)
 }
 
 /// Refuses an inner measure that is not smaller than the outer one.
@@ -185,29 +183,25 @@ pub(crate) fn inner_below_outer(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tomolith_core::check::example;
     use tomolith_io::mesh::samples::{cuboid, stl_binary};
 
     #[test]
     fn every_example_builds_and_holds_resin_on_its_resin_wall() {
         for kind in VIALS {
-            let document: serde_json::Value = toml::from_str(kind.example).unwrap();
             let folder = tempfile::tempdir().unwrap();
             for (file, half) in [("cuvette-outer.stl", 3.0), ("cuvette-inner.stl", 2.5)] {
                 let wall = cuboid([-half; 3], [half; 3]);
                 std::fs::write(folder.path().join(file), stl_binary(&wall)).unwrap();
             }
-            let section = Section::new("vial", document["vial"].clone()).based(folder.path());
-            let (row, inner) = section.kind(VIALS).unwrap();
-            let vial = (row.build)(&inner).unwrap();
-            assert_eq!(row.name, kind.name);
+            let section = example(kind).based(folder.path());
+            let vial = (kind.build)(&section).unwrap();
             let r = vial.resin_wall().inscribed_radius();
             assert!(vial.in_resin([r * 0.999, 0.0, 0.0]), "{}", kind.name);
             assert!(!vial.in_resin([r * 1.001, 0.0, 0.0]), "{}", kind.name);
             let walls = vial.walls();
-            assert_eq!(
-                walls.iter().filter(|w| w.inside == Medium::Resin).count(),
-                1
-            );
+            let resin = walls.iter().filter(|w| w.inside == Medium::Resin);
+            assert_eq!(resin.count(), 1);
         }
     }
 }
