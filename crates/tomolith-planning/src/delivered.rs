@@ -7,35 +7,12 @@
 //! ```
 //!
 //! C_x of the C_all pixels of a frame show gray x, at which the machine gives I_x. **Units** mW/cm², cm², s; S in J.
-//!
-//! ```
-//! use tomolith_planning::delivered::delivered_j;
-//! // Their visible example: gray 255 everywhere on 1.2 cm × 2 cm for 900 s (printed: 10 J)
-//! let light = delivered_j(&[(4.62, 1.0)], 2.4, 900.0);
-//! assert!((light - 9.979).abs() < 5e-4);
-//! ```
 
 use std::path::Path;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::PatternGrid;
 use tomolith_io::frames::{Frames, read_frames};
 use tomolith_optics::exposure::{Printer, PrinterSpec, Quantized, Rotation};
-
-/// Light of irradiances (mW/cm²) that each take a share of an area (cm²) for some time (s), J.
-#[must_use]
-pub fn delivered_j(shares: &[(f64, f64)], area_cm2: f64, seconds: f64) -> f64 {
-    let mean: f64 = shares
-        .iter()
-        .map(|(irradiance, share)| irradiance * share)
-        .sum();
-    1e-3 * mean * area_cm2 * seconds
-}
-
-/// The area (cm²) that a dose (J) of an irradiance (mW/cm²) over a time (s) was given to.
-#[must_use]
-pub fn area_cm2(dose_j: f64, irradiance: f64, seconds: f64) -> f64 {
-    1e3 * dose_j / (irradiance * seconds)
-}
 
 /// Frames as a machine shows them.
 #[derive(Clone, Debug)]

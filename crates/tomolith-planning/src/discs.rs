@@ -26,7 +26,7 @@ use crate::measured::csv;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 use tomolith_core::columns::Columns;
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Error, Result, in_range};
 use tomolith_core::grid::PatternGrid;
 use tomolith_core::least_squares::minimize;
 use tomolith_core::run::Run;
@@ -101,13 +101,9 @@ impl Discs {
                 ),
             ));
         }
-        if !(self.pitch_mm > 0.0 && self.pitch_mm <= 100.0) {
-            return Err(Error::refused(
-                "--pixel-pitch-mm",
-                self.pitch_mm,
-                "a length > 0, at most 100 mm",
-            ));
-        }
+        let is_in = self.pitch_mm > 0.0 && self.pitch_mm <= 100.0;
+        let accepted = "a length > 0, at most 100 mm";
+        in_range(is_in, "--pixel-pitch-mm", self.pitch_mm, accepted)?;
         let [low, high] = self.doses;
         if low >= high {
             return Err(Error::config(
@@ -356,7 +352,9 @@ pub fn fit_depth(points: &[[f64; 2]]) -> Result<DoseFit> {
         slopes.copy_from_slice(&[rise, -t[0]]);
         t[0] * rise - points[i][1]
     });
-    finish("depth_mm", &found, points, None)
+    let errors = found.errors(0.0, n);
+    let parameters = &found.parameters;
+    with_errors("depth_mm", parameters, errors, found.cost, points, None)
 }
 
 /// Of doses and diameters, mm, of discs with a radius, mm.
@@ -416,16 +414,6 @@ fn rises(column: &str) -> Error {
         "sizes that fall with the dose or stay the same",
         "sizes that rise with the dose, noise apart",
     )
-}
-
-fn finish(
-    from: &'static str,
-    found: &tomolith_core::least_squares::Minimum,
-    points: Vec<[f64; 2]>,
-    radius: Option<f64>,
-) -> Result<DoseFit> {
-    let errors = found.errors(0.0, points.len());
-    with_errors(from, &found.parameters, errors, found.cost, points, radius)
 }
 
 /// Of parameters length and ln E_c.

@@ -241,21 +241,6 @@ impl GrayCurve {
         }
     }
 
-    /// Gray value of an irradiance, between 0 and white.
-    #[must_use]
-    pub fn gray_of(&self, irradiance: f64) -> f64 {
-        let (mut low, mut high) = (0.0, self.top);
-        for _ in 0..60 {
-            let middle = f64::midpoint(low, high);
-            if self.at(middle) < irradiance {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        f64::midpoint(low, high)
-    }
-
     /// Pairs (value, irradiance) for a `[printer]`: 256 values from 0 to 1, less those at which nothing rises.
     #[must_use]
     pub fn points(&self) -> Vec<[f64; 2]> {

@@ -20,7 +20,7 @@
 //! ```
 
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Error, Result, in_range};
 
 /// Samples of a profile in a pixel.
 const FINE: usize = 40;
@@ -58,47 +58,24 @@ impl Post {
     /// # Errors
     /// [`Error::Config`] with the option that is out of range.
     pub fn check(&self) -> Result<()> {
-        let refuse =
-            |key: &str, found: String, accepted: &str| Err(Error::config(key, found, accepted));
-        if !(16..=512).contains(&self.pixels) {
-            return refuse(
-                "--pixels",
-                format!("found {}", self.pixels),
-                "16 to 512 pixels",
-            );
-        }
-        if !(self.width >= 0.5 && self.width <= self.pixels as f64 / 4.0) {
-            return refuse(
-                "--width",
-                format!("found {}", self.width),
-                "from half a pixel to a quarter of --pixels",
-            );
-        }
-        if !(0.05..=45.0).contains(&self.step_deg) {
-            return refuse(
-                "--step-deg",
-                format!("found {}", self.step_deg),
-                "0.05 to 45 degrees",
-            );
-        }
+        let is_in = (16..=512).contains(&self.pixels);
+        in_range(is_in, "--pixels", self.pixels, "16 to 512 pixels")?;
+        let is_in = self.width >= 0.5 && self.width <= self.pixels as f64 / 4.0;
+        let accepted = "from half a pixel to a quarter of --pixels";
+        in_range(is_in, "--width", self.width, accepted)?;
+        let is_in = (0.05..=45.0).contains(&self.step_deg);
+        in_range(is_in, "--step-deg", self.step_deg, "0.05 to 45 degrees")?;
         let [x, y] = self.middle();
         let reach = x.hypot(y) + self.width * FRAC_1_SQRT_2;
-        if !(self.radius >= 0.0 && reach <= self.pixels as f64 / 2.0) {
-            return refuse(
-                "--radius",
-                format!("found {}", self.radius),
-                "0 or more, with the whole post in the disc",
-            );
-        }
+        let is_in = self.radius >= 0.0 && reach <= self.pixels as f64 / 2.0;
+        let accepted = "0 or more, with the whole post in the disc";
+        in_range(is_in, "--radius", self.radius, accepted)?;
         if Field::new(*self).target().iter().sum::<f64>() <= 0.0 {
-            return refuse(
-                "--radius",
-                format!(
-                    "found {}: no voxel of the disc holds a part of the post",
-                    self.radius
-                ),
-                "a post further in",
+            let found = format!(
+                "found {}: no voxel of the disc holds a part of the post",
+                self.radius
             );
+            return Err(Error::config("--radius", found, "a post further in"));
         }
         Ok(())
     }
