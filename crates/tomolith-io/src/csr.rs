@@ -15,15 +15,11 @@
 //! assert_eq!(matrix.transposed().row(1).collect::<Vec<_>>(), [(0, 2.0), (2, 3.0)]);
 //! ```
 
-use super::npy::Sink;
 use super::npz::ArchiveWriter;
-use super::numbers::{Kind, Numbers, whole_numbers};
+use super::numbers::{Archive, Kind, Numbers, whole_numbers};
 use super::whole::write_whole;
-use std::io::{BufReader, Read};
 use std::path::Path;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::files::open_regular;
-use zip::ZipArchive;
 
 /// What a file must hold.
 const ACCEPTED: &str =
@@ -59,7 +55,7 @@ impl Csr {
     ///
     /// # Panics
     /// When there is no such row.
-    pub fn row(&self, row: usize) -> impl Iterator<Item = (u32, f32)> {
+    pub fn row(&self, row: usize) -> impl Iterator<Item = (u32, f32)> + Clone {
         let range = self.starts[row]..self.starts[row + 1];
         let columns = self.indices[range.clone()].iter().copied();
         columns.zip(self.values[range].iter().copied())
@@ -71,56 +67,49 @@ impl Csr {
     /// When an entry lies outside.
     #[must_use]
     pub fn from_entries(rows: usize, columns: usize, entries: &[(u32, u32, f32)]) -> Self {
+        let is_within = |&(_, column, _): &(u32, u32, f32)| (column as usize) < columns;
+        assert!(entries.iter().all(is_within), "entry outside the matrix");
+        let mut matrix = Self::sorted(rows, columns, entries.iter().copied());
+        matrix.tidy();
+        matrix
+    }
+
+    /// From entries, which stay in their order within a row.
+    fn sorted(
+        rows: usize,
+        columns: usize,
+        entries: impl Iterator<Item = (u32, u32, f32)> + Clone,
+    ) -> Self {
         let mut starts = vec![0usize; rows + 1];
-        for &(row, column, _) in entries {
-            assert!((column as usize) < columns, "entry outside the matrix");
-            starts[row as usize + 1] += 1;
-        }
+        entries
+            .clone()
+            .for_each(|(row, ..)| starts[row as usize + 1] += 1);
         for i in 1..starts.len() {
             starts[i] += starts[i - 1];
         }
-        let mut next = starts.clone();
-        let (mut indices, mut values) = (vec![0; entries.len()], vec![0.0; entries.len()]);
-        for &(row, column, value) in entries {
+        let (mut next, count) = (starts.clone(), starts[rows]);
+        let (mut indices, mut values) = (vec![0; count], vec![0.0; count]);
+        for (row, column, value) in entries {
             let to = &mut next[row as usize];
             (indices[*to], values[*to]) = (column, value);
             *to += 1;
         }
-        let mut matrix = Csr {
+        Csr {
             columns,
             starts,
             indices,
             values,
-        };
-        matrix.tidy();
-        matrix
+        }
     }
 
     /// Rows become columns.
     #[must_use]
     pub fn transposed(&self) -> Self {
-        let mut starts = vec![0usize; self.columns + 1];
-        for &column in &self.indices {
-            starts[column as usize + 1] += 1;
-        }
-        for i in 1..starts.len() {
-            starts[i] += starts[i - 1];
-        }
-        let mut next = starts.clone();
-        let (mut indices, mut values) = (vec![0; self.entries()], vec![0.0; self.entries()]);
-        for row in 0..self.rows() {
-            for (column, value) in self.row(row) {
-                let to = &mut next[column as usize];
-                (indices[*to], values[*to]) = (row as u32, value);
-                *to += 1;
-            }
-        }
-        Csr {
-            columns: self.rows(),
-            starts,
-            indices,
-            values,
-        }
+        let turned = |row: usize| {
+            self.row(row)
+                .map(move |(column, value)| (column, row as u32, value))
+        };
+        Self::sorted(self.columns, self.rows(), (0..self.rows()).flat_map(turned))
     }
 
     /// Sorts the entries of every row and adds those of one place.
@@ -157,8 +146,7 @@ impl Csr {
     /// [`Error::Io`].
     pub fn write(&self, path: &Path) -> Result<()> {
         write_whole(path, |file| {
-            let mut sink = Sink::new(file);
-            let mut npz = ArchiveWriter::new(&mut sink);
+            let mut npz = ArchiveWriter::new(file);
             npz.add_text("format", "csr")?;
             npz.add("shape", &[2], &[self.rows() as i64, self.columns as i64])?;
             // SciPy wants both of one type: int32 where that is enough
@@ -174,8 +162,7 @@ impl Csr {
                 npz.add("indices", &[indices.len()], &indices)?;
             }
             npz.add("data", &[self.values.len()], &self.values)?;
-            npz.finish()?;
-            Ok(sink.done()?)
+            Ok(npz.finish()?)
         })
     }
 
@@ -185,27 +172,17 @@ impl Csr {
     /// [`Error::Io`] when it cannot be opened; [`Error::Format`] when it is no such file, or not a valid matrix of finite
     /// numbers.
     pub fn read(path: &Path) -> Result<Self> {
-        let file = open_regular(path)?;
-        let bad = |found: String| bad(path, found);
-        let mut zip = ZipArchive::new(BufReader::new(file)).map_err(|e| bad(e.to_string()))?;
-        let mut bytes = |name: &str| -> Result<Vec<u8>> {
-            let mut entry = zip
-                .by_name(&format!("{name}.npy"))
-                .map_err(|e| bad(format!("{name}: {e}")))?;
-            let mut bytes = Vec::new();
-            entry
-                .read_to_end(&mut bytes)
-                .map_err(|e| bad(format!("{name}: {e}")))?;
-            Ok(bytes)
-        };
+        let bad = |found: String| Error::format(path, found, ACCEPTED);
+        let mut npz = Archive::open(path, ACCEPTED)?;
+        let mut bytes = |name: &str| npz.bytes(name);
         let format = text_of_npy(&bytes("format")?);
         if format != "csr" {
             return Err(bad(format!("a sparse matrix of format {format:?}")));
         }
-        let shape = whole_numbers(&bytes("shape")?).ok_or_else(|| bad("no shape".to_owned()))?;
-        let starts = whole_numbers(&bytes("indptr")?).ok_or_else(|| bad("no indptr".to_owned()))?;
-        let indices =
-            whole_numbers(&bytes("indices")?).ok_or_else(|| bad("no indices".to_owned()))?;
+        let mut whole = |name: &str| -> Result<Vec<usize>> {
+            whole_numbers(&bytes(name)?).ok_or_else(|| bad(format!("no {name}")))
+        };
+        let (shape, starts, indices) = (whole("shape")?, whole("indptr")?, whole("indices")?);
         let data = bytes("data")?;
         let values = Numbers::parse(&data[..], data.len() as u64).ok();
         let values = values
@@ -248,10 +225,6 @@ impl Csr {
     }
 }
 
-fn bad(path: &Path, found: String) -> Error {
-    Error::format(path, found, ACCEPTED)
-}
-
 /// The text of a `.npy` of one string: of bytes, or of 4-byte characters.
 fn text_of_npy(bytes: &[u8]) -> String {
     let header = bytes
@@ -279,30 +252,24 @@ mod tests {
 
     #[test]
     fn another_format_and_broken_matrices_are_refused() {
+        type Change = fn(&mut Csr);
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("m.npz");
         let good = Csr::from_entries(2, 3, &[(0, 2, 1.0), (1, 0, -2.0)]);
-        let broken = [
-            Csr {
-                columns: 2,
-                ..good.clone()
-            },
-            Csr {
-                starts: vec![0, 2, 1],
-                ..good.clone()
-            },
-            Csr {
-                values: vec![1.0, f32::NAN],
-                ..good.clone()
-            },
+        let breaks: [(Change, &str); 3] = [
+            (|m| m.columns = 2, "2 × 2 with 3 row starts"),
+            (|m| m.starts = vec![0, 2, 1], "do not fit together"),
+            (
+                |m| m.values[1] = f32::NAN,
+                "an entry NaN in row 1, column 0",
+            ),
         ];
-        for matrix in broken {
+        for (change, found) in breaks {
+            let mut matrix = good.clone();
+            change(&mut matrix);
             matrix.write(&path).unwrap();
-            assert!(matches!(Csr::read(&path), Err(Error::Format { .. })));
+            tomolith_core::contains!(Csr::read(&path).unwrap_err().to_string(), found);
         }
-        // The last of them
-        let text = Csr::read(&path).unwrap_err().to_string();
-        assert!(text.contains("an entry NaN in row 1, column 0"), "{text}");
         assert_eq!(
             text_of_npy(&[header("S3", &[]), b"csc".to_vec()].concat()),
             "csc"

@@ -10,21 +10,8 @@
 //! not count. Their names are numbered in any way: `1.png` to `12.png`, `01.png` to `12.png`.
 //!
 //! With one light the files lie in the folder itself, with several in a sub-folder per light. The folder appears whole.
-//!
-//! ```
-//! use tomolith_core::dose::Run;
-//! use tomolith_core::grid::PatternGrid;
-//! use tomolith_io::frames::{FrameSet, read_frames, write_frames};
-//! let grid = PatternGrid::full_turn(2, 0.0, 1, 2, 0.1);
-//! let set = FrameSet { light: None, grid: &grid, bits: 4, full_scale: 3.0, values: &[0, 1, 7, 15] };
-//! let folder = tempfile::tempdir().unwrap();
-//! let frames = folder.path().join("frames");
-//! write_frames(&frames, &[set], &Run::new()).unwrap();
-//! let read = read_frames(&frames).unwrap();
-//! assert_eq!((read.shape, read.bits, read.full_scale), ([2, 1, 2], 4, Some(3.0)));
-//! assert_eq!(read.values, [0, 1, 7, 15]); // stored as 0, 17, 119, 255: 255/15 = 17 times as much
-//! ```
 
+use super::image::png_samples;
 use super::series::numbered_files;
 use super::whole::{Refused, write_folder_whole, write_whole};
 use std::fs::{self, File};
@@ -87,6 +74,20 @@ impl FrameSet<'_> {
             self.grid.shape(),
             vec![self.values.len()],
         ))
+    }
+}
+
+#[cfg(test)]
+impl<'a> FrameSet<'a> {
+    /// Frames of the only light, with a white of 1 mJ/mm².
+    pub(crate) fn of(grid: &'a PatternGrid, bits: u32, values: &'a [u16]) -> Self {
+        FrameSet {
+            light: None,
+            grid,
+            bits,
+            full_scale: 1.0,
+            values,
+        }
     }
 }
 
@@ -284,22 +285,9 @@ pub(super) fn decode(file: impl BufRead + Seek) -> Result<Image, Trouble> {
             "an animated PNG (APNG) of {frames} frames"
         )));
     }
-    let size = reader
-        .output_buffer_size()
-        .ok_or_else(|| Trouble::Said("an image larger than memory".to_owned()))?;
-    let mut bytes = vec![0; size];
-    let shape = reader.next_frame(&mut bytes)?;
-    bytes.truncate(shape.buffer_size());
+    let (shape, samples) = png_samples(&mut reader)?;
     reader.finish()?;
-    let (depth, samples): (u32, Vec<u16>) = if shape.bit_depth == png::BitDepth::Sixteen {
-        let pairs = bytes.chunks_exact(2);
-        (
-            16,
-            pairs.map(|c| u16::from_be_bytes([c[0], c[1]])).collect(),
-        )
-    } else {
-        (8, bytes.iter().map(|&v| u16::from(v)).collect())
-    };
+    let depth = shape.bit_depth as u32;
     let colors = match shape.color_type {
         png::ColorType::Rgb | png::ColorType::Rgba => 3,
         _ => 1,
@@ -341,52 +329,29 @@ pub(super) fn decode(file: impl BufRead + Seek) -> Result<Image, Trouble> {
 mod tests {
     use super::*;
 
-    struct Waves {
-        grid: PatternGrid,
-        bits: u32,
-        full_scale: f32,
-        values: Vec<u16>,
-    }
-
-    fn waves(full_scale: f32, bits: u32) -> Waves {
+    fn waves(bits: u32) -> (PatternGrid, Vec<u16>) {
         let grid = PatternGrid::full_turn(11, 0.3, 7, 9, 0.02);
         let top = f32::from(top_level(bits));
         let level = |i: usize| ((0.5 + 0.5 * (i as f32 * 0.37).sin()) * top).round() as u16;
         let values = (0..grid.len()).map(level).collect();
-        Waves {
-            grid,
-            bits,
-            full_scale,
-            values,
-        }
-    }
-
-    impl Waves {
-        fn frames<'a>(&'a self, light: Option<&'a str>) -> FrameSet<'a> {
-            FrameSet {
-                light,
-                grid: &self.grid,
-                bits: self.bits,
-                full_scale: self.full_scale,
-                values: &self.values,
-            }
-        }
+        (grid, values)
     }
 
     #[test]
     fn levels_and_scale_come_back_bit_for_bit_at_any_depth() {
         let folder = tempfile::tempdir().unwrap();
         for bits in [1, 4, 8, 10, 12, 16] {
-            let quantized = waves(0.1234, bits);
+            let (grid, values) = waves(bits);
+            let set = FrameSet {
+                full_scale: 0.1234,
+                ..FrameSet::of(&grid, bits, &values)
+            };
             let place = folder.path().join("frames");
-            write_frames(&place, &[quantized.frames(None)], &Run::new()).unwrap();
+            write_frames(&place, &[set], &Run::new()).unwrap();
             let read = read_frames(&place).unwrap();
             assert_eq!(read.shape, [11, 7, 9]);
-            assert_eq!(
-                (read.bits, read.full_scale),
-                (bits, Some(quantized.full_scale))
-            );
-            assert_eq!(read.values, quantized.values, "{bits} bits");
+            assert_eq!((read.bits, read.full_scale), (bits, Some(0.1234)));
+            assert_eq!(read.values, values, "{bits} bits");
             assert!(place.join("frame_0010.png").is_file());
         }
     }
@@ -395,33 +360,34 @@ mod tests {
     fn several_lights_have_folders_of_their_own() {
         let folder = tempfile::tempdir().unwrap();
         let place = folder.path().join("frames");
-        let (a, b) = (waves(1.0, 8), waves(3.0, 8));
-        write_frames(
-            &place,
-            &[a.frames(Some("blue")), b.frames(Some("uv"))],
-            &Run::new(),
-        )
-        .unwrap();
-        assert_eq!(
-            read_frames(&place.join("uv")).unwrap().full_scale,
-            Some(b.full_scale)
-        );
-        assert_eq!(read_frames(&place.join("blue")).unwrap().values, a.values);
+        let (grid, values) = waves(8);
+        let lights = [("blue", 1.0), ("uv", 3.0)].map(|(name, full_scale)| FrameSet {
+            light: Some(name),
+            full_scale,
+            ..FrameSet::of(&grid, 8, &values)
+        });
+        write_frames(&place, &lights, &Run::new()).unwrap();
+        let uv = read_frames(&place.join("uv")).unwrap();
+        assert_eq!(uv.full_scale, Some(3.0));
+        assert_eq!(read_frames(&place.join("blue")).unwrap().values, values);
     }
 
     #[test]
     fn odd_frames_out_and_truncated_files_are_named() {
         let folder = tempfile::tempdir().unwrap();
-        let place = folder.path().join("frames");
-        write_frames(&place, &[waves(1.0, 8).frames(None)], &Run::new()).unwrap();
+        let write = |name: &str, bits: u32| {
+            let (place, (grid, values)) = (folder.path().join(name), waves(bits));
+            let set = FrameSet::of(&grid, bits, &values);
+            write_frames(&place, &[set], &Run::new()).unwrap();
+            place
+        };
+        let place = write("frames", 8);
         let third = place.join("frame_0003.png");
         let bytes = fs::read(&third).unwrap();
         fs::write(&third, &bytes[..bytes.len() / 2]).unwrap();
         let text = read_frames(&place).unwrap_err().to_string();
         assert!(text.contains("frame_0003.png"), "{text}");
-        let other = folder.path().join("other");
-        write_frames(&other, &[waves(1.0, 12).frames(None)], &Run::new()).unwrap();
-        fs::copy(other.join("frame_0003.png"), &third).unwrap();
+        fs::copy(write("other", 12).join("frame_0003.png"), &third).unwrap();
         let text = read_frames(&place).unwrap_err().to_string();
         tomolith_core::contains!(text, "frame_0003.png", "12 bits");
         let empty = folder.path().join("empty");
@@ -439,6 +405,10 @@ mod tests {
             }
         }
         assert_eq!(rescale(255, 8, 16), 65535);
-        assert_eq!(rescale(1, 1, 8), 255);
+        // 255/15 = 17 times as much
+        assert_eq!(
+            [0, 1, 7, 15].map(|level| rescale(level, 4, 8)),
+            [0, 17, 119, 255]
+        );
     }
 }

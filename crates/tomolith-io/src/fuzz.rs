@@ -1,11 +1,27 @@
 //! Damaged files for the tests of readers.
 
-use std::time::Duration;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::{Duration, Instant};
 
-/// How long a test damages files: `TOMOLITH_FUZZ_SECONDS`, by default two seconds.
-pub(crate) fn time() -> Duration {
+/// Lets a test read damaged files for a share of `TOMOLITH_FUZZ_SECONDS` (by default two seconds): how many of them it could read, and how many
+/// there were.
+///
+/// # Panics
+/// Where a reader panics, or takes more than five seconds.
+pub(crate) fn rounds(share: f64, read: impl Fn(&mut Random) -> bool) -> [u64; 2] {
     let seconds = std::env::var("TOMOLITH_FUZZ_SECONDS").ok();
-    Duration::from_secs(seconds.and_then(|s| s.parse().ok()).unwrap_or(2))
+    let seconds = seconds.and_then(|s| s.parse().ok()).unwrap_or(2.0);
+    let start = Instant::now();
+    let (mut done, mut round) = (0, 0);
+    while start.elapsed().as_secs_f64() < share * seconds {
+        let begin = Instant::now();
+        let result = catch_unwind(AssertUnwindSafe(|| read(&mut Random(round))));
+        let is_read = result.unwrap_or_else(|_| panic!("round {round}: the reader panicked"));
+        assert!(begin.elapsed() < Duration::from_secs(5), "round {round}");
+        done += u64::from(is_read);
+        round += 1;
+    }
+    [done, round]
 }
 
 /// Counter-based random numbers (SplitMix64).

@@ -9,21 +9,6 @@
 //! What a file is follows from its content, not from its name. Gray is the luma: full range 0…255, or 16…235 stretched to
 //! it where the stream says nothing else; colors do not count. A movie has as many frames as the job, each of the job's
 //! size or padded as H.264 needs it ([`padded`]); padding is cut off.
-//!
-//! ```
-//! use tomolith_core::grid::PatternGrid;
-//! use tomolith_io::frames::FrameSet;
-//! use tomolith_io::movie::{check_lossless, read_movie, write_lossless};
-//! let grid = PatternGrid::full_turn(4, 0.0, 3, 5, 0.02);
-//! let values: Vec<u16> = (0..grid.len()).map(|i| i as u16 * 68).collect();
-//! let set = FrameSet { light: None, grid: &grid, bits: 12, full_scale: 0.3, values: &values };
-//! let folder = tempfile::tempdir().unwrap();
-//! let path = folder.path().join("part_10rpm.mov");
-//! write_lossless(&path, &set, 24.0).unwrap();
-//! assert_eq!(check_lossless(&path, &set).unwrap().largest_error, 0);
-//! let read = read_movie(&path, [4, 3, 5]).unwrap();
-//! assert_eq!((read.bits, read.full_scale, read.values), (12, Some(0.3), values));
-//! ```
 
 mod ffmpeg;
 pub(super) mod h264;
@@ -61,18 +46,20 @@ pub fn is_movie(path: &Path) -> bool {
 /// read by `ffmpeg` alone and there is none.
 pub fn read_movie(path: &Path, shape: [usize; 3]) -> Result<Frames> {
     let file = read_regular(path)?;
-    let what = match Container::of(&file) {
-        None => return Err(no_movie(path, &file)),
-        Some(Container::Other(what)) => what.to_owned(),
-        Some(Container::Mp4) => {
-            if let Some(missing) = track::missing(&file) {
-                return Err(damaged(path, missing));
-            }
-            match own(&file, path, shape)? {
-                Own::Read(frames) => return Ok(frames),
-                Own::Other(what) => what,
-            }
+    let what = if is_mp4(&file) {
+        if let Some(missing) = track::missing(&file) {
+            return Err(damaged(path, missing));
         }
+        match own(&file, path, shape)? {
+            Ok(frames) => return Ok(frames),
+            Err(what) => what,
+        }
+    } else {
+        let found = OTHERS
+            .iter()
+            .find(|(_, marks)| marks.iter().all(|(at, bytes)| has(&file, *at, bytes)));
+        let (what, _) = found.ok_or_else(|| no_movie(path, &file))?;
+        (*what).to_owned()
     };
     drop(file);
     ffmpeg::read(path, shape).map_err(|trouble| match trouble {
@@ -88,55 +75,46 @@ pub fn read_movie(path: &Path, shape: [usize; 3]) -> Result<Frames> {
     })
 }
 
-/// What our own readers make of an MP4 or QuickTime file.
-enum Own {
-    Read(Frames),
-    /// Not theirs: what it holds.
-    Other(String),
-}
-
-fn own(file: &[u8], path: &Path, [frames, rows, columns]: [usize; 3]) -> Result<Own> {
+/// What our own readers make of an MP4 or QuickTime file; where it is not theirs, what it holds.
+fn own(
+    file: &[u8],
+    path: &Path,
+    [frames, rows, columns]: [usize; 3],
+) -> Result<Result<Frames, String>> {
+    let other = |what: &str| Ok(Err(what.to_owned()));
     let Some(track) = Track::find(file) else {
-        return Ok(Own::Other(
-            "a movie whose index is of another kind".to_owned(),
-        ));
+        return other("a movie whose index is of another kind");
     };
     let count = track.samples.len();
     if count == 0 {
-        return Ok(Own::Other("a movie in fragments".to_owned()));
+        return other("a movie in fragments");
     }
     if count != frames && (track.is_in_order || count < frames) {
         return Err(damaged(path, format!("{count} frames instead of {frames}")));
     }
     match &track.codec {
-        Codec::Png => lossless::read(&track, path, [rows, columns]).map(Own::Read),
-        Codec::Other(letters) => Ok(Own::Other(named(*letters))),
+        Codec::Png => lossless::read(&track, path, [rows, columns]).map(Ok),
+        Codec::Other(letters) => Ok(Err(named(*letters))),
         Codec::H264 { .. } => {
             let Some(stream) = Stream::of(&track) else {
-                return Ok(Own::Other(
-                    "H.264 with parameters that cannot be read".to_owned(),
-                ));
+                return other("H.264 with parameters that cannot be read");
             };
             must_fit(stream.size, [rows, columns]).map_err(|found| damaged(path, found))?;
             if let Some(what) = stream.unsupported(&track) {
-                return Ok(Own::Other(what));
+                return Ok(Err(what));
             }
-            let read = h264::luma(&track, &stream, [rows, columns]);
-            if let Ok((_, Some(frame))) = read {
-                return Err(damaged(path, colored(frame)));
+            match h264::luma(&track, &stream, [rows, columns]) {
+                Ok((_, Some(frame))) => Err(damaged(path, colored(frame))),
+                Ok((values, None)) => Ok(Ok(Frames {
+                    shape: [frames, rows, columns],
+                    bits: 8,
+                    full_scale: None,
+                    values,
+                })),
+                Err(found) => Ok(Err(format!(
+                    "H.264 that OpenH264 does not decode ({found})"
+                ))),
             }
-            let values = read.map(|(values, _)| values);
-            Ok(values.map_or_else(
-                |found| Own::Other(format!("H.264 that OpenH264 does not decode ({found})")),
-                |values| {
-                    Own::Read(Frames {
-                        shape: [frames, rows, columns],
-                        bits: 8,
-                        full_scale: None,
-                        values,
-                    })
-                },
-            ))
         }
     }
 }
@@ -180,13 +158,6 @@ fn named(letters: [u8; 4]) -> String {
     )
 }
 
-/// What frames lie in.
-enum Container {
-    Mp4,
-    /// Read by `ffmpeg` alone: what the file is.
-    Other(&'static str),
-}
-
 /// Bytes at places of a file.
 type Marks = &'static [(usize, &'static [u8])];
 
@@ -212,21 +183,17 @@ const OTHERS: [(&str, Marks); 14] = [
     ("an MPEG transport stream", &[(4, b"\x47"), (196, b"\x47")]),
 ];
 
-impl Container {
-    /// By the first bytes.
-    fn of(file: &[u8]) -> Option<Self> {
-        const BOXES: [&[u8]; 7] = [
-            b"ftyp", b"moov", b"mdat", b"free", b"skip", b"wide", b"pnot",
-        ];
-        let has = |at: usize, bytes: &[u8]| file.get(at..at + bytes.len()) == Some(bytes);
-        if BOXES.iter().any(|kind| has(4, kind)) {
-            return Some(Container::Mp4);
-        }
-        let found = OTHERS
-            .iter()
-            .find(|(_, marks)| marks.iter().all(|(at, bytes)| has(*at, bytes)));
-        found.map(|(what, _)| Container::Other(what))
-    }
+/// Whether a file has these bytes at a place.
+fn has(file: &[u8], at: usize, bytes: &[u8]) -> bool {
+    file.get(at..at + bytes.len()) == Some(bytes)
+}
+
+/// Whether a file is MP4 or QuickTime by its first box.
+fn is_mp4(file: &[u8]) -> bool {
+    const BOXES: [&[u8]; 7] = [
+        b"ftyp", b"moov", b"mdat", b"free", b"skip", b"wide", b"pnot",
+    ];
+    BOXES.iter().any(|kind| has(file, 4, kind))
 }
 
 fn no_movie(path: &Path, file: &[u8]) -> Error {

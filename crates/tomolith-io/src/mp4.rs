@@ -22,23 +22,6 @@
 //!
 //! # Timing
 //! Times are in units of 1/90,000 s and each frame's start is rounded on its own, so rounding does not add up. A movie of a single frame lasts one unit.
-//!
-//! ```
-//! use tomolith_core::dose::Run;
-//! use tomolith_core::grid::PatternGrid;
-//! use tomolith_io::frames::FrameSet;
-//! use tomolith_io::mp4::{check_movie, write_movie};
-//! let grid = PatternGrid::full_turn(4, 0.0, 30, 31, 0.02);
-//! let values: Vec<u16> = (0..grid.len()).map(|i| (i % 31 * 8) as u16).collect(); // a ramp from left to right
-//! let set = FrameSet { light: None, grid: &grid, bits: 8, full_scale: 1.0, values: &values };
-//! let folder = tempfile::tempdir().unwrap();
-//! let path = folder.path().join("ramp_12rpm.mp4");
-//! write_movie(&path, &set, 60.0, &Run::new()).unwrap();
-//! let check = check_movie(&path, &set, &Run::new()).unwrap();
-//! assert_eq!((check.frames, check.width, check.height), (4, 32, 30)); // one black column was added
-//! assert!((check.frame_rate - 60.0).abs() < 1e-6);
-//! assert!(check.largest_error <= 6 && check.rms_error < 1.0);
-//! ```
 
 use super::frames::FrameSet;
 use super::movie::h264::{each_image, groups, said};
@@ -171,16 +154,20 @@ fn encode(
         .vui(VuiConfig::bt709_full());
     let mut encoder =
         Encoder::with_api_config(OpenH264API::from_source(), config).map_err(|e| said(&e))?;
-    let mut planes = YUVPlanes::gray(width, height);
+    // Three planes of a gray image in 4:2:0: luma, then chroma
+    let (mut planes, columns) = (vec![128; width * height * 3 / 2], set.grid.columns);
+    planes[..width * height].fill(0);
     group
         .map(|frame| {
             steps.add(1);
             if steps.is_canceled() {
                 return Err("canceled".to_owned());
             }
-            planes.fill(set, frame);
+            for (i, level) in set.levels(frame, 8).enumerate() {
+                planes[i / columns * width + i % columns] = level as u8;
+            }
             let packet = encoder
-                .encode(&planes.buffer())
+                .encode(&YUVBuffer::from_vec(planes.clone(), width, height))
                 .map_err(|e| format!("OpenH264 refuses frame {frame} ({})", said(&e)))?
                 .to_vec();
             if packet.is_empty() {
@@ -189,36 +176,6 @@ fn encode(
             Ok(packet)
         })
         .collect()
-}
-
-/// The three planes of a gray image in 4:2:0.
-struct YUVPlanes {
-    width: usize,
-    height: usize,
-    bytes: Vec<u8>,
-}
-
-impl YUVPlanes {
-    fn gray(width: usize, height: usize) -> Self {
-        let mut bytes = vec![128; width * height * 3 / 2];
-        bytes[..width * height].fill(0);
-        YUVPlanes {
-            width,
-            height,
-            bytes,
-        }
-    }
-
-    fn fill(&mut self, set: &FrameSet<'_>, frame: usize) {
-        let columns = set.grid.columns;
-        for (i, level) in set.levels(frame, 8).enumerate() {
-            self.bytes[i / columns * self.width + i % columns] = level as u8;
-        }
-    }
-
-    fn buffer(&self) -> YUVBuffer {
-        YUVBuffer::from_vec(self.bytes.clone(), self.width, self.height)
-    }
 }
 
 /// Reads a movie that [`write_movie`] wrote, decodes it and compares it with its frames.
@@ -315,13 +272,7 @@ mod tests {
     fn write_and_check(grid: &PatternGrid, bits: u32, values: &[u16], rate: f64) -> MovieCheck {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("m.mp4");
-        let set = FrameSet {
-            light: None,
-            grid,
-            bits,
-            full_scale: 1.0,
-            values,
-        };
+        let set = FrameSet::of(grid, bits, values);
         write_movie(&path, &set, rate, &Run::new()).unwrap();
         check_movie(&path, &set, &Run::new()).unwrap()
     }
@@ -352,13 +303,7 @@ mod tests {
         });
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("m.mp4");
-        let set = FrameSet {
-            light: None,
-            grid: &grid,
-            bits: 8,
-            full_scale: 1.0,
-            values: &values,
-        };
+        let set = FrameSet::of(&grid, 8, &values);
         write_movie(&path, &set, 30.0, &Run::new()).unwrap();
         let read = read_movie(&path, [20, 17, 33]).unwrap();
         assert_eq!(read.shape, [20, 17, 33]);
@@ -383,32 +328,17 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("m.mp4");
         let (grid, mut values) = movie(20, 32, 32, 8, |k, _, _| k as f64 / 20.0);
-        fn view<'a>(grid: &'a PatternGrid, values: &'a [u16]) -> FrameSet<'a> {
-            FrameSet {
-                light: None,
-                grid,
-                bits: 8,
-                full_scale: 1.0,
-                values,
-            }
-        }
-        write_movie(&path, &view(&grid, &values), 30.0, &Run::new()).unwrap();
-        assert!(
-            check_movie(&path, &view(&grid, &values), &Run::new())
-                .unwrap()
-                .largest_error
-                <= 1
-        );
+        let set = FrameSet::of(&grid, 8, &values);
+        write_movie(&path, &set, 30.0, &Run::new()).unwrap();
+        let checked = |values: &[u16]| {
+            check_movie(&path, &FrameSet::of(&grid, 8, values), &Run::new()).unwrap()
+        };
+        assert!(checked(&values).largest_error <= 1);
         values[17 * 32 * 32 + 5] -= 100;
-        let check = check_movie(&path, &view(&grid, &values), &Run::new()).unwrap();
+        let check = checked(&values);
         assert!((99..=101).contains(&check.largest_error), "{check:?}");
         values.rotate_left(32 * 32); // frames in another order
-        assert!(
-            check_movie(&path, &view(&grid, &values), &Run::new())
-                .unwrap()
-                .rms_error
-                > 10.0
-        );
+        assert!(checked(&values).rms_error > 10.0);
     }
 
     #[test]
@@ -430,13 +360,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("m.mp4");
         let (grid, values) = movie(3, 16, 16, 8, |_, r, c| (r * c) as f64 / 256.0);
-        let set = FrameSet {
-            light: None,
-            grid: &grid,
-            bits: 8,
-            full_scale: 1.0,
-            values: &values,
-        };
+        let set = FrameSet::of(&grid, 8, &values);
         write_movie(&path, &set, 30.0, &Run::new()).unwrap();
         let bytes = std::fs::read(&path).unwrap();
         for cut in (0..bytes.len()).step_by(7) {
@@ -456,13 +380,7 @@ mod tests {
     #[test]
     fn what_cannot_be_a_movie_is_refused() {
         let (grid, values) = movie(1, 16, 16, 8, |_, _, _| 0.5);
-        let set = FrameSet {
-            light: None,
-            grid: &grid,
-            bits: 8,
-            full_scale: 1.0,
-            values: &values,
-        };
+        let set = FrameSet::of(&grid, 8, &values);
         let path = Path::new("/nonexistent-folder/m.mp4");
         for rate in [0.0, -1.0, f64::NAN, f64::INFINITY] {
             assert!(matches!(
@@ -471,14 +389,7 @@ mod tests {
             ));
         }
         let grid = PatternGrid::full_turn(1, 0.0, 2, 4000, 0.02);
-        let values = vec![0; 8000];
-        let set = FrameSet {
-            light: None,
-            grid: &grid,
-            bits: 8,
-            full_scale: 1.0,
-            values: &values,
-        };
+        let set = FrameSet::of(&grid, 8, &[0; 8000]);
         assert!(matches!(
             write_movie(path, &set, 30.0, &Run::new()),
             Err(Error::Unsupported { .. })

@@ -6,24 +6,11 @@
 //!
 //! That is what is written. Read are floats of 2, 4 and 8 bytes, whole numbers and bool, little and big endian, in C and
 //! Fortran order, stored or compressed. Patterns of other programs may be the only array of an `.npz`, under any name.
-//!
-//! ```
-//! use tomolith_core::dose::Run;
-//! use tomolith_core::grid::{PatternGrid, Patterns};
-//! use tomolith_io::npy::{PatternPair, read_patterns, write_patterns};
-//! let folder = tempfile::tempdir().unwrap();
-//! let path = folder.path().join("patterns.npz");
-//! let shown = Patterns::dark(PatternGrid::full_turn(3, 0.0, 2, 4, 0.1));
-//! write_patterns(&path, &[PatternPair { light: None, shown: &shown, raw: Some(&shown) }], &Run::new()).unwrap();
-//! let read = read_patterns(&path).unwrap();
-//! assert_eq!((read[0].shape, read[0].light.as_deref()), ([3, 2, 4], None));
-//! ```
 
 pub use super::npz::Element;
 use super::npz::{ArchiveWriter, write_array};
-use super::numbers::{Archive, Header, Numbers, is_archive};
+use super::numbers::{Archive, Header, Numbers, ends_in, is_archive};
 use super::whole::write_whole_under;
-use std::io::{Seek, SeekFrom, Write};
 use std::path::Path;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Patterns, Volume};
@@ -57,11 +44,8 @@ fn must_fit(path: &Path, shape: [usize; 3], values: usize) -> Result<()> {
     if shape.iter().product::<usize>() == values {
         return Ok(());
     }
-    Err(Error::shape(
-        path.display().to_string(),
-        shape,
-        vec![values],
-    ))
+    let what = path.display().to_string();
+    Err(Error::shape(what, shape, vec![values]))
 }
 
 /// Writes a volume as `.npy`, `[z, y, x]`.
@@ -133,8 +117,7 @@ pub fn write_patterns(path: &Path, lights: &[PatternPair<'_>], run: &Run) -> Res
     let arrays = lights.iter().flat_map(|pair| [Some(pair.shown), pair.raw]);
     let bytes = arrays.flatten().map(|p| size_of_val(&p.values[..])).sum();
     write_whole_under(path, (run, bytes), |file| {
-        let mut sink = Sink::new(file);
-        let mut npz = ArchiveWriter::new(&mut sink);
+        let mut npz = ArchiveWriter::new(file);
         for pair in lights {
             for (kind, patterns) in [("patterns", Some(pair.shown)), ("patterns_raw", pair.raw)] {
                 let Some(patterns) = patterns else { continue };
@@ -143,71 +126,8 @@ pub fn write_patterns(path: &Path, lights: &[PatternPair<'_>], run: &Run) -> Res
                 npz.add(&array_name(kind, pair.light), &shape, &patterns.values)?;
             }
         }
-        npz.finish()?;
-        Ok(sink.done()?)
+        Ok(npz.finish()?)
     })
-}
-
-/// Remembers the first error of a file and takes everything after it without writing.
-///
-/// A zip writer that is dropped after an error tries once more and complains on standard error, where a library has
-/// nothing to say.
-pub(super) struct Sink<W> {
-    inner: W,
-    failed: Option<std::io::Error>,
-    position: u64,
-    length: u64,
-}
-
-impl<W: Write + Seek> Sink<W> {
-    pub(super) fn new(inner: W) -> Self {
-        Sink {
-            inner,
-            failed: None,
-            position: 0,
-            length: 0,
-        }
-    }
-
-    /// The first error, when there was one.
-    pub(super) fn done(self) -> std::io::Result<()> {
-        self.failed.map_or(Ok(()), Err)
-    }
-
-    /// Does something with the file, unless it has failed before.
-    fn attempt(&mut self, act: impl FnOnce(&mut W) -> std::io::Result<()>) {
-        if self.failed.is_none() {
-            self.failed = act(&mut self.inner).err();
-        }
-    }
-}
-
-impl<W: Write + Seek> Write for Sink<W> {
-    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        self.attempt(|file| file.write_all(bytes));
-        self.position += bytes.len() as u64;
-        self.length = self.length.max(self.position);
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> std::io::Result<()> {
-        self.attempt(W::flush);
-        Ok(())
-    }
-}
-
-impl<W: Write + Seek> Seek for Sink<W> {
-    fn seek(&mut self, to: SeekFrom) -> std::io::Result<u64> {
-        let from_start = match to {
-            SeekFrom::Start(place) => Some(place),
-            SeekFrom::Current(by) => self.position.checked_add_signed(by),
-            SeekFrom::End(by) => self.length.checked_add_signed(by),
-        };
-        let place = from_start.ok_or(std::io::ErrorKind::InvalidInput)?;
-        self.attempt(|file| file.seek(SeekFrom::Start(place)).map(drop));
-        self.position = place;
-        Ok(place)
-    }
 }
 
 /// What [`read_patterns`] reads, for error messages.
@@ -220,10 +140,7 @@ const PATTERNS: &str = "an .npz with a 3D array `patterns` [angle, row, column] 
 /// [`Error::Io`] when it cannot be opened; [`Error::Format`] when it is no such file, holds no patterns, or holds
 /// values that are negative or not finite.
 pub fn read_patterns(path: &Path) -> Result<Vec<PatternArrays>> {
-    if path
-        .extension()
-        .is_some_and(|e| e.eq_ignore_ascii_case("npy"))
-    {
+    if ends_in(path, "npy") {
         let (shape, shown) = values_of(Numbers::read(path, PATTERNS)?, path, "the array")?;
         return Ok(vec![PatternArrays {
             light: None,
@@ -245,19 +162,15 @@ pub fn read_patterns(path: &Path) -> Result<Vec<PatternArrays>> {
         };
         let (shape, shown) = values_of(npz.numbers(name)?, path, name)?;
         let raw_name = array_name("patterns_raw", light);
-        let raw = if names.contains(&raw_name) {
-            let (raw_shape, raw) = values_of(npz.numbers(&raw_name)?, path, &raw_name)?;
+        let mut raw = None;
+        if names.contains(&raw_name) {
+            let (raw_shape, values) = values_of(npz.numbers(&raw_name)?, path, &raw_name)?;
             if raw_shape != shape {
-                return Err(Error::shape(
-                    format!("{}: {raw_name}", path.display()),
-                    shape,
-                    raw_shape,
-                ));
+                let what = format!("{}: {raw_name}", path.display());
+                return Err(Error::shape(what, shape, raw_shape));
             }
-            Some(raw)
-        } else {
-            None
-        };
+            raw = Some(values);
+        }
         lights.push(PatternArrays {
             light: light.map(str::to_owned),
             shape,
@@ -316,7 +229,7 @@ fn values_of(numbers: Numbers, path: &Path, name: &str) -> Result<([usize; 3], V
 mod tests {
     use super::*;
     use ndarray::{Array3, ShapeBuilder};
-    use ndarray_npy::{NpzReader, NpzWriter};
+    use ndarray_npy::NpzWriter;
     use std::fs::File;
     use tomolith_core::check::noise;
     use tomolith_core::grid::{PatternGrid, VolumeGrid};
@@ -326,6 +239,25 @@ mod tests {
         let light = noise(seed, patterns.values.len()).into_iter();
         patterns.values = light.map(f32::abs).collect();
         patterns
+    }
+
+    fn pair<'a>(
+        light: Option<&'a str>,
+        shown: &'a Patterns,
+        raw: Option<&'a Patterns>,
+    ) -> PatternPair<'a> {
+        PatternPair { light, shown, raw }
+    }
+
+    /// An archive of one array.
+    fn write_npz<S, D>(path: &Path, name: &str, array: &ndarray::ArrayBase<S, D>)
+    where
+        S: ndarray::Data<Elem: ndarray_npy::WritableElement>,
+        D: ndarray::Dimension,
+    {
+        let mut npz = NpzWriter::new(File::create(path).unwrap());
+        npz.add_array(name, array).unwrap();
+        npz.finish().unwrap();
     }
 
     #[test]
@@ -348,60 +280,24 @@ mod tests {
     }
 
     #[test]
-    fn fortran_order_is_turned_round() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("f.npy");
-        let fortran = Array3::from_shape_fn((2, 3, 4).f(), |(i, j, k)| (i * 12 + j * 4 + k) as f32);
-        ndarray_npy::write_npy(&path, &fortran).unwrap();
-        let (shape, values) = read_volume(&path).unwrap();
-        assert_eq!(shape, [2, 3, 4]);
-        assert_eq!(values, (0..24).map(|i| i as f32).collect::<Vec<_>>());
-    }
-
-    #[test]
     fn patterns_of_one_and_of_several_lights_come_back() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("patterns.npz");
-        let (a, b, c) = (
-            random_patterns(1, 3),
-            random_patterns(2, 3),
-            random_patterns(3, 2),
-        );
-        write_patterns(
-            &path,
-            &[PatternPair {
-                light: None,
-                shown: &a,
-                raw: Some(&b),
-            }],
-            &Run::new(),
-        )
-        .unwrap();
-        let read = read_patterns(&path).unwrap();
-        assert_eq!(read.len(), 1);
+        let [a, b, c] =
+            [(1, 3), (2, 3), (3, 2)].map(|(seed, frames)| random_patterns(seed, frames));
+        let come_back = |pairs: &[PatternPair]| {
+            write_patterns(&path, pairs, &Run::new()).unwrap();
+            read_patterns(&path).unwrap()
+        };
+        let read = come_back(&[pair(None, &a, Some(&b))]);
+        assert_eq!((read.len(), &read[0].light), (1, &None));
         assert_eq!(
-            (&read[0].shown, read[0].raw.as_ref()),
-            (&a.values, Some(&b.values))
+            (&read[0].shown, &read[0].raw),
+            (&a.values, &Some(b.values.clone()))
         );
-
-        let lights = [
-            PatternPair {
-                light: Some("blue"),
-                shown: &a,
-                raw: Some(&b),
-            },
-            PatternPair {
-                light: Some("uv"),
-                shown: &c,
-                raw: None,
-            },
-        ];
-        write_patterns(&path, &lights, &Run::new()).unwrap();
-        let read = read_patterns(&path).unwrap();
-        assert_eq!(
-            read.iter().map(|l| l.light.as_deref()).collect::<Vec<_>>(),
-            [Some("blue"), Some("uv")]
-        );
+        let read = come_back(&[pair(Some("blue"), &a, Some(&b)), pair(Some("uv"), &c, None)]);
+        let lights: Vec<_> = read.iter().map(|l| l.light.as_deref()).collect();
+        assert_eq!(lights, [Some("blue"), Some("uv")]);
         assert_eq!(read[1].shape, [2, 4, 5]);
         assert_eq!((&read[1].shown, read[1].raw.as_ref()), (&c.values, None));
     }
@@ -410,11 +306,7 @@ mod tests {
     fn patterns_of_other_programs_may_be_f64_in_either_order() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("x.npz");
-        let write = |array: &Array3<f64>| {
-            let mut npz = NpzWriter::new(File::create(&path).unwrap());
-            npz.add_array("patterns", array).unwrap();
-            npz.finish().unwrap();
-        };
+        let write = |array: &Array3<f64>| write_npz(&path, "patterns", array);
         let value = |(i, j, k)| (i * 12 + j * 4 + k) as f64 / 3.0;
         write(&Array3::from_shape_fn((2, 3, 4), value));
         let read = read_patterns(&path).unwrap();
@@ -426,10 +318,7 @@ mod tests {
         write(&Array3::from_elem((1, 1, 1), 1e300));
         let text = read_patterns(&path).unwrap_err().to_string();
         assert!(text.contains("patterns holds inf"), "{text}");
-        let mut npz = NpzWriter::new(File::create(&path).unwrap());
-        npz.add_array("patterns", &ndarray::Array2::<i32>::zeros((1, 1)))
-            .unwrap();
-        npz.finish().unwrap();
+        write_npz(&path, "patterns", &ndarray::Array2::<i32>::zeros((1, 1)));
         let text = read_patterns(&path).unwrap_err().to_string();
         tomolith_core::contains!(
             text,
@@ -441,18 +330,25 @@ mod tests {
     fn the_only_array_of_an_archive_is_the_patterns() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("x.npz");
-        let mut npz = NpzWriter::new(File::create(&path).unwrap());
-        let array = ndarray::Array4::from_shape_fn((2, 3, 4, 1), |(i, j, k, _)| {
-            (i * 12 + j * 4 + k) as f64
-        });
-        npz.add_array("arr_0", &array).unwrap();
-        npz.finish().unwrap();
-        let read = read_patterns(&path).unwrap();
-        assert_eq!(
-            (read.len(), read[0].shape, read[0].shown[23]),
-            (1, [2, 3, 4], 23.0)
+        let value = |(i, j, k, _)| (i * 12 + j * 4 + k) as f64;
+        write_npz(
+            &path,
+            "arr_0",
+            &ndarray::Array4::from_shape_fn((2, 3, 4, 1), value),
         );
-        assert_eq!(read[0].light, None);
+        let read = read_patterns(&path).unwrap();
+        let [
+            PatternArrays {
+                light,
+                shape,
+                shown,
+                ..
+            },
+        ] = &read[..]
+        else {
+            panic!("{read:?}");
+        };
+        assert_eq!((light, shape, shown[23]), (&None, &[2, 3, 4], 23.0));
     }
 
     #[test]
@@ -460,68 +356,15 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let [volume, patterns] = ["dose.npy", "patterns.npz"].map(|name| folder.path().join(name));
         ndarray_npy::write_npy(&volume, &Array3::<f32>::zeros((2, 3, 4))).unwrap();
-        let shown = random_patterns(1, 3);
-        let pair = PatternPair {
-            light: None,
-            shown: &shown,
-            raw: None,
-        };
-        write_patterns(&patterns, &[pair], &Run::new()).unwrap();
+        let values = random_patterns(1, 3);
+        let pairs = [pair(None, &values, None)];
+        write_patterns(&patterns, &pairs, &Run::new()).unwrap();
         for path in [volume, patterns] {
             must_be_whole(&path).unwrap();
             let file = File::options().write(true).open(&path).unwrap();
             file.set_len(file.metadata().unwrap().len() - 1).unwrap();
             let text = must_be_whole(&path).unwrap_err().to_string();
             assert!(text.contains("truncated"), "{text}");
-        }
-    }
-
-    /// A disk with room for so many bytes.
-    struct Small(std::io::Cursor<Vec<u8>>, usize);
-
-    impl Write for Small {
-        fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-            if self.0.get_ref().len() + bytes.len() > self.1 {
-                return Err(std::io::ErrorKind::StorageFull.into());
-            }
-            self.0.write(bytes)
-        }
-        fn flush(&mut self) -> std::io::Result<()> {
-            Ok(())
-        }
-    }
-
-    impl Seek for Small {
-        fn seek(&mut self, to: SeekFrom) -> std::io::Result<u64> {
-            self.0.seek(to)
-        }
-    }
-
-    #[test]
-    fn a_zip_on_a_full_disk_ends_with_the_first_error_and_without_a_word() {
-        let array = Array3::<f32>::zeros((4, 5, 6));
-        let write = |room: usize| {
-            let mut sink = Sink::new(Small(std::io::Cursor::default(), room));
-            let mut npz = ArchiveWriter::new(&mut sink);
-            let values = array.as_slice().unwrap();
-            npz.add("patterns", array.shape(), values).unwrap();
-            npz.finish().unwrap();
-            (sink.failed.map(|e| e.kind()), sink.inner.0.into_inner())
-        };
-        let (failed, whole) = write(usize::MAX);
-        assert!(failed.is_none() && whole.starts_with(b"PK"));
-        let mut npz = NpzReader::new(std::io::Cursor::new(whole.clone())).unwrap();
-        assert_eq!(
-            npz.by_name::<ndarray::OwnedRepr<f32>, _>("patterns")
-                .unwrap(),
-            array
-        );
-        for room in [0, 10, whole.len() / 2, whole.len() - 1] {
-            assert_eq!(
-                write(room).0,
-                Some(std::io::ErrorKind::StorageFull),
-                "{room}"
-            );
         }
     }
 
@@ -539,11 +382,9 @@ mod tests {
         npz.finish().unwrap();
         let text = read_patterns(&path).unwrap_err().to_string();
         assert!(text.contains("the arrays dose, mask"), "{text}");
-        let mut npz = NpzWriter::new(File::create(&path).unwrap());
         let mut values = Array3::<f32>::zeros((1, 2, 2));
         values[[0, 1, 0]] = f32::NAN;
-        npz.add_array("patterns", &values).unwrap();
-        npz.finish().unwrap();
+        write_npz(&path, "patterns", &values);
         let text = read_patterns(&path).unwrap_err().to_string();
         let said = "patterns holds NaN at [0, 1, 0], as [angle, row, column]";
         assert!(text.contains(said), "{text}");

@@ -47,7 +47,7 @@ fn is_nrrd(file: &Path) -> bool {
     ends_in(file, "nrrd")
 }
 
-fn ends_in(file: &Path, ending: &str) -> bool {
+pub(super) fn ends_in(file: &Path, ending: &str) -> bool {
     let extension = file.extension();
     extension.is_some_and(|extension| extension.eq_ignore_ascii_case(ending))
 }
@@ -253,17 +253,17 @@ impl Element {
     }
 
     /// The bits of a number.
-    fn word(self, bytes: &[u8]) -> u64 {
-        let join = |word: u64, &byte: &u8| word << 8 | u64::from(byte);
-        if self.is_big_endian {
-            bytes.iter().fold(0, join)
-        } else {
-            bytes.iter().rev().fold(0, join)
+    pub(super) fn word(self, bytes: &[u8]) -> u64 {
+        match self.is_big_endian {
+            true => bytes
+                .iter()
+                .fold(0, |word, &byte| word << 8 | u64::from(byte)),
+            false => little_endian(bytes),
         }
     }
 
     /// The whole number of such a kind.
-    fn integer(self, bytes: &[u8]) -> i64 {
+    pub(super) fn integer(self, bytes: &[u8]) -> i64 {
         // The sign goes to the top and comes back
         let unused = match self.kind {
             Kind::Signed(bytes) => 64 - 8 * bytes,
@@ -272,7 +272,7 @@ impl Element {
         (self.word(bytes) << unused).cast_signed() >> unused
     }
 
-    fn value(self, bytes: &[u8]) -> f32 {
+    pub(super) fn value(self, bytes: &[u8]) -> f32 {
         let word = self.word(bytes);
         match self.kind {
             Kind::Float(2) => half(word as u16),
@@ -283,6 +283,13 @@ impl Element {
             Kind::Bool => f32::from(u8::from(word != 0)),
         }
     }
+}
+
+/// The number of these bytes, the lowest first.
+#[inline]
+fn little_endian(bytes: &[u8]) -> u64 {
+    let join = |word: u64, &byte: &u8| word << 8 | u64::from(byte);
+    bytes.iter().rev().fold(0, join)
 }
 
 /// A float of 16 bits (IEEE 754 binary16): sign, 5 bits of exponent, 10 of fraction.
@@ -361,10 +368,7 @@ impl Header {
         file.take(if wide { 4 } else { 2 })
             .read_to_end(&mut length)
             .map_err(cut)?;
-        let text_length = length
-            .iter()
-            .rev()
-            .fold(0, |n, &byte| n << 8 | u64::from(byte));
+        let text_length = little_endian(&length);
         let mut text = Vec::new();
         file.take(text_length.min(LONGEST_HEADER))
             .read_to_end(&mut text)
@@ -475,6 +479,26 @@ impl Archive {
     /// # Errors
     /// [`Error::Format`] when it is not there or no array of numbers.
     pub(super) fn numbers(&mut self, name: &str) -> Result<Numbers> {
+        self.array(name, |array, length| Numbers::parse(array, length))
+    }
+
+    /// The content of an array by its name, header and all.
+    ///
+    /// # Errors
+    /// [`Error::Format`] when it is not there or damaged.
+    pub(super) fn bytes(&mut self, name: &str) -> Result<Vec<u8>> {
+        self.array(name, |array, _| {
+            let mut bytes = Vec::new();
+            let read = array.read_to_end(&mut bytes);
+            read.map(|_| bytes).map_err(|e| e.to_string())
+        })
+    }
+
+    fn array<T>(
+        &mut self,
+        name: &str,
+        read: impl FnOnce(&mut dyn Read, u64) -> Result<T, String>,
+    ) -> Result<T> {
         let file = format!("{name}.npy");
         let file = if self.zip.index_for_name(&file).is_some() {
             &file
@@ -482,9 +506,9 @@ impl Archive {
             name
         };
         let array = self.zip.by_name(file).map_err(|e| e.to_string());
-        let array = array.and_then(|array| {
+        let array = array.and_then(|mut array| {
             let length = array.size();
-            Numbers::parse(array, length)
+            read(&mut array, length)
         });
         array.map_err(|found| Error::format(&self.path, format!("{name}: {found}"), &self.accepted))
     }
@@ -499,15 +523,7 @@ fn no_archive(path: &Path) -> Option<String> {
         let mut head = Vec::new();
         file.seek(SeekFrom::Start(at)).ok()?;
         (&mut file).take(30).read_to_end(&mut head).ok()?;
-        let number = |from: usize, bytes: usize| {
-            let bytes = head.get(from..from + bytes)?;
-            Some(
-                bytes
-                    .iter()
-                    .rev()
-                    .fold(0u64, |n, &byte| n << 8 | u64::from(byte)),
-            )
-        };
+        let number = |from: usize, bytes: usize| head.get(from..from + bytes).map(little_endian);
         if at == 0 && head.get(..4) != Some(b"PK\x03\x04") {
             let start = beginning(&head[..head.len().min(8)]);
             return (!head.starts_with(b"PK")).then(|| match head.len() {
@@ -538,9 +554,7 @@ fn no_archive(path: &Path) -> Option<String> {
             // Sizes beyond 4 GB, or of unknown length when they were written: two words of 8 bytes
             0xffff_ffff => rest
                 .get(name_length as usize + 12..name_length as usize + 20)
-                .map_or(0, |word| {
-                    word.iter().rev().fold(0, |n, &b| n << 8 | u64::from(b))
-                }),
+                .map_or(0, little_endian),
             size => size,
         };
         let end = at + 30 + name_length + extra_length + size;
@@ -653,23 +667,20 @@ mod tests {
         let text = parse(&whole[..140]).unwrap_err();
         let expected = "truncated: an array (2, 3) of 4 bytes a number takes 152 bytes with its header, 140 are there";
         assert_eq!(text, expected);
-        assert!(
-            parse(&whole[..60])
-                .unwrap_err()
-                .contains("within its header")
-        );
-        assert!(parse(b"").unwrap_err().contains("empty"));
-        assert!(
-            parse(b"some text")
-                .unwrap_err()
-                .contains("it begins with `some tex`")
-        );
-        assert!(parse(b"PK\x03\x04....").unwrap_err().contains(".npz"));
-        let more = [&whole[..], &[0; 4]].concat();
-        assert!(parse(&more).unwrap_err().starts_with("more than an array"));
-        // A count beyond all memory is not reserved
-        let huge = npy("<f4", "False", "999999999999, 999999", &[0; 4]);
-        assert!(parse(&huge).unwrap_err().contains("999999999999"));
+        for (bytes, found) in [
+            (&whole[..60], "within its header"),
+            (b"", "empty"),
+            (b"some text", "it begins with `some tex`"),
+            (b"PK\x03\x04....", ".npz"),
+            (&[&whole[..], &[0; 4]].concat(), "more than an array"),
+            // A count beyond all memory is not reserved
+            (
+                &npy("<f4", "False", "999999999999, 999999", &[0; 4]),
+                "999999999999",
+            ),
+        ] {
+            tomolith_core::contains!(parse(bytes).unwrap_err(), found);
+        }
     }
 
     #[test]
@@ -698,30 +709,26 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("a.npz");
         let mut npz = ndarray_npy::NpzWriter::new(File::create(&path).unwrap());
-        npz.add_array("first", &ndarray::Array1::<f32>::zeros(100))
-            .unwrap();
-        npz.add_array("second", &ndarray::Array1::<f32>::zeros(100))
-            .unwrap();
+        let zeros = ndarray::Array1::<f32>::zeros(100);
+        npz.add_array("first", &zeros).unwrap();
+        npz.add_array("second", &zeros).unwrap();
         npz.finish().unwrap();
         let whole = std::fs::read(&path).unwrap();
-        let found = |bytes: usize| {
-            std::fs::write(&path, &whole[..bytes]).unwrap();
-            Archive::open(&path, "an archive")
-                .map(drop)
-                .unwrap_err()
-                .to_string()
+        let found = |bytes: &[u8]| {
+            std::fs::write(&path, bytes).unwrap();
+            Archive::open(&path, "").map(drop).unwrap_err().to_string()
         };
-        let text = found(700);
+        let text = found(&whole[..700]);
         tomolith_core::contains!(
             text,
             "its array `second` ends at byte ",
             "the file has 700 bytes"
         );
-        assert!(found(300).contains("array `first`"));
-        let text = found(whole.len() - 10);
-        assert!(text.contains("truncated: the directory"), "{text}");
-        std::fs::write(&path, "no archive at all").unwrap();
-        let text = Archive::open(&path, "").map(drop).unwrap_err().to_string();
-        assert!(text.contains("it begins with `no archi`"), "{text}");
+        tomolith_core::contains!(found(&whole[..300]), "array `first`");
+        tomolith_core::contains!(
+            found(&whole[..whole.len() - 10]),
+            "truncated: the directory"
+        );
+        tomolith_core::contains!(found(b"no archive at all"), "it begins with `no archi`");
     }
 }

@@ -3,36 +3,12 @@
 //! An ASCII header, then for each corner x, y, z and the number as f32 and red, green, blue as bytes; for each triangle a 3 as
 //! a byte and three corner numbers as i32; little endian. Viewers of meshes show the colors; those that know scalar fields
 //! (CloudCompare, MeshLab, PyVista) read the number too.
-//!
-//! ```
-//! use tomolith_io::ply::{PlyCorners, write_ply};
-//! let folder = tempfile::tempdir().unwrap();
-//! let path = folder.path().join("print.ply");
-//! let corners = PlyCorners {
-//!     places: &[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
-//!     name: "deviation_um",
-//!     numbers: &[-5.0, 0.0, 2.5],
-//!     colors: &[[0, 0, 255], [200, 200, 200], [255, 0, 0]],
-//! };
-//! write_ply(&path, "millimeters", &corners, &[[0, 1, 2]]).unwrap();
-//! let bytes = std::fs::read(&path).unwrap();
-//! let header = b"end_header\n";
-//! let end = bytes.windows(header.len()).position(|w| w == header).unwrap() + header.len();
-//! assert_eq!(bytes.len() - end, 3 * 19 + 13);
-//! assert_eq!(bytes[end + 12..end + 16], (-5.0f32).to_le_bytes()); // the first corner's number
-//! ```
 
+use super::stl::write_records;
 use super::whole::write_whole;
 use std::io::Write;
 use std::path::Path;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::parallel::lines;
-
-/// Bytes of a corner and of a triangle.
-const CORNER: usize = 19;
-const TRIANGLE: usize = 13;
-/// Corners or triangles that are turned into bytes at a time: about 20 MB.
-const BATCH: usize = 1 << 20;
 
 /// Corners of a surface, with what is known at each.
 #[derive(Clone, Copy, Debug)]
@@ -85,14 +61,14 @@ pub fn write_ply(
     );
     write_whole(path, |file| {
         file.write_all(head.as_bytes())?;
-        write_records::<CORNER>(file, count, |i, out| {
+        write_records::<19>(file, count, |i, out| {
             let [x, y, z] = corners.places[i];
             for (slot, number) in out.chunks_exact_mut(4).zip([x, y, z, corners.numbers[i]]) {
                 slot.copy_from_slice(&number.to_le_bytes());
             }
             out[16..].copy_from_slice(&corners.colors[i]);
         })?;
-        write_records::<TRIANGLE>(file, triangles.len(), |i, out| {
+        write_records::<13>(file, triangles.len(), |i, out| {
             out[0] = 3;
             for (slot, corner) in out[1..].chunks_exact_mut(4).zip(triangles[i]) {
                 slot.copy_from_slice(&corner.to_le_bytes());
@@ -100,21 +76,6 @@ pub fn write_ply(
         })?;
         Ok(())
     })
-}
-
-/// Writes records of N bytes that `fill` makes, many at a time.
-fn write_records<const N: usize>(
-    file: &mut impl Write,
-    count: usize,
-    fill: impl Fn(usize, &mut [u8]) + Sync,
-) -> std::io::Result<()> {
-    let mut bytes = vec![0u8; N * BATCH.min(count)];
-    for first in (0..count).step_by(BATCH) {
-        let bytes = &mut bytes[..N * BATCH.min(count - first)];
-        lines(bytes, N, |i, out| fill(first + i, out));
-        file.write_all(bytes)?;
-    }
-    Ok(())
 }
 
 #[cfg(test)]
@@ -136,10 +97,15 @@ mod tests {
         let corners = PlyCorners {
             places: &places,
             name: "deviation_um",
-            numbers: &[1.0; 4],
+            numbers: &[-5.0, 0.0, 2.5, 1.0],
             colors: &[[1, 2, 3]; 4],
         };
         write_ply(&path, "two\nlines", &corners, &triangles).unwrap();
+        // The number and the color of the first corner stand behind its place
+        let bytes = std::fs::read(&path).unwrap();
+        let first = [&(-5.0f32).to_le_bytes()[..], &[1, 2, 3]].concat();
+        let header = bytes.len() - 4 * 19 - 4 * 13;
+        assert_eq!(bytes[header + 12..header + 19], first);
         let mesh = read_mesh(&path).unwrap().mesh;
         assert_eq!((mesh.vertices.len(), mesh.triangles.len()), (4, 4));
         for (t, triangle) in triangles.iter().enumerate() {

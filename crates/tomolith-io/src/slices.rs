@@ -7,17 +7,6 @@
 //!
 //! Where images or an array of several bits hold nothing but 0 and 1, they are a mask, whose 1 is white: so programs store
 //! arrays of bools. A [note](Slices::note) says so.
-//!
-//! ```
-//! use tomolith_io::slices::read_stack;
-//! let folder = tempfile::tempdir().unwrap();
-//! let path = folder.path().join("mask.npy");
-//! ndarray_npy::write_npy(&path, &ndarray::array![[[0u8, 1], [0, 0]]]).unwrap();
-//! let stack = read_stack(&path).unwrap();
-//! // Row 0 of a slice is the top, +y: the last one of the array
-//! assert_eq!(stack.slices[0].values, [0.0, 0.0, 0.0, 1.0]);
-//! assert!(stack.note.unwrap().contains("read as a mask"));
-//! ```
 
 use super::image::{
     EXTENSIONS, GrayPixels, bad, check_values, damaged_tiff, open_tiff, read_stored, tiff_page,
@@ -254,25 +243,14 @@ fn not_a_stack(path: &Path, found: impl Into<String>) -> Error {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::image::gray_png;
     use std::io::Cursor;
-
-    /// An 8-bit PNG of one row.
-    fn png_of(row: &[u8]) -> Vec<u8> {
-        let mut bytes = Vec::new();
-        let mut encoder = png::Encoder::new(&mut bytes, row.len() as u32, 1);
-        encoder.set_color(png::ColorType::Grayscale);
-        encoder.set_depth(png::BitDepth::Eight);
-        let mut writer = encoder.write_header().unwrap();
-        writer.write_image_data(row).unwrap();
-        drop(writer);
-        bytes
-    }
 
     #[test]
     fn stacks_are_read_in_the_order_of_their_numbers() {
         let folder = tempfile::tempdir().unwrap();
         let write = |name: &str, columns: usize, gray: u8| {
-            std::fs::write(folder.path().join(name), png_of(&vec![gray; columns])).unwrap();
+            std::fs::write(folder.path().join(name), gray_png(&vec![gray; columns])).unwrap();
         };
         for (name, gray) in [
             ("s_10.png", 102),
@@ -294,20 +272,10 @@ mod tests {
         write("s_12.png", 3, 0);
         let text = read_stack(&pattern).unwrap_err().to_string();
         tomolith_core::contains!(text, "s_12.png: slice 3 has 3 × 1 pixels", "2 × 1");
-        let none = read_stack(&folder.path().join("x*.png"))
-            .unwrap_err()
-            .to_string();
-        assert!(none.contains("no image is there"), "{none}");
-        assert!(
-            read_stack(&folder.path().join("s_9.png"))
-                .unwrap_err()
-                .to_string()
-                .contains("neither a folder")
-        );
-        assert!(matches!(
-            read_stack(&folder.path().join("none.tif")),
-            Err(Error::Io { .. })
-        ));
+        let none = |name: &str| read_stack(&folder.path().join(name)).unwrap_err();
+        tomolith_core::contains!(none("x*.png").to_string(), "no image is there");
+        tomolith_core::contains!(none("s_9.png").to_string(), "neither a folder");
+        assert!(matches!(none("none.tif"), Error::Io { .. }));
     }
 
     #[test]
@@ -341,7 +309,7 @@ mod tests {
     fn a_stack_of_0_and_1_is_a_mask_and_says_so() {
         let folder = tempfile::tempdir().unwrap();
         let write = |name: &str, row: &[u8]| {
-            std::fs::write(folder.path().join(name), png_of(row)).unwrap();
+            std::fs::write(folder.path().join(name), gray_png(row)).unwrap();
         };
         write("1.png", &[0, 0, 0]);
         write("2.png", &[1, 0, 1]);
@@ -356,39 +324,35 @@ mod tests {
         assert_eq!((stack.slices[1].values[0], stack.note), (1.0 / 255.0, None));
     }
 
-    /// A little-endian TIFF of one strip of bits, as other programs write it.
+    /// A TIFF of one strip of bits, as other programs write it.
     fn tiff_of_bits(
-        columns: u16,
-        rows: u16,
+        [columns, rows]: [u16; 2],
         photometric: u16,
         software: &str,
         bits: &[u8],
     ) -> Vec<u8> {
-        let software = [software.as_bytes(), &[0; 8]].concat();
-        let data_at = 8 + 2 + 9 * 12 + 4;
-        let software_at = (data_at + bits.len()) as u32;
-        let mut file = b"II*\0\x08\0\0\0".to_vec();
-        file.extend(9u16.to_le_bytes());
-        for (tag, kind, count, value) in [
-            (256u16, 3u16, 1u32, u32::from(columns)),
-            (257, 3, 1, rows.into()),
-            (258, 3, 1, 1),
-            (259, 3, 1, 1),
-            (262, 3, 1, photometric.into()),
-            (273, 4, 1, data_at as u32),
-            (278, 3, 1, rows.into()),
-            (279, 4, 1, bits.len() as u32),
-            (305, 2, software.len() as u32, software_at),
+        use tiff::encoder::TiffEncoder;
+        use tiff::tags::Tag;
+        let mut file = Cursor::new(Vec::new());
+        let mut encoder = TiffEncoder::new(&mut file).unwrap();
+        let mut page = encoder.image_directory().unwrap();
+        let place = page.write_data(bits).unwrap() as u32;
+        for (tag, value) in [
+            (Tag::ImageWidth, columns),
+            (Tag::ImageLength, rows),
+            (Tag::BitsPerSample, 1),
+            (Tag::Compression, 1),
+            (Tag::PhotometricInterpretation, photometric),
+            (Tag::RowsPerStrip, rows),
         ] {
-            file.extend(tag.to_le_bytes());
-            file.extend(kind.to_le_bytes());
-            file.extend(count.to_le_bytes());
-            file.extend(value.to_le_bytes());
+            page.write_tag(tag, value).unwrap();
         }
-        file.extend([0; 4]);
-        file.extend(bits);
-        file.extend(software);
-        file
+        page.write_tag(Tag::StripOffsets, place).unwrap();
+        page.write_tag(Tag::StripByteCounts, bits.len() as u32)
+            .unwrap();
+        page.write_tag(Tag::Software, software).unwrap();
+        page.finish().unwrap();
+        file.into_inner()
     }
 
     #[test]
@@ -398,7 +362,7 @@ mod tests {
         let read = |photometric, software| {
             // Rows of 11 pixels end within a byte
             let bits = [0b1010_0000, 0b0010_0000, 0b0000_0001, 0b1100_0000];
-            std::fs::write(&path, tiff_of_bits(11, 2, photometric, software, &bits)).unwrap();
+            std::fs::write(&path, tiff_of_bits([11, 2], photometric, software, &bits)).unwrap();
             let stack = read_stack(&path).unwrap();
             assert_eq!(stack.note, None);
             stack.slices[0].values.clone()
@@ -423,18 +387,27 @@ mod tests {
         let bits = [true, false, false, false, true, true, true, true];
         let shape = (2, 2, 2);
         let mask = ndarray::Array3::from_shape_vec(shape, bits.to_vec()).unwrap();
-        let bytes = mask.mapv(|v| u8::from(v) * 255);
         let ones = mask.mapv(i64::from);
         let floats = mask.mapv(|v| f64::from(u8::from(v)));
         let expected = [0.0, 0.0, 1.0, 0.0];
-        ndarray_npy::write_npy(&path, &mask).unwrap();
-        assert_eq!(first(read_stack(&path).unwrap()), expected);
-        ndarray_npy::write_npy(&path, &bytes).unwrap();
-        assert_eq!(first(read_stack(&path).unwrap()), expected);
-        ndarray_npy::write_npy(&path, &ones).unwrap();
-        assert_eq!(first(read_stack(&path).unwrap()), expected);
-        ndarray_npy::write_npy(&path, &floats).unwrap();
-        assert_eq!(first(read_stack(&path).unwrap()), expected);
+        let is_read = || assert_eq!(first(read_stack(&path).unwrap()), expected);
+        ndarray_npy::write_npy(&path, &mask)
+            .map(|()| is_read())
+            .unwrap();
+        let bytes = mask.mapv(|v| u8::from(v) * 255);
+        ndarray_npy::write_npy(&path, &bytes)
+            .map(|()| is_read())
+            .unwrap();
+        ndarray_npy::write_npy(&path, &ones)
+            .map(|()| is_read())
+            .unwrap();
+        ndarray_npy::write_npy(&path, &floats)
+            .map(|()| is_read())
+            .unwrap();
+        ndarray_npy::write_npy(&path, &mask.mapv(u8::from))
+            .map(|()| is_read())
+            .unwrap();
+        tomolith_core::contains!(read_stack(&path).unwrap().note.unwrap(), "read as a mask");
         // Whole numbers of many bits have no white
         ndarray_npy::write_npy(&path, &ones.mapv(|v| 200 * v)).unwrap();
         let text = read_stack(&path).unwrap_err().to_string();

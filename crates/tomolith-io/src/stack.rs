@@ -10,21 +10,6 @@
 //!
 //! With several lights every name ends in `_` and the name of the light. In Python `numpy.load("frames.npz")["frames"]` is
 //! ready to be sent.
-//!
-//! ```
-//! use tomolith_core::dose::Run;
-//! use tomolith_core::grid::PatternGrid;
-//! use tomolith_io::frames::FrameSet;
-//! use tomolith_io::stack::{read_stack, write_stack};
-//! let grid = PatternGrid::full_turn(2, 0.0, 1, 2, 0.1);
-//! let set = FrameSet { light: None, grid: &grid, bits: 4, full_scale: 3.0, values: &[0, 1, 7, 15] };
-//! let folder = tempfile::tempdir().unwrap();
-//! let path = folder.path().join("frames.npz");
-//! write_stack(&path, &[set], &Run::new()).unwrap();
-//! let read = read_stack(&path, None).unwrap();
-//! assert_eq!((read.shape, read.bits, read.full_scale), ([2, 1, 2], 4, Some(3.0)));
-//! assert_eq!(read.values, [0, 1, 7, 15]);
-//! ```
 
 use super::frames::{FrameSet, Frames, rescale};
 use super::npz::ArchiveWriter;
@@ -85,19 +70,12 @@ pub fn read_stack(path: &Path, light: Option<&str>) -> Result<Frames> {
     let mut npz = Archive::open(path, ACCEPTED)?;
     let name = name_of("frames", light);
     let frames = npz.numbers(&name)?;
-    let depth = match frames.kind {
-        Kind::Unsigned(bytes @ 1..=2) => 8 * bytes as u32,
-        _ => {
-            return Err(Error::format(
-                path,
-                format!("{name} of another type"),
-                ACCEPTED,
-            ));
-        }
+    let refuse = |found: String| Error::format(path, format!("{name}: {found}"), ACCEPTED);
+    let Kind::Unsigned(bytes @ 1..=2) = frames.kind else {
+        return Err(refuse("numbers of another type".to_owned()));
     };
-    let (shape, values) = frames
-        .of_dimensions()
-        .map_err(|found| Error::format(path, format!("{name}: {found}"), ACCEPTED))?;
+    let depth = 8 * bytes as u32;
+    let (shape, values) = frames.of_dimensions().map_err(refuse)?;
     let mut number = |what| {
         let numbers = npz.numbers(&name_of(what, light)).ok()?;
         numbers.values.first().copied()
@@ -128,40 +106,26 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("frames.npz");
         let grid = PatternGrid::full_turn(5, 0.0, 3, 7, 0.1);
-        let levels = |bits| {
-            (0..grid.len())
-                .map(|i| (i * 37) as u16 % (top_level(bits).saturating_add(1).max(1)))
-                .collect::<Vec<_>>()
+        let levels = |bits| -> Vec<u16> {
+            let level = |i: usize| (i * 37) as u16 % (top_level(bits) + 1);
+            (0..grid.len()).map(level).collect()
         };
         let (blue, uv) = (levels(8), levels(12));
-        let set = |light, bits, values| FrameSet {
-            light: Some(light),
-            grid: &grid,
-            bits,
+        let lights = [("blue", 8, &blue), ("uv", 12, &uv)].map(|(name, bits, values)| FrameSet {
+            light: Some(name),
             full_scale: 0.3,
-            values,
-        };
-        write_stack(
-            &path,
-            &[set("blue", 8, &blue), set("uv", 12, &uv)],
-            &Run::new(),
-        )
-        .unwrap();
+            ..FrameSet::of(&grid, bits, values)
+        });
+        write_stack(&path, &lights, &Run::new()).unwrap();
         let read = read_stack(&path, Some("uv")).unwrap();
         assert_eq!((read.bits, read.shape, &read.values), (12, [5, 3, 7], &uv));
+        assert_eq!(read.full_scale, Some(0.3));
         assert_eq!(read_stack(&path, Some("blue")).unwrap().values, blue);
-        assert!(
-            read_stack(&path, None)
-                .unwrap_err()
-                .to_string()
-                .contains("frames")
-        );
+        let text = read_stack(&path, None).unwrap_err().to_string();
+        assert!(text.contains("frames"), "{text}");
         // What a reader in another language sees
         let mut npz = NpzReader::new(File::open(&path).unwrap()).unwrap();
         let bytes: Array3<u8> = npz.by_name("frames_blue").unwrap();
-        assert_eq!(
-            bytes.iter().map(|&b| u16::from(b)).collect::<Vec<_>>(),
-            blue
-        );
+        assert!(bytes.iter().map(|&b| u16::from(b)).eq(blue));
     }
 }

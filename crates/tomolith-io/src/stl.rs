@@ -3,17 +3,6 @@
 //! Eighty bytes of title, the number of triangles, then 50 bytes a triangle: unit normal by the right-hand rule, three
 //! corners, two zero bytes; little endian. Shared corners are written with the same bits, so readers that weld equal
 //! corners get the closed surface back. Written in blocks that are filled in parallel.
-//!
-//! ```
-//! use tomolith_io::stl::write_stl;
-//! let folder = tempfile::tempdir().unwrap();
-//! let path = folder.path().join("print.stl");
-//! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-//! write_stl(&path, "print", &corners, &[[0, 1, 2]]).unwrap();
-//! let bytes = std::fs::read(&path).unwrap();
-//! assert_eq!(bytes.len(), 84 + 50);
-//! assert_eq!(bytes[84 + 8..84 + 12], 1.0f32.to_le_bytes()); // the normal is +z
-//! ```
 
 use super::whole::{Refused, write_whole_under};
 use std::io::{Seek as _, SeekFrom, Write};
@@ -21,8 +10,9 @@ use std::path::Path;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::parallel::lines;
 use tomolith_core::run::Run;
+use tomolith_core::vector::{cross, dot, minus};
 
-/// Triangles that are turned into bytes at a time: 3 MB.
+/// Records that are turned into bytes at a time: 3 MB of triangles.
 const BATCH: usize = 1 << 16;
 
 /// Writes triangles (indices of corners, counter-clockwise seen from outside).
@@ -64,7 +54,13 @@ pub fn write_stl_pieces(
                 return Err(refuse("a triangle refers to a vertex that does not exist").into());
             }
             count += triangles.len();
-            Ok(write_triangles(file, corners, triangles)?)
+            Ok(write_records::<50>(file, triangles.len(), |i, out| {
+                let [a, b, c] = triangles[i].map(|i| corners[i as usize]);
+                let numbers = [normal([a, b, c]), a, b, c];
+                for (slot, number) in out.chunks_exact_mut(4).zip(numbers.as_flattened()) {
+                    slot.copy_from_slice(&number.to_le_bytes());
+                }
+            })?)
         })?;
         let count = u32::try_from(count)
             .map_err(|_| refuse("STL holds at most 4,294,967,295 triangles"))?;
@@ -73,21 +69,16 @@ pub fn write_stl_pieces(
     })
 }
 
-fn write_triangles(
+/// Writes records of N bytes that `fill` makes of zeros, many at a time.
+pub(super) fn write_records<const N: usize>(
     file: &mut impl Write,
-    corners: &[[f32; 3]],
-    triangles: &[[u32; 3]],
+    count: usize,
+    fill: impl Fn(usize, &mut [u8]) + Sync,
 ) -> std::io::Result<()> {
-    let mut bytes = vec![0u8; 50 * BATCH.min(triangles.len())];
-    for batch in triangles.chunks(BATCH) {
-        let bytes = &mut bytes[..50 * batch.len()];
-        lines(bytes, 50, |i, out| {
-            let [a, b, c] = batch[i].map(|i| corners[i as usize]);
-            let numbers = [normal(a, b, c), a, b, c];
-            for (slot, number) in out.chunks_exact_mut(4).zip(numbers.as_flattened()) {
-                slot.copy_from_slice(&number.to_le_bytes());
-            }
-        });
+    let mut bytes = vec![0u8; N * BATCH.min(count)];
+    for first in (0..count).step_by(BATCH) {
+        let bytes = &mut bytes[..N * BATCH.min(count - first)];
+        lines(bytes, N, |i, out| fill(first + i, out));
         file.write_all(bytes)?;
     }
     Ok(())
@@ -103,16 +94,10 @@ fn title_bytes(title: &str) -> [u8; 80] {
 }
 
 /// Unit normal, computed in f64 because triangles may be slivers; zero for a triangle without area.
-fn normal(a: [f32; 3], b: [f32; 3], c: [f32; 3]) -> [f32; 3] {
-    let edge =
-        |p: [f32; 3]| -> [f64; 3] { std::array::from_fn(|i| f64::from(p[i]) - f64::from(a[i])) };
-    let (u, v) = (edge(b), edge(c));
-    let n = [
-        u[1] * v[2] - u[2] * v[1],
-        u[2] * v[0] - u[0] * v[2],
-        u[0] * v[1] - u[1] * v[0],
-    ];
-    let length = n.iter().map(|x| x * x).sum::<f64>().sqrt();
+fn normal(corners: [[f32; 3]; 3]) -> [f32; 3] {
+    let [a, b, c] = corners.map(|corner| corner.map(f64::from));
+    let n = cross(minus(b, a), minus(c, a));
+    let length = dot(n, n).sqrt();
     if length > 0.0 {
         n.map(|x| (x / length) as f32)
     } else {
@@ -123,6 +108,7 @@ fn normal(a: [f32; 3], b: [f32; 3], c: [f32; 3]) -> [f32; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use tomolith_core::vector::unit;
 
     #[test]
     fn a_reader_finds_the_same_triangles() {
@@ -143,8 +129,9 @@ mod tests {
             for (i, corner) in face.vertices.iter().zip(triangle) {
                 assert_eq!(mesh.vertices[*i].0, corners[corner as usize]);
             }
-            let length: f32 = face.normal.0.iter().map(|x| x * x).sum();
-            assert!((length - 1.0).abs() < 1e-6);
+            let [a, b, c] = triangle.map(|i: u32| corners[i as usize].map(f64::from));
+            let outward = unit(cross(minus(b, a), minus(c, a)));
+            assert!((dot(outward, face.normal.0.map(f64::from)) - 1.0).abs() < 1e-6);
         }
     }
 

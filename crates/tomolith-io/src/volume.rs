@@ -7,19 +7,6 @@
 //! | `.nrrd` | NRRD | 3D Slicer, ITK |
 //! | `.tif`, `.tiff` | pages of a TIFF | ImageJ, Fiji |
 //! | `.zarr` | OME-Zarr 0.5, a folder | napari, neuroglancer |
-//!
-//! ```
-//! use tomolith_core::dose::Run;
-//! use tomolith_core::grid::VolumeGrid;
-//! use tomolith_io::volume::{Values, write_values};
-//! let folder = tempfile::tempdir().unwrap();
-//! let grid = VolumeGrid::centered([1, 2, 3], 0.5);
-//! for file in ["dose.npy", "dose.vti", "dose.nrrd", "dose.tif", "dose.ome.zarr"] {
-//!     let path = folder.path().join(file);
-//!     write_values(&path, "dose", &grid, Values::F32(&[0.0; 6]), &Run::new()).unwrap();
-//!     assert!(path.exists());
-//! }
-//! ```
 
 use super::npz::write_array;
 use super::whole::write_whole_under;
@@ -157,12 +144,15 @@ mod tests {
 
     #[test]
     fn an_array_of_another_size_or_a_name_of_another_ending_is_refused() {
+        let (folder, run) = (tempfile::tempdir().unwrap(), Run::new());
         let grid = VolumeGrid::centered([2, 2, 2], 1.0);
         let write =
-            |file, values| write_values(Path::new(file), "dose", &grid, values, &Run::new());
+            |file, values| write_values(&folder.path().join(file), "dose", &grid, values, &run);
         for file in ["a.npy", "a.vti", "a.nrrd", "a.tif", "a.ome.zarr"] {
             let error = write(file, Values::F32(&[0.0])).unwrap_err();
             assert!(matches!(error, Error::Shape { .. }), "{file}: {error}");
+            write(file, Values::F32(&[0.0; 8])).unwrap();
+            assert!(folder.path().join(file).exists());
         }
         let error = write("a.mha", Values::U8(&[0; 8])).unwrap_err().to_string();
         tomolith_core::contains!(error, "a.mha: another ending; accepted: .npy");

@@ -257,15 +257,8 @@ fn aside(path: &Path) -> Result<Aside> {
 /// A hidden name next to `path` that no other writer uses.
 fn hidden(path: &Path) -> Result<PathBuf> {
     static COUNT: AtomicU64 = AtomicU64::new(0);
-    let name = path.file_name().ok_or_else(|| {
-        Error::io(
-            path,
-            std::io::Error::new(
-                std::io::ErrorKind::InvalidInput,
-                "this path has no file name",
-            ),
-        )
-    })?;
+    let none = || std::io::Error::new(ErrorKind::InvalidInput, "this path has no file name");
+    let name = path.file_name().ok_or_else(|| Error::io(path, none()))?;
     // Of a long name the beginning: the hidden one must not be longer than a system takes
     let hidden = format!(
         ".{}.{}-{}.partial",

@@ -5,6 +5,7 @@
 
 use super::Collector;
 use super::text::{Word, decoded, number, shown, split_line, words, words_of};
+use crate::numbers::{Element as Stored, Kind};
 use tomolith_core::error::Result;
 
 const WANTED: &str = "a PLY file with an element `vertex` (x, y, z) and an element `face` or `tristrips` (vertex_indices)";
@@ -12,44 +13,26 @@ const WANTED: &str = "a PLY file with an element `vertex` (x, y, z) and an eleme
 /// Corners of a face or a strip that are read at once: beyond that a count is damaged.
 const MOST_CORNERS: f64 = 1e9;
 
-/// A type of numbers.
-#[derive(Clone, Copy, PartialEq)]
-enum Scalar {
-    Char,
-    UChar,
-    Short,
-    UShort,
-    Int,
-    UInt,
-    Float,
-    Double,
-}
-
-impl Scalar {
-    fn named(name: &[u8]) -> Option<Self> {
-        Some(match name {
-            b"char" | b"int8" => Scalar::Char,
-            b"uchar" | b"uint8" => Scalar::UChar,
-            b"short" | b"int16" => Scalar::Short,
-            b"ushort" | b"uint16" => Scalar::UShort,
-            b"int" | b"int32" => Scalar::Int,
-            b"uint" | b"uint32" => Scalar::UInt,
-            b"float" | b"float32" => Scalar::Float,
-            b"double" | b"float64" => Scalar::Double,
-            _ => return None,
-        })
-    }
-
-    fn is_integer(self) -> bool {
-        !matches!(self, Scalar::Float | Scalar::Double)
-    }
+/// The type of numbers of a name.
+fn number_type(name: &[u8]) -> Option<Kind> {
+    Some(match name {
+        b"char" | b"int8" => Kind::Signed(1),
+        b"uchar" | b"uint8" => Kind::Unsigned(1),
+        b"short" | b"int16" => Kind::Signed(2),
+        b"ushort" | b"uint16" => Kind::Unsigned(2),
+        b"int" | b"int32" => Kind::Signed(4),
+        b"uint" | b"uint32" => Kind::Unsigned(4),
+        b"float" | b"float32" => Kind::Float(4),
+        b"double" | b"float64" => Kind::Float(8),
+        _ => return None,
+    })
 }
 
 struct Property {
     name: String,
     /// The type of the length, for a list.
-    length: Option<Scalar>,
-    kind: Scalar,
+    length: Option<Kind>,
+    kind: Kind,
 }
 
 struct Element {
@@ -118,14 +101,14 @@ fn header(bytes: &[u8]) -> Result<(Encoding, Vec<Element>, &[u8]), String> {
 
 fn property(words: &[&[u8]]) -> Option<Property> {
     let (length, kind, name) = match *words {
-        [b"list", length, kind, name] => (Some(Scalar::named(length)?), kind, name),
+        [b"list", length, kind, name] => (Some(number_type(length)?), kind, name),
         [kind, name] => (None, kind, name),
         _ => return None,
     };
     Some(Property {
         name: String::from_utf8_lossy(name).into_owned(),
         length,
-        kind: Scalar::named(kind)?,
+        kind: number_type(kind)?,
     })
 }
 
@@ -173,7 +156,7 @@ impl Element {
 
     /// Which list holds the corners of a face: the one of the usual names, or the only one of integers.
     fn corners(&self) -> Result<usize, String> {
-        let is_list = |p: &Property| p.length.is_some() && p.kind.is_integer();
+        let is_list = |p: &Property| p.length.is_some() && !matches!(p.kind, Kind::Float(_));
         let lists = self
             .properties
             .iter()
@@ -210,15 +193,14 @@ enum Numbers<'a, W: Iterator<Item = Word<'a>>> {
 
 impl<'a, W: Iterator<Item = Word<'a>>> Numbers<'a, W> {
     /// The next number; what is wrong with it.
-    fn next(&mut self, kind: Scalar) -> Result<f64, String> {
-        let end = || "truncated".to_owned();
-        let (rest, is_big) = match self {
+    fn next(&mut self, kind: Kind) -> Result<f64, String> {
+        let (rest, is_big_endian) = match self {
             Numbers::Text(words) => {
                 let word = words
                     .next()
                     .ok_or("truncated, or its rows have more numbers than properties")?;
                 let read = match kind {
-                    Scalar::Float => number::<f32>(word.text).map(f64::from),
+                    Kind::Float(4) => number::<f32>(word.text).map(f64::from),
                     _ => number(word.text),
                 };
                 let refuse = || format!("line {}: `{}` is no number", word.line, shown(word.text));
@@ -226,26 +208,16 @@ impl<'a, W: Iterator<Item = Word<'a>>> Numbers<'a, W> {
             }
             Numbers::Binary { rest, is_big } => (rest, *is_big),
         };
-        macro_rules! take {
-            ($kind:ty) => {{
-                let (bytes, after) = rest.split_first_chunk().ok_or_else(end)?;
-                *rest = after;
-                if is_big {
-                    <$kind>::from_be_bytes(*bytes).into()
-                } else {
-                    <$kind>::from_le_bytes(*bytes).into()
-                }
-            }};
-        }
+        let bytes;
+        (bytes, *rest) = rest.split_at_checked(kind.bytes()).ok_or("truncated")?;
+        let stored = Stored {
+            kind,
+            is_big_endian,
+        };
         Ok(match kind {
-            Scalar::Char => take!(i8),
-            Scalar::UChar => take!(u8),
-            Scalar::Short => take!(i16),
-            Scalar::UShort => take!(u16),
-            Scalar::Int => take!(i32),
-            Scalar::UInt => take!(u32),
-            Scalar::Float => take!(f32),
-            Scalar::Double => take!(f64),
+            Kind::Float(4) => f64::from(stored.value(bytes)),
+            Kind::Float(_) => f64::from_bits(stored.word(bytes)),
+            _ => stored.integer(bytes) as f64,
         })
     }
 }

@@ -8,17 +8,8 @@ use tomolith_core::vector::{cross, dot};
 /// A box, outward.
 #[must_use]
 pub fn cuboid(low: [f64; 3], high: [f64; 3]) -> Mesh {
-    let vertices = (0..8)
-        .map(|i| {
-            std::array::from_fn(|axis| {
-                if i >> axis & 1 == 0 {
-                    low[axis]
-                } else {
-                    high[axis]
-                }
-            })
-        })
-        .collect();
+    let corner = |i: usize| std::array::from_fn(|axis| [low, high][i >> axis & 1][axis]);
+    let vertices = (0..8).map(corner).collect();
     let quads: [[u32; 4]; 6] = [
         [0, 2, 3, 1],
         [4, 5, 7, 6],
@@ -152,17 +143,20 @@ pub fn ply(mesh: &Mesh, encoding: &str) -> Vec<u8> {
         mesh.triangles.len()
     )
     .into_bytes();
+    // A number of four bytes by its bits
+    let stored = |bits: u32| match encoding {
+        "binary_little_endian" => bits.to_le_bytes(),
+        _ => bits.to_be_bytes(),
+    };
     for &[x, y, z] in &mesh.vertices {
         if encoding == "ascii" {
             writeln!(bytes, "{x} {y} {z} 7").unwrap();
         } else {
-            for value in [x, y, z].map(|v| v as f32) {
-                bytes.extend(if encoding.contains("little") {
-                    value.to_le_bytes()
-                } else {
-                    value.to_be_bytes()
-                });
-            }
+            bytes.extend(
+                [x, y, z]
+                    .map(|v| stored((v as f32).to_bits()))
+                    .as_flattened(),
+            );
             bytes.push(7);
         }
     }
@@ -171,13 +165,7 @@ pub fn ply(mesh: &Mesh, encoding: &str) -> Vec<u8> {
             writeln!(bytes, "3 {a} {b} {c}").unwrap();
         } else {
             bytes.push(3);
-            for index in [a, b, c] {
-                bytes.extend(if encoding.contains("little") {
-                    index.to_le_bytes()
-                } else {
-                    index.to_be_bytes()
-                });
-            }
+            bytes.extend([a, b, c].map(stored).as_flattened());
         }
     }
     bytes

@@ -145,11 +145,8 @@ fn lossless_movies_keep_every_level_at_any_depth() {
             .map(|i| (i.wrapping_mul(2_654_435_761) >> 7 & top) as u16)
             .collect();
         let set = FrameSet {
-            light: None,
-            grid: &grid,
-            bits,
             full_scale: 0.7,
-            values: &values,
+            ..FrameSet::of(&grid, bits, &values)
         };
         write_lossless(&path, &set, 44.4).unwrap();
         let check = check_lossless(&path, &set).unwrap();
@@ -171,20 +168,14 @@ fn lossless_movies_keep_every_level_at_any_depth() {
 
 #[test]
 fn mutated_files_end_in_frames_or_an_error() {
-    use crate::fuzz::{self, Random, mutate};
+    use crate::fuzz::{mutate, rounds};
     let names = ["high.mp4", "baseline.mp4"];
     let whole = names.map(|name| std::fs::read(sample(name)).unwrap());
-    let start = std::time::Instant::now();
-    let mut round = 0;
-    while start.elapsed() < fuzz::time() / 2 {
-        let mut random = Random(round);
+    let [_, count] = rounds(0.5, |random| {
         let mut bytes = whole[random.below(2)].clone();
-        mutate(&mut bytes, &mut random);
-        let result = std::panic::catch_unwind(|| {
-            let _ = track::missing(&bytes);
-            own(&bytes, Path::new("m.mp4"), SHAPE).is_ok()
-        });
-        assert!(result.is_ok(), "round {round}: the reader panicked");
-        round += 1;
-    }
+        mutate(&mut bytes, random);
+        let _ = track::missing(&bytes);
+        own(&bytes, Path::new("m.mp4"), SHAPE).is_ok()
+    });
+    assert!(count > 0);
 }
