@@ -39,16 +39,7 @@ pub struct Span {
 }
 
 /// Mean of e^(−rate·t) over these spans: what is left of a mode with rate = Dk², 1/s.
-///
-/// ```
-/// use tomolith_material::diffused::{Span, left_of};
-/// // D = 1e-4 mm²/s, period 0.2 mm, 40 s of even light
-/// let rate = 1e-4 * (std::f64::consts::TAU / 0.2f64).powi(2);
-/// let even = [Span { before_s: 0.0, seconds: 40.0, share: 1.0 }];
-/// assert!((left_of(rate, &even) - 0.248).abs() < 5e-4);
-/// ```
-#[must_use]
-pub fn left_of(rate: f64, spans: &[Span]) -> f64 {
+fn left_of(rate: f64, spans: &[Span]) -> f64 {
     let of_span = |span: &Span| {
         let x = rate * span.seconds;
         let mean = if x > 1e-12 { -(-x).exp_m1() / x } else { 1.0 };

@@ -322,9 +322,9 @@ impl DoseModel for Frozen {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::domain::Domain;
+    use crate::fixtures::{domain_of, network, oxygen, photopolymer, wandering};
     use crate::mixing::Mixing;
-    use crate::photopolymer::{Curing, Inhibitor, Network, Params, Photopolymer};
+    use crate::photopolymer::{Params, Photopolymer};
     use crate::printing::Printing;
     use crate::schedule::{Power, Turns};
     use tomolith_core::check;
@@ -332,17 +332,8 @@ mod tests {
     use tomolith_core::dose::frames_of;
     use tomolith_core::near;
 
-    fn material(diffusion: f64, domain: Domain) -> Photopolymer {
-        let oxygen = Inhibitor {
-            capacity_mj_per_mm3: 0.15,
-            diffusion_mm2_per_s: diffusion,
-            ..Inhibitor::default()
-        };
-        let network = Network {
-            inhibitors: vec![oxygen],
-            ..Network::new("resin", Curing::threshold(0.3))
-        };
-        Photopolymer::new(Params::new(vec![network]), Mixing::identity(1), domain).unwrap()
+    fn material() -> Photopolymer {
+        photopolymer(network(vec![oxygen(0.15, 0.05)], 0.3), domain_of(&optics()))
     }
 
     /// Voxels of 1 mm.
@@ -350,22 +341,14 @@ mod tests {
         SmallModel::new(12, 12, 4)
     }
 
-    fn frozen(diffusion: f64) -> Frozen {
-        let domain = Domain::new(optics().layout().grid.clone());
-        frozen_of(material(diffusion, domain))
+    fn frozen() -> Frozen {
+        frozen_of(material())
     }
 
     fn frozen_of(material: Photopolymer) -> Frozen {
-        let optics = optics();
         let schedule = Schedule::of_turns(&[Turns::new(12, 10.0, 3.0)]).unwrap();
-        Frozen::new(
-            vec![Box::new(optics)],
-            schedule,
-            Box::new(material),
-            None,
-            5,
-        )
-        .unwrap()
+        let optics: Vec<Box<Model>> = vec![Box::new(optics())];
+        Frozen::new(optics, schedule, Box::new(material), None, 5).unwrap()
     }
 
     fn patterns(model: &Frozen) -> HostField {
@@ -378,8 +361,7 @@ mod tests {
 
     /// The degree of cure of the print in time, and of the frozen model.
     fn both(model: &Frozen, x: &HostField) -> (Vec<f32>, Vec<f32>) {
-        let domain = Domain::new(model.outputs()[0].grid.clone());
-        both_of(model, x, material(0.05, domain))
+        both_of(model, x, material())
     }
 
     fn both_of(model: &Frozen, x: &HostField, material: Photopolymer) -> (Vec<f32>, Vec<f32>) {
@@ -396,9 +378,9 @@ mod tests {
     /// Two networks in two lights, one of which works against the first network.
     fn in_two_lights() -> Frozen {
         let mixing = Mixing::new(vec![vec![1.0, -0.4], vec![0.0, 2.0]]).unwrap();
-        let networks = [0.3, 0.7].map(|dose| Network::new("resin", Curing::threshold(dose)));
-        let domain = Domain::new(optics().layout().grid.clone());
-        let material = Photopolymer::new(Params::new(networks.to_vec()), mixing, domain).unwrap();
+        let networks = [0.3, 0.7].map(|dose| network(Vec::new(), dose));
+        let params = Params::new(networks.to_vec());
+        let material = Photopolymer::new(params, mixing, domain_of(&optics())).unwrap();
         let first = Turns {
             power: Power::Irradiance(0.3),
             ..Turns::new(12, 6.0, 1.5)
@@ -410,7 +392,7 @@ mod tests {
 
     #[test]
     fn its_derivative_is_exact() {
-        derivative_is_exact(&frozen(0.05));
+        derivative_is_exact(&frozen());
         derivative_is_exact(&in_two_lights());
     }
 
@@ -444,7 +426,7 @@ mod tests {
 
     #[test]
     fn it_is_the_print_where_it_was_simulated() {
-        let model = frozen(0.05);
+        let model = frozen();
         let x = patterns(&model);
         // Before, oxygen neither flows nor is anything known of it but its capacity
         let (_, before) = both(&model, &x);
@@ -463,15 +445,7 @@ mod tests {
 
     #[test]
     fn dose_that_flows_into_a_voxel_is_its_own() {
-        let material = || {
-            let network = Network {
-                dose_diffusion_mm2_per_s: 0.05,
-                ..Network::new("resin", Curing::threshold(0.3))
-            };
-            let domain = Domain::new(optics().layout().grid.clone());
-            let params = Params::new(vec![network]);
-            Photopolymer::new(params, Mixing::identity(1), domain).unwrap()
-        };
+        let material = || photopolymer(wandering(0.3, 0.05), domain_of(&optics()));
         let model = frozen_of(material());
         let (x, run) = (patterns(&model), Run::new());
         let drive = check::dose(&model, &x);
@@ -486,7 +460,7 @@ mod tests {
 
     #[test]
     fn a_simulation_is_canceled_with_the_run_that_asked_for_it() {
-        let model = frozen(0.05);
+        let model = frozen();
         let (x, run) = (patterns(&model), Run::new());
         let before = model.memory().unwrap();
         run.cancel();
@@ -497,7 +471,7 @@ mod tests {
 
     #[test]
     fn it_is_simulated_anew_between_rounds() {
-        let model = frozen(0.05);
+        let model = frozen();
         let (x, run) = (patterns(&model), Run::new());
         for iteration in [1, 5, 7] {
             assert!(!model.renew(iteration, &x, &run).unwrap(), "{iteration}");
@@ -510,7 +484,7 @@ mod tests {
 
     #[test]
     fn another_model_goes_on_from_its_memory() {
-        let (model, other) = (frozen(0.05), frozen(0.05));
+        let (model, other) = (frozen(), frozen());
         let (x, run) = (patterns(&model), Run::new());
         model.simulate(&x, &run).unwrap();
         let (_, unlike) = both(&other, &x);

@@ -139,28 +139,18 @@ impl Heights {
 mod tests {
     use super::*;
     use crate::domain::Domain;
-    use crate::mixing::Mixing;
-    use crate::photopolymer::{Curing, Inhibitor, Initial, Network, Params, Photopolymer};
+    use crate::fixtures::{network, oxygen, photopolymer};
+    use crate::photopolymer::{Inhibitor, Initial};
     use tomolith_core::grid::VolumeGrid;
 
     #[test]
     fn a_height_is_done_when_its_oxygen_and_its_dose_are_paid() {
-        let oxygen = Inhibitor {
-            capacity_mj_per_mm3: 0.5,
+        let axial = Inhibitor {
             initial: Initial::Axial(vec![[-0.1, 0.2], [0.1, 1.0]]),
-            ..Inhibitor::default()
-        };
-        let network = Network {
-            inhibitors: vec![oxygen],
-            ..Network::new("resin", Curing::threshold(0.3))
+            ..oxygen(0.5, 0.0)
         };
         let grid = VolumeGrid::centered([3, 4, 5], 0.1);
-        let material = Photopolymer::new(
-            Params::new(vec![network]),
-            Mixing::identity(1),
-            Domain::new(grid.clone()),
-        )
-        .unwrap();
+        let material = photopolymer(network(vec![axial], 0.3), Domain::new(grid.clone()));
         let labels = Volume::filled(grid, label::PART);
         let mut heights = Heights::new(&material, 0, &labels).unwrap();
         let mut state = material.start().unwrap();

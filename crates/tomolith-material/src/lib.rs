@@ -26,6 +26,8 @@ pub mod curves;
 pub mod diffused;
 pub mod diffusion;
 pub mod domain;
+#[cfg(test)]
+mod fixtures;
 pub mod frozen;
 pub mod heights;
 mod illumination;
@@ -146,17 +148,4 @@ pub trait Material: Send + Sync {
     }
     /// The dose model of a light was made anew from [`absorption`](Self::absorption).
     fn light_was_renewed(&self, _state: &mut State, _light: usize) {}
-}
-
-/// Largest difference between two fields.
-#[cfg(test)]
-pub(crate) fn apart(a: &HostField, b: &HostField) -> f32 {
-    let pairs = a.as_slice().iter().zip(b.as_slice());
-    pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f32::max)
-}
-
-/// The voxels of a model.
-#[cfg(test)]
-pub(crate) fn domain_of(model: &Model) -> Domain {
-    Domain::new(model.grid().clone())
 }

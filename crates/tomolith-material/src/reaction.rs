@@ -196,56 +196,41 @@ pub(crate) fn smooth_step(x: f32) -> (f32, f32) {
 mod tests {
     use super::*;
 
+    const BLEACH: Stage = Stage::Bleach {
+        share: 0,
+        lit: 1,
+        rate: 0.4,
+    };
+    const INHIBIT: Stage = Stage::Inhibit {
+        at: 0,
+        capacity: 1.7,
+    };
+
+    fn smoothly(half: f32) -> Stage {
+        Stage::InhibitSmoothly {
+            at: 0,
+            capacity: 1.7,
+            half,
+        }
+    }
+
+    fn by_rate(exponent: f32) -> Stage {
+        Stage::Rate {
+            at: 0,
+            rate: 0.8,
+            exponent,
+        }
+    }
+
     fn all() -> Vec<(Stage, Vec<f32>)> {
         vec![
-            (
-                Stage::Bleach {
-                    share: 0,
-                    lit: 1,
-                    rate: 0.4,
-                },
-                vec![0.7, 0.9],
-            ),
-            (
-                Stage::Inhibit {
-                    at: 0,
-                    capacity: 1.7,
-                },
-                vec![0.6],
-            ),
-            (
-                Stage::InhibitSmoothly {
-                    at: 0,
-                    capacity: 1.7,
-                    half: 0.05,
-                },
-                vec![0.6],
-            ),
+            (BLEACH, vec![0.7, 0.9]),
+            (INHIBIT, vec![0.6]),
+            (smoothly(0.05), vec![0.6]),
             (Stage::Dose { at: 0 }, vec![0.3]),
-            (
-                Stage::Rate {
-                    at: 0,
-                    rate: 0.8,
-                    exponent: 0.5,
-                },
-                vec![0.3],
-            ),
-            (
-                Stage::Rate {
-                    at: 0,
-                    rate: 0.8,
-                    exponent: 0.7,
-                },
-                vec![0.3],
-            ),
-            (
-                Stage::Rate {
-                    at: 0,
-                    rate: 0.8,
-                    exponent: 1.0,
-                },
-                vec![0.3],
-            ),
+            (by_rate(0.5), vec![0.3]),
+            (by_rate(0.7), vec![0.3]),
+            (by_rate(1.0), vec![0.3]),
         ]
     }
 
@@ -276,21 +261,8 @@ mod tests {
             assert!((o[0] - 1.6).abs() < 1e-6 && left == 0.0);
         }
         // Much smaller K: the zeroth order
-        let zeroth = after(
-            Stage::Inhibit {
-                at: 0,
-                capacity: 1.7,
-            },
-            &[0.6],
-            0.4,
-            1.0,
-        );
-        let smooth = Stage::InhibitSmoothly {
-            at: 0,
-            capacity: 1.7,
-            half: 1e-5,
-        };
-        let smooth = after(smooth, &[0.6], 0.4, 1.0);
+        let zeroth = after(INHIBIT, &[0.6], 0.4, 1.0);
+        let smooth = after(smoothly(1e-5), &[0.6], 0.4, 1.0);
         assert!((zeroth.0[0] - smooth.0[0]).abs() < 1e-4 && smooth.1 < 1e-4);
     }
 
@@ -321,12 +293,7 @@ mod tests {
         for _ in 0..n {
             o -= u / f64::from(n) / capacity * o / (o + half);
         }
-        let stage = Stage::InhibitSmoothly {
-            at: 0,
-            capacity: 1.7,
-            half: 0.05,
-        };
-        let (found, left) = after(stage, &[0.6], 1.3, 1.0);
+        let (found, left) = after(smoothly(0.05), &[0.6], 1.3, 1.0);
         assert!((f64::from(found[0]) - o).abs() < 1e-5, "{found:?} {o}");
         assert!((f64::from(left) - (u - (0.6 - o) * capacity)).abs() < 1e-5);
     }

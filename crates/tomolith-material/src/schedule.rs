@@ -402,14 +402,8 @@ impl Schedule {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fixtures::refused;
     use tomolith_core::near;
-
-    fn key_of(error: Error) -> String {
-        match error {
-            Error::Config { key, .. } => key,
-            other => panic!("{other}"),
-        }
-    }
 
     #[test]
     fn blocks_hold_all_energy_and_never_exceed_the_longest() {
@@ -463,65 +457,30 @@ mod tests {
 
     #[test]
     fn what_cannot_be_is_named_by_its_key() {
+        type Change = fn(&mut Turns);
         let plain = Turns::new(4, 10.0, 2.0);
-        for (turns, key) in [
-            (Turns { frames: 0, ..plain }, "light[0].frames"),
+        let changes: [(Change, &str); 9] = [
+            (|t| t.frames = 0, "light[0].frames"),
+            (|t| t.seconds_per_turn = 0.0, "light[0].seconds_per_turn"),
+            (|t| t.turns = f64::NAN, "light[0].turns"),
+            (|t| t.duty = 1.5, "light[0].duty"),
+            (|t| t.dark_after_s = -1.0, "light[0].dark_after_s"),
+            (|t| t.power = Power::Irradiance(-2.0), "light[0].power"),
+            (|t| t.turns = 1e9, "light[0].turns"),
+            (|t| t.seconds_per_turn = 1e-310, "schedule"),
             (
-                Turns {
-                    seconds_per_turn: 0.0,
-                    ..plain
-                },
-                "light[0].seconds_per_turn",
-            ),
-            (
-                Turns {
-                    turns: f64::NAN,
-                    ..plain
-                },
-                "light[0].turns",
-            ),
-            (Turns { duty: 1.5, ..plain }, "light[0].duty"),
-            (
-                Turns {
-                    dark_after_s: -1.0,
-                    ..plain
-                },
-                "light[0].dark_after_s",
-            ),
-            (
-                Turns {
-                    power: Power::Irradiance(-2.0),
-                    ..plain
-                },
-                "light[0].power",
-            ),
-            (
-                Turns {
-                    turns: 1e9,
-                    ..plain
-                },
-                "light[0].turns",
-            ),
-            (
-                Turns {
-                    seconds_per_turn: 1e-310,
-                    ..plain
-                },
+                |t| (t.dark_before_s, t.dark_after_s) = (f64::MAX, f64::MAX),
                 "schedule",
             ),
-            (
-                Turns {
-                    dark_before_s: f64::MAX,
-                    dark_after_s: f64::MAX,
-                    ..plain
-                },
-                "schedule",
-            ),
-        ] {
-            assert_eq!(key_of(Schedule::of_turns(&[turns]).unwrap_err()), key);
+        ];
+        for (change, expected) in changes {
+            let mut turns = plain;
+            change(&mut turns);
+            let [key, _] = refused(Schedule::of_turns(&[turns]));
+            assert_eq!(key, expected);
         }
         let schedule = Schedule::of_turns(&[plain]).unwrap();
-        assert_eq!(key_of(schedule.blocks(0.0).unwrap_err()), "step_s");
+        assert_eq!(refused(schedule.blocks(0.0))[0], "step_s");
     }
 
     #[test]

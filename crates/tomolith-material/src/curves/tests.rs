@@ -1,7 +1,7 @@
 use super::*;
-use crate::domain_of;
+use crate::fixtures::{domain_of, network, oxygen, photopolymer, refused};
 use crate::mixing::Mixing;
-use crate::photopolymer::{Curing, Inhibitor, Network, Params, Photopolymer};
+use crate::photopolymer::{Params, Photopolymer};
 use crate::print::{LightSource, PrintRun};
 use crate::schedule::{Power, Schedule, Turns};
 use std::ops::ControlFlow;
@@ -49,7 +49,18 @@ fn patterns(model: &SmallModel, labels: &Volume<u8>) -> HostField {
     x
 }
 
-fn watch(print: &mut PrintRun, curves: &mut Curves) {
+/// Prints patterns of lights that are alike, in steps of at most so many seconds where that is given.
+fn watch(
+    curves: &mut Curves,
+    (material, schedule): (&Photopolymer, &Schedule),
+    (model, x): (&SmallModel, &HostField),
+    step_s: Option<f64>,
+) {
+    let lights = schedule.frames().iter().map(|_| LightSource::new(model, x));
+    let mut print = PrintRun::new(material, schedule, lights.collect()).unwrap();
+    if let Some(step_s) = step_s {
+        print = print.with_step_s(step_s).unwrap();
+    }
     let mut observer = |moment: &Moment| {
         curves.watch(moment);
         ControlFlow::Continue(())
@@ -62,30 +73,18 @@ fn a_checkerboard_goes_through_three_phases_with_one_best_moment() {
     let model = SmallModel::new(48, 72, 1);
     let labels = checkerboard(&model, 8);
     let x = patterns(&model, &labels);
-    let oxygen = Inhibitor {
-        capacity_mj_per_mm3: 0.2,
-        ..Inhibitor::default()
-    };
-    let network = Network {
-        inhibitors: vec![oxygen],
-        ..Network::new("a", Curing::threshold(0.5))
-    };
-    let domain = domain_of(&model);
-    let material =
-        Photopolymer::new(Params::new(vec![network]), Mixing::identity(1), domain).unwrap();
+    let material = photopolymer(network(vec![oxygen(0.2, 0.0)], 0.5), domain_of(&model));
     // One turn of 72 s leaves what the patterns are made for; ten cure everything
     let turns = Turns {
         power: Power::EnergyPerTurn(1.0),
         ..Turns::new(72, 72.0, 10.0)
     };
     let schedule = Schedule::of_turns(&[turns]).unwrap();
-    let light = LightSource::new(&model, &x);
     let mut curves = Curves::new(&material, 0, &labels)
         .unwrap()
         .with_cure_times(&material)
         .with_snapshots(&[60.0, 0.0]);
-    let mut print = PrintRun::new(&material, &schedule, vec![light]).unwrap();
-    watch(&mut print, &mut curves);
+    watch(&mut curves, (&material, &schedule), (&model, &x), None);
     let points = curves.points();
     assert_eq!(points.len(), 721);
     // Induction: nothing gels, the dose grows evenly
@@ -168,33 +167,19 @@ fn contrast_repeats_with_every_turn_until_something_cures() {
     let model = SmallModel::new(24, 36, 1);
     let labels = checkerboard(&model, 4);
     let x = patterns(&model, &labels);
-    let domain = domain_of(&model);
-    let params = Params::new(vec![Network::new("a", Curing::threshold(1e6))]);
-    let material = Photopolymer::new(params, Mixing::identity(1), domain).unwrap();
+    let material = photopolymer(network(Vec::new(), 1e6), domain_of(&model));
     let schedule = Schedule::of_turns(&[Turns::new(36, 36.0, 3.0)]).unwrap();
     let mut curves = Curves::new(&material, 0, &labels).unwrap();
-    let light = LightSource::new(&model, &x);
-    let mut print = PrintRun::new(&material, &schedule, vec![light]).unwrap();
-    watch(&mut print, &mut curves);
+    watch(&mut curves, (&material, &schedule), (&model, &x), None);
     let at = |seconds: f64| {
         let near = |p: &&CurvePoint| (p.seconds - seconds).abs() < 1e-6;
         curves.points().iter().find(near).unwrap().contrast
     };
     // Whole turns have the same contrast; within a turn it is another
     assert!((at(36.0) - at(108.0)).abs() < 1e-5);
-    assert!(
-        (at(36.0) - at(9.0)).abs() > 0.05,
-        "{} {}",
-        at(36.0),
-        at(9.0)
-    );
-    assert_eq!(
-        curves.phases(),
-        Phases {
-            induction_end_s: None,
-            curing_end_s: None
-        }
-    );
+    assert!((at(36.0) - at(9.0)).abs() > 0.05, "{}", at(9.0));
+    let phases = curves.phases();
+    assert_eq!((phases.induction_end_s, phases.curing_end_s), (None, None));
     let IdealExposure::NotReached(share) = curves.ideal_exposure() else {
         panic!()
     };
@@ -207,13 +192,7 @@ fn contrast_repeats_with_every_turn_until_something_cures() {
 #[test]
 fn cure_times_are_interpolated_within_a_block() {
     let model = SmallModel::new(5, 4, 1);
-    let domain = domain_of(&model);
-    let material = Photopolymer::new(
-        Params::new(vec![Network::new("a", Curing::threshold(1.0))]),
-        Mixing::identity(1),
-        domain,
-    )
-    .unwrap();
+    let material = photopolymer(network(Vec::new(), 1.0), domain_of(&model));
     let x = check::even_patterns(&model, 1.0);
     // The middle gets 1 mJ/mm³ per turn of 8 s, evenly: 1.25 turns in all
     let turns = Turns {
@@ -227,12 +206,12 @@ fn cure_times_are_interpolated_within_a_block() {
         let mut curves = Curves::new(&material, 0, &labels)
             .unwrap()
             .with_cure_times(&material);
-        let light = LightSource::new(&model, &x);
-        let mut print = PrintRun::new(&material, &schedule, vec![light])
-            .unwrap()
-            .with_step_s(step)
-            .unwrap();
-        watch(&mut print, &mut curves);
+        watch(
+            &mut curves,
+            (&material, &schedule),
+            (&model, &x),
+            Some(step),
+        );
         let middle = curves.cure_times(&material).unwrap().values[12];
         assert!((middle - 8.0).abs() < 1e-4, "{step}: {middle}");
     }
@@ -241,12 +220,10 @@ fn cure_times_are_interpolated_within_a_block() {
 #[test]
 fn antagonists_do_not_count_as_imbued() {
     let model = SmallModel::new(5, 4, 1);
-    let domain = domain_of(&model);
     let mixing = Mixing::new(vec![vec![1.0, -2.0]]).unwrap();
-    let network = Network::new("a", Curing::threshold(1.0));
-    let material = Photopolymer::new(Params::new(vec![network]), mixing, domain).unwrap();
+    let params = Params::new(vec![network(Vec::new(), 1.0)]);
+    let material = Photopolymer::new(params, mixing, domain_of(&model)).unwrap();
     let x = check::even_patterns(&model, 1.0);
-    let light = LightSource::new(&model, &x);
     // The antagonist shines in the second half only
     let late = Turns {
         dark_before_s: 4.0,
@@ -255,8 +232,7 @@ fn antagonists_do_not_count_as_imbued() {
     let schedule = Schedule::of_turns(&[Turns::new(4, 8.0, 1.0), late]).unwrap();
     let labels = Volume::filled(model.layout().grid.clone(), label::PART);
     let mut curves = Curves::new(&material, 0, &labels).unwrap();
-    let mut print = PrintRun::new(&material, &schedule, vec![light, light]).unwrap();
-    watch(&mut print, &mut curves);
+    watch(&mut curves, (&material, &schedule), (&model, &x), None);
     let middle = curves.points().iter().find(|p| p.seconds >= 4.0).unwrap();
     let end = curves.points().last().unwrap();
     assert_eq!(middle.imbued_mj, end.imbued_mj);
@@ -265,12 +241,8 @@ fn antagonists_do_not_count_as_imbued() {
 #[test]
 fn what_cannot_be_watched_is_named() {
     let model = SmallModel::new(5, 4, 1);
-    let domain = domain_of(&model);
-    let params = Params::new(vec![Network::new("a", Curing::threshold(1.0))]);
-    let material = Photopolymer::new(params, Mixing::identity(1), domain).unwrap();
+    let material = photopolymer(network(Vec::new(), 1.0), domain_of(&model));
     let labels = Volume::filled(model.layout().grid.clone(), label::VOID);
-    let Err(Error::Config { key, .. }) = Curves::new(&material, 0, &labels) else {
-        panic!()
-    };
+    let [key, _] = refused(Curves::new(&material, 0, &labels));
     assert_eq!(key, "target");
 }

@@ -1,8 +1,8 @@
 use super::*;
 use crate::domain::Domain;
-use crate::domain_of;
+use crate::fixtures::{apart, domain_of, even, photopolymer, wandering};
 use crate::mixing::Mixing;
-use crate::photopolymer::{Curing, Network, Params, Photopolymer};
+use crate::photopolymer::{Params, Photopolymer};
 use crate::schedule::Turns;
 use crate::{Material, diffusion::Scheme, print};
 use std::f64::consts::TAU;
@@ -10,6 +10,7 @@ use std::ops::ControlFlow;
 use tomolith_core::check;
 use tomolith_core::check::small::SmallModel;
 use tomolith_core::grid::{Volume, VolumeGrid};
+use tomolith_core::near;
 
 const D: f64 = 1e-4;
 
@@ -19,29 +20,18 @@ fn rate(period_mm: f64) -> f64 {
 
 #[test]
 fn multipliers_of_even_light_are_the_closed_form() {
-    let even = [Span {
-        before_s: 0.0,
-        seconds: 40.0,
-        share: 1.0,
-    }];
+    let even = [even(40.0)];
     for (period, expected) in [(0.1, 0.063), (0.2, 0.248), (0.5, 0.741), (1.0, 0.925)] {
         let found = left_of(rate(period), &even);
         assert!((found - expected).abs() < 5e-4, "{period} mm: {found}");
     }
     assert_eq!(left_of(0.0, &even), 1.0);
     // Cut anywhere it is the same
-    let cut = [
-        Span {
-            before_s: 30.0,
-            seconds: 10.0,
-            share: 0.25,
-        },
-        Span {
-            before_s: 0.0,
-            seconds: 30.0,
-            share: 0.75,
-        },
-    ];
+    let cut = [(30.0, 10.0, 0.25), (0.0, 30.0, 0.75)].map(|(before_s, seconds, share)| Span {
+        before_s,
+        seconds,
+        share,
+    });
     assert!((left_of(rate(0.2), &cut) - left_of(rate(0.2), &even)).abs() < 1e-14);
 }
 
@@ -76,37 +66,23 @@ fn a_point_lit_evenly_has_variance_dt() {
     };
     let (mass, before) = moments(&spot);
     let spectral = Spectral::new(domain.layout());
-    let even = [Span {
-        before_s: 0.0,
-        seconds: 120.0,
-        share: 1.0,
-    }];
-    let modes = Modes::of(&spectral, |k2| left_of(D * k2, &even));
+    let modes = Modes::of(&spectral, |k2| left_of(D * k2, &[even(120.0)]));
     spectral.multiply(spot.as_mut_slice(), &modes);
     let (after, variance) = moments(&spot);
     assert!((after / mass - 1.0).abs() < 1e-6);
-    assert!(
-        ((variance - before) / (D * 120.0) - 1.0).abs() < 2e-3,
-        "{}",
-        variance - before
-    );
+    near!((variance - before) / (D * 120.0), 1.0, 2e-3);
 }
 
 /// Light that is even over 40 s; the small model's voxels are 1 mm, and this D matters there.
-fn even<M: DoseModel<Field = HostField> + ?Sized>(model: Box<M>) -> Diffused<M> {
-    let span = Span {
-        before_s: 0.0,
-        seconds: 40.0,
-        share: 1.0,
-    };
+fn diffused<M: DoseModel<Field = HostField> + ?Sized>(model: Box<M>) -> Diffused<M> {
     let frames = frames_of(model.patterns());
-    Diffused::of_spans(model, 0.02, &[(0..frames, vec![span])]).unwrap()
+    Diffused::of_spans(model, 0.02, &[(0..frames, vec![even(40.0)])]).unwrap()
 }
 
 #[test]
 fn it_is_an_exact_pair_with_one_arc_and_with_many() {
     let small = || Box::new(SmallModel::new(9, 12, 3));
-    check::model::model(&even(small()), 1).unwrap();
+    check::model::model(&diffused(small()), 1).unwrap();
     let schedule = Schedule::of_turns(&[Turns::new(12, 10.0, 3.5)]).unwrap();
     for arcs in [1, 5, 12] {
         let model = Diffused::of_schedule(small(), 0.02, &schedule, arcs).unwrap();
@@ -116,11 +92,11 @@ fn it_is_an_exact_pair_with_one_arc_and_with_many() {
         let x = check::noisy_patterns(&model, 8);
         let dose = check::dose(&model, &x);
         let terms = model.along(&x, &x, &run).unwrap().unwrap();
-        let off = crate::apart(&dose, &terms[0]);
+        let off = apart(&dose, &terms[0]);
         assert!(terms.len() == 1 && off < 1e-5, "{off}");
     }
     let boxed: Box<dyn DoseModel<Field = HostField>> = small();
-    check::model::model(&even(boxed), 5).unwrap();
+    check::model::model(&diffused(boxed), 5).unwrap();
 }
 
 #[test]
@@ -134,13 +110,9 @@ fn arcs_of_single_frames_are_the_print_of_a_dose_that_wanders() {
     let mut x = DoseModel::new_patterns(&model).unwrap();
     let noise = check::noise(3, x.len());
     x.copy_from_host(&noise.iter().map(|v| v.abs()).collect::<Vec<_>>());
-    let wandering = Network {
-        dose_diffusion_mm2_per_s: 0.02,
-        ..Network::new("a", Curing::threshold(1.0))
-    };
     let params = Params {
         diffusion: Scheme::Spectral,
-        ..Params::new(vec![wandering])
+        ..Params::new(vec![wandering(1.0, 0.02)])
     };
     let domain = domain_of(&model);
     let material = Photopolymer::new(params, Mixing::identity(1), domain).unwrap();
@@ -173,12 +145,7 @@ fn what_a_wall_within_the_box_would_hold_back_goes_on_into_it() {
     };
     let walled = Domain::new(grid).with_walls(&resin).unwrap();
     let dose = walled.even(1.0);
-    let wandering = Network {
-        dose_diffusion_mm2_per_s: diffusion,
-        ..Network::new("a", Curing::threshold(1.0))
-    };
-    let params = Params::new(vec![wandering]);
-    let material = Photopolymer::new(params, Mixing::identity(1), walled.clone()).unwrap();
+    let material = photopolymer(wandering(1.0, diffusion), walled.clone());
     let mut state = material.start().unwrap();
     let light = walled.even(1.0 / steps as f32);
     for _ in 0..steps {
@@ -189,12 +156,8 @@ fn what_a_wall_within_the_box_would_hold_back_goes_on_into_it() {
     }
     let stepped = &state.volumes[material.readout(0).volume];
     let spectral = Spectral::new(walled.layout());
-    let even = [Span {
-        before_s: 0.0,
-        seconds,
-        share: 1.0,
-    }];
-    let modes = Modes::of(&spectral, |k2| left_of(diffusion * k2, &even));
+    let spans = [even(seconds)];
+    let modes = Modes::of(&spectral, |k2| left_of(diffusion * k2, &spans));
     let mut boxed = dose.clone();
     spectral.multiply(boxed.as_mut_slice(), &modes);
     // 1 − ½·[(1 + 2a²)·erfc(a) − (2a/√π)·e^(−a²)], a = distance/(2√(DT))
@@ -204,10 +167,6 @@ fn what_a_wall_within_the_box_would_hold_back_goes_on_into_it() {
             f64::from(field.as_slice()[walled.layout().index(0, 0, i)])
         };
         assert!((own(stepped) - 1.0).abs() < 1e-4, "{}", own(stepped));
-        assert!(
-            (own(&boxed) - expected).abs() < 3e-3,
-            "{from_wall} mm: {}",
-            own(&boxed)
-        );
+        near!(own(&boxed), expected, 3e-3, "{from_wall} mm");
     }
 }

@@ -16,15 +16,7 @@ use crate::domain::Domain;
 use tomolith_core::field::HostField;
 use tomolith_core::parallel::InParallel;
 
-/// The longest stable step for a diffusion coefficient (mm²/s), s; ∞ where nothing diffuses.
-///
-/// ```
-/// use tomolith_core::grid::VolumeGrid;
-/// use tomolith_material::{domain::Domain, diffusion::faces::longest_step_s};
-/// // 25 µm, 1e-10 m²/s: h²/(6D) = 1.04 s
-/// let domain = Domain::new(VolumeGrid::centered([8; 3], 0.025));
-/// assert!((longest_step_s(&domain, 1e-4, false) - 1.0417).abs() < 1e-4);
-/// ```
+/// The longest stable step for a diffusion coefficient (mm²/s), s: 1.04 for cubes of 25 µm and 10⁻⁴ mm²/s; ∞ where nothing diffuses.
 #[must_use]
 pub fn longest_step_s(domain: &Domain, diffusion: f64, air: bool) -> f64 {
     let grid = domain.grid();
@@ -252,10 +244,6 @@ mod tests {
     use tomolith_core::grid::{Volume, VolumeGrid};
     use tomolith_core::near;
 
-    fn dot(a: &HostField, b: &HostField) -> f64 {
-        a.dot(b)
-    }
-
     /// Noise on the voxels, 0 in the padding.
     fn noise_on(domain: &Domain, seed: u64) -> HostField {
         let grid = domain.grid().clone();
@@ -307,13 +295,8 @@ mod tests {
 
     #[test]
     fn within_the_limit_nothing_leaves_its_range_beyond_it_it_does() {
-        for (domain, air) in [
-            (Domain::new(VolumeGrid::centered([6; 3], 0.05)), false),
-            (
-                Domain::new(VolumeGrid::centered([6; 3], 0.05)).with_air_on_top(),
-                true,
-            ),
-        ] {
+        let closed = Domain::new(VolumeGrid::centered([6; 3], 0.05));
+        for (domain, air) in [(closed.clone(), false), (closed.with_air_on_top(), true)] {
             let limit = longest_step_s(&domain, 1e-4, air);
             let expected = 0.05 * 0.05 / (if air { 7.0 } else { 6.0 } * 1e-4);
             assert!((limit - expected).abs() < 1e-9);
@@ -350,15 +333,15 @@ mod tests {
         now = noise_on(&domain, 3);
         domain.only_resin(&mut now);
         let closed = Step::new(&domain, 1e-4, 3.0, None, None);
-        let before = dot(&now, &domain.even(1.0));
+        let before = now.dot(&domain.even(1.0));
         closed.apply(&now, &mut next);
-        assert!((dot(&next, &domain.even(1.0)) - before).abs() < 1e-5);
+        assert!((next.dot(&domain.even(1.0)) - before).abs() < 1e-5);
         for _ in 0..1500 {
             step.apply(&now, &mut next);
             std::mem::swap(&mut now, &mut next);
         }
         let resin = domain.even(1.0);
-        let off = crate::apart(&now, &resin);
+        let off = crate::fixtures::apart(&now, &resin);
         assert!(off < 1e-3, "{off}");
     }
 
@@ -373,7 +356,7 @@ mod tests {
         let step = Step::new(&domain, 1e-4, 3.0, Some(share.as_slice()), Some(0.0));
         step.apply(&a, &mut fa);
         step.transposed().apply(&b, &mut fb);
-        assert!((dot(&fa, &b) - dot(&a, &fb)).abs() < 1e-5);
+        assert!((fa.dot(&b) - a.dot(&fb)).abs() < 1e-5);
         // Shares: a central difference along noise
         let step = Step {
             air: Some(1.0),
@@ -392,10 +375,10 @@ mod tests {
                 ..step
             }
             .apply(&a, &mut out);
-            dot(&out, &b)
+            out.dot(&b)
         };
         let difference = (value(0.02) - value(-0.02)) / 0.04;
-        let exact = dot(&grad, &along);
+        let exact = grad.dot(&along);
         near!(difference, exact, 2e-3 * exact.abs().max(0.1));
     }
 }

@@ -4,7 +4,7 @@ use crate::diffusion::Scheme;
 use crate::mixing::Mixing;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::error::{Error, Result};
+use tomolith_core::error::{Error, Result, above_zero, in_range};
 use tomolith_core::units::exact;
 
 /// What a network takes to gel.
@@ -82,13 +82,9 @@ impl Initial {
             Initial::Axial(points) => {
                 let ascends = points.windows(2).all(|p| p[0][0] < p[1][0]);
                 if points.is_empty() || !ascends || points.iter().any(|p| !p[0].is_finite()) {
-                    return refuse(
-                        format!(
-                            "heights {:?}",
-                            points.iter().map(|p| p[0]).collect::<Vec<_>>()
-                        ),
-                        "at least one height, finite and ascending, mm",
-                    );
+                    let heights: Vec<f64> = points.iter().map(|p| p[0]).collect();
+                    let accepted = "at least one height, finite and ascending, mm";
+                    return refuse(format!("heights {heights:?}"), accepted);
                 }
                 points.iter().map(|p| p[1]).collect()
             }
@@ -247,54 +243,38 @@ impl Params {
     }
 }
 
-/// Refuses what is not within lower (left out where `open`) and upper.
-fn within(key: &str, value: f64, lower: f64, upper: f64, open: bool) -> Result<()> {
-    if value.is_finite() && value <= upper && (value > lower || (!open && value == lower)) {
-        return Ok(());
-    }
-    let from = if open { "above" } else { "from" };
-    let to = if upper < f64::MAX {
-        format!(" to {}", exact(upper))
-    } else {
-        String::new()
+/// Refuses what is not within these, which count; no upper one is `f64::MAX`.
+fn within(key: &str, value: f64, [least, most]: [f64; 2]) -> Result<()> {
+    let to = match most < f64::MAX {
+        true => format!(" to {}", exact(most)),
+        false => String::new(),
     };
-    Err(Error::refused(
-        key,
-        exact(value),
-        format!("a finite number {from} {}{to}", exact(lower)),
-    ))
+    let accepted = format!("a finite number from {}{to}", exact(least));
+    in_range((least..=most).contains(&value), key, value, accepted)
+}
+
+/// Refuses what is below 0.
+fn not_below_zero(key: &str, value: f64) -> Result<()> {
+    within(key, value, [0.0, f64::MAX])
 }
 
 fn check_network(network: &Network) -> Result<()> {
     match network.curing {
         Curing::Threshold {
-            critical_dose_mj_per_mm3,
-        } => within(
-            "curing.threshold.critical_dose_mj_per_mm3",
-            critical_dose_mj_per_mm3,
-            0.0,
-            f64::MAX,
-            true,
-        )?,
+            critical_dose_mj_per_mm3: dose,
+        } => above_zero("curing.threshold.critical_dose_mj_per_mm3", dose)?,
         Curing::RateLaw {
             rate_per_s,
             exponent,
             gel_conversion,
         } => {
-            within(
-                "curing.rate_law.rate_per_s",
-                rate_per_s,
-                0.0,
-                f64::MAX,
-                true,
-            )?;
-            within("curing.rate_law.exponent", exponent, 0.5, 1.0, false)?;
-            within(
+            above_zero("curing.rate_law.rate_per_s", rate_per_s)?;
+            within("curing.rate_law.exponent", exponent, [0.5, 1.0])?;
+            in_range(
+                gel_conversion > 0.0 && gel_conversion <= 0.999_999,
                 "curing.rate_law.gel_conversion",
                 gel_conversion,
-                0.0,
-                0.999_999,
-                true,
+                "a finite number above 0 to 0.999999",
             )?;
             if network.dose_diffusion_mm2_per_s != 0.0 {
                 return Err(Error::config(
@@ -308,13 +288,10 @@ fn check_network(network: &Network) -> Result<()> {
             }
         }
     }
-    within("gel_width", network.gel_width, 0.0, 2.0, false)?;
-    for (key, value) in [
-        ("bleaching_mm3_per_mj", network.bleaching_mm3_per_mj),
-        ("dose_diffusion_mm2_per_s", network.dose_diffusion_mm2_per_s),
-    ] {
-        within(key, value, 0.0, f64::MAX, false)?;
-    }
+    within("gel_width", network.gel_width, [0.0, 2.0])?;
+    not_below_zero("bleaching_mm3_per_mj", network.bleaching_mm3_per_mj)?;
+    let wandering = network.dose_diffusion_mm2_per_s;
+    not_below_zero("dose_diffusion_mm2_per_s", wandering)?;
     for (i, inhibitor) in network.inhibitors.iter().enumerate() {
         check_inhibitor(inhibitor).map_err(|e| e.under(&format!("inhibitors[{i}]")))?;
     }
@@ -322,29 +299,12 @@ fn check_network(network: &Network) -> Result<()> {
 }
 
 fn check_inhibitor(inhibitor: &Inhibitor) -> Result<()> {
-    within(
-        "capacity_mj_per_mm3",
-        inhibitor.capacity_mj_per_mm3,
-        0.0,
-        f64::MAX,
-        true,
-    )?;
-    within(
-        "diffusion_mm2_per_s",
-        inhibitor.diffusion_mm2_per_s,
-        0.0,
-        f64::MAX,
-        false,
-    )?;
-    within(
-        "cured_diffusion",
-        inhibitor.cured_diffusion,
-        0.0,
-        1.0,
-        false,
-    )?;
+    above_zero("capacity_mj_per_mm3", inhibitor.capacity_mj_per_mm3)?;
+    not_below_zero("diffusion_mm2_per_s", inhibitor.diffusion_mm2_per_s)?;
+    within("cured_diffusion", inhibitor.cured_diffusion, [0.0, 1.0])?;
     if let Some(half) = inhibitor.half_saturation {
-        within("half_saturation", half, 0.0, 1e3, true)?;
+        let accepted = "a finite number above 0 to 1000";
+        in_range(half > 0.0 && half <= 1e3, "half_saturation", half, accepted)?;
     }
     inhibitor.initial.validate()
 }
@@ -365,13 +325,10 @@ fn check_shading(shading: &Shading, mixing: &Mixing, others: &[Shading]) -> Resu
             "one entry per light",
         ));
     }
-    for (active, total) in shading
-        .active_per_mm
-        .into_iter()
-        .zip(shading.attenuation_per_mm)
-    {
-        within("active_per_mm", active, 0.0, f64::MAX, false)?;
-        within("attenuation_per_mm", total, active, f64::MAX, false)?;
+    let pairs = shading.active_per_mm.iter().zip(shading.attenuation_per_mm);
+    for (&active, total) in pairs {
+        not_below_zero("active_per_mm", active)?;
+        within("attenuation_per_mm", total, [active, f64::MAX])?;
     }
     Ok(())
 }

@@ -1,6 +1,6 @@
 use super::*;
 use crate::diffusion::Scheme;
-use crate::domain_of;
+use crate::fixtures::{domain_of, network, oxygen, photopolymer, wandering};
 use crate::mixing::Mixing;
 use crate::photopolymer::{Curing, Inhibitor, Network, Params, Photopolymer};
 use crate::schedule::Turns;
@@ -28,11 +28,9 @@ fn bits(field: &HostField) -> Vec<u32> {
 /// Smooth consumption, a rate law, D that falls: everything that has a derivative.
 fn in_time(lights: usize) -> Printing {
     let oxygen = Inhibitor {
-        capacity_mj_per_mm3: 0.3,
-        diffusion_mm2_per_s: 0.03,
         cured_diffusion: if lights == 1 { 0.2 } else { 1.0 },
         half_saturation: Some(0.1),
-        ..Inhibitor::default()
+        ..oxygen(0.3, 0.03)
     };
     let first = Network {
         inhibitors: vec![oxygen],
@@ -47,10 +45,7 @@ fn in_time(lights: usize) -> Printing {
             },
         )
     };
-    let second = Network {
-        dose_diffusion_mm2_per_s: 0.01,
-        ..Network::new("b", Curing::threshold(0.4))
-    };
+    let second = wandering(0.4, 0.01);
     let (networks, mixing, scheme) = if lights == 1 {
         (vec![first], Mixing::identity(1), Scheme::Faces)
     } else {
@@ -63,23 +58,17 @@ fn in_time(lights: usize) -> Printing {
     };
     let domain = domain_of(&small());
     let material = Photopolymer::new(params, mixing, domain).unwrap();
+    // Every turn of the first has patterns of its own: 12 frames
     let all = [
         Turns {
             dark_between_s: 1.0,
+            own_patterns: true,
             ..Turns::new(6, 3.0, 2.0)
         },
         Turns {
             duty: 0.6,
             ..Turns::new(12, 5.0, 1.3)
         },
-    ];
-    // Every turn of the first has patterns of its own: 12 frames
-    let all = [
-        Turns {
-            own_patterns: true,
-            ..all[0]
-        },
-        all[1],
     ];
     let schedule = Schedule::of_turns(&all[..lights]).unwrap();
     let optics = (0..lights)
@@ -195,13 +184,7 @@ impl DoseModel for Counting {
 #[test]
 fn the_way_back_asks_for_the_frames_that_shine_and_no_others() {
     let counted = Arc::new(AtomicUsize::new(0));
-    let network = Network {
-        inhibitors: vec![Inhibitor::default()],
-        ..Network::new("a", Curing::threshold(0.4))
-    };
-    let domain = domain_of(&small());
-    let params = Params::new(vec![network]);
-    let material = Photopolymer::new(params, Mixing::identity(1), domain).unwrap();
+    let material = photopolymer(network(vec![oxygen(1.0, 0.0)], 0.4), domain_of(&small()));
     let optics: Vec<Box<Model>> = vec![Box::new(Counting(small(), Arc::clone(&counted)))];
     let schedule = Schedule::of_turns(&[Turns::new(12, 6.0, 1.0)]).unwrap();
     let printing = Printing::new(optics, schedule, Box::new(material), Some(0.5)).unwrap();
@@ -249,9 +232,7 @@ fn what_needs_a_sum_over_frames_is_refused() {
 #[test]
 fn lights_that_do_not_fit_are_named() {
     let schedule = Schedule::of_turns(&[Turns::new(11, 1.0, 1.0)]).unwrap();
-    let domain = domain_of(&small());
-    let params = Params::new(vec![Network::new("a", Curing::threshold(0.5))]);
-    let material = Photopolymer::new(params, Mixing::identity(1), domain).unwrap();
+    let material = photopolymer(network(Vec::new(), 0.5), domain_of(&small()));
     let optics: Vec<Box<Model>> = vec![Box::new(small())];
     let Err(Error::Config { key, found, .. }) =
         Printing::new(optics, schedule, Box::new(material), None)
