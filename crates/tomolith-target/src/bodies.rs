@@ -254,27 +254,21 @@ fn share_out(
             list.join(", ")
         )
     };
+    let refused = |i: usize, found: String| {
+        let key = format!("{}.components", key(i));
+        Err(Error::config(key, found, there()))
+    };
     let mut taken: Vec<Option<usize>> = vec![None; parts.len()];
     for &i in sharing {
         let Some(chosen) = &bodies[i].components else {
-            return Err(Error::config(
-                format!("{}.components", key(i)),
-                "the key is missing, and other bodies take components of the same file",
-                there(),
-            ));
+            let found = "the key is missing, and other bodies take components of the same file";
+            return refused(i, found.to_owned());
         };
         for &c in chosen {
-            let refused = |found: String| {
-                Err(Error::config(
-                    format!("{}.components", key(i)),
-                    found,
-                    there(),
-                ))
-            };
             match c.checked_sub(1).and_then(|slot| taken.get_mut(slot)) {
-                None => return refused(format!("component {c}")),
+                None => return refused(i, format!("component {c}")),
                 Some(Some(other)) => {
-                    return refused(format!("component {c}, which body[{other}] has too"));
+                    return refused(i, format!("component {c}, which body[{other}] has too"));
                 }
                 Some(slot) => *slot = Some(i),
             }
@@ -288,11 +282,10 @@ fn share_out(
         return Ok(());
     }
     let last = sharing.last().copied().unwrap_or_default();
-    Err(Error::config(
-        format!("{}.components", key(last)),
+    refused(
+        last,
         format!("no body has component {}", missing.join(", ")),
-        there(),
-    ))
+    )
 }
 
 /// Says which key named a file that cannot be used.
@@ -355,10 +348,8 @@ fn shared_mm3(one: &MeshShape, other: &MeshShape) -> Result<f64> {
     let pitch_mm = extent.iter().copied().fold(0.0, f64::max) / LOOK;
     let [nx, ny, nz] = extent.map(|e| (e / pitch_mm).ceil().max(1.0) as usize);
     let grid = VolumeGrid {
-        shape: [nz, ny, nx],
-        pitch_mm,
-        height_mm: pitch_mm,
         center_mm: std::array::from_fn(|i| (low[i] + high[i]) / 2.0),
+        ..VolumeGrid::centered([nz, ny, nx], pitch_mm)
     };
     let [a, b] = [one.sample(&grid)?, other.sample(&grid)?];
     let both = a.values.iter().zip(&b.values);
@@ -432,6 +423,7 @@ impl Shape for Assembly {
 mod tests {
     use super::*;
     use crate::build;
+    use crate::region::sampled_volume;
     use tomolith_io::mesh::samples::{cuboid, inverted, stl_binary, together};
 
     /// A folder with two boxes that touch and one apart in a file, and a rod through the first in another.
@@ -460,15 +452,7 @@ mod tests {
     }
 
     fn volume(shape: &dyn Shape) -> f64 {
-        let [low, high] = shape.bounds_mm();
-        let grid = VolumeGrid {
-            shape: [60; 3],
-            pitch_mm: (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max) / 60.0,
-            height_mm: (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max) / 60.0,
-            center_mm: std::array::from_fn(|i| (low[i] + high[i]) / 2.0),
-        };
-        let volume = shape.sample(&grid).unwrap();
-        volume.values.iter().map(|&v| f64::from(v)).sum::<f64>() * grid.voxel_mm3()
+        sampled_volume(shape, 60)
     }
 
     #[test]
@@ -520,42 +504,48 @@ mod tests {
         assert!(built(&with("beside.stl")).is_ok());
         let text = refused(&with("rod.stl"));
         // 1 × 2 × 4 mm
-        assert!(
-            text.starts_with(
-                "target.body[1]: this body (keep-dark) and body[0] (print) share 8 mm³"
-            ),
-            "{text}"
-        );
+        let said = "target.body[1]: this body (keep-dark) and body[0] (print) share 8 mm³";
+        assert!(text.starts_with(said), "{text}");
     }
 
     #[test]
     fn what_does_not_fit_is_named() {
         let two = |bodies: &str| refused(&format!("mesh = \"two.stl\"\nbody = [{bodies}]"));
         let text = two("{ components = [1] }");
-        assert!(
-            text.starts_with("target.body[0].components: no body has component 2"),
-            "{text}"
-        );
-        tomolith_core::contains!(
-            text,
-            "1 (63.0000 about (2.000, 2.000, 2.000)), 2 (8.0000 about"
-        );
-        assert!(two("{ components = [1, 3] }").contains("component 3"));
-        assert!(two("{ components = [0] }").contains("component 0"));
-        assert!(
-            two("{ components = [1] }, { components = [2, 1] }").contains("which body[0] has too")
-        );
-        assert!(two("{ components = [1] }, { role = \"ignore\" }").contains("the key is missing"));
-        assert!(
-            two("{ role = \"ignore\" }, { mesh = \"rod.stl\", role = \"keep-dark\" }")
-                .contains("no body has the role print")
-        );
-        assert!(two("").contains("no body"));
-        assert!(refused("body = [{}]").starts_with("target.body[0].mesh: no file is named"));
-        assert!(refused("body = [{ mesh = \"none.stl\" }]").starts_with("target.body[0].mesh: "));
-        assert!(
-            refused("phantom = \"gear\"\nbody = [{ mesh = \"rod.stl\" }]").starts_with("target: ")
-        );
+        let listed = "1 (63.0000 about (2.000, 2.000, 2.000)), 2 (8.0000 about";
+        tomolith_core::contains!(text, listed);
+        let unprinted = r#"{ role = "ignore" }, { mesh = "rod.stl", role = "keep-dark" }"#;
+        for (bodies, found) in [
+            ("{ components = [1, 3] }", "component 3"),
+            ("{ components = [0] }", "component 0"),
+            (
+                "{ components = [1] }, { components = [2, 1] }",
+                "which body[0] has too",
+            ),
+            (
+                "{ components = [1] }, { role = \"ignore\" }",
+                "the key is missing",
+            ),
+            (unprinted, "no body has the role print"),
+            ("", "no body"),
+        ] {
+            tomolith_core::contains!(two(bodies), found);
+        }
+        let rod = "body = [{ mesh = \"rod.stl\" }]";
+        for (text, start) in [
+            (text, "target.body[0].components: no body has component 2"),
+            (
+                refused("body = [{}]"),
+                "target.body[0].mesh: no file is named",
+            ),
+            (
+                refused("body = [{ mesh = \"none.stl\" }]"),
+                "target.body[0].mesh: ",
+            ),
+            (refused(&format!("phantom = \"gear\"\n{rod}")), "target: "),
+        ] {
+            assert!(text.starts_with(start), "{text}");
+        }
         assert!(toml::from_str::<TargetSpec>("body = [{ role = \"keepdark\" }]").is_err());
     }
 

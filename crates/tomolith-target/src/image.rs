@@ -59,13 +59,7 @@ impl GrayImage {
                 "no rotation; turn the image file instead",
             ));
         }
-        if placement.offset_mm.iter().any(|v| !v.is_finite()) {
-            return Err(Error::config(
-                "offset_mm",
-                format!("{:?}", placement.offset_mm),
-                "three finite numbers [x, y, z]",
-            ));
-        }
+        placement.check()?;
         let Some(first) = slices.first() else {
             return Err(Error::config("stack", "no slice", "at least one image"));
         };
@@ -83,12 +77,12 @@ impl GrayImage {
         let pixel = width / columns as f64;
         let extent = [width, pixel * rows as f64, height];
         let low = std::array::from_fn(|i| {
-            placement.offset_mm[i]
-                - if placement.center {
-                    extent[i] / 2.0
-                } else {
-                    0.0
-                }
+            let middle = if placement.center {
+                extent[i] / 2.0
+            } else {
+                0.0
+            };
+            placement.offset_mm[i] - middle
         });
         Ok(GrayImage {
             slices,
@@ -255,19 +249,23 @@ impl Shape for GrayImage {
 mod tests {
     use super::*;
 
-    /// Two rows, three columns: 0.1 0.2 0.3 on top (+y), 0.4 0.5 0.6 below.
-    fn image(placement: &Placement) -> GrayImage {
-        let pixels = GrayPixels {
-            rows: 2,
-            columns: 3,
-            values: vec![0.1, 0.2, 0.3, 0.4, 0.5, 0.6],
-        };
-        GrayImage::new(vec![pixels], Some(3.0), Some(2.0), placement).unwrap()
+    fn pixels<const N: usize>(rows: &[[f32; N]]) -> GrayPixels {
+        GrayPixels {
+            rows: rows.len(),
+            columns: N,
+            values: rows.concat(),
+        }
+    }
+
+    /// Row 0 is on top (+y).
+    fn image() -> GrayImage {
+        let slices = vec![pixels(&[[0.1, 0.2, 0.3], [0.4, 0.5, 0.6]])];
+        GrayImage::new(slices, Some(3.0), Some(2.0), &Placement::default()).unwrap()
     }
 
     #[test]
     fn the_top_row_is_at_plus_y_and_columns_grow_with_x() {
-        let image = image(&Placement::default());
+        let image = image();
         assert_eq!(image.bounds_mm(), [[-1.5, -1.0, -1.0], [1.5, 1.0, 1.0]]);
         let grid = VolumeGrid::centered([2, 2, 3], 1.0);
         let slice = [0.4, 0.5, 0.6, 0.1, 0.2, 0.3];
@@ -277,29 +275,25 @@ mod tests {
 
     #[test]
     fn large_voxels_hold_the_mean_over_their_area_and_height() {
-        let image = image(&Placement::default());
+        let image = image();
         // x from −2 to 2, y from −2 to 2, z from −2 to 2: the sum of all pixels over 16 mm², half the height
         let one = image.sample(&VolumeGrid::centered([1, 1, 1], 4.0)).unwrap();
         assert!((one.values[0] - 2.1 / 16.0 / 2.0).abs() < 1e-7);
         // Half of the left and half of the middle column
         let grid = VolumeGrid {
-            shape: [1, 1, 1],
-            pitch_mm: 1.0,
-            height_mm: 1.0,
             center_mm: [-0.5, 0.5, 0.0],
+            ..VolumeGrid::centered([1, 1, 1], 1.0)
         };
         assert!((image.sample(&grid).unwrap().values[0] - 0.15).abs() < 1e-7);
     }
 
     #[test]
     fn small_voxels_are_interpolated() {
-        let image = image(&Placement::default());
+        let image = image();
         let at = |x: f64, y: f64| {
             let grid = VolumeGrid {
-                shape: [1, 1, 1],
-                pitch_mm: 1e-3,
-                height_mm: 1e-3,
                 center_mm: [x, y, 0.0],
+                ..VolumeGrid::centered([1, 1, 1], 1e-3)
             };
             image.sample(&grid).unwrap().values[0]
         };
@@ -312,16 +306,10 @@ mod tests {
 
     #[test]
     fn images_need_width_and_height() {
-        let pixels = GrayPixels {
-            rows: 1,
-            columns: 1,
-            values: vec![1.0],
-        };
-        let placement = Placement::default();
         let refused = |size, height| {
-            GrayImage::new(vec![pixels.clone()], size, height, &placement)
-                .unwrap_err()
-                .to_string()
+            let slices = vec![pixels(&[[1.0]])];
+            let made = GrayImage::new(slices, size, height, &Placement::default());
+            made.unwrap_err().to_string()
         };
         assert!(refused(None, Some(1.0)).starts_with("size_mm: the key is missing"));
         assert!(refused(Some(1.0), Some(-1.0)).starts_with("height_mm: -1 mm"));
@@ -329,11 +317,7 @@ mod tests {
 
     #[test]
     fn a_stack_is_filled_from_the_bottom_up() {
-        let flat = |value: f32| GrayPixels {
-            rows: 2,
-            columns: 2,
-            values: vec![value; 4],
-        };
+        let flat = |value: f32| pixels(&[[value; 2]; 2]);
         let slices = vec![flat(0.2), flat(0.6), flat(1.0)];
         let stack = GrayImage::new(slices, Some(2.0), Some(3.0), &Placement::default()).unwrap();
         assert_eq!(stack.bounds_mm(), [[-1.0, -1.0, -1.5], [1.0, 1.0, 1.5]]);
@@ -353,19 +337,8 @@ mod tests {
         for (value, expected) in fine.iter().zip([0.2, 0.3, 0.5, 0.7, 0.9, 1.0]) {
             assert!((value - expected).abs() < 1e-6, "{fine:?}");
         }
-        let wrong = GrayPixels {
-            rows: 1,
-            columns: 4,
-            values: vec![0.0; 4],
-        };
-        let text = GrayImage::new(
-            vec![flat(0.0), wrong],
-            Some(1.0),
-            Some(1.0),
-            &Placement::default(),
-        )
-        .unwrap_err()
-        .to_string();
-        assert!(text.contains("[2, 2]") && text.contains("[1, 4]"), "{text}");
+        let slices = vec![flat(0.0), pixels(&[[0.0; 4]])];
+        let text = GrayImage::new(slices, Some(1.0), Some(1.0), &Placement::default());
+        tomolith_core::contains!(text.unwrap_err().to_string(), "[2, 2]", "[1, 4]");
     }
 }

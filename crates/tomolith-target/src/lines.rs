@@ -178,25 +178,18 @@ mod tests {
     use super::*;
     use tomolith_io::mesh::samples::{ball, cuboid};
 
-    /// The crossings of lines at every y of `ys` in the plane z.
-    fn crossings(mesh: &Mesh, z: f64, ys: &[f64]) -> Vec<Vec<(f64, i32)>> {
+    /// The crossings of a line at y in the plane z.
+    fn crossings(mesh: &Mesh, z: f64, y: f64) -> Vec<(f64, i32)> {
         let grid = VolumeGrid {
-            shape: [1; 3],
-            pitch_mm: 1.0,
-            height_mm: 1.0,
             center_mm: [0.5; 3],
+            ..VolumeGrid::centered([1; 3], 1.0)
         };
         let scaled = Scaled::new(mesh, None, &grid);
         let all = scaled.between(z, z);
-        ys.iter()
-            .map(|&y| {
-                let mut lines = Lines::default();
-                let mut found = Vec::new();
-                lines.cast(&scaled, &all, z, |i| y + i as f64, 0..1);
-                lines.for_each_line(|_, c| found = c.iter().map(|c| (c.x, c.step)).collect());
-                found
-            })
-            .collect()
+        let (mut lines, mut found) = (Lines::default(), Vec::new());
+        lines.cast(&scaled, &all, z, |i| y + i as f64, 0..1);
+        lines.for_each_line(|_, c| found = c.iter().map(|c| (c.x, c.step)).collect());
+        found
     }
 
     #[test]
@@ -212,13 +205,9 @@ mod tests {
             (1.0, 4.0, false),
             (-1.0, 1.0, false),
         ] {
-            let found = &crossings(&mesh, z, &[y])[0];
-            let expected = if hit {
-                vec![(0.0, 1), (2.0, -1)]
-            } else {
-                vec![]
-            };
-            assert_eq!(*found, expected, "y = {y}, z = {z}");
+            let expected = [(0.0, 1), (2.0, -1)];
+            let expected = if hit { &expected[..] } else { &[] };
+            assert_eq!(crossings(&mesh, z, y), expected, "y = {y}, z = {z}");
         }
     }
 
@@ -232,11 +221,8 @@ mod tests {
             places.push([(a[1] + b[1]) / 2.0, (a[2] + b[2]) / 2.0]);
         }
         for [y, z] in places {
-            let found = &crossings(&mesh, z, &[y])[0];
-            let mut winding = 0;
-            for &(_, step) in found {
-                winding += step;
-            }
+            let found = crossings(&mesh, z, y);
+            let winding: i32 = found.iter().map(|(_, step)| step).sum();
             assert_eq!(winding, 0, "y = {y}, z = {z}: {found:?}");
         }
     }

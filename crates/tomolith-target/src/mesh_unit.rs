@@ -3,7 +3,7 @@
 use super::TargetSpec;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::units::concise;
 use tomolith_io::mesh::{MeshFile, read_mesh};
@@ -36,38 +36,21 @@ impl MeshUnit {
         MeshUnit::Inch,
     ];
 
-    /// Its length in mm.
-    #[must_use]
-    pub fn mm(self) -> f64 {
+    /// Its length in mm, its name in a job, and in words.
+    fn row(self) -> (f64, &'static str, &'static str) {
         match self {
-            MeshUnit::Um => 1e-3,
-            MeshUnit::Mm => 1.0,
-            MeshUnit::Cm => 10.0,
-            MeshUnit::M => 1000.0,
-            MeshUnit::Inch => 25.4,
+            MeshUnit::Um => (1e-3, "um", "micrometers"),
+            MeshUnit::Mm => (1.0, "mm", "millimeters"),
+            MeshUnit::Cm => (10.0, "cm", "centimeters"),
+            MeshUnit::M => (1000.0, "m", "meters"),
+            MeshUnit::Inch => (25.4, "inch", "inches"),
         }
     }
 
     /// Its name in a job.
     #[must_use]
     pub fn name(self) -> &'static str {
-        match self {
-            MeshUnit::Um => "um",
-            MeshUnit::Mm => "mm",
-            MeshUnit::Cm => "cm",
-            MeshUnit::M => "m",
-            MeshUnit::Inch => "inch",
-        }
-    }
-
-    fn words(self) -> &'static str {
-        match self {
-            MeshUnit::Um => "micrometers",
-            MeshUnit::Mm => "millimeters",
-            MeshUnit::Cm => "centimeters",
-            MeshUnit::M => "meters",
-            MeshUnit::Inch => "inches",
-        }
+        self.row().1
     }
 }
 
@@ -96,7 +79,7 @@ pub(super) fn read(path: &Path, unit: Option<MeshUnit>, section: &str) -> Result
 
 /// A file's meshes in mm.
 pub(super) fn in_mm(mut file: MeshFile, unit: Option<MeshUnit>) -> MeshFile {
-    let factor = unit.unwrap_or_default().mm();
+    let (factor, ..) = unit.unwrap_or_default().row();
     if factor != 1.0 {
         let vertices = [&mut file.mesh, &mut file.negative].map(|mesh| &mut mesh.vertices);
         let values = vertices.into_iter().flatten().flatten();
@@ -108,27 +91,12 @@ pub(super) fn in_mm(mut file: MeshFile, unit: Option<MeshUnit>) -> MeshFile {
 impl TargetSpec {
     /// Asks for the unit of the mesh, when nothing but its file says how large it is, its box is not between these lengths, and
     /// would be in another unit.
-    ///
-    /// ```
-    /// use tomolith_target::TargetSpec;
-    /// let spec: TargetSpec = toml::from_str("mesh = \"part.stl\"").unwrap();
-    /// // 0.006 long where 0.15 to 15 mm are expected: 6 mm if the file is in meters
-    /// let asked = spec.ask_for_unit([[0.0; 3], [0.006, 0.004, 0.004]], [0.15, 15.0]).unwrap();
-    /// assert_eq!(asked, "the part is 0.006 mm long: is its file in meters? set target.mesh_unit = \"m\"");
-    /// assert!(spec.ask_for_unit([[0.0; 3], [6.0, 4.0, 4.0]], [0.15, 15.0]).is_none());
-    /// ```
     #[must_use]
     pub fn ask_for_unit(&self, bounds: [[f64; 3]; 2], expected_mm: [f64; 2]) -> Option<String> {
         let bodies = || self.body.iter().flatten();
-        let mut files = self
-            .mesh
-            .iter()
-            .chain(bodies().filter_map(|b| b.mesh.as_ref()));
-        let is_open = files.next().is_some_and(|file| {
-            !file
-                .extension()
-                .is_some_and(|e| e.eq_ignore_ascii_case("3mf"))
-        });
+        let mut files = (self.mesh.iter()).chain(bodies().filter_map(|b| b.mesh.as_ref()));
+        let ending = |file: &PathBuf| file.extension().unwrap_or_default().to_ascii_lowercase();
+        let is_open = files.next().is_some_and(|file| ending(file) != "3mf");
         let is_stated = self.size_mm.is_some()
             || self.scale.is_some()
             || self.mesh_unit.is_some()
@@ -147,13 +115,12 @@ impl TargetSpec {
         } else {
             &[]
         };
-        let fits = |unit: &&MeshUnit| (least..=most).contains(&(longest * unit.mm()));
-        others.iter().find(fits).map(|unit| {
+        let mut rows = others.iter().map(|unit| unit.row());
+        let fits = rows.find(|(mm, ..)| (least..=most).contains(&(longest * mm)));
+        fits.map(|(_, name, words)| {
             format!(
-                "the part is {} mm long: is its file in {}? set target.mesh_unit = \"{}\"",
-                concise(longest),
-                unit.words(),
-                unit.name()
+                "the part is {} mm long: is its file in {words}? set target.mesh_unit = \"{name}\"",
+                concise(longest)
             )
         })
     }

@@ -98,7 +98,8 @@ impl Placement {
         })
     }
 
-    fn check(&self) -> Result<()> {
+    /// Refuses numbers that place nothing.
+    pub(super) fn check(&self) -> Result<()> {
         if self.size_mm.is_some() && self.scale.is_some() {
             return Err(Error::config(
                 "scale",
@@ -196,6 +197,18 @@ fn sine_and_cosine(degrees: f64) -> (f64, f64) {
     }
 }
 
+/// A mesh turned about the middle of its box, which comes to the origin.
+#[cfg(test)]
+pub(crate) fn turned(mut mesh: Mesh, rotate_deg: [f64; 3]) -> Mesh {
+    let placement = Placement {
+        rotate_deg,
+        ..Placement::default()
+    };
+    let map = placement.map(&mesh.vertices, 0.0, "target").unwrap();
+    map.apply_to(&mut mesh);
+    mesh
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -211,23 +224,12 @@ mod tests {
     #[test]
     fn rotations_turn_counter_clockwise_about_fixed_axes_in_the_order_x_y_z() {
         // x → y about z, y → z about x, z → x about y
-        assert_eq!(
-            map([0.0, 0.0, 90.0]).apply([1.0, 0.0, 0.0]),
-            [0.0, 1.0, 0.0]
-        );
-        assert_eq!(
-            map([90.0, 0.0, 0.0]).apply([0.0, 1.0, 0.0]),
-            [0.0, 0.0, 1.0]
-        );
-        assert_eq!(
-            map([0.0, 90.0, 0.0]).apply([0.0, 0.0, 1.0]),
-            [1.0, 0.0, 0.0]
-        );
+        let [x, y, z] = Map::IDENTITY.rotation;
+        assert_eq!(map([0.0, 0.0, 90.0]).apply(x), y);
+        assert_eq!(map([90.0, 0.0, 0.0]).apply(y), z);
+        assert_eq!(map([0.0, 90.0, 0.0]).apply(z), x);
         // First about x (y → z), then about the fixed z (z stays): the other order would give x → … → y → z
-        assert_eq!(
-            map([90.0, 0.0, 90.0]).apply([0.0, 1.0, 0.0]),
-            [0.0, 0.0, 1.0]
-        );
+        assert_eq!(map([90.0, 0.0, 90.0]).apply(y), z);
     }
 
     #[test]
@@ -250,29 +252,24 @@ mod tests {
 
     #[test]
     fn bad_numbers_are_named() {
+        let plain = Placement::default();
         let refused = |placement: Placement| {
-            placement
-                .map(&[[0.0; 3], [1.0; 3]], 0.0, "target")
-                .unwrap_err()
-                .to_string()
+            let map = placement.map(&[[0.0; 3], [1.0; 3]], 0.0, "target");
+            map.unwrap_err().to_string()
         };
-        let both = Placement {
-            size_mm: Some(1.0),
-            scale: Some(1.0),
-            ..Placement::default()
+        let size = |mm: f64, scale: Option<f64>| Placement {
+            size_mm: Some(mm),
+            scale,
+            ..plain
         };
-        assert!(refused(both).starts_with("target.scale: both"));
-        let negative = Placement {
-            size_mm: Some(-1.0),
-            ..Placement::default()
-        };
+        assert!(refused(size(1.0, Some(1.0))).starts_with("target.scale: both"));
         assert_eq!(
-            refused(negative),
+            refused(size(-1.0, None)),
             "target.size_mm: found -1; accepted: a number > 0"
         );
         let nan = Placement {
             offset_mm: [0.0, f64::NAN, 0.0],
-            ..Placement::default()
+            ..plain
         };
         assert!(refused(nan).starts_with("target.offset_mm: [0.0, NaN, 0.0]"));
     }

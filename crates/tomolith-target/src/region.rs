@@ -44,7 +44,7 @@ pub fn default_grid(bounds: [[f64; 3]; 2], resolution: Resolution) -> Result<Vol
     let extent: [f64; 3] = std::array::from_fn(|i| bounds[1][i] - bounds[0][i]);
     let center_mm = std::array::from_fn(|i| (bounds[0][i] + bounds[1][i]) / 2.0);
     let least = 2 * MARGIN_VOXELS;
-    match resolution {
+    let ([x, y, z], pitch_mm) = match resolution {
         Resolution::Pitch(pitch_mm) => {
             if !(pitch_mm > 0.0 && pitch_mm <= LARGEST_PITCH_MM) {
                 return Err(Error::config(
@@ -59,8 +59,7 @@ pub fn default_grid(bounds: [[f64; 3]; 2], resolution: Resolution) -> Result<Vol
                 ((e + 2.0 * margin) / pitch_mm - 1e-9).ceil()
             };
             let [x, y, z] = extent.map(count);
-            let fits = [x, y, z].iter().all(|n| *n <= MOST_VOXELS);
-            if !fits {
+            if ![x, y, z].iter().all(|n| *n <= MOST_VOXELS) {
                 return Err(Error::config(
                     "pitch_mm",
                     format!(
@@ -73,12 +72,7 @@ pub fn default_grid(bounds: [[f64; 3]; 2], resolution: Resolution) -> Result<Vol
                     format!("a pitch that needs at most {MOST_VOXELS} voxels along an axis"),
                 ));
             }
-            Ok(VolumeGrid {
-                shape: [z, y, x].map(|n| n as usize),
-                pitch_mm,
-                height_mm: pitch_mm,
-                center_mm,
-            })
+            ([x, y, z].map(|n| n as usize), pitch_mm)
         }
         Resolution::Shape(shape) => {
             if shape.iter().any(|&n| n <= least || n as f64 > MOST_VOXELS) {
@@ -94,15 +88,22 @@ pub fn default_grid(bounds: [[f64; 3]; 2], resolution: Resolution) -> Result<Vol
                     ((1.0 + 2.0 * MARGIN) * extent[i] / n).max(extent[i] / (n - least as f64))
                 })
                 .fold(0.0, f64::max);
-            let [x, y, z] = shape;
-            Ok(VolumeGrid {
-                shape: [z, y, x],
-                pitch_mm,
-                height_mm: pitch_mm,
-                center_mm,
-            })
+            (shape, pitch_mm)
         }
-    }
+    };
+    Ok(VolumeGrid {
+        center_mm,
+        ..VolumeGrid::centered([z, y, x], pitch_mm)
+    })
+}
+
+/// Volume of a shape on so many voxels along its longest edge and more, mm³.
+#[cfg(test)]
+pub(crate) fn sampled_volume(shape: &dyn crate::Shape, longest: usize) -> f64 {
+    let grid = default_grid(shape.bounds_mm(), Resolution::Shape([longest; 3])).unwrap();
+    let values = shape.sample(&grid).unwrap().values;
+    assert!(values.iter().all(|v| (0.0..=1.0).contains(v)));
+    values.iter().map(|&v| f64::from(v)).sum::<f64>() * grid.voxel_mm3()
 }
 
 #[cfg(test)]

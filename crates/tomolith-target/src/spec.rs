@@ -191,10 +191,11 @@ pub fn build_under(
             Ok(Box::new(shape))
         }
         Source::Image(file) => {
-            if ["stl", "obj", "ply", "3mf"].iter().any(|mesh| {
-                file.extension()
-                    .is_some_and(|e| e.eq_ignore_ascii_case(mesh))
-            }) {
+            let ending = file.extension().unwrap_or_default().to_ascii_lowercase();
+            if ["stl", "obj", "ply", "3mf"]
+                .iter()
+                .any(|mesh| ending == **mesh)
+            {
                 return Err(Error::config(
                     "image",
                     format!("`{}` is a mesh", file.display()),
@@ -343,40 +344,41 @@ pub fn sampled(shape: &dyn Shape, grid: &VolumeGrid, run: &Run) -> Result<Volume
 mod tests {
     use super::*;
 
-    fn refused(toml: &str) -> String {
-        let spec: TargetSpec = toml::from_str(toml).unwrap();
-        build(&spec, Path::new("/nowhere"), "target")
-            .unwrap_err()
-            .to_string()
-    }
-
     #[test]
-    fn exactly_one_source_is_accepted() {
-        assert!(refused("").starts_with("target: no target is named"));
-        assert!(
-            refused("mesh = \"a.stl\"\nphantom = \"gear\"")
-                .starts_with("target: more than one target (mesh, phantom)")
-        );
-    }
-
-    #[test]
-    fn keys_and_files_are_named() {
-        assert!(refused("mesh = \"a.stl\"").contains("a.stl"));
-        assert!(refused("mesh = \"a.step\"").contains("extension `.step` is not known"));
-        assert!(refused("phantom = \"gear\"\nheight_mm = 2").starts_with("target.height_mm"));
-        assert!(refused("phantom = \"gear\"\nmesh_unit = \"m\"").starts_with("target.mesh_unit"));
-        let image = refused("mesh = \"a.PNG\"");
-        assert!(
-            image.starts_with("target.mesh: `/nowhere/a.PNG` is an image")
-                && image.contains("target.image"),
-            "{image}"
-        );
-        assert!(refused("image = \"a.stl\"\nsize_mm = 2").contains("meshes go to `target.mesh`"));
-        assert!(refused("mesh = \"a.3mf\"\nmesh_unit = \"m\"").contains("states its own"));
-        assert!(
-            refused("phantom = \"gear\"\nsize_mm = 2\nscale = 2").starts_with("target.scale: both")
-        );
-        assert!(refused("phantom = \"gear\"\nscale = inf").starts_with("target.scale: found inf"));
+    fn keys_and_files_are_named_and_exactly_one_source_is_accepted() {
+        for (toml, said) in [
+            ("", "target: no target is named"),
+            (
+                "mesh = \"a.stl\"\nphantom = \"gear\"",
+                "target: more than one target (mesh, phantom)",
+            ),
+            ("mesh = \"a.stl\"", "a.stl"),
+            ("mesh = \"a.step\"", "extension `.step` is not known"),
+            ("phantom = \"gear\"\nheight_mm = 2", "target.height_mm: "),
+            (
+                "phantom = \"gear\"\nmesh_unit = \"m\"",
+                "target.mesh_unit: ",
+            ),
+            (
+                "mesh = \"a.PNG\"",
+                "target.mesh: `/nowhere/a.PNG` is an image",
+            ),
+            ("mesh = \"a.PNG\"", "images go to `target.image`"),
+            (
+                "image = \"a.stl\"\nsize_mm = 2",
+                "meshes go to `target.mesh`",
+            ),
+            ("mesh = \"a.3mf\"\nmesh_unit = \"m\"", "states its own"),
+            (
+                "phantom = \"gear\"\nsize_mm = 2\nscale = 2",
+                "target.scale: both",
+            ),
+            ("phantom = \"gear\"\nscale = inf", "target.scale: found inf"),
+        ] {
+            let spec: TargetSpec = toml::from_str(toml).unwrap();
+            let built = build(&spec, Path::new("/nowhere"), "target");
+            tomolith_core::contains!(built.unwrap_err().to_string(), said);
+        }
         assert!(toml::from_str::<TargetSpec>("phantm = \"gear\"").is_err());
     }
 
@@ -419,12 +421,17 @@ mod tests {
             spec.ask_for_unit([[0.0; 3], [longest, 0.0, 0.0]], [0.15, 15.0])
         };
         let mesh = "mesh = \"a.stl\"";
-        for (longest, unit) in [(0.006, "\"m\""), (0.1, "\"inch\""), (6000.0, "\"um\"")] {
-            let text = asked(mesh, longest).unwrap();
-            assert!(
-                text.ends_with(&format!("set target.mesh_unit = {unit}")),
-                "{text}"
+        // 0.006 where 0.15 to 15 mm are expected: 6 mm if the file is in meters
+        for (longest, words, unit) in [
+            (0.006, "meters", "m"),
+            (0.1, "inches", "inch"),
+            (6000.0, "micrometers", "um"),
+        ] {
+            let expected = format!(
+                "the part is {longest} mm long: is its file in {words}? set target.mesh_unit = \"{unit}\""
             );
+            let text = asked(mesh, longest).unwrap();
+            assert_eq!(text, expected);
         }
         // A part that is merely too large, one of the right size, and what says its size
         for (toml, longest) in [

@@ -213,19 +213,8 @@ fn plane([a, b, c]: [[f64; 3]; 3], touch: f64) -> Option<Plane> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Placement;
+    use crate::placing::turned;
     use tomolith_io::mesh::samples::{ball, cuboid, together};
-
-    fn turned(mut mesh: Mesh, rotate_deg: [f64; 3]) -> Mesh {
-        let placement = Placement {
-            rotate_deg,
-            center: false,
-            ..Placement::default()
-        };
-        let map = placement.map(&mesh.vertices, 0.0, "target").unwrap();
-        map.apply_to(&mut mesh);
-        mesh
-    }
 
     fn crossings_of(mesh: &Mesh) -> [Crossings; 2] {
         find_crossings(mesh, &Run::new()).unwrap()

@@ -1,5 +1,6 @@
 //! Holes, and the fans that close them.
 
+use super::Diagnosis;
 use super::edges::Edges;
 use super::shells::Groups;
 use std::collections::HashMap;
@@ -12,18 +13,9 @@ const SMALL: f64 = 0.01;
 /// A rim counts as flat up to this share of the fan's extent.
 const FLAT: f64 = 1e-3;
 
-/// Holes that were closed.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Holes {
-    pub(super) count: usize,
-    /// Neither flat nor small: what was there is anybody's guess.
-    pub(super) guessed: usize,
-    /// The middle of such a hole.
-    pub(super) guessed_at: Option<[f64; 3]>,
-}
-
 /// Closes the boundary: every directed side without an opposite one gets a triangle to the middle of its loop.
-pub(super) fn close(mesh: &mut Mesh) -> Holes {
+/// Those that are neither flat nor small are guesses of what was there.
+pub(super) fn close(mesh: &mut Mesh, found: &mut Diagnosis) {
     let mut missing = Vec::new();
     for edge in Edges::new(mesh).iter() {
         let surplus: i64 = edge.iter().map(|s| if s.forward { 1 } else { -1 }).sum();
@@ -37,7 +29,7 @@ pub(super) fn close(mesh: &mut Mesh) -> Holes {
         }
     }
     if missing.is_empty() {
-        return Holes::default();
+        return;
     }
     let mut loops = Groups::new(mesh.vertices.len());
     for &[from, to] in &missing {
@@ -53,10 +45,7 @@ pub(super) fn close(mesh: &mut Mesh) -> Holes {
         members[slot].push(side);
     }
     let small = SMALL * mesh.area();
-    let mut holes = Holes {
-        count: members.len(),
-        ..Holes::default()
-    };
+    found.holes = members.len();
     for sides in &members {
         let mut middle = [0.0; 3];
         for &[from, _] in sides {
@@ -65,15 +54,14 @@ pub(super) fn close(mesh: &mut Mesh) -> Holes {
             }
         }
         if !is_plain(mesh, sides, middle, small) {
-            holes.guessed += 1;
-            holes.guessed_at.get_or_insert(middle);
+            found.guessed_holes += 1;
+            found.guessed_hole_at.get_or_insert(middle);
         }
         let tip = mesh.vertices.len() as u32;
         mesh.vertices.push(middle);
         mesh.triangles
             .extend(sides.iter().map(|&[from, to]| [from, to, tip]));
     }
-    holes
 }
 
 /// Whether a fan round `middle` is flat, or no larger than `small`.

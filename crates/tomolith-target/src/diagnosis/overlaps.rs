@@ -40,10 +40,8 @@ pub(super) fn find_overlaps(mesh: &Mesh, found: &mut Diagnosis, run: &Run) {
     let pitch_mm = (high[1] - low[1]).max(high[2] - low[2]) / LATTICE;
     let count = |axis: usize| ((high[axis] - low[axis]) / pitch_mm).ceil().max(1.0) as usize;
     let grid = VolumeGrid {
-        shape: [count(2), count(1), 1],
-        pitch_mm,
-        height_mm: pitch_mm,
         center_mm: std::array::from_fn(|i| (low[i] + high[i]) / 2.0),
+        ..VolumeGrid::centered([count(2), count(1), 1], pitch_mm)
     };
     let scaled = Scaled::new(mesh, None, &grid);
     let x0 = grid.bounds_mm()[0][0];

@@ -1,5 +1,6 @@
 //! Repairs before a surface is examined: cracks between vertices, and duplicate triangles.
 
+use super::Diagnosis;
 use super::edges::Edges;
 use super::shells::Groups;
 use std::collections::HashMap;
@@ -72,18 +73,9 @@ fn nearby(mesh: &Mesh, among: &[u32]) -> HashMap<u32, u32> {
     to
 }
 
-/// Triangles that were dropped because others have the same corners.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Doubles {
-    /// Copies that look the same way.
-    pub(super) copies: usize,
-    /// Triangles back to back with another: a wall without thickness.
-    pub(super) back_to_back: usize,
-}
-
 /// Drops all but one of the copies of a triangle, and walls without thickness: neither changes what is inside. Of a closed
 /// body that is there twice, once inside out, one stays.
-pub(super) fn drop_doubles(mesh: &mut Mesh) -> Doubles {
+pub(super) fn drop_doubles(mesh: &mut Mesh, found: &mut Diagnosis) {
     /// Corners in rising order, which way it looks, its number.
     type Key = ([u32; 3], bool, usize);
     let mut keys: Vec<Key> = mesh
@@ -104,7 +96,6 @@ pub(super) fn drop_doubles(mesh: &mut Mesh) -> Doubles {
     let mut walls: Vec<[usize; 2]> = Vec::new();
     // Triangles of which there is one copy, which looks the same way
     let mut twins: Vec<[usize; 2]> = Vec::new();
-    let mut doubles = Doubles::default();
     for same in keys
         .chunk_by(|a, b| a.0 == b.0)
         .filter(|same| same.len() > 1)
@@ -112,8 +103,8 @@ pub(super) fn drop_doubles(mesh: &mut Mesh) -> Doubles {
         let odd = same.iter().filter(|key| !key.1).count();
         let even = same.len() - odd;
         let pairs = odd.min(even);
-        doubles.back_to_back += 2 * pairs;
-        doubles.copies += (odd.max(even) - pairs).saturating_sub(1);
+        found.back_to_back_triangles += 2 * pairs;
+        found.copied_triangles += (odd.max(even) - pairs).saturating_sub(1);
         let survivor = (odd != even).then(|| same.iter().find(|key| key.1 == (even > odd)));
         for (_, _, t) in same {
             keep[*t] = survivor.flatten().is_some_and(|key| key.2 == *t);
@@ -133,18 +124,17 @@ pub(super) fn drop_doubles(mesh: &mut Mesh) -> Doubles {
     }
     for t in outward_copies(mesh, &walls) {
         keep[t] = true;
-        doubles.back_to_back -= 1;
+        found.back_to_back_triangles -= 1;
     }
     for pair in between_bodies(mesh, &twins) {
         pair.into_iter().for_each(|t| keep[t] = false);
-        doubles.back_to_back += 2;
-        doubles.copies -= 1;
+        found.back_to_back_triangles += 2;
+        found.copied_triangles -= 1;
     }
     if keep.contains(&false) {
         let mut kept = keep.into_iter();
         mesh.triangles.retain(|_| kept.next().unwrap_or(true));
     }
-    doubles
 }
 
 /// Of pairs of triangles back to back that together form closed surfaces, the ones that look outward: such a surface is no
@@ -254,58 +244,45 @@ mod tests {
         assert_eq!((weld_cracks(&mut mesh), mesh == before), (0, true));
     }
 
+    /// Copies and triangles back to back that are dropped from meshes in one, and what is left.
+    fn dropped(meshes: &[Mesh]) -> ([usize; 2], Mesh) {
+        let (mut mesh, mut found) = (together(meshes).welded(), Diagnosis::default());
+        drop_doubles(&mut mesh, &mut found);
+        let counts = [found.copied_triangles, found.back_to_back_triangles];
+        (counts, mesh)
+    }
+
     #[test]
     fn copies_and_walls_without_thickness_are_dropped() {
         let cube = cuboid([0.0; 3], [1.0; 3]);
-        let mut twice = together(&[cube.clone(), cube.clone()]).welded();
-        let doubles = drop_doubles(&mut twice);
-        assert_eq!((doubles.copies, doubles.back_to_back), (12, 0));
-        assert_eq!(twice.triangles.len(), 12);
-        assert!((twice.signed_volume() - 1.0).abs() < 1e-12);
-        // A cube and the same inside out, whichever comes first; a sheet with two sides is nothing
-        let flipped = inverted(cube.clone());
-        for pair in [[cube.clone(), flipped.clone()], [flipped, cube.clone()]] {
-            let mut twice = together(&pair).welded();
-            assert_eq!(drop_doubles(&mut twice).back_to_back, 12);
-            assert!((twice.signed_volume() - 1.0).abs() < 1e-12);
-        }
-        let mut sheet = cuboid([0.0; 3], [1.0; 3]);
+        let (flipped, above) = (
+            inverted(cube.clone()),
+            cuboid([0.0, 0.0, 1.0], [1.0, 1.0, 2.0]),
+        );
+        let mut sheet = cube.clone();
         sheet.triangles.truncate(2);
-        let mut nothing = together(&[sheet.clone(), inverted(sheet)]).welded();
-        assert_eq!(drop_doubles(&mut nothing).back_to_back, 4);
-        assert!(nothing.triangles.is_empty());
-        // Two cubes with a wall between them become one block
-        let mut block =
-            together(&[cube.clone(), cuboid([0.0, 0.0, 1.0], [1.0, 1.0, 2.0])]).welded();
-        assert_eq!(
-            drop_doubles(&mut block),
-            Doubles {
-                copies: 0,
-                back_to_back: 4
-            }
-        );
-        assert!((block.signed_volume() - 2.0).abs() < 1e-12);
-        // A wall between a cube and one that is inside out goes as well; a single copy leaves no hole
-        let second = inverted(cuboid([0.0, 0.0, 1.0], [1.0, 1.0, 2.0]));
-        let mut block = together(&[cube.clone(), second]).welded();
-        assert_eq!(
-            drop_doubles(&mut block),
-            Doubles {
-                copies: 0,
-                back_to_back: 4
-            }
-        );
+        let mut third = cube.clone();
+        third.triangles = vec![cube.triangles[3]];
+        for (meshes, counts, volume, left) in [
+            // A copy; a cube and the same inside out, whichever comes first; a sheet with two sides is nothing
+            ([&cube, &cube], [12, 0], 1.0, 12),
+            ([&cube, &flipped], [0, 12], 1.0, 12),
+            ([&flipped, &cube], [0, 12], 1.0, 12),
+            ([&sheet, &inverted(sheet.clone())], [0, 4], 0.0, 0),
+            // Cubes with a wall between them become one block, one of them inside out, too; a single copy leaves no hole
+            ([&cube, &above], [0, 4], 2.0, 20),
+            ([&cube, &third], [1, 0], 1.0, 12),
+        ] {
+            let (found, mesh) = dropped(&meshes.map(Mesh::clone));
+            assert_eq!((found, mesh.triangles.len()), (counts, left));
+            assert!(left == 0 || (mesh.signed_volume() - volume).abs() < 1e-12);
+        }
+        let (counts, block) = dropped(&[cube.clone(), inverted(above)]);
+        assert_eq!(counts, [0, 4]);
         assert!(Edges::new(&block).iter().all(|edge| edge.len() == 2));
-        let mut copied = cube.clone();
-        copied.triangles.push(cube.triangles[3]);
         assert_eq!(
-            (drop_doubles(&mut copied).copies, copied.triangles.len()),
-            (1, 12)
-        );
-        let mut sound = cube.clone();
-        assert_eq!(
-            (drop_doubles(&mut sound), sound == cube),
-            (Doubles::default(), true)
+            dropped(std::slice::from_ref(&cube)),
+            ([0, 0], cube.welded())
         );
     }
 }

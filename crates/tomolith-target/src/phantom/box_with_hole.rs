@@ -2,15 +2,6 @@
 //!
 //! `|x|, |y| < size/2, |z| < height/2, √((x − hole_x)² + y²) > hole/2`; volume (size² − π·hole²/4)·height. A hole is what light from
 //! the side can hardly spare: the hardest simple test of contrast.
-//!
-//! ```
-//! use tomolith_core::kind::Section;
-//! use tomolith_target::{Placement, Shape, phantom::Phantom};
-//! let section = Section::new("target.phantom", serde_json::json!("box_with_hole"));
-//! let block = Phantom::build(&section, &Placement::default(), "target").unwrap();
-//! let exact = (25.0 - std::f64::consts::PI) * 3.0; // edges 5, hole 2 wide, height 3
-//! assert!((block.volume_mm3().unwrap() - exact).abs() < 1e-12);
-//! ```
 
 use super::{BuildForm, Form, corners, positive, rectangle, refused};
 use tomolith_core::error::Result;

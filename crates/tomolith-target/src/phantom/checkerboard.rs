@@ -2,15 +2,6 @@
 //!
 //! `cells` × `cells` squares, the one at the lower left solid; volume (half of the squares, rounded up)·(size/cells)²·
 //! height. Solid squares touch at their corners only.
-//!
-//! ```
-//! use tomolith_core::kind::Section;
-//! use tomolith_target::{Placement, Shape, phantom::Phantom};
-//! let section = Section::new("target.phantom", serde_json::json!("checkerboard"));
-//! let part = Phantom::build(&section, &Placement::default(), "target").unwrap();
-//! // 13 of 25 squares of 1 mm², 1 mm high
-//! assert!((part.volume_mm3().unwrap() - 13.0).abs() < 1e-12);
-//! ```
 
 use super::{BuildForm, Form, corners, positive, rectangle, within};
 use tomolith_core::error::Result;

@@ -1,14 +1,6 @@
 //! A cylinder upright on its end, or, flat, a disc.
 //!
 //! `√(x² + y²) < size/2, |z| < height/2`; volume π·size²/4·height.
-//!
-//! ```
-//! use tomolith_core::kind::Section;
-//! use tomolith_target::{Placement, Shape, phantom::Phantom};
-//! let section = Section::new("target.phantom", serde_json::json!({"cylinder": {"size_mm": 2.0, "height_mm": 1.0}}));
-//! let disc = Phantom::build(&section, &Placement::default(), "target").unwrap();
-//! assert_eq!(disc.volume_mm3(), Some(std::f64::consts::PI)); // radius 1, height 1
-//! ```
 
 use super::{BuildForm, Form, positive, rims};
 use tomolith_core::error::Result;

@@ -2,15 +2,6 @@
 //!
 //! g = cos kx·cos ky·cos kz − sin kx·sin ky·sin kz, see [`wall`](super::wall). |∇g| lies between k and √1.5·k on the
 //! surface, 1.055·k in the (harmonic) mean: the wall is 0.86 to 1.06 of `wall_mm` from place to place.
-//!
-//! ```
-//! use tomolith_core::kind::Section;
-//! use tomolith_target::{Placement, Shape, phantom::Phantom};
-//! let section = Section::new("target.phantom", serde_json::json!("diamond"));
-//! let cube = Phantom::build(&section, &Placement::default(), "target").unwrap();
-//! assert_eq!(cube.bounds_mm(), [[-2.5; 3], [2.5; 3]]); // 5 mm edges
-//! assert_eq!(cube.volume_mm3(), None); // no closed form
-//! ```
 
 use super::BuildForm;
 use super::wall::{self, Waves};

@@ -3,17 +3,6 @@
 //! Bars along x with the proportions of ASTM D638 type V: of the length, the grips are 0.1501 wide, the neck 0.0501 over
 //! 0.1501, and fillets of radius 0.2 lead from the one to the other. Volume: of each bar the rectangle less what neck and
 //! fillets leave out.
-//!
-//! ```
-//! use tomolith_core::kind::Section;
-//! use tomolith_target::{Placement, Shape, phantom::Phantom};
-//! let section = Section::new("target.phantom", serde_json::json!("dog_bones"));
-//! let part = Phantom::build(&section, &Placement::default(), "target").unwrap();
-//! let [low, high] = part.bounds_mm();
-//! assert!((high[0] - 2.5).abs() < 1e-12); // 5 mm long
-//! let rows = 5.0 * 9.53 / 63.5 * (3.0 + 2.0); // three bars 0.75 mm wide, with gaps as wide
-//! assert!((high[1] - low[1] - rows).abs() < 1e-12);
-//! ```
 
 use super::{BuildForm, Form, corners, positive, rectangle, within};
 use tomolith_core::error::Result;

@@ -5,18 +5,6 @@
 //! and s across, w = width·√(sin π·t^1.4) with a ruffled edge; what lies farther in front covers what is behind, with soft
 //! edges. In the circle values run from 0.07 to 0.93 (mean 0.444, standard deviation 0.224; the photograph: 0.447,
 //! 0.194); beyond it they are 0. Gray values, not an inside fraction: no volume.
-//!
-//! ```
-//! use tomolith_core::kind::Section;
-//! use tomolith_target::{Placement, Shape, phantom::Phantom};
-//! let section = Section::new("target.phantom", serde_json::json!("flower"));
-//! let part = Phantom::build(&section, &Placement::default(), "target").unwrap();
-//! use tomolith_core::grid::VolumeGrid;
-//! let slice = part.sample(&VolumeGrid::centered([1, 64, 64], 5.0 / 64.0)).unwrap();
-//! assert!(part.is_gray() && *slice.at(0, 0, 0) == 0.0); // a corner lies beyond the circle
-//! let brightest = slice.values.iter().copied().fold(0.0f32, f32::max);
-//! assert!(brightest > 0.8 && brightest <= 0.93); // the stamens
-//! ```
 
 use super::{Body, BuildForm, Form, GrayForm, positive, rims};
 use std::f64::consts::PI;

@@ -3,19 +3,9 @@
 //! Tip diameter `size`, module m = size/(teeth + 2), teeth 2.25·m deep (the standard full depth) with straight flanks that
 //! leave half of the pitch circle to the teeth: a tooth is 0.72 of its pitch wide at the root circle and 0.28 at the tip.
 //! Volume: area of the [wheel](super::wheel) minus the bore, times the height.
-//!
-//! ```
-//! use tomolith_core::kind::Section;
-//! use tomolith_target::{Placement, Shape, phantom::Phantom};
-//! let section = Section::new("target.phantom", serde_json::json!("gear"));
-//! let gear = Phantom::build(&section, &Placement::default(), "target").unwrap();
-//! let volume = gear.volume_mm3().unwrap();
-//! // Between the discs of the root circle (radius 3 − 2.25·6/14 = 2.036) and of the tip circle, less a bore of 2 mm
-//! assert!(volume > 3.0 * 3.1416 * (2.036f64.powi(2) - 1.0) && volume < 3.0 * 3.1416 * (9.0 - 1.0));
-//! ```
 
 use super::wheel::Wheel;
-use super::{BuildForm, Form, positive, refused, rims};
+use super::{BuildForm, Form, positive, refused, rims, within};
 use std::f64::consts::PI;
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
@@ -77,10 +67,7 @@ fn build(section: &Section) -> Result<Form> {
 
 /// The outline of a gear `size_mm` wide over the tips.
 pub(super) fn spur_gear(section: &Section, size: Mm, teeth: u32) -> Result<Wheel> {
-    if !(4..=500).contains(&teeth) {
-        let accepted = "a number of teeth from 4 to 500";
-        return refused(section, "teeth", teeth.to_string(), accepted);
-    }
+    within(section, "teeth", teeth, 4..=500)?;
     let tip = size.0 / 2.0;
     let module = size.0 / f64::from(teeth + 2);
     let half_pitch = PI / f64::from(teeth);

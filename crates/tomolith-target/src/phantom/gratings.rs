@@ -4,22 +4,10 @@
 //! 2^bits levels k/(2^bits − 1); quarters are `gap_mm` apart. Counter-clockwise from the lower right: 1, 2, 4 and 12 bits,
 //! the order of Li et al. 2023 (BCLP), section 3.4; their period, gaps and orientation are in a figure only. Four times 1
 //! bit are the binary gratings of its supplement S.10. Gray values, not an inside fraction: no volume.
-//!
-//! ```
-//! use tomolith_core::kind::Section;
-//! use tomolith_target::{Placement, Shape, phantom::Phantom};
-//! let section = Section::new("target.phantom", serde_json::json!("gratings"));
-//! let part = Phantom::build(&section, &Placement::default(), "target").unwrap();
-//! use tomolith_core::grid::VolumeGrid;
-//! let grid = VolumeGrid { shape: [1, 1, 1], pitch_mm: 0.01, height_mm: 0.01, center_mm: [1.35, -1.35, 0.0] };
-//! assert!(part.is_gray());
-//! // The middle of the lower right grating, 2.3 mm wide: half a period after the last dark line of 5
-//! assert_eq!(part.sample(&grid).unwrap().values[0], 1.0);
-//! ```
 
 use super::waves::wave;
-use super::{Body, BuildForm, Form, GrayForm, corners, positive, within};
-use tomolith_core::error::{Error, Result};
+use super::{Body, BuildForm, Form, GrayForm, corners, positive, refused, within};
+use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
 
@@ -50,16 +38,14 @@ tomolith_core::keys! {
 fn build(section: &Section) -> Result<Form> {
     let p: Params = section.parse()?;
     positive!(section, p, size_mm, height_mm);
-    let refused = |key: &str, found: String, accepted: &str| {
-        Err(Error::config(key, found, accepted).under(&section.path))
-    };
     within(section, "periods", p.periods, 1..=1000)?;
     if !(p.gap_mm.0 >= 0.0 && p.gap_mm < p.size_mm) {
-        let found = p.gap_mm.to_string();
-        return refused("gap_mm", found, "0, or a length below `size_mm`");
+        let accepted = "0, or a length below `size_mm`";
+        return refused(section, "gap_mm", p.gap_mm, accepted);
     }
     if p.bits.iter().any(|bits| !(1..=16).contains(bits)) {
-        return refused("bits", format!("{:?}", p.bits), "four numbers from 1 to 16");
+        let found = format!("{:?}", p.bits);
+        return refused(section, "bits", found, "four numbers from 1 to 16");
     }
     let (edge, half) = (p.size_mm.0 / 2.0, p.height_mm.0 / 2.0);
     let (gap, periods, bits) = (p.gap_mm.0 / 2.0, f64::from(p.periods), p.bits);

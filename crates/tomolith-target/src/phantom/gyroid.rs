@@ -3,15 +3,6 @@
 //! g = sin kx·cos ky + sin ky·cos kz + sin kz·cos kx, see [`wall`](super::wall). |∇g| lies between √2·k and √3·k on the
 //! surface, 1.53·k in the (harmonic) mean: the wall is 0.88 to 1.08 of `wall_mm` from place to place. The test of
 //! TVAM AID's section 3.4 has 2 × 2 × 2 cells (Pellizzon 2025); its wall is not given.
-//!
-//! ```
-//! use tomolith_core::kind::Section;
-//! use tomolith_target::{Placement, Shape, phantom::Phantom};
-//! let section = Section::new("target.phantom", serde_json::json!("gyroid"));
-//! let cube = Phantom::build(&section, &Placement::default(), "target").unwrap();
-//! assert_eq!(cube.bounds_mm(), [[-2.5; 3], [2.5; 3]]); // 5 mm edges
-//! assert_eq!(cube.volume_mm3(), None); // no closed form
-//! ```
 
 use super::BuildForm;
 use super::wall::{self, Waves};

@@ -16,8 +16,8 @@
 //! ```
 
 use super::gear::spur_gear;
-use super::{Body, BuildForm, Form, Prism, positive, rims};
-use tomolith_core::error::{Error, Result};
+use super::{Body, BuildForm, Form, Prism, positive, refused, rims};
+use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::{Mm, concise};
 
@@ -49,22 +49,16 @@ fn build(section: &Section) -> Result<Form> {
     let p: Params = section.parse()?;
     positive!(section, p, size_mm, height_mm, wall_mm);
     let wheel = spur_gear(section, p.size_mm, p.teeth)?;
-    let refused = |key: &str, found: Mm, accepted: String| {
-        Err(Error::config(key, found.to_string(), accepted).under(&section.path))
-    };
     if p.wall_mm.0 >= wheel.root {
         let accepted = format!(
             "less than the root circle's radius, {} mm",
             concise(wheel.root)
         );
-        return refused("wall_mm", p.wall_mm, accepted);
+        return refused(section, "wall_mm", p.wall_mm, accepted);
     }
     if !(p.floor_mm.0 >= 0.0 && p.floor_mm < p.height_mm) {
-        return refused(
-            "floor_mm",
-            p.floor_mm,
-            "0, or less than `height_mm`".to_owned(),
-        );
+        let accepted = "0, or less than `height_mm`";
+        return refused(section, "floor_mm", p.floor_mm, accepted);
     }
     let (tip, wall, half) = (wheel.tip, p.wall_mm.0, p.height_mm.0 / 2.0);
     let shell = move |p| {

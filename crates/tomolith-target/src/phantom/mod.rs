@@ -274,8 +274,7 @@ fn cuboid(p: [f64; 3], half: [f64; 3]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Resolution;
-    use crate::default_grid;
+    use crate::region::{Resolution, default_grid, sampled_volume};
     use serde_json::json;
 
     fn phantom(value: serde_json::Value, placement: &Placement) -> Phantom {
@@ -284,13 +283,6 @@ mod tests {
 
     fn is_gray(name: &str) -> bool {
         phantom(json!(name), &Placement::default()).is_gray()
-    }
-
-    fn sampled_volume(shape: &dyn Shape, longest: usize) -> f64 {
-        let grid = default_grid(shape.bounds_mm(), Resolution::Shape([longest; 3])).unwrap();
-        let volume = shape.sample(&grid).unwrap();
-        assert!(volume.values.iter().all(|v| (0.0..=1.0).contains(v)));
-        volume.values.iter().map(|&v| f64::from(v)).sum::<f64>() * grid.voxel_mm3()
     }
 
     #[test]
@@ -328,87 +320,67 @@ mod tests {
     }
 
     #[test]
-    fn no_phantom_leaves_its_box() {
+    fn no_phantom_leaves_its_box_and_upright_it_fills_it() {
         let placement = Placement {
             rotate_deg: [25.0, 40.0, -15.0],
             ..Placement::default()
         };
         for kind in PHANTOMS.iter().filter(|kind| !is_gray(kind.name)) {
-            let shape = phantom(json!(kind.name), &placement);
-            let [low, high] = shape.bounds_mm();
-            let grid = default_grid([low, high], Resolution::Shape([36; 3])).unwrap();
-            let volume = shape.sample(&grid).unwrap();
-            let half = grid.pitch_mm / 2.0;
-            // The rims of round parts are polygons of 360 corners: they miss the circle by 4e-5 of the radius
-            let slack = half + 1e-3;
-            for (i, &value) in volume.values.iter().enumerate() {
-                let p = grid.middle(i);
-                let out = (0..3).any(|i| p[i] < low[i] - slack || p[i] > high[i] + slack);
-                assert!(!out || value == 0.0, "{} at {p:?}", kind.name);
+            for placement in [Placement::default(), placement] {
+                let shape = phantom(json!(kind.name), &placement);
+                let [low, high] = shape.bounds_mm();
+                let grid = default_grid([low, high], Resolution::Shape([36; 3])).unwrap();
+                let values = shape.sample(&grid).unwrap().values;
+                let half = grid.pitch_mm / 2.0;
+                // The rims of round parts are polygons of 360 corners: they miss the circle by 4e-5 of the radius
+                let slack = half + 1e-3;
+                let filled = (0..values.len()).filter(|&i| values[i] > 0.0);
+                let places: Vec<_> = filled.map(|i| grid.middle(i)).collect();
+                let is_out =
+                    |p: [f64; 3]| (0..3).any(|i| p[i] < low[i] - slack || p[i] > high[i] + slack);
+                assert!(!places.iter().any(|p| is_out(*p)), "{}", kind.name);
+                // Upright, it fills its box
+                let fills = |i: usize| {
+                    let reach = |end: f64| places.iter().any(|p| (p[i] - end).abs() < slack);
+                    reach(low[i]) && reach(high[i])
+                };
+                let is_turned = placement.rotate_deg != [0.0; 3];
+                assert!(is_turned || (0..3).all(fills), "{}", kind.name);
             }
         }
     }
 
     #[test]
     fn bad_parameters_name_their_key() {
-        for (value, start) in [
-            (json!({"gear": {"teeth": 2}}), "target.phantom.gear.teeth"),
-            (
-                json!({"gear": {"bore_mm": 9.0}}),
-                "target.phantom.gear.bore_mm",
-            ),
-            (
-                json!({"sphere": {"size_mm": -1}}),
-                "target.phantom.sphere.size_mm",
-            ),
-            (
-                json!({"sphere": {"radius": 1}}),
-                "target.phantom.sphere.radius",
-            ),
-            (json!("gaer"), "target.phantom.gaer: unknown kind `gaer`"),
-            (
-                json!({"gyroid": {"cells": 0}}),
-                "target.phantom.gyroid.cells",
-            ),
-            (
-                json!({"box_with_hole": {"hole_mm": 7}}),
-                "target.phantom.box_with_hole.hole_mm",
-            ),
-            (
-                json!({"siemens_star": {"hub_mm": 7}}),
-                "target.phantom.siemens_star.hub_mm",
-            ),
-            (
-                json!({"ring": {"hole_mm": 7}}),
-                "target.phantom.ring.hole_mm",
-            ),
-            (
-                json!({"hollow_gear": {"floor_mm": 3}}),
-                "target.phantom.hollow_gear.floor_mm",
-            ),
-            (
-                json!({"diamond": {"wall_mm": 0.5}}),
-                "target.phantom.diamond.wall_mm: 0.5 mm with a period of 2.5 mm; accepted: a thickness > 0, at most 0.3125 mm",
-            ),
-            (
-                json!({"dog_bones": {"count": 0}}),
-                "target.phantom.dog_bones.count",
-            ),
-            (
-                json!({"checkerboard": {"cells": 0}}),
-                "target.phantom.checkerboard.cells",
-            ),
-            (
-                json!({"gratings": {"bits": [1, 2, 4, 17]}}),
-                "target.phantom.gratings.bits",
-            ),
-        ] {
+        let refused = |value: serde_json::Value| {
             let section = Section::new("target.phantom", value);
-            let text = Phantom::build(&section, &Placement::default(), "target")
-                .unwrap_err()
-                .to_string();
-            assert!(text.starts_with(start), "{text}");
+            let built = Phantom::build(&section, &Placement::default(), "target");
+            built.unwrap_err().to_string()
+        };
+        for (kind, key, value) in [
+            ("gear", "teeth", json!(2)),
+            ("gear", "bore_mm", json!(9.0)),
+            ("sphere", "size_mm", json!(-1)),
+            ("sphere", "radius", json!(1)),
+            ("gyroid", "cells", json!(0)),
+            ("box_with_hole", "hole_mm", json!(7)),
+            ("siemens_star", "hub_mm", json!(7)),
+            ("siemens_star", "spokes", json!(1)),
+            ("ring", "hole_mm", json!(7)),
+            ("hollow_gear", "floor_mm", json!(3)),
+            ("dog_bones", "count", json!(0)),
+            ("checkerboard", "cells", json!(0)),
+            ("gratings", "bits", json!([1, 2, 4, 17])),
+        ] {
+            let text = refused(json!({ kind: { key: value } }));
+            let place = format!("target.phantom.{kind}.{key}");
+            assert!(text.starts_with(&place), "{text}");
         }
+        let text = refused(json!("gaer"));
+        assert!(text.starts_with("target.phantom.gaer: unknown kind `gaer`"));
+        let text = refused(json!({"diamond": {"wall_mm": 0.5}}));
+        let said = "target.phantom.diamond.wall_mm: 0.5 mm with a period of 2.5 mm; accepted: a thickness > 0, at most 0.3125 mm";
+        assert!(text.starts_with(said), "{text}");
     }
 
     #[test]
@@ -428,12 +400,7 @@ mod tests {
     #[test]
     fn gratings_have_the_levels_of_their_bits() {
         let shape = phantom(json!("gratings"), &Placement::default());
-        let grid = VolumeGrid {
-            shape: [1, 2000, 2000],
-            pitch_mm: 0.0025,
-            height_mm: 0.0025,
-            center_mm: [0.0; 3],
-        };
+        let grid = VolumeGrid::centered([1, 2000, 2000], 0.0025);
         let volume = shape.sample(&grid).unwrap();
         let levels = |ix: std::ops::Range<usize>, iy: usize| {
             let mut found: Vec<u32> = ix.map(|ix| volume.at(0, iy, ix).to_bits()).collect();
@@ -473,6 +440,8 @@ mod tests {
             .collect();
         let mean = inside.iter().sum::<f64>() / inside.len() as f64;
         let variance = inside.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / inside.len() as f64;
+        let brightest = inside.iter().copied().fold(0.0, f64::max);
+        assert!(values[0] == 0.0 && brightest > 0.8 && brightest < 0.931);
         let disc = inside.len() as f64 / (256.0 * 256.0);
         assert!((disc - std::f64::consts::FRAC_PI_4).abs() < 0.02, "{disc}");
         assert!((0.40..0.50).contains(&mean), "{mean}");
@@ -519,37 +488,25 @@ mod tests {
     #[test]
     fn the_chiral_part_differs_from_its_mirror_image_in_every_turn() {
         let turned = |rotate_deg| {
-            let shape = phantom(
-                json!("chiral"),
-                &Placement {
-                    rotate_deg,
-                    ..Placement::default()
-                },
-            );
+            let placement = Placement {
+                rotate_deg,
+                ..Placement::default()
+            };
             let grid = VolumeGrid::centered([32, 32, 32], 0.25);
-            shape.sample(&grid).unwrap()
+            phantom(json!("chiral"), &placement).sample(&grid).unwrap()
         };
         let part = turned([0.0; 3]);
         let solid: f64 = part.values.iter().map(|&v| f64::from(v)).sum();
-        let mirrored = |iz: usize, iy: usize, ix: usize| *part.at(iz, iy, 31 - ix);
+        let rows = part.values.chunks(32);
+        let mirrored: Vec<f32> = rows.flat_map(|row| row.iter().rev().copied()).collect();
         for rx in [0.0, 90.0, 180.0, 270.0] {
             for ry in [0.0, 90.0, 180.0, 270.0] {
                 for rz in [0.0, 90.0, 180.0, 270.0] {
                     let other = turned([rx, ry, rz]);
-                    let mut difference = 0.0;
-                    for iz in 0..32 {
-                        for iy in 0..32 {
-                            for ix in 0..32 {
-                                difference +=
-                                    f64::from((other.at(iz, iy, ix) - mirrored(iz, iy, ix)).abs());
-                            }
-                        }
-                    }
-                    assert!(
-                        difference > 0.1 * solid,
-                        "{rx} {ry} {rz}: {}",
-                        difference / solid
-                    );
+                    let pairs = other.values.iter().zip(&mirrored);
+                    let difference: f64 = pairs.map(|(a, b)| f64::from((a - b).abs())).sum();
+                    let share = difference / solid;
+                    assert!(share > 0.1, "{rx} {ry} {rz}: {share}");
                 }
             }
         }

@@ -4,17 +4,6 @@
 //! group lying and one standing; below the smaller column a solid square of 5·w. w is 0.0262 of the size, so that the
 //! bars run from 0.131 to 0.0367 mm in a chart of 5 mm, and the frame is 0.04 of the size wide. Volume: of all bars,
 //! the square and the frame.
-//!
-//! ```
-//! use tomolith_core::kind::Section;
-//! use tomolith_target::{Placement, Shape, phantom::Phantom};
-//! let section = Section::new("target.phantom", serde_json::json!("resolution_chart"));
-//! let part = Phantom::build(&section, &Placement::default(), "target").unwrap();
-//! // Of the size²: 2·3 bars of 5·w² each, Σ 2^(−i/3) = 4.544; a square of 25·w²; a frame of 4·0.04·(1 − 0.04)
-//! let w2 = 0.0262f64.powi(2);
-//! let exact = 25.0 * (30.0 * w2 * 4.5442 + 25.0 * w2 + 0.1536);
-//! assert!((part.volume_mm3().unwrap() / exact - 1.0).abs() < 1e-4);
-//! ```
 
 use super::{BuildForm, Form, corners, positive, rectangle};
 use tomolith_core::error::Result;

@@ -1,15 +1,6 @@
 //! A ring, or, high, a tube: the simplest part that light has to leave dark inside.
 //!
 //! `hole/2 < √(x² + y²) < size/2, |z| < height/2`; volume π·(size² − hole²)/4·height.
-//!
-//! ```
-//! use tomolith_core::kind::Section;
-//! use tomolith_target::{Placement, Shape, phantom::Phantom};
-//! let section = Section::new("target.phantom", serde_json::json!("ring"));
-//! let part = Phantom::build(&section, &Placement::default(), "target").unwrap();
-//! let exact = std::f64::consts::PI * (2.5f64.powi(2) - 1.5f64.powi(2)) * 3.0; // radii 2.5 and 1.5, height 3
-//! assert!((part.volume_mm3().unwrap() - exact).abs() < 1e-12);
-//! ```
 
 use super::{BuildForm, Form, positive, refused, rims};
 use std::f64::consts::PI;

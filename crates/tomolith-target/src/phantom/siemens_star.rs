@@ -2,19 +2,9 @@
 //!
 //! Spokes and gaps have equal angles, π/spokes each; at radius r a spoke is π·r/spokes wide. A disc in the middle holds
 //! them together. Volume: (area of the hub + half of the ring)·height.
-//!
-//! ```
-//! use tomolith_core::kind::Section;
-//! use tomolith_target::{Placement, Shape, phantom::Phantom};
-//! let section = Section::new("target.phantom", serde_json::json!("siemens_star"));
-//! let star = Phantom::build(&section, &Placement::default(), "target").unwrap();
-//! let pi = std::f64::consts::PI;
-//! let exact = 1.5 * (pi * 0.25 + pi * (9.0 - 0.25) / 2.0); // hub of radius 0.5, ring up to radius 3, height 1.5
-//! assert!((star.volume_mm3().unwrap() - exact).abs() < 1e-12);
-//! ```
 
 use super::wheel::Wheel;
-use super::{BuildForm, Form, positive, refused, rims};
+use super::{BuildForm, Form, positive, refused, rims, within};
 use std::f64::consts::PI;
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
@@ -45,10 +35,7 @@ tomolith_core::keys! {
 fn build(section: &Section) -> Result<Form> {
     let p: Params = section.parse()?;
     positive!(section, p, size_mm, height_mm, hub_mm);
-    if !(2..=500).contains(&p.spokes) {
-        let found = p.spokes.to_string();
-        return refused(section, "spokes", found, "a number of spokes from 2 to 500");
-    }
+    within(section, "spokes", p.spokes, 2..=500)?;
     if p.hub_mm >= p.size_mm {
         let found = format!("{} in a star of {}", p.hub_mm, p.size_mm);
         return refused(section, "hub_mm", found, "a diameter below `size_mm`");

@@ -1,14 +1,6 @@
 //! A ball.
 //!
 //! `√(x² + y² + z²) < size/2`; volume π·size³/6.
-//!
-//! ```
-//! use tomolith_core::kind::Section;
-//! use tomolith_target::{Placement, Shape, phantom::Phantom};
-//! let section = Section::new("target.phantom", serde_json::json!({"sphere": {"size_mm": 2.0}}));
-//! let ball = Phantom::build(&section, &Placement::default(), "target").unwrap();
-//! assert_eq!(ball.bounds_mm(), [[-1.0; 3], [1.0; 3]]); // radius 1 about the origin
-//! ```
 
 use super::{Body, BuildForm, Form, positive};
 use tomolith_core::error::Result;
