@@ -218,9 +218,21 @@ mod tests {
         evaluate(&print)
     }
 
+    /// The same where these thresholds are good enough.
+    fn thresholds(at: [f64; 3]) -> Evaluation {
+        Evaluation {
+            latitude: Some(Latitude::Thresholds { iou: 0.9, at }),
+            ..evaluation(None)
+        }
+    }
+
+    fn window(evaluation: &Evaluation, time_s: Option<f64>) -> Option<ExposureWindow> {
+        ExposureWindow::new(evaluation, &Identity, time_s)
+    }
+
     #[test]
     fn exposures_are_the_thresholds_turned_round_and_times_follow() {
-        let window = ExposureWindow::new(&evaluation(None), &Identity, Some(50.0)).unwrap();
+        let window = window(&evaluation(None), Some(50.0)).unwrap();
         let close = |bracket: &Bracket, expected: [f64; 3]| {
             for (found, expected) in bracket.ascending().iter().zip(expected) {
                 assert!((found.unwrap() - expected).abs() < 1e-9, "{bracket:?}");
@@ -240,59 +252,38 @@ mod tests {
 
     #[test]
     fn a_given_threshold_is_another_exposure_and_its_time_is_the_one_that_is_known() {
-        let window = ExposureWindow::new(&evaluation(Some(0.5)), &Identity, Some(50.0)).unwrap();
+        let window = window(&evaluation(Some(0.5)), Some(50.0)).unwrap();
         assert_eq!(window.reported_percent, Some(125.0));
-        assert_eq!(
-            window.time_s.unwrap().ascending()[1..],
-            [Some(40.0), Some(50.0)]
-        );
-        assert!(
-            window
-                .sentence()
-                .ends_with("All other numbers are for 125 % of it.")
-        );
+        let times = window.time_s.unwrap().ascending();
+        assert_eq!(times[1..], [Some(40.0), Some(50.0)]);
+        let text = window.sentence();
+        assert!(text.ends_with("All other numbers are for 125 % of it."));
     }
 
     #[test]
     fn a_narrow_window_has_digits_enough() {
-        let mut evaluation = evaluation(None);
-        evaluation.latitude = Some(Latitude::Thresholds {
-            iou: 0.9,
-            at: [0.4999, 0.5, 0.5002],
-        });
-        let window = ExposureWindow::new(&evaluation, &Identity, Some(50.0)).unwrap();
-        let text = window.sentence();
-        tomolith_core::contains!(
-            text,
-            "from 99.96 % to 100.02 % of it (from 62.48 s to 62.51 s"
-        );
+        let narrow = thresholds([0.4999, 0.5, 0.5002]);
+        let text = window(&narrow, Some(50.0)).unwrap().sentence();
+        let said = "from 99.96 % to 100.02 % of it (from 62.48 s to 62.51 s";
+        tomolith_core::contains!(text, said);
     }
 
     #[test]
     fn what_has_no_limit_has_none() {
-        let mut evaluation = evaluation(None);
-        evaluation.latitude = Some(Latitude::Thresholds {
-            iou: 0.005,
-            at: [0.0, 0.5, f64::INFINITY],
-        });
-        let window = ExposureWindow::new(&evaluation, &Identity, None).unwrap();
-        assert_eq!(window.percent.ascending(), [None, Some(100.0), None]);
-        tomolith_core::contains!(window.sentence(), "at any of it");
-        let json = serde_json::to_value(window).unwrap();
+        let mut evaluation = thresholds([0.0, 0.5, f64::INFINITY]);
+        let open = window(&evaluation, None).unwrap();
+        assert_eq!(open.percent.ascending(), [None, Some(100.0), None]);
+        tomolith_core::contains!(open.sentence(), "at any of it");
+        let json = serde_json::to_value(open).unwrap();
         assert!(json["threshold"]["high"].is_null() && json["time_s"].is_null());
         evaluation.latitude = None;
-        assert_eq!(ExposureWindow::new(&evaluation, &Identity, None), None);
+        assert_eq!(window(&evaluation, None), None);
     }
 
     #[test]
     fn no_exposure_brings_a_dose_to_what_is_not_above_zero() {
-        let mut evaluation = evaluation(None);
         for at in [[-0.4, -0.3, -0.2], [-0.1, 0.0, 0.1]] {
-            evaluation.latitude = Some(Latitude::Thresholds { iou: 0.9, at });
-            assert_eq!(
-                ExposureWindow::new(&evaluation, &Identity, Some(50.0)),
-                None
-            );
+            assert_eq!(window(&thresholds(at), Some(50.0)), None);
         }
     }
 
@@ -303,7 +294,7 @@ mod tests {
             rms: 0.1,
             at: [1.0, 1.25, 1.5],
         });
-        let window = ExposureWindow::new(&evaluation, &Identity, None).unwrap();
+        let window = window(&evaluation, None).unwrap();
         assert_eq!(window.percent.ascending(), [80.0, 100.0, 120.0].map(Some));
         assert_eq!(
             (window.reported_percent, window.measure),

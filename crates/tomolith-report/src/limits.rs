@@ -59,24 +59,3 @@ pub struct PrintLimits {
     /// The largest loss first.
     pub causes: Vec<Limit>,
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_limit_has_four_keys() {
-        let limit = Limit {
-            cause: Cause::Grid,
-            measure: "iou",
-            loss: 0.026,
-            key: "grid.pitch_mm".to_owned(),
-            advice: "A < B. Lower `grid.pitch_mm`.".to_owned(),
-        };
-        let json = serde_json::to_value(&limit).unwrap();
-        assert_eq!(
-            json,
-            serde_json::json!({ "cause": "grid", "loss_in_iou": 0.026, "key": "grid.pitch_mm", "advice": "A < B. Lower `grid.pitch_mm`." })
-        );
-    }
-}

@@ -189,24 +189,30 @@ pub fn heat_maps(
     };
     sheet.head(&title, format!("{caption}{room}").trim());
     sheet.bar(&values);
-    let mut marks = vec![
-        (cells().any(|c| c.is_feasible) && cells().any(|c| !c.is_feasible))
-            .then_some("outlined: feasible".to_owned()),
-        cells()
-            .any(|c| c.is_best)
-            .then_some("ring: best".to_owned()),
-        cells()
-            .any(|c| c.has_failed)
-            .then_some("×: failed".to_owned()),
-    ];
-    let strokes = STROKES.iter().cycle();
-    marks.extend(
-        guides
-            .iter()
-            .zip(strokes)
-            .map(|(guide, (stroke, _))| Some(format!("{stroke}: {}", guide.name))),
-    );
+    let has_both = cells().any(|c| !c.is_feasible);
+    let outlined = mark(cells(), |c| c.is_feasible, "outlined: feasible");
+    let mut marks = vec![outlined.filter(|_| has_both)];
+    marks.extend(common_marks(cells));
+    let strokes = guides.iter().zip(STROKES.iter().cycle());
+    marks.extend(strokes.map(|(guide, (stroke, _))| Some(format!("{stroke}: {}", guide.name))));
     sheet.svg(&title, &marks)
+}
+
+/// What a mark means, where a cell has it.
+fn mark<'c>(
+    mut cells: impl Iterator<Item = &'c Cell>,
+    has_it: fn(&Cell) -> bool,
+    meaning: &str,
+) -> Option<String> {
+    cells.any(has_it).then(|| meaning.to_owned())
+}
+
+/// The marks of maps and curves.
+fn common_marks<'c, I: Iterator<Item = &'c Cell>>(cells: impl Fn() -> I) -> [Option<String>; 2] {
+    [
+        mark(cells(), |c| c.is_best, "ring: best"),
+        mark(cells(), |c| c.has_failed, "×: failed"),
+    ]
 }
 
 /// How guides differ: in words, and as SVG has it.
@@ -268,18 +274,9 @@ pub fn curves(title: &str, curves: &[PlotCurve], caption: &str) -> String {
         let frame = sheet.frame(i);
         draw_curve(&mut sheet.body, &frame, (curve, most), &values);
     }
-    let marks = [
-        points()
-            .any(|c| !c.is_feasible)
-            .then_some("hollow: not feasible".to_owned()),
-        points()
-            .any(|c| c.is_best)
-            .then_some("ring: best".to_owned()),
-        points()
-            .any(|c| c.has_failed)
-            .then_some("×: failed".to_owned()),
-    ];
-    sheet.svg(title, &marks)
+    let hollow = mark(points(), |c| !c.is_feasible, "hollow: not feasible");
+    let [best, failed] = common_marks(points);
+    sheet.svg(title, &[hollow, best, failed])
 }
 
 /// Parts of an edge in the middle of equal cells, and their labels: so many that they do not touch.
@@ -509,30 +506,19 @@ fn outline(
     corner: &dyn Fn(usize) -> [f64; 2],
     [width, height]: [f64; 2],
 ) -> String {
+    let (down, across) = (format!("v{height:.1}"), format!("h{width:.1}"));
     let mut path = String::new();
     for i in (0..columns * rows).filter(|i| is_feasible(i % columns, i / columns)) {
         let ([left, top], column, row) = (corner(i), i % columns, i / columns);
         let sides = [
-            (
-                column.wrapping_sub(1),
-                row,
-                format!("M{left:.1} {top:.1}v{height:.1}"),
-            ),
-            (
-                column + 1,
-                row,
-                format!("M{:.1} {top:.1}v{height:.1}", left + width),
-            ),
-            (column, row + 1, format!("M{left:.1} {top:.1}h{width:.1}")),
-            (
-                column,
-                row.wrapping_sub(1),
-                format!("M{left:.1} {:.1}h{width:.1}", top + height),
-            ),
+            (column.wrapping_sub(1), row, [left, top], &down),
+            (column + 1, row, [left + width, top], &down),
+            (column, row + 1, [left, top], &across),
+            (column, row.wrapping_sub(1), [left, top + height], &across),
         ];
-        for (column, row, side) in sides {
+        for (column, row, [x, y], side) in sides {
             if !is_feasible(column, row) {
-                path.push_str(&side);
+                draw!(path, "M{x:.1} {y:.1}{side}");
             }
         }
     }
@@ -661,61 +647,62 @@ mod tests {
         })
     }
 
+    fn panel(title: &str, cells: impl IntoIterator<Item = Option<Cell>>) -> Panel {
+        Panel {
+            title: title.to_owned(),
+            cells: cells.into_iter().collect(),
+        }
+    }
+
+    fn guide(name: &str, points: &[[f64; 2]]) -> Guide {
+        Guide {
+            name: name.to_owned(),
+            points: points.to_vec(),
+        }
+    }
+
+    /// A curve of values at 0, 1, 2, … over labels.
+    fn curve(name: &str, labels: &[String], values: &[f64]) -> PlotCurve {
+        let points = (values.iter().enumerate())
+            .filter_map(|(i, value)| Some((i as f64, cell(Some(*value), true)?)));
+        PlotCurve {
+            name: name.to_owned(),
+            labels: Some(labels.to_vec()),
+            is_log: false,
+            is_joined: false,
+            points: points.collect(),
+        }
+    }
+
     #[test]
     fn names_of_others_are_text() {
         const NAME: &str = "\"'><img src=x>&";
-        let cell = || cell(Some(4.0), true).unwrap();
-        let panel = Panel {
-            title: NAME.to_owned(),
-            cells: vec![Some(cell())],
+        const TEXT: &str = "&quot;&#39;&gt;&lt;img src=x&gt;&amp;";
+        let labels = [NAME.to_owned()];
+        let scale = ColorScale {
+            labels: labels.to_vec(),
+            ..scale(NAME, 0)
         };
-        let guide = Guide {
-            name: NAME.to_owned(),
-            points: vec![[0.0, 0.0]],
-        };
-        let scale = || ColorScale {
-            name: NAME.to_owned(),
-            labels: vec![NAME.to_owned()],
-        };
-        let curve = PlotCurve {
-            name: NAME.to_owned(),
-            labels: Some(vec![NAME.to_owned()]),
-            is_log: false,
-            is_joined: false,
-            points: vec![(0.0, cell())],
-        };
-        let map = heat_maps(NAME, [&scale(), &scale()], &[panel], &[guide], NAME);
-        for page in [map, curves(NAME, &[curve], NAME)] {
+        let panel = panel(NAME, [cell(Some(4.0), true)]);
+        let guide = guide(NAME, &[[0.0, 0.0]]);
+        let map = heat_maps(NAME, [&scale, &scale], &[panel], &[guide], NAME);
+        for page in [map, curves(NAME, &[curve(NAME, &labels, &[4.0])], NAME)] {
             assert!(!page.contains("<img") && !page.contains("\"'>"), "{page}");
-            assert!(
-                page.matches("&quot;&#39;&gt;&lt;img src=x&gt;&amp;")
-                    .count()
-                    > 4,
-                "{page}"
-            );
+            assert!(page.matches(TEXT).count() > 4, "{page}");
         }
     }
 
     #[test]
     fn names_too_long_for_the_axis_stand_upright_below_the_frame() {
         let named = |names: &[String]| {
-            let curve = PlotCurve {
-                name: "method".to_owned(),
-                labels: Some(names.to_vec()),
-                is_log: false,
-                is_joined: false,
-                points: (0..names.len())
-                    .filter_map(|i| Some((i as f64, cell(Some(i as f64), true)?)))
-                    .collect(),
-            };
-            curves("m", &[curve], "")
+            let values: Vec<f64> = (0..names.len()).map(|i| i as f64).collect();
+            curves("m", &[curve("method", names, &values)], "")
         };
         let few = named(&["a", "b"].map(str::to_owned));
         assert!(few.contains(">a<") && !few.contains("text-anchor=\"end\">a<"));
         let names: Vec<String> = (0..12).map(|i| format!("gradient of step {i}")).collect();
         let many = named(&names);
         // The frame is as high as that of short names, and the names hang below it
-        let after = |svg: &str, text: &str| svg.split(text).nth(1).unwrap().to_owned();
         let bottom = 34.0 + 34.0 + 0.66 * 400.0;
         for name in &names {
             let place = many.split(&format!(" text-anchor=\"end\">{name}<")).next();
@@ -724,11 +711,8 @@ mod tests {
             assert!(y.parse::<f64>().unwrap() > bottom, "{name}: {place}");
         }
         let height = |svg: &str| {
-            after(svg, "height=\"")
-                .split('"')
-                .next()
-                .unwrap()
-                .parse::<f64>()
+            let height = svg.split("height=\"").nth(1)?.split('"').next()?;
+            height.parse::<f64>().ok()
         };
         // 19 letters
         let more = height(&many).unwrap() - height(&few).unwrap();
@@ -738,64 +722,33 @@ mod tests {
     #[test]
     fn the_feasible_region_is_outlined_by_its_outer_edges_alone() {
         // Feasible: the two cells on the right of 3 × 1
-        let cells = vec![
-            cell(Some(1.0), false),
-            cell(Some(2.0), true),
-            cell(Some(4.0), true),
-        ];
-        let svg = heat_maps(
-            "m",
-            [&scale("x", 3), &scale("y", 1)],
-            &[Panel {
-                title: "a < b".to_owned(),
-                cells,
-            }],
-            &[Guide {
-                name: "x < 2".to_owned(),
-                points: vec![[-1.0, 0.0], [0.0, 0.0], [2.0, 0.25], [3.0, 0.5]],
-            }],
-            "",
-        );
+        let cells = [(1.0, false), (2.0, true), (4.0, true)].map(|(v, good)| cell(Some(v), good));
+        let guides = [guide(
+            "x < 2",
+            &[[-1.0, 0.0], [0.0, 0.0], [2.0, 0.25], [3.0, 0.5]],
+        )];
+        let scales = [&scale("x", 3), &scale("y", 1)];
+        let svg = heat_maps("m", scales, &[panel("a < b", cells)], &guides, "");
         // What is beyond the cells is left out of a guide: two of four points are left
-        let guide = svg.split("class=\"guide\"").nth(1).unwrap();
-        let guide = guide.split("d=\"").nth(1).unwrap().split('"').next();
-        assert_eq!(guide.unwrap().matches(['M', 'L']).count(), 2);
+        let path = |class: &str| {
+            let element = svg.split(&format!("class=\"{class}\"")).nth(1)?;
+            element.split(" d=\"").nth(1)?.split('"').next()
+        };
+        assert_eq!(path("guide").unwrap().matches(['M', 'L']).count(), 2);
         assert!(svg.contains("dashed: x &lt; 2"));
-        let edge = svg
-            .split("class=\"edge\" d=\"")
-            .nth(1)
-            .unwrap()
-            .split('"')
-            .next()
-            .unwrap();
         // Left of the first, right of the last, two above and two below; none between them
-        assert_eq!(
-            (edge.matches('v').count(), edge.matches('h').count()),
-            (2, 4)
-        );
+        let edges = ['v', 'h'].map(|letter| path("edge").unwrap().matches(letter).count());
+        assert_eq!(edges, [2, 4]);
         assert!(svg.contains("a &lt; b") && svg.contains("outlined: feasible · ring: best"));
     }
 
     #[test]
     fn numbers_stand_above_guides_and_those_without_room_are_told() {
-        let guide = Guide {
-            name: "x = y".to_owned(),
-            points: vec![[0.0, 0.0], [1.0, 1.0]],
-        };
+        let guides = [guide("x = y", &[[0.0, 0.0], [1.0, 1.0]])];
         let map = |count: usize| {
             let cells = (0..count * count).map(|i| cell(Some(0.125 + i as f64), true));
-            let panel = Panel {
-                title: String::new(),
-                cells: cells.collect(),
-            };
-            let scales = [scale("x", count), scale("y", count)];
-            heat_maps(
-                "m",
-                [&scales[0], &scales[1]],
-                &[panel],
-                std::slice::from_ref(&guide),
-                "",
-            )
+            let scales = [&scale("x", count), &scale("y", count)];
+            heat_maps("m", scales, &[panel("", cells)], &guides, "")
         };
         let few = map(2);
         let place = |text: &str| few.find(text).unwrap_or_else(|| panic!("{text}: {few}"));
@@ -815,16 +768,12 @@ mod tests {
         assert_eq!(all_shortened(&names, 18), cut);
         let alike = ["step 1 of all", "step 2 of all"].map(str::to_owned);
         assert_eq!(all_shortened(&alike, 5), ["step 1…f all", "step 2…f all"]);
-        let scale_of = |names: &[String]| ColorScale {
-            name: "method".to_owned(),
+        let panels = vec![panel("", [cell(Some(1.0), false); 3]); 4];
+        let one = scale("y", 1);
+        let names = ColorScale {
             labels: names.to_vec(),
+            ..scale("method", 0)
         };
-        let panel = Panel {
-            title: String::new(),
-            cells: vec![cell(Some(1.0), false); 3],
-        };
-        let panels = vec![panel; 4];
-        let (names, one) = (scale_of(&names), scale("y", 1));
         let across = heat_maps("m", [&names, &one], &panels, &[], "");
         let up = heat_maps("m", [&one, &names], &panels, &[], "");
         for svg in [across, up] {
@@ -847,33 +796,20 @@ mod tests {
 
     #[test]
     fn nothing_and_failures_make_a_picture_without_nan() {
-        let panel = |cells| {
-            [Panel {
-                title: String::new(),
-                cells,
-            }]
-        };
-        let svg = heat_maps(
-            "m",
-            [&scale("x", 2), &scale("y", 1)],
-            &panel(vec![None, cell(None, false)]),
-            &[],
-            "none",
-        );
+        let scales = [&scale("x", 2), &scale("y", 1)];
+        let panels = [panel("", [None, cell(None, false)])];
+        let svg = heat_maps("m", scales, &panels, &[], "none");
         assert!(
             svg.contains("class=\"cross\"") && !svg.contains("NaN"),
             "{svg}"
         );
-        let points = vec![
-            (1.0, cell(None, false).unwrap()),
-            (1.0, cell(Some(4.0), true).unwrap()),
-        ];
+        let cells = [cell(None, false), cell(Some(4.0), true)];
         let curve = PlotCurve {
-            name: "x".to_owned(),
             labels: None,
             is_log: true,
             is_joined: true,
-            points,
+            points: cells.map(|cell| (1.0, cell.unwrap())).to_vec(),
+            ..curve("x", &[], &[])
         };
         let svg = curves("m", &[curve], "");
         assert!(

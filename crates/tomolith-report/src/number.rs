@@ -1,12 +1,4 @@
 //! Numbers as people read them.
-//!
-//! ```
-//! use tomolith_report::number::{exponent, significant};
-//! assert_eq!(significant(0.998_76, 4), "0.9988");
-//! assert_eq!(significant(12345.6, 3), "12,300");
-//! assert_eq!(significant(0.000_021, 2), "2.1·10⁻⁵");
-//! assert_eq!(exponent(-3), "10⁻³");
-//! ```
 
 /// A power of ten.
 #[must_use]
@@ -51,11 +43,6 @@ pub fn significant(value: f64, digits: usize) -> String {
 }
 
 /// By how much a number has changed, with a sign and so many decimals.
-///
-/// ```
-/// use tomolith_report::number::change;
-/// assert_eq!([change(0.00123, 4), change(-0.25, 1), change(-1e-9, 4)], ["+0.0012", "−0.2", "0"]);
-/// ```
 #[must_use]
 pub fn change(value: f64, decimals: usize) -> String {
     let size = trimmed(&format!("{:.decimals$}", value.abs()));
@@ -68,12 +55,6 @@ pub fn change(value: f64, decimals: usize) -> String {
 }
 
 /// Numbers of one row, with `digits` significant digits, or as many more, up to 7, as it takes to print different numbers differently.
-///
-/// ```
-/// use tomolith_report::number::told_apart;
-/// assert_eq!(told_apart(&[99.96, 100.0, 103.2], 3), ["99.96", "100", "103.2"]);
-/// assert_eq!(told_apart(&[42.5, 44.21], 3), ["42.5", "44.2"]);
-/// ```
 #[must_use]
 pub fn told_apart(values: &[f64], digits: usize) -> Vec<String> {
     let said =
@@ -144,6 +125,9 @@ mod tests {
         for (value, digits, text) in [
             (0.0, 3, "0"),
             (1.0, 3, "1"),
+            (0.998_76, 4, "0.9988"),
+            (12345.6, 3, "12,300"),
+            (0.000_021, 2, "2.1·10⁻⁵"),
             (-0.0635, 2, "−0.064"),
             (0.99996, 4, "1"),
             (0.0009996, 2, "0.001"),
@@ -155,6 +139,11 @@ mod tests {
         ] {
             assert_eq!(significant(value, digits), text, "{value}");
         }
+        let changes = [change(0.00123, 4), change(-0.25, 1), change(-1e-9, 4)];
+        assert_eq!(changes, ["+0.0012", "−0.2", "0"]);
+        let apart = told_apart(&[99.96, 100.0, 103.2], 3);
+        assert_eq!(apart, ["99.96", "100", "103.2"]);
+        assert_eq!(told_apart(&[42.5, 44.21], 3), ["42.5", "44.2"]);
     }
 
     #[test]

@@ -2,7 +2,6 @@
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use std::fmt::Write as _;
 use tomolith_core::parallel::table;
 
 /// Red, green, blue, opacity.
@@ -69,12 +68,8 @@ impl Picture {
         let mut encoder = png::Encoder::new(&mut bytes, self.width as u32, self.height as u32);
         encoder.set_color(png::ColorType::Indexed);
         encoder.set_depth(png::BitDepth::Eight);
-        encoder.set_palette(
-            palette
-                .iter()
-                .flat_map(|c| [c[0], c[1], c[2]])
-                .collect::<Vec<u8>>(),
-        );
+        let colors: Vec<u8> = palette.iter().flat_map(|c| [c[0], c[1], c[2]]).collect();
+        encoder.set_palette(colors);
         encoder.set_trns(palette.iter().map(|c| c[3]).collect::<Vec<u8>>());
         // Neighboring indices are no neighboring numbers: prediction does not help
         encoder.set_filter(png::Filter::NoFilter);
@@ -86,19 +81,10 @@ impl Picture {
     }
 }
 
-/// Whole factor by which an edge is reduced so that it has at most `most` pixels.
-pub(super) fn reduction(width: usize, height: usize, most: usize) -> usize {
-    width.max(height).div_ceil(most.max(1)).max(1)
-}
-
 /// `#rrggbb`.
 pub(super) fn hex(color: Color) -> String {
-    let mut text = String::from("#");
-    for channel in &color[..3] {
-        // Writing into a string cannot fail
-        let _ = write!(text, "{channel:02x}");
-    }
-    text
+    let [red, green, blue, _] = color;
+    format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
 #[cfg(test)]
@@ -127,12 +113,5 @@ mod tests {
         assert!(light(0.0) < 170 && light(1.0) > 450);
         assert_eq!((viridis(-1.0), viridis(9.0)), (viridis(0.0), viridis(1.0)));
         assert_eq!(hex(viridis(0.0)), "#440154");
-    }
-
-    #[test]
-    fn large_edges_are_reduced_to_fit() {
-        assert_eq!(reduction(480, 100, 480), 1);
-        assert_eq!(reduction(100, 481, 480), 2);
-        assert_eq!(reduction(0, 0, 480), 1);
     }
 }

@@ -30,16 +30,6 @@ pub struct OneExposure {
 
 impl OneExposure {
     /// Of the IoU of each species over its dose, `[dose, IoU]` with ascending doses; None for fewer than two species, and where no dose lies on all curves.
-    ///
-    /// ```
-    /// use tomolith_report::species::OneExposure;
-    /// // Perfect at doses of 1 and 2: nearest to that together at 1.5
-    /// let [a, b] = [[[0.0, 0.0], [1.0, 1.0], [2.0, 0.0]], [[1.0, 0.0], [2.0, 1.0], [3.0, 0.0]]];
-    /// let both = OneExposure::of(&[("a", a.to_vec()), ("b", b.to_vec())]).unwrap();
-    /// assert_eq!((both.gel_dose, both.iou), (1.5, vec![0.5, 0.5]));
-    /// // A gel dose 0.01 higher, in an exposure 1.5/1.51 as long, leaves a with 0.49
-    /// assert!((both.percent.low.unwrap() - 100.0 * 1.5 / 1.51).abs() < 1e-6);
-    /// ```
     #[must_use]
     pub fn of(species: &[(&str, Vec<[f64; 2]>)]) -> Option<Self> {
         let curves: Vec<_> = species.iter().map(|(_, curve)| curve.as_slice()).collect();
@@ -77,12 +67,10 @@ impl OneExposure {
     /// In words.
     #[must_use]
     pub fn sentence(&self) -> String {
-        let of = |(name, iou): (&String, &f64)| format!("{name} {}", significant(*iou, 4));
-        let all: Vec<String> = self.species.iter().zip(&self.iou).map(of).collect();
         let mut text = format!(
             "A print has one exposure: with a gel dose of {} for all species they reach IoU {}; {} limits it. The lowest IoU is at most {TOLERANCE} worse {} of this exposure",
             significant(self.gel_dose, 3),
-            all.join(", "),
+            listed(&self.species, &self.iou),
             self.limited_by,
             latitude::from_to(&self.percent, "%"),
         );
@@ -136,8 +124,6 @@ impl OneMoment {
     /// In words.
     #[must_use]
     pub fn sentence(&self) -> String {
-        let of = |(name, index): (&String, &f64)| format!("{name} {}", significant(*index, 4));
-        let all: Vec<String> = self.networks.iter().zip(&self.jaccard).map(of).collect();
         let [from, to] = self.window_s;
         let said = told_apart(&[from, self.seconds, to], 3);
         format!(
@@ -146,12 +132,19 @@ impl OneMoment {
             said[1],
             in_minutes(self.seconds),
             significant(self.sent_mj, 3),
-            all.join(", "),
+            listed(&self.networks, &self.jaccard),
             self.limited_by,
             said[0],
             said[2],
         )
     }
+}
+
+/// Names, each with its number.
+fn listed(names: &[String], values: &[f64]) -> String {
+    let of = |(name, value): (&String, &f64)| format!("{name} {}", significant(*value, 4));
+    let all: Vec<String> = names.iter().zip(values).map(of).collect();
+    all.join(", ")
 }
 
 /// Where the lowest of several curves is the largest.
@@ -293,6 +286,9 @@ mod tests {
         };
         close(one.percent.low, 100.0 * 2.0 / 2.005);
         close(one.percent.high, 100.0 * 2.0 / 1.995);
+        // Perfect at doses of 1 and 2: nearest to that together at 1.5
+        let both = OneExposure::of(&[("a", tent(1.0, 1.0)), ("b", tent(2.0, 1.0))]).unwrap();
+        assert_eq!((both.gel_dose, both.iou), (1.5, vec![0.5, 0.5]));
         let apart = OneExposure::of(&[("a", tent(2.0, 2.0)), ("b", tent(2.5, 1.0))]).unwrap();
         // 1 − (d − 2)/2 and 1 − (2.5 − d) meet at 7/3
         assert!((apart.gel_dose - 7.0 / 3.0).abs() < 1e-9, "{apart:?}");
@@ -334,9 +330,7 @@ mod tests {
         let moment = OneMoment::of(&[("a", still), ("b", tent(30.0, 15.0))], &sent).unwrap();
         assert_eq!((moment.seconds, &moment.limited_by[..]), (30.0, "a"));
         let never = vec![[0.0, 0.0], [40.0, 0.0]];
-        assert_eq!(
-            OneMoment::of(&[("a", tent(20.0, 20.0)), ("b", never)], &sent),
-            None
-        );
+        let unlike = [("a", tent(20.0, 20.0)), ("b", never)];
+        assert_eq!(OneMoment::of(&unlike, &sent), None);
     }
 }

@@ -1,6 +1,7 @@
 //! Every number of a run that can be compared, as a row of a table.
 
 use super::run::ComparedRun;
+use Better::{Higher, Lower, Neutral};
 use tomolith_metrics::{Better, METRICS};
 
 /// Reads a number of a run, where it has one.
@@ -22,66 +23,26 @@ pub(super) fn rows(runs: &[ComparedRun]) -> Vec<Row> {
         .iter()
         .map(|kind| {
             let place = format!("/evaluation/{}", kind.name);
-            Row {
-                key: kind.name.to_owned(),
-                name: kind.title.to_owned(),
-                unit: kind.unit,
-                better: kind.better,
-                value: Box::new(move |run| run.number(&place)),
-            }
+            at(&place, kind.title, kind.unit, kind.better)
         })
         .collect();
-    rows.push(pointer(
-        "evaluation_pitch_mm",
-        "Edge of the evaluation's voxels",
-        "mm",
-        Better::Neutral,
-        "/evaluation/grid/pitch_mm",
-    ));
-    rows.extend(of_optimization());
-    rows.extend(of_print());
-    rows.extend(scenarios(runs).into_iter().map(of_scenario));
-    rows
-}
-
-/// A number of the report.
-fn pointer(
-    key: &str,
-    name: &str,
-    unit: &'static str,
-    better: Better,
-    pointer: &'static str,
-) -> Row {
-    Row {
-        key: key.to_owned(),
-        name: name.to_owned(),
-        unit,
-        better,
-        value: Box::new(move |run| run.number(pointer)),
-    }
-}
-
-fn of_optimization() -> [Row; 4] {
-    [
-        pointer(
-            "loss",
-            "Loss, at the end",
-            "",
-            Better::Neutral,
-            "/history/loss",
-        ),
-        pointer(
-            "iterations",
-            "Iterations",
-            "",
-            Better::Neutral,
-            "/history/iterations",
-        ),
+    rows.extend([
+        Row {
+            key: "evaluation_pitch_mm".to_owned(),
+            ..at(
+                "/evaluation/grid/pitch_mm",
+                "Edge of the evaluation's voxels",
+                "mm",
+                Neutral,
+            )
+        },
+        at("/history/loss", "Loss, at the end", "", Neutral),
+        at("/history/iterations", "Iterations", "", Neutral),
         Row {
             key: "model_calls".to_owned(),
             name: "Model calls".to_owned(),
             unit: "",
-            better: Better::Lower,
+            better: Lower,
             value: Box::new(|run| {
                 run.calls(run.history.get("forward_calls")?.len().checked_sub(1)?)
             }),
@@ -90,77 +51,77 @@ fn of_optimization() -> [Row; 4] {
             key: "optimization_s".to_owned(),
             name: "Time of the optimization".to_owned(),
             unit: "s",
-            better: Better::Lower,
+            better: Lower,
             value: Box::new(|run| {
                 let seconds = run.history.get("seconds")?.iter().rev();
                 seconds.copied().find(|v| v.is_finite())
             }),
         },
-    ]
-}
-
-fn of_print() -> [Row; 8] {
-    [
-        pointer(
-            "time_to_print_s",
-            "Time to print",
-            "s",
-            Better::Lower,
-            "/time_to_print_s",
-        ),
-        pointer(
-            "energy_per_turn_mj",
+        at("/time_to_print_s", "Time to print", "s", Lower),
+        at(
+            "/lights/0/budget/energy_per_turn_mj",
             "Energy per turn",
             "mJ",
-            Better::Neutral,
-            "/lights/0/budget/energy_per_turn_mj",
+            Neutral,
         ),
-        pointer(
-            "light_used",
+        at(
+            "/lights/0/budget/light_used",
             "Share of the light that is used",
             "",
-            Better::Higher,
-            "/lights/0/budget/light_used",
+            Higher,
         ),
-        pointer(
-            "best_jaccard",
+        at(
+            "/time/0/best_jaccard",
             "IoU of the print in time, at its best",
             "",
-            Better::Higher,
-            "/time/0/best_jaccard",
+            Higher,
         ),
-        pointer(
-            "best_s",
+        at(
+            "/time/0/best_s",
             "The best moment of the print in time",
             "s",
-            Better::Neutral,
-            "/time/0/best_s",
+            Neutral,
         ),
         Row {
             key: "window_s".to_owned(),
             name: "How long the print in time stays within 0.01 of its best IoU".to_owned(),
             unit: "s",
-            better: Better::Higher,
+            better: Higher,
             value: Box::new(|run| {
                 let end = |i: usize| run.number(&format!("/time/0/window_s/{i}"));
                 Some(end(1)? - end(0)?)
             }),
         },
-        pointer(
-            "worst_iou",
+        at(
+            "/scenarios/worst_iou",
             "The least IoU over scenarios, at the job's threshold",
             "",
-            Better::Higher,
-            "/scenarios/worst_iou",
+            Higher,
         ),
-        pointer(
-            "scenarios_pw",
-            "Window over scenarios, trimmed",
-            "",
-            Better::Higher,
-            "/scenarios/window",
-        ),
-    ]
+        Row {
+            key: "scenarios_pw".to_owned(),
+            ..at(
+                "/scenarios/window",
+                "Window over scenarios, trimmed",
+                "",
+                Higher,
+            )
+        },
+    ]);
+    rows.extend(scenarios(runs).into_iter().map(of_scenario));
+    rows
+}
+
+/// A number of the report, by the last part of its place.
+fn at(place: &str, name: &str, unit: &'static str, better: Better) -> Row {
+    let place = place.to_owned();
+    Row {
+        key: place.rsplit('/').next().unwrap_or_default().to_owned(),
+        name: name.to_owned(),
+        unit,
+        better,
+        value: Box::new(move |run| run.number(&place)),
+    }
 }
 
 /// The scenarios of all runs, each name once.
@@ -178,18 +139,12 @@ pub(super) fn scenarios(runs: &[ComparedRun]) -> Vec<String> {
 
 /// The IoU of a scenario.
 fn of_scenario(name: String) -> Row {
-    let word = |c: char| {
-        if c.is_ascii_alphanumeric() {
-            c.to_ascii_lowercase()
-        } else {
-            '_'
-        }
-    };
+    let word = name.replace(|c: char| !c.is_ascii_alphanumeric(), "_");
     Row {
-        key: format!("iou_in_{}", name.chars().map(word).collect::<String>()),
+        key: format!("iou_in_{}", word.to_ascii_lowercase()),
         name: format!("IoU in {name}, at the job's threshold"),
         unit: "",
-        better: Better::Higher,
+        better: Higher,
         value: Box::new(move |run| {
             let rows = run.report.pointer("/scenarios/rows")?.as_array()?;
             rows.iter().find(|row| row["name"] == name)?["iou_at_threshold"].as_f64()

@@ -91,10 +91,8 @@ impl ComparedRun {
         let center = |axis: usize| self.number(&format!("/evaluation/grid/center_xyz_mm/{axis}"));
         let pitch_mm = pitch * fine / shape[2].max(1) as f64;
         let grid = VolumeGrid {
-            shape,
-            pitch_mm,
-            height_mm: pitch_mm,
             center_mm: std::array::from_fn(|axis| center(axis).unwrap_or(0.0)),
+            ..VolumeGrid::centered(shape, pitch_mm)
         };
         Ok((!grid.is_empty()).then_some(Volume { grid, values }))
     }

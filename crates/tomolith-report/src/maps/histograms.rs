@@ -2,18 +2,6 @@
 //!
 //! Each panel shows shares of its own voxels, logarithmically, with 0 below the decades: peaks at the edges of a band and the few voxels
 //! with the largest errors are both seen. Bins are joined until a panel has about a hundred of them.
-//!
-//! ```
-//! use tomolith_report::maps::histograms::{HistogramPanel, histograms};
-//! let panel = |title: &str| HistogramPanel {
-//!     title: title.to_owned(),
-//!     range: [-1.0, 1.0],
-//!     band: Some([-0.5, 0.5]),
-//!     series: vec![("part".to_owned(), vec![0.0, 3.0, 1.0, 0.0])],
-//! };
-//! let svg = histograms("errors", "response − gray value", &[panel("ε = 0.1"), panel("ε = 0")], "");
-//! assert_eq!(svg.matches("class=\"band\"").count(), 2);
-//! ```
 
 use super::placed;
 use super::sheet::{Frame, LabelMargins, Sheet, Ticks, draw};
@@ -230,12 +218,8 @@ mod tests {
 
     #[test]
     fn each_panel_has_its_band_and_the_colors_are_named() {
-        let svg = histograms(
-            "m",
-            "error",
-            &[panel(0.2, vec![1.0; 8]), panel(0.0, vec![2.0; 8])],
-            "",
-        );
+        let panels = [panel(0.2, vec![1.0; 8]), panel(0.0, vec![2.0; 8])];
+        let svg = histograms("m", "error", &panels, "");
         assert_eq!(svg.matches("class=\"band\"").count(), 2);
         assert_eq!(svg.matches("a &lt; b").count(), 2);
         assert!(svg.contains("teal: part · shaded: the band of the objective"));

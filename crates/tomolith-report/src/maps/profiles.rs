@@ -1,14 +1,4 @@
 //! Numbers along a length side by side, as one SVG file: those of the slices of several runs, over one scale.
-//!
-//! ```
-//! use tomolith_report::maps::profiles::{ProfilePanel, profiles};
-//! let panel = ProfilePanel {
-//!     title: "OSPW(0)".to_owned(),
-//!     series: vec![("pw".to_owned(), vec![[-1.0, 0.1], [0.0, 0.2], [1.0, 0.1]])],
-//! };
-//! let svg = profiles("slice by slice", ["z, mm", "value"], &[panel], "");
-//! assert_eq!(svg.matches("L").count() >= 2, true);
-//! ```
 
 use super::histograms::{SERIES, colors};
 use super::placed;
@@ -89,12 +79,8 @@ mod tests {
                 ("a < b".to_owned(), vec![[0.0, 0.5], [1.0, 0.5]]),
             ],
         };
-        let svg = profiles(
-            "t",
-            ["z, mm", "y"],
-            &[panel("low", 1.0), panel("high", 2.0)],
-            "",
-        );
+        let panels = [panel("low", 1.0), panel("high", 2.0)];
+        let svg = profiles("t", ["z, mm", "y"], &panels, "");
         assert_eq!(svg.matches("class=\"part\"").count(), 2);
         assert_eq!(svg.matches("class=\"void\"").count(), 2);
         assert!(svg.contains("teal: pw") && svg.contains("orange: a &lt; b"));

@@ -2,7 +2,7 @@
 
 use super::blob::blocks;
 use crate::number::{escape, significant};
-use crate::picture::{Color, Picture, reduction, viridis};
+use crate::picture::{Color, Picture, viridis};
 use crate::{OBSTACLE, ReportData};
 use std::fmt::Write as _;
 use tomolith_core::grid::VolumeGrid;
@@ -41,7 +41,7 @@ pub(super) fn slices(data: &ReportData<'_>) -> String {
         return String::new();
     }
     let [_, ny, nx] = grid.shape;
-    let (z, factor) = (middle(data), reduction(nx, ny, PIXELS));
+    let (z, factor) = (middle(data), nx.max(ny).div_ceil(PIXELS));
     let plane = VolumeGrid {
         shape: [1, ny, nx],
         ..grid.clone()

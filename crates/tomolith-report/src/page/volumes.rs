@@ -2,8 +2,8 @@
 
 use super::Arrays;
 use super::blob::{Codes, NOTHING, deflate, majorities, means, packed, reduced_grid};
+use crate::ReportData;
 use crate::number::significant;
-use crate::{ReportData, SpeciesReport};
 use serde::Serialize;
 use serde_json::{Value, json};
 use tomolith_core::grid::{Volume, VolumeGrid};
@@ -95,22 +95,14 @@ impl<'a> Source<'a> {
 
     /// The volume with blocks of `factor`³ voxels joined, and their codes.
     fn reduced(&self, id: String, factor: usize) -> (VolumeInfo, Vec<u8>) {
-        let (codes, low, high, has_gaps) = match self.values {
-            Values::Numbers(volume) => {
-                let Codes {
-                    codes,
-                    low,
-                    high,
-                    has_gaps,
-                } = Codes::of(&means(&volume.grid, &volume.values, factor));
-                (codes, low, high, has_gaps)
-            }
-            Values::Codes(volume) => (
-                majorities(&volume.grid, &volume.values, factor),
-                0.0,
-                255.0,
-                false,
-            ),
+        let coded = match self.values {
+            Values::Numbers(volume) => Codes::of(&means(&volume.grid, &volume.values, factor)),
+            Values::Codes(volume) => Codes {
+                codes: majorities(&volume.grid, &volume.values, factor),
+                low: 0.0,
+                high: 255.0,
+                has_gaps: false,
+            },
         };
         let grid = reduced_grid(self.grid(), factor);
         let info = VolumeInfo {
@@ -124,15 +116,27 @@ impl<'a> Source<'a> {
             height_mm: grid.height_mm,
             center_xyz_mm: grid.center_mm,
             bits: 8,
-            low,
-            high,
-            nan: has_gaps.then_some(NOTHING),
+            low: coded.low,
+            high: coded.high,
+            nan: coded.has_gaps.then_some(NOTHING),
             logarithmic: self.logarithmic,
             reduced: factor,
             full: false,
         };
-        (info, codes)
+        (info, coded.codes)
     }
+}
+
+/// What is asked of a species, which has a name where there are several.
+fn asked<'a>(
+    species: Option<&'a str>,
+    inside: &'a Volume<f32>,
+    labels: &'a Volume<u8>,
+) -> [Source<'a>; 2] {
+    [
+        Source::new("target", species, "target", inside),
+        Source::new("labels", species, "labels", labels),
+    ]
 }
 
 /// The volumes of a report: of the only species, or of each.
@@ -146,15 +150,11 @@ fn sources<'a>(data: &'a ReportData<'a>) -> Vec<Source<'a>> {
         all.push(Source::new("labels", None, "labels", data.labels));
         all.push(Source::new("response", None, "dose", data.response));
     }
-    let of_species = |species: &'a SpeciesReport<'a>| {
+    for species in &data.species {
         let name = Some(species.name);
-        [
-            Source::new("target", name, "target", species.inside),
-            Source::new("labels", name, "labels", species.labels),
-            Source::new("response", name, "dose", species.response),
-        ]
-    };
-    all.extend(data.species.iter().flat_map(of_species));
+        all.extend(asked(name, species.inside, species.labels));
+        all.push(Source::new("response", name, "dose", species.response));
+    }
     all.extend(
         data.bodies
             .map(|bodies| Source::new("bodies", None, "bodies", bodies)),
@@ -234,13 +234,7 @@ pub fn served_target(
     inside: &Volume<f32>,
     labels: &Volume<u8>,
 ) -> Served {
-    served(
-        i,
-        &[
-            Source::new("target", species, "target", inside),
-            Source::new("labels", species, "labels", labels),
-        ],
-    )
+    served(i, &asked(species, inside, labels))
 }
 
 fn served(i: usize, sources: &[Source<'_>]) -> Served {
@@ -254,9 +248,5 @@ fn served(i: usize, sources: &[Source<'_>]) -> Served {
 
 /// The target of a job before it runs.
 pub(super) fn target(inside: &Volume<f32>, labels: &Volume<u8>) -> (Vec<VolumeInfo>, Arrays) {
-    let sources = [
-        Source::new("target", None, "target", inside),
-        Source::new("labels", None, "labels", labels),
-    ];
-    fitting(&sources, usize::MAX)
+    fitting(&asked(None, inside, labels), usize::MAX)
 }
