@@ -143,34 +143,22 @@ pub(crate) fn study(arguments: &[String]) -> Result<(), Box<dyn Error>> {
         let vial = vial(is_glass);
         let factor = if is_glass { INDEX * INDEX } else { 1.0 };
         let expected = volume(&read(&file(case), "dose_zyx")?, factor, &bench.grid);
-        let one = case.ends_with("center");
-        let rays = bench.rays(vial.as_ref(), mu, if one { 1 } else { 64 })?;
-        let mut models = vec![(
-            if one {
-                "rays, 1 a pixel"
-            } else {
-                "rays, 64 a pixel"
-            },
-            rays,
-        )];
-        if !one {
-            models.push(("parallel", bench.parallel(vial.as_ref(), mu)?));
-        }
-        for (name, model) in models {
-            print(case, name, &bench.dose(&model)?, &expected);
+        let is_one = case.ends_with("center");
+        let count = if is_one { 1 } else { 64 };
+        let rays = bench.rays(vial.as_ref(), mu, count)?;
+        let name = format!("rays, {count} a pixel");
+        print(case, &name, &bench.dose(&rays)?, &expected);
+        if !is_one {
+            let parallel = bench.parallel(vial.as_ref(), mu)?;
+            print(case, "parallel", &bench.dose(&parallel)?, &expected);
         }
     }
     scattering(&bench, &file("im_mu0.3_albedo0.5_isotropic"))
 }
 
 fn volume(values: &Array3<f32>, factor: f64, grid: &VolumeGrid) -> Volume<f32> {
-    Volume::new(
-        grid.clone(),
-        values
-            .iter()
-            .map(|v| (f64::from(*v) * factor) as f32)
-            .collect(),
-    )
+    let scaled = values.iter().map(|v| (f64::from(*v) * factor) as f32);
+    Volume::new(grid.clone(), scaled.collect())
 }
 
 fn print(case: &str, name: &str, found: &Volume<f32>, expected: &Volume<f32>) {
@@ -184,13 +172,12 @@ fn scattering(bench: &Bench, file: &Path) -> Result<(), Box<dyn Error>> {
     let expected = volume(&read(file, "dose_zyx")?, 1.0, &bench.grid);
     let vial = vial(false);
     let light = bench.light(0.3, 0.5);
-    let scattering = Scattering {
-        per_mm: 0.15,
-        phase: Arc::new(Isotropic {}),
-    };
     let grid = || bench.grid.clone();
     let mut optics = [Optics::collimated(PITCH_MM)];
-    optics[0].scattering = Some(scattering);
+    optics[0].scattering = Some(Scattering {
+        per_mm: 0.15,
+        phase: Arc::new(Isotropic {}),
+    });
     let orders = successive_orders::model(
         vial.as_ref(),
         vec![light.clone()],
@@ -204,17 +191,12 @@ fn scattering(bench: &Bench, file: &Path) -> Result<(), Box<dyn Error>> {
     };
     let paths = monte_carlo::model(vial.as_ref(), &[light], &optics, &params, grid())?;
     let case = "im_mu0.3_albedo0.5_isotropic";
-    print(
-        case,
-        "successive_orders",
-        &bench.dose(&(Box::new(orders) as Model))?,
-        &expected,
-    );
-    print(
-        case,
-        "monte_carlo, 16 a pixel",
-        &bench.dose(&(Box::new(paths) as Model))?,
-        &expected,
-    );
+    let models: [(&str, Model); 2] = [
+        ("successive_orders", Box::new(orders)),
+        ("monte_carlo, 16 a pixel", Box::new(paths)),
+    ];
+    for (name, model) in models {
+        print(case, name, &bench.dose(&model)?, &expected);
+    }
     Ok(())
 }
