@@ -2,6 +2,15 @@
 //!
 //! Read are floats of 16, 32 and 64 bits, whole numbers of 8 to 64 bits with and without sign, and bool (true is 1), little or
 //! big endian, in C or Fortran order; an array of two dimensions is one slice. Pages of a TIFF are slices from the bottom, their top row +y. An `.npz` with several arrays needs the name of one: `results.npz:dose`.
+//!
+//! ```
+//! use tomolith_io::array::read_any;
+//! let folder = tempfile::tempdir().unwrap();
+//! let path = folder.path().join("target.npy");
+//! ndarray_npy::write_npy(&path, &ndarray::array![[true, false, true], [false, true, false]]).unwrap();
+//! let (shape, values) = read_any(path.to_str().unwrap()).unwrap();
+//! assert_eq!((shape, values), ([1, 2, 3], vec![1.0, 0.0, 1.0, 0.0, 1.0, 0.0]));
+//! ```
 
 use super::numbers::Numbers;
 use super::slices::{is_tiff, read_volume};

@@ -1,6 +1,15 @@
 //! The history of an optimization as a table: `history.csv`.
 //!
 //! One line an iteration, with a header; numbers as short as they can be read back exactly, `.` as decimal point.
+//!
+//! ```
+//! use tomolith_io::csv::{HistoryRow, history_text};
+//! let row = HistoryRow { iteration: 1, loss: 0.5, projected_gradient: Some(1e-3), step: Some(1.0), forward_calls: 2, adjoint_calls: 2, seconds: 0.25, iou: Some(0.875), process_window: None, response: Vec::new() };
+//! assert_eq!(
+//!     history_text(&[row]),
+//!     "iteration,loss,projected_gradient,step,forward_calls,adjoint_calls,seconds,iou,process_window\n1,0.5,0.001,1,2,2,0.25,0.875,\n"
+//! );
+//! ```
 
 use super::whole::write_text;
 use std::fmt::Write as _;

@@ -10,6 +10,20 @@
 //! not count. Their names are numbered in any way: `1.png` to `12.png`, `01.png` to `12.png`.
 //!
 //! With one light the files lie in the folder itself, with several in a sub-folder per light. The folder appears whole.
+//!
+//! ```
+//! use tomolith_core::dose::Run;
+//! use tomolith_core::grid::PatternGrid;
+//! use tomolith_io::frames::{FrameSet, read_frames, write_frames};
+//! let grid = PatternGrid::full_turn(2, 0.0, 1, 2, 0.1);
+//! let set = FrameSet { light: None, grid: &grid, bits: 4, full_scale: 3.0, values: &[0, 1, 7, 15] };
+//! let folder = tempfile::tempdir().unwrap();
+//! let frames = folder.path().join("frames");
+//! write_frames(&frames, &[set], &Run::new()).unwrap();
+//! let read = read_frames(&frames).unwrap();
+//! assert_eq!((read.shape, read.bits, read.full_scale), ([2, 1, 2], 4, Some(3.0)));
+//! assert_eq!(read.values, [0, 1, 7, 15]); // stored as 0, 17, 119, 255: 255/15 = 17 times as much
+//! ```
 
 use super::image::png_samples;
 use super::series::numbered_files;

@@ -9,6 +9,21 @@
 //! What a file is follows from its content, not from its name. Gray is the luma: full range 0…255, or 16…235 stretched to
 //! it where the stream says nothing else; colors do not count. A movie has as many frames as the job, each of the job's
 //! size or padded as H.264 needs it ([`padded`]); padding is cut off.
+//!
+//! ```
+//! use tomolith_core::grid::PatternGrid;
+//! use tomolith_io::frames::FrameSet;
+//! use tomolith_io::movie::{check_lossless, read_movie, write_lossless};
+//! let grid = PatternGrid::full_turn(4, 0.0, 3, 5, 0.02);
+//! let values: Vec<u16> = (0..grid.len()).map(|i| i as u16 * 68).collect();
+//! let set = FrameSet { light: None, grid: &grid, bits: 12, full_scale: 0.3, values: &values };
+//! let folder = tempfile::tempdir().unwrap();
+//! let path = folder.path().join("part_10rpm.mov");
+//! write_lossless(&path, &set, 24.0).unwrap();
+//! assert_eq!(check_lossless(&path, &set).unwrap().largest_error, 0);
+//! let read = read_movie(&path, [4, 3, 5]).unwrap();
+//! assert_eq!((read.bits, read.full_scale, read.values), (12, Some(0.3), values));
+//! ```
 
 mod ffmpeg;
 pub(super) mod h264;

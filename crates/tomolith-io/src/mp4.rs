@@ -22,6 +22,23 @@
 //!
 //! # Timing
 //! Times are in units of 1/90,000 s and each frame's start is rounded on its own, so rounding does not add up. A movie of a single frame lasts one unit.
+//!
+//! ```
+//! use tomolith_core::dose::Run;
+//! use tomolith_core::grid::PatternGrid;
+//! use tomolith_io::frames::FrameSet;
+//! use tomolith_io::mp4::{check_movie, write_movie};
+//! let grid = PatternGrid::full_turn(4, 0.0, 30, 31, 0.02);
+//! let values: Vec<u16> = (0..grid.len()).map(|i| (i % 31 * 8) as u16).collect(); // a ramp from left to right
+//! let set = FrameSet { light: None, grid: &grid, bits: 8, full_scale: 1.0, values: &values };
+//! let folder = tempfile::tempdir().unwrap();
+//! let path = folder.path().join("ramp_12rpm.mp4");
+//! write_movie(&path, &set, 60.0, &Run::new()).unwrap();
+//! let check = check_movie(&path, &set, &Run::new()).unwrap();
+//! assert_eq!((check.frames, check.width, check.height), (4, 32, 30)); // one black column was added
+//! assert!((check.frame_rate - 60.0).abs() < 1e-6);
+//! assert!(check.largest_error <= 6 && check.rms_error < 1.0);
+//! ```
 
 use super::frames::FrameSet;
 use super::movie::h264::{each_image, groups, said};

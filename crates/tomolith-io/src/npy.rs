@@ -6,6 +6,18 @@
 //!
 //! That is what is written. Read are floats of 2, 4 and 8 bytes, whole numbers and bool, little and big endian, in C and
 //! Fortran order, stored or compressed. Patterns of other programs may be the only array of an `.npz`, under any name.
+//!
+//! ```
+//! use tomolith_core::dose::Run;
+//! use tomolith_core::grid::{PatternGrid, Patterns};
+//! use tomolith_io::npy::{PatternPair, read_patterns, write_patterns};
+//! let folder = tempfile::tempdir().unwrap();
+//! let path = folder.path().join("patterns.npz");
+//! let shown = Patterns::dark(PatternGrid::full_turn(3, 0.0, 2, 4, 0.1));
+//! write_patterns(&path, &[PatternPair { light: None, shown: &shown, raw: Some(&shown) }], &Run::new()).unwrap();
+//! let read = read_patterns(&path).unwrap();
+//! assert_eq!((read[0].shape, read[0].light.as_deref()), ([3, 2, 4], None));
+//! ```
 
 pub use super::npz::Element;
 use super::npz::{ArchiveWriter, write_array};

@@ -3,6 +3,24 @@
 //! An ASCII header, then for each corner x, y, z and the number as f32 and red, green, blue as bytes; for each triangle a 3 as
 //! a byte and three corner numbers as i32; little endian. Viewers of meshes show the colors; those that know scalar fields
 //! (CloudCompare, MeshLab, PyVista) read the number too.
+//!
+//! ```
+//! use tomolith_io::ply::{PlyCorners, write_ply};
+//! let folder = tempfile::tempdir().unwrap();
+//! let path = folder.path().join("print.ply");
+//! let corners = PlyCorners {
+//!     places: &[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+//!     name: "deviation_um",
+//!     numbers: &[-5.0, 0.0, 2.5],
+//!     colors: &[[0, 0, 255], [200, 200, 200], [255, 0, 0]],
+//! };
+//! write_ply(&path, "millimeters", &corners, &[[0, 1, 2]]).unwrap();
+//! let bytes = std::fs::read(&path).unwrap();
+//! let header = b"end_header\n";
+//! let end = bytes.windows(header.len()).position(|w| w == header).unwrap() + header.len();
+//! assert_eq!(bytes.len() - end, 3 * 19 + 13);
+//! assert_eq!(bytes[end + 12..end + 16], (-5.0f32).to_le_bytes()); // the first corner's number
+//! ```
 
 use super::stl::write_records;
 use super::whole::write_whole;

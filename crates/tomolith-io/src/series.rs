@@ -3,6 +3,17 @@
 //! Hidden files, such as those that macOS writes next to others (`._01.png`), belong to no series. Names that leave the order
 //! or the place of a file in doubt are refused: a number twice (`1.png` and `01.png`), decimals of several lengths (`0.5` and
 //! `0.25`), a gap, files of several series in one folder.
+//!
+//! ```
+//! use std::path::Path;
+//! use tomolith_io::series::numbered_files;
+//! let folder = tempfile::tempdir().unwrap();
+//! for name in ["10.png", "9.png", "._9.png", "notes.txt"] {
+//!     std::fs::write(folder.path().join(name), "").unwrap();
+//! }
+//! let files = numbered_files(folder.path(), "*", &["png"]).unwrap();
+//! assert_eq!(files, ["9.png", "10.png"].map(|name| folder.path().join(name)));
+//! ```
 
 use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result};

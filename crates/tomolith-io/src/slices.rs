@@ -7,6 +7,17 @@
 //!
 //! Where images or an array of several bits hold nothing but 0 and 1, they are a mask, whose 1 is white: so programs store
 //! arrays of bools. A [note](Slices::note) says so.
+//!
+//! ```
+//! use tomolith_io::slices::read_stack;
+//! let folder = tempfile::tempdir().unwrap();
+//! let path = folder.path().join("mask.npy");
+//! ndarray_npy::write_npy(&path, &ndarray::array![[[0u8, 1], [0, 0]]]).unwrap();
+//! let stack = read_stack(&path).unwrap();
+//! // Row 0 of a slice is the top, +y: the last one of the array
+//! assert_eq!(stack.slices[0].values, [0.0, 0.0, 0.0, 1.0]);
+//! assert!(stack.note.unwrap().contains("read as a mask"));
+//! ```
 
 use super::image::{
     EXTENSIONS, GrayPixels, bad, check_values, damaged_tiff, open_tiff, read_stored, tiff_page,

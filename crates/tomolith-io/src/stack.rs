@@ -10,6 +10,21 @@
 //!
 //! With several lights every name ends in `_` and the name of the light. In Python `numpy.load("frames.npz")["frames"]` is
 //! ready to be sent.
+//!
+//! ```
+//! use tomolith_core::dose::Run;
+//! use tomolith_core::grid::PatternGrid;
+//! use tomolith_io::frames::FrameSet;
+//! use tomolith_io::stack::{read_stack, write_stack};
+//! let grid = PatternGrid::full_turn(2, 0.0, 1, 2, 0.1);
+//! let set = FrameSet { light: None, grid: &grid, bits: 4, full_scale: 3.0, values: &[0, 1, 7, 15] };
+//! let folder = tempfile::tempdir().unwrap();
+//! let path = folder.path().join("frames.npz");
+//! write_stack(&path, &[set], &Run::new()).unwrap();
+//! let read = read_stack(&path, None).unwrap();
+//! assert_eq!((read.shape, read.bits, read.full_scale), ([2, 1, 2], 4, Some(3.0)));
+//! assert_eq!(read.values, [0, 1, 7, 15]);
+//! ```
 
 use super::frames::{FrameSet, Frames, rescale};
 use super::npz::ArchiveWriter;

@@ -3,6 +3,17 @@
 //! Eighty bytes of title, the number of triangles, then 50 bytes a triangle: unit normal by the right-hand rule, three
 //! corners, two zero bytes; little endian. Shared corners are written with the same bits, so readers that weld equal
 //! corners get the closed surface back. Written in blocks that are filled in parallel.
+//!
+//! ```
+//! use tomolith_io::stl::write_stl;
+//! let folder = tempfile::tempdir().unwrap();
+//! let path = folder.path().join("print.stl");
+//! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+//! write_stl(&path, "print", &corners, &[[0, 1, 2]]).unwrap();
+//! let bytes = std::fs::read(&path).unwrap();
+//! assert_eq!(bytes.len(), 84 + 50);
+//! assert_eq!(bytes[84 + 8..84 + 12], 1.0f32.to_le_bytes()); // the normal is +z
+//! ```
 
 use super::whole::{Refused, write_whole_under};
 use std::io::{Seek as _, SeekFrom, Write};

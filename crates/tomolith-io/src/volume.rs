@@ -7,6 +7,19 @@
 //! | `.nrrd` | NRRD | 3D Slicer, ITK |
 //! | `.tif`, `.tiff` | pages of a TIFF | ImageJ, Fiji |
 //! | `.zarr` | OME-Zarr 0.5, a folder | napari, neuroglancer |
+//!
+//! ```
+//! use tomolith_core::dose::Run;
+//! use tomolith_core::grid::VolumeGrid;
+//! use tomolith_io::volume::{Values, write_values};
+//! let folder = tempfile::tempdir().unwrap();
+//! let grid = VolumeGrid::centered([1, 2, 3], 0.5);
+//! for file in ["dose.npy", "dose.vti", "dose.nrrd", "dose.tif", "dose.ome.zarr"] {
+//!     let path = folder.path().join(file);
+//!     write_values(&path, "dose", &grid, Values::F32(&[0.0; 6]), &Run::new()).unwrap();
+//!     assert!(path.exists());
+//! }
+//! ```
 
 use super::npz::write_array;
 use super::whole::write_whole_under;

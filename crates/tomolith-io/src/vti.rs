@@ -3,6 +3,19 @@
 //! One piece, *point* data at the voxel centers (so that ParaView draws contours and volumes without a conversion),
 //! raw appended little-endian arrays with 64-bit sizes. VTK's order is x fastest, as ours; `Origin` is the center of
 //! voxel [0, 0, 0], `Spacing` the pitch.
+//!
+//! ```
+//! use tomolith_core::dose::Run;
+//! use tomolith_core::grid::VolumeGrid;
+//! use tomolith_io::volume::Values;
+//! use tomolith_io::vti::write_vti;
+//! let folder = tempfile::tempdir().unwrap();
+//! let path = folder.path().join("dose.vti");
+//! let grid = VolumeGrid::centered([1, 2, 3], 0.5);
+//! write_vti(&path, &grid, &[("dose", Values::F32(&[0.0; 6]))], &Run::new()).unwrap();
+//! let text = String::from_utf8_lossy(&std::fs::read(&path).unwrap()).into_owned();
+//! assert!(text.contains(r#"WholeExtent="0 2 0 1 0 0" Origin="-0.5 -0.25 0" Spacing="0.5 0.5 0.5""#));
+//! ```
 
 use super::volume::{Values, tidy};
 use super::whole::write_whole_under;

@@ -2,6 +2,14 @@
 //!
 //! **Equation** r_s = Σ_λ M_sλ q_λ, with q the absorbed power of a light (mW/mm³). Dual cure: acrylate (M_aV, M_aU), epoxy (0, M_eU). A negative entry
 //! is an antagonist, as of 365 nm on a resin that 405 nm cures: (α, −1).
+//!
+//! ```
+//! use tomolith_material::mixing::Mixing;
+//! let dual = Mixing::new(vec![vec![1.0, 0.2], vec![0.0, 1.0]]).unwrap();
+//! assert_eq!((dual.species(), dual.lights()), (2, 2));
+//! let dark = Mixing::new(vec![vec![1.0, 0.0], vec![0.5, 0.0]]).unwrap_err();
+//! assert!(dark.to_string().starts_with("mixing: light 1 drives nothing"));
+//! ```
 
 use tomolith_core::error::{Error, Result};
 use tomolith_core::units::exact;

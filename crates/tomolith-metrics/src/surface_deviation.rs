@@ -2,6 +2,21 @@
 //!
 //! `surface_mean_mm` and `surface_p95_mm` are over the area of both surfaces, `hausdorff_mm` is the largest distance of
 //! all, both ways; see [`surface`](super::surface). None when one of the surfaces is empty.
+//! ```
+//! use tomolith_core::grid::{Volume, VolumeGrid};
+//! use tomolith_metrics::{evaluate, print::Print};
+//! use tomolith_core::target::label::{PART, VOID};
+//! let grid = VolumeGrid::centered([1, 1, 40], 0.1);
+//! let ramp = |end: f64| (0..40).map(|i| (0.5 - (grid.x(i) - end)).clamp(0.0, 1.0) as f32).collect::<Vec<_>>();
+//! let inside = Volume { grid: grid.clone(), values: ramp(0.0) };
+//! let response = Volume { grid: grid.clone(), values: ramp(0.1) };
+//! let labels = Volume { values: inside.values.iter().map(|&s| if s >= 0.5 { PART } else { VOID }).collect(), grid };
+//! let print = Print::new(&labels, &response).unwrap().with_inside(&inside).unwrap().with_threshold(0.5).unwrap();
+//! let measures = evaluate(&print).measures;
+//! assert!((measures.get("hausdorff_mm").unwrap() - 0.1).abs() < 1e-5); // the face that is off
+//! assert!(measures.get("surface_mean_mm").unwrap() < 0.01); // nearly all of the surface is right,
+//! assert!(measures.get("surface_p95_mm").unwrap() < 0.1); // more than 95 % of it
+//! ```
 
 use super::MetricKind;
 
