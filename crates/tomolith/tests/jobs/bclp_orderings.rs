@@ -1,7 +1,7 @@
 //! BCLP in physical units: the parameter sweeps of Li et al. 2024, section 3.4, on a small picture. 500 voxels a cm and α = 0.001 per cm, as in their
 //! Supplementary Table 1; 64² voxels for their 512², so the orderings are theirs and not the losses.
 
-use crate::{Finished, image, job_of};
+use crate::{Finished, image, job_of, losses};
 use tomolith::grid::Volume;
 use tomolith::io::npy;
 use tomolith::job::{Job, ResolvedJob, Silent};
@@ -36,10 +36,8 @@ fn ended(changes: &[&str]) -> Ended {
     let run = Finished::run(job(changes), &mut Silent);
     let report = run.report();
     let number = |key: &str| report["published"][key]["value"].as_f64().unwrap();
-    let history = run.read("history.csv");
-    let loss = history.lines().last().unwrap().split(',').nth(1).unwrap();
     Ended {
-        loss: loss.parse().unwrap(),
+        loss: *losses(&run.path("")).last().unwrap(),
         out: number("bclp_l0"),
         largest: number("bclp_linf"),
         dose: npy::read_volume(&run.path("dose.npy")).unwrap().1,

@@ -1,5 +1,6 @@
 //! What `check` accepts, `run` does not refuse: jobs drawn at random from the schema, with a fixed seed. `TOMOLITH_FUZZ_SECONDS` makes it longer.
 
+use crate::{Finished, job_of};
 use serde_json::{Map, Value};
 use std::time::{Duration, Instant};
 use tomolith::Error;
@@ -167,78 +168,46 @@ fn refused_at(done: Result<(), Error>) -> String {
 #[test]
 fn what_a_run_refuses_before_its_first_step_check_refuses_at_the_same_key() {
     let place = tempfile::tempdir().unwrap();
-    let oxygen = "material.photopolymer.networks[0].inhibitors[0]";
-    let inhibitors = "material.photopolymer.networks[0].inhibitors=[{ name = \"oxygen\", capacity_mj_per_mm3 = 0.4, diffusion_mm2_per_s = 65536 }]";
-    for (text, changes, expected) in [
-        (
-            IN_TIME,
-            &["multiresolution={}", "schedule.optimize=exact"][..],
-            "multiresolution".to_owned(),
-        ),
-        (
-            IN_TIME,
-            &["schedule.dark_before_s=1e9"],
-            "schedule.dark_before_s".to_owned(),
-        ),
-        (
-            IN_TIME,
-            &[inhibitors],
-            format!("{oxygen}.diffusion_mm2_per_s"),
-        ),
-        (
-            "",
-            &["bounds={ min = 0.01, max = 0.01 }"],
-            "bounds.max".to_owned(),
-        ),
-        (
-            "",
-            &["vial.index_matched.radius_mm=90000"],
-            "light".to_owned(),
-        ),
-        (
-            "",
-            &["bath={ absorption_per_mm = 0.0, radius_mm = 1e308 }"],
-            "light".to_owned(),
-        ),
-    ] {
-        let mut document = Document::toml("a.toml", format!("{BASE}{text}")).unwrap();
-        changes.iter().for_each(|set| document.set(set).unwrap());
-        let folder = place.path().join("run");
-        let job = || {
-            let job = Job::from_document(document.clone())?;
-            Ok(job.with_folder(&folder, "--output"))
+    let in_time = format!("{BASE}{IN_TIME}");
+    let slips = r#"
+        in time: multiresolution={} + schedule.optimize=exact → multiresolution
+        in time: schedule.dark_before_s=1e9 → schedule.dark_before_s
+        in time: material.photopolymer.networks[0].inhibitors=[{ name = "oxygen", capacity_mj_per_mm3 = 0.4, diffusion_mm2_per_s = 65536 }] → material.photopolymer.networks[0].inhibitors[0].diffusion_mm2_per_s
+        bounds={ min = 0.01, max = 0.01 } → bounds.max
+        vial.index_matched.radius_mm=90000 → light
+        bath={ absorption_per_mm = 0.0, radius_mm = 1e308 } → light
+    "#;
+    for slip in slips.trim().lines() {
+        let (changes, key) = slip.trim().split_once(" → ").unwrap();
+        let (text, changes) = match changes.strip_prefix("in time: ") {
+            Some(changes) => (in_time.as_str(), changes),
+            None => (BASE, changes),
         };
+        let changes: Vec<&str> = changes.split(" + ").collect();
+        let folder = place.path().join("run");
+        let job = || Ok(job_of(text, &changes)?.with_folder(&folder, "--output"));
         let check = |job| job::check(&job, &mut Silent, &Run::new()).map(drop);
         let run = |job| job::run(&job, false, &mut Silent, &Run::new()).map(drop);
         for done in [job().and_then(check), job().and_then(run)] {
-            assert_eq!(refused_at(done), expected, "{changes:?}");
+            assert_eq!(refused_at(done), key, "{changes:?}");
         }
     }
 }
 
 #[test]
 fn frames_that_make_no_movie_are_a_warning() {
-    let place = tempfile::tempdir().unwrap();
-    let run = |folder: &str, changes: &[&str]| {
-        let mut document = Document::toml("a.toml", BASE).unwrap();
-        changes.iter().for_each(|set| document.set(set).unwrap());
-        let folder = place.path().join(folder);
-        let job = Job::from_document(document).unwrap();
-        let job = job.with_folder(&folder, "--output");
-        job::run(&job, false, &mut Silent, &Run::new()).unwrap();
-        let report = std::fs::read(folder.join("report.json")).unwrap();
-        let report: Value = serde_json::from_slice(&report).unwrap();
-        assert!(folder.join("patterns.npz").is_file() && folder.join("print.stl").is_file());
+    let run = |change: &str| {
+        let run = Finished::run(job_of(BASE, &[change]).unwrap(), &mut Silent);
+        let report = run.report();
+        assert!(run.path("patterns.npz").is_file() && run.path("print.stl").is_file());
         assert_eq!(report["movies"], Value::Array(Vec::new()));
-        let warned = report["warnings"]
-            .to_string()
-            .contains("the movie is left out");
-        (warned, folder.join("exposure.json").is_file())
+        let warnings = report["warnings"].to_string();
+        let warned = warnings.contains("the movie is left out");
+        (warned, run.path("exposure.json").is_file())
     };
     // Wider than any H.264 that the encoder writes
-    let wide = ["light[0].pixels=[3844, 16]"];
-    assert_eq!(run("wide", &wide), (true, true));
-    assert_eq!(run("none", &["output.movie=none"]), (false, true));
+    assert_eq!(run("light[0].pixels=[3844, 16]"), (true, true));
+    assert_eq!(run("output.movie=none"), (false, true));
 }
 
 #[test]

@@ -1,19 +1,13 @@
 //! Jobs with a schedule: minutes and millijoules, what a printer can show, and every method against the print in time.
 
-use crate::{Finished, job_of};
+use crate::{BALL, Finished, LIGHT, job_of, losses};
 use serde_json::Value;
 use tomolith::job::{Event, Job, Progress, Silent, Summary, run};
 use tomolith::models::Run;
 use tomolith::optimize::OPTIMIZERS;
 
-const BALL: &str = r#"
-    target = { phantom = { sphere = {} }, size_mm = 1.2 }
-    grid = { pitch_mm = 0.1 }
-    resin = { refractive_index = 1.5, absorption_per_mm = 0.1, critical_dose_mj_per_mm3 = 0.5 }
-    vial = { index_matched = { radius_mm = 1.0 } }
-    light = [{ pixels = [20, 16], angles = 12, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
+const TIME: &str = r#"
     stop = { iterations = 4 }
-    evaluate = { refine = 1, sub_angles = 1 }
     schedule = { seconds_per_turn = 5.0, turns = 8, duty = 0.5, power = { energy_per_turn_mj_per_mm2 = 0.25 }, snapshots = 2 }
     [[material.photopolymer.networks]]
     name = "resin"
@@ -22,7 +16,7 @@ const BALL: &str = r#"
 "#;
 
 fn job(changes: &[&str]) -> Job {
-    job_of(BALL, changes).unwrap()
+    job_of(&[BALL, LIGHT, TIME].concat(), changes).unwrap()
 }
 
 /// Hears warnings.
@@ -66,10 +60,7 @@ fn a_schedule_says_how_long_and_how_bright_the_light_is() {
     assert!((sent[sent.len() - 1].as_f64().unwrap() / all - 1.0).abs() < 1e-4);
     let (best, at) = (number("/time/0/best_mj"), number("/time/0/best_s"));
     // Frames of a ball are alike: energy goes with the time
-    assert!(
-        (best / all - at / 40.0).abs() < 0.05,
-        "{best} of {all} after {at}"
-    );
+    tomolith_core::near!(best / all, at / 40.0, 0.05, "after {at}");
     // The dose alone has no clock of its own beside that of the schedule
     assert!(report.pointer("/exposure/time_s").unwrap().is_null());
     assert!(page.contains("peak_mw_per_cm2") && page.contains("have been sent to the vial"));
@@ -135,9 +126,7 @@ fn every_method_optimizes_a_print_in_time_or_says_why_not() {
             continue;
         }
         done.unwrap();
-        let history = std::fs::read_to_string(own.join("history.csv")).unwrap();
-        let loss = |line: &str| line.split(',').nth(1).unwrap().parse::<f64>().unwrap();
-        let losses: Vec<f64> = history.lines().skip(1).map(loss).collect();
+        let losses = losses(&own);
         let lowest = losses.iter().copied().fold(f64::INFINITY, f64::min);
         assert!(lowest < 0.8 * losses[0], "{name}: {losses:?}");
     }

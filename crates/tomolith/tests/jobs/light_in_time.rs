@@ -64,6 +64,27 @@ fn disc(more: f32) -> Volume<f32> {
     })
 }
 
+/// Resin that absorbs so much, and all of it makes dose.
+fn absorbing(mu: Volume<f32>) -> Absorption {
+    Absorption {
+        active_per_mm: mu.clone(),
+        attenuation_per_mm: mu,
+    }
+}
+
+/// The same for models that know it: a slice that stands for all heights.
+fn map_of(mu: &Volume<f32>) -> AbsorptionMap {
+    let slice = mu.values[..40 * 40].to_vec();
+    AbsorptionMap::new([1, 40, 40], 0.1, slice.clone(), slice).unwrap()
+}
+
+/// What one field has more than another.
+fn apart(a: &HostField, b: &HostField) -> HostField {
+    let mut off = a.clone();
+    off.axpy(-1.0, b);
+    off
+}
+
 fn dose(model: &Model, x: &HostField) -> HostField {
     let mut dose = model.new_dose().unwrap();
     model.dose(x, &mut dose, &Run::new()).unwrap();
@@ -78,24 +99,14 @@ fn rms(a: &HostField) -> f64 {
 fn shaded_light_is_that_of_a_resin_with_a_map() {
     for more in [0.1f32, 0.5] {
         let mu = disc(more);
-        // A slice that stands for all heights
-        let slice = mu.values[..40 * 40].to_vec();
-        let map = AbsorptionMap::new([1, 40, 40], 0.1, slice.clone(), slice).unwrap();
-        let exact = parallel(FRAMES, Some(map));
+        let exact = parallel(FRAMES, Some(map_of(&mu)));
         let plain: Arc<Model> = Arc::new(parallel(FRAMES, None));
         let x = patterns(plain.as_ref());
         let before = dose(plain.as_ref(), &x);
-        let absorption = Absorption {
-            active_per_mm: mu.clone(),
-            attenuation_per_mm: mu,
-        };
-        let shaded = Shaded::new(plain, [MU, MU], &absorption).unwrap();
+        let shaded = Shaded::new(plain, [MU, MU], &absorbing(mu)).unwrap();
         let wanted = dose(&exact, &x);
-        let mut off = dose(&shaded, &x);
-        off.axpy(-1.0, &wanted);
-        let mut change = wanted.clone();
-        change.axpy(-1.0, &before);
-        let share = rms(&off) / rms(&change);
+        let off = apart(&dose(&shaded, &x), &wanted);
+        let share = rms(&off) / rms(&apart(&wanted, &before));
         assert!(share < 0.02, "{more}: {share}");
         // ⟨F d, c⟩ = ⟨d, Fᵀc⟩
         let (d, c) = (noise(&x, 3), noise(&wanted, 5));
@@ -114,24 +125,14 @@ fn shaded_light_is_that_of_a_resin_with_a_map() {
 /// both are where nothing shades; relative, rms.
 fn off_shaded(plain: Arc<Model>, by_map: &dyn Fn(Option<AbsorptionMap>) -> Box<Model>) -> [f64; 2] {
     let mu = disc(0.5);
-    let slice = mu.values[..40 * 40].to_vec();
-    let map = AbsorptionMap::new([1, 40, 40], 0.1, slice.clone(), slice).unwrap();
-    let absorption = Absorption {
-        active_per_mm: mu.clone(),
-        attenuation_per_mm: mu,
-    };
-    let shaded = Shaded::new(Arc::clone(&plain), [MU, MU], &absorption).unwrap();
+    let map = map_of(&mu);
+    let shaded = Shaded::new(Arc::clone(&plain), [MU, MU], &absorbing(mu)).unwrap();
     let of = |model: &Model| {
         let x = patterns(model);
         // Amplitudes and energies of one pattern
         let quantity = model.patterns()[0].quantity;
         let values: Vec<f32> = x.as_slice().iter().map(|v| quantity.value(*v)).collect();
         dose(model, &HostField::from_slice(&values))
-    };
-    let apart = |a: &HostField, b: &HostField| {
-        let mut off = a.clone();
-        off.axpy(-1.0, b);
-        off
     };
     let (before, exact) = (of(plain.as_ref()), of(by_map(None).as_ref()));
     let change = apart(&of(&shaded), &before);
@@ -189,11 +190,7 @@ fn resin_that_shades_at_one_height_leaves_the_others_alone() {
     let mut mu = disc(0.5);
     let slice = mu.values.len() / 4;
     mu.values[..2 * slice].fill(MU as f32);
-    let absorption = Absorption {
-        active_per_mm: mu.clone(),
-        attenuation_per_mm: mu,
-    };
-    let shaded = Shaded::new(plain.clone(), [MU, MU], &absorption).unwrap();
+    let shaded = Shaded::new(plain.clone(), [MU, MU], &absorbing(mu)).unwrap();
     let layout = &plain.outputs()[0];
     let [before, after] = [dose(plain.as_ref(), &x), dose(&shaded, &x)];
     let [before, after] = [before, after].map(|d| layout.volume_of(d.as_slice()).values);
@@ -233,20 +230,16 @@ fn a_dose_that_diffuses_is_what_a_material_without_oxygen_prints() {
     let printed = dose(&printing, &x);
     let mut half = x.clone();
     half.scale(0.5); // two turns of 0.25 mJ/mm² each
-    let apart = |arcs: usize| {
+    let of_arcs = |arcs: usize| {
         let model: Box<Model> = Box::new(parallel(FRAMES, None));
         let diffused = Diffused::of_schedule(model, 2e-4, &schedule(false), arcs).unwrap();
-        let mut off = dose(&diffused, &half);
-        off.axpy(-1.0, &printed);
-        rms(&off) / rms(&printed)
+        rms(&apart(&dose(&diffused, &half), &printed)) / rms(&printed)
     };
-    let [one, all] = [apart(1), apart(FRAMES)];
+    let [one, all] = [of_arcs(1), of_arcs(FRAMES)];
     assert!(all < 2e-3 && one < 0.03 && all < one, "{one} {all}");
     // Without diffusion it is another dose
     let plain = parallel(FRAMES, None);
-    let mut off = dose(&plain, &half);
-    off.axpy(-1.0, &printed);
-    assert!(rms(&off) > 0.02 * rms(&printed));
+    assert!(rms(&apart(&dose(&plain, &half), &printed)) > 0.02 * rms(&printed));
 }
 
 fn exact(own_patterns: bool) -> Printing {
@@ -260,21 +253,12 @@ fn exact(own_patterns: bool) -> Printing {
         inhibitors: vec![oxygen],
         ..Network::new("resin", Curing::threshold(0.15))
     };
-    let material = Photopolymer::new(
-        Params::new(vec![network]),
-        Mixing::identity(1),
-        Domain::new(grid()),
-    )
-    .unwrap();
+    let params = Params::new(vec![network]);
+    let material = Photopolymer::new(params, Mixing::identity(1), Domain::new(grid())).unwrap();
     let frames = if own_patterns { 2 * FRAMES } else { FRAMES };
     let optics: Vec<Box<Model>> = vec![Box::new(parallel(frames, None))];
-    Printing::new(
-        optics,
-        schedule(own_patterns),
-        Box::new(material),
-        Some(2.0),
-    )
-    .unwrap()
+    let schedule = schedule(own_patterns);
+    Printing::new(optics, schedule, Box::new(material), Some(2.0)).unwrap()
 }
 
 /// ½ Σ (degree of cure − wanted)² and its gradient; wanted: a fine comb that oxygen blurs.
@@ -285,8 +269,8 @@ fn loss(model: &Printing, x: &HostField, gradient: Option<&mut HostField>) -> f6
         let comb = x.hypot(y) < 1.5 && (x * 2.5).floor() as i64 % 2 == 0;
         if comb { 1.1 } else { 0.6 }
     });
-    let mut off = dose(model, x);
-    off.axpy(-1.0, &HostField::from_slice(&layout.field_of(&wanted)));
+    let wanted = HostField::from_slice(&layout.field_of(&wanted));
+    let off = apart(&dose(model, x), &wanted);
     let value = 0.5 * off.dot(&off);
     if let Some(gradient) = gradient {
         model.pullback(x, &off, gradient, &run).unwrap();
@@ -336,17 +320,15 @@ fn two_turns_of_their_own_are_never_worse_than_one_repeated() {
     let mut of_one = x.zeros_like();
     loss(&repeated, &x, Some(&mut of_one));
     let (one, two) = of_both.as_slice().split_at(x.len());
-    let (mut sum, mut apart) = (HostField::from_slice(one), HostField::from_slice(one));
-    sum.axpy(1.0, &HostField::from_slice(two));
-    apart.axpy(-1.0, &HostField::from_slice(two));
-    sum.axpy(-1.0, &of_one);
-    let off = rms(&sum) / rms(&of_one);
-    assert!(off < 1e-2, "{off}");
-    assert!(
-        rms(&apart) > 0.01 * rms(&of_one),
-        "{}",
-        rms(&apart) / rms(&of_one)
-    );
+    let [one, two] = [one, two].map(HostField::from_slice);
+    let mut sum = one.clone();
+    sum.axpy(1.0, &two);
+    let size = rms(&of_one);
+    let off = [
+        rms(&apart(&sum, &of_one)) / size,
+        rms(&apart(&one, &two)) / size,
+    ];
+    assert!(off[0] < 1e-2 && off[1] > 0.01, "{off:?}");
     // As many further steps: turns of their own go further
     let further = descend(&repeated, &mut x, 4);
     let apart = descend(&own, &mut both, 4);

@@ -15,9 +15,9 @@ mod two_colors;
 mod two_machines;
 
 use serde_json::Value;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use tomolith::Result;
-use tomolith::job::{Document, Job, Progress, Summary, run};
+use tomolith::job::{Document, Event, Job, Progress, Summary, run};
 use tomolith::models::Run;
 
 /// A job of this text with keys set otherwise.
@@ -30,6 +30,47 @@ fn job_of(text: &str, changes: &[impl AsRef<str>]) -> Result<Job> {
 fn image(key: &str, name: &str) -> String {
     let examples = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/images");
     format!("{key}=\"{examples}/{name}\"")
+}
+
+/// A ball of 1.2 mm in a resin whose critical dose is known, without light.
+const BALL: &str = r#"
+    target = { phantom = { sphere = {} }, size_mm = 1.2 }
+    grid = { pitch_mm = 0.1 }
+    resin = { refractive_index = 1.5, absorption_per_mm = 0.1, critical_dose_mj_per_mm3 = 0.5 }
+    vial = { index_matched = { radius_mm = 1.0 } }
+    evaluate = { refine = 1, sub_angles = 1 }
+"#;
+
+/// What lights it from 12 sides.
+const LIGHT: &str = r#"
+    light = [{ pixels = [20, 16], angles = 12, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
+"#;
+
+/// Asks a run to stop after an iteration.
+struct StopAfter<'r>(usize, &'r Run);
+
+impl Progress for StopAfter<'_> {
+    fn event(&mut self, event: &Event) {
+        if matches!(event, Event::Iteration { iteration, .. } if *iteration == self.0) {
+            self.1.cancel();
+        }
+    }
+}
+
+/// Columns of the history of a run, row by row.
+fn history<const N: usize>(folder: &Path, names: [&str; N]) -> Vec<[String; N]> {
+    let text = std::fs::read_to_string(folder.join("history.csv")).unwrap();
+    let mut rows = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let head = rows.next().unwrap();
+    let columns = names.map(|name| head.iter().position(|other| *other == name).unwrap());
+    rows.map(|row| columns.map(|column| row[column].to_owned()))
+        .collect()
+}
+
+/// The losses of a run.
+fn losses(folder: &Path) -> Vec<f64> {
+    let rows = history(folder, ["loss"]).into_iter();
+    rows.map(|[loss]| loss.parse().unwrap()).collect()
 }
 
 /// A finished run; its folder goes with it.

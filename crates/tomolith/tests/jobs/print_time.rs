@@ -1,23 +1,18 @@
 //! A print that takes longer than `printer.time_s` allows.
 
-use crate::{Finished, job_of};
+use crate::{BALL, Finished, LIGHT, job_of};
 use serde_json::Value;
 use tomolith::job::Silent;
 
-const JOB: &str = r#"
-    target = { phantom = { sphere = {} }, size_mm = 1.2 }
-    grid = { pitch_mm = 0.1 }
-    resin = { refractive_index = 1.5, absorption_per_mm = 0.1, critical_dose_mj_per_mm3 = 0.5 }
-    vial = { index_matched = { radius_mm = 1.0 } }
-    light = [{ pixels = [20, 16], angles = 12, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
+const PRINTER: &str = r#"
     stop = { iterations = 2 }
-    evaluate = { refine = 1, sub_angles = 1 }
     printer = { peak_irradiance_mw_per_cm2 = 10.0, time_s = 40.0 }
 "#;
 
 /// The report of the job with a change.
 fn report(change: &str) -> Value {
-    Finished::run(job_of(JOB, &[change]).unwrap(), &mut Silent).report()
+    let job = job_of(&[BALL, LIGHT, PRINTER].concat(), &[change]);
+    Finished::run(job.unwrap(), &mut Silent).report()
 }
 
 #[test]

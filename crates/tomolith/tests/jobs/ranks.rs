@@ -1,12 +1,12 @@
 //! One job on several ranks, each a thread of this process: the same patterns as a process alone makes, up to the order of sums.
 
-use crate::job_of;
+use crate::{StopAfter, job_of, losses};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::thread;
 use std::time::Duration;
 use tomolith::io::npy::read_patterns;
-use tomolith::job::{self, Event, Job, Leaves, Progress, Silent, Summary};
+use tomolith::job::{self, Job, Leaves, Progress, Silent, Summary};
 use tomolith::models::Run;
 use tomolith::ranks::{Communicator, Threads};
 use tomolith::{Error, Result};
@@ -68,7 +68,7 @@ fn on_ranks(
         let job = jobs(rank.rank());
         let ranks: Arc<dyn Communicator> = Arc::new(rank);
         let run = Run::with_patience(Duration::MAX);
-        let mut watch = Stopper { run: &run, stop };
+        let mut watch = StopAfter(stop, &run);
         let told: &mut dyn Progress = match ranks.is_first() {
             true => &mut watch,
             false => &mut Silent,
@@ -83,36 +83,11 @@ fn on_ranks(
     })
 }
 
-/// Asks for a stop after some iterations.
-struct Stopper<'r> {
-    run: &'r Run,
-    stop: usize,
-}
-
-impl Progress for Stopper<'_> {
-    fn event(&mut self, event: &Event) {
-        match event {
-            Event::Iteration { iteration, .. } if *iteration == self.stop => {
-                self.run.cancel();
-            }
-            _ => {}
-        }
-    }
-}
-
 /// The patterns before quantization, and the losses of the run, in its folder.
 fn outcome(job: &Job) -> (Vec<f32>, Vec<f64>) {
     let arrays = read_patterns(&job.folder().join("patterns.npz")).unwrap();
     let patterns = arrays.into_iter().flat_map(|array| array.raw.unwrap());
     (patterns.collect(), losses(&job.folder()))
-}
-
-fn losses(folder: &Path) -> Vec<f64> {
-    let text = std::fs::read_to_string(folder.join("history.csv")).unwrap();
-    let mut lines = text.lines();
-    let column = lines.next().unwrap().split(',').position(|c| c == "loss");
-    let loss = |line: &str| line.split(',').nth(column.unwrap()).unwrap().parse();
-    lines.map(|line| loss(line).unwrap()).collect()
 }
 
 /// How far one job's result is from another's.
@@ -283,10 +258,7 @@ fn any_number_of_ranks_goes_on_from_a_checkpoint_of_others() {
     job::run_leaving(&whole, false, Leaves::Patterns, &mut Silent, &Run::new()).unwrap();
     let reached = losses(&whole.folder())[3];
     for begin in begins {
-        assert!(
-            (begin - reached).abs() < 1e-6 * reached,
-            "{begin} {reached}"
-        );
+        tomolith_core::near!(begin, reached, 1e-6 * reached);
     }
 }
 

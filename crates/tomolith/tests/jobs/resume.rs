@@ -1,26 +1,11 @@
 //! A run that was cut off on any level of its voxels goes on with the same bits.
 
+use crate::{StopAfter, history, job_of};
 use std::path::Path;
 use tomolith::Error;
 use tomolith::io::npy::read_patterns;
-use tomolith::job::{self, Document, Event, Job, Progress};
+use tomolith::job;
 use tomolith::models::Run;
-
-/// Asks to stop after an iteration.
-struct StopAfter<'a> {
-    iteration: usize,
-    run: &'a Run,
-}
-
-impl Progress for StopAfter<'_> {
-    fn event(&mut self, event: &Event) {
-        if let Event::Iteration { iteration, .. } = event
-            && *iteration == self.iteration
-        {
-            self.run.cancel();
-        }
-    }
-}
 
 const GEAR: &str = r#"
         target = { phantom = "gear", size_mm = 2.0 }
@@ -41,27 +26,10 @@ const OXYGEN: &str = r#"
     "#;
 
 fn run(text: &str, folder: &Path, resume: bool, stop_after: usize) -> Result<usize, Error> {
-    let job =
-        Job::from_document(Document::toml(Path::new("gear.toml"), text)?)?.with_folder(folder, "");
+    let job = job_of(text, &[""; 0])?.with_folder(folder, "");
     let run = Run::new();
-    let mut progress = StopAfter {
-        iteration: stop_after,
-        run: &run,
-    };
-    let summary = job::run(&job, resume, &mut progress, &run)?;
+    let summary = job::run(&job, resume, &mut StopAfter(stop_after, &run), &run)?;
     Ok(summary.iterations.unwrap_or(0))
-}
-
-/// Loss, IoU and process window of every iteration.
-fn history(folder: &Path) -> Vec<[String; 3]> {
-    let text = std::fs::read_to_string(folder.join("history.csv")).unwrap();
-    let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
-    let names = lines.next().unwrap();
-    let columns = ["loss", "iou", "process_window"]
-        .map(|name| names.iter().position(|&n| n == name).unwrap());
-    lines
-        .map(|line| columns.map(|i| line[i].to_owned()))
-        .collect()
 }
 
 /// The patterns of a run that is not cut off, and those of runs that are cut off after these iterations and go on.
@@ -70,7 +38,7 @@ fn must_go_on(text: &str, cuts: &[usize]) {
     let whole = folder.path().join("whole");
     assert_eq!(run(text, &whole, false, usize::MAX).unwrap(), 8);
     let expected = read_patterns(&whole.join("patterns.npz")).unwrap();
-    let measured = history(&whole);
+    let measured = |folder: &Path| history(folder, ["loss", "iou", "process_window"]);
     for &stop_after in cuts {
         let cut = folder.path().join(format!("cut-{stop_after}"));
         let stopped = run(text, &cut, false, stop_after);
@@ -79,7 +47,11 @@ fn must_go_on(text: &str, cuts: &[usize]) {
         assert_eq!(run(text, &cut, true, usize::MAX).unwrap(), 8);
         let found = read_patterns(&cut.join("patterns.npz")).unwrap();
         assert_eq!(found, expected, "cut off after {stop_after}");
-        assert_eq!(history(&cut), measured, "cut off after {stop_after}");
+        assert_eq!(
+            measured(&cut),
+            measured(&whole),
+            "cut off after {stop_after}"
+        );
     }
 }
 

@@ -1,27 +1,22 @@
 //! Two lights with a gray curve, a brightness and an exposure time of their own.
 
-use crate::{Finished, job_of};
+use crate::{BALL, Finished, job_of};
 use serde_json::Value;
 use tomolith::Error;
 use tomolith::job::{Job, ResolvedJob, Silent};
 
-const JOB: &str = r#"
-    target = { phantom = { sphere = {} }, size_mm = 1.2 }
-    grid = { pitch_mm = 0.1 }
-    resin = { refractive_index = 1.5, absorption_per_mm = 0.1, critical_dose_mj_per_mm3 = 0.5 }
-    vial = { index_matched = { radius_mm = 1.0 } }
+const MACHINES: &str = r#"
     light = [
         { name = "violet", pixels = [20, 16], angles = 12, turns = 9, projector = { collimated = { pixel_pitch_mm = 0.1 } }, printer = { peak_irradiance_mw_per_cm2 = 46.2, gray_curve = [[0.0, 0.0], [0.5, 0.3], [1.0, 1.0]] } },
         { name = "uv", pixels = [20, 16], angles = 12, projector = { collimated = { pixel_pitch_mm = 0.1 } } },
     ]
     stop = { iterations = 2 }
-    evaluate = { refine = 1, sub_angles = 1 }
     printer = { peak_irradiance_mw_per_cm2 = 325.3 }
     schedule = { seconds_per_turn = 5.0, turns = 12, power = { irradiance_mw_per_mm2 = 0.1 }, snapshots = 1 }
 "#;
 
 fn job(changes: &[&str]) -> Result<Job, Error> {
-    job_of(JOB, changes)
+    job_of(&[BALL, MACHINES].concat(), changes)
 }
 
 fn report(changes: &[&str]) -> Value {
