@@ -111,6 +111,15 @@ bit_depth = 8
 folder = "out/part"
 "#;
 
+    /// A document of this text, with these keys set otherwise.
+    pub(crate) fn document_of(text: &str, changes: &[&str]) -> Document {
+        let mut document = Document::toml("a.toml", text).unwrap();
+        for change in changes {
+            document.set(change).unwrap();
+        }
+        document
+    }
+
     /// A job of this text, with these keys set otherwise.
     pub(crate) fn job_of(text: &str, changes: &[&str]) -> Job {
         let changes: Vec<String> = changes.iter().map(|&change| change.to_owned()).collect();
@@ -169,82 +178,6 @@ folder = "out/part"
                 let missing = with_example(Error::config(path.clone(), crate::kind::MISSING, ""));
                 let message = missing.to_string();
                 assert!(message.contains("for example"), "{path}: {message}");
-            }
-        }
-    }
-
-    #[test]
-    fn slips_are_named_with_key_line_and_neighbor() {
-        for (from, to, mark, expected) in [
-            (
-                "iterations = 40",
-                "iteratons = 40",
-                "iteratons",
-                ["stop.iteratons", "did you mean `iterations`?"],
-            ),
-            (
-                "[resin]",
-                "[resn]",
-                "[resn",
-                ["resn", "did you mean `resin`?"],
-            ),
-            (
-                "count = 180",
-                "cuont = 180",
-                "cuont",
-                ["light[0].angles.cuont", "did you mean `count`?"],
-            ),
-            (
-                "\"s\"",
-                "\"q\"",
-                "\"q\"",
-                ["light[0].polarization", "unpolarized, s, p"],
-            ),
-            (
-                "0.95",
-                "0.95\n[multiresolution]\nlevles = 3",
-                "levles",
-                ["multiresolution.levles", "did you mean `levels`?"],
-            ),
-            (
-                "iterations = 40",
-                "iterations = -1",
-                "= -1",
-                ["stop.iterations", "a whole number, 0 or more"],
-            ),
-            (
-                "pitch_mm = 0.05",
-                "pitch_mm = \"50 kg\"",
-                "50 kg",
-                ["grid.pitch_mm", "unknown unit of length `kg`"],
-            ),
-            (
-                "\n[vial]",
-                "\n[vial.bottom]\n[vial]",
-                "[vial.bottom",
-                ["vial.bottom.z_mm: the key is missing", "z_mm = -10.0"],
-            ),
-            (
-                "= 1.0",
-                "= \"air\"",
-                "\"air\"",
-                ["vial.surrounding_index: found \"air\"", "a number"],
-            ),
-            (
-                "[128, 64]",
-                "[128]",
-                "[128]",
-                ["light[0].pixels", "a list of 2"],
-            ),
-        ] {
-            let text = FULL.replacen(from, to, 1);
-            let line = 1 + text[..text.find(mark).unwrap()].matches('\n').count();
-            let message = read(&text).unwrap_err().to_string();
-            for part in expected
-                .into_iter()
-                .chain([format!("(a.toml, line {line})").as_str()])
-            {
-                assert!(message.contains(part), "{part} is not in: {message}");
             }
         }
     }

@@ -61,9 +61,6 @@ const DIM: f64 = 0.1;
 impl CrossCheck {
     /// Of patterns on the grid of voxels, vial standing, by about so many paths, twice; None where scattered light does not go order
     /// by order.
-    ///
-    /// # Errors
-    /// What the models refuse; [`Error::Canceled`](crate::Error::Canceled).
     pub(crate) fn of(
         job: &ResolvedJob,
         voxels: &Voxels,

@@ -97,9 +97,6 @@ impl<'a> Doses<'a> {
     }
 
     /// Doses of patterns.
-    ///
-    /// # Errors
-    /// What the model refuses; [`Error::Canceled`](crate::Error::Canceled).
     pub(crate) fn of(
         &mut self,
         exposed: &Exposed,

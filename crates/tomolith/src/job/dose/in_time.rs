@@ -26,9 +26,6 @@ pub(crate) fn diffuses(job: &ResolvedJob) -> bool {
 }
 
 /// A model whose dose is that at the end of the schedule, where the job's dose diffuses.
-///
-/// # Errors
-/// As [`Diffused::of_schedule`].
 pub(crate) fn diffused(job: &ResolvedJob, model: HostModel) -> Result<HostModel> {
     let Some(diffusion) = job.diffusion() else {
         return Ok(model);
@@ -144,9 +141,6 @@ impl<'a> Shown<'a> {
     }
 
     /// Prints, and shows every moment.
-    ///
-    /// # Errors
-    /// As [`PrintRun::run`].
     pub(crate) fn print(&self, look: &mut dyn FnMut(&Moment)) -> Result<()> {
         let given = self.lights.job.schedule().cloned().unwrap_or_default();
         let sources = self.models.iter().zip(&self.fields);

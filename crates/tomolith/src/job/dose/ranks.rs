@@ -52,9 +52,6 @@ impl ResolvedJob {
 
     /// Refuses ranks that read another job or other files, planned otherwise with the memory they have, would stop at another iteration, or compute
     /// with other instructions, whose sums differ.
-    ///
-    /// # Errors
-    /// [`Error::Unsupported`].
     pub(crate) fn must_agree(&self, fingerprint: u64) -> Result<()> {
         let Some(ranks) = &self.ranks else {
             return Ok(());

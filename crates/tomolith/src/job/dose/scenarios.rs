@@ -29,9 +29,6 @@ impl Scenario {
 }
 
 /// The model of the job and of all scenarios, where there are any; and that of the job, where it is another one.
-///
-/// # Errors
-/// As [`planner::plan`].
 pub(crate) fn joined(
     resolved: &ResolvedJob,
     model: MaskedModel,

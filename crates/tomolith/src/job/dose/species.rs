@@ -13,9 +13,6 @@ use crate::models::{DoseModel, Family, HostModel, OpticalScene, Run};
 ///
 /// `wanted` are the voxels that each species needs, `unwanted` those it should not reach: a light becomes unknowns where it drives what is
 /// wanted, or inhibits what is not.
-///
-/// # Errors
-/// As [`planner::plan`].
 pub(crate) fn planned(
     job: &ResolvedJob,
     asked: Option<&Family>,

@@ -28,9 +28,6 @@ pub(crate) struct Written {
 
 impl Written {
     /// Raw patterns and what the machine makes of them at its bit depth.
-    ///
-    /// # Errors
-    /// As [`quantize`] and [`Printer::expose`].
     pub(crate) fn of_raw(raw: Vec<Patterns>, job: &ResolvedJob) -> Result<Self> {
         let bits = job.evaluation().bit_depth;
         let Some(printers) = &job.printers else {
@@ -60,9 +57,6 @@ impl Written {
     }
 
     /// The levels of the machine, per light.
-    ///
-    /// # Errors
-    /// As [`of_raw`](Self::of_raw).
     pub(crate) fn frames(&self, job: &ResolvedJob) -> Result<Cow<'_, [Quantized]>> {
         match (&self.frames, &self.raw, &job.printers) {
             (Some(frames), ..) => Ok(Cow::Borrowed(frames)),

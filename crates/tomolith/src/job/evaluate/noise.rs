@@ -45,9 +45,6 @@ const MOST_PATHS: f64 = 4096.0;
 
 impl Noise {
     /// Of patterns under a model; None where it draws no paths.
-    ///
-    /// # Errors
-    /// What the model refuses; [`Error::Canceled`](crate::Error::Canceled).
     pub(crate) fn of(
         job: &ResolvedJob,
         voxels: &Voxels,
@@ -199,11 +196,9 @@ mod tests {
             part: 0.012,
             void: 0.03,
         };
-        assert!(
-            noise(0.77)
-                .warning()
-                .unwrap()
-                .contains("IoU 1.0000 on these paths, 0.7700")
+        tomolith_core::contains!(
+            noise(0.77).warning().unwrap(),
+            "IoU 1.0000 on these paths, 0.7700"
         );
         // 3 % in the void is too much to decide, and the warning names it too
         let quiet = |independent: f64| Noise {
@@ -214,12 +209,7 @@ mod tests {
         assert!(!quiet(0.77).warning().unwrap().contains("leave a noise"));
         let text = noise(0.995).warning().unwrap();
         tomolith_core::contains!(text, "a noise of 3.0 %", "now 4; about 9 paths a pixel");
-        assert!(
-            noise(0.77)
-                .warning()
-                .unwrap()
-                .contains("; Monte Carlo paths leave")
-        );
+        tomolith_core::contains!(noise(0.77).warning().unwrap(), "; Monte Carlo paths leave");
         let loud = Noise {
             part: 0.9,
             ..quiet(1.0)

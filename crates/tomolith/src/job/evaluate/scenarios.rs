@@ -10,9 +10,6 @@ use crate::report::{ScenarioRow, ScenarioTable};
 
 /// What the written patterns print in the job and in each scenario, all gelled at the job's threshold; None without scenarios. `response_of` gives
 /// the response in a scenario.
-///
-/// # Errors
-/// Those of `response_of`.
 pub(crate) fn table(
     resolved: &ResolvedJob,
     labels: &[u8],

@@ -149,9 +149,6 @@ pub(crate) fn find_once(
 }
 
 /// Looks for the ceilings of a job; None where it stays within the bound of its start.
-///
-/// # Errors
-/// [`Error::Canceled`].
 pub(crate) fn find(
     job: &ResolvedJob,
     voxels: &[Voxels],

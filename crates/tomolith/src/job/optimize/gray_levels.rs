@@ -17,9 +17,6 @@ pub(crate) struct Levelled {
 }
 
 /// Improves patterns on the levels that the job's machine shows; None where the job rounds plainly, or has many levels.
-///
-/// # Errors
-/// As [`levels::improve`] and [`Written::of_raw`].
 pub(crate) fn improve(
     job: &ResolvedJob,
     problem: &mut Problem<HostField>,

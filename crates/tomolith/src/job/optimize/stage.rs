@@ -14,8 +14,6 @@ use crate::job::dose::species::planned;
 use crate::job::progress::{Event, Progress};
 use crate::job::resolve::free_parameters::FoundResponse;
 use crate::job::resolve::goal::Goal;
-#[cfg(feature = "gpu")]
-use crate::job::resolve::goal::Objectives;
 use crate::job::resolve::refinement::Level;
 use crate::job::resolve::{ResolvedJob, Species, Voxels, refinement, scenarios};
 use crate::models::masked::{darken, pixels_through};
@@ -83,14 +81,6 @@ pub(crate) struct Stage<'a> {
     /// The response that was found, where its parameters are unknowns.
     pub(crate) found: Option<FoundResponse>,
 }
-
-/// Model, objectives and method of a stage on a graphics card.
-#[cfg(feature = "gpu")]
-type OnCard = (
-    Box<dyn DoseModel<Field = GpuField>>,
-    Objectives<GpuField>,
-    Box<dyn Optimizer<GpuField>>,
-);
 
 impl<'a> Stage<'a> {
     /// A level with its model, or with one that is there already.
@@ -190,7 +180,9 @@ impl<'a> Stage<'a> {
         progress: &mut dyn Progress,
         cancel: &Run,
     ) -> Result<EndOfLevel> {
-        self.find(job, outcome)?;
+        if let Some(free) = &job.method.free {
+            self.found = free.found(&outcome.response)?;
+        }
         let begin = Instant::now();
         let levels = self.improve(job, x, bounds, progress, cancel)?;
         let levelled = self.levelled(job, raw, progress, cancel)?;
@@ -202,32 +194,13 @@ impl<'a> Stage<'a> {
         })
     }
 
-    /// Takes the response that an optimization found.
-    fn find(&mut self, job: &ResolvedJob, outcome: &Outcome) -> Result<()> {
-        if let Some(free) = &job.method.free {
-            self.found = free.found(&outcome.response)?;
-        }
-        Ok(())
-    }
-
     /// The loss of all species, with the response that was found; with thresholds that lie so many steps further apart than those of the job.
     pub(crate) fn objective(&self, job: &ResolvedJob, wider: usize) -> Result<Sum<HostField>> {
-        let mut sum = self.objective_of_job(job, wider)?;
-        if let Some(found) = &self.found {
-            sum.set_response(&found.response)?;
-        }
-        Ok(sum)
+        self.responding(self.objective_of_job(job, wider)?)
     }
 
-    /// The loss of the one species of a model, for any fields, with the response that was found.
-    #[cfg(feature = "gpu")]
-    fn objective_on<F: Field>(
-        &self,
-        job: &ResolvedJob,
-        objectives: &Objectives<F>,
-    ) -> Result<Sum<F>> {
-        let layout = &self.model.outputs()[0];
-        let mut sum = job.objective(job.first(), objectives, layout, &self.voxels[0])?;
+    /// The same loss with the response that was found.
+    fn responding<F: Field>(&self, mut sum: Sum<F>) -> Result<Sum<F>> {
         if let Some(found) = &self.found {
             sum.set_response(&found.response)?;
         }
@@ -360,11 +333,15 @@ impl<'a> Stage<'a> {
     ) -> Result<Outcome> {
         let around = (bounds, checkpoints, sofar, progress);
         #[cfg(feature = "gpu")]
-        if let Some((model, objectives, optimizer)) = self.on_card(job, wider, cancel)? {
-            let objective = self.objective_on(job, &objectives)?;
+        if let (Some(card), Some(form)) = (&job.optics.card, self.model.form()) {
+            let goal = goal_of(job.first(), wider).on::<GpuField>()?;
+            let model = model_on(card.gpu(), &form, cancel)?;
+            let layout = &self.model.outputs()[0];
+            let loss = job.objective(job.first(), &goal, layout, &self.voxels[0])?;
             let mut there = model.new_patterns()?;
             there.copy_from_host(x.as_slice());
-            let on_card = (model.as_ref(), objective, optimizer);
+            let method = job.method.optimizer()?;
+            let on_card = (model.as_ref(), self.responding(loss)?, method);
             let ran = self.run_on((job, until), on_card, &mut there, around, cancel);
             let found = there.to_host();
             there.gpu().check()?;
@@ -374,17 +351,6 @@ impl<'a> Stage<'a> {
         let objective = self.objective(job, wider)?;
         let on_host = (self.model.as_ref() as _, objective, job.method.optimizer()?);
         self.run_on((job, until), on_host, x, around, cancel)
-    }
-
-    /// Model and method on the job's graphics card, where it has one, and all of the stage has a form for it.
-    #[cfg(feature = "gpu")]
-    fn on_card(&self, job: &ResolvedJob, wider: usize, cancel: &Run) -> Result<Option<OnCard>> {
-        let (Some(card), Some(form)) = (&job.optics.card, self.model.form()) else {
-            return Ok(None);
-        };
-        let objectives = goal_of(job.first(), wider).on()?;
-        let model = model_on(card.gpu(), &form, cancel)?;
-        Ok(Some((model, objectives, job.method.optimizer()?)))
     }
 
     /// The same with model, objective and method for one kind of fields.

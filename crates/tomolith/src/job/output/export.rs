@@ -224,19 +224,20 @@ fn rounded_anew(run: &Path, bits: u32) -> Option<String> {
 fn gel_dose(job: &Job, run: &Path, progress: &mut dyn Progress) -> Result<Option<f64>> {
     let text = read_text(run.join("report.json")).unwrap_or_default();
     let report: Value = serde_json::from_str(&text).unwrap_or_default();
-    if report["is_toy"] == true {
-        let text = "these are the frames of a toy of the job, whose pixels are three times as large: for a machine, run the job without `--toy`";
-        let text = text.to_owned();
-        progress.event(&Event::Warning { text });
-    }
-    if report
-        .pointer("/evaluation/part/max")
-        .and_then(Value::as_f64)
-        == Some(0.0)
-    {
-        let text = "the patterns of this run leave no dose in the part: these frames print nothing";
-        let text = text.to_owned();
-        progress.event(&Event::Warning { text });
+    for (is_so, text) in [
+        (
+            report["is_toy"] == true,
+            "these are the frames of a toy of the job, whose pixels are three times as large: for a machine, run the job without `--toy`",
+        ),
+        (
+            report["evaluation"]["part"]["max"].as_f64() == Some(0.0),
+            "the patterns of this run leave no dose in the part: these frames print nothing",
+        ),
+    ] {
+        if is_so {
+            let text = text.to_owned();
+            progress.event(&Event::Warning { text });
+        }
     }
     let together = &report["one_exposure"]["gel_dose"];
     if together.is_f64() {

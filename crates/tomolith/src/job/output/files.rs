@@ -11,7 +11,7 @@ use crate::io::npy::{PatternPair, write_patterns, write_volume};
 use crate::io::stl::write_stl_pieces;
 use crate::io::volume::{Values, write_values};
 use crate::io::vti::write_vti;
-use crate::io::write_whole;
+use crate::io::write_text;
 use crate::job::dose::written::Written;
 use crate::job::evaluate::in_time::{InTime, NetworkInTime};
 use crate::job::evaluate::light_paths::scene;
@@ -21,7 +21,6 @@ use crate::job::evaluate::{Evaluated, SpeciesPrint};
 use crate::job::optimize::Optimized;
 use crate::job::optimize::gray_levels::sentence;
 use crate::job::output::folder::Leaves;
-use crate::job::output::frames::WrittenFrames;
 use crate::job::progress::{Event, Progress, left_out};
 use crate::job::resolve::{ResolvedJob, Species, Voxels};
 use crate::job::spec::file_names::of_network;
@@ -40,8 +39,8 @@ use crate::report::{
     write_json, write_print,
 };
 use crate::units::concise;
+use serde_json::json;
 use std::borrow::Cow;
-use std::io::Write as _;
 use std::panic::resume_unwind;
 use std::path::Path;
 use tomolith_material::curves::{CurvePoint, IdealExposure};
@@ -75,7 +74,6 @@ pub(crate) fn all(
 ) -> Result<Headline> {
     let Done {
         resolved,
-        voxels,
         patterns,
         evaluated,
         ..
@@ -104,28 +102,69 @@ pub(crate) fn all(
     if let Some(text) = overrun.clone() {
         progress.event(&Event::Warning { text });
     }
-    if done.leaves < Leaves::All {
-        if done.leaves == Leaves::Patterns {
-            write_patterns(&new.join("patterns.npz"), &pairs, run)?;
-        }
-        return numbers(done, folder, timings, (&shown, overrun));
-    }
     let properties = properties(resolved, evaluated);
-    let first = evaluated.first();
+    let mut made = Made {
+        properties: &properties,
+        movies: Vec::new(),
+        deviation: None,
+        timings,
+        models: models(done),
+        warnings: Vec::new(),
+    };
+    match done.leaves {
+        Leaves::Metrics => {}
+        Leaves::Patterns => write_patterns(&new.join("patterns.npz"), &pairs, run)?,
+        Leaves::All => large_files(
+            done,
+            &new,
+            (&pairs, &sets),
+            &shown,
+            &mut made,
+            progress,
+            run,
+        )?,
+    }
+    made.warnings.extend(overrun);
+    if done.leaves == Leaves::All {
+        write_time(done, &new, progress, &mut made.warnings, run)?;
+        run.check()?;
+    }
+    let history = done.optimized.as_ref().map(history).unwrap_or_default();
+    if !history.is_empty() {
+        write_history(&new.join("history.csv"), &history)?;
+    }
+    folder.describe(&described(done)?, &made.models)?;
+    let headline = Headline::of(done, &shown)?;
+    report(done, &new, &history, made, &shown, &headline)?;
+    Ok(headline)
+}
+
+/// Patterns, volumes, frames, movies and the surface of the print.
+fn large_files<'a>(
+    done: &'a Done<'_>,
+    new: &Path,
+    (pairs, sets): (&[PatternPair<'_>], &[FrameSet<'_>]),
+    shown: &Shown<'_>,
+    made: &mut Made<'a>,
+    progress: &mut dyn Progress,
+    run: &Run,
+) -> Result<()> {
+    let (resolved, voxels) = (&done.resolved, &done.voxels);
+    let (first, properties) = (done.evaluated.first(), made.properties);
     let arrays = || -> Result<()> {
-        write_patterns(&new.join("patterns.npz"), &pairs, &run.part(0.2))?;
+        write_patterns(&new.join("patterns.npz"), pairs, &run.part(0.2))?;
         let share = 0.05 / resolved.species.len() as f64;
         for (name, dose) in doses(done) {
             write_volume(&new.join(format!("{name}.npy")), dose, &run.part(share))?;
         }
-        for property in &properties {
+        for property in properties {
             let file = new.join(format!("{}.npy", property.name));
             write_volume(&file, &property.values, &run.aside())?;
         }
         if resolved.output().evaluation {
             write_evaluation(first, &new.join("evaluation"), run)?;
         }
-        write_volumes(done, &properties, &new.join("volumes"), run)?;
+        write_volumes(done, properties, &new.join("volumes"), run)?;
         write_vti(
             &new.join("dose.vti"),
             &first.dose.grid,
@@ -140,9 +179,9 @@ pub(crate) fn all(
     // The large arrays go to the disk while frames, movies and the surface are made
     let (arrays, written) = std::thread::scope(|scope| {
         let arrays = scope.spawn(arrays);
-        let written = shown.write(&new, &resolved.name, &sets, progress, &run.part(0.35));
+        let written = shown.write(new, &resolved.name, sets, progress, &run.part(0.35));
         let written = written.and_then(|mut written| {
-            let surface = print(resolved, first, &new, run.part(0.15));
+            let surface = print(resolved, first, new, run.part(0.15));
             let warnings = &mut written.warnings;
             let deviation = left_out(SURFACE, surface, progress, warnings)?;
             Ok((written, deviation.flatten()))
@@ -150,45 +189,23 @@ pub(crate) fn all(
         (arrays.join().unwrap_or_else(|p| resume_unwind(p)), written)
     });
     arrays?;
-    let (
-        WrittenFrames {
-            movies,
-            mut warnings,
-        },
-        deviation,
-    ) = written?;
-    warnings.extend(overrun);
-    write_time(done, &new, progress, &mut warnings, run)?;
-    let history = done.optimized.as_ref().map(history).unwrap_or_default();
-    if !history.is_empty() {
-        write_history(&new.join("history.csv"), &history)?;
-    }
-    let models = models(done);
-    folder.describe(&described(done)?, &models)?;
-    run.check()?;
-    let headline = Headline::of(done, &shown)?;
-    let made = Made {
-        movies: movies.into_iter().flatten().collect(),
-        deviation,
-        timings,
-        models,
-        properties: &properties,
-        warnings,
-    };
-    report(done, &new, &history, made, &shown, &headline)?;
-    Ok(headline)
+    let (written, deviation) = written?;
+    made.movies = written.movies.into_iter().flatten().collect();
+    made.deviation = deviation;
+    made.warnings = written.warnings;
+    Ok(())
 }
 
 /// What the report's numbers are of.
 fn write_evaluation(print: &SpeciesPrint, folder: &Path, run: &Run) -> Result<()> {
     std::fs::create_dir(folder).map_err(|e| Error::io(folder, e))?;
     let fine = &print.fine;
-    for (name, volume) in [
-        ("response.npy", &print.response),
-        ("target.npy", &fine.target.inside),
-    ] {
-        write_volume(&folder.join(name), volume, &run.aside())?;
-    }
+    write_volume(&folder.join("response.npy"), &print.response, &run.aside())?;
+    write_volume(
+        &folder.join("target.npy"),
+        &fine.target.inside,
+        &run.aside(),
+    )?;
     write_volume(&folder.join("labels.npy"), &fine.labels, &run.aside())
 }
 
@@ -230,34 +247,6 @@ fn described(done: &Done<'_>) -> Result<String> {
     let found = done.resolved.method.free.as_ref().zip(found);
     let found = found.map_or_else(String::new, |(free, found)| found.comments(free));
     Ok(format!("{found}{}", done.job.complete().to_toml()?))
-}
-
-/// The files of a run that leaves its numbers only.
-fn numbers(
-    done: &Done<'_>,
-    folder: &RunFolder,
-    timings: Vec<Timing>,
-    (shown, overrun): (&Shown<'_>, Option<String>),
-) -> Result<Headline> {
-    let new = folder.new_files();
-    let history = done.optimized.as_ref().map(history).unwrap_or_default();
-    if !history.is_empty() {
-        write_history(&new.join("history.csv"), &history)?;
-    }
-    let models = models(done);
-    folder.describe(&described(done)?, &models)?;
-    let headline = Headline::of(done, shown)?;
-    let properties = properties(&done.resolved, &done.evaluated);
-    let made = Made {
-        movies: Vec::new(),
-        deviation: None,
-        timings,
-        models,
-        properties: &properties,
-        warnings: overrun.into_iter().collect(),
-    };
-    report(done, &new, &history, made, shown, &headline)?;
-    Ok(headline)
 }
 
 /// What a run says first: on its page, in `report.json`, on the screen.
@@ -523,9 +512,7 @@ fn write_time(
             _ => of_network(&network.name),
         };
         let text = time::csv(&time_points(network));
-        write_whole(&new.join(format!("time{end}.csv")), |file| {
-            Ok(file.write_all(text.as_bytes())?)
-        })?;
+        write_text(&new.join(format!("time{end}.csv")), &text)?;
         let file = new.join(format!("cure_time{end}.npy"));
         write_volume(&file, &network.cure_times, &run.aside())?;
         if done.resolved.showing().has_movie() {
@@ -583,28 +570,24 @@ fn published(
 ) -> Result<serde_json::Map<String, serde_json::Value>> {
     let evaluated = &done.evaluated;
     let mut map = table_of(evaluated.published.iter().map(|p| {
-        let about = serde_json::json!({
+        let about = json!({
             "value": p.value, "unit": p.unit, "source": p.source, "note": p.note,
         });
         (p.name.clone(), about)
     }));
-    map.insert("slices".to_owned(), serde_json::json!(evaluated.slices));
-    if let Some(dark) = evaluated.keep_dark {
-        map.insert("keep_dark".to_owned(), serde_json::json!(dark));
-    }
-    if let Some(contact) = evaluated.contact {
-        map.insert("insert".to_owned(), serde_json::json!(contact));
-    }
-    if let Some(noise) = evaluated.noise {
-        map.insert("paths".to_owned(), serde_json::json!(noise));
-    }
-    if let Some(agreement) = evaluated.agreement {
-        map.insert("orders".to_owned(), serde_json::json!(agreement));
-    }
+    map.insert("slices".to_owned(), json!(evaluated.slices));
     let rows = unit_systems(done, exposures)?;
-    if !rows.is_empty() {
-        map.insert("unit_systems".to_owned(), serde_json::json!(rows));
-    }
+    let more = [
+        ("keep_dark", evaluated.keep_dark.map(|dark| json!(dark))),
+        ("insert", evaluated.contact.map(|contact| json!(contact))),
+        ("paths", evaluated.noise.map(|noise| json!(noise))),
+        ("orders", evaluated.agreement.map(|found| json!(found))),
+        ("unit_systems", (!rows.is_empty()).then(|| json!(rows))),
+    ];
+    map.extend(
+        more.into_iter()
+            .filter_map(|(key, value)| Some((key.to_owned(), value?))),
+    );
     Ok(map)
 }
 
@@ -639,6 +622,14 @@ fn evaluated_on(grid: &VolumeGrid) -> String {
         "{nx} × {ny} × {nz} voxels of {} µm: all numbers; dose.npy is on the voxels of the grid (output.evaluation = true writes these too)",
         concise(1e3 * grid.pitch_mm)
     )
+}
+
+/// Those facts that there are.
+fn known<const N: usize>(
+    facts: [(&'static str, Option<String>); N],
+) -> impl Iterator<Item = (&'static str, String)> {
+    let facts = facts.into_iter();
+    facts.filter_map(|(name, text)| Some((name, text?)))
 }
 
 /// Short facts for the head of the page.
@@ -689,21 +680,20 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
         if kept.iteration != last {
             facts.push(("Kept", earlier(kept, last)));
         }
-        if let Some(text) = optimized.outcome.gap().and_then(gap_sentence) {
-            facts.push(("Lowest loss", text));
-        }
-        if let Some(window) = optimized.window {
-            facts.push(("Process window", window.sentence()));
-        }
-        if let Some(found) = &optimized.found {
-            facts.push(("Response found", found.sentence()));
-        }
-        if let Some(levels) = &optimized.levels {
-            facts.push((
-                "Levels",
-                sentence(resolved.evaluation().bit_depth, &levels.gain),
-            ));
-        }
+        let bits = resolved.evaluation().bit_depth;
+        let levels = optimized.levels.as_ref();
+        facts.extend(known([
+            (
+                "Lowest loss",
+                optimized.outcome.gap().and_then(gap_sentence),
+            ),
+            ("Process window", optimized.window.map(|w| w.sentence())),
+            (
+                "Response found",
+                optimized.found.as_ref().map(|f| f.sentence()),
+            ),
+            ("Levels", levels.map(|levels| sentence(bits, &levels.gain))),
+        ]));
         facts.push(("Model", optimized.model.clone()));
         facts.push(("Speed", format!("{speed}voxel-angle updates per second")));
     }
@@ -711,21 +701,28 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
         facts.push(("Patterns from", source.display().to_string()));
         facts.push(("Model", evaluated.model.clone()));
     }
-    if let Some(scenarios) = &evaluated.scenarios {
-        facts.push(("Scenarios", scenarios.sentence()));
-    }
-    if let Some(dark) = &evaluated.keep_dark {
-        facts.push(("Keep-dark body", format!("gets {dark}")));
-    }
-    if let Some(contact) = &evaluated.contact {
-        facts.push(("Insert", contact.to_string()));
-    }
-    if let Some(noise) = &evaluated.noise {
-        facts.push(("Monte Carlo paths", noise.to_string()));
-    }
-    if let Some(agreement) = &evaluated.agreement {
-        facts.push(("Scattering by orders", agreement.to_string()));
-    }
+    facts.extend(known([
+        (
+            "Scenarios",
+            evaluated.scenarios.as_ref().map(|s| s.sentence()),
+        ),
+        (
+            "Keep-dark body",
+            evaluated.keep_dark.map(|dark| format!("gets {dark}")),
+        ),
+        (
+            "Insert",
+            evaluated.contact.map(|contact| contact.to_string()),
+        ),
+        (
+            "Monte Carlo paths",
+            evaluated.noise.map(|noise| noise.to_string()),
+        ),
+        (
+            "Scattering by orders",
+            evaluated.agreement.map(|found| found.to_string()),
+        ),
+    ]));
     facts
         .into_iter()
         .map(|(name, text)| (name.to_owned(), text))

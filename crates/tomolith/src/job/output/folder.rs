@@ -373,6 +373,13 @@ impl Drop for RunFolder {
 mod tests {
     use super::*;
 
+    fn names_in(folder: &Path) -> Vec<std::ffi::OsString> {
+        let entries = fs::read_dir(folder).unwrap();
+        let mut names: Vec<_> = entries.map(|e| e.unwrap().file_name()).collect();
+        names.sort();
+        names
+    }
+
     #[test]
     fn a_run_that_fails_leaves_nothing_but_its_checkpoint() {
         let temp = tempfile::tempdir().unwrap();
@@ -384,12 +391,7 @@ mod tests {
                 fs::create_dir(folder.checkpoint()).unwrap();
             }
         };
-        let names = || {
-            let entries = fs::read_dir(&path).unwrap();
-            let mut names: Vec<_> = entries.map(|e| e.unwrap().file_name()).collect();
-            names.sort();
-            names
-        };
+        let names = || names_in(&path);
         fails(false);
         assert!(!path.exists());
         // Somebody's empty folder stays, empty
@@ -515,10 +517,7 @@ mod tests {
         let report = r#"{"properties": [{"name": "strength"}]}"#;
         fs::write(path.join("report.json"), report).unwrap();
         RunFolder::open(&path, "three").unwrap().publish().unwrap();
-        let entries = fs::read_dir(&path).unwrap();
-        let mut left: Vec<_> = entries.map(|e| e.unwrap().file_name()).collect();
-        left.sort();
-        assert_eq!(left, ["job.toml", "mine.npy", "notes.txt"]);
+        assert_eq!(names_in(&path), ["job.toml", "mine.npy", "notes.txt"]);
         assert!(!path.join(".new").exists() && !path.join(".lock").exists());
     }
 }

@@ -6,7 +6,7 @@ use crate::io::frames::{FrameSet, write_frames};
 use crate::io::movie::{check_lossless, write_lossless};
 use crate::io::mp4::{check_movie, write_movie};
 use crate::io::stack::write_stack;
-use crate::io::write_whole;
+use crate::io::write_text;
 use crate::job::progress::{Event, Progress, left_out};
 use crate::job::resolve::machine::Showing;
 use crate::job::resolve::scheduled::Emitted;
@@ -17,7 +17,6 @@ use crate::report::{Irradiance, MovieReport};
 use crate::units::exact;
 use serde_json::{Value, json};
 use std::f64::consts::TAU;
-use std::io::Write;
 use std::path::Path;
 
 /// What is left out where frames make no movie, and what else could show them.
@@ -72,9 +71,6 @@ impl<'a> Shown<'a> {
     }
 
     /// Times and energies of frames: those of the job's schedule, or of a resin that is solid at a known dose (in units of the job).
-    ///
-    /// # Errors
-    /// Those of the schedule.
     pub(crate) fn new(
         showing: Showing<'a>,
         printers: Option<&[Printer]>,
@@ -147,10 +143,7 @@ impl<'a> Shown<'a> {
         }
         let rpm = self.showing.rpm();
         let exposure = json!({ "schema": "tomolith.exposure/1", "rpm": rpm, "lights": lights });
-        write_whole(&folder.join(EXPOSURE), |file| {
-            serde_json::to_writer_pretty(&mut *file, &exposure).map_err(std::io::Error::from)?;
-            Ok(file.write_all(b"\n")?)
-        })?;
+        write_text(&folder.join(EXPOSURE), &format!("{exposure:#}\n"))?;
         Ok(written)
     }
 

@@ -63,15 +63,11 @@ fn named(found: &[String]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::tests::FULL;
+    use crate::job::tests::{FULL, job_of};
     use std::fs;
 
     fn job(folder: &std::path::Path, change: &str) -> Job {
-        let mut document = Document::toml("a.toml", FULL).unwrap();
-        document.set(change).unwrap();
-        Job::from_document(document)
-            .unwrap()
-            .with_folder(folder, "--output")
+        job_of(FULL, &[change]).with_folder(folder, "--output")
     }
 
     #[test]

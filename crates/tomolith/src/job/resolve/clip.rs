@@ -61,15 +61,12 @@ pub(crate) fn must_hold(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kind::Section;
-    use std::path::Path;
+    use crate::job::resolve::optics::tests::shape;
 
     /// A cylinder of 2 mm across and 2 mm high about the origin.
     fn cylinder() -> Box<dyn Shape> {
-        let target =
-            serde_json::json!({ "phantom": { "cylinder": { "size_mm": 2.0, "height_mm": 2.0 } } });
-        let spec: crate::target::TargetSpec = Section::new("target", target).parse().unwrap();
-        crate::target::build(&spec, Path::new(""), "target").unwrap()
+        let size = serde_json::json!({ "size_mm": 2.0, "height_mm": 2.0 });
+        shape(serde_json::json!({ "phantom": { "cylinder": size } }))
     }
 
     fn found(counts: [usize; 3], clip: bool) -> Result<Option<String>> {

@@ -47,9 +47,6 @@ pub(crate) fn wall_tolerance_mm(spec: &JobSpec, grid: Option<&VolumeGrid>) -> Re
 
 impl Optics {
     /// Refuses an evaluation on voxels or frames for which a stored model has no entries.
-    ///
-    /// # Errors
-    /// [`Error::Config`].
     pub(crate) fn must_be_evaluated(&self, spec: &JobSpec) -> Result<()> {
         let evaluate = &spec.evaluate;
         let model = self.model.as_ref();
@@ -333,10 +330,13 @@ pub(crate) fn is_part(inside: f32, gray: bool) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::resolve::optics::tests::{key, spec};
-    use crate::kind::Section;
+    use crate::job::resolve::optics::tests::{key, shape, spec};
     use crate::optics::vial::{double_tube::DoubleTube, index_matched::IndexMatched};
     use std::path::Path;
+
+    fn gear() -> Box<dyn crate::target::Shape> {
+        shape(serde_json::json!({ "phantom": { "gear": { "size_mm": 5.0, "height_mm": 3.0 } } }))
+    }
 
     #[test]
     fn a_resin_too_dark_for_the_middle_of_its_vial_is_told() {
@@ -416,13 +416,7 @@ mod tests {
         let refused = of(&["target.wall_tolerance_mm=-1.0"]).unwrap_err();
         assert_eq!(key(refused), "target.wall_tolerance_mm");
         // The gear of 5 mm in a vial of 2.499 mm
-        let gear: crate::target::TargetSpec = Section::new(
-            "target",
-            serde_json::json!({ "phantom": { "gear": { "size_mm": 5.0, "height_mm": 3.0 } } }),
-        )
-        .parse()
-        .unwrap();
-        let gear = crate::target::build(&gear, Path::new(""), "target").unwrap();
+        let gear = gear();
         let job = spec(&[]);
         let mut optics = Optics::new(&job, Path::new("")).unwrap();
         let held = |optics: &Optics, far| optics.must_hold(&job, gear.as_ref(), far);
@@ -445,18 +439,9 @@ mod tests {
             "light.selection.columns=[14, 114]",
         ] {
             let (reach, _) = optics(&[change]).reach_mm();
-            assert!(
-                (reach - expected).abs() < 1e-9,
-                "{change}: {reach} {expected}"
-            );
+            tomolith_core::near!(reach, expected, 1e-9, "{change}");
         }
-        let gear: crate::target::TargetSpec = Section::new(
-            "target",
-            serde_json::json!({ "phantom": { "gear": { "size_mm": 5.0, "height_mm": 3.0 } } }),
-        )
-        .parse()
-        .unwrap();
-        let gear = crate::target::build(&gear, Path::new(""), "target").unwrap();
+        let gear = gear();
         let held = |changes: &[&str]| optics(changes).must_hold(&spec(changes), gear.as_ref(), 0.0);
         // 60 columns reach 1.5 mm to each side, the gear 2.5 mm
         assert_eq!(

@@ -201,9 +201,6 @@ fn no_such(kind: &str, name: &str, known: &[(&str, Option<f64>)]) -> Error {
 }
 
 /// Refuses methods and objectives that a response that moves does not reach.
-///
-/// # Errors
-/// [`Error::Config`].
 pub(crate) fn must_be_minimized(goal: &Goal, method: &Method) -> Result<()> {
     if method.free.is_none() {
         return Ok(());

@@ -191,9 +191,6 @@ impl Goal {
     }
 
     /// The same for fields of another kind.
-    ///
-    /// # Errors
-    /// As [`read`](Self::read).
     #[cfg_attr(
         not(feature = "gpu"),
         expect(dead_code, reason = "all fields are the host's")

@@ -103,19 +103,12 @@ fn ends(account: &PowerBalance) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::Document;
-    use crate::job::spec::JobSpec;
-    use crate::job::tests::FULL;
+    use crate::job::resolve::optics::tests::spec;
     use std::path::Path;
 
     fn found(changes: &[&str]) -> Result<Vec<String>> {
-        let mut document = Document::toml("a.toml", FULL).unwrap();
-        for change in changes {
-            document.set(change).unwrap();
-        }
-        let spec = JobSpec::from_document(&document).unwrap();
         let grid = VolumeGrid::centered([8, 8, 8], 1.0);
-        must_arrive(&Optics::new(&spec, Path::new("")).unwrap(), &grid)
+        must_arrive(&Optics::new(&spec(changes), Path::new("")).unwrap(), &grid)
     }
 
     #[test]

@@ -12,9 +12,6 @@ use crate::units::exact;
 use std::path::Path;
 
 /// The machine of a job for each of its lights.
-///
-/// # Errors
-/// As [`Printer::new`].
 pub(crate) fn printers(
     spec: &JobSpec,
     base: &Path,
@@ -156,9 +153,6 @@ impl<'a> Showing<'a> {
 
     /// Times and energies of a light: those of the job's schedule, with how bright that shows it, or of a resin that is solid at a known dose (in units of
     /// the job).
-    ///
-    /// # Errors
-    /// Those of the schedule.
     pub(crate) fn budget(
         self,
         light: usize,

@@ -167,9 +167,6 @@ impl ResolvedJob {
     }
 
     /// The same as a part of a run.
-    ///
-    /// # Errors
-    /// As [`new`](Self::new); [`Error::Canceled`].
     pub(crate) fn under(job: &Job, run: &Run) -> Result<Self> {
         Isa::asked()?;
         Self::resolve(job, run)
@@ -392,9 +389,6 @@ impl ResolvedJob {
     }
 
     /// Refuses a start that asks for doses which the material does not have, once the values of gray targets are known.
-    ///
-    /// # Errors
-    /// [`Error::Config`].
     pub(crate) fn must_start(&self, voxels: &[Voxels]) -> Result<()> {
         if !self.method.start.asks_for_doses() {
             return Ok(());
@@ -418,9 +412,6 @@ impl ResolvedJob {
     }
 
     /// The sum of the objectives of a species, or of variants that differ from them in a parameter or the kind of fields.
-    ///
-    /// # Errors
-    /// [`Error::Config`].
     pub(crate) fn objective<F: Field>(
         &self,
         species: &Species,
@@ -456,9 +447,6 @@ fn family(optics: &Optics, species: &[Species], grid: &VolumeGrid) -> Result<Fam
 }
 
 /// Refuses light that does not reach the resin, or that no model gives on a grid; says what may be wrong with it.
-///
-/// # Errors
-/// [`Error::Config`].
 fn must_be_lit(
     spec: &JobSpec,
     optics: &Optics,

@@ -4,7 +4,7 @@ use super::card::Card;
 use super::point_spread;
 use super::selection::selection_of;
 use crate::dose::Accelerator;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, in_range};
 use crate::exposure::Printer;
 use crate::grid::{PatternGrid, VolumeGrid};
 use crate::io::mesh::read_mesh;
@@ -71,9 +71,6 @@ impl Optics {
     }
 
     /// The same, where the model may also be one of these rows.
-    ///
-    /// # Errors
-    /// As [`new`](Self::new).
     pub(crate) fn with_models(
         spec: &JobSpec,
         base: &Path,
@@ -169,9 +166,6 @@ impl Optics {
     }
 
     /// The family of models that the job names, or the cheapest that covers its light on a grid of whole voxels.
-    ///
-    /// # Errors
-    /// As [`planner::choose`].
     pub(crate) fn family(&self, grid: &VolumeGrid) -> Result<Family> {
         planner::choose(self.model.as_ref(), &self.scene(), grid)
     }
@@ -297,12 +291,9 @@ fn gradient_of(spec: &JobSpec, vial: &dyn Vial) -> Result<Option<IndexGradient>>
     let Some(params) = &spec.resin.gradient else {
         return Ok(None);
     };
-    if let Some(step) = params.step_mm.filter(|step| !(1e-3..=10.0).contains(step)) {
-        return Err(Error::config(
-            "resin.gradient.step_mm",
-            format!("found {}", exact(step)),
-            "0.001 to 10",
-        ));
+    if let Some(step) = params.step_mm {
+        let is_in = (1e-3..=10.0).contains(&step);
+        in_range(is_in, "resin.gradient.step_mm", step, "0.001 to 10")?;
     }
     let farthest = match vial.resin_wall() {
         CrossSection::Circle(radius) => radius,
@@ -409,13 +400,8 @@ fn motion_of(spec: &JobSpec) -> Result<Motion> {
         ("axis_runout_mm", motion.axis_runout_mm, 0.0, 1e3),
         ("axis_runout_deg", motion.axis_runout_deg, -360.0, 360.0),
     ] {
-        if !(least..=most).contains(&value) {
-            return Err(Error::config(
-                format!("motion.{key}"),
-                format!("found {}", exact(value)),
-                format!("{least} to {most}"),
-            ));
-        }
+        let (key, accepted) = (format!("motion.{key}"), format!("{least} to {most}"));
+        in_range((least..=most).contains(&value), key, value, accepted)?;
     }
     Ok(Motion {
         tilt_rad: motion.tilt_deg.to_radians(),
@@ -433,46 +419,36 @@ fn scattering_of(resin: &ResinSpec, phase: &Arc<dyn Phase>) -> Option<Scattering
     })
 }
 
+/// Refuses numbers that no material of a body has.
+fn must_be_matter(material: &BodyMaterial) -> Result<()> {
+    let index = |key: &str, n: f64| {
+        let key = format!("{key}.refractive_index");
+        in_range(n.is_finite() && n > 0.0, key, n, "a finite number > 0")
+    };
+    match *material {
+        BodyMaterial::Diffuse { reflectance: part } => {
+            let is_part = (0.0..=1.0).contains(&part);
+            in_range(is_part, "diffuse.reflectance", part, "0 to 1")
+        }
+        BodyMaterial::Dielectric { refractive_index } => index("dielectric", refractive_index),
+        BodyMaterial::Metal {
+            refractive_index,
+            extinction_coefficient: k,
+        } => {
+            index("metal", refractive_index)?;
+            let key = "metal.extinction_coefficient";
+            in_range(k.is_finite() && k >= 0.0, key, k, "a finite number ≥ 0")
+        }
+        _ => Ok(()),
+    }
+}
+
 /// The bodies in the light; notes what was repaired in their meshes.
 fn obstacles_of(spec: &JobSpec, base: &Path, notes: &mut Vec<String>) -> Result<Vec<Obstacle>> {
     let mut obstacles = Vec::with_capacity(spec.obstacles.len());
     for (i, obstacle) in spec.obstacles.iter().enumerate() {
         let section = format!("obstacles[{i}]");
-        if let BodyMaterial::Diffuse { reflectance } = obstacle.material
-            && !(0.0..=1.0).contains(&reflectance)
-        {
-            return Err(Error::config(
-                format!("{section}.material.diffuse.reflectance"),
-                format!("found {}", exact(reflectance)),
-                "0 to 1",
-            ));
-        }
-        let index = match obstacle.material {
-            BodyMaterial::Dielectric { refractive_index } => Some(("dielectric", refractive_index)),
-            BodyMaterial::Metal {
-                refractive_index, ..
-            } => Some(("metal", refractive_index)),
-            _ => None,
-        };
-        if let Some((kind, index)) = index.filter(|(_, n)| !(n.is_finite() && *n > 0.0)) {
-            return Err(Error::config(
-                format!("{section}.material.{kind}.refractive_index"),
-                format!("found {}", exact(index)),
-                "a finite number > 0",
-            ));
-        }
-        if let BodyMaterial::Metal {
-            extinction_coefficient: k,
-            ..
-        } = obstacle.material
-            && !(k.is_finite() && k >= 0.0)
-        {
-            return Err(Error::config(
-                format!("{section}.material.metal.extinction_coefficient"),
-                format!("found {}", exact(k)),
-                "a finite number ≥ 0",
-            ));
-        }
+        must_be_matter(&obstacle.material).map_err(|e| e.under(&format!("{section}.material")))?;
         let placement = Placement {
             scale: Some(obstacle.scale),
             offset_mm: obstacle.offset_mm,
@@ -543,16 +519,18 @@ fn light_of(spec: &JobSpec, (i, light): (usize, &LightSpec), pitch_mm: [f64; 2])
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::job::Document;
-    use crate::job::tests::FULL;
+    use crate::job::tests::{FULL, document_of};
+    use crate::kind::Section;
     use crate::models::DoseModel;
 
     pub(crate) fn spec(changes: &[&str]) -> JobSpec {
-        let mut document = Document::toml("a.toml", FULL).unwrap();
-        changes
-            .iter()
-            .for_each(|change| document.set(change).unwrap());
-        JobSpec::from_document(&document).unwrap()
+        JobSpec::from_document(&document_of(FULL, changes)).unwrap()
+    }
+
+    /// A target as a table of a job says it.
+    pub(crate) fn shape(table: serde_json::Value) -> Box<dyn crate::target::Shape> {
+        let spec: crate::target::TargetSpec = Section::new("target", table).parse().unwrap();
+        crate::target::build(&spec, Path::new(""), "target").unwrap()
     }
 
     pub(crate) fn key(error: Error) -> String {

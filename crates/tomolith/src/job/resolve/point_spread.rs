@@ -55,7 +55,8 @@ pub(crate) fn of_light(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::{Document, Job, ResolvedJob};
+    use crate::job::tests::document_of;
+    use crate::job::{Job, ResolvedJob};
     use crate::models::Run;
 
     const BALL: &str = r#"
@@ -67,12 +68,9 @@ mod tests {
     "#;
 
     fn resolved(psf: &Path, changes: &[&str]) -> Result<ResolvedJob> {
-        let mut document = Document::toml("a.toml", BALL).unwrap();
-        document.set(&format!("light[0].psf={psf:?}")).unwrap();
-        for change in changes {
-            document.set(change).unwrap();
-        }
-        ResolvedJob::new(&Job::from_document(document)?)
+        let psf = format!("light[0].psf={psf:?}");
+        let changes = [&[&*psf][..], changes].concat();
+        ResolvedJob::new(&Job::from_document(document_of(BALL, &changes))?)
     }
 
     #[test]

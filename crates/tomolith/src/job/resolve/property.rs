@@ -29,9 +29,6 @@ pub(crate) struct PropertyMap {
 }
 
 /// The properties of a job.
-///
-/// # Errors
-/// [`Error::Config`].
 pub(crate) fn of_job(spec: &JobSpec, base: &Path) -> Result<Vec<PropertyMap>> {
     let names: Vec<&str> = spec.species.iter().map(|s| s.name.as_str()).collect();
     let number = |key: String, name: Option<&str>| {

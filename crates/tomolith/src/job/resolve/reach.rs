@@ -155,8 +155,7 @@ impl Optics {
 mod tests {
     use super::*;
     use crate::grid::VolumeGrid;
-    use crate::job::resolve::optics::tests::spec;
-    use crate::kind::Section;
+    use crate::job::resolve::optics::tests::{shape, spec};
     use crate::models::rays;
     use std::path::Path;
 
@@ -193,13 +192,7 @@ mod tests {
 
     #[test]
     fn a_part_that_turns_out_of_the_field_is_told() {
-        let gear: crate::target::TargetSpec = Section::new(
-            "target",
-            serde_json::json!({ "phantom": "gear", "size_mm": 5.0 }),
-        )
-        .parse()
-        .unwrap();
-        let gear = crate::target::build(&gear, Path::new(""), "target").unwrap();
+        let gear = shape(serde_json::json!({ "phantom": "gear", "size_mm": 5.0 }));
         let warned = |change: &str| optics(&[change]).moved_away(gear.as_ref());
         // The field ends at 3.2 mm, the gear reaches 2.5 mm
         for within in [
@@ -234,10 +227,7 @@ mod tests {
             let (from, along) = (segments[0].ray.from, segments[0].ray.direction);
             let passes = (from[0] * along[1] - from[1] * along[0]).abs() / along[0].hypot(along[1]);
             let (reach, light) = optics.reach_mm();
-            assert!(
-                (passes - reach * 127.0 / 128.0).abs() < 1e-9,
-                "{tilt}: {passes} {reach}"
-            );
+            tomolith_core::near!(passes, reach * 127.0 / 128.0, 1e-9, "{tilt}");
             assert_eq!(light, 0);
         }
     }

@@ -197,10 +197,11 @@ pub(crate) fn name_of_join(job: &ResolvedJob) -> &'static str {
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::job::{Document, Job, ResolvedJob};
+    use crate::job::resolve::optics::tests::key as key_of;
+    use crate::job::tests::document_of;
+    use crate::job::{Job, ResolvedJob};
     use crate::models::Run;
     use crate::objective::Objective;
-    use std::path::Path;
 
     const JOB: &str = r#"
         target = { phantom = "gear", size_mm = 2.0 }
@@ -219,9 +220,7 @@ pub(crate) mod tests {
             .iter()
             .map(|set| format!("[[scenario]]\nset = {{ {set} }}\n"));
         let text = format!("{JOB}\n{}", tables.collect::<String>());
-        let mut document = Document::toml(Path::new("a.toml"), text)?;
-        changes.iter().try_for_each(|change| document.set(change))?;
-        ResolvedJob::new(&Job::from_document(document)?)
+        ResolvedJob::new(&Job::from_document(document_of(&text, changes))?)
     }
 
     #[test]
@@ -236,10 +235,7 @@ pub(crate) mod tests {
         let alone = loss(&[]);
         let same = loss(&["resin.absorption_per_mm = 0.1"]);
         assert_eq!((alone.0, same.0), (1, 2));
-        assert!(
-            (same.1 - alone.1).abs() < 1e-6 * alone.1,
-            "{same:?}, {alone:?}"
-        );
+        tomolith_core::near!(same.1, alone.1, 1e-6 * alone.1, "{same:?}, {alone:?}");
         let (outputs, other) = loss(&[
             "\"resin.absorption_per_mm\" = 0.2",
             "vial.index_matched.radius_mm = 2.1",
@@ -291,29 +287,19 @@ pub(crate) mod tests {
         let refused = |set: &str| {
             let text = format!("{JOB}\n[[scenario]]\nname = \"wide\"\nset = {{ {set} }}\n");
             let line = text.lines().count();
-            let job = Job::from_document(Document::toml(Path::new("a.toml"), text).unwrap());
-            let error = ResolvedJob::new(&job.unwrap()).map(drop).unwrap_err();
+            let job = Job::from_document(document_of(&text, &[])).unwrap();
+            let error = ResolvedJob::new(&job).map(drop).unwrap_err();
             (error.to_string(), format!("(a.toml, line {line})"))
         };
-        for (set, begin) in [
-            (
-                "\"resin.absorption_per_mm\" = -0.1",
-                "scenario[0].set.resin.absorption_per_mm: in \"wide\", found -0.1",
-            ),
-            (
-                "vial.index_matched.radius_mm = 0.5",
-                "scenario[0].set.vial.index_matched.radius_mm: in \"wide\", `target`: ",
-            ),
-            (
-                "\"vial.index_matched.radius_mm\" = 0.5, \"resin.absorption_per_mm\" = 0.2",
-                "scenario[0].set: in \"wide\", `target`: ",
-            ),
-            (
-                "\"stop.iterations\" = 3",
-                "scenario[0].set.stop.iterations: in \"wide\", no key",
-            ),
-            ("", "scenario[0].set: no key: the job once more"),
-        ] {
+        let slips = r#"
+            "resin.absorption_per_mm" = -0.1 → scenario[0].set.resin.absorption_per_mm: in "wide", found -0.1
+            vial.index_matched.radius_mm = 0.5 → scenario[0].set.vial.index_matched.radius_mm: in "wide", `target`:
+            "vial.index_matched.radius_mm" = 0.5, "resin.absorption_per_mm" = 0.2 → scenario[0].set: in "wide", `target`:
+            "stop.iterations" = 3 → scenario[0].set.stop.iterations: in "wide", no key
+             → scenario[0].set: no key: the job once more
+        "#;
+        for slip in slips.trim().lines() {
+            let (set, begin) = slip.split_once("→ ").unwrap();
             let (text, line) = refused(set);
             assert!(text.starts_with(begin) && text.contains(&line), "{text}");
             assert!(!text.contains("--set"), "{text}");
@@ -332,30 +318,20 @@ pub(crate) mod tests {
     fn a_scenario_that_makes_the_job_invalid_is_refused_by_its_number_and_key() {
         let refused = |scenario: &str, change: &[&str]| {
             let sets = ["resin.absorption_per_mm = 0.2", scenario];
-            match resolved(&sets, change).map(drop).unwrap_err() {
-                Error::Config { key, .. } => key,
-                other => panic!("{other}"),
-            }
+            key_of(resolved(&sets, change).map(drop).unwrap_err())
         };
-        for (scenario, key) in [
-            (
-                "vial.index_matched.radius_mm = -1.0",
-                "vial.index_matched.radius_mm",
-            ),
-            // Not a key of the scenario, but its doing
-            (
-                "vial.index_matched.radius_mm = 0.5",
-                "vial.index_matched.radius_mm",
-            ),
-            ("resin.absorbtion_per_mm = 0.1", "resin.absorbtion_per_mm"),
-            ("stop.iterations = 3", "stop.iterations"),
-            (
-                "motion.offset_mm = [0.1, 0.0], \"motion.offset_mm\" = [0.2, 0.0]",
-                "motion.offset_mm",
-            ),
-            ("\"light[0].pixels\" = [30, 12]", "light"),
-            ("motion.offset_mm = [2000.0, 0.0]", "motion.offset_mm[0]"),
-        ] {
+        // The second is no key of the scenario, but its doing
+        let slips = r#"
+            vial.index_matched.radius_mm = -1.0 → vial.index_matched.radius_mm
+            vial.index_matched.radius_mm = 0.5 → vial.index_matched.radius_mm
+            resin.absorbtion_per_mm = 0.1 → resin.absorbtion_per_mm
+            stop.iterations = 3 → stop.iterations
+            motion.offset_mm = [0.1, 0.0], "motion.offset_mm" = [0.2, 0.0] → motion.offset_mm
+            "light[0].pixels" = [30, 12] → light
+            motion.offset_mm = [2000.0, 0.0] → motion.offset_mm[0]
+        "#;
+        for slip in slips.trim().lines() {
+            let (scenario, key) = slip.trim().split_once(" → ").unwrap();
             let found = refused(scenario, &[]);
             let expected = format!("scenario[1].set.{key}");
             assert!(found.starts_with(&expected), "{scenario}: {found}");

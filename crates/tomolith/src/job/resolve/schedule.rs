@@ -30,9 +30,6 @@ pub(crate) fn schedule(spec: &JobSpec) -> Result<Schedule> {
 
 impl ResolvedJob {
     /// When which frame shines: the schedule of the job, or one turn.
-    ///
-    /// # Errors
-    /// [`Error::Config`].
     pub(crate) fn exposures(&self) -> Result<Schedule> {
         schedule(&self.spec)
     }

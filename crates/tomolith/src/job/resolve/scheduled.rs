@@ -28,9 +28,6 @@ pub(crate) struct Emitted<'a> {
 }
 
 /// Time, energy and brightness of light `i` in the schedule of a job; None without one.
-///
-/// # Errors
-/// Those of the schedule.
 pub(crate) fn budget(
     spec: &JobSpec,
     i: usize,

@@ -160,9 +160,6 @@ pub(crate) fn named(species: &[Species], texts: Vec<Vec<String>>) -> Vec<String>
 }
 
 /// Refuses what does not go with several species.
-///
-/// # Errors
-/// [`Error::Config`].
 pub(crate) fn must_fit(resolved: &ResolvedJob) -> Result<()> {
     if resolved.mixing.is_none() {
         return Ok(());
@@ -238,8 +235,10 @@ impl ResolvedJob {
 mod tests {
     use super::*;
     use crate::field::Field;
+    use crate::job::resolve::optics::tests::key as key_of;
     use crate::job::spec::JobSpec;
-    use crate::job::{Document, Job, ResolvedJob};
+    use crate::job::tests::{document_of, job_of};
+    use crate::job::{Job, ResolvedJob};
     use crate::models::Run;
     use crate::objective::Objective;
 
@@ -269,21 +268,13 @@ mod tests {
         target = { phantom = "sphere", size_mm = 1.0 }
     "#;
 
-    fn document(changes: &[&str]) -> Document {
-        let mut document = Document::toml("a.toml", TWO).unwrap();
-        for change in changes {
-            document.set(change).unwrap();
-        }
-        document
-    }
-
     fn resolved(changes: &[&str]) -> Result<ResolvedJob> {
-        ResolvedJob::new(&Job::from_document(document(changes))?)
+        ResolvedJob::new(&Job::from_document(document_of(TWO, changes))?)
     }
 
     #[test]
     fn a_light_sees_its_own_resin() {
-        let spec = JobSpec::from_document(&document(&[])).unwrap();
+        let spec = JobSpec::from_document(&document_of(TWO, &[])).unwrap();
         let [violet, uv] = [0, 1].map(|i| spec.resin_of(i));
         assert_eq!(violet.attenuation_per_mm, Some(0.3));
         // Its absorption is another one, so the attenuation of the others says nothing of it
@@ -374,7 +365,7 @@ mod tests {
             "species[1].response={ table = { file = \"curve.csv\" } }",
             "start={ patterns = { file = \"earlier.npz\" } }",
         ];
-        let job = Job::from_document(document(&changes)).unwrap();
+        let job = job_of(TWO, &changes);
         let start = job.complete().start;
         let start = start.pointer("/patterns/file");
         let start = start.and_then(serde_json::Value::as_str).unwrap();
@@ -395,35 +386,21 @@ mod tests {
 
     #[test]
     fn what_does_not_go_together_is_refused_by_its_key() {
-        let refused = |change: &str| match resolved(&[change]).map(drop).unwrap_err() {
-            Error::Config { key, .. } => key,
-            other => panic!("{other}"),
-        };
-        for (change, key) in [
-            (
-                "species[0].driven_by={ violett = 1.0 }",
-                "species[0].driven_by.violett",
-            ),
-            ("species[1].driven_by={ uv = -1.0 }", "species[1].driven_by"),
-            ("species[0].name=\"stiff\"", "species[1].name"),
-            ("species[0].name=\"a b\"", "species[0].name"),
-            ("species[1].target.size_mm=9.0", "species[1].target"),
-            (
-                "species[1].objective={ threshold = { lower = 2.0, upper = 1.0 } }",
-                "species[1].objective.threshold",
-            ),
-            (
-                "light[1].resin.absorption_per_mm=0.0",
-                "light[1].resin.absorption_per_mm",
-            ),
-            ("optimizer=\"osmo\"", "optimizer"),
-            ("evaluate.bit_depth=2", "evaluate.levels"),
-            (
-                "species=[{ name = \"a\", driven_by = { uv = 1.0 } }]",
-                "light[0]",
-            ),
-        ] {
-            let found = refused(change);
+        let slips = r#"
+            species[0].driven_by={ violett = 1.0 } → species[0].driven_by.violett
+            species[1].driven_by={ uv = -1.0 } → species[1].driven_by
+            species[0].name="stiff" → species[1].name
+            species[0].name="a b" → species[0].name
+            species[1].target.size_mm=9.0 → species[1].target
+            species[1].objective={ threshold = { lower = 2.0, upper = 1.0 } } → species[1].objective.threshold
+            light[1].resin.absorption_per_mm=0.0 → light[1].resin.absorption_per_mm
+            optimizer="osmo" → optimizer
+            evaluate.bit_depth=2 → evaluate.levels
+            species=[{ name = "a", driven_by = { uv = 1.0 } }] → light[0]
+        "#;
+        for slip in slips.trim().lines() {
+            let (change, key) = slip.trim().split_once(" → ").unwrap();
+            let found = key_of(resolved(&[change]).map(drop).unwrap_err());
             assert!(found.starts_with(key), "{change}: {found}");
         }
     }

@@ -33,11 +33,7 @@ fn slices_lie_on_the_rows_of_the_pixels() {
     let moved = |slices, z, count| on_rows(grid(slices, z), &rows(count), [-0.5, 0.5]).center_mm[2];
     // Even slices about the middle of even rows, and odd ones of odd rows, stay; others move by half a voxel
     assert_eq!((moved(20, 0.0, 32), moved(21, 0.0, 33)), (0.0, 0.0));
-    assert!(
-        (moved(21, 0.0, 32) - 0.05).abs() < 1e-9,
-        "{}",
-        moved(21, 0.0, 32)
-    );
+    tomolith_core::near!(moved(21, 0.0, 32), 0.05, 1e-9);
     assert!((moved(20, 0.03, 32) - 0.0).abs() < 1e-9);
     assert!((moved(20, -0.03, 33) - -0.05).abs() < 1e-9);
     // Ten slices hold the target only where they are

@@ -3,7 +3,7 @@
 use super::goal::Goal;
 use super::material::material;
 use super::schedule::schedule;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, in_range};
 use crate::grid::VolumeGrid;
 use crate::job::spec::species::Row;
 use crate::job::spec::{Against, JobSpec, LightSpec, MaterialSpec, ScheduleSpec};
@@ -15,9 +15,6 @@ use tomolith_material::print::{default_step_s, exceeded_limit_s};
 use tomolith_material::schedule::Schedule;
 
 /// Checks material and schedule before any work.
-///
-/// # Errors
-/// [`Error::Config`].
 pub(crate) fn must_fit(spec: &JobSpec) -> Result<()> {
     let Some(given) = &spec.schedule else {
         return match &spec.material {
@@ -68,13 +65,13 @@ fn must_be_times(given: &ScheduleSpec, schedule: &Schedule) -> Result<()> {
         let checked = schedule.must_cut(step_s);
         checked.map_err(|e| e.under("schedule"))?;
     }
-    if !(given.shading_every_s >= 0.0 && given.shading_every_s.is_finite()) {
-        return Err(Error::config(
-            "schedule.shading_every_s",
-            format!("found {}", exact(given.shading_every_s)),
-            "a finite number of seconds, 0 (every step) or more",
-        ));
-    }
+    let every_s = given.shading_every_s;
+    in_range(
+        every_s >= 0.0 && every_s.is_finite(),
+        "schedule.shading_every_s",
+        every_s,
+        "a finite number of seconds, 0 (every step) or more",
+    )?;
     if given.optimize == Against::Frozen && given.rounds == 0 {
         return Err(Error::config(
             "schedule.rounds",
@@ -82,14 +79,12 @@ fn must_be_times(given: &ScheduleSpec, schedule: &Schedule) -> Result<()> {
             "at least 1 with optimize = \"frozen\"; or optimize = \"dose\"",
         ));
     }
-    if given.snapshots > MOST_SNAPSHOTS {
-        return Err(Error::config(
-            "schedule.snapshots",
-            format!("found {}", given.snapshots),
-            format!("at most {MOST_SNAPSHOTS}: each is stored as a volume"),
-        ));
-    }
-    Ok(())
+    in_range(
+        given.snapshots <= MOST_SNAPSHOTS,
+        "schedule.snapshots",
+        given.snapshots,
+        format!("at most {MOST_SNAPSHOTS}: each is stored as a volume"),
+    )
 }
 
 /// Refuses networks whose dose depends on the power where a dose is what counts.
@@ -198,13 +193,12 @@ fn must_be_one(material: &MaterialSpec, optimizes_dose: bool) -> Result<()> {
             ));
         }
     };
-    if !(diffusion.mm2_per_s >= 0.0 && diffusion.mm2_per_s.is_finite()) {
-        return Err(Error::config(
-            "material.diffusion.mm2_per_s",
-            format!("found {}", exact(diffusion.mm2_per_s)),
-            "a finite number, 0 or more, for example 1e-4",
-        ));
-    }
+    in_range(
+        diffusion.mm2_per_s >= 0.0 && diffusion.mm2_per_s.is_finite(),
+        "material.diffusion.mm2_per_s",
+        diffusion.mm2_per_s,
+        "a finite number, 0 or more, for example 1e-4",
+    )?;
     if material.air_on_top {
         return Err(Error::config(
             "material.air_on_top",
@@ -212,13 +206,8 @@ fn must_be_one(material: &MaterialSpec, optimizes_dose: bool) -> Result<()> {
             "false with material.diffusion, or inhibitors in material.photopolymer.networks",
         ));
     }
-    if diffusion.arcs == Some(0) {
-        return Err(Error::config(
-            "material.diffusion.arcs",
-            "found 0",
-            "at least 1",
-        ));
-    }
+    let is_some = diffusion.arcs != Some(0);
+    in_range(is_some, "material.diffusion.arcs", 0, "at least 1")?;
     if !optimizes_dose {
         return Err(Error::config(
             "schedule.optimize",

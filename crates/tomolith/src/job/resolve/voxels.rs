@@ -45,18 +45,12 @@ const SLIVER: f32 = 0.05;
 
 impl ResolvedJob {
     /// The targets of all species on a grid.
-    ///
-    /// # Errors
-    /// As [`target::voxelize`]; [`Error::Canceled`](crate::Error::Canceled).
     pub(crate) fn voxels(&self, grid: &VolumeGrid, run: &Run) -> Result<Vec<Voxels>> {
         let targets = self.sampled(grid, &run.part(0.9))?;
         self.voxels_of(targets, grid, run)
     }
 
     /// The inside fractions of their parts.
-    ///
-    /// # Errors
-    /// As [`voxels`](Self::voxels).
     pub(crate) fn sampled(&self, grid: &VolumeGrid, run: &Run) -> Result<Vec<Target>> {
         let share = 1.0 / self.species.len() as f64;
         let sampled = |own: &Species| {
@@ -68,9 +62,6 @@ impl ResolvedJob {
     }
 
     /// What counts, for these parts on a grid.
-    ///
-    /// # Errors
-    /// As [`voxels`](Self::voxels).
     pub(crate) fn voxels_of(
         &self,
         targets: Vec<Target>,
@@ -159,9 +150,6 @@ impl ResolvedJob {
     }
 
     /// Share of each voxel that no light may pass, when the target has such bodies.
-    ///
-    /// # Errors
-    /// As [`target::voxelize`].
     pub(crate) fn keep_dark(&self, grid: &VolumeGrid) -> Result<Option<Volume<f32>>> {
         let dark = self.first().shape.body(Role::KeepDark);
         dark.map(|dark| target::sampled(dark, grid, &Run::new()))
@@ -169,9 +157,6 @@ impl ResolvedJob {
     }
 
     /// Which voxels belong to bodies that are not printed: obstacles, inserts, and those that stay dark by these shares.
-    ///
-    /// # Errors
-    /// As [`target::voxelize`].
     pub(crate) fn bodies(
         &self,
         grid: &VolumeGrid,

@@ -125,9 +125,6 @@ impl CallRate {
 
 /// Measures the rates of this machine with a job's own optics, grid, objective and target; `sampling_s` is how long
 /// the target's voxels took.
-///
-/// # Errors
-/// As the planner; [`Error::Canceled`](crate::Error::Canceled).
 pub(crate) fn rates(
     job: &ResolvedJob,
     voxels: &Voxels,
@@ -619,10 +616,7 @@ mod tests {
             };
             let all: usize = (0..70).map(lit).sum();
             let expected = (4 * 70 * 90) as f64 / sample.one_in as f64;
-            assert!(
-                (all as f64 / expected - 1.0).abs() < 0.15,
-                "{sample:?}: {all}"
-            );
+            tomolith_core::near!(all as f64 / expected, 1.0, 0.15, "{sample:?}: {all}");
             sample = sample.grown(4);
         }
         assert!(sample.mask(&light).is_none());

@@ -229,16 +229,14 @@ mod tests {
         // passes, 44 vectors of 500 pixels. The first dose takes 6.05 s more,
         // and making the model 0.55 s
         let step = 3.5 + 1.6 + 5.0 * 0.01 + 44.0 * 500.0 * 1e-5;
-        assert!(
-            (cost.optimization_s - (7.0 * step + 4.0 * 3.5 + 6.05 + 0.55)).abs() < 1e-9,
-            "{cost:?}"
-        );
+        let expected = 7.0 * step + 4.0 * 3.5 + 6.05 + 0.55;
+        tomolith_core::near!(cost.optimization_s, expected, 1e-9);
         // A dose of the evaluation: 30 frames of 200 updates at 1000/s, 6 s, and 1 s to begin with; twice on the own voxels, standing and
         // turning (1 + 4 angles) on eight times as many: 4·1 + (2 + 5·8)·6 = 256 s. Making its model takes 6.5 s, four times; 1.2
         // measures of each fine voxel, 2.4 of the own grid's, 1.8 of each pixel; both grids sampled
         let measures = 1000.0 * (1.2 * 8.0 + 2.4) + 1.8 * 2000.0;
         let rest = 256.0 + measures * 2e-3 + 9.0 * 1000.0 * 1e-3 + 4.0 * 6.5;
-        assert!((cost.rest_s - rest).abs() < 1e-9, "{cost:?}");
+        tomolith_core::near!(cost.rest_s, rest, 1e-9);
         // Monte Carlo paths: sixteen times as many, six times on the job's voxels' worth of four and two finer ones
         let paths = Work {
             monte_carlo_paths: Some(16),
@@ -250,12 +248,9 @@ mod tests {
         let averaged = Work {
             sub_angles: [3.0, 4.0],
             ..work
-        }
-        .cost(&rates());
-        assert!(
-            (averaged.optimization_s - cost.optimization_s - 2.0 * (7.0 * 5.1 + 4.0 * 3.5)).abs()
-                < 1e-9
-        );
+        };
+        let more = averaged.cost(&rates()).optimization_s - cost.optimization_s;
+        tomolith_core::near!(more, 2.0 * (7.0 * 5.1 + 4.0 * 3.5), 1e-9);
         // Three times the updates: of a dose 3 s, of an adjoint 1.5 s, and the passes over the dose; not what begins a call, nor the pixels
         let finer = Extent {
             effort: 3.0,
@@ -267,10 +262,7 @@ mod tests {
         }
         .cost(&rates());
         let more = finer.optimization_s - cost.optimization_s;
-        assert!(
-            (more - 7.0 * 2.0 * (3.0 + 1.5 + 0.05)).abs() < 1e-9,
-            "{more}"
-        );
+        tomolith_core::near!(more, 7.0 * 2.0 * (3.0 + 1.5 + 0.05), 1e-9);
         // A scenario: three times the effort and models of the optimization, and of the evaluation two models (6.5 s) and two doses on
         // the finer voxels, at 4 angles of 48 s and 1 s to begin with
         let scenarios = Extent {

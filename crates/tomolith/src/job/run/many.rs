@@ -116,15 +116,11 @@ mod tests {
     use super::*;
     use crate::grid::{PatternGrid, Patterns};
     use crate::io::npy::{PatternPair, read_patterns, write_patterns};
-    use crate::job::tests::FULL;
+    use crate::job::tests::{FULL, job_of};
     use crate::job::{Document, Silent};
 
     fn job(set: &[&str]) -> Job {
-        let mut document = Document::toml("a.toml", FULL).unwrap();
-        for assignment in set {
-            document.set(assignment).unwrap();
-        }
-        Job::from_document(document).unwrap()
+        job_of(FULL, set)
     }
 
     #[test]

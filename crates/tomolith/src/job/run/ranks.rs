@@ -121,9 +121,6 @@ fn must_fit(resolved: &ResolvedJob, ranks: &dyn Communicator) -> Result<()> {
 
 impl ResolvedJob {
     /// Refuses what the ranks cannot share, where there are several.
-    ///
-    /// # Errors
-    /// [`Error::Config`].
     pub(crate) fn must_be_shared(&self) -> Result<()> {
         match &self.ranks {
             Some(ranks) => must_fit(self, ranks.as_ref()),
@@ -132,9 +129,6 @@ impl ResolvedJob {
     }
 
     /// The same job as one rank's; refuses what cannot be shared.
-    ///
-    /// # Errors
-    /// [`Error::Config`].
     pub(crate) fn among(mut self, ranks: &Arc<dyn Communicator>) -> Result<Self> {
         must_fit(&self, ranks.as_ref())?;
         self.ranks = Some(Arc::clone(ranks));

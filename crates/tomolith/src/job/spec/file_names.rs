@@ -115,45 +115,36 @@ fn named(spec: &JobSpec) -> Vec<Named> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::Document;
-    use crate::job::tests::FULL;
+    use crate::job::tests::{FULL, document_of};
+
+    fn refusal(changes: &[&str]) -> Result<(), String> {
+        let spec = JobSpec::from_document(&document_of(FULL, changes)).unwrap();
+        must_differ(&spec).map_err(|error| error.to_string())
+    }
 
     #[test]
     fn no_name_takes_the_file_of_another() {
-        let refusal = |properties: &str| {
-            let mut document = Document::toml("a.toml", FULL).unwrap();
-            document.set(properties).unwrap();
-            let spec = JobSpec::from_document(&document).unwrap();
-            must_differ(&spec).map_err(|error| error.to_string())
-        };
         let property = |name: &str| format!("{{ name = \"{name}\", map = {{ logistic = {{}} }} }}");
         let properties = |names: &[&str]| {
             let tables: Vec<String> = names.iter().map(|name| property(name)).collect();
             format!("property=[{}]", tables.join(", "))
         };
-        refusal(&properties(&["modulus", "index", "dose_b"])).unwrap();
+        refusal(&[&properties(&["modulus", "index", "dose_b"])]).unwrap();
         for (names, key, found) in [
             (&["modulus", "dose"][..], "property[1].name", "`dose.npy`"),
             (&["cure_time"], "property[0].name", "`cure_time.npy`"),
             (&["modulus", "Modulus"], "property[1].name", "property[0]"),
         ] {
-            let error = refusal(&properties(names)).unwrap_err();
+            let error = refusal(&[&properties(names)]).unwrap_err();
             assert!(error.contains(key) && error.contains(found), "{error}");
             assert!(error.contains("taken: dose, cure_time"), "{error}");
         }
-        let mut document = Document::toml("a.toml", FULL).unwrap();
-        document.set(&properties(&["label"])).unwrap();
-        must_differ(&JobSpec::from_document(&document).unwrap()).unwrap();
-        document.set("output.volumes=[\"nrrd\"]").unwrap();
-        let spec = JobSpec::from_document(&document).unwrap();
-        let error = must_differ(&spec).unwrap_err().to_string();
+        let label = properties(&["label"]);
+        refusal(&[&label]).unwrap();
+        let error = refusal(&[&label, "output.volumes=[\"nrrd\"]"]).unwrap_err();
         tomolith_core::contains!(error, "`label.npy` is a file of output.volumes");
         let species = "species=[{ name = \"a\" }, { name = \"b\" }]";
-        let mut document = Document::toml("a.toml", FULL).unwrap();
-        document.set(species).unwrap();
-        document.set(&properties(&["dose_b"])).unwrap();
-        let spec = JobSpec::from_document(&document).unwrap();
-        let error = must_differ(&spec).unwrap_err().to_string();
+        let error = refusal(&[species, &properties(&["dose_b"])]).unwrap_err();
         tomolith_core::contains!(error, "`dose_b.npy` is a file of species[1].name");
         assert!(error.contains("taken: dose, cure_time, dose_b"), "{error}");
     }
@@ -166,12 +157,9 @@ mod tests {
             )
         };
         let refusal = |names: [&str; 2], part: &str| {
-            let mut document = Document::toml("a.toml", FULL).unwrap();
-            document.set(&format!("target.name={part:?}")).unwrap();
             let [a, b] = names.map(network);
             let change = format!("material={{ photopolymer = {{ networks = [{a}, {b}] }} }}");
-            document.set(&change).unwrap();
-            must_differ(&JobSpec::from_document(&document).unwrap()).map_err(|e| e.to_string())
+            refusal(&[&format!("target.name={part:?}"), &change])
         };
         refusal(["soft", "10rpm"], "gear").unwrap();
         let error = refusal(["soft", "10rpm"], "print").unwrap_err();

@@ -102,6 +102,7 @@ fn collect(key: &str, value: &Value, numbers: &mut Vec<Number>) {
 mod tests {
     use super::*;
     use crate::error::Result;
+    use crate::job::tests::document_of;
     use crate::job::{Document, Job, Silent, run};
     use crate::models::Run;
 
@@ -118,11 +119,8 @@ mod tests {
     fn a_loss_that_is_infinite_is_blamed_on_keys_that_the_job_sets() {
         let folder = tempfile::tempdir().unwrap();
         let refusal = |changes: &[&str]| -> Result<()> {
-            let mut document = Document::toml("a.toml", SMALL).unwrap();
-            changes
-                .iter()
-                .for_each(|change| document.set(change).unwrap());
-            let job = Job::from_document(document)?.with_folder(&folder.path().join("run"), "");
+            let job = Job::from_document(document_of(SMALL, changes))?;
+            let job = job.with_folder(&folder.path().join("run"), "");
             run(&job, false, &mut Silent, &Run::new()).map(drop)
         };
         let changes = [

@@ -344,13 +344,7 @@ mod tests {
             evaluate = { require_iou = 0.9 }
             model = { rays = { rays_per_pixel = 64 } }
         "#;
-        let toy = |assignments: &[&str]| {
-            let mut document = Document::toml("job.toml", text).unwrap();
-            for assignment in assignments {
-                document.set(assignment).unwrap();
-            }
-            Job::from_document(document).unwrap().toy().spec
-        };
+        let toy = |changes: &[&str]| job_of(text, changes).toy().spec;
         let counts = |assignments: &[&str]| {
             let spec = toy(assignments);
             (

@@ -1,8 +1,7 @@
 //! What `[[species]]` and `[[light]]` say together: which light sees which resin, which species each drives, and the job of each species.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, in_range};
 use crate::job::spec::{JobSpec, ResinSpec};
-use crate::units::exact;
 
 /// A species by name, and its row of M.
 pub(crate) type Row = (String, Vec<f64>);
@@ -75,13 +74,7 @@ impl JobSpec {
                             let accepted = format!("the name of a light: {}", names.join(", "));
                             return Err(Error::config(key, "no light has this name", accepted));
                         }
-                        if !factor.is_finite() {
-                            return Err(Error::config(
-                                key,
-                                format!("found {}", exact(*factor)),
-                                "a number",
-                            ));
-                        }
+                        in_range(factor.is_finite(), key, *factor, "a number")?;
                     }
                     let factor = |name: &&str| given.get(*name).copied().unwrap_or(0.0);
                     names.iter().map(factor).collect()

@@ -221,10 +221,10 @@ fn lights(lights: &[LightSpec]) -> Result<()> {
     for (i, one) in lights.iter().enumerate() {
         light(one).map_err(|e| e.under(&format!("light[{i}]")))?;
         let key = format!("light[{i}].name");
+        if let Some(name) = &one.name {
+            file_name(&key, name)?;
+        }
         match &one.name {
-            Some(name) if !is_file_name(name) => {
-                return Err(Error::config(key, format!("found {name:?}"), FILE_NAME));
-            }
             None if lights.len() > 1 => {
                 return Err(Error::config(
                     key,
@@ -262,25 +262,13 @@ fn lights(lights: &[LightSpec]) -> Result<()> {
 fn species(spec: &JobSpec) -> Result<()> {
     spec.objectives()?;
     for (s, species) in spec.species.iter().enumerate() {
-        if !is_file_name(&species.name) {
-            return Err(Error::config(
-                format!("species[{s}].name"),
-                format!("found {:?}", species.name),
-                FILE_NAME,
-            ));
-        }
+        file_name(&format!("species[{s}].name"), &species.name)?;
         spec.of_species(s)
             .objectives()
             .map_err(|e| at_species(spec, s, e))?;
     }
     for (i, property) in spec.property.iter().enumerate() {
-        if !is_file_name(&property.name) {
-            return Err(Error::config(
-                format!("property[{i}].name"),
-                format!("found {:?}", property.name),
-                FILE_NAME,
-            ));
-        }
+        file_name(&format!("property[{i}].name"), &property.name)?;
     }
     spec.mixing()?;
     file_names::must_differ(spec)?;
@@ -499,13 +487,15 @@ fn evaluate_and_output(spec: &JobSpec) -> Result<()> {
     Ok(())
 }
 
-const FILE_NAME: &str = "1 to 64 letters, digits, - and _ (it is part of file names)";
-
-fn is_file_name(name: &str) -> bool {
-    (1..=64).contains(&name.len())
-        && name
-            .chars()
-            .all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_')
+/// Refuses names that cannot be part of the name of a file.
+fn file_name(key: &str, name: &str) -> Result<()> {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+    let is_in = (1..=64).contains(&name.len()) && name.chars().all(is_plain);
+    let accepted = "1 to 64 letters, digits, - and _ (it is part of file names)";
+    match is_in {
+        true => Ok(()),
+        false => Err(Error::config(key, format!("found {name:?}"), accepted)),
+    }
 }
 
 fn optional(value: Option<f64>, check: impl Fn(f64) -> Result<()>) -> Result<()> {
@@ -549,9 +539,6 @@ fn count(key: &str, value: usize, least: usize, most: usize) -> Result<()> {
 }
 
 /// Refuses numbers out of range, and tables of the job that do not go with unknowns of the response.
-///
-/// # Errors
-/// [`Error::Config`].
 fn co_optimized(spec: &JobSpec) -> Result<()> {
     let Some(unknowns) = &spec.co_optimize else {
         return Ok(());
@@ -594,104 +581,86 @@ fn co_optimized(spec: &JobSpec) -> Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::job::Document;
-    use crate::job::tests::FULL;
+    use crate::job::tests::{FULL, document_of};
 
     #[test]
     fn a_good_job_passes_and_each_bad_number_is_named() {
         let check = |changes: &[&str]| {
-            let mut document = Document::toml("a.toml", FULL).unwrap();
-            changes
-                .iter()
-                .for_each(|change| document.set(change).unwrap());
-            JobSpec::from_document(&document).and_then(|spec| ranges(&spec))
+            let spec = JobSpec::from_document(&document_of(FULL, changes));
+            spec.and_then(|spec| ranges(&spec))
         };
         check(&[]).unwrap();
         check(&["resin.absorption_per_mm=0", "resin.pure_radon=true"]).unwrap();
         // Never, as where they are left out
         let never = ["stop.change=0", "stop.gap=0", "stop.projected_gradient=0"];
         check(&never).unwrap();
-        for (change, key) in [
-            ("grid.pitch_mm=0", "grid.pitch_mm"),
-            ("grid.pitch_mm=\"-1 mm\"", "grid.pitch_mm"),
-            ("grid.shape=[4, 0, 4]", "grid.shape[1]"),
-            ("resin.refractive_index=0.9", "resin.refractive_index"),
-            ("resin.absorption_per_mm=0", "resin.absorption_per_mm"),
-            ("resin.absorption_per_mm=1e300", "resin.absorption_per_mm"),
-            ("resin.absorption_per_mm=-0.1", "resin.absorption_per_mm"),
-            ("resin.attenuation_per_mm=0.01", "resin.attenuation_per_mm"),
-            ("resin.dose_convention=\"watts\"", "resin.dose_convention"),
-            ("resin.scattering_per_mm=-0.1", "resin.scattering_per_mm"),
-            (
-                "resin.critical_dose_mj_per_mm3=0",
-                "resin.critical_dose_mj_per_mm3",
-            ),
-            ("vial.surrounding_index=0", "vial.surrounding_index"),
-            (
-                "bath={ absorption_per_mm = -0.1, radius_mm = 20 }",
-                "bath.absorption_per_mm",
-            ),
-            (
-                "bath={ absorption_per_mm = 0.1, radius_mm = 0 }",
-                "bath.radius_mm",
-            ),
-            ("light=[]", "light"),
-            ("light.name=a/b", "light[0].name"),
-            (
-                "light=[{ name = \"a\", pixels = [8, 8], angles = 8, projector = { collimated = { pixel_pitch_mm = 0.1 } } }, { name = \"raw_a\", pixels = [8, 8], angles = 8, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]",
-                "light[1].name",
-            ),
-            ("light.wavelength_nm=0.405", "light[0].wavelength_nm"),
-            ("light.pixels=[0, 5]", "light[0].pixels[0]"),
-            ("light.angles=0", "light[0].angles"),
-            ("light.angles.arc_deg=0", "light[0].angles.arc_deg"),
-            ("light.angles.arc_deg=720", "light[0].angles.arc_deg"),
-            ("light.angles={ list_deg = [] }", "light[0].angles.list_deg"),
-            ("light.sub_angles=0", "light[0].sub_angles"),
-            ("bounds.min=-1", "bounds.min"),
-            ("bounds.min=1e30", "bounds.min"),
-            ("light[0].bounds.max=0", "light[0].bounds.max"),
-            ("light[0].bounds.min=9", "light[0].bounds.min"),
-            ("bounds.max=1e30", "bounds.max"),
-            ("bounds.min=5", "bounds.max"),
-            ("bounds={ min = 0.01, max = 0.01 }", "bounds.max"),
-            ("light[0].bounds={ min = 3.0 }", "light[0].bounds.min"),
-            ("bounds.bits=0", "bounds.bits"),
-            ("multiresolution.levels=9", "multiresolution.levels"),
-            ("bounds.bits=17", "bounds.bits"),
-            ("stop.change=-1", "stop.change"),
-            ("stop.change_after=9", "stop.change_after"),
-            ("stop.gap=1e-9", "stop.gap"),
-            ("stop.relative_loss=1", "stop.relative_loss"),
-            ("stop.iou=1.5", "stop.iou"),
-            ("stop.wall_s=0", "stop.wall_s"),
-            ("stop.projected_gradient=-1", "stop.projected_gradient"),
-            ("checkpoint.every_s=0", "checkpoint.every_s"),
-            ("evaluate.bit_depth=17", "evaluate.bit_depth"),
-            ("evaluate.refine=0", "evaluate.refine"),
-            ("evaluate.trim_percent=50", "evaluate.trim_percent"),
-            ("evaluate.require_iou=99", "evaluate.require_iou"),
-            ("evaluate.require_in_band=-1", "evaluate.require_in_band"),
-            ("evaluate.threshold=0", "evaluate.threshold"),
-            ("output.rpm=0", "output.rpm"),
-            ("output.rpm=90", "output.rpm"),
-            ("output.rpm=0.03", "output.rpm"),
-            ("printer.quarter_turns=4", "printer.quarter_turns"),
-            ("printer.canvas=[0, 9]", "printer.canvas[0]"),
-            ("printer.refresh_hz=20", "printer.refresh_hz"),
-            ("light.angles=7200", "light[0].angles"),
-            ("printer.time_s=60", "printer.time_s"),
-            (
-                "printer={ time_s = 60.0, peak_irradiance_mw_per_cm2 = 5.0 }",
-                "printer.time_s",
-            ),
-            (
-                "printer.gray_curve=[[0.0, 0.0], [0.5, 0.6], [1.0, 0.5]]",
-                "printer.gray_curve",
-            ),
-            ("output.folder=\"\"", "output.folder"),
-            ("objectives=[{ l2 = {} }]", "objectives"),
-        ] {
+        // With the key that is blamed where it is another one than that which is set
+        let slips = r#"
+            grid.pitch_mm=0
+            grid.pitch_mm="-1 mm"
+            grid.shape=[4, 0, 4] → grid.shape[1]
+            resin.refractive_index=0.9
+            resin.absorption_per_mm=0
+            resin.absorption_per_mm=1e300
+            resin.absorption_per_mm=-0.1
+            resin.attenuation_per_mm=0.01
+            resin.dose_convention="watts"
+            resin.scattering_per_mm=-0.1
+            resin.critical_dose_mj_per_mm3=0
+            vial.surrounding_index=0
+            bath={ absorption_per_mm = -0.1, radius_mm = 20 } → bath.absorption_per_mm
+            bath={ absorption_per_mm = 0.1, radius_mm = 0 } → bath.radius_mm
+            light=[]
+            light.name=a/b → light[0].name
+            light=[{ name = "a", pixels = [8, 8], angles = 8, projector = { collimated = { pixel_pitch_mm = 0.1 } } }, { name = "raw_a", pixels = [8, 8], angles = 8, projector = { collimated = { pixel_pitch_mm = 0.1 } } }] → light[1].name
+            light.wavelength_nm=0.405 → light[0].wavelength_nm
+            light.pixels=[0, 5] → light[0].pixels[0]
+            light.angles=0 → light[0].angles
+            light.angles.arc_deg=0 → light[0].angles.arc_deg
+            light.angles.arc_deg=720 → light[0].angles.arc_deg
+            light.angles={ list_deg = [] } → light[0].angles.list_deg
+            light.sub_angles=0 → light[0].sub_angles
+            bounds.min=-1
+            bounds.min=1e30
+            light[0].bounds.max=0
+            light[0].bounds.min=9
+            bounds.max=1e30
+            bounds.min=5 → bounds.max
+            bounds={ min = 0.01, max = 0.01 } → bounds.max
+            light[0].bounds={ min = 3.0 } → light[0].bounds.min
+            bounds.bits=0
+            multiresolution.levels=9
+            bounds.bits=17
+            stop.change=-1
+            stop.change_after=9
+            stop.gap=1e-9
+            stop.relative_loss=1
+            stop.iou=1.5
+            stop.wall_s=0
+            stop.projected_gradient=-1
+            checkpoint.every_s=0
+            evaluate.bit_depth=17
+            evaluate.refine=0
+            evaluate.trim_percent=50
+            evaluate.require_iou=99
+            evaluate.require_in_band=-1
+            evaluate.threshold=0
+            output.rpm=0
+            output.rpm=90
+            output.rpm=0.03
+            printer.quarter_turns=4
+            printer.canvas=[0, 9] → printer.canvas[0]
+            printer.refresh_hz=20
+            light.angles=7200 → light[0].angles
+            printer.time_s=60
+            printer={ time_s = 60.0, peak_irradiance_mw_per_cm2 = 5.0 } → printer.time_s
+            printer.gray_curve=[[0.0, 0.0], [0.5, 0.6], [1.0, 0.5]]
+            output.folder=""
+            objectives=[{ l2 = {} }]
+        "#;
+        for slip in slips.trim().lines().map(str::trim) {
+            let set = || slip.split('=').next().map(|key| (slip, key));
+            let (change, key) = slip.split_once(" → ").or_else(set).unwrap();
             match check(&[change]) {
                 Err(Error::Config { key: found, .. }) => assert_eq!(found, key, "{change}"),
                 other => panic!("{change}: {other:?}"),

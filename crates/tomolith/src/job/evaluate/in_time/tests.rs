@@ -1,8 +1,9 @@
 use super::TimeSummary;
-use crate::error::Error;
 use crate::field::Field;
 use crate::job::evaluate::in_time::*;
 use crate::job::resolve::material::{domain, resin};
+use crate::job::resolve::optics::tests::key as key_of;
+use crate::job::tests::{document_of, job_of};
 use crate::job::{Document, Job, ResolvedJob, Silent};
 use serde_json::Value;
 
@@ -22,11 +23,7 @@ const DISC: &str = r#"
 "#;
 
 fn job(changes: &[&str]) -> Result<Job> {
-    let mut document = Document::toml("a.toml", DISC).unwrap();
-    for change in changes {
-        document.set(change).unwrap();
-    }
-    Job::from_document(document)
+    Job::from_document(document_of(DISC, changes))
 }
 
 /// The report of a run, and its folder.
@@ -59,10 +56,7 @@ fn a_job_with_a_schedule_prints_in_time() {
         "degree of cure after {} s",
         crate::report::number::significant(best, 3)
     );
-    assert!(
-        html.contains("\"kind\":\"cure_time\"") && html.contains(&moment),
-        "{moment}"
-    );
+    tomolith_core::contains!(html, "\"kind\":\"cure_time\"", &moment);
     for file in ["time.csv", "cure_time.npy", "print.mp4"] {
         assert!(folder.path().join("run").join(file).exists(), "{file}");
     }
@@ -163,11 +157,7 @@ fn a_dose_that_diffuses_is_that_of_every_model_spread() {
         };
         // What diffuses stays in the box; 40 s at 5e-4 mm²/s spread it by 0.14 mm
         let ((all, squares), (spread, lower)) = (of(&sharp), of(&blurred));
-        assert!(
-            (spread / all - 1.0).abs() < 1e-4,
-            "{change}: {all} {spread} {}",
-            sharp.start.max_abs()
-        );
+        tomolith_core::near!(spread / all, 1.0, 1e-4, "{change}: {all}");
         assert!(lower < 0.995 * squares, "{change}: {squares} {lower}");
         let model = blurred.model.describe();
         assert!(model.contains("diffused at 0.0005 mm²/s"), "{model}");
@@ -305,73 +295,54 @@ fn bodies_and_inserts_are_walls() {
 fn what_cannot_be_printed_in_time_is_refused_by_its_key() {
     let refused = |changes: &[&str]| {
         let found = job(changes).and_then(|job| ResolvedJob::new(&job).map(drop));
-        match found.unwrap_err() {
-            Error::Config { key, .. } => key,
-            other => panic!("{other}"),
-        }
+        key_of(found.unwrap_err())
     };
-    for (change, key) in [
-        ("schedule.turns=0", "schedule.turns"),
-        ("schedule.duty=1.5", "schedule.duty"),
-        ("schedule.step_s=0", "schedule.step_s"),
-        ("schedule.step_s=1e-9", "schedule.step_s"),
-        ("schedule.snapshots=101", "schedule.snapshots"),
-        (
-            "schedule={ turns = 2, rounds = 0, optimize = \"frozen\" }",
-            "schedule.rounds",
-        ),
-        ("schedule.shading_every_s=-1", "schedule.shading_every_s"),
-        (
-            "material.photopolymer.shading=[{ light = 0, active_per_mm = [0.2, 0.2], attenuation_per_mm = [0.2, 0.5] }]",
-            "material.photopolymer.shading[0].active_per_mm",
-        ),
-        (
-            "material.photopolymer.shading=[{ light = 0, active_per_mm = [0.1, 0.2], attenuation_per_mm = [0.2, 0.5] }]",
-            "material.photopolymer.shading[0].attenuation_per_mm",
-        ),
-        (
-            "schedule.power={ irradiance_mw_per_mm2 = -1 }",
-            "schedule.power",
-        ),
-        (
-            "light[0].power={ irradiance_mw_per_mm2 = -1 }",
-            "light[0].power",
-        ),
-        ("schedule.own_patterns=true", "schedule.own_patterns"),
-        ("material={}", "material"),
-        ("material={ diffusion = { mm2_per_s = 1e-4 } }", "material"),
-        (
-            "material={ diffusion = { mm2_per_s = -1 } }",
-            "material.diffusion.mm2_per_s",
-        ),
-        (
-            "species=[{ name = \"resin\", driven_by = { light = -1.0 } }]",
-            "species[0].driven_by",
-        ),
-        // 0.1²/(6·10⁻⁴) is 16.7 s
-        ("schedule.step_s=100", "schedule.step_s"),
-        (
-            "material.photopolymer.networks=[]",
-            "material.photopolymer.networks",
-        ),
-        (
-            "material.photopolymer.networks=[{ name = \"resin\", curing = { threshold = { critical_dose_mj_per_mm3 = -1 } } }]",
-            "material.photopolymer.networks[0].curing",
-        ),
-    ] {
-        let found = refused(&[change]);
-        assert!(found.starts_with(key), "{change}: {found}");
+    let is_sound = |changes: &[&str]| ResolvedJob::new(&job(changes).unwrap()).is_ok();
+    // 0.1²/(6·10⁻⁴) is 16.7 s, the longest step; air on top takes a seventh in place of a sixth: 14.3 s.
+    // An inhibitor of which there is none is none; scattered light has no single way along which it is weakened, and cells know nothing that flows between them
+    let slips = r#"
+        schedule.turns=0 → schedule.turns
+        schedule.duty=1.5 → schedule.duty
+        schedule.step_s=0 → schedule.step_s
+        schedule.step_s=1e-9 → schedule.step_s
+        schedule.snapshots=101 → schedule.snapshots
+        schedule={ turns = 2, rounds = 0, optimize = "frozen" } → schedule.rounds
+        schedule.shading_every_s=-1 → schedule.shading_every_s
+        material.photopolymer.shading=[{ light = 0, active_per_mm = [0.2, 0.2], attenuation_per_mm = [0.2, 0.5] }] → material.photopolymer.shading[0].active_per_mm
+        material.photopolymer.shading=[{ light = 0, active_per_mm = [0.1, 0.2], attenuation_per_mm = [0.2, 0.5] }] → material.photopolymer.shading[0].attenuation_per_mm
+        schedule.power={ irradiance_mw_per_mm2 = -1 } → schedule.power
+        light[0].power={ irradiance_mw_per_mm2 = -1 } → light[0].power
+        schedule.own_patterns=true → schedule.own_patterns
+        material={} → material
+        material={ diffusion = { mm2_per_s = 1e-4 } } → material
+        material={ diffusion = { mm2_per_s = -1 } } → material.diffusion.mm2_per_s
+        species=[{ name = "resin", driven_by = { light = -1.0 } }] → species[0].driven_by
+        schedule.step_s=100 → schedule.step_s
+        material.photopolymer.networks=[] → material.photopolymer.networks
+        material.photopolymer.networks=[{ name = "resin", curing = { threshold = { critical_dose_mj_per_mm3 = -1 } } }] → material.photopolymer.networks[0].curing.threshold.critical_dose_mj_per_mm3
+        material.photopolymer.networks=[{ name = "resin", curing = { threshold = { critical_dose_mj_per_mm3 = 0.5 } } }] + schedule.optimize="frozen" → schedule.optimize
+        material={ diffusion = { mm2_per_s = 1e-4 }, air_on_top = true } + resin.critical_dose_mj_per_mm3=0.8 → material.air_on_top
+        material.photopolymer.diffusion="spectral" + material.air_on_top=true → material.photopolymer.diffusion
+        material.photopolymer.networks=[{ name = "resin", curing = { rate_law = { rate_per_s = 1.0, exponent = 0.5, gel_conversion = 0.2 } } }] + schedule.optimize="frozen" → schedule.optimize
+        material.photopolymer.networks=[{ name = "resin", curing = { rate_law = { rate_per_s = 1.0, exponent = 0.5, gel_conversion = 0.2 } } }] + schedule.level_heights=true → schedule.level_heights
+        material.photopolymer.networks[0].inhibitors[0].initial={ even = 0.0 } + schedule.optimize="frozen" → schedule.optimize
+        resin.scattering_per_mm=0.1 + material.photopolymer.shading=[{ light = 0, active_per_mm = [0.1, 0.1], attenuation_per_mm = [0.2, 0.5] }] + model={ successive_orders = {} } → material.photopolymer.shading[0]
+        objective={ threshold = { surface = "cells" } } + schedule.optimize="exact" → objective.threshold.surface
+        material.air_on_top=true + schedule.step_s=15 → schedule.step_s
+    "#;
+    for slip in slips.trim().lines() {
+        let (changes, key) = slip.trim().split_once(" → ").unwrap();
+        let all: Vec<&str> = changes.split(" + ").collect();
+        assert_eq!(refused(&all), key, "{changes}");
     }
     // What a light is to inhibit needs something that it makes
     let lights = "light=[{ name = \"a\", pixels = [24, 20], angles = 24, projector = { collimated = { pixel_pitch_mm = 0.1 } } }, \
                   { name = \"b\", pixels = [24, 20], angles = 24, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]";
     let species = "species=[{ name = \"resin\", driven_by = { a = 1.0, b = -0.5 } }]";
     let bare = "material.photopolymer.networks=[{ name = \"resin\", curing = { threshold = { critical_dose_mj_per_mm3 = 0.5 } } }]";
-    assert!(ResolvedJob::new(&job(&[lights, species]).unwrap()).is_ok());
-    assert_eq!(
-        refused(&[lights, species, bare]),
-        "material.photopolymer.networks[0].inhibitors"
-    );
+    assert!(is_sound(&[lights, species]));
+    let nothing = refused(&[lights, species, bare]);
+    assert_eq!(nothing, "material.photopolymer.networks[0].inhibitors");
     // A network is that of the species at its place
     let two = "species=[{ name = \"resin\", driven_by = { a = 1.0 } }, { name = \"epoxy\", driven_by = { b = 1.0 } }]";
     let network = |name: &str| {
@@ -385,69 +356,21 @@ fn what_cannot_be_printed_in_time_is_refused_by_its_key() {
             names.map(network).join(", ")
         )
     };
-    assert!(ResolvedJob::new(&job(&[lights, two, &networks(["resin", "epoxy"])]).unwrap()).is_ok());
-    assert_eq!(
-        refused(&[lights, two, &networks(["epoxy", "resin"])]),
-        "material.photopolymer.networks[0].name"
-    );
-    assert_eq!(
-        refused(&[bare, "schedule.optimize=\"frozen\""]),
-        "schedule.optimize"
-    );
-    assert_eq!(
-        refused(&[
-            "material={ diffusion = { mm2_per_s = 1e-4 }, air_on_top = true }",
-            "resin.critical_dose_mj_per_mm3=0.8"
-        ]),
-        "material.air_on_top"
-    );
-    assert_eq!(
-        refused(&[
-            "material.photopolymer.diffusion=\"spectral\"",
-            "material.air_on_top=true"
-        ]),
-        "material.photopolymer.diffusion"
-    );
-    let rate_law = "material.photopolymer.networks=[{ name = \"resin\", curing = { rate_law = { rate_per_s = 1.0, exponent = 0.5, gel_conversion = 0.2 } } }]";
-    for (change, key) in [
-        ("schedule.optimize=\"frozen\"", "schedule.optimize"),
-        ("schedule.level_heights=true", "schedule.level_heights"),
-    ] {
-        assert_eq!(refused(&[rate_law, change]), key);
-    }
-    // An inhibitor of which there is none is none, unless air or a light brings it
+    assert!(is_sound(&[lights, two, &networks(["resin", "epoxy"])]));
+    let swapped = refused(&[lights, two, &networks(["epoxy", "resin"])]);
+    assert_eq!(swapped, "material.photopolymer.networks[0].name");
+    // There is an inhibitor again where air or a light brings it
     let empty = "material.photopolymer.networks[0].inhibitors[0].initial={ even = 0.0 }";
     let frozen = "schedule.optimize=\"frozen\"";
-    assert_eq!(refused(&[empty, frozen]), "schedule.optimize");
-    let aired = job(&[empty, frozen, "material.air_on_top=true"]).unwrap();
-    assert!(ResolvedJob::new(&aired).is_ok());
-    // Waves are weakened along their way, scattered light has no single one; cells know nothing that flows between them
+    assert!(is_sound(&[empty, frozen, "material.air_on_top=true"]));
+    // Waves are weakened along their way
     let shades = "material.photopolymer.shading=[{ light = 0, active_per_mm = [0.1, 0.1], attenuation_per_mm = [0.1, 0.5] }]";
-    assert!(ResolvedJob::new(&job(&[shades]).unwrap()).is_ok());
-    let waves = "model={ wave = {} }";
-    assert!(ResolvedJob::new(&job(&[shades, waves]).unwrap()).is_ok());
-    let scatters = [
-        "resin.scattering_per_mm=0.1",
-        "material.photopolymer.shading=[{ light = 0, active_per_mm = [0.1, 0.1], attenuation_per_mm = [0.2, 0.5] }]",
-        "model={ successive_orders = {} }",
-    ];
-    assert_eq!(refused(&scatters), "material.photopolymer.shading[0]");
-    let cells = "objective={ threshold = { surface = \"cells\" } }";
-    assert_eq!(
-        refused(&[cells, "schedule.optimize=\"exact\""]),
-        "objective.threshold.surface"
-    );
-    // Air on top takes a seventh in place of a sixth: 14.3 s
-    let step = "schedule.step_s=15";
-    assert!(ResolvedJob::new(&job(&[step]).unwrap()).is_ok());
-    let open = ["material.air_on_top=true", step];
-    assert_eq!(refused(&open), "schedule.step_s");
+    assert!(is_sound(&[shades]) && is_sound(&[shades, "model={ wave = {} }"]));
+    assert!(is_sound(&["schedule.step_s=15"]));
     let without = "schedule={ turns = 2 }";
-    let mut document = Document::toml("a.toml", DISC.split("[[material").next().unwrap()).unwrap();
-    document.set(without).unwrap();
-    let job = Job::from_document(document).unwrap();
-    let found = ResolvedJob::new(&job).map(drop).unwrap_err();
-    assert!(matches!(found, Error::Config { key, .. } if key == "material"));
+    let text = DISC.split("[[material").next().unwrap();
+    let found = ResolvedJob::new(&job_of(text, &[without])).map(drop);
+    assert_eq!(key_of(found.unwrap_err()), "material");
 }
 
 #[test]

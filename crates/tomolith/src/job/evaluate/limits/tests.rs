@@ -39,6 +39,17 @@ fn measurements() -> Measurements {
     }
 }
 
+/// The same example with other IoUs: as optimized, as written, standing and turning.
+fn measured([optimized, written, standing, turning]: [f64; 4]) -> Measurements {
+    Measurements {
+        optimized: Some(optimized),
+        written: Some(written),
+        standing: Some(standing),
+        turning: Some(turning),
+        ..measurements()
+    }
+}
+
 #[track_caller]
 fn begins(text: &str, with: &str) {
     assert!(text.starts_with(with), "{text}");
@@ -60,14 +71,11 @@ fn losses(limits: &PrintLimits) -> Vec<(Cause, f64)> {
 fn rounding_is_told_from_the_voxels_that_see_it() {
     // Two bits: the job's own voxels see nothing of it, the optimizer's do
     let limits = Measurements {
-        optimized: Some(0.990),
-        written: Some(0.990),
         unrounded: Some(0.997),
-        turning: Some(0.987),
         bits: 2,
         is_optimized_turning: true,
         saw_finer: true,
-        ..measurements()
+        ..measured([0.990, 0.990, 0.9736, 0.987])
     };
     let limits = limits.limits();
     assert_eq!(
@@ -118,7 +126,7 @@ fn the_largest_loss_comes_first_and_names_the_key() {
         advice(1),
         "Written with 8 bits the patterns have IoU 1.000 as before on the job's own voxels."
     );
-    assert!(advice(2).ends_with("voxels: there is nothing left to improve."));
+    ends(advice(2), "voxels: there is nothing left to improve.");
     assert_eq!(
         advice(3),
         "The vial turns by 2° during each frame, which gives IoU 0.975 instead of 0.974."
@@ -136,12 +144,8 @@ fn a_part_beyond_the_light_needs_a_larger_field() {
             comes_first: false,
         };
         let measured = Measurements {
-            optimized: Some(optimized),
-            written: Some(optimized),
-            standing: Some(optimized),
-            turning: Some(optimized),
             lack: Some(lack),
-            ..measurements()
+            ..measured([optimized; 4])
         };
         measured.limits()
     };
@@ -154,10 +158,10 @@ fn a_part_beyond_the_light_needs_a_larger_field() {
     );
     // Half of all sides are enough for a good print
     let good = said(0.985, 1.0, "light.offset_mm").sentence;
-    assert!(good.ends_with("pixel_pitch_mm`."), "{good}");
+    ends(&good, "pixel_pitch_mm`.");
     // A rim of the part is not what lacks most
     let rim = said(0.8, 0.02, "light.pixels").sentence;
-    assert!(rim.ends_with("pixel_pitch_mm`."), "{rim}");
+    ends(&rim, "pixel_pitch_mm`.");
 }
 
 #[test]
@@ -171,12 +175,8 @@ fn what_follows_from_the_light_comes_behind_it_where_the_part_turns_out_of_it() 
             comes_first: true,
         };
         let measured = Measurements {
-            optimized: Some(optimized),
-            written: Some(optimized),
-            standing: Some(0.77),
-            turning: Some(0.84),
             lack: Some(lack),
-            ..measurements()
+            ..measured([optimized, optimized, 0.77, 0.84])
         };
         measured.limits().sentence
     };
@@ -189,10 +189,8 @@ fn what_follows_from_the_light_comes_behind_it_where_the_part_turns_out_of_it() 
 fn turning_that_the_optimization_did_not_see_is_not_counted_twice() {
     let measured = Measurements {
         saw_finer: true,
-        standing: Some(0.998),
-        turning: Some(0.981),
         has_own_sub_angles: true,
-        ..measurements()
+        ..measured([1.0, 1.0, 0.998, 0.981])
     };
     let limits = measured.limits();
     assert_eq!(
@@ -218,12 +216,7 @@ fn voxels_are_called_coarser_only_where_they_are() {
 
 #[test]
 fn the_losses_of_a_run_add_up_to_what_is_missing() {
-    let measured = Measurements {
-        optimized: Some(0.95),
-        written: Some(0.94),
-        ..measurements()
-    };
-    let limits = measured.limits();
+    let limits = measured([0.95, 0.94, 0.9736, 0.975]).limits();
     let sum: f64 = limits.causes.iter().map(|l| l.loss).sum();
     assert!((1.0 - sum - 0.975).abs() < 1e-12);
     assert_eq!(limits.causes[0].cause, Cause::Optics);
@@ -265,12 +258,8 @@ fn what_remains_belongs_to_the_iterations_while_the_loss_falls() {
     assert_eq!(said(101.0), None);
     assert_eq!(Fall::of(&history(80.0)[..1]), None);
     let limits = Measurements {
-        optimized: Some(0.9),
-        written: Some(0.9),
-        standing: Some(0.9),
-        turning: Some(0.9),
         falling: Some(falling),
-        ..measurements()
+        ..measured([0.9; 4])
     }
     .limits();
     assert_eq!(
@@ -288,13 +277,10 @@ fn flat_ends_within_rows_are_what_limits_a_prism() {
     let ends = Ends::of([-1.5, 1.5], &rows, None);
     assert!((ends.share() - 2.0 * (27.0 * 0.056 - 1.5) / 3.0).abs() < 1e-12);
     let gear = Measurements {
-        optimized: Some(0.995),
-        written: Some(0.995),
-        turning: Some(0.985),
         is_optimized_turning: true,
         saw_finer: true,
         ends: Some(ends),
-        ..measurements()
+        ..measured([0.995, 0.995, 0.9736, 0.985])
     };
     let limits = gear.limits();
     assert_eq!(losses(&limits)[0], (Cause::Ends, 0.008));
@@ -335,15 +321,11 @@ fn of_several_lights_the_one_that_limits_is_named() {
     assert_eq!((&one.said[..], &one.key[..]), ("3°", "light.angles"));
     let rows = &lights[1].pixels;
     let measured = Measurements {
-        optimized: Some(0.9),
-        written: Some(0.9),
-        standing: Some(0.9),
-        turning: Some(0.88),
         arcs: Some(arcs),
         pixel_key: "light[1].projector.collimated.pixel_pitch_mm".to_owned(),
         pixel_light: Some("uv".to_owned()),
         ends: Some(Ends::of([-0.15, 0.2], rows, Some("uv"))),
-        ..measurements()
+        ..measured([0.9, 0.9, 0.9, 0.88])
     };
     let limits = measured.limits();
     let said: String = limits
@@ -359,29 +341,27 @@ fn of_several_lights_the_one_that_limits_is_named() {
     ] {
         assert!(said.contains(text), "{said}");
     }
-    let sentence = &limits.sentence;
-    assert!(sentence.ends_with("pixel_pitch_mm` (uv)."), "{sentence}");
+    ends(&limits.sentence, "pixel_pitch_mm` (uv).");
 }
 
 #[test]
 fn a_threshold_that_is_far_off_and_too_few_sides_are_named() {
-    let off = Measurements {
-        turning: Some(0.0),
-        best: Some(0.98),
+    let turning = |iou| Measurements {
         saw_finer: true,
         is_optimized_turning: true,
-        ..measurements()
+        ..measured([1.0, 1.0, 0.9736, iou])
+    };
+    let off = Measurements {
+        best: Some(0.98),
+        ..turning(0.0)
     };
     ends(
         &off.limits().sentence,
         "exposure −0.980. To improve, change `evaluate.threshold`.",
     );
     let few = Measurements {
-        turning: Some(0.5),
-        saw_finer: true,
-        is_optimized_turning: true,
         has_few_angles: true,
-        ..measurements()
+        ..turning(0.5)
     };
     ends(&few.limits().sentence, "To improve, raise `light.angles`.");
     let held = Measurements {
@@ -392,18 +372,11 @@ fn a_threshold_that_is_far_off_and_too_few_sides_are_named() {
     ends(&held.limits().sentence, "To improve, raise `bounds.max`.");
     // What was given is not improved by a key of the job
     let given = Measurements {
-        turning: Some(0.5),
-        standing: Some(0.5),
-        written: Some(0.5),
-        optimized: Some(0.5),
         is_simulated: true,
-        ..measurements()
+        ..measured([0.5; 4])
     };
-    assert!(
-        !given.limits().sentence.contains("To improve"),
-        "{}",
-        given.limits().sentence
-    );
+    let said = given.limits().sentence;
+    assert!(!said.contains("To improve"), "{said}");
 }
 
 #[test]
@@ -454,11 +427,7 @@ fn what_was_not_measured_is_not_said() {
 fn the_error_of_a_gray_print_rises_where_an_iou_falls() {
     let limits = Measurements {
         kind: &gray::RMS,
-        optimized: Some(0.126),
-        written: Some(0.13),
-        standing: Some(0.128),
-        turning: Some(0.128),
-        ..measurements()
+        ..measured([0.126, 0.13, 0.128, 0.128])
     }
     .limits();
     begins(

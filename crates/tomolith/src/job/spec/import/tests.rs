@@ -48,6 +48,15 @@ fn changed(from: &str, to: &str) -> Result<Imported> {
     import(&THEIRS.replace(from, to))
 }
 
+/// The rows of a table, whose columns stand between arrows.
+fn rows<const N: usize>(table: &str) -> impl Iterator<Item = [&str; N]> {
+    let lines = table.trim().lines();
+    lines.map(|line| {
+        let columns: Vec<&str> = line.trim().split(" → ").collect();
+        columns.try_into().unwrap()
+    })
+}
+
 /// A value of the job, and all notes.
 fn found(job: &Imported, pointer: &str) -> (Value, String) {
     let job_file: Value = toml::from_str(&job.text).unwrap();
@@ -57,52 +66,25 @@ fn found(job: &Imported, pointer: &str) -> (Value, String) {
 
 #[test]
 fn what_has_no_place_is_refused_by_name() {
-    for (from, to, named) in [
-        (
-            "\"type\": \"lens\"",
-            "\"type\": \"conebeam\"",
-            "projector.type",
-        ),
-        ("\"albedo\": 0.9", "\"albedo\": 1.1", "vial.medium.albedo"),
-        ("\"scalez\": 1.25", "\"scalez\": -1.0", "sensor.scalez"),
-        ("\"size\": 4.0", "\"size\": -4.0", "target.size"),
-        ("\"w_int\": 10.191", "\"w_int\": -10.191", "vial.w_int"),
-        ("\"ior\": 1.54", "\"ior\": 0", "vial.ior"),
-        ("\"fov\": 5.0", "\"fov\": 400", "projector.fov"),
-        (
-            "\"fov\": 5.0",
-            "\"pixel_size\": -0.02",
-            "projector.pixel_size",
-        ),
-        (
-            "\"aperture_radius\": 0.5",
-            "\"aperture_radius\": -0.5",
-            "projector.aperture_radius",
-        ),
-        (
-            "\"focus_distance\": 150",
-            "\"focus_distance\": -150",
-            "projector.focus_distance",
-        ),
-        ("\"distance\": 152", "\"distance\": 0", "projector.distance"),
-        ("\"resz\": 25", "\"resz\": 0", "sensor.film"),
-        (
-            "\"crop_offset_x\": 30",
-            "\"crop_offset_x\": 81",
-            "projector.cropx",
-        ),
-        (
-            "\"type\": \"dielectric\"",
-            "\"type\": \"principled\"",
-            "bsdf.type",
-        ),
-        ("\"rayleigh\"", "\"sggx\"", "phase.type"),
-        (
-            "\"n_steps\"",
-            "\"physical_model\": { \"type\": \"inhibitor\" }, \"n_steps\"",
-            "physical_model",
-        ),
-    ] {
+    let slips = r#"
+        "type": "lens" → "type": "conebeam" → projector.type
+        "albedo": 0.9 → "albedo": 1.1 → vial.medium.albedo
+        "scalez": 1.25 → "scalez": -1.0 → sensor.scalez
+        "size": 4.0 → "size": -4.0 → target.size
+        "w_int": 10.191 → "w_int": -10.191 → vial.w_int
+        "ior": 1.54 → "ior": 0 → vial.ior
+        "fov": 5.0 → "fov": 400 → projector.fov
+        "fov": 5.0 → "pixel_size": -0.02 → projector.pixel_size
+        "aperture_radius": 0.5 → "aperture_radius": -0.5 → projector.aperture_radius
+        "focus_distance": 150 → "focus_distance": -150 → projector.focus_distance
+        "distance": 152 → "distance": 0 → projector.distance
+        "resz": 25 → "resz": 0 → sensor.film
+        "crop_offset_x": 30 → "crop_offset_x": 81 → projector.cropx
+        "type": "dielectric" → "type": "principled" → bsdf.type
+        "rayleigh" → "sggx" → phase.type
+        "n_steps" → "physical_model": { "type": "inhibitor" }, "n_steps" → physical_model
+    "#;
+    for [from, to, named] in rows(slips) {
         let text = changed(from, to).unwrap_err().to_string();
         assert!(text.contains(named), "{named}: {text}");
     }
@@ -110,24 +92,13 @@ fn what_has_no_place_is_refused_by_name() {
 
 #[test]
 fn keys_that_are_not_read_there_are_noted() {
-    for (from, to, named) in [
-        (
-            "\"n_steps\"",
-            "\"n_step\"",
-            "n_step is left out: Dr.TVAM does not read it; did you mean `n_steps`",
-        ),
-        ("\"tl\"", "\"tL\"", "loss.tL is left out"),
-        (
-            "\"w_int\"",
-            "\"comment\": \"mine\", \"w_int\"",
-            "vial.comment is left out",
-        ),
-        (
-            "\"filter_radon\"",
-            "\"spp_final\": 4, \"filter_radon\"",
-            "spp_final is left out",
-        ),
-    ] {
+    let slips = r#"
+        "n_steps" → "n_step" → n_step is left out: Dr.TVAM does not read it; did you mean `n_steps`
+        "tl" → "tL" → loss.tL is left out
+        "w_int" → "comment": "mine", "w_int" → vial.comment is left out
+        "filter_radon" → "spp_final": 4, "filter_radon" → spp_final is left out
+    "#;
+    for [from, to, named] in rows(slips) {
         let job = changed(from, to).unwrap();
         assert!(
             job.notes.iter().any(|note| note.starts_with(named)),
@@ -258,10 +229,8 @@ fn a_surface_aware_film_asks_for_cells() {
         "\"type\": \"vfilm\", \"surface_aware\": true",
     )
     .unwrap();
-    assert_eq!(
-        found(&job, "/objective/threshold/surface").0,
-        json!("cells")
-    );
+    let surface = found(&job, "/objective/threshold/surface").0;
+    assert_eq!(surface, json!("cells"));
 }
 
 #[test]
@@ -292,45 +261,19 @@ fn files_get_the_paths_that_are_asked_for() {
 #[test]
 fn keys_with_their_default_values_change_nothing() {
     let plain = import(THEIRS).unwrap();
-    for (from, to) in [
-        ("\"n_steps\"", "\"surface_aware\": false, \"n_steps\""),
-        (
-            "\"type\": \"vfilm\"",
-            "\"type\": \"vfilm\", \"surface_aware\": false",
-        ),
-        (
-            "\"n_steps\"",
-            "\"progressive\": false, \"export_wasserstein_distance\": false, \"n_steps\"",
-        ),
-        (
-            "\"n_steps\"",
-            "\"time\": 1, \"transmission_only\": true, \"regular_sampling\": false, \"n_steps\"",
-        ),
-        (
-            "\"n_steps\"",
-            "\"psf_analysis\": null, \"physical_model\": null, \"final_sensor\": null, \"n_steps\"",
-        ),
-        (
-            "\"distance\"",
-            "\"tilt\": 0.0, \"filter_nonzero\": false, \"cropy\": 20, \"crop_offset_y\": 0, \"distance\"",
-        ),
-        (
-            "\"tl\"",
-            "\"reduction\": \"sum\", \"K\": 2, \"M\": 4, \"weight_limit\": 1, \"weight_object\": 1.0, \"tl\"",
-        ),
-        (
-            "\"n_steps\"",
-            "\"optimizer\": { \"type\": \"lbfgs\" }, \"n_steps\"",
-        ),
-        (
-            "\"size\"",
-            "\"scale_and_center\": true, \"box_center_z\": 0, \"size\"",
-        ),
-        (
-            "\"rod.ply\"",
-            "\"rod.ply\", \"bsdf\": { \"type\": \"diffuse\", \"reflectance\": 0 }",
-        ),
-    ] {
+    let defaults = r#"
+        "n_steps" → "surface_aware": false, "n_steps"
+        "type": "vfilm" → "type": "vfilm", "surface_aware": false
+        "n_steps" → "progressive": false, "export_wasserstein_distance": false, "n_steps"
+        "n_steps" → "time": 1, "transmission_only": true, "regular_sampling": false, "n_steps"
+        "n_steps" → "psf_analysis": null, "physical_model": null, "final_sensor": null, "n_steps"
+        "distance" → "tilt": 0.0, "filter_nonzero": false, "cropy": 20, "crop_offset_y": 0, "distance"
+        "tl" → "reduction": "sum", "K": 2, "M": 4, "weight_limit": 1, "weight_object": 1.0, "tl"
+        "n_steps" → "optimizer": { "type": "lbfgs" }, "n_steps"
+        "size" → "scale_and_center": true, "box_center_z": 0, "size"
+        "rod.ply" → "rod.ply", "bsdf": { "type": "diffuse", "reflectance": 0 }
+    "#;
+    for [from, to] in rows(defaults) {
         assert!(THEIRS.contains(from), "{from}");
         let found = import(&THEIRS.replacen(from, to, 1)).unwrap();
         assert_eq!(found, plain, "{to}");
