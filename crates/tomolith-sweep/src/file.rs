@@ -54,9 +54,6 @@ impl Sweep {
     }
 
     /// Reads a sweep file that is changed before it is used.
-    ///
-    /// # Errors
-    /// As [`read`](Self::read); those of the change.
     pub(crate) fn read_adapted(
         file: &Path,
         adapt: &dyn Fn(&mut SweepSpec) -> Result<()>,
@@ -93,9 +90,6 @@ impl Sweep {
     }
 
     /// A job as a sweep of one run.
-    ///
-    /// # Errors
-    /// As [`read`](Self::read); those of the change.
     pub(crate) fn of_job(
         file: &Path,
         adapt: &dyn Fn(&mut SweepSpec) -> Result<()>,

@@ -216,40 +216,23 @@ const TOGETHER: [(&str, &str, &str); 8] = [
     ("within_percent", "published", "published = a number"),
 ];
 
-impl RowSpec {
-    fn has(&self, key: &str) -> bool {
-        match key {
-            "published" => self.published.is_some(),
-            "says" => self.says.is_some(),
-            "of" => self.of.is_some(),
-            "metric" => self.metric.is_some(),
-            "at" => self.at.is_some(),
-            "best" => self.best,
-            "over" => self.over.is_some(),
-            "take" => self.take.is_some(),
-            "share_of" => self.share_of.is_some(),
-            "value" => self.value.is_some(),
-            "holds" => self.holds.is_some(),
-            "within" => self.within.is_some(),
-            "within_percent" => self.within_percent.is_some(),
-            "differs" => self.differs.is_some(),
-            _ => self.under_specified.is_some(),
-        }
-    }
+/// Whether a row, as it is written, says something at a key.
+fn has(row: &Value, key: &str) -> bool {
+    row.get(key).is_some_and(|value| *value != false)
+}
 
-    /// A key that contradicts another one or lacks it, what is found, and what is accepted.
-    fn at_odds(&self) -> Option<(&'static str, String, &'static str)> {
-        let beside = |&(key, other, accepted): &(&'static str, &'static str, &'static str)| {
-            let are_both = self.has(key) && self.has(other);
-            are_both.then(|| (key, format!("together with {other}"), accepted))
-        };
-        let without = |&(key, other, accepted): &(&'static str, &'static str, &'static str)| {
-            let is_alone = self.has(key) && !self.has(other);
-            is_alone.then(|| (key, format!("without {other}"), accepted))
-        };
-        let apart = APART.iter().find_map(beside);
-        apart.or_else(|| TOGETHER.iter().find_map(without))
-    }
+/// A key of a row that contradicts another one or lacks it, what is found, and what is accepted.
+fn at_odds(row: &Value) -> Option<(&'static str, String, &'static str)> {
+    let beside = |&(key, other, accepted): &(&'static str, &'static str, &'static str)| {
+        let are_both = has(row, key) && has(row, other);
+        are_both.then(|| (key, format!("together with {other}"), accepted))
+    };
+    let without = |&(key, other, accepted): &(&'static str, &'static str, &'static str)| {
+        let is_alone = has(row, key) && !has(row, other);
+        is_alone.then(|| (key, format!("without {other}"), accepted))
+    };
+    let apart = APART.iter().find_map(beside);
+    apart.or_else(|| TOGETHER.iter().find_map(without))
 }
 
 /// A path without links and `..`, as far as it exists.
@@ -313,7 +296,7 @@ impl Study {
         let document = Document::read(&file)?;
         let read = || {
             let spec = Section::new("", document.root.clone()).parse::<StudySpec>()?;
-            check(&spec)?;
+            check(&spec, &document.root)?;
             Ok(Study {
                 folder: folder.to_owned(),
                 spec,
@@ -561,7 +544,7 @@ impl Study {
     }
 }
 
-fn check(spec: &StudySpec) -> Result<()> {
+fn check(spec: &StudySpec, written: &Value) -> Result<()> {
     for (name, run) in &spec.runs {
         let is_plain = |c: char| c.is_alphanumeric() || "_-".contains(c);
         if name.is_empty() || !name.chars().all(is_plain) {
@@ -603,7 +586,11 @@ fn check(spec: &StudySpec) -> Result<()> {
     figures::check(spec)?;
     let mut named = BTreeSet::new();
     for (i, row) in spec.rows.iter().enumerate() {
-        check_row(spec, row, &format!("rows[{i}]"), &named)?;
+        let at = format!("rows[{i}]");
+        if let Some((key, found, accepted)) = at_odds(&written["rows"][i]) {
+            return Err(Error::config(format!("{at}.{key}"), found, accepted));
+        }
+        check_row(spec, row, &at, &named)?;
         named.extend(row.name.as_deref());
     }
     for (i, table) in spec.tables.iter().enumerate() {
@@ -632,9 +619,6 @@ fn check_row(spec: &StudySpec, row: &RowSpec, at: &str, named: &BTreeSet<&str>) 
         };
         Err(Error::config(at, found, accepted))
     };
-    if let Some((key, found, accepted)) = row.at_odds() {
-        return refuse(key, found, accepted);
-    }
     if let Some(of) = &row.of {
         if !spec.runs.contains_key(of) {
             let names: Vec<&str> = spec.runs.keys().map(String::as_str).collect();
@@ -643,8 +627,13 @@ fn check_row(spec: &StudySpec, row: &RowSpec, at: &str, named: &BTreeSet<&str>) 
         if row.metric.is_none() && row.share_of.is_none() {
             return refuse("metric", "none".to_owned(), "a number of the run's report");
         }
-        let of_many = ["at", "best", "over"].into_iter().find(|key| row.has(key));
-        if let (Some(key), None) = (of_many, &spec.runs[of].sweep) {
+        let of_many = [
+            ("at", row.at.is_some()),
+            ("best", row.best),
+            ("over", row.over.is_some()),
+        ];
+        let of_many = of_many.into_iter().find(|(_, is_given)| *is_given);
+        if let (Some((key, _)), None) = (of_many, &spec.runs[of].sweep) {
             let found = format!("together with of = \"{of}\", which is no sweep");
             return refuse(key, found, "a run with a sweep; without it the only run");
         }

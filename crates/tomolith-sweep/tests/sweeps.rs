@@ -4,9 +4,9 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use tomolith::Error;
 use tomolith::job::{self, Job, Leaves, Silent, run_leaving};
 use tomolith::models::Run;
+use tomolith::{Error, Result};
 use tomolith_sweep::{Shard, Sweep, SweepEvent, SweepOutcome, SweepPlan, Watch, merge, run};
 
 /// All these parts are in a text.
@@ -48,32 +48,50 @@ struct Bench(tempfile::TempDir);
 impl Bench {
     fn new(sweep: &str) -> Self {
         let bench = Bench(tempfile::tempdir().unwrap());
-        fs::write(bench.path("job.toml"), JOB).unwrap();
-        fs::write(bench.path("sweep.toml"), sweep).unwrap();
+        bench.write("job.toml", JOB);
+        bench.write("sweep.toml", sweep);
         bench
+    }
+
+    fn write(&self, name: &str, text: &str) {
+        fs::write(self.path(name), text).unwrap();
+    }
+
+    fn read(&self, name: &str) -> String {
+        fs::read_to_string(self.path(name)).unwrap()
     }
 
     fn path(&self, name: &str) -> PathBuf {
         self.0.path().join(name)
     }
 
+    /// The runs of a sweep file whose results go into a folder.
+    fn planned(&self, file: &str, folder: &str) -> Result<SweepPlan> {
+        let sweep = Sweep::read(&self.path(file))?;
+        sweep.with_folder(&self.path(folder)).plan(2, &Run::new())
+    }
+
     fn plan(&self, folder: &str) -> SweepPlan {
-        let sweep = Sweep::read(&self.path("sweep.toml")).unwrap();
-        sweep
-            .with_folder(&self.path(folder))
-            .plan(2, &Run::new())
-            .unwrap()
+        self.planned("sweep.toml", folder).unwrap()
+    }
+
+    /// What is said of a sweep file that is refused.
+    fn refused(&self, file: &str, folder: &str) -> String {
+        self.planned(file, folder)
+            .map(drop)
+            .unwrap_err()
+            .to_string()
     }
 
     /// A sweep from its begin to its end.
     fn whole(&self, folder: &str, side_by_side: usize) -> SweepOutcome {
         let mut plan = self.plan(folder);
         plan.side_by_side = side_by_side;
-        run(&plan, None, &mut Told::default(), &Run::new()).unwrap()
+        begin(&plan).unwrap()
     }
 
     fn table(&self, folder: &str) -> String {
-        fs::read_to_string(self.path(folder).join("table.csv")).unwrap()
+        self.read(&format!("{folder}/table.csv"))
     }
 
     /// `report.json` of every run, by its folder.
@@ -90,12 +108,8 @@ impl Bench {
 
     /// What a sweep file is refused with.
     fn refusal(&self, sweep: &str) -> String {
-        fs::write(self.path("bad.toml"), sweep).unwrap();
-        let read = Sweep::read(&self.path("bad.toml"));
-        read.and_then(|sweep| sweep.with_folder(&self.path("bad")).plan(2, &Run::new()))
-            .map(|_| ())
-            .unwrap_err()
-            .to_string()
+        self.write("bad.toml", sweep);
+        self.refused("bad.toml", "bad")
     }
 }
 
@@ -117,6 +131,11 @@ impl Watch for Told<'_> {
     }
 }
 
+/// All runs of a plan, of which nobody is told.
+fn begin(plan: &SweepPlan) -> Result<SweepOutcome> {
+    run(plan, None, &mut Told::default(), &Run::new())
+}
+
 /// A report without what two equal runs may differ in, and without movies, which a sweep does not make.
 fn comparable(text: &str) -> Value {
     let mut report: Value = serde_json::from_str(text).unwrap();
@@ -129,9 +148,9 @@ fn comparable(text: &str) -> Value {
 fn files_of_others_are_not_replaced() {
     let bench = Bench::new(SWEEP);
     fs::create_dir(bench.path("mine")).unwrap();
-    fs::write(bench.path("mine/best.toml"), "mine").unwrap();
+    bench.write("mine/best.toml", "mine");
     let plan = bench.plan("mine");
-    let begun = run(&plan, None, &mut Told::default(), &Run::new());
+    let begun = begin(&plan);
     let text = begun.map(drop).unwrap_err().to_string();
     contains!(text, "holds files that are no results, such as `best.toml`");
     assert_eq!(fs::read(bench.path("mine/best.toml")).unwrap(), b"mine");
@@ -180,7 +199,7 @@ cases = [{ name = "=x\n[motion]\ntilt_deg = 7.0 #", set = { "stop.iterations" = 
 "#,
     );
     bench.whole("out", 1);
-    let best = fs::read_to_string(bench.path("out/best.toml")).unwrap();
+    let best = bench.read("out/best.toml");
     let first = "# The best of 1 run: run 1 (m = =x\\n[motion]\\ntilt_deg = 7.0 #).\n";
     assert!(best.starts_with(first), "{best}");
     let job = job::Document::toml("best.toml", best).unwrap().root;
@@ -204,7 +223,7 @@ fn side_by_side_gives_the_bits_of_one_after_the_other_and_of_a_single_run() {
         .unwrap()
         .with_folder(&bench.path("single"), "test");
     job::run(&job, false, &mut Silent, &Run::new()).unwrap();
-    let single = fs::read_to_string(bench.path("single/report.json")).unwrap();
+    let single = bench.read("single/report.json");
     let own = fs::read_to_string(plan.run_folder(3).join("report.json")).unwrap();
     assert_eq!(comparable(&own), comparable(&single));
     // Little is left of each
@@ -281,11 +300,7 @@ fn a_sweep_that_was_stopped_goes_on_and_redoes_nothing() {
     assert!(before.iter().all(|(path, text)| after[path] == *text));
     assert_eq!(told.events.len(), 1 + 6 - before.len());
     // A value more costs its own runs alone
-    fs::write(
-        bench.path("sweep.toml"),
-        SWEEP.replace("0.3, 0.5", "0.2, 0.3, 0.5"),
-    )
-    .unwrap();
+    bench.write("sweep.toml", &SWEEP.replace("0.3, 0.5", "0.2, 0.3, 0.5"));
     let mut told = Told::default();
     run(&bench.plan("stopped"), None, &mut told, &Run::new()).unwrap();
     assert_eq!(told.events.len(), 1 + 3);
@@ -336,9 +351,8 @@ fn two_sweep_files_have_two_folders_and_a_file_that_moved_keeps_its_own() {
     bench.whole("out", 2);
     fs::copy(bench.path("sweep.toml"), bench.path("other.toml")).unwrap();
     let whole = |file: &str| {
-        let sweep = Sweep::read(&bench.path(file)).unwrap();
-        let plan = sweep.with_folder(&bench.path("out")).plan(2, &Run::new());
-        run(&plan.unwrap(), None, &mut Told::default(), &Run::new()).map(|_| ())
+        let plan = bench.planned(file, "out").unwrap();
+        begin(&plan).map(drop)
     };
     let message = whole("other.toml").unwrap_err().to_string();
     contains!(
@@ -366,7 +380,7 @@ fn a_share_of_the_memory_that_holds_no_run_is_told_at_its_own_key() {
         "resources.side_by_side: 0 MB are left for each run, and one needs about",
         "at a time in 50 MB; or a larger resources.memory_gb"
     );
-    fs::write(bench.path("sweep.toml"), of(0.05, 1)).unwrap();
+    bench.write("sweep.toml", &of(0.05, 1));
     bench.plan("out");
 }
 
@@ -379,7 +393,7 @@ fn a_run_that_fails_is_noted_and_tried_again() {
     let foreign = plan.run_folder(2).join("thesis.tex");
     fs::create_dir_all(foreign.parent().unwrap()).unwrap();
     fs::write(&foreign, "mine").unwrap();
-    let outcome = run(&plan, None, &mut Told::default(), &Run::new()).unwrap();
+    let outcome = begin(&plan).unwrap();
     assert_eq!((outcome.done, outcome.failed), (5, 1));
     assert!(!outcome.is_met());
     let table = bench.table("out");
@@ -402,15 +416,15 @@ fn runs_that_started_elsewhere_are_done_again_when_their_own_start_is_there() {
     let foreign = plan.run_folder(1).join("thesis.tex");
     fs::create_dir_all(foreign.parent().unwrap()).unwrap();
     fs::write(&foreign, "mine").unwrap();
-    let outcome = run(&plan, None, &mut Told::default(), &Run::new()).unwrap();
+    let outcome = begin(&plan).unwrap();
     assert_eq!((outcome.done, outcome.failed), (5, 1));
     assert_ne!(bench.table("out"), bench.table("whole"));
     // As long as it fails they stay
     let before = bench.reports("out");
-    run(&plan, None, &mut Told::default(), &Run::new()).unwrap();
+    begin(&plan).unwrap();
     assert_eq!(before, bench.reports("out"));
     fs::remove_file(&foreign).unwrap();
-    run(&plan, None, &mut Told::default(), &Run::new()).unwrap();
+    begin(&plan).unwrap();
     assert_eq!(bench.table("out"), bench.table("whole"));
 }
 
@@ -419,19 +433,19 @@ fn a_damaged_report_is_made_anew_and_old_pictures_go() {
     let bench = Bench::new(SWEEP);
     bench.whole("whole", 2);
     let plan = bench.plan("out");
-    run(&plan, None, &mut Told::default(), &Run::new()).unwrap();
+    begin(&plan).unwrap();
     fs::write(plan.run_folder(3).join("report.json"), "{\"eval").unwrap();
     let merged = merge(&plan, &[]).unwrap();
     assert_eq!((merged.done, merged.failed), (5, 1));
-    let best = fs::read_to_string(bench.path("out/best.toml")).unwrap();
+    let best = bench.read("out/best.toml");
     assert!(
         best.starts_with("# The best of 5 finished ones of 6 runs: "),
         "{best}"
     );
-    run(&plan, None, &mut Told::default(), &Run::new()).unwrap();
+    begin(&plan).unwrap();
     assert_eq!(bench.table("out"), bench.table("whole"));
     let fewer = SWEEP.replace("\"history.loss\", ", "");
-    fs::write(bench.path("sweep.toml"), fewer).unwrap();
+    bench.write("sweep.toml", &fewer);
     let picture = |name: &str| bench.path("out").join(name).exists();
     assert!(picture("history.loss.svg"));
     bench.whole("out", 2);
@@ -456,11 +470,10 @@ fn warm_starts_reach_what_cold_ones_do_in_fewer_iterations_whatever_the_timing()
     );
     let bench = Bench::new(&sweep);
     bench.whole("cold", 2);
-    fs::write(
-        bench.path("sweep.toml"),
-        format!("{sweep}\n[warm_start]\niterations = 70\n"),
-    )
-    .unwrap();
+    bench.write(
+        "sweep.toml",
+        &format!("{sweep}\n[warm_start]\niterations = 70\n"),
+    );
     bench.whole("warm", 2);
     bench.whole("one", 1);
     assert_eq!(bench.table("warm"), bench.table("one"));
@@ -516,10 +529,10 @@ fn warm_starts_reach_what_cold_ones_do_in_fewer_iterations_whatever_the_timing()
 #[test]
 fn distances_of_surfaces_are_measured_where_they_are_collected() {
     let bench = Bench::new(SWEEP);
-    let best = |folder: &str| fs::read_to_string(bench.path(folder).join("best.toml")).unwrap();
+    let best = |folder: &str| bench.read(&format!("{folder}/best.toml"));
     bench.whole("without", 2);
     let with = SWEEP.replace("\"history.loss\"", "\"evaluation.surface_mean_mm\"");
-    fs::write(bench.path("sweep.toml"), with).unwrap();
+    bench.write("sweep.toml", &with);
     bench.whole("with", 2);
     let [without, with] = ["without", "with"].map(|folder| {
         let reports = bench.reports(folder);
@@ -610,13 +623,10 @@ values = [8, 12]
 fn initial_losses(bench: &Bench, folder: &str) -> Vec<f64> {
     let plan = bench.plan(folder);
     // Without a warm start: the identities of the cold sweep
-    let sweep = fs::read_to_string(bench.path("sweep.toml")).unwrap();
+    let sweep = bench.read("sweep.toml");
     let cold = sweep.split("[warm_start]").next().unwrap().to_owned();
-    fs::write(bench.path("cold.toml"), cold).unwrap();
-    let cold = Sweep::read(&bench.path("cold.toml"))
-        .unwrap()
-        .with_folder(&bench.path(folder));
-    let cold = cold.plan(2, &Run::new()).unwrap();
+    bench.write("cold.toml", &cold);
+    let cold = bench.planned("cold.toml", folder).unwrap();
     let first = |i: usize| {
         let history = fs::read_to_string(cold.run_folder(i).join("history.csv")).unwrap();
         history
@@ -655,11 +665,10 @@ fn the_list_is_of_ordinary_commands() {
         "{}",
         commands[0]
     );
-    fs::write(
-        bench.path("sweep.toml"),
-        format!("keep = \"all\"\n{SWEEP}\n[warm_start]\n"),
-    )
-    .unwrap();
+    bench.write(
+        "sweep.toml",
+        &format!("keep = \"all\"\n{SWEEP}\n[warm_start]\n"),
+    );
     let message = bench.plan("out").commands().unwrap_err().to_string();
     assert!(
         message.starts_with("--list: a list has no order"),
@@ -671,137 +680,115 @@ fn the_list_is_of_ordinary_commands() {
 fn a_sweep_that_cannot_be_is_refused_before_any_run() {
     let bench = Bench::new(SWEEP);
     let axis = |text: &str| format!("job = \"job.toml\"\n[[axes]]\n{text}\n");
-    for (sweep, parts) in [
+    for (sweep, said) in [
         (
             axis("key = \"objective.ospw.lwer\"\nvalues = [0.1]"),
-            vec![
-                "axes[0].key: `objective.ospw.lwer`: ",
-                "did you mean `lower`?",
-                "line 3",
-            ],
+            "axes[0].key: `objective.ospw.lwer`: … did you mean `lower`? … line 3",
         ),
         (
             axis("key = \"light[3].angles\"\nvalues = [12]"),
-            vec!["axes[0].key: ", "has 1 element"],
+            "axes[0].key: … has 1 element",
         ),
         (
             axis("key = \"objective.ospw.lower\"\nvalues = []"),
-            vec!["axes[0].values: an empty list", "line 4"],
+            "axes[0].values: an empty list … line 4",
         ),
         (
             axis("key = \"stop.iterations\"\nlog = { from = 10, to = 90, count = 4 }"),
-            vec![
-                "axes[0].key: `stop.iterations`: found 10.0",
-                "accepted: a whole number, 0 or more (a range with whole = true rounds its values)",
-            ],
+            "axes[0].key: `stop.iterations`: found 10.0 … accepted: a whole number, 0 or more (a range with whole = true rounds its values)",
         ),
         (
             axis(
                 "key = \"stop.iterations\"\nlinear = { from = 0, to = 9 }\n[sample.random]\ncount = 2",
             ),
-            vec!["(a range with whole = true rounds its values)"],
+            "(a range with whole = true rounds its values)",
         ),
         (
             axis("kee = \"a\""),
-            vec!["axes[0].kee", "did you mean `key`?", "line 3"],
+            "axes[0].kee … did you mean `key`? … line 3",
         ),
         (
             SWEEP.replace("job = ", "# job = "),
-            vec!["job: the key is missing", "job = \"job.toml\""],
+            "job: the key is missing … job = \"job.toml\"",
         ),
         (
             format!("{SWEEP}[set]\n\"objective.ospw.lower\" = 0.4\n"),
-            vec![
-                "axes[0]: `objective.ospw.lower` of this axis takes the place of `objective.ospw.lower` in [set]",
-                "bad.toml, line",
-            ],
+            "axes[0]: `objective.ospw.lower` of this axis takes the place of `objective.ospw.lower` in [set] … bad.toml, line",
         ),
         (
             SWEEP.replace("lower < upper", "lowr < upper"),
-            vec!["when[0]: `lowr` is no axis", "did you mean `lower`?"],
+            "when[0]: `lowr` is no axis … did you mean `lower`?",
         ),
         (
             SWEEP.replace("lower < upper", "lower upper"),
-            vec!["when[0]: `upper` where a comparison is due"],
+            "when[0]: `upper` where a comparison is due",
         ),
         (
             SWEEP.replace("when = [\"lower < upper\"]", ""),
-            vec![
-                "axes[0].key: 3 of 9 jobs cannot run; the first is run 4 (lower = 0.5, upper = 0.4): ",
-                "or leave such runs out with `when`",
-            ],
+            "axes[0].key: 3 of 9 jobs cannot run; the first is run 4 (lower = 0.5, upper = 0.4): … or leave such runs out with `when`",
         ),
         // Every key at fault, and what is wrong with some runs alone
         (
             SWEEP.replace("when = [\"lower < upper\"]", "")
                 + "[set]\n\"evaluate.bit_depth\" = 40\n\"output.rpm\" = 0\n",
-            vec!["set.evaluate.bit_depth: ", "set.output.rpm: "],
+            "set.evaluate.bit_depth: … set.output.rpm: ",
         ),
         (
             SWEEP.replace("\"optimization.pw\"", "\"evaluation.pw\""),
-            vec!["metrics[1]: `evaluation.pw` again", "each metric once"],
+            "metrics[1]: `evaluation.pw` again … each metric once",
         ),
         (
             SWEEP.replace("\"evaluation.pw\"", "\"evaluation.pww\""),
-            vec![
-                "metrics[0]: `evaluation.pww` is in no report.json",
-                "did you mean `evaluation.pw`?",
-            ],
+            "metrics[0]: `evaluation.pww` is in no report.json … did you mean `evaluation.pw`?",
         ),
         (
             format!("{SWEEP}[set]\n\"resources.memory_gb\" = 1\n"),
-            vec!["set.resources.memory_gb: ", "its share of the memory"],
+            "set.resources.memory_gb: … its share of the memory",
         ),
         (
             format!("guides = [\"5 = 5\"]\n{SWEEP}"),
-            vec!["guides[0]: no axis in \"5 = 5\""],
+            "guides[0]: no axis in \"5 = 5\"",
         ),
         (
             format!("guides = [\"lower 0.5\"]\n{SWEEP}"),
-            vec!["guides[0]: no `=` in \"lower 0.5\"", "lower = 0.75*upper"],
+            "guides[0]: no `=` in \"lower 0.5\" … lower = 0.75*upper",
         ),
         (
             format!("guides = [\"lower = above\"]\n{SWEEP}"),
-            vec!["guides[0]: `above` is no axis", "lower, upper"],
+            "guides[0]: `above` is no axis … lower, upper",
         ),
-        (
-            SWEEP.replace("job.toml", "jb.toml"),
-            vec!["job: ", "jb.toml"],
-        ),
+        (SWEEP.replace("job.toml", "jb.toml"), "job: … jb.toml"),
         (
             SWEEP.replace("\"history.loss\"", "\"history.lost\""),
-            vec![
-                "metrics[2]: `history.lost` is in no report.json",
-                "did you mean `history.loss`?",
-            ],
+            "metrics[2]: `history.lost` is in no report.json … did you mean `history.loss`?",
         ),
         (
             format!("{SWEEP}[best]\n"),
-            vec!["file: duplicate key", "bad.toml, line 13"],
+            "file: duplicate key … bad.toml, line 13",
         ),
         (
             format!("{SWEEP}[warm_start]\n"),
-            vec!["warm_start: ", "keep = \"patterns\""],
+            "warm_start: … keep = \"patterns\"",
         ),
         (
             format!("{SWEEP}[derived]\n\"objective.ospw.upper\" = \"lower + 0.1\"\n"),
-            vec!["derived.objective.ospw.upper: axes[1] sets this key, too"],
+            "derived.objective.ospw.upper: axes[1] sets this key, too",
         ),
         (
             format!("{SWEEP}[derived]\n\"bounds.max\" = \"1 / (lower - 0.3)\"\n"),
-            vec!["derived.bounds.max: inf at lower = 0.3"],
+            "derived.bounds.max: inf at lower = 0.3",
         ),
         (
             format!("{SWEEP}[resources]\nside_by_side = 0\n"),
-            vec!["resources.side_by_side: found 0"],
+            "resources.side_by_side: found 0",
         ),
         (
             format!("{SWEEP}[[axes]]\nkey = \"objective.ospw.upper\"\nvalues = [1]\n"),
-            vec!["axes[2]: `upper` of axes[1] once more"],
+            "axes[2]: `upper` of axes[1] once more",
         ),
     ] {
         let message = bench.refusal(&sweep);
-        for part in parts {
+        for part in said.split('…').map(str::trim) {
             assert!(message.contains(part), "{part} is not in: {message}");
         }
     }
@@ -812,12 +799,7 @@ fn a_sweep_that_cannot_be_is_refused_before_any_run() {
 fn results_that_would_go_into_a_file_are_refused_before_work() {
     let bench = Bench::new(SWEEP);
     for folder in ["job.toml", "job.toml/results"] {
-        let sweep = Sweep::read(&bench.path("sweep.toml")).unwrap();
-        let refused = sweep
-            .with_folder(&bench.path(folder))
-            .plan(1, &Run::new())
-            .unwrap_err()
-            .to_string();
+        let refused = bench.refused("sweep.toml", folder);
         assert!(
             refused.starts_with("folder: ") && refused.contains("job.toml` is a file"),
             "{refused}"
@@ -831,20 +813,15 @@ fn a_folder_of_a_run_that_is_taken_is_blamed_and_no_axis() {
     let folder = bench.plan("out").run_folder(2);
     fs::create_dir_all(folder.parent().unwrap()).unwrap();
     fs::write(&folder, "mine").unwrap();
-    let refused = |folder: &str| {
-        let sweep = Sweep::read(&bench.path("sweep.toml")).unwrap();
-        let plan = sweep.with_folder(&bench.path(folder)).plan(2, &Run::new());
-        plan.unwrap_err().to_string()
-    };
-    let message = refused("out");
+    let message = bench.refused("sweep.toml", "out");
     let start = format!(
         "folder: `{}` is no folder; accepted: for a run a new",
         folder.display()
     );
     assert!(message.starts_with(&start), "{message}");
     fs::create_dir(bench.path("other")).unwrap();
-    fs::write(bench.path("other/runs"), "mine").unwrap();
-    let message = refused("other");
+    bench.write("other/runs", "mine");
+    let message = bench.refused("sweep.toml", "other");
     assert!(message.contains("other/runs` is a file"), "{message}");
 }
 
@@ -875,11 +852,7 @@ fn a_thousand_million_runs_are_refused_with_their_time() {
 #[test]
 fn a_job_that_is_wrong_by_itself_is_refused_at_its_own_line() {
     let bench = Bench::new(SWEEP);
-    fs::write(
-        bench.path("job.toml"),
-        JOB.replace("iterations", "iteratons"),
-    )
-    .unwrap();
+    bench.write("job.toml", &JOB.replace("iterations", "iteratons"));
     let message = bench.refusal(SWEEP);
     assert!(
         message.starts_with("stop.iteratons: ")
@@ -917,7 +890,7 @@ log = { from = 2, to = 9, whole = true }
             .unwrap();
         assert!((w - (1.0 - row[1]) / 10.0).abs() < 1e-12);
     }
-    let svg = fs::read_to_string(bench.path("out/evaluation.ver.svg")).unwrap();
+    let svg = bench.read("out/evaluation.ver.svg");
     assert!(svg.matches("<circle class=\"dot\"").count() == 8, "{svg}");
     assert!(Path::new(&outcome.folder).join("best.toml").is_file());
 }
@@ -942,7 +915,7 @@ name = "resin"
 curing = { threshold = { critical_dose_mj_per_mm3 = 0.5 } }
 inhibitors = [{ capacity_mj_per_mm3 = 0.25, diffusion_mm2_per_s = 1e-4 }]
 "#;
-    fs::write(bench.path("job.toml"), format!("{JOB}{schedule}")).unwrap();
+    bench.write("job.toml", &format!("{JOB}{schedule}"));
     bench.whole("a", 1);
     let table = bench.table("a");
     let mut rows = table

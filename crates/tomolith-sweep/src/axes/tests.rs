@@ -1,4 +1,5 @@
 use super::*;
+use serde_json::json;
 
 /// Points of axes whose runs take nobody knows how long.
 fn points(
@@ -9,23 +10,27 @@ fn points(
     super::points(axes, when, sample, &|| None)
 }
 
-fn axis(text: serde_json::Value, is_drawn: bool) -> Result<Axis> {
+fn axis(text: Value, is_drawn: bool) -> Result<Axis> {
     Axis::new(&serde_json::from_value(text).unwrap(), "axes[0]", is_drawn)
 }
 
 fn linear(name: &str, from: f64, to: f64, step: f64) -> Axis {
-    axis(serde_json::json!({ "key": format!("a.{name}"), "linear": { "from": from, "to": to, "step": step } }), false).unwrap()
+    axis(
+        json!({ "key": format!("a.{name}"), "linear": { "from": from, "to": to, "step": step } }),
+        false,
+    )
+    .unwrap()
 }
 
 #[test]
 fn a_value_counts_once() {
-    let twice = serde_json::json!({ "key": "k", "values": [1, 2, 1] });
+    let twice = json!({ "key": "k", "values": [1, 2, 1] });
     let error = axis(twice, false).unwrap_err().to_string();
     assert!(
         error.starts_with("axes[0].values[2]: 1, as values[0]"),
         "{error}"
     );
-    assert!(axis(serde_json::json!({ "key": "k", "values": [1, 2] }), false).is_ok());
+    assert!(axis(json!({ "key": "k", "values": [1, 2] }), false).is_ok());
 }
 
 #[test]
@@ -38,17 +43,17 @@ fn ranges_have_neat_values_and_both_ends() {
         linear("x", 9.0, 5.0, -2.0).values(),
         [9, 7, 5].map(Value::from)
     );
-    let log = serde_json::json!({ "key": "k", "log": { "from": 1e-4, "to": 1.0, "count": 5 } });
+    let log = json!({ "key": "k", "log": { "from": 1e-4, "to": 1.0, "count": 5 } });
     assert_eq!(
         axis(log, false).unwrap().values(),
         [1e-4, 1e-3, 0.01, 0.1, 1.0].map(Value::from)
     );
-    let half = serde_json::json!({ "key": "k", "linear": { "from": 0, "to": 1, "count": 3 } });
+    let half = json!({ "key": "k", "linear": { "from": 0, "to": 1, "count": 3 } });
     assert_eq!(
         axis(half, false).unwrap().values(),
         [0.0, 0.5, 1.0].map(Value::from)
     );
-    let whole = serde_json::json!({ "key": "k", "log": { "from": 10, "to": 40, "count": 4, "whole": true } });
+    let whole = json!({ "key": "k", "log": { "from": 10, "to": 40, "count": 4, "whole": true } });
     assert_eq!(
         axis(whole, false).unwrap().values(),
         [10, 16, 25, 40].map(Value::from)
@@ -57,112 +62,64 @@ fn ranges_have_neat_values_and_both_ends() {
 
 #[test]
 fn slips_name_their_keys() {
-    for (text, start) in [
-        (
-            serde_json::json!({ "key": "k", "values": [] }),
-            "axes[0].values: an empty list",
-        ),
-        (serde_json::json!({ "key": "k" }), "axes[0]: no values"),
-        (
-            serde_json::json!({ "key": "k", "values": [1], "linear": { "from": 0, "to": 1, "count": 2 } }),
-            "axes[0]: more than one of values",
-        ),
-        (
-            serde_json::json!({ "key": "k", "linear": { "from": 0, "to": 1 } }),
-            "axes[0].linear: neither step nor count",
-        ),
-        (
-            serde_json::json!({ "key": "k", "linear": { "from": 0, "to": 1, "step": 0.1, "count": 2 } }),
-            "axes[0].linear: both step and count",
-        ),
-        (
-            serde_json::json!({ "key": "k", "linear": { "from": 0, "to": 1, "step": -0.1 } }),
-            "axes[0].linear.step: found -0.1",
-        ),
-        (
-            serde_json::json!({ "key": "k", "linear": { "from": 0, "to": 1, "count": 0 } }),
-            "axes[0].linear.count: found 0",
-        ),
-        (
-            serde_json::json!({ "key": "k", "log": { "from": 0, "to": 1, "count": 3 } }),
-            "axes[0].log: from 0 to 1",
-        ),
-        (
-            serde_json::json!({ "key": "k", "linear": { "from": 0, "to": 1, "step": 1e-300 } }),
-            "axes[0].linear: more than 10000000 values; accepted: 10000000 at most",
-        ),
-        (
-            serde_json::json!({ "key": "k", "linear": { "from": 0, "to": 1e300, "step": 1e-300 } }),
-            "axes[0].linear: more than 10000000 values",
-        ),
-        (
-            serde_json::json!({ "key": "k", "linear": { "from": 0, "to": 1, "step": 0 } }),
-            "axes[0].linear.step: found 0",
-        ),
-        (
-            serde_json::json!({ "key": "k.run", "values": [1] }),
-            "axes[0].name: found \"run\"",
-        ),
-        (
-            serde_json::json!({ "values": [1] }),
-            "axes[0]: neither key nor name",
-        ),
-        (
-            serde_json::json!({ "name": "k", "values": [1] }),
-            "axes[0].key: the key is missing",
-        ),
-        (
-            serde_json::json!({ "name": "k", "cases": [] }),
-            "axes[0].cases: an empty list",
-        ),
-        (
-            serde_json::json!({ "key": "a.k", "cases": [{ "name": "a" }] }),
-            "axes[0].key: found both a key and cases",
-        ),
-        (
-            serde_json::json!({ "name": "k", "cases": [{ "name": "a" }, { "name": "a" }] }),
-            "axes[0].cases[1].name: found \"a\" once more",
-        ),
-    ] {
-        let message = axis(text.clone(), false).unwrap_err().to_string();
+    let slips = r#"
+        { "key": "k", "values": [] } → axes[0].values: an empty list
+        { "key": "k" } → axes[0]: no values
+        { "key": "k", "values": [1], "linear": { "from": 0, "to": 1, "count": 2 } } → axes[0]: more than one of values
+        { "key": "k", "linear": { "from": 0, "to": 1 } } → axes[0].linear: neither step nor count
+        { "key": "k", "linear": { "from": 0, "to": 1, "step": 0.1, "count": 2 } } → axes[0].linear: both step and count
+        { "key": "k", "linear": { "from": 0, "to": 1, "step": -0.1 } } → axes[0].linear.step: found -0.1
+        { "key": "k", "linear": { "from": 0, "to": 1, "count": 0 } } → axes[0].linear.count: found 0
+        { "key": "k", "log": { "from": 0, "to": 1, "count": 3 } } → axes[0].log: from 0 to 1
+        { "key": "k", "linear": { "from": 0, "to": 1, "step": 1e-300 } } → axes[0].linear: more than 10000000 values; accepted: 10000000 at most
+        { "key": "k", "linear": { "from": 0, "to": 1e300, "step": 1e-300 } } → axes[0].linear: more than 10000000 values
+        { "key": "k", "linear": { "from": 0, "to": 1, "step": 0 } } → axes[0].linear.step: found 0
+        { "key": "k.run", "values": [1] } → axes[0].name: found "run"
+        { "values": [1] } → axes[0]: neither key nor name
+        { "name": "k", "values": [1] } → axes[0].key: the key is missing
+        { "name": "k", "cases": [] } → axes[0].cases: an empty list
+        { "key": "a.k", "cases": [{ "name": "a" }] } → axes[0].key: found both a key and cases
+        { "name": "k", "cases": [{ "name": "a" }, { "name": "a" }] } → axes[0].cases[1].name: found "a" once more
+    "#;
+    for slip in slips.trim().lines() {
+        let (text, start) = slip.split_once(" → ").unwrap();
+        let message = axis(serde_json::from_str(text).unwrap(), false);
+        let message = message.unwrap_err().to_string();
         assert!(message.starts_with(start), "{text}: {message}");
     }
 }
 
 #[test]
 fn tables_that_are_alike_are_told_apart() {
-    let labels = |values: serde_json::Value| {
-        let axis = axis(serde_json::json!({ "key": "k", "values": values }), false).unwrap();
+    let labels = |values: Value| {
+        let axis = axis(json!({ "key": "k", "values": values }), false).unwrap();
         let labels = axis.values().iter().map(|value| axis.label(value));
         labels.collect::<Vec<_>>()
     };
-    let ospw = |lower: f64| serde_json::json!({ "ospw": { "lower": lower, "upper": 0.9 } });
-    let osmo = serde_json::json!({ "osmo": { "lower": 0.5 } });
+    let ospw = |lower: f64| json!({ "ospw": { "lower": lower, "upper": 0.9 } });
+    let osmo = json!({ "osmo": { "lower": 0.5 } });
+    assert_eq!(labels(json!([ospw(0.5), osmo])), ["ospw", "osmo"]);
     assert_eq!(
-        labels(serde_json::json!([ospw(0.5), osmo])),
-        ["ospw", "osmo"]
-    );
-    assert_eq!(
-        labels(serde_json::json!([ospw(0.4), ospw(0.5), osmo])),
+        labels(json!([ospw(0.4), ospw(0.5), osmo])),
         ["ospw lower=0.4", "ospw lower=0.5", "osmo"]
     );
-    let pair = |lower: f64| serde_json::json!({ "lower": lower, "upper": "8 mm" });
+    let pair = |lower: f64| json!({ "lower": lower, "upper": "8 mm" });
     assert_eq!(
-        labels(serde_json::json!([pair(0.4), pair(0.5), {}, 2])),
+        labels(json!([pair(0.4), pair(0.5), {}, 2])),
         ["lower=0.4 upper=8 mm", "lower=0.5 upper=8 mm", "{}", "2"]
     );
 }
 
 #[test]
 fn a_case_sets_all_its_keys() {
-    let cases = serde_json::json!({ "name": "method", "cases": [
+    let cases = json!({ "name": "method", "cases": [
         { "name": "as it is" },
         { "name": "osmo", "set": { "optimizer": { "osmo": {} }, "objective": { "osmo": {} } } },
     ] });
     let axis = axis(cases, false).unwrap();
     assert_eq!(axis.values(), ["as it is", "osmo"].map(Value::from));
     assert_eq!(axis.settings(&"as it is".into()), []);
-    let osmo = serde_json::json!({ "osmo": {} });
+    let osmo = json!({ "osmo": {} });
     assert_eq!(
         axis.settings(&"osmo".into()),
         [("objective", &osmo), ("optimizer", &osmo)]
@@ -231,7 +188,7 @@ fn draws_are_the_same_everywhere_and_fill_every_part() {
     );
     let range = |key: &str| {
         axis(
-            serde_json::json!({ "key": key, "linear": { "from": -1, "to": 1 } }),
+            json!({ "key": key, "linear": { "from": -1, "to": 1 } }),
             true,
         )
         .unwrap()
