@@ -7,7 +7,7 @@ mod models;
 mod portable;
 
 use common::{SMALL, gpu, smaller};
-use models::{assert_near, assert_one_matrix, noise_of, some_dark};
+use models::{assert_near, assert_one_matrix, noise_of, some_dark, with_dark_ends};
 use portable::assert_portable;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -68,14 +68,7 @@ fn cases() -> Vec<Case> {
     });
     let absorbing = Resin::absorbing(1.4849, 0.4);
     let pixels = |frames, rows, columns| PatternGrid::full_turn(frames, 0.1, rows, columns, 0.1);
-    let light = |pixels, resin| {
-        let mut light = Light::new(pixels, resin);
-        let [frames, rows, columns] = light.pixels.shape();
-        // Not all pixels are active
-        let run = |i: usize| ((i % 3) as u32, (rows - 3 - i % 4) as u32);
-        light.active = Some((0..frames * columns).map(run).collect());
-        light
-    };
+    let light = |pixels, resin| with_dark_ends(Light::new(pixels, resin));
     let grid = |nz| VolumeGrid::centered([nz, 31, 32], 0.09);
     let turning = Light {
         sub_angles: 3,

@@ -5,13 +5,13 @@ mod common;
 mod models;
 #[path = "common/portable.rs"]
 mod portable;
+#[path = "common/scene.rs"]
+mod scene;
 
 use common::{SMALL, gpu, smaller};
-use models::{assert_near, assert_one_matrix, some_dark};
-use portable::assert_portable;
-use std::collections::BTreeMap;
+use models::{assert_near, assert_one_matrix, some_dark, with_dark_ends};
+use scene::{assert_portable_kernels, assert_too_large, cone, glass, pixels, square, tilted};
 use std::sync::Arc;
-use tomolith_core::Error;
 use tomolith_core::check;
 use tomolith_core::dose::form::Form;
 use tomolith_core::dose::{Accelerator, DoseLayout, Run};
@@ -24,19 +24,15 @@ use tomolith_models::rays::accumulation::Accumulation;
 use tomolith_models::rays::{Optics, Rays};
 use tomolith_models::{HostModel, ModelFamily, ModelInput, OpticalScene, Purpose};
 use tomolith_optics::light::Light;
-use tomolith_optics::motion::Motion;
 use tomolith_optics::phase::henyey_greenstein::HenyeyGreenstein;
 use tomolith_optics::phase::isotropic::Isotropic;
 use tomolith_optics::phase::rayleigh::Rayleigh;
 use tomolith_optics::phase::{Phase, Scattering};
-use tomolith_optics::projector::telecentric::Telecentric;
 use tomolith_optics::resin::Resin;
 use tomolith_optics::vial::Vial;
-use tomolith_optics::vial::cylinder::Cylinder;
 use tomolith_optics::vial::double_tube::DoubleTube;
 use tomolith_optics::vial::ended::{End, Ended};
 use tomolith_optics::vial::index_matched::IndexMatched;
-use tomolith_optics::vial::square::Square;
 
 /// A model of a vial, its lights and voxels.
 struct Case {
@@ -53,14 +49,9 @@ struct Case {
 const MILK: f64 = 0.6;
 
 fn light(frames: usize) -> Light {
-    let (rows, columns) = (21, 31);
-    let pixels = PatternGrid::full_turn(frames, 0.1, rows, columns, 0.1);
-    let mut light = Light::new(pixels, Resin::absorbing(1.48, 0.1));
+    let mut light = Light::new(pixels(frames), Resin::absorbing(1.48, 0.1));
     light.resin.attenuation_per_mm += MILK;
-    // Not all pixels are active
-    let run = |i: usize| ((i % 3) as u32, (rows - 3 - i % 4) as u32);
-    light.active = Some((0..frames * columns).map(run).collect());
-    light
+    with_dark_ends(light)
 }
 
 fn scattering(optics: Optics, phase: impl Phase + 'static) -> Optics {
@@ -71,26 +62,6 @@ fn scattering(optics: Optics, phase: impl Phase + 'static) -> Optics {
             phase,
         }),
         ..optics
-    }
-}
-
-fn glass() -> Box<dyn Vial> {
-    Box::new(Cylinder {
-        inner_radius_mm: 1.5,
-        outer_radius_mm: 1.7,
-        refractive_index: 1.54,
-    })
-}
-
-fn cone() -> Optics {
-    Optics {
-        projector: Arc::new(Telecentric {
-            pixel_pitch_mm: [0.1; 2],
-            aperture_radius_mm: 2.0,
-            working_distance_mm: 20.0,
-            focus_mm: 0.1,
-        }),
-        ..Optics::collimated(0.1)
     }
 }
 
@@ -105,11 +76,6 @@ fn cases() -> Vec<Case> {
         grid: VolumeGrid::centered([18, 25, 26], 0.09),
         purpose: Purpose::Optimize,
     };
-    let square = Box::new(Square {
-        inner_width_mm: 2.6,
-        outer_width_mm: 3.0,
-        refractive_index: 1.5,
-    });
     let plate = End {
         z_mm: Mm(-0.6),
         thickness_mm: Mm(0.2),
@@ -120,13 +86,6 @@ fn cases() -> Vec<Case> {
     };
     let ended = Ended::new(glass(), Some(plate), Some(lid)).unwrap();
     let matched = || Box::new(IndexMatched { radius_mm: 1.7 });
-    let tilted = Optics {
-        motion: Motion {
-            tilt_rad: 0.1,
-            ..Motion::default()
-        },
-        ..level()
-    };
     let clear = Light {
         resin: Resin::absorbing(1.48, 0.3),
         ..light(3)
@@ -145,7 +104,7 @@ fn cases() -> Vec<Case> {
             }],
             ..case(
                 "turning frames of a square vial",
-                square,
+                square(),
                 scattering(level(), Rayleigh {}),
             )
         },
@@ -157,7 +116,7 @@ fn cases() -> Vec<Case> {
         Case {
             lights: vec![light(3), clear, light(2)],
             optics: vec![
-                scattering(tilted, Rayleigh {}),
+                scattering(tilted(level(), 0.1), Rayleigh {}),
                 level(),
                 scattering(level(), Isotropic {}),
             ],
@@ -359,15 +318,10 @@ fn paths_are_drawn_anew_and_are_the_same_again_in_the_same_round() {
 #[test]
 fn kernels_are_those_of_other_interfaces_too() {
     let Some(gpu) = small() else { return };
-    for case in cases() {
-        let model = &*model_on(&gpu, &case.form(&case.params).unwrap(), &Run::new()).unwrap();
-        check::adjoint(model, &check::dose(model, &check::noisy_patterns(model, 1)));
-    }
-    let sources: BTreeMap<_, _> = gpu.sources().into_iter().collect();
-    assert_portable(&sources);
-    for name in ["dose of paths", "sums of rays", "adjoint of paths"] {
-        assert!(sources.contains_key(name), "{name}");
-    }
+    let form = |case: Case| case.form(&case.params).unwrap();
+    let forms: Vec<Form> = cases().into_iter().map(form).collect();
+    let names = ["dose of paths", "sums of rays", "adjoint of paths"];
+    assert_portable_kernels(&gpu, &forms, &names);
 }
 
 #[test]
@@ -388,22 +342,13 @@ fn what_does_not_fit_is_refused_and_what_a_form_cannot_say_has_none() {
     let Some(small) = smaller(SMALL, 1 << 16) else {
         return;
     };
-    let form = case.form(&case.params).unwrap();
-    let refused = small.model(&form, &Run::new()).err();
-    assert!(
-        matches!(refused, Some(Error::Resources { .. })),
-        "{refused:?}"
-    );
+    assert_too_large(&small, &case.form(&case.params).unwrap());
     let fine = Params {
         smooth: 1,
         ..case.params.clone()
     };
     let Some(tight) = gpu(16 << 10) else { return };
-    let refused = tight.model(&case.form(&fine).unwrap(), &Run::new()).err();
-    assert!(
-        matches!(refused, Some(Error::Resources { .. })),
-        "{refused:?}"
-    );
+    assert_too_large(&tight, &case.form(&fine).unwrap());
     for params in [
         Params {
             accumulation: Accumulation::Simple,

@@ -5,13 +5,13 @@ mod common;
 mod models;
 #[path = "common/portable.rs"]
 mod portable;
+#[path = "common/scene.rs"]
+mod scene;
 
 use common::{SMALL, gpu, smaller};
-use models::{assert_near, assert_one_matrix, noise_of, some_dark};
-use portable::assert_portable;
-use std::collections::BTreeMap;
+use models::{assert_near, assert_one_matrix, noise_of, some_dark, with_dark_ends};
+use scene::{assert_portable_kernels, assert_too_large, cone, glass, pixels, square, tilted};
 use std::sync::Arc;
-use tomolith_core::Error;
 use tomolith_core::check;
 use tomolith_core::dose::form::Form;
 use tomolith_core::dose::{Accelerator, DoseModel, Run};
@@ -26,12 +26,9 @@ use tomolith_optics::absorption_map::AbsorptionMap;
 use tomolith_optics::light::Light;
 use tomolith_optics::motion::Motion;
 use tomolith_optics::projector::diverging::Diverging;
-use tomolith_optics::projector::telecentric::Telecentric;
 use tomolith_optics::resin::Resin;
 use tomolith_optics::vial::Vial;
-use tomolith_optics::vial::cylinder::Cylinder;
 use tomolith_optics::vial::index_matched::IndexMatched;
-use tomolith_optics::vial::square::Square;
 use tomolith_target::phantom::Phantom;
 use tomolith_target::{Placement, Shape};
 
@@ -50,22 +47,10 @@ struct Case {
     solid: Option<Arc<dyn Shape>>,
 }
 
-fn glass() -> Box<dyn Vial> {
-    Box::new(Cylinder {
-        inner_radius_mm: 1.5,
-        outer_radius_mm: 1.7,
-        refractive_index: 1.54,
-    })
-}
-
 /// A full turn of frames whose pixels are not all active.
 fn light(frames: usize, absorption_per_mm: f64) -> Light {
-    let (rows, columns) = (21, 31);
-    let pixels = PatternGrid::full_turn(frames, 0.1, rows, columns, 0.1);
-    let mut light = Light::new(pixels, Resin::absorbing(1.48, absorption_per_mm));
-    let run = |i: usize| ((i % 3) as u32, (rows - 3 - i % 4) as u32);
-    light.active = Some((0..frames * columns).map(run).collect());
-    light
+    let resin = Resin::absorbing(1.48, absorption_per_mm);
+    with_dark_ends(Light::new(pixels(frames), resin))
 }
 
 fn ball() -> Arc<dyn Shape> {
@@ -78,26 +63,6 @@ fn ball() -> Arc<dyn Shape> {
     Arc::new(Phantom::build(&section, &placement, "target").unwrap())
 }
 
-fn cone() -> Optics {
-    Optics {
-        projector: Arc::new(Telecentric {
-            pixel_pitch_mm: [0.1; 2],
-            aperture_radius_mm: 2.0,
-            working_distance_mm: 20.0,
-            focus_mm: 0.1,
-        }),
-        ..Optics::collimated(0.1)
-    }
-}
-
-fn tilted(optics: Optics, tilt_rad: f64) -> Optics {
-    let motion = Motion {
-        tilt_rad,
-        ..optics.motion
-    };
-    Optics { motion, ..optics }
-}
-
 fn cases() -> Vec<Case> {
     let case = |name, vial, light, optics| Case {
         name,
@@ -107,13 +72,6 @@ fn cases() -> Vec<Case> {
         optics: vec![optics],
         grid: VolumeGrid::centered([18, 25, 26], 0.09),
         solid: None,
-    };
-    let square = || -> Box<dyn Vial> {
-        Box::new(Square {
-            inner_width_mm: 2.6,
-            outer_width_mm: 3.0,
-            refractive_index: 1.5,
-        })
     };
     let off_axis = Optics {
         motion: Motion {
@@ -356,15 +314,9 @@ fn what_is_no_number_leaves_no_number() {
 #[test]
 fn kernels_are_those_of_other_interfaces_too() {
     let Some(gpu) = gpu(CELLS) else { return };
-    for case in cases() {
-        let model = &*model_on(&gpu, &case.form(), &Run::new()).unwrap();
-        check::adjoint(model, &check::dose(model, &check::noisy_patterns(model, 1)));
-    }
-    let sources: BTreeMap<_, _> = gpu.sources().into_iter().collect();
-    assert_portable(&sources);
-    for name in ["dose of rays", "sums of rays in cells", "adjoint of rays"] {
-        assert!(sources.contains_key(name), "{name}");
-    }
+    let forms: Vec<Form> = cases().iter().map(Case::form).collect();
+    let names = ["dose of rays", "sums of rays in cells", "adjoint of rays"];
+    assert_portable_kernels(&gpu, &forms, &names);
 }
 
 #[test]
@@ -373,11 +325,7 @@ fn what_does_not_fit_is_refused_and_what_is_random_has_no_form() {
     let Some(small) = smaller(SMALL, 1 << 16) else {
         return;
     };
-    let refused = small.model(&case.form(), &Run::new()).err();
-    assert!(
-        matches!(refused, Some(Error::Resources { .. })),
-        "{refused:?}"
-    );
+    assert_too_large(&small, &case.form());
     let random = Params {
         accumulation: Accumulation::Simple,
         ..Params::default()

@@ -4,6 +4,7 @@ use tomolith_core::check::{self, noise};
 use tomolith_core::dose::{DoseLayout, DoseModel, Run, frames_of};
 use tomolith_core::field::Field;
 use tomolith_gpu::GpuField;
+use tomolith_optics::light::Light;
 
 /// Noise on the voxels of a dose, 0 in what fills up its rows.
 pub(crate) fn noise_of(layout: &DoseLayout, seed: u64) -> Vec<f32> {
@@ -25,6 +26,14 @@ pub(crate) fn assert_near(found: &[f32], expected: &[f32], tolerance: f32, what:
         (found - expected).abs() <= tolerance * most,
         "{what}: element {i} is {found} instead of {expected}, the largest {most}"
     );
+}
+
+/// A light whose pixels are not all active: columns end early.
+pub(crate) fn with_dark_ends(mut light: Light) -> Light {
+    let [frames, rows, columns] = light.pixels.shape();
+    let run = |i: usize| ((i % 3) as u32, (rows - 3 - i % 4) as u32);
+    light.active = Some((0..frames * columns).map(run).collect());
+    light
 }
 
 /// Pixels that stay dark in the tests of masked models.
