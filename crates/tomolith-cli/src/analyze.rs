@@ -4,10 +4,10 @@ use crate::answer::{Answer, Files, percent};
 use crate::arguments::Manner;
 use clap::{Args, Subcommand};
 use serde_json::json;
-use tomolith::error::above_zero;
+use tomolith::Result;
+use tomolith::error::{above_zero, in_range};
 use tomolith::report::number::significant;
 use tomolith::report::plot::{Axis, Plot};
-use tomolith::{Error, Result};
 use tomolith_planning::buildup::{TurningVial, wall_rate};
 use tomolith_planning::impulse::Post;
 use tomolith_planning::measured::csv;
@@ -291,21 +291,20 @@ fn must_turn(given: &BuildupArguments) -> Result<()> {
     ] {
         above_zero(key, value)?;
     }
-    let refuse = |key: &str, value: f64, accepted: &str| Err(Error::refused(key, value, accepted));
-    if !(0.0..=36_000.0).contains(&given.turn_deg_per_s) {
-        return refuse(
-            "--turn-deg-per-s",
-            given.turn_deg_per_s,
-            "0 to 36000 degrees a second",
-        );
-    }
-    if !(-360.0..=360.0).contains(&given.phase_deg) {
-        return refuse("--phase-deg", given.phase_deg, "-360 to 360 degrees");
-    }
-    match given.at.iter().find(|r| !(0.0..=1.0).contains(*r)) {
-        Some(r) => refuse("--at", *r, "radii in units of the vial's, 0 to 1"),
-        None => Ok(()),
-    }
+    let (turn, phase) = (given.turn_deg_per_s, given.phase_deg);
+    let may_turn = (0.0..=36_000.0).contains(&turn);
+    in_range(
+        may_turn,
+        "--turn-deg-per-s",
+        turn,
+        "0 to 36000 degrees a second",
+    )?;
+    let is_angle = (-360.0..=360.0).contains(&phase);
+    in_range(is_angle, "--phase-deg", phase, "-360 to 360 degrees")?;
+    given.at.iter().try_for_each(|&r| {
+        let accepted = "radii in units of the vial's, 0 to 1";
+        in_range((0.0..=1.0).contains(&r), "--at", r, accepted)
+    })
 }
 
 fn buildup(given: &BuildupArguments) -> Result<()> {
@@ -423,17 +422,16 @@ fn over_radius(given: &BuildupArguments, vial: &TurningVial) -> [String; 2] {
 }
 
 fn impulse(given: &ImpulseArguments) -> Result<()> {
-    let post = |width: f64, radius: f64, step_deg: f64| Post {
-        pixels: given.pixels,
-        width,
-        radius,
-        step_deg,
-    };
     let mut posts = Vec::new();
-    for &step in &given.step_deg {
+    for &step_deg in &given.step_deg {
         for &width in &given.width {
             for &radius in &given.radius {
-                let post = post(width, radius, step);
+                let post = Post {
+                    pixels: given.pixels,
+                    width,
+                    radius,
+                    step_deg,
+                };
                 post.check()?;
                 posts.push(post);
             }

@@ -32,6 +32,17 @@ impl Answer {
         self.lines.push((name.to_owned(), text.into()));
     }
 
+    /// A line of a number with so many digits.
+    pub(crate) fn number(&mut self, name: &str, value: f64, digits: usize, unit: &str) {
+        self.line(name, format!("{} {unit}", significant(value, digits)));
+    }
+
+    /// A line of a range.
+    pub(crate) fn range(&mut self, name: &str, ends: [f64; 2], digits: usize, unit: &str) {
+        let [low, high] = ends.map(|value| significant(value, digits));
+        self.line(name, format!("{low} to {high} {unit}"));
+    }
+
     pub(crate) fn warn(&mut self, text: impl Into<String>) {
         self.warnings.push(text.into());
     }

@@ -359,10 +359,7 @@ fn of_times(given: &KineticsArguments) -> Result<()> {
         let said = format!("{} {unit}", with_error(value, error));
         answer.line(name, said.trim_end().to_owned());
     }
-    answer.line(
-        "inhibitor used by",
-        format!("{} mJ/cm²", significant(resin.inhibitor_dose(), 4)),
-    );
+    answer.number("inhibitor used by", resin.inhibitor_dose(), 4, "mJ/cm²");
     answer.line("off by up to", percent(fit.worst()));
     if fit.errors.is_some_and(|errors| errors[3].is_none()) {
         answer.warn(format!(
@@ -470,11 +467,8 @@ fn of_absorbance(given: &AbsorbanceArguments) -> Result<()> {
     }
     for (name, liquid) in &liquids {
         if let Some(cuvette) = liquid.cuvette {
-            let text = format!(
-                "shows {} with no path: the cuvette",
-                significant(cuvette, 3)
-            );
-            answer.line(name, text);
+            let cuvette = significant(cuvette, 3);
+            answer.line(name, format!("shows {cuvette} with no path: the cuvette"));
         }
         let highest = liquid.readings.iter().map(|r| r[1]).fold(0.0, f64::max);
         if highest > STRAY_LIGHT {
@@ -518,22 +512,8 @@ fn print_of_discs(given: &DiscsArguments) -> Result<()> {
             significant(2.0 * first.radius_mm, 3)
         ),
     );
-    answer.line(
-        "doses",
-        format!(
-            "{} to {} mJ/cm²",
-            significant(first.dose, 4),
-            significant(last.dose, 4)
-        ),
-    );
-    answer.line(
-        "times",
-        format!(
-            "{} to {} s",
-            significant(first.seconds, 3),
-            significant(last.seconds, 3)
-        ),
-    );
+    answer.range("doses", [first.dose, last.dose], 4, "mJ/cm²");
+    answer.range("times", [first.seconds, last.seconds], 3, "s");
     answer.line(
         "written",
         format!(
@@ -590,10 +570,7 @@ fn dose(given: &DoseArguments) -> Result<()> {
             name,
             format!("{} mm", with_error(fit.length_mm, fit.length_error)),
         );
-        answer.line(
-            "left over (rms)",
-            format!("{} mm", significant(fit.rms_mm, 3)),
-        );
+        answer.number("left over (rms)", fit.rms_mm, 3, "mm");
     }
     let depth = fit.penetration_mm().or(given.penetration_mm);
     if let (Some(fitted), Some(asked)) = (fit.penetration_mm(), given.penetration_mm) {
@@ -612,13 +589,8 @@ fn dose(given: &DoseArguments) -> Result<()> {
             ));
         }
         let volumetric = fit.critical_mj_per_mm3(depth);
-        answer.line(
-            "per volume",
-            format!(
-                "{} mJ/mm³, where all absorbed light is active",
-                significant(volumetric, 4)
-            ),
-        );
+        let unit = "mJ/mm³, where all absorbed light is active";
+        answer.number("per volume", volumetric, 4, unit);
         answer.set("critical_dose_mj_per_mm3", volumetric);
         let table = format!(
             "# Fitted by `tomolith calibrate dose`\n[resin]\nabsorption_per_mm = {}\ncritical_dose_mj_per_mm3 = {}\n",

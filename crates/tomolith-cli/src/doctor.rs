@@ -45,9 +45,6 @@ struct Check {
 }
 
 /// Says what the machine has, and tries the program on it; whether all of it is right.
-///
-/// # Errors
-/// Whatever refuses a check.
 pub(crate) fn doctor(json: bool) -> Result<bool> {
     let machine = machine()?;
     if !json {

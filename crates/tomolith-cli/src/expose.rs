@@ -313,21 +313,10 @@ fn show(
              Take times and energies from the job's print in time (tomolith run or print)",
         );
     }
-    answer.line(
-        "irradiance at white",
-        format!("{} mW/cm²", significant(machine.irradiance, 4)),
-    );
-    answer.line(
-        "white",
-        format!(
-            "{} mJ/mm² of a frame over the print",
-            significant(plan.white_mj_per_mm2, 4)
-        ),
-    );
-    answer.line(
-        "time to print",
-        format!("{} s", significant(plan.time_s, 4)),
-    );
+    answer.number("irradiance at white", machine.irradiance, 4, "mW/cm²");
+    let unit = "mJ/mm² of a frame over the print";
+    answer.number("white", plan.white_mj_per_mm2, 4, unit);
+    answer.number("time to print", plan.time_s, 4, "s");
     tell_turns(&mut answer, plan, beside.arc_deg);
     if let Some(percent) = (beside.reported_percent).filter(|percent| (percent - 100.0).abs() > 0.5)
     {

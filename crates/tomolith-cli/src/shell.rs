@@ -14,9 +14,6 @@ pub(crate) fn completions(shell: Shell) {
 }
 
 /// Writes a manual page of every command into a folder, and says where.
-///
-/// # Errors
-/// [`Error::Io`].
 pub(crate) fn manual(folder: &Path) -> Result<()> {
     std::fs::create_dir_all(folder).map_err(|e| Error::io(folder, e))?;
     clap_mangen::generate_to(Arguments::command(), folder).map_err(|e| Error::io(folder, e))?;

@@ -4,7 +4,7 @@ use super::ExposeArguments;
 use crate::answer::Answer;
 use serde::Deserialize as _;
 use std::path::Path;
-use tomolith::io::{read_text, write_text};
+use tomolith::io::{must_be_new, write_text};
 use tomolith::job::{Document, Job};
 use tomolith::report::TradeOff;
 use tomolith::report::json::read as read_report;
@@ -70,16 +70,8 @@ fn sentence(row: &TradeOff) -> String {
 
 /// Writes the job of a run with a largest pixel.
 fn write_job(run: &Path, file: &Path, largest: f64) -> Result<()> {
-    if file.exists() {
-        return Err(Error::config(
-            "--output",
-            format!("`{}` is there already", file.display()),
-            "a new file",
-        ));
-    }
-    let path = run.join("job.toml");
-    let text = read_text(&path)?;
-    let mut document = Document::toml(&path, &text)?;
+    must_be_new("--output", file)?;
+    let mut document = Document::read(&run.join("job.toml"))?;
     document.set(&format!("bounds.max={largest}"))?;
     let text = Job::from_document(document)?.complete().to_toml()?;
     write_text(file, &text)

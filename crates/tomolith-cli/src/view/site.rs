@@ -132,9 +132,6 @@ impl Site {
     }
 
     /// Loads the run of a row of a sweep; its place in the list of runs, None where the row has no run.
-    ///
-    /// # Errors
-    /// Those of reading it.
     pub(super) fn open(&self, row: usize) -> Result<Option<usize>> {
         let Some(sweep) = &self.sweep else {
             return Ok(None);

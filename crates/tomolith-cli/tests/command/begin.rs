@@ -23,7 +23,7 @@ fn a_new_job_holds_what_was_said_and_runs() {
     assert!(!checked.to_string().contains("reaches only"), "{checked}");
     // Nothing is written over
     bench.refuse(line, &["part.toml"]);
-    bench.expect(0, "new named.toml --resin sr399-tpo --printer opencal");
+    bench.done("new named.toml --resin sr399-tpo --printer opencal");
     let named = Job::read(&bench.path("named.toml"), &[]).unwrap().spec;
     assert_eq!(named.resin.absorption_per_mm, Some(0.1148));
     assert_eq!(named.printer.unwrap().canvas, Some([1920, 1080]));
@@ -66,13 +66,10 @@ fn the_doctor_finds_closed_forms() {
 fn shells_and_manuals_know_every_command() {
     let bench = Bench::with(&[]);
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
-        let text = bench.stdout(0, &format!("completions {shell}"));
-        assert!(
-            text.contains("voxelize") && text.contains("doctor"),
-            "{shell}"
-        );
+        let line = format!("completions {shell}");
+        bench.says(0, &line, &["voxelize", "doctor"]);
     }
-    bench.expect(0, "man pages");
+    bench.done("man pages");
     let page = bench.read("pages/tomolith-run.1");
     assert!(page.contains("resume"), "{page}");
 }
@@ -176,15 +173,9 @@ fn the_schema_in_docs_is_the_one_of_this_program_and_examples_name_it() {
 #[test]
 fn profiles_are_listed_and_printed() {
     let bench = Bench::with(&[]);
-    let all = bench.stdout(0, "profiles");
-    assert!(
-        all.contains("printer = \"opencal\"") && all.contains("resin = \"sr399-tpo\""),
-        "{all}"
-    );
-    let one = bench.stdout(0, "profiles sr399-tpo");
-    assert!(
-        one.contains("# Source: ") && one.contains("absorption_per_mm = 0.1148"),
-        "{one}"
-    );
+    let all = ["printer = \"opencal\"", "resin = \"sr399-tpo\""];
+    bench.says(0, "profiles", &all);
+    let one = ["# Source: ", "absorption_per_mm = 0.1148"];
+    bench.says(0, "profiles sr399-tpo", &one);
     bench.refuse("profiles opncal", &["did you mean `opencal`?"]);
 }

@@ -61,6 +61,11 @@ impl Bench {
         fs::read_to_string(self.path(name)).unwrap()
     }
 
+    /// The report of a run folder.
+    pub(crate) fn report(&self, folder: &str) -> Value {
+        serde_json::from_str(&self.read(&format!("{folder}/report.json"))).unwrap()
+    }
+
     /// A line, typed in the folder; `~` stands for a blank in a word.
     pub(crate) fn command(&self, line: &str) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_tomolith"));
@@ -92,6 +97,11 @@ impl Bench {
         said(code, line, &self.output(line, &self.path("nothing")))
     }
 
+    /// A line that must do its work.
+    pub(crate) fn done(&self, line: &str) {
+        self.expect(0, line);
+    }
+
     /// What a line said that must end with a code, with all these parts in it.
     pub(crate) fn says(&self, code: i32, line: &str, parts: &[&str]) -> String {
         let said = self.expect(code, line);
@@ -104,6 +114,15 @@ impl Bench {
         let said = self.says(2, line, parts);
         let is_one = said.contains("error: ") && said.matches("accepted:").count() <= 1;
         assert!(is_one, "{line}: {said}");
+    }
+
+    /// Refusals: lines behind `$`, and what is said of each behind it, with … where words are left out.
+    pub(crate) fn refuse_each(&self, transcript: &str) {
+        for refusal in transcript.split("$ ").skip(1) {
+            let (line, said) = refusal.split_once('\n').unwrap();
+            let parts: Vec<&str> = said.split('…').map(str::trim).collect();
+            self.refuse(line, &parts);
+        }
     }
 
     /// The lines of JSON of a line that must end with this code.
@@ -142,6 +161,31 @@ pub(crate) fn contains(said: &str, line: &str, parts: &[&str]) {
     }
 }
 
+/// A text with a slip, and the parts of what is said of it.
+///
+/// A slip is lines that are taken out of the text (`- `) and put in (`+ `), behind lines that stay (`  `) or else before a line, and what is said, with …
+/// where words are left out. Lines that begin with `# ` are remarks.
+pub(crate) fn slipped<'s>(text: &str, line: &str, slip: &'s str) -> (String, Vec<&'s str>) {
+    let starts = |line: &str, marks: &[&str]| marks.iter().any(|mark| line.starts_with(mark));
+    let [mut before, mut after] = ["- ", "+ "].map(|mark| {
+        let lines = slip.lines().filter(|line| starts(line, &[mark, "  "]));
+        lines
+            .map(|line| format!("{}\n", &line[2..]))
+            .collect::<String>()
+    });
+    if before.is_empty() {
+        before += line;
+        after += line;
+    }
+    assert!(text.contains(&before), "{before:?} is not in the text");
+    let said = slip
+        .lines()
+        .filter(|line| !starts(line, &["- ", "+ ", "  ", "# "]));
+    let parts = said.flat_map(|line| line.split('…')).map(str::trim);
+    let parts = parts.filter(|part| !part.is_empty());
+    (text.replacen(&before, &after, 1), parts.collect())
+}
+
 /// An `.npy` file.
 pub(crate) fn npy(descr: &str, shape: &str, data: &[u8]) -> Vec<u8> {
     let text = format!("{{'descr': '{descr}', 'fortran_order': False, 'shape': ({shape}), }}");
@@ -153,9 +197,4 @@ pub(crate) fn npy(descr: &str, shape: &str, data: &[u8]) -> Vec<u8> {
 pub(crate) fn doubles(shape: &str, values: &[f64]) -> Vec<u8> {
     let bytes = values.iter().flat_map(|v| v.to_le_bytes());
     npy("<f8", shape, &bytes.collect::<Vec<u8>>())
-}
-
-/// A file in JSON.
-pub(crate) fn json(path: &Path) -> Value {
-    serde_json::from_slice(&fs::read(path).unwrap()).unwrap()
 }

@@ -23,10 +23,10 @@ fn meshes_and_phantoms_become_voxels() {
     let corner = |i: usize| format!("v {} {} {}\n", i & 1, i >> 1 & 1, i >> 2);
     let corners: String = (0..8).map(corner).collect();
     let faces = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
-    fs::write(bench.path("cube.obj"), corners + faces).unwrap();
+    bench.write("cube.obj", &(corners + faces));
     let cube = bench.json("voxelize cube.obj --pitch-mm 0.1 --binary --output cube.vti");
     assert_eq!(cube["part_voxels"], 1000);
-    bench.expect(0, "phantom gear --pitch-mm 0.2 --output gear.png --quiet");
+    bench.done("phantom gear --pitch-mm 0.2 --output gear.png --quiet");
     let slice =
         bench.json("phantom cylinder --pitch-mm 0.1 --shape 60 56 1 --clip --output slice.npy");
     assert_eq!(slice["shape_zyx"], serde_json::json!([1, 56, 60]));
@@ -37,9 +37,9 @@ fn meshes_and_phantoms_become_voxels() {
     assert_eq!(fs::read(bench.path("gear.png")).unwrap()[..4], *b"\x89PNG");
 
     // Two faces that share an edge are missing: a hole that is neither flat nor small
-    let open = fs::read_to_string(bench.path("cube.obj")).unwrap();
+    let open = bench.read("cube.obj");
     let open = open.replace("f 3 7 8 4\n", "").replace("f 2 4 8 6\n", "");
-    fs::write(bench.path("open.obj"), open).unwrap();
+    bench.write("open.obj", &open);
     let voxels = "voxelize open.obj --pitch-mm 0.1 --output o.npy";
     bench.refuse(voxels, &["--repair force"]);
     bench.says(0, &format!("{voxels} --repair force"), &["warning"]);
@@ -53,30 +53,25 @@ fn meshes_and_phantoms_become_voxels() {
         &["--pitch-mm: -1"],
     );
 
-    bench.refuse(
-        "phantom gaer --pitch-mm 0.1 --output a.npy",
-        &["did you mean `gear`?"],
-    );
-    bench.refuse(
-        "phantom gear --set tooth=4 --pitch-mm 0.1 --output a.npy",
-        &["tooth"],
-    );
-    bench.refuse("phantom gear --pitch-mm 0 --output a.npy", &["--pitch-mm"]);
-    bench.refuse(
-        "phantom gear --pitch-mm 0.1 --output a.txt",
-        &[".png, .npy, .vti, .nrrd, .tif or .ome.zarr"],
-    );
-    bench.refuse(
-        "voxelize none.stl --pitch-mm 0.1 --output a.npy",
-        &["none.stl"],
+    bench.refuse_each(
+        "$ phantom gaer --pitch-mm 0.1 --output a.npy
+        did you mean `gear`?
+        $ phantom gear --set tooth=4 --pitch-mm 0.1 --output a.npy
+        tooth
+        $ phantom gear --pitch-mm 0 --output a.npy
+        --pitch-mm
+        $ phantom gear --pitch-mm 0.1 --output a.txt
+        .png, .npy, .vti, .nrrd, .tif or .ome.zarr
+        $ voxelize none.stl --pitch-mm 0.1 --output a.npy
+        none.stl",
     );
 }
 
 #[test]
 fn what_an_evaluation_saw_has_the_numbers_of_its_report() {
     let bench = Bench::new();
-    bench.expect(0, "run job.toml -o out --set output.evaluation=true");
-    let report: Value = serde_json::from_str(&bench.read("out/report.json")).unwrap();
+    bench.done("run job.toml -o out --set output.evaluation=true");
+    let report = bench.report("out");
     let of_report = &report["evaluation"];
     let pitch = of_report["grid"]["pitch_mm"].as_f64().unwrap();
     let found = bench.json(&format!(
@@ -87,7 +82,7 @@ fn what_an_evaluation_saw_has_the_numbers_of_its_report() {
         assert_eq!(found["evaluation"][name], of_report[name], "{name}");
     }
     // The next run removes what it does not write
-    bench.expect(0, "run job.toml -o out");
+    bench.done("run job.toml -o out");
     assert!(!bench.path("out/evaluation").exists());
 }
 
@@ -95,7 +90,7 @@ fn what_an_evaluation_saw_has_the_numbers_of_its_report() {
 fn volumes_for_other_programs_hold_the_same_numbers() {
     let bench = Bench::new();
     let formats = r#"--set output.volumes=["nrrd","tiff","ome-zarr"]"#;
-    bench.expect(0, &format!("run job.toml -o out {formats}"));
+    bench.done(&format!("run job.toml -o out {formats}"));
     let measured = |dose: &str, ending: &str| {
         bench.json(&format!(
             "metrics {dose} out/volumes/target.{ending} --labels out/volumes/label.{ending}"
@@ -112,7 +107,7 @@ fn volumes_for_other_programs_hold_the_same_numbers() {
         assert!(bench.path(&level).is_file(), "{level}");
     }
     // The next run removes what it does not write
-    bench.expect(0, "run job.toml -o out");
+    bench.done("run job.toml -o out");
     assert!(!bench.path("out/volumes").exists());
 }
 
@@ -139,16 +134,8 @@ fn several_slips_are_told_in_one_run() {
 #[test]
 fn anybodys_arrays_are_measured() {
     let bench = Bench::new();
-    fs::write(
-        bench.path("dose.npy"),
-        doubles("2, 2", &[0.2, 0.8, 0.9, 0.4]),
-    )
-    .unwrap();
-    fs::write(
-        bench.path("target.npy"),
-        doubles("2, 2", &[0.0, 1.0, 1.0, 0.0]),
-    )
-    .unwrap();
+    bench.write("dose.npy", &doubles("2, 2", &[0.2, 0.8, 0.9, 0.4]));
+    bench.write("target.npy", &doubles("2, 2", &[0.0, 1.0, 1.0, 0.0]));
     let found = bench.json("metrics dose.npy target.npy");
     let near = |value: &Value, expected: f64| {
         assert!(
@@ -185,58 +172,44 @@ fn anybodys_arrays_are_measured() {
         &[" hausdorff_mm "],
     );
 
-    fs::write(bench.path("other.npy"), doubles("1, 4", &[0.0; 4])).unwrap();
+    bench.write("other.npy", &doubles("1, 4", &[0.0; 4]));
     bench.refuse(
         "metrics dose.npy other.npy",
         &["expected shape [1, 2, 2], found [1, 1, 4]"],
     );
     bench.refuse("metrics none.npy target.npy", &["none.npy"]);
     bench.refuse("metrics dose.npy target.npy --pitch-mm 0", &["--pitch-mm"]);
-    fs::write(
-        bench.path("nan.npy"),
-        doubles("2, 2", &[0.2, f64::NAN, 0.9, 0.4]),
-    )
-    .unwrap();
+    bench.write("nan.npy", &doubles("2, 2", &[0.2, f64::NAN, 0.9, 0.4]));
     bench.refuse(
         "metrics nan.npy target.npy",
         &["NaN at [0, 0, 1], as [z, y, x]"],
     );
-    fs::write(
-        bench.path("bytes.npy"),
-        doubles("2, 2", &[0.0, 255.0, 128.0, 0.0]),
-    )
-    .unwrap();
-    bench.expect(0, "metrics dose.npy bytes.npy");
-    fs::write(bench.path("none.npy"), doubles("2, 2", &[0.0; 4])).unwrap();
-    bench.refuse(
-        "metrics dose.npy none.npy",
-        &["none.npy: no voxel of the part"],
-    );
-    bench.refuse(
-        "metrics dose.npy bytes.npy --gray",
-        &["a gray value of 255"],
-    );
-    bench.refuse(
-        "metrics dose.npy target.npy --trim-percent -1",
-        &["--trim-percent: found -1"],
-    );
-    bench.refuse(
-        "metrics dose.npy target.npy --threshold NaN",
-        &["error: --threshold: found NaN"],
+    bench.write("bytes.npy", &doubles("2, 2", &[0.0, 255.0, 128.0, 0.0]));
+    bench.done("metrics dose.npy bytes.npy");
+    bench.write("none.npy", &doubles("2, 2", &[0.0; 4]));
+    bench.refuse_each(
+        "$ metrics dose.npy none.npy
+        none.npy: no voxel of the part
+        $ metrics dose.npy bytes.npy --gray
+        a gray value of 255
+        $ metrics dose.npy target.npy --trim-percent -1
+        --trim-percent: found -1
+        $ metrics dose.npy target.npy --threshold NaN
+        error: --threshold: found NaN",
     );
 }
 
 #[test]
 fn runs_are_compared_and_exported() {
     let bench = Bench::new();
-    bench.expect(0, "run job.toml --quiet --output a");
-    bench.expect(0, "run job.toml --quiet --output b --set stop.iterations=8");
-    fs::write(bench.path("mine.html"), "<html>mine").unwrap();
+    bench.done("run job.toml --quiet --output a");
+    bench.done("run job.toml --quiet --output b --set stop.iterations=8");
+    bench.write("mine.html", "<html>mine");
     bench.refuse(
         "compare a b --output mine.html",
         &["`mine.html` is there already"],
     );
-    bench.expect(0, "compare a --output page.html --quiet");
+    bench.done("compare a --output page.html --quiet");
     // An earlier comparison is replaced
     let found = bench.json("compare a b --output page.html");
     assert_eq!(found["differing_keys"][0]["key"], "stop.iterations");
@@ -244,7 +217,7 @@ fn runs_are_compared_and_exported() {
         found["differing_keys"][0]["values"],
         serde_json::json!(["4", "8"])
     );
-    let page = fs::read_to_string(bench.path("page.html")).unwrap();
+    let page = bench.read("page.html");
     assert!(page.contains("\"kind\":\"compare\"") && page.contains("id=\"blob-1-response\""));
 
     let exported =
@@ -258,11 +231,8 @@ fn runs_are_compared_and_exported() {
     let lossless = bench.json("export a --output lossless --set output.movie=lossless");
     assert_eq!(lossless["lights"][0]["movie"], "gear_10rpm.mov");
     // A folder of exported frames stands for its frames
-    bench.expect(0, "export a --output plain --quiet");
-    bench.expect(
-        0,
-        "simulate job.toml --patterns plain --output again --quiet",
-    );
+    bench.done("export a --output plain --quiet");
+    bench.done("simulate job.toml --patterns plain --output again --quiet");
     let kinds = &bench.json("compare a again")["kinds"];
     assert_eq!(*kinds, serde_json::json!(["optimization", "simulation"]));
     bench.refuse("export job.toml --output c", &["holds no job.toml"]);
@@ -279,7 +249,7 @@ fn runs_are_compared_and_exported() {
         of_profile["lights"][0]["canvas"],
         serde_json::json!([1920, 1080])
     );
-    bench.expect(0, "run job.toml --toy --output toy --quiet");
+    bench.done("run job.toml --toy --output toy --quiet");
     bench.says(
         0,
         "export toy --output of_toy",
@@ -328,15 +298,11 @@ fn calibration_frames_are_drawn_for_a_canvas_and_for_a_job() {
     for file in drawn["files"].as_array().unwrap() {
         assert!(bench.path(file.as_str().unwrap()).is_file(), "{file}");
     }
-    fs::write(
-        bench.path("machine.toml"),
-        format!("{JOB}[printer]\ncanvas = [40, 60]\nquarter_turns = 1\n"),
-    )
-    .unwrap();
-    bench.expect(
-        0,
-        "calibrate --job machine.toml orientation border --output two --quiet",
+    bench.write(
+        "machine.toml",
+        &format!("{JOB}[printer]\ncanvas = [40, 60]\nquarter_turns = 1\n"),
     );
+    bench.done("calibrate --job machine.toml orientation border --output two --quiet");
     assert_eq!(fs::read_dir(bench.path("two")).unwrap().count(), 2);
     bench.refuse(
         "calibrate --canvas 64 48 boarder --output x",
@@ -364,11 +330,10 @@ fn the_dose_model_of_a_small_job_is_a_matrix() {
     bench.refuse("export-matrix none.toml --output m.npz", &["none.toml"]);
     // As a job's model: the file is looked at first, and named with its key
     let job = format!("{small} --set evaluate.refine=1 --set evaluate.sub_angles=1");
-    bench.expect(
-        0,
-        &format!("check job.toml {job} --set model.matrix.file=m.npz"),
-    );
-    fs::write(bench.path("torn.npz"), b"PK").unwrap();
+    bench.done(&format!(
+        "check job.toml {job} --set model.matrix.file=m.npz"
+    ));
+    bench.write("torn.npz", b"PK");
     // A file that is missing is told before what it could not be asked for
     bench.refuse(
         &format!("check job.toml {small} --set model.matrix.file=none.npz"),
@@ -402,8 +367,8 @@ fn the_dose_model_of_a_small_job_is_a_matrix() {
 #[test]
 fn the_unit_systems_of_a_dose_want_all_that_their_formulas_need() {
     let bench = Bench::new();
-    fs::write(bench.path("dose.npy"), doubles("1, 1, 2", &[0.4, 0.2])).unwrap();
-    fs::write(bench.path("target.npy"), doubles("1, 1, 2", &[1.0, 0.0])).unwrap();
+    bench.write("dose.npy", &doubles("1, 1, 2", &[0.4, 0.2]));
+    bench.write("target.npy", &doubles("1, 1, 2", &[1.0, 0.0]));
     let line = "metrics dose.npy target.npy --absorption-per-mm 0.1";
     let found = bench.json(&format!("{line} --brightest 2 --exposure-s 10"));
     let rows = found["unit_systems"].as_array().unwrap();
@@ -504,10 +469,10 @@ fn a_job_of_another_program_is_translated_and_can_be_checked() {
         "sensor": { "type": "dda", "scalex": 2.4, "scaley": 2.4, "scalez": 1.2,
             "film": { "type": "vfilm", "resx": 24, "resy": 24, "resz": 12 } },
         "n_steps": 3 }"#;
-    fs::write(bench.path("theirs.json"), theirs).unwrap();
+    bench.write("theirs.json", theirs);
     let done = bench.json("import theirs.json --output ours.toml");
     assert!(done["notes"][0].as_str().unwrap().contains("0.456"));
-    let ours = fs::read_to_string(bench.path("ours.toml")).unwrap();
+    let ours = bench.read("ours.toml");
     let job: toml::Value = toml::from_str(&ours).unwrap();
     assert_eq!(
         job["vial"]["cylinder"]["outer_radius_mm"].as_float(),
@@ -519,18 +484,14 @@ fn a_job_of_another_program_is_translated_and_can_be_checked() {
         &["is there already"],
     );
     // A key that they do not read is left out with a note
-    fs::write(
-        bench.path("slip.json"),
-        theirs.replace("n_steps", "n_stepps"),
-    )
-    .unwrap();
-    let said = bench.stdout(0, "import slip.json --output slip.toml");
-    assert!(said.contains("did you mean `n_steps`"), "{said}");
+    bench.write("slip.json", &theirs.replace("n_steps", "n_stepps"));
+    let line = "import slip.json --output slip.toml";
+    bench.says(0, line, &["did you mean `n_steps`"]);
     bench.refuse(
         "import job.toml --output wrong.toml",
         &["it is no JSON (expected ident at line 1 column 3), as jobs of"],
     );
-    fs::write(bench.path("empty.json"), "{}").unwrap();
+    bench.write("empty.json", "{}");
     bench.says(
         2,
         "import empty.json --output wrong.toml --json",
@@ -541,8 +502,8 @@ fn a_job_of_another_program_is_translated_and_can_be_checked() {
 /// What an optimization wants pixels to be, [angle, row, column]: the job with these keys of its light, and further tables.
 fn wanted(bench: &Bench, name: &str, light: &str, tables: &str) -> Vec<f32> {
     let job = JOB.replace("pixels = [32, 16]", light) + tables;
-    fs::write(bench.path(&format!("{name}.toml")), job).unwrap();
-    bench.expect(0, &format!("run {name}.toml --quiet --output {name}"));
+    bench.write(&format!("{name}.toml"), &job);
+    bench.done(&format!("run {name}.toml --quiet --output {name}"));
     let file = bench.path(name).join("patterns.npz");
     let mut arrays = tomolith::io::npy::read_patterns(&file).unwrap();
     arrays.remove(0).raw.unwrap()
@@ -555,7 +516,7 @@ fn a_part_of_the_projector_is_a_smaller_image_beside_the_axis() {
     let image: Vec<f64> = (0..16 * 32)
         .map(|i| f64::from(u8::from(inside(i / 32, i % 32))))
         .collect();
-    fs::write(bench.path("mask.npy"), doubles("16, 32", &image)).unwrap();
+    bench.write("mask.npy", &doubles("16, 32", &image));
     let crop = "pixels = [32, 16]\nselection = { columns = [4, 26], rows = [1, 13] }";
     let mask = "pixels = [32, 16]\nselection.mask = \"mask.npy\"";
     // Columns 4 to 29 have their middle 0.1 mm beside that of 32, rows 1 to 13 theirs 0.05 mm above that of 16
@@ -593,8 +554,8 @@ fn pixels_that_may_not_be_lit_or_cannot_be_or_bring_little_stay_dark() {
             .collect();
         doubles("16, 32", &values)
     };
-    fs::write(bench.path("mask.npy"), image(0.0, [7, 15])).unwrap();
-    fs::write(bench.path("dead.npy"), image(1.0, [8, 17])).unwrap();
+    bench.write("mask.npy", &image(0.0, [7, 15]));
+    bench.write("dead.npy", &image(1.0, [8, 17]));
     let plain = wanted(&bench, "plain", "pixels = [32, 16]", "");
     let chosen = wanted(
         &bench,
@@ -644,7 +605,7 @@ fn a_background_lights_pixels_that_miss_the_part_and_none_that_may_not_be_lit() 
 #[cfg(target_os = "linux")]
 fn a_full_standard_output_is_told() {
     let bench = Bench::new();
-    fs::write(bench.path("job.toml"), JOB).unwrap();
+    bench.write("job.toml", JOB);
     for line in [
         "schema",
         "schema --markdown",

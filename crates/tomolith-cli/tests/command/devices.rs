@@ -1,8 +1,7 @@
 //! Graphics cards as the command names, refuses and uses them.
 #![cfg(feature = "gpu")]
 
-use crate::bench::{Bench, json};
-use serde_json::Value;
+use crate::bench::Bench;
 
 const EXAMPLES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
 
@@ -23,24 +22,20 @@ fn card(bench: &Bench) -> Option<String> {
     name.map(|name| format!("gpu:{name}"))
 }
 
-fn report(bench: &Bench, folder: &str) -> Value {
-    json(&bench.path(&format!("{folder}/report.json")))
-}
-
 /// A number of the evaluations on the card and on the processor.
 fn both(bench: &Bench, number: &str) -> [f64; 2] {
-    let of = |folder: &str| report(bench, folder)["evaluation"][number].as_f64();
+    let of = |folder: &str| bench.report(folder)["evaluation"][number].as_f64();
     ["card", "processor"].map(|folder| of(folder).unwrap())
 }
 
 /// Runs a job on both; numbers of their evaluations differ by less, and the report names the model on the card.
 fn prints_alike(bench: &Bench, [job, model]: [&str; 2], more: &str, (number, most): (&str, f64)) {
     let Some(device) = card(bench) else { return };
-    bench.ended(0, &run(job, &device, "card", more));
-    bench.ended(0, &run(job, "cpu", "processor", more));
+    bench.done(&run(job, &device, "card", more));
+    bench.done(&run(job, "cpu", "processor", more));
     let [card, processor] = both(bench, number);
     assert!((card - processor).abs() < most, "{card} {processor}");
-    let text = report(bench, "card").to_string();
+    let text = bench.report("card").to_string();
     assert!(text.contains(model), "{text}");
 }
 
@@ -82,12 +77,12 @@ fn a_card_prints_what_the_processor_prints_and_resumes_to_the_bit() {
     let goes_on = format!("{ten} --resume");
     let parallel = ["01-gear", "parallel (on "];
     prints_alike(&bench, parallel, ten, ("iou", 1e-3));
-    bench.ended(0, &run("01-gear", &device, "resumed", six));
+    bench.done(&run("01-gear", &device, "resumed", six));
     // Another device has another memory of the steps
     let refused = bench.ended(2, &run("01-gear", "cpu", "resumed", &goes_on));
     let text = String::from_utf8_lossy(&refused.stderr).into_owned();
     assert!(text.contains("resources.device"), "{text}");
-    bench.ended(0, &run("01-gear", &device, "resumed", &goes_on));
+    bench.done(&run("01-gear", &device, "resumed", &goes_on));
     let patterns = |name: &str| std::fs::read(bench.path(name).join("patterns.npz")).unwrap();
     assert!(patterns("resumed") == patterns("card"));
 }
@@ -127,9 +122,9 @@ fn random_paths_on_a_card_print_what_the_processor_prints_and_resume_to_the_bit(
     let ratio = on_card / on_processor;
     assert!((ratio - 1.0).abs() < 0.1, "{ratio}");
     // Its first paths are those of the sixth iteration again
-    bench.ended(0, &run(job, &device, "resumed", &six));
+    bench.done(&run(job, &device, "resumed", &six));
     let goes_on = format!("{ten} --resume");
-    bench.ended(0, &run(job, &device, "resumed", &goes_on));
+    bench.done(&run(job, &device, "resumed", &goes_on));
     let patterns = |name: &str| std::fs::read(bench.path(name).join("patterns.npz")).unwrap();
     assert!(patterns("resumed") == patterns("card"));
 }

@@ -17,22 +17,17 @@ impl Bench {
 #[test]
 fn a_lossless_movie_is_the_frames_bit_for_bit() {
     let bench = Bench::new();
-    bench.expect(
-        0,
+    bench.done(
         "run job.toml --quiet --output a --set output.movie=lossless --set evaluate.bit_depth=12",
     );
     assert!(bench.path("a/gear_10rpm.mov").is_file());
     assert!(!bench.path("a/gear_10rpm.mp4").exists());
-    let report: Value =
-        serde_json::from_slice(&fs::read(bench.path("a/report.json")).unwrap()).unwrap();
+    let report = bench.report("a");
     assert_eq!(report["movies"][0]["largest_error_of_255"], 0);
-    let exposure = fs::read_to_string(bench.path("a/exposure.json")).unwrap();
+    let exposure = bench.read("a/exposure.json");
     assert!(exposure.contains("gear_10rpm.mov"), "{exposure}");
     fs::copy(bench.path("a/gear_10rpm.mov"), bench.path("alone.mov")).unwrap();
-    bench.expect(
-        0,
-        "simulate job.toml --patterns alone.mov --quiet --output b",
-    );
+    bench.done("simulate job.toml --patterns alone.mov --quiet --output b");
     assert_eq!(bench.shown("a"), bench.shown("b"));
     bench.refuse(
         "run job.toml --set output.movie=divx",
@@ -46,14 +41,12 @@ fn movies_that_need_ffmpeg_say_so_or_go_through_it() {
     bench.write("movie.mkv", b"\x1a\x45\xdf\xa3 and so on");
     bench.write("text.mp4", b"no movie");
     let line = "simulate job.toml --patterns movie.mkv --quiet --output a";
-    bench.refuse(line, &[
-            "movie.mkv: a Matroska or WebM file, which the program ffmpeg can read, but it is not installed",
-            "ffmpeg -i movie.mkv -pix_fmt gray frames/frame_%04d.png",
-        ]);
-    bench.refuse(
-        "simulate job.toml --patterns text.mp4 --output a",
-        &["text.mp4: no movie: it begins with `no movie`"],
-    );
+    bench.refuse_each(&format!(
+        "$ {line}
+        movie.mkv: a Matroska or WebM file, which the program ffmpeg can read, but it is not installed … ffmpeg -i movie.mkv -pix_fmt gray frames/frame_%04d.png
+        $ simulate job.toml --patterns text.mp4 --output a
+        text.mp4: no movie: it begins with `no movie`"
+    ));
     for (name, start, what) in [
         ("a.flv", &b"FLV\x01\x01"[..], "a Flash video"),
         ("a.ogv", b"OggS\0\x02", "an Ogg file"),
@@ -147,7 +140,7 @@ fn gray_frames_may_be_stored_in_color() {
     };
     (0..24).for_each(|k| save(k, 0));
     let line = "simulate job.toml --patterns frames --quiet --output a";
-    bench.expect(0, line);
+    bench.done(line);
     let shown = bench.shown("a");
     assert!((shown[5 * 512 + 100] - 55.0 / 255.0).abs() < 1e-6);
     save(7, 1);
@@ -166,10 +159,9 @@ fn patterns_are_numbers_of_any_type() {
     bench.write("u1.npy", &npy("|u1", "24, 16, 32", &bytes));
     bench.write("f2.npy", &npy(">f2", "24, 16, 32", &big));
     for name in ["u1", "f2"] {
-        bench.expect(
-            0,
-            &format!("simulate job.toml --patterns {name}.npy --quiet --output {name}"),
-        );
+        bench.done(&format!(
+            "simulate job.toml --patterns {name}.npy --quiet --output {name}"
+        ));
         let shown = bench.shown(name);
         for (found, wanted) in shown.iter().zip(&bytes) {
             assert!(
@@ -179,10 +171,7 @@ fn patterns_are_numbers_of_any_type() {
         }
     }
     // A start, a map and an objective's weights ask the same reader
-    bench.expect(
-        0,
-        "run job.toml --quiet --output c --set start.patterns.file=f2.npy",
-    );
+    bench.done("run job.toml --quiet --output c --set start.patterns.file=f2.npy");
     bench.write("dose.npy", &npy(">i2", "2, 2", &[0, 1, 0, 9, 0, 8, 0, 2]));
     bench.write("target.npy", &npy("|u1", "2, 2", &[0, 1, 1, 0]));
     let found = bench.json("metrics dose.npy target.npy");
@@ -243,10 +232,9 @@ fn a_mesh_in_another_unit_is_asked_for_it() {
     ] {
         bench.write("mesh.toml", job(name).as_bytes());
         bench.refuse("check mesh.toml", &[asked]);
-        bench.expect(
-            0,
-            &format!("check mesh.toml --set target.mesh_unit=\"{unit}\""),
-        );
+        bench.done(&format!(
+            "check mesh.toml --set target.mesh_unit=\"{unit}\""
+        ));
     }
     let line = "voxelize meters.obj --pitch-mm 0.1 --output v.npy";
     bench.says(
@@ -336,10 +324,7 @@ fn a_grid_that_cuts_the_part_is_refused_or_says_what_is_lost() {
 #[test]
 fn frames_are_shown_in_the_order_of_their_numbers() {
     let bench = Bench::new();
-    bench.expect(
-        0,
-        "run job.toml --quiet --output a --set output.movie=lossless",
-    );
+    bench.done("run job.toml --quiet --output a --set output.movie=lossless");
     fs::create_dir(bench.path("plain")).unwrap();
     let frames = bench.path("a/frames");
     for frame in 0..24 {
@@ -349,7 +334,7 @@ fn frames_are_shown_in_the_order_of_their_numbers() {
     bench.write("plain/._1.png", b"left by a system");
     let dose = |patterns: &str, folder: &str| {
         let line = format!("simulate job.toml --patterns {patterns} --quiet --output {folder}");
-        bench.expect(0, &line);
+        bench.done(&line);
         read_volume(&bench.path(folder).join("dose.npy")).unwrap()
     };
     assert_eq!(dose("plain", "b"), dose("a/frames", "c"));
@@ -414,7 +399,7 @@ fn what_is_no_regular_file_is_refused_at_once() {
 #[test]
 fn a_name_of_a_part_steers_no_terminal_and_is_never_too_long() {
     let bench = Bench::new();
-    let job = fs::read_to_string(bench.path("job.toml")).unwrap();
+    let job = bench.read("job.toml");
     let name = format!("\\u001b[31m{}", "ü".repeat(124));
     let job = job.replacen("[target]", &format!("[target]\nname = \"{name}\""), 1);
     bench.write("named.toml", job.as_bytes());

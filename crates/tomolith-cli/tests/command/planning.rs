@@ -25,10 +25,8 @@ fn near(value: &Value, expected: f64, tolerance: f64) {
 #[test]
 fn a_gray_curve_goes_from_the_power_meter_to_the_job() {
     let bench = Bench::new();
-    let found = bench.json(&format!(
-        "calibrate gray {} --output curve",
-        example("gray-uv.csv")
-    ));
+    let [uv, visible] = ["gray-uv.csv", "gray-visible.csv"].map(example);
+    let found = bench.json(&format!("calibrate gray {uv} --output curve"));
     near(&found["line"]["coefficients"][1], 0.128_668, 5e-7);
     assert_eq!(found["warnings"].as_array().unwrap().len(), 1);
     assert!(bench.read("curve/gray_curve.svg").starts_with("<svg xmlns"));
@@ -37,55 +35,41 @@ fn a_gray_curve_goes_from_the_power_meter_to_the_job() {
         "job.toml",
         &format!("{JOB}[printer]\ngray_curve_file = \"curve/gray_curve.csv\"\n"),
     );
-    bench.expect(0, "check job.toml --quiet");
+    bench.done("check job.toml --quiet");
     bench.says(
         0,
-        &format!("calibrate gray {}", example("gray-visible.csv")),
+        &format!("calibrate gray {visible}"),
         &["usable from gray 86.1 to 239.1"],
     );
-    bench.refuse(
-        &format!(
-            "calibrate gray {} --form quadratic",
-            example("gray-visible.csv")
-        ),
-        &[
-            "gray-visible.csv",
-            "usable from gray 86.15 to 239.06",
-            "monotone",
-        ],
-    );
     bench.write("falls.csv", "0,0\n128,3\n255,2\n");
-    bench.refuse(
-        "calibrate gray falls.csv",
-        &["falls from 3 to 2", "usable from gray 0.00 to 128.00"],
-    );
     bench.write("negative.csv", "0,-0.5\n128,3\n255,4\n");
-    bench.refuse(
-        "calibrate gray negative.csv",
-        &["a negative irradiance", "from gray 128.00 to 255.00"],
-    );
+    // Falling is told before the missing top
+    bench.write("low.csv", "10,3\n30,2\n");
+    bench.write("short.csv", "0,0\n200,3\n");
+    bench.write("words.csv", "gray,irradiance\n0,zero\n");
+    bench.refuse_each(&format!(
+        "$ calibrate gray {visible} --form quadratic
+        gray-visible.csv … usable from gray 86.15 to 239.06 … monotone
+        $ calibrate gray falls.csv
+        falls from 3 to 2 … usable from gray 0.00 to 128.00
+        $ calibrate gray negative.csv
+        a negative irradiance … from gray 128.00 to 255.00
+        $ calibrate gray low.csv
+        falls from 3 to 2
+        $ calibrate gray short.csv
+        --top … gray values from 0 to 200
+        $ calibrate gray words.csv
+        words.csv … line 2
+        $ calibrate gray none.csv
+        none.csv
+        $ calibrate gray {uv} --output curve
+        --output … is not empty
+        $ calibrate gray {uv} --top 0
+        --top"
+    ));
     // A black point of 0 has no share to be off by
     bench.write("black.csv", "0,0\n128,4\n255,8.1\n");
     bench.says(0, "calibrate gray black.csv", &["off by up to 0 %, usable"]);
-    // Falling is told before the missing top
-    bench.write("low.csv", "10,3\n30,2\n");
-    bench.refuse("calibrate gray low.csv", &["falls from 3 to 2"]);
-    bench.write("short.csv", "0,0\n200,3\n");
-    bench.refuse(
-        "calibrate gray short.csv",
-        &["--top", "gray values from 0 to 200"],
-    );
-    bench.write("words.csv", "gray,irradiance\n0,zero\n");
-    bench.refuse("calibrate gray words.csv", &["words.csv", "line 2"]);
-    bench.refuse("calibrate gray none.csv", &["none.csv"]);
-    bench.refuse(
-        &format!("calibrate gray {} --output curve", example("gray-uv.csv")),
-        &["--output", "is not empty"],
-    );
-    bench.refuse(
-        &format!("calibrate gray {} --top 0", example("gray-uv.csv")),
-        &["--top"],
-    );
 }
 
 #[test]
@@ -112,7 +96,7 @@ fn a_response_goes_from_measured_pairs_to_a_table_for_the_job() {
         "job.toml",
         &format!("{JOB}{}", bench.read("fit/response.toml")),
     );
-    bench.expect(0, "check job.toml --quiet");
+    bench.done("check job.toml --quiet");
     for options in ["--form table", "--log-dose --log-response"] {
         let found = bench.json(&format!("calibrate response {stiffness} {options}"));
         assert!(
@@ -124,27 +108,19 @@ fn a_response_goes_from_measured_pairs_to_a_table_for_the_job() {
         );
     }
     bench.write("falls.csv", "0 5\n1 4\n2 3\n3 2\n4 1\n5 0\n");
-    bench.refuse(
-        "calibrate response falls.csv",
-        &["falls.csv", "falls with dose"],
-    );
-    bench.refuse(
-        "calibrate response falls.csv --log-dose",
-        &["0 has no logarithm", "--log-dose"],
-    );
     bench.write("few.csv", "0,0\n1,1\n2,2\n");
-    bench.refuse(
-        "calibrate response few.csv",
-        &["found 3 doses", "at least 5"],
-    );
     bench.write("three.csv", "0,0,1\n1,1,2\n");
-    bench.refuse(
-        "calibrate response three.csv",
-        &["two numbers a line: dose and response"],
-    );
-    bench.refuse(
-        "calibrate response few.csv --form table --log-dose",
-        &["--form"],
+    bench.refuse_each(
+        "$ calibrate response falls.csv
+        falls.csv … falls with dose
+        $ calibrate response falls.csv --log-dose
+        0 has no logarithm … --log-dose
+        $ calibrate response few.csv
+        found 3 doses … at least 5
+        $ calibrate response three.csv
+        two numbers a line: dose and response
+        $ calibrate response few.csv --form table --log-dose
+        --form",
     );
 }
 
@@ -163,16 +139,15 @@ fn kinetics_fit_curing_times_and_say_when_light_never_cures() {
             .read("fit/kinetics.csv")
             .starts_with("irradiance_mw_per_cm2,time_s")
     );
-    bench.refuse(
-        &format!("calibrate kinetics {balls} --at 5"),
-        &["--at", "never cures", "% of its inhibitor at most"],
-    );
-    bench.refuse(
-        &format!("calibrate kinetics {balls} --at 20~mJ/cm2"),
-        &["a dose per area", "an irradiance is meant"],
-    );
     bench.write("three.csv", "1,3\n2,2\n3,1\n");
-    bench.refuse("calibrate kinetics three.csv", &["found 3 irradiances"]);
+    bench.refuse_each(&format!(
+        "$ calibrate kinetics {balls} --at 5
+        --at … never cures … % of its inhibitor at most
+        $ calibrate kinetics {balls} --at 20~mJ/cm2
+        a dose per area … an irradiance is meant
+        $ calibrate kinetics three.csv
+        found 3 irradiances"
+    ));
 }
 
 #[test]
@@ -207,13 +182,11 @@ fn a_spectrometer_gives_absorption_and_scattering() {
         said.contains("0.1174 ± 0.0023 per mm") && !said.contains("scattering"),
         "{said}"
     );
-    bench.refuse(
-        "calibrate absorbance clear.csv --albedo 1",
-        &["--albedo", "with_particles"],
-    );
-    bench.refuse(
-        "calibrate absorbance a.csv --albedo 1.2",
-        &["--albedo", "1.2"],
+    bench.refuse_each(
+        "$ calibrate absorbance clear.csv --albedo 1
+        --albedo … with_particles
+        $ calibrate absorbance a.csv --albedo 1.2
+        --albedo … 1.2",
     );
     for (text, part) in [
         (
@@ -345,27 +318,23 @@ fn discs_are_drawn_and_their_result_is_read() {
     near(&fit["fit"]["length_mm"], 2.4, 0.1);
 
     bench.write("all.csv", &fill(&|_, _| ",1,,".to_owned()));
-    bench.refuse(
-        "calibrate dose all.csv",
-        &["every disc cured", "below 10 mJ/cm²"],
-    );
     bench.write("none.csv", &fill(&|_, _| ",0,,".to_owned()));
-    bench.refuse(
-        "calibrate dose none.csv",
-        &["no disc cured", "above 160 mJ/cm²"],
-    );
     bench.write("both.csv", &fill(&|_, _| ",1,2,".to_owned()));
-    bench.refuse(
-        "calibrate dose both.csv",
-        &["results in cured and depth_mm"],
-    );
-    bench.refuse(
-        "calibrate dose cured.csv --penetration-mm 0",
-        &["--penetration-mm"],
-    );
-    bench.refuse(&format!("{line} --output print"), &["is not empty"]);
     let bare = "calibrate discs --pixel-pitch-mm 0.1 --irradiance 20 --from 10 --to 160";
-    bench.refuse(&format!("{bare} --output other"), &["--canvas"]);
+    bench.refuse_each(&format!(
+        "$ calibrate dose all.csv
+        every disc cured … below 10 mJ/cm²
+        $ calibrate dose none.csv
+        no disc cured … above 160 mJ/cm²
+        $ calibrate dose both.csv
+        results in cured and depth_mm
+        $ calibrate dose cured.csv --penetration-mm 0
+        --penetration-mm
+        $ {line} --output print
+        is not empty
+        $ {bare} --output other
+        --canvas"
+    ));
     for (change, parts) in [
         ("--to 5", ["--from", "doses from 10 to 5"]),
         (
@@ -396,13 +365,10 @@ fn discs_are_drawn_and_their_result_is_read() {
 fn a_run_is_planned_for_a_machine_and_a_resin() {
     let bench = Bench::new();
     bench.write("job.toml", JOB);
-    bench.expect(0, "run job.toml --quiet --output a");
+    bench.done("run job.toml --quiet --output a");
     // The budget of the run itself, with the same numbers
-    bench.expect(
-        0,
-        "run job.toml --quiet --output b --set resin.critical_dose_mj_per_mm3=0.8 --set printer.peak_irradiance_mw_per_cm2=25",
-    );
-    let report: Value = serde_json::from_str(&bench.read("b/report.json")).unwrap();
+    bench.done("run job.toml --quiet --output b --set resin.critical_dose_mj_per_mm3=0.8 --set printer.peak_irradiance_mw_per_cm2=25");
+    let report = bench.report("b");
     let budget = &report["lights"][0]["budget"];
     let b = &bench.json("expose b")["plan"];
     let a = &bench.json("expose a --irradiance 25 --critical-dose 0.8")["plan"];
@@ -442,37 +408,29 @@ fn a_run_is_planned_for_a_machine_and_a_resin() {
     assert!(pw < 0.0 && found["pw_s"].is_null(), "{found}");
     bench.says(0, "expose b", &["nearly as good", "delivered light"]);
 
-    bench.refuse("expose a", &["--irradiance", "how bright the machine is"]);
-    bench.refuse(
-        "expose a --irradiance 25",
-        &["--critical-dose", "at which dose the resin gels"],
-    );
-    bench.refuse(
-        "expose a --irradiance 25 --critical-dose 80~mJ/cm2",
-        &[
-            "a dose per area, and a dose per volume is meant",
-            "penetration depth",
-        ],
-    );
-    bench.refuse(
-        "expose a --irradiance 25~mW --critical-dose 1",
-        &["a power, and an irradiance is meant"],
-    );
-    bench.refuse(
-        "expose a --irradiance 25~lux --critical-dose 1",
-        &["unknown unit `lux`"],
-    );
-    bench.refuse(
-        "expose a --irradiance -5 --critical-dose 1",
-        &["--irradiance", "`-5`"],
-    );
-    bench.refuse(
-        "expose b --within-s 1",
-        &[
-            "1 s hold 0 whole turns",
-            "% of the dose at which the resin gels",
-            "whole turns",
-        ],
+    bench.refuse_each(
+        "$ expose a
+        --irradiance … how bright the machine is
+        $ expose a --irradiance 25
+        --critical-dose … at which dose the resin gels
+        $ expose a --irradiance 25 --critical-dose 80~mJ/cm2
+        a dose per area, and a dose per volume is meant … penetration depth
+        $ expose a --irradiance 25~mW --critical-dose 1
+        a power, and an irradiance is meant
+        $ expose a --irradiance 25~lux --critical-dose 1
+        unknown unit `lux`
+        $ expose a --irradiance -5 --critical-dose 1
+        --irradiance … `-5`
+        $ expose b --within-s 1
+        1 s hold 0 whole turns … % of the dose at which the resin gels … whole turns
+        $ expose b --rpm 1000
+        --rpm … 400 frames a second … the device shows 60
+        $ expose b --rpm 0
+        --rpm
+        $ expose b --light blue
+        unknown light `blue`
+        $ expose job.toml
+        holds no job.toml",
     );
     // The irradiance that is advised is enough
     let plan = &bench.json("expose a --irradiance 25 --critical-dose 0.8")["plan"];
@@ -484,14 +442,7 @@ fn a_run_is_planned_for_a_machine_and_a_resin() {
     let said = bench.expect(2, &format!("expose a --irradiance 25 {within}"));
     let advised = said.split("irradiance from ").nth(1).unwrap();
     let advised = advised.split_whitespace().next().unwrap();
-    bench.expect(0, &format!("expose a --irradiance {advised} {within}"));
-    bench.refuse(
-        "expose b --rpm 1000",
-        &["--rpm", "400 frames a second", "the device shows 60"],
-    );
-    bench.refuse("expose b --rpm 0", &["--rpm"]);
-    bench.refuse("expose b --light blue", &["unknown light `blue`"]);
-    bench.refuse("expose job.toml", &["holds no job.toml"]);
+    bench.done(&format!("expose a --irradiance {advised} {within}"));
     fs::remove_dir_all(bench.path("a/frames")).unwrap();
     bench.refuse("expose a --irradiance 25 --critical-dose 1", &["frames"]);
 }
@@ -519,15 +470,6 @@ fn designs_are_analyzed() {
     // 3° a frame at 8 mm are 419 µm, a pixel is 16
     let fast = "analyze voxel --pixels 1000 --fps 60 --penetration-mm 10 --dose-time-s 100 --turn-deg-per-s 180";
     bench.says(0, fast, &["none: the angle step decides at every radius"]);
-    bench.refuse(
-        "analyze impulse --pixels 16 --width 0.5 --radius 0.99",
-        &["--radius", "no voxel of the disc holds a part of the post"],
-    );
-    bench.refuse(&format!("{voxel} --dose-time-s 0"), &["--dose-time-s"]);
-    bench.refuse(
-        &format!("{voxel} --critical-dose 1~mJ/cm2 --irradiance 2"),
-        &["a dose per area"],
-    );
 
     let line = "analyze buildup --radius-mm 8 --penetration-mm 0.8";
     let found = bench.json(&format!(
@@ -545,11 +487,6 @@ fn designs_are_analyzed() {
     near(&rest["points"][1]["mean_rate"], (-5.0f64).exp(), 1e-9);
     near(&rest["points"][1]["dose_s"], 50.0 * (-5.0f64).exp(), 1e-7);
     assert!(rest["wall_over_axis"].is_null());
-    bench.refuse(&format!("{line} --at 1.5"), &["--at", "found 1.5"]);
-    bench.refuse(
-        &format!("{line} --turn-deg-per-s -1"),
-        &["--turn-deg-per-s"],
-    );
 
     let found = bench
         .json("analyze impulse --pixels 64 --width 5 --radius 0 --step-deg 3 --output impulse");
@@ -557,7 +494,22 @@ fn designs_are_analyzed() {
     near(&row[3], 6.4, 0.2);
     near(&row[5], 5.0, 0.6);
     assert!(bench.path("impulse/profile_0.svg").is_file());
-    bench.refuse("analyze impulse --width 0", &["--width"]);
-    bench.refuse("analyze impulse --radius 1.2", &["--radius", "whole post"]);
-    bench.refuse("analyze impulse --pixels 4", &["--pixels"]);
+    bench.refuse_each(&format!(
+        "$ analyze impulse --width 0
+        --width
+        $ analyze impulse --radius 1.2
+        --radius … whole post
+        $ analyze impulse --pixels 4
+        --pixels
+        $ analyze impulse --pixels 16 --width 0.5 --radius 0.99
+        --radius … no voxel of the disc holds a part of the post
+        $ {voxel} --dose-time-s 0
+        --dose-time-s
+        $ {voxel} --critical-dose 1~mJ/cm2 --irradiance 2
+        a dose per area
+        $ {line} --at 1.5
+        --at … found 1.5
+        $ {line} --turn-deg-per-s -1
+        --turn-deg-per-s"
+    ));
 }

@@ -5,9 +5,9 @@
 //! the picture out of the canvas, turns and mirrors it back by moving pixels, and lays the light down by a plain back
 //! projection. Of the library it uses the decoder of movies, nothing else.
 
-use crate::bench::{Bench, doubles, json};
+use crate::bench::{Bench, doubles};
 use serde_json::Value;
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
 use tomolith::io::movie::read_movie;
@@ -46,7 +46,7 @@ folder = "run"
 /// A folder with a run.
 fn bench() -> Bench {
     let bench = Bench::with(&[("job.toml", JOB)]);
-    bench.ended(0, "run job.toml --quiet");
+    bench.done("run job.toml --quiet");
     bench
 }
 
@@ -312,7 +312,7 @@ fn frames_on_disk_make_a_right_handed_part_in_both_senses() {
             format!("rotation = \"{rotation}\"\nangles = {{ count = 60, start_deg = 17.0 }}");
         let job = JOB.replace("angles = { count = 60, start_deg = 12.0 }", &turn);
         let bench = Bench::with(&[("job.toml", &job)]);
-        bench.ended(0, "run job.toml --quiet");
+        bench.done("run job.toml --quiet");
         let shown = frames(&bench.path("run"));
         let fits = fits(&dose(&shown, sense, 17.0));
         assert!(fits[0] > 0.9, "{rotation}: {fits:?}");
@@ -356,18 +356,17 @@ fn simulate_takes_back_what_a_machine_does_from_every_file() {
         let (x, y) = (column as f64 / 150.0 - 1.0, row as f64 / 130.0 - 1.0);
         1.0 - 0.3 * (x * x + y * y)
     };
-    fs::write(bench.path("flat.npy"), pixels(&edge)).unwrap();
+    bench.write("flat.npy", &pixels(&edge));
     let dead =
         |row: usize, column: usize| f64::from(u8::from(row * 300 + column == 131 * 300 + 77));
-    fs::write(bench.path("dead.npy"), pixels(&dead)).unwrap();
-    fs::write(
-        bench.path("machine.toml"),
-        format!("{JOB}[printer]\n{EVERYTHING}").replace("\"run\"", "\"everything\""),
-    )
-    .unwrap();
-    bench.ended(0, "run machine.toml --quiet --overwrite");
-    let report = json(&bench.path("everything/report.json"));
-    let plain = json(&bench.path("run/report.json"));
+    bench.write("dead.npy", &pixels(&dead));
+    bench.write(
+        "machine.toml",
+        &format!("{JOB}[printer]\n{EVERYTHING}").replace("\"run\"", "\"everything\""),
+    );
+    bench.done("run machine.toml --quiet --overwrite");
+    let report = bench.report("everything");
+    let plain = bench.report("run");
     let iou = |report: &Value| report["evaluation"]["iou"].as_f64().unwrap();
     assert!(
         iou(&report) > iou(&plain) - 0.03,
@@ -381,11 +380,10 @@ fn simulate_takes_back_what_a_machine_does_from_every_file() {
         ("frames.npz", 0.0),
         ("chiral_10rpm.mp4", 0.01),
     ] {
-        bench.ended(
-            0,
-            &format!("simulate machine.toml --quiet --patterns everything/{file} --output again"),
-        );
-        let again = json(&bench.path("again/report.json"));
+        bench.done(&format!(
+            "simulate machine.toml --quiet --patterns everything/{file} --output again"
+        ));
+        let again = bench.report("again");
         assert!(
             (iou(&again) - iou(&report)).abs() <= tolerance,
             "{file}: {} {}",
@@ -428,19 +426,18 @@ fn simulate_takes_back_what_a_machine_does_from_every_file() {
 fn a_time_bounds_the_pixels() {
     let bench = bench();
     let time = |folder: &str| {
-        json(&bench.path(folder).join("report.json"))["lights"][0]["budget"]["time_s"]
+        bench.report(folder)["lights"][0]["budget"]["time_s"]
             .as_f64()
             .unwrap()
     };
     let machine = "[printer]\npeak_irradiance_mw_per_cm2 = 50.0\n";
-    fs::write(bench.path("timed.toml"), format!("{JOB}{machine}")).unwrap();
-    bench.ended(0, "run timed.toml --quiet --output free");
+    bench.write("timed.toml", &format!("{JOB}{machine}"));
+    bench.done("run timed.toml --quiet --output free");
     let free = time("free");
     let limit = format!("printer.time_s={}", free * 0.8);
-    bench.ended(
-        0,
-        &format!("run timed.toml --quiet --output bound --set {limit}"),
-    );
+    bench.done(&format!(
+        "run timed.toml --quiet --output bound --set {limit}"
+    ));
     // The gel dose of the print is not exactly the middle of the window that the bound was made with
     assert!(
         (time("bound") / (0.8 * free) - 1.0).abs() < 0.1,

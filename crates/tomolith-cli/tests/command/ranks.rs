@@ -127,7 +127,7 @@ fn ranks_take_shares_of_a_sweep_and_leave_its_table() {
     );
     let said = text(&shared.stdout);
     assert_eq!(said.matches("3 of 3 runs done").count(), 1, "{said}");
-    let table = |name: &str| fs::read_to_string(bench.path(name).join("table.csv")).unwrap();
+    let table = |name: &str| bench.read(&format!("{name}/table.csv"));
     assert_eq!(table("alone"), table("shared"));
 }
 

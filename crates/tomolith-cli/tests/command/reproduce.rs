@@ -1,6 +1,6 @@
 //! `tomolith reproduce` as it is typed: a study of two runs and a command, done again, and slips in its file.
 
-use crate::bench::{Bench, contains};
+use crate::bench::{Bench, contains, slipped};
 use serde_json::Value;
 
 /// A disc of 24 × 24 voxels, 24 frames.
@@ -188,7 +188,7 @@ fn values_that_no_run_of_the_full_size_has_are_refused_and_a_quick_size_may_lack
         "reproduce disc --check",
         &["rows[4].at", "no run has these values"],
     );
-    bench.stdout(0, "reproduce disc --quick --check --json");
+    bench.done("reproduce disc --quick --check --json");
 }
 
 /// A study is refused with these words, before any work and when only its cost is asked for.
@@ -267,90 +267,15 @@ fn figures_lay_the_histograms_of_runs_side_by_side() {
         refused(&figure(histogram, of), &parts);
     }
     let bench = bench_of(&figure("optimization.histogram", "map"));
-    bench.stdout(0, "reproduce disc --quick --json");
+    bench.done("reproduce disc --quick --json");
     let picture = bench.read("out/papers/disc-quick/doses.svg");
     contains(&picture, "", &["lower = 0.3", "teal: part · orange: void"]);
     let table = bench.read("out/papers/disc-quick/table.md");
     assert!(table.contains("![doses.svg](doses.svg)"), "{table}");
     // No target of part and void has errors: no picture, and no fault
     let bench = bench_of(&figure("optimization.errors", "map"));
-    bench.stdout(0, "reproduce disc --quick --json");
+    bench.done("reproduce disc --quick --json");
     assert!(!bench.path("out/papers/disc-quick/doses.svg").exists());
-}
-
-#[test]
-fn keys_of_a_row_that_contradict_each_other_are_refused_with_both() {
-    let odd = [
-        (
-            "take = \"max\"",
-            "share_of = \"lower < 0.5\"",
-            "rows[1].metric",
-            "together with share_of",
-        ),
-        (
-            "metric = \"optimization.pw\"",
-            "share_of = \"lower < 0.5\"",
-            "rows[1].take",
-            "together with share_of",
-        ),
-        (
-            "over = [\"lower < 0.6\"]",
-            "over = []\nbest = true",
-            "rows[1].best",
-            "together with over",
-        ),
-        (
-            "says = \"yes\"",
-            "published = 1",
-            "rows[2].holds",
-            "together with published",
-        ),
-        (
-            "says = \"fair\"",
-            "says = \"fair\"\nbest = true",
-            "rows[5].best",
-            "without of",
-        ),
-        (
-            "says = \"fair\"",
-            "says = \"fair\"\nwithin = 1",
-            "rows[5].within",
-            "without published",
-        ),
-        (
-            "says = \"fair\"",
-            "says = \"fair\"\npublished = 1",
-            "rows[5].says",
-            "together with published",
-        ),
-        (
-            "says = \"fair\"",
-            "differs = \"it rained\"",
-            "rows[5].differs",
-            "together with under_specified",
-        ),
-        (
-            "sweep = \"sweep.toml\"",
-            "sweep = \"sweep.toml\"\nwrites = true",
-            "runs.map.writes",
-            "without command",
-        ),
-        (
-            "writes = true",
-            "writes = true\nset = { a = 1 }",
-            "runs.voxel.set",
-            "together with command",
-        ),
-        (
-            "of = \"voxel\"",
-            "of = \"voxel\"\nbest = true",
-            "rows[3].best",
-            "together with of = \\\"voxel\\\", which is no sweep",
-        ),
-    ];
-    for (from, to, key, found) in odd {
-        refused(&STUDY.replacen(from, to, 1), &[key, found, "study.toml:"]);
-    }
 }
 
 #[test]
@@ -368,7 +293,7 @@ fn results_do_not_lie_among_files_of_the_study() {
         }
         assert!(!bench.path("map/disc/map").exists());
     }
-    bench.ended(0, "reproduce map/disc --quick --output map/disc/results");
+    bench.done("reproduce map/disc --quick --output map/disc/results");
 }
 
 #[test]
@@ -406,101 +331,118 @@ fn a_command_is_left_out_with_the_run_whose_folder_it_reads() {
     );
 }
 
+/// Read by [`slipped`](crate::bench::slipped).
+const SLIPS: &str = r#"
+# Keys of a row that contradict each other
+- take = "max"
++ share_of = "lower < 0.5"
+rows[1].metric … together with share_of
+
+- metric = "optimization.pw"
++ share_of = "lower < 0.5"
+rows[1].take … together with share_of
+
+- over = ["lower < 0.6"]
++ over = []
++ best = true
+rows[1].best … together with over
+
+- says = "yes"
++ published = 1
+rows[2].holds … together with published
+
+  says = "fair"
++ best = true
+rows[5].best … without of
+
+  says = "fair"
++ within = 1
+rows[5].within … without published
+
+  says = "fair"
++ published = 1
+rows[5].says … together with published
+
+- says = "fair"
++ differs = "it rained"
+rows[5].differs … together with under_specified
+
+  sweep = "sweep.toml"
++ writes = true
+runs.map.writes … without command
+
+  writes = true
++ set = { a = 1 }
+runs.voxel.set … together with command
+
+  of = "voxel"
++ best = true
+rows[3].best … together with of = \"voxel\", which is no sweep
+
+# Names, numbers and values
+- where = "S1"
++ were = "S1"
+rows[3].were … study.toml:36: … where
+
+- of = "voxel"
++ of = "voxels"
+rows[3].of … study.toml:37: … map, voxel
+
+- holds = "wide < 1"
++ holds = "width < 1"
+rows[2].holds … line 33 … no earlier row is named `width`
+
+- at = { lower = 0.7 }
++ at = { upper = 0.7 }
+rows[4].at … line 45 … `upper` is no axis
+
+- metric = "optimization.pw"
++ metric = "optimization.pww"
+optimization.pww … rows[1].metric … did you mean `optimization.pw`
+
+  title = "All of the map"
+- of = "map"
++ of = "voxel"
+tables[0].of … `voxel` is no sweep or job … map
+
+- [runs.map]
++ [runs."../map"]
+runs … a run named `../map` … letters, digits
+
+- command = ["analyze", "voxel", "--pixels", "100", "--fps", "1000", "--penetration-mm", "10", "--dose-time-s", "50", "--radius-mm", "1"]
++ command = ["reproduce", ".", "--pixels", "100", "--fps", "1000", "--penetration-mm", "10", "--dose-time-s", "50", "--radius-mm", "1"]
+runs.voxel.command … reproduces a study … line 8
+
+- within = 0.5
++ within = -0.5
+rows[0].within … found -0.5 … 0 or more
+
+  published = 1
++ take = "max"
+rows[0].take … without over … line
+
+- at = { lower = 0.5 }
++ at = {}
+rows[0].at … it says nothing of `lower` … a value for every axis
+
+  sweep = "sweep.toml"
++ set = { "objective.ospw.uper" = 1 }
+runs.map.set.objective.ospw.uper … study.toml … upper
+
+  sweep = "sweep.toml"
++ set = { "evaluate.bit_depth" = 40, "output.rpm" = 0 }
+runs.map.set.evaluate.bit_depth … runs.map.set.output.rpm … study.toml
+
+- within = 1e-9
+rows[3] … study.toml … a published number without a verdict
+"#;
+
 #[test]
 fn slips_are_refused_with_file_and_line_before_any_work() {
-    for (from, to, parts) in [
-        (
-            "where = \"S1\"",
-            "were = \"S1\"",
-            ["rows[3].were", "study.toml:36:", "where"],
-        ),
-        (
-            "of = \"voxel\"",
-            "of = \"voxels\"",
-            ["rows[3].of", "study.toml:37:", "map, voxel"],
-        ),
-        (
-            "holds = \"wide < 1\"",
-            "holds = \"width < 1\"",
-            [
-                "rows[2].holds",
-                "line 33",
-                "no earlier row is named `width`",
-            ],
-        ),
-        (
-            "at = { lower = 0.7 }",
-            "at = { upper = 0.7 }",
-            ["rows[4].at", "line 45", "`upper` is no axis"],
-        ),
-        (
-            "metric = \"optimization.pw\"",
-            "metric = \"optimization.pww\"",
-            [
-                "optimization.pww",
-                "rows[1].metric",
-                "did you mean `optimization.pw`",
-            ],
-        ),
-        (
-            "title = \"All of the map\"\nof = \"map\"",
-            "title = \"All of the map\"\nof = \"voxel\"",
-            ["tables[0].of", "`voxel` is no sweep or job", "map"],
-        ),
-        (
-            "[runs.map]",
-            "[runs.\"../map\"]",
-            ["runs", "a run named `../map`", "letters, digits"],
-        ),
-        (
-            "command = [\"analyze\", \"voxel\"",
-            "command = [\"reproduce\", \".\"",
-            ["runs.voxel.command", "reproduces a study", "line 8"],
-        ),
-        (
-            "within = 0.5",
-            "within = -0.5",
-            ["rows[0].within", "found -0.5", "0 or more"],
-        ),
-        (
-            "within = 0.5",
-            "take = \"max\"\nwithin = 0.5",
-            ["rows[0].take", "without over", "line"],
-        ),
-        (
-            "at = { lower = 0.5 }",
-            "at = {}",
-            [
-                "rows[0].at",
-                "it says nothing of `lower`",
-                "a value for every axis",
-            ],
-        ),
-        (
-            "sweep = \"sweep.toml\"",
-            "sweep = \"sweep.toml\"\nset = { \"objective.ospw.uper\" = 1 }",
-            ["runs.map.set.objective.ospw.uper", "study.toml", "upper"],
-        ),
-        (
-            "sweep = \"sweep.toml\"",
-            "sweep = \"sweep.toml\"\nset = { \"evaluate.bit_depth\" = 40, \"output.rpm\" = 0 }",
-            [
-                "runs.map.set.evaluate.bit_depth",
-                "runs.map.set.output.rpm",
-                "study.toml",
-            ],
-        ),
-        (
-            "within = 1e-9",
-            "",
-            [
-                "rows[3]",
-                "study.toml",
-                "a published number without a verdict",
-            ],
-        ),
-    ] {
-        refused(&STUDY.replace(from, to), &parts);
+    for slip in SLIPS.split("\n\n") {
+        let (study, mut parts) = slipped(STUDY, "", slip);
+        parts.push("study.toml");
+        refused(&study, &parts);
     }
     bench_of(STUDY).ended(2, "reproduce nowhere");
 }

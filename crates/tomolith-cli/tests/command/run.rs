@@ -1,6 +1,6 @@
 //! Whole runs of the command, on a job that takes a moment.
 
-use crate::bench::{Bench, contains, json};
+use crate::bench::{Bench, contains};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fs;
@@ -69,7 +69,7 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
         assert!(run.join(name).metadata().unwrap().len() > 100, "{name}");
     }
     assert!(!run.join(".new").exists() && !run.join(".lock").exists());
-    let report = json(&run.join("report.json"));
+    let report = bench.report("out/job");
     assert!(report["optimization"]["iou"].as_f64().unwrap() > 0.9);
     assert!(report["evaluation"]["iou"].as_f64().unwrap() > 0.8);
     assert_eq!(report["evaluation"]["sub_angles"], 4);
@@ -117,12 +117,9 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
         "{said}"
     );
     // A run folder stands for its patterns.npz
-    bench.stdout(0, "simulate job.toml --patterns out/job --output folder");
-    assert_eq!(
-        json(&bench.path("folder/report.json"))["evaluation"],
-        report["evaluation"]
-    );
-    let again = json(&bench.path("again/report.json"));
+    bench.done("simulate job.toml --patterns out/job --output folder");
+    assert_eq!(bench.report("folder")["evaluation"], report["evaluation"]);
+    let again = bench.report("again");
     for section in ["evaluation", "optimization", "lights", "movies"] {
         assert_eq!(again[section], report[section], "{section}");
     }
@@ -137,10 +134,7 @@ fn a_run_leaves_everything_and_simulate_reproduces_its_numbers() {
     // The resolved job runs identically, from another folder, and only there
     fs::create_dir(bench.path("elsewhere")).unwrap();
     fs::copy(run.join("job.toml"), bench.path("elsewhere/resolved.toml")).unwrap();
-    bench.stdout(
-        0,
-        "run elsewhere/resolved.toml --output resolved --threads 1",
-    );
+    bench.done("run elsewhere/resolved.toml --output resolved --threads 1");
     assert_same_bits(&bench.path("resolved"), &written, "the resolved job");
 }
 
@@ -195,12 +189,12 @@ fn a_method_that_descends_no_loss_ends_with_its_best_print_and_says_so() {
     let line = "iteration 1 of 6 (best IoU on the job's voxels)";
     let said = bench.stdout(0, &format!("run job.toml {set} --output best"));
     assert!(said.contains(line), "{said}");
-    let report = json(&bench.path("best/report.json"));
+    let report = bench.report("best");
     let kept = |report: &Value| report["history"]["kept"].clone();
     let expected = serde_json::json!({ "iteration": 1, "by": "print" });
     assert_eq!(kept(&report), expected);
     assert!(report["optimization"]["iou"].as_f64().unwrap() > 0.88);
-    let page = fs::read_to_string(bench.path("best/report.html")).unwrap();
+    let page = bench.read("best/report.html");
     assert!(page.contains("iteration 1 of 6"));
 
     let said = bench.stdout(
@@ -208,7 +202,7 @@ fn a_method_that_descends_no_loss_ends_with_its_best_print_and_says_so() {
         &format!("run job.toml {set} --set stop.keep=last --output last"),
     );
     assert!(!said.contains("kept"), "{said}");
-    let report = json(&bench.path("last/report.json"));
+    let report = bench.report("last");
     assert_eq!(kept(&report)["iteration"], 6);
     assert!(report["optimization"]["iou"].as_f64().unwrap() < 0.8);
 }
@@ -224,7 +218,7 @@ fn few_bits_are_improved_on_their_levels_and_simulated_to_the_same_bits() {
                 "run job.toml --json --set evaluate.bit_depth=1 {whole} {more} --output {folder}"
             ),
         );
-        (said, json(&bench.path(folder).join("report.json")))
+        (said, bench.report(folder))
     };
     let (said, report) = run("few", "--set evaluate.levels=optimized");
     assert!(said.contains("bit depth 1: loss"), "{said}");
@@ -244,14 +238,14 @@ fn few_bits_are_improved_on_their_levels_and_simulated_to_the_same_bits() {
     assert_eq!(report["optimization"], rounded["optimization"]);
     // The default is to improve, and more bits are rounded
     assert_eq!(run("default", "").1["levels"], *gain);
-    bench.stdout(0, "run job.toml --set evaluate.bit_depth=6 --output many");
-    assert!(json(&bench.path("many/report.json"))["levels"].is_null());
+    bench.done("run job.toml --set evaluate.bit_depth=6 --output many");
+    assert!(bench.report("many")["levels"].is_null());
 
     let simulate = |folder: &str, machine: &str| {
         let line = format!("simulate job.toml --set evaluate.bit_depth=1 {whole} {machine}");
-        bench.stdout(0, &format!("{line} --patterns {folder} --output again"));
-        let again = json(&bench.path("again/report.json"));
-        let report = json(&bench.path(folder).join("report.json"));
+        bench.done(&format!("{line} --patterns {folder} --output again"));
+        let again = bench.report("again");
+        let report = bench.report(folder);
         for section in ["evaluation", "lights"] {
             assert_eq!(again[section], report[section], "{folder}: {section}");
         }
@@ -270,11 +264,11 @@ fn few_bits_are_improved_on_their_levels_and_simulated_to_the_same_bits() {
 fn doses_are_energies_where_the_resin_says_what_it_needs() {
     let bench = bench();
     let line = "run job.toml --quiet --set resin.critical_dose_mj_per_mm3=2";
-    bench.stdout(0, &format!("{line} --output plain"));
+    bench.done(&format!("{line} --output plain"));
     let machine = "--set printer.canvas=[48,24] --set printer.peak_irradiance_mw_per_cm2=100";
-    bench.stdout(0, &format!("{line} {machine} --output machine"));
+    bench.done(&format!("{line} {machine} --output machine"));
     for (folder, systems) in [("plain", 2), ("machine", 4)] {
-        let report = json(&bench.path(folder).join("report.json"));
+        let report = bench.report(folder);
         let rows = report["published"]["unit_systems"].as_array().unwrap();
         assert_eq!(rows.len(), systems, "{folder}");
         // 2 mJ/mm³ are 2 J/cm³; the brightest pixel is the printer's white, in J/cm²
@@ -294,18 +288,14 @@ fn doses_are_energies_where_the_resin_says_what_it_needs() {
 fn a_job_in_json_is_the_same_job() {
     let bench = bench();
     let table: Value = toml::from_str(JOB).unwrap();
-    fs::write(bench.path("j.json"), table.to_string()).unwrap();
-    bench.stdout(0, "run job.toml --output a --quiet");
-    bench.stdout(0, "run j.json --output b --quiet");
+    bench.write("j.json", &table.to_string());
+    bench.done("run job.toml --output a --quiet");
+    bench.done("run j.json --output b --quiet");
     assert_same_bits(&bench.path("a"), &bits(&bench.path("b")), "JSON");
     // Overrides are the same as changes of the text
-    fs::write(
-        bench.path("c.toml"),
-        JOB.replace("iterations = 6", "iterations = 3"),
-    )
-    .unwrap();
-    bench.stdout(0, "run c.toml --output c --quiet");
-    bench.stdout(0, "run job.toml --output d --quiet --set stop.iterations=3");
+    bench.write("c.toml", &JOB.replace("iterations = 6", "iterations = 3"));
+    bench.done("run c.toml --output c --quiet");
+    bench.done("run job.toml --output d --quiet --set stop.iterations=3");
     assert_same_bits(&bench.path("c"), &bits(&bench.path("d")), "overrides");
     assert!(bits(&bench.path("c")) != bits(&bench.path("a")));
 }
@@ -313,10 +303,10 @@ fn a_job_in_json_is_the_same_job() {
 #[test]
 fn a_quality_that_is_not_met_ends_with_one() {
     let bench = bench();
-    let said = bench.stdout(1, "run job.toml --set evaluate.require_iou=1.0");
-    assert!(said.contains("NOT met"), "{said}");
+    let line = "run job.toml --set evaluate.require_iou=1.0";
+    bench.says(1, line, &["NOT met"]);
     assert!(bench.path("out/job/report.html").exists());
-    bench.stdout(0, "run job.toml --overwrite --set evaluate.require_iou=0.5");
+    bench.done("run job.toml --overwrite --set evaluate.require_iou=0.5");
 }
 
 #[test]
@@ -334,13 +324,10 @@ fn every_species_must_have_the_quality_that_is_asked() {
         line += &format!(" --set {light}.projector.collimated.pixel_pitch_mm=0.15");
     }
     // The first species, acrylate, has an IoU above 0.98 here, the second one not
-    let said = bench.stdout(1, &format!("{line} --set evaluate.require_iou=0.98"));
-    assert!(said.contains("NOT met: epoxy 0."), "{said}");
-    let said = bench.stdout(
-        0,
-        &format!("{line} --overwrite --set evaluate.require_iou=0.7"),
-    );
-    assert!(said.contains("0.7000 met"), "{said}");
+    let high = format!("{line} --set evaluate.require_iou=0.98");
+    bench.says(1, &high, &["NOT met: epoxy 0."]);
+    let low = format!("{line} --overwrite --set evaluate.require_iou=0.7");
+    bench.says(0, &low, &["0.7000 met"]);
 }
 
 #[test]
@@ -429,11 +416,11 @@ fn thirty_kills_leave_the_bits_of_the_uninterrupted_run() {
     let bench = bench();
     let job = "run job.toml --json --set stop.iterations=100 --set objective.threshold.upper=1.0 \
                --set objective.threshold.lower=0.99 --set checkpoint.every_s=0.0001";
-    bench.stdout(0, &format!("{job} --output whole"));
+    bench.done(&format!("{job} --output whole"));
     let whole = bits(&bench.path("whole"));
     for threads in [1, 2, 8] {
         let folder = format!("threads{threads}");
-        bench.stdout(0, &format!("{job} --output {folder} --threads {threads}"));
+        bench.done(&format!("{job} --output {folder} --threads {threads}"));
         assert_same_bits(&bench.path(&folder), &whole, &folder);
     }
 
@@ -476,7 +463,7 @@ fn thirty_kills_leave_the_bits_of_the_uninterrupted_run() {
             assert!(content == whole[&name], "kill {kill} ({phase:?}): {name}");
         }
     }
-    bench.stdout(0, &format!("{job} --output killed --resume"));
+    bench.done(&format!("{job} --output killed --resume"));
     assert_same_bits(&bench.path("killed"), &whole, "after 30 kills");
 }
 
@@ -530,8 +517,8 @@ fn several_lights_and_objectives_go_from_end_to_end() {
             "[objective.threshold]",
             "[[objectives]]\nthreshold = {}\n[[objectives]]\nweight = 0.5\nl2 = {}",
         );
-    fs::write(bench.path("two.toml"), text).unwrap();
-    bench.stdout(0, "run two.toml");
+    bench.write("two.toml", &text);
+    bench.done("run two.toml");
     let run = bench.path("out/two");
     for name in [
         "frames/a/frame_0029.png",
@@ -541,12 +528,8 @@ fn several_lights_and_objectives_go_from_end_to_end() {
     ] {
         assert!(run.join(name).exists(), "{name}");
     }
-    bench.stdout(
-        0,
-        "simulate two.toml --patterns out/two/patterns.npz --output again",
-    );
-    let [report, again] =
-        ["out/two", "again"].map(|folder| json(&bench.path(folder).join("report.json")));
+    bench.done("simulate two.toml --patterns out/two/patterns.npz --output again");
+    let [report, again] = ["out/two", "again"].map(|folder| bench.report(folder));
     assert_eq!(again["evaluation"], report["evaluation"]);
     assert_eq!(report["lights"].as_array().unwrap().len(), 2);
     let line = "simulate two.toml --patterns out/two/patterns.npz --set light[1].angles=21";
@@ -561,23 +544,17 @@ fn no_light_reaches_a_body_that_is_to_stay_dark() {
     let job = fs::read_to_string(&example).unwrap();
     let meshes = example.parent().unwrap().join("meshes");
     let job = job.replace("\"meshes", &format!("\"{}", meshes.display()));
-    fs::write(bench.path("bodies.toml"), job).unwrap();
+    bench.write("bodies.toml", &job);
     let settings = "--quiet --set grid.pitch_mm=0.1 --set stop.iterations=4 --set light[0].angles=36 \
                     --set evaluate.sub_angles=1 --set evaluate.refine=2";
-    bench.stdout(
-        0,
-        &format!("run bodies.toml {settings} --set output.folder=dark"),
-    );
-    let text = fs::read_to_string(bench.path("bodies.toml")).unwrap();
-    fs::write(
-        bench.path("plain.toml"),
-        text.replace("keep-dark", "ignore"),
-    )
-    .unwrap();
-    bench.stdout(
-        0,
-        &format!("run plain.toml {settings} --set output.folder=plain"),
-    );
+    bench.done(&format!(
+        "run bodies.toml {settings} --set output.folder=dark"
+    ));
+    let text = bench.read("bodies.toml");
+    bench.write("plain.toml", &text.replace("keep-dark", "ignore"));
+    bench.done(&format!(
+        "run plain.toml {settings} --set output.folder=plain"
+    ));
     // The largest dose in the pocket, x from −0.5 to 0.5 and y from 0.2 to 1.2 mm, a voxel from its faces, and
     // anywhere; dose.npy has voxels of 0.1 mm
     let doses = |folder: &str| {
@@ -598,14 +575,14 @@ fn no_light_reaches_a_body_that_is_to_stay_dark() {
     assert!(all > 0.5 && pocket <= 1e-6 * all, "{pocket} of {all}");
     // What the body gets stands in the report; on the finer grid its faces are grazed by columns that miss the middle of the
     // coarser voxels
-    let report = json(&bench.path("dark/report.json"));
+    let report = bench.report("dark");
     let dark = &report["published"]["keep_dark"];
     let number = |key: &str| dark[key].as_f64().unwrap();
     let part = number("part_mean");
     assert!(part > 0.5 && number("mean") < 0.01 * part, "{dark}");
-    let page = fs::read_to_string(bench.path("dark/report.html")).unwrap();
+    let page = bench.read("dark/report.html");
     assert!(page.contains("Keep-dark body"));
-    let plain = json(&bench.path("plain/report.json"));
+    let plain = bench.report("plain");
     assert!(plain["published"]["keep_dark"].is_null());
     let (pocket, all) = doses("plain");
     assert!(pocket > 0.05 * all, "{pocket} of {all}");
@@ -624,13 +601,13 @@ fn the_job_of_a_run_whose_window_widened_makes_the_same_patterns() {
         objective = { threshold = { surface = "voxel" } }
         stop.iterations = 60
         "#;
-    fs::write(bench.path("disc.toml"), job).unwrap();
+    bench.write("disc.toml", job);
     bench.says(
         0,
         "run disc.toml -o wide",
         &["the thresholds now move 0.05"],
     );
-    bench.stdout(0, "run wide/job.toml -o again");
+    bench.done("run wide/job.toml -o again");
     assert_same_bits(&bench.path("again"), &bits(&bench.path("wide")), "again");
 }
 
@@ -642,8 +619,8 @@ fn scattered_light_of_cones_is_held_against_monte_carlo_paths() {
     let line = format!(
         "run job.toml -o cone --set resin.scattering_per_mm=0.2 --set stop.iterations=3 --set {cone}"
     );
-    bench.stdout(0, &line);
-    let report = json(&bench.path("cone/report.json"));
+    bench.done(&line);
+    let report = bench.report("cone");
     let models = report["run"]["models"].to_string();
     assert!(
         models.contains("successive_orders (rays, 4 per pixel"),
@@ -659,12 +636,8 @@ fn scattered_light_of_cones_is_held_against_monte_carlo_paths() {
 #[test]
 fn check_tells_the_plan_and_changes_nothing() {
     let bench = bench();
-    let said = bench.stdout(0, "check job.toml");
-    contains(
-        &said,
-        "",
-        &["gear", "parallel", "memory", "time", "30 frames"],
-    );
+    let parts = ["gear", "parallel", "memory", "time", "30 frames"];
+    bench.says(0, "check job.toml", &parts);
     assert!(!bench.path("out").exists());
     let plan = bench.json("check job.toml");
     assert!(plan["memory_mb"].as_u64().unwrap() > 0 && plan["seconds"].as_f64().unwrap() > 0.0);
@@ -733,7 +706,7 @@ fn every_example_is_sound() {
     for entry in fs::read_dir(examples).unwrap().map(|e| e.unwrap().path()) {
         if entry.extension().is_some_and(|e| e == "toml") {
             let bench = bench();
-            bench.stdout(0, &format!("check {} --toy", entry.display()));
+            bench.done(&format!("check {} --toy", entry.display()));
             seen += 1;
         }
     }
@@ -784,7 +757,7 @@ fn numbers_that_mean_little_come_with_a_warning() {
     {
         let output = bench.ended(0, &format!("run job.toml --output w{i} {settings}"));
         contains(&String::from_utf8_lossy(&output.stderr), settings, &[part]);
-        let report = json(&bench.path(&format!("w{i}/report.json")));
+        let report = bench.report(&format!("w{i}"));
         if settings.contains("angles") {
             // The vial stands while the only frame is shown, or those of a list are
             assert_eq!(report["evaluation"]["sub_angles"], 1, "{settings}");
@@ -821,19 +794,21 @@ fn a_worst_case_without_cases_is_told() {
 #[test]
 fn the_closing_lines_say_on_which_voxels() {
     let bench = bench();
-    let said = bench.stdout(0, "run job.toml --output a --set evaluate.refine=2");
-    assert!(
-        said.contains("evaluated on 56 × 56 × 36 voxels of 0.05 mm, 2× finer than the job's"),
-        "{said}"
+    bench.says(
+        0,
+        "run job.toml --output a --set evaluate.refine=2",
+        &["evaluated on 56 × 56 × 36 voxels of 0.05 mm, 2× finer than the job's"],
     );
-    let said = bench.stdout(0, "run job.toml --output b --set evaluate.refine=1 --toy");
-    assert!(
-        said.contains("the job's own (evaluate.refine = 1)"),
-        "{said}"
+    bench.says(
+        0,
+        "run job.toml --output b --set evaluate.refine=1 --toy",
+        &[
+            "the job's own (evaluate.refine = 1)",
+            "This is a toy of the job",
+            "b/report.html",
+        ],
     );
-    assert!(said.contains("This is a toy of the job"), "{said}");
-    assert!(said.contains("b/report.html"), "{said}");
-    let page = fs::read_to_string(bench.path("b/report.html")).unwrap();
+    let page = bench.read("b/report.html");
     assert!(page.contains(" on voxels of 300 µm: ") && page.contains("[\"A toy\","));
     let said = bench.stdout(0, "run job.toml --output d --toy --keep metrics");
     assert!(
@@ -880,7 +855,7 @@ fn a_grid_that_moves_onto_the_rows_says_so() {
             "{folder}: {}",
             origin(folder)
         );
-        let report = json(&bench.path(folder).join("report.json"));
+        let report = bench.report(folder);
         let middle = report["evaluation"]["grid"]["center_xyz_mm"][2]
             .as_f64()
             .unwrap();

@@ -2,7 +2,6 @@
 
 use crate::bench::{Bench, contains, said};
 use serde_json::Value;
-use std::fs;
 use std::io::{BufRead, BufReader};
 use std::process::Stdio;
 
@@ -40,7 +39,7 @@ impl Bench {
 #[test]
 fn a_killed_sweep_called_again_is_an_uninterrupted_one() {
     let bench = bench();
-    bench.ended(0, "sweep sweep.toml --output whole --quiet");
+    bench.done("sweep sweep.toml --output whole --quiet");
     let mut child = bench
         .command("sweep sweep.toml --output killed --json --threads 2")
         .stdout(Stdio::piped())
@@ -61,22 +60,22 @@ fn a_killed_sweep_called_again_is_an_uninterrupted_one() {
 #[test]
 fn the_commands_of_the_list_make_the_runs_that_merging_collects() {
     let bench = bench();
-    bench.ended(0, "sweep sweep.toml --output whole --quiet");
+    bench.done("sweep sweep.toml --output whole --quiet");
     let list = bench.stdout(0, "sweep sweep.toml --output out --list");
     assert_eq!(list.lines().count(), 5);
     for line in list.lines() {
-        bench.ended(
-            0,
-            &format!("{} --quiet", line.strip_prefix("tomolith ").unwrap()),
-        );
+        bench.done(&format!(
+            "{} --quiet",
+            line.strip_prefix("tomolith ").unwrap()
+        ));
     }
-    bench.ended(0, "sweep sweep.toml --output out --merge --quiet");
+    bench.done("sweep sweep.toml --output out --merge --quiet");
     assert_eq!(bench.table("out"), bench.table("whole"));
     // No run has been made in the third share of another folder
-    bench.ended(0, "sweep sweep.toml --output share --shard 1/3 --quiet");
+    bench.done("sweep sweep.toml --output share --shard 1/3 --quiet");
     let text = bench.stdout(1, "sweep sweep.toml --output share --merge");
     assert!(text.starts_with("1 of 5 runs done, 4 missing"), "{text}");
-    bench.ended(0, "run share/best.toml --quiet --keep metrics");
+    bench.done("run share/best.toml --quiet --keep metrics");
     assert!(
         bench.path("share/best/report.json").is_file()
             && !bench.path("share/best/dose.npy").exists()
@@ -94,11 +93,7 @@ fn the_commands_of_the_list_make_the_runs_that_merging_collects() {
 #[test]
 fn slips_are_refused_with_their_place_and_nothing_is_written() {
     let bench = bench();
-    fs::write(
-        bench.path("bad.toml"),
-        SWEEP.replace("ospw.lower", "ospw.lwer"),
-    )
-    .unwrap();
+    bench.write("bad.toml", &SWEEP.replace("ospw.lower", "ospw.lwer"));
     let parts = ["axes[0].key", "bad.toml:5:", "did you mean `lower`?"];
     bench.refuse("sweep bad.toml", &parts);
     bench.ended(2, "sweep sweep.toml --shard 4/3");
@@ -106,15 +101,14 @@ fn slips_are_refused_with_their_place_and_nothing_is_written() {
     bench.ended(2, "sweep nowhere.toml");
     assert!(!bench.path("out").exists());
     // No run meets what is asked: exit code 1, and no best job
-    fs::write(
-        bench.path("hard.toml"),
-        format!("{SWEEP}[best]\nwhere = [\"optimization.pw > 5\"]\n"),
-    )
-    .unwrap();
-    let text = bench.stdout(1, "sweep hard.toml --output out");
-    assert!(
-        text.contains("no finished run has the number that ranks and meets best.where"),
-        "{text}"
+    bench.write(
+        "hard.toml",
+        &format!("{SWEEP}[best]\nwhere = [\"optimization.pw > 5\"]\n"),
+    );
+    bench.says(
+        1,
+        "sweep hard.toml --output out",
+        &["no finished run has the number that ranks and meets best.where"],
     );
     assert!(bench.path("out/table.csv").is_file() && !bench.path("out/best.toml").exists());
 }
@@ -176,7 +170,7 @@ fn a_map_outlines_nothing_where_nothing_is_asked_of_the_best() {
     let picture = |sweep: &str| {
         bench.write("map.toml", sweep.as_bytes());
         // Half of the runs are missing
-        bench.ended(0, "sweep map.toml --output map --quiet --shard 1/2");
+        bench.done("sweep map.toml --output map --quiet --shard 1/2");
         bench.ended(1, "sweep map.toml --output map --quiet --merge");
         bench.read("map/evaluation.iou.svg")
     };

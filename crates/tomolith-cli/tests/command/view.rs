@@ -108,8 +108,8 @@ impl Drop for Served {
 #[test]
 fn the_page_its_arrays_and_slices_of_the_dose_are_served() {
     let bench = Bench::new();
-    bench.expect(0, "run job.toml --quiet --output a");
-    bench.expect(0, "run job.toml --quiet --output b --set stop.iterations=2");
+    bench.done("run job.toml --quiet --output a");
+    bench.done("run job.toml --quiet --output b --set stop.iterations=2");
     let served = Served::start(&bench, "view a b --no-browser");
     let (status, page) = served.get("");
     let page = String::from_utf8(page).unwrap();
@@ -168,7 +168,7 @@ fn the_page_its_arrays_and_slices_of_the_dose_are_served() {
     assert_eq!(served.get("run/0/slice/response2").0, 400);
 
     // The dose is not what prints where the material has a response
-    bench.expect(0, "run job.toml --quiet --toy --output c --set response={logistic={midpoint=0.5,steepness=20}}");
+    bench.done("run job.toml --quiet --toy --output c --set response={logistic={midpoint=0.5,steepness=20}}");
     let other = Served::start(&bench, "view c --no-browser");
     let data: Value = serde_json::from_slice(&other.get("runs.json").1).unwrap();
     let mut all = data["runs"][0]["volumes"].as_array().unwrap().iter();
@@ -187,7 +187,7 @@ fn the_page_its_arrays_and_slices_of_the_dose_are_served() {
 #[test]
 fn strangers_get_nothing() {
     let bench = Bench::new();
-    bench.expect(0, "run job.toml --quiet --output a --toy");
+    bench.done("run job.toml --quiet --output a --toy");
     bench.write("secret.txt", "secret");
     let served = Served::start(&bench, "view a --no-browser");
     let (port, token) = (served.port, served.token.clone());
@@ -238,7 +238,7 @@ fn strangers_get_nothing() {
 #[test]
 fn what_cannot_be_served_is_refused_before() {
     let bench = Bench::new();
-    bench.expect(0, "run job.toml --quiet --output a --toy");
+    bench.done("run job.toml --quiet --output a --toy");
     let listener = std::net::TcpListener::bind(("127.0.0.1", 0)).unwrap();
     let taken = listener.local_addr().unwrap().port();
     for (line, said) in [
@@ -262,7 +262,7 @@ fn a_row_of_a_sweep_opens_its_run() {
     let bench = Bench::new();
     let sweep = "job = \"job.toml\"\nfolder = \"map\"\nmetrics = [\"evaluation.iou\"]\n[[axes]]\nkey = \"stop.iterations\"\nvalues = [1, 3]\n";
     bench.write("sweep.toml", sweep);
-    bench.expect(0, "sweep sweep.toml --quiet");
+    bench.done("sweep sweep.toml --quiet");
     let served = Served::start(&bench, "view map --no-browser");
     let data: Value = serde_json::from_slice(&served.get("runs.json").1).unwrap();
     let sweep = &data["sweep"];

@@ -131,11 +131,11 @@ fn what_an_option_set_is_not_blamed_on_the_file() {
 fn resuming_notices_that_a_file_of_the_job_has_other_content() {
     let bench = Bench::beside_a_run();
     let job = JOB.replace("[stop]", "[response.table]\nfile = \"curve.csv\"\n[stop]");
-    fs::write(bench.path("curve.csv"), "0 0\n0.5 0.4\n1 1\n").unwrap();
+    bench.write("curve.csv", "0 0\n0.5 0.4\n1 1\n");
     assert!(bench.tomolith(&job, &["--quiet"]).status.success());
     let resume = ["--resume", "--quiet"];
     assert!(bench.tomolith(&job, &resume).status.success());
-    fs::write(bench.path("curve.csv"), "0 0\n0.5 0.6\n1 1\n").unwrap();
+    bench.write("curve.csv", "0 0\n0.5 0.6\n1 1\n");
     let changed = "the content of a file that the job names, have changed";
     bench.refused(&job, &resume, &[changed]);
 }

@@ -32,7 +32,7 @@ fn bodies_that_contradict_each_other_are_refused() {
     let bench = Bench::beside_a_run();
     let solid = |name: &str, boxes: &[[[f64; 3]; 2]]| {
         let facets: String = boxes.iter().copied().map(stl_box).collect();
-        fs::write(bench.path(name), format!("solid a\n{facets}endsolid a\n")).unwrap();
+        bench.write(name, &format!("solid a\n{facets}endsolid a\n"));
     };
     let (first, overlapping) = (
         [[0.0, 0.0, 0.0], [2.0, 2.0, 1.0]],
@@ -146,7 +146,7 @@ fn meshes_that_cannot_be_printed_are_refused() {
         ("none.stl", Some(b"solid a\nendsolid a\n".to_vec())),
     ] {
         if let Some(content) = content {
-            fs::write(bench.path(name), content).unwrap();
+            bench.write(name, &content);
         }
         let job = JOB.replace("phantom = \"gear\"", &format!("mesh = \"{name}\""));
         bench.refused_before_work(&job, &[name]);
