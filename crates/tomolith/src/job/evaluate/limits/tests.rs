@@ -4,6 +4,7 @@ use super::acting::Acting;
 use crate::grid::PatternGrid;
 use crate::job::evaluate::limits::*;
 use crate::metrics::{gray, iou};
+use crate::optics::light::Light;
 use crate::optimize::{Row, StopReason};
 
 /// The numbers of the first example.
