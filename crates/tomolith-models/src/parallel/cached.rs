@@ -394,7 +394,7 @@ impl CachedEntries {
         let is_last = i + 1 == nonzero.blocks.len();
         let next = views.start / GROUP + 1;
         let (first, lit_by, block) = match is_last {
-            _ if path.isa != Isa::Avx2 => (0, [].as_slice(), 0),
+            _ if path.isa != Isa::Avx2 || plan.turned.repeats() => (0, [].as_slice(), 0),
             false => (first_of_group(views), group.lit_by.as_slice(), i + 1),
             true if next < self.per_tile => {
                 let group = &self.groups[index * self.per_tile + next];

@@ -136,7 +136,7 @@ impl Parallel {
         self.expand_parts((light, wide), (views, sides), x, lanes.as_mut_slice());
         let source = lanes.as_slice();
         let (row, used) = (wide.row / LANES, wide.parts * wide.part / LANES);
-        let lengths = patches::block_lengths(self.path.isa);
+        let lengths = patches::block_lengths(self.path.isa, wide.parts);
         let nonzero = NonzeroBlocks::of(source, row, used, lengths);
         let steps = run.steps(self.tiles.len() * groups.len());
         let DoseLayout { row, grid, .. } = &self.output;
@@ -273,7 +273,7 @@ impl Parallel {
         let cotangent = of_rows.as_ref().map_or(cotangent, HostField::as_slice);
         let (row, lengths) = (
             plan.levels.row / LANES,
-            patches::block_lengths(self.path.isa),
+            patches::block_lengths(self.path.isa, wide.parts),
         );
         let nonzero = NonzeroBlocks::in_blocks(cotangent, row, plan.levels.used, lengths);
         let given = (&views, cotangent, &nonzero);

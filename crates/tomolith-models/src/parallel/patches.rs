@@ -165,12 +165,13 @@ impl<'a> PatchEntries<'a> {
     }
 }
 
-/// Vectors of 16 lanes in a short and in a long block at most. With AVX2 24 lanes are summed at a time, so that long blocks gain nothing, and in blocks of three the
-/// columns of a group of views and the voxels of a tile stay in a second-level cache of 512 kB, as processors without AVX-512 have it.
-pub(super) fn block_lengths(isa: Isa) -> [usize; 2] {
+/// Vectors of 16 lanes in a short and in a long block at most, where rows stand for so many parts of the turn. With AVX2 24 lanes are summed at a time, so that
+/// long blocks gain little, and in blocks of three the columns of a group of views and the voxels of a tile stay in a second-level cache of 512 kB, as processors
+/// without AVX-512 have it. Rows of several parts are short, and stay there anyway.
+pub(super) fn block_lengths(isa: Isa, parts: usize) -> [usize; 2] {
     match isa {
-        Isa::Avx2 => [3; 2],
-        Isa::Avx512 | Isa::Neon | Isa::Scalar => LENGTHS,
+        Isa::Avx2 if parts == 1 => [3; 2],
+        _ => LENGTHS,
     }
 }
 
