@@ -11,8 +11,8 @@
 //! 20 bytes for each column of each frame that lights a patch, and the time of one dose without stored entries; a quarter of both where quarters
 //! repeat.
 
-use super::block_sparsity::{NonzeroBlocks, NonzeroTile};
-use super::kernel::{Block, Isa, MAX_BLOCK};
+use super::block_sparsity::{LENGTHS, NonzeroBlocks, NonzeroTile};
+use super::kernel::{Block, MAX_BLOCK};
 use super::patches::{self, ColumnEntry, Patches, VOXELS};
 use super::plan::{KernelPath, LightPlan};
 use super::tiles::{Local, Slots, TILE, Tile, TileEntries};
@@ -391,10 +391,11 @@ impl CachedEntries {
         (group, i): (&'a Group, usize),
         (slots, nonzero): (&'a [f32], &'a NonzeroBlocks),
     ) -> Ahead<'a> {
+        let has_long_blocks = patches::block_lengths(path.isa, plan.turned.parts) == LENGTHS;
         let is_last = i + 1 == nonzero.blocks.len();
         let next = views.start / GROUP + 1;
         let (first, lit_by, block) = match is_last {
-            _ if path.isa != Isa::Avx2 || plan.turned.repeats() => (0, [].as_slice(), 0),
+            _ if has_long_blocks => (0, [].as_slice(), 0),
             false => (first_of_group(views), group.lit_by.as_slice(), i + 1),
             true if next < self.per_tile => {
                 let group = &self.groups[index * self.per_tile + next];
