@@ -595,4 +595,17 @@ mod tests {
         let refused = inside_fractions(&cuboid([0.0; 3], [1.0; 3]), None, &grid, &Run::new());
         assert!(matches!(refused, Err(Error::Resources { .. })));
     }
+
+    #[test]
+    fn equal_shells_of_which_one_is_flipped_are_their_union() {
+        let (one, two) = (cuboid([-1.5; 3], [0.5; 3]), cuboid([-0.5; 3], [1.5; 3]));
+        let grid = VolumeGrid::centered([40; 3], 0.1);
+        let both = sampled(together(&[one.clone(), two.clone()]), &grid);
+        assert!((volume(&both) - 15.0).abs() < 1e-2, "{}", volume(&both));
+        assert_eq!(
+            sampled(together(&[inverted(one.clone()), two.clone()]), &grid),
+            both
+        );
+        assert_eq!(sampled(together(&[one, inverted(two)]), &grid), both);
+    }
 }

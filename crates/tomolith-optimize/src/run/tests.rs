@@ -177,6 +177,36 @@ fn loss_of(model: &SmallModel, objective: &dyn Objective<HostField>, x: &HostFie
     (loss * 1e4).round() / 1e4
 }
 
+#[test]
+fn a_fixed_step_that_is_too_long_ends_at_the_best() {
+    let model = SmallModel::new(16, 24, 1);
+    let objective = objective(&model, "l2");
+    let params = gradient::Params {
+        step: Some(8.0),
+        ..gradient::Params::default()
+    };
+    let (x, outcome) = go(
+        &model,
+        &*objective,
+        &mut Gradient::new(params).unwrap(),
+        Stop::after(12),
+    );
+    let outcome = outcome.unwrap();
+    let losses = losses(&outcome);
+    assert!(
+        losses.windows(2).any(|w| w[1] > w[0]),
+        "the step is not too long: {losses:?}"
+    );
+    assert_eq!(
+        outcome.loss,
+        losses.iter().copied().fold(f64::INFINITY, f64::min)
+    );
+    assert_eq!(
+        loss_of(&model, &*objective, &x),
+        (outcome.loss * 1e4).round() / 1e4
+    );
+}
+
 /// A method that walks straight ahead, to raise the loss or to break it.
 fn straight(losses: [f64; 4]) -> Scripted<f32> {
     Scripted {
