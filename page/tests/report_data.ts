@@ -54,7 +54,7 @@ function report() {
   return {
     schema: "tomolith.report/1",
     part: "wheel",
-    evaluation: { ...evaluation(0.9922), standing_still: evaluation(0.9881) },
+    evaluation: evaluation(0.9922),
     optimization: {
       ...evaluation(0.9962),
       objectives: [

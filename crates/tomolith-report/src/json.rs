@@ -52,11 +52,6 @@ fn time_to_print_s(data: &ReportData<'_>) -> Option<f64> {
 /// The report as JSON.
 #[must_use]
 pub fn report_json(data: &ReportData<'_>) -> Value {
-    let mut evaluation = evaluation_json(data.evaluation);
-    let standing = data
-        .standing
-        .map_or(Value::Null, |s| Value::Object(evaluation_json(s)));
-    evaluation.insert("standing_still".to_owned(), standing);
     let lights: Vec<Value> = data
         .lights
         .iter()
@@ -115,7 +110,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
     json!({
         "schema": super::SCHEMA,
         "part": data.part,
-        "evaluation": evaluation,
+        "evaluation": evaluation_json(data.evaluation),
         "optimization": data.optimization.map(|own| optimization_json(own, data.objectives)),
         "exposure": data.exposure,
         "limits": data.limits.causes,

@@ -180,8 +180,6 @@ pub struct ReportData<'a> {
     pub window: Option<[f64; 2]>,
     /// The headline: finer grid, written patterns, vial turning.
     pub evaluation: &'a Evaluation,
-    /// The same with the vial standing still during each frame.
-    pub standing: Option<&'a Evaluation>,
     /// On the optimization's grid.
     pub optimization: Option<&'a Evaluation>,
     /// Every one of `objectives` there; empty for a job with `objective`.
@@ -390,7 +388,6 @@ mod tests {
                 bodies: None,
                 window: Some([0.7, 0.9]),
                 evaluation,
-                standing: Some(evaluation),
                 optimization: None,
                 objectives: &[],
                 published: serde_json::Map::new(),
@@ -432,10 +429,7 @@ mod tests {
             serde_json::from_slice(&std::fs::read(&path).unwrap()).unwrap();
         assert_eq!(json["schema"], "tomolith.report/1");
         for (name, value) in &evaluation.measures.0 {
-            let own = &json["evaluation"];
-            for found in [&own[name], &own["standing_still"][name]] {
-                assert_eq!(found.as_f64(), *value, "{name}");
-            }
+            assert_eq!(json["evaluation"][name].as_f64(), *value, "{name}");
         }
         assert!((json["evaluation"]["iou"].as_f64().unwrap() - 1.0).abs() < 1e-12);
         assert_eq!(json["optimization"], serde_json::Value::Null);

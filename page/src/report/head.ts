@@ -17,8 +17,7 @@ export function head({ data, run }: Context): HTMLElement {
     h(isOnly ? "h1" : "h2", {}, isOnly ? (part ?? run.name) : run.name),
     h("p.lead", {}, sentence([run.texts?.lead, run.texts?.print_time].filter(Boolean).join(" "))),
     factList(run.texts?.facts ?? []),
-    evaluation ? cards(data, run, evaluation) : null,
-    evaluation ? turningNote(evaluation, evaluation.standing_still) : null,
+    evaluation ? cards(data, evaluation) : null,
   );
 }
 
@@ -44,12 +43,11 @@ export function headline(data: PageData, evaluation: Evaluation): Metric[] {
   return names.flatMap((name) => data.metrics.find((metric) => metric.name === name) ?? []);
 }
 
-function cards(data: PageData, run: Run, evaluation: Evaluation): HTMLElement {
-  const standing = report(run).evaluation?.standing_still;
-  return h("div.cards", {}, ...headline(data, evaluation).map((metric) => card(metric, evaluation, standing)));
+function cards(data: PageData, evaluation: Evaluation): HTMLElement {
+  return h("div.cards", {}, ...headline(data, evaluation).map((metric) => card(metric, evaluation)));
 }
 
-function card(metric: Metric, evaluation: Evaluation, standing: Evaluation | null | undefined): HTMLElement {
+function card(metric: Metric, evaluation: Evaluation): HTMLElement {
   const value = evaluation[metric.name] as Measure;
   const voxels = inVoxels(value, metric.unit, evaluation.grid?.pitch_mm);
   const digits = metric.name === "iou" ? 4 : 3;
@@ -60,7 +58,6 @@ function card(metric: Metric, evaluation: Evaluation, standing: Evaluation | nul
     h("h3", {}, metric.title),
     h("p.big", {}, shown(metric, value, digits), isNumber(value) && unit !== "" && h("small", {}, ` ${unit}`)),
     h("p", {}, voxels !== "" && h("b", {}, `${voxels}. `), metric.summary, place(metric, evaluation)),
-    standing ? h("p.still", {}, h("span", {}, "standing still"), h("b", {}, withUnit(metric, standing[metric.name] as Measure, digits))) : null,
   );
 }
 
@@ -70,29 +67,10 @@ export function shown(metric: Pick<Metric, "unit">, value: Measure, digits: numb
   return significant(isNumber(value) ? value * factor : null, digits);
 }
 
-function withUnit(metric: Metric, value: Measure, digits: number): string {
-  const { unit } = unitOf(metric.unit);
-  return isNumber(value) && unit !== "" ? `${shown(metric, value, digits)} ${unit}` : shown(metric, value, digits);
-}
-
 /** Where the largest deviation is. */
 function place(metric: Metric, { farthest }: Evaluation): string {
   const at = farthest?.at_xyz_mm;
   if (metric.name !== "hausdorff_mm" || !at?.every(isNumber)) return "";
   const [x, y, z] = at.map((mm) => significant(mm, 3));
   return ` It is at x = ${x}, y = ${y}, z = ${z} mm: ${(farthest?.side ?? "").replaceAll("_", " ")}.`;
-}
-
-/** Why there are two values. */
-function turningNote(turning: Evaluation, standing: Evaluation | null | undefined): HTMLElement | null {
-  if (!standing || turning.sub_angles === 1) return null;
-  const [name, title] = isGray(turning) ? ["rms_error", "rms error"] : ["pw", "process window"];
-  const [moving, still] = [turning[name] as Measure, standing[name] as Measure];
-  const both = isNumber(moving) && isNumber(still) ? ` Here the ${title} is ${significant(still, 3)} standing still and ${significant(moving, 3)} turning.` : "";
-  return h(
-    "p.note",
-    {},
-    `The vial keeps turning while a frame is shown, so the frame's light lands all along its arc. The large numbers include this (${significant(turning.sub_angles, 3)} positions ` +
-      `per frame); “standing still” is what the same patterns would do if the vial stood still during each frame.${both} More frames per turn bring the two together.`,
-  );
 }

@@ -1,4 +1,4 @@
-// Every metric: the vial turning, standing still, and before the patterns are written.
+// Every metric: of the written patterns while the vial turns, and before they are written.
 
 import type { Metric } from "../data.ts";
 import { h } from "../dom.ts";
@@ -19,7 +19,6 @@ export function numbers({ data, run }: Context): HTMLElement | null {
   const { evaluation, optimization } = report(run);
   const columns = [
     { name: "Turning", evaluation },
-    { name: "Standing still", evaluation: evaluation?.standing_still },
     { name: "Optimization", evaluation: optimization },
   ].filter((column): column is Column => Boolean(column.evaluation));
   const metrics = known(data.metrics, columns, isGray(evaluation) ? data.gray_headline : []);
@@ -32,8 +31,8 @@ export function numbers({ data, run }: Context): HTMLElement | null {
     h(
       "p.quiet",
       {},
-      "↑ larger is better, ↓ smaller is better. The first columns are on the evaluation's voxels, from the patterns as they were written; the last one is of the patterns before they " +
-        `are written, on the job's own voxels, the vial standing still.${gray}`,
+      "↑ larger is better, ↓ smaller is better. The first column is on the evaluation's voxels, from the patterns as they were written, while the vial turns; the other one is of the " +
+        `patterns before they are written, on the job's own voxels.${gray}`,
     ),
     copyButton("Copy as CSV", () => csv(metrics, columns)),
     dataTable({ caption: "All numbers", heads: ["", ...heads], rows: metrics.map((metric) => [title(metric), ...columns.map((column) => cell(metric, column))]), strong: 1 }),
@@ -41,7 +40,7 @@ export function numbers({ data, run }: Context): HTMLElement | null {
   );
 }
 
-/** IoU over the threshold, as the vial turns and as it would stand still. */
+/** IoU over the threshold. */
 function curves(columns: readonly Column[]): HTMLElement | null {
   const series = columns.map(({ name, evaluation }, i): Series => {
     const curve = list(evaluation.iou_curve);
@@ -51,7 +50,7 @@ function curves(columns: readonly Column[]): HTMLElement | null {
   return plot && part("IoU over the gel threshold", plot);
 }
 
-const COLORS = ["--run-1", "--run-2", "--run-3"];
+const COLORS = ["--run-1", "--run-2"];
 
 /** Metrics that some column has; those of a gray target first where there is one. */
 function known(metrics: readonly Metric[], columns: readonly Column[], first: readonly string[]): Metric[] {

@@ -7,7 +7,7 @@ import type { Measure } from "./number.ts";
 
 export interface Report {
   part?: string;
-  evaluation?: TurningEvaluation | null;
+  evaluation?: Evaluation | null;
   optimization?: (Evaluation & { objectives?: Objective[] | null }) | null;
   exposure?: Exposure | null;
   limits?: Limit[] | null;
@@ -45,10 +45,6 @@ export interface Evaluation {
   iou_curve?: Measure[][] | null;
   histogram?: Histogram | null;
   errors?: ErrorHistogram | null;
-}
-
-export interface TurningEvaluation extends Evaluation {
-  standing_still?: Evaluation | null;
 }
 
 export interface Spread { voxels?: Measure; min?: Measure; max?: Measure; mean?: Measure; deviation?: Measure }

@@ -175,22 +175,10 @@ impl DoseLayout {
     /// When the field is shorter than the layout.
     #[must_use]
     pub fn volume_of(&self, field: &[f32]) -> Volume<f32> {
-        self.volume_in(field, Vec::new())
-    }
-
-    /// As [`volume_of`](Self::volume_of), in memory that is used again when it is large enough.
-    ///
-    /// # Panics
-    /// When the field is shorter than the layout.
-    #[must_use]
-    pub fn volume_in(&self, field: &[f32], mut values: Vec<f32>) -> Volume<f32> {
         let [nz, ny, nx] = self.grid.shape;
         let field = self.voxels_of(field);
-        if values.capacity() < nz * ny * nx {
-            // Zeroed memory comes from the system page by page, in the threads that fill it
-            values = vec![0.0; nz * ny * nx];
-        }
-        values.resize(nz * ny * nx, 0.0);
+        // Zeroed memory comes from the system page by page, in the threads that fill it
+        let mut values = vec![0.0; nz * ny * nx];
         if values.is_empty() {
             return Volume::new(self.grid.clone(), values);
         }

@@ -1,17 +1,17 @@
 //! Doses of given patterns, one after the other.
 //!
-//! The model of a dose serves the next one where light and voxels are the same, and so does its memory.
+//! The model of a dose serves the next one where light and voxels are the same.
 
 use super::cache::EvaluationModel;
 use crate::error::Result;
-use crate::field::{Field as _, HostField};
+use crate::field::HostField;
 use crate::grid::{Patterns, Volume, VolumeGrid};
 use crate::job::dose::species::planned;
 use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::optics::Optics;
 use crate::models::masked::MaskedModel;
 use crate::models::scenarios::SharedModel;
-use crate::models::{DoseLayout, DoseModel, Family, OpticalScene, Purpose, Run};
+use crate::models::{DoseModel, Family, OpticalScene, Purpose, Run};
 use crate::optics::light::{Light, Selection};
 use std::sync::Arc;
 use tomolith_core::parallel::table;
@@ -50,7 +50,6 @@ impl PartialEq for Exposed {
 pub(crate) struct Doses<'a> {
     job: &'a ResolvedJob,
     optics: &'a Optics,
-    workspace: Workspace,
     /// Per light, the rows that may be lit.
     lit: Vec<LitRows>,
     last: Option<(Exposed, SharedModel, String)>,
@@ -69,7 +68,6 @@ impl<'a> Doses<'a> {
         Doses {
             job,
             optics,
-            workspace: Workspace::default(),
             lit: Vec::new(),
             last: None,
             evaluation_model: None,
@@ -103,22 +101,15 @@ impl<'a> Doses<'a> {
         patterns: &[Patterns],
         cancel: &Run,
     ) -> Result<Simulated> {
-        let last = self.last.take();
-        if last
-            .as_ref()
-            .is_none_or(|(own, ..)| own.grid != exposed.grid)
-        {
-            self.workspace = Workspace::default();
-        }
-        let (_, model, reason) = match last.filter(|(own, ..)| own == exposed) {
+        let last = self.last.take().filter(|(own, ..)| own == exposed);
+        let (_, model, reason) = match last {
             Some(last) => self.last.insert(last),
             None => {
                 let (model, reason) = self.made(exposed, &cancel.part(0.1))?;
                 self.last.insert((exposed.clone(), model, reason))
             }
         };
-        let model = model.as_ref();
-        let doses = simulated(model, patterns, &mut self.workspace, cancel)?;
+        let doses = simulated(model.as_ref(), patterns, cancel)?;
         Ok((doses, reason.clone()))
     }
 
@@ -142,11 +133,6 @@ impl<'a> Doses<'a> {
         let (model, reason) = made(family, of, &lights, &exposed.grid, making)?;
         Ok((Arc::new(model), reason))
     }
-
-    /// Lets the next dose have the memory of an earlier one.
-    pub(crate) fn give_back(&mut self, volume: Volume<f32>) {
-        self.workspace.values.push(volume.values);
-    }
 }
 
 /// Dose of the first species from patterns on the job's voxels by a family for a purpose, the vial standing still.
@@ -160,7 +146,7 @@ pub(crate) fn standing_by(
     let lights = lit_alone(job.optics.lights_turning(1), lit);
     let of = (job, &job.optics);
     let (model, _) = made(model, of, &lights, &job.grid, &cancel.part(0.1))?;
-    let mut doses = simulated(&model, patterns, &mut Workspace::default(), cancel)?;
+    let mut doses = simulated(&model, patterns, cancel)?;
     Ok(doses.swap_remove(0))
 }
 
@@ -190,37 +176,21 @@ fn made(
     Ok((plan.model, plan.reason))
 }
 
-/// Memory of one dose that the next one uses again: fresh pages of two large arrays cost as much as reading them.
-#[derive(Default)]
-struct Workspace {
-    field: HostField,
-    values: Vec<Vec<f32>>,
-}
-
 /// Doses of all species.
 fn simulated(
     model: &dyn DoseModel<Field = HostField>,
     patterns: &[Patterns],
-    workspace: &mut Workspace,
     cancel: &Run,
 ) -> Result<Vec<Volume<f32>>> {
     let mut x = model.new_patterns()?;
     for (layout, patterns) in model.patterns().iter().zip(patterns) {
         layout.fill_field(patterns, x.as_mut_slice());
     }
-    let wanted: usize = model.outputs().iter().map(DoseLayout::len).sum();
-    if workspace.field.len() != wanted {
-        workspace.field = model.new_dose()?;
-    }
-    model.dose(&x, &mut workspace.field, &cancel.part(0.85))?;
+    let mut field = model.new_dose()?;
+    model.dose(&x, &mut field, &cancel.part(0.85))?;
     drop(x);
-    let Workspace { field, values } = workspace;
     let outputs = model.outputs().iter();
-    let doses = outputs.map(|own| {
-        let values = values.pop().unwrap_or_default();
-        own.volume_in(field.as_slice(), values)
-    });
-    Ok(doses.collect())
+    Ok(outputs.map(|own| own.volume_of(field.as_slice())).collect())
 }
 
 /// Rows from the lowest to the highest that is not dark, per (frame, column): `(bottom, count)`.

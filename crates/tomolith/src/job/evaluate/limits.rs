@@ -91,14 +91,13 @@ impl Asked<'_> {
             kind,
             optimized: print.optimization.as_ref().and_then(measured),
             written: print.written,
-            standing: print.standing.as_ref().and_then(measured),
+            own_turning: print.own_turning,
             turning: measured(evaluated),
             unrounded: print.unrounded,
             pitches_mm: [resolved.grid.pitch_mm, evaluated.grid.pitch_mm],
             bits: resolved.evaluation().bit_depth,
             has_machine: resolved.printers.is_some(),
             arcs: Arcs::of(&lights),
-            is_optimized_turning: resolved.optimizes_turning(),
             saw_finer: finest.is_some_and(|level| {
                 level.grid.pitch_mm < resolved.grid.pitch_mm
                     && level.grid.pitch_mm <= evaluated.grid.pitch_mm
@@ -148,9 +147,9 @@ struct Measurements {
     optimized: Measure,
     /// Patterns as they were written, on the same grid.
     written: Measure,
-    /// On the finer grid.
-    standing: Measure,
-    /// While the vial turns.
+    /// The same while the vial turns; None where the optimization counted that.
+    own_turning: Measure,
+    /// On the finer grid, while the vial turns.
     turning: Measure,
     /// The print that is evaluated, by patterns for few levels as they were optimized.
     unrounded: Measure,
@@ -160,8 +159,6 @@ struct Measurements {
     has_machine: bool,
     /// Arcs of frames; None for lists of angles.
     arcs: Option<Arcs>,
-    /// Whether the optimization counted the turning already.
-    is_optimized_turning: bool,
     /// Whether the optimization's voxels were as fine as the evaluation's: the job's voxels then limit nothing.
     saw_finer: bool,
     /// The key of the pixels' size.
@@ -274,20 +271,16 @@ impl Measurements {
     }
 
     fn grid(&self) -> Option<Limit> {
-        if self.saw_finer {
+        // Of given frames it is not known on which voxels they were optimized
+        if self.saw_finer || self.optimized.is_none() {
             return None;
         }
-        // An optimization that counts the turning is compared with a print that turns
-        let to = if self.is_optimized_turning {
-            self.turning
-        } else {
-            self.standing
-        };
-        let loss = self.loss(self.written, to)?;
+        let before = self.own_turning.or(self.written);
+        let loss = self.loss(before, self.turning)?;
         let [own, fine] = self.pitches_mm.map(|mm| significant(mm * 1e3, 3));
         let found = format!(
             "On voxels of {fine} µm instead of {own} µm the print has {}: the optimizer resolves nothing below a voxel.",
-            self.change(self.written?, to?),
+            self.change(before?, self.turning?),
         );
         Some(self.limit(Cause::Grid, loss, "grid.pitch_mm", found, "Lower"))
     }
@@ -327,10 +320,7 @@ impl Measurements {
     }
 
     fn turning(&self) -> Option<Limit> {
-        if self.is_optimized_turning {
-            return None;
-        }
-        let loss = self.loss(self.standing, self.turning)?;
+        let loss = self.loss(self.written, self.own_turning)?;
         let (by, key) = match &self.arcs {
             Some(arcs) => (format!(" by {}", arcs.said), arcs.key.as_str()),
             None => (String::new(), "light.angles"),
@@ -341,7 +331,7 @@ impl Measurements {
         };
         let found = format!(
             "The vial turns{by} during each frame, which gives {}.",
-            self.change(self.standing?, self.turning?),
+            self.change(self.written?, self.own_turning?),
         );
         Some(self.limit(Cause::Turning, loss, key, found, "Raise"))
     }

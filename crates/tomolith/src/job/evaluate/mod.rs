@@ -77,12 +77,12 @@ pub(crate) struct Evaluated {
 pub(crate) struct SpeciesPrint {
     /// Written patterns, turning vial, finer grid.
     pub(crate) evaluation: Evaluation,
-    /// The same with the vial standing still during each frame; None where the optimization counted the turning, so that nothing asks for it.
-    pub(crate) standing: Option<Evaluation>,
     /// Raw patterns on the optimization's grid, when there are raw ones.
     pub(crate) optimization: Option<Evaluation>,
     /// The headline number of the written patterns on that grid.
     pub(crate) written: Measure,
+    /// The same while the vial turns; None where the optimization counted that.
+    pub(crate) own_turning: Measure,
     /// That of the print that is evaluated, by patterns for few levels before they are rounded.
     pub(crate) unrounded: Measure,
     /// Its dose, averaged to the optimization's voxels.
@@ -181,22 +181,15 @@ pub(crate) fn evaluate_patterns(
     };
     let printing = cancel.part(in_time_share);
     let cancel = &cancel.part(1.0 - in_time_share);
-    let counts_turning = raw.is_some() && job.optimizes_turning();
-    let mut steps = EvaluationSteps::new(job, (shown, counts_turning), evaluation_model, cancel);
-    let (optimization, objectives) = steps.on_own_voxels(voxels, raw)?;
+    let mut steps = EvaluationSteps::new(job, shown, evaluation_model, cancel);
+    let (optimization, objectives) = steps.unwritten(voxels, raw)?;
+    let [written, own_turning] = steps.on_own_voxels(voxels, raw.is_some())?;
     let text = steps.words();
     progress.event(&Event::Note { text });
     let fine = steps.fine_voxels(voxels)?;
-    if raw.is_none() || !steps.looks_at_own() {
-        steps.doses.will_show(&[shown]);
-    }
-    let standing = steps.standing_still(&fine)?;
     let unrounded = steps.unrounded(&fine, raw)?;
-    let (grid, sub_angles, stats) = (steps.grid.clone(), steps.sub_angles, steps.stats);
-    let [is_own_still, is_own_turning] =
-        [&steps.still, &steps.turning].map(|exposed| steps.own == *exposed);
-    let is_still = steps.still == steps.turning;
-    let measured_apart = std::mem::take(&mut steps.written);
+    let (grid, sub_angles) = (steps.grid.clone(), steps.sub_angles);
+    let stats = PatternStats::of(shown);
     let (doses, model) = steps.while_turning()?;
     let mut of_publications = PublishedNumbers::default();
     let mut species = Vec::with_capacity(job.species.len());
@@ -213,22 +206,16 @@ pub(crate) fn evaluate_patterns(
         cancel.check()?;
         of_publications = published.unwrap_or(of_publications);
         let evaluation = evaluation.with_sub_angles(sub_angles);
-        let standing = match is_still {
-            true => Some(evaluation.clone()),
-            false => standing.get(s).cloned(),
-        };
-        let optimization = optimization.get(s).cloned();
-        let head = |print: &Evaluation| print.measures.get(headline(fine.target.gray).name);
-        let written = match &optimization {
-            Some(_) if is_own_turning => head(&evaluation),
-            Some(_) if is_own_still => standing.as_ref().and_then(head),
-            _ => measured_apart.get(s).copied().flatten(),
+        let head = evaluation.measures.get(headline(fine.target.gray).name);
+        let of_own = |own: &Option<OwnPrint>| match own.as_ref()? {
+            OwnPrint::Evaluated => head,
+            OwnPrint::Apart(measured) => measured[s],
         };
         species.push(SpeciesPrint {
+            written: of_own(&written),
+            own_turning: of_own(&own_turning),
             evaluation,
-            standing,
-            optimization,
-            written,
+            optimization: optimization.get(s).cloned(),
             unrounded: unrounded.get(s).copied().flatten(),
             dose: mean,
             fine,
@@ -318,8 +305,16 @@ fn show(
     });
 }
 
-/// The doses of an evaluation, one after the other, each measured before the next takes its memory: on the optimization's voxels, then on finer ones standing
-/// still, then turning.
+/// The headline number of the written patterns on the optimization's voxels.
+enum OwnPrint {
+    /// That of the print that is evaluated, which is the same.
+    Evaluated,
+    /// Measured apart, of every species.
+    Apart(Vec<Measure>),
+}
+
+/// The doses of an evaluation, one after the other, each measured before the next takes its memory: on the optimization's voxels as optimized, then
+/// turning, then on finer ones turning.
 struct EvaluationSteps<'a> {
     job: &'a ResolvedJob,
     shown: &'a [Patterns],
@@ -327,70 +322,53 @@ struct EvaluationSteps<'a> {
     /// The finer voxels.
     grid: VolumeGrid,
     own: Exposed,
-    still: Exposed,
+    own_turning: Exposed,
     turning: Exposed,
     sub_angles: usize,
-    /// Whether the print of a vial that stands still is asked for: where the optimization did not count the turning, or that dose is there already.
-    has_standing: bool,
     doses: Doses<'a>,
-    /// Sums over the written patterns.
-    stats: PatternStats,
-    /// The headline numbers of the written patterns on the optimization's voxels, where they are measured apart.
-    written: Vec<Measure>,
 }
 
 impl<'a> EvaluationSteps<'a> {
     fn new(
         job: &'a ResolvedJob,
-        (shown, counts_turning): (&'a [Patterns], bool),
+        shown: &'a [Patterns],
         evaluation_model: Option<&'a EvaluationModel>,
         cancel: &'a Run,
     ) -> Self {
         let sub_angles = job.evaluated_angles();
         let grid = job.fine_grid();
-        let [still, turning] =
-            [1, sub_angles].map(|n| Exposed::new(&grid, job.optics.lights_turning(n)));
-        let own = Exposed::new(&job.grid, job.optics.lights.clone());
+        let [own_turning, turning] = [&job.grid, &grid]
+            .map(|grid| Exposed::new(grid, job.optics.lights_turning(sub_angles)));
         EvaluationSteps {
             job,
             shown,
             cancel,
-            has_standing: still != turning && (own == still || !counts_turning),
-            own,
+            own: Exposed::new(&job.grid, job.optics.lights.clone()),
             grid,
-            still,
+            own_turning,
             turning,
             sub_angles,
             doses: Doses::new(job, &job.optics).by(evaluation_model),
-            stats: PatternStats::of(shown),
-            written: Vec::new(),
         }
-    }
-
-    /// Whether the finer voxels are the optimization's, so that one dose serves both.
-    fn looks_at_own(&self) -> bool {
-        self.own == self.still || self.own == self.turning
     }
 
     fn words(&self) -> String {
         let [nz, ny, nx] = self.grid.shape;
         let how = match self.sub_angles {
             1 => "the vial stands still during each frame".to_owned(),
-            n if self.has_standing => {
-                format!("standing still, and turning ({n} angles per frame)")
-            }
             n => format!("turning ({n} angles per frame)"),
         };
         format!("evaluating on {nx} × {ny} × {nz} voxels: {how}")
     }
 
-    /// The raw patterns on the optimization's voxels, of every species, where there are raw ones; and the written ones, where no later step looks at these.
-    fn on_own_voxels(
+    /// The raw patterns on the optimization's voxels, of every species, where there are raw ones.
+    fn unwritten(
         &mut self,
         voxels: &[Voxels],
         raw: Option<&[Patterns]>,
     ) -> Result<(Vec<Evaluation>, Vec<ObjectiveReport>)> {
         let Some(raw) = raw else {
+            self.doses.will_show(&[self.shown]);
             return Ok((Vec::new(), Vec::new()));
         };
         let (job, cancel) = (self.job, self.cancel);
@@ -399,17 +377,44 @@ impl<'a> EvaluationSteps<'a> {
         let objectives = objectives::measured(job, &voxels[0], &doses[0])?;
         cancel.check()?;
         let stats = PatternStats::of(raw);
-        let evaluations = self.measured(voxels, doses, stats, share::OWN_NUMBERS)?;
-        if !self.looks_at_own() {
-            let run = cancel.part(share::OWN_DOSE);
-            let (doses, _) = (self.doses).of(&self.own, self.shown, &run)?;
-            self.written = self.headlines(voxels, doses, share::OWN_NUMBERS)?;
-        }
         let sub_angles = job.optics.lights.iter().map(|light| light.sub_angles);
         let sub_angles = sub_angles.max().unwrap_or(1);
-        let evaluations = evaluations.into_iter();
-        let evaluations = evaluations.map(|own| own.with_sub_angles(sub_angles));
-        Ok((evaluations.collect(), objectives))
+        let each = job.species.iter().zip(voxels).zip(doses);
+        let each = each.map(|((own, voxels), dose)| {
+            let response = own.goal.responses(dose);
+            let run = cancel.part(share::OWN_NUMBERS / job.species.len() as f64);
+            let print = print((job, own), voxels, &response, run.part(1.0))?.with_patterns(stats);
+            let evaluation = evaluate(&print);
+            // Numbers of a canceled run mean nothing
+            run.check()?;
+            Ok(evaluation.with_sub_angles(sub_angles))
+        });
+        Ok((each.collect::<Result<_>>()?, objectives))
+    }
+
+    /// The written patterns on the optimization's voxels: as optimized, and while the vial turns, where the optimization did not count that.
+    fn on_own_voxels(&mut self, voxels: &[Voxels], has_raw: bool) -> Result<[Option<OwnPrint>; 2]> {
+        let misses_turning = self.job.misses_turning();
+        let written = (has_raw || misses_turning)
+            .then(|| self.own_print(self.own.clone(), voxels))
+            .transpose()?;
+        if has_raw && self.own != self.turning {
+            self.doses.will_show(&[self.shown]);
+        }
+        let turning = misses_turning
+            .then(|| self.own_print(self.own_turning.clone(), voxels))
+            .transpose()?;
+        Ok([written, turning])
+    }
+
+    fn own_print(&mut self, exposed: Exposed, voxels: &[Voxels]) -> Result<OwnPrint> {
+        if exposed == self.turning {
+            return Ok(OwnPrint::Evaluated);
+        }
+        let run = self.cancel.part(share::OWN_DOSE);
+        let (doses, _) = self.doses.of(&exposed, self.shown, &run)?;
+        let measured = self.headlines(voxels, doses, share::OWN_NUMBERS)?;
+        Ok(OwnPrint::Apart(measured))
     }
 
     fn fine_voxels(&self, own: &[Voxels]) -> Result<Vec<Voxels>> {
@@ -417,16 +422,6 @@ impl<'a> EvaluationSteps<'a> {
             return Ok(own.to_vec());
         }
         (self.job).voxels(&self.grid, &self.cancel.part(share::SAMPLING))
-    }
-
-    /// The written patterns while the vial stands still, of every species; none where nothing asks for them.
-    fn standing_still(&mut self, fine: &[Voxels]) -> Result<Vec<Evaluation>> {
-        if !self.has_standing {
-            return Ok(Vec::new());
-        }
-        let run = self.cancel.part(share::STANDING);
-        let (doses, _) = (self.doses).of(&self.still, self.shown, &run)?;
-        self.measured(fine, doses, self.stats, share::NUMBERS)
     }
 
     /// The headline numbers of raw patterns on the finer voxels, turning, where the written ones have few levels and targets are not gray.
@@ -445,31 +440,8 @@ impl<'a> EvaluationSteps<'a> {
 
     /// The doses of the written patterns while the vial turns, and the model that gave them.
     fn while_turning(mut self) -> Result<(Vec<Volume<f32>>, String)> {
-        let of_standing = match self.has_standing {
-            true => 0.0,
-            false => share::STANDING + share::NUMBERS,
-        };
-        let run = self.cancel.part(share::TURNING + of_standing);
+        let run = self.cancel.part(share::TURNING);
         (self.doses).of(&self.turning, self.shown, &run)
-    }
-
-    /// The numbers of every species.
-    fn measured(
-        &mut self,
-        voxels: &[Voxels],
-        doses: Vec<Volume<f32>>,
-        stats: PatternStats,
-        share: f64,
-    ) -> Result<Vec<Evaluation>> {
-        let job = self.job;
-        let mut found = Vec::with_capacity(doses.len());
-        for ((own, voxels), dose) in job.species.iter().zip(voxels).zip(doses) {
-            let response = own.goal.responses(dose);
-            let run = self.cancel.part(share / job.species.len() as f64);
-            found.push(measure((job, own), voxels, &response, stats, run)?);
-            self.doses.give_back(response);
-        }
-        Ok(found)
     }
 
     /// The headline number of every species.
@@ -652,17 +624,15 @@ pub(crate) fn measure_at(
 mod share {
     /// The print in time, of a job that has a schedule: what it takes depends on the schedule, and was not measured. The others share the rest.
     pub(crate) const IN_TIME: f64 = 0.5;
-    /// Dose and numbers of the raw and of the written patterns, each on the job's voxels.
-    pub(crate) const OWN_DOSE: f64 = 0.04;
-    pub(crate) const OWN_NUMBERS: f64 = 0.03;
+    /// Dose and numbers on the job's voxels, each: of the raw patterns, of the written ones, and of these while the vial turns.
+    pub(crate) const OWN_DOSE: f64 = 0.06;
+    pub(crate) const OWN_NUMBERS: f64 = 0.04;
     /// The finer voxels.
-    pub(crate) const SAMPLING: f64 = 0.05;
-    /// Their doses.
-    pub(crate) const STANDING: f64 = 0.2;
-    pub(crate) const TURNING: f64 = 0.25;
-    /// The numbers of the first; those of the second, with the published ones.
-    pub(crate) const NUMBERS: f64 = 0.12;
-    pub(crate) const PUBLISHED: f64 = 0.24;
+    pub(crate) const SAMPLING: f64 = 0.06;
+    /// Their dose.
+    pub(crate) const TURNING: f64 = 0.33;
+    /// Its numbers, with the published ones.
+    pub(crate) const PUBLISHED: f64 = 0.31;
 }
 
 /// The one number that says how good a print is: IoU, or the rms error of a gray target.
@@ -695,20 +665,6 @@ pub(crate) fn print<'a>(
     Ok(print)
 }
 
-/// The numbers of a print.
-fn measure(
-    of: (&ResolvedJob, &Species),
-    voxels: &Voxels,
-    response: &Volume<f32>,
-    stats: PatternStats,
-    run: Run,
-) -> Result<Evaluation> {
-    let print = print(of, voxels, response, run.part(1.0))?.with_patterns(stats);
-    let evaluation = evaluate(&print);
-    // Numbers of a canceled run mean nothing
-    run.check().map(|()| evaluation)
-}
-
 /// Means over the fine voxels of each coarse one.
 pub(crate) fn averaged(fine: &Volume<f32>, grid: &VolumeGrid) -> Volume<f32> {
     let [_, ny, nx] = grid.shape;
@@ -739,6 +695,54 @@ pub(crate) fn averaged(fine: &Volume<f32>, grid: &VolumeGrid) -> Volume<f32> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::job::progress::Silent;
+    use crate::job::tests::job_of;
+
+    #[test]
+    fn what_turning_costs_is_measured_on_the_voxels_of_the_job() {
+        let text = r#"
+            target = { phantom = { sphere = {} }, size_mm = 1.0 }
+            grid = { pitch_mm = 0.1 }
+            resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }
+            vial = { index_matched = { radius_mm = 2.0 } }
+            light = [{ pixels = [20, 14], angles = 8, sub_angles = 1, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
+        "#;
+        let evaluated = |changes: &[&str], has_raw: bool| {
+            let job = ResolvedJob::under(&job_of(text, changes), &Run::new()).unwrap();
+            let mut patterns = Patterns::dark(job.optics.lights[0].pixels.clone());
+            for (i, value) in patterns.values.iter_mut().enumerate() {
+                let is_lit = (5..15).contains(&(i % 20)) && (2..12).contains(&(i / 20 % 14));
+                *value = f32::from(u8::from(is_lit)) * (0.5 + (i % 7) as f32);
+            }
+            let (shown, run) = ([patterns], Run::new());
+            let voxels = job.own_voxels(&run).unwrap();
+            let raw = has_raw.then_some(&shown[..]);
+            evaluate_patterns(&job, voxels, &shown, raw, None, &mut Silent, &run).unwrap()
+        };
+        let of = |changes: &[&str], has_raw| {
+            let evaluated = evaluated(changes, has_raw);
+            let print = evaluated.first();
+            let iou = |print: &Evaluation| print.measures.get("iou");
+            let unwritten = print.optimization.as_ref().and_then(iou);
+            let steps = [unwritten, print.written, print.own_turning];
+            (steps, iou(&print.evaluation))
+        };
+        let (own, own_print) = of(&["evaluate.refine=1"], true);
+        let ([unwritten, written, turning], fine_print) = of(&["evaluate.refine=2"], true);
+        assert!(unwritten.is_some() && unwritten == written && written != turning);
+        assert!(turning == own_print && turning != fine_print);
+        assert_eq!(own, [unwritten, written, turning]);
+        // Of frames
+        for refine in ["evaluate.refine=1", "evaluate.refine=2"] {
+            assert_eq!(of(&[refine], false).0, [None, written, turning]);
+        }
+        // Nothing to ask
+        let counted = ["evaluate.refine=2", "light.sub_angles=4"];
+        assert_eq!(of(&counted, true).0, [turning, turning, None]);
+        assert_eq!(of(&counted, false).0, [None; 3]);
+        let standing = ["evaluate.refine=1", "evaluate.sub_angles=1"];
+        assert_eq!(of(&standing, true), ([written, written, None], written));
+    }
 
     #[test]
     fn fine_voxels_are_averaged_where_they_belong() {

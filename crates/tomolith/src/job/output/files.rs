@@ -409,7 +409,6 @@ fn report(
         bodies: evaluated.bodies.as_ref(),
         window: resolved.first().goal.thresholds(),
         evaluation: &first.evaluation,
-        standing: first.standing.as_ref(),
         optimization: first.optimization.as_ref(),
         objectives: &evaluated.objectives,
         published: published(done, exposures.lights())?,

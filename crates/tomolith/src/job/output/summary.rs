@@ -107,8 +107,6 @@ pub struct Summary {
     pub found_response: Option<String>,
     /// The written patterns while the vial turns, on the finer grid: the headline.
     pub evaluation: Quality,
-    /// The same with the vial standing still during each frame; None where the optimization counted the turning.
-    pub standing: Option<Quality>,
     /// The unquantized patterns on the optimization grid; None for a simulation of patterns that are quantized only.
     pub optimization: Option<Quality>,
     /// Over which exposures the print is nearly as good as at the best one; None where this is unknown.
@@ -131,7 +129,7 @@ pub struct Summary {
     pub required_iou: Option<f64>,
     /// The required share of voxels in their bands.
     pub required_in_band: Option<f64>,
-    /// Voxels [x, y, z] of `evaluation` and `standing`.
+    /// Voxels [x, y, z] of `evaluation`.
     pub evaluation_voxels: [usize; 3],
     /// Their edge, mm.
     pub evaluation_pitch_mm: f64,
@@ -244,9 +242,6 @@ impl fmt::Display for Summary {
         heads(f, &first, &self.evaluation)?;
         if let Some(optimization) = &self.optimization {
             row(f, "unwritten, on the job's grid", optimization)?;
-        }
-        if let Some(standing) = &self.standing {
-            row(f, "written, standing still", standing)?;
         }
         row(f, "written, turning", &self.evaluation)?;
         for species in self.species.iter().skip(1) {
@@ -461,7 +456,6 @@ pub(crate) fn summary(
         found_window: optimized.and_then(|o| o.window),
         found_response: optimized.and_then(|o| Some(o.found.as_ref()?.sentence())),
         evaluation: quality(&first.evaluation),
-        standing: first.standing.as_ref().map(quality),
         optimization: first.optimization.as_ref().map(quality),
         exposure: headline.exposures.first().copied().flatten(),
         species: species(done, &headline),

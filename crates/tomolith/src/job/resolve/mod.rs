@@ -383,6 +383,11 @@ impl ResolvedJob {
         })
     }
 
+    /// Whether the evaluation counts that the vial turns, and the optimization does not.
+    pub(crate) fn misses_turning(&self) -> bool {
+        self.evaluated_angles() > 1 && !self.optimizes_turning()
+    }
+
     /// What light passes in the optimization, and the surface where an objective has cells.
     pub(crate) fn optimizing(&self) -> OpticalScene<'_> {
         optimizing(&self.optics, &self.species)

@@ -87,6 +87,7 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
             mean_sub_angles(&resolved.optics.lights),
             resolved.evaluation().sub_angles as f64,
         ],
+        misses_turning: resolved.misses_turning(),
         monte_carlo_paths: paths.map(|paths| paths.evaluating / paths.optimizing),
         levels: resolved.evaluation().improves_levels(),
         wall_s: resolved.stop().wall_s,

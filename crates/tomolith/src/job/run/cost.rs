@@ -19,8 +19,8 @@ const PASSES: f64 = 5.0;
 /// Forward and adjoint calls in addition to those of the iterations: the start, its dose, the raw patterns' dose.
 const OTHER_CALLS: f64 = 4.0;
 
-/// Models of the evaluation: on the job's voxels for raw and for written patterns, on finer ones standing and turning.
-const MODELS: f64 = 4.0;
+/// Models of the evaluation: on the job's voxels as optimized and turning, on finer ones turning.
+const MODELS: f64 = 3.0;
 
 /// What measuring a voxel of a thinned copy costs, times so many: for each voxel of the finer grid the metrics standing and
 /// turning, the published numbers and the surface's file, at half the price, as it has less surface for its voxels; for each of
@@ -41,6 +41,8 @@ pub(crate) struct Work<'a> {
     pub(crate) iterations: usize,
     /// Angles at which a frame of the optimization and of the evaluation is averaged.
     pub(crate) sub_angles: [f64; 2],
+    /// Whether the optimization does not count the turning, so that the evaluation asks what it costs.
+    pub(crate) misses_turning: bool,
     /// Monte Carlo paths of the evaluation for each of the optimization, where light is followed along such.
     pub(crate) monte_carlo_paths: Option<usize>,
     /// Whether patterns are improved on few levels afterwards.
@@ -77,16 +79,18 @@ impl Work<'_> {
             ..
         } = rates.evaluating;
         let updates = updates_per_frame * self.extent.frames as f64;
+        // On the job's voxels, too, where these are coarser
+        let also = f64::from(u8::from(self.misses_turning && refine > 1));
         if let Some(more) = self.monte_carlo_paths {
-            // On the job's voxels raw, written, and twice for the noise; on finer ones, which a path crosses more of,
-            // standing and turning
-            return more as f64 * (4.0 + 2.0 * refine as f64) * dose.seconds(updates);
+            // On the job's voxels raw, written, and twice for the noise; on finer ones, which a path crosses more of
+            return more as f64 * (4.0 + also + refine as f64) * dose.seconds(updates);
         }
-        // Raw and written on the job's voxels, standing and turning on finer ones
+        // Raw and written on the job's voxels, turning on finer ones
         let [own, turning] = self.sub_angles;
         let tried = self.extent.work(rates.evaluating_refine);
-        let calls = 2.0 * own * self.extent.work(1) + (1.0 + turning) * self.extent.work(refine);
-        4.0 * dose.begin_s + calls / tried * updates * dose.per_update_s
+        let calls =
+            (2.0 * own + also * turning) * self.extent.work(1) + turning * self.extent.work(refine);
+        (3.0 + also) * dose.begin_s + calls / tried * updates * dose.per_update_s
     }
 
     /// A dose of the evaluation, vial turning: that of a scenario.
@@ -220,6 +224,7 @@ mod tests {
             extent: &extent,
             iterations: 7,
             sub_angles: [1.0, 4.0],
+            misses_turning: true,
             monte_carlo_paths: None,
             levels: false,
             wall_s: None,
@@ -231,19 +236,19 @@ mod tests {
         let step = 3.5 + 1.6 + 5.0 * 0.01 + 44.0 * 500.0 * 1e-5;
         let expected = 7.0 * step + 4.0 * 3.5 + 6.05 + 0.55;
         tomolith_core::near!(cost.optimization_s, expected, 1e-9);
-        // A dose of the evaluation: 30 frames of 200 updates at 1000/s, 6 s, and 1 s to begin with; twice on the own voxels, standing and
-        // turning (1 + 4 angles) on eight times as many: 4·1 + (2 + 5·8)·6 = 256 s. Making its model takes 6.5 s, four times; 1.2
+        // A dose of the evaluation: 30 frames of 200 updates at 1000/s, 6 s, and 1 s to begin with; on the own voxels twice and
+        // turning (2 + 4 angles), turning on eight times as many: 4·1 + (6 + 4·8)·6 = 232 s. Making its model takes 6.5 s, three times; 1.2
         // measures of each fine voxel, 2.4 of the own grid's, 1.8 of each pixel; both grids sampled
         let measures = 1000.0 * (1.2 * 8.0 + 2.4) + 1.8 * 2000.0;
-        let rest = 256.0 + measures * 2e-3 + 9.0 * 1000.0 * 1e-3 + 4.0 * 6.5;
+        let rest = 232.0 + measures * 2e-3 + 9.0 * 1000.0 * 1e-3 + 3.0 * 6.5;
         tomolith_core::near!(cost.rest_s, rest, 1e-9);
-        // Monte Carlo paths: sixteen times as many, six times on the job's voxels' worth of four and two finer ones
+        // Monte Carlo paths: sixteen times as many, five times on the job's voxels and once on finer ones, worth two
         let paths = Work {
             monte_carlo_paths: Some(16),
             ..work
         }
         .cost(&rates());
-        assert!((paths.rest_s - rest - (16.0 * 8.0 * 7.0 - 256.0)).abs() < 1e-9);
+        assert!((paths.rest_s - rest - (16.0 * 7.0 * 7.0 - 232.0)).abs() < 1e-9);
         // Averaged frames cost as many calls; a limit of the wall time cuts the iterations, not the rest
         let averaged = Work {
             sub_angles: [3.0, 4.0],
