@@ -12,8 +12,8 @@ use crate::optics::light::Light;
 
 /// Dose, its change along a step, gradient (4 bytes each), inside fraction (4), labels (1), response (4 while metrics run).
 const BYTES_PER_VOXEL: f64 = 21.0;
-/// Dose turning and standing, the second also as what is derived from it (4 bytes each), labels and what metrics need at a
-/// time: 10 to 11 bytes measured at 512³ and 800³.
+/// Dose as the model orders it and as an array, or the latter and what is derived from it (4 bytes each), labels and what metrics
+/// need at a time: 10 to 11 bytes measured at 512³ and 800³.
 const BYTES_PER_FINE_VOXEL: f64 = 12.0;
 /// Voxels that the light of a pixel meets in a plane of voxels.
 const VOXELS_PER_PLANE: f64 = 1.7;

@@ -22,10 +22,10 @@ const OTHER_CALLS: f64 = 4.0;
 /// Models of the evaluation: on the job's voxels as optimized and turning, on finer ones turning.
 const MODELS: f64 = 3.0;
 
-/// What measuring a voxel of a thinned copy costs, times so many: for each voxel of the finer grid the metrics standing and
-/// turning, the published numbers and the surface's file, at half the price, as it has less surface for its voxels; for each of
+/// What measuring a voxel of a thinned copy costs, times so many: for each voxel of the finer grid the metrics,
+/// the published numbers and the surface's file, at half the price, as it has less surface for its voxels; for each of
 /// the job's own the metrics and files; for each pixel a PNG, a movie, its check and the arrays.
-const MEASURES_PER_FINE_VOXEL: f64 = 1.2;
+const MEASURES_PER_FINE_VOXEL: f64 = 0.9;
 const MEASURES_PER_VOXEL: f64 = 2.4;
 
 const MEASURES_PER_PIXEL: f64 = 1.8;
@@ -237,9 +237,9 @@ mod tests {
         let expected = 7.0 * step + 4.0 * 3.5 + 6.05 + 0.55;
         tomolith_core::near!(cost.optimization_s, expected, 1e-9);
         // A dose of the evaluation: 30 frames of 200 updates at 1000/s, 6 s, and 1 s to begin with; on the own voxels twice and
-        // turning (2 + 4 angles), turning on eight times as many: 4·1 + (6 + 4·8)·6 = 232 s. Making its model takes 6.5 s, three times; 1.2
+        // turning (2 + 4 angles), turning on eight times as many: 4·1 + (6 + 4·8)·6 = 232 s. Making its model takes 6.5 s, three times; 0.9
         // measures of each fine voxel, 2.4 of the own grid's, 1.8 of each pixel; both grids sampled
-        let measures = 1000.0 * (1.2 * 8.0 + 2.4) + 1.8 * 2000.0;
+        let measures = 1000.0 * (0.9 * 8.0 + 2.4) + 1.8 * 2000.0;
         let rest = 232.0 + measures * 2e-3 + 9.0 * 1000.0 * 1e-3 + 3.0 * 6.5;
         tomolith_core::near!(cost.rest_s, rest, 1e-9);
         // Monte Carlo paths: sixteen times as many, five times on the job's voxels and once on finer ones, worth two
