@@ -68,7 +68,10 @@ fn the_print_of_a_dose_has_the_numbers_of_the_host_to_the_last_bit() {
             .iter()
             .map(|&l| if l == VOID { OUTSIDE } else { l })
             .collect();
-        assert_eq!(compare(&no_void, &dose, "no void").unwrap().1, None);
+        assert_eq!(
+            compare(&no_void, &dose, "no void").unwrap().process_window,
+            None
+        );
         labels.iter_mut().for_each(|label| *label = VOID);
         assert_eq!(compare(&labels, &dose, "no part"), None);
         portable::assert_portable(gpu.sources().iter().map(|(name, text)| (name, text)));

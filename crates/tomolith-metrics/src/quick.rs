@@ -8,9 +8,9 @@
 //! ```
 //! use tomolith_metrics::quick::quick;
 //! use tomolith_core::target::label::{OUTSIDE, PART, VOID};
-//! let (iou, window) = quick(&[PART, PART, VOID, VOID, OUTSIDE], &[0.9, 0.7, 0.2, 0.8, 9.0]).unwrap();
-//! assert!((iou - 2.0 / 3.0).abs() < 1e-12); // between 0.2 and 0.7: both part voxels and one of the void
-//! assert!((window.unwrap() + 0.1).abs() < 1e-6); // 0.7 − 0.8
+//! let found = quick(&[PART, PART, VOID, VOID, OUTSIDE], &[0.9, 0.7, 0.2, 0.8, 9.0]).unwrap();
+//! assert!((found.iou - 2.0 / 3.0).abs() < 1e-12); // between 0.2 and 0.7: both part voxels and one of the void
+//! assert!((found.process_window.unwrap() + 0.1).abs() < 1e-6); // 0.7 − 0.8
 //! ```
 
 use super::buckets::{class, shares};
@@ -24,24 +24,32 @@ type Ranges = [[f32; 2]; 2];
 /// Part and void voxels per bin.
 type Table = Vec<[u64; 2]>;
 
-/// Best IoU, and process window where there is void.
-type Measured = (f64, Option<f64>);
+/// What is measured.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quick {
+    /// The best IoU.
+    pub iou: f64,
+    /// The process window; None without void.
+    pub process_window: Option<f64>,
+    /// Both numbers are the same for any void below this response: the lower one of the best threshold and the largest response of the void.
+    pub lowest: f32,
+}
 
 /// Best IoU, and process window where there is void; `None` without part, or when a response is no finite number.
 #[must_use]
-pub fn quick(labels: &[u8], response: &[f32]) -> Option<Measured> {
+pub fn quick(labels: &[u8], response: &[f32]) -> Option<Quick> {
     let counts = |low, scale| counts(labels, response, low, scale);
     measured(ranges(labels, response), counts)
 }
 
 /// The same of a response that lives elsewhere: the same numbers, to the last bit.
 #[must_use]
-pub fn quick_of<F>(counter: &dyn Counter<F>, response: &F) -> Option<Measured> {
+pub fn quick_of<F>(counter: &dyn Counter<F>, response: &F) -> Option<Quick> {
     let counts = |low, scale| counter.counts(response, low, scale);
     measured(counter.ranges(response), counts)
 }
 
-fn measured([part, void]: Ranges, counts: impl FnOnce(f32, f32) -> Table) -> Option<Measured> {
+fn measured([part, void]: Ranges, counts: impl FnOnce(f32, f32) -> Table) -> Option<Quick> {
     let (low, high) = (part[0].min(void[0]), part[1].max(void[1]));
     if part[0] > part[1] || !(low.is_finite() && high.is_finite()) {
         return None;
@@ -54,13 +62,20 @@ fn measured([part, void]: Ranges, counts: impl FnOnce(f32, f32) -> Table) -> Opt
     let table = counts(low, scale);
     let parts: u64 = table.iter().map(|bin| bin[0]).sum();
     let mut above = [0, 0];
-    let mut best = 0.0f64;
-    for bin in table.iter().rev() {
+    let (mut best, mut of_best) = (0.0f64, BINS);
+    for (i, bin) in table.iter().enumerate().rev() {
         above = [above[0] + bin[0], above[1] + bin[1]];
-        best = best.max(above[0] as f64 / (parts + above[1]) as f64);
+        let iou = above[0] as f64 / (parts + above[1]) as f64;
+        if iou > best {
+            (best, of_best) = (iou, i);
+        }
     }
-    let window = (void[0] <= void[1]).then(|| f64::from(part[0]) - f64::from(void[1]));
-    Some((best, window))
+    let has_void = void[0] <= void[1];
+    Some(Quick {
+        iou: best,
+        process_window: has_void.then(|| f64::from(part[0]) - f64::from(void[1])),
+        lowest: (low + (high - low) * (of_best as f32 / BINS as f32)).min(void[1]),
+    })
 }
 
 fn ranges(labels: &[u8], response: &[f32]) -> Ranges {
@@ -146,11 +161,14 @@ mod tests {
                 .map(|l| 0.4 * f32::from(*l) + dice())
                 .collect();
             let scan = Scan::new(&labels, &response).unwrap();
-            let (iou, window) = quick(&labels, &response).unwrap();
-            let exact = scan.best_plateau().unwrap().iou;
+            let found = quick(&labels, &response).unwrap();
+            let (iou, exact) = (found.iou, scan.best_plateau().unwrap().iou);
             assert!(iou <= exact && iou > exact - 2e-3, "{iou} {exact}");
             let (part, void) = (scan.part().unwrap(), scan.void().unwrap());
-            assert_eq!(window, Some(f64::from(part.min) - f64::from(void.max)));
+            assert_eq!(
+                found.process_window,
+                Some(f64::from(part.min) - f64::from(void.max))
+            );
         }
     }
 
@@ -158,6 +176,7 @@ mod tests {
     fn without_part_or_numbers_there_is_none() {
         assert_eq!(quick(&[VOID], &[1.0]), None);
         assert_eq!(quick(&[PART], &[f32::INFINITY]), None);
-        assert_eq!(quick(&[PART, OUTSIDE], &[0.5, f32::NAN]), Some((1.0, None)));
+        let alone = quick(&[PART, OUTSIDE], &[0.5, f32::NAN]).unwrap();
+        assert_eq!((alone.iou, alone.process_window), (1.0, None));
     }
 }

@@ -13,6 +13,7 @@ use crate::several::SharedModel;
 use std::borrow::Cow;
 use std::ops::Range;
 use tomolith_core::dose::form::Form;
+use tomolith_core::dose::regions::{ByElement, Regions};
 use tomolith_core::dose::{Facts, Renewal, Space};
 use tomolith_core::error::Result;
 use tomolith_core::field::{BLOCK, Field, HostField};
@@ -260,6 +261,12 @@ impl DoseModel for MaskedModel {
         Some(self.model.form()?.masked(&self.dark, self.factor))
     }
 
+    /// None of spread light.
+    fn regions(&self) -> Option<&dyn Regions<HostField>> {
+        self.spreads.is_none().then_some(())?;
+        self.model.regions().map(|_| self as _)
+    }
+
     fn describe(&self) -> String {
         let mut text = self.model.describe();
         text += &self
@@ -274,6 +281,43 @@ impl DoseModel for MaskedModel {
             text += &format!(", {dark} of {} pixels dark", self.dark.len());
         }
         text
+    }
+}
+
+impl MaskedModel {
+    fn own_regions(&self) -> &dyn Regions<HostField> {
+        let own = self.model.regions();
+        own.expect("a model that is asked for its regions has some")
+    }
+}
+
+impl Regions<HostField> for MaskedModel {
+    fn count(&self) -> usize {
+        self.own_regions().count()
+    }
+
+    fn least(&self, of: &ByElement) -> Vec<f32> {
+        self.own_regions().least(of)
+    }
+
+    fn holds_any(&self, field: &HostField, chosen: &[bool]) -> Vec<bool> {
+        self.own_regions().holds_any(field, chosen)
+    }
+
+    fn bounds(&self, x: &HostField, step: &HostField, run: &Run) -> Result<Vec<f32>> {
+        let [x, step] = [self.masked(x), self.masked(step)];
+        self.own_regions().bounds(&x, &step, run)
+    }
+
+    fn dose_in(
+        &self,
+        chosen: &[bool],
+        x: &HostField,
+        dose: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        let x = self.masked(x);
+        self.own_regions().dose_in(chosen, &x, dose, run)
     }
 }
 

@@ -35,6 +35,7 @@
 use super::{Objective, VoxelWeights};
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
+use tomolith_core::dose::regions::ByElement;
 use tomolith_core::error::Result;
 pub use tomolith_core::field::{Band, Bands};
 use tomolith_core::field::{BandKernel, BandLoss, Field, HostField};
@@ -93,6 +94,10 @@ impl<F: Field> Objective<F> for BandObjective<F> {
 
     fn is_convex(&self) -> bool {
         self.loss.is_convex()
+    }
+
+    fn harmless(&self) -> Option<Box<ByElement<'_>>> {
+        (self.loss.elements().start == 0).then(|| self.loss.harmless())
     }
 
     fn set_voxel_weights(&mut self, voxel_weights: &VoxelWeights) -> Result<()> {

@@ -35,7 +35,8 @@ pub fn of_ring(
 ///   voxels at whose band's edge the slope jumps; so it holds for every power, also p ≤ 1);
 /// - `value`, `value_and_gradient`, `slope_along` and `advance` agree, the values bit for bit;
 /// - one that claims to be convex has slopes that never fall along a line;
-/// - whatever stood in `grad` before is overwritten.
+/// - whatever stood in `grad` before is overwritten;
+/// - doses that it calls [harmless](Objective::harmless) cost nothing and have no gradient.
 ///
 /// # Errors
 /// What is wrong, in one sentence.
@@ -43,6 +44,7 @@ pub fn objective(objective: &dyn Objective<HostField>, dose: &HostField) -> Resu
     let step = HostField::from_slice(&noise(7, dose.len()));
     agreement(objective, dose, &step)?;
     convexity(objective, dose, &step)?;
+    harmlessness(objective, dose, &step)?;
     remainder(objective, dose, &step)
 }
 
@@ -124,6 +126,36 @@ fn convexity(
         ));
     }
     Ok(())
+}
+
+/// Doses from 0 up to what is harmless are all the same.
+fn harmlessness(
+    objective: &dyn Objective<HostField>,
+    dose: &HostField,
+    noise: &HostField,
+) -> Result<(), String> {
+    let Some(harmless) = objective.harmless() else {
+        return Ok(());
+    };
+    let limits: Vec<f32> = (0..dose.len()).map(harmless).collect();
+    let with = |share: &dyn Fn(usize) -> f32| {
+        let each = dose.as_slice().iter().zip(&limits).enumerate();
+        let values = each.map(|(i, (&dose, &limit))| match limit > 0.0 {
+            true => share(i) * limit.min(10.0),
+            false => dose,
+        });
+        HostField::from_slice(&values.collect::<Vec<f32>>())
+    };
+    let (dark, _) = gradient_at(objective, &with(&|_| 0.0));
+    let (lit, gradient) = gradient_at(objective, &with(&|i| noise.as_slice()[i].abs().sqrt()));
+    let slopes = gradient.as_slice().iter().zip(&limits);
+    let costs = slopes.filter(|(slope, limit)| **limit > 0.0 && **slope != 0.0);
+    match costs.count() {
+        0 if lit == dark => Ok(()),
+        count => Err(format!(
+            "harmless doses have the loss {lit} in place of {dark}, and {count} have a gradient"
+        )),
+    }
 }
 
 /// Largest step of the Taylor test, in units of dose.

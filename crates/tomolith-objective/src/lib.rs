@@ -29,6 +29,7 @@ use std::fmt::Debug;
 use std::sync::Arc;
 pub use sum::Sum;
 use tomolith_core::dose::DoseLayout;
+use tomolith_core::dose::regions::ByElement;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::Volume;
@@ -56,6 +57,10 @@ pub trait Objective<F: Field>: Send + Sync {
     /// Whether L is a mean over voxels and not a sum, so that it stays the same on finer voxels.
     fn is_mean(&self) -> bool {
         false
+    }
+    /// Up to which dose, from 0 on, each element of the dose field costs nothing, whatever the others have; None where that is not known.
+    fn harmless(&self) -> Option<Box<ByElement<'_>>> {
+        None
     }
     /// The process window of a dose as the objective measures it; None where it does not look for one.
     fn window(&self, _dose: &F) -> Option<FoundWindow> {
@@ -476,6 +481,22 @@ l2n | {"lower": 0.7, "upper": 0.9} | [0.5, 1, 0.9, 0.5] | 0.25 | [-0.8, 0.2, 0.4
                 assert!((a - b).abs() < 1e-6, "{kind}: {slopes:?}");
             }
         }
+    }
+
+    #[test]
+    fn doses_up_to_the_threshold_of_the_void_are_harmless() {
+        // Void, part, and a voxel that the surface halves
+        let room = Room::row(&[0.0, 1.0, 0.5], false);
+        let of = |kind, json| {
+            let objective = room.build(kind, json);
+            let harmless = objective.harmless().unwrap();
+            [0, 1, 2].map(harmless)
+        };
+        let limits = of("threshold", json!({ "lower": 0.7, "upper": 0.9 }));
+        assert_eq!(limits[..2], [0.7, 0.0]);
+        let fraction = json!({ "surface": "fraction", "lower": 0.7, "upper": 0.9 });
+        assert_eq!(of("threshold", fraction), [0.7, 0.0, 0.0]);
+        assert_eq!(of("l2", json!({})), [0.0; 3]);
     }
 
     #[test]

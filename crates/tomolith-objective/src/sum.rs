@@ -2,6 +2,7 @@
 
 use super::{FoundWindow, Objective};
 use std::sync::Arc;
+use tomolith_core::dose::regions::ByElement;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::Field;
 use tomolith_core::response::Response;
@@ -71,6 +72,15 @@ impl<F: Field> Objective<F> for Sum<F> {
 
     fn is_convex(&self) -> bool {
         self.parts.iter().all(|(_, part)| part.is_convex())
+    }
+
+    fn harmless(&self) -> Option<Box<ByElement<'_>>> {
+        let parts = self.parts.iter().map(|(_, part)| part.harmless());
+        let parts: Vec<_> = parts.collect::<Option<_>>()?;
+        Some(Box::new(move |i| {
+            let limits = parts.iter().map(|part| part(i));
+            limits.fold(f32::INFINITY, f32::min)
+        }))
     }
 
     fn set_response(&mut self, response: &Arc<dyn Response>) -> Result<()> {

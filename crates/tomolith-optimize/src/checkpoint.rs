@@ -171,6 +171,8 @@ pub(super) struct Saved<'a, F> {
     /// The best patterns, when they are others.
     pub(super) best_patterns: Option<&'a F>,
     pub(super) dose: &'a F,
+    /// Regions whose dose is an earlier one.
+    pub(super) unknown: &'a [bool],
     /// What the model remembers of earlier patterns.
     pub(super) model: Option<&'a F>,
     pub(super) memory: Memory<'a>,
@@ -391,6 +393,10 @@ impl Checkpoints {
                 arrays.extend(best.map(|best| ("best".to_owned(), best)));
                 if contents == Contents::All {
                     arrays.push(("dose".to_owned(), SavedArray::of_field(saved.dose)));
+                    if !saved.unknown.is_empty() {
+                        let unknown = SavedArray::of_flags(saved.unknown);
+                        arrays.push(("unknown".to_owned(), unknown));
+                    }
                     let model = saved.model.map(SavedArray::of_field);
                     arrays.extend(model.map(|array| ("model".to_owned(), array)));
                     let memory = saved.memory.arrays.into_iter();
@@ -704,6 +710,17 @@ impl Checkpoint {
         Ok(())
     }
 
+    /// What [`SavedArray::of_flags`] wrote; nothing where it wrote nothing.
+    pub(super) fn flags(&mut self, name: &str) -> Result<Vec<bool>> {
+        let info = self.metadata.info(name);
+        let len = info.map_or(0, |info| info.data_offsets.1 - info.data_offsets.0);
+        let mut bytes = vec![0; len];
+        if len > 0 {
+            self.read(name, &mut bytes)?;
+        }
+        Ok(bytes.into_iter().map(|byte| byte != 0).collect())
+    }
+
     pub(super) fn has(&self, name: &str) -> bool {
         self.metadata.info(name).is_some()
     }
@@ -818,6 +835,7 @@ mod tests {
             best: Best::default(),
             best_patterns: None,
             dose: field,
+            unknown: &[],
             model: None,
             memory,
             counters: Counters::default(),

@@ -18,7 +18,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::field::Field;
 use tomolith_core::target::label;
-use tomolith_metrics::quick::quick;
+use tomolith_metrics::quick::{Quick, quick};
 
 /// Which patterns a run returns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
@@ -115,8 +115,11 @@ impl Measure {
         let dose = at.dose.to_host();
         let dose = problem.model().outputs()[0].voxels_of(&dose);
         match quick(labels, &dose) {
-            Some((_, Some(window))) if window >= 0.0 => -1.0 - window,
-            Some((iou, _)) => -iou,
+            Some(Quick {
+                process_window: Some(window),
+                ..
+            }) if window >= 0.0 => -1.0 - window,
+            Some(Quick { iou, .. }) => -iou,
             None => f64::MAX,
         }
     }
@@ -275,7 +278,7 @@ mod tests {
         let outcome = run(&mut problem, optimizer, &mut x, &stop, checkpoints, &mut []);
         let dose = check::dose(&model, &x);
         let dose = model.layout().volume_of(dose.as_slice());
-        let iou = quick(&labels.values, &dose.values).unwrap().0;
+        let iou = quick(&labels.values, &dose.values).unwrap().iou;
         (x, iou, outcome)
     }
 

@@ -85,11 +85,7 @@ pub fn improve(
     let mut pass = Pass {
         before: problem.counters,
         brightest: Brightest::of(model.patterns(), x),
-        at: Position {
-            dose: model.new_dose()?,
-            cotangent: model.new_dose()?,
-            loss: 0.0,
-        },
+        at: Position::new(model.new_dose()?, model.new_dose()?),
         problem,
         shown,
     };

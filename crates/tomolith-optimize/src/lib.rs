@@ -37,8 +37,8 @@ pub use keep::{Keep, KeptBy, KeptIterate};
 pub use problem::{Counters, Limits, Position, Problem};
 pub use requirements::Requirements;
 pub use run::{
-    MeasuredPrint, Observer, Outcome, Row, StepReport, Stop, StopReason, relative_gradient, run,
-    run_after,
+    MeasuredPrint, Observer, Outcome, Row, SeenDose, StepReport, Stop, StopReason,
+    relative_gradient, run, run_after,
 };
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -134,6 +134,15 @@ impl<'a> SavedArray<'a> {
             dtype: safetensors::Dtype::F32,
             len: field.len(),
             bytes: Box::new(|| field.host_bytes()),
+        }
+    }
+
+    /// Truth values, a byte each.
+    pub fn of_flags(flags: &'a [bool]) -> Self {
+        SavedArray {
+            dtype: safetensors::Dtype::U8,
+            len: flags.len(),
+            bytes: Box::new(|| flags.iter().map(|flag| u8::from(*flag)).collect()),
         }
     }
 

@@ -8,7 +8,10 @@
 //! clamping, so for a linear model the dose along it is F(x) + α·F(x̄ − x): one forward call serves the whole search, which
 //! then costs passes over the dose only; for waves it is a quadratic in α, whose three coefficients serve it. (Searching first and clamping afterwards promises losses that are not delivered.)
 
+mod needed;
+
 use super::free_response::FreeResponse;
+use std::borrow::Cow;
 use std::sync::OnceLock;
 use std::time::Instant;
 use tomolith_core::dose::{DoseModel, PatternLayout, Quantity, Run};
@@ -62,6 +65,8 @@ pub struct Problem<'a, F: Field> {
     target: Option<F>,
     /// 1 at the part's surface, else 0.
     edges: Option<F>,
+    /// From what dose on the loss may feel each region of the model's voxels, from the first search on; None where it feels all.
+    limits: OnceLock<Option<Vec<f32>>>,
     run: &'a Run,
     /// What was done so far.
     pub counters: Counters,
@@ -81,16 +86,48 @@ impl<F: Field> Held<'_, F> {
             Held::Free(free) => free.objective(),
         }
     }
+
+    /// The objective, where none of its parameters are unknowns.
+    fn fixed(&self) -> Option<&dyn Objective<F>> {
+        match self {
+            Held::Fixed(objective) => Some(*objective),
+            Held::Free(_) => None,
+        }
+    }
 }
 
 /// Where the patterns are: their dose, and what an optimizer needs of it.
 pub struct Position<F> {
-    /// F(x)
+    /// F(x); an earlier dose where a search has left voxels out ([`SeenDose`](super::SeenDose)).
     pub dose: F,
     /// ∂L/∂dose at x; a search uses it as its work space.
     pub cotangent: F,
     /// L at x, penalties included.
     pub loss: f64,
+    /// Regions of the model whose dose is an earlier one; empty for none.
+    unknown: Vec<bool>,
+}
+
+impl<F> Position<F> {
+    /// Before anything is known.
+    pub(super) fn new(dose: F, cotangent: F) -> Self {
+        Position {
+            dose,
+            cotangent,
+            loss: f64::NAN,
+            unknown: Vec::new(),
+        }
+    }
+
+    /// Regions of the model whose dose is an earlier one; empty for none.
+    pub(super) fn unknown(&self) -> &[bool] {
+        &self.unknown
+    }
+
+    /// The same with such regions.
+    pub(super) fn with_unknown(self, unknown: Vec<bool>) -> Self {
+        Position { unknown, ..self }
+    }
 }
 
 /// What a search found.
@@ -145,6 +182,7 @@ impl<'a, F: Field> Problem<'a, F> {
             levels: None,
             target: None,
             edges: None,
+            limits: OnceLock::new(),
             run,
             counters: Counters::default(),
         })
@@ -387,6 +425,7 @@ impl<'a, F: Field> Problem<'a, F> {
     /// Dose, loss and cotangent of patterns that need no bringing into the bounds.
     pub(super) fn measure(&mut self, x: &F, at: &mut Position<F>) -> Result<()> {
         self.dose(x, &mut at.dose)?;
+        at.unknown.clear();
         self.weigh(x, at);
         Ok(())
     }
@@ -397,6 +436,7 @@ impl<'a, F: Field> Problem<'a, F> {
             dose,
             cotangent,
             loss,
+            ..
         } = at;
         *loss = self.timed(|objective, penalties| {
             objective.value_and_gradient(dose, cotangent) + penalties.value(x)
@@ -455,11 +495,7 @@ impl<'a, F: Field> Problem<'a, F> {
     /// # Errors
     /// [`Error::Canceled`], or not enough memory.
     pub fn evaluate_at(&mut self, x: &mut F) -> Result<Position<F>> {
-        let mut at = Position {
-            dose: self.model.new_dose()?,
-            cotangent: self.model.new_dose()?,
-            loss: f64::NAN,
-        };
+        let mut at = Position::new(self.model.new_dose()?, self.model.new_dose()?);
         self.evaluate(x, &mut at)?;
         Ok(at)
     }
@@ -469,11 +505,7 @@ impl<'a, F: Field> Problem<'a, F> {
     /// # Errors
     /// When there is not enough memory.
     pub fn place_at(&mut self, x: &F, dose: F) -> Result<Position<F>> {
-        let mut at = Position {
-            dose,
-            cotangent: self.model.new_dose()?,
-            loss: f64::NAN,
-        };
+        let mut at = Position::new(dose, self.model.new_dose()?);
         self.weigh(x, &mut at);
         Ok(at)
     }
@@ -500,13 +532,18 @@ impl<'a, F: Field> Problem<'a, F> {
         slope: f64,
         at: &mut Position<F>,
     ) -> Result<LineSearchResult> {
-        let Some(mut course) = self.course(x, step, at)? else {
+        let course = match self.needed_dose(x, step, at)? {
+            true => Some(Course::Line),
+            false => self.course(x, step, at)?,
+        };
+        let Some(mut course) = course else {
             return self.backtrack(x, step, slope, at);
         };
         let Position {
             dose,
             cotangent,
             loss,
+            ..
         } = at;
         let found = self.timed(|objective, penalties| {
             let found = segment_minimum(*loss, slope, |alpha| {
@@ -613,6 +650,10 @@ impl<'a, F: Field> Problem<'a, F> {
         if sums.slope >= 0.0 {
             return Ok(unit);
         }
+        if let Cow::Owned(whole) = self.whole_dose(x, at)? {
+            at.dose = whole;
+            at.unknown.clear();
+        }
         let mut course = match self.course(x, direction, at)? {
             Some(course) => course,
             None => {
@@ -628,6 +669,7 @@ impl<'a, F: Field> Problem<'a, F> {
             dose,
             cotangent,
             loss,
+            ..
         } = at;
         let length = self.timed(|objective, penalties| {
             ray_minimum(*loss, sums.slope, |alpha| {

@@ -4,6 +4,7 @@ use super::checkpoint::{Checkpoints, Contents, DiskSpace, Saved};
 use super::keep::{Keep, Keeper, KeptBy, KeptIterate};
 use super::{Counters, Gap, Optimizer, Position, Problem};
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use std::ops::ControlFlow;
 use std::time::Instant;
 use tomolith_core::dose::Renewal;
@@ -167,7 +168,7 @@ pub fn relative_gradient(history: &[Row], row: &Row) -> Option<f64> {
 }
 
 /// What observers see after each step, and once at the start.
-pub struct StepReport<'a, F> {
+pub struct StepReport<'a, F: Field> {
     /// The newest row of the history.
     pub row: &'a Row,
     /// The projected gradient of the newest row, relative to the first; a resumed run knows the first of the run before.
@@ -177,13 +178,36 @@ pub struct StepReport<'a, F> {
     /// The patterns.
     pub patterns: &'a F,
     /// Their dose.
-    pub dose: &'a F,
+    pub dose: SeenDose<'a, F>,
     /// Model calls and where the time went.
     pub counters: &'a Counters,
 }
 
+/// The dose after a step.
+pub struct SeenDose<'a, F: Field> {
+    problem: &'a Problem<'a, F>,
+    patterns: &'a F,
+    at: &'a Position<F>,
+}
+
+impl<F: Field> SeenDose<'_, F> {
+    /// The dose in all voxels; computed first where searches have left some out.
+    ///
+    /// # Errors
+    /// Those of the model.
+    pub fn whole(&self) -> Result<Cow<'_, F>> {
+        self.problem.whole_dose(self.patterns, self.at)
+    }
+
+    /// The dose as searches know it, and where that is the dose of every voxel: from this value on. Voxels that searches have left out have an earlier dose below it.
+    #[must_use]
+    pub fn known(&self) -> (&F, f32) {
+        (&self.at.dose, self.problem.known_from(self.at))
+    }
+}
+
 /// Watches a run: progress, history files, metrics that stop it.
-pub trait Observer<F> {
+pub trait Observer<F: Field> {
     /// Called at the start and after every step; `Break` ends the run.
     fn on_step(&mut self, report: &StepReport<F>) -> ControlFlow<()>;
     /// What it measured of the print at the last call of [`on_step`](Self::on_step): a part of the history, and of checkpoints.
@@ -194,7 +218,7 @@ pub trait Observer<F> {
     fn on_disk_space(&mut self, _space: &DiskSpace) {}
 }
 
-impl<F, O: FnMut(&StepReport<F>) -> ControlFlow<()>> Observer<F> for O {
+impl<F: Field, O: FnMut(&StepReport<F>) -> ControlFlow<()>> Observer<F> for O {
     fn on_step(&mut self, report: &StepReport<F>) -> ControlFlow<()> {
         self(report)
     }
@@ -418,7 +442,8 @@ fn begin<F: Field>(
                 None => drop(problem.renew(done.max(1), x)?),
             }
             problem.set_response_values(history.last().map_or(&[], |row| &row.response))?;
-            let at = problem.place_at(x, dose)?;
+            let unknown = checkpoint.flags("unknown")?;
+            let at = problem.place_at(x, dose)?.with_unknown(unknown);
             optimizer.restore(&mut checkpoint, problem, x)?;
             problem.counters = checkpoint.counters();
             let mut keeper = Keeper::new(problem, optimizer, keep, &at);
@@ -530,7 +555,11 @@ impl<F: Field> State<F> {
             relative_gradient: relative_gradient(&self.history, row),
             best_loss: self.keeper.best().loss,
             patterns: x,
-            dose: &self.at.dose,
+            dose: SeenDose {
+                problem,
+                patterns: x,
+                at: &self.at,
+            },
             counters: &problem.counters,
         };
         let mut broken = false;
@@ -633,6 +662,7 @@ impl<F: Field> State<F> {
             best: self.keeper.best().clone(),
             best_patterns: self.keeper.patterns(),
             dose: &self.at.dose,
+            unknown: self.at.unknown(),
             model,
             memory: optimizer.memory(),
             counters: problem.counters,

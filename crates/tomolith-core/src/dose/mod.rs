@@ -9,6 +9,7 @@ pub mod form;
 pub mod layout;
 pub mod paths;
 pub mod rays;
+pub mod regions;
 pub mod scattered;
 pub mod strips;
 pub mod waves;
@@ -19,6 +20,7 @@ use crate::grid::VolumeGrid;
 pub use crate::run::{Run, Steps};
 use form::Form;
 pub use layout::{DoseLayout, PatternLayout, Quantity, elements_of, frames_of, own_frames};
+pub use regions::Regions;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -223,6 +225,10 @@ pub trait DoseModel: Send + Sync {
     fn form(&self) -> Option<Form> {
         None
     }
+    /// Regions of voxels whose doses can be left out; None where the model cannot tell them apart.
+    fn regions(&self) -> Option<&dyn Regions<Self::Field>> {
+        None
+    }
     /// One line for people: which model, which kernel.
     fn describe(&self) -> String;
 }
@@ -296,6 +302,10 @@ pub trait LinearOperator: Send + Sync {
     fn form(&self) -> Option<Form> {
         None
     }
+    /// As [`DoseModel::regions`].
+    fn regions(&self) -> Option<&dyn Regions<Self::Field>> {
+        None
+    }
     /// One line for people.
     fn describe(&self) -> String;
 }
@@ -321,6 +331,10 @@ impl<A: LinearOperator> DoseModel for A {
 
     fn form(&self) -> Option<Form> {
         LinearOperator::form(self)
+    }
+
+    fn regions(&self) -> Option<&dyn Regions<Self::Field>> {
+        LinearOperator::regions(self)
     }
 
     fn describe(&self) -> String {

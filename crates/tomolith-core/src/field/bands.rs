@@ -25,6 +25,7 @@
 
 use super::BLOCK;
 use super::LANES;
+use crate::dose::regions::ByElement;
 use crate::error::{Error, Result, above_zero, in_range};
 use crate::parallel::InParallel;
 use crate::response::{Response, is_reached};
@@ -417,6 +418,46 @@ impl BandLoss {
     #[must_use]
     pub fn is_convex(&self) -> bool {
         self.p >= 1.0 && self.q >= 1.0 && self.response.is_identity()
+    }
+
+    /// Up to which dose, from 0 on, an element costs nothing: 0 where a dose of 0 does, +∞ where no dose does. The first element is that of the bands.
+    #[must_use]
+    pub fn harmless(&self) -> Box<ByElement<'_>> {
+        let [at_rest, most] = [self.response.value(0.0), self.response.range()[1] as f32];
+        let up_to = move |band: Band| match band {
+            Band { weight: 0.0, .. } => f32::INFINITY,
+            Band { lower, upper, .. } if !(lower..=upper).contains(&at_rest) => 0.0,
+            Band { upper, .. } if upper >= most => f32::INFINITY,
+            Band { upper, .. } => self.response.inverse(upper).max(0.0),
+        };
+        match &self.bands {
+            Bands::Labels { labels, table } => {
+                let of_label = table.map(up_to);
+                Box::new(move |i| of_label[usize::from(labels[i])])
+            }
+            Bands::Shared {
+                inside,
+                part,
+                void,
+                scale,
+                widen,
+            } => Box::new(move |i| {
+                let share = inside[i];
+                if share < 0.0 || scale.get(i) == Some(&0.0) {
+                    return f32::INFINITY;
+                }
+                let own = |band: Band, share: f32| {
+                    let wider = band.widened(widen.get(i).copied().unwrap_or(0.0));
+                    up_to(wider.weighing(band.weight * share))
+                };
+                own(*part, share).min(own(*void, 1.0 - share))
+            }),
+            Bands::Voxels {
+                lower,
+                upper,
+                weight,
+            } => Box::new(move |i| up_to(Band::new(lower[i], upper[i], weight[i]))),
+        }
     }
 
     /// Multiplies weights and widens bands on either side, per element; either may be empty for none.

@@ -196,6 +196,13 @@ impl NonzeroBlocks {
         self.rows[row] & bit(block) != 0
     }
 
+    /// The blocks of a row that hold anything.
+    pub(super) fn blocks_of(&self, row: usize) -> impl Iterator<Item = &Block> {
+        let blocks = self.blocks.iter().enumerate();
+        let own = blocks.filter(move |(i, _)| self.any_in(row, *i));
+        own.map(|(_, block)| block)
+    }
+
     /// Of the voxels of a tile, in a plane of `nx` voxels a row.
     pub(super) fn of_tile(&self, tile: &Tile, nx: usize) -> NonzeroTile {
         let mut found = NonzeroTile {

@@ -11,7 +11,7 @@
 //! 20 bytes for each column of each frame that lights a patch, and the time of one dose without stored entries; a quarter of both where quarters
 //! repeat.
 
-use super::block_sparsity::{LENGTHS, NonzeroBlocks, NonzeroTile};
+use super::block_sparsity::{LENGTHS, NonzeroBlocks, NonzeroTile, is_nonzero};
 use super::kernel::{Block, MAX_BLOCK};
 use super::patches::{self, ColumnEntry, Patches, VOXELS};
 use super::plan::{KernelPath, LightPlan};
@@ -36,7 +36,7 @@ const BYTES: f64 = (size_of::<u32>() + size_of::<[f32; VOXELS]>()) as f64;
 
 /// Voxels along the edge of a patch, and patches along that of a tile.
 pub(super) const EDGE: usize = 2;
-const PATCHES: usize = TILE / EDGE;
+pub(super) const PATCHES: usize = TILE / EDGE;
 
 /// How a model finds the entries of a slice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -255,6 +255,96 @@ pub(super) struct TileCotangent<'a> {
     pub(super) line: usize,
 }
 
+impl TileCotangent<'_> {
+    /// A bit for each vector of lanes that holds anything in a voxel of a patch; None where rows have more vectors than bits.
+    pub(super) fn held(&self, tile: &Tile) -> Option<Vec<u64>> {
+        let row = self.nonzero.blocks.first().map_or(0, |block| block.row);
+        if row > u64::BITS as usize {
+            return None;
+        }
+        let mut held = vec![0; PATCHES * PATCHES];
+        for y in 0..tile.size[1] {
+            for x in 0..tile.size[0] {
+                let voxel = self.first + y * self.line + x;
+                for block in self.nonzero.blocks_of(voxel) {
+                    let from = (voxel * row + block.first) * LANES;
+                    let lanes = self.values[from..][..block.count * LANES]
+                        .as_chunks::<LANES>()
+                        .0;
+                    for (vector, lanes) in (block.first..).zip(lanes) {
+                        held[patch([x, y])] |= u64::from(is_nonzero(lanes)) << vector;
+                    }
+                }
+            }
+        }
+        Some(held)
+    }
+}
+
+/// The patch of a voxel `[x, y]` of a tile, counted from its first.
+pub(super) fn patch([x, y]: [usize; 2]) -> usize {
+    y / EDGE * PATCHES + x / EDGE
+}
+
+/// Which vectors of lanes are wanted of the patches of a tile.
+#[derive(Clone, Copy)]
+pub(super) struct Wanted<'a> {
+    /// A bit for each vector of a patch; None: all.
+    vectors: Option<&'a [u64]>,
+    /// Those that any patch wants.
+    of_any: u64,
+}
+
+impl<'a> Wanted<'a> {
+    pub(super) fn of(vectors: Option<&'a [u64]>) -> Self {
+        let all = |vectors: &[u64]| vectors.iter().fold(0, |all, own| all | own);
+        Wanted {
+            vectors,
+            of_any: vectors.map_or(u64::MAX, all),
+        }
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.of_any == 0
+    }
+
+    /// Whether any patch wants a vector of a block.
+    fn any_in(&self, block: Block) -> bool {
+        self.vectors.is_none() || within(self.of_any, block) != 0
+    }
+
+    /// Whether a patch wants any vector.
+    pub(super) fn is_by(&self, patch: usize) -> bool {
+        self.vectors.is_none_or(|vectors| vectors[patch] != 0)
+    }
+
+    /// The parts of a block that a patch wants, each from its first to its last vector: vectors with a gap of one between them are one part.
+    fn parts(&self, patch: usize, block: Block) -> impl Iterator<Item = Block> {
+        let mut bits = match self.vectors {
+            None => u64::MAX >> (u64::BITS as usize - block.count.min(64)),
+            Some(vectors) => within(vectors[patch], block),
+        };
+        bits |= bits << 1 & bits >> 1;
+        std::iter::from_fn(move || {
+            (bits != 0).then(|| {
+                let first = bits.trailing_zeros();
+                let count = (bits >> first).trailing_ones();
+                bits &= u64::MAX.checked_shl(first + count).unwrap_or(0);
+                Block {
+                    first: block.first + first as usize,
+                    count: count as usize,
+                    ..block
+                }
+            })
+        })
+    }
+}
+
+/// Bits of the vectors of a block, the first one's lowest.
+fn within(vectors: u64, block: Block) -> u64 {
+    vectors >> block.first & (u64::MAX >> (u64::BITS as usize - block.count))
+}
+
 /// A tile with its number, and views of a group.
 pub(super) type Place<'a> = (usize, &'a Tile, &'a Range<usize>);
 
@@ -339,12 +429,13 @@ impl CachedEntries {
         found
     }
 
-    /// Adds to the voxels of a tile what views of a group bring; `slots` has the lanes of all slots of the light.
+    /// Adds to the voxels of a tile what views of a group bring, where it is wanted; `slots` has the lanes of all slots of the light.
     pub(super) fn add(
         &self,
         (path, plan): (KernelPath, &LightPlan),
         place: Place<'_>,
         (slots, nonzero): (&[f32], &NonzeroBlocks),
+        wanted: Wanted<'_>,
         rows: &mut [&mut [f32]],
         bench: &mut Bench,
     ) {
@@ -353,6 +444,9 @@ impl CachedEntries {
         let own = slots_of(place.2, plan.columns);
         let is_whole = is_whole(&own, group);
         for (i, &block) in nonzero.blocks.iter().enumerate() {
+            if !wanted.any_in(block) {
+                continue;
+            }
             let lit = group.light(&mut bench.lit, |slot| {
                 own.contains(&slot) && nonzero.any_in(first + slot as usize, i)
             });
@@ -363,12 +457,15 @@ impl CachedEntries {
             let dark = group.lit_by.len() - lit;
             let chooses = !is_whole || 4 * dark * block.count > 3 * group.lit_by.len();
             let source = &slots[first * block.row * LANES..];
-            let mut ahead = self.ahead((path, plan, place), (group, i), (slots, nonzero));
+            let mut ahead = self.ahead((path, plan, place), (group, i), (slots, nonzero), wanted);
             for (y, lines) in rows.chunks_mut(EDGE).enumerate() {
                 let across = lines[0].len() / (block.row * LANES);
                 for x in 0..across.div_ceil(EDGE) {
                     ahead.go_on();
-                    let Some(mut entries) = group.patches.of(y * PATCHES + x, 0) else {
+                    let patch = y * PATCHES + x;
+                    let mut parts = wanted.parts(patch, block).peekable();
+                    let entries = parts.peek().and_then(|_| group.patches.of(patch, 0));
+                    let Some(mut entries) = entries else {
                         continue;
                     };
                     if chooses {
@@ -376,8 +473,10 @@ impl CachedEntries {
                         entries = entries.choose(&mut bench.chosen, is_lit);
                     }
                     if !entries.is_empty() {
-                        let out = voxels_of(lines, x * EDGE, block, &mut bench.outside);
-                        patches::gather(path.isa, out, source, entries, block);
+                        for part in parts {
+                            let out = voxels_of(lines, x * EDGE, part, &mut bench.outside);
+                            patches::gather(path.isa, out, source, entries, part);
+                        }
                     }
                 }
             }
@@ -390,18 +489,21 @@ impl CachedEntries {
         (path, plan, (index, _, views)): (KernelPath, &LightPlan, Place),
         (group, i): (&'a Group, usize),
         (slots, nonzero): (&'a [f32], &'a NonzeroBlocks),
+        wanted: Wanted<'_>,
     ) -> Ahead<'a> {
         let has_long_blocks = patches::block_lengths(path.isa, plan.turned.parts) == LENGTHS;
-        let is_last = i + 1 == nonzero.blocks.len();
-        let next = views.start / GROUP + 1;
-        let (first, lit_by, block) = match is_last {
+        let blocks = &nonzero.blocks;
+        let next_of = |mut range: Range<usize>| range.find(|&i| wanted.any_in(blocks[i]));
+        let group_after = views.start / GROUP + 1;
+        let (first, lit_by, block) = match next_of(i + 1..blocks.len()) {
             _ if has_long_blocks => (0, [].as_slice(), 0),
-            false => (first_of_group(views), group.lit_by.as_slice(), i + 1),
-            true if next < self.per_tile => {
-                let group = &self.groups[index * self.per_tile + next];
-                (next * GROUP, group.lit_by.as_slice(), 0)
+            Some(block) => (first_of_group(views), group.lit_by.as_slice(), block),
+            None if group_after < self.per_tile => {
+                let group = &self.groups[index * self.per_tile + group_after];
+                let block = next_of(0..i + 1).unwrap_or(i);
+                (group_after * GROUP, group.lit_by.as_slice(), block)
             }
-            true => (0, [].as_slice(), 0),
+            None => (0, [].as_slice(), 0),
         };
         Ahead {
             slots: lit_by.chunks(lit_by.len().div_ceil(PATCHES * PATCHES).max(1)),
@@ -417,7 +519,7 @@ impl CachedEntries {
         &self,
         (path, plan): (KernelPath, &LightPlan),
         place: Place<'_>,
-        cotangent: &TileCotangent,
+        (cotangent, held): (&TileCotangent, Wanted<'_>),
         lanes: &mut [f32],
         bench: &mut Bench,
     ) {
@@ -440,7 +542,11 @@ impl CachedEntries {
                 continue;
             }
             for patch in 0..PATCHES * PATCHES {
-                let Some(mut entries) = group.patches.of(patch, own.start) else {
+                let mut parts = held.parts(patch, block).peekable();
+                let entries = parts
+                    .peek()
+                    .and_then(|_| group.patches.of(patch, own.start));
+                let Some(mut entries) = entries else {
                     continue;
                 };
                 let voxel = |corner: usize| {
@@ -454,17 +560,19 @@ impl CachedEntries {
                 if voxels == [None; VOXELS] {
                     continue;
                 }
-                let values = voxels.map(|voxel| match voxel {
-                    Some(voxel) => {
-                        let from = (voxel * block.row + block.first) * LANES;
-                        &values[from..from + block.count * LANES]
-                    }
-                    None => &dark[..block.count * LANES],
-                });
                 if !is_whole {
                     entries = entries.choose(&mut bench.chosen, |slot| own.contains(&slot));
                 }
-                patches::spread(path.isa, lanes, values, entries, block);
+                for part in parts {
+                    let values = voxels.map(|voxel| match voxel {
+                        Some(voxel) => {
+                            let from = (voxel * part.row + part.first) * LANES;
+                            &values[from..from + part.count * LANES]
+                        }
+                        None => &dark[..part.count * LANES],
+                    });
+                    patches::spread(path.isa, lanes, values, entries, part);
+                }
             }
         }
     }

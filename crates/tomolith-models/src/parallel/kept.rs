@@ -8,9 +8,10 @@
 //! Some views alone are those of all, with lanes of the others dark; groups that hold none of them are left out.
 
 use super::block_sparsity::NonzeroBlocks;
-use super::cached::{Bench, CachedEntries, TileCotangent};
+use super::cached::{Bench, CachedEntries, PATCHES, TileCotangent, Wanted, patch};
 use super::patches;
 use super::plan::LightPlan;
+use super::regions::Chosen;
 use super::{DoseLayout, Parallel, TILE, Tile, groups, tile_rows};
 use crate::Run;
 use std::ops::Range;
@@ -47,17 +48,17 @@ pub(super) fn bytes_of_bands(lights: &[Light], grid: &VolumeGrid) -> f64 {
 
 /// Lanes of all parts of a turn, one after the other.
 #[derive(Clone, Copy)]
-struct Wide {
-    parts: usize,
+pub(super) struct Wide {
+    pub(super) parts: usize,
     /// Floats of a part, and of a row of all.
-    part: usize,
-    row: usize,
+    pub(super) part: usize,
+    pub(super) row: usize,
     /// Slots of the first part.
     slots: usize,
 }
 
 impl Wide {
-    fn of(plan: &LightPlan) -> Self {
+    pub(super) fn of(plan: &LightPlan) -> Self {
         let (parts, part) = (plan.turned.parts, plan.levels.used * LANES);
         Wide {
             parts,
@@ -65,6 +66,21 @@ impl Wide {
             row: row_of(parts * part),
             slots: plan.turned.period * plan.columns,
         }
+    }
+
+    /// The same with one float for each vector of lanes.
+    pub(super) fn pooled(self) -> Self {
+        let part = self.part / LANES;
+        Wide {
+            part,
+            row: (self.parts * part).next_multiple_of(LANES),
+            ..self
+        }
+    }
+
+    /// Floats of all slots.
+    pub(super) fn of_all(self) -> usize {
+        self.slots * self.row
     }
 
     /// Where the lanes of a part lie within those of all.
@@ -98,15 +114,50 @@ fn repeated(views: &Range<usize>, period: usize) -> Vec<Range<usize>> {
     groups(0..period).filter_map(of_group).collect()
 }
 
+/// Lanes of slots with the entries that they are summed with.
+pub(super) struct Source<'a> {
+    pub(super) plan: &'a LightPlan,
+    pub(super) entries: &'a CachedEntries,
+    pub(super) wide: Wide,
+    pub(super) lanes: &'a [f32],
+    /// Views of the first part of the turn.
+    pub(super) groups: Vec<Range<usize>>,
+    /// Vectors of lanes that are wanted, a bit for each, `[tile][patch]`; None: all.
+    pub(super) wanted: Option<&'a [u64]>,
+}
+
 /// What a thread needs to add light to tiles.
 #[derive(Default)]
-struct Desk {
+pub(super) struct Desk {
     bench: Bench,
     /// Lanes of all parts for the voxels of some tiles.
-    turned: HostField,
-    /// Those that a row of voxels takes, and what spreading them needs.
+    pub(super) turned: HostField,
+    /// Those that a row of voxels takes, the slices that they reach, and what spreading them needs.
     lanes: Vec<f32>,
+    slices: Vec<f32>,
     buffer: Vec<f32>,
+}
+
+/// Where the lanes of a row of voxels lie among those of tiles that the turn maps onto one another: first float and step from voxel to voxel, for each part.
+pub(super) struct Lines {
+    wide: Wide,
+    of_part: [(usize, isize); 4],
+}
+
+impl Lines {
+    /// The lanes of a voxel from each part, which add up to its own.
+    #[inline(always)]
+    pub(super) fn of_voxel<'a>(
+        &self,
+        x: usize,
+        turned: &'a HostField,
+    ) -> impl Iterator<Item = &'a [f32]> {
+        let of_part = self.of_part[..self.wide.parts].iter();
+        of_part.map(move |(first, step)| {
+            let from = first.wrapping_add_signed(step * x as isize);
+            &turned.as_slice()[from..][..self.wide.part]
+        })
+    }
 }
 
 impl Desk {
@@ -120,11 +171,12 @@ impl Desk {
 }
 
 impl Parallel {
-    /// dose += light of these views of one light, from these sides.
+    /// dose += light of these views of one light, from these sides; of regions that are `only` wanted, it is written over their dose.
     pub(super) fn add_kept(
         &self,
-        (light, cache): (usize, &CachedEntries),
+        (light, entries): (usize, &CachedEntries),
         (views, sides): (Range<usize>, Range<usize>),
+        only: Option<(&Chosen, &[u64])>,
         x: &[f32],
         dose: &mut [f32],
         run: &Run,
@@ -132,18 +184,44 @@ impl Parallel {
         let plan = &self.lights[light];
         let wide = Wide::of(plan);
         let groups = repeated(&views, plan.turned.period);
-        let mut lanes = self.borrow_scratch(wide.slots * wide.row);
+        let mut lanes = self.borrow_scratch(wide.of_all());
         self.expand_parts((light, wide), (views, sides), x, lanes.as_mut_slice());
-        let source = lanes.as_slice();
-        let (row, used) = (wide.row / LANES, wide.parts * wide.part / LANES);
-        let lengths = patches::block_lengths(self.path.isa, wide.parts);
-        let nonzero = NonzeroBlocks::of(source, row, used, lengths);
-        let steps = run.steps(self.tiles.len() * groups.len());
+        let source = Source {
+            plan,
+            entries,
+            wide,
+            lanes: lanes.as_slice(),
+            groups,
+            wanted: only.map(|(_, wanted)| wanted),
+        };
+        let chosen = only.map(|(chosen, _)| chosen);
         let DoseLayout { row, grid, .. } = &self.output;
-        let mut rows: Vec<_> = tile_rows(&self.tiles, dose, *row, grid.shape[2]);
+        let rows = tile_rows(&self.tiles, dose, *row, grid.shape[2]);
+        self.each_orbit(&source, rows, run, |tiles, tile, desk| {
+            self.add_turned((plan, wide), tiles, tile, chosen, desk);
+        });
+        drop(source);
+        self.return_scratch(lanes);
+        run.check()
+    }
+
+    /// Sums lanes for all tiles, together with those that the turn maps onto them, and gives what each has of `targets` to `finish`.
+    pub(super) fn each_orbit<T: Send>(
+        &self,
+        source: &Source<'_>,
+        targets: Vec<T>,
+        run: &Run,
+        finish: impl Fn(&[usize], (usize, T), &mut Desk) + Sync,
+    ) {
+        let (plan, wide) = (source.plan, source.wide);
+        let (row, used) = (wide.row / LANES, (wide.parts * wide.part).div_ceil(LANES));
+        let lengths = patches::block_lengths(self.path.isa, wide.parts);
+        let nonzero = NonzeroBlocks::of(source.lanes, row, used, lengths);
+        let steps = run.steps(self.tiles.len() * source.groups.len());
+        let mut targets: Vec<_> = targets.into_iter().map(Some).collect();
         let of_orbit = |orbit: &Vec<usize>| {
-            let own = orbit.iter().map(|&i| (i, std::mem::take(&mut rows[i])));
-            own.collect::<Vec<_>>()
+            let own = orbit.iter().map(|&i| Some((i, targets[i].take()?)));
+            own.collect::<Option<Vec<_>>>().unwrap_or_default()
         };
         let orbits: Vec<_> = self.orbits.iter().map(of_orbit).collect();
         orbits
@@ -152,31 +230,41 @@ impl Parallel {
                 let _ = desk.turned(orbit.len() * wide.of_tile());
                 let of_tiles = desk.turned.as_mut_slice().chunks_mut(wide.of_tile());
                 for ((index, _), turned) in orbit.iter().zip(of_tiles) {
+                    let wanted = (source.wanted)
+                        .map(|all| &all[index * PATCHES * PATCHES..][..PATCHES * PATCHES]);
+                    let wanted = Wanted::of(wanted);
+                    if wanted.is_empty() {
+                        steps.add(source.groups.len());
+                        continue;
+                    }
                     let [nx, ny] = self.tiles[*index].size;
                     let turned = &mut turned[..nx * ny * wide.row];
-                    turned.fill(0.0);
+                    for (i, lanes) in turned.chunks_exact_mut(wide.row).enumerate() {
+                        if wanted.is_by(patch([i % nx, i / nx])) {
+                            lanes.fill(0.0);
+                        }
+                    }
                     let mut rows: Vec<&mut [f32]> = turned.chunks_mut(nx * wide.row).collect();
-                    for group in &groups {
+                    for group in &source.groups {
                         if steps.is_canceled() {
                             return;
                         }
                         steps.add(1);
-                        cache.add(
+                        source.entries.add(
                             (self.path, plan),
                             (*index, &self.tiles[*index], group),
-                            (source, &nonzero),
+                            (source.lanes, &nonzero),
+                            wanted,
                             &mut rows,
                             &mut desk.bench,
                         );
                     }
                 }
                 let tiles: Vec<usize> = orbit.iter().map(|(index, _)| *index).collect();
-                for (index, rows) in orbit {
-                    self.add_turned((plan, wide), &tiles, (index, rows), desk);
+                for own in orbit {
+                    finish(&tiles, own, desk);
                 }
             });
-        self.return_scratch(lanes);
-        run.check()
     }
 
     /// Rows of pixels → lanes of slots, of some views seen from some sides; others are dark.
@@ -207,53 +295,92 @@ impl Parallel {
             });
     }
 
-    /// Adds to the dose of a tile its lanes of all parts, which lie in those of `tiles`.
+    /// Where row `y` of a tile's voxels takes its lanes from: a turn maps tiles onto `tiles` and rows onto lines.
+    pub(super) fn lines(
+        &self,
+        plan: &LightPlan,
+        wide: Wide,
+        tiles: &[usize],
+        tile: &Tile,
+        y: usize,
+    ) -> Lines {
+        let of_part = |part: usize| {
+            let [u, v] = plan.turned.origin(part, [tile.start[0], tile.start[1] + y]);
+            let from = tiles.iter().position(|&i| self.tiles[i].holds([u, v]));
+            let from = from.unwrap_or_default();
+            let Tile { start, size } = self.tiles[tiles[from]];
+            let voxel = (v - start[1]) * size[0] + u - start[0];
+            let [along_x, along_y] = plan.turned.origin_step(part);
+            let step = along_y * size[0] as isize + along_x;
+            let first = from * wide.of_tile() + voxel * wide.row + wide.lanes(part).start;
+            (first, step * wide.row as isize)
+        };
+        Lines {
+            wide,
+            of_part: std::array::from_fn(|part| of_part(part % wide.parts)),
+        }
+    }
+
+    /// Adds to the dose of a tile its lanes of all parts, which lie in those of `tiles`; writes them over the doses of regions that are `chosen` only.
     fn add_turned(
         &self,
         (plan, wide): (&LightPlan, Wide),
         tiles: &[usize],
         (index, rows): (usize, Vec<&mut [f32]>),
+        chosen: Option<&Chosen>,
         desk: &mut Desk,
     ) {
+        if chosen.is_some_and(|chosen| chosen.is_empty_in(index)) {
+            return;
+        }
         let (tile, row) = (&self.tiles[index], plan.levels.row);
         let Desk {
             turned,
             lanes,
+            slices,
             buffer,
             ..
         } = desk;
         lanes.clear();
         lanes.resize(TILE * row, 0.0);
-        for (y, dose) in (tile.start[1]..).zip(rows) {
+        for (y, dose) in rows.into_iter().enumerate() {
             let lanes = &mut lanes[..tile.size[0] * row];
-            // A turn maps tiles onto tiles and rows onto lines: first float and step of those that a row takes from a part
-            let line = |part: usize| {
-                let [u, v] = plan.turned.origin(part, [tile.start[0], y]);
-                let from = tiles.iter().position(|&i| self.tiles[i].holds([u, v]));
-                let from = from.unwrap_or_default();
-                let Tile { start, size } = self.tiles[tiles[from]];
-                let voxel = (v - start[1]) * size[0] + u - start[0];
-                let [along_x, along_y] = plan.turned.origin_step(part);
-                let step = along_y * size[0] as isize + along_x;
-                let first = from * wide.of_tile() + voxel * wide.row + wide.lanes(part).start;
-                (first, step * wide.row as isize)
-            };
-            let lines: [_; 4] = std::array::from_fn(|part| line(part % wide.parts));
-            for (x, lanes) in (0..).zip(lanes.chunks_mut(row)) {
+            let lines = self.lines(plan, wide, tiles, tile, y);
+            for (x, lanes) in lanes.chunks_mut(row).enumerate() {
+                if chosen.is_some_and(|chosen| !chosen.has(index, [x, y])) {
+                    continue;
+                }
                 let sums = lanes[..wide.part].as_chunks_mut::<LANES>().0;
-                for (i, sums) in sums.iter_mut().enumerate() {
-                    *sums = [0.0; LANES];
-                    for (first, step) in &lines[..wide.parts] {
-                        let from = first.wrapping_add_signed(step * x) + i * LANES;
-                        let own = turned.as_slice()[from..].first_chunk::<LANES>();
-                        let own = own.unwrap_or(&[0.0; LANES]);
+                sums.fill([0.0; LANES]);
+                for own in lines.of_voxel(x, turned) {
+                    let own = own.as_chunks::<LANES>().0;
+                    for (sums, own) in sums.iter_mut().zip(own) {
                         sums.iter_mut().zip(own).for_each(|(sum, own)| *sum += own);
                     }
                 }
             }
-            match &plan.levels.spread {
-                Some(spread) => spread.add_to(dose, lanes, buffer),
-                None => dose.iter_mut().zip(&*lanes).for_each(|(d, own)| *d += own),
+            let Some(chosen) = chosen else {
+                match &plan.levels.spread {
+                    Some(spread) => spread.add_to(dose, lanes, buffer),
+                    None => dose.iter_mut().zip(&*lanes).for_each(|(d, own)| *d += own),
+                }
+                continue;
+            };
+            let columns = dose.chunks_mut(self.output.row).zip(lanes.chunks(row));
+            for (x, (dose, lanes)) in columns.enumerate() {
+                if !chosen.has(index, [x, y]) {
+                    continue;
+                }
+                let mut all = lanes;
+                if let Some(spread) = &plan.levels.spread {
+                    slices.clear();
+                    slices.resize(self.output.row, 0.0);
+                    spread.add_to(slices, lanes, buffer);
+                    all = slices;
+                }
+                for own in chosen.slices(index, [x, y]) {
+                    dose[own.clone()].copy_from_slice(&all[own]);
+                }
             }
         }
     }
@@ -348,12 +475,12 @@ impl Parallel {
             .map(|[x, y]| y * nx + x)
             .collect();
         let per_view = plan.columns * wide.row;
-        let mut collect = |cotangent: &TileCotangent, bench: &mut Bench| {
+        let mut collect = |cotangent: &TileCotangent, held: Wanted, bench: &mut Bench| {
             for group in groups {
                 let own = group.start - groups[0].start..group.end - groups[0].start;
                 let lanes = &mut lanes[own.start * per_view..own.end * per_view];
                 let place = (index, tile, group);
-                cache.collect((self.path, plan), place, cotangent, lanes, bench);
+                cache.collect((self.path, plan), place, (cotangent, held), lanes, bench);
             }
         };
         if wide.parts == 1 && wide.row == row {
@@ -369,7 +496,8 @@ impl Parallel {
                 first: places[0],
                 line: nx,
             };
-            return collect(&cotangent, &mut desk.bench);
+            let held = cotangent.held(tile);
+            return collect(&cotangent, Wanted::of(held.as_deref()), &mut desk.bench);
         }
         let sizes = (wide.parts, wide.part / LANES);
         let nonzero_there = NonzeroBlocks::side_by_side(nonzero, wide.row / LANES, sizes, &places);
@@ -411,7 +539,8 @@ impl Parallel {
             first: 0,
             line: tile.size[0],
         };
-        collect(&cotangent, &mut desk.bench);
+        let held = cotangent.held(tile);
+        collect(&cotangent, Wanted::of(held.as_deref()), &mut desk.bench);
     }
 }
 

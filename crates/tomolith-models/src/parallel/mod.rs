@@ -73,6 +73,7 @@ mod patches;
 mod plan;
 mod plane;
 pub mod radon;
+mod regions;
 mod strips;
 mod tiles;
 mod turned;
@@ -99,7 +100,7 @@ use std::ops::Range;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use tiles::{BLOCK, TILE, Tile, TileEntries};
 use tomolith_core::dose::form::Form;
-use tomolith_core::dose::{Facts, Space};
+use tomolith_core::dose::{Facts, Regions, Space};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField, LANES};
 use tomolith_core::grid::VolumeGrid;
@@ -363,7 +364,7 @@ impl Parallel {
             return self.add_light_of_plane(light, (views, sides), x, dose, run);
         }
         if let Some(cache) = self.cache(light, run)? {
-            return self.add_kept((light, cache), (views, sides), x, dose, run);
+            return self.add_kept((light, cache), (views, sides), None, x, dose, run);
         }
         let plan = &self.lights[light];
         let row = plan.levels.row;
@@ -759,6 +760,10 @@ impl LinearOperator for Parallel {
 
     fn updates(&self) -> u64 {
         *self.updates.get_or_init(|| self.count_updates())
+    }
+
+    fn regions(&self) -> Option<&dyn Regions<HostField>> {
+        self.as_regions()
     }
 
     fn describe(&self) -> String {

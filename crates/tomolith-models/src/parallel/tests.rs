@@ -17,6 +17,7 @@ use tomolith_optics::vial::{
 };
 
 mod kept;
+mod regions;
 
 fn vials() -> Vec<Box<dyn Vial>> {
     vec![

@@ -9,6 +9,7 @@ use super::chains::LOOKED_UP;
 use super::kernel::{self, Isa};
 use super::plan::KernelPath;
 use crate::layout::{PixelRun, row_of};
+use std::ops::Range;
 use tomolith_core::dose::strips;
 use tomolith_core::field::{HostField, LANES};
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
@@ -128,6 +129,17 @@ impl Spread {
             bottom: 0,
             count: self.overlaps.rows as u32,
         }
+    }
+
+    /// Slices that some lanes reach.
+    pub(super) fn slices_of(&self, lanes: Range<usize>) -> Range<usize> {
+        let end = lanes.end.min(self.overlaps.rows);
+        let (first, end) = self.overlaps.lanes_of(PixelRun {
+            offset: 0,
+            bottom: lanes.start as u32,
+            count: (end - lanes.start) as u32,
+        });
+        first..end
     }
 
     /// Lanes → slices as data, or slices → lanes.
@@ -348,6 +360,17 @@ impl ZOverlaps {
             .copied()
             .reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
             .map_or((0, 0), |(a, b)| (a as usize, b as usize))
+    }
+
+    /// Rows that light any of some lanes: from the first to the last.
+    pub(super) fn rows_of(&self, lanes: Range<usize>) -> Range<usize> {
+        let meets = |row: &usize| {
+            let (first, end) = self.lit[*row];
+            (first as usize) < lanes.end && (end as usize) > lanes.start
+        };
+        let first = (0..self.rows).find(meets).unwrap_or(0);
+        let end = (0..self.rows).rfind(meets).map_or(first, |last| last + 1);
+        first..end
     }
 
     /// Adds the values of a run of rows to `lanes` (whole row of lanes).

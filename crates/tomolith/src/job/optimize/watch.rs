@@ -3,11 +3,10 @@
 use crate::field::{Counter, Field, HostField};
 use crate::job::progress::{Event, Progress, Snapshot};
 use crate::job::resolve::{ResolvedJob, Voxels};
-use crate::metrics::quick::{quick, quick_of};
+use crate::metrics::quick::{Quick, quick, quick_of};
 use crate::metrics::scan::Scan;
 use crate::models::{DoseLayout, PatternLayout};
 use crate::optimize::{DiskSpace, MeasuredPrint, Observer, Row, StepReport};
-use std::borrow::Cow;
 use std::cell::OnceCell;
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -81,8 +80,9 @@ impl<F: Field> Watch<'_, F> {
             patterns = super::gray_levels::patterns(self.lights, &x);
         }
         let (mut dose, mut print) = (Vec::new(), Vec::new());
-        if wants.dose || wants.print {
-            let bytes = report.dose.host_bytes();
+        let is_asked = wants.dose || wants.print;
+        if let Some(whole) = is_asked.then(|| report.dose.whole().ok()).flatten() {
+            let bytes = whole.host_bytes();
             let field = bytemuck::cast_slice(&bytes);
             for (species, layout) in self.job.species.iter().zip(self.doses) {
                 let volume = layout.volume_of(field);
@@ -127,29 +127,47 @@ impl<F: Field> Watch<'_, F> {
         if !(decides || !is_gray && (last || is_measured(iteration))) {
             return None;
         }
+        if decides {
+            let whole = report.dose.whole().ok()?;
+            return self.of_response(&whole, exact);
+        }
+        let (known, from) = report.dose.known();
+        let mut found = self.quick(known)?;
         let response = &self.job.first().goal.response;
-        let print = |(iou, process_window)| MeasuredPrint {
-            iou: Some(iou),
-            process_window,
-        };
+        if from > f32::NEG_INFINITY && found.lowest < response.value(from) {
+            found = self.quick(&*report.dose.whole().ok()?)?;
+        }
+        Some(MeasuredPrint {
+            iou: Some(found.iou),
+            process_window: found.process_window,
+        })
+    }
+
+    /// The metrics of a dose over some thresholds, counted where it lives if that is possible.
+    fn quick(&self, dose: &F) -> Option<Quick> {
+        let is_identity = self.job.first().goal.response.is_identity();
         let has_cells = self.layout.len() != self.layout.voxels();
-        if !decides && response.is_identity() && !has_cells {
-            let counter = || report.dose.counter(&self.labels);
+        if is_identity && !has_cells {
+            let counter = || dose.counter(&self.labels);
             if let Some(counter) = self.counter.get_or_init(counter) {
-                return quick_of(counter.as_ref(), report.dose).map(print);
+                return quick_of(counter.as_ref(), dose);
             }
         }
-        let bytes = report.dose.host_bytes();
+        self.of_response(dose, quick)
+    }
+
+    /// What `measure` makes of the labels and the response of each voxel.
+    fn of_response<R>(&self, dose: &F, measure: impl Fn(&[u8], &[f32]) -> R) -> R {
+        let response = &self.job.first().goal.response;
+        let bytes = dose.host_bytes();
         let dose = self.layout.voxels_of(bytemuck::cast_slice(&bytes));
-        let values: Cow<'_, [f32]> = if response.is_identity() {
-            dose
-        } else {
-            Cow::Owned(table(dose.len(), |i| response.value(dose[i])))
-        };
-        if decides {
-            return exact(&self.labels, &values);
+        if response.is_identity() {
+            return measure(&self.labels, &dose);
         }
-        quick(&self.labels, &values).map(print)
+        measure(
+            &self.labels,
+            &table(dose.len(), |i| response.value(dose[i])),
+        )
     }
 }
 
