@@ -134,6 +134,7 @@ fn at_speed(spec: &JobSpec, i: usize, mut error: Error) -> Error {
 }
 
 fn grid(spec: &JobSpec) -> Result<()> {
+    count("grid.refine", spec.grid.refine.unwrap_or(1), 1, 32)?;
     if let Some(pitch) = spec.grid.pitch_mm {
         positive("grid.pitch_mm", pitch.0, "mm")?;
     }
@@ -641,6 +642,8 @@ mod tests {
             checkpoint.every_s=0
             evaluate.bit_depth=17
             evaluate.refine=0
+            grid.refine=0
+            grid.refine=33
             evaluate.trim_percent=50
             evaluate.require_iou=99
             evaluate.require_in_band=-1
