@@ -1,7 +1,7 @@
 //! Regions of stored entries: a patch of 2 × 2 voxel columns along a vector of lanes.
 //!
 //! **Bound** The largest of the sixteen lanes of a vector stands for all of them, so that a sum over one lane bounds those of sixteen: the kernel of the dose, on a
-//! sixteenth of its lanes. Of an optimized boat of 256³ voxels 83 % of the regions that are lit stay below their threshold by this bound, and 89 % in truth.
+//! sixteenth of its lanes. In an optimized boat of 256³ voxels (every fourth column, light that is not absorbed) 83 % of the lit vectors stay below 0.8 by this bound, and 89 % in truth.
 //!
 //! Lanes that are rows of pixels reach slices of two vectors, where rows and slices do not begin together. Such slices belong to both regions.
 
