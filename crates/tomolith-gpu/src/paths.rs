@@ -26,7 +26,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use tomolith_core::dose::form::Masked;
 use tomolith_core::dose::paths::{LightPaths, PathForm, PathGeometry, PhaseForm};
 use tomolith_core::dose::{
-    Facts, LinearOperator, PatternLayout, Renewal, Run, Space, ZCoupling, own_frames,
+    DoseModel, Facts, PatternLayout, Renewal, Run, Space, ZCoupling, own_frames,
 };
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
@@ -193,28 +193,28 @@ impl Renewal<GpuField> for GpuPaths {
     }
 }
 
-impl LinearOperator for GpuPaths {
+impl DoseModel for GpuPaths {
     type Field = GpuField;
 
     fn facts(&self) -> Facts<'_> {
         Facts {
             z_coupling: ZCoupling::Full,
-            ..LinearOperator::facts(&self.straight)
+            ..self.straight.facts()
         }
     }
 
     fn new_field(&self, space: Space) -> Result<GpuField> {
-        LinearOperator::new_field(&self.straight, space)
+        self.straight.new_field(space)
     }
 
-    fn add_forward(
+    fn dose_of(
         &self,
         frames: Range<usize>,
         x: &GpuField,
         dose: &mut GpuField,
         run: &Run,
     ) -> Result<()> {
-        (self.straight).add_forward(frames.clone(), x, dose, run)?;
+        (self.straight).dose_of(frames.clone(), x, dose, run)?;
         let energy = x.max_abs() * self.brightest();
         if energy == 0.0 {
             return self.gpu.check();
@@ -240,14 +240,15 @@ impl LinearOperator for GpuPaths {
         self.gpu.check()
     }
 
-    fn adjoint_of(
+    fn pullback_of(
         &self,
         frames: Range<usize>,
+        x: &GpuField,
         cotangent: &GpuField,
         grad: &mut GpuField,
         run: &Run,
     ) -> Result<()> {
-        (self.straight).adjoint_of(frames.clone(), cotangent, grad, run)?;
+        (self.straight).pullback_of(frames.clone(), x, cotangent, grad, run)?;
         let gathered = self.geometry.cells.dark(1);
         for piece in voxels_of(cotangent, self.data().straight.output.row) {
             (self.geometry.cells).gather(&gathered, &self.geometry.shares, &piece);

@@ -23,9 +23,7 @@ use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::dose::rays::{LightRays, RayForm, RayGeometry, RaySegment};
 use tomolith_core::dose::scattered::{DirectionHarmonic, ScatteredLight};
-use tomolith_core::dose::{
-    DoseLayout, Facts, LinearOperator, PatternLayout, Run, Space, own_frames,
-};
+use tomolith_core::dose::{DoseLayout, DoseModel, Facts, PatternLayout, Run, Space, own_frames};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::Field;
 
@@ -530,7 +528,7 @@ pub(crate) fn unit_of(energy: f32) -> f32 {
     }
 }
 
-impl LinearOperator for GpuRays {
+impl DoseModel for GpuRays {
     type Field = GpuField;
 
     fn facts(&self) -> Facts<'_> {
@@ -549,7 +547,7 @@ impl LinearOperator for GpuRays {
         GpuField::of_space(&self.gpu, space, patterns, output)
     }
 
-    fn add_forward(
+    fn dose_of(
         &self,
         frames: Range<usize>,
         x: &GpuField,
@@ -564,9 +562,10 @@ impl LinearOperator for GpuRays {
         self.gpu.check()
     }
 
-    fn adjoint_of(
+    fn pullback_of(
         &self,
         frames: Range<usize>,
+        _x: &GpuField,
         cotangent: &GpuField,
         grad: &mut GpuField,
         run: &Run,

@@ -16,7 +16,7 @@ use std::ops::Range;
 use tomolith_core::dose::scattered::{
     DirectionHarmonic, LaterOrders, LightOnCells, OnCells, ScatteredLight,
 };
-use tomolith_core::dose::{DoseModel, LinearOperator, PatternLayout, Run};
+use tomolith_core::dose::{DoseModel, PatternLayout, Run};
 use tomolith_core::error::Result;
 
 /// What is scattered out of one light.
@@ -57,7 +57,7 @@ impl DeviceSource {
     ) -> Result<GpuField> {
         let mut light = self.model().new_dose()?;
         match self {
-            DeviceSource::Strips(own) => own.add_forward(frames.clone(), bins, &mut light, run)?,
+            DeviceSource::Strips(own) => own.dose_of(frames.clone(), bins, &mut light, run)?,
             DeviceSource::Rays(rays, harmonics) => {
                 let weighted = Some(&harmonics[channel]);
                 rays.add(frames, bins, &mut light, weighted, run)?;
@@ -76,7 +76,7 @@ impl DeviceSource {
         run: &Run,
     ) -> Result<()> {
         match self {
-            DeviceSource::Strips(own) => own.adjoint_of(frames.clone(), light, bins, run),
+            DeviceSource::Strips(own) => own.collect_frames(frames, light, bins, run),
             DeviceSource::Rays(rays, harmonics) => {
                 rays.collect(frames, light, bins, Some(&harmonics[channel]), run)
             }

@@ -18,9 +18,7 @@ use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::dose::scattered::ScatteredLight;
 use tomolith_core::dose::strips::{LightStrips, StripForm, StripGeometry, Taps};
-use tomolith_core::dose::{
-    DoseLayout, Facts, LinearOperator, PatternLayout, Run, Space, ZCoupling,
-};
+use tomolith_core::dose::{DoseLayout, DoseModel, Facts, PatternLayout, Run, Space, ZCoupling};
 use tomolith_core::error::{Error, Result};
 
 /// The geometry of a model on the card.
@@ -508,7 +506,29 @@ pub(crate) fn must_be_bound(gpu: &Gpu, needed: u64, advice: &str) -> Result<()> 
     })
 }
 
-impl LinearOperator for GpuStrips {
+impl GpuStrips {
+    /// The elements of Aᵀ c of some frames.
+    pub(crate) fn collect_frames(
+        &self,
+        frames: &Range<usize>,
+        cotangent: &GpuField,
+        grad: &mut GpuField,
+        run: &Run,
+    ) -> Result<()> {
+        for (light, own) in tomolith_core::dose::own_frames(&self.geometry.of.patterns, frames) {
+            let of_light = &self.geometry.lights[light];
+            self.adjoint_light(of_light, &own, cotangent, grad, run)?;
+            for (scattered, pixels) in self.scattered(light, grad) {
+                let voxels = voxels_of(cotangent, self.output().row);
+                scattered.add_adjoint(&own, &voxels, &pixels, run)?;
+            }
+        }
+        self.gpu.submit();
+        self.gpu.check()
+    }
+}
+
+impl DoseModel for GpuStrips {
     type Field = GpuField;
 
     fn facts(&self) -> Facts<'_> {
@@ -528,7 +548,7 @@ impl LinearOperator for GpuStrips {
         GpuField::of_space(&self.gpu, space, &self.geometry.of.patterns, self.output())
     }
 
-    fn add_forward(
+    fn dose_of(
         &self,
         frames: Range<usize>,
         x: &GpuField,
@@ -546,23 +566,15 @@ impl LinearOperator for GpuStrips {
         self.gpu.check()
     }
 
-    fn adjoint_of(
+    fn pullback_of(
         &self,
         frames: Range<usize>,
+        _x: &GpuField,
         cotangent: &GpuField,
         grad: &mut GpuField,
         run: &Run,
     ) -> Result<()> {
-        for (light, own) in tomolith_core::dose::own_frames(&self.geometry.of.patterns, &frames) {
-            let of_light = &self.geometry.lights[light];
-            self.adjoint_light(of_light, &own, cotangent, grad, run)?;
-            for (scattered, pixels) in self.scattered(light, grad) {
-                let voxels = voxels_of(cotangent, self.output().row);
-                scattered.add_adjoint(&own, &voxels, &pixels, run)?;
-            }
-        }
-        self.gpu.submit();
-        self.gpu.check()
+        self.collect_frames(&frames, cotangent, grad, run)
     }
 
     fn updates(&self) -> u64 {

@@ -1,7 +1,6 @@
 //! Dose models: patterns → absorbed dose in the resin, with the exact derivative.
 //!
-//! *What must it do, and who does it.* A [`DoseModel`] is F of the one equation; a [`LinearOperator`] is a dose model
-//! whose derivative is its adjoint (rays are; coherent waves are not). A [`ModelFamily`] says what it covers and builds models, one row
+//! *What must it do, and who does it.* A [`DoseModel`] is F of the one equation. A [`ModelFamily`] says what it covers and builds models, one row
 //! of [`MODELS`] each; the [`planner`] chooses the family of a job and says why.
 //! *Forward is the printer's direction: light goes from patterns to dose* (computed tomography calls that
 //! back-projection).
@@ -31,8 +30,8 @@ pub use family::{
 };
 pub use scene::OpticalScene;
 pub use tomolith_core::dose::{
-    DoseLayout, DoseModel, LinearOperator, PatternLayout, Quantity, Run, Steps, ZCoupling, cells,
-    elements_of, frames_of, layout, own_frames,
+    DoseLayout, DoseModel, PatternLayout, Quantity, Run, Steps, ZCoupling, cells, elements_of,
+    frames_of, layout, own_frames,
 };
 
 /// Every family of dose models, in the order of what they cost; without one in the job the [`planner`] chooses.

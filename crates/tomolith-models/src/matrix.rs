@@ -42,8 +42,8 @@
 //! ```
 
 use super::{
-    Capabilities, DoseLayout, DoseModel, HostModel, LinearOperator, MakeFamily, ModelFamily,
-    ModelInput, ModelKind, OpticalScene, PatternLayout, Quantity, Run, ZCoupling, elements_of,
+    Capabilities, DoseLayout, DoseModel, HostModel, MakeFamily, ModelFamily, ModelInput, ModelKind,
+    OpticalScene, PatternLayout, Quantity, Run, ZCoupling, elements_of,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -503,7 +503,7 @@ impl Places<'_> {
 /// Pattern elements that one task of the adjoint makes.
 const CHUNK: usize = 1024;
 
-impl LinearOperator for MatrixModel {
+impl DoseModel for MatrixModel {
     type Field = HostField;
 
     fn facts(&self) -> Facts<'_> {
@@ -520,10 +520,10 @@ impl LinearOperator for MatrixModel {
     }
 
     fn new_field(&self, space: Space) -> Result<HostField> {
-        Ok(LinearOperator::facts(self).host_field(space))
+        Ok(self.facts().host_field(space))
     }
 
-    fn add_forward(
+    fn dose_of(
         &self,
         frames: Range<usize>,
         x: &HostField,
@@ -546,9 +546,10 @@ impl LinearOperator for MatrixModel {
         run.check()
     }
 
-    fn adjoint_of(
+    fn pullback_of(
         &self,
         frames: Range<usize>,
+        _x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
         run: &Run,
@@ -605,13 +606,9 @@ mod tests {
         let mut patterns: Vec<_> = Vec::new();
         let (mut x, mut y) = (
             model.new_patterns().unwrap(),
-            DoseModel::new_patterns(matrix).unwrap(),
+            matrix.new_patterns().unwrap(),
         );
-        for (i, (own, other)) in DoseModel::patterns(matrix)
-            .iter()
-            .zip(model.patterns())
-            .enumerate()
-        {
+        for (i, (own, other)) in matrix.patterns().iter().zip(model.patterns()).enumerate() {
             let mut images = tomolith_core::grid::Patterns::dark(own.grid.clone());
             images.values = check::noise(3 + i as u64, images.values.len());
             other.fill_field(&images, x.as_mut_slice());
@@ -621,7 +618,7 @@ mod tests {
         let (a, b) = (check::dose(model, &x), check::dose(matrix, &y));
         assert!(difference(b.as_slice(), a.as_slice()) < 1e-6);
         let (x, y) = (check::adjoint(model, &a), check::adjoint(matrix, &a));
-        for (own, other) in DoseModel::patterns(matrix).iter().zip(model.patterns()) {
+        for (own, other) in matrix.patterns().iter().zip(model.patterns()) {
             let (a, b) = (
                 other.patterns_of(x.as_slice()),
                 own.patterns_of(y.as_slice()),
@@ -652,7 +649,7 @@ mod tests {
         let matrix = MatrixModel::new(&matrix, pixels, grid).unwrap();
         must_equal(&matrix, &model);
         check::model::model(&matrix, 5).unwrap();
-        assert!(LinearOperator::updates(&matrix) <= LinearOperator::updates(&model));
+        assert!(matrix.updates() <= model.updates());
     }
 
     #[test]
@@ -671,8 +668,7 @@ mod tests {
         let csr = matrix_of(&model(1), &Run::new()).unwrap();
         let whole = model(19);
         let pixels = vec![light(19).pixels];
-        let matrix =
-            MatrixModel::new(&csr, pixels, DoseModel::outputs(&whole)[0].grid.clone()).unwrap();
+        let matrix = MatrixModel::new(&csr, pixels, whole.outputs()[0].grid.clone()).unwrap();
         assert_eq!(matrix.depth, 19);
         must_equal(&matrix, &whole);
         check::model::model(&matrix, 5).unwrap();

@@ -296,9 +296,9 @@ mod tests {
             let light = Light::new(pixels, Resin::pure_radon(1.5));
             let vial = IndexMatched { radius_mm: 30.0 };
             let model = Parallel::new(&vial, vec![light], grid.clone()).unwrap();
-            let lights = DoseModel::patterns(&model);
-            let field = HostField::from_slice(&DoseModel::outputs(&model)[0].field_of(&wanted));
-            let mut x = DoseModel::new_patterns(&model).unwrap();
+            let lights = model.patterns();
+            let field = HostField::from_slice(&model.outputs()[0].field_of(&wanted));
+            let mut x = model.new_patterns().unwrap();
             let at = x.zeros_like();
             model.pullback(&at, &field, &mut x, &Run::new()).unwrap();
             let filter = (Filter::RamLak, 0.1f64.powi(3));
@@ -307,7 +307,7 @@ mod tests {
             let mut x = projection.patterns;
             x.scale(inverse as f32);
             let dose = check::dose(&model, &x);
-            let dose = DoseModel::outputs(&model)[0].volume_of(dose.as_slice());
+            let dose = model.outputs()[0].volume_of(dose.as_slice());
             let [found, expected] = [&dose, &wanted].map(|volume| *volume.at(2, 12, 12));
             near!(found / expected, 1.0, 0.05, "{pitch:?}: {found} {expected}");
         }

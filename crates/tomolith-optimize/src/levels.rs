@@ -302,7 +302,7 @@ mod tests {
         bits: u32,
     ) -> impl FnMut(&HostField) -> Result<HostField> + use<'_> {
         move |asked| {
-            let layout = &DoseModel::patterns(model)[0];
+            let layout = &model.patterns()[0];
             let levels = quantize(&layout.patterns_of(asked.as_slice()), bits)?;
             let mut x = asked.zeros_like();
             layout.fill_field(&levels.patterns(), x.as_mut_slice());
@@ -366,7 +366,7 @@ mod tests {
         let objective: Box<dyn Objective<HostField>> =
             case.objective("l2", json!({ "void_weight": 5.0 }));
         let (full, flag) = (asked.max_abs(), Run::new());
-        let mut dose = DoseModel::new_dose(&case.model).unwrap();
+        let mut dose = case.model.new_dose().unwrap();
         let mut losses: Vec<f64> = (1u32..1 << (n * frames))
             .map(|lit| {
                 let pixel = |i| if lit >> i & 1 == 1 { full } else { 0.0 };

@@ -25,7 +25,7 @@ fn penalties(model: &SmallModel, sparsity: f64, smoothness: f64) -> Penalties<Ho
         let row = PENALTIES.iter().find(|row| row.name == name).unwrap();
         (row.build)(&Section::new("penalties[0]", json))
             .unwrap()
-            .make(DoseModel::patterns(model))
+            .make(model.patterns())
             .unwrap()
     };
     let sparse = build("sparsity", json!({"exponent": 4.0}));

@@ -248,7 +248,7 @@ fn main() -> Result<(), tomolith::Error> {
         let start = Instant::now();
         let model = Parallel::under(vial, lights, case.kernel, case.grid(), &run)?;
         let built = start.elapsed().as_secs_f64();
-        rows(&case, &model, DoseModel::updates(&model) as f64, built)?;
+        rows(&case, &model, model.updates() as f64, built)?;
     }
     Ok(())
 }

@@ -71,8 +71,8 @@ fn main() {
         };
         let model = Rays::new(&vial, vec![light], &[optics(name)], &params, grid).expect("a model");
         let (mut x, mut dose) = (
-            DoseModel::new_patterns(&model).expect("memory"),
-            DoseModel::new_dose(&model).expect("memory"),
+            model.new_patterns().expect("memory"),
+            model.new_dose().expect("memory"),
         );
         x.fill(1.0);
         let run = Run::new();
@@ -87,7 +87,7 @@ fn main() {
         let forward = best(&mut || model.dose(&x, &mut dose, &run).expect("dose"));
         let mut grad = x.zeros_like();
         let adjoint = best(&mut || model.pullback(&x, &dose, &mut grad, &run).expect("adjoint"));
-        let updates = DoseModel::updates(&model) as f64;
+        let updates = model.updates() as f64;
         println!(
             "{name}, {}, {:.3e}, {forward:.3}, {adjoint:.3}, {:.0}, {:.0}",
             x.len(),

@@ -1,8 +1,6 @@
 //! A small model for the checks: straight rays through a few slices, its matrix written down.
 
-use crate::dose::{
-    DoseLayout, Facts, LinearOperator, PatternLayout, Quantity, Run, Space, ZCoupling,
-};
+use crate::dose::{DoseLayout, DoseModel, Facts, PatternLayout, Quantity, Run, Space, ZCoupling};
 use crate::error::Result;
 use crate::field::HostField;
 use crate::grid::{PatternGrid, Volume, VolumeGrid};
@@ -97,7 +95,7 @@ impl SmallModel {
     }
 }
 
-impl LinearOperator for SmallModel {
+impl DoseModel for SmallModel {
     type Field = HostField;
 
     fn facts(&self) -> Facts<'_> {
@@ -113,7 +111,7 @@ impl LinearOperator for SmallModel {
         Ok(self.facts().host_field(space))
     }
 
-    fn add_forward(
+    fn dose_of(
         &self,
         frames: Range<usize>,
         x: &HostField,
@@ -135,9 +133,10 @@ impl LinearOperator for SmallModel {
         Ok(())
     }
 
-    fn adjoint_of(
+    fn pullback_of(
         &self,
         frames: Range<usize>,
+        _x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
         _: &Run,

@@ -1,7 +1,6 @@
 //! Patterns → absorbed dose: what a model of light is, whoever computes it.
 //!
-//! A [`DoseModel`] is F of the one equation; a [`LinearOperator`] is a dose model whose derivative is its adjoint (rays are; coherent waves
-//! are not). *Forward is the printer's direction: light goes from patterns to dose* (computed tomography calls that back-projection).
+//! A [`DoseModel`] is F of the one equation; [`Facts`] say whether it is linear (rays are; coherent waves are not). *Forward is the printer's direction: light goes from patterns to dose* (computed tomography calls that back-projection).
 //! Layouts say which pixel and which voxel an element of a field is.
 
 pub mod cells;
@@ -181,7 +180,7 @@ pub trait DoseModel: Send + Sync {
         dose: &mut Self::Field,
         run: &Run,
     ) -> Result<()>;
-    /// The elements of F′(x)ᵀ c that belong to some frames: *overwrites* these of `grad` and leaves all others.
+    /// The elements of F′(x)ᵀ c that belong to some frames: *overwrites* these of `grad` and leaves all others. Linear models do not look at x.
     ///
     /// # Errors
     /// As [`pullback`](Self::pullback).
@@ -245,120 +244,4 @@ pub trait Accelerator: std::fmt::Debug + Send + Sync {
         form: &Form,
         run: &Run,
     ) -> Result<Option<Box<dyn DoseModel<Field = crate::field::HostField>>>>;
-}
-
-/// A linear dose model; every one of them is a [`DoseModel`].
-pub trait LinearOperator: Send + Sync {
-    /// Where the numbers live.
-    type Field: Field;
-
-    /// What the model is, apart from its work; `is_linear` is true.
-    fn facts(&self) -> Facts<'_>;
-    /// Zeros as patterns or as a dose.
-    ///
-    /// # Errors
-    /// When there is not enough memory.
-    fn new_field(&self, space: Space) -> Result<Self::Field>;
-    /// dose += A x, of these frames only.
-    ///
-    /// # Errors
-    /// [`Error::Canceled`](crate::Error::Canceled).
-    fn add_forward(
-        &self,
-        frames: Range<usize>,
-        x: &Self::Field,
-        dose: &mut Self::Field,
-        run: &Run,
-    ) -> Result<()>;
-    /// grad = Aᵀ c
-    ///
-    /// # Errors
-    /// [`Error::Canceled`](crate::Error::Canceled).
-    fn adjoint(&self, cotangent: &Self::Field, grad: &mut Self::Field, run: &Run) -> Result<()> {
-        self.adjoint_of(0..self.frames(), cotangent, grad, run)
-    }
-    /// The elements of Aᵀ c that belong to some frames, as [`DoseModel::pullback_of`].
-    ///
-    /// # Errors
-    /// [`Error::Canceled`](crate::Error::Canceled).
-    fn adjoint_of(
-        &self,
-        frames: Range<usize>,
-        cotangent: &Self::Field,
-        grad: &mut Self::Field,
-        run: &Run,
-    ) -> Result<()>;
-    /// Number of frames of all lights.
-    fn frames(&self) -> usize {
-        frames_of(self.facts().patterns)
-    }
-    /// As [`DoseModel::renewal`].
-    fn renewal(&self) -> Option<&dyn Renewal<Self::Field>> {
-        None
-    }
-    /// Voxel-angle updates of one forward call after all masks.
-    fn updates(&self) -> u64;
-    /// As [`DoseModel::form`].
-    fn form(&self) -> Option<Form> {
-        None
-    }
-    /// As [`DoseModel::regions`].
-    fn regions(&self) -> Option<&dyn Regions<Self::Field>> {
-        None
-    }
-    /// One line for people.
-    fn describe(&self) -> String;
-}
-
-impl<A: LinearOperator> DoseModel for A {
-    type Field = A::Field;
-
-    fn facts(&self) -> Facts<'_> {
-        LinearOperator::facts(self)
-    }
-
-    fn new_field(&self, space: Space) -> Result<Self::Field> {
-        LinearOperator::new_field(self, space)
-    }
-
-    fn renewal(&self) -> Option<&dyn Renewal<Self::Field>> {
-        LinearOperator::renewal(self)
-    }
-
-    fn updates(&self) -> u64 {
-        LinearOperator::updates(self)
-    }
-
-    fn form(&self) -> Option<Form> {
-        LinearOperator::form(self)
-    }
-
-    fn regions(&self) -> Option<&dyn Regions<Self::Field>> {
-        LinearOperator::regions(self)
-    }
-
-    fn describe(&self) -> String {
-        LinearOperator::describe(self)
-    }
-
-    fn dose_of(
-        &self,
-        frames: Range<usize>,
-        x: &Self::Field,
-        dose: &mut Self::Field,
-        run: &Run,
-    ) -> Result<()> {
-        self.add_forward(frames, x, dose, run)
-    }
-
-    fn pullback_of(
-        &self,
-        frames: Range<usize>,
-        _x: &Self::Field,
-        cotangent: &Self::Field,
-        grad: &mut Self::Field,
-        run: &Run,
-    ) -> Result<()> {
-        self.adjoint_of(frames, cotangent, grad, run)
-    }
 }

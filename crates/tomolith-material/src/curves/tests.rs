@@ -36,8 +36,8 @@ fn patterns(model: &SmallModel, labels: &Volume<u8>) -> HostField {
     );
     let target = HostField::from_slice(&model.layout().field_of(&target));
     let run = Run::new();
-    let mut x = DoseModel::new_patterns(model).unwrap();
-    let mut dose = DoseModel::new_dose(model).unwrap();
+    let mut x = model.new_patterns().unwrap();
+    let mut dose = model.new_dose().unwrap();
     let mut grad = x.zeros_like();
     for _ in 0..30 {
         model.dose(&x, &mut dose, &run).unwrap();

@@ -107,7 +107,7 @@ fn arcs_of_single_frames_are_the_print_of_a_dose_that_wanders() {
         ..Turns::new(12, 12.0, 2.0)
     };
     let schedule = Schedule::of_turns(&[turns]).unwrap();
-    let mut x = DoseModel::new_patterns(&model).unwrap();
+    let mut x = model.new_patterns().unwrap();
     let noise = check::noise(3, x.len());
     x.copy_from_host(&noise.iter().map(|v| v.abs()).collect::<Vec<_>>());
     let params = Params {

@@ -5,9 +5,8 @@ use crate::mixing::Mixing;
 use crate::photopolymer::{Params, Photopolymer, Shading};
 use crate::schedule::{Power, Turns};
 use std::ops::Range;
-use tomolith_core::dose::DoseModel;
 use tomolith_core::dose::{
-    DoseLayout, Facts, LinearOperator, PatternLayout, Quantity, Space, ZCoupling,
+    DoseLayout, DoseModel, Facts, PatternLayout, Quantity, Space, ZCoupling,
 };
 use tomolith_core::grid::{PatternGrid, Volume, VolumeGrid};
 use tomolith_core::near;
@@ -63,7 +62,7 @@ impl Cross {
     }
 }
 
-impl LinearOperator for Cross {
+impl DoseModel for Cross {
     type Field = HostField;
 
     fn facts(&self) -> Facts<'_> {
@@ -76,10 +75,10 @@ impl LinearOperator for Cross {
     }
 
     fn new_field(&self, space: Space) -> Result<HostField> {
-        Ok(LinearOperator::facts(self).host_field(space))
+        Ok(self.facts().host_field(space))
     }
 
-    fn add_forward(
+    fn dose_of(
         &self,
         frames: Range<usize>,
         x: &HostField,
@@ -94,9 +93,10 @@ impl LinearOperator for Cross {
         Ok(())
     }
 
-    fn adjoint_of(
+    fn pullback_of(
         &self,
         frames: Range<usize>,
+        _x: &HostField,
         c: &HostField,
         grad: &mut HostField,
         _: &Run,
@@ -149,7 +149,7 @@ fn schedule(irradiance: f64) -> Schedule {
 /// One pixel from the side of frame 0: the dose along its row, what it imbued, and how many models were made.
 fn along_a_row(cured: f64, irradiance: f64) -> (Vec<f32>, Vec<f64>, usize) {
     let (first, material, schedule) = (Cross::even(), material(cured, 0.0), schedule(irradiance));
-    let mut x = DoseModel::new_patterns(&first).unwrap();
+    let mut x = first.new_patterns().unwrap();
     x.as_mut_slice()[5] = 1.0;
     let labels = Volume::filled(VolumeGrid::centered([1, N, N], PITCH), label::PART);
     let mut curves = Curves::new(&material, 0, &labels).unwrap();
@@ -202,7 +202,7 @@ fn cured_resin_shades_what_lies_behind_it_and_nothing_does_before() {
 #[test]
 fn a_step_that_is_not_stable_is_refused_by_its_limit_and_others_end_early() {
     let (model, material, schedule) = (Cross::even(), material(1.0, 0.01), schedule(0.5));
-    let x = DoseModel::new_patterns(&model).unwrap();
+    let x = model.new_patterns().unwrap();
     let light = LightSource::new(&model, &x);
     let print = || PrintRun::new(&material, &schedule, vec![light]).unwrap();
     // Four faces in a plane: h²/(4D) = 1.5625 s
@@ -230,7 +230,7 @@ fn a_step_that_is_not_stable_is_refused_by_its_limit_and_others_end_early() {
 #[test]
 fn a_renewed_model_of_other_voxels_is_refused() {
     let (model, material, schedule) = (Cross::even(), material(2.0, 0.0), schedule(0.5));
-    let x = DoseModel::new_patterns(&model).unwrap();
+    let x = model.new_patterns().unwrap();
     let light = LightSource::new(&model, &x);
     let mut renew = |_: usize, _: &Absorption| -> Result<Box<Model>> {
         Ok(Box::new(tomolith_core::check::small::SmallModel::new(

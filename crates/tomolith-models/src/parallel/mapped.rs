@@ -264,9 +264,7 @@ mod tests {
     fn dose(model: &Parallel) -> Vec<f32> {
         let x = check::even_patterns(model, 1.0);
         let dose = check::dose(model, &x);
-        DoseModel::outputs(model)[0]
-            .volume_of(dose.as_slice())
-            .values
+        model.outputs()[0].volume_of(dose.as_slice()).values
     }
 
     fn turn() -> Vec<f64> {
@@ -295,12 +293,9 @@ mod tests {
         );
         // A map far smaller than the resin leaves all else plain
         let small = dose(&even);
-        let mut light = Light::new(
-            DoseModel::patterns(&even)[0].grid.clone(),
-            Resin::absorbing(1.5, 0.3),
-        );
+        let mut light = Light::new(even.patterns()[0].grid.clone(), Resin::absorbing(1.5, 0.3));
         light.active = None;
-        let grid = DoseModel::outputs(&even)[0].grid.clone();
+        let grid = even.outputs()[0].grid.clone();
         even = Parallel::new(&IndexMatched { radius_mm: 2.0 }, vec![light], grid).unwrap();
         let plain = dose(&even);
         for ((a, b), c) in mapped.iter().zip(&small).zip(&plain) {
@@ -317,7 +312,7 @@ mod tests {
         let map = AbsorptionMap::new([1, 1, 2], 4.0, vec![0.125, 1.0], vec![0.25, 1.0]).unwrap();
         let model = model(map, vec![0.0], 1);
         let found = dose(&model);
-        let grid = &DoseModel::outputs(&model)[0].grid;
+        let grid = &model.outputs()[0].grid;
         let iy = 16; // y = −0.05: columns at 0 and −0.1 share it, whose chords differ by 1.3e-3 of their length
         for ix in 0..35 {
             let (low, high) = (grid.x(ix) - 0.05, grid.x(ix) + 0.05);

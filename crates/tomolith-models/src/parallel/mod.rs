@@ -83,7 +83,7 @@ mod walls;
 mod z_overlap;
 
 use crate::{
-    Capabilities, Cost, DoseLayout, HostModel, LinearOperator, MakeFamily, ModelFamily, ModelInput,
+    Capabilities, Cost, DoseLayout, DoseModel, HostModel, MakeFamily, ModelFamily, ModelInput,
     ModelKind, OpticalScene, PatternLayout, Purpose, Refines, Run, Steps, ZCoupling, own_frames,
 };
 use block_sparsity::{LENGTHS, NeededEntries, NonzeroBlocks};
@@ -708,7 +708,26 @@ fn tile_rows<'a>(
     rows
 }
 
-impl LinearOperator for Parallel {
+impl Parallel {
+    /// The elements of Aᵀ c of some frames: overwrites these of `grad`.
+    pub(crate) fn collect(
+        &self,
+        frames: Range<usize>,
+        cotangent: &HostField,
+        grad: &mut HostField,
+        run: &Run,
+    ) -> Result<()> {
+        let (cotangent, grad) = (cotangent.as_slice(), grad.as_mut_slice());
+        for (light, own) in own_frames(&self.patterns, &frames) {
+            for part in self.lights[light].views.of_frames(own) {
+                self.adjoint_light(light, part, cotangent, grad, run)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl DoseModel for Parallel {
     type Field = HostField;
 
     fn facts(&self) -> Facts<'_> {
@@ -724,7 +743,7 @@ impl LinearOperator for Parallel {
         Ok(self.facts().host_field(space))
     }
 
-    fn add_forward(
+    fn dose_of(
         &self,
         frames: Range<usize>,
         x: &HostField,
@@ -742,20 +761,15 @@ impl LinearOperator for Parallel {
         Ok(())
     }
 
-    fn adjoint_of(
+    fn pullback_of(
         &self,
         frames: Range<usize>,
+        _x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        let (cotangent, grad) = (cotangent.as_slice(), grad.as_mut_slice());
-        for (light, own) in own_frames(&self.patterns, &frames) {
-            for part in self.lights[light].views.of_frames(own) {
-                self.adjoint_light(light, part, cotangent, grad, run)?;
-            }
-        }
-        Ok(())
+        self.collect(frames, cotangent, grad, run)
     }
 
     fn updates(&self) -> u64 {

@@ -42,14 +42,9 @@ fn vials() -> Vec<Box<dyn Vial>> {
 }
 
 fn dose_of(model: &Parallel, patterns: &[f32]) -> Volume<f32> {
-    let mut dose = DoseModel::new_dose(model).unwrap();
+    let mut dose = model.new_dose().unwrap();
     model
-        .add_forward(
-            0..model.frames(),
-            &HostField::from_slice(patterns),
-            &mut dose,
-            &Run::new(),
-        )
+        .dose(&HostField::from_slice(patterns), &mut dose, &Run::new())
         .unwrap();
     model.output.volume_of(dose.as_slice())
 }
@@ -180,7 +175,7 @@ fn zeros_that_are_left_out_change_nothing() {
             let both: Vec<f32> = part.iter().zip(&rest).map(|(a, b)| a + b).collect();
             assert!(difference(&both, &all) < 1e-6, "{vial:?}, {isa:?}: dose");
             let adjoint = |seed: u64, is_sparse: bool| {
-                let mut c = DoseModel::new_dose(&model).unwrap();
+                let mut c = model.new_dose().unwrap();
                 let len = c.len();
                 let (few, many) = (sparse(seed, len), check::noise(9, len));
                 for ((to, few), many) in c.as_mut_slice().iter_mut().zip(few).zip(many) {
@@ -527,7 +522,7 @@ fn a_single_pixel_lights_the_voxel_it_should() {
     .unwrap();
     let mut patterns = tomolith_core::grid::Patterns::dark(light.pixels);
     patterns.values[(10 + 2) * 20 + 15] = 1.0; // frame 1, row 2, column 15
-    let mut field = DoseModel::new_patterns(&model).unwrap();
+    let mut field = model.new_patterns().unwrap();
     model.patterns[0].fill_field(&patterns, field.as_mut_slice());
     let dose = dose_of(&model, field.as_slice());
     for (i, &value) in dose.values.iter().enumerate() {
@@ -650,14 +645,12 @@ fn opposite_frames_are_one_view_and_change_nothing() {
         let single = Parallel::new(&vial, halves.to_vec(), grid).unwrap();
         assert_eq!(paired.lights[0].of_view.len(), 5);
         assert_eq!(single.lights[0].of_view.len(), 5);
-        assert_eq!(DoseModel::updates(&paired), DoseModel::updates(&single));
+        assert_eq!(paired.updates(), single.updates());
         check::model::model(&paired, 3).unwrap();
         let x = HostField::from_slice(&check::noise(5, paired.patterns[0].len()));
         let dose_of = |model: &Parallel, frames: Range<usize>| {
-            let mut dose = DoseModel::new_dose(model).unwrap();
-            model
-                .add_forward(frames, &x, &mut dose, &Run::new())
-                .unwrap();
+            let mut dose = model.new_dose().unwrap();
+            model.dose_of(frames, &x, &mut dose, &Run::new()).unwrap();
             dose
         };
         for frames in [0..10, 2..4, 3..9, 6..10] {
@@ -746,7 +739,7 @@ fn dose_by(vial: &dyn Vial, light: &Light, grid: &VolumeGrid, patterns: &Pattern
         ..light.clone()
     };
     let model = Parallel::new(vial, vec![light], grid.clone()).unwrap();
-    let mut x = DoseModel::new_patterns(&model).unwrap();
+    let mut x = model.new_patterns().unwrap();
     model.patterns[0].fill_field(patterns, x.as_mut_slice());
     dose_of(&model, x.as_slice()).values
 }

@@ -419,7 +419,7 @@ impl ZOverlaps {
 mod tests {
     use super::super::Parallel;
     use super::*;
-    use crate::{DoseModel, LinearOperator, Run};
+    use crate::{DoseModel, Run};
     use tomolith_core::check::{self, model::model, noise};
     use tomolith_core::field::Field;
     use tomolith_optics::light::Light;
@@ -468,12 +468,12 @@ mod tests {
     ) -> (Vec<f32>, Vec<f32>) {
         let model = Parallel::new(vial, vec![light], slices()).unwrap();
         assert_eq!(model.lights[0].levels.spread.is_some(), times == 1);
-        let mut x = DoseModel::new_patterns(&model).unwrap();
+        let mut x = model.new_patterns().unwrap();
         for (i, x) in x.as_mut_slice().iter_mut().enumerate() {
             *x = values[i / times];
         }
-        let mut dose = DoseModel::new_dose(&model).unwrap();
-        (model.add_forward(0..6, &x, &mut dose, &Run::new())).unwrap();
+        let mut dose = model.new_dose().unwrap();
+        (model.dose_of(0..6, &x, &mut dose, &Run::new())).unwrap();
         let mut cotangent = dose.zeros_like();
         let row = model.outputs()[0].row;
         for (i, c) in noise(4, cotangent.len()).into_iter().enumerate() {
@@ -482,7 +482,7 @@ mod tests {
             }
         }
         let mut gradient = x.zeros_like();
-        (model.adjoint(&cotangent, &mut gradient, &Run::new())).unwrap();
+        (model.pullback(&x, &cotangent, &mut gradient, &Run::new())).unwrap();
         let of_rows = gradient.as_slice().chunks(times);
         let gradient = of_rows.map(|rows| rows.iter().sum()).collect();
         let dose = model.outputs()[0].volume_of(dose.as_slice()).values;

@@ -2,7 +2,7 @@
 
 use super::solid::Pieces;
 use super::{Accumulation, Rays, matrix_cache};
-use crate::{LinearOperator, Run};
+use crate::{DoseModel, Run};
 use std::ops::Range;
 use tomolith_core::dose::form::{Form, Masked};
 use tomolith_core::dose::rays::{LightRays, RayGeometry, RaySegment};

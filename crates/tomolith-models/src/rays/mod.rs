@@ -70,7 +70,7 @@ mod traversal;
 pub(crate) mod weighted;
 
 use crate::{
-    Capabilities, Cost, DoseLayout, HostModel, LinearOperator, MakeFamily, ModelFamily, ModelInput,
+    Capabilities, Cost, DoseLayout, DoseModel, HostModel, MakeFamily, ModelFamily, ModelInput,
     ModelKind, OpticalScene, PatternLayout, Purpose, Refines, Run, TimedBy, ZCoupling, own_frames,
 };
 use accumulation::Accumulation;
@@ -581,7 +581,7 @@ impl Renewal<HostField> for Rays {
     }
 }
 
-impl LinearOperator for Rays {
+impl DoseModel for Rays {
     type Field = HostField;
 
     fn facts(&self) -> Facts<'_> {
@@ -601,7 +601,7 @@ impl LinearOperator for Rays {
         Ok(self.facts().host_field(space))
     }
 
-    fn add_forward(
+    fn dose_of(
         &self,
         frames: Range<usize>,
         x: &HostField,
@@ -665,9 +665,10 @@ impl LinearOperator for Rays {
         Ok(())
     }
 
-    fn adjoint_of(
+    fn pullback_of(
         &self,
         frames: Range<usize>,
+        _x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
         run: &Run,

@@ -5,7 +5,7 @@
 
 use super::form::Wanted;
 use super::{Accumulation, Optics, Rays, batch};
-use crate::{LinearOperator, Run};
+use crate::{DoseModel, Run};
 use std::f64::consts::PI;
 use std::sync::Arc;
 use tomolith_core::dose::form::{Form, Masked};

@@ -107,7 +107,6 @@ fn weighted(bundles: &Bundles, weight: &Weight) -> Bundles {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::LinearOperator;
     use crate::rays::{Optics, Params};
     use tomolith_core::check;
     use tomolith_core::dose::DoseModel;
@@ -146,11 +145,11 @@ mod tests {
                 weights.push(Box::new(move |direction| direction[axis]));
             }
             let run = Run::new();
-            let mut plain = DoseModel::new_dose(&rays).unwrap();
+            let mut plain = rays.new_dose().unwrap();
             let mut doses = vec![plain.clone(); 4];
             rays.add_weighted(0..1, &x, &weights, &mut doses, &run)
                 .unwrap();
-            rays.add_forward(0..1, &x, &mut plain, &run).unwrap();
+            rays.dose_of(0..1, &x, &mut plain, &run).unwrap();
             assert_eq!(plain.as_slice(), doses[0].as_slice());
             let (sin, cos) = tilt_rad.sin_cos();
             let direction = [-cos * azimuth.cos(), -cos * azimuth.sin(), -sin];
@@ -158,7 +157,7 @@ mod tests {
                 let found = plain.dot(&doses[1 + axis]) / plain.dot(&plain);
                 assert!((found - expected).abs() < 1e-5, "{azimuth}: {axis} {found}");
             }
-            let mut grad = DoseModel::new_patterns(&rays).unwrap();
+            let mut grad = rays.new_patterns().unwrap();
             rays.collect_weighted(0..1, &doses, &weights, &mut grad, &run)
                 .unwrap();
             let norm: f64 = doses.iter().map(|dose| dose.dot(dose)).sum();

@@ -7,8 +7,8 @@ use super::bins::Bins;
 use super::harmonics::Harmonic;
 use super::scattered_light::DeltaScaledPhase;
 use super::unscattered_source::{Channel, UnscatteredSource};
+use crate::Run;
 use crate::parallel::Parallel;
-use crate::{LinearOperator, Run};
 use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
 use tomolith_core::dose::DoseModel;
@@ -57,12 +57,12 @@ impl UnscatteredSource for CollimatedSource {
     }
 
     fn fields(&self, frames: Range<usize>, x: &[f32], run: &Run) -> Result<Vec<HostField>> {
-        let mut weighted = DoseModel::new_patterns(&self.parallel)?;
+        let mut weighted = self.parallel.new_patterns()?;
         let of_channel = |weights: &Vec<f32>| {
             self.bins.fill(x, weights, weighted.as_mut_slice());
-            let mut field = DoseModel::new_dose(&self.parallel)?;
+            let mut field = self.parallel.new_dose()?;
             self.parallel
-                .add_forward(frames.clone(), &weighted, &mut field, run)?;
+                .dose_of(frames.clone(), &weighted, &mut field, run)?;
             Ok(field)
         };
         self.weights.iter().map(of_channel).collect()
@@ -75,17 +75,17 @@ impl UnscatteredSource for CollimatedSource {
         grad: &mut [f32],
         run: &Run,
     ) -> Result<()> {
-        let mut own = DoseModel::new_patterns(&self.parallel)?;
+        let mut own = self.parallel.new_patterns()?;
         for (field, weights) in fields.iter().zip(&self.weights) {
             self.parallel
-                .adjoint_of(frames.clone(), field, &mut own, run)?;
+                .collect(frames.clone(), field, &mut own, run)?;
             (self.bins).add_back(frames.clone(), own.as_slice(), weights, grad);
         }
         Ok(())
     }
 
     fn updates(&self) -> u64 {
-        self.channels.len() as u64 * LinearOperator::updates(&self.parallel)
+        self.channels.len() as u64 * self.parallel.updates()
     }
 
     fn form(&self, _run: &Run) -> Result<Option<(scattered::Bins, LightOnCells)>> {

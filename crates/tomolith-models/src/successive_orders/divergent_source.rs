@@ -7,9 +7,9 @@ use super::bins::Bins;
 use super::harmonics::Harmonic;
 use super::scattered_light::DeltaScaledPhase;
 use super::unscattered_source::{Channel, UnscatteredSource};
+use crate::Run;
 use crate::rays::Rays;
 use crate::rays::weighted::Weight;
-use crate::{LinearOperator, Run};
 use std::ops::Range;
 use tomolith_core::dose::DoseModel;
 use tomolith_core::dose::rays::RayForm;
@@ -58,9 +58,9 @@ impl UnscatteredSource for DivergentSource {
     }
 
     fn fields(&self, frames: Range<usize>, x: &[f32], run: &Run) -> Result<Vec<HostField>> {
-        let mut binned = DoseModel::new_patterns(&self.rays)?;
+        let mut binned = self.rays.new_patterns()?;
         self.bins.fill(x, &self.even, binned.as_mut_slice());
-        let dark = |_| DoseModel::new_dose(&self.rays);
+        let dark = |_| self.rays.new_dose();
         let mut fields: Vec<HostField> = (self.channels.iter()).map(dark).collect::<Result<_>>()?;
         self.rays
             .add_weighted(frames, &binned, &self.weights, &mut fields, run)?;
@@ -74,7 +74,7 @@ impl UnscatteredSource for DivergentSource {
         grad: &mut [f32],
         run: &Run,
     ) -> Result<()> {
-        let mut own = DoseModel::new_patterns(&self.rays)?;
+        let mut own = self.rays.new_patterns()?;
         self.rays
             .collect_weighted(frames.clone(), fields, &self.weights, &mut own, run)?;
         self.bins.add_back(frames, own.as_slice(), &self.even, grad);
@@ -82,7 +82,7 @@ impl UnscatteredSource for DivergentSource {
     }
 
     fn updates(&self) -> u64 {
-        self.channels.len() as u64 * LinearOperator::updates(&self.rays)
+        self.channels.len() as u64 * self.rays.updates()
     }
 
     fn form(&self, run: &Run) -> Result<Option<(scattered::Bins, LightOnCells)>> {

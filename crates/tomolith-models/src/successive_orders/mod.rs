@@ -75,7 +75,7 @@ use super::rays::matrix_cache::CachedEntries;
 use super::rays::{self, Optics, Rays};
 use super::scene::CUT;
 use super::{
-    Capabilities, Cost, DoseLayout, Family, HostModel, LinearOperator, MakeFamily, ModelFamily,
+    Capabilities, Cost, DoseLayout, DoseModel, Family, HostModel, MakeFamily, ModelFamily,
     ModelInput, ModelKind, OpticalScene, Purpose, Run, ZCoupling,
 };
 use scattered_light::{DeltaScaledPhase, ScatteredLight};
@@ -236,7 +236,7 @@ enum OnVoxels {
 }
 
 impl OnVoxels {
-    fn operator(&self) -> &dyn LinearOperator<Field = HostField> {
+    fn model(&self) -> &dyn DoseModel<Field = HostField> {
         match self {
             OnVoxels::Collimated(parallel) => parallel.as_ref(),
             OnVoxels::Divergent(rays) => rays.as_ref(),
@@ -417,44 +417,45 @@ impl SuccessiveOrders {
     }
 }
 
-impl LinearOperator for SuccessiveOrders {
+impl DoseModel for SuccessiveOrders {
     type Field = HostField;
 
     fn facts(&self) -> Facts<'_> {
         Facts {
             z_coupling: ZCoupling::Full,
-            ..self.straight.operator().facts()
+            ..self.straight.model().facts()
         }
     }
 
     fn new_field(&self, space: Space) -> Result<HostField> {
-        self.straight.operator().new_field(space)
+        self.straight.model().new_field(space)
     }
 
-    fn add_forward(
+    fn dose_of(
         &self,
         frames: Range<usize>,
         x: &HostField,
         dose: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        let straight = self.straight.operator();
-        straight.add_forward(frames.clone(), x, dose, run)?;
+        let straight = self.straight.model();
+        straight.dose_of(frames.clone(), x, dose, run)?;
         for scattered_light in &self.scattered_lights {
             scattered_light.add_forward(frames.clone(), x.as_slice(), dose.as_mut_slice(), run)?;
         }
         Ok(())
     }
 
-    fn adjoint_of(
+    fn pullback_of(
         &self,
         frames: Range<usize>,
+        x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        let straight = self.straight.operator();
-        straight.adjoint_of(frames.clone(), cotangent, grad, run)?;
+        let straight = self.straight.model();
+        straight.pullback_of(frames.clone(), x, cotangent, grad, run)?;
         let (c, grad) = (cotangent.as_slice(), grad.as_mut_slice());
         for scattered_light in &self.scattered_lights {
             scattered_light.add_adjoint(&frames, c, grad, run)?;
@@ -463,7 +464,7 @@ impl LinearOperator for SuccessiveOrders {
     }
 
     fn updates(&self) -> u64 {
-        self.straight.operator().updates()
+        self.straight.model().updates()
             + self
                 .scattered_lights
                 .iter()
@@ -479,7 +480,7 @@ impl LinearOperator for SuccessiveOrders {
             .collect();
         format!(
             "successive_orders ({}; scattered light on {})",
-            self.straight.operator().describe(),
+            self.straight.model().describe(),
             of_light.join(" and ")
         )
     }

@@ -504,7 +504,7 @@ fn pixels_three_times_as_high_beside_the_axis_are_three_equal_ones() {
         )
         .unwrap();
         check::model::model(&model, 3).unwrap();
-        let layout = &DoseModel::patterns(&model)[0];
+        let layout = &model.patterns()[0];
         let mut x = vec![0.0; layout.len()];
         layout.fill_field(&patterns, &mut x);
         by_height.push(dose(&model, &x).values);

@@ -58,7 +58,7 @@ use super::lights::{Lights, beyond, heights_of, turning, working_bytes as workin
 use super::sampling::FIELDS_COST;
 use super::{Entrance, Settings, check_errors};
 use crate::{
-    Capabilities, Cost, DoseLayout, HostModel, LinearOperator, MakeFamily, ModelFamily, ModelInput,
+    Capabilities, Cost, DoseLayout, DoseModel, HostModel, MakeFamily, ModelFamily, ModelInput,
     ModelKind, OpticalScene, Run, TimedBy,
 };
 use std::ops::Range;
@@ -66,7 +66,7 @@ use std::sync::Arc;
 use tomolith_core::dose::form::Form;
 use tomolith_core::dose::{Facts, Space};
 use tomolith_core::error::Result;
-use tomolith_core::field::{Field, HostField};
+use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::kind::{Section, schema_of};
 use tomolith_optics::light::Light;
@@ -168,7 +168,7 @@ impl ModelFamily for Params {
     fn form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
         let (lights, grid) = (input.scene.lights.to_vec(), input.grid.clone());
         let model = IncoherentCone::new(input.scene.vial, lights, self, grid)?;
-        Ok(LinearOperator::form(&model))
+        Ok(model.form())
     }
 }
 
@@ -231,7 +231,7 @@ impl IncoherentCone {
     }
 }
 
-impl LinearOperator for IncoherentCone {
+impl DoseModel for IncoherentCone {
     type Field = HostField;
 
     fn facts(&self) -> Facts<'_> {
@@ -247,7 +247,7 @@ impl LinearOperator for IncoherentCone {
         Ok(self.facts().host_field(space))
     }
 
-    fn add_forward(
+    fn dose_of(
         &self,
         frames: Range<usize>,
         x: &HostField,
@@ -257,16 +257,15 @@ impl LinearOperator for IncoherentCone {
         self.0.add_dose(frames, x, dose, run)
     }
 
-    /// Linear: the same wherever it is taken.
-    fn adjoint_of(
+    fn pullback_of(
         &self,
         frames: Range<usize>,
+        x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
         run: &Run,
     ) -> Result<()> {
-        let anywhere = grad.zeros_like();
-        self.0.pull_back(frames, &anywhere, cotangent, grad, run)
+        self.0.pull_back(frames, x, cotangent, grad, run)
     }
 
     fn updates(&self) -> u64 {
@@ -291,9 +290,9 @@ impl LinearOperator for IncoherentCone {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::DoseModel;
     use crate::parallel::Parallel;
     use tomolith_core::check;
+    use tomolith_core::field::Field;
     use tomolith_core::grid::PatternGrid;
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::index_matched::IndexMatched;
@@ -330,7 +329,7 @@ mod tests {
         let spread =
             IncoherentCone::new(&VIAL, vec![light.clone()], &params, grid.clone()).unwrap();
         let parallel = Parallel::new(&VIAL, vec![light.clone()], grid).unwrap();
-        let mut x = DoseModel::new_patterns(&spread).unwrap();
+        let mut x = spread.new_patterns().unwrap();
         for (i, value) in x.as_mut_slice().iter_mut().enumerate() {
             let (u, z) = (
                 light.pixels.column_u(i / 20 % 24),

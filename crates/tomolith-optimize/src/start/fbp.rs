@@ -215,7 +215,7 @@ mod tests {
         };
         let x = Fbp(params).patterns(&input, &Run::new()).unwrap();
         let dose = check::dose(&model, &x);
-        let dose = DoseModel::outputs(&model)[0].volume_of(dose.as_slice());
+        let dose = model.outputs()[0].volume_of(dose.as_slice());
         let mean = |is_right: bool| {
             let found: Vec<f64> = (0..grid.len())
                 .filter(|&i| {

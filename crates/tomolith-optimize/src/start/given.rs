@@ -379,7 +379,7 @@ mod tests {
         let model = SmallModel::new(8, 6, 2);
         let (target, labels) = model.ring();
         let input = StartInput::new(&model, &target, &labels, &FREE);
-        let light = &DoseModel::patterns(&model)[0];
+        let light = &model.patterns()[0];
         let mut patterns = Patterns::dark(light.grid.clone());
         for (i, v) in patterns.values.iter_mut().enumerate() {
             *v = (i * 37 % 101) as f32 / 101.0;

@@ -298,7 +298,7 @@ mod tests {
         let mut x = check::even_patterns(model, 1.0);
         let [part, _] = contrast(model, labels, &x);
         x.fill(0.95 / part as f32);
-        let shown = DoseModel::patterns(model)[0].patterns_of(x.as_slice());
+        let shown = model.patterns()[0].patterns_of(x.as_slice());
         let file = folder.path().join("patterns.npz");
         let pair = tomolith_io::npy::PatternPair {
             light: None,

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::Arc;
 use tomolith::dose::{
-    DoseLayout, Facts, LinearOperator, PatternLayout, Run, Space, ZCoupling, elements_of,
+    DoseLayout, DoseModel, Facts, PatternLayout, Run, Space, ZCoupling, elements_of,
 };
 use tomolith::error::Result;
 use tomolith::field::HostField;
@@ -81,7 +81,7 @@ impl Uniform {
     }
 }
 
-impl LinearOperator for Uniform {
+impl DoseModel for Uniform {
     type Field = HostField;
 
     fn facts(&self) -> Facts<'_> {
@@ -97,7 +97,7 @@ impl LinearOperator for Uniform {
         Ok(self.facts().host_field(space))
     }
 
-    fn add_forward(
+    fn dose_of(
         &self,
         frames: Range<usize>,
         x: &HostField,
@@ -111,9 +111,10 @@ impl LinearOperator for Uniform {
         Ok(())
     }
 
-    fn adjoint_of(
+    fn pullback_of(
         &self,
         frames: Range<usize>,
+        _x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
         _: &Run,

@@ -44,10 +44,10 @@ fn compare(vial: &dyn Vial, mu: f64, file: &str, factor: f64, refine: usize) -> 
     )
     .expect("model");
     let mut x = model.new_patterns().expect("patterns");
-    DoseModel::patterns(&model)[0].fill_field(&patterns, x.as_mut_slice());
+    model.patterns()[0].fill_field(&patterns, x.as_mut_slice());
     let mut dose: HostField = model.new_dose().expect("dose");
     model.dose(&x, &mut dose, &Run::new()).expect("dose");
-    let fine = DoseModel::outputs(&model)[0].volume_of(dose.as_slice());
+    let fine = model.outputs()[0].volume_of(dose.as_slice());
     // Mean of the fine voxels of each voxel of the reference
     let mut ours = vec![0.0; 64 * 64 * 64];
     for iz in 0..64 * refine {

@@ -7,11 +7,11 @@ use tomolith_core::dose::DoseModel;
 /// Dose of some frames, and what it gives their pixels as a cotangent.
 fn both_ways(model: &Parallel, frames: Range<usize>, x: &[f32]) -> [HostField; 2] {
     let run = Run::new();
-    let mut dose = DoseModel::new_dose(model).unwrap();
+    let mut dose = model.new_dose().unwrap();
     let x = HostField::from_slice(x);
-    (model.add_forward(frames.clone(), &x, &mut dose, &run)).unwrap();
-    let mut gradient = DoseModel::new_patterns(model).unwrap();
-    (model.adjoint_of(frames, &dose, &mut gradient, &run)).unwrap();
+    (model.dose_of(frames.clone(), &x, &mut dose, &run)).unwrap();
+    let mut gradient = model.new_patterns().unwrap();
+    (model.pullback_of(frames, &x, &dose, &mut gradient, &run)).unwrap();
     [dose, gradient]
 }
 
@@ -42,7 +42,7 @@ fn kept_entries_give_what_is_found_anew_and_pass_the_model_check() {
                 let [expected, dose] = [&plain, &kept].map(|model| dose_of(model, &x).values);
                 let off = check::largest_difference(&dose, &expected);
                 assert!(off < 2e-6, "{what}: {off}");
-                let mut cotangent = DoseModel::new_dose(&plain).unwrap();
+                let mut cotangent = plain.new_dose().unwrap();
                 let noise = check::noise(2, cotangent.len());
                 for (i, c) in cotangent.as_mut_slice().iter_mut().enumerate() {
                     *c = if i / 32 % 7 == 3 { noise[i] } else { 0.0 };
@@ -113,7 +113,7 @@ fn entries_of_a_part_of_the_turn_serve_all_of_it() {
             .for_each(|(azimuth, by)| *azimuth += by);
         let apart = Parallel::new(vial.as_ref(), vec![apart], grid.clone()).unwrap();
         assert_eq!(apart.lights[0].turned.period, frames);
-        let [some, all] = [&kept, &apart].map(LinearOperator::updates);
+        let [some, all] = [&kept, &apart].map(DoseModel::updates);
         assert_eq!(some, all, "{vial:?} {shape:?}");
         // Strips of a turned frame are rounded otherwise
         let off = check::largest_difference(&dose, &expected);
@@ -169,7 +169,7 @@ fn entries_found_in_each_call_give_the_bits_of_those_that_are_kept() {
                     "{vial:?} {shape:?}: {off}"
                 );
             }
-            let [all, as_many] = models.each_ref().map(LinearOperator::updates);
+            let [all, as_many] = models.each_ref().map(DoseModel::updates);
             assert_eq!(all, as_many);
         }
     }
@@ -183,13 +183,13 @@ fn a_stopped_run_keeps_no_half_of_the_entries() {
     );
     let grid = VolumeGrid::centered([21, 35, 37], 0.1);
     let model = keeping(vials()[0].as_ref(), light, grid);
-    let (run, x) = (Run::new(), DoseModel::new_patterns(&model).unwrap());
+    let (run, x) = (Run::new(), model.new_patterns().unwrap());
     run.cancel();
-    let mut dose = DoseModel::new_dose(&model).unwrap();
-    let stopped = model.add_forward(0..9, &x, &mut dose, &run);
+    let mut dose = model.new_dose().unwrap();
+    let stopped = model.dose_of(0..9, &x, &mut dose, &run);
     assert!(matches!(stopped, Err(Error::Canceled)));
     assert!(model.cache[0].get().is_none());
-    model.add_forward(0..9, &x, &mut dose, &Run::new()).unwrap();
+    model.dose_of(0..9, &x, &mut dose, &Run::new()).unwrap();
     assert!(model.cache[0].get().is_some());
 }
 
@@ -204,15 +204,18 @@ fn single_entries_of_a_slice_are_found_once_and_have_the_same_bits() {
             let (plain, kept) = (plain.unwrap().with_isa(isa), kept.with_isa(isa));
             let what = format!("{vial:?} {isa:?}");
             let x = check::noise(1, plain.patterns[0].len());
+            let at = HostField::from_slice(&x);
             // Once to find them, once to read them
             let doses = [&plain, &kept, &kept].map(|model| dose_of(model, &x).values);
             assert!(doses[0] == doses[1] && doses[0] == doses[2], "{what}");
-            let mut cotangent = DoseModel::new_dose(&plain).unwrap();
+            let mut cotangent = plain.new_dose().unwrap();
             cotangent.as_mut_slice().copy_from_slice(&doses[0]);
             let [expected, found] = [&plain, &kept].map(|model| {
-                let mut gradient = DoseModel::new_patterns(model).unwrap();
+                let mut gradient = model.new_patterns().unwrap();
                 let run = Run::new();
-                model.adjoint(&cotangent, &mut gradient, &run).unwrap();
+                model
+                    .pullback(&at, &cotangent, &mut gradient, &run)
+                    .unwrap();
                 gradient.as_slice().to_vec()
             });
             assert_eq!(expected, found, "{what}");

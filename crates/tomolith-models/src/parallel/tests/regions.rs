@@ -53,7 +53,7 @@ fn regions_hold_every_lit_voxel_and_their_doses_have_the_bits_of_the_whole() {
     for isa in Isa::available() {
         for model in models(isa) {
             let what = format!("{isa:?} {:?}", model.output.grid.shape);
-            let regions = DoseModel::regions(&model).unwrap();
+            let regions = model.regions().unwrap();
             let [x, _] = patterns(&model);
             let whole = check::dose(&model, &x);
             let chosen: Vec<bool> = (0..regions.count())
@@ -94,7 +94,7 @@ fn a_bound_is_never_below_the_dose_and_mostly_near_it() {
     for isa in Isa::available() {
         for model in models(isa) {
             let what = format!("{isa:?} {:?}", model.output.grid.shape);
-            let regions = DoseModel::regions(&model).unwrap();
+            let regions = model.regions().unwrap();
             let [x, step] = patterns(&model);
             let mut end = x.clone();
             end.axpy(1.0, &step);
@@ -124,8 +124,8 @@ fn a_bound_is_never_below_the_dose_and_mostly_near_it() {
 #[test]
 fn a_region_holds_something_where_any_of_its_voxels_does() {
     for model in models(Isa::in_use()) {
-        let regions = DoseModel::regions(&model).unwrap();
-        let mut field = DoseModel::new_dose(&model).unwrap();
+        let regions = model.regions().unwrap();
+        let mut field = model.new_dose().unwrap();
         let all = vec![true; regions.count()];
         assert!(!regions.holds_any(&field, &all).contains(&true));
         let [nz, ny, nx] = model.output.grid.shape;
@@ -151,10 +151,10 @@ fn models_that_find_entries_anew_or_have_two_lights_have_no_regions() {
     );
     let grid = || VolumeGrid::centered([70, 20, 20], 0.1);
     let anew = Parallel::new(&vial, vec![light.clone()], grid()).unwrap();
-    assert!(DoseModel::regions(&anew).is_none());
+    assert!(anew.regions().is_none());
     let kept = keeping(&vial, light.clone(), grid());
-    assert!(DoseModel::regions(&kept).is_some());
+    assert!(kept.regions().is_some());
     let of = (vec![light.clone(), light], Kernel::default());
     let two = Parallel::planned(&vial, of, grid(), Finding::Once, &Run::new()).unwrap();
-    assert!(DoseModel::regions(&two).is_none());
+    assert!(two.regions().is_none());
 }

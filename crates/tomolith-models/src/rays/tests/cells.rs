@@ -43,7 +43,7 @@ fn energies_of_cells_equal_a_brute_force_walk_and_add_up_to_the_plain_dose() {
                 if is_plain {
                     whole = whole.plain();
                 }
-                let mut x = DoseModel::new_patterns(&whole).unwrap();
+                let mut x = whole.new_patterns().unwrap();
                 let values = check::noise(1, x.len());
                 x.copy_from_host(&values.iter().map(|v| v.abs()).collect::<Vec<_>>());
                 let expected = dose(&whole, &x);

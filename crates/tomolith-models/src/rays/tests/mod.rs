@@ -239,7 +239,7 @@ fn a_map_on_the_voxels_is_what_parallel_says_and_an_even_one_changes_nothing() {
         };
         let optics = Optics::collimated(0.13);
         let parallel = Parallel::new(&vial, vec![light.clone()], grid.clone()).unwrap();
-        let mut x = DoseModel::new_patterns(&parallel).unwrap();
+        let mut x = parallel.new_patterns().unwrap();
         let values: Vec<f32> = (0..x.len()).map(|i| 1.0 + (i as f32 * 0.1).sin()).collect();
         x.copy_from_host(&values);
         let rays = rays(&vial, light, &optics, &params, grid.clone());
@@ -344,7 +344,7 @@ fn both_kernels_equal_a_brute_force_walk_in_f64() {
                 if is_plain {
                     model = model.plain();
                 }
-                let mut x = DoseModel::new_patterns(&model).unwrap();
+                let mut x = model.new_patterns().unwrap();
                 let values = check::noise(1, x.len());
                 x.copy_from_host(&values.iter().map(|v| v.abs()).collect::<Vec<_>>());
                 let (exact, found) = (brute_force(&model, x.as_slice()), dose(&model, &x));
@@ -376,7 +376,7 @@ fn with_many_rays_it_is_what_parallel_says() {
         (light.pixels.pitch_mm, light.pixels.offset_mm) = (pitch_mm, offset_mm);
         let grid = VolumeGrid::centered([6, 16, 16], 0.15);
         let parallel = Parallel::new(vial.as_ref(), vec![light.clone()], grid.clone()).unwrap();
-        let mut x = DoseModel::new_patterns(&parallel).unwrap();
+        let mut x = parallel.new_patterns().unwrap();
         let values: Vec<f32> = (0..x.len()).map(|i| 1.0 + (i as f32 * 0.1).sin()).collect();
         x.copy_from_host(&values);
         let expected = dose(&parallel, &x);
@@ -519,13 +519,13 @@ fn walks_that_are_kept_are_those_that_are_walked() {
             let x = check::noisy_patterns(&kept, 1);
             // Some of the frames only, on top of what is there
             let some = |model: &Rays| {
-                let mut dose = DoseModel::new_dose(model).unwrap();
+                let mut dose = model.new_dose().unwrap();
                 dose.fill(0.5);
-                model.add_forward(1..4, &x, &mut dose, &Run::new()).unwrap();
+                model.dose_of(1..4, &x, &mut dose, &Run::new()).unwrap();
                 dose.as_slice().to_vec()
             };
             let back = |model: &Rays| {
-                let mut c = DoseModel::new_dose(model).unwrap();
+                let mut c = model.new_dose().unwrap();
                 c.copy_from_host(&check::noise(2, c.len()));
                 let grad = check::adjoint(model, &c);
                 grad.as_slice().to_vec()
@@ -597,7 +597,7 @@ fn rows_that_are_followed_together_leave_what_single_rays_leave() {
                 "{vial:?}, {tilt_rad}: {found:?}"
             );
             let x = check::noisy_patterns(&single, 1);
-            let mut c = DoseModel::new_dose(&single).unwrap();
+            let mut c = single.new_dose().unwrap();
             c.copy_from_host(&check::noise(2, c.len()));
             let both = [&together, &single].map(|model| {
                 let grad = check::adjoint(model, &c);
@@ -616,7 +616,7 @@ fn rows_that_are_followed_together_leave_what_single_rays_leave() {
                 assert!(off < exact, "{vial:?}, {tilt_rad}: {off}");
             }
             if tilt_rad == 0.0 {
-                let [a, b] = [&together, &single].map(|m| LinearOperator::updates(m) as f64);
+                let [a, b] = [&together, &single].map(|m| m.updates() as f64);
                 assert!((a / b - 1.0).abs() < 1e-4, "{vial:?}: {a} {b}");
             }
         }
@@ -634,7 +634,7 @@ fn light_that_may_leave_its_slice_couples_slices() {
             &Params::default(),
             grid.clone(),
         );
-        let is_apart = matches!(DoseModel::z_coupling(&model), ZCoupling::None);
+        let is_apart = matches!(model.z_coupling(), ZCoupling::None);
         assert_eq!(
             is_apart,
             ["collimated", "off axis"].contains(&name),
@@ -652,7 +652,7 @@ fn light_that_may_leave_its_slice_couples_slices() {
             &Params::default(),
             grid.clone(),
         );
-        assert!(matches!(DoseModel::z_coupling(&model), ZCoupling::Full));
+        assert!(matches!(model.z_coupling(), ZCoupling::Full));
     }
 }
 
@@ -719,7 +719,7 @@ fn an_image_beside_the_axis_is_a_part_of_a_larger_one_for_every_optics() {
                     ..light(1, 1, 1, 0.2)
                 };
                 let model = rays(vial.as_ref(), light, &optics, &params, grid.clone());
-                let mut x = DoseModel::new_patterns(&model).unwrap();
+                let mut x = model.new_patterns().unwrap();
                 model.patterns[0].fill_field(patterns, x.as_mut_slice());
                 if patterns.grid == small {
                     check::model::model(&model, 3).unwrap();

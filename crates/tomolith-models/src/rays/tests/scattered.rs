@@ -64,7 +64,7 @@ fn a_scattering_resin_is_an_exact_pair_whose_energy_is_accounted_for() {
         &light,
         &grid,
     );
-    let renewal = DoseModel::renewal(&renewed).unwrap();
+    let renewal = renewed.renewal().unwrap();
     let renew = |iteration| renewal.renew(iteration, &x, &Run::new()).unwrap();
     assert!(!renew(2) && renew(3));
     let second = dose(&renewed, &x);
@@ -214,7 +214,7 @@ fn what_cells_smear_out_comes_back_on_either_side_of_the_edge_of_a_pattern() {
         let model = monte_carlo::model(&GLASS, &lights, &optics, &params, grid.clone()).unwrap();
         let straight =
             monte_carlo::straight(&GLASS, &lights, &optics, &params, grid.clone()).unwrap();
-        let mut x = DoseModel::new_patterns(&model).unwrap();
+        let mut x = model.new_patterns().unwrap();
         for (i, x) in x.as_mut_slice().iter_mut().enumerate() {
             *x = f32::from(u8::from(i % 24 < 12));
         }
@@ -264,7 +264,7 @@ fn scattered_light_is_an_exact_pair_with_cells_too() {
         .unwrap()
     };
     for smooth in [1, 3] {
-        let mut x = DoseModel::new_patterns(&whole(smooth)).unwrap();
+        let mut x = whole(smooth).new_patterns().unwrap();
         x.fill(1.0);
         let expected = dose(&whole(smooth), &x);
         let model = whole(smooth).with_cells(Arc::clone(&solid));

@@ -99,10 +99,10 @@ pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, 
             ));
         }
     }
-    let mut x = DoseModel::new_patterns(&model)?;
+    let mut x = model.new_patterns()?;
     let mut traced = Vec::with_capacity(pixels.len());
     for &pixel in pixels {
-        let layout = &DoseModel::patterns(&model)[pixel.light];
+        let layout = &model.patterns()[pixel.light];
         let run = layout.runs[pixel.frame * layout.grid.columns + pixel.column];
         let from_below = layout.grid.rows - 1 - pixel.row;
         x.as_mut_slice()[run.offset + from_below - run.bottom as usize] = 1.0;
@@ -113,8 +113,8 @@ pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, 
             account,
         });
     }
-    let mut dose = DoseModel::new_dose(&model)?;
+    let mut dose = model.new_dose()?;
     model.dose(&x, &mut dose, cancel)?;
-    let volume = DoseModel::outputs(&model)[0].volume_of(dose.as_slice());
+    let volume = model.outputs()[0].volume_of(dose.as_slice());
     Ok((traced, volume))
 }
