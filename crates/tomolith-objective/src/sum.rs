@@ -76,7 +76,10 @@ impl<F: Field> Objective<F> for Sum<F> {
 
     fn harmless(&self) -> Option<Box<ByElement<'_>>> {
         let parts = self.parts.iter().map(|(_, part)| part.harmless());
-        let parts: Vec<_> = parts.collect::<Option<_>>()?;
+        let mut parts: Vec<_> = parts.collect::<Option<_>>()?;
+        if parts.len() == 1 {
+            return parts.pop();
+        }
         Some(Box::new(move |i| {
             let limits = parts.iter().map(|part| part(i));
             limits.fold(f32::INFINITY, f32::min)

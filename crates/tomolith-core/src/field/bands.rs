@@ -441,17 +441,22 @@ impl BandLoss {
                 void,
                 scale,
                 widen,
-            } => Box::new(move |i| {
-                let share = inside[i];
-                if share < 0.0 || scale.get(i) == Some(&0.0) {
-                    return f32::INFINITY;
-                }
-                let own = |band: Band, share: f32| {
-                    let wider = band.widened(widen.get(i).copied().unwrap_or(0.0));
-                    up_to(wider.weighing(band.weight * share))
-                };
-                own(*part, share).min(own(*void, 1.0 - share))
-            }),
+            } => {
+                let plain = [part, void].map(|band| up_to(*band));
+                Box::new(move |i| {
+                    let share = inside[i];
+                    if share < 0.0 || scale.get(i) == Some(&0.0) {
+                        return f32::INFINITY;
+                    }
+                    let [part, void] = match widen.get(i) {
+                        None => plain,
+                        Some(&by) => [part, void].map(|band| up_to(band.widened(by))),
+                    };
+                    let of_share =
+                        |limit, share: f32| if share > 0.0 { limit } else { f32::INFINITY };
+                    of_share(part, share).min(of_share(void, 1.0 - share))
+                })
+            }
             Bands::Voxels {
                 lower,
                 upper,

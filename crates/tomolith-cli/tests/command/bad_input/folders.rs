@@ -178,6 +178,10 @@ fn resuming_says_what_to_do_and_what_has_changed() {
     let more = ["--resume", "--quiet", "--set", "stop.iterations=3"];
     let more = [&more[..], &["--set", "objective.threshold.part_weight=1"]].concat();
     said(0, "", &bench.tomolith(JOB, &more));
+    let fewer = bench.tomolith(JOB, &["--resume", "--set", "stop.iterations=1"]);
+    let fewer = String::from_utf8_lossy(&fewer.stdout);
+    let why = "3 (the checkpoint had 2 more than `stop.iterations`";
+    assert!(fewer.contains(why), "{fewer}");
 }
 
 #[test]

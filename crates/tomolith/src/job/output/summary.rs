@@ -3,6 +3,7 @@
 use crate::job::evaluate::SpeciesPrint;
 use crate::job::evaluate::in_time::{InTime, TimeSummary};
 pub use crate::job::evaluate::limits::Fall;
+use crate::job::optimize::Optimized;
 use crate::job::output::files::{Done, Headline};
 use crate::job::output::folder::Leaves;
 use crate::job::resolve::Species;
@@ -95,6 +96,9 @@ pub struct Summary {
     pub iterations: Option<usize>,
     /// Reason why the optimization ended; None for a simulation.
     pub stopped: Option<StopReason>,
+    /// Why there are more iterations than `stop.iterations`; None where there are not.
+    #[serde(skip)]
+    pub beyond: Option<String>,
     /// How the loss fell in the end; None for a simulation, and where the loss is not what the method lowers.
     pub fall: Option<Fall>,
     /// Which iterate the patterns are; None for a simulation.
@@ -209,12 +213,11 @@ impl fmt::Display for Summary {
         if let (Some(iterations), Some(reason)) = (self.iterations, self.stopped) {
             let fall = self.fall.filter(|_| reason.is_a_limit());
             let fall = fall.map_or_else(String::new, |fall| format!("; {fall}"));
-            writeln!(
-                f,
-                "{:>28} {iterations} ({}{fall})",
-                "iterations",
-                words(reason)
-            )?;
+            let reason = self
+                .beyond
+                .clone()
+                .unwrap_or_else(|| words(reason).to_owned());
+            writeln!(f, "{:>28} {iterations} ({reason}{fall})", "iterations")?;
             if let Some(kept) = self.kept.filter(|kept| kept.iteration != iterations) {
                 writeln!(f, "{:>28} {}", "kept", earlier(kept, iterations))?;
             }
@@ -448,6 +451,7 @@ pub(crate) fn summary(
             .and_then(|o| o.outcome.history.last())
             .map(|row| row.iteration),
         stopped: optimized.map(|o| o.outcome.reason),
+        beyond: optimized.and_then(|o| beyond(o, done.resolved.stop().iterations)),
         fall: optimized
             .filter(|o| o.outcome.kept.by == KeptBy::Loss)
             .and_then(|o| Fall::of(&o.outcome.history)),
@@ -480,6 +484,20 @@ pub(crate) fn summary(
         refine: done.resolved.extent.refine,
         seconds: begin.elapsed().as_secs_f64(),
     }
+}
+
+/// Why an optimization has more iterations than a job asks for.
+fn beyond(optimized: &Optimized, asked: usize) -> Option<String> {
+    let done = optimized.outcome.history.last()?.iteration;
+    let more = done.checked_sub(asked).filter(|more| *more > 0)?;
+    let trial = optimized
+        .ceiling
+        .as_ref()
+        .and_then(|own| own.report.finest.as_ref());
+    Some(match trial.is_some_and(|trial| trial.changed_by != 1.0) {
+        true => format!("all of `stop.iterations`, and {more} below another ceiling"),
+        false => format!("the checkpoint had {more} more than `stop.iterations`"),
+    })
 }
 
 /// Every species, where the job names several.

@@ -263,12 +263,12 @@ impl Optics {
             (true, true) => Remedy {
                 key: "pixels",
                 verb: "raise",
-                advice: format!("{rows} rows in {key}.pixels"),
+                advice: format!("at least {rows} rows in {key}.pixels"),
             },
             (true, false) => Remedy {
                 key: "pixels",
                 verb: "raise",
-                advice: format!("{rows} rows in {key}.pixels, with {offset}"),
+                advice: format!("at least {rows} rows in {key}.pixels, with {offset}"),
             },
             (false, _) => Remedy {
                 key: "offset_mm",
