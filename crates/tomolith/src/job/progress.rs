@@ -49,7 +49,7 @@ pub enum Event {
         print: Option<MeasuredPrint>,
         /// Seconds since the optimization began.
         elapsed_s: f64,
-        /// Voxel-angle updates per second of model time.
+        /// Voxel-angle updates per second of model time; voxels that a search leaves out because they cannot cost anything count, too.
         updates_per_s: f64,
     },
     /// Part of a long stage is done.
