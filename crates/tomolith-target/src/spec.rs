@@ -15,6 +15,7 @@ use tomolith_core::run::Run;
 use tomolith_core::target::Target;
 use tomolith_core::units::Mm;
 use tomolith_io::image::GrayPixels;
+use tomolith_io::mesh::is_mesh;
 use tomolith_io::slices::{Slices, read_image, read_stack};
 
 tomolith_core::keys! {
@@ -191,11 +192,7 @@ pub fn build_under(
             Ok(Box::new(shape))
         }
         Source::Image(file) => {
-            let ending = file.extension().unwrap_or_default().to_ascii_lowercase();
-            if ["stl", "obj", "ply", "3mf"]
-                .iter()
-                .any(|mesh| ending == **mesh)
-            {
+            if is_mesh(file) {
                 return Err(Error::config(
                     "image",
                     format!("`{}` is a mesh", file.display()),

@@ -397,6 +397,11 @@ fn files_go_into_folders_that_exist_and_pages_are_web_pages() {
         bench.refuse(line, &["--output", "no folder `no`"]);
     }
     bench.refuse("check .", &["a folder", "a job file, such as ./job.toml"]);
+    bench.write("part.stl", "solid part\n");
+    bench.refuse(
+        "run part.stl",
+        &["a mesh", "tomolith new job.toml --part part.stl"],
+    );
     bench.refuse(
         "phantom gear --pitch-mm 1e300 --output gear.npy",
         &["--pitch-mm: 1e300 mm", "at most 1000 mm"],

@@ -694,7 +694,10 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
             ("Levels", levels.map(|levels| sentence(bits, &levels.gain))),
         ]));
         facts.push(("Model", optimized.model.clone()));
-        facts.push(("Speed", format!("{speed}voxel-angle updates per second, with those that searches leave out")));
+        facts.push((
+            "Speed",
+            format!("{speed}voxel-angle updates per second, with those that searches leave out"),
+        ));
     }
     if let Some(source) = source {
         facts.push(("Patterns from", source.display().to_string()));

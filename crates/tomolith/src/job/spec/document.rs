@@ -15,6 +15,7 @@
 
 use super::profiles;
 use crate::error::{Error, Place, Result};
+use crate::io::mesh::is_mesh;
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;
 use std::io::Read;
@@ -66,6 +67,16 @@ impl Document {
                 path: file.to_owned(),
                 found: "a folder".to_owned(),
                 accepted,
+            });
+        }
+        if file.is_file() && is_mesh(file) {
+            let mesh = file.display();
+            return Err(Error::Format {
+                path: file.to_owned(),
+                found: "a mesh".to_owned(),
+                accepted: format!(
+                    "a job file; `tomolith new job.toml --part {mesh}` writes one that prints the mesh"
+                ),
             });
         }
         let bytes = read_at_most(file, MOST_MB)?;
