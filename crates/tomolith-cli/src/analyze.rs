@@ -291,6 +291,8 @@ fn must_turn(given: &BuildupArguments) -> Result<()> {
     ] {
         above_zero(key, value)?;
     }
+    let (seconds, most) = (given.seconds, 1e7);
+    in_range(seconds <= most, "--seconds", seconds, "at most 10000000 s")?;
     let (turn, phase) = (given.turn_deg_per_s, given.phase_deg);
     let may_turn = (0.0..=36_000.0).contains(&turn);
     in_range(

@@ -50,7 +50,7 @@ pub(crate) struct CalibrateArguments {
     #[arg(long, num_args = 2, value_names = ["COLUMNS", "ROWS"], required_unless_present = "job")]
     canvas: Option<Vec<usize>>,
     /// Bit depth, without a job
-    #[arg(long, default_value_t = 8)]
+    #[arg(long, default_value_t = 8, conflicts_with = "job")]
     bits: u32,
     /// New folder for the frames, NAME.png each
     #[arg(long, short, value_name = "DIR", required = true)]

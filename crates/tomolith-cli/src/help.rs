@@ -21,6 +21,13 @@ pub(crate) fn kinds(family: Option<&str>, name: Option<&str>, json: bool) -> Res
         return Ok(());
     };
     if let Some(table) = tables.iter().find(|table| table.name == wanted) {
+        if let Some(name) = name {
+            return Err(Error::config(
+                "kinds",
+                format!("`{name}` of the table `{wanted}`, which has keys and no kinds"),
+                "the name of the table alone",
+            ));
+        }
         say(&match json {
             true => keys_as_json(table).to_string(),
             false => keys(table),

@@ -1,6 +1,7 @@
 //! `tomolith import`: a job or a sinogram of another program as ours.
 
 use crate::arguments::Manner;
+use crate::arguments::must_end_in;
 use crate::screen::{self, say};
 use clap::Args;
 use serde_json::json;
@@ -36,6 +37,7 @@ pub(crate) fn import(given: &ImportArguments) -> Result<()> {
     must_be_new("--output", &given.output)?;
     let is_array = |ending: &std::ffi::OsStr| ending.eq_ignore_ascii_case("npy");
     if given.theirs.extension().is_some_and(is_array) {
+        must_end_in("--output", &given.output, &["npz"])?;
         let patterns = job::sinogram(&given.theirs)?;
         let pair = PatternPair {
             light: None,

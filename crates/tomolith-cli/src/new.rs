@@ -2,7 +2,7 @@
 //!
 //! What no option says is asked for on a terminal, and elsewhere is the default. The job is tried before it is written.
 
-use crate::arguments::must_be_a_place;
+use crate::arguments::{must_be_a_place, must_end_in};
 use crate::screen::{mutter, say};
 use clap::Args;
 use std::io::{BufRead, IsTerminal, Write};
@@ -104,6 +104,9 @@ pub(crate) fn new(given: &NewArguments) -> Result<()> {
     let prints = given.file.as_os_str() == "-";
     if !prints {
         must_be_a_place("FILE", &given.file)?;
+        if given.file.extension().is_some_and(|own| own == "json") {
+            must_end_in("FILE", &given.file, &["toml"])?;
+        }
     }
     let answers = answers(given, !prints)?;
     let document = |pixels: [usize; 2]| Document::toml(&given.file, text(&answers, pixels));
@@ -111,6 +114,13 @@ pub(crate) fn new(given: &NewArguments) -> Result<()> {
     let trial = Job::from_document(document([64, 64])?)?;
     let shape = build_under(&trial.spec.target, &trial.base(), "target", &Run::new())
         .map_err(|e| trial.locate(e))?;
+    if shape.is_gray() {
+        return Err(Error::config(
+            "--part",
+            format!("`{}` has gray values", answers.part),
+            "a part without; for gray values write a job with `[objective.l2]`",
+        ));
+    }
     let bounds_mm = shape.bounds_mm();
     let mut pixels = pixels(&answers, 1.0, bounds_mm);
     let resolve = |pixels| ResolvedJob::new(&Job::from_document(document(pixels)?)?);

@@ -209,6 +209,10 @@ fn runs_are_compared_and_exported() {
         "compare a b --output mine.html",
         &["`mine.html` is there already"],
     );
+    bench.refuse(
+        "compare a b --output a/report.html",
+        &["`a/report.html` is there already"],
+    );
     bench.done("compare a --output page.html --quiet");
     // An earlier comparison is replaced
     let found = bench.json("compare a b --output page.html");
@@ -397,6 +401,9 @@ fn files_go_into_folders_that_exist_and_pages_are_web_pages() {
         bench.refuse(line, &["--output", "no folder `no`"]);
     }
     bench.refuse("check .", &["a folder", "a job file, such as ./job.toml"]);
+    bench.refuse("new gray.toml --part gratings", &["--part", "gray values"]);
+    bench.refuse("new job2.json", &["FILE", "ending in .toml"]);
+    bench.refuse("kinds printer nope", &["`nope` of the table `printer`"]);
     bench.write("part.stl", "solid part\n");
     bench.refuse(
         "run part.stl",

@@ -7,7 +7,7 @@ mod rows;
 mod run;
 mod tables;
 
-use crate::page::{MARK, Page, PageKind, compared, page_data, word};
+use crate::page::{Page, PageKind, compared, made_as, page_data, word};
 use rows::rows;
 pub use run::ComparedRun;
 pub(crate) use run::columns;
@@ -108,10 +108,10 @@ pub fn write_compare(path: &Path, runs: &[ComparedRun]) -> Result<()> {
 pub fn is_comparison(path: &Path) -> bool {
     let mut start = Vec::new();
     let read = open_regular(path).map(|file| file.take(START as u64).read_to_end(&mut start));
-    read.is_ok() && String::from_utf8_lossy(&start).contains(MARK)
+    read.is_ok() && String::from_utf8_lossy(&start).contains(&made_as("compare"))
 }
 
-/// Within how many bytes of a page its title ends.
+/// Within how many bytes of a page that stands.
 const START: usize = 200;
 
 #[cfg(test)]

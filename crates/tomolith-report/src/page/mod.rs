@@ -354,6 +354,7 @@ impl Page {
     #[must_use]
     pub fn html(&self) -> String {
         let title = self.data["title"].as_str().unwrap_or_default();
+        let kind = self.data["kind"].as_str().unwrap_or_default();
         // What looks like markup within JSON could end the element
         let data = self.data.to_string().replace('<', "\\u003c");
         let blobs: String = (self.blobs.iter())
@@ -365,10 +366,11 @@ impl Page {
             })
             .collect();
         format!(
-            "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{}{MARK}\
+            "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">{}<title>{} · Tomolith</title>\
              <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><style>{}</style></head><body>\n\
              <div id=\"app\"><p>Where this line stays, the file was cut or changed, or the browser runs no scripts.</p></div>\n<noscript>{}</noscript>\n<script type=\"application/json\" id=\"data\">{data}</script>\n{blobs}\
              <script>{}</script></body></html>\n",
+            made_as(kind),
             escape(title),
             include_str!("../../page/page.css"),
             self.plain,
@@ -417,8 +419,10 @@ impl Page {
     }
 }
 
-/// Behind the title of every page.
-pub(crate) const MARK: &str = " · Tomolith</title>";
+/// What a file that is a page says in its first line of what it is about.
+pub(crate) fn made_as(kind: &str) -> String {
+    format!("<meta name=\"generator\" content=\"Tomolith {kind}\">")
+}
 
 /// What a comparison holds of each run, and its arrays.
 ///

@@ -222,8 +222,10 @@ fn rounded_anew(run: &Path, bits: u32) -> Option<String> {
 
 /// The dose at which the run's print is solid, from its report; says where nothing of it ever is.
 fn gel_dose(job: &Job, run: &Path, progress: &mut dyn Progress) -> Result<Option<f64>> {
-    let text = read_text(run.join("report.json")).unwrap_or_default();
-    let report: Value = serde_json::from_str(&text).unwrap_or_default();
+    let path = run.join("report.json");
+    let text = read_text(&path).unwrap_or_else(|_| "null".to_owned());
+    let report: Value = serde_json::from_str(&text)
+        .map_err(|e| Error::format(&path, e.to_string(), "the report of a run"))?;
     for (is_so, text) in [
         (
             report["is_toy"] == true,

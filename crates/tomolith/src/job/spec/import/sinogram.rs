@@ -3,7 +3,7 @@
 //! Its arrays are `[u, angle, z]`, z upward, u along (−sin θ, cos θ) of the first two axes of its volume (its projectors on a processor; those on
 //! a graphics card turn the part by 90°). Ours are `[angle, row, column]`, row 0 at the top: u is the column, and z turned over the row.
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::grid::{PatternGrid, Patterns};
 use crate::io::npy::read_volume;
 use std::path::Path;
@@ -12,9 +12,14 @@ use tomolith_core::parallel::table;
 /// The patterns of a sinogram that was saved as `.npy`.
 ///
 /// # Errors
-/// [`Error::Io`](crate::Error::Io), [`Error::Format`](crate::Error::Format) for a file that is no array of three dimensions.
+/// [`Error::Io`](crate::Error::Io), [`Error::Format`](crate::Error::Format) for a file that is no array of three dimensions, or holds a value below 0 or that is not finite.
 pub fn sinogram(theirs: &Path) -> Result<Patterns> {
     let ([columns, frames, rows], values) = read_volume(theirs)?;
+    if let Some(i) = values.iter().position(|v| !(v.is_finite() && *v >= 0.0)) {
+        let place = [i / (frames * rows), i / rows % frames, i % rows];
+        let found = format!("{} at {place:?}, as [u, angle, z]", values[i]);
+        return Err(Error::format(theirs, found, "finite values ≥ 0"));
+    }
     let grid = PatternGrid::full_turn(frames, 0.0, rows, columns, 1.0);
     let size = (rows * columns).max(1);
     let turned = table(values.len(), |i| {
@@ -33,6 +38,17 @@ mod tests {
     use crate::grid::{Volume, VolumeGrid};
     use crate::io::npy::write_volume;
     use crate::models::Run;
+
+    #[test]
+    fn a_value_that_is_no_light_is_refused_where_it_stands() {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("sinogram.npy");
+        let values = vec![0.0, 0.5, 1.0, -0.25, 0.0, 0.0];
+        let volume = Volume::new(VolumeGrid::centered([2, 1, 3], 1.0), values);
+        write_volume(&file, &volume, &Run::new()).unwrap();
+        let refused = sinogram(&file).unwrap_err().to_string();
+        assert!(refused.contains("-0.25 at [1, 0, 0]"), "{refused}");
+    }
 
     #[test]
     fn a_value_of_a_sinogram_is_that_of_its_frame_row_and_column() {
