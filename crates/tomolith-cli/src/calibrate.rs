@@ -305,6 +305,18 @@ fn response(given: &ResponseArguments) -> Result<()> {
         if found.errors.is_none() {
             answer.warn("the points do not fix every parameter: there are no standard errors");
         }
+        let errors = found.errors.iter().flatten();
+        let loose = names.into_iter().zip(values).zip(errors).skip(2);
+        let loose: Vec<_> = (loose.filter(|((_, value), error)| **error > value.abs()))
+            .map(|((name, _), _)| name)
+            .collect();
+        if !loose.is_empty() {
+            answer.warn(format!(
+                "the points do not fix {}: the standard error is larger than the value; measure more doses where the response rises{}",
+                loose.join(" and "),
+                if given.asymmetry { ", or leave out --asymmetry" } else { "" }
+            ));
+        }
         answer.set("measured_rise", fit.measured_rise());
         if let Some([first, last]) = fit.measured_rise()
             && (first > PLATEAU || last < 1.0 - PLATEAU)

@@ -48,7 +48,12 @@ impl TurningVial {
     #[must_use]
     pub fn rate(&self, r: f64, theta: f64) -> f64 {
         let (sin, cos) = theta.sin_cos();
-        let path = (1.0 - (r * sin).powi(2)).max(0.0).sqrt() - r * cos;
+        let half_chord = (1.0 - (r * sin).powi(2)).max(0.0).sqrt();
+        // On the side of the light the difference of two near numbers, (1 − r²)/(half chord + r·cos θ)
+        let path = match cos > 0.0 && r > 0.0 {
+            true => (1.0 - r * r) / (half_chord + r * cos),
+            false => half_chord - r * cos,
+        };
         (-path.max(0.0) * self.radius_mm / self.penetration_mm).exp()
     }
 

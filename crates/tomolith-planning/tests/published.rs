@@ -299,6 +299,19 @@ fn rates_of_a_turn() {
     }
 }
 
+/// Half of a turn a wall point stands in the light, the other half in the dark, however strongly the resin absorbs.
+#[test]
+fn a_wall_point_of_a_dark_resin_gets_half_of_the_light() {
+    for penetration_mm in [1e-8, 1e-15, 1e-20] {
+        let vial = TurningVial {
+            radius_mm: 8.0,
+            penetration_mm,
+            turn_deg_per_s: 5.0,
+        };
+        near!(vial.mean_rate(1.0), 0.5, 1e-6, "{penetration_mm}");
+    }
+}
+
 /// Where the two series meet, and against the integral (2/π)·∫ e^(−x·cos θ) dθ over a quarter turn.
 #[test]
 fn bessel_less_struve_is_its_integral() {

@@ -91,6 +91,12 @@ fn a_response_goes_from_measured_pairs_to_a_table_for_the_job() {
     let found = bench.json("calibrate response foot.csv");
     let warnings = found["warnings"].to_string();
     assert!(warnings.contains("the measured doses cover"), "{found}");
+    let loose = bench.json(&format!(
+        "calibrate response {stiffness} --log-response --log-dose --asymmetry"
+    ));
+    let warnings = loose["warnings"].to_string();
+    let expected = "do not fix steepness and asymmetry";
+    assert!(warnings.contains(expected), "{loose}");
     // The table is taken by a job as it stands
     bench.write(
         "job.toml",
