@@ -1,7 +1,6 @@
 //! `tomolith import`: a job or a sinogram of another program as ours.
 
-use crate::arguments::Manner;
-use crate::arguments::must_end_in;
+use crate::arguments::{Manner, must_end_in};
 use crate::screen::{self, say};
 use clap::Args;
 use serde_json::json;

@@ -49,7 +49,7 @@ impl TurningVial {
     pub fn rate(&self, r: f64, theta: f64) -> f64 {
         let (sin, cos) = theta.sin_cos();
         let half_chord = (1.0 - (r * sin).powi(2)).max(0.0).sqrt();
-        // On the side of the light the difference of two near numbers, (1 − r²)/(half chord + r·cos θ)
+        // On the side of the light both terms may be equal: their difference is (1 − r²)/(half chord + r·cos θ)
         let path = match cos > 0.0 && r > 0.0 {
             true => (1.0 - r * r) / (half_chord + r * cos),
             false => half_chord - r * cos,

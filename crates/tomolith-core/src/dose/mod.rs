@@ -1,6 +1,7 @@
 //! Patterns → absorbed dose: what a model of light is, whoever computes it.
 //!
-//! A [`DoseModel`] is F of the one equation; [`Facts`] say whether it is linear (rays are; coherent waves are not). *Forward is the printer's direction: light goes from patterns to dose* (computed tomography calls that back-projection).
+//! A [`DoseModel`] is F of the one equation; [`Facts`] say whether it is linear (rays are; coherent waves are not).
+//! *Forward is the printer's direction: light goes from patterns to dose* (computed tomography calls that back-projection).
 //! Layouts say which pixel and which voxel an element of a field is.
 
 pub mod cells;
