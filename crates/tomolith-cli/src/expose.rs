@@ -351,6 +351,11 @@ fn is_whole(arc_deg: f64) -> bool {
 fn tell_turns(answer: &mut Answer, plan: &ExposurePlan, arc_deg: f64) {
     let rpm = significant(plan.rpm, 4);
     let turns = match is_whole(arc_deg) {
+        true if plan.turns_a_pass > 1.0 => format!(
+            "{} at {rpm} a minute, in passes of {} turns, each with frames of its own",
+            concise(plan.turns),
+            concise(plan.turns_a_pass)
+        ),
         true => format!("{} at {rpm} a minute", concise(plan.turns)),
         false => format!(
             "{} passes of {}°, one after the other, at the speed of {rpm} turns a minute",
@@ -376,7 +381,11 @@ fn tell_frames(answer: &mut Answer, shown: &ShownFrames, plan: &ExposurePlan, ar
         format!(
             "{} a {}, {} a second, {} ms each",
             shown.sums.len(),
-            if is_whole(arc_deg) { "turn" } else { "pass" },
+            if is_whole(arc_deg) && plan.turns_a_pass == 1.0 {
+                "turn"
+            } else {
+                "pass"
+            },
             significant(plan.frame_rate_hz, 4),
             significant(1e3 * plan.frame_s, 4)
         ),

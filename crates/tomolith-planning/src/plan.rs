@@ -35,7 +35,7 @@ pub struct Machine {
     pub irradiance: f64,
     /// Turns a minute.
     pub rpm: f64,
-    /// Turns that the print is to take: the speed follows, and `rpm` is not read.
+    /// Turns that the print is to take, or passes of a part of a turn: the speed follows, and `rpm` is not read.
     pub turns: Option<f64>,
     /// Images a second that the device shows.
     pub refresh_hz: f64,
@@ -61,8 +61,10 @@ pub struct ExposurePlan {
     pub continuous_s: f64,
     /// Time of whole passes, s.
     pub time_s: f64,
-    /// Whole passes of all frames: turns, for frames of a full turn.
+    /// Turns of the vial, in whole passes of all frames; these passes, where they cover a part of a turn.
     pub turns: f64,
+    /// Turns of a pass, where every turn has frames of its own; else 1.
+    pub turns_a_pass: f64,
     /// Share of each frame's time in which the light is on.
     pub duty: f64,
     /// Turns a minute.
@@ -88,7 +90,8 @@ impl ExposurePlan {
     /// `critical` mJ/mm³ in fact.
     ///
     /// # Errors
-    /// [`Error::Config`] for frames without times, a time that does not do (with the share of the dose that it gives), and frames faster than the device.
+    /// [`Error::Config`] for frames without times, a time that does not do (with the share of the dose that it gives), turns that are no whole passes, and frames
+    /// faster than the device.
     pub fn new(
         shown: &ShownFrames,
         machine: &Machine,
@@ -115,6 +118,8 @@ impl ExposurePlan {
             gel_dose: Some(gel_dose),
         };
         let total: f64 = shown.sums.iter().sum();
+        let turns_a_pass = at_speed(machine.rpm).turns_a_pass();
+        must_be_whole_passes(machine.turns, turns_a_pass)?;
         let budget = at_speed(machine.rpm).budget(white, total, shown.pixels, shown.pixel_mm2);
         let (Some(continuous_s), Some(exact), Some(white_mj_per_mm2)) =
             (budget.time_s, budget.turns, budget.white_mj_per_mm2)
@@ -127,15 +132,21 @@ impl ExposurePlan {
         };
         // A pass of a part of a turn is shorter
         let arc = frame_arc * frames as f64 / std::f64::consts::TAU;
-        let (turns, rpm) = match machine.turns {
-            Some(turns) => (turns, 60.0 * arc * turns / continuous_s),
+        let (passes, rpm) = match machine.turns.map(|turns| turns / turns_a_pass) {
+            Some(passes) => (passes, 60.0 * arc * passes / continuous_s),
             // A hair over a whole number is that number
-            None => ((exact - 1e-9).ceil().max(1.0), machine.rpm),
+            None => ((exact / turns_a_pass - 1e-9).ceil().max(1.0), machine.rpm),
         };
+        let turns = passes * turns_a_pass;
         let pass_s = arc * 60.0 / rpm;
-        let time_s = turns * pass_s;
+        let time_s = passes * pass_s;
         let duty = continuous_s / time_s;
-        must_end_in_time(machine, [turns, time_s], pass_s, continuous_s)?;
+        must_end_in_time(
+            machine,
+            [turns, time_s],
+            [turns_a_pass, pass_s],
+            continuous_s,
+        )?;
         let frame_s = frame_arc.to_degrees() / (6.0 * rpm);
         must_be_shown(machine, frames, frame_arc, frame_s)?;
         let lit = machine.irradiance / 100.0 * frame_s * duty * shown.pixel_mm2;
@@ -146,12 +157,13 @@ impl ExposurePlan {
             continuous_s,
             time_s,
             turns,
+            turns_a_pass,
             duty,
             rpm,
             frame_rate_hz: 1.0 / frame_s,
             frame_s,
             frame_mj: [lit * total / frames as f64, lit * largest],
-            energy_mj: lit * total * turns,
+            energy_mj: lit * total * passes,
             light_used: shown.mean(),
             window_percent: window,
             window_s: window.map(|w| Window {
@@ -162,33 +174,60 @@ impl ExposurePlan {
     }
 }
 
+/// Refuses turns that end within a pass of the frames of several.
+fn must_be_whole_passes(turns: Option<f64>, turns_a_pass: f64) -> Result<()> {
+    let ends_within = |turns: &f64| {
+        let passes = turns / turns_a_pass;
+        (passes - passes.round()).abs() > 1e-9
+    };
+    match turns.filter(ends_within) {
+        Some(turns) => Err(Error::config(
+            "--turns",
+            format!("found {}", concise(turns)),
+            format!(
+                "{0}, or a multiple of {0}: every turn has frames of its own",
+                concise(turns_a_pass)
+            ),
+        )),
+        None => Ok(()),
+    }
+}
+
 /// Refuses a time that is too short, with the share of the dose that it gives.
 fn must_end_in_time(
     machine: &Machine,
     [turns, time_s]: [f64; 2],
-    pass_s: f64,
+    [turns_a_pass, pass_s]: [f64; 2],
     continuous_s: f64,
 ) -> Result<()> {
     let Some(within) = machine.within_s.filter(|within| *within < time_s) else {
         return Ok(());
     };
     let whole = (within / pass_s + 1e-9).floor();
-    let other = if machine.turns.is_some() || whole < 1.0 {
-        "a faster vial (--rpm)".to_owned()
-    } else {
+    let brighter = |seconds: f64| {
         // Rounded up, so that what is advised is enough
-        let needed = machine.irradiance * continuous_s / (whole * pass_s);
+        let needed = machine.irradiance * continuous_s / seconds;
         format!(
             "an irradiance from {} mW/cm²",
             concise((100.0 * needed).ceil() / 100.0)
         )
     };
+    let other = if machine.turns.is_some() {
+        brighter(within)
+    } else if whole >= 1.0 {
+        brighter(whole * pass_s)
+    } else if within >= continuous_s {
+        "a faster vial (--rpm)".to_owned()
+    } else {
+        format!("{} in a faster vial (--rpm)", brighter(within))
+    };
+    let whole_turns = whole * turns_a_pass;
     Err(Error::config(
         "--within-s",
         format!(
             "{} s hold {} whole turns, which give {:.1} % of the dose at which the resin gels",
             concise(within),
-            concise(whole),
+            concise(whole_turns),
             100.0 * whole * pass_s / continuous_s
         ),
         format!(
@@ -220,4 +259,53 @@ fn must_be_shown(machine: &Machine, frames: usize, frame_arc: f64, frame_s: f64)
         ));
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::TAU;
+
+    #[test]
+    fn turns_with_frames_of_their_own_are_passes_of_several() {
+        // Three turns of ten frames; white is 6 mJ/mm², of which a frame of 0.6 s gives 0.57
+        let shown = ShownFrames {
+            sums: vec![50.0; 30],
+            pixels: 100,
+            pixel_mm2: 0.01,
+            white: Some(2.4),
+        };
+        let machine = Machine {
+            irradiance: 95.0,
+            rpm: 10.0,
+            turns: None,
+            refresh_hz: 60.0,
+            within_s: None,
+        };
+        let plan = |turns, within_s| {
+            let machine = Machine {
+                turns,
+                within_s,
+                ..machine
+            };
+            ExposurePlan::new(&shown, &machine, 2.4, TAU / 10.0, 2.0, 0.8, None)
+        };
+        let at_speed = plan(None, None).unwrap();
+        assert_eq!((at_speed.turns, at_speed.turns_a_pass), (33.0, 3.0));
+        assert!((at_speed.time_s - 33.0 * 6.0).abs() < 1e-9);
+        assert!((at_speed.energy_mj - 6.0 * 0.01 * 1500.0).abs() < 1e-9);
+        // 30 frames of 6/0.95 s in three turns
+        let slow = plan(Some(3.0), None).unwrap();
+        assert!((slow.time_s - 30.0 * 6.0 / 0.95).abs() < 1e-9);
+        assert!((slow.rpm - 3.0 * 60.0 / slow.time_s).abs() < 1e-9);
+        let message = |turns, within_s| plan(turns, within_s).unwrap_err().to_string();
+        assert!(message(Some(4.0), None).contains("3, or a multiple of 3"));
+        // No vial is fast enough where light that is always on takes longer
+        let said = message(None, Some(5.0));
+        assert!(
+            said.contains("0 whole turns") && said.contains("mW/cm² in a faster vial"),
+            "{said}"
+        );
+        assert!(message(Some(3.0), Some(5.0)).ends_with("mW/cm²"));
+    }
 }

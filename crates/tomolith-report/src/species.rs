@@ -29,7 +29,8 @@ pub struct OneExposure {
 }
 
 impl OneExposure {
-    /// Of the IoU of each species over its dose, `[dose, IoU]` with ascending doses; None for fewer than two species, and where no dose lies on all curves.
+    /// Of the IoU of each species over its dose, `[dose, IoU]` with ascending doses; None for fewer than two species, where no dose lies on all curves, and where
+    /// one of them prints nothing at any dose that prints the others.
     #[must_use]
     pub fn of(species: &[(&str, Vec<[f64; 2]>)]) -> Option<Self> {
         let curves: Vec<_> = species.iter().map(|(_, curve)| curve.as_slice()).collect();
@@ -42,7 +43,7 @@ impl OneExposure {
         } = Together::of(&curves)?;
         // At s times the exposure, what gels is what got gel_dose/s
         let percent = |dose: f64| Some(100.0 * gel_dose / dose).filter(|p| p.is_finite());
-        Some(OneExposure {
+        (iou[lowest] > 0.0).then(|| OneExposure {
             gel_dose,
             species: species.iter().map(|(name, _)| (*name).to_owned()).collect(),
             iou,
@@ -298,6 +299,11 @@ mod tests {
             .iter()
             .position(|name| *name == apart.limited_by);
         assert_eq!(apart.iou[limits.unwrap()], lowest);
+        let dark = vec![[0.0, 0.0], [1.0, 0.0], [3.0, 0.0]];
+        assert_eq!(
+            OneExposure::of(&[("a", tent(2.0, 2.0)), ("dark", dark)]),
+            None
+        );
     }
 
     #[test]

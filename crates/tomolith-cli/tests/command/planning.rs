@@ -428,7 +428,7 @@ fn a_run_is_planned_for_a_machine_and_a_resin() {
         $ expose a --irradiance -5 --critical-dose 1
         --irradiance … `-5`
         $ expose b --within-s 1
-        1 s hold 0 whole turns … % of the dose at which the resin gels … whole turns
+        1 s hold 0 whole turns … % of the dose at which the resin gels … whole turns … mW/cm² in a faster vial
         $ expose b --rpm 1000
         --rpm … 400 frames a second … the device shows 60
         $ expose b --rpm 0

@@ -23,7 +23,7 @@
 //! | `rays_per_pixel` | 1 to 4096 | 4 | rays of a pixel in a frame: as many heights and places across, heights differ from column to column; one is the middle ray |
 //! | `accumulation` | `accumulation.rs` | `"integral"` | how energy is accumulated along a ray |
 //! | `reflections` | bool | false | whether light reflected at walls is followed |
-//! | `least_power` | 0 to 0.1 | 1e-4 | reflected rays below this part of the emitted power are dropped |
+//! | `least_power` | 1e-9 to 0.1 | 1e-4 | reflected rays below this part of the emitted power are dropped |
 //!
 //! # Limits
 //! A point ray per sample: where voxels are smaller than the distance of rays, dose is grainy; the energy is right.
@@ -110,7 +110,7 @@ tomolith_core::keys! {
         pub accumulation: Accumulation = Accumulation::Integral,
         /// Whether light reflected at walls is followed.
         pub reflections: bool = false,
-        /// Reflected rays below this part of the emitted power are dropped, 0 to 0.1.
+        /// Reflected rays below this part of the emitted power are dropped, 1e-9 to 0.1.
         pub least_power: f64 = TraceLimits::default().least_power,
     }
 }
@@ -132,8 +132,8 @@ fn params_of(section: &Section) -> Result<Params> {
     if !(1..=4096).contains(&params.rays_per_pixel) {
         return Err(section.refused("rays_per_pixel", params.rays_per_pixel, "1 to 4096"));
     }
-    if !(0.0..=0.1).contains(&params.least_power) {
-        return Err(section.refused("least_power", exact(params.least_power), "0 to 0.1"));
+    if !(1e-9..=0.1).contains(&params.least_power) {
+        return Err(section.refused("least_power", exact(params.least_power), "1e-9 to 0.1"));
     }
     Ok(params)
 }

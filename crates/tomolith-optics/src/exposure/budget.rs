@@ -9,8 +9,10 @@
 //!
 //! ```text
 //! passes    S/(I·t)                 time    passes·n·t
-//! energy per pass (a turn)   I·t·A·E mJ                 light used   E/(n·N)
+//! energy per pass   I·t·A·E mJ      light used   E/(n·N)
 //! ```
+//!
+//! A pass is a turn, where the frames cover one. Where every turn has frames of its own, a pass takes all of them: turns are counted, and energies of one.
 //!
 //! The other way round, the longest pattern value that fits into a time T is s = (I·T/n)·d₀/D_c ([`ExposureBudget::white_in`]).
 //!
@@ -28,6 +30,7 @@
 //! ```
 
 use serde::Serialize;
+use std::f64::consts::TAU;
 
 /// What is known of an exposure before it is simulated.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,9 +58,9 @@ pub struct Budget {
     pub white_mj_per_mm2: Option<f64>,
     /// Time of the print, s.
     pub time_s: Option<f64>,
-    /// Passes of all frames: turns of the vial, for a full turn of frames.
+    /// Turns of the vial; passes of all frames, where these cover a part of a turn.
     pub turns: Option<f64>,
-    /// Energy at the vial in one pass, mJ.
+    /// Energy at the vial in one of them, mJ.
     pub energy_per_turn_mj: Option<f64>,
     /// Energy at the vial in all, mJ.
     pub energy_mj: Option<f64>,
@@ -68,6 +71,14 @@ impl ExposureBudget {
     fn frame_s(&self) -> Option<f64> {
         let seconds = self.frame_arc.to_degrees() / (6.0 * self.rpm);
         (seconds > 0.0 && seconds.is_finite()).then_some(seconds)
+    }
+
+    /// Turns that a pass of all frames takes; a part of a turn counts as one.
+    #[must_use]
+    pub fn turns_a_pass(&self) -> f64 {
+        let turns = self.frame_arc * self.frames as f64 / TAU;
+        // Three turns of 40 frames are 3, and not 3.0000000000000004
+        ((turns * 1e9).round() / 1e9).max(1.0)
     }
 
     /// mJ/mm² per unit of a pattern.
@@ -95,15 +106,18 @@ impl ExposureBudget {
             .peak()
             .zip(self.frame_s())
             .map(|(peak, seconds)| peak * seconds);
+        let turns_a_pass = self.turns_a_pass();
         let turns = white_mj_per_mm2
             .zip(per_pass)
-            .map(|(white, pass)| white / pass);
-        let pass_s = self.frame_s().map(|seconds| seconds * self.frames as f64);
-        let energy_per_turn_mj = per_pass.map(|pass| pass * area_mm2 * emitted);
+            .map(|(white, pass)| white / pass * turns_a_pass);
+        let turn_s = self
+            .frame_s()
+            .map(|seconds| seconds * self.frames as f64 / turns_a_pass);
+        let energy_per_turn_mj = per_pass.map(|pass| pass * area_mm2 * emitted / turns_a_pass);
         Budget {
             light_used: emitted / (self.frames * pixels).max(1) as f64,
             white_mj_per_mm2,
-            time_s: turns.zip(pass_s).map(|(turns, seconds)| turns * seconds),
+            time_s: turns.zip(turn_s).map(|(turns, seconds)| turns * seconds),
             turns,
             energy_per_turn_mj,
             energy_mj: energy_per_turn_mj

@@ -110,6 +110,12 @@ pub(super) fn means(grid: &VolumeGrid, values: &[f32], factor: usize) -> Vec<f32
 /// The most frequent code of each block; of equally frequent ones the highest.
 pub(super) fn majorities(grid: &VolumeGrid, codes: &[u8], factor: usize) -> Vec<u8> {
     blocks(grid, factor, |rows| {
+        let first = codes[rows[0].start];
+        // Most blocks lie away from every surface
+        let is_even = |row: &Range<usize>| codes[row.clone()].iter().all(|&code| code == first);
+        if rows.iter().all(is_even) {
+            return first;
+        }
         let mut counts = [0u32; 256];
         let mut best = (0, 0);
         for row in rows {

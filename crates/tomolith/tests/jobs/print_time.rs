@@ -31,4 +31,13 @@ fn a_print_that_takes_longer_than_allowed_is_warned_of() {
     assert!(seconds(&late) > 41.0, "{}", seconds(&late));
     let warnings = late.to_string();
     tomolith_core::contains!(warnings, "s where printer.time_s allows 40 s");
+    // All that the machine has is too little: no shorter time helps, and no bound that the job does not name
+    let dark = report("printer.time_s=2").to_string();
+    tomolith_core::contains!(
+        dark,
+        "no patterns are faster",
+        "as bright as printer.time_s = 2 lets",
+        "raise `printer.time_s`"
+    );
+    assert!(!dark.contains("bounds.max ="), "{dark}");
 }

@@ -224,6 +224,15 @@ networks[0].inhibitors[0].capacity_mj_per_mm3 … found 0 … above 0
 + name = "violet"
 species[1].driven_by.uv … no light has this name … the name of a light: violet
 
++ [[species]]
++ name = "soft"
++ [[species]]
++ name = "stiff"
++ [[property]]
++ name = "modulus"
++ map = { logistic = {} }
+property[0].of … the key is missing … one of soft, stiff
+
 - [[light]]
 + [[species]]
 + name = "soft"

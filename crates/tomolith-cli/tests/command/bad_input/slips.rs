@@ -163,6 +163,12 @@ vial.bottom.z_mm … the key is missing … for example z_mm = -10.0
 + least_power = 1e30
 model.rays.least_power: found 1e30
 
+# Nothing would end the rays that walls split
++ [model.rays]
++ reflections = true
++ least_power = 0.0
+model.rays.least_power: found 0 … 1e-9 to 0.1
+
 - lower = 0.85
 + lower = 1e-30
 + ceiling = 1e-30

@@ -3,7 +3,7 @@
 use crate::grid::Patterns;
 use crate::job::resolve::ResolvedJob;
 use crate::metrics::Evaluation;
-use crate::units::concise;
+use crate::units::{concise, exact};
 
 /// Warns of patterns that light nothing.
 pub(crate) fn of_light(shown: &[Patterns]) -> Option<String> {
@@ -44,10 +44,14 @@ pub(crate) fn of_bound(job: &ResolvedJob, shown: &[Patterns]) -> Option<String> 
         .filter(|value| f64::from(**value) >= 0.999 * largest)
         .count();
     (shining > 0 && held as f64 > HELD * shining as f64).then(|| {
+        let largest = concise(largest);
+        let bound = match job.showing().allowed_s() {
+            Some(seconds) => format!("{largest}, as bright as printer.time_s = {} lets them be", exact(seconds)),
+            None => format!("bounds.max = {largest}"),
+        };
         format!(
-            "{:.0} % of the pixels that shine are at bounds.max = {}: this bound says how large the dose is, and not the objective; raise it, or leave it out",
+            "{:.0} % of the pixels that shine are at {bound}: this bound says how large the dose is, and not the objective; raise it, or leave it out",
             100.0 * held as f64 / shining as f64,
-            concise(largest)
         )
     })
 }

@@ -117,7 +117,9 @@ impl Asked<'_> {
                     .is_none_or(|row| row.iteration == 0)
             }),
             has_own_sub_angles: resolved.has_own_sub_angles(),
-            is_held: (self.optimized).is_some_and(|own| of_bound(resolved, &own.raw).is_some()),
+            held_by: (self.optimized)
+                .filter(|own| of_bound(resolved, &own.raw).is_some())
+                .map(|_| resolved.showing().bound_key()),
             best: resolved.evaluation().threshold.and(best.reduce(f64::max)),
             ends: shape
                 .upright_mm()
@@ -177,8 +179,8 @@ struct Measurements {
     has_no_iterations: bool,
     /// Whether the job says at how many angles of a frame the optimization looks.
     has_own_sub_angles: bool,
-    /// Whether an upper bound holds nearly all pixels that shine.
-    is_held: bool,
+    /// The key of the upper bound that holds nearly all pixels that shine; None where none does.
+    held_by: Option<&'static str>,
     /// The best number over all thresholds, where the job names one.
     best: Measure,
     /// Of an upright prism in level light, where its ends are.
@@ -449,9 +451,9 @@ impl Measurements {
             let action = action("Light comes from too few sides: raise");
             return ("light.angles".to_owned(), action);
         }
-        if self.is_held {
+        if let Some(key) = self.held_by {
             let action = action("Nearly all pixels that shine are at their bound: raise");
-            return ("bounds.max".to_owned(), action);
+            return (key.to_owned(), action);
         }
         let of = self.pixel_light.as_ref();
         let of = of.map_or_else(String::new, |name| format!(" of {name}"));
@@ -497,7 +499,12 @@ impl Measurements {
             let change = signed(change);
             // Beside what finer voxels saw, a gain explains nothing
             let counts = !self.saw_finer || limit.loss > 0.0;
-            (counts && change != "0").then(|| format!("{name} {change}"))
+            let lost = self.loss(Some(self.perfect()), self.turning);
+            let hidden = match limit.cause == Cause::Ends && Some(limit.loss) > lost {
+                true => ", which voxels of this size do not show",
+                false => "",
+            };
+            (counts && change != "0").then(|| format!("{name} {change}{hidden}"))
         };
         let steps: Vec<String> = causes.iter().filter_map(step).collect();
         // What light leaves of gray values may be left by finer pixels too

@@ -250,14 +250,14 @@ pub(crate) fn evaluate_patterns(
     let in_time = in_time(job, voxels, shown, progress, &printing)?;
     let noise = Noise::of(job, &voxels[0], shown, cancel)?;
     let agreement = CrossCheck::of(job, &voxels[0], shown, cross_check::PATHS, cancel)?;
-    let warnings = doubts_of(
+    let mut warnings = doubts_of(
         job,
         shown,
         &first.evaluation,
         (&noise, &agreement),
         progress,
     )?;
-    let one_exposure = together(job, &species, progress);
+    let one_exposure = together(job, &species, &mut warnings, progress);
     show(shown, (&job.species, &species), progress);
     Ok(Evaluated {
         species,
@@ -551,10 +551,12 @@ fn doubts_of(
 fn together(
     job: &ResolvedJob,
     prints: &[SpeciesPrint],
+    warnings: &mut Vec<String>,
     progress: &mut dyn Progress,
 ) -> Option<OneExposure> {
     // Gray values have no threshold that one dose could meet
-    if prints.iter().any(|own| own.evaluation.half_width.is_some()) {
+    let is_gray = |own: &SpeciesPrint| own.evaluation.half_width.is_some();
+    if prints.len() < 2 || prints.iter().any(is_gray) {
         return None;
     }
     let named = || {
@@ -569,7 +571,12 @@ fn together(
         (name, curve)
     };
     let curves: Vec<_> = named().map(over_doses).collect();
-    let together = OneExposure::of(&curves)?;
+    let Some(together) = OneExposure::of(&curves) else {
+        let text = "no exposure prints something of every species: one of them gets too little light next to the others. Their numbers are those of an exposure each".to_owned();
+        warnings.push(text.clone());
+        progress.event(&Event::Warning { text });
+        return None;
+    };
     for ((name, _, print), iou) in named().zip(&together.iou) {
         let evaluation = &print.evaluation;
         let alone = evaluation.measures.get("iou").zip(evaluation.gel_threshold);

@@ -13,6 +13,7 @@ use crate::io::volume::{Values, write_values};
 use crate::io::vti::write_vti;
 use crate::io::write_text;
 use crate::job::dose::written::Written;
+use crate::job::evaluate::doubts::of_bound;
 use crate::job::evaluate::in_time::{InTime, NetworkInTime};
 use crate::job::evaluate::light_paths::scene;
 use crate::job::evaluate::limits::limits;
@@ -98,7 +99,7 @@ pub(crate) fn all(
     let gel_dose = evaluated.gel_dose(resolved);
     let printers = resolved.printers.as_deref();
     let shown = Shown::new(resolved.showing(), printers, &frames, gel_dose)?;
-    let overrun = shown.overrun();
+    let overrun = shown.overrun(of_bound(resolved, &patterns.shown).is_some());
     if let Some(text) = overrun.clone() {
         progress.event(&Event::Warning { text });
     }

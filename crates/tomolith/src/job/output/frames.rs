@@ -55,14 +55,21 @@ pub(crate) struct Shown<'a> {
 }
 
 impl<'a> Shown<'a> {
-    /// Warns of a print that takes longer than the job allows.
-    pub(crate) fn overrun(&self) -> Option<String> {
+    /// Warns of a print that takes longer than the job allows; `is_held`: nearly all pixels are as bright as they may be.
+    pub(crate) fn overrun(&self, is_held: bool) -> Option<String> {
         let asked = self.showing.allowed_s()?;
         let times = self.lights.iter().map(|light| light.budget.time_s);
         let found: f64 = times.sum::<Option<f64>>()?;
         (found > asked * (1.0 + OVERRUN)).then(|| {
+            let times = significant(found / asked, 3);
             let [found, lower] = [found, asked * asked / found].map(|seconds| significant(seconds, 3));
             let asked = exact(asked);
+            if is_held {
+                return format!(
+                    "the print takes {found} s where printer.time_s allows {asked} s, though nearly all pixels are as bright as they may be: no patterns are faster. \
+                     Set printer.time_s = {found}, or use a projector that is {times} times as bright (printer.peak_irradiance_mw_per_cm2)"
+                );
+            }
             format!(
                 "the print takes {found} s where printer.time_s allows {asked} s: the resin gels at another dose than the bound of the pixels was made for, or several \
                  lights follow each other. After {asked} s parts are softer than predicted: set printer.time_s = {lower}, or evaluate.threshold to the gel threshold of this report"

@@ -119,6 +119,14 @@ impl<'a> Showing<'a> {
         self.spec.printer.as_ref()?.time_s
     }
 
+    /// The key that says how bright pixels may be.
+    pub(crate) fn bound_key(self) -> &'static str {
+        match self.allowed_s() {
+            Some(_) => "printer.time_s",
+            None => "bounds.max",
+        }
+    }
+
     /// Whether all frames are written as one stack, too.
     pub(crate) fn is_stacked(self) -> bool {
         let printer = self.spec.printer.as_ref();

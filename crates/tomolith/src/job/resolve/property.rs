@@ -45,8 +45,19 @@ pub(crate) fn of_job(spec: &JobSpec, base: &Path) -> Result<Vec<PropertyMap>> {
     let map_of = |(i, own): (usize, &PropertySpec)| {
         let key = format!("property[{i}]");
         let map = Section::new(format!("{key}.map"), own.map.clone()).based(base);
+        let of = match (number(format!("{key}.of"), own.of.as_deref())?, names.len()) {
+            (None, 2..) => {
+                let accepted = format!("one of {}", names.join(", "));
+                return Err(Error::config(
+                    format!("{key}.of"),
+                    "the key is missing",
+                    accepted,
+                ));
+            }
+            (found, _) => found.unwrap_or(0),
+        };
         Ok(PropertyMap {
-            of: number(format!("{key}.of"), own.of.as_deref())?.unwrap_or(0),
+            of,
             over: number(format!("{key}.over"), own.over.as_deref())?,
             map: response(&map)?,
             name: own.name.clone(),

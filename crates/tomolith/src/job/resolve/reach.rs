@@ -24,8 +24,36 @@ pub(crate) struct Unreached {
     pub(crate) farthest_mm: f64,
     /// Share of the part's voxels that lie beyond.
     pub(crate) share: f64,
-    /// Whether an offset or a selection cuts the field, and not the number of pixels.
-    pub(crate) is_cut: bool,
+    pub(crate) ended_by: EndedBy,
+}
+
+/// What ends the reach of a light.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum EndedBy {
+    /// The number of its pixels.
+    Pixels,
+    /// An offset, a selection or a map of the printer.
+    Cut,
+    /// The vial: what passes nearest to its wall is bent so far inward.
+    Vial,
+}
+
+impl EndedBy {
+    fn of_field(light: &Light) -> Self {
+        match is_cut_sideways(light) {
+            true => EndedBy::Cut,
+            false => EndedBy::Pixels,
+        }
+    }
+
+    /// What is to be done with it.
+    pub(crate) fn verb(self) -> &'static str {
+        match self {
+            EndedBy::Pixels => "raise",
+            EndedBy::Cut => "change",
+            EndedBy::Vial => "widen",
+        }
+    }
 }
 
 impl Unreached {
@@ -35,13 +63,15 @@ impl Unreached {
             reach_mm,
             farthest_mm,
             share,
-            is_cut,
+            ended_by,
         } = self;
         let times = (100.0 * farthest_mm / reach_mm - 1e-6).ceil() / 100.0;
-        let advice = match (reach_mm > 0.0, is_cut) {
-            (false, _) => "what it lights lies off the axis: use a smaller `offset_mm`, or more columns in `pixels` or `selection`".to_owned(),
-            (true, true) => "`offset_mm`, `selection` or a map of the printer cut its field: leave it wider".to_owned(),
-            (true, false) => format!("use {} times as many columns in `pixels`", significant(times, 3)),
+        let times = significant(times, 3);
+        let advice = match ended_by {
+            _ if reach_mm <= 0.0 => "what it lights lies off the axis: use a smaller `offset_mm`, or more columns in `pixels` or `selection`".to_owned(),
+            EndedBy::Cut => "`offset_mm`, `selection` or a map of the printer cut its field: leave it wider".to_owned(),
+            EndedBy::Pixels => format!("use {times} times as many columns in `pixels`"),
+            EndedBy::Vial => format!("no pixel gets farther through this vial: use one that is {times} times as wide, or a bath (`vial.surrounding_index`) whose index is nearer to the resin's"),
         };
         format!(
             "after refraction, light[{light}] reaches only {} mm from the axis on every side, the part {} mm: {:.1} % of the \
@@ -51,6 +81,20 @@ impl Unreached {
             100.0 * share,
         )
     }
+}
+
+/// What is known of the places of a slice, in those of its voxels that belong to a part. Most rows of `nx` voxels hold none.
+fn of_part<'a, T>(
+    inside: &'a [f32],
+    of_places: &'a [T],
+    nx: usize,
+    gray: bool,
+) -> impl Iterator<Item = &'a T> {
+    let rows = inside.chunks(nx.max(1)).zip(of_places.chunks(nx.max(1)));
+    let is_own = move |&inside: &f32| is_part(inside, gray);
+    let rows = rows.filter(move |(inside, _)| inside.iter().any(is_own));
+    let pairs = rows.flat_map(|(inside, of_places)| inside.iter().zip(of_places));
+    pairs.filter_map(move |(inside, of_place)| is_own(inside).then_some(of_place))
 }
 
 impl Optics {
@@ -63,12 +107,10 @@ impl Optics {
         let of_slice = |inside: &[f32]| {
             let [mut part, mut beyond] = [0u64; 2];
             let mut farthest = 0.0f64;
-            for (&inside, &radius) in inside.iter().zip(&radii) {
-                if is_part(inside, gray) {
-                    part += 1;
-                    beyond += u64::from(radius > reach_mm);
-                    farthest = farthest.max(radius);
-                }
+            for &radius in of_part(inside, &radii, nx, gray) {
+                part += 1;
+                beyond += u64::from(radius > reach_mm);
+                farthest = farthest.max(radius);
             }
             (part, beyond, farthest)
         };
@@ -81,7 +123,7 @@ impl Optics {
             reach_mm,
             farthest_mm,
             share: beyond as f64 / part as f64,
-            is_cut: is_cut_sideways(&self.lights[light]),
+            ended_by: self.ended_by(light, reach_mm),
         })
     }
 
@@ -108,7 +150,7 @@ impl Optics {
             reach_mm,
             farthest_mm,
             share: 1.0 - reach_mm.max(0.0) / farthest_mm,
-            is_cut: is_cut_sideways(&self.lights[light]),
+            ended_by: EndedBy::of_field(&self.lights[light]),
         })
     }
 
@@ -136,18 +178,30 @@ impl Optics {
     pub(crate) fn reach_mm(&self) -> (f64, usize) {
         let reach = |(i, light): (usize, &Light)| {
             let [low, high] = field_mm(light);
-            let half_field = high[0].min(-low[0]).max(0.0);
-            let resin = light.resin.refractive_index;
-            let surrounding = self.vial.surrounding_index(light.surrounding_index, resin);
-            let (sin, cos) = self.tilt_rad().sin_cos();
-            let across = (resin.powi(2) - (surrounding * sin).powi(2))
-                .max(0.0)
-                .sqrt();
-            let reach = self.vial.reach_mm(half_field, surrounding * cos, across);
-            (reach, i)
+            (self.reach_of(light, high[0].min(-low[0]).max(0.0)), i)
         };
         let reaches = self.lights.iter().enumerate().map(reach);
         reaches.fold((f64::INFINITY, 0), |a, b| if b.0 < a.0 { b } else { a })
+    }
+
+    /// That of a light whose field reached so far, mm.
+    fn reach_of(&self, light: &Light, half_field: f64) -> f64 {
+        let resin = light.resin.refractive_index;
+        let surrounding = self.vial.surrounding_index(light.surrounding_index, resin);
+        let (sin, cos) = self.tilt_rad().sin_cos();
+        let across = (resin.powi(2) - (surrounding * sin).powi(2))
+            .max(0.0)
+            .sqrt();
+        self.vial.reach_mm(half_field, surrounding * cos, across)
+    }
+
+    /// What ends this reach of a light.
+    fn ended_by(&self, light: usize, reach_mm: f64) -> EndedBy {
+        let light = &self.lights[light];
+        match reach_mm >= self.reach_of(light, f64::INFINITY) {
+            true => EndedBy::Vial,
+            false => EndedBy::of_field(light),
+        }
     }
 }
 
@@ -184,6 +238,15 @@ mod tests {
         ])
         .unwrap();
         tomolith_core::contains!(cut.warning(), "leave it wider");
+        // Light that grazes a tube of 6 mm is bent to 4 mm from its axis, however many pixels there are
+        let bent = beyond(&[
+            "vial={ cylinder = { inner_radius_mm = 5.5, outer_radius_mm = 6.0, refractive_index = 1.5 } }",
+            "resin.refractive_index=1.5",
+            "light.pixels=[400, 64]",
+        ])
+        .unwrap();
+        tomolith_core::near!(bent.reach_mm, 4.0, 1e-9);
+        tomolith_core::contains!(bent.warning(), "use one that is 1.24 times as wide");
         // A field that begins 0.1 mm from the axis
         let beside = beyond(&[vial, "light.offset_mm=[3.3, 0]"]).unwrap();
         assert_eq!((beside.reach_mm, beside.share), (0.0, 1.0));

@@ -1,6 +1,7 @@
 //! Why light leaves a part of the part without what it needs.
 
 use super::acting::Acting;
+use crate::job::resolve::reach::EndedBy;
 use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::report::number::significant;
 use crate::target::Shape;
@@ -54,7 +55,7 @@ impl Lack {
         Some(Lack {
             share: found.share,
             key: job.sides_key(found.light),
-            verb: if found.is_cut { "change" } else { "raise" },
+            verb: found.ended_by.verb(),
             found: "In some frames the part turns out of the light's field".to_owned(),
             comes_first: true,
         })
@@ -74,8 +75,11 @@ impl Lack {
         let percent = significant(100.0 * found.share, 2);
         Some(Lack {
             share: found.share,
-            key: job.sides_key(found.light),
-            verb: if found.is_cut { "change" } else { "raise" },
+            key: match found.ended_by {
+                EndedBy::Vial => "vial".to_owned(),
+                _ => job.sides_key(found.light),
+            },
+            verb: found.ended_by.verb(),
             found: format!("Light does not reach {percent} % of the part from all sides"),
             comes_first: false,
         })

@@ -32,7 +32,7 @@ fn measurements() -> Measurements {
         lack: None,
         has_no_iterations: false,
         has_own_sub_angles: false,
-        is_held: false,
+        held_by: None,
         best: None,
         ends: None,
         falling: None,
@@ -366,7 +366,7 @@ fn a_threshold_that_is_far_off_and_too_few_sides_are_named() {
     ends(&few.limits().sentence, "To improve, raise `light.angles`.");
     let held = Measurements {
         has_few_angles: false,
-        is_held: true,
+        held_by: Some("bounds.max"),
         ..few
     };
     ends(&held.limits().sentence, "To improve, raise `bounds.max`.");

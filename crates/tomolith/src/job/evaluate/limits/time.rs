@@ -25,7 +25,12 @@ pub(crate) fn of_ceiling(
     }
     let (brightest, above) = above_half(&optimized.raw)?;
     let percent = significant(100.0 * above, 2);
-    let half = significant(brightest / 2.0, 3);
+    let key = job.showing().bound_key();
+    let half = match job.showing().allowed_s() {
+        Some(seconds) => seconds / 2.0,
+        None => brightest / 2.0,
+    };
+    let half = significant(half, 3);
     let is_bounded = job.bounds().max.is_some();
     let advice = if above < LITTLE {
         let or = match is_bounded {
@@ -33,11 +38,11 @@ pub(crate) fn of_ceiling(
             false => "",
         };
         format!(
-            "Only {percent} % of the light is above half of the brightest pixel: below such a ceiling the part prints about as well in half the time. Set `bounds.max` to {half}{or}."
+            "Only {percent} % of the light is above half of the brightest pixel: below such a ceiling the part prints about as well in half the time. Set `{key}` to {half}{or}."
         )
     } else if above > MUCH && is_bounded {
         format!(
-            "{percent} % of the light is above half of the largest pixel: in a longer print the part may be better. Raise `bounds.max`."
+            "{percent} % of the light is above half of the largest pixel: in a longer print the part may be better. Raise `{key}`."
         )
     } else {
         return None;
@@ -46,7 +51,7 @@ pub(crate) fn of_ceiling(
         cause: Cause::Time,
         measure: kind.name,
         loss: 0.0,
-        key: "bounds.max".to_owned(),
+        key: key.to_owned(),
         advice,
     })
 }

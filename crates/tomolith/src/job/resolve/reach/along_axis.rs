@@ -10,8 +10,8 @@
 //! **Limits** Light through the middle of an aperture, without bodies in its way.
 
 use super::field::{field_mm, is_cut_along_axis};
+use super::of_part;
 use crate::grid::Volume;
-use crate::job::resolve::compatibility::is_part;
 use crate::job::resolve::optics::Optics;
 use crate::optics::projector::Ray;
 use crate::optics::space::{SpaceTracer, TraceLimits};
@@ -202,10 +202,8 @@ impl Optics {
         let of_slice = |(iz, inside): (usize, &[f32])| {
             let z = grid.z(iz);
             let mut found = Beyond::default();
-            for (&inside, &place) in inside.iter().zip(&places) {
-                if is_part(inside, gray) {
-                    found.add(z, by_distance[place]);
-                }
+            for &place in of_part(inside, &places, nx, gray) {
+                found.add(z, by_distance[place]);
             }
             found
         };
