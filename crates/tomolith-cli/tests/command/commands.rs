@@ -187,8 +187,14 @@ fn anybodys_arrays_are_measured() {
     bench.write("bytes.npy", &doubles("2, 2", &[0.0, 255.0, 128.0, 0.0]));
     bench.done("metrics dose.npy bytes.npy");
     bench.write("none.npy", &doubles("2, 2", &[0.0; 4]));
+    bench.write("far.npy", &doubles("2, 2", &[0.2, 1e300, 0.9, 0.4]));
+    bench.write("near.npy", &doubles("2, 2", &[2e-300, 8e-300, 0.0, 0.0]));
     bench.refuse_each(
-        "$ metrics dose.npy none.npy
+        "$ metrics far.npy target.npy
+        far.npy … 1e300 (at place 1, from 0) … 3.4e38
+        $ metrics near.npy target.npy
+        near.npy … 8e-300 (at place 1, from 0) … 1e-45
+        $ metrics dose.npy none.npy
         none.npy: no voxel of the part
         $ metrics dose.npy bytes.npy --gray
         a gray value of 255
