@@ -318,6 +318,10 @@ fn calibration_frames_are_drawn_for_a_canvas_and_for_a_job() {
         "calibrate --canvas 64 48 boarder --output x",
         &["did you mean `border`?"],
     );
+    bench.refuse(
+        "calibrate --canvas 64 48 border border --output x",
+        &["`border` twice"],
+    );
     bench.refuse("calibrate --canvas 64 48 --bits 17 --output x", &["--bits"]);
     bench.refuse("calibrate --canvas 64 0 --output x", &["canvas"]);
     bench.refuse("calibrate --canvas 64 48 --output all", &["is not empty"]);

@@ -344,6 +344,10 @@ pub fn calibrate(job: &Job, names: &[&str], folder: &Path) -> Result<Vec<PathBuf
 /// # Errors
 /// As [`Calibration::draw`]; [`Error::Io`].
 pub fn draw(calibration: &Calibration, names: &[&str], folder: &Path) -> Result<Vec<PathBuf>> {
+    if let Some(twice) = (1..names.len()).find(|&i| names[..i].contains(&names[i])) {
+        let found = format!("`{}` twice", names[twice]);
+        return Err(Error::config("calibration", found, "each frame once"));
+    }
     let drawn = names
         .iter()
         .map(|name| calibration.draw(name))
