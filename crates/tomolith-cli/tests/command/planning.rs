@@ -448,6 +448,10 @@ fn a_run_is_planned_for_a_machine_and_a_resin() {
         --rpm … 400 frames a second … the device shows 60
         $ expose b --rpm 0
         --rpm
+        $ expose b --rpm 1e-300
+        time to print … s in 1 turns … at most 10000000 s
+        $ expose b --critical-dose 1e300
+        time to print … at most 10000000 s
         $ expose b --light blue
         unknown light `blue`
         $ expose job.toml
@@ -531,6 +535,10 @@ fn designs_are_analyzed() {
         $ {line} --at 1.5
         --at … found 1.5
         $ {line} --turn-deg-per-s -1
-        --turn-deg-per-s"
+        --turn-deg-per-s
+        $ {line} --dose-time-s 1e300
+        --dose-time-s … at most 10000000 s
+        $ {voxel} --dose-time-s 1e300
+        --dose-time-s … at most 10000000 s"
     ));
 }
