@@ -410,6 +410,20 @@ fn files_go_into_folders_that_exist_and_pages_are_web_pages() {
     ] {
         bench.refuse(line, &["--output", "no folder `no`"]);
     }
+    // A file in the place of a folder
+    for (line, what) in [
+        ("man job.toml", "job.toml: it cannot be made"),
+        (
+            "analyze buildup --radius-mm 8 --penetration-mm 8 --output job.toml/x",
+            "job.toml: it cannot be made",
+        ),
+        (
+            "calibrate --canvas 64 48 --output job.toml",
+            "--output: `job.toml` is no folder",
+        ),
+    ] {
+        bench.refuse(line, &[what]);
+    }
     bench.refuse("check .", &["a folder", "a job file, such as ./job.toml"]);
     bench.refuse("new gray.toml --part gratings", &["--part", "gray values"]);
     bench.refuse("new job2.json", &["FILE", "ending in .toml"]);
