@@ -184,7 +184,9 @@ impl Sweep {
 
     /// The same sweep with another folder for its results.
     #[must_use]
-    pub fn with_folder(mut self, folder: &Path) -> Self {
+    pub fn with_folder(mut self, folder: &Path, option: &str) -> Self {
+        let option = format!("{option} {}", folder.display());
+        self.document.overridden("folder", option);
         self.spec.folder = Some(folder.to_owned());
         self
     }
