@@ -176,10 +176,7 @@ fn damaged_runs_are_done_again_and_told() {
         "{:?}",
         outcome.warnings
     );
-    for part in [
-        "report.json: a report that does not say its schema",
-        "patterns.npz: truncated",
-    ] {
+    for part in ["report.json: no `schema`", "patterns.npz: truncated"] {
         let told = outcome.warnings.iter().filter(|text| text.contains(part));
         assert_eq!(told.count(), 1, "{part}: {:?}", outcome.warnings);
     }

@@ -55,7 +55,7 @@ fn meshes_and_phantoms_become_voxels() {
 
     bench.refuse_each(
         "$ phantom gaer --pitch-mm 0.1 --output a.npy
-        did you mean `gear`?
+        error: NAME: unknown kind `gaer` … did you mean `gear`?
         $ phantom gear --set tooth=4 --pitch-mm 0.1 --output a.npy
         tooth
         $ phantom gear --pitch-mm 0 --output a.npy
@@ -250,6 +250,7 @@ fn runs_are_compared_and_exported() {
         "export a --printer job.toml --output c",
         &["holds no [printer]"],
     );
+    bench.refuse("export a --printer a --output c", &["--printer: `a` is a"]);
     bench.refuse(
         "export a --printer opencol --output c",
         &["did you mean `opencal`", "(from --printer opencol)"],
@@ -265,6 +266,10 @@ fn runs_are_compared_and_exported() {
         "export toy --output of_toy",
         &["the frames of a toy of the job"],
     );
+    bench.write("toy/report.json", "{}");
+    for line in ["export toy --output c", "view toy --no-browser"] {
+        bench.refuse(line, &["toy/report.json: no `schema`"]);
+    }
     // What an export does not read changes nothing, and is refused
     for key in [
         "resin.absorption_per_mm",
@@ -425,6 +430,11 @@ fn files_go_into_folders_that_exist_and_pages_are_web_pages() {
         bench.refuse(line, &[what]);
     }
     bench.refuse("check .", &["a folder", "a job file, such as ./job.toml"]);
+    bench.refuse("sweep .", &["a folder", "a sweep file"]);
+    bench.refuse(
+        "trace job.toml --light 3 --pixel 0,0,0",
+        &["--light: there is no light 3", "lights below 1"],
+    );
     bench.refuse("new gray.toml --part gratings", &["--part", "gray values"]);
     bench.refuse("new job2.json", &["FILE", "ending in .toml"]);
     bench.refuse("kinds printer nope", &["`nope` of the table `printer`"]);
