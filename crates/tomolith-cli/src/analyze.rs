@@ -8,11 +8,13 @@ use tomolith::Result;
 use tomolith::error::{above_zero, in_range};
 use tomolith::report::number::significant;
 use tomolith::report::plot::{Axis, Plot};
+use tomolith::units::concise;
 use tomolith_planning::buildup::{TurningVial, wall_rate};
 use tomolith_planning::impulse::Post;
 use tomolith_planning::measured::csv;
+use tomolith_planning::plan::LONGEST_S;
 use tomolith_planning::quantity::{IRRADIANCE, VOLUMETRIC_DOSE};
-use tomolith_planning::voxel::Setup;
+use tomolith_planning::voxel::{FASTEST_DEG_PER_S, Setup};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -291,16 +293,17 @@ fn must_turn(given: &BuildupArguments) -> Result<()> {
     ] {
         above_zero(key, value)?;
     }
-    let (seconds, most) = (given.seconds, 1e7);
-    in_range(seconds <= most, "--seconds", seconds, "at most 10000000 s")?;
+    for (key, seconds) in [
+        ("--dose-time-s", given.dose_time_s.unwrap_or(1.0)),
+        ("--seconds", given.seconds),
+    ] {
+        let accepted = format!("at most {} s", concise(LONGEST_S));
+        in_range(seconds <= LONGEST_S, key, seconds, accepted)?;
+    }
     let (turn, phase) = (given.turn_deg_per_s, given.phase_deg);
-    let may_turn = (0.0..=36_000.0).contains(&turn);
-    in_range(
-        may_turn,
-        "--turn-deg-per-s",
-        turn,
-        "0 to 36000 degrees a second",
-    )?;
+    let may_turn = (0.0..=FASTEST_DEG_PER_S).contains(&turn);
+    let accepted = format!("0 to {} degrees a second", concise(FASTEST_DEG_PER_S));
+    in_range(may_turn, "--turn-deg-per-s", turn, accepted)?;
     let is_angle = (-360.0..=360.0).contains(&phase);
     in_range(is_angle, "--phase-deg", phase, "-360 to 360 degrees")?;
     given.at.iter().try_for_each(|&r| {

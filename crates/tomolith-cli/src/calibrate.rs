@@ -211,8 +211,7 @@ pub(crate) fn calibrate(given: &CalibrateArguments) -> Result<()> {
 fn gray(given: &GrayArguments) -> Result<()> {
     above_zero("--top", given.top)?;
     let path = &given.measured.table;
-    let table = Curve::of_pairs(&read_pairs(path, "gray value and irradiance")?)
-        .map_err(|e| in_file(e, path))?;
+    let table = points(path, ["gray value", "irradiance"])?;
     let form = match given.form {
         GrayForm::Monotone => CurveForm::Monotone,
         GrayForm::Line => CurveForm::Line,
@@ -259,6 +258,18 @@ fn gray(given: &GrayArguments) -> Result<()> {
     answer.finish(&given.measured.files, &files)
 }
 
+/// The points of a table whose columns, with these names, are no dose and response.
+fn points(path: &Path, [first, second]: [&str; 2]) -> Result<Curve> {
+    let pairs = read_pairs(path, &format!("{first} and {second}"))?;
+    Curve::of_pairs(&pairs).map_err(|mut error| {
+        // Of finite pairs, there can only be too few
+        if let Error::Config { key, .. } = &mut error {
+            *key = first.to_owned();
+        }
+        in_file(error, path)
+    })
+}
+
 /// Names the file in errors of what it holds.
 fn in_file(error: Error, path: &Path) -> Error {
     match error {
@@ -302,21 +313,12 @@ fn response(given: &ResponseArguments) -> Result<()> {
             }
             answer.set(name, json!({ "value": value, "error": error }));
         }
-        if found.errors.is_none() {
-            answer.warn("the points do not fix every parameter: there are no standard errors");
-        }
-        let errors = found.errors.iter().flatten();
-        let loose = names.into_iter().zip(values).zip(errors).skip(2);
-        let loose: Vec<_> = (loose.filter(|((_, value), error)| **error > value.abs()))
-            .map(|((name, _), _)| name)
-            .collect();
-        if !loose.is_empty() {
-            answer.warn(format!(
-                "the points do not fix {}: the standard error is larger than the value; measure more doses where the response rises{}",
-                loose.join(" and "),
-                if given.asymmetry { ", or leave out --asymmetry" } else { "" }
-            ));
-        }
+        let errors = found.errors.as_ref().map(|errors| &errors[2..]);
+        let advice = match given.asymmetry {
+            true => "more doses where the response rises, or leave out --asymmetry",
+            false => "more doses where the response rises",
+        };
+        warn_of_loose(&mut answer, &names[2..], &values[2..], errors, advice);
         answer.set("measured_rise", fit.measured_rise());
         if let Some([first, last]) = fit.measured_rise()
             && (first > PLATEAU || last < 1.0 - PLATEAU)
@@ -351,12 +353,35 @@ fn response(given: &ResponseArguments) -> Result<()> {
     answer.finish(&given.measured.files, &files)
 }
 
+/// Warns of parameters that the points do not fix: any where there are no standard errors, else those whose error is larger than the value.
+fn warn_of_loose(
+    answer: &mut Answer,
+    names: &[&str],
+    values: &[f64],
+    errors: Option<&[f64]>,
+    advice: &str,
+) {
+    let Some(errors) = errors else {
+        answer.warn("the points do not fix every parameter: there are no standard errors");
+        return;
+    };
+    let loose = names.iter().zip(values).zip(errors);
+    let loose: Vec<_> = (loose.filter(|((_, value), error)| **error > value.abs()))
+        .map(|((name, _), _)| *name)
+        .collect();
+    if !loose.is_empty() {
+        answer.warn(format!(
+            "the points do not fix {}: the standard error is larger than the value; measure {advice}",
+            loose.join(" and ")
+        ));
+    }
+}
+
 fn of_times(given: &KineticsArguments) -> Result<()> {
     let path = &given.measured.table;
     let at = given.at.as_ref();
     let at = at.map(|text| IRRADIANCE.parse("--at", text)).transpose()?;
-    let table = Curve::of_pairs(&read_pairs(path, "irradiance (mW/cm²) and time (s)")?)
-        .map_err(|e| in_file(e, path))?;
+    let table = points(path, ["irradiance (mW/cm²)", "time (s)"])?;
     let fit = kinetics::fit(&table).map_err(|e| in_file(e, path))?;
     let resin = &fit.kinetics;
     let mut answer = Answer::default();
@@ -373,6 +398,21 @@ fn of_times(given: &KineticsArguments) -> Result<()> {
     }
     answer.number("inhibitor used by", resin.inhibitor_dose(), 4, "mJ/cm²");
     answer.line("off by up to", percent(fit.worst()));
+    // That of the order is not known at an end of its range, and 0 is one of its values
+    let errors = fit
+        .errors
+        .map(|[a, b, c, _]| [a, b, c].map(Option::unwrap_or_default));
+    warn_of_loose(
+        &mut answer,
+        &[
+            "the lowest irradiance",
+            "the inhibitor that flows back",
+            "the cure",
+        ],
+        &values.map(|(_, value, _)| value)[..3],
+        errors.as_ref().map(|errors| &errors[..]),
+        "lower irradiances, at which the inhibitor takes most of the time",
+    );
     if fit.errors.is_some_and(|errors| errors[3].is_none()) {
         answer.warn(format!(
             "the order of the cure is at an end of its range, 0 to 1 ({}): the points ask for one beyond it, and its error is not known",

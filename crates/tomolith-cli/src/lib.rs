@@ -418,6 +418,10 @@ fn read_changed(file: &Path, changes: &JobChanges, output: Option<&Path>) -> Res
             Job::read(file, &set)?
         }
     };
+    if let Some(name) = &changes.device {
+        let option = format!("--device {name}");
+        job.document.overridden("resources.device", option);
+    }
     if changes.toy {
         job = job.toy();
     }

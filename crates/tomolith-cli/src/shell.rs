@@ -4,6 +4,7 @@ use crate::arguments::Arguments;
 use clap::CommandFactory;
 use clap_complete::Shell;
 use std::path::{Path, PathBuf};
+use tomolith::io::make_folder;
 use tomolith::{Error, Result};
 
 /// Prints the completions of a shell.
@@ -15,7 +16,7 @@ pub(crate) fn completions(shell: Shell) {
 
 /// Writes a manual page of every command into a folder, and says where.
 pub(crate) fn manual(folder: &Path) -> Result<()> {
-    std::fs::create_dir_all(folder).map_err(|e| Error::io(folder, e))?;
+    make_folder(folder)?;
     clap_mangen::generate_to(Arguments::command(), folder).map_err(|e| Error::io(folder, e))?;
     let first: PathBuf = folder.join("tomolith.1");
     crate::screen::say(&format!("`man {}` shows the first page", first.display()));

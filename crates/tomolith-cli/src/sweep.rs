@@ -129,7 +129,7 @@ fn planned(given: &SweepArguments, ranks: Option<&Ranks>, cancel: &Run) -> Resul
         mutter(&format!("{:>12} its jobs", "Reading"));
     }
     if let Some(folder) = &given.output {
-        sweep = sweep.with_folder(folder);
+        sweep = sweep.with_folder(folder, "--output");
     }
     let own = || available_parallelism().map_or(1, usize::from);
     let threads = given.manner.threads.map_or_else(own, usize::from);

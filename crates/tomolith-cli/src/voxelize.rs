@@ -111,7 +111,13 @@ pub(crate) fn voxelize(given: &VoxelizeArguments, run: &Run) -> Result<()> {
 /// `tomolith phantom`.
 pub(crate) fn phantom(given: &PhantomArguments, run: &Run) -> Result<()> {
     // The name is looked up first, so that a slip in it is named as such
-    Section::new("phantom", Value::String(given.name.clone())).kind(PHANTOMS)?;
+    let named = Section::new("phantom", Value::String(given.name.clone())).kind(PHANTOMS);
+    named.map_err(|mut error| {
+        if let Error::Config { key, .. } = &mut error {
+            *key = "NAME".to_owned();
+        }
+        error
+    })?;
     let mut table = Document::toml("command line", "")?;
     given
         .set

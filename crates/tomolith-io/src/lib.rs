@@ -30,6 +30,6 @@ pub mod whole;
 
 pub use tomolith_core::files::{open_regular, read_at_most, read_regular, read_text};
 pub use whole::{
-    give_up, must_be_free, must_be_new, write_folder_whole, write_text, write_whole,
+    give_up, make_folder, must_be_free, must_be_new, write_folder_whole, write_text, write_whole,
     write_whole_under,
 };

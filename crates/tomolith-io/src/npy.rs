@@ -327,9 +327,14 @@ mod tests {
         write(&Array3::from_shape_fn((2, 3, 4).f(), value));
         assert_eq!(read_patterns(&path).unwrap()[0].shown, expected);
         // Beyond f32 there is no value to be shown
-        write(&Array3::from_elem((1, 1, 1), 1e300));
-        let text = read_patterns(&path).unwrap_err().to_string();
-        assert!(text.contains("patterns holds inf"), "{text}");
+        for (value, said) in [
+            (1e300, "patterns: the number farthest from 0 is 1e300"),
+            (f64::INFINITY, "patterns holds inf"),
+        ] {
+            write(&Array3::from_elem((1, 1, 1), value));
+            let text = read_patterns(&path).unwrap_err().to_string();
+            assert!(text.contains(said), "{text}");
+        }
         write_npz(&path, "patterns", &ndarray::Array2::<i32>::zeros((1, 1)));
         let text = read_patterns(&path).unwrap_err().to_string();
         tomolith_core::contains!(

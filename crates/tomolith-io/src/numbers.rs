@@ -239,6 +239,7 @@ impl Element {
         };
         let size = self.kind.bytes();
         let mut block = vec![0u8; size * count.clamp(1, 1 << 16)];
+        let mut farthest = (0, 0.0);
         while values.len() < count {
             let now = &mut block[..size * (count - values.len()).min(1 << 16)];
             file.read_exact(now).map_err(|e| match e.kind() {
@@ -247,9 +248,29 @@ impl Element {
                 }
                 _ => format!("damaged: {e}"),
             })?;
+            if self.kind == Kind::Float(8) {
+                let doubles = now.chunks_exact(8).map(|b| f64::from_bits(self.word(b)));
+                let finite = (values.len()..).zip(doubles).filter(|(_, v)| v.is_finite());
+                farthest = finite.fold(farthest, |far, v| match v.1.abs() > f64::abs(far.1) {
+                    true => v,
+                    false => far,
+                });
+            }
             values.extend(now.chunks_exact(size).map(|bytes| value(self, bytes)));
         }
+        Self::must_fit(farthest)?;
         Ok(values)
+    }
+
+    /// Refuses numbers of which the one farthest from 0 becomes infinite as f32, or 0 and so all of them.
+    fn must_fit((place, farthest): (usize, f64)) -> Result<(), String> {
+        let as_f32 = farthest as f32;
+        match as_f32.is_finite() && (as_f32 != 0.0 || farthest == 0.0) {
+            true => Ok(()),
+            false => Err(format!(
+                "the number farthest from 0 is {farthest:e} (at place {place}, from 0): arrays are read as f32, which has 0 and ±1e-45 to ±3.4e38"
+            )),
+        }
     }
 
     /// The bits of a number.
@@ -615,6 +636,20 @@ mod tests {
         assert_eq!(half(0x7bff), 65504.0);
         assert_eq!(half(0xfc00), f32::NEG_INFINITY);
         assert!(half(0x7e00).is_nan());
+        // What is small next to the largest number may become 0
+        let doubles = |a: f64, b: f64| {
+            let data = [a.to_le_bytes(), b.to_le_bytes()].concat();
+            parse(&npy("<f8", "False", "2,", &data)).map(|found| found.values)
+        };
+        assert_eq!(doubles(1e-300, -0.5).unwrap(), [0.0, -0.5]);
+        assert_eq!(doubles(0.0, -0.0).unwrap(), [0.0, 0.0]);
+        assert!(doubles(f64::NAN, f64::INFINITY).is_ok());
+        for (a, b, found) in [
+            (0.5, -1e300, "is -1e300 (at place 1, from 0)"),
+            (9e-300, 2e-300, "is 9e-300 (at place 0, from 0)"),
+        ] {
+            tomolith_core::contains!(doubles(a, b).unwrap_err(), found, "3.4e38");
+        }
         for descr in ["<c8", "|O", "<f16", "<U4"] {
             let text = parse(&npy(descr, "False", "1,", &[0; 16])).unwrap_err();
             assert_eq!(text, format!("elements of type `{descr}`"));

@@ -49,10 +49,24 @@ impl From<Error> for Refused {
 impl Refused {
     fn at(self, path: &Path) -> Error {
         match self {
-            Refused::Io(source) => Error::io(path, source),
+            Refused::Io(source) => not_made(path, "written", &source),
             Refused::Other(error) => error,
         }
     }
+}
+
+/// What the system says of a place that cannot be made or written.
+fn not_made(path: &Path, what: &str, source: &std::io::Error) -> Error {
+    let text = format!("it cannot be {what}: {source}");
+    Error::io(path, std::io::Error::new(source.kind(), text))
+}
+
+/// Makes a folder, and those that it lies in, where they are not there.
+///
+/// # Errors
+/// [`Error::Io`] with the path.
+pub fn make_folder(path: &Path) -> Result<()> {
+    fs::create_dir_all(path).map_err(|e| not_made(path, "made", &e))
 }
 
 /// Writes a file through `write` so that `path` holds the whole of it, or what it held before.
@@ -133,9 +147,13 @@ pub fn must_be_free(option: &str, folder: &Path) -> Result<()> {
     if is_free {
         return Ok(());
     }
+    let what = match folder.is_dir() {
+        true => "is not empty",
+        false => "is no folder",
+    };
     Err(Error::config(
         option,
-        format!("`{}` is not empty", folder.display()),
+        format!("`{}` {what}", folder.display()),
         "a folder that does not exist yet, or an empty one",
     ))
 }
@@ -339,7 +357,8 @@ mod tests {
         for name in ["mine", "link"] {
             let text = must_be_new("--output", &at(name)).unwrap_err().to_string();
             assert!(text.contains("is there already"), "{text}");
-            assert!(must_be_free("--output", &at(name)).is_err());
+            let text = must_be_free("--output", &at(name)).unwrap_err().to_string();
+            assert!(text.contains("is no folder"), "{text}");
         }
         assert!(must_be_free("--output", folder.path()).is_err());
     }
@@ -360,7 +379,7 @@ mod tests {
         let path = Path::new("/nonexistent-folder/a.txt");
         let error = write_whole(path, |_| Ok(())).unwrap_err();
         assert!(
-            error.to_string().starts_with("/nonexistent-folder/a.txt: "),
+            (error.to_string()).starts_with("/nonexistent-folder/a.txt: it cannot be written: "),
             "{error}"
         );
     }

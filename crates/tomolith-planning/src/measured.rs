@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 use std::path::Path;
-use tomolith_core::error::{Error, Result};
-use tomolith_io::{must_be_free, write_folder_whole};
+use tomolith_core::error::Result;
+use tomolith_io::{make_folder, must_be_free, write_folder_whole};
 
 /// A table as text; what is not a number is an empty cell.
 #[must_use]
@@ -30,11 +30,12 @@ pub fn csv(names: &[&str], rows: &[Vec<f64>]) -> String {
 /// Writes texts as files of a new folder, all of them or none.
 ///
 /// # Errors
-/// [`Error::Config`] (key `--output`) where the folder holds anything; [`Error::Io`].
+/// [`Error::Config`](tomolith_core::Error::Config) (key `--output`) where the folder holds anything;
+/// [`Error::Io`](tomolith_core::Error::Io).
 pub fn write_folder(folder: &Path, files: &[(&str, String)]) -> Result<()> {
     must_be_free("--output", folder)?;
     if let Some(parent) = folder.parent() {
-        std::fs::create_dir_all(parent).map_err(|e| Error::io(parent, e))?;
+        make_folder(parent)?;
     }
     write_folder_whole(folder, |aside| {
         for (name, text) in files {

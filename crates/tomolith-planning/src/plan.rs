@@ -43,6 +43,9 @@ pub struct Machine {
     pub within_s: Option<f64>,
 }
 
+/// The longest print and the longest curing time, s: a third of a year, beyond which a number or its unit is a slip.
+pub const LONGEST_S: f64 = 1e7;
+
 /// A window of exposures in %, and the best one.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Window {
@@ -90,8 +93,8 @@ impl ExposurePlan {
     /// `critical` mJ/mm³ in fact.
     ///
     /// # Errors
-    /// [`Error::Config`] for frames without times, a time that does not do (with the share of the dose that it gives), turns that are no whole passes, and frames
-    /// faster than the device.
+    /// [`Error::Config`] for frames without times, a time that does not do (with the share of the dose that it gives) or is beyond [`LONGEST_S`], turns that are no
+    /// whole passes, and frames faster than the device.
     pub fn new(
         shown: &ShownFrames,
         machine: &Machine,
@@ -141,6 +144,18 @@ impl ExposurePlan {
         let pass_s = arc * 60.0 / rpm;
         let time_s = passes * pass_s;
         let duty = continuous_s / time_s;
+        if time_s > LONGEST_S || time_s.is_nan() {
+            let found = format!(
+                "{} s in {} turns at {} a minute, with {} mW/cm² and a critical dose of {} mJ/mm³",
+                concise(time_s),
+                concise(turns),
+                concise(rpm),
+                concise(machine.irradiance),
+                concise(critical)
+            );
+            let accepted = format!("at most {} s", concise(LONGEST_S));
+            return Err(Error::config("time to print", found, accepted));
+        }
         must_end_in_time(
             machine,
             [turns, time_s],

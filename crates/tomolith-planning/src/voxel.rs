@@ -18,8 +18,10 @@
 //! assert!(setup.corrected(radius).step_mm >= size.step_mm - 1e-12);
 //! ```
 
+use crate::plan::LONGEST_S;
 use serde::Serialize;
-use tomolith_core::error::{Result, above_zero};
+use tomolith_core::error::{Result, above_zero, in_range};
+use tomolith_core::units::concise;
 
 /// A printer with its resin.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,20 +61,34 @@ impl Size {
     }
 }
 
+/// The fastest stage, degrees a second: a hundred turns.
+pub const FASTEST_DEG_PER_S: f64 = 36_000.0;
+
 impl Setup {
     /// Checks every number.
     ///
     /// # Errors
-    /// [`Error::Config`](tomolith_core::Error::Config) with the option that is not above 0.
+    /// [`Error::Config`](tomolith_core::Error::Config) with the option that is out of range.
     pub fn check(&self) -> Result<()> {
         for (key, value) in [
             ("--pixels", self.pixels),
             ("--fps", self.fps),
-            ("--dose-time-s", self.dose_time_s),
             ("--penetration-mm", self.penetration_mm),
-            ("--turn-deg-per-s", self.turn_deg_per_s.unwrap_or(1.0)),
         ] {
             above_zero(key, value)?;
+        }
+        let turn = self.turn_deg_per_s.unwrap_or(1.0);
+        for (key, value, most, unit) in [
+            ("--dose-time-s", self.dose_time_s, LONGEST_S, "s"),
+            (
+                "--turn-deg-per-s",
+                turn,
+                FASTEST_DEG_PER_S,
+                "degrees a second",
+            ),
+        ] {
+            let accepted = format!("above 0, at most {} {unit}", concise(most));
+            in_range(value > 0.0 && value <= most, key, value, accepted)?;
         }
         Ok(())
     }

@@ -25,7 +25,7 @@ pub(crate) fn sweep(
     let outcome = beside_telling(py, (progress, cancel), |told, cancel| {
         let mut sweep = Sweep::read(&file)?;
         if let Some(folder) = &folder {
-            sweep = sweep.with_folder(folder);
+            sweep = sweep.with_folder(folder, "folder");
         }
         run(&sweep.plan(threads, cancel)?, None, told, cancel)
     })?;

@@ -27,7 +27,7 @@ pub fn read(folder: &Path) -> Result<Value> {
     match report["schema"].as_str() {
         Some(super::SCHEMA) => Ok(report),
         Some(other) => Err(refused(format!("a report of the schema {other}"))),
-        None => Err(refused("a report that does not say its schema".to_owned())),
+        None => Err(refused("no `schema`".to_owned())),
     }
 }
 

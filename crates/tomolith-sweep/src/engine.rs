@@ -18,7 +18,7 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 use tomolith::io::npy::must_be_whole;
-use tomolith::io::write_text;
+use tomolith::io::{make_folder, write_text};
 use tomolith::job::{self, Document, Job, Leaves, RunCache, RunFolder, Silent, folder::TAKEN};
 use tomolith::kind::table_of;
 use tomolith::models::Run;
@@ -267,7 +267,7 @@ fn begin(plan: &SweepPlan) -> Result<()> {
     let folder = plan.folder();
     let runs = folder.join(RUNS);
     plan.sweep.own(&folder)?;
-    fs::create_dir_all(&runs).map_err(|e| Error::io(&runs, e))
+    make_folder(&runs)
 }
 
 /// Collects what is there, runs of other folders of the same sweep first, and writes table, pictures and best job.

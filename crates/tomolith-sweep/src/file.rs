@@ -58,6 +58,10 @@ impl Sweep {
         file: &Path,
         adapt: &dyn Fn(&mut SweepSpec) -> Result<()>,
     ) -> Result<Self> {
+        if file.is_dir() {
+            let accepted = "a sweep file in TOML or JSON";
+            return Err(Error::format(file, "a folder", accepted));
+        }
         let document = Document::read(file)?;
         let read = || {
             let root = document.root.as_object().cloned().unwrap_or_default();
@@ -182,9 +186,11 @@ impl Sweep {
         })
     }
 
-    /// The same sweep with another folder for its results.
+    /// The same sweep with another folder for its results, named by an option of the command line.
     #[must_use]
-    pub fn with_folder(mut self, folder: &Path) -> Self {
+    pub fn with_folder(mut self, folder: &Path, option: &str) -> Self {
+        let option = format!("{option} {}", folder.display());
+        self.document.overridden("folder", option);
         self.spec.folder = Some(folder.to_owned());
         self
     }

@@ -5,7 +5,7 @@ use crate::file::Sweep;
 use serde_json::Value;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
-use tomolith::io::{read_text, write_text};
+use tomolith::io::{make_folder, read_text, write_text};
 use tomolith::job::resources::memory_budget_mb;
 use tomolith::job::{self, Job, RunFolder, Silent};
 use tomolith::models::Run;
@@ -184,7 +184,7 @@ impl Sweep {
                 .document
                 .locate(Error::config("folder", found, accepted)));
         }
-        std::fs::create_dir_all(folder).map_err(|e| Error::io(folder, e))?;
+        make_folder(folder)?;
         let file = &self.document.file;
         let file = std::path::absolute(file).unwrap_or_else(|_| file.clone());
         let text = serde_json::json!({ "sweep": file }).to_string();

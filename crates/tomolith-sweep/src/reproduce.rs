@@ -17,7 +17,7 @@ use std::collections::BTreeMap;
 use std::fmt::{self, Write as _};
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
-use tomolith::io::{read_text, write_text, write_whole};
+use tomolith::io::{make_folder, read_text, write_text, write_whole};
 use tomolith::models::Run;
 use tomolith::report::number::significant;
 use tomolith::units::{counted, duration};
@@ -273,7 +273,7 @@ pub fn reproduce(
 ) -> Result<Reproduction> {
     let mut results = plans(study, output, threads, host, cancel)?;
     host.begins(&costs(study, &results, cancel)?);
-    std::fs::create_dir_all(output).map_err(|e| Error::io(output, e))?;
+    make_folder(output)?;
     let owner = serde_json::json!({ "study": study.folder }).to_string();
     write_text(&output.join(OWNER), &owner)?;
     let mut figures = Vec::new();

@@ -379,7 +379,7 @@ impl Study {
             (_, Some(file)) => Sweep::of_job(&self.folder.join(file), &adapt)?,
             _ => return Ok(None),
         };
-        Ok(Some(sweep.with_folder(&output.join(name))))
+        Ok(Some(sweep.with_folder(&output.join(name), "reproduce")))
     }
 
     /// An error about a key that the study sets, at its place in the study.

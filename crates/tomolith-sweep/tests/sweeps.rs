@@ -68,7 +68,8 @@ impl Bench {
     /// The runs of a sweep file whose results go into a folder.
     fn planned(&self, file: &str, folder: &str) -> Result<SweepPlan> {
         let sweep = Sweep::read(&self.path(file))?;
-        sweep.with_folder(&self.path(folder)).plan(2, &Run::new())
+        let sweep = sweep.with_folder(&self.path(folder), "--output");
+        sweep.plan(2, &Run::new())
     }
 
     fn plan(&self, folder: &str) -> SweepPlan {
@@ -175,10 +176,7 @@ fn damaged_runs_are_done_again_and_told() {
         "{:?}",
         outcome.warnings
     );
-    for part in [
-        "report.json: a report that does not say its schema",
-        "patterns.npz: truncated",
-    ] {
+    for part in ["report.json: no `schema`", "patterns.npz: truncated"] {
         let told = outcome.warnings.iter().filter(|text| text.contains(part));
         assert_eq!(told.count(), 1, "{part}: {:?}", outcome.warnings);
     }
@@ -815,8 +813,9 @@ fn a_folder_of_a_run_that_is_taken_is_blamed_and_no_axis() {
     fs::write(&folder, "mine").unwrap();
     let message = bench.refused("sweep.toml", "out");
     let start = format!(
-        "folder: `{}` is no folder; accepted: for a run a new",
-        folder.display()
+        "folder: `{}` is no folder (from --output {}); accepted: for a run a new",
+        folder.display(),
+        bench.path("out").display()
     );
     assert!(message.starts_with(&start), "{message}");
     fs::create_dir(bench.path("other")).unwrap();

@@ -55,7 +55,7 @@ fn meshes_and_phantoms_become_voxels() {
 
     bench.refuse_each(
         "$ phantom gaer --pitch-mm 0.1 --output a.npy
-        did you mean `gear`?
+        error: NAME: unknown kind `gaer` … did you mean `gear`?
         $ phantom gear --set tooth=4 --pitch-mm 0.1 --output a.npy
         tooth
         $ phantom gear --pitch-mm 0 --output a.npy
@@ -187,8 +187,14 @@ fn anybodys_arrays_are_measured() {
     bench.write("bytes.npy", &doubles("2, 2", &[0.0, 255.0, 128.0, 0.0]));
     bench.done("metrics dose.npy bytes.npy");
     bench.write("none.npy", &doubles("2, 2", &[0.0; 4]));
+    bench.write("far.npy", &doubles("2, 2", &[0.2, 1e300, 0.9, 0.4]));
+    bench.write("near.npy", &doubles("2, 2", &[2e-300, 8e-300, 0.0, 0.0]));
     bench.refuse_each(
-        "$ metrics dose.npy none.npy
+        "$ metrics far.npy target.npy
+        far.npy … 1e300 (at place 1, from 0) … 3.4e38
+        $ metrics near.npy target.npy
+        near.npy … 8e-300 (at place 1, from 0) … 1e-45
+        $ metrics dose.npy none.npy
         none.npy: no voxel of the part
         $ metrics dose.npy bytes.npy --gray
         a gray value of 255
@@ -244,6 +250,7 @@ fn runs_are_compared_and_exported() {
         "export a --printer job.toml --output c",
         &["holds no [printer]"],
     );
+    bench.refuse("export a --printer a --output c", &["--printer: `a` is a"]);
     bench.refuse(
         "export a --printer opencol --output c",
         &["did you mean `opencal`", "(from --printer opencol)"],
@@ -259,6 +266,10 @@ fn runs_are_compared_and_exported() {
         "export toy --output of_toy",
         &["the frames of a toy of the job"],
     );
+    bench.write("toy/report.json", "{}");
+    for line in ["export toy --output c", "view toy --no-browser"] {
+        bench.refuse(line, &["toy/report.json: no `schema`"]);
+    }
     // What an export does not read changes nothing, and is refused
     for key in [
         "resin.absorption_per_mm",
@@ -311,6 +322,10 @@ fn calibration_frames_are_drawn_for_a_canvas_and_for_a_job() {
     bench.refuse(
         "calibrate --canvas 64 48 boarder --output x",
         &["did you mean `border`?"],
+    );
+    bench.refuse(
+        "calibrate --canvas 64 48 border border --output x",
+        &["`border` twice"],
     );
     bench.refuse("calibrate --canvas 64 48 --bits 17 --output x", &["--bits"]);
     bench.refuse("calibrate --canvas 64 0 --output x", &["canvas"]);
@@ -400,7 +415,26 @@ fn files_go_into_folders_that_exist_and_pages_are_web_pages() {
     ] {
         bench.refuse(line, &["--output", "no folder `no`"]);
     }
+    // A file in the place of a folder
+    for (line, what) in [
+        ("man job.toml", "job.toml: it cannot be made"),
+        (
+            "analyze buildup --radius-mm 8 --penetration-mm 8 --output job.toml/x",
+            "job.toml: it cannot be made",
+        ),
+        (
+            "calibrate --canvas 64 48 --output job.toml",
+            "--output: `job.toml` is no folder",
+        ),
+    ] {
+        bench.refuse(line, &[what]);
+    }
     bench.refuse("check .", &["a folder", "a job file, such as ./job.toml"]);
+    bench.refuse("sweep .", &["a folder", "a sweep file"]);
+    bench.refuse(
+        "trace job.toml --light 3 --pixel 0,0,0",
+        &["--light: there is no light 3", "lights below 1"],
+    );
     bench.refuse("new gray.toml --part gratings", &["--part", "gray values"]);
     bench.refuse("new job2.json", &["FILE", "ending in .toml"]);
     bench.refuse("kinds printer nope", &["`nope` of the table `printer`"]);

@@ -47,7 +47,7 @@ fn a_card_that_is_not_there_is_refused_with_what_there_is() {
             "gpu:no such card",
             "graphics card gpu:no such card: no such graphics card; this machine shows",
         ),
-        ("tpu", "resources.device: found \"tpu\""),
+        ("tpu", "resources.device: found \"tpu\" (from --device tpu)"),
         ("gpu:", "resources.device: found \"gpu:\""),
     ] {
         let line = run("01-gear", device, "run", "");

@@ -46,6 +46,8 @@ fn a_gray_curve_goes_from_the_power_meter_to_the_job() {
     // Falling is told before the missing top
     bench.write("low.csv", "10,3\n30,2\n");
     bench.write("short.csv", "0,0\n200,3\n");
+    bench.write("below.csv", "-20,-1\n128,3\n255,4\n");
+    bench.write("one.csv", "128,3\n128,4\n");
     bench.write("words.csv", "gray,irradiance\n0,zero\n");
     bench.refuse_each(&format!(
         "$ calibrate gray {visible} --form quadratic
@@ -56,6 +58,10 @@ fn a_gray_curve_goes_from_the_power_meter_to_the_job() {
         a negative irradiance … from gray 128.00 to 255.00
         $ calibrate gray low.csv
         falls from 3 to 2
+        $ calibrate gray below.csv
+        gray values from -20 to 255
+        $ calibrate gray one.csv
+        one.csv: gray value: found 1 different number
         $ calibrate gray short.csv
         --top … gray values from 0 to 200
         $ calibrate gray words.csv
@@ -145,9 +151,18 @@ fn kinetics_fit_curing_times_and_say_when_light_never_cures() {
             .read("fit/kinetics.csv")
             .starts_with("irradiance_mw_per_cm2,time_s")
     );
+    let warnings = found["warnings"].to_string();
+    assert!(!warnings.contains("do not fix"), "{found}");
+    bench.write("flat.csv", "1,50\n2,50\n4,50\n8,50\n");
+    let flat = bench.json("calibrate kinetics flat.csv");
+    let expected = "do not fix the lowest irradiance and the inhibitor that flows back";
+    assert!(flat["warnings"].to_string().contains(expected), "{flat}");
     bench.write("three.csv", "1,3\n2,2\n3,1\n");
+    bench.write("one.csv", "1,3\n1,2\n");
     bench.refuse_each(&format!(
-        "$ calibrate kinetics {balls} --at 5
+        "$ calibrate kinetics one.csv
+        one.csv: irradiance (mW/cm²): found 1 different number
+        $ calibrate kinetics {balls} --at 5
         --at … never cures … % of its inhibitor at most
         $ calibrate kinetics {balls} --at 20~mJ/cm2
         a dose per area … an irradiance is meant
@@ -433,6 +448,10 @@ fn a_run_is_planned_for_a_machine_and_a_resin() {
         --rpm … 400 frames a second … the device shows 60
         $ expose b --rpm 0
         --rpm
+        $ expose b --rpm 1e-300
+        time to print … s in 1 turns … at most 10000000 s
+        $ expose b --critical-dose 1e300
+        time to print … at most 10000000 s
         $ expose b --light blue
         unknown light `blue`
         $ expose job.toml
@@ -516,6 +535,10 @@ fn designs_are_analyzed() {
         $ {line} --at 1.5
         --at … found 1.5
         $ {line} --turn-deg-per-s -1
-        --turn-deg-per-s"
+        --turn-deg-per-s
+        $ {line} --dose-time-s 1e300
+        --dose-time-s … at most 10000000 s
+        $ {voxel} --dose-time-s 1e300
+        --dose-time-s … at most 10000000 s"
     ));
 }

@@ -111,6 +111,9 @@ fn slips_are_refused_with_their_place_and_nothing_is_written() {
         &["no finished run has the number that ranks and meets best.where"],
     );
     assert!(bench.path("out/table.csv").is_file() && !bench.path("out/best.toml").exists());
+    let parts = ["folder: `out` holds the sweep", "(from --output out)"];
+    let said = bench.says(2, "sweep sweep.toml --output out", &parts);
+    assert!(!said.contains("sweep.toml:1:"), "{said}");
 }
 
 #[cfg(not(feature = "mpi"))]

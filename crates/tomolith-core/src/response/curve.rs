@@ -69,8 +69,8 @@ impl Curve {
         if curve.doses.len() < 2 {
             return Err(Error::refused(
                 "dose",
-                counted(curve.doses.len(), "different dose"),
-                "at least two",
+                counted(curve.doses.len(), "different number"),
+                "at least two different ones",
             ));
         }
         Ok(curve)

@@ -29,9 +29,9 @@ tomolith_core::keys! {
 }
 
 fn build(section: &Section) -> Result<Form> {
+    within(section, "cells", 1..=1000)?;
     let p: Params = section.parse()?;
     positive!(section, p, size_mm, height_mm);
-    within(section, "cells", p.cells, 1..=1000)?;
     let (edge, half) = (p.size_mm.0 / 2.0, p.height_mm.0 / 2.0);
     let cell = p.size_mm.0 / f64::from(p.cells);
     let solid = f64::from((p.cells * p.cells).div_ceil(2));

@@ -36,9 +36,9 @@ const NECK_LENGTH: f64 = 9.53 / 63.5;
 const FILLET: f64 = 12.7 / 63.5;
 
 fn build(section: &Section) -> Result<Form> {
+    within(section, "count", 1..=100)?;
     let p: Params = section.parse()?;
     positive!(section, p, size_mm, height_mm);
-    within(section, "count", p.count, 1..=100)?;
     let (length, half) = (p.size_mm.0, p.height_mm.0 / 2.0);
     let pitch = 2.0 * GRIP * length;
     let first = -pitch * f64::from(p.count - 1) / 2.0;

@@ -7,6 +7,7 @@
 use super::wheel::Wheel;
 use super::{BuildForm, Form, positive, refused, rims, within};
 use std::f64::consts::PI;
+use std::ops::RangeInclusive;
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::{Mm, concise};
@@ -34,9 +35,10 @@ tomolith_core::keys! {
 }
 
 fn build(section: &Section) -> Result<Form> {
+    within(section, "teeth", TEETH)?;
     let p: Params = section.parse()?;
     positive!(section, p, size_mm, height_mm);
-    let wheel = spur_gear(section, p.size_mm, p.teeth)?;
+    let wheel = spur_gear(p.size_mm, p.teeth);
     let tip = wheel.tip;
     let bore = p.bore_mm.0 / 2.0;
     if !(bore >= 0.0 && bore < wheel.root) {
@@ -65,17 +67,19 @@ fn build(section: &Section) -> Result<Form> {
     ))
 }
 
+/// How many teeth a gear may have.
+pub(super) const TEETH: RangeInclusive<u64> = 4..=500;
+
 /// The outline of a gear `size_mm` wide over the tips.
-pub(super) fn spur_gear(section: &Section, size: Mm, teeth: u32) -> Result<Wheel> {
-    within(section, "teeth", teeth, 4..=500)?;
+pub(super) fn spur_gear(size: Mm, teeth: u32) -> Wheel {
     let tip = size.0 / 2.0;
     let module = size.0 / f64::from(teeth + 2);
     let half_pitch = PI / f64::from(teeth);
-    Ok(Wheel {
+    Wheel {
         count: teeth,
         root: tip - 2.25 * module,
         tip,
         root_angle: 0.72 * half_pitch,
         tip_angle: 0.28 * half_pitch,
-    })
+    }
 }

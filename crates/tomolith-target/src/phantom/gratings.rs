@@ -36,9 +36,9 @@ tomolith_core::keys! {
 }
 
 fn build(section: &Section) -> Result<Form> {
+    within(section, "periods", 1..=1000)?;
     let p: Params = section.parse()?;
     positive!(section, p, size_mm, height_mm);
-    within(section, "periods", p.periods, 1..=1000)?;
     if !(p.gap_mm.0 >= 0.0 && p.gap_mm < p.size_mm) {
         let accepted = "0, or a length below `size_mm`";
         return refused(section, "gap_mm", p.gap_mm, accepted);

@@ -15,8 +15,8 @@
 //! assert!((middle[0] - 0.5).abs() < 1e-6 && middle[2] == 0.0); // a floor of 0.5 mm, and nothing above it
 //! ```
 
-use super::gear::spur_gear;
-use super::{Body, BuildForm, Form, Prism, positive, refused, rims};
+use super::gear::{TEETH, spur_gear};
+use super::{Body, BuildForm, Form, Prism, positive, refused, rims, within};
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::{Mm, concise};
@@ -46,9 +46,10 @@ tomolith_core::keys! {
 }
 
 fn build(section: &Section) -> Result<Form> {
+    within(section, "teeth", TEETH)?;
     let p: Params = section.parse()?;
     positive!(section, p, size_mm, height_mm, wall_mm);
-    let wheel = spur_gear(section, p.size_mm, p.teeth)?;
+    let wheel = spur_gear(p.size_mm, p.teeth);
     if p.wall_mm.0 >= wheel.root {
         let accepted = format!(
             "less than the root circle's radius, {} mm",

@@ -25,6 +25,7 @@ mod wheel;
 
 use super::Shape;
 use super::placing::{Map, Placement, bounds};
+use serde_json::Value;
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 use tomolith_core::error::{Error, Result};
@@ -216,13 +217,16 @@ fn refused<T>(
     Err(Error::config(key, found.to_string(), accepted).under(&section.path))
 }
 
-/// Refuses a number of things that is out of range.
-fn within(section: &Section, key: &str, count: u32, range: RangeInclusive<u32>) -> Result<()> {
-    if range.contains(&count) {
-        return Ok(());
+/// Refuses a number of things that is out of range or none, before its type is looked at: the message has one range.
+fn within(section: &Section, key: &str, range: RangeInclusive<u64>) -> Result<()> {
+    let is_in = |value: &Value| value.as_u64().is_some_and(|count| range.contains(&count));
+    match section.value.get(key).filter(|value| !is_in(value)) {
+        None => Ok(()),
+        Some(value) => {
+            let accepted = format!("a whole number from {} to {}", range.start(), range.end());
+            refused(section, key, value, accepted)
+        }
     }
-    let accepted = format!("a number from {} to {}", range.start(), range.end());
-    refused(section, key, count, accepted)
 }
 
 /// Refuses lengths of parameters `p` that are not positive.
@@ -359,6 +363,7 @@ mod tests {
         };
         for (kind, key, value) in [
             ("gear", "teeth", json!(2)),
+            ("gear", "teeth", json!(-1)),
             ("gear", "bore_mm", json!(9.0)),
             ("sphere", "size_mm", json!(-1)),
             ("sphere", "radius", json!(1)),
@@ -375,6 +380,8 @@ mod tests {
             let text = refused(json!({ kind: { key: value } }));
             let place = format!("target.phantom.{kind}.{key}");
             assert!(text.starts_with(&place), "{text}");
+            // Each number of things has one range, whatever is wrong with it
+            assert_eq!(text.contains("4 to 500"), key == "teeth", "{text}");
         }
         let text = refused(json!("gaer"));
         assert!(text.starts_with("target.phantom.gaer: unknown kind `gaer`"));

@@ -33,9 +33,9 @@ tomolith_core::keys! {
 }
 
 fn build(section: &Section) -> Result<Form> {
+    within(section, "spokes", 2..=500)?;
     let p: Params = section.parse()?;
     positive!(section, p, size_mm, height_mm, hub_mm);
-    within(section, "spokes", p.spokes, 2..=500)?;
     if p.hub_mm >= p.size_mm {
         let found = format!("{} in a star of {}", p.hub_mm, p.size_mm);
         return refused(section, "hub_mm", found, "a diameter below `size_mm`");

@@ -40,9 +40,9 @@ pub(super) struct Waves {
 
 /// A cube of the wall that these waves make.
 pub(super) fn build(section: &Section, waves: &'static Waves) -> Result<Form> {
+    within(section, "cells", 1..=100)?;
     let p: Params = section.parse()?;
     positive!(section, p, size_mm);
-    within(section, "cells", p.cells, 1..=100)?;
     let period = p.size_mm.0 / f64::from(p.cells);
     let thickest = waves.thickest * period;
     let wall = p.wall_mm.map_or(thickest, |mm| mm.0);

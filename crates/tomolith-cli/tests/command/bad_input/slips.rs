@@ -82,15 +82,15 @@ resin.absorption_per_mm … a finite number
 
 - absorption_per_mm = 0.05
 + absorption_per_mm = -0.05
-resin.absorption_per_mm … found -0.05
+resin.absorption_per_mm … found -0.05 … 1e-9 to 100 per mm
 
 - absorption_per_mm = 0.05
 + absorption_per_mm = 0
-resin.absorption_per_mm … found 0 … pure_radon
+resin.absorption_per_mm … found 0 … 1e-9 to 100 per mm … pure_radon
 
 - absorption_per_mm = 0.05
 + absorption_per_mm = 1e-30
-resin.absorption_per_mm … found 1e-30 … at least 1e-9 per mm
+resin.absorption_per_mm … found 1e-30 … 1e-9 to 100 per mm
 
 - refractive_index = 1.5
 + refractive_index = 0.5
@@ -214,6 +214,10 @@ response.logistic.steepness … at most 1e6
 + [bounds]
 + min = 1e30
 bounds.min … 0 to 1e9 mJ/mm²
+
++ [bounds]
++ max = -1
+bounds.max … more than bounds.min = 0, up to 1e9 mJ/mm²
 
 + [bounds]
 + max = 1e30

@@ -79,8 +79,12 @@ pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, 
     let model = rays(&resolved).map_err(|e| job.locate(e))?;
     let lights = &resolved.optics.lights;
     for pixel in pixels {
-        let grid = lights.get(pixel.light).map(|light| &light.pixels);
-        let shape = grid.map_or([0; 3], |grid| grid.shape());
+        let Some(light) = lights.get(pixel.light) else {
+            let found = format!("there is no light {}", pixel.light);
+            let accepted = format!("lights below {}", lights.len());
+            return Err(Error::config("--light", found, accepted));
+        };
+        let shape = light.pixels.shape();
         let inside = pixel.frame < shape[0] && pixel.row < shape[1] && pixel.column < shape[2];
         if !inside {
             return Err(Error::config(
@@ -89,13 +93,10 @@ pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, 
                     "there is no frame {}, column {}, row {} of light {}",
                     pixel.frame, pixel.column, pixel.row, pixel.light
                 ),
-                match grid {
-                    Some(_) => format!(
-                        "frames below {}, columns below {}, rows below {}",
-                        shape[0], shape[2], shape[1]
-                    ),
-                    None => format!("lights below {}", lights.len()),
-                },
+                format!(
+                    "frames below {}, columns below {}, rows below {}",
+                    shape[0], shape[2], shape[1]
+                ),
             ));
         }
     }

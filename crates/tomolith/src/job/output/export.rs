@@ -15,6 +15,7 @@ use crate::job::resolve::resources::require;
 use crate::job::resolve::{ResolvedJob, machine};
 use crate::job::spec::document::{Document, is_within};
 use crate::job::spec::file_names::of_lights;
+use crate::job::spec::profiles::PROFILES;
 use crate::job::spec::read::Job;
 use crate::kind::Section;
 use crate::models::{DoseModel, Family, Run, matrix, planner};
@@ -98,6 +99,13 @@ pub fn job_of_run(run: &Path, printer: Option<&Path>, overrides: &[String]) -> R
         ));
     }
     let mut document = Document::read(&file)?;
+    let has_profile = |folder: &Path| PROFILES.iter().any(|own| folder == Path::new(own.name));
+    if let Some(folder) = printer.filter(|path| path.is_dir() && !has_profile(path)) {
+        let found = format!("`{}` is a folder", folder.display());
+        let accepted =
+            "a machine by name (`tomolith profiles`), or a TOML file with a table [printer]";
+        return Err(Error::config("--printer", found, accepted));
+    }
     let is_name = |name: &&Path| name.extension().is_none() && !name.is_file();
     let profile = printer.filter(is_name).and_then(Path::to_str);
     if let (Some(name), Value::Object(root)) = (profile, &mut document.root) {
@@ -223,9 +231,12 @@ fn rounded_anew(run: &Path, bits: u32) -> Option<String> {
 /// The dose at which the run's print is solid, from its report; says where nothing of it ever is.
 fn gel_dose(job: &Job, run: &Path, progress: &mut dyn Progress) -> Result<Option<f64>> {
     let path = run.join("report.json");
-    let text = read_text(&path).unwrap_or_else(|_| "null".to_owned());
+    let text = read_text(&path)?;
     let report: Value = serde_json::from_str(&text)
         .map_err(|e| Error::format(&path, e.to_string(), "the report of a run"))?;
+    if !report["schema"].is_string() {
+        return Err(Error::format(&path, "no `schema`", "the report of a run"));
+    }
     for (is_so, text) in [
         (
             report["is_toy"] == true,
@@ -344,6 +355,10 @@ pub fn calibrate(job: &Job, names: &[&str], folder: &Path) -> Result<Vec<PathBuf
 /// # Errors
 /// As [`Calibration::draw`]; [`Error::Io`].
 pub fn draw(calibration: &Calibration, names: &[&str], folder: &Path) -> Result<Vec<PathBuf>> {
+    if let Some(twice) = (1..names.len()).find(|&i| names[..i].contains(&names[i])) {
+        let found = format!("`{}` twice", names[twice]);
+        return Err(Error::config("calibration", found, "each frame once"));
+    }
     let drawn = names
         .iter()
         .map(|name| calibration.draw(name))

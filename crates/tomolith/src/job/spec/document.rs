@@ -235,7 +235,7 @@ impl Document {
     }
 
     /// Remembers that a key comes from an option of the command line: what the file says there is no longer at fault.
-    pub(crate) fn overridden(&mut self, path: &str, option: String) {
+    pub fn overridden(&mut self, path: &str, option: String) {
         self.places.retain(|key, _| !is_within(key, path));
         self.overrides.retain(|key, _| !is_within(key, path));
         self.overrides.insert(path.to_owned(), option);

@@ -72,7 +72,7 @@ tomolith_core::keys! {
     pub struct LightResinSpec {
         /// Refractive index, 1 to 4.
         pub refractive_index: Option<f64>,
-        /// Napierian absorption of the active species, 1/mm, > 0.
+        /// Napierian absorption of the active species, 1e-9 to 100 per mm.
         pub absorption_per_mm: Option<f64>,
         /// Napierian attenuation by everything, 1/mm; absorption + scattering of this light where one of these is given and this is not.
         pub attenuation_per_mm: Option<f64>,

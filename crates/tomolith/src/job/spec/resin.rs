@@ -13,7 +13,7 @@ tomolith_core::keys! {
     pub struct ResinSpec {
         /// Refractive index, 1 to 4.
         pub refractive_index: f64 = 1.5,
-        /// Napierian absorption of the active species, 1/mm, > 0: what makes dose. Required, except with `pure_radon`, which does not use it.
+        /// Napierian absorption of the active species, 1e-9 to 100 per mm: what makes dose. Required, except with `pure_radon`, which does not use it.
         pub absorption_per_mm: Option<f64>,
         /// Total Napierian attenuation, 1/mm; absorption + scattering when left out.
         pub attenuation_per_mm: Option<f64>,

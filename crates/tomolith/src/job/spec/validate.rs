@@ -188,25 +188,18 @@ fn resin(resin: &ResinSpec) -> Result<()> {
 
 fn absorption(resin: &ResinSpec) -> Result<()> {
     let key = "resin.absorption_per_mm";
-    let accepted = "a number > 0 in 1/mm, or resin.pure_radon = true for the plain sum of fluence";
+    let range = LEAST_ABSORPTION..=MOST_ABSORPTION;
+    let accepted = format!(
+        "{LEAST_ABSORPTION:e} to {MOST_ABSORPTION} per mm, or resin.pure_radon = true for the plain sum of fluence"
+    );
     match resin.absorption_per_mm {
-        None if resin.pure_radon => Ok(()),
+        None | Some(0.0) if resin.pure_radon => Ok(()),
         None => Err(Error::config(key, "the key is missing", accepted)),
-        Some(0.0) if !resin.pure_radon => {
+        Some(0.0) => {
             let found = "found 0: a resin that absorbs nothing gets no dose";
             Err(Error::config(key, found, accepted))
         }
-        Some(absorption) if 0.0 < absorption && absorption < LEAST_ABSORPTION => {
-            let accepted = format!(
-                "at least {LEAST_ABSORPTION:e} per mm, or resin.pure_radon = true for the plain sum of fluence"
-            );
-            Err(Error::refused(key, exact(absorption), accepted))
-        }
-        Some(absorption) if absorption > MOST_ABSORPTION => {
-            let accepted = format!("at most {MOST_ABSORPTION} per mm: light must reach the part");
-            Err(Error::refused(key, exact(absorption), accepted))
-        }
-        Some(absorption) => not_negative(key, absorption, "1/mm"),
+        Some(absorption) => in_range(range.contains(&absorption), key, absorption, accepted),
     }
 }
 
@@ -529,7 +522,6 @@ fn within(key: &str, value: f64, range: RangeInclusive<f64>, what: &str) -> Resu
 
 /// The largest value of pixels, which some room must lie below.
 fn above(key: &str, value: f64, least_key: &str, least: f64) -> Result<()> {
-    positive(key, value, "mJ/mm²")?;
     let accepted = format!("more than {least_key} = {least}, up to {MOST_LIGHT:e} mJ/mm²");
     in_range(value > least && value <= MOST_LIGHT, key, value, accepted)
 }
