@@ -121,9 +121,10 @@ fn cards() -> String {
     let names: Vec<&str> = (all.iter().filter(|card| !card.is_software))
         .map(|card| card.name.as_str())
         .collect();
-    match names.is_empty() {
-        true => "none with Vulkan, Metal or DX12".to_owned(),
-        false => format!(
+    match (names.is_empty(), all.is_empty()) {
+        (true, true) => "none with Vulkan, Metal or DX12".to_owned(),
+        (true, false) => "none but software with Vulkan, Metal or DX12".to_owned(),
+        (false, _) => format!(
             "{}; `--device gpu` computes there (docs/cards.md)",
             names.join(", ")
         ),

@@ -82,7 +82,7 @@ fn exposure_of(run: &Path) -> Result<Value> {
 }
 
 fn missing(key: &str, what: &str, accepted: &str) -> Error {
-    Error::config(key, format!("the run's job does not say {what}"), accepted)
+    Error::config(key, format!("nothing says {what}"), accepted)
 }
 
 /// `tomolith expose`.
@@ -270,7 +270,7 @@ fn machine(
             missing(
                 "--irradiance",
                 "how bright the machine is",
-                "an irradiance, or --power, or printer.peak_irradiance_mw_per_cm2 in the job",
+                "an irradiance, or --power, or printer.peak_irradiance_mw_per_cm2 in the job or, where it is given, in the profile of --printer",
             )
         })?,
     };

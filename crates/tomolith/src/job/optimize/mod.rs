@@ -28,7 +28,6 @@ use ceiling::FoundCeiling;
 pub(crate) use ceiling::iterations as iterations_of_ceiling;
 use checkpoint::{begin_anew, keep, lost, resumes, tables};
 use gray_levels::Levelled;
-pub(crate) use rehearsal::rehearse;
 pub(crate) use stage::Stage;
 use stage::{EndOfLevel, SoFar};
 use std::path::Path;

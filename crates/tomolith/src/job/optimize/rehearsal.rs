@@ -1,4 +1,5 @@
-//! An optimization up to its first iteration, for `check`: what a run refuses there, `check` refuses with the same words.
+//! The first iterations of an optimization, for `check`: what a run refuses before them, `check` refuses with the same words, and where there is time for some of them they say how
+//! long all take, with whatever a job does in them.
 
 use super::stage::{SoFar, Stage};
 use crate::error::{Error, Result};
@@ -13,14 +14,31 @@ use std::time::{Duration, Instant};
 
 /// How long it may take.
 const LONGEST: Duration = Duration::from_secs(3);
+/// Iterations of each level that are timed.
+const TIMED: usize = 2;
 /// How often a request to stop is looked for.
 const PAUSE: Duration = Duration::from_millis(20);
 
-/// Makes the model, the start, the bounds and the first loss of every level, as [`optimize`](crate::job::optimize::optimize) does; whether there was time for all of it.
+/// What was tried of an optimization.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Rehearsal {
+    /// Whether there was time for what comes before the first iteration of every level.
+    pub(crate) is_tried: bool,
+    /// What all iterations take at the pace of the first ones of their level, s, and so many more on the finest; None where there was no time for them.
+    pub(crate) iterations_s: Option<f64>,
+}
+
+/// Makes the model, the start, the bounds and the first loss of every level, as [`optimize`](crate::job::optimize::optimize) does, and some iterations; `more` iterations are counted
+/// on the finest level.
 ///
 /// # Errors
 /// What [`optimize`](crate::job::optimize::optimize) refuses before its first step; [`Error::Canceled`].
-pub(crate) fn rehearse(job: &ResolvedJob, voxels: &[Voxels], cancel: &Run) -> Result<bool> {
+pub(crate) fn rehearse(
+    job: &ResolvedJob,
+    voxels: &[Voxels],
+    more: usize,
+    cancel: &Run,
+) -> Result<Rehearsal> {
     let limited = Run::new();
     let done = thread::scope(|threads| {
         let (over, wait) = channel::<()>();
@@ -35,21 +53,43 @@ pub(crate) fn rehearse(job: &ResolvedJob, voxels: &[Voxels], cancel: &Run) -> Re
                 }
             }
         });
-        let done = (job.levels.iter()).try_for_each(|level| begin(job, voxels, level, limited));
+        let of_levels = |iterations| -> Result<Vec<f64>> {
+            let levels = job.levels.iter();
+            let pace = |level| pace(job, voxels, (level, iterations), limited);
+            levels.map(pace).collect()
+        };
+        let done = of_levels(0).map(|_| of_levels(TIMED).ok());
         drop(over);
         done
     });
     cancel.check()?;
-    match done {
-        Err(Error::Canceled) => Ok(false),
-        done => done.map(|()| true),
-    }
+    let paces = match done {
+        Err(Error::Canceled) => return Ok(Rehearsal::default()),
+        done => done?,
+    };
+    let all = |paces: Vec<f64>| {
+        let mut before = 0;
+        let of_levels = job.levels.iter().zip(&paces).map(|(level, pace)| {
+            let own = level.until - std::mem::replace(&mut before, level.until);
+            own as f64 * pace
+        });
+        of_levels.sum::<f64>() + more as f64 * paces.last().copied().unwrap_or(0.0)
+    };
+    Ok(Rehearsal {
+        is_tried: true,
+        iterations_s: paces.map(all),
+    })
 }
 
-/// A level up to its first iteration.
-fn begin(job: &ResolvedJob, voxels: &[Voxels], level: &Level, run: &Run) -> Result<()> {
+/// Some first iterations of a level, and what each of them takes, s.
+fn pace(
+    job: &ResolvedJob,
+    voxels: &[Voxels],
+    (level, iterations): (&Level, usize),
+    run: &Run,
+) -> Result<f64> {
     let level = Level {
-        until: 0,
+        until: iterations,
         ..level.clone()
     };
     let silent = &mut Silent;
@@ -58,7 +98,11 @@ fn begin(job: &ResolvedJob, voxels: &[Voxels], level: &Level, run: &Run) -> Resu
     let parts = (&mut RunCache::default(), None);
     let first = stage.first_patterns(job, given.as_ref(), true, parts, run)?;
     let (mut x, bounds) = (first.patterns, first.bounds);
-    let sofar = &mut SoFar::default();
-    stage.run((job, 0, 0), (&mut x, &bounds), None, sofar, silent, run)?;
-    Ok(())
+    let (begin, sofar) = (Instant::now(), &mut SoFar::default());
+    let bounded = (&mut x, bounds.as_slice());
+    let ran = stage.run((job, 0, iterations), bounded, None, sofar, silent, run)?;
+    run.check()?;
+    // What begins them takes as long as another one
+    let done = ran.history.last().map_or(0, |row| row.iteration) + 1;
+    Ok(begin.elapsed().as_secs_f64() / done as f64)
 }

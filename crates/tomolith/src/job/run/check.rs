@@ -5,7 +5,8 @@ use super::{benchmark, resolved};
 use crate::error::Result;
 use crate::job::dose::model_probe::try_orders;
 use crate::job::evaluate::light_paths::scene;
-use crate::job::optimize::{iterations_of_ceiling, rehearse};
+use crate::job::optimize::iterations_of_ceiling;
+use crate::job::optimize::rehearsal::{Rehearsal, rehearse};
 use crate::job::output::summary::Plan;
 use crate::job::progress::{Progress, stage, watched};
 use crate::job::resolve::ResolvedJob;
@@ -62,7 +63,11 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
     let trying = stage(progress, cancel, "trying the start of the optimization").aside();
     let memory_used = |job: &ResolvedJob| job.optics.card.as_ref().and_then(Card::memory_used);
     let _earlier = memory_used(&resolved);
-    let is_tried = rehearse(&resolved, &voxels, &trying)?;
+    let of_ceiling = iterations_of_ceiling(&resolved, &voxels);
+    let Rehearsal {
+        is_tried,
+        iterations_s,
+    } = rehearse(&resolved, &voxels, of_ceiling, &trying)?;
     if !is_tried {
         let text = "the start of the optimization takes too long to be tried here: a run may still find fault with it";
         resolved.notes.push(text.to_owned());
@@ -78,7 +83,6 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
     let timing = stage(progress, cancel, "timing a few frames on this machine").aside();
     let rates = benchmark::rates(&resolved, &voxels[0], sampling_s, &timing)?;
     let paths = resolved.optics.family(&resolved.grid)?.monte_carlo_paths();
-    let of_ceiling = iterations_of_ceiling(&resolved, &voxels);
     resolved.notes.extend(print_time(&resolved, of_ceiling));
     let work = Work {
         extent: &resolved.extent,
@@ -91,7 +95,9 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
         monte_carlo_paths: paths.map(|paths| paths.evaluating / paths.optimizing),
         levels: resolved.evaluation().improves_levels(),
         wall_s: resolved.stop().wall_s,
+        longer: 1.0,
     };
+    let work = work.as_timed(&rates, iterations_s);
     let cost = work.cost(&rates);
     if resolved.schedule().is_some() {
         let text = "the seconds are those without the print in time, which comes on top";

@@ -49,6 +49,8 @@ pub(crate) struct Work<'a> {
     pub(crate) levels: bool,
     /// Limit of the optimization's time, s.
     pub(crate) wall_s: Option<f64>,
+    /// How many times longer than the rates say an iteration takes: what a job does in it beyond models and objectives.
+    pub(crate) longer: f64,
 }
 
 /// How long it will take, s.
@@ -134,6 +136,29 @@ impl Work<'_> {
         Some((text, seconds - alone_s > LONG_S || is_large))
     }
 
+    /// The same work where all iterations take so long, s, if that is longer than the rates say.
+    pub(crate) fn as_timed(self, rates: &Rates, iterations_s: Option<f64>) -> Self {
+        let by_rates = self.iterations as f64 * self.step_s(rates);
+        let longer = iterations_s.map_or(1.0, |timed_s| (timed_s / by_rates).max(1.0));
+        Work { longer, ..self }
+    }
+
+    /// An iteration, s.
+    fn step_s(&self, rates: &Rates) -> f64 {
+        let (extent, own) = (self.extent, self.sub_angles[0]);
+        let [_, _, dose_s, adjoint_s] = seconds(&rates.calls, extent.frames as f64);
+        let vectors = extent.active_pixels as f64 * rates.vector_s;
+        // Finer voxels and more angles are more updates of a call; what begins it, and the pixels, are the same
+        let of_levels =
+            |all_s: f64, begin_s: f64| begin_s + extent.effort * (all_s - begin_s).max(0.0);
+        let step_s = own
+            * (rates.doses_per_step * of_levels(dose_s, rates.calls.dose.begin_s)
+                + of_levels(adjoint_s, rates.calls.adjoint.begin_s))
+            + extent.effort * PASSES * rates.objective_s
+            + (4 * extent.memory + VECTORS) as f64 * vectors;
+        self.longer * step_s
+    }
+
     /// Rates times work.
     pub(crate) fn cost(&self, rates: &Rates) -> Cost {
         let Work {
@@ -144,16 +169,8 @@ impl Work<'_> {
         let frames = extent.frames as f64;
         let [model_s, first_s, dose_s, adjoint_s] = seconds(&rates.calls, frames);
         let [evaluate_s, ..] = seconds(&rates.evaluating, frames);
-        let vectors = extent.active_pixels as f64 * rates.vector_s;
-        // Finer voxels and more angles are more updates of a call; what begins it, and the pixels, are the same
-        let of_levels =
-            |all_s: f64, begin_s: f64| begin_s + extent.effort * (all_s - begin_s).max(0.0);
-        let step_s = own
-            * (rates.doses_per_step * of_levels(dose_s, rates.calls.dose.begin_s)
-                + of_levels(adjoint_s, rates.calls.adjoint.begin_s))
-            + extent.effort * PASSES * rates.objective_s
-            + (4 * extent.memory + VECTORS) as f64 * vectors;
-        let optimization_s = (iterations as f64 * step_s).min(self.wall_s.unwrap_or(f64::INFINITY))
+        let optimization_s = (iterations as f64 * self.step_s(rates))
+            .min(self.wall_s.unwrap_or(f64::INFINITY))
             + extent.models() * (OTHER_CALLS * own * dose_s + first_s + model_s)
             + if self.levels {
                 let [doses, adjoints] = levels::CALLS.map(|calls| calls as f64);
@@ -228,6 +245,7 @@ mod tests {
             monte_carlo_paths: None,
             levels: false,
             wall_s: None,
+            longer: 1.0,
         };
         let cost = work.cost(&rates());
         // A dose: 30 frames of 100 updates at 1000/s, and ½ s = 3.5 s; an adjoint: at 2000/s, and 0.1 s. A step: both, 5
@@ -242,6 +260,11 @@ mod tests {
         let measures = 1000.0 * (0.9 * 8.0 + 2.4) + 1.8 * 2000.0;
         let rest = 232.0 + measures * 2e-3 + 9.0 * 1000.0 * 1e-3 + 3.0 * 6.5;
         tomolith_core::near!(cost.rest_s, rest, 1e-9);
+        // What was timed counts where it is longer
+        let timed = |seconds| work.as_timed(&rates(), Some(seconds)).cost(&rates());
+        assert_eq!(timed(1.0), cost);
+        let longer = timed(100.0).optimization_s - cost.optimization_s;
+        tomolith_core::near!(longer, 100.0 - 7.0 * step, 1e-9);
         // Monte Carlo paths: sixteen times as many, five times on the job's voxels and once on finer ones, worth two
         let paths = Work {
             monte_carlo_paths: Some(16),
