@@ -148,23 +148,29 @@ pub(crate) fn wanted_of(
     run: &Run,
 ) -> Result<(Vec<Patterns>, Option<Vec<Patterns>>)> {
     let arrays = read_patterns(path)?;
+    let array = |name: &Option<&str>| match name {
+        Some(name) => format!("patterns_{name}"),
+        None => "patterns".to_owned(),
+    };
     let (mut shown, mut raw) = (Vec::new(), Vec::new());
     for (light, name) in optics.lights.iter().zip(names) {
         run.check()?;
         let found = arrays
             .iter()
             .find(|a| a.light.as_deref() == *name)
-            .ok_or_else(|| Error::Format {
-                path: path.to_owned(),
-                found: format!(
-                    "no patterns for the light {}",
-                    name.unwrap_or("(the only one)")
-                ),
-                accepted: "one array `patterns`, or `patterns_<light>` for each light of the job"
-                    .to_owned(),
+            .ok_or_else(|| {
+                let accepted = names.iter().map(|name| format!("`{}`", array(name)));
+                let accepted = accepted.collect::<Vec<_>>().join(", ");
+                let found = format!("no array `{}`", array(name));
+                Error::format(
+                    path,
+                    found,
+                    format!("{accepted}: one for each light of the job"),
+                )
             })?;
         let grid = &light.pixels;
-        same_shape(path, "patterns [angle, row, column]", grid, found.shape)?;
+        let what = format!("{} [angle, row, column]", array(name));
+        same_shape(path, &what, grid, found.shape)?;
         let patterns = |values: &Vec<f32>| Patterns {
             grid: grid.clone(),
             values: values.clone(),
