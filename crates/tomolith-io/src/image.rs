@@ -62,7 +62,10 @@ fn parse_gray(bytes: &[u8], extension: &str, path: &Path) -> Result<Stored> {
 pub(super) fn check_values(image: &Stored, path: &Path) -> Result<()> {
     let mut values = image.pixels.values.iter();
     match values.find(|v| !(0.0..=1.0).contains(*v)) {
-        Some(value) => Err(bad(path, format!("a pixel of value {value}"))),
+        Some(value) => {
+            let found = format!("a pixel of value {value}");
+            Err(Error::format(path, found, "values from 0 to 1"))
+        }
         None => Ok(()),
     }
 }

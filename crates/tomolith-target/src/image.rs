@@ -43,13 +43,17 @@ impl GrayImage {
         height_mm: Option<f64>,
         placement: &Placement,
     ) -> Result<Self> {
-        let width = length("size_mm", size_mm, "the width of the image in mm, > 0")?;
+        let width = length(
+            "size_mm",
+            size_mm,
+            "the width of the image, or of the stack, in mm, > 0",
+        )?;
         let height = length("height_mm", height_mm, "the height along z in mm, > 0")?;
         if placement.scale.is_some() {
             return Err(Error::config(
                 "scale",
                 "a scale for an image",
-                "`size_mm`, the width of the image",
+                "`size_mm`, the width of the image or of the stack",
             ));
         }
         if placement.rotate_deg != [0.0; 3] {
