@@ -19,7 +19,10 @@ use std::path::{Path, PathBuf};
 /// [`Error::Io`], [`Error::Format`] naming the line.
 pub fn read_pairs(path: &Path, what: &str) -> Result<Vec<[f64; 2]>> {
     let text = text_of(path)?;
-    let refused = |found| Error::format(path, found, format!("two numbers a line: {what}"));
+    let refused = |found| {
+        let accepted = "two numbers a line, with decimal points, and a comma, a semicolon, a tab or spaces between them";
+        Error::format(path, found, format!("{accepted}: {what}"))
+    };
     let table = Columns::parse(&text, path).map_err(|error| match error {
         Error::Format { found, .. } => refused(found),
         other => other,

@@ -173,7 +173,7 @@ impl CeilingReport {
     pub fn warning(&self) -> Option<String> {
         let trial = self.finest.as_ref().filter(|own| own.changed_by > 1.0)?;
         Some(format!(
-            "the ceiling of the pixels that was found on a coarser level makes the print worse than bounds.tolerance allows: {}. It was raised, and the print takes {} times as \
+            "the ceiling of the pixels that was found on a coarser level makes the print worse than bounds.tolerance allows: {0}. It was raised to {1} times, and the print takes {1} times as \
              long; for the faster print raise bounds.tolerance, for the brightest pixels set bounds.ceiling = \"start\"",
             trial.sentence(),
             significant(trial.changed_by, 3)

@@ -130,7 +130,7 @@ fn a_response_goes_from_measured_pairs_to_a_table_for_the_job() {
         $ calibrate response few.csv
         found 3 doses … at least 5
         $ calibrate response three.csv
-        two numbers a line: dose and response
+        two numbers a line, with decimal points … between them: dose and response
         $ calibrate response few.csv --form table --log-dose
         --form",
     );

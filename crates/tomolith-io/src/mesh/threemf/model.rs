@@ -114,7 +114,11 @@ fn millimeters(unit: Option<&str>) -> Result<f64, String> {
         Some("inch") => 25.4,
         Some("foot") => 304.8,
         Some("meter") => 1000.0,
-        Some(other) => return Err(format!("unit = `{other}`")),
+        Some(other) => {
+            return Err(format!(
+                "unit = `{other}`, which is none of micron, millimeter, centimeter, inch, foot, meter"
+            ));
+        }
     })
 }
 
