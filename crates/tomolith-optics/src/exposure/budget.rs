@@ -12,7 +12,7 @@
 //! energy per pass   I·t·A·E mJ      light used   E/(n·N)
 //! ```
 //!
-//! A pass is a turn, where the frames cover one. Where every turn has frames of its own, a pass takes all of them: turns are counted, and energies of one.
+//! Where the frames cover one turn, a pass is a turn. Where every turn has frames of its own, a pass takes several: turns, and the energy of one, are then those of turns and not of passes.
 //!
 //! The other way round, the longest pattern value that fits into a time T is s = (I·T/n)·d₀/D_c ([`ExposureBudget::white_in`]).
 //!

@@ -35,7 +35,7 @@ fn a_print_that_takes_longer_than_allowed_is_warned_of() {
     let dark = report("printer.time_s=2").to_string();
     tomolith_core::contains!(
         dark,
-        "no patterns are faster",
+        "though nearly all pixels that shine are as bright as they may be. Set printer.time_s = ",
         "as bright as printer.time_s = 2 lets",
         "raise `printer.time_s`"
     );

@@ -572,7 +572,7 @@ fn together(
     };
     let curves: Vec<_> = named().map(over_doses).collect();
     let Some(together) = OneExposure::of(&curves) else {
-        let text = "no exposure prints something of every species: one of them gets too little light next to the others. Their numbers are those of an exposure each".to_owned();
+        let text = "no exposure prints something of every species: one of them gets too little light next to the others. The numbers of each species are those of its own best exposure".to_owned();
         warnings.push(text.clone());
         progress.event(&Event::Warning { text });
         return None;

@@ -1,5 +1,5 @@
-//! The first iterations of an optimization, for `check`: what a run refuses before them, `check` refuses with the same words, and where there is time for some of them they say how
-//! long all take, with whatever a job does in them.
+//! The begin of an optimization, for `check`: what a run refuses before its first iteration, `check` refuses with the same words. Where there is time, the first
+//! iterations are timed: they hold all that a job does in an iteration.
 
 use super::stage::{SoFar, Stage};
 use crate::error::{Error, Result};

@@ -66,7 +66,7 @@ impl<'a> Shown<'a> {
             let asked = exact(asked);
             if is_held {
                 return format!(
-                    "the print takes {found} s where printer.time_s allows {asked} s, though nearly all pixels are as bright as they may be: no patterns are faster. \
+                    "the print takes {found} s where printer.time_s allows {asked} s, though nearly all pixels that shine are as bright as they may be. \
                      Set printer.time_s = {found}, or use a projector that is {times} times as bright (printer.peak_irradiance_mw_per_cm2)"
                 );
             }
