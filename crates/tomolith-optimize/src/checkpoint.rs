@@ -117,8 +117,8 @@ pub struct Checkpoints {
     /// Whether a run writes a checkpoint at its end, for one with more iterations.
     keeps_end: bool,
     last: Instant,
-    /// Of the last one written.
-    cost: Option<Duration>,
+    /// How long the last one took, and how many bytes it held.
+    written: Option<(Duration, usize)>,
     /// Whether the last one did not fit on the disk.
     is_disk_full: bool,
     /// Where patterns are spread over ranks.
@@ -201,7 +201,7 @@ impl Checkpoints {
             resumes: true,
             keeps_end: true,
             last: Instant::now(),
-            cost: None,
+            written: None,
             is_disk_full: false,
             shares: None,
         })
@@ -270,45 +270,35 @@ impl Checkpoints {
 
     /// Whether it is time for the next one, which would hold what is `saved`.
     pub(super) fn is_due<F: Field>(&self, saved: &Saved<'_, F>) -> bool {
-        let is_due = self.last.elapsed() >= self.wait(self.bytes(saved));
+        let bytes = bytes(saved, self.contents);
+        let is_due = self.last.elapsed() >= self.wait(bytes);
         saved.patterns.any(is_due)
     }
 
-    /// Time between two checkpoints of so many bytes: that of the job, else 50 times what the last one took, or is expected to take,
-    /// and 10 s at least.
+    /// Time between two checkpoints of so many bytes: that of the job, else 50 times what the next one is expected to take, and 10 s at
+    /// least.
     fn wait(&self, bytes: usize) -> Duration {
-        let expected = || Duration::from_secs_f64(bytes as f64 / RATE);
-        (self.every).unwrap_or_else(|| {
-            (self.cost.unwrap_or_else(expected) * 50).max(Duration::from_secs(10))
-        })
+        (self.every).unwrap_or_else(|| (self.expected(bytes) * 50).max(Duration::from_secs(10)))
+    }
+
+    /// How long a checkpoint of so many bytes takes: as long as the last one, and what it holds more (that of a finer level).
+    fn expected(&self, bytes: usize) -> Duration {
+        let (took, held) = self.written.unwrap_or_default();
+        took + Duration::from_secs_f64(bytes.saturating_sub(held) as f64 / RATE)
     }
 
     /// What the last checkpoint after a request to stop may hold, to be written within so long a time: everything, where it is
     /// expected to be there by then; else the patterns, where there is no checkpoint of this run to go on from; else nothing.
     fn contents_within<F: Field>(&self, left: Duration, saved: &Saved<'_, F>) -> Option<Contents> {
-        let expected = Duration::from_secs_f64(self.bytes(saved) as f64 / RATE);
-        let has_one = self.cost.is_some() || (self.resumes && self.file().exists());
+        let expected = self.expected(bytes(saved, self.contents));
+        let has_one = self.written.is_some() || (self.resumes && self.file().exists());
         // Ranks that share the patterns write them together or not at all
-        if self.shares.is_some() || self.cost.unwrap_or(expected) <= left {
+        if self.shares.is_some() || expected <= left {
             Some(self.contents)
         } else if has_one {
             None
         } else {
             Some(Contents::Patterns)
-        }
-    }
-
-    /// Size of the arrays.
-    fn bytes<F: Field>(&self, saved: &Saved<'_, F>) -> usize {
-        let fields = 1 + usize::from(saved.best_patterns.is_some());
-        let patterns = fields * saved.patterns.len() * size_of::<f32>();
-        let memory = || saved.memory.arrays.iter().map(|(_, array)| array.size());
-        match self.contents {
-            Contents::All => {
-                let model = saved.model.map_or(0, F::len);
-                patterns + (saved.dose.len() + model) * size_of::<f32>() + memory().sum::<usize>()
-            }
-            Contents::Patterns => patterns,
         }
     }
 
@@ -362,6 +352,7 @@ impl Checkpoints {
         run: &Run,
     ) -> Result<()> {
         let begin = Instant::now();
+        let held = bytes(&saved, contents);
         let whole = self.whole(&saved);
         let check = || saved.patterns.check();
         let header = Header {
@@ -405,7 +396,7 @@ impl Checkpoints {
                 self.write_file(&header, arrays, &check, run)?;
             }
         }
-        self.cost = Some(begin.elapsed());
+        self.written = Some((begin.elapsed(), held));
         self.last = Instant::now();
         Ok(())
     }
@@ -586,6 +577,20 @@ fn damaged(path: &Path, found: &str) -> Error {
         format!("a damaged checkpoint ({found})"),
         format!("a whole Tomolith checkpoint of format {FORMAT}"),
     )
+}
+
+/// Size of the arrays.
+fn bytes<F: Field>(saved: &Saved<'_, F>, contents: Contents) -> usize {
+    let fields = 1 + usize::from(saved.best_patterns.is_some());
+    let patterns = fields * saved.patterns.len() * size_of::<f32>();
+    let memory = || saved.memory.arrays.iter().map(|(_, array)| array.size());
+    match contents {
+        Contents::All => {
+            let model = saved.model.map_or(0, F::len);
+            patterns + (saved.dose.len() + model) * size_of::<f32>() + memory().sum::<usize>()
+        }
+        Contents::Patterns => patterns,
+    }
 }
 
 /// FNV-1a over words of 8 bytes: any change of one word changes it.
@@ -792,8 +797,10 @@ mod tests {
         let mut auto = with(None);
         assert_eq!(auto.wait(600_000_000), Duration::from_secs(100));
         assert_eq!(auto.wait(1000), Duration::from_secs(10));
-        auto.cost = Some(Duration::from_secs(3));
+        auto.written = Some((Duration::from_secs(3), 600_000_000));
         assert_eq!(auto.wait(600_000_000), Duration::from_secs(150));
+        // A finer level holds 900 MB more
+        assert_eq!(auto.wait(1_500_000_000), Duration::from_secs(300));
         let asked = with(Some(2.5));
         assert_eq!(asked.wait(600_000_000), Duration::from_millis(2500));
     }
@@ -934,7 +941,7 @@ mod tests {
         let mut checkpoints = new(&folder);
         assert_eq!(contents(&checkpoints, 90), Some(Contents::All));
         assert_eq!(contents(&checkpoints, 80), Some(Contents::Patterns));
-        checkpoints.cost = Some(Duration::from_millis(70));
+        checkpoints.written = Some((Duration::from_millis(70), 4 * 2 * VALUES));
         assert_eq!(contents(&checkpoints, 80), Some(Contents::All));
         assert_eq!(contents(&checkpoints, 60), None);
     }
