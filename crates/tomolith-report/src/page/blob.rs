@@ -91,20 +91,28 @@ pub(super) fn blocks<T: Send>(
     slices.into_iter().flatten().collect()
 }
 
-/// The mean of each block, of its values that are numbers; NaN where there is none.
+/// The mean of each block of `factor`³ voxels, of its values that are numbers, in the order of the array; NaN where there is none.
 pub(super) fn means(grid: &VolumeGrid, values: &[f32], factor: usize) -> Vec<f32> {
-    blocks(grid, factor, |rows| {
-        let (mut sum, mut count) = (0.0, 0u32);
-        for row in rows {
-            for &value in &values[row.clone()] {
-                if value.is_finite() {
-                    sum += f64::from(value);
-                    count += 1;
+    let [nz, ny, nx] = grid.shape;
+    let across = nx.div_ceil(factor);
+    let layers: Vec<Vec<f32>> = (0..nz.div_ceil(factor)).par_map(|z| {
+        let mut sums = vec![(0.0, 0u32); ny.div_ceil(factor) * across];
+        // Row by row, as they lie in memory
+        for slice in values.chunks(ny * nx).skip(z * factor).take(factor) {
+            for (y, row) in slice.chunks(nx).enumerate() {
+                let sums = &mut sums[y / factor * across..];
+                for (part, (sum, count)) in row.chunks(factor).zip(sums) {
+                    for value in part.iter().filter(|value| value.is_finite()) {
+                        *sum += f64::from(*value);
+                        *count += 1;
+                    }
                 }
             }
         }
-        (sum / f64::from(count)) as f32
-    })
+        let mean = |(sum, count)| (sum / f64::from(count)) as f32;
+        sums.into_iter().map(mean).collect()
+    });
+    layers.concat()
 }
 
 /// The most frequent code of each block; of equally frequent ones the highest.
