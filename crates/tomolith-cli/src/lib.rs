@@ -16,6 +16,8 @@ mod export_matrix;
 mod expose;
 mod help;
 mod import;
+#[cfg(target_os = "linux")]
+mod large_pages;
 mod metrics;
 mod new;
 mod ranks;
