@@ -149,15 +149,9 @@ impl ModelFamily for Params {
     }
 
     fn cost(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Result<Cost> {
-        let kept = || match grid.shape {
-            [1, ny, nx] => loose::bytes(scene.lights, nx * ny),
-            _ => cached::bytes(scene.lights, scene.vial, grid).map_or(0.0, |entries| {
-                entries + kept::bytes_of_bands(scene.lights, grid)
-            }),
-        };
         let is_optimized = scene.purpose == Purpose::Optimize;
         Ok(Cost {
-            cached_bytes: is_optimized.then(kept),
+            cached_bytes: is_optimized.then(|| kept_bytes(scene, grid)),
             runs_along_rows: true,
             ..Cost::default()
         })
@@ -172,15 +166,8 @@ impl ModelFamily for Params {
 
     fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
         let (scene, grid) = (&input.scene, input.grid.clone());
-        let lights = scene.lights.to_vec();
-        let is_kept = || grid.shape[0] == 1 || cached::bytes(&lights, scene.vial, &grid).is_some();
-        let finding = match scene.purpose {
-            Purpose::Optimize if is_kept() => Finding::Once,
-            Purpose::Evaluate { .. } => cached::of_one_call(&lights, scene.vial, &grid),
-            Purpose::Optimize | Purpose::Probe => Finding::ByVoxels,
-        };
-        let of = (lights, self.kernel);
-        let model = Parallel::planned(scene.vial, of, grid, finding, input.run)?;
+        let of = (scene.lights.to_vec(), self.kernel);
+        let model = Parallel::for_purpose(scene.vial, of, grid, scene.purpose, input.run)?;
         Ok(Box::new(model))
     }
 
@@ -200,6 +187,16 @@ impl ModelFamily for Params {
 
     fn merit(&self) -> String {
         "collimated light and a vial that does not change along z, so one slice's geometry serves all heights".to_owned()
+    }
+}
+
+/// Bytes of what an optimization stores; 0 where that is too much.
+pub(crate) fn kept_bytes(scene: &OpticalScene<'_>, grid: &VolumeGrid) -> f64 {
+    match grid.shape {
+        [1, ny, nx] => loose::bytes(scene.lights, nx * ny),
+        _ => cached::bytes(scene.lights, scene.vial, grid).map_or(0.0, |entries| {
+            entries + kept::bytes_of_bands(scene.lights, grid)
+        }),
     }
 }
 
@@ -251,6 +248,26 @@ impl Parallel {
         run: &Run,
     ) -> Result<Self> {
         Self::planned(vial, (lights, kernel), grid, Finding::ByVoxels, run)
+    }
+
+    /// The model for a purpose: an optimization stores entries where there is room, a single dose finds them by patches where the turn repeats them.
+    ///
+    /// # Errors
+    /// As [`under`](Self::under).
+    pub(crate) fn for_purpose(
+        vial: &dyn Vial,
+        (lights, kernel): (Vec<Light>, Kernel),
+        grid: VolumeGrid,
+        purpose: Purpose,
+        run: &Run,
+    ) -> Result<Self> {
+        let is_kept = || grid.shape[0] == 1 || cached::bytes(&lights, vial, &grid).is_some();
+        let finding = match purpose {
+            Purpose::Optimize if is_kept() => Finding::Once,
+            Purpose::Evaluate { .. } => cached::of_one_call(&lights, vial, &grid),
+            Purpose::Optimize | Purpose::Probe => Finding::ByVoxels,
+        };
+        Self::planned(vial, (lights, kernel), grid, finding, run)
     }
 
     /// The same; to find the entries (column, voxel, weight) of all frames once is worth it where a dose is asked for

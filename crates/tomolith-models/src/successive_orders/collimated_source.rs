@@ -7,8 +7,8 @@ use super::bins::Bins;
 use super::harmonics::Harmonic;
 use super::scattered_light::DeltaScaledPhase;
 use super::unscattered_source::{Channel, UnscatteredSource};
-use crate::Run;
-use crate::parallel::Parallel;
+use crate::parallel::{Kernel, Parallel};
+use crate::{Purpose, Run};
 use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
 use tomolith_core::dose::DoseModel;
@@ -38,13 +38,20 @@ impl CollimatedSource {
         (bins, binned): (Bins, Light),
         delta_scaled: &DeltaScaledPhase,
         cells: VolumeGrid,
+        (purpose, run): (Purpose, &Run),
     ) -> Result<Self> {
         let azimuths = azimuths(vial, light);
         let orders = orders_of_azimuth(delta_scaled);
         let of_column = |&m: &isize| azimuths.iter().map(|&phi| around(m, phi) as f32).collect();
         Ok(CollimatedSource {
             bins,
-            parallel: Parallel::new(vial, vec![binned], cells)?,
+            parallel: Parallel::for_purpose(
+                vial,
+                (vec![binned], Kernel::default()),
+                cells,
+                purpose,
+                run,
+            )?,
             weights: orders.iter().map(of_column).collect(),
             channels: orders.iter().map(|&m| channel(delta_scaled, m)).collect(),
         })

@@ -157,12 +157,18 @@ impl ModelFamily for Params {
         beyond(scene.vial, scene.lights, scene.optics, grid).or(scene.probe_failed)
     }
 
-    fn cost(&self, scene: &OpticalScene<'_>, _grid: &VolumeGrid) -> Result<Cost> {
-        let by_rays = scene.unscattered_beyond_slices().is_some();
-        Ok(Cost {
-            cached_entries: (by_rays && scene.purpose == Purpose::Optimize)
-                .then_some(CachedEntries::SINGLE),
-            ..Cost::default()
+    fn cost(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Result<Cost> {
+        Ok(match scene.purpose {
+            Purpose::Optimize if scene.unscattered_beyond_slices().is_some() => Cost {
+                cached_entries: Some(CachedEntries::SINGLE),
+                ..Cost::default()
+            },
+            // Those of the cells are few
+            Purpose::Optimize => Cost {
+                cached_bytes: Some(parallel::kept_bytes(scene, grid)),
+                ..Cost::default()
+            },
+            Purpose::Evaluate { .. } | Purpose::Probe => Cost::default(),
         })
     }
 
@@ -192,9 +198,17 @@ impl ModelFamily for Params {
     }
 
     fn unscattered(&self, input: &ModelInput<'_>) -> Result<HostModel> {
-        let OpticalScene { vial, optics, .. } = input.scene;
-        let lights = input.scene.lights.to_vec();
-        unscattered(vial, lights, optics, self, input.grid.clone())
+        if input.scene.unscattered_beyond_slices().is_none() {
+            return parallel::Params::default().unscattered(input);
+        }
+        let OpticalScene {
+            vial,
+            lights,
+            optics,
+            ..
+        } = input.scene;
+        let rays = by_rays(vial, lights.to_vec(), optics, self, input.grid)?;
+        Ok(Box::new(rays))
     }
 
     fn compared_with(&self) -> Option<fn(usize, u64) -> Family> {
@@ -218,7 +232,8 @@ impl Params {
             params.rays_per_pixel = Some(params.rays() * refine * refine);
         }
         let lights = input.scene.lights.to_vec();
-        model_in(vial, lights, optics, &params, input.grid.clone(), input.run)
+        let purpose = (input.scene.purpose, input.run);
+        model_for(vial, lights, optics, &params, input.grid.clone(), purpose)
     }
 }
 
@@ -258,17 +273,18 @@ pub fn model(
     params: &Params,
     grid: VolumeGrid,
 ) -> Result<SuccessiveOrders> {
-    model_in(vial, lights, optics, params, grid, &Run::new())
+    let purpose = (Purpose::Probe, &Run::new());
+    model_for(vial, lights, optics, params, grid, purpose)
 }
 
-/// The [`model`] of a run that may be canceled while its kernels are computed.
-fn model_in(
+/// The [`model`] for a purpose, of a run that may be canceled while its kernels are computed.
+fn model_for(
     vial: &dyn Vial,
     mut lights: Vec<Light>,
     optics: &[Optics],
     params: &Params,
     grid: VolumeGrid,
-    run: &Run,
+    purpose: (Purpose, &Run),
 ) -> Result<SuccessiveOrders> {
     if let Some(reason) = beyond(vial, &lights, optics, &grid) {
         return Err(Error::unsupported(
@@ -290,11 +306,11 @@ fn model_in(
             plans.push((place, (light.clone(), cone), delta_scaled));
         }
     }
-    let straight = straight(vial, lights, optics, params, grid)?;
+    let straight = straight(vial, lights, optics, params, grid, purpose)?;
     let scattered_lights = plans
         .into_iter()
         .map(|(place, light, delta_scaled)| {
-            ScatteredLight::new(vial, light, &delta_scaled, params, &layout, place, run)
+            ScatteredLight::new(vial, light, &delta_scaled, params, &layout, place, purpose)
         })
         .collect::<Result<_>>()?;
     Ok(SuccessiveOrders {
@@ -304,30 +320,18 @@ fn model_in(
 }
 
 /// The light that is not scattered, in the total attenuation of each light's resin.
-fn unscattered(
-    vial: &dyn Vial,
-    lights: Vec<Light>,
-    optics: &[Optics],
-    params: &Params,
-    grid: VolumeGrid,
-) -> Result<HostModel> {
-    Ok(match straight(vial, lights, optics, params, grid)? {
-        OnVoxels::Collimated(parallel) => parallel,
-        OnVoxels::Divergent(rays) => rays,
-    })
-}
-
 fn straight(
     vial: &dyn Vial,
     lights: Vec<Light>,
     optics: &[Optics],
     params: &Params,
     grid: VolumeGrid,
+    (purpose, run): (Purpose, &Run),
 ) -> Result<OnVoxels> {
     if optics.iter().all(|o| o.beyond_level().is_none()) {
-        return Ok(OnVoxels::Collimated(Box::new(Parallel::new(
-            vial, lights, grid,
-        )?)));
+        let of = (lights, parallel::Kernel::default());
+        let model = Parallel::for_purpose(vial, of, grid, purpose, run)?;
+        return Ok(OnVoxels::Collimated(Box::new(model)));
     }
     let rays = by_rays(vial, lights, optics, params, &grid)?;
     Ok(OnVoxels::Divergent(Box::new(rays)))

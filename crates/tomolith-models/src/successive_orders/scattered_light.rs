@@ -12,7 +12,7 @@ use super::{Params, by_rays};
 use crate::cell_blur::{CellBlur, Sharpen, full_cells};
 use crate::coarse::Coarse;
 use crate::rays::Optics;
-use crate::{DoseLayout, Run};
+use crate::{DoseLayout, Purpose, Run};
 use std::f64::consts::PI;
 use std::ops::Range;
 use std::sync::Arc;
@@ -100,7 +100,7 @@ impl ScatteredLight {
         params: &Params,
         fine: &DoseLayout,
         (number, offset, first_frame): (usize, usize, usize),
-        run: &Run,
+        (purpose, run): (Purpose, &Run),
     ) -> Result<Self> {
         let edges = cell_edges(vial, delta_scaled, params);
         let edge = edges[0];
@@ -136,6 +136,7 @@ impl ScatteredLight {
                     (bins, binned),
                     delta_scaled,
                     grid,
+                    (purpose, run),
                 )?)
             }
         };

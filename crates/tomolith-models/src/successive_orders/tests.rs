@@ -124,6 +124,40 @@ fn pairs_of_every_vial_and_phase() {
     }
 }
 
+#[test]
+fn doses_of_all_purposes_agree_and_have_their_adjoint() {
+    let vial = Cylinder {
+        inner_radius_mm: 2.6,
+        outer_radius_mm: 3.0,
+        refractive_index: 1.55,
+    };
+    // Quarters of a turn of 8 frames repeat, those of 5 do not
+    let lights = || vec![light(8, 7, 11, 0.3, 0.2), light(5, 7, 11, 0.3, 0.2)];
+    let optics = [of(Rayleigh {}, 0.2), of(Rayleigh {}, 0.2)];
+    let grid = VolumeGrid::centered([9, 14, 14], 0.3);
+    let x: Vec<f32> = noise(5, 13 * 7 * 11).iter().map(|v| v.abs()).collect();
+    let model_of = |purpose| {
+        let purpose = (purpose, &Run::new());
+        model_for(
+            &vial,
+            lights(),
+            &optics,
+            &Params::default(),
+            grid.clone(),
+            purpose,
+        )
+        .unwrap()
+    };
+    let expected = dose(&model_of(Purpose::Probe), &x);
+    for purpose in [Purpose::Optimize, Purpose::Evaluate { refine: 1 }] {
+        let model = model_of(purpose);
+        let largest = difference(&dose(&model, &x), &expected).0;
+        assert!(largest < 1e-6, "{purpose:?}: {largest}");
+        let found = check::model::model(&model, 3).unwrap();
+        assert!(found.adjoint_error < 1e-6, "{purpose:?}: {found:?}");
+    }
+}
+
 /// What a half space of isotropic scatterers sends back of light that falls on it along its normal: 1 − H(1)·√(1 − albedo),
 /// H from its integral equation (Chandrasekhar, *Radiative Transfer*, § 38).
 fn plane_albedo(albedo: f64) -> f64 {
@@ -295,8 +329,7 @@ fn scattered_light_of_cones_and_tilted_light_is_that_of_monte_carlo_paths_where_
         let [(whole, first), (_, second)] = [1, 2].map(by_paths);
         let own = Params::default();
         let orders = model(vial, lights.to_vec(), &optics, &own, grid.clone()).unwrap();
-        let straight = unscattered(vial, lights.to_vec(), &optics, &own, grid.clone());
-        let found = scattered(&dose(&orders, &x), &dose(straight.unwrap().as_ref(), &x));
+        let found = scattered(&dose(&orders, &x), &dose(orders.straight.model(), &x));
         let found = blocks(&found);
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
         let middle = mean(&whole);
@@ -410,8 +443,7 @@ fn cones_without_an_opening_are_collimated_light() {
             let light = || vec![light(24, 8, 32, 0.125, 0.3)];
             let one = std::slice::from_ref(optics);
             let whole = model(&glass, light(), one, &params, grid.clone()).unwrap();
-            let straight = unscattered(&glass, light(), one, &params, grid.clone()).unwrap();
-            scattered(&dose(&whole, &x), &dose(straight.as_ref(), &x))
+            scattered(&dose(&whole, &x), &dose(whole.straight.model(), &x))
         };
         let expected = doses(&scattering, 1);
         // An opening too small to see, with rays that are sampled as in any cone
