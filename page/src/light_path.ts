@@ -73,7 +73,7 @@ function key(color: string, text: string): HTMLElement {
 function lit({ lit_radius_mm, part_radius_mm }: Scene): string {
   if (lit_radius_mm === null) return "";
   const [lit, part] = [significant(lit_radius_mm, 3), significant(part_radius_mm, 3)];
-  return lit_radius_mm >= part_radius_mm ? ` Every frame lights all within ${lit} mm of the axis; the part's sides reach out to ${part} mm.` : ` Every frame lights only what lies within ${lit} mm of the axis, but the part's sides reach out to ${part} mm.`;
+  return lit_radius_mm >= part_radius_mm ? ` Every frame lights all within ${lit} mm of the axis.` : ` Every frame lights only what lies within ${lit} mm of the axis, but the part's sides reach out to ${part} mm.`;
 }
 
 function nearest<T extends { angle_deg: number }>(frames: T[], angle: number): T | null {

@@ -71,12 +71,11 @@ pub(crate) fn metrics(given: &MetricsArguments) -> Result<()> {
     let (shape, values) = read_finite(&given.dose)?;
     let grid = VolumeGrid::centered(shape, pitch_mm);
     let dose = Volume::new(grid.clone(), values);
-    let target = like(&grid, &given.target)?;
+    let target = fractions(&given.target, like(&grid, &given.target)?)?;
     let labels = labels(given, &target)?;
     must_have_part(given, &labels)?;
     let mut print = Print::new(&labels, &dose)?.with_inside(&target)?;
     if given.gray {
-        must_be_gray(&given.target, &target)?;
         print = print.with_gray(&target, given.epsilon)?;
     }
     if let Some(threshold) = given.threshold {
@@ -203,16 +202,20 @@ fn read_finite(source: &str) -> Result<([usize; 3], Vec<f32>)> {
     }
 }
 
-/// Gray values as the dose should have them: 0 to 1.
-fn must_be_gray(source: &str, target: &Volume<f32>) -> Result<()> {
-    match target.values.iter().find(|v| !(0.0..=1.0).contains(*v)) {
-        Some(value) => Err(Error::format(
+/// A target's values from 0 to 1; those of a mask of 0 and one other number are 0 and 1.
+fn fractions(source: &str, mut target: Volume<f32>) -> Result<Volume<f32>> {
+    let Some(&beyond) = (target.values.iter()).find(|v| !(0.0..=1.0).contains(*v)) else {
+        return Ok(target);
+    };
+    if beyond < 0.0 || target.values.iter().any(|&v| v != 0.0 && v != beyond) {
+        return Err(Error::format(
             source,
-            format!("a gray value of {value}"),
-            "with --gray, values from 0 to 1: divide 8-bit values by 255",
-        )),
-        None => Ok(()),
+            format!("a value of {beyond}"),
+            "values from 0 to 1 (divide 8-bit values by 255), or a mask of 0 and one other number",
+        ));
     }
+    target.values.iter_mut().for_each(|value| *value /= beyond);
+    Ok(target)
 }
 
 /// An array of the dose's shape.

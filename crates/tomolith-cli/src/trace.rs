@@ -112,5 +112,11 @@ fn in_words(traced: &Traced) -> String {
             text += &format!("\n  {what} {:.2} %", 100.0 * share);
         }
     }
+    if let Some(paths) = traced.paths {
+        let within = 50.0 / (paths as f64).sqrt();
+        text += &format!(
+            "\n  mean of {paths} Monte Carlo paths: shares are within {within:.1} %; model.monte_carlo.paths_per_pixel draws more"
+        );
+    }
     text
 }

@@ -22,8 +22,13 @@ pub(super) struct Coarse {
 }
 
 impl Coarse {
-    /// Cells of `factor` voxels along each edge, one layer of them outside of the grid on every side.
-    pub(super) fn new(fine: &DoseLayout, factor: usize) -> Self {
+    /// Cells of `factor` voxels along each edge, one layer of them outside of the grid on every side. Layers whose middles lie beyond the grid hold
+    /// next to no light where the resin ends with the grid: voxels beside them keep the dose of the layer within.
+    pub(super) fn new(
+        fine: &DoseLayout,
+        factor: usize,
+        in_resin: impl Fn([f64; 3]) -> bool,
+    ) -> Self {
         let shape = fine.grid.shape.map(|n| n.div_ceil(factor) + 2);
         let pitch_mm = fine.grid.pitch_mm * factor as f64;
         let low = fine.grid.bounds_mm()[0];
@@ -36,28 +41,59 @@ impl Coarse {
             height_mm: pitch_mm,
             center_mm,
         };
-        Self::of_grid(grid, fine)
+        // Layers that lie within the grid, or in the resin beyond it
+        let high = fine.grid.bounds_mm()[1];
+        let mut is_lit: [Vec<bool>; 3] = std::array::from_fn(|axis| {
+            let middle = |i: usize| low[axis] + (i as f64 - 0.5) * pitch_mm;
+            let is_within = |i: usize| middle(i) > low[axis] && middle(i) < high[axis];
+            (0..counts[axis]).map(is_within).collect()
+        });
+        for i in 0..grid.len() {
+            if in_resin(grid.middle(i)) {
+                let at = [
+                    i % counts[0],
+                    i / counts[0] % counts[1],
+                    i / (counts[0] * counts[1]),
+                ];
+                is_lit
+                    .iter_mut()
+                    .zip(at)
+                    .for_each(|(is_lit, at)| is_lit[at] = true);
+            }
+        }
+        let ends = is_lit.map(|is_lit| {
+            let first = is_lit.iter().position(|&is_lit| is_lit);
+            let last = is_lit.iter().rposition(|&is_lit| is_lit);
+            [first.unwrap_or_default(), last.unwrap_or(is_lit.len() - 1)]
+        });
+        Self::between(grid, fine, ends)
     }
 
     /// Any cells, at least two along each axis.
     pub(super) fn of_grid(cells: VolumeGrid, fine: &DoseLayout) -> Self {
-        let place = |at: f64, low: f64, count: usize| {
-            let place = ((at - low) / cells.pitch_mm - 0.5).clamp(0.0, count as f64 - 1.0);
-            let below = (place as usize).min(count - 2);
-            (below, (place - below as f64) as f32)
-        };
+        let [nz, ny, nx] = cells.shape;
+        let ends = [nx, ny, nz].map(|count| [0, count - 1]);
+        Self::between(cells, fine, ends)
+    }
+
+    /// Cells that are interpolated from one to another of them along x, y, z.
+    fn between(cells: VolumeGrid, fine: &DoseLayout, ends: [[usize; 2]; 3]) -> Self {
         let low = cells.bounds_mm()[0];
+        let places = |axis: usize, voxels: usize, middle: &dyn Fn(usize) -> f64| {
+            let [first, last] = ends[axis].map(|end| end as f64);
+            let place = |i: usize| {
+                let place = (middle(i) - low[axis]) / cells.pitch_mm - 0.5;
+                let place = place.clamp(first, last);
+                let below = (place as usize).min(cells.shape[2 - axis] - 2);
+                (below, (place - below as f64) as f32)
+            };
+            (0..voxels).map(place).collect()
+        };
         let [nz, ny, nx] = fine.grid.shape;
         let places = [
-            (0..nx)
-                .map(|i| place(fine.grid.x(i), low[0], cells.shape[2]))
-                .collect(),
-            (0..ny)
-                .map(|i| place(fine.grid.y(i), low[1], cells.shape[1]))
-                .collect(),
-            (0..nz)
-                .map(|i| place(fine.grid.z(i), low[2], cells.shape[0]))
-                .collect(),
+            places(0, nx, &|i| fine.grid.x(i)),
+            places(1, ny, &|i| fine.grid.y(i)),
+            places(2, nz, &|i| fine.grid.z(i)),
         ];
         Coarse {
             layout: DoseLayout::new("dose", cells, 0),
@@ -181,10 +217,32 @@ mod tests {
     use tomolith_core::grid::Volume;
 
     #[test]
+    fn layers_beyond_the_wall_of_the_resin_take_nothing() {
+        let grid = VolumeGrid::centered([9, 8, 14], 0.1);
+        let fine = DoseLayout::new("dose", grid, 0);
+        // The wall of a cuvette at the faces of the grid along x and y; along z the resin goes on
+        let in_resin = |[x, y, _]: [f64; 3]| x.abs() < 0.7 && y.abs() < 0.4;
+        let coarse = Coarse::new(&fine, 4, in_resin);
+        let cells = Volume::from_fn(coarse.layout.grid.clone(), |at| {
+            f32::from(u8::from(in_resin(at)))
+        });
+        let mut found = vec![0.0; fine.len()];
+        coarse.spread(&coarse.layout.field_of(&cells), &mut found);
+        let found = fine.volume_of(&found);
+        // 14 voxels are three cells and a half: the last middle lies in the resin's last half
+        let off = found
+            .values
+            .iter()
+            .map(|v| (v - 1.0).abs())
+            .fold(0.0, f32::max);
+        assert!(off < 1e-6, "{off}");
+    }
+
+    #[test]
     fn a_dose_that_is_linear_in_space_is_interpolated_exactly_and_gather_is_the_transpose() {
         let grid = VolumeGrid::centered([9, 11, 14], 0.1);
         let fine = DoseLayout::new("dose", grid, 0);
-        let coarse = Coarse::new(&fine, 4);
+        let coarse = Coarse::new(&fine, 4, |_| true);
         let linear = |[x, y, z]: [f64; 3]| (1.0 + 2.0 * x - 3.0 * y + 0.5 * z) as f32;
         let fill =
             |layout: &DoseLayout| layout.field_of(&Volume::from_fn(layout.grid.clone(), linear));

@@ -3,7 +3,7 @@
 use crate::resolved::ResolvedJob;
 use crate::work::{TomolithError, beside, beside_telling, plain, raised};
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyList};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use tomolith::job::{self, Document, Summary};
@@ -148,6 +148,13 @@ fn changes_of(given: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
         return given.extract();
     };
     let change = |(key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
+        if let Ok(number) = value.extract::<f64>()
+            && !number.is_finite()
+        {
+            // As TOML writes it, for the words of the command
+            let number = number.to_string().to_lowercase();
+            return Ok(format!("{key}={number}"));
+        }
         let alone = PyDict::new(given.py());
         alone.set_item("value", value)?;
         let text = text_of(&alone)?;
@@ -176,8 +183,30 @@ fn text_of(tables: &Bound<'_, PyDict>) -> PyResult<String> {
     options.set_item("allow_nan", false)?;
     let json = py.import("json")?;
     let text = json.call_method("dumps", (tables,), Some(&options));
-    text.map_err(|e| TomolithError::new_err(format!("job: {}", e.value(py))))?
-        .extract()
+    text.map_err(|e| match not_finite(tables.as_any(), "") {
+        Some(found) => TomolithError::new_err(format!("{found}; accepted: a finite number")),
+        None => TomolithError::new_err(format!("job: {}", e.value(py))),
+    })?
+    .extract()
+}
+
+/// The place of a number that is not finite, and the number.
+fn not_finite(value: &Bound<'_, PyAny>, place: &str) -> Option<String> {
+    if let Ok(table) = value.cast::<PyDict>() {
+        let dot = if place.is_empty() { "" } else { "." };
+        return table
+            .iter()
+            .find_map(|(key, value)| not_finite(&value, &format!("{place}{dot}{key}")));
+    }
+    if let Ok(list) = value.cast::<PyList>() {
+        let mut each = list.iter().enumerate();
+        return each.find_map(|(i, value)| not_finite(&value, &format!("{place}[{i}]")));
+    }
+    let number = value
+        .extract::<f64>()
+        .ok()
+        .filter(|number| !number.is_finite())?;
+    Some(format!("{place}: found {number}"))
 }
 
 #[pyfunction]

@@ -2,7 +2,7 @@
 
 use crate::arrays::{of_patterns, of_volume, one_or_list};
 use pyo3::create_exception;
-use pyo3::exceptions::PyException;
+use pyo3::exceptions::{PyException, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyModule};
 use serde::Serialize;
@@ -27,7 +27,7 @@ create_exception!(
     tomolith,
     Canceled,
     TomolithError,
-    "A run ended because its `cancel` was set; `resume=True` goes on from its checkpoint."
+    "Work ended because its `cancel` was set. `Job.run(resume=True)` goes on from a run's checkpoint; a sweep goes on when it is called again."
 );
 
 /// How often a call looks whether Python wants it to end.
@@ -72,7 +72,7 @@ fn until<T: Send>(
     if let Some(token) = cancel
         && !token.bind(py).hasattr("is_set")?
     {
-        return Err(TomolithError::new_err(format!(
+        return Err(PyTypeError::new_err(format!(
             "cancel: found {}; accepted: a threading.Event",
             token.bind(py).get_type()
         )));
@@ -123,7 +123,9 @@ fn must_go_on(py: Python<'_>, cancel: Option<&Py<PyAny>>) -> PyResult<()> {
 /// An error as Python sees it.
 pub(crate) fn raised(error: Error) -> PyErr {
     match error {
-        Error::Canceled => Canceled::new_err("canceled; resume=True goes on from the checkpoint"),
+        Error::Canceled => Canceled::new_err(
+            "canceled; Job.run(resume=True) goes on from a run's checkpoint, sweep and reproduce go on when called again",
+        ),
         error => TomolithError::new_err(error.to_string()),
     }
 }

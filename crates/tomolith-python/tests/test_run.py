@@ -23,17 +23,19 @@ class Jobs(unittest.TestCase):
         for call, words in [
             (lambda: tomolith.Job(GEAR, set=["stop.iteratons=3"]), "did you mean `iterations`?"),
             (lambda: tomolith.Job("nowhere.toml"), "nowhere.toml: "),
-            (lambda: tomolith.Job({**GEAR, "grid": {"pitch_mm": float("nan")}}), "job: "),
+            (lambda: tomolith.Job({**GEAR, "grid": {"pitch_mm": float("nan")}}), "grid.pitch_mm: found NaN; accepted: a finite number"),
+            (lambda: tomolith.Job(GEAR, set={"grid.pitch_mm": float("inf")}), "grid.pitch_mm=inf: found inf; accepted: a finite number"),
             (lambda: tomolith.Job({**GEAR, "grid": {"pitch_mm": object()}}), "found a value of"),
             (lambda: tomolith.sweep("nowhere.toml", threads=0), "1 to 256"),
             (lambda: tomolith.sweep("nowhere.toml"), "nowhere.toml: "),
-            (lambda: tomolith.Job(GEAR).run(cancel=3), "cancel: found <class 'int'>; accepted: a threading.Event"),
             (lambda: tomolith.Run.open("nowhere"), "the folder is missing"),
         ]:
             with self.subTest(words):
                 with self.assertRaises(tomolith.TomolithError) as raised:
                     call()
                 self.assertIn(words, str(raised.exception))
+        with self.assertRaisesRegex(TypeError, "cancel: found <class 'int'>; accepted: a threading.Event"):
+            tomolith.Job(GEAR).run(cancel=3)
 
     def test_tables_may_hold_numbers_of_numpy_and_paths(self):
         light = {**GEAR["light"][0], "pixels": np.array([24, 16]), "angles": np.int64(36)}
@@ -130,6 +132,16 @@ class Runs(unittest.TestCase):
         with mock.patch.dict(sys.modules, {"xarray": None}):
             with self.assertRaisesRegex(tomolith.TomolithError, "pip install xarray"):
                 run.to_xarray()
+
+    def test_what_is_solid_is_so_at_the_threshold_of_the_job_and_nothing_is_of_gray_targets(self):
+        run = tomolith.Job(GEAR, set={"evaluate.threshold": 0.6}, folder=self.folder / "early").run()
+        self.assertGreater(run.report["exposure"]["reported_percent"], 110)
+        off = run.print != (run.dose >= 0.6)
+        self.assertLess(np.abs(run.dose[off] - 0.6).max(initial=0), 1e-5)
+        image = {"image": EXAMPLES / "images/rings.png", "size_mm": 2.0, "height_mm": 0.6}
+        gray = tomolith.Job({**GEAR, "target": image}, folder=self.folder / "gray").run()
+        with self.assertRaisesRegex(tomolith.TomolithError, "no threshold in the report"):
+            gray.print
 
     @needs("xarray")
     def test_a_folder_reads_as_xarray(self):

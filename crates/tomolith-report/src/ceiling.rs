@@ -54,7 +54,7 @@ pub struct FinestTrial {
 /// What a search for the lowest ceiling found.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CeilingReport {
-    /// The brightest pixel of all lights within the bound of the start, for the frames of the run, mJ/mm².
+    /// The brightest pixel of all lights within the bound of the start, for the frames of the run, in the unit of patterns.
     pub brightest: f64,
     /// Mean dose in the part where every pixel of every frame of the run is 1, mJ/mm³.
     pub even_dose: f64,
@@ -69,7 +69,7 @@ pub struct CeilingReport {
 /// Quality at a print time: a ceiling, and what it prints; of several prints the worst numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct TradeOff {
-    /// The brightest pixel, mJ/mm².
+    /// The brightest pixel, in the unit of patterns.
     pub brightest: f64,
     /// M/t, mm.
     pub time_mm: Option<f64>,

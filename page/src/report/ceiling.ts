@@ -63,6 +63,6 @@ function table(rows: readonly TradeOff[]): HTMLElement | null {
     quantity(row.ver, "", 3),
     quantity(isNumber(row.surface_mean_mm) ? 1e3 * row.surface_mean_mm : null, "", 3),
   ];
-  const heads = ["Brightest pixel, mJ/mm²", "M/t, mm", ...(hasSeconds ? ["time, s"] : []), "IoU", "VER", "surface off on average, µm"];
+  const heads = ["Brightest pixel", "M/t, mm", ...(hasSeconds ? ["time, s"] : []), "IoU", "VER", "surface off on average, µm"];
   return dataTable({ caption: "Quality against time", heads, rows: rows.map(cells) });
 }

@@ -88,7 +88,7 @@ function lossOf(limit: Limit): { loss: number | null; measure: string } {
 
 function causeItem(limit: Limit, most: number): HTMLElement {
   const { loss, measure } = lossOf(limit);
-  const share = loss !== null && most > 0 ? Math.max(loss, 0) / most : 0;
+  const share = loss !== null && loss >= UNSEEN ? loss / most : 0;
   const { key, advice = "" } = limit;
   return h(
     "li",
@@ -99,10 +99,13 @@ function causeItem(limit: Limit, most: number): HTMLElement {
   );
 }
 
+/** What a cause costs at least to be seen in four digits. */
+const UNSEEN = 0.0005;
+
 /** "0.037 IoU lost"; a cause that costs less than is seen costs nothing. */
 function lossInWords(loss: number | null, measure: string): string {
   if (loss === null) return "";
-  if (Math.abs(loss) < 0.0005) return "costs nothing";
+  if (Math.abs(loss) < UNSEEN) return "costs nothing";
   const size = `${significant(Math.abs(loss), 2)} ${measure}`;
   if (measure === "IoU") return loss > 0 ? `−${size}` : `+${size}`;
   return loss > 0 ? `+${size}` : `−${size}`;

@@ -443,7 +443,7 @@ impl Rays {
             sources,
             patterns,
             output,
-            gait: Gait::best(),
+            gait: Gait::in_use(),
             accumulation: emission.accumulation,
             renew: emission.scattered.map_or(0, |scattered| scattered.renew),
             updates: OnceLock::new(),

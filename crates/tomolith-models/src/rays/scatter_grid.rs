@@ -37,11 +37,10 @@ impl ScatterGrid {
         scattered: &Scattered,
     ) -> Self {
         let smooth = scattered.smooth;
-        let coarse = Coarse::new(fine, smooth);
+        let bodies = || optics.iter().flat_map(|optics| &optics.obstacles);
+        let in_resin = |at| vial.in_resin(at) && !bodies().any(|body| body.surface.contains(at));
+        let coarse = Coarse::new(fine, smooth, in_resin);
         let sharpen = || {
-            let bodies = || optics.iter().flat_map(|optics| &optics.obstacles);
-            let in_resin =
-                |at| vial.in_resin(at) && !bodies().any(|body| body.surface.contains(at));
             let is_full = full_cells(&coarse.layout, in_resin);
             Sharpen::new(
                 &coarse.layout,

@@ -16,7 +16,8 @@ _Arrays = Any
 class _Observer(Protocol):
     """What `progress` may be in place of a callable."""
 
-    wants: Iterable[str]
+    @property
+    def wants(self) -> Iterable[str]: ...
     def event(self, event: dict[str, Any], /) -> object: ...
     def snapshot(self, snapshot: dict[str, Any], /) -> object: ...
 

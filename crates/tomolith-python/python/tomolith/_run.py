@@ -140,9 +140,8 @@ class Run:
 
     @cached_property
     def print(self) -> Any:
-        """True where the dose is enough for the resin to be solid, at the exposure that the report names."""
-        together, alone = self.report["one_exposure"], self.report["exposure"]
-        gel_dose = together["gel_dose"] if together else alone and alone["dose"]["best"]
+        """True where the dose is enough for the resin to be solid, at the exposure of the report's numbers."""
+        gel_dose = self._gel_dose
         if gel_dose is None:
             raise TomolithError(
                 f"{self.folder}: no threshold in the report, as of gray targets or where nothing is solid; accepted: runs with a threshold; "
@@ -150,6 +149,16 @@ class Run:
             )
         doses = self.dose if isinstance(self.dose, list) else [self.dose]
         return _one_or_list([dose >= gel_dose for dose in doses])
+
+    @property
+    def _gel_dose(self) -> float | None:
+        together, alone = self.report["one_exposure"], self.report["exposure"]
+        if together:
+            return float(together["gel_dose"])
+        if not (alone and alone["dose"] and alone["reported_percent"]):
+            return None
+        # What gels at s times the best exposure got 1/s of the dose
+        return float(alone["dose"]["best"]) / (alone["reported_percent"] / 100)
 
     @cached_property
     def _grid(self) -> tuple[str, int, tuple[int, ...], list[float], list[float]]:
@@ -196,7 +205,7 @@ class Run:
         axes = {axis: (axis, values, {"units": "mm"}) for axis, values in zip("zyx", self.coordinates_mm)}
         arrays = {"target": self.target, "labels": self.labels}
         names = [s["name"] for s in self.report["species"]]
-        kinds = ["dose"] + (["print"] if self.report["one_exposure"] or self.report["exposure"] else [])
+        kinds = ["dose"] + ([] if self._gel_dose is None else ["print"])
         for kind in kinds:
             values = getattr(self, kind)
             of_each = {f"{kind}_{name}": array for name, array in zip(names, values)} if isinstance(values, list) else {kind: values}

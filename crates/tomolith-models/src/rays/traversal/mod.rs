@@ -23,6 +23,7 @@ mod eight;
 mod wide;
 
 use super::segment::{Lattice, Segment, others};
+use crate::parallel::kernel::Isa;
 use tomolith_core::parallel::InParallel;
 
 /// Cells of the major axis that one vector holds: the width of a slab.
@@ -75,17 +76,13 @@ pub(super) enum Gait {
 }
 
 impl Gait {
-    pub(super) fn best() -> Self {
-        #[cfg(target_arch = "x86_64")]
-        if std::arch::is_x86_feature_detected!("avx512f") {
-            return Gait::Wide;
+    /// That of the [instructions in use](Isa::in_use).
+    pub(super) fn in_use() -> Self {
+        match Isa::in_use() {
+            Isa::Avx512 => Gait::Wide,
+            Isa::Avx2 => Gait::Eight,
+            _ => Gait::Plain,
         }
-        #[cfg(target_arch = "x86_64")]
-        if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma")
-        {
-            return Gait::Eight;
-        }
-        Gait::Plain
     }
 
     /// The walk for a segment.

@@ -20,7 +20,7 @@ pub(crate) fn of_dose(evaluation: &Evaluation, shown: &[Patterns]) -> Option<Str
     let is_lit = of_light(shown).is_none();
     let most = evaluation.part?.max;
     (is_lit && most == 0.0).then(|| {
-        "the patterns leave no dose in the part, so nothing turns solid: look at resin.absorption_per_mm and bounds.max, and at \
+        "the patterns leave no dose in the part, so nothing of it turns solid: look at resin.absorption_per_mm and bounds.max, and at \
          where the light goes (`tomolith trace`)"
             .to_owned()
     })

@@ -63,7 +63,8 @@ impl Asked<'_> {
     fn limits(&self, s: usize, print: &SpeciesPrint) -> PrintLimits {
         let evaluation = &print.evaluation;
         if evaluation.part.is_some_and(|part| part.max == 0.0) {
-            let sentence = "The patterns leave no dose in the part: nothing prints.".to_owned();
+            let sentence =
+                "The patterns leave no dose in the part: nothing of it prints.".to_owned();
             return PrintLimits {
                 sentence,
                 causes: Vec::new(),

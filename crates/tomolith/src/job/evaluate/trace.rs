@@ -32,7 +32,12 @@ pub struct Traced {
     pub segments: Vec<TracedSegment>,
     /// Where its power went: mean of its rays, per emitted power.
     pub account: PowerBalance,
+    /// Monte Carlo paths of which it is the mean; None where nothing scatters.
+    pub paths: Option<usize>,
 }
+
+/// Paths of a pixel where a job names no number of them: shares are then within 0.8 %.
+const PATHS: usize = 4096;
 
 /// A straight piece in the resin.
 #[derive(Clone, Copy, Debug, Serialize)]
@@ -55,9 +60,13 @@ impl From<PathSegment> for TracedSegment {
     }
 }
 
-/// Rays of the job's model, or of its optics; refuses jobs whose light is not made of rays.
-fn rays(resolved: &ResolvedJob) -> Result<Rays> {
-    let family = resolved.optics.family(&resolved.grid)?;
+/// Rays of the job's model, or of its optics, with the number of Monte Carlo paths of a pixel; refuses jobs whose light is not made of rays.
+fn rays(resolved: &ResolvedJob) -> Result<(Rays, Option<usize>)> {
+    let mut family = resolved.optics.family(&resolved.grid)?;
+    if let Some(paths) = family.compared_with() {
+        family = paths(PATHS, 0);
+    }
+    let paths = family.monte_carlo_paths().map(|paths| paths.optimizing);
     let none = || {
         Err(Error::config(
             format!("model.{}", family.name()),
@@ -65,9 +74,8 @@ fn rays(resolved: &ResolvedJob) -> Result<Rays> {
             "another model: `--set 'model={rays={}}'` follows the rays that the same projector would send",
         ))
     };
-    family
-        .rays(&resolved.optics.scene(), &resolved.grid)
-        .unwrap_or_else(none)
+    let rays = family.rays(&resolved.optics.scene(), &resolved.grid);
+    Ok((rays.unwrap_or_else(none)?, paths))
 }
 
 /// Traces pixels of a job by the `rays` model, or the `monte_carlo` model where the resin scatters, and gives the dose of all of them at a value of 1.
@@ -76,7 +84,7 @@ fn rays(resolved: &ResolvedJob) -> Result<Rays> {
 /// As a run, before any work; [`Error::Config`] for a pixel that is not there.
 pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, Volume<f32>)> {
     let resolved = ResolvedJob::under(job, cancel)?;
-    let model = rays(&resolved).map_err(|e| job.locate(e))?;
+    let (model, paths) = rays(&resolved).map_err(|e| job.locate(e))?;
     let lights = &resolved.optics.lights;
     for pixel in pixels {
         let Some(light) = lights.get(pixel.light) else {
@@ -112,6 +120,7 @@ pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, 
             pixel,
             segments: segments.into_iter().map(TracedSegment::from).collect(),
             account,
+            paths,
         });
     }
     let mut dose = model.new_dose()?;
