@@ -79,6 +79,18 @@ fn dose(model: &dyn DoseModel<Field = HostField>, x: &[f32]) -> Volume<f32> {
     model.outputs()[0].volume_of(dose.as_slice())
 }
 
+/// Light that is not scattered, in the total attenuation.
+fn unscattered(
+    vial: &dyn Vial,
+    lights: Vec<Light>,
+    optics: &[Optics],
+    params: &Params,
+    grid: &VolumeGrid,
+) -> OnVoxels {
+    let purpose = (Purpose::Probe, &Run::new());
+    straight(vial, lights, optics, params, grid.clone(), purpose).unwrap()
+}
+
 #[test]
 #[ignore = "slow"]
 fn every_vial_and_phase_is_an_exact_pair() {
@@ -329,7 +341,8 @@ fn scattered_light_of_cones_and_tilted_light_is_that_of_monte_carlo_paths_where_
         let [(whole, first), (_, second)] = [1, 2].map(by_paths);
         let own = Params::default();
         let orders = model(vial, lights.to_vec(), &optics, &own, grid.clone()).unwrap();
-        let found = scattered(&dose(&orders, &x), &dose(orders.straight.model(), &x));
+        let straight = unscattered(vial, lights.to_vec(), &optics, &own, &grid);
+        let found = scattered(&dose(&orders, &x), &dose(straight.model(), &x));
         let found = blocks(&found);
         let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
         let middle = mean(&whole);
@@ -443,7 +456,8 @@ fn cones_without_an_opening_are_collimated_light() {
             let light = || vec![light(24, 8, 32, 0.125, 0.3)];
             let one = std::slice::from_ref(optics);
             let whole = model(&glass, light(), one, &params, grid.clone()).unwrap();
-            scattered(&dose(&whole, &x), &dose(whole.straight.model(), &x))
+            let straight = unscattered(&glass, light(), one, &params, &grid);
+            scattered(&dose(&whole, &x), &dose(straight.model(), &x))
         };
         let expected = doses(&scattering, 1);
         // An opening too small to see, with rays that are sampled as in any cone
