@@ -112,59 +112,108 @@ impl Bins {
         CellBlur::bins(self.pixels.grid.pitch_mm, self.layout.grid.pitch_mm)
     }
 
-    /// Calls `visit(pixel, bin, part)` for what the pixels of a (frame, column) share out; elements of the fields.
-    fn for_each_part(&self, slot: usize, mut visit: impl FnMut(usize, usize, f32)) {
-        let (columns, larger) = (self.pixels.grid.columns, self.layout.grid.columns);
-        let run = self.pixels.runs[slot];
-        let share = self.columns[slot % columns];
-        for (next, part) in lit_parts(share) {
-            let to = self.layout.runs[slot / columns * larger + share.bin + next];
-            for (i, row) in self.rows[run.bottom as usize..][..run.count as usize]
-                .iter()
-                .enumerate()
-            {
-                for (next, of_row) in lit_parts(*row) {
-                    let bin = to.offset + row.bin + next - to.bottom as usize;
-                    visit(run.offset + i, bin, part * of_row);
-                }
-            }
-        }
-    }
-
     /// Value of a bin per value of a pixel that lies in it.
     fn scale(&self) -> f32 {
         (self.pixels.grid.pixel_mm2() / self.layout.grid.pixel_mm2()) as f32
     }
 
-    /// Bins of mean values of pixels, these times the weight of their (frame, column).
-    pub(super) fn fill(&self, x: &[f32], weights: &[f32], bins: &mut [f32]) {
-        let (frames, columns) = (self.pixels.grid.frames(), self.pixels.grid.columns);
-        let scale = self.scale();
-        let len = self.layout.len() / frames;
-        bins.chunks_mut(len.max(1))
-            .enumerate()
-            .par_each(|(frame, bins)| {
-                bins.fill(0.0);
-                let slots = frame * columns..(frame + 1) * columns;
-                for (slot, weight) in slots.clone().zip(&weights[slots]) {
-                    let weight = scale * weight;
-                    self.for_each_part(slot, |pixel, bin, part| {
-                        bins[bin - frame * len] += weight * part * x[pixel];
-                    });
-                }
-            });
+    /// Rows of bins that are lit.
+    fn lit_rows(&self) -> Range<usize> {
+        let run = self.layout.runs.first().copied().unwrap_or_default();
+        run.bottom as usize..(run.bottom + run.count) as usize
     }
 
-    /// Transpose of [`fill`](Self::fill), added to the pixels of some frames; `x` has those of all.
+    /// Every pixel of a (frame, column), counted from its first, with the rows that share it, counted from the lowest lit one, and their parts.
+    fn for_each_part(&self, slot: usize, mut visit: impl FnMut(usize, usize, f32)) {
+        let (run, lowest) = (self.pixels.runs[slot], self.lit_rows().start);
+        let rows = &self.rows[run.bottom as usize..][..run.count as usize];
+        for (pixel, share) in rows.iter().enumerate() {
+            for (next, part) in lit_parts(*share) {
+                visit(pixel, share.bin + next - lowest, part);
+            }
+        }
+    }
+
+    /// The bins that share a (frame, column), from the lowest lit one on, and their parts.
+    fn bins_of(&self, slot: usize) -> impl Iterator<Item = (Range<usize>, f32)> {
+        let (columns, larger) = (self.pixels.grid.columns, self.layout.grid.columns);
+        let share = self.columns[slot % columns];
+        lit_parts(share).map(move |(next, part)| {
+            let run = self.layout.runs[slot / columns * larger + share.bin + next];
+            (run.offset..run.offset + run.count as usize, part)
+        })
+    }
+
+    /// No light in any row of bins: `[frame, column][row]`.
+    pub(super) fn dark_rows(&self) -> Vec<f32> {
+        vec![0.0; self.slots() * self.lit_rows().len()]
+    }
+
+    /// Light of pixels by rows of bins, `[frame, column][row]`.
+    pub(super) fn in_rows(&self, x: &[f32]) -> Vec<f32> {
+        let mut rows = self.dark_rows();
+        let columns = self.pixels.grid.columns;
+        let count = self.lit_rows().len().max(1);
+        let of_frames = rows.chunks_mut(count * columns).enumerate();
+        of_frames.par_each(|(frame, rows)| {
+            for (column, rows) in rows.chunks_mut(count).enumerate() {
+                let slot = frame * columns + column;
+                let own = &x[self.pixels.runs[slot].offset..];
+                self.for_each_part(slot, |pixel, row, part| rows[row] += part * own[pixel]);
+            }
+        });
+        rows
+    }
+
+    /// Bins of mean values of pixels by [rows](Self::in_rows), these times the weight of their (frame, column).
+    pub(super) fn fill(&self, rows: &[f32], weights: &[f32], bins: &mut [f32]) {
+        let (frames, columns) = (self.pixels.grid.frames(), self.pixels.grid.columns);
+        let (scale, count) = (self.scale(), self.lit_rows().len());
+        let len = self.layout.len() / frames;
+        let of_frames = bins.chunks_mut(len.max(1)).enumerate();
+        of_frames.par_each(|(frame, bins)| {
+            bins.fill(0.0);
+            for slot in frame * columns..(frame + 1) * columns {
+                let rows = &rows[slot * count..][..count];
+                for (own, part) in self.bins_of(slot) {
+                    let weight = scale * weights[slot] * part;
+                    let own = &mut bins[own.start - frame * len..own.end - frame * len];
+                    let both = own.iter_mut().zip(rows);
+                    both.for_each(|(bin, row)| *bin += weight * row);
+                }
+            }
+        });
+    }
+
+    /// Transpose of [`fill`](Self::fill), added to the rows of some frames.
     pub(super) fn add_back(
         &self,
         frames: Range<usize>,
         bins: &[f32],
         weights: &[f32],
-        x: &mut [f32],
+        rows: &mut [f32],
     ) {
         let columns = self.pixels.grid.columns;
-        let scale = self.scale();
+        let (scale, count) = (self.scale(), self.lit_rows().len());
+        let of_frames = rows.chunks_mut((count * columns).max(1)).enumerate();
+        let of_frames: Vec<_> = of_frames
+            .filter(|(frame, _)| frames.contains(frame))
+            .collect();
+        of_frames.into_iter().par_each(|(frame, rows)| {
+            for (column, rows) in rows.chunks_mut(count).enumerate() {
+                let slot = frame * columns + column;
+                for (own, part) in self.bins_of(slot) {
+                    let weight = scale * weights[slot] * part;
+                    let both = rows.iter_mut().zip(&bins[own]);
+                    both.for_each(|(row, bin)| *row += weight * bin);
+                }
+            }
+        });
+    }
+
+    /// Transpose of [`in_rows`](Self::in_rows), added to the pixels of some frames; `x` has those of all.
+    pub(super) fn add_rows(&self, frames: Range<usize>, rows: &[f32], x: &mut [f32]) {
+        let (columns, count) = (self.pixels.grid.columns, self.lit_rows().len());
         let mut by_frame = Vec::with_capacity(frames.len());
         let mut x = &mut x[self.pixels.elements_of(frames.clone())];
         for frame in frames {
@@ -175,12 +224,10 @@ impl Bins {
             x = rest;
         }
         by_frame.into_iter().par_each(|(frame, first, own)| {
-            let slots = frame * columns..(frame + 1) * columns;
-            for (slot, weight) in slots.clone().zip(&weights[slots]) {
-                let weight = scale * weight;
-                self.for_each_part(slot, |pixel, bin, part| {
-                    own[pixel - first] += weight * part * bins[bin];
-                });
+            for slot in frame * columns..(frame + 1) * columns {
+                let rows = &rows[slot * count..][..count];
+                let own = &mut own[self.pixels.runs[slot].offset - first..];
+                self.for_each_part(slot, |pixel, row, part| own[pixel] += part * rows[row]);
             }
         });
     }
@@ -220,13 +267,16 @@ mod tests {
         let len = light.layout(0).len();
         let (x, weights) = (noise(1, len), noise(2, 22));
         let mut found = vec![f32::NAN; larger.layout(0).len()];
-        bins.fill(&x, &[1.0; 22], &mut found);
+        let rows = bins.in_rows(&x);
+        bins.fill(&rows, &[1.0; 22], &mut found);
         let (energy, binned): (f32, f32) = (x.iter().sum(), found.iter().sum());
         assert!((energy - 9.0 * binned).abs() < 1e-5, "{energy} {binned}");
-        bins.fill(&x, &weights, &mut found);
+        bins.fill(&rows, &weights, &mut found);
         let back = noise(3, found.len());
         let mut sum = vec![0.0; len];
-        bins.add_back(0..2, &back, &weights, &mut sum);
+        let mut rows = bins.dark_rows();
+        bins.add_back(0..2, &back, &weights, &mut rows);
+        bins.add_rows(0..2, &rows, &mut sum);
         let dot = |a: &[f32], b: &[f32]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f32>();
         assert!((dot(&found, &back) - dot(&x, &sum)).abs() < 1e-5);
     }

@@ -65,8 +65,9 @@ impl UnscatteredSource for CollimatedSource {
 
     fn fields(&self, frames: Range<usize>, x: &[f32], run: &Run) -> Result<Vec<HostField>> {
         let mut weighted = self.parallel.new_patterns()?;
+        let rows = self.bins.in_rows(x);
         let of_channel = |weights: &Vec<f32>| {
-            self.bins.fill(x, weights, weighted.as_mut_slice());
+            self.bins.fill(&rows, weights, weighted.as_mut_slice());
             let mut field = self.parallel.new_dose()?;
             self.parallel
                 .dose_of(frames.clone(), &weighted, &mut field, run)?;
@@ -83,11 +84,13 @@ impl UnscatteredSource for CollimatedSource {
         run: &Run,
     ) -> Result<()> {
         let mut own = self.parallel.new_patterns()?;
+        let mut rows = self.bins.dark_rows();
         for (field, weights) in fields.iter().zip(&self.weights) {
             self.parallel
                 .collect(frames.clone(), field, &mut own, run)?;
-            (self.bins).add_back(frames.clone(), own.as_slice(), weights, grad);
+            (self.bins).add_back(frames.clone(), own.as_slice(), weights, &mut rows);
         }
+        self.bins.add_rows(frames, &rows, grad);
         Ok(())
     }
 

@@ -59,7 +59,8 @@ impl UnscatteredSource for DivergentSource {
 
     fn fields(&self, frames: Range<usize>, x: &[f32], run: &Run) -> Result<Vec<HostField>> {
         let mut binned = self.rays.new_patterns()?;
-        self.bins.fill(x, &self.even, binned.as_mut_slice());
+        let rows = self.bins.in_rows(x);
+        self.bins.fill(&rows, &self.even, binned.as_mut_slice());
         let dark = |_| self.rays.new_dose();
         let mut fields: Vec<HostField> = (self.channels.iter()).map(dark).collect::<Result<_>>()?;
         self.rays
@@ -77,7 +78,9 @@ impl UnscatteredSource for DivergentSource {
         let mut own = self.rays.new_patterns()?;
         self.rays
             .collect_weighted(frames.clone(), fields, &self.weights, &mut own, run)?;
-        self.bins.add_back(frames, own.as_slice(), &self.even, grad);
+        let mut rows = self.bins.dark_rows();
+        (self.bins).add_back(frames.clone(), own.as_slice(), &self.even, &mut rows);
+        self.bins.add_rows(frames, &rows, grad);
         Ok(())
     }
 
