@@ -56,6 +56,10 @@ pub(crate) fn run(given: &ReproduceArguments, itself: &[OsString], cancel: &Run)
             cancel,
         },
     };
+    if !given.manner.json && !given.manner.quiet {
+        let what = "reads every job of the study and times its first iterations";
+        mutter(&format!("{:>12} {what}", "Check"));
+    }
     if given.check {
         let costs = study.costs(&output, threads, &typed, cancel)?;
         typed.begins(&costs);

@@ -1,7 +1,7 @@
 //! Error of the scattered light of `successive_orders` against Monte Carlo paths, for the patterns at hand.
 //!
-//! A sample of the lit pixels is followed by Monte Carlo paths, twice, with independent draws; what they leave, less their unscattered light, is
-//! an unbiased estimate of the scattered dose. In blocks of voxels, with o by orders and a, b by paths,
+//! A sample of the lit pixels is followed by Monte Carlo paths, twice, with independent draws; what they leave in cells of some voxels, less their
+//! unscattered light, is an unbiased estimate of the scattered dose. In blocks of cells, with o by orders and a, b by paths,
 //!
 //! ```text
 //! error² = mean (o − a)(o − b)        noise² = mean (a − b)²/2
@@ -74,19 +74,22 @@ impl CrossCheck {
             return Ok(None);
         };
         let (whole, by_orders) = scattered(&family, job, grid, patterns, cancel)?;
+        let longest = grid.shape.iter().copied().max();
+        let block = longest.unwrap_or(1).div_ceil(BLOCKS);
+        let edge = cell_edge(grid.shape, block);
+        let cells = cells_of(grid, edge);
         let mut paths = 0;
         let mut by_paths = |seed: u64| -> Result<Volume<f32>> {
             let (sample, count) = sampled(patterns, seed, most_paths);
             let paths_per_pixel = paths_per_pixel(most_paths, count);
             paths = count * paths_per_pixel;
             let random = random(paths_per_pixel, seed);
-            Ok(scattered(&random, job, grid, &sample, cancel)?.1)
+            Ok(scattered(&random, job, &cells, &sample, cancel)?.1)
         };
         let estimates = [by_paths(1)?, by_paths(2)?];
-        let longest = grid.shape.iter().copied().max();
-        let block = longest.unwrap_or(1).div_ceil(BLOCKS);
         let mean = part_mean(&whole, &voxels.labels);
-        let found = errors(&by_orders, &estimates, &voxels.labels, block);
+        let by_orders = in_cells(&by_orders, &cells, edge);
+        let found = errors(&by_orders, &estimates, &voxels.labels, (block, edge));
         let over_mean = |error: f64| if mean > 0.0 { error / mean } else { 0.0 };
         Ok(Some(CrossCheck {
             part: over_mean(found.rms[0]),
@@ -177,6 +180,41 @@ fn scattered(
     Ok((whole, scattered))
 }
 
+/// Voxels along the edge of a cell: some that fit into a block and the grid, at least four cells to the edge of a block.
+fn cell_edge(shape: [usize; 3], block: usize) -> usize {
+    let fits = |&edge: &usize| block % edge == 0 && shape.iter().all(|n| n % edge == 0);
+    (1..=block / 4).rev().find(fits).unwrap_or(1)
+}
+
+/// Cells of some voxels along an edge.
+fn cells_of(grid: &VolumeGrid, edge: usize) -> VolumeGrid {
+    VolumeGrid {
+        shape: grid.shape.map(|n| n / edge),
+        pitch_mm: grid.pitch_mm * edge as f64,
+        height_mm: grid.height_mm * edge as f64,
+        ..grid.clone()
+    }
+}
+
+/// Where the cell of a voxel stands in their array.
+fn cell_of(i: usize, [_, ny, nx]: [usize; 3], edge: usize) -> usize {
+    let (z, y, x) = (i / (ny * nx), i / nx % ny, i % nx);
+    (z / edge * (ny / edge) + y / edge) * (nx / edge) + x / edge
+}
+
+/// Means of the voxels of each cell.
+fn in_cells(volume: &Volume<f32>, cells: &VolumeGrid, edge: usize) -> Volume<f32> {
+    let mut sums = vec![0.0f64; cells.len()];
+    for (i, &value) in volume.values.iter().enumerate() {
+        sums[cell_of(i, volume.grid.shape, edge)] += f64::from(value);
+    }
+    let count = edge.pow(3) as f64;
+    Volume {
+        grid: cells.clone(),
+        values: sums.into_iter().map(|sum| (sum / count) as f32).collect(),
+    }
+}
+
 /// Paths of each of so many lit pixels.
 fn paths_per_pixel(most: usize, count: usize) -> usize {
     (most / count.max(1)).clamp(1, MOST_PER_PIXEL)
@@ -259,16 +297,17 @@ struct Errors {
     dim: Option<[f64; 2]>,
 }
 
+/// Errors of doses in cells, weighted with the voxels that each has in a place; blocks and cells have so many voxels along an edge.
 fn errors(
     orders: &Volume<f32>,
     [a, b]: &[Volume<f32>; 2],
     labels: &Volume<u8>,
-    block: usize,
+    (block, cell): (usize, usize),
 ) -> Errors {
-    let shape = orders.grid.shape.map(|n| n.div_ceil(block));
+    let shape = labels.grid.shape.map(|n| n.div_ceil(block));
     // Sums of the three doses and voxels, of the part's voxels and of the void's in each block
     let mut blocks = vec![[[0.0f64; 4]; 2]; shape.iter().product()];
-    let [_, ny, nx] = orders.grid.shape;
+    let [_, ny, nx] = labels.grid.shape;
     for (i, of) in labels.values.iter().enumerate() {
         let place = match *of {
             label::PART => 0,
@@ -277,7 +316,8 @@ fn errors(
         };
         let (z, y, x) = (i / (ny * nx), i / nx % ny, i % nx);
         let at = (z / block * shape[1] + y / block) * shape[2] + x / block;
-        let values = [orders.values[i], a.values[i], b.values[i], 1.0];
+        let own = cell_of(i, labels.grid.shape, cell);
+        let values = [orders.values[own], a.values[own], b.values[own], 1.0];
         for (sum, value) in blocks[at][place].iter_mut().zip(values) {
             *sum += f64::from(value);
         }
@@ -362,7 +402,7 @@ mod tests {
             most,
             seen,
             dim,
-        } = errors(&orders, &[noisy(1), noisy(2)], &labels, 2);
+        } = errors(&orders, &[noisy(1), noisy(2)], &labels, (2, 1));
         assert!(
             seen < 0.01 && part < 0.005 + seen && void < 0.005 + seen,
             "{part} {void} {seen}"
@@ -375,14 +415,30 @@ mod tests {
         let dimmer = |v: &Volume<f32>| volume(&|i| scale(i) * f64::from(v.values[i]));
         let more = volume(&|i| if i < grid.len() / 2 { 1.0 } else { 0.05 * 1.03 });
         let both = [dimmer(&noisy(1)), dimmer(&noisy(2))];
-        let [off, noise] = errors(&more, &both, &labels, 2).dim.unwrap();
+        let [off, noise] = errors(&more, &both, &labels, (2, 1)).dim.unwrap();
         assert!(
             (off - 0.03).abs() < 5.0 * noise && noise < 0.002,
             "{off} {noise}"
         );
         let worse = volume(&|i| if i < grid.len() / 2 { 1.05 } else { 1.0 });
-        let [part, void] = errors(&worse, &[noisy(1), noisy(2)], &labels, 2).rms;
+        let [part, void] = errors(&worse, &[noisy(1), noisy(2)], &labels, (2, 1)).rms;
         assert!((part - 0.05).abs() < 0.003 && void < 0.01, "{part} {void}");
+    }
+
+    #[test]
+    fn cells_are_whole_parts_of_blocks_and_grid_and_hold_means() {
+        assert_eq!(cell_edge([256; 3], 16), 4);
+        assert_eq!(cell_edge([400, 200, 400], 25), 5);
+        assert_eq!(cell_edge([32; 3], 2), 1);
+        assert_eq!(cell_edge([250, 256, 256], 16), 2);
+        let grid = VolumeGrid::centered([4, 8, 6], 0.1);
+        let linear = |[x, y, z]: [f64; 3]| (1.0 + 2.0 * x - 3.0 * y + 0.5 * z) as f32;
+        let cells = cells_of(&grid, 2);
+        let found = in_cells(&Volume::from_fn(grid, linear), &cells, 2);
+        let expected = Volume::from_fn(cells, linear);
+        for (a, b) in found.values.iter().zip(&expected.values) {
+            assert!((a - b).abs() < 1e-6, "{a} {b}");
+        }
     }
 
     #[test]
