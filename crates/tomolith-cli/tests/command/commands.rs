@@ -185,7 +185,10 @@ fn anybodys_arrays_are_measured() {
         &["NaN at [0, 0, 1], as [z, y, x]"],
     );
     bench.write("bytes.npy", &doubles("2, 2", &[0.0, 255.0, 128.0, 0.0]));
-    bench.done("metrics dose.npy bytes.npy");
+    bench.write("mask.npy", &doubles("2, 2", &[0.0, 255.0, 255.0, 0.0]));
+    bench.write("one.npy", &doubles("2, 2", &[0.0, 1.0, 1.0, 0.0]));
+    let of = |target: &str| bench.json(&format!("metrics dose.npy {target}"));
+    assert_eq!(of("mask.npy"), of("one.npy"));
     bench.write("none.npy", &doubles("2, 2", &[0.0; 4]));
     bench.write("far.npy", &doubles("2, 2", &[0.2, 1e300, 0.9, 0.4]));
     bench.write("near.npy", &doubles("2, 2", &[2e-300, 8e-300, 0.0, 0.0]));
@@ -196,8 +199,10 @@ fn anybodys_arrays_are_measured() {
         near.npy … 8e-300 (at place 1, from 0) … 1e-45
         $ metrics dose.npy none.npy
         none.npy: no voxel of the part
-        $ metrics dose.npy bytes.npy --gray
-        a gray value of 255
+        $ metrics dose.npy bytes.npy
+        bytes.npy: a value of 255 … divide 8-bit values by 255
+        $ metrics dose.npy mask.npy --gray --epsilon -1
+        epsilon
         $ metrics dose.npy target.npy --trim-percent -1
         --trim-percent: found -1
         $ metrics dose.npy target.npy --threshold NaN

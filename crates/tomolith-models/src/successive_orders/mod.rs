@@ -173,7 +173,7 @@ impl ModelFamily for Params {
     }
 
     fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
-        let model = self.model(input)?;
+        let model = self.model(input, input.scene.purpose)?;
         Ok(Box::new(match input.scene.purpose {
             Purpose::Optimize => model.cached(),
             _ => model,
@@ -181,7 +181,8 @@ impl ModelFamily for Params {
     }
 
     fn form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
-        self.model(input)?.to_form(input.run)
+        // All views, not those of the first part of a turn alone
+        self.model(input, Purpose::Probe)?.to_form(input.run)
     }
 
     fn unscattered_form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
@@ -224,15 +225,15 @@ impl ModelFamily for Params {
 }
 
 impl Params {
-    /// The model for the purpose of the scene.
-    fn model(&self, input: &ModelInput<'_>) -> Result<SuccessiveOrders> {
+    /// The model for the purpose of the scene, whose collimated light finds its entries as for this one.
+    fn model(&self, input: &ModelInput<'_>, finding: Purpose) -> Result<SuccessiveOrders> {
         let OpticalScene { vial, optics, .. } = input.scene;
         let mut params = self.clone();
         if let Purpose::Evaluate { refine } = input.scene.purpose {
             params.rays_per_pixel = Some(params.rays() * refine * refine);
         }
         let lights = input.scene.lights.to_vec();
-        let purpose = (input.scene.purpose, input.run);
+        let purpose = (finding, input.run);
         model_for(vial, lights, optics, &params, input.grid.clone(), purpose)
     }
 }
