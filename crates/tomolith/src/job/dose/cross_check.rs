@@ -182,7 +182,10 @@ fn scattered(
 
 /// Voxels along the edge of a cell: some that fit into a block and the grid, at least four cells to the edge of a block.
 fn cell_edge(shape: [usize; 3], block: usize) -> usize {
-    let fits = |&edge: &usize| block % edge == 0 && shape.iter().all(|n| n % edge == 0);
+    let fits = |&edge: &usize| {
+        let mut all = shape.iter().chain([&block]);
+        all.all(|n| n.is_multiple_of(edge))
+    };
     (1..=block / 4).rev().find(fits).unwrap_or(1)
 }
 
