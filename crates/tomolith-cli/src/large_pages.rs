@@ -1,7 +1,7 @@
 //! Memory of large arrays in pages of 2 MB, where Linux gives them to who asks.
 //!
 //! The kernels read lanes that lie far apart, and the processor looks up the page of each. With pages of 4 kB its table of pages is too small for that: the
-//! published boat takes 4 to 6 % longer. Linux joins pages by itself where `/sys/kernel/mm/transparent_hugepage/enabled` is `always`, and never where it is `never`; where it is
+//! published boat takes 3 to 6 % longer (docs/speed.md). Linux joins pages by itself where `/sys/kernel/mm/transparent_hugepage/enabled` is `always`, and never where it is `never`; where it is
 //! `madvise`, as on Ubuntu, it waits to be asked. An array of which a program touches a part only may then take up to 2 MB more.
 #![expect(
     unsafe_code,

@@ -47,7 +47,7 @@ pub(crate) struct CrossCheck {
     pub(crate) paths: usize,
 }
 
-/// Paths of an estimate, about: two seconds of a core.
+/// Paths of an estimate, about.
 pub(crate) const PATHS: usize = 400_000;
 /// Paths of a pixel at most, where few are lit: eight pixels still have a third of all paths.
 const MOST_PER_PIXEL: usize = 1 << 14;
