@@ -115,7 +115,8 @@ fn in_words(traced: &Traced) -> String {
     if let Some(paths) = traced.paths {
         let within = 50.0 / (paths as f64).sqrt();
         text += &format!(
-            "\n  mean of {paths} Monte Carlo paths: shares are within {within:.1} %; model.monte_carlo.paths_per_pixel draws more"
+            "\n  mean of {paths} Monte Carlo paths: the standard error of a share is at most {within:.1} percentage points. \
+             For another number: --set 'model={{monte_carlo={{paths_per_pixel=N}}}}'"
         );
     }
     text

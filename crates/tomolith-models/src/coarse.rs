@@ -41,31 +41,7 @@ impl Coarse {
             height_mm: pitch_mm,
             center_mm,
         };
-        // Layers that lie within the grid, or in the resin beyond it
-        let high = fine.grid.bounds_mm()[1];
-        let mut is_lit: [Vec<bool>; 3] = std::array::from_fn(|axis| {
-            let middle = |i: usize| low[axis] + (i as f64 - 0.5) * pitch_mm;
-            let is_within = |i: usize| middle(i) > low[axis] && middle(i) < high[axis];
-            (0..counts[axis]).map(is_within).collect()
-        });
-        for i in 0..grid.len() {
-            if in_resin(grid.middle(i)) {
-                let at = [
-                    i % counts[0],
-                    i / counts[0] % counts[1],
-                    i / (counts[0] * counts[1]),
-                ];
-                is_lit
-                    .iter_mut()
-                    .zip(at)
-                    .for_each(|(is_lit, at)| is_lit[at] = true);
-            }
-        }
-        let ends = is_lit.map(|is_lit| {
-            let first = is_lit.iter().position(|&is_lit| is_lit);
-            let last = is_lit.iter().rposition(|&is_lit| is_lit);
-            [first.unwrap_or_default(), last.unwrap_or(is_lit.len() - 1)]
-        });
+        let ends = ends(&grid, fine.grid.bounds_mm(), in_resin);
         Self::between(grid, fine, ends)
     }
 
@@ -208,6 +184,28 @@ impl Coarse {
             }
         });
     }
+}
+
+/// The first and the last layer of cells along x, y and z whose middles lie within a box, or in the resin beyond it.
+fn ends(
+    cells: &VolumeGrid,
+    [low, high]: [[f64; 3]; 2],
+    in_resin: impl Fn([f64; 3]) -> bool,
+) -> [[usize; 2]; 3] {
+    let [nz, ny, nx] = cells.shape;
+    let mut is_lit = [nx, ny, nz].map(|count| vec![false; count]);
+    for i in 0..cells.len() {
+        let middle = cells.middle(i);
+        let in_resin = in_resin(middle);
+        for (axis, at) in [i % nx, i / nx % ny, i / (nx * ny)].into_iter().enumerate() {
+            is_lit[axis][at] |= in_resin || (low[axis] < middle[axis] && middle[axis] < high[axis]);
+        }
+    }
+    is_lit.map(|is_lit| {
+        let first = is_lit.iter().position(|&is_lit| is_lit);
+        let last = is_lit.iter().rposition(|&is_lit| is_lit);
+        [first.unwrap_or_default(), last.unwrap_or(is_lit.len() - 1)]
+    })
 }
 
 #[cfg(test)]

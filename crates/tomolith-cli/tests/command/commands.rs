@@ -463,6 +463,8 @@ fn light_that_is_scattered_is_traced() {
     let bench = Bench::new();
     let line = "trace job.toml --pixel 0,16,8 --set resin.scattering_per_mm=0.3 --json";
     let traced = &bench.events(0, line)[0];
+    // The job goes order by order and names no number of paths
+    assert_eq!(traced["result"]["paths"], 4096);
     let account = traced["result"]["account"].as_object().unwrap();
     let total: f64 = account.values().map(|v| v.as_f64().unwrap()).sum();
     assert!((total - 1.0).abs() < 1e-9, "{account:?}");

@@ -32,11 +32,11 @@ pub struct Traced {
     pub segments: Vec<TracedSegment>,
     /// Where its power went: mean of its rays, per emitted power.
     pub account: PowerBalance,
-    /// Monte Carlo paths of which it is the mean; None where nothing scatters.
+    /// Monte Carlo paths of which it is the mean; None of a model that draws none.
     pub paths: Option<usize>,
 }
 
-/// Paths of a pixel where a job names no number of them: shares are then within 0.8 %.
+/// Paths of a pixel where a job names no number of them: the standard error of a share is then at most 0.8 percentage points.
 const PATHS: usize = 4096;
 
 /// A straight piece in the resin.
