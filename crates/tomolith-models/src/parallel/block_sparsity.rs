@@ -5,9 +5,8 @@
 //! have added 0, so results are the same to the bit.
 
 use super::TOGETHER;
-use super::kernel::{Block, Entries, MAX_BLOCK};
-use super::strips::Major;
-use super::tiles::{TILE, Tile, TileEntries};
+use super::kernel::{Block, MAX_BLOCK};
+use super::tiles::Tile;
 use std::ops::Range;
 use tomolith_core::field::LANES;
 use tomolith_core::parallel::{InParallel, table};
@@ -205,28 +204,12 @@ impl NonzeroBlocks {
 
     /// Of the voxels of a tile, in a plane of `nx` voxels a row.
     pub(super) fn of_tile(&self, tile: &Tile, nx: usize) -> NonzeroTile {
-        let mut found = NonzeroTile {
-            blocks: 0,
-            wanted: [[0; TILE]; 2],
-        };
-        for y in 0..tile.size[1] {
+        let of_line = |y: usize| {
             let first = (tile.start[1] + y) * nx + tile.start[0];
-            for (x, &bits) in self.rows[first..first + tile.size[0]].iter().enumerate() {
-                found.blocks |= bits;
-                let nonzero = u32::from(bits != 0);
-                found.wanted[0][x] |= nonzero << y;
-                found.wanted[1][y] |= nonzero << x;
-            }
-        }
-        found
-    }
-
-    /// Bits that all, and bits that any of these rows have.
-    fn all_and_any(&self, rows: &[u32]) -> [u64; 2] {
-        rows.iter().fold([u64::MAX, 0], |[all, any], &row| {
-            let bits = self.rows[row as usize];
-            [all & bits, any | bits]
-        })
+            self.rows[first..first + tile.size[0]].iter()
+        };
+        let rows = (0..tile.size[1]).flat_map(of_line);
+        NonzeroTile(rows.fold(0, |all, bits| all | bits))
     }
 }
 
@@ -246,91 +229,16 @@ fn bits_of(lanes: &[f32], blocks: &[Block]) -> u64 {
     nonzero.fold(0, |bits, (i, _)| bits | bit(i))
 }
 
-/// Voxels of a tile that hold anything but 0.
-pub(super) struct NonzeroTile {
-    /// Bits of any of its voxels.
-    blocks: u64,
-    /// Its rows along x, then along y: bit i of a row for voxel i across.
-    wanted: [[u32; TILE]; 2],
-}
+/// [`bit`]s of blocks in which any voxel of a tile holds anything but 0.
+pub(super) struct NonzeroTile(u64);
 
 impl NonzeroTile {
     pub(super) fn is_empty(&self) -> bool {
-        self.blocks == 0
+        self.0 == 0
     }
 
     pub(super) fn any_in(&self, block: usize) -> bool {
-        self.blocks & bit(block) != 0
-    }
-
-    /// For the rows of a beam.
-    pub(super) fn wanted(&self, major: Major) -> [u32; TILE] {
-        self.wanted[usize::from(major == Major::Y)]
-    }
-}
-
-/// The entries of a tile's runs that a block of lanes needs.
-#[derive(Default)]
-pub(super) struct NeededEntries {
-    /// Of each run: bits that all, and that any of its voxels have.
-    bits: Vec<[u64; 2]>,
-    chosen: Chosen,
-}
-
-impl NeededEntries {
-    /// Looks at all runs of `found`, whose slots are rows of `nonzero`.
-    pub(super) fn load(&mut self, found: &TileEntries, nonzero: &NonzeroBlocks) {
-        let of_run = |run| nonzero.all_and_any(found.of(run).slots);
-        self.bits.clear();
-        self.bits.extend(found.runs.iter().map(of_run));
-    }
-
-    /// The entries of run `i` whose voxels hold something in this block; None when none does.
-    pub(super) fn of<'a>(
-        &'a mut self,
-        found: &'a TileEntries,
-        i: usize,
-        (nonzero, block): (&NonzeroBlocks, usize),
-    ) -> Option<Entries<'a>> {
-        let [all, any] = self.bits[i];
-        if any & bit(block) == 0 {
-            return None;
-        }
-        let entries = found.of(&found.runs[i]);
-        if all & bit(block) != 0 {
-            return Some(entries);
-        }
-        Some(
-            self.chosen
-                .of(entries, |voxel| nonzero.any_in(voxel as usize, block)),
-        )
-    }
-}
-
-/// Some of a list of entries.
-#[derive(Default)]
-pub(super) struct Chosen {
-    slots: Vec<u32>,
-    weights: Vec<f32>,
-}
-
-impl Chosen {
-    /// Those whose slot `keep` wants.
-    pub(super) fn of(&mut self, entries: Entries, keep: impl Fn(u32) -> bool) -> Entries<'_> {
-        let len = entries.slots.len();
-        self.slots.resize(len, 0);
-        self.weights.resize(len, 0.0);
-        let mut count = 0;
-        for (&slot, &weight) in entries.slots.iter().zip(entries.weights) {
-            // Written either way: no branch to guess
-            self.slots[count] = slot;
-            self.weights[count] = weight;
-            count += usize::from(keep(slot));
-        }
-        Entries {
-            slots: &self.slots[..count],
-            weights: &self.weights[..count],
-        }
+        self.0 & bit(block) != 0
     }
 }
 

@@ -15,7 +15,7 @@ use super::block_sparsity::{LENGTHS, NonzeroBlocks, NonzeroTile, is_nonzero};
 use super::kernel::{Block, MAX_BLOCK};
 use super::patches::{self, ColumnEntry, Patches, VOXELS};
 use super::plan::{KernelPath, LightPlan};
-use super::tiles::{Local, Slots, TILE, Tile, TileEntries};
+use super::tiles::{Local, TILE, Tile, TileEntries};
 use super::turned::Turned;
 use super::{GROUP, groups, is_straight};
 use crate::Run;
@@ -38,31 +38,13 @@ const BYTES: f64 = (size_of::<u32>() + size_of::<[f32; VOXELS]>()) as f64;
 pub(super) const EDGE: usize = 2;
 pub(super) const PATCHES: usize = TILE / EDGE;
 
-/// How a model finds the entries of a slice.
+/// When a model finds the entries of a slice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Finding {
-    /// Voxel by voxel, in each call.
-    ByVoxels,
-    /// Patch by patch, in each call: those of the first part of the turn serve all of it.
-    ByPatches,
-    /// Patch by patch in the first call, which stores them.
+    /// In each call: those of the first part of the turn serve all of it.
+    InEachCall,
+    /// In the first call, which stores them.
     Once,
-}
-
-impl Finding {
-    /// Whether entries are those of patches, from the first part of the turn.
-    pub(super) fn is_by_patches(self) -> bool {
-        self != Finding::ByVoxels
-    }
-}
-
-/// How a model of a single call finds its entries.
-pub(super) fn of_one_call(lights: &[Light], vial: &dyn Vial, grid: &VolumeGrid) -> Finding {
-    let turned = Turned::of_lights(vial, lights, grid, Finding::ByPatches);
-    match turned.iter().all(Turned::repeats) {
-        true => Finding::ByPatches,
-        false => Finding::ByVoxels,
-    }
 }
 
 /// Bytes that an optimization stores of these lights; None where that would be too much, or rows have no lanes.
@@ -73,13 +55,6 @@ pub(super) fn bytes(lights: &[Light], vial: &dyn Vial, grid: &VolumeGrid) -> Opt
     };
     let bytes = lights.iter().zip(&turned).map(of_light).sum();
     (grid.shape[0] > 1 && bytes <= MOST).then_some(bytes)
-}
-
-/// Whether entries of a part of the turn serve all of it, for all lights.
-pub(super) fn repeats(lights: &[Light], vial: &dyn Vial, grid: &VolumeGrid) -> bool {
-    Turned::of_lights(vial, lights, grid, Finding::Once)
-        .iter()
-        .all(Turned::repeats)
 }
 
 /// Entries of one light, of about that number: a patch has one in each frame, and as many more as columns cross it and the arc that it
@@ -126,23 +101,27 @@ struct Finder {
 }
 
 impl Finder {
-    /// The entries of a tile from a group of views of the first part of the turn, patch by patch.
+    /// The entries of a tile from views of a group of the first part of the turn, patch by patch, of those slots that are `needed`.
     fn find(
         &mut self,
         path: KernelPath,
         plan: &LightPlan,
-        (index, tile): (usize, &Tile),
-        views: Range<usize>,
+        (index, tile, views): Place,
+        needed: impl Fn(usize) -> bool,
     ) -> Patches {
         self.patches.resize(PATCHES * PATCHES, Vec::new());
         self.patches.iter_mut().for_each(Vec::clear);
-        for (i, view) in views.enumerate() {
-            let first = (i * plan.columns) as u32;
+        let first_of_group = first_of_group(views);
+        for view in views.clone() {
+            let first = ((view - first_of_group) * plan.columns) as u32;
             self.found.clear();
             for beam in plan.of_view[view].clone() {
                 let meeting = plan.meetings[index * plan.beams.len() + beam];
-                let local = Local::new(tile, plan.beams[beam].major, Slots::WITHIN_TILE);
-                let keep = |column| plan.is_lit_in_any_part(view, column);
+                let local = Local::new(tile, plan.beams[beam].major);
+                let keep = |column| {
+                    needed(view * plan.columns + column as usize)
+                        && plan.is_lit_in_any_part(view, column)
+                };
                 plan.enumerate_columns(path, beam, meeting, &local, keep, &mut self.found);
             }
             self.add_found(first);
@@ -368,8 +347,8 @@ impl CachedEntries {
         let of_tiles = tiles.iter().enumerate();
         let found = of_tiles.par_map_with(Finder::default, |finder, tile| {
             let groups = groups(0..period).take_while(|_| !run.is_canceled());
-            let found = groups.map(|group| Group::of(finder.find(path, plan, tile, group)));
-            found.collect::<Vec<_>>()
+            let find = |group| finder.find(path, plan, (tile.0, tile.1, &group), |_| true);
+            groups.map(find).map(Group::of).collect::<Vec<_>>()
         });
         run.check()?;
         Ok(CachedEntries {
@@ -413,19 +392,18 @@ impl CachedEntries {
         entries * BYTES as usize
     }
 
-    /// What the group that views belong to brings to a tile.
+    /// What the group that views belong to brings to a tile: all of it where it is stored, else that of the views' slots that are `needed`.
     fn group<'a>(
         &'a self,
         (path, plan): (KernelPath, &LightPlan),
-        (index, tile, views): Place,
+        place: Place,
+        needed: impl Fn(usize) -> bool,
         (finder, found): (&mut Finder, &'a mut Group),
     ) -> &'a Group {
         if self.is_kept() {
-            return &self.groups[index * self.per_tile + views.start / GROUP];
+            return &self.groups[place.0 * self.per_tile + place.2.start / GROUP];
         }
-        let first = first_of_group(views);
-        let all = first..(first + GROUP).min(plan.turned.period);
-        *found = Group::of(finder.find(path, plan, (index, tile), all));
+        *found = Group::of(finder.find(path, plan, place, needed));
         found
     }
 
@@ -439,7 +417,8 @@ impl CachedEntries {
         rows: &mut [&mut [f32]],
         bench: &mut Bench,
     ) {
-        let group = self.group((path, plan), place, (&mut bench.finder, &mut bench.found));
+        let own = (&mut bench.finder, &mut bench.found);
+        let group = self.group((path, plan), place, |slot| nonzero.any(slot), own);
         let first = first_of_group(place.2) * plan.columns;
         let own = slots_of(place.2, plan.columns);
         let is_whole = is_whole(&own, group);
@@ -529,7 +508,8 @@ impl CachedEntries {
         if cotangent.of_tile.is_empty() {
             return;
         }
-        let group = self.group((path, plan), place, (&mut bench.finder, &mut bench.found));
+        let own = (&mut bench.finder, &mut bench.found);
+        let group = self.group((path, plan), place, |_| true, own);
         if group.lit_by.is_empty() {
             return;
         }
@@ -596,9 +576,10 @@ fn slots_of(views: &Range<usize>, columns: usize) -> Range<u32> {
     slot(first)..slot(first + views.len())
 }
 
-/// Whether slots are all of a group.
+/// Whether all that light is in a group of slots is of these.
 fn is_whole(slots: &Range<u32>, group: &Group) -> bool {
-    slots.start == 0 && slots.end as usize >= group.patches.rows()
+    let ends = [group.lit_by.first(), group.lit_by.last()];
+    ends.iter().flatten().all(|slot| slots.contains(slot))
 }
 
 /// The lanes of a patch's voxels; those outside the tile are `outside`'s.

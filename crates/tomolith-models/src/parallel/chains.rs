@@ -9,13 +9,11 @@
     reason = "kernel file: vector arithmetic needs intrinsics"
 )]
 
-use super::kernel::Block;
 use super::strips::{Beam, Columns};
 #[cfg(doc)]
 use super::tiles::NARROWEST_IN_CHAIN;
 use super::tiles::{Local, TILE, TileEntries};
 use super::uniform_strips::{Integrals, Square};
-use tomolith_core::field::LANES;
 
 /// A chain of strips of one beam, seen from a tile.
 #[derive(Clone, Copy)]
@@ -103,20 +101,12 @@ impl Avx512 {
         }
     }
 
-    /// The taps of a chain; `slot` is the slot of column 0 of the view, `hop` the vectors from the lanes of one strip to
-    /// those of the next.
-    pub(super) fn find_taps(
-        self,
-        taps: &mut Taps,
-        chain: &Chain,
-        local: &Local,
-        along_x: bool,
-        (slot, hop): (u32, i32),
-    ) {
+    /// The taps of a chain.
+    pub(super) fn find_taps(self, taps: &mut Taps, chain: &Chain, local: &Local) {
         #[cfg(target_arch = "x86_64")]
         // SAFETY: `self` proves that AVX-512F was detected.
         unsafe {
-            taps.find(chain, local, along_x, (slot, hop));
+            taps.find(chain, local);
         }
     }
 
@@ -151,90 +141,39 @@ impl Avx512 {
         }
         sums
     }
-
-    /// Adds to every voxel of a tile what the chosen chains bring, over the lanes of the block. `rows[y]` holds the
-    /// whole rows of lanes of the tile's voxels (·, y); `source` has [`GUARD`] rows before slot 0 and behind the last.
-    ///
-    /// # Panics
-    /// When a tap lies outside `source`.
-    pub(super) fn gather_tile(
-        self,
-        rows: &mut [&mut [f32]],
-        source: &[f32],
-        chains: &[&Taps],
-        block: Block,
-    ) {
-        #[cfg(target_arch = "x86_64")]
-        // SAFETY: `self` proves that AVX-512F was detected.
-        unsafe {
-            avx512::gather_tile(rows, source, chains, block);
-        }
-    }
 }
 
 /// Strips of a chain as vectors: at most 63, and one more edge.
 pub(super) const WINDOW: usize = 64;
 
-/// Rows of lanes before the first and behind the last slot: taps of no weight may reach beyond a chain.
-pub(super) const GUARD: usize = MOST_TAPS;
-
 /// Strips that cover a voxel at most: the narrowest of a chain are [`NARROWEST_IN_CHAIN`] wide.
 const MOST_TAPS: usize = 5;
-
-/// Edge of a patch of voxels that are gathered one after the other: the columns of a few frames that light it stay in the
-/// first-level cache.
-const PATCH: usize = 4;
-/// Patches along the edge of a tile.
-const PATCHES: usize = TILE / PATCH;
 
 /// For each voxel of a tile: the first strip of a chain that covers some of it, and the weights of it and the next.
 #[derive(Clone)]
 pub(super) struct Taps {
-    /// Slot of the first strip, and what to add for the next one.
-    slot: u32,
-    step: i32,
-    /// Strips.
-    count: u32,
     /// Strips that cover a voxel, at most; at least two, the second perhaps of no weight.
     taps: usize,
-    /// Whether voxel (x, y) is element `x·TILE + y` of the arrays, not `y·TILE + x`.
-    along_x: bool,
-    /// Bit `x + PATCHES·y` says whether patch (x, y) is lit.
-    lit: u16,
-    /// Where the lanes of the first strip are, in vectors from those of strip 0.
-    place: [i32; TILE * TILE],
+    /// The first strip of a voxel, counted from that of the chain.
+    strip: [i32; TILE * TILE],
     weight: [[f32; TILE * TILE]; MOST_TAPS],
 }
 
 impl Default for Taps {
     fn default() -> Self {
         Taps {
-            slot: 0,
-            step: 0,
-            count: 0,
             taps: 2,
-            along_x: false,
-            lit: 0,
-            place: [0; TILE * TILE],
+            strip: [0; TILE * TILE],
             weight: [[0.0; TILE * TILE]; MOST_TAPS],
         }
     }
 }
 
-impl Taps {
-    /// Slots of the strips that light the tile.
-    pub(super) fn slots(&self) -> impl Iterator<Item = usize> + use<> {
-        let (slot, step) = (i64::from(self.slot), i64::from(self.step));
-        (0..i64::from(self.count)).map(move |i| (slot + step * i) as usize)
-    }
-}
-
 #[cfg(target_arch = "x86_64")]
 pub(crate) mod avx512 {
-    use super::super::kernel::Block;
     use super::super::tiles::{Local, MOST_IN_CHAIN, TILE, TileEntries};
     use super::super::uniform_strips::{Integrals, Square};
-    use super::{Chain, GUARD, LANES, LOOKED_UP, MOST_TAPS, PATCH, PATCHES, Taps, WINDOW};
+    use super::{Chain, LOOKED_UP, MOST_TAPS, Taps, WINDOW};
     use std::arch::x86_64::*;
 
     /// See [`Avx512::add_gathered`](super::Avx512::add_gathered).
@@ -357,16 +296,11 @@ pub(crate) mod avx512 {
             (1 << local.rows) - 1
         };
         let beyond = _mm512_set1_ps(local.across as f32);
-        let slot_of_row = _mm512_add_epi32(
-            _mm512_set1_epi32(local.first_slot as i32),
-            _mm512_mullo_epi32(
-                _mm512_cvttps_epi32(ramp()),
-                _mm512_set1_epi32(local.row_step as i32),
-            ),
+        let slot_of_row = _mm512_mullo_epi32(
+            _mm512_cvttps_epi32(ramp()),
+            _mm512_set1_epi32(local.row_step as i32),
         );
         let step = _mm512_set1_epi32(local.across_step as i32);
-        // SAFETY: sixteen numbers.
-        let wanted = unsafe { _mm512_loadu_epi32(local.wanted.as_ptr().cast()) };
         let one = _mm512_set1_epi32(1);
         let direction = if chain.upward { -1.0 } else { 1.0 };
         // Strips of straight light all weaken alike
@@ -401,8 +335,7 @@ pub(crate) mod avx512 {
             loop {
                 let next = _mm512_add_ps(voxel, _mm512_set1_ps(1.0));
                 let cover = _mm512_sub_ps(_mm512_min_ps(right, next), _mm512_max_ps(left, voxel));
-                let own = _mm512_mask_test_epi32_mask(rows, _mm512_srlv_epi32(wanted, across), one);
-                let lit = _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(own, cover, _mm512_setzero_ps());
+                let lit = _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(rows, cover, _mm512_setzero_ps());
                 let slot = _mm512_add_epi32(slot_of_row, _mm512_mullo_epi32(across, step));
                 append(out, lit, slot, _mm512_mul_ps(cover, density));
                 if _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(rows, right, next) == 0 {
@@ -411,7 +344,7 @@ pub(crate) mod avx512 {
                 across = _mm512_add_epi32(across, one);
                 voxel = next;
             }
-            out.end_run(column, local.place([c.offset[at], c.slope[at]]), begin);
+            out.end_run(column, begin);
         }
     }
 
@@ -435,33 +368,18 @@ pub(crate) mod avx512 {
     impl Taps {
         /// See [`Avx512::find_taps`](super::Avx512::find_taps).
         #[target_feature(enable = "avx512f")]
-        pub(in super::super) fn find(
-            &mut self,
-            chain: &Chain,
-            local: &Local,
-            along_x: bool,
-            (slot, hop): (u32, i32),
-        ) {
-            let c = chain.columns;
-            self.slot = slot + chain.column;
-            self.step = c.step;
-            self.count = chain.count as u32;
+        pub(in super::super) fn find(&mut self, chain: &Chain, local: &Local) {
             self.taps = 2;
-            self.lit = 0;
-            self.along_x = along_x;
             // Two registers hold 32 edges, four 64
             if chain.count < 32 {
-                self.find_among::<2>(chain, local, hop);
+                self.find_among::<2>(chain, local);
             } else {
-                self.find_among::<4>(chain, local, hop);
-            }
-            if along_x {
-                self.lit = transposed(self.lit);
+                self.find_among::<4>(chain, local);
             }
         }
 
         #[target_feature(enable = "avx512f")]
-        fn find_among<const H: usize>(&mut self, chain: &Chain, local: &Local, hop: i32) {
+        fn find_among<const H: usize>(&mut self, chain: &Chain, local: &Local) {
             let c = chain.columns;
             let parts: [usize; H] = std::array::from_fn(|h| chain.first + 16 * h);
             let sign = _mm512_set1_ps(if chain.upward { -1.0 } else { 1.0 });
@@ -481,7 +399,6 @@ pub(crate) mod avx512 {
             let strips = Strips {
                 per_voxel: _mm512_mul_ps(_mm512_cvtepi32_ps(count), inverse(span)),
                 last: _mm512_sub_epi32(count, _mm512_set1_epi32(1)),
-                hop: _mm512_set1_epi32(hop),
                 inside: if local.across == 16 {
                     0xffff
                 } else {
@@ -533,15 +450,13 @@ pub(crate) mod avx512 {
                 upper = look(edge, _mm512_add_epi32(strip, one));
             }
             let at = row * TILE;
-            let to = &mut self.place[at..at + 16];
+            let to = &mut self.strip[at..at + 16];
             // SAFETY: sixteen numbers.
             unsafe {
-                let place = _mm512_mullo_epi32(strip, strips.hop);
-                _mm512_storeu_epi32(to.as_mut_ptr(), _mm512_maskz_mov_epi32(inside, place));
+                _mm512_storeu_epi32(to.as_mut_ptr(), _mm512_maskz_mov_epi32(inside, strip));
             }
             let mut from = _mm512_max_ps(low, lower);
             let mut lit: __mmask16 = inside;
-            let mut seen: __mmask16 = 0;
             for tap in 0..MOST_TAPS {
                 if tap >= self.taps {
                     // Rows before this one had no such tap
@@ -550,7 +465,6 @@ pub(crate) mod avx512 {
                 }
                 let cover = _mm512_sub_ps(_mm512_min_ps(upper, high), from);
                 lit = _mm512_mask_cmp_ps_mask::<_CMP_GT_OQ>(lit, cover, _mm512_setzero_ps());
-                seen |= lit;
                 let weight = _mm512_maskz_mul_ps(lit, cover, look(density, strip));
                 store(&mut self.weight[tap], at, weight);
                 // Voxels that reach beyond the strip
@@ -566,11 +480,6 @@ pub(crate) mod avx512 {
                 strip = _mm512_add_epi32(strip, one);
                 upper = look(edge, _mm512_add_epi32(strip, one));
             }
-            // Any of four voxels: one bit per patch, gathered in the lowest four
-            let pairs = (seen | seen >> 1) & 0x5555;
-            let fours = u32::from((pairs | pairs >> 2) & 0x1111);
-            let patches = ((fours * 0x1248) >> 12) & 0xf;
-            self.lit |= (patches as u16) << (PATCHES * (row / PATCH));
         }
     }
 
@@ -579,18 +488,8 @@ pub(crate) mod avx512 {
         /// Mean number of strips per voxel, and number of the last strip.
         per_voxel: __m512,
         last: __m512i,
-        /// Vectors from the lanes of one strip to those of the next.
-        hop: __m512i,
         /// Voxels of a row that are in the tile.
         inside: __mmask16,
-    }
-
-    /// Bits of 4 × 4 patches with x and y exchanged.
-    fn transposed(bits: u16) -> u16 {
-        (0..PATCHES * PATCHES)
-            .filter(|i| bits >> i & 1 == 1)
-            .map(|i| 1 << (i / PATCHES + PATCHES * (i % PATCHES)))
-            .sum()
     }
 
     /// Entries `i` (below 16·H) of a table in registers.
@@ -619,7 +518,7 @@ pub(crate) mod avx512 {
     pub(super) fn add_taps(taps: &Taps, rows: usize, window: &[f32; WINDOW], out: &mut Square) {
         let table: [__m512; 4] = std::array::from_fn(|i| load(window, 16 * i));
         for at in (0..rows * TILE).step_by(TILE) {
-            let strips = &taps.place[at..at + 16];
+            let strips = &taps.strip[at..at + 16];
             // SAFETY: sixteen numbers.
             let mut strip = unsafe { _mm512_loadu_epi32(strips.as_ptr()) };
             let mut sum = load(out, at);
@@ -691,154 +590,6 @@ pub(crate) mod avx512 {
         }
         for (h, total) in total.into_iter().enumerate() {
             store(sums, 16 * h, total);
-        }
-    }
-
-    /// See [`Avx512::gather_tile`](super::Avx512::gather_tile).
-    #[target_feature(enable = "avx512f")]
-    pub(super) fn gather_tile(
-        rows: &mut [&mut [f32]],
-        source: &[f32],
-        chains: &[&Taps],
-        block: Block,
-    ) {
-        let stride = block.row * LANES;
-        let available = source.len() / stride;
-        assert!(block.first + block.count <= block.row);
-        for taps in chains {
-            let first = (taps.slot as usize + GUARD) as i64;
-            let last = first + i64::from(taps.step) * (i64::from(taps.count) - 1);
-            let (low, high) = (first.min(last), first.max(last));
-            assert!(
-                low >= GUARD as i64 && high as usize + GUARD < available,
-                "tap outside the source"
-            );
-        }
-        macro_rules! by_count {
-            ($($n:literal)*) => {
-                match block.count {
-                    // SAFETY: AVX-512F is enabled here; every slot of every chain lies in `source` and the block inside
-                    // the rows, as asserted above.
-                    $($n => unsafe { gather_patches::<$n>(rows, source, chains, block) },)*
-                    _ => unreachable!("blocks have 1 to 16 vectors"),
-                }
-            };
-        }
-        by_count!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16);
-    }
-
-    /// Where a chain's weights and lanes begin: what the gathering of a voxel needs of [`Taps`].
-    #[derive(Clone, Copy)]
-    struct Feed {
-        place: *const i32,
-        weight: *const f32,
-        taps: usize,
-        /// Lanes of the block in strip 0, and floats from one strip to the next.
-        lanes: *const f32,
-        hop: isize,
-    }
-
-    impl Feed {
-        fn new(taps: &Taps, source: &[f32], block: Block) -> Self {
-            let stride = block.row * LANES;
-            let first = (taps.slot as usize + GUARD) * stride + block.first * LANES;
-            Feed {
-                place: taps.place.as_ptr(),
-                weight: taps.weight.as_ptr().cast(),
-                taps: taps.taps,
-                lanes: source[first..].as_ptr(),
-                hop: taps.step as isize * stride as isize,
-            }
-        }
-    }
-
-    /// Voxels of a tile, patch by patch.
-    ///
-    /// # Safety
-    /// Slots of all taps are rows of `source`; the block lies inside rows; a tile has at most [`TILE`] rows of [`TILE`].
-    #[target_feature(enable = "avx512f")]
-    unsafe fn gather_patches<const N: usize>(
-        rows: &mut [&mut [f32]],
-        source: &[f32],
-        chains: &[&Taps],
-        block: Block,
-    ) {
-        let stride = block.row * LANES;
-        let (along_x, along_y): (Vec<&Taps>, Vec<&Taps>) =
-            chains.iter().partition(|taps| taps.along_x);
-        let feeds = |taps: &&Taps| (taps.lit, Feed::new(taps, source, block));
-        let all: [Vec<(u16, Feed)>; 2] =
-            [along_x, along_y].map(|taps| taps.iter().map(feeds).collect());
-        let mut feeds: [Vec<Feed>; 2] = Default::default();
-        for (patch_y, lines) in rows.chunks_mut(PATCH).enumerate() {
-            let across = lines[0].len() / stride;
-            for first_x in (0..across).step_by(PATCH) {
-                let bit = 1 << (first_x / PATCH + PATCHES * patch_y);
-                for (feeds, all) in feeds.iter_mut().zip(&all) {
-                    feeds.clear();
-                    feeds.extend(all.iter().filter(|(lit, _)| lit & bit != 0).map(|f| f.1));
-                }
-                if feeds.iter().all(Vec::is_empty) {
-                    continue;
-                }
-                for (y, line) in lines.iter_mut().enumerate() {
-                    let y = patch_y * PATCH + y;
-                    let voxels =
-                        &mut line[first_x * stride..(first_x + PATCH).min(across) * stride];
-                    for (x, voxel) in voxels.chunks_exact_mut(stride).enumerate() {
-                        let out = &mut voxel[block.first * LANES..];
-                        // SAFETY: the caller's promise; x and y are below the edge of a tile.
-                        unsafe { gather::<N>(out, &feeds, [first_x + x, y]) }
-                    }
-                }
-            }
-        }
-    }
-
-    /// Adds to N vectors of one voxel, first what the chains along x bring, then those along y.
-    ///
-    /// # Safety
-    /// The feeds' lanes are readable for every strip of every tap; `out` has N vectors; x, y < [`TILE`].
-    #[target_feature(enable = "avx512f")]
-    #[inline]
-    unsafe fn gather<const N: usize>(out: &mut [f32], feeds: &[Vec<Feed>; 2], [x, y]: [usize; 2]) {
-        // SAFETY: the caller's promise.
-        unsafe {
-            let to = out.as_mut_ptr();
-            let mut sums: [__m512; N] = std::array::from_fn(|v| _mm512_loadu_ps(to.add(v * 16)));
-            for (feeds, at) in feeds.iter().zip([x * TILE + y, y * TILE + x]) {
-                for feed in feeds {
-                    let mut from = feed
-                        .lanes
-                        .offset(*feed.place.add(at) as isize * LANES as isize);
-                    let mut weight = feed.weight.add(at);
-                    add(&mut sums, *weight, from);
-                    from = from.wrapping_offset(feed.hop);
-                    add(&mut sums, *weight.add(TILE * TILE), from);
-                    for _ in 2..feed.taps {
-                        from = from.wrapping_offset(feed.hop);
-                        weight = weight.add(TILE * TILE);
-                        add(&mut sums, *weight.add(TILE * TILE), from);
-                    }
-                }
-            }
-            for (v, sum) in sums.iter().enumerate() {
-                _mm512_storeu_ps(to.add(v * 16), *sum);
-            }
-        }
-    }
-
-    /// sums += weight · N vectors at `from`
-    ///
-    /// # Safety
-    /// They are readable.
-    #[target_feature(enable = "avx512f")]
-    #[inline]
-    unsafe fn add<const N: usize>(sums: &mut [__m512; N], weight: f32, from: *const f32) {
-        let factor = _mm512_set1_ps(weight);
-        for (v, sum) in sums.iter_mut().enumerate() {
-            // SAFETY: the caller's promise.
-            *sum = unsafe { _mm512_fmadd_ps(factor, _mm512_loadu_ps(from.add(v * 16)), *sum) };
         }
     }
 }

@@ -7,7 +7,7 @@
 
 use super::Parallel;
 use super::plan::LightPlan;
-use super::tiles::{Local, Meeting, Slots, TILE, TileEntries};
+use super::tiles::{Local, Meeting, TILE, TileEntries};
 use crate::Run;
 use tomolith_core::error::Result;
 use tomolith_core::parallel::InParallel;
@@ -91,7 +91,7 @@ impl Parallel {
     ) {
         found.clear();
         let major = plan.beams[beam].major;
-        let local = Local::new(&self.tiles[tile], major, Slots::WITHIN_TILE);
+        let local = Local::new(&self.tiles[tile], major);
         plan.enumerate(self.path, beam, meeting, &local, found);
     }
 

@@ -203,7 +203,7 @@ impl Mapped {
                     depth += loss;
                 }
             }
-            found.end_run(strip.column, local.place(strip.edges[0]), begin);
+            found.end_run(strip.column, begin);
         }
     }
 
@@ -223,13 +223,9 @@ impl Mapped {
         for cell in cells {
             let cover = piece.right.min(cell as f64 + 1.0) - piece.left.max(cell as f64);
             let active = self.voxel(major, piece.row, cell)[0];
-            if cover > 0.0 && active > 0.0 && local.wants(row, (cell - first) as usize) {
+            if cover > 0.0 && active > 0.0 {
                 let weight = energy * cover / (piece.right - piece.left) * active;
-                let base = local.first_slot + row as u32 * local.row_step;
-                found
-                    .slots
-                    .push(base + (cell - first) as u32 * local.across_step);
-                found.weights.push(weight as f32);
+                found.push(local, [row, (cell - first) as usize], weight as f32);
             }
         }
     }

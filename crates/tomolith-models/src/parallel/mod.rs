@@ -64,7 +64,6 @@ mod block_sparsity;
 mod cached;
 pub(crate) mod chains;
 mod form;
-mod gather;
 mod kept;
 pub mod kernel;
 mod loose;
@@ -84,12 +83,9 @@ mod z_overlap;
 
 use crate::{
     Capabilities, Cost, DoseLayout, DoseModel, HostModel, MakeFamily, ModelFamily, ModelInput,
-    ModelKind, OpticalScene, PatternLayout, Purpose, Refines, Run, Steps, ZCoupling, own_frames,
+    ModelKind, OpticalScene, PatternLayout, Purpose, Refines, Run, ZCoupling, own_frames,
 };
-use block_sparsity::{LENGTHS, NeededEntries, NonzeroBlocks};
 use cached::{CachedEntries, Finding};
-use chains::GUARD;
-use gather::Gatherer;
 use kernel::Isa;
 use loose::Loose;
 use plan::{KernelPath, LightPlan};
@@ -98,17 +94,16 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
-use tiles::{BLOCK, TILE, Tile, TileEntries};
+use tiles::{TILE, Tile, TileEntries};
 use tomolith_core::dose::form::Form;
 use tomolith_core::dose::{Facts, Regions, Space};
 use tomolith_core::error::{Error, Result};
-use tomolith_core::field::{Field, HostField, LANES};
+use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 use turned::Turned;
-use z_overlap::Spread;
 
 /// Keys of `[model.parallel]`.
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
@@ -157,11 +152,9 @@ impl ModelFamily for Params {
         })
     }
 
-    /// Where neither finds entries by patches: sums along these have another order, which depends on how parts of the turn are joined.
+    /// Where neither stores entries: which parts of the turn stored ones serve depends on the rows.
     fn evaluates_alike(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> bool {
-        let (lights, vial) = (scene.lights, scene.vial);
-        cached::bytes(lights, vial, grid).is_none()
-            && !cached::of_one_call(lights, vial, grid).is_by_patches()
+        cached::bytes(scene.lights, scene.vial, grid).is_none()
     }
 
     fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
@@ -176,12 +169,10 @@ impl ModelFamily for Params {
         form::form(scene.vial, scene.lights, self.kernel, input.grid, input.run)
     }
 
-    /// One adjoint of all pixels: entries that are kept take a quarter of it to find where quarters of the turn repeat.
+    /// One adjoint of all pixels: nothing is stored.
     fn unscattered(&self, input: &ModelInput<'_>) -> Result<HostModel> {
         let mut input = input.clone();
-        if !cached::repeats(input.scene.lights, input.scene.vial, input.grid) {
-            input.scene.purpose = Purpose::Probe;
-        }
+        input.scene.purpose = Purpose::Probe;
         self.build(&input)
     }
 
@@ -213,19 +204,16 @@ pub struct Parallel {
     /// Lanes of pixels, reused between calls.
     scratch: Mutex<Vec<HostField>>,
     updates: OnceLock<u64>,
-    /// How entries are found; those of each light by patches; the single entries of a slice that are stored.
+    /// How entries are found; those of each light; the single entries of a slice that are stored.
     finding: Finding,
     cache: Vec<OnceLock<CachedEntries>>,
     loose: Vec<OnceLock<Loose>>,
 }
 
-/// Views whose entries are sorted together: more need more cache, fewer more passes over the dose.
+/// Views whose entries are found together: more need more cache, fewer more passes over the dose.
 const GROUP: usize = 8;
 /// Rows of lanes that one thread does in a row.
 const TOGETHER: usize = 256;
-
-/// Floats of dose that stay in a second-level cache of 2 MB together with the columns that light them.
-const CACHED: usize = 320 << 10;
 
 impl Parallel {
     /// The model of a vial, its lights and the voxels where dose is wanted.
@@ -247,10 +235,10 @@ impl Parallel {
         grid: VolumeGrid,
         run: &Run,
     ) -> Result<Self> {
-        Self::planned(vial, (lights, kernel), grid, Finding::ByVoxels, run)
+        Self::planned(vial, (lights, kernel), grid, Finding::InEachCall, run)
     }
 
-    /// The model for a purpose: an optimization stores entries where there is room, a single dose finds them by patches where the turn repeats them.
+    /// The model for a purpose: an optimization stores entries where there is room.
     ///
     /// # Errors
     /// As [`under`](Self::under).
@@ -264,8 +252,7 @@ impl Parallel {
         let is_kept = || grid.shape[0] == 1 || cached::bytes(&lights, vial, &grid).is_some();
         let finding = match purpose {
             Purpose::Optimize if is_kept() => Finding::Once,
-            Purpose::Evaluate { .. } => cached::of_one_call(&lights, vial, &grid),
-            Purpose::Optimize | Purpose::Probe => Finding::ByVoxels,
+            _ => Finding::InEachCall,
         };
         Self::planned(vial, (lights, kernel), grid, finding, run)
     }
@@ -298,7 +285,7 @@ impl Parallel {
             check_kernel(kernel, &light, vial)?;
             must_be_even(kernel, &light, vial)?;
             let layout = light.layout(offset);
-            let own = (&light, kernel, turned, finding);
+            let own = (&light, kernel, turned);
             plans.push(LightPlan::new(vial, own, &layout, &grid, &tiles, run));
             run.check()?;
             offset += layout.len();
@@ -327,18 +314,18 @@ impl Parallel {
         self
     }
 
-    /// The entries of a light by patches; None where they are found voxel by voxel.
-    fn cache(&self, light: usize, run: &Run) -> Result<Option<&CachedEntries>> {
-        if self.finding.is_by_patches() && self.cache[light].get().is_none() {
-            // Whoever comes first; all would find the same
-            let plan = &self.lights[light];
-            let found = match self.finding {
-                Finding::Once => CachedEntries::of(plan, self.path, &self.tiles, run)?,
-                Finding::ByPatches | Finding::ByVoxels => CachedEntries::in_each_call(),
-            };
-            let _ = self.cache[light].set(found);
+    /// The entries of a light of a volume.
+    fn entries(&self, light: usize, run: &Run) -> Result<&CachedEntries> {
+        let own = &self.cache[light];
+        if let Some(found) = own.get() {
+            return Ok(found);
         }
-        Ok(self.cache[light].get())
+        let found = match self.finding {
+            Finding::Once => CachedEntries::of(&self.lights[light], self.path, &self.tiles, run)?,
+            Finding::InEachCall => CachedEntries::in_each_call(),
+        };
+        // Whoever comes first; all would find the same
+        Ok(own.get_or_init(|| found))
     }
 
     /// The stored single entries of a light of a slice; None where none are.
@@ -380,111 +367,8 @@ impl Parallel {
         if self.is_plane() {
             return self.add_light_of_plane(light, (views, sides), x, dose, run);
         }
-        if let Some(cache) = self.cache(light, run)? {
-            return self.add_kept((light, cache), (views, sides), None, x, dose, run);
-        }
-        let plan = &self.lights[light];
-        let row = plan.levels.row;
-        let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);
-        plan.expand(
-            &self.patterns[light],
-            (views.clone(), sides),
-            x,
-            &mut lanes.as_mut_slice()[GUARD * row..],
-            row,
-        );
-        let source = lanes.as_slice();
-        let slots = &source[GUARD * row..][..plan.lit.len() * row];
-        let expanded = ExpandedViews {
-            plan,
-            views,
-            source,
-            nonzero: NonzeroBlocks::of(slots, row / LANES, plan.levels.used, LENGTHS),
-        };
-        let steps = run.steps(self.tiles.len() * groups(expanded.views.clone()).count());
-        let neighbors = neighbors(row);
-        let DoseLayout { row, grid, .. } = &self.output;
-        tile_rows(&self.tiles, dose, *row, grid.shape[2])
-            .chunks_mut(neighbors)
-            .enumerate()
-            .par_each_with(Default::default, |desk: &mut Desk, (i, tiles)| {
-                let first = i * neighbors;
-                match &plan.levels.spread {
-                    None => self.gather(&expanded, first, tiles, &mut desk.gatherer, &steps),
-                    Some(spread) => {
-                        self.gather_rows(&expanded, first, (tiles, spread), desk, &steps)
-                    }
-                }
-            });
-        drop(expanded);
-        self.return_scratch(lanes);
-        run.check()
-    }
-
-    /// Adds to the tiles from `first` on, which are rows of lanes.
-    fn gather(
-        &self,
-        expanded: &ExpandedViews,
-        first: usize,
-        tiles: &mut [Vec<&mut [f32]>],
-        gatherer: &mut Gatherer,
-        steps: &Steps<'_>,
-    ) {
-        let row = expanded.plan.levels.row / LANES;
-        for group in groups(expanded.views.clone()) {
-            for (index, rows) in (first..).zip(tiles.iter_mut()) {
-                if steps.is_canceled() {
-                    return;
-                }
-                steps.add(1);
-                let tile = (index, &self.tiles[index]);
-                gatherer.load(
-                    self.path,
-                    expanded.plan,
-                    group.clone(),
-                    tile,
-                    &expanded.nonzero,
-                    row,
-                );
-                for block in 0..expanded.nonzero.blocks.len() {
-                    gatherer.add_block(self.path, &expanded.nonzero, block, expanded.source, rows);
-                }
-            }
-        }
-    }
-
-    /// The same where tiles are rows of slices and lanes rows of pixels.
-    fn gather_rows(
-        &self,
-        expanded: &ExpandedViews,
-        first: usize,
-        (tiles, spread): (&mut [Vec<&mut [f32]>], &Spread),
-        desk: &mut Desk,
-        steps: &Steps<'_>,
-    ) {
-        let Desk {
-            gatherer,
-            lanes,
-            buffer,
-        } = desk;
-        let row = expanded.plan.levels.row;
-        let own = &self.tiles[first..first + tiles.len()];
-        let len = own.iter().map(|t| t.size[0] * t.size[1] * row).sum();
-        if lanes.len() < len {
-            *lanes = HostField::zeros(len);
-        }
-        let mut rest = &mut lanes.as_mut_slice()[..len];
-        rest.fill(0.0);
-        let mut of_lanes = Vec::with_capacity(own.len());
-        for tile in own {
-            let (of_tile, others) = rest.split_at_mut(tile.size[0] * tile.size[1] * row);
-            of_lanes.push(of_tile.chunks_exact_mut(tile.size[0] * row).collect());
-            rest = others;
-        }
-        self.gather(expanded, first, &mut of_lanes, gatherer, steps);
-        for (slices, lanes) in tiles.iter_mut().flatten().zip(of_lanes.iter().flatten()) {
-            spread.add_to(slices, lanes, buffer);
-        }
+        let entries = self.entries(light, run)?;
+        self.add_kept((light, entries), (views, sides), None, x, dose, run)
     }
 
     /// grad = Aᵀ c for these views of one light, from these sides.
@@ -499,65 +383,8 @@ impl Parallel {
         if self.is_plane() {
             return self.adjoint_light_of_plane(light, (views, sides), cotangent, grad, run);
         }
-        if let Some(cache) = self.cache(light, run)? {
-            return self.adjoint_kept((light, cache), (views, sides), cotangent, grad, run);
-        }
-        let plan = &self.lights[light];
-        let row = plan.levels.row;
-        let nx = self.output.grid.shape[2];
-        let of_rows = self.of_rows(plan, cotangent);
-        let cotangent = of_rows.as_ref().map_or(cotangent, HostField::as_slice);
-        let mut lanes = self.borrow_scratch((plan.lit.len() + 2 * GUARD) * row);
-        // Few long chunks read the dose less often; the result does not depend on their length
-        let chunk = views.len().div_ceil(4 * rayon::current_num_threads());
-        let chunks = chunks(views.clone(), chunk);
-        let neighbors = neighbors(row);
-        let nonzero = NonzeroBlocks::of(cotangent, row / LANES, plan.levels.used, LENGTHS);
-        let of_tiles = self.tiles.iter().par_map(|tile| nonzero.of_tile(tile, nx));
-        let per_view = plan.columns * row;
-        let used = GUARD * row..(plan.lit.len() + GUARD) * row;
-        let mut rest = &mut lanes.as_mut_slice()[used.clone()];
-        rest = &mut rest[views.start * per_view..views.end * per_view];
-        let of_chunks = chunks.into_iter().map(|views| {
-            let own = rest.split_off_mut(..views.len() * per_view);
-            (views, own.unwrap_or_default())
-        });
-        let of_chunks: Vec<(Range<usize>, &mut [f32])> = of_chunks.collect();
-        of_chunks.into_iter().par_each_with(
-            Default::default,
-            |entries: &mut (TileEntries, NeededEntries), (views, lanes)| {
-                lanes.fill(0.0);
-                let first = views.start;
-                for (i, tiles) in self.tiles.chunks(neighbors).enumerate() {
-                    for group in groups(views.clone()) {
-                        let own = &mut lanes
-                            [(group.start - first) * per_view..(group.end - first) * per_view];
-                        for (index, tile) in (i * neighbors..).zip(tiles) {
-                            if run.is_canceled() {
-                                return;
-                            }
-                            plan.collect_tile(
-                                self.path,
-                                group.clone(),
-                                (index, tile, nx),
-                                (cotangent, &nonzero, &of_tiles[index]),
-                                own,
-                                entries,
-                            );
-                        }
-                    }
-                }
-            },
-        );
-        let frames = plan.views.frames_of(&views, &sides);
-        let lanes_of_views = &lanes.as_slice()[used];
-        let lanes_of = |slot: usize| &lanes_of_views[slot * row..][..row];
-        plan.collect((&self.patterns[light], frames), lanes_of, grad);
-        self.return_scratch(lanes);
-        if let Some(of_rows) = of_rows {
-            self.return_scratch(of_rows);
-        }
-        run.check()
+        let entries = self.entries(light, run)?;
+        self.adjoint_kept((light, entries), (views, sides), cotangent, grad, run)
     }
 
     /// A cotangent as the lanes of the kernel, where these are not its slices.
@@ -571,29 +398,6 @@ impl Parallel {
     }
 }
 
-/// Light of some views, expanded to the lanes of the kernel.
-struct ExpandedViews<'a> {
-    plan: &'a LightPlan,
-    views: Range<usize>,
-    source: &'a [f32],
-    nonzero: NonzeroBlocks,
-}
-
-/// What a thread needs to add light to tiles.
-#[derive(Default)]
-struct Desk {
-    gatherer: Gatherer,
-    /// Tiles as rows of pixels, and what spreading one of them needs.
-    lanes: HostField,
-    buffer: Vec<f32>,
-}
-
-/// Tiles that a group of views lights one after the other: they share most columns, which then stay in the cache, as must
-/// their dose, `row` floats a voxel column. Results do not depend on it.
-fn neighbors(row: usize) -> usize {
-    (CACHED / (TILE * TILE * row)).clamp(1, BLOCK * BLOCK)
-}
-
 /// Views in groups, which begin at multiples of [`GROUP`].
 fn groups(views: Range<usize>) -> impl Iterator<Item = Range<usize>> {
     let mut first = views.start;
@@ -603,27 +407,6 @@ fn groups(views: Range<usize>) -> impl Iterator<Item = Range<usize>> {
         first = group.end;
         (!group.is_empty()).then_some(group)
     })
-}
-
-/// The same views in chunks of about `len`: several whole groups, or pieces of one.
-fn chunks(views: Range<usize>, len: usize) -> Vec<Range<usize>> {
-    let most = if len > GROUP {
-        len.next_multiple_of(GROUP)
-    } else {
-        0
-    };
-    let mut chunks: Vec<Range<usize>> = Vec::new();
-    for group in groups(views) {
-        match chunks.last_mut() {
-            Some(last) if last.len() + group.len() <= most => last.end = group.end,
-            _ => {
-                let step = len.clamp(1, GROUP);
-                let piece = |first: usize| first..(first + step).min(group.end);
-                chunks.extend(group.clone().step_by(step).map(piece));
-            }
-        }
-    }
-    chunks
 }
 
 /// Refuses a kernel of pure Radon where light bends or is weakened.
@@ -811,11 +594,11 @@ impl Parallel {
     fn count_updates(&self) -> u64 {
         let nz = self.output.grid.shape[0];
         let of_light = |(light, plan): (usize, &LightPlan)| {
-            let kept = (!self.is_plane()).then(|| self.cache(light, &Run::new()));
-            if let Some(Ok(Some(cache))) = kept
-                && cache.is_kept()
+            let kept = (!self.is_plane()).then(|| self.entries(light, &Run::new()));
+            if let Some(Ok(entries)) = kept
+                && entries.is_kept()
             {
-                return cache.updates(plan, nz);
+                return entries.updates(plan, nz);
             }
             let tiles = self.tiles.iter().enumerate();
             let of_tiles = tiles.par_map_with(TileEntries::default, |entries, (index, tile)| {

@@ -1,14 +1,12 @@
 //! What is known of one light before any pattern: its beams, where they meet the tiles, which lanes are lit.
 
-use super::block_sparsity::{NeededEntries, NonzeroBlocks, NonzeroTile};
-use super::cached::Finding;
 use super::chains::{Avx512, Chain};
 use super::is_straight;
-use super::kernel::{Block, Isa, accumulate};
+use super::kernel::Isa;
 use super::mapped::Mapped;
 use super::radon::{self, Kernel};
 use super::strips::{self, Beam};
-use super::tiles::{self, Deposit, Local, Meeting, Slots, Spans, TILE, Tile, TileEntries};
+use super::tiles::{self, Deposit, Local, Meeting, Spans, TILE, Tile, TileEntries};
 use super::turned::Turned;
 use super::uniform_strips::UniformStrips;
 use super::views::Views;
@@ -41,7 +39,7 @@ impl KernelPath {
 
 /// What is known of one light before any pattern.
 pub(super) struct LightPlan {
-    /// Of all views, or of the first part where entries are found by patches.
+    /// Of the views of the first part of the turn.
     pub(super) beams: Vec<Beam>,
     pub(super) views: Views,
     pub(super) turned: Turned,
@@ -107,10 +105,10 @@ fn lit(views: &Views, columns: usize, by_frame: &[(u16, u16)]) -> Vec<(u16, u16)
 }
 
 impl LightPlan {
-    /// For a light, whose entries the model finds so.
+    /// For a light with a kernel, whose views repeat so.
     pub(super) fn new(
         vial: &dyn Vial,
-        (light, kernel, turned, finding): (&Light, Kernel, Turned, Finding),
+        (light, kernel, turned): (&Light, Kernel, Turned),
         layout: &PatternLayout,
         grid: &VolumeGrid,
         tiles: &[Tile],
@@ -125,9 +123,7 @@ impl LightPlan {
         let views = Views::of(vial, light);
         let pixels = views.pixels(&light.pixels);
         let mut found_from = pixels.clone();
-        if finding.is_by_patches() {
-            found_from.azimuths.truncate(turned.period);
-        }
+        found_from.azimuths.truncate(turned.period);
         let beams = beams(vial, (light, kernel), &found_from, grid, &deposit);
         let walls = Walls::new(vial, grid);
         let mapped = light
@@ -194,34 +190,25 @@ impl LightPlan {
         self.lit[slot].1 > self.lit[slot].0
     }
 
-    pub(super) fn is_lit_in(&self, slot: usize, block: Block) -> bool {
-        let (first, end) = self.lit[slot];
-        (first as usize) < block.first + block.count && (end as usize) > block.first
-    }
-
-    /// Rows of pixels → lanes, of some views seen from some sides.
+    /// Pixels of a slice, of some views seen from some sides, by slot.
     pub(super) fn expand(
         &self,
         layout: &PatternLayout,
         (views, sides): (Range<usize>, Range<usize>),
         x: &[f32],
-        lanes: &mut [f32],
-        row: usize,
+        slots: &mut [f32],
     ) {
-        let per_view = self.columns * row;
-        lanes[views.start * per_view..views.end * per_view]
-            .chunks_mut(per_view)
-            .zip(views)
-            .par_each_with(
-                || vec![0.0; self.levels.overlaps.buffer()],
-                |buffer, (lanes, view)| {
-                    lanes.fill(0.0);
-                    for (column, lanes) in lanes.chunks_mut(row).enumerate() {
-                        let slot = view * self.columns + column;
-                        self.add_expanded((layout, slot), sides.clone(), x, lanes, buffer);
-                    }
-                },
-            );
+        let of_views = slots.chunks_mut(self.columns).enumerate();
+        of_views.skip(views.start).take(views.len()).par_each_with(
+            || vec![0.0; self.levels.overlaps.buffer()],
+            |buffer, (view, pixels)| {
+                pixels.fill(0.0);
+                for (column, pixel) in pixels.chunks_mut(1).enumerate() {
+                    let slot = view * self.columns + column;
+                    self.add_expanded((layout, slot), sides.clone(), x, pixel, buffer);
+                }
+            },
+        );
     }
 
     /// Adds to the lanes of a slot its rows of pixels, as seen from some sides.
@@ -278,53 +265,6 @@ impl LightPlan {
                     }
                 },
             );
-    }
-
-    /// Adds to the lanes of a group of views what the cotangent of one tile gives.
-    pub(super) fn collect_tile(
-        &self,
-        path: KernelPath,
-        views: Range<usize>,
-        (index, tile, nx): (usize, &Tile, usize),
-        (cotangent, nonzero, of_tile): (&[f32], &NonzeroBlocks, &NonzeroTile),
-        lanes: &mut [f32],
-        (found, needed): &mut (TileEntries, NeededEntries),
-    ) {
-        if of_tile.is_empty() {
-            return;
-        }
-        found.clear();
-        let place = Slots::within_plane(tile, nx);
-        for view in views.clone() {
-            let before = found.runs.len();
-            for i in self.of_view[view].clone() {
-                let meeting = self.meetings[index * self.beams.len() + i];
-                let local = Local::new(tile, self.beams[i].major, place);
-                let wanted = of_tile.wanted(self.beams[i].major);
-                self.enumerate(path, i, meeting, &Local { wanted, ..local }, found);
-            }
-            let columns_before = ((view - views.start) * self.columns) as u32;
-            for run in &mut found.runs[before..] {
-                run.column += columns_before;
-            }
-        }
-        found.sort_by_place();
-        needed.load(found, nonzero);
-        let first_slot = views.start * self.columns;
-        let some = |(block, _): &(usize, &Block)| of_tile.any_in(*block);
-        for (i_block, &block) in nonzero.blocks.iter().enumerate().filter(some) {
-            for &i in &found.by_place {
-                let column = found.runs[i as usize].column as usize;
-                if !self.is_lit_in(first_slot + column, block) {
-                    continue;
-                }
-                if let Some(entries) = needed.of(found, i as usize, (nonzero, i_block)) {
-                    let from = (column * block.row + block.first) * LANES;
-                    let out = &mut lanes[from..from + block.count * LANES];
-                    accumulate(path.isa, out, cotangent, entries, block);
-                }
-            }
-        }
     }
 
     /// Everything that a beam lights in a tile.
@@ -391,7 +331,7 @@ impl LightPlan {
         let path = KernelPath::of(Isa::in_use());
         for i in self.of_view[view].clone() {
             let meeting = self.meetings[index * self.beams.len() + i];
-            let local = Local::new(tile, self.beams[i].major, Slots::WITHIN_TILE);
+            let local = Local::new(tile, self.beams[i].major);
             let keep = |column| self.is_lit_in_any_part(view, column);
             self.enumerate_columns(path, i, meeting, &local, keep, entries);
         }

@@ -8,7 +8,7 @@ use super::chains::{Avx512, Chain, Taps, WINDOW};
 use super::loose::Loose;
 use super::plan::LightPlan;
 use super::strips::Major;
-use super::tiles::{Local, Meeting, Slots, TILE, Tile, TileEntries};
+use super::tiles::{Local, Meeting, TILE, Tile, TileEntries};
 use super::uniform_strips::{Integrals, Square, UniformStrips};
 use super::{Parallel, tile_rows};
 use crate::Run;
@@ -61,7 +61,7 @@ impl Parallel {
         let plan = &self.lights[light];
         let mut pixels = self.borrow_scratch(plan.lit.len());
         let layout = &self.patterns[light];
-        plan.expand(layout, (views.clone(), sides), x, pixels.as_mut_slice(), 1);
+        plan.expand(layout, (views.clone(), sides), x, pixels.as_mut_slice());
         let values = pixels.as_slice();
         let beams = plan.beams_of(views);
         let stride = UniformStrips::stride(plan.columns);
@@ -179,8 +179,8 @@ impl Bench {
     ) {
         let beam = &plan.beams[beam];
         let chain = Chain::new(beam, meeting.first as usize, meeting.end as usize);
-        let local = Local::new(tile, beam.major, Slots::WITHIN_TILE);
-        wide.find_taps(&mut self.taps, &chain, &local, false, (0, 1));
+        let local = Local::new(tile, beam.major);
+        wide.find_taps(&mut self.taps, &chain, &local);
         let mut window = [0.0; WINDOW];
         for (to, column) in window.iter_mut().zip(chain.columns_of_pixels()) {
             *to = values[column];
@@ -267,7 +267,7 @@ impl Gathering {
             let pixels = &mut pixels[first..first + plan.columns];
             if let Some(wide) = model.path.wide.filter(|_| meeting.chain) {
                 let chain = Chain::new(beam, meeting.first as usize, meeting.end as usize);
-                let local = Local::new(tile, beam.major, Slots::WITHIN_TILE);
+                let local = Local::new(tile, beam.major);
                 let sums = wide.chain_adjoint(&chain, &local, integrals);
                 for (column, sum) in chain.columns_of_pixels().zip(sums) {
                     pixels[column] += sum;

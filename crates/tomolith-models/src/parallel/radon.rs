@@ -214,7 +214,7 @@ impl TileEntries {
                     }
                 }
             }
-            self.end_run(strip.column, local.place(strip.edges[0]), begin);
+            self.end_run(strip.column, begin);
         }
     }
 
@@ -262,10 +262,8 @@ impl TileEntries {
 
     fn push_voxel(&mut self, local: &Local, row: usize, voxel: i64, weight: f64) {
         let inside = (0..local.across as i64).contains(&voxel);
-        if inside && weight > 0.0 && local.wants(row, voxel as usize) {
-            let base = local.first_slot + row as u32 * local.row_step;
-            self.slots.push(base + voxel as u32 * local.across_step);
-            self.weights.push(weight as f32);
+        if inside && weight > 0.0 {
+            self.push(local, [row, voxel as usize], weight as f32);
         }
     }
 }

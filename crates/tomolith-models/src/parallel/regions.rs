@@ -5,7 +5,7 @@
 //!
 //! Lanes that are rows of pixels reach slices of two vectors, where rows and slices do not begin together. Such slices belong to both regions.
 
-use super::cached::{CachedEntries, PATCHES, patch};
+use super::cached::{PATCHES, patch};
 use super::kept::{Desk, Source, Wide};
 use super::plan::LightPlan;
 use super::{Finding, Parallel, Tile};
@@ -204,11 +204,6 @@ impl Parallel {
             }
         });
     }
-
-    fn entries(&self, run: &Run) -> Result<&CachedEntries> {
-        let entries = self.cache(0, run)?;
-        Ok(entries.expect("a model with regions stores its entries"))
-    }
 }
 
 impl Regions<HostField> for Parallel {
@@ -240,7 +235,7 @@ impl Regions<HostField> for Parallel {
         self.expand_bounds(pooled, x.as_slice(), step.as_slice(), lanes.as_mut_slice());
         let source = Source {
             plan,
-            entries: self.entries(run)?,
+            entries: self.entries(0, run)?,
             wide: pooled,
             lanes: lanes.as_slice(),
             groups: super::groups(0..plan.turned.period).collect(),
@@ -286,7 +281,7 @@ impl Regions<HostField> for Parallel {
             0..self.the_plan().views.count(),
             self.the_plan().views.sides(),
         );
-        let entries = self.entries(run)?;
+        let entries = self.entries(0, run)?;
         self.add_kept(
             (0, entries),
             all,

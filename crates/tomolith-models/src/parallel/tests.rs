@@ -585,7 +585,7 @@ fn a_plane_is_a_slice_of_a_volume() {
         for isa in Isa::available() {
             let resin = Resin::absorbing(1.48, 0.3);
             let plane = slices(vial.as_ref(), 1, resin, 45, 0.1).with_isa(isa);
-            let volume = slices(vial.as_ref(), 3, resin, 45, 0.1).with_isa(Isa::Scalar);
+            let volume = slices(vial.as_ref(), 3, resin, 45, 0.1).with_isa(isa);
             assert!(plane.is_plane() && !volume.is_plane());
             // The same light at all heights: fields hold the rows of a (frame, column) one after the other
             let x = check::noise(3, plane.patterns[0].len());

@@ -111,14 +111,9 @@ impl Deposit {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct StripRun {
     pub(super) column: u32,
-    /// Where it crosses the middle of the tile: one of [`PLACES`], from one side to the other.
-    pub(super) place: u8,
     pub(super) begin: u32,
     pub(super) end: u32,
 }
-
-/// Places of strips across a tile: one per voxel, and those beyond either side.
-pub(super) const PLACES: usize = 3 * TILE;
 
 /// Buffer of the enumerator: what a beam lights in a tile, strip after strip.
 #[derive(Default)]
@@ -127,31 +122,6 @@ pub(super) struct TileEntries {
     pub(super) slots: Vec<u32>,
     pub(super) weights: Vec<f32>,
     pub(super) runs: Vec<StripRun>,
-    /// Their order after [`sort_by_place`](Self::sort_by_place).
-    pub(super) by_place: Vec<u32>,
-}
-
-/// How voxels of a tile are numbered: voxel (x, y) of the tile is `first + y·per_y + x`.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Slots {
-    pub(super) first: u32,
-    pub(super) per_y: u32,
-}
-
-impl Slots {
-    /// Numbers within the tile.
-    pub(super) const WITHIN_TILE: Slots = Slots {
-        first: 0,
-        per_y: TILE as u32,
-    };
-
-    /// Numbers within a plane of `nx` voxels a row.
-    pub(super) fn within_plane(tile: &Tile, nx: usize) -> Self {
-        Slots {
-            first: (tile.start[1] * nx + tile.start[0]) as u32,
-            per_y: nx as u32,
-        }
-    }
 }
 
 /// A strip seen from a tile: coordinates relative to the tile's corner.
@@ -159,40 +129,24 @@ pub(super) struct Local {
     /// Rows and voxels across of the tile.
     pub(super) rows: usize,
     pub(super) across: usize,
-    /// Slot of (row, across) is `first_slot + row·row_step + across·across_step`.
-    pub(super) first_slot: u32,
+    /// Number of (row, across) within the tile is `row·row_step + across·across_step`: that of voxel (x, y) is `y·TILE + x`.
     pub(super) row_step: u32,
     pub(super) across_step: u32,
     /// First row and first voxel across of the tile on the grid.
     pub(super) origin: [f32; 2],
-    /// Bit i of a row says whether the caller wants voxel i across.
-    pub(super) wanted: [u32; TILE],
 }
 
 impl Local {
-    pub(super) fn new(tile: &Tile, major: Major, slots: Slots) -> Self {
+    pub(super) fn new(tile: &Tile, major: Major) -> Self {
         let (along, across) = major.axes();
-        let step = [1, slots.per_y];
+        let step = [1, TILE as u32];
         Local {
             rows: tile.size[along],
             across: tile.size[across],
-            first_slot: slots.first,
             row_step: step[along],
             across_step: step[across],
             origin: [tile.start[along] as f32, tile.start[across] as f32],
-            wanted: [u32::MAX; TILE],
         }
-    }
-
-    pub(super) fn wants(&self, row: usize, across: usize) -> bool {
-        self.wanted[row] >> across & 1 == 1
-    }
-
-    /// Place of an edge `[offset, slope]`.
-    pub(super) fn place(&self, [offset, slope]: [f32; 2]) -> u8 {
-        let middle = self.origin[0] + 0.5 * self.rows as f32;
-        let across = offset + slope * middle - self.origin[1];
-        (across + TILE as f32).clamp(0.0, (PLACES - 1) as f32) as u8
     }
 
     /// Whether any strip within bounds may light the tile (never wrong when it says no): rounding keeps the order of sums
@@ -278,7 +232,7 @@ pub(super) fn meeting(
     walls: &Walls,
     tile: &Tile,
 ) -> Meeting {
-    let local = Local::new(tile, beam.major, Slots::WITHIN_TILE);
+    let local = Local::new(tile, beam.major);
     let meets = |strip: &Strip| local.may_meet(strip);
     let some = || {
         let strips = beam.strips.chunks(TOGETHER).zip(bounds).enumerate();
@@ -352,20 +306,15 @@ impl TileEntries {
             }
             let begin = self.slots.len() as u32;
             self.add_strip(strip, (local, resin_rows), deposit);
-            self.end_run(strip.column, local.place(strip.edges[0]), begin);
+            self.end_run(strip.column, begin);
         }
     }
 
     /// Closes the entries of one strip.
-    pub(super) fn end_run(&mut self, column: u32, place: u8, begin: u32) {
+    pub(super) fn end_run(&mut self, column: u32, begin: u32) {
         let end = self.slots.len() as u32;
         if end > begin {
-            self.runs.push(StripRun {
-                column,
-                place,
-                begin,
-                end,
-            });
+            self.runs.push(StripRun { column, begin, end });
         }
     }
 
@@ -424,34 +373,20 @@ impl TileEntries {
             if left >= right {
                 continue;
             }
-            let base = local.first_slot + row as u32 * local.row_step;
             let (i0, i1) = (left as usize, right.ceil() as usize);
             for i in i0..i1 {
-                if !local.wants(row, i) {
-                    continue;
-                }
                 let cover = right.min(i as f32 + 1.0) - left.max(i as f32);
-                self.slots.push(base + i as u32 * local.across_step);
-                self.weights.push(cover * per_voxel);
+                self.push(local, [row, i], cover * per_voxel);
             }
         }
     }
 
-    /// Runs by place, so that strips of neighboring frames that cover the same voxels follow each other.
-    pub(super) fn sort_by_place(&mut self) {
-        let mut next = [0u32; PLACES + 1];
-        for run in &self.runs {
-            next[run.place as usize + 1] += 1;
-        }
-        for i in 1..next.len() {
-            next[i] += next[i - 1];
-        }
-        self.by_place.resize(self.runs.len(), 0);
-        for (i, run) in self.runs.iter().enumerate() {
-            let to = &mut next[run.place as usize];
-            self.by_place[*to as usize] = i as u32;
-            *to += 1;
-        }
+    /// Appends a voxel `[row, across]` of the strip at hand.
+    #[inline]
+    pub(super) fn push(&mut self, local: &Local, [row, across]: [usize; 2], weight: f32) {
+        let slot = row as u32 * local.row_step + across as u32 * local.across_step;
+        self.slots.push(slot);
+        self.weights.push(weight);
     }
 
     pub(super) fn clear(&mut self) {

@@ -32,7 +32,7 @@ pub(super) struct Turned {
 
 impl Turned {
     /// Of each light: of all of them, or of none, because they share their tiles; of none in a single slice, and where rows are long, unless entries are
-    /// found by patches in each call.
+    /// found in each call.
     pub(super) fn of_lights(
         vial: &dyn Vial,
         lights: &[Light],
@@ -43,8 +43,8 @@ impl Turned {
         let turned: Vec<Self> = lights.iter().map(of_light).collect();
         let nz = grid.shape[0];
         let most = match finding {
-            Finding::ByPatches => usize::MAX,
-            Finding::ByVoxels | Finding::Once => MOST_ROWS,
+            Finding::InEachCall => usize::MAX,
+            Finding::Once => MOST_ROWS,
         };
         let is_short = |light: &Light| nz > 1 && nz.min(light.pixels.rows) <= most;
         if lights.iter().all(is_short) && turned.iter().all(Self::repeats) {
