@@ -5,8 +5,10 @@
 //! table, `[family.kind]`, so that an error can name the very key.
 
 mod located;
+mod ranges;
 
 use self::located::{Failure, Fault};
+pub use self::ranges::{NumberRange, check_ranges};
 use crate::error::{Error, Result, in_range, nearest_name};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::de::DeserializeOwned;
@@ -75,11 +77,23 @@ impl Section {
         in_range(is_in, key, value, accepted).map_err(|e| e.under(&self.path))
     }
 
-    /// Reads the section into a parameter struct (use `#[serde(deny_unknown_fields)]` on it).
+    /// Reads the section into a parameter struct (use `#[serde(deny_unknown_fields)]` on it); its numbers are in the ranges that its schema states.
     ///
     /// # Errors
     /// [`Error::Config`] with the key path of the offending key, and the nearest accepted name for a misspelt one.
-    pub fn parse<T: DeserializeOwned>(&self) -> Result<T> {
+    pub fn parse<T: DeserializeOwned + JsonSchema>(&self) -> Result<T> {
+        let read = self.parse_unranged()?;
+        let schema = schema_of::<T>();
+        let schema = schema.as_value();
+        ranges::check(&self.path, &self.value, schema, schema)?;
+        Ok(read)
+    }
+
+    /// The same of a type without a schema, whose numbers have no ranges.
+    ///
+    /// # Errors
+    /// As [`parse`](Self::parse).
+    pub fn parse_unranged<T: DeserializeOwned>(&self) -> Result<T> {
         located::read(&self.value).map_err(|failure| self.unread(&failure))
     }
 
@@ -516,7 +530,7 @@ mod tests {
         assert_eq!(schema_of::<bool>(), schemars::schema_for!(bool));
     }
 
-    #[derive(Debug, serde::Deserialize)]
+    #[derive(Debug, serde::Deserialize, JsonSchema)]
     #[serde(deny_unknown_fields)]
     struct Stop {
         iterations: usize,
@@ -531,7 +545,7 @@ mod tests {
         );
     }
 
-    #[derive(Debug, Default, serde::Deserialize)]
+    #[derive(Debug, Default, serde::Deserialize, JsonSchema)]
     #[serde(default, deny_unknown_fields)]
     struct Doses {
         critical_dose_mj_per_mm3: f64,
@@ -560,14 +574,14 @@ mod tests {
         assert_eq!(doses.critical_dose_mj_per_mm3, doses.peak_mw_per_mm2);
     }
 
-    #[derive(Debug, serde::Deserialize)]
+    #[derive(Debug, serde::Deserialize, JsonSchema)]
     #[serde(rename_all = "lowercase")]
     enum Direction {
         Up,
         Down,
     }
 
-    #[derive(Debug, serde::Deserialize)]
+    #[derive(Debug, serde::Deserialize, JsonSchema)]
     #[serde(deny_unknown_fields)]
     struct Route {
         #[serde(rename = "ways")]

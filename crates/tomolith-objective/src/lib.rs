@@ -23,6 +23,7 @@ pub mod window;
 pub use band::{Band, BandObjective, Bands};
 use preset::SurfaceHandling;
 pub use process_window::FoundWindow;
+use schemars::JsonSchema;
 use serde::de::DeserializeOwned;
 pub use species::{Join, PerBlock};
 use std::fmt::Debug;
@@ -151,7 +152,7 @@ pub enum Chosen {
 pub type BuildObjective<F = HostField> = Read<Arc<dyn MakeObjective<F>>>;
 
 /// The `build` of a row: reads its parameters P and makes an objective of those in their ranges.
-fn read<F: Field, P: DeserializeOwned, M: MakeObjective<F> + 'static>(
+fn read<F: Field, P: DeserializeOwned + JsonSchema, M: MakeObjective<F> + 'static>(
     section: &Section,
     make: impl FnOnce(&P) -> Result<M>,
 ) -> Result<Arc<dyn MakeObjective<F>>> {

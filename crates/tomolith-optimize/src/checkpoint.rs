@@ -51,7 +51,7 @@ pub enum Contents {
 #[derive(Clone, Debug, Default, Deserialize, Serialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Params {
-    /// Seconds between checkpoints, above 0; "auto" (default): at least ten, and so that they cost less than 2 % of the time
+    /// Seconds between checkpoints; "auto" (default): at least ten, and so that they cost less than 2 % of the time
     #[serde(with = "seconds_or_auto")]
     #[schemars(
         schema_with = "seconds_or_auto_schema",

@@ -40,6 +40,7 @@ pub use run::{
     MeasuredPrint, Observer, Outcome, Row, SeenDose, StepReport, Stop, StopReason,
     relative_gradient, run, run_after,
 };
+use schemars::JsonSchema;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 pub use start::{InitialPatterns, STARTS, StartInput};
@@ -223,7 +224,7 @@ pub type BuildOptimizer<F = HostField> = Read<Arc<dyn MakeOptimizer<F>>>;
 /// The `build` of a row whose parameters are P; refuses those out of range.
 fn read<F: Field, P>(section: &Section) -> Result<Arc<dyn MakeOptimizer<F>>>
 where
-    P: MakeOptimizer<F> + DeserializeOwned + 'static,
+    P: MakeOptimizer<F> + DeserializeOwned + JsonSchema + 'static,
 {
     let params: P = section.parse()?;
     params.make().map_err(|e| e.under(&section.path))?;

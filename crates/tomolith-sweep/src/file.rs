@@ -79,7 +79,7 @@ impl Sweep {
                     "job = \"job.toml\", the job whose keys the axes set, relative to the sweep file",
                 ));
             }
-            let mut spec = Section::new("", Value::Object(root)).parse::<SweepSpec>()?;
+            let mut spec = Section::new("", Value::Object(root)).parse_unranged::<SweepSpec>()?;
             if spec.axes.is_empty() {
                 return Err(Error::config(
                     "axes",

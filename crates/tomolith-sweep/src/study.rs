@@ -295,7 +295,7 @@ impl Study {
         }
         let document = Document::read(&file)?;
         let read = || {
-            let spec = Section::new("", document.root.clone()).parse::<StudySpec>()?;
+            let spec = Section::new("", document.root.clone()).parse_unranged::<StudySpec>()?;
             check(&spec, &document.root)?;
             Ok(Study {
                 folder: folder.to_owned(),

@@ -8,6 +8,7 @@ pub mod smoothness;
 pub mod sparsity;
 mod weighted;
 
+use schemars::JsonSchema;
 use serde::de::DeserializeOwned;
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -37,7 +38,7 @@ pub type BuildPenalty = Read<Arc<dyn MakePenalty>>;
 /// The `build` of a row whose parameters are P; refuses those out of range.
 fn read<P>(section: &Section) -> Result<Arc<dyn MakePenalty>>
 where
-    P: MakePenalty + DeserializeOwned + 'static,
+    P: MakePenalty + DeserializeOwned + JsonSchema + 'static,
 {
     let params: P = section.parse()?;
     params.make(&[]).map_err(|e| e.under(&section.path))?;

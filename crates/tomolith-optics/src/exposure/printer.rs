@@ -57,13 +57,12 @@ use std::path::{Path, PathBuf};
 use tomolith_core::columns::read_pairs;
 use tomolith_core::error::{Error, Result, in_range};
 use tomolith_core::grid::{PatternGrid, Patterns, PixelMask};
+use tomolith_core::kind::check_ranges;
 use tomolith_core::parallel::InParallel;
 use tomolith_core::units::{Mm, Pitch, exact};
 
 /// Dimmer pixels do not decide what white is.
 const DIMMEST: f64 = 0.1;
-/// Most pixels along an edge of a device.
-const LARGEST_EDGE: usize = 16_384;
 /// Most copies on a device.
 const MOST_COPIES: usize = 64;
 
@@ -83,30 +82,39 @@ tomolith_core::keys! {
     #[derive(PartialEq)]
     pub struct PrinterSpec {
         /// Pixels of the device, [columns, rows]; as many as the patterns need when left out.
+        #[schemars(inner(range(min = 1, max = 16384)))]
         pub canvas: Option<[usize; 2]>,
         /// Size of a device pixel at the vial, one number or [right, up]; the light's pixel pitch when left out.
         pub pixel_pitch_mm: Option<Pitch>,
         /// Where the middle of the patterns lies, device pixels [right, up] of the canvas' middle.
+        #[schemars(inner(range(min = -16384.0, max = 16384.0)))]
         pub offset_px: [f64; 2] = [0.0; 2],
         /// Mirrors left and right, before the turn.
         pub flip_horizontal: bool = false,
         /// Mirrors up and down, before the turn.
         pub flip_vertical: bool = false,
-        /// Quarter turns of the image, counter-clockwise, 0 to 3.
+        /// Quarter turns of the image, counter-clockwise.
+        #[schemars(range(min = 0, max = 3))]
         pub quarter_turns: u32 = 0,
-        /// A further turn of the image, counter-clockwise, degrees, -45 to 45: a device or an axis that is not quite upright.
+        /// A further turn of the image, counter-clockwise, degrees: a device or an axis that is not quite upright.
+        #[schemars(range(min = -45.0, max = 45.0))]
         pub rotation_deg: f64 = 0.0,
         /// How far right (along the columns of the patterns) the axis of rotation lies of where it should.
+        #[schemars(extend("minimum" = -1000.0, "maximum" = 1000.0))]
         pub axis_offset_mm: Mm = Mm(0.0),
         /// How far the middle of the vial is from the axis of the stage.
+        #[schemars(extend("minimum" = 0.0, "maximum" = 1000.0))]
         pub eccentricity_mm: Mm = Mm(0.0),
         /// Azimuth, in the resin frame, at which the middle of the vial is off the axis, degrees.
+        #[schemars(range(min = -360.0, max = 360.0))]
         pub eccentricity_deg: f64 = 0.0,
         /// Places of several copies, device pixels [right, up] of `offset_px`; one copy in the middle when left out.
+        #[schemars(inner(inner(range(min = -16384.0, max = 16384.0))))]
         pub copies_px: Vec<[f64; 2]> = vec![[0.0; 2]],
         /// Sense in which the machine turns the vial, seen from above; the light's `rotation` when left out.
         pub rotation: Option<Rotation>,
         /// Azimuth from which the light of the first frame arrives, degrees; that of the light's first angle when left out.
+        #[schemars(range(min = -360.0, max = 360.0))]
         pub start_deg: Option<f64>,
         /// Value (level over highest level) and intensity of the device, points [value, intensity]; proportional when left out.
         pub gray_curve: Option<Vec<[f64; 2]>>,
@@ -117,20 +125,18 @@ tomolith_core::keys! {
         /// Device pixels that stay dark, an image of the canvas' size: white (0.5 or more) is dead.
         pub dead_pixels: Option<PathBuf>,
         /// Images a second that the device shows; frames that follow faster are refused.
+        #[schemars(range(min = 1.0, max = 100_000.0))]
         pub refresh_hz: f64 = 60.0,
         /// Irradiance of the brightest device pixel at the highest level, at the vial.
+        #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1e9))]
         pub peak_irradiance_mw_per_cm2: Option<f64>,
         /// Longest time that the print may take, s: with the peak irradiance and resin.critical_dose_mj_per_mm3 it bounds
         /// the pixels.
+        #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1e9))]
         pub time_s: Option<f64>,
         /// Also writes all frames as one array, frames.npz.
         pub stack: bool = false,
     }
-}
-
-fn within(key: &str, value: f64, [least, most]: [f64; 2], accepted: &str) -> Result<()> {
-    let is_in = value >= least && value <= most;
-    in_range(is_in, format!("printer.{key}"), value, accepted)
 }
 
 impl PrinterSpec {
@@ -139,9 +145,30 @@ impl PrinterSpec {
     /// # Errors
     /// [`Error::Config`] with the key below `printer`.
     pub fn ranges(&self) -> Result<()> {
-        self.ranges_of_pixels()?;
-        self.ranges_of_motion()?;
-        self.ranges_of_light()?;
+        check_ranges("printer", self)?;
+        for pitch in self.pixel_pitch_mm.iter().flat_map(|pitch| pitch.0) {
+            let accepted = "a length above 0, at most 100 mm";
+            in_range(
+                pitch > 0.0 && pitch <= 100.0,
+                "printer.pixel_pitch_mm",
+                pitch,
+                accepted,
+            )?;
+        }
+        if self.copies_px.is_empty() || self.copies_px.len() > MOST_COPIES {
+            return Err(Error::config(
+                "printer.copies_px",
+                format!("{} places", self.copies_px.len()),
+                format!("1 to {MOST_COPIES} places [right, up]"),
+            ));
+        }
+        if let (Some(time), None) = (self.time_s, self.peak_irradiance_mw_per_cm2) {
+            return Err(Error::config(
+                "printer.time_s",
+                format!("{} s without a peak irradiance", exact(time)),
+                "also printer.peak_irradiance_mw_per_cm2, or leave this key out",
+            ));
+        }
         if self.gray_curve.is_some() && self.gray_curve_file.is_some() {
             return Err(Error::config(
                 "printer.gray_curve",
@@ -153,93 +180,6 @@ impl PrinterSpec {
             Some(points) => ToneCurve::new(points, "printer.gray_curve").map(drop),
             None => Ok(()),
         }
-    }
-
-    /// Canvas, pixels and where patterns stand.
-    fn ranges_of_pixels(&self) -> Result<()> {
-        let most = LARGEST_EDGE as f64;
-        for (i, n) in self.canvas.iter().flatten().enumerate() {
-            let accepted = format!("a whole number from 1 to {LARGEST_EDGE}");
-            within(&format!("canvas[{i}]"), *n as f64, [1.0, most], &accepted)?;
-        }
-        for pitch in self.pixel_pitch_mm.iter().flat_map(|pitch| pitch.0) {
-            let range = [f64::MIN_POSITIVE, 100.0];
-            within(
-                "pixel_pitch_mm",
-                pitch,
-                range,
-                "a length > 0, at most 100 mm",
-            )?;
-        }
-        let pixels =
-            |key: &str, value| within(key, value, [-most, most], "pixels, -16384 to 16384");
-        for (i, value) in self.offset_px.into_iter().enumerate() {
-            pixels(&format!("offset_px[{i}]"), value)?;
-        }
-        if self.copies_px.is_empty() || self.copies_px.len() > MOST_COPIES {
-            return Err(Error::config(
-                "printer.copies_px",
-                format!("{} places", self.copies_px.len()),
-                format!("1 to {MOST_COPIES} places [right, up]"),
-            ));
-        }
-        for (i, value) in self.copies_px.iter().flatten().enumerate() {
-            pixels(&format!("copies_px[{}][{}]", i / 2, i % 2), *value)?;
-        }
-        Ok(())
-    }
-
-    /// Turns of the image, and the way of the vial.
-    fn ranges_of_motion(&self) -> Result<()> {
-        let turns = f64::from(self.quarter_turns);
-        within("quarter_turns", turns, [0.0, 3.0], "0, 1, 2 or 3")?;
-        let accepted = "degrees, -45 to 45 (and printer.quarter_turns)";
-        within("rotation_deg", self.rotation_deg, [-45.0, 45.0], accepted)?;
-        let offset = self.axis_offset_mm.0;
-        within(
-            "axis_offset_mm",
-            offset,
-            [-1000.0, 1000.0],
-            "mm, -1000 to 1000",
-        )?;
-        let eccentricity = self.eccentricity_mm.0;
-        within(
-            "eccentricity_mm",
-            eccentricity,
-            [0.0, 1000.0],
-            "mm, 0 or more",
-        )?;
-        let angle = |key: &str, deg| within(key, deg, [-360.0, 360.0], "degrees, -360 to 360");
-        angle("eccentricity_deg", self.eccentricity_deg)?;
-        self.start_deg
-            .map_or(Ok(()), |start| angle("start_deg", start))
-    }
-
-    /// How fast images follow one another, how bright they are and how long.
-    fn ranges_of_light(&self) -> Result<()> {
-        let accepted = "images a second, 1 to 100000";
-        within("refresh_hz", self.refresh_hz, [1.0, 100_000.0], accepted)?;
-        let range = [f64::MIN_POSITIVE, 1e9];
-        if let Some(peak) = self.peak_irradiance_mw_per_cm2 {
-            within(
-                "peak_irradiance_mw_per_cm2",
-                peak,
-                range,
-                "a number > 0, mW/cm²",
-            )?;
-        }
-        let Some(time) = self.time_s else {
-            return Ok(());
-        };
-        within("time_s", time, range, "a number > 0, s")?;
-        if self.peak_irradiance_mw_per_cm2.is_none() {
-            return Err(Error::config(
-                "printer.time_s",
-                format!("{} s without a peak irradiance", exact(time)),
-                "also printer.peak_irradiance_mw_per_cm2, or leave this key out",
-            ));
-        }
-        Ok(())
     }
 
     /// Files that the table names, to be made absolute.

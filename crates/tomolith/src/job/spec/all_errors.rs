@@ -84,7 +84,7 @@ fn read(document: &Document, models: &'static [ModelKind], base: &Path) -> Resul
         for s in 0..spec.species.len().max(1) {
             minimized(&spec.of_species(s), base)?;
         }
-        validate::ranges(&spec)
+        validate::tables(&spec)
     };
     keys().map_err(|e| document.locate(e))
 }

@@ -7,6 +7,9 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
+/// Most frames of a light.
+pub(super) const MOST_FRAMES: usize = 100_000;
+
 /// The angles of a light.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Angles {
@@ -29,15 +32,19 @@ pub enum Angles {
 struct AnglesTable {
     /// Number of frames.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 1, max = MOST_FRAMES))]
     count: Option<usize>,
     /// First azimuth.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = -360.0, max = 360.0))]
     start_deg: Option<f64>,
     /// The arc over which they are spread; the full turn when left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 360.0))]
     arc_deg: Option<f64>,
     /// These azimuths, in place of the others.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(inner(range(min = -3600.0, max = 3600.0)))]
     list_deg: Option<Vec<f64>>,
 }
 
@@ -113,7 +120,7 @@ impl JsonSchema for Angles {
         let table = generator.subschema_for::<AnglesTable>();
         schemars::json_schema!({
             "description": "A count of frames (full turn), {count, start_deg, arc_deg} or {list_deg}",
-            "anyOf": [{ "type": "integer", "minimum": 1 }, table]
+            "anyOf": [{ "type": "integer", "minimum": 1, "maximum": MOST_FRAMES }, table]
         })
     }
 }

@@ -3,7 +3,7 @@
 
 use super::document::TARGETS;
 use crate::error::Error;
-use crate::kind::{Kind, KindPage};
+use crate::kind::{Kind, KindPage, NumberRange};
 use crate::models::MODELS;
 use crate::objective::OBJECTIVES;
 use crate::objective::penalty::PENALTIES;
@@ -201,6 +201,14 @@ fn owners(family: &str, parameter: &str) -> String {
 
 /// The type of a property in a person's words.
 fn type_words(property: &Value, root: &Value) -> String {
+    let mut words = type_of(property, root);
+    if let Some(range) = NumberRange::of(property) {
+        words = format!("{words}, {}", range.words());
+    }
+    words
+}
+
+fn type_of(property: &Value, root: &Value) -> String {
     if let Some(name) = property["$ref"]
         .as_str()
         .and_then(|r| r.strip_prefix("#/$defs/"))
@@ -239,8 +247,12 @@ fn type_words(property: &Value, root: &Value) -> String {
         "object" => "table",
         _ => "number",
     };
+    let is_list = |types: &Value| match types {
+        Value::Array(types) => types.iter().any(|t| t == "array"),
+        one => one == "array",
+    };
     match &property["type"] {
-        Value::String(t) if t == "array" && property["items"].is_object() => {
+        types if is_list(types) && property["items"].is_object() => {
             format!("list of {}", type_words(&property["items"], root))
         }
         Value::String(t) => word(t).to_owned(),

@@ -21,8 +21,10 @@ pub struct LightSpec {
     pub name: Option<String>,
     /// Vacuum wavelength, nm.
     #[serde(default = "violet")]
+    #[schemars(range(min = 100.0, max = 20_000.0))]
     pub wavelength_nm: f64,
     /// Pixels of a pattern, [columns, rows].
+    #[schemars(inner(range(min = 1, max = 16384)))]
     pub pixels: [usize; 2],
     /// Offset of the image's center from the rotation axis [along the columns, up]; 0 when left out.
     #[serde(default, skip_serializing_if = "is_about_axis")]
@@ -32,6 +34,7 @@ pub struct LightSpec {
     /// Angles at which the optimization averages a frame, which is exposed while the vial turns through its arc. When left out: one for
     /// every half pixel that the rim of the part moves, 4 at most, as far as the time allows; 1 where light is not collimated and level.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 1, max = 64))]
     pub sub_angles: Option<usize>,
     /// Sense in which the VIAL turns, seen from above.
     #[serde(default)]
@@ -70,13 +73,15 @@ tomolith_core::keys! {
     /// What the resin is at the wavelength of one light; what is left out is that of `[resin]`.
     #[derive(PartialEq)]
     pub struct LightResinSpec {
-        /// Refractive index, 1 to 4.
+        /// Refractive index.
+        #[schemars(range(min = 1.0, max = 4.0))]
         pub refractive_index: Option<f64>,
         /// Napierian absorption of the active species, 1e-9 to 100 per mm.
         pub absorption_per_mm: Option<f64>,
         /// Napierian attenuation by everything, 1/mm; absorption + scattering of this light where one of these is given and this is not.
         pub attenuation_per_mm: Option<f64>,
         /// Napierian scattering, 1/mm.
+        #[schemars(range(min = 0.0))]
         pub scattering_per_mm: Option<f64>,
     }
 }
@@ -85,9 +90,11 @@ tomolith_core::keys! {
     /// Limits of one light's pattern values; what is left out is that of `[bounds]`.
     #[derive(PartialEq)]
     pub struct LightBoundsSpec {
-        /// Smallest value, ≥ 0.
+        /// Smallest value.
+        #[schemars(range(min = 0.0, max = 1e9))]
         pub min: Option<f64>,
         /// Largest value.
+        #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1e9))]
         pub max: Option<f64>,
     }
 }
@@ -101,6 +108,7 @@ tomolith_core::keys! {
         /// The same from a file with two columns.
         pub gray_curve_file: Option<PathBuf>,
         /// Irradiance of the brightest device pixel at the highest level, at the vial.
+        #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1e9))]
         pub peak_irradiance_mw_per_cm2: Option<f64>,
     }
 }
@@ -154,8 +162,10 @@ tomolith_core::keys! {
         /// Image of all pixels, relative to the job file (.png, .tif or .npy): those that are 0 (black) stay dark.
         pub mask: Option<PathBuf>,
         /// Pixels whose middle ray meets the vial closer than this to an edge of its outer wall stay dark (square vials and meshes).
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         pub corner_radius_mm: Option<Mm>,
-        /// Switches off pixels that deliver less than this fraction of the best pixel's dose to the part, 0 to below 1.
+        /// Switches off pixels that deliver less than this fraction of the best pixel's dose to the part.
+        #[schemars(range(min = 0.0, max = 0.999))]
         pub min_contribution: f64 = 0.0,
     }
 }

@@ -151,6 +151,7 @@ tomolith_core::keys! {
     pub struct ResourcesSpec {
         /// Memory that the run plans with, GB (10⁹ bytes); 80 % of the computer's, or of its container's, when left out. A job that needs more is
         /// refused before any work. Results do not depend on what else runs.
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         pub memory_gb: Option<f64>,
         /// Where doses are computed: "cpu" (the default), "gpu" (the first graphics card), "gpu:NAME" (a card whose name contains this), or "auto" (a card
         /// where there is one that is large enough, else the processor). Needs a program with the feature `gpu`; patterns differ by rounding.
@@ -164,11 +165,14 @@ tomolith_core::keys! {
     /// Without a shape, the grid is the target's box with a margin of 10 % and at least 4 voxels on each side.
     pub struct GridSpec {
         /// Edge of a voxel; the (smaller) pixel pitch of the first light when neither pitch nor shape is given.
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         pub pitch_mm: Option<Mm>,
         /// Counts [x, y, z]; the pitch then follows the target, or is `pitch_mm`.
+        #[schemars(inner(range(min = 1, max = 16384)))]
         pub shape: Option<[usize; 3]>,
         /// How many times finer than the job's the optimization's voxels are, across the axis; along z they are as high as a row of pixels. When left out: with
         /// `surface = "fraction"` and level light up to a quarter of a pixel, with `"cells"` up to half a pixel, as far as the time allows; else 1.
+        #[schemars(range(min = 1, max = 32))]
         pub refine: Option<usize>,
         /// Which voxels count: the whole `box`, or the `cylinder` about the axis that is inscribed in it.
         pub region: Region = Region::Box,

@@ -14,26 +14,33 @@ const MOST_BITS: u32 = 5;
 tomolith_core::keys! {
     /// How the written patterns are evaluated: their dose is simulated again, turning and on a finer grid.
     pub struct EvaluateSpec {
-        /// Bits to which patterns are quantized, 1 to 16.
+        /// Bits to which patterns are quantized.
+        #[schemars(range(min = 1, max = 16))]
         pub bit_depth: u32 = 8,
         /// How patterns are put on the levels of 5 bits or fewer: "optimized" on these levels after the optimization, or "rounded". With more bits they
         /// are rounded.
         pub levels: Levelling = Levelling::Optimized,
         /// Angles at which the arc of a frame is averaged.
+        #[schemars(range(min = 1, max = 64))]
         pub sub_angles: usize = 4,
         /// How many times finer than the job's the voxels of the evaluation are; lowered, with a warning, where the memory budget is too small. When left out: as fine as the
         /// optimization's, up to 3·10⁷ voxels, and at least 2.
+        #[schemars(range(min = 1, max = 32))]
         pub refine: Option<usize>,
         /// Dose at which the resin turns solid; the one with the best IoU when left out.
+        #[schemars(range(min = 1e-6, max = 1e6))]
         pub threshold: Option<f64>,
-        /// Percent of the voxels that trimmed metrics leave out at each end, in part and in void, 0 to below 50.
+        /// Percent of the voxels that trimmed metrics leave out at each end, in part and in void.
+        #[schemars(range(min = 0.0, max = 49.9))]
         pub trim_percent: f64 = 0.025,
         /// Whether distances between the surfaces of print and target are measured. They take most of the time of a small evaluation, and a sweep that collects none
         /// leaves them out.
         pub surfaces: bool = true,
         /// IoU that the evaluation must reach: below it the command ends with exit code 1.
+        #[schemars(range(min = 0.0, max = 1.0))]
         pub require_iou: Option<f64>,
-        /// Gray targets: share of the voxels that must be in their bands, 0 to 1; below it the command ends with exit code 1.
+        /// Gray targets: share of the voxels that must be in their bands; below it the command ends with exit code 1.
+        #[schemars(range(min = 0.0, max = 1.0))]
         pub require_in_band: Option<f64>,
     }
 }
@@ -56,6 +63,7 @@ tomolith_core::keys! {
         /// The run folder, relative to the current folder; `out/` and the job's name when left out.
         pub folder: Option<PathBuf>,
         /// Turns of the vial per minute: gives the movie its frame rate.
+        #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1000.0))]
         pub rpm: f64 = 10.0,
         /// The movie: "h264" (default; 8 bits, within a few levels, every player shows it), "lossless" (PNG frames in a
         /// QuickTime file, every level exact at any bit depth) or "none".

@@ -78,7 +78,7 @@ impl Job {
         let base = base_of(&document);
         profiles::fill(&mut document.root, &base).map_err(|e| document.locate(e))?;
         let spec = JobSpec::from_document(&document).and_then(|spec| {
-            validate::ranges(&spec).map_err(|e| document.locate(e))?;
+            validate::tables(&spec).map_err(|e| document.locate(e))?;
             Ok(spec)
         });
         let spec = spec.map_err(|first| with_others(&document, models, &base, first))?;

@@ -11,7 +11,8 @@ use std::path::PathBuf;
 tomolith_core::keys! {
     /// The resin at the light's wavelength.
     pub struct ResinSpec {
-        /// Refractive index, 1 to 4.
+        /// Refractive index.
+        #[schemars(range(min = 1.0, max = 4.0))]
         pub refractive_index: f64 = 1.5,
         /// Napierian absorption of the active species, 1e-9 to 100 per mm: what makes dose. Required, except with `pure_radon`, which does not use it.
         pub absorption_per_mm: Option<f64>,
@@ -22,6 +23,7 @@ tomolith_core::keys! {
         /// Absorption that changes from place to place.
         pub absorption_map: Option<MapSpec>,
         /// Napierian scattering, 1/mm; a part of the total attenuation.
+        #[schemars(range(min = 0.0))]
         pub scattering_per_mm: f64 = 0.0,
         /// Phase function of the scattering, `[resin.phase.KIND]`.
         pub phase: Value = kind("rayleigh"),
@@ -30,6 +32,7 @@ tomolith_core::keys! {
         /// Definition of dose: "energy" (default), absorbed per volume, or "drtvam", that times (n_surrounding/n_resin)², as in Dr.TVAM.
         pub dose_convention: DoseConvention = DoseConvention::Energy,
         /// Dose at which the resin turns solid, mJ/mm³; ties the relative dose to exposure.
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         pub critical_dose_mj_per_mm3: Option<f64>,
     }
 }

@@ -39,7 +39,7 @@ impl JobSpec {
         }
         profiles::fill(&mut root, base)?;
         let spec: JobSpec = Section::new("", root).parse().map_err(with_example)?;
-        validate::ranges(&spec)?;
+        validate::tables(&spec)?;
         Ok(spec)
     }
 }

@@ -54,8 +54,9 @@ tomolith_core::keys! {
         /// Parameters of `[response.KIND]` and the range of each, [smallest, largest], as `{ steepness = [10.0, 150.0], midpoint = [0.3, 0.7] }`.
         /// The search begins at the values of `[response.KIND]`, brought into the ranges. A range above 0 is searched along its logarithm.
         pub response: BTreeMap<String, [f64; 2]> = BTreeMap::new(),
-        /// Part of its range to which a parameter is found, above 0, at most 0.25. The optimization does not end by `stop.change`,
+        /// Part of its range to which a parameter is found. The optimization does not end by `stop.change`,
         /// `stop.projected_gradient` or for want of progress while a step moves one by more.
+        #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 0.25))]
         pub tolerance: f64 = 1e-3,
     }
 }
@@ -63,7 +64,8 @@ tomolith_core::keys! {
 tomolith_core::keys! {
     /// A start from coarser levels: each has half the voxels, pixels and frames along every axis of the next.
     pub struct MultiresolutionSpec {
-        /// Number of coarser levels, 1 to 6.
+        /// Number of coarser levels.
+        #[schemars(range(min = 1, max = 6))]
         pub levels: usize = 1,
         /// Iterations on each of them.
         pub iterations: usize = 20,
@@ -73,16 +75,19 @@ tomolith_core::keys! {
 tomolith_core::keys! {
     /// Limits of pattern values, in units of the response's dose.
     pub struct BoundsSpec {
-        /// Smallest value, ≥ 0: the projector's background, which also lights pixels that miss the part.
+        /// Smallest value: the projector's background, which also lights pixels that miss the part.
+        #[schemars(range(min = 0.0, max = 1e9))]
         pub min: f64 = 0.0,
         /// Largest value; when left out, what `ceiling` says, and never more than the largest pixel of the start (no limit for a dark start).
+        #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1e9))]
         pub max: Option<f64>,
         /// How bright pixels may be where neither `max` nor `printer.time_s` says so: "lowest" (default; the lowest ceiling at which the print is as good as without
         /// one, since a print lasts as long as its brightest pixel), or as bright as the brightest of the "start".
         pub ceiling: Ceiling = Ceiling::default(),
         /// By how much a print may be worse with the ceiling than without it.
         pub tolerance: CeilingTolerance = CeilingTolerance::default(),
-        /// Bits to which patterns are rounded in every step, 1 to 16; no rounding when left out.
+        /// Bits to which patterns are rounded in every step; no rounding when left out.
+        #[schemars(range(min = 1, max = 16))]
         pub bits: Option<u32>,
     }
 }
@@ -109,13 +114,17 @@ tomolith_core::keys! {
     /// By how much a print may be worse with the lowest ceiling than without it.
     #[derive(PartialEq)]
     pub struct CeilingTolerance {
-        /// IoU that may be lost, 0 to 1.
+        /// IoU that may be lost.
+        #[schemars(range(min = 0.0, max = 1.0))]
         pub iou: f64 = 0.001,
-        /// VER that may be added, 0 to 1.
+        /// VER that may be added.
+        #[schemars(range(min = 0.0, max = 1.0))]
         pub ver: f64 = 0.005,
-        /// Share by which the mean surface deviation may grow, 0 to 1.
+        /// Share by which the mean surface deviation may grow.
+        #[schemars(range(min = 0.0, max = 1.0))]
         pub deviation: f64 = 0.05,
-        /// Share by which Γ, the range of exposures that print nearly as well, may shrink, 0 to 1.
+        /// Share by which Γ, the range of exposures that print nearly as well, may shrink.
+        #[schemars(range(min = 0.0, max = 1.0))]
         pub latitude: f64 = 0.25,
     }
 }
@@ -126,22 +135,29 @@ tomolith_core::keys! {
         /// Iterations of the optimizer.
         pub iterations: usize = 45,
         /// Norm of the projected gradient, relative to that of the start, at which it ends.
+        #[schemars(range(min = 0.0))]
         pub projected_gradient: Option<f64>,
         /// Mean change of the loss over five steps, relative to the loss, at which it ends (0.001 in the BCLP paper); 0: never.
+        #[schemars(range(min = 0.0))]
         pub change: Option<f64>,
         /// Iterations after which `change` is looked at; 0 when left out. From patterns that are good already the loss changes little while
         /// the print still does.
         pub change_after: Option<usize>,
         /// Part of the loss by which patterns could still be better at most, at which it ends: 0.05 is 5 %. For linear models and convex
-        /// objectives; looked at after every fifth iteration.
+        /// objectives; looked at after every fifth iteration. 0: never.
+        #[schemars(range(min = 0.0, max = 0.99))]
         pub gap: Option<f64>,
         /// Loss at which the optimization ends; it always ends at 0.
+        #[schemars(range(min = 0.0))]
         pub loss: f64 = 0.0,
-        /// Part of the first loss at which it ends, 0 to below 1. With `start.patterns.bounds_as` the first loss is that of the start named there.
+        /// Part of the first loss at which it ends, or 0: never. With `start.patterns.bounds_as` the first loss is that of the start named there.
+        #[schemars(range(min = 0.0, max = 0.99))]
         pub relative_loss: Option<f64>,
-        /// IoU on the optimization's grid at which it ends, 0 to 1; not for gray targets.
+        /// IoU on the optimization's grid at which it ends; not for gray targets.
+        #[schemars(range(min = 0.0, max = 1.0))]
         pub iou: Option<f64>,
         /// Wall time after which it ends, s.
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         pub wall_s: Option<f64>,
         /// Which patterns the run ends with: the "best" by the measure that the method improves (the loss; for `osmo` and `cal` the IoU on
         /// the job's voxels, and where that is 1 the process window), or those of the "last" iteration.

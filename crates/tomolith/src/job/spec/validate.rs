@@ -1,5 +1,7 @@
-//! Ranges of every key, before any work.
+//! What keys must be to one another, before any work. The range of a single number stands at its key, and is checked where the job is read
+//! ([`NumberRange`](crate::kind::NumberRange)).
 
+use super::angles::MOST_FRAMES;
 use super::file_names;
 use crate::error::{Error, Result, in_range};
 use crate::exposure::movie::FASTEST;
@@ -9,9 +11,8 @@ use crate::job::spec::{
     Angles, BoundsSpec, DoseConvention, JobSpec, LightPrinterSpec, LightSpec, OutputSpec,
     ResinSpec, SelectionSpec,
 };
-use crate::units::exact;
+use crate::units::{Mm, exact};
 use std::collections::BTreeSet;
-use std::ops::RangeInclusive;
 
 /// Fastest turn of a vial, 1/min.
 const MOST_RPM: f64 = 1000.0;
@@ -20,43 +21,20 @@ const MOST_ABSORPTION: f64 = 100.0;
 /// Weakest absorption, 1/mm: doses of far less are indistinguishable from 0.
 const LEAST_ABSORPTION: f64 = 1e-9;
 
-/// Largest limit of a pixel, mJ/mm²: its dose, squared and summed, is still a number.
-const MOST_LIGHT: f64 = 1e9;
-
-/// Most pixels along an edge, most voxels along an edge.
-const LARGEST_EDGE: usize = 16_384;
-/// Most frames of a light.
-const MOST_FRAMES: usize = 100_000;
-/// Most angles averaged in one frame.
-const MOST_SUB_ANGLES: usize = 64;
-/// Refractive indices of anything transparent.
-const INDEX: RangeInclusive<f64> = 1.0..=4.0;
-
-/// Checks every number of the tables.
+/// Checks the tables.
 ///
 /// # Errors
 /// [`Error::Config`] with key path, value and what is accepted; the place is added by
 /// [`Document::locate`](crate::job::Document::locate).
-pub fn ranges(spec: &JobSpec) -> Result<()> {
-    grid(spec)?;
+pub fn tables(spec: &JobSpec) -> Result<()> {
     resin(&spec.resin)?;
     for i in 0..spec.light.len() {
         resin(&spec.resin_of(i)).map_err(|e| e.under(&format!("light[{i}]")))?;
     }
-    let (index, key) = (spec.vial.common.surrounding_index, "vial.surrounding_index");
-    within(key, index, INDEX, "a refractive index")?;
-    if let Some(bath) = &spec.bath {
-        let (key, strongest) = ("bath.absorption_per_mm", 0.0..=MOST_ABSORPTION);
-        within(key, bath.absorption_per_mm, strongest, "1/mm")?;
-        positive("bath.radius_mm", bath.radius_mm.0, "mm")?;
-    }
     lights(&spec.light)?;
     species(spec)?;
     bounds_and_stop(spec)?;
-    evaluate_and_output(spec)?;
-    optional(spec.resources.memory_gb, |gb| {
-        positive("resources.memory_gb", gb, "GB")
-    })?;
+    output(spec)?;
     printer(spec)
 }
 
@@ -133,22 +111,7 @@ fn at_speed(spec: &JobSpec, i: usize, mut error: Error) -> Error {
     error
 }
 
-fn grid(spec: &JobSpec) -> Result<()> {
-    count("grid.refine", spec.grid.refine.unwrap_or(1), 1, 32)?;
-    if let Some(pitch) = spec.grid.pitch_mm {
-        positive("grid.pitch_mm", pitch.0, "mm")?;
-    }
-    if let Some(shape) = spec.grid.shape {
-        for (i, n) in shape.into_iter().enumerate() {
-            count(&format!("grid.shape[{i}]"), n, 1, LARGEST_EDGE)?;
-        }
-    }
-    Ok(())
-}
-
 fn resin(resin: &ResinSpec) -> Result<()> {
-    let key = "resin.refractive_index";
-    within(key, resin.refractive_index, INDEX, "a refractive index")?;
     absorption(resin)?;
     if let Some(attenuation) = resin.attenuation_per_mm {
         // What the absorption is worth with `pure_radon`, which does not use it, is still no more than the attenuation
@@ -163,7 +126,6 @@ fn resin(resin: &ResinSpec) -> Result<()> {
             accepted,
         )?;
     }
-    not_negative("resin.scattering_per_mm", resin.scattering_per_mm, "1/mm")?;
     if resin.scattering_per_mm > 0.0 && resin.pure_radon {
         return Err(Error::config(
             "resin.scattering_per_mm",
@@ -181,9 +143,7 @@ fn resin(resin: &ResinSpec) -> Result<()> {
             "resin.dose_convention = \"energy\"",
         ));
     }
-    optional(resin.critical_dose_mj_per_mm3, |dose| {
-        positive("resin.critical_dose_mj_per_mm3", dose, "mJ/mm³")
-    })
+    Ok(())
 }
 
 fn absorption(resin: &ResinSpec) -> Result<()> {
@@ -270,59 +230,26 @@ fn species(spec: &JobSpec) -> Result<()> {
 }
 
 fn light(light: &LightSpec) -> Result<()> {
-    within("wavelength_nm", light.wavelength_nm, 100.0..=20_000.0, "nm")?;
-    for (i, n) in light.pixels.into_iter().enumerate() {
-        count(&format!("pixels[{i}]"), n, 1, LARGEST_EDGE)?;
-    }
-    for (i, mm) in light.offset_mm.into_iter().enumerate() {
-        let key = format!("offset_mm[{i}]");
-        within(&key, mm.0, -1000.0..=1000.0, "mm")?;
+    for (i, Mm(mm)) in light.offset_mm.into_iter().enumerate() {
+        let accepted = "a length, -1000 to 1000 mm";
+        in_range(mm.abs() <= 1000.0, format!("offset_mm[{i}]"), mm, accepted)?;
     }
     selection(light).map_err(|e| e.under("selection"))?;
-    if let Some(sub_angles) = light.sub_angles {
-        count("sub_angles", sub_angles, 1, MOST_SUB_ANGLES)?;
-    }
     match &light.angles {
-        Angles::Even {
-            count: frames,
-            start_deg,
-            arc_deg,
-        } => {
-            count("angles", *frames, 1, MOST_FRAMES)?;
-            within("angles.start_deg", *start_deg, -360.0..=360.0, "degrees")?;
-            let is_arc = *arc_deg > 0.0 && *arc_deg <= 360.0;
-            in_range(
-                is_arc,
-                "angles.arc_deg",
-                *arc_deg,
-                "degrees, above 0 and at most 360",
-            )
+        Angles::List(list) if !(1..=MOST_FRAMES).contains(&list.len()) => {
+            let found = match list.len() {
+                0 => "found an empty list".to_owned(),
+                n => format!("found a list of {n}"),
+            };
+            let accepted = format!("1 to {MOST_FRAMES} azimuths in degrees, one per frame");
+            Err(Error::config("angles.list_deg", found, accepted))
         }
-        Angles::List(list) => {
-            if !(1..=MOST_FRAMES).contains(&list.len()) {
-                let found = match list.len() {
-                    0 => "found an empty list".to_owned(),
-                    n => format!("found a list of {n}"),
-                };
-                let accepted = format!("1 to {MOST_FRAMES} azimuths in degrees, one per frame");
-                return Err(Error::config("angles.list_deg", found, accepted));
-            }
-            list.iter().enumerate().try_for_each(|(i, angle)| {
-                let key = format!("angles.list_deg[{i}]");
-                within(&key, *angle, -3600.0..=3600.0, "degrees")
-            })
-        }
+        _ => Ok(()),
     }
 }
 
 fn selection(light: &LightSpec) -> Result<()> {
-    let SelectionSpec {
-        columns,
-        rows,
-        corner_radius_mm,
-        min_contribution,
-        ..
-    } = &light.selection;
+    let SelectionSpec { columns, rows, .. } = &light.selection;
     for (key, range, all) in [
         ("columns", columns, light.pixels[0]),
         ("rows", rows, light.pixels[1]),
@@ -338,38 +265,14 @@ fn selection(light: &LightSpec) -> Result<()> {
             _ => {}
         }
     }
-    optional(corner_radius_mm.map(|mm| mm.0), |mm| {
-        positive("corner_radius_mm", mm, "mm")
-    })?;
-    let what = "a share of the best pixel's";
-    within("min_contribution", *min_contribution, 0.0..=0.999, what)
+    Ok(())
 }
 
 fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
-    let BoundsSpec { min, max, bits, .. } = spec.bounds;
-    let tolerance = &spec.bounds.tolerance;
-    for (name, value) in [
-        ("iou", tolerance.iou),
-        ("ver", tolerance.ver),
-        ("deviation", tolerance.deviation),
-        ("latitude", tolerance.latitude),
-    ] {
-        within(
-            &format!("bounds.tolerance.{name}"),
-            value,
-            0.0..=1.0,
-            "a part",
-        )?;
-    }
-    let background = |key: &str, least: f64| {
-        let accepted = format!("0 to {MOST_LIGHT:e} mJ/mm²: light cannot be taken away");
-        in_range((0.0..=MOST_LIGHT).contains(&least), key, least, accepted)
-    };
-    background("bounds.min", min)?;
+    let BoundsSpec { min, max, .. } = spec.bounds;
     optional(max, |max| above("bounds.max", max, "bounds.min", min))?;
     for (i, light) in spec.light.iter().enumerate() {
         let key = |name: &str| format!("light[{i}].bounds.{name}");
-        optional(light.bounds.min, |least| background(&key("min"), least))?;
         let least = light.bounds.min.unwrap_or(min);
         let from = match light.bounds.min {
             Some(_) => key("min"),
@@ -384,31 +287,15 @@ fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
         })?;
     }
     let stop = &spec.stop;
-    let levels = spec
-        .multiresolution
-        .as_ref()
-        .map(|coarse| coarse.levels as f64);
-    let never = |part: Option<f64>| part.filter(|part| *part != 0.0);
-    for (key, value, range, what) in [
-        ("bounds.bits", bits.map(f64::from), 1.0..=16.0, "bits"),
-        ("multiresolution.levels", levels, 1.0..=6.0, "levels"),
-        (
-            "stop.gap",
-            never(stop.gap),
-            1e-6..=0.99,
-            "a part of the loss (0: never)",
-        ),
-        (
-            "stop.relative_loss",
-            never(stop.relative_loss),
-            1e-12..=0.99,
-            "a part of the first loss (0: never)",
-        ),
-        ("stop.iou", stop.iou, 0.0..=1.0, "an IoU"),
+    // 0 is never; less than these would be, too
+    for (key, part, least) in [
+        ("stop.gap", stop.gap, 1e-6),
+        ("stop.relative_loss", stop.relative_loss, 1e-12),
     ] {
-        optional(value, |value| within(key, value, range.clone(), what))?;
+        let part = part.unwrap_or_default();
+        let accepted = format!("0: never; or {least:e} to 0.99");
+        in_range(part == 0.0 || part >= least, key, part, accepted)?;
     }
-    optional(stop.change, |v| not_negative("stop.change", v, ""))?;
     if let (Some(after), None) = (stop.change_after, stop.change) {
         return Err(Error::config(
             "stop.change_after",
@@ -416,57 +303,13 @@ fn bounds_and_stop(spec: &JobSpec) -> Result<()> {
             "both stop.change and stop.change_after, or neither",
         ));
     }
-    not_negative("stop.loss", stop.loss, "")?;
-    optional(stop.projected_gradient, |v| {
-        not_negative("stop.projected_gradient", v, "")
-    })?;
-    optional(stop.wall_s, |v| positive("stop.wall_s", v, "s"))?;
-    optional(spec.checkpoint.every_s, |v| {
-        positive("checkpoint.every_s", v, "s")
-    })
+    Ok(())
 }
 
-fn evaluate_and_output(spec: &JobSpec) -> Result<()> {
-    let evaluate = &spec.evaluate;
-    let refine = evaluate.refine.unwrap_or(1);
-    for (key, value, most) in [
-        ("evaluate.bit_depth", evaluate.bit_depth as usize, 16),
-        ("evaluate.sub_angles", evaluate.sub_angles, MOST_SUB_ANGLES),
-        ("evaluate.refine", refine, 32),
-    ] {
-        count(key, value, 1, most)?;
-    }
-    let trim = Some(evaluate.trim_percent);
-    for (key, value, range, what) in [
-        (
-            "evaluate.threshold",
-            evaluate.threshold,
-            1e-6..=1e6,
-            "a dose",
-        ),
-        ("evaluate.trim_percent", trim, 0.0..=49.9, "per cent"),
-        (
-            "evaluate.require_iou",
-            evaluate.require_iou,
-            0.0..=1.0,
-            "an IoU",
-        ),
-        (
-            "evaluate.require_in_band",
-            evaluate.require_in_band,
-            0.0..=1.0,
-            "a part",
-        ),
-    ] {
-        optional(value, |value| within(key, value, range.clone(), what))?;
-    }
-    positive("output.rpm", spec.output.rpm, "turns per minute")?;
+fn output(spec: &JobSpec) -> Result<()> {
     if spec.output.rpm > MOST_RPM {
-        let schedule = spec.schedule.as_ref();
-        let key = match schedule.and_then(|table| table.seconds_per_turn) {
-            Some(_) => "schedule.seconds_per_turn",
-            None => "output.rpm",
-        };
+        // Turns of the schedule are those of the movie
+        let key = "schedule.seconds_per_turn";
         let accepted = format!("at most {MOST_RPM} turns per minute");
         return Err(Error::refused(key, exact(spec.output.rpm), accepted));
     }
@@ -496,42 +339,13 @@ fn optional(value: Option<f64>, check: impl Fn(f64) -> Result<()>) -> Result<()>
     value.map_or(Ok(()), check)
 }
 
-fn positive(key: &str, value: f64, unit: &str) -> Result<()> {
-    let is_in = value > 0.0 && value.is_finite();
-    in_range(is_in, key, value, format!("a number > 0 {unit}"))
-}
-
-fn not_negative(key: &str, value: f64, unit: &str) -> Result<()> {
-    let is_in = value >= 0.0 && value.is_finite();
-    in_range(
-        is_in,
-        key,
-        value,
-        format!("a number, 0 or more {unit}").trim_end(),
-    )
-}
-
-fn within(key: &str, value: f64, range: RangeInclusive<f64>, what: &str) -> Result<()> {
-    let accepted = format!(
-        "{what}, {} to {}",
-        exact(*range.start()),
-        exact(*range.end())
-    );
-    in_range(range.contains(&value), key, value, accepted)
-}
-
 /// The largest value of pixels, which some room must lie below.
 fn above(key: &str, value: f64, least_key: &str, least: f64) -> Result<()> {
-    let accepted = format!("more than {least_key} = {least}, up to {MOST_LIGHT:e} mJ/mm²");
-    in_range(value > least && value <= MOST_LIGHT, key, value, accepted)
+    let accepted = format!("more than {least_key} = {least}");
+    in_range(value > least, key, value, accepted)
 }
 
-fn count(key: &str, value: usize, least: usize, most: usize) -> Result<()> {
-    let accepted = format!("a whole number from {least} to {most}");
-    in_range((least..=most).contains(&value), key, value, accepted)
-}
-
-/// Refuses numbers out of range, and tables of the job that do not go with unknowns of the response.
+/// Refuses tables of the job that do not go with unknowns of the response.
 fn co_optimized(spec: &JobSpec) -> Result<()> {
     let Some(unknowns) = &spec.co_optimize else {
         return Ok(());
@@ -543,14 +357,6 @@ fn co_optimized(spec: &JobSpec) -> Result<()> {
             "one or more with their ranges, for example steepness = [10.0, 150.0]; or leave [co_optimize] out",
         ));
     }
-    let is_part = unknowns.tolerance > 0.0 && unknowns.tolerance <= 0.25;
-    let accepted = "a part of the ranges, above 0, at most 0.25";
-    in_range(
-        is_part,
-        "co_optimize.tolerance",
-        unknowns.tolerance,
-        accepted,
-    )?;
     let time_s = spec.printer.as_ref().and_then(|printer| printer.time_s);
     for (key, is_there, found) in [
         (
@@ -580,7 +386,7 @@ mod tests {
     fn a_good_job_passes_and_each_bad_number_is_named() {
         let check = |changes: &[&str]| {
             let spec = JobSpec::from_document(&document_of(FULL, changes));
-            spec.and_then(|spec| ranges(&spec))
+            spec.and_then(|spec| tables(&spec))
         };
         check(&[]).unwrap();
         check(&["resin.absorption_per_mm=0", "resin.pure_radon=true"]).unwrap();

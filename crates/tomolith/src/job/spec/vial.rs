@@ -15,8 +15,10 @@ use std::path::PathBuf;
 #[serde(deny_unknown_fields)]
 pub struct BathSpec {
     /// Napierian absorption, 1/mm.
+    #[schemars(range(min = 0.0, max = 100.0))]
     pub absorption_per_mm: f64,
     /// Its outer radius, about the axis; larger than the vial's.
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
     pub radius_mm: Mm,
 }
 
@@ -34,6 +36,7 @@ tomolith_core::keys! {
     #[derive(PartialEq)]
     pub struct VialCommon {
         /// Refractive index of what surrounds the vial: 1 for air, the bath's for a bath.
+        #[schemars(range(min = 1.0, max = 4.0))]
         pub surrounding_index: f64 = 1.0,
         /// The lower end of the resin; without it the resin has no end.
         pub bottom: Option<End>,
@@ -129,7 +132,10 @@ impl JsonSchema for VialSpec {
     fn schema_name() -> std::borrow::Cow<'static, str> {
         "VialSpec".into()
     }
-    fn json_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
-        schemars::json_schema!({ "type": "object" }) // filled in from the table of vials, see `super::schema`
+    /// Keys of every kind; those of the kinds come from the table of vials, see `super::schema`.
+    fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+        let mut common = VialCommon::json_schema(generator);
+        common.remove("additionalProperties");
+        common
     }
 }
