@@ -139,7 +139,12 @@ impl<F: Field> Optimizer<F> for Gradient<F> {
         let mut fields = self.fields.take().unwrap_or_else(|| Fields::like(x));
         std::mem::swap(&mut fields.gradient, &mut fields.before);
         problem.gradient(x, at, &mut fields.gradient)?;
-        if self.params.momentum > 0.0 {
+        let mut measured = None;
+        if let (true, Some(step)) = (self.params.momentum > 0.0, self.params.step) {
+            // Steps follow the mean, but how near the end is the gradient says
+            let (gradient, bounds) = (&fields.gradient, problem.bounds(x));
+            let sums = fields.step.project_step(x, gradient, step as f32, bounds);
+            measured = Some(sums.square);
             let m = self.params.momentum as f32;
             fields.gradient.scale(1.0 - m);
             fields.gradient.axpy(m, &fields.before);
@@ -158,7 +163,7 @@ impl<F: Field> Optimizer<F> for Gradient<F> {
         let projected_gradient = if self.length == 0.0 {
             0.0
         } else {
-            sums.square.sqrt() / self.length
+            measured.unwrap_or(sums.square).sqrt() / self.length
         };
         let length = if sums.square == 0.0 {
             0.0

@@ -787,8 +787,11 @@ pub fn bounds(lights: &[PatternLayout], limits: &[Limits]) -> Result<Bounds> {
 /// The slope at which a search is content, relative to that at its beginning.
 const CONTENT: f64 = 0.1;
 
+/// The slope of a plateau, relative to that at the beginning: all responses are saturated there.
+const DEAD: f64 = 1e-6;
+
 /// Where on [0, 1] a function falls most: the root of its slope for a convex one, some lower place for any other. `at` gives
-/// value and slope; `value` and `slope` (negative) are those at 0.
+/// value and slope; `value` and `slope` (negative) are those at 0. A plateau above 0 is too far, though it be lower: no step leaves it.
 fn segment_minimum(
     value: f64,
     slope: f64,
@@ -802,27 +805,36 @@ fn segment_minimum(
     // Ends of the bracket with their slopes; the right end is the first one that is too far
     let (mut left, mut right) = ((0.0f32, slope), None::<(f32, f64)>);
     let mut alpha = 1.0f32;
+    let is_dead = |(v, s): (f64, f64)| v > 0.0 && s.abs() <= DEAD * slope.abs();
+    let mut has_plateau = false;
     for _ in 0..40 {
         let (v, s) = at(alpha);
-        if v < lowest {
+        if alpha == 1.0 && is_dead((v, s)) {
+            has_plateau = is_dead(at(0.5));
+        }
+        let is_beyond = has_plateau && is_dead((v, s));
+        if v < lowest && !is_beyond {
             lowest = v;
             best = LineSearchResult {
                 alpha,
                 slope: s / slope,
             };
         }
-        let content = v < value && (s.abs() <= CONTENT * slope.abs() || (alpha == 1.0 && s <= 0.0));
+        let content = !is_beyond
+            && v < value
+            && (s.abs() <= CONTENT * slope.abs() || (alpha == 1.0 && s <= 0.0));
         if content {
             return LineSearchResult {
                 alpha,
                 slope: s / slope,
             };
         }
-        if v <= value && s < 0.0 {
+        if v <= value && s < 0.0 && !is_beyond {
             left = (alpha, s);
         } else {
             // A slope that is no number, or a higher place, only says "nearer"
-            right = Some((alpha, if v <= value { s } else { f64::NAN }));
+            let is_near = v <= value && !is_beyond;
+            right = Some((alpha, if is_near { s } else { f64::NAN }));
         }
         let Some(end) = right else { break };
         alpha = between(left, end);
@@ -864,4 +876,33 @@ fn ray_minimum(value: f64, slope: f64, mut at: impl FnMut(f32) -> (f64, f64)) ->
         (v, s * reach)
     });
     f64::from(found.alpha) * reach
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_search_ends_before_a_plateau_however_low() {
+        // Falls from 1 to 0.6 at 0.1, rises to 0.7 at 0.2, and is 0.2 from 0.3 on, where all responses are saturated
+        let at = |alpha: f32| match f64::from(alpha) {
+            a if a < 0.1 => (1.0 - 4.0 * a, -4.0),
+            a if a < 0.2 => (0.6 + (a - 0.1), 1.0),
+            a if a < 0.3 => (0.7 - 5.0 * (a - 0.2), -5.0),
+            _ => (0.2, 0.0),
+        };
+        let found = segment_minimum(1.0, -4.0, at);
+        assert!(found.alpha > 0.05 && found.alpha < 0.3, "{found:?}");
+        // The end of a segment is a minimum like any other, and so is 0
+        let parabola = |alpha: f32| {
+            let left = 1.0 - f64::from(alpha);
+            (0.5 + left * left, -2.0 * left)
+        };
+        assert_eq!(segment_minimum(1.5, -2.0, parabola).alpha, 1.0);
+        let reached = |alpha: f32| match f64::from(alpha) {
+            a if a < 0.4 => (1.0 - 2.5 * a, -2.5),
+            _ => (0.0, 0.0),
+        };
+        assert_eq!(segment_minimum(1.0, -2.5, reached).alpha, 1.0);
+    }
 }

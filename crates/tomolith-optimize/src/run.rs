@@ -298,7 +298,7 @@ pub fn run_after<F: Field>(
     if stop.gap > 0.0 && !problem.has_lower_bound() {
         return Err(Error::unsupported(
             "stop.gap",
-            "how far a loss is from the lowest one is known for a linear model, a convex objective of the dose itself ([response.identity]) and pixels with a largest value (bounds.max)",
+            "how far a loss is from the lowest one is known for a linear model, a convex objective of the dose itself ([response.identity]) and pixels with a largest value (bounds.max); leave it out",
         ));
     }
     let Some(mut state) = begin(

@@ -613,7 +613,7 @@ fn the_job_of_a_run_whose_window_widened_makes_the_same_patterns() {
     bench.says(
         0,
         "run disc.toml -o wide",
-        &["the thresholds now move 0.05"],
+        &["from now on the void's threshold is 0.65"],
     );
     bench.done("run wide/job.toml -o again");
     assert_same_bits(&bench.path("again"), &bits(&bench.path("wide")), "again");

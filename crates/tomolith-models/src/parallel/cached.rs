@@ -43,6 +43,8 @@ pub(super) const PATCHES: usize = TILE / EDGE;
 pub(super) enum Finding {
     /// In each call: those of the first part of the turn serve all of it.
     InEachCall,
+    /// In each call, those of all views: the geometry that a card gets has them all.
+    OfAllViews,
     /// In the first call, which stores them.
     Once,
 }

@@ -172,7 +172,7 @@ impl ModelFamily for Params {
     /// One adjoint of all pixels: nothing is stored.
     fn unscattered(&self, input: &ModelInput<'_>) -> Result<HostModel> {
         let mut input = input.clone();
-        input.scene.purpose = Purpose::Probe;
+        input.scene.purpose = Purpose::Evaluate { refine: 1 };
         self.build(&input)
     }
 
@@ -235,7 +235,7 @@ impl Parallel {
         grid: VolumeGrid,
         run: &Run,
     ) -> Result<Self> {
-        Self::planned(vial, (lights, kernel), grid, Finding::InEachCall, run)
+        Self::planned(vial, (lights, kernel), grid, Finding::OfAllViews, run)
     }
 
     /// The model for a purpose: an optimization stores entries where there is room.
@@ -252,6 +252,7 @@ impl Parallel {
         let is_kept = || grid.shape[0] == 1 || cached::bytes(&lights, vial, &grid).is_some();
         let finding = match purpose {
             Purpose::Optimize if is_kept() => Finding::Once,
+            Purpose::Probe => Finding::OfAllViews,
             _ => Finding::InEachCall,
         };
         Self::planned(vial, (lights, kernel), grid, finding, run)
@@ -322,7 +323,7 @@ impl Parallel {
         }
         let found = match self.finding {
             Finding::Once => CachedEntries::of(&self.lights[light], self.path, &self.tiles, run)?,
-            Finding::InEachCall => CachedEntries::in_each_call(),
+            Finding::InEachCall | Finding::OfAllViews => CachedEntries::in_each_call(),
         };
         // Whoever comes first; all would find the same
         Ok(own.get_or_init(|| found))

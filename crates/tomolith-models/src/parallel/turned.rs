@@ -45,6 +45,7 @@ impl Turned {
         let most = match finding {
             Finding::InEachCall => usize::MAX,
             Finding::Once => MOST_ROWS,
+            Finding::OfAllViews => 0,
         };
         let is_short = |light: &Light| nz > 1 && nz.min(light.pixels.rows) <= most;
         if lights.iter().all(is_short) && turned.iter().all(Self::repeats) {

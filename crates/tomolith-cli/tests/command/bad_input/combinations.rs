@@ -100,11 +100,11 @@ penalties[0] … optimizer.osmo with penalties
 # Bits
 + [evaluate]
 + bit_depth = 0
-evaluate.bit_depth … found 0 … from 1 to 16
+evaluate.bit_depth … found 0 … 1 to 16
 
 + [bounds]
 + bits = 0
-bounds.bits … found 0 … bits, 1 to 16
+bounds.bits … found 0 … 1 to 16
 
 + [evaluate]
 + require_in_band = 0.9

@@ -213,15 +213,15 @@ response.logistic.steepness … at most 1e6
 
 + [bounds]
 + min = 1e30
-bounds.min … 0 to 1e9 mJ/mm²
+bounds.min … 0 to 1e9
 
 + [bounds]
 + max = -1
-bounds.max … more than bounds.min = 0, up to 1e9 mJ/mm²
+bounds.max … above 0, at most 1e9
 
 + [bounds]
 + max = 1e30
-bounds.max … more than bounds.min = 0, up to 1e9 mJ/mm²
+bounds.max … above 0, at most 1e9
 
 + [checkpoint]
 + every_s = "often"

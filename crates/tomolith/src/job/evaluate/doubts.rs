@@ -56,6 +56,23 @@ pub(crate) fn of_bound(job: &ResolvedJob, shown: &[Patterns]) -> Option<String> 
     })
 }
 
+/// Warns of patterns that their lower bound holds nearly everywhere: a background of so much light is what prints.
+pub(crate) fn of_background(job: &ResolvedJob, shown: &[Patterns]) -> Option<String> {
+    let least = job.bounds().min;
+    let values = || shown.iter().flat_map(|patterns| &patterns.values);
+    let lit = values().filter(|value| **value > 0.0).count();
+    let held = values()
+        .filter(|value| **value > 0.0 && f64::from(**value) <= 1.001 * least)
+        .count();
+    (least > 0.0 && held as f64 > HELD * lit as f64).then(|| {
+        format!(
+            "{:.0} % of the pixels are at bounds.min = {}: so much light goes through the void, too; lower it, if the projector can be darker",
+            100.0 * held as f64 / lit as f64,
+            concise(least)
+        )
+    })
+}
+
 /// Warns of a threshold that all doses of part and void miss on the same side.
 pub(crate) fn of_threshold(job: &ResolvedJob, evaluation: &Evaluation) -> Option<String> {
     let threshold = job.evaluation().threshold?;

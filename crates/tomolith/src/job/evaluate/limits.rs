@@ -1,7 +1,7 @@
 //! What limits a print: the headline number from the optimization's view to the print's, one step after the other.
 
 use super::SpeciesPrint;
-use super::doubts::of_bound;
+use super::doubts::{of_background, of_bound};
 use crate::job::evaluate::{Evaluated, headline};
 use crate::job::optimize::Optimized;
 use crate::job::resolve::ResolvedJob;
@@ -87,10 +87,15 @@ impl Asked<'_> {
         let lights = acting_on(resolved, s);
         let finest = resolved.levels.last();
         let (pixel_key, pixel_light) = coarsest_pixels(&optics.projector_kinds, &lights);
-        let best = evaluated.curve.iter().map(|[_, iou]| *iou);
+        let threshold = resolved.evaluation().threshold;
+        // Where the job names a threshold, what it costs is a cause of its own
+        let at_best = |evaluation: &Evaluation| {
+            let best = evaluation.curve.iter().map(|[_, iou]| *iou);
+            threshold.and(best.reduce(f64::max))
+        };
         Measurements {
             kind,
-            optimized: print.optimization.as_ref().and_then(measured),
+            optimized: (print.optimization.as_ref()).and_then(|own| at_best(own).or(measured(own))),
             written: print.written,
             own_turning: print.own_turning,
             turning: measured(evaluated),
@@ -117,11 +122,18 @@ impl Asked<'_> {
                     .last()
                     .is_none_or(|row| row.iteration == 0)
             }),
+            starts_at_zero: (self.optimized).is_some_and(|own| {
+                let start = own.outcome.history.last();
+                start.is_some_and(|row| row.iteration == 0 && row.loss == 0.0)
+            }),
             has_own_sub_angles: resolved.has_own_sub_angles(),
             held_by: (self.optimized)
                 .filter(|own| of_bound(resolved, &own.raw).is_some())
                 .map(|_| resolved.showing().bound_key()),
-            best: resolved.evaluation().threshold.and(best.reduce(f64::max)),
+            has_background: (self.optimized)
+                .is_some_and(|own| of_background(resolved, &own.raw).is_some()),
+            best: at_best(evaluated),
+            stands: resolved.evaluated_angles() == 1 && resolved.optimizes_turning(),
             ends: shape
                 .upright_mm()
                 .filter(|_| !shape.is_gray() && optics.scene().beyond_slices().is_none())
@@ -152,7 +164,7 @@ struct Measurements {
     written: Measure,
     /// The same while the vial turns; None where the optimization counted that.
     own_turning: Measure,
-    /// On the finer grid, while the vial turns.
+    /// On the finer grid, while the vial turns, at the job's threshold; all others are at the best one.
     turning: Measure,
     /// The print that is evaluated, by patterns for few levels as they were optimized.
     unrounded: Measure,
@@ -178,12 +190,18 @@ struct Measurements {
     lack: Option<Lack>,
     /// Whether the patterns are those that the optimization would begin with.
     has_no_iterations: bool,
+    /// Whether their loss is 0, so that iterations would change nothing.
+    starts_at_zero: bool,
     /// Whether the job says at how many angles of a frame the optimization looks.
     has_own_sub_angles: bool,
     /// The key of the upper bound that holds nearly all pixels that shine; None where none does.
     held_by: Option<&'static str>,
+    /// Whether the lower bound holds nearly all pixels.
+    has_background: bool,
     /// The best number over all thresholds, where the job names one.
     best: Measure,
+    /// Whether the evaluation looks at one angle of each frame, and the optimization at several.
+    stands: bool,
     /// Of an upright prism in level light, where its ends are.
     ends: Option<Ends>,
     falling: Option<Falling>,
@@ -273,17 +291,23 @@ impl Measurements {
         }
     }
 
+    /// The print that is evaluated, at the best threshold.
+    fn at_best(&self) -> Measure {
+        self.best.or(self.turning)
+    }
+
     fn grid(&self) -> Option<Limit> {
+        let [own, fine] = self.pitches_mm;
         // Of given frames it is not known on which voxels they were optimized
-        if self.saw_finer || self.optimized.is_none() {
+        if self.saw_finer || self.optimized.is_none() || own <= 1.001 * fine {
             return None;
         }
         let before = self.own_turning.or(self.written);
-        let loss = self.loss(before, self.turning)?;
+        let loss = self.loss(before, self.at_best())?;
         let [own, fine] = self.pitches_mm.map(|mm| significant(mm * 1e3, 3));
         let found = format!(
             "On voxels of {fine} µm instead of {own} µm the print has {}: the optimizer resolves nothing below a voxel.",
-            self.change(before?, self.turning?),
+            self.change(before?, self.at_best()?),
         );
         Some(self.limit(Cause::Grid, loss, "grid.pitch_mm", found, "Lower"))
     }
@@ -291,7 +315,7 @@ impl Measurements {
     /// What the patterns have before and after they are written, and where: the job's own voxels, where they are coarser than the optimizer's, do not see all.
     fn writing(&self) -> Option<([f64; 2], &'static str)> {
         if self.saw_finer && self.unrounded.is_some() {
-            return Some(([self.unrounded?, self.turning?], "the print has {}"));
+            return Some(([self.unrounded?, self.at_best()?], "the print has {}"));
         }
         let own = [self.optimized?, self.written?];
         Some((own, "the patterns have {} on the job's own voxels"))
@@ -324,6 +348,13 @@ impl Measurements {
 
     fn turning(&self) -> Option<Limit> {
         let loss = self.loss(self.written, self.own_turning)?;
+        if self.stands {
+            let found = format!(
+                "The evaluation looks at one angle of each frame, the optimization at several, which gives {}.",
+                self.change(self.written?, self.own_turning?),
+            );
+            return Some(self.limit(Cause::Turning, loss, "evaluate.sub_angles", found, "Raise"));
+        }
         let (by, key) = match &self.arcs {
             Some(arcs) => (format!(" by {}", arcs.said), arcs.key.as_str()),
             None => (String::new(), "light.angles"),
@@ -372,8 +403,9 @@ impl Measurements {
     /// What the patterns leave before they are written: the light's share, or that of an optimization that was not at its end.
     fn what_remains(&self) -> Option<Limit> {
         let (reached, reach) = if self.saw_finer {
-            let of_print = format!("The print has {}", self.value(self.turning?));
-            (self.turning, of_print)
+            let at = self.best.map_or("The", |_| "At its best threshold the");
+            let of_print = format!("{at} print has {}", self.value(self.at_best()?));
+            (self.at_best(), of_print)
         } else {
             let reach = format!(
                 "Before they are written, the patterns reach {} on the job's own voxels",
@@ -386,9 +418,8 @@ impl Measurements {
         // voxels that do not see rows' ends
         let of_print = [self.levels(), self.row_ends(), self.turning()]
             .map(|limit| limit.filter(|limit| self.saw_finer && limit.loss > 0.0));
-        let exposure = self.exposure();
-        let others = of_print.iter().chain([&exposure]).flatten();
-        let others: f64 = others.map(|limit| limit.loss).sum();
+        let others: f64 = of_print.iter().flatten().map(|limit| limit.loss).sum();
+        let all = loss;
         let loss = if others == 0.0 {
             loss
         } else {
@@ -399,6 +430,7 @@ impl Measurements {
             let rest = match loss >= WORTH_CHANGING {
                 true if self.is_simulated => "; the rest is due to the given patterns.",
                 true => "; the rest is the limit of this light.",
+                false if all >= WORTH_CHANGING => ": the other causes take what it lacks.",
                 false => ": there is nothing left to improve.",
             };
             let found = reach + rest;
@@ -444,6 +476,10 @@ impl Measurements {
             let action = format!("{}: {}", lack.found, lack.verb);
             return (lack.key.clone(), action);
         }
+        if self.starts_at_zero {
+            let action = action("The loss of the start is 0, so nothing was optimized: change");
+            return ("objective".to_owned(), action);
+        }
         if self.has_no_iterations {
             let action = action("These are the patterns to begin with: raise");
             return ("stop.iterations".to_owned(), action);
@@ -451,6 +487,10 @@ impl Measurements {
         if self.has_few_angles {
             let action = action("Light comes from too few sides: raise");
             return ("light.angles".to_owned(), action);
+        }
+        if self.has_background {
+            let action = action("Nearly all pixels are as dark as their bound lets them be: lower");
+            return ("bounds.min".to_owned(), action);
         }
         if let Some(key) = self.held_by {
             let action = action("Nearly all pixels that shine are at their bound: raise");
@@ -532,6 +572,8 @@ impl Measurements {
                     "bring the pixels of machine and light together in"
                 }
                 Cause::Optics if limit.key == self.pixel_key => "try a lower",
+                Cause::Optics if limit.key == "objective" => "change",
+                Cause::Optics if limit.key == "bounds.min" => "lower",
                 Cause::Optics => self.lacking().map_or("raise", |lack| lack.verb),
                 _ => "raise",
             };

@@ -207,8 +207,10 @@ pub(crate) fn evaluate_patterns(
         of_publications = published.unwrap_or(of_publications);
         let evaluation = evaluation.with_sub_angles(sub_angles);
         let head = evaluation.measures.get(headline(fine.target.gray).name);
+        let best = evaluation.curve.iter().map(|[_, iou]| *iou);
+        let at_best = job.evaluation().threshold.and(best.reduce(f64::max));
         let of_own = |own: &Option<OwnPrint>| match own.as_ref()? {
-            OwnPrint::Evaluated => head,
+            OwnPrint::Evaluated => at_best.or(head),
             OwnPrint::Apart(measured) => measured[s],
         };
         species.push(SpeciesPrint {
@@ -444,7 +446,7 @@ impl<'a> EvaluationSteps<'a> {
         (self.doses).of(&self.turning, self.shown, &run)
     }
 
-    /// The headline number of every species.
+    /// The headline number of every species, at the best threshold.
     fn headlines(
         &self,
         voxels: &[Voxels],
@@ -457,7 +459,10 @@ impl<'a> EvaluationSteps<'a> {
             let response = own.goal.responses(dose);
             let run = self.cancel.part(share / job.species.len() as f64);
             let print = print((job, own), voxels, &response, run)?;
-            Ok((headline(voxels.target.gray).measure)(&print))
+            Ok(match print.best() {
+                Some(best) if !voxels.target.gray => Some(best.iou),
+                _ => (headline(voxels.target.gray).measure)(&print),
+            })
         });
         each.collect()
     }
@@ -538,6 +543,7 @@ fn doubts_of(
         .chain(doubts::of_light(shown))
         .chain(doubts::of_dose(evaluation, shown))
         .chain(doubts::of_bound(job, shown))
+        .chain(doubts::of_background(job, shown))
         .chain(doubts::of_threshold(job, evaluation))
         .chain(too_bright(job, shown)?)
         .collect();

@@ -55,6 +55,8 @@ pub(crate) struct Optimized {
     pub(crate) found: Option<FoundResponse>,
     /// The ceiling of the pixels, where the program looked for one.
     pub(crate) ceiling: Option<FoundCeiling>,
+    /// By how many steps the thresholds of the last iterations lie further apart than those of the job.
+    pub(crate) wider: usize,
     /// Warnings, which have been sent.
     pub(crate) warnings: Vec<String>,
 }
@@ -227,8 +229,10 @@ pub(crate) fn optimize(
                 ))
             }
             Err(error) => {
-                match error {
+                match &error {
                     Error::Device { .. } => lost(plan.folder, progress),
+                    // Refused before the first step
+                    Error::Unsupported { what, .. } if what.starts_with("stop.") => {}
                     _ => keep(job, &raw, plan.folder, progress, cancel)?,
                 }
                 Err(at_section("optimizer", error))
@@ -291,6 +295,7 @@ fn optimized(
         window: end.window,
         found: stage.found,
         ceiling,
+        wider: sofar.wider,
         warnings,
     }
 }

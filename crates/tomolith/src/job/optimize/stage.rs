@@ -43,6 +43,8 @@ pub(crate) struct SoFar {
     pub(crate) warnings: Vec<String>,
     /// The loss that counts as the first one, where it is not that of the start.
     pub(crate) first_loss: Option<f64>,
+    /// By how many steps the thresholds lie further apart than those of the job.
+    pub(crate) wider: usize,
 }
 
 /// What is done with the patterns after the last iteration.
@@ -311,10 +313,11 @@ impl<'a> Stage<'a> {
                 break;
             }
             progress.event(&Event::Note {
-                text: format!("every voxel is within its thresholds after iteration {at}: the thresholds now move {} further apart", concise(refinement::WIDER * steps as f64)),
+                text: format!("every voxel is within its thresholds after iteration {at}: from now on the void's threshold is {}", concise(refinement::lower_after(steps))),
             });
             sofar.rows = outcome.history;
             sofar.counters = outcome.counters;
+            sofar.wider = steps;
             let own = (job, steps, until);
             outcome = self.run(own, (x, bounds), None, sofar, progress, cancel)?;
         }
@@ -432,7 +435,7 @@ impl<'a> Stage<'a> {
 }
 
 /// The goal of a species, with thresholds that lie so many steps further apart.
-fn goal_of(species: &Species, wider: usize) -> Cow<'_, Goal> {
+pub(crate) fn goal_of(species: &Species, wider: usize) -> Cow<'_, Goal> {
     let wider = (wider > 0).then(|| refinement::widened(&species.goal, wider));
     let goal = wider.flatten().map(Cow::Owned);
     goal.unwrap_or(Cow::Borrowed(&species.goal))

@@ -12,10 +12,16 @@ use std::ops::ControlFlow;
 use std::time::Instant;
 use tomolith_core::parallel::table;
 
+/// A loss that cannot fall.
+const NOTHING_TO_DO: &str = "the loss of the start is 0, so nothing was optimized: either these patterns print the part already, or the objective counts no voxel; its weights, regions and bands say which";
+
 /// What to say when no step was better than the start, whose patterns are then the result. A method that normalizes its doses
 /// begins with its first step, and is idle when its loss never changes.
 pub(crate) fn idle(history: &[Row], normalizes: bool, bits: Option<u32>) -> Option<String> {
     let (start, steps) = history.get(usize::from(normalizes)..)?.split_first()?;
+    if steps.is_empty() && start.iteration == 0 && start.loss == 0.0 {
+        return Some(NOTHING_TO_DO.to_owned());
+    }
     let moves = |row: &Row| row.loss < start.loss || normalizes && row.loss != start.loss;
     if steps.is_empty() || start.loss == 0.0 || steps.iter().any(moves) {
         return None;

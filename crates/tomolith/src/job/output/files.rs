@@ -21,6 +21,7 @@ use crate::job::evaluate::property::{Property, properties};
 use crate::job::evaluate::{Evaluated, SpeciesPrint};
 use crate::job::optimize::Optimized;
 use crate::job::optimize::gray_levels::sentence;
+use crate::job::optimize::stage::goal_of;
 use crate::job::output::folder::Leaves;
 use crate::job::progress::{Event, Progress, left_out};
 use crate::job::resolve::{ResolvedJob, Species, Voxels};
@@ -408,7 +409,7 @@ fn report(
         response: &first.response,
         inside: Some(&first.fine.target.inside),
         bodies: evaluated.bodies.as_ref(),
-        window: resolved.first().goal.thresholds(),
+        window: window(done, resolved.first()),
         evaluation: &first.evaluation,
         optimization: first.optimization.as_ref(),
         objectives: &evaluated.objectives,
@@ -532,6 +533,12 @@ fn map(property: &Property) -> MapReport<'_> {
     }
 }
 
+/// The thresholds of a species at the end of the optimization.
+fn window(done: &Done<'_>, species: &Species) -> Option<[f64; 2]> {
+    let wider = done.optimized.as_ref().map_or(0, |own| own.wider);
+    goal_of(species, wider).thresholds()
+}
+
 /// What every species prints, where the job names some.
 fn species<'a>(done: &'a Done<'_>, headline: &'a Headline) -> Vec<SpeciesReport<'a>> {
     let Done {
@@ -555,7 +562,7 @@ fn species<'a>(done: &'a Done<'_>, headline: &'a Headline) -> Vec<SpeciesReport<
             labels: &print.fine.labels,
             response: &print.response,
             inside: &print.fine.target.inside,
-            window: species.goal.thresholds(),
+            window: window(done, species),
             exposure: *exposure,
             limits,
         });

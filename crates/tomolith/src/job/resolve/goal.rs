@@ -91,6 +91,11 @@ impl<F: Field> JobObjective<F> {
         Ok(empty.into_iter().map(say).collect())
     }
 
+    /// Whether it changes the patterns.
+    fn counts(&self) -> bool {
+        self.common.weight != 0.0
+    }
+
     /// Whether voxels that the surface cuts have two doses.
     pub(crate) fn has_cells(&self) -> bool {
         self.of.surface() == SurfaceHandling::Cells
@@ -146,18 +151,24 @@ impl<F: Field> Objectives<F> {
         })
     }
 
-    /// Their sum; `on_grid` whether fields of voxels fit the input's grid.
+    /// Their sum; `on_grid` whether fields of voxels fit the input's grid. Those of no weight are read, so that their errors come before any work, and
+    /// left out.
     pub(crate) fn sum(&self, input: &ObjectiveInput<'_>, on_grid: bool) -> Result<Sum<F>> {
         let build = |own: &JobObjective<F>| {
             let objective = own.build(input, &self.base, on_grid)?;
             Ok((own.common.weight, objective))
         };
-        Sum::new(self.all.iter().map(build).collect::<Result<_>>()?)
+        let mut all: Vec<_> = self.all.iter().map(build).collect::<Result<_>>()?;
+        if all.iter().any(|(weight, _)| *weight != 0.0) {
+            all.retain(|(weight, _)| *weight != 0.0);
+        }
+        Sum::new(all)
     }
 
     /// Takes a parameter of the only objective that the program chooses; false where there are several, another one, or the job names it.
     fn choose(&mut self, chosen: Chosen) -> bool {
-        let [own] = self.all.as_mut_slice() else {
+        let mut counted = self.all.iter_mut().filter(|own| own.counts());
+        let (Some(own), None) = (counted.next(), counted.next()) else {
             return false;
         };
         let other = own.of.with(chosen);
@@ -214,6 +225,11 @@ impl Goal {
         &self.on_host.all
     }
 
+    /// Those that change the patterns.
+    fn counted(&self) -> impl Iterator<Item = &JobObjective> {
+        self.objectives().iter().filter(|own| own.counts())
+    }
+
     /// Takes another response in place of the job's.
     pub(crate) fn set_response(&mut self, response: &Arc<dyn Response>) {
         for own in &mut self.on_host.all {
@@ -244,7 +260,8 @@ impl Goal {
 
     /// Whether an objective has weights or bands per voxel.
     pub(crate) fn has_fields(&self) -> bool {
-        self.common().any(|(_, common)| common.has_fields())
+        let mut counted = self.counted();
+        counted.any(|own| own.common.has_fields())
     }
 
     /// The key that asks for surface-aware cells, when there is one.
@@ -256,7 +273,7 @@ impl Goal {
     /// Whether all objectives weigh a voxel by its inside fraction, and none has a number for each of the job's voxels.
     pub(crate) fn sees_fractions(&self) -> bool {
         let sees = |own: &JobObjective| own.of.surface() == SurfaceHandling::Fraction;
-        !self.has_fields() && self.objectives().iter().all(sees)
+        !self.has_fields() && self.counted().all(sees)
     }
 
     /// Whether an objective looks for the process window itself.

@@ -279,6 +279,7 @@ impl ResolvedJob {
                 on_its_own_grid(spec).into_iter().collect(),
                 two_critical_doses(spec).into_iter().collect(),
                 scenarios::worst_of_one(spec).into_iter().collect(),
+                (refinement::unheard(spec, &levels, &grid).into_iter()).collect(),
                 light,
                 units,
             ]
@@ -383,9 +384,9 @@ impl ResolvedJob {
         })
     }
 
-    /// Whether the evaluation counts that the vial turns, and the optimization does not.
+    /// Whether only one of evaluation and optimization counts that the vial turns.
     pub(crate) fn misses_turning(&self) -> bool {
-        self.evaluated_angles() > 1 && !self.optimizes_turning()
+        (self.evaluated_angles() > 1) != self.optimizes_turning()
     }
 
     /// What light passes in the optimization, and the surface where an objective has cells.

@@ -267,6 +267,18 @@ pub(crate) fn note(levels: &[Level], grid: &VolumeGrid) -> Option<String> {
     }
 }
 
+/// What to say of `grid.refine` where nothing becomes finer by it.
+pub(crate) fn unheard(spec: &JobSpec, levels: &[Level], grid: &VolumeGrid) -> Option<String> {
+    let refine = spec.grid.refine.filter(|refine| *refine > 1)?;
+    let finest = levels.last()?;
+    (finest.grid.pitch_mm >= grid.pitch_mm).then(|| {
+        format!(
+            "grid.refine = {refine} changes nothing here: finer voxels are for collimated light, an objective with surface = \"fraction\" (or \"cells\"), \
+             and a job without [multiresolution], osmo, cal, and ends that the job's own voxels decide (stop.iou, stop.loss, stop.relative_loss); lower grid.pitch_mm"
+        )
+    })
+}
+
 /// Whether the program chooses the levels: the objective sees fractions, the model takes voxels of any width, and nothing is asked of the
 /// job's own voxels.
 fn is_free(asked: Asked<'_>, refines: Refines) -> bool {
@@ -386,12 +398,19 @@ pub(crate) fn sharpened(goal: &Goal) -> Option<Goal> {
 }
 
 /// By how much a wider window lowers what the void may have.
-pub(crate) const WIDER: f64 = 0.05;
+const WIDER: f64 = 0.05;
+
+/// The void's threshold after so many steps.
+pub(crate) fn lower_after(steps: usize) -> f64 {
+    // Without the digits of a sum
+    let lower = threshold::LOWER - steps as f64 * WIDER;
+    (1e6 * lower).round() / 1e6
+}
 
 /// A goal with a wider window: what the void may have at most is lower by `steps` of [`WIDER`]. None where the job names thresholds, or
 /// no lower one is left.
 pub(crate) fn widened(goal: &Goal, steps: usize) -> Option<Goal> {
-    let lower = threshold::LOWER - steps as f64 * WIDER;
+    let lower = lower_after(steps);
     if lower < WIDER {
         return None;
     }
@@ -401,13 +420,14 @@ pub(crate) fn widened(goal: &Goal, steps: usize) -> Option<Goal> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::job::Job;
     use crate::job::tests::job_of;
     use crate::models::{OpticalScene, Run, planner};
     use crate::target::Shape;
     use std::sync::Arc;
 
-    /// Levels of a small job, with further lines, and whether its deviations are to another power.
-    fn levels_of(surface: &str, more: &[&str]) -> (Vec<Level>, bool) {
+    /// A small job, with further lines.
+    fn small(surface: &str, more: &[&str]) -> Job {
         let text = format!(
             r#"
             target = {{ phantom = {{ sphere = {{}} }}, size_mm = 0.8 }}
@@ -418,7 +438,12 @@ mod tests {
             objective = {{ threshold = {{ surface = "{surface}" }} }}
             "#
         );
-        let job = job_of(&text, more);
+        job_of(&text, more)
+    }
+
+    /// Its levels, and whether its deviations are to another power.
+    fn levels_of(surface: &str, more: &[&str]) -> (Vec<Level>, bool) {
+        let job = small(surface, more);
         let optics = Optics::new(&job.spec, &job.base()).unwrap();
         let grid = VolumeGrid::centered([10, 10, 10], 0.1);
         let bounds = [[-0.4; 3], [0.4; 3]];
@@ -462,6 +487,43 @@ mod tests {
         for surface in ["voxel", "cells"] {
             assert!(!is_sharpened(surface, &[]), "{surface}");
         }
+    }
+
+    #[test]
+    fn a_refinement_that_changes_nothing_is_told() {
+        let told = |surface: &str, more: &[&str]| {
+            let (levels, _) = levels_of(surface, more);
+            let spec = small(surface, more).spec;
+            unheard(&spec, &levels, &VolumeGrid::centered([10, 10, 10], 0.1))
+        };
+        assert_eq!(told("fraction", &["grid.refine=2"]), None);
+        assert_eq!(told("voxel", &["grid.refine=1"]), None);
+        assert_eq!(told("voxel", &[]), None);
+        let text = told("voxel", &["grid.refine=2"]).unwrap();
+        assert!(
+            text.starts_with("grid.refine = 2 changes nothing here"),
+            "{text}"
+        );
+    }
+
+    #[test]
+    fn objectives_of_no_weight_decide_nothing() {
+        let goal = |weight: &str| {
+            let text = format!(
+                r#"
+                target = {{ phantom = {{ sphere = {{}} }}, size_mm = 0.8 }}
+                resin = {{ refractive_index = 1.5, absorption_per_mm = 0.1 }}
+                vial = {{ index_matched = {{ radius_mm = 1.0 }} }}
+                light = [{{ pixels = [24, 16], angles = 12, projector = {{ collimated = {{ pixel_pitch_mm = 0.1 }} }} }}]
+                objectives = [{{ threshold = {{}} }}, {{ l2 = {{}}, weight = {weight} }}]
+                "#
+            );
+            let job = job_of(&text, &[]);
+            Goal::read(&job.spec, &job.base()).unwrap()
+        };
+        let [measured, minimized] = ["0.0", "0.5"].map(goal);
+        assert!(measured.sees_fractions() && sharpened(&measured).is_some());
+        assert!(!minimized.sees_fractions() && sharpened(&minimized).is_none());
     }
 
     #[test]

@@ -52,6 +52,9 @@ pub(crate) fn at_section(path: &str, error: Error) -> Error {
     match error {
         Error::Unsupported { what, reason } => {
             let (found, accepted) = reason.split_once("; ").unwrap_or((&reason, "another kind"));
+            if what.starts_with("stop.") {
+                return Error::config(what, format!("cannot be used here: {found}"), accepted);
+            }
             Error::config(path, format!("{what}, but {found}"), accepted)
         }
         other => other,

@@ -29,11 +29,11 @@ struct Number {
 }
 
 impl Number {
-    /// Powers of ten that it changes the loss by; an exponent raises what is some ten times too large or small.
+    /// Powers of ten that it changes the loss by; an exponent raises what is some ten times too large or small, and one near 0 the norm to its inverse.
     fn powers(&self) -> f64 {
         let name = self.key.rsplit('.').next().unwrap_or_default();
         match EXPONENTS.contains(&name) {
-            true => self.value / 2.0,
+            true => (self.value / 2.0).max(0.5 / self.value),
             false => self.value.abs().log10().abs(),
         }
     }

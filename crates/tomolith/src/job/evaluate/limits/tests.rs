@@ -34,6 +34,9 @@ fn measurements() -> Measurements {
         has_own_sub_angles: false,
         held_by: None,
         best: None,
+        stands: false,
+        starts_at_zero: false,
+        has_background: false,
         ends: None,
         falling: None,
     }
@@ -383,6 +386,69 @@ fn a_threshold_that_is_far_off_and_too_few_sides_are_named() {
     };
     let said = given.limits().sentence;
     assert!(!said.contains("To improve"), "{said}");
+}
+
+#[test]
+fn with_few_levels_and_a_named_threshold_the_losses_add_up_too() {
+    let few = Measurements {
+        saw_finer: true,
+        own_turning: None,
+        bits: 1,
+        unrounded: Some(0.95),
+        best: Some(0.762),
+        ..measured([1.0, 1.0, 1.0, 0.638])
+    };
+    let sum: f64 = losses(&few.limits()).iter().map(|(_, loss)| loss).sum();
+    assert!((sum - (1.0 - 0.638)).abs() < 1e-12, "{sum}");
+    let light = |limits: &PrintLimits| {
+        let of_light = limits.causes.iter().find(|own| own.cause == Cause::Optics);
+        of_light.unwrap().advice.clone()
+    };
+    // What others take leaves nothing to the light, but that is no good print
+    let none_left = Measurements {
+        unrounded: Some(1.0),
+        ..few
+    };
+    ends(
+        &light(&none_left.limits()),
+        "IoU 0.762: the other causes take what it lacks.",
+    );
+}
+
+#[test]
+fn angles_that_only_the_optimization_counts_are_no_finer_grid() {
+    let stands = Measurements {
+        stands: true,
+        pitches_mm: [0.1; 2],
+        ..measured([0.6, 0.6, 0.4, 0.4])
+    };
+    let limits = stands.limits();
+    assert!(limits.causes.iter().all(|own| own.cause != Cause::Grid));
+    let turning = limits.causes.iter().find(|own| own.cause == Cause::Turning);
+    let turning = turning.unwrap();
+    assert_eq!(
+        (turning.key.as_str(), turning.loss),
+        ("evaluate.sub_angles", 0.6 - 0.4)
+    );
+}
+
+#[test]
+fn a_loss_of_zero_from_the_start_and_a_bright_background_are_named() {
+    let low = || Measurements {
+        saw_finer: true,
+        ..measured([0.5, 0.5, 0.5, 0.5])
+    };
+    let idle = Measurements {
+        has_no_iterations: true,
+        starts_at_zero: true,
+        ..low()
+    };
+    ends(&idle.limits().sentence, "To improve, change `objective`.");
+    let lit = Measurements {
+        has_background: true,
+        ..low()
+    };
+    ends(&lit.limits().sentence, "To improve, lower `bounds.min`.");
 }
 
 #[test]
