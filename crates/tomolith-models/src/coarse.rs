@@ -186,19 +186,21 @@ impl Coarse {
     }
 }
 
-/// The first and the last layer of cells along x, y and z whose middles lie within a box, or in the resin beyond it.
+/// The first and the last layer of cells along x, y and z whose middles lie within a box, not on its faces, or in the resin beyond it.
 fn ends(
     cells: &VolumeGrid,
     [low, high]: [[f64; 3]; 2],
     in_resin: impl Fn([f64; 3]) -> bool,
 ) -> [[usize; 2]; 3] {
     let [nz, ny, nx] = cells.shape;
+    let rounding = 1e-6 * cells.pitch_mm;
     let mut is_lit = [nx, ny, nz].map(|count| vec![false; count]);
     for i in 0..cells.len() {
         let middle = cells.middle(i);
         let in_resin = in_resin(middle);
         for (axis, at) in [i % nx, i / nx % ny, i / (nx * ny)].into_iter().enumerate() {
-            is_lit[axis][at] |= in_resin || (low[axis] < middle[axis] && middle[axis] < high[axis]);
+            let from_faces = (middle[axis] - low[axis]).min(high[axis] - middle[axis]);
+            is_lit[axis][at] |= in_resin || from_faces > rounding;
         }
     }
     is_lit.map(|is_lit| {
@@ -213,6 +215,25 @@ mod tests {
     use super::*;
     use tomolith_core::check::noise;
     use tomolith_core::grid::Volume;
+
+    #[test]
+    fn a_layer_whose_middle_lies_on_the_face_of_the_grid_is_beyond_it() {
+        // 15 voxels are seven cells and a half: the middle of the last layer lies where the grid ends
+        for pitch in [0.45, 0.15, 0.1, 0.07] {
+            let fine = VolumeGrid::centered([15; 3], pitch);
+            let cells = VolumeGrid {
+                shape: [9; 3],
+                pitch_mm: 2.0 * pitch,
+                height_mm: 2.0 * pitch,
+                center_mm: [-0.5 * pitch; 3],
+            };
+            let [low, high] = fine.bounds_mm();
+            let beyond = cells.middle(cells.len() - 1)[0] - high[0];
+            assert!(beyond.abs() < 1e-9 * pitch, "{beyond}");
+            let found = ends(&cells, [low, high], |_| false);
+            assert_eq!(found, [[1, 7]; 3], "{pitch}");
+        }
+    }
 
     #[test]
     fn layers_beyond_the_wall_of_the_resin_take_nothing() {
