@@ -6,7 +6,7 @@ pub use crate::job::evaluate::limits::Fall;
 use crate::job::optimize::Optimized;
 use crate::job::output::files::{Done, Headline};
 use crate::job::output::folder::Leaves;
-use crate::job::resolve::Species;
+use crate::job::resolve::{ResolvedJob, Species};
 use crate::metrics::{Evaluation, Measure};
 use crate::objective::FoundWindow;
 use crate::optimize::{Gap, KeptBy, KeptIterate, StopReason};
@@ -451,7 +451,7 @@ pub(crate) fn summary(
             .and_then(|o| o.outcome.history.last())
             .map(|row| row.iteration),
         stopped: optimized.map(|o| o.outcome.reason),
-        beyond: optimized.and_then(|o| beyond(o, done.resolved.stop().iterations)),
+        beyond: optimized.and_then(|o| beyond(o, &done.resolved)),
         fall: optimized
             .filter(|o| o.outcome.kept.by == KeptBy::Loss)
             .and_then(|o| Fall::of(&o.outcome.history)),
@@ -486,18 +486,35 @@ pub(crate) fn summary(
     }
 }
 
-/// Why an optimization has more iterations than a job asks for.
-fn beyond(optimized: &Optimized, asked: usize) -> Option<String> {
+/// Why an optimization has more iterations than `stop.iterations`.
+fn beyond(optimized: &Optimized, job: &ResolvedJob) -> Option<String> {
     let done = optimized.outcome.history.last()?.iteration;
-    let more = done.checked_sub(asked).filter(|more| *more > 0)?;
-    let trial = optimized
-        .ceiling
-        .as_ref()
-        .and_then(|own| own.report.finest.as_ref());
-    Some(match trial.is_some_and(|trial| trial.changed_by != 1.0) {
-        true => format!("all of `stop.iterations`, and {more} below another ceiling"),
-        false => format!("the checkpoint had {more} more than `stop.iterations`"),
-    })
+    let asked = job.stop().iterations;
+    let all = job.levels.last().map_or(asked, |level| level.until);
+    let ceiling = optimized.ceiling.as_ref();
+    let trial = ceiling.and_then(|own| own.report.finest.as_ref());
+    let has_changed = trial.is_some_and(|trial| trial.changed_by != 1.0);
+    words_beyond(done, [asked, all], has_changed)
+}
+
+/// The same of iterations that were done, asked for, and asked for on all levels.
+fn words_beyond(
+    done: usize,
+    [asked, all]: [usize; 2],
+    has_another_ceiling: bool,
+) -> Option<String> {
+    match done.saturating_sub(all) {
+        0 if done == all && all > asked => {
+            Some("all of `stop.iterations` and `multiresolution.iterations`".to_owned())
+        }
+        0 => None,
+        more if has_another_ceiling => Some(format!(
+            "all of `stop.iterations`, and {more} below another ceiling"
+        )),
+        more => Some(format!(
+            "the checkpoint had {more} more than `stop.iterations`"
+        )),
+    }
 }
 
 /// Every species, where the job names several.
@@ -548,5 +565,20 @@ mod tests {
         ] {
             assert_eq!(in_column(value), text);
         }
+    }
+
+    #[test]
+    fn more_iterations_than_the_job_asks_for_are_explained() {
+        let said = |done, all, is_another| words_beyond(done, [12, all], is_another);
+        assert_eq!([said(12, 12, false), said(9, 12, true)], [None, None]);
+        let why = |said: Option<String>, expected: &str| {
+            tomolith_core::contains!(said.unwrap(), expected);
+        };
+        why(said(14, 12, false), "the checkpoint had 2 more");
+        why(said(20, 12, true), "8 below another ceiling");
+        // 20 iterations on a coarser level are no checkpoint's
+        why(said(32, 32, false), "`multiresolution.iterations`");
+        why(said(34, 32, false), "the checkpoint had 2 more");
+        assert_eq!(said(25, 32, false), None);
     }
 }
