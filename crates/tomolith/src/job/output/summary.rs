@@ -9,7 +9,7 @@ use crate::job::output::folder::Leaves;
 use crate::job::resolve::{ResolvedJob, Species};
 use crate::metrics::{Evaluation, Measure};
 use crate::objective::FoundWindow;
-use crate::optimize::{Gap, KeptBy, KeptIterate, StopReason};
+use crate::optimize::{Gap, KeptBy, KeptIterate, Outcome, StopReason};
 use crate::report::{
     ExposureWindow, OneExposure, OneMoment, PrintLimits, ScenarioTable, gap_sentence, time_sentence,
 };
@@ -454,7 +454,7 @@ pub(crate) fn summary(
         beyond: optimized.and_then(|o| beyond(o, &done.resolved)),
         fall: optimized
             .filter(|o| o.outcome.kept.by == KeptBy::Loss)
-            .and_then(|o| Fall::of(&o.outcome.history)),
+            .and_then(|o| fall(&o.outcome)),
         kept: optimized.map(|o| o.outcome.kept),
         gap: optimized.and_then(|o| o.outcome.gap()),
         found_window: optimized.and_then(|o| o.window),
@@ -484,6 +484,13 @@ pub(crate) fn summary(
         refine: done.resolved.extent.refine,
         seconds: begin.elapsed().as_secs_f64(),
     }
+}
+
+/// How the loss fell in the end. Where it had come to rest above that of an earlier iterate, which is kept, it had not converged to the patterns of the run.
+fn fall(outcome: &Outcome) -> Option<Fall> {
+    let fall = Fall::of(&outcome.history)?;
+    let is_among_last = outcome.kept.iteration + fall.last > fall.all;
+    (is_among_last || !fall.has_converged()).then_some(fall)
 }
 
 /// Why an optimization has more iterations than `stop.iterations`.
