@@ -19,7 +19,7 @@ use crate::metrics::print::Print;
 use crate::models::layout::PatternLayout;
 use crate::models::planner::{self, ModelPlan};
 use crate::models::rays::matrix_cache;
-use crate::models::{DoseModel, Family, OpticalScene, Purpose, Run, TimedBy};
+use crate::models::{DoseModel, Family, OpticalScene, Purpose, Quantity, Run, TimedBy};
 use crate::objective::Objective;
 use crate::optics::light::{Light, Selection};
 use std::sync::Arc;
@@ -355,6 +355,20 @@ fn by_evaluation(
         found.push(Calls::of(&plan?, calls.sample, making_s, None, run)?);
     }
     Ok(found)
+}
+
+/// What the unknowns of the optimizer's model are.
+///
+/// # Errors
+/// What the model refuses; [`Error::Canceled`](crate::error::Error::Canceled).
+pub(crate) fn quantity(job: &ResolvedJob, run: &Run) -> Result<Quantity> {
+    let lights = &Sample::least(job, timed_by(job)?).lights(job);
+    let optics = OpticalScene {
+        lights,
+        ..job.optics.scene()
+    };
+    let plan = planner::plan(computed(job), optics, &job.grid, None, run)?;
+    Ok(plan.model.quantity())
 }
 
 /// The model that the job names. A stored one is known for its own pixels only: what the geometry would take stands for it.

@@ -12,7 +12,7 @@ use crate::job::progress::{Progress, stage, watched};
 use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::card::Card;
 use crate::job::spec::read::Job;
-use crate::models::Run;
+use crate::models::{Quantity, Run};
 use crate::report::number::significant;
 use crate::report::page::{Page, check_page};
 use std::time::Instant;
@@ -63,7 +63,12 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
     let trying = stage(progress, cancel, "trying the start of the optimization").aside();
     let memory_used = |job: &ResolvedJob| job.optics.card.as_ref().and_then(Card::memory_used);
     let _earlier = memory_used(&resolved);
-    let of_ceiling = iterations_of_ceiling(&resolved, &voxels);
+    let of_ceiling = match iterations_of_ceiling(&resolved, &voxels) {
+        0 => 0,
+        // No ceiling of amplitudes is looked for
+        _ if benchmark::quantity(&resolved, &sampling)? != Quantity::Energy => 0,
+        iterations => iterations,
+    };
     let Rehearsal {
         is_tried,
         iterations_s,
