@@ -26,6 +26,8 @@ pub struct Section {
     base: PathBuf,
     /// A section of its kind that works, for messages; empty where it is of no kind.
     example: &'static str,
+    /// Keys that may stand beside its kind and were taken out of it, for messages.
+    beside: &'static [&'static str],
 }
 
 impl Section {
@@ -36,7 +38,15 @@ impl Section {
             value,
             base: PathBuf::new(),
             example: "",
+            beside: &[],
         }
+    }
+
+    /// The same section, from which these keys, which may stand beside its kind, were taken.
+    #[must_use]
+    pub fn without(mut self, beside: &'static [&'static str]) -> Self {
+        self.beside = beside;
+        self
     }
 
     /// The same section, its relative paths beginning in a folder.
@@ -171,6 +181,10 @@ impl Section {
                 ));
             }
             Value::Object(map) => {
+                if let Some(word) = self.misspelt(map, names) {
+                    let key = format!("{}.{word}", self.path);
+                    return Err(unknown(key, word, self.beside));
+                }
                 let found = map.keys().cloned().collect::<Vec<_>>().join(", ");
                 return Err(Error::config(
                     &self.path,
@@ -202,6 +216,15 @@ impl Section {
             }
         })?;
         Ok((index, self.within(name, value)))
+    }
+
+    /// The first of the other keys where one names a kind: none of those that may stand beside it.
+    fn misspelt<'v>(&self, map: &'v Map<String, Value>, names: &[&str]) -> Option<&'v str> {
+        let is_kind = |key: &&String| names.contains(&key.as_str());
+        let kinds = map.keys().filter(is_kind).count();
+        let mut others = map.keys().filter(|key| !is_kind(key));
+        let word = others.next()?;
+        (kinds == 1 && !self.beside.is_empty()).then_some(word)
     }
 }
 
@@ -624,6 +647,28 @@ mod tests {
         ] {
             assert_eq!(text(value), expected);
         }
+    }
+
+    #[test]
+    fn a_misspelt_key_beside_a_kind_is_no_second_kind() {
+        let kind = |name| Kind {
+            name,
+            summary: "",
+            example: "",
+            schema: schema_of::<bool>,
+            build: (),
+        };
+        let rows = [kind("fixed"), kind("free")];
+        let text = |value| {
+            let section = Section::new("stop", value).without(&["weight", "region"]);
+            section.kind(&rows).unwrap_err().to_string()
+        };
+        assert_eq!(
+            text(json!({ "fixed": {}, "wieght": 1 })),
+            "stop.wieght: unknown name `wieght`; accepted: weight, region; did you mean `weight`?"
+        );
+        let both = text(json!({ "fixed": {}, "free": {} }));
+        assert!(both.starts_with("stop: more than one entry"), "{both}");
     }
 
     #[test]

@@ -179,7 +179,7 @@ impl Common {
         }
         let common: Common = Section::new(section.path.clone(), Value::Object(own)).parse()?;
         common.validate().map_err(|e| e.under(&section.path))?;
-        Ok((common, section))
+        Ok((common, section.without(&KEYS)))
     }
 
     fn validate(&self) -> Result<()> {

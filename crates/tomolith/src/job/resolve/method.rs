@@ -41,7 +41,7 @@ pub(crate) struct Method {
 
 /// A penalty and its weight.
 fn penalty((i, value): (usize, &Value)) -> Result<(f64, Arc<dyn MakePenalty>)> {
-    let mut section = Section::new(format!("penalties[{i}]"), value.clone());
+    let mut section = Section::new(format!("penalties[{i}]"), value.clone()).without(&["weight"]);
     let own = section.value.as_object_mut();
     let weight = own.and_then(|map| map.remove("weight"));
     let weight = penalty_weight(i, weight.as_ref())?;

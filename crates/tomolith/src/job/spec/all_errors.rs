@@ -124,7 +124,7 @@ fn minimized(spec: &JobSpec, base: &Path) -> Result<()> {
         section.read(objectives::<HostField>())?;
     }
     for (i, penalty) in spec.penalties.iter().enumerate() {
-        let mut section = section(&format!("penalties[{i}]"), penalty);
+        let mut section = section(&format!("penalties[{i}]"), penalty).without(&["weight"]);
         let weight = section
             .value
             .as_object_mut()
