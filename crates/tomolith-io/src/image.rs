@@ -3,7 +3,7 @@
 //! | format | what is read |
 //! |---|---|
 //! | PNG | 1, 2, 4, 8 and 16 bit; gray, RGB, palette; alpha is ignored |
-//! | TIFF | first image, or all pages as a stack (see [`slices`](super::slices)); integers of 1 to 64 bits, floats of 16 to 64 bits (taken as they are, 0…1); gray or RGB, alpha is ignored |
+//! | TIFF | one page, or several as a stack (see [`slices`](super::slices)); integers of 1 to 64 bits, floats of 16 to 64 bits (taken as they are, 0…1); gray or RGB, alpha is ignored |
 //!
 //! Colors become luma, 0.2126·R + 0.7152·G + 0.0722·B (ITU-R BT.709), of the values as stored (no gamma is undone).
 //! An image of several bits a sample that stores nothing but 0 and 1 is a mask: its 1 is white.
@@ -44,6 +44,12 @@ pub fn read_gray(path: impl AsRef<Path>) -> Result<GrayPixels> {
 
 /// Reads an image file as it is stored.
 pub(super) fn read_stored(path: &Path) -> Result<Stored> {
+    if path.is_dir() {
+        return Err(bad(
+            path,
+            "a folder, whose images are a stack of slices (`target.stack`)",
+        ));
+    }
     let extension = path.extension().unwrap_or_default().to_string_lossy();
     parser(&extension, path)?;
     parse_gray(&read_regular(path)?, &extension, path)
@@ -80,6 +86,7 @@ fn parser(extension: &str, path: &Path) -> Result<Parse> {
         "png" => Ok(parse_png),
         "tif" | "tiff" => Ok(parse_tiff),
         "apng" => Err(bad(path, "an animated PNG (APNG), which is a movie")),
+        "" => Err(bad(path, "a name without an extension")),
         other => Err(bad(path, format!("extension `.{other}` is not known"))),
     }
 }
@@ -159,7 +166,19 @@ fn scaled(numbers: impl Iterator<Item = f64>, white: f64) -> Vec<f32> {
 }
 
 fn parse_tiff(bytes: &[u8]) -> Result<Stored, String> {
-    tiff_page(&mut open_tiff(bytes)?)
+    let mut decoder = open_tiff(bytes)?;
+    let page = tiff_page(&mut decoder)?;
+    let mut pages = 1;
+    while decoder.more_images() {
+        decoder.next_image().map_err(damaged_tiff)?;
+        pages += 1;
+    }
+    match pages {
+        1 => Ok(page),
+        _ => Err(format!(
+            "a TIFF of {pages} pages, which is a stack of slices (`target.stack`)"
+        )),
+    }
 }
 
 pub(super) type Tiff<'a> = tiff::decoder::Decoder<Cursor<&'a [u8]>>;
@@ -391,6 +410,22 @@ mod tests {
         assert!(refused(&whole, "apng").contains("animated PNG"));
         assert!(refused(&whole, "bmp").contains("`.bmp`"));
         refused(b"II*\0\x08\0\0\0", "tif");
+        assert!(refused(&whole, "").contains("without an extension"));
+    }
+
+    #[test]
+    fn several_pages_and_folders_are_no_image() {
+        let mut file = Cursor::new(Vec::new());
+        let mut encoder = TiffEncoder::new(&mut file).unwrap();
+        for gray in [0, 255] {
+            let page = encoder.write_image::<colortype::Gray8>(1, 1, &[gray]);
+            page.unwrap();
+        }
+        let text = refused(&file.into_inner(), "tif");
+        tomolith_core::contains!(text, "a TIFF of 2 pages", "target.stack");
+        let folder = tempfile::tempdir().unwrap();
+        let text = read_gray(folder.path()).unwrap_err().to_string();
+        tomolith_core::contains!(text, ": a folder", "target.stack");
     }
 
     #[test]

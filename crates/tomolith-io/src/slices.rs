@@ -24,6 +24,7 @@ use super::image::{
 };
 use super::numbers::{Kind, Numbers, file_and_name, is_array};
 use super::series::numbered_files;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::files::read_regular;
@@ -95,6 +96,9 @@ pub fn read_stack(path: &Path) -> Result<Slices> {
         read_array(path)?
     } else if path.is_file() {
         read_pages(path)?
+    } else if !path.exists() && !is_pattern(path) {
+        let missing = std::io::Error::new(ErrorKind::NotFound, "no such folder or file");
+        return Err(Error::io(path, missing));
     } else {
         read_all(&stack_files(path)?, path)?
     };
@@ -106,17 +110,22 @@ pub fn read_stack(path: &Path) -> Result<Slices> {
 /// # Errors
 /// [`Error::Io`] when a folder cannot be read; [`Error::Format`] when the order of its files is in doubt.
 pub fn stack_files(path: &Path) -> Result<Vec<PathBuf>> {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
     if path.is_dir() {
         numbered_files(path, "*", &EXTENSIONS)
     } else if is_array(path) {
         Ok(vec![file_and_name(path).0])
-    } else if name.contains('*') {
+    } else if is_pattern(path) {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
         let folder = path.parent().filter(|p| !p.as_os_str().is_empty());
         numbered_files(folder.unwrap_or(Path::new(".")), &name, &EXTENSIONS)
     } else {
         Ok(vec![path.to_owned()])
     }
+}
+
+fn is_pattern(path: &Path) -> bool {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    name.contains('*')
 }
 
 /// An array `[z, y, x]`.
@@ -287,6 +296,7 @@ mod tests {
         tomolith_core::contains!(none("x*.png").to_string(), "no image is there");
         tomolith_core::contains!(none("s_9.png").to_string(), "neither a folder");
         assert!(matches!(none("none.tif"), Error::Io { .. }));
+        tomolith_core::contains!(none("nowhere").to_string(), "no such folder");
     }
 
     #[test]

@@ -149,13 +149,18 @@ pub fn build_under(
 ) -> Result<Box<dyn Shape>> {
     let placement = spec.placement();
     let pixels = spec.image.is_some() || spec.stack.is_some();
-    if spec.mesh_unit.is_some() && spec.mesh.is_none() && spec.body.is_none() {
-        return Err(Error::config(
-            "mesh_unit",
-            "the key is given without a mesh",
-            "this key for meshes only",
-        )
-        .under(section_path));
+    for (key, given) in [
+        ("mesh_unit", spec.mesh_unit.is_some()),
+        ("repair", spec.repair.is_some()),
+    ] {
+        if given && spec.mesh.is_none() && spec.body.is_none() {
+            return Err(Error::config(
+                key,
+                "the key is given without a mesh",
+                "this key for meshes only",
+            )
+            .under(section_path));
+        }
     }
     for (key, given) in [
         ("height_mm", spec.height_mm.is_some()),
@@ -355,6 +360,10 @@ mod tests {
             (
                 "phantom = \"gear\"\nmesh_unit = \"m\"",
                 "target.mesh_unit: ",
+            ),
+            (
+                "image = \"a.png\"\nrepair = \"force\"",
+                "target.repair: the key is given without a mesh",
             ),
             (
                 "mesh = \"a.PNG\"",
