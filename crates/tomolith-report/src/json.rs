@@ -81,7 +81,8 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
             "adjoint_calls": last.adjoint_calls,
             "kept": data.kept,
             "lower_bound": number(data.gap.map(|gap| gap.bound)),
-            "gap": number(data.gap.map(|gap| gap.relative())),
+            // No loss falls below 0, whatever the bound is
+            "gap": number(data.gap.map(|gap| gap.relative().min(1.0))),
         })
     });
     let movies: Vec<Value> = data
