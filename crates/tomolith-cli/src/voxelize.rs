@@ -152,19 +152,15 @@ fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>, run: &Run
     )
     .map_err(|e| e.asking(question.as_deref()))?;
     let mut target = voxelize_under(shape.as_ref(), &spec.name(), &grid, run)?;
-    let volume_mm3 = target
-        .inside
-        .values
-        .iter()
-        .map(|&v| f64::from(v))
-        .sum::<f64>()
-        * grid.voxel_mm3();
     let part = (0..grid.len()).filter(|&i| target.is_part(i)).count();
     if given.binary {
         target.inside.values = (0..grid.len())
             .map(|i| f32::from(u8::from(target.is_part(i))))
             .collect();
     }
+    // Of what is written
+    let written = target.inside.values.iter().map(|&v| f64::from(v));
+    let volume_mm3 = written.sum::<f64>() * grid.voxel_mm3();
     write(&given.output, kind, &target, given.binary, run)?;
     let mut warnings = shape.warnings();
     let saved = match (save, &shape.meshes()[..]) {
