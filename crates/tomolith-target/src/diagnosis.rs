@@ -169,8 +169,14 @@ impl Diagnosis {
         }
         if self.inconsistent_edges > 0 {
             said.push(format!(
-                "Neighboring triangles disagree about the outside at {} edges; {} triangles were turned.",
-                self.inconsistent_edges, self.turned_triangles
+                "Neighboring triangles disagree about the outside at {}; {} {} turned.",
+                counted(self.inconsistent_edges, "edge"),
+                counted(self.turned_triangles, "triangle"),
+                if self.turned_triangles == 1 {
+                    "was"
+                } else {
+                    "were"
+                },
             ));
         }
         if self.inside_out {
