@@ -7,7 +7,7 @@
 //! use tomolith_core::files::read_regular;
 //! let folder = tempfile::tempdir().unwrap();
 //! let text = read_regular(folder.path()).unwrap_err().to_string();
-//! assert!(text.ends_with("is a folder; accepted: a regular file"), "{text}");
+//! assert!(text.ends_with("is a folder, not a regular file"), "{text}");
 //! ```
 
 use super::error::{Error, Result};
@@ -91,7 +91,7 @@ fn refuse_special(kind: FileType) -> std::io::Result<()> {
     } else {
         (ErrorKind::InvalidInput, "a device, a FIFO or a socket")
     };
-    let text = format!("is {what}; accepted: a regular file");
+    let text = format!("is {what}, not a regular file");
     Err(std::io::Error::new(error, text))
 }
 

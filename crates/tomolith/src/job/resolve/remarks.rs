@@ -9,6 +9,7 @@ use crate::io::npy::read_patterns;
 use crate::job::spec::{Angles, JobSpec, LightSpec};
 use crate::optics::light::Light;
 use crate::optimize::Keep;
+use crate::optimize::start::given::OfFile;
 use crate::report::number::significant;
 use crate::target::Shape;
 use crate::units::concise;
@@ -122,7 +123,13 @@ pub(crate) fn must_be_seen(
         concise(longest),
         concise(grid.pitch_mm)
     );
-    let error = Error::config(key, found, "a target larger than a voxel");
+    let accepted = match spec.target.mesh {
+        Some(_) => {
+            "a target larger than a voxel: target.size_mm gives its longest edge, target.mesh_unit the unit of its file"
+        }
+        None => "a target larger than a voxel: target.size_mm gives its longest edge",
+    };
+    let error = Error::config(key, found, accepted);
     Err(error.asking(question))
 }
 
@@ -241,16 +248,25 @@ pub(crate) fn given_patterns(method: &Method, optics: &Optics) -> Result<Vec<Str
     let Some(files) = method.start.files() else {
         return Ok(Vec::new());
     };
-    let key = "start.patterns.file";
     let lights = optics.lights.len();
     let accepted = format!(
         "patterns.npz of a run, or an .npz with an array `patterns` [angle, row, column]; of {lights} light(s)"
     );
-    let arrays = read_patterns(&files.first.0)
-        .map_err(|error| Error::config(key, error.to_string(), accepted.as_str()))?;
-    if arrays.len() != lights {
-        let found = format!("patterns of {} lights", arrays.len());
-        return Err(Error::config(key, found, accepted));
+    let read = |key: &str, file: &OfFile| {
+        let arrays = read_patterns(&file.0)
+            .map_err(|error| Error::config(key, error.to_string(), accepted.as_str()))?;
+        if arrays.len() != lights {
+            let found = format!("patterns of {} lights", arrays.len());
+            return Err(Error::config(key, found, accepted.as_str()));
+        }
+        Ok(arrays)
+    };
+    let key = "start.patterns.file";
+    let arrays = read(key, &files.first)?;
+    // The last one of a step is no start by itself
+    let from = files.step.iter().map(|[from, _]| from);
+    for (i, file) in files.or.iter().chain(from).enumerate() {
+        read(&format!("start.patterns.or[{i}]"), file)?;
     }
     let others = arrays.iter().zip(&optics.lights).filter_map(|(array, light)| {
         let (found, own) = (array.shape, light.pixels.shape());
