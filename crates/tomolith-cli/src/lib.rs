@@ -181,8 +181,10 @@ fn arguments(words: &[OsString]) -> Result<Arguments, u8> {
     typed.map_err(|said| match said.print() {
         _ if said.use_stderr() && is_json => {
             let text = said.to_string();
-            let message = text.lines().next().unwrap_or_default();
-            let message = message.strip_prefix("error: ").unwrap_or(message);
+            let text = text.strip_prefix("error: ").unwrap_or(&text);
+            // Which arguments are meant may stand on lines of their own
+            let lines = text.lines().take_while(|line| !line.is_empty());
+            let message = lines.map(str::trim).collect::<Vec<_>>().join(" ");
             let line = serde_json::json!({ "event": "error", "message": message });
             screen::say(&line.to_string());
             REFUSED

@@ -103,6 +103,13 @@ fn an_override_names_itself_and_json_errors_are_one_line() {
             .contains("--set light.angles=0"),
         "{line}"
     );
+    let output = Command::new(env!("CARGO_BIN_EXE_tomolith"))
+        .args(["simulate", "--json"])
+        .output()
+        .unwrap();
+    let line: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let message = line["message"].as_str().unwrap();
+    assert!(message.contains("--patterns <FILE>"), "{message}");
     let output = tomolith(&bench.path("nothing.toml"), &[]);
     assert_eq!(output.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&output.stderr).contains("nothing.toml"));
