@@ -109,31 +109,7 @@ pub(crate) fn new(given: &NewArguments) -> Result<()> {
         }
     }
     let answers = answers(given, !prints)?;
-    let document = |pixels: [usize; 2]| Document::toml(&given.file, text(&answers, pixels));
-    // The part's size says how many pixels light it
-    let trial = Job::from_document(document([64, 64])?)?;
-    let shape = build_under(&trial.spec.target, &trial.base(), "target", &Run::new())
-        .map_err(|e| trial.locate(e))?;
-    if shape.is_gray() {
-        return Err(Error::config(
-            "--part",
-            format!("`{}` has gray values", answers.part),
-            "a part without; for gray values write a job with `[objective.l2]`",
-        ));
-    }
-    let bounds_mm = shape.bounds_mm();
-    let mut pixels = pixels(&answers, 1.0, bounds_mm);
-    let resolve = |pixels| ResolvedJob::new(&Job::from_document(document(pixels)?)?);
-    let mut resolved = resolve(pixels)?;
-    let widening = widening(&resolved);
-    if widening > 1.0 {
-        pixels = self::pixels(&answers, widening, bounds_mm);
-        resolved = resolve(pixels)?;
-    }
-    for warning in resolved.warnings() {
-        mutter(&format!("{:>12} {warning}", "warning"));
-    }
-    let text = text(&answers, pixels);
+    let text = tried(given, &answers).map_err(at_option)?;
     if prints {
         say(text.trim_end());
         return Ok(());
@@ -144,6 +120,83 @@ pub(crate) fn new(given: &NewArguments) -> Result<()> {
         "{file} is written; `tomolith check {file}` says what it costs, `tomolith run {file}` runs it"
     ));
     Ok(())
+}
+
+/// The text of a job that can be used.
+fn tried(given: &NewArguments, answers: &Answers) -> Result<String> {
+    let document = |pixels: [usize; 2]| Document::toml(&given.file, text(answers, pixels));
+    // The part's size says how many pixels light it
+    let trial = Job::from_document(document([64, 64])?)?;
+    let shape =
+        build_under(&trial.spec.target, &trial.base(), "target", &Run::new()).map_err(|e| {
+            match trial.locate(e) {
+                unread @ Error::Io { .. } => Error::config(
+                    "--part",
+                    unread.to_string(),
+                    "a phantom, or a mesh that can be read",
+                ),
+                error => error,
+            }
+        })?;
+    if shape.is_gray() {
+        return Err(Error::config(
+            "--part",
+            format!("`{}` has gray values", answers.part),
+            "a part without; for gray values write a job with `[objective.l2]`",
+        ));
+    }
+    let bounds_mm = shape.bounds_mm();
+    let mut pixels = pixels(answers, 1.0, bounds_mm);
+    let resolve = |pixels| ResolvedJob::new(&Job::from_document(document(pixels)?)?);
+    let mut resolved = resolve(pixels)?;
+    let widening = widening(&resolved);
+    if widening > 1.0 {
+        pixels = self::pixels(answers, widening, bounds_mm);
+        resolved = resolve(pixels)?;
+    }
+    for warning in resolved.warnings() {
+        mutter(&format!("{:>12} {warning}", "warning"));
+    }
+    Ok(text(answers, pixels))
+}
+
+/// The option that a key of the job is made of; None for one that no option sets.
+fn option_of(key: &str) -> Option<&'static str> {
+    let options = [
+        ("target.size_mm", "--size-mm"),
+        ("target.", "--part"),
+        ("target", "--size-mm, --radius-mm"),
+        ("vial.cylinder.outer_radius_mm", "--wall-mm"),
+        ("vial", "--radius-mm"),
+        ("resin.refractive_index", "--index"),
+        ("resin.absorption_per_mm", "--depth-mm"),
+        ("resin", "--resin"),
+        ("printer", "--printer"),
+        ("light[0].wavelength_nm", "--wavelength-nm"),
+        ("light[0].angles", "--angles"),
+        ("light[0].pixels", "--pixel-mm"),
+        ("light[0].projector", "--pixel-mm"),
+    ];
+    let found = options.iter().find(|(begin, _)| key.starts_with(begin));
+    found.map(|(_, option)| *option)
+}
+
+/// Says which option is at fault, in place of a line of a job that was not written.
+fn at_option(mut error: Error) -> Error {
+    if let Error::Config {
+        key, found, place, ..
+    } = &mut error
+    {
+        *place = None;
+        if let Some(option) = option_of(key) {
+            *found = format!("{key}: {found}");
+            option.clone_into(key);
+        }
+    }
+    match error {
+        Error::Several(all) => Error::Several(all.into_iter().map(at_option).collect()),
+        error => error,
+    }
 }
 
 /// How much farther from the axis level light must aim than it passes it: a round vial in air bends it inwards (Snell, with the angle of incidence from
@@ -254,7 +307,7 @@ fn text(answers: &Answers, [columns, rows]: [usize; 2]) -> String {
             quoted(&answers.part)
         ),
         (true, None) => format!(
-            "mesh = {}          # next to this file\n# unit = \"in\"                  # where the file's numbers are no mm",
+            "mesh = {}          # next to this file\n# mesh_unit = \"inch\"            # where the file's numbers are no mm",
             quoted(&answers.part)
         ),
         (false, size) => format!(

@@ -40,8 +40,9 @@ fn a_new_job_that_cannot_be_is_refused_and_not_written() {
     let bench = Bench::with(&[]);
     for (line, words) in [
         ("new a.toml --part gaer", "did you mean `gear`?"),
-        ("new a.toml --part none.stl", "none.stl"),
-        ("new a.toml --radius-mm 1", "target"),
+        ("new a.toml --part none.stl", "--part: none.stl"),
+        ("new a.toml --radius-mm 1", "--size-mm, --radius-mm: target"),
+        ("new - --index 0.9", "--index: resin.refractive_index"),
         ("new a.toml --depth-mm 0", "--depth-mm"),
         ("new a.toml --pixel-mm nan", "--pixel-mm"),
         ("new a.toml --angles 0", "--angles"),
