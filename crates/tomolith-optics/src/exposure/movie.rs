@@ -46,6 +46,8 @@ pub fn frame_rate(rpm: f64, frames: usize, arc: f64) -> Result<f64> {
 
 /// Slowest movie that players show evenly, frames a second.
 const SLOWEST: f64 = 0.1;
+/// Speeds are told in six digits: what is told is accepted.
+const ROUNDED: f64 = 1e-5;
 /// The fastest screens, images a second: the limit where no printer says its own.
 pub const FASTEST: f64 = 240.0;
 
@@ -75,8 +77,8 @@ pub fn shown_rate(rpm: f64, frames: usize, arc: f64, refresh_hz: f64) -> Result<
             accepted,
         ))
     };
-    if rate > refresh_hz * (1.0 + 1e-9) {
-        let most = (frames as f64 * refresh_hz / rate).floor();
+    if rate > refresh_hz * (1.0 + ROUNDED) {
+        let most = (frames as f64 * refresh_hz / rate + ROUNDED).floor();
         return refuse(
             &format!("no device of {} images a second shows", exact(refresh_hz)),
             format!(
@@ -91,8 +93,8 @@ pub fn shown_rate(rpm: f64, frames: usize, arc: f64, refresh_hz: f64) -> Result<
             ),
         );
     }
-    if frames > 1 && rate < SLOWEST * (1.0 - 1e-9) {
-        let least = (frames as f64 * SLOWEST / rate).ceil();
+    if frames > 1 && rate < SLOWEST * (1.0 - ROUNDED) {
+        let least = (frames as f64 * SLOWEST / rate - ROUNDED).ceil();
         return refuse(
             "players do not show evenly",
             format!(
@@ -132,7 +134,18 @@ mod tests {
         let slow = message(0.01, 300);
         tomolith_core::contains!(slow, "0.05 frames", "at least 0.02 turns");
         assert!(slow.contains("at least 600 frames"), "{slow}");
-        for (rpm, frames) in [(12.0, 300), (30.0, 120), (0.02, 300), (0.01, 600)] {
+        // A third of a turn a minute is told as 0.0333333
+        let slow = message(0.001, 180);
+        assert!(slow.contains("at least 0.0333333 turns"), "{slow}");
+        assert!(message(200.0, 90).contains("at most 18 frames"));
+        for (rpm, frames) in [
+            (12.0, 300),
+            (30.0, 120),
+            (0.02, 300),
+            (0.01, 600),
+            (0.0333333, 180),
+            (200.0, 18),
+        ] {
             assert!(shown_rate(rpm, frames, TAU, 60.0).is_ok(), "{rpm} {frames}");
         }
     }
