@@ -85,6 +85,9 @@ impl ResolvedJob {
                 }
             ));
         }
+        // What the job's own voxels would take of that for the optimization's
+        let finest = self.levels.last().map_or(1, |level| level.grid.len());
+        let own = self.grid.len() as f64 / finest as f64;
         for (what, parts) in [
             ("memory for the optimization", self.extent.optimization()),
             ("memory for the evaluation", self.extent.evaluation()),
@@ -94,6 +97,13 @@ impl ResolvedJob {
                 let accepted =
                     "fewer pixels or voxels, larger errors allowed in the model, fewer --threads";
                 ("model".to_owned(), accepted)
+            } else if voxels_mb >= pixels_mb
+                && what.ends_with("optimization")
+                && own < 1.0
+                && fits(extent::whole_mb([own * voxels_mb, pixels_mb, frames_mb]))
+            {
+                let accepted = "a smaller grid.refine (the optimization's voxels are finer than the job's; 1 takes the job's own)";
+                ("grid.refine".to_owned(), accepted)
             } else if voxels_mb >= pixels_mb {
                 let accepted = "fewer voxels (a larger grid.pitch_mm, a smaller grid.shape)";
                 (grid_key(&self.spec), accepted)
@@ -186,4 +196,35 @@ pub(crate) fn evaluated_mb(optics: &Optics, grid: &VolumeGrid, refine: usize) ->
     };
     let cost = optics.family(&grid)?.cost(&resolved, &grid)?;
     Ok(cost.working_bytes as f64 / 1e6)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::job::resolve::ResolvedJob;
+    use crate::job::tests::job_of;
+    use crate::models::Run;
+
+    #[test]
+    fn voxels_that_the_program_chose_too_fine_for_the_memory_are_blamed() {
+        let text = r#"
+            target = { phantom = { sphere = {} }, size_mm = 4.0 }
+            grid = { pitch_mm = 0.1 }
+            resin = { refractive_index = 1.5, absorption_per_mm = 0.1 }
+            vial = { index_matched = { radius_mm = 4.0 } }
+            light = [{ pixels = [64, 48], angles = 12, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
+            optimizer = { lbfgs = { memory = 1 } }
+        "#;
+        let resolved = |more: &[&str]| ResolvedJob::under(&job_of(text, more), &Run::new());
+        let needed = |more: &[&str]| resolved(more).unwrap().extent.optimization_mb();
+        let (fine, own) = (needed(&[]), needed(&["grid.refine=1"]));
+        assert!(fine > own + 20, "{fine} {own}");
+        let budget = format!("resources.memory_gb={}", (fine + own) as f64 / 2e3);
+        let refusal = resolved(&[&budget]).err().unwrap().to_string();
+        tomolith_core::contains!(
+            refusal,
+            "grid.refine: memory for the optimization",
+            "1 takes the job's own"
+        );
+        resolved(&[&budget, "grid.refine=1"]).unwrap();
+    }
 }

@@ -338,7 +338,9 @@ fn by_evaluation(
     };
     let mut found: Vec<Calls> = Vec::new();
     for calls in samples {
-        if found.last().is_some_and(|last| last.seconds() > enough) {
+        // Of one sample alone it is not known what every call begins with, which may be most of it
+        let least = if found.len() > 1 { enough } else { LONG_S };
+        if found.last().is_some_and(|last| last.seconds() > least) {
             break;
         }
         let mut lights = calls.sample.lights(job);
