@@ -39,7 +39,7 @@ const BLOCKS: usize = 8;
 /// Seconds above which calls are long enough to time, and above which a call is timed once.
 const TIMED_S: f64 = 0.3;
 const LONG_S: f64 = 1.0;
-/// The same as the first for the evaluation's frames that are taken alone, which are as few as threads.
+/// The same as the first for the evaluation's first sample, and for its frames that are taken alone, which are as few as threads.
 const ENOUGH_S: f64 = 10.0;
 /// How many times larger the second of the timed samples is, where these take long and where not.
 const SOME_MORE: usize = 2;
@@ -338,9 +338,15 @@ fn by_evaluation(
     };
     let mut found: Vec<Calls> = Vec::new();
     for calls in samples {
-        // Of one sample alone it is not known what every call begins with, which may be most of it
-        let least = if found.len() > 1 { enough } else { LONG_S };
-        if found.last().is_some_and(|last| last.seconds() > least) {
+        // What every call begins with is in all of them, and may be most of what small samples take
+        let grown = match found.as_slice() {
+            [] => false,
+            [one] => one.seconds() > ENOUGH_S,
+            [first, .., last] => {
+                last.seconds() - first.seconds() > enough || last.seconds() > ENOUGH_S
+            }
+        };
+        if grown {
             break;
         }
         let mut lights = calls.sample.lights(job);
