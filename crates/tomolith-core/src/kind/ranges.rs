@@ -104,15 +104,29 @@ fn holds(types: &Value, name: &str) -> bool {
             .is_some_and(|all| all.iter().any(|own| own == name))
 }
 
-/// Refuses the first number of a table that is beyond the range of its key, the table at `path` of a job.
+/// Refuses the first number of a table that is beyond the range of its key or not finite, the table at `path` of a job. Keys that are None are not
+/// written, as with [`keys!`](crate::keys).
 ///
 /// # Errors
 /// [`Error::Config`] with the key.
 pub fn check_ranges<T: Serialize + JsonSchema>(path: &str, table: &T) -> Result<()> {
     let unwritten = |e: serde_json::Error| Error::refused(path, e, "a table");
     let value = serde_json::to_value(table).map_err(unwritten)?;
+    must_be_finite(path, &value)?;
     let schema = schema_of::<T>();
     check(path, &value, schema.as_value(), schema.as_value())
+}
+
+/// Refuses null: what is written of a number that is not finite.
+fn must_be_finite(path: &str, value: &Value) -> Result<()> {
+    match value {
+        Value::Null => Err(Error::refused(path, "no finite number", "a finite number")),
+        Value::Object(table) => (table.iter())
+            .try_for_each(|(key, value)| must_be_finite(&format!("{path}.{key}"), value)),
+        Value::Array(list) => (list.iter().enumerate())
+            .try_for_each(|(i, value)| must_be_finite(&format!("{path}[{i}]"), value)),
+        _ => Ok(()),
+    }
 }
 
 /// Refuses the first number of a value that is beyond the range of its key; `root` has the definitions.
@@ -175,6 +189,7 @@ fn number_of(value: &Value) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
+    use super::check_ranges;
     use crate::kind::Section;
     use crate::units::Mm;
     use schemars::JsonSchema;
@@ -194,6 +209,37 @@ mod tests {
         either: Option<Either>,
         #[serde(default)]
         inner: BTreeMap<String, Inner>,
+    }
+
+    crate::keys! {
+        /// A table that a program makes.
+        struct Made {
+            #[schemars(range(min = 0.0))]
+            time_s: Option<f64>,
+            places: Vec<[f64; 2]> = Vec::new(),
+        }
+    }
+
+    #[test]
+    fn a_table_that_a_program_makes_has_finite_numbers_in_their_ranges() {
+        let refusal = |time_s, place| {
+            let places = vec![[0.0, place]];
+            let checked = check_ranges("made", &Made { time_s, places });
+            checked.err().map(|error| error.to_string())
+        };
+        assert_eq!(refusal(Some(1.0), -3.0), None);
+        assert_eq!(refusal(None, 0.0), None);
+        let found = |time_s, place, key: &str| {
+            let text = refusal(time_s, place).unwrap();
+            assert!(text.starts_with(key), "{text}");
+        };
+        found(Some(-1.0), 0.0, "made.time_s: found -1");
+        found(Some(f64::NAN), 0.0, "made.time_s: found no finite number");
+        found(
+            None,
+            f64::INFINITY,
+            "made.places[0][1]: found no finite number",
+        );
     }
 
     #[derive(Deserialize, JsonSchema)]

@@ -1,5 +1,6 @@
 //! The model as data that a backend computes elsewhere: see [`tomolith_core::dose::strips`].
 
+use super::cached::Finding;
 use super::plan::LightPlan;
 use super::radon::Kernel;
 use super::strips::{Beam, Major};
@@ -23,7 +24,8 @@ pub(super) fn form(
     if grid.shape[0] == 1 || kernel != Kernel::DistanceDriven || !is_even {
         return Ok(None);
     }
-    let model = Parallel::under(vial, lights.to_vec(), kernel, grid.clone(), run)?;
+    let of = (lights.to_vec(), kernel);
+    let model = Parallel::planned(vial, of, grid.clone(), Finding::OfAllViews, run)?;
     Ok(Some(Form::Strips(Masked::new(model.geometry()))))
 }
 

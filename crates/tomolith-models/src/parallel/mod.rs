@@ -169,7 +169,7 @@ impl ModelFamily for Params {
         form::form(scene.vial, scene.lights, self.kernel, input.grid, input.run)
     }
 
-    /// One adjoint of all pixels: nothing is stored.
+    /// One adjoint of all pixels: nothing is stored, and the first part of the turn serves all of it.
     fn unscattered(&self, input: &ModelInput<'_>) -> Result<HostModel> {
         let mut input = input.clone();
         input.scene.purpose = Purpose::Evaluate { refine: 1 };
@@ -235,7 +235,7 @@ impl Parallel {
         grid: VolumeGrid,
         run: &Run,
     ) -> Result<Self> {
-        Self::planned(vial, (lights, kernel), grid, Finding::OfAllViews, run)
+        Self::planned(vial, (lights, kernel), grid, Finding::InEachCall, run)
     }
 
     /// The model for a purpose: an optimization stores entries where there is room.

@@ -83,7 +83,12 @@ fn entries_of_a_part_of_the_turn_serve_all_of_it() {
         let run = |slot: usize| (0, if slot % 7 == 2 { 0 } else { 6 });
         light.active = Some((0..frames * 45).map(run).collect());
         let grid = VolumeGrid::centered(shape, 0.1);
-        let plain = Parallel::new(vial.as_ref(), vec![light.clone()], grid.clone()).unwrap();
+        let plain = finding(
+            Finding::OfAllViews,
+            vial.as_ref(),
+            light.clone(),
+            grid.clone(),
+        );
         assert!(!plain.lights[0].turned.repeats());
         let kept = keeping(vial.as_ref(), light, grid);
         let quarters = if shape[1] == shape[2] { 4 } else { 2 };

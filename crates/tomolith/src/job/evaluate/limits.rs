@@ -2,7 +2,7 @@
 
 use super::SpeciesPrint;
 use super::doubts::{of_background, of_bound};
-use crate::job::evaluate::{Evaluated, headline};
+use crate::job::evaluate::{Evaluated, at_best_threshold, headline};
 use crate::job::optimize::Optimized;
 use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::refinement::moved_pixels;
@@ -87,12 +87,8 @@ impl Asked<'_> {
         let lights = acting_on(resolved, s);
         let finest = resolved.levels.last();
         let (pixel_key, pixel_light) = coarsest_pixels(&optics.projector_kinds, &lights);
-        let threshold = resolved.evaluation().threshold;
         // Where the job names a threshold, what it costs is a cause of its own
-        let at_best = |evaluation: &Evaluation| {
-            let best = evaluation.curve.iter().map(|[_, iou]| *iou);
-            threshold.and(best.reduce(f64::max))
-        };
+        let at_best = |evaluation| at_best_threshold(resolved, evaluation);
         Measurements {
             kind,
             optimized: (print.optimization.as_ref()).and_then(|own| at_best(own).or(measured(own))),

@@ -207,10 +207,8 @@ pub(crate) fn evaluate_patterns(
         of_publications = published.unwrap_or(of_publications);
         let evaluation = evaluation.with_sub_angles(sub_angles);
         let head = evaluation.measures.get(headline(fine.target.gray).name);
-        let best = evaluation.curve.iter().map(|[_, iou]| *iou);
-        let at_best = job.evaluation().threshold.and(best.reduce(f64::max));
         let of_own = |own: &Option<OwnPrint>| match own.as_ref()? {
-            OwnPrint::Evaluated => at_best.or(head),
+            OwnPrint::Evaluated => at_best_threshold(job, &evaluation).or(head),
             OwnPrint::Apart(measured) => measured[s],
         };
         species.push(SpeciesPrint {
@@ -651,6 +649,12 @@ mod share {
 /// The one number that says how good a print is: IoU, or the rms error of a gray target.
 pub(crate) fn headline(is_gray: bool) -> &'static MetricKind {
     if is_gray { &gray::RMS } else { &iou::KIND }
+}
+
+/// The best IoU over all thresholds, where the job names one; else None.
+pub(crate) fn at_best_threshold(job: &ResolvedJob, evaluation: &Evaluation) -> Measure {
+    let best = evaluation.curve.iter().map(|[_, iou]| *iou);
+    job.evaluation().threshold.and(best.reduce(f64::max))
 }
 
 /// What the metrics look at, as a part of a run.
