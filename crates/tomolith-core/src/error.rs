@@ -276,17 +276,15 @@ const UNITS: [&str; 7] = ["_per_mm", "_mm", "_um", "_nm", "_deg", "_hz", "_s"];
 /// use tomolith_core::error::nearest_name;
 /// let names = ["absorption_per_mm", "absorption_map"];
 /// assert_eq!(nearest_name("absorption", names), Some("absorption_per_mm"));
+/// assert_eq!(nearest_name("absorbtion", names), Some("absorption_per_mm"));
 /// assert_eq!(nearest_name("absorbtion_map", names), Some("absorption_map"));
 /// ```
 #[must_use]
 pub fn nearest_name<'a>(word: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let is_unit = |name: &str| {
-        name.strip_prefix(word)
-            .is_some_and(|end| UNITS.contains(&end))
-    };
-    let near = |name: &str| match is_unit(name) {
-        true => 1.0,
-        false => strsim::jaro_winkler(word, name),
+    let near = |name: &str| {
+        let without_unit = UNITS.iter().find_map(|unit| name.strip_suffix(unit));
+        let score = |name: &str| strsim::jaro_winkler(word, name);
+        without_unit.map_or(0.0, score).max(score(name))
     };
     names
         .into_iter()

@@ -17,8 +17,10 @@ use crate::matrix::Rows;
 use crate::{PatternLayout, Run};
 use std::ops::Range;
 use tomolith_core::error::Result;
+use tomolith_core::grid::VolumeGrid;
 use tomolith_core::parallel::{InParallel, elements};
 use tomolith_io::csr::Csr;
+use tomolith_optics::light::Light;
 
 /// Largest number of cached entries.
 pub const MOST: usize = 1 << 27;
@@ -26,21 +28,34 @@ pub const MOST: usize = 1 << 27;
 /// Bytes of an entry, by place and by pixel.
 pub const BYTES: usize = 16;
 
-/// The size of the cache in entries: for each pixel, for each voxel that its light crosses in a plane, and for each update.
+/// Voxels that a ray crosses for each plane of the grid: one, and tan φ sideways (0.44 on average up to 45°), on 85 % of the planes.
+pub(super) const CROSSED: f64 = 1.2;
+
+/// The size of the cache in entries.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CachedEntries {
-    /// Of a pixel.
+    /// Of a pixel, for each plane of the grid across its longest side.
     pub per_pixel: f64,
     /// Of an update of a dose.
     pub per_update: f64,
 }
 
 impl CachedEntries {
-    /// Entries of single pixels.
-    pub const SINGLE: CachedEntries = CachedEntries {
-        per_pixel: 1.0,
-        per_update: 1.0,
-    };
+    /// Entries of single pixels of so many rays each, of the light that has the most: what rays leave in one voxel is one entry.
+    pub(crate) fn of_pixels(lights: &[Light], rays: usize, grid: &VolumeGrid) -> Self {
+        let met = |light: &Light| {
+            let rays = (rays * light.sub_angles.max(1)) as f64;
+            // n rays have n places on each axis, the outermost (1 − 1/n) of a pixel apart
+            let wide = |pixel: f64| 1.0 + (1.0 - 1.0 / rays) * pixel / grid.pitch_mm;
+            let [across, along] = light.pixels.pitch_mm.map(wide);
+            let voxels = across * along.min(grid.shape[0] as f64);
+            voxels * (1.0 - (1.0 - 1.0 / voxels).powf(rays))
+        };
+        CachedEntries {
+            per_pixel: CROSSED * lights.iter().map(met).fold(1.0, f64::max),
+            per_update: 1.0,
+        }
+    }
 }
 
 /// Pixels that are walked at a time.

@@ -523,7 +523,7 @@ impl Rays {
             && params.accumulation == Accumulation::Integral
             && grid.shape[0] > 1;
         if !in_columns {
-            return CachedEntries::SINGLE;
+            return CachedEntries::of_pixels(lights, params.rays_per_pixel, grid);
         }
         let (mut columns, mut pixels, mut rays) = (0, 0, 0);
         for light in lights {
@@ -536,7 +536,7 @@ impl Rays {
             * column_rays::BYTES[usize::from(!optics.iter().all(Optics::is_level))] as f64
             / matrix_cache::BYTES as f64;
         CachedEntries {
-            per_pixel: per_update * rays as f64,
+            per_pixel: matrix_cache::CROSSED * per_update * rays as f64,
             per_update,
         }
     }

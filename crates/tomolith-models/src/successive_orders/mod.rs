@@ -160,7 +160,7 @@ impl ModelFamily for Params {
     fn cost(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Result<Cost> {
         Ok(match scene.purpose {
             Purpose::Optimize if scene.unscattered_beyond_slices().is_some() => Cost {
-                cached_entries: Some(CachedEntries::SINGLE),
+                cached_entries: Some(CachedEntries::of_pixels(scene.lights, self.rays(), grid)),
                 ..Cost::default()
             },
             // Those of the cells are few

@@ -23,7 +23,7 @@ use super::dose::cache::RunCache;
 use super::dose::model_probe::try_orders;
 use super::dose::written::Written;
 use super::evaluate::evaluate_patterns;
-use super::optimize::checkpoint::keep;
+use super::optimize::checkpoint::{discard_best, keep};
 use super::optimize::{CheckpointPlan, Optimized, optimize};
 use super::output::files::{self, Done};
 use super::output::folder::{Leaves, RunFolder};
@@ -263,6 +263,7 @@ fn finish(done: &Done<'_>, folder: RunFolder, mut clock: Clock<'_>) -> Result<Su
     if done.leaves < Leaves::All && checkpoint.exists() {
         std::fs::remove_dir_all(&checkpoint).map_err(|e| Error::io(&checkpoint, e))?;
     }
+    discard_best(&checkpoint)?;
     Ok(summary)
 }
 

@@ -87,6 +87,15 @@ const KEPT: &str = "patterns.npz";
 /// How long writing them may take after a request to stop, which has waited for the step at hand already.
 const PATIENCE: Duration = Duration::from_millis(200);
 
+/// Removes what [`keep`] left of an earlier try, now that the run has ended well.
+pub(crate) fn discard_best(folder: &Path) -> Result<()> {
+    let path = folder.join(KEPT);
+    match std::fs::remove_file(&path) {
+        Err(e) if e.kind() != std::io::ErrorKind::NotFound => Err(Error::io(&path, e)),
+        _ => Ok(()),
+    }
+}
+
 /// Writes the best patterns of a run that did not end well; after a request to stop only if time suffices.
 pub(crate) fn keep(
     resolved: &ResolvedJob,

@@ -15,8 +15,6 @@ const BYTES_PER_VOXEL: f64 = 21.0;
 /// Dose as the model orders it and as an array, or the latter and what is derived from it (4 bytes each), labels and what metrics
 /// need at a time: 10 to 11 bytes measured at 512³ and 800³.
 const BYTES_PER_FINE_VOXEL: f64 = 12.0;
-/// Voxels that the light of a pixel meets in a plane of voxels.
-const VOXELS_PER_PLANE: f64 = 1.7;
 /// Raw, quantized and as levels.
 const BYTES_PER_PIXEL: f64 = 10.0;
 /// Weight, lower and upper end of the band, where they differ from voxel to voxel.
@@ -168,11 +166,11 @@ impl Extent {
         1.0 + self.scenarios as f64
     }
 
-    /// Bytes of stored rays: about 1.7 voxels of every voxel plane that a pixel's light crosses.
+    /// Bytes of stored rays.
     fn bytes_of_walks(&self) -> f64 {
         let planes = self.finest.shape.iter().copied().max().unwrap_or(0) as f64;
-        let ways = self.cached_entries.map_or(0.0, |walks| walks.per_pixel);
-        let entries = self.active_pixels as f64 * ways * VOXELS_PER_PLANE * planes;
+        let per_plane = self.cached_entries.map_or(0.0, |rays| rays.per_pixel);
+        let entries = self.active_pixels as f64 * per_plane * planes;
         let most = matrix_cache::MOST as f64;
         // It may turn out less than estimated
         if entries <= 2.0 * most {
@@ -374,12 +372,15 @@ pub(crate) mod tests {
         );
         // 500 pixels of 10 voxel planes
         let keeping = Extent {
-            cached_entries: Some(CachedEntries::SINGLE),
+            cached_entries: Some(CachedEntries {
+                per_pixel: 1.5,
+                per_update: 1.0,
+            }),
             cached_bytes: None,
             ..extent.clone()
         };
         let walks = keeping.optimization()[1] - pixels;
-        assert!((walks - 500.0 * 1.7 * 10.0 * 16.0 / 1e6).abs() < 1e-12);
+        assert!((walks - 500.0 * 1.5 * 10.0 * 16.0 / 1e6).abs() < 1e-12);
         // Two objectives with fields, and 4·10⁶ pixels of canvas that also go to a stack of two bytes each
         let larger = Extent {
             fields: 2,

@@ -88,6 +88,11 @@ fn a_request_to_stop_ends_the_stage_at_hand() {
         for name in ["report.json", "patterns.npz", "dose.npy", ".new"] {
             assert!(!folder.join(name).exists(), "{at}: {name}");
         }
+        if i == 3 {
+            super::run(&job, true, &mut Silent, &Run::new()).unwrap();
+            let left = folder.join("checkpoint/patterns.npz");
+            assert!(!left.exists() && folder.join("patterns.npz").exists());
+        }
     }
 }
 
