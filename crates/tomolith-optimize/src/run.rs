@@ -1,6 +1,6 @@
 //! The loop around an optimizer: stopping, history, observers, the best patterns, checkpoints.
 
-use super::checkpoint::{Checkpoints, Contents, DiskSpace, Saved};
+use super::checkpoint::{Checkpoint, Checkpoints, Contents, DiskSpace, Saved};
 use super::keep::{Keep, Keeper, KeptBy, KeptIterate};
 use super::{Counters, Gap, Optimizer, Position, Problem};
 use serde::{Deserialize, Serialize};
@@ -244,6 +244,22 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// That of a run which was canceled before its first loss.
+    fn of_nothing(counters: Counters) -> Self {
+        Outcome {
+            loss: f64::NAN,
+            kept: KeptIterate {
+                iteration: 0,
+                by: KeptBy::Last,
+            },
+            reason: StopReason::Canceled,
+            history: Vec::new(),
+            response: Vec::new(),
+            bound: None,
+            counters,
+        }
+    }
+
     /// How far the loss is from the lowest one, where that is known.
     #[must_use]
     pub fn gap(&self) -> Option<Gap> {
@@ -293,68 +309,13 @@ pub fn run_after<F: Field>(
     checkpoints: Option<&mut Checkpoints>,
     observers: &mut [&mut dyn Observer<F>],
 ) -> Result<Outcome> {
-    stop.validate()?;
-    optimizer.requirements().check(problem)?;
-    if stop.gap > 0.0 && !problem.has_lower_bound() {
-        return Err(Error::unsupported(
-            "stop.gap",
-            "how far a loss is from the lowest one is known for a linear model, a convex objective of the dose itself ([response.identity]) and pixels with a largest value (bounds.max); leave it out",
-        ));
-    }
-    let Some(mut state) = begin(
-        earlier,
-        problem,
-        optimizer,
-        x,
-        stop.keep,
-        checkpoints.as_deref(),
-    )?
-    else {
-        let history = Vec::new();
-        return Ok(Outcome {
-            loss: f64::NAN,
-            kept: KeptIterate {
-                iteration: 0,
-                by: KeptBy::Last,
-            },
-            reason: StopReason::Canceled,
-            history,
-            response: Vec::new(),
-            bound: None,
-            counters: problem.counters,
-        });
+    must_fit(problem, optimizer, stop)?;
+    let saved = checkpoints.as_deref();
+    let Some(mut state) = begin(earlier, problem, optimizer, x, stop.keep, saved)? else {
+        return Ok(Outcome::of_nothing(problem.counters));
     };
-    let mut checkpoints = checkpoints;
     problem.run().set_patient(true);
-    let result = loop {
-        match state.look_at_gap(problem, x, stop) {
-            Ok(()) => {}
-            Err(Error::Canceled) => break Ok(StopReason::Canceled),
-            Err(error) => break Err(error),
-        }
-        if let Some(reason) = state.reason_to_stop(problem, x, stop, observers) {
-            let keeps = |own: &&mut Checkpoints| reason == StopReason::Canceled || own.keeps_end();
-            if let Some(checkpoints) = checkpoints.as_deref_mut().filter(keeps) {
-                let memory = problem.model().renewal().and_then(Renewal::memory);
-                let saved = state.saved(problem, optimizer, x, memory.as_ref());
-                keep(checkpoints, saved, problem.run(), observers)?;
-            }
-            break Ok(reason);
-        }
-        match state.step(problem, optimizer, x) {
-            Ok(()) => {}
-            // A step that was broken into has lost the position: the last checkpoint stays
-            Err(Error::Canceled) => break Ok(StopReason::Canceled),
-            Err(error) => break Err(error),
-        }
-        if let Some(checkpoints) = checkpoints.as_deref_mut() {
-            let memory = problem.model().renewal().and_then(Renewal::memory);
-            let saved = state.saved(problem, optimizer, x, memory.as_ref());
-            if checkpoints.is_due(&saved) {
-                keep(checkpoints, saved, problem.run(), observers)?;
-            }
-        }
-    };
+    let result = state.iterate(problem, optimizer, x, stop, checkpoints, observers);
     problem.run().set_patient(false);
     if result.as_ref().is_ok_and(|r| *r != StopReason::Canceled) {
         // It comes after the last row, so its seconds are none of the loop's
@@ -382,6 +343,23 @@ pub fn run_after<F: Field>(
         bound: state.bound,
         counters: problem.counters,
     })
+}
+
+/// Whether this optimizer can solve this problem and stop as asked.
+fn must_fit<F: Field>(
+    problem: &Problem<F>,
+    optimizer: &dyn Optimizer<F>,
+    stop: &Stop,
+) -> Result<()> {
+    stop.validate()?;
+    optimizer.requirements().check(problem)?;
+    if stop.gap > 0.0 && !problem.has_lower_bound() {
+        return Err(Error::unsupported(
+            "stop.gap",
+            "how far a loss is from the lowest one is known for a linear model, a convex objective of the dose itself ([response.identity]) and pixels with a largest value (bounds.max); leave it out",
+        ));
+    }
+    Ok(())
 }
 
 /// Writes a checkpoint, and tells where there is no room for it.
@@ -429,41 +407,7 @@ fn begin<F: Field>(
     if let Some(mut checkpoint) = checkpoint {
         checkpoint.read_field("patterns", x)?;
         if checkpoint.contents() == Contents::All {
-            let mut dose = problem.model().new_dose()?;
-            checkpoint.read_field("dose", &mut dose)?;
-            let history = checkpoint.history().to_vec();
-            let done = history.last().map_or(0, |row| row.iteration);
-            let renewal = problem.model().renewal();
-            match renewal.and_then(|model| Some((model, model.memory()?))) {
-                Some((model, mut memory)) => {
-                    checkpoint.read_field("model", &mut memory)?;
-                    model.restore(&memory);
-                }
-                None => drop(problem.renew(done.max(1), x)?),
-            }
-            problem.set_response_values(history.last().map_or(&[], |row| &row.response))?;
-            let unknown = checkpoint.flags("unknown")?;
-            let at = problem.place_at(x, dose)?.with_unknown(unknown);
-            optimizer.restore(&mut checkpoint, problem, x)?;
-            problem.counters = checkpoint.counters();
-            let mut keeper = Keeper::new(problem, optimizer, keep, &at);
-            let mut best = None;
-            if checkpoint.has("best") {
-                let mut field = x.zeros_like();
-                checkpoint.read_field("best", &mut field)?;
-                best = Some(field);
-            }
-            keeper.resume(checkpoint.best(), best);
-            let before_s = history.last().map_or(0.0, |row| row.seconds);
-            return Ok(Some(State {
-                at,
-                history,
-                keeper,
-                begin,
-                before_s,
-                bound: None,
-                bound_at: None,
-            }));
+            return resume(checkpoint, problem, optimizer, x, (keep, begin)).map(Some);
         }
         if checkpoint.has("best") {
             checkpoint.read_field("best", x)?;
@@ -500,7 +444,92 @@ fn begin<F: Field>(
     Ok(Some(state))
 }
 
+/// The state of a checkpoint that has all of it; the patterns have been read.
+fn resume<F: Field>(
+    mut checkpoint: Checkpoint,
+    problem: &mut Problem<F>,
+    optimizer: &mut dyn Optimizer<F>,
+    x: &mut F,
+    (keep, begin): (Keep, Instant),
+) -> Result<State<F>> {
+    let mut dose = problem.model().new_dose()?;
+    checkpoint.read_field("dose", &mut dose)?;
+    let history = checkpoint.history().to_vec();
+    let done = history.last().map_or(0, |row| row.iteration);
+    let renewal = problem.model().renewal();
+    match renewal.and_then(|model| Some((model, model.memory()?))) {
+        Some((model, mut memory)) => {
+            checkpoint.read_field("model", &mut memory)?;
+            model.restore(&memory);
+        }
+        None => drop(problem.renew(done.max(1), x)?),
+    }
+    problem.set_response_values(history.last().map_or(&[], |row| &row.response))?;
+    let unknown = checkpoint.flags("unknown")?;
+    let at = problem.place_at(x, dose)?.with_unknown(unknown);
+    optimizer.restore(&mut checkpoint, problem, x)?;
+    problem.counters = checkpoint.counters();
+    let mut keeper = Keeper::new(problem, optimizer, keep, &at);
+    let mut best = None;
+    if checkpoint.has("best") {
+        let mut field = x.zeros_like();
+        checkpoint.read_field("best", &mut field)?;
+        best = Some(field);
+    }
+    keeper.resume(checkpoint.best(), best);
+    let before_s = history.last().map_or(0.0, |row| row.seconds);
+    Ok(State {
+        at,
+        history,
+        keeper,
+        begin,
+        before_s,
+        bound: None,
+        bound_at: None,
+    })
+}
+
 impl<F: Field> State<F> {
+    /// Steps until something stops the run; checkpoints of it where one is due.
+    fn iterate(
+        &mut self,
+        problem: &mut Problem<F>,
+        optimizer: &mut dyn Optimizer<F>,
+        x: &mut F,
+        stop: &Stop,
+        mut checkpoints: Option<&mut Checkpoints>,
+        observers: &mut [&mut dyn Observer<F>],
+    ) -> Result<StopReason> {
+        loop {
+            match self.look_at_gap(problem, x, stop) {
+                Err(Error::Canceled) => return Ok(StopReason::Canceled),
+                other => other?,
+            }
+            if let Some(reason) = self.reason_to_stop(problem, x, stop, observers) {
+                let is_canceled = reason == StopReason::Canceled;
+                let keeps = |own: &&mut Checkpoints| is_canceled || own.keeps_end();
+                if let Some(checkpoints) = checkpoints.as_deref_mut().filter(keeps) {
+                    let memory = problem.model().renewal().and_then(Renewal::memory);
+                    let saved = self.saved(problem, optimizer, x, memory.as_ref());
+                    keep(checkpoints, saved, problem.run(), observers)?;
+                }
+                return Ok(reason);
+            }
+            match self.step(problem, optimizer, x) {
+                // A step that was broken into has lost the position: the last checkpoint stays
+                Err(Error::Canceled) => return Ok(StopReason::Canceled),
+                other => other?,
+            }
+            if let Some(checkpoints) = checkpoints.as_deref_mut() {
+                let memory = problem.model().renewal().and_then(Renewal::memory);
+                let saved = self.saved(problem, optimizer, x, memory.as_ref());
+                if checkpoints.is_due(&saved) {
+                    keep(checkpoints, saved, problem.run(), observers)?;
+                }
+            }
+        }
+    }
+
     fn record(&mut self, problem: &Problem<F>, iteration: usize, step: Option<super::Step>) {
         self.history.push(Row {
             iteration,

@@ -119,7 +119,7 @@ pub fn report_json(data: &ReportData<'_>) -> Value {
         "lights": lights,
         "species": species,
         "one_exposure": data.one_exposure,
-        "time": data.time.iter().map(time_json).collect::<Vec<_>>(),
+        "time": data.time.iter().map(|time| time_json(time)).collect::<Vec<_>>(),
         "one_moment": data.one_moment,
         "properties": data.maps.iter().map(map_json).collect::<Vec<_>>(),
         "history": history,

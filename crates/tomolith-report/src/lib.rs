@@ -31,7 +31,7 @@ pub use objectives::ObjectiveReport;
 pub use scenarios::{ScenarioRow, ScenarioTable};
 pub use species::{OneExposure, OneMoment};
 use std::path::Path;
-pub use time::{TimePoint, TimeReport};
+pub use time::TimeReport;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Patterns, Volume};
 use tomolith_io::csv::HistoryRow;
@@ -191,7 +191,7 @@ pub struct ReportData<'a> {
     /// The same species at one exposure, where there are several.
     pub one_exposure: Option<&'a OneExposure>,
     /// The print in time, per network, where the job has a schedule.
-    pub time: Vec<TimeReport<'a>>,
+    pub time: Vec<&'a TimeReport>,
     /// The best moment of all networks, where there are several.
     pub one_moment: Option<OneMoment>,
     /// Properties of the printed material.

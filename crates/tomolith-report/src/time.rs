@@ -4,106 +4,106 @@ use super::number::{clock, significant, told_apart};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 use tomolith_core::grid::Volume;
+use tomolith_material::curves::{CurvePoint, IdealExposure, Phases};
 use tomolith_metrics::Evaluation;
-
-/// A moment of the print.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TimePoint {
-    /// Time, s.
-    pub seconds: f64,
-    /// Drive that was absorbed so far, mJ.
-    pub imbued_mj: f64,
-    /// The part of it in voxels that are solid, mJ.
-    pub contribution_mj: f64,
-    /// Contrast of the dose; NaN while all is the same.
-    pub contrast: f64,
-    /// The same as it is printed (S12): NaN where its low class is empty.
-    pub printed_contrast: f64,
-    /// Solid ∩ part over solid ∪ part.
-    pub jaccard: f64,
-    /// Solid share of part and of void.
-    pub solid: [f64; 2],
-    /// Energy that all lights have sent to the vial so far, mJ.
-    pub sent_mj: f64,
-}
 
 /// What a network becomes over time.
 #[derive(Clone, Debug)]
-pub struct TimeReport<'a> {
+pub struct TimeReport {
     /// Its name.
-    pub name: &'a str,
+    pub name: String,
     /// Moments, ascending.
-    pub points: Vec<TimePoint>,
+    pub points: Vec<CurvePoint>,
+    /// Energy that all lights have sent to the vial at each of these moments, mJ.
+    pub sent_mj: Vec<f64>,
     /// Least dose that makes the part solid, mJ; None where it depends on the power.
     pub requirement_mj: Option<f64>,
-    /// When the contribution meets it, s.
-    pub ideal_s: Option<f64>,
-    /// Largest share of it that was reached, where it never is.
-    pub reached: Option<f64>,
-    /// When the first voxel is solid, and when the Jaccard index is largest, s; None where nothing becomes solid.
-    pub phases_s: [Option<f64>; 2],
-    /// What is solid when the Jaccard index is largest.
-    pub evaluation: Option<&'a Evaluation>,
-    /// When each voxel became solid, s; NaN where it never did.
-    pub cure_times: Option<&'a Volume<f32>>,
+    /// When the contribution meets it.
+    pub ideal: IdealExposure,
+    /// When the first voxel is solid, and when the Jaccard index is largest.
+    pub phases: Phases,
+    /// What is solid then.
+    pub evaluation: Option<Evaluation>,
+    /// When each voxel became solid, s; ∞ where it never did.
+    pub cure_times: Volume<f32>,
     /// Degree of cure (1: solid) of some moments, s.
-    pub snapshots: &'a [(f64, Volume<f32>)],
+    pub snapshots: Vec<(f64, Volume<f32>)>,
 }
 
-impl TimeReport<'_> {
-    /// Largest Jaccard index.
-    fn best(&self) -> Option<&TimePoint> {
-        let at = self.phases_s[1]?;
-        self.points.iter().find(|point| point.seconds >= at)
+impl TimeReport {
+    /// The moment of the largest Jaccard index, and the energy that was sent by then, mJ.
+    #[must_use]
+    pub fn best(&self) -> Option<(&CurvePoint, f64)> {
+        let at = self.phases.curing_end_s?;
+        let mut moments = self.points.iter().zip(self.sent_mj.iter().copied());
+        moments.find(|(point, _)| point.seconds >= at)
+    }
+
+    /// When the contribution meets the requirement, s.
+    #[must_use]
+    pub fn ideal_s(&self) -> Option<f64> {
+        match self.ideal {
+            IdealExposure::At(seconds) => Some(seconds),
+            IdealExposure::NotReached(_) | IdealExposure::NoRequirement => None,
+        }
+    }
+
+    /// The largest share of the requirement that was reached, where it never is met.
+    #[must_use]
+    pub fn reached(&self) -> Option<f64> {
+        match self.ideal {
+            IdealExposure::NotReached(share) => Some(share),
+            IdealExposure::At(_) | IdealExposure::NoRequirement => None,
+        }
     }
 
     /// The window of times within which the Jaccard index is at most 0.01 below its largest, s.
     #[must_use]
     pub fn window_s(&self) -> Option<[f64; 2]> {
-        let least = self.best()?.jaccard - 0.01;
-        let good = |point: &&TimePoint| point.jaccard >= least;
+        let least = self.best()?.0.jaccard - 0.01;
+        let good = |point: &&CurvePoint| point.jaccard >= least;
         let first = self.points.iter().find(good)?;
         let last = self.points.iter().rfind(good)?;
         Some([first.seconds, last.seconds])
     }
-}
 
-/// One line per moment: `time.csv`.
-#[must_use]
-pub fn csv(points: &[TimePoint]) -> String {
-    let mut text =
-        "seconds,imbued_mj,contribution_mj,contrast,contrast_as_printed,jaccard,solid_part,solid_void,sent_mj\n"
-            .to_owned();
-    let number = |contrast: f64| match contrast.is_finite() {
-        true => contrast.to_string(),
-        false => String::new(),
-    };
-    for p in points {
-        let [contrast, printed] = [p.contrast, p.printed_contrast].map(number);
-        // Writing into a string cannot fail
-        let _ = writeln!(
-            text,
-            "{},{},{},{contrast},{printed},{},{},{},{}",
-            p.seconds, p.imbued_mj, p.contribution_mj, p.jaccard, p.solid[0], p.solid[1], p.sent_mj
-        );
+    /// One line per moment: `time.csv`.
+    #[must_use]
+    pub fn csv(&self) -> String {
+        let mut text =
+            "seconds,imbued_mj,contribution_mj,contrast,contrast_as_printed,jaccard,solid_part,solid_void,sent_mj\n"
+                .to_owned();
+        let number = |contrast: f64| match contrast.is_finite() {
+            true => contrast.to_string(),
+            false => String::new(),
+        };
+        for (p, sent_mj) in self.points.iter().zip(&self.sent_mj) {
+            let [contrast, printed] = [p.contrast, p.printed_contrast].map(number);
+            // Writing into a string cannot fail
+            let _ = writeln!(
+                text,
+                "{},{},{},{contrast},{printed},{},{},{},{sent_mj}",
+                p.seconds, p.imbued_mj, p.contribution_mj, p.jaccard, p.gelled[0], p.gelled[1]
+            );
+        }
+        text
     }
-    text
 }
 
-pub(super) fn time_json(time: &TimeReport<'_>) -> Value {
+pub(super) fn time_json(time: &TimeReport) -> Value {
     // What is not finite is null
-    let column = |of: fn(&TimePoint) -> f64| time.points.iter().map(of).collect::<Vec<_>>();
-    let evaluation = time.evaluation.map(super::json::evaluation_json);
+    let column = |of: fn(&CurvePoint) -> f64| time.points.iter().map(of).collect::<Vec<_>>();
+    let evaluation = time.evaluation.as_ref().map(super::json::evaluation_json);
     json!({
         "name": time.name,
-        "induction_end_s": time.phases_s[0],
-        "best_s": time.phases_s[1],
-        "best_jaccard": time.best().map(|p| p.jaccard),
-        "best_mj": time.best().map(|p| p.sent_mj),
+        "induction_end_s": time.phases.induction_end_s,
+        "best_s": time.phases.curing_end_s,
+        "best_jaccard": time.best().map(|(p, _)| p.jaccard),
+        "best_mj": time.best().map(|(_, mj)| mj),
         "window_s": time.window_s(),
-        "ideal_exposure_s": time.ideal_s,
+        "ideal_exposure_s": time.ideal_s(),
         "requirement_mj": time.requirement_mj,
-        "largest_share_of_requirement": time.reached,
+        "largest_share_of_requirement": time.reached(),
         "evaluation": evaluation.unwrap_or_default(),
         "curves": {
             "seconds": column(|p| p.seconds),
@@ -111,9 +111,9 @@ pub(super) fn time_json(time: &TimeReport<'_>) -> Value {
             "contribution_mj": column(|p| p.contribution_mj),
             "contrast": column(|p| p.contrast),
             "jaccard": column(|p| p.jaccard),
-            "solid_part": column(|p| p.solid[0]),
-            "solid_void": column(|p| p.solid[1]),
-            "sent_mj": column(|p| p.sent_mj),
+            "solid_part": column(|p| p.gelled[0]),
+            "solid_void": column(|p| p.gelled[1]),
+            "sent_mj": time.sent_mj,
         },
     })
 }
@@ -132,15 +132,16 @@ pub(super) fn in_minutes(seconds: f64) -> String {
     }
 }
 
-impl TimeReport<'_> {
+impl TimeReport {
     /// What happens when, in words.
     #[must_use]
     pub fn sentence(&self) -> String {
         let time = self;
         let s = |v: f64| significant(v, 3);
         let end = time.points.last().map_or(0.0, |p| p.seconds);
-        let (Some(begin), Some(best)) = (time.phases_s[0], time.best()) else {
-            let why = match time.reached {
+        let (Some(begin), Some((best, sent_mj))) = (time.phases.induction_end_s, time.best())
+        else {
+            let why = match time.reached() {
                 Some(share) if share >= 1.0 => format!(
                     "The part absorbs {} % of what it needs in all, but too unevenly, or so slowly that inhibitor flows back.",
                     s(100.0 * share)
@@ -159,7 +160,7 @@ impl TimeReport<'_> {
             s(begin),
             minutes(best.seconds),
             significant(best.jaccard, 4),
-            s(best.sent_mj),
+            s(sent_mj),
         );
         let window = time.window_s();
         if window.is_some_and(|[low, high]| low == high) {
@@ -182,22 +183,22 @@ impl TimeReport<'_> {
                 " The schedule ends there; more turns would show whether it gets better still.",
             );
         }
-        match (time.ideal_s, time.reached) {
-            (Some(ideal), _) => {
+        match time.ideal {
+            IdealExposure::At(ideal) => {
                 let _ = write!(
                     text,
                     " What solid voxels have absorbed meets what the part needs after {} (ideal exposure).",
                     minutes(ideal)
                 );
             }
-            (None, Some(share)) => {
+            IdealExposure::NotReached(share) => {
                 let _ = write!(
                     text,
                     " Solid voxels absorb at most {} % of what the part needs.",
                     s(100.0 * share)
                 );
             }
-            (None, None) => {}
+            IdealExposure::NoRequirement => {}
         }
         text
     }

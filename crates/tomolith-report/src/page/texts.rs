@@ -42,7 +42,7 @@ impl<'a> Texts<'a> {
             one_moment: data.one_moment.as_ref().map(crate::OneMoment::sentence),
             time: (data.time.iter())
                 .map(|network| Named {
-                    name: network.name,
+                    name: &network.name,
                     sentence: network.sentence(),
                 })
                 .collect(),

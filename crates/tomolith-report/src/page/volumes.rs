@@ -160,11 +160,11 @@ fn sources<'a>(data: &'a ReportData<'a>) -> Vec<Source<'a>> {
             .map(|bodies| Source::new("bodies", None, "bodies", bodies)),
     );
     for network in &data.time {
-        let name = (data.time.len() > 1).then_some(network.name);
-        all.extend(network.cure_times.map(|times| Source {
+        let name = (data.time.len() > 1).then_some(network.name.as_str());
+        all.push(Source {
             unit: "s",
-            ..Source::new("cure_time", name, "time of cure", times)
-        }));
+            ..Source::new("cure_time", name, "time of cure", &network.cure_times)
+        });
         all.extend(network.snapshots.iter().map(|(seconds, degree)| {
             let moment = format!("degree of cure after {} s", significant(*seconds, 3));
             Source {

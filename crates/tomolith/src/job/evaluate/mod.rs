@@ -13,6 +13,7 @@ pub(crate) mod objectives;
 pub(crate) mod prediction;
 pub(crate) mod property;
 pub(crate) mod scenarios;
+mod steps;
 pub mod trace;
 
 use crate::error::Result;
@@ -35,8 +36,8 @@ use crate::target::label;
 use contact::Contact;
 
 use in_time::{InTime, print_in_time};
-use limits::ENOUGH_BITS;
 use noise::Noise;
+use steps::{EvaluationSteps, OwnPrint};
 
 use serde::Serialize;
 use tomolith_core::parallel::InParallel;
@@ -191,44 +192,32 @@ pub(crate) fn evaluate_patterns(
     let (grid, sub_angles) = (steps.grid.clone(), steps.sub_angles);
     let stats = PatternStats::of(shown);
     let (doses, model) = steps.while_turning()?;
-    let mut of_publications = PublishedNumbers::default();
+    let mut published = None;
     let mut species = Vec::with_capacity(job.species.len());
-    for (s, ((own, fine), dose)) in job.species.iter().zip(fine).zip(doses).enumerate() {
+    for (s, (fine, dose)) in fine.into_iter().zip(doses).enumerate() {
         let mean = averaged(&dose, &job.grid);
         cancel.check()?;
-        let is_first = (s == 0, cancel);
-        let Measured {
-            response,
-            evaluation,
-            deviation,
-            published,
-        } = numbers((job, own), &fine, dose, (shown, stats), is_first)?;
+        let measured = numbers((job, s), &fine, dose, (shown, stats), cancel)?;
         cancel.check()?;
-        of_publications = published.unwrap_or(of_publications);
-        let evaluation = evaluation.with_sub_angles(sub_angles);
-        let head = evaluation.measures.get(headline(fine.target.gray).name);
-        let of_own = |own: &Option<OwnPrint>| match own.as_ref()? {
-            OwnPrint::Evaluated => at_best_threshold(job, &evaluation).or(head),
-            OwnPrint::Apart(measured) => measured[s],
-        };
+        let evaluation = measured.evaluation.with_sub_angles(sub_angles);
+        published = published.or(measured.published);
         species.push(SpeciesPrint {
-            written: of_own(&written),
-            own_turning: of_own(&own_turning),
+            written: headline_of(job, &written, s, (&evaluation, &fine)),
+            own_turning: headline_of(job, &own_turning, s, (&evaluation, &fine)),
             evaluation,
             optimization: optimization.get(s).cloned(),
             unrounded: unrounded.get(s).copied().flatten(),
             dose: mean,
             fine,
-            response,
-            deviation,
+            response: measured.response,
+            deviation: measured.deviation,
         });
     }
-    let (published, slices) = of_publications;
+    let (published, slices) = published.unwrap_or_default();
     let first = &species[0];
     let shares = job.keep_dark(&grid)?;
-    let of_shares =
-        |shares: &Volume<f32>| KeepDark::of(shares, &first.fine.labels, &first.response);
-    let keep_dark = shares.as_ref().map(of_shares);
+    let keep_dark = shares.as_ref();
+    let keep_dark = keep_dark.map(|of| KeepDark::of(of, &first.fine.labels, &first.response));
     let bodies = job.bodies(&grid, shares.as_ref())?;
     if let Some(dark) = &keep_dark {
         let text = format!("keep-dark bodies get {dark}");
@@ -239,14 +228,7 @@ pub(crate) fn evaluate_patterns(
         let inside = &first.fine.target.inside;
         Contact::of(job.shape(), inside, &first.response, threshold)
     });
-    let own = (&first.response, threshold);
-    let scenarios = scenarios::table(job, &first.fine.labels.values, own, |scenario| {
-        let turning = Exposed::new(&grid, scenario.optics.lights_turning(sub_angles));
-        let mut doses = Doses::new(job, &scenario.optics);
-        doses.will_show(&[shown]);
-        let (mut doses, _) = doses.of(&turning, shown, &cancel.aside())?;
-        Ok(job.first().goal.responses(doses.swap_remove(0)))
-    })?;
+    let scenarios = in_scenarios(job, shown, first, (&grid, sub_angles), cancel)?;
     let in_time = in_time(job, voxels, shown, progress, &printing)?;
     let noise = Noise::of(job, &voxels[0], shown, cancel)?;
     let agreement = CrossCheck::of(job, &voxels[0], shown, cross_check::PATHS, cancel)?;
@@ -274,6 +256,40 @@ pub(crate) fn evaluate_patterns(
         one_exposure,
         scenarios,
         warnings,
+    })
+}
+
+/// The headline number of a species' written patterns on the optimization's voxels, from the print that is evaluated where that is the same.
+fn headline_of(
+    job: &ResolvedJob,
+    print: &Option<OwnPrint>,
+    s: usize,
+    (evaluation, fine): (&Evaluation, &Voxels),
+) -> Measure {
+    match print.as_ref()? {
+        OwnPrint::Apart(measured) => measured[s],
+        OwnPrint::Evaluated => {
+            let head = headline(fine.target.gray).name;
+            at_best_threshold(job, evaluation).or(evaluation.measures.get(head))
+        }
+    }
+}
+
+/// What the patterns of the headline print in each scenario of the job.
+fn in_scenarios(
+    job: &ResolvedJob,
+    shown: &[Patterns],
+    print: &SpeciesPrint,
+    (grid, sub_angles): (&VolumeGrid, usize),
+    cancel: &Run,
+) -> Result<Option<ScenarioTable>> {
+    let own = (&print.response, print.evaluation.gel_threshold);
+    scenarios::table(job, &print.fine.labels.values, own, |scenario| {
+        let turning = Exposed::new(grid, scenario.optics.lights_turning(sub_angles));
+        let mut doses = Doses::new(job, &scenario.optics);
+        doses.will_show(&[shown]);
+        let (mut doses, _) = doses.of(&turning, shown, &cancel.aside())?;
+        Ok(job.first().goal.responses(doses.swap_remove(0)))
     })
 }
 
@@ -305,167 +321,6 @@ fn show(
     });
 }
 
-/// The headline number of the written patterns on the optimization's voxels.
-enum OwnPrint {
-    /// That of the print that is evaluated, which is the same.
-    Evaluated,
-    /// Measured apart, of every species.
-    Apart(Vec<Measure>),
-}
-
-/// The doses of an evaluation, one after the other, each measured before the next takes its memory: on the optimization's voxels as optimized, then
-/// turning, then on finer ones turning.
-struct EvaluationSteps<'a> {
-    job: &'a ResolvedJob,
-    shown: &'a [Patterns],
-    cancel: &'a Run,
-    /// The finer voxels.
-    grid: VolumeGrid,
-    own: Exposed,
-    own_turning: Exposed,
-    turning: Exposed,
-    sub_angles: usize,
-    doses: Doses<'a>,
-}
-
-impl<'a> EvaluationSteps<'a> {
-    fn new(
-        job: &'a ResolvedJob,
-        shown: &'a [Patterns],
-        evaluation_model: Option<&'a EvaluationModel>,
-        cancel: &'a Run,
-    ) -> Self {
-        let sub_angles = job.evaluated_angles();
-        let grid = job.fine_grid();
-        let [own_turning, turning] = [&job.grid, &grid]
-            .map(|grid| Exposed::new(grid, job.optics.lights_turning(sub_angles)));
-        EvaluationSteps {
-            job,
-            shown,
-            cancel,
-            own: Exposed::new(&job.grid, job.optics.lights.clone()),
-            grid,
-            own_turning,
-            turning,
-            sub_angles,
-            doses: Doses::new(job, &job.optics).by(evaluation_model),
-        }
-    }
-
-    fn words(&self) -> String {
-        let [nz, ny, nx] = self.grid.shape;
-        let how = match self.sub_angles {
-            1 => "the vial stands still during each frame".to_owned(),
-            n => format!("turning ({n} angles per frame)"),
-        };
-        format!("evaluating on {nx} × {ny} × {nz} voxels: {how}")
-    }
-
-    /// The raw patterns on the optimization's voxels, of every species, where there are raw ones.
-    fn unwritten(
-        &mut self,
-        voxels: &[Voxels],
-        raw: Option<&[Patterns]>,
-    ) -> Result<(Vec<Evaluation>, Vec<ObjectiveReport>)> {
-        let Some(raw) = raw else {
-            self.doses.will_show(&[self.shown]);
-            return Ok((Vec::new(), Vec::new()));
-        };
-        let (job, cancel) = (self.job, self.cancel);
-        self.doses.will_show(&[raw, self.shown]);
-        let (doses, _) = (self.doses).of(&self.own, raw, &cancel.part(share::OWN_DOSE))?;
-        let objectives = objectives::measured(job, &voxels[0], &doses[0])?;
-        cancel.check()?;
-        let stats = PatternStats::of(raw);
-        let sub_angles = job.optics.lights.iter().map(|light| light.sub_angles);
-        let sub_angles = sub_angles.max().unwrap_or(1);
-        let each = job.species.iter().zip(voxels).zip(doses);
-        let each = each.map(|((own, voxels), dose)| {
-            let response = own.goal.responses(dose);
-            let run = cancel.part(share::OWN_NUMBERS / job.species.len() as f64);
-            let print = print((job, own), voxels, &response, run.part(1.0))?.with_patterns(stats);
-            let evaluation = evaluate(&print);
-            // Numbers of a canceled run mean nothing
-            run.check()?;
-            Ok(evaluation.with_sub_angles(sub_angles))
-        });
-        Ok((each.collect::<Result<_>>()?, objectives))
-    }
-
-    /// The written patterns on the optimization's voxels: as optimized, and while the vial turns, where the optimization did not count that.
-    fn on_own_voxels(&mut self, voxels: &[Voxels], has_raw: bool) -> Result<[Option<OwnPrint>; 2]> {
-        let misses_turning = self.job.misses_turning();
-        let written = (has_raw || misses_turning)
-            .then(|| self.own_print(self.own.clone(), voxels))
-            .transpose()?;
-        if has_raw && self.own != self.turning {
-            self.doses.will_show(&[self.shown]);
-        }
-        let turning = misses_turning
-            .then(|| self.own_print(self.own_turning.clone(), voxels))
-            .transpose()?;
-        Ok([written, turning])
-    }
-
-    fn own_print(&mut self, exposed: Exposed, voxels: &[Voxels]) -> Result<OwnPrint> {
-        if exposed == self.turning {
-            return Ok(OwnPrint::Evaluated);
-        }
-        let run = self.cancel.part(share::OWN_DOSE);
-        let (doses, _) = self.doses.of(&exposed, self.shown, &run)?;
-        let measured = self.headlines(voxels, doses, share::OWN_NUMBERS)?;
-        Ok(OwnPrint::Apart(measured))
-    }
-
-    fn fine_voxels(&self, own: &[Voxels]) -> Result<Vec<Voxels>> {
-        if self.grid == self.job.grid {
-            return Ok(own.to_vec());
-        }
-        (self.job).voxels(&self.grid, &self.cancel.part(share::SAMPLING))
-    }
-
-    /// The headline numbers of raw patterns on the finer voxels, turning, where the written ones have few levels and targets are not gray.
-    fn unrounded(&mut self, fine: &[Voxels], raw: Option<&[Patterns]>) -> Result<Vec<Measure>> {
-        let is_gray = fine.iter().any(|own| own.target.gray);
-        let has_few = self.job.evaluation().bit_depth < ENOUGH_BITS && !is_gray;
-        let Some(raw) = raw.filter(|_| has_few) else {
-            return Ok(Vec::new());
-        };
-        self.doses.will_show(&[raw, self.shown]);
-        let (doses, _) = (self.doses).of(&self.turning, raw, &self.cancel.aside())?;
-        let found = self.headlines(fine, doses, 0.0)?;
-        self.doses.will_show(&[self.shown]);
-        Ok(found)
-    }
-
-    /// The doses of the written patterns while the vial turns, and the model that gave them.
-    fn while_turning(mut self) -> Result<(Vec<Volume<f32>>, String)> {
-        let run = self.cancel.part(share::TURNING);
-        (self.doses).of(&self.turning, self.shown, &run)
-    }
-
-    /// The headline number of every species, at the best threshold.
-    fn headlines(
-        &self,
-        voxels: &[Voxels],
-        doses: Vec<Volume<f32>>,
-        share: f64,
-    ) -> Result<Vec<Measure>> {
-        let job = self.job;
-        let each = job.species.iter().zip(voxels).zip(doses);
-        let each = each.map(|((own, voxels), dose)| {
-            let response = own.goal.responses(dose);
-            let run = self.cancel.part(share / job.species.len() as f64);
-            let print = print((job, own), voxels, &response, run)?;
-            Ok(match print.best() {
-                Some(best) if !voxels.target.gray => Some(best.iou),
-                _ => (headline(voxels.target.gray).measure)(&print),
-            })
-        });
-        each.collect()
-    }
-}
-
 /// Numbers as they were published, and those of each slice.
 type PublishedNumbers = (Vec<Published>, Vec<Slice>);
 
@@ -479,12 +334,13 @@ struct Measured {
 
 /// Measures a print; of the first one its surface and the numbers of publications, too.
 fn numbers(
-    (job, species): (&ResolvedJob, &Species),
+    (job, s): (&ResolvedJob, usize),
     fine: &Voxels,
     dose: Volume<f32>,
     (shown, stats): (&[Patterns], PatternStats),
-    (is_first, cancel): (bool, &Run),
+    cancel: &Run,
 ) -> Result<Measured> {
+    let (species, is_first) = (&job.species[s], s == 0);
     let material = species.goal.response.as_ref();
     let options = published::Options {
         response: material,

@@ -6,30 +6,28 @@ pub(crate) mod finest;
 pub(crate) mod gray_levels;
 pub(crate) mod rehearsal;
 pub(crate) mod row_balance;
+mod search;
 pub(crate) mod stage;
 pub(crate) mod start;
 pub(crate) mod task;
 pub(crate) mod watch;
 
-use crate::error::{Error, Result};
-use crate::grid::{PatternGrid, Patterns};
-use crate::job::dose::cache;
+use crate::error::Result;
+use crate::grid::Patterns;
 use crate::job::dose::cache::RunCache;
-use crate::job::dose::doses::Exposed;
-use crate::job::progress::{Event, Progress};
+use crate::job::progress::Progress;
 use crate::job::resolve::free_parameters::FoundResponse;
 use crate::job::resolve::identity::fingerprint;
-use crate::job::resolve::{ResolvedJob, Voxels, at_section};
+use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::models::Run;
 use crate::objective::FoundWindow;
-use crate::optimize::start::given::Given;
 use crate::optimize::{Checkpoints, Outcome, Row, StopReason};
 use ceiling::FoundCeiling;
 pub(crate) use ceiling::iterations as iterations_of_ceiling;
-use checkpoint::{begin_anew, keep, lost, resumes, tables};
+use checkpoint::{resumes, tables};
 use gray_levels::Levelled;
+use search::Search;
 pub(crate) use stage::Stage;
-use stage::{EndOfLevel, SoFar};
 use std::path::Path;
 use watch::idle;
 
@@ -100,144 +98,36 @@ pub(crate) fn optimize(
     progress: &mut dyn Progress,
     cancel: &Run,
 ) -> Result<Optimized> {
-    let (mut checkpoints, resumed) = open_checkpoints(job, voxels, plan, progress)?;
-    let key = cache::key(job, &voxels[0])?;
-    let mut evaluation_model = cache.take(key);
-    let mut carried: Option<Vec<Patterns>> = None;
-    let (mut bounds, mut of_start) = (Vec::new(), Vec::new());
-    let mut pixels: Option<Vec<&PatternGrid>> = None;
-    let mut sofar = SoFar::default();
-    let of_run = (&mut checkpoints, resumed.is_some());
-    let mut ceiling = ceiling::find_once(job, voxels, of_run, cancel)?;
-    if let Some(found) = &ceiling {
-        let text = found.report.sentence();
-        progress.event(&Event::Note { text });
-    }
-    let own_levels = job.own_levels();
-    for (i, (level, own_level)) in job.levels.iter().zip(own_levels.as_ref()).enumerate() {
-        let is_last = i + 1 == job.levels.len();
-        let stage = Stage::new(
-            job,
-            voxels,
-            own_level,
-            evaluation_model.take(),
-            progress,
-            cancel,
-        );
-        let stage = job.agreed(stage)?;
-        let mut stage = stage.shared(job);
-        if i == 0 {
-            let text = stage.reason.clone();
-            progress.event(&Event::Note { text });
-        }
-        let mut start = None;
-        let own = level.lights.iter().map(|light| &light.pixels).collect();
-        if pixels.as_ref() != Some(&own) {
-            let given = job.own_start(level)?;
-            let parts = (&mut *cache, key);
-            let brightens = resumed.is_none();
-            let first = stage.first_patterns(job, given.as_ref(), brightens, parts, cancel)?;
-            (bounds, sofar.first_loss) = (first.bounds, first.loss);
-            of_start.clone_from(&bounds);
-            let mut x = first.patterns;
-            if let Some(found) = &ceiling {
-                found.lower(&mut bounds, level);
-                start::clip(&mut x, stage.model.patterns(), &bounds)?;
-            }
-            let goes_on = ceiling.as_mut().filter(|_| i == 0 && resumed.is_none());
-            if let Some(found) = goes_on.and_then(FoundCeiling::take_patterns) {
-                let is_closer;
-                (x, is_closer) = stage.closer(job, (x, &bounds), found, cancel)?;
-                if is_closer {
-                    sofar.rows = vec![Row::at(job.stop().iterations / ceiling::SHARE)];
-                }
-            }
-            (start, pixels) = (Some(x), Some(own));
-        }
+    let (checkpoints, resumed) = open_checkpoints(job, voxels, plan, progress)?;
+    let mut search = Search::begin(
+        (job, voxels),
+        (checkpoints, resumed),
+        cache,
+        progress,
+        cancel,
+    )?;
+    let shares = job.own_levels();
+    for (i, (level, share)) in job.levels.iter().zip(shares.as_ref()).enumerate() {
+        let stage = search.stage(i, share)?;
+        let start = search.start(i, level, &stage)?;
         if resumed.is_some_and(|at| i < at) {
             // Its rows stand in the checkpoint, or, with patterns alone, nowhere: the next level still begins where this one ended
-            sofar.rows = vec![Row::at(level.until)];
+            search.sofar.rows = vec![Row::at(level.until)];
             continue;
         }
-        let mut x = match (carried.take(), start) {
-            (None, Some(x)) => x,
-            (None, None) => stage.model.new_patterns()?,
-            (Some(raw), _) => {
-                let given = Given(job.own_patterns(level, raw));
-                let mut x = stage.start(job, &given, cancel)?;
-                start::clip(&mut x, stage.model.patterns(), &bounds)?;
-                x
-            }
-        };
-        checkpoints.begin_level(i);
-        if let Some(shares) = job.shares(level, stage.model.patterns()) {
-            checkpoints.share(shares);
+        let mut x = search.patterns(level, &stage, start)?;
+        let ran = search.run(i, level, &stage, &mut x);
+        let ran = ran.map(|outcome| match outcome.reason {
+            StopReason::Canceled => None,
+            _ => Some(outcome),
+        });
+        let is_last = i + 1 == job.levels.len();
+        let goes_on = !is_last && matches!(ran, Ok(Some(_)));
+        let raw = job.whole_patterns(level, stage.patterns(&mut x), goes_on);
+        match ran {
+            Ok(Some(outcome)) if goes_on => search.carry(outcome, raw),
+            ran => return search.end(stage, ran, (&x, raw), plan.folder),
         }
-        let ran = stage.run_and_widen(
-            job,
-            (&mut x, &bounds),
-            &mut checkpoints,
-            &mut sofar,
-            progress,
-            cancel,
-        );
-        let ran = match (ran, &mut ceiling) {
-            (Ok(outcome), Some(found))
-                if is_last && outcome.reason != StopReason::Canceled && found.is_lower() =>
-            {
-                let ended = finest::Ended {
-                    x: &mut x,
-                    bounds: &mut bounds,
-                    highest: &of_start,
-                    outcome,
-                };
-                finest::settle(&stage, job, ended, found, &mut sofar, progress, cancel)
-            }
-            (ran, _) => ran,
-        };
-        let goes_on = matches!(&ran, Ok(outcome) if outcome.reason != StopReason::Canceled);
-        let raw = stage.patterns(&mut x);
-        let raw = job.whole_patterns(level, raw, goes_on && !is_last);
-        let ended = match ran {
-            Ok(outcome) if outcome.reason == StopReason::Canceled => Err(Error::Canceled),
-            Ok(outcome) if is_last => {
-                let end = stage.end(job, &outcome, (&x, &bounds), &raw, progress, cancel);
-                end.map(|end| (outcome, end))
-            }
-            Ok(outcome) => {
-                sofar.rows = outcome.history;
-                sofar.counters = outcome.counters;
-                carried = Some(raw);
-                continue;
-            }
-            // A checkpoint that does not fit: nothing was done
-            Err(error @ Error::Format { .. }) => return Err(begin_anew(error)),
-            Err(error) => Err(error),
-        };
-        return match ended {
-            Ok((outcome, end)) => {
-                // One that leaves pixels dark does not give the doses of all patterns
-                let exposed = Exposed::new(&stage.level.grid, stage.level.lights.clone());
-                let key = key.filter(|_| stage.dark.is_empty());
-                cache.put(key, exposed, &stage.model, &stage.reason);
-                Ok(optimized(
-                    job,
-                    stage,
-                    (raw, outcome, end),
-                    (sofar, ceiling),
-                    progress,
-                ))
-            }
-            Err(error) => {
-                match &error {
-                    Error::Device { .. } => lost(plan.folder, progress),
-                    // Refused before the first step
-                    Error::Unsupported { what, .. } if what.starts_with("stop.") => {}
-                    _ => keep(job, &raw, plan.folder, progress, cancel)?,
-                }
-                Err(at_section("optimizer", error))
-            }
-        };
     }
     unreachable!("a job has a level")
 }
@@ -267,37 +157,6 @@ fn open_checkpoints(
         checkpoints.leave_out_end();
     }
     Ok((checkpoints, resumed))
-}
-
-/// The result of an optimization; its warnings have been sent.
-fn optimized(
-    job: &ResolvedJob,
-    stage: Stage<'_>,
-    (raw, outcome, end): (Vec<Patterns>, Outcome, EndOfLevel),
-    (sofar, ceiling): (SoFar, Option<FoundCeiling>),
-    progress: &mut dyn Progress,
-) -> Optimized {
-    let mut warnings = sofar.warnings;
-    let at_end = warnings_at_end(job, &outcome, end.window.as_ref(), stage.found.as_ref());
-    let of_ceiling = ceiling.as_ref().and_then(|found| found.report.warning());
-    for text in at_end.into_iter().chain(of_ceiling) {
-        warnings.push(text.clone());
-        progress.event(&Event::Warning { text });
-    }
-    Optimized {
-        raw: end.levelled.unwrap_or(raw),
-        levels: end.levels,
-        levels_s: end.seconds,
-        outcome,
-        updates: stage.model.updates(),
-        model: stage.reason,
-        metrics_s: sofar.metrics_s,
-        window: end.window,
-        found: stage.found,
-        ceiling,
-        wider: sofar.wider,
-        warnings,
-    }
 }
 
 /// What people should know of how an optimization ended: that it did nothing, what its process window falls short of, and that a parameter

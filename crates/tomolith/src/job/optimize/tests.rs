@@ -165,7 +165,7 @@ fn raised_from(share: f64) -> (usize, f64, f64) {
     let mut bounds = highest.clone();
     bounds[0].max *= share;
     start::clip(&mut x, stage.model.patterns(), &bounds).unwrap();
-    let sofar = &mut SoFar::default();
+    let sofar = &mut stage::SoFar::default();
     let asked = (&resolved, 0, level.until);
     let outcome = stage.run(asked, (&mut x, &bounds), None, sofar, silent, &run);
     let ended = finest::Ended {

@@ -14,7 +14,7 @@ use crate::io::vti::write_vti;
 use crate::io::write_text;
 use crate::job::dose::written::Written;
 use crate::job::evaluate::doubts::of_bound;
-use crate::job::evaluate::in_time::{InTime, NetworkInTime};
+use crate::job::evaluate::in_time::InTime;
 use crate::job::evaluate::light_paths::scene;
 use crate::job::evaluate::limits::limits;
 use crate::job::evaluate::property::{Property, properties};
@@ -24,6 +24,7 @@ use crate::job::optimize::gray_levels::sentence;
 use crate::job::optimize::stage::goal_of;
 use crate::job::output::folder::Leaves;
 use crate::job::progress::{Event, Progress, left_out};
+use crate::job::resolve::free_parameters::FoundResponse;
 use crate::job::resolve::{ResolvedJob, Species, Voxels};
 use crate::job::spec::file_names::of_network;
 use crate::job::spec::read::Job;
@@ -37,15 +38,14 @@ use crate::models::Run;
 use crate::optimize::{Row, relative_gradient};
 use crate::report::{
     CeilingReport, ExposureWindow, LightReport, MapReport, MovieReport, OneExposure, PrintLimits,
-    ReportData, SpeciesReport, TimePoint, TimeReport, Timing, gap_sentence, time, write_html,
-    write_json, write_print,
+    ReportData, SpeciesReport, TimeReport, Timing, gap_sentence, write_html, write_json,
+    write_print,
 };
 use crate::units::concise;
 use serde_json::json;
 use std::borrow::Cow;
 use std::panic::resume_unwind;
 use std::path::Path;
-use tomolith_material::curves::{CurvePoint, IdealExposure};
 
 /// Everything there is at the end of a run.
 pub(crate) struct Done<'a> {
@@ -365,32 +365,9 @@ fn report(
     let Done {
         job,
         resolved,
-        patterns,
         evaluated,
         ..
     } = done;
-    let lights = patterns
-        .shown
-        .iter()
-        .zip(exposures.lights())
-        .zip(
-            resolved
-                .optics
-                .lights
-                .iter()
-                .zip(resolved.names_of_lights()),
-        )
-        .map(|((shown, exposure), (light, name))| LightReport {
-            name: name.unwrap_or(""),
-            patterns: shown,
-            bits: exposure.bits,
-            full_scale: exposure.white,
-            wavelength_nm: Some(light.wavelength_nm),
-            canvas: exposure.canvas,
-            budget: exposure.budget,
-            irradiance: exposure.irradiance,
-        })
-        .collect();
     let first = evaluated.first();
     let found = done.optimized.as_ref().and_then(|o| o.found.as_ref());
     let found_ceiling = done.optimized.as_ref().and_then(|o| o.ceiling.as_ref());
@@ -404,7 +381,7 @@ fn report(
         models: made.models,
         exposure: headline.exposures.first().and_then(Option::as_ref),
         limits: &headline.limits[0],
-        lights,
+        lights: lights(done, exposures.lights()),
         labels: &first.fine.labels,
         response: &first.response,
         inside: Some(&first.fine.target.inside),
@@ -453,47 +430,31 @@ fn report(
     write_html(&folder.join("report.html"), &data)
 }
 
-/// The print in time of every network.
-fn time<'a>(done: &'a Done<'_>) -> Vec<TimeReport<'a>> {
-    let networks = done
-        .evaluated
-        .in_time
-        .iter()
-        .flat_map(|time| &time.networks);
-    let of = |network: &'a NetworkInTime| {
-        let (ideal_s, reached) = match network.ideal {
-            IdealExposure::At(seconds) => (Some(seconds), None),
-            IdealExposure::NotReached(share) => (None, Some(share)),
-            IdealExposure::NoRequirement => (None, None),
-        };
-        TimeReport {
-            name: &network.name,
-            points: time_points(network),
-            requirement_mj: network.requirement_mj,
-            ideal_s,
-            reached,
-            phases_s: [network.phases.induction_end_s, network.phases.curing_end_s],
-            evaluation: network.evaluation.as_ref(),
-            cure_times: Some(&network.cure_times),
-            snapshots: &network.snapshots,
-        }
-    };
-    networks.map(of).collect()
+fn lights<'a>(done: &'a Done<'_>, exposures: &[ShownLight]) -> Vec<LightReport<'a>> {
+    let shown = done.patterns.shown.iter().zip(exposures);
+    let lights = done.resolved.optics.lights.iter();
+    let named = lights.zip(done.resolved.names_of_lights());
+    let mut reports = Vec::with_capacity(exposures.len());
+    for ((patterns, exposure), (light, name)) in shown.zip(named) {
+        reports.push(LightReport {
+            name: name.unwrap_or(""),
+            patterns,
+            bits: exposure.bits,
+            full_scale: exposure.white,
+            wavelength_nm: Some(light.wavelength_nm),
+            canvas: exposure.canvas,
+            budget: exposure.budget,
+            irradiance: exposure.irradiance,
+        });
+    }
+    reports
 }
 
-fn time_points(network: &NetworkInTime) -> Vec<TimePoint> {
-    let of = |(p, &sent_mj): (&CurvePoint, &f64)| TimePoint {
-        seconds: p.seconds,
-        imbued_mj: p.imbued_mj,
-        contribution_mj: p.contribution_mj,
-        contrast: p.contrast,
-        printed_contrast: p.printed_contrast,
-        jaccard: p.jaccard,
-        solid: p.gelled,
-        sent_mj,
-    };
-    let moments = network.points.iter().zip(&network.sent_mj);
-    moments.map(of).collect()
+/// The print in time of every network.
+fn time<'a>(done: &'a Done<'_>) -> Vec<&'a TimeReport> {
+    let in_time = done.evaluated.in_time.iter();
+    let networks = in_time.flat_map(|in_time| &in_time.networks);
+    networks.map(|network| &network.report).collect()
 }
 
 /// The files of the print in time: curves, when each voxel becomes solid, and a movie of the middle slice.
@@ -510,12 +471,12 @@ fn write_time(
     for network in &in_time.networks {
         let end = match in_time.networks.len() {
             1 => String::new(),
-            _ => of_network(&network.name),
+            _ => of_network(&network.report.name),
         };
-        let text = time::csv(&time_points(network));
+        let text = network.report.csv();
         write_text(&new.join(format!("time{end}.csv")), &text)?;
         let file = new.join(format!("cure_time{end}.npy"));
-        write_volume(&file, &network.cure_times, &run.aside())?;
+        write_volume(&file, &network.report.cure_times, &run.aside())?;
         if done.resolved.showing().has_movie() {
             let movie = network.write_movie(&new.join(format!("print{end}.mp4")), run);
             left_out(MOVIE_IN_TIME, movie, progress, warnings)?;
@@ -678,34 +639,7 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
         ("Frames", resolved.extent.frames.to_string()),
     ]);
     if let Some(optimized) = optimized {
-        let seconds = optimized.outcome.counters.model_s.max(1e-9);
-        let calls = optimized.outcome.counters.forward + optimized.outcome.counters.adjoint;
-        let speed = large(calls as f64 * optimized.updates as f64 / seconds);
-        facts.push(("Optimizer", resolved.method.name().to_owned()));
-        let (kept, history) = (optimized.outcome.kept, &optimized.outcome.history);
-        let last = history.last().map_or(0, |row| row.iteration);
-        if kept.iteration != last {
-            facts.push(("Kept", earlier(kept, last)));
-        }
-        let bits = resolved.evaluation().bit_depth;
-        let levels = optimized.levels.as_ref();
-        facts.extend(known([
-            (
-                "Lowest loss",
-                optimized.outcome.gap().and_then(gap_sentence),
-            ),
-            ("Process window", optimized.window.map(|w| w.sentence())),
-            (
-                "Response found",
-                optimized.found.as_ref().map(|f| f.sentence()),
-            ),
-            ("Levels", levels.map(|levels| sentence(bits, &levels.gain))),
-        ]));
-        facts.push(("Model", optimized.model.clone()));
-        facts.push((
-            "Speed",
-            format!("{speed}voxel-angle updates per second, with those that searches leave out"),
-        ));
+        facts.extend(facts_of_optimization(resolved, optimized));
     }
     if let Some(source) = source {
         facts.push(("Patterns from", source.display().to_string()));
@@ -737,6 +671,34 @@ fn facts(done: &Done<'_>) -> Vec<(String, String)> {
         .into_iter()
         .map(|(name, text)| (name.to_owned(), text))
         .collect()
+}
+
+/// How the patterns were found.
+fn facts_of_optimization(
+    resolved: &ResolvedJob,
+    optimized: &Optimized,
+) -> Vec<(&'static str, String)> {
+    let outcome = &optimized.outcome;
+    let seconds = outcome.counters.model_s.max(1e-9);
+    let calls = outcome.counters.forward + outcome.counters.adjoint;
+    let speed = large(calls as f64 * optimized.updates as f64 / seconds);
+    let mut facts = vec![("Optimizer", resolved.method.name().to_owned())];
+    let last = outcome.history.last().map_or(0, |row| row.iteration);
+    if outcome.kept.iteration != last {
+        facts.push(("Kept", earlier(outcome.kept, last)));
+    }
+    let bits = resolved.evaluation().bit_depth;
+    let (found, levels) = (optimized.found.as_ref(), optimized.levels.as_ref());
+    facts.extend(known([
+        ("Lowest loss", outcome.gap().and_then(gap_sentence)),
+        ("Process window", optimized.window.map(|w| w.sentence())),
+        ("Response found", found.map(FoundResponse::sentence)),
+        ("Levels", levels.map(|levels| sentence(bits, &levels.gain))),
+    ]));
+    facts.push(("Model", optimized.model.clone()));
+    let what = "voxel-angle updates per second, with those that searches leave out";
+    facts.push(("Speed", format!("{speed}{what}")));
+    facts
 }
 
 /// Date and time, UTC.

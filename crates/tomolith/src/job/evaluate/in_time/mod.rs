@@ -16,14 +16,12 @@ use crate::io::mp4::write_movie;
 use crate::job::dose::in_time::Shown;
 use crate::job::resolve::scheduled::sent_mj;
 use crate::job::resolve::{ResolvedJob, Voxels};
-use crate::metrics::Evaluation;
 use crate::models::Run;
-use crate::report::OneMoment;
 use crate::report::number::significant;
+use crate::report::{OneMoment, TimeReport};
 use serde::Serialize;
 use std::path::Path;
 use tomolith_material::Material;
-use tomolith_material::curves::{CurvePoint, IdealExposure, Phases};
 use watch::Watched;
 
 /// What a network becomes over time.
@@ -98,19 +96,7 @@ pub(crate) struct InTime {
 
 /// What a network becomes.
 pub(crate) struct NetworkInTime {
-    pub(crate) name: String,
-    pub(crate) points: Vec<CurvePoint>,
-    /// Energy that all lights have sent to the vial at each of these moments, mJ.
-    pub(crate) sent_mj: Vec<f64>,
-    pub(crate) requirement_mj: Option<f64>,
-    pub(crate) ideal: IdealExposure,
-    pub(crate) phases: Phases,
-    /// What is solid then, measured.
-    pub(crate) evaluation: Option<Evaluation>,
-    /// When each voxel gels, s; ∞ where it does not.
-    pub(crate) cure_times: Volume<f32>,
-    /// Degree of cure (1 at the gel point) over time.
-    pub(crate) snapshots: Vec<(f64, Volume<f32>)>,
+    pub(crate) report: TimeReport,
     /// Labels of the same voxels.
     pub(crate) labels: Volume<u8>,
     /// The middle slice at every moment: brightness up to the gel point, white beyond it.
@@ -120,24 +106,16 @@ pub(crate) struct NetworkInTime {
 impl InTime {
     /// The closing lines about every network.
     pub(crate) fn summary(&self) -> Vec<TimeSummary> {
-        let of = |network: &NetworkInTime| {
-            let best_s = network.phases.curing_end_s;
-            let mut moments = network.points.iter().zip(&network.sent_mj);
-            let best = best_s.and_then(|best| moments.find(|(p, _)| p.seconds >= best));
+        let of = |NetworkInTime { report, .. }: &NetworkInTime| {
+            let best = report.best();
             TimeSummary {
-                name: network.name.clone(),
-                induction_end_s: network.phases.induction_end_s,
-                best_s,
+                name: report.name.clone(),
+                induction_end_s: report.phases.induction_end_s,
+                best_s: report.phases.curing_end_s,
                 best_jaccard: best.map(|(p, _)| p.jaccard),
-                best_mj: best.map(|(_, mj)| *mj),
-                ideal_exposure_s: match network.ideal {
-                    IdealExposure::At(seconds) => Some(seconds),
-                    _ => None,
-                },
-                largest_share: match network.ideal {
-                    IdealExposure::NotReached(share) => Some(share),
-                    _ => None,
-                },
+                best_mj: best.map(|(_, mj)| mj),
+                ideal_exposure_s: report.ideal_s(),
+                largest_share: report.reached(),
             }
         };
         self.networks.iter().map(of).collect()
@@ -146,13 +124,13 @@ impl InTime {
     /// The best moment of several networks.
     pub(crate) fn together(&self) -> Option<OneMoment> {
         let of = |network: &NetworkInTime| {
-            let points = network.points.iter();
+            let points = network.report.points.iter();
             points.map(|p| [p.seconds, p.jaccard]).collect()
         };
         let networks = self.networks.iter();
         let curves: Vec<(&str, Vec<[f64; 2]>)> =
-            networks.map(|n| (n.name.as_str(), of(n))).collect();
-        let first = self.networks.first()?;
+            networks.map(|n| (n.report.name.as_str(), of(n))).collect();
+        let first = &self.networks.first()?.report;
         let moments = first.points.iter().zip(&first.sent_mj);
         let sent: Vec<[f64; 2]> = moments.map(|(p, mj)| [p.seconds, *mj]).collect();
         OneMoment::of(&curves, &sent)
@@ -209,10 +187,9 @@ pub(crate) fn print_in_time(
     let names = Material::species(material);
     let mut networks = Vec::with_capacity(names.len());
     for ((watched, name), voxels) in watched.into_iter().zip(names).zip(voxels) {
-        let mut network = watched.finish(material, name, job, voxels, patterns)?;
-        let seconds: Vec<f64> = network.points.iter().map(|p| p.seconds).collect();
-        network.sent_mj = sent_mj(&shown.schedule, patterns, &seconds);
-        networks.push(network);
+        let seconds: Vec<f64> = (watched.curves.points().iter().map(|p| p.seconds)).collect();
+        let sent_mj = sent_mj(&shown.schedule, patterns, &seconds);
+        networks.push(watched.finish(material, (name, sent_mj), job, voxels, patterns)?);
     }
     Ok(Some(InTime { networks }))
 }

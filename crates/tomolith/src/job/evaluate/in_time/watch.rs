@@ -6,6 +6,7 @@ use crate::grid::{Patterns, Volume};
 use crate::job::evaluate::in_time::NetworkInTime;
 use crate::job::evaluate::measure_at;
 use crate::job::resolve::{ResolvedJob, Voxels};
+use crate::report::TimeReport;
 use crate::target::label;
 use tomolith_material::Material;
 use tomolith_material::curves::Curves;
@@ -91,7 +92,7 @@ impl Watched {
     pub(crate) fn finish(
         self,
         material: &Photopolymer,
-        name: String,
+        (name, sent_mj): (String, Vec<f64>),
         job: &ResolvedJob,
         voxels: &Voxels,
         patterns: &[Patterns],
@@ -118,15 +119,17 @@ impl Watched {
         };
         let no_time = || Volume::filled(job.grid.clone(), f32::INFINITY);
         Ok(NetworkInTime {
-            name,
-            requirement_mj: curves.requirement_mj(),
-            ideal: curves.ideal_exposure(),
-            phases: curves.phases(),
-            evaluation,
-            cure_times: curves.cure_times(material).unwrap_or_else(no_time),
-            snapshots,
-            points: curves.points().to_vec(),
-            sent_mj: Vec::new(),
+            report: TimeReport {
+                name,
+                points: curves.points().to_vec(),
+                sent_mj,
+                requirement_mj: curves.requirement_mj(),
+                ideal: curves.ideal_exposure(),
+                phases: curves.phases(),
+                evaluation,
+                cure_times: curves.cure_times(material).unwrap_or_else(no_time),
+                snapshots,
+            },
             labels: voxels.labels.clone(),
             slices,
         })

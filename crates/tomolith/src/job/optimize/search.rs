@@ -1,0 +1,273 @@
+//! What one level of resolution hands to the next: the steps of [`optimize`](super::optimize).
+//!
+//! A level on the pixels of the one before goes on from its patterns. One on other pixels makes its own start first, which bounds them, and then takes the patterns
+//! of the level before, resampled. The first level takes those of the search for a ceiling where their loss is lower than that of the start.
+
+use super::ceiling::{self, FoundCeiling};
+use super::checkpoint::{begin_anew, keep, lost};
+use super::stage::{EndOfLevel, SoFar, Stage};
+use super::{Optimized, finest, start, warnings_at_end};
+use crate::error::{Error, Result};
+use crate::field::HostField;
+use crate::grid::{PatternGrid, Patterns};
+use crate::job::dose::cache::{self, EvaluationModel, RunCache};
+use crate::job::dose::doses::Exposed;
+use crate::job::progress::{Event, Progress};
+use crate::job::resolve::refinement::Level;
+use crate::job::resolve::{ResolvedJob, Voxels, at_section};
+use crate::models::Run;
+use crate::optimize::start::given::Given;
+use crate::optimize::{Checkpoints, Limits, Outcome, Row, StopReason};
+use std::path::Path;
+
+/// An optimization between two levels.
+pub(super) struct Search<'a> {
+    job: &'a ResolvedJob,
+    voxels: &'a [Voxels],
+    checkpoints: Checkpoints,
+    is_resumed: bool,
+    cache: &'a mut RunCache,
+    /// What the model of the last level is cached under.
+    key: Option<u64>,
+    /// The cached model, until the first level takes it.
+    cached: Option<EvaluationModel>,
+    ceiling: Option<FoundCeiling>,
+    /// The pixels of the start.
+    pixels: Option<Vec<&'a PatternGrid>>,
+    /// What the start allows them.
+    highest: Vec<Limits>,
+    /// That, below the ceiling.
+    bounds: Vec<Limits>,
+    /// The patterns of the level before.
+    carried: Option<Vec<Patterns>>,
+    pub(super) sofar: SoFar,
+    progress: &'a mut dyn Progress,
+    cancel: &'a Run,
+}
+
+impl<'a> Search<'a> {
+    /// Looks for a ceiling of the pixels, where the job asks for one.
+    pub(super) fn begin(
+        (job, voxels): (&'a ResolvedJob, &'a [Voxels]),
+        (mut checkpoints, resumed): (Checkpoints, Option<usize>),
+        cache: &'a mut RunCache,
+        progress: &'a mut dyn Progress,
+        cancel: &'a Run,
+    ) -> Result<Self> {
+        let key = cache::key(job, &voxels[0])?;
+        let cached = cache.take(key);
+        let is_resumed = resumed.is_some();
+        let ceiling = ceiling::find_once(job, voxels, (&mut checkpoints, is_resumed), cancel)?;
+        if let Some(found) = &ceiling {
+            let text = found.report.sentence();
+            progress.event(&Event::Note { text });
+        }
+        Ok(Search {
+            job,
+            voxels,
+            checkpoints,
+            is_resumed,
+            cache,
+            key,
+            cached,
+            ceiling,
+            pixels: None,
+            highest: Vec::new(),
+            bounds: Vec::new(),
+            carried: None,
+            sofar: SoFar::default(),
+            progress,
+            cancel,
+        })
+    }
+
+    /// A level with its model; under MPI, this process's share of it.
+    pub(super) fn stage<'l>(&mut self, i: usize, share: &'l Level) -> Result<Stage<'l>>
+    where
+        'a: 'l,
+    {
+        let (job, cached) = (self.job, self.cached.take());
+        let stage = Stage::new(job, self.voxels, share, cached, self.progress, self.cancel);
+        let stage = job.agreed(stage)?.shared(job);
+        if i == 0 {
+            let text = stage.reason.clone();
+            self.progress.event(&Event::Note { text });
+        }
+        Ok(stage)
+    }
+
+    /// The start of a level and the bounds that follow from it; None on the pixels of the level before.
+    pub(super) fn start(
+        &mut self,
+        i: usize,
+        level: &'a Level,
+        stage: &Stage<'_>,
+    ) -> Result<Option<HostField>> {
+        let pixels = level.lights.iter().map(|light| &light.pixels).collect();
+        if self.pixels.as_ref() == Some(&pixels) {
+            return Ok(None);
+        }
+        let (job, cancel) = (self.job, self.cancel);
+        let given = job.own_start(level)?;
+        let cached = (&mut *self.cache, self.key);
+        let first = stage.first_patterns(job, given.as_ref(), !self.is_resumed, cached, cancel)?;
+        self.sofar.first_loss = first.loss;
+        self.highest.clone_from(&first.bounds);
+        self.bounds = first.bounds;
+        let mut x = first.patterns;
+        if let Some(found) = &self.ceiling {
+            found.lower(&mut self.bounds, level);
+            start::clip(&mut x, stage.model.patterns(), &self.bounds)?;
+        }
+        let found = self.ceiling.as_mut();
+        let found = found.filter(|_| i == 0 && !self.is_resumed);
+        if let Some(found) = found.and_then(FoundCeiling::take_patterns) {
+            let is_closer;
+            (x, is_closer) = stage.closer(job, (x, &self.bounds), found, cancel)?;
+            if is_closer {
+                self.sofar.rows = vec![Row::at(job.stop().iterations / ceiling::SHARE)];
+            }
+        }
+        self.pixels = Some(pixels);
+        Ok(Some(x))
+    }
+
+    /// The patterns that a level begins with.
+    pub(super) fn patterns(
+        &mut self,
+        level: &Level,
+        stage: &Stage<'_>,
+        start: Option<HostField>,
+    ) -> Result<HostField> {
+        match (self.carried.take(), start) {
+            (None, Some(x)) => Ok(x),
+            (None, None) => stage.model.new_patterns(),
+            (Some(raw), _) => {
+                let given = Given(self.job.own_patterns(level, raw));
+                let mut x = stage.start(self.job, &given, self.cancel)?;
+                start::clip(&mut x, stage.model.patterns(), &self.bounds)?;
+                Ok(x)
+            }
+        }
+    }
+
+    /// The iterations of a level; on the last one, the ceiling is tried after them.
+    pub(super) fn run(
+        &mut self,
+        i: usize,
+        level: &Level,
+        stage: &Stage<'_>,
+        x: &mut HostField,
+    ) -> Result<Outcome> {
+        let (job, cancel) = (self.job, self.cancel);
+        self.checkpoints.begin_level(i);
+        if let Some(shares) = job.shares(level, stage.model.patterns()) {
+            self.checkpoints.share(shares);
+        }
+        let outcome = stage.run_and_widen(
+            job,
+            (x, &self.bounds),
+            &mut self.checkpoints,
+            &mut self.sofar,
+            self.progress,
+            cancel,
+        )?;
+        let is_done = i + 1 == job.levels.len() && outcome.reason != StopReason::Canceled;
+        let Some(found) = (self.ceiling.as_mut()).filter(|found| is_done && found.is_lower())
+        else {
+            return Ok(outcome);
+        };
+        let ended = finest::Ended {
+            x,
+            bounds: &mut self.bounds,
+            highest: &self.highest,
+            outcome,
+        };
+        finest::settle(
+            stage,
+            job,
+            ended,
+            found,
+            &mut self.sofar,
+            self.progress,
+            cancel,
+        )
+    }
+
+    /// Hands the patterns of a level to the next.
+    pub(super) fn carry(&mut self, outcome: Outcome, raw: Vec<Patterns>) {
+        self.sofar.rows = outcome.history;
+        self.sofar.counters = outcome.counters;
+        self.carried = Some(raw);
+    }
+
+    /// What is done after the last iteration. Of a run that failed or was canceled (None) the best patterns are left in `folder`.
+    pub(super) fn end(
+        self,
+        mut stage: Stage<'_>,
+        ran: Result<Option<Outcome>>,
+        (x, raw): (&HostField, Vec<Patterns>),
+        folder: &Path,
+    ) -> Result<Optimized> {
+        let (job, cancel) = (self.job, self.cancel);
+        let ended = match ran {
+            // A checkpoint that does not fit: nothing was done
+            Err(error @ Error::Format { .. }) => return Err(begin_anew(error)),
+            Err(error) => Err(error),
+            Ok(None) => Err(Error::Canceled),
+            Ok(Some(outcome)) => {
+                let limited = (x, self.bounds.as_slice());
+                let end = stage.end(job, &outcome, limited, &raw, self.progress, cancel);
+                end.map(|end| (outcome, end))
+            }
+        };
+        match ended {
+            Ok((outcome, end)) => Ok(self.optimized(stage, raw, outcome, end)),
+            Err(error) => {
+                match &error {
+                    Error::Device { .. } => lost(folder, self.progress),
+                    // Refused before the first step
+                    Error::Unsupported { what, .. } if what.starts_with("stop.") => {}
+                    _ => keep(job, &raw, folder, self.progress, cancel)?,
+                }
+                Err(at_section("optimizer", error))
+            }
+        }
+    }
+
+    /// The result, whose warnings are sent. Its model is cached, unless it leaves pixels dark: then it does not give the doses of all patterns.
+    fn optimized(
+        self,
+        stage: Stage<'_>,
+        raw: Vec<Patterns>,
+        outcome: Outcome,
+        end: EndOfLevel,
+    ) -> Optimized {
+        let exposed = Exposed::new(&stage.level.grid, stage.level.lights.clone());
+        let key = self.key.filter(|_| stage.dark.is_empty());
+        self.cache.put(key, exposed, &stage.model, &stage.reason);
+        let mut warnings = self.sofar.warnings;
+        let (window, found) = (end.window.as_ref(), stage.found.as_ref());
+        let at_end = warnings_at_end(self.job, &outcome, window, found);
+        let of_ceiling = self.ceiling.as_ref();
+        let of_ceiling = of_ceiling.and_then(|found| found.report.warning());
+        for text in at_end.into_iter().chain(of_ceiling) {
+            warnings.push(text.clone());
+            self.progress.event(&Event::Warning { text });
+        }
+        Optimized {
+            raw: end.levelled.unwrap_or(raw),
+            levels: end.levels,
+            levels_s: end.seconds,
+            outcome,
+            updates: stage.model.updates(),
+            model: stage.reason,
+            metrics_s: self.sofar.metrics_s,
+            window: end.window,
+            found: stage.found,
+            ceiling: self.ceiling,
+            wider: self.sofar.wider,
+            warnings,
+        }
+    }
+}
