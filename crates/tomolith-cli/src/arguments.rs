@@ -222,7 +222,7 @@ impl Manner {
         }
     }
 
-    /// The same, or silence on a rank that does not speak.
+    /// This manner, or silence on a rank that does not speak.
     pub(crate) fn of_rank(self, ranks: Option<&Ranks>) -> Self {
         let speaks = !ranks::is_silent(ranks);
         Manner {

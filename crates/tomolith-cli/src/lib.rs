@@ -492,7 +492,7 @@ fn cancel_on_ctrl_c(manner: Manner) -> Arc<Run> {
     cancel_saying(manner, Run::new(), STOPPING)
 }
 
-/// The same, saying so in these words.
+/// Cancels on Ctrl-C, saying so in these words.
 fn cancel_saying(manner: Manner, run: Run, stopping: &'static str) -> Arc<Run> {
     let run = Arc::new(run);
     let asked = Arc::clone(&run);

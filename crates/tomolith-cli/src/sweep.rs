@@ -174,7 +174,7 @@ impl Board {
         }
     }
 
-    /// The same for a run of a study, whose JSON lines name it.
+    /// For a run of a study, whose JSON lines name it.
     pub(crate) fn named(mut self, name: &str) -> Self {
         self.name = Some(name.to_owned());
         self

@@ -99,7 +99,7 @@ impl Section {
         Ok(read)
     }
 
-    /// The same of a type without a schema, whose numbers have no ranges.
+    /// [`parse`](Self::parse) of a type without a schema, whose numbers have no ranges.
     ///
     /// # Errors
     /// As [`parse`](Self::parse).

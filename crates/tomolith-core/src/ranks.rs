@@ -49,7 +49,7 @@ pub trait Communicator: Debug + Send + Sync {
     fn size(&self) -> usize;
     /// Each number becomes the sum of those of all ranks, with the same bits on every rank.
     fn all_reduce(&self, values: &mut [f64]);
-    /// The same for single precision.
+    /// [`all_reduce`](Self::all_reduce) in single precision.
     fn all_reduce_f32(&self, values: &mut [f32]);
     /// What each rank gives, in the order of ranks, on rank 0; nothing on the others.
     fn gather(&self, values: &[f32]) -> Vec<Vec<f32>>;

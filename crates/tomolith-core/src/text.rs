@@ -17,7 +17,7 @@ pub fn printable(text: &str) -> Cow<'_, str> {
     written_out(text, |c| steers(c) && !matches!(c, '\n' | '\t'))
 }
 
-/// The same as one line, for a comment.
+/// Printable text as one line, for a comment.
 #[must_use]
 pub fn one_line(text: &str) -> Cow<'_, str> {
     written_out(text, |c| steers(c) || matches!(c, '\u{2028}' | '\u{2029}'))

@@ -35,7 +35,7 @@ const SMALL_COPY: u64 = 1 << 20;
 const COPIES: usize = 3;
 /// Part of a card's memory that models may store between calls.
 const STORED_SHARE: f64 = 0.4;
-/// The same where the card does not say how much it has, bytes.
+/// What is stored where the card does not say how much it has, bytes.
 const STORED: u64 = 2_100_000_000;
 /// Bytes that free buffers may take while they wait for reuse.
 const MOST_KEPT: u64 = 4 << 30;
@@ -420,7 +420,7 @@ impl Gpu {
         found
     }
 
-    /// The same into memory that is there; after an error it keeps what it holds.
+    /// Reads into memory that is there; after an error it keeps what it holds.
     pub(crate) fn read_into(&self, parts: &[(&Buffer, u64)], mut found: &mut [u8]) {
         // Parts that fit are copied at once; the host takes one such copy while the card makes the next
         let mut copies = Vec::new();

@@ -154,7 +154,7 @@ impl Pass<'_> {
         finish_sums(gpu, &[pending]).swap_remove(0)
     }
 
-    /// The same without waiting for the sums.
+    /// Begins the sums, without waiting for them.
     pub(crate) fn begin_sums(
         &self,
         gpu: &Gpu,

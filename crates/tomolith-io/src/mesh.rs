@@ -156,7 +156,7 @@ pub struct MeshFile {
 }
 
 impl MeshFile {
-    /// The same, where nothing is taken out of the surface; `path` names the file in errors.
+    /// The mesh, where nothing is taken out of the surface; `path` names the file in errors.
     ///
     /// # Errors
     /// [`Error::Mesh`] where there are negative volumes.

@@ -106,7 +106,7 @@ impl<'a> Print<'a> {
         Self::under(labels, response, Run::new())
     }
 
-    /// The same as a part of a run. When that is canceled, numbers that are computed afterwards mean nothing.
+    /// [`new`](Self::new) as a part of a run. When that is canceled, numbers that are computed afterwards mean nothing.
     ///
     /// # Errors
     /// As [`new`](Self::new); [`Error::Canceled`].
@@ -371,7 +371,7 @@ impl<'a> Print<'a> {
         deviation(self)
     }
 
-    /// The same from the [distances](Self::distance) that were measured; `None` where none were.
+    /// The deviation, from the [distances](Self::distance) that were measured; `None` where none were.
     #[must_use]
     pub fn into_measured_deviation(mut self) -> Option<Deviation> {
         let compared = self.compared.take().flatten()?;

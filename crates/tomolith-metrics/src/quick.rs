@@ -42,7 +42,7 @@ pub fn quick(labels: &[u8], response: &[f32]) -> Option<Quick> {
     measured(ranges(labels, response), counts)
 }
 
-/// The same of a response that lives elsewhere: the same numbers, to the last bit.
+/// [`quick`] of a response that lives elsewhere: the same numbers, to the last bit.
 #[must_use]
 pub fn quick_of<F>(counter: &dyn Counter<F>, response: &F) -> Option<Quick> {
     let counts = |low, scale| counter.counts(response, low, scale);

@@ -83,7 +83,7 @@ impl<'a> Scan<'a> {
         Self::under(labels, response, Run::new())
     }
 
-    /// The same as a part of a run. When that is canceled later, its answers mean nothing.
+    /// [`new`](Self::new) as a part of a run. When that is canceled later, its answers mean nothing.
     ///
     /// # Errors
     /// As [`new`](Self::new); [`Error::Canceled`].

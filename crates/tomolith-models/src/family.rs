@@ -136,7 +136,7 @@ pub struct Cost {
 pub struct MonteCarloPaths {
     /// Of a pixel in a frame, in the optimization.
     pub optimizing: usize,
-    /// The same in what is reported.
+    /// Paths of a pixel in what is reported.
     pub evaluating: usize,
     /// The family with other paths, for every purpose.
     pub redrawn: Family,
@@ -170,7 +170,7 @@ impl<'a> ModelInput<'a> {
         })
     }
 
-    /// The same with other pixels of its lights.
+    /// The input with other pixels of its lights.
     pub(crate) fn lit_by<'b>(&'b self, lights: &'b [Light]) -> ModelInput<'b> {
         let scene = OpticalScene {
             lights,

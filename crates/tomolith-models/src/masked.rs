@@ -82,13 +82,13 @@ impl MaskedModel {
         masked.and_dark(dark)
     }
 
-    /// The same of pixels whose light is spread over those of the model. It has no dark pixels yet.
+    /// The model of pixels whose light is spread over those of the inner one. It has no dark pixels yet.
     pub(crate) fn with_spreads(mut self, spreads: Spreads) -> Self {
         self.spreads = Some(spreads);
         self
     }
 
-    /// The same with further dark pixels; an empty list has none.
+    /// The model with further dark pixels; an empty list has none.
     ///
     /// # Panics
     /// As [`new`](Self::new).

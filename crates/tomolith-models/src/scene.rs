@@ -89,7 +89,7 @@ impl<'a> OpticalScene<'a> {
             .or_else(|| self.unscattered_beyond_slices())
     }
 
-    /// The same of light that is not scattered.
+    /// Why unscattered light does not stay in the slice that it comes in; None when it does.
     pub(crate) fn unscattered_beyond_slices(&self) -> Option<&'static str> {
         if !self.vial.is_invariant() {
             Some("the vial changes along z")

@@ -133,7 +133,7 @@ pub trait MakeObjective<F: Field = HostField>: Debug + Send + Sync {
     fn seeks_window(&self) -> bool {
         false
     }
-    /// The same with a parameter that the program chooses; None where it has none such, or where the job names it.
+    /// The objective with a parameter that the program chooses; None where it has none such, or where the job names it.
     fn with(&self, _chosen: Chosen) -> Option<Arc<dyn MakeObjective<F>>> {
         None
     }

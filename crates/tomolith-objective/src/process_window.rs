@@ -97,7 +97,7 @@ impl Params {
         })
     }
 
-    /// The same, in their ranges.
+    /// The parameters, in their ranges.
     fn validated(&self) -> Result<Self> {
         let (outliers, ipdr) = (self.outliers(), self.ipdr.unwrap_or(1.0));
         let accepted = "a share above 0 and at most 0.25; 0.02 is two voxels in a hundred";

@@ -27,7 +27,7 @@ impl<F: Field> Sum<F> {
         Ok(Sum { parts })
     }
 
-    /// The same with the weights of sums over voxels multiplied by `factor`: voxels of another size then cost the same for their volume.
+    /// The sum with the weights of sums over voxels multiplied by `factor`: voxels of another size then cost the same for their volume.
     #[must_use]
     pub fn scaled(mut self, factor: f64) -> Self {
         let sums = self.parts.iter_mut().filter(|(_, part)| !part.is_mean());

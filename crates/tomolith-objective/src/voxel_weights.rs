@@ -264,7 +264,7 @@ impl Common {
         Ok(empty)
     }
 
-    /// The same without what belongs to the grid or the target at hand: files, numbers of regions, and edges of gray targets. For a trial on
+    /// The parameters without what belongs to the grid or the target at hand: files, numbers of regions, and edges of gray targets. For a trial on
     /// a few voxels.
     #[must_use]
     pub fn without_fields(mut self) -> Self {

@@ -151,7 +151,7 @@ impl Selection {
         })
     }
 
-    /// The same with every mask changed.
+    /// The selection with every mask changed.
     #[must_use]
     pub fn mapped(&self, change: impl Fn(&PixelMask) -> PixelMask) -> Self {
         Selection {

@@ -149,7 +149,7 @@ impl PointSpread {
         }
     }
 
-    /// The same on pixels so many times as large.
+    /// The spread on pixels so many times as large.
     #[must_use]
     pub fn coarser(&self, factor: usize) -> Self {
         let reach = self.reach.map(|n| (n + factor / 2).div_ceil(factor));

@@ -153,7 +153,7 @@ struct Curvature {
     z_y: Vec<Vec<f64>>,
     /// γ: inverse curvature, in units of P, where no pair knows better.
     scale: f64,
-    /// The same without P: the length of a projected gradient step.
+    /// The scale without P: the length of a projected gradient step.
     length: f64,
     /// α of the last step, None before the first.
     alpha: Option<f32>,

@@ -212,7 +212,7 @@ pub trait MakeOptimizer<F: Field = HostField>: Debug + Send + Sync {
     fn pairs(&self) -> Option<usize> {
         None
     }
-    /// The same that remembers so many; None where it remembers none.
+    /// The optimizer that remembers so many pairs; None for one that remembers none.
     fn with_pairs(&self, _pairs: usize) -> Option<Arc<dyn MakeOptimizer<F>>> {
         None
     }

@@ -314,7 +314,7 @@ mod tests {
         )
     }
 
-    /// The same with halves of part (1) or void (0), at edges alone or not.
+    /// The article's steps with halves of part (1) or void (0), at edges alone or not.
     fn halves(
         case: &Case,
         filtered: bool,

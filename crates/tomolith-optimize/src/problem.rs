@@ -124,7 +124,7 @@ impl<F> Position<F> {
         &self.unknown
     }
 
-    /// The same with such regions.
+    /// The position with these regions marked as unknown.
     pub(super) fn with_unknown(self, unknown: Vec<bool>) -> Self {
         Position { unknown, ..self }
     }

@@ -84,7 +84,7 @@ pub struct ExposurePlan {
     pub light_used: f64,
     /// Exposures over which the print stays nearly as good, % of the best one.
     pub window_percent: Option<Window>,
-    /// The same as times at this speed and duty, s.
+    /// The window as times at this speed and duty, s.
     pub window_s: Option<Window>,
 }
 

@@ -140,7 +140,7 @@ impl Setup {
         (radius > 0.0).then_some(radius)
     }
 
-    /// The same with the angles that differ: None where one of the two is always the larger one.
+    /// The crossing with the angles that differ: None where one of the two is always the larger one.
     #[must_use]
     pub fn corrected_crossing_mm(&self) -> Option<f64> {
         // Beyond the radius at which a half turn is covered both grow in proportion

@@ -62,7 +62,7 @@ pub(crate) fn beside<T: Send>(
     until(py, None, work)
 }
 
-/// The same, until `cancel`, such as a `threading.Event`, is set.
+/// Works until `cancel`, such as a `threading.Event`, is set.
 fn until<T: Send>(
     py: Python<'_>,
     cancel: Option<&Py<PyAny>>,

@@ -218,7 +218,7 @@ mod tests {
         evaluate(&print)
     }
 
-    /// The same where these thresholds are good enough.
+    /// An evaluation of which these thresholds are good enough.
     fn thresholds(at: [f64; 3]) -> Evaluation {
         Evaluation {
             latitude: Some(Latitude::Thresholds { iou: 0.9, at }),

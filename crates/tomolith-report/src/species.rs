@@ -24,7 +24,7 @@ pub struct OneExposure {
     pub limited_by: String,
     /// Exposures over which the lowest IoU is at most 0.01 worse, % of this one.
     pub percent: Bracket,
-    /// The same as times to print, s; none where the job does not give times.
+    /// The bracket as times to print, s; none where the job does not give times.
     pub time_s: Option<Bracket>,
 }
 
@@ -57,7 +57,7 @@ impl OneExposure {
         })
     }
 
-    /// The same with times: a resin that gels at this dose takes so many seconds.
+    /// With times to print: a resin that gels at this dose takes so many seconds.
     #[must_use]
     pub fn in_time(mut self, dose: f64, seconds: f64) -> Self {
         let best = seconds * dose / self.gel_dose;

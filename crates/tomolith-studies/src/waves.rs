@@ -48,7 +48,7 @@ fn light_of_twin(twin: &Twin, x: &[f64], off: f64) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// The same by the model, which is described: light from +x, so depth falls with x, in a vial with room to spare.
+/// |ψ|² by the model, which is described: light comes from +x, so depth falls with x, in a vial with room to spare.
 fn light_of_model(
     n: usize,
     pitch: f64,

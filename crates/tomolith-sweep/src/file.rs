@@ -38,7 +38,7 @@ pub(crate) struct Best {
 }
 
 impl Sweep {
-    /// The same as one of so many processes on this machine, which share its memory where nobody says how much each has.
+    /// The sweep as that of one of so many processes on this machine, which share its memory where nobody says how much each has.
     #[must_use]
     pub fn beside(mut self, processes: usize) -> Self {
         self.neighbors = processes.max(1);

@@ -61,7 +61,7 @@ pub trait Shape: std::fmt::Debug + Send + Sync {
     /// # Errors
     /// When the shape cannot be sampled; [`Error::Canceled`](tomolith_core::Error::Canceled).
     fn sample_under(&self, grid: &VolumeGrid, run: &Run) -> Result<Volume<f32>>;
-    /// The same where nobody stops it or wants to know how far it is.
+    /// [`sample_under`](Self::sample_under), where nobody stops it or wants to know how far it is.
     ///
     /// # Errors
     /// When the shape cannot be sampled.

@@ -41,7 +41,7 @@ impl MeshShape {
         Self::placed(file, &map, path, repair, &Run::new())
     }
 
-    /// The same as part of a run, with a map that is known.
+    /// Places the mesh as part of a run, by a map that is known.
     pub(super) fn placed(
         file: MeshFile,
         map: &Map,

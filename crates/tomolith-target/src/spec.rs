@@ -137,7 +137,7 @@ pub fn build(spec: &TargetSpec, base_folder: &Path, section_path: &str) -> Resul
     build_under(spec, base_folder, section_path, &Run::new())
 }
 
-/// The same as part of a run: examining a mesh of a million triangles takes seconds.
+/// [`build`] as part of a run: examining a mesh of a million triangles takes seconds.
 ///
 /// # Errors
 /// As [`build`]; [`Error::Canceled`].
@@ -279,7 +279,7 @@ pub fn voxelize(shape: &dyn Shape, name: &str, grid: &VolumeGrid) -> Result<Targ
     voxelize_under(shape, name, grid, &Run::new())
 }
 
-/// The same as a part of a run.
+/// [`voxelize`] as a part of a run.
 ///
 /// # Errors
 /// As [`voxelize`]; [`Error::Canceled`].

@@ -13,14 +13,14 @@ pub enum Form {
     Strips(StripForm),
     /// Rays of any direction.
     Rays(RayForm),
-    /// The same, with random paths of what is scattered.
+    /// Rays, with random paths of what is scattered.
     Paths(PathForm),
     /// Light that spreads from a focal plane.
     Waves(WaveForm),
 }
 
 impl Form {
-    /// The same with dark pixels (a mark per pixel, or none at all), and all light times a factor.
+    /// The form with dark pixels (a mark per pixel, or none at all), and all light times a factor.
     #[must_use]
     pub fn masked(self, dark: &[bool], factor: f32) -> Self {
         match self {

@@ -106,7 +106,7 @@ impl DoseLayout {
         }
     }
 
-    /// The same with two doses in some voxels.
+    /// The layout with two doses in some voxels.
     #[must_use]
     pub fn with_cells(mut self, cells: Arc<Cells>) -> Self {
         self.cells = Some(cells);

@@ -65,7 +65,7 @@ pub struct PathGeometry {
     pub straight: Arc<RayGeometry>,
     /// One per light; None where it is not scattered.
     pub lights: Vec<Option<LightPaths>>,
-    /// The same for all lights.
+    /// What surrounds the resin of all lights.
     pub wall: ResinWall,
     /// Cells on which scattered light is summed.
     pub cells: CellGrid,

@@ -76,7 +76,7 @@ impl PixelMask {
         field
     }
 
-    /// The same for every `step`-th frame.
+    /// The mask of every `step`-th frame.
     #[must_use]
     pub fn every(&self, step: usize) -> Self {
         let [frames, rows, columns] = self.shape;
@@ -86,7 +86,7 @@ impl PixelMask {
         )
     }
 
-    /// The same for these frames.
+    /// The mask of these frames.
     #[must_use]
     pub fn of_frames(&self, chosen: &[usize]) -> Self {
         let [_, rows, columns] = self.shape;
@@ -95,7 +95,7 @@ impl PixelMask {
         })
     }
 
-    /// The same for pixels `factor` times as large about the same middle, as many as `rows` and `columns`: they may be lit where one
+    /// The mask for pixels `factor` times as large about the same middle, as many as `rows` and `columns`: they may be lit where one
     /// of these may, whose middle lies in them.
     #[must_use]
     pub fn coarser(&self, factor: usize, rows: usize, columns: usize) -> Self {

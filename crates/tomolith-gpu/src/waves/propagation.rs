@@ -340,7 +340,7 @@ impl DevicePropagation {
         Ok(samples)
     }
 
-    /// The same of 2·Re ψχ* and |χ|².
+    /// Adds 2·Re ψχ* and |χ|² in the same way.
     pub(crate) fn shine_along(
         &self,
         frames: usize,

@@ -41,7 +41,7 @@ impl Curing {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Initial {
-    /// The same everywhere.
+    /// One value everywhere.
     Even(f64),
     /// Values at heights `[z in mm, value]`, heights ascending; linear between, even beyond: an oxygen gradient along the vial.
     Axial(Vec<[f64; 2]>),

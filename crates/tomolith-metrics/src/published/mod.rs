@@ -195,7 +195,7 @@ fn ranges(list: &mut List, scan: &Scan<'_>) {
     list.add("ver", AID_VER, "", ver, "#{out > min in}/(in + out)");
 }
 
-/// The same from percentiles: α per cent of the voxels are left out at each end of each region.
+/// Process window, IPDR and VER from percentiles: α per cent of the voxels are left out at each end of each region.
 fn trimmed(list: &mut List, scan: &Scan<'_>, alpha: f64) {
     let [low, high, out] = order::percentiles(scan, alpha);
     let note = |text: &str| {

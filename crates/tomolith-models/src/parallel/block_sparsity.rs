@@ -70,7 +70,7 @@ impl NonzeroBlocks {
         short.or(long)
     }
 
-    /// The same in short and in long blocks, of `lengths` vectors at most. Vectors that are empty in all rows, at either end, are in no block.
+    /// The lit blocks of rows, short and long ones, of `lengths` vectors at most. Vectors that are empty in all rows, at either end, are in no block.
     pub(super) fn in_blocks(
         lanes: &[f32],
         row: usize,
@@ -173,7 +173,7 @@ impl NonzeroBlocks {
         self.cost_of_blocks(self.rows.iter())
     }
 
-    /// The same of these rows alone.
+    /// The cost of these rows alone.
     pub(super) fn cost_of(&self, rows: &[usize]) -> f64 {
         self.cost_of_blocks(rows.iter().map(|&row| &self.rows[row]))
     }

@@ -68,7 +68,7 @@ impl Wide {
         }
     }
 
-    /// The same with one float for each vector of lanes.
+    /// The layout with one float for each vector of lanes.
     pub(super) fn pooled(self) -> Self {
         let part = self.part / LANES;
         Wide {

@@ -224,7 +224,7 @@ impl Parallel {
         Self::under(vial, lights, Kernel::default(), grid, &Run::new())
     }
 
-    /// The same with a kernel, which shares a column's light among voxels, as a part of a run.
+    /// [`new`](Self::new) with a kernel, which shares a column's light among voxels, as a part of a run.
     ///
     /// # Errors
     /// As [`new`](Self::new); [`Error::Canceled`].
@@ -258,7 +258,7 @@ impl Parallel {
         Self::planned(vial, (lights, kernel), grid, finding, run)
     }
 
-    /// The same; to find the entries (column, voxel, weight) of all frames once is worth it where a dose is asked for
+    /// The model of a plan; to find the entries (column, voxel, weight) of all frames once is worth it where a dose is asked for
     /// again and again, and their memory is there ([`cached`]). Of a slice those are kept that its fast kernels do not find.
     fn planned(
         vial: &dyn Vial,

@@ -342,7 +342,7 @@ impl LightPlan {
         self.pairs::<{ TILE * TILE }>(view, nz, of_runs)
     }
 
-    /// The same from columns and voxels that they light: of `N` voxels, each as often as it comes.
+    /// Pairs of columns and voxels that they light: of `N` voxels, each as often as it comes.
     pub(super) fn pairs<const N: usize>(
         &self,
         view: usize,
@@ -364,7 +364,7 @@ impl LightPlan {
         self.of_view[view].len() as u64 * self.frames_of(view).map(of_frame).sum::<u64>()
     }
 
-    /// The same of a patch, from columns and a bit for each voxel that they light.
+    /// Pairs of a patch, from columns and a bit for each voxel that they light.
     pub(super) fn pairs_of_patch(&self, view: usize, nz: usize, lit: &[(u32, u8)]) -> u64 {
         let of_frame = |frame| {
             let mut seen = (0, 0);

@@ -57,7 +57,7 @@ impl ResinRow {
         }
     }
 
-    /// The same, counted from another voxel.
+    /// The resin of the row, counted from another voxel.
     fn seen_from(self, origin: f32) -> Self {
         let shifted = |ends: [f32; 2]| ends.map(|end| end - origin);
         ResinRow {

@@ -68,7 +68,7 @@ impl Rays {
         Ok(())
     }
 
-    /// The same with the column rays of level light.
+    /// Passes the column rays of level light on in the same way.
     pub(super) fn for_each_sheets(
         &self,
         (light, frames): (usize, Range<usize>),

@@ -483,7 +483,7 @@ impl Rays {
         Ok(self.cached_column_rays.get().and_then(Option::as_ref))
     }
 
-    /// The same with two doses in every voxel that a solid cuts; it must have been made for the model's grid.
+    /// The rays with two doses in every voxel that a solid cuts; it must have been made for the model's grid.
     ///
     /// # Panics
     /// When the solid was made for another grid.

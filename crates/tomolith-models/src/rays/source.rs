@@ -179,7 +179,7 @@ impl Source {
         }
     }
 
-    /// The same with what is scattered; `exposure` counts frames and their sub-angles.
+    /// Traces what is scattered, too; `exposure` counts frames and their sub-angles.
     fn trace_scattered(
         &self,
         (column, row): (usize, usize),

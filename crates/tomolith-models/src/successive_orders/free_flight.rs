@@ -111,7 +111,7 @@ impl FreeFlightKernel {
         nodes
     }
 
-    /// The same in polar coordinates about d = 0: there 1/d² is gone.
+    /// The weights in polar coordinates about d = 0: there 1/d² is gone.
     fn near_pole(self, n: [usize; 3], directions: &[Node]) -> Vec<Node> {
         let along = |&(direction, solid): &Node| {
             let mut cuts = vec![0.0];

@@ -20,7 +20,7 @@ impl Harmonic {
         self.norm() * self.form(direction)
     }
 
-    /// The same without its norm, which is the same in all directions.
+    /// The harmonic without its norm, which is the same in all directions.
     pub(super) fn form(self, [x, y, z]: [f64; 3]) -> f64 {
         let m = self.m.unsigned_abs();
         // (x + iy)^m

@@ -87,7 +87,7 @@ impl<T: Number, P: Propagation<T>> WaveLight<T, P> {
             * self.propagation.windows().last.count
     }
 
-    /// The same in numbers.
+    /// Numbers of these samples.
     fn samples(&self) -> usize {
         self.rows() * self.row
     }

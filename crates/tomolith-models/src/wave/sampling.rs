@@ -39,7 +39,7 @@ pub(super) struct Sampling {
 const TAPS: [usize; 4] = [4, 6, 8, 10];
 const CLOSE_TAPS: [usize; 3] = [2, 4, 6];
 
-/// The same for fields, and where the middle of their band is sought, as a share of it: little of their power lies at its upper end.
+/// Taps for fields, and where the middle of their band is sought, as a share of it: little of their power lies at its upper end.
 const FIELD_TAPS: [usize; 5] = [4, 6, 8, 12, 16];
 const MIDDLES: [f64; 4] = [0.32, 0.38, 0.44, 0.5];
 

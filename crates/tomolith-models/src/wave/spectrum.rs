@@ -62,7 +62,7 @@ pub(super) struct Scratch<T: Number> {
     pub(super) interpolation: InterpolationBuffers<T>,
     /// Light at all depths and lateral samples that are computed.
     pub(super) computed: Vec<T>,
-    /// The same at closer lateral samples.
+    /// Light at closer lateral samples.
     pub(super) between: Vec<T>,
     /// What voxels ask of the samples they are interpolated from.
     pub(super) samples: Vec<T>,

@@ -45,7 +45,7 @@ pub struct ExposureBudget {
     pub frame_arc: f64,
     /// Dose that turns the resin solid, mJ/mm³.
     pub critical_mj_per_mm3: Option<f64>,
-    /// The same in the job's units.
+    /// The gel dose in the job's units.
     pub gel_dose: Option<f64>,
 }
 

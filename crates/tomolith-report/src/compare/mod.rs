@@ -66,7 +66,7 @@ pub fn compare_json(runs: &[ComparedRun]) -> Value {
     })
 }
 
-/// The same with what only a page says.
+/// What `compare` says as JSON, and what only its page says.
 #[must_use]
 pub fn comparison(runs: &[ComparedRun]) -> Value {
     let mut value = compare_json(runs);

@@ -21,7 +21,7 @@ pub struct ComparedRun {
     pub report: Value,
     /// `job.toml`.
     pub job_text: String,
-    /// The same, flat: key path → value.
+    /// The job, flat: key path → value.
     pub job: BTreeMap<String, String>,
     /// `dose.npy`, on the job's voxels; None where the folder has none.
     pub dose: Option<PathBuf>,

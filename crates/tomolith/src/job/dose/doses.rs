@@ -74,7 +74,7 @@ impl<'a> Doses<'a> {
         }
     }
 
-    /// The same by a model that exists already, where it has these doses.
+    /// Takes a model that exists already, where it has these doses.
     pub(crate) fn by(self, evaluation_model: Option<&'a EvaluationModel>) -> Self {
         Doses {
             evaluation_model,

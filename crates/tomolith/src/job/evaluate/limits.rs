@@ -158,7 +158,7 @@ struct Measurements {
     optimized: Measure,
     /// Patterns as they were written, on the same grid.
     written: Measure,
-    /// The same while the vial turns; None where the optimization counted that.
+    /// That number while the vial turns; None where the optimization counted that.
     own_turning: Measure,
     /// On the finer grid, while the vial turns, at the job's threshold; all others are at the best one.
     turning: Measure,

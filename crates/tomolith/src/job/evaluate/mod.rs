@@ -82,7 +82,7 @@ pub(crate) struct SpeciesPrint {
     pub(crate) optimization: Option<Evaluation>,
     /// The headline number of the written patterns on that grid.
     pub(crate) written: Measure,
-    /// The same while the vial turns; None where the optimization counted that.
+    /// That number while the vial turns; None where the optimization counted that.
     pub(crate) own_turning: Measure,
     /// That of the print that is evaluated, by patterns for few levels before they are rounded.
     pub(crate) unrounded: Measure,

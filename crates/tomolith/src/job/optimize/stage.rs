@@ -142,7 +142,7 @@ impl<'a> Stage<'a> {
         })
     }
 
-    /// The same with the dose of the frames of all ranks, where the job's frames are shared. Called by all ranks.
+    /// The stage with the dose of the frames of all ranks, where the job's frames are shared. Called by all ranks.
     pub(crate) fn shared(mut self, job: &ResolvedJob) -> Self {
         let Some(ranks) = &job.ranks else {
             return self;
@@ -356,7 +356,7 @@ impl<'a> Stage<'a> {
         self.run_on((job, until), on_host, x, around, cancel)
     }
 
-    /// The same with model, objective and method for one kind of fields.
+    /// Runs with model, objective and method for one kind of fields.
     fn run_on<F: Field>(
         &self,
         (job, until): (&ResolvedJob, usize),

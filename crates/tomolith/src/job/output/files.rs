@@ -255,7 +255,7 @@ fn described(done: &Done<'_>) -> Result<String> {
 pub(crate) struct Headline {
     /// Over which exposures the print is nearly as good, of every species.
     pub(crate) exposures: Vec<Option<ExposureWindow>>,
-    /// The same of several species together.
+    /// The exposure of several species together.
     pub(crate) one_exposure: Option<OneExposure>,
     /// What it loses, and where, of every species.
     pub(crate) limits: Vec<PrintLimits>,

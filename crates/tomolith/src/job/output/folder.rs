@@ -8,7 +8,7 @@
 
 use crate::error::{Error, Result};
 use crate::io::read_text;
-use crate::job::spec::file_names::OUTPUTS;
+use crate::job::spec::file_names::{OUTPUTS, OUTPUTS_NAMED};
 use crate::text::one_line;
 use serde::Deserialize;
 use serde_json::Value;
@@ -53,13 +53,6 @@ const JOB: &str = "job.toml";
 const NEW: &str = ".new";
 const OLD: &str = ".old-";
 const LOCK: &str = ".lock";
-const OUTPUTS_NAMED: [(&str, &str); 5] = [
-    ("", ".mp4"),
-    ("", ".mov"),
-    ("dose_", ".npy"),
-    ("cure_time_", ".npy"),
-    ("time_", ".csv"),
-];
 /// What names the folder.
 const KEY: &str = "output.folder";
 

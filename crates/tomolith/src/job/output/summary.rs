@@ -504,7 +504,7 @@ fn beyond(optimized: &Optimized, job: &ResolvedJob) -> Option<String> {
     words_beyond(done, [asked, all], has_changed)
 }
 
-/// The same of iterations that were done, asked for, and asked for on all levels.
+/// Words on iterations that were done, asked for, and asked for on all levels.
 fn words_beyond(
     done: usize,
     [asked, all]: [usize; 2],

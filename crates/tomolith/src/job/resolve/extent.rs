@@ -149,7 +149,7 @@ impl Extent {
         }
     }
 
-    /// The same without scenarios.
+    /// The extent without scenarios.
     pub(crate) fn of_the_job_alone(&self) -> Self {
         Extent {
             scenarios: 0,

@@ -201,7 +201,7 @@ impl Goal {
         &self.on_host
     }
 
-    /// The same for fields of another kind.
+    /// The objectives for fields of another kind.
     #[cfg_attr(
         not(feature = "gpu"),
         expect(dead_code, reason = "all fields are the host's")
@@ -291,7 +291,7 @@ impl Goal {
         self.objectives().iter().find_map(|own| own.of.epsilon())
     }
 
-    /// The same with a parameter that the program chooses. None where the job has several objectives, another one, or names the parameter.
+    /// The goal with a parameter that the program chooses. None where the job has several objectives, another one, or names the parameter.
     pub(crate) fn with(&self, chosen: Chosen) -> Option<Self> {
         let mut other = self.clone();
         other.chosen = Some(chosen);

@@ -166,7 +166,7 @@ impl ResolvedJob {
         Self::under(job, &Run::new())
     }
 
-    /// The same as a part of a run.
+    /// [`new`](Self::new) as a part of a run.
     pub(crate) fn under(job: &Job, run: &Run) -> Result<Self> {
         Isa::asked()?;
         Self::resolve(job, run)

@@ -70,7 +70,7 @@ impl Optics {
         Self::with_models(spec, base, &[])
     }
 
-    /// The same, where the model may also be one of these rows.
+    /// [`new`](Self::new), where the model may also be one of these rows.
     pub(crate) fn with_models(
         spec: &JobSpec,
         base: &Path,

@@ -40,7 +40,7 @@ const BUDGET: f64 = 1.3e10;
 const COLUMN: usize = 64;
 /// Voxels across a pixel, as fine as those of the evaluation in docs/fidelity.md; finer ones have not been tried.
 const PER_PIXEL: f64 = 4.0;
-/// The same where voxels are cut into cells.
+/// Voxels across a pixel where they are cut into cells.
 const CELLS_PER_PIXEL: f64 = 2.0;
 /// Voxel-angle updates of a dose by rays through cells that are affordable: 0.3 to 5 s on two cores, with and without stored rays.
 const BUDGET_OF_CELLS: f64 = 8e8;

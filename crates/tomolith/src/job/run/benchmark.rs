@@ -39,7 +39,7 @@ const BLOCKS: usize = 8;
 /// Seconds above which calls are long enough to time, and above which a call is timed once.
 const TIMED_S: f64 = 0.3;
 const LONG_S: f64 = 1.0;
-/// The same as the first for the evaluation's first sample, and for its frames that are taken alone, which are as few as threads.
+/// Seconds that are long enough for the evaluation's first sample, and for its frames that are taken alone, which are as few as threads.
 const ENOUGH_S: f64 = 10.0;
 /// How many times larger the second of the timed samples is, where these take long and where not.
 const SOME_MORE: usize = 2;

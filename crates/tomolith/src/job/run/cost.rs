@@ -30,7 +30,7 @@ const MEASURES_PER_VOXEL: f64 = 2.4;
 
 const MEASURES_PER_PIXEL: f64 = 1.8;
 
-/// The same for each pixel of a machine's canvas: PNG, movie, its check, `frames.npz`.
+/// Measures for each pixel of a machine's canvas: PNG, movie, its check, `frames.npz`.
 const MEASURES_PER_CANVAS_PIXEL: f64 = 0.18;
 
 /// What a job asks for.

@@ -259,7 +259,7 @@ impl Document {
         let Some((family, is_replaced)) = replaced_by(path) else {
             return;
         };
-        if family == "target"
+        if (family == "target" || family.ends_with(".target"))
             && !path.ends_with(".phantom")
             && let Some(Value::String(file)) = at(&mut self.root, path)
             && let Ok(absolute) = std::path::absolute(&*file)
@@ -678,13 +678,16 @@ mod tests {
     #[test]
     fn a_kind_of_the_command_line_takes_the_place_of_the_files() {
         let text = "response = \"identity\"\n[vial]\nsurrounding_index = 1.4\n[vial.cylinder]\ninner_radius_mm = 7.6\n\
-                    [[light]]\nprojector.lens = {}\n[target]\nphantom = \"gear\"\n";
+                    [[light]]\nprojector.lens = {}\n[target]\nphantom = \"gear\"\n\
+                    [[objectives]]\nweight = 2\nl2 = {}\n[[species]]\ntarget.phantom = {}\n";
         let mut document = Document::toml("a.toml", text).unwrap();
         for assignment in [
             "vial.square={ inner_width_mm = 9 }",
             "light[0].projector.collimated={}",
             "response.logistic={}",
             "target.phantom.gyroid={ cells = 2 }",
+            "objectives[0].threshold={}",
+            "species[0].target.mesh=/part.stl",
         ] {
             document.set(assignment).unwrap();
         }
@@ -693,6 +696,8 @@ mod tests {
             "vial": { "surrounding_index": 1.4, "square": { "inner_width_mm": 9 } },
             "light": [{ "projector": { "collimated": {} } }],
             "target": { "phantom": { "gyroid": { "cells": 2 } } },
+            "objectives": [{ "weight": 2, "threshold": {} }],
+            "species": [{ "target": { "mesh": "/part.stl" } }],
         });
         assert_eq!(document.root, expected);
         // A table that does not fit the rest, or lacks a key, may do so for what the command line says

@@ -10,8 +10,8 @@ use crate::text::file_name;
 /// Name of the file that says how frames and movies are to be shown.
 pub(crate) const EXPOSURE: &str = "exposure.json";
 
-/// What a run may leave in addition to them and its properties, by name or by its first letters and its extension.
-pub(crate) const OUTPUTS: [&str; 14] = [
+/// What a run may leave in addition to what is named after something in the job.
+pub(crate) const OUTPUTS: &[&str] = &[
     "patterns.npz",
     "frames",
     "frames.npz",
@@ -23,9 +23,18 @@ pub(crate) const OUTPUTS: [&str; 14] = [
     "print.ply",
     "history.csv",
     "report.html",
-    "exposure.json",
+    EXPOSURE,
     "time.csv",
     "cure_time.npy",
+];
+
+/// Beginnings and ends of what is named after a part, a light, a species or a network.
+pub(crate) const OUTPUTS_NAMED: &[(&str, &str)] = &[
+    ("", ".mp4"),
+    ("", ".mov"),
+    ("dose_", ".npy"),
+    ("cure_time_", ".npy"),
+    ("time_", ".csv"),
 ];
 
 /// A file, and what it is named after: the key, and the name there.
@@ -41,8 +50,10 @@ pub(crate) fn of_network(name: &str) -> String {
 /// # Errors
 /// [`Error::Config`] with the names that are taken.
 pub(crate) fn must_differ(spec: &JobSpec) -> Result<()> {
-    let of_every_run = OUTPUTS.map(|file| (file.to_owned(), "every run".to_owned()));
-    let of_every_run = of_every_run.into_iter().chain(volumes(spec));
+    let of_every_run = OUTPUTS
+        .iter()
+        .map(|&file| (file.to_owned(), "every run".to_owned()));
+    let of_every_run = of_every_run.chain(volumes(spec));
     let mut taken: Vec<(String, String)> = of_every_run.chain(movies(spec)).collect();
     for (file, key, name) in named(spec) {
         let is_same = |(other, _): &&(String, String)| other.eq_ignore_ascii_case(&file);

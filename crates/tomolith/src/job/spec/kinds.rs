@@ -67,23 +67,24 @@ fn every_family() -> Vec<KindFamily> {
 
 /// Names of the kinds of which the table at this key path has one; none where it has no kinds.
 pub(crate) fn kinds_at(path: &str) -> Vec<&'static str> {
-    fn names<B>(kinds: &[Kind<B>]) -> Vec<&'static str> {
-        kinds.iter().map(|kind| kind.name).collect()
+    // `light[0].projector` → `light.projector`, `objectives[1]` → `objective`
+    let steps = path.split('.').map(|step| match step.split_once('[') {
+        Some(("objectives", _)) => "objective",
+        Some((list, _)) => list,
+        None => step,
+    });
+    let key = steps.collect::<Vec<_>>().join(".");
+    let is_at = |name: &str| {
+        key.rsplit_once(name).is_some_and(|(before, after)| {
+            after.is_empty() && (before.is_empty() || before.ends_with('.'))
+        })
+    };
+    if is_at("target") {
+        return TARGETS.to_vec();
     }
-    let is_projector = path.starts_with("light[") && path.ends_with("].projector");
-    match path {
-        "target" => TARGETS.to_vec(),
-        "vial" => names(VIALS),
-        "resin.phase" => names(PHASES),
-        "model" => names(MODELS),
-        "objective" => names(OBJECTIVES),
-        "optimizer" => names(OPTIMIZERS),
-        "start" => names(STARTS),
-        "response" => names(RESPONSES),
-        "target.phantom" => names(PHANTOMS),
-        _ if is_projector => names(PROJECTORS),
-        _ => Vec::new(),
-    }
+    let family = families().iter().find(|family| is_at(family.name));
+    let kinds = family.map_or(&[][..], |family| &family.kinds);
+    kinds.iter().map(|kind| kind.name).collect()
 }
 
 /// One parameter of a kind, for help pages.

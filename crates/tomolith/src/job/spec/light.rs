@@ -105,7 +105,7 @@ tomolith_core::keys! {
     pub struct LightPrinterSpec {
         /// Value (level over highest level) and intensity of the device, points [value, intensity].
         pub gray_curve: Option<Vec<[f64; 2]>>,
-        /// The same from a file with two columns.
+        /// The gray curve from a file with two columns.
         pub gray_curve_file: Option<PathBuf>,
         /// Irradiance of the brightest device pixel at the highest level, at the vial.
         #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1e9))]
@@ -171,7 +171,7 @@ tomolith_core::keys! {
 }
 
 impl SelectionSpec {
-    /// The same for pixels so many times as large; its mask is left out.
+    /// Makes pixels so many times as large; the mask is left out.
     pub(crate) fn coarsen(&mut self, factor: usize) {
         for [first, count] in self.columns.iter_mut().chain(&mut self.rows) {
             let end = (*first + *count).div_ceil(factor);

@@ -1,7 +1,8 @@
 //! The tables of a job, typed: names, units, defaults and meaning of every key.
 //!
 //! Tables that name a kind (`[vial.cylinder]`, `[objective.threshold]`, …) keep their content as it stands; the
-//! family's own table of kinds reads and checks it (see [`crate::job::spec::kinds`]). Ranges are checked in [`crate::job::spec::validate`].
+//! family's own table of kinds reads and checks it (see [`crate::job::spec::kinds`]). The range of a number stands at its key; what keys mean together is
+//! checked in [`crate::job::spec::validate`].
 //!
 //! Paths of meshes and images are relative to the job file; `output.folder` is relative to the current folder.
 

@@ -86,7 +86,7 @@ pub(crate) fn replaced_by(path: &str) -> Option<(&str, impl Fn(&str) -> bool)> {
     let (family, chosen) = path.rsplit_once('.').unwrap_or(("", path));
     let kinds = kinds_at(family);
     // Bodies may be of the mesh of the target
-    let goes_with = move |key: &str| (family, chosen, key) == ("target", "body", "mesh");
+    let goes_with = move |key: &str| (chosen, key) == ("body", "mesh");
     kinds
         .contains(&chosen)
         .then_some((family, move |key: &str| {
