@@ -162,6 +162,11 @@ pub struct Ground<'a> {
     pub base: &'a Path,
 }
 
+/// Whether a table says no more than its defaults.
+fn is_default<T: Serialize + Default>(table: &T) -> bool {
+    serde_json::to_value(table).ok() == serde_json::to_value(T::default()).ok()
+}
+
 impl Common {
     /// Takes an entry apart: what every one may have, and the section of its kind.
     ///
@@ -177,8 +182,12 @@ impl Common {
         if let Some(Value::String(of)) = own.get("region").cloned() {
             own.insert("region".to_owned(), serde_json::json!({ "of": of }));
         }
-        let common: Common = Section::new(section.path.clone(), Value::Object(own)).parse()?;
+        let mut common: Common = Section::new(section.path.clone(), Value::Object(own)).parse()?;
         common.validate().map_err(|e| e.under(&section.path))?;
+        // What changes nothing must not keep the optimization from finer voxels
+        common.region.take_if(|region| is_default(region));
+        common.weights.take_if(|weights| is_default(weights));
+        common.tolerance.take_if(|tolerance| is_default(tolerance));
         Ok((common, section.without(&KEYS)))
     }
 

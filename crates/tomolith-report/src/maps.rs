@@ -5,8 +5,8 @@
 //! than three decades, with 0 at the lowest color, and the picture says so. The paper is white: the files are for articles, too.
 //!
 //! ```
-//! use tomolith_report::maps::{Cell, Panel, ColorScale, heat_maps};
-//! let axis = |name: &str| ColorScale { name: name.to_owned(), labels: vec!["0.1".to_owned(), "0.2".to_owned()] };
+//! use tomolith_report::maps::{Cell, Panel, MapAxis, heat_maps};
+//! let axis = |name: &str| MapAxis { name: name.to_owned(), labels: vec!["0.1".to_owned(), "0.2".to_owned()] };
 //! let cell = |value| Some(Cell { value: Some(value), is_feasible: value > 1.5, is_best: value == 3.0, has_failed: false });
 //! let panel = Panel { title: String::new(), cells: vec![cell(1.0), cell(2.0), None, cell(3.0)] };
 //! let svg = heat_maps("PW", [&axis("lower"), &axis("upper")], &[panel], &[], "");
@@ -39,7 +39,7 @@ const DECADES: f64 = 1e3;
 
 /// One axis of a heat map: its name, and the values of its cells.
 #[derive(Clone, Debug)]
-pub struct ColorScale {
+pub struct MapAxis {
     /// What it is.
     pub name: String,
     /// The values, from left to right or from below.
@@ -93,13 +93,13 @@ pub struct PlotCurve {
 }
 
 /// How values become colors or heights.
-struct Values {
+struct ColorScale {
     low: f64,
     high: f64,
     is_log: bool,
 }
 
-impl Values {
+impl ColorScale {
     fn of(values: impl Iterator<Item = f64> + Clone) -> Self {
         let finite = values.filter(|v| v.is_finite());
         let low = finite.clone().reduce(f64::min).unwrap_or(0.0);
@@ -113,7 +113,7 @@ impl Values {
         } else {
             0.5 * high.abs().max(1e-12)
         };
-        Values {
+        ColorScale {
             low: low - room,
             high: high + room,
             is_log,
@@ -148,13 +148,13 @@ impl Values {
 #[must_use]
 pub fn heat_maps(
     title: &str,
-    [x, y]: [&ColorScale; 2],
+    [x, y]: [&MapAxis; 2],
     panels: &[Panel],
     guides: &[Guide],
     caption: &str,
 ) -> String {
     let cells = || panels.iter().flat_map(|p| p.cells.iter().flatten());
-    let values = Values::of(cells().filter_map(|cell| cell.value));
+    let values = ColorScale::of(cells().filter_map(|cell| cell.value));
     let most = longest_name(panels.len());
     let [width, _] = panel_size(panels.len());
     let left = match are_words(&y.labels) {
@@ -249,7 +249,7 @@ pub fn curves(title: &str, curves: &[PlotCurve], caption: &str) -> String {
             .iter()
             .flat_map(|c| c.points.iter().map(|(_, cell)| cell))
     };
-    let values = Values::of(points().filter_map(|cell| cell.value));
+    let values = ColorScale::of(points().filter_map(|cell| cell.value));
     let (is_log, room) = (values.is_log, 0.05 * (values.high - values.low));
     let values = Axis {
         zero: is_log && points().any(|cell| cell.value == Some(0.0)),
@@ -300,9 +300,9 @@ fn fitting(labels: &[String], width: f64) -> usize {
 fn map(
     body: &mut String,
     frame: &Frame,
-    ([x, y], most): ([&ColorScale; 2], usize),
+    ([x, y], most): ([&MapAxis; 2], usize),
     panel: &Panel,
-    values: &Values,
+    values: &ColorScale,
 ) {
     let [columns, rows] = [x, y].map(|scale| scale.labels.len());
     let [width, height] = [
@@ -417,7 +417,7 @@ fn draw_cell(
     body: &mut String,
     [left, top, width, height]: [f64; 4],
     cell: &Cell,
-    values: &Values,
+    values: &ColorScale,
 ) {
     let shape =
         format!("x=\"{left:.2}\" y=\"{top:.2}\" width=\"{width:.2}\" height=\"{height:.2}\"");
@@ -458,7 +458,7 @@ fn numbers(
     frame: &Frame,
     [columns, rows]: [usize; 2],
     panel: &Panel,
-    values: &Values,
+    values: &ColorScale,
 ) -> usize {
     let [width, height] = [
         frame.width / columns.max(1) as f64,
@@ -601,7 +601,7 @@ fn placed(axis: &Axis, wanted: usize) -> Vec<(f64, String)> {
 
 impl Sheet {
     /// The color bar, on the right.
-    fn bar(&mut self, values: &Values) {
+    fn bar(&mut self, values: &ColorScale) {
         let (last, first) = (self.frame(self.columns - 1), self.frame(0));
         let (left, steps) = (last.left + last.width + 24.0, 64);
         let step = first.height / f64::from(steps);
@@ -631,8 +631,8 @@ impl Sheet {
 mod tests {
     use super::*;
 
-    fn scale(name: &str, count: usize) -> ColorScale {
-        ColorScale {
+    fn scale(name: &str, count: usize) -> MapAxis {
+        MapAxis {
             name: name.to_owned(),
             labels: (0..count).map(|i| i.to_string()).collect(),
         }
@@ -679,7 +679,7 @@ mod tests {
         const NAME: &str = "\"'><img src=x>&";
         const TEXT: &str = "&quot;&#39;&gt;&lt;img src=x&gt;&amp;";
         let labels = [NAME.to_owned()];
-        let scale = ColorScale {
+        let scale = MapAxis {
             labels: labels.to_vec(),
             ..scale(NAME, 0)
         };
@@ -770,7 +770,7 @@ mod tests {
         assert_eq!(all_shortened(&alike, 5), ["step 1…f all", "step 2…f all"]);
         let panels = vec![panel("", [cell(Some(1.0), false); 3]); 4];
         let one = scale("y", 1);
-        let names = ColorScale {
+        let names = MapAxis {
             labels: names.to_vec(),
             ..scale("method", 0)
         };
@@ -783,15 +783,15 @@ mod tests {
 
     #[test]
     fn zero_has_the_lowest_of_logarithmic_colors_and_all_equal_values_one() {
-        let values = Values::of([0.0, 1e-4, 1.0].into_iter());
+        let values = ColorScale::of([0.0, 1e-4, 1.0].into_iter());
         assert!(values.is_log);
         assert_eq!(
             [0.0, 1e-4, 1e-2, 1.0].map(|v| values.place(v)),
             [0.0, 0.0, 0.5, 1.0]
         );
-        let values = Values::of([0.3, 0.3].into_iter());
+        let values = ColorScale::of([0.3, 0.3].into_iter());
         assert!(!values.is_log && (values.place(0.3) - 0.5).abs() < 1e-12);
-        assert!(!Values::of([-1.0, 1e-9, 1.0].into_iter()).is_log);
+        assert!(!ColorScale::of([-1.0, 1e-9, 1.0].into_iter()).is_log);
     }
 
     #[test]

@@ -9,7 +9,7 @@ use serde_json::Value;
 use std::path::{Path, PathBuf};
 use tomolith::Result;
 use tomolith::io::{read_text, write_text};
-use tomolith::report::maps::{Cell, ColorScale, Guide, Panel, PlotCurve, curves, heat_maps};
+use tomolith::report::maps::{Cell, MapAxis, Guide, Panel, PlotCurve, curves, heat_maps};
 use tomolith::report::number::significant;
 
 /// Small multiples in a picture, at most.
@@ -66,7 +66,7 @@ fn picture(plan: &SweepPlan, table: &Table<'_>, metric: &str) -> String {
     if axes.len() == 1 {
         return curves(metric, &[curve(plan, 0, true, &cell)], &caption);
     }
-    let scale = |axis: &Axis| ColorScale {
+    let scale = |axis: &Axis| MapAxis {
         name: axis.name.clone(),
         labels: labels(axis),
     };

@@ -32,6 +32,20 @@
 //! change across the plane ([`AbsorptionMap`](tomolith_optics::absorption_map::AbsorptionMap)) where light is straight; a bath may absorb before the vial
 //! ([`Bath`](tomolith_optics::trace::Bath)).
 //!
+//! # Words
+//! | word | meaning | in |
+//! |---|---|---|
+//! | view | a frame, or a frame with its opposite one where these share their weights; a *side* is one of the two | `views.rs` |
+//! | strip, beam | the light of a column that runs through resin in one smooth bundle; all strips of a view and sub-angle | `strips.rs` |
+//! | tile, patch | 16 × 16 voxels of the plane; 2 × 2 voxels of a tile | `tiles.rs`, `patches.rs` |
+//! | lanes, vector | floats along z that a kernel runs through: slices, or rows of pixels; 16 of them | `z_overlap.rs` |
+//! | slot | the lanes of one column of one view: view × columns + column | `plan.rs` |
+//! | lit | the first and last lane of a slot that have light | `plan.rs` |
+//! | entry | what a slot brings to a voxel or patch: (slot, weights) | `cached.rs` |
+//! | group | views whose entries of a tile are stored and summed together | `cached.rs` |
+//! | part | a quarter or half of the turn, after which views repeat, seen from voxels that are turned, too | `turned.rs` |
+//! | band | tiles whose adjoints are summed apart, in the same order on any number of threads | `kept.rs` |
+//!
 //! # Cost
 //! One *update* is one voxel lit by one frame: about two fused multiply-adds and two loads of one float each, shared
 //! geometry aside. Where light can be reversed (pure Radon, straight light, every frame with its opposite), two frames

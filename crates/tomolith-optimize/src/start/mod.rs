@@ -58,6 +58,9 @@ impl<'a, F: Field> StartInput<'a, F> {
 /// Absorption below this part of the largest counts as none: no light makes up for it.
 const NEGLIGIBLE: f32 = 1e-6;
 
+/// Share of a response that ends, such as a logistic one, for which no dose is asked.
+const REST: f64 = 0.01;
+
 /// A method that makes initial patterns.
 pub trait InitialPatterns<F: Field = HostField>: std::fmt::Debug + Send + Sync {
     /// First patterns, within the bounds.
@@ -125,8 +128,8 @@ impl<F: Field> StartInput<'_, F> {
     /// The wanted dose of every element of the dose field, 0 where a voxel is no part or does not count.
     fn wanted_dose(&self) -> Result<F> {
         let layout = self.layout()?;
-        // Doses are relative and 1 is the ceiling; a saturating response would ask for more without end
-        let dose_of = |value: f32| self.response.inverse(value).clamp(0.0, 1.0);
+        let most = self.most_dose();
+        let dose_of = |value: f32| self.response.inverse(value).clamp(0.0, most);
         let (gray, part) = (self.target.gray, dose_of(1.0));
         let mut wanted = Volume::filled(layout.grid.clone(), 0.0f32);
         elements(&mut wanted.values, |i, wanted| {
@@ -145,6 +148,17 @@ impl<F: Field> StartInput<'_, F> {
             field = labels.iter().map(of).collect();
         }
         self.dose_of(&field)
+    }
+
+    /// The largest dose that is asked for: 1, or that of nearly all of a response that ends; the last of it would ask for more without end.
+    #[expect(clippy::cast_possible_truncation, reason = "doses are f32")]
+    fn most_dose(&self) -> f32 {
+        let [lowest, highest] = self.response.range();
+        if highest.is_infinite() {
+            return f32::MAX;
+        }
+        let nearly = highest - REST * (highest - lowest.max(0.0));
+        self.response.inverse(nearly as f32).max(1.0)
     }
 
     /// A dose whose first output has these elements.
@@ -277,6 +291,7 @@ mod tests {
     use tomolith_core::check::{self, small::SmallModel};
     use tomolith_core::kind::Section;
     use tomolith_core::response::Logistic;
+    use tomolith_core::response::table::{Beyond, Table};
 
     /// Mean dose of part and of void.
     fn contrast(model: &SmallModel, labels: &Volume<u8>, x: &HostField) -> [f64; 2] {
@@ -360,6 +375,35 @@ mod tests {
                     "{}",
                     row.name
                 );
+            }
+        }
+    }
+
+    #[test]
+    fn a_response_in_other_units_gets_a_start_in_these() {
+        let model = SmallModel::new(32, 48, 3);
+        let (target, labels) = model.ring();
+        let limits = [Limits::default()];
+        // Doses 4 times as large; the second ends at its target, of whose last hundredth no dose is asked
+        let rising = Table::new(&[0.0, 4.0, 8.0], &[0.0, 1.0, 2.0], Beyond::Linear).unwrap();
+        let ending = Table::new(&[0.0, 4.0], &[0.0, 1.0], Beyond::Flat).unwrap();
+        for row in STARTS
+            .iter()
+            .filter(|row| !["zero", "patterns"].contains(&row.name))
+        {
+            let start = (row.build)(&example(row)).unwrap();
+            let mean = |response: &dyn Response| {
+                let input = StartInput {
+                    response,
+                    ..StartInput::new(&model, &target, &labels, &limits)
+                };
+                let x = start.patterns(&input, &Run::new()).unwrap();
+                contrast(&model, &labels, &x)[0]
+            };
+            let plain = mean(&Identity);
+            for (response, factor) in [(&rising, 4.0), (&ending, 3.96)] {
+                let ratio = mean(response) / plain;
+                assert!((ratio - factor).abs() < 1e-4, "{}: {ratio}", row.name);
             }
         }
     }

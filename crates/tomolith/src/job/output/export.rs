@@ -103,7 +103,7 @@ pub fn job_of_run(run: &Path, printer: Option<&Path>, overrides: &[String]) -> R
     if let Some(folder) = printer.filter(|path| path.is_dir() && !has_profile(path)) {
         let found = format!("`{}` is a folder", folder.display());
         let accepted =
-            "a machine by name (`tomolith profiles`), or a TOML file with a table [printer]";
+            "a machine by name (`tomolith profiles`), or a TOML file with a table [printer], or with its keys";
         return Err(Error::config("--printer", found, accepted));
     }
     let is_name = |name: &&Path| name.extension().is_none() && !name.is_file();
@@ -113,11 +113,14 @@ pub fn job_of_run(run: &Path, printer: Option<&Path>, overrides: &[String]) -> R
         document.overridden("printer", format!("--printer {name}"));
     } else if let Some(machine) = printer {
         let other = Document::read(machine)?;
-        let table = other.root.get("printer").cloned().ok_or_else(|| {
+        let is_job = other.root.get("target").is_some();
+        let keys = other.root.get("printer");
+        let table = keys.or(Some(&other.root).filter(|_| !is_job));
+        let table = table.cloned().ok_or_else(|| {
             Error::config(
                 "--printer",
                 format!("{} holds no [printer]", machine.display()),
-                "a TOML file with a table [printer]",
+                "a TOML file with a table [printer], or with its keys",
             )
         })?;
         let spec = Section::new("printer", table).parse::<PrinterSpec>();

@@ -272,8 +272,13 @@ impl Goal {
 
     /// Whether all objectives weigh a voxel by its inside fraction, and none has a number for each of the job's voxels.
     pub(crate) fn sees_fractions(&self) -> bool {
-        let sees = |own: &JobObjective| own.of.surface() == SurfaceHandling::Fraction;
-        !self.has_fields() && self.counted().all(sees)
+        !self.has_fields() && self.weighs_fractions()
+    }
+
+    /// Whether all objectives weigh a voxel by its inside fraction.
+    pub(crate) fn weighs_fractions(&self) -> bool {
+        let weighs = |own: &JobObjective| own.of.surface() == SurfaceHandling::Fraction;
+        self.counted().all(weighs)
     }
 
     /// Whether an objective looks for the process window itself.

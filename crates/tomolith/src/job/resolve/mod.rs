@@ -268,6 +268,7 @@ impl ResolvedJob {
         }
         let chosen = || refinement::evaluation_refine(&grid, &levels);
         let refine = spec.evaluate.refine.unwrap_or_else(chosen);
+        notes.extend(refinement::held_back(asked, family.as_ref()));
         let memory = method.pairs().unwrap_or(0);
         let extent = Extent::new(&optics, &grid, bounds_mm, refine, memory);
         let of_shapes = species.iter().map(|own| own.shape.warnings()).collect();

@@ -273,9 +273,22 @@ pub(crate) fn unheard(spec: &JobSpec, levels: &[Level], grid: &VolumeGrid) -> Op
     let finest = levels.last()?;
     (finest.grid.pitch_mm >= grid.pitch_mm).then(|| {
         format!(
-            "grid.refine = {refine} changes nothing here: finer voxels are for collimated light, an objective with surface = \"fraction\" (or \"cells\"), \
-             and a job without [multiresolution], osmo, cal, and ends that the job's own voxels decide (stop.iou, stop.loss, stop.relative_loss); lower grid.pitch_mm"
+            "grid.refine = {refine} changes nothing here: finer voxels are for collimated light, objectives with surface = \"fraction\" (or \"cells\") and \
+             without region, weights and tolerance, and a job without [multiresolution], osmo, cal, and ends that the job's own voxels decide (stop.iou, stop.loss, stop.relative_loss); lower grid.pitch_mm"
         )
+    })
+}
+
+/// What to say where weights or bands of the job's voxels keep the optimization from finer ones.
+pub(crate) fn held_back(asked: Asked<'_>, family: &dyn ModelFamily) -> Option<String> {
+    let goals = || asked.species.iter().map(|own| &own.goal);
+    let would_refine = goals().all(Goal::weighs_fractions)
+        && may_refine(asked, family.capabilities().refines)
+        && asked.spec.multiresolution.is_none();
+    (would_refine && goals().any(Goal::has_fields)).then(|| {
+        "patterns are optimized on the job's own voxels, as objectives with region, weights or tolerance need them, and at light.sub_angles angles a frame \
+         (1 unless it is set): finer voxels come from a smaller grid.pitch_mm, the turn of the vial from light.sub_angles"
+            .to_owned()
     })
 }
 
@@ -283,10 +296,12 @@ pub(crate) fn unheard(spec: &JobSpec, levels: &[Level], grid: &VolumeGrid) -> Op
 /// job's own voxels.
 fn is_free(asked: Asked<'_>, refines: Refines) -> bool {
     let mut goals = asked.species.iter().map(|own| &own.goal);
-    refines == Refines::Voxels
-        && !asks_of_voxels(asked.spec)
-        && !asked.method.needs_target()
-        && goals.all(Goal::sees_fractions)
+    may_refine(asked, refines) && goals.all(Goal::sees_fractions)
+}
+
+/// Whether model, method and ends of the run leave the voxels to the program.
+fn may_refine(asked: Asked<'_>, refines: Refines) -> bool {
+    refines == Refines::Voxels && !asks_of_voxels(asked.spec) && !asked.method.needs_target()
 }
 
 /// Whether a run ends by what the job's own voxels say, or prints in time on them.
@@ -421,6 +436,7 @@ pub(crate) fn widened(goal: &Goal, steps: usize) -> Option<Goal> {
 mod tests {
     use super::*;
     use crate::job::Job;
+    use crate::job::resolve::ResolvedJob;
     use crate::job::tests::job_of;
     use crate::models::{OpticalScene, Run, planner};
     use crate::target::Shape;
@@ -507,23 +523,45 @@ mod tests {
     }
 
     #[test]
-    fn objectives_of_no_weight_decide_nothing() {
-        let goal = |weight: &str| {
+    fn objectives_of_no_weight_and_fields_of_defaults_decide_nothing() {
+        let job = |objectives: &str| {
             let text = format!(
                 r#"
                 target = {{ phantom = {{ sphere = {{}} }}, size_mm = 0.8 }}
                 resin = {{ refractive_index = 1.5, absorption_per_mm = 0.1 }}
                 vial = {{ index_matched = {{ radius_mm = 1.0 }} }}
                 light = [{{ pixels = [24, 16], angles = 12, projector = {{ collimated = {{ pixel_pitch_mm = 0.1 }} }} }}]
-                objectives = [{{ threshold = {{}} }}, {{ l2 = {{}}, weight = {weight} }}]
+                objectives = [{{ threshold = {{}}{objectives} }}]
                 "#
             );
-            let job = job_of(&text, &[]);
-            Goal::read(&job.spec, &job.base()).unwrap()
+            job_of(&text, &[])
         };
-        let [measured, minimized] = ["0.0", "0.5"].map(goal);
-        assert!(measured.sees_fractions() && sharpened(&measured).is_some());
-        assert!(!minimized.sees_fractions() && sharpened(&minimized).is_none());
+        for (objectives, is_free) in [
+            (" }, { l2 = {}, weight = 0.0", true),
+            (" }, { l2 = {}, weight = 0.5", false),
+            (
+                ", region = \"all\", weights = { part = 1.0 }, tolerance = { void = 0.0 }",
+                true,
+            ),
+            (", region = \"part\"", false),
+            (", weights = { part = 2.0 }", false),
+        ] {
+            let job = job(objectives);
+            let goal = Goal::read(&job.spec, &job.base()).unwrap();
+            assert_eq!(goal.sees_fractions(), is_free, "{objectives}");
+            assert_eq!(
+                sharpened(&goal).is_some(),
+                is_free || goal.has_fields(),
+                "{objectives}"
+            );
+            let resolved = ResolvedJob::new(&job).unwrap();
+            let is_told = |note: &String| note.contains("region, weights or tolerance");
+            assert_eq!(
+                resolved.notes.iter().any(is_told),
+                goal.has_fields(),
+                "{objectives}"
+            );
+        }
     }
 
     #[test]

@@ -236,11 +236,15 @@ pub(crate) fn chosen(spec: &JobSpec, method: &Method) -> Vec<String> {
     let last = (spec.stop.keep == Keep::Last).then_some(
         "stop.keep = \"last\": the patterns are those of the last iteration, the best ones or not",
     );
-    [edges, last]
-        .into_iter()
-        .flatten()
-        .map(str::to_owned)
-        .collect()
+    let lights = spec.light.iter().enumerate();
+    let lists =
+        lights.filter(|(_, light)| matches!(&light.angles, Angles::List(list) if list.len() > 1));
+    let standing = lists.map(|(i, _)| format!(
+        "light[{i}].angles.list_deg: the vial stands during each of these frames, so nothing is averaged over a turn (sub_angles) and no movie is written; \
+         {{ count, start_deg, arc_deg }} is for a vial that turns"
+    ));
+    let of_method = [edges, last].into_iter().flatten().map(str::to_owned);
+    of_method.chain(standing).collect()
 }
 
 /// Refuses patterns to start from that cannot be read or are of other lights; says where their shape is another one.

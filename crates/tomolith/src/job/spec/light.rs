@@ -29,7 +29,8 @@ pub struct LightSpec {
     /// Offset of the image's center from the rotation axis [along the columns, up]; 0 when left out.
     #[serde(default, skip_serializing_if = "is_about_axis")]
     pub offset_mm: [Mm; 2],
-    /// Azimuths of the frames: a count (full turn; for a single frame the vial stands), {count, start_deg, arc_deg} or {list_deg}.
+    /// Azimuths of the frames: a count (full turn; for a single frame the vial stands), {count, start_deg, arc_deg} or {list_deg} (the vial stands during each of
+    /// these frames, and no movie is written).
     pub angles: Angles,
     /// Angles at which the optimization averages a frame, which is exposed while the vial turns through its arc. When left out: one for
     /// every half pixel that the rim of the part moves, 4 at most, as far as the time allows; 1 where light is not collimated and level.

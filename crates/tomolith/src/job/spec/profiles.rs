@@ -114,7 +114,12 @@ fn keys_of(table: &str, name: &str, base: &Path) -> Result<Map<String, Value>> {
         .is_some_and(|end| end.eq_ignore_ascii_case("toml"))
     {
         let path = base.join(name);
-        return read(&path, read_text(&path)?);
+        let mut keys = read(&path, read_text(&path)?)?;
+        // With its header, or as the table of a job
+        return Ok(match keys.remove(table) {
+            Some(Value::Object(of_table)) => of_table,
+            _ => keys,
+        });
     }
     Err(Error::Config {
         key: table.to_owned(),
@@ -136,7 +141,7 @@ fn accepted(table: &str) -> String {
     let known = PROFILES.iter().filter(|own| own.table == table);
     let names: Vec<&str> = known.map(|own| own.name).collect();
     format!(
-        "{}; a file `NAME.toml` with the keys of [{table}]; or the table itself",
+        "{}; a file `NAME.toml` with [{table}] or its keys; or the table itself",
         names.join(", ")
     )
 }
@@ -183,9 +188,12 @@ mod tests {
             !text.contains("profile") && text.contains("scattering_per_mm = 0.1707"),
             "{text}"
         );
-        std::fs::write(place.path().join("ours.toml"), "absorption_per_mm = 0.3\n").unwrap();
-        let own = job(&["resin=\"ours.toml\""], place.path()).unwrap();
-        assert_eq!(own.spec.resin.absorption_per_mm, Some(0.3));
+        for header in ["", "[resin]\n"] {
+            let text = format!("{header}absorption_per_mm = 0.3\n");
+            std::fs::write(place.path().join("ours.toml"), text).unwrap();
+            let own = job(&["resin=\"ours.toml\""], place.path()).unwrap();
+            assert_eq!(own.spec.resin.absorption_per_mm, Some(0.3));
+        }
     }
 
     #[test]
