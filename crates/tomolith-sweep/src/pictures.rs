@@ -9,7 +9,7 @@ use serde_json::Value;
 use std::path::{Path, PathBuf};
 use tomolith::Result;
 use tomolith::io::{read_text, write_text};
-use tomolith::report::maps::{Cell, MapAxis, Guide, Panel, PlotCurve, curves, heat_maps};
+use tomolith::report::maps::{Cell, Guide, MapAxis, Panel, PlotCurve, curves, heat_maps};
 use tomolith::report::number::significant;
 
 /// Small multiples in a picture, at most.

@@ -102,8 +102,7 @@ pub fn job_of_run(run: &Path, printer: Option<&Path>, overrides: &[String]) -> R
     let has_profile = |folder: &Path| PROFILES.iter().any(|own| folder == Path::new(own.name));
     if let Some(folder) = printer.filter(|path| path.is_dir() && !has_profile(path)) {
         let found = format!("`{}` is a folder", folder.display());
-        let accepted =
-            "a machine by name (`tomolith profiles`), or a TOML file with a table [printer], or with its keys";
+        let accepted = "a machine by name (`tomolith profiles`), or a TOML file with a table [printer], or with its keys";
         return Err(Error::config("--printer", found, accepted));
     }
     let is_name = |name: &&Path| name.extension().is_none() && !name.is_file();

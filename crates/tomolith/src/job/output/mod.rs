@@ -5,4 +5,5 @@ pub(crate) mod files;
 pub mod folder;
 pub(crate) mod frames;
 pub(crate) mod replace;
+mod report;
 pub mod summary;

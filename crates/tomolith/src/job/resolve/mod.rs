@@ -260,6 +260,7 @@ impl ResolvedJob {
             species: &species,
         };
         let levels = refinement::levels(asked, (&optics, family.as_ref()), &grid, bounds_mm);
+        notes.extend(refinement::held_back(asked, family.as_ref()));
         let finest = &levels[levels.len() - 1];
         if refinement::are_sharpened(asked, family.as_ref(), finest) {
             for own in &mut species {
@@ -268,7 +269,6 @@ impl ResolvedJob {
         }
         let chosen = || refinement::evaluation_refine(&grid, &levels);
         let refine = spec.evaluate.refine.unwrap_or_else(chosen);
-        notes.extend(refinement::held_back(asked, family.as_ref()));
         let memory = method.pairs().unwrap_or(0);
         let extent = Extent::new(&optics, &grid, bounds_mm, refine, memory);
         let of_shapes = species.iter().map(|own| own.shape.warnings()).collect();
