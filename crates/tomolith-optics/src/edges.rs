@@ -1,7 +1,7 @@
 //! Edges of a wall, where a vial is rough or rounded: light that enters near them does not go where a tracer says.
 //!
 //! # Model
-//! Edges of a square prism are the four upright lines through its corners. Of a net they are those where two faces meet at more than
+//! Edges of a prism are the upright lines through its corners. Of a net they are those where two faces meet at more than
 //! [`SHARPEST`]: the facets of a round wall are no edges, its rims are.
 //!
 //! # Limits
@@ -17,7 +17,6 @@
 //! ```
 
 use super::surface::Surface;
-use super::vial::CrossSection;
 use std::collections::HashMap;
 use tomolith_core::vector::{cross, dot, minus, unit};
 
@@ -40,16 +39,11 @@ impl Edges {
     pub fn of(surface: &Surface) -> Self {
         match surface {
             // Of a vial with ends the upright edges, as without them
-            Surface::Prism(CrossSection::Circle(_)) | Surface::Can(CrossSection::Circle(_), _) => {
-                Edges::default()
-            }
-            Surface::Prism(CrossSection::Square(w)) | Surface::Can(CrossSection::Square(w), _) => {
-                Edges {
-                    lines: [[*w, *w], [*w, -w], [-w, *w], [-w, -w]]
-                        .map(|[x, y]| [[x, y, -ENDLESS], [x, y, ENDLESS]])
-                        .to_vec(),
-                }
-            }
+            Surface::Prism(curve) | Surface::Can(curve, _) => Edges {
+                lines: (curve.corners().into_iter())
+                    .map(|[x, y]| [[x, y, -ENDLESS], [x, y, ENDLESS]])
+                    .collect(),
+            },
             Surface::Net(net) => Edges {
                 lines: sharp(net.corners()),
             },

@@ -51,7 +51,7 @@ pub struct Bath {
 impl Bath {
     /// Way through the bath of a ray that starts outside at `position` and meets the vial after `distance` mm.
     fn way(self, position: [f64; 2], direction: [f64; 2], distance: f64) -> f64 {
-        let entry = enter(CrossSection::Circle(self.radius_mm), position, direction);
+        let entry = CrossSection::Circle(self.radius_mm).enter(position, direction);
         entry.map_or(0.0, |(entry, ..)| (distance - entry).max(0.0))
     }
 }
@@ -202,7 +202,7 @@ impl Tracer {
     /// The next wall a ray meets: the one around it, or the one it encloses.
     fn next_wall(&self, position: [f64; 2], direction: [f64; 2], depth: usize) -> Option<Hit> {
         let inward = self.walls.get(depth).and_then(|wall| {
-            let (distance, normal, face) = enter(wall.curve, position, direction)?;
+            let (distance, normal, face) = wall.curve.enter(position, direction)?;
             Some(Hit {
                 distance,
                 normal,
@@ -213,7 +213,7 @@ impl Tracer {
         if inward.is_some() || depth == 0 {
             return inward;
         }
-        let (distance, normal, face) = leave(self.walls[depth - 1].curve, position, direction)?;
+        let (distance, normal, face) = self.walls[depth - 1].curve.leave(position, direction)?;
         Some(Hit {
             distance,
             normal,
@@ -231,77 +231,10 @@ struct Hit {
     face: u8,
 }
 
+/// The number of a face among those of all walls.
 fn tag(wall: usize, face: u8) -> u8 {
-    (wall as u8) * 4 + face
-}
-
-/// Distances below this (mm) are the wall the ray has just passed.
-const TOUCH: f64 = 1e-9;
-
-/// Distance to a convex curve from outside, normal against the ray, and face; None when it is missed.
-pub(super) fn enter(curve: CrossSection, p: [f64; 2], d: [f64; 2]) -> Option<(f64, [f64; 2], u8)> {
-    match curve {
-        CrossSection::Circle(r) => {
-            let b = p[0] * d[0] + p[1] * d[1];
-            let lateral = p[0] * d[1] - p[1] * d[0];
-            let half_squared = (r - lateral.abs()) * (r + lateral.abs());
-            if half_squared <= 0.0 {
-                return None;
-            }
-            let t = -b - half_squared.sqrt();
-            (t > TOUCH).then(|| (t, [(p[0] + t * d[0]) / r, (p[1] + t * d[1]) / r], 0))
-        }
-        CrossSection::Square(w) => {
-            // Slab method: the last of the entries is where the ray gets in
-            let (mut near, mut far, mut axis) = (f64::NEG_INFINITY, f64::INFINITY, 0);
-            for i in 0..2 {
-                if d[i] == 0.0 {
-                    if p[i].abs() >= w {
-                        return None;
-                    }
-                    continue;
-                }
-                let (t0, t1) = (
-                    (-w * d[i].signum() - p[i]) / d[i],
-                    (w * d[i].signum() - p[i]) / d[i],
-                );
-                if t0 > near {
-                    (near, axis) = (t0, i);
-                }
-                far = far.min(t1);
-            }
-            (near < far && near > TOUCH).then(|| {
-                let mut normal = [0.0; 2];
-                normal[axis] = -d[axis].signum();
-                (near, normal, face_of(axis, d[axis] < 0.0))
-            })
-        }
-    }
-}
-
-/// Distance to a convex curve from inside, normal against the ray, and face.
-pub(super) fn leave(curve: CrossSection, p: [f64; 2], d: [f64; 2]) -> Option<(f64, [f64; 2], u8)> {
-    match curve {
-        CrossSection::Circle(r) => {
-            let b = p[0] * d[0] + p[1] * d[1];
-            let lateral = p[0] * d[1] - p[1] * d[0];
-            let t = -b + ((r - lateral.abs()) * (r + lateral.abs())).max(0.0).sqrt();
-            Some((t, [-(p[0] + t * d[0]) / r, -(p[1] + t * d[1]) / r], 0))
-        }
-        CrossSection::Square(w) => {
-            let (axis, t) = (0..2)
-                .filter(|&i| d[i] != 0.0)
-                .map(|i| (i, (w * d[i].signum() - p[i]) / d[i]))
-                .min_by(|a, b| a.1.total_cmp(&b.1))?;
-            let mut normal = [0.0; 2];
-            normal[axis] = -d[axis].signum();
-            Some((t, normal, face_of(axis, d[axis] > 0.0)))
-        }
-    }
-}
-
-fn face_of(axis: usize, positive: bool) -> u8 {
-    (axis as u8) * 2 + u8::from(positive)
+    debug_assert!(face < CrossSection::MOST_FACES, "no room for face {face}");
+    (wall as u8) * CrossSection::MOST_FACES + face
 }
 
 #[cfg(test)]
@@ -368,11 +301,8 @@ mod tests {
                 let (a, b) = (clear.trace(u, 0.0), absorbing.trace(u, 0.0));
                 assert!((b.balance.total() - 1.0).abs() < 1e-12);
                 // Light comes from +x: it enters the bath at √(R² − u²), a round vial at √(r² − u²)
-                let outer = match vial.walls()[0].curve {
-                    CrossSection::Circle(r) => (r * r - u * u).sqrt(),
-                    CrossSection::Square(w) => w,
-                };
-                let way = (12.0f64.powi(2) - u * u).sqrt() - outer;
+                let outer = vial.walls()[0].curve.half_chord(0, u.abs());
+                let way = (12.0f64.powi(2) - u * u).sqrt() - outer.unwrap();
                 let expected = a.segments[0].power * (-0.15 * way).exp();
                 near!(b.segments[0].power, expected, 1e-12, "{vial:?} {u}");
             }

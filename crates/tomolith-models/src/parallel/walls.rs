@@ -104,9 +104,10 @@ impl Walls {
             faces[0].abs().min(faces[1].abs())
         };
         let far = faces[0].abs().max(faces[1].abs());
-        let core = self.core.and_then(|core| half_width(core, far));
+        let outer = self.outer.half_chord(across, near);
+        let core = self.core.and_then(|core| core.half_chord(across, far));
         ResinRow {
-            outer: ends(half_width(self.outer, near).unwrap_or(0.0)),
+            outer: ends(outer.unwrap_or(0.0)),
             core: core.map(ends),
         }
     }
@@ -128,14 +129,6 @@ impl Walls {
             let at = edges.map(|[offset, slope]| offset + slope * middle);
             self.resin_row(major, first as i64 + row as i64).holds(at)
         })
-    }
-}
-
-/// Half the chord of a curve at a distance from the axis, mm; None beyond it.
-fn half_width(curve: CrossSection, distance: f64) -> Option<f64> {
-    match curve {
-        CrossSection::Circle(r) => (distance < r).then(|| ((r - distance) * (r + distance)).sqrt()),
-        CrossSection::Square(half) => (distance < half).then_some(half),
     }
 }
 

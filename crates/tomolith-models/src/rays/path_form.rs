@@ -42,7 +42,8 @@ impl Rays {
         else {
             return Ok(None);
         };
-        let Some((cells, sharpened)) = grid.form() else {
+        let half = curve.as_circle().or(curve.as_square());
+        let (Some((cells, sharpened)), Some(half)) = (grid.form(), half) else {
             return Ok(None);
         };
         let Some(geometry) = straight.geometry(Wanted::All, run)? else {
@@ -53,10 +54,6 @@ impl Rays {
         let [low, lowest] =
             [&self.output, &cells.layout].map(|layout| layout.grid.bounds_mm()[0][2]);
         let edge = (pitch / self.output.grid.pitch_mm).round() as usize;
-        let (is_round, half) = match curve {
-            CrossSection::Circle(radius) => (true, radius),
-            CrossSection::Square(half) => (false, half),
-        };
         let mut of_lights = Vec::new();
         for (i, (light, optics)) in lights.iter().zip(optics).enumerate() {
             let total = light.resin.attenuation_per_mm;
@@ -78,7 +75,7 @@ impl Rays {
             straight: Arc::new(geometry),
             lights: of_lights,
             wall: ResinWall {
-                is_round,
+                is_round: curve.as_circle().is_some(),
                 half: (half / pitch) as f32,
                 ends: ends.map(|z| ((z - lowest) / pitch) as f32),
             },

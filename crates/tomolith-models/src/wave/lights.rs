@@ -18,7 +18,7 @@ use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::units::concise;
 use tomolith_optics::light::Light;
-use tomolith_optics::vial::{CrossSection, Vial};
+use tomolith_optics::vial::Vial;
 
 /// The reason why the model does not support a vial and its lights; None when it does.
 #[must_use]
@@ -293,14 +293,11 @@ pub(super) fn turning<T: Number, P: Propagation<T>>(
     let columns = ResinColumns::new(vial, grid);
     let windows = windows_of((light, beam), &columns, (focus_mm, settings), grid)?;
     let resin = light.resin.uptake();
-    let wall = match vial.resin_wall() {
-        CrossSection::Circle(radius) if entrance == Entrance::Wall => Some(radius),
-        _ => None,
-    };
+    let wall = vial.resin_wall().as_circle();
     let uptake = Uptake {
         active: resin.active_per_mm,
         attenuation: resin.attenuation_per_mm,
-        wall,
+        wall: wall.filter(|_| entrance == Entrance::Wall),
         entrance: -vial.resin_wall().inscribed_radius(),
     };
     let turn = FrameRotation::new(

@@ -11,7 +11,7 @@
 //! |---|---|---|---|---|
 //! | `inner_radius_mm` | mm | (0, outer) | – | radius of the resin |
 //! | `outer_radius_mm` | mm | > inner | – | outer radius of the glass |
-//! | `refractive_index` | – | > 0 | – | of the glass |
+//! | `refractive_index` | – | 1 to 4 | – | of the glass |
 //!
 //! # Source
 //! Nicolet et al. 2024 (ray-traced vials); Born & Wolf §3.2 for Bouguer's formula.
@@ -24,7 +24,7 @@
 //! assert!((vial.reach_mm(100.0, 1.0, 1.4849) - 5.859).abs() < 1e-3);
 //! ```
 
-use super::{BuildVial, CrossSection, Medium, Vial, Wall, index, inner_below_outer, positive};
+use super::{BuildVial, CrossSection, Medium, Vial, Wall, inner_below_outer, positive};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::kind::{Kind, schema_of};
@@ -64,7 +64,8 @@ pub struct Params {
     pub inner_radius_mm: Mm,
     /// Outer radius of the glass, mm, > inner.
     pub outer_radius_mm: Mm,
-    /// Refractive index of the glass, > 0.
+    /// Refractive index of the glass.
+    #[schemars(range(min = 1.0, max = 4.0))]
     pub refractive_index: f64,
 }
 
@@ -86,7 +87,7 @@ pub const KIND: Kind<BuildVial> = Kind {
         Ok(Box::new(Cylinder {
             inner_radius_mm: inner,
             outer_radius_mm: outer,
-            refractive_index: index(section, "refractive_index", params.refractive_index)?,
+            refractive_index: params.refractive_index,
         }))
     },
 };

@@ -12,9 +12,9 @@
 //! | `resin_outer_radius_mm` | mm | < the above | – | inner radius of the outer tube |
 //! | `resin_inner_radius_mm` | mm | < the above | – | outer radius of the inner tube |
 //! | `inner_radius_mm` | mm | < the above | – | inner radius of the inner tube |
-//! | `outer_refractive_index` | – | > 0 | – | of the outer tube |
-//! | `inner_refractive_index` | – | > 0 | – | of the inner tube |
-//! | `core_refractive_index` | – | > 0 | 1.0 | of what is inside the inner tube |
+//! | `outer_refractive_index` | – | 1 to 4 | – | of the outer tube |
+//! | `inner_refractive_index` | – | 1 to 4 | – | of the inner tube |
+//! | `core_refractive_index` | – | 1 to 4 | 1.0 | of what is inside the inner tube |
 //!
 //! # Source
 //! The set-up of Nicolet et al. 2024 (double cylindrical vial).
@@ -32,7 +32,7 @@
 //! assert!(!vial.in_resin([3.0, 0.0, 0.0]) && !vial.in_resin([1.0, 0.0, 0.0])); // inner glass, core
 //! ```
 
-use super::{BuildVial, CrossSection, Medium, Vial, Wall, index, inner_below_outer, positive};
+use super::{BuildVial, CrossSection, Medium, Vial, Wall, inner_below_outer, positive};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::kind::{Kind, schema_of};
@@ -82,11 +82,14 @@ pub struct Params {
     pub resin_inner_radius_mm: Mm,
     /// Inner radius of the inner tube, mm.
     pub inner_radius_mm: Mm,
-    /// Refractive index of the outer tube, > 0.
+    /// Refractive index of the outer tube.
+    #[schemars(range(min = 1.0, max = 4.0))]
     pub outer_refractive_index: f64,
-    /// Refractive index of the inner tube, > 0.
+    /// Refractive index of the inner tube.
+    #[schemars(range(min = 1.0, max = 4.0))]
     pub inner_refractive_index: f64,
-    /// Refractive index of what is inside the inner tube, > 0.
+    /// Refractive index of what is inside the inner tube.
+    #[schemars(range(min = 1.0, max = 4.0))]
     #[serde(default = "air")]
     pub core_refractive_index: f64,
 }
@@ -118,21 +121,9 @@ pub const KIND: Kind<BuildVial> = Kind {
         }
         Ok(Box::new(DoubleTube {
             radii_mm: keys.map(|(_, value)| value),
-            outer_refractive_index: index(
-                section,
-                "outer_refractive_index",
-                params.outer_refractive_index,
-            )?,
-            inner_refractive_index: index(
-                section,
-                "inner_refractive_index",
-                params.inner_refractive_index,
-            )?,
-            core_refractive_index: index(
-                section,
-                "core_refractive_index",
-                params.core_refractive_index,
-            )?,
+            outer_refractive_index: params.outer_refractive_index,
+            inner_refractive_index: params.inner_refractive_index,
+            core_refractive_index: params.core_refractive_index,
         }))
     },
 };

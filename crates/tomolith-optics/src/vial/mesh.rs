@@ -10,7 +10,7 @@
 //! |---|---|---|---|---|
 //! | `outer` | – | a mesh file | – | outer wall |
 //! | `inner` | – | a mesh file | – | wall of the resin, within the outer one |
-//! | `refractive_index` | – | > 0 | – | of the glass |
+//! | `refractive_index` | – | 1 to 4 | – | of the glass |
 //! | `scale` | – | > 0 | 1 | millimeters per unit of the files |
 //!
 //! # Limits
@@ -18,7 +18,7 @@
 //! as far as light reaches. Other gaps are refused, and so is an inner wall with a vertex outside of the outer one. Light enters
 //! through whatever faces it, the bottom and the caps too.
 
-use super::{BuildVial, CrossSection, Medium, Vial, Wall, index, positive};
+use super::{BuildVial, CrossSection, Medium, Vial, Wall, positive};
 use crate::projector::Ray;
 use crate::surface::{Net, Surface, meeting};
 use schemars::JsonSchema;
@@ -291,7 +291,8 @@ pub struct Params {
     pub outer: PathBuf,
     /// Mesh file of the wall of the resin, relative to the job.
     pub inner: PathBuf,
-    /// Refractive index of the glass, > 0.
+    /// Refractive index of the glass.
+    #[schemars(range(min = 1.0, max = 4.0))]
     pub refractive_index: f64,
     /// Millimeters per unit of the files, > 0.
     #[serde(default = "one")]
@@ -314,8 +315,7 @@ pub const KIND: Kind<BuildVial> = Kind {
         let mut notes = Vec::new();
         let mut wall = |file: &Path, key: &str| read(section, file, key, scale, &mut notes);
         let (outer, inner) = (wall(&params.outer, "outer")?, wall(&params.inner, "inner")?);
-        let index = index(section, "refractive_index", params.refractive_index)?;
-        let vial = MeshVial::new(&outer, &inner, index, &section.path)?;
+        let vial = MeshVial::new(&outer, &inner, params.refractive_index, &section.path)?;
         Ok(Box::new(MeshVial { notes, ..vial }))
     },
 };

@@ -4,6 +4,7 @@
 //! within it. The tracers ([`crate::trace`] in the plane, [`crate::space`] in space) know Snell and Fresnel, so a
 //! vial is its geometry and nothing else.
 
+mod cross_section;
 pub mod cylinder;
 pub mod double_tube;
 pub mod ended;
@@ -11,38 +12,12 @@ pub mod index_matched;
 pub mod mesh;
 pub mod square;
 
+pub use self::cross_section::CrossSection;
+pub(crate) use self::cross_section::PlaneCrossing;
 use crate::surface::Surface;
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section};
 use tomolith_core::units::Mm;
-
-/// The curve of a wall in the plane z = const, centered on the axis.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum CrossSection {
-    /// A circle of this radius, mm.
-    Circle(f64),
-    /// A square of this half width, mm, faces normal to x and y of the resin frame.
-    Square(f64),
-}
-
-impl CrossSection {
-    /// Whether a point is inside.
-    #[must_use]
-    pub fn contains(self, x: f64, y: f64) -> bool {
-        match self {
-            CrossSection::Circle(r) => x * x + y * y < r * r,
-            CrossSection::Square(w) => x.abs().max(y.abs()) < w,
-        }
-    }
-
-    /// Radius of the largest circle inside, mm.
-    #[must_use]
-    pub fn inscribed_radius(self) -> f64 {
-        match self {
-            CrossSection::Circle(r) | CrossSection::Square(r) => r,
-        }
-    }
-}
 
 /// What lies inside a wall (up to the next one).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,10 +50,9 @@ pub trait Vial: std::fmt::Debug + Send + Sync {
 
     /// No part of the vial is farther from the axis, mm.
     fn outer_radius_mm(&self) -> f64 {
-        self.walls().first().map_or(0.0, |wall| match wall.curve {
-            CrossSection::Circle(r) => r,
-            CrossSection::Square(w) => w * std::f64::consts::SQRT_2,
-        })
+        let walls = self.walls();
+        let outer = walls.first().map(|wall| wall.curve);
+        outer.map_or(0.0, CrossSection::circumscribed_radius)
     }
 
     /// Index of what surrounds the vial, given the index in the job and that of the resin.
@@ -98,9 +72,8 @@ pub trait Vial: std::fmt::Debug + Send + Sync {
 
     /// Whether the cross-section is the same from every azimuth.
     fn is_round(&self) -> bool {
-        self.walls()
-            .iter()
-            .all(|wall| matches!(wall.curve, CrossSection::Circle(_)))
+        let walls = self.walls();
+        walls.iter().all(|wall| wall.curve.as_circle().is_some())
     }
 
     /// Whether straight lines between points of the resin stay in it.
@@ -153,13 +126,6 @@ pub static VIALS: &[Kind<BuildVial>] = &[
 pub(crate) fn positive(section: &Section, key: &str, value: f64) -> Result<f64> {
     let is_in = value.is_finite() && value > 0.0;
     section.in_range(is_in, key, value, "a finite number > 0")?;
-    Ok(value)
-}
-
-/// Refuses anything but a refractive index of something transparent.
-pub(crate) fn index(section: &Section, key: &str, value: f64) -> Result<f64> {
-    let is_in = (1.0..=4.0).contains(&value);
-    section.in_range(is_in, key, value, "a refractive index, 1 to 4")?;
     Ok(value)
 }
 

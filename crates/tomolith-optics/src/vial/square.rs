@@ -9,7 +9,7 @@
 //! |---|---|---|---|---|
 //! | `inner_width_mm` | mm | (0, outer) | – | full width of the resin |
 //! | `outer_width_mm` | mm | > inner | – | full outer width |
-//! | `refractive_index` | – | > 0 | – | of the wall |
+//! | `refractive_index` | – | 1 to 4 | – | of the wall |
 //!
 //! # Source
 //! Nicolet et al. 2024 (square cuvette, 10.07 / 12.43 mm).
@@ -25,7 +25,7 @@
 //! assert!(!vial.is_round());
 //! ```
 
-use super::{BuildVial, CrossSection, Medium, Vial, Wall, index, inner_below_outer, positive};
+use super::{BuildVial, CrossSection, Medium, Vial, Wall, inner_below_outer, positive};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::kind::{Kind, schema_of};
@@ -65,7 +65,8 @@ pub struct Params {
     pub inner_width_mm: Mm,
     /// Full outer width, mm, > inner.
     pub outer_width_mm: Mm,
-    /// Refractive index of the wall, > 0.
+    /// Refractive index of the wall.
+    #[schemars(range(min = 1.0, max = 4.0))]
     pub refractive_index: f64,
 }
 
@@ -87,7 +88,7 @@ pub const KIND: Kind<BuildVial> = Kind {
         Ok(Box::new(Square {
             inner_width_mm: inner,
             outer_width_mm: outer,
-            refractive_index: index(section, "refractive_index", params.refractive_index)?,
+            refractive_index: params.refractive_index,
         }))
     },
 };

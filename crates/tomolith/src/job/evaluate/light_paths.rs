@@ -4,7 +4,6 @@ use crate::job::resolve::ResolvedJob;
 use crate::optics::projector::Ray;
 use crate::optics::space::{SpaceTracer, TraceLimits};
 use crate::optics::surface::Surface;
-use crate::optics::vial::CrossSection;
 use crate::report::page::{FramePaths, LightPath, LightPaths, Scene, SceneOutline};
 
 /// Frames of a turn whose rays are drawn: where those of one frame are those of all, turned, and elsewhere; columns of a frame, and rows of its middle column.
@@ -31,7 +30,7 @@ pub(crate) fn scene(job: &ResolvedJob) -> Scene {
     };
     let bodies = job.optics.paths.first();
     let bodies = bodies.map_or(&[][..], |path| path.obstacles.as_slice());
-    let is_round = bodies.is_empty() && walls.iter().all(|(surface, _)| is_round(surface));
+    let is_round = bodies.is_empty() && job.optics.vial.is_round();
     let walls = (walls.iter().enumerate())
         .filter_map(|(i, (surface, _))| outline(name(i), surface))
         .collect();
@@ -53,30 +52,19 @@ pub(crate) fn scene(job: &ResolvedJob) -> Scene {
     }
 }
 
-/// Whether a turn about the axis changes nothing.
-fn is_round(surface: &Surface) -> bool {
-    matches!(
-        surface,
-        Surface::Prism(CrossSection::Circle(_)) | Surface::Can(CrossSection::Circle(_), _)
-    )
-}
-
 /// A surface in a horizontal cut; of a mesh nothing.
 fn outline(name: &str, surface: &Surface) -> Option<SceneOutline> {
     let (Surface::Prism(curve) | Surface::Can(curve, _)) = surface else {
         return None;
     };
-    let points = match *curve {
-        CrossSection::Circle(radius) => (0..CORNERS)
-            .map(|i| {
-                let (sin, cos) = (std::f64::consts::TAU * i as f64 / CORNERS as f64).sin_cos();
-                [radius * cos, radius * sin]
-            })
-            .collect(),
-        CrossSection::Square(half) => {
-            vec![[half, half], [-half, half], [-half, -half], [half, -half]]
-        }
+    let on_circle = |radius: f64| {
+        let point = move |i| {
+            let (sin, cos) = (std::f64::consts::TAU * i as f64 / CORNERS as f64).sin_cos();
+            [radius * cos, radius * sin]
+        };
+        (0..CORNERS).map(point).collect()
     };
+    let points = curve.as_circle().map_or_else(|| curve.corners(), on_circle);
     Some(SceneOutline {
         name: name.to_owned(),
         points,

@@ -295,10 +295,7 @@ fn gradient_of(spec: &JobSpec, vial: &dyn Vial) -> Result<Option<IndexGradient>>
         let is_in = (1e-3..=10.0).contains(&step);
         in_range(is_in, "resin.gradient.step_mm", step, "0.001 to 10")?;
     }
-    let farthest = match vial.resin_wall() {
-        CrossSection::Circle(radius) => radius,
-        CrossSection::Square(half) => half * std::f64::consts::SQRT_2,
-    };
+    let farthest = vial.resin_wall().circumscribed_radius();
     let gradient = params.within(farthest);
     // n² is a parabola of ρ²: where it is least is an end or its vertex
     let vertex = -0.5 * params.quadratic_per_mm2 / params.quartic_per_mm4;
@@ -330,10 +327,9 @@ fn bath_of(spec: &JobSpec, vial: &dyn Vial) -> Result<Option<Bath>> {
         return Ok(None);
     };
     let radius = bath.radius_mm.0;
-    let vial = vial.walls().first().map_or(0.0, |wall| match wall.curve {
-        CrossSection::Circle(r) => r,
-        CrossSection::Square(w) => w * std::f64::consts::SQRT_2,
-    });
+    let walls = vial.walls();
+    let outer = walls.first().map(|wall| wall.curve);
+    let vial = outer.map_or(0.0, CrossSection::circumscribed_radius);
     if radius < vial {
         return Err(Error::config(
             "bath.radius_mm",
