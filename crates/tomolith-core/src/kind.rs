@@ -92,11 +92,10 @@ impl Section {
     /// # Errors
     /// [`Error::Config`] with the key path of the offending key, and the nearest accepted name for a misspelt one.
     pub fn parse<T: DeserializeOwned + JsonSchema>(&self) -> Result<T> {
-        let read = self.parse_unranged()?;
         let schema = schema_of::<T>();
         let schema = schema.as_value();
         ranges::check(&self.path, &self.value, schema, schema)?;
-        Ok(read)
+        self.parse_unranged()
     }
 
     /// [`parse`](Self::parse) of a type without a schema, whose numbers have no ranges.

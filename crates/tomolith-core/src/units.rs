@@ -91,8 +91,9 @@ impl Mm {
                 ));
             }
         };
-        if value.is_finite() {
-            Ok(Mm(value * factor))
+        let mm = value * factor;
+        if mm.is_finite() {
+            Ok(Mm(mm))
         } else {
             Err(format!("`{text}` is not finite"))
         }

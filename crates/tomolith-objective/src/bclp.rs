@@ -9,7 +9,7 @@
 //! singular at L = 0, where it is set to 0; p < 1 as in [`band`](super::band). **Cost** one pass; a power other than 1 and 2
 //! costs a `powf` per voxel outside its band.
 
-use super::preset::{BandPreset, SurfaceHandling, not_negative, positive};
+use super::preset::{BandPreset, HIGHEST_POWER, LARGEST, SurfaceHandling};
 use super::{BuildObjective, read};
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
@@ -18,17 +18,22 @@ use tomolith_core::kind::{Kind, schema_of};
 tomolith_core::keys! {
     /// The parameters of BCLP.
     pub struct Params {
-        /// ε: half the width of the bands in units of the response, 0 or above (default 0.05)
+        /// ε: half the width of the bands in units of the response
+        #[schemars(range(min = 0.0, max = LARGEST))]
         pub epsilon: f64 = 0.05,
-        /// Power of the distance from the band, above 0 (default 2)
+        /// Power of the distance from the band
+        #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = HIGHEST_POWER))]
         pub p: f64 = 2.0,
-        /// Power of the norm, above 0 (default 1)
+        /// Power of the norm
+        #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = HIGHEST_POWER))]
         pub q: f64 = 1.0,
-        /// Weight of part voxels, 0 or above (default 1)
+        /// Weight of part voxels
+        #[schemars(range(min = 0.0, max = LARGEST))]
         pub part_weight: f64 = 1.0,
-        /// Weight of void voxels, 0 or above (default 1)
+        /// Weight of void voxels
+        #[schemars(range(min = 0.0, max = LARGEST))]
         pub void_weight: f64 = 1.0,
-        /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
+        /// How voxels cut by the surface are weighed: "voxel", "fraction", or "cells" with a dose on either side
         pub surface: SurfaceHandling = SurfaceHandling::Voxel,
     }
 }
@@ -36,11 +41,6 @@ tomolith_core::keys! {
 #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
 fn preset(params: &Params) -> Result<BandPreset> {
     let Params { epsilon, p, q, .. } = *params;
-    not_negative("epsilon", epsilon)?;
-    positive("p", p)?;
-    positive("q", q)?;
-    not_negative("part_weight", params.part_weight)?;
-    not_negative("void_weight", params.void_weight)?;
     let weights = [params.part_weight as f32, params.void_weight as f32];
     Ok(BandPreset {
         epsilon: Some(epsilon),

@@ -9,7 +9,7 @@
 //! do not like. **Cost** the label pass of [`band`](super::band); 12 bytes per voxel more for a gray target.
 //! **Check** doses 1, 2, 3, 4 with the first two part: 0 + 1 + 9 + 16 = 26.
 
-use super::preset::{BandPreset, SurfaceHandling, not_negative};
+use super::preset::{BandPreset, LARGEST, SurfaceHandling};
 use super::{BuildObjective, read};
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
@@ -18,11 +18,13 @@ use tomolith_core::kind::{Kind, schema_of};
 tomolith_core::keys! {
     /// The parameters of `l2` and `l1`.
     pub struct Params {
-        /// Weight of part voxels, 0 or above (default 1)
+        /// Weight of part voxels
+        #[schemars(range(min = 0.0, max = LARGEST))]
         pub part_weight: f64 = 1.0,
-        /// Weight of void voxels, 0 or above (default 1)
+        /// Weight of void voxels
+        #[schemars(range(min = 0.0, max = LARGEST))]
         pub void_weight: f64 = 1.0,
-        /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
+        /// How voxels cut by the surface are weighed: "voxel", "fraction", or "cells" with a dose on either side
         pub surface: SurfaceHandling = SurfaceHandling::Voxel,
     }
 }
@@ -30,10 +32,7 @@ tomolith_core::keys! {
 /// Bands of width 0 to a power.
 #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
 pub(super) fn to_power(power: f64, params: &Params) -> Result<BandPreset> {
-    let (part, void) = (params.part_weight, params.void_weight);
-    not_negative("part_weight", part)?;
-    not_negative("void_weight", void)?;
-    let weights = [part as f32, void as f32];
+    let weights = [params.part_weight as f32, params.void_weight as f32];
     Ok(BandPreset::around_target(
         0.0,
         weights,

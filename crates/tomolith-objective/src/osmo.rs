@@ -9,7 +9,7 @@
 //! method's normalization by the largest dose is not part of the loss. **Cost** the label pass of [`band`](super::band).
 
 use super::band::Band;
-use super::preset::{BandPreset, SurfaceHandling, below, finite};
+use super::preset::{BandPreset, LARGEST, SurfaceHandling, below};
 use super::{BuildObjective, read};
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
@@ -18,11 +18,13 @@ use tomolith_core::kind::{Kind, schema_of};
 tomolith_core::keys! {
     /// The parameters of OSMO's implicit loss.
     pub struct Params {
-        /// D_h: smallest response of part voxels without penalty (default 0.9)
+        /// D_h: smallest response of part voxels without penalty
+        #[schemars(range(min = -LARGEST, max = LARGEST))]
         pub d_h: f64 = 0.9,
-        /// D_l: largest response of void voxels without penalty, below `d_h` (default 0.85)
+        /// D_l: largest response of void voxels without penalty, below `d_h`
+        #[schemars(range(min = -LARGEST, max = LARGEST))]
         pub d_l: f64 = 0.85,
-        /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
+        /// How voxels cut by the surface are weighed: "voxel", "fraction", or "cells" with a dose on either side
         pub surface: SurfaceHandling = SurfaceHandling::Voxel,
     }
 }
@@ -30,8 +32,6 @@ tomolith_core::keys! {
 #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
 fn preset(params: &Params) -> Result<BandPreset> {
     let Params { d_h, d_l, surface } = *params;
-    finite("d_h", d_h)?;
-    finite("d_l", d_l)?;
     below("d_l", d_l, "d_h", d_h)?;
     let bands = [Band::above(d_h as f32), Band::below(d_l as f32)];
     Ok(BandPreset {

@@ -14,7 +14,7 @@
 //! **Cost** the label pass of [`band`](super::band); the buffer costs two distance transforms once.
 
 use super::band::Band;
-use super::preset::{BandPreset, SurfaceHandling, below, finite, not_negative, positive};
+use super::preset::{BandPreset, HIGHEST_POWER, LARGEST, SurfaceHandling, below};
 use super::{BuildObjective, read};
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
@@ -24,19 +24,25 @@ use tomolith_core::units::Mm;
 tomolith_core::keys! {
     /// The parameters of penalty minimization.
     pub struct Params {
-        /// Smallest response of part voxels without penalty (default 0.8)
+        /// Smallest response of part voxels without penalty
+        #[schemars(range(min = -LARGEST, max = LARGEST))]
         pub d_h: f64 = 0.8,
-        /// Largest response of void voxels without penalty, below `d_h` (default 0.7)
+        /// Largest response of void voxels without penalty, below `d_h`
+        #[schemars(range(min = -LARGEST, max = LARGEST))]
         pub d_l: f64 = 0.7,
-        /// Weight of the part, 0 or above (default 1)
+        /// Weight of the part
+        #[schemars(range(min = 0.0, max = LARGEST))]
         pub rho_1: f64 = 1.0,
-        /// Weight of the void, 0 or above (default 1)
+        /// Weight of the void
+        #[schemars(range(min = 0.0, max = LARGEST))]
         pub rho_2: f64 = 1.0,
-        /// Power of the distance from the band, above 0 (default 1)
+        /// Power of the distance from the band
+        #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = HIGHEST_POWER))]
         pub p: f64 = 1.0,
-        /// Voxels this near to a voxel of the other kind do not count, mm, 0 or above (default 0: all count)
+        /// Voxels this near to a voxel of the other kind do not count, mm; with 0 all count
+        #[schemars(extend("minimum" = 0.0, "maximum" = LARGEST))]
         pub buffer_mm: Mm = Mm(0.0),
-        /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
+        /// How voxels cut by the surface are weighed: "voxel", "fraction", or "cells" with a dose on either side
         pub surface: SurfaceHandling = SurfaceHandling::Voxel,
     }
 }
@@ -44,12 +50,6 @@ tomolith_core::keys! {
 #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
 fn preset(params: &Params) -> Result<BandPreset> {
     let Params { d_h, d_l, .. } = *params;
-    finite("d_h", d_h)?;
-    finite("d_l", d_l)?;
-    not_negative("rho_1", params.rho_1)?;
-    not_negative("rho_2", params.rho_2)?;
-    positive("p", params.p)?;
-    not_negative("buffer_mm", params.buffer_mm.0)?;
     below("d_l", d_l, "d_h", d_h)?;
     let part = Band::above(d_h as f32).weighing(params.rho_1 as f32);
     let void = Band::below(d_l as f32).weighing(params.rho_2 as f32);

@@ -312,29 +312,11 @@ fn check_shape(what: &str, found: &[usize; 3], input: &ObjectiveInput) -> Result
 }
 
 /// Largest response that a band can name, and largest weight: their squares and sums are still numbers in f32.
-const LARGEST: f64 = 1e9;
+pub(crate) const LARGEST: f64 = 1e9;
 /// Largest power: beyond it the largest distance alone would decide.
-const HIGHEST_POWER: f64 = 100.0;
+pub(crate) const HIGHEST_POWER: f64 = 100.0;
 
-/// Refuses what is no response that a band can name.
-///
-/// # Errors
-/// [`Error::Config`] naming the key.
-pub(crate) fn finite(key: &str, value: f64) -> Result<()> {
-    let accepted = format!("a number from {:e} to {LARGEST:e}", -LARGEST);
-    in_range(value.abs() <= LARGEST, key, value, accepted)
-}
-
-/// Refuses what is no power above 0.
-///
-/// # Errors
-/// [`Error::Config`] naming the key.
-pub(crate) fn positive(key: &str, value: f64) -> Result<()> {
-    let accepted = format!("a number above 0 and at most {HIGHEST_POWER}");
-    in_range(value > 0.0 && value <= HIGHEST_POWER, key, value, accepted)
-}
-
-/// Refuses what is below 0 or too large for a weight or a width.
+/// Refuses what is below 0 or too large for a weight.
 ///
 /// # Errors
 /// [`Error::Config`] naming the key.

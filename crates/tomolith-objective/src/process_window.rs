@@ -51,9 +51,9 @@ use std::borrow::Cow;
 use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicI64, Ordering};
-use tomolith_core::error::{Error, Result, in_range};
+use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{BLOCK, Field};
-use tomolith_core::kind::{Kind, schema_of};
+use tomolith_core::kind::{Kind, check_ranges, schema_of};
 use tomolith_core::parallel::{InParallel, elements};
 use tomolith_core::response::Response;
 use tomolith_core::units::exact;
@@ -75,15 +75,18 @@ pub enum WindowMeasure {
 tomolith_core::keys! {
     /// The parameters of the process window.
     pub struct Params {
-        /// What outliers are counted in: "pw" (default), a share of either region, or "gamma", a share of the part in both
+        /// What outliers are counted in: "pw", a share of either region, or "gamma", a share of the part in both
         pub measure: WindowMeasure = WindowMeasure::Pw,
-        /// Share ν of voxels that may lie on the wrong side, above 0 and at most 0.25 (default 0.05; 0.1 with `measure = "gamma"`)
+        /// Share ν of voxels that may lie on the wrong side (default 0.05; 0.1 with `measure = "gamma"`); 0.02 is two voxels in a hundred
+        #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = MOST_OUTLIERS))]
         pub outliers: Option<f64>,
-        /// Bound of the dose range in the part without the outliers at either end, above 0 and at most 1 (default: none)
+        /// Bound of the dose range in the part without the outliers at either end (default: none)
+        #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1.0))]
         pub ipdr: Option<f64>,
-        /// Dose τ by which a voxel may be wrong before it costs in full, 0.001 to 1 (default 0.1)
+        /// Dose τ by which a voxel may be wrong before it costs in full
+        #[schemars(range(min = 0.001, max = 1.0))]
         pub softness: f64 = 0.1,
-        /// How voxels cut by the surface are weighed: "fraction" (default), "voxel", or "cells" with a dose on either side
+        /// How voxels cut by the surface are weighed: "fraction", "voxel", or "cells" with a dose on either side
         pub surface: SurfaceHandling = SurfaceHandling::Fraction,
     }
 }
@@ -95,19 +98,6 @@ impl Params {
             WindowMeasure::Pw => 0.05,
             WindowMeasure::Gamma => 0.1,
         })
-    }
-
-    /// The parameters, in their ranges.
-    fn validated(&self) -> Result<Self> {
-        let (outliers, ipdr) = (self.outliers(), self.ipdr.unwrap_or(1.0));
-        let accepted = "a share above 0 and at most 0.25; 0.02 is two voxels in a hundred";
-        let is_in = outliers > 0.0 && outliers <= MOST_OUTLIERS;
-        in_range(is_in, "outliers", outliers, accepted)?;
-        let accepted = "a dose range above 0 and at most 1";
-        in_range(ipdr > 0.0 && ipdr <= 1.0, "ipdr", ipdr, accepted)?;
-        let is_in = (0.001..=1.0).contains(&self.softness);
-        in_range(is_in, "softness", self.softness, "a dose from 0.001 to 1")?;
-        Ok(self.clone())
     }
 }
 
@@ -122,16 +112,16 @@ pub const fn kind<F: Field>() -> Kind<BuildObjective<F>> {
         summary: "the widest process window itself, up to a share of outliers, within a bound of the dose range in the part",
         example: "[objective.process_window]\noutliers = 0.05\nipdr = 0.3",
         schema: schema_of::<Params>,
-        build: |section| read(section, Params::validated),
+        build: |section| read(section, |params: &Params| Ok(params.clone())),
     }
 }
 
 impl<F: Field> MakeObjective<F> for Params {
     fn make(&self, input: &ObjectiveInput) -> BoxedObjective<F> {
-        let params = self.validated()?;
+        check_ranges("", self)?;
         let shares = Shares::new(self.surface, input, input.labels)?;
         let (elements, response) = (input.layout.range(), Arc::clone(&input.response));
-        let objective = ProcessWindow::new(elements, shares, params, response)?;
+        let objective = ProcessWindow::new(elements, shares, self.clone(), response)?;
         Ok(Box::new(objective))
     }
 
@@ -844,7 +834,7 @@ mod tests {
                 "softness",
             ),
         ] {
-            refuses(params.validated(), key);
+            refuses(check_ranges("", &params), key);
         }
         let shares = Shares::of(vec![1.0; 8]);
         let only = ProcessWindow::new(0..8, shares, Params::default(), Arc::new(Identity));

@@ -16,7 +16,7 @@
 //! **Check** doses .5, .97 (part), .92, .5 (void) with lower .9 and upper .95 cost 0.45² + 0.02² = 0.2029.
 
 use super::band::Band;
-use super::preset::{BandPreset, SurfaceHandling, below, finite, not_negative, positive};
+use super::preset::{BandPreset, HIGHEST_POWER, LARGEST, SurfaceHandling, below};
 use super::{BuildObjective, Chosen, read};
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
@@ -27,18 +27,24 @@ tomolith_core::keys! {
     /// The parameters of the threshold objective.
     pub struct Params {
         /// Largest response of void voxels without penalty, below `upper` (default 0.7)
+        #[schemars(range(min = -LARGEST, max = LARGEST))]
         pub lower: Option<f64>,
         /// Smallest response of part voxels without penalty (default 0.9)
+        #[schemars(range(min = -LARGEST, max = LARGEST))]
         pub upper: Option<f64>,
-        /// Largest response of part voxels without penalty, at least `upper` (default 1)
+        /// Largest response of part voxels without penalty, at least `upper`
+        #[schemars(range(min = -LARGEST, max = LARGEST))]
         pub ceiling: f64 = 1.0,
-        /// Power of the distance from the band, above 0 (default 2; 4 where the program chooses voxels of at most half a pixel)
+        /// Power of the distance from the band (default 2; 4 where the program chooses voxels of at most half a pixel)
+        #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = HIGHEST_POWER))]
         pub exponent: Option<f64>,
-        /// Weight of part voxels, 0 or above (default 1)
+        /// Weight of part voxels
+        #[schemars(range(min = 0.0, max = LARGEST))]
         pub part_weight: f64 = 1.0,
-        /// Weight of void voxels, 0 or above (default 1)
+        /// Weight of void voxels
+        #[schemars(range(min = 0.0, max = LARGEST))]
         pub void_weight: f64 = 1.0,
-        /// How voxels cut by the surface are weighed: "fraction" (default), "voxel" as published, or "cells" with a dose on either side
+        /// How voxels cut by the surface are weighed: "fraction", "voxel" as published, or "cells" with a dose on either side
         pub surface: SurfaceHandling = SurfaceHandling::Fraction,
     }
 }
@@ -54,13 +60,7 @@ const PUBLISHED: f64 = 2.0;
 fn preset(params: &Params) -> Result<BandPreset> {
     let lower = params.lower.unwrap_or(LOWER);
     let upper = params.upper.unwrap_or(UPPER);
-    finite("lower", lower)?;
-    finite("upper", upper)?;
-    finite("ceiling", params.ceiling)?;
     let exponent = params.exponent.unwrap_or(PUBLISHED);
-    positive("exponent", exponent)?;
-    not_negative("part_weight", params.part_weight)?;
-    not_negative("void_weight", params.void_weight)?;
     below("lower", lower, "upper", upper)?;
     if params.ceiling < upper {
         return Err(tomolith_core::Error::config(

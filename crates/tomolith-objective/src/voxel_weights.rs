@@ -30,7 +30,7 @@
 //! more in every pass (12 in place of a label byte).
 
 use super::buffer::near_the_other_kind;
-use crate::preset::not_negative;
+use crate::preset::{HIGHEST_POWER, LARGEST};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -56,7 +56,8 @@ pub struct VoxelWeights {
 tomolith_core::keys! {
     /// What an entry has besides its kind.
     pub struct Common {
-        /// ω: factor of this objective in the sum, 0 or above (default 1)
+        /// ω: factor of this objective in the sum
+        #[schemars(range(min = 0.0, max = LARGEST))]
         pub weight: f64 = 1.0,
         /// Which voxels count (default: all)
         pub region: Option<RegionSpec>,
@@ -88,7 +89,7 @@ pub enum Of {
 tomolith_core::keys! {
     /// A region: voxels that all given keys hold.
     pub struct RegionSpec {
-        /// "all" (default), "part" or "void"
+        /// "all", "part" or "void"
         pub of: Of = Of::default(),
         /// Distance from the axis, [from, to] mm
         pub radius_mm: Option<[Mm; 2]>,
@@ -102,20 +103,25 @@ tomolith_core::keys! {
 tomolith_core::keys! {
     /// Weight per voxel.
     pub struct WeightsSpec {
-        /// Weight of part voxels, 0 or above (default 1)
+        /// Weight of part voxels
+        #[schemars(range(min = 0.0, max = LARGEST))]
         pub part: f64 = 1.0,
-        /// Weight of void voxels, 0 or above (default 1)
+        /// Weight of void voxels
+        #[schemars(range(min = 0.0, max = LARGEST))]
         pub void: f64 = 1.0,
         /// Weights per voxel, 0 or above
         pub file: Option<PathBuf>,
         /// Factors of the weight in regions
         #[serde(skip_serializing_if = "Vec::is_empty")]
         pub regions: Vec<RegionValue> = Vec::new(),
-        /// Part voxels this near to the void do not count, mm (default 0)
+        /// Part voxels this near to the void do not count, mm
+        #[schemars(extend("minimum" = 0.0, "maximum" = LARGEST))]
         pub buffer_part_mm: Mm = Mm(0.0),
-        /// Void voxels this near to the part do not count, mm (default 0)
+        /// Void voxels this near to the part do not count, mm
+        #[schemars(extend("minimum" = 0.0, "maximum" = LARGEST))]
         pub buffer_void_mm: Mm = Mm(0.0),
-        /// Gray targets: gradient at which a voxel has half its weight, 1/mm, above 0 (default: none loses any)
+        /// Gray targets: gradient at which a voxel has half its weight, 1/mm (default: none loses any)
+        #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = HIGHEST_POWER))]
         pub edge_per_mm: Option<f64>,
     }
 }
@@ -123,9 +129,11 @@ tomolith_core::keys! {
 tomolith_core::keys! {
     /// Tolerance per voxel.
     pub struct ToleranceSpec {
-        /// In the part, 0 or above (default 0)
+        /// In the part
+        #[schemars(range(min = 0.0, max = LARGEST))]
         pub part: f64 = 0.0,
-        /// In the void, 0 or above (default 0)
+        /// In the void
+        #[schemars(range(min = 0.0, max = LARGEST))]
         pub void: f64 = 0.0,
         /// Added per voxel, 0 or above
         pub file: Option<PathBuf>,
@@ -145,7 +153,8 @@ pub struct RegionValue {
     /// Height, [from, to] mm (default: any)
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub z_mm: Option<[Mm; 2]>,
-    /// The factor of the weight there, or the tolerance that is added there; 0 or above
+    /// The factor of the weight there, or the tolerance that is added there
+    #[schemars(range(min = 0.0, max = LARGEST))]
     pub value: f64,
 }
 
@@ -192,29 +201,17 @@ impl Common {
     }
 
     fn validate(&self) -> Result<()> {
-        not_negative("weight", self.weight)?;
         if let Some(region) = &self.region {
             ascending("region.radius_mm", region.radius_mm)?;
             ascending("region.z_mm", region.z_mm)?;
         }
-        if let Some(weights) = &self.weights {
-            for (key, value) in [
-                ("weights.part", weights.part),
-                ("weights.void", weights.void),
-                ("weights.buffer_part_mm", weights.buffer_part_mm.0),
-                ("weights.buffer_void_mm", weights.buffer_void_mm.0),
-            ] {
-                not_negative(key, value)?;
+        let factors = self.weights.as_ref().map(|weights| &weights.regions);
+        let added = self.tolerance.as_ref().map(|tolerance| &tolerance.regions);
+        for (key, regions) in [("weights", factors), ("tolerance", added)] {
+            for (i, region) in regions.into_iter().flatten().enumerate() {
+                ascending(&format!("{key}.regions[{i}].radius_mm"), region.radius_mm)?;
+                ascending(&format!("{key}.regions[{i}].z_mm"), region.z_mm)?;
             }
-            each_in_range("weights.regions", &weights.regions)?;
-            if let Some(edge) = weights.edge_per_mm {
-                super::preset::positive("weights.edge_per_mm", edge)?;
-            }
-        }
-        if let Some(tolerance) = &self.tolerance {
-            not_negative("tolerance.part", tolerance.part)?;
-            not_negative("tolerance.void", tolerance.void)?;
-            each_in_range("tolerance.regions", &tolerance.regions)?;
         }
         Ok(())
     }
@@ -492,15 +489,6 @@ fn ascending(key: &str, range: Option<[Mm; 2]>) -> Result<()> {
         )),
         None => Ok(()),
     }
-}
-
-/// Refuses numbers and ranges of regions that are out of range.
-fn each_in_range(key: &str, regions: &[RegionValue]) -> Result<()> {
-    regions.iter().enumerate().try_for_each(|(i, region)| {
-        not_negative(&format!("{key}[{i}].value"), region.value)?;
-        ascending(&format!("{key}[{i}].radius_mm"), region.radius_mm)?;
-        ascending(&format!("{key}[{i}].z_mm"), region.z_mm)
-    })
 }
 
 /// A number per role, 0 for voxels that do not count.

@@ -14,7 +14,7 @@
 //! **Parameters** see [`Params`] and [`WindowParams`]. **Cost** the label pass of [`band`](super::band).
 
 use super::band::Band;
-use super::preset::{BandPreset, SurfaceHandling, below, finite, not_negative};
+use super::preset::{BandPreset, LARGEST, SurfaceHandling, below};
 use super::{BuildObjective, read};
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
@@ -23,11 +23,13 @@ use tomolith_core::kind::{Kind, schema_of};
 tomolith_core::keys! {
     /// The parameters of `l2n` and `osp`.
     pub struct Params {
-        /// τ_l: threshold of void voxels, below `upper` (default 0.7)
+        /// τ_l: threshold of void voxels, below `upper`
+        #[schemars(range(min = -LARGEST, max = LARGEST))]
         pub lower: f64 = 0.7,
-        /// τ_u: threshold of part voxels (default 0.9)
+        /// τ_u: threshold of part voxels
+        #[schemars(range(min = -LARGEST, max = LARGEST))]
         pub upper: f64 = 0.9,
-        /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
+        /// How voxels cut by the surface are weighed: "voxel", "fraction", or "cells" with a dose on either side
         pub surface: SurfaceHandling = SurfaceHandling::Voxel,
     }
 }
@@ -35,13 +37,16 @@ tomolith_core::keys! {
 tomolith_core::keys! {
     /// The parameters of `ospw`.
     pub struct WindowParams {
-        /// τ_l: threshold of void voxels, below `upper` (default 0.7)
+        /// τ_l: threshold of void voxels, below `upper`
+        #[schemars(range(min = -LARGEST, max = LARGEST))]
         pub lower: f64 = 0.7,
-        /// τ_u: threshold of part voxels (default 0.9)
+        /// τ_u: threshold of part voxels
+        #[schemars(range(min = -LARGEST, max = LARGEST))]
         pub upper: f64 = 0.9,
-        /// Width of the part's band above τ_u, 0 or above (default 0)
+        /// Width of the part's band above τ_u
+        #[schemars(range(min = 0.0, max = LARGEST))]
         pub w: f64 = 0.0,
-        /// How voxels cut by the surface are weighed: "voxel" (default), "fraction", or "cells" with a dose on either side
+        /// How voxels cut by the surface are weighed: "voxel", "fraction", or "cells" with a dose on either side
         pub surface: SurfaceHandling = SurfaceHandling::Voxel,
     }
 }
@@ -49,8 +54,6 @@ tomolith_core::keys! {
 /// Squared distances from the bands of thresholds.
 fn squared(thresholds: [f64; 2], bands: [Band; 2], surface: SurfaceHandling) -> Result<BandPreset> {
     let [lower, upper] = thresholds;
-    finite("lower", lower)?;
-    finite("upper", upper)?;
     below("lower", lower, "upper", upper)?;
     Ok(BandPreset {
         thresholds: Some(thresholds),
@@ -75,7 +78,6 @@ fn one_side(params: &Params) -> Result<BandPreset> {
 #[expect(clippy::cast_possible_truncation, reason = "bands are f32")]
 fn with_window(params: &WindowParams) -> Result<BandPreset> {
     let thresholds @ [lower, upper] = [params.lower, params.upper];
-    not_negative("w", params.w)?;
     let part = Band::new(upper as f32, (upper + params.w) as f32, 1.0);
     squared(
         thresholds,

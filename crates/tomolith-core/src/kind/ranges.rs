@@ -9,7 +9,11 @@ use serde::Serialize;
 use serde_json::Value;
 
 /// Units by the ends of keys; the first that fits.
-const UNITS: [(&str, &str); 8] = [
+const UNITS: [(&str, &str); 12] = [
+    ("mm2_per_s", "mm²/s"),
+    ("_per_s", "1/s"),
+    ("_mj_per_mm3", "mJ/mm³"),
+    ("_mm3_per_mj", "mm³/mJ"),
     ("_per_mm", "1/mm"),
     ("_mm", "mm"),
     ("_nm", "nm"),
@@ -51,6 +55,15 @@ impl NumberRange {
         // Whole numbers are not negative anyway
         let is_any_count = range.is_whole && range.least == Some(0.0) && range.most.is_none();
         (has_ends && !is_any_count).then_some(range)
+    }
+
+    /// Whether a value is a number beyond the range. In the place of a whole number anything else is, too, so that the message has the range.
+    fn refuses(&self, value: &Value) -> bool {
+        match (self.is_whole, number_of(value)) {
+            _ if value.is_null() => false,
+            (false, number) => number.is_some_and(|number| !self.contains(number)),
+            (true, number) => !is_whole(value) || number.is_none_or(|n| !self.contains(n)),
+        }
     }
 
     fn contains(&self, value: f64) -> bool {
@@ -117,12 +130,19 @@ pub fn check_ranges<T: Serialize + JsonSchema>(path: &str, table: &T) -> Result<
     check(path, &value, schema.as_value(), schema.as_value())
 }
 
+/// The path of a key of the table at a path.
+fn within(path: &str, key: &str) -> String {
+    let dot = if path.is_empty() { "" } else { "." };
+    format!("{path}{dot}{key}")
+}
+
 /// Refuses null: what is written of a number that is not finite.
 fn must_be_finite(path: &str, value: &Value) -> Result<()> {
     match value {
         Value::Null => Err(Error::refused(path, "no finite number", "a finite number")),
-        Value::Object(table) => (table.iter())
-            .try_for_each(|(key, value)| must_be_finite(&format!("{path}.{key}"), value)),
+        Value::Object(table) => {
+            (table.iter()).try_for_each(|(key, value)| must_be_finite(&within(path, key), value))
+        }
         Value::Array(list) => (list.iter().enumerate())
             .try_for_each(|(i, value)| must_be_finite(&format!("{path}[{i}]"), value)),
         _ => Ok(()),
@@ -134,13 +154,10 @@ fn must_be_finite(path: &str, value: &Value) -> Result<()> {
 /// # Errors
 /// [`Error::Config`] with the key below `path`.
 pub(super) fn check(path: &str, value: &Value, schema: &Value, root: &Value) -> Result<()> {
-    if let Some(range) = NumberRange::of(schema)
-        && let Some(number) = number_of(value)
-        && !range.contains(number)
-    {
-        let found = match value {
-            Value::String(text) => format!("\"{text}\""),
-            _ => exact(number),
+    if let Some(range) = NumberRange::of(schema).filter(|range| range.refuses(value)) {
+        let found = match value.as_f64() {
+            Some(number) if !range.is_whole => exact(number),
+            _ => value.to_string(),
         };
         return Err(Error::refused(path, found, range.accepted(path)));
     }
@@ -158,8 +175,7 @@ pub(super) fn check(path: &str, value: &Value, schema: &Value, root: &Value) -> 
         Value::Object(table) => table.iter().try_for_each(|(key, value)| {
             let inner = schema["properties"].get(key);
             let inner = inner.or_else(|| schema.get("additionalProperties"));
-            let dot = if path.is_empty() { "" } else { "." };
-            let at = || format!("{path}{dot}{key}");
+            let at = || within(path, key);
             inner.map_or(Ok(()), |schema| check(&at(), value, schema, root))
         }),
         Value::Array(list) => list.iter().enumerate().try_for_each(|(i, value)| {
@@ -169,8 +185,15 @@ pub(super) fn check(path: &str, value: &Value, schema: &Value, root: &Value) -> 
     }
 }
 
-/// Whether a table is of one of several forms: that form has all its keys.
+fn is_whole(value: &Value) -> bool {
+    value.is_u64() || value.is_i64()
+}
+
+/// Whether a value is of one of several forms: a table has keys of that form alone, a whole number is one.
 fn may_be(value: &Value, form: &Value) -> bool {
+    if holds(&form["type"], "integer") {
+        return is_whole(value);
+    }
     let (Some(table), Some(known)) = (value.as_object(), form["properties"].as_object()) else {
         return true;
     };
@@ -222,11 +245,16 @@ mod tests {
 
     #[test]
     fn a_table_that_a_program_makes_has_finite_numbers_in_their_ranges() {
-        let refusal = |time_s, place| {
+        let refusal_at = |path, time_s, place| {
             let places = vec![[0.0, place]];
-            let checked = check_ranges("made", &Made { time_s, places });
+            let checked = check_ranges(path, &Made { time_s, places });
             checked.err().map(|error| error.to_string())
         };
+        let refusal = |time_s, place| refusal_at("made", time_s, place);
+        for time_s in [-1.0, f64::NAN] {
+            let text = refusal_at("", Some(time_s), 0.0).unwrap();
+            assert!(text.starts_with("time_s: found"), "{text}");
+        }
         assert_eq!(refusal(Some(1.0), -3.0), None);
         assert_eq!(refusal(None, 0.0), None);
         let found = |time_s, place, key: &str| {
@@ -283,6 +311,18 @@ mod tests {
             (
                 json!({"bits": 17}),
                 "table.bits: found 17; accepted: a whole number, 1 to 16",
+            ),
+            (
+                json!({"bits": -1}),
+                "table.bits: found -1; accepted: a whole number, 1 to 16",
+            ),
+            (
+                json!({"bits": 2.5}),
+                "table.bits: found 2.5; accepted: a whole number, 1 to 16",
+            ),
+            (
+                json!({"bits": "two"}),
+                "table.bits: found \"two\"; accepted: a whole number, 1 to 16",
             ),
             (
                 json!({"height_mm": "-2 um"}),

@@ -25,45 +25,37 @@
 //! ```
 
 use super::{BuildResponse, Response, ResponseForm};
-use crate::error::{Error, Result, in_range};
+use crate::error::{Error, Result};
 use crate::field::Lanes;
 use crate::field::group::Group;
-use crate::kind::Kind;
+use crate::kind::{Kind, check_ranges};
 use crate::units::exact;
 use wide::{f32x8, u32x8};
 
 crate::keys! {
     /// The parameters of a generalized logistic response.
     pub struct Params {
-        /// A: response at low dose (default 0)
+        /// A: response at low dose
+        #[schemars(range(min = -1e9, max = 1e9))]
         pub lower: f64 = 0.0,
-        /// K: response at high dose, above `lower` (default 1)
+        /// K: response at high dose, above `lower`
+        #[schemars(range(min = -1e9, max = 1e9))]
         pub upper: f64 = 1.0,
-        /// B: steepness per unit of dose, above 0 (default 10)
+        /// B: steepness per unit of dose
+        #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1e6))]
         pub steepness: f64 = 10.0,
-        /// M: dose of the steepest slope when `asymmetry` is 1 (default 0.5)
+        /// M: dose of the steepest slope when `asymmetry` is 1
+        #[schemars(range(min = -1e9, max = 1e9))]
         pub midpoint: f64 = 0.5,
-        /// ν: moves the steepest slope toward either end, above 0 (default 1)
+        /// ν: moves the steepest slope toward either end
+        #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 100.0))]
         pub asymmetry: f64 = 1.0,
     }
 }
 
 impl Params {
     fn validate(&self) -> Result<()> {
-        for (key, value, most, positive) in [
-            ("lower", self.lower, 1e9, false),
-            ("upper", self.upper, 1e9, false),
-            ("steepness", self.steepness, 1e6, true),
-            ("midpoint", self.midpoint, 1e9, false),
-            ("asymmetry", self.asymmetry, 100.0, true),
-        ] {
-            let accepted = match positive {
-                true => format!("a number above 0 and at most {most:e}"),
-                false => format!("a number from {:e} to {most:e}", -most),
-            };
-            let is_in = value.abs() <= most && (!positive || value > 0.0);
-            in_range(is_in, key, value, accepted)?;
-        }
+        check_ranges("", self)?;
         if self.lower >= self.upper {
             return Err(Error::config(
                 "lower",

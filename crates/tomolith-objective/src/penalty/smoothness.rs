@@ -15,25 +15,29 @@
 //! (1997) 298. **Parameters** see [`Params`]. **Cost** one pass over the patterns, three neighbors a pixel.
 
 use super::{BuildPenalty, MakePenalty, read};
-use crate::preset::{not_negative, positive};
+use crate::preset::{HIGHEST_POWER, LARGEST};
 use std::f64::consts::TAU;
 use tomolith_core::dose::PatternLayout;
 use tomolith_core::dose::layout::PixelRun;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::PatternCost;
 use tomolith_core::field::costs::{FramePairs, PixelPairs};
-use tomolith_core::kind::{Kind, schema_of};
+use tomolith_core::kind::{Kind, check_ranges, schema_of};
 
 tomolith_core::keys! {
     /// The parameters of smoothness.
     pub struct Params {
-        /// Weight of pairs above one another, 0 or above (default 1)
+        /// Weight of pairs above one another
+        #[schemars(range(min = 0.0, max = LARGEST))]
         pub rows: f64 = 1.0,
-        /// Weight of pairs side by side, 0 or above (default 1)
+        /// Weight of pairs side by side
+        #[schemars(range(min = 0.0, max = LARGEST))]
         pub columns: f64 = 1.0,
-        /// Weight of pairs of the same pixel in neighboring frames, 0 or above (default 0)
+        /// Weight of pairs of the same pixel in neighboring frames
+        #[schemars(range(min = 0.0, max = LARGEST))]
         pub angles: f64 = 0.0,
-        /// Differences above this cost in proportion and not squared, above 0 (default: all are squared)
+        /// Differences above this cost in proportion and not squared (default: all are squared)
+        #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = HIGHEST_POWER))]
         pub edge: Option<f64>,
     }
 }
@@ -43,13 +47,7 @@ tomolith_core::keys! {
 /// # Errors
 /// [`Error::Config`] for a negative weight, no weight at all, or an edge that is not above 0.
 pub fn smoothness(params: &Params, lights: &[PatternLayout]) -> Result<PatternCost> {
-    for (key, weight) in [
-        ("rows", params.rows),
-        ("columns", params.columns),
-        ("angles", params.angles),
-    ] {
-        not_negative(key, weight)?;
-    }
+    check_ranges("", params)?;
     if params.rows + params.columns + params.angles == 0.0 {
         return Err(Error::config(
             "rows",
@@ -57,7 +55,6 @@ pub fn smoothness(params: &Params, lights: &[PatternLayout]) -> Result<PatternCo
             "one of them above 0",
         ));
     }
-    params.edge.map_or(Ok(()), |edge| positive("edge", edge))?;
     let mut frames = Vec::new();
     for light in lights {
         frames.extend(frames_of(params, light, frames.len()));

@@ -22,16 +22,17 @@
 //! ```
 
 use super::{BuildPenalty, MakePenalty, read};
-use crate::preset::positive;
+use crate::preset::HIGHEST_POWER;
 use tomolith_core::dose::PatternLayout;
 use tomolith_core::error::Result;
 use tomolith_core::field::PatternCost;
-use tomolith_core::kind::{Kind, schema_of};
+use tomolith_core::kind::{Kind, check_ranges, schema_of};
 
 tomolith_core::keys! {
     /// The parameters of sparsity.
     pub struct Params {
-        /// M: power of the pixel values, above 0 (default 4)
+        /// M: power of the pixel values
+        #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = HIGHEST_POWER))]
         pub exponent: f64 = 4.0,
     }
 }
@@ -41,7 +42,7 @@ tomolith_core::keys! {
 /// # Errors
 /// [`Error::Config`](tomolith_core::Error::Config) when M is not above 0.
 pub fn sparsity(exponent: f64) -> Result<PatternCost> {
-    positive("exponent", exponent)?;
+    check_ranges("", &Params { exponent })?;
     Ok(PatternCost::Power { exponent })
 }
 
