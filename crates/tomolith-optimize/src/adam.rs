@@ -21,9 +21,9 @@ use super::{
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::error::{Result, above_zero, in_range};
+use tomolith_core::error::Result;
 use tomolith_core::field::Field;
-use tomolith_core::kind::{Kind, schema_of};
+use tomolith_core::kind::{Kind, check_ranges, schema_of};
 
 /// How the step changes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
@@ -39,15 +39,19 @@ pub enum StepSchedule {
 tomolith_core::keys! {
     /// The parameters of Adam.
     pub struct Params {
-        /// Length of the first step in units of x, above 0 (default 0.1)
+        /// Length of the first step in units of x
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         pub step: f64 = 0.1,
-        /// How it changes: "constant" (default) or "root" (step/√k)
+        /// How it changes: "constant" or "root" (step/√k)
         pub schedule: StepSchedule = StepSchedule::Constant,
-        /// β₁: share of the past in the mean of gradients, 0 or above and below 1 (default 0.9)
+        /// β₁: share of the past in the mean of gradients
+        #[schemars(extend("minimum" = 0.0, "exclusiveMaximum" = 1.0))]
         pub beta_1: f64 = 0.9,
-        /// β₂: the same for their squares (default 0.999)
+        /// β₂: the same for their squares
+        #[schemars(extend("minimum" = 0.0, "exclusiveMaximum" = 1.0))]
         pub beta_2: f64 = 0.999,
-        /// ε: added to the root of the squares, above 0, in units of the gradient (default 1e-8)
+        /// ε: added to the root of the squares, in units of the gradient
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         pub epsilon: f64 = 1e-8,
     }
 }
@@ -96,17 +100,7 @@ impl<F: Field> Adam<F> {
     /// # Errors
     /// [`Error::Config`](tomolith_core::Error::Config) naming the key that is out of range.
     pub fn new(params: Params) -> Result<Self> {
-        for (key, value) in [("step", params.step), ("epsilon", params.epsilon)] {
-            above_zero(key, value)?;
-        }
-        for (key, value) in [("beta_1", params.beta_1), ("beta_2", params.beta_2)] {
-            in_range(
-                (0.0..1.0).contains(&value),
-                key,
-                value,
-                "0 or above, below 1",
-            )?;
-        }
+        check_ranges("", &params)?;
         Ok(Adam {
             params,
             steps: 0,

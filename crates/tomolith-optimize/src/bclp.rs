@@ -30,17 +30,18 @@ use super::{
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::error::{Result, above_zero};
+use tomolith_core::error::Result;
 use tomolith_core::field::Field;
-use tomolith_core::kind::{Kind, schema_of};
+use tomolith_core::kind::{Kind, check_ranges, schema_of};
 
 /// The parameters of BCLP's descent.
 #[derive(Clone, Debug, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Params {
-    /// η: length of a step, above 0, in units of x per unit of gradient
+    /// η: length of a step, in units of x per unit of gradient
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
     pub step: f64,
-    /// Whether overdose and underdose are corrected in turn (default false: together)
+    /// Whether overdose and underdose are corrected in turn, or together
     #[serde(default)]
     pub alternate: bool,
 }
@@ -87,7 +88,7 @@ impl<F: Field> Bclp<F> {
     /// # Errors
     /// [`Error::Config`](tomolith_core::Error::Config) for a step that is not above 0.
     pub fn new(params: Params) -> Result<Self> {
-        above_zero("step", params.step)?;
+        check_ranges("", &params)?;
         Ok(Bclp {
             params,
             steps: 0,

@@ -26,29 +26,31 @@
 //! of each more at the first; three pattern fields and the target.
 
 use super::filter::{Filter, target_projection};
-use super::gradient::momentum;
 use super::{
     BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
     Requirements, Step, read, read_saved_fields, read_saved_numbers,
 };
 use serde::{Deserialize, Serialize};
-use tomolith_core::error::{Result, above_zero, in_range};
+use tomolith_core::error::Result;
 use tomolith_core::field::{Bounds, Field};
-use tomolith_core::kind::{Kind, schema_of};
+use tomolith_core::kind::{Kind, check_ranges, schema_of};
 
 tomolith_core::keys! {
     /// The parameters of CAL.
     pub struct Params {
-        /// Window of the ramp that the target's projection is filtered with: "ram_lak" (default), "shepp_logan", "cosine", "hamming",
+        /// Window of the ramp that the target's projection is filtered with: "ram_lak", "shepp_logan", "cosine", "hamming",
         /// "hann", or "none"
         pub filter: Filter = Filter::RamLak,
-        /// Length of a step, above 0 (default 0.01)
+        /// Length of a step
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         pub learning_rate: f64 = 0.01,
-        /// Share of the last correction, 0 or above and below 1 (default 0)
+        /// Share of the last correction
+        #[schemars(extend("minimum" = 0.0, "exclusiveMaximum" = 1.0))]
         pub momentum: f64 = 0.0,
-        /// Width of the logistic, in units of the largest dose, above 0 (default 0.01)
+        /// Width of the logistic, in units of the largest dose
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         pub sigmoid: f64 = 0.01,
-        /// Threshold of the logistic, a share of the largest dose (default 0.8)
+        /// Threshold of the logistic, a share of the largest dose
         pub d_h: f64 = 0.8,
     }
 }
@@ -112,14 +114,7 @@ impl<F: Field> Cal<F> {
     /// # Errors
     /// [`Error::Config`](tomolith_core::Error::Config) naming the key that is out of range.
     pub fn new(params: Params) -> Result<Self> {
-        for (key, value) in [
-            ("learning_rate", params.learning_rate),
-            ("sigmoid", params.sigmoid),
-        ] {
-            above_zero(key, value)?;
-        }
-        momentum(params.momentum)?;
-        in_range(params.d_h.is_finite(), "d_h", params.d_h, "a finite number")?;
+        check_ranges("", &params)?;
         Ok(Cal {
             params,
             saved: SavedNumbers::default(),

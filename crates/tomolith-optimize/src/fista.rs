@@ -33,9 +33,9 @@ use super::{
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::error::{Result, above_zero};
+use tomolith_core::error::Result;
 use tomolith_core::field::Field;
-use tomolith_core::kind::{Kind, schema_of};
+use tomolith_core::kind::{Kind, check_ranges, schema_of};
 
 /// When the extrapolation begins anew.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
@@ -53,11 +53,13 @@ pub enum Restart {
 tomolith_core::keys! {
     /// The parameters of FISTA.
     pub struct Params {
-        /// When the extrapolation begins anew: "gradient" (default), "loss" or "none"
+        /// When the extrapolation begins anew: "gradient", "loss" or "none"
         pub restart: Restart = Restart::Gradient,
-        /// Largest second derivative of the objective by a voxel's dose, above 0 (default 2: squared distances of weight 1)
+        /// Largest second derivative of the objective by a voxel's dose; 2: squared distances of weight 1
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         pub curvature: f64 = 2.0,
-        /// Fixed step 1/L, above 0, in units of x per unit of gradient; from the model when it is not given
+        /// Fixed step 1/L, in units of x per unit of gradient; from the model when it is not given
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         pub step: Option<f64>,
     }
 }
@@ -120,8 +122,7 @@ impl<F: Field> Fista<F> {
     /// # Errors
     /// [`Error::Config`](tomolith_core::Error::Config) naming the key that is out of range.
     pub fn new(params: Params) -> Result<Self> {
-        above_zero("curvature", params.curvature)?;
-        above_zero("step", params.step.unwrap_or(1.0))?;
+        check_ranges("", &params)?;
         Ok(Fista {
             params,
             saved: SavedNumbers {

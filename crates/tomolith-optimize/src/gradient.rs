@@ -16,21 +16,22 @@ use super::{
     BuildOptimizer, CheckpointReader, MakeOptimizer, Memory, Optimizer, Position, Problem,
     Requirements, Step, read, read_saved_fields, read_saved_numbers,
 };
-use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::error::{Error, Result, above_zero, in_range};
+use tomolith_core::error::{Error, Result};
 use tomolith_core::field::Field;
-use tomolith_core::kind::{Kind, schema_of};
+use tomolith_core::kind::{Kind, check_ranges, schema_of};
 use tomolith_core::units::exact;
 
-/// The parameters of the projected gradient.
-#[derive(Clone, Debug, Default, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Params {
-    /// Fixed length t of a step, above 0, in units of x per unit of gradient; automatic when it is not given
-    pub step: Option<f64>,
-    /// Share of the past in the running mean of gradients, 0 or above and below 1 (default 0); needs a fixed step
-    pub momentum: f64,
+tomolith_core::keys! {
+    /// The parameters of the projected gradient.
+    pub struct Params {
+        /// Fixed length t of a step, in units of x per unit of gradient; automatic when it is not given
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
+        pub step: Option<f64>,
+        /// Share of the past in the running mean of gradients; needs a fixed step
+        #[schemars(extend("minimum" = 0.0, "exclusiveMaximum" = 1.0))]
+        pub momentum: f64 = 0.0,
+    }
 }
 
 /// The projected gradient method.
@@ -90,8 +91,7 @@ impl<F: Field> Gradient<F> {
     /// # Errors
     /// [`Error::Config`] for a step that is not above 0.
     pub fn new(params: Params) -> Result<Self> {
-        above_zero("step", params.step.unwrap_or(1.0))?;
-        momentum(params.momentum)?;
+        check_ranges("", &params)?;
         if params.momentum > 0.0 && params.step.is_none() {
             return Err(Error::config(
                 "momentum",
@@ -122,15 +122,6 @@ impl<F: Field> Gradient<F> {
         };
         (self.alpha * length).clamp(self.length * 1e-3, self.length * 1e3)
     }
-}
-
-/// Refuses a momentum outside [0, 1).
-///
-/// # Errors
-/// [`Error::Config`] naming the key.
-pub(super) fn momentum(value: f64) -> Result<()> {
-    let is_in = (0.0..1.0).contains(&value);
-    in_range(is_in, "momentum", value, "0 or above, below 1")
 }
 
 impl<F: Field> Optimizer<F> for Gradient<F> {

@@ -41,14 +41,16 @@ use tomolith_core::error::{Error, Result, in_range};
 use tomolith_core::field::{
     ColumnRun, Direction, Field, HalfRamp, HalfRampKernel, Latest, Pairs, Products,
 };
-use tomolith_core::kind::{Kind, schema_of};
+use tomolith_core::kind::{Kind, check_ranges, schema_of};
 
 tomolith_core::keys! {
     /// The parameters of L-BFGS with bounds.
     pub struct Params {
-        /// Number of pairs remembered, 1 to 30 (default 6)
+        /// Number of pairs remembered
+        #[schemars(range(min = 1, max = 30))]
         pub memory: usize = 6,
-        /// Curvature check: a pair is kept when s·y > tolerance·‖s‖·‖y‖, 0 or above and below 1 (default 1e-6)
+        /// Curvature check: a pair is kept when s·y > tolerance·‖s‖·‖y‖
+        #[schemars(extend("minimum" = 0.0, "exclusiveMaximum" = 1.0))]
         pub tolerance: f64 = 1e-6,
     }
 }
@@ -239,15 +241,10 @@ impl<F: Field> Lbfgs<F> {
     /// # Errors
     /// [`Error::Config`] naming the key that is out of range.
     pub fn new(params: Params) -> Result<Self> {
+        check_ranges("", &params)?;
         let most = F::Pairs::MAX_MEMORY;
-        let is_in = (1..=most).contains(&params.memory);
-        in_range(is_in, "memory", params.memory, format!("1 to {most}"))?;
-        in_range(
-            (0.0..1.0).contains(&params.tolerance),
-            "tolerance",
-            params.tolerance,
-            "0 or above, below 1",
-        )?;
+        let accepted = format!("1 to {most}");
+        in_range(params.memory <= most, "memory", params.memory, accepted)?;
         Ok(Lbfgs {
             name: NAME,
             curvature: Curvature::new(params.memory),

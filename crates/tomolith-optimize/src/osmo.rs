@@ -46,9 +46,9 @@ use super::{
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::error::{Result, in_range};
+use tomolith_core::error::Result;
 use tomolith_core::field::{Bounds, Field};
-use tomolith_core::kind::{Kind, schema_of};
+use tomolith_core::kind::{Kind, check_ranges, schema_of};
 
 /// What a step is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
@@ -61,19 +61,20 @@ pub enum Count {
     Half,
 }
 
-/// The parameters of OSMO.
-#[derive(Clone, Debug, Default, Deserialize, Serialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Params {
-    /// Window of the ramp that the target is filtered with: "ram_lak" (default), "shepp_logan", "cosine", "hamming", "hann", or
-    /// "none" for the target itself
-    pub filter: Filter,
-    /// What a step is: "double" (default, void and part) or "half" (in turn)
-    pub count: Count,
-    /// Whether two more halves correct voxels at the part's surface alone (default false)
-    pub edges: bool,
-    /// Smallest pixel as a share of the largest, 0 to 1 (default 0)
-    pub inhibition: f64,
+tomolith_core::keys! {
+    /// The parameters of OSMO.
+    pub struct Params {
+        /// Window of the ramp that the target is filtered with: "ram_lak", "shepp_logan", "cosine", "hamming", "hann", or
+        /// "none" for the target itself
+        pub filter: Filter = Filter::RamLak,
+        /// What a step is: "double" (void and part) or "half" (in turn)
+        pub count: Count = Count::Double,
+        /// Whether two more halves correct voxels at the part's surface alone
+        pub edges: bool = false,
+        /// Smallest pixel as a share of the largest
+        #[schemars(range(min = 0.0, max = 1.0))]
+        pub inhibition: f64 = 0.0,
+    }
 }
 
 /// OSMO; see the [module](self).
@@ -122,12 +123,7 @@ impl<F: Field> Osmo<F> {
     /// # Errors
     /// [`Error::Config`](tomolith_core::Error::Config) for an inhibition outside 0 to 1.
     pub fn new(params: Params) -> Result<Self> {
-        in_range(
-            (0.0..=1.0).contains(&params.inhibition),
-            "inhibition",
-            params.inhibition,
-            "0 to 1, a share of the largest pixel",
-        )?;
+        check_ranges("", &params)?;
         Ok(Osmo {
             params,
             steps: 0,

@@ -21,7 +21,8 @@ use tomolith_core::kind::{Kind, schema_of};
 tomolith_core::keys! {
     /// The parameters of penalty minimization's solver.
     pub struct Params {
-        /// Number of pairs remembered, 1 to 30 (default 10)
+        /// Number of pairs remembered
+        #[schemars(range(min = 1, max = 30))]
         pub memory: usize = 10,
     }
 }

@@ -8,32 +8,37 @@ use std::borrow::Cow;
 use std::ops::ControlFlow;
 use std::time::Instant;
 use tomolith_core::dose::Renewal;
-use tomolith_core::error::{Error, Result, above_zero, in_range};
+use tomolith_core::error::{Error, Result};
 use tomolith_core::field::Field;
+use tomolith_core::kind::check_ranges;
 use tomolith_core::run::Run;
 
 tomolith_core::keys! {
     /// `[stop]` of a job: when to stop. A loss of zero always stops.
     pub struct Stop {
-        /// Largest number of steps (default 45)
+        /// Largest number of steps
         pub iterations: usize = 45,
-        /// Stop when the norm of the projected gradient falls below this part of its first value, 0 or above (default 0: never)
+        /// Stop when the norm of the projected gradient falls below this part of its first value; 0: never
+        #[schemars(range(min = 0.0))]
         pub projected_gradient: f64 = 0.0,
-        /// Stop when the mean change of the loss over the last five steps falls to this part of the loss, 0 or above (default 0:
-        /// never); 0.001 is Li et al. (2024), eq. 28
+        /// Stop when the mean change of the loss over the last five steps falls to this part of the loss; 0: never;
+        /// 0.001 is Li et al. (2024), eq. 28
+        #[schemars(range(min = 0.0))]
         pub change: f64 = 0.0,
-        /// Steps after which `change` is looked at (default 0: as soon as there are five)
+        /// Steps after which `change` is looked at; 0: as soon as there are five
         pub change_after: usize = 0,
-        /// Stop when no patterns can have a loss lower than that of these by more than this part of it, 0 or above and below 1 (default 0:
-        /// never); convex problems only
+        /// Stop when no patterns can have a loss lower than that of these by more than this part of it; 0: never; convex problems only
+        #[schemars(extend("minimum" = 0.0, "exclusiveMaximum" = 1.0))]
         pub gap: f64 = 0.0,
-        /// Stop when the loss falls to this part of the first one, 0 or above and below 1 (default 0: only at 0)
+        /// Stop when the loss falls to this part of the first one; 0: only at 0
+        #[schemars(extend("minimum" = 0.0, "exclusiveMaximum" = 1.0))]
         pub relative_loss: f64 = 0.0,
         /// The loss that counts as the first one, where it is not that of the start
         pub first_loss: Option<f64>,
-        /// Stop after this many seconds, above 0; no limit when it is not given
+        /// Stop after this many seconds; no limit when it is not given
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         pub seconds: Option<f64>,
-        /// Which patterns are returned: "best" (default) by the measure that the method improves, or "last"
+        /// Which patterns are returned: "best" by the measure that the method improves, or "last"
         pub keep: Keep = Keep::Best,
     }
 }
@@ -58,19 +63,7 @@ impl Stop {
     /// # Errors
     /// [`Error::Config`] naming the key.
     pub fn validate(&self) -> Result<()> {
-        let from_zero = |key: &str, value: f64| {
-            let is_in = value.is_finite() && value >= 0.0;
-            in_range(is_in, key, value, "a finite number, 0 or above")
-        };
-        let share = |key: &str, value: f64| {
-            let is_in = (0.0..1.0).contains(&value);
-            in_range(is_in, key, value, "0 or above, below 1")
-        };
-        from_zero("stop.projected_gradient", self.projected_gradient)?;
-        from_zero("stop.change", self.change)?;
-        share("stop.gap", self.gap)?;
-        share("stop.relative_loss", self.relative_loss)?;
-        above_zero("stop.seconds", self.seconds.unwrap_or(1.0))
+        check_ranges("stop", self)
     }
 }
 

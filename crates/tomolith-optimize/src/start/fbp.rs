@@ -55,11 +55,11 @@ pub enum StartScale {
 #[derive(Clone, Debug, Default, Deserialize, Serialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Params {
-    /// Window of the ramp filter: "ram_lak" (default), "shepp_logan", "cosine", "hamming", "hann", or "none" for no filter
+    /// Window of the ramp filter: "ram_lak", "shepp_logan", "cosine", "hamming", "hann", or "none" for no filter
     pub filter: Filter,
-    /// What becomes of negative values: "clip" (default) or "offset"
+    /// What becomes of negative values: "clip" or "offset"
     pub negative: Negative,
-    /// Where the scale comes from: "fit" (default, the part's dose right) or "analytic" (the formula alone)
+    /// Where the scale comes from: "fit" (the part's dose right) or "analytic" (the formula alone)
     pub scale: StartScale,
 }
 

@@ -20,14 +20,15 @@ use tomolith_core::field::Field;
 use tomolith_core::grid::Volume;
 use tomolith_core::kind::{Kind, schema_of};
 use tomolith_core::target::label;
-use tomolith_core::units::exact;
 
 tomolith_core::keys! {
     /// The parameters of LSQR.
     pub struct Params {
-        /// Steps, 1 to 1000.
+        /// Steps.
+        #[schemars(range(min = 1, max = 1000))]
         pub iterations: usize = 8,
-        /// Weight of small patterns, 0 or more, relative to the size of the model.
+        /// Weight of small patterns, relative to the size of the model.
+        #[schemars(range(min = 0.0))]
         pub damping: f64 = 0.0,
     }
 }
@@ -44,18 +45,7 @@ pub const fn kind<F: Field>() -> Kind<BuildStart<F>> {
         summary: "least squares between dose and target, a few steps of LSQR, negative values cut off",
         example: "[start.lsqr]\niterations = 8\ndamping = 0.0",
         schema: schema_of::<Params>,
-        build: |section| {
-            let params: Params = section.parse()?;
-            if !(1..=1000).contains(&params.iterations) {
-                let accepted = "a whole number, 1 to 1000";
-                return Err(section.refused("iterations", params.iterations, accepted));
-            }
-            if !(params.damping >= 0.0 && params.damping.is_finite()) {
-                let accepted = "a finite number, 0 or more";
-                return Err(section.refused("damping", exact(params.damping), accepted));
-            }
-            Ok(Box::new(Lsqr(params)))
-        },
+        build: |section| Ok(Box::new(Lsqr(section.parse()?))),
     }
 }
 
