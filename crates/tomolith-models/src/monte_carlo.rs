@@ -19,16 +19,7 @@
 //! Nicolet et al. 2024, § 4.2 (path sampling, expected absorption along segments).
 //!
 //! # Parameters
-//! | key | range | default | meaning |
-//! |---|---|---|---|
-//! | `paths_per_pixel` | 1 to 4096 | 4 | paths of a pixel in a frame |
-//! | `accumulation` | `rays/accumulation.rs` | `"integral"` | how energy is accumulated along a path |
-//! | `seed` | – | 1 | which paths |
-//! | `renew` | 0 to 10000 | 10 | iterations of an optimization after which other paths are drawn; 0: never |
-//! | `least_power` | 1e-6 to 0.5 | 0.05 | below this part of the emitted power a path lives on by chance only |
-//! | `reflections` | bool | false | whether light reflected at walls is followed |
-//! | `orders` | 0 to 1000 | 64 | how often light is scattered at most |
-//! | `smooth` | 1 to 32 | 4 | voxels along an edge of the cells on which scattered light is summed; it is interpolated between them, and in what is reported they are half as large |
+//! See [`Params`].
 //!
 //! # Limits
 //! Noise falls with the square root of the number of paths. What is reported is simulated with another seed, sixteen times as many
@@ -75,8 +66,7 @@ use std::sync::Arc;
 use tomolith_core::dose::form::Form;
 use tomolith_core::error::Result;
 use tomolith_core::grid::VolumeGrid;
-use tomolith_core::kind::{Section, schema_of};
-use tomolith_core::units::exact;
+use tomolith_core::kind::schema_of;
 use tomolith_optics::light::Light;
 use tomolith_optics::space::TraceLimits;
 use tomolith_optics::vial::Vial;
@@ -85,21 +75,26 @@ tomolith_core::keys! {
     /// Keys of `[model.monte_carlo]`.
     #[derive(PartialEq)]
     pub struct Params {
-        /// Paths of a pixel in a frame, 1 to 4096.
+        /// Paths of a pixel in a frame.
+        #[schemars(range(min = 1, max = 4096))]
         pub paths_per_pixel: usize = 4,
         /// How energy is accumulated along a path: "integral", "simple" or { ratio = { majorant_per_mm = 10.0 } }.
         pub accumulation: Accumulation = Accumulation::Integral,
-        /// Seed of the random numbers.
+        /// Seed of the random numbers: which paths.
         pub seed: u64 = 1,
-        /// Iterations of an optimization after which new paths are drawn, 0 to 10000; 0: never.
+        /// Iterations of an optimization after which new paths are drawn; 0: never.
+        #[schemars(range(min = 0, max = 10_000))]
         pub renew: usize = 10,
-        /// Share of the emitted power below which a path may end by Russian roulette, 1e-6 to 0.5.
+        /// Share of the emitted power below which a path may end by Russian roulette.
+        #[schemars(range(min = 1e-6, max = 0.5))]
         pub least_power: f64 = 0.05,
         /// Whether light reflected at walls is followed.
         pub reflections: bool = false,
-        /// Largest number of scattering events of a path, 0 to 1000.
+        /// Largest number of scattering events of a path.
+        #[schemars(range(min = 0, max = 1000))]
         pub orders: usize = 64,
-        /// Edge, in voxels, of the cells on which scattered light is summed, 1 to 32; half of it for what is reported.
+        /// Edge, in voxels, of the cells on which scattered light is summed; it is interpolated between them. Half of it for what is reported.
+        #[schemars(range(min = 1, max = 32))]
         pub smooth: usize = 4,
         /// Whether what cells smear out is given back, for 1.4 times the noise: what a judgment does, which has paths enough.
         #[serde(skip)]
@@ -155,30 +150,10 @@ pub const KIND: ModelKind = ModelKind {
     example: "[model.monte_carlo]\npaths_per_pixel = 4\n",
     schema: schema_of::<Params>,
     build: MakeFamily {
-        read: |section| Ok(Arc::new(params_of(section)?)),
+        read: |section| Ok(Arc::new(section.parse::<Params>()?)),
         unasked: Some(|| Arc::new(Params::default())),
     },
 };
-
-fn params_of(section: &Section) -> Result<Params> {
-    let params: Params = section.parse()?;
-    if !(1..=4096).contains(&params.paths_per_pixel) {
-        return Err(section.refused("paths_per_pixel", params.paths_per_pixel, "1 to 4096"));
-    }
-    if !(1e-6..=0.5).contains(&params.least_power) {
-        return Err(section.refused("least_power", exact(params.least_power), "1e-6 to 0.5"));
-    }
-    if params.renew > 10_000 {
-        return Err(section.refused("renew", params.renew, "0 to 10000"));
-    }
-    if params.orders > 1000 {
-        return Err(section.refused("orders", params.orders, "0 to 1000"));
-    }
-    if !(1..=32).contains(&params.smooth) {
-        return Err(section.refused("smooth", params.smooth, "1 to 32"));
-    }
-    Ok(params)
-}
 
 impl ModelFamily for Params {
     fn name(&self) -> &'static str {

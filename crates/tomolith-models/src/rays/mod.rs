@@ -18,12 +18,7 @@
 //! Nicolet et al. 2024, § 4 (rays from the projector, deterministic absorption along them); voxel walk: `traversal.rs`.
 //!
 //! # Parameters
-//! | key | range | default | meaning |
-//! |---|---|---|---|
-//! | `rays_per_pixel` | 1 to 4096 | 4 | rays of a pixel in a frame: as many heights and places across, heights differ from column to column; one is the middle ray |
-//! | `accumulation` | `accumulation.rs` | `"integral"` | how energy is accumulated along a ray |
-//! | `reflections` | bool | false | whether light reflected at walls is followed |
-//! | `least_power` | 1e-9 to 0.1 | 1e-4 | reflected rays below this part of the emitted power are dropped |
+//! See [`Params`].
 //!
 //! # Limits
 //! A point ray per sample: where voxels are smaller than the distance of rays, dose is grainy; the energy is right.
@@ -87,8 +82,7 @@ use tomolith_core::dose::{Facts, Renewal, Space};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{HostField, LANES};
 use tomolith_core::grid::VolumeGrid;
-use tomolith_core::kind::{Section, schema_of};
-use tomolith_core::units::exact;
+use tomolith_core::kind::schema_of;
 use tomolith_optics::light::Light;
 use tomolith_optics::motion::Motion;
 use tomolith_optics::obstacle::{BodyMaterial, Obstacle};
@@ -104,13 +98,15 @@ tomolith_core::keys! {
     /// Keys of `[model.rays]`.
     #[derive(PartialEq)]
     pub struct Params {
-        /// Rays of a pixel in a frame, 1 to 4096.
+        /// Rays of a pixel in a frame: as many heights and places across, heights differ from column to column; one is the middle ray.
+        #[schemars(range(min = 1, max = 4096))]
         pub rays_per_pixel: usize = 4,
         /// How energy is accumulated along a ray: "integral", "simple" or { ratio = { majorant_per_mm = 10.0 } }.
         pub accumulation: Accumulation = Accumulation::Integral,
         /// Whether light reflected at walls is followed.
         pub reflections: bool = false,
-        /// Reflected rays below this part of the emitted power are dropped, 1e-9 to 0.1.
+        /// Reflected rays below this part of the emitted power are dropped.
+        #[schemars(range(min = 1e-9, max = 0.1))]
         pub least_power: f64 = TraceLimits::default().least_power,
     }
 }
@@ -122,21 +118,10 @@ pub const KIND: ModelKind = ModelKind {
     example: "[model.rays]\nrays_per_pixel = 4\n",
     schema: schema_of::<Params>,
     build: MakeFamily {
-        read: |section| Ok(Arc::new(params_of(section)?)),
+        read: |section| Ok(Arc::new(section.parse::<Params>()?)),
         unasked: Some(|| Arc::new(Params::default())),
     },
 };
-
-fn params_of(section: &Section) -> Result<Params> {
-    let params: Params = section.parse()?;
-    if !(1..=4096).contains(&params.rays_per_pixel) {
-        return Err(section.refused("rays_per_pixel", params.rays_per_pixel, "1 to 4096"));
-    }
-    if !(1e-9..=0.1).contains(&params.least_power) {
-        return Err(section.refused("least_power", exact(params.least_power), "1e-9 to 0.1"));
-    }
-    Ok(params)
-}
 
 impl ModelFamily for Params {
     fn name(&self) -> &'static str {

@@ -19,10 +19,7 @@
 //! (1977) 1408.
 //!
 //! # Parameters
-//! | key | range | default | meaning |
-//! |---|---|---|---|
-//! | `cell_mm` | > 0 | 0.04/μ_s, between 1/32 and 1/12 of the resin's radius, at most 0.2/μ_s | edge of the cells of order 1 |
-//! | `rays_per_pixel` | 1 to 4096 | 4 | rays of a pixel in a frame, and of the larger ones that light cells, where [`Rays`] follow unscattered light |
+//! See [`Params`].
 //!
 //! # Limits
 //! A vial that is the same at all heights and whose even resin fills a circle or a square; no bodies; no reflections at
@@ -79,8 +76,6 @@ use super::{
     ModelInput, ModelKind, OpticalScene, Purpose, Run, ZCoupling,
 };
 use scattered_light::{DeltaScaledPhase, ScatteredLight};
-use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::dose::form::{Form, Masked};
@@ -90,20 +85,23 @@ use tomolith_core::dose::{Facts, Space};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
-use tomolith_core::kind::{Section, schema_of};
-use tomolith_core::units::exact;
+use tomolith_core::kind::schema_of;
 use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 
-/// Keys of `[model.successive_orders]`.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(default, deny_unknown_fields)]
-pub struct Params {
-    /// Edge of the cells for light scattered once, mm; the larger cells of later orders scale with it.
-    pub cell_mm: Option<f64>,
-    /// Rays of a pixel in a frame, 1 to 4096, where light is not collimated and normal to the axis; 4 (default).
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub rays_per_pixel: Option<usize>,
+tomolith_core::keys! {
+    /// Keys of `[model.successive_orders]`.
+    #[derive(PartialEq)]
+    pub struct Params {
+        /// Edge of the cells for light scattered once, mm; the larger cells of later orders scale with it. When left out, 0.04/μ_s,
+        /// between 1/32 and 1/12 of the resin's radius and at most 0.2/μ_s.
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
+        pub cell_mm: Option<f64>,
+        /// Rays of a pixel in a frame, and of the larger ones that light cells, where light is not collimated and normal to the axis;
+        /// 4 when left out.
+        #[schemars(range(min = 1, max = 4096))]
+        pub rays_per_pixel: Option<usize>,
+    }
 }
 
 impl Params {
@@ -120,23 +118,10 @@ pub const KIND: ModelKind = ModelKind {
     example: "[model.successive_orders]\ncell_mm = 0.2\n",
     schema: schema_of::<Params>,
     build: MakeFamily {
-        read: |section| Ok(Arc::new(params_of(section)?)),
+        read: |section| Ok(Arc::new(section.parse::<Params>()?)),
         unasked: Some(|| Arc::new(Params::default())),
     },
 };
-
-fn params_of(section: &Section) -> Result<Params> {
-    let params: Params = section.parse()?;
-    match params.cell_mm {
-        Some(edge) if !(edge.is_finite() && edge > 0.0) => {
-            Err(section.refused("cell_mm", exact(edge), "a finite number > 0"))
-        }
-        _ if !(1..=4096).contains(&params.rays()) => {
-            Err(section.refused("rays_per_pixel", params.rays(), "1 to 4096"))
-        }
-        _ => Ok(params),
-    }
-}
 
 impl ModelFamily for Params {
     fn name(&self) -> &'static str {

@@ -14,13 +14,7 @@
 //! Geometrical optics; the transform of a disc: Goodman, *Introduction to Fourier Optics*, eq. 2-35.
 //!
 //! # Parameters
-//! | key | unit | range | default | meaning |
-//! |---|---|---|---|---|
-//! | `half_angle_deg` | ° | 0 to 30 | 1 | half angle of the cone in resin |
-//! | `focus_mm` | mm | – | 0 | how far behind the axis the focal plane lies |
-//! | `entrance` | – | `"wall"`, `"plane"` | `"wall"` | where the resin begins to absorb |
-//! | `relative_error` | – | 1e-6 to 0.1 | 1e-3 | of light between the depths that are computed |
-//! | `rotation_error` | – | 1e-6 to 0.5 | 0.03 | of light between lateral samples |
+//! See [`Params`].
 //!
 //! # Limits
 //! As `wave`: an index-matched vial, no scattering, no bodies. All rays of a cone take the way of its middle one through the resin. Pixels
@@ -56,7 +50,7 @@ use super::cones::{Cone, Cones};
 use super::light::Propagation;
 use super::lights::{Lights, beyond, heights_of, turning, working_bytes as working_bytes_of};
 use super::sampling::FIELDS_COST;
-use super::{Entrance, Settings, check_errors};
+use super::{Entrance, Settings};
 use crate::{
     Capabilities, Cost, DoseLayout, DoseModel, HostModel, MakeFamily, ModelFamily, ModelInput,
     ModelKind, OpticalScene, Run, TimedBy,
@@ -68,7 +62,7 @@ use tomolith_core::dose::{Facts, Space};
 use tomolith_core::error::Result;
 use tomolith_core::field::HostField;
 use tomolith_core::grid::VolumeGrid;
-use tomolith_core::kind::{Section, schema_of};
+use tomolith_core::kind::schema_of;
 use tomolith_optics::light::Light;
 use tomolith_optics::vial::Vial;
 
@@ -76,15 +70,18 @@ tomolith_core::keys! {
     /// Keys of `[model.incoherent_cone]`.
     #[derive(PartialEq)]
     pub struct Params {
-        /// Half angle of the cone in resin, degrees, 0 to 30.
+        /// Half angle of the cone in resin, degrees.
+        #[schemars(range(min = 0.0, max = 30.0))]
         pub half_angle_deg: f64 = 1.0,
         /// Distance of the focal plane behind the axis, along the light, mm.
         pub focus_mm: f64 = 0.0,
         /// Where the resin begins to absorb.
         pub entrance: Entrance = Entrance::Wall,
-        /// Error of light between the depths that are computed, 1e-6 to 0.1.
+        /// Error of light between the depths that are computed.
+        #[schemars(range(min = 1e-6, max = 0.1))]
         pub relative_error: f64 = 1e-3,
-        /// Error of light between lateral samples, 1e-6 to 0.5.
+        /// Error of light between lateral samples.
+        #[schemars(range(min = 1e-6, max = 0.5))]
         pub rotation_error: f64 = 0.03,
     }
 }
@@ -114,7 +111,7 @@ pub const KIND: ModelKind = ModelKind {
     example: "[model.incoherent_cone]\nhalf_angle_deg = 1.0\n",
     schema: schema_of::<Params>,
     build: MakeFamily {
-        read: |section| Ok(Arc::new(params_of(section)?)),
+        read: |section| Ok(Arc::new(section.parse::<Params>()?)),
         unasked: None,
     },
 };
@@ -170,16 +167,6 @@ impl ModelFamily for Params {
         let model = IncoherentCone::new(input.scene.vial, lights, self, grid)?;
         Ok(model.form())
     }
-}
-
-fn params_of(section: &Section) -> Result<Params> {
-    let p: Params = section.parse()?;
-    let (angle, focus) = (p.half_angle_deg, p.focus_mm);
-    let is_narrow = (0.0..=30.0).contains(&angle);
-    section.in_range(is_narrow, "half_angle_deg", angle, "0 to 30 degrees")?;
-    section.in_range(focus.is_finite(), "focus_mm", focus, "a finite number")?;
-    check_errors(section, p.relative_error, p.rotation_error)?;
-    Ok(p)
 }
 
 /// See the [module page](self).

@@ -17,17 +17,7 @@
 //! algorithm, with its errors: docs/wave.md and docs/validation.md.
 //!
 //! # Parameters
-//! | key | unit | range | default | meaning |
-//! |---|---|---|---|---|
-//! | `relative_error` | – | 1e-6 to 0.1 | 1e-3 | of \|ψ\|² between the depths that are computed |
-//! | `rotation_error` | – | 1e-6 to 0.5 | 0.03 | of \|ψ\|² between lateral samples, for light that fills the band |
-//! | `numerical_aperture` | – | λ₀/(2·image) to n | none | of the projector's lens: patterns are limited to what it passes; below that its spots are wider than the image |
-//! | `soft_edge` | – | 0 to 1 | 0.25 | part of the band of frequencies over which it fades; 0: cut, as published |
-//! | `focus_mm` | mm | – | 0 | how far behind the axis the focal plane lies |
-//! | `band_limit` | – | `"hard"`, `"tapered"` | `"hard"` | how components end that would come back from the far side of the window |
-//! | `entrance` | – | `"wall"`, `"plane"` | `"wall"` | where the resin begins to absorb: at its round wall, or at a plane that touches it |
-//! | `etendue_deg` | ° | 0 to 10 | 0 | half angle of the cone of modes in resin |
-//! | `rings` | – | 1 to 6 | 2 | rings of modes about the middle one: 7, 19, 37 … modes; only with an étendue |
+//! See [`Params`].
 //!
 //! # Shapes
 //! Patterns and dose as everywhere. Rows of pixels must be voxels apart, or a whole multiple or fraction of it.
@@ -124,13 +114,18 @@ tomolith_core::keys! {
     /// Keys of `[model.wave]`.
     #[derive(PartialEq)]
     pub struct Params {
-        /// Error of the intensity between the depths that are computed, relative to light that fills the band, 1e-6 to 0.1.
+        /// Error of the intensity between the depths that are computed, relative to light that fills the band.
+        #[schemars(range(min = 1e-6, max = 0.1))]
         pub relative_error: f64 = 1e-3,
-        /// Error of the intensity between lateral samples, 1e-6 to 0.5.
+        /// Error of the intensity between lateral samples, for light that fills the band.
+        #[schemars(range(min = 1e-6, max = 0.5))]
         pub rotation_error: f64 = 0.03,
-        /// Numerical aperture of the projector's lens.
+        /// Numerical aperture of the projector's lens: patterns are limited to what it passes. From λ₀/(2·image), below which its spots are
+        /// wider than the image, to the refractive index; no limit when left out.
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         pub numerical_aperture: Option<f64>,
-        /// Share of the frequency band over which it fades, 0 to 1; 0: cut sharply, as published.
+        /// Share of the frequency band over which it fades; 0: cut sharply, as published.
+        #[schemars(range(min = 0.0, max = 1.0))]
         pub soft_edge: f64 = 0.25,
         /// Distance of the focal plane behind the axis, along the light, mm.
         pub focus_mm: f64 = 0.0,
@@ -138,9 +133,11 @@ tomolith_core::keys! {
         pub band_limit: BandLimit = BandLimit::Hard,
         /// Where the resin begins to absorb.
         pub entrance: Entrance = Entrance::Wall,
-        /// Half angle of the cone of modes in resin, degrees, 0 to 10.
+        /// Half angle of the cone of modes in resin, degrees.
+        #[schemars(range(min = 0.0, max = 10.0))]
         pub etendue_deg: f64 = 0.0,
-        /// Rings of modes about the middle one, 1 to 6; 2 when left out. Only with an étendue.
+        /// Rings of modes about the middle one: 7, 19, 37 … modes; 2 when left out. Only with an étendue.
+        #[schemars(range(min = 1, max = 6))]
         pub rings: Option<usize>,
     }
 }
@@ -213,37 +210,12 @@ impl ModelFamily for Params {
 }
 
 fn params_of(section: &Section) -> Result<Params> {
-    let p: Params = section.parse()?;
-    let check = |is_in, key, value, accepted| section.in_range(is_in, key, value, accepted);
-    check_errors(section, p.relative_error, p.rotation_error)?;
-    let na = p.numerical_aperture.unwrap_or(1.0);
-    check(
-        na > 0.0 && na.is_finite(),
-        "numerical_aperture",
-        na,
-        "a number > 0",
-    )?;
-    let (edge, etendue) = (p.soft_edge, p.etendue_deg);
-    check((0.0..=1.0).contains(&edge), "soft_edge", edge, "0 to 1")?;
-    let focus = p.focus_mm;
-    check(focus.is_finite(), "focus_mm", focus, "a finite number")?;
-    let is_narrow = (0.0..=10.0).contains(&etendue);
-    check(is_narrow, "etendue_deg", etendue, "0 to 10 degrees")?;
-    if let Some(rings) = p.rings {
-        let found = rings as f64;
-        check((1..=6).contains(&rings), "rings", found, "1 to 6")?;
+    let params: Params = section.parse()?;
+    if let Some(rings) = params.rings.filter(|_| params.etendue_deg == 0.0) {
         let accepted = "no such key, or rings of modes that have an angle: `etendue_deg` above 0";
-        check(etendue != 0.0, "rings", found, accepted)?;
+        return Err(section.refused("rings", rings, accepted));
     }
-    Ok(p)
-}
-
-/// Refuses errors that no sampling gives.
-fn check_errors(section: &Section, depth: f64, turn: f64) -> Result<()> {
-    let is_in = (1e-6..=0.1).contains(&depth);
-    section.in_range(is_in, "relative_error", depth, "1e-6 to 0.1")?;
-    let is_in = (1e-6..=0.5).contains(&turn);
-    section.in_range(is_in, "rotation_error", turn, "1e-6 to 0.5")
+    Ok(params)
 }
 
 /// How errors are shared among the parts of the sampling.
