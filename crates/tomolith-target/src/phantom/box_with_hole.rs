@@ -3,7 +3,7 @@
 //! `|x|, |y| < size/2, |z| < height/2, √((x − hole_x)² + y²) > hole/2`; volume (size² − π·hole²/4)·height. A hole is what light from
 //! the side can hardly spare: the hardest simple test of contrast.
 
-use super::{BuildForm, Form, corners, positive, rectangle, refused};
+use super::{BuildForm, Form, corners, rectangle, refused};
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
@@ -19,11 +19,14 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
 tomolith_core::keys! {
     /// Parameters of the box with a hole.
     struct Params {
-        /// Edge along x and y, mm (> 0)
+        /// Edge along x and y, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         size_mm: Mm = Mm(5.0),
-        /// Height along z, mm (> 0)
+        /// Height along z, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         height_mm: Mm = Mm(3.0),
-        /// Diameter of the hole, mm (> 0, less than `size_mm`)
+        /// Diameter of the hole, mm (less than `size_mm`)
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         hole_mm: Mm = Mm(2.0),
         /// Where along x its middle is, mm; the hole stays within the block
         hole_x_mm: Mm = Mm(0.0),
@@ -32,7 +35,6 @@ tomolith_core::keys! {
 
 fn build(section: &Section) -> Result<Form> {
     let p: Params = section.parse()?;
-    positive!(section, p, size_mm, height_mm, hole_mm);
     if p.hole_mm >= p.size_mm {
         let found = format!("{} in a block of {}", p.hole_mm, p.size_mm);
         return refused(section, "hole_mm", found, "a diameter below `size_mm`");

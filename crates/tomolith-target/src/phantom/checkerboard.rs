@@ -3,7 +3,7 @@
 //! `cells` × `cells` squares, the one at the lower left solid; volume (half of the squares, rounded up)·(size/cells)²·
 //! height. Solid squares touch at their corners only.
 
-use super::{BuildForm, Form, corners, positive, rectangle, within};
+use super::{BuildForm, Form, corners, rectangle};
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
@@ -19,19 +19,20 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
 tomolith_core::keys! {
     /// Parameters of the checkerboard.
     struct Params {
-        /// Edge of the board, mm (> 0)
+        /// Edge of the board, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         size_mm: Mm = Mm(5.0),
-        /// Height along z, mm (> 0)
+        /// Height along z, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         height_mm: Mm = Mm(1.0),
-        /// Squares along an edge (1 to 1000)
+        /// Squares along an edge
+        #[schemars(range(min = 1, max = 1000))]
         cells: u32 = 5,
     }
 }
 
 fn build(section: &Section) -> Result<Form> {
-    within(section, "cells", 1..=1000)?;
     let p: Params = section.parse()?;
-    positive!(section, p, size_mm, height_mm);
     let (edge, half) = (p.size_mm.0 / 2.0, p.height_mm.0 / 2.0);
     let cell = p.size_mm.0 / f64::from(p.cells);
     let solid = f64::from((p.cells * p.cells).div_ceil(2));

@@ -17,7 +17,7 @@
 //! assert!(*voxels.at(2, 0, 0) > 0.5); // the foot is high
 //! ```
 
-use super::{Body, BuildForm, Form, Prism, corners, positive, rectangle};
+use super::{Body, BuildForm, Form, Prism, corners, rectangle};
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
@@ -33,9 +33,11 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
 tomolith_core::keys! {
     /// Parameters of the chiral part.
     struct Params {
-        /// Length of the F along y, mm (> 0)
+        /// Length of the F along y, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         size_mm: Mm = Mm(5.0),
-        /// Height of the foot along z, mm (> 0); the rest is half as high
+        /// Height of the foot along z, mm; the rest is half as high
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         height_mm: Mm = Mm(3.0),
     }
 }
@@ -48,7 +50,6 @@ const FOOT: [f64; 4] = [-0.375, -0.5, -0.125, -0.2];
 
 fn build(section: &Section) -> Result<Form> {
     let p: Params = section.parse()?;
-    positive!(section, p, size_mm, height_mm);
     let (size, half) = (p.size_mm.0, p.height_mm.0 / 2.0);
     let letter = move |p| {
         let each = [STEM, UPPER, LOWER].map(|r| to_rectangle(p, r, size));

@@ -2,7 +2,7 @@
 //!
 //! `√(x² + y²) < size/2, |z| < height/2`; volume π·size²/4·height.
 
-use super::{BuildForm, Form, positive, rims};
+use super::{BuildForm, Form, rims};
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
@@ -18,16 +18,17 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
 tomolith_core::keys! {
     /// Parameters of the cylinder.
     struct Params {
-        /// Diameter, mm (> 0)
+        /// Diameter, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         size_mm: Mm = Mm(5.0),
-        /// Height along z, mm (> 0)
+        /// Height along z, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         height_mm: Mm = Mm(3.0),
     }
 }
 
 fn build(section: &Section) -> Result<Form> {
     let p: Params = section.parse()?;
-    positive!(section, p, size_mm, height_mm);
     let (radius, half) = (p.size_mm.0 / 2.0, p.height_mm.0 / 2.0);
     Ok(Form::upright(
         move |[x, y]| x.hypot(y) - radius,

@@ -4,7 +4,7 @@
 //! 0.1501, and fillets of radius 0.2 lead from the one to the other. Volume: of each bar the rectangle less what neck and
 //! fillets leave out.
 
-use super::{BuildForm, Form, corners, positive, rectangle, within};
+use super::{BuildForm, Form, corners, rectangle};
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
@@ -20,11 +20,14 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
 tomolith_core::keys! {
     /// Parameters of the dog-bones.
     struct Params {
-        /// Length of a bar along x, mm (> 0)
+        /// Length of a bar along x, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         size_mm: Mm = Mm(5.0),
-        /// Thickness along z, mm (> 0)
+        /// Thickness along z, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         height_mm: Mm = Mm(1.0),
-        /// Number of bars (1 to 100); the gaps are as wide as the grips
+        /// Number of bars; the gaps are as wide as the grips
+        #[schemars(range(min = 1, max = 100))]
         count: u32 = 3,
     }
 }
@@ -36,9 +39,7 @@ const NECK_LENGTH: f64 = 9.53 / 63.5;
 const FILLET: f64 = 12.7 / 63.5;
 
 fn build(section: &Section) -> Result<Form> {
-    within(section, "count", 1..=100)?;
     let p: Params = section.parse()?;
-    positive!(section, p, size_mm, height_mm);
     let (length, half) = (p.size_mm.0, p.height_mm.0 / 2.0);
     let pitch = 2.0 * GRIP * length;
     let first = -pitch * f64::from(p.count - 1) / 2.0;

@@ -6,7 +6,7 @@
 //! edges. In the circle values run from 0.07 to 0.93 (mean 0.444, standard deviation 0.224; the photograph: 0.447,
 //! 0.194); beyond it they are 0. Gray values, not an inside fraction: no volume.
 
-use super::{Body, BuildForm, Form, GrayForm, positive, rims};
+use super::{Body, BuildForm, Form, GrayForm, rims};
 use std::f64::consts::PI;
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
@@ -23,16 +23,17 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
 tomolith_core::keys! {
     /// Parameters of the flower.
     struct Params {
-        /// Diameter of the circle, mm (> 0)
+        /// Diameter of the circle, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         size_mm: Mm = Mm(5.0),
-        /// Height along z, mm (> 0)
+        /// Height along z, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         height_mm: Mm = Mm(1.0),
     }
 }
 
 fn build(section: &Section) -> Result<Form> {
     let p: Params = section.parse()?;
-    positive!(section, p, size_mm, height_mm);
     let (radius, half) = (p.size_mm.0 / 2.0, p.height_mm.0 / 2.0);
     Ok(Form {
         body: Body::GrayFunction(GrayForm {

@@ -5,9 +5,8 @@
 //! Volume: area of the [wheel](super::wheel) minus the bore, times the height.
 
 use super::wheel::Wheel;
-use super::{BuildForm, Form, positive, refused, rims, within};
+use super::{BuildForm, Form, refused, rims};
 use std::f64::consts::PI;
-use std::ops::RangeInclusive;
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::{Mm, concise};
@@ -23,25 +22,27 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
 tomolith_core::keys! {
     /// Parameters of the gear.
     struct Params {
-        /// Diameter over the tips of the teeth, mm (> 0)
+        /// Diameter over the tips of the teeth, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         size_mm: Mm = Mm(6.0),
-        /// Height along z, mm (> 0)
+        /// Height along z, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         height_mm: Mm = Mm(3.0),
-        /// Number of teeth (4 to 500)
+        /// Number of teeth
+        #[schemars(range(min = 4, max = 500))]
         teeth: u32 = 12,
-        /// Diameter of the bore, mm (≥ 0, less than the root circle)
+        /// Diameter of the bore, mm (less than the root circle)
+        #[schemars(extend("minimum" = 0.0))]
         bore_mm: Mm = Mm(2.0),
     }
 }
 
 fn build(section: &Section) -> Result<Form> {
-    within(section, "teeth", TEETH)?;
     let p: Params = section.parse()?;
-    positive!(section, p, size_mm, height_mm);
     let wheel = spur_gear(p.size_mm, p.teeth);
     let tip = wheel.tip;
     let bore = p.bore_mm.0 / 2.0;
-    if !(bore >= 0.0 && bore < wheel.root) {
+    if bore >= wheel.root {
         let found = format!(
             "{} in a root circle of {} mm",
             p.bore_mm,
@@ -66,9 +67,6 @@ fn build(section: &Section) -> Result<Form> {
         Some((wheel.area() - PI * bore * bore) * 2.0 * half),
     ))
 }
-
-/// How many teeth a gear may have.
-pub(super) const TEETH: RangeInclusive<u64> = 4..=500;
 
 /// The outline of a gear `size_mm` wide over the tips.
 pub(super) fn spur_gear(size: Mm, teeth: u32) -> Wheel {

@@ -6,7 +6,7 @@
 //! bit are the binary gratings of its supplement S.10. Gray values, not an inside fraction: no volume.
 
 use super::waves::wave;
-use super::{Body, BuildForm, Form, GrayForm, corners, positive, refused, within};
+use super::{Body, BuildForm, Form, GrayForm, corners, refused};
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
@@ -22,30 +22,29 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
 tomolith_core::keys! {
     /// Parameters of the gratings.
     struct Params {
-        /// Edge of the whole square, mm (> 0)
+        /// Edge of the whole square, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         size_mm: Mm = Mm(5.0),
-        /// Height along z, mm (> 0)
+        /// Height along z, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         height_mm: Mm = Mm(1.0),
-        /// Periods per grating (1 to 1000)
+        /// Periods per grating
+        #[schemars(range(min = 1, max = 1000))]
         periods: u32 = 5,
-        /// Between two gratings, mm (≥ 0, less than `size_mm`)
+        /// Between two gratings, mm (less than `size_mm`)
+        #[schemars(extend("minimum" = 0.0))]
         gap_mm: Mm = Mm(0.4),
-        /// Gray depth of the gratings, counter-clockwise from the lower right (1 to 16)
+        /// Gray depth of the gratings, counter-clockwise from the lower right
+        #[schemars(inner(range(min = 1, max = 16)))]
         bits: [u32; 4] = [1, 2, 4, 12],
     }
 }
 
 fn build(section: &Section) -> Result<Form> {
-    within(section, "periods", 1..=1000)?;
     let p: Params = section.parse()?;
-    positive!(section, p, size_mm, height_mm);
-    if !(p.gap_mm.0 >= 0.0 && p.gap_mm < p.size_mm) {
+    if p.gap_mm >= p.size_mm {
         let accepted = "0, or a length below `size_mm`";
         return refused(section, "gap_mm", p.gap_mm, accepted);
-    }
-    if p.bits.iter().any(|bits| !(1..=16).contains(bits)) {
-        let found = format!("{:?}", p.bits);
-        return refused(section, "bits", found, "four numbers from 1 to 16");
     }
     let (edge, half) = (p.size_mm.0 / 2.0, p.height_mm.0 / 2.0);
     let (gap, periods, bits) = (p.gap_mm.0 / 2.0, f64::from(p.periods), p.bits);

@@ -15,8 +15,8 @@
 //! assert!((middle[0] - 0.5).abs() < 1e-6 && middle[2] == 0.0); // a floor of 0.5 mm, and nothing above it
 //! ```
 
-use super::gear::{TEETH, spur_gear};
-use super::{Body, BuildForm, Form, Prism, positive, refused, rims, within};
+use super::gear::spur_gear;
+use super::{Body, BuildForm, Form, Prism, refused, rims};
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::{Mm, concise};
@@ -32,23 +32,26 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
 tomolith_core::keys! {
     /// Parameters of the hollow gear.
     struct Params {
-        /// Diameter over the tips of the teeth, mm (> 0)
+        /// Diameter over the tips of the teeth, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         size_mm: Mm = Mm(6.0),
-        /// Height along z, mm (> 0)
+        /// Height along z, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         height_mm: Mm = Mm(3.0),
-        /// Number of teeth (4 to 500)
+        /// Number of teeth
+        #[schemars(range(min = 4, max = 500))]
         teeth: u32 = 12,
-        /// Thickness of the wall, mm (> 0, less than the radius of the root circle)
+        /// Thickness of the wall, mm (less than the radius of the root circle)
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         wall_mm: Mm = Mm(0.25),
-        /// Thickness of the floor, mm (≥ 0, less than `height_mm`); 0 leaves it open below too
+        /// Thickness of the floor, mm (less than `height_mm`); 0 leaves it open below too
+        #[schemars(extend("minimum" = 0.0))]
         floor_mm: Mm = Mm(0.5),
     }
 }
 
 fn build(section: &Section) -> Result<Form> {
-    within(section, "teeth", TEETH)?;
     let p: Params = section.parse()?;
-    positive!(section, p, size_mm, height_mm, wall_mm);
     let wheel = spur_gear(p.size_mm, p.teeth);
     if p.wall_mm.0 >= wheel.root {
         let accepted = format!(
@@ -57,7 +60,7 @@ fn build(section: &Section) -> Result<Form> {
         );
         return refused(section, "wall_mm", p.wall_mm, accepted);
     }
-    if !(p.floor_mm.0 >= 0.0 && p.floor_mm < p.height_mm) {
+    if p.floor_mm >= p.height_mm {
         let accepted = "0, or less than `height_mm`";
         return refused(section, "floor_mm", p.floor_mm, accepted);
     }

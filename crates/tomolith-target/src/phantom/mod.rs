@@ -25,9 +25,7 @@ mod wheel;
 
 use super::Shape;
 use super::placing::{Map, Placement, bounds};
-use serde_json::Value;
 use std::fmt::Display;
-use std::ops::RangeInclusive;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Volume, VolumeGrid};
 use tomolith_core::kind::{Kind, Section};
@@ -216,30 +214,6 @@ fn refused<T>(
 ) -> Result<T> {
     Err(Error::config(key, found.to_string(), accepted).under(&section.path))
 }
-
-/// Refuses a number of things that is out of range or none, before its type is looked at: the message has one range.
-fn within(section: &Section, key: &str, range: RangeInclusive<u64>) -> Result<()> {
-    let is_in = |value: &Value| value.as_u64().is_some_and(|count| range.contains(&count));
-    match section.value.get(key).filter(|value| !is_in(value)) {
-        None => Ok(()),
-        Some(value) => {
-            let accepted = format!("a whole number from {} to {}", range.start(), range.end());
-            refused(section, key, value, accepted)
-        }
-    }
-}
-
-/// Refuses lengths of parameters `p` that are not positive.
-macro_rules! positive {
-    ($section:expr, $p:expr, $($key:ident),+) => {
-        for (key, length) in [$((stringify!($key), $p.$key)),+] {
-            if !(length.0.is_finite() && length.0 > 0.0) {
-                return super::refused($section, key, length, "a length > 0");
-            }
-        }
-    };
-}
-use positive;
 
 /// Points on two circles about the z axis, a degree apart, for the hull of something round.
 fn rims(radius: f64, z: [f64; 2]) -> Vec<[f64; 3]> {

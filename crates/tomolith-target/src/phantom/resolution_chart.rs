@@ -5,7 +5,7 @@
 //! bars run from 0.131 to 0.0367 mm in a chart of 5 mm, and the frame is 0.04 of the size wide. Volume: of all bars,
 //! the square and the frame.
 
-use super::{BuildForm, Form, corners, positive, rectangle};
+use super::{BuildForm, Form, corners, rectangle};
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
@@ -21,9 +21,11 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
 tomolith_core::keys! {
     /// Parameters of the resolution chart.
     struct Params {
-        /// Edge of the frame, mm (> 0)
+        /// Edge of the frame, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         size_mm: Mm = Mm(5.0),
-        /// Height along z, mm (> 0)
+        /// Height along z, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         height_mm: Mm = Mm(1.0),
     }
 }
@@ -40,7 +42,6 @@ type Bar = ([f64; 2], [f64; 2]);
 
 fn build(section: &Section) -> Result<Form> {
     let p: Params = section.parse()?;
-    positive!(section, p, size_mm, height_mm);
     let (size, half) = (p.size_mm.0, p.height_mm.0 / 2.0);
     let bars = bars();
     let area: f64 =

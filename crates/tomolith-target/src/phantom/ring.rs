@@ -2,7 +2,7 @@
 //!
 //! `hole/2 < √(x² + y²) < size/2, |z| < height/2`; volume π·(size² − hole²)/4·height.
 
-use super::{BuildForm, Form, positive, refused, rims};
+use super::{BuildForm, Form, refused, rims};
 use std::f64::consts::PI;
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
@@ -19,18 +19,20 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
 tomolith_core::keys! {
     /// Parameters of the ring.
     struct Params {
-        /// Outer diameter, mm (> 0)
+        /// Outer diameter, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         size_mm: Mm = Mm(5.0),
-        /// Height along z, mm (> 0)
+        /// Height along z, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         height_mm: Mm = Mm(3.0),
-        /// Inner diameter, mm (> 0, less than `size_mm`)
+        /// Inner diameter, mm (less than `size_mm`)
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         hole_mm: Mm = Mm(3.0),
     }
 }
 
 fn build(section: &Section) -> Result<Form> {
     let p: Params = section.parse()?;
-    positive!(section, p, size_mm, height_mm, hole_mm);
     if p.hole_mm >= p.size_mm {
         let found = format!("{} in a ring of {}", p.hole_mm, p.size_mm);
         return refused(section, "hole_mm", found, "a diameter below `size_mm`");

@@ -4,7 +4,7 @@
 //! them together. Volume: (area of the hub + half of the ring)·height.
 
 use super::wheel::Wheel;
-use super::{BuildForm, Form, positive, refused, rims, within};
+use super::{BuildForm, Form, refused, rims};
 use std::f64::consts::PI;
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
@@ -21,21 +21,23 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
 tomolith_core::keys! {
     /// Parameters of the Siemens star.
     struct Params {
-        /// Diameter, mm (> 0)
+        /// Diameter, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         size_mm: Mm = Mm(6.0),
-        /// Height along z, mm (> 0)
+        /// Height along z, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         height_mm: Mm = Mm(1.5),
-        /// Number of spokes (2 to 500)
+        /// Number of spokes
+        #[schemars(range(min = 2, max = 500))]
         spokes: u32 = 16,
-        /// Diameter of the disc in the middle, mm (> 0, less than `size_mm`)
+        /// Diameter of the disc in the middle, mm (less than `size_mm`)
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         hub_mm: Mm = Mm(1.0),
     }
 }
 
 fn build(section: &Section) -> Result<Form> {
-    within(section, "spokes", 2..=500)?;
     let p: Params = section.parse()?;
-    positive!(section, p, size_mm, height_mm, hub_mm);
     if p.hub_mm >= p.size_mm {
         let found = format!("{} in a star of {}", p.hub_mm, p.size_mm);
         return refused(section, "hub_mm", found, "a diameter below `size_mm`");

@@ -2,7 +2,7 @@
 //!
 //! `√(x² + y² + z²) < size/2`; volume π·size³/6.
 
-use super::{Body, BuildForm, Form, positive};
+use super::{Body, BuildForm, Form};
 use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 use tomolith_core::units::Mm;
@@ -18,14 +18,14 @@ pub(super) const KIND: Kind<BuildForm> = Kind {
 tomolith_core::keys! {
     /// Parameters of the sphere.
     struct Params {
-        /// Diameter, mm (> 0)
+        /// Diameter, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         size_mm: Mm = Mm(5.0),
     }
 }
 
 fn build(section: &Section) -> Result<Form> {
     let p: Params = section.parse()?;
-    positive!(section, p, size_mm);
     let radius = p.size_mm.0 / 2.0;
     Ok(Form {
         body: Body::Solid(Box::new(move |[x, y, z]| {

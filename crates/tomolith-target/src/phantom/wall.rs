@@ -5,7 +5,7 @@
 //! surface.
 
 use super::waves::wave;
-use super::{Body, Form, corners, cuboid, positive, refused, within};
+use super::{Body, Form, corners, cuboid, refused};
 use std::f64::consts::TAU;
 use tomolith_core::error::Result;
 use tomolith_core::kind::Section;
@@ -14,11 +14,14 @@ use tomolith_core::units::{Mm, concise};
 tomolith_core::keys! {
     /// A cube of curved wall.
     pub(super) struct Params {
-        /// Edge of the cube, mm (> 0)
+        /// Edge of the cube, mm
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         size_mm: Mm = Mm(5.0),
-        /// Periods along an edge (1 to 100)
+        /// Periods along an edge
+        #[schemars(range(min = 1, max = 100))]
         cells: u32 = 2,
-        /// Mean thickness of the wall, mm (> 0; at most, and by default, a fifth of a period, an eighth for the diamond)
+        /// Mean thickness of the wall, mm (at most, and by default, a fifth of a period, an eighth for the diamond)
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         wall_mm: Option<Mm>,
     }
 }
@@ -40,13 +43,11 @@ pub(super) struct Waves {
 
 /// A cube of the wall that these waves make.
 pub(super) fn build(section: &Section, waves: &'static Waves) -> Result<Form> {
-    within(section, "cells", 1..=100)?;
     let p: Params = section.parse()?;
-    positive!(section, p, size_mm);
     let period = p.size_mm.0 / f64::from(p.cells);
     let thickest = waves.thickest * period;
     let wall = p.wall_mm.map_or(thickest, |mm| mm.0);
-    if !(wall > 0.0 && wall <= thickest * (1.0 + 1e-9)) {
+    if wall > thickest * (1.0 + 1e-9) {
         let found = format!("{} with a period of {} mm", Mm(wall), concise(period));
         let accepted = format!("a thickness > 0, at most {} mm", concise(thickest));
         return refused(section, "wall_mm", found, accepted);
