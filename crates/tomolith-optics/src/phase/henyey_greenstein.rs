@@ -4,9 +4,7 @@
 //! Density ½(1 − g²)/(1 + g² − 2gc)^(3/2); drawn as c = (1 + g² − ((1 − g²)/(1 − g + 2gξ))²)/(2g), or 2ξ − 1 at g = 0.
 //!
 //! # Parameters
-//! | key | range | default | meaning |
-//! |---|---|---|---|
-//! | `g` | −0.999 to 0.999 | – | mean cosine: 0 isotropic, toward 1 ever more forward |
+//! See [`HenyeyGreenstein`].
 //!
 //! # Source
 //! Henyey & Greenstein, Astrophys. J. 93, 70 (1941).
@@ -16,13 +14,13 @@ use crate::random::Stream;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::kind::{Kind, schema_of};
-use tomolith_core::units::exact;
 
 /// See the [module page](self).
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct HenyeyGreenstein {
-    /// Mean cosine, −0.999 to 0.999.
+    /// Mean cosine: 0 isotropic, toward 1 ever more forward.
+    #[schemars(range(min = -0.999, max = 0.999))]
     pub g: f64,
 }
 
@@ -55,11 +53,5 @@ pub const KIND: Kind<BuildPhase> = Kind {
     summary: "One number: the mean cosine of the angle of scattering.",
     example: "[resin.phase.henyey_greenstein]\ng = 0.8\n",
     schema: schema_of::<HenyeyGreenstein>,
-    build: |section| {
-        let phase: HenyeyGreenstein = section.parse()?;
-        if !(-0.999..=0.999).contains(&phase.g) {
-            return Err(section.refused("g", exact(phase.g), "-0.999 to 0.999"));
-        }
-        Ok(Box::new(phase))
-    },
+    build: |section| Ok(Box::new(section.parse::<HenyeyGreenstein>()?)),
 };

@@ -1,16 +1,14 @@
 //! Several phase functions at once, each with its share.
 //!
 //! # Parameters
-//! | key | range | meaning |
-//! |---|---|---|
-//! | `parts` | one or more | `{ share = 0.7, phase = { rayleigh = {} } }`; shares > 0, scaled to a sum of 1 |
+//! See [`Params`].
 
 use super::{BuildPhase, PHASES, Phase};
 use crate::random::Stream;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use tomolith_core::error::{Result, in_range};
+use tomolith_core::error::Result;
 use tomolith_core::kind::{Kind, Section, schema_of};
 
 /// See the [module page](self).
@@ -42,7 +40,7 @@ impl Phase for Mixture {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Params {
-    /// The phase functions with their shares.
+    /// The phase functions with their shares, one or more: `{ share = 0.7, phase = { rayleigh = {} } }`.
     pub parts: Vec<Part>,
 }
 
@@ -50,7 +48,8 @@ pub struct Params {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Part {
-    /// Its share of the scattered light, > 0.
+    /// Its share of the scattered light; shares are scaled to a sum of 1.
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
     pub share: f64,
     /// The phase function, one kind.
     pub phase: Value,
@@ -67,20 +66,13 @@ pub const KIND: Kind<BuildPhase> = Kind {
 
 fn build(section: &Section) -> Result<Box<dyn Phase>> {
     let params: Params = section.parse()?;
-    let key = |i: usize| format!("{}.parts[{i}]", section.path);
     if params.parts.is_empty() {
         return Err(section.refused("parts", "none", "one or more"));
     }
     let total: f64 = params.parts.iter().map(|part| part.share).sum();
     let mut parts = Vec::with_capacity(params.parts.len());
     for (i, part) in params.parts.into_iter().enumerate() {
-        in_range(
-            part.share.is_finite() && part.share > 0.0,
-            format!("{}.share", key(i)),
-            part.share,
-            "a finite number > 0",
-        )?;
-        let inner = Section::new(format!("{}.phase", key(i)), part.phase);
+        let inner = Section::new(format!("{}.parts[{i}].phase", section.path), part.phase);
         parts.push((part.share / total, inner.read(PHASES)?));
     }
     Ok(Box::new(Mixture(parts)))

@@ -4,9 +4,7 @@
 //! The ray of the image point (u, z) is y = u, at height z, along −x. It has no aperture: the light of a point is one ray.
 //!
 //! # Parameters
-//! | key | unit | range | meaning |
-//! |---|---|---|---|
-//! | `pixel_pitch_mm` | mm | > 0 | distance of columns and of rows: one number, or both |
+//! See [`Params`].
 
 use super::{BuildProjector, Projector, Ray, pixel_pitch};
 use schemars::JsonSchema;

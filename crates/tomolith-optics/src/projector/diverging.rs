@@ -5,14 +5,10 @@
 //! rotation axis, where pixels have their pitch. (A [`lens`](super::lens) without aperture.)
 //!
 //! # Parameters
-//! | key | unit | range | meaning |
-//! |---|---|---|---|
-//! | `pixel_pitch_mm` | mm | > 0 | distance of columns and of rows: one number, or both at the rotation axis |
-//! | `distance_mm` | mm | > 0 | from the point to the rotation axis |
+//! See [`Params`].
 
 use super::lens::Lens;
 use super::{BuildProjector, Projector, Ray, pixel_pitch};
-use crate::vial::positive;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::kind::{Kind, schema_of};
@@ -51,7 +47,8 @@ impl Projector for Diverging {
 pub struct Params {
     /// Distance of columns and of rows at the rotation axis, mm, > 0: one number, or [columns, rows].
     pub pixel_pitch_mm: Pitch,
-    /// From the tip of the cone to the rotation axis, mm, > 0.
+    /// From the tip of the cone to the rotation axis, mm.
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
     pub distance_mm: Mm,
 }
 
@@ -65,7 +62,7 @@ pub const KIND: Kind<BuildProjector> = Kind {
         let params: Params = section.parse()?;
         Ok(Box::new(Diverging::new(
             pixel_pitch(section, params.pixel_pitch_mm)?,
-            positive(section, "distance_mm", params.distance_mm.0)?,
+            params.distance_mm.0,
         )))
     },
 };

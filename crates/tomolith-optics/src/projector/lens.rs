@@ -6,15 +6,9 @@
 //! puts the image beside the rotation axis.
 //!
 //! # Parameters
-//! | key | unit | range | default | meaning |
-//! |---|---|---|---|---|
-//! | `pixel_pitch_mm` | mm | > 0 | – | distance of columns and of rows: one number, or both in the image |
-//! | `aperture_radius_mm` | mm | ≥ 0 | – | radius of the lens; 0 is a diverging bundle from a point |
-//! | `distance_mm` | mm | > 0 | – | from the lens to the rotation axis |
-//! | `focus_distance_mm` | mm | > 0 | `distance_mm` | from the lens to the image |
+//! See [`Params`].
 
-use super::{BuildProjector, Projector, Ray, not_negative, pixel_pitch};
-use crate::vial::positive;
+use super::{BuildProjector, Projector, Ray, pixel_pitch};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::kind::{Kind, schema_of};
@@ -55,11 +49,14 @@ impl Projector for Lens {
 pub struct Params {
     /// Distance of columns and of rows in the image, mm, > 0: one number, or [columns, rows].
     pub pixel_pitch_mm: Pitch,
-    /// Radius of the lens, mm, >= 0.
+    /// Radius of the lens, mm; 0 is a diverging bundle from a point.
+    #[schemars(extend("minimum" = 0.0))]
     pub aperture_radius_mm: Mm,
-    /// From the lens to the rotation axis, mm, > 0.
+    /// From the lens to the rotation axis, mm.
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
     pub distance_mm: Mm,
-    /// From the lens to the image, mm, > 0; default: `distance_mm`.
+    /// From the lens to the image, mm; default: `distance_mm`.
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub focus_distance_mm: Option<Mm>,
 }
@@ -72,17 +69,12 @@ pub const KIND: Kind<BuildProjector> = Kind {
     schema: schema_of::<Params>,
     build: |section| {
         let params: Params = section.parse()?;
-        let distance_mm = positive(section, "distance_mm", params.distance_mm.0)?;
-        let focus = params.focus_distance_mm.map_or(distance_mm, |f| f.0);
+        let Mm(distance_mm) = params.distance_mm;
         Ok(Box::new(Lens {
             pixel_pitch_mm: pixel_pitch(section, params.pixel_pitch_mm)?,
-            aperture_radius_mm: not_negative(
-                section,
-                "aperture_radius_mm",
-                params.aperture_radius_mm.0,
-            )?,
+            aperture_radius_mm: params.aperture_radius_mm.0,
             distance_mm,
-            focus_distance_mm: positive(section, "focus_distance_mm", focus)?,
+            focus_distance_mm: params.focus_distance_mm.map_or(distance_mm, |f| f.0),
         }))
     },
 };

@@ -86,13 +86,6 @@ fn pixel_pitch(section: &Section, Pitch(mm): Pitch) -> Result<[f64; 2]> {
     Ok(mm)
 }
 
-/// Refuses anything but a finite number ≥ 0.
-fn not_negative(section: &Section, key: &str, value: f64) -> Result<f64> {
-    let is_in = value.is_finite() && value >= 0.0;
-    section.in_range(is_in, key, value, "a finite number >= 0")?;
-    Ok(value)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

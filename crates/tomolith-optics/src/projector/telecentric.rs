@@ -7,15 +7,9 @@
 //! the disc give the same power.
 //!
 //! # Parameters
-//! | key | unit | range | default | meaning |
-//! |---|---|---|---|---|
-//! | `pixel_pitch_mm` | mm | > 0 | – | distance of columns and of rows: one number, or both in the image |
-//! | `aperture_radius_mm` | mm | ≥ 0 | – | radius of the disc; 0 is collimated light |
-//! | `working_distance_mm` | mm | > 0 | – | from the disc to the image |
-//! | `focus_mm` | mm | finite | 0 | where the image is: this far before the rotation axis, seen from the projector |
+//! See [`Params`].
 
-use super::{BuildProjector, Projector, Ray, not_negative, pixel_pitch};
-use crate::vial::positive;
+use super::{BuildProjector, Projector, Ray, pixel_pitch};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use tomolith_core::kind::{Kind, schema_of};
@@ -63,9 +57,11 @@ impl Projector for Telecentric {
 pub struct Params {
     /// Distance of columns and of rows in the image, mm, > 0: one number, or [columns, rows].
     pub pixel_pitch_mm: Pitch,
-    /// Radius of the disc that lights an image point, mm, >= 0.
+    /// Radius of the disc that lights an image point, mm; 0 is collimated light.
+    #[schemars(extend("minimum" = 0.0))]
     pub aperture_radius_mm: Mm,
-    /// From the disc to the image, mm, > 0.
+    /// From the disc to the image, mm.
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
     pub working_distance_mm: Mm,
     /// The image lies this far before the rotation axis, seen from the projector, mm.
     #[serde(default)]
@@ -80,26 +76,11 @@ pub const KIND: Kind<BuildProjector> = Kind {
     schema: schema_of::<Params>,
     build: |section| {
         let params: Params = section.parse()?;
-        let focus_mm = params.focus_mm.0;
-        section.in_range(
-            focus_mm.is_finite(),
-            "focus_mm",
-            focus_mm,
-            "a finite number",
-        )?;
         Ok(Box::new(Telecentric {
             pixel_pitch_mm: pixel_pitch(section, params.pixel_pitch_mm)?,
-            aperture_radius_mm: not_negative(
-                section,
-                "aperture_radius_mm",
-                params.aperture_radius_mm.0,
-            )?,
-            working_distance_mm: positive(
-                section,
-                "working_distance_mm",
-                params.working_distance_mm.0,
-            )?,
-            focus_mm,
+            aperture_radius_mm: params.aperture_radius_mm.0,
+            working_distance_mm: params.working_distance_mm.0,
+            focus_mm: params.focus_mm.0,
         }))
     },
 };
