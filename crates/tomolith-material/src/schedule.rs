@@ -18,7 +18,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use tomolith_core::error::{Error, Result, above_zero, in_range};
+use tomolith_core::error::{Error, Result, above_zero};
+use tomolith_core::kind::check_ranges;
 use tomolith_core::units::exact;
 
 /// Times closer than that are one, s.
@@ -67,26 +68,33 @@ pub enum Power {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Turns {
-    /// Frames of a turn, at least 1.
+    /// Frames of a turn.
+    #[schemars(range(min = 1))]
     pub frames: usize,
     /// Duration of a turn, s.
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
     pub seconds_per_turn: f64,
-    /// How many turns, above 0; a broken number ends within a turn.
+    /// How many turns; a broken number ends within a turn.
+    #[schemars(extend("exclusiveMinimum" = 0.0))]
     pub turns: f64,
-    /// Share of a frame's time in which it shines, above 0 to 1; it begins with the frame.
+    /// Share of a frame's time in which it shines; it begins with the frame.
     #[serde(default = "one")]
+    #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1.0))]
     pub duty: f64,
     /// How strong a pattern value of 1 is.
     #[serde(default)]
     pub power: Power,
     /// Dark time before the first turn, s.
     #[serde(default)]
+    #[schemars(range(min = 0.0))]
     pub dark_before_s: f64,
     /// Dark time between turns, s.
     #[serde(default)]
+    #[schemars(range(min = 0.0))]
     pub dark_between_s: f64,
     /// Dark time after the last turn, s.
     #[serde(default)]
+    #[schemars(range(min = 0.0))]
     pub dark_after_s: f64,
     /// Whether every turn has patterns of its own: turn t shows frames t·frames … of the light's dose model.
     #[serde(default)]
@@ -131,36 +139,10 @@ impl Turns {
     }
 
     fn validate(&self) -> Result<()> {
-        if self.frames == 0 {
-            return Err(Error::config("frames", "found 0", "at least 1"));
-        }
         let (Power::Irradiance(power) | Power::EnergyPerTurn(power) | Power::EnergyInAll(power)) =
             self.power;
-        for (key, value) in [
-            ("seconds_per_turn", self.seconds_per_turn),
-            ("turns", self.turns),
-            ("power", power),
-        ] {
-            above_zero(key, value)?;
-        }
-        in_range(
-            self.duty > 0.0 && self.duty <= 1.0,
-            "duty",
-            self.duty,
-            "a number above 0 and at most 1",
-        )?;
-        for (key, value) in [
-            ("dark_before_s", self.dark_before_s),
-            ("dark_between_s", self.dark_between_s),
-            ("dark_after_s", self.dark_after_s),
-        ] {
-            in_range(
-                value >= 0.0 && value.is_finite(),
-                key,
-                value,
-                "a finite number of seconds, 0 or more",
-            )?;
-        }
+        above_zero("power", power)?;
+        check_ranges("", self)?;
         if self.frames as f64 * self.turns > MOST_EXPOSURES {
             return Err(Error::config(
                 "turns",

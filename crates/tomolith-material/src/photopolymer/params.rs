@@ -4,7 +4,8 @@ use crate::diffusion::Scheme;
 use crate::mixing::Mixing;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::error::{Error, Result, above_zero, in_range};
+use tomolith_core::error::{Error, Result, in_range};
+use tomolith_core::kind::check_ranges;
 use tomolith_core::units::exact;
 
 /// What a network takes to gel.
@@ -13,16 +14,20 @@ use tomolith_core::units::exact;
 pub enum Curing {
     /// It gels where the dose that inhibitors leave reaches a threshold.
     Threshold {
-        /// E_d, mJ/mm³, above 0.
+        /// E_d, mJ/mm³.
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         critical_dose_mj_per_mm3: f64,
     },
     /// dC/dt = k e^m (1 − C), e the power that inhibitors leave, mW/mm³.
     RateLaw {
-        /// k: rate at 1 mW/mm³, 1/s, above 0.
+        /// k: rate at 1 mW/mm³, 1/s.
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         rate_per_s: f64,
-        /// m, ½ (radicals that end in pairs) to 1.
+        /// m, from ½: radicals that end in pairs.
+        #[schemars(range(min = 0.5, max = 1.0))]
         exponent: f64,
-        /// Conversion at the gel point, between 0 and 1.
+        /// Conversion at the gel point.
+        #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 0.999_999))]
         gel_conversion: f64,
     },
 }
@@ -102,15 +107,19 @@ tomolith_core::keys! {
     pub struct Inhibitor {
         /// Its name.
         pub name: String = "oxygen".to_owned(),
-        /// 1/κ: the dose that uses up all of it (from 1 to 0), mJ/mm³, above 0.
+        /// 1/κ: the dose that uses up all of it (from 1 to 0), mJ/mm³.
+        #[schemars(extend("exclusiveMinimum" = 0.0))]
         pub capacity_mj_per_mm3: f64 = 1.0,
         /// How much there is, 0 to 1 (1: what air saturates resin with).
         pub initial: Initial = Initial::Even(1.0),
-        /// D, mm²/s (10⁻¹⁰ m²/s = 10⁻⁴ mm²/s), 0 or more.
+        /// D, mm²/s (10⁻¹⁰ m²/s = 10⁻⁴ mm²/s).
+        #[schemars(range(min = 0.0))]
         pub diffusion_mm2_per_s: f64 = 0.0,
-        /// Share of D that cured resin has, 0 to 1.
+        /// Share of D that cured resin has.
+        #[schemars(range(min = 0.0, max = 1.0))]
         pub cured_diffusion: f64 = 1.0,
-        /// K of the smooth consumption r·O/(O + K), above 0; none: of zeroth order.
+        /// K of the smooth consumption r·O/(O + K); none: of zeroth order.
+        #[schemars(extend("exclusiveMinimum" = 0.0, "maximum" = 1e3))]
         pub half_saturation: Option<f64>,
         /// Whether air on top holds it at 1.
         pub from_air: bool = true,
@@ -130,12 +139,15 @@ pub struct Network {
     pub curing: Curing,
     /// w: width of the rise of the cured share about the gel point, relative to it; 0: a step.
     #[serde(default = "tenth")]
+    #[schemars(range(min = 0.0, max = 2.0))]
     pub gel_width: f64,
-    /// b: share of initiator that a dose uses up, mm³/mJ, 0 or more.
+    /// b: share of initiator that a dose uses up, mm³/mJ.
     #[serde(default)]
+    #[schemars(range(min = 0.0))]
     pub bleaching_mm3_per_mj: f64,
     /// D of the dose, mm²/s: radicals that wander before they react. With a threshold only.
     #[serde(default)]
+    #[schemars(range(min = 0.0))]
     pub dose_diffusion_mm2_per_s: f64,
 }
 
@@ -215,7 +227,8 @@ impl Params {
             let own = check_shading(shading, mixing, others);
             own.map_err(|e| e.under(&format!("shading[{i}]")))?;
         }
-        self.check_bleached_lights(mixing)
+        self.check_bleached_lights(mixing)?;
+        check_ranges("", self)
     }
 
     /// The initiator that a light was computed with is one number per voxel: all lights of a network that bleaches are shaded, or none.
@@ -243,70 +256,20 @@ impl Params {
     }
 }
 
-/// Refuses what is not within these, which count; no upper one is `f64::MAX`.
-fn within(key: &str, value: f64, [least, most]: [f64; 2]) -> Result<()> {
-    let to = match most < f64::MAX {
-        true => format!(" to {}", exact(most)),
-        false => String::new(),
-    };
-    let accepted = format!("a finite number from {}{to}", exact(least));
-    in_range((least..=most).contains(&value), key, value, accepted)
-}
-
-/// Refuses what is below 0.
-fn not_below_zero(key: &str, value: f64) -> Result<()> {
-    within(key, value, [0.0, f64::MAX])
-}
-
 fn check_network(network: &Network) -> Result<()> {
-    match network.curing {
-        Curing::Threshold {
-            critical_dose_mj_per_mm3: dose,
-        } => above_zero("curing.threshold.critical_dose_mj_per_mm3", dose)?,
-        Curing::RateLaw {
-            rate_per_s,
-            exponent,
-            gel_conversion,
-        } => {
-            above_zero("curing.rate_law.rate_per_s", rate_per_s)?;
-            within("curing.rate_law.exponent", exponent, [0.5, 1.0])?;
-            in_range(
-                gel_conversion > 0.0 && gel_conversion <= 0.999_999,
-                "curing.rate_law.gel_conversion",
-                gel_conversion,
-                "a finite number above 0 to 0.999999",
-            )?;
-            if network.dose_diffusion_mm2_per_s != 0.0 {
-                return Err(Error::config(
-                    "dose_diffusion_mm2_per_s",
-                    format!(
-                        "found {} with a rate law",
-                        exact(network.dose_diffusion_mm2_per_s)
-                    ),
-                    "0: a network does not wander; a dose that does takes curing.threshold",
-                ));
-            }
-        }
-    }
-    within("gel_width", network.gel_width, [0.0, 2.0])?;
-    not_below_zero("bleaching_mm3_per_mj", network.bleaching_mm3_per_mj)?;
     let wandering = network.dose_diffusion_mm2_per_s;
-    not_below_zero("dose_diffusion_mm2_per_s", wandering)?;
+    if wandering != 0.0 && matches!(network.curing, Curing::RateLaw { .. }) {
+        return Err(Error::config(
+            "dose_diffusion_mm2_per_s",
+            format!("found {} with a rate law", exact(wandering)),
+            "0: a network does not wander; a dose that does takes curing.threshold",
+        ));
+    }
     for (i, inhibitor) in network.inhibitors.iter().enumerate() {
-        check_inhibitor(inhibitor).map_err(|e| e.under(&format!("inhibitors[{i}]")))?;
+        let initial = inhibitor.initial.validate();
+        initial.map_err(|e| e.under(&format!("inhibitors[{i}]")))?;
     }
     Ok(())
-}
-
-fn check_inhibitor(inhibitor: &Inhibitor) -> Result<()> {
-    above_zero("capacity_mj_per_mm3", inhibitor.capacity_mj_per_mm3)?;
-    not_below_zero("diffusion_mm2_per_s", inhibitor.diffusion_mm2_per_s)?;
-    within("cured_diffusion", inhibitor.cured_diffusion, [0.0, 1.0])?;
-    if let Some(half) = inhibitor.half_saturation {
-        let accepted = "a finite number above 0 to 1000";
-        in_range(half > 0.0 && half <= 1e3, "half_saturation", half, accepted)?;
-    }
-    inhibitor.initial.validate()
 }
 
 fn check_shading(shading: &Shading, mixing: &Mixing, others: &[Shading]) -> Result<()> {
@@ -327,8 +290,12 @@ fn check_shading(shading: &Shading, mixing: &Mixing, others: &[Shading]) -> Resu
     }
     let pairs = shading.active_per_mm.iter().zip(shading.attenuation_per_mm);
     for (&active, total) in pairs {
-        not_below_zero("active_per_mm", active)?;
-        within("attenuation_per_mm", total, [active, f64::MAX])?;
+        let from = |key, value: f64, least: f64| {
+            let accepted = format!("a finite number from {}", exact(least));
+            in_range((least..=f64::MAX).contains(&value), key, value, accepted)
+        };
+        from("active_per_mm", active, 0.0)?;
+        from("attenuation_per_mm", total, active)?;
     }
     Ok(())
 }

@@ -50,11 +50,13 @@ pub struct MaterialSpec {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DiffusionSpec {
-    /// Diffusion coefficient, mm²/s (10⁻¹⁰ m²/s = 10⁻⁴ mm²/s), 0 or more.
+    /// Diffusion coefficient, mm²/s (10⁻¹⁰ m²/s = 10⁻⁴ mm²/s).
+    #[schemars(range(min = 0.0))]
     pub mm2_per_s: f64,
     /// Groups of neighboring frames of each light that share their times; one when left out, as many as turns with `schedule.own_patterns`. More are
     /// closer to a schedule of few turns, and each takes a pullback of its own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(range(min = 1))]
     pub arcs: Option<usize>,
 }
 
@@ -79,9 +81,11 @@ tomolith_core::keys! {
         pub dark_after_s: f64 = 0.0,
         /// Longest step of time, s; a hundredth of the print, at most 1 s and what is stable, when left out.
         pub step_s: Option<f64>,
-        /// How often the light is computed anew where cured resin shades, s.
+        /// How often the light is computed anew where cured resin shades, s; 0: in every step.
+        #[schemars(range(min = 0.0))]
         pub shading_every_s: f64 = 2.0,
-        /// Pictures of the print as it grows.
+        /// Pictures of the print as it grows; each is stored as a volume.
+        #[schemars(range(max = 100))]
         pub snapshots: usize = 8,
         /// What the patterns are optimized against: the "dose" alone, as without a schedule; the degree of cure at the end of the schedule (1: solid)
         /// with the inhibitor "frozen" as the last of several simulations found it; or the same through time by its "exact" derivative, for small jobs.
