@@ -169,7 +169,7 @@ fn what_cannot_be_an_unknown_is_refused_before_work() {
         co_optimize.response={ steepnes = [5.0, 60.0] } → co_optimize.response.steepnes: … steepness
         response="identity" → co_optimize.response.midpoint: … [response.logistic]
         co_optimize.response.steepness=[60.0, 5.0] → co_optimize.response.steepness: found [60 … the first below the second
-        co_optimize.response.steepness=[0.0, 5.0] → co_optimize.response.steepness: … a number above 0
+        co_optimize.response.steepness=[0.0, 5.0] → co_optimize.response.steepness: … a number, above 0
         co_optimize.response={ lower = [0.0, 2.0] } → co_optimize.response.lower: … lower < upper
         co_optimize.response.steepness=[5.0] → co_optimize.response.steepness
         co_optimize.response={} → co_optimize.response: … steepness = [

@@ -197,15 +197,15 @@ objective.threshold.exponent … at most 100
 
   upper = 0.95
 + ceiling = 1e38
-objective.threshold.ceiling … from -1e9 to 1e9
+objective.threshold.ceiling … -1e9 to 1e9
 
   upper = 0.95
 + part_weight = 1e300
-objective.threshold.part_weight … from 0 to 1e9
+objective.threshold.part_weight … 0 to 1e9
 
 + [objective]
 + weight = 1e300
-objective.weight … from 0 to 1e9
+objective.weight … 0 to 1e9
 
 + [response.logistic]
 + steepness = 1e30

@@ -53,7 +53,9 @@ impl FreeParameters {
         let section = Section::new("response", spec.response.clone()).based(base);
         let (row, section) = section.kind(RESPONSES)?;
         let known = parameters(&row.page("response"));
-        let known = known.iter().filter(|p| p.kind == "number");
+        // The words of a number are followed by those of its range
+        let is_number = |kind: &str| kind.split(',').next() == Some("number");
+        let known = known.iter().filter(|p| is_number(&p.kind));
         let known: Vec<(&str, Option<f64>)> = known
             .map(|p| (p.name.as_str(), p.default.as_ref().and_then(Value::as_f64)))
             .collect();
