@@ -89,7 +89,8 @@ impl NumberRange {
 
     /// What a key accepts: `a whole number, 1 to 16`, `a number in mm, above 0`.
     fn accepted(&self, key: &str) -> String {
-        let name = key.split('[').next().unwrap_or_default();
+        let last = key.rsplit('.').next().unwrap_or_default();
+        let name = last.split('[').next().unwrap_or_default();
         let unit = UNITS.iter().find(|(end, _)| name.ends_with(end));
         let unit = unit.map_or_else(String::new, |(_, unit)| format!(" in {unit}"));
         let what = if self.is_whole {
