@@ -402,8 +402,9 @@ mod tests {
             };
             let plain = mean(&Identity);
             for (response, factor) in [(&rising, 4.0), (&ending, 3.96)] {
-                let ratio = mean(response) / plain;
-                assert!((ratio - factor).abs() < 1e-4, "{}: {ratio}", row.name);
+                // `lsqr` ends by a tolerance, in f32
+                let ratio = mean(response) / plain / factor;
+                assert!((ratio - 1.0).abs() < 1e-3, "{}: {ratio}", row.name);
             }
         }
     }
