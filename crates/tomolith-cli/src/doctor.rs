@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use std::time::Instant;
 use tomolith::field::Field;
 use tomolith::job::{Document, Job, ResolvedJob, Silent, resources, run};
-use tomolith::models::Run;
+use tomolith::models::Work;
 use tomolith::models::parallel::kernel::Isa;
 use tomolith::{Error, Result};
 
@@ -142,13 +142,13 @@ fn job(text: &str) -> Result<Job> {
 
 /// Even light in the middle of a disc of resin, by Bouguer's law.
 fn middle() -> Result<Check> {
-    let run = Run::new();
-    let task = ResolvedJob::new(&job(DISC)?)?.task(&run)?;
+    let work = Work::new();
+    let task = ResolvedJob::new(&job(DISC)?)?.task(&work)?;
     let mut x = task.start.clone();
     x.fill(1.0);
     let mut dose = task.model.new_dose()?;
     let begin = Instant::now();
-    task.model.dose(&x, &mut dose, &run)?;
+    task.model.dose(&x, &mut dose, &work)?;
     let seconds = begin.elapsed().as_secs_f64();
     let volume = task.model.outputs()[0].volume_of(dose.as_slice());
     let [nz, ny, nx] = volume.grid.shape;
@@ -169,8 +169,8 @@ fn middle() -> Result<Check> {
 
 /// ⟨F x, c⟩ and ⟨x, Fᵀ c⟩.
 fn pair() -> Result<Check> {
-    let run = Run::new();
-    let task = ResolvedJob::new(&job(DISC)?)?.task(&run)?;
+    let work = Work::new();
+    let task = ResolvedJob::new(&job(DISC)?)?.task(&work)?;
     let model = task.model.as_ref();
     let (mut x, mut dose) = (model.new_patterns()?, model.new_dose()?);
     let mut c = model.new_dose()?;
@@ -191,8 +191,8 @@ fn pair() -> Result<Check> {
     let range = model.outputs()[0].range();
     c.as_mut_slice()[range].copy_from_slice(&model.outputs()[0].field_of(&marks));
     let mut back = x.zeros_like();
-    model.dose(&x, &mut dose, &run)?;
-    model.pullback(&x, &c, &mut back, &run)?;
+    model.dose(&x, &mut dose, &work)?;
+    model.pullback(&x, &c, &mut back, &work)?;
     let [left, right] = [dose.dot(&c), x.dot(&back)];
     let size = (dose.dot(&dose) * c.dot(&c)).sqrt();
     let error = (left - right).abs() / size;
@@ -208,7 +208,7 @@ fn gear() -> Result<Check> {
     let folder = std::env::temp_dir().join(format!("tomolith-doctor-{}", std::process::id()));
     let begin = Instant::now();
     let job = job(GEAR)?.with_folder(&folder, "doctor");
-    let summary = run(&job, false, &mut Silent, &Run::new());
+    let summary = run(&job, false, &mut Silent, &Work::new());
     let removed = std::fs::remove_dir_all(&folder).map_err(|e| Error::io(&folder, e));
     let iou = summary?.evaluation.iou.unwrap_or(0.0);
     removed?;

@@ -6,7 +6,7 @@ use clap::Args;
 use std::path::PathBuf;
 use tomolith::Result;
 use tomolith::job::export::{Exported, export as of_run, job_of_run};
-use tomolith::models::Run;
+use tomolith::models::Work;
 use tomolith::report::number::significant;
 
 const EXPORT: &str = "\
@@ -34,10 +34,10 @@ pub(crate) struct ExportArguments {
 }
 
 /// `tomolith export`.
-pub(crate) fn export(given: &ExportArguments, cancel: &Run) -> Result<()> {
+pub(crate) fn export(given: &ExportArguments, work: &Work) -> Result<()> {
     let job = job_of_run(&given.run, given.printer.as_deref(), &given.set)?;
     let mut screen = Screen::new(given.manner);
-    let exported = of_run(&job, &given.run, &given.output, &mut screen, cancel)?;
+    let exported = of_run(&job, &given.run, &given.output, &mut screen, work)?;
     drop(screen);
     done(given.manner, &exported, || show(&exported));
     Ok(())

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use tomolith::Result;
 use tomolith::job::Job;
 use tomolith::job::export::matrix;
-use tomolith::models::Run;
+use tomolith::models::Work;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -28,11 +28,11 @@ pub(crate) struct MatrixArguments {
     pub(crate) manner: Manner,
 }
 
-pub(crate) fn export_matrix(given: &MatrixArguments, job: &Job, cancel: &Run) -> Result<()> {
+pub(crate) fn export_matrix(given: &MatrixArguments, job: &Job, work: &Work) -> Result<()> {
     must_end_in("--output", &given.output, &["npz"])?;
     must_be_a_place("--output", &given.output)?;
     let mut screen = Screen::new(given.manner);
-    let [rows, columns, entries] = matrix(job, &given.output, &mut screen, cancel)?;
+    let [rows, columns, entries] = matrix(job, &given.output, &mut screen, work)?;
     drop(screen);
     let found =
         json!({ "file": given.output, "rows": rows, "columns": columns, "entries": entries });

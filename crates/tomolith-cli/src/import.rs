@@ -8,7 +8,7 @@ use std::path::{Component, Path, PathBuf};
 use tomolith::io::mesh::read_mesh;
 use tomolith::io::npy::{PatternPair, write_patterns};
 use tomolith::io::{must_be_new, read_text, write_text};
-use tomolith::models::Run;
+use tomolith::models::Work;
 use tomolith::{Error, Result, job};
 
 const EXAMPLES: &str = "\
@@ -43,7 +43,7 @@ pub(crate) fn import(given: &ImportArguments) -> Result<()> {
             shown: &patterns,
             raw: None,
         };
-        write_patterns(&given.output, &[pair], &Run::new())?;
+        write_patterns(&given.output, &[pair], &Work::new())?;
         let note = "angles are those of the job that the patterns are simulated with; sinograms of a graphics card belong to a part turned by 90°";
         return done(given, "patterns", &[note.to_owned()]);
     }

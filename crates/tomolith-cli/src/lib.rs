@@ -46,7 +46,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 use tomolith::io::{give_up, write_text};
 use tomolith::job::{self, Document, Job, Leaves, RunFolder};
-use tomolith::models::Run;
+use tomolith::models::Work;
 use tomolith::{Error, Result};
 use view::Live;
 
@@ -117,21 +117,21 @@ fn command(arguments: &Arguments, itself: &[OsString]) -> u8 {
         }
         Command::Voxelize(given) => {
             let manner = given.sampling.manner;
-            quick("voxelize", manner, |run| voxelize::voxelize(given, run))
+            quick("voxelize", manner, |work| voxelize::voxelize(given, work))
         }
         Command::Phantom(given) => {
             let manner = given.sampling.manner;
-            quick("phantom", manner, |run| voxelize::phantom(given, run))
+            quick("phantom", manner, |work| voxelize::phantom(given, work))
         }
         Command::Metrics(given) => quick("metrics", given.manner, |_| metrics::metrics(given)),
-        Command::Export(given) => quick("export", given.manner, |run| export::export(given, run)),
-        Command::ExportMatrix(given) => quick("export-matrix", given.manner, |run| {
+        Command::Export(given) => quick("export", given.manner, |work| export::export(given, work)),
+        Command::ExportMatrix(given) => quick("export-matrix", given.manner, |work| {
             let job = read(&given.job, None)?;
-            export_matrix::export_matrix(given, &job, run)
+            export_matrix::export_matrix(given, &job, work)
         }),
-        Command::Trace(given) => quick("trace", given.manner, |run| {
+        Command::Trace(given) => quick("trace", given.manner, |work| {
             let job = read(&given.job, None)?;
-            trace::run(given, &job, run)
+            trace::run(given, &job, work)
         }),
         Command::Import(given) => quick("import", given.manner, |_| import::import(given)),
         Command::Calibrate(given) => {
@@ -140,14 +140,14 @@ fn command(arguments: &Arguments, itself: &[OsString]) -> u8 {
         Command::Expose(given) => quick("expose", given.manner, |_| expose::expose(given)),
         Command::Analyze(given) => quick("analyze", given.manner(), |_| analyze::analyze(given)),
         Command::View(given) => {
-            let cancel = cancel_on_ctrl_c(Manner {
+            let work = cancel_on_ctrl_c(Manner {
                 quiet: true,
                 ..given.manner
             });
             (
                 given.manner,
                 ranks::must_be_alone("view")
-                    .and_then(|()| view::view(given, &cancel))
+                    .and_then(|()| view::view(given, &work))
                     .map(|()| true),
             )
         }
@@ -202,10 +202,10 @@ fn arguments(words: &[OsString]) -> Result<Arguments, u8> {
 fn quick(
     name: &str,
     manner: Manner,
-    work: impl FnOnce(&Run) -> Result<()>,
+    action: impl FnOnce(&Work) -> Result<()>,
 ) -> (Manner, Result<bool>) {
-    let run = Arc::new(Run::new());
-    on_ctrl_c(&run, move |earlier| {
+    let work = Arc::new(Work::new());
+    on_ctrl_c(&work, move |earlier| {
         if earlier == 0 {
             thread::spawn(move || {
                 thread::sleep(LONGEST);
@@ -215,7 +215,7 @@ fn quick(
     });
     let done = ranks::must_be_alone(name)
         .and_then(|()| prepare(manner))
-        .and_then(|()| work(&run));
+        .and_then(|()| action(&work));
     (manner, done.map(|()| true))
 }
 
@@ -267,10 +267,10 @@ fn runs(given: &RunArguments, ranks: Option<&Ranks>) -> Result<bool> {
         ));
     }
     let manner = given.manner.of_rank(ranks);
-    let cancel = match ranks {
+    let work = match ranks {
         None => cancel_on_ctrl_c(manner),
         // Ranks that wait for each other end their steps together
-        Some(_) => cancel_saying(manner, Run::with_patience(Duration::MAX), STOPPING_RANKS),
+        Some(_) => cancel_saying(manner, Work::with_patience(Duration::MAX), STOPPING_RANKS),
     };
     let (mut is_met, mut last) = (true, None);
     for (i, file) in given.jobs.iter().enumerate() {
@@ -278,7 +278,7 @@ fn runs(given: &RunArguments, ranks: Option<&Ranks>) -> Result<bool> {
             let place = format!("{}/{}", i + 1, given.jobs.len());
             screen::mutter(&format!("{place:>12} {}", file.display()));
         }
-        match run(file, given, ranks, &cancel) {
+        match run(file, given, ranks, &work) {
             Ok(met) => is_met &= met,
             Err(Error::Canceled) => return Err(Error::Canceled),
             Err(error) => {
@@ -295,12 +295,7 @@ fn runs(given: &RunArguments, ranks: Option<&Ranks>) -> Result<bool> {
 }
 
 /// One job: whether the required quality was met.
-fn run(
-    file: &Path,
-    given: &RunArguments,
-    ranks: Option<&Ranks>,
-    cancel: &Arc<Run>,
-) -> Result<bool> {
+fn run(file: &Path, given: &RunArguments, ranks: Option<&Ranks>, work: &Arc<Work>) -> Result<bool> {
     let job = read_changed(file, &given.changes, given.output.as_deref());
     let job = job.map(|job| match given.overwrite {
         true => job.overwriting(),
@@ -309,12 +304,12 @@ fn run(
     let job = ranks::agreed(ranks, job);
     let (resume, leaves) = (given.resume, given.keep.into());
     if given.open {
-        return watched(&job?, given, cancel);
+        return watched(&job?, given, work);
     }
     let mut screen = Screen::new(given.manner.of_rank(ranks));
     let summary = match ranks {
-        None => job::run_leaving(&job?, resume, leaves, &mut screen, cancel).map(Some),
-        Some(ranks) => job::run_among(&job?, resume, leaves, ranks, &mut screen, cancel),
+        None => job::run_leaving(&job?, resume, leaves, &mut screen, work).map(Some),
+        Some(ranks) => job::run_among(&job?, resume, leaves, ranks, &mut screen, work),
     };
     let summary = summary?;
     summary.iter().for_each(|summary| screen.finish(summary));
@@ -322,10 +317,10 @@ fn run(
 }
 
 /// One job on a page, which shows the result until the command is stopped.
-fn watched(job: &Job, given: &RunArguments, cancel: &Arc<Run>) -> Result<bool> {
+fn watched(job: &Job, given: &RunArguments, work: &Arc<Work>) -> Result<bool> {
     ranks::must_be_alone("run --open")?;
-    let mut live = Live::start(job, given.address, given.manner, cancel)?;
-    let summary = job::run_leaving(job, given.resume, Leaves::All, &mut live, cancel);
+    let mut live = Live::start(job, given.address, given.manner, work)?;
+    let summary = job::run_leaving(job, given.resume, Leaves::All, &mut live, work);
     let summary = match summary {
         Ok(summary) => summary,
         Err(error) => {
@@ -334,7 +329,7 @@ fn watched(job: &Job, given: &RunArguments, cancel: &Arc<Run>) -> Result<bool> {
         }
     };
     live.screen().finish(&summary);
-    live.finish(&summary.folder, cancel)?;
+    live.finish(&summary.folder, work)?;
     Ok(summary.is_met())
 }
 
@@ -343,9 +338,9 @@ fn simulate(given: &SimulateArguments) -> Result<bool> {
     ranks::must_be_alone("simulate")?;
     prepare(given.manner)?;
     let job = read(&given.job, given.output.as_deref())?;
-    let cancel = cancel_on_ctrl_c(given.manner);
+    let work = cancel_on_ctrl_c(given.manner);
     let mut screen = Screen::new(given.manner);
-    let summary = job::simulate(&job, &given.patterns, &mut screen, &cancel)?;
+    let summary = job::simulate(&job, &given.patterns, &mut screen, &work)?;
     screen.finish(&summary);
     Ok(summary.is_met())
 }
@@ -391,9 +386,9 @@ fn check(given: &arguments::CheckArguments) -> Result<bool> {
         must_be_a_place("--picture", file)?;
     }
     let job = read(&given.job, None)?;
-    let cancel = cancel_on_ctrl_c(given.manner);
+    let work = cancel_on_ctrl_c(given.manner);
     if let Some(file) = &given.picture {
-        write_text(file, &job::picture(&job, &cancel)?.html())?;
+        write_text(file, &job::picture(&job, &work)?.html())?;
     }
     // Its answer is one line of JSON
     let mut screen = if given.manner.json {
@@ -401,7 +396,7 @@ fn check(given: &arguments::CheckArguments) -> Result<bool> {
     } else {
         Screen::new(given.manner)
     };
-    let plan = job::check(&job, &mut screen, &cancel)?;
+    let plan = job::check(&job, &mut screen, &work)?;
     screen::done(given.manner, &plan, || say(plan.to_string().trim_end()));
     Ok(true)
 }
@@ -488,15 +483,15 @@ const STOPPING_RANKS: &str = "\nasked to stop: ranks stop after this iteration. 
     `--resume` goes on from the last checkpoint";
 
 /// The first Ctrl-C asks the run to stop soon, the second at once, the third ends the process.
-fn cancel_on_ctrl_c(manner: Manner) -> Arc<Run> {
-    cancel_saying(manner, Run::new(), STOPPING)
+fn cancel_on_ctrl_c(manner: Manner) -> Arc<Work> {
+    cancel_saying(manner, Work::new(), STOPPING)
 }
 
 /// Cancels on Ctrl-C, saying so in these words.
-fn cancel_saying(manner: Manner, run: Run, stopping: &'static str) -> Arc<Run> {
-    let run = Arc::new(run);
-    let asked = Arc::clone(&run);
-    on_ctrl_c(&run, move |earlier| {
+fn cancel_saying(manner: Manner, work: Work, stopping: &'static str) -> Arc<Work> {
+    let work = Arc::new(work);
+    let asked = Arc::clone(&work);
+    on_ctrl_c(&work, move |earlier| {
         if earlier >= 2 {
             end_here(manner);
         }
@@ -505,12 +500,12 @@ fn cancel_saying(manner: Manner, run: Run, stopping: &'static str) -> Arc<Run> {
             screen::mutter(stopping);
         }
     });
-    run
+    work
 }
 
 /// Passes every Ctrl-C on to a run, and does something more with the number of those before it.
-fn on_ctrl_c(run: &Arc<Run>, mut then: impl FnMut(u32) + Send + 'static) {
-    let run = Arc::clone(run);
+fn on_ctrl_c(work: &Arc<Work>, mut then: impl FnMut(u32) + Send + 'static) {
+    let work = Arc::clone(work);
     let mut last: Option<Instant> = None;
     // Without a handler Ctrl-C still ends the process, only less cleanly
     let _ = ctrlc::set_handler(move || {
@@ -519,7 +514,7 @@ fn on_ctrl_c(run: &Arc<Run>, mut then: impl FnMut(u32) + Send + 'static) {
             .replace(Instant::now())
             .is_none_or(|before| before.elapsed() >= ECHO)
         {
-            then(run.cancel());
+            then(work.cancel());
         }
     });
 }

@@ -9,7 +9,7 @@ use std::io::{BufRead, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use tomolith::io::write_text;
 use tomolith::job::{Document, Job, ResolvedJob};
-use tomolith::models::Run;
+use tomolith::models::Work;
 use tomolith::target::build_under;
 use tomolith::units::concise;
 use tomolith::{Error, Result};
@@ -128,7 +128,7 @@ fn tried(given: &NewArguments, answers: &Answers) -> Result<String> {
     // The part's size says how many pixels light it
     let trial = Job::from_document(document([64, 64])?)?;
     let shape =
-        build_under(&trial.spec.target, &trial.base(), "target", &Run::new()).map_err(|e| {
+        build_under(&trial.spec.target, &trial.base(), "target", &Work::new()).map_err(|e| {
             match trial.locate(e) {
                 unread @ Error::Io { .. } => Error::config(
                     "--part",

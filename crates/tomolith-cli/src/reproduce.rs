@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::thread::{self, available_parallelism};
 use std::time::Duration;
-use tomolith::models::Run;
+use tomolith::models::Work;
 use tomolith::units::duration;
 use tomolith::{Error, Result};
 use tomolith_sweep::{Host, Study, StudyCost, SweepPlan, Watch, reproduce};
@@ -43,7 +43,7 @@ pub(crate) struct ReproduceArguments {
     pub(crate) manner: Manner,
 }
 
-pub(crate) fn run(given: &ReproduceArguments, itself: &[OsString], cancel: &Run) -> Result<bool> {
+pub(crate) fn run(given: &ReproduceArguments, itself: &[OsString], work: &Work) -> Result<bool> {
     let study = Study::read(&given.study, given.quick)?;
     let output = given.output.clone().unwrap_or_else(|| study.output());
     let own = || available_parallelism().map_or(1, usize::from);
@@ -53,7 +53,7 @@ pub(crate) fn run(given: &ReproduceArguments, itself: &[OsString], cancel: &Run)
         itself: Itself {
             program: itself,
             threads: given.manner.threads.map(usize::from),
-            cancel,
+            work,
         },
     };
     if !given.manner.json && !given.manner.quiet {
@@ -61,11 +61,11 @@ pub(crate) fn run(given: &ReproduceArguments, itself: &[OsString], cancel: &Run)
         mutter(&format!("{:>12} {what}", "Check"));
     }
     if given.check {
-        let costs = study.costs(&output, threads, &typed, cancel)?;
+        let costs = study.costs(&output, threads, &typed, work)?;
         typed.begins(&costs);
         return Ok(true);
     }
-    let found = reproduce(&study, &output, threads, &mut typed, cancel)?;
+    let found = reproduce(&study, &output, threads, &mut typed, work)?;
     done(given.manner, &found, || say(found.to_string().trim_end()));
     Ok(found.is_met())
 }
@@ -147,7 +147,7 @@ pub struct Itself<'r> {
     /// Threads of the command; None for all cores.
     pub threads: Option<usize>,
     /// What ends it.
-    pub cancel: &'r Run,
+    pub work: &'r Work,
 }
 
 impl Itself<'_> {
@@ -209,7 +209,7 @@ impl Itself<'_> {
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
             .spawn();
-        let done = child.and_then(|child| ended(child, self.cancel));
+        let done = child.and_then(|child| ended(child, self.work));
         let done = done.map_err(|e| Error::io(folder, e))?;
         let text = String::from_utf8_lossy(&done.stdout);
         let answer = text
@@ -233,7 +233,7 @@ impl Itself<'_> {
 const PAUSE: Duration = Duration::from_millis(50);
 
 /// What a command printed until it ended; a request to stop is passed on to it once.
-fn ended(mut child: Child, cancel: &Run) -> std::io::Result<Output> {
+fn ended(mut child: Child, work: &Work) -> std::io::Result<Output> {
     let (out, err) = (child.stdout.take(), child.stderr.take());
     thread::scope(|scope| {
         let out = scope.spawn(|| all_of(out));
@@ -243,7 +243,7 @@ fn ended(mut child: Child, cancel: &Run) -> std::io::Result<Output> {
             if let Some(status) = child.try_wait()? {
                 break status;
             }
-            if cancel.is_stop_asked() && !was_told {
+            if work.is_stop_asked() && !was_told {
                 was_told = true;
                 ask_to_stop(&mut child)?;
             }

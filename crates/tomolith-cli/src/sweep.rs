@@ -8,7 +8,7 @@ use indicatif::ProgressBar;
 use std::io::IsTerminal;
 use std::path::PathBuf;
 use std::thread::available_parallelism;
-use tomolith::models::Run;
+use tomolith::models::Work;
 use tomolith::report::number::significant;
 use tomolith::units::{counted, duration};
 use tomolith::{Error, Result};
@@ -46,8 +46,8 @@ pub(crate) struct SweepArguments {
     pub(crate) manner: Manner,
 }
 
-pub(crate) fn sweep(given: &SweepArguments, ranks: Option<&Ranks>, cancel: &Run) -> Result<bool> {
-    let plan = planned(given, ranks, cancel);
+pub(crate) fn sweep(given: &SweepArguments, ranks: Option<&Ranks>, work: &Work) -> Result<bool> {
+    let plan = planned(given, ranks, work);
     let plan = agreed(ranks, plan)?;
     if given.list {
         plan.commands()?.iter().for_each(|command| say(command));
@@ -58,12 +58,12 @@ pub(crate) fn sweep(given: &SweepArguments, ranks: Option<&Ranks>, cancel: &Run)
     let outcome = match (&given.merge, ranks) {
         (Some(others), _) => merge(&plan, others)?,
         (None, None) => {
-            tell_cost(&plan, given, cancel)?;
-            run(&plan, given.shard, &mut board, cancel)?
+            tell_cost(&plan, given, work)?;
+            run(&plan, given.shard, &mut board, work)?
         }
         (None, Some(ranks)) => {
             let (number, of) = (ranks.rank() + 1, ranks.size());
-            let own = run(&plan, Some(Shard { number, of }), &mut board, cancel);
+            let own = run(&plan, Some(Shard { number, of }), &mut board, work);
             agreed(Some(ranks), own)?;
             if !ranks.is_first() {
                 return Ok(true);
@@ -79,11 +79,11 @@ pub(crate) fn sweep(given: &SweepArguments, ranks: Option<&Ranks>, cancel: &Run)
 const LONG_S: f64 = 3600.0;
 
 /// Says what a long sweep will take: its runs, and the time that `tomolith check` reckons for a few of them, times their number.
-fn tell_cost(plan: &SweepPlan, given: &SweepArguments, cancel: &Run) -> Result<()> {
+fn tell_cost(plan: &SweepPlan, given: &SweepArguments, work: &Work) -> Result<()> {
     if given.manner.quiet {
         return Ok(());
     }
-    let (runs, seconds) = (plan.runs.len(), plan.seconds(cancel)?);
+    let (runs, seconds) = (plan.runs.len(), plan.seconds(work)?);
     match cost(runs, given.shard, seconds) {
         Some((_, line)) if given.manner.json => say(&line.to_string()),
         Some((words, _)) => mutter(&format!("{:>12} {words}", "Cost")),
@@ -116,7 +116,7 @@ impl SweepArguments {
 }
 
 /// The runs of the sweep.
-fn planned(given: &SweepArguments, ranks: Option<&Ranks>, cancel: &Run) -> Result<SweepPlan> {
+fn planned(given: &SweepArguments, ranks: Option<&Ranks>, work: &Work) -> Result<SweepPlan> {
     if let Some(ranks) = ranks.filter(|_| given.is_part()) {
         return Err(Error::config(
             "--list, --shard, --merge",
@@ -134,7 +134,7 @@ fn planned(given: &SweepArguments, ranks: Option<&Ranks>, cancel: &Run) -> Resul
     let own = || available_parallelism().map_or(1, usize::from);
     let threads = given.manner.threads.map_or_else(own, usize::from);
     let beside = ranks.map_or(1, |ranks| ranks.beside());
-    sweep.beside(beside).plan(threads, cancel)
+    sweep.beside(beside).plan(threads, work)
 }
 
 fn finish(outcome: &SweepOutcome, manner: Manner) {

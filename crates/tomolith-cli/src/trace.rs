@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use tomolith::Result;
 use tomolith::job::Job;
 use tomolith::job::trace::{Pixel, Traced, trace};
-use tomolith::models::Run;
+use tomolith::models::Work;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -47,7 +47,7 @@ fn pixel(text: &str) -> std::result::Result<[usize; 3], String> {
         .map_err(|_| "three whole numbers: frame,column,row".to_owned())
 }
 
-pub(crate) fn run(given: &TraceArguments, job: &Job, cancel: &Run) -> Result<()> {
+pub(crate) fn run(given: &TraceArguments, job: &Job, work: &Work) -> Result<()> {
     let kind = given.output.as_deref().map(Kind::of).transpose()?;
     if let Some(path) = &given.output {
         must_be_a_place("--output", path)?;
@@ -62,7 +62,7 @@ pub(crate) fn run(given: &TraceArguments, job: &Job, cancel: &Run) -> Result<()>
             row,
         })
         .collect();
-    let (traced, mut dose) = trace(job, &pixels, cancel).map_err(|e| job.locate(e))?;
+    let (traced, mut dose) = trace(job, &pixels, work).map_err(|e| job.locate(e))?;
     for one in &traced {
         if given.manner.json {
             say(&json!({ "event": "traced", "result": one }).to_string());
@@ -76,7 +76,7 @@ pub(crate) fn run(given: &TraceArguments, job: &Job, cancel: &Run) -> Result<()>
             let scale = if largest > 0.0 { 1.0 / largest } else { 1.0 };
             dose.values.iter_mut().for_each(|v| *v *= scale);
         }
-        write_volume(path, kind, "dose", &dose, cancel)?;
+        write_volume(path, kind, "dose", &dose, work)?;
         if !given.manner.json && !given.manner.quiet {
             say(&format!("dose in {}", path.display()));
         }

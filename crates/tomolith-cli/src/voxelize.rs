@@ -12,7 +12,7 @@ use tomolith::io::volume::{ENDINGS, Values, VolumeFileFormat, write_values};
 use tomolith::job::Document;
 use tomolith::job::resources::{memory_budget_mb, require};
 use tomolith::kind::Section;
-use tomolith::models::Run;
+use tomolith::models::Work;
 use tomolith::target::clip::{cut_off, cuts};
 use tomolith::target::{
     MeshUnit, PHANTOMS, Repair, Resolution, Target, TargetSpec, build_under, default_grid,
@@ -93,7 +93,7 @@ pub(crate) struct PhantomArguments {
 }
 
 /// `tomolith voxelize`.
-pub(crate) fn voxelize(given: &VoxelizeArguments, run: &Run) -> Result<()> {
+pub(crate) fn voxelize(given: &VoxelizeArguments, work: &Work) -> Result<()> {
     let unit = |name: &String| MeshUnit::ALL.into_iter().find(|unit| unit.name() == name);
     if let Some(file) = &given.save_mesh {
         must_end_in("--save-mesh", file, &["stl"])?;
@@ -105,11 +105,11 @@ pub(crate) fn voxelize(given: &VoxelizeArguments, run: &Run) -> Result<()> {
         repair: (given.repair == "force").then_some(Repair::Force),
         ..TargetSpec::default()
     };
-    sample(spec, &given.sampling, given.save_mesh.as_deref(), run)
+    sample(spec, &given.sampling, given.save_mesh.as_deref(), work)
 }
 
 /// `tomolith phantom`.
-pub(crate) fn phantom(given: &PhantomArguments, run: &Run) -> Result<()> {
+pub(crate) fn phantom(given: &PhantomArguments, work: &Work) -> Result<()> {
     // The name is looked up first, so that a slip in it is named as such
     let named = Section::new("phantom", Value::String(given.name.clone())).kind(PHANTOMS);
     named.map_err(|mut error| {
@@ -127,15 +127,15 @@ pub(crate) fn phantom(given: &PhantomArguments, run: &Run) -> Result<()> {
         phantom: Some(json!({ given.name.as_str(): table.root })),
         ..TargetSpec::default()
     };
-    sample(spec, &given.sampling, None, run)
+    sample(spec, &given.sampling, None, work)
 }
 
-fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>, run: &Run) -> Result<()> {
+fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>, work: &Work) -> Result<()> {
     let kind = Kind::of(&given.output)?;
     must_be_a_place("--output", &given.output)?;
     spec.size_mm = given.size_mm.map(tomolith::units::Mm);
     spec.rotate_deg = given.rotate_deg.as_ref().map(|r| [r[0], r[1], r[2]]);
-    let shape = build_under(&spec, Path::new(""), "target", run).map_err(as_target_option)?;
+    let shape = build_under(&spec, Path::new(""), "target", work).map_err(as_target_option)?;
     let question = spec.ask_for_unit(shape.bounds_mm(), EXPECTED_MM);
     let question =
         question.map(|text| text.replace("set target.mesh_unit = ", "give --mesh-unit "));
@@ -151,7 +151,7 @@ fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>, run: &Run
         fewer,
     )
     .map_err(|e| e.asking(question.as_deref()))?;
-    let mut target = voxelize_under(shape.as_ref(), &spec.name(), &grid, run)?;
+    let mut target = voxelize_under(shape.as_ref(), &spec.name(), &grid, work)?;
     let part = (0..grid.len()).filter(|&i| target.is_part(i)).count();
     if given.binary {
         target.inside.values = (0..grid.len())
@@ -161,7 +161,7 @@ fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>, run: &Run
     // Of what is written
     let written = target.inside.values.iter().map(|&v| f64::from(v));
     let volume_mm3 = written.sum::<f64>() * grid.voxel_mm3();
-    write(&given.output, kind, &target, given.binary, run)?;
+    write(&given.output, kind, &target, given.binary, work)?;
     let mut warnings = shape.warnings();
     let saved = match (save, &shape.meshes()[..]) {
         (Some(file), [mesh]) => {
@@ -186,7 +186,7 @@ fn sample(mut spec: TargetSpec, given: &Sampling, save: Option<&Path>, run: &Run
         let text = "no voxel is at least half inside: the voxels are too large for this part";
         warnings.insert(0, text.to_owned());
     }
-    let lost = cut_off(&grid, shape.as_ref(), run)?;
+    let lost = cut_off(&grid, shape.as_ref(), work)?;
     warnings.extend(lost.map(|lost| {
         let percent = (1000.0 * lost).round() / 10.0;
         format!("the grid cuts the part: {percent} % of its volume is lost")
@@ -298,13 +298,13 @@ impl Kind {
     }
 }
 
-fn write(path: &Path, kind: Kind, target: &Target, binary: bool, run: &Run) -> Result<()> {
+fn write(path: &Path, kind: Kind, target: &Target, binary: bool, work: &Work) -> Result<()> {
     let Volume { grid, values } = &target.inside;
     if kind == Kind::Volume && binary {
         let bytes: Vec<u8> = values.iter().map(|&v| v as u8).collect();
-        return write_values(path, "inside", grid, Values::U8(&bytes), run);
+        return write_values(path, "inside", grid, Values::U8(&bytes), work);
     }
-    write_volume(path, kind, "inside", &target.inside, run)
+    write_volume(path, kind, "inside", &target.inside, work)
 }
 
 /// Values as they are; in a picture, from 0 (black) to 1 (white).
@@ -313,12 +313,12 @@ pub(crate) fn write_volume(
     kind: Kind,
     name: &str,
     volume: &Volume<f32>,
-    run: &Run,
+    work: &Work,
 ) -> Result<()> {
     match kind {
         Kind::Volume => {
             let values = Values::F32(&volume.values);
-            write_values(path, name, &volume.grid, values, run)
+            write_values(path, name, &volume.grid, values, work)
         }
         Kind::Picture => write_slices(path, volume),
     }

@@ -11,10 +11,10 @@
 //!
 //! ```
 //! use tomolith_core::boxes::{AlignedBox, BoxTree};
-//! use tomolith_core::run::Run;
+//! use tomolith_core::work::Run;
 //! // A hundred beads on the x axis, 1 mm apart
 //! let boxes: Vec<AlignedBox> = (0..100).map(|i| AlignedBox::around([[f64::from(i), 0.0, 0.0]], 0.1)).collect();
-//! let tree = BoxTree::of(&boxes, &Run::new());
+//! let tree = BoxTree::of(&boxes, &Work::new());
 //! let mut met = Vec::new();
 //! tree.along([42.0, -9.0, 0.0], [0.0, 1.0, 0.0], f64::INFINITY, |places| {
 //!     met.extend(&tree.order()[places]);
@@ -25,7 +25,7 @@
 //! ```
 
 use crate::parallel::{InParallel, table};
-use crate::run::Run;
+use crate::work::Work;
 use std::ops::Range;
 use wide::f32x4;
 
@@ -242,11 +242,11 @@ impl BoxTree {
     ///
     /// A tree that was not ready when the run was canceled answers wrong.
     #[must_use]
-    pub fn of(boxes: &[AlignedBox], run: &Run) -> Self {
+    pub fn of(boxes: &[AlignedBox], work: &Work) -> Self {
         let middle = |i: u32| boxes[i as usize].twice_the_middle();
         let leaf = |things: &[u32]| (joined(boxes, things.iter().copied()), ());
         let split = |keys: &mut [Key]| least_surface(keys, boxes);
-        let (tree, _) = Self::build(boxes.len(), middle, &split, leaf, run);
+        let (tree, _) = Self::build(boxes.len(), middle, &split, leaf, work);
         tree
     }
 
@@ -258,9 +258,9 @@ impl BoxTree {
         count: usize,
         middle: impl Fn(u32) -> Point + Sync,
         leaf: impl Fn(&[u32]) -> (AlignedBox, L) + Sync,
-        run: &Run,
+        work: &Work,
     ) -> (Self, Vec<L>) {
-        Self::build(count, middle, &longest, leaf, run)
+        Self::build(count, middle, &longest, leaf, work)
     }
 
     fn build<L: Send>(
@@ -268,11 +268,11 @@ impl BoxTree {
         middle: impl Fn(u32) -> Point + Sync,
         split: &Split<'_>,
         leaf: impl Fn(&[u32]) -> (AlignedBox, L) + Sync,
-        run: &Run,
+        work: &Work,
     ) -> (Self, Vec<L>) {
         let mut keys: Vec<Key> = table(count, |i| (middle(i as u32), i as u32));
         let mut cuts = vec![Cut::default(); count];
-        let cut = sort(&mut keys, &mut cuts, 0, split, run);
+        let cut = sort(&mut keys, &mut cuts, 0, split, work);
         let mut tree = BoxTree {
             nodes: Vec::new(),
             order: keys.iter().map(|key| key.1).collect(),
@@ -457,12 +457,12 @@ type Key = (Point, u32);
 type Split<'a> = dyn Fn(&mut [Key]) -> usize + Sync + 'a;
 
 /// Brings things into the order of the leaves, and says where they are cut.
-fn sort(keys: &mut [Key], cuts: &mut [Cut], level: usize, split: &Split<'_>, run: &Run) -> u32 {
+fn sort(keys: &mut [Key], cuts: &mut [Cut], level: usize, split: &Split<'_>, work: &Work) -> u32 {
     let n = keys.len();
     if n <= LEAF {
         return 0;
     }
-    let cut = if run.is_canceled() {
+    let cut = if work.is_canceled() {
         n / 2 // in no order, but leaves stay as small as users of the tree take them to be
     } else if level < LEVELS && n > FEW {
         split(keys)
@@ -471,7 +471,7 @@ fn sort(keys: &mut [Key], cuts: &mut [Cut], level: usize, split: &Split<'_>, run
     };
     let (low, high) = keys.split_at_mut(cut);
     let (low_cuts, high_cuts) = cuts.split_at_mut(cut);
-    let deeper = |keys, cuts| sort(keys, cuts, level + 1, split, run);
+    let deeper = |keys, cuts| sort(keys, cuts, level + 1, split, work);
     let below = if n > PARALLEL {
         let halves = [(low, low_cuts), (high, &mut *high_cuts)];
         halves
@@ -564,7 +564,7 @@ mod tests {
 
     fn tree(boxes: &[[[f64; 3]; 2]]) -> BoxTree {
         let bounds: Vec<AlignedBox> = boxes.iter().map(|&b| AlignedBox::around(b, 0.0)).collect();
-        BoxTree::of(&bounds, &Run::new())
+        BoxTree::of(&bounds, &Work::new())
     }
 
     #[test]
@@ -587,11 +587,11 @@ mod tests {
 
     #[test]
     fn leaves_of_a_canceled_run_are_as_small_as_others() {
-        let run = Run::new();
-        run.cancel();
+        let work = Work::new();
+        work.cancel();
         let at = |i: u32| [i as f32, 0.0, 0.0];
         let leaf = |things: &[u32]| (AlignedBox::of(things.iter().map(|&i| at(i))), things.len());
-        let (_, counts) = BoxTree::of_small(40_000, at, leaf, &run);
+        let (_, counts) = BoxTree::of_small(40_000, at, leaf, &work);
         assert_eq!(counts.iter().sum::<usize>(), 40_000);
         assert!(counts.into_iter().all(|count| (1..=LEAF).contains(&count)));
     }
@@ -676,11 +676,11 @@ mod tests {
         let mut random = random();
         let points: Vec<Point> = (0..500).map(|_| [0; 3].map(|_| random() as f32)).collect();
         let of = |i: &u32| points[*i as usize];
-        let run = Run::new();
+        let work = Work::new();
         let leaf = |things: &[u32]| (AlignedBox::of(things.iter().map(of)), things.to_vec());
-        let (small, kept) = BoxTree::of_small(points.len(), |i| of(&i), leaf, &run);
+        let (small, kept) = BoxTree::of_small(points.len(), |i| of(&i), leaf, &work);
         let bounds: Vec<AlignedBox> = points.iter().map(|&p| AlignedBox::of([p])).collect();
-        let any = BoxTree::of(&bounds, &run);
+        let any = BoxTree::of(&bounds, &work);
         let squared = |a: Point, b: Point| (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f32>();
         for _ in 0..200 {
             let p: Point = [0; 3].map(|_| 2.0 * random() as f32 - 0.5);

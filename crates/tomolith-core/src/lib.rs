@@ -15,10 +15,10 @@ pub mod least_squares;
 pub mod parallel;
 pub mod ranks;
 pub mod response;
-pub mod run;
 pub mod target;
 pub mod text;
 pub mod units;
 pub mod vector;
+pub mod work;
 
 pub use error::{Error, Place, Result};

@@ -8,7 +8,7 @@ use crate::strips::GpuStrips;
 use crate::waves::GpuWaves;
 use std::ops::Range;
 use tomolith_core::dose::form::Form;
-use tomolith_core::dose::{Accelerator, DoseModel, Facts, Renewal, Run, Space, frames_of};
+use tomolith_core::dose::{Accelerator, DoseModel, Facts, Renewal, Space, Work, frames_of};
 use tomolith_core::error::Result;
 use tomolith_core::field::{Field, HostField};
 
@@ -17,12 +17,16 @@ use tomolith_core::field::{Field, HostField};
 /// # Errors
 /// [`Error::Device`](tomolith_core::Error::Device), [`Error::Canceled`](tomolith_core::Error::Canceled);
 /// [`Error::Resources`](tomolith_core::Error::Resources) where the card is too small.
-pub fn model_on(gpu: &Gpu, form: &Form, run: &Run) -> Result<Box<dyn DoseModel<Field = GpuField>>> {
+pub fn model_on(
+    gpu: &Gpu,
+    form: &Form,
+    work: &Work,
+) -> Result<Box<dyn DoseModel<Field = GpuField>>> {
     Ok(match form {
-        Form::Strips(form) => Box::new(GpuStrips::new(gpu, form, run)?),
-        Form::Rays(form) => Box::new(GpuRays::new(gpu, form, run)?),
-        Form::Paths(form) => Box::new(GpuPaths::new(gpu, form, run)?),
-        Form::Waves(form) => Box::new(GpuWaves::new(gpu, form, run)?),
+        Form::Strips(form) => Box::new(GpuStrips::new(gpu, form, work)?),
+        Form::Rays(form) => Box::new(GpuRays::new(gpu, form, work)?),
+        Form::Paths(form) => Box::new(GpuPaths::new(gpu, form, work)?),
+        Form::Waves(form) => Box::new(GpuWaves::new(gpu, form, work)?),
     })
 }
 
@@ -50,19 +54,19 @@ impl OnHost {
     }
 
     /// F(x) of some frames on the card.
-    fn dose_there(&self, frames: Range<usize>, x: &HostField, run: &Run) -> Result<GpuField> {
+    fn dose_there(&self, frames: Range<usize>, x: &HostField, work: &Work) -> Result<GpuField> {
         let x = self.there(Space::Patterns, x)?;
         let mut dose = self.model.new_dose()?;
-        self.model.dose_of(frames, &x, &mut dose, run)?;
+        self.model.dose_of(frames, &x, &mut dose, work)?;
         Ok(dose)
     }
 }
 
 impl Renewal<HostField> for OnHost {
-    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
+    fn renew(&self, iteration: usize, x: &HostField, work: &Work) -> Result<bool> {
         let renewal = self.model.renewal();
         renewal.map_or(Ok(false), |model| {
-            model.renew(iteration, &self.place(x)?, run)
+            model.renew(iteration, &self.place(x)?, work)
         })
     }
 }
@@ -78,8 +82,8 @@ impl DoseModel for OnHost {
         Ok(self.facts().host_field(space))
     }
 
-    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
-        let there = self.dose_there(0..frames_of(self.patterns()), x, run)?;
+    fn dose(&self, x: &HostField, dose: &mut HostField, work: &Work) -> Result<()> {
+        let there = self.dose_there(0..frames_of(self.patterns()), x, work)?;
         there.read_into(dose.as_mut_slice());
         self.gpu.check()
     }
@@ -89,9 +93,9 @@ impl DoseModel for OnHost {
         frames: Range<usize>,
         x: &HostField,
         dose: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
-        let there = self.dose_there(frames, x, run)?;
+        let there = self.dose_there(frames, x, work)?;
         let mut own = dose.zeros_like();
         there.read_into(own.as_mut_slice());
         self.gpu.check()?;
@@ -105,18 +109,18 @@ impl DoseModel for OnHost {
         x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let (x, cotangent) = (self.place(x)?, self.there(Space::Dose, cotangent)?);
         let mut found = self.there(Space::Patterns, grad)?;
-        (self.model).pullback_of(frames, &x, &cotangent, &mut found, run)?;
+        (self.model).pullback_of(frames, &x, &cotangent, &mut found, work)?;
         found.read_into(grad.as_mut_slice());
         self.gpu.check()
     }
 
-    fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
+    fn along(&self, x: &HostField, d: &HostField, work: &Work) -> Result<Option<Vec<HostField>>> {
         let (x, d) = (self.place(x)?, self.there(Space::Patterns, d)?);
-        let Some(terms) = self.model.along(&x, &d, run)? else {
+        let Some(terms) = self.model.along(&x, &d, work)? else {
             return Ok(None);
         };
         let mut found = Vec::new();
@@ -149,11 +153,11 @@ impl Accelerator for Gpu {
     fn model(
         &self,
         form: &Form,
-        run: &Run,
+        work: &Work,
     ) -> Result<Option<Box<dyn DoseModel<Field = HostField>>>> {
         Ok(Some(Box::new(OnHost {
             gpu: self.clone(),
-            model: model_on(self, form, run)?,
+            model: model_on(self, form, work)?,
             form: form.clone(),
         })))
     }

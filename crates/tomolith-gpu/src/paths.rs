@@ -26,7 +26,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use tomolith_core::dose::form::Masked;
 use tomolith_core::dose::paths::{LightPaths, PathForm, PathGeometry, PhaseForm};
 use tomolith_core::dose::{
-    DoseModel, Facts, PatternLayout, Renewal, Run, Space, ZCoupling, own_frames,
+    DoseModel, Facts, PatternLayout, Renewal, Space, Work, ZCoupling, own_frames,
 };
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
@@ -81,7 +81,7 @@ impl GpuPaths {
     ///
     /// # Errors
     /// As [`GpuRays::new`]; [`Error::Resources`](tomolith_core::Error::Resources) where cells do not fit a binding.
-    pub(crate) fn new(gpu: &Gpu, form: &PathForm, run: &Run) -> Result<Self> {
+    pub(crate) fn new(gpu: &Gpu, form: &PathForm, work: &Work) -> Result<Self> {
         let straight = Masked {
             geometry: form.geometry.straight.clone(),
             dark: form.dark.clone(),
@@ -93,7 +93,7 @@ impl GpuPaths {
                 |known: &Geometry| Arc::ptr_eq(&known.data, &form.geometry),
                 || Geometry::new(gpu, &form.geometry),
             )?,
-            straight: GpuRays::new(gpu, &straight, run)?,
+            straight: GpuRays::new(gpu, &straight, work)?,
             round: AtomicU64::new(0),
         })
     }
@@ -107,7 +107,7 @@ impl GpuPaths {
     }
 
     /// Follows what is scattered out of some frames, counted through all lights.
-    fn follow(&self, frames: &Range<usize>, fields: &Fields<'_>, run: &Run) -> Result<()> {
+    fn follow(&self, frames: &Range<usize>, fields: &Fields<'_>, work: &Work) -> Result<()> {
         let cells = &self.data().cells.layout;
         for (light, frames) in own_frames(self.patterns(), frames) {
             let Some(paths) = &self.data().lights[light] else {
@@ -127,7 +127,7 @@ impl GpuPaths {
                 updates: EVENT * paths.updates,
                 ways: EVENTS,
             };
-            self.straight.follow((light, &frames), &walk, run)?;
+            self.straight.follow((light, &frames), &walk, work)?;
         }
         Ok(())
     }
@@ -187,7 +187,7 @@ struct Fields<'a> {
 
 impl Renewal<GpuField> for GpuPaths {
     /// Draws other paths, whatever the patterns are.
-    fn renew(&self, iteration: usize, _x: &GpuField, _run: &Run) -> Result<bool> {
+    fn renew(&self, iteration: usize, _x: &GpuField, _run: &Work) -> Result<bool> {
         let round = (iteration.saturating_sub(1) / self.data().renew) as u64;
         Ok(self.round.swap(round, Ordering::Relaxed) != round)
     }
@@ -212,9 +212,9 @@ impl DoseModel for GpuPaths {
         frames: Range<usize>,
         x: &GpuField,
         dose: &mut GpuField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
-        (self.straight).dose_of(frames.clone(), x, dose, run)?;
+        (self.straight).dose_of(frames.clone(), x, dose, work)?;
         let energy = x.max_abs() * self.brightest();
         if energy == 0.0 {
             return self.gpu.check();
@@ -229,7 +229,7 @@ impl DoseModel for GpuPaths {
             cells: vec![&low.pieces()[0], &high.pieces()[0]],
             scale: 1.0 / unit,
         };
-        self.follow(&frames, &fields, run)?;
+        self.follow(&frames, &fields, work)?;
         add_sums([&low, &high], unit, None, &sums);
         let sums = &sums.pieces()[0];
         let sharp = self.sharper(sums);
@@ -246,9 +246,9 @@ impl DoseModel for GpuPaths {
         x: &GpuField,
         cotangent: &GpuField,
         grad: &mut GpuField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
-        (self.straight).pullback_of(frames.clone(), x, cotangent, grad, run)?;
+        (self.straight).pullback_of(frames.clone(), x, cotangent, grad, work)?;
         let gathered = self.geometry.cells.dark(1);
         for piece in voxels_of(cotangent, self.data().straight.output.row) {
             (self.geometry.cells).gather(&gathered, &self.geometry.shares, &piece);
@@ -261,7 +261,7 @@ impl DoseModel for GpuPaths {
             cells: vec![&seen],
             scale: 1.0,
         };
-        self.follow(&frames, &fields, run)?;
+        self.follow(&frames, &fields, work)?;
         self.gpu.check()
     }
 

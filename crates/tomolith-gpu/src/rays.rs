@@ -23,7 +23,7 @@ use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::dose::rays::{LightRays, RayForm, RayGeometry, RaySegment};
 use tomolith_core::dose::scattered::{DirectionHarmonic, ScatteredLight};
-use tomolith_core::dose::{DoseLayout, DoseModel, Facts, PatternLayout, Run, Space, own_frames};
+use tomolith_core::dose::{DoseLayout, DoseModel, Facts, PatternLayout, Space, Work, own_frames};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::Field;
 
@@ -79,13 +79,13 @@ pub(crate) struct GpuRays {
 }
 
 impl Geometry {
-    fn new(gpu: &Gpu, data: &Arc<RayGeometry>, run: &Run) -> Result<Self> {
+    fn new(gpu: &Gpu, data: &Arc<RayGeometry>, work: &Work) -> Result<Self> {
         let segments = || data.lights.iter().flat_map(|light| &light.segments);
         let bytes = (segments().count() * size_of::<RaySegment>()) as u64;
         must_be_stored(gpu, bytes)?;
         let mut lights = Vec::new();
         for (light, layout) in data.lights.iter().zip(&data.patterns) {
-            run.check()?;
+            work.check()?;
             let frame = 4 * (layout.grid.rows * layout.grid.columns) as u64;
             must_be_bound(gpu, frame, "fewer rows or columns")?;
             lights.push(DeviceLight::new(gpu, light, layout)?);
@@ -105,7 +105,7 @@ impl Geometry {
         }
         let scattered = |light: &ScatteredLight| {
             let pixels = &data.patterns[light.light];
-            DeviceScattered::new(gpu, light, pixels, data.output.row, run)
+            DeviceScattered::new(gpu, light, pixels, data.output.row, work)
         };
         let scattered = data.scattered.iter().map(scattered);
         let scattered = scattered.collect::<Result<_>>()?;
@@ -262,10 +262,10 @@ impl GpuRays {
     ///
     /// # Errors
     /// [`Error::Device`], [`Error::Canceled`]; [`Error::Resources`] where rays do not fit the card, or those of a column or a frame a binding.
-    pub(crate) fn new(gpu: &Gpu, form: &RayForm, run: &Run) -> Result<Self> {
+    pub(crate) fn new(gpu: &Gpu, form: &RayForm, work: &Work) -> Result<Self> {
         let geometry = gpu.shared(
             |known: &Geometry| Arc::ptr_eq(&known.data, &form.geometry),
-            || Geometry::new(gpu, &form.geometry, run),
+            || Geometry::new(gpu, &form.geometry, work),
         )?;
         Ok(GpuRays {
             gpu: gpu.clone(),
@@ -279,7 +279,7 @@ impl GpuRays {
         &self,
         (light, frames): (usize, &Range<usize>),
         walk: &Walk<'_>,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let layout = &self.geometry.data.patterns[light];
         let (device, all) = (
@@ -290,7 +290,7 @@ impl GpuRays {
         for chunk in &device.chunks {
             let slots = device.slots(chunk, frames, layout.grid.columns);
             for first in slots.clone().step_by(most) {
-                run.check()?;
+                work.check()?;
                 self.gpu.check()?;
                 let together = first..slots.end.min(first + most);
                 self.follow_slots((light, chunk), &together, walk);
@@ -355,7 +355,7 @@ impl GpuRays {
         x: &GpuField,
         dose: &mut GpuField,
         harmonic: Option<&DirectionHarmonic>,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let energy = x.max_abs() * self.brightest();
         if energy == 0.0 {
@@ -374,7 +374,7 @@ impl GpuRays {
         let source = || adding(&on_voxels(harmonic.is_some()));
         let kernel: (_, &dyn Fn() -> String) = (name, &source);
         let walk = self.walk(kernel, x, voxels.collect(), 1.0 / unit, harmonic);
-        self.follow_all(frames, &walk, run)?;
+        self.follow_all(frames, &walk, work)?;
         add_sums([&low, &high], unit, self.geometry.weights.as_ref(), dose);
         self.gpu.submit();
         self.gpu.check()
@@ -387,7 +387,7 @@ impl GpuRays {
         cotangent: &GpuField,
         grad: &mut GpuField,
         harmonic: Option<&DirectionHarmonic>,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let in_cells = self.geometry.weights.as_ref().map(|weights| {
             let mut weighted = cotangent.clone();
@@ -404,7 +404,7 @@ impl GpuRays {
         let source = || collecting(&on_voxels(harmonic.is_some()));
         let kernel: (_, &dyn Fn() -> String) = (name, &source);
         let walk = self.walk(kernel, grad, voxels.collect(), 1.0, harmonic);
-        self.follow_all(frames, &walk, run)?;
+        self.follow_all(frames, &walk, work)?;
         self.gpu.check()
     }
 
@@ -433,9 +433,9 @@ impl GpuRays {
     }
 
     /// Follows the rays of some frames, counted through all lights.
-    fn follow_all(&self, frames: &Range<usize>, walk: &Walk<'_>, run: &Run) -> Result<()> {
+    fn follow_all(&self, frames: &Range<usize>, walk: &Walk<'_>, work: &Work) -> Result<()> {
         let mut lights = own_frames(&self.geometry.data.patterns, frames);
-        lights.try_for_each(|(light, frames)| self.follow((light, &frames), walk, run))
+        lights.try_for_each(|(light, frames)| self.follow((light, &frames), walk, work))
     }
 
     /// Follows the rays of some slots between all pieces.
@@ -552,12 +552,12 @@ impl DoseModel for GpuRays {
         frames: Range<usize>,
         x: &GpuField,
         dose: &mut GpuField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
-        self.add(&frames, x, dose, None, run)?;
+        self.add(&frames, x, dose, None, work)?;
         let voxels = voxels_of(dose, self.geometry.data.output.row);
         for (scattered, frames, pixels) in self.scattered(&frames, x) {
-            scattered.add(&frames, &pixels, &voxels, run)?;
+            scattered.add(&frames, &pixels, &voxels, work)?;
         }
         self.gpu.check()
     }
@@ -568,12 +568,12 @@ impl DoseModel for GpuRays {
         _x: &GpuField,
         cotangent: &GpuField,
         grad: &mut GpuField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
-        self.collect(&frames, cotangent, grad, None, run)?;
+        self.collect(&frames, cotangent, grad, None, work)?;
         let voxels = voxels_of(cotangent, self.geometry.data.output.row);
         for (scattered, frames, pixels) in self.scattered(&frames, grad) {
-            scattered.add_adjoint(&frames, &voxels, &pixels, run)?;
+            scattered.add_adjoint(&frames, &voxels, &pixels, work)?;
         }
         self.gpu.check()
     }

@@ -16,7 +16,7 @@ use std::ops::Range;
 use tomolith_core::dose::scattered::{
     DirectionHarmonic, LaterOrders, LightOnCells, OnCells, ScatteredLight,
 };
-use tomolith_core::dose::{DoseModel, PatternLayout, Run};
+use tomolith_core::dose::{DoseModel, PatternLayout, Work};
 use tomolith_core::error::Result;
 
 /// What is scattered out of one light.
@@ -53,14 +53,14 @@ impl DeviceSource {
         channel: usize,
         frames: &Range<usize>,
         bins: &GpuField,
-        run: &Run,
+        work: &Work,
     ) -> Result<GpuField> {
         let mut light = self.model().new_dose()?;
         match self {
-            DeviceSource::Strips(own) => own.dose_of(frames.clone(), bins, &mut light, run)?,
+            DeviceSource::Strips(own) => own.dose_of(frames.clone(), bins, &mut light, work)?,
             DeviceSource::Rays(rays, harmonics) => {
                 let weighted = Some(&harmonics[channel]);
-                rays.add(frames, bins, &mut light, weighted, run)?;
+                rays.add(frames, bins, &mut light, weighted, work)?;
             }
         }
         Ok(light)
@@ -73,12 +73,12 @@ impl DeviceSource {
         frames: &Range<usize>,
         light: &GpuField,
         bins: &mut GpuField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         match self {
-            DeviceSource::Strips(own) => own.collect_frames(frames, light, bins, run),
+            DeviceSource::Strips(own) => own.collect_frames(frames, light, bins, work),
             DeviceSource::Rays(rays, harmonics) => {
-                rays.collect(frames, light, bins, Some(&harmonics[channel]), run)
+                rays.collect(frames, light, bins, Some(&harmonics[channel]), work)
             }
         }
     }
@@ -134,7 +134,7 @@ impl DeviceScattered {
         of: &ScatteredLight,
         pixels: &PatternLayout,
         row: usize,
-        run: &Run,
+        work: &Work,
     ) -> Result<Self> {
         let slots = pixels.runs.len();
         must_be_bound(
@@ -145,11 +145,11 @@ impl DeviceScattered {
         let channels = of.source.channels();
         let (source, layout, weights) = match &of.source {
             LightOnCells::Strips(form, weights) => {
-                let source = DeviceSource::Strips(GpuStrips::new(gpu, form, run)?);
+                let source = DeviceSource::Strips(GpuStrips::new(gpu, form, work)?);
                 (source, &form.geometry.patterns[0], Cow::Borrowed(weights))
             }
             LightOnCells::Rays(form, harmonics) => {
-                let rays = GpuRays::new(gpu, form, run)?;
+                let rays = GpuRays::new(gpu, form, work)?;
                 // Rays are weighted instead
                 let even = vec![vec![1.0; slots]; channels];
                 let source = DeviceSource::Rays(rays, harmonics.clone());
@@ -181,7 +181,7 @@ impl DeviceScattered {
         frames: &Range<usize>,
         pixels: &Pixels<'_>,
         dose: &Voxels<'_>,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let [given, seen] = self.once.sharpened;
         let bins = self.source.model().new_patterns()?;
@@ -189,7 +189,7 @@ impl DeviceScattered {
         let means = self.later.on.cells.fields(self.channels);
         for channel in 0..self.channels {
             self.bins.fill(&self.gpu, channel, pixels, &bins);
-            let light = self.source.light(channel, frames, &bins, run)?;
+            let light = self.source.light(channel, frames, &bins, work)?;
             let light = &light.pieces()[0];
             self.once
                 .cells
@@ -203,7 +203,7 @@ impl DeviceScattered {
             .apply(&sources, [self.channels, 1], false);
         let arrived = self.once.cells.sharper(seen, &arrived);
         self.spread(&self.once.cells, &arrived, dose);
-        let arrived = self.later.forward(&means, run)?;
+        let arrived = self.later.forward(&means, work)?;
         self.spread(&self.later.on.cells, &arrived, dose);
         Ok(())
     }
@@ -214,7 +214,7 @@ impl DeviceScattered {
         frames: &Range<usize>,
         cotangent: &Voxels<'_>,
         pixels: &Pixels<'_>,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let [given, seen] = self.once.sharpened;
         let arrived = self.gathered(&self.once.cells, cotangent);
@@ -224,7 +224,7 @@ impl DeviceScattered {
             .convolution
             .apply(&arrived, [1, self.channels], true);
         let arrived = self.gathered(&self.later.on.cells, cotangent);
-        let means = self.later.adjoint(&arrived, run)?;
+        let means = self.later.adjoint(&arrived, work)?;
         let mut bins = self.source.model().new_patterns()?;
         for channel in 0..self.channels {
             let light = self.source.model().new_dose()?;
@@ -235,7 +235,7 @@ impl DeviceScattered {
             let (from, near) = ((&means, channel), (&self.once.cells, near));
             self.later.on.cells.prolong(from, self.later.factor, near);
             self.source
-                .collect(channel, frames, &light, &mut bins, run)?;
+                .collect(channel, frames, &light, &mut bins, work)?;
             self.bins
                 .add_back(&self.gpu, (channel, frames), &bins, pixels);
         }
@@ -302,7 +302,7 @@ impl DeviceOrders {
     }
 
     /// What voxels see, of the channels of unscattered light on these cells.
-    fn forward(&self, means: &Buffer, run: &Run) -> Result<Buffer> {
+    fn forward(&self, means: &Buffer, work: &Work) -> Result<Buffer> {
         let (cells, convolution) = (&self.on.cells, &self.on.convolution);
         let [given, seen] = self.on.sharpened;
         let (channels, count) = (self.channels, self.moments);
@@ -313,7 +313,7 @@ impl DeviceOrders {
         let mut moments = convolution.apply(&sent, [count, count], false);
         let sum = cells.dark(1);
         for order in 0..self.orders {
-            run.check()?;
+            work.check()?;
             cells.gpu().check()?;
             cells.sharpen(self.between, count, (&moments, 0), (&sent, 0));
             cells.scale(count, &sent, &self.scattered, &self.resin);
@@ -326,7 +326,7 @@ impl DeviceOrders {
     }
 
     /// Transpose of [`forward`](Self::forward).
-    fn adjoint(&self, arrived: &Buffer, run: &Run) -> Result<Buffer> {
+    fn adjoint(&self, arrived: &Buffer, work: &Work) -> Result<Buffer> {
         let (cells, convolution) = (&self.on.cells, &self.on.convolution);
         let [given, seen] = self.on.sharpened;
         let (channels, count) = (self.channels, self.moments);
@@ -335,7 +335,7 @@ impl DeviceOrders {
         // Of the last order only the fluence is there
         let mut there = 1;
         for order in (0..self.orders).rev() {
-            run.check()?;
+            work.check()?;
             cells.gpu().check()?;
             cells.mix(&self.weight(order), &arrived, &moments, true);
             let sent = convolution.apply(&moments, [there, count], true);

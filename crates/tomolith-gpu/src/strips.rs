@@ -18,7 +18,7 @@ use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::dose::scattered::ScatteredLight;
 use tomolith_core::dose::strips::{LightStrips, StripForm, StripGeometry, Taps};
-use tomolith_core::dose::{DoseLayout, DoseModel, Facts, PatternLayout, Run, Space, ZCoupling};
+use tomolith_core::dose::{DoseLayout, DoseModel, Facts, PatternLayout, Space, Work, ZCoupling};
 use tomolith_core::error::{Error, Result};
 
 /// The geometry of a model on the card.
@@ -78,14 +78,14 @@ pub(crate) struct GpuStrips {
 }
 
 impl Geometry {
-    fn new(gpu: &Gpu, of: &Arc<StripGeometry>, run: &Run) -> Result<Self> {
+    fn new(gpu: &Gpu, of: &Arc<StripGeometry>, work: &Work) -> Result<Self> {
         let mut lights = Vec::new();
         let mut pairs = 0;
         for (light, layout) in of.lights.iter().zip(&of.patterns) {
             let (own, of_light) = DeviceLight::new(gpu, of, light, layout)?;
             lights.push(own);
             pairs += of_light;
-            run.check()?;
+            work.check()?;
         }
         let chunks = || lights.iter().flat_map(|light| &light.chunks);
         let all: u64 = chunks().map(|chunk| 2 * chunk.bytes()).sum();
@@ -102,7 +102,7 @@ impl Geometry {
         }
         let own = |light: &ScatteredLight| {
             let pixels = &of.patterns[light.light];
-            DeviceScattered::new(gpu, light, pixels, of.output.row, run)
+            DeviceScattered::new(gpu, light, pixels, of.output.row, work)
         };
         let scattered = of.scattered.iter().map(own).collect::<Result<Vec<_>>>()?;
         gpu.check()?;
@@ -179,11 +179,11 @@ impl GpuStrips {
     ///
     /// # Errors
     /// [`Error::Device`], [`Error::Canceled`]; [`Error::Resources`] where a slice or a frame does not fit a binding of the card.
-    pub(crate) fn new(gpu: &Gpu, form: &StripForm, run: &Run) -> Result<Self> {
+    pub(crate) fn new(gpu: &Gpu, form: &StripForm, work: &Work) -> Result<Self> {
         must_fit(gpu, &form.geometry)?;
         let geometry = gpu.shared(
             |own: &Geometry| Arc::ptr_eq(&own.of, &form.geometry),
-            || Geometry::new(gpu, &form.geometry, run),
+            || Geometry::new(gpu, &form.geometry, work),
         )?;
         Ok(GpuStrips {
             gpu: gpu.clone(),
@@ -354,7 +354,7 @@ impl GpuStrips {
         frames: &Range<usize>,
         x: &GpuField,
         dose: &GpuField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let lanes = self.lanes_of(light);
         let row = self.output().row;
@@ -363,7 +363,7 @@ impl GpuStrips {
             .map(|(voxels, _)| self.rows_buffer(light, voxels.len()))
             .collect();
         for chunk in self.chunks_of(light, frames) {
-            run.check()?;
+            work.check()?;
             self.gpu.check()?;
             let product = self.product(light, chunk);
             product.entries(&self.gpu, true);
@@ -419,7 +419,7 @@ impl GpuStrips {
         frames: &Range<usize>,
         cotangent: &GpuField,
         grad: &GpuField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let lanes = self.lanes_of(light);
         let row = self.output().row;
@@ -434,7 +434,7 @@ impl GpuStrips {
             })
             .collect();
         for chunk in self.chunks_of(light, frames) {
-            run.check()?;
+            work.check()?;
             self.gpu.check()?;
             let product = self.product(light, chunk);
             product.entries(&self.gpu, false);
@@ -513,14 +513,14 @@ impl GpuStrips {
         frames: &Range<usize>,
         cotangent: &GpuField,
         grad: &mut GpuField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         for (light, own) in tomolith_core::dose::own_frames(&self.geometry.of.patterns, frames) {
             let of_light = &self.geometry.lights[light];
-            self.adjoint_light(of_light, &own, cotangent, grad, run)?;
+            self.adjoint_light(of_light, &own, cotangent, grad, work)?;
             for (scattered, pixels) in self.scattered(light, grad) {
                 let voxels = voxels_of(cotangent, self.output().row);
-                scattered.add_adjoint(&own, &voxels, &pixels, run)?;
+                scattered.add_adjoint(&own, &voxels, &pixels, work)?;
             }
         }
         self.gpu.submit();
@@ -553,13 +553,13 @@ impl DoseModel for GpuStrips {
         frames: Range<usize>,
         x: &GpuField,
         dose: &mut GpuField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         for (light, own) in tomolith_core::dose::own_frames(&self.geometry.of.patterns, &frames) {
-            self.add_light(&self.geometry.lights[light], &own, x, dose, run)?;
+            self.add_light(&self.geometry.lights[light], &own, x, dose, work)?;
             for (scattered, pixels) in self.scattered(light, x) {
                 let voxels = voxels_of(dose, self.output().row);
-                scattered.add(&own, &pixels, &voxels, run)?;
+                scattered.add(&own, &pixels, &voxels, work)?;
             }
         }
         self.gpu.submit();
@@ -572,9 +572,9 @@ impl DoseModel for GpuStrips {
         _x: &GpuField,
         cotangent: &GpuField,
         grad: &mut GpuField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
-        self.collect_frames(&frames, cotangent, grad, run)
+        self.collect_frames(&frames, cotangent, grad, work)
     }
 
     fn updates(&self) -> u64 {

@@ -5,7 +5,7 @@ mod common;
 use common::{SMALL, gpu};
 use std::sync::Arc;
 use tomolith_core::check::noise;
-use tomolith_core::dose::Run;
+use tomolith_core::dose::Work;
 use tomolith_core::field::{
     Bounds, ColumnRun, CostKernel, Direction, Field, HalfRamp, HalfRampKernel, HostField, Latest,
     Pairs, PatternCost,
@@ -14,7 +14,7 @@ use tomolith_gpu::{Gpu, GpuField, model_on};
 
 /// A field of the card with a few pieces: three frames of different length each.
 fn like(gpu: &Gpu) -> GpuField {
-    model_on(gpu, &tiny::form(), &Run::new())
+    model_on(gpu, &tiny::form(), &Work::new())
         .and_then(|model| model.new_patterns())
         .unwrap()
 }
@@ -23,7 +23,7 @@ mod tiny {
     use tomolith_core::dose::form::Form;
     use tomolith_core::grid::{PatternGrid, VolumeGrid};
     use tomolith_models::rays::Optics;
-    use tomolith_models::{ModelFamily, ModelInput, OpticalScene, Purpose, Run, parallel};
+    use tomolith_models::{ModelFamily, ModelInput, OpticalScene, Purpose, Work, parallel};
     use tomolith_optics::light::Light;
     use tomolith_optics::resin::Resin;
     use tomolith_optics::vial::index_matched::IndexMatched;
@@ -33,13 +33,13 @@ mod tiny {
         let grid = VolumeGrid::centered([40, 24, 24], 0.1);
         let pixels = PatternGrid::full_turn(12, 0.0, 50, 90, 0.05);
         let mut light = Light::new(pixels, Resin::absorbing(1.5, 0.1));
-        let run = |i: usize| ((i % 4) as u32, (46 - i % 5) as u32);
-        light.active = Some((0..12 * 90).map(run).collect());
+        let work = |i: usize| ((i % 4) as u32, (46 - i % 5) as u32);
+        light.active = Some((0..12 * 90).map(work).collect());
         let (vial, lights) = (IndexMatched { radius_mm: 3.0 }, [light]);
         let optics = [Optics::collimated(0.1)];
         let scene = OpticalScene::new(&vial, &lights, &optics, Purpose::Optimize);
-        let run = Run::new();
-        let input = ModelInput::new(scene, &grid, &run).unwrap();
+        let work = Work::new();
+        let input = ModelInput::new(scene, &grid, &work).unwrap();
         parallel::Params::default().form(&input).unwrap().unwrap()
     }
 }
@@ -307,7 +307,7 @@ fn pairs_give_the_products_and_directions_of_the_host() {
 #[test]
 fn the_half_ramp_and_penalties_are_those_of_the_host() {
     let Some(gpu) = gpu(SMALL) else { return };
-    let model = model_on(&gpu, &tiny::form(), &Run::new()).unwrap();
+    let model = model_on(&gpu, &tiny::form(), &Work::new()).unwrap();
     let like = model.new_patterns().unwrap();
     let runs = |layout: &tomolith_core::dose::PatternLayout| {
         let run = |run: &tomolith_core::dose::layout::PixelRun| ColumnRun {

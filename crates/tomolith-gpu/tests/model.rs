@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use tomolith_core::check;
 use tomolith_core::dose::form::Form;
-use tomolith_core::dose::{Accelerator, DoseModel, Run};
+use tomolith_core::dose::{Accelerator, DoseModel, Work};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::{PatternGrid, Volume, VolumeGrid};
 use tomolith_core::kind::{Kind, Section};
@@ -216,8 +216,8 @@ impl Case {
     fn with<T>(&self, with: impl FnOnce(&ModelInput<'_>) -> T) -> T {
         let (lights, optics) = (&self.lights, &self.optics);
         let scene = OpticalScene::new(&*self.vial, lights, optics, Purpose::Probe);
-        let run = Run::new();
-        with(&ModelInput::new(scene, &self.grid, &run).unwrap())
+        let work = Work::new();
+        with(&ModelInput::new(scene, &self.grid, &work).unwrap())
     }
 
     fn host(&self) -> HostModel {
@@ -249,7 +249,7 @@ fn doses_and_adjoints_are_those_of_the_processor() {
             if memory == 1 << 16 && !matches!(form, Form::Strips(_)) {
                 continue;
             }
-            let card = gpu.model(&form, &Run::new()).unwrap().unwrap();
+            let card = gpu.model(&form, &Work::new()).unwrap().unwrap();
             if let Form::Strips(_) = form {
                 let kept = card.describe().contains("weights, kept");
                 assert_eq!(kept, memory > 1 << 16, "{}", card.describe());
@@ -261,7 +261,7 @@ fn doses_and_adjoints_are_those_of_the_processor() {
             assert_near(found.as_slice(), expected.as_slice(), near, case.name);
             let [expected, found] = [&host, &card].map(|model| {
                 let mut dose = model.new_dose().unwrap();
-                model.dose_of(2..5, &x, &mut dose, &Run::new()).unwrap();
+                model.dose_of(2..5, &x, &mut dose, &Work::new()).unwrap();
                 dose
             });
             assert_near(found.as_slice(), expected.as_slice(), near, case.name);
@@ -280,7 +280,7 @@ fn dose_and_adjoint_on_the_card_are_one_matrix() {
         let pixels: usize = case.host().patterns().iter().map(|p| p.len()).sum();
         let dark = some_dark(pixels);
         let form = case.form().masked(&dark, 0.7);
-        let model = &*model_on(&gpu, &form, &Run::new()).unwrap();
+        let model = &*model_on(&gpu, &form, &Work::new()).unwrap();
         let [_, dose] = assert_one_matrix(model, &dark, case.tolerances().1, case.name);
         assert!(dose.norm() > 0.0);
     }
@@ -321,12 +321,12 @@ fn solved<F: Field>(model: &dyn DoseModel<Field = F>) -> (Vec<f32>, Vec<f64>) {
     let objective = (row(objectives::<F>(), "threshold").build)(&empty("objective")).unwrap();
     let objective = objective.make(&input).unwrap();
     let start = StartInput::new(model, &target, &labels, &limits);
-    let run = Run::new();
+    let work = Work::new();
     let of_start = (row(starts::<F>(), "fbp").build)(&empty("start")).unwrap();
     let mut x = of_start
-        .patterns(&start, &run)
+        .patterns(&start, &work)
         .unwrap_or_else(|e| panic!("{}: {e}", model.describe()));
-    let mut problem = Problem::new(model, &*objective, &limits, &run).unwrap();
+    let mut problem = Problem::new(model, &*objective, &limits, &work).unwrap();
     let method = (row(optimizers::<F>(), "lbfgs").build)(&empty("optimizer")).unwrap();
     let stop = Stop::after(12);
     let mut method = method.make().unwrap();
@@ -347,7 +347,7 @@ fn kernels_are_those_of_other_interfaces_too() {
     // One has no kernels of its own, and takes long in software
     for (_, case) in cases().into_iter().enumerate().filter(|(i, _)| *i != 5) {
         let Some(gpu) = gpu(case.binding) else { return };
-        let model = model_on(&gpu, &case.form(), &Run::new()).unwrap();
+        let model = model_on(&gpu, &case.form(), &Work::new()).unwrap();
         solved(&*model);
         sources.extend(gpu.sources());
     }
@@ -360,7 +360,7 @@ fn a_whole_optimization_goes_the_way_of_the_processor() {
     for case in cases().into_iter().take(4) {
         let Some(gpu) = gpu(case.binding) else { return };
         let (_, expected) = solved(&*case.host());
-        let model = model_on(&gpu, &case.form(), &Run::new()).unwrap();
+        let model = model_on(&gpu, &case.form(), &Work::new()).unwrap();
         let (_, found) = solved(&*model);
         assert!(
             expected[12] < 0.7 * expected[0],

@@ -14,7 +14,7 @@ use scene::{assert_portable_kernels, assert_too_large, cone, glass, pixels, squa
 use std::sync::Arc;
 use tomolith_core::check;
 use tomolith_core::dose::form::Form;
-use tomolith_core::dose::{Accelerator, DoseLayout, Run};
+use tomolith_core::dose::{Accelerator, DoseLayout, Work};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
 use tomolith_core::units::Mm;
@@ -137,8 +137,8 @@ fn cases() -> Vec<Case> {
 impl Case {
     fn with<T>(&self, with: impl FnOnce(&ModelInput<'_>) -> T) -> T {
         let scene = OpticalScene::new(&*self.vial, &self.lights, &self.optics, self.purpose);
-        let run = Run::new();
-        with(&ModelInput::new(scene, &self.grid, &run).unwrap())
+        let work = Work::new();
+        with(&ModelInput::new(scene, &self.grid, &work).unwrap())
     }
 
     fn host(&self, params: &Params) -> HostModel {
@@ -151,7 +151,7 @@ impl Case {
 
     fn card(&self, gpu: &Gpu, params: &Params) -> HostModel {
         let form = self.form(params).unwrap();
-        gpu.model(&form, &Run::new()).unwrap().unwrap()
+        gpu.model(&form, &Work::new()).unwrap().unwrap()
     }
 
     fn seeded(&self, seed: u64) -> Params {
@@ -175,7 +175,7 @@ fn dose_and_adjoint_on_the_card_are_one_matrix_of_a_seed() {
         let dark = some_dark(pixels);
         let model_of = |seed| {
             let form = case.form(&case.seeded(seed)).unwrap().masked(&dark, 0.7);
-            model_on(&gpu, &form, &Run::new()).unwrap()
+            model_on(&gpu, &form, &Work::new()).unwrap()
         };
         let model = &*model_of(1);
         let [x, dose] = assert_one_matrix(model, &dark, 1e-6, case.name);
@@ -302,7 +302,7 @@ fn paths_are_drawn_anew_and_are_the_same_again_in_the_same_round() {
     let x = check::even_patterns(&*model, 1.0);
     let first = check::dose(&*model, &x);
     let renewal = model.renewal().unwrap();
-    let renew = |iteration| renewal.renew(iteration, &x, &Run::new()).unwrap();
+    let renew = |iteration| renewal.renew(iteration, &x, &Work::new()).unwrap();
     assert!(!renew(2) && renew(3) && !renew(4));
     let second = check::dose(&*model, &x);
     assert_ne!(first.as_slice(), second.as_slice());

@@ -14,7 +14,7 @@ use scene::{assert_portable_kernels, assert_too_large, cone, glass, pixels, squa
 use std::sync::Arc;
 use tomolith_core::check;
 use tomolith_core::dose::form::Form;
-use tomolith_core::dose::{Accelerator, DoseModel, Run};
+use tomolith_core::dose::{Accelerator, DoseModel, Work};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
 use tomolith_core::kind::Section;
@@ -169,8 +169,8 @@ impl Case {
             solid: self.solid.as_ref(),
             ..OpticalScene::new(&*self.vial, lights, optics, Purpose::Probe)
         };
-        let run = Run::new();
-        with(&ModelInput::new(scene, &self.grid, &run).unwrap())
+        let work = Work::new();
+        with(&ModelInput::new(scene, &self.grid, &work).unwrap())
     }
 
     /// Every ray by itself: those of columns share the shares of slices, which are right to 1e-5.
@@ -214,7 +214,7 @@ fn doses_and_adjoints_are_those_of_the_processor() {
                 return;
             };
             let host: &dyn DoseModel<Field = HostField> = &case.host();
-            let card = gpu.model(&case.form(), &Run::new()).unwrap().unwrap();
+            let card = gpu.model(&case.form(), &Work::new()).unwrap().unwrap();
             let card = &*card;
             assert_eq!(card.patterns(), host.patterns());
             let updates = card.updates() as f64 / host.updates() as f64;
@@ -229,7 +229,7 @@ fn doses_and_adjoints_are_those_of_the_processor() {
                 let [expected, found] = [host, card].map(|model| {
                     let mut dose = model.new_dose().unwrap();
                     dose.fill(0.25);
-                    model.dose_of(1..3, &x, &mut dose, &Run::new()).unwrap();
+                    model.dose_of(1..3, &x, &mut dose, &Work::new()).unwrap();
                     dose
                 });
                 assert_alike(&found, &expected, &case);
@@ -250,7 +250,7 @@ fn dose_and_adjoint_on_the_card_are_one_matrix() {
         let pixels: usize = case.lights.iter().map(|light| light.layout(0).len()).sum();
         let dark = some_dark(pixels);
         let form = case.form().masked(&dark, 0.7);
-        let model = &*model_on(&gpu, &form, &Run::new()).unwrap();
+        let model = &*model_on(&gpu, &form, &Work::new()).unwrap();
         assert_one_matrix(model, &dark, 1e-6, case.name);
     }
 }
@@ -260,7 +260,7 @@ fn dose_and_adjoint_on_the_card_are_one_matrix() {
 fn a_faint_pixel_beside_a_bright_one_has_its_dose() {
     let Some(gpu) = gpu(128 << 20) else { return };
     let case = &cases()[0];
-    let model = &*model_on(&gpu, &case.form(), &Run::new()).unwrap();
+    let model = &*model_on(&gpu, &case.form(), &Work::new()).unwrap();
     let mut values = vec![0.0; model.new_patterns().unwrap().len()];
     let dose = |values: &[f32]| {
         let mut x = model.new_patterns().unwrap();
@@ -287,7 +287,7 @@ fn every_ray_of_a_pixel_with_many_is_followed() {
     case.lights[0].pixels = PatternGrid::full_turn(2, 0.1, 2, 2, 0.1);
     case.lights[0].active = None;
     let host: &dyn DoseModel<Field = HostField> = &case.host();
-    let card = gpu.model(&case.form(), &Run::new()).unwrap().unwrap();
+    let card = gpu.model(&case.form(), &Work::new()).unwrap().unwrap();
     let x = check::even_patterns(host, 1.0);
     let [expected, found] = [host, &*card].map(|model| check::dose(model, &x));
     assert_alike(&found, &expected, &case);
@@ -299,7 +299,7 @@ fn every_ray_of_a_pixel_with_many_is_followed() {
 #[test]
 fn what_is_no_number_leaves_no_number() {
     let Some(gpu) = gpu(128 << 20) else { return };
-    let model = &*model_on(&gpu, &cases()[0].form(), &Run::new()).unwrap();
+    let model = &*model_on(&gpu, &cases()[0].form(), &Work::new()).unwrap();
     for bad in [f32::NAN, f32::INFINITY] {
         let mut values = vec![1.0; model.new_patterns().unwrap().len()];
         values[77] = bad;

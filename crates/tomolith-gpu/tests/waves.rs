@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use tomolith_core::check::{self, noise};
 use tomolith_core::dose::form::Form;
 use tomolith_core::dose::waves::{Transfer, WaveLight};
-use tomolith_core::dose::{Accelerator, DoseLayout, Run};
+use tomolith_core::dose::{Accelerator, DoseLayout, Work};
 use tomolith_core::error::Error;
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
@@ -41,8 +41,8 @@ fn light(frames: usize) -> Light {
     let pixels = PatternGrid::full_turn(frames, 0.3, 14, 18, 0.8e-3);
     let mut light = Light::new(pixels, Resin::absorbing(1.5, 20.0));
     light.pixels.offset_mm = [0.3e-3, -0.2e-3];
-    let run = |i: usize| ((i % 3) as u32, (11 - i % 4) as u32);
-    light.active = Some((0..frames * 18).map(run).collect());
+    let work = |i: usize| ((i % 3) as u32, (11 - i % 4) as u32);
+    light.active = Some((0..frames * 18).map(work).collect());
     light
 }
 
@@ -159,7 +159,7 @@ impl Case {
 
     /// The model on a card, with fields of the host.
     fn on(&self, gpu: &Gpu) -> HostModel {
-        let model = gpu.model(&self.form(), &Run::new());
+        let model = gpu.model(&self.form(), &Work::new());
         let model = model.unwrap_or_else(|e| panic!("{}: {e}", self.name));
         model.unwrap()
     }
@@ -177,7 +177,7 @@ fn noise_of(layout: &DoseLayout, seed: u64) -> HostField {
 fn pullback(model: &HostModel, x: &HostField, cotangent: &HostField) -> HostField {
     let mut grad = model.new_patterns().unwrap();
     model
-        .pullback(x, cotangent, &mut grad, &Run::new())
+        .pullback(x, cotangent, &mut grad, &Work::new())
         .unwrap();
     grad
 }
@@ -221,7 +221,7 @@ fn cases_have_all_that_a_form_may_have() {
 fn doses_pullbacks_and_lines_are_those_of_the_processor() {
     for case in cases() {
         let Some(gpu) = gpu(case.binding) else { return };
-        let (name, run) = (case.name, Run::new());
+        let (name, work) = (case.name, Work::new());
         let models = [&case.host, &case.on(&gpu)];
         let [x, d] = [1, 2].map(|seed| check::noisy_patterns(&**models[0], seed));
         let cotangent = noise_of(&models[0].outputs()[0], 3);
@@ -229,13 +229,13 @@ fn doses_pullbacks_and_lines_are_those_of_the_processor() {
         assert_near(&found, &expected, 1e-5, name);
         let [expected, found] = models.map(|model| {
             let mut dose = model.new_dose().unwrap();
-            model.dose_of(1..3, &x, &mut dose, &run).unwrap();
+            model.dose_of(1..3, &x, &mut dose, &work).unwrap();
             dose
         });
         assert_near(&found, &expected, 1e-5, name);
         let [expected, found] = models.map(|model| pullback(model, &x, &cotangent));
         assert_near(&found, &expected, 1e-5, name);
-        let [expected, found] = models.map(|model| model.along(&x, &d, &run).unwrap().unwrap());
+        let [expected, found] = models.map(|model| model.along(&x, &d, &work).unwrap().unwrap());
         assert_eq!(found.len(), expected.len());
         for (found, expected) in found.iter().zip(&expected) {
             assert_near(found, expected, 1e-5, name);
@@ -266,7 +266,7 @@ fn the_pullback_is_the_derivative_and_the_line_is_exact() {
             "{}: {slope} {difference} of {size}",
             case.name
         );
-        let terms = model.along(&x, &d, &Run::new()).unwrap().unwrap();
+        let terms = model.along(&x, &d, &Work::new()).unwrap().unwrap();
         let mut sum = here;
         terms.iter().for_each(|term| sum.axpy(1.0, term));
         assert_near(&sum, &more, 2e-6, case.name);
@@ -281,7 +281,7 @@ fn dark_pixels_and_a_factor_are_those_of_the_masked_model() {
         let dark: Vec<bool> = (0..pixels).map(|i| i % 11 == 3).collect();
         let host: HostModel = Box::new(MaskedModel::new(case.host, dark, 0.49));
         let card = gpu
-            .model(&host.form().unwrap(), &Run::new())
+            .model(&host.form().unwrap(), &Work::new())
             .unwrap()
             .unwrap();
         let x = check::noisy_patterns(&*host, 1);
@@ -291,7 +291,7 @@ fn dark_pixels_and_a_factor_are_those_of_the_masked_model() {
         let [expected, found] = [&host, &card].map(|model| pullback(model, &x, &cotangent));
         assert_near(&found, &expected, 1e-5, case.name);
         // The same bits again, of another model of the form with fields of the card
-        let again = model_on(&gpu, &host.form().unwrap(), &Run::new()).unwrap();
+        let again = model_on(&gpu, &host.form().unwrap(), &Work::new()).unwrap();
         let mut there = again.new_patterns().unwrap();
         there.copy_from_host(x.as_slice());
         let bits = |v: &[f32]| v.iter().map(|v| v.to_bits()).collect::<Vec<u32>>();
@@ -313,7 +313,7 @@ fn kernels_are_those_of_other_interfaces_too() {
         let x = check::noisy_patterns(&*model, 1);
         let dose = check::dose(&*model, &x);
         pullback(&model, &x, &dose);
-        model.along(&x, &x, &Run::new()).unwrap();
+        model.along(&x, &x, &Work::new()).unwrap();
         sources.extend(gpu.sources());
     }
     assert!(sources.len() > 50, "{}", sources.len());
@@ -324,7 +324,7 @@ fn kernels_are_those_of_other_interfaces_too() {
 fn a_frame_that_no_binding_holds_is_refused() {
     let case = &cases()[5];
     let Some(gpu) = gpu(SMALL) else { return };
-    let refused = gpu.model(&case.form(), &Run::new()).err().unwrap();
+    let refused = gpu.model(&case.form(), &Work::new()).err().unwrap();
     assert!(matches!(refused, Error::Resources { .. }), "{refused}");
     assert!(refused.to_string().contains("--device cpu"), "{refused}");
 }

@@ -72,7 +72,7 @@ mod tests {
     fn formats_of_other_programs_are_the_numbers_that_were_written() {
         use crate::volume::{Values, write_values};
         use tomolith_core::grid::VolumeGrid;
-        use tomolith_core::run::Run;
+        use tomolith_core::work::Work;
         let folder = tempfile::tempdir().unwrap();
         let grid = VolumeGrid::centered([2, 3, 4], 0.1);
         let dose: Vec<f32> = (0..24).map(|i| i as f32 - 3.5).collect();
@@ -81,7 +81,7 @@ mod tests {
         for ending in ["npy", "nrrd", "tif"] {
             let read = |values| {
                 let path = folder.path().join(format!("a.{ending}"));
-                write_values(&path, "a", &grid, values, &Run::new()).unwrap();
+                write_values(&path, "a", &grid, values, &Work::new()).unwrap();
                 read_any(path.to_str().unwrap()).unwrap()
             };
             assert_eq!(read(Values::F32(&dose)), ([2, 3, 4], dose.clone()));

@@ -12,14 +12,14 @@
 //! With one light the files lie in the folder itself, with several in a sub-folder per light. The folder appears whole.
 //!
 //! ```
-//! use tomolith_core::dose::Run;
+//! use tomolith_core::dose::Work;
 //! use tomolith_core::grid::PatternGrid;
 //! use tomolith_io::frames::{FrameSet, read_frames, write_frames};
 //! let grid = PatternGrid::full_turn(2, 0.0, 1, 2, 0.1);
 //! let set = FrameSet { light: None, grid: &grid, bits: 4, full_scale: 3.0, values: &[0, 1, 7, 15] };
 //! let folder = tempfile::tempdir().unwrap();
 //! let frames = folder.path().join("frames");
-//! write_frames(&frames, &[set], &Run::new()).unwrap();
+//! write_frames(&frames, &[set], &Work::new()).unwrap();
 //! let read = read_frames(&frames).unwrap();
 //! assert_eq!((read.shape, read.bits, read.full_scale), ([2, 1, 2], 4, Some(3.0)));
 //! assert_eq!(read.values, [0, 1, 7, 15]); // stored as 0, 17, 119, 255: 255/15 = 17 times as much
@@ -35,8 +35,8 @@ use tomolith_core::error::{Error, Result};
 use tomolith_core::files::open_regular;
 use tomolith_core::grid::PatternGrid;
 use tomolith_core::parallel::InParallel;
-use tomolith_core::run::Run;
 use tomolith_core::units::exact;
+use tomolith_core::work::Work;
 
 /// The highest level of a bit depth, 2^bits − 1.
 #[must_use]
@@ -122,8 +122,8 @@ pub struct Frames {
 ///
 /// # Errors
 /// [`Error::Shape`] when levels and grid do not fit, [`Error::Io`]; `folder` is then as it was.
-pub fn write_frames(folder: &Path, lights: &[FrameSet<'_>], run: &Run) -> Result<()> {
-    let frames = run.steps(lights.iter().map(|set| set.grid.frames()).sum());
+pub fn write_frames(folder: &Path, lights: &[FrameSet<'_>], work: &Work) -> Result<()> {
+    let frames = work.steps(lights.iter().map(|set| set.grid.frames()).sum());
     for set in lights {
         set.check()?;
     }
@@ -134,7 +134,7 @@ pub fn write_frames(folder: &Path, lights: &[FrameSet<'_>], run: &Run) -> Result
                 .map_or_else(|| aside.to_owned(), |name| aside.join(name));
             fs::create_dir_all(&place)?;
             let write = |frame: usize| -> Result<(), Refused> {
-                run.check()?;
+                work.check()?;
                 frames.add(1);
                 let path = place.join(format!("frame_{frame:04}.png"));
                 Ok(write_frame(&path, set, frame)?)
@@ -361,7 +361,7 @@ mod tests {
                 ..FrameSet::of(&grid, bits, &values)
             };
             let place = folder.path().join("frames");
-            write_frames(&place, &[set], &Run::new()).unwrap();
+            write_frames(&place, &[set], &Work::new()).unwrap();
             let read = read_frames(&place).unwrap();
             assert_eq!(read.shape, [11, 7, 9]);
             assert_eq!((read.bits, read.full_scale), (bits, Some(0.1234)));
@@ -380,7 +380,7 @@ mod tests {
             full_scale,
             ..FrameSet::of(&grid, 8, &values)
         });
-        write_frames(&place, &lights, &Run::new()).unwrap();
+        write_frames(&place, &lights, &Work::new()).unwrap();
         let uv = read_frames(&place.join("uv")).unwrap();
         assert_eq!(uv.full_scale, Some(3.0));
         assert_eq!(read_frames(&place.join("blue")).unwrap().values, values);
@@ -392,7 +392,7 @@ mod tests {
         let write = |name: &str, bits: u32| {
             let (place, (grid, values)) = (folder.path().join(name), waves(bits));
             let set = FrameSet::of(&grid, bits, &values);
-            write_frames(&place, &[set], &Run::new()).unwrap();
+            write_frames(&place, &[set], &Work::new()).unwrap();
             place
         };
         let place = write("frames", 8);

@@ -24,7 +24,7 @@
 //! Times are in units of 1/90,000 s and each frame's start is rounded on its own, so rounding does not add up. A movie of a single frame lasts one unit.
 //!
 //! ```
-//! use tomolith_core::dose::Run;
+//! use tomolith_core::dose::Work;
 //! use tomolith_core::grid::PatternGrid;
 //! use tomolith_io::frames::FrameSet;
 //! use tomolith_io::mp4::{check_movie, write_movie};
@@ -33,8 +33,8 @@
 //! let set = FrameSet { light: None, grid: &grid, bits: 8, full_scale: 1.0, values: &values };
 //! let folder = tempfile::tempdir().unwrap();
 //! let path = folder.path().join("ramp_12rpm.mp4");
-//! write_movie(&path, &set, 60.0, &Run::new()).unwrap();
-//! let check = check_movie(&path, &set, &Run::new()).unwrap();
+//! write_movie(&path, &set, 60.0, &Work::new()).unwrap();
+//! let check = check_movie(&path, &set, &Work::new()).unwrap();
 //! assert_eq!((check.frames, check.width, check.height), (4, 32, 30)); // one black column was added
 //! assert!((check.frame_rate - 60.0).abs() < 1e-6);
 //! assert!(check.largest_error <= 6 && check.rms_error < 1.0);
@@ -54,7 +54,7 @@ use openh264::formats::{YUVBuffer, YUVSource};
 use std::path::Path;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::parallel::InParallel;
-use tomolith_core::run::{Run, Steps};
+use tomolith_core::work::{Steps, Work};
 
 /// The lowest quantizer of OpenH264 (0 would be lossless, 51 is the coarsest).
 const QUANTIZER: u8 = 12;
@@ -83,7 +83,7 @@ pub struct MovieCheck {
 /// # Errors
 /// [`Error::Config`] for an impossible frame rate, [`Error::Unsupported`] for no frames or too large ones,
 /// [`Error::Shape`], [`Error::Io`], [`Error::Format`] when the encoder refuses.
-pub fn write_movie(path: &Path, set: &FrameSet<'_>, frame_rate: f64, run: &Run) -> Result<()> {
+pub fn write_movie(path: &Path, set: &FrameSet<'_>, frame_rate: f64, work: &Work) -> Result<()> {
     set.check()?;
     if !(frame_rate.is_finite() && frame_rate > 0.0 && frame_rate <= 10_000.0) {
         return Err(Error::config(
@@ -93,14 +93,18 @@ pub fn write_movie(path: &Path, set: &FrameSet<'_>, frame_rate: f64, run: &Run) 
         ));
     }
     let (width, height) = padded_size(set)?;
-    let steps = run.steps(set.grid.frames());
+    let steps = work.steps(set.grid.frames());
     let groups: Vec<Vec<Vec<u8>>> = groups(set.grid.frames())
         .into_iter()
         .par_map(|group| encode(set, group, [width, height], frame_rate, &steps))
         .into_iter()
         .collect::<Result<_, String>>()
-        .map_err(|message| run.check().err().unwrap_or_else(|| refused(path, &message)))?;
-    write_whole_under(path, (&run.aside(), 0), |file| {
+        .map_err(|message| {
+            work.check()
+                .err()
+                .unwrap_or_else(|| refused(path, &message))
+        })?;
+    write_whole_under(path, (&work.aside(), 0), |file| {
         let mux = |message: String| Refused::Io(std::io::Error::other(message));
         let mut muxer = MuxerBuilder::new(file)
             .video(VideoCodec::H264, width as u32, height as u32, frame_rate)
@@ -200,7 +204,7 @@ fn encode(
 /// # Errors
 /// [`Error::Io`]; [`Error::Format`] when the file is damaged, has another number or size of frames, or cannot be
 /// decoded.
-pub fn check_movie(path: &Path, set: &FrameSet<'_>, run: &Run) -> Result<MovieCheck> {
+pub fn check_movie(path: &Path, set: &FrameSet<'_>, work: &Work) -> Result<MovieCheck> {
     set.check()?;
     let file = std::fs::read(path).map_err(|e| Error::io(path, e))?;
     let damaged = |message: &str| refused(path, message);
@@ -213,13 +217,13 @@ pub fn check_movie(path: &Path, set: &FrameSet<'_>, run: &Run) -> Result<MovieCh
         )));
     }
     let size = padded_size(set)?;
-    let steps = run.steps(track.samples.len());
+    let steps = work.steps(track.samples.len());
     let sums: Vec<(u8, u64)> = groups(track.samples.len())
         .into_iter()
         .par_map(|group| compare(&track, group, (set, size), &steps))
         .into_iter()
         .collect::<Result<_, String>>()
-        .map_err(|message| run.check().err().unwrap_or_else(|| damaged(&message)))?;
+        .map_err(|message| work.check().err().unwrap_or_else(|| damaged(&message)))?;
     let squares: u64 = sums.iter().map(|s| s.1).sum();
     Ok(MovieCheck {
         frames: track.samples.len(),
@@ -290,8 +294,8 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("m.mp4");
         let set = FrameSet::of(grid, bits, values);
-        write_movie(&path, &set, rate, &Run::new()).unwrap();
-        check_movie(&path, &set, &Run::new()).unwrap()
+        write_movie(&path, &set, rate, &Work::new()).unwrap();
+        check_movie(&path, &set, &Work::new()).unwrap()
     }
 
     #[test]
@@ -321,7 +325,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("m.mp4");
         let set = FrameSet::of(&grid, 8, &values);
-        write_movie(&path, &set, 30.0, &Run::new()).unwrap();
+        write_movie(&path, &set, 30.0, &Work::new()).unwrap();
         let read = read_movie(&path, [20, 17, 33]).unwrap();
         assert_eq!(read.shape, [20, 17, 33]);
         for (found, expected) in read.values.iter().zip(&values) {
@@ -346,9 +350,9 @@ mod tests {
         let path = folder.path().join("m.mp4");
         let (grid, mut values) = movie(20, 32, 32, 8, |k, _, _| k as f64 / 20.0);
         let set = FrameSet::of(&grid, 8, &values);
-        write_movie(&path, &set, 30.0, &Run::new()).unwrap();
+        write_movie(&path, &set, 30.0, &Work::new()).unwrap();
         let checked = |values: &[u16]| {
-            check_movie(&path, &FrameSet::of(&grid, 8, values), &Run::new()).unwrap()
+            check_movie(&path, &FrameSet::of(&grid, 8, values), &Work::new()).unwrap()
         };
         assert!(checked(&values).largest_error <= 1);
         values[17 * 32 * 32 + 5] -= 100;
@@ -378,12 +382,12 @@ mod tests {
         let path = folder.path().join("m.mp4");
         let (grid, values) = movie(3, 16, 16, 8, |_, r, c| (r * c) as f64 / 256.0);
         let set = FrameSet::of(&grid, 8, &values);
-        write_movie(&path, &set, 30.0, &Run::new()).unwrap();
+        write_movie(&path, &set, 30.0, &Work::new()).unwrap();
         let bytes = std::fs::read(&path).unwrap();
         for cut in (0..bytes.len()).step_by(7) {
             std::fs::write(&path, &bytes[..cut]).unwrap();
             assert!(
-                check_movie(&path, &set, &Run::new()).is_err(),
+                check_movie(&path, &set, &Work::new()).is_err(),
                 "cut at {cut}"
             );
         }
@@ -401,14 +405,14 @@ mod tests {
         let path = Path::new("/nonexistent-folder/m.mp4");
         for rate in [0.0, -1.0, f64::NAN, f64::INFINITY] {
             assert!(matches!(
-                write_movie(path, &set, rate, &Run::new()),
+                write_movie(path, &set, rate, &Work::new()),
                 Err(Error::Config { .. })
             ));
         }
         let grid = PatternGrid::full_turn(1, 0.0, 2, 4000, 0.02);
         let set = FrameSet::of(&grid, 8, &[0; 8000]);
         assert!(matches!(
-            write_movie(path, &set, 30.0, &Run::new()),
+            write_movie(path, &set, 30.0, &Work::new()),
             Err(Error::Unsupported { .. })
         ));
     }

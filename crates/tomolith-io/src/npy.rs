@@ -8,13 +8,13 @@
 //! Fortran order, stored or compressed. Patterns of other programs may be the only array of an `.npz`, under any name.
 //!
 //! ```
-//! use tomolith_core::dose::Run;
+//! use tomolith_core::dose::Work;
 //! use tomolith_core::grid::{PatternGrid, Patterns};
 //! use tomolith_io::npy::{PatternPair, read_patterns, write_patterns};
 //! let folder = tempfile::tempdir().unwrap();
 //! let path = folder.path().join("patterns.npz");
 //! let shown = Patterns::dark(PatternGrid::full_turn(3, 0.0, 2, 4, 0.1));
-//! write_patterns(&path, &[PatternPair { light: None, shown: &shown, raw: Some(&shown) }], &Run::new()).unwrap();
+//! write_patterns(&path, &[PatternPair { light: None, shown: &shown, raw: Some(&shown) }], &Work::new()).unwrap();
 //! let read = read_patterns(&path).unwrap();
 //! assert_eq!((read[0].shape, read[0].light.as_deref()), ([3, 2, 4], None));
 //! ```
@@ -26,7 +26,7 @@ use super::whole::write_whole_under;
 use std::path::Path;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Patterns, Volume};
-use tomolith_core::run::Run;
+use tomolith_core::work::Work;
 
 /// The patterns of one light, to be written.
 #[derive(Clone, Copy, Debug)]
@@ -64,10 +64,10 @@ fn must_fit(path: &Path, shape: [usize; 3], values: usize) -> Result<()> {
 ///
 /// # Errors
 /// [`Error::Io`], or [`Error::Shape`] when values and grid do not fit.
-pub fn write_volume<T: Element>(path: &Path, volume: &Volume<T>, run: &Run) -> Result<()> {
+pub fn write_volume<T: Element>(path: &Path, volume: &Volume<T>, work: &Work) -> Result<()> {
     let (shape, values) = (volume.grid.shape, &volume.values[..]);
     must_fit(path, shape, values.len())?;
-    write_whole_under(path, (run, size_of_val(values)), |file| {
+    write_whole_under(path, (work, size_of_val(values)), |file| {
         Ok(write_array(file, &shape, values)?)
     })
 }
@@ -125,10 +125,10 @@ fn array_name(kind: &str, light: Option<&str>) -> String {
 ///
 /// # Errors
 /// [`Error::Io`] or [`Error::Shape`].
-pub fn write_patterns(path: &Path, lights: &[PatternPair<'_>], run: &Run) -> Result<()> {
+pub fn write_patterns(path: &Path, lights: &[PatternPair<'_>], work: &Work) -> Result<()> {
     let arrays = lights.iter().flat_map(|pair| [Some(pair.shown), pair.raw]);
     let bytes = arrays.flatten().map(|p| size_of_val(&p.values[..])).sum();
-    write_whole_under(path, (run, bytes), |file| {
+    write_whole_under(path, (work, bytes), |file| {
         let mut npz = ArchiveWriter::new(file);
         for pair in lights {
             for (kind, patterns) in [("patterns", Some(pair.shown)), ("patterns_raw", pair.raw)] {
@@ -279,7 +279,7 @@ mod tests {
         let grid = VolumeGrid::centered([2, 3, 4], 0.1);
         let values: Vec<f32> = (0..24).map(|i| (i as f32).sqrt()).collect();
         let volume = Volume { grid, values };
-        write_volume(&path, &volume, &Run::new()).unwrap();
+        write_volume(&path, &volume, &Work::new()).unwrap();
         let read = read_volume(&path).unwrap();
         assert_eq!(read, (volume.grid.shape, volume.values));
         let bytes = std::fs::read(&path).unwrap();
@@ -298,7 +298,7 @@ mod tests {
         let [a, b, c] =
             [(1, 3), (2, 3), (3, 2)].map(|(seed, frames)| random_patterns(seed, frames));
         let come_back = |pairs: &[PatternPair]| {
-            write_patterns(&path, pairs, &Run::new()).unwrap();
+            write_patterns(&path, pairs, &Work::new()).unwrap();
             read_patterns(&path).unwrap()
         };
         let read = come_back(&[pair(None, &a, Some(&b))]);
@@ -375,7 +375,7 @@ mod tests {
         ndarray_npy::write_npy(&volume, &Array3::<f32>::zeros((2, 3, 4))).unwrap();
         let values = random_patterns(1, 3);
         let pairs = [pair(None, &values, None)];
-        write_patterns(&patterns, &pairs, &Run::new()).unwrap();
+        write_patterns(&patterns, &pairs, &Work::new()).unwrap();
         for path in [volume, patterns] {
             must_be_whole(&path).unwrap();
             let file = File::options().write(true).open(&path).unwrap();

@@ -18,9 +18,9 @@ use std::io::{BufRead, Read, Write};
 use std::path::Path;
 use tomolith_core::error::Result;
 use tomolith_core::grid::VolumeGrid;
-use tomolith_core::run::Run;
 use tomolith_core::text::one_line;
 use tomolith_core::units::exact;
+use tomolith_core::work::Work;
 
 /// Longest header that is believed.
 const LONGEST_HEADER: u64 = 1 << 20;
@@ -34,9 +34,9 @@ pub(super) fn write(
     name: &str,
     grid: &VolumeGrid,
     values: Values<'_>,
-    run: &Run,
+    work: &Work,
 ) -> Result<()> {
-    write_whole_under(path, (run, values.bytes()), |file| {
+    write_whole_under(path, (work, values.bytes()), |file| {
         file.write_all(header(name, grid, values).as_bytes())?;
         Ok(values.write(file)?)
     })
@@ -241,7 +241,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("dose.nrrd");
         let dose: Vec<f32> = (0..24).map(|i| i as f32 * 0.1).collect();
-        write(&path, "dose", &grid(), Values::F32(&dose), &Run::new()).unwrap();
+        write(&path, "dose", &grid(), Values::F32(&dose), &Work::new()).unwrap();
         let bytes = std::fs::read(&path).unwrap();
         let end = bytes.windows(2).position(|w| w == b"\n\n").unwrap() + 2;
         let head = std::str::from_utf8(&bytes[..end]).unwrap();

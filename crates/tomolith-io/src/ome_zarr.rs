@@ -19,7 +19,7 @@ use std::path::Path;
 use tomolith_core::error::Result;
 use tomolith_core::grid::{VolumeGrid, sample};
 use tomolith_core::parallel::{InParallel, lines};
-use tomolith_core::run::{Run, Steps};
+use tomolith_core::work::{Steps, Work};
 
 /// Voxels along an edge of a chunk.
 const CHUNK: usize = 64;
@@ -35,12 +35,12 @@ pub(super) fn write(
     name: &str,
     grid: &VolumeGrid,
     values: Values<'_>,
-    run: &Run,
+    work: &Work,
 ) -> Result<()> {
     write_folder_whole(path, |folder| {
         let (levels, method) = match values {
-            Values::F32(values) => (write_levels(folder, grid, values, run)?, "mean"),
-            Values::U8(values) => (write_levels(folder, grid, values, run)?, "mode"),
+            Values::F32(values) => (write_levels(folder, grid, values, work)?, "mean"),
+            Values::U8(values) => (write_levels(folder, grid, values, work)?, "mode"),
         };
         let axis = |name| json!({ "name": name, "type": "space", "unit": "millimeter" });
         let axes = ["z", "y", "x"].map(axis);
@@ -122,7 +122,7 @@ impl<T: Sample> Level<'_, T> {
     }
 
     /// Writes the array into a new folder.
-    fn write(&self, folder: &Path, run: &Run, steps: &Steps<'_>) -> Result<(), Refused> {
+    fn write(&self, folder: &Path, work: &Work, steps: &Steps<'_>) -> Result<(), Refused> {
         create_dir_all(folder)?;
         let endian = if cfg!(target_endian = "big") {
             "big"
@@ -148,7 +148,7 @@ impl<T: Sample> Level<'_, T> {
         let [nz, ny, nx] = [0, 1, 2].map(|axis| self.shape[axis].div_ceil(CHUNK));
         let chunks = (0..nz * ny * nx).map(|i| [i / (ny * nx), i / nx % ny, i % nx]);
         let written = chunks.par_map(|[z, y, x]| -> Result<(), Refused> {
-            run.check()?;
+            work.check()?;
             let chunk = self.chunk_at([z, y, x]);
             steps.add(size_of_val(&chunk[..]));
             if chunk.iter().all(|value| *value == T::default()) {
@@ -187,10 +187,10 @@ fn write_levels<T: Sample>(
     folder: &Path,
     grid: &VolumeGrid,
     values: &[T],
-    run: &Run,
+    work: &Work,
 ) -> Result<Vec<Value>, Refused> {
     // Levels together are an eighth more, and so on
-    let steps = run.steps(size_of_val(values) * 8 / 7);
+    let steps = work.steps(size_of_val(values) * 8 / 7);
     let mut level = Level {
         shape: grid.shape,
         values: values.into(),
@@ -200,7 +200,7 @@ fn write_levels<T: Sample>(
     let mut levels = Vec::new();
     loop {
         let path = levels.len().to_string();
-        level.write(&folder.join(&path), run, &steps)?;
+        level.write(&folder.join(&path), work, &steps)?;
         levels.push(dataset(&path, grid, covered));
         if level.shape.iter().all(|&n| n <= CHUNK) {
             return Ok(levels);
@@ -257,7 +257,7 @@ mod tests {
         let mut dose = vec![0.0; grid.len()];
         dose[128..130].copy_from_slice(&[1.0, 2.0]);
         dose[258..260].copy_from_slice(&[3.0, 4.0]);
-        write(&path, "dose", &grid, Values::F32(&dose), &Run::new()).unwrap();
+        write(&path, "dose", &grid, Values::F32(&dose), &Work::new()).unwrap();
         let ome = &json_of(&path)["attributes"]["ome"];
         assert_eq!(ome["version"], "0.5");
         let levels = &ome["multiscales"][0]["datasets"];
@@ -289,7 +289,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("label.ome.zarr");
         let grid = VolumeGrid::centered([2, 2, 2], 0.5);
-        write(&path, "label", &grid, Values::U8(&[1; 8]), &Run::new()).unwrap();
+        write(&path, "label", &grid, Values::U8(&[1; 8]), &Work::new()).unwrap();
         assert_eq!(chunk(&path.join("0/c/0/0/0")), [1; 8]);
         assert!(!path.join("1").exists());
     }
@@ -297,16 +297,16 @@ mod tests {
     #[test]
     fn a_canceled_run_leaves_nothing() {
         let folder = tempfile::tempdir().unwrap();
-        let run = Run::new();
-        run.cancel();
-        run.cancel();
+        let work = Work::new();
+        work.cancel();
+        work.cancel();
         let grid = VolumeGrid::centered([2, 2, 2], 0.5);
         let error = write(
             &folder.path().join("a.zarr"),
             "a",
             &grid,
             Values::U8(&[1; 8]),
-            &run,
+            &work,
         );
         assert!(matches!(error, Err(tomolith_core::error::Error::Canceled)));
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);

@@ -12,7 +12,7 @@
 //! ready to be sent.
 //!
 //! ```
-//! use tomolith_core::dose::Run;
+//! use tomolith_core::dose::Work;
 //! use tomolith_core::grid::PatternGrid;
 //! use tomolith_io::frames::FrameSet;
 //! use tomolith_io::stack::{read_stack, write_stack};
@@ -20,7 +20,7 @@
 //! let set = FrameSet { light: None, grid: &grid, bits: 4, full_scale: 3.0, values: &[0, 1, 7, 15] };
 //! let folder = tempfile::tempdir().unwrap();
 //! let path = folder.path().join("frames.npz");
-//! write_stack(&path, &[set], &Run::new()).unwrap();
+//! write_stack(&path, &[set], &Work::new()).unwrap();
 //! let read = read_stack(&path, None).unwrap();
 //! assert_eq!((read.shape, read.bits, read.full_scale), ([2, 1, 2], 4, Some(3.0)));
 //! assert_eq!(read.values, [0, 1, 7, 15]);
@@ -32,7 +32,7 @@ use super::numbers::{Archive, Kind};
 use super::whole::write_whole_under;
 use std::path::Path;
 use tomolith_core::error::{Error, Result};
-use tomolith_core::run::Run;
+use tomolith_core::work::Work;
 
 fn name_of(what: &str, light: Option<&str>) -> String {
     light.map_or_else(|| what.to_owned(), |light| format!("{what}_{light}"))
@@ -42,11 +42,11 @@ fn name_of(what: &str, light: Option<&str>) -> String {
 ///
 /// # Errors
 /// [`Error::Shape`] when levels and grid do not fit, [`Error::Io`].
-pub fn write_stack(path: &Path, lights: &[FrameSet<'_>], run: &Run) -> Result<()> {
+pub fn write_stack(path: &Path, lights: &[FrameSet<'_>], work: &Work) -> Result<()> {
     for set in lights {
         set.check()?;
     }
-    write_whole_under(path, (run, 0), |file| {
+    write_whole_under(path, (work, 0), |file| {
         let mut npz = ArchiveWriter::new(file);
         for set in lights {
             let name = |what| name_of(what, set.light);
@@ -131,7 +131,7 @@ mod tests {
             full_scale: 0.3,
             ..FrameSet::of(&grid, bits, values)
         });
-        write_stack(&path, &lights, &Run::new()).unwrap();
+        write_stack(&path, &lights, &Work::new()).unwrap();
         let read = read_stack(&path, Some("uv")).unwrap();
         assert_eq!((read.bits, read.shape, &read.values), (12, [5, 3, 7], &uv));
         assert_eq!(read.full_scale, Some(0.3));

@@ -20,8 +20,8 @@ use std::io::{Seek as _, SeekFrom, Write};
 use std::path::Path;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::parallel::lines;
-use tomolith_core::run::Run;
 use tomolith_core::vector::{cross, dot, minus};
+use tomolith_core::work::Work;
 
 /// Records that are turned into bytes at a time: 3 MB of triangles.
 const BATCH: usize = 1 << 16;
@@ -36,7 +36,7 @@ pub fn write_stl(
     corners: &[[f32; 3]],
     triangles: &[[u32; 3]],
 ) -> Result<()> {
-    write_stl_pieces(path, title, |put| put(corners, triangles), &Run::new())
+    write_stl_pieces(path, title, |put| put(corners, triangles), &Work::new())
 }
 
 /// Takes a piece of a surface: corners, and triangles as indices of them.
@@ -50,11 +50,11 @@ pub fn write_stl_pieces(
     path: &Path,
     title: &str,
     pieces: impl FnOnce(Put<'_>) -> Result<(), Refused>,
-    run: &Run,
+    work: &Work,
 ) -> Result<()> {
     let refuse =
         |reason: &str| Error::unsupported(format!("the surface for {}", path.display()), reason);
-    write_whole_under(path, (run, 0), |file| {
+    write_whole_under(path, (work, 0), |file| {
         file.write_all(&title_bytes(title))?;
         let place_of_count = file.stream_position()?;
         file.write_all(&0u32.to_le_bytes())?;

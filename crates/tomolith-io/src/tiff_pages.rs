@@ -20,8 +20,8 @@ use tiff::encoder::{
 use tiff::tags::Tag;
 use tomolith_core::error::Result;
 use tomolith_core::grid::VolumeGrid;
-use tomolith_core::run::Run;
 use tomolith_core::units::exact;
+use tomolith_core::work::Work;
 
 /// Bytes up to which places in a file fit into 32 bits, less what directories take.
 const MOST_STANDARD: usize = (u32::MAX - (1 << 26)) as usize;
@@ -30,8 +30,8 @@ const MOST_STANDARD: usize = (u32::MAX - (1 << 26)) as usize;
 ///
 /// # Errors
 /// Those of the file; [`Error::Canceled`](tomolith_core::error::Error::Canceled).
-pub(super) fn write(path: &Path, grid: &VolumeGrid, values: Values<'_>, run: &Run) -> Result<()> {
-    write_whole_under(path, (run, values.bytes()), |file| {
+pub(super) fn write(path: &Path, grid: &VolumeGrid, values: Values<'_>, work: &Work) -> Result<()> {
+    write_whole_under(path, (work, values.bytes()), |file| {
         let written = match values.bytes() > MOST_STANDARD {
             true => pages::<_, TiffKindBig>(file, grid, values),
             false => pages::<_, TiffKindStandard>(file, grid, values),
@@ -185,7 +185,7 @@ mod tests {
     fn pages_are_upright_slices_that_lie_in_a_row() {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("dose.tif");
-        write(&path, &grid(), Values::F32(&dose()), &Run::new()).unwrap();
+        write(&path, &grid(), Values::F32(&dose()), &Work::new()).unwrap();
         let bytes = std::fs::read(&path).unwrap();
         let mut pages = Decoder::new(Cursor::new(&bytes)).unwrap();
         let text = pages.get_tag_ascii_string(Tag::ImageDescription).unwrap();

@@ -9,14 +9,14 @@
 //! | `.zarr` | OME-Zarr 0.5, a folder | napari, neuroglancer |
 //!
 //! ```
-//! use tomolith_core::dose::Run;
+//! use tomolith_core::dose::Work;
 //! use tomolith_core::grid::VolumeGrid;
 //! use tomolith_io::volume::{Values, write_values};
 //! let folder = tempfile::tempdir().unwrap();
 //! let grid = VolumeGrid::centered([1, 2, 3], 0.5);
 //! for file in ["dose.npy", "dose.vti", "dose.nrrd", "dose.tif", "dose.ome.zarr"] {
 //!     let path = folder.path().join(file);
-//!     write_values(&path, "dose", &grid, Values::F32(&[0.0; 6]), &Run::new()).unwrap();
+//!     write_values(&path, "dose", &grid, Values::F32(&[0.0; 6]), &Work::new()).unwrap();
 //!     assert!(path.exists());
 //! }
 //! ```
@@ -27,7 +27,7 @@ use super::{nrrd, ome_zarr, tiff_pages, vti};
 use std::path::Path;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::VolumeGrid;
-use tomolith_core::run::Run;
+use tomolith_core::work::Work;
 
 /// Endings of the names of volumes, for messages.
 pub const ENDINGS: &str = ".npy, .vti, .nrrd, .tif or .ome.zarr";
@@ -122,21 +122,21 @@ pub fn write_values(
     name: &str,
     grid: &VolumeGrid,
     values: Values<'_>,
-    run: &Run,
+    work: &Work,
 ) -> Result<()> {
     values.must_fit(grid, name, path)?;
     let another = || Error::format(path, "another ending", ENDINGS);
     match VolumeFileFormat::of(path).ok_or_else(another)? {
-        VolumeFileFormat::Npy => write_whole_under(path, (run, values.bytes()), |file| {
+        VolumeFileFormat::Npy => write_whole_under(path, (work, values.bytes()), |file| {
             Ok(match values {
                 Values::F32(values) => write_array(file, &grid.shape, values),
                 Values::U8(values) => write_array(file, &grid.shape, values),
             }?)
         }),
-        VolumeFileFormat::Vti => vti::write_vti(path, grid, &[(name, values)], run),
-        VolumeFileFormat::Nrrd => nrrd::write(path, name, grid, values, run),
-        VolumeFileFormat::Tiff => tiff_pages::write(path, grid, values, run),
-        VolumeFileFormat::OmeZarr => ome_zarr::write(path, name, grid, values, run),
+        VolumeFileFormat::Vti => vti::write_vti(path, grid, &[(name, values)], work),
+        VolumeFileFormat::Nrrd => nrrd::write(path, name, grid, values, work),
+        VolumeFileFormat::Tiff => tiff_pages::write(path, grid, values, work),
+        VolumeFileFormat::OmeZarr => ome_zarr::write(path, name, grid, values, work),
     }
 }
 
@@ -157,10 +157,10 @@ mod tests {
 
     #[test]
     fn an_array_of_another_size_or_a_name_of_another_ending_is_refused() {
-        let (folder, run) = (tempfile::tempdir().unwrap(), Run::new());
+        let (folder, work) = (tempfile::tempdir().unwrap(), Work::new());
         let grid = VolumeGrid::centered([2, 2, 2], 1.0);
         let write =
-            |file, values| write_values(&folder.path().join(file), "dose", &grid, values, &run);
+            |file, values| write_values(&folder.path().join(file), "dose", &grid, values, &work);
         for file in ["a.npy", "a.vti", "a.nrrd", "a.tif", "a.ome.zarr"] {
             let error = write(file, Values::F32(&[0.0])).unwrap_err();
             assert!(matches!(error, Error::Shape { .. }), "{file}: {error}");

@@ -5,14 +5,14 @@
 //! voxel [0, 0, 0], `Spacing` the pitch.
 //!
 //! ```
-//! use tomolith_core::dose::Run;
+//! use tomolith_core::dose::Work;
 //! use tomolith_core::grid::VolumeGrid;
 //! use tomolith_io::volume::Values;
 //! use tomolith_io::vti::write_vti;
 //! let folder = tempfile::tempdir().unwrap();
 //! let path = folder.path().join("dose.vti");
 //! let grid = VolumeGrid::centered([1, 2, 3], 0.5);
-//! write_vti(&path, &grid, &[("dose", Values::F32(&[0.0; 6]))], &Run::new()).unwrap();
+//! write_vti(&path, &grid, &[("dose", Values::F32(&[0.0; 6]))], &Work::new()).unwrap();
 //! let text = String::from_utf8_lossy(&std::fs::read(&path).unwrap()).into_owned();
 //! assert!(text.contains(r#"WholeExtent="0 2 0 1 0 0" Origin="-0.5 -0.25 0" Spacing="0.5 0.5 0.5""#));
 //! ```
@@ -24,8 +24,8 @@ use std::io::Write as _;
 use std::path::Path;
 use tomolith_core::error::Result;
 use tomolith_core::grid::VolumeGrid;
-use tomolith_core::run::Run;
 use tomolith_core::units::exact;
+use tomolith_core::work::Work;
 
 /// Writes named arrays on a grid.
 ///
@@ -35,13 +35,13 @@ pub fn write_vti(
     path: &Path,
     grid: &VolumeGrid,
     arrays: &[(&str, Values<'_>)],
-    run: &Run,
+    work: &Work,
 ) -> Result<()> {
     for (name, values) in arrays {
         values.must_fit(grid, name, path)?;
     }
     let bytes = arrays.iter().map(|(_, values)| values.bytes()).sum();
-    write_whole_under(path, (run, bytes), |file| {
+    write_whole_under(path, (work, bytes), |file| {
         file.write_all(header(grid, arrays).as_bytes())?;
         for (_, values) in arrays {
             file.write_all(&(values.bytes() as u64).to_le_bytes())?;
@@ -116,7 +116,7 @@ mod tests {
                 ("dose", Values::F32(&dose)),
                 ("target <1>", Values::U8(&labels)),
             ],
-            &Run::new(),
+            &Work::new(),
         )
         .unwrap();
         let bytes = std::fs::read(&path).unwrap();

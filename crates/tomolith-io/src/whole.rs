@@ -22,8 +22,8 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use tomolith_core::error::{Error, Result};
-use tomolith_core::run::{Run, Steps};
 use tomolith_core::text::file_name;
+use tomolith_core::work::{Steps, Work};
 
 /// Reason why the content of a file could not be written: the system's, or the format's.
 #[derive(Debug)]
@@ -77,7 +77,7 @@ pub fn write_whole<T>(
     path: &Path,
     write: impl FnOnce(&mut BufWriter<Watched<'_>>) -> Result<T, Refused>,
 ) -> Result<T> {
-    write_whole_under(path, (&Run::new(), 0), write)
+    write_whole_under(path, (&Work::new(), 0), write)
 }
 
 /// Writes a text.
@@ -94,14 +94,14 @@ pub fn write_text(path: &Path, text: &str) -> Result<()> {
 /// As [`write_whole`]; [`Error::Canceled`], with `path` as it was.
 pub fn write_whole_under<T>(
     path: &Path,
-    (run, bytes): (&Run, usize),
+    (work, bytes): (&Work, usize),
     write: impl FnOnce(&mut BufWriter<Watched<'_>>) -> Result<T, Refused>,
 ) -> Result<T> {
     let aside = aside(path)?;
     let written = (|| {
         let watched = Watched {
             file: File::create(&*aside)?,
-            steps: run.steps(bytes),
+            steps: work.steps(bytes),
             waiting: 0,
         };
         let mut file = BufWriter::with_capacity(1 << 20, watched);
@@ -115,7 +115,7 @@ pub fn write_whole_under<T>(
     written.map_err(|refused: Refused| {
         // The first error is the one to report; a leftover does no harm
         let _ = fs::remove_file(&*aside);
-        run.check().err().unwrap_or_else(|| refused.at(path))
+        work.check().err().unwrap_or_else(|| refused.at(path))
     })
 }
 

@@ -21,7 +21,7 @@ use crate::illumination::must_show;
 use crate::schedule::{Exposure, Schedule};
 use std::ops::Range;
 use tomolith_core::dose::{
-    DoseModel, Facts, Renewal, Run, Space, ZCoupling, elements_of, frames_of,
+    DoseModel, Facts, Renewal, Space, Work, ZCoupling, elements_of, frames_of,
 };
 use tomolith_core::error::{Error, Result, in_range};
 use tomolith_core::field::{Field, HostField};
@@ -235,14 +235,14 @@ impl<M: DoseModel<Field = HostField> + ?Sized> DoseModel for Diffused<M> {
         self.model.of_light(i)
     }
 
-    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
+    fn dose(&self, x: &HostField, dose: &mut HostField, work: &Work) -> Result<()> {
         if let [arc] = &self.arcs[..] {
-            self.model.dose(x, dose, run)?;
+            self.model.dose(x, dose, work)?;
             self.multiply(arc, dose);
             return Ok(());
         }
         dose.fill(0.0);
-        self.dose_of(0..frames_of(self.patterns()), x, dose, run)
+        self.dose_of(0..frames_of(self.patterns()), x, dose, work)
     }
 
     fn pullback_of(
@@ -251,13 +251,13 @@ impl<M: DoseModel<Field = HostField> + ?Sized> DoseModel for Diffused<M> {
         x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let mut own = cotangent.zeros_like();
         for (both, arc) in self.arcs_of(&frames) {
             own.copy_from(cotangent);
             self.multiply(arc, &mut own);
-            (self.model).pullback_of(both, x, &own, grad, &run.aside())?;
+            (self.model).pullback_of(both, x, &own, grad, &work.aside())?;
         }
         Ok(())
     }
@@ -267,25 +267,25 @@ impl<M: DoseModel<Field = HostField> + ?Sized> DoseModel for Diffused<M> {
         frames: Range<usize>,
         x: &HostField,
         dose: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let mut own = dose.zeros_like();
         for (both, arc) in self.arcs_of(&frames) {
             own.fill(0.0);
-            self.model.dose_of(both, x, &mut own, &run.aside())?;
+            self.model.dose_of(both, x, &mut own, &work.aside())?;
             self.multiply(arc, &mut own);
             dose.axpy(1.0, &own);
         }
         Ok(())
     }
 
-    fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
+    fn along(&self, x: &HostField, d: &HostField, work: &Work) -> Result<Option<Vec<HostField>>> {
         let mut sums: Option<Vec<HostField>> = None;
         for arc in &self.arcs {
             let own = (self.arcs.len() > 1).then(|| self.only(&arc.frames, d));
             let terms = self
                 .model
-                .along(x, own.as_ref().unwrap_or(d), &run.aside())?;
+                .along(x, own.as_ref().unwrap_or(d), &work.aside())?;
             let Some(mut terms) = terms else {
                 return Ok(None);
             };

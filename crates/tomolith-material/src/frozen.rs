@@ -21,7 +21,7 @@ use crate::schedule::Schedule;
 use crate::{Material, Model, State};
 use std::ops::{ControlFlow, Range};
 use std::sync::{Arc, PoisonError, RwLock};
-use tomolith_core::dose::{DoseModel, Facts, Renewal, Run, Space, elements_of};
+use tomolith_core::dose::{DoseModel, Facts, Renewal, Space, Work, elements_of};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{BLOCK, Field, HostField};
 use tomolith_core::parallel::InParallel;
@@ -79,7 +79,7 @@ impl Frozen {
     ///
     /// # Errors
     /// Those of the print.
-    pub fn simulate(&self, x: &HostField, run: &Run) -> Result<()> {
+    pub fn simulate(&self, x: &HostField, work: &Work) -> Result<()> {
         let own: Vec<HostField> = (0..self.lights.optics.len())
             .map(|light| self.lights.of_light(light, x))
             .collect();
@@ -91,9 +91,9 @@ impl Frozen {
         if let Some(step_s) = self.step_s {
             print = print.with_step_s(step_s)?;
         }
-        let end = print.run(run, &mut |_| ControlFlow::Continue(()))?;
+        let end = print.run(work, &mut |_| ControlFlow::Continue(()))?;
         let mut drive = self.new_dose()?;
-        self.drive(x, &mut drive, run)?;
+        self.drive(x, &mut drive, work)?;
         self.take(&end, Some(&drive));
         Ok(())
     }
@@ -142,12 +142,12 @@ fn add(weight: f32, energy: &[f32], sum: &mut [f32]) {
 
 impl Frozen {
     /// A_s(x), the drive of each network.
-    fn drive(&self, x: &HostField, drive: &mut HostField, run: &Run) -> Result<()> {
+    fn drive(&self, x: &HostField, drive: &mut HostField, work: &Work) -> Result<()> {
         drive.fill(0.0);
         for (light, model) in self.lights.optics.iter().enumerate() {
             let own = self.lit(light, x);
             let mut of_light = model.new_dose()?;
-            model.dose(&own, &mut of_light, &run.aside())?;
+            model.dose(&own, &mut of_light, &work.aside())?;
             self.mix(light, &of_light, drive);
         }
         Ok(())
@@ -201,10 +201,10 @@ impl Frozen {
 }
 
 impl Renewal<HostField> for Frozen {
-    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
+    fn renew(&self, iteration: usize, x: &HostField, work: &Work) -> Result<bool> {
         let is_due = iteration > 1 && (iteration - 1).is_multiple_of(self.every);
         if is_due {
-            self.simulate(x, &run.aside())?;
+            self.simulate(x, &work.aside())?;
         }
         Ok(is_due)
     }
@@ -243,8 +243,8 @@ impl DoseModel for Frozen {
         Some(self)
     }
 
-    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
-        self.drive(x, dose, run)?;
+    fn dose(&self, x: &HostField, dose: &mut HostField, work: &Work) -> Result<()> {
+        self.drive(x, dose, work)?;
         let taken = self.taken.read().unwrap_or_else(PoisonError::into_inner);
         for (output, &per_dose) in self.outputs().iter().zip(&self.per_dose) {
             let blocks = dose.as_mut_slice()[output.range()].chunks_mut(BLOCK);
@@ -263,7 +263,7 @@ impl DoseModel for Frozen {
         x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let mut scaled = cotangent.clone();
         self.scale(&mut scaled);
@@ -276,7 +276,7 @@ impl DoseModel for Frozen {
             let mut of_light = model.new_dose()?;
             self.unmix(light, &scaled, &mut of_light);
             let mut back = model.new_patterns()?;
-            model.pullback_of(frames.clone(), &own, &of_light, &mut back, &run.aside())?;
+            model.pullback_of(frames.clone(), &own, &of_light, &mut back, &work.aside())?;
             self.scale_by_energy(light, &mut back);
             let grad = &mut grad.as_mut_slice()[self.lights.ranges[light].clone()];
             for (range, _) in elements_of(model.patterns(), &frames) {
@@ -286,18 +286,18 @@ impl DoseModel for Frozen {
         Ok(())
     }
 
-    fn dose_of(&self, _: Range<usize>, _: &HostField, _: &mut HostField, _: &Run) -> Result<()> {
+    fn dose_of(&self, _: Range<usize>, _: &HostField, _: &mut HostField, _: &Work) -> Result<()> {
         Err(Error::unsupported(
             "the dose of some frames",
             "what inhibitors take belongs to all frames",
         ))
     }
 
-    fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
+    fn along(&self, x: &HostField, d: &HostField, work: &Work) -> Result<Option<Vec<HostField>>> {
         let mut terms: Vec<HostField> = Vec::new();
         for (light, model) in self.lights.optics.iter().enumerate() {
             let [x, d] = [x, d].map(|v| self.lit(light, v));
-            let Some(own) = model.along(&x, &d, &run.aside())? else {
+            let Some(own) = model.along(&x, &d, &work.aside())? else {
                 return Ok(None);
             };
             for (i, term) in own.iter().enumerate() {
@@ -368,9 +368,9 @@ mod tests {
         let schedule = model.lights.schedule.clone();
         let optics = vec![Box::new(optics()) as Box<Model>];
         let printing = Printing::new(optics, schedule, Box::new(material), None);
-        let run = Run::new();
+        let work = Work::new();
         let mut degree = model.new_dose().unwrap();
-        printing.unwrap().dose(x, &mut degree, &run).unwrap();
+        printing.unwrap().dose(x, &mut degree, &work).unwrap();
         let own = check::dose(model, x);
         (degree.as_slice().to_vec(), own.as_slice().to_vec())
     }
@@ -397,27 +397,27 @@ mod tests {
     }
 
     fn derivative_is_exact(model: &Frozen) {
-        let (x, run) = (patterns(model), Run::new());
-        model.simulate(&x, &run).unwrap();
+        let (x, work) = (patterns(model), Work::new());
+        model.simulate(&x, &work).unwrap();
         let mut d = x.clone();
         d.scale(0.1);
-        let terms = model.along(&x, &d, &run).unwrap().unwrap();
+        let terms = model.along(&x, &d, &work).unwrap().unwrap();
         assert_eq!(terms.len(), 1);
         let mut moved = x.clone();
         moved.axpy(1.0, &d);
         let [mut before, mut after] = [model.new_dose().unwrap(), model.new_dose().unwrap()];
-        model.dose(&x, &mut before, &run).unwrap();
-        model.dose(&moved, &mut after, &run).unwrap();
+        model.dose(&x, &mut before, &work).unwrap();
+        model.dose(&moved, &mut after, &work).unwrap();
         after.axpy(-1.0, &before);
         after.axpy(-1.0, &terms[0]);
         assert!(after.max_abs() < 1e-5, "{}", after.max_abs());
         // ⟨F′d, c⟩ = ⟨d, F′ᵀc⟩
         let c = HostField::from_slice(&check::noise(9, terms[0].len()));
         let mut back = x.zeros_like();
-        model.pullback(&x, &c, &mut back, &run).unwrap();
+        model.pullback(&x, &c, &mut back, &work).unwrap();
         let (mut part, all) = (x.zeros_like(), frames_of(model.patterns()));
         for frames in [0..5, 5..all - 1, all - 1..all] {
-            model.pullback_of(frames, &x, &c, &mut part, &run).unwrap();
+            model.pullback_of(frames, &x, &c, &mut part, &work).unwrap();
         }
         assert!(part.as_slice() == back.as_slice());
         let (forth, back) = (terms[0].dot(&c), back.dot(&d));
@@ -430,7 +430,7 @@ mod tests {
         let x = patterns(&model);
         // Before, oxygen neither flows nor is anything known of it but its capacity
         let (_, before) = both(&model, &x);
-        model.simulate(&x, &Run::new()).unwrap();
+        model.simulate(&x, &Work::new()).unwrap();
         let (print, frozen) = both(&model, &x);
         let mut worst = 0.0f32;
         let mut moved = 0.0f32;
@@ -447,9 +447,9 @@ mod tests {
     fn dose_that_flows_into_a_voxel_is_its_own() {
         let material = || photopolymer(wandering(0.3, 0.05), domain_of(&optics()));
         let model = frozen_of(material());
-        let (x, run) = (patterns(&model), Run::new());
+        let (x, work) = (patterns(&model), Work::new());
         let drive = check::dose(&model, &x);
-        model.simulate(&x, &run).unwrap();
+        model.simulate(&x, &work).unwrap();
         let (print, frozen) = both_of(&model, &x, material());
         let pairs = print.iter().zip(&frozen);
         let off = pairs.map(|(p, f)| (p - f).abs()).fold(0.0, f32::max);
@@ -461,10 +461,10 @@ mod tests {
     #[test]
     fn a_simulation_is_canceled_with_the_run_that_asked_for_it() {
         let model = frozen();
-        let (x, run) = (patterns(&model), Run::new());
+        let (x, work) = (patterns(&model), Work::new());
         let before = model.memory().unwrap();
-        run.cancel();
-        let error = model.renew(6, &x, &run).unwrap_err();
+        work.cancel();
+        let error = model.renew(6, &x, &work).unwrap_err();
         assert!(matches!(error, Error::Canceled), "{error}");
         assert_eq!(model.memory().unwrap().as_slice(), before.as_slice());
     }
@@ -472,11 +472,11 @@ mod tests {
     #[test]
     fn it_is_simulated_anew_between_rounds() {
         let model = frozen();
-        let (x, run) = (patterns(&model), Run::new());
+        let (x, work) = (patterns(&model), Work::new());
         for iteration in [1, 5, 7] {
-            assert!(!model.renew(iteration, &x, &run).unwrap(), "{iteration}");
+            assert!(!model.renew(iteration, &x, &work).unwrap(), "{iteration}");
         }
-        assert!(model.renew(6, &x, &run).unwrap());
+        assert!(model.renew(6, &x, &work).unwrap());
         let (print, frozen) = both(&model, &x);
         let off = print.iter().zip(&frozen).filter(|(p, _)| **p > 0.0);
         assert!(off.map(|(p, f)| (p - f).abs()).fold(0.0, f32::max) < 1e-4);
@@ -485,8 +485,8 @@ mod tests {
     #[test]
     fn another_model_goes_on_from_its_memory() {
         let (model, other) = (frozen(), frozen());
-        let (x, run) = (patterns(&model), Run::new());
-        model.simulate(&x, &run).unwrap();
+        let (x, work) = (patterns(&model), Work::new());
+        model.simulate(&x, &work).unwrap();
         let (_, unlike) = both(&other, &x);
         other.restore(&model.memory().unwrap());
         let ((_, expected), (_, found)) = (both(&model, &x), both(&other, &x));

@@ -2,7 +2,7 @@
 
 use crate::Model;
 use std::ops::Range;
-use tomolith_core::dose::{Quantity, Run, elements_of};
+use tomolith_core::dose::{Quantity, Work, elements_of};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 
@@ -51,7 +51,7 @@ impl Illumination {
         model: &Model,
         x: &HostField,
         lit: &[(usize, f64)],
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         self.is_dark = lit.is_empty();
         if self.is_dark {
@@ -61,7 +61,7 @@ impl Illumination {
         self.absorbed.fill(0.0);
         for neighbors in lit.chunk_by(|a, b| b.0 == a.0 + 1) {
             let frames = neighbors[0].0..neighbors[neighbors.len() - 1].0 + 1;
-            model.dose_of(frames, &self.lit, &mut self.absorbed, &run.aside())?;
+            model.dose_of(frames, &self.lit, &mut self.absorbed, &work.aside())?;
         }
         Ok(())
     }
@@ -95,7 +95,7 @@ impl Illumination {
         x: &HostField,
         (lit, wanted): (&[(usize, f64)], &Range<usize>),
         (cotangent, grad): (&HostField, &mut [f32]),
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         if self.back.is_empty() {
             self.back = model.new_patterns()?;
@@ -106,7 +106,7 @@ impl Illumination {
             let end = (neighbors[neighbors.len() - 1].0 + 1).min(wanted.end);
             if first < end {
                 let frames = first..end;
-                model.pullback_of(frames, &self.lit, cotangent, &mut self.back, &run.aside())?;
+                model.pullback_of(frames, &self.lit, cotangent, &mut self.back, &work.aside())?;
             }
         }
         for &(frame, energy) in lit.iter().filter(|(frame, _)| wanted.contains(frame)) {

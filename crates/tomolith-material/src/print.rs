@@ -13,7 +13,7 @@ use crate::illumination::{Illumination, must_show};
 use crate::schedule::{Block, Schedule};
 use crate::{Absorption, Material, Model, State};
 use std::ops::ControlFlow;
-use tomolith_core::dose::{Run, frames_of};
+use tomolith_core::dose::{Work, frames_of};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::units::exact;
@@ -124,7 +124,7 @@ impl<'a> PrintRun<'a> {
     /// Those of material, dose models and callback; [`Error::Canceled`].
     pub fn run(
         &mut self,
-        run: &Run,
+        work: &Work,
         observer: &mut dyn FnMut(&Moment) -> ControlFlow<()>,
     ) -> Result<State> {
         let blocks = self.schedule.blocks(self.step_s)?;
@@ -139,11 +139,11 @@ impl<'a> PrintRun<'a> {
             return Ok(state);
         }
         let mut renewed_at = 0.0;
-        let steps = run.steps(blocks.len());
+        let steps = work.steps(blocks.len());
         for (i, block) in blocks.iter().enumerate() {
-            run.check()?;
+            work.check()?;
             self.renew(&mut state, block, &mut renewed_at)?;
-            self.shine(&mut light, block, run)?;
+            self.shine(&mut light, block, work)?;
             let absorbed: Vec<&[f32]> = light.iter().map(Illumination::absorbed).collect();
             self.material.step(&mut state, &absorbed, block.seconds)?;
             steps.add(1);
@@ -172,10 +172,10 @@ impl<'a> PrintRun<'a> {
         }
     }
 
-    fn shine(&self, light: &mut [Illumination], block: &Block, run: &Run) -> Result<()> {
+    fn shine(&self, light: &mut [Illumination], block: &Block, work: &Work) -> Result<()> {
         for (l, (light, source)) in light.iter_mut().zip(&self.lights).enumerate() {
             let model = self.renewed[l].as_deref().unwrap_or(source.model);
-            light.absorb(model, source.patterns, &block.lit[l], run)?;
+            light.absorb(model, source.patterns, &block.lit[l], work)?;
         }
         Ok(())
     }

@@ -16,7 +16,7 @@ use crate::schedule::{Block, Schedule};
 use crate::{Material, Model, State};
 use std::ops::Range;
 use std::sync::Arc;
-use tomolith_core::dose::{DoseModel, Facts, Renewal, Run, Space, elements_of};
+use tomolith_core::dose::{DoseModel, Facts, Renewal, Space, Work, elements_of};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::HostField;
 use tomolith_core::units::concise;
@@ -63,11 +63,11 @@ impl Printing {
         x: &[HostField],
         light: &mut [Illumination],
         state: &mut State,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
-        run.check()?;
+        work.check()?;
         for (l, (light, x)) in light.iter_mut().zip(x).enumerate() {
-            light.absorb(self.lights.light(l), x, &block.lit[l], run)?;
+            light.absorb(self.lights.light(l), x, &block.lit[l], work)?;
         }
         let absorbed: Vec<&[f32]> = light.iter().map(Illumination::absorbed).collect();
         self.material.step(state, &absorbed, block.seconds)
@@ -111,23 +111,23 @@ impl Printing {
         block: &Block,
         x: &[HostField],
         (before, absorbed): (&State, &[Vec<f32>]),
-        work: &mut Work,
+        scratch: &mut Scratch,
         (back, grad): (&mut State, &mut HostField),
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
-        run.check()?;
+        work.check()?;
         let views: Vec<&[f32]> = absorbed.iter().map(Vec::as_slice).collect();
         self.material
-            .pullback_step(before, &views, block.seconds, back, &mut work.of_energy)?;
-        for (l, light) in work.light.iter_mut().enumerate() {
+            .pullback_step(before, &views, block.seconds, back, &mut scratch.of_energy)?;
+        for (l, light) in scratch.light.iter_mut().enumerate() {
             let own = &mut grad.as_mut_slice()[self.lights.ranges[l].clone()];
-            let lit = (block.lit[l].as_slice(), &work.wanted[l]);
+            let lit = (block.lit[l].as_slice(), &scratch.wanted[l]);
             light.pull(
                 self.lights.light(l),
                 &x[l],
                 lit,
-                (&work.of_energy[l], own),
-                run,
+                (&scratch.of_energy[l], own),
+                work,
             )?;
         }
         Ok(())
@@ -135,7 +135,7 @@ impl Printing {
 }
 
 /// What the way back through time needs, made once.
-struct Work {
+struct Scratch {
     light: Vec<Illumination>,
     of_energy: Vec<HostField>,
     /// Frames of each light whose gradient the caller wants.
@@ -143,11 +143,11 @@ struct Work {
 }
 
 impl Renewal<HostField> for Printing {
-    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
+    fn renew(&self, iteration: usize, x: &HostField, work: &Work) -> Result<bool> {
         let mut any = false;
         for (light, model) in self.lights.optics.iter().enumerate() {
             if let Some(model) = model.renewal() {
-                any |= model.renew(iteration, &self.lights.of_light(light, x), run)?;
+                any |= model.renew(iteration, &self.lights.of_light(light, x), work)?;
             }
         }
         Ok(any)
@@ -165,13 +165,13 @@ impl DoseModel for Printing {
         Ok(self.facts().host_field(space))
     }
 
-    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
+    fn dose(&self, x: &HostField, dose: &mut HostField, work: &Work) -> Result<()> {
         let x = self.of_lights(x);
         let mut light = self.illuminations()?;
         let mut state = self.material.start()?;
-        let steps = run.steps(self.blocks.len());
+        let steps = work.steps(self.blocks.len());
         for block in &self.blocks {
-            self.step(block, &x, &mut light, &mut state, run)?;
+            self.step(block, &x, &mut light, &mut state, work)?;
             steps.add(1);
         }
         self.read(&state, dose);
@@ -184,10 +184,10 @@ impl DoseModel for Printing {
         x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let x = self.of_lights(x);
-        let mut work = Work {
+        let mut scratch = Scratch {
             light: self.illuminations()?,
             of_energy: (self.lights.optics.iter().map(|model| model.new_dose()))
                 .collect::<Result<_>>()?,
@@ -200,7 +200,7 @@ impl DoseModel for Printing {
             if i % stride == 0 {
                 kept.push(state.clone());
             }
-            self.step(block, &x, &mut work.light, &mut state, run)?;
+            self.step(block, &x, &mut scratch.light, &mut state, work)?;
         }
         for (range, _) in elements_of(&self.lights.patterns, &frames) {
             grad.as_mut_slice()[range].fill(0.0);
@@ -212,21 +212,21 @@ impl DoseModel for Printing {
             let mut states = Vec::new();
             for block in blocks {
                 let before = state.clone();
-                self.step(block, &x, &mut work.light, &mut state, run)?;
-                let lights = work.light.iter();
+                self.step(block, &x, &mut scratch.light, &mut state, work)?;
+                let lights = scratch.light.iter();
                 let absorbed = lights.map(|l| l.absorbed().to_vec()).collect::<Vec<_>>();
                 states.push((before, absorbed));
             }
             while let Some((before, absorbed)) = states.pop() {
                 let block = &blocks[states.len()];
                 let before = (&before, &absorbed[..]);
-                self.pull_step(block, &x, before, &mut work, (&mut back, grad), run)?;
+                self.pull_step(block, &x, before, &mut scratch, (&mut back, grad), work)?;
             }
         }
         Ok(())
     }
 
-    fn dose_of(&self, _: Range<usize>, _: &HostField, _: &mut HostField, _: &Run) -> Result<()> {
+    fn dose_of(&self, _: Range<usize>, _: &HostField, _: &mut HostField, _: &Work) -> Result<()> {
         Err(Error::unsupported(
             "the dose of some frames",
             "what a frame does to this material depends on the frames before it",

@@ -16,7 +16,7 @@
 use crate::{Absorption, Model};
 use std::ops::Range;
 use std::sync::Arc;
-use tomolith_core::dose::{DoseModel, Facts, Renewal, Run, Space};
+use tomolith_core::dose::{DoseModel, Facts, Renewal, Space, Work};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::parallel::{InParallel, elements, lines};
@@ -269,11 +269,11 @@ impl DoseModel for Shaded {
         x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let mut own = cotangent.zeros_like();
         for frame in frames {
-            run.check()?;
+            work.check()?;
             own.fill(0.0);
             self.weaken(
                 self.azimuth(frame),
@@ -281,7 +281,7 @@ impl DoseModel for Shaded {
                 own.as_mut_slice(),
             );
             self.model
-                .pullback_of(frame..frame + 1, x, &own, grad, &run.aside())?;
+                .pullback_of(frame..frame + 1, x, &own, grad, &work.aside())?;
         }
         Ok(())
     }
@@ -291,14 +291,14 @@ impl DoseModel for Shaded {
         frames: Range<usize>,
         x: &HostField,
         dose: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let mut own = dose.zeros_like();
         for frame in frames {
-            run.check()?;
+            work.check()?;
             own.fill(0.0);
             self.model
-                .dose_of(frame..frame + 1, x, &mut own, &run.aside())?;
+                .dose_of(frame..frame + 1, x, &mut own, &work.aside())?;
             self.weaken(self.azimuth(frame), own.as_slice(), dose.as_mut_slice());
         }
         Ok(())

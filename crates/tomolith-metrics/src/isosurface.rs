@@ -31,7 +31,7 @@
 use std::ops::Range;
 use std::sync::LazyLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use tomolith_core::dose::Run;
+use tomolith_core::dose::Work;
 use tomolith_core::error::Error;
 use tomolith_core::grid::{Volume, VolumeGrid};
 use tomolith_core::parallel::InParallel;
@@ -89,7 +89,7 @@ impl Isosurface {
 #[must_use]
 pub fn isosurface(volume: &Volume<f32>, level: f64) -> Isosurface {
     let fill = rows_of(&volume.values);
-    isosurface_within(&volume.grid, level, fill, usize::MAX, &Run::new()).unwrap_or_default()
+    isosurface_within(&volume.grid, level, fill, usize::MAX, &Work::new()).unwrap_or_default()
 }
 
 /// The value that stands for "not gelled" next to a level: 0, or less when the level itself is not above 0.
@@ -110,14 +110,14 @@ pub fn isosurface_within(
     level: f64,
     fill: impl Fn(usize, &mut [f32]) + Sync,
     most: usize,
-    run: &Run,
+    work: &Work,
 ) -> Option<Isosurface> {
     if grid.is_empty() {
         return Some(Isosurface::default());
     }
     let march = March::new(grid, level, &fill);
     let slabs = slabs(grid);
-    let steps = run.steps(slabs.len());
+    let steps = work.steps(slabs.len());
     let corners = AtomicUsize::new(0);
     let parts: Vec<Isosurface> = slabs.into_iter().par_map(|slab| {
         steps.add(1);
@@ -128,7 +128,7 @@ pub fn isosurface_within(
         corners.fetch_add(part.corners.len(), Ordering::Relaxed);
         part
     });
-    if run.is_canceled() {
+    if work.is_canceled() {
         return Some(Isosurface::default());
     }
     let corners = corners.into_inner();
@@ -159,16 +159,16 @@ pub fn isosurface_pieces<E: From<Error>>(
     level: f64,
     fill: impl Fn(usize, &mut [f32]) + Sync,
     mut take: impl FnMut(&Isosurface) -> Result<(), E>,
-    run: &Run,
+    work: &Work,
 ) -> Result<(), E> {
     if grid.is_empty() {
         return Ok(());
     }
     let march = March::new(grid, level, &fill);
     let slabs = slabs(grid);
-    let steps = run.steps(slabs.len());
+    let steps = work.steps(slabs.len());
     for some in slabs.chunks(rayon::current_num_threads()) {
-        run.check()?;
+        work.check()?;
         steps.add(some.len());
         let pieces: Vec<Isosurface> =
             (some.iter()).par_map(|slab| march.triangulate(slab.clone(), Last::Own));
@@ -634,20 +634,20 @@ mod tests {
                 triangles.extend(flat(piece));
                 Ok(())
             },
-            &Run::new(),
+            &Work::new(),
         )
         .unwrap();
         assert!(pieces > 3, "{pieces}");
         assert_eq!(triangles, flat(&whole));
-        let ended = |take: &dyn Fn() -> Result<(), Error>, run: &Run| {
+        let ended = |take: &dyn Fn() -> Result<(), Error>, work: &Work| {
             let rows = rows_of(&volume.values);
-            isosurface_pieces(&volume.grid, 1.0, rows, |_| take(), run).unwrap_err()
+            isosurface_pieces(&volume.grid, 1.0, rows, |_| take(), work).unwrap_err()
         };
         let enough = || Err(Error::config("a", "enough", "b"));
-        assert!(ended(&enough, &Run::new()).to_string().contains("enough"));
-        let run = Run::new();
-        run.cancel();
-        assert!(matches!(ended(&|| Ok(()), &run), Error::Canceled));
+        assert!(ended(&enough, &Work::new()).to_string().contains("enough"));
+        let work = Work::new();
+        work.cancel();
+        assert!(matches!(ended(&|| Ok(()), &work), Error::Canceled));
     }
 
     #[test]

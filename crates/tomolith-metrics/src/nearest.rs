@@ -4,18 +4,18 @@
 //! start well. Exact up to f32.
 //!
 //! ```
-//! use tomolith_core::run::Run;
+//! use tomolith_core::work::Run;
 //! use tomolith_metrics::isosurface::Isosurface;
 //! use tomolith_metrics::nearest::TriangleTree;
 //! let surface = Isosurface { corners: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]], triangles: vec![[0, 1, 2]] };
-//! let tree = TriangleTree::new(&surface, &Run::new());
+//! let tree = TriangleTree::new(&surface, &Work::new());
 //! assert_eq!(tree.distance([0.2, 0.2, 0.5], f32::INFINITY), 0.5); // above its face
 //! assert_eq!(tree.distance([-3.0, 4.0, 0.0], f32::INFINITY), 18f32.sqrt()); // nearest to the corner (0, 1, 0)
 //! ```
 
 use super::isosurface::Isosurface;
 use tomolith_core::boxes::{AlignedBox, BoxTree, LEAF};
-use tomolith_core::run::Run;
+use tomolith_core::work::Work;
 use wide::f32x4;
 
 type Point = [f32; 3];
@@ -51,7 +51,7 @@ impl Leaf {
 impl TriangleTree {
     /// Builds the tree. One that was not ready when the run was canceled answers wrong.
     #[must_use]
-    pub fn new(surface: &Isosurface, run: &Run) -> Self {
+    pub fn new(surface: &Isosurface, work: &Work) -> Self {
         let corners = |i: u32| surface.triangles[i as usize].map(|c| surface.corners[c as usize]);
         let leaf = |items: &[u32]| {
             let mut triangles = [[[0.0; 3]; 3]; LEAF];
@@ -63,7 +63,7 @@ impl TriangleTree {
             (bounds, Leaf::new(&triangles[..items.len()]))
         };
         let count = surface.triangles.len();
-        let (tree, leaves) = BoxTree::of_small(count, |i| centroid(corners(i)), leaf, run);
+        let (tree, leaves) = BoxTree::of_small(count, |i| centroid(corners(i)), leaf, work);
         TriangleTree { tree, leaves }
     }
 
@@ -168,7 +168,7 @@ mod tests {
                 .map(|i| [3 * i, 3 * i + 1, 3 * i + 2])
                 .collect();
             let surface = Isosurface { corners, triangles };
-            let tree = TriangleTree::new(&surface, &Run::new());
+            let tree = TriangleTree::new(&surface, &Work::new());
             for _ in 0..200 {
                 let p: Point = std::array::from_fn(|_| 2.0 * random() - 0.5);
                 let brute = surface
@@ -204,7 +204,7 @@ mod tests {
 
     #[test]
     fn no_triangles_are_infinitely_far_away() {
-        let tree = TriangleTree::new(&Isosurface::default(), &Run::new());
+        let tree = TriangleTree::new(&Isosurface::default(), &Work::new());
         assert_eq!(tree.distance([0.0; 3], f32::INFINITY), f32::INFINITY);
     }
 }

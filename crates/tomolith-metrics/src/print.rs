@@ -24,7 +24,7 @@ use super::surface::{
     Compared, Deviation, MOST_TRIANGLES, SurfaceDistance, TargetSurface, compared, deviation,
 };
 use std::sync::{Arc, OnceLock};
-use tomolith_core::dose::Run;
+use tomolith_core::dose::Work;
 use tomolith_core::error::{Error, Result, in_range};
 use tomolith_core::field::BLOCK;
 use tomolith_core::grid::{Patterns, Volume, VolumeGrid};
@@ -83,7 +83,7 @@ pub struct Print<'a> {
     above: OnceLock<[u64; 2]>,
     compared: OnceLock<Option<Compared>>,
     errors: OnceLock<Option<GrayErrors>>,
-    run: Run,
+    work: Work,
 }
 
 /// Share of the work on a print that is counting; the rest are distances of surfaces.
@@ -103,14 +103,14 @@ impl<'a> Print<'a> {
     /// [`Error::Shape`] when they do not fit; [`Error::NonFinite`] when the response of a part or void voxel is not
     /// finite.
     pub fn new(labels: &'a Volume<u8>, response: &'a Volume<f32>) -> Result<Self> {
-        Self::under(labels, response, Run::new())
+        Self::under(labels, response, Work::new())
     }
 
     /// [`new`](Self::new) as a part of a run. When that is canceled, numbers that are computed afterwards mean nothing.
     ///
     /// # Errors
     /// As [`new`](Self::new); [`Error::Canceled`].
-    pub fn under(labels: &'a Volume<u8>, response: &'a Volume<f32>, run: Run) -> Result<Self> {
+    pub fn under(labels: &'a Volume<u8>, response: &'a Volume<f32>, work: Work) -> Result<Self> {
         same_shape("labels", &labels.grid, &labels.grid, labels.values.len())?;
         same_shape(
             "response",
@@ -130,8 +130,8 @@ impl<'a> Print<'a> {
             target_surface: Arc::default(),
             most_triangles: MOST_TRIANGLES,
             most_corners: usize::MAX,
-            scan: Scan::under(&labels.values, &response.values, run.part(COUNTING))?,
-            run,
+            scan: Scan::under(&labels.values, &response.values, work.part(COUNTING))?,
+            work,
             best: OnceLock::new(),
             above: OnceLock::new(),
             compared: OnceLock::new(),
@@ -246,8 +246,8 @@ impl<'a> Print<'a> {
     }
 
     /// What stops work on it.
-    pub(super) fn run(&self) -> &Run {
-        &self.run
+    pub(super) fn work(&self) -> &Work {
+        &self.work
     }
 
     /// Where the voxels are.
@@ -395,10 +395,10 @@ pub fn surface_pieces<E: From<Error>>(
     (labels, response): (&Volume<u8>, &Volume<f32>),
     threshold: f64,
     take: impl FnMut(&Isosurface) -> std::result::Result<(), E>,
-    run: &Run,
+    work: &Work,
 ) -> std::result::Result<(), E> {
     let fill = |i, row: &mut [f32]| printed_row((labels, response), i, threshold, row);
-    isosurface_pieces(&labels.grid, threshold, fill, take, run)
+    isosurface_pieces(&labels.grid, threshold, fill, take, work)
 }
 
 /// See [`Print::printed_row`].
@@ -545,7 +545,7 @@ mod tests {
             Ok(())
         };
         let threshold = print.gel_threshold().unwrap();
-        surface_pieces((&labels, &response), threshold, take, &Run::new()).unwrap();
+        surface_pieces((&labels, &response), threshold, take, &Work::new()).unwrap();
         let [part, void] = print.printed();
         let measured = (part + void) as f64 * grid.voxel_mm3();
         assert!(pieces > 4 && void == 0);

@@ -48,7 +48,7 @@ use iou::Fraction;
 pub use iou::Plateau;
 use std::collections::BTreeMap;
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
-use tomolith_core::dose::Run;
+use tomolith_core::dose::Work;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::BLOCK;
 use tomolith_core::parallel::InParallel;
@@ -67,7 +67,7 @@ pub struct Scan<'a> {
     spread: [Option<Spread>; 2],
     opened: Mutex<Opened>,
     settled: OnceLock<Option<Fraction>>,
-    run: Run,
+    work: Work,
 }
 
 /// Share of the work that one pass over all voxels is.
@@ -80,14 +80,14 @@ impl<'a> Scan<'a> {
     /// [`Error::Shape`] when they differ in length; [`Error::NonFinite`] when the response of a part or void voxel is
     /// not finite.
     pub fn new(labels: &'a [u8], response: &'a [f32]) -> Result<Self> {
-        Self::under(labels, response, Run::new())
+        Self::under(labels, response, Work::new())
     }
 
     /// [`new`](Self::new) as a part of a run. When that is canceled later, its answers mean nothing.
     ///
     /// # Errors
     /// As [`new`](Self::new); [`Error::Canceled`].
-    pub fn under(labels: &'a [u8], response: &'a [f32], run: Run) -> Result<Self> {
+    pub fn under(labels: &'a [u8], response: &'a [f32], work: Work) -> Result<Self> {
         if labels.len() != response.len() {
             return Err(Error::shape(
                 "labels and response",
@@ -95,12 +95,12 @@ impl<'a> Scan<'a> {
                 vec![response.len()],
             ));
         }
-        let pass = run.part(PASS);
+        let pass = work.part(PASS);
         let steps = pass.steps(labels.len().div_ceil(BLOCK));
         let parts: Vec<Share> = shares(labels.len())
             .into_iter()
             .par_map(|share| count_share(&labels[share.clone()], &response[share], &steps));
-        run.check()?;
+        work.check()?;
         drop(pass);
         let blocks: Vec<[Sums; 2]> = parts.iter().flat_map(|p| p.1.iter().copied()).collect();
         if blocks
@@ -117,7 +117,7 @@ impl<'a> Scan<'a> {
             spread: [0, 1].map(|c| spread(&blocks, c)),
             opened: Mutex::new(Opened::new()),
             settled: OnceLock::new(),
-            run,
+            work,
         };
         // Only tops between the smallest and the largest value can be filled
         let top = |value: f32| (key(value) >> FINE_BITS) as usize;
@@ -254,7 +254,7 @@ impl<'a> Scan<'a> {
             for (slot, &i) in wanted.iter().enumerate() {
                 slots[(self.buckets[i].top - first) as usize] = slot as u32;
             }
-            let pass = self.run.part(PASS);
+            let pass = self.work.part(PASS);
             let steps = pass.steps(self.labels.len().div_ceil(BLOCK));
             let tables: Vec<Vec<[u32; 2]>> =
                 shares(self.labels.len()).into_iter().par_map(|share| {

@@ -39,7 +39,7 @@ use super::print::Print;
 use rayon::slice::ParallelSliceMut;
 use serde::Serialize;
 use std::sync::{Arc, Mutex, PoisonError};
-use tomolith_core::dose::Run;
+use tomolith_core::dose::Work;
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::parallel::{InParallel, table};
 
@@ -138,12 +138,12 @@ pub(super) fn deviation(print: &Print<'_>) -> Option<Deviation> {
         printed,
         target,
         coarsened,
-        run,
+        work,
         ..
     } = surfaces(print, FULL_RESOLUTION)?;
-    let distances = distances(&printed, &target.tree, 1, &run.part(NEAREST));
+    let distances = distances(&printed, &target.tree, 1, &work.part(NEAREST));
     let distances: Vec<f32> = distances.iter().map(|sample| sample.0).collect();
-    (!run.is_canceled()).then(|| Deviation::of(print, printed, &distances, coarsened))
+    (!work.is_canceled()).then(|| Deviation::of(print, printed, &distances, coarsened))
 }
 
 /// Distances of surfaces, and what a [`Deviation`] takes of them.
@@ -187,7 +187,7 @@ impl TargetSurface {
         print: &Print<'_>,
         coarsened: usize,
         most: usize,
-        run: &Run,
+        work: &Work,
     ) -> Option<Arc<Reference>> {
         let mut made = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let is_same =
@@ -196,10 +196,10 @@ impl TargetSurface {
             return Some(found.clone());
         }
         let fill = |i, row: &mut [f32]| print.target_row(i, row);
-        let surface = surface(print.grid(), coarsened, 0.5, fill, most, run)?;
+        let surface = surface(print.grid(), coarsened, 0.5, fill, most, work)?;
         let reference = Arc::new(Reference {
             coarsened,
-            tree: TriangleTree::new(&surface, run),
+            tree: TriangleTree::new(&surface, work),
             surface,
         });
         *made = Some(reference.clone());
@@ -215,7 +215,7 @@ struct Surfaces {
     /// Voxels per edge that were averaged.
     coarsened: usize,
     /// What is left of measuring them.
-    run: Run,
+    work: Work,
 }
 
 /// Both surfaces on as many voxels as distances are taken on; `None` when one of them is empty.
@@ -223,13 +223,13 @@ fn surfaces(print: &Print<'_>, most_voxels: usize) -> Option<Surfaces> {
     let threshold = print.gel_threshold()?;
     let grid = print.grid();
     let mut coarsened = (1..).find(|f| grid.len() / (f * f * f) <= most_voxels)?;
-    let run = print.run().part(MEASURING);
+    let work = print.work().part(MEASURING);
     // A closed surface has twice as many triangles as corners
     let most = print.most_triangles() / 2;
     let (printed, target) = loop {
         let fill = |i, row: &mut [f32]| print.printed_row(i, threshold, row);
-        let printed = surface(grid, coarsened, threshold, fill, most, &run.part(FINDING));
-        let target = || (print.target_surface()).of(print, coarsened, most, &run.part(FINDING));
+        let printed = surface(grid, coarsened, threshold, fill, most, &work.part(FINDING));
+        let target = || (print.target_surface()).of(print, coarsened, most, &work.part(FINDING));
         if let Some(both) = printed.and_then(|printed| Some((printed, target()?))) {
             break both;
         }
@@ -240,7 +240,7 @@ fn surfaces(print: &Print<'_>, most_voxels: usize) -> Option<Surfaces> {
         printed,
         target,
         coarsened,
-        run,
+        work,
     })
 }
 
@@ -251,14 +251,14 @@ fn compared_on(print: &Print<'_>, most_voxels: usize) -> Option<Compared> {
         printed,
         target,
         coarsened,
-        run,
+        work,
     } = surfaces(print, most_voxels)?;
     let each = |surface: &Isosurface| surface.corners.len().div_ceil(print.most_corners()).max(1);
     let steps = [each(&printed), each(&target.surface)];
-    let mut samples = distances(&printed, &target.tree, steps[0], &run.part(NEAREST));
-    let of_print = TriangleTree::new(&printed, &run);
-    let back = distances(&target.surface, &of_print, steps[1], &run.part(NEAREST));
-    if run.is_canceled() {
+    let mut samples = distances(&printed, &target.tree, steps[0], &work.part(NEAREST));
+    let of_print = TriangleTree::new(&printed, &work);
+    let back = distances(&target.surface, &of_print, steps[1], &work.part(NEAREST));
+    if work.is_canceled() {
         return None;
     }
     let (of_print, of_target) = (largest(&samples)?, largest(&back)?);
@@ -350,14 +350,14 @@ fn surface(
     level: f64,
     fill: impl Fn(usize, &mut [f32]) + Sync,
     most: usize,
-    run: &Run,
+    work: &Work,
 ) -> Option<Isosurface> {
     if factor == 1 {
-        return isosurface_within(grid, level, fill, most, run);
+        return isosurface_within(grid, level, fill, most, work);
     }
-    let (coarse, values) = averaged(grid, factor, &fill, &run.part(0.7));
+    let (coarse, values) = averaged(grid, factor, &fill, &work.part(0.7));
     let fill = rows_of(&values);
-    isosurface_within(&coarse, level, fill, most, &run.part(0.3))
+    isosurface_within(&coarse, level, fill, most, &work.part(0.3))
 }
 
 /// Means over blocks of voxels; blocks at the far ends may be cut off.
@@ -365,7 +365,7 @@ fn averaged(
     grid: &VolumeGrid,
     factor: usize,
     fill: &(impl Fn(usize, &mut [f32]) + Sync),
-    run: &Run,
+    work: &Work,
 ) -> (VolumeGrid, Vec<f32>) {
     let shape = grid.shape.map(|n| n.div_ceil(factor));
     let pitch_mm = grid.pitch_mm * factor as f64;
@@ -379,7 +379,7 @@ fn averaged(
     };
     let range = |i: usize, axis: usize| i * factor..((i + 1) * factor).min(grid.shape[axis]);
     let mut values = vec![0.0; coarse.len()];
-    let planes = run.steps(shape[0]);
+    let planes = work.steps(shape[0]);
     values
         .chunks_mut(shape[1] * shape[2])
         .enumerate()
@@ -415,10 +415,10 @@ fn place(i: usize, step: usize) -> usize {
 }
 
 /// For one of every `step` corners of `from`: the distance to the triangles of a tree, mm, and its share of the area, mm².
-fn distances(from: &Isosurface, tree: &TriangleTree, step: usize, run: &Run) -> Vec<(f32, f64)> {
+fn distances(from: &Isosurface, tree: &TriangleTree, step: usize, work: &Work) -> Vec<(f32, f64)> {
     let own = 0..from.corners.len() / step;
     let own: Vec<usize> = own.map(|i| place(i, step)).collect();
-    let runs = run.steps(own.len().div_ceil(RUN));
+    let runs = work.steps(own.len().div_ceil(RUN));
     let areas = table(from.triangles.len(), |i| from.area_of(i) / 3.0);
     let mut weights = vec![0.0; from.corners.len()];
     for (triangle, area) in from.triangles.iter().zip(areas) {
@@ -581,7 +581,7 @@ mod tests {
                 *value = at(&grid, i);
             }
         };
-        let (coarse, values) = averaged(&grid, 2, &fill, &Run::new());
+        let (coarse, values) = averaged(&grid, 2, &fill, &Work::new());
         assert_eq!(coarse.shape, [2, 3, 4]);
         for (i, value) in values.iter().enumerate() {
             assert!((value - at(&coarse, i)).abs() < 1e-3);

@@ -183,7 +183,7 @@ mod tests {
     use super::*;
     use crate::planner::{ModelPlan, plan};
     use crate::rays::Optics;
-    use crate::{DoseModel, OpticalScene, Purpose, Run};
+    use crate::{DoseModel, OpticalScene, Purpose, Work};
     use tomolith_core::check;
     use tomolith_core::field::Field;
     use tomolith_core::grid::{PatternGrid, Patterns, Volume, VolumeGrid};
@@ -214,7 +214,7 @@ mod tests {
         let optics = [Optics::collimated(0.1), Optics::collimated(0.1)];
         let vial = IndexMatched { radius_mm: 2.0 };
         let scene = OpticalScene::new(&vial, lights, &optics, Purpose::Optimize);
-        plan(None, scene, &grid(), wanted, &Run::new()).unwrap()
+        plan(None, scene, &grid(), wanted, &Work::new()).unwrap()
     }
 
     fn grid() -> VolumeGrid {

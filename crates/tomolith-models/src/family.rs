@@ -8,7 +8,7 @@ use super::rays::Rays;
 use super::rays::matrix_cache::CachedEntries;
 use super::rays::solid::Solid;
 use super::scene::OpticalScene;
-use super::{DoseModel, Run};
+use super::{DoseModel, Work};
 use std::fmt;
 use std::sync::Arc;
 use tomolith_core::dose::form::Form;
@@ -152,7 +152,7 @@ pub struct ModelInput<'a> {
     /// What cuts them into cells; None: whole voxels.
     pub cells: Option<Arc<Solid>>,
     /// The run that building is a part of.
-    pub run: &'a Run,
+    pub work: &'a Work,
 }
 
 impl<'a> ModelInput<'a> {
@@ -160,13 +160,13 @@ impl<'a> ModelInput<'a> {
     ///
     /// # Errors
     /// As [`Solid::new`].
-    pub fn new(scene: OpticalScene<'a>, grid: &'a VolumeGrid, run: &'a Run) -> Result<Self> {
+    pub fn new(scene: OpticalScene<'a>, grid: &'a VolumeGrid, work: &'a Work) -> Result<Self> {
         let cells = scene.solid.map(|shape| Solid::new(shape, grid));
         Ok(ModelInput {
             scene,
             grid,
             cells: cells.transpose()?.map(Arc::new),
-            run,
+            work,
         })
     }
 

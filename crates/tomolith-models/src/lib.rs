@@ -30,7 +30,7 @@ pub use family::{
 };
 pub use scene::OpticalScene;
 pub use tomolith_core::dose::{
-    DoseLayout, DoseModel, PatternLayout, Quantity, Run, Steps, ZCoupling, cells, elements_of,
+    DoseLayout, DoseModel, PatternLayout, Quantity, Steps, Work, ZCoupling, cells, elements_of,
     frames_of, layout, own_frames,
 };
 

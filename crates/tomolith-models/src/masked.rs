@@ -8,7 +8,7 @@
 //! **Cost** a copy of the patterns per call, none where no pixel is dark and the factor is 1.
 
 use super::blurred::Spreads;
-use super::{DoseModel, HostModel, PatternLayout, Quantity, Run, elements_of, frames_of};
+use super::{DoseModel, HostModel, PatternLayout, Quantity, Work, elements_of, frames_of};
 use crate::several::SharedModel;
 use std::borrow::Cow;
 use std::ops::Range;
@@ -36,11 +36,11 @@ pub struct MaskedModel {
 pub fn pixels_through(
     model: &dyn DoseModel<Field = HostField>,
     places: &Volume<bool>,
-    run: &Run,
+    work: &Work,
 ) -> Result<Vec<bool>> {
     if model.of_light(0).is_some() {
         let lights = (0..model.patterns().len()).filter_map(|i| model.of_light(i));
-        let through: Result<Vec<_>> = lights.map(|l| pixels_through(&*l, places, run)).collect();
+        let through: Result<Vec<_>> = lights.map(|l| pixels_through(&*l, places, work)).collect();
         return through.map(|lights| lights.concat());
     }
     let marks = Volume::new(
@@ -56,7 +56,7 @@ pub fn pixels_through(
         marked.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&marks));
     }
     let mut light = model.new_patterns()?;
-    model.pullback(&light.zeros_like(), &marked, &mut light, run)?;
+    model.pullback(&light.zeros_like(), &marked, &mut light, work)?;
     Ok(table(light.len(), |i| light.as_slice()[i] > 0.0))
 }
 
@@ -158,10 +158,10 @@ pub fn darken(x: &mut [f32], dark: &[bool]) {
 }
 
 impl Renewal<HostField> for MaskedModel {
-    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
+    fn renew(&self, iteration: usize, x: &HostField, work: &Work) -> Result<bool> {
         let renewal = self.model.renewal();
         renewal.map_or(Ok(false), |model| {
-            model.renew(iteration, &*self.lit(&self.all(), x)?, run)
+            model.renew(iteration, &*self.lit(&self.all(), x)?, work)
         })
     }
 
@@ -210,8 +210,8 @@ impl DoseModel for MaskedModel {
         self.model.renewal().map(|_| self as _)
     }
 
-    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
-        self.model.dose(&*self.lit(&self.all(), x)?, dose, run)
+    fn dose(&self, x: &HostField, dose: &mut HostField, work: &Work) -> Result<()> {
+        self.model.dose(&*self.lit(&self.all(), x)?, dose, work)
     }
 
     fn pullback_of(
@@ -220,16 +220,16 @@ impl DoseModel for MaskedModel {
         x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let lit = self.lit(&frames, x)?;
         if let Some(spreads) = &self.spreads {
             let mut back = lit.zeros_like();
-            (self.model).pullback_of(frames.clone(), &lit, cotangent, &mut back, run)?;
+            (self.model).pullback_of(frames.clone(), &lit, cotangent, &mut back, work)?;
             let from = (self.model.patterns(), back.as_slice());
             spreads.carry(&frames, from, (&spreads.patterns, grad.as_mut_slice()), -1);
         } else {
-            (self.model).pullback_of(frames.clone(), &lit, cotangent, grad, run)?;
+            (self.model).pullback_of(frames.clone(), &lit, cotangent, grad, work)?;
         }
         for (range, _) in elements_of(self.patterns(), &frames) {
             self.dim(range, grad);
@@ -242,15 +242,15 @@ impl DoseModel for MaskedModel {
         frames: Range<usize>,
         x: &HostField,
         dose: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let lit = self.lit(&frames, x)?;
-        self.model.dose_of(frames, &lit, dose, run)
+        self.model.dose_of(frames, &lit, dose, work)
     }
 
-    fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
+    fn along(&self, x: &HostField, d: &HostField, work: &Work) -> Result<Option<Vec<HostField>>> {
         let [x, d] = [self.lit(&self.all(), x)?, self.lit(&self.all(), d)?];
-        self.model.along(&x, &d, run)
+        self.model.along(&x, &d, work)
     }
 
     /// None of spread light.
@@ -304,9 +304,9 @@ impl Regions<HostField> for MaskedModel {
         self.own_regions().holds_any(field, chosen)
     }
 
-    fn bounds(&self, x: &HostField, step: &HostField, run: &Run) -> Result<Vec<f32>> {
+    fn bounds(&self, x: &HostField, step: &HostField, work: &Work) -> Result<Vec<f32>> {
         let [x, step] = [self.masked(x), self.masked(step)];
-        self.own_regions().bounds(&x, &step, run)
+        self.own_regions().bounds(&x, &step, work)
     }
 
     fn dose_in(
@@ -314,10 +314,10 @@ impl Regions<HostField> for MaskedModel {
         chosen: &[bool],
         x: &HostField,
         dose: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let x = self.masked(x);
-        self.own_regions().dose_in(chosen, &x, dose, run)
+        self.own_regions().dose_in(chosen, &x, dose, work)
     }
 }
 
@@ -358,9 +358,9 @@ mod tests {
     #[test]
     fn no_light_reaches_the_places_that_are_to_stay_dark_and_all_other_light_is_left() {
         let model = model();
-        let run = Run::new();
+        let work = Work::new();
         let places = block(&model.outputs()[0].grid);
-        let dark = pixels_through(model.as_ref(), &places, &run).unwrap();
+        let dark = pixels_through(model.as_ref(), &places, &work).unwrap();
         // A block 0.2 mm wide and three rows high: 3 to 5 columns of 20, at three heights (or four, cut) of 12
         let share = dark.iter().filter(|d| **d).count();
         assert!((8 * 3 * 3..=8 * 4 * 5).contains(&share), "{share}");
@@ -383,7 +383,7 @@ mod tests {
         let one = dark.iter().position(|d| *d).unwrap();
         let mut single = darkened.new_patterns().unwrap();
         single.as_mut_slice()[one] = 1.0;
-        darkened.model.dose(&single, &mut dose, &run).unwrap();
+        darkened.model.dose(&single, &mut dose, &work).unwrap();
         let lit = layout.volume_of(dose.as_slice());
         assert!(
             places
@@ -409,7 +409,7 @@ mod tests {
 
     #[test]
     fn marks_and_factor_are_one_mask() {
-        let (run, pixels) = (Run::new(), model().new_patterns().unwrap().len());
+        let (work, pixels) = (Work::new(), model().new_patterns().unwrap().len());
         let marks = |every: usize| (0..pixels).map(|i| i % every == 0).collect::<Vec<_>>();
         let nested: HostModel = Box::new(MaskedModel::new(model(), marks(3), 0.453));
         let nested = MaskedModel::new(nested, marks(5), 1.0);
@@ -418,8 +418,8 @@ mod tests {
         assert!(one.dark.iter().copied().eq(either));
         let x = HostField::from_slice(&check::noise(4, pixels));
         let mut dose = [one.new_dose().unwrap(), one.new_dose().unwrap()];
-        one.dose(&x, &mut dose[0], &run).unwrap();
-        nested.dose(&x, &mut dose[1], &run).unwrap();
+        one.dose(&x, &mut dose[0], &work).unwrap();
+        nested.dose(&x, &mut dose[1], &work).unwrap();
         assert_eq!(dose[0].as_slice(), dose[1].as_slice());
         check::model::model(&one, 5).unwrap();
     }
@@ -430,7 +430,7 @@ mod tests {
         let dark = pixels_through(
             model.as_ref(),
             &block(&model.outputs()[0].grid),
-            &Run::new(),
+            &Work::new(),
         )
         .unwrap();
         check::model::model(&MaskedModel::new(model, dark.clone(), 1.0), 5).unwrap();

@@ -36,14 +36,14 @@
 //! let mut x = model.new_patterns().unwrap();
 //! x.fill(2.0);
 //! let mut dose = model.new_dose().unwrap();
-//! model.dose(&x, &mut dose, &Run::new()).unwrap();
+//! model.dose(&x, &mut dose, &Work::new()).unwrap();
 //! let volume = model.outputs()[0].volume_of(dose.as_slice());
 //! assert_eq!(volume.values[..6], [1.0, 0.5, 2.0, 1.0, 0.5, 2.0]); // two slices of four
 //! ```
 
 use super::{
     Capabilities, DoseLayout, DoseModel, HostModel, MakeFamily, ModelFamily, ModelInput, ModelKind,
-    OpticalScene, PatternLayout, Quantity, Run, ZCoupling, elements_of,
+    OpticalScene, PatternLayout, Quantity, Work, ZCoupling, elements_of,
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -298,7 +298,7 @@ fn depth(matrix: &Csr, pixels: &[PatternGrid], grid: &VolumeGrid) -> Result<usiz
 ///
 /// # Errors
 /// [`Error::Unsupported`] when the model is not linear or has several species; [`Error::Canceled`].
-pub fn matrix_of(model: &dyn DoseModel<Field = HostField>, run: &Run) -> Result<Csr> {
+pub fn matrix_of(model: &dyn DoseModel<Field = HostField>, work: &Work) -> Result<Csr> {
     let refused = |reason: &str| Err(Error::unsupported("a matrix of this model", reason));
     if !model.is_linear() {
         return refused("its dose is not linear in the patterns");
@@ -308,7 +308,7 @@ pub fn matrix_of(model: &dyn DoseModel<Field = HostField>, run: &Run) -> Result<
     };
     let mut impulses = Impulses::new(model, output)?;
     let frames: usize = model.patterns().iter().map(|p| p.grid.frames()).sum();
-    let (steps, aside) = (run.steps(frames), run.aside());
+    let (steps, aside) = (work.steps(frames), work.aside());
     let mut first_frame = 0;
     let mut first_pixel = 0;
     for layout in model.patterns() {
@@ -346,9 +346,9 @@ pub fn matrix_of(model: &dyn DoseModel<Field = HostField>, run: &Run) -> Result<
 pub fn export(
     model: &dyn DoseModel<Field = HostField>,
     path: &Path,
-    run: &Run,
+    work: &Work,
 ) -> Result<[usize; 3]> {
-    let csr = matrix_of(model, run)?;
+    let csr = matrix_of(model, work)?;
     csr.write(path)?;
     Ok([csr.rows(), csr.columns, csr.entries()])
 }
@@ -379,7 +379,7 @@ impl<'m> Impulses<'m> {
         frame_of_all: usize,
         [frame, column]: [usize; 2],
         first_pixel: usize,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let grid = &layout.grid;
         let pixels = layout.runs[frame * grid.columns + column];
@@ -395,7 +395,12 @@ impl<'m> Impulses<'m> {
                 self.x.as_mut_slice()[pixels.offset + i] = 1.0;
             }
             self.dose.fill(0.0);
-            model.dose_of(frame_of_all..frame_of_all + 1, &self.x, &mut self.dose, run)?;
+            model.dose_of(
+                frame_of_all..frame_of_all + 1,
+                &self.x,
+                &mut self.dose,
+                work,
+            )?;
             for &i in &lit {
                 self.x.as_mut_slice()[pixels.offset + i] = 0.0;
             }
@@ -528,7 +533,7 @@ impl DoseModel for MatrixModel {
         frames: Range<usize>,
         x: &HostField,
         dose: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let range = self.elements_of(&frames);
         let layout = &self.output;
@@ -536,14 +541,14 @@ impl DoseModel for MatrixModel {
         let x = x.as_slice();
         let dose = &mut dose.as_mut_slice()[layout.range()];
         lines(dose, layout.row, |place, lanes| {
-            if run.is_canceled() {
+            if work.is_canceled() {
                 return;
             }
             for (i, out) in lanes.chunks_mut(self.depth).take(items).enumerate() {
                 self.forward.add(place * items + i, x, &range, out);
             }
         });
-        run.check()
+        work.check()
     }
 
     fn pullback_of(
@@ -552,7 +557,7 @@ impl DoseModel for MatrixModel {
         _x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let (cotangent, all) = (cotangent.as_slice(), 0..usize::MAX);
         let ranks = CHUNK.div_ceil(self.depth);
@@ -562,7 +567,7 @@ impl DoseModel for MatrixModel {
             .chunks_mut(ranks * self.depth)
             .enumerate()
             .par_each(|(chunk, grad)| {
-                if run.is_canceled() {
+                if work.is_canceled() {
                     return;
                 }
                 grad.fill(0.0);
@@ -571,7 +576,7 @@ impl DoseModel for MatrixModel {
                     self.adjoint.add(rank, cotangent, &all, out);
                 }
             });
-        run.check()
+        work.check()
     }
 
     fn updates(&self) -> u64 {
@@ -645,7 +650,7 @@ mod tests {
         let grid = VolumeGrid::centered([5, 9, 8], 0.3);
         let pixels = lights.iter().map(|light| light.pixels.clone()).collect();
         let model = Parallel::new(&vial, lights, grid.clone()).unwrap();
-        let matrix = matrix_of(&model, &Run::new()).unwrap();
+        let matrix = matrix_of(&model, &Work::new()).unwrap();
         let matrix = MatrixModel::new(&matrix, pixels, grid).unwrap();
         must_equal(&matrix, &model);
         check::model::model(&matrix, 5).unwrap();
@@ -665,7 +670,7 @@ mod tests {
             let grid = VolumeGrid::centered([nz, 11, 13], 0.2);
             Parallel::new(&vial, vec![light(nz)], grid).unwrap()
         };
-        let csr = matrix_of(&model(1), &Run::new()).unwrap();
+        let csr = matrix_of(&model(1), &Work::new()).unwrap();
         let whole = model(19);
         let pixels = vec![light(19).pixels];
         let matrix = MatrixModel::new(&csr, pixels, whole.outputs()[0].grid.clone()).unwrap();

@@ -181,7 +181,7 @@ impl ModelFamily for Params {
         let params = self.for_purpose(&input.scene);
         let (model, straight) = (params.made(input, model)?, params.made(input, straight)?);
         let light = (input.scene.lights, input.scene.optics);
-        model.to_path_form(&straight, light, &limits(&params), input.run)
+        model.to_path_form(&straight, light, &limits(&params), input.work)
     }
 
     fn unscattered(&self, input: &ModelInput<'_>) -> Result<HostModel> {
@@ -189,7 +189,7 @@ impl ModelFamily for Params {
     }
 
     fn unscattered_form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
-        self.made(input, straight)?.to_form(input.run)
+        self.made(input, straight)?.to_form(input.work)
     }
 
     fn rays(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Option<Result<Rays>> {

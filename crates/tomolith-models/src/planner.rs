@@ -8,7 +8,7 @@ use super::masked::MaskedModel;
 use super::selection::{chosen, contributions, layouts, narrow};
 use super::{
     DoseModel, Family, HostModel, MODELS, ModelFamily, ModelInput, OpticalScene, Purpose, Refines,
-    Run,
+    Work,
 };
 use std::sync::Arc;
 use tomolith_core::dose::form::Form;
@@ -108,10 +108,10 @@ pub fn plan(
     scene: OpticalScene<'_>,
     grid: &VolumeGrid,
     wanted: Option<&Volume<u8>>,
-    run: &Run,
+    work: &Work,
 ) -> Result<ModelPlan> {
     let family = choose(asked, &scene, grid)?;
-    let input = ModelInput::new(scene, grid, run)?;
+    let input = ModelInput::new(scene, grid, work)?;
     if family.capabilities().is_stored {
         return stored(family.as_ref(), &input, wanted);
     }
@@ -127,7 +127,7 @@ pub fn plan(
             &|input| family.unscattered_form(input),
             &|input| family.unscattered(input),
         )?;
-        let brought = contributions(unscattered.as_ref(), wanted, run)?;
+        let brought = contributions(unscattered.as_ref(), wanted, work)?;
         dark = narrow(
             &mut lights,
             unscattered.patterns(),
@@ -172,7 +172,7 @@ fn built(
         return build(input);
     };
     let form = form(input)?;
-    let there = form.map(|form| accelerator.model(&form, input.run));
+    let there = form.map(|form| accelerator.model(&form, input.work));
     match there.transpose()?.flatten() {
         Some(model) => Ok(model),
         None => build(input),
@@ -190,7 +190,7 @@ fn stored(
     let mut dark = Vec::new();
     if lights.iter().any(|light| light.selection.is_any()) {
         let selections: Vec<_> = lights.iter().map(|l| l.selection.clone()).collect();
-        let brought = wanted.map(|wanted| contributions(model.as_ref(), wanted, input.run));
+        let brought = wanted.map(|wanted| contributions(model.as_ref(), wanted, input.work));
         let brought = brought.transpose()?;
         let brought = brought.as_ref().map(HostField::as_slice);
         dark = chosen(model.patterns(), &selections, brought)
@@ -254,7 +254,7 @@ mod tests {
         let grid = VolumeGrid::centered([6, 8, 8], 0.1);
         let lights = &[light];
         let scene = OpticalScene { lights, ..scene };
-        match plan(asked, scene, &grid, None, &Run::new()) {
+        match plan(asked, scene, &grid, None, &Work::new()) {
             Ok(plan) => plan.reason,
             Err(Error::Config { key, .. }) => key,
             Err(other) => panic!("{other}"),
@@ -266,7 +266,7 @@ mod tests {
     struct TooSmall;
 
     impl Accelerator for TooSmall {
-        fn model(&self, _: &Form, _: &Run) -> Result<Option<HostModel>> {
+        fn model(&self, _: &Form, _: &Work) -> Result<Option<HostModel>> {
             Ok(None)
         }
     }
@@ -342,7 +342,7 @@ mod tests {
             lights: &[light()],
             ..around(&level, None)
         };
-        let planned = |asked: Option<&Family>| plan(asked, scene, &grid, None, &Run::new());
+        let planned = |asked: Option<&Family>| plan(asked, scene, &grid, None, &Work::new());
         assert!(planned(None).unwrap().reason.starts_with("parallel"));
         let families: [Family; 4] = [
             Arc::new(rays::Params::default()),
@@ -370,7 +370,7 @@ mod tests {
             ..incoherent_cone::Params::default()
         });
         for family in [wave, spread] {
-            let plan = plan(Some(&family), scene, &grid, None, &Run::new());
+            let plan = plan(Some(&family), scene, &grid, None, &Work::new());
             let straight = plan.unwrap().surrogate.unwrap();
             // One pixel meets the voxels of a chord, of the one height of its row: cones and waves meet others, too
             let mut x = straight.new_patterns().unwrap();
@@ -404,7 +404,7 @@ mod tests {
                 probe_failed: off,
                 ..around(&optics, None)
             };
-            let plan = plan(None, scene, &grid, Some(&wanted), &Run::new()).unwrap();
+            let plan = plan(None, scene, &grid, Some(&wanted), &Work::new()).unwrap();
             (plan.model.patterns()[0].len(), plan.reason)
         };
         let pixels = |phase, leaning| planned(phase, leaning, None);
@@ -539,7 +539,7 @@ mod tests {
             ..around(&optics, Some(&ball))
         };
         let nothing = Volume::filled(grid.clone(), 0u8);
-        let plan = plan(None, scene, &grid, Some(&nothing), &Run::new()).unwrap();
+        let plan = plan(None, scene, &grid, Some(&nothing), &Work::new()).unwrap();
         let layout = &plan.model.outputs()[0];
         assert_eq!(layout.cells.as_ref().map(|cells| cells.len()), Some(8));
         // In six frames the columns and rows at ±0.05 mm, with rays at ±0.025 and ±0.075, meet the ball

@@ -12,7 +12,7 @@
 //! them that are not are held dark ([`MaskedModel`](super::masked::MaskedModel)): they have no effect and no derivative.
 
 use super::layout::{PatternLayout, PixelRun};
-use super::{DoseModel, Run};
+use super::{DoseModel, Work};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::Volume;
@@ -27,7 +27,7 @@ use tomolith_optics::light::{Light, Selection};
 pub fn contributions(
     model: &dyn DoseModel<Field = HostField>,
     wanted: &Volume<u8>,
-    run: &Run,
+    work: &Work,
 ) -> Result<HostField> {
     let mut marked = model.new_dose()?;
     for layout in model.outputs() {
@@ -47,7 +47,7 @@ pub fn contributions(
     }
     let mut seen = model.new_patterns()?;
     let dark = seen.zeros_like();
-    model.pullback(&dark, &marked, &mut seen, run)?;
+    model.pullback(&dark, &marked, &mut seen, work)?;
     Ok(seen)
 }
 
@@ -223,9 +223,9 @@ mod tests {
                 });
             }
             let planned = |light: Light| {
-                let (lights, run) = (&[light], Run::new());
+                let (lights, work) = (&[light], Work::new());
                 let scene = scene(lights, &optics);
-                planner::plan(Some(&family), scene, &grid, Some(&part), &run).unwrap()
+                planner::plan(Some(&family), scene, &grid, Some(&part), &work).unwrap()
             };
             let plain = planned(light.clone());
             light.selection.masks = vec![mask()];
@@ -271,13 +271,13 @@ mod tests {
         let all = Parallel::new(&VIAL, vec![light()], grid.clone()).unwrap();
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("matrix.npz");
-        matrix::export(&all, &file, &Run::new()).unwrap();
+        matrix::export(&all, &file, &Work::new()).unwrap();
         let optics = [Optics::collimated(0.1)];
         let mut light = light();
         light.selection.masks = vec![mask()];
         let family: Family = Arc::new(matrix::Params { file });
-        let (scene, run) = (scene(std::slice::from_ref(&light), &optics), Run::new());
-        let plan = planner::plan(Some(&family), scene, &grid, None, &run).unwrap();
+        let (scene, work) = (scene(std::slice::from_ref(&light), &optics), Work::new());
+        let plan = planner::plan(Some(&family), scene, &grid, None, &work).unwrap();
         let mut c = plan.model.new_dose().unwrap();
         c.fill(1.0);
         let x = check::adjoint(&plan.model, &c);
@@ -296,7 +296,7 @@ mod tests {
         let grid = VolumeGrid::centered([8, 8, 8], 0.15);
         let part = part(&grid);
         let all = Parallel::new(&VIAL, vec![light()], grid.clone()).unwrap();
-        let brought = contributions(&all, &part, &Run::new()).unwrap();
+        let brought = contributions(&all, &part, &Work::new()).unwrap();
         let best = brought.as_slice().iter().copied().fold(0.0, f32::max);
         let mut lit = Vec::new();
         for least in [0.0, 0.3, 0.999] {

@@ -4,7 +4,7 @@
 //! Each model has its patterns, which are those of some of the joint lights, and its dose q. The joint doses are r = M q, with a row of M per
 //! output and a column per model.
 
-use crate::{DoseLayout, DoseModel, PatternLayout, Run, ZCoupling, elements_of, frames_of};
+use crate::{DoseLayout, DoseModel, PatternLayout, Work, ZCoupling, elements_of, frames_of};
 use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::dose::layout::PixelRun;
@@ -36,8 +36,8 @@ fn add_scaled(sum: &mut [f32], m: f32, v: &[f32]) {
 
 impl Several {
     /// The part of a run that one of the models has.
-    fn part(&self, run: &Run) -> Run {
-        run.part(1.0 / self.models.len() as f64)
+    fn part(&self, work: &Work) -> Work {
+        work.part(1.0 / self.models.len() as f64)
     }
 
     /// The models that show some of the joint frames, and which of their own frames these are.
@@ -110,11 +110,11 @@ impl Several {
 }
 
 impl Renewal<HostField> for Several {
-    fn renew(&self, iteration: usize, x: &HostField, run: &Run) -> Result<bool> {
+    fn renew(&self, iteration: usize, x: &HostField, work: &Work) -> Result<bool> {
         let mut any = false;
         for (k, model) in self.models.iter().enumerate() {
             if let Some(model) = model.renewal() {
-                any |= model.renew(iteration, &self.shown(k, x)?, run)?;
+                any |= model.renew(iteration, &self.shown(k, x)?, work)?;
             }
         }
         Ok(any)
@@ -137,11 +137,11 @@ impl DoseModel for Several {
         Ok(self.facts().host_field(space))
     }
 
-    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
+    fn dose(&self, x: &HostField, dose: &mut HostField, work: &Work) -> Result<()> {
         dose.fill(0.0);
         let mut q = self.models[0].new_dose()?;
         for (k, model) in self.models.iter().enumerate() {
-            model.dose(&self.shown(k, x)?, &mut q, &self.part(run))?;
+            model.dose(&self.shown(k, x)?, &mut q, &self.part(work))?;
             self.add(k, &q, dose);
         }
         Ok(())
@@ -152,12 +152,12 @@ impl DoseModel for Several {
         frames: Range<usize>,
         x: &HostField,
         dose: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let mut q = self.models[0].new_dose()?;
         for (k, own) in self.parts(&frames) {
             q.fill(0.0);
-            self.models[k].dose_of(own, &self.shown(k, x)?, &mut q, &self.part(run))?;
+            self.models[k].dose_of(own, &self.shown(k, x)?, &mut q, &self.part(work))?;
             self.add(k, &q, dose);
         }
         Ok(())
@@ -169,7 +169,7 @@ impl DoseModel for Several {
         x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         for (range, _) in elements_of(&self.patterns, &frames) {
             grad.as_mut_slice()[range].fill(0.0);
@@ -177,7 +177,7 @@ impl DoseModel for Several {
         let mut c = self.models[0].new_dose()?;
         for (k, own) in self.parts(&frames) {
             self.split(k, cotangent, &mut c);
-            let (model, part) = (&self.models[k], self.part(run));
+            let (model, part) = (&self.models[k], self.part(work));
             let mut back = model.new_patterns()?;
             model.pullback_of(own, &self.shown(k, x)?, &c, &mut back, &part)?;
             self.gather(k, &back, grad);
@@ -186,11 +186,11 @@ impl DoseModel for Several {
     }
 
     /// The joint dose, power by power; None where one of the models has none.
-    fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
+    fn along(&self, x: &HostField, d: &HostField, work: &Work) -> Result<Option<Vec<HostField>>> {
         let mut all: Vec<HostField> = Vec::new();
         for (k, model) in self.models.iter().enumerate() {
             let [x, d] = [self.shown(k, x)?, self.shown(k, d)?];
-            let Some(powers) = model.along(&x, &d, run)? else {
+            let Some(powers) = model.along(&x, &d, work)? else {
                 return Ok(None);
             };
             for (power, q) in powers.iter().enumerate() {

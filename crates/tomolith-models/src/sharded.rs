@@ -13,7 +13,7 @@
 //! dose is a sum over frames. Every rank makes the same calls; where one of them fails, all do ([`together`]).
 
 use crate::several::SharedModel;
-use crate::{DoseModel, Run};
+use crate::{DoseModel, Work};
 use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::dose::{Facts, Renewal, Space};
@@ -75,8 +75,8 @@ impl DoseModel for Sharded {
         self.model.renewal()
     }
 
-    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
-        let done = self.model.dose(x, dose, run);
+    fn dose(&self, x: &HostField, dose: &mut HostField, work: &Work) -> Result<()> {
+        let done = self.model.dose(x, dose, work);
         self.add_up(done, dose)
     }
 
@@ -85,10 +85,10 @@ impl DoseModel for Sharded {
         frames: Range<usize>,
         x: &HostField,
         dose: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let mut of_frames = dose.zeros_like();
-        let done = self.model.dose_of(frames, x, &mut of_frames, run);
+        let done = self.model.dose_of(frames, x, &mut of_frames, work);
         self.add_up(done, &mut of_frames)?;
         dose.axpy(1.0, &of_frames);
         Ok(())
@@ -100,14 +100,14 @@ impl DoseModel for Sharded {
         x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
-        let done = self.model.pullback_of(frames, x, cotangent, grad, run);
+        let done = self.model.pullback_of(frames, x, cotangent, grad, work);
         together(self.ranks.as_ref(), done)
     }
 
-    fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
-        let own = self.model.along(x, d, run);
+    fn along(&self, x: &HostField, d: &HostField, work: &Work) -> Result<Option<Vec<HostField>>> {
+        let own = self.model.along(x, d, work);
         let mut curve = together(self.ranks.as_ref(), own)?;
         for coefficient in curve.iter_mut().flatten() {
             self.ranks.all_reduce_f32(coefficient.as_mut_slice());

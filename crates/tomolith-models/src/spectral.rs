@@ -104,7 +104,7 @@ pub fn mixed(lights: Vec<HostModel>, species: &[(String, Vec<f64>)]) -> Result<S
 mod tests {
     use super::*;
     use crate::parallel::Parallel;
-    use crate::{DoseModel, Run};
+    use crate::{DoseModel, Work};
     use tomolith_core::check;
     use tomolith_core::field::{Field, HostField};
     use tomolith_core::grid::{PatternGrid, VolumeGrid};
@@ -135,7 +135,7 @@ mod tests {
 
     #[test]
     fn each_species_gets_what_its_row_says() {
-        let (model, run) = (mixing(), Run::new());
+        let (model, work) = (mixing(), Work::new());
         let mut x = model.new_patterns().unwrap();
         let noise = check::noise(3, x.len());
         x.as_mut_slice()
@@ -148,7 +148,7 @@ mod tests {
                 let light = model.of_light(i).unwrap();
                 let mut q = light.new_dose().unwrap();
                 let own = model.shown(i, &x).unwrap();
-                light.dose(&own, &mut q, &run).unwrap();
+                light.dose(&own, &mut q, &work).unwrap();
                 q
             })
             .collect();
@@ -160,8 +160,8 @@ mod tests {
         }
         // All frames of both lights, in two parts that cut through the second light
         let mut parts = model.new_dose().unwrap();
-        model.dose_of(0..8, &x, &mut parts, &run).unwrap();
-        model.dose_of(8..15, &x, &mut parts, &run).unwrap();
+        model.dose_of(0..8, &x, &mut parts, &work).unwrap();
+        model.dose_of(8..15, &x, &mut parts, &work).unwrap();
         let worst = parts.as_slice().iter().zip(dose.as_slice());
         let worst = worst.map(|(a, b)| (a - b).abs()).fold(0.0, f32::max);
         assert!(worst < 1e-5, "{worst}");

@@ -15,8 +15,8 @@ use super::vial::{CrossSection, PlaneCrossing};
 use std::sync::Arc;
 use tomolith_core::boxes::{AlignedBox, BoxTree};
 use tomolith_core::error::{Error, Result};
-use tomolith_core::run::Run;
 use tomolith_core::vector::{cross, dot, minus, unit};
+use tomolith_core::work::Work;
 use tomolith_io::mesh::Mesh;
 
 /// A closed surface.
@@ -227,7 +227,7 @@ impl Net {
         let boxes: Vec<AlignedBox> = (0..mesh.triangles.len())
             .map(|i| AlignedBox::around(corners(i), TOUCH))
             .collect();
-        let tree = BoxTree::of(&boxes, &Run::new());
+        let tree = BoxTree::of(&boxes, &Work::new());
         let order = tree.order().iter();
         let triangles = order.map(|&i| Corners(corners(i as usize))).collect();
         Ok(Net { triangles, tree })

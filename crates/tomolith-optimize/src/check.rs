@@ -7,7 +7,7 @@ use std::path::Path;
 use std::sync::Arc;
 use tomolith_core::check::small::SmallModel;
 use tomolith_core::check::{dose, even_patterns, noisy_patterns, on_threads};
-use tomolith_core::dose::Run;
+use tomolith_core::dose::Work;
 use tomolith_core::error::Error;
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::response::Identity;
@@ -86,7 +86,7 @@ impl TestProblem {
         iterations: usize,
         checkpoints: Option<&mut Checkpoints>,
     ) -> Result<Done, String> {
-        let run_flag = Run::new();
+        let run_flag = Work::new();
         let mut optimizer = method.make().map_err(text)?;
         let monotone = optimizer.is_monotone();
         let mut problem =

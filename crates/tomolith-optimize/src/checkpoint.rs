@@ -3,7 +3,7 @@
 //! One file, `state.safetensors`, holds the arrays and, as JSON under the key `tomolith` of its header, everything else. It is
 //! written aside and renamed, so it is always whole: a kill at any moment leaves the old one or the new one.
 //!
-//! A request to stop ends the writing, too, when the run's [patience](Run::PATIENCE) does: the checkpoint that stands stays. A last
+//! A request to stop ends the writing, too, when the run's [patience](Work::PATIENCE) does: the checkpoint that stands stays. A last
 //! one is written where it is expected to be done by then; where none stands, one of the patterns alone is.
 //!
 //! `contents = "all"` holds patterns, dose and the optimizer's memory: the resumed run has the bits of the uninterrupted one.
@@ -32,8 +32,8 @@ use std::time::{Duration, Instant};
 use tomolith_core::error::{Error, Result, above_zero};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::ranks::{Shares, together};
-use tomolith_core::run::Run;
 use tomolith_core::units::exact;
+use tomolith_core::work::Work;
 use tomolith_io::{open_regular, write_whole_under};
 
 /// What a checkpoint holds.
@@ -310,14 +310,14 @@ impl Checkpoints {
     pub(super) fn try_write<F: Field>(
         &mut self,
         saved: Saved<'_, F>,
-        run: &Run,
+        work: &Work,
     ) -> Result<Option<DiskSpace>> {
-        let contents = match run.is_stop_asked() {
-            true => self.contents_within(run.patience_left(), &saved),
+        let contents = match work.is_stop_asked() {
+            true => self.contents_within(work.patience_left(), &saved),
             false => Some(self.contents),
         };
         let written = match contents {
-            Some(contents) => self.write(saved, contents, run),
+            Some(contents) => self.write(saved, contents, work),
             None => Err(Error::Canceled),
         };
         let settled = self.settle(written);
@@ -349,7 +349,7 @@ impl Checkpoints {
         &mut self,
         saved: Saved<'_, F>,
         contents: Contents,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let begin = Instant::now();
         let held = bytes(&saved, contents);
@@ -375,7 +375,7 @@ impl Checkpoints {
                     let array = SavedArray::of_field(field);
                     ((*name).to_owned(), array)
                 });
-                self.write_file(&header, arrays.collect(), &check, run)?;
+                self.write_file(&header, arrays.collect(), &check, work)?;
             }
             None => {
                 let patterns = SavedArray::of_field(saved.patterns);
@@ -393,7 +393,7 @@ impl Checkpoints {
                     let memory = saved.memory.arrays.into_iter();
                     arrays.extend(memory.map(|(name, array)| (format!("memory.{name}"), array)));
                 }
-                self.write_file(&header, arrays, &check, run)?;
+                self.write_file(&header, arrays, &check, work)?;
             }
         }
         self.written = Some((begin.elapsed(), held));
@@ -438,7 +438,7 @@ impl Checkpoints {
         header: &Header,
         arrays: Vec<(String, SavedArray)>,
         check: &dyn Fn() -> Result<()>,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let file = self.file();
         std::fs::create_dir_all(&self.folder).map_err(|e| Error::io(&self.folder, e))?;
@@ -468,7 +468,7 @@ impl Checkpoints {
         let mut text = serde_json::to_vec(&metadata).map_err(|e| damaged(&file, &e.to_string()))?;
         // The format aligns its arrays
         text.resize(text.len().next_multiple_of(8), b' ');
-        write_whole_under(&file, (&run.aside(), bytes), |file| {
+        write_whole_under(&file, (&work.aside(), bytes), |file| {
             file.write_all(&(text.len() as u64).to_le_bytes())?;
             file.write_all(&text)?;
             let mut sums = vec![checksum(&text)];
@@ -851,7 +851,7 @@ mod tests {
     }
 
     /// Writes a checkpoint whose values are the number of its iteration; the last array does something when its turn comes.
-    fn write(checkpoints: &mut Checkpoints, run: &Run, iteration: usize, at_last: impl Fn()) {
+    fn write(checkpoints: &mut Checkpoints, work: &Work, iteration: usize, at_last: impl Fn()) {
         let history = [Row {
             loss: 1.0,
             ..Row::at(iteration)
@@ -871,7 +871,7 @@ mod tests {
             numbers: Value::Null,
             arrays: vec![("pairs".to_owned(), array)],
         };
-        let written = checkpoints.try_write(of_field(&field, &history, memory), run);
+        let written = checkpoints.try_write(of_field(&field, &history, memory), work);
         assert!(matches!(written, Ok(None)));
     }
 
@@ -896,22 +896,22 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let new = || Checkpoints::new(folder.path(), 0, &Params::default()).unwrap();
         let mut checkpoints = new();
-        let run = Run::with_patience(Duration::ZERO);
-        run.set_patient(true);
-        write(&mut checkpoints, &run, 1, || ());
+        let work = Work::with_patience(Duration::ZERO);
+        work.set_patient(true);
+        write(&mut checkpoints, &work, 1, || ());
         assert_eq!(standing(&checkpoints), Some((1, Contents::All)));
         // The request comes when two thirds of the arrays are on the disk
-        write(&mut checkpoints, &run, 2, || {
-            run.cancel();
+        write(&mut checkpoints, &work, 2, || {
+            work.cancel();
         });
         assert_eq!(standing(&checkpoints), Some((1, Contents::All)));
         // There is no time for a last one, nor need: one stands
-        write(&mut checkpoints, &run, 3, || ());
+        write(&mut checkpoints, &work, 3, || ());
         assert_eq!(standing(&checkpoints), Some((1, Contents::All)));
         // What a killed run left behind goes with the next
         let left = format!(".{CHECKPOINT}.1-1.partial");
         std::fs::write(folder.path().join(left), "half").unwrap();
-        write(&mut checkpoints, &Run::new(), 4, || ());
+        write(&mut checkpoints, &Work::new(), 4, || ());
         assert_eq!(standing(&checkpoints), Some((4, Contents::All)));
     }
 
@@ -923,10 +923,10 @@ mod tests {
         let last = |patience: Duration| {
             let folder = tempfile::tempdir().unwrap();
             let mut checkpoints = new(&folder);
-            let run = Run::with_patience(patience);
-            run.set_patient(true);
-            run.cancel();
-            write(&mut checkpoints, &run, 1, || ());
+            let work = Work::with_patience(patience);
+            work.set_patient(true);
+            work.cancel();
+            write(&mut checkpoints, &work, 1, || ());
             standing(&checkpoints)
         };
         assert_eq!(last(Duration::MAX), Some((1, Contents::All)));
@@ -950,7 +950,7 @@ mod tests {
     fn a_flipped_bit_is_found_wherever_it_is() {
         let folder = tempfile::tempdir().unwrap();
         let mut checkpoints = Checkpoints::new(folder.path(), 0, &Params::default()).unwrap();
-        write(&mut checkpoints, &Run::new(), 5, || ());
+        write(&mut checkpoints, &Work::new(), 5, || ());
         let whole = std::fs::read(checkpoints.file()).unwrap();
         let read = || -> Result<()> {
             let mut found = checkpoints.open()?.unwrap();

@@ -260,7 +260,7 @@ mod tests {
     use super::*;
     use crate::reference::ramp;
     use tomolith_core::check;
-    use tomolith_core::dose::{DoseModel, Run};
+    use tomolith_core::dose::{DoseModel, Work};
     use tomolith_core::field::HostField;
     use tomolith_core::grid::{PatternGrid, Volume, VolumeGrid};
     use tomolith_core::near;
@@ -300,7 +300,7 @@ mod tests {
             let field = HostField::from_slice(&model.outputs()[0].field_of(&wanted));
             let mut x = model.new_patterns().unwrap();
             let at = x.zeros_like();
-            model.pullback(&at, &field, &mut x, &Run::new()).unwrap();
+            model.pullback(&at, &field, &mut x, &Work::new()).unwrap();
             let filter = (Filter::RamLak, 0.1f64.powi(3));
             let projection = Projection::filtered(x, lights, &field, filter).unwrap();
             let inverse = projection.inverse();

@@ -311,7 +311,7 @@ mod tests {
     use crate::Limits;
     use crate::reference::{Case, assert_near};
     use serde_json::json;
-    use tomolith_core::dose::Run;
+    use tomolith_core::dose::Work;
     use tomolith_core::field::HostField;
     use tomolith_core::near;
 
@@ -393,7 +393,7 @@ mod tests {
             v = w.iter().map(|w| w / square).collect();
         }
         let objective = case.objective("l2", json!({}));
-        let flag = Run::new();
+        let flag = Work::new();
         let mut problem =
             Problem::new(&case.model, &*objective, &[Limits::default()], &flag).unwrap();
         let x = HostField::zeros(14 * 20);

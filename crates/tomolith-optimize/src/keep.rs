@@ -249,7 +249,7 @@ mod tests {
     use serde_json::json;
     use std::sync::Arc;
     use tomolith_core::check::{self, small::SmallModel};
-    use tomolith_core::dose::Run;
+    use tomolith_core::dose::Work;
     use tomolith_core::error::{Error, Result};
     use tomolith_core::field::HostField;
     use tomolith_core::response::Identity;
@@ -270,7 +270,7 @@ mod tests {
         if gray {
             target.scale(0.5);
         }
-        let flag = Run::new();
+        let flag = Work::new();
         let mut problem = Problem::new(&model, &*objective, &[Limits::default()], &flag)
             .unwrap()
             .with_target(target);

@@ -291,7 +291,7 @@ mod tests {
     use crate::{Limits, Outcome, Stop, run};
     use serde_json::json;
     use tomolith_core::check::{self, small::SmallModel};
-    use tomolith_core::dose::{DoseModel, Run};
+    use tomolith_core::dose::{DoseModel, Work};
     use tomolith_core::grid::PatternGrid;
     use tomolith_objective::Objective;
     use tomolith_optics::exposure::quantize;
@@ -322,7 +322,7 @@ mod tests {
     fn improved(case: &Case, bits: u32, limits: Limits) -> (HostField, HostField, Gain) {
         let objective: Box<dyn Objective<HostField>> =
             case.objective("l2", json!({ "void_weight": 5.0 }));
-        let flag = Run::new();
+        let flag = Work::new();
         let mut problem = Problem::new(&case.model, &*objective, &[limits], &flag).unwrap();
         let (x, _) = solved(&mut problem, case, &Stop::default());
         let mut shown = projector(&case.model, bits);
@@ -365,7 +365,7 @@ mod tests {
         let (asked, _, gain) = improved(&case, 1, Limits::default());
         let objective: Box<dyn Objective<HostField>> =
             case.objective("l2", json!({ "void_weight": 5.0 }));
-        let (full, flag) = (asked.max_abs(), Run::new());
+        let (full, flag) = (asked.max_abs(), Work::new());
         let mut dose = case.model.new_dose().unwrap();
         let mut losses: Vec<f64> = (1u32..1 << (n * frames))
             .map(|lit| {
@@ -417,7 +417,7 @@ mod tests {
         // Every other pixel is a third dimmer, and white is what it is
         let case = Case::of(24, 36);
         let objective = case.objective("l2", json!({}));
-        let flag = Run::new();
+        let flag = Work::new();
         let mut problem =
             Problem::new(&case.model, &*objective, &[Limits::default()], &flag).unwrap();
         let (x, _) = solved(&mut problem, &case, &Stop::default());
@@ -436,7 +436,7 @@ mod tests {
     fn what_rounding_does_not_hurt_is_left_alone() {
         let case = Case::of(16, 24);
         let objective = case.objective("threshold", json!({}));
-        let flag = Run::new();
+        let flag = Work::new();
         let mut problem =
             Problem::new(&case.model, &*objective, &[Limits::default()], &flag).unwrap();
         let (x, outcome) = solved(&mut problem, &case, &Stop::after(500));

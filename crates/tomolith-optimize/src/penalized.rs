@@ -5,7 +5,7 @@ use serde_json::json;
 use std::sync::Arc;
 use tomolith_core::check::small::SmallModel;
 use tomolith_core::check::{self, noise};
-use tomolith_core::dose::{DoseModel, Run};
+use tomolith_core::dose::{DoseModel, Work};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::kind::Section;
 use tomolith_core::near;
@@ -37,9 +37,9 @@ fn problem<'a>(
     model: &'a SmallModel,
     objective: &'a dyn Objective<HostField>,
     [sparsity, smoothness]: [f64; 2],
-    run: &'a Run,
+    work: &'a Work,
 ) -> Problem<'a, HostField> {
-    let problem = Problem::new(model, objective, &[LIMITS], run).unwrap();
+    let problem = Problem::new(model, objective, &[LIMITS], work).unwrap();
     problem.with_penalties(penalties(model, sparsity, smoothness))
 }
 
@@ -53,8 +53,8 @@ fn patterns(model: &SmallModel) -> HostField {
 #[test]
 fn loss_and_gradient_are_those_of_the_sum() {
     let model = SmallModel::new(18, 12, 5);
-    let (objective, run) = (objective(&model), Run::new());
-    let mut problem = problem(&model, &*objective, [0.3, 0.2], &run);
+    let (objective, work) = (objective(&model), Work::new());
+    let mut problem = problem(&model, &*objective, [0.3, 0.2], &work);
     let mut x = patterns(&model);
     let at = problem.evaluate_at(&mut x).unwrap();
     let alone = objective.value(&at.dose);
@@ -76,8 +76,8 @@ fn loss_and_gradient_are_those_of_the_sum() {
 #[test]
 fn a_search_ends_where_the_whole_sum_is_lowest() {
     let model = SmallModel::new(18, 12, 5);
-    let (objective, run) = (objective(&model), Run::new());
-    let mut problem = problem(&model, &*objective, [30.0, 2.0], &run);
+    let (objective, work) = (objective(&model), Work::new());
+    let mut problem = problem(&model, &*objective, [30.0, 2.0], &work);
     let mut x = patterns(&model);
     let mut at = problem.evaluate_at(&mut x).unwrap();
     let mut gradient = x.zeros_like();
@@ -116,14 +116,14 @@ fn every_optimizer_pays_for_light_and_for_roughness() {
         let method = (row.build)(&check::example(row)).unwrap();
         let needs = method.make().unwrap().requirements();
         if needs.unpenalized.is_some() {
-            let flag = Run::new();
+            let flag = Work::new();
             let problem = problem(&model, &*objective, [1.0, 0.0], &flag);
             let refused = needs.check(&problem).unwrap_err().to_string();
             assert!(refused.contains("penalties"), "{}: {refused}", row.name);
             continue;
         }
-        let run = |sparsity: f64, smoothness: f64| {
-            let flag = Run::new();
+        let work = |sparsity: f64, smoothness: f64| {
+            let flag = Work::new();
             let mut problem = problem(&model, &*objective, [sparsity, smoothness], &flag);
             let mut optimizer = method.make().unwrap();
             let mut x = patterns(&model);
@@ -132,7 +132,7 @@ fn every_optimizer_pays_for_light_and_for_roughness() {
             parts.each_ref().map(|part| part.value(&x))
         };
         let [plain, sparse, smooth] =
-            [[0.0, 0.0], [10.0, 0.0], [0.0, 10.0]].map(|[a, b]| run(a, b));
+            [[0.0, 0.0], [10.0, 0.0], [0.0, 10.0]].map(|[a, b]| work(a, b));
         let left = [sparse[0] / plain[0], smooth[1] / plain[1]];
         assert!(left[0] < 0.8, "{}: sparsity {left:?}", row.name);
         // The raw step of bclp's example is too long for the curvature that this smoothness adds

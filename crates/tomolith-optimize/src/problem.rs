@@ -14,7 +14,7 @@ use super::free_response::FreeResponse;
 use std::borrow::Cow;
 use std::sync::OnceLock;
 use std::time::Instant;
-use tomolith_core::dose::{DoseModel, PatternLayout, Quantity, Run};
+use tomolith_core::dose::{DoseModel, PatternLayout, Quantity, Work};
 use tomolith_core::error::{Error, Result, in_range};
 use tomolith_core::field::{Bounds, Field};
 use tomolith_objective::Objective;
@@ -67,7 +67,7 @@ pub struct Problem<'a, F: Field> {
     edges: Option<F>,
     /// From what dose on the loss may feel each region of the model's voxels, from the first search on; None where it feels all.
     limits: OnceLock<Option<Vec<f32>>>,
-    run: &'a Run,
+    work: &'a Work,
     /// What was done so far.
     pub counters: Counters,
 }
@@ -148,9 +148,9 @@ impl<'a, F: Field> Problem<'a, F> {
         model: &'a dyn DoseModel<Field = F>,
         objective: &'a dyn Objective<F>,
         limits: &[Limits],
-        run: &'a Run,
+        work: &'a Work,
     ) -> Result<Self> {
-        Self::of(model, Held::Fixed(objective), limits, run)
+        Self::of(model, Held::Fixed(objective), limits, work)
     }
 
     /// A problem in which parameters of the response are unknowns, too.
@@ -161,16 +161,16 @@ impl<'a, F: Field> Problem<'a, F> {
         model: &'a dyn DoseModel<Field = F>,
         objective: FreeResponse<'a, F>,
         limits: &[Limits],
-        run: &'a Run,
+        work: &'a Work,
     ) -> Result<Self> {
-        Self::of(model, Held::Free(objective), limits, run)
+        Self::of(model, Held::Free(objective), limits, work)
     }
 
     fn of(
         model: &'a dyn DoseModel<Field = F>,
         objective: Held<'a, F>,
         limits: &[Limits],
-        run: &'a Run,
+        work: &'a Work,
     ) -> Result<Self> {
         let bounds = bounds(model.patterns(), limits)?;
         Ok(Problem {
@@ -183,7 +183,7 @@ impl<'a, F: Field> Problem<'a, F> {
             target: None,
             edges: None,
             limits: OnceLock::new(),
-            run,
+            work,
             counters: Counters::default(),
         })
     }
@@ -329,8 +329,8 @@ impl<'a, F: Field> Problem<'a, F> {
 
     /// What stops the work.
     #[must_use]
-    pub fn run(&self) -> &'a Run {
-        self.run
+    pub fn work(&self) -> &'a Work {
+        self.work
     }
 
     /// F(x), counted.
@@ -339,7 +339,7 @@ impl<'a, F: Field> Problem<'a, F> {
     /// [`Error::Canceled`].
     pub fn dose(&mut self, x: &F, dose: &mut F) -> Result<()> {
         let begin = Instant::now();
-        let done = self.model.dose(x, dose, self.run);
+        let done = self.model.dose(x, dose, self.work);
         self.counters.model_s += begin.elapsed().as_secs_f64();
         self.counters.forward += 1;
         done
@@ -352,7 +352,7 @@ impl<'a, F: Field> Problem<'a, F> {
     pub fn renew(&mut self, iteration: usize, x: &F) -> Result<bool> {
         let begin = Instant::now();
         let renewal = self.model.renewal();
-        let done = renewal.map_or(Ok(false), |model| model.renew(iteration, x, self.run));
+        let done = renewal.map_or(Ok(false), |model| model.renew(iteration, x, self.work));
         self.counters.model_s += begin.elapsed().as_secs_f64();
         done
     }
@@ -402,7 +402,7 @@ impl<'a, F: Field> Problem<'a, F> {
     /// [`Error::Canceled`].
     pub fn project(&mut self, x: &F, dose: &F, patterns: &mut F) -> Result<()> {
         let begin = Instant::now();
-        let done = self.model.pullback(x, dose, patterns, self.run);
+        let done = self.model.pullback(x, dose, patterns, self.work);
         self.counters.model_s += begin.elapsed().as_secs_f64();
         self.counters.adjoint += 1;
         done
@@ -569,7 +569,7 @@ impl<'a, F: Field> Problem<'a, F> {
             return Ok(Some(Course::Line));
         }
         let begin = Instant::now();
-        let terms = self.model.along(x, d, self.run);
+        let terms = self.model.along(x, d, self.work);
         self.counters.model_s += begin.elapsed().as_secs_f64();
         let Some(terms) = terms? else { return Ok(None) };
         self.counters.forward += terms.len() as u64;

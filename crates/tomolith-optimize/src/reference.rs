@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use tomolith_core::check::{self, small::SmallModel};
-use tomolith_core::dose::{DoseModel, Run};
+use tomolith_core::dose::{DoseModel, Work};
 use tomolith_core::error::Result;
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::response::Identity;
@@ -95,7 +95,7 @@ pub(crate) fn solve(
     optimizer: &mut dyn Optimizer<HostField>,
     stop: &Stop,
 ) -> (HostField, Result<Outcome>) {
-    let flag = Run::new();
+    let flag = Work::new();
     let mut problem = Problem::new(model, objective, &[limits], &flag).unwrap();
     let mut x = check::even_patterns(model, even);
     let outcome = run(&mut problem, optimizer, &mut x, stop, None, &mut []);
@@ -258,7 +258,7 @@ impl Case {
     ) -> (HostField, Vec<Vec<f32>>, Result<Outcome>) {
         let (target, labels) = self.model.ring();
         let input = StartInput::new(&self.model, &target, &labels, &FREE);
-        let flag = Run::new();
+        let flag = Work::new();
         let mut problem = Problem::new(&self.model, objective, &[Limits::default()], &flag)
             .unwrap()
             .with_bits(bits)

@@ -11,7 +11,7 @@ use tomolith_core::dose::Renewal;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::Field;
 use tomolith_core::kind::check_ranges;
-use tomolith_core::run::Run;
+use tomolith_core::work::Work;
 
 tomolith_core::keys! {
     /// `[stop]` of a job: when to stop. A loss of zero always stops.
@@ -307,9 +307,9 @@ pub fn run_after<F: Field>(
     let Some(mut state) = begin(earlier, problem, optimizer, x, stop.keep, saved)? else {
         return Ok(Outcome::of_nothing(problem.counters));
     };
-    problem.run().set_patient(true);
+    problem.work().set_patient(true);
     let result = state.iterate(problem, optimizer, x, stop, checkpoints, observers);
-    problem.run().set_patient(false);
+    problem.work().set_patient(false);
     if result.as_ref().is_ok_and(|r| *r != StopReason::Canceled) {
         // It comes after the last row, so its seconds are none of the loop's
         let Counters {
@@ -359,10 +359,10 @@ fn must_fit<F: Field>(
 fn keep<F: Field>(
     checkpoints: &mut Checkpoints,
     saved: Saved<'_, F>,
-    run: &Run,
+    work: &Work,
     observers: &mut [&mut dyn Observer<F>],
 ) -> Result<()> {
-    if let Some(space) = checkpoints.try_write(saved, run)? {
+    if let Some(space) = checkpoints.try_write(saved, work)? {
         observers
             .iter_mut()
             .for_each(|observer| observer.on_disk_space(&space));
@@ -504,7 +504,7 @@ impl<F: Field> State<F> {
                 if let Some(checkpoints) = checkpoints.as_deref_mut().filter(keeps) {
                     let memory = problem.model().renewal().and_then(Renewal::memory);
                     let saved = self.saved(problem, optimizer, x, memory.as_ref());
-                    keep(checkpoints, saved, problem.run(), observers)?;
+                    keep(checkpoints, saved, problem.work(), observers)?;
                 }
                 return Ok(reason);
             }
@@ -517,7 +517,7 @@ impl<F: Field> State<F> {
                 let memory = problem.model().renewal().and_then(Renewal::memory);
                 let saved = self.saved(problem, optimizer, x, memory.as_ref());
                 if checkpoints.is_due(&saved) {
-                    keep(checkpoints, saved, problem.run(), observers)?;
+                    keep(checkpoints, saved, problem.work(), observers)?;
                 }
             }
         }
@@ -603,7 +603,7 @@ impl<F: Field> State<F> {
         // On other paths the loss may be above zero again
         let goes_on = problem.model().renewal().is_some();
         // Ranks have clocks and signals of their own
-        let is_asked = x.any(problem.run().is_stop_asked());
+        let is_asked = x.any(problem.work().is_stop_asked());
         let is_late = stop
             .seconds
             .is_some_and(|limit| x.any(row.seconds >= limit));

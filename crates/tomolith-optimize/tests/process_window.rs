@@ -3,7 +3,7 @@
 use serde_json::json;
 use std::sync::Arc;
 use tomolith_core::check::{self, small::SmallModel};
-use tomolith_core::dose::Run;
+use tomolith_core::dose::Work;
 use tomolith_core::response::Identity;
 use tomolith_objective::{FoundWindow, check::of_ring};
 use tomolith_optimize::lbfgs::Lbfgs;
@@ -15,7 +15,7 @@ fn reached(keys: serde_json::Value) -> FoundWindow {
     let keys = ("process_window", keys);
     let objective = of_ring(&model, keys, Arc::new(Identity));
     let limits = [Limits { min: 0.0, max: 3.0 }];
-    let control = Run::new();
+    let control = Work::new();
     let mut problem = Problem::new(&model, &*objective, &limits, &control).unwrap();
     let mut x = check::even_patterns(&model, 0.05);
     let stop = Stop::after(200);

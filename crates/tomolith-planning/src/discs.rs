@@ -29,8 +29,8 @@ use tomolith_core::columns::Columns;
 use tomolith_core::error::{Error, Result, in_range};
 use tomolith_core::grid::PatternGrid;
 use tomolith_core::least_squares::minimize;
-use tomolith_core::run::Run;
 use tomolith_core::units::concise;
+use tomolith_core::work::Work;
 use tomolith_io::frames::{FrameSet, write_frames};
 use tomolith_io::{must_be_free, write_folder_whole};
 use tomolith_report::plot::{Axis, Plot};
@@ -196,7 +196,7 @@ impl Discs {
                 full_scale: 1.0,
                 values: &values,
             };
-            write_frames(&aside.join("frames"), &[set], &Run::new())?;
+            write_frames(&aside.join("frames"), &[set], &Work::new())?;
             let schedule = csv(&["frame", "from_s", "for_s"], &schedule);
             std::fs::write(aside.join("schedule.csv"), schedule)?;
             std::fs::write(aside.join("discs.csv"), csv(&names, &table))?;

@@ -64,7 +64,7 @@ impl Job {
 
     /// What the run would take, as `tomolith check --json`.
     fn check<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let plan = beside(py, |run| job::check(&self.0, &mut job::Silent, run))?;
+        let plan = beside(py, |work| job::check(&self.0, &mut job::Silent, work))?;
         plain(py, &plan)
     }
 
@@ -86,8 +86,8 @@ impl Job {
         cancel: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let job = self.replacing(overwrite);
-        let summary = beside_telling(py, (progress, cancel), |told, run| {
-            job::run(&job, resume, told, run)
+        let summary = beside_telling(py, (progress, cancel), |told, work| {
+            job::run(&job, resume, told, work)
         })?;
         done(py, &summary)
     }
@@ -104,8 +104,8 @@ impl Job {
         cancel: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let job = self.replacing(overwrite);
-        let summary = beside_telling(py, (progress, cancel), |told, run| {
-            job::simulate(&job, Path::new(&patterns), told, run)
+        let summary = beside_telling(py, (progress, cancel), |told, work| {
+            job::simulate(&job, Path::new(&patterns), told, work)
         })?;
         done(py, &summary)
     }

@@ -22,12 +22,12 @@ pub(crate) fn sweep(
     cancel: Option<Py<PyAny>>,
 ) -> PyResult<Py<PyAny>> {
     let threads = usable(threads)?;
-    let outcome = beside_telling(py, (progress, cancel), |told, cancel| {
+    let outcome = beside_telling(py, (progress, cancel), |told, work| {
         let mut sweep = Sweep::read(&file)?;
         if let Some(folder) = &folder {
             sweep = sweep.with_folder(folder, "folder");
         }
-        run(&sweep.plan(threads, cancel)?, None, told, cancel)
+        run(&sweep.plan(threads, work)?, None, told, work)
     })?;
     Ok(plain(py, &outcome)?.unbind())
 }
@@ -49,16 +49,16 @@ pub(crate) fn reproduce(
     let count = usable(threads)?;
     let python: OsString = py.import("sys")?.getattr("executable")?.extract()?;
     let program = [python, "-m".into(), "tomolith".into()];
-    let found = beside_telling(py, (progress, cancel), |observer, cancel| {
+    let found = beside_telling(py, (progress, cancel), |observer, work| {
         let study = Study::read(&study, quick)?;
         let folder = folder.unwrap_or_else(|| study.output());
         let itself = Itself {
             program: &program,
             threads,
-            cancel,
+            work,
         };
         let mut host = Told { observer, itself };
-        tomolith_sweep::reproduce(&study, &folder, count, &mut host, cancel)
+        tomolith_sweep::reproduce(&study, &folder, count, &mut host, work)
     })?;
     Ok(plain(py, &found)?.unbind())
 }

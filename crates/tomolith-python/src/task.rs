@@ -182,9 +182,9 @@ impl Task {
     ) -> PyResult<Bound<'py, PyAny>> {
         let x = self.unknowns("patterns", patterns)?;
         let model = &self.task.model;
-        let dose = beside(py, |run| {
+        let dose = beside(py, |work| {
             let mut dose = model.new_dose()?;
-            model.dose(&x, &mut dose, run)?;
+            model.dose(&x, &mut dose, work)?;
             Ok(dose)
         })?;
         must_be_finite("dose", dose.as_slice())?;
@@ -205,11 +205,11 @@ impl Task {
     ) -> PyResult<Bound<'py, PyAny>> {
         let x = self.unknowns("patterns", patterns)?;
         let cotangent = self.cotangent(cotangent)?;
-        let gradient = beside(py, |run| {
+        let gradient = beside(py, |work| {
             let mut gradient = x.zeros_like();
             self.task
                 .model
-                .pullback(&x, &cotangent, &mut gradient, run)?;
+                .pullback(&x, &cotangent, &mut gradient, work)?;
             Ok(gradient)
         })?;
         self.images(py, "gradient", gradient.as_slice())
@@ -228,12 +228,12 @@ impl Task {
             penalties,
             ..
         } = &self.task;
-        let (value, gradient) = beside(py, |run| {
+        let (value, gradient) = beside(py, |work| {
             let mut dose = model.new_dose()?;
             let (mut cotangent, mut gradient) = (dose.zeros_like(), x.zeros_like());
-            model.dose(&x, &mut dose, run)?;
+            model.dose(&x, &mut dose, work)?;
             let loss = objective.value_and_gradient(&dose, &mut cotangent);
-            model.pullback(&x, &cotangent, &mut gradient, run)?;
+            model.pullback(&x, &cotangent, &mut gradient, work)?;
             let priced = penalties.add_gradient(&x, 1.0, &mut gradient);
             Ok((loss + priced, gradient))
         })?;

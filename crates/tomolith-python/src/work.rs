@@ -13,7 +13,7 @@ use std::thread;
 use std::time::Duration;
 use tomolith::Error;
 use tomolith::job::{Event, Progress, Snapshot, Wants};
-use tomolith::run::Run;
+use tomolith::work::Work;
 use tomolith_sweep::{SweepEvent, Watch};
 
 create_exception!(
@@ -57,16 +57,16 @@ pub(crate) fn must_have_threads() -> PyResult<()> {
 /// Does work without Python's lock, in a separate thread, while this one listens to signals.
 pub(crate) fn beside<T: Send>(
     py: Python<'_>,
-    work: impl FnOnce(&Run) -> Result<T, Error> + Send,
+    action: impl FnOnce(&Work) -> Result<T, Error> + Send,
 ) -> PyResult<T> {
-    until(py, None, work)
+    until(py, None, action)
 }
 
 /// Works until `cancel`, such as a `threading.Event`, is set.
 fn until<T: Send>(
     py: Python<'_>,
     cancel: Option<&Py<PyAny>>,
-    work: impl FnOnce(&Run) -> Result<T, Error> + Send,
+    action: impl FnOnce(&Work) -> Result<T, Error> + Send,
 ) -> PyResult<T> {
     must_have_threads()?;
     if let Some(token) = cancel
@@ -78,12 +78,12 @@ fn until<T: Send>(
         )));
     }
     HAS_COMPUTED.store(true, Ordering::SeqCst);
-    let run = &Run::new();
+    let work = &Work::new();
     let (done, interrupted) = py.detach(|| {
         thread::scope(|scope| {
             let (tell, ended) = channel();
             let worker = scope.spawn(move || {
-                let result = work(run);
+                let result = action(work);
                 // Nobody listens when this thread has panicked
                 let _ = tell.send(());
                 result
@@ -93,7 +93,7 @@ fn until<T: Send>(
                 if interrupted.is_none() {
                     interrupted = Python::attach(|py| must_go_on(py, cancel)).err();
                     if interrupted.is_some() {
-                        run.cancel();
+                        work.cancel();
                     }
                 }
             }
@@ -141,7 +141,7 @@ pub(crate) struct Observer<'a> {
     /// A callable, or an object with the methods `event` and `snapshot`, and `wants`.
     object: Option<Py<PyAny>>,
     raised: &'a Mutex<Option<PyErr>>,
-    run: &'a Run,
+    work: &'a Work,
 }
 
 impl Observer<'_> {
@@ -156,7 +156,7 @@ impl Observer<'_> {
             if let Ok(mut raised) = self.raised.lock() {
                 raised.get_or_insert(error);
             }
-            self.run.cancel();
+            self.work.cancel();
             T::default()
         })
     }
@@ -245,18 +245,18 @@ impl Watch for Observer<'_> {
 pub(crate) fn beside_telling<T: Send>(
     py: Python<'_>,
     (object, cancel): (Option<Py<PyAny>>, Option<Py<PyAny>>),
-    work: impl FnOnce(&mut Observer<'_>, &Run) -> Result<T, Error> + Send,
+    action: impl FnOnce(&mut Observer<'_>, &Work) -> Result<T, Error> + Send,
 ) -> PyResult<T> {
     let raised = Mutex::new(None);
-    let done = until(py, cancel.as_ref(), |run| {
+    let done = until(py, cancel.as_ref(), |work| {
         let raised = &raised;
-        work(
+        action(
             &mut Observer {
                 object,
                 raised,
-                run,
+                work,
             },
-            run,
+            work,
         )
     });
     match raised.into_inner().ok().flatten() {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{env, fs};
 use tomolith::job::{Job, Silent};
-use tomolith::run::Run;
+use tomolith::work::Work;
 
 /// The Python to run, which needs numpy: `TOMOLITH_PYTHON`, which must work, or `python3` where that has it.
 fn python() -> Option<PathBuf> {
@@ -43,7 +43,7 @@ fn python_gets_what_the_library_gives() {
     let run = folder.path().join("library");
     let job = Job::read(&own.join("tests/gear.json"), &[]).unwrap();
     let job = job.with_folder(&run, "folder");
-    tomolith::job::run(&job, false, &mut Silent, &Run::new()).unwrap();
+    tomolith::job::run(&job, false, &mut Silent, &Work::new()).unwrap();
     let tests = Command::new(python)
         .args(["-m", "unittest", "discover", "--verbose"])
         .arg(own.join("tests"))

@@ -14,7 +14,7 @@ use tomolith::grid::{PatternGrid, VolumeGrid};
 use tomolith::job::{self, Document, Job, Silent};
 use tomolith::models::rays::Optics;
 use tomolith::models::{
-    DoseModel, ModelFamily, ModelInput, OpticalScene, Purpose, Run, monte_carlo, parallel, rays,
+    DoseModel, ModelFamily, ModelInput, OpticalScene, Purpose, Work, monte_carlo, parallel, rays,
 };
 use tomolith::optics::light::Light;
 use tomolith::optics::resin::Resin;
@@ -188,7 +188,7 @@ fn of_paths(gpu: &Gpu, paths_per_pixel: usize, divisor: usize) -> Result<String,
     scatter_noise::with_scene(divisor.max(1), |input| {
         let pixels = input.scene.lights[0].layout(0).len();
         let paths = (pixels * paths_per_pixel) as f64;
-        let run = Run::new();
+        let work = Work::new();
         let of = |dose: &dyn Fn(u64) -> Result<(f64, Vec<f32>), Failure>| {
             let all: Result<Vec<_>, _> = (0..scatter_noise::SEEDS).map(dose).collect();
             let (seconds, doses): (Vec<f64>, Vec<Vec<f32>>) = all?.into_iter().unzip();
@@ -198,7 +198,7 @@ fn of_paths(gpu: &Gpu, paths_per_pixel: usize, divisor: usize) -> Result<String,
         };
         let card = of(&|seed| {
             let form = params(seed).form(input)?.ok_or("the model has no form")?;
-            timed(&*model_on(gpu, &form, &run)?)
+            timed(&*model_on(gpu, &form, &work)?)
         })?;
         let processor = of(&|seed| timed(&*params(seed).build(input)?))?;
         let both = |i: usize| format!("{:.2}, {:.2}", card[i], processor[i]);
@@ -253,7 +253,7 @@ fn finished(text: &str, title: &str, device: &str) -> Result<Value, Failure> {
     let name = format!("{title} {device}").replace(['³', ','], "");
     let folder = Path::new("out/cards").join(name.replace([' ', ':'], "-"));
     let job = Job::from_document(document)?.with_folder(&folder, "");
-    let run = job::run(&job, false, &mut Silent, &Run::new())?;
+    let run = job::run(&job, false, &mut Silent, &Work::new())?;
     let report = std::fs::read_to_string(run.folder.join("report.json"))?;
     Ok(serde_json::from_str(&report)?)
 }
@@ -291,14 +291,14 @@ fn rates(
     const CALLS: u32 = 4;
     let pitch = 10.0 / voxels as f64;
     let pixels = PatternGrid::full_turn(frames, 0.0, voxels, voxels, pitch);
-    let (vial, run) = (IndexMatched { radius_mm: 5.0 }, Run::new());
+    let (vial, work) = (IndexMatched { radius_mm: 5.0 }, Work::new());
     let lights = [Light::new(pixels, Resin::absorbing(1.5, 0.1))];
     let optics = [Optics::collimated(pitch)];
     let scene = OpticalScene::new(&vial, &lights, &optics, Purpose::Optimize);
     let grid = VolumeGrid::centered([voxels; 3], pitch);
-    let input = ModelInput::new(scene, &grid, &run)?;
+    let input = ModelInput::new(scene, &grid, &work)?;
     let form = family.form(&input)?.ok_or("the model has no form")?;
-    let model = model_on(gpu, &form, &run)?;
+    let model = model_on(gpu, &form, &work)?;
     let updates = model.updates() as f64;
     let mut x = model.new_patterns()?;
     x.fill(1.0);
@@ -310,13 +310,13 @@ fn rates(
         Ok::<_, Failure>(updates * f64::from(CALLS) / begin.elapsed().as_secs_f64())
     };
     let forward = rate(&mut || {
-        model.dose(&x, &mut dose, &run)?;
+        model.dose(&x, &mut dose, &work)?;
         // A number that is read waits for the card
         dose.max_abs();
         Ok(())
     })?;
     let adjoint = rate(&mut || {
-        model.pullback(&x, &dose, &mut grad, &run)?;
+        model.pullback(&x, &dose, &mut grad, &work)?;
         grad.max_abs();
         Ok(())
     })?;

@@ -10,7 +10,7 @@ use serde_json::Value;
 use std::path::{Path, PathBuf};
 use tomolith::Error;
 use tomolith::job::{self, Document, Job, Silent, Summary};
-use tomolith::models::Run;
+use tomolith::models::Work;
 
 /// A target, the glass that holds it, and the pixels that print it.
 struct Case {
@@ -192,7 +192,7 @@ fn judged(
     ];
     own.extend(keys.iter().map(|&key| key.to_owned()));
     let job = job(case, matched, boat, &own)?.with_folder(&folder.join(row), "");
-    let run = job::run(&job, false, &mut Silent, &Run::new())?;
+    let run = job::run(&job, false, &mut Silent, &Work::new())?;
     let judge = [
         format!("grid.pitch_mm={}", pitch / 2.0),
         "evaluate.refine=2".to_owned(),
@@ -204,7 +204,7 @@ fn judged(
         &judge,
         &run.folder.join("patterns.npz"),
         &mut Silent,
-        &Run::new(),
+        &Work::new(),
     )?;
     let file = print.folder.join("report.json");
     let text = std::fs::read_to_string(&file).map_err(|e| Error::Io {

@@ -23,7 +23,7 @@ use tomolith::io::csr::Csr;
 use tomolith::kind::Section;
 use tomolith::models::matrix::MatrixModel;
 use tomolith::models::parallel::{Kernel, Parallel};
-use tomolith::models::{DoseModel, Run};
+use tomolith::models::{DoseModel, Work};
 use tomolith::objective::{OBJECTIVES, ObjectiveInput};
 use tomolith::optics::light::Light;
 use tomolith::optics::resin::Resin;
@@ -261,7 +261,7 @@ fn solve(image: &str, setting: &Setting) -> Result<Solved, Error> {
                 vec![light],
                 kernel,
                 grid,
-                &Run::new(),
+                &Work::new(),
             )?)
         }
     };
@@ -276,7 +276,7 @@ fn solve(image: &str, setting: &Setting) -> Result<Solved, Error> {
         limits: &limits,
         absorption: None,
     };
-    let flag = Run::new();
+    let flag = Work::new();
     let start = Section::new("start", setting.start.clone()).read(STARTS)?;
     let mut x = start.patterns(&input, &flag)?;
     for value in x.as_mut_slice() {

@@ -11,7 +11,7 @@ use std::path::Path;
 use std::process::Command;
 use tomolith::field::{Field, HostField};
 use tomolith::job::{Document, Job, ResolvedJob};
-use tomolith::models::{DoseModel, Run};
+use tomolith::models::{DoseModel, Work};
 use tomolith::report::number::significant;
 use tomolith::report::plot::{Axis, Plot};
 
@@ -157,15 +157,15 @@ fn timed(mut call: impl FnMut() -> tomolith::Result<()>) -> Fallible<f64> {
 fn measure(case: &Case, n: usize) -> Fallible<()> {
     let text = case.job(n);
     let job = Job::from_document(Document::toml(Path::new("growth.toml"), &text)?)?;
-    let run = Run::new();
-    let task = ResolvedJob::new(&job)?.task(&run)?;
+    let work = Work::new();
+    let task = ResolvedJob::new(&job)?.task(&work)?;
     let model: &dyn DoseModel<Field = HostField> = task.model.as_ref();
     let mut x = model.new_patterns()?;
     x.fill(1.0);
     let mut dose = model.new_dose()?;
     let mut gradient = x.zeros_like();
-    let dose_s = timed(|| model.dose(&x, &mut dose, &run))?;
-    let adjoint_s = timed(|| model.pullback(&x, &dose, &mut gradient, &run))?;
+    let dose_s = timed(|| model.dose(&x, &mut dose, &work))?;
+    let adjoint_s = timed(|| model.pullback(&x, &dose, &mut gradient, &work))?;
     println!("{dose_s} {adjoint_s} {}", peak_mb()?);
     Ok(())
 }

@@ -16,7 +16,7 @@ use tomolith::field::HostField;
 use tomolith::grid::{PatternGrid, Patterns, Volume, VolumeGrid};
 use tomolith::models::parallel::Parallel;
 use tomolith::models::rays::{self, Optics, Rays};
-use tomolith::models::{DoseModel, Run, monte_carlo, successive_orders};
+use tomolith::models::{DoseModel, Work, monte_carlo, successive_orders};
 use tomolith::optics::light::Light;
 use tomolith::optics::phase::{Scattering, isotropic::Isotropic};
 use tomolith::optics::resin::Resin;
@@ -111,7 +111,7 @@ impl Bench {
         let mut x = model.new_patterns()?;
         model.patterns()[0].fill_field(&self.patterns, x.as_mut_slice());
         let mut dose = model.new_dose()?;
-        model.dose(&x, &mut dose, &Run::new())?;
+        model.dose(&x, &mut dose, &Work::new())?;
         Ok(model.outputs()[0].volume_of(dose.as_slice()))
     }
 }

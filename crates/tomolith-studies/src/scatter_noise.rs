@@ -13,7 +13,7 @@ use tomolith::field::Field;
 use tomolith::grid::{PatternGrid, VolumeGrid};
 use tomolith::models::rays::Optics;
 use tomolith::models::{
-    DoseModel, ModelFamily, ModelInput, OpticalScene, Purpose, Run, monte_carlo,
+    DoseModel, ModelFamily, ModelInput, OpticalScene, Purpose, Work, monte_carlo,
 };
 use tomolith::optics::light::Light;
 use tomolith::optics::phase::{Scattering, rayleigh::Rayleigh};
@@ -62,7 +62,7 @@ pub(crate) fn even_dose<F: Field>(
     let mut x = model.new_patterns()?;
     x.fill(1.0);
     let mut dose = model.new_dose()?;
-    model.dose(&x, &mut dose, &Run::new())?;
+    model.dose(&x, &mut dose, &Work::new())?;
     Ok(model.outputs()[0].volume_of(&dose.to_host()).values)
 }
 
@@ -82,14 +82,14 @@ pub(crate) fn with_scene<T>(divisor: usize, with: impl FnOnce(&ModelInput<'_>) -
         per_mm: 0.081,
         phase: Arc::new(Rayleigh {}),
     });
-    let (grid, run) = (VolumeGrid::centered([50, 100, 100], 0.05), Run::new());
+    let (grid, work) = (VolumeGrid::centered([50, 100, 100], 0.05), Work::new());
     let (lights, optics) = ([light], [optics]);
     let scene = OpticalScene::new(&vial, &lights, &optics, Purpose::Optimize);
     with(&ModelInput {
         scene,
         grid: &grid,
         cells: None,
-        run: &run,
+        work: &work,
     })
 }
 

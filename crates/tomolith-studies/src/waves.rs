@@ -9,7 +9,7 @@ use tomolith::Error;
 use tomolith::field::Field;
 use tomolith::grid::{PatternGrid, VolumeGrid};
 use tomolith::models::wave::{Params, Wave};
-use tomolith::models::{DoseModel, Run};
+use tomolith::models::{DoseModel, Work};
 use tomolith::optics::light::Light;
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::index_matched::IndexMatched;
@@ -71,7 +71,7 @@ fn light_of_model(
     let values: Vec<f32> = x.iter().map(|&v| v as f32).collect();
     field.copy_from_host(&values);
     let mut dose = model.new_dose()?;
-    model.dose(&field, &mut dose, &Run::new())?;
+    model.dose(&field, &mut dose, &Work::new())?;
     let layout = &model.outputs()[0];
     let at = |z, y, x| f64::from(dose.as_slice()[layout.index(z, y, x)]);
     let plane = |k: usize| (0..n * n).map(|i| at(i % n, i / n, n - 1 - k)).collect();

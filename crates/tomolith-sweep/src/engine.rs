@@ -21,7 +21,7 @@ use tomolith::io::npy::must_be_whole;
 use tomolith::io::{make_folder, write_text};
 use tomolith::job::{self, Document, Job, Leaves, RunCache, RunFolder, Silent, folder::TAKEN};
 use tomolith::kind::table_of;
-use tomolith::models::Run;
+use tomolith::models::Work;
 use tomolith::report::json::read as read_report;
 use tomolith::text::one_line;
 use tomolith::units::counted;
@@ -213,7 +213,7 @@ pub fn run(
     plan: &SweepPlan,
     shard: Option<Shard>,
     watch: &mut dyn Watch,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<SweepOutcome> {
     begin(plan)?;
     let mut turns = vec![RunState::Elsewhere; plan.runs.len()];
@@ -247,9 +247,9 @@ pub fn run(
         side_by_side: plan.side_by_side.min(waiting.max(1)),
         memory_mb: plan.share_mb,
     });
-    cancel.set_patient(true);
-    let ended = work(plan, turns, watch, &mut clock, cancel);
-    cancel.set_patient(false);
+    work.set_patient(true);
+    let ended = on_slots(plan, turns, watch, &mut clock, work);
+    work.set_patient(false);
     ended?;
     let mut outcome = match shard {
         None => collect(plan)?,
@@ -518,12 +518,12 @@ impl Clock {
 }
 
 /// Lets the slots work, tells what they tell, and passes requests to stop on to them.
-fn work(
+fn on_slots(
     plan: &SweepPlan,
     turns: Vec<RunState>,
     watch: &mut dyn Watch,
     clock: &mut Clock,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<()> {
     let slots = plan.side_by_side.clamp(1, clock.runs.max(1));
     let board = Board {
@@ -532,23 +532,23 @@ fn work(
         stop: false,
     };
     let (board, news) = (Mutex::new(board), Condvar::new());
-    let runs: Vec<Mutex<Arc<Run>>> = (0..slots)
-        .map(|_| Mutex::new(Arc::new(Run::new())))
+    let works: Vec<Mutex<Arc<Work>>> = (0..slots)
+        .map(|_| Mutex::new(Arc::new(Work::new())))
         .collect();
     let asked = |times: u32| {
         lock(&board).stop = true;
         news.notify_all();
-        for run in &runs {
-            let run = lock(run);
+        for work in &works {
+            let work = lock(work);
             for _ in 0..times {
-                run.cancel();
+                work.cancel();
             }
         }
     };
     let mut broken = None;
     thread::scope(|scope| {
         let (tell, told) = channel();
-        for (slot, run) in runs.iter().enumerate() {
+        for (slot, work) in works.iter().enumerate() {
             let threads = (plan.threads / slots + usize::from(slot < plan.threads % slots)).max(1);
             let (tell, board, news) = (tell.clone(), &board, &news);
             scope.spawn(move || {
@@ -556,19 +556,19 @@ fn work(
                     plan,
                     board,
                     news,
-                    run,
+                    work,
                     tell,
                 }
-                .work(threads)
+                .take_runs(threads)
             });
         }
         drop(tell);
         let mut passed = 0;
         loop {
-            let wanted = if cancel.is_canceled() {
+            let wanted = if work.is_canceled() {
                 2
             } else {
-                u32::from(cancel.is_stop_asked())
+                u32::from(work.is_stop_asked())
             };
             if wanted > passed {
                 asked(wanted - passed);
@@ -591,7 +591,7 @@ fn work(
     });
     match broken {
         Some(error) => Err(error),
-        None if cancel.is_stop_asked() => Err(Error::Canceled),
+        None if work.is_stop_asked() => Err(Error::Canceled),
         None => Ok(()),
     }
 }
@@ -635,12 +635,12 @@ struct Slot<'a> {
     plan: &'a SweepPlan,
     board: &'a Mutex<Board>,
     news: &'a Condvar,
-    run: &'a Mutex<Arc<Run>>,
+    work: &'a Mutex<Arc<Work>>,
     tell: Sender<Told>,
 }
 
 impl Slot<'_> {
-    fn work(&self, threads: usize) {
+    fn take_runs(&self, threads: usize) {
         let pool = match rayon::ThreadPoolBuilder::new().num_threads(threads).build() {
             Ok(pool) => pool,
             Err(e) => {
@@ -697,7 +697,7 @@ impl Slot<'_> {
                 .find_map(|i| Some((i, self.start_of(i, &board)?)));
             if let Some((i, from)) = found {
                 board.turns[i] = RunState::Works;
-                *lock(self.run) = Arc::new(Run::new());
+                *lock(self.work) = Arc::new(Work::new());
                 return Some((i, from));
             }
             board = self
@@ -730,7 +730,7 @@ impl Slot<'_> {
     }
 
     fn run_one(&self, i: usize, from: &[usize], cache: &mut RunCache) -> Result<State> {
-        let cancel = Arc::clone(&lock(self.run));
+        let work = Arc::clone(&lock(self.work));
         loop {
             // Another process may have finished it meanwhile
             if is_ready(self.plan, i, from) {
@@ -738,11 +738,11 @@ impl Slot<'_> {
             }
             let job = self.job(i, from)?;
             let leaves = self.plan.sweep.spec.keep;
-            match job::run_here(&job, true, leaves, cache, &mut Silent, &cancel) {
+            match job::run_here(&job, true, leaves, cache, &mut Silent, &work) {
                 Ok(_) => return state(self.plan, i),
                 Err(Error::Unsupported { reason, .. }) if reason == TAKEN => {
                     thread::sleep(BUSY);
-                    if cancel.is_stop_asked() {
+                    if work.is_stop_asked() {
                         return Err(Error::Canceled);
                     }
                 }

@@ -14,15 +14,15 @@
 //! what is finished is found again whatever else has changed in the sweep.
 //!
 //! ```no_run
-//! use tomolith::models::Run;
+//! use tomolith::models::Work;
 //! use tomolith_sweep::{Sweep, SweepEvent, Watch, run};
 //! struct Quiet;
 //! impl Watch for Quiet {
 //!     fn event(&mut self, _: &SweepEvent) {}
 //! }
-//! let cancel = Run::new();
-//! let plan = Sweep::read("examples/sweeps/threshold-map.toml".as_ref())?.plan(8, &cancel)?;
-//! let outcome = run(&plan, None, &mut Quiet, &cancel)?;
+//! let work = Work::new();
+//! let plan = Sweep::read("examples/sweeps/threshold-map.toml".as_ref())?.plan(8, &work)?;
+//! let outcome = run(&plan, None, &mut Quiet, &work)?;
 //! println!("{outcome}");
 //! # Ok::<(), tomolith::Error>(())
 //! ```

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use tomolith::io::{make_folder, read_text, write_text};
 use tomolith::job::resources::memory_budget_mb;
 use tomolith::job::{self, Job, RunFolder, Silent};
-use tomolith::models::Run;
+use tomolith::models::Work;
 use tomolith::parallel::InParallel;
 use tomolith::{Error, Result};
 
@@ -87,10 +87,10 @@ impl Sweep {
     /// # Errors
     /// [`Error::Config`] for conditions that leave nothing, for more runs than can be, and for jobs that cannot run, before any does;
     /// [`Error::Canceled`].
-    pub fn plan(self, threads: usize, cancel: &Run) -> Result<SweepPlan> {
+    pub fn plan(self, threads: usize, work: &Work) -> Result<SweepPlan> {
         self.must_be_a_folder()
             .map_err(|e| self.document.locate(e))?;
-        let points = self.points(cancel).map_err(|e| self.document.locate(e))?;
+        let points = self.points(work).map_err(|e| self.document.locate(e))?;
         let given = self.spec.resources.memory_gb;
         let of_job = self
             .base
@@ -105,7 +105,7 @@ impl Sweep {
         let first_mb = budget_mb.map(|mb| mb / wanted.unwrap_or(1) as u64);
         let checked: Vec<Result<(String, u64)>> = points
             .iter()
-            .par_map(|point| self.check(point, first_mb, budget_mb, cancel));
+            .par_map(|point| self.check(point, first_mb, budget_mb, work));
         if checked
             .iter()
             .any(|one| matches!(one, Err(Error::Canceled)))
@@ -192,20 +192,20 @@ impl Sweep {
     }
 
     /// The points; where they are too many, with the time they would take.
-    fn points(&self, cancel: &Run) -> Result<Vec<SweepPoint>> {
-        let one_s = || self.seconds(cancel);
+    fn points(&self, work: &Work) -> Result<Vec<SweepPoint>> {
+        let one_s = || self.seconds(work);
         axes::points(&self.axes, &self.when, self.spec.sample, &one_s)
     }
 
     /// How long one run takes, where the first point's job can be run.
-    fn seconds(&self, cancel: &Run) -> Option<f64> {
+    fn seconds(&self, work: &Work) -> Option<f64> {
         let values: Vec<Value> = self.axes.iter().map(|axis| axis.drawn(0.0)).collect();
         let point = SweepPoint {
             place: vec![0.0; values.len()],
             values,
             index: None,
         };
-        let plan = job::check(&self.job(&point).ok()?, &mut Silent, cancel).ok()?;
+        let plan = job::check(&self.job(&point).ok()?, &mut Silent, work).ok()?;
         Some(plan.seconds)
     }
 
@@ -215,9 +215,9 @@ impl Sweep {
         point: &SweepPoint,
         share_mb: Option<u64>,
         budget_mb: Option<u64>,
-        cancel: &Run,
+        work: &Work,
     ) -> Result<(String, u64)> {
-        if cancel.is_stop_asked() {
+        if work.is_stop_asked() {
             return Err(Error::Canceled);
         }
         for (key, expression) in &self.derived {
@@ -414,7 +414,7 @@ impl SweepPlan {
     ///
     /// # Errors
     /// As [`job::check`].
-    pub fn seconds(&self, cancel: &Run) -> Result<f64> {
+    pub fn seconds(&self, work: &Work) -> Result<f64> {
         let left: Vec<usize> = (0..self.runs.len())
             .filter(|&i| RunFolder::finished(&self.run_folder(i)).is_none())
             .collect();
@@ -422,7 +422,7 @@ impl SweepPlan {
         let mut seconds = 0.0;
         for k in 0..asked {
             let job = self.job(left[k * left.len() / asked])?;
-            seconds += job::check(&job, &mut Silent, cancel)?.seconds / asked as f64;
+            seconds += job::check(&job, &mut Silent, work)?.seconds / asked as f64;
         }
         Ok(seconds * left.len() as f64)
     }

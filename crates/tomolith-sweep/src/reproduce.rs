@@ -18,7 +18,7 @@ use std::fmt::{self, Write as _};
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use tomolith::io::{make_folder, read_text, write_text, write_whole};
-use tomolith::models::Run;
+use tomolith::models::Work;
 use tomolith::report::number::significant;
 use tomolith::units::{counted, duration};
 use tomolith::{Error, Result};
@@ -269,10 +269,10 @@ pub fn reproduce(
     output: &Path,
     threads: usize,
     host: &mut dyn Host,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<Reproduction> {
-    let mut results = plans(study, output, threads, host, cancel)?;
-    host.begins(&costs(study, &results, cancel)?);
+    let mut results = plans(study, output, threads, host, work)?;
+    host.begins(&costs(study, &results, work)?);
     make_folder(output)?;
     let owner = serde_json::json!({ "study": study.folder }).to_string();
     write_text(&output.join(OWNER), &owner)?;
@@ -280,7 +280,7 @@ pub fn reproduce(
     for (name, plan) in &results {
         if let RunResult::Sweep(plan) = plan {
             let mut watch = host.watch(name, plan);
-            figures.extend(engine::run(plan, None, watch.as_mut(), cancel)?.files);
+            figures.extend(engine::run(plan, None, watch.as_mut(), work)?.files);
         }
     }
     // Commands may read what jobs left
@@ -321,7 +321,7 @@ fn plans(
     output: &Path,
     threads: usize,
     host: &dyn Host,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<BTreeMap<String, RunResult>> {
     for (name, run) in &study.spec.runs {
         if let Some(words) = &run.command {
@@ -334,7 +334,7 @@ fn plans(
             Some(why) => RunResult::Nothing(Verdict::NotCompared(why)),
             None => match study.sweep(name, run, output)? {
                 Some(sweep) => {
-                    let plan = sweep.plan(threads, cancel);
+                    let plan = sweep.plan(threads, work);
                     let plan = plan.map_err(|e| study.at_own_key(name, run, e))?;
                     RunResult::Sweep(Box::new(plan))
                 }
@@ -375,20 +375,20 @@ impl Study {
         output: &Path,
         threads: usize,
         host: &dyn Host,
-        cancel: &Run,
+        work: &Work,
     ) -> Result<Vec<StudyCost>> {
-        costs(self, &plans(self, output, threads, host, cancel)?, cancel)
+        costs(self, &plans(self, output, threads, host, work)?, work)
     }
 }
 
 fn costs(
     study: &Study,
     results: &BTreeMap<String, RunResult>,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<Vec<StudyCost>> {
     let cost = |(name, result): (&String, &RunResult)| {
         let (runs, seconds) = match result {
-            RunResult::Sweep(plan) => (Some(plan.runs.len()), plan.seconds(cancel)?),
+            RunResult::Sweep(plan) => (Some(plan.runs.len()), plan.seconds(work)?),
             _ => (None, 0.0),
         };
         Ok(StudyCost {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tomolith::job::{self, Job, Leaves, Silent, run_leaving};
-use tomolith::models::Run;
+use tomolith::models::Work;
 use tomolith::{Error, Result};
 use tomolith_sweep::{Shard, Sweep, SweepEvent, SweepOutcome, SweepPlan, Watch, merge, run};
 
@@ -69,7 +69,7 @@ impl Bench {
     fn planned(&self, file: &str, folder: &str) -> Result<SweepPlan> {
         let sweep = Sweep::read(&self.path(file))?;
         let sweep = sweep.with_folder(&self.path(folder), "--output");
-        sweep.plan(2, &Run::new())
+        sweep.plan(2, &Work::new())
     }
 
     fn plan(&self, folder: &str) -> SweepPlan {
@@ -118,7 +118,7 @@ impl Bench {
 #[derive(Default)]
 struct Told<'r> {
     events: Vec<SweepEvent>,
-    stop_after: Option<(usize, Option<&'r Run>)>,
+    stop_after: Option<(usize, Option<&'r Work>)>,
 }
 
 impl Watch for Told<'_> {
@@ -134,7 +134,7 @@ impl Watch for Told<'_> {
 
 /// All runs of a plan, of which nobody is told.
 fn begin(plan: &SweepPlan) -> Result<SweepOutcome> {
-    run(plan, None, &mut Told::default(), &Run::new())
+    run(plan, None, &mut Told::default(), &Work::new())
 }
 
 /// A report without what two equal runs may differ in, and without movies, which a sweep does not make.
@@ -220,7 +220,7 @@ fn side_by_side_gives_the_bits_of_one_after_the_other_and_of_a_single_run() {
         .job(3)
         .unwrap()
         .with_folder(&bench.path("single"), "test");
-    job::run(&job, false, &mut Silent, &Run::new()).unwrap();
+    job::run(&job, false, &mut Silent, &Work::new()).unwrap();
     let single = bench.read("single/report.json");
     let own = fs::read_to_string(plan.run_folder(3).join("report.json")).unwrap();
     assert_eq!(comparable(&own), comparable(&single));
@@ -272,7 +272,7 @@ fn the_best_job_is_the_one_with_the_highest_metric_and_gives_it_again() {
         own.identity().unwrap(),
         bench.plan("out").runs[best.run - 1].id
     );
-    let summary = job::run(&job, false, &mut Silent, &Run::new()).unwrap();
+    let summary = job::run(&job, false, &mut Silent, &Work::new()).unwrap();
     assert_eq!(summary.optimization.unwrap().pw, Some(highest));
     assert!(outcome.is_met() && outcome.to_string().contains(&best.values));
 }
@@ -281,17 +281,17 @@ fn the_best_job_is_the_one_with_the_highest_metric_and_gives_it_again() {
 fn a_sweep_that_was_stopped_goes_on_and_redoes_nothing() {
     let bench = Bench::new(SWEEP);
     bench.whole("whole", 2);
-    let cancel = Run::new();
+    let work = Work::new();
     let mut told = Told {
-        stop_after: Some((2, Some(&cancel))),
+        stop_after: Some((2, Some(&work))),
         ..Told::default()
     };
-    let stopped = run(&bench.plan("stopped"), None, &mut told, &cancel);
+    let stopped = run(&bench.plan("stopped"), None, &mut told, &work);
     assert!(matches!(stopped, Err(Error::Canceled)), "{stopped:?}");
     let before = bench.reports("stopped");
     assert!((2..6).contains(&before.len()), "{}", before.len());
     let mut told = Told::default();
-    run(&bench.plan("stopped"), None, &mut told, &Run::new()).unwrap();
+    run(&bench.plan("stopped"), None, &mut told, &Work::new()).unwrap();
     assert_eq!(bench.table("stopped"), bench.table("whole"));
     let after = bench.reports("stopped");
     // Dates included: they are the same files
@@ -300,7 +300,7 @@ fn a_sweep_that_was_stopped_goes_on_and_redoes_nothing() {
     // A value more costs its own runs alone
     bench.write("sweep.toml", &SWEEP.replace("0.3, 0.5", "0.2, 0.3, 0.5"));
     let mut told = Told::default();
-    run(&bench.plan("stopped"), None, &mut told, &Run::new()).unwrap();
+    run(&bench.plan("stopped"), None, &mut told, &Work::new()).unwrap();
     assert_eq!(told.events.len(), 1 + 3);
 }
 
@@ -314,7 +314,7 @@ fn shares_of_other_machines_merged_are_the_whole() {
             number: i + 1,
             of: names.len(),
         });
-        let outcome = run(&bench.plan(name), shard, &mut Told::default(), &Run::new()).unwrap();
+        let outcome = run(&bench.plan(name), shard, &mut Told::default(), &Work::new()).unwrap();
         assert!(
             outcome.done > 0 && outcome.done < 6 && outcome.files.is_empty() && outcome.is_met()
         );
@@ -399,7 +399,7 @@ fn a_run_that_fails_is_noted_and_tried_again() {
     contains!(line, ",failed,", "holds files that are not from a run");
     fs::remove_file(&foreign).unwrap();
     let mut told = Told::default();
-    run(&plan, None, &mut told, &Run::new()).unwrap();
+    run(&plan, None, &mut told, &Work::new()).unwrap();
     assert_eq!(told.events.len(), 2);
     assert_eq!(bench.table("out"), bench.table("whole"));
 }
@@ -480,7 +480,7 @@ fn warm_starts_reach_what_cold_ones_do_in_fewer_iterations_whatever_the_timing()
             &bench.plan("shares"),
             Some(Shard { number, of: 2 }),
             &mut Told::default(),
-            &Run::new(),
+            &Work::new(),
         )
         .unwrap();
     }
@@ -519,7 +519,7 @@ fn warm_starts_reach_what_cold_ones_do_in_fewer_iterations_whatever_the_timing()
     let continued = job.document.root.pointer("/start/patterns/continued");
     assert_eq!(continued, Some(&Value::Bool(true)));
     let job = job.with_folder(&alone, "test");
-    run_leaving(&job, false, Leaves::Patterns, &mut Silent, &Run::new()).unwrap();
+    run_leaving(&job, false, Leaves::Patterns, &mut Silent, &Work::new()).unwrap();
     let patterns = |folder: &Path| fs::read(folder.join("patterns.npz")).unwrap();
     assert!(patterns(&folder) == patterns(&alone), "patterns differ");
 }

@@ -41,8 +41,8 @@ use std::path::{Path, PathBuf};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Volume, VolumeGrid};
 use tomolith_core::parallel::elements;
-use tomolith_core::run::Run;
 use tomolith_core::units::concise;
+use tomolith_core::work::Work;
 use tomolith_io::mesh::{Mesh, MeshFile};
 
 /// What a body is there for.
@@ -112,7 +112,7 @@ impl Assembly {
         bodies: &[BodySpec],
         placement: &Placement,
         (folder, section): (&Path, &str),
-        run: &Run,
+        work: &Work,
     ) -> Result<Self> {
         let key = |i: usize| format!("{section}.body[{i}]");
         let meshes = meshes(spec, bodies, folder, section)?;
@@ -128,7 +128,7 @@ impl Assembly {
         for &i in &present {
             let repair = spec.repair.unwrap_or_default();
             let (mesh, file) = (meshes[i].clone(), file_of(spec, &bodies[i]));
-            let shape = MeshShape::placed(mesh, &map, &file, repair, run)
+            let shape = MeshShape::placed(mesh, &map, &file, repair, work)
                 .map_err(|e| at_key(e, &key(i)))?;
             groups[bodies[i].role as usize].0.push(shape.clone());
             shapes.push((i, shape));
@@ -363,13 +363,13 @@ impl Shape for Group {
         super::placing::bounds(corners, 0.0)
     }
 
-    fn sample_under(&self, grid: &VolumeGrid, run: &Run) -> Result<Volume<f32>> {
+    fn sample_under(&self, grid: &VolumeGrid, work: &Work) -> Result<Volume<f32>> {
         if let [only] = &self.0[..] {
-            return only.sample_under(grid, run);
+            return only.sample_under(grid, work);
         }
         let mut values = zeros(grid)?;
         for shape in &self.0 {
-            let more = shape.sample_under(grid, &run.part(1.0 / self.0.len() as f64))?;
+            let more = shape.sample_under(grid, &work.part(1.0 / self.0.len() as f64))?;
             elements(&mut values, |i, sum| {
                 *sum = (*sum + more.values[i]).min(1.0)
             });
@@ -387,8 +387,8 @@ impl Shape for Assembly {
         self.bounds_mm
     }
 
-    fn sample_under(&self, grid: &VolumeGrid, run: &Run) -> Result<Volume<f32>> {
-        self.print.sample_under(grid, run)
+    fn sample_under(&self, grid: &VolumeGrid, work: &Work) -> Result<Volume<f32>> {
+        self.print.sample_under(grid, work)
     }
 
     fn body(&self, role: Role) -> Option<&dyn Shape> {

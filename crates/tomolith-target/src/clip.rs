@@ -3,7 +3,7 @@
 use crate::{Resolution, Shape, default_grid};
 use tomolith_core::error::Result;
 use tomolith_core::grid::VolumeGrid;
-use tomolith_core::run::Run;
+use tomolith_core::work::Work;
 
 /// Parts of a voxel that are rounding of lengths.
 pub const ROUNDING: f64 = 1e-6;
@@ -26,7 +26,7 @@ pub fn cuts(grid: &VolumeGrid, [low, high]: [[f64; 3]; 2]) -> bool {
 /// use tomolith_target::{TargetSpec, build, clip::cut_off};
 /// let spec: TargetSpec = toml::from_str("phantom = \"sphere\"\nsize_mm = 2.0").unwrap();
 /// let shape = build(&spec, std::path::Path::new("."), "target").unwrap();
-/// let share = |nz| cut_off(&VolumeGrid::centered([nz, 20, 20], 0.1), &*shape, &Run::new()).unwrap();
+/// let share = |nz| cut_off(&VolumeGrid::centered([nz, 20, 20], 0.1), &*shape, &Work::new()).unwrap();
 /// assert_eq!(share(20), None);
 /// // Two caps of 0.5 mm: 2·π·0.25·(1 − 0.5/3) of 4/3·π
 /// assert!((share(10).unwrap() - 0.3125).abs() < 1e-3);
@@ -34,7 +34,7 @@ pub fn cuts(grid: &VolumeGrid, [low, high]: [[f64; 3]; 2]) -> bool {
 ///
 /// # Errors
 /// As [`Shape::sample_under`].
-pub fn cut_off(grid: &VolumeGrid, shape: &dyn Shape, run: &Run) -> Result<Option<f64>> {
+pub fn cut_off(grid: &VolumeGrid, shape: &dyn Shape, work: &Work) -> Result<Option<f64>> {
     let part = shape.bounds_mm();
     if !cuts(grid, part) {
         return Ok(None);
@@ -42,7 +42,7 @@ pub fn cut_off(grid: &VolumeGrid, shape: &dyn Shape, run: &Run) -> Result<Option
     let bounds = grid.bounds_mm();
     let longest = (0..3).map(|i| part[1][i] - part[0][i]).fold(0.0, f64::max);
     let fine = default_grid(part, Resolution::Pitch(longest / ACROSS))?;
-    let values = shape.sample_under(&fine, &run.aside())?.values;
+    let values = shape.sample_under(&fine, &work.aside())?.values;
     // Share of a voxel along an axis that lies in the grid
     let within = |axis: usize, middle: f64| {
         let half = fine.pitch_mm / 2.0;

@@ -39,9 +39,9 @@ use shells::turn_bodies;
 use std::path::Path;
 use tidy::{drop_doubles, weld_cracks};
 use tomolith_core::error::{Error, Result};
-use tomolith_core::run::Run;
 use tomolith_core::units::{concise, counted};
 use tomolith_core::vector::{dot, minus};
+use tomolith_core::work::Work;
 use tomolith_io::mesh::Mesh;
 
 /// A mesh counts as flat when its volume is below this share of area × diagonal: 10⁴ times the rounding of the sum.
@@ -274,23 +274,23 @@ pub(super) fn examine(
     mut mesh: Mesh,
     path: &Path,
     repair: Repair,
-    run: &Run,
+    work: &Work,
 ) -> Result<(Mesh, Diagnosis)> {
     let mut found = Diagnosis {
         triangles: mesh.triangles.len(),
         ..Diagnosis::default()
     };
     found.welded_vertices = weld_cracks(&mut mesh);
-    run.check()?;
+    work.check()?;
     drop_doubles(&mut mesh, &mut found);
-    run.check()?;
+    work.check()?;
     let edges = Edges::new(&mesh);
     edges.count(&mesh, &mut found);
     if found.inconsistent_edges > 0 {
         found.turned_triangles = agree(&mut mesh, &edges);
         found.one_sided_edges = Edges::new(&mesh).inconsistent();
     }
-    run.check()?;
+    work.check()?;
     close(&mut mesh, &mut found);
     let guesses = found.guesses();
     if repair == Repair::Safe && !guesses.is_empty() {
@@ -302,7 +302,7 @@ pub(super) fn examine(
                 .to_owned(),
         });
     }
-    run.check()?;
+    work.check()?;
     turn_bodies(&mut mesh, &mut found);
     let [low, high] = mesh.bounds();
     let diagonal = dot(minus(high, low), minus(high, low)).sqrt();
@@ -318,9 +318,9 @@ pub(super) fn examine(
             accepted: "a closed surface around a volume".to_owned(),
         });
     }
-    [found.own_crossings, found.shell_crossings] = find_crossings(&mesh, run)?;
-    find_overlaps(&mesh, &mut found, run);
-    run.check().map(|()| (mesh, found))
+    [found.own_crossings, found.shell_crossings] = find_crossings(&mesh, work)?;
+    find_overlaps(&mesh, &mut found, work);
+    work.check().map(|()| (mesh, found))
 }
 
 #[cfg(test)]
@@ -330,11 +330,11 @@ mod tests {
     use tomolith_io::mesh::samples::{ball, cuboid, inverted, together};
 
     fn found(mesh: Mesh) -> (Mesh, Diagnosis) {
-        examine(mesh, Path::new("test"), Repair::Safe, &Run::new()).unwrap()
+        examine(mesh, Path::new("test"), Repair::Safe, &Work::new()).unwrap()
     }
 
     fn refused(mesh: Mesh) -> String {
-        let result = examine(mesh, Path::new("a.stl"), Repair::Safe, &Run::new());
+        let result = examine(mesh, Path::new("a.stl"), Repair::Safe, &Work::new());
         result.unwrap_err().to_string()
     }
 
@@ -491,7 +491,7 @@ mod tests {
         half.triangles.retain(|_| kept.next().unwrap());
         let text = refused(half.clone());
         tomolith_core::contains!(text, "neither flat nor small", "target.repair");
-        let forced = examine(half, Path::new("a.stl"), Repair::Force, &Run::new());
+        let forced = examine(half, Path::new("a.stl"), Repair::Force, &Work::new());
         let (_, diagnosis) = forced.unwrap();
         assert_eq!(diagnosis.guessed_holes, 1);
         tomolith_core::contains!(diagnosis.sentences().concat(), "Repaired by a guess");

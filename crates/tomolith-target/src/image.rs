@@ -11,8 +11,8 @@ use super::voxels::zeros;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Volume, VolumeGrid};
 use tomolith_core::parallel::InParallel;
-use tomolith_core::run::Run;
 use tomolith_core::units::Mm;
+use tomolith_core::work::Work;
 use tomolith_io::image::GrayPixels;
 
 /// A placed gray image, or a stack of them.
@@ -192,7 +192,7 @@ impl Shape for GrayImage {
         (self.slices.len() == 1).then_some([low, high])
     }
 
-    fn sample_under(&self, grid: &VolumeGrid, run: &Run) -> Result<Volume<f32>> {
+    fn sample_under(&self, grid: &VolumeGrid, work: &Work) -> Result<Volume<f32>> {
         let mut values = zeros(grid)?;
         let [_, ny, nx] = grid.shape;
         let [rows, columns] = self.size();
@@ -216,7 +216,7 @@ impl Shape for GrayImage {
             layer
         });
         if !values.is_empty() {
-            let layers = run.steps(grid.shape[0]);
+            let layers = work.steps(grid.shape[0]);
             values
                 .chunks_mut(nx * ny)
                 .enumerate()
@@ -236,7 +236,7 @@ impl Shape for GrayImage {
                     }
                 });
         }
-        run.check()?;
+        work.check()?;
         Ok(Volume::new(grid.clone(), values))
     }
 

@@ -49,7 +49,7 @@ pub use tomolith_core::target::{Target, label, label_columns, label_voxels};
 
 use tomolith_core::error::Result;
 use tomolith_core::grid::{Volume, VolumeGrid};
-use tomolith_core::run::Run;
+use tomolith_core::work::Work;
 use tomolith_io::mesh::Mesh;
 
 /// Something with a shape that can be sampled on any grid.
@@ -60,13 +60,13 @@ pub trait Shape: std::fmt::Debug + Send + Sync {
     ///
     /// # Errors
     /// When the shape cannot be sampled; [`Error::Canceled`](tomolith_core::Error::Canceled).
-    fn sample_under(&self, grid: &VolumeGrid, run: &Run) -> Result<Volume<f32>>;
+    fn sample_under(&self, grid: &VolumeGrid, work: &Work) -> Result<Volume<f32>>;
     /// [`sample_under`](Self::sample_under), where nobody stops it or wants to know how far it is.
     ///
     /// # Errors
     /// When the shape cannot be sampled.
     fn sample(&self, grid: &VolumeGrid) -> Result<Volume<f32>> {
-        self.sample_under(grid, &Run::new())
+        self.sample_under(grid, &Work::new())
     }
     /// Whether values are gray (to be reproduced as they are) and not an inside fraction.
     fn is_gray(&self) -> bool {

@@ -7,7 +7,7 @@ use super::voxels::inside_fractions;
 use std::path::Path;
 use tomolith_core::error::Result;
 use tomolith_core::grid::{Volume, VolumeGrid};
-use tomolith_core::run::Run;
+use tomolith_core::work::Work;
 use tomolith_io::mesh::{Mesh, MeshFile};
 
 /// A placed mesh: closed, outward, in mm.
@@ -38,7 +38,7 @@ impl MeshShape {
     ) -> Result<Self> {
         let file = file.into();
         let map = placement.map(&file.mesh.vertices, 0.0, section)?;
-        Self::placed(file, &map, path, repair, &Run::new())
+        Self::placed(file, &map, path, repair, &Work::new())
     }
 
     /// Places the mesh as part of a run, by a map that is known.
@@ -47,7 +47,7 @@ impl MeshShape {
         map: &Map,
         path: &Path,
         repair: Repair,
-        run: &Run,
+        work: &Work,
     ) -> Result<Self> {
         let placed = |mut mesh: Mesh| {
             map.apply_to(&mut mesh);
@@ -55,11 +55,11 @@ impl MeshShape {
         };
         let mesh = placed(file.mesh);
         let bounds_mm = mesh.bounds();
-        let (mesh, diagnosis) = examine(mesh, path, repair, run)?;
+        let (mesh, diagnosis) = examine(mesh, path, repair, work)?;
         let mut notes = file.notes;
         let mut negative = None;
         if !file.negative.triangles.is_empty() {
-            let (mesh, found) = examine(placed(file.negative), path, repair, run)?;
+            let (mesh, found) = examine(placed(file.negative), path, repair, work)?;
             let sentences = found.sentences().into_iter();
             notes.extend(sentences.map(|said| format!("Negative volumes: {said}")));
             negative = Some(mesh);
@@ -91,8 +91,8 @@ impl Shape for MeshShape {
         self.bounds_mm
     }
 
-    fn sample_under(&self, grid: &VolumeGrid, run: &Run) -> Result<Volume<f32>> {
-        inside_fractions(&self.mesh, self.negative.as_ref(), grid, run)
+    fn sample_under(&self, grid: &VolumeGrid, work: &Work) -> Result<Volume<f32>> {
+        inside_fractions(&self.mesh, self.negative.as_ref(), grid, work)
     }
 
     /// Known when the winding number is 0 or 1 everywhere; shells that overlap have a union, which has no simple formula.

@@ -11,9 +11,9 @@ use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Volume, VolumeGrid};
 use tomolith_core::kind::{Section, table_of};
 use tomolith_core::parallel::{InParallel, table};
-use tomolith_core::run::Run;
 use tomolith_core::target::Target;
 use tomolith_core::units::Mm;
+use tomolith_core::work::Work;
 use tomolith_io::image::GrayPixels;
 use tomolith_io::mesh::is_mesh;
 use tomolith_io::slices::{Slices, read_image, read_stack};
@@ -134,7 +134,7 @@ impl TargetSpec {
 /// [`Error::Config`] when not exactly one source is given or a key cannot be used;
 /// [`Error::Io`], [`Error::Mesh`] and [`Error::Format`] for files that cannot be read.
 pub fn build(spec: &TargetSpec, base_folder: &Path, section_path: &str) -> Result<Box<dyn Shape>> {
-    build_under(spec, base_folder, section_path, &Run::new())
+    build_under(spec, base_folder, section_path, &Work::new())
 }
 
 /// [`build`] as part of a run: examining a mesh of a million triangles takes seconds.
@@ -145,7 +145,7 @@ pub fn build_under(
     spec: &TargetSpec,
     base_folder: &Path,
     section_path: &str,
-    run: &Run,
+    work: &Work,
 ) -> Result<Box<dyn Shape>> {
     let placement = spec.placement();
     let pixels = spec.image.is_some() || spec.stack.is_some();
@@ -178,7 +178,7 @@ pub fn build_under(
     match source(spec, section_path)? {
         Source::Bodies(bodies) => {
             let shape =
-                Assembly::build(spec, bodies, &placement, (base_folder, section_path), run)?;
+                Assembly::build(spec, bodies, &placement, (base_folder, section_path), work)?;
             Ok(Box::new(shape))
         }
         Source::Mesh(file) => {
@@ -186,9 +186,9 @@ pub fn build_under(
             let file = mesh_unit::read(&path, spec.mesh_unit, section_path)?;
             let file = mesh_unit::in_mm(file, spec.mesh_unit);
             let repair = spec.repair.unwrap_or_default();
-            run.check()?;
+            work.check()?;
             let map = placement.map(&file.mesh.vertices, 0.0, section_path)?;
-            let shape = MeshShape::placed(file, &map, &path, repair, run)?;
+            let shape = MeshShape::placed(file, &map, &path, repair, work)?;
             Ok(Box::new(shape))
         }
         Source::Phantom(table) => {
@@ -276,7 +276,7 @@ fn source<'a>(spec: &'a TargetSpec, section_path: &str) -> Result<Source<'a>> {
 /// # Errors
 /// [`Error::Resources`] when there is not enough memory.
 pub fn voxelize(shape: &dyn Shape, name: &str, grid: &VolumeGrid) -> Result<Target> {
-    voxelize_under(shape, name, grid, &Run::new())
+    voxelize_under(shape, name, grid, &Work::new())
 }
 
 /// [`voxelize`] as a part of a run.
@@ -287,11 +287,11 @@ pub fn voxelize_under(
     shape: &dyn Shape,
     name: &str,
     grid: &VolumeGrid,
-    run: &Run,
+    work: &Work,
 ) -> Result<Target> {
     Ok(Target {
         name: name.to_owned(),
-        inside: sampled(shape, grid, run)?,
+        inside: sampled(shape, grid, work)?,
         gray: shape.is_gray(),
     })
 }
@@ -303,7 +303,7 @@ const CUBES: usize = 1 << 24;
 ///
 /// # Errors
 /// What the shape refuses; [`Error::Unsupported`] for voxels that cubes of their width do not fill.
-pub fn sampled(shape: &dyn Shape, grid: &VolumeGrid, run: &Run) -> Result<Volume<f32>> {
+pub fn sampled(shape: &dyn Shape, grid: &VolumeGrid, work: &Work) -> Result<Volume<f32>> {
     let cubes = (grid.height_mm / grid.pitch_mm).round().max(1.0) as usize;
     if (grid.height_mm - cubes as f64 * grid.pitch_mm).abs() > 1e-9 * grid.height_mm {
         return Err(Error::unsupported(
@@ -315,7 +315,7 @@ pub fn sampled(shape: &dyn Shape, grid: &VolumeGrid, run: &Run) -> Result<Volume
         ));
     }
     if cubes == 1 {
-        return shape.sample_under(grid, run);
+        return shape.sample_under(grid, work);
     }
     let [nz, ny, nx] = grid.shape;
     let plane = ny * nx;
@@ -329,7 +329,7 @@ pub fn sampled(shape: &dyn Shape, grid: &VolumeGrid, run: &Run) -> Result<Volume
             ..grid.clone()
         };
         slab.center_mm[2] = grid.z(first) + (count as f64 - 1.0) / 2.0 * grid.height_mm;
-        let part = run.part(count as f64 / nz as f64);
+        let part = work.part(count as f64 / nz as f64);
         let inside = shape.sample_under(&slab, &part)?.values;
         for voxels in inside.chunks_exact(plane * cubes) {
             let mean = |i: usize| {

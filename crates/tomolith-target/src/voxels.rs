@@ -17,7 +17,7 @@ use super::lines::{Crossing, Lines, Scaled};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Volume, VolumeGrid};
 use tomolith_core::parallel::{InParallel, table};
-use tomolith_core::run::Run;
+use tomolith_core::work::Work;
 use tomolith_io::mesh::Mesh;
 
 /// Slices that share one search for their triangles.
@@ -44,14 +44,14 @@ pub(super) fn inside_fractions(
     mesh: &Mesh,
     negative: Option<&Mesh>,
     grid: &VolumeGrid,
-    run: &Run,
+    work: &Work,
 ) -> Result<Volume<f32>> {
     let mut values = zeros(grid)?;
     let [nz, ny, nx] = grid.shape;
     if !values.is_empty() {
         let scaled = Scaled::new(mesh, negative, grid);
         let mut overlapped = vec![false; nz * ny];
-        let blocks = run.steps(nz.div_ceil(SLICES));
+        let blocks = work.steps(nz.div_ceil(SLICES));
         values
             .chunks_mut(nx * ny * SLICES)
             .zip(overlapped.chunks_mut(ny * SLICES))
@@ -64,7 +64,7 @@ pub(super) fn inside_fractions(
                 fill_slices(&scaled, first, [ny, nx], values, overlapped);
                 blocks.add(1);
             });
-        run.check()?;
+        work.check()?;
         if overlapped.contains(&true) {
             let rows = with_neighbors(&overlapped, ny);
             values
@@ -72,11 +72,11 @@ pub(super) fn inside_fractions(
                 .zip(rows.chunks(ny))
                 .enumerate()
                 .par_each(|(iz, (slice, rows))| {
-                    if rows.contains(&true) && !run.is_canceled() {
+                    if rows.contains(&true) && !work.is_canceled() {
                         sample_rows(&scaled, iz, nx, rows, slice);
                     }
                 });
-            run.check()?;
+            work.check()?;
         }
     }
     Ok(Volume::new(grid.clone(), values))
@@ -392,8 +392,8 @@ mod tests {
     use tomolith_io::mesh::samples::{ball, cuboid, inverted, together};
 
     fn sampled(mesh: Mesh, grid: &VolumeGrid) -> Volume<f32> {
-        let (mesh, _) = examine(mesh, Path::new("test"), Repair::Safe, &Run::new()).unwrap();
-        inside_fractions(&mesh, None, grid, &Run::new()).unwrap()
+        let (mesh, _) = examine(mesh, Path::new("test"), Repair::Safe, &Work::new()).unwrap();
+        inside_fractions(&mesh, None, grid, &Work::new()).unwrap()
     }
 
     fn volume(volume: &Volume<f32>) -> f64 {
@@ -522,7 +522,7 @@ mod tests {
         let negative = together(&[rod, flush]);
         for pitch in [0.1, 0.13] {
             let grid = VolumeGrid::centered([48; 3], pitch);
-            let left = inside_fractions(&part, Some(&negative), &grid, &Run::new()).unwrap();
+            let left = inside_fractions(&part, Some(&negative), &grid, &Work::new()).unwrap();
             let found = volume(&left);
             near!(found, (64.0 - 4.0 - 1.0), 0.05, "{pitch}");
             for (i, value) in left.values.iter().enumerate() {
@@ -592,7 +592,7 @@ mod tests {
     #[test]
     fn too_large_a_grid_is_refused() {
         let grid = VolumeGrid::centered([1 << 20; 3], 1e-3);
-        let refused = inside_fractions(&cuboid([0.0; 3], [1.0; 3]), None, &grid, &Run::new());
+        let refused = inside_fractions(&cuboid([0.0; 3], [1.0; 3]), None, &grid, &Work::new());
         assert!(matches!(refused, Err(Error::Resources { .. })));
     }
 

@@ -14,7 +14,7 @@ use tomolith::grid::{PatternGrid, VolumeGrid};
 use tomolith::io::csr::Csr;
 use tomolith::models::matrix::MatrixModel;
 use tomolith::models::parallel::{Kernel, Parallel};
-use tomolith::models::{DoseModel, Run};
+use tomolith::models::{DoseModel, Work};
 use tomolith::optics::light::Light;
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::{Vial, cylinder::Cylinder, index_matched::IndexMatched};
@@ -133,7 +133,7 @@ fn rows(
     updates: f64,
     built: f64,
 ) -> Result<(), tomolith::Error> {
-    let run = Run::new();
+    let work = Work::new();
     let (mut x, mut dose) = (model.new_patterns()?, model.new_dose()?);
     x.fill(1.0);
     let mut grad = x.zeros_like();
@@ -142,10 +142,10 @@ fn rows(
     let share = if case.resin.pure_radon { 0.5 } else { 1.0 };
     let streamed = (1.0 + 2.0 * share) * x.len() as f64 + 2.0 * dose.len() as f64;
     let bytes = 8.0 * share + 4.0 * streamed / updates;
-    let forward = best_of_three(|| model.dose(&x, &mut dose, &run).expect("never canceled"));
+    let forward = best_of_three(|| model.dose(&x, &mut dose, &work).expect("never canceled"));
     let adjoint = best_of_three(|| {
         model
-            .pullback(&x, &dose, &mut grad, &run)
+            .pullback(&x, &dose, &mut grad, &work)
             .expect("never canceled")
     });
     for (call, seconds) in [("dose", forward), ("adjoint", adjoint)] {
@@ -192,10 +192,10 @@ fn one_frame() -> Result<(), tomolith::Error> {
         };
         let light = Light::new(case.pixels(), case.resin);
         let model = Parallel::new(case.vial.as_ref(), vec![light], case.grid())?;
-        let run = Run::new();
+        let work = Work::new();
         let (mut x, mut dose) = (model.new_patterns()?, model.new_dose()?);
         x.fill(1.0);
-        model.dose(&x, &mut dose, &run)?;
+        model.dose(&x, &mut dose, &work)?;
         let mut grad = x.zeros_like();
         let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
         let pool = pool.expect("a thread");
@@ -210,13 +210,13 @@ fn one_frame() -> Result<(), tomolith::Error> {
             (0..3).map(timed).fold(f64::MAX, f64::min)
         };
         let never = "never canceled";
-        let all = least(&mut || model.pullback(&x, &dose, &mut grad, &run).expect(never));
+        let all = least(&mut || model.pullback(&x, &dose, &mut grad, &work).expect(never));
         let own = least(&mut || {
-            let done = model.pullback_of(45..46, &x, &dose, &mut grad, &run);
+            let done = model.pullback_of(45..46, &x, &dose, &mut grad, &work);
             done.expect(never);
         });
         let mut sum = dose.zeros_like();
-        let forward = least(&mut || model.dose_of(45..46, &x, &mut sum, &run).expect(never));
+        let forward = least(&mut || model.dose_of(45..46, &x, &mut sum, &work).expect(never));
         println!(
             "{:10} {all:13.4}  {own:17.4}  {forward:11.4}  {:5.0}",
             case.name,
@@ -244,7 +244,7 @@ fn main() -> Result<(), tomolith::Error> {
     };
     for case in cases {
         let lights = vec![Light::new(case.pixels(), case.resin)];
-        let (vial, run) = (case.vial.as_ref(), Run::new());
+        let (vial, run) = (case.vial.as_ref(), Work::new());
         let start = Instant::now();
         let model = Parallel::under(vial, lights, case.kernel, case.grid(), &run)?;
         let built = start.elapsed().as_secs_f64();

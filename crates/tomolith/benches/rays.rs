@@ -9,7 +9,7 @@ use std::time::Instant;
 use tomolith::field::Field;
 use tomolith::grid::{PatternGrid, VolumeGrid};
 use tomolith::models::rays::{Optics, Params, Rays};
-use tomolith::models::{DoseModel, Run};
+use tomolith::models::{DoseModel, Work};
 use tomolith::optics::light::Light;
 use tomolith::optics::motion::Motion;
 use tomolith::optics::projector::telecentric::Telecentric;
@@ -75,7 +75,7 @@ fn main() {
             model.new_dose().expect("memory"),
         );
         x.fill(1.0);
-        let run = Run::new();
+        let work = Work::new();
         let best = |f: &mut dyn FnMut()| {
             let time = |f: &mut dyn FnMut()| {
                 let start = Instant::now();
@@ -84,9 +84,13 @@ fn main() {
             };
             (0..3).map(|_| time(f)).fold(f64::INFINITY, f64::min)
         };
-        let forward = best(&mut || model.dose(&x, &mut dose, &run).expect("dose"));
+        let forward = best(&mut || model.dose(&x, &mut dose, &work).expect("dose"));
         let mut grad = x.zeros_like();
-        let adjoint = best(&mut || model.pullback(&x, &dose, &mut grad, &run).expect("adjoint"));
+        let adjoint = best(&mut || {
+            model
+                .pullback(&x, &dose, &mut grad, &work)
+                .expect("adjoint")
+        });
         let updates = model.updates() as f64;
         println!(
             "{name}, {}, {:.3e}, {forward:.3}, {adjoint:.3}, {:.0}, {:.0}",

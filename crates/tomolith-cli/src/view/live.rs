@@ -11,7 +11,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tomolith::grid::VolumeGrid;
 use tomolith::job::{Event, Job, Progress, Snapshot, Wants};
-use tomolith::models::Run;
+use tomolith::models::Work;
 use tomolith::optimize::MeasuredPrint;
 use tomolith::report::page::{served_response, served_target};
 use tomolith::{Error, Result};
@@ -41,10 +41,10 @@ impl Live {
         job: &Job,
         address: Address,
         manner: Manner,
-        cancel: &Arc<Run>,
+        work: &Arc<Work>,
     ) -> Result<Self> {
         let text = job.complete().to_toml()?;
-        let site = Arc::new(Site::of_job(&job.spec.target.name(), &text, cancel));
+        let site = Arc::new(Site::of_job(&job.spec.target.name(), &text, work));
         let server = Server::start(&site, address.port)?;
         tell(&server, address, manner);
         Ok(Live {
@@ -65,9 +65,9 @@ impl Live {
     ///
     /// # Errors
     /// Those of reading the run folder.
-    pub(crate) fn finish(self, folder: &Path, cancel: &Run) -> Result<()> {
+    pub(crate) fn finish(self, folder: &Path, work: &Work) -> Result<()> {
         self.site.finish(folder)?;
-        self.server.serve_until(cancel);
+        self.server.serve_until(work);
         Ok(())
     }
 

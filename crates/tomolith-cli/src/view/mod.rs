@@ -17,7 +17,7 @@ use std::path::PathBuf;
 use std::process::{Command, Stdio};
 use std::sync::Arc;
 use tomolith::Result;
-use tomolith::models::Run;
+use tomolith::models::Work;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -58,11 +58,11 @@ impl Address {
     }
 }
 
-pub(crate) fn view(given: &ViewArguments, cancel: &Arc<Run>) -> Result<()> {
+pub(crate) fn view(given: &ViewArguments, work: &Arc<Work>) -> Result<()> {
     let site = Arc::new(Site::of_runs(&given.runs)?);
     let server = Server::start(&site, given.address.port)?;
     tell(&server, given.address, given.manner);
-    server.serve_until(cancel);
+    server.serve_until(work);
     Ok(())
 }
 

@@ -20,7 +20,7 @@ use tokio::runtime::{Builder, Runtime};
 use tokio::sync::broadcast::error::RecvError;
 use tokio::sync::oneshot;
 use tokio::task::JoinHandle;
-use tomolith::models::Run;
+use tomolith::models::Work;
 use tomolith::{Error, Result};
 
 /// How long the end of a command waits for a look at the request to stop.
@@ -100,8 +100,8 @@ impl Server {
     }
 
     /// Serves until the command is asked to stop.
-    pub(super) fn serve_until(self, cancel: &Run) {
-        while !cancel.is_canceled() {
+    pub(super) fn serve_until(self, work: &Work) {
+        while !work.is_canceled() {
             std::thread::sleep(PAUSE);
         }
         self.runtime.shutdown_background();

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use tokio::sync::broadcast;
 use tomolith::io::read_text;
-use tomolith::models::Run;
+use tomolith::models::Work;
 use tomolith::report::compare::{ComparedRun, comparison, read_runs};
 use tomolith::report::page::{Page, PageKind, Served, VolumeSlices, bare_run, blob, page_data};
 use tomolith::{Error, Result};
@@ -62,7 +62,7 @@ pub(super) struct Site {
     /// None once nothing more will be said.
     events: Mutex<Option<broadcast::Sender<String>>>,
     /// What stops the run that goes on.
-    cancel: Option<Arc<Run>>,
+    work: Option<Arc<Work>>,
 }
 
 impl Site {
@@ -127,7 +127,7 @@ impl Site {
             sweep: None,
             runs: Mutex::new(runs),
             events: Mutex::new(Some(broadcast::channel(BACKLOG).0)),
-            cancel: None,
+            work: None,
         }
     }
 
@@ -159,10 +159,10 @@ impl Site {
     }
 
     /// A run that begins.
-    pub(super) fn of_job(part: &str, job: &str, cancel: &Arc<Run>) -> Self {
+    pub(super) fn of_job(part: &str, job: &str, work: &Arc<Work>) -> Self {
         let shown = Shown::with(bare_run(part, "running", job), BTreeMap::new());
         Site {
-            cancel: Some(Arc::clone(cancel)),
+            work: Some(Arc::clone(work)),
             ..Site::new(part, vec![shown])
         }
     }
@@ -243,9 +243,9 @@ impl Site {
             runs.get(run)
                 .is_some_and(|run| run.data["state"] == "running")
         });
-        let cancel = self.cancel.as_ref().filter(|_| is_running);
-        cancel.is_some_and(|cancel| {
-            cancel.cancel();
+        let work = self.work.as_ref().filter(|_| is_running);
+        work.is_some_and(|work| {
+            work.cancel();
             true
         })
     }

@@ -6,7 +6,7 @@ pub mod model;
 pub mod small;
 pub mod taylor;
 
-use crate::dose::{DoseModel, Run};
+use crate::dose::{DoseModel, Work};
 use crate::error::{Error, Result};
 use crate::field::Field;
 use crate::kind::{Kind, Section};
@@ -94,7 +94,7 @@ pub fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T
 /// When the model fails.
 pub fn dose<M: DoseModel + ?Sized>(model: &M, x: &M::Field) -> M::Field {
     let mut dose = model.new_dose().unwrap();
-    model.dose(x, &mut dose, &Run::new()).unwrap();
+    model.dose(x, &mut dose, &Work::new()).unwrap();
     dose
 }
 
@@ -104,7 +104,7 @@ pub fn dose<M: DoseModel + ?Sized>(model: &M, x: &M::Field) -> M::Field {
 /// When the model fails.
 pub fn adjoint<M: DoseModel + ?Sized>(model: &M, c: &M::Field) -> M::Field {
     let (x, mut grad) = (model.new_patterns().unwrap(), model.new_patterns().unwrap());
-    model.pullback(&x, c, &mut grad, &Run::new()).unwrap();
+    model.pullback(&x, c, &mut grad, &Work::new()).unwrap();
     grad
 }
 

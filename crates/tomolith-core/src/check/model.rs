@@ -11,7 +11,7 @@
 //! ```
 
 use super::noise;
-use crate::dose::{DoseModel, Run, elements_of, frames_of};
+use crate::dose::{DoseModel, Work, elements_of, frames_of};
 use crate::error::Error;
 use crate::field::Field;
 
@@ -29,7 +29,7 @@ pub struct AdjointCheck {
 /// # Errors
 /// [`Error::Unsupported`] naming the property; the model's own errors.
 pub fn model<M: DoseModel + ?Sized>(model: &M, seed: u64) -> Result<AdjointCheck, Error> {
-    let run = Run::new();
+    let work = Work::new();
     let mut x = model.new_patterns()?;
     x.copy_from_host(
         &noise(seed, x.len())
@@ -37,14 +37,14 @@ pub fn model<M: DoseModel + ?Sized>(model: &M, seed: u64) -> Result<AdjointCheck
             .map(|v| v.abs())
             .collect::<Vec<_>>(),
     );
-    let found = adjoint(model, &x, seed + 1, &run)?;
-    overwrites(model, &x, &run)?;
-    frames_add_up(model, &x, &run)?;
-    adjoint_of_frames(model, &x, seed + 3, &run)?;
+    let found = adjoint(model, &x, seed + 1, &work)?;
+    overwrites(model, &x, &work)?;
+    frames_add_up(model, &x, &work)?;
+    adjoint_of_frames(model, &x, seed + 3, &work)?;
     if model.is_linear() {
-        linear(model, &x, seed + 2, &run)?;
+        linear(model, &x, seed + 2, &work)?;
     }
-    same_bits_on_any_thread_count(model, &x, &run)?;
+    same_bits_on_any_thread_count(model, &x, &work)?;
     Ok(found)
 }
 
@@ -57,14 +57,14 @@ fn derivative<M: DoseModel + ?Sized>(
     model: &M,
     x: &M::Field,
     d: &M::Field,
-    run: &Run,
+    work: &Work,
 ) -> Result<M::Field, Error> {
     if model.is_linear() {
         let mut out = model.new_dose()?;
-        model.dose(d, &mut out, run)?;
+        model.dose(d, &mut out, work)?;
         return Ok(out);
     }
-    let terms = model.along(x, d, run)?;
+    let terms = model.along(x, d, work)?;
     terms
         .and_then(|mut t| (!t.is_empty()).then(|| t.swap_remove(0)))
         .ok_or_else(|| {
@@ -79,11 +79,11 @@ fn adjoint<M: DoseModel + ?Sized>(
     model: &M,
     x: &M::Field,
     seed: u64,
-    run: &Run,
+    work: &Work,
 ) -> Result<AdjointCheck, Error> {
     let mut d = model.new_patterns()?;
     d.copy_from_host(&noise(seed, d.len()));
-    let fd = derivative(model, x, &d, run)?;
+    let fd = derivative(model, x, &d, work)?;
     let norm = fd.norm();
     if norm == 0.0 {
         return Err(failed("derivative", "no light reaches any voxel".into()));
@@ -91,7 +91,7 @@ fn adjoint<M: DoseModel + ?Sized>(
     let mut c = noise_of_dose(model, seed + 1)?;
     c.axpy((1.0 / norm) as f32, &fd);
     let mut back = model.new_patterns()?;
-    model.pullback(x, &c, &mut back, run)?;
+    model.pullback(x, &c, &mut back, work)?;
     let (forward, backward) = (fd.dot(&c), d.dot(&back));
     let found = AdjointCheck {
         adjoint_error: (forward - backward).abs() / (norm * c.norm()),
@@ -130,7 +130,7 @@ fn adjoint_of_frames<M: DoseModel + ?Sized>(
     model: &M,
     x: &M::Field,
     seed: u64,
-    run: &Run,
+    work: &Work,
 ) -> Result<(), Error> {
     let all = frames_of(model.patterns());
     let mut c = noise_of_dose(model, seed)?;
@@ -148,16 +148,16 @@ fn adjoint_of_frames<M: DoseModel + ?Sized>(
         }
         let mut d = model.new_patterns()?;
         d.copy_from_host(&own);
-        let fd = derivative(model, x, &d, run)?;
+        let fd = derivative(model, x, &d, work)?;
         let norm = fd.norm();
         if norm > 0.0 {
             c.axpy((1.0 / norm) as f32, &fd);
         }
         let mut whole = model.new_patterns()?;
-        model.pullback(x, &c, &mut whole, run)?;
+        model.pullback(x, &c, &mut whole, work)?;
         let mut back = model.new_patterns()?;
         back.fill(f32::NAN);
-        model.pullback_of(frames.clone(), x, &c, &mut back, run)?;
+        model.pullback_of(frames.clone(), x, &c, &mut back, work)?;
         let (whole, back) = (whole.to_host(), back.to_host());
         let mut expected = vec![f32::NAN; whole.len()];
         for (range, _) in elements_of(model.patterns(), &frames) {
@@ -182,11 +182,11 @@ fn adjoint_of_frames<M: DoseModel + ?Sized>(
     Ok(())
 }
 
-fn overwrites<M: DoseModel + ?Sized>(model: &M, x: &M::Field, run: &Run) -> Result<(), Error> {
+fn overwrites<M: DoseModel + ?Sized>(model: &M, x: &M::Field, work: &Work) -> Result<(), Error> {
     let (mut clean, mut dirty) = (model.new_dose()?, model.new_dose()?);
     dirty.fill(f32::NAN);
-    model.dose(x, &mut clean, run)?;
-    model.dose(x, &mut dirty, run)?;
+    model.dose(x, &mut clean, work)?;
+    model.dose(x, &mut dirty, work)?;
     if bits(&clean) != bits(&dirty) {
         return Err(failed(
             "dose",
@@ -195,8 +195,8 @@ fn overwrites<M: DoseModel + ?Sized>(model: &M, x: &M::Field, run: &Run) -> Resu
     }
     let (mut first, mut second) = (model.new_patterns()?, model.new_patterns()?);
     second.fill(f32::NAN);
-    model.pullback(x, &clean, &mut first, run)?;
-    model.pullback(x, &clean, &mut second, run)?;
+    model.pullback(x, &clean, &mut first, work)?;
+    model.pullback(x, &clean, &mut second, work)?;
     if bits(&first) != bits(&second) {
         return Err(failed(
             "pullback",
@@ -206,13 +206,13 @@ fn overwrites<M: DoseModel + ?Sized>(model: &M, x: &M::Field, run: &Run) -> Resu
     Ok(())
 }
 
-fn frames_add_up<M: DoseModel + ?Sized>(model: &M, x: &M::Field, run: &Run) -> Result<(), Error> {
+fn frames_add_up<M: DoseModel + ?Sized>(model: &M, x: &M::Field, work: &Work) -> Result<(), Error> {
     let frames = frames_of(model.patterns());
     let (mut whole, mut parts) = (model.new_dose()?, model.new_dose()?);
-    model.dose(x, &mut whole, run)?;
+    model.dose(x, &mut whole, work)?;
     let middle = frames / 3;
-    model.dose_of(0..middle, x, &mut parts, run)?;
-    model.dose_of(middle..frames, x, &mut parts, run)?;
+    model.dose_of(0..middle, x, &mut parts, work)?;
+    model.dose_of(middle..frames, x, &mut parts, work)?;
     let size = whole.norm();
     parts.axpy(-1.0, &whole);
     let error = parts.norm() / size;
@@ -229,16 +229,16 @@ fn linear<M: DoseModel + ?Sized>(
     model: &M,
     x: &M::Field,
     seed: u64,
-    run: &Run,
+    work: &Work,
 ) -> Result<(), Error> {
     let mut y = model.new_patterns()?;
     y.copy_from_host(&noise(seed, y.len()));
     let mut sum = y.clone();
     sum.axpy(2.0, x);
     let (mut fx, mut fy, mut fsum) = (model.new_dose()?, model.new_dose()?, model.new_dose()?);
-    model.dose(x, &mut fx, run)?;
-    model.dose(&y, &mut fy, run)?;
-    model.dose(&sum, &mut fsum, run)?;
+    model.dose(x, &mut fx, work)?;
+    model.dose(&y, &mut fy, work)?;
+    model.dose(&sum, &mut fsum, work)?;
     let size = fsum.norm();
     fsum.axpy(-2.0, &fx);
     fsum.axpy(-1.0, &fy);
@@ -255,15 +255,15 @@ fn linear<M: DoseModel + ?Sized>(
 fn same_bits_on_any_thread_count<M: DoseModel + ?Sized>(
     model: &M,
     x: &M::Field,
-    run: &Run,
+    work: &Work,
 ) -> Result<(), Error> {
     let mut results = Vec::new();
     for threads in [1, 2, 8] {
         let (mut dose, mut grad) = (model.new_dose()?, model.new_patterns()?);
         super::on_threads(threads, || {
             model
-                .dose(x, &mut dose, run)
-                .and_then(|()| model.pullback(x, &dose, &mut grad, run))
+                .dose(x, &mut dose, work)
+                .and_then(|()| model.pullback(x, &dose, &mut grad, work))
         })?;
         results.push((bits(&dose), bits(&grad)));
     }

@@ -1,6 +1,6 @@
 //! A small model for the checks: straight rays through a few slices, its matrix written down.
 
-use crate::dose::{DoseLayout, DoseModel, Facts, PatternLayout, Quantity, Run, Space, ZCoupling};
+use crate::dose::{DoseLayout, DoseModel, Facts, PatternLayout, Quantity, Space, Work, ZCoupling};
 use crate::error::Result;
 use crate::field::HostField;
 use crate::grid::{PatternGrid, Volume, VolumeGrid};
@@ -116,7 +116,7 @@ impl DoseModel for SmallModel {
         frames: Range<usize>,
         x: &HostField,
         dose: &mut HostField,
-        _: &Run,
+        _: &Work,
     ) -> Result<()> {
         let [layout] = &self.outputs;
         let [pixels] = &self.patterns;
@@ -139,7 +139,7 @@ impl DoseModel for SmallModel {
         _x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
-        _: &Run,
+        _: &Work,
     ) -> Result<()> {
         let [layout] = &self.outputs;
         let [pixels] = &self.patterns;

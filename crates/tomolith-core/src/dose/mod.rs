@@ -17,7 +17,7 @@ pub mod waves;
 use crate::error::Result;
 use crate::field::{Field, HostField};
 use crate::grid::VolumeGrid;
-pub use crate::run::{Run, Steps};
+pub use crate::work::{Steps, Work};
 use form::Form;
 pub use layout::{DoseLayout, PatternLayout, Quantity, elements_of, frames_of, own_frames};
 pub use regions::Regions;
@@ -87,7 +87,7 @@ pub trait Renewal<F> {
     ///
     /// # Errors
     /// [`Error::Canceled`](crate::Error::Canceled), and what refuses a simulation.
-    fn renew(&self, iteration: usize, x: &F, run: &Run) -> Result<bool>;
+    fn renew(&self, iteration: usize, x: &F, work: &Work) -> Result<bool>;
     /// What earlier patterns have left in the map, where the number of the iteration does not tell: checkpoints keep it.
     fn memory(&self) -> Option<F> {
         None
@@ -153,9 +153,9 @@ pub trait DoseModel: Send + Sync {
     ///
     /// # Errors
     /// [`Error::Canceled`](crate::Error::Canceled).
-    fn dose(&self, x: &Self::Field, dose: &mut Self::Field, run: &Run) -> Result<()> {
+    fn dose(&self, x: &Self::Field, dose: &mut Self::Field, work: &Work) -> Result<()> {
         dose.fill(0.0);
-        self.dose_of(0..frames_of(self.patterns()), x, dose, run)
+        self.dose_of(0..frames_of(self.patterns()), x, dose, work)
     }
     /// F′(x)ᵀ c; overwrites `grad`. By default that of all frames.
     ///
@@ -166,9 +166,9 @@ pub trait DoseModel: Send + Sync {
         x: &Self::Field,
         cotangent: &Self::Field,
         grad: &mut Self::Field,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
-        self.pullback_of(0..frames_of(self.patterns()), x, cotangent, grad, run)
+        self.pullback_of(0..frames_of(self.patterns()), x, cotangent, grad, work)
     }
     /// Dose of some frames only, *added* to `dose`: printing in time, streaming, sharding by angle.
     ///
@@ -179,7 +179,7 @@ pub trait DoseModel: Send + Sync {
         frames: Range<usize>,
         x: &Self::Field,
         dose: &mut Self::Field,
-        run: &Run,
+        work: &Work,
     ) -> Result<()>;
     /// The elements of F′(x)ᵀ c that belong to some frames: *overwrites* these of `grad` and leaves all others. Linear models do not look at x.
     ///
@@ -191,7 +191,7 @@ pub trait DoseModel: Send + Sync {
         x: &Self::Field,
         cotangent: &Self::Field,
         grad: &mut Self::Field,
-        run: &Run,
+        work: &Work,
     ) -> Result<()>;
     /// α ↦ F(x + α d) − F(x) as coefficient fields of α, α² … (`[F(d)]` for linear models), or None where it is no polynomial: the default of
     /// models that are not linear. Searches know F(x).
@@ -202,13 +202,13 @@ pub trait DoseModel: Send + Sync {
         &self,
         _x: &Self::Field,
         d: &Self::Field,
-        run: &Run,
+        work: &Work,
     ) -> Result<Option<Vec<Self::Field>>> {
         if !self.is_linear() {
             return Ok(None);
         }
         let mut term = self.new_dose()?;
-        self.dose(d, &mut term, run)?;
+        self.dose(d, &mut term, work)?;
         Ok(Some(vec![term]))
     }
     /// How the map changes between iterations, if it ever does.
@@ -243,6 +243,6 @@ pub trait Accelerator: std::fmt::Debug + Send + Sync {
     fn model(
         &self,
         form: &Form,
-        run: &Run,
+        work: &Work,
     ) -> Result<Option<Box<dyn DoseModel<Field = crate::field::HostField>>>>;
 }

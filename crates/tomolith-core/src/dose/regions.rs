@@ -7,7 +7,7 @@
 //! sum bounds all of them.
 
 use crate::error::Result;
-use crate::run::Run;
+use crate::work::Work;
 
 /// A number for each element of a dose field.
 pub type ByElement<'a> = dyn Fn(usize) -> f32 + Sync + 'a;
@@ -24,10 +24,10 @@ pub trait Regions<F>: Send + Sync {
     ///
     /// # Errors
     /// [`Error::Canceled`](crate::Error::Canceled).
-    fn bounds(&self, x: &F, step: &F, run: &Run) -> Result<Vec<f32>>;
+    fn bounds(&self, x: &F, step: &F, work: &Work) -> Result<Vec<f32>>;
     /// F(x) in the voxels of the regions that are chosen: overwrites these, and leaves all others.
     ///
     /// # Errors
     /// [`Error::Canceled`](crate::Error::Canceled).
-    fn dose_in(&self, chosen: &[bool], x: &F, dose: &mut F, run: &Run) -> Result<()>;
+    fn dose_in(&self, chosen: &[bool], x: &F, dose: &mut F, work: &Work) -> Result<()>;
 }

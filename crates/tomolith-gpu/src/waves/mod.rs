@@ -20,7 +20,7 @@ use rotation::DeviceRotation;
 use std::ops::Range;
 use std::sync::Arc;
 use tomolith_core::dose::waves::{WaveForm, WaveGeometry, WaveLight};
-use tomolith_core::dose::{DoseLayout, DoseModel, Facts, PatternLayout, Run, Space};
+use tomolith_core::dose::{DoseLayout, DoseModel, Facts, PatternLayout, Space, Work};
 use tomolith_core::error::{Error, Result};
 
 /// Bytes of the frames that are computed together.
@@ -52,9 +52,9 @@ struct DeviceLight {
 type Voxels<'a> = (Range<usize>, &'a Buffer);
 
 impl Geometry {
-    fn new(gpu: &Gpu, form: &Arc<WaveGeometry>, run: &Run) -> Result<Self> {
+    fn new(gpu: &Gpu, form: &Arc<WaveGeometry>, work: &Work) -> Result<Self> {
         let light = |(light, layout): (&WaveLight, &PatternLayout)| {
-            run.check()?;
+            work.check()?;
             DeviceLight::new(gpu, form, light, layout)
         };
         let lights = form.lights.iter().zip(&form.patterns).map(light);
@@ -95,10 +95,10 @@ impl GpuWaves {
     ///
     /// # Errors
     /// [`Error::Device`], [`Error::Canceled`]; [`Error::Resources`] where a frame does not fit a binding of the card.
-    pub(crate) fn new(gpu: &Gpu, form: &WaveForm, run: &Run) -> Result<Self> {
+    pub(crate) fn new(gpu: &Gpu, form: &WaveForm, work: &Work) -> Result<Self> {
         let geometry = gpu.shared(
             |known: &Geometry| Arc::ptr_eq(&known.form, &form.geometry),
-            || Geometry::new(gpu, &form.geometry, run),
+            || Geometry::new(gpu, &form.geometry, work),
         )?;
         Ok(GpuWaves {
             gpu: gpu.clone(),
@@ -123,7 +123,7 @@ impl GpuWaves {
         &self,
         frames: &Range<usize>,
         x: &GpuField,
-        run: &Run,
+        work: &Work,
         mut with: impl FnMut(&DeviceLight, &Batch<'_>) -> Result<()>,
     ) -> Result<()> {
         let pieces: Vec<Range<usize>> = x.ranges().collect();
@@ -131,7 +131,7 @@ impl GpuWaves {
             let (layout, light) = (&self.form().patterns[light], &self.geometry.lights[light]);
             let mut begin = range.start;
             while begin < range.end {
-                run.check()?;
+                work.check()?;
                 let frames = together(
                     layout,
                     begin..range.end.min(begin + light.together),
@@ -230,11 +230,11 @@ impl DoseModel for GpuWaves {
         frames: Range<usize>,
         x: &GpuField,
         dose: &mut GpuField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
-        self.batches(&frames, x, run, |light, batch| {
+        self.batches(&frames, x, work, |light, batch| {
             let spectra = light.propagation.spectra(batch, x);
-            let samples = (light.propagation).shine(batch.frames.len(), &spectra, run)?;
+            let samples = (light.propagation).shine(batch.frames.len(), &spectra, work)?;
             self.add(light, batch, samples, dose);
             Ok(())
         })
@@ -246,31 +246,31 @@ impl DoseModel for GpuWaves {
         x: &GpuField,
         cotangent: &GpuField,
         grad: &mut GpuField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
-        self.batches(&frames, grad, run, |light, batch| {
+        self.batches(&frames, grad, work, |light, batch| {
             let (propagation, count) = (&light.propagation, batch.frames.len());
             let samples = self.asked(light, batch, cotangent);
             // The derivative of linear light does not ask where
             let spectra = (!self.form().is_linear).then(|| propagation.spectra(batch, x));
-            let sum = propagation.send_back(count, spectra.as_ref(), &samples, run)?;
+            let sum = propagation.send_back(count, spectra.as_ref(), &samples, work)?;
             propagation.to_pixels(&sum, batch, grad);
             Ok(())
         })
     }
 
-    fn along(&self, x: &GpuField, d: &GpuField, run: &Run) -> Result<Option<Vec<GpuField>>> {
+    fn along(&self, x: &GpuField, d: &GpuField, work: &Work) -> Result<Option<Vec<GpuField>>> {
         if self.form().is_linear {
             let mut term = self.new_dose()?;
-            self.dose(d, &mut term, run)?;
+            self.dose(d, &mut term, work)?;
             return Ok(Some(vec![term]));
         }
         let terms = [self.new_dose()?, self.new_dose()?];
         let all = 0..tomolith_core::dose::frames_of(&self.form().patterns);
-        self.batches(&all, x, run, |light, batch| {
+        self.batches(&all, x, work, |light, batch| {
             let (propagation, count) = (&light.propagation, batch.frames.len());
             let [of_x, of_d] = [x, d].map(|image| propagation.spectra(batch, image));
-            let samples = propagation.shine_along(count, [&of_x, &of_d], run)?;
+            let samples = propagation.shine_along(count, [&of_x, &of_d], work)?;
             for (samples, term) in samples.into_iter().zip(&terms) {
                 self.add(light, batch, samples, term);
             }

@@ -15,7 +15,7 @@ use std::ops::Range;
 use tomolith_core::dose::waves::{
     Comb, FieldTap, Interpolation, SparseRows, Transfer, WaveLight, WaveMode,
 };
-use tomolith_core::dose::{PatternLayout, Run};
+use tomolith_core::dose::{PatternLayout, Work};
 use tomolith_core::error::Result;
 
 /// How light of one light spreads.
@@ -334,9 +334,9 @@ impl DevicePropagation {
     }
 
     /// Samples of the light of one image a frame: |ψ|².
-    pub(crate) fn shine(&self, frames: usize, spectra: &Buffer, run: &Run) -> Result<Buffer> {
+    pub(crate) fn shine(&self, frames: usize, spectra: &Buffer, work: &Work) -> Result<Buffer> {
         let samples = self.dark(frames, self.computed());
-        self.each_depth(frames, &[spectra], Light::Dose, &[&samples], run)?;
+        self.each_depth(frames, &[spectra], Light::Dose, &[&samples], work)?;
         Ok(samples)
     }
 
@@ -345,10 +345,10 @@ impl DevicePropagation {
         &self,
         frames: usize,
         spectra: [&Buffer; 2],
-        run: &Run,
+        work: &Work,
     ) -> Result<[Buffer; 2]> {
         let samples = [(); 2].map(|()| self.dark(frames, self.computed()));
-        self.each_depth(frames, &spectra, Light::Along, &samples.each_ref(), run)?;
+        self.each_depth(frames, &spectra, Light::Along, &samples.each_ref(), work)?;
         Ok(samples)
     }
 
@@ -366,7 +366,7 @@ impl DevicePropagation {
         spectra: &[&Buffer],
         light: Light,
         samples: &[&Buffer],
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let rings: Vec<Buffer> = spectra
             .iter()
@@ -375,7 +375,7 @@ impl DevicePropagation {
         for mode in &self.modes {
             let (mut power, mut next) = (Power::new(self, mode), 0);
             for depth in 0..self.depths {
-                self.check(run)?;
+                self.check(work)?;
                 let now = power.at(self, depth);
                 for (spectra, ring) in spectra.iter().zip(&rings) {
                     self.field(frames, spectra, now, (ring, depth % self.forth.ring));
@@ -397,7 +397,7 @@ impl DevicePropagation {
         frames: usize,
         spectra: Option<&Buffer>,
         samples: &Buffer,
-        run: &Run,
+        work: &Work,
     ) -> Result<Buffer> {
         let bytes = (8 * frames * self.frequencies()) as u64;
         let sum = self.gpu.buffer(bytes);
@@ -411,7 +411,7 @@ impl DevicePropagation {
             let [mut power, mut power_back] = [(); 2].map(|()| Power::new(self, mode));
             let (mut next, mut done) = (0, 0);
             for depth in 0..self.depths {
-                self.check(run)?;
+                self.check(work)?;
                 if let Some(spectra) = spectra {
                     let now = power.at(self, depth);
                     self.field(frames, spectra, now, (&ring, depth % self.forth.ring));
@@ -438,8 +438,8 @@ impl DevicePropagation {
         Ok(sum)
     }
 
-    fn check(&self, run: &Run) -> Result<()> {
-        run.check()?;
+    fn check(&self, work: &Work) -> Result<()> {
+        work.check()?;
         self.gpu.check()
     }
 

@@ -1,7 +1,7 @@
 //! What tests of dose models share.
 
 use tomolith_core::check::{self, noise};
-use tomolith_core::dose::{DoseLayout, DoseModel, Run, frames_of};
+use tomolith_core::dose::{DoseLayout, DoseModel, Work, frames_of};
 use tomolith_core::field::Field;
 use tomolith_gpu::GpuField;
 use tomolith_optics::light::Light;
@@ -68,11 +68,11 @@ pub(crate) fn assert_one_matrix(
         "{what}"
     );
     let (mut sum, mut alone) = (model.new_dose().unwrap(), grad.zeros_like());
-    let run = Run::new();
+    let work = Work::new();
     for frame in 0..frames_of(model.patterns()) {
         let frame = frame..frame + 1;
-        model.dose_of(frame.clone(), &x, &mut sum, &run).unwrap();
-        model.pullback_of(frame, &x, &c, &mut alone, &run).unwrap();
+        model.dose_of(frame.clone(), &x, &mut sum, &work).unwrap();
+        model.pullback_of(frame, &x, &c, &mut alone, &work).unwrap();
     }
     assert_near(&sum.to_host(), &dose.to_host(), 1e-6, what);
     assert_eq!(alone.to_host(), grad.to_host(), "{what}");

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use tomolith_core::Error;
 use tomolith_core::check;
 use tomolith_core::dose::form::Form;
-use tomolith_core::dose::{Accelerator, Run};
+use tomolith_core::dose::{Accelerator, Work};
 use tomolith_core::grid::PatternGrid;
 use tomolith_gpu::{Gpu, model_on};
 use tomolith_models::rays::Optics;
@@ -60,7 +60,7 @@ pub(crate) fn tilted(optics: Optics, tilt_rad: f64) -> Optics {
 /// Asserts that every kernel of these models, among them the named ones, can be had in the languages of Metal and DX12.
 pub(crate) fn assert_portable_kernels(gpu: &Gpu, forms: &[Form], names: &[&str]) {
     for form in forms {
-        let model = &*model_on(gpu, form, &Run::new()).unwrap();
+        let model = &*model_on(gpu, form, &Work::new()).unwrap();
         check::adjoint(model, &check::dose(model, &check::noisy_patterns(model, 1)));
     }
     let sources: BTreeMap<_, _> = gpu.sources().into_iter().collect();
@@ -72,7 +72,7 @@ pub(crate) fn assert_portable_kernels(gpu: &Gpu, forms: &[Form], names: &[&str])
 
 /// Asserts that a card has no room for a model, and says so.
 pub(crate) fn assert_too_large(gpu: &Gpu, form: &Form) {
-    let refused = gpu.model(form, &Run::new()).err();
+    let refused = gpu.model(form, &Work::new()).err();
     assert!(
         matches!(refused, Some(Error::Resources { .. })),
         "{refused:?}"

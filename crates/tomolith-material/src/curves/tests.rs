@@ -6,7 +6,7 @@ use crate::print::{LightSource, PrintRun};
 use crate::schedule::{Power, Schedule, Turns};
 use std::ops::ControlFlow;
 use tomolith_core::check::{self, small::SmallModel};
-use tomolith_core::dose::{DoseModel, Run};
+use tomolith_core::dose::{DoseModel, Work};
 use tomolith_core::near;
 
 /// A checkerboard of cells of `cell` voxels within the inscribed circle: half of it is part, by symmetry.
@@ -35,14 +35,14 @@ fn patterns(model: &SmallModel, labels: &Volume<u8>) -> HostField {
             .collect(),
     );
     let target = HostField::from_slice(&model.layout().field_of(&target));
-    let run = Run::new();
+    let work = Work::new();
     let mut x = model.new_patterns().unwrap();
     let mut dose = model.new_dose().unwrap();
     let mut grad = x.zeros_like();
     for _ in 0..30 {
-        model.dose(&x, &mut dose, &run).unwrap();
+        model.dose(&x, &mut dose, &work).unwrap();
         dose.axpy(-1.0, &target);
-        model.pullback(&x, &dose, &mut grad, &run).unwrap();
+        model.pullback(&x, &dose, &mut grad, &work).unwrap();
         x.axpy(-0.3, &grad);
         x.clamp(0.0, 1e3);
     }
@@ -65,7 +65,7 @@ fn watch(
         curves.watch(moment);
         ControlFlow::Continue(())
     };
-    print.run(&Run::new(), &mut observer).unwrap();
+    print.run(&Work::new(), &mut observer).unwrap();
 }
 
 #[test]

@@ -88,10 +88,10 @@ fn it_is_an_exact_pair_with_one_arc_and_with_many() {
         let model = Diffused::of_schedule(small(), 0.02, &schedule, arcs).unwrap();
         check::model::model(&model, 3).unwrap();
         // Searches know that it is linear
-        let run = Run::new();
+        let work = Work::new();
         let x = check::noisy_patterns(&model, 8);
         let dose = check::dose(&model, &x);
-        let terms = model.along(&x, &x, &run).unwrap().unwrap();
+        let terms = model.along(&x, &x, &work).unwrap().unwrap();
         let off = apart(&dose, &terms[0]);
         assert!(terms.len() == 1 && off < 1e-5, "{off}");
     }
@@ -119,7 +119,7 @@ fn arcs_of_single_frames_are_the_print_of_a_dose_that_wanders() {
     let light = print::LightSource::new(&model, &x);
     let mut printing = print::PrintRun::new(&material, &schedule, vec![light]).unwrap();
     let state = printing
-        .run(&Run::new(), &mut |_| ControlFlow::Continue(()))
+        .run(&Work::new(), &mut |_| ControlFlow::Continue(()))
         .unwrap();
     let printed = &state.volumes[material.readout(0).volume];
     let distance = |arcs: usize| {

@@ -83,7 +83,7 @@ impl DoseModel for Cross {
         frames: Range<usize>,
         x: &HostField,
         dose: &mut HostField,
-        _: &Run,
+        _: &Work,
     ) -> Result<()> {
         for pixel in frames.start * N..frames.end * N {
             for (voxel, weight) in self.ray(pixel / N, pixel % N) {
@@ -99,7 +99,7 @@ impl DoseModel for Cross {
         _x: &HostField,
         c: &HostField,
         grad: &mut HostField,
-        _: &Run,
+        _: &Work,
     ) -> Result<()> {
         for pixel in frames.start * N..frames.end * N {
             let ray = self.ray(pixel / N, pixel % N).into_iter();
@@ -173,7 +173,7 @@ fn along_a_row(cured: f64, irradiance: f64) -> (Vec<f32>, Vec<f64>, usize) {
         curves.watch(moment);
         ControlFlow::Continue(())
     };
-    let state = print.run(&Run::new(), &mut watch).unwrap();
+    let state = print.run(&Work::new(), &mut watch).unwrap();
     drop(print);
     let dose = &state.volumes[material.readout(0).volume].as_slice()[5 * N..6 * N];
     let imbued = curves.points().iter().map(|p| p.imbued_mj).collect();
@@ -219,11 +219,11 @@ fn a_step_that_is_not_stable_is_refused_by_its_limit_and_others_end_early() {
         }
     };
     let mut print = print().with_step_s(1.0).unwrap();
-    print.run(&Run::new(), &mut watch).unwrap();
+    print.run(&Work::new(), &mut watch).unwrap();
     assert_eq!(seen, [(0.0, true), (1.0, false), (2.0, false)]);
-    let run = Run::new();
-    run.cancel();
-    let stopped = print.run(&run, &mut |_| ControlFlow::Continue(()));
+    let work = Work::new();
+    work.cancel();
+    let stopped = print.run(&work, &mut |_| ControlFlow::Continue(()));
     assert!(matches!(stopped, Err(Error::Canceled)));
 }
 
@@ -239,6 +239,6 @@ fn a_renewed_model_of_other_voxels_is_refused() {
     };
     let print = PrintRun::new(&material, &schedule, vec![light]).unwrap();
     let mut print = print.with_renewal(1.0, &mut renew);
-    let refused = print.run(&Run::new(), &mut |_| ControlFlow::Continue(()));
+    let refused = print.run(&Work::new(), &mut |_| ControlFlow::Continue(()));
     assert!(matches!(refused, Err(Error::Unsupported { .. })));
 }

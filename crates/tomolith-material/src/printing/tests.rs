@@ -82,7 +82,7 @@ fn the_gradient_through_time_passes_a_taylor_test() {
     // Cosine transforms round off more: the second ends where f32 ends it
     for (lights, decades) in [(1, 2), (2, 1)] {
         let printing = in_time(lights);
-        let run = Run::new();
+        let work = Work::new();
         let x = positive(printing.new_patterns().unwrap().len(), 1);
         let mut d = x.zeros_like();
         d.copy_from_host(&check::noise(2, d.len()));
@@ -91,12 +91,12 @@ fn the_gradient_through_time_passes_a_taylor_test() {
         let value = |e: f32| {
             let (mut y, mut dose) = (x.clone(), printing.new_dose().unwrap());
             y.axpy(e, &d);
-            printing.dose(&y, &mut dose, &run).unwrap();
+            printing.dose(&y, &mut dose, &work).unwrap();
             dose.dot(&c)
         };
         let mut grad = x.zeros_like();
         grad.fill(f32::NAN);
-        printing.pullback(&x, &c, &mut grad, &run).unwrap();
+        printing.pullback(&x, &c, &mut grad, &work).unwrap();
         let exact = grad.dot(&d);
         let left = Remainders::over(decades, 0.1, &value, exact);
         assert!((left.order() - 2.0).abs() < 0.05, "{lights}: {left:?}");
@@ -110,19 +110,19 @@ fn the_gradient_through_time_passes_a_taylor_test() {
 
 #[test]
 fn the_gradient_of_some_frames_is_that_part_of_the_whole() {
-    let run = Run::new();
+    let work = Work::new();
     for printing in [1, 2].map(in_time) {
         let x = positive(printing.new_patterns().unwrap().len(), 7);
         let c = positive(printing.new_dose().unwrap().len(), 8);
         let mut whole = x.zeros_like();
-        printing.pullback(&x, &c, &mut whole, &run).unwrap();
+        printing.pullback(&x, &c, &mut whole, &work).unwrap();
         let all = frames_of(printing.patterns());
         for frames in [0..1, 3..8, all - 1..all, all / 2 - 2..all / 2 + 3, 5..5] {
             let (mut part, mut expected) = (x.zeros_like(), x.zeros_like());
             part.fill(-7.5);
             expected.fill(-7.5);
             printing
-                .pullback_of(frames.clone(), &x, &c, &mut part, &run)
+                .pullback_of(frames.clone(), &x, &c, &mut part, &work)
                 .unwrap();
             for (range, _) in elements_of(printing.patterns(), &frames) {
                 expected.as_mut_slice()[range.clone()].copy_from_slice(&whole.as_slice()[range]);
@@ -163,9 +163,9 @@ impl DoseModel for Counting {
         frames: Range<usize>,
         x: &HostField,
         dose: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
-        self.0.dose_of(frames, x, dose, run)
+        self.0.dose_of(frames, x, dose, work)
     }
 
     fn pullback_of(
@@ -174,10 +174,10 @@ impl DoseModel for Counting {
         x: &HostField,
         c: &HostField,
         grad: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         self.1.fetch_add(frames.len(), Ordering::Relaxed);
-        self.0.pullback_of(frames, x, c, grad, run)
+        self.0.pullback_of(frames, x, c, grad, work)
     }
 }
 
@@ -190,27 +190,29 @@ fn the_way_back_asks_for_the_frames_that_shine_and_no_others() {
     let printing = Printing::new(optics, schedule, Box::new(material), Some(0.5)).unwrap();
     let x = positive(printing.new_patterns().unwrap().len(), 1);
     let c = positive(printing.new_dose().unwrap().len(), 2);
-    let (mut grad, run) = (x.zeros_like(), Run::new());
+    let (mut grad, work) = (x.zeros_like(), Work::new());
     let blocks = printing.blocks.len();
-    printing.pullback(&x, &c, &mut grad, &run).unwrap();
+    printing.pullback(&x, &c, &mut grad, &work).unwrap();
     // A block a frame: 12 frames, where the whole gradient of every block would take 144
     assert_eq!((blocks, counted.swap(0, Ordering::Relaxed)), (12, 12));
-    printing.pullback_of(4..5, &x, &c, &mut grad, &run).unwrap();
+    printing
+        .pullback_of(4..5, &x, &c, &mut grad, &work)
+        .unwrap();
     assert_eq!(counted.load(Ordering::Relaxed), 1);
 }
 
 #[test]
 fn outputs_are_overwritten_and_bits_do_not_depend_on_threads() {
     let printing = in_time(1);
-    let run = Run::new();
+    let work = Work::new();
     let x = positive(printing.new_patterns().unwrap().len(), 5);
     let of = |threads: usize, before: f32| {
         tomolith_core::check::on_threads(threads, || {
             let (mut dose, mut grad) = (printing.new_dose().unwrap(), x.zeros_like());
             dose.fill(before);
             grad.fill(before);
-            printing.dose(&x, &mut dose, &run).unwrap();
-            printing.pullback(&x, &dose, &mut grad, &run).unwrap();
+            printing.dose(&x, &mut dose, &work).unwrap();
+            printing.pullback(&x, &dose, &mut grad, &work).unwrap();
             (bits(&dose), bits(&grad))
         })
     };
@@ -221,11 +223,11 @@ fn outputs_are_overwritten_and_bits_do_not_depend_on_threads() {
 #[test]
 fn what_needs_a_sum_over_frames_is_refused() {
     let printing = in_time(1);
-    let (x, run) = (printing.new_patterns().unwrap(), Run::new());
-    assert!(printing.along(&x, &x, &run).unwrap().is_none());
+    let (x, work) = (printing.new_patterns().unwrap(), Work::new());
+    assert!(printing.along(&x, &x, &work).unwrap().is_none());
     assert!(!printing.is_linear() && printing.z_coupling() == ZCoupling::Full);
     let mut dose = printing.new_dose().unwrap();
-    let refused = printing.dose_of(0..2, &x, &mut dose, &run);
+    let refused = printing.dose_of(0..2, &x, &mut dose, &work);
     assert!(matches!(refused, Err(Error::Unsupported { .. })));
 }
 

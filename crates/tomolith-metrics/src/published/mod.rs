@@ -129,22 +129,22 @@ pub fn of_print(
     if target.grid.shape != dose.grid.shape || target.values.len() != dose.values.len() {
         return Err(Error::shape("target", dose.grid.shape, target.grid.shape));
     }
-    let run = print.run();
+    let work = print.work();
     // One pass for all numbers below
     let lowest = scan.part().map(|p| f64::from(p.min));
     scan.look_at(lowest.as_slice(), &order::ranks(scan, options.trim_percent));
-    let slices = slices::slices(dose, labels, options.trim_percent, &run.part(SLICES));
-    run.check()?;
+    let slices = slices::slices(dose, labels, options.trim_percent, &work.part(SLICES));
+    work.check()?;
     let mut list = List::default();
     ranges(&mut list, scan);
     trimmed(&mut list, scan, options.trim_percent);
     best_threshold(&mut list, scan);
-    run.check()?;
+    work.check()?;
     band_errors(&mut list, dose, target, labels, options);
-    run.check()?;
+    work.check()?;
     slices::worst(&mut list, &slices);
     budget::list(&mut list, dose, labels, options.patterns);
-    run.check()?;
+    work.check()?;
     Ok((list.0, slices))
 }
 

@@ -3,7 +3,7 @@
 use super::super::buckets::runs;
 use super::{List, Measure};
 use serde::Serialize;
-use tomolith_core::dose::Run;
+use tomolith_core::dose::Work;
 use tomolith_core::grid::Volume;
 use tomolith_core::parallel::InParallel;
 
@@ -34,20 +34,20 @@ pub(super) fn slices(
     dose: &Volume<f32>,
     labels: &Volume<u8>,
     trim_percent: f64,
-    run: &Run,
+    work: &Work,
 ) -> Vec<Slice> {
     let [_, ny, nx] = dose.grid.shape;
     let size = (nx * ny).max(1);
     let each = |(iz, (values, labels)): (usize, (&[f32], &[u8]))| {
         let [mut part, mut void] = [const { Vec::new() }; 2];
-        for (class, run) in runs(labels) {
+        for (class, work) in runs(labels) {
             let own = if class == 0 { &mut part } else { &mut void };
-            own.extend_from_slice(&values[run]);
+            own.extend_from_slice(&values[work]);
         }
         slice(dose.grid.z(iz), &part, &void, trim_percent)
     };
     let slices = dose.values.chunks(size);
-    let steps = run.steps(dose.grid.shape[0]);
+    let steps = work.steps(dose.grid.shape[0]);
     let slices = slices
         .zip(labels.values.chunks(size))
         .enumerate()
@@ -167,7 +167,7 @@ mod tests {
             0.75, 1.0, 0.25, 0.5, 0.5, 0.75, 0.25, 9.0, 0.0, 0.0, 0.0, 9.0,
         ];
         let dose = Volume::new(grid.clone(), values);
-        let found = slices(&dose, &Volume::new(grid, labels), 25.0, &Run::new());
+        let found = slices(&dose, &Volume::new(grid, labels), 25.0, &Work::new());
         let numbers = |s: &Slice| (s.z_mm, s.pw, s.ipdr, s.ver);
         assert_eq!(
             numbers(&found[0]),

@@ -18,7 +18,7 @@ use super::plan::{KernelPath, LightPlan};
 use super::tiles::{Local, TILE, Tile, TileEntries};
 use super::turned::Turned;
 use super::{GROUP, groups, is_straight};
-use crate::Run;
+use crate::Work;
 use std::f64::consts::PI;
 use std::ops::Range;
 use tomolith_core::error::Result;
@@ -343,16 +343,16 @@ impl CachedEntries {
         plan: &LightPlan,
         path: KernelPath,
         tiles: &[Tile],
-        run: &Run,
+        work: &Work,
     ) -> Result<Self> {
         let period = plan.turned.period;
         let of_tiles = tiles.iter().enumerate();
         let found = of_tiles.par_map_with(Finder::default, |finder, tile| {
-            let groups = groups(0..period).take_while(|_| !run.is_canceled());
+            let groups = groups(0..period).take_while(|_| !work.is_canceled());
             let find = |group| finder.find(path, plan, (tile.0, tile.1, &group), |_| true);
             groups.map(find).map(Group::of).collect::<Vec<_>>()
         });
-        run.check()?;
+        work.check()?;
         Ok(CachedEntries {
             groups: found.into_iter().flatten().collect(),
             per_tile: groups(0..period).count(),

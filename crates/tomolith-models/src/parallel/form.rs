@@ -5,7 +5,7 @@ use super::plan::LightPlan;
 use super::radon::Kernel;
 use super::strips::{Beam, Major};
 use super::tiles::Tile;
-use super::{Parallel, Run, Vial, VolumeGrid};
+use super::{Parallel, Vial, VolumeGrid, Work};
 use tomolith_core::dose::form::{Form, Masked};
 use tomolith_core::dose::strips::{self, LightStrips, ResinRow, StripGeometry};
 use tomolith_core::error::Result;
@@ -18,14 +18,14 @@ pub(super) fn form(
     lights: &[Light],
     kernel: Kernel,
     grid: &VolumeGrid,
-    run: &Run,
+    work: &Work,
 ) -> Result<Option<Form>> {
     let is_even = lights.iter().all(|light| light.map.is_none());
     if grid.shape[0] == 1 || kernel != Kernel::DistanceDriven || !is_even {
         return Ok(None);
     }
     let of = (lights.to_vec(), kernel);
-    let model = Parallel::planned(vial, of, grid.clone(), Finding::OfAllViews, run)?;
+    let model = Parallel::planned(vial, of, grid.clone(), Finding::OfAllViews, work)?;
     Ok(Some(Form::Strips(Masked::new(model.geometry()))))
 }
 

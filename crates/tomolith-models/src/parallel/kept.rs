@@ -13,7 +13,7 @@ use super::patches;
 use super::plan::LightPlan;
 use super::regions::Chosen;
 use super::{DoseLayout, Parallel, TILE, Tile, groups, tile_rows};
-use crate::Run;
+use crate::Work;
 use std::ops::Range;
 use tomolith_core::dose::layout::row_of;
 use tomolith_core::error::Result;
@@ -179,7 +179,7 @@ impl Parallel {
         only: Option<(&Chosen, &[u64])>,
         x: &[f32],
         dose: &mut [f32],
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let plan = &self.lights[light];
         let wide = Wide::of(plan);
@@ -197,12 +197,12 @@ impl Parallel {
         let chosen = only.map(|(chosen, _)| chosen);
         let DoseLayout { row, grid, .. } = &self.output;
         let rows = tile_rows(&self.tiles, dose, *row, grid.shape[2]);
-        self.each_orbit(&source, rows, run, |tiles, tile, desk| {
+        self.each_orbit(&source, rows, work, |tiles, tile, desk| {
             self.add_turned((plan, wide), tiles, tile, chosen, desk);
         });
         drop(source);
         self.return_scratch(lanes);
-        run.check()
+        work.check()
     }
 
     /// Sums lanes for all tiles, together with those that the turn maps onto them, and gives what each has of `targets` to `finish`.
@@ -210,14 +210,14 @@ impl Parallel {
         &self,
         source: &Source<'_>,
         targets: Vec<T>,
-        run: &Run,
+        work: &Work,
         finish: impl Fn(&[usize], (usize, T), &mut Desk) + Sync,
     ) {
         let (plan, wide) = (source.plan, source.wide);
         let (row, used) = (wide.row / LANES, (wide.parts * wide.part).div_ceil(LANES));
         let lengths = patches::block_lengths(self.path.isa, wide.parts);
         let nonzero = NonzeroBlocks::of(source.lanes, row, used, lengths);
-        let steps = run.steps(self.tiles.len() * source.groups.len());
+        let steps = work.steps(self.tiles.len() * source.groups.len());
         let mut targets: Vec<_> = targets.into_iter().map(Some).collect();
         let of_orbit = |orbit: &Vec<usize>| {
             let own = orbit.iter().map(|&i| Some((i, targets[i].take()?)));
@@ -392,7 +392,7 @@ impl Parallel {
         (views, sides): (Range<usize>, Range<usize>),
         cotangent: &[f32],
         grad: &mut [f32],
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let plan = &self.lights[light];
         let wide = Wide::of(plan);
@@ -429,7 +429,7 @@ impl Parallel {
                 lanes.fill(0.0);
                 let orbits = self.orbits.iter().skip(band * per_band).take(per_band);
                 for &index in orbits.flatten() {
-                    if run.is_canceled() {
+                    if work.is_canceled() {
                         return;
                     }
                     self.collect_kept((plan, wide, cache), (index, groups), given, lanes, desk);
@@ -454,7 +454,7 @@ impl Parallel {
         if let Some(of_rows) = of_rows {
             self.return_scratch(of_rows);
         }
-        run.check()
+        work.check()
     }
 
     /// Adds to the lanes of groups of views, from the first to the last, what the cotangent that a tile is turned to gives.

@@ -8,7 +8,7 @@
 use super::Parallel;
 use super::plan::LightPlan;
 use super::tiles::{Local, Meeting, TILE, TileEntries};
-use crate::Run;
+use crate::Work;
 use tomolith_core::error::Result;
 use tomolith_core::parallel::InParallel;
 use tomolith_optics::light::Light;
@@ -37,7 +37,7 @@ pub(super) struct Loose {
 
 impl Loose {
     /// Finds them; empty where they are too many.
-    pub(super) fn of(model: &Parallel, plan: &LightPlan, run: &Run) -> Result<Self> {
+    pub(super) fn of(model: &Parallel, plan: &LightPlan, work: &Work) -> Result<Self> {
         let beams = plan.beams.len();
         let needed = |&at: &usize| model.is_loose(plan, at % beams, plan.meetings[at]);
         let places: Vec<usize> = (0..plan.meetings.len()).filter(needed).collect();
@@ -48,14 +48,14 @@ impl Loose {
         }
         let find = |&at: &usize| {
             let mut found = TileEntries::default();
-            if !run.is_canceled() {
+            if !work.is_canceled() {
                 let place = (at / beams, at % beams);
                 model.enumerate_loose(plan, place, plan.meetings[at], &mut found);
             }
             found
         };
         let found = places.iter().par_map(find);
-        run.check()?;
+        work.check()?;
         for (i, &place) in places.iter().enumerate() {
             at[place] = i as u32 + 1;
         }

@@ -68,7 +68,7 @@
 //! let mut x = model.new_patterns().unwrap();
 //! x.fill(1.0);
 //! let mut dose = model.new_dose().unwrap();
-//! model.dose(&x, &mut dose, &Run::new()).unwrap();
+//! model.dose(&x, &mut dose, &Work::new()).unwrap();
 //! let volume = model.outputs()[0].volume_of(dose.as_slice());
 //! let expected = 4.0 * 0.1 * (-0.1f64 * 2.0).exp();
 //! assert!((f64::from(*volume.at(2, 15, 15)) / expected - 1.0).abs() < 1e-4);
@@ -97,7 +97,7 @@ mod z_overlap;
 
 use crate::{
     Capabilities, Cost, DoseLayout, DoseModel, HostModel, MakeFamily, ModelFamily, ModelInput,
-    ModelKind, OpticalScene, PatternLayout, Purpose, Refines, Run, ZCoupling, own_frames,
+    ModelKind, OpticalScene, PatternLayout, Purpose, Refines, Work, ZCoupling, own_frames,
 };
 use cached::{CachedEntries, Finding};
 use kernel::Isa;
@@ -174,13 +174,19 @@ impl ModelFamily for Params {
     fn build(&self, input: &ModelInput<'_>) -> Result<HostModel> {
         let (scene, grid) = (&input.scene, input.grid.clone());
         let of = (scene.lights.to_vec(), self.kernel);
-        let model = Parallel::for_purpose(scene.vial, of, grid, scene.purpose, input.run)?;
+        let model = Parallel::for_purpose(scene.vial, of, grid, scene.purpose, input.work)?;
         Ok(Box::new(model))
     }
 
     fn form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
         let scene = &input.scene;
-        form::form(scene.vial, scene.lights, self.kernel, input.grid, input.run)
+        form::form(
+            scene.vial,
+            scene.lights,
+            self.kernel,
+            input.grid,
+            input.work,
+        )
     }
 
     /// One adjoint of all pixels: nothing is stored, and the first part of the turn serves all of it.
@@ -235,7 +241,7 @@ impl Parallel {
     /// # Errors
     /// [`Error::Config`] when there is nothing to light or nothing that absorbs.
     pub fn new(vial: &dyn Vial, lights: Vec<Light>, grid: VolumeGrid) -> Result<Self> {
-        Self::under(vial, lights, Kernel::default(), grid, &Run::new())
+        Self::under(vial, lights, Kernel::default(), grid, &Work::new())
     }
 
     /// [`new`](Self::new) with a kernel, which shares a column's light among voxels, as a part of a run.
@@ -247,9 +253,9 @@ impl Parallel {
         lights: Vec<Light>,
         kernel: Kernel,
         grid: VolumeGrid,
-        run: &Run,
+        work: &Work,
     ) -> Result<Self> {
-        Self::planned(vial, (lights, kernel), grid, Finding::InEachCall, run)
+        Self::planned(vial, (lights, kernel), grid, Finding::InEachCall, work)
     }
 
     /// The model for a purpose: an optimization stores entries where there is room.
@@ -261,7 +267,7 @@ impl Parallel {
         (lights, kernel): (Vec<Light>, Kernel),
         grid: VolumeGrid,
         purpose: Purpose,
-        run: &Run,
+        work: &Work,
     ) -> Result<Self> {
         let is_kept = || grid.shape[0] == 1 || cached::bytes(&lights, vial, &grid).is_some();
         let finding = match purpose {
@@ -269,7 +275,7 @@ impl Parallel {
             Purpose::Probe => Finding::OfAllViews,
             _ => Finding::InEachCall,
         };
-        Self::planned(vial, (lights, kernel), grid, finding, run)
+        Self::planned(vial, (lights, kernel), grid, finding, work)
     }
 
     /// The model of a plan; to find the entries (column, voxel, weight) of all frames once is worth it where a dose is asked for
@@ -279,7 +285,7 @@ impl Parallel {
         (lights, kernel): (Vec<Light>, Kernel),
         grid: VolumeGrid,
         finding: Finding,
-        run: &Run,
+        work: &Work,
     ) -> Result<Self> {
         if grid.is_empty() {
             return Err(Error::config(
@@ -301,8 +307,8 @@ impl Parallel {
             must_be_even(kernel, &light, vial)?;
             let layout = light.layout(offset);
             let own = (&light, kernel, turned);
-            plans.push(LightPlan::new(vial, own, &layout, &grid, &tiles, run));
-            run.check()?;
+            plans.push(LightPlan::new(vial, own, &layout, &grid, &tiles, work));
+            work.check()?;
             offset += layout.len();
             patterns.push(layout);
         }
@@ -330,13 +336,13 @@ impl Parallel {
     }
 
     /// The entries of a light of a volume.
-    fn entries(&self, light: usize, run: &Run) -> Result<&CachedEntries> {
+    fn entries(&self, light: usize, work: &Work) -> Result<&CachedEntries> {
         let own = &self.cache[light];
         if let Some(found) = own.get() {
             return Ok(found);
         }
         let found = match self.finding {
-            Finding::Once => CachedEntries::of(&self.lights[light], self.path, &self.tiles, run)?,
+            Finding::Once => CachedEntries::of(&self.lights[light], self.path, &self.tiles, work)?,
             Finding::InEachCall | Finding::OfAllViews => CachedEntries::in_each_call(),
         };
         // Whoever comes first; all would find the same
@@ -344,9 +350,9 @@ impl Parallel {
     }
 
     /// The stored single entries of a light of a slice; None where none are.
-    fn loose(&self, light: usize, run: &Run) -> Result<Option<&Loose>> {
+    fn loose(&self, light: usize, work: &Work) -> Result<Option<&Loose>> {
         if self.finding == Finding::Once && self.loose[light].get().is_none() {
-            let found = Loose::of(self, &self.lights[light], run)?;
+            let found = Loose::of(self, &self.lights[light], work)?;
             let _ = self.loose[light].set(found);
         }
         Ok(self.loose[light].get())
@@ -377,13 +383,13 @@ impl Parallel {
         (views, sides): (Range<usize>, Range<usize>),
         x: &[f32],
         dose: &mut [f32],
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         if self.is_plane() {
-            return self.add_light_of_plane(light, (views, sides), x, dose, run);
+            return self.add_light_of_plane(light, (views, sides), x, dose, work);
         }
-        let entries = self.entries(light, run)?;
-        self.add_kept((light, entries), (views, sides), None, x, dose, run)
+        let entries = self.entries(light, work)?;
+        self.add_kept((light, entries), (views, sides), None, x, dose, work)
     }
 
     /// grad = Aᵀ c for these views of one light, from these sides.
@@ -393,13 +399,13 @@ impl Parallel {
         (views, sides): (Range<usize>, Range<usize>),
         cotangent: &[f32],
         grad: &mut [f32],
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         if self.is_plane() {
-            return self.adjoint_light_of_plane(light, (views, sides), cotangent, grad, run);
+            return self.adjoint_light_of_plane(light, (views, sides), cotangent, grad, work);
         }
-        let entries = self.entries(light, run)?;
-        self.adjoint_kept((light, entries), (views, sides), cotangent, grad, run)
+        let entries = self.entries(light, work)?;
+        self.adjoint_kept((light, entries), (views, sides), cotangent, grad, work)
     }
 
     /// A cotangent as the lanes of the kernel, where these are not its slices.
@@ -530,12 +536,12 @@ impl Parallel {
         frames: Range<usize>,
         cotangent: &HostField,
         grad: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let (cotangent, grad) = (cotangent.as_slice(), grad.as_mut_slice());
         for (light, own) in own_frames(&self.patterns, &frames) {
             for part in self.lights[light].views.of_frames(own) {
-                self.adjoint_light(light, part, cotangent, grad, run)?;
+                self.adjoint_light(light, part, cotangent, grad, work)?;
             }
         }
         Ok(())
@@ -563,14 +569,14 @@ impl DoseModel for Parallel {
         frames: Range<usize>,
         x: &HostField,
         dose: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         for (light, own) in own_frames(&self.patterns, &frames) {
             let parts = self.lights[light].views.of_frames(own);
             let share = 1.0 / (self.lights.len() * parts.len()) as f64;
             for part in parts {
-                let run = run.part(share);
-                self.add_light(light, part, x.as_slice(), dose.as_mut_slice(), &run)?;
+                let work = work.part(share);
+                self.add_light(light, part, x.as_slice(), dose.as_mut_slice(), &work)?;
             }
         }
         Ok(())
@@ -582,9 +588,9 @@ impl DoseModel for Parallel {
         _x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
-        self.collect(frames, cotangent, grad, run)
+        self.collect(frames, cotangent, grad, work)
     }
 
     fn updates(&self) -> u64 {
@@ -609,7 +615,7 @@ impl Parallel {
     fn count_updates(&self) -> u64 {
         let nz = self.output.grid.shape[0];
         let of_light = |(light, plan): (usize, &LightPlan)| {
-            let kept = (!self.is_plane()).then(|| self.entries(light, &Run::new()));
+            let kept = (!self.is_plane()).then(|| self.entries(light, &Work::new()));
             if let Some(Ok(entries)) = kept
                 && entries.is_kept()
             {

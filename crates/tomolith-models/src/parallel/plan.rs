@@ -12,7 +12,7 @@ use super::uniform_strips::UniformStrips;
 use super::views::Views;
 use super::walls::Walls;
 use super::z_overlap::{Intervals, Levels, ZOverlaps};
-use crate::{PatternLayout, Run};
+use crate::{PatternLayout, Work};
 use std::ops::Range;
 use tomolith_core::field::LANES;
 use tomolith_core::grid::{PatternGrid, VolumeGrid};
@@ -112,7 +112,7 @@ impl LightPlan {
         layout: &PatternLayout,
         grid: &VolumeGrid,
         tiles: &[Tile],
-        run: &Run,
+        work: &Work,
     ) -> Self {
         let resin = light.resin;
         let deposit = Deposit {
@@ -148,7 +148,7 @@ impl LightPlan {
                     ..meeting
                 }
             };
-        let steps = run.steps(tiles.len());
+        let steps = work.steps(tiles.len());
         let of_tile = |tile| -> Vec<Meeting> {
             steps.add(1);
             let beams = beams.iter().zip(&uniform_strips).zip(&bounds);
@@ -161,8 +161,8 @@ impl LightPlan {
         let overlaps = ZOverlaps::new(&rows, &slices, path);
         let levels = Levels::new(&rows, &slices, &overlaps, path);
         let lit_by = |overlaps: &ZOverlaps| -> Vec<(u16, u16)> {
-            let vectors = |&run| {
-                let (first, end) = overlaps.lanes_of(run);
+            let vectors = |&work| {
+                let (first, end) = overlaps.lanes_of(work);
                 ((first / LANES) as u16, end.div_ceil(LANES) as u16)
             };
             layout.runs.iter().map(vectors).collect()

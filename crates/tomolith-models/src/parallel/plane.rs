@@ -11,7 +11,7 @@ use super::strips::Major;
 use super::tiles::{Local, Meeting, TILE, Tile, TileEntries};
 use super::uniform_strips::{Integrals, Square, UniformStrips};
 use super::{Parallel, tile_rows};
-use crate::Run;
+use crate::Work;
 use std::ops::Range;
 use tomolith_core::error::Result;
 use tomolith_core::parallel::InParallel;
@@ -56,7 +56,7 @@ impl Parallel {
         (views, sides): (Range<usize>, Range<usize>),
         x: &[f32],
         dose: &mut [f32],
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let plan = &self.lights[light];
         let mut pixels = self.borrow_scratch(plan.lit.len());
@@ -76,7 +76,7 @@ impl Parallel {
                 }
             });
         let all = sources.as_slice();
-        let loose = (plan, self.loose(light, run)?);
+        let loose = (plan, self.loose(light, work)?);
         let nx = self.output.grid.shape[2];
         tile_rows(&self.tiles, dose, 1, nx)
             .into_iter()
@@ -85,7 +85,7 @@ impl Parallel {
                 // Dose of the tile: lanes along x, and along y
                 let mut along: [Square; 2] = [[0.0; TILE * TILE]; 2];
                 for beam in beams.clone() {
-                    if run.is_canceled() {
+                    if work.is_canceled() {
                         return;
                     }
                     let meeting = plan.meeting(index, beam);
@@ -120,7 +120,7 @@ impl Parallel {
             });
         self.return_scratch(sources);
         self.return_scratch(pixels);
-        run.check()
+        work.check()
     }
 
     /// grad = Aᵀ c for these views of one light, from these sides, for a single slice.
@@ -130,7 +130,7 @@ impl Parallel {
         (views, sides): (Range<usize>, Range<usize>),
         cotangent: &[f32],
         grad: &mut [f32],
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let plan = &self.lights[light];
         let mut pixels = self.borrow_scratch(plan.lit.len());
@@ -139,7 +139,7 @@ impl Parallel {
             .len()
             .div_ceil(4 * rayon::current_num_threads())
             .max(1);
-        let loose = self.loose(light, run)?;
+        let loose = self.loose(light, work)?;
         pixels.as_mut_slice()[views.start * plan.columns..views.end * plan.columns]
             .chunks_mut(chunk * plan.columns)
             .enumerate()
@@ -148,7 +148,7 @@ impl Parallel {
                 let first = views.start + i * chunk;
                 gathering.begin(plan, first..(first + chunk).min(views.end));
                 for (index, tile) in self.tiles.iter().enumerate() {
-                    if run.is_canceled() {
+                    if work.is_canceled() {
                         return;
                     }
                     gathering.add_tile(self, (plan, loose), (index, tile), cotangent, pixels);
@@ -163,7 +163,7 @@ impl Parallel {
             grad,
         );
         self.return_scratch(pixels);
-        run.check()
+        work.check()
     }
 }
 

@@ -284,7 +284,7 @@ fn mean_of_clamped(a: f64, b: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Run;
+    use crate::Work;
     use crate::parallel::Parallel;
     use tomolith_core::check;
     use tomolith_core::dose::DoseModel;
@@ -375,7 +375,7 @@ mod tests {
     fn model(kernel: Kernel, pixels: PatternGrid, grid: VolumeGrid) -> Parallel {
         let light = Light::new(pixels, Resin::pure_radon(1.5));
         let vial = IndexMatched { radius_mm: 50.0 };
-        Parallel::under(&vial, vec![light], kernel, grid, &Run::new()).unwrap()
+        Parallel::under(&vial, vec![light], kernel, grid, &Work::new()).unwrap()
     }
 
     #[test]
@@ -507,7 +507,7 @@ mod tests {
                 vec![light.clone()],
                 Kernel::Strip,
                 grid.clone(),
-                &Run::new(),
+                &Work::new(),
             )
             .err()
             .map(|e| e.to_string())

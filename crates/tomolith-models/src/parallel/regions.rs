@@ -9,7 +9,7 @@ use super::cached::{PATCHES, patch};
 use super::kept::{Desk, Source, Wide};
 use super::plan::LightPlan;
 use super::{Finding, Parallel, Tile};
-use crate::Run;
+use crate::Work;
 use std::ops::Range;
 use tomolith_core::dose::frames_of;
 use tomolith_core::dose::regions::{ByElement, Regions};
@@ -228,14 +228,14 @@ impl Regions<HostField> for Parallel {
         })
     }
 
-    fn bounds(&self, x: &HostField, step: &HostField, run: &Run) -> Result<Vec<f32>> {
+    fn bounds(&self, x: &HostField, step: &HostField, work: &Work) -> Result<Vec<f32>> {
         let plan = self.the_plan();
         let pooled = Wide::of(plan).pooled();
         let mut lanes = self.borrow_scratch(pooled.of_all());
         self.expand_bounds(pooled, x.as_slice(), step.as_slice(), lanes.as_mut_slice());
         let source = Source {
             plan,
-            entries: self.entries(0, run)?,
+            entries: self.entries(0, work)?,
             wide: pooled,
             lanes: lanes.as_slice(),
             groups: super::groups(0..plan.turned.period).collect(),
@@ -261,10 +261,10 @@ impl Regions<HostField> for Parallel {
                 }
             }
         };
-        self.each_orbit(&source, of_tiles, run, raise);
+        self.each_orbit(&source, of_tiles, work, raise);
         drop(source);
         self.return_scratch(lanes);
-        run.check()?;
+        work.check()?;
         Ok(bounds)
     }
 
@@ -273,7 +273,7 @@ impl Regions<HostField> for Parallel {
         chosen: &[bool],
         x: &HostField,
         dose: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let (chosen, wanted) = self.wanted(chosen);
         let only = Some((&chosen, wanted.as_slice()));
@@ -281,14 +281,14 @@ impl Regions<HostField> for Parallel {
             0..self.the_plan().views.count(),
             self.the_plan().views.sides(),
         );
-        let entries = self.entries(0, run)?;
+        let entries = self.entries(0, work)?;
         self.add_kept(
             (0, entries),
             all,
             only,
             x.as_slice(),
             dose.as_mut_slice(),
-            run,
+            work,
         )
     }
 }

@@ -44,7 +44,7 @@ fn vials() -> Vec<Box<dyn Vial>> {
 fn dose_of(model: &Parallel, patterns: &[f32]) -> Volume<f32> {
     let mut dose = model.new_dose().unwrap();
     model
-        .dose(&HostField::from_slice(patterns), &mut dose, &Run::new())
+        .dose(&HostField::from_slice(patterns), &mut dose, &Work::new())
         .unwrap();
     model.output.volume_of(dose.as_slice())
 }
@@ -101,7 +101,7 @@ fn masked_pixels_leave_an_exact_pair() {
         Resin::absorbing(1.48, 0.2),
     );
     let all = Parallel::new(vials()[1].as_ref(), vec![light.clone()], grid.clone()).unwrap();
-    let brought = selection::contributions(&all, &wanted, &Run::new()).unwrap();
+    let brought = selection::contributions(&all, &wanted, &Work::new()).unwrap();
     let selections = [tomolith_optics::light::Selection::default()];
     let chosen = selection::chosen(&all.patterns, &selections, Some(brought.as_slice()));
     light.active = Some(selection::rows_of(&all.patterns, &chosen)[0].clone());
@@ -557,7 +557,7 @@ fn keeping(vial: &dyn Vial, light: Light, grid: VolumeGrid) -> Parallel {
 
 fn finding(finding: Finding, vial: &dyn Vial, light: Light, grid: VolumeGrid) -> Parallel {
     let of = (vec![light], Kernel::default());
-    Parallel::planned(vial, of, grid, finding, &Run::new()).unwrap()
+    Parallel::planned(vial, of, grid, finding, &Work::new()).unwrap()
 }
 
 #[test]
@@ -650,7 +650,7 @@ fn opposite_frames_are_one_view_and_change_nothing() {
         let x = HostField::from_slice(&check::noise(5, paired.patterns[0].len()));
         let dose_of = |model: &Parallel, frames: Range<usize>| {
             let mut dose = model.new_dose().unwrap();
-            model.dose_of(frames, &x, &mut dose, &Run::new()).unwrap();
+            model.dose_of(frames, &x, &mut dose, &Work::new()).unwrap();
             dose
         };
         for frames in [0..10, 2..4, 3..9, 6..10] {

@@ -419,7 +419,7 @@ impl ZOverlaps {
 mod tests {
     use super::super::Parallel;
     use super::*;
-    use crate::{DoseModel, Run};
+    use crate::{DoseModel, Work};
     use tomolith_core::check::{self, model::model, noise};
     use tomolith_core::field::Field;
     use tomolith_optics::light::Light;
@@ -473,7 +473,7 @@ mod tests {
             *x = values[i / times];
         }
         let mut dose = model.new_dose().unwrap();
-        (model.dose_of(0..6, &x, &mut dose, &Run::new())).unwrap();
+        (model.dose_of(0..6, &x, &mut dose, &Work::new())).unwrap();
         let mut cotangent = dose.zeros_like();
         let row = model.outputs()[0].row;
         for (i, c) in noise(4, cotangent.len()).into_iter().enumerate() {
@@ -482,7 +482,7 @@ mod tests {
             }
         }
         let mut gradient = x.zeros_like();
-        (model.pullback(&x, &cotangent, &mut gradient, &Run::new())).unwrap();
+        (model.pullback(&x, &cotangent, &mut gradient, &Work::new())).unwrap();
         let of_rows = gradient.as_slice().chunks(times);
         let gradient = of_rows.map(|rows| rows.iter().sum()).collect();
         let dose = model.outputs()[0].volume_of(dose.as_slice()).values;

@@ -5,7 +5,7 @@ use super::column_rays::ColumnRay;
 use super::segment::{Lattice, Segment};
 use super::solid::Pieces;
 use super::traversal::{self, Ways};
-use crate::Run;
+use crate::Work;
 use std::ops::Range;
 use tomolith_core::error::Result;
 use tomolith_core::parallel::{InParallel, table};
@@ -58,11 +58,11 @@ impl Rays {
         &self,
         (light, frames): (usize, Range<usize>),
         wants: impl Fn(usize) -> bool + Sync,
-        run: &Run,
+        work: &Work,
         mut visit: impl FnMut(&RayBatch),
     ) -> Result<()> {
         for pairs in self.chunks(light, frames) {
-            run.check()?;
+            work.check()?;
             visit(&self.bundles(light, pairs, &wants));
         }
         Ok(())
@@ -73,16 +73,16 @@ impl Rays {
         &self,
         (light, frames): (usize, Range<usize>),
         wants: impl Fn(usize) -> bool + Sync,
-        run: &Run,
+        work: &Work,
         mut visit: impl FnMut(&[ColumnRay]),
     ) -> Result<()> {
-        if let Some(kept) = self.cached_column_rays(run)? {
+        if let Some(kept) = self.cached_column_rays(work)? {
             kept.of_pixels(&self.patterns[light].elements_of(frames))
                 .for_each(visit);
             return Ok(());
         }
         for pairs in self.chunks(light, frames) {
-            run.check()?;
+            work.check()?;
             visit(&self.column_rays(light, pairs, &wants));
         }
         Ok(())

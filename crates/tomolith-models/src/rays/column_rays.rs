@@ -20,7 +20,7 @@
 use super::slanted::{self, Slant};
 use super::{Rays, traversal};
 use crate::parallel::kernel::{Block, Entries, Isa, MAX_BLOCK, accumulate};
-use crate::{DoseLayout, Run};
+use crate::{DoseLayout, Work};
 use std::ops::Range;
 use tomolith_core::error::Result;
 use tomolith_core::field::LANES;
@@ -100,11 +100,11 @@ pub(super) struct ColumnRaysCache(Vec<ColumnRay>);
 
 impl ColumnRaysCache {
     /// Those of a model; None when their ways and rows are more than `most` numbers.
-    pub(super) fn of(model: &Rays, most: usize, run: &Run) -> Result<Option<Self>> {
+    pub(super) fn of(model: &Rays, most: usize, work: &Work) -> Result<Option<Self>> {
         let (mut all, mut numbers) = (Vec::new(), 0);
         for (light, layout) in model.patterns.iter().enumerate() {
             for pairs in model.chunks(light, 0..layout.grid.frames()) {
-                run.check()?;
+                work.check()?;
                 let column_rays = model.column_rays(light, pairs, |_| true);
                 numbers += column_rays.iter().map(ColumnRay::numbers).sum::<usize>();
                 if numbers > most {

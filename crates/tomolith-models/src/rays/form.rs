@@ -2,7 +2,7 @@
 
 use super::solid::Pieces;
 use super::{Accumulation, Rays, matrix_cache};
-use crate::{DoseModel, Run};
+use crate::{DoseModel, Work};
 use std::ops::Range;
 use tomolith_core::dose::form::{Form, Masked};
 use tomolith_core::dose::rays::{LightRays, RayGeometry, RaySegment};
@@ -36,26 +36,26 @@ struct Followed {
 
 impl Rays {
     /// The form of a model; None where [`geometry`](Self::geometry) is.
-    pub(crate) fn to_form(&self, run: &Run) -> Result<Option<Form>> {
-        let geometry = self.in_grid(run)?;
+    pub(crate) fn to_form(&self, work: &Work) -> Result<Option<Form>> {
+        let geometry = self.in_grid(work)?;
         Ok(geometry.map(|geometry| Form::Rays(Masked::new(geometry))))
     }
 
     /// Rays that meet voxels as data; None where [`geometry`](Self::geometry) is.
-    pub(crate) fn in_grid(&self, run: &Run) -> Result<Option<RayGeometry>> {
-        self.geometry(Wanted::InGrid, run)
+    pub(crate) fn in_grid(&self, work: &Work) -> Result<Option<RayGeometry>> {
+        self.geometry(Wanted::InGrid, work)
     }
 
     /// Unscattered light as data; None of random accumulation, and where there are more segments than [`MOST`].
-    pub(super) fn geometry(&self, wanted: Wanted, run: &Run) -> Result<Option<RayGeometry>> {
+    pub(super) fn geometry(&self, wanted: Wanted, work: &Work) -> Result<Option<RayGeometry>> {
         if self.accumulation != Accumulation::Integral {
             return Ok(None);
         }
         let (mut lights, mut segments, mut updates) = (Vec::new(), 0, 0.0);
         for light in 0..self.sources.len() {
             let of_light = match self.shared_rays(light) {
-                Some(shared) => Some((shared, self.counted(light, run)?)),
-                None => self.all_rays((light, wanted), MOST - segments, run)?,
+                Some(shared) => Some((shared, self.counted(light, work)?)),
+                None => self.all_rays((light, wanted), MOST - segments, work)?,
             };
             let Some((rays, passed)) = of_light else {
                 return Ok(None);
@@ -104,12 +104,12 @@ impl Rays {
     }
 
     /// About how many voxels the rays of all frames of a light pass.
-    fn counted(&self, light: usize, run: &Run) -> Result<f64> {
+    fn counted(&self, light: usize, work: &Work) -> Result<f64> {
         let layout = &self.patterns[light];
         let (frames, columns) = (layout.grid.frames(), layout.grid.columns);
         let (mut passed, mut pixels) = (0.0, 0);
         for frame in (0..frames).step_by(frames.div_ceil(COUNTED).max(1)) {
-            run.check()?;
+            work.check()?;
             let pairs = frame * columns..(frame + 1) * columns;
             let followed: Vec<f64> =
                 pairs.par_map(|pair| self.follow((light, Wanted::InGrid), pair).passed);
@@ -124,11 +124,11 @@ impl Rays {
         &self,
         (light, wanted): (usize, Wanted),
         most: usize,
-        run: &Run,
+        work: &Work,
     ) -> Result<Option<(LightRays, f64)>> {
         let (mut segments, mut starts, mut passed) = (Vec::new(), vec![0], 0.0);
         for pairs in self.chunks(light, 0..self.patterns[light].grid.frames()) {
-            run.check()?;
+            work.check()?;
             let followed: Vec<Followed> = pairs.par_map(|pair| self.follow((light, wanted), pair));
             for column in followed {
                 for count in column.counts {

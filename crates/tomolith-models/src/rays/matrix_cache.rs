@@ -14,7 +14,7 @@ use super::batch::RayBatch;
 use super::segment::Segment;
 use super::traversal::{self, Ways};
 use crate::matrix::Rows;
-use crate::{PatternLayout, Run};
+use crate::{PatternLayout, Work};
 use std::ops::Range;
 use tomolith_core::error::Result;
 use tomolith_core::grid::VolumeGrid;
@@ -28,7 +28,8 @@ pub const MOST: usize = 1 << 27;
 /// Bytes of an entry, by place and by pixel.
 pub const BYTES: usize = 16;
 
-/// Voxels that a ray crosses for each plane of the grid: one, and tan φ sideways (0.44 on average up to 45°), on 85 % of the planes.
+/// Voxels that a ray crosses for each plane of the grid: one, and tan φ sideways (0.44 on average up to 45°), on 85 % of the planes. Memory of
+/// five variants of example 12 is so estimated 3 % too low to 19 % too high.
 pub(super) const CROSSED: f64 = 1.2;
 
 /// The size of the cache in entries.
@@ -75,7 +76,7 @@ pub(super) struct RayMatrixCache {
 
 impl RayMatrixCache {
     /// The walks of all rays of a model; None when they have more than `most` entries, or seem to have twice as many.
-    pub(super) fn of(model: &Rays, most: usize, run: &Run) -> Result<Option<Self>> {
+    pub(super) fn of(model: &Rays, most: usize, work: &Work) -> Result<Option<Self>> {
         let places = model.output.voxels() * (1 + usize::from(model.solid.is_some()));
         let pixels: usize = model.patterns.iter().map(PatternLayout::len).sum();
         let mut by_pixel = Csr {
@@ -87,7 +88,7 @@ impl RayMatrixCache {
             let chunks = model.chunks(light, 0..layout.grid.frames());
             let count = chunks.len();
             for (i, pairs) in chunks.into_iter().enumerate() {
-                run.check()?;
+                work.check()?;
                 let lit = model.bundles(light, pairs.clone(), |_| true);
                 // A chunk has all rays of its pixels, and later ones have later pixels
                 for (place, pixel, deposit) in

@@ -44,7 +44,7 @@
 //! let mut x = model.new_patterns().unwrap();
 //! x.fill(1.0);
 //! let mut dose = model.new_dose().unwrap();
-//! model.dose(&x, &mut dose, &Run::new()).unwrap();
+//! model.dose(&x, &mut dose, &Work::new()).unwrap();
 //! let absorbed: f32 = dose.as_slice().iter().sum::<f32>() * 0.1f32.powi(3); // mJ
 //! let sent = 3.0 * 0.1 * 0.1; // three frames of one pixel of 1 mJ/mm²
 //! assert!((absorbed / sent - (1.0 - (-0.4f32).exp())).abs() < 1e-4); // the rays at ±0.025 mm run 4 mm less 6e-4
@@ -66,7 +66,7 @@ pub(crate) mod weighted;
 
 use crate::{
     Capabilities, Cost, DoseLayout, DoseModel, HostModel, MakeFamily, ModelFamily, ModelInput,
-    ModelKind, OpticalScene, PatternLayout, Purpose, Refines, Run, TimedBy, ZCoupling, own_frames,
+    ModelKind, OpticalScene, PatternLayout, Purpose, Refines, TimedBy, Work, ZCoupling, own_frames,
 };
 use accumulation::Accumulation;
 use column_rays::{ColumnRay, ColumnRaysCache};
@@ -164,7 +164,7 @@ impl ModelFamily for Params {
     }
 
     fn form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
-        self.model(input)?.to_form(input.run)
+        self.model(input)?.to_form(input.work)
     }
 
     fn rays(&self, scene: &OpticalScene<'_>, grid: &VolumeGrid) -> Option<Result<Rays>> {
@@ -447,23 +447,23 @@ impl Rays {
     }
 
     /// The stored rays; None where none are.
-    fn cache(&self, run: &Run) -> Result<Option<&RayMatrixCache>> {
+    fn cache(&self, work: &Work) -> Result<Option<&RayMatrixCache>> {
         if self.caches && !self.has_column_rays() && self.cache.get().is_none() {
             // Whoever comes first; all would find the same
             let _ = self
                 .cache
-                .set(RayMatrixCache::of(self, matrix_cache::MOST, run)?);
+                .set(RayMatrixCache::of(self, matrix_cache::MOST, work)?);
         }
         Ok(self.cache.get().and_then(Option::as_ref))
     }
 
     /// The stored column rays of all lights; None where none are.
-    fn cached_column_rays(&self, run: &Run) -> Result<Option<&ColumnRaysCache>> {
+    fn cached_column_rays(&self, work: &Work) -> Result<Option<&ColumnRaysCache>> {
         if self.caches && self.has_column_rays() && self.cached_column_rays.get().is_none() {
             let most = matrix_cache::MOST * matrix_cache::BYTES / column_rays::BYTES[0];
             let _ = self
                 .cached_column_rays
-                .set(ColumnRaysCache::of(self, most, run)?);
+                .set(ColumnRaysCache::of(self, most, work)?);
         }
         Ok(self.cached_column_rays.get().and_then(Option::as_ref))
     }
@@ -559,7 +559,7 @@ fn refuse(light: &Light, optics: &Optics) -> Result<()> {
 
 impl Renewal<HostField> for Rays {
     /// Draws other paths, whatever the patterns are.
-    fn renew(&self, iteration: usize, _x: &HostField, _run: &Run) -> Result<bool> {
+    fn renew(&self, iteration: usize, _x: &HostField, _run: &Work) -> Result<bool> {
         let round = (iteration.saturating_sub(1) / self.renew) as u64;
         let renewed: Vec<bool> = self.sources.iter().map(|s| s.renew(round)).collect();
         Ok(renewed.contains(&true))
@@ -591,7 +591,7 @@ impl DoseModel for Rays {
         frames: Range<usize>,
         x: &HostField,
         dose: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let x = x.as_slice();
         let dose = dose.as_mut_slice();
@@ -601,7 +601,7 @@ impl DoseModel for Rays {
             .solid
             .as_ref()
             .map(|_| [(); 2].map(|()| vec![0.0; voxels]));
-        let kept = self.cache(run)?;
+        let kept = self.cache(work)?;
         for (light, own) in own_frames(&self.patterns, &frames) {
             if let Some(kept) = kept {
                 let pixels = self.patterns[light].elements_of(own);
@@ -619,7 +619,7 @@ impl DoseModel for Rays {
                 self.for_each_sheets(
                     (light, own),
                     |pixel| x[pixel] != 0.0,
-                    run,
+                    work,
                     |column_rays| {
                         column_rays::add(column_rays, &self.output, x, dose);
                     },
@@ -628,7 +628,7 @@ impl DoseModel for Rays {
             }
             let mut cells = self.scatter_grid.as_ref().map(ScatterGrid::cells);
             let is_lit = |pixel: usize| x[pixel] != 0.0;
-            self.for_each_chunk((light, own), is_lit, run, |lit| {
+            self.for_each_chunk((light, own), is_lit, work, |lit| {
                 match &mut split {
                     None => self.add(&self.lattice, &lit.straight, x, dose),
                     Some([outside, inside]) => {
@@ -656,11 +656,11 @@ impl DoseModel for Rays {
         _x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let (c, grad) = (cotangent.as_slice(), grad.as_mut_slice());
         let split = self.solid.as_ref().map(|solid| solid.cells().collect(c));
-        let kept = self.cache(run)?;
+        let kept = self.cache(work)?;
         let sides = kept.and(split.as_ref()).map(|sides| sides.concat());
         for (light, own) in own_frames(&self.patterns, &frames) {
             let pixels = self.patterns[light].elements_of(own.clone());
@@ -673,7 +673,7 @@ impl DoseModel for Rays {
                 self.for_each_sheets(
                     (light, own),
                     |_| true,
-                    run,
+                    work,
                     |column_rays| {
                         column_rays::collect(column_rays, &self.output, c, grad);
                     },
@@ -690,7 +690,7 @@ impl DoseModel for Rays {
             self.for_each_chunk(
                 (light, own),
                 |_| true,
-                run,
+                work,
                 |lit| {
                     match &split {
                         None => self.collect(&self.lattice, &lit.straight, c, grad),
@@ -714,7 +714,7 @@ impl DoseModel for Rays {
 
     /// Voxels that all segments pass: planes of each axis they cross, summed.
     fn updates(&self) -> u64 {
-        if let Ok(Some(kept)) = self.cache(&Run::new()) {
+        if let Ok(Some(kept)) = self.cache(&Work::new()) {
             return kept.updates();
         }
         *self.updates.get_or_init(|| {

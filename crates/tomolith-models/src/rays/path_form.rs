@@ -5,7 +5,7 @@
 
 use super::form::Wanted;
 use super::{Accumulation, Optics, Rays, batch};
-use crate::{DoseModel, Run};
+use crate::{DoseModel, Work};
 use std::f64::consts::PI;
 use std::sync::Arc;
 use tomolith_core::dose::form::{Form, Masked};
@@ -33,7 +33,7 @@ impl Rays {
         straight: &Rays,
         (lights, optics): (&[Light], &[Optics]),
         limits: &TraceLimits,
-        run: &Run,
+        work: &Work,
     ) -> Result<Option<Form>> {
         let is_plain = self.accumulation == Accumulation::Integral && self.solid.is_none();
         let seed = self.sources.first().and_then(|source| source.first_seed());
@@ -46,7 +46,7 @@ impl Rays {
         let (Some((cells, sharpened)), Some(half)) = (grid.form(), half) else {
             return Ok(None);
         };
-        let Some(geometry) = straight.geometry(Wanted::All, run)? else {
+        let Some(geometry) = straight.geometry(Wanted::All, work)? else {
             return Ok(None);
         };
         let pitch = cells.layout.grid.pitch_mm;
@@ -69,7 +69,7 @@ impl Rays {
                 }
             });
             of_lights.push(paths);
-            run.check()?;
+            work.check()?;
         }
         Ok(Some(Form::Paths(Masked::new(PathGeometry {
             straight: Arc::new(geometry),

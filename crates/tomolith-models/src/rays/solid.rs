@@ -493,7 +493,7 @@ mod tests {
         fn sample_under(
             &self,
             grid: &VolumeGrid,
-            _: &crate::Run,
+            _: &crate::Work,
         ) -> tomolith_core::error::Result<Volume<f32>> {
             Ok(Volume::filled(grid.clone(), 0.5))
         }

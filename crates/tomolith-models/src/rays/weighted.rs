@@ -3,7 +3,7 @@
 use super::Rays;
 use super::batch::Bundles;
 use super::segment::{Lattice, Segment};
-use crate::{DoseLayout, Run, own_frames};
+use crate::{DoseLayout, Work, own_frames};
 use std::ops::Range;
 use tomolith_core::error::Result;
 use tomolith_core::field::HostField;
@@ -20,12 +20,12 @@ impl Rays {
         x: &HostField,
         weights: &[Box<Weight>],
         doses: &mut [HostField],
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let x = x.as_slice();
         for (light, own) in own_frames(&self.patterns, &frames) {
             let is_lit = |pixel: usize| x[pixel] != 0.0;
-            self.for_each_chunk((light, own), is_lit, run, |lit| {
+            self.for_each_chunk((light, own), is_lit, work, |lit| {
                 for (weight, dose) in weights.iter().zip(&mut *doses) {
                     let bundles = weighted(&lit.straight, weight);
                     self.add(&self.lattice, &bundles, x, dose.as_mut_slice());
@@ -42,7 +42,7 @@ impl Rays {
         cotangents: &[HostField],
         weights: &[Box<Weight>],
         grad: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let grad = grad.as_mut_slice();
         for (light, own) in own_frames(&self.patterns, &frames) {
@@ -50,7 +50,7 @@ impl Rays {
             self.for_each_chunk(
                 (light, own),
                 |_| true,
-                run,
+                work,
                 |lit| {
                     for (weight, c) in weights.iter().zip(cotangents) {
                         let bundles = weighted(&lit.straight, weight);
@@ -144,12 +144,12 @@ mod tests {
             for axis in 0..3 {
                 weights.push(Box::new(move |direction| direction[axis]));
             }
-            let run = Run::new();
+            let work = Work::new();
             let mut plain = rays.new_dose().unwrap();
             let mut doses = vec![plain.clone(); 4];
-            rays.add_weighted(0..1, &x, &weights, &mut doses, &run)
+            rays.add_weighted(0..1, &x, &weights, &mut doses, &work)
                 .unwrap();
-            rays.dose_of(0..1, &x, &mut plain, &run).unwrap();
+            rays.dose_of(0..1, &x, &mut plain, &work).unwrap();
             assert_eq!(plain.as_slice(), doses[0].as_slice());
             let (sin, cos) = tilt_rad.sin_cos();
             let direction = [-cos * azimuth.cos(), -cos * azimuth.sin(), -sin];
@@ -158,7 +158,7 @@ mod tests {
                 assert!((found - expected).abs() < 1e-5, "{azimuth}: {axis} {found}");
             }
             let mut grad = rays.new_patterns().unwrap();
-            rays.collect_weighted(0..1, &doses, &weights, &mut grad, &run)
+            rays.collect_weighted(0..1, &doses, &weights, &mut grad, &work)
                 .unwrap();
             let norm: f64 = doses.iter().map(|dose| dose.dot(dose)).sum();
             let found = f64::from(grad.as_slice()[0]);

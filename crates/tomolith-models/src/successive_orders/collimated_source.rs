@@ -8,7 +8,7 @@ use super::harmonics::Harmonic;
 use super::scattered_light::DeltaScaledPhase;
 use super::unscattered_source::{Channel, UnscatteredSource};
 use crate::parallel::{Kernel, Parallel};
-use crate::{Purpose, Run};
+use crate::{Purpose, Work};
 use std::f64::consts::FRAC_PI_2;
 use std::ops::Range;
 use tomolith_core::dose::DoseModel;
@@ -38,7 +38,7 @@ impl CollimatedSource {
         (bins, binned): (Bins, Light),
         delta_scaled: &DeltaScaledPhase,
         cells: VolumeGrid,
-        (purpose, run): (Purpose, &Run),
+        (purpose, run): (Purpose, &Work),
     ) -> Result<Self> {
         let azimuths = azimuths(vial, light);
         let orders = orders_of_azimuth(delta_scaled);
@@ -63,14 +63,14 @@ impl UnscatteredSource for CollimatedSource {
         &self.channels
     }
 
-    fn fields(&self, frames: Range<usize>, x: &[f32], run: &Run) -> Result<Vec<HostField>> {
+    fn fields(&self, frames: Range<usize>, x: &[f32], work: &Work) -> Result<Vec<HostField>> {
         let mut weighted = self.parallel.new_patterns()?;
         let rows = self.bins.in_rows(x);
         let of_channel = |weights: &Vec<f32>| {
             self.bins.fill(&rows, weights, weighted.as_mut_slice());
             let mut field = self.parallel.new_dose()?;
             self.parallel
-                .dose_of(frames.clone(), &weighted, &mut field, run)?;
+                .dose_of(frames.clone(), &weighted, &mut field, work)?;
             Ok(field)
         };
         self.weights.iter().map(of_channel).collect()
@@ -81,13 +81,13 @@ impl UnscatteredSource for CollimatedSource {
         frames: Range<usize>,
         fields: &[HostField],
         grad: &mut [f32],
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let mut own = self.parallel.new_patterns()?;
         let mut rows = self.bins.dark_rows();
         for (field, weights) in fields.iter().zip(&self.weights) {
             self.parallel
-                .collect(frames.clone(), field, &mut own, run)?;
+                .collect(frames.clone(), field, &mut own, work)?;
             (self.bins).add_back(frames.clone(), own.as_slice(), weights, &mut rows);
         }
         self.bins.add_rows(frames, &rows, grad);
@@ -98,7 +98,7 @@ impl UnscatteredSource for CollimatedSource {
         self.channels.len() as u64 * self.parallel.updates()
     }
 
-    fn form(&self, _run: &Run) -> Result<Option<(scattered::Bins, LightOnCells)>> {
+    fn form(&self, _run: &Work) -> Result<Option<(scattered::Bins, LightOnCells)>> {
         let cells = StripForm::new(self.parallel.geometry());
         let light = LightOnCells::Strips(cells, self.weights.clone());
         Ok(Some((self.bins.form(), light)))

@@ -7,7 +7,7 @@ use super::bins::Bins;
 use super::harmonics::Harmonic;
 use super::scattered_light::DeltaScaledPhase;
 use super::unscattered_source::{Channel, UnscatteredSource};
-use crate::Run;
+use crate::Work;
 use crate::rays::Rays;
 use crate::rays::weighted::Weight;
 use std::ops::Range;
@@ -57,14 +57,14 @@ impl UnscatteredSource for DivergentSource {
         &self.channels
     }
 
-    fn fields(&self, frames: Range<usize>, x: &[f32], run: &Run) -> Result<Vec<HostField>> {
+    fn fields(&self, frames: Range<usize>, x: &[f32], work: &Work) -> Result<Vec<HostField>> {
         let mut binned = self.rays.new_patterns()?;
         let rows = self.bins.in_rows(x);
         self.bins.fill(&rows, &self.even, binned.as_mut_slice());
         let dark = |_| self.rays.new_dose();
         let mut fields: Vec<HostField> = (self.channels.iter()).map(dark).collect::<Result<_>>()?;
         self.rays
-            .add_weighted(frames, &binned, &self.weights, &mut fields, run)?;
+            .add_weighted(frames, &binned, &self.weights, &mut fields, work)?;
         Ok(fields)
     }
 
@@ -73,11 +73,11 @@ impl UnscatteredSource for DivergentSource {
         frames: Range<usize>,
         fields: &[HostField],
         grad: &mut [f32],
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let mut own = self.rays.new_patterns()?;
         self.rays
-            .collect_weighted(frames.clone(), fields, &self.weights, &mut own, run)?;
+            .collect_weighted(frames.clone(), fields, &self.weights, &mut own, work)?;
         let mut rows = self.bins.dark_rows();
         (self.bins).add_back(frames.clone(), own.as_slice(), &self.even, &mut rows);
         self.bins.add_rows(frames, &rows, grad);
@@ -88,13 +88,13 @@ impl UnscatteredSource for DivergentSource {
         self.channels.len() as u64 * self.rays.updates()
     }
 
-    fn form(&self, run: &Run) -> Result<Option<(scattered::Bins, LightOnCells)>> {
+    fn form(&self, work: &Work) -> Result<Option<(scattered::Bins, LightOnCells)>> {
         let harmonics = self.harmonics.iter().map(|harmonic| harmonic.to_form());
         let harmonics = harmonics.collect();
         let light = |rays| LightOnCells::Rays(RayForm::new(rays), harmonics);
         Ok(self
             .rays
-            .in_grid(run)?
+            .in_grid(work)?
             .map(light)
             .map(|light| (self.bins.form(), light)))
     }

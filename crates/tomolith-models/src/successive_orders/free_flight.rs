@@ -10,7 +10,7 @@
 //! three points an axis, which have the moments of Λ up to the fifth. Beyond [`DARK`] lengths of attenuation the kernel is 0.
 
 use super::harmonics::Harmonic;
-use crate::Run;
+use crate::Work;
 use std::f64::consts::PI;
 use tomolith_core::error::Result;
 use tomolith_core::parallel::InParallel;
@@ -54,7 +54,7 @@ impl FreeFlightKernel {
         self,
         patterns: &[Pattern],
         [nx, ny, nz]: [usize; 3],
-        run: &Run,
+        work: &Work,
     ) -> Result<Vec<Vec<f32>>> {
         let sums = Sums::new(patterns);
         let polar = polar_directions();
@@ -65,7 +65,7 @@ impl FreeFlightKernel {
         };
         // Of each line along z the cells that are lit, pattern by pattern
         let lines: Vec<Vec<f32>> = (0..nx * ny).par_map(|i| {
-            if run.is_canceled() {
+            if work.is_canceled() {
                 return Vec::new();
             }
             let place = |z: usize| [i % nx, i / nx, z];
@@ -79,7 +79,7 @@ impl FreeFlightKernel {
             });
             values.collect()
         });
-        run.check()?;
+        work.check()?;
         let of_pattern = |p: usize| {
             let mut octant = vec![0.0; nx * ny * nz];
             for (line, values) in octant.chunks_mut(nz).zip(&lines) {
@@ -277,21 +277,21 @@ mod tests {
         let even = Pattern(vec![(1.0, harmonic(0, 0), harmonic(0, 0))]);
         let counts = [28; 3]; // 7 mm: e^−14 is left
         let sum = sum_over_all(
-            &free_flight.octants(&[even], counts, &Run::new()).unwrap()[0],
+            &free_flight.octants(&[even], counts, &Work::new()).unwrap()[0],
             counts,
         );
         assert!((sum * 2.0 - 1.0).abs() < 3e-4, "{sum}");
         // As much with the weight Y_20² · 4π/5-fold mean 1: ∫ Y_20² dΩ = 1
         let lobes = Pattern(vec![(1.0, harmonic(2, 0), harmonic(2, 0))]);
         let sum = sum_over_all(
-            &free_flight.octants(&[lobes], counts, &Run::new()).unwrap()[0],
+            &free_flight.octants(&[lobes], counts, &Work::new()).unwrap()[0],
             counts,
         );
         assert!((sum * 2.0 - 1.0).abs() < 3e-4, "{sum}");
         // Different harmonics cancel
         let mixed = Pattern(vec![(1.0, harmonic(0, 0), harmonic(2, 0))]);
         let sum = sum_over_all(
-            &free_flight.octants(&[mixed], counts, &Run::new()).unwrap()[0],
+            &free_flight.octants(&[mixed], counts, &Work::new()).unwrap()[0],
             counts,
         );
         assert!(sum.abs() * 2.0 < 3e-4, "{sum}");
@@ -302,7 +302,7 @@ mod tests {
         let free_flight = FreeFlightKernel { mu: 0.3, edge: 0.2 };
         let even = Pattern(vec![(1.0, harmonic(0, 0), harmonic(0, 0))]);
         let octant = &free_flight
-            .octants(std::slice::from_ref(&even), [12, 1, 1], &Run::new())
+            .octants(std::slice::from_ref(&even), [12, 1, 1], &Work::new())
             .unwrap()[0];
         let distance: f64 = 11.0 * 0.2;
         let point = 0.2f64.powi(3) * (-0.3 * distance).exp() / (4.0 * PI * distance * distance);
@@ -312,7 +312,7 @@ mod tests {
             mu: 1e-9,
             edge: 1.0,
         };
-        let own = f64::from(clear.octants(&[even], [1, 1, 1], &Run::new()).unwrap()[0][0]);
+        let own = f64::from(clear.octants(&[even], [1, 1, 1], &Work::new()).unwrap()[0][0]);
         assert!((own - 0.4472).abs() < 0.003, "{own}");
     }
 
@@ -321,15 +321,15 @@ mod tests {
         let dense = FreeFlightKernel { mu: 5.0, edge: 0.5 };
         let even = [Pattern(vec![(1.0, harmonic(0, 0), harmonic(0, 0))])];
         // 2.5 lengths a cell: the tenth begins 8.3 cells away, 20.7 lengths
-        let octant = &dense.octants(&even, [12, 1, 1], &Run::new()).unwrap()[0];
+        let octant = &dense.octants(&even, [12, 1, 1], &Work::new()).unwrap()[0];
         assert!(
             octant[9] > 0.0 && octant[9] < 1e-9 * octant[0],
             "{octant:?}"
         );
         assert_eq!(octant[10..], [0.0; 2]);
-        let run = Run::new();
-        run.cancel();
-        let ended = dense.octants(&even, [12, 1, 1], &run);
+        let work = Work::new();
+        work.cancel();
+        let ended = dense.octants(&even, [12, 1, 1], &work);
         assert!(matches!(ended, Err(Error::Canceled)));
     }
 }

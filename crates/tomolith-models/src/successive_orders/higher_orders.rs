@@ -7,7 +7,7 @@ use super::scattered_light::DeltaScaledPhase;
 use super::unscattered_source::Channel;
 use crate::cell_blur::{CellBlur, Sharpen, full_cells};
 use crate::coarse::Coarse;
-use crate::{DoseLayout, Run};
+use crate::{DoseLayout, Work};
 use std::sync::Arc;
 use tomolith_core::dose::scattered::{self, LaterOrders, OnCells};
 use tomolith_core::error::Result;
@@ -64,7 +64,7 @@ impl HigherOrders {
         near: &DoseLayout,
         factor: usize,
         (fine, shares): (&DoseLayout, &Arc<Vec<f32>>),
-        run: &Run,
+        work: &Work,
     ) -> Result<Self> {
         let grid = VolumeGrid {
             shape: near.grid.shape.map(|n| n / factor),
@@ -102,10 +102,10 @@ impl HigherOrders {
                 patterns.push(Pattern(vec![(1.0, a.harmonic, b.harmonic)]));
             }
         }
-        let octants = free_flight.octants(&patterns, [nx, ny, nz], run)?;
+        let octants = free_flight.octants(&patterns, [nx, ny, nz], work)?;
         let kernels = octants.iter().zip(&patterns);
         let kernels = kernels.map(|(octant, p)| {
-            run.check()?;
+            work.check()?;
             Ok(convolver.kernel(octant, p.parities()))
         });
         let kernels = kernels.collect::<Result<_>>()?;
@@ -129,7 +129,7 @@ impl HigherOrders {
             convolver,
             weights: Vec::new(),
         };
-        higher.weights = higher.count_orders(run)?;
+        higher.weights = higher.count_orders(work)?;
         Ok(higher)
     }
 
@@ -160,14 +160,14 @@ impl HigherOrders {
     }
 
     /// How many orders even light in the whole resin needs, and the weight of each.
-    fn count_orders(&self, run: &Run) -> Result<Vec<f32>> {
+    fn count_orders(&self, work: &Work) -> Result<Vec<f32>> {
         let mut moments = self.dark();
         self.for_each_line(&mut moments[0], |resin, line| line.fill(resin));
         let size = |moments: &Moments| moments[0].iter().map(|&v| f64::from(v)).sum::<f64>();
         let (mut before, mut sum) = (size(&moments), 0.0);
         let mut weights = Vec::new();
         loop {
-            moments = self.scatter(&moments, run)?;
+            moments = self.scatter(&moments, work)?;
             let now = size(&moments);
             sum += now;
             let ratio = (now / before).clamp(0.0, 0.99);
@@ -203,10 +203,10 @@ impl HigherOrders {
     }
 
     /// Free flight of what these sources send out; the first `count` moments of where it arrives.
-    fn fly(&self, sources: &[Spectrum], count: usize, run: &Run) -> Result<Moments> {
+    fn fly(&self, sources: &[Spectrum], count: usize, work: &Work) -> Result<Moments> {
         (0..count)
             .map(|a| {
-                run.check()?;
+                work.check()?;
                 let mut sum = self.no_spectrum();
                 for (b, source) in sources.iter().enumerate() {
                     self.kernel(a, b).add(source, false, &mut sum);
@@ -219,17 +219,17 @@ impl HigherOrders {
     }
 
     /// The next order: light is scattered by the resin and flies on.
-    fn scatter(&self, moments: &[Vec<f32>], run: &Run) -> Result<Moments> {
-        self.fly(&self.emitted(moments, run)?, self.moments.len(), run)
+    fn scatter(&self, moments: &[Vec<f32>], work: &Work) -> Result<Moments> {
+        self.fly(&self.emitted(moments, work)?, self.moments.len(), work)
     }
 
     /// Spectra of what the resin sends out in this light.
-    fn emitted(&self, moments: &[Vec<f32>], run: &Run) -> Result<Vec<Spectrum>> {
+    fn emitted(&self, moments: &[Vec<f32>], work: &Work) -> Result<Vec<Spectrum>> {
         moments
             .iter()
             .zip(&self.moments)
             .map(|(field, moment)| {
-                run.check()?;
+                work.check()?;
                 let mut field = self.between.of(field);
                 self.for_each_line(&mut field, |resin, line| {
                     line.iter_mut().for_each(|v| *v *= resin * moment.scattered);
@@ -240,8 +240,8 @@ impl HigherOrders {
     }
 
     /// Transpose of [`scatter`](Self::scatter).
-    fn scatter_back(&self, moments: &[Vec<f32>], run: &Run) -> Result<Moments> {
-        let mut back = self.fly_back(moments, run)?;
+    fn scatter_back(&self, moments: &[Vec<f32>], work: &Work) -> Result<Moments> {
+        let mut back = self.fly_back(moments, work)?;
         for (field, moment) in back.iter_mut().zip(&self.moments) {
             self.for_each_line(field, |resin, line| {
                 line.iter_mut().for_each(|v| *v *= resin * moment.scattered);
@@ -252,14 +252,14 @@ impl HigherOrders {
     }
 
     /// Transpose of free flight, from the moments given (all, or the first alone).
-    fn fly_back(&self, moments: &[Vec<f32>], run: &Run) -> Result<Moments> {
+    fn fly_back(&self, moments: &[Vec<f32>], work: &Work) -> Result<Moments> {
         let spectra: Vec<Spectrum> = moments
             .iter()
             .map(|field| self.convolver.transform(field))
             .collect();
         (0..self.moments.len())
             .map(|b| {
-                run.check()?;
+                work.check()?;
                 let mut sum = self.no_spectrum();
                 for (a, spectrum) in spectra.iter().enumerate() {
                     self.kernel(a, b).add(spectrum, true, &mut sum);
@@ -279,7 +279,7 @@ impl HigherOrders {
         &self,
         sources: &[HostField],
         dose: &mut [f32],
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let fields: Vec<Vec<f32>> = (sources.iter())
             .map(|source| self.given.of(&self.restrict(source.as_slice())))
@@ -295,12 +295,12 @@ impl HigherOrders {
                 self.convolver.transform(&field)
             })
             .collect();
-        let mut moments = self.fly(&spectra, self.moments.len(), run)?;
+        let mut moments = self.fly(&spectra, self.moments.len(), work)?;
         let mut sum = vec![0.0; self.coarse.layout.len()];
         for (i, &weight) in self.weights.iter().enumerate() {
             let is_last = i + 1 == self.weights.len();
             let count = if is_last { 1 } else { self.moments.len() };
-            moments = self.fly(&self.emitted(&moments, run)?, count, run)?;
+            moments = self.fly(&self.emitted(&moments, work)?, count, work)?;
             let weight = weight * FLUENCE;
             sum.iter_mut()
                 .zip(&moments[0])
@@ -314,7 +314,7 @@ impl HigherOrders {
     ///
     /// # Errors
     /// When the run is canceled.
-    pub(super) fn adjoint(&self, cotangent: &[f32], run: &Run) -> Result<Back<'_>> {
+    pub(super) fn adjoint(&self, cotangent: &[f32], work: &Work) -> Result<Back<'_>> {
         let mut cells = vec![0.0; self.coarse.layout.len()];
         self.coarse.gather(cotangent, &mut cells);
         let mut cells = self.seen.of(&cells);
@@ -326,11 +326,11 @@ impl HigherOrders {
                 .iter_mut()
                 .zip(&cells)
                 .for_each(|(v, cell)| *v += weight * cell);
-            moments = self.scatter_back(&moments, run)?;
+            moments = self.scatter_back(&moments, work)?;
         }
         Ok(Back {
             higher: self,
-            moments: self.fly_back(&moments, run)?,
+            moments: self.fly_back(&moments, work)?,
         })
     }
 

@@ -50,7 +50,7 @@
 //! let mut x = model.new_patterns().unwrap();
 //! x.fill(1.0);
 //! let mut dose = model.new_dose().unwrap();
-//! model.dose(&x, &mut dose, &Run::new()).unwrap();
+//! model.dose(&x, &mut dose, &Work::new()).unwrap();
 //! let dose = model.outputs()[0].volume_of(dose.as_slice());
 //! let (lit, dark) = (*dose.at(8, 4, 4), *dose.at(0, 4, 4)); // pixels reach ±0.25 mm, these lie at 0.125 and −1.875 mm
 //! assert!(dark > 0.005 * lit && dark < 0.05 * lit);
@@ -73,7 +73,7 @@ use super::rays::{self, Optics, Rays};
 use super::scene::CUT;
 use super::{
     Capabilities, Cost, DoseLayout, DoseModel, Family, HostModel, MakeFamily, ModelFamily,
-    ModelInput, ModelKind, OpticalScene, Purpose, Run, ZCoupling,
+    ModelInput, ModelKind, OpticalScene, Purpose, Work, ZCoupling,
 };
 use scattered_light::{DeltaScaledPhase, ScatteredLight};
 use std::ops::Range;
@@ -167,7 +167,7 @@ impl ModelFamily for Params {
 
     fn form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
         // All views, not those of the first part of a turn alone
-        self.model(input, Purpose::Probe)?.to_form(input.run)
+        self.model(input, Purpose::Probe)?.to_form(input.work)
     }
 
     fn unscattered_form(&self, input: &ModelInput<'_>) -> Result<Option<Form>> {
@@ -180,7 +180,7 @@ impl ModelFamily for Params {
             optics,
             ..
         } = input.scene;
-        by_rays(vial, lights.to_vec(), optics, self, input.grid)?.to_form(input.run)
+        by_rays(vial, lights.to_vec(), optics, self, input.grid)?.to_form(input.work)
     }
 
     fn unscattered(&self, input: &ModelInput<'_>) -> Result<HostModel> {
@@ -218,7 +218,7 @@ impl Params {
             params.rays_per_pixel = Some(params.rays() * refine * refine);
         }
         let lights = input.scene.lights.to_vec();
-        let purpose = (finding, input.run);
+        let purpose = (finding, input.work);
         model_for(vial, lights, optics, &params, input.grid.clone(), purpose)
     }
 }
@@ -259,7 +259,7 @@ pub fn model(
     params: &Params,
     grid: VolumeGrid,
 ) -> Result<SuccessiveOrders> {
-    let purpose = (Purpose::Probe, &Run::new());
+    let purpose = (Purpose::Probe, &Work::new());
     model_for(vial, lights, optics, params, grid, purpose)
 }
 
@@ -270,7 +270,7 @@ fn model_for(
     optics: &[Optics],
     params: &Params,
     grid: VolumeGrid,
-    purpose: (Purpose, &Run),
+    purpose: (Purpose, &Work),
 ) -> Result<SuccessiveOrders> {
     if let Some(reason) = beyond(vial, &lights, optics, &grid) {
         return Err(Error::unsupported(
@@ -312,7 +312,7 @@ fn straight(
     optics: &[Optics],
     params: &Params,
     grid: VolumeGrid,
-    (purpose, run): (Purpose, &Run),
+    (purpose, run): (Purpose, &Work),
 ) -> Result<OnVoxels> {
     if optics.iter().all(|o| o.beyond_level().is_none()) {
         let of = (lights, parallel::Kernel::default());
@@ -383,8 +383,8 @@ impl SuccessiveOrders {
     }
 
     /// The model as data; None where there are too many rays.
-    fn to_form(&self, run: &Run) -> Result<Option<Form>> {
-        let of_light = |light: &ScatteredLight| light.form(run).transpose();
+    fn to_form(&self, work: &Work) -> Result<Option<Form>> {
+        let of_light = |light: &ScatteredLight| light.form(work).transpose();
         let of_lights = self.scattered_lights.iter().map_while(of_light);
         let scattered = of_lights.collect::<Result<Vec<_>>>()?;
         if scattered.len() < self.scattered_lights.len() {
@@ -395,7 +395,7 @@ impl SuccessiveOrders {
                 scattered,
                 ..parallel.geometry()
             }))),
-            OnVoxels::Divergent(rays) => rays.in_grid(run)?.map(|geometry| {
+            OnVoxels::Divergent(rays) => rays.in_grid(work)?.map(|geometry| {
                 Form::Rays(Masked::new(RayGeometry {
                     scattered,
                     z_coupling: ZCoupling::Full,
@@ -426,12 +426,12 @@ impl DoseModel for SuccessiveOrders {
         frames: Range<usize>,
         x: &HostField,
         dose: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let straight = self.straight.model();
-        straight.dose_of(frames.clone(), x, dose, run)?;
+        straight.dose_of(frames.clone(), x, dose, work)?;
         for scattered_light in &self.scattered_lights {
-            scattered_light.add_forward(frames.clone(), x.as_slice(), dose.as_mut_slice(), run)?;
+            scattered_light.add_forward(frames.clone(), x.as_slice(), dose.as_mut_slice(), work)?;
         }
         Ok(())
     }
@@ -442,13 +442,13 @@ impl DoseModel for SuccessiveOrders {
         x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let straight = self.straight.model();
-        straight.pullback_of(frames.clone(), x, cotangent, grad, run)?;
+        straight.pullback_of(frames.clone(), x, cotangent, grad, work)?;
         let (c, grad) = (cotangent.as_slice(), grad.as_mut_slice());
         for scattered_light in &self.scattered_lights {
-            scattered_light.add_adjoint(&frames, c, grad, run)?;
+            scattered_light.add_adjoint(&frames, c, grad, work)?;
         }
         Ok(())
     }

@@ -12,7 +12,7 @@ use super::{Params, by_rays};
 use crate::cell_blur::{CellBlur, Sharpen, full_cells};
 use crate::coarse::Coarse;
 use crate::rays::Optics;
-use crate::{DoseLayout, Purpose, Run};
+use crate::{DoseLayout, Purpose, Work};
 use std::f64::consts::PI;
 use std::ops::Range;
 use std::sync::Arc;
@@ -100,7 +100,7 @@ impl ScatteredLight {
         params: &Params,
         fine: &DoseLayout,
         (number, offset, first_frame): (usize, usize, usize),
-        (purpose, run): (Purpose, &Run),
+        (purpose, work): (Purpose, &Work),
     ) -> Result<Self> {
         let edges = cell_edges(vial, delta_scaled, params);
         let edge = edges[0];
@@ -136,7 +136,7 @@ impl ScatteredLight {
                     (bins, binned),
                     delta_scaled,
                     grid,
-                    (purpose, run),
+                    (purpose, work),
                 )?)
             }
         };
@@ -145,10 +145,10 @@ impl ScatteredLight {
             .iter()
             .map(|c| order_one(delta_scaled, c))
             .collect();
-        let octants = free_flight.octants(&patterns, [nx, ny, nz], run)?;
+        let octants = free_flight.octants(&patterns, [nx, ny, nz], work)?;
         let kernels = octants.iter().zip(&patterns);
         let kernels = kernels.map(|(octant, p)| {
-            run.check()?;
+            work.check()?;
             Ok(convolver.kernel(octant, p.parities()))
         });
         let kernels = kernels.collect::<Result<_>>()?;
@@ -172,7 +172,7 @@ impl ScatteredLight {
                 &layout,
                 cells.factor,
                 (fine, &shares),
-                run,
+                work,
             )?,
             straight,
             convolver,
@@ -197,9 +197,9 @@ impl ScatteredLight {
     ///
     /// # Errors
     /// When the run is canceled.
-    pub(super) fn form(&self, run: &Run) -> Result<Option<scattered::ScatteredLight>> {
+    pub(super) fn form(&self, work: &Work) -> Result<Option<scattered::ScatteredLight>> {
         let (Some((bins, source)), Some(shares)) =
-            (self.straight.form(run)?, self.coarse.shares.clone())
+            (self.straight.form(work)?, self.coarse.shares.clone())
         else {
             return Ok(None);
         };
@@ -227,13 +227,13 @@ impl ScatteredLight {
         frames: Range<usize>,
         x: &[f32],
         dose: &mut [f32],
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let own = self.own(&frames);
         if own.is_empty() {
             return Ok(());
         }
-        let sources = self.straight.fields(own, &x[self.pixels.clone()], run)?;
+        let sources = self.straight.fields(own, &x[self.pixels.clone()], work)?;
         let mut once = vec![Complex::new(0.0, 0.0); self.convolver.len()];
         for (kernel, source) in self.kernels.iter().zip(&sources) {
             let spectrum = self.convolver.transform(&self.given.of(source.as_slice()));
@@ -242,7 +242,7 @@ impl ScatteredLight {
         let mut cells = vec![0.0; self.coarse.layout.len()];
         self.convolver.add_field(once, 1.0, &mut cells);
         self.coarse.spread(&self.seen.of(&cells), dose);
-        self.higher.add_forward(&sources, dose, run)
+        self.higher.add_forward(&sources, dose, work)
     }
 
     /// grad += transpose of the scattered light of these frames on a cotangent
@@ -251,7 +251,7 @@ impl ScatteredLight {
         frames: &Range<usize>,
         cotangent: &[f32],
         grad: &mut [f32],
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let own = self.own(frames);
         if own.is_empty() {
@@ -260,7 +260,7 @@ impl ScatteredLight {
         let mut cells = vec![0.0; self.coarse.layout.len()];
         self.coarse.gather(cotangent, &mut cells);
         let once = self.convolver.transform(&self.seen.of(&cells));
-        let higher = self.higher.adjoint(cotangent, run)?;
+        let higher = self.higher.adjoint(cotangent, work)?;
         let source = |(channel, kernel): (usize, &Kernel)| {
             let mut sum = vec![Complex::new(0.0, 0.0); self.convolver.len()];
             kernel.add(&once, true, &mut sum);
@@ -275,7 +275,7 @@ impl ScatteredLight {
         };
         let sources: Vec<HostField> = self.kernels.iter().enumerate().map(source).collect();
         let grad = &mut grad[self.pixels.clone()];
-        self.straight.add_adjoint(own, &sources, grad, run)
+        self.straight.add_adjoint(own, &sources, grad, work)
     }
 }
 

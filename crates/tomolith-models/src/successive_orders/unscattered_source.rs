@@ -1,7 +1,7 @@
 //! The unscattered light of one light as a source: what cells of scattered light need to know of it.
 
 use super::harmonics::Harmonic;
-use crate::Run;
+use crate::Work;
 use std::ops::Range;
 use tomolith_core::dose::scattered::{Bins, LightOnCells};
 use tomolith_core::error::Result;
@@ -29,7 +29,7 @@ pub(super) trait UnscatteredSource: Send + Sync {
     ///
     /// # Errors
     /// When there is not enough memory; [`Error::Canceled`](tomolith_core::Error::Canceled).
-    fn fields(&self, frames: Range<usize>, x: &[f32], run: &Run) -> Result<Vec<HostField>>;
+    fn fields(&self, frames: Range<usize>, x: &[f32], work: &Work) -> Result<Vec<HostField>>;
 
     /// grad += transpose of [`fields`](Self::fields); `grad` has the pixels of all frames
     ///
@@ -40,7 +40,7 @@ pub(super) trait UnscatteredSource: Send + Sync {
         frames: Range<usize>,
         fields: &[HostField],
         grad: &mut [f32],
-        run: &Run,
+        work: &Work,
     ) -> Result<()>;
 
     /// Cells that are lit by pixels, of all fields.
@@ -50,5 +50,5 @@ pub(super) trait UnscatteredSource: Send + Sync {
     ///
     /// # Errors
     /// [`Error::Canceled`](tomolith_core::Error::Canceled).
-    fn form(&self, run: &Run) -> Result<Option<(Bins, LightOnCells)>>;
+    fn form(&self, work: &Work) -> Result<Option<(Bins, LightOnCells)>>;
 }

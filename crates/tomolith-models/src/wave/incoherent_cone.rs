@@ -38,7 +38,7 @@
 //! let mut x = model.new_patterns().unwrap();
 //! x.as_mut_slice()[32 * 65 + 32] = 1.0; // the pixel in the middle
 //! let mut dose = model.new_dose().unwrap();
-//! model.dose(&x, &mut dose, &Run::new()).unwrap();
+//! model.dose(&x, &mut dose, &Work::new()).unwrap();
 //! let dose = model.outputs()[0].volume_of(dose.as_slice());
 //! let disc = 3.14159 * 17.46f32.powi(2) / 4.0; // its area in pixels of 4 µm²
 //! assert!((dose.at(32, 32, 0) * disc - 1.0).abs() < 0.05);
@@ -53,7 +53,7 @@ use super::sampling::FIELDS_COST;
 use super::{Entrance, Settings};
 use crate::{
     Capabilities, Cost, DoseLayout, DoseModel, HostModel, MakeFamily, ModelFamily, ModelInput,
-    ModelKind, OpticalScene, Run, TimedBy,
+    ModelKind, OpticalScene, TimedBy, Work,
 };
 use std::ops::Range;
 use std::sync::Arc;
@@ -239,9 +239,9 @@ impl DoseModel for IncoherentCone {
         frames: Range<usize>,
         x: &HostField,
         dose: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
-        self.0.add_dose(frames, x, dose, run)
+        self.0.add_dose(frames, x, dose, work)
     }
 
     fn pullback_of(
@@ -250,9 +250,9 @@ impl DoseModel for IncoherentCone {
         x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
-        self.0.pull_back(frames, x, cotangent, grad, run)
+        self.0.pull_back(frames, x, cotangent, grad, work)
     }
 
     fn updates(&self) -> u64 {

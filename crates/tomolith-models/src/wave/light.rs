@@ -6,7 +6,7 @@ use super::memory::frames_together;
 use super::number::Number;
 use super::resample::Resample;
 use super::spectrum::{Scratch, Windows};
-use crate::{PatternLayout, Run};
+use crate::{PatternLayout, Work};
 use std::ops::Range;
 use std::sync::Mutex;
 use tomolith_core::dose::waves;
@@ -159,11 +159,11 @@ impl<T: Number, P: Propagation<T>> WaveLight<T, P> {
         frames: Range<usize>,
         x: &[T],
         dose: &mut [T],
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let lit: Vec<usize> = frames.filter(|&f| is_lit(layout, f, x)).collect();
         let light = |frame: usize, samples: &mut [T]| self.light(layout, frame, x, samples);
-        self.add([dose], &lit, light, run)
+        self.add([dose], &lit, light, work)
     }
 
     /// doses += what `light(frame, samples)` leaves at the samples of frames: those of each dose one after the other
@@ -172,14 +172,14 @@ impl<T: Number, P: Propagation<T>> WaveLight<T, P> {
         mut doses: [&mut [T]; N],
         frames: &[usize],
         light: impl Fn(usize, &mut [T]) + Sync,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let size = self.samples();
         let bytes = N * size * std::mem::size_of::<T>();
         let together = frames_together(bytes, rayon::current_num_threads());
         let mut samples = vec![T::zero(); N * size * together.min(frames.len())];
         for frames in frames.chunks(together) {
-            run.check()?;
+            work.check()?;
             samples
                 .chunks_mut(N * size)
                 .zip(frames)
@@ -269,22 +269,22 @@ impl<T: Number, P: Propagation<T>> WaveLight<T, P> {
         x: &[T],
         cotangent: &[T],
         grad: &mut [T],
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let columns = layout.grid.columns;
         let frames = layout.split_frames(own, grad);
         frames.into_iter().par_each(|(frame, grad)| {
             grad.fill(T::zero());
             // Dark patterns of waves are stationary: there F′ = 0
-            if run.is_canceled() || !(P::IS_LINEAR || is_lit(layout, frame, x)) {
+            if work.is_canceled() || !(P::IS_LINEAR || is_lit(layout, frame, x)) {
                 return;
             }
             let runs = &layout.runs[frame * columns..][..columns];
             let first = layout.elements_of(frame..frame + 1).start;
             let mut take = |column: usize, values: &[Complex<T>]| {
-                let run = &runs[column];
-                let own = &mut grad[run.offset - first..][..run.count as usize];
-                for (to, value) in own.iter_mut().zip(&values[run.bottom as usize..]) {
+                let work = &runs[column];
+                let own = &mut grad[work.offset - first..][..work.count as usize];
+                for (to, value) in own.iter_mut().zip(&values[work.bottom as usize..]) {
                     *to = value.re;
                 }
             };
@@ -297,7 +297,7 @@ impl<T: Number, P: Propagation<T>> WaveLight<T, P> {
                 scratch.samples = samples;
             });
         });
-        run.check()
+        work.check()
     }
 }
 
@@ -342,7 +342,7 @@ impl<T: Number> WaveLight<T, Coherent<T>> {
         layout: &PatternLayout,
         [x, d]: [&[T]; 2],
         doses: [&mut [T]; 2],
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let frames = 0..layout.grid.frames();
         let is_lit = |&f: &usize| is_lit(layout, f, x) || is_lit(layout, f, d);
@@ -350,7 +350,7 @@ impl<T: Number> WaveLight<T, Coherent<T>> {
         let light = |frame: usize, samples: &mut [T]| {
             self.light_along((layout, frame), [x, d], samples);
         };
-        self.add(doses, &lit, light, run)
+        self.add(doses, &lit, light, work)
     }
 
     /// 2·Re ψχ* and |χ|² of a frame at all samples, one after the other; χ is the field of `d`.

@@ -9,7 +9,7 @@ use super::spectrum::{Heights, Windows};
 use super::window::{Side, Span};
 use super::{Entrance, Settings};
 use crate::parallel::is_straight;
-use crate::{DoseLayout, PatternLayout, Run, ZCoupling};
+use crate::{DoseLayout, PatternLayout, Work, ZCoupling};
 use std::ops::Range;
 use tomolith_core::dose::form::{Form, Masked};
 use tomolith_core::dose::waves::WaveGeometry;
@@ -90,11 +90,11 @@ impl<P: Propagation<f32>> Lights<P> {
         frames: Range<usize>,
         x: &HostField,
         dose: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         for (light, layout) in self.each() {
             let own = light.own(&frames, layout);
-            light.add_dose(layout, own, x.as_slice(), dose.as_mut_slice(), run)?;
+            light.add_dose(layout, own, x.as_slice(), dose.as_mut_slice(), work)?;
         }
         Ok(())
     }
@@ -106,12 +106,18 @@ impl<P: Propagation<f32>> Lights<P> {
         x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         for (light, layout) in self.each() {
             let own = light.own(&frames, layout);
             let grad = &mut grad.as_mut_slice()[layout.elements_of(own.clone())];
-            light.pull_back((layout, own), x.as_slice(), cotangent.as_slice(), grad, run)?;
+            light.pull_back(
+                (layout, own),
+                x.as_slice(),
+                cotangent.as_slice(),
+                grad,
+                work,
+            )?;
         }
         Ok(())
     }

@@ -46,7 +46,7 @@
 //! let mut x = model.new_patterns().unwrap();
 //! x.as_mut_slice()[63 * 64..65 * 64].fill(1.0); // columns 63 and 64, all rows
 //! let mut dose = model.new_dose().unwrap();
-//! model.dose(&x, &mut dose, &Run::new()).unwrap();
+//! model.dose(&x, &mut dose, &Work::new()).unwrap();
 //! let dose = model.outputs()[0].volume_of(dose.as_slice());
 //! // For a long slit of fluence 1: width²/(λ·distance) = 16/(0.27·200) = 0.296
 //! let far = *dose.at(0, 0, 0);
@@ -74,7 +74,7 @@ mod window;
 
 use super::{
     Capabilities, Cost, DoseLayout, DoseModel, HostModel, MakeFamily, ModelFamily, ModelInput,
-    ModelKind, OpticalScene, Purpose, Quantity, Run, TimedBy,
+    ModelKind, OpticalScene, Purpose, Quantity, TimedBy, Work,
 };
 use beam::{Beam, Spreading};
 pub use coherent::BandLimit;
@@ -473,9 +473,9 @@ impl DoseModel for Wave {
         x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
-        self.0.pull_back(frames, x, cotangent, grad, run)
+        self.0.pull_back(frames, x, cotangent, grad, work)
     }
 
     fn dose_of(
@@ -483,17 +483,17 @@ impl DoseModel for Wave {
         frames: Range<usize>,
         x: &HostField,
         dose: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
-        self.0.add_dose(frames, x, dose, run)
+        self.0.add_dose(frames, x, dose, work)
     }
 
     /// F′(x)d and F(d): the fields of x and of d, multiplied.
-    fn along(&self, x: &HostField, d: &HostField, run: &Run) -> Result<Option<Vec<HostField>>> {
+    fn along(&self, x: &HostField, d: &HostField, work: &Work) -> Result<Option<Vec<HostField>>> {
         let mut terms = [self.new_dose()?, self.new_dose()?];
         for (light, layout) in self.0.lights.iter().zip(&self.0.patterns) {
             let doses = terms.each_mut().map(HostField::as_mut_slice);
-            light.add_along(layout, [x.as_slice(), d.as_slice()], doses, run)?;
+            light.add_along(layout, [x.as_slice(), d.as_slice()], doses, work)?;
         }
         Ok(Some(terms.into()))
     }

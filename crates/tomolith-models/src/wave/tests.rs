@@ -80,7 +80,7 @@ fn dose_of((built, pixels, layout): &Precise, x: &[f64]) -> Vec<f64> {
     let mut dose = vec![0.0; layout.len()];
     let frames = 0..pixels.grid.frames();
     built
-        .add_dose(pixels, frames, x, &mut dose, &Run::new())
+        .add_dose(pixels, frames, x, &mut dose, &Work::new())
         .unwrap();
     dose
 }
@@ -318,7 +318,7 @@ fn derivative_error(model: &Precise) -> f64 {
             &x,
             &cotangent,
             &mut grad,
-            &Run::new(),
+            &Work::new(),
         )
         .unwrap();
     let slope: f64 = grad.iter().zip(&d).map(|(g, d)| g * d).sum();
@@ -334,10 +334,10 @@ fn what_frames_at_work_take_is_what_is_reckoned() {
         let (built, pixels, layout) = &model;
         let x = amplitudes(1, pixels.len());
         let kept = check::on_threads(1, || {
-            let run = Run::new();
+            let work = Work::new();
             let mut doses = [vec![0.0; layout.len()], vec![0.0; layout.len()]];
             let doses = doses.each_mut().map(Vec::as_mut_slice);
-            built.add_along(pixels, [&x, &x], doses, &run).unwrap();
+            built.add_along(pixels, [&x, &x], doses, &work).unwrap();
             let cotangent = vec![1.0; layout.len()];
             let mut grad = vec![0.0; pixels.len()];
             built
@@ -346,7 +346,7 @@ fn what_frames_at_work_take_is_what_is_reckoned() {
                     &x,
                     &cotangent,
                     &mut grad,
-                    &run,
+                    &work,
                 )
                 .unwrap();
             built.kept_bytes()
@@ -697,7 +697,7 @@ fn numbers_that_contradict_each_other_are_refused_with_numbers_that_work() {
 fn the_dose_along_a_line_is_the_quadratic_that_is_stated() {
     let model = Wave::new(&VIAL, vec![light(2)], &Params::default(), grid()).unwrap();
     let [mut x, d] = [1, 2].map(|seed| check::noisy_patterns(&model, seed));
-    let terms = model.along(&x, &d, &Run::new()).unwrap().unwrap();
+    let terms = model.along(&x, &d, &Work::new()).unwrap().unwrap();
     let at_x = check::dose(&model, &x);
     x.axpy(0.7, &d);
     let mut expected = check::dose(&model, &x);

@@ -6,7 +6,7 @@ use serde_json::json;
 use std::sync::Arc;
 use tomolith_core::check::small::SmallModel;
 use tomolith_core::check::{noise, refuses};
-use tomolith_core::dose::Run;
+use tomolith_core::dose::Work;
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::near;
 use tomolith_core::response::Identity;
@@ -72,7 +72,7 @@ fn weights_by_role_buffer_region_and_file() {
         room.layout.grid.clone(),
         vec![1.0f32, 2.0, 3.0, 4.0, 5.0, 6.0],
     );
-    write_volume(&folder.path().join("w.npy"), &factors, &Run::new()).unwrap();
+    write_volume(&folder.path().join("w.npy"), &factors, &Work::new()).unwrap();
     let ground = room.ground(folder.path());
     let weight = |json: Value| room.array(common(json).voxel_weights(&ground).unwrap().weight);
     assert_eq!(
@@ -283,7 +283,7 @@ fn what_is_wrong_is_named() {
         write_volume(
             &folder.path().join(name),
             &Volume::new(grid, values.to_vec()),
-            &Run::new(),
+            &Work::new(),
         )
         .unwrap();
     };

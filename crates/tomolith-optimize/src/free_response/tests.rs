@@ -4,7 +4,7 @@ use crate::reference::{Model, solve};
 use crate::{Limits, OPTIMIZERS, Outcome, Problem, Stop, StopReason, run};
 use serde_json::json;
 use tomolith_core::check::{self, small::SmallModel};
-use tomolith_core::dose::Run;
+use tomolith_core::dose::Work;
 use tomolith_core::field::HostField;
 use tomolith_core::grid::Volume;
 use tomolith_core::kind::Section;
@@ -109,7 +109,7 @@ impl Known {
         iterations: usize,
         checkpoints: Option<&mut Checkpoints>,
     ) -> (HostField, Outcome) {
-        let flag = Run::new();
+        let flag = Work::new();
         let limits = [LIMITS];
         let mut problem = Problem::with_free_response(&self.model, free, &limits, &flag).unwrap();
         let mut x = self.patterns.zeros_like();
@@ -250,7 +250,7 @@ fn the_response_of_the_patterns_that_are_kept_is_told() {
 #[test]
 fn a_method_at_rest_goes_on_while_the_response_moves() {
     let known = Known::new();
-    let flag = Run::new();
+    let flag = Work::new();
     let limits = [LIMITS];
     let free = known.free(WIDE, [10.0, 0.5]);
     let mut problem = Problem::with_free_response(&known.model, free, &limits, &flag).unwrap();

@@ -11,7 +11,7 @@ use std::time::Instant;
 use tomolith_core::dose::{Quantity, Regions};
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
-use tomolith_core::run::Run;
+use tomolith_core::work::Work;
 
 /// The share of a limit from which on a region stays known, and becomes known with others.
 const NEAR: f32 = 0.95;
@@ -47,7 +47,7 @@ impl<'a, F: Field> Problem<'a, F> {
         }
         let begin = Instant::now();
         at.unknown.resize(limits.len(), false);
-        let bounds = regions.bounds(x, step, self.run)?;
+        let bounds = regions.bounds(x, step, self.work)?;
         let mut needed = self.needed(limits, &bounds, at, regions);
         let lit = bounds
             .iter()
@@ -63,12 +63,12 @@ impl<'a, F: Field> Problem<'a, F> {
         let missing = needed.iter().zip(&at.unknown);
         let missing: Vec<bool> = missing.map(|(own, unknown)| *own && *unknown).collect();
         if missing.contains(&true) {
-            regions.dose_in(&missing, x, &mut at.dose, self.run)?;
+            regions.dose_in(&missing, x, &mut at.dose, self.work)?;
         }
         at.unknown = needed.iter().map(|needed| !needed).collect();
         if is_worth_it {
             at.cotangent.fill(0.0);
-            regions.dose_in(&needed, step, &mut at.cotangent, self.run)?;
+            regions.dose_in(&needed, step, &mut at.cotangent, self.work)?;
             self.counters.forward += 1;
         }
         self.counters.model_s += begin.elapsed().as_secs_f64();
@@ -104,7 +104,7 @@ impl<'a, F: Field> Problem<'a, F> {
     pub(crate) fn whole_dose<'b>(&self, x: &F, at: &'b Position<F>) -> Result<Cow<'b, F>> {
         let mut dose = Cow::Borrowed(&at.dose);
         if let Some((regions, _)) = self.limited().filter(|_| at.unknown.contains(&true)) {
-            regions.dose_in(&at.unknown, x, dose.to_mut(), &Run::new())?;
+            regions.dose_in(&at.unknown, x, dose.to_mut(), &Work::new())?;
         }
         Ok(dose)
     }

@@ -9,7 +9,7 @@ use std::ops::Range;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use tomolith_core::check::{self, small::SmallModel};
-use tomolith_core::dose::{DoseModel, Facts, Renewal, Run, Space};
+use tomolith_core::dose::{DoseModel, Facts, Renewal, Space, Work};
 use tomolith_core::field::HostField;
 use tomolith_core::response::Identity;
 use tomolith_objective::Objective;
@@ -48,7 +48,7 @@ fn go_on(
     checkpoints: Option<&mut Checkpoints>,
     observers: Observers,
 ) -> (HostField, Result<Outcome>) {
-    let flag = Run::new();
+    let flag = Work::new();
     let mut problem = Problem::new(model, objective, &[Limits::default()], &flag).unwrap();
     let mut x = check::even_patterns(model, 0.5);
     let outcome = run(
@@ -142,7 +142,7 @@ fn every_reason_to_stop_stops() {
 fn canceling_keeps_the_best() {
     let model = SmallModel::new(16, 24, 1);
     let objective = objective(&model, "l2");
-    let flag = Run::new();
+    let flag = Work::new();
     let mut problem = Problem::new(&model, &*objective, &[Limits::default()], &flag).unwrap();
     let mut x = check::even_patterns(&model, 0.5);
     let mut cancel = |report: &StepReport<HostField>| {
@@ -273,7 +273,7 @@ impl Twisted {
 }
 
 impl Renewal<HostField> for Twisted {
-    fn renew(&self, iteration: usize, _x: &HostField, _run: &Run) -> Result<bool> {
+    fn renew(&self, iteration: usize, _x: &HostField, _run: &Work) -> Result<bool> {
         let round = self.every.map_or(0, |every| (iteration - 1) / every) as u64;
         Ok(self.round.swap(round, Ordering::Relaxed) != round)
     }
@@ -301,13 +301,13 @@ impl DoseModel for Twisted {
         self.every.map(|_| self as _)
     }
 
-    fn dose(&self, x: &HostField, dose: &mut HostField, run: &Run) -> Result<()> {
+    fn dose(&self, x: &HostField, dose: &mut HostField, work: &Work) -> Result<()> {
         let mut x = x.clone();
         if self.squared {
             x.as_mut_slice().iter_mut().for_each(|v| *v *= *v);
         }
         x.scale(self.gain() as f32);
-        self.inner.dose(&x, dose, run)?;
+        self.inner.dose(&x, dose, work)?;
         if self.induction > 0.0 {
             let values = dose.as_mut_slice().iter_mut();
             values.for_each(|v| *v = (*v - self.induction).max(0.0));
@@ -321,13 +321,13 @@ impl DoseModel for Twisted {
         x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
         let mut cotangent = cotangent.clone();
         if self.induction > 0.0 {
             cotangent.keep_positive(&check::dose(self, x));
         }
-        self.inner.pullback_of(frames, x, &cotangent, grad, run)?;
+        self.inner.pullback_of(frames, x, &cotangent, grad, work)?;
         grad.scale(self.gain() as f32);
         if self.squared {
             grad.as_mut_slice()
@@ -341,11 +341,11 @@ impl DoseModel for Twisted {
         Ok(())
     }
 
-    fn dose_of(&self, _: Range<usize>, _: &HostField, _: &mut HostField, _: &Run) -> Result<()> {
+    fn dose_of(&self, _: Range<usize>, _: &HostField, _: &mut HostField, _: &Work) -> Result<()> {
         Err(Error::Canceled)
     }
 
-    fn along(&self, _: &HostField, _: &HostField, _: &Run) -> Result<Option<Vec<HostField>>> {
+    fn along(&self, _: &HostField, _: &HostField, _: &Work) -> Result<Option<Vec<HostField>>> {
         Ok(None)
     }
 
@@ -392,7 +392,7 @@ fn pairs_that_do_not_fit_are_refused_with_both_keys_before_any_work() {
         squared: true,
         ..Twisted::of(inner)
     };
-    let flag = Run::new();
+    let flag = Work::new();
     let refusal = |row: &tomolith_core::kind::Kind<crate::BuildOptimizer>,
                    model: &dyn DoseModel<Field = HostField>,
                    bits: Option<u32>| {
@@ -444,7 +444,7 @@ fn pairs_that_do_not_fit_are_refused_with_both_keys_before_any_work() {
 fn patterns_of_few_bits_stay_on_their_levels_in_every_step() {
     let model = SmallModel::new(16, 24, 1);
     let l2 = objective(&model, "l2");
-    let flag = Run::new();
+    let flag = Work::new();
     let limits = [Limits {
         min: 0.25,
         max: 1.75,

@@ -24,7 +24,7 @@ use super::{BuildStart, InitialPatterns, StartInput};
 use crate::filter::{Filter, Projection};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::dose::Run;
+use tomolith_core::dose::Work;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::Field;
 use tomolith_core::kind::{Kind, schema_of};
@@ -81,20 +81,20 @@ pub const fn kind<F: Field>() -> Kind<BuildStart<F>> {
 
 impl<F: Field> InitialPatterns<F> for Fbp {
     #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
-    fn patterns(&self, input: &StartInput<F>, run: &Run) -> Result<F> {
+    fn patterns(&self, input: &StartInput<F>, work: &Work) -> Result<F> {
         input.require_linear("fbp")?;
         let wanted = input.wanted_dose()?;
         let mut x = input.model.new_patterns()?;
         let source = input.weighed(&input.over_absorption(&wanted, 2)?);
         input
             .model
-            .pullback(&x.zeros_like(), &source, &mut x, run)?;
+            .pullback(&x.zeros_like(), &source, &mut x, work)?;
         let lights = input.model.patterns();
         let voxel_mm3 = input.model.grid().voxel_mm3();
         let fluence = input.over_absorption(&wanted, 1)?;
         let filter = (self.0.filter, voxel_mm3);
         let projection = Projection::filtered(x, lights, &fluence, filter)?;
-        if projection.patterns.any(run.is_canceled()) {
+        if projection.patterns.any(work.is_canceled()) {
             return Err(Error::Canceled);
         }
         let inverse = projection.inverse() as f32;
@@ -106,7 +106,7 @@ impl<F: Field> InitialPatterns<F> for Fbp {
         x.shift(-lowest);
         x.clamp(0.0, f32::INFINITY);
         match self.0.scale {
-            StartScale::Fit => input.scaled(x, &wanted, run),
+            StartScale::Fit => input.scaled(x, &wanted, work),
             StartScale::Analytic => {
                 x.scale(inverse);
                 input.bounded(x)
@@ -155,7 +155,7 @@ mod tests {
                     scale: StartScale::Analytic,
                     ..Params::default()
                 };
-                let found = Fbp(params).patterns(&input, &Run::new()).unwrap();
+                let found = Fbp(params).patterns(&input, &Work::new()).unwrap();
                 let expected: Vec<f64> = rows
                     .iter()
                     .map(|v| factor * (v - lowest).max(0.0))
@@ -213,7 +213,7 @@ mod tests {
             scale,
             ..Params::default()
         };
-        let x = Fbp(params).patterns(&input, &Run::new()).unwrap();
+        let x = Fbp(params).patterns(&input, &Work::new()).unwrap();
         let dose = check::dose(&model, &x);
         let dose = model.outputs()[0].volume_of(dose.as_slice());
         let mean = |is_right: bool| {

@@ -28,7 +28,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use std::fmt;
 use std::path::PathBuf;
-use tomolith_core::dose::Run;
+use tomolith_core::dose::Work;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Field, HostField};
 use tomolith_core::grid::{PatternGrid, Patterns};
@@ -161,10 +161,10 @@ impl<F: Field> InitialPatterns<F> for OfFile {
         true
     }
 
-    fn patterns(&self, input: &StartInput<F>, run: &Run) -> Result<F> {
+    fn patterns(&self, input: &StartInput<F>, work: &Work) -> Result<F> {
         let lights = input.model.patterns().iter();
         let grids: Vec<&PatternGrid> = lights.map(|light| &light.grid).collect();
-        Given(self.read(&grids)?).patterns(input, run)
+        Given(self.read(&grids)?).patterns(input, work)
     }
 }
 
@@ -177,8 +177,8 @@ impl<F: Field> InitialPatterns<F> for GivenFiles<F> {
         Some(self)
     }
 
-    fn patterns(&self, input: &StartInput<F>, run: &Run) -> Result<F> {
-        self.first.patterns(input, run)
+    fn patterns(&self, input: &StartInput<F>, work: &Work) -> Result<F> {
+        self.first.patterns(input, work)
     }
 }
 
@@ -187,7 +187,7 @@ impl<F: Field> InitialPatterns<F> for Given {
         true
     }
 
-    fn patterns(&self, input: &StartInput<F>, _: &Run) -> Result<F> {
+    fn patterns(&self, input: &StartInput<F>, _: &Work) -> Result<F> {
         let lights = input.model.patterns();
         if self.0.len() != lights.len() {
             return Err(Error::shape(
@@ -391,11 +391,11 @@ mod tests {
             shown: &patterns,
             raw: None,
         };
-        write_patterns(&file, &[pair(None)], &Run::new()).unwrap();
-        let x = OfFile(file.clone()).patterns(&input, &Run::new()).unwrap();
+        write_patterns(&file, &[pair(None)], &Work::new()).unwrap();
+        let x = OfFile(file.clone()).patterns(&input, &Work::new()).unwrap();
         assert_eq!(light.patterns_of(x.as_slice()), patterns);
-        write_patterns(&file, &[pair(Some("a")), pair(Some("b"))], &Run::new()).unwrap();
-        let refusal = OfFile(file).patterns(&input, &Run::new()).unwrap_err();
+        write_patterns(&file, &[pair(Some("a")), pair(Some("b"))], &Work::new()).unwrap();
+        let refusal = OfFile(file).patterns(&input, &Work::new()).unwrap_err();
         assert!(matches!(refusal, Error::Format { .. }), "{refusal}");
     }
 }

@@ -7,7 +7,7 @@
 use super::{BuildStart, InitialPatterns, StartInput};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use tomolith_core::dose::Run;
+use tomolith_core::dose::Work;
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
 use tomolith_core::kind::{Kind, schema_of};
@@ -56,11 +56,11 @@ pub const fn zero<F: Field>() -> Kind<BuildStart<F>> {
 }
 
 impl<F: Field> InitialPatterns<F> for Uniform {
-    fn patterns(&self, input: &StartInput<F>, run: &Run) -> Result<F> {
+    fn patterns(&self, input: &StartInput<F>, work: &Work) -> Result<F> {
         input.require_linear("uniform")?;
         let mut x = input.model.new_patterns()?;
         x.fill(1.0);
-        input.scaled(x, &input.wanted_dose()?, run)
+        input.scaled(x, &input.wanted_dose()?, work)
     }
 }
 
@@ -69,7 +69,7 @@ impl<F: Field> InitialPatterns<F> for Zero {
         false
     }
 
-    fn patterns(&self, input: &StartInput<F>, _: &Run) -> Result<F> {
+    fn patterns(&self, input: &StartInput<F>, _: &Work) -> Result<F> {
         input.bounded(input.model.new_patterns()?)
     }
 }

@@ -14,7 +14,7 @@
 //! fields of patterns and one of dose.
 
 use super::{BuildStart, InitialPatterns, StartInput};
-use tomolith_core::dose::Run;
+use tomolith_core::dose::Work;
 use tomolith_core::error::Result;
 use tomolith_core::field::Field;
 use tomolith_core::grid::Volume;
@@ -53,24 +53,24 @@ pub const fn kind<F: Field>() -> Kind<BuildStart<F>> {
 struct Masked<'a, F: Field> {
     input: &'a StartInput<'a, F>,
     counts: F,
-    run: &'a Run,
+    work: &'a Work,
 }
 
 impl<F: Field> Masked<'_, F> {
     fn dose(&self, x: &F, out: &mut F) -> Result<()> {
-        self.input.model.dose(x, out, self.run)?;
+        self.input.model.dose(x, out, self.work)?;
         out.multiply(&self.counts);
         Ok(())
     }
 
     fn pullback(&self, dose: &F, out: &mut F) -> Result<()> {
         let anywhere = out.zeros_like();
-        self.input.model.pullback(&anywhere, dose, out, self.run)
+        self.input.model.pullback(&anywhere, dose, out, self.work)
     }
 }
 
 impl<F: Field> InitialPatterns<F> for Lsqr {
-    fn patterns(&self, input: &StartInput<F>, run: &Run) -> Result<F> {
+    fn patterns(&self, input: &StartInput<F>, work: &Work) -> Result<F> {
         input.require_linear("lsqr")?;
         let wanted = input.wanted_dose()?;
         let labels = Volume::new(
@@ -86,10 +86,14 @@ impl<F: Field> InitialPatterns<F> for Lsqr {
         for layout in input.model.outputs() {
             counts.write(layout.offset, &layout.field_of(&labels));
         }
-        let masked = Masked { input, counts, run };
+        let masked = Masked {
+            input,
+            counts,
+            work,
+        };
         let mut x = self.solve(&masked, &wanted)?;
         x.clamp(0.0, f32::INFINITY);
-        input.scaled(x, &wanted, run)
+        input.scaled(x, &wanted, work)
     }
 }
 
@@ -210,11 +214,11 @@ mod tests {
         };
         let labels = Volume::filled(grid, label::PART);
         let input = StartInput::new(&model, &target, &labels, &FREE);
-        let run = Run::new();
+        let work = Work::new();
         let masked = Masked {
             input: &input,
             counts: HostField::from_slice(&[1.0; 4]),
-            run: &run,
+            work: &work,
         };
         let d = HostField::from_slice(&wanted.map(|v| v as f32));
         // ‖Aᵀd‖/‖d‖: what `damping` is relative to

@@ -10,7 +10,7 @@ pub mod lsqr;
 
 use super::Limits;
 pub use given::GivenFiles;
-use tomolith_core::dose::{DoseLayout, DoseModel, Quantity, Run};
+use tomolith_core::dose::{DoseLayout, DoseModel, Quantity, Work};
 use tomolith_core::error::{Error, Result};
 use tomolith_core::field::{Bounds, Field, HostField};
 use tomolith_core::grid::Volume;
@@ -67,7 +67,7 @@ pub trait InitialPatterns<F: Field = HostField>: std::fmt::Debug + Send + Sync {
     ///
     /// # Errors
     /// [`Error::Canceled`], [`Error::Unsupported`] when the model does not allow it, or not enough memory.
-    fn patterns(&self, input: &StartInput<F>, run: &Run) -> Result<F>;
+    fn patterns(&self, input: &StartInput<F>, work: &Work) -> Result<F>;
     /// Whether the patterns are given, and do not depend on the target.
     fn is_given(&self) -> bool {
         false
@@ -203,9 +203,9 @@ impl<F: Field> StartInput<'_, F> {
     /// Brings patterns into the bounds and scales them: least squares between their dose and the wanted one, over the voxels
     /// that want any.
     #[expect(clippy::cast_possible_truncation, reason = "fields are f32")]
-    fn scaled(&self, mut x: F, wanted: &F, run: &Run) -> Result<F> {
+    fn scaled(&self, mut x: F, wanted: &F, work: &Work) -> Result<F> {
         let mut dose = self.model.new_dose()?;
-        self.model.dose(&x, &mut dose, run)?;
+        self.model.dose(&x, &mut dose, work)?;
         dose.keep_positive(wanted);
         let (both, square) = (dose.dot(wanted), dose.dot(&dose));
         if both > 0.0 && square > 0.0 {
@@ -223,9 +223,9 @@ impl<F: Field> StartInput<'_, F> {
     ///
     /// # Errors
     /// As [`InitialPatterns::patterns`].
-    pub fn scaled_anew(&self, x: F, run: &Run) -> Result<F> {
+    pub fn scaled_anew(&self, x: F, work: &Work) -> Result<F> {
         let wanted = self.wanted_dose()?;
-        self.scaled(x, &wanted, run)
+        self.scaled(x, &wanted, work)
     }
 
     /// Brings patterns into the bounds.
@@ -320,7 +320,7 @@ mod tests {
             shown: &shown,
             raw: None,
         };
-        tomolith_io::npy::write_patterns(&file, &[pair], &Run::new()).unwrap();
+        tomolith_io::npy::write_patterns(&file, &[pair], &Work::new()).unwrap();
         file.to_string_lossy().into_owned()
     }
 
@@ -347,7 +347,7 @@ mod tests {
                     section.value["file"] = saved(&model, &labels, &folder).into();
                 }
                 let start = (row.build)(&section).unwrap();
-                let x = start.patterns(&input, &Run::new()).unwrap();
+                let x = start.patterns(&input, &Work::new()).unwrap();
                 assert!(
                     x.as_slice().iter().all(|&v| v >= 0.0 && v.is_finite()),
                     "{}",
@@ -369,7 +369,7 @@ mod tests {
                     limits: &limits,
                     ..input
                 };
-                let x = start.patterns(&input, &Run::new()).unwrap();
+                let x = start.patterns(&input, &Work::new()).unwrap();
                 assert!(
                     x.as_slice().iter().all(|v| (0.1..=0.3).contains(v)),
                     "{}",
@@ -397,7 +397,7 @@ mod tests {
                     response,
                     ..StartInput::new(&model, &target, &labels, &limits)
                 };
-                let x = start.patterns(&input, &Run::new()).unwrap();
+                let x = start.patterns(&input, &Work::new()).unwrap();
                 contrast(&model, &labels, &x)[0]
             };
             let plain = mean(&Identity);
@@ -422,7 +422,7 @@ mod tests {
             );
             let x = (STARTS[0].build)(&section)
                 .unwrap()
-                .patterns(&input, &Run::new())
+                .patterns(&input, &Work::new())
                 .unwrap();
             let [part, void] = contrast(&model, &labels, &x);
             part - void

@@ -2,7 +2,7 @@ use super::run::{columns, flatten};
 use super::*;
 use std::collections::BTreeMap;
 use tomolith_core::grid::{Volume, VolumeGrid};
-use tomolith_core::run::Run;
+use tomolith_core::work::Work;
 
 fn run(name: &str, iou: f64, memory: &str) -> ComparedRun {
     let mut flat = BTreeMap::new();
@@ -40,7 +40,7 @@ fn doses_of_all_runs_are_on_the_page() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("dose.npy");
     let dose = Volume::filled(VolumeGrid::centered([3, 4, 5], 0.1), 1.0);
-    tomolith_io::npy::write_volume(&path, &dose, &Run::new()).unwrap();
+    tomolith_io::npy::write_volume(&path, &dose, &Work::new()).unwrap();
     runs[1].dose = Some(path);
     let grid = json!({ "shape_zyx": [6, 8, 10], "pitch_mm": 0.05, "center_xyz_mm": [0, 0, 1] });
     runs[1].report["evaluation"]["grid"] = grid;

@@ -14,8 +14,8 @@ use super::shells::Groups;
 use tomolith_core::boxes::{AlignedBox, BoxTree};
 use tomolith_core::error::Result;
 use tomolith_core::parallel::InParallel;
-use tomolith_core::run::Run;
 use tomolith_core::vector::{cross, dot, minus};
+use tomolith_core::work::Work;
 use tomolith_io::mesh::Mesh;
 
 /// How far surfaces may run into each other and still only touch, as a share of the mesh's diagonal: a hundred times the
@@ -49,11 +49,11 @@ impl Crossings {
 }
 
 /// Edges through triangles of their own shell, and of other shells.
-pub(super) fn find_crossings(mesh: &Mesh, run: &Run) -> Result<[Crossings; 2]> {
+pub(super) fn find_crossings(mesh: &Mesh, work: &Work) -> Result<[Crossings; 2]> {
     let edges = Edges::new(mesh);
-    run.check()?;
-    let search = Search::new(mesh, &edges, run);
-    run.check()?;
+    work.check()?;
+    let search = Search::new(mesh, &edges, work);
+    work.check()?;
     let mut shells = Groups::of_shells(mesh);
     let shell: Vec<u32> = (0..mesh.vertices.len() as u32)
         .map(|v| shells.of(v))
@@ -64,7 +64,7 @@ pub(super) fn find_crossings(mesh: &Mesh, run: &Run) -> Result<[Crossings; 2]> {
         .collect();
     let blocks: Vec<[Crossings; 2]> = pairs.chunks(1024).par_map(|pairs| {
         let mut found = [Crossings::default(); 2];
-        if run.is_canceled() {
+        if work.is_canceled() {
             return found;
         }
         for &edge in pairs {
@@ -80,7 +80,7 @@ pub(super) fn find_crossings(mesh: &Mesh, run: &Run) -> Result<[Crossings; 2]> {
         total[0].join(&block[0]);
         total[1].join(&block[1]);
     }
-    run.check().map(|()| total)
+    work.check().map(|()| total)
 }
 
 /// A plane: unit normal, and its product with a point of the plane.
@@ -96,7 +96,7 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    fn new(mesh: &'a Mesh, edges: &'a Edges, run: &Run) -> Self {
+    fn new(mesh: &'a Mesh, edges: &'a Edges, work: &Work) -> Self {
         let [low, high] = mesh.bounds();
         let touch = TOUCH * dot(minus(high, low), minus(high, low)).sqrt();
         let boxes: Vec<AlignedBox> = (0..mesh.triangles.len())
@@ -108,7 +108,7 @@ impl<'a> Search<'a> {
         Search {
             mesh,
             edges,
-            tree: BoxTree::of(&boxes, run),
+            tree: BoxTree::of(&boxes, work),
             planes,
             touch,
         }
@@ -217,7 +217,7 @@ mod tests {
     use tomolith_io::mesh::samples::{ball, cuboid, together};
 
     fn crossings_of(mesh: &Mesh) -> [Crossings; 2] {
-        find_crossings(mesh, &Run::new()).unwrap()
+        find_crossings(mesh, &Work::new()).unwrap()
     }
 
     /// Coordinates as an STL file keeps them.

@@ -4,7 +4,7 @@ use super::Diagnosis;
 use crate::lines::{Lines, Scaled};
 use tomolith_core::grid::VolumeGrid;
 use tomolith_core::parallel::InParallel;
-use tomolith_core::run::Run;
+use tomolith_core::work::Work;
 use tomolith_io::mesh::Mesh;
 
 /// Lines along the longer of y and z that look for overlaps.
@@ -35,7 +35,7 @@ impl Misfit {
 }
 
 /// Looks along the lines of the lattice for winding numbers other than 0 and 1; in vain when the run is canceled.
-pub(super) fn find_overlaps(mesh: &Mesh, found: &mut Diagnosis, run: &Run) {
+pub(super) fn find_overlaps(mesh: &Mesh, found: &mut Diagnosis, work: &Work) {
     let [low, high] = mesh.bounds();
     let pitch_mm = (high[1] - low[1]).max(high[2] - low[2]) / LATTICE;
     let count = |axis: usize| ((high[axis] - low[axis]) / pitch_mm).ceil().max(1.0) as usize;
@@ -46,7 +46,7 @@ pub(super) fn find_overlaps(mesh: &Mesh, found: &mut Diagnosis, run: &Run) {
     let scaled = Scaled::new(mesh, None, &grid);
     let x0 = grid.bounds_mm()[0][0];
     let slices: Vec<[Misfit; 2]> = (0..grid.shape[0]).par_map_with(Lines::default, |lines, iz| {
-        if run.is_canceled() {
+        if work.is_canceled() {
             return Default::default();
         }
         let z = iz as f64 + 0.5;

@@ -29,7 +29,7 @@ use std::fmt::Display;
 use tomolith_core::error::{Error, Result};
 use tomolith_core::grid::{Volume, VolumeGrid};
 use tomolith_core::kind::{Kind, Section};
-use tomolith_core::run::Run;
+use tomolith_core::work::Work;
 
 /// Signed distance to an outline in the plane, mm: negative inside, growing by at most 1 per mm.
 pub type Outline = Box<dyn Fn([f64; 2]) -> f64 + Send + Sync>;
@@ -177,8 +177,8 @@ impl Shape for Phantom {
         self.bounds_mm
     }
 
-    fn sample_under(&self, grid: &VolumeGrid, run: &Run) -> Result<Volume<f32>> {
-        sampling::inside_fractions(&self.form.body, &self.map, grid, run)
+    fn sample_under(&self, grid: &VolumeGrid, work: &Work) -> Result<Volume<f32>> {
+        sampling::inside_fractions(&self.form.body, &self.map, grid, work)
     }
 
     fn is_gray(&self) -> bool {

@@ -12,7 +12,7 @@ use crate::voxels::zeros;
 use tomolith_core::error::Result;
 use tomolith_core::grid::{Volume, VolumeGrid, sample};
 use tomolith_core::parallel::InParallel;
-use tomolith_core::run::Run;
+use tomolith_core::work::Work;
 
 /// Cells along the edge of a voxel of a solid, a power of two.
 const CELLS: usize = 4;
@@ -41,7 +41,7 @@ pub fn inside_fractions(
     body: &Body,
     map: &Map,
     grid: &VolumeGrid,
-    run: &Run,
+    work: &Work,
 ) -> Result<Volume<f32>> {
     let mut values = zeros(grid)?;
     if !values.is_empty() {
@@ -50,13 +50,13 @@ pub fn inside_fractions(
                 fill_upright(prisms, map, grid, &mut values);
             }
             Body::Prisms(prisms) => {
-                fill_solid(&|p| nearest(prisms, p), map, grid, (&mut values, run))
+                fill_solid(&|p| nearest(prisms, p), map, grid, (&mut values, work))
             }
-            Body::Solid(surface) => fill_solid(surface, map, grid, (&mut values, run)),
+            Body::Solid(surface) => fill_solid(surface, map, grid, (&mut values, work)),
             Body::GrayFunction(form) => fill_gray(form, map, grid, &mut values),
         }
     }
-    run.check()?;
+    work.check()?;
     Ok(Volume::new(grid.clone(), values))
 }
 
@@ -188,7 +188,7 @@ fn fill_solid(
     surface: SurfaceRef,
     map: &Map,
     grid: &VolumeGrid,
-    (values, run): (&mut [f32], &Run),
+    (values, run): (&mut [f32], &Work),
 ) {
     let [nz, ny, nx] = grid.shape;
     let octree = Octree { surface, map, grid };
@@ -437,7 +437,7 @@ mod tests {
         let grid = VolumeGrid::centered([n; 3], 2.3 / n as f64);
         let surface: super::super::ImplicitSurface = Box::new(surface);
         let body = Body::Solid(surface);
-        let found = inside_fractions(&body, &Map::IDENTITY, &grid, &Run::new()).unwrap();
+        let found = inside_fractions(&body, &Map::IDENTITY, &grid, &Work::new()).unwrap();
         let Body::Solid(surface) = body else {
             unreachable!()
         };

@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Result};
 use crate::grid::{Patterns, Volume};
-use crate::models::Run;
+use crate::models::Work;
 use crate::optimize::MeasuredPrint;
 use serde::Serialize;
 use std::io::ErrorKind;
@@ -167,18 +167,18 @@ const PAUSE: Duration = Duration::from_millis(200);
 const KNOWN: f64 = 0.02;
 const SEEN: Duration = Duration::from_secs(1);
 
-/// Does `work` in a separate thread, while this one reports how far the current stage is. The events of the work are also sent
+/// Does `action` in a separate thread, while this one reports how far the current stage is. The events of the work are also sent
 /// from this thread, and the work waits for that.
 pub(crate) fn watched<T: Send>(
     progress: &mut dyn Progress,
-    run: &Run,
-    work: impl FnOnce(&mut dyn Progress) -> Result<T> + Send,
+    work: &Work,
+    action: impl FnOnce(&mut dyn Progress) -> Result<T> + Send,
 ) -> Result<T> {
     thread::scope(|scope| {
         let (tell, told) = channel();
         let (answer, heard) = channel();
         let wants = progress.wants();
-        let worker = scope.spawn(move || work(&mut Relay { tell, heard, wants }));
+        let worker = scope.spawn(move || action(&mut Relay { tell, heard, wants }));
         let mut gauge = Gauge::new();
         loop {
             match told.recv_timeout(PAUSE) {
@@ -193,7 +193,7 @@ pub(crate) fn watched<T: Send>(
                     // Nobody waits when the work has panicked
                     let _ = answer.send(progress.wants());
                 }
-                Err(RecvTimeoutError::Timeout) => gauge.tell(run.done(), progress),
+                Err(RecvTimeoutError::Timeout) => gauge.tell(work.done(), progress),
                 Err(RecvTimeoutError::Disconnected) => break,
             }
         }
@@ -291,8 +291,8 @@ impl Gauge {
 }
 
 /// Begins a stage; what it returns is the whole of it.
-pub(crate) fn stage(progress: &mut dyn Progress, cancel: &Run, name: &str) -> Run {
-    let stage = cancel.stage();
+pub(crate) fn stage(progress: &mut dyn Progress, work: &Work, name: &str) -> Work {
+    let stage = work.stage();
     let name = name.to_owned();
     progress.event(&Event::Stage { name });
     stage
@@ -312,13 +312,13 @@ mod tests {
 
     #[test]
     fn stages_tell_how_far_they_are_from_the_callers_thread_and_end_whole() {
-        let (run, mut told) = (Run::new(), Told(Vec::new()));
+        let (work, mut told) = (Work::new(), Told(Vec::new()));
         let name = |name: &str| Event::Stage {
             name: name.to_owned(),
         };
-        let result = watched(&mut told, &run, |progress| {
+        let result = watched(&mut told, &work, |progress| {
             for stage in ["a", "b"] {
-                let part = run.stage();
+                let part = work.stage();
                 progress.event(&name(stage));
                 let steps = part.steps(4);
                 for _ in 0..4 {
@@ -346,7 +346,7 @@ mod tests {
     #[test]
     fn a_panic_of_the_work_is_the_callers() {
         let work =
-            || -> Result<()> { watched(&mut Silent, &Run::new(), |_| panic!("of the work")) };
+            || -> Result<()> { watched(&mut Silent, &Work::new(), |_| panic!("of the work")) };
         let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).unwrap_err();
         assert_eq!(panic.downcast_ref(), Some(&"of the work"));
     }

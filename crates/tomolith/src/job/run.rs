@@ -33,7 +33,7 @@ use super::progress::{Event, Progress, watched};
 use super::resolve::{ResolvedJob, Voxels};
 use super::spec::read::Job;
 use crate::error::{Error, Result};
-use crate::models::Run;
+use crate::models::Work;
 use crate::optimize::checkpoint::CHECKPOINT;
 use crate::ranks::{Communicator, together};
 use crate::units::{concise, counted};
@@ -46,8 +46,8 @@ use std::sync::Arc;
 /// [`Error::Config`], [`Error::Mesh`], [`Error::Resources`], … before any heavy work for input that cannot be used, or a folder
 /// that holds a finished run of another job;
 /// [`Error::NonFinite`] and [`Error::Canceled`] with the best patterns left in `checkpoint/`; [`Error::Io`].
-pub fn run(job: &Job, resume: bool, progress: &mut dyn Progress, cancel: &Run) -> Result<Summary> {
-    run_leaving(job, resume, Leaves::All, progress, cancel)
+pub fn run(job: &Job, resume: bool, progress: &mut dyn Progress, work: &Work) -> Result<Summary> {
+    run_leaving(job, resume, Leaves::All, progress, work)
 }
 
 /// Runs a job as [`run`] does; only some of its outputs appear in the run folder.
@@ -59,16 +59,16 @@ pub fn run_leaving(
     resume: bool,
     leaves: Leaves,
     progress: &mut dyn Progress,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<Summary> {
-    watched(progress, cancel, |progress| {
+    watched(progress, work, |progress| {
         many::run_here(
             job,
             resume,
             leaves,
             &mut RunCache::default(),
             progress,
-            cancel,
+            work,
         )
     })
 }
@@ -88,9 +88,9 @@ fn stages(
     how: How<'_>,
     cache: &mut RunCache,
     progress: &mut dyn Progress,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<Option<Summary>> {
-    let mut clock = Clock::new(progress, cancel);
+    let mut clock = Clock::new(progress, work);
     let mut resolved = begin(job, how, &mut clock)?;
     let folder = match resolved.is_first() {
         true => open(job, &resolved, clock.progress).map(Some),
@@ -115,17 +115,17 @@ fn stages(
 }
 
 /// The objects of a job whose folder is free.
-fn resolved(job: &Job, cancel: &Run) -> Result<ResolvedJob> {
+fn resolved(job: &Job, work: &Work) -> Result<ResolvedJob> {
     RunFolder::check(&job.folder())?;
-    ResolvedJob::under(job, cancel)
+    ResolvedJob::under(job, work)
 }
 
 /// Reads the job, and refuses a folder that holds another one's run.
 fn begin(job: &Job, how: How<'_>, clock: &mut Clock<'_>) -> Result<ResolvedJob> {
     clock.stage("reading the job");
-    let resolved = resolved(job, clock.cancel).and_then(|mut resolved| {
+    let resolved = resolved(job, clock.work).and_then(|mut resolved| {
         resolved.note_levels();
-        clock.cancel.check()?;
+        clock.work.check()?;
         must_be_same(job, how.resume)?;
         match how.ranks {
             Some(ranks) => resolved.among(ranks),
@@ -162,15 +162,15 @@ fn sample(
     cache: &mut RunCache,
     clock: &mut Clock<'_>,
 ) -> Result<(Vec<Voxels>, Vec<String>)> {
-    let run = clock.stage("sampling the target");
-    let targets = cache.targets(resolved, &run.part(0.72))?;
-    let voxels = resolved.voxels_of(targets, &resolved.grid, &run.part(0.08))?;
+    let work = clock.stage("sampling the target");
+    let targets = cache.targets(resolved, &work.part(0.72))?;
+    let voxels = resolved.voxels_of(targets, &resolved.grid, &work.part(0.08))?;
     let found = resolved.warnings_of(&voxels)?;
     for text in found.iter().cloned() {
         clock.progress.event(&Event::Warning { text });
     }
     let warnings = resolved.warnings.iter().cloned().chain(found).collect();
-    try_orders(resolved, clock.progress, &run)?;
+    try_orders(resolved, clock.progress, &work)?;
     // Another model may not be one that ranks can share
     resolved.must_be_shared()?;
     Ok((voxels, warnings))

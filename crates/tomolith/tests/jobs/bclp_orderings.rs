@@ -5,7 +5,7 @@ use crate::{Finished, image, job_of, losses};
 use tomolith::grid::Volume;
 use tomolith::io::npy;
 use tomolith::job::{Job, ResolvedJob, Silent};
-use tomolith::models::Run;
+use tomolith::models::Work;
 
 const JOB: &str = r#"
     target = { size_mm = 1.2, height_mm = 0.02 }
@@ -86,7 +86,7 @@ fn a_small_p_keeps_more_voxels_in_the_band_and_a_large_one_the_largest_error_sma
 /// Errors of a disc (root of the sum of squares) beside the axis whose voxels have the first of two numbers, all others the second: a run each.
 fn errors_in_a_disc(key: &str, runs: [[f32; 2]; 3], changes: &[&str]) -> [f32; 3] {
     let resolved = ResolvedJob::new(&job(&[])).unwrap();
-    let task = resolved.task(&Run::new()).unwrap();
+    let task = resolved.task(&Work::new()).unwrap();
     let grid = task.target.inside.grid.clone();
     // A quarter of the inscribed circle's area
     let is_disc = |[x, y, _]: [f64; 3]| (x - 0.2).hypot(y) < 0.32;
@@ -95,7 +95,7 @@ fn errors_in_a_disc(key: &str, runs: [[f32; 2]; 3], changes: &[&str]) -> [f32; 3
         let number = |middle| if is_disc(middle) { inside } else { outside };
         let file = folder.path().join("disc.npy");
         let numbers = Volume::from_fn(grid.clone(), number);
-        npy::write_volume(&file, &numbers, &Run::new()).unwrap();
+        npy::write_volume(&file, &numbers, &Work::new()).unwrap();
         let file = format!(
             "objectives[0].{key}={{ file = {:?} }}",
             file.display().to_string()

@@ -6,7 +6,7 @@ use std::path::Path;
 use tomolith::Error;
 use tomolith::check::on_threads;
 use tomolith::job::{self, Document, Job, Silent};
-use tomolith::models::Run;
+use tomolith::models::Work;
 
 const JOB: &str = r#"
     target = { size_mm = 1.2, height_mm = 0.02 }
@@ -40,7 +40,7 @@ fn what_was_found_is_in_every_file_and_judges_the_print() {
     let place = tempfile::tempdir().unwrap();
     let own = place.path().join("own");
     let job = read(&[], &own).unwrap();
-    let summary = job::run(&job, false, &mut Silent, &Run::new()).unwrap();
+    let summary = job::run(&job, false, &mut Silent, &Work::new()).unwrap();
     let found = report(&own);
     let [steepness, midpoint] =
         ["steepness", "midpoint"].map(|name| found["response"][name].as_f64().unwrap());
@@ -72,7 +72,7 @@ fn what_was_found_is_in_every_file_and_judges_the_print() {
     let same = Job::from_document(document)
         .unwrap()
         .with_folder(&fixed, "--output");
-    job::simulate(&same, &own, &mut Silent, &Run::new()).unwrap();
+    job::simulate(&same, &own, &mut Silent, &Work::new()).unwrap();
     assert_eq!(report(&fixed)["evaluation"], found["evaluation"]);
     // And so under the run's own job, which takes them from the run
     let again = place.path().join("again");
@@ -80,14 +80,14 @@ fn what_was_found_is_in_every_file_and_judges_the_print() {
     let own_job = Job::from_document(own_job)
         .unwrap()
         .with_folder(&again, "--output");
-    job::simulate(&own_job, &own, &mut Silent, &Run::new()).unwrap();
+    job::simulate(&own_job, &own, &mut Silent, &Work::new()).unwrap();
     assert_eq!(report(&again)["evaluation"], found["evaluation"]);
     // Patterns alone do not say which response they are for
     let alone = place.path().join("alone");
     let lone = place.path().join("lone.npz");
     std::fs::copy(own.join("patterns.npz"), &lone).unwrap();
     let own_job = own_job.with_folder(&alone, "--output");
-    job::simulate(&own_job, &lone, &mut Silent, &Run::new()).unwrap();
+    job::simulate(&own_job, &lone, &mut Silent, &Work::new()).unwrap();
     assert_ne!(report(&alone)["evaluation"], found["evaluation"]);
     assert!(
         report(&alone)["notes"]
@@ -97,7 +97,7 @@ fn what_was_found_is_in_every_file_and_judges_the_print() {
     // The run's own job makes the same numbers again
     let rerun = place.path().join("rerun");
     let own_job = own_job.with_folder(&rerun, "--output");
-    job::run(&own_job, false, &mut Silent, &Run::new()).unwrap();
+    job::run(&own_job, false, &mut Silent, &Work::new()).unwrap();
     assert_eq!(report(&rerun)["response"], found["response"]);
     assert_eq!(report(&rerun)["evaluation"], found["evaluation"]);
 }
@@ -118,22 +118,22 @@ fn a_run_that_was_cut_off_or_has_other_threads_has_the_same_bits() {
     let place = tempfile::tempdir().unwrap();
     let whole = place.path().join("whole");
     let job = read(&[], &whole).unwrap();
-    job::run(&job, false, &mut Silent, &Run::new()).unwrap();
+    job::run(&job, false, &mut Silent, &Work::new()).unwrap();
     for stop_after in [1, 6] {
         let cut = place.path().join(format!("cut-{stop_after}"));
         let job = read(&[], &cut).unwrap();
-        let run = Run::new();
-        let stopped = job::run(&job, false, &mut StopAfter(stop_after, &run), &run);
+        let work = Work::new();
+        let stopped = job::run(&job, false, &mut StopAfter(stop_after, &work), &work);
         assert!(matches!(stopped, Err(Error::Canceled)));
-        job::run(&job, true, &mut Silent, &Run::new()).unwrap();
+        job::run(&job, true, &mut Silent, &Work::new()).unwrap();
         assert_eq!(rows(&cut), rows(&whole), "after {stop_after}");
         assert_eq!(report(&cut)["response"], report(&whole)["response"]);
     }
     for threads in [1, 3] {
         let own = place.path().join(format!("threads-{threads}"));
         let job = read(&[], &own).unwrap();
-        let run = || job::run(&job, false, &mut Silent, &Run::new());
-        on_threads(threads, run).unwrap();
+        let work = || job::run(&job, false, &mut Silent, &Work::new());
+        on_threads(threads, work).unwrap();
         assert_eq!(rows(&own), rows(&whole), "{threads} threads");
     }
 }
@@ -144,7 +144,7 @@ fn a_single_value_of_the_range_does_worse() {
     let loss = |name: &str, changes: &[&str]| {
         let own = place.path().join(name);
         let job = read(changes, &own).unwrap();
-        job::run(&job, false, &mut Silent, &Run::new()).unwrap();
+        job::run(&job, false, &mut Silent, &Work::new()).unwrap();
         report(&own)["history"]["loss"].as_f64().unwrap()
     };
     let found = loss("found", &[]);
@@ -162,7 +162,7 @@ fn what_cannot_be_an_unknown_is_refused_before_work() {
     let refused = |changes: &[&str]| {
         let own = place.path().join("never");
         let job = read(changes, &own);
-        let checked = job.and_then(|job| job::check(&job, &mut Silent, &Run::new()).map(drop));
+        let checked = job.and_then(|job| job::check(&job, &mut Silent, &Work::new()).map(drop));
         checked.unwrap_err().to_string()
     };
     let slips = r#"

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use tomolith::Error;
 use tomolith::job::schema::schema;
 use tomolith::job::{self, Document, Job, Silent};
-use tomolith::models::Run;
+use tomolith::models::Work;
 
 /// A job that a run takes a moment for; what is drawn is merged into it.
 const BASE: &str = r#"
@@ -186,8 +186,8 @@ fn what_a_run_refuses_before_its_first_step_check_refuses_at_the_same_key() {
         let changes: Vec<&str> = changes.split(" + ").collect();
         let folder = place.path().join("run");
         let job = || Ok(job_of(text, &changes)?.with_folder(&folder, "--output"));
-        let check = |job| job::check(&job, &mut Silent, &Run::new()).map(drop);
-        let run = |job| job::run(&job, false, &mut Silent, &Run::new()).map(drop);
+        let check = |job| job::check(&job, &mut Silent, &Work::new()).map(drop);
+        let run = |job| job::run(&job, false, &mut Silent, &Work::new()).map(drop);
         for done in [job().and_then(check), job().and_then(run)] {
             assert_eq!(refused_at(done), key, "{changes:?}");
         }
@@ -235,11 +235,11 @@ fn what_check_accepts_run_does_not_refuse() {
             continue;
         };
         let job = job.with_folder(&place.path().join(drawn.to_string()), "--output");
-        if job::check(&job, &mut Silent, &Run::new()).is_err() {
+        if job::check(&job, &mut Silent, &Work::new()).is_err() {
             continue;
         }
         accepted += 1;
-        if let Err(error) = job::run(&job, false, &mut Silent, &Run::new()) {
+        if let Err(error) = job::run(&job, false, &mut Silent, &Work::new()) {
             refused.push(format!("{error}\n    {text}"));
         }
     }

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use std::ops::Range;
 use std::sync::Arc;
 use tomolith::dose::{
-    DoseLayout, DoseModel, Facts, PatternLayout, Run, Space, ZCoupling, elements_of,
+    DoseLayout, DoseModel, Facts, PatternLayout, Space, Work, ZCoupling, elements_of,
 };
 use tomolith::error::Result;
 use tomolith::field::HostField;
@@ -102,7 +102,7 @@ impl DoseModel for Uniform {
         frames: Range<usize>,
         x: &HostField,
         dose: &mut HostField,
-        _: &Run,
+        _: &Work,
     ) -> Result<()> {
         let lit = elements_of(&self.patterns, &frames);
         let light: f32 = lit.flat_map(|(range, _)| &x.as_slice()[range]).sum();
@@ -117,7 +117,7 @@ impl DoseModel for Uniform {
         _x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
-        _: &Run,
+        _: &Work,
     ) -> Result<()> {
         let voxels = cotangent.as_slice().iter().zip(&self.voxels);
         let sum: f32 = voxels.map(|(c, voxel)| c * voxel).sum();
@@ -162,7 +162,7 @@ fn a_job_may_name_a_model_of_another_crate() {
     let folder = folder.path().join("run");
     let job = Job::with_models(document(""), &ROWS).unwrap();
     let job = job.with_folder(&folder, "--output");
-    run(&job, false, &mut Silent, &Run::new()).unwrap();
+    run(&job, false, &mut Silent, &Work::new()).unwrap();
     let (_, dose) = tomolith::io::npy::read_volume(&folder.join("dose.npy")).unwrap();
     let lit: Vec<f32> = dose.into_iter().filter(|&q| q > 0.0).collect();
     let most = lit.iter().copied().fold(0.0, f32::max);

@@ -3,7 +3,7 @@
 use crate::{BALL, Finished, LIGHT, job_of, losses};
 use serde_json::Value;
 use tomolith::job::{Event, Job, Progress, Silent, Summary, run};
-use tomolith::models::Run;
+use tomolith::models::Work;
 use tomolith::optimize::OPTIMIZERS;
 
 const TIME: &str = r#"
@@ -116,7 +116,7 @@ fn every_method_optimizes_a_print_in_time_or_says_why_not() {
         let folder = tempfile::tempdir().unwrap();
         let own = folder.path().join("run");
         let job = job.with_folder(&own, "--output");
-        let done = run(&job, false, &mut Silent, &Run::new());
+        let done = run(&job, false, &mut Silent, &Work::new());
         if ["fista", "osmo", "cal"].contains(&name) {
             let text = done.unwrap_err().to_string();
             tomolith_core::contains!(text, "a print in time (schedule.optimize)");

@@ -8,7 +8,7 @@ use tomolith::models::parallel::Parallel;
 use tomolith::models::rays::{self, Optics, Rays};
 use tomolith::models::wave::incoherent_cone::{self, IncoherentCone};
 use tomolith::models::wave::{self, Wave};
-use tomolith::models::{DoseModel, Run};
+use tomolith::models::{DoseModel, Work};
 use tomolith::optics::absorption_map::AbsorptionMap;
 use tomolith::optics::light::Light;
 use tomolith::optics::projector::telecentric::Telecentric;
@@ -87,7 +87,7 @@ fn apart(a: &HostField, b: &HostField) -> HostField {
 
 fn dose(model: &Model, x: &HostField) -> HostField {
     let mut dose = model.new_dose().unwrap();
-    model.dose(x, &mut dose, &Run::new()).unwrap();
+    model.dose(x, &mut dose, &Work::new()).unwrap();
     dose
 }
 
@@ -111,8 +111,8 @@ fn shaded_light_is_that_of_a_resin_with_a_map() {
         // ⟨F d, c⟩ = ⟨d, Fᵀc⟩
         let (d, c) = (noise(&x, 3), noise(&wanted, 5));
         let mut back = x.zeros_like();
-        let run = Run::new();
-        shaded.pullback(&x, &c, &mut back, &run).unwrap();
+        let work = Work::new();
+        shaded.pullback(&x, &c, &mut back, &work).unwrap();
         let forth = dose(&shaded, &d).dot(&c);
         assert!(
             (forth - back.dot(&d)).abs() < 1e-4 * rms(&wanted) * c.len() as f64,
@@ -263,7 +263,7 @@ fn exact(own_patterns: bool) -> Printing {
 
 /// ½ Σ (degree of cure − wanted)² and its gradient; wanted: a fine comb that oxygen blurs.
 fn loss(model: &Printing, x: &HostField, gradient: Option<&mut HostField>) -> f64 {
-    let run = Run::new();
+    let work = Work::new();
     let layout = &model.outputs()[0];
     let wanted = Volume::from_fn(layout.grid.clone(), |[x, y, _]| {
         let comb = x.hypot(y) < 1.5 && (x * 2.5).floor() as i64 % 2 == 0;
@@ -273,7 +273,7 @@ fn loss(model: &Printing, x: &HostField, gradient: Option<&mut HostField>) -> f6
     let off = apart(&dose(model, x), &wanted);
     let value = 0.5 * off.dot(&off);
     if let Some(gradient) = gradient {
-        model.pullback(x, &off, gradient, &run).unwrap();
+        model.pullback(x, &off, gradient, &work).unwrap();
     }
     value
 }

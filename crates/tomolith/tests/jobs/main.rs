@@ -18,7 +18,7 @@ use serde_json::Value;
 use std::path::{Path, PathBuf};
 use tomolith::Result;
 use tomolith::job::{Document, Event, Job, Progress, Summary, run};
-use tomolith::models::Run;
+use tomolith::models::Work;
 
 /// A job of this text with keys set otherwise.
 fn job_of(text: &str, changes: &[impl AsRef<str>]) -> Result<Job> {
@@ -47,7 +47,7 @@ const LIGHT: &str = r#"
 "#;
 
 /// Asks a run to stop after an iteration.
-struct StopAfter<'r>(usize, &'r Run);
+struct StopAfter<'r>(usize, &'r Work);
 
 impl Progress for StopAfter<'_> {
     fn event(&mut self, event: &Event) {
@@ -83,7 +83,7 @@ impl Finished {
     fn run(job: Job, progress: &mut dyn Progress) -> Self {
         let place = tempfile::tempdir().unwrap();
         let job = job.with_folder(&place.path().join("run"), "--output");
-        let summary = run(&job, false, progress, &Run::new()).unwrap();
+        let summary = run(&job, false, progress, &Work::new()).unwrap();
         Finished { place, summary }
     }
 

@@ -12,7 +12,7 @@ use std::path::PathBuf;
 use tomolith::field::HostField;
 use tomolith::grid::{PatternGrid, Patterns, VolumeGrid};
 use tomolith::models::parallel::Parallel;
-use tomolith::models::{DoseModel, Run};
+use tomolith::models::{DoseModel, Work};
 use tomolith::optics::light::Light;
 use tomolith::optics::resin::Resin;
 use tomolith::optics::vial::{Vial, cylinder::Cylinder, index_matched::IndexMatched};
@@ -46,7 +46,7 @@ fn compare(vial: &dyn Vial, mu: f64, file: &str, factor: f64, refine: usize) -> 
     let mut x = model.new_patterns().expect("patterns");
     model.patterns()[0].fill_field(&patterns, x.as_mut_slice());
     let mut dose: HostField = model.new_dose().expect("dose");
-    model.dose(&x, &mut dose, &Run::new()).expect("dose");
+    model.dose(&x, &mut dose, &Work::new()).expect("dose");
     let fine = model.outputs()[0].volume_of(dose.as_slice());
     // Mean of the fine voxels of each voxel of the reference
     let mut ours = vec![0.0; 64 * 64 * 64];

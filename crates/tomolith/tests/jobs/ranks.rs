@@ -7,7 +7,7 @@ use std::thread;
 use std::time::Duration;
 use tomolith::io::npy::read_patterns;
 use tomolith::job::{self, Job, Leaves, Progress, Silent, Summary};
-use tomolith::models::Run;
+use tomolith::models::Work;
 use tomolith::ranks::{Communicator, Threads};
 use tomolith::{Error, Result};
 
@@ -67,13 +67,13 @@ fn on_ranks(
     let work = |rank: Threads| {
         let job = jobs(rank.rank());
         let ranks: Arc<dyn Communicator> = Arc::new(rank);
-        let run = Run::with_patience(Duration::MAX);
-        let mut watch = StopAfter(stop, &run);
+        let work = Work::with_patience(Duration::MAX);
+        let mut watch = StopAfter(stop, &work);
         let told: &mut dyn Progress = match ranks.is_first() {
             true => &mut watch,
             false => &mut Silent,
         };
-        job::run_among(&job, resume, Leaves::Patterns, &ranks, told, &run)
+        job::run_among(&job, resume, Leaves::Patterns, &ranks, told, &work)
     };
     thread::scope(|scope| {
         let ranks = Threads::ranks(size).into_iter();
@@ -145,7 +145,7 @@ fn ranks_make_the_patterns_of_a_process_alone() {
         let [alone, shared] = folders
             .each_ref()
             .map(|folder| job(folder.path(), &changes));
-        job::run_leaving(&alone, false, Leaves::Patterns, &mut Silent, &Run::new()).unwrap();
+        job::run_leaving(&alone, false, Leaves::Patterns, &mut Silent, &Work::new()).unwrap();
         let found = on_ranks(size, |_| shared.clone(), false, usize::MAX);
         let found: Vec<bool> = found.into_iter().map(|r| r.unwrap().is_some()).collect();
         let expected: Vec<bool> = (0..size).map(|rank| rank == 0).collect();
@@ -246,7 +246,7 @@ fn any_number_of_ranks_goes_on_from_a_checkpoint_of_others() {
     for size in [1, 3] {
         std::fs::write(&checkpoint, &kept).unwrap();
         if size == 1 {
-            job::run_leaving(&job, true, Leaves::All, &mut Silent, &Run::new()).unwrap();
+            job::run_leaving(&job, true, Leaves::All, &mut Silent, &Work::new()).unwrap();
         } else {
             let found = on_ranks(size, |_| job.clone().overwriting(), true, usize::MAX);
             assert!(found.iter().all(Result::is_ok), "{found:?}");
@@ -255,7 +255,7 @@ fn any_number_of_ranks_goes_on_from_a_checkpoint_of_others() {
     }
     let whole = tempfile::tempdir().unwrap();
     let whole = self::job(whole.path(), &[]);
-    job::run_leaving(&whole, false, Leaves::Patterns, &mut Silent, &Run::new()).unwrap();
+    job::run_leaving(&whole, false, Leaves::Patterns, &mut Silent, &Work::new()).unwrap();
     let reached = losses(&whole.folder())[3];
     for begin in begins {
         tomolith_core::near!(begin, reached, 1e-6 * reached);
@@ -266,7 +266,7 @@ fn any_number_of_ranks_goes_on_from_a_checkpoint_of_others() {
 fn ranks_begin_with_the_patterns_of_a_file() {
     let folder = tempfile::tempdir().unwrap();
     let first = job(folder.path(), &[]);
-    job::run_leaving(&first, false, Leaves::Patterns, &mut Silent, &Run::new()).unwrap();
+    job::run_leaving(&first, false, Leaves::Patterns, &mut Silent, &Work::new()).unwrap();
     let file = first.folder().join("patterns.npz");
     // Half as many angles: patterns between frames
     for angles in [40, 20] {
@@ -280,7 +280,7 @@ fn ranks_begin_with_the_patterns_of_a_file() {
         let [alone, shared] = folders
             .each_ref()
             .map(|f| job(f.path(), &[&start, &angles, method]));
-        job::run_leaving(&alone, false, Leaves::Patterns, &mut Silent, &Run::new()).unwrap();
+        job::run_leaving(&alone, false, Leaves::Patterns, &mut Silent, &Work::new()).unwrap();
         let found = on_ranks(2, |_| shared.clone(), false, usize::MAX);
         assert!(found.iter().all(Result::is_ok), "{found:?}");
         let apart = difference(&alone, &shared);

@@ -5,7 +5,7 @@ use std::path::Path;
 use tomolith::Error;
 use tomolith::io::npy::read_patterns;
 use tomolith::job;
-use tomolith::models::Run;
+use tomolith::models::Work;
 
 const GEAR: &str = r#"
         target = { phantom = "gear", size_mm = 2.0 }
@@ -27,8 +27,8 @@ const OXYGEN: &str = r#"
 
 fn run(text: &str, folder: &Path, resume: bool, stop_after: usize) -> Result<usize, Error> {
     let job = job_of(text, &[""; 0])?.with_folder(folder, "");
-    let run = Run::new();
-    let summary = job::run(&job, resume, &mut StopAfter(stop_after, &run), &run)?;
+    let work = Work::new();
+    let summary = job::run(&job, resume, &mut StopAfter(stop_after, &work), &work)?;
     Ok(summary.iterations.unwrap_or(0))
 }
 

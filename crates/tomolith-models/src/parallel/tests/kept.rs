@@ -6,12 +6,12 @@ use tomolith_core::dose::DoseModel;
 
 /// Dose of some frames, and what it gives their pixels as a cotangent.
 fn both_ways(model: &Parallel, frames: Range<usize>, x: &[f32]) -> [HostField; 2] {
-    let run = Run::new();
+    let work = Work::new();
     let mut dose = model.new_dose().unwrap();
     let x = HostField::from_slice(x);
-    (model.dose_of(frames.clone(), &x, &mut dose, &run)).unwrap();
+    (model.dose_of(frames.clone(), &x, &mut dose, &work)).unwrap();
     let mut gradient = model.new_patterns().unwrap();
-    (model.pullback_of(frames, &x, &dose, &mut gradient, &run)).unwrap();
+    (model.pullback_of(frames, &x, &dose, &mut gradient, &work)).unwrap();
     [dose, gradient]
 }
 
@@ -26,8 +26,8 @@ fn kept_entries_give_what_is_found_anew_and_pass_the_model_check() {
                     Resin::absorbing(1.48, 0.2),
                 );
                 light.sub_angles = sub_angles;
-                let run = |column: usize| (0, if column % 5 == 2 { 0 } else { 19 });
-                light.active = Some((0..11 * columns).map(run).collect());
+                let work = |column: usize| (0, if column % 5 == 2 { 0 } else { 19 });
+                light.active = Some((0..11 * columns).map(work).collect());
                 let grid = VolumeGrid::centered([21, 35, 37], 0.1);
                 let plain = Parallel::new(vial.as_ref(), vec![light.clone()], grid.clone());
                 let kept = keeping(vial.as_ref(), light, grid);
@@ -80,8 +80,8 @@ fn entries_of_a_part_of_the_turn_serve_all_of_it() {
         }
         let mut light = Light::new(pixels, resin);
         light.sub_angles = 2;
-        let run = |slot: usize| (0, if slot % 7 == 2 { 0 } else { 6 });
-        light.active = Some((0..frames * 45).map(run).collect());
+        let work = |slot: usize| (0, if slot % 7 == 2 { 0 } else { 6 });
+        light.active = Some((0..frames * 45).map(work).collect());
         let grid = VolumeGrid::centered(shape, 0.1);
         let plain = finding(
             Finding::OfAllViews,
@@ -130,7 +130,7 @@ fn what_is_kept_takes_the_memory_that_was_said() {
             let grid = VolumeGrid::centered([21, 48, 48], 0.05);
             let said = cached::bytes(&[light.clone()], vial.as_ref(), &grid).unwrap();
             let model = keeping(vial.as_ref(), light, grid);
-            let found = model.entries(0, &Run::new()).unwrap();
+            let found = model.entries(0, &Work::new()).unwrap();
             let ratio = found.bytes() as f64 / said;
             assert!(
                 (0.8..1.1).contains(&ratio),
@@ -179,13 +179,13 @@ fn a_stopped_run_keeps_no_half_of_the_entries() {
     );
     let grid = VolumeGrid::centered([21, 35, 37], 0.1);
     let model = keeping(vials()[0].as_ref(), light, grid);
-    let (run, x) = (Run::new(), model.new_patterns().unwrap());
-    run.cancel();
+    let (work, x) = (Work::new(), model.new_patterns().unwrap());
+    work.cancel();
     let mut dose = model.new_dose().unwrap();
-    let stopped = model.dose_of(0..9, &x, &mut dose, &run);
+    let stopped = model.dose_of(0..9, &x, &mut dose, &work);
     assert!(matches!(stopped, Err(Error::Canceled)));
     assert!(model.cache[0].get().is_none());
-    model.dose_of(0..9, &x, &mut dose, &Run::new()).unwrap();
+    model.dose_of(0..9, &x, &mut dose, &Work::new()).unwrap();
     assert!(model.cache[0].get().is_some());
 }
 
@@ -208,20 +208,20 @@ fn single_entries_of_a_slice_are_found_once_and_have_the_same_bits() {
             cotangent.as_mut_slice().copy_from_slice(&doses[0]);
             let [expected, found] = [&plain, &kept].map(|model| {
                 let mut gradient = model.new_patterns().unwrap();
-                let run = Run::new();
+                let work = Work::new();
                 model
-                    .pullback(&at, &cotangent, &mut gradient, &run)
+                    .pullback(&at, &cotangent, &mut gradient, &work)
                     .unwrap();
                 gradient.as_slice().to_vec()
             });
             assert_eq!(expected, found, "{what}");
-            let loose = kept.loose(0, &Run::new()).unwrap().unwrap();
+            let loose = kept.loose(0, &Work::new()).unwrap().unwrap();
             assert!(
                 loose.bytes() > 0 && (loose.bytes() as f64) < said,
                 "{what}: {}, {said}",
                 loose.bytes()
             );
-            assert!(plain.loose(0, &Run::new()).unwrap().is_none());
+            assert!(plain.loose(0, &Work::new()).unwrap().is_none());
         }
     }
 }

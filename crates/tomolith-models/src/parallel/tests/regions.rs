@@ -61,7 +61,7 @@ fn regions_hold_every_lit_voxel_and_their_doses_have_the_bits_of_the_whole() {
                 .collect();
             let mut dose = whole.zeros_like();
             dose.fill(UNTOUCHED);
-            (regions.dose_in(&chosen, &x, &mut dose, &Run::new())).unwrap();
+            (regions.dose_in(&chosen, &x, &mut dose, &Work::new())).unwrap();
             let pairs = || dose.as_slice().iter().zip(whole.as_slice());
             let is_written: Vec<f32> = pairs()
                 .map(|(own, _)| f32::from(u8::from(*own != UNTOUCHED)))
@@ -79,7 +79,7 @@ fn regions_hold_every_lit_voxel_and_their_doses_have_the_bits_of_the_whole() {
             }
             // Together they are the whole
             let others: Vec<bool> = chosen.iter().map(|chosen| !chosen).collect();
-            (regions.dose_in(&others, &x, &mut dose, &Run::new())).unwrap();
+            (regions.dose_in(&others, &x, &mut dose, &Work::new())).unwrap();
             let is_lit = |(own, whole): (&f32, &f32)| *whole == 0.0 || own == whole;
             assert!(
                 dose.as_slice().iter().zip(whole.as_slice()).all(is_lit),
@@ -103,7 +103,7 @@ fn a_bound_is_never_below_the_dose_and_mostly_near_it() {
             let above = 2.0 * dose.max_abs();
             let least = regions.least(&|i| above - dose.as_slice()[i]);
             let largest: Vec<f32> = least.into_iter().map(|least| above - least).collect();
-            let bounds = regions.bounds(&x, &step, &Run::new()).unwrap();
+            let bounds = regions.bounds(&x, &step, &Work::new()).unwrap();
             let pairs = || {
                 bounds
                     .iter()
@@ -155,6 +155,6 @@ fn models_that_find_entries_anew_or_have_two_lights_have_no_regions() {
     let kept = keeping(&vial, light.clone(), grid());
     assert!(kept.regions().is_some());
     let of = (vec![light.clone(), light], Kernel::default());
-    let two = Parallel::planned(&vial, of, grid(), Finding::Once, &Run::new()).unwrap();
+    let two = Parallel::planned(&vial, of, grid(), Finding::Once, &Work::new()).unwrap();
     assert!(two.regions().is_none());
 }

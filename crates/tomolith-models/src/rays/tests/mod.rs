@@ -507,21 +507,21 @@ fn walks_that_are_kept_are_those_that_are_walked() {
             };
             let (walked, kept) = (build(), build().cached());
             check::model::model(&kept, 3).unwrap();
-            assert!(walked.cache(&Run::new()).unwrap().is_none());
-            let (run, has_column_rays) = (Run::new(), walked.has_column_rays());
+            assert!(walked.cache(&Work::new()).unwrap().is_none());
+            let (work, has_column_rays) = (Work::new(), walked.has_column_rays());
             assert_eq!(
-                kept.cache(&run).unwrap().is_none(),
+                kept.cache(&work).unwrap().is_none(),
                 has_column_rays,
                 "{name}"
             );
-            let column_rays = kept.cached_column_rays(&run).unwrap();
+            let column_rays = kept.cached_column_rays(&work).unwrap();
             assert_eq!(column_rays.is_some(), has_column_rays, "{name}");
             let x = check::noisy_patterns(&kept, 1);
             // Some of the frames only, on top of what is there
             let some = |model: &Rays| {
                 let mut dose = model.new_dose().unwrap();
                 dose.fill(0.5);
-                model.dose_of(1..4, &x, &mut dose, &Run::new()).unwrap();
+                model.dose_of(1..4, &x, &mut dose, &Work::new()).unwrap();
                 dose.as_slice().to_vec()
             };
             let back = |model: &Rays| {
@@ -535,11 +535,11 @@ fn walks_that_are_kept_are_those_that_are_walked() {
                 assert!(off < 1e-5, "{name}: {off}");
             }
             assert!(
-                matrix_cache::RayMatrixCache::of(&walked, 100, &run)
+                matrix_cache::RayMatrixCache::of(&walked, 100, &work)
                     .unwrap()
                     .is_none()
             );
-            assert!(ColumnRaysCache::of(&walked, 100, &run).unwrap().is_none());
+            assert!(ColumnRaysCache::of(&walked, 100, &work).unwrap().is_none());
         }
     }
 }

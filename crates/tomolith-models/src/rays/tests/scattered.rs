@@ -65,7 +65,7 @@ fn a_scattering_resin_is_an_exact_pair_whose_energy_is_accounted_for() {
         &grid,
     );
     let renewal = renewed.renewal().unwrap();
-    let renew = |iteration| renewal.renew(iteration, &x, &Run::new()).unwrap();
+    let renew = |iteration| renewal.renew(iteration, &x, &Work::new()).unwrap();
     assert!(!renew(2) && renew(3));
     let second = dose(&renewed, &x);
     assert!(second != wide && (sum(&second) / sum(&wide) - 1.0).abs() < 0.02);

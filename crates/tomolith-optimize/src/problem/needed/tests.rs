@@ -34,8 +34,8 @@ impl Watched {
         let optics = [Optics::collimated(0.1)];
         let vial = IndexMatched { radius_mm: 3.0 };
         let scene = OpticalScene::new(&vial, &lights, &optics, Purpose::Optimize);
-        let (grid, run) = (VolumeGrid::centered([48, 40, 40], 0.1), Run::new());
-        let input = ModelInput::new(scene, &grid, &run).unwrap();
+        let (grid, work) = (VolumeGrid::centered([48, 40, 40], 0.1), Work::new());
+        let input = ModelInput::new(scene, &grid, &work).unwrap();
         let family = parallel::KIND.build.unasked.unwrap()();
         Watched {
             model: family.build(&input).unwrap(),
@@ -70,7 +70,7 @@ impl Watched {
         checkpoints: Option<&mut Checkpoints>,
         watch: &mut dyn FnMut(&StepReport<HostField>),
     ) -> (HostField, Outcome) {
-        let (objective, flag) = (self.objective(), Run::new());
+        let (objective, flag) = (self.objective(), Work::new());
         let limits = Limits { min: 0.0, max: 0.2 };
         let mut problem = Problem::new(self, &*objective, &[limits], &flag).unwrap();
         let mut x = check::even_patterns(self, 0.02);
@@ -109,9 +109,9 @@ impl DoseModel for Watched {
         frames: Range<usize>,
         x: &HostField,
         dose: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
-        self.model.dose_of(frames, x, dose, run)
+        self.model.dose_of(frames, x, dose, work)
     }
 
     fn pullback_of(
@@ -120,9 +120,9 @@ impl DoseModel for Watched {
         x: &HostField,
         cotangent: &HostField,
         grad: &mut HostField,
-        run: &Run,
+        work: &Work,
     ) -> Result<()> {
-        self.model.pullback_of(frames, x, cotangent, grad, run)
+        self.model.pullback_of(frames, x, cotangent, grad, work)
     }
 
     fn regions(&self) -> Option<&dyn Regions<HostField>> {

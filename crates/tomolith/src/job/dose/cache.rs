@@ -13,7 +13,7 @@ use crate::field::{Field, HostField};
 use crate::job::resolve::identity::{contents, hash, of_voxels};
 use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::models::scenarios::SharedModel;
-use crate::models::{OpticalScene, PatternLayout, Run};
+use crate::models::{OpticalScene, PatternLayout, Work};
 use crate::optics::light::Light;
 use crate::target::Target;
 use serde_json::json;
@@ -85,15 +85,15 @@ impl RunCache {
     ///
     /// # Errors
     /// As [`ResolvedJob::sampled`]; [`Error::Io`](crate::Error::Io) for a file that cannot be read.
-    pub(crate) fn targets(&mut self, resolved: &ResolvedJob, run: &Run) -> Result<Vec<Target>> {
+    pub(crate) fn targets(&mut self, resolved: &ResolvedJob, work: &Work) -> Result<Vec<Target>> {
         if resolved.grid.len() > MOST_VOXELS {
             self.targets = None;
-            return resolved.sampled(&resolved.grid, run);
+            return resolved.sampled(&resolved.grid, work);
         }
         let key = resolved.identity_of_parts()?;
         let targets = match self.targets.take_if(|(own, _)| *own == key) {
             Some((_, targets)) => targets,
-            None => resolved.sampled(&resolved.grid, run)?,
+            None => resolved.sampled(&resolved.grid, work)?,
         };
         self.targets = Some((key, targets.clone()));
         Ok(targets)
@@ -220,7 +220,7 @@ mod tests {
             Leaves::Patterns,
             cache,
             &mut Silent,
-            &Run::new(),
+            &Work::new(),
         )
         .unwrap();
         let read = |name| std::fs::read(folder.join("run").join(name)).unwrap();

@@ -18,7 +18,7 @@ use crate::error::Result;
 use crate::field::HostField;
 use crate::grid::{Patterns, Volume, VolumeGrid};
 use crate::job::resolve::{ResolvedJob, Voxels};
-use crate::models::{DoseModel, Family, ModelInput, OpticalScene, Run};
+use crate::models::{DoseModel, Family, ModelInput, OpticalScene, Work};
 use crate::optics::light::{Light, Selection};
 use crate::optics::random::Stream;
 use crate::target::label;
@@ -66,14 +66,14 @@ impl CrossCheck {
         voxels: &Voxels,
         patterns: &[Patterns],
         most_paths: usize,
-        cancel: &Run,
+        work: &Work,
     ) -> Result<Option<Self>> {
         let grid = &voxels.labels.grid;
         let family = job.optics.family(grid)?;
         let Some(random) = family.compared_with() else {
             return Ok(None);
         };
-        let (whole, by_orders) = scattered(&family, job, grid, patterns, cancel)?;
+        let (whole, by_orders) = scattered(&family, job, grid, patterns, work)?;
         let longest = grid.shape.iter().copied().max();
         let block = longest.unwrap_or(1).div_ceil(BLOCKS);
         let edge = cell_edge(grid.shape, block);
@@ -84,7 +84,7 @@ impl CrossCheck {
             let paths_per_pixel = paths_per_pixel(most_paths, count);
             paths = count * paths_per_pixel;
             let random = random(paths_per_pixel, seed);
-            Ok(scattered(&random, job, &cells, &sample, cancel)?.1)
+            Ok(scattered(&random, job, &cells, &sample, work)?.1)
         };
         let estimates = [by_paths(1)?, by_paths(2)?];
         let mean = part_mean(&whole, &voxels.labels);
@@ -166,16 +166,16 @@ fn scattered(
     job: &ResolvedJob,
     grid: &VolumeGrid,
     patterns: &[Patterns],
-    cancel: &Run,
+    work: &Work,
 ) -> Result<(Volume<f32>, Volume<f32>)> {
     let lights = lit(job, patterns);
     let optics = OpticalScene {
         lights: &lights,
         ..job.optics.scene()
     };
-    let input = ModelInput::new(optics, grid, cancel)?;
-    let whole = dose(family.build(&input)?.as_ref(), patterns, cancel)?;
-    let straight = dose(family.unscattered(&input)?.as_ref(), patterns, cancel)?;
+    let input = ModelInput::new(optics, grid, work)?;
+    let whole = dose(family.build(&input)?.as_ref(), patterns, work)?;
+    let straight = dose(family.unscattered(&input)?.as_ref(), patterns, work)?;
     let scattered = less(&whole, &straight);
     Ok((whole, scattered))
 }
@@ -259,14 +259,14 @@ fn sampled(patterns: &[Patterns], seed: u64, most: usize) -> (Vec<Patterns>, usi
 fn dose(
     model: &dyn DoseModel<Field = HostField>,
     patterns: &[Patterns],
-    cancel: &Run,
+    work: &Work,
 ) -> Result<Volume<f32>> {
     let mut x = model.new_patterns()?;
     for (layout, patterns) in model.patterns().iter().zip(patterns) {
         layout.fill_field(patterns, x.as_mut_slice());
     }
     let mut dose = model.new_dose()?;
-    model.dose(&x, &mut dose, cancel)?;
+    model.dose(&x, &mut dose, work)?;
     Ok(model.outputs()[0].volume_of(dose.as_slice()))
 }
 

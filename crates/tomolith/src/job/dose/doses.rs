@@ -11,7 +11,7 @@ use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::optics::Optics;
 use crate::models::masked::MaskedModel;
 use crate::models::scenarios::SharedModel;
-use crate::models::{DoseModel, Family, OpticalScene, Purpose, Run};
+use crate::models::{DoseModel, Family, OpticalScene, Purpose, Work};
 use crate::optics::light::{Light, Selection};
 use std::sync::Arc;
 use tomolith_core::parallel::table;
@@ -99,21 +99,21 @@ impl<'a> Doses<'a> {
         &mut self,
         exposed: &Exposed,
         patterns: &[Patterns],
-        cancel: &Run,
+        work: &Work,
     ) -> Result<Simulated> {
         let last = self.last.take().filter(|(own, ..)| own == exposed);
         let (_, model, reason) = match last {
             Some(last) => self.last.insert(last),
             None => {
-                let (model, reason) = self.made(exposed, &cancel.part(0.1))?;
+                let (model, reason) = self.made(exposed, &work.part(0.1))?;
                 self.last.insert((exposed.clone(), model, reason))
             }
         };
-        let doses = simulated(model.as_ref(), patterns, cancel)?;
+        let doses = simulated(model.as_ref(), patterns, work)?;
         Ok((doses, reason.clone()))
     }
 
-    fn made(&self, exposed: &Exposed, making: &Run) -> Result<(SharedModel, String)> {
+    fn made(&self, exposed: &Exposed, making: &Work) -> Result<(SharedModel, String)> {
         if let Some(evaluation_model) = self
             .evaluation_model
             .filter(|own| own.gives(exposed, &self.lit))
@@ -140,13 +140,13 @@ pub(crate) fn standing_by(
     model: (Option<&Family>, Purpose),
     job: &ResolvedJob,
     patterns: &[Patterns],
-    cancel: &Run,
+    work: &Work,
 ) -> Result<Volume<f32>> {
     let lit = patterns.iter().map(lit_rows).collect();
     let lights = lit_alone(job.optics.lights_turning(1), lit);
     let of = (job, &job.optics);
-    let (model, _) = made(model, of, &lights, &job.grid, &cancel.part(0.1))?;
-    let mut doses = simulated(&model, patterns, cancel)?;
+    let (model, _) = made(model, of, &lights, &job.grid, &work.part(0.1))?;
+    let mut doses = simulated(&model, patterns, work)?;
     Ok(doses.swap_remove(0))
 }
 
@@ -165,7 +165,7 @@ fn made(
     (job, optics): (&ResolvedJob, &Optics),
     lights: &[Light],
     grid: &VolumeGrid,
-    making: &Run,
+    making: &Work,
 ) -> Result<(MaskedModel, String)> {
     let scene = OpticalScene {
         lights,
@@ -180,14 +180,14 @@ fn made(
 fn simulated(
     model: &dyn DoseModel<Field = HostField>,
     patterns: &[Patterns],
-    cancel: &Run,
+    work: &Work,
 ) -> Result<Vec<Volume<f32>>> {
     let mut x = model.new_patterns()?;
     for (layout, patterns) in model.patterns().iter().zip(patterns) {
         layout.fill_field(patterns, x.as_mut_slice());
     }
     let mut field = model.new_dose()?;
-    model.dose(&x, &mut field, &cancel.part(0.85))?;
+    model.dose(&x, &mut field, &work.part(0.85))?;
     drop(x);
     let outputs = model.outputs().iter();
     Ok(outputs.map(|own| own.volume_of(field.as_slice())).collect())
@@ -249,7 +249,7 @@ mod tests {
             vial = { index_matched = { radius_mm = 2.0 } }
             light = [{ pixels = [20, 14], angles = 12, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
         "#;
-        let job = ResolvedJob::under(&job_of(text, &[]), &Run::new()).unwrap();
+        let job = ResolvedJob::under(&job_of(text, &[]), &Work::new()).unwrap();
         let lights = &job.optics.lights;
         let lit = |is_lit: &dyn Fn(usize) -> bool| {
             let mut patterns = Patterns::dark(lights[0].pixels.clone());
@@ -270,7 +270,7 @@ mod tests {
                 let mut alone = Doses::new(&job, &job.optics);
                 alone.will_show(&[patterns]);
                 let [a, b] = [&mut both, &mut alone]
-                    .map(|doses| doses.of(&exposed, patterns, &Run::new()).unwrap().0);
+                    .map(|doses| doses.of(&exposed, patterns, &Work::new()).unwrap().0);
                 assert!(a[0].values.iter().any(|&v| v > 0.0));
                 assert_eq!(a, b);
             }

@@ -9,7 +9,7 @@ use crate::job::resolve::lights_in_time::Lights;
 use crate::job::resolve::material::domain;
 use crate::job::resolve::refinement::Level;
 use crate::job::resolve::{ResolvedJob, Voxels, at_section};
-use crate::models::{Family, HostModel, OpticalScene, Run, planner};
+use crate::models::{Family, HostModel, OpticalScene, Work, planner};
 use std::ops::ControlFlow;
 use tomolith_material::diffused::Diffused;
 use tomolith_material::domain::Domain;
@@ -53,7 +53,7 @@ pub(crate) fn planned_in_time(
     optics: (Option<&Family>, OpticalScene<'_>),
     level: &Level,
     voxels: &[Voxels],
-    run: &Run,
+    work: &Work,
 ) -> Result<planner::ModelPlan> {
     let rows = job.rows().unwrap_or_default();
     let given = job.schedule().cloned().unwrap_or_default();
@@ -68,7 +68,7 @@ pub(crate) fn planned_in_time(
         let frozen = Frozen::new(models, schedule, material, step_s, every)?;
         Ok(Box::new(frozen))
     };
-    let mut plan = joined(&rows, optics, &level.grid, Some(voxels), run, join)?;
+    let mut plan = joined(&rows, optics, &level.grid, Some(voxels), work, join)?;
     plan.reason = format!("{}; against the degree of cure", plan.reason);
     Ok(plan)
 }
@@ -113,10 +113,10 @@ pub(crate) struct Shown<'a> {
 
 impl<'a> Shown<'a> {
     /// Models of the light as it is before anything cures.
-    pub(crate) fn new(job: &'a ResolvedJob, patterns: &[Patterns], run: &'a Run) -> Result<Self> {
+    pub(crate) fn new(job: &'a ResolvedJob, patterns: &[Patterns], work: &'a Work) -> Result<Self> {
         let domain = domain(job, &job.grid)?;
         let material = job.photopolymer(domain)?;
-        let lights = Lights::new(job, patterns.iter().map(lit_rows).collect(), run);
+        let lights = Lights::new(job, patterns.iter().map(lit_rows).collect(), work);
         let start = material.start()?;
         let mut models = Vec::with_capacity(patterns.len());
         let mut fields = Vec::with_capacity(patterns.len());
@@ -160,6 +160,6 @@ impl<'a> Shown<'a> {
             look(moment);
             ControlFlow::Continue(())
         };
-        print.run(self.lights.run, &mut observe).map(drop)
+        print.run(self.lights.work, &mut observe).map(drop)
     }
 }

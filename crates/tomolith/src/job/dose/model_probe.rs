@@ -13,7 +13,7 @@ use crate::job::progress::{Event, Progress};
 use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::multiresolution::coarser_grid;
 use crate::models::selection::contributions;
-use crate::models::{ModelInput, OpticalScene, Run};
+use crate::models::{ModelInput, OpticalScene, Work};
 
 /// Voxels along the longest edge of the probe.
 const VOXELS: usize = 32;
@@ -27,12 +27,12 @@ const PATHS: usize = 100_000;
 pub(crate) fn try_orders(
     job: &mut ResolvedJob,
     progress: &mut dyn Progress,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<()> {
     if !job.optics.scene().scatters() || job.optics.model.is_some() {
         return Ok(());
     }
-    let (why, text) = match probe(job, cancel) {
+    let (why, text) = match probe(job, work) {
         Err(Error::Config { key, found, .. }) if key == "model.successive_orders.cell_mm" => (
             "successive orders would need too many cells",
             format!("scattered light by Monte Carlo paths: successive orders would take {found}"),
@@ -55,27 +55,27 @@ pub(crate) fn try_orders(
     Ok(())
 }
 
-fn probe(job: &ResolvedJob, cancel: &Run) -> Result<Option<CrossCheck>> {
+fn probe(job: &ResolvedJob, work: &Work) -> Result<Option<CrossCheck>> {
     let longest = job.grid.shape.iter().copied().max();
     let grid = coarser_grid(&job.grid, longest.unwrap_or(1).div_ceil(VOXELS));
     let family = job.optics.family(&grid)?;
     if family.compared_with().is_none() {
         return Ok(None);
     }
-    let voxels = &job.voxels(&grid, &Run::new())?[0];
+    let voxels = &job.voxels(&grid, &Work::new())?[0];
     let lights = job.optics.lights_turning(1);
     let optics = OpticalScene {
         lights: &lights,
         ..job.optics.scene()
     };
-    let straight = family.unscattered(&ModelInput::new(optics, &grid, cancel)?)?;
-    let brought = contributions(straight.as_ref(), &voxels.wanted(), cancel)?;
+    let straight = family.unscattered(&ModelInput::new(optics, &grid, work)?)?;
+    let brought = contributions(straight.as_ref(), &voxels.wanted(), work)?;
     let lit: Vec<f32> = (brought.as_slice().iter())
         .map(|&brought| f32::from(brought > 0.0))
         .collect();
     let layouts = straight.patterns().iter();
     let silhouettes: Vec<Patterns> = layouts.map(|layout| layout.patterns_of(&lit)).collect();
-    CrossCheck::of(job, voxels, &silhouettes, PATHS, cancel)
+    CrossCheck::of(job, voxels, &silhouettes, PATHS, work)
 }
 
 #[cfg(test)]
@@ -97,9 +97,9 @@ mod tests {
             {model}
             "#
         );
-        let mut job = ResolvedJob::under(&job_of(&text, &[]), &Run::new()).unwrap();
+        let mut job = ResolvedJob::under(&job_of(&text, &[]), &Work::new()).unwrap();
         let mut said = Said(Vec::new());
-        try_orders(&mut job, &mut said, &Run::new()).unwrap();
+        try_orders(&mut job, &mut said, &Work::new()).unwrap();
         let by_paths = |optics: &Optics| {
             let family = optics.family(&job.grid).unwrap();
             family.monte_carlo_paths().is_some()

@@ -7,12 +7,12 @@ use crate::job::resolve::refinement::Level;
 use crate::job::resolve::scenarios::Scenario;
 use crate::models::masked::MaskedModel;
 use crate::models::scenarios::{self, SharedModel};
-use crate::models::{HostModel, OpticalScene, Purpose, Run};
+use crate::models::{HostModel, OpticalScene, Purpose, Work};
 use std::sync::Arc;
 
 impl Scenario {
     /// The dose of all pixels, in a process among ranks of its own frames, on the voxels of a level of `job`.
-    fn model(&self, job: &ResolvedJob, level: &Level, cancel: &Run) -> Result<HostModel> {
+    fn model(&self, job: &ResolvedJob, level: &Level, work: &Work) -> Result<HostModel> {
         let mut lights = job.own_lights(&self.optics.lights);
         for (light, own) in lights.iter_mut().zip(&level.lights) {
             light.sub_angles = own.sub_angles;
@@ -23,7 +23,7 @@ impl Scenario {
             ..self.optics.scene()
         };
         let asked = self.optics.model.as_ref();
-        let plan = planned(job, asked, scene, &level.grid, None, cancel)?;
+        let plan = planned(job, asked, scene, &level.grid, None, work)?;
         Ok(Box::new(plan.model))
     }
 }
@@ -34,13 +34,13 @@ pub(crate) fn joined(
     model: MaskedModel,
     dark: &[bool],
     level: &Level,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<(SharedModel, Option<SharedModel>)> {
     if resolved.scenarios.is_empty() {
         return Ok((Arc::new(model), None));
     }
     let others = resolved.scenarios.iter();
-    let others = others.map(|own| own.model(resolved, level, cancel));
+    let others = others.map(|own| own.model(resolved, level, work));
     let first: SharedModel = Arc::new(model);
     let all = scenarios::joined(first.clone(), others.collect::<Result<_>>()?)?;
     // What is dark in the job is so in all

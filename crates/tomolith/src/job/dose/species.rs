@@ -7,7 +7,7 @@ use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::models::masked::MaskedModel;
 use crate::models::planner::{self, ModelPlan};
 use crate::models::spectral;
-use crate::models::{DoseModel, Family, HostModel, OpticalScene, Run};
+use crate::models::{DoseModel, Family, HostModel, OpticalScene, Work};
 
 /// The model of a job's lights: that of all together, or one for each and M; its dose diffuses where the job's does.
 ///
@@ -19,16 +19,16 @@ pub(crate) fn planned(
     optics: OpticalScene<'_>,
     grid: &VolumeGrid,
     voxels: Option<&[Voxels]>,
-    run: &Run,
+    work: &Work,
 ) -> Result<ModelPlan> {
     let mut plan = match job.mixing.as_deref() {
         Some(rows) => {
             let mix = |models| mixed(models, rows);
-            joined(rows, (asked, optics), grid, voxels, run, mix)?
+            joined(rows, (asked, optics), grid, voxels, work, mix)?
         }
         None => {
             let wanted = voxels.map(|voxels| voxels[0].wanted());
-            planner::plan(asked, optics, grid, wanted.as_ref(), run)?
+            planner::plan(asked, optics, grid, wanted.as_ref(), work)?
         }
     };
     if super::in_time::diffuses(job) {
@@ -52,7 +52,7 @@ pub(crate) fn joined(
     (asked, optics): (Option<&Family>, OpticalScene<'_>),
     grid: &VolumeGrid,
     voxels: Option<&[Voxels]>,
-    run: &Run,
+    work: &Work,
     join: impl Fn(Vec<HostModel>) -> Result<HostModel>,
 ) -> Result<ModelPlan> {
     let count = optics.lights.len();
@@ -64,7 +64,7 @@ pub(crate) fn joined(
             ..optics
         };
         let wanted = voxels.map(|voxels| lit_by(rows, i, voxels));
-        let part = run.part(1.0 / count as f64);
+        let part = work.part(1.0 / count as f64);
         plans.push(planner::plan(asked, own, grid, wanted.as_ref(), &part)?);
     }
     let dark = if plans.iter().all(|plan| plan.dark.is_empty()) {

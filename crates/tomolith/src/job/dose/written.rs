@@ -11,7 +11,7 @@ use crate::io::stack::read_stack;
 use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::optics::Optics;
 use crate::job::spec::file_names::EXPOSURE;
-use crate::models::Run;
+use crate::models::Work;
 use serde_json::Value;
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -85,7 +85,7 @@ pub(crate) fn exposed(
 ///
 /// # Errors
 /// [`Error::Io`], [`Error::Format`], [`Error::Shape`] for files that do not fit the job's lights and machine; [`Error::Canceled`].
-pub(crate) fn read(job: &ResolvedJob, given: &Path, run: &Run) -> Result<(Written, Vec<String>)> {
+pub(crate) fn read(job: &ResolvedJob, given: &Path, work: &Work) -> Result<(Written, Vec<String>)> {
     // A run folder stands for its patterns, an exported one for its frames
     let within = ["patterns.npz", "frames"].map(|name| given.join(name));
     let path = within.iter().find(|path| path.exists());
@@ -93,11 +93,11 @@ pub(crate) fn read(job: &ResolvedJob, given: &Path, run: &Run) -> Result<(Writte
     let (mut frames, mut notes) = (Vec::new(), Vec::new());
     for i in 0..job.optics.lights.len() {
         let Some(found) = frames_of(job, i, path, &mut notes)? else {
-            return wanted_of(path, &job.optics, &job.light_names(), run)
-                .and_then(|(wanted, raw)| of_patterns(job, wanted, raw, run))
+            return wanted_of(path, &job.optics, &job.light_names(), work)
+                .and_then(|(wanted, raw)| of_patterns(job, wanted, raw, work))
                 .map(|written| (written, notes));
         };
-        run.check()?;
+        work.check()?;
         frames.push(found);
     }
     let light = |(i, frames): (usize, &Quantized)| match &job.printers {
@@ -122,16 +122,16 @@ fn of_patterns(
     job: &ResolvedJob,
     shown: Vec<Patterns>,
     raw: Option<Vec<Patterns>>,
-    run: &Run,
+    work: &Work,
 ) -> Result<Written> {
-    run.check()?;
+    work.check()?;
     if job.printers.is_some() {
         return Written::of_raw(raw.unwrap_or(shown), job);
     }
     let bits = job.evaluation().bit_depth;
     let frames = shown
         .iter()
-        .map(|patterns| run.check().and_then(|()| quantize(patterns, bits)))
+        .map(|patterns| work.check().and_then(|()| quantize(patterns, bits)))
         .collect::<Result<_>>()?;
     Ok(Written {
         shown,
@@ -145,7 +145,7 @@ pub(crate) fn wanted_of(
     path: &Path,
     optics: &Optics,
     names: &[Option<&str>],
-    run: &Run,
+    work: &Work,
 ) -> Result<(Vec<Patterns>, Option<Vec<Patterns>>)> {
     let arrays = read_patterns(path)?;
     let array = |name: &Option<&str>| match name {
@@ -154,7 +154,7 @@ pub(crate) fn wanted_of(
     };
     let (mut shown, mut raw) = (Vec::new(), Vec::new());
     for (light, name) in optics.lights.iter().zip(names) {
-        run.check()?;
+        work.check()?;
         let found = arrays
             .iter()
             .find(|a| a.light.as_deref() == *name)

@@ -160,7 +160,7 @@ mod tests {
         "#;
         let document = Document::toml(folder.path().join("job.toml"), text).unwrap();
         let job = Job::from_document(document).unwrap();
-        let run = crate::models::Run::new();
+        let run = crate::models::Work::new();
         let shape = target::build_under(&job.spec.target, folder.path(), "target", &run).unwrap();
         let grid = VolumeGrid::centered([30, 40, 40], 0.1);
         let inside = shape.sample_under(&grid, &run).unwrap();

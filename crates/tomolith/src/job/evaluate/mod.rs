@@ -30,7 +30,7 @@ use crate::metrics::published::slices::Slice;
 use crate::metrics::published::{self, Published};
 use crate::metrics::surface::Deviation;
 use crate::metrics::{Evaluation, Measure, MetricKind, evaluate, gray, iou};
-use crate::models::Run;
+use crate::models::Work;
 use crate::report::{ObjectiveReport, OneExposure, ScenarioTable};
 use crate::target::label;
 use contact::Contact;
@@ -173,16 +173,16 @@ pub(crate) fn evaluate_patterns(
     raw: Option<&[Patterns]>,
     evaluation_model: Option<&EvaluationModel>,
     progress: &mut dyn Progress,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<Evaluated> {
     let in_time_share = if job.schedule().is_some() {
         share::IN_TIME
     } else {
         0.0
     };
-    let printing = cancel.part(in_time_share);
-    let cancel = &cancel.part(1.0 - in_time_share);
-    let mut steps = EvaluationSteps::new(job, shown, evaluation_model, cancel);
+    let printing = work.part(in_time_share);
+    let work = &work.part(1.0 - in_time_share);
+    let mut steps = EvaluationSteps::new(job, shown, evaluation_model, work);
     let (optimization, objectives) = steps.unwritten(voxels, raw)?;
     let [written, own_turning] = steps.on_own_voxels(voxels, raw.is_some())?;
     let text = steps.words();
@@ -196,9 +196,9 @@ pub(crate) fn evaluate_patterns(
     let mut species = Vec::with_capacity(job.species.len());
     for (s, (fine, dose)) in fine.into_iter().zip(doses).enumerate() {
         let mean = averaged(&dose, &job.grid);
-        cancel.check()?;
-        let measured = numbers((job, s), &fine, dose, (shown, stats), cancel)?;
-        cancel.check()?;
+        work.check()?;
+        let measured = numbers((job, s), &fine, dose, (shown, stats), work)?;
+        work.check()?;
         let evaluation = measured.evaluation.with_sub_angles(sub_angles);
         published = published.or(measured.published);
         species.push(SpeciesPrint {
@@ -228,10 +228,10 @@ pub(crate) fn evaluate_patterns(
         let inside = &first.fine.target.inside;
         Contact::of(job.shape(), inside, &first.response, threshold)
     });
-    let scenarios = in_scenarios(job, shown, first, (&grid, sub_angles), cancel)?;
+    let scenarios = in_scenarios(job, shown, first, (&grid, sub_angles), work)?;
     let in_time = in_time(job, voxels, shown, progress, &printing)?;
-    let noise = Noise::of(job, &voxels[0], shown, cancel)?;
-    let agreement = CrossCheck::of(job, &voxels[0], shown, cross_check::PATHS, cancel)?;
+    let noise = Noise::of(job, &voxels[0], shown, work)?;
+    let agreement = CrossCheck::of(job, &voxels[0], shown, cross_check::PATHS, work)?;
     let mut warnings = doubts_of(
         job,
         shown,
@@ -281,14 +281,14 @@ fn in_scenarios(
     shown: &[Patterns],
     print: &SpeciesPrint,
     (grid, sub_angles): (&VolumeGrid, usize),
-    cancel: &Run,
+    work: &Work,
 ) -> Result<Option<ScenarioTable>> {
     let own = (&print.response, print.evaluation.gel_threshold);
     scenarios::table(job, &print.fine.labels.values, own, |scenario| {
         let turning = Exposed::new(grid, scenario.optics.lights_turning(sub_angles));
         let mut doses = Doses::new(job, &scenario.optics);
         doses.will_show(&[shown]);
-        let (mut doses, _) = doses.of(&turning, shown, &cancel.aside())?;
+        let (mut doses, _) = doses.of(&turning, shown, &work.aside())?;
         Ok(job.first().goal.responses(doses.swap_remove(0)))
     })
 }
@@ -338,7 +338,7 @@ fn numbers(
     fine: &Voxels,
     dose: Volume<f32>,
     (shown, stats): (&[Patterns], PatternStats),
-    cancel: &Run,
+    work: &Work,
 ) -> Result<Measured> {
     let (species, is_first) = (&job.species[s], s == 0);
     let material = species.goal.response.as_ref();
@@ -350,7 +350,7 @@ fn numbers(
         epsilon: species.half_width(),
     };
     let inside = &fine.target.inside;
-    let run = cancel.part(share::PUBLISHED / job.species.len() as f64);
+    let work = work.part(share::PUBLISHED / job.species.len() as f64);
     let is_dose = material.is_identity();
     let mut published = None;
     if is_first && !is_dose {
@@ -362,7 +362,7 @@ fn numbers(
     } else {
         species.goal.responses(dose)
     };
-    let print = print((job, species), fine, &response, run)?.with_patterns(stats);
+    let print = print((job, species), fine, &response, work)?.with_patterns(stats);
     if is_first && is_dose {
         // The dose is the response: what was counted of one serves the other
         published = Some(published::of_print(&print, inside, &options)?);
@@ -457,14 +457,14 @@ fn in_time(
     voxels: &[Voxels],
     shown: &[Patterns],
     progress: &mut dyn Progress,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<Option<InTime>> {
     if job.schedule().is_none() {
         return Ok(None);
     }
     let text = "printing in time, on the job's voxels".to_owned();
     progress.event(&Event::Note { text });
-    print_in_time(job, voxels, shown, cancel)
+    print_in_time(job, voxels, shown, work)
 }
 
 /// Numbers of what is solid at this response.
@@ -475,7 +475,7 @@ pub(crate) fn measure_at(
     threshold: f64,
     patterns: &[Patterns],
 ) -> Result<Evaluation> {
-    let mut print = Print::under(&voxels.labels, response, Run::new())?
+    let mut print = Print::under(&voxels.labels, response, Work::new())?
         .with_most_triangles(job.most_triangles())
         .with_inside(&voxels.target.inside)?
         .with_target_surface(&voxels.surface)
@@ -518,10 +518,10 @@ pub(crate) fn print<'a>(
     (job, species): (&ResolvedJob, &Species),
     voxels: &'a Voxels,
     response: &'a Volume<f32>,
-    run: Run,
+    work: Work,
 ) -> Result<Print<'a>> {
     let inside = &voxels.target.inside;
-    let mut print = Print::under(&voxels.labels, response, run)?
+    let mut print = Print::under(&voxels.labels, response, work)?
         .with_most_triangles(job.most_triangles())
         .with_inside(inside)?
         .with_target_surface(&voxels.surface)
@@ -581,13 +581,13 @@ mod tests {
             light = [{ pixels = [20, 14], angles = 8, sub_angles = 1, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
         "#;
         let evaluated = |changes: &[&str], has_raw: bool| {
-            let job = ResolvedJob::under(&job_of(text, changes), &Run::new()).unwrap();
+            let job = ResolvedJob::under(&job_of(text, changes), &Work::new()).unwrap();
             let mut patterns = Patterns::dark(job.optics.lights[0].pixels.clone());
             for (i, value) in patterns.values.iter_mut().enumerate() {
                 let is_lit = (5..15).contains(&(i % 20)) && (2..12).contains(&(i / 20 % 14));
                 *value = f32::from(u8::from(is_lit)) * (0.5 + (i % 7) as f32);
             }
-            let (shown, run) = ([patterns], Run::new());
+            let (shown, run) = ([patterns], Work::new());
             let voxels = job.own_voxels(&run).unwrap();
             let raw = has_raw.then_some(&shown[..]);
             evaluate_patterns(&job, voxels, &shown, raw, None, &mut Silent, &run).unwrap()

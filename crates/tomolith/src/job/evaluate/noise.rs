@@ -10,7 +10,7 @@ use crate::job::dose::doses::standing_by;
 use crate::job::evaluate::print;
 use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::metrics::{Measure, iou, pw};
-use crate::models::{Family, Purpose, Run};
+use crate::models::{Family, Purpose, Work};
 use crate::target::label;
 use serde::Serialize;
 use std::fmt;
@@ -49,18 +49,18 @@ impl Noise {
         job: &ResolvedJob,
         voxels: &Voxels,
         patterns: &[Patterns],
-        cancel: &Run,
+        work: &Work,
     ) -> Result<Option<Self>> {
         let family = job.optics.family(&job.grid)?;
         let Some(paths) = family.monte_carlo_paths() else {
             return Ok(None);
         };
         let response = |family: &Family, purpose: Purpose| -> Result<Volume<f32>> {
-            let dose = standing_by((Some(family), purpose), job, patterns, cancel)?;
+            let dose = standing_by((Some(family), purpose), job, patterns, work)?;
             Ok(job.first().goal.responses(dose))
         };
         let measures = |response: &Volume<f32>| -> Result<[Measure; 2]> {
-            let print = print((job, job.first()), voxels, response, Run::new())?;
+            let print = print((job, job.first()), voxels, response, Work::new())?;
             Ok([(iou::KIND.measure)(&print), (pw::KIND.measure)(&print)])
         };
         let [training_iou, training_pw] = measures(&response(&family, Purpose::Probe)?)?;

@@ -112,7 +112,7 @@ impl On<'_> {
 mod tests {
     use super::*;
     use crate::job::tests::job_of;
-    use crate::models::Run;
+    use crate::models::Work;
 
     /// 4 × 4 voxels of 1 mm, whose centers are 0.71, 1.58 and 2.12 mm from the axis, all of gray value 0.
     fn square(objectives: &str) -> (ResolvedJob, Voxels) {
@@ -126,8 +126,8 @@ mod tests {
             {objectives}
             "#
         );
-        let job = ResolvedJob::under(&job_of(&text, &[]), &Run::new()).unwrap();
-        let mut voxels = job.voxels(&job.grid, &Run::new()).unwrap().remove(0);
+        let job = ResolvedJob::under(&job_of(&text, &[]), &Work::new()).unwrap();
+        let mut voxels = job.voxels(&job.grid, &Work::new()).unwrap().remove(0);
         voxels.target.gray = true;
         voxels.target.inside.values.fill(0.0);
         voxels.labels.values.fill(label::VOID);

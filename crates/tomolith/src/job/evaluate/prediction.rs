@@ -8,7 +8,7 @@ use crate::job::evaluate::in_time::{InTime, TimeSummary};
 use crate::job::progress::Silent;
 use crate::job::resolve::ResolvedJob;
 use crate::metrics::Evaluation;
-use crate::models::Run;
+use crate::models::Work;
 use crate::report::OneExposure;
 
 /// What patterns print.
@@ -29,7 +29,7 @@ impl ResolvedJob {
     ///
     /// # Errors
     /// [`Error::Shape`] for patterns of another size, [`Error::NonFinite`], [`Error::Canceled`].
-    pub fn evaluate(&self, patterns: &[Patterns], run: &Run) -> Result<Prediction> {
+    pub fn evaluate(&self, patterns: &[Patterns], work: &Work) -> Result<Prediction> {
         let lights = self.lights();
         if patterns.len() != lights.len() {
             return Err(Error::Shape {
@@ -50,8 +50,8 @@ impl ResolvedJob {
         }
         let written = Written::of_raw(patterns.to_vec(), self)?;
         let shown = &written.shown;
-        let voxels = self.own_voxels(run)?;
-        let evaluated = evaluate_patterns(self, voxels, shown, None, None, &mut Silent, run)?;
+        let voxels = self.own_voxels(work)?;
+        let evaluated = evaluate_patterns(self, voxels, shown, None, None, &mut Silent, work)?;
         let in_time = evaluated.in_time.as_ref().map(InTime::summary);
         let is_several = self.species.len() > 1;
         let named = self.species.iter().zip(&evaluated.species);

@@ -43,13 +43,13 @@ pub(crate) fn table(
 mod tests {
     use super::*;
     use crate::job::resolve::scenarios::tests::resolved;
-    use crate::models::Run;
+    use crate::models::Work;
 
     #[test]
     fn every_scenario_is_evaluated() {
         let job = resolved(&["resin.absorption_per_mm = 0.3"], &[]).unwrap();
         let resolved = &job;
-        let labels = &job.own_voxels(&Run::new()).unwrap()[0].labels;
+        let labels = &job.own_voxels(&Work::new()).unwrap()[0].labels;
         let own = Volume {
             grid: labels.grid.clone(),
             values: labels

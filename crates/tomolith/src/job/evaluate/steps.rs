@@ -9,7 +9,7 @@ use crate::job::dose::doses::{Doses, Exposed};
 use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::metrics::print::PatternStats;
 use crate::metrics::{Evaluation, Measure, evaluate};
-use crate::models::Run;
+use crate::models::Work;
 use crate::report::ObjectiveReport;
 
 /// The headline number of the written patterns on the optimization's voxels.
@@ -25,7 +25,7 @@ pub(super) enum OwnPrint {
 pub(super) struct EvaluationSteps<'a> {
     job: &'a ResolvedJob,
     shown: &'a [Patterns],
-    cancel: &'a Run,
+    work: &'a Work,
     /// The finer voxels.
     pub(super) grid: VolumeGrid,
     own: Exposed,
@@ -40,7 +40,7 @@ impl<'a> EvaluationSteps<'a> {
         job: &'a ResolvedJob,
         shown: &'a [Patterns],
         evaluation_model: Option<&'a EvaluationModel>,
-        cancel: &'a Run,
+        work: &'a Work,
     ) -> Self {
         let sub_angles = job.evaluated_angles();
         let grid = job.fine_grid();
@@ -49,7 +49,7 @@ impl<'a> EvaluationSteps<'a> {
         EvaluationSteps {
             job,
             shown,
-            cancel,
+            work,
             own: Exposed::new(&job.grid, job.optics.lights.clone()),
             grid,
             own_turning,
@@ -78,22 +78,22 @@ impl<'a> EvaluationSteps<'a> {
             self.doses.will_show(&[self.shown]);
             return Ok((Vec::new(), Vec::new()));
         };
-        let (job, cancel) = (self.job, self.cancel);
+        let (job, work) = (self.job, self.work);
         self.doses.will_show(&[raw, self.shown]);
-        let (doses, _) = (self.doses).of(&self.own, raw, &cancel.part(share::OWN_DOSE))?;
+        let (doses, _) = (self.doses).of(&self.own, raw, &work.part(share::OWN_DOSE))?;
         let objectives = objectives::measured(job, &voxels[0], &doses[0])?;
-        cancel.check()?;
+        work.check()?;
         let stats = PatternStats::of(raw);
         let sub_angles = job.optics.lights.iter().map(|light| light.sub_angles);
         let sub_angles = sub_angles.max().unwrap_or(1);
         let each = job.species.iter().zip(voxels).zip(doses);
         let each = each.map(|((own, voxels), dose)| {
             let response = own.goal.responses(dose);
-            let run = cancel.part(share::OWN_NUMBERS / job.species.len() as f64);
-            let print = print((job, own), voxels, &response, run.part(1.0))?.with_patterns(stats);
+            let work = work.part(share::OWN_NUMBERS / job.species.len() as f64);
+            let print = print((job, own), voxels, &response, work.part(1.0))?.with_patterns(stats);
             let evaluation = evaluate(&print);
             // Numbers of a canceled run mean nothing
-            run.check()?;
+            work.check()?;
             Ok(evaluation.with_sub_angles(sub_angles))
         });
         Ok((each.collect::<Result<_>>()?, objectives))
@@ -122,8 +122,8 @@ impl<'a> EvaluationSteps<'a> {
         if exposed == self.turning {
             return Ok(OwnPrint::Evaluated);
         }
-        let run = self.cancel.part(share::OWN_DOSE);
-        let (doses, _) = self.doses.of(&exposed, self.shown, &run)?;
+        let work = self.work.part(share::OWN_DOSE);
+        let (doses, _) = self.doses.of(&exposed, self.shown, &work)?;
         let measured = self.headlines(voxels, doses, share::OWN_NUMBERS)?;
         Ok(OwnPrint::Apart(measured))
     }
@@ -132,7 +132,7 @@ impl<'a> EvaluationSteps<'a> {
         if self.grid == self.job.grid {
             return Ok(own.to_vec());
         }
-        (self.job).voxels(&self.grid, &self.cancel.part(share::SAMPLING))
+        (self.job).voxels(&self.grid, &self.work.part(share::SAMPLING))
     }
 
     /// The headline numbers of raw patterns on the finer voxels, turning, where the written ones have few levels and targets are not gray.
@@ -147,7 +147,7 @@ impl<'a> EvaluationSteps<'a> {
             return Ok(Vec::new());
         };
         self.doses.will_show(&[raw, self.shown]);
-        let (doses, _) = (self.doses).of(&self.turning, raw, &self.cancel.aside())?;
+        let (doses, _) = (self.doses).of(&self.turning, raw, &self.work.aside())?;
         let found = self.headlines(fine, doses, 0.0)?;
         self.doses.will_show(&[self.shown]);
         Ok(found)
@@ -155,8 +155,8 @@ impl<'a> EvaluationSteps<'a> {
 
     /// The doses of the written patterns while the vial turns, and the model that gave them.
     pub(super) fn while_turning(mut self) -> Result<(Vec<Volume<f32>>, String)> {
-        let run = self.cancel.part(share::TURNING);
-        (self.doses).of(&self.turning, self.shown, &run)
+        let work = self.work.part(share::TURNING);
+        (self.doses).of(&self.turning, self.shown, &work)
     }
 
     /// The headline number of every species, at the best threshold.
@@ -170,8 +170,8 @@ impl<'a> EvaluationSteps<'a> {
         let each = job.species.iter().zip(voxels).zip(doses);
         let each = each.map(|((own, voxels), dose)| {
             let response = own.goal.responses(dose);
-            let run = self.cancel.part(share / job.species.len() as f64);
-            let print = print((job, own), voxels, &response, run)?;
+            let work = self.work.part(share / job.species.len() as f64);
+            let print = print((job, own), voxels, &response, work)?;
             Ok(match print.best() {
                 Some(best) if !voxels.target.gray => Some(best.iou),
                 _ => (headline(voxels.target.gray).measure)(&print),

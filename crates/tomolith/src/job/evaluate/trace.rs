@@ -5,7 +5,7 @@ use crate::grid::Volume;
 use crate::job::resolve::ResolvedJob;
 use crate::job::spec::read::Job;
 use crate::models::rays::Rays;
-use crate::models::{DoseModel, Run};
+use crate::models::{DoseModel, Work};
 use crate::optics::power_balance::PowerBalance;
 use crate::optics::space::PathSegment;
 use serde::Serialize;
@@ -82,8 +82,8 @@ fn rays(resolved: &ResolvedJob) -> Result<(Rays, Option<usize>)> {
 ///
 /// # Errors
 /// As a run, before any work; [`Error::Config`] for a pixel that is not there.
-pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, Volume<f32>)> {
-    let resolved = ResolvedJob::under(job, cancel)?;
+pub fn trace(job: &Job, pixels: &[Pixel], work: &Work) -> Result<(Vec<Traced>, Volume<f32>)> {
+    let resolved = ResolvedJob::under(job, work)?;
     let (model, paths) = rays(&resolved).map_err(|e| job.locate(e))?;
     let lights = &resolved.optics.lights;
     for pixel in pixels {
@@ -124,7 +124,7 @@ pub fn trace(job: &Job, pixels: &[Pixel], cancel: &Run) -> Result<(Vec<Traced>, 
         });
     }
     let mut dose = model.new_dose()?;
-    model.dose(&x, &mut dose, cancel)?;
+    model.dose(&x, &mut dose, work)?;
     let volume = model.outputs()[0].volume_of(dose.as_slice());
     Ok((traced, volume))
 }

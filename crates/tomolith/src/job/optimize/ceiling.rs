@@ -31,7 +31,7 @@ use crate::job::resolve::refinement::Level;
 use crate::job::resolve::{ResolvedJob, Voxels};
 use crate::metrics::print::Print;
 use crate::metrics::{MetricKind, gamma, iou, surface_deviation, ver};
-use crate::models::{Quantity, Run};
+use crate::models::{Quantity, Work};
 use crate::objective::Objective;
 use crate::optimize;
 use crate::optimize::start::InitialPatterns;
@@ -132,7 +132,7 @@ pub(crate) fn find_once(
     job: &ResolvedJob,
     voxels: &[Voxels],
     (checkpoints, is_resumed): (&mut Checkpoints, bool),
-    cancel: &Run,
+    work: &Work,
 ) -> Result<Option<FoundCeiling>> {
     let earlier = match is_resumed {
         true => checkpoints.open()?,
@@ -142,7 +142,7 @@ pub(crate) fn find_once(
     // A list of one: nothing that was found is not nothing that is known
     let [found]: [Option<FoundCeiling>; 1] = match earlier {
         Some(found) => found,
-        None => [find(job, voxels, cancel)?],
+        None => [find(job, voxels, work)?],
     };
     checkpoints.remember(serde_json::to_value([&found]).unwrap_or_default());
     Ok(found)
@@ -152,12 +152,12 @@ pub(crate) fn find_once(
 pub(crate) fn find(
     job: &ResolvedJob,
     voxels: &[Voxels],
-    cancel: &Run,
+    work: &Work,
 ) -> Result<Option<FoundCeiling>> {
     let Some(level) = coarser_level(job, voxels) else {
         return Ok(None);
     };
-    match find_on(&level, job, voxels, cancel) {
+    match find_on(&level, job, voxels, work) {
         Err(Error::Canceled) => Err(Error::Canceled),
         // Pixels of twice the width may be too wide for the model, or miss the part; errors of the job itself show on its own level
         found => Ok(found.ok().flatten()),
@@ -168,23 +168,23 @@ fn find_on(
     level: &Level,
     job: &ResolvedJob,
     voxels: &[Voxels],
-    cancel: &Run,
+    work: &Work,
 ) -> Result<Option<FoundCeiling>> {
     let begin = Instant::now();
-    let cancel = &cancel.aside();
-    let stage = Stage::new(job, voxels, level, None, &mut Silent, cancel)?;
-    let mut x = stage.start(job, bounding_start(job), cancel)?;
+    let work = &work.aside();
+    let stage = Stage::new(job, voxels, level, None, &mut Silent, work)?;
+    let mut x = stage.start(job, bounding_start(job), work)?;
     if stage.model.quantity() != Quantity::Energy {
         return Ok(None);
     }
     let of_start = stage.limits(job, &x);
-    let even_dose = stage.even_dose(&x, cancel)?;
-    stage.improve_within(job, (&mut x, &of_start), level.until, cancel)?;
+    let even_dose = stage.even_dose(&x, work)?;
+    stage.improve_within(job, (&mut x, &of_start), level.until, work)?;
     let search = Search {
         stage: &stage,
         job,
         of_start: &of_start,
-        cancel,
+        work,
     };
     let (tried, mut best) = search.descend(x)?;
     let patterns = tried.good.filter(|_| may_begin_elsewhere(job));
@@ -287,7 +287,7 @@ struct Search<'a> {
     stage: &'a Stage<'a>,
     job: &'a ResolvedJob,
     of_start: &'a [Limits],
-    cancel: &'a Run,
+    work: &'a Work,
 }
 
 impl Search<'_> {
@@ -303,7 +303,7 @@ impl Search<'_> {
             brightest,
             points: vec![CeilingPoint {
                 factor: 1.0,
-                qualities: self.stage.qualities(&x, true, self.cancel)?,
+                qualities: self.stage.qualities(&x, true, self.work)?,
             }],
             good: None,
         };
@@ -335,7 +335,7 @@ impl Search<'_> {
 
     /// The patterns under a ceiling, from those above it; None where they print worse than the job tolerates.
     fn one(&self, tried: &mut Tried, x: &HostField, factor: f64) -> Result<Option<HostField>> {
-        let (stage, cancel) = (self.stage, self.cancel);
+        let (stage, work) = (self.stage, self.work);
         let ceiling = |(own, bright): (&Limits, &f64)| Limits {
             min: own.min,
             max: bright * factor,
@@ -345,8 +345,8 @@ impl Search<'_> {
         let each = stage.level.until.div_ceil(3).min(EACH);
         let mut own = x.clone();
         clip(&mut own, stage.model.patterns(), &limits)?;
-        stage.improve_within(self.job, (&mut own, &limits), each, cancel)?;
-        let qualities = stage.qualities(&own, true, cancel)?;
+        stage.improve_within(self.job, (&mut own, &limits), each, work)?;
+        let qualities = stage.qualities(&own, true, work)?;
         let is_good = are_good(self.job, FACTOR, (&tried.points[0].qualities, &qualities));
         tried.points.push(CeilingPoint { factor, qualities });
         if is_good {
@@ -377,11 +377,11 @@ pub(crate) fn are_good(
 
 impl Stage<'_> {
     /// Mean dose in the part of the first output where every pixel is 1.
-    fn even_dose(&self, like: &HostField, cancel: &Run) -> Result<f64> {
+    fn even_dose(&self, like: &HostField, work: &Work) -> Result<f64> {
         let mut ones = like.zeros_like();
         ones.fill(1.0);
         let mut dose = self.model.new_dose()?;
-        self.model.dose(&ones, &mut dose, cancel)?;
+        self.model.dose(&ones, &mut dose, work)?;
         let dose = self.model.outputs()[0].volume_of(dose.as_slice());
         let pairs = self.voxels[0].labels.values.iter().zip(&dose.values);
         let in_part = pairs.filter(|(label, _)| **label == label::PART);
@@ -397,11 +397,11 @@ impl Stage<'_> {
         job: &ResolvedJob,
         (x, limits): (&mut HostField, &[Limits]),
         iterations: usize,
-        cancel: &Run,
+        work: &Work,
     ) -> Result<()> {
         let model = self.model.as_ref();
         let objective = self.objective(job, 0)?;
-        let problem = Problem::new(model, &objective, limits, cancel)?;
+        let problem = Problem::new(model, &objective, limits, work)?;
         let penalties = job.method.penalties(model.patterns())?;
         let mut problem = problem.with_penalties(penalties);
         let mut optimizer = job.method.optimizer()?;
@@ -423,15 +423,15 @@ impl Stage<'_> {
         job: &ResolvedJob,
         (x, bounds): (HostField, &[Limits]),
         found: Vec<Patterns>,
-        cancel: &Run,
+        work: &Work,
     ) -> Result<(HostField, bool)> {
         let found = Given(job.own_patterns(self.level, found));
-        let mut found = self.start(job, &found, cancel)?;
+        let mut found = self.start(job, &found, work)?;
         clip(&mut found, self.model.patterns(), bounds)?;
         let objective = self.objective(job, 0)?;
         let mut dose = self.model.new_dose()?;
         let mut loss = |x: &HostField| -> Result<f64> {
-            self.model.dose(x, &mut dose, cancel)?;
+            self.model.dose(x, &mut dose, work)?;
             Ok(objective.value(&dose))
         };
         match loss(&found)? < loss(&x)? {
@@ -445,15 +445,15 @@ impl Stage<'_> {
         &self,
         x: &HostField,
         has_surfaces: bool,
-        cancel: &Run,
+        work: &Work,
     ) -> Result<Vec<CeilingQuality>> {
         let mut dose = self.model.new_dose()?;
-        self.model.dose(x, &mut dose, cancel)?;
+        self.model.dose(x, &mut dose, work)?;
         let outputs = self.model.outputs().iter().enumerate();
         let of_output = outputs.map(|(i, layout)| {
             let voxels = self.voxels.get(i).unwrap_or(&self.voxels[0]);
             let dose: Volume<f32> = layout.volume_of(dose.as_slice());
-            let print = Print::under(&voxels.labels, &dose, cancel.aside())?;
+            let print = Print::under(&voxels.labels, &dose, work.aside())?;
             let print = print.with_inside(&voxels.target.inside)?;
             let print = match has_surfaces {
                 true => print.with_most_corners(CORNERS),
@@ -468,7 +468,7 @@ impl Stage<'_> {
             })
         });
         let found = of_output.collect::<Result<Vec<_>>>()?;
-        cancel.check()?;
+        work.check()?;
         Ok(found)
     }
 }

@@ -5,7 +5,7 @@ use crate::grid::Patterns;
 use crate::io::npy::{PatternPair, write_patterns};
 use crate::job::progress::{Event, Progress};
 use crate::job::resolve::ResolvedJob;
-use crate::models::Run;
+use crate::models::Work;
 use crate::optimize::Checkpoints;
 use crate::optimize::checkpoint::{CHECKPOINT, Contents};
 use serde_json::Value;
@@ -102,15 +102,15 @@ pub(crate) fn keep(
     raw: &[Patterns],
     folder: &Path,
     progress: &mut dyn Progress,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<()> {
     if !resolved.is_first() {
         return Ok(());
     }
-    let run = Run::with_patience(PATIENCE);
-    if cancel.is_stop_asked() {
-        run.set_patient(true);
-        run.cancel();
+    let work = Work::with_patience(PATIENCE);
+    if work.is_stop_asked() {
+        work.set_patient(true);
+        work.cancel();
     }
     std::fs::create_dir_all(folder).map_err(|e| Error::io(folder, e))?;
     let path = folder.join(KEPT);
@@ -123,7 +123,7 @@ pub(crate) fn keep(
             raw: None,
         })
         .collect();
-    let written = match write_patterns(&path, &pairs, &run) {
+    let written = match write_patterns(&path, &pairs, &work) {
         Err(Error::Canceled) => false,
         written => written.map(|()| true)?,
     };

@@ -15,7 +15,7 @@ use crate::error::Result;
 use crate::field::HostField;
 use crate::job::progress::Progress;
 use crate::job::resolve::ResolvedJob;
-use crate::models::Run;
+use crate::models::Work;
 use crate::optimize::{Limits, Outcome, StopReason};
 use crate::report::{CeilingQuality, FinestTrial};
 use std::time::Instant;
@@ -45,20 +45,20 @@ pub(crate) fn settle(
     found: &mut FoundCeiling,
     sofar: &mut SoFar,
     progress: &mut dyn Progress,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<Outcome> {
     let begin = Instant::now();
     let has_slack = excess(ended.x, stage, ended.bounds, LOWER) < SLACK;
     if has_slack && !found.may_become(LOWER, job) {
         return Ok(ended.outcome);
     }
-    let qualities = stage.qualities(ended.x, false, cancel)?;
+    let qualities = stage.qualities(ended.x, false, work)?;
     let mut go_on = GoOn {
         stage,
         job,
         sofar,
         progress,
-        cancel,
+        work,
     };
     let seconds = |outcome: &Outcome| outcome.history.last().map_or(0.0, |row| row.seconds);
     let in_loop = seconds(&ended.outcome);
@@ -100,7 +100,7 @@ struct GoOn<'a, 's> {
     job: &'a ResolvedJob,
     sofar: &'a mut SoFar,
     progress: &'a mut dyn Progress,
-    cancel: &'a Run,
+    work: &'a Work,
 }
 
 impl GoOn<'_, '_> {
@@ -112,7 +112,7 @@ impl GoOn<'_, '_> {
         self.sofar.counters = after.counters;
         let asked = (self.job, 0, until);
         let Self { stage, sofar, .. } = self;
-        stage.run(asked, (x, bounds), None, sofar, self.progress, self.cancel)
+        stage.run(asked, (x, bounds), None, sofar, self.progress, self.work)
     }
 
     fn is_as_good(&self, own: &[CeilingQuality], other: &[CeilingQuality]) -> bool {
@@ -131,7 +131,7 @@ impl GoOn<'_, '_> {
         let mut outcome = self.on(&mut x, &bounds, &ended.outcome)?;
         let mut trial = FinestTrial {
             tried: LOWER,
-            after: self.stage.qualities(&x, false, self.cancel)?,
+            after: self.stage.qualities(&x, false, self.work)?,
             before,
             changed_by: 1.0,
         };
@@ -157,10 +157,10 @@ impl GoOn<'_, '_> {
         let mut x = ended.x.clone();
         let limits = scaled(&lowest, ended.highest, 2.0);
         let (stage, job) = (self.stage, self.job);
-        stage.improve_within(job, (&mut x, &limits), TRY, self.cancel)?;
+        stage.improve_within(job, (&mut x, &limits), TRY, self.work)?;
         let mut trial = FinestTrial {
             tried: 2.0,
-            after: stage.qualities(&x, false, self.cancel)?,
+            after: stage.qualities(&x, false, self.work)?,
             before,
             changed_by: 1.0,
         };
@@ -175,7 +175,7 @@ impl GoOn<'_, '_> {
                 .bounds
                 .clone_from_slice(&scaled(&lowest, ended.highest, step));
             outcome = self.on(ended.x, ended.bounds, &outcome)?;
-            own = stage.qualities(ended.x, false, self.cancel)?;
+            own = stage.qualities(ended.x, false, self.work)?;
         }
         Ok((outcome, trial))
     }

@@ -19,7 +19,7 @@ use crate::job::progress::Progress;
 use crate::job::resolve::free_parameters::FoundResponse;
 use crate::job::resolve::identity::fingerprint;
 use crate::job::resolve::{ResolvedJob, Voxels};
-use crate::models::Run;
+use crate::models::Work;
 use crate::objective::FoundWindow;
 use crate::optimize::{Checkpoints, Outcome, Row, StopReason};
 use ceiling::FoundCeiling;
@@ -96,16 +96,10 @@ pub(crate) fn optimize(
     plan: CheckpointPlan<'_>,
     cache: &mut RunCache,
     progress: &mut dyn Progress,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<Optimized> {
     let (checkpoints, resumed) = open_checkpoints(job, voxels, plan, progress)?;
-    let mut search = Search::begin(
-        (job, voxels),
-        (checkpoints, resumed),
-        cache,
-        progress,
-        cancel,
-    )?;
+    let mut search = Search::begin((job, voxels), (checkpoints, resumed), cache, progress, work)?;
     let shares = job.own_levels();
     for (i, (level, share)) in job.levels.iter().zip(shares.as_ref()).enumerate() {
         let stage = search.stage(i, share)?;

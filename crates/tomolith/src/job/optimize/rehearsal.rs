@@ -7,7 +7,7 @@ use crate::job::dose::cache::RunCache;
 use crate::job::progress::Silent;
 use crate::job::resolve::refinement::Level;
 use crate::job::resolve::{ResolvedJob, Voxels};
-use crate::models::Run;
+use crate::models::Work;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -37,16 +37,16 @@ pub(crate) fn rehearse(
     job: &ResolvedJob,
     voxels: &[Voxels],
     more: usize,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<Rehearsal> {
-    let limited = Run::new();
+    let limited = Work::new();
     let done = thread::scope(|threads| {
         let (over, wait) = channel::<()>();
         let limited = &limited;
         threads.spawn(move || {
             let begin = Instant::now();
             while wait.recv_timeout(PAUSE) == Err(RecvTimeoutError::Timeout) {
-                if cancel.is_canceled() || begin.elapsed() > LONGEST {
+                if work.is_canceled() || begin.elapsed() > LONGEST {
                     limited.cancel();
                     // The second request breaks into what is done patiently
                     limited.cancel();
@@ -62,7 +62,7 @@ pub(crate) fn rehearse(
         drop(over);
         done
     });
-    cancel.check()?;
+    work.check()?;
     let paces = match done {
         Err(Error::Canceled) => return Ok(Rehearsal::default()),
         done => done?,
@@ -86,22 +86,22 @@ fn pace(
     job: &ResolvedJob,
     voxels: &[Voxels],
     (level, iterations): (&Level, usize),
-    run: &Run,
+    work: &Work,
 ) -> Result<f64> {
     let level = Level {
         until: iterations,
         ..level.clone()
     };
     let silent = &mut Silent;
-    let stage = Stage::new(job, voxels, &level, None, silent, run)?;
+    let stage = Stage::new(job, voxels, &level, None, silent, work)?;
     let given = job.own_start(&level)?;
     let parts = (&mut RunCache::default(), None);
-    let first = stage.first_patterns(job, given.as_ref(), true, parts, run)?;
+    let first = stage.first_patterns(job, given.as_ref(), true, parts, work)?;
     let (mut x, bounds) = (first.patterns, first.bounds);
     let (begin, sofar) = (Instant::now(), &mut SoFar::default());
     let bounded = (&mut x, bounds.as_slice());
-    let ran = stage.run((job, 0, iterations), bounded, None, sofar, silent, run)?;
-    run.check()?;
+    let ran = stage.run((job, 0, iterations), bounded, None, sofar, silent, work)?;
+    work.check()?;
     // What begins them takes as long as another one
     let done = ran.history.last().map_or(0, |row| row.iteration) + 1;
     Ok(begin.elapsed().as_secs_f64() / done as f64)

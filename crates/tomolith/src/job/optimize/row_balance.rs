@@ -15,7 +15,7 @@ use crate::job::dose::in_time::Shown;
 use crate::job::progress::{Event, Progress};
 use crate::job::resolve::species::beginnings;
 use crate::job::resolve::{ResolvedJob, Voxels, at_section};
-use crate::models::Run;
+use crate::models::Work;
 use crate::report::number::told_apart;
 use tomolith_material::curves::IdealExposure;
 use tomolith_material::heights::Heights;
@@ -40,7 +40,7 @@ pub(crate) fn level(
     voxels: &[Voxels],
     mut patterns: Vec<Patterns>,
     progress: &mut dyn Progress,
-    run: &Run,
+    work: &Work,
 ) -> Result<Vec<Patterns>> {
     let alone = vec![("resin".to_owned(), vec![1.0; patterns.len()])];
     let rows = job.mixing.as_deref().unwrap_or(&alone);
@@ -50,7 +50,7 @@ pub(crate) fn level(
         .collect();
     let mut first = None;
     for round in 0..=ROUNDS {
-        let (times, end_s) = times(job, voxels, &patterns, run)?;
+        let (times, end_s) = times(job, voxels, &patterns, work)?;
         let spread = spread(&times);
         let before = *first.get_or_insert(spread);
         if round == ROUNDS || times.iter().all(|times| width(times) < LEVEL) {
@@ -74,10 +74,10 @@ fn times(
     job: &ResolvedJob,
     voxels: &[Voxels],
     patterns: &[Patterns],
-    run: &Run,
+    work: &Work,
 ) -> Result<(Vec<Times>, f64)> {
-    let run = run.aside();
-    let shown = Shown::new(job, patterns, &run)?;
+    let work = work.aside();
+    let shown = Shown::new(job, patterns, &work)?;
     let heights = voxels.iter().enumerate();
     let mut heights = heights
         .map(|(s, voxels)| Heights::new(&shown.material, s, &voxels.labels))

@@ -15,7 +15,7 @@ use crate::job::dose::doses::Exposed;
 use crate::job::progress::{Event, Progress};
 use crate::job::resolve::refinement::Level;
 use crate::job::resolve::{ResolvedJob, Voxels, at_section};
-use crate::models::Run;
+use crate::models::Work;
 use crate::optimize::start::given::Given;
 use crate::optimize::{Checkpoints, Limits, Outcome, Row, StopReason};
 use std::path::Path;
@@ -42,7 +42,7 @@ pub(super) struct Search<'a> {
     carried: Option<Vec<Patterns>>,
     pub(super) sofar: SoFar,
     progress: &'a mut dyn Progress,
-    cancel: &'a Run,
+    work: &'a Work,
 }
 
 impl<'a> Search<'a> {
@@ -52,12 +52,12 @@ impl<'a> Search<'a> {
         (mut checkpoints, resumed): (Checkpoints, Option<usize>),
         cache: &'a mut RunCache,
         progress: &'a mut dyn Progress,
-        cancel: &'a Run,
+        work: &'a Work,
     ) -> Result<Self> {
         let key = cache::key(job, &voxels[0])?;
         let cached = cache.take(key);
         let is_resumed = resumed.is_some();
-        let ceiling = ceiling::find_once(job, voxels, (&mut checkpoints, is_resumed), cancel)?;
+        let ceiling = ceiling::find_once(job, voxels, (&mut checkpoints, is_resumed), work)?;
         if let Some(found) = &ceiling {
             let text = found.report.sentence();
             progress.event(&Event::Note { text });
@@ -77,7 +77,7 @@ impl<'a> Search<'a> {
             carried: None,
             sofar: SoFar::default(),
             progress,
-            cancel,
+            work,
         })
     }
 
@@ -87,7 +87,7 @@ impl<'a> Search<'a> {
         'a: 'l,
     {
         let (job, cached) = (self.job, self.cached.take());
-        let stage = Stage::new(job, self.voxels, share, cached, self.progress, self.cancel);
+        let stage = Stage::new(job, self.voxels, share, cached, self.progress, self.work);
         let stage = job.agreed(stage)?.shared(job);
         if i == 0 {
             let text = stage.reason.clone();
@@ -107,10 +107,10 @@ impl<'a> Search<'a> {
         if self.pixels.as_ref() == Some(&pixels) {
             return Ok(None);
         }
-        let (job, cancel) = (self.job, self.cancel);
+        let (job, work) = (self.job, self.work);
         let given = job.own_start(level)?;
         let cached = (&mut *self.cache, self.key);
-        let first = stage.first_patterns(job, given.as_ref(), !self.is_resumed, cached, cancel)?;
+        let first = stage.first_patterns(job, given.as_ref(), !self.is_resumed, cached, work)?;
         self.sofar.first_loss = first.loss;
         self.highest.clone_from(&first.bounds);
         self.bounds = first.bounds;
@@ -123,7 +123,7 @@ impl<'a> Search<'a> {
         let found = found.filter(|_| i == 0 && !self.is_resumed);
         if let Some(found) = found.and_then(FoundCeiling::take_patterns) {
             let is_closer;
-            (x, is_closer) = stage.closer(job, (x, &self.bounds), found, cancel)?;
+            (x, is_closer) = stage.closer(job, (x, &self.bounds), found, work)?;
             if is_closer {
                 self.sofar.rows = vec![Row::at(job.stop().iterations / ceiling::SHARE)];
             }
@@ -144,7 +144,7 @@ impl<'a> Search<'a> {
             (None, None) => stage.model.new_patterns(),
             (Some(raw), _) => {
                 let given = Given(self.job.own_patterns(level, raw));
-                let mut x = stage.start(self.job, &given, self.cancel)?;
+                let mut x = stage.start(self.job, &given, self.work)?;
                 start::clip(&mut x, stage.model.patterns(), &self.bounds)?;
                 Ok(x)
             }
@@ -159,7 +159,7 @@ impl<'a> Search<'a> {
         stage: &Stage<'_>,
         x: &mut HostField,
     ) -> Result<Outcome> {
-        let (job, cancel) = (self.job, self.cancel);
+        let (job, work) = (self.job, self.work);
         self.checkpoints.begin_level(i);
         if let Some(shares) = job.shares(level, stage.model.patterns()) {
             self.checkpoints.share(shares);
@@ -170,7 +170,7 @@ impl<'a> Search<'a> {
             &mut self.checkpoints,
             &mut self.sofar,
             self.progress,
-            cancel,
+            work,
         )?;
         let is_done = i + 1 == job.levels.len() && outcome.reason != StopReason::Canceled;
         let Some(found) = (self.ceiling.as_mut()).filter(|found| is_done && found.is_lower())
@@ -190,7 +190,7 @@ impl<'a> Search<'a> {
             found,
             &mut self.sofar,
             self.progress,
-            cancel,
+            work,
         )
     }
 
@@ -209,7 +209,7 @@ impl<'a> Search<'a> {
         (x, raw): (&HostField, Vec<Patterns>),
         folder: &Path,
     ) -> Result<Optimized> {
-        let (job, cancel) = (self.job, self.cancel);
+        let (job, work) = (self.job, self.work);
         let ended = match ran {
             // A checkpoint that does not fit: nothing was done
             Err(error @ Error::Format { .. }) => return Err(begin_anew(error)),
@@ -217,7 +217,7 @@ impl<'a> Search<'a> {
             Ok(None) => Err(Error::Canceled),
             Ok(Some(outcome)) => {
                 let limited = (x, self.bounds.as_slice());
-                let end = stage.end(job, &outcome, limited, &raw, self.progress, cancel);
+                let end = stage.end(job, &outcome, limited, &raw, self.progress, work);
                 end.map(|end| (outcome, end))
             }
         };
@@ -228,7 +228,7 @@ impl<'a> Search<'a> {
                     Error::Device { .. } => lost(folder, self.progress),
                     // Refused before the first step
                     Error::Unsupported { what, .. } if what.starts_with("stop.") => {}
-                    _ => keep(job, &raw, folder, self.progress, cancel)?,
+                    _ => keep(job, &raw, folder, self.progress, work)?,
                 }
                 Err(at_section("optimizer", error))
             }

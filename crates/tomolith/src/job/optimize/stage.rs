@@ -19,7 +19,7 @@ use crate::job::resolve::{ResolvedJob, Species, Voxels, refinement, scenarios};
 use crate::models::masked::{darken, pixels_through};
 use crate::models::scenarios::SharedModel;
 use crate::models::sharded::Sharded;
-use crate::models::{DoseLayout, DoseModel, OpticalScene, Run};
+use crate::models::{DoseLayout, DoseModel, OpticalScene, Work};
 use crate::objective::{FoundWindow, Objective, PerBlock, Sum};
 use crate::optimize;
 use crate::optimize::start::InitialPatterns;
@@ -92,12 +92,12 @@ impl<'a> Stage<'a> {
         level: &'a Level,
         evaluation_model: Option<EvaluationModel>,
         progress: &mut dyn Progress,
-        cancel: &Run,
+        work: &Work,
     ) -> Result<Self> {
         let voxels = if level.grid == job.grid {
             Cow::Borrowed(voxels)
         } else {
-            Cow::Owned(job.voxels(&level.grid, &cancel.aside())?)
+            Cow::Owned(job.voxels(&level.grid, &work.aside())?)
         };
         if let Some(EvaluationModel { model, reason, .. }) = evaluation_model {
             return Ok(Stage {
@@ -117,19 +117,19 @@ impl<'a> Stage<'a> {
         };
         let asked = job.optics.model.as_ref();
         let plan = if job.is_optimized_in_time() {
-            planned_in_time(job, (asked, optics), level, &voxels, cancel)?
+            planned_in_time(job, (asked, optics), level, &voxels, work)?
         } else {
-            planned(job, asked, optics, &level.grid, Some(&voxels), cancel)?
+            planned(job, asked, optics, &level.grid, Some(&voxels), work)?
         };
         let straight = plan.surrogate.as_deref();
         let known = straight.unwrap_or(&plan.model);
-        let of_bodies = dark_pixels(job, &level.grid, known, progress, cancel)?;
+        let of_bodies = dark_pixels(job, &level.grid, known, progress, work)?;
         let mut dark = of_bodies.clone().unwrap_or_else(|| plan.dark.clone());
         for (dark, left_out) in dark.iter_mut().zip(&plan.dark) {
             *dark |= left_out;
         }
         let model = plan.model.and_dark(of_bodies.unwrap_or_default());
-        let (model, nominal) = joined(job, model, &dark, level, cancel)?;
+        let (model, nominal) = joined(job, model, &dark, level, work)?;
         Ok(Stage {
             level,
             voxels,
@@ -163,11 +163,11 @@ impl<'a> Stage<'a> {
         &self,
         job: &ResolvedJob,
         start: &dyn InitialPatterns,
-        cancel: &Run,
+        work: &Work,
     ) -> Result<HostField> {
         let own = self.nominal.as_deref().unwrap_or(self.model.as_ref());
         let models = (own, self.straight.as_deref());
-        let mut x = starting_patterns(job, &self.voxels, models, start, cancel)?;
+        let mut x = starting_patterns(job, &self.voxels, models, start, work)?;
         darken(x.as_mut_slice(), &self.dark);
         Ok(x)
     }
@@ -180,19 +180,19 @@ impl<'a> Stage<'a> {
         (x, bounds): (&HostField, &[Limits]),
         raw: &[Patterns],
         progress: &mut dyn Progress,
-        cancel: &Run,
+        work: &Work,
     ) -> Result<EndOfLevel> {
         if let Some(free) = &job.method.free {
             self.found = free.found(&outcome.response)?;
         }
         let begin = Instant::now();
-        let levels = self.improve(job, x, bounds, progress, cancel)?;
-        let levelled = self.levelled(job, raw, progress, cancel)?;
+        let levels = self.improve(job, x, bounds, progress, work)?;
+        let levelled = self.levelled(job, raw, progress, work)?;
         Ok(EndOfLevel {
             levels,
             levelled,
             seconds: begin.elapsed().as_secs_f64(),
-            window: self.window(job, x, cancel)?,
+            window: self.window(job, x, work)?,
         })
     }
 
@@ -238,17 +238,12 @@ impl<'a> Stage<'a> {
     }
 
     /// The process window of patterns, where an objective looks for it.
-    fn window(
-        &self,
-        job: &ResolvedJob,
-        x: &HostField,
-        cancel: &Run,
-    ) -> Result<Option<FoundWindow>> {
+    fn window(&self, job: &ResolvedJob, x: &HostField, work: &Work) -> Result<Option<FoundWindow>> {
         if !job.species.iter().any(|own| own.goal.seeks_window()) {
             return Ok(None);
         }
         let mut dose = self.model.new_dose()?;
-        self.model.dose(x, &mut dose, &cancel.aside())?;
+        self.model.dose(x, &mut dose, &work.aside())?;
         Ok(self.objective(job, 0)?.window(&dose))
     }
 
@@ -264,14 +259,14 @@ impl<'a> Stage<'a> {
         job: &ResolvedJob,
         raw: &[Patterns],
         progress: &mut dyn Progress,
-        cancel: &Run,
+        work: &Work,
     ) -> Result<Option<Vec<Patterns>>> {
         let asked = job.schedule().is_some_and(|own| own.level_heights);
         if !asked {
             return Ok(None);
         }
-        let voxels = job.voxels(&job.grid, &cancel.aside())?;
-        row_balance::level(job, &voxels, raw.to_vec(), progress, cancel).map(Some)
+        let voxels = job.voxels(&job.grid, &work.aside())?;
+        row_balance::level(job, &voxels, raw.to_vec(), progress, work).map(Some)
     }
 
     /// The patterns on few levels of the machine, where the job has few.
@@ -281,11 +276,11 @@ impl<'a> Stage<'a> {
         x: &HostField,
         bounds: &[Limits],
         progress: &mut dyn Progress,
-        cancel: &Run,
+        work: &Work,
     ) -> Result<Option<Levelled>> {
         let model = self.model.as_ref();
         let objective = self.objective(job, 0)?;
-        let mut problem = Problem::new(model, &objective, bounds, cancel)?
+        let mut problem = Problem::new(model, &objective, bounds, work)?
             .with_penalties(job.method.penalties(model.patterns())?);
         gray_levels::improve(job, &mut problem, x, progress)
     }
@@ -298,11 +293,11 @@ impl<'a> Stage<'a> {
         checkpoints: &mut Checkpoints,
         sofar: &mut SoFar,
         progress: &mut dyn Progress,
-        cancel: &Run,
+        work: &Work,
     ) -> Result<Outcome> {
         let until = self.level.until;
         let own = (job, 0, until);
-        let mut outcome = self.run(own, (x, bounds), Some(checkpoints), sofar, progress, cancel)?;
+        let mut outcome = self.run(own, (x, bounds), Some(checkpoints), sofar, progress, work)?;
         for steps in 1.. {
             let at = outcome.history.last().map_or(0, |row| row.iteration);
             if outcome.reason != StopReason::ZeroLoss || at >= until {
@@ -319,7 +314,7 @@ impl<'a> Stage<'a> {
             sofar.counters = outcome.counters;
             sofar.wider = steps;
             let own = (job, steps, until);
-            outcome = self.run(own, (x, bounds), None, sofar, progress, cancel)?;
+            outcome = self.run(own, (x, bounds), None, sofar, progress, work)?;
         }
         Ok(outcome)
     }
@@ -332,20 +327,20 @@ impl<'a> Stage<'a> {
         checkpoints: Option<&mut Checkpoints>,
         sofar: &mut SoFar,
         progress: &mut dyn Progress,
-        cancel: &Run,
+        work: &Work,
     ) -> Result<Outcome> {
         let around = (bounds, checkpoints, sofar, progress);
         #[cfg(feature = "gpu")]
         if let (Some(card), Some(form)) = (&job.optics.card, self.model.form()) {
             let goal = goal_of(job.first(), wider).on::<GpuField>()?;
-            let model = model_on(card.gpu(), &form, cancel)?;
+            let model = model_on(card.gpu(), &form, work)?;
             let layout = &self.model.outputs()[0];
             let loss = job.objective(job.first(), &goal, layout, &self.voxels[0])?;
             let mut there = model.new_patterns()?;
             there.copy_from_host(x.as_slice());
             let method = job.method.optimizer()?;
             let on_card = (model.as_ref(), self.responding(loss)?, method);
-            let ran = self.run_on((job, until), on_card, &mut there, around, cancel);
+            let ran = self.run_on((job, until), on_card, &mut there, around, work);
             let found = there.to_host();
             there.gpu().check()?;
             x.copy_from_host(&found);
@@ -353,7 +348,7 @@ impl<'a> Stage<'a> {
         }
         let objective = self.objective(job, wider)?;
         let on_host = (self.model.as_ref() as _, objective, job.method.optimizer()?);
-        self.run_on((job, until), on_host, x, around, cancel)
+        self.run_on((job, until), on_host, x, around, work)
     }
 
     /// Runs with model, objective and method for one kind of fields.
@@ -367,17 +362,17 @@ impl<'a> Stage<'a> {
         ),
         x: &mut F,
         (bounds, checkpoints, sofar, progress): Around<'_, '_>,
-        cancel: &Run,
+        work: &Work,
     ) -> Result<Outcome> {
         // What is watched on the way is the first species, the part
         let layout = model.outputs()[0].clone();
         let stop = job.stop();
         let fixed;
         let problem = if let Some(free) = &job.method.free {
-            Problem::with_free_response(model, free.objective(objective)?, bounds, cancel)?
+            Problem::with_free_response(model, free.objective(objective)?, bounds, work)?
         } else {
             fixed = objective;
-            Problem::new(model, &fixed, bounds, cancel)?
+            Problem::new(model, &fixed, bounds, work)?
         };
         let mut problem = problem
             .with_penalties(job.method.penalties(model.patterns())?)
@@ -450,7 +445,7 @@ fn dark_pixels(
     grid: &VolumeGrid,
     model: &dyn DoseModel<Field = HostField>,
     progress: &mut dyn Progress,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<Option<Vec<bool>>> {
     let Some(shares) = job.keep_dark(grid)? else {
         return Ok(None);
@@ -459,7 +454,7 @@ fn dark_pixels(
         values: shares.values.iter().map(|&share| share >= 0.5).collect(),
         grid: shares.grid,
     };
-    let dark = pixels_through(model, &places, cancel)?;
+    let dark = pixels_through(model, &places, work)?;
     let (count, all) = (dark.iter().filter(|dark| **dark).count(), dark.len());
     if count == all {
         return Err(Error::config(

@@ -7,7 +7,7 @@ use crate::grid::Volume;
 use crate::job::dose::cache::{BoundingStart, RunCache, start_key};
 use crate::job::resolve::species::{Row as SpeciesRow, beginnings};
 use crate::job::resolve::{ResolvedJob, Voxels};
-use crate::models::{DoseModel, PatternLayout, Quantity, Run};
+use crate::models::{DoseModel, PatternLayout, Quantity, Work};
 use crate::objective::{Objective, Sum};
 use crate::optimize;
 use crate::optimize::Limits;
@@ -46,7 +46,7 @@ pub(crate) fn starting_patterns(
         Option<&dyn DoseModel<Field = HostField>>,
     ),
     start: &dyn InitialPatterns,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<HostField> {
     let given = (0..job.optics.lights.len()).map(|light| job.bounds_of(light));
     let given = given.map(|(min, max)| Limits {
@@ -61,9 +61,9 @@ pub(crate) fn starting_patterns(
     let known = straight.unwrap_or(model);
     let mut x = match job.rows() {
         Some(rows) if !start.is_given() => {
-            starting_lights(job, (&rows, voxels), known, start, (&limits, cancel))?
+            starting_lights(job, (&rows, voxels), known, start, (&limits, work))?
         }
-        _ => start.patterns(&input(known), cancel)?,
+        _ => start.patterns(&input(known), work)?,
     };
     if model.quantity() == Quantity::Energy {
         return Ok(x);
@@ -73,7 +73,7 @@ pub(crate) fn starting_patterns(
         return Ok(x);
     }
     // A pupil takes light that rays would have brought
-    input(model).scaled_anew(x, cancel)
+    input(model).scaled_anew(x, work)
 }
 
 /// Brings patterns into bounds.
@@ -90,7 +90,7 @@ fn starting_lights(
     (rows, voxels): (&[SpeciesRow], &[Voxels]),
     model: &dyn DoseModel<Field = HostField>,
     start: &dyn InitialPatterns,
-    (limits, cancel): (&[Limits], &Run),
+    (limits, work): (&[Limits], &Work),
 ) -> Result<HostField> {
     let mut x = model.new_patterns()?;
     for (i, begins) in beginnings(rows).into_iter().enumerate() {
@@ -101,7 +101,7 @@ fn starting_lights(
         let absorption = job.optics.lights[i].absorption_on(&voxels[s].labels.grid);
         let seen = (&voxels[s], absorption.as_ref());
         let input = start_input(&*alone, seen, response, &limits[i..=i]);
-        let mut own = start.patterns(&input, cancel)?;
+        let mut own = start.patterns(&input, work)?;
         own.scale((factor * job.dose_needed(s, i)?) as f32);
         x.as_mut_slice()[model.patterns()[i].range()].copy_from_slice(own.as_slice());
     }
@@ -187,12 +187,12 @@ impl Stage<'_> {
         given: Option<&Given>,
         brightens: bool,
         (cache, model): (&mut RunCache, Option<u64>),
-        cancel: &Run,
+        work: &Work,
     ) -> Result<FirstPatterns> {
         let of_job = job.method.start.as_ref();
         let files = of_job.files();
         let start = given.map_or(of_job, |given| given as _);
-        let mut patterns = self.start(job, start, cancel)?;
+        let mut patterns = self.start(job, start, work)?;
         let (bounds, loss) = match files.and_then(|files| files.bounds_as.as_deref()) {
             None => (self.limits(job, &patterns), None),
             Some(own) => {
@@ -200,7 +200,7 @@ impl Stage<'_> {
                 let key = model.map(|model| start_key(model, job)).transpose()?;
                 let own = match cache.take_start(key) {
                     Some(own) => own,
-                    None => self.bounding(job, own, cancel)?,
+                    None => self.bounding(job, own, work)?,
                 };
                 let bounds = self.limits(job, &own.patterns);
                 let of_dose = |dose| Ok(self.objective(job, 0)?.value(dose));
@@ -211,7 +211,7 @@ impl Stage<'_> {
             }
         };
         if let Some(files) = files.filter(|files| files.scaled && brightens) {
-            self.brighten(job, files, &mut patterns, &bounds, cancel)?;
+            self.brighten(job, files, &mut patterns, &bounds, work)?;
         }
         Ok(FirstPatterns {
             patterns,
@@ -224,13 +224,13 @@ impl Stage<'_> {
         &self,
         job: &ResolvedJob,
         start: &dyn InitialPatterns,
-        cancel: &Run,
+        work: &Work,
     ) -> Result<BoundingStart> {
-        let patterns = self.start(job, start, cancel)?;
+        let patterns = self.start(job, start, work)?;
         let is_asked = job.stop().relative_loss.is_some();
         let mut dose = is_asked.then(|| self.model.new_dose()).transpose()?;
         if let Some(dose) = &mut dose {
-            self.model.dose(&patterns, dose, cancel)?;
+            self.model.dose(&patterns, dose, work)?;
         }
         Ok(BoundingStart { patterns, dose })
     }
@@ -243,7 +243,7 @@ impl Stage<'_> {
         files: &GivenFiles,
         x: &mut HostField,
         bounds: &[Limits],
-        cancel: &Run,
+        work: &Work,
     ) -> Result<()> {
         if !self.model.is_linear() {
             return Ok(());
@@ -253,20 +253,20 @@ impl Stage<'_> {
         let mut lowest = f64::INFINITY;
         let given = x.clone();
         let ahead = |[from, to]: &[OfFile; 2]| {
-            let mut ahead = self.start(job, to, cancel)?;
-            ahead.axpy(-1.0, &self.start(job, from, cancel)?);
+            let mut ahead = self.start(job, to, work)?;
+            ahead.axpy(-1.0, &self.start(job, from, work)?);
             ahead.axpy(1.0, &given);
             Ok(ahead)
         };
         let own = || Ok(given.clone());
-        let of_files = (files.or.iter()).map(|file| self.start(job, file, cancel));
+        let of_files = (files.or.iter()).map(|file| self.start(job, file, work));
         let further = of_files.chain(files.step.iter().map(ahead));
         let further = further.filter(|_| job.ranks.is_none());
         for candidate in std::iter::once_with(own).chain(further) {
             let mut candidate = candidate?;
             clip(&mut candidate, self.model.patterns(), bounds)?;
             let both = (&mut candidate, &mut dose);
-            let loss = self.scale(&objective, both, bounds, cancel)?;
+            let loss = self.scale(&objective, both, bounds, work)?;
             if loss < lowest {
                 lowest = loss;
                 *x = candidate;
@@ -285,9 +285,9 @@ impl Stage<'_> {
         objective: &Sum<HostField>,
         (x, dose): (&mut HostField, &mut HostField),
         bounds: &[Limits],
-        cancel: &Run,
+        work: &Work,
     ) -> Result<f64> {
-        self.model.dose(x, dose, cancel)?;
+        self.model.dose(x, dose, work)?;
         let own = objective.value(dose);
         let (factor, mut loss) = optimize::brightness::lowest(&|factor| {
             let mut scaled = dose.clone();
@@ -300,7 +300,7 @@ impl Stage<'_> {
         clip(&mut within, self.model.patterns(), bounds)?;
         // Ranks ask for a dose together
         if x.any(within.as_slice() != scaled.as_slice()) {
-            self.model.dose(&within, dose, cancel)?;
+            self.model.dose(&within, dose, work)?;
             loss = objective.value(dose);
         }
         if loss < own {

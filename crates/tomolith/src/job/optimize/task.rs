@@ -6,7 +6,7 @@ use crate::grid::{Patterns, Volume};
 use crate::job::optimize::Stage;
 use crate::job::progress::Silent;
 use crate::job::resolve::ResolvedJob;
-use crate::models::Run;
+use crate::models::Work;
 use crate::models::scenarios::SharedModel;
 use crate::objective::Sum;
 use crate::objective::penalty::Penalties;
@@ -36,12 +36,12 @@ impl ResolvedJob {
     ///
     /// # Errors
     /// [`Error::Config`](crate::Error::Config) where the model does not fit, [`Error::Canceled`](crate::Error::Canceled).
-    pub fn task(&self, run: &Run) -> Result<Task> {
+    pub fn task(&self, work: &Work) -> Result<Task> {
         let [.., level] = self.levels.as_slice() else {
             unreachable!("a job has a level")
         };
-        let stage = Stage::new(self, self.own_voxels(run)?, level, None, &mut Silent, run)?;
-        let start = stage.start(self, self.method.start.as_ref(), run)?;
+        let stage = Stage::new(self, self.own_voxels(work)?, level, None, &mut Silent, work)?;
+        let start = stage.start(self, self.method.start.as_ref(), work)?;
         Ok(Task {
             limits: stage.limits(self, &start),
             penalties: self.method.penalties(stage.model.patterns())?,

@@ -44,21 +44,21 @@ fn started(model: &str) -> (Voxels, planner::ModelPlan, HostField) {
         "#
     );
     let job = job_of(&text, &[]);
-    let resolved = ResolvedJob::under(&job, &Run::new()).unwrap();
-    let mut voxels = resolved.voxels(&resolved.grid, &Run::new()).unwrap();
+    let resolved = ResolvedJob::under(&job, &Work::new()).unwrap();
+    let mut voxels = resolved.voxels(&resolved.grid, &Work::new()).unwrap();
     let (asked, wanted) = (resolved.optics.model.as_ref(), voxels[0].wanted());
-    let (optics, run) = (resolved.optimizing(), Run::new());
+    let (optics, run) = (resolved.optimizing(), Work::new());
     let plan = planner::plan(asked, optics, &resolved.grid, Some(&wanted), &run).unwrap();
     let models = (&plan.model as _, plan.surrogate.as_deref());
     let start = resolved.method.start.as_ref();
-    let x = starting_patterns(&resolved, &voxels, models, start, &Run::new()).unwrap();
+    let x = starting_patterns(&resolved, &voxels, models, start, &Work::new()).unwrap();
     (voxels.remove(0), plan, x)
 }
 
 /// Dose of a model at the voxels of the part.
 fn in_part(model: &dyn DoseModel<Field = HostField>, x: &HostField, voxels: &Voxels) -> Vec<f64> {
     let mut dose = model.new_dose().unwrap();
-    model.dose(x, &mut dose, &Run::new()).unwrap();
+    model.dose(x, &mut dose, &Work::new()).unwrap();
     let dose = model.outputs()[0].volume_of(dose.as_slice());
     let all = dose.values.iter().zip(&voxels.labels.values);
     let own = all.filter(|(_, label)| **label == crate::target::label::PART);
@@ -136,15 +136,15 @@ fn gear_for(iterations: usize, more: &str) -> (ResolvedJob, Vec<Voxels>) {
         {more}
         "#
     );
-    let resolved = ResolvedJob::under(&job_of(&text, &[]), &Run::new()).unwrap();
-    let voxels = resolved.voxels(&resolved.grid, &Run::new()).unwrap();
+    let resolved = ResolvedJob::under(&job_of(&text, &[]), &Work::new()).unwrap();
+    let voxels = resolved.voxels(&resolved.grid, &Work::new()).unwrap();
     (resolved, voxels)
 }
 
 /// What an optimization below a share of the brightest pixel of the start comes to, and the share that it is raised to.
 fn raised_from(share: f64) -> (usize, f64, f64) {
     let (resolved, voxels) = gear("");
-    let (run, silent) = (Run::new(), &mut crate::job::progress::Silent);
+    let (run, silent) = (Work::new(), &mut crate::job::progress::Silent);
     let mut found = ceiling::find(&resolved, &voxels, &run).unwrap().unwrap();
     // As a checkpoint holds it, also where a print had no surface
     let mut blank = found.report.points[0].clone();
@@ -199,7 +199,7 @@ fn a_ceiling_rises_where_it_costs_quality_on_the_finest_level_and_falls_where_it
 fn a_ceiling_that_the_coarser_level_refused_by_far_is_not_tried_again() {
     let (few, voxels) = gear("");
     let (resolved, _) = gear_for(30, "");
-    let mut found = (ceiling::find(&few, &voxels, &Run::new()).unwrap()).unwrap();
+    let mut found = (ceiling::find(&few, &voxels, &Work::new()).unwrap()).unwrap();
     let lower = std::f64::consts::FRAC_1_SQRT_2;
     let point = |factor: f64, lost: f64| CeilingPoint {
         factor,
@@ -233,7 +233,7 @@ fn an_optimization_goes_on_from_the_search_for_its_ceiling() {
             keeps_end: false,
         };
         let (kept, silent) = (&mut RunCache::default(), &mut crate::job::progress::Silent);
-        let done = optimize(&resolved, &voxels, plan, kept, silent, &Run::new()).unwrap();
+        let done = optimize(&resolved, &voxels, plan, kept, silent, &Work::new()).unwrap();
         let brightest = done.raw[0].values.iter().copied().fold(0.0, f32::max);
         let history = done.outcome.history;
         assert!(history.last().unwrap().iteration >= 20);

@@ -18,7 +18,7 @@ use crate::job::spec::file_names::of_lights;
 use crate::job::spec::profiles::PROFILES;
 use crate::job::spec::read::Job;
 use crate::kind::Section;
-use crate::models::{DoseModel, Family, Run, matrix, planner};
+use crate::models::{DoseModel, Family, Work, matrix, planner};
 use crate::units::counted;
 use serde::Serialize;
 use serde_json::Value;
@@ -152,7 +152,7 @@ pub fn export(
     run: &Path,
     folder: &Path,
     progress: &mut dyn Progress,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<Exported> {
     must_be_free("--output", folder)?;
     let spec = &job.spec;
@@ -170,9 +170,9 @@ pub fn export(
             "a run that left them",
         ));
     }
-    let (shown, raw) = written::wanted_of(&run.join("patterns.npz"), &optics, &names, cancel)?;
+    let (shown, raw) = written::wanted_of(&run.join("patterns.npz"), &optics, &names, work)?;
     let (wanted, bits) = (raw.unwrap_or(shown), spec.evaluate.bit_depth);
-    cancel.check()?;
+    work.check()?;
     if let Some(text) = rounded_anew(run, bits) {
         progress.event(&Event::Warning { text });
     }
@@ -200,7 +200,7 @@ pub fn export(
     let part = spec.target.name();
     make_parent(folder)?;
     let written = write_folder_whole(folder, |aside| {
-        Ok(shown.write(aside, &part, &sets, progress, cancel)?)
+        Ok(shown.write(aside, &part, &sets, progress, work)?)
     })?;
     let lights = sets.iter().zip(shown.lights()).zip(written.movies);
     let lights = lights.map(|((set, light), movie)| ExportedLight {
@@ -278,10 +278,10 @@ pub fn matrix(
     job: &Job,
     path: &Path,
     progress: &mut dyn Progress,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<[usize; 3]> {
-    watched(progress, cancel, |progress| {
-        matrix_stages(job, path, progress, cancel)
+    watched(progress, work, |progress| {
+        matrix_stages(job, path, progress, work)
     })
 }
 
@@ -289,14 +289,14 @@ fn matrix_stages(
     job: &Job,
     path: &Path,
     progress: &mut dyn Progress,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<[usize; 3]> {
-    stage(progress, cancel, "reading the job");
-    let resolved = ResolvedJob::under(job, cancel)?;
+    stage(progress, work, "reading the job");
+    let resolved = ResolvedJob::under(job, work)?;
     let family = resolved.optics.family(&resolved.grid)?;
     must_be_linear(&family).map_err(|e| job.locate(e))?;
     let asked = resolved.optics.model.as_ref();
-    let plan = planner::plan(asked, resolved.optics.scene(), &resolved.grid, None, cancel)?;
+    let plan = planner::plan(asked, resolved.optics.scene(), &resolved.grid, None, work)?;
     let entries = if family.capabilities().fills {
         let (voxels, pixels) = (resolved.grid.len() as f64, resolved.extent.pixels as f64);
         let text = format!(
@@ -317,7 +317,7 @@ fn matrix_stages(
         "fewer voxels, pixels or angles; try `--toy`",
     )?;
     progress.event(&Event::Note { text: plan.reason });
-    let lighting = stage(progress, cancel, "lighting every pixel");
+    let lighting = stage(progress, work, "lighting every pixel");
     matrix::export(&plan.model, path, &lighting)
 }
 

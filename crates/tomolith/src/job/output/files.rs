@@ -27,7 +27,7 @@ use crate::metrics::Evaluation;
 use crate::metrics::isosurface::Isosurface;
 use crate::metrics::print::{Print, surface_pieces};
 use crate::metrics::surface::Deviation;
-use crate::models::Run;
+use crate::models::Work;
 use crate::optimize::{Row, relative_gradient};
 use crate::report::{ExposureWindow, OneExposure, PrintLimits, Timing, write_print};
 use crate::units::concise;
@@ -60,7 +60,7 @@ pub(crate) fn all(
     folder: &RunFolder,
     timings: Vec<Timing>,
     progress: &mut dyn Progress,
-    run: &Run,
+    work: &Work,
 ) -> Result<Headline> {
     let Done {
         resolved,
@@ -103,7 +103,7 @@ pub(crate) fn all(
     };
     match done.leaves {
         Leaves::Metrics => {}
-        Leaves::Patterns => write_patterns(&new.join("patterns.npz"), &pairs, run)?,
+        Leaves::Patterns => write_patterns(&new.join("patterns.npz"), &pairs, work)?,
         Leaves::All => large_files(
             done,
             &new,
@@ -111,13 +111,13 @@ pub(crate) fn all(
             &shown,
             &mut made,
             progress,
-            run,
+            work,
         )?,
     }
     made.warnings.extend(overrun);
     if done.leaves == Leaves::All {
-        write_time(done, &new, progress, &mut made.warnings, run)?;
-        run.check()?;
+        write_time(done, &new, progress, &mut made.warnings, work)?;
+        work.check()?;
     }
     let history = done.optimized.as_ref().map(history).unwrap_or_default();
     if !history.is_empty() {
@@ -137,24 +137,24 @@ fn large_files<'a>(
     shown: &Shown<'_>,
     made: &mut Made<'a>,
     progress: &mut dyn Progress,
-    run: &Run,
+    work: &Work,
 ) -> Result<()> {
     let (resolved, voxels) = (&done.resolved, &done.voxels);
     let (first, properties) = (done.evaluated.first(), made.properties);
     let arrays = || -> Result<()> {
-        write_patterns(&new.join("patterns.npz"), pairs, &run.part(0.2))?;
+        write_patterns(&new.join("patterns.npz"), pairs, &work.part(0.2))?;
         let share = 0.05 / resolved.species.len() as f64;
         for (name, dose) in doses(done) {
-            write_volume(&new.join(format!("{name}.npy")), dose, &run.part(share))?;
+            write_volume(&new.join(format!("{name}.npy")), dose, &work.part(share))?;
         }
         for property in properties {
             let file = new.join(format!("{}.npy", property.name));
-            write_volume(&file, &property.values, &run.aside())?;
+            write_volume(&file, &property.values, &work.aside())?;
         }
         if resolved.output().evaluation {
-            write_evaluation(first, &new.join("evaluation"), run)?;
+            write_evaluation(first, &new.join("evaluation"), work)?;
         }
-        write_volumes(done, properties, &new.join("volumes"), run)?;
+        write_volumes(done, properties, &new.join("volumes"), work)?;
         write_vti(
             &new.join("dose.vti"),
             &first.dose.grid,
@@ -163,15 +163,15 @@ fn large_files<'a>(
                 ("target", Values::F32(&voxels[0].target.inside.values)),
                 ("label", Values::U8(&voxels[0].labels.values)),
             ],
-            &run.part(0.1),
+            &work.part(0.1),
         )
     };
     // The large arrays go to the disk while frames, movies and the surface are made
     let (arrays, written) = std::thread::scope(|scope| {
         let arrays = scope.spawn(arrays);
-        let written = shown.write(new, &resolved.name, sets, progress, &run.part(0.35));
+        let written = shown.write(new, &resolved.name, sets, progress, &work.part(0.35));
         let written = written.and_then(|mut written| {
-            let surface = print(resolved, first, new, run.part(0.15));
+            let surface = print(resolved, first, new, work.part(0.15));
             let warnings = &mut written.warnings;
             let deviation = left_out(SURFACE, surface, progress, warnings)?;
             Ok((written, deviation.flatten()))
@@ -187,20 +187,25 @@ fn large_files<'a>(
 }
 
 /// What the report's numbers are of.
-fn write_evaluation(print: &SpeciesPrint, folder: &Path, run: &Run) -> Result<()> {
+fn write_evaluation(print: &SpeciesPrint, folder: &Path, work: &Work) -> Result<()> {
     std::fs::create_dir(folder).map_err(|e| Error::io(folder, e))?;
     let fine = &print.fine;
-    write_volume(&folder.join("response.npy"), &print.response, &run.aside())?;
+    write_volume(&folder.join("response.npy"), &print.response, &work.aside())?;
     write_volume(
         &folder.join("target.npy"),
         &fine.target.inside,
-        &run.aside(),
+        &work.aside(),
     )?;
-    write_volume(&folder.join("labels.npy"), &fine.labels, &run.aside())
+    write_volume(&folder.join("labels.npy"), &fine.labels, &work.aside())
 }
 
 /// All arrays on the job's voxels, in each of the formats that the job names.
-fn write_volumes(done: &Done<'_>, properties: &[Property], folder: &Path, run: &Run) -> Result<()> {
+fn write_volumes(
+    done: &Done<'_>,
+    properties: &[Property],
+    folder: &Path,
+    work: &Work,
+) -> Result<()> {
     let formats = &done.resolved.output().volumes;
     if formats.is_empty() {
         return Ok(());
@@ -209,7 +214,7 @@ fn write_volumes(done: &Done<'_>, properties: &[Property], folder: &Path, run: &
     let write = |name: &str, grid: &VolumeGrid, values: Values<'_>| {
         formats.iter().try_for_each(|format| {
             let path = folder.join(format!("{name}.{}", format.ending()));
-            write_values(&path, name, grid, values, &run.aside())
+            write_values(&path, name, grid, values, &work.aside())
         })
     };
     let Voxels { target, labels, .. } = &done.voxels[0];
@@ -325,7 +330,7 @@ fn write_time(
     new: &Path,
     progress: &mut dyn Progress,
     warnings: &mut Vec<String>,
-    run: &Run,
+    work: &Work,
 ) -> Result<()> {
     let Some(in_time) = &done.evaluated.in_time else {
         return Ok(());
@@ -338,9 +343,9 @@ fn write_time(
         let text = network.report.csv();
         write_text(&new.join(format!("time{end}.csv")), &text)?;
         let file = new.join(format!("cure_time{end}.npy"));
-        write_volume(&file, &network.report.cure_times, &run.aside())?;
+        write_volume(&file, &network.report.cure_times, &work.aside())?;
         if done.resolved.showing().has_movie() {
-            let movie = network.write_movie(&new.join(format!("print{end}.mp4")), run);
+            let movie = network.write_movie(&new.join(format!("print{end}.mp4")), work);
             left_out(MOVIE_IN_TIME, movie, progress, warnings)?;
         }
     }
@@ -353,10 +358,10 @@ fn print<'a>(
     resolved: &ResolvedJob,
     first: &'a SpeciesPrint,
     folder: &Path,
-    run: Run,
+    work: Work,
 ) -> Result<Option<Cow<'a, Deviation>>> {
     let (labels, response) = (&first.fine.labels, &first.response);
-    let (threshold, writing) = (first.evaluation.gel_threshold, run.aside());
+    let (threshold, writing) = (first.evaluation.gel_threshold, work.aside());
     write_stl_pieces(
         &folder.join("print.stl"),
         &format!("{}, predicted print", resolved.name),
@@ -365,7 +370,7 @@ fn print<'a>(
                 return Ok(());
             };
             let take = |piece: &Isosurface| put(&piece.corners, &piece.triangles);
-            surface_pieces((labels, response), threshold, take, &run)
+            surface_pieces((labels, response), threshold, take, &work)
         },
         &writing,
     )?;
@@ -373,7 +378,7 @@ fn print<'a>(
         (_, None) => None,
         (Some(measured), _) => Some(Cow::Borrowed(measured)),
         (None, Some(threshold)) => {
-            let print = Print::under(labels, response, run)?
+            let print = Print::under(labels, response, work)?
                 .with_most_triangles(resolved.most_triangles())
                 .with_inside(&first.fine.target.inside)?
                 .with_target_surface(&first.fine.surface)

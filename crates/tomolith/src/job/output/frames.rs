@@ -11,7 +11,7 @@ use crate::job::progress::{Event, Progress, left_out};
 use crate::job::resolve::machine::Showing;
 use crate::job::resolve::scheduled::Emitted;
 use crate::job::spec::file_names::EXPOSURE;
-use crate::models::Run;
+use crate::models::Work;
 use crate::report::number::significant;
 use crate::report::{Irradiance, MovieReport};
 use crate::units::exact;
@@ -127,15 +127,15 @@ impl<'a> Shown<'a> {
         part: &str,
         sets: &[FrameSet<'_>],
         progress: &mut dyn Progress,
-        run: &Run,
+        work: &Work,
     ) -> Result<WrittenFrames> {
-        write_frames(&folder.join("frames"), sets, &run.part(0.2))?;
+        write_frames(&folder.join("frames"), sets, &work.part(0.2))?;
         if self.showing.is_stacked() {
-            write_stack(&folder.join("frames.npz"), sets, &run.part(0.1))?;
+            write_stack(&folder.join("frames.npz"), sets, &work.part(0.1))?;
         }
         let (mut written, mut lights) = (WrittenFrames::default(), Vec::new());
         for (i, set) in sets.iter().enumerate() {
-            let movie = self.write_movie(folder, part, set, &run.part(0.7 / sets.len() as f64));
+            let movie = self.write_movie(folder, part, set, &work.part(0.7 / sets.len() as f64));
             let movie = left_out(MOVIE, movie, progress, &mut written.warnings)?.flatten();
             let arc = set.grid.frame_arc * set.grid.frames() as f64;
             if arc == 0.0 && self.showing.has_movie() {
@@ -160,7 +160,7 @@ impl<'a> Shown<'a> {
         folder: &Path,
         part: &str,
         set: &FrameSet<'_>,
-        run: &Run,
+        work: &Work,
     ) -> Result<Option<MovieReport>> {
         let rpm = self.showing.rpm();
         let Some(ending) = self.showing.movie_ending() else {
@@ -174,8 +174,8 @@ impl<'a> Shown<'a> {
         let path = folder.join(&file);
         let rate = frame_rate(rpm, set.grid.frames(), arc)?;
         let check = if ending == "mp4" {
-            write_movie(&path, set, rate, &run.part(0.6))
-                .and_then(|()| check_movie(&path, set, &run.part(0.4)))
+            write_movie(&path, set, rate, &work.part(0.6))
+                .and_then(|()| check_movie(&path, set, &work.part(0.4)))
         } else {
             write_lossless(&path, set, rate).and_then(|()| check_lossless(&path, set))
         };

@@ -202,7 +202,7 @@ pub(crate) fn evaluated_mb(optics: &Optics, grid: &VolumeGrid, refine: usize) ->
 mod tests {
     use crate::job::resolve::ResolvedJob;
     use crate::job::tests::job_of;
-    use crate::models::Run;
+    use crate::models::Work;
 
     #[test]
     fn voxels_that_the_program_chose_too_fine_for_the_memory_are_blamed() {
@@ -214,7 +214,7 @@ mod tests {
             light = [{ pixels = [64, 48], angles = 12, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]
             optimizer = { lbfgs = { memory = 1 } }
         "#;
-        let resolved = |more: &[&str]| ResolvedJob::under(&job_of(text, more), &Run::new());
+        let resolved = |more: &[&str]| ResolvedJob::under(&job_of(text, more), &Work::new());
         let needed = |more: &[&str]| resolved(more).unwrap().extent.optimization_mb();
         let (fine, own) = (needed(&[]), needed(&["grid.refine=1"]));
         assert!(fine > own + 20, "{fine} {own}");

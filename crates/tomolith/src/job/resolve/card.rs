@@ -35,7 +35,7 @@ mod with_gpu {
     use super::{Accelerator, Result};
     use crate::dose::form::Form;
     use crate::error::Error;
-    use crate::models::{HostModel, Run};
+    use crate::models::{HostModel, Work};
     use std::sync::{Mutex, PoisonError};
     use tomolith_gpu::{Asked, Gpu};
 
@@ -102,8 +102,8 @@ mod with_gpu {
     }
 
     impl Accelerator for Card {
-        fn model(&self, form: &Form, run: &Run) -> Result<Option<HostModel>> {
-            match self.gpu.model(form, run) {
+        fn model(&self, form: &Form, work: &Work) -> Result<Option<HostModel>> {
+            match self.gpu.model(form, work) {
                 Err(Error::Resources { .. }) if self.gives_way => Ok(None),
                 other => other,
             }
@@ -116,7 +116,7 @@ mod without {
     use super::{Accelerator, Result};
     use crate::dose::form::Form;
     use crate::error::Error;
-    use crate::models::{HostModel, Run};
+    use crate::models::{HostModel, Work};
 
     /// No graphics card: this program was built without them.
     #[derive(Clone, Debug)]
@@ -145,7 +145,7 @@ mod without {
     }
 
     impl Accelerator for Card {
-        fn model(&self, _: &Form, _: &Run) -> Result<Option<HostModel>> {
+        fn model(&self, _: &Form, _: &Work) -> Result<Option<HostModel>> {
             match *self {}
         }
     }

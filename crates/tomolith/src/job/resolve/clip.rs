@@ -3,7 +3,7 @@
 use crate::error::{Error, Result};
 use crate::grid::VolumeGrid;
 use crate::job::spec::GridSpec;
-use crate::models::Run;
+use crate::models::Work;
 use crate::target::Shape;
 use crate::target::clip::{ROUNDING, cut_off};
 use crate::units::concise;
@@ -19,12 +19,12 @@ pub(crate) fn must_hold(
     spec: &GridSpec,
     grid: &VolumeGrid,
     shape: &dyn Shape,
-    run: &Run,
+    work: &Work,
 ) -> Result<Option<String>> {
     let Some(counts) = spec.shape else {
         return Ok(None);
     };
-    let Some(cut_off) = cut_off(grid, shape, run)? else {
+    let Some(cut_off) = cut_off(grid, shape, work)? else {
         return Ok(None);
     };
     let percent = concise(format!("{:.2}", 100.0 * cut_off).parse().unwrap_or(0.0));
@@ -80,7 +80,7 @@ mod tests {
             &spec,
             &VolumeGrid::centered([z, y, x], 0.1),
             cylinder().as_ref(),
-            &Run::new(),
+            &Work::new(),
         )
     }
 

@@ -1,7 +1,7 @@
 //! What a job will cost: memory, disk and time, before any work.
 //!
 //! Memory counts the arrays the method needs. Time is the rates of this machine ([`benchmark`](crate::job::run::benchmark)) times what the job
-//! asks for ([`Work::cost`]). An optimization that ends before its last iteration takes less.
+//! asks for ([`Demand::cost`]). An optimization that ends before its last iteration takes less.
 
 use super::optics::Optics;
 use crate::field::LANES;

@@ -3,7 +3,7 @@
 use crate::error::{Error, Result};
 
 use crate::job::resolve::ResolvedJob;
-use crate::models::{Family, HostModel, OpticalScene, Purpose, Run, planner};
+use crate::models::{Family, HostModel, OpticalScene, Purpose, Work, planner};
 use crate::optics::absorption_map::AbsorptionMap;
 use crate::optics::light::{Light, Selection};
 use std::sync::{Arc, OnceLock};
@@ -15,8 +15,8 @@ use tomolith_material::shaded::Shaded;
 /// # Errors
 /// [`Error::Config`] with the model's reason.
 pub(crate) fn must_be_shaded(job: &ResolvedJob) -> Result<()> {
-    let run = Run::new();
-    let lights = Lights::new(job, Vec::new(), &run);
+    let work = Work::new();
+    let lights = Lights::new(job, Vec::new(), &work);
     // Two slices are enough to change along z
     let map = AbsorptionMap::new([2, 1, 1], job.grid.pitch_mm, vec![0.0; 2], vec![0.0; 2])?;
     let map = Arc::new(map);
@@ -53,11 +53,11 @@ pub(crate) struct Lights<'a> {
     pub(crate) lights: Vec<Light>,
     /// Straight light in resin where nothing has cured, made on first use.
     pub(crate) plain: Vec<OnceLock<Option<Arc<tomolith_material::Model>>>>,
-    pub(crate) run: &'a Run,
+    pub(crate) work: &'a Work,
 }
 
 impl<'a> Lights<'a> {
-    pub(crate) fn new(job: &'a ResolvedJob, lit: Vec<Vec<(u32, u32)>>, run: &'a Run) -> Self {
+    pub(crate) fn new(job: &'a ResolvedJob, lit: Vec<Vec<(u32, u32)>>, work: &'a Work) -> Self {
         let mut lights = job.optics.lights_turning(job.evaluated_angles());
         for (light, lit) in lights.iter_mut().zip(lit) {
             light.active = Some(lit);
@@ -68,7 +68,7 @@ impl<'a> Lights<'a> {
             job,
             lights,
             plain,
-            run,
+            work,
         }
     }
 
@@ -109,7 +109,7 @@ impl<'a> Lights<'a> {
         };
         let own = self.scene_of(i, &light, purpose);
         let asked = self.job.optics.model.as_ref();
-        let plan = planner::plan(asked, own, &self.job.grid, None, self.run)?;
+        let plan = planner::plan(asked, own, &self.job.grid, None, self.work)?;
         Ok(Box::new(plan.model))
     }
 

@@ -9,7 +9,7 @@
 //! use std::path::Path;
 //! use tomolith::field::Field;
 //! use tomolith::job::{Document, Job, ResolvedJob};
-//! use tomolith::models::Run;
+//! use tomolith::models::Work;
 //! use tomolith::objective::Objective;
 //!
 //! let text = r#"
@@ -20,9 +20,9 @@
 //!     light = [{ pixels = [32, 24], angles = 40, projector = { collimated = { pixel_pitch_mm = 0.15 } } }]
 //! "#;
 //! let job = Job::from_document(Document::toml(Path::new("gear.toml"), text)?)?;
-//! let (job, run) = (ResolvedJob::new(&job)?, Run::new());
-//! let task = job.task(&run)?;
-//! let begin = job.evaluate(&task.patterns(&task.start), &run)?;
+//! let (job, work) = (ResolvedJob::new(&job)?, Work::new());
+//! let task = job.task(&work)?;
+//! let begin = job.evaluate(&task.patterns(&task.start), &work)?;
 //!
 //! // A projected gradient with a fixed step, in place of the job's method
 //! let (mut x, mut dose) = (task.start.clone(), task.model.new_dose()?);
@@ -30,15 +30,15 @@
 //! let bounds = task.bounds()?;
 //! let mut losses = Vec::new();
 //! for _ in 0..15 {
-//!     task.model.dose(&x, &mut dose, &run)?;
+//!     task.model.dose(&x, &mut dose, &work)?;
 //!     losses.push(task.objective.value_and_gradient(&dose, &mut cotangent));
-//!     task.model.pullback(&x, &cotangent, &mut gradient, &run)?;
+//!     task.model.pullback(&x, &cotangent, &mut gradient, &work)?;
 //!     let step = 0.1 * x.max_abs() / gradient.max_abs();
 //!     x.move_along(&gradient, -step, &bounds);
 //! }
 //! assert!(losses[14] < 0.5 * losses[0]); // the loss falls to less than half
 //!
-//! let end = job.evaluate(&task.patterns(&x), &run)?;
+//! let end = job.evaluate(&task.patterns(&x), &work)?;
 //! let iou = |print: &tomolith::job::Prediction| print.evaluation.measures.get("iou").unwrap();
 //! assert!(iou(&end) > iou(&begin) && iou(&end) > 0.9); // and the print is better than that of the start
 //! # Ok::<(), tomolith::Error>(())
@@ -86,7 +86,7 @@ use crate::job::spec::kinds::known_elsewhere;
 use crate::job::spec::read::Job;
 use crate::job::spec::species::{Row, at_species};
 use crate::models::parallel::kernel::Isa;
-use crate::models::{DoseLayout, Family, ModelKind, OpticalScene, Purpose, Run, planner};
+use crate::models::{DoseLayout, Family, ModelKind, OpticalScene, Purpose, Work, planner};
 use crate::objective::{ObjectiveInput, Sum};
 use crate::optics::light::Light;
 use crate::optics::vial::Vial;
@@ -163,13 +163,13 @@ impl ResolvedJob {
     /// # Errors
     /// [`Error::Config`] with the key for whatever does not fit together, and those of files.
     pub fn new(job: &Job) -> Result<Self> {
-        Self::under(job, &Run::new())
+        Self::under(job, &Work::new())
     }
 
     /// [`new`](Self::new) as a part of a run.
-    pub(crate) fn under(job: &Job, run: &Run) -> Result<Self> {
+    pub(crate) fn under(job: &Job, work: &Work) -> Result<Self> {
         Isa::asked()?;
-        Self::resolve(job, run)
+        Self::resolve(job, work)
             .map_err(|e| with_others(&job.document, job.models, &job.base(), job.locate(e)))
     }
 
@@ -215,16 +215,16 @@ impl ResolvedJob {
     ///
     /// # Errors
     /// As [`voxels`](Self::voxels), and where the start asks for doses that the material does not have.
-    pub(crate) fn own_voxels(&self, run: &Run) -> Result<&[Voxels]> {
+    pub(crate) fn own_voxels(&self, work: &Work) -> Result<&[Voxels]> {
         if let Some(known) = self.voxels.get() {
             return Ok(known);
         }
-        let voxels = self.voxels(&self.grid, &run.aside())?;
+        let voxels = self.voxels(&self.grid, &work.aside())?;
         self.must_start(&voxels)?;
         Ok(self.voxels.get_or_init(|| voxels))
     }
 
-    fn resolve(job: &Job, run: &Run) -> Result<Self> {
+    fn resolve(job: &Job, work: &Work) -> Result<Self> {
         let (spec, base) = (&job.spec, job.base());
         time_refusals::must_fit(spec)?;
         let mut optics = Optics::with_models(spec, &base, job.models)?;
@@ -232,7 +232,7 @@ impl ResolvedJob {
         let mut notes = optics.leave_dark(printers.as_deref().unwrap_or_default());
         let method = Method::read(spec, &base).map_err(known_elsewhere)?;
         notes.extend(given_patterns(&method, &optics)?);
-        let mut species = Species::of_job(job, &method, optics.model.as_ref(), run)?;
+        let mut species = Species::of_job(job, &method, optics.model.as_ref(), work)?;
         let properties = property::of_job(spec, &base)?;
         let bounds_mm = bounds_of(&species);
         let placed = grid_of(spec, &optics, bounds_mm);
@@ -244,7 +244,7 @@ impl ResolvedJob {
         let (grid, moved_mm) = placed?;
         notes.extend(moved(moved_mm));
         notes.extend(chosen(spec, &method));
-        let cut_off = species::must_be_on(&species, spec, &optics, &grid, run)?;
+        let cut_off = species::must_be_on(&species, spec, &optics, &grid, work)?;
         time_refusals::must_be_stable(spec, &grid)?;
         let light = must_be_lit(spec, &optics, &species, &grid)?;
         for (s, own) in species.iter().enumerate() {

@@ -538,7 +538,7 @@ pub(crate) mod tests {
 
     #[test]
     fn the_convention_of_another_program_is_a_factor_of_every_dose() {
-        let run = crate::models::Run::new();
+        let run = crate::models::Work::new();
         let dose = |convention: &str| {
             let spec = spec(&[
                 &format!("resin.dose_convention=\"{convention}\""),
@@ -647,7 +647,7 @@ pub(crate) mod tests {
         let expected = AbsorptionMap::new([1, 2, 3], 1.0, values.clone(), values).unwrap();
         assert_eq!(optics.lights[0].map.as_deref(), Some(&expected));
         let grid = VolumeGrid::centered([2, 4, 4], 0.1);
-        let run = crate::models::Run::new();
+        let run = crate::models::Work::new();
         let planned = planner::plan(optics.model.as_ref(), optics.scene(), &grid, None, &run);
         // Light bends in this vial: rays know the map too
         let reason = planned.unwrap().reason;

@@ -57,7 +57,7 @@ mod tests {
     use super::*;
     use crate::job::tests::document_of;
     use crate::job::{Job, ResolvedJob};
-    use crate::models::Run;
+    use crate::models::Work;
 
     const BALL: &str = r#"
         target = { phantom = { sphere = {} }, size_mm = 1.2 }
@@ -83,7 +83,7 @@ mod tests {
             lights[0].point_spread.as_ref().map(|spread| spread.reach())
         };
         assert_eq!(reach(job.lights()), Some([2, 2]));
-        let task = job.task(&Run::new()).unwrap();
+        let task = job.task(&Work::new()).unwrap();
         let said = task.model.describe();
         assert!(said.contains("spread over 5 × 5 pixels"), "{said}");
     }

@@ -286,8 +286,8 @@ pub(crate) fn held_back(asked: Asked<'_>, family: &dyn ModelFamily) -> Option<St
         && may_refine(asked, family.capabilities().refines)
         && asked.spec.multiresolution.is_none();
     (would_refine && goals().any(Goal::has_fields)).then(|| {
-        "patterns are optimized on the job's own voxels, as objectives with region, weights or tolerance need them, and at light.sub_angles angles a frame \
-         (1 unless it is set): finer voxels come from a smaller grid.pitch_mm, the turn of the vial from light.sub_angles"
+        "objectives with region, weights or tolerance keep the optimization on the job's own voxels, and at one angle a frame where light.sub_angles is not \
+         set. For finer voxels lower grid.pitch_mm; to count the turn of the vial set light.sub_angles"
             .to_owned()
     })
 }
@@ -438,7 +438,7 @@ mod tests {
     use crate::job::Job;
     use crate::job::resolve::ResolvedJob;
     use crate::job::tests::job_of;
-    use crate::models::{OpticalScene, Run, planner};
+    use crate::models::{OpticalScene, Work, planner};
     use crate::target::Shape;
     use std::sync::Arc;
 
@@ -472,7 +472,7 @@ mod tests {
         let family = planner::choose(optics.model.as_ref(), &resolved, &grid).unwrap();
         let of = (&optics, family.as_ref());
         let method = Method::read(&job.spec, &job.base()).unwrap();
-        let species = Species::of_job(&job, &method, None, &Run::new()).unwrap();
+        let species = Species::of_job(&job, &method, None, &Work::new()).unwrap();
         let asked = Asked {
             spec: &job.spec,
             method: &method,

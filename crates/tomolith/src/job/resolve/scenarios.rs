@@ -200,7 +200,7 @@ pub(crate) mod tests {
     use crate::job::resolve::optics::tests::key as key_of;
     use crate::job::tests::document_of;
     use crate::job::{Job, ResolvedJob};
-    use crate::models::Run;
+    use crate::models::Work;
     use crate::objective::Objective;
 
     const JOB: &str = r#"
@@ -225,11 +225,11 @@ pub(crate) mod tests {
 
     #[test]
     fn a_scenario_that_changes_nothing_leaves_the_loss_and_one_that_absorbs_more_does_not() {
-        let run = Run::new();
+        let work = Work::new();
         let loss = |scenarios: &[&str]| {
-            let task = resolved(scenarios, &[]).unwrap().task(&run).unwrap();
+            let task = resolved(scenarios, &[]).unwrap().task(&work).unwrap();
             let mut dose = task.model.new_dose().unwrap();
-            task.model.dose(&task.start, &mut dose, &run).unwrap();
+            task.model.dose(&task.start, &mut dose, &work).unwrap();
             (task.model.outputs().len(), task.objective.value(&dose))
         };
         let alone = loss(&[]);
@@ -273,7 +273,7 @@ pub(crate) mod tests {
     fn light_that_misses_the_part_in_a_scenario_is_a_warning_with_its_name() {
         let found = |scenario: &str| {
             let job = resolved(&[scenario], &[]).unwrap();
-            job.warnings_of(job.own_voxels(&Run::new()).unwrap())
+            job.warnings_of(job.own_voxels(&Work::new()).unwrap())
                 .unwrap()
         };
         let aside = found("\"motion.offset_mm\" = [1.5, 0.0]");

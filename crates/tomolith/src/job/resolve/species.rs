@@ -21,7 +21,7 @@ use crate::job::spec::kinds::known_elsewhere;
 use crate::job::spec::read::Job;
 pub(crate) use crate::job::spec::species::Row;
 use crate::job::spec::species::at_species;
-use crate::models::{Family, Run};
+use crate::models::{Family, Work};
 use crate::target::{self, Role, Shape};
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -57,12 +57,12 @@ impl Species {
         job: &Job,
         method: &Method,
         model: Option<&Family>,
-        run: &Run,
+        work: &Work,
     ) -> Result<Vec<Self>> {
         let spec = &job.spec;
         let each = |s: usize| {
             let name = spec.species.get(s).map(|own| own.name.clone());
-            let of_species = Self::read(name, &spec.of_species(s), job, (method, model), run);
+            let of_species = Self::read(name, &spec.of_species(s), job, (method, model), work);
             of_species.map_err(|e| at_species(spec, s, e))
         };
         (0..spec.species.len().max(1)).map(each).collect()
@@ -73,10 +73,10 @@ impl Species {
         spec: &JobSpec,
         job: &Job,
         (method, model): (&Method, Option<&Family>),
-        run: &Run,
+        work: &Work,
     ) -> Result<Self> {
         let goal = Goal::read(spec, &job.base()).map_err(known_elsewhere)?;
-        let shape = target::build_under(&spec.target, &job.base(), "target", run)
+        let shape = target::build_under(&spec.target, &job.base(), "target", work)
             .map_err(|e| at_target(spec, e))?;
         let shape: Arc<dyn Shape> = Arc::from(shape);
         try_kinds(spec, (&goal, method), model, shape.is_gray()).map_err(known_elsewhere)?;
@@ -133,14 +133,14 @@ pub(crate) fn must_be_on(
     spec: &JobSpec,
     optics: &Optics,
     grid: &VolumeGrid,
-    run: &Run,
+    work: &Work,
 ) -> Result<Vec<String>> {
     let is_coarse = optics.are_coarse(grid);
     let each = species.iter().enumerate().map(|(s, own)| {
         let (of_species, shape) = (spec.of_species(s), own.shape.as_ref());
         let unit = ask_for_unit(&of_species, optics, shape);
         must_be_seen(&of_species, shape, grid, unit.as_deref(), is_coarse)
-            .and_then(|()| clip::must_hold(&spec.grid, grid, shape, run))
+            .and_then(|()| clip::must_hold(&spec.grid, grid, shape, work))
             .map(|cut_off| cut_off.into_iter().collect())
             .map_err(|e| at_species(spec, s, e))
     });
@@ -239,7 +239,7 @@ mod tests {
     use crate::job::spec::JobSpec;
     use crate::job::tests::{document_of, job_of};
     use crate::job::{Job, ResolvedJob};
-    use crate::models::Run;
+    use crate::models::Work;
     use crate::objective::Objective;
 
     const TWO: &str = r#"
@@ -307,7 +307,7 @@ mod tests {
 
     #[test]
     fn two_species_are_optimized_together() {
-        let (job, run) = (resolved(&[]).unwrap(), Run::new());
+        let (job, run) = (resolved(&[]).unwrap(), Work::new());
         let mut task = job.task(&run).unwrap();
         assert_eq!(task.model.outputs().len(), 2);
         assert_eq!(
@@ -346,7 +346,7 @@ mod tests {
         let one = "[{ name = \"violet\", pixels = [28, 12], angles = 16, projector = { collimated = { pixel_pitch_mm = 0.1 } } }]";
         let light = format!("light={one}");
         let dose = |changes: &[&str]| {
-            let (job, run) = (resolved(changes).unwrap(), Run::new());
+            let (job, run) = (resolved(changes).unwrap(), Work::new());
             let task = job.task(&run).unwrap();
             let mut dose = task.model.new_dose().unwrap();
             task.model.dose(&task.start, &mut dose, &run).unwrap();

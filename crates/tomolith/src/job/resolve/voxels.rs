@@ -10,7 +10,7 @@ use crate::job::resolve::ResolvedJob;
 use crate::job::spec::scenario::at_scenario;
 use crate::job::spec::species::at_species;
 use crate::metrics::surface::TargetSurface;
-use crate::models::{DoseLayout, Run};
+use crate::models::{DoseLayout, Work};
 use crate::objective::voxel_weights::Ground;
 use crate::report;
 use crate::target::{self, Role, Target, label, label_columns, label_voxels};
@@ -45,17 +45,17 @@ const SLIVER: f32 = 0.05;
 
 impl ResolvedJob {
     /// The targets of all species on a grid.
-    pub(crate) fn voxels(&self, grid: &VolumeGrid, run: &Run) -> Result<Vec<Voxels>> {
-        let targets = self.sampled(grid, &run.part(0.9))?;
-        self.voxels_of(targets, grid, run)
+    pub(crate) fn voxels(&self, grid: &VolumeGrid, work: &Work) -> Result<Vec<Voxels>> {
+        let targets = self.sampled(grid, &work.part(0.9))?;
+        self.voxels_of(targets, grid, work)
     }
 
     /// The inside fractions of their parts.
-    pub(crate) fn sampled(&self, grid: &VolumeGrid, run: &Run) -> Result<Vec<Target>> {
+    pub(crate) fn sampled(&self, grid: &VolumeGrid, work: &Work) -> Result<Vec<Target>> {
         let share = 1.0 / self.species.len() as f64;
         let sampled = |own: &Species| {
-            let (shape, run) = (own.shape.as_ref(), run.part(share));
-            let target = target::voxelize_under(shape, &own.part, grid, &run);
+            let (shape, work) = (own.shape.as_ref(), work.part(share));
+            let target = target::voxelize_under(shape, &own.part, grid, &work);
             target.map_err(|e| at_grid(&self.spec, e))
         };
         self.species.iter().map(sampled).collect()
@@ -66,10 +66,10 @@ impl ResolvedJob {
         &self,
         targets: Vec<Target>,
         grid: &VolumeGrid,
-        run: &Run,
+        work: &Work,
     ) -> Result<Vec<Voxels>> {
         let all = targets.into_iter().zip(&self.species);
-        all.map(|(target, own)| self.labeled(target, own, grid, run))
+        all.map(|(target, own)| self.labeled(target, own, grid, work))
             .collect()
     }
 
@@ -78,7 +78,7 @@ impl ResolvedJob {
         target: Target,
         species: &Species,
         grid: &VolumeGrid,
-        run: &Run,
+        work: &Work,
     ) -> Result<Voxels> {
         let counts = self.optics.counts(self.spec.grid.region, &self.grid);
         let mut labels = if self.optics.vial.is_invariant() {
@@ -88,7 +88,7 @@ impl ResolvedJob {
         };
         // There is no resin in an insert
         if let Some(insert) = species.shape.body(Role::Insert) {
-            let inside = target::sampled(insert, grid, run)?.values;
+            let inside = target::sampled(insert, grid, work)?.values;
             for (label, inside) in labels.values.iter_mut().zip(inside) {
                 *label = if inside >= 0.5 {
                     label::OUTSIDE
@@ -152,7 +152,7 @@ impl ResolvedJob {
     /// Share of each voxel that no light may pass, when the target has such bodies.
     pub(crate) fn keep_dark(&self, grid: &VolumeGrid) -> Result<Option<Volume<f32>>> {
         let dark = self.first().shape.body(Role::KeepDark);
-        dark.map(|dark| target::sampled(dark, grid, &Run::new()))
+        dark.map(|dark| target::sampled(dark, grid, &Work::new()))
             .transpose()
     }
 

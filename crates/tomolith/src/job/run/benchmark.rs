@@ -19,7 +19,7 @@ use crate::metrics::print::Print;
 use crate::models::layout::PatternLayout;
 use crate::models::planner::{self, ModelPlan};
 use crate::models::rays::matrix_cache;
-use crate::models::{DoseModel, Family, OpticalScene, Purpose, Quantity, Run, TimedBy};
+use crate::models::{DoseModel, Family, OpticalScene, Purpose, Quantity, TimedBy, Work};
 use crate::objective::Objective;
 use crate::optics::light::{Light, Selection};
 use std::sync::Arc;
@@ -129,10 +129,10 @@ pub(crate) fn rates(
     job: &ResolvedJob,
     voxels: &Voxels,
     sampling_s: f64,
-    run: &Run,
+    work: &Work,
 ) -> Result<Rates> {
     let mut optics = job.optimizing();
-    let (mut measured, mut plan) = by_optimizer(job, optics, voxels, run)?;
+    let (mut measured, mut plan) = by_optimizer(job, optics, voxels, work)?;
     let updates = measured[measured.len() - 1].updates_per_frame() * job.extent.frames as f64;
     let walks = job.extent.cached_entries;
     if walks.is_some_and(|walks| updates * walks.per_update > matrix_cache::MOST as f64)
@@ -140,11 +140,11 @@ pub(crate) fn rates(
     {
         // What few frames can keep is too much for all
         optics.purpose = Purpose::Probe;
-        (measured, plan) = by_optimizer(job, optics, voxels, run)?;
+        (measured, plan) = by_optimizer(job, optics, voxels, work)?;
     }
     // A line has one coefficient that is not known, a quadratic two
     let doses_per_step = if plan.model.is_linear() { 1.0 } else { 2.0 };
-    let (objective_s, vector_s) = passes(&plan.model, job, voxels, run)?;
+    let (objective_s, vector_s) = passes(&plan.model, job, voxels, work)?;
     drop(plan.model);
     let fine = job.fine_grid();
     let is_small = fine.len() <= TIMED_VOXELS && !job.optics.scene().scatters();
@@ -153,7 +153,7 @@ pub(crate) fn rates(
     } else {
         (1, job.grid.clone())
     };
-    let evaluated = by_evaluation(job, evaluating_refine, &grid, &measured, run)?;
+    let evaluated = by_evaluation(job, evaluating_refine, &grid, &measured, work)?;
     Ok(Rates {
         calls: CallRates::of(&measured),
         evaluating: CallRates::of(&evaluated),
@@ -162,7 +162,7 @@ pub(crate) fn rates(
         objective_s,
         vector_s,
         sampling_s: sampling_s / job.grid.len().max(1) as f64,
-        measuring_s: measuring(voxels, job.extent.refine, run)?,
+        measuring_s: measuring(voxels, job.extent.refine, work)?,
         model: plan.reason,
     })
 }
@@ -266,7 +266,7 @@ fn by_optimizer(
     job: &ResolvedJob,
     optics: OpticalScene<'_>,
     voxels: &Voxels,
-    run: &Run,
+    work: &Work,
 ) -> Result<(Vec<Calls>, ModelPlan)> {
     let asked = computed(job);
     let timed_by = timed_by(job)?;
@@ -277,12 +277,12 @@ fn by_optimizer(
         let optics = OpticalScene { lights, ..optics };
         let wanted = voxels.wanted();
         let (making_s, plan) =
-            timed(|| planner::plan(asked, optics, &job.grid, Some(&wanted), run));
+            timed(|| planner::plan(asked, optics, &job.grid, Some(&wanted), work));
         let plan = plan?;
         if cotangent.is_none() {
-            cotangent = Some(cotangent_of_a_good_dose(&plan, job, voxels, run)?);
+            cotangent = Some(cotangent_of_a_good_dose(&plan, job, voxels, work)?);
         }
-        let calls = Calls::of(&plan, sample, making_s, cotangent.as_ref(), run)?;
+        let calls = Calls::of(&plan, sample, making_s, cotangent.as_ref(), work)?;
         Ok((calls, plan))
     };
     let mut sample = Sample::least(job, timed_by);
@@ -324,7 +324,7 @@ fn by_evaluation(
     refine: usize,
     grid: &VolumeGrid,
     samples: &[Calls],
-    run: &Run,
+    work: &Work,
 ) -> Result<Vec<Calls>> {
     let family = job.optics.family(grid)?;
     let purpose = match family.monte_carlo_paths() {
@@ -359,8 +359,8 @@ fn by_evaluation(
             purpose,
             ..job.optics.scene()
         };
-        let (making_s, plan) = timed(|| planner::plan(computed(job), optics, grid, None, run));
-        found.push(Calls::of(&plan?, calls.sample, making_s, None, run)?);
+        let (making_s, plan) = timed(|| planner::plan(computed(job), optics, grid, None, work));
+        found.push(Calls::of(&plan?, calls.sample, making_s, None, work)?);
     }
     Ok(found)
 }
@@ -369,13 +369,13 @@ fn by_evaluation(
 ///
 /// # Errors
 /// What the model refuses; [`Error::Canceled`](crate::error::Error::Canceled).
-pub(crate) fn quantity(job: &ResolvedJob, run: &Run) -> Result<Quantity> {
+pub(crate) fn quantity(job: &ResolvedJob, work: &Work) -> Result<Quantity> {
     let lights = &Sample::least(job, timed_by(job)?).lights(job);
     let optics = OpticalScene {
         lights,
         ..job.optics.scene()
     };
-    let plan = planner::plan(computed(job), optics, &job.grid, None, run)?;
+    let plan = planner::plan(computed(job), optics, &job.grid, None, work)?;
     Ok(plan.model.quantity())
 }
 
@@ -426,19 +426,19 @@ impl Calls {
         sample: Sample,
         making_s: f64,
         cotangent: Option<&HostField>,
-        run: &Run,
+        work: &Work,
     ) -> Result<Self> {
         let model = &plan.model;
         let (mut x, mut dose) = (model.new_patterns()?, model.new_dose()?);
         let mut gradient = x.zeros_like();
         x.fill(1.0);
         // Caches, threads and pages wake up, walks are kept
-        let (first, done) = timed(|| model.dose(&x, &mut dose, run));
+        let (first, done) = timed(|| model.dose(&x, &mut dose, work));
         done?;
         // The better of two: what disturbs a clock makes it longer
         let mut dose_s = f64::INFINITY;
         for _ in 0..2 {
-            let (seconds, done) = timed(|| model.dose(&x, &mut dose, run));
+            let (seconds, done) = timed(|| model.dose(&x, &mut dose, work));
             done?;
             dose_s = dose_s.min(seconds);
             if seconds > LONG_S {
@@ -447,7 +447,7 @@ impl Calls {
         }
         let mut adjoint_s: Option<f64> = None;
         for cotangent in cotangent.iter().cycle().take(2) {
-            let (seconds, done) = timed(|| model.pullback(&x, cotangent, &mut gradient, run));
+            let (seconds, done) = timed(|| model.pullback(&x, cotangent, &mut gradient, work));
             done?;
             adjoint_s = Some(adjoint_s.map_or(seconds, |least| least.min(seconds)));
             if seconds > LONG_S {
@@ -499,7 +499,7 @@ fn passes(
     model: &dyn DoseModel<Field = HostField>,
     job: &ResolvedJob,
     voxels: &Voxels,
-    run: &Run,
+    work: &Work,
 ) -> Result<(f64, f64)> {
     let (mut x, mut dose, mut gradient) =
         (model.new_patterns()?, model.new_dose()?, model.new_dose()?);
@@ -512,9 +512,9 @@ fn passes(
         &model.outputs()[0],
         voxels,
     )?;
-    model.dose(&x, &mut dose, run)?;
+    model.dose(&x, &mut dose, work)?;
     objective.value_and_gradient(&dose, &mut gradient); // caches and pages wake up
-    run.check()?;
+    work.check()?;
     let (of_one_s, _) = timed(|| objective.value_and_gradient(&dose, &mut gradient));
     // Every species has an objective of its own on as many voxels
     let objective_s = of_one_s * model.outputs().len() as f64;
@@ -526,7 +526,7 @@ fn cotangent_of_a_good_dose(
     plan: &ModelPlan,
     job: &ResolvedJob,
     voxels: &Voxels,
-    run: &Run,
+    work: &Work,
 ) -> Result<HostField> {
     let outputs = plan.model.outputs();
     let layout = &outputs[0];
@@ -538,15 +538,15 @@ fn cotangent_of_a_good_dose(
             response.inverse(GOOD[0] * inside + GOOD[1]).clamp(0.0, 1.0)
         }),
     };
-    run.check()?;
+    work.check()?;
     let mut dose = plan.model.new_dose()?;
     dose.as_mut_slice()[layout.range()].copy_from_slice(&layout.field_of(&wanted));
-    run.check()?;
+    work.check()?;
     let mut cotangent = plan.model.new_dose()?;
     let objective = job.objective(job.first(), job.first().goal.on_host(), layout, voxels)?;
-    run.check()?;
+    work.check()?;
     objective.value_and_gradient(&dose, &mut cotangent);
-    run.check()?;
+    work.check()?;
     // That of the first species stands for those of all
     let first = cotangent.as_slice()[layout.range()].to_vec();
     for other in &outputs[1..] {
@@ -564,7 +564,7 @@ fn timed<T>(work: impl FnOnce() -> T) -> (f64, T) {
 
 /// Seconds per voxel to measure a print on voxels `refine` times finer, in addition to what measuring any print takes: the target is
 /// taken for its dose, so that surfaces are as long as a good print's, and as close to the part's.
-fn measuring(voxels: &Voxels, refine: usize, run: &Run) -> Result<f64> {
+fn measuring(voxels: &Voxels, refine: usize, work: &Work) -> Result<f64> {
     let longest = voxels.labels.grid.shape.iter().copied().max().unwrap_or(1);
     let edge = (longest * refine).min(TIMED_EDGE);
     let mut found = [(0.0, 0.0); 2];
@@ -572,11 +572,11 @@ fn measuring(voxels: &Voxels, refine: usize, run: &Run) -> Result<f64> {
         let labels = resampled(&voxels.labels, edge);
         let inside = resampled(&voxels.target.inside, edge);
         let (seconds, measured) = timed(|| -> Result<_> {
-            let print = Print::under(&labels, &inside, run.aside())?.with_inside(&inside)?;
+            let print = Print::under(&labels, &inside, work.aside())?.with_inside(&inside)?;
             Ok(evaluate(&print))
         });
         drop(measured?);
-        run.check()?;
+        work.check()?;
         *found = (labels.values.len() as f64, seconds);
     }
     Ok(CallRate::through(found).per_update_s)

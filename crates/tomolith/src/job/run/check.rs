@@ -1,6 +1,6 @@
 //! `check`: what a job will do and cost, without running it.
 
-use super::cost::{Work, mean_sub_angles};
+use super::cost::{Demand, mean_sub_angles};
 use super::{benchmark, resolved};
 use crate::error::Result;
 use crate::job::dose::model_probe::try_orders;
@@ -12,7 +12,7 @@ use crate::job::progress::{Progress, stage, watched};
 use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::card::Card;
 use crate::job::spec::read::Job;
-use crate::models::{Quantity, Run};
+use crate::models::{Quantity, Work};
 use crate::report::number::significant;
 use crate::report::page::{Page, check_page};
 use std::time::Instant;
@@ -21,9 +21,9 @@ use std::time::Instant;
 ///
 /// # Errors
 /// As [`run`](fn@super::run), for input that cannot be used.
-pub fn check(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<Plan> {
-    watched(progress, cancel, |progress| {
-        check_stages(job, progress, cancel).map_err(|e| job.locate(e))
+pub fn check(job: &Job, progress: &mut dyn Progress, work: &Work) -> Result<Plan> {
+    watched(progress, work, |progress| {
+        check_stages(job, progress, work).map_err(|e| job.locate(e))
     })
 }
 
@@ -31,10 +31,10 @@ pub fn check(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<Pla
 ///
 /// # Errors
 /// As [`run`](fn@super::run), for input that cannot be used.
-pub fn picture(job: &Job, cancel: &Run) -> Result<Page> {
+pub fn picture(job: &Job, work: &Work) -> Result<Page> {
     let drawn = || {
-        let resolved = resolved(job, cancel)?;
-        let voxels = &resolved.voxels(&resolved.grid, cancel)?[0];
+        let resolved = resolved(job, work)?;
+        let voxels = &resolved.voxels(&resolved.grid, work)?[0];
         let program = concat!("Tomolith ", env!("CARGO_PKG_VERSION"));
         let text = job.complete().to_toml()?;
         let (inside, labels) = (&voxels.target.inside, &voxels.labels);
@@ -50,17 +50,17 @@ pub fn picture(job: &Job, cancel: &Run) -> Result<Page> {
     drawn().map_err(|e| job.locate(e))
 }
 
-fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<Plan> {
-    stage(progress, cancel, "reading the job");
-    let mut resolved = resolved(job, cancel)?;
+fn check_stages(job: &Job, progress: &mut dyn Progress, work: &Work) -> Result<Plan> {
+    stage(progress, work, "reading the job");
+    let mut resolved = resolved(job, work)?;
     resolved.note_levels();
-    let sampling = stage(progress, cancel, "sampling the target");
+    let sampling = stage(progress, work, "sampling the target");
     let begin = Instant::now();
     let voxels = resolved.voxels(&resolved.grid, &sampling)?;
     let sampling_s = begin.elapsed().as_secs_f64();
     resolved.must_start(&voxels)?;
     try_orders(&mut resolved, progress, &sampling)?;
-    let trying = stage(progress, cancel, "trying the start of the optimization").aside();
+    let trying = stage(progress, work, "trying the start of the optimization").aside();
     let memory_used = |job: &ResolvedJob| job.optics.card.as_ref().and_then(Card::memory_used);
     let _earlier = memory_used(&resolved);
     let of_ceiling = match iterations_of_ceiling(&resolved, &voxels) {
@@ -85,11 +85,11 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
     let mut warnings = resolved.warnings.clone();
     warnings.extend(resolved.warnings_of(&voxels)?);
     // How much there is to time is not known beforehand
-    let timing = stage(progress, cancel, "timing a few frames on this machine").aside();
+    let timing = stage(progress, work, "timing a few frames on this machine").aside();
     let rates = benchmark::rates(&resolved, &voxels[0], sampling_s, &timing)?;
     let paths = resolved.optics.family(&resolved.grid)?.monte_carlo_paths();
     resolved.notes.extend(print_time(&resolved, of_ceiling));
-    let work = Work {
+    let demand = Demand {
         extent: &resolved.extent,
         iterations: resolved.stop().iterations + of_ceiling,
         sub_angles: [
@@ -102,14 +102,14 @@ fn check_stages(job: &Job, progress: &mut dyn Progress, cancel: &Run) -> Result<
         wall_s: resolved.stop().wall_s,
         longer: 1.0,
     };
-    let work = work.as_timed(&rates, iterations_s);
-    let cost = work.cost(&rates);
+    let demand = demand.as_timed(&rates, iterations_s);
+    let cost = demand.cost(&rates);
     if resolved.schedule().is_some() {
         let text = "the seconds are those without the print in time, which comes on top";
         resolved.notes.push(text.to_owned());
     }
     let memory_budget_mb = resolved.memory_budget_mb();
-    if let Some((text, is_much)) = work.of_scenarios(&rates, memory_budget_mb) {
+    if let Some((text, is_much)) = demand.of_scenarios(&rates, memory_budget_mb) {
         let told = if is_much {
             &mut warnings
         } else {

@@ -2,7 +2,7 @@
 
 use crate::job::optimize::Optimized;
 use crate::job::progress::{Progress, stage};
-use crate::models::Run;
+use crate::models::Work;
 use crate::optimize::Counters;
 use crate::report::Timing;
 use std::time::Instant;
@@ -15,23 +15,23 @@ pub(crate) struct Clock<'p> {
     pub(crate) begin: Instant,
     stages: Vec<(&'static str, Instant)>,
     pub(crate) progress: &'p mut dyn Progress,
-    pub(crate) cancel: &'p Run,
+    pub(crate) work: &'p Work,
 }
 
 impl<'p> Clock<'p> {
-    pub(crate) fn new(progress: &'p mut dyn Progress, cancel: &'p Run) -> Self {
+    pub(crate) fn new(progress: &'p mut dyn Progress, work: &'p Work) -> Self {
         Clock {
             begin: Instant::now(),
             stages: Vec::new(),
             progress,
-            cancel,
+            work,
         }
     }
 
     /// Begins a stage; what it returns is the whole of it.
-    pub(crate) fn stage(&mut self, name: &'static str) -> Run {
+    pub(crate) fn stage(&mut self, name: &'static str) -> Work {
         self.stages.push((name, Instant::now()));
-        stage(self.progress, self.cancel, name)
+        stage(self.progress, self.work, name)
     }
 
     /// The stages that are over; behind the optimization its parts.

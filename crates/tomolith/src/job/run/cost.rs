@@ -35,7 +35,7 @@ const MEASURES_PER_CANVAS_PIXEL: f64 = 0.18;
 
 /// What a job asks for.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Work<'a> {
+pub(crate) struct Demand<'a> {
     pub(crate) extent: &'a Extent,
     /// The most iterations there will be.
     pub(crate) iterations: usize,
@@ -71,7 +71,7 @@ pub(crate) fn mean_sub_angles(lights: &[Light]) -> f64 {
     angles.sum::<usize>() as f64 / frames.sum::<usize>().max(1) as f64
 }
 
-impl Work<'_> {
+impl Demand<'_> {
     /// Dose calls of the evaluation.
     fn evaluation_s(&self, rates: &Rates) -> f64 {
         let refine = self.extent.refine;
@@ -119,7 +119,7 @@ impl Work<'_> {
             return None;
         }
         let extent = &self.extent.of_the_job_alone();
-        let alone = Work { extent, ..*self }.cost(rates);
+        let alone = Demand { extent, ..*self }.cost(rates);
         let all = self.cost(rates);
         let [seconds, alone_s] = [all, alone].map(|cost| cost.optimization_s + cost.rest_s);
         let [memory_mb, alone_mb] = [self.extent, extent].map(Extent::optimization_mb);
@@ -140,7 +140,7 @@ impl Work<'_> {
     pub(crate) fn as_timed(self, rates: &Rates, iterations_s: Option<f64>) -> Self {
         let by_rates = self.iterations as f64 * self.step_s(rates);
         let longer = iterations_s.map_or(1.0, |timed_s| (timed_s / by_rates).max(1.0));
-        Work { longer, ..self }
+        Demand { longer, ..self }
     }
 
     /// An iteration, s.
@@ -161,7 +161,7 @@ impl Work<'_> {
 
     /// Rates times work.
     pub(crate) fn cost(&self, rates: &Rates) -> Cost {
-        let Work {
+        let Demand {
             extent, iterations, ..
         } = *self;
         let own = self.sub_angles[0];
@@ -237,7 +237,7 @@ mod tests {
     #[test]
     fn time_is_work_times_rates() {
         let extent = extent();
-        let work = Work {
+        let demand = Demand {
             extent: &extent,
             iterations: 7,
             sub_angles: [1.0, 4.0],
@@ -247,7 +247,7 @@ mod tests {
             wall_s: None,
             longer: 1.0,
         };
-        let cost = work.cost(&rates());
+        let cost = demand.cost(&rates());
         // A dose: 30 frames of 100 updates at 1000/s, and ½ s = 3.5 s; an adjoint: at 2000/s, and 0.1 s. A step: both, 5
         // passes, 44 vectors of 500 pixels. The first dose takes 6.05 s more,
         // and making the model 0.55 s
@@ -261,21 +261,21 @@ mod tests {
         let rest = 232.0 + measures * 2e-3 + 9.0 * 1000.0 * 1e-3 + 3.0 * 6.5;
         tomolith_core::near!(cost.rest_s, rest, 1e-9);
         // What was timed counts where it is longer
-        let timed = |seconds| work.as_timed(&rates(), Some(seconds)).cost(&rates());
+        let timed = |seconds| demand.as_timed(&rates(), Some(seconds)).cost(&rates());
         assert_eq!(timed(1.0), cost);
         let longer = timed(100.0).optimization_s - cost.optimization_s;
         tomolith_core::near!(longer, 100.0 - 7.0 * step, 1e-9);
         // Monte Carlo paths: sixteen times as many, five times on the job's voxels and once on finer ones, worth two
-        let paths = Work {
+        let paths = Demand {
             monte_carlo_paths: Some(16),
-            ..work
+            ..demand
         }
         .cost(&rates());
         assert!((paths.rest_s - rest - (16.0 * 7.0 * 7.0 - 232.0)).abs() < 1e-9);
         // Averaged frames cost as many calls; a limit of the wall time cuts the iterations, not the rest
-        let averaged = Work {
+        let averaged = Demand {
             sub_angles: [3.0, 4.0],
-            ..work
+            ..demand
         };
         let more = averaged.cost(&rates()).optimization_s - cost.optimization_s;
         tomolith_core::near!(more, 2.0 * (7.0 * 5.1 + 4.0 * 3.5), 1e-9);
@@ -284,9 +284,9 @@ mod tests {
             effort: 3.0,
             ..extent.clone()
         };
-        let finer = Work {
+        let finer = Demand {
             extent: &finer,
-            ..work
+            ..demand
         }
         .cost(&rates());
         let more = finer.optimization_s - cost.optimization_s;
@@ -299,9 +299,9 @@ mod tests {
             fields: 4,
             ..extent.clone()
         };
-        let beside = Work {
+        let beside = Demand {
             extent: &scenarios,
-            ..work
+            ..demand
         };
         let more = beside.cost(&rates());
         let begun = 2.0 * (4.0 * 3.5 + 6.05 + 0.55);
@@ -312,15 +312,15 @@ mod tests {
             text.starts_with("2 scenarios: an iteration computes 3 doses"),
             "{text}"
         );
-        let long = Work {
+        let long = Demand {
             iterations: 100,
             ..beside
         };
         assert!(!is_much && long.of_scenarios(&rates(), None).unwrap().1);
-        assert_eq!(work.of_scenarios(&rates(), None), None);
-        let limited = Work {
+        assert_eq!(demand.of_scenarios(&rates(), None), None);
+        let limited = Demand {
             wall_s: Some(1.0),
-            ..work
+            ..demand
         }
         .cost(&rates());
         assert_eq!(

@@ -8,7 +8,7 @@ use crate::job::output::summary::Summary;
 use crate::job::progress::Progress;
 use crate::job::resolve::identity::{contents, hash, tables_of, take_files};
 use crate::job::spec::read::{Job, with_every_default};
-use crate::models::Run;
+use crate::models::Work;
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
@@ -24,7 +24,7 @@ pub struct JobRequirements {
 /// # Errors
 /// As [`run`](fn@crate::job::run), for input that cannot be used.
 pub fn requirements(job: &Job) -> Result<JobRequirements> {
-    let extent = resolved(job, &Run::new())
+    let extent = resolved(job, &Work::new())
         .map_err(|e| job.locate(e))?
         .extent;
     Ok(JobRequirements {
@@ -43,14 +43,14 @@ pub fn run_here(
     leaves: Leaves,
     cache: &mut RunCache,
     progress: &mut dyn Progress,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<Summary> {
     let how = How {
         resume,
         leaves,
         ranks: None,
     };
-    let summary = stages(job, how, cache, progress, cancel).map_err(|e| job.locate(e))?;
+    let summary = stages(job, how, cache, progress, work).map_err(|e| job.locate(e))?;
     Ok(summary.unwrap_or_else(|| unreachable!("a run alone is its first rank")))
 }
 
@@ -205,7 +205,7 @@ mod tests {
         std::fs::write(&file, text).unwrap();
         let own = Job::read(&file, &[]).unwrap();
         let raw = |job: &Job| {
-            crate::job::run_leaving(job, false, Leaves::Patterns, &mut Silent, &Run::new())
+            crate::job::run_leaving(job, false, Leaves::Patterns, &mut Silent, &Work::new())
                 .unwrap();
             let arrays = read_patterns(&job.folder().join("patterns.npz")).unwrap();
             arrays[0].raw.clone().unwrap_or(arrays[0].shown.clone())
@@ -223,7 +223,7 @@ mod tests {
             shown: &brighter,
             raw: None,
         };
-        write_patterns(&file, &[pair], &Run::new()).unwrap();
+        write_patterns(&file, &[pair], &Work::new()).unwrap();
         let job = own.clone();
         let given = at(own.starting_from(&file, &[], false).unwrap(), "given");
         let bound = brightest(&start);
@@ -246,7 +246,7 @@ mod tests {
             shown: &poor,
             raw: None,
         };
-        write_patterns(&worse, &[pair], &Run::new()).unwrap();
+        write_patterns(&worse, &[pair], &Work::new()).unwrap();
         let chosen = raw(&at(
             job.starting_from(&worse, &[good], false).unwrap(),
             "chosen",

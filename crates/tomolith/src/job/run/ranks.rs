@@ -10,13 +10,13 @@ use crate::job::progress::{Progress, watched};
 use crate::job::resolve::ResolvedJob;
 use crate::job::resolve::optics::Optics;
 use crate::job::spec::read::Job;
-use crate::models::Run;
+use crate::models::Work;
 use crate::ranks::Communicator;
 use std::sync::Arc;
 
 /// Runs a job as [`run_leaving`](crate::job::run_leaving) does, on several ranks that all call this; the summary is rank 0's. Requests to stop are
 /// shared, so that all ranks stop after the same step: the patience of their runs must have no end
-/// (`Run::with_patience(Duration::MAX)`), as one that breaks into its step leaves the others waiting.
+/// (`Work::with_patience(Duration::MAX)`), as one that breaks into its step leaves the others waiting.
 ///
 /// # Errors
 /// As [`run`](fn@crate::job::run); [`Error::Config`] for what cannot be shared, and for fewer frames than ranks, before any work; [`Error::Rank`] where another
@@ -27,16 +27,16 @@ pub fn run_among(
     leaves: Leaves,
     ranks: &Arc<dyn Communicator>,
     progress: &mut dyn Progress,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<Option<Summary>> {
-    watched(progress, cancel, |progress| {
+    watched(progress, work, |progress| {
         let how = How {
             resume,
             leaves,
             ranks: Some(ranks),
         };
         let cache = &mut RunCache::default();
-        stages(job, how, cache, progress, cancel).map_err(|e| job.locate(e))
+        stages(job, how, cache, progress, work).map_err(|e| job.locate(e))
     })
 }
 

@@ -13,7 +13,7 @@ use crate::job::output::summary::Summary;
 use crate::job::progress::{Progress, watched};
 use crate::job::resolve::ResolvedJob;
 use crate::job::spec::read::Job;
-use crate::models::Run;
+use crate::models::Work;
 use std::path::Path;
 
 /// Simulates patterns of an earlier run under a job; everything but the optimization.
@@ -28,10 +28,10 @@ pub fn simulate(
     job: &Job,
     source: &Path,
     progress: &mut dyn Progress,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<Summary> {
-    watched(progress, cancel, |progress| {
-        simulate_stages(job, source, progress, cancel).map_err(|e| job.locate(e))
+    watched(progress, work, |progress| {
+        simulate_stages(job, source, progress, work).map_err(|e| job.locate(e))
     })
 }
 
@@ -39,16 +39,16 @@ fn simulate_stages(
     job: &Job,
     source: &Path,
     progress: &mut dyn Progress,
-    cancel: &Run,
+    work: &Work,
 ) -> Result<Summary> {
-    let mut clock = Clock::new(progress, cancel);
+    let mut clock = Clock::new(progress, work);
     clock.stage("reading the job and the patterns");
     let job = &beside_the_run(job)?;
-    let mut resolved = resolved(job, cancel)?;
-    let (patterns, notes) = written::read(&resolved, source, cancel)?;
+    let mut resolved = resolved(job, work)?;
+    let (patterns, notes) = written::read(&resolved, source, work)?;
     resolved.notes.extend(notes);
     respond_as_found(&mut resolved, source)?;
-    cancel.check()?;
+    work.check()?;
     let folder = open(job, &resolved, clock.progress)?;
     let (voxels, warnings) = sample(&mut resolved, &mut RunCache::default(), &mut clock)?;
     let stage = clock.stage("evaluating the patterns");

@@ -20,7 +20,7 @@ fn check_promises_a_ceiling_only_where_the_run_looks_for_one() {
     let searches = |model| {
         let document = Document::toml("job.toml", text(model)).unwrap();
         let job = Job::from_document(document).unwrap();
-        let plan = check(&job, &mut Silent, &Run::new()).unwrap();
+        let plan = check(&job, &mut Silent, &Work::new()).unwrap();
         let mut notes = plan.notes.iter();
         notes.any(|note| note.contains("the lowest ceiling"))
     };
@@ -30,7 +30,7 @@ fn check_promises_a_ceiling_only_where_the_run_looks_for_one() {
 /// Cancels when a stage begins, and remembers what is told.
 struct Canceler<'r> {
     at: &'static str,
-    run: &'r Run,
+    work: &'r Work,
     stages: Vec<String>,
 }
 
@@ -39,7 +39,7 @@ impl Progress for Canceler<'_> {
         if let Event::Stage { name } = event {
             self.stages.push(name.clone());
             if name == self.at {
-                self.run.cancel();
+                self.work.cancel();
             }
         }
     }
@@ -69,14 +69,14 @@ fn a_request_to_stop_ends_the_stage_at_hand() {
     ];
     for (i, at) in stages.into_iter().enumerate() {
         let folder = place.path().join(i.to_string());
-        let run = Run::new();
+        let work = Work::new();
         let mut canceler = Canceler {
             at,
-            run: &run,
+            work: &work,
             stages: Vec::new(),
         };
         let job = job.clone().with_folder(&folder, "--output");
-        let ended = super::run(&job, false, &mut canceler, &run);
+        let ended = super::run(&job, false, &mut canceler, &work);
         assert!(matches!(ended, Err(Error::Canceled)), "{at}: {ended:?}");
         assert_eq!(canceler.stages, stages[..=i], "{at}");
         // Of a run whose patterns are there they are kept; nothing else is left
@@ -89,7 +89,7 @@ fn a_request_to_stop_ends_the_stage_at_hand() {
             assert!(!folder.join(name).exists(), "{at}: {name}");
         }
         if i == 3 {
-            super::run(&job, true, &mut Silent, &Run::new()).unwrap();
+            super::run(&job, true, &mut Silent, &Work::new()).unwrap();
             let left = folder.join("checkpoint/patterns.npz");
             assert!(!left.exists() && folder.join("patterns.npz").exists());
         }
@@ -136,7 +136,7 @@ fn an_observer_has_copies_of_every_iteration_and_of_what_is_evaluated() {
         .unwrap()
         .with_folder(&place.path().join("run"), "--output");
     let mut looker = Looker::default();
-    super::run(&job, false, &mut looker, &Run::new()).unwrap();
+    super::run(&job, false, &mut looker, &Work::new()).unwrap();
     let seen: Vec<Option<usize>> = looker.0.iter().map(|own| own.iteration).collect();
     assert_eq!(seen, [Some(0), Some(1), Some(2), Some(3), None]);
     let prints: Vec<usize> = looker.0.iter().map(|own| own.print.len()).collect();
@@ -226,7 +226,7 @@ mod lost_card {
             &job.with_folder(folder, "--output"),
             resume,
             progress,
-            &Run::new(),
+            &Work::new(),
         )
     }
 

@@ -248,8 +248,10 @@ mod tests {
         let job = Document::toml("a.toml", text).and_then(Job::from_document);
         let error = match job {
             Err(error) => error,
-            Ok(job) => crate::job::check(&job, &mut crate::job::Silent, &crate::models::Run::new())
-                .unwrap_err(),
+            Ok(job) => {
+                crate::job::check(&job, &mut crate::job::Silent, &crate::models::Work::new())
+                    .unwrap_err()
+            }
         };
         let several = match error {
             Error::Several(several) => several,

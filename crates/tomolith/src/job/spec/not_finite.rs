@@ -104,7 +104,7 @@ mod tests {
     use crate::error::Result;
     use crate::job::tests::document_of;
     use crate::job::{Document, Job, Silent, run};
-    use crate::models::Run;
+    use crate::models::Work;
 
     const SMALL: &str = r#"
         target = { phantom = "gear", size_mm = 2.0 }
@@ -121,7 +121,7 @@ mod tests {
         let refusal = |changes: &[&str]| -> Result<()> {
             let job = Job::from_document(document_of(SMALL, changes))?;
             let job = job.with_folder(&folder.path().join("run"), "");
-            run(&job, false, &mut Silent, &Run::new()).map(drop)
+            run(&job, false, &mut Silent, &Work::new()).map(drop)
         };
         let changes = [
             "objective.threshold.exponent=60",

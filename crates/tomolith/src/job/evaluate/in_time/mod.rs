@@ -16,7 +16,7 @@ use crate::io::mp4::write_movie;
 use crate::job::dose::in_time::Shown;
 use crate::job::resolve::scheduled::sent_mj;
 use crate::job::resolve::{ResolvedJob, Voxels};
-use crate::models::Run;
+use crate::models::Work;
 use crate::report::number::significant;
 use crate::report::{OneMoment, TimeReport};
 use serde::Serialize;
@@ -145,7 +145,7 @@ impl NetworkInTime {
     ///
     /// # Errors
     /// [`Error::Io`], or what an encoder refuses.
-    pub(crate) fn write_movie(&self, path: &Path, run: &Run) -> Result<()> {
+    pub(crate) fn write_movie(&self, path: &Path, work: &Work) -> Result<()> {
         let [_, ny, nx] = self.labels.grid.shape;
         let grid = PatternGrid::full_turn(self.slices.len(), 0.0, ny, nx, 1.0);
         let values = self.slices.concat();
@@ -156,7 +156,12 @@ impl NetworkInTime {
             full_scale: 1.0,
             values: &values,
         };
-        write_movie(path, &set, self.slices.len() as f64 / MOVIE_S, &run.aside())
+        write_movie(
+            path,
+            &set,
+            self.slices.len() as f64 / MOVIE_S,
+            &work.aside(),
+        )
     }
 }
 
@@ -168,12 +173,12 @@ pub(crate) fn print_in_time(
     job: &ResolvedJob,
     voxels: &[Voxels],
     patterns: &[Patterns],
-    run: &Run,
+    work: &Work,
 ) -> Result<Option<InTime>> {
     let Some(given) = job.schedule() else {
         return Ok(None);
     };
-    let shown = Shown::new(job, patterns, run)?;
+    let shown = Shown::new(job, patterns, work)?;
     let material = &shown.material;
     let end = shown.schedule.end_s();
     let times: Vec<f64> = (1..=given.snapshots)

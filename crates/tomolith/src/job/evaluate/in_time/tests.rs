@@ -31,7 +31,7 @@ fn report(changes: &[&str]) -> (Value, tempfile::TempDir) {
     let folder = tempfile::tempdir().unwrap();
     let job = job(changes).unwrap();
     let job = job.with_folder(&folder.path().join("run"), "--output");
-    crate::job::run(&job, false, &mut Silent, &Run::new()).unwrap();
+    crate::job::run(&job, false, &mut Silent, &Work::new()).unwrap();
     let text = std::fs::read(folder.path().join("run/report.json")).unwrap();
     (serde_json::from_slice(&text).unwrap(), folder)
 }
@@ -83,7 +83,7 @@ fn a_print_that_ends_too_soon_says_how_far_it_came() {
         let folder = tempfile::tempdir().unwrap();
         let job = job(&[turns, "stop.iterations=4"]).unwrap();
         let job = job.with_folder(&folder.path().join("run"), "--output");
-        let summary = crate::job::run(&job, false, &mut Silent, &Run::new()).unwrap();
+        let summary = crate::job::run(&job, false, &mut Silent, &Work::new()).unwrap();
         let own = &summary.in_time[0];
         let share = own.largest_share.unwrap();
         assert!(own.ideal_exposure_s.is_none());
@@ -138,7 +138,7 @@ fn a_dose_that_diffuses_is_that_of_every_model_spread() {
         let diffusion = format!("material={{ diffusion = {{ mm2_per_s = {diffusion} }} }}");
         let changes = [&diffusion, change, "resin.critical_dose_mj_per_mm3=0.8"];
         let job = ResolvedJob::new(&job(&changes).unwrap()).unwrap();
-        job.task(&Run::new()).unwrap()
+        job.task(&Work::new()).unwrap()
     };
     for change in [
         "model=\"parallel\"",
@@ -150,7 +150,7 @@ fn a_dose_that_diffuses_is_that_of_every_model_spread() {
         let of = |task: &crate::job::Task| {
             let mut dose = task.model.new_dose().unwrap();
             task.model
-                .dose(&sharp.start, &mut dose, &Run::new())
+                .dose(&sharp.start, &mut dose, &Work::new())
                 .unwrap();
             let sum = dose.as_slice().iter().map(|v| f64::from(*v)).sum::<f64>();
             (sum, dose.dot(&dose))
@@ -251,7 +251,8 @@ fn bodies_and_inserts_are_walls() {
     ] {
         document.set(change).unwrap();
     }
-    let resolved = ResolvedJob::under(&Job::from_document(document).unwrap(), &Run::new()).unwrap();
+    let resolved =
+        ResolvedJob::under(&Job::from_document(document).unwrap(), &Work::new()).unwrap();
     let held = resin(&resolved, &resolved.grid).unwrap();
     let walls = held.values.iter().filter(|v| !**v).count();
     assert!(walls > 20 && walls < held.values.len() / 4, "{walls}");

@@ -37,7 +37,7 @@ mod tests {
     use super::*;
     use crate::grid::{Volume, VolumeGrid};
     use crate::io::npy::write_volume;
-    use crate::models::Run;
+    use crate::models::Work;
 
     #[test]
     fn a_value_that_is_no_light_is_refused_where_it_stands() {
@@ -45,7 +45,7 @@ mod tests {
         let file = folder.path().join("sinogram.npy");
         let values = vec![0.0, 0.5, 1.0, -0.25, 0.0, 0.0];
         let volume = Volume::new(VolumeGrid::centered([2, 1, 3], 1.0), values);
-        write_volume(&file, &volume, &Run::new()).unwrap();
+        write_volume(&file, &volume, &Work::new()).unwrap();
         let refused = sinogram(&file).unwrap_err().to_string();
         assert!(refused.contains("-0.25 at [1, 0, 0]"), "{refused}");
     }
@@ -61,7 +61,7 @@ mod tests {
                 .map(|i| f32::from(i / 12 * 100 + i / 4 % 3 * 10 + i % 4))
                 .collect(),
         };
-        write_volume(&file, &volume, &Run::new()).unwrap();
+        write_volume(&file, &volume, &Work::new()).unwrap();
         let patterns = sinogram(&file).unwrap();
         assert_eq!(
             [

@@ -10,28 +10,28 @@ const WHOLE: u64 = 1 << 52;
 
 /// What long work carries along: a way to be stopped, and a gauge of how much of the stage at hand is done.
 ///
-/// Work is cut into [`part`](Run::part)s, each with its share of the whole, and counted in [`steps`](Run::steps) where a part
+/// Work is cut into [`part`](Work::part)s, each with its share of the whole, and counted in [`steps`](Work::steps) where a part
 /// is not cut further. Parts may run side by side. What a part did not count is done when it is dropped, so the gauge never
 /// falls, and a stage that ends has filled it.
 ///
 /// An optimization is *patient*: the first request ends it after the step at hand, so that nothing is lost, unless that takes
-/// longer than [`PATIENCE`](Run::PATIENCE); then, or at a second request, the step is broken into.
+/// longer than [`PATIENCE`](Work::PATIENCE); then, or at a second request, the step is broken into.
 ///
 /// ```
-/// use tomolith_core::dose::Run;
-/// let run = Run::new();
-/// let stage = run.stage();
+/// use tomolith_core::dose::Work;
+/// let work = Work::new();
+/// let stage = work.stage();
 /// let reading = stage.part(0.5);
 /// let steps = reading.steps(4);
 /// steps.add(1);
-/// assert_eq!(run.done(), 0.125); // a quarter of one half
+/// assert_eq!(work.done(), 0.125); // a quarter of one half
 /// drop(reading);
-/// assert_eq!(run.done(), 0.5);
-/// run.cancel();
+/// assert_eq!(work.done(), 0.5);
+/// work.cancel();
 /// assert!(stage.check().is_err());
 /// ```
 #[derive(Debug)]
-pub struct Run {
+pub struct Work {
     signal: Arc<Signal>,
     gauge: Arc<AtomicU64>,
     /// Of the gauge: how much this part is, and how much of it is done or given to its parts.
@@ -48,26 +48,26 @@ struct Signal {
     patience: Duration,
 }
 
-impl Default for Run {
+impl Default for Work {
     fn default() -> Self {
-        Run::with_patience(Run::PATIENCE)
+        Work::with_patience(Work::PATIENCE)
     }
 }
 
-impl Run {
+impl Work {
     /// How long the first request waits for the end of what is done patiently.
     pub const PATIENCE: Duration = Duration::from_millis(400);
 
-    /// A run without a request to stop.
+    /// Work without a request to stop.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// A run whose first request waits so long for the end of what is done patiently.
+    /// Work whose first request waits so long for the end of what is done patiently.
     #[must_use]
     pub fn with_patience(patience: Duration) -> Self {
-        Run {
+        Work {
             signal: Arc::new(Signal {
                 requests: AtomicU32::new(0),
                 first: OnceLock::new(),
@@ -80,7 +80,7 @@ impl Run {
         }
     }
 
-    /// Requests a stop of everything that carries this run; returns the number of earlier requests.
+    /// Requests a stop of everything that carries this work; returns the number of earlier requests.
     pub fn cancel(&self) -> u32 {
         self.signal.first.get_or_init(Instant::now);
         self.signal.requests.fetch_add(1, Ordering::Relaxed)
@@ -132,21 +132,21 @@ impl Run {
 
     /// The whole of a new stage: the gauge begins at 0.
     #[must_use]
-    pub fn stage(&self) -> Run {
+    pub fn stage(&self) -> Work {
         self.gauge.store(0, Ordering::Relaxed);
         self.of_share(WHOLE)
     }
 
     /// A part of this work, as large a share of it as that; what the parts before it have left at most.
     #[must_use]
-    pub fn part(&self, share: f64) -> Run {
+    pub fn part(&self, share: f64) -> Work {
         let wanted = (self.share as f64 * share.clamp(0.0, 1.0)).round() as u64;
         self.of_share(self.take(wanted))
     }
 
     /// Work that is watched, but no part of what is done.
     #[must_use]
-    pub fn aside(&self) -> Run {
+    pub fn aside(&self) -> Work {
         self.of_share(0)
     }
 
@@ -154,7 +154,7 @@ impl Run {
     #[must_use]
     pub fn steps(&self, count: usize) -> Steps<'_> {
         Steps {
-            run: self,
+            work: self,
             count: count as u64,
             done: AtomicU64::new(0),
         }
@@ -166,8 +166,8 @@ impl Run {
         self.gauge.load(Ordering::Relaxed).min(WHOLE) as f64 / WHOLE as f64
     }
 
-    fn of_share(&self, share: u64) -> Run {
-        Run {
+    fn of_share(&self, share: u64) -> Work {
+        Work {
             signal: Arc::clone(&self.signal),
             gauge: Arc::clone(&self.gauge),
             share,
@@ -190,7 +190,7 @@ impl Run {
     }
 }
 
-impl Drop for Run {
+impl Drop for Work {
     fn drop(&mut self) {
         self.tell(self.share);
     }
@@ -199,7 +199,7 @@ impl Drop for Run {
 /// Steps of a piece of work, counted from any thread.
 #[derive(Debug)]
 pub struct Steps<'r> {
-    run: &'r Run,
+    work: &'r Work,
     count: u64,
     done: AtomicU64,
 }
@@ -209,16 +209,16 @@ impl Steps<'_> {
     pub fn add(&self, steps: usize) {
         let before = self.done.fetch_add(steps as u64, Ordering::Relaxed);
         let place = |done: u64| {
-            let share = u128::from(self.run.share) * u128::from(done.min(self.count));
+            let share = u128::from(self.work.share) * u128::from(done.min(self.count));
             (share / u128::from(self.count.max(1))) as u64
         };
-        self.run.tell(place(before + steps as u64) - place(before));
+        self.work.tell(place(before + steps as u64) - place(before));
     }
 
     /// Whether work must stop now.
     #[must_use]
     pub fn is_canceled(&self) -> bool {
-        self.run.is_canceled()
+        self.work.is_canceled()
     }
 }
 
@@ -229,10 +229,10 @@ mod tests {
 
     #[test]
     fn parts_side_by_side_fill_the_gauge_without_a_step_back() {
-        let run = Run::new();
+        let work = Work::new();
         for _ in 0..2 {
-            let stage = run.stage();
-            assert_eq!(run.done(), 0.0);
+            let stage = work.stage();
+            assert_eq!(work.done(), 0.0);
             let parts = [stage.part(0.3), stage.part(0.5), stage.part(0.9)];
             let last = AtomicU64::new(0);
             parts.par_iter().enumerate().for_each(|(i, part)| {
@@ -240,50 +240,50 @@ mod tests {
                 (0..1000).into_par_iter().for_each(|_| {
                     let before = last.load(Ordering::Acquire);
                     steps.add(1);
-                    let now = run.done().to_bits();
+                    let now = work.done().to_bits();
                     assert!(now >= before, "the gauge fell");
                     last.fetch_max(now, Ordering::Release);
                 });
             });
-            assert!(run.done() > 0.99 && run.done() < 1.0);
+            assert!(work.done() > 0.99 && work.done() < 1.0);
             drop((parts, stage));
-            assert_eq!(run.done(), 1.0);
+            assert_eq!(work.done(), 1.0);
         }
     }
 
     #[test]
     fn patience_ends_by_itself_or_with_a_second_request() {
         let canceled = |patience: Duration, requests: usize| {
-            let run = Run::with_patience(patience);
-            run.set_patient(true);
+            let work = Work::with_patience(patience);
+            work.set_patient(true);
             for _ in 0..requests {
-                run.cancel();
+                work.cancel();
             }
-            (run.is_stop_asked(), run.is_canceled())
+            (work.is_stop_asked(), work.is_canceled())
         };
         assert_eq!(canceled(Duration::ZERO, 0), (false, false));
         assert_eq!(canceled(Duration::ZERO, 1), (true, true));
         assert_eq!(canceled(Duration::MAX, 1), (true, false));
         assert_eq!(canceled(Duration::MAX, 2), (true, true));
         // Whoever is not patient stops at once
-        let run = Run::with_patience(Duration::MAX);
-        run.cancel();
-        assert!(run.is_canceled());
+        let work = Work::with_patience(Duration::MAX);
+        work.cancel();
+        assert!(work.is_canceled());
     }
 
     #[test]
     fn what_is_not_counted_is_done_at_the_end_and_nothing_twice() {
-        let run = Run::new();
-        let stage = run.stage();
+        let work = Work::new();
+        let stage = work.stage();
         drop(stage.part(0.25));
-        assert_eq!(run.done(), 0.25);
+        assert_eq!(work.done(), 0.25);
         drop(stage.aside());
-        assert_eq!(run.done(), 0.25);
+        assert_eq!(work.done(), 0.25);
         let steps = stage.steps(2);
         steps.add(5); // more than there are
-        assert_eq!(run.done(), 1.0);
+        assert_eq!(work.done(), 1.0);
         assert_eq!(stage.part(0.5).share, 0);
         drop(stage);
-        assert_eq!(run.done(), 1.0);
+        assert_eq!(work.done(), 1.0);
     }
 }
